@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBoneDecimate
+ * @brief   make a bone surface smaller, keep every fragment, report the error in millimetres
+ *
+ * Takes a surface as marching cubes leaves it (triangles, strips or polygons, points shared or not) and returns
+ * one with fewer triangles, by an edge collapse ordered by normal field deviation. Coordinates are millimetres.
+ * No component of the input is removed or merged with another, open borders move only along themselves, parts that
+ * are not manifold stay as they are.
+ *
+ * Output port 0: the smaller surface. Point data: the distance to the input surface, the error recorded along the
+ * collapses (both mm) and how many input points each point stands for. Field data: the report, one array per
+ * entry, its name "bonedecimate." and the entry's (GetReportEntryName()). Vertices and lines pass through.
+ * Output port 1: the input, with the distance of each of its points to the result when MeasureInputDistances is on.
+ *
+ * An input that cannot be used (NaN, an index out of range) is an error with an empty output and the reason in the
+ * message; an empty one gives an empty output and no error.
+ *
+ * @sa vtkQuadricDecimation vtkDecimatePro
+ * H. Brandao, Mesh Simplification and Smoothing for Bone Fragment Models, BSc thesis, Groningen 2018.
+ */
+#ifndef vtkBoneDecimate_h
+#define vtkBoneDecimate_h
+
+#include "vtkFiltersBoneDecimateModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for std::unique_ptr
+#include <string> // for array names and report texts
+
+class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneDecimate : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkBoneDecimate* New();
+  vtkTypeMacro(vtkBoneDecimate, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// How the collapse is ordered and placed.
+  enum Modes
+  {
+    THESIS = 0
+  };
+
+  /// Why the last run ended.
+  enum StopReasons
+  {
+    NOT_RUN = 0,
+    TARGET_REACHED,
+    ERROR_REACHED,
+    ALREADY_SATISFIED,
+    NOTHING_LEFT,
+    ABORTED
+  };
+
+  ///@{
+  /**
+   * The method. THESIS (the default, and the only one so far) combines the stops as the thesis does: it goes on while
+   * there are more triangles than asked for or, with MaximumError above 0, no new point is farther than that.
+   */
+  void SetMode(int mode);
+  int GetMode() const;
+  void SetModeToThesis() { this->SetMode(THESIS); }
+  ///@}
+
+  ///@{
+  /**
+   * Number of triangles to reach, 0 to 2147483647; 0, the default, is off.
+   */
+  void SetTargetNumberOfTriangles(int triangles);
+  int GetTargetNumberOfTriangles() const;
+  ///@}
+
+  ///@{
+  /**
+   * Fraction of the triangles to remove, 0 to 1; 1 is off. The default, 0.9, steps back when a number of
+   * triangles or a largest error is asked for and no reduction was set.
+   */
+  void SetTargetReduction(double fraction);
+  double GetTargetReduction() const;
+  ///@}
+
+  ///@{
+  /**
+   * Distance of a new point to the input surface at which the collapse stops, mm, 0 or more; 0, the default, is off.
+   * In Thesis mode exactly one point may lie beyond it, and triangles between points may, too.
+   */
+  void SetMaximumError(double millimetres);
+  double GetMaximumError() const;
+  ///@}
+
+  ///@{
+  /**
+   * The thesis's tolerance w in NFD = (area1 + area2) (1 - w n1.n2), 0 to 1, default 0.95. Smaller values make flat
+   * areas dearer; at 1 every flat edge costs nothing whatever its length.
+   */
+  void SetNormalTolerance(double tolerance);
+  double GetNormalTolerance() const;
+  ///@}
+
+  ///@{
+  /**
+   * Merge points with exactly equal coordinates first, on by default. Off, a surface whose triangles do not
+   * share points (STL) is one open fragment per triangle.
+   */
+  void SetMergePoints(bool merge);
+  bool GetMergePoints() const;
+  vtkBooleanMacro(MergePoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Measure the distances between input and result in both directions for the report, on by default.
+   */
+  void SetMeasureDistances(bool measure);
+  bool GetMeasureDistances() const;
+  vtkBooleanMacro(MeasureDistances, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Put the input on output port 1 with the distance of each of its points to the result, off by default.
+   */
+  void SetMeasureInputDistances(bool measure);
+  bool GetMeasureInputDistances() const;
+  vtkBooleanMacro(MeasureInputDistances, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Threads to use, 0 to 1024; 0, the default, is one per processor. The result does not depend on it.
+   */
+  void SetNumberOfThreads(int threads);
+  int GetNumberOfThreads() const;
+  ///@}
+
+  ///@{
+  /**
+   * vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION (the default): that of the input.
+   */
+  void SetOutputPointsPrecision(int precision);
+  int GetOutputPointsPrecision() const;
+  ///@}
+
+  ///@{
+  /**
+   * Name of the array of the distance of each output point to the input surface, mm. Default "Distance".
+   */
+  void SetDistanceArrayName(const std::string& name);
+  std::string GetDistanceArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * Name of the array of the largest distance recorded along the collapses into each output point, mm.
+   * Default "RunningError".
+   */
+  void SetRunningErrorArrayName(const std::string& name);
+  std::string GetRunningErrorArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * Name of the array of how many input points each output point stands for. Default "InputPointCount".
+   */
+  void SetPointCountArrayName(const std::string& name);
+  std::string GetPointCountArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * Name of the array on output port 1 of the distance of each input point to the result, mm.
+   * Default "DistanceToResult".
+   */
+  void SetInputDistanceArrayName(const std::string& name);
+  std::string GetInputDistanceArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * Why the last run ended: one of StopReasons, and a sentence.
+   */
+  int GetStopReason() const;
+  std::string GetStopReasonAsString() const;
+  ///@}
+
+  ///@{
+  /**
+   * The report of the last run, a flat list of named values ("output.faces", "distance.output_to_input.max", ...).
+   * A value is NaN and a text empty where the name is unknown; numbers read as text have all their digits.
+   */
+  int GetNumberOfReportEntries() const;
+  std::string GetReportEntryName(int entry) const;
+  std::string GetReportEntryUnit(const std::string& name) const;
+  double GetReportValue(const std::string& name) const;
+  std::string GetReportText(const std::string& name) const;
+  ///@}
+
+protected:
+  vtkBoneDecimate();
+  ~vtkBoneDecimate() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkBoneDecimate(const vtkBoneDecimate&) = delete;
+  void operator=(const vtkBoneDecimate&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

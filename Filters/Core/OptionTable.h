@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file OptionTable.h
+ * @brief The one table of options, from which every door is built, documented or checked.
+ */
+#ifndef BoneDecimate_Core_OptionTable_h
+#define BoneDecimate_Core_OptionTable_h
+
+#include "Options.h"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace bonedecimate
+{
+/// Which field of Options a row stands for; its alternative is the kind of the option.
+using OptionField = std::variant<bool Options::*, int Options::*, double Options::*, std::string Options::*,
+  Mode Options::*, PointsPrecision Options::*>;
+
+/// Switches are bool, choices are their number as int.
+using OptionValue = std::variant<bool, int, double, std::string>;
+
+struct OptionInfo
+{
+  std::string Name; ///< As in SetName() of the filter.
+  OptionField Field;
+  double Minimum; ///< Least and greatest value of a number, both allowed.
+  double Maximum;
+  std::string Unit;                 ///< "mm", "triangles", ...; empty where there is none.
+  std::string Flag;                 ///< Long flag of the command line without dashes; empty: not there.
+  std::vector<std::string> Choices; ///< Names of the values 0, 1, ... of a choice.
+  std::string Sentence;             ///< What it means and what happens at the ends of its range.
+};
+
+/// Every option once, in the order in which people meet them.
+const std::vector<OptionInfo>& OptionTable();
+
+/// The row of that name, or nullptr.
+const OptionInfo* FindOption(const std::string& name);
+
+OptionValue GetOption(const Options& options, const OptionInfo& info);
+
+/// Sets a value of the option's own kind, numbers clamped to the range (NaN becomes the default).
+void SetOption(Options& options, const OptionInfo& info, const OptionValue& value);
+
+/// Sets an option from text; returns what is wrong with it, or an empty string. Nothing is clamped here.
+std::string SetOptionFromText(Options& options, const OptionInfo& info, const std::string& text);
+
+/// The value as text: the name of a choice, "on"/"off", the shortest decimals that read back the same.
+std::string OptionText(const Options& options, const OptionInfo& info);
+
+/// The table as Markdown, for Documentation/options.md.
+std::string OptionTableMarkdown();
+}
+
+#endif

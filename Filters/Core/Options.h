@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Options.h
+ * @brief What a run may be asked for. Meaning, range and unit of each stand in OptionTable.cxx.
+ */
+#ifndef BoneDecimate_Core_Options_h
+#define BoneDecimate_Core_Options_h
+
+#include <string>
+
+namespace bonedecimate
+{
+enum class Mode : int
+{
+  Thesis = 0 ///< Vertex-driven collapse by normal field deviation (Brandao 2018).
+};
+
+/// The values are those of vtkAlgorithm::DesiredOutputPrecision.
+enum class PointsPrecision : int
+{
+  Single = 0,
+  Double = 1,
+  Default = 2 ///< That of the input points.
+};
+
+/// Every field is one row of OptionTable(); the defaults are written here and nowhere else.
+struct Options
+{
+  bonedecimate::Mode Mode = bonedecimate::Mode::Thesis;
+  int TargetNumberOfTriangles = 0;
+  double TargetReduction = 0.9;
+  double MaximumError = 0.0; // mm
+  double NormalTolerance = 0.95;
+  bool MergePoints = true;
+  bool MeasureDistances = true;
+  bool MeasureInputDistances = false;
+  int NumberOfThreads = 0;
+  PointsPrecision OutputPointsPrecision = PointsPrecision::Default;
+  std::string DistanceArrayName = "Distance";
+  std::string RunningErrorArrayName = "RunningError";
+  std::string PointCountArrayName = "InputPointCount";
+  std::string InputDistanceArrayName = "DistanceToResult";
+
+  /// Set by whoever sets TargetReduction. While it is false, the default reduction steps back as soon as a
+  /// number of triangles or a largest error is asked for.
+  bool TargetReductionIsExplicit = false;
+};
+}
+
+#endif

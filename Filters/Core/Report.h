@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Report.h
+ * @brief What happened in a run, why it stopped and what the result is worth.
+ */
+#ifndef BoneDecimate_Core_Report_h
+#define BoneDecimate_Core_Report_h
+
+#include "Options.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace bonedecimate
+{
+/// Whether the input could be used at all.
+enum class InputStatus : int
+{
+  Good = 0,
+  Empty,             ///< No points and no triangles: the result is empty, too.
+  NoTriangles,       ///< Points, but no triangle of positive area.
+  NonFinitePoints,   ///< NaN or infinite coordinates.
+  HugeCoordinates,   ///< Beyond 1e30: products of areas would overflow.
+  IndexOutOfRange,   ///< A triangle names a point that is not there.
+  TooManyTriangles   ///< More than 2^31 / 3 triangles.
+};
+
+/// Why the collapse ended.
+enum class StopReason : int
+{
+  NotRun = 0,
+  TargetReached,     ///< The number of triangles asked for, or the reduction.
+  ErrorReached,      ///< The largest error asked for.
+  AlreadySatisfied,  ///< The input was small enough from the start.
+  NothingLeft,       ///< No collapse is allowed any more.
+  Aborted            ///< The monitor asked for it.
+};
+
+/// The gate's answer to an edit. Allowed is the only one that changes the mesh.
+enum class Verdict : int
+{
+  Allowed = 0,
+  NonManifold,   ///< An end is locked because the surface is not manifold there.
+  Border,        ///< It would move an open border off itself, or pinch the surface.
+  LinkCondition, ///< It would change the topology.
+  Fragment,      ///< A fragment would fall below its least size, vanish or turn inside out.
+  Flip,          ///< A triangle would turn over.
+  Degenerate     ///< A triangle would have no area left.
+};
+constexpr std::size_t NumberOfVerdicts = 7;
+
+struct SurfaceStatistics
+{
+  std::int64_t Faces = 0;
+  std::int64_t Points = 0; ///< Points used by a triangle.
+  std::int64_t Components = 0; ///< Connected by shared points.
+  std::int64_t BoundaryEdges = 0; ///< Edges of exactly one triangle.
+  std::int64_t NonManifoldEdges = 0; ///< Edges of three or more triangles.
+  std::int64_t EulerNumber = 0; ///< Points - edges + faces.
+  double Area = 0.0; ///< mm^2
+  double Volume = 0.0; ///< mm^3, signed, by the divergence theorem; meaningful for closed surfaces.
+};
+
+/// What cleaning found and did. "First" are input ids, -1 where nothing was found.
+struct CleaningStatistics
+{
+  std::int64_t TrianglesRead = 0;
+  std::int64_t PointsRead = 0;
+  std::int64_t NonFinitePoints = 0;
+  std::int64_t FirstNonFinitePoint = -1;
+  std::int64_t TrianglesOutOfRange = 0;
+  std::int64_t FirstTriangleOutOfRange = -1;
+  std::int64_t MergedPoints = 0;
+  std::int64_t UnusedPoints = 0;
+  std::int64_t DroppedTriangles = 0; ///< Zero area.
+  std::int64_t FirstDroppedTriangle = -1;
+  std::int64_t LockedPoints = 0; ///< On non-manifold edges or pinched.
+  std::int64_t FirstLockedPoint = -1;
+  std::int64_t FirstNonManifoldTriangle = -1;
+};
+
+/// Distances of one surface to another, mm.
+struct DistanceStatistics
+{
+  double Maximum = 0.0; ///< Over all points and all area samples: a lower bound of the true one.
+  double Second = 0.0; ///< The largest but one over the points alone (the thesis's column).
+  double Mean = 0.0; ///< Over the area samples.
+  double RootMeanSquare = 0.0; ///< Over the area samples.
+  double PointMaximum = 0.0; ///< Over the points alone.
+  double PointMean = 0.0;
+  double PointRootMeanSquare = 0.0;
+  std::int64_t Samples = 0;
+  double SamplesPerSquareMillimetre = 0.0;
+};
+
+struct StageSeconds
+{
+  double Prepare = 0.0; ///< Cleaning and building the half-edge mesh.
+  double Collapse = 0.0; ///< Bounding tree of the original, costs, the loop, extraction.
+  double Decimate = 0.0; ///< Prepare + Collapse: everything needed for the surface.
+  double Measure = 0.0; ///< Statistics of both surfaces and distances.
+  double Total = 0.0;
+};
+
+struct Report
+{
+  InputStatus Status = InputStatus::Good;
+  StopReason Stop = StopReason::NotRun;
+  SurfaceStatistics Input; ///< After cleaning.
+  SurfaceStatistics Output;
+  CleaningStatistics Cleaning;
+  bool DistancesMeasured = false;
+  DistanceStatistics OutputToInput;
+  DistanceStatistics InputToOutput;
+  double RunningError = 0.0; ///< mm, the thesis's maxError: largest distance of a new vertex to the input.
+  std::int64_t Collapses = 0;
+  std::array<std::int64_t, NumberOfVerdicts> Refusals{}; ///< By Verdict; [Allowed] stays 0.
+  StageSeconds Seconds;
+  std::uint64_t InputChecksum = 0; ///< FNV-1a over the 64-bit words of points and triangles.
+  Options Asked;
+};
+
+/// One word, as in the JSON report: "target_reached".
+const char* StopReasonWord(StopReason reason);
+/// A sentence for people.
+const char* StopReasonSentence(StopReason reason);
+const char* VerdictWord(Verdict verdict);
+/// What is wrong with the input, with counts and the id of the first; empty if it is good.
+std::string InputMessage(const Report& report);
+/// Version of this software, "major.minor.patch".
+const char* Version();
+}
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ReportTable.h
+ * @brief The report as a flat list of named values: one list for JSON, field data and getters.
+ */
+#ifndef BoneDecimate_Core_ReportTable_h
+#define BoneDecimate_Core_ReportTable_h
+
+#include "Report.h"
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace bonedecimate
+{
+using ReportValue = std::variant<std::int64_t, double, std::string>;
+
+struct ReportEntry
+{
+  std::string Name; ///< Path with dots, "distance.output_to_input.max".
+  std::string Unit; ///< "mm", "mm2", "mm3", "s" or empty.
+  ReportValue Value;
+};
+
+/**
+ * All entries of a report, always in the same order. Entries of distances are left out when none were measured.
+ * Names: version, stop_reason, stop_sentence, mode, input.{faces, points, components, boundary_edges,
+ * non_manifold_edges, euler_number, area, volume, faces_read, points_read, merged_points, unused_points,
+ * dropped_triangles, locked_points, checksum}, output.{faces ... volume}, distance.output_to_input.{max, second,
+ * mean, rms, point_max, point_mean, point_rms, samples, samples_per_mm2}, distance.input_to_output.{the same},
+ * running_error, collapses, refusals.{non_manifold, border, ...}, seconds.{prepare, collapse, decimate, measure,
+ * total}, options.{each option by name}.
+ */
+std::vector<ReportEntry> ReportEntries(const Report& report);
+}
+
+#endif
