@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Picture.h
+ * @brief The picture a surgeon looks at: before, after, and the distance in mm as colours with a scalar bar.
+ */
+#ifndef BoneDecimate_Applications_Picture_h
+#define BoneDecimate_Applications_Picture_h
+
+#include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+
+#include <string>
+
+namespace bonedecimate
+{
+struct PictureSubject
+{
+  vtkPolyData* Before = nullptr;       ///< The input surface, with the array below as point data.
+  vtkPolyData* After = nullptr;        ///< The result.
+  std::string DistanceArrayName;       ///< mm, distance of each point of Before to After.
+  std::string Title;                   ///< Over the picture; may be empty.
+};
+
+/// Puts the three views into a window; the caller renders it. The window's size decides the layout.
+void ComposePicture(vtkRenderWindow* window, const PictureSubject& subject);
+
+/// Renders off screen and writes a PNG whole or not at all. Returns what went wrong, or an empty string.
+/// Without a display it starts a virtual one (Xvfb) if the system has it.
+std::string WritePicture(const PictureSubject& subject, const std::string& file);
+}
+
+#endif

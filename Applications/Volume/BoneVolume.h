@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BoneVolume.h
+ * @brief A CT volume in, the bone surface at a Hounsfield value out, where the patient lay.
+ */
+#ifndef BoneDecimate_Applications_BoneVolume_h
+#define BoneDecimate_Applications_BoneVolume_h
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+namespace bonedecimate
+{
+/// True for .vti, .mha, .mhd, .nrrd, .nhdr files and for folders that hold DICOM files.
+bool IsVolume(const std::string& path);
+
+struct BoneSurface
+{
+  vtkSmartPointer<vtkPolyData> Surface; ///< mm, patient coordinates of the file (LPS); null if refused.
+  std::string Problem;                  ///< Why it was refused; empty if it was not.
+};
+
+/**
+ * The surface at the given Hounsfield value by flying edges over the whole volume, normals outwards, transformed by the
+ * volume's origin, spacing and direction. Nothing of the header but its geometry and its values reaches the surface.
+ */
+BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield);
+}
+
+#endif
