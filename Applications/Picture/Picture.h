@@ -20,6 +20,8 @@ struct PictureSubject
   vtkPolyData* After = nullptr;        ///< The result.
   std::string DistanceArrayName;       ///< mm, distance of each point of Before to After.
   std::string Title;                   ///< Over the picture; may be empty.
+  /// Whether coordinates are known to be LPS, as those of a CT volume are: only then right and left are written.
+  bool IsInPatientCoordinates = false;
 };
 
 /// Puts the three views into a window; the caller renders it. The window's size decides the layout.

@@ -21,6 +21,7 @@ struct BoneSurface
 {
   vtkSmartPointer<vtkPolyData> Surface; ///< mm, patient coordinates of the file (LPS); null if refused.
   std::string Problem;                  ///< Why it was refused; empty if it was not.
+  std::string Note;                     ///< What of the input was left aside, for the user; may be empty.
 };
 
 /**

@@ -206,6 +206,9 @@ private:
   vtkBoneDecimate(const vtkBoneDecimate&) = delete;
   void operator=(const vtkBoneDecimate&) = delete;
 
+  bool Accept(const std::string& problem);
+  bool GoesOn(double fraction);
+
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };

@@ -8,6 +8,7 @@
 #define BoneDecimate_Core_Surface_h
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <cstdint>

@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Arguments.h"
+
+#include "ExitCode.h"
+#include "HelpFormatter.h"
+#include "OptionTable.h"
+#include "Report.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+namespace bonedecimate
+{
+namespace
+{
+/// The thesis's own form: the three numbers of its program, in its order, as options of ours.
+const std::vector<std::pair<const char*, const char*>> ThesisNumbers = { { "numbFaces", "TargetNumberOfTriangles" },
+  { "tolerance", "NormalTolerance" }, { "errorThreshold", "MaximumError" } };
+
+/// Sets an option from its text, and notes that it was asked for.
+void GiveOption(Arguments& arguments, const OptionInfo& info, const std::string& name, const std::string& text)
+{
+  const std::string problem = SetOptionFromText(arguments.Options, info, text);
+  if (!problem.empty())
+  {
+    throw CLI::ValidationError(name, problem);
+  }
+  arguments.Given[info.Flag] = OptionText(arguments.Options, info);
+}
+
+void AddTableOption(CLI::App& app, Arguments& arguments, const OptionInfo& info)
+{
+  const std::string flag = "--" + info.Flag;
+  app
+    .add_option_function<std::string>(
+      flag, [&arguments, &info, flag](const std::string& text) { GiveOption(arguments, info, flag, text); },
+      OptionHelp(info))
+    ->type_name(OptionValueName(info));
+}
+
+void AddIso(CLI::App& app, Arguments& arguments)
+{
+  app
+    .add_option_function<double>("--iso",
+      [&arguments](double hounsfield) {
+        if (!std::isfinite(hounsfield))
+        {
+          throw CLI::ValidationError("--iso", "takes a number");
+        }
+        arguments.Iso = hounsfield;
+      },
+      WrappedHelp("The input is a CT volume (.vti, .mha, .mhd, .nrrd, .nhdr, a DICOM folder): take the bone surface at "
+                  "this Hounsfield value, for example 226."))
+    ->type_name("HU");
+}
+
+void AddCommonFlags(CLI::App& app, Arguments& arguments)
+{
+  const auto file = [&app](const char* flag, std::string& value, const char* help) {
+    app.add_option(flag, value, WrappedHelp(help))->type_name("FILE");
+  };
+  app.add_option("--also", arguments.Also, WrappedHelp("Write the surface to this file, too; may be repeated."))
+    ->type_name("FILE")
+    ->expected(1)
+    ->take_all()
+    ->allow_extra_args(false);
+  file("--report", arguments.Report, "Write the report as JSON.");
+  file("--page", arguments.Page, "Write a self-contained HTML page for people, with the picture in it.");
+  file("--heatmap", arguments.Heatmap,
+    "Write the input surface (.vtp or .vtk) with the distance in mm of each of its points to the result.");
+  file("--picture", arguments.Picture,
+    "Draw before, after and the distances as colours into a PNG. If it cannot be drawn everything else is written and "
+    "the program ends with 3; for --page alone it is a warning.");
+  app.add_flag("--quiet", arguments.Quiet, "Nothing on the standard output.");
+}
+
+void AddBatchFlags(CLI::App& app, Arguments& arguments)
+{
+  app.add_option("--jobs", arguments.Jobs, WrappedHelp("Many bones: how many at once, each a process of its own."))
+    ->type_name("N")
+    ->check(CLI::Range(1, 1024));
+  app.add_flag("--force", arguments.Force, WrappedHelp("Many bones: do those again that are finished already."));
+  app
+    .add_option("--format", arguments.Format,
+      WrappedHelp("Many bones: format of the outputs by its extension; default that of each input, vtp for volumes."))
+    ->type_name("EXT");
+}
+
+std::unique_ptr<CLI::App> MakeApp(Arguments& arguments, std::vector<std::string>& files, bool& markdown)
+{
+  auto app = std::make_unique<CLI::App>(ProgramDescription(), "bonedecimate");
+  app->formatter(std::make_shared<HelpFormatter>("INPUT OUTPUT [OPTIONS]\n"
+                                                 "       bonedecimate INPUT... FOLDER [OPTIONS]\n"
+                                                 "       bonedecimate thesis INPUT.obj numbFaces tolerance "
+                                                 "errorThreshold [OUTPUT.obj] [OPTIONS]"));
+  app->footer(HelpFooter());
+  app->set_version_flag("--version", std::string("bonedecimate ") + Version(), "Print the version.");
+  app->add_option("FILES", files, WrappedHelp("INPUT OUTPUT, or several inputs or a folder, and an output folder."))
+    ->allow_extra_args();
+  for (const OptionInfo& info : OptionTable())
+  {
+    if (!info.Flag.empty())
+    {
+      AddTableOption(*app, arguments, info);
+    }
+  }
+  AddIso(*app, arguments);
+  AddCommonFlags(*app, arguments);
+  AddBatchFlags(*app, arguments);
+  app->add_flag("--options-markdown", markdown, "Print the table of options as Markdown.");
+  return app;
+}
+
+std::unique_ptr<CLI::App> MakeThesisApp(Arguments& arguments, std::vector<std::string>& words)
+{
+  auto app = std::make_unique<CLI::App>("The thesis's program: number of triangles (0: off), tolerance w, largest "
+                                        "error in mm (0: off).",
+    "bonedecimate thesis");
+  app->formatter(std::make_shared<HelpFormatter>("INPUT.obj numbFaces tolerance errorThreshold [OUTPUT.obj] [OPTIONS]"));
+  app->footer(ExitCodesText());
+  app->add_option("WORDS", words, WrappedHelp("The default output is INPUT_simplified.obj."))->allow_extra_args();
+  AddTableOption(*app, arguments, *FindOption("NumberOfThreads"));
+  AddIso(*app, arguments);
+  AddCommonFlags(*app, arguments);
+  return app;
+}
+
+void SetThesisWords(Arguments& arguments, const std::vector<std::string>& words)
+{
+  if (words.size() < 4 || words.size() > 5)
+  {
+    throw Failure(ExitCode::Usage,
+      "thesis takes INPUT.obj numbFaces tolerance errorThreshold [OUTPUT.obj]; there are " +
+        std::to_string(words.size()) + " words");
+  }
+  for (std::size_t i = 0; i < ThesisNumbers.size(); ++i)
+  {
+    GiveOption(arguments, *FindOption(ThesisNumbers[i].second), ThesisNumbers[i].first, words[i + 1]);
+  }
+  if (arguments.Options.TargetNumberOfTriangles == 0 && arguments.Options.MaximumError == 0.0)
+  {
+    throw Failure(ExitCode::Usage, "numbFaces and errorThreshold are both 0 (off): nothing would end the run");
+  }
+  GiveOption(arguments, *FindOption("Mode"), "mode", "Thesis");
+  const std::filesystem::path input(words[0]);
+  const std::string simplified = input.stem().string() + "_simplified.obj";
+  arguments.Inputs = { words[0] };
+  arguments.Output = words.size() == 5 ? words[4] : (input.parent_path() / simplified).string();
+}
+
+void SetFiles(Arguments& arguments, std::vector<std::string> files)
+{
+  if (files.size() < 2)
+  {
+    throw Failure(ExitCode::Usage, "an INPUT and an OUTPUT are needed; see bonedecimate --help");
+  }
+  arguments.Output = files.back();
+  files.pop_back();
+  arguments.Inputs = std::move(files);
+}
+
+/// CLI11 takes its words in reverse, and "[a]" for a list: a folder of that name gets its own path written out.
+std::vector<std::string> WordsOf(int argc, char* argv[], int first)
+{
+  std::vector<std::string> words;
+  for (int i = argc - 1; i >= first; --i)
+  {
+    const std::string word = argv[i];
+    const bool isList = word.size() > 1 && word.front() == '[' && word.back() == ']';
+    words.push_back(isList ? "./" + word : word);
+  }
+  return words;
+}
+
+/// False if a text was asked for.
+bool Parse(CLI::App& app, std::vector<std::string> words)
+{
+  try
+  {
+    app.parse(std::move(words));
+    return true;
+  }
+  catch (const CLI::ParseError& error)
+  {
+    if (error.get_exit_code() != 0)
+    {
+      throw Failure(ExitCode::Usage, std::string(error.what()) + "; see " + app.get_name() + " --help");
+    }
+    app.exit(error, std::cout, std::cerr);
+    return false;
+  }
+}
+
+bool ParseThesisForm(int argc, char* argv[], Arguments& arguments)
+{
+  std::vector<std::string> words;
+  const std::unique_ptr<CLI::App> app = MakeThesisApp(arguments, words);
+  if (!Parse(*app, WordsOf(argc, argv, 2)))
+  {
+    return false;
+  }
+  try
+  {
+    SetThesisWords(arguments, words);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    throw Failure(ExitCode::Usage, error.what());
+  }
+  return true;
+}
+
+bool ParseOwnForm(int argc, char* argv[], Arguments& arguments)
+{
+  std::vector<std::string> files;
+  bool markdown = false;
+  const std::unique_ptr<CLI::App> app = MakeApp(arguments, files, markdown);
+  if (!Parse(*app, WordsOf(argc, argv, 1)))
+  {
+    return false;
+  }
+  if (markdown)
+  {
+    std::cout << OptionTableMarkdown();
+    return false;
+  }
+  SetFiles(arguments, std::move(files));
+  return true;
+}
+}
+
+std::optional<Arguments> ParseArguments(int argc, char* argv[])
+{
+  Arguments arguments;
+  const bool thesis = argc > 1 && std::string(argv[1]) == "thesis";
+  const bool run = thesis ? ParseThesisForm(argc, argv, arguments) : ParseOwnForm(argc, argv, arguments);
+  return run ? std::optional<Arguments>(std::move(arguments)) : std::nullopt;
+}
+}

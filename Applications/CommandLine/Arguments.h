@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Arguments.h
+ * @brief What the command line asks for.
+ */
+#ifndef BoneDecimate_Applications_Arguments_h
+#define BoneDecimate_Applications_Arguments_h
+
+#include "Options.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+struct Arguments
+{
+  std::vector<std::string> Inputs;
+  std::string Output; ///< A file for one bone, a folder for many.
+  bonedecimate::Options Options;
+  std::map<std::string, std::string> Given; ///< Options that were asked for: flag without dashes and value.
+  std::optional<double> Iso;                ///< Hounsfield value of the surface of a volume.
+
+  /// @name One bone only. @{
+  std::vector<std::string> Also;
+  std::string Report;
+  std::string Page;
+  std::string Heatmap;
+  std::string Picture;
+  /// @}
+
+  /// @name Many bones only. @{
+  std::string Format; ///< Extension of the outputs; empty: that of each input.
+  int Jobs = 0;       ///< 0: not asked for.
+  bool Force = false;
+  /// @}
+
+  bool Quiet = false;
+};
+
+/**
+ * Reads the command line, either form of it.
+ * @returns Nothing if it asked for a text (--help, --version, --options-markdown), which is then printed.
+ * @throws Failure(ExitCode::Usage)
+ */
+std::optional<Arguments> ParseArguments(int argc, char* argv[]);
+
+/// Whether the output is a folder of many bones.
+bool IsBatch(const Arguments& arguments);
+
+/**
+ * What the parser cannot see: extensions, files that would overwrite each other, options of the other form.
+ * @throws Failure(ExitCode::Usage)
+ */
+void CheckArguments(const Arguments& arguments);
+}
+
+#endif

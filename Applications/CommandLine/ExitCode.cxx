@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ExitCode.h"
+
+#include <array>
+#include <utility>
+
+namespace bonedecimate
+{
+std::string ExitCodesText()
+{
+  static const std::array<std::pair<ExitCode, const char*>, 6> codes = { {
+    { ExitCode::Done, "done" },
+    { ExitCode::Usage, "usage: an option or a name is wrong, nothing was read" },
+    { ExitCode::InputRefused, "the input was refused, nothing was written" },
+    { ExitCode::CouldNotWrite, "a file could not be written, or a picture asked for could not be drawn" },
+    { ExitCode::Interrupted, "interrupted, nothing was written" },
+    { ExitCode::OutOfMemory, "out of memory, nothing was written" },
+  } };
+  std::string text = "Exit codes:\n";
+  for (const auto& [code, meaning] : codes)
+  {
+    text += "  " + std::to_string(static_cast<int>(code)) + "  " + meaning + "\n";
+  }
+  return text;
+}
+}

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ExitCode.h
+ * @brief How the program ends, and the exception that carries a failure to its one catcher, RunProgram().
+ */
+#ifndef BoneDecimate_Applications_ExitCode_h
+#define BoneDecimate_Applications_ExitCode_h
+
+#include <stdexcept>
+#include <string>
+
+namespace bonedecimate
+{
+enum class ExitCode : int
+{
+  Done = 0,
+  Usage = 1,
+  InputRefused = 2,
+  CouldNotWrite = 3,
+  Interrupted = 4,
+  OutOfMemory = 5
+};
+
+/// The codes with a line on each, for --help.
+std::string ExitCodesText();
+
+class Failure : public std::runtime_error
+{
+public:
+  Failure(ExitCode code, const std::string& message)
+    : std::runtime_error(message)
+    , Code(code)
+  {
+  }
+
+  ExitCode Code;
+};
+}
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FileChecks.h"
+
+#include "ExitCode.h"
+#include "SurfaceFormat.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+namespace bonedecimate
+{
+void Refuse(const std::string& path, const std::string& reason)
+{
+  throw Failure(ExitCode::InputRefused, "'" + path + "' was refused: " + reason);
+}
+
+void CheckFile(const std::string& path)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status))
+  {
+    Refuse(path, error && status.type() == fs::file_type::none ? error.message() : "there is no such file");
+  }
+  if (!fs::is_regular_file(status))
+  {
+    Refuse(path, fs::is_directory(status) ? "it is a folder" : "it is not a regular file");
+  }
+  if (fs::file_size(path, error) == 0)
+  {
+    Refuse(path, "the file is empty (0 bytes)");
+  }
+  if (!std::ifstream(path, std::ios::binary))
+  {
+    Refuse(path, std::strerror(errno));
+  }
+}
+
+std::vector<std::string> CheckSurfaceFile(const std::string& path)
+{
+  const SurfaceFormat format = FormatOf(path);
+  CheckFile(path);
+  std::vector<std::string> warnings;
+  switch (format)
+  {
+    case SurfaceFormat::Obj:
+      CheckObjFile(path, warnings);
+      break;
+    case SurfaceFormat::Stl:
+      CheckStlFile(path);
+      break;
+    case SurfaceFormat::Ply:
+      CheckPlyFile(path, warnings);
+      break;
+    case SurfaceFormat::Vtp:
+      CheckVtpFile(path);
+      break;
+    case SurfaceFormat::Vtk:
+      CheckVtkFile(path);
+      break;
+    case SurfaceFormat::Unknown:
+      Refuse(path, std::string("its extension is none of ") + SurfaceExtensions);
+  }
+  return warnings;
+}
+}

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterOptions.h"
+
+#include "OptionTable.h"
+
+#include <functional>
+#include <map>
+#include <stdexcept>
+
+namespace bonedecimate
+{
+namespace
+{
+using Setter = std::function<void(vtkBoneDecimate*, const OptionValue&)>;
+
+template <typename Type, typename Argument>
+Setter Calls(void (vtkBoneDecimate::*method)(Argument))
+{
+  return [method](vtkBoneDecimate* filter, const OptionValue& value) { (filter->*method)(std::get<Type>(value)); };
+}
+
+const std::map<std::string, Setter>& Setters()
+{
+  static const std::map<std::string, Setter> setters = {
+    { "Mode", Calls<int>(&vtkBoneDecimate::SetMode) },
+    { "TargetNumberOfTriangles", Calls<int>(&vtkBoneDecimate::SetTargetNumberOfTriangles) },
+    { "TargetReduction", Calls<double>(&vtkBoneDecimate::SetTargetReduction) },
+    { "MaximumError", Calls<double>(&vtkBoneDecimate::SetMaximumError) },
+    { "NormalTolerance", Calls<double>(&vtkBoneDecimate::SetNormalTolerance) },
+    { "MergePoints", Calls<bool>(&vtkBoneDecimate::SetMergePoints) },
+    { "MeasureDistances", Calls<bool>(&vtkBoneDecimate::SetMeasureDistances) },
+    { "MeasureInputDistances", Calls<bool>(&vtkBoneDecimate::SetMeasureInputDistances) },
+    { "NumberOfThreads", Calls<int>(&vtkBoneDecimate::SetNumberOfThreads) },
+    { "OutputPointsPrecision", Calls<int>(&vtkBoneDecimate::SetOutputPointsPrecision) },
+    { "DistanceArrayName", Calls<std::string>(&vtkBoneDecimate::SetDistanceArrayName) },
+    { "RunningErrorArrayName", Calls<std::string>(&vtkBoneDecimate::SetRunningErrorArrayName) },
+    { "PointCountArrayName", Calls<std::string>(&vtkBoneDecimate::SetPointCountArrayName) },
+    { "InputDistanceArrayName", Calls<std::string>(&vtkBoneDecimate::SetInputDistanceArrayName) },
+  };
+  return setters;
+}
+}
+
+void ApplyOptions(const Options& options, vtkBoneDecimate* filter)
+{
+  for (const OptionInfo& info : OptionTable())
+  {
+    const auto setter = Setters().find(info.Name);
+    if (setter == Setters().end())
+    {
+      throw std::logic_error("the program has no setter for the option " + info.Name);
+    }
+    if (info.Name != "TargetReduction" || options.TargetReductionIsExplicit)
+    {
+      setter->second(filter, GetOption(options, info));
+    }
+  }
+}
+}

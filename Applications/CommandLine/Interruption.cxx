@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Interruption.h"
+
+#include "ExitCode.h"
+
+#include <csignal>
+
+namespace bonedecimate
+{
+namespace
+{
+volatile std::sig_atomic_t Interrupted = 0;
+
+extern "C" void NoteInterruption(int)
+{
+  Interrupted = 1;
+}
+
+void Handle(int signal, void (*handler)(int))
+{
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  sigemptyset(&action.sa_mask);
+  sigaction(signal, &action, nullptr);
+}
+}
+
+void CatchSignals()
+{
+  Handle(SIGINT, NoteInterruption);
+  Handle(SIGTERM, NoteInterruption);
+  Handle(SIGPIPE, SIG_IGN);
+  Handle(SIGXFSZ, SIG_IGN);
+}
+
+bool IsInterrupted()
+{
+  return Interrupted != 0;
+}
+
+void StopIfInterrupted()
+{
+  if (IsInterrupted())
+  {
+    throw Failure(ExitCode::Interrupted, "interrupted");
+  }
+}
+}

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Interruption.h
+ * @brief SIGINT and SIGTERM as a question that long work asks now and then.
+ */
+#ifndef BoneDecimate_Applications_Interruption_h
+#define BoneDecimate_Applications_Interruption_h
+
+namespace bonedecimate
+{
+/// From now on SIGINT and SIGTERM are only noted. A full disk or a closed pipe is an error of the write, not a death.
+void CatchSignals();
+
+bool IsInterrupted();
+
+/// Throws Failure(ExitCode::Interrupted).
+void StopIfInterrupted();
+}
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file JsonReport.h
+ * @brief The report of one bone as JSON.
+ */
+#ifndef BoneDecimate_Applications_JsonReport_h
+#define BoneDecimate_Applications_JsonReport_h
+
+#include "FileStamp.h"
+
+#include "vtkPolyData.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+/// What the report says beyond the filter's own. Names are base names: no folder reaches a report.
+struct ReportSubject
+{
+  std::string Input;
+  std::string Output;
+  FileStamp InputStamp; ///< From before the input was read.
+  std::int64_t OutputBytes = 0;
+  std::map<std::string, std::string> Given; ///< What the command line asked for, by flag.
+  std::vector<std::string> Warnings;
+  double SecondsRead = 0.0;
+  double SecondsWrite = 0.0;
+  double SecondsTotal = 0.0; ///< From the start to the written surface.
+};
+
+/**
+ * The report in the field data of a result (output port 0 of vtkBoneDecimate), nested at the dots of its names, with
+ * "units" of the entries that have one, and the subject as "files", "command_line", "warnings" and "seconds".
+ */
+std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject);
+
+/**
+ * Whether a report on disk is of this version, the same input and the same options (threads do not matter), and the
+ * output still has the size it was written with. A report that cannot be read matches nothing.
+ */
+bool ReportMatches(const std::string& reportFile, const std::string& outputFile, const ReportSubject& subject);
+}
+
+#endif

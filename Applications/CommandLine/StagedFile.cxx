@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StagedFile.h"
+
+#include "ExitCode.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace bonedecimate
+{
+namespace
+{
+[[noreturn]] void Fail(const std::string& target, const std::string& reason)
+{
+  throw Failure(ExitCode::CouldNotWrite, "could not write '" + target + "': " + reason);
+}
+
+/// What the name stands for; a link keeps pointing, the file behind it is replaced.
+fs::path ResolvedTarget(const std::string& target)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(target, error);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+  {
+    Fail(target, fs::is_directory(status) ? "it is a folder" : "it is not a regular file");
+  }
+  const fs::path resolved = fs::exists(status) ? fs::canonical(target, error) : fs::path(target);
+  return error ? fs::path(target) : resolved;
+}
+
+std::string TemporaryName(const fs::path& target, int attempt)
+{
+  // The leading dot keeps it out of a batch that reads the folder.
+  fs::path name = ".bonedecimate-" + std::to_string(getpid()) + "-" + std::to_string(attempt);
+  name += target.extension();
+  return (target.parent_path() / name).string();
+}
+}
+
+StagedFile::StagedFile(const std::string& target)
+  : Target(ResolvedTarget(target).string())
+{
+  for (int attempt = 0; this->Temporary.empty(); ++attempt)
+  {
+    const std::string name = TemporaryName(this->Target, attempt);
+    const int file = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file >= 0)
+    {
+      close(file);
+      this->Temporary = name;
+    }
+    else if (errno != EEXIST)
+    {
+      Fail(target, std::strerror(errno));
+    }
+  }
+}
+
+StagedFile::~StagedFile()
+{
+  std::error_code ignored;
+  if (!this->Temporary.empty())
+  {
+    fs::remove(this->Temporary, ignored);
+  }
+}
+
+void StagedFile::WriteText(const std::string& text)
+{
+  std::ofstream stream(this->Temporary, std::ios::binary | std::ios::trunc);
+  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+  stream.close();
+  if (!stream)
+  {
+    Fail(this->Target, errno ? std::strerror(errno) : "the disk may be full");
+  }
+}
+
+void StagedFile::Flush()
+{
+  const int file = open(this->Temporary.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool flushed = file >= 0 && fsync(file) == 0;
+  const int reason = errno;
+  if (file >= 0)
+  {
+    close(file);
+  }
+  if (!flushed)
+  {
+    Fail(this->Target, std::strerror(reason));
+  }
+}
+
+void StagedFile::Commit()
+{
+  std::error_code error;
+  fs::rename(this->Temporary, this->Target, error);
+  if (error)
+  {
+    Fail(this->Target, error.message());
+  }
+  this->Temporary.clear();
+}
+
+void WriteTextFile(const std::string& target, const std::string& text)
+{
+  StagedFile file(target);
+  file.WriteText(text);
+  file.Flush();
+  file.Commit();
+}
+}

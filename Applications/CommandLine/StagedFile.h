@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file StagedFile.h
+ * @brief A file that appears under its name whole or not at all.
+ */
+#ifndef BoneDecimate_Applications_StagedFile_h
+#define BoneDecimate_Applications_StagedFile_h
+
+#include <string>
+
+namespace bonedecimate
+{
+/**
+ * Reserves a temporary file in the target's folder, with the target's extension, and renames it when all is well.
+ * Without Commit() the temporary file is removed. Every method throws Failure(ExitCode::CouldNotWrite).
+ */
+class StagedFile
+{
+public:
+  explicit StagedFile(const std::string& target);
+  ~StagedFile();
+  StagedFile(const StagedFile&) = delete;
+  void operator=(const StagedFile&) = delete;
+
+  const std::string& GetTarget() const { return this->Target; }
+  const std::string& GetTemporary() const { return this->Temporary; }
+
+  /// Replaces the temporary file's content.
+  void WriteText(const std::string& text);
+
+  /// Waits until the system has accepted every byte: some file systems tell only now that the disk is full.
+  void Flush();
+
+  void Commit();
+
+private:
+  std::string Target;    // with symbolic links resolved
+  std::string Temporary; // empty once committed
+};
+
+/// Writes a text file whole or not at all.
+void WriteTextFile(const std::string& target, const std::string& text);
+}
+
+#endif

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceFiles.h"
+
+#include "ExitCode.h"
+#include "FileChecks.h"
+#include "SurfaceFormat.h"
+#include "VtkMessages.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkOBJReader.h"
+#include "vtkOBJWriter.h"
+#include "vtkPLYReader.h"
+#include "vtkPLYWriter.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataReader.h"
+#include "vtkPolyDataWriter.h"
+#include "vtkSTLReader.h"
+#include "vtkSTLWriter.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+
+namespace bonedecimate
+{
+namespace
+{
+template <typename Reader>
+vtkSmartPointer<vtkPolyData> ReadWith(Reader* reader, const std::string& path)
+{
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> ReadFormat(const std::string& path)
+{
+  switch (FormatOf(path))
+  {
+    case SurfaceFormat::Obj:
+      return ReadWith(vtkNew<vtkOBJReader>().Get(), path);
+    case SurfaceFormat::Ply:
+      return ReadWith(vtkNew<vtkPLYReader>().Get(), path);
+    case SurfaceFormat::Vtp:
+      return ReadWith(vtkNew<vtkXMLPolyDataReader>().Get(), path);
+    case SurfaceFormat::Vtk:
+      return ReadWith(vtkNew<vtkPolyDataReader>().Get(), path);
+    case SurfaceFormat::Stl:
+    {
+      vtkNew<vtkSTLReader> reader;
+      reader->MergingOff();
+      return ReadWith(reader.Get(), path);
+    }
+    case SurfaceFormat::Unknown:
+      break;
+  }
+  return nullptr;
+}
+
+/// Offsets that run backwards or past the end would take every later step out of its arrays.
+bool HasWholeCells(vtkPolyData* surface)
+{
+  return surface->GetVerts()->IsValid() && surface->GetLines()->IsValid() && surface->GetPolys()->IsValid() &&
+    surface->GetStrips()->IsValid();
+}
+
+vtkIdType CountFaces(vtkPolyData* surface)
+{
+  return surface->GetPolys()->GetNumberOfCells() + surface->GetStrips()->GetNumberOfCells();
+}
+
+template <typename Writer>
+void WriteWith(Writer* writer, vtkPolyData* surface, const std::string& path)
+{
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(surface);
+  writer->Write();
+  if (writer->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    throw Failure(ExitCode::CouldNotWrite, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+  }
+}
+
+void WriteFormat(vtkPolyData* surface, const std::string& path)
+{
+  switch (FormatOf(path))
+  {
+    case SurfaceFormat::Obj:
+      return WriteWith(vtkNew<vtkOBJWriter>().Get(), surface, path);
+    case SurfaceFormat::Ply:
+      return WriteWith(vtkNew<vtkPLYWriter>().Get(), surface, path);
+    case SurfaceFormat::Stl:
+    {
+      vtkNew<vtkSTLWriter> writer;
+      writer->SetFileTypeToBinary();
+      return WriteWith(writer.Get(), surface, path);
+    }
+    case SurfaceFormat::Vtp:
+    {
+      vtkNew<vtkXMLPolyDataWriter> writer;
+      writer->SetDataModeToAppended();
+      writer->EncodeAppendedDataOff();
+      writer->SetCompressorTypeToZLib();
+      return WriteWith(writer.Get(), surface, path);
+    }
+    case SurfaceFormat::Vtk:
+    {
+      vtkNew<vtkPolyDataWriter> writer;
+      writer->SetFileTypeToBinary();
+      return WriteWith(writer.Get(), surface, path);
+    }
+    case SurfaceFormat::Unknown:
+      break;
+  }
+}
+
+bool Arrived(vtkPolyData* surface, const std::string& path)
+{
+  try
+  {
+    const LoadedSurface arrived = ReadSurface(path);
+    const bool samePoints = FormatOf(path) == SurfaceFormat::Stl || // three of its own for every triangle
+      arrived.Surface->GetNumberOfPoints() == surface->GetNumberOfPoints();
+    return samePoints && CountFaces(arrived.Surface) == CountFaces(surface);
+  }
+  catch (const Failure&)
+  {
+    return false;
+  }
+}
+
+/// Not every writer notices a full disk; what can be read back in full has arrived.
+void WriteAndCheck(vtkPolyData* surface, const std::string& path)
+{
+  TakeVtkMessages();
+  WriteFormat(surface, path);
+  const VtkMessages messages = TakeVtkMessages();
+  if (!messages.Errors.empty())
+  {
+    throw Failure(ExitCode::CouldNotWrite, messages.Errors.front());
+  }
+  if (!Arrived(surface, path))
+  {
+    throw Failure(ExitCode::CouldNotWrite, "the file is not complete, the disk may be full");
+  }
+}
+}
+
+LoadedSurface ReadSurface(const std::string& path)
+{
+  LoadedSurface loaded;
+  loaded.Warnings = CheckSurfaceFile(path);
+  TakeVtkMessages();
+  loaded.Surface = ReadFormat(path);
+  const VtkMessages messages = TakeVtkMessages();
+  if (!messages.Errors.empty())
+  {
+    Refuse(path, messages.Errors.front());
+  }
+  loaded.Warnings.insert(loaded.Warnings.end(), messages.Warnings.begin(), messages.Warnings.end());
+  if (!loaded.Surface || !HasWholeCells(loaded.Surface))
+  {
+    Refuse(path, "the cells of the surface are damaged");
+  }
+  if (!loaded.Surface->GetPoints() || CountFaces(loaded.Surface) == 0)
+  {
+    Refuse(path, "it holds no triangle");
+  }
+  return loaded;
+}
+
+void WriteSurface(vtkPolyData* surface, const std::string& path, const std::string& target)
+{
+  try
+  {
+    WriteAndCheck(surface, path);
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure(failure.Code, "could not write '" + target + "': " + failure.what());
+  }
+}
+
+std::string LossText(vtkPolyData* surface, const std::string& path)
+{
+  const SurfaceFormat format = FormatOf(path);
+  const int arrays = surface->GetPointData()->GetNumberOfArrays() + surface->GetCellData()->GetNumberOfArrays() +
+    surface->GetFieldData()->GetNumberOfArrays();
+  std::string text;
+  if (!HoldsArrays(format) && arrays > 0)
+  {
+    text = "cannot hold arrays such as the distance of each point; .vtp, .vtk and --heatmap can";
+  }
+  if (!HoldsDoubles(format) && surface->GetPoints()->GetDataType() == VTK_DOUBLE)
+  {
+    text += std::string(text.empty() ? "" : ", and ") + "rounds the double coordinates to single precision";
+  }
+  return text.empty() ? text : ExtensionOf(path) + " " + text;
+}
+}

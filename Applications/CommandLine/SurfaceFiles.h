@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfaceFiles.h
+ * @brief Surfaces from and to files, by VTK's readers and writers, with every doubt a failure.
+ */
+#ifndef BoneDecimate_Applications_SurfaceFiles_h
+#define BoneDecimate_Applications_SurfaceFiles_h
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+struct LoadedSurface
+{
+  vtkSmartPointer<vtkPolyData> Surface; ///< Points of STL files are not merged: the filter does it and counts.
+  std::vector<std::string> Warnings;
+};
+
+/// @throws Failure(ExitCode::InputRefused)
+LoadedSurface ReadSurface(const std::string& path);
+
+/**
+ * Writes to a name that exists already (see StagedFile), and reads back what arrived.
+ * @param target The name it will get, for messages.
+ * @throws Failure(ExitCode::CouldNotWrite)
+ */
+void WriteSurface(vtkPolyData* surface, const std::string& path, const std::string& target);
+
+/// What this format cannot hold of the surface, for people; empty if it holds all of it.
+std::string LossText(vtkPolyData* surface, const std::string& path);
+}
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BoneView.h
+ * @brief One view of one bone: its material, its light, its camera.
+ */
+#ifndef BoneDecimate_Applications_BoneView_h
+#define BoneDecimate_Applications_BoneView_h
+
+#include "Overlay.h"
+#include "Viewpoint.h"
+
+#include "vtkActor.h"
+#include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+namespace bonedecimate
+{
+/// Part of a window, in its fractions.
+struct Area
+{
+  Place LowerLeft;
+  Place UpperRight;
+
+  /// Width by height in pixels.
+  double Aspect(vtkRenderWindow* window) const;
+};
+
+/// A triangle surface with point normals, whatever polygons or strips the surface had.
+vtkSmartPointer<vtkPolyData> TrianglesWithNormals(vtkPolyData* surface);
+
+/// Shaded smoothly, in the colour of bone.
+vtkSmartPointer<vtkActor> MakeBone(vtkPolyData* surface);
+
+/// Flat triangles with their edges. @param lineWidth Pixels.
+void ShowTriangles(vtkActor* bone, double lineWidth);
+
+/// Colours from 0 to range (mm) by an array of the points.
+void ColourByDistance(vtkActor* bone, const std::string& arrayName, double range);
+
+/// White behind everything that no view covers; has to come before the views.
+void AddBackdrop(vtkRenderWindow* window);
+
+/// A renderer of its own in that part of the window.
+void AddView(vtkRenderWindow* window, const Area& area, vtkActor* bone, const Viewpoint& view, const Frame& frame);
+}
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DistanceColours.h"
+
+#include "NumberText.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace bonedecimate
+{
+namespace
+{
+using Colour = std::array<double, 3>;
+
+// Entries 255, 231, ... 63 of "magma" by Nathaniel Smith and Stefan van der Walt (matplotlib, CC0), which is
+// perceptually uniform. It runs from light to dark here, so that bone that did not move keeps the colour of bone: the
+// first entry has its lightness from magma but less yellow, which looks green in the shade. The last quarter, nearly
+// black, is left out because no shape can be seen in it.
+constexpr std::array<Colour, 9> Magma = { {
+  { 0.985000, 0.965000, 0.900000 },
+  { 0.995424, 0.819875, 0.579140 },
+  { 0.995810, 0.646344, 0.441361 },
+  { 0.975082, 0.468861, 0.363111 },
+  { 0.899552, 0.314616, 0.391037 },
+  { 0.761077, 0.231214, 0.460162 },
+  { 0.607238, 0.179779, 0.499492 },
+  { 0.457386, 0.127522, 0.507448 },
+  { 0.310382, 0.069702, 0.483186 },
+} };
+
+// A surface without any distance still needs a bar with two ends.
+constexpr double LeastRange = 0.001; // mm
+}
+
+std::vector<double> SortedDistances(vtkDataArray* distances)
+{
+  std::vector<double> sorted;
+  const vtkIdType count = distances ? distances->GetNumberOfTuples() : 0;
+  sorted.reserve(static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double distance = distances->GetComponent(i, 0);
+    if (std::isfinite(distance))
+    {
+      sorted.push_back(distance);
+    }
+  }
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+double Quantile(const std::vector<double>& sorted, double fraction)
+{
+  if (sorted.empty())
+  {
+    return 0.0;
+  }
+  const double rank = std::ceil(fraction * static_cast<double>(sorted.size()));
+  return sorted[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+}
+
+double ColourRange(const std::vector<double>& sorted)
+{
+  return RoundUpReadable(std::max(Quantile(sorted, 0.999), LeastRange));
+}
+
+vtkSmartPointer<vtkColorTransferFunction> DistanceColours(double range)
+{
+  auto colours = vtkSmartPointer<vtkColorTransferFunction>::New();
+  for (std::size_t i = 0; i < Magma.size(); ++i)
+  {
+    const double place = range * static_cast<double>(i) / static_cast<double>(Magma.size() - 1);
+    colours->AddRGBPoint(place, Magma[i][0], Magma[i][1], Magma[i][2]);
+  }
+  colours->SetColorSpaceToLab();
+  colours->ClampingOn();
+  return colours;
+}
+}

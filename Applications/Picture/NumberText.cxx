@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NumberText.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+
+namespace bonedecimate
+{
+namespace
+{
+std::string Formatted(const char* format, int digits, double value)
+{
+  const int length = std::snprintf(nullptr, 0, format, digits, value);
+  std::string text(static_cast<std::size_t>(length) + 1, '\0');
+  std::snprintf(text.data(), text.size(), format, digits, value);
+  text.pop_back();
+  return text;
+}
+}
+
+std::string GroupedText(double value, int decimals)
+{
+  std::string text = Formatted("%.*f", decimals, value);
+  if (!std::isfinite(value))
+  {
+    return text;
+  }
+  const std::size_t first = text[0] == '-' ? 1 : 0;
+  std::size_t place = text.find('.');
+  place = place == std::string::npos ? text.size() : place;
+  while (place > first + 3)
+  {
+    place -= 3;
+    text.insert(place, ",");
+  }
+  return text;
+}
+
+std::string MillimetreText(double millimetres)
+{
+  const bool isTiny = millimetres > 0.0 && millimetres < 0.0005;
+  return isTiny ? "< 0.001" : GroupedText(millimetres, 3);
+}
+
+std::string ShortText(double value)
+{
+  return Formatted("%.*g", 4, value);
+}
+
+double RoundUpReadable(double value)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double step : { 1.0, 2.0, 3.0, 4.0, 6.0, 8.0 })
+  {
+    // The slack keeps 0.3 at 0.3 although it is not a multiple of 0.1 in binary.
+    if (value <= step * unit * (1.0 + 1e-9))
+    {
+      return step * unit;
+    }
+  }
+  return 10.0 * unit;
+}
+}

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file NumberText.h
+ * @brief Numbers as people read them: 666,264 and 0.125 mm.
+ */
+#ifndef BoneDecimate_Applications_NumberText_h
+#define BoneDecimate_Applications_NumberText_h
+
+#include <string>
+
+namespace bonedecimate
+{
+/// Rounded to that many decimals, thousands set apart by commas.
+std::string GroupedText(double value, int decimals = 0);
+
+/// A length to the micrometre, without its unit; a smaller one that is not zero is "< 0.001".
+std::string MillimetreText(double millimetres);
+
+/// Few digits, for ticks and labels: "0.25", "10".
+std::string ShortText(double value);
+
+/// The least of 1, 2, 3, 4, 6, 8 or 10 times a power of ten that is not below a positive value.
+double RoundUpReadable(double value);
+}
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Overlay.h"
+
+#include "DistanceColours.h"
+
+#include "vtkActor2D.h"
+#include "vtkCellArray.h"
+#include "vtkCoordinate.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper2D.h"
+#include "vtkProperty2D.h"
+#include "vtkScalarBarActor.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr std::array<double, 3> Ink = { 0.13, 0.14, 0.16 };
+constexpr std::array<double, 3> QuietInk = { 0.36, 0.38, 0.41 };
+
+void SetLook(vtkTextProperty* property, int pixels, bool isBold, bool isQuiet)
+{
+  const auto& colour = isQuiet ? QuietInk : Ink;
+  property->SetFontFamilyToArial();
+  property->SetFontSize(pixels);
+  property->SetBold(isBold);
+  property->SetItalic(false);
+  property->SetShadow(false);
+  property->SetColor(colour[0], colour[1], colour[2]);
+}
+}
+
+Overlay::Overlay(vtkRenderWindow* window)
+  : Window(window)
+  , Renderer(vtkSmartPointer<vtkRenderer>::New())
+{
+  window->SetNumberOfLayers(2);
+  this->Renderer->SetLayer(1);
+  this->Renderer->InteractiveOff();
+  window->AddRenderer(this->Renderer);
+}
+
+int Overlay::Pixels(double heights) const
+{
+  return std::max(1, static_cast<int>(std::lround(heights * this->Window->GetSize()[1])));
+}
+
+void Overlay::Write(const Words& words)
+{
+  vtkNew<vtkTextActor> actor;
+  actor->SetInput(words.Text.c_str());
+  vtkTextProperty* property = actor->GetTextProperty();
+  SetLook(property, this->Pixels(words.Size), words.IsBold, words.IsQuiet);
+  property->SetJustification(static_cast<int>(words.Side)); // Align has VTK's order
+  property->SetVerticalJustificationToCentered();
+  actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  actor->SetPosition(words.At[0], words.At[1]);
+  this->Renderer->AddActor2D(actor);
+}
+
+void Overlay::Draw(const std::vector<Place>& line, double width)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(static_cast<int>(line.size()));
+  for (const Place& place : line)
+  {
+    lines->InsertCellPoint(points->InsertNextPoint(place[0], place[1], 0.0));
+  }
+  vtkNew<vtkPolyData> drawing;
+  drawing->SetPoints(points);
+  drawing->SetLines(lines);
+  vtkNew<vtkCoordinate> coordinate;
+  coordinate->SetCoordinateSystemToNormalizedViewport();
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(drawing);
+  mapper->SetTransformCoordinate(coordinate);
+  vtkNew<vtkActor2D> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(Ink[0], Ink[1], Ink[2]);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(this->Pixels(width)));
+  this->Renderer->AddActor2D(actor);
+}
+
+void Overlay::DrawRectangle(const Place& lowerLeft, const Place& upperRight, double width)
+{
+  this->Draw(
+    { lowerLeft, { upperRight[0], lowerLeft[1] }, upperRight, { lowerLeft[0], upperRight[1] }, lowerLeft }, width);
+}
+
+void Overlay::DrawColourBar(
+  const Place& lowerLeft, const Place& upperRight, double range, const std::string& title)
+{
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(DistanceColours(range));
+  bar->SetMaximumNumberOfColors(256);
+  bar->SetOrientationToHorizontal();
+  bar->SetNumberOfLabels(5);
+  bar->SetLabelFormat("%g");
+  const double height = 0.68 * (upperRight[1] - lowerLeft[1]);
+  bar->SetPosition(lowerLeft[0], lowerLeft[1]);
+  bar->SetPosition2(upperRight[0] - lowerLeft[0], height);
+  bar->UnconstrainedFontSizeOn();
+  bar->SetTextPositionToPrecedeScalarBar(); // below a horizontal one
+  bar->SetBarRatio(0.42);
+  SetLook(bar->GetLabelTextProperty(), this->Pixels(0.019), false, false);
+  this->Renderer->AddActor2D(bar);
+  const double middle = 0.5 * (lowerLeft[0] + upperRight[0]);
+  this->Write({ title, { middle, upperRight[1] - 0.16 * (upperRight[1] - lowerLeft[1]) }, 0.021, Align::Centre, true });
+}
+}

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Overlay.h
+ * @brief Words and lines over the views, placed in fractions of the window.
+ */
+#ifndef BoneDecimate_Applications_Overlay_h
+#define BoneDecimate_Applications_Overlay_h
+
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+/// x from the left, y from below, 0 to 1.
+using Place = std::array<double, 2>;
+
+enum class Align
+{
+  Left,
+  Centre,
+  Right
+};
+
+struct Words
+{
+  std::string Text;
+  Place At;           ///< Of the text's middle in height.
+  double Size = 0.02; ///< Of the letters, in heights of the window.
+  Align Side = Align::Left;
+  bool IsBold = false;
+  bool IsQuiet = false; ///< Grey.
+};
+
+class Overlay
+{
+public:
+  explicit Overlay(vtkRenderWindow* window);
+
+  void Write(const Words& words);
+  /// @param width In heights of the window.
+  void Draw(const std::vector<Place>& line, double width = 0.002);
+  void DrawRectangle(const Place& lowerLeft, const Place& upperRight, double width = 0.002);
+  /// A bar of colours from 0 to range with its title above and numbers below.
+  void DrawColourBar(const Place& lowerLeft, const Place& upperRight, double range, const std::string& title);
+
+private:
+  int Pixels(double heights) const;
+
+  vtkRenderWindow* Window;
+  vtkSmartPointer<vtkRenderer> Renderer;
+};
+}
+
+#endif

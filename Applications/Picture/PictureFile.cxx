@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Picture.h"
+
+#include "Display.h"
+
+#include "vtkImageShrink3D.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <cstdio>
+#include <fstream>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr int Width = 1800; // pixels
+constexpr int Height = 1400;
+// Mesa has no multisampling to rely on: everything is rendered larger and averaged.
+constexpr int Oversampling = 2;
+
+vtkSmartPointer<vtkUnsignedCharArray> RenderPng(const PictureSubject& subject)
+{
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(Oversampling * Width, Oversampling * Height);
+  ComposePicture(window, subject);
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  vtkNew<vtkImageShrink3D> average;
+  average->SetInputConnection(grab->GetOutputPort());
+  average->SetShrinkFactors(Oversampling, Oversampling, 1);
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(average->GetOutputPort());
+  writer->WriteToMemoryOn();
+  writer->Write();
+  return writer->GetResult();
+}
+
+/// Under another name in the same folder first, so that nobody finds half a picture.
+std::string WriteWhole(vtkUnsignedCharArray* bytes, const std::string& file)
+{
+  const std::string temporary = file + ".part";
+  std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
+  stream.write(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
+  stream.close();
+  if (!stream || std::rename(temporary.c_str(), file.c_str()) != 0)
+  {
+    std::remove(temporary.c_str());
+    return "cannot write " + file;
+  }
+  return {};
+}
+}
+
+std::string WritePicture(const PictureSubject& subject, const std::string& file)
+{
+  if (!subject.Before || !subject.After || subject.Before->GetNumberOfPolys() + subject.Before->GetNumberOfStrips() == 0)
+  {
+    return "no picture: there is no surface to show";
+  }
+  const Display display; // has to outlive the window
+  if (!display.GetProblem().empty())
+  {
+    return display.GetProblem();
+  }
+  const auto bytes = RenderPng(subject);
+  return bytes && bytes->GetNumberOfValues() > 0 ? WriteWhole(bytes, file) : "no picture: nothing was rendered";
+}
+}

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PageParts.h"
+
+#include "DistanceColours.h"
+#include "NumberText.h"
+
+#include <algorithm>
+#include <array>
+
+namespace bonedecimate
+{
+namespace
+{
+// The drawing in its own units; the curve's corner values are 0 mm, 0 % and the range, 100 %.
+constexpr double Width = 480.0;
+constexpr double Height = 250.0;
+constexpr double Left = 48.0;
+constexpr double Right = 462.0;
+constexpr double Top = 14.0;
+constexpr double Bottom = 200.0;
+constexpr int Steps = 160;
+constexpr std::array<double, 3> Marked = { 0.5, 0.95, 0.99 };
+
+double AcrossOf(double share)
+{
+  return Left + share * (Right - Left);
+}
+
+double DownOf(double share)
+{
+  return Bottom - share * (Bottom - Top);
+}
+
+std::string At(double x, double y)
+{
+  return GroupedText(x, 1) + "," + GroupedText(y, 1);
+}
+
+std::string Text(double x, double y, const std::string& anchor, const std::string& text)
+{
+  return "<text x=\"" + GroupedText(x, 1) + "\" y=\"" + GroupedText(y, 1) + "\" text-anchor=\"" + anchor + "\">" +
+    text + "</text>\n";
+}
+
+std::string Axes(double range)
+{
+  std::string svg;
+  for (int i = 0; i <= 4; ++i)
+  {
+    const double share = 0.25 * i;
+    svg += "<path class=\"grid\" d=\"M" + At(Left, DownOf(share)) + " L" + At(Right, DownOf(share)) + " M" +
+      At(AcrossOf(share), Bottom) + " L" + At(AcrossOf(share), Bottom + 5.0) + "\"/>\n";
+    svg += Text(Left - 6.0, DownOf(share) + 4.0, "end", GroupedText(100.0 * share) + " %");
+    svg += Text(AcrossOf(share), Bottom + 19.0, "middle", ShortText(share * range));
+  }
+  return svg + Text(AcrossOf(0.5), Bottom + 40.0, "middle", "distance of the original's points to the result, mm");
+}
+
+std::string Curve(const std::vector<double>& sorted, double range)
+{
+  std::string path;
+  for (int i = 0; i <= Steps; ++i)
+  {
+    const double across = static_cast<double>(i) / Steps;
+    const auto within = std::upper_bound(sorted.begin(), sorted.end(), across * range) - sorted.begin();
+    const double share = static_cast<double>(within) / static_cast<double>(sorted.size());
+    path += (i == 0 ? "M" : " L") + At(AcrossOf(across), DownOf(share));
+  }
+  return "<path class=\"curve\" d=\"" + path + "\"/>\n";
+}
+
+std::string Marks(const std::vector<double>& sorted, double range)
+{
+  std::string svg;
+  for (const double share : Marked)
+  {
+    const double across = AcrossOf(Quantile(sorted, share) / range);
+    svg += "<circle class=\"mark\" cx=\"" + GroupedText(across, 1) + "\" cy=\"" + GroupedText(DownOf(share), 1) +
+      "\" r=\"4\"/>\n";
+  }
+  return svg;
+}
+}
+
+std::string ShareCurve(const std::vector<double>& sorted)
+{
+  const double range = ColourRange(sorted);
+  return "<svg viewBox=\"0 0 " + GroupedText(Width) + " " + GroupedText(Height) +
+    "\" role=\"img\" aria-label=\"Share of the original's points within a distance of the result\">\n" + Axes(range) +
+    Curve(sorted, range) + Marks(sorted, range) + "</svg>\n";
+}
+}

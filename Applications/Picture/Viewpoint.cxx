@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Viewpoint.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkStaticCellLocator.h"
+#include "vtkTriangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace bonedecimate
+{
+namespace
+{
+using Vector = std::array<double, 3>;
+
+constexpr double Aside = 25.0;            // degrees
+constexpr double Above = 10.0;            // degrees
+constexpr double Margin = 1.05;           // of the whole surface in its view
+constexpr double FacingCosine = 0.5;      // what is seen more slantwise than 60 degrees is no place for a close-up
+constexpr vtkIdType VisibilityTests = 20000;
+
+Viewpoint ObliqueFront(double side)
+{
+  const double aside = vtkMath::RadiansFromDegrees(Aside);
+  const double above = vtkMath::RadiansFromDegrees(Above);
+  Viewpoint view;
+  view.ToViewer = { side * std::sin(aside) * std::cos(above), -std::cos(aside) * std::cos(above), std::sin(above) };
+  const Vector head = { 0.0, 0.0, 1.0 };
+  vtkMath::Cross(head.data(), view.ToViewer.data(), view.Right.data());
+  vtkMath::Normalize(view.Right.data());
+  vtkMath::Cross(view.ToViewer.data(), view.Right.data(), view.Up.data());
+  return view;
+}
+
+/// Calls visit(normal with the length of twice the area, id of the first corner) for each triangle.
+template <typename Visitor>
+void ForEachTriangle(vtkPolyData* surface, Visitor visit)
+{
+  vtkCellArray* triangles = surface->GetPolys();
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < triangles->GetNumberOfCells(); ++cell)
+  {
+    triangles->GetCellAtId(cell, corners);
+    Vector a, b, c, normal;
+    surface->GetPoint(corners->GetId(0), a.data());
+    surface->GetPoint(corners->GetId(1), b.data());
+    surface->GetPoint(corners->GetId(2), c.data());
+    vtkTriangle::ComputeNormalDirection(a.data(), b.data(), c.data(), normal.data());
+    visit(normal, corners->GetId(0));
+  }
+}
+
+/// Amount of distance that faces the viewer, mm3 up to a factor.
+double FacingDistance(const Viewpoint& view, vtkPolyData* surface, vtkDataArray* distances)
+{
+  double sum = 0.0;
+  ForEachTriangle(surface, [&](const Vector& normal, vtkIdType corner) {
+    const double facing = vtkMath::Dot(normal.data(), view.ToViewer.data());
+    sum += std::max(facing, 0.0) * (distances ? distances->GetComponent(corner, 0) : 1.0);
+  });
+  return sum;
+}
+
+/// Coordinates along Right, Up and ToViewer.
+Vector InView(const Viewpoint& view, const Vector& point)
+{
+  return { vtkMath::Dot(point.data(), view.Right.data()), vtkMath::Dot(point.data(), view.Up.data()),
+    vtkMath::Dot(point.data(), view.ToViewer.data()) };
+}
+
+Vector InSpace(const Viewpoint& view, const Vector& seen)
+{
+  Vector point;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    point[i] = seen[0] * view.Right[i] + seen[1] * view.Up[i] + seen[2] * view.ToViewer[i];
+  }
+  return point;
+}
+
+struct Box
+{
+  Vector Least;
+  Vector Greatest;
+};
+
+Box BoxInView(const Viewpoint& view, vtkPolyData* surface)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Box box{ { infinity, infinity, infinity }, { -infinity, -infinity, -infinity } };
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    Vector point;
+    surface->GetPoint(i, point.data());
+    const Vector seen = InView(view, point);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      box.Least[k] = std::min(box.Least[k], seen[k]);
+      box.Greatest[k] = std::max(box.Greatest[k], seen[k]);
+    }
+  }
+  return box;
+}
+
+/// Whether nothing of the surface lies between a point and a viewer at that depth.
+bool IsVisible(vtkStaticCellLocator* locator, const Viewpoint& view, const Vector& seen, double depth)
+{
+  const double clearance = 1e-4 * (depth - seen[2]) + 1e-3; // mm, off the triangles at the point itself
+  const Vector from = InSpace(view, { seen[0], seen[1], seen[2] + clearance });
+  const Vector to = InSpace(view, { seen[0], seen[1], depth });
+  double parameter;
+  Vector hit, local;
+  int part;
+  return !locator->IntersectWithLine(from.data(), to.data(), 1e-6, parameter, hit.data(), local.data(), part);
+}
+
+/// Squares of half a close-up's width, and the distances squared that are seen in each of them.
+using Weights = std::map<std::pair<int, int>, double>;
+
+Weights WeighPlaces(
+  const Viewpoint& view, vtkPolyData* surface, vtkDataArray* distances, const Box& box, double square)
+{
+  Weights weights;
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(surface);
+  locator->BuildLocator();
+  vtkDataArray* normals = surface->GetPointData()->GetNormals();
+  const double depth = box.Greatest[2] + 1.0;
+  const vtkIdType stride = surface->GetNumberOfPoints() / VisibilityTests + 1;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); i += stride)
+  {
+    Vector point, normal;
+    surface->GetPoint(i, point.data());
+    normals->GetTuple(i, normal.data());
+    const Vector seen = InView(view, point);
+    const bool isFacing = vtkMath::Dot(normal.data(), view.ToViewer.data()) > FacingCosine;
+    if (isFacing && IsVisible(locator, view, seen, depth))
+    {
+      const double distance = distances ? distances->GetComponent(i, 0) : 1.0;
+      const int column = static_cast<int>((seen[0] - box.Least[0]) / square);
+      const int row = static_cast<int>((seen[1] - box.Least[1]) / square);
+      weights[{ column, row }] += distance * distance;
+    }
+  }
+  return weights;
+}
+
+/// The lower left of the two by two squares that weigh most together.
+std::pair<int, int> HeaviestPlace(const Weights& weights)
+{
+  Weights sums;
+  for (const auto& [place, weight] : weights)
+  {
+    for (const auto& [left, down] : { std::pair(0, 0), std::pair(1, 0), std::pair(0, 1), std::pair(1, 1) })
+    {
+      sums[{ place.first - left, place.second - down }] += weight;
+    }
+  }
+  const auto heaviest = std::max_element(
+    sums.begin(), sums.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return heaviest == sums.end() ? std::pair(0, 0) : heaviest->first;
+}
+}
+
+Viewpoint ChooseViewpoint(vtkPolyData* surface, vtkDataArray* distances)
+{
+  const Viewpoint left = ObliqueFront(1.0);
+  const Viewpoint right = ObliqueFront(-1.0);
+  return FacingDistance(right, surface, distances) > FacingDistance(left, surface, distances) ? right : left;
+}
+
+Frame FrameWhole(const Viewpoint& view, vtkPolyData* surface, double aspect)
+{
+  const Box box = BoxInView(view, surface);
+  Vector middle;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    middle[k] = 0.5 * (box.Least[k] + box.Greatest[k]);
+  }
+  const double width = box.Greatest[0] - box.Least[0];
+  const double height = box.Greatest[1] - box.Least[1];
+  return { InSpace(view, middle), Margin * 0.5 * std::max(height, width / aspect) };
+}
+
+Frame FrameCloseUp(const Viewpoint& view, vtkPolyData* surface, vtkDataArray* distances, double width)
+{
+  const Box box = BoxInView(view, surface);
+  const double square = 0.5 * width;
+  const auto [column, row] = HeaviestPlace(WeighPlaces(view, surface, distances, box, square));
+  const Vector middle = { box.Least[0] + (column + 1) * square, box.Least[1] + (row + 1) * square,
+    0.5 * (box.Least[2] + box.Greatest[2]) };
+  return { InSpace(view, middle), square };
+}
+
+void AimCamera(vtkCamera* camera, const Viewpoint& view, const Frame& frame)
+{
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(frame.HalfHeight);
+  camera->SetFocalPoint(frame.Centre.data());
+  Vector position;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    position[i] = frame.Centre[i] + 10.0 * frame.HalfHeight * view.ToViewer[i];
+  }
+  camera->SetPosition(position.data());
+  camera->SetViewUp(view.Up.data());
+}
+
+double TypicalEdge(vtkPolyData* surface)
+{
+  double twiceArea = 0.0;
+  ForEachTriangle(
+    surface, [&](const Vector& normal, vtkIdType) { twiceArea += vtkMath::Norm(normal.data()); });
+  const double count = static_cast<double>(std::max<vtkIdType>(surface->GetNumberOfPolys(), 1));
+  return std::sqrt(2.0 * twiceArea / (std::sqrt(3.0) * count));
+}
+}

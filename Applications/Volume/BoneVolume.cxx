@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BoneVolume.h"
+
+#include "DicomFolder.h"
+#include "HeaderText.h"
+#include "MetaImageHeader.h"
+#include "NrrdHeader.h"
+#include "OutwardContour.h"
+#include "RawVoxels.h"
+#include "VtiVolume.h"
+
+#include "vtkPointData.h"
+
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <system_error>
+
+namespace bonedecimate
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+enum class VolumeKind
+{
+  None,
+  Vti,
+  MetaImage,
+  Nrrd,
+  DicomFolder
+};
+
+VolumeKind KindOf(const std::string& path)
+{
+  std::error_code error;
+  if (fs::is_directory(path, error))
+  {
+    return HoldsDicom(path) ? VolumeKind::DicomFolder : VolumeKind::None;
+  }
+  const std::string extension = LowerCase(fs::path(path).extension().string());
+  if (extension == ".vti")
+  {
+    return VolumeKind::Vti;
+  }
+  if (extension == ".mha" || extension == ".mhd")
+  {
+    return VolumeKind::MetaImage;
+  }
+  return extension == ".nrrd" || extension == ".nhdr" ? VolumeKind::Nrrd : VolumeKind::None;
+}
+
+Volume ReadLayout(const VoxelLayout& layout)
+{
+  return layout.Problem.empty() ? ReadVoxels(layout) : RefusedVolume(layout.Problem);
+}
+
+Volume ReadVolume(const std::string& path)
+{
+  const VolumeKind kind = KindOf(path);
+  if (kind == VolumeKind::DicomFolder)
+  {
+    return ReadDicomFolder(path);
+  }
+  std::error_code error;
+  if (!fs::exists(path, error))
+  {
+    return RefusedVolume("it does not exist");
+  }
+  if (kind == VolumeKind::None)
+  {
+    return RefusedVolume("it is no volume: .vti, .mha, .mhd, .nrrd, .nhdr or a folder of DICOM files");
+  }
+  if (fs::file_size(path, error) == 0 || error)
+  {
+    return RefusedVolume("it is empty or cannot be read");
+  }
+  if (kind == VolumeKind::Vti)
+  {
+    return ReadVti(path);
+  }
+  return ReadLayout(
+    kind == VolumeKind::MetaImage ? ReadMetaImageHeader(path) : ReadNrrdHeader(path));
+}
+
+std::string NumberText(double value)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << value;
+  return text.str();
+}
+
+/// Why the voxels have no surface at that value, or an empty text.
+std::string ValuesProblem(vtkImageData* image, double hounsfield)
+{
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  const vtkIdType strange = CountNotFinite(values);
+  if (strange > 0)
+  {
+    return std::to_string(strange) + " of its voxels are not finite numbers";
+  }
+  double range[2];
+  values->GetRange(range);
+  const std::string text = " of its voxels is above " + NumberText(hounsfield) +
+    " HU: the values go from " + NumberText(range[0]) + " to " + NumberText(range[1]);
+  if (range[1] < hounsfield)
+  {
+    return "none" + text;
+  }
+  return range[0] >= hounsfield ? "every one" + text : std::string();
+}
+}
+
+bool IsVolume(const std::string& path)
+{
+  return KindOf(path) != VolumeKind::None;
+}
+
+BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield)
+{
+  BoneSurface bone;
+  if (!std::isfinite(hounsfield))
+  {
+    bone.Problem = "The Hounsfield value is not a finite number.";
+    return bone;
+  }
+  const Volume volume = ReadVolume(path);
+  bone.Note = volume.Note;
+  bone.Problem =
+    volume.Problem.empty() ? ValuesProblem(volume.Image, hounsfield) : volume.Problem;
+  if (bone.Problem.empty())
+  {
+    bone.Surface = OutwardContour(volume, hounsfield);
+    return bone;
+  }
+  bone.Problem = fs::path(path).filename().string() + ": " + bone.Problem + ".";
+  return bone;
+}
+}

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DicomFolder.h"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+namespace bonedecimate
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/// By the four letters that follow a preamble of 128 bytes.
+bool IsDicomFile(const fs::directory_entry& entry)
+{
+  std::error_code error;
+  if (!entry.is_regular_file(error))
+  {
+    return false;
+  }
+  char beginning[132] = {};
+  std::ifstream file(entry.path(), std::ios::binary);
+  file.read(beginning, sizeof(beginning));
+  return std::memcmp(beginning + 128, "DICM", 4) == 0;
+}
+}
+
+std::vector<std::string> DicomFiles(const std::string& folder)
+{
+  std::vector<std::string> files;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+  {
+    if (IsDicomFile(entry))
+    {
+      files.push_back(entry.path().string());
+    }
+  }
+  // The system lists files in any order.
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+bool HoldsDicom(const std::string& folder)
+{
+  std::error_code error;
+  const fs::directory_iterator entries(folder, error);
+  return std::any_of(begin(entries), end(entries), IsDicomFile);
+}
+}

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file DicomFolder.h
+ * @brief One series of DICOM slices, straight from a folder.
+ */
+#ifndef BoneDecimate_Applications_DicomFolder_h
+#define BoneDecimate_Applications_DicomFolder_h
+
+#include "Volume.h"
+
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+/// The DICOM files that lie in the folder itself, by name.
+std::vector<std::string> DicomFiles(const std::string& folder);
+
+bool HoldsDicom(const std::string& folder);
+
+/**
+ * The series with most slices, CT before anything else; the note says what was left aside. Slices are sorted by their
+ * position along the normal of the image plane. Slices missing in between are a reason to refuse.
+ */
+Volume ReadDicomFolder(const std::string& folder);
+}
+
+#endif

@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DicomFolder.h"
+
+#include "DicomSeries.h"
+#include "HeaderText.h"
+
+#include <gdcmImageReader.h>
+#include <gdcmRescaler.h>
+#include <gdcmScanner.h>
+#include <gdcmTrace.h>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+namespace bonedecimate
+{
+namespace
+{
+const gdcm::Tag Instance(0x0008, 0x0018);
+const gdcm::Tag Modality(0x0008, 0x0060);
+const gdcm::Tag Series(0x0020, 0x000e);
+const gdcm::Tag Position(0x0020, 0x0032);
+const gdcm::Tag Orientation(0x0020, 0x0037);
+const gdcm::Tag Frames(0x0028, 0x0008);
+const gdcm::Tag Rows(0x0028, 0x0010);
+const gdcm::Tag Columns(0x0028, 0x0011);
+const gdcm::Tag PixelSpacing(0x0028, 0x0030);
+const gdcm::Tag Intercept(0x0028, 0x1052);
+const gdcm::Tag Slope(0x0028, 0x1053);
+
+std::string Text(const gdcm::Scanner& scanner, const std::string& file, const gdcm::Tag& tag)
+{
+  const char* value = scanner.GetValue(file.c_str(), tag);
+  return value ? Trimmed(value) : std::string();
+}
+
+/// Exactly so many numbers, or none.
+std::optional<std::vector<double>> Numbers(
+  const gdcm::Scanner& scanner, const std::string& file, const gdcm::Tag& tag, std::size_t count)
+{
+  auto numbers = ParseNumbers(Text(scanner, file, tag));
+  return numbers && numbers->size() == count ? numbers : std::nullopt;
+}
+
+double NumberOr(double otherwise, const gdcm::Scanner& scanner, const std::string& file,
+  const gdcm::Tag& tag)
+{
+  const auto number = Numbers(scanner, file, tag, 1);
+  return number ? number->front() : otherwise;
+}
+
+/// Nothing for reports, localizers without a position and whatever else lies about.
+std::optional<DicomSlice> ReadSlice(const gdcm::Scanner& scanner, const std::string& file)
+{
+  const auto position = Numbers(scanner, file, Position, 3);
+  const auto orientation = Numbers(scanner, file, Orientation, 6);
+  const auto spacing = Numbers(scanner, file, PixelSpacing, 2);
+  const auto rows = ParseWholeNumbers(Text(scanner, file, Rows));
+  const auto columns = ParseWholeNumbers(Text(scanner, file, Columns));
+  const bool hasSize = rows && rows->size() == 1 && columns && columns->size() == 1;
+  if (!position || !orientation || !spacing || !hasSize)
+  {
+    return std::nullopt;
+  }
+  DicomSlice slice;
+  slice.File = file;
+  slice.Series = Text(scanner, file, Series);
+  slice.Instance = Text(scanner, file, Instance);
+  slice.IsTomography = Text(scanner, file, Modality) == "CT";
+  slice.Frames = static_cast<std::int64_t>(NumberOr(1.0, scanner, file, Frames));
+  slice.Rows = rows->front();
+  slice.Columns = columns->front();
+  std::copy_n(position->begin(), 3, slice.Position.begin());
+  std::copy_n(orientation->begin(), 3, slice.AlongRow.begin());
+  std::copy_n(orientation->begin() + 3, 3, slice.AlongColumn.begin());
+  slice.RowDistance = (*spacing)[0];
+  slice.ColumnDistance = (*spacing)[1];
+  slice.Slope = NumberOr(1.0, scanner, file, Slope);
+  slice.Intercept = NumberOr(0.0, scanner, file, Intercept);
+  return slice;
+}
+
+DicomSeries ScanFiles(const std::vector<std::string>& files)
+{
+  gdcm::Scanner scanner;
+  for (const gdcm::Tag& tag : { Instance, Modality, Series, Position, Orientation, Frames, Rows,
+         Columns, PixelSpacing, Intercept, Slope })
+  {
+    scanner.AddTag(tag);
+  }
+  scanner.Scan(files);
+  std::vector<DicomSlice> slices;
+  for (const std::string& file : files)
+  {
+    const auto slice = ReadSlice(scanner, file);
+    if (slice)
+    {
+      slices.push_back(*slice);
+    }
+  }
+  DicomSeries series = LargestSeries(slices);
+  const std::size_t others = files.size() - slices.size();
+  if (others > 0)
+  {
+    series.Note += (series.Note.empty() ? "" : " ") + std::to_string(others) +
+      " DICOM files are no images with a position and were left aside.";
+  }
+  return series;
+}
+
+/// HU of one slice, rows one after the other. Returns what went wrong, or an empty text.
+std::string DecodeSlice(const DicomSlice& slice, float* values)
+{
+  gdcm::ImageReader reader;
+  reader.SetFileName(slice.File.c_str());
+  if (!reader.Read())
+  {
+    return "its pixels are damaged or truncated";
+  }
+  const gdcm::Image& image = reader.GetImage();
+  const gdcm::PixelFormat& format = image.GetPixelFormat();
+  const bool isGrey = image.GetPhotometricInterpretation() == gdcm::PhotometricInterpretation::MONOCHROME1 ||
+    image.GetPhotometricInterpretation() == gdcm::PhotometricInterpretation::MONOCHROME2;
+  if (!isGrey || format.GetSamplesPerPixel() != 1)
+  {
+    return "it has more than one value a pixel, a CT has one";
+  }
+  const std::size_t pixels = static_cast<std::size_t>(slice.Rows * slice.Columns);
+  const std::size_t bytes = image.GetBufferLength();
+  std::vector<char> stored(bytes);
+  if (bytes != pixels * format.GetPixelSize() || !image.GetBuffer(stored.data()))
+  {
+    return "its pixels are damaged, truncated or compressed in a way that cannot be read";
+  }
+  gdcm::Rescaler rescaler;
+  rescaler.SetSlope(slice.Slope);
+  rescaler.SetIntercept(slice.Intercept);
+  rescaler.SetPixelFormat(format);
+  rescaler.SetTargetPixelType(gdcm::PixelFormat::FLOAT32);
+  rescaler.SetUseTargetPixelType(true);
+  return rescaler.Rescale(reinterpret_cast<char*>(values), stored.data(), bytes)
+    ? std::string()
+    : "its pixels are of a type that cannot be read";
+}
+
+std::uintmax_t BytesOf(const DicomSeries& series)
+{
+  std::uintmax_t bytes = 0;
+  for (const DicomSlice& slice : series.Slices)
+  {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(slice.File, error);
+    bytes += error ? 0 : size;
+  }
+  return bytes;
+}
+
+Volume DecodeSeries(const DicomSeries& series)
+{
+  const DicomSlice& first = series.Slices.front();
+  const std::array<std::int64_t, 3> size{ { first.Columns, first.Rows,
+    static_cast<std::int64_t>(series.Slices.size()) } };
+  const std::string sizeProblem = SizeProblem(size, 1, BytesOf(series), true);
+  if (!sizeProblem.empty())
+  {
+    return RefusedVolume(sizeProblem);
+  }
+  Volume volume;
+  volume.Geometry = series.Geometry;
+  volume.Note = series.Note;
+  volume.Image = AllocateImage(size, VTK_FLOAT); // slope and intercept need not be whole
+  float* values = static_cast<float*>(volume.Image->GetScalarPointer());
+  for (const DicomSlice& slice : series.Slices)
+  {
+    const std::string problem = DecodeSlice(slice, values);
+    if (!problem.empty())
+    {
+      return RefusedVolume(std::filesystem::path(slice.File).filename().string() + ": " + problem);
+    }
+    values += size[0] * size[1];
+  }
+  return volume;
+}
+}
+
+Volume ReadDicomFolder(const std::string& folder)
+{
+  gdcm::Trace::WarningOff();
+  gdcm::Trace::ErrorOff();
+  try
+  {
+    const DicomSeries series = ScanFiles(DicomFiles(folder));
+    return series.Problem.empty() ? DecodeSeries(series) : RefusedVolume(series.Problem);
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw;
+  }
+  catch (const std::exception&)
+  {
+    // GDCM's parsers throw on some damaged files. Its text may quote the header and is not passed on.
+    return RefusedVolume("its DICOM files are damaged");
+  }
+}
+}

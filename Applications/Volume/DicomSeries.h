@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file DicomSeries.h
+ * @brief Which slices of many belong together, and where each of them lies.
+ */
+#ifndef BoneDecimate_Applications_DicomSeries_h
+#define BoneDecimate_Applications_DicomSeries_h
+
+#include "Volume.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+/// What is taken from the header of one slice: its geometry and the meaning of its values, no more.
+struct DicomSlice
+{
+  std::string File;
+  std::string Series;   ///< Unique identifier of the series; compared, never written anywhere.
+  std::string Instance; ///< That of the image, to know copies of one file.
+  bool IsTomography = false; ///< CT.
+  std::int64_t Frames = 1;
+  std::int64_t Rows = 0;
+  std::int64_t Columns = 0;
+  Vector3 Position{ { 0.0, 0.0, 0.0 } };    ///< mm, of the first pixel.
+  Vector3 AlongRow{ { 0.0, 0.0, 0.0 } };    ///< Direction of growing column index.
+  Vector3 AlongColumn{ { 0.0, 0.0, 0.0 } }; ///< Direction of growing row index.
+  double RowDistance = 0.0;                 ///< mm, from a row to the next.
+  double ColumnDistance = 0.0;
+  double Slope = 1.0; ///< Stored value times slope plus intercept is HU.
+  double Intercept = 0.0;
+};
+
+struct DicomSeries
+{
+  std::vector<DicomSlice> Slices; ///< By position.
+  VolumeGeometry Geometry;
+  std::string Problem;
+  std::string Note;
+};
+
+/// The slices may come in any order.
+DicomSeries LargestSeries(const std::vector<DicomSlice>& slices);
+}
+
+#endif

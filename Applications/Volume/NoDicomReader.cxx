@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DicomFolder.h"
+
+namespace bonedecimate
+{
+Volume ReadDicomFolder(const std::string&)
+{
+  return RefusedVolume("this build reads no DICOM; install GDCM (Debian: libgdcm-dev), configure and "
+                       "build again");
+}
+}

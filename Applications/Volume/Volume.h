@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Volume.h
+ * @brief Voxels and where they lie in the patient; nothing else of a file's header.
+ */
+#ifndef BoneDecimate_Applications_Volume_h
+#define BoneDecimate_Applications_Volume_h
+
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace bonedecimate
+{
+using Vector3 = std::array<double, 3>;
+
+/// mm in the patient's LPS system. Steps need not be at right angles: a tilted gantry shears the volume.
+struct VolumeGeometry
+{
+  Vector3 Origin{ { 0.0, 0.0, 0.0 } }; ///< Centre of the first voxel.
+  std::array<Vector3, 3> Steps{ { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } },
+    { { 0.0, 0.0, 1.0 } } } }; ///< From a voxel to its neighbour along i, j and k.
+};
+
+struct Volume
+{
+  vtkSmartPointer<vtkImageData> Image; ///< One value a voxel; its own origin and spacing mean nothing.
+  VolumeGeometry Geometry;
+  std::string Problem; ///< Why there is no image; empty if there is one.
+  std::string Note;    ///< What of the input was left aside, for the user; may be empty.
+};
+
+Volume RefusedVolume(const std::string& problem);
+
+double Dot(const Vector3& a, const Vector3& b);
+Vector3 Cross(const Vector3& a, const Vector3& b);
+double Length(const Vector3& a);
+
+/// Negative if the steps mirror the volume.
+double Determinant(const VolumeGeometry& geometry);
+
+/// What is wrong with it (not finite, a step of no length, steps in one plane), or an empty text.
+std::string GeometryProblem(const VolumeGeometry& geometry);
+
+/**
+ * Whether so many voxels can be stored in a file of that size: what is announced is held against what is there, so that
+ * a damaged header cannot ask for memory without end.
+ * @return What is wrong, or an empty text.
+ */
+std::string SizeProblem(const std::array<std::int64_t, 3>& size, int bytesPerVoxel,
+  std::uintmax_t bytesInFile, bool isCompressed);
+
+/// Not filled.
+vtkSmartPointer<vtkImageData> AllocateImage(const std::array<std::int64_t, 3>& size, int scalarType);
+}
+
+#endif

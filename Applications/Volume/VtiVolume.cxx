@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VtiVolume.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkXMLImageDataReader.h"
+
+#include <filesystem>
+#include <system_error>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Keeps VTK's errors from the terminal and remembers that there was one.
+class ErrorListener
+{
+public:
+  explicit ErrorListener(vtkXMLReader* reader)
+  {
+    this->Command->SetClientData(&this->HasError);
+    this->Command->SetCallback(&ErrorListener::Note);
+    reader->AddObserver("ErrorEvent", this->Command);
+    reader->AddObserver("WarningEvent", this->Command);
+    reader->SetReaderErrorObserver(this->Command);
+    reader->SetParserErrorObserver(this->Command);
+  }
+
+  bool HasError = false;
+
+private:
+  static void Note(vtkObject*, unsigned long event, void* hasError, void*)
+  {
+    if (event == vtkCommand::ErrorEvent)
+    {
+      *static_cast<bool*>(hasError) = true;
+    }
+  }
+
+  vtkNew<vtkCallbackCommand> Command;
+};
+
+std::string AnnouncedSizeProblem(vtkXMLImageDataReader* reader)
+{
+  int extent[6];
+  reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  std::array<std::int64_t, 3> size;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    size[axis] = std::int64_t(extent[2 * axis + 1]) - extent[2 * axis] + 1;
+  }
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(reader->GetFileName(), error);
+  return SizeProblem(size, 1, error ? 0 : bytes, true);
+}
+
+/// The active scalars, or the only array there is.
+vtkDataArray* Scalars(vtkImageData* image)
+{
+  vtkPointData* data = image->GetPointData();
+  return data->GetScalars() || data->GetNumberOfArrays() != 1 ? data->GetScalars() : data->GetArray(0);
+}
+
+VolumeGeometry Geometry(vtkImageData* image)
+{
+  VolumeGeometry geometry;
+  const int* extent = image->GetExtent();
+  for (int i = 0; i < 3; ++i)
+  {
+    geometry.Origin[i] = image->GetOrigin()[i];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      geometry.Steps[axis][i] =
+        image->GetDirectionMatrix()->GetElement(i, axis) * image->GetSpacing()[axis];
+      // The first voxel is that of the extent's lower corner, the origin that of index zero.
+      geometry.Origin[i] += geometry.Steps[axis][i] * extent[2 * axis];
+    }
+  }
+  return geometry;
+}
+}
+
+Volume ReadVti(const std::string& path)
+{
+  vtkNew<vtkXMLImageDataReader> reader;
+  const ErrorListener listener(reader);
+  reader->SetFileName(path.c_str());
+  if (!reader->CanReadFile(path.c_str()))
+  {
+    return RefusedVolume("it is not a VTK image file");
+  }
+  reader->UpdateInformation();
+  const std::string sizeProblem = listener.HasError ? std::string() : AnnouncedSizeProblem(reader);
+  if (!sizeProblem.empty())
+  {
+    return RefusedVolume(sizeProblem);
+  }
+  if (!listener.HasError)
+  {
+    reader->Update();
+  }
+  if (listener.HasError)
+  {
+    return RefusedVolume("it is truncated or damaged");
+  }
+  vtkImageData* image = reader->GetOutput();
+  vtkDataArray* scalars = Scalars(image);
+  if (!scalars || scalars->GetNumberOfComponents() != 1 ||
+    scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    return RefusedVolume("it has no array of one value a voxel");
+  }
+  Volume volume;
+  volume.Geometry = Geometry(image);
+  volume.Problem = GeometryProblem(volume.Geometry);
+  volume.Image = vtkSmartPointer<vtkImageData>::New();
+  volume.Image->SetDimensions(image->GetDimensions());
+  volume.Image->GetPointData()->SetScalars(scalars);
+  return volume;
+}
+}

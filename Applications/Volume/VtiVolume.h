@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file VtiVolume.h
+ * @brief VTK's own image files.
+ */
+#ifndef BoneDecimate_Applications_VtiVolume_h
+#define BoneDecimate_Applications_VtiVolume_h
+
+#include "Volume.h"
+
+#include <string>
+
+namespace bonedecimate
+{
+Volume ReadVti(const std::string& path);
+}
+
+#endif

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBoneDecimate.h"
+
+#include "Decimate.h"
+#include "OptionTable.h"
+#include "ReportTable.h"
+#include "SurfaceConversion.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkVersionMacros.h"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+vtkStandardNewMacro(vtkBoneDecimate);
+
+//------------------------------------------------------------------------------
+struct vtkBoneDecimate::Internals
+{
+  bonedecimate::Options Options;
+  bonedecimate::Report Report;
+  std::vector<bonedecimate::ReportEntry> Entries = bonedecimate::ReportEntries(bonedecimate::Report());
+
+  /// The value as the table would keep it (clamped); returns whether that changes anything.
+  bool Set(const char* name, const bonedecimate::OptionValue& value)
+  {
+    const bonedecimate::OptionInfo& info = *bonedecimate::FindOption(name);
+    const bonedecimate::OptionValue before = bonedecimate::GetOption(this->Options, info);
+    const bool wasExplicit = this->Options.TargetReductionIsExplicit;
+    bonedecimate::SetOption(this->Options, info, value);
+    return before != bonedecimate::GetOption(this->Options, info) ||
+      wasExplicit != this->Options.TargetReductionIsExplicit;
+  }
+
+  const bonedecimate::ReportEntry* Find(const std::string& name) const
+  {
+    for (const bonedecimate::ReportEntry& entry : this->Entries)
+    {
+      if (entry.Name == name)
+      {
+        return &entry;
+      }
+    }
+    return nullptr;
+  }
+};
+
+vtkBoneDecimate::vtkBoneDecimate()
+  : Internal(new Internals)
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkBoneDecimate::~vtkBoneDecimate() = default;
+
+//------------------------------------------------------------------------------
+// One line a property: range and default stand in the core's table of options.
+#define vtkBoneDecimateOption(name, argument, travel, result)                                      \
+  void vtkBoneDecimate::Set##name(argument value)                                                  \
+  {                                                                                                \
+    if (this->Internal->Set(#name, static_cast<travel>(value)))                                    \
+    {                                                                                              \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  result vtkBoneDecimate::Get##name() const                                                        \
+  {                                                                                                \
+    return static_cast<result>(this->Internal->Options.name);                                      \
+  }
+
+vtkBoneDecimateOption(Mode, int, int, int)
+vtkBoneDecimateOption(TargetNumberOfTriangles, int, int, int)
+vtkBoneDecimateOption(TargetReduction, double, double, double)
+vtkBoneDecimateOption(MaximumError, double, double, double)
+vtkBoneDecimateOption(NormalTolerance, double, double, double)
+vtkBoneDecimateOption(MergePoints, bool, bool, bool)
+vtkBoneDecimateOption(MeasureDistances, bool, bool, bool)
+vtkBoneDecimateOption(MeasureInputDistances, bool, bool, bool)
+vtkBoneDecimateOption(NumberOfThreads, int, int, int)
+vtkBoneDecimateOption(OutputPointsPrecision, int, int, int)
+vtkBoneDecimateOption(DistanceArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(RunningErrorArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(PointCountArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(InputDistanceArrayName, const std::string&, std::string, std::string)
+#undef vtkBoneDecimateOption
+
+//------------------------------------------------------------------------------
+int vtkBoneDecimate::GetStopReason() const
+{
+  return static_cast<int>(this->Internal->Report.Stop);
+}
+
+std::string vtkBoneDecimate::GetStopReasonAsString() const
+{
+  return bonedecimate::StopReasonSentence(this->Internal->Report.Stop);
+}
+
+int vtkBoneDecimate::GetNumberOfReportEntries() const
+{
+  return static_cast<int>(this->Internal->Entries.size());
+}
+
+std::string vtkBoneDecimate::GetReportEntryName(int entry) const
+{
+  const bool exists = entry >= 0 && entry < this->GetNumberOfReportEntries();
+  return exists ? this->Internal->Entries[static_cast<std::size_t>(entry)].Name : std::string();
+}
+
+std::string vtkBoneDecimate::GetReportEntryUnit(const std::string& name) const
+{
+  const bonedecimate::ReportEntry* entry = this->Internal->Find(name);
+  return entry ? entry->Unit : std::string();
+}
+
+double vtkBoneDecimate::GetReportValue(const std::string& name) const
+{
+  const bonedecimate::ReportEntry* entry = this->Internal->Find(name);
+  if (entry && std::holds_alternative<double>(entry->Value))
+  {
+    return std::get<double>(entry->Value);
+  }
+  return entry && std::holds_alternative<std::int64_t>(entry->Value)
+    ? static_cast<double>(std::get<std::int64_t>(entry->Value))
+    : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string vtkBoneDecimate::GetReportText(const std::string& name) const
+{
+  const bonedecimate::ReportEntry* entry = this->Internal->Find(name);
+  if (!entry)
+  {
+    return {};
+  }
+  if (const auto* text = std::get_if<std::string>(&entry->Value))
+  {
+    return *text;
+  }
+  if (const auto* whole = std::get_if<std::int64_t>(&entry->Value))
+  {
+    return std::to_string(*whole);
+  }
+  char digits[40];
+  std::snprintf(digits, sizeof(digits), "%.17g", std::get<double>(entry->Value));
+  return digits;
+}
+
+//------------------------------------------------------------------------------
+int vtkBoneDecimate::RequestData(
+  vtkInformation* vtkNotUsed(request), vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  const bonedecimate::Options& options = this->Internal->Options;
+  const bonedecimate::ConvertedSurface converted = bonedecimate::ToSurface(input);
+  if (!converted.Warning.empty())
+  {
+    vtkWarningMacro(<< converted.Warning);
+  }
+  const bonedecimate::Result result = bonedecimate::Decimate(
+    converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); }, converted.IsSingle);
+  this->Internal->Report = result.Report;
+  this->Internal->Entries = bonedecimate::ReportEntries(result.Report);
+  if (!this->Accept(bonedecimate::InputMessage(result.Report)))
+  {
+    return 0;
+  }
+  const std::string leftBehind = bonedecimate::NamesOfArraysLeftBehind(input);
+  if (!leftBehind.empty())
+  {
+    vtkWarningMacro("these arrays of the input are not carried to the output: " << leftBehind);
+  }
+  const int precision = this->GetOutputPointsPrecision();
+  const bool single = precision == SINGLE_PRECISION || (precision == DEFAULT_PRECISION && converted.IsSingle);
+  bonedecimate::FillOutput(result, options, single, input, vtkPolyData::GetData(outputVector, 0));
+  bonedecimate::FillInputCopy(result, options, input, vtkPolyData::GetData(outputVector, 1));
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+/// False if the input was refused. An empty one is no failure, one without triangles only deserves a warning.
+bool vtkBoneDecimate::Accept(const std::string& problem)
+{
+  switch (this->Internal->Report.Status)
+  {
+    case bonedecimate::InputStatus::Good:
+    case bonedecimate::InputStatus::Empty:
+      return true;
+    case bonedecimate::InputStatus::NoTriangles:
+      vtkWarningMacro(<< problem);
+      return true;
+    default:
+      vtkErrorMacro(<< problem);
+      return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkBoneDecimate::GoesOn(double fraction)
+{
+  this->UpdateProgress(fraction);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220614)
+  if (this->CheckAbort())
+  {
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+    this->SetAbortOutput(false); // the output is a valid surface and stays
+#endif
+    return false;
+  }
+  return true;
+#else
+  return this->GetAbortExecute() == 0;
+#endif
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimate::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  for (const bonedecimate::OptionInfo& info : bonedecimate::OptionTable())
+  {
+    os << indent << info.Name << ": " << bonedecimate::OptionText(this->Internal->Options, info)
+       << (info.Unit.empty() ? "" : " ") << info.Unit << "\n";
+  }
+  os << indent << "StopReason: " << this->GetStopReasonAsString() << "\n";
+}

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Fragments.h
+ * @brief The volume of every closed component, so that none is pressed flat or turned inside out.
+ */
+#ifndef BoneDecimate_Core_Collapse_Fragments_h
+#define BoneDecimate_Core_Collapse_Fragments_h
+
+#include "Mesh/HalfEdgeMesh.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+class Fragments
+{
+public:
+  Fragments(const HalfEdgeMesh& mesh, const Surface& surface);
+
+  /// Whether the component of v may change its volume by that much (mm^3). Open components and cavities of no volume may.
+  bool MayChange(Index v, double volumeChange) const;
+
+  void Change(Index v, double volumeChange) { this->Volumes[this->OfVertex[v]].Now += volumeChange; }
+
+private:
+  struct Volume
+  {
+    double AtFirst = 0.0; // mm^3, signed
+    double Now = 0.0;
+    bool IsClosed = true;
+  };
+  std::vector<Index> OfVertex;
+  std::vector<Volume> Volumes;
+};
+}
+
+#endif

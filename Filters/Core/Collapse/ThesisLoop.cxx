@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ThesisLoop.h"
+
+#include "Placement/PlaneQuadric.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr double ProgressStep = 0.005;
+}
+
+ThesisLoop::ThesisLoop(Editor& editor, double tolerance, const ThesisStops& stops)
+  : Work(editor)
+  , Costs(editor.Mesh(), editor.Areas(), tolerance, MeanEdgeLength(editor.Mesh()))
+  , Queue(editor.Mesh().NumberOfVertexSlots())
+  , Stops(stops)
+  , FacesAtFirst(editor.Mesh().NumberOfFaces())
+{
+}
+
+//------------------------------------------------------------------------------
+bool ThesisLoop::IsDone() const
+{
+  const bool enoughRemoved = this->Work.Mesh().NumberOfFaces() <= this->Stops.Faces;
+  const bool farEnough = !(this->Work.Reference().LargestError() < this->Stops.Error);
+  return enoughRemoved && farEnough;
+}
+
+//------------------------------------------------------------------------------
+/// By faces; towards an error alone nobody knows when it will be reached, so that the end may come early.
+double ThesisLoop::FractionDone() const
+{
+  const Index goal = this->Stops.Error > 0.0 ? 0 : this->Stops.Faces;
+  const double removed = this->FacesAtFirst - this->Work.Mesh().NumberOfFaces();
+  return std::min(1.0, removed / std::max(1, this->FacesAtFirst - goal));
+}
+
+//------------------------------------------------------------------------------
+StopReason ThesisLoop::Run(const Monitor& monitor)
+{
+  if (this->IsDone())
+  {
+    return StopReason::AlreadySatisfied;
+  }
+  for (Index v = 0; v < this->Work.Mesh().NumberOfVertexSlots(); ++v)
+  {
+    this->Recost(v);
+  }
+  double told = 0.0;
+  while (!this->IsDone())
+  {
+    if (this->Queue.IsEmpty())
+    {
+      return StopReason::NothingLeft;
+    }
+    this->CollapseAt(this->Queue.PopLowest());
+    const double done = this->FractionDone();
+    if (done >= told + ProgressStep)
+    {
+      told = done;
+      if (!monitor(done))
+      {
+        return StopReason::Aborted;
+      }
+    }
+  }
+  return this->Stops.Error > 0.0 ? StopReason::ErrorReached : StopReason::TargetReached;
+}
+
+//------------------------------------------------------------------------------
+bool ThesisLoop::CollapseAt(Index vertex)
+{
+  this->EdgesOfVertex.clear();
+  this->Work.Mesh().VisitEdges(
+    vertex, [&](Index h) { this->EdgesOfVertex.push_back({ this->Costs.EdgeCost(h), h }); });
+  std::sort(this->EdgesOfVertex.begin(), this->EdgesOfVertex.end(), [](const CostedEdge& a, const CostedEdge& b) {
+    return a.Cost != b.Cost ? a.Cost < b.Cost : a.Edge < b.Edge;
+  });
+  return std::any_of(this->EdgesOfVertex.begin(), this->EdgesOfVertex.end(),
+    [this](const CostedEdge& candidate) { return this->CollapseEdge(candidate.Edge); });
+}
+
+//------------------------------------------------------------------------------
+bool ThesisLoop::CollapseEdge(Index edge)
+{
+  if (this->Work.Examine(edge) != Verdict::Allowed)
+  {
+    return false;
+  }
+  const Proposals proposals = ProposePlaces(this->Work.Mesh(), this->Work.Areas(), this->Work.Around());
+  for (std::size_t i = 0; i < proposals.Count; ++i)
+  {
+    const Edit& edit = proposals.Edits[i];
+    const Index gone = this->Work.Mesh().Across(edge, edit.Keep);
+    if (this->Work.Apply(edit) == Verdict::Allowed)
+    {
+      this->Queue.Remove(gone);
+      this->Recost(edit.Keep);
+      this->Work.Mesh().VisitEdges(
+        edit.Keep, [&](Index h) { this->Recost(this->Work.Mesh().Across(h, edit.Keep)); });
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void ThesisLoop::Recost(Index vertex)
+{
+  if (this->Work.Mesh().Kind(vertex) != VertexKind::Locked)
+  {
+    this->Queue.Set(vertex, this->Costs.VertexCost(vertex));
+  }
+}
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NormalFieldDeviation.h"
+
+namespace bonedecimate
+{
+double MeanEdgeLength(const HalfEdgeMesh& mesh)
+{
+  double sum = 0.0; // mm
+  Index edges = 0;
+  for (Index h = 0; h < 3 * mesh.NumberOfFaceSlots(); ++h)
+  {
+    const Index twin = mesh.Twin(h);
+    if (mesh.IsAlive(HalfEdgeMesh::Face(h)) && (twin == None || h < twin))
+    {
+      sum += (mesh.Position(mesh.Target(h)) - mesh.Position(mesh.Origin(h))).norm();
+      ++edges;
+    }
+  }
+  return edges > 0 ? sum / edges : 0.0;
+}
+
+double NormalFieldDeviation::EdgeCost(Index h) const
+{
+  const Index twin = this->Mesh.Twin(h);
+  const FaceAreas::Face& face = this->Areas[HalfEdgeMesh::Face(h)];
+  double deviation = 2.0 * face.Area; // mm^2
+  if (twin != None)
+  {
+    const FaceAreas::Face& other = this->Areas[HalfEdgeMesh::Face(twin)];
+    deviation = (face.Area + other.Area) * (1.0 - this->Tolerance * face.Normal.dot(other.Normal));
+  }
+  return deviation * (this->Mesh.Position(this->Mesh.Target(h)) - this->Mesh.Position(this->Mesh.Origin(h))).norm();
+}
+
+double NormalFieldDeviation::VertexCost(Index v) const
+{
+  double edges = 0.0;                      // mm^3
+  double area = 0.0;                       // mm^2
+  Vector3 areaVector = Vector3::Zero();    // mm^2
+  this->Mesh.VisitEdges(v, [&](Index h) {
+    edges += this->EdgeCost(h);
+    if (this->Mesh.Origin(h) == v)
+    {
+      const FaceAreas::Face& face = this->Areas[HalfEdgeMesh::Face(h)];
+      area += face.Area;
+      areaVector += face.Area * face.Normal;
+    }
+  });
+  return edges + this->CurvatureLength * (area - areaVector.norm());
+}
+}

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Decimate.h"
+
+#include "Collapse/ThesisLoop.h"
+#include "Extract.h"
+#include "Measure/SurfaceDistance.h"
+#include "Mesh/Statistics.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+namespace bonedecimate
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+double SecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Where on the way from 0 to 1 each stage ends. Stages that cannot be interrupted are short steps.
+constexpr double CleanedAt = 0.01;
+constexpr double BuiltAt = 0.02;
+constexpr double CollapsedAt = 0.70;
+constexpr double ExtractedAt = 0.71;
+constexpr double DistanceBackAt = 0.85;
+constexpr double DistanceForthAt = 0.97;
+
+/// One run, stage after stage; remembers whether somebody asked to stop.
+class Run
+{
+public:
+  Run(const Surface& input, const Options& options, const Monitor& monitor, bool inputIsSingle)
+    : Input(input)
+    , Wanted(options)
+    , Outer(monitor)
+    , RoundToSingle(options.OutputPointsPrecision == PointsPrecision::Single ||
+        (options.OutputPointsPrecision == PointsPrecision::Default && inputIsSingle))
+  {
+    this->Answer.Report.Asked = options;
+  }
+
+  Result Go()
+  {
+    const Clock::time_point start = Clock::now();
+    if (this->Prepare())
+    {
+      this->Collapse();
+      this->Answer.Report.Seconds.Decimate = SecondsSince(start);
+      this->Measure();
+    }
+    this->Answer.Report.Seconds.Total = SecondsSince(start);
+    return std::move(this->Answer);
+  }
+
+private:
+  /// A monitor for one stage, whose 0 to 1 is a part of the whole. Once it said stop, it says so for ever.
+  Monitor Stage(double from, double to)
+  {
+    return [this, from, to](double fraction) {
+      this->GoesOn = this->GoesOn && (!this->Outer || this->Outer(from + fraction * (to - from)));
+      return this->GoesOn;
+    };
+  }
+
+  bool Prepare()
+  {
+    const Clock::time_point start = Clock::now();
+    this->Cleaned = Clean(this->Input, this->Wanted.MergePoints);
+    Report& report = this->Answer.Report;
+    report.Status = this->Cleaned.Status;
+    report.Cleaning = this->Cleaned.Statistics;
+    this->Stage(0.0, CleanedAt)(1.0);
+    if (this->Cleaned.Status == InputStatus::Good)
+    {
+      report.InputChecksum = Checksum(this->Input);
+      this->Work.emplace(this->Cleaned);
+      this->CountLocked();
+    }
+    this->Stage(CleanedAt, BuiltAt)(1.0);
+    report.Seconds.Prepare = SecondsSince(start);
+    return this->Cleaned.Status == InputStatus::Good;
+  }
+
+  void CountLocked()
+  {
+    CleaningStatistics& found = this->Answer.Report.Cleaning;
+    for (Index v = this->Work->Mesh().NumberOfVertexSlots(); v-- > 0;)
+    {
+      if (this->Work->Mesh().Kind(v) == VertexKind::Locked)
+      {
+        ++found.LockedPoints;
+        found.FirstLockedPoint = this->Cleaned.InputPoint[v];
+      }
+    }
+  }
+
+  ThesisStops Stops() const
+  {
+    const Options& wanted = this->Wanted;
+    const double faces = this->Work->Mesh().NumberOfFaces();
+    const bool anyOther = wanted.TargetNumberOfTriangles > 0 || wanted.MaximumError > 0.0;
+    const bool reduce = wanted.TargetReduction < 1.0 && (wanted.TargetReductionIsExplicit || !anyOther);
+    const Index byReduction = reduce ? static_cast<Index>(std::floor(faces * (1.0 - wanted.TargetReduction) + 0.5)) : 0;
+    Index number = std::max(wanted.TargetNumberOfTriangles, byReduction);
+    if (number == 0 && !reduce && wanted.MaximumError > 0.0)
+    {
+      number = this->Work->Mesh().NumberOfFaces(); // an error alone: no number has to be reached
+    }
+    return { number, wanted.MaximumError };
+  }
+
+  void Collapse()
+  {
+    const Clock::time_point start = Clock::now();
+    Report& report = this->Answer.Report;
+    ThesisLoop loop(*this->Work, this->Wanted.NormalTolerance, this->Stops());
+    report.Stop = this->GoesOn ? loop.Run(this->Stage(BuiltAt, CollapsedAt)) : StopReason::Aborted;
+    report.RunningError = this->Work->Reference().LargestError();
+    report.Collapses = this->Work->NumberOfEdits();
+    report.Refusals = this->Work->Refusals();
+    this->LocalResult.Points = Extract(this->Input, this->Cleaned, *this->Work, this->RoundToSingle, this->Answer);
+    this->LocalResult.Triangles = this->Answer.Surface.Triangles;
+    this->Stage(CollapsedAt, ExtractedAt)(1.0);
+    report.Seconds.Collapse = SecondsSince(start);
+  }
+
+  void Measure()
+  {
+    const Clock::time_point start = Clock::now();
+    Report& report = this->Answer.Report;
+    report.Input = Describe(this->Cleaned.Surface);
+    report.Output = Describe(this->LocalResult);
+    if (this->GoesOn && this->Wanted.MeasureDistances)
+    {
+      this->MeasureBothWays();
+    }
+    if (this->GoesOn && this->Wanted.MeasureInputDistances)
+    {
+      this->MeasureInput();
+    }
+    report.Seconds.Measure = SecondsSince(start);
+    this->Stage(DistanceForthAt, 1.0)(1.0);
+    report.Stop = this->GoesOn ? report.Stop : StopReason::Aborted;
+  }
+
+  void MeasureBothWays()
+  {
+    Report& report = this->Answer.Report;
+    const int threads = this->Wanted.NumberOfThreads;
+    const std::int64_t samples = NumberOfSamples(this->Cleaned.Surface.Triangles.size());
+    report.OutputToInput = MeasureDistance(this->LocalResult, this->Answer.Distance, this->Work->Reference().Tree(),
+      samples, threads, this->Stage(ExtractedAt, DistanceBackAt));
+    const BoundingTree tree(this->LocalResult);
+    const double pointsAt = 0.5 * (DistanceBackAt + DistanceForthAt);
+    const std::vector<double> distances =
+      PointDistances(this->Cleaned.Surface.Points, tree, threads, this->Stage(DistanceBackAt, pointsAt));
+    report.InputToOutput = MeasureDistance(
+      this->Cleaned.Surface, distances, tree, samples, threads, this->Stage(pointsAt, DistanceForthAt));
+    report.DistancesMeasured = this->GoesOn;
+  }
+
+  /// Points that no triangle uses are measured like the others.
+  void MeasureInput()
+  {
+    std::vector<Vector3> local;
+    local.reserve(this->Input.Points.size());
+    for (const Vector3& point : this->Input.Points)
+    {
+      local.push_back(point - this->Cleaned.Origin);
+    }
+    this->Answer.InputDistance = PointDistances(local, BoundingTree(this->LocalResult), this->Wanted.NumberOfThreads,
+      this->Stage(DistanceForthAt, DistanceForthAt));
+  }
+
+  const Surface& Input;
+  const Options& Wanted;
+  const Monitor& Outer;
+  bool RoundToSingle;
+  bool GoesOn = true;
+  CleanSurface Cleaned;
+  std::optional<Editor> Work;
+  Surface LocalResult; // mm relative to Cleaned.Origin
+  Result Answer;
+};
+}
+
+Result Decimate(const Surface& input, const Options& options, const Monitor& monitor, bool inputIsSingle)
+{
+  return Run(input, options, monitor, inputIsSingle).Go();
+}
+}

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FaceAreas.h
+ * @brief Area and unit normal of every face, kept beside the mesh so that costs need not compute them again.
+ */
+#ifndef BoneDecimate_Core_Mesh_FaceAreas_h
+#define BoneDecimate_Core_Mesh_FaceAreas_h
+
+#include "Geometry/TriangleGeometry.h"
+#include "HalfEdgeMesh.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+class FaceAreas
+{
+public:
+  struct Face
+  {
+    Vector3 Normal = Vector3::Zero(); ///< Unit length; zero for a face without area.
+    double Area = 0.0;                ///< mm^2
+  };
+
+  explicit FaceAreas(const HalfEdgeMesh& mesh)
+    : Faces(static_cast<std::size_t>(mesh.NumberOfFaceSlots()))
+  {
+    for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+    {
+      this->Update(mesh, face);
+    }
+  }
+
+  void Update(const HalfEdgeMesh& mesh, Index face)
+  {
+    const Triangle c = mesh.Corners(face);
+    const Vector3 vector = AreaVector(mesh.Position(c[0]), mesh.Position(c[1]), mesh.Position(c[2]));
+    const double area = vector.norm();
+    this->Faces[face] = { area > 0.0 ? Vector3(vector / area) : Vector3(Vector3::Zero()), area };
+  }
+
+  const Face& operator[](Index face) const { return this->Faces[face]; }
+
+private:
+  std::vector<Face> Faces;
+};
+}
+
+#endif

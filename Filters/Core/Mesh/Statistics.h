@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Statistics.h
+ * @brief Counts and measures of a surface as a plain triangle list.
+ */
+#ifndef BoneDecimate_Core_Mesh_Statistics_h
+#define BoneDecimate_Core_Mesh_Statistics_h
+
+#include "Report.h"
+#include "Surface.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+/// Points may be unused; corners must be valid.
+SurfaceStatistics Describe(const Surface& surface);
+
+/// The components, numbered in the order of their least point; None for points that no triangle uses.
+struct Components
+{
+  std::vector<Index> OfPoint;
+  Index Count = 0;
+};
+Components FindComponents(const Surface& surface);
+}
+
+#endif

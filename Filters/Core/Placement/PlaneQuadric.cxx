@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PlaneQuadric.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr double Ridge = 1e-3;       // of the mean eigenvalue of A
+constexpr double FarthestMove = 2.0; // edge lengths from the middle
+
+/// Calls visit(normal, corner) for the plane of every triangle of both rings, the two at the edge included.
+template <typename Visit>
+void VisitPlanes(const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around, Visit visit)
+{
+  for (Index i = 0; i < around.NumberOfGoneFaces; ++i)
+  {
+    visit(areas[around.GoneFaces[i]].Normal, mesh.Position(around.Start));
+  }
+  for (const Index h : around.Corners)
+  {
+    visit(areas[HalfEdgeMesh::Face(h)].Normal, mesh.Position(mesh.Origin(h)));
+  }
+}
+
+void Add(Proposals& proposals, const Neighbourhood& around, const Vector3& position)
+{
+  proposals.Edits[proposals.Count++] = { around.Edge, around.Start, position, false };
+}
+
+void AddEnd(Proposals& proposals, const HalfEdgeMesh& mesh, const Neighbourhood& around, Index end)
+{
+  proposals.Edits[proposals.Count++] = { around.Edge, end, mesh.Position(end), true };
+}
+
+/// Minimises a sum of squares along the edge, each term given by how it changes and how large it is at Start.
+class EdgeMinimum
+{
+public:
+  void Add(double change, double atStart)
+  {
+    this->Slope += change * atStart;
+    this->Curvature += change * change;
+  }
+  /// The squared distance to a line: both vectors lose their part along the line first.
+  void AddLine(const Vector3& direction, const Vector3& edge, const Vector3& fromLine)
+  {
+    const Vector3 edgeAcross = edge - direction.dot(edge) * direction;
+    const Vector3 fromAcross = fromLine - direction.dot(fromLine) * direction;
+    this->Slope += edgeAcross.dot(fromAcross);
+    this->Curvature += edgeAcross.squaredNorm();
+  }
+  double Fraction() const
+  {
+    return this->Curvature > 0.0 ? std::clamp(-this->Slope / this->Curvature, 0.0, 1.0) : 0.5;
+  }
+
+private:
+  double Slope = 0.0;
+  double Curvature = 0.0;
+};
+
+EdgeMinimum PlanesAlongEdge(const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around)
+{
+  const Vector3& start = mesh.Position(around.Start);
+  const Vector3 edge = mesh.Position(around.End) - start;
+  EdgeMinimum minimum;
+  VisitPlanes(mesh, areas, around,
+    [&](const Vector3& normal, const Vector3& corner) { minimum.Add(normal.dot(edge), normal.dot(start - corner)); });
+  return minimum;
+}
+
+void ProposeInside(const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around, Proposals& proposals)
+{
+  const Vector3& start = mesh.Position(around.Start);
+  const Vector3& end = mesh.Position(around.End);
+  const Vector3 middle = 0.5 * (start + end);
+  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+  Vector3 b = Vector3::Zero();
+  VisitPlanes(mesh, areas, around, [&](const Vector3& normal, const Vector3& corner) {
+    a += normal * normal.transpose();
+    b += normal * normal.dot(corner - middle);
+  });
+  a.diagonal().array() += Ridge * a.trace() / 3.0;
+  const Vector3 move = a.llt().solve(b);
+  if (move.squaredNorm() <= FarthestMove * FarthestMove * (end - start).squaredNorm())
+  {
+    Add(proposals, around, middle + move);
+  }
+  Add(proposals, around, start + PlanesAlongEdge(mesh, areas, around).Fraction() * (end - start));
+  Add(proposals, around, middle);
+  AddEnd(proposals, mesh, around, around.Start);
+  AddEnd(proposals, mesh, around, around.End);
+}
+
+void ProposeAlongBorder(
+  const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around, Proposals& proposals)
+{
+  const Vector3& start = mesh.Position(around.Start);
+  const Vector3 edge = mesh.Position(around.End) - start;
+  EdgeMinimum minimum = PlanesAlongEdge(mesh, areas, around);
+  for (const Index end : { around.Start, around.End })
+  {
+    mesh.VisitEdges(end, [&](Index h) {
+      const Index other = mesh.Across(h, end);
+      if (mesh.Twin(h) == None && other != around.Start && other != around.End)
+      {
+        const Vector3 direction = (mesh.Position(other) - mesh.Position(end)).stableNormalized();
+        minimum.AddLine(direction, edge, start - mesh.Position(end));
+      }
+    });
+  }
+  Add(proposals, around, start + minimum.Fraction() * edge);
+  AddEnd(proposals, mesh, around, around.Start);
+  AddEnd(proposals, mesh, around, around.End);
+}
+}
+
+Proposals ProposePlaces(const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around)
+{
+  Proposals proposals;
+  const bool startOnBorder = mesh.Kind(around.Start) == VertexKind::Border;
+  const bool endOnBorder = mesh.Kind(around.End) == VertexKind::Border;
+  if (around.IsBorderEdge())
+  {
+    ProposeAlongBorder(mesh, areas, around, proposals);
+  }
+  else if (startOnBorder || endOnBorder)
+  {
+    AddEnd(proposals, mesh, around, startOnBorder ? around.Start : around.End);
+  }
+  else
+  {
+    ProposeInside(mesh, areas, around, proposals);
+  }
+  return proposals;
+}
+}

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Original.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bonedecimate
+{
+Original::Original(const CleanSurface& clean)
+  : Triangles(clean.Surface)
+  , Known(clean.Surface.Points.size())
+{
+  for (std::size_t v = 0; v < this->Known.size(); ++v)
+  {
+    this->Known[v].PointCount = clean.InputPointCount[v];
+  }
+  for (std::size_t t = clean.Surface.Triangles.size(); t-- > 0;)
+  {
+    for (const Index corner : clean.Surface.Triangles[t])
+    {
+      this->Known[corner].NearestTriangle = static_cast<Index>(t);
+    }
+  }
+}
+
+void Original::Merge(Index keep, Index gone, const Vector3& position, bool keepStays)
+{
+  Knowledge& kept = this->Known[keep];
+  const Knowledge& lost = this->Known[gone];
+  kept.PointCount += lost.PointCount;
+  kept.RunningError = std::max(kept.RunningError, lost.RunningError);
+  if (keepStays)
+  {
+    return; // its distance was recorded when it came there
+  }
+  const BoundingTree::Nearest nearest = this->Triangles.FindNearest(position, kept.NearestTriangle);
+  const double distance = std::sqrt(nearest.Place.SquaredDistance);
+  kept.NearestTriangle = nearest.Triangle;
+  kept.RunningError = std::max(kept.RunningError, distance);
+  kept.Moved = true;
+  this->Largest = std::max(this->Largest, distance);
+}
+}

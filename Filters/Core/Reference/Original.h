@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Original.h
+ * @brief The surface as it came, and what each vertex of the current mesh knows of it.
+ */
+#ifndef BoneDecimate_Core_Reference_Original_h
+#define BoneDecimate_Core_Reference_Original_h
+
+#include "Geometry/BoundingTree.h"
+#include "Mesh/Cleaning.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+class Original
+{
+public:
+  struct Knowledge
+  {
+    Index NearestTriangle = None; ///< Of the cleaned input.
+    Index PointCount = 0;         ///< Input points this vertex stands for.
+    double RunningError = 0.0;    ///< mm, the largest distance recorded along the collapses into it.
+    bool Moved = false;           ///< Whether it still lies where its input point lay, bit for bit.
+  };
+
+  explicit Original(const CleanSurface& clean);
+
+  /// Two vertices became one; the new one is looked up, unless it stayed where `keep` was.
+  void Merge(Index keep, Index gone, const Vector3& position, bool keepStays);
+
+  const Knowledge& Of(Index vertex) const { return this->Known[vertex]; }
+  double LargestError() const { return this->Largest; } ///< mm, the thesis's maxError.
+  const BoundingTree& Tree() const { return this->Triangles; }
+
+private:
+  BoundingTree Triangles;
+  std::vector<Knowledge> Known;
+  double Largest = 0.0; // mm
+};
+}
+
+#endif

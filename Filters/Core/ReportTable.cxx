@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReportTable.h"
+
+#include "OptionTable.h"
+
+#include <cstdio>
+
+namespace bonedecimate
+{
+namespace
+{
+using Entries = std::vector<ReportEntry>;
+
+void AddSurface(Entries& entries, const std::string& side, const SurfaceStatistics& surface)
+{
+  entries.push_back({ side + ".faces", "", surface.Faces });
+  entries.push_back({ side + ".points", "", surface.Points });
+  entries.push_back({ side + ".components", "", surface.Components });
+  entries.push_back({ side + ".boundary_edges", "", surface.BoundaryEdges });
+  entries.push_back({ side + ".non_manifold_edges", "", surface.NonManifoldEdges });
+  entries.push_back({ side + ".euler_number", "", surface.EulerNumber });
+  entries.push_back({ side + ".area", "mm2", surface.Area });
+  entries.push_back({ side + ".volume", "mm3", surface.Volume });
+}
+
+void AddCleaning(Entries& entries, const Report& report)
+{
+  const CleaningStatistics& found = report.Cleaning;
+  entries.push_back({ "input.faces_read", "", found.TrianglesRead });
+  entries.push_back({ "input.points_read", "", found.PointsRead });
+  entries.push_back({ "input.merged_points", "", found.MergedPoints });
+  entries.push_back({ "input.unused_points", "", found.UnusedPoints });
+  entries.push_back({ "input.dropped_triangles", "", found.DroppedTriangles });
+  entries.push_back({ "input.first_dropped_triangle", "", found.FirstDroppedTriangle });
+  entries.push_back({ "input.locked_points", "", found.LockedPoints });
+  entries.push_back({ "input.first_locked_point", "", found.FirstLockedPoint });
+  char checksum[32];
+  std::snprintf(checksum, sizeof(checksum), "fnv1a64:%016llx", static_cast<unsigned long long>(report.InputChecksum));
+  entries.push_back({ "input.checksum", "", std::string(checksum) });
+}
+
+void AddDistance(Entries& entries, const std::string& direction, const DistanceStatistics& distance)
+{
+  const std::string path = "distance." + direction;
+  entries.push_back({ path + ".max", "mm", distance.Maximum });
+  entries.push_back({ path + ".second", "mm", distance.Second });
+  entries.push_back({ path + ".mean", "mm", distance.Mean });
+  entries.push_back({ path + ".rms", "mm", distance.RootMeanSquare });
+  entries.push_back({ path + ".point_max", "mm", distance.PointMaximum });
+  entries.push_back({ path + ".point_mean", "mm", distance.PointMean });
+  entries.push_back({ path + ".point_rms", "mm", distance.PointRootMeanSquare });
+  entries.push_back({ path + ".samples", "", distance.Samples });
+  entries.push_back({ path + ".samples_per_mm2", "1/mm2", distance.SamplesPerSquareMillimetre });
+}
+
+void AddRun(Entries& entries, const Report& report)
+{
+  entries.push_back({ "running_error", "mm", report.RunningError });
+  entries.push_back({ "collapses", "", report.Collapses });
+  for (std::size_t i = 1; i < NumberOfVerdicts; ++i)
+  {
+    entries.push_back({ std::string("refusals.") + VerdictWord(static_cast<Verdict>(i)), "", report.Refusals[i] });
+  }
+  entries.push_back({ "seconds.prepare", "s", report.Seconds.Prepare });
+  entries.push_back({ "seconds.collapse", "s", report.Seconds.Collapse });
+  entries.push_back({ "seconds.decimate", "s", report.Seconds.Decimate });
+  entries.push_back({ "seconds.measure", "s", report.Seconds.Measure });
+  entries.push_back({ "seconds.total", "s", report.Seconds.Total });
+}
+}
+
+std::vector<ReportEntry> ReportEntries(const Report& report)
+{
+  Entries entries;
+  entries.push_back({ "version", "", std::string(Version()) });
+  entries.push_back({ "stop_reason", "", std::string(StopReasonWord(report.Stop)) });
+  entries.push_back({ "stop_sentence", "", std::string(StopReasonSentence(report.Stop)) });
+  AddSurface(entries, "input", report.Input);
+  AddCleaning(entries, report);
+  entries.push_back({ "input.problem", "", InputMessage(report) });
+  AddSurface(entries, "output", report.Output);
+  if (report.DistancesMeasured)
+  {
+    AddDistance(entries, "output_to_input", report.OutputToInput);
+    AddDistance(entries, "input_to_output", report.InputToOutput);
+  }
+  AddRun(entries, report);
+  for (const OptionInfo& info : OptionTable())
+  {
+    entries.push_back({ "options." + info.Name, info.Unit, OptionText(report.Asked, info) });
+  }
+  return entries;
+}
+}

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Random.h"
+#include "Shapes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bonedecimate::testsupport
+{
+namespace
+{
+constexpr double TwoPi = 6.283185307179586;
+
+/// An open cone from a tip at the origin towards z, whose rings come after the points that are there.
+void AddCone(Surface& surface, Index tip, Index around, Index rings, double height)
+{
+  const auto first = static_cast<Index>(surface.Points.size());
+  for (Index j = 1; j <= rings; ++j)
+  {
+    for (Index i = 0; i < around; ++i)
+    {
+      const double u = TwoPi * i / around;
+      surface.Points.emplace_back(j * std::cos(u), j * std::sin(u), height * j);
+    }
+  }
+  const bool isUp = height > 0.0;
+  const auto add = [&](Index a, Index b, Index c) {
+    surface.Triangles.push_back(isUp ? Triangle{ a, c, b } : Triangle{ a, b, c });
+  };
+  for (Index i = 0; i < around; ++i)
+  {
+    const Index next = (i + 1) % around;
+    add(tip, first + i, first + next);
+    for (Index j = 0; j + 1 < rings; ++j)
+    {
+      const Index a = first + j * around + i;
+      const Index b = first + j * around + next;
+      add(a, a + around, b + around);
+      add(a, b + around, b);
+    }
+  }
+}
+
+/// A fan over the last ring of an open cone.
+void AddLid(Surface& surface, Index around, double height)
+{
+  const auto middle = static_cast<Index>(surface.Points.size());
+  const Index first = middle - around;
+  surface.Points.emplace_back(0.0, 0.0, height);
+  for (Index i = 0; i < around; ++i)
+  {
+    const Index next = first + (i + 1) % around;
+    surface.Triangles.push_back(
+      height > 0.0 ? Triangle{ middle, first + i, next } : Triangle{ middle, next, first + i });
+  }
+}
+}
+
+Surface PinchedVertex(Index around, Index rings)
+{
+  Surface cones;
+  cones.Points.emplace_back(0.0, 0.0, 0.0);
+  AddCone(cones, 0, around, rings, 1.0);
+  AddCone(cones, 0, around, rings, -1.0);
+  return cones;
+}
+
+Surface PinchedSolids(Index around)
+{
+  Surface cones;
+  cones.Points.emplace_back(0.0, 0.0, 0.0);
+  AddCone(cones, 0, around, 2, 1.0);
+  AddLid(cones, around, 2.0);
+  AddCone(cones, 0, around, 2, -1.0);
+  AddLid(cones, around, -2.0);
+  return cones;
+}
+
+Surface ThreeLeavedBook(Index cells)
+{
+  Surface book;
+  for (Index j = 0; j <= cells; ++j)
+  {
+    book.Points.emplace_back(0.0, j, 0.0);
+  }
+  for (int leaf = 0; leaf < 3; ++leaf)
+  {
+    const double u = TwoPi * leaf / 3.0;
+    const auto first = static_cast<Index>(book.Points.size());
+    const auto point = [&](Index i, Index j) {
+      return i == 0 ? j : first + (i - 1) * (cells + 1) + j;
+    };
+    for (Index i = 1; i <= cells; ++i)
+    {
+      for (Index j = 0; j <= cells; ++j)
+      {
+        book.Points.emplace_back(i * std::cos(u), j, i * std::sin(u));
+      }
+    }
+    for (Index i = 0; i < cells; ++i)
+    {
+      for (Index j = 0; j < cells; ++j)
+      {
+        book.Triangles.push_back({ point(i, j), point(i + 1, j), point(i + 1, j + 1) });
+        book.Triangles.push_back({ point(i, j), point(i + 1, j + 1), point(i, j + 1) });
+      }
+    }
+  }
+  return book;
+}
+
+Surface MoebiusStrip(Index around, Index across)
+{
+  Surface strip;
+  for (Index i = 0; i < around; ++i)
+  {
+    const double u = TwoPi * i / around;
+    for (Index j = 0; j <= across; ++j)
+    {
+      const double v = 4.0 * j / across - 2.0;
+      const double r = 10.0 + v * std::cos(0.5 * u);
+      strip.Points.emplace_back(r * std::cos(u), r * std::sin(u), v * std::sin(0.5 * u));
+    }
+  }
+  const auto point = [&](Index i, Index j) {
+    return i < around ? i * (across + 1) + j : across - j;
+  };
+  for (Index i = 0; i < around; ++i)
+  {
+    for (Index j = 0; j < across; ++j)
+    {
+      strip.Triangles.push_back({ point(i, j), point(i + 1, j), point(i + 1, j + 1) });
+      strip.Triangles.push_back({ point(i, j), point(i + 1, j + 1), point(i, j + 1) });
+    }
+  }
+  return strip;
+}
+
+Surface InconsistentGrid(Index cells)
+{
+  Surface grid = Grid(cells);
+  Triangle& middle = grid.Triangles[cells * cells + cells];
+  std::swap(middle[1], middle[2]);
+  return grid;
+}
+
+Surface DuplicateTriangles(int levels, Index copies)
+{
+  Surface sphere = Icosphere(levels, 5.0);
+  const std::vector<Triangle> first(sphere.Triangles.begin(), sphere.Triangles.begin() + copies);
+  sphere.Triangles.insert(sphere.Triangles.end(), first.begin(), first.end());
+  return sphere;
+}
+
+Surface RandomSoup(Index points, Index triangles, std::uint64_t seed)
+{
+  Random random(seed);
+  Surface soup;
+  for (Index i = 0; i < points; ++i)
+  {
+    soup.Points.push_back(random.InCube(5.0));
+  }
+  while (static_cast<Index>(soup.Triangles.size()) < triangles)
+  {
+    const Triangle t = { random.Below(points), random.Below(points), random.Below(points) };
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+    {
+      soup.Triangles.push_back(t);
+    }
+  }
+  return soup;
+}
+
+std::vector<NamedSurface> ClosedShapes()
+{
+  return { { "Tetrahedron", Tetrahedron() }, { "Cube", Cube(4) }, { "Icosphere", Icosphere(3, 5.0) },
+    { "BumpySphere", BumpySphere(3, 5.0, 0.1, 7) }, { "NoisySphere", BumpySphere(2, 5.0, 0.4, 8) },
+    { "Torus", Torus(24, 12) }, { "TunnelBlock", TunnelBlock(6) }, { "FlatPlate", FlatPlate(8) },
+    { "NestedSpheres", NestedSpheres(2) }, { "Needles", Needles(48) },
+    { "ManyComponents", ManyComponents(12) }, { "Envelope", Envelope() },
+    { "EnvelopeBesideSphere", Together(Envelope(), Moved(Icosphere(2, 5.0), { 20, 0, 0 })) } };
+}
+
+std::vector<NamedSurface> OpenShapes()
+{
+  return { { "SingleTriangle", SingleTriangle() }, { "Grid", Grid(10) },
+    { "HeightField", HeightField(12, 0.5, 3) }, { "HoledPlate", HoledPlate(9) },
+    { "OpenCylinder", OpenCylinder(16, 8) }, { "Annulus", Annulus(24, 5) },
+    { "UnweldedCube", Unwelded(Cube(2)) },
+    { "PatchBesideTorus", Together(Grid(5), Moved(Torus(12, 8), { 30, 0, 0 })) } };
+}
+
+std::vector<NamedSurface> BrokenShapes()
+{
+  return { { "PinchedVertex", PinchedVertex(12, 6) }, { "PinchedSolids", PinchedSolids(12) },
+    { "ThreeLeavedBook", ThreeLeavedBook(6) }, { "MoebiusStrip", MoebiusStrip(30, 5) },
+    { "InconsistentGrid", InconsistentGrid(8) }, { "DuplicateTriangles", DuplicateTriangles(2, 20) },
+    { "SparseSoup", RandomSoup(300, 100, 11) }, { "DenseSoup", RandomSoup(40, 200, 12) } };
+}
+
+std::vector<NamedSurface> AllShapes()
+{
+  std::vector<NamedSurface> all = ClosedShapes();
+  for (const auto& list : { OpenShapes(), BrokenShapes() })
+  {
+    all.insert(all.end(), list.begin(), list.end());
+  }
+  return all;
+}
+}

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Shapes.h
+ * @brief Surfaces built in code, mm. Closed ones are counter-clockwise seen from outside.
+ */
+#ifndef BoneDecimate_Testing_Shapes_h
+#define BoneDecimate_Testing_Shapes_h
+
+#include "Surface.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace bonedecimate::testsupport
+{
+// Closed ---------------------------------------------------------------------
+
+/// Corners at 0 and 1 on the axes.
+Surface Tetrahedron();
+
+/// From 0 to 1, each side of cells x cells squares of two triangles.
+Surface Cube(Index cells);
+
+/// 20 * 4^levels triangles, all points at the radius.
+Surface Icosphere(int levels, double radius);
+
+/// An icosphere whose points move in and out by up to the amplitude (a fraction of the radius) at random.
+Surface BumpySphere(int levels, double radius, double amplitude, std::uint64_t seed);
+
+/// 2 * around * across triangles about the z axis, radii 10 and 3.
+Surface Torus(Index around, Index across);
+
+/// A block of cells x cells x 3 unit cubes with a square tunnel along z through its middle.
+Surface TunnelBlock(Index cells);
+
+/// A box of cells x cells x 1 unit cubes.
+Surface FlatPlate(Index cells);
+
+/// A sphere with a sphere turned inside out in it: a bone with a cavity.
+Surface NestedSpheres(int levels);
+
+/// Closed cone of 2 * sides triangles, 100 high and 0.01 wide: all its sides are needles.
+Surface Needles(Index sides);
+
+/// Tetrahedra and small spheres in turn on a line.
+Surface ManyComponents(Index count);
+
+/// Two triangles with the same three points, back to back.
+Surface Envelope();
+
+// Open -----------------------------------------------------------------------
+
+Surface SingleTriangle();
+
+/// cells x cells unit squares of two triangles in the plane z = 0.
+Surface Grid(Index cells);
+
+/// A grid whose inner points have random heights up to the amplitude; the border stays straight.
+Surface HeightField(Index cells, double amplitude, std::uint64_t seed);
+
+/// A grid without the middle third of its cells: two straight-sided borders. Cells must be a multiple of 3.
+Surface HoledPlate(Index cells);
+
+/// Radius 5, open at both ends: two round borders.
+Surface OpenCylinder(Index around, Index rings);
+
+/// Annulus of outer radius 10 and inner radius 4 in a plane.
+Surface Annulus(Index around, Index rings);
+
+// Not manifold ---------------------------------------------------------------
+
+/// Two open cones whose tips are one point, the sides split rings times.
+Surface PinchedVertex(Index around, Index rings);
+
+/// Two closed cones of which the tips are one point.
+Surface PinchedSolids(Index around);
+
+/// Three half planes of cells x cells squares that share their edge.
+Surface ThreeLeavedBook(Index cells);
+
+/// One-sided: along one row of edges both triangles run in the same direction.
+Surface MoebiusStrip(Index around, Index across);
+
+/// A grid of which one triangle in the middle is turned over.
+Surface InconsistentGrid(Index cells);
+
+/// An icosphere of which the first triangles stand there twice.
+Surface DuplicateTriangles(int levels, Index copies);
+
+/// Random triangles over few points: everything that can be wrong with edges.
+Surface RandomSoup(Index points, Index triangles, std::uint64_t seed);
+
+// Changes of a surface -------------------------------------------------------
+
+/// Every triangle with three points of its own, as in STL.
+Surface Unwelded(const Surface& surface);
+
+Surface Moved(Surface surface, const Vector3& offset);
+Surface Scaled(Surface surface, double factor);
+Surface TurnedInsideOut(Surface surface);
+
+/// Both surfaces in one; the points of the second come after those of the first.
+Surface Together(Surface first, const Surface& second);
+
+// Lists ----------------------------------------------------------------------
+
+struct NamedSurface
+{
+  std::string Name;
+  bonedecimate::Surface Surface;
+};
+
+/// Manifold and closed, some in several components.
+std::vector<NamedSurface> ClosedShapes();
+/// Manifold with borders.
+std::vector<NamedSurface> OpenShapes();
+/// Something is not manifold or not consistently oriented.
+std::vector<NamedSurface> BrokenShapes();
+std::vector<NamedSurface> AllShapes();
+}
+
+#endif

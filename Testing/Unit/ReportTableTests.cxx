@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OptionTable.h"
+#include "ReportTable.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace bonedecimate;
+
+namespace
+{
+const ReportEntry* Find(const std::vector<ReportEntry>& entries, const std::string& name)
+{
+  for (const ReportEntry& entry : entries)
+  {
+    if (entry.Name == name)
+    {
+      return &entry;
+    }
+  }
+  return nullptr;
+}
+
+template <typename Type>
+Type Read(const Report& report, const std::string& name)
+{
+  const std::vector<ReportEntry> entries = ReportEntries(report);
+  const ReportEntry* entry = Find(entries, name);
+  EXPECT_NE(entry, nullptr) << name;
+  return entry != nullptr ? std::get<Type>(entry->Value) : Type{};
+}
+
+Report MeasuredReport()
+{
+  Report report;
+  report.DistancesMeasured = true;
+  report.Stop = StopReason::TargetReached;
+  report.Input.Faces = 101;
+  report.Output.Faces = 10;
+  report.Output.Volume = -2.5;
+  report.OutputToInput.Maximum = 0.5;
+  report.OutputToInput.Second = 0.25;
+  report.InputToOutput.Mean = 0.125;
+  report.Refusals[static_cast<std::size_t>(Verdict::Flip)] = 17;
+  report.InputChecksum = 0xABCULL;
+  return report;
+}
+}
+
+TEST(ReportTable, ValuesStandUnderTheirNames)
+{
+  const Report report = MeasuredReport();
+  EXPECT_EQ(Read<std::int64_t>(report, "input.faces"), 101);
+  EXPECT_EQ(Read<std::int64_t>(report, "output.faces"), 10);
+  EXPECT_EQ(Read<double>(report, "output.volume"), -2.5);
+  EXPECT_EQ(Read<double>(report, "distance.output_to_input.max"), 0.5);
+  EXPECT_EQ(Read<double>(report, "distance.output_to_input.second"), 0.25);
+  EXPECT_EQ(Read<double>(report, "distance.input_to_output.mean"), 0.125);
+  EXPECT_EQ(Read<std::int64_t>(report, "refusals.flip"), 17);
+  EXPECT_EQ(Read<std::string>(report, "stop_reason"), "target_reached");
+  EXPECT_EQ(Read<std::string>(report, "input.checksum"), "fnv1a64:0000000000000abc");
+  EXPECT_EQ(Read<std::string>(report, "version"), Version());
+}
+
+TEST(ReportTable, NamesAreUniqueAndWithoutSpaces)
+{
+  std::set<std::string> names;
+  for (const ReportEntry& entry : ReportEntries(MeasuredReport()))
+  {
+    EXPECT_TRUE(names.insert(entry.Name).second) << entry.Name;
+    EXPECT_EQ(entry.Name.find(' '), std::string::npos) << entry.Name;
+  }
+}
+
+TEST(ReportTable, DistancesAreLeftOutWhenNoneWereMeasuredAndNothingElseIs)
+{
+  Report report = MeasuredReport();
+  const std::size_t all = ReportEntries(report).size();
+  report.DistancesMeasured = false;
+  const std::vector<ReportEntry> entries = ReportEntries(report);
+  EXPECT_EQ(entries.size(), all - 18);
+  for (const ReportEntry& entry : entries)
+  {
+    EXPECT_NE(entry.Name.rfind("distance.", 0), 0U) << entry.Name;
+  }
+}
+
+TEST(ReportTable, LengthsAreInMillimetresAndTimesInSeconds)
+{
+  for (const ReportEntry& entry : ReportEntries(MeasuredReport()))
+  {
+    if (std::holds_alternative<double>(entry.Value))
+    {
+      EXPECT_FALSE(entry.Unit.empty()) << entry.Name;
+    }
+    EXPECT_EQ(entry.Unit == "s", entry.Name.rfind("seconds.", 0) == 0) << entry.Name;
+  }
+}
+
+TEST(ReportTable, EveryRefusalAndEveryOptionHasAnEntry)
+{
+  const std::vector<ReportEntry> entries = ReportEntries(MeasuredReport());
+  for (std::size_t i = 1; i < NumberOfVerdicts; ++i)
+  {
+    EXPECT_NE(
+      Find(entries, std::string("refusals.") + VerdictWord(static_cast<Verdict>(i))), nullptr);
+  }
+  for (const OptionInfo& info : OptionTable())
+  {
+    EXPECT_NE(Find(entries, "options." + info.Name), nullptr) << info.Name;
+  }
+}
+
+TEST(ReportTable, OptionsAreThoseThatWereAsked)
+{
+  Report report = MeasuredReport();
+  report.Asked.TargetReduction = 0.75;
+  EXPECT_EQ(Read<std::string>(report, "options.TargetReduction"), "0.75");
+}
+
+TEST(Report, EveryReasonHasAWordAndASentenceOfItsOwn)
+{
+  std::set<std::string> words;
+  std::set<std::string> sentences;
+  for (int i = 0; i <= static_cast<int>(StopReason::Aborted); ++i)
+  {
+    words.insert(StopReasonWord(static_cast<StopReason>(i)));
+    sentences.insert(StopReasonSentence(static_cast<StopReason>(i)));
+  }
+  EXPECT_EQ(words.size(), static_cast<std::size_t>(StopReason::Aborted) + 1);
+  EXPECT_EQ(sentences.size(), words.size());
+}
+
+TEST(Report, MessagesAboutInputsHaveCountAndFirst)
+{
+  Report report;
+  EXPECT_EQ(InputMessage(report), "");
+  report.Status = InputStatus::NonFinitePoints;
+  report.Cleaning.NonFinitePoints = 12;
+  report.Cleaning.FirstNonFinitePoint = 345;
+  EXPECT_NE(InputMessage(report).find("12 "), std::string::npos);
+  EXPECT_NE(InputMessage(report).find("345"), std::string::npos);
+  report.Status = InputStatus::IndexOutOfRange;
+  report.Cleaning.TrianglesOutOfRange = 6;
+  report.Cleaning.FirstTriangleOutOfRange = 78;
+  EXPECT_NE(InputMessage(report).find("6 "), std::string::npos);
+  EXPECT_NE(InputMessage(report).find("78"), std::string::npos);
+  for (int i = 1; i <= static_cast<int>(InputStatus::TooManyTriangles); ++i)
+  {
+    report.Status = static_cast<InputStatus>(i);
+    EXPECT_NE(InputMessage(report), "") << i;
+  }
+}

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Installs what is missing of the Debian packages in packages.txt.
+# Usage: install_packages.sh [SECTION...]     (build, run, checks; without one: all of them)
+set -euo pipefail
+list="$(dirname "$0")/packages.txt"
+
+wanted=$(awk -v sections=" $* " '
+  /^\[/ { name = substr($1, 2, length($1) - 2) }
+  /^[a-z]/ && (sections == "  " || index(sections, " " name " ")) { print $1 }' "$list")
+
+if ! command -v apt-get > /dev/null; then
+  echo "This system has no apt-get. Please install what corresponds to these Debian packages:"
+  echo "$wanted" | paste -sd ' '
+  exit 0
+fi
+
+missing=()
+for package in $wanted; do
+  state=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2> /dev/null || true)
+  [ "$state" = installed ] || missing+=("$package")
+done
+[ ${#missing[@]} -gt 0 ] || exit 0
+
+echo "Installing: ${missing[*]}"
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo > /dev/null; then
+    echo "That needs root and there is no sudo. As root: apt-get install ${missing[*]}"
+    exit 0
+  fi
+  as_root=(sudo)
+fi
+"${as_root[@]}" apt-get -q update
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get -q -y --no-install-recommends install "${missing[@]}"

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# Builds the project and runs every test; installs what is missing for that.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+Utilities/build_release.sh
+run=(ctest --preset release --parallel "$(getconf _NPROCESSORS_ONLN)")
+# Image tests need a screen, any will do.
+if command -v xvfb-run > /dev/null; then
+  run=(xvfb-run -a "${run[@]}")
+fi
+"${run[@]}"
