@@ -77,6 +77,25 @@ Surface PinchedSolids(Index around)
   return cones;
 }
 
+Surface TetrahedronChain(Index count)
+{
+  // The shared corners lie on the x axis, one edge length apart; the free edge of each crosses at right angles.
+  const double h = std::sqrt(0.5);
+  Surface chain;
+  chain.Points.emplace_back(0.0, 0.0, 0.0);
+  for (Index i = 0; i < count; ++i)
+  {
+    const Index left = 3 * i;
+    const double middle = i + 0.5;
+    chain.Points.insert(
+      chain.Points.end(), { { middle, h, 0.5 }, { middle, h, -0.5 }, { i + 1.0, 0.0, 0.0 } });
+    const std::array<Index, 4> c = { left, left + 1, left + 2, left + 3 };
+    chain.Triangles.insert(chain.Triangles.end(),
+      { { c[0], c[1], c[2] }, { c[0], c[3], c[1] }, { c[0], c[2], c[3] }, { c[1], c[3], c[2] } });
+  }
+  return chain;
+}
+
 Surface ThreeLeavedBook(Index cells)
 {
   Surface book;
@@ -194,7 +213,7 @@ std::vector<NamedSurface> OpenShapes()
 std::vector<NamedSurface> BrokenShapes()
 {
   return { { "PinchedVertex", PinchedVertex(12, 6) }, { "PinchedSolids", PinchedSolids(12) },
-    { "ThreeLeavedBook", ThreeLeavedBook(6) }, { "MoebiusStrip", MoebiusStrip(30, 5) },
+    { "TetrahedronChain", TetrahedronChain(5) }, { "ThreeLeavedBook", ThreeLeavedBook(6) }, { "MoebiusStrip", MoebiusStrip(30, 5) },
     { "InconsistentGrid", InconsistentGrid(8) }, { "DuplicateTriangles", DuplicateTriangles(2, 20) },
     { "SparseSoup", RandomSoup(300, 100, 11) }, { "DenseSoup", RandomSoup(40, 200, 12) } };
 }

@@ -77,6 +77,9 @@ Surface PinchedVertex(Index around, Index rings);
 /// Two closed cones of which the tips are one point.
 Surface PinchedSolids(Index around);
 
+/// Regular tetrahedra, of which each shares one corner with the next: in between, two corners are free.
+Surface TetrahedronChain(Index count);
+
 /// Three half planes of cells x cells squares that share their edge.
 Surface ThreeLeavedBook(Index cells);
 

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file OutputFiles.h
+ * @brief All files of one bone, reserved before the work and given their names after it.
+ */
+#ifndef BoneDecimate_Applications_OutputFiles_h
+#define BoneDecimate_Applications_OutputFiles_h
+
+#include "Arguments.h"
+#include "StagedFile.h"
+
+#include "vtkPolyData.h"
+
+#include <list>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+struct OutputFiles
+{
+  /// Reserves every file, so that a folder that takes none is found out before the work.
+  explicit OutputFiles(const Arguments& arguments);
+
+  /// The output first, then those of --also.
+  std::list<StagedFile> Surfaces;
+  std::optional<StagedFile> Heatmap;
+  std::optional<StagedFile> Picture; ///< Also without --picture if a page wants to embed one; see KeepsPicture.
+  std::optional<StagedFile> Page;
+  std::optional<StagedFile> Report;
+  bool KeepsPicture = false;
+
+  /// Gives all of them their names; returns the names.
+  std::vector<std::string> Commit();
+};
+}
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ProgressBar.h
+ * @brief A bar on a terminal, nothing in a pipe; and the place where an interruption reaches VTK.
+ */
+#ifndef BoneDecimate_Applications_ProgressBar_h
+#define BoneDecimate_Applications_ProgressBar_h
+
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+
+namespace bonedecimate
+{
+class ProgressBar : public vtkCommand
+{
+public:
+  static ProgressBar* New() { return new ProgressBar; }
+  vtkTypeMacro(ProgressBar, vtkCommand);
+
+  /// @param shown Whether anybody wants to see it; it still needs a terminal.
+  void SetShown(bool shown);
+
+  /// Tells the algorithm to abort once the program was interrupted.
+  void Execute(vtkObject* caller, unsigned long event, void* callData) override;
+
+  /// Takes the bar away.
+  void Clear();
+
+private:
+  bool Shown = false;
+  int Percent = -1;
+};
+}
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RunOne.h
+ * @brief One bone: read, decimate, write everything asked for, tell.
+ */
+#ifndef BoneDecimate_Applications_RunOne_h
+#define BoneDecimate_Applications_RunOne_h
+
+#include "Arguments.h"
+
+#include <string>
+
+namespace bonedecimate
+{
+/**
+ * Either every file asked for is there afterwards or none of them, with one exception: a picture that could not be
+ * drawn does not take the others with it.
+ * @throws Failure, std::bad_alloc
+ */
+void RunOne(const Arguments& arguments);
+
+/// What a later run recognises the input by; the part of the report's subject that is known beforehand.
+struct ReportSubject;
+ReportSubject SubjectOf(const Arguments& arguments, const std::string& input, const std::string& output);
+}
+
+#endif
