@@ -11,19 +11,24 @@
 
 #include <cmath>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 namespace bonedecimate
 {
 namespace
 {
 /// The thesis's own form: the three numbers of its program, in its order, as options of ours.
-const std::vector<std::pair<const char*, const char*>> ThesisNumbers = { { "numbFaces", "TargetNumberOfTriangles" },
-  { "tolerance", "NormalTolerance" }, { "errorThreshold", "MaximumError" } };
+const std::vector<std::pair<const char*, const char*>> ThesisNumbers = {
+  { "numbFaces", "TargetNumberOfTriangles" }, { "tolerance", "NormalTolerance" },
+  { "errorThreshold", "MaximumError" }
+};
 
 /// Sets an option from its text, and notes that it was asked for.
-void GiveOption(Arguments& arguments, const OptionInfo& info, const std::string& name, const std::string& text)
+void GiveOption(
+  Arguments& arguments, const OptionInfo& info, const std::string& name, const std::string& text)
 {
   const std::string problem = SetOptionFromText(arguments.Options, info, text);
   if (!problem.empty())
@@ -38,7 +43,9 @@ void AddTableOption(CLI::App& app, Arguments& arguments, const OptionInfo& info)
   const std::string flag = "--" + info.Flag;
   app
     .add_option_function<std::string>(
-      flag, [&arguments, &info, flag](const std::string& text) { GiveOption(arguments, info, flag, text); },
+      flag,
+      [&arguments, &info, flag](const std::string& text)
+      { GiveOption(arguments, info, flag, text); },
       OptionHelp(info))
     ->type_name(OptionValueName(info));
 }
@@ -46,61 +53,81 @@ void AddTableOption(CLI::App& app, Arguments& arguments, const OptionInfo& info)
 void AddIso(CLI::App& app, Arguments& arguments)
 {
   app
-    .add_option_function<double>("--iso",
-      [&arguments](double hounsfield) {
+    .add_option_function<double>(
+      "--iso",
+      [&arguments](double hounsfield)
+      {
         if (!std::isfinite(hounsfield))
         {
           throw CLI::ValidationError("--iso", "takes a number");
         }
         arguments.Iso = hounsfield;
+        std::ostringstream text;
+        text << std::setprecision(17) << hounsfield;
+        arguments.Given["iso"] = text.str();
       },
-      WrappedHelp("The input is a CT volume (.vti, .mha, .mhd, .nrrd, .nhdr, a DICOM folder): take the bone surface at "
+      WrappedHelp("The input is a CT volume (.vti, .mha, .mhd, .nrrd, .nhdr, a DICOM folder): take "
+                  "the bone surface at "
                   "this Hounsfield value, for example 226."))
     ->type_name("HU");
 }
 
 void AddCommonFlags(CLI::App& app, Arguments& arguments)
 {
-  const auto file = [&app](const char* flag, std::string& value, const char* help) {
-    app.add_option(flag, value, WrappedHelp(help))->type_name("FILE");
-  };
-  app.add_option("--also", arguments.Also, WrappedHelp("Write the surface to this file, too; may be repeated."))
+  const auto file = [&app](const char* flag, std::string& value, const char* help)
+  { app.add_option(flag, value, WrappedHelp(help))->type_name("FILE"); };
+  app
+    .add_option("--also", arguments.Also,
+      WrappedHelp("Write the surface to this file, too; may be repeated."))
     ->type_name("FILE")
     ->expected(1)
     ->take_all()
     ->allow_extra_args(false);
   file("--report", arguments.Report, "Write the report as JSON.");
-  file("--page", arguments.Page, "Write a self-contained HTML page for people, with the picture in it.");
+  file("--page", arguments.Page,
+    "Write a self-contained HTML page for people, with the picture in it.");
   file("--heatmap", arguments.Heatmap,
-    "Write the input surface (.vtp or .vtk) with the distance in mm of each of its points to the result.");
+    "Write the input surface (.vtp or .vtk) with the distance in mm of each of its points to the "
+    "result.");
   file("--picture", arguments.Picture,
-    "Draw before, after and the distances as colours into a PNG. If it cannot be drawn everything else is written and "
+    "Draw before, after and the distances as colours into a PNG. If it cannot be drawn everything "
+    "else is written and "
     "the program ends with 3; for --page alone it is a warning.");
   app.add_flag("--quiet", arguments.Quiet, "Nothing on the standard output.");
 }
 
 void AddBatchFlags(CLI::App& app, Arguments& arguments)
 {
-  app.add_option("--jobs", arguments.Jobs, WrappedHelp("Many bones: how many at once, each a process of its own."))
+  app
+    .add_option("--jobs", arguments.Jobs,
+      WrappedHelp("Many bones: how many at once, each a process of its own."))
     ->type_name("N")
-    ->check(CLI::Range(1, 1024));
-  app.add_flag("--force", arguments.Force, WrappedHelp("Many bones: do those again that are finished already."));
+    ->check(CLI::Range(1, 1024).description(""));
+  app.add_flag("--force", arguments.Force,
+    WrappedHelp("Many bones: do those again that are finished already."));
   app
     .add_option("--format", arguments.Format,
-      WrappedHelp("Many bones: format of the outputs by its extension; default that of each input, vtp for volumes."))
+      WrappedHelp("Many bones: format of the outputs by its extension; default that of each input, "
+                  "vtp for volumes."))
     ->type_name("EXT");
 }
 
-std::unique_ptr<CLI::App> MakeApp(Arguments& arguments, std::vector<std::string>& files, bool& markdown)
+std::unique_ptr<CLI::App> MakeApp(
+  Arguments& arguments, std::vector<std::string>& files, bool& markdown)
 {
   auto app = std::make_unique<CLI::App>(ProgramDescription(), "bonedecimate");
-  app->formatter(std::make_shared<HelpFormatter>("INPUT OUTPUT [OPTIONS]\n"
-                                                 "       bonedecimate INPUT... FOLDER [OPTIONS]\n"
-                                                 "       bonedecimate thesis INPUT.obj numbFaces tolerance "
-                                                 "errorThreshold [OUTPUT.obj] [OPTIONS]"));
+  app->formatter(
+    std::make_shared<HelpFormatter>("INPUT OUTPUT [OPTIONS]\n"
+                                    "       bonedecimate INPUT... FOLDER [OPTIONS]\n"
+                                    "       bonedecimate thesis INPUT.obj numbFaces tolerance "
+                                    "errorThreshold [OUTPUT.obj] [OPTIONS]"));
   app->footer(HelpFooter());
-  app->set_version_flag("--version", std::string("bonedecimate ") + Version(), "Print the version.");
-  app->add_option("FILES", files, WrappedHelp("INPUT OUTPUT, or several inputs or a folder, and an output folder."))
+  app->set_version_flag(
+    "--version", std::string("bonedecimate ") + Version(), "Print the version.");
+  app
+    ->add_option("FILES", files,
+      WrappedHelp("INPUT OUTPUT, or several inputs or a folder, and an output folder."))
+    ->type_name("")
     ->allow_extra_args();
   for (const OptionInfo& info : OptionTable())
   {
@@ -118,12 +145,16 @@ std::unique_ptr<CLI::App> MakeApp(Arguments& arguments, std::vector<std::string>
 
 std::unique_ptr<CLI::App> MakeThesisApp(Arguments& arguments, std::vector<std::string>& words)
 {
-  auto app = std::make_unique<CLI::App>("The thesis's program: number of triangles (0: off), tolerance w, largest "
-                                        "error in mm (0: off).",
+  auto app = std::make_unique<CLI::App>(
+    "The thesis's program: number of triangles (0: off), tolerance w, largest "
+    "error in mm (0: off).",
     "bonedecimate thesis");
-  app->formatter(std::make_shared<HelpFormatter>("INPUT.obj numbFaces tolerance errorThreshold [OUTPUT.obj] [OPTIONS]"));
+  app->formatter(std::make_shared<HelpFormatter>(
+    "INPUT.obj numbFaces tolerance errorThreshold [OUTPUT.obj] [OPTIONS]"));
   app->footer(ExitCodesText());
-  app->add_option("WORDS", words, WrappedHelp("The default output is INPUT_simplified.obj."))->allow_extra_args();
+  app->add_option("WORDS", words, WrappedHelp("The default output is INPUT_simplified.obj."))
+    ->type_name("")
+    ->allow_extra_args();
   AddTableOption(*app, arguments, *FindOption("NumberOfThreads"));
   AddIso(*app, arguments);
   AddCommonFlags(*app, arguments);
@@ -140,15 +171,18 @@ void SetThesisWords(Arguments& arguments, const std::vector<std::string>& words)
   }
   for (std::size_t i = 0; i < ThesisNumbers.size(); ++i)
   {
-    GiveOption(arguments, *FindOption(ThesisNumbers[i].second), ThesisNumbers[i].first, words[i + 1]);
+    GiveOption(
+      arguments, *FindOption(ThesisNumbers[i].second), ThesisNumbers[i].first, words[i + 1]);
   }
   if (arguments.Options.TargetNumberOfTriangles == 0 && arguments.Options.MaximumError == 0.0)
   {
-    throw Failure(ExitCode::Usage, "numbFaces and errorThreshold are both 0 (off): nothing would end the run");
+    throw Failure(
+      ExitCode::Usage, "numbFaces and errorThreshold are both 0 (off): nothing would end the run");
   }
   GiveOption(arguments, *FindOption("Mode"), "mode", "Thesis");
   const std::filesystem::path input(words[0]);
   const std::string simplified = input.stem().string() + "_simplified.obj";
+  arguments.ThesisForm = true;
   arguments.Inputs = { words[0] };
   arguments.Output = words.size() == 5 ? words[4] : (input.parent_path() / simplified).string();
 }
@@ -164,7 +198,8 @@ void SetFiles(Arguments& arguments, std::vector<std::string> files)
   arguments.Inputs = std::move(files);
 }
 
-/// CLI11 takes its words in reverse, and "[a]" for a list: a folder of that name gets its own path written out.
+/// CLI11 takes its words in reverse, and "[a]" for a list: a folder of that name gets its own path
+/// written out.
 std::vector<std::string> WordsOf(int argc, char* argv[], int first)
 {
   std::vector<std::string> words;
@@ -189,7 +224,8 @@ bool Parse(CLI::App& app, std::vector<std::string> words)
   {
     if (error.get_exit_code() != 0)
     {
-      throw Failure(ExitCode::Usage, std::string(error.what()) + "; see " + app.get_name() + " --help");
+      throw Failure(
+        ExitCode::Usage, std::string(error.what()) + "; see " + app.get_name() + " --help");
     }
     app.exit(error, std::cout, std::cerr);
     return false;
@@ -238,7 +274,8 @@ std::optional<Arguments> ParseArguments(int argc, char* argv[])
 {
   Arguments arguments;
   const bool thesis = argc > 1 && std::string(argv[1]) == "thesis";
-  const bool run = thesis ? ParseThesisForm(argc, argv, arguments) : ParseOwnForm(argc, argv, arguments);
+  const bool run =
+    thesis ? ParseThesisForm(argc, argv, arguments) : ParseOwnForm(argc, argv, arguments);
   return run ? std::optional<Arguments>(std::move(arguments)) : std::nullopt;
 }
 }

@@ -21,8 +21,9 @@ struct Arguments
   std::vector<std::string> Inputs;
   std::string Output; ///< A file for one bone, a folder for many.
   bonedecimate::Options Options;
-  std::map<std::string, std::string> Given; ///< Options that were asked for: flag without dashes and value.
-  std::optional<double> Iso;                ///< Hounsfield value of the surface of a volume.
+  std::map<std::string, std::string>
+    Given;                   ///< Options that were asked for: flag without dashes and value.
+  std::optional<double> Iso; ///< Hounsfield value of the surface of a volume.
 
   /// @name One bone only. @{
   std::vector<std::string> Also;
@@ -39,11 +40,13 @@ struct Arguments
   /// @}
 
   bool Quiet = false;
+  bool ThesisForm = false; ///< Always one bone.
 };
 
 /**
  * Reads the command line, either form of it.
- * @returns Nothing if it asked for a text (--help, --version, --options-markdown), which is then printed.
+ * @returns Nothing if it asked for a text (--help, --version, --options-markdown), which is then
+ * printed.
  * @throws Failure(ExitCode::Usage)
  */
 std::optional<Arguments> ParseArguments(int argc, char* argv[]);
@@ -52,7 +55,8 @@ std::optional<Arguments> ParseArguments(int argc, char* argv[]);
 bool IsBatch(const Arguments& arguments);
 
 /**
- * What the parser cannot see: extensions, files that would overwrite each other, options of the other form.
+ * What the parser cannot see: extensions, files that would overwrite each other, options of the
+ * other form.
  * @throws Failure(ExitCode::Usage)
  */
 void CheckArguments(const Arguments& arguments);

@@ -33,14 +33,16 @@ void RequireSurfaceFormat(const std::string& what, const std::string& path)
 bool IsSame(const std::string& a, const std::string& b)
 {
   std::error_code error;
-  return fs::equivalent(a, b, error) || fs::absolute(a, error).lexically_normal() == fs::absolute(b, error).lexically_normal();
+  return fs::equivalent(a, b, error) ||
+    fs::absolute(a, error).lexically_normal() == fs::absolute(b, error).lexically_normal();
 }
 
 std::vector<std::string> OutputsOf(const Arguments& arguments)
 {
   std::vector<std::string> outputs = { arguments.Output };
   outputs.insert(outputs.end(), arguments.Also.begin(), arguments.Also.end());
-  for (const std::string* file : { &arguments.Report, &arguments.Page, &arguments.Heatmap, &arguments.Picture })
+  for (const std::string* file :
+    { &arguments.Report, &arguments.Page, &arguments.Heatmap, &arguments.Picture })
   {
     if (!file->empty())
     {
@@ -55,9 +57,10 @@ void CheckOverwriting(const Arguments& arguments)
   const std::vector<std::string> outputs = OutputsOf(arguments);
   for (auto output = outputs.begin(); output != outputs.end(); ++output)
   {
-    Require(!IsSame(*output, arguments.Inputs[0]), "'" + *output + "' is the input; it is not overwritten");
-    const bool twice = std::any_of(
-      output + 1, outputs.end(), [output](const std::string& other) { return IsSame(*output, other); });
+    Require(!IsSame(*output, arguments.Inputs[0]),
+      "'" + *output + "' is the input; it is not overwritten");
+    const bool twice = std::any_of(output + 1, outputs.end(),
+      [output](const std::string& other) { return IsSame(*output, other); });
     Require(!twice, "'" + *output + "' would be written twice");
   }
 }
@@ -70,11 +73,13 @@ void CheckOneBone(const Arguments& arguments)
     RequireSurfaceFormat("--also", file);
   }
   Require(arguments.Heatmap.empty() || HoldsArrays(FormatOf(arguments.Heatmap)),
-    "--heatmap '" + arguments.Heatmap + "' needs the extension vtp or vtk, the others hold no arrays");
+    "--heatmap '" + arguments.Heatmap +
+      "' needs the extension vtp or vtk, the others hold no arrays");
   Require(arguments.Picture.empty() || ExtensionOf(arguments.Picture) == "png",
     "--picture '" + arguments.Picture + "' needs the extension png");
   const bool volume = IsVolume(arguments.Inputs[0]);
-  Require(!volume || arguments.Iso, "'" + arguments.Inputs[0] + "' is a volume: --iso HU says which surface to take");
+  Require(!volume || arguments.Iso,
+    "'" + arguments.Inputs[0] + "' is a volume: --iso HU says which surface to take");
   Require(volume || !arguments.Iso || !fs::exists(arguments.Inputs[0]),
     "--iso is for volumes; '" + arguments.Inputs[0] + "' is none");
   Require(arguments.Jobs == 0 && !arguments.Force && arguments.Format.empty(),
@@ -84,11 +89,11 @@ void CheckOneBone(const Arguments& arguments)
 
 void CheckBatch(const Arguments& arguments)
 {
-  const bool single = !arguments.Also.empty() || !arguments.Report.empty() || !arguments.Page.empty() ||
-    !arguments.Heatmap.empty() || !arguments.Picture.empty();
-  Require(!single, "--also, --report, --page, --heatmap and --picture are for one bone; many get a report each");
-  Require(arguments.Format.empty() ||
-      FormatOf("x." + arguments.Format) != SurfaceFormat::Unknown,
+  const bool single = !arguments.Also.empty() || !arguments.Report.empty() ||
+    !arguments.Page.empty() || !arguments.Heatmap.empty() || !arguments.Picture.empty();
+  Require(!single,
+    "--also, --report, --page, --heatmap and --picture are for one bone; many get a report each");
+  Require(arguments.Format.empty() || FormatOf("x." + arguments.Format) != SurfaceFormat::Unknown,
     "--format '" + arguments.Format + "' is none of " + SurfaceExtensions);
   std::error_code error;
   Require(!fs::exists(arguments.Output, error) || fs::is_directory(arguments.Output, error),
@@ -104,6 +109,10 @@ bool IsBatch(const Arguments& arguments)
 {
   std::error_code error;
   const std::string& input = arguments.Inputs[0];
+  if (arguments.ThesisForm)
+  {
+    return false;
+  }
   return arguments.Inputs.size() > 1 || (fs::is_directory(input, error) && !IsVolume(input)) ||
     fs::is_directory(arguments.Output, error) || arguments.Output.back() == '/';
 }
@@ -111,7 +120,8 @@ bool IsBatch(const Arguments& arguments)
 void CheckArguments(const Arguments& arguments)
 {
   const bool named = !arguments.Output.empty() &&
-    std::none_of(arguments.Inputs.begin(), arguments.Inputs.end(), [](const std::string& input) { return input.empty(); });
+    std::none_of(arguments.Inputs.begin(), arguments.Inputs.end(),
+      [](const std::string& input) { return input.empty(); });
   Require(named, "a name is empty");
   if (IsBatch(arguments))
   {

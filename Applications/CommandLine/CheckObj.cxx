@@ -13,7 +13,8 @@ namespace
 {
 /// Points, texture coordinates and normals, in the order in which a corner "v/vt/vn" names them.
 constexpr std::size_t NumberOfKinds = 3;
-const std::array<const char*, NumberOfKinds> KindNames = { "vertex", "texture coordinate", "normal" };
+const std::array<const char*, NumberOfKinds> KindNames = { "vertex", "texture coordinate",
+  "normal" };
 
 class ObjCheck
 {
@@ -35,7 +36,8 @@ public:
       if (this->Largest[kind] > this->Count[kind])
       {
         Refuse(this->Path,
-          std::string("a face names ") + KindNames[kind] + " " + std::to_string(this->Largest[kind]) + ", there are " +
+          std::string("a face names ") + KindNames[kind] + " " +
+            std::to_string(this->Largest[kind]) + ", there are " +
             std::to_string(this->Count[kind]) + "; the file may be cut off");
       }
     }
@@ -46,7 +48,10 @@ public:
   }
 
 private:
-  [[noreturn]] void RefuseLine(const std::string& reason) { Refuse(this->Path, this->Lines.Place() + reason); }
+  [[noreturn]] void RefuseLine(const std::string& reason)
+  {
+    Refuse(this->Path, this->Lines.Place() + reason);
+  }
 
   void CheckLine()
   {
@@ -125,7 +130,8 @@ private:
   {
     if (index < -this->Count[kind])
     {
-      this->RefuseLine("index " + std::to_string(index) + " reaches before the first " + KindNames[kind]);
+      this->RefuseLine(
+        "index " + std::to_string(index) + " reaches before the first " + KindNames[kind]);
     }
     this->Largest[kind] = std::max(this->Largest[kind], index);
   }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/// PLY announces its counts; VTK allocates by them before it reads, and does not say when the file ends early.
+/// PLY announces its counts; VTK allocates by them before it reads, and does not say when the file
+/// ends early.
 #include "FileChecks.h"
 #include "LineReader.h"
 
@@ -18,7 +19,7 @@ constexpr std::int64_t MostCorners = 255;
 struct Property
 {
   std::string Name;
-  std::size_t Bytes = 0;     // of the value, or of one entry of a list
+  std::size_t Bytes = 0;      // of the value, or of one entry of a list
   std::size_t CountBytes = 0; // of a list's count, 0 if it is no list
   bool IsDouble = false;
 };
@@ -32,9 +33,10 @@ struct Element
 
 std::size_t BytesOf(std::string_view type)
 {
-  static const std::map<std::string_view, std::size_t> bytes = { { "char", 1 }, { "uchar", 1 }, { "int8", 1 },
-    { "uint8", 1 }, { "short", 2 }, { "ushort", 2 }, { "int16", 2 }, { "uint16", 2 }, { "int", 4 }, { "uint", 4 },
-    { "int32", 4 }, { "uint32", 4 }, { "float", 4 }, { "float32", 4 }, { "double", 8 }, { "float64", 8 } };
+  static const std::map<std::string_view, std::size_t> bytes = { { "char", 1 }, { "uchar", 1 },
+    { "int8", 1 }, { "uint8", 1 }, { "short", 2 }, { "ushort", 2 }, { "int16", 2 }, { "uint16", 2 },
+    { "int", 4 }, { "uint", 4 }, { "int32", 4 }, { "uint32", 4 }, { "float", 4 }, { "float32", 4 },
+    { "double", 8 }, { "float64", 8 } };
   const auto found = bytes.find(type);
   return found == bytes.end() ? 0 : found->second;
 }
@@ -56,12 +58,13 @@ public:
     {
       for (std::int64_t i = 0; i < element.Count; ++i)
       {
-        const bool whole = this->Encoding == "ascii" ? this->WalkText(element) : this->WalkBinary(element);
+        const bool whole =
+          this->Encoding == "ascii" ? this->WalkText(element) : this->WalkBinary(element);
         if (!whole)
         {
           Refuse(this->Path,
-            "it announces " + std::to_string(element.Count) + " of '" + element.Name + "' but ends or breaks in number " +
-              std::to_string(i));
+            "it announces " + std::to_string(element.Count) + " of '" + element.Name +
+              "' but ends or breaks in number " + std::to_string(i));
         }
       }
     }
@@ -70,7 +73,8 @@ public:
 private:
   void ReadHeader()
   {
-    if (!this->Lines.Next() || this->Lines.GetWords().size() != 1 || this->Lines.GetWords()[0] != "ply")
+    if (!this->Lines.Next() || this->Lines.GetWords().size() != 1 ||
+      this->Lines.GetWords()[0] != "ply")
     {
       Refuse(this->Path, "it does not begin with 'ply'");
     }
@@ -98,7 +102,8 @@ private:
     if (words[0] == "format" && words.size() == 3)
     {
       this->Encoding = words[1];
-      return words[1] == "ascii" || words[1] == "binary_little_endian" || words[1] == "binary_big_endian";
+      return words[1] == "ascii" || words[1] == "binary_little_endian" ||
+        words[1] == "binary_big_endian";
     }
     if (words[0] == "element" && words.size() == 3)
     {
@@ -127,8 +132,8 @@ private:
 
   const Element* Find(const std::string& name) const
   {
-    const auto found = std::find_if(
-      this->Elements.begin(), this->Elements.end(), [&](const Element& element) { return element.Name == name; });
+    const auto found = std::find_if(this->Elements.begin(), this->Elements.end(),
+      [&](const Element& element) { return element.Name == name; });
     return found == this->Elements.end() ? nullptr : &*found;
   }
 
@@ -150,13 +155,15 @@ private:
     const Property* x = FindProperty(*vertices, "x");
     const Property* corners = FindProperty(*faces, "vertex_indices");
     corners = corners ? corners : FindProperty(*faces, "vertex_index");
-    if (!x || !FindProperty(*vertices, "y") || !FindProperty(*vertices, "z") || !corners || corners->CountBytes == 0)
+    if (!x || !FindProperty(*vertices, "y") || !FindProperty(*vertices, "z") || !corners ||
+      corners->CountBytes == 0)
     {
       Refuse(this->Path, "its header has no x, y, z or no list of vertex_indices");
     }
     if (x->IsDouble)
     {
-      warnings.emplace_back("the coordinates of the input are doubles; PLY is read in single precision");
+      warnings.emplace_back(
+        "the coordinates of the input are doubles; PLY is read in single precision");
     }
     // VTK does not skip what it does not know: it would read such an element as faces.
     if (this->Elements[0].Name != "vertex" || this->Elements[1].Name != "face")
@@ -176,12 +183,15 @@ private:
       for (const Property& property : element.Properties)
       {
         const std::size_t binary = property.CountBytes > 0 ? property.CountBytes : property.Bytes;
-        least += static_cast<double>(element.Count) * (this->Encoding == "ascii" ? 2.0 : static_cast<double>(binary));
+        least += static_cast<double>(element.Count) *
+          (this->Encoding == "ascii" ? 2.0 : static_cast<double>(binary));
       }
     }
     if (least > size)
     {
-      Refuse(this->Path, "its header announces more than the file's " + std::to_string(std::uintmax_t(size)) + " bytes");
+      Refuse(this->Path,
+        "its header announces more than the file's " + std::to_string(std::uintmax_t(size)) +
+          " bytes");
     }
   }
 
@@ -200,13 +210,15 @@ private:
     {
       std::int64_t count = 1;
       const bool isList = property.CountBytes > 0;
-      if (isList && (needed >= words.size() || !ReadInteger(words[needed++], count) || !IsLength(count)))
+      if (isList &&
+        (needed >= words.size() || !ReadInteger(words[needed++], count) || !IsLength(count)))
       {
         return false;
       }
       needed += static_cast<std::size_t>(count);
     }
-    return needed <= words.size() && std::all_of(words.begin(), words.begin() + std::ptrdiff_t(needed), IsNumber);
+    return needed <= words.size() &&
+      std::all_of(words.begin(), words.begin() + std::ptrdiff_t(needed), IsNumber);
   }
 
   bool WalkBinary(const Element& element)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Binary STL announces its triangles, text STL ends with a word: both tell a file that was cut off.
+/// Binary STL announces its triangles, text STL ends with a word: both tell a file that was cut
+/// off.
 #include "FileChecks.h"
 #include "LineReader.h"
 
@@ -64,7 +65,7 @@ void CheckStlFile(const std::string& path)
   }
   Refuse(path,
     size < HeaderBytes ? "it is too short for an STL file"
-                       : "it announces " + std::to_string(count) + " triangles (" + std::to_string(expected) +
-        " bytes) but has " + std::to_string(size) + " bytes");
+                       : "it announces " + std::to_string(count) + " triangles (" +
+        std::to_string(expected) + " bytes) but has " + std::to_string(size) + " bytes");
 }
 }

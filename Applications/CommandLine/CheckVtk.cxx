@@ -41,7 +41,8 @@ std::string AttributeAfter(const std::string& text, std::size_t from, const std:
 void CheckAnnouncedXml(const std::string& path, const std::string& head, double size)
 {
   const std::size_t piece = head.find("<Piece");
-  for (const char* name : { "NumberOfPoints", "NumberOfPolys", "NumberOfStrips", "NumberOfLines", "NumberOfVerts" })
+  for (const char* name :
+    { "NumberOfPoints", "NumberOfPolys", "NumberOfStrips", "NumberOfLines", "NumberOfVerts" })
   {
     const double count = std::strtod(AttributeAfter(head, piece, name).c_str(), nullptr);
     if (piece != std::string::npos && (count < 0.0 || count > size * GreatestCompression))
@@ -53,8 +54,8 @@ void CheckAnnouncedXml(const std::string& path, const std::string& head, double 
 
 const std::set<std::string_view>& LegacySections()
 {
-  static const std::set<std::string_view> sections = { "POINTS", "POLYGONS", "LINES", "VERTICES", "TRIANGLE_STRIPS",
-    "POINT_DATA", "CELL_DATA" };
+  static const std::set<std::string_view> sections = { "POINTS", "POLYGONS", "LINES", "VERTICES",
+    "TRIANGLE_STRIPS", "POINT_DATA", "CELL_DATA" };
   return sections;
 }
 }
@@ -100,7 +101,9 @@ void CheckVtkFile(const std::string& path)
     if (words.size() >= 2 && LegacySections().count(words[0]) > 0 &&
       (!ReadInteger(words[1], count) || count < 0 || count > size))
     {
-      Refuse(path, lines.Place() + std::string(words[0]) + " announces more than a file of this size can hold");
+      Refuse(path,
+        lines.Place() + std::string(words[0]) +
+          " announces more than a file of this size can hold");
     }
   }
 }

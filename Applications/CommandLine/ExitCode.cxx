@@ -13,7 +13,8 @@ std::string ExitCodesText()
     { ExitCode::Done, "done" },
     { ExitCode::Usage, "usage: an option or a name is wrong, nothing was read" },
     { ExitCode::InputRefused, "the input was refused, nothing was written" },
-    { ExitCode::CouldNotWrite, "a file could not be written, or a picture asked for could not be drawn" },
+    { ExitCode::CouldNotWrite,
+      "a file could not be written, or a picture asked for could not be drawn" },
     { ExitCode::Interrupted, "interrupted, nothing was written" },
     { ExitCode::OutOfMemory, "out of memory, nothing was written" },
   } };

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ExitCode.h
- * @brief How the program ends, and the exception that carries a failure to its one catcher, RunProgram().
+ * @brief How the program ends, and the exception that carries a failure to its one catcher,
+ * RunProgram().
  */
 #ifndef BoneDecimate_Applications_ExitCode_h
 #define BoneDecimate_Applications_ExitCode_h

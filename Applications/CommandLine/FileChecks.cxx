@@ -25,7 +25,8 @@ void CheckFile(const std::string& path)
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status))
   {
-    Refuse(path, error && status.type() == fs::file_type::none ? error.message() : "there is no such file");
+    Refuse(path,
+      error && status.type() == fs::file_type::none ? error.message() : "there is no such file");
   }
   if (!fs::is_regular_file(status))
   {

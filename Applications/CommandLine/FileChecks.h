@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FileChecks.h
- * @brief Looks at a surface file before VTK does: VTK's readers trust counts, and read text as the number 0.
+ * @brief Looks at a surface file before VTK does: VTK's readers trust counts, and read text as the
+ * number 0.
  */
 #ifndef BoneDecimate_Applications_FileChecks_h
 #define BoneDecimate_Applications_FileChecks_h
@@ -13,8 +14,8 @@
 namespace bonedecimate
 {
 /**
- * Existence, kind, size and permission of the file, then its format by its extension: announced counts against what
- * is there, numbers that are numbers, indices within range.
+ * Existence, kind, size and permission of the file, then its format by its extension: announced
+ * counts against what is there, numbers that are numbers, indices within range.
  * @returns Warnings, one line each.
  * @throws Failure(ExitCode::InputRefused) with one line.
  */

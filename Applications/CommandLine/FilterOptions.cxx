@@ -17,7 +17,8 @@ using Setter = std::function<void(vtkBoneDecimate*, const OptionValue&)>;
 template <typename Type, typename Argument>
 Setter Calls(void (vtkBoneDecimate::*method)(Argument))
 {
-  return [method](vtkBoneDecimate* filter, const OptionValue& value) { (filter->*method)(std::get<Type>(value)); };
+  return [method](vtkBoneDecimate* filter, const OptionValue& value)
+  { (filter->*method)(std::get<Type>(value)); };
 }
 
 const std::map<std::string, Setter>& Setters()

@@ -14,8 +14,8 @@
 namespace bonedecimate
 {
 /**
- * Calls the setter of every row of OptionTable(); TargetReduction only if it was asked for, for its default steps
- * back by itself.
+ * Calls the setter of every row of OptionTable(); TargetReduction only if it was asked for, for its
+ * default steps back by itself.
  * @throws std::logic_error if a row has no setter here, so that no run can overlook a new option.
  */
 void ApplyOptions(const Options& options, vtkBoneDecimate* filter);

@@ -41,7 +41,8 @@ std::string HelpFormatter::make_usage(const CLI::App* app, std::string) const
 
 std::string ProgramDescription()
 {
-  return "Makes a bone surface from CT smaller, keeps every fragment and says in millimetres what that cost.";
+  return "Makes a bone surface from CT smaller, keeps every fragment and says in millimetres what "
+         "that cost.";
 }
 
 std::string HelpFooter()
@@ -84,8 +85,8 @@ std::string OptionValueName(const OptionInfo& info)
 
 std::string OptionHelp(const OptionInfo& info)
 {
-  return WrappedHelp(
-    info.Sentence + " Takes " + AcceptedValues(info) + "; default " + OptionText(Options{}, info) + ".");
+  return WrappedHelp(info.Sentence + " Takes " + AcceptedValues(info) + "; default " +
+    OptionText(Options{}, info) + ".");
 }
 
 std::string WrappedHelp(const std::string& text)

@@ -9,7 +9,8 @@
 
 namespace bonedecimate
 {
-/// From now on SIGINT and SIGTERM are only noted. A full disk or a closed pipe is an error of the write, not a death.
+/// From now on SIGINT and SIGTERM are only noted. A full disk or a closed pipe is an error of the
+/// write, not a death.
 void CatchSignals();
 
 bool IsInterrupted();

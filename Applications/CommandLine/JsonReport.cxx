@@ -3,6 +3,7 @@
 #include "JsonReport.h"
 
 #include "Report.h"
+#include "SurfaceFormat.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -80,6 +81,17 @@ Json CommandLineOf(const ReportSubject& subject)
 }
 }
 
+ReportSubject SubjectOf(
+  const Arguments& arguments, const std::string& input, const std::string& output)
+{
+  ReportSubject subject;
+  subject.Input = BaseName(input);
+  subject.Output = BaseName(output);
+  subject.InputStamp = StampOf(input);
+  subject.Given = arguments.Given;
+  return subject;
+}
+
 std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
 {
   Json report = Json::object();
@@ -98,18 +110,22 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-bool ReportMatches(const std::string& reportFile, const std::string& outputFile, const ReportSubject& subject)
+bool ReportMatches(
+  const std::string& reportFile, const std::string& outputFile, const ReportSubject& subject)
 {
   std::ifstream stream(reportFile, std::ios::binary);
   const Json report = Json::parse(stream, nullptr, false);
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(outputFile, error);
-  const auto at = [&report](const char* pointer) {
+  const auto at = [&report](const char* pointer)
+  {
     const Json::json_pointer place(pointer);
     return report.contains(place) ? report[place] : Json();
   };
-  return !error && report.is_object() && at("/version") == Version() && at("/command_line") == CommandLineOf(subject) &&
-    at("/files/input") == subject.Input && at("/files/input_bytes") == subject.InputStamp.Bytes &&
-    at("/files/input_modified") == subject.InputStamp.Modified && at("/files/output_bytes") == bytes;
+  return !error && report.is_object() && at("/version") == Version() &&
+    at("/command_line") == CommandLineOf(subject) && at("/files/input") == subject.Input &&
+    at("/files/input_bytes") == subject.InputStamp.Bytes &&
+    at("/files/input_modified") == subject.InputStamp.Modified &&
+    at("/files/output_bytes") == bytes;
 }
 }

@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Applications_JsonReport_h
 #define BoneDecimate_Applications_JsonReport_h
 
+#include "Arguments.h"
 #include "FileStamp.h"
 
 #include "vtkPolyData.h"
@@ -31,17 +32,24 @@ struct ReportSubject
   double SecondsTotal = 0.0; ///< From the start to the written surface.
 };
 
+/// What is known of it before the input is read.
+ReportSubject SubjectOf(
+  const Arguments& arguments, const std::string& input, const std::string& output);
+
 /**
- * The report in the field data of a result (output port 0 of vtkBoneDecimate), nested at the dots of its names, with
- * "units" of the entries that have one, and the subject as "files", "command_line", "warnings" and "seconds".
+ * The report in the field data of a result (output port 0 of vtkBoneDecimate), nested at the dots
+ * of its names, with "units" of the entries that have one, and the subject as "files",
+ * "command_line", "warnings" and "seconds".
  */
 std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject);
 
 /**
- * Whether a report on disk is of this version, the same input and the same options (threads do not matter), and the
- * output still has the size it was written with. A report that cannot be read matches nothing.
+ * Whether a report on disk is of this version, the same input and the same options (threads do not
+ * matter), and the output still has the size it was written with. A report that cannot be read
+ * matches nothing.
  */
-bool ReportMatches(const std::string& reportFile, const std::string& outputFile, const ReportSubject& subject);
+bool ReportMatches(
+  const std::string& reportFile, const std::string& outputFile, const ReportSubject& subject);
 }
 
 #endif

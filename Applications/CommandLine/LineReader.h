@@ -46,7 +46,8 @@ private:
   bool Ended = true;
 };
 
-/// Whether the whole word is a number; nan and inf are numbers here, the filter refuses them with their count.
+/// Whether the whole word is a number; nan and inf are numbers here, the filter refuses them with
+/// their count.
 bool IsNumber(std::string_view word);
 
 /// Whether the whole word is a whole number, and which.

@@ -27,7 +27,8 @@ struct OutputFiles
   /// The output first, then those of --also.
   std::list<StagedFile> Surfaces;
   std::optional<StagedFile> Heatmap;
-  std::optional<StagedFile> Picture; ///< Also without --picture if a page wants to embed one; see KeepsPicture.
+  std::optional<StagedFile>
+    Picture; ///< Also without --picture if a page wants to embed one; see KeepsPicture.
   std::optional<StagedFile> Page;
   std::optional<StagedFile> Report;
   bool KeepsPicture = false;

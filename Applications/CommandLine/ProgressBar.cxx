@@ -28,7 +28,8 @@ void ProgressBar::Execute(vtkObject* caller, unsigned long, void* callData)
   }
   this->Percent = percent;
   const auto done = static_cast<std::size_t>(percent < 0 ? 0 : (percent > 100 ? 50 : percent / 2));
-  std::printf("\r[%s%s] %3d %%", std::string(done, '#').c_str(), std::string(50 - done, ' ').c_str(), percent);
+  std::printf("\r[%s%s] %3d %%", std::string(done, '#').c_str(),
+    std::string(50 - done, ' ').c_str(), percent);
   std::fflush(stdout);
 }
 

@@ -9,20 +9,14 @@
 
 #include "Arguments.h"
 
-#include <string>
-
 namespace bonedecimate
 {
 /**
- * Either every file asked for is there afterwards or none of them, with one exception: a picture that could not be
- * drawn does not take the others with it.
+ * Either every file asked for is there afterwards or none of them, with one exception: a picture
+ * that could not be drawn does not take the others with it.
  * @throws Failure, std::bad_alloc
  */
 void RunOne(const Arguments& arguments);
-
-/// What a later run recognises the input by; the part of the report's subject that is known beforehand.
-struct ReportSubject;
-ReportSubject SubjectOf(const Arguments& arguments, const std::string& input, const std::string& output);
 }
 
 #endif

@@ -12,8 +12,9 @@
 namespace bonedecimate
 {
 /**
- * Reserves a temporary file in the target's folder, with the target's extension, and renames it when all is well.
- * Without Commit() the temporary file is removed. Every method throws Failure(ExitCode::CouldNotWrite).
+ * Reserves a temporary file in the target's folder, with the target's extension, and renames it
+ * when all is well. Without Commit() the temporary file is removed. Every method throws
+ * Failure(ExitCode::CouldNotWrite).
  */
 class StagedFile
 {
@@ -29,7 +30,8 @@ public:
   /// Replaces the temporary file's content.
   void WriteText(const std::string& text);
 
-  /// Waits until the system has accepted every byte: some file systems tell only now that the disk is full.
+  /// Waits until the system has accepted every byte: some file systems tell only now that the disk
+  /// is full.
   void Flush();
 
   void Commit();

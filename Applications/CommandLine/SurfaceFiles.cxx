@@ -63,8 +63,8 @@ vtkSmartPointer<vtkPolyData> ReadFormat(const std::string& path)
 /// Offsets that run backwards or past the end would take every later step out of its arrays.
 bool HasWholeCells(vtkPolyData* surface)
 {
-  return surface->GetVerts()->IsValid() && surface->GetLines()->IsValid() && surface->GetPolys()->IsValid() &&
-    surface->GetStrips()->IsValid();
+  return surface->GetVerts()->IsValid() && surface->GetLines()->IsValid() &&
+    surface->GetPolys()->IsValid() && surface->GetStrips()->IsValid();
 }
 
 vtkIdType CountFaces(vtkPolyData* surface)
@@ -80,7 +80,8 @@ void WriteWith(Writer* writer, vtkPolyData* surface, const std::string& path)
   writer->Write();
   if (writer->GetErrorCode() != vtkErrorCode::NoError)
   {
-    throw Failure(ExitCode::CouldNotWrite, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+    throw Failure(
+      ExitCode::CouldNotWrite, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
   }
 }
 
@@ -122,7 +123,8 @@ bool Arrived(vtkPolyData* surface, const std::string& path)
   try
   {
     const LoadedSurface arrived = ReadSurface(path);
-    const bool samePoints = FormatOf(path) == SurfaceFormat::Stl || // three of its own for every triangle
+    const bool samePoints =
+      FormatOf(path) == SurfaceFormat::Stl || // three of its own for every triangle
       arrived.Surface->GetNumberOfPoints() == surface->GetNumberOfPoints();
     return samePoints && CountFaces(arrived.Surface) == CountFaces(surface);
   }
@@ -187,8 +189,8 @@ void WriteSurface(vtkPolyData* surface, const std::string& path, const std::stri
 std::string LossText(vtkPolyData* surface, const std::string& path)
 {
   const SurfaceFormat format = FormatOf(path);
-  const int arrays = surface->GetPointData()->GetNumberOfArrays() + surface->GetCellData()->GetNumberOfArrays() +
-    surface->GetFieldData()->GetNumberOfArrays();
+  const int arrays = surface->GetPointData()->GetNumberOfArrays() +
+    surface->GetCellData()->GetNumberOfArrays() + surface->GetFieldData()->GetNumberOfArrays();
   std::string text;
   if (!HoldsArrays(format) && arrays > 0)
   {
@@ -196,7 +198,8 @@ std::string LossText(vtkPolyData* surface, const std::string& path)
   }
   if (!HoldsDoubles(format) && surface->GetPoints()->GetDataType() == VTK_DOUBLE)
   {
-    text += std::string(text.empty() ? "" : ", and ") + "rounds the double coordinates to single precision";
+    text += std::string(text.empty() ? "" : ", and ") +
+      "rounds the double coordinates to single precision";
   }
   return text.empty() ? text : ExtensionOf(path) + " " + text;
 }

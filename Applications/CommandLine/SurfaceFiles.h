@@ -17,7 +17,8 @@ namespace bonedecimate
 {
 struct LoadedSurface
 {
-  vtkSmartPointer<vtkPolyData> Surface; ///< Points of STL files are not merged: the filter does it and counts.
+  vtkSmartPointer<vtkPolyData>
+    Surface; ///< Points of STL files are not merged: the filter does it and counts.
   std::vector<std::string> Warnings;
 };
 

@@ -50,7 +50,10 @@ public:
   void DisplayDebugText(const char*) override {}
   void DisplayErrorText(const char* text) override { this->Add(this->Messages.Errors, text); }
   void DisplayWarningText(const char* text) override { this->Add(this->Messages.Warnings, text); }
-  void DisplayGenericWarningText(const char* text) override { this->Add(this->Messages.Warnings, text); }
+  void DisplayGenericWarningText(const char* text) override
+  {
+    this->Add(this->Messages.Warnings, text);
+  }
 
   VtkMessages Take()
   {

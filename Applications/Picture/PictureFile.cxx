@@ -10,8 +10,11 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
 
-#include <cstdio>
+#include <filesystem>
 #include <fstream>
+#include <system_error>
+
+namespace fs = std::filesystem;
 
 namespace bonedecimate
 {
@@ -47,16 +50,23 @@ vtkSmartPointer<vtkUnsignedCharArray> RenderPng(const PictureSubject& subject)
 /// Under another name in the same folder first, so that nobody finds half a picture.
 std::string WriteWhole(vtkUnsignedCharArray* bytes, const std::string& file)
 {
-  const std::string temporary = file + ".part";
+  const fs::path target(file);
+  const fs::path temporary = target.parent_path() / (".part-" + target.filename().string());
   std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
   stream.write(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
   stream.close();
-  if (!stream || std::rename(temporary.c_str(), file.c_str()) != 0)
+  std::error_code error;
+  if (stream)
   {
-    std::remove(temporary.c_str());
-    return "cannot write " + file;
+    fs::rename(temporary, target, error);
   }
-  return {};
+  if (stream && !error)
+  {
+    return {};
+  }
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  return "could not write the picture '" + file + "'";
 }
 }
 

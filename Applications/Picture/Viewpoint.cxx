@@ -24,7 +24,7 @@ using Vector = std::array<double, 3>;
 
 constexpr double Aside = 25.0;            // degrees
 constexpr double Above = 10.0;            // degrees
-constexpr double Margin = 1.05;           // of the whole surface in its view
+constexpr double Margin = 1.15;           // leaves room for the words at the edges of a view
 constexpr double FacingCosine = 0.5;      // what is seen more slantwise than 60 degrees is no place for a close-up
 constexpr vtkIdType VisibilityTests = 20000;
 

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Batch.h"
+
+#include "BatchPlan.h"
+#include "BatchTable.h"
+#include "ChildProcess.h"
+#include "Interruption.h"
+#include "JsonReport.h"
+#include "StagedFile.h"
+#include "SurfaceFormat.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <list>
+#include <thread>
+#include <unistd.h>
+
+namespace bonedecimate
+{
+namespace
+{
+class Batch
+{
+public:
+  Batch(const Arguments& arguments, const std::string& self)
+    : Asked(arguments)
+    , Self(self)
+    , Bones(PlanBatch(arguments))
+    , Rows(Bones.size())
+    , Terminal(!arguments.Quiet && isatty(STDOUT_FILENO) == 1)
+  {
+    for (std::size_t i = 0; i < this->Bones.size(); ++i)
+    {
+      this->Rows[i].Name = this->Bones[i].Name;
+      this->Rows[i].Input = BaseName(this->Bones[i].Input);
+      this->Rows[i].Report = this->Bones[i].Report;
+    }
+  }
+
+  ExitCode Run()
+  {
+    this->MakeFolder();
+    this->WriteCsv();
+    while (this->Next < this->Bones.size() || !this->Running.empty())
+    {
+      this->StartSome();
+      this->CollectEnded();
+      this->ShowProgress();
+    }
+    this->WriteCsv();
+    this->Tell();
+    StopIfInterrupted();
+    return this->WorstCode();
+  }
+
+private:
+  struct Job
+  {
+    std::size_t Bone;
+    ChildProcess Child;
+  };
+
+  void MakeFolder()
+  {
+    std::error_code error;
+    std::filesystem::create_directories(this->Asked.Output, error);
+    if (error)
+    {
+      throw Failure(
+        ExitCode::CouldNotWrite, "could not make '" + this->Asked.Output + "': " + error.message());
+    }
+  }
+
+  void StartSome()
+  {
+    const auto jobs = static_cast<std::size_t>(std::max(this->Asked.Jobs, 1));
+    for (; this->Next < this->Bones.size() && this->Running.size() < jobs && !IsInterrupted();
+         ++this->Next)
+    {
+      if (this->IsFinished(this->Bones[this->Next]))
+      {
+        this->Rows[this->Next].Status = "skipped";
+        this->Rows[this->Next].Code = ExitCode::Done;
+      }
+      else
+      {
+        this->Start(this->Next);
+      }
+    }
+    if (IsInterrupted())
+    {
+      this->Next = this->Bones.size();
+      for (Job& job : this->Running)
+      {
+        job.Child.Interrupt();
+      }
+    }
+  }
+
+  bool IsFinished(const BatchBone& bone) const
+  {
+    ReportSubject subject = SubjectOf(this->Asked, bone.Input, bone.Output);
+    subject.Given = GivenFor(bone, this->Asked);
+    return !this->Asked.Force && ReportMatches(bone.Report, bone.Output, subject);
+  }
+
+  void Start(std::size_t bone)
+  {
+    // A report that does not fit the output any more would make a later run skip a bone that failed
+    // in this one.
+    std::error_code ignored;
+    std::filesystem::remove(this->Bones[bone].Report, ignored);
+    this->Running.push_back(
+      { bone, ChildProcess(this->Self, WordsFor(this->Bones[bone], this->Asked)) });
+  }
+
+  void CollectEnded()
+  {
+    const std::size_t before = this->Running.size();
+    for (auto job = this->Running.begin(); job != this->Running.end();)
+    {
+      if (job->Child.HasEnded())
+      {
+        this->Note(*job);
+        job = this->Running.erase(job);
+      }
+      else
+      {
+        ++job;
+      }
+    }
+    if (this->Running.size() < before)
+    {
+      this->WriteCsv();
+    }
+    else if (!this->Running.empty())
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+
+  void Note(const Job& job)
+  {
+    BatchRow& row = this->Rows[job.Bone];
+    row.Code = job.Child.GetCode();
+    row.Message = job.Child.GetMessage();
+    row.Status = row.Code == ExitCode::Done ? "done"
+      : row.Code == ExitCode::Interrupted   ? "interrupted"
+                                            : "failed";
+  }
+
+  void WriteCsv() const
+  {
+    const std::filesystem::path folder(this->Asked.Output);
+    WriteTextFile((folder / "summary.csv").string(), ComposeCsv(this->Rows));
+  }
+
+  void ShowProgress()
+  {
+    const std::size_t ended = this->Next - this->Running.size();
+    if (this->Terminal && ended != this->Shown)
+    {
+      this->Shown = ended;
+      std::cout << "\r" << ended << " of " << this->Bones.size() << " bones" << std::flush;
+    }
+  }
+
+  void Tell() const
+  {
+    if (this->Terminal)
+    {
+      std::cout << "\r\033[K";
+    }
+    if (!this->Asked.Quiet)
+    {
+      PrintTable(this->Rows);
+    }
+  }
+
+  ExitCode WorstCode() const
+  {
+    const auto worst = std::max_element(this->Rows.begin(), this->Rows.end(),
+      [](const BatchRow& a, const BatchRow& b) { return a.Code < b.Code; });
+    return worst->Code;
+  }
+
+  const Arguments& Asked;
+  const std::string& Self;
+  std::vector<BatchBone> Bones;
+  std::vector<BatchRow> Rows;
+  std::list<Job> Running;
+  std::size_t Next = 0;
+  std::size_t Shown = 0;
+  bool Terminal;
+};
+}
+
+ExitCode RunBatch(const Arguments& arguments, const std::string& self)
+{
+  return Batch(arguments, self).Run();
+}
+}

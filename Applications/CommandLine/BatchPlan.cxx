@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BatchPlan.h"
+
+#include "BoneVolume.h"
+#include "ExitCode.h"
+#include "OptionTable.h"
+#include "SurfaceFormat.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <thread>
+
+namespace fs = std::filesystem;
+
+namespace bonedecimate
+{
+namespace
+{
+std::string Lower(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return text;
+}
+
+void AddFolder(std::vector<BatchBone>& bones, const std::string& folder, bool volumes)
+{
+  std::vector<fs::path> paths;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+  {
+    paths.push_back(entry.path());
+  }
+  if (error)
+  {
+    throw Failure(ExitCode::InputRefused, "'" + folder + "' was refused: " + error.message());
+  }
+  std::sort(paths.begin(), paths.end());
+  for (const fs::path& path : paths)
+  {
+    const bool hidden = path.filename().string()[0] == '.';
+    const bool surface =
+      fs::is_regular_file(path, error) && FormatOf(path.string()) != SurfaceFormat::Unknown;
+    const bool volume = volumes && !surface && IsVolume(path.string());
+    if (!hidden && (surface || volume))
+    {
+      bones.push_back({ path.string(), "", "", "", volume });
+    }
+  }
+}
+
+/// How much of an input's path goes into its name, from little to all that is there.
+std::string NameOf(const fs::path& input, int detail)
+{
+  const fs::path file = input.has_filename() ? input : input.parent_path();
+  std::string name = file.stem().string();
+  if (detail > 0)
+  {
+    name += "_" + ExtensionOf(file.string());
+  }
+  return detail > 1 ? fs::absolute(file).parent_path().filename().string() + "_" + name : name;
+}
+
+/// Two inputs of one name get more of their paths into it, in the end a number. Small and capital
+/// letters are the same here, for there are file systems that think so.
+void NameBones(std::vector<BatchBone>& bones)
+{
+  for (int detail = 0; detail <= 2; ++detail)
+  {
+    std::multiset<std::string> names;
+    for (const BatchBone& bone : bones)
+    {
+      names.insert(Lower(bone.Name));
+    }
+    for (BatchBone& bone : bones)
+    {
+      if (bone.Name.empty() || names.count(Lower(bone.Name)) > 1)
+      {
+        bone.Name = NameOf(bone.Input, detail);
+      }
+    }
+  }
+  std::set<std::string> taken;
+  for (BatchBone& bone : bones)
+  {
+    const std::string name = bone.Name;
+    for (int number = 2; !taken.insert(Lower(bone.Name)).second; ++number)
+    {
+      bone.Name = name + "_" + std::to_string(number);
+    }
+  }
+}
+
+std::string OutputExtension(const BatchBone& bone, const Arguments& arguments)
+{
+  if (!arguments.Format.empty())
+  {
+    return Lower(arguments.Format);
+  }
+  return bone.Volume || FormatOf(bone.Input) == SurfaceFormat::Unknown ? "vtp"
+                                                                       : ExtensionOf(bone.Input);
+}
+
+void CheckOverwriting(const std::vector<BatchBone>& bones)
+{
+  for (const BatchBone& bone : bones)
+  {
+    for (const BatchBone& other : bones)
+    {
+      std::error_code error;
+      if (fs::equivalent(bone.Output, other.Input, error))
+      {
+        throw Failure(ExitCode::Usage, "'" + bone.Output + "' is an input; it is not overwritten");
+      }
+    }
+  }
+}
+
+bool HasNumberOfThreads(const Arguments& arguments)
+{
+  return arguments.Given.count(FindOption("NumberOfThreads")->Flag) > 0;
+}
+}
+
+std::vector<BatchBone> PlanBatch(const Arguments& arguments)
+{
+  std::vector<BatchBone> bones;
+  for (const std::string& input : arguments.Inputs)
+  {
+    std::error_code error;
+    const bool volume = IsVolume(input);
+    if (!volume && fs::is_directory(input, error))
+    {
+      AddFolder(bones, input, arguments.Iso.has_value());
+    }
+    else
+    {
+      bones.push_back({ input, "", "", "", volume });
+    }
+  }
+  if (bones.empty())
+  {
+    throw Failure(ExitCode::InputRefused,
+      "'" + arguments.Inputs[0] + "' was refused: no surface file is in it");
+  }
+  NameBones(bones);
+  for (BatchBone& bone : bones)
+  {
+    const fs::path folder(arguments.Output);
+    bone.Output = (folder / (bone.Name + "." + OutputExtension(bone, arguments))).string();
+    bone.Report = (folder / (bone.Name + ".json")).string();
+  }
+  CheckOverwriting(bones);
+  return bones;
+}
+
+std::map<std::string, std::string> GivenFor(const BatchBone& bone, const Arguments& arguments)
+{
+  std::map<std::string, std::string> given = arguments.Given;
+  if (!bone.Volume)
+  {
+    given.erase("iso");
+  }
+  return given;
+}
+
+std::vector<std::string> WordsFor(const BatchBone& bone, const Arguments& arguments)
+{
+  std::vector<std::string> words = { "--quiet", "--report", bone.Report };
+  for (const auto& [flag, text] : GivenFor(bone, arguments))
+  {
+    words.insert(words.end(), { "--" + flag, text });
+  }
+  const unsigned int jobs = static_cast<unsigned int>(std::max(arguments.Jobs, 1));
+  if (jobs > 1 && !HasNumberOfThreads(arguments))
+  {
+    const unsigned int threads = std::max(1U, std::thread::hardware_concurrency() / jobs);
+    words.insert(
+      words.end(), { "--" + FindOption("NumberOfThreads")->Flag, std::to_string(threads) });
+  }
+  words.insert(words.end(), { "--", bone.Input, bone.Output });
+  return words;
+}
+}

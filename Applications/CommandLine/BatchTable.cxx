@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BatchTable.h"
+
+#include "NumberText.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace bonedecimate
+{
+namespace
+{
+using Json = nlohmann::json;
+
+/// Columns that come from the report: heading and JSON pointer.
+const std::array<std::pair<const char*, const char*>, 9> ReportColumns = { {
+  { "faces_in", "/input/faces" },
+  { "faces_out", "/output/faces" },
+  { "components_in", "/input/components" },
+  { "components_out", "/output/components" },
+  { "max_output_to_input_mm", "/distance/output_to_input/max" },
+  { "mean_output_to_input_mm", "/distance/output_to_input/mean" },
+  { "max_input_to_output_mm", "/distance/input_to_output/max" },
+  { "mean_input_to_output_mm", "/distance/input_to_output/mean" },
+  { "seconds", "/seconds/total" },
+} };
+
+Json ReadReport(const BatchRow& row)
+{
+  if (row.Status != "done" && row.Status != "skipped")
+  {
+    return Json();
+  }
+  std::ifstream stream(row.Report, std::ios::binary);
+  return Json::parse(stream, nullptr, false);
+}
+
+Json ValueAt(const Json& report, const char* pointer)
+{
+  const Json::json_pointer place(pointer);
+  return report.is_object() && report.contains(place) ? report[place] : Json();
+}
+
+/// A field with its quotes doubled, in quotes where it needs them.
+std::string Quoted(const std::string& text)
+{
+  if (text.find_first_of(",\"\r\n") == std::string::npos)
+  {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char c : text)
+  {
+    quoted += c;
+    quoted += c == '"' ? "\"" : "";
+  }
+  return quoted + "\"";
+}
+
+std::string Padded(const std::string& text, std::size_t width, bool right)
+{
+  const std::string blanks(width > text.size() ? width - text.size() : 0, ' ');
+  return right ? blanks + text : text + blanks;
+}
+
+std::array<std::string, 6> CellsOf(const BatchRow& row)
+{
+  const Json report = ReadReport(row);
+  const auto number = [&report](const char* pointer, auto text)
+  {
+    const Json value = ValueAt(report, pointer);
+    return value.is_number() ? text(value.get<double>()) : std::string("-");
+  };
+  const auto whole = [](double value) { return GroupedText(value); };
+  const auto length = [](double value) { return MillimetreText(value); };
+  return { row.Name, row.Status, number("/input/faces", whole), number("/output/faces", whole),
+    number("/distance/output_to_input/max", length),
+    number("/distance/input_to_output/max", length) };
+}
+}
+
+std::string ComposeCsv(const std::vector<BatchRow>& rows)
+{
+  std::string text = "name,input,status,exit_code";
+  for (const auto& column : ReportColumns)
+  {
+    text += std::string(",") + column.first;
+  }
+  text += ",message\n";
+  for (const BatchRow& row : rows)
+  {
+    const Json report = ReadReport(row);
+    text += Quoted(row.Name) + "," + Quoted(row.Input) + "," + row.Status + "," +
+      (row.Status == "not run" ? "" : std::to_string(static_cast<int>(row.Code)));
+    for (const auto& column : ReportColumns)
+    {
+      const Json value = ValueAt(report, column.second);
+      text += "," + (value.is_number() ? value.dump() : "");
+    }
+    text += "," + Quoted(row.Message) + "\n";
+  }
+  return text;
+}
+
+void PrintTable(const std::vector<BatchRow>& rows)
+{
+  std::vector<std::array<std::string, 6>> lines = { { "name", "status", "triangles", "->",
+    "max out-in mm", "max in-out mm" } };
+  std::transform(rows.begin(), rows.end(), std::back_inserter(lines), CellsOf);
+  std::array<std::size_t, 6> widths{};
+  for (const auto& line : lines)
+  {
+    for (std::size_t i = 0; i < line.size(); ++i)
+    {
+      widths[i] = std::max(widths[i], line[i].size());
+    }
+  }
+  for (const auto& line : lines)
+  {
+    std::string text;
+    for (std::size_t i = 0; i < line.size(); ++i)
+    {
+      text += Padded(line[i], widths[i], i > 1) + "  ";
+    }
+    std::cout << text.substr(0, text.find_last_not_of(' ') + 1) << "\n";
+  }
+  for (const BatchRow& row : rows)
+  {
+    if (!row.Message.empty())
+    {
+      std::cout << row.Name << ": " << row.Message << "\n";
+    }
+  }
+}
+}

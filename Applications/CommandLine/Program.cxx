@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Program.h"
+
+#include "Arguments.h"
+#include "Batch.h"
+#include "Interruption.h"
+#include "RunOne.h"
+#include "VtkMessages.h"
+
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <new>
+#include <system_error>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Without allocating: it also tells of a lack of memory.
+ExitCode Fail(ExitCode code, const char* message)
+{
+  std::fputs("bonedecimate: ", stderr);
+  for (const char* c = message; *c != '\0'; ++c)
+  {
+    std::fputc(*c == '\n' ? ' ' : *c, stderr);
+  }
+  std::fputc('\n', stderr);
+  return code;
+}
+
+ExitCode Run(int argc, char* argv[])
+{
+  const std::optional<Arguments> arguments = ParseArguments(argc, argv);
+  if (!arguments)
+  {
+    return ExitCode::Done;
+  }
+  CheckArguments(*arguments);
+  if (IsBatch(*arguments))
+  {
+    return RunBatch(*arguments, argv[0]);
+  }
+  RunOne(*arguments);
+  return ExitCode::Done;
+}
+}
+
+ExitCode RunProgram(int argc, char* argv[])
+{
+  CatchSignals();
+  CollectVtkMessages();
+  try
+  {
+    const ExitCode code = Run(argc, argv);
+    const bool told = static_cast<bool>(std::cout.flush());
+    return told ? code : Fail(ExitCode::CouldNotWrite, "could not write to the standard output");
+  }
+  catch (const Failure& failure)
+  {
+    std::cout.flush();
+    return Fail(failure.Code, failure.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    return Fail(ExitCode::OutOfMemory, "out of memory");
+  }
+  catch (const std::length_error&)
+  {
+    return Fail(ExitCode::OutOfMemory, "out of memory: more elements than an array can hold");
+  }
+  catch (const std::system_error& error)
+  {
+    const bool threads = error.code() == std::errc::resource_unavailable_try_again;
+    return Fail(threads ? ExitCode::OutOfMemory : ExitCode::CouldNotWrite, error.what());
+  }
+}
+}

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RunOne.h"
+
+#include "BoneVolume.h"
+#include "ExitCode.h"
+#include "FileChecks.h"
+#include "FilterOptions.h"
+#include "Interruption.h"
+#include "JsonReport.h"
+#include "OutputFiles.h"
+#include "Page.h"
+#include "Picture.h"
+#include "ProgressBar.h"
+#include "ReportFields.h"
+#include "Stopwatch.h"
+#include "Summary.h"
+#include "SurfaceFiles.h"
+#include "SurfaceFormat.h"
+#include "VtkMessages.h"
+
+#include "vtkNew.h"
+
+#include <filesystem>
+
+namespace bonedecimate
+{
+namespace
+{
+/// A bone on its way; the verbs are in the order of RunOne().
+class BoneRun
+{
+public:
+  explicit BoneRun(const Arguments& arguments)
+    : Asked(arguments)
+    , Path(arguments.Inputs[0])
+    , Subject(SubjectOf(arguments, arguments.Inputs[0], arguments.Output))
+    , Volume(IsVolume(arguments.Inputs[0]))
+  {
+    if (!this->Volume)
+    {
+      CheckFile(this->Path);
+    }
+  }
+
+  void Read()
+  {
+    const Stopwatch watch;
+    if (this->Volume)
+    {
+      const BoneSurface bone = ExtractBoneSurface(this->Path, *this->Asked.Iso);
+      if (!bone.Surface)
+      {
+        Refuse(this->Path, bone.Problem);
+      }
+      this->Input = bone.Surface;
+      if (!bone.Note.empty())
+      {
+        this->Subject.Warnings.push_back(bone.Note);
+      }
+    }
+    else
+    {
+      const LoadedSurface loaded = ReadSurface(this->Path);
+      this->Input = loaded.Surface;
+      this->Subject.Warnings = loaded.Warnings;
+    }
+    this->Subject.SecondsRead = watch.Seconds();
+  }
+
+  void Decimate()
+  {
+    ApplyOptions(this->Asked.Options, this->Filter);
+    this->Filter->SetMeasureInputDistances(this->WantsDistances());
+    vtkNew<ProgressBar> bar;
+    bar->SetShown(!this->Asked.Quiet);
+    this->Filter->AddObserver(vtkCommand::ProgressEvent, bar);
+    this->Filter->SetInputData(this->Input);
+    TakeVtkMessages();
+    this->Filter->Update();
+    bar->Clear();
+    StopIfInterrupted();
+    this->AcceptMessages(TakeVtkMessages());
+  }
+
+  void WriteSurfaces(OutputFiles& files)
+  {
+    const Stopwatch watch;
+    for (StagedFile& file : files.Surfaces)
+    {
+      WriteSurface(this->Filter->GetOutput(), file.GetTemporary(), file.GetTarget());
+      const std::string loss = LossText(this->Filter->GetOutput(), file.GetTarget());
+      if (!loss.empty())
+      {
+        this->Notes.push_back(loss);
+      }
+    }
+    if (files.Heatmap)
+    {
+      WriteSurface(
+        this->Filter->GetOutput(1), files.Heatmap->GetTemporary(), files.Heatmap->GetTarget());
+    }
+    this->Subject.OutputBytes =
+      static_cast<std::int64_t>(std::filesystem::file_size(files.Surfaces.front().GetTemporary()));
+    this->Subject.SecondsWrite = watch.Seconds();
+    this->Subject.SecondsTotal = this->Whole.Seconds();
+  }
+
+  void Draw(OutputFiles& files)
+  {
+    if (!files.Picture)
+    {
+      return;
+    }
+    PictureSubject picture;
+    picture.Before = this->Filter->GetOutput(1);
+    picture.After = this->Filter->GetOutput();
+    picture.DistanceArrayName = this->Filter->GetInputDistanceArrayName();
+    picture.Title = this->Subject.Input;
+    picture.IsInPatientCoordinates = this->Volume;
+    this->PictureProblem = WritePicture(picture, files.Picture->GetTemporary());
+    TakeVtkMessages(); // whatever VTK said about a missing display is in the problem
+    if (!this->PictureProblem.empty())
+    {
+      this->Subject.Warnings.push_back("the picture could not be drawn: " + this->PictureProblem);
+    }
+  }
+
+  void Describe(OutputFiles& files)
+  {
+    if (files.Page)
+    {
+      PageSubject page;
+      page.Name = this->Subject.Input;
+      page.Result = this->Filter->GetOutput();
+      page.Before = this->Filter->GetOutput(1);
+      page.DistanceArrayName = this->Filter->GetInputDistanceArrayName();
+      page.PictureFile =
+        this->PictureProblem.empty() ? files.Picture->GetTemporary() : std::string();
+      files.Page->WriteText(ComposePage(page));
+    }
+    if (files.Report)
+    {
+      files.Report->WriteText(ComposeJsonReport(this->Filter->GetOutput(), this->Subject));
+    }
+    files.KeepsPicture = files.KeepsPicture && this->PictureProblem.empty();
+  }
+
+  void Tell(const std::vector<std::string>& written)
+  {
+    if (!this->Asked.Quiet)
+    {
+      PrintSummary(this->Filter->GetOutput(), this->Subject, this->Notes, written);
+    }
+    if (!this->Asked.Picture.empty() && !this->PictureProblem.empty())
+    {
+      throw Failure(ExitCode::CouldNotWrite,
+        "could not draw '" + this->Asked.Picture + "': " + this->PictureProblem +
+          "; everything else is written");
+    }
+  }
+
+private:
+  bool WantsDistances() const
+  {
+    return !this->Asked.Heatmap.empty() || !this->Asked.Picture.empty() ||
+      !this->Asked.Page.empty();
+  }
+
+  void AcceptMessages(const VtkMessages& messages)
+  {
+    if (!messages.Errors.empty())
+    {
+      Refuse(this->Path, messages.Errors.front());
+    }
+    if (this->Filter->GetOutput()->GetNumberOfPolys() == 0)
+    {
+      Refuse(
+        this->Path, messages.Warnings.empty() ? "it holds no triangle" : messages.Warnings.front());
+    }
+    this->Subject.Warnings.insert(
+      this->Subject.Warnings.end(), messages.Warnings.begin(), messages.Warnings.end());
+  }
+
+  const Arguments& Asked;
+  const std::string& Path;
+  Stopwatch Whole;
+  ReportSubject Subject;
+  bool Volume;
+  vtkSmartPointer<vtkPolyData> Input;
+  vtkNew<vtkBoneDecimate> Filter;
+  std::vector<std::string> Notes;
+  std::string PictureProblem;
+};
+}
+
+void RunOne(const Arguments& arguments)
+{
+  BoneRun run(arguments);
+  OutputFiles files(arguments);
+  run.Read();
+  StopIfInterrupted();
+  run.Decimate();
+  run.WriteSurfaces(files);
+  StopIfInterrupted();
+  run.Draw(files);
+  run.Describe(files);
+  StopIfInterrupted();
+  run.Tell(files.Commit());
+}
+}

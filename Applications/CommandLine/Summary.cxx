@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Summary.h"
+
+#include "NumberText.h"
+#include "ReportFields.h"
+
+#include <iostream>
+
+namespace bonedecimate
+{
+namespace
+{
+std::string Count(const ReportFields& report, const std::string& name)
+{
+  return GroupedText(report.Number(name).value_or(0.0));
+}
+
+void PrintDistances(
+  const ReportFields& report, const std::string& direction, const std::string& words)
+{
+  const std::string path = "distance." + direction;
+  const std::optional<double> maximum = report.Number(path + ".max");
+  if (maximum)
+  {
+    std::cout << words << "max " << MillimetreText(*maximum) << ", mean "
+              << MillimetreText(report.Number(path + ".mean").value_or(0.0)) << ", RMS "
+              << MillimetreText(report.Number(path + ".rms").value_or(0.0)) << " mm\n";
+  }
+}
+}
+
+void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
+  const std::vector<std::string>& notes, const std::vector<std::string>& written)
+{
+  const ReportFields report(result);
+  const auto seconds = [&report](const char* name)
+  { return GroupedText(report.Number(name).value_or(0.0), 2); };
+  std::cout << "triangles       " << Count(report, "input.faces") << " -> "
+            << Count(report, "output.faces") << "\n"
+            << "components      " << Count(report, "output.components") << " of "
+            << Count(report, "input.components") << " kept\n";
+  PrintDistances(report, "output_to_input", "result to input ");
+  PrintDistances(report, "input_to_output", "input to result ");
+  std::cout << "stop            " << report.Text("stop_sentence") << "\n"
+            << "seconds         read " << GroupedText(subject.SecondsRead, 2) << ", decimate "
+            << seconds("seconds.decimate") << ", measure " << seconds("seconds.measure")
+            << ", write " << GroupedText(subject.SecondsWrite, 2) << "\n";
+  for (const std::string& file : written)
+  {
+    std::cout << "written         " << file << "\n";
+  }
+  for (const std::string& note : notes)
+  {
+    std::cout << "note: " << note << "\n";
+  }
+  for (const std::string& warning : subject.Warnings)
+  {
+    std::cout << "warning: " << warning << "\n";
+  }
+}
+}

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Summary.h
+ * @brief A few lines on what happened to a bone.
+ */
+#ifndef BoneDecimate_Applications_Summary_h
+#define BoneDecimate_Applications_Summary_h
+
+#include "JsonReport.h"
+
+#include "vtkPolyData.h"
+
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+/**
+ * @param result Output port 0 of vtkBoneDecimate.
+ * @param notes What a format could not hold.
+ * @param written The files, in the order in which they are named.
+ */
+void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
+  const std::vector<std::string>& notes, const std::vector<std::string>& written);
+}
+
+#endif

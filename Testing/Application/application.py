@@ -1,0 +1,169 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs the program and makes the meshes that the tests give it."""
+
+import json
+import os
+import pathlib
+import resource
+import subprocess
+import tempfile
+import unittest
+
+import vtk
+
+PROGRAM = os.environ["BONEDECIMATE_PROGRAM"]
+DONE, USAGE, REFUSED, NOT_WRITTEN, INTERRUPTED, NO_MEMORY = range(6)
+SURFACES = ("obj", "stl", "ply", "vtp", "vtk")
+TEMPORARY = ".bonedecimate-"
+
+
+class ApplicationTest(unittest.TestCase):
+    """A folder of its own for each test, and the program in it."""
+
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory(prefix="bonedecimate-test-")
+        self.addCleanup(holder.cleanup)
+        self.folder = pathlib.Path(holder.name)
+
+    def path(self, name):
+        return self.folder / name
+
+    def run_program(self, *words, **keywords):
+        """Runs in the test's folder; the answer has returncode, stdout and stderr."""
+        return subprocess.run(
+            [PROGRAM, *map(str, words)],
+            cwd=self.folder,
+            stdout=keywords.pop("stdout", subprocess.PIPE),
+            stderr=subprocess.PIPE,
+            encoding="utf-8",
+            check=False,
+            **keywords,
+        )
+
+    def succeed(self, *words, **keywords):
+        """A success says nothing on the standard error."""
+        answer = self.run_program(*words, **keywords)
+        self.assertEqual((answer.returncode, answer.stderr), (DONE, ""), answer.stdout)
+        return answer
+
+    def fail_with(self, code, *words, says="", **keywords):
+        """A failure is one line on the standard error and leaves no file behind."""
+        before = self.names()
+        answer = self.run_program(*words, **keywords)
+        self.assertEqual(answer.returncode, code, answer.stderr + answer.stdout)
+        self.assertRegex(answer.stderr, r"\Abonedecimate: [^\n]+\n\Z")
+        self.assertIn(says, answer.stderr)
+        self.assertEqual(self.names(), before)
+        return answer
+
+    def names(self):
+        return sorted(str(p.relative_to(self.folder)) for p in self.folder.rglob("*"))
+
+    def report(self, name="report.json"):
+        return json.loads(self.path(name).read_text(encoding="utf-8"))
+
+
+def torus(rings=40, sides=24, centre=0.0):
+    """A closed surface of 2 rings sides triangles, a little bumpy; coordinates in mm."""
+    source = vtk.vtkParametricTorus()
+    source.SetRingRadius(20.0)
+    source.SetCrossSectionRadius(8.0)
+    function = vtk.vtkParametricFunctionSource()
+    function.SetParametricFunction(source)
+    function.SetUResolution(rings)
+    function.SetVResolution(sides)
+    function.GenerateNormalsOff()
+    function.GenerateTextureCoordinatesOff()
+    function.SetScalarModeToNone()
+    function.Update()
+    return plain(function.GetOutput(), centre)
+
+
+def sphere(resolution=24, centre=0.0):
+    source = vtk.vtkSphereSource()
+    source.SetRadius(10.0)
+    source.SetThetaResolution(resolution)
+    source.SetPhiResolution(resolution)
+    source.GenerateNormalsOff()
+    source.Update()
+    return plain(source.GetOutput(), centre)
+
+
+def plain(surface, centre):
+    """Points and triangles alone, single precision, moved along x."""
+    points = vtk.vtkPoints()
+    for i in range(surface.GetNumberOfPoints()):
+        x, y, z = surface.GetPoint(i)
+        points.InsertNextPoint(x + centre, y, z)
+    moved = vtk.vtkPolyData()
+    moved.SetPoints(points)
+    moved.SetPolys(surface.GetPolys())
+    return moved
+
+
+def together(*surfaces):
+    append = vtk.vtkAppendPolyData()
+    for surface in surfaces:
+        append.AddInputData(surface)
+    append.Update()
+    return append.GetOutput()
+
+
+def write(surface, path, ascii_text=False):
+    """By VTK's own writers; the extension decides."""
+    writers = {
+        "obj": vtk.vtkOBJWriter,
+        "stl": vtk.vtkSTLWriter,
+        "ply": vtk.vtkPLYWriter,
+        "vtp": vtk.vtkXMLPolyDataWriter,
+        "vtk": vtk.vtkPolyDataWriter,
+    }
+    extension = path.suffix[1:].lower()
+    writer = writers[extension]()
+    writer.SetFileName(str(path))
+    writer.SetInputData(surface)
+    if extension == "vtp":
+        (writer.SetDataModeToAscii if ascii_text else writer.SetDataModeToAppended)()
+    elif extension != "obj":
+        (writer.SetFileTypeToASCII if ascii_text else writer.SetFileTypeToBinary)()
+    writer.Write()
+    return path
+
+
+def read(path):
+    """By VTK's own readers; points of STL files are merged."""
+    readers = {
+        "obj": vtk.vtkOBJReader,
+        "stl": vtk.vtkSTLReader,
+        "ply": vtk.vtkPLYReader,
+        "vtp": vtk.vtkXMLPolyDataReader,
+        "vtk": vtk.vtkPolyDataReader,
+    }
+    reader = readers[path.suffix[1:].lower()]()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def array_names(data):
+    return {data.GetArrayName(i) for i in range(data.GetNumberOfArrays())}
+
+
+def limit(what, value):
+    """For preexec_fn: a limit of the process alone."""
+    return lambda: resource.setrlimit(what, (value, value))
+
+
+def without_root_powers():
+    """For preexec_fn: root obeys the permissions of files like everybody else."""
+    if os.geteuid() == 0:
+        import ctypes
+
+        drop_from_bounding_set = 24
+        for capability in (1, 2):  # CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH
+            ctypes.CDLL(None).prctl(drop_from_bounding_set, capability, 0, 0, 0)
+
+
+def main():
+    unittest.main(verbosity=2)

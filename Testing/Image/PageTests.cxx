@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The HTML page of a run: what has to stand in it and what must not.
+#include "NumberText.h"
+#include "Page.h"
+#include "PageParts.h"
+
+#include "vtkBoneDecimate.h"
+#include "vtkNew.h"
+#include "vtkSphereSource.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace
+{
+using namespace bonedecimate;
+
+class Page : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    vtkNew<vtkSphereSource> ball;
+    ball->SetRadius(30.0);
+    ball->SetThetaResolution(60);
+    ball->SetPhiResolution(60);
+    this->Filter->SetInputConnection(ball->GetOutputPort());
+    this->Filter->SetMeasureInputDistances(true);
+  }
+
+  std::string Compose()
+  {
+    this->Filter->Update();
+    this->Subject.Result = this->Filter->GetOutput(0);
+    this->Subject.Before = this->Filter->GetOutput(1);
+    this->Subject.DistanceArrayName = this->Filter->GetInputDistanceArrayName();
+    return ComposePage(this->Subject);
+  }
+
+  vtkNew<vtkBoneDecimate> Filter;
+  PageSubject Subject{ "ball", nullptr, nullptr, "", "" };
+};
+
+bool Contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(Page, HoldsEveryCountOfBothSurfaces)
+{
+  const std::string page = this->Compose();
+  for (const std::string side : { "input.", "output." })
+  {
+    for (const char* name : { "faces", "points", "components", "boundary_edges", "non_manifold_edges", "euler_number" })
+    {
+      const std::string text = GroupedText(this->Filter->GetReportValue(side + name));
+      EXPECT_TRUE(Contains(page, "<td>" + text + "</td>")) << side << name << " " << text;
+    }
+    for (const char* name : { "area", "volume" })
+    {
+      const std::string text = GroupedText(this->Filter->GetReportValue(side + name), 1);
+      EXPECT_TRUE(Contains(page, "<td>" + text + "</td>")) << side << name << " " << text;
+    }
+  }
+}
+
+TEST_F(Page, HoldsTheDistancesOfBothDirections)
+{
+  const std::string page = this->Compose();
+  for (const std::string side : { "distance.output_to_input.", "distance.input_to_output." })
+  {
+    for (const char* name : { "max", "mean", "rms" })
+    {
+      const double value = this->Filter->GetReportValue(side + name);
+      EXPECT_GT(value, 0.0);
+      EXPECT_TRUE(Contains(page, "<td>" + Escape(MillimetreText(value)) + "</td>")) << side << name;
+    }
+    EXPECT_TRUE(Contains(page, GroupedText(this->Filter->GetReportValue(side + "samples")) + " samples"));
+    EXPECT_TRUE(Contains(page, ShortText(this->Filter->GetReportValue(side + "samples_per_mm2")) + " per mm"));
+  }
+}
+
+TEST_F(Page, TellsHowTheResultCameAbout)
+{
+  this->Filter->SetTargetNumberOfTriangles(1234);
+  const std::string page = this->Compose();
+  for (const char* name : { "version", "stop_sentence", "input.checksum", "options.Mode" })
+  {
+    EXPECT_FALSE(this->Filter->GetReportText(name).empty()) << name;
+    EXPECT_TRUE(Contains(page, Escape(this->Filter->GetReportText(name)))) << name;
+  }
+  EXPECT_TRUE(Contains(page, "TargetNumberOfTriangles: 1234"));
+  EXPECT_TRUE(Contains(page, "turn over: " + GroupedText(this->Filter->GetReportValue("refusals.flip"))));
+  EXPECT_TRUE(Contains(page, GroupedText(this->Filter->GetReportValue("seconds.decimate"), 2) + " s to simplify"));
+}
+
+TEST_F(Page, SumsUpInPlainWords)
+{
+  const std::string page = this->Compose();
+  const std::string after = GroupedText(this->Filter->GetReportValue("output.faces"));
+  const std::string before = GroupedText(this->Filter->GetReportValue("input.faces"));
+  EXPECT_TRUE(Contains(page, "The simplified surface has " + after + " triangles instead of " + before + "."));
+  EXPECT_TRUE(Contains(page, "1 of 1 components kept."));
+}
+
+TEST_F(Page, SaysItIsNotAMedicalDevice)
+{
+  EXPECT_TRUE(Contains(this->Compose(), "This software is not a medical device."));
+}
+
+TEST_F(Page, NeedsNothingFromOutside)
+{
+  const std::string page = this->Compose();
+  for (const char* word : { "http", "<script", "<link", "@import", "url(" })
+  {
+    EXPECT_FALSE(Contains(page, word)) << word;
+  }
+}
+
+TEST_F(Page, EscapesNames)
+{
+  this->Subject.Name = "<b>\"O'Hara\" & sons";
+  const std::string page = this->Compose();
+  EXPECT_FALSE(Contains(page, "<b>"));
+  EXPECT_TRUE(Contains(page, "&lt;b&gt;&quot;O&#39;Hara&quot; &amp; sons"));
+}
+
+TEST_F(Page, DrawsTheShareOfPointsWithinADistance)
+{
+  EXPECT_TRUE(Contains(this->Compose(), "<svg"));
+  this->Subject.Before = nullptr;
+  EXPECT_FALSE(Contains(ComposePage(this->Subject), "<svg"));
+}
+
+TEST_F(Page, SaysSoWhereDistancesWereNotMeasured)
+{
+  this->Filter->SetMeasureDistances(false);
+  this->Filter->SetMeasureInputDistances(false);
+  const std::string page = this->Compose();
+  EXPECT_TRUE(Contains(page, "The distances were not measured in this run."));
+  EXPECT_FALSE(Contains(page, "RMS"));
+  EXPECT_FALSE(Contains(page, "nan"));
+}
+
+TEST_F(Page, ComesWithoutAnyReport)
+{
+  vtkNew<vtkPolyData> bare;
+  this->Subject.Result = bare;
+  EXPECT_TRUE(Contains(ComposePage(this->Subject), "not known"));
+  this->Subject.Result = nullptr;
+  EXPECT_TRUE(Contains(ComposePage(this->Subject), "not known"));
+}
+
+TEST_F(Page, HoldsThePictureItself)
+{
+  const std::string file = std::string(TEMPORARY_FOLDER) + "/page-picture.png";
+  std::ofstream(file, std::ios::binary) << "Many hands";
+  this->Subject.PictureFile = file;
+  EXPECT_TRUE(Contains(this->Compose(), "src=\"data:image/png;base64,TWFueSBoYW5kcw==\""));
+  std::filesystem::remove(file);
+  const std::string page = this->Compose();
+  EXPECT_FALSE(Contains(page, "<img"));
+  EXPECT_TRUE(Contains(page, "There is no picture"));
+}
+
+TEST(NumberText, SetsThousandsApart)
+{
+  EXPECT_EQ(GroupedText(0), "0");
+  EXPECT_EQ(GroupedText(999), "999");
+  EXPECT_EQ(GroupedText(1000), "1,000");
+  EXPECT_EQ(GroupedText(-1234567), "-1,234,567");
+  EXPECT_EQ(GroupedText(666264.25, 1), "666,264.2");
+}
+
+TEST(NumberText, NeverTurnsADistanceIntoNone)
+{
+  EXPECT_EQ(MillimetreText(0.0), "0.000");
+  EXPECT_EQ(MillimetreText(1e-9), "< 0.001");
+  EXPECT_EQ(MillimetreText(0.0005), "0.001");
+  EXPECT_EQ(MillimetreText(1.2345), "1.234");
+}
+
+TEST(NumberText, RoundsUpToReadableNumbers)
+{
+  EXPECT_DOUBLE_EQ(RoundUpReadable(0.3), 0.3);
+  EXPECT_DOUBLE_EQ(RoundUpReadable(0.301), 0.4);
+  EXPECT_DOUBLE_EQ(RoundUpReadable(0.00081), 0.001);
+  EXPECT_DOUBLE_EQ(RoundUpReadable(1.0), 1.0);
+  EXPECT_DOUBLE_EQ(RoundUpReadable(85.0), 100.0);
+}
+}

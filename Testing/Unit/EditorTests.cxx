@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BruteForce.h"
+#include "Collapse/ThesisLoop.h"
+#include "Mesh/Invariants.h"
+#include "Runs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace bonedecimate;
+using namespace bonedecimate::testsupport;
+
+namespace
+{
+constexpr double Tolerance = 0.95;
+
+Surface SurfaceOf(const HalfEdgeMesh& mesh)
+{
+  Surface surface;
+  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    surface.Points.push_back(mesh.Position(v));
+  }
+  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    if (mesh.IsAlive(face))
+    {
+      surface.Triangles.push_back(mesh.Corners(face));
+    }
+  }
+  return surface;
+}
+
+/// Runs the loop as far as it goes and calls check(editor, edit) after every collapse.
+StopReason RunToTheEnd(const Surface& surface, const Editor::Hook& check)
+{
+  Editor editor(Clean(surface, true));
+  editor.SetHook(check);
+  ThesisLoop loop(editor, Tolerance, { 0, 0.0 });
+  return loop.Run([](double) { return true; });
+}
+
+/// Holds one collapse against the mesh as it was before it.
+class EditCheck
+{
+public:
+  explicit EditCheck(const Surface& surface)
+    : Before(Clean(surface, true).Surface)
+  {
+  }
+
+  void operator()(const Editor& editor, const Edit& edit)
+  {
+    const Index gone = this->Before.Across(edit.Edge, edit.Keep);
+    this->CheckPlace(edit, gone);
+    this->CheckFaces(editor.Mesh(), edit.Keep, gone);
+    this->Before = editor.Mesh();
+  }
+
+private:
+  void CheckPlace(const Edit& edit, Index gone) const
+  {
+    const VertexKind keepKind = this->Before.Kind(edit.Keep);
+    const VertexKind goneKind = this->Before.Kind(gone);
+    EXPECT_NE(keepKind, VertexKind::Locked);
+    EXPECT_NE(goneKind, VertexKind::Locked);
+    const Vector3& a = this->Before.Position(edit.Keep);
+    const Vector3& b = this->Before.Position(gone);
+    EXPECT_TRUE(!edit.KeepStays || edit.Position == a);
+    if (keepKind == VertexKind::Border && goneKind == VertexKind::Border)
+    {
+      EXPECT_EQ(this->Before.Twin(edit.Edge), None) << "an inside edge between border vertices";
+      EXPECT_LT(PointTriangleDistance(edit.Position, a, b, a), 1e-12) << "off the border edge";
+    }
+    else if (keepKind == VertexKind::Border || goneKind == VertexKind::Border)
+    {
+      EXPECT_EQ(edit.Position, keepKind == VertexKind::Border ? a : b) << "the border vertex moved";
+    }
+  }
+
+  /// Faces away from the edge are as before; those around it have not turned over.
+  void CheckFaces(const HalfEdgeMesh& after, Index keep, Index gone) const
+  {
+    for (Index face = 0; face < after.NumberOfFaceSlots(); ++face)
+    {
+      if (!after.IsAlive(face))
+      {
+        continue;
+      }
+      const Triangle old = this->Before.Corners(face);
+      Vector3 normals[2] = { Normal(this->Before, face), Normal(after, face) };
+      bool touched = false;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        touched = touched || old[i] == keep || old[i] == gone;
+        EXPECT_EQ(after.Corners(face)[i], old[i] == gone ? keep : old[i]);
+      }
+      EXPECT_TRUE(touched ? normals[0].dot(normals[1]) > 0.0 || normals[0].isZero(0.0) : normals[0] == normals[1])
+        << "face " << face << " turned over";
+      EXPECT_GT(normals[1].norm(), touched ? 0.0 : -1.0) << "face " << face << " lost its area";
+    }
+  }
+
+  static Vector3 Normal(const HalfEdgeMesh& mesh, Index face)
+  {
+    const Triangle c = mesh.Corners(face);
+    return AreaVector(mesh.Position(c[0]), mesh.Position(c[1]), mesh.Position(c[2]));
+  }
+
+  HalfEdgeMesh Before;
+};
+}
+
+class EveryCollapse : public EachShape
+{
+};
+
+TEST_P(EveryCollapse, LeavesTheMeshAsItPromises)
+{
+  std::int64_t collapses = 0;
+  RunToTheEnd(GetParam().Surface, [&](const Editor& editor, const Edit&) {
+    ASSERT_EQ(BrokenInvariant(editor.Mesh()), "") << "collapse " << collapses;
+    ++collapses;
+    ASSERT_EQ(editor.NumberOfEdits(), collapses);
+  });
+}
+
+TEST_P(EveryCollapse, LeavesTheTopologyAsItWas)
+{
+  const Surface before = Clean(GetParam().Surface, true).Surface;
+  const Topology expected = CountTopology(before);
+  const std::size_t loops = BoundaryLoopLengths(before).size();
+  const std::int64_t repeated = RepeatedTriangles(before);
+  std::int64_t collapses = 0;
+  RunToTheEnd(GetParam().Surface, [&](const Editor& editor, const Edit&) {
+    const Surface now = SurfaceOf(editor.Mesh());
+    const Topology found = CountTopology(now);
+    ++collapses;
+    ASSERT_EQ(found.EulerNumber, expected.EulerNumber) << "collapse " << collapses;
+    ASSERT_EQ(found.Components, expected.Components) << "collapse " << collapses;
+    ASSERT_EQ(found.NonManifoldEdges, expected.NonManifoldEdges) << "collapse " << collapses;
+    ASSERT_EQ(found.NonManifoldPoints, expected.NonManifoldPoints) << "collapse " << collapses;
+    ASSERT_EQ(found.InconsistentEdges, expected.InconsistentEdges) << "collapse " << collapses;
+    ASSERT_EQ(BoundaryLoopLengths(now).size(), loops) << "collapse " << collapses;
+    ASSERT_EQ(RepeatedTriangles(now), repeated) << "collapse " << collapses;
+  });
+}
+
+TEST_P(EveryCollapse, KeepsTheRulesOfBordersAndTurnsNoFaceOver)
+{
+  RunToTheEnd(GetParam().Surface, EditCheck(GetParam().Surface));
+}
+
+TEST_P(EveryCollapse, KeepsTheBooksOfAreasAndPoints)
+{
+  const Surface before = Clean(GetParam().Surface, true).Surface;
+  Index collapses = 0;
+  RunToTheEnd(GetParam().Surface, [&](const Editor& editor, const Edit& edit) {
+    const HalfEdgeMesh& mesh = editor.Mesh();
+    FaceAreas areas(mesh.NumberOfFaces() > 0 ? editor.Areas() : FaceAreas(mesh));
+    for (const Index h : mesh.OutgoingOf(edit.Keep))
+    {
+      const Index face = HalfEdgeMesh::Face(h);
+      areas.Update(mesh, face);
+      EXPECT_EQ(areas[face].Area, editor.Areas()[face].Area);
+      EXPECT_EQ(areas[face].Normal, editor.Areas()[face].Normal);
+    }
+    if (++collapses % 16 == 0)
+    {
+      const double distance = BruteNearest(before, edit.Position).Distance;
+      EXPECT_GE(editor.Reference().Of(edit.Keep).RunningError, distance - 1e-12);
+      EXPECT_GE(editor.Reference().LargestError(), distance - 1e-12);
+    }
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, EveryCollapse, testing::ValuesIn(AllShapes()), NameOf);
+
+TEST(Editor, ARefusedEditChangesNothingAndIsCounted)
+{
+  const CleanSurface clean = Clean(Grid(4), true);
+  Editor editor(clean);
+  std::int64_t calls = 0;
+  editor.SetHook([&](const Editor&, const Edit&) { ++calls; });
+  for (Index h = 0; h < 3 * editor.Mesh().NumberOfFaceSlots(); ++h)
+  {
+    EXPECT_NE(editor.Apply({ h, editor.Mesh().Origin(h), { 99, 99, 99 }, false }), Verdict::Allowed);
+  }
+  EXPECT_EQ(calls, 0);
+  EXPECT_EQ(editor.NumberOfEdits(), 0);
+  EXPECT_TRUE(SameBytes(SurfaceOf(editor.Mesh()), clean.Surface));
+  std::int64_t refusals = 0;
+  for (const std::int64_t count : editor.Refusals())
+  {
+    refusals += count;
+  }
+  EXPECT_EQ(refusals, 3 * editor.Mesh().NumberOfFaceSlots());
+  EXPECT_EQ(editor.Refusals()[static_cast<std::size_t>(Verdict::Allowed)], 0);
+}
+
+TEST(Editor, AnEditMayBeAppliedWithoutBeingExaminedFirst)
+{
+  Editor editor(Clean(Grid(4), true));
+  const HalfEdgeMesh& mesh = editor.Mesh();
+  for (Index h = 0; h < 3 * mesh.NumberOfFaceSlots(); ++h)
+  {
+    if (mesh.Kind(mesh.Origin(h)) == VertexKind::Inside && mesh.Kind(mesh.Target(h)) == VertexKind::Inside)
+    {
+      const Vector3 middle = 0.5 * (mesh.Position(mesh.Origin(h)) + mesh.Position(mesh.Target(h)));
+      EXPECT_EQ(editor.Apply({ h, mesh.Target(h), middle, false }), Verdict::Allowed);
+      break;
+    }
+  }
+  EXPECT_EQ(editor.NumberOfEdits(), 1);
+  EXPECT_EQ(mesh.NumberOfFaces(), 30);
+  EXPECT_EQ(BrokenInvariant(mesh), "");
+}
+
+TEST(ThesisLoop, TakesTheVertexOfLowestCostAndThenItsLowestEdge)
+{
+  // Checked against costs computed anew for the whole mesh before each of the first collapses, as long as the
+  // lowest edge of the lowest vertex is not refused.
+  const Surface surface = BumpySphere(2, 5.0, 0.05, 21);
+  HalfEdgeMesh before(Clean(surface, true).Surface);
+  const double mean = MeanEdgeLength(before);
+  std::int64_t lowest = 0;
+  std::int64_t collapses = 0;
+  RunToTheEnd(surface, [&](const Editor& editor, const Edit& edit) {
+    if (++collapses <= 60)
+    {
+      const FaceAreas areas(before);
+      const NormalFieldDeviation costs(before, areas, Tolerance, mean);
+      Index best = None;
+      for (Index v = 0; v < before.NumberOfVertexSlots(); ++v)
+      {
+        const bool isThere = before.Outgoing(v) != None;
+        best = isThere && (best == None || costs.VertexCost(v) < costs.VertexCost(best)) ? v : best;
+      }
+      Index edge = None;
+      before.VisitEdges(best, [&](Index h) {
+        edge = edge == None || costs.EdgeCost(h) < costs.EdgeCost(edge) ? h : edge;
+      });
+      lowest += edge == edit.Edge || edge == before.Twin(edit.Edge) ? 1 : 0;
+    }
+    before = editor.Mesh();
+  });
+  EXPECT_GT(lowest, 50) << "of 60";
+}
+
+TEST(ThesisLoop, AVertexWhoseEdgesAreAllRefusedIsTriedAgainWhenItsRingChanged)
+{
+  // Whatever is left when nothing more is allowed is refused when asked again.
+  for (const NamedSurface& shape : AllShapes())
+  {
+    Editor editor(Clean(shape.Surface, true));
+    ThesisLoop loop(editor, Tolerance, { 0, 0.0 });
+    EXPECT_EQ(loop.Run([](double) { return true; }), StopReason::NothingLeft) << shape.Name;
+    const Index faces = editor.Mesh().NumberOfFaces();
+    ThesisLoop again(editor, Tolerance, { 0, 0.0 });
+    again.Run([](double) { return true; });
+    EXPECT_GT(editor.Mesh().NumberOfFaces(), 0) << shape.Name;
+    EXPECT_GE(10 * editor.Mesh().NumberOfFaces(), 9 * faces) << shape.Name;
+  }
+}

@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BruteForce.h"
+#include "Collapse/Editor.h"
+#include "Collapse/Gate.h"
+#include "Placement/PlaneQuadric.h"
+#include "Random.h"
+#include "Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace bonedecimate;
+using namespace bonedecimate::testsupport;
+
+namespace
+{
+/// A mesh with all that placement asks for.
+struct Bench
+{
+  explicit Bench(const Surface& surface)
+    : Mesh(surface)
+    , Areas(Mesh)
+    , Gatherer(Mesh)
+  {
+  }
+
+  Index EdgeBetween(const Vector3& from, const Vector3& to) const
+  {
+    for (Index h = 0; h < 3 * this->Mesh.NumberOfFaceSlots(); ++h)
+    {
+      if ((this->Mesh.Position(this->Mesh.Origin(h)) - from).norm() < 1e-12 &&
+        (this->Mesh.Position(this->Mesh.Target(h)) - to).norm() < 1e-12)
+      {
+        return h;
+      }
+    }
+    return None;
+  }
+
+  Neighbourhood Around(Index edge)
+  {
+    Neighbourhood around;
+    this->Gatherer.Gather(this->Mesh, edge, around);
+    return around;
+  }
+
+  Proposals Propose(Index edge) { return ProposePlaces(this->Mesh, this->Areas, this->Around(edge)); }
+
+  Proposals Propose(const Vector3& from, const Vector3& to)
+  {
+    return this->Propose(this->EdgeBetween(from, to));
+  }
+
+  /// What the first proposal minimises: squared distances to the planes of both rings, and the ridge.
+  double SumOfSquares(const Neighbourhood& around, const Vector3& place, const Vector3& middle) const
+  {
+    double sum = 0.0;
+    double planes = 0.0;
+    const auto add = [&](Index face, Index vertex) {
+      sum += std::pow(this->Areas[face].Normal.dot(place - this->Mesh.Position(vertex)), 2);
+      planes += 1.0; // the trace of each plane's matrix
+    };
+    for (const Index corner : around.Corners)
+    {
+      add(HalfEdgeMesh::Face(corner), this->Mesh.Origin(corner));
+    }
+    add(around.GoneFaces[0], around.Start);
+    add(around.GoneFaces[1], around.Start);
+    return sum + 1e-3 * planes / 3.0 * (place - middle).squaredNorm();
+  }
+
+  HalfEdgeMesh Mesh;
+  FaceAreas Areas;
+  NeighbourhoodGatherer Gatherer;
+};
+
+/// A cube of 4 mm with edges of 1 mm.
+Surface Box()
+{
+  return Scaled(Cube(4), 4.0);
+}
+
+/// The ridge pulls the minimum by up to this, at edges of 1 mm, from where exact planes would put it.
+constexpr double RidgeTolerance = 0.01; // mm
+}
+
+TEST(PlaneQuadric, InAPlaneTheVertexStaysInThePlane)
+{
+  Bench bench(Grid(5));
+  const Proposals proposals = bench.Propose(Vector3(2, 2, 0), Vector3(3, 2, 0));
+  ASSERT_GT(proposals.Count, 0U);
+  for (std::size_t i = 0; i < proposals.Count; ++i)
+  {
+    EXPECT_EQ(proposals.Edits[i].Position.z(), 0.0);
+  }
+  EXPECT_LT((proposals.Edits[0].Position - Vector3(2.5, 2, 0)).norm(), 1e-12) << "planes leave it free: the middle";
+}
+
+TEST(PlaneQuadric, AtASharpEdgeTheVertexStaysOnTheEdge)
+{
+  Bench bench(Box());
+  const Vector3 place = bench.Propose(Vector3(2, 0, 0), Vector3(3, 0, 0)).Edits[0].Position;
+  EXPECT_NEAR(place.y(), 0.0, 1e-12);
+  EXPECT_NEAR(place.z(), 0.0, 1e-12);
+}
+
+TEST(PlaneQuadric, FromASideToASharpEdgeTheVertexGoesToTheEdge)
+{
+  Bench bench(Box());
+  const Vector3 place = bench.Propose(Vector3(2, 1, 0), Vector3(2, 0, 0)).Edits[0].Position;
+  EXPECT_NEAR(place.y(), 0.0, RidgeTolerance);
+  EXPECT_NEAR(place.z(), 0.0, RidgeTolerance);
+}
+
+TEST(PlaneQuadric, AtACornerTheVertexGoesToTheCorner)
+{
+  Bench bench(Box());
+  for (const Vector3& next : { Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1) })
+  {
+    EXPECT_LT(bench.Propose(next, Vector3(0, 0, 0)).Edits[0].Position.norm(), RidgeTolerance);
+    EXPECT_LT(bench.Propose(Vector3(0, 0, 0), next).Edits[0].Position.norm(), RidgeTolerance);
+  }
+}
+
+TEST(PlaneQuadric, TheFirstProposalIsTheMinimumOfTheQuadricWithItsRidge)
+{
+  Bench bench(BumpySphere(2, 5.0, 0.05, 3));
+  for (Index h = 0; h < 3 * bench.Mesh.NumberOfFaceSlots(); ++h)
+  {
+    const Neighbourhood around = bench.Around(h);
+    const Proposals proposals = ProposePlaces(bench.Mesh, bench.Areas, around);
+    const Vector3 middle =
+      0.5 * (bench.Mesh.Position(around.Start) + bench.Mesh.Position(around.End));
+    const double best = bench.SumOfSquares(around, proposals.Edits[0].Position, middle);
+    Random random(static_cast<std::uint64_t>(h));
+    for (int i = 0; i < 50; ++i)
+    {
+      const Vector3 other = proposals.Edits[0].Position + random.InCube(0.1);
+      EXPECT_LE(best, bench.SumOfSquares(around, other, middle)) << "edge " << h;
+    }
+    for (std::size_t i = 0; i < proposals.Count; ++i)
+    {
+      EXPECT_LE(best, bench.SumOfSquares(around, proposals.Edits[i].Position, middle)) << "edge " << h;
+    }
+  }
+}
+
+TEST(PlaneQuadric, FromInsideToBorderOnlyTheBorderVertexIsProposed)
+{
+  Bench bench(HeightField(4, 0.3, 1));
+  for (Index h = 0; h < 3 * bench.Mesh.NumberOfFaceSlots(); ++h)
+  {
+    const Index from = bench.Mesh.Origin(h);
+    const Index to = bench.Mesh.Target(h);
+    if (bench.Mesh.Kind(from) == bench.Mesh.Kind(to))
+    {
+      continue;
+    }
+    const Index border = bench.Mesh.Kind(from) == VertexKind::Border ? from : to;
+    const Proposals proposals = bench.Propose(h);
+    ASSERT_EQ(proposals.Count, 1U);
+    EXPECT_EQ(proposals.Edits[0].Keep, border);
+    EXPECT_EQ(proposals.Edits[0].Position, bench.Mesh.Position(border));
+    EXPECT_TRUE(proposals.Edits[0].KeepStays);
+  }
+}
+
+TEST(PlaneQuadric, ABorderEdgeProposesOnlyPlacesOnItself)
+{
+  Bench bench(HeightField(6, 0.5, 2));
+  for (Index h = 0; h < 3 * bench.Mesh.NumberOfFaceSlots(); ++h)
+  {
+    if (bench.Mesh.Twin(h) != None)
+    {
+      continue;
+    }
+    const Vector3& a = bench.Mesh.Position(bench.Mesh.Origin(h));
+    const Vector3& b = bench.Mesh.Position(bench.Mesh.Target(h));
+    const Proposals proposals = bench.Propose(h);
+    ASSERT_GT(proposals.Count, 0U);
+    for (std::size_t i = 0; i < proposals.Count; ++i)
+    {
+      EXPECT_LT(PointTriangleDistance(proposals.Edits[i].Position, a, b, a), 1e-14);
+    }
+  }
+}
+
+TEST(PlaneQuadric, AtACornerOfAFlatBorderTheCornerIsKept)
+{
+  Bench bench(Grid(4));
+  EXPECT_EQ(bench.Propose(Vector3(0, 0, 0), Vector3(1, 0, 0)).Edits[0].Position, Vector3(0, 0, 0));
+  EXPECT_EQ(bench.Propose(Vector3(4, 4, 0), Vector3(3, 4, 0)).Edits[0].Position, Vector3(4, 4, 0));
+}
+
+TEST(Gate, APlaceThatTurnsATriangleOverIsRefused)
+{
+  Bench bench(Grid(5));
+  const Neighbourhood around = bench.Around(bench.EdgeBetween({ 2, 2, 0 }, { 3, 2, 0 }));
+  const auto judge = [&](const Vector3& place) {
+    return JudgePlace(bench.Mesh, bench.Areas, around, { around.Edge, around.Start, place, false });
+  };
+  EXPECT_EQ(judge({ 2.5, 2, 0 }), Verdict::Allowed);
+  EXPECT_EQ(judge({ 9, 2, 0 }), Verdict::Flip);
+  EXPECT_EQ(judge({ 2.5, 2, 30 }), Verdict::Flip) << "all triangles upright";
+}
+
+TEST(Gate, APlaceThatLeavesNoAreaIsRefused)
+{
+  Bench bench(Grid(5));
+  const Neighbourhood around = bench.Around(bench.EdgeBetween({ 2, 2, 0 }, { 3, 2, 0 }));
+  // On the line of an edge of the ring.
+  const Edit edit = { around.Edge, around.Start, { 2.5, 3, 0 }, false };
+  EXPECT_NE(JudgePlace(bench.Mesh, bench.Areas, around, edit), Verdict::Allowed);
+}
+
+TEST(Gate, VolumeChangeIsTheDifferenceOfTheVolumes)
+{
+  const Surface surface = BumpySphere(2, 5.0, 0.1, 9);
+  Random random(10);
+  for (int i = 0; i < 200; ++i)
+  {
+    Bench bench(surface);
+    const Index h = random.Below(3 * bench.Mesh.NumberOfFaceSlots());
+    const Neighbourhood around = bench.Around(h);
+    const Vector3 place = bench.Mesh.Position(around.Start) + random.InCube(1);
+    Surface after = surface;
+    for (Triangle& t : after.Triangles)
+    {
+      for (Index& corner : t)
+      {
+        corner = corner == around.End ? around.Start : corner;
+      }
+    }
+    after.Points[around.Start] = place; // triangles with a repeated corner have no volume
+    const double change = VolumeChange(bench.Mesh, around, { h, around.Start, place, false });
+    EXPECT_NEAR(change, SignedVolume(after) - SignedVolume(surface), 1e-10);
+  }
+}

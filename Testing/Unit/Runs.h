@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Runs.h
+ * @brief Options as the tests need them again and again, and tests that run once for each shape.
+ */
+#ifndef BoneDecimate_Testing_Runs_h
+#define BoneDecimate_Testing_Runs_h
+
+#include "Decimate.h"
+#include "Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+namespace bonedecimate::testsupport
+{
+/// Without measuring, which takes longer than anything else on small shapes.
+inline Options Unmeasured()
+{
+  Options options;
+  options.MeasureDistances = false;
+  options.NumberOfThreads = 1;
+  return options;
+}
+
+inline Options Reduction(double fraction)
+{
+  Options options = Unmeasured();
+  options.TargetReduction = fraction;
+  options.TargetReductionIsExplicit = true;
+  return options;
+}
+
+inline Options Triangles(int number)
+{
+  Options options = Unmeasured();
+  options.TargetNumberOfTriangles = number;
+  return options;
+}
+
+inline Options Error(double millimetres)
+{
+  Options options = Unmeasured();
+  options.MaximumError = millimetres;
+  return options;
+}
+
+/// Printed by GoogleTest as the value of the parameter.
+inline void PrintTo(const NamedSurface& shape, std::ostream* stream)
+{
+  *stream << shape.Name;
+}
+
+inline std::string NameOf(const testing::TestParamInfo<NamedSurface>& info)
+{
+  return info.param.Name;
+}
+
+class EachShape : public testing::TestWithParam<NamedSurface>
+{
+};
+}
+
+#endif
