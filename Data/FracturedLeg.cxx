@@ -4,7 +4,7 @@
 
 #include "Tibia.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace phantom
 {
@@ -93,8 +93,8 @@ void TakeButterfly(Sample& nearest, const Point& p)
 void TakeChips(Sample& nearest, const Point& p)
 {
   const double edges = 0.9 * Noise(p, 2.6, 31);
-  const double chip = std::fmin(Ellipsoid(p, { 12.5, -18.5, -72.0 }, { 3.0, 2.2, 5.5 }),
-    std::fmin(Ellipsoid(p, { 22.5, -5.0, -86.0 }, { 2.2, 3.0, 3.4 }),
+  const double chip = std::min(Ellipsoid(p, { 12.5, -18.5, -72.0 }, { 3.0, 2.2, 5.5 }),
+    std::min(Ellipsoid(p, { 22.5, -5.0, -86.0 }, { 2.2, 3.0, 3.4 }),
       Ellipsoid(p, { -8.0, 21.5, -88.0 }, { 2.6, 2.0, 4.0 })));
   Take(nearest, chip + edges, 1000.0);
 }

@@ -3,6 +3,7 @@
 #include "BoneView.h"
 
 #include "DistanceColours.h"
+#include "SurfaceDistances.h"
 
 #include "vtkLightKit.h"
 #include "vtkNew.h"
@@ -10,7 +11,6 @@
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkTriangleFilter.h"
 
 namespace bonedecimate
 {
@@ -24,12 +24,8 @@ double Area::Aspect(vtkRenderWindow* window) const
 
 vtkSmartPointer<vtkPolyData> TrianglesWithNormals(vtkPolyData* surface)
 {
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(surface);
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
   vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputConnection(triangles->GetOutputPort());
+  normals->SetInputData(TrianglesOnly(surface));
   normals->SplittingOff();
   normals->ConsistencyOff();
   normals->Update();

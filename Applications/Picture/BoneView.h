@@ -29,7 +29,7 @@ struct Area
   double Aspect(vtkRenderWindow* window) const;
 };
 
-/// A triangle surface with point normals, whatever polygons or strips the surface had.
+/// TrianglesOnly() and point normals.
 vtkSmartPointer<vtkPolyData> TrianglesWithNormals(vtkPolyData* surface);
 
 /// Shaded smoothly, in the colour of bone.

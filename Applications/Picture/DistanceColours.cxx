@@ -3,11 +3,12 @@
 #include "DistanceColours.h"
 
 #include "NumberText.h"
+#include "SurfaceDistances.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
+#include <initializer_list>
 
 namespace bonedecimate
 {
@@ -31,40 +32,16 @@ constexpr std::array<Colour, 9> Magma = { {
   { 0.310382, 0.069702, 0.483186 },
 } };
 
+// Their quarters, which the bar is labelled with, have few digits.
+constexpr std::initializer_list<double> Ends = { 1.0, 1.2, 1.6, 2.0, 2.4, 3.0, 4.0, 5.0, 6.0, 8.0 };
+
 // A surface without any distance still needs a bar with two ends.
 constexpr double LeastRange = 0.001; // mm
 }
 
-std::vector<double> SortedDistances(vtkDataArray* distances)
-{
-  std::vector<double> sorted;
-  const vtkIdType count = distances ? distances->GetNumberOfTuples() : 0;
-  sorted.reserve(static_cast<std::size_t>(count));
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const double distance = distances->GetComponent(i, 0);
-    if (std::isfinite(distance))
-    {
-      sorted.push_back(distance);
-    }
-  }
-  std::sort(sorted.begin(), sorted.end());
-  return sorted;
-}
-
-double Quantile(const std::vector<double>& sorted, double fraction)
-{
-  if (sorted.empty())
-  {
-    return 0.0;
-  }
-  const double rank = std::ceil(fraction * static_cast<double>(sorted.size()));
-  return sorted[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
-}
-
 double ColourRange(const std::vector<double>& sorted)
 {
-  return RoundUpReadable(std::max(Quantile(sorted, 0.999), LeastRange));
+  return RoundUp(std::max(Quantile(sorted, 0.999), LeastRange), Ends);
 }
 
 vtkSmartPointer<vtkColorTransferFunction> DistanceColours(double range)

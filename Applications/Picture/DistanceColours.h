@@ -8,20 +8,13 @@
 #define BoneDecimate_Applications_DistanceColours_h
 
 #include "vtkColorTransferFunction.h"
-#include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
 
 #include <vector>
 
 namespace bonedecimate
 {
-/// The values of an array in ascending order, those that are not finite left out.
-std::vector<double> SortedDistances(vtkDataArray* distances);
-
-/// The least value that is not below that fraction of them; 0 if there are none.
-double Quantile(const std::vector<double>& sorted, double fraction);
-
-/// Where the colours end, mm: a readable number not below 99.9 % of the distances.
+/// Where the colours end, mm: a readable number not below 99.9 % of the distances (ascending).
 double ColourRange(const std::vector<double>& sorted);
 
 /// From 0 to range (mm).

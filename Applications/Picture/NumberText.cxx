@@ -49,10 +49,10 @@ std::string ShortText(double value)
   return Formatted("%.*g", 4, value);
 }
 
-double RoundUpReadable(double value)
+double RoundUp(double value, std::initializer_list<double> steps)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double step : { 1.0, 2.0, 3.0, 4.0, 6.0, 8.0 })
+  for (const double step : steps)
   {
     // The slack keeps 0.3 at 0.3 although it is not a multiple of 0.1 in binary.
     if (value <= step * unit * (1.0 + 1e-9))

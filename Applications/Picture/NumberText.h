@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Applications_NumberText_h
 #define BoneDecimate_Applications_NumberText_h
 
+#include <initializer_list>
 #include <string>
 
 namespace bonedecimate
@@ -20,8 +21,8 @@ std::string MillimetreText(double millimetres);
 /// Few digits, for ticks and labels: "0.25", "10".
 std::string ShortText(double value);
 
-/// The least of 1, 2, 3, 4, 6, 8 or 10 times a power of ten that is not below a positive value.
-double RoundUpReadable(double value);
+/// The least step times a power of ten that is not below a positive value. @param steps Ascending, 1 to 10.
+double RoundUp(double value, std::initializer_list<double> steps);
 }
 
 #endif

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Page.h"
 
-#include "DistanceColours.h"
 #include "NumberText.h"
 #include "PageParts.h"
 #include "ReportFields.h"
-
-#include "vtkPointData.h"
+#include "SurfaceDistances.h"
 
 #include <algorithm>
 #include <array>
@@ -129,9 +127,9 @@ std::string MeasuringNote(const ReportFields& report)
 
 std::string Curve(const PageSubject& subject)
 {
-  vtkDataArray* array =
-    subject.Before ? subject.Before->GetPointData()->GetArray(subject.DistanceArrayName.c_str()) : nullptr;
-  const std::vector<double> sorted = SortedDistances(array);
+  const std::vector<double> sorted = subject.Before
+    ? SortedDistances(TrianglesOnly(subject.Before), subject.DistanceArrayName)
+    : std::vector<double>();
   if (sorted.empty())
   {
     return {};

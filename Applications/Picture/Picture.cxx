@@ -7,6 +7,7 @@
 #include "NumberText.h"
 #include "Overlay.h"
 #include "ReportFields.h"
+#include "SurfaceDistances.h"
 #include "Viewpoint.h"
 
 #include "vtkMath.h"
@@ -62,7 +63,7 @@ Distances FindDistances(vtkPolyData* before, const PictureSubject& subject)
 {
   Distances distances;
   distances.Array = before->GetPointData()->GetArray(subject.DistanceArrayName.c_str());
-  const std::vector<double> sorted = SortedDistances(distances.Array);
+  const std::vector<double> sorted = SortedDistances(before, subject.DistanceArrayName);
   distances.Range = ColourRange(sorted);
   const double largest = sorted.empty() ? 0.0 : sorted.back();
   // The report knows of places between the points, too.
@@ -128,7 +129,7 @@ void MarkCloseUp(Overlay& overlay, vtkRenderWindow* window, int column, const Ro
 void DrawScale(Overlay& overlay, vtkRenderWindow* window, const Area& area, const Frame& frame)
 {
   const double widthShown = 2.0 * frame.HalfHeight * area.Aspect(window);
-  const double length = RoundUpReadable(0.12 * widthShown);
+  const double length = RoundUp(0.12 * widthShown, { 1.0, 2.0, 5.0 });
   const double width = length / widthShown * (area.UpperRight[0] - area.LowerLeft[0]);
   const Place left = { area.LowerLeft[0] + 0.008, area.LowerLeft[1] + 0.014 };
   overlay.Draw({ left, { left[0] + width, left[1] } }, 0.004);
@@ -155,16 +156,19 @@ void WriteCloseUpCaption(Overlay& overlay, vtkRenderWindow* window, const Rows& 
 
 void WriteFooter(Overlay& overlay, const Distances& distances)
 {
-  const double left = ViewArea(0, false, true).LowerLeft[0] + 0.002;
-  overlay.Write({ "The camera is the same along each row. Seen from the side of -y, a little from above.",
-    { left, 0.074 }, 0.017, Align::Left, false, true });
+  std::vector<std::string> lines = { "The camera is the same along each row. Seen from the side of -y, a little from above." };
   if (distances.Array && distances.Largest > distances.Range)
   {
-    overlay.Write({ "Colours end at " + ShortText(distances.Range) +
-        " mm; the few larger distances have the last colour.",
-      { left, 0.048 }, 0.017, Align::Left, false, true });
+    lines.push_back(
+      "Colours end at " + ShortText(distances.Range) + " mm; the few larger distances have the last colour.");
   }
-  overlay.Write({ "This software is not a medical device.", { left, 0.022 }, 0.017, Align::Left, false, true });
+  lines.push_back("This software is not a medical device.");
+  Place at = { ViewArea(0, false, true).LowerLeft[0] + 0.002, 0.074 };
+  for (const std::string& line : lines)
+  {
+    overlay.Write({ line, at, 0.017, Align::Left, false, true });
+    at[1] -= 0.026;
+  }
 }
 
 std::string DistanceCaption(const Distances& distances)

@@ -22,6 +22,7 @@ struct PictureSubject
   std::string Title;                   ///< Over the picture; may be empty.
   /// Whether coordinates are known to be LPS, as those of a CT volume are: only then right and left are written.
   bool IsInPatientCoordinates = false;
+  int Width = 1800; ///< Pixels, of the file; the height goes with it.
 };
 
 /// Puts the three views into a window; the caller renders it. The window's size decides the layout.

@@ -10,6 +10,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -20,8 +21,7 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr int Width = 1800; // pixels
-constexpr int Height = 1400;
+constexpr double HeightByWidth = 7.0 / 9.0;
 // Mesa has no multisampling to rely on: everything is rendered larger and averaged.
 constexpr int Oversampling = 2;
 
@@ -30,7 +30,8 @@ vtkSmartPointer<vtkUnsignedCharArray> RenderPng(const PictureSubject& subject)
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
-  window->SetSize(Oversampling * Width, Oversampling * Height);
+  const int height = static_cast<int>(std::lround(subject.Width * HeightByWidth));
+  window->SetSize(Oversampling * subject.Width, Oversampling * height);
   ComposePicture(window, subject);
   window->Render();
   vtkNew<vtkWindowToImageFilter> grab;
@@ -42,6 +43,7 @@ vtkSmartPointer<vtkUnsignedCharArray> RenderPng(const PictureSubject& subject)
   average->SetShrinkFactors(Oversampling, Oversampling, 1);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(average->GetOutputPort());
+  writer->SetCompressionLevel(9);
   writer->WriteToMemoryOn();
   writer->Write();
   return writer->GetResult();

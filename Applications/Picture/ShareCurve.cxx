@@ -4,6 +4,7 @@
 
 #include "DistanceColours.h"
 #include "NumberText.h"
+#include "SurfaceDistances.h"
 
 #include <algorithm>
 #include <array>

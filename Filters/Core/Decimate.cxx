@@ -26,10 +26,8 @@ double SecondsSince(Clock::time_point start)
 /// Where on the way from 0 to 1 each stage ends. Stages that cannot be interrupted are short steps.
 constexpr double CleanedAt = 0.01;
 constexpr double BuiltAt = 0.02;
-constexpr double CollapsedAt = 0.70;
-constexpr double ExtractedAt = 0.71;
-constexpr double DistanceBackAt = 0.85;
-constexpr double DistanceForthAt = 0.97;
+constexpr double ExtractionShare = 0.005;
+constexpr double LastStep = 0.005;
 
 /// One run, stage after stage; remembers whether somebody asked to stop.
 class Run
@@ -120,14 +118,21 @@ private:
     const Clock::time_point start = Clock::now();
     Report& report = this->Answer.Report;
     ThesisLoop loop(*this->Work, this->Wanted.NormalTolerance, this->Stops());
-    report.Stop = this->GoesOn ? loop.Run(this->Stage(BuiltAt, CollapsedAt)) : StopReason::Aborted;
+    const double collapsedAt = this->MeasuredFrom() - ExtractionShare;
+    report.Stop = this->GoesOn ? loop.Run(this->Stage(BuiltAt, collapsedAt)) : StopReason::Aborted;
     report.RunningError = this->Work->Reference().LargestError();
     report.Collapses = this->Work->NumberOfEdits();
     report.Refusals = this->Work->Refusals();
     this->LocalResult.Points = Extract(this->Input, this->Cleaned, *this->Work, this->RoundToSingle, this->Answer);
     this->LocalResult.Triangles = this->Answer.Surface.Triangles;
-    this->Stage(CollapsedAt, ExtractedAt)(1.0);
+    this->Stage(collapsedAt, this->MeasuredFrom())(1.0);
     report.Seconds.Collapse = SecondsSince(start);
+  }
+
+  /// Measuring takes about a third of the time, if there is anything to measure.
+  double MeasuredFrom() const
+  {
+    return this->Wanted.MeasureDistances || this->Wanted.MeasureInputDistances ? 0.7 : 1.0 - LastStep;
   }
 
   void Measure()
@@ -136,37 +141,49 @@ private:
     Report& report = this->Answer.Report;
     report.Input = Describe(this->Cleaned.Surface);
     report.Output = Describe(this->LocalResult);
-    if (this->GoesOn && this->Wanted.MeasureDistances)
+    if (this->GoesOn && this->MeasuredFrom() < 1.0 - LastStep)
     {
-      this->MeasureBothWays();
+      this->MeasureDistances();
     }
-    if (this->GoesOn && this->Wanted.MeasureInputDistances)
-    {
-      this->MeasureInput();
-    }
-    report.Seconds.Measure = SecondsSince(start);
-    this->Stage(DistanceForthAt, 1.0)(1.0);
+    this->Stage(1.0 - LastStep, 1.0)(1.0);
     report.Stop = this->GoesOn ? report.Stop : StopReason::Aborted;
+    report.Seconds.Measure = SecondsSince(start);
   }
 
-  void MeasureBothWays()
+  void MeasureDistances()
   {
-    Report& report = this->Answer.Report;
-    const int threads = this->Wanted.NumberOfThreads;
+    const double from = this->MeasuredFrom();
+    const double inputFrom = this->Wanted.MeasureDistances ? (this->Wanted.MeasureInputDistances ? 0.9 : 1.0 - LastStep) : from;
     const std::int64_t samples = NumberOfSamples(this->Cleaned.Surface.Triangles.size());
-    report.OutputToInput = MeasureDistance(this->LocalResult, this->Answer.Distance, this->Work->Reference().Tree(),
-      samples, threads, this->Stage(ExtractedAt, DistanceBackAt));
+    const double backFrom = 0.5 * (from + inputFrom);
+    if (this->Wanted.MeasureDistances)
+    {
+      this->Answer.Report.OutputToInput = MeasureDistance(this->LocalResult, this->Answer.Distance,
+        this->Work->Reference().Tree(), samples, this->Wanted.NumberOfThreads, this->Stage(from, backFrom));
+    }
     const BoundingTree tree(this->LocalResult);
-    const double pointsAt = 0.5 * (DistanceBackAt + DistanceForthAt);
+    if (this->Wanted.MeasureDistances)
+    {
+      this->MeasureBack(tree, samples, backFrom, inputFrom);
+    }
+    if (this->Wanted.MeasureInputDistances)
+    {
+      this->MeasureInput(tree, inputFrom, 1.0 - LastStep);
+    }
+  }
+
+  void MeasureBack(const BoundingTree& tree, std::int64_t samples, double from, double to)
+  {
+    const double pointsAt = from + 0.3 * (to - from);
     const std::vector<double> distances =
-      PointDistances(this->Cleaned.Surface.Points, tree, threads, this->Stage(DistanceBackAt, pointsAt));
-    report.InputToOutput = MeasureDistance(
-      this->Cleaned.Surface, distances, tree, samples, threads, this->Stage(pointsAt, DistanceForthAt));
-    report.DistancesMeasured = this->GoesOn;
+      PointDistances(this->Cleaned.Surface.Points, tree, this->Wanted.NumberOfThreads, this->Stage(from, pointsAt));
+    this->Answer.Report.InputToOutput = MeasureDistance(
+      this->Cleaned.Surface, distances, tree, samples, this->Wanted.NumberOfThreads, this->Stage(pointsAt, to));
+    this->Answer.Report.DistancesMeasured = this->GoesOn;
   }
 
   /// Points that no triangle uses are measured like the others.
-  void MeasureInput()
+  void MeasureInput(const BoundingTree& tree, double from, double to)
   {
     std::vector<Vector3> local;
     local.reserve(this->Input.Points.size());
@@ -174,8 +191,7 @@ private:
     {
       local.push_back(point - this->Cleaned.Origin);
     }
-    this->Answer.InputDistance = PointDistances(local, BoundingTree(this->LocalResult), this->Wanted.NumberOfThreads,
-      this->Stage(DistanceForthAt, DistanceForthAt));
+    this->Answer.InputDistance = PointDistances(local, tree, this->Wanted.NumberOfThreads, this->Stage(from, to));
   }
 
   const Surface& Input;

@@ -23,7 +23,7 @@ inline unsigned int ThreadsToUse(int asked)
   return asked > 0 ? static_cast<unsigned int>(asked) : std::max(1U, std::thread::hardware_concurrency());
 }
 
-constexpr std::size_t ChunkSize = 2048;
+constexpr std::size_t ChunkSize = 512;
 
 inline std::size_t NumberOfChunks(std::size_t count)
 {

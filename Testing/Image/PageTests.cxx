@@ -7,6 +7,9 @@
 
 #include "vtkBoneDecimate.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSphereSource.h"
 
 #include <gtest/gtest.h>
@@ -136,6 +139,18 @@ TEST_F(Page, DrawsTheShareOfPointsWithinADistance)
   EXPECT_FALSE(Contains(ComposePage(this->Subject), "<svg"));
 }
 
+TEST_F(Page, LeavesOutPointsThatNoTriangleUses)
+{
+  this->Compose();
+  vtkNew<vtkPolyData> before;
+  before->DeepCopy(this->Subject.Before);
+  before->GetPoints()->InsertNextPoint(0.0, 0.0, 80.0);
+  before->GetPointData()->GetArray(this->Subject.DistanceArrayName.c_str())->InsertNextTuple1(50.0);
+  const std::string page = ComposePage(this->Subject);
+  this->Subject.Before = before;
+  EXPECT_EQ(ComposePage(this->Subject), page);
+}
+
 TEST_F(Page, SaysSoWhereDistancesWereNotMeasured)
 {
   this->Filter->SetMeasureDistances(false);
@@ -186,10 +201,10 @@ TEST(NumberText, NeverTurnsADistanceIntoNone)
 
 TEST(NumberText, RoundsUpToReadableNumbers)
 {
-  EXPECT_DOUBLE_EQ(RoundUpReadable(0.3), 0.3);
-  EXPECT_DOUBLE_EQ(RoundUpReadable(0.301), 0.4);
-  EXPECT_DOUBLE_EQ(RoundUpReadable(0.00081), 0.001);
-  EXPECT_DOUBLE_EQ(RoundUpReadable(1.0), 1.0);
-  EXPECT_DOUBLE_EQ(RoundUpReadable(85.0), 100.0);
+  EXPECT_DOUBLE_EQ(RoundUp(0.3, { 1.0, 3.0, 5.0 }), 0.3);
+  EXPECT_DOUBLE_EQ(RoundUp(0.301, { 1.0, 3.0, 5.0 }), 0.5);
+  EXPECT_DOUBLE_EQ(RoundUp(0.00081, { 1.0, 3.0, 5.0 }), 0.001);
+  EXPECT_DOUBLE_EQ(RoundUp(1.0, { 1.0, 3.0, 5.0 }), 1.0);
+  EXPECT_DOUBLE_EQ(RoundUp(85.0, { 1.0, 3.0, 5.0 }), 100.0);
 }
 }

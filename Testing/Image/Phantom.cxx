@@ -14,8 +14,8 @@ namespace bonedecimate
 namespace
 {
 constexpr double Hounsfield = 226.0;
-constexpr int Width = 900; // pixels
-constexpr int Height = 700;
+constexpr int Width = 720; // pixels
+constexpr int Height = 560;
 
 vtkSmartPointer<vtkImageData> Cut(vtkImageData* image, int first, int last)
 {

@@ -97,6 +97,21 @@ TEST(TriangleGeometry, NearestPlaceOfNeedlesAgreesWithBruteForce)
   }
 }
 
+TEST(TriangleGeometry, PointsOnNeedlesAreAtNoDistance)
+{
+  // 1 mm long and down to a nanometre wide, as marching cubes leaves them where a voxel has just the iso-value.
+  Random random(6);
+  for (int i = 0; i < 5000; ++i)
+  {
+    const double width = std::pow(10.0, random.Between(-6, 0)); // mm
+    const Corners t = { Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(random.Uniform(), width, 0) };
+    const double u = random.Uniform();
+    const double v = random.Uniform() * (1.0 - u);
+    const Vector3 p = t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]);
+    EXPECT_LE(NearestOnTriangle(p, t[0], t[1], t[2]).SquaredDistance, 1e-20) << "width " << width;
+  }
+}
+
 TEST(TriangleGeometry, NearestPlaceOfFarPointsKeepsItsDigits)
 {
   Random random(5);

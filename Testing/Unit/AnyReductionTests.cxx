@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// What every result keeps, whatever the shape and however much is removed.
+#include "BruteForce.h"
+#include "Mesh/Cleaning.h"
+#include "Mesh/HalfEdgeMesh.h"
+#include "Runs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+using namespace bonedecimate;
+using namespace bonedecimate::testsupport;
+
+namespace
+{
+constexpr double Rounding = 1e-12; // mm, on shapes of at most about 100 mm
+
+using Place = std::array<double, 3>;
+
+Place PlaceOf(const Vector3& p)
+{
+  return { p.x(), p.y(), p.z() };
+}
+
+void ExpectSameTopology(const Surface& before, const Surface& after)
+{
+  const Topology expected = CountTopology(before);
+  const Topology found = CountTopology(after);
+  EXPECT_EQ(WhatIsWrong(after), "");
+  EXPECT_EQ(found.Components, expected.Components);
+  EXPECT_EQ(found.EulerNumber, expected.EulerNumber);
+  EXPECT_EQ(found.NonManifoldEdges, expected.NonManifoldEdges);
+  EXPECT_EQ(found.NonManifoldPoints, expected.NonManifoldPoints);
+  EXPECT_EQ(found.InconsistentEdges, expected.InconsistentEdges);
+  EXPECT_EQ(RepeatedTriangles(after), RepeatedTriangles(before));
+  if (expected.NonManifoldPoints + expected.InconsistentEdges == 0)
+  {
+    const std::vector<std::int64_t> loops = BoundaryLoopLengths(after);
+    EXPECT_EQ(loops.size(), BoundaryLoopLengths(before).size());
+    EXPECT_TRUE(std::all_of(loops.begin(), loops.end(), [](std::int64_t edges) { return edges >= 3; }));
+  }
+}
+
+/// Components keep their order, since the least triangle of each decides it and triangles keep theirs.
+void ExpectFragmentsKept(const Surface& before, const Surface& after)
+{
+  const std::vector<Surface> expected = SplitComponents(before);
+  const std::vector<Surface> found = SplitComponents(after);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i)
+  {
+    const Topology kind = CountTopology(expected[i]);
+    const std::size_t least = std::min<std::size_t>(expected[i].Triangles.size(), 4);
+    if (kind.BoundaryEdges + kind.NonManifoldPoints + kind.InconsistentEdges == 0)
+    {
+      EXPECT_GE(found[i].Triangles.size(), least) << "fragment " << i;
+      const double volume = SignedVolume(expected[i]);
+      EXPECT_TRUE(volume == 0.0 || SignedVolume(found[i]) * volume > 0.0) << "fragment " << i;
+    }
+  }
+}
+
+/// Everything that is not manifold is found again, bit for bit.
+void ExpectLockedPartsKept(const Surface& input, const Surface& after)
+{
+  const CleanSurface clean = Clean(input, true);
+  const HalfEdgeMesh mesh(clean.Surface);
+  std::multiset<Place> places;
+  std::multiset<std::array<Place, 3>> triangles;
+  for (const Vector3& p : after.Points)
+  {
+    places.insert(PlaceOf(p));
+  }
+  const auto placesOf = [](const Triangle& t, const auto& placeOf) {
+    return std::array<Place, 3>{ placeOf(t[0]), placeOf(t[1]), placeOf(t[2]) };
+  };
+  for (const Triangle& t : after.Triangles)
+  {
+    triangles.insert(placesOf(t, [&](Index p) { return PlaceOf(after.Points[p]); }));
+  }
+  const auto inputPlace = [&](Index v) { return PlaceOf(input.Points[clean.InputPoint[v]]); };
+  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    if (mesh.Kind(v) == VertexKind::Locked)
+    {
+      EXPECT_EQ(places.count(inputPlace(v)), 1U) << "point " << clean.InputPoint[v];
+    }
+  }
+  for (const Triangle& t : clean.Surface.Triangles)
+  {
+    if (std::all_of(t.begin(), t.end(), [&](Index v) { return mesh.Kind(v) == VertexKind::Locked; }))
+    {
+      EXPECT_GE(triangles.count(placesOf(t, inputPlace)), 1U) << "a triangle of locked points";
+    }
+  }
+}
+
+void ExpectPlacesAreNearest(const Surface& input, const Result& result)
+{
+  for (std::size_t i = 0; i < result.Surface.Points.size(); ++i)
+  {
+    const Vector3& p = result.Surface.Points[i];
+    const Index triangle = result.Origins.NearestTriangle[i];
+    ASSERT_GE(triangle, 0);
+    ASSERT_LT(triangle, static_cast<Index>(input.Triangles.size()));
+    Vector3 place = Vector3::Zero();
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double weight = result.Origins.Barycentric[i][k];
+      EXPECT_GE(weight, -1e-15);
+      sum += weight;
+      place += weight * input.Points[input.Triangles[triangle][k]];
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-14);
+    EXPECT_NEAR((place - p).norm(), result.Distance[i], Rounding) << "point " << i;
+    EXPECT_NEAR(BruteNearest(input, p).Distance, result.Distance[i], Rounding) << "point " << i;
+    const double toPoint = (input.Points[result.Origins.NearestPoint[i]] - p).norm();
+    EXPECT_NEAR((input.Points[BruteNearestPoint(input, p)] - p).norm(), toPoint, Rounding);
+    EXPECT_GE(result.RunningError[i], result.Distance[i] - Rounding) << "point " << i;
+    EXPECT_LE(result.RunningError[i], result.Report.RunningError);
+  }
+}
+
+void ExpectMapsAreWhole(const Surface& input, const Result& result)
+{
+  const std::size_t count = result.Surface.Points.size();
+  ASSERT_EQ(result.Origins.NearestTriangle.size(), count);
+  ASSERT_EQ(result.Origins.Barycentric.size(), count);
+  ASSERT_EQ(result.Origins.NearestPoint.size(), count);
+  ASSERT_EQ(result.Distance.size(), count);
+  ASSERT_EQ(result.RunningError.size(), count);
+  ASSERT_EQ(result.PointCount.size(), count);
+  const std::set<Index> used = [&] {
+    std::set<Index> points;
+    for (const Triangle& t : input.Triangles)
+    {
+      points.insert(t.begin(), t.end());
+    }
+    return points;
+  }();
+  EXPECT_EQ(std::accumulate(result.PointCount.begin(), result.PointCount.end(), std::size_t(0)), used.size());
+  EXPECT_TRUE(std::all_of(
+    result.PointCount.begin(), result.PointCount.end(), [](Index points) { return points >= 1; }));
+}
+
+void ExpectReportIsTrue(const Surface& before, const Result& result)
+{
+  const auto expectSide = [](const SurfaceStatistics& told, const Surface& surface) {
+    const Topology found = CountTopology(surface);
+    EXPECT_EQ(told.Faces, found.Faces);
+    EXPECT_EQ(told.Points, found.Points);
+    EXPECT_EQ(told.Components, found.Components);
+    EXPECT_EQ(told.BoundaryEdges, found.BoundaryEdges);
+    EXPECT_EQ(told.NonManifoldEdges, found.NonManifoldEdges);
+    EXPECT_EQ(told.EulerNumber, found.EulerNumber);
+    EXPECT_NEAR(told.Area, TotalArea(surface), 1e-9 * (1.0 + told.Area));
+  };
+  expectSide(result.Report.Input, before);
+  expectSide(result.Report.Output, result.Surface);
+  EXPECT_EQ(result.Report.Status, InputStatus::Good);
+  EXPECT_EQ(result.Report.Output.Points + result.Report.Collapses, result.Report.Input.Points);
+  EXPECT_FALSE(result.Report.DistancesMeasured);
+}
+}
+
+class AnyReduction : public EachShape
+{
+};
+
+TEST_P(AnyReduction, KeepsTopologyFragmentsLockedPartsAndTellsTheTruth)
+{
+  const Surface& input = GetParam().Surface;
+  const Surface before = Clean(input, true).Surface;
+  for (const double fraction : { 0.0, 0.3, 0.6, 0.9, 0.99, 1.0 })
+  {
+    SCOPED_TRACE("reduction " + std::to_string(fraction));
+    const Result result = Decimate(input, Reduction(fraction));
+    ExpectSameTopology(before, result.Surface);
+    ExpectFragmentsKept(before, result.Surface);
+    ExpectLockedPartsKept(input, result.Surface);
+    ExpectMapsAreWhole(input, result);
+    ExpectPlacesAreNearest(input, result);
+    ExpectReportIsTrue(before, result);
+  }
+}
+
+TEST_P(AnyReduction, RemovesAsMuchAsAskedOrSaysThatNothingIsLeft)
+{
+  const auto faces = static_cast<double>(GetParam().Surface.Triangles.size());
+  for (const double fraction : { 0.1, 0.5, 0.8, 0.95 })
+  {
+    const Result result = Decimate(GetParam().Surface, Reduction(fraction));
+    const auto target = static_cast<std::int64_t>(std::floor(faces * (1.0 - fraction) + 0.5));
+    const auto left = static_cast<std::int64_t>(result.Surface.Triangles.size());
+    if (result.Report.Stop == StopReason::NothingLeft)
+    {
+      EXPECT_GT(left, target) << fraction;
+      continue;
+    }
+    EXPECT_LE(left, target) << fraction;
+    EXPECT_GE(left, target - 1) << fraction << ": a collapse takes two triangles at most";
+    EXPECT_EQ(result.Report.Stop, left == faces ? StopReason::AlreadySatisfied : StopReason::TargetReached);
+  }
+}
+
+TEST_P(AnyReduction, ScalingByPowersOfTwoChangesNothingButTheScale)
+{
+  const Surface& input = GetParam().Surface;
+  for (const double factor : { 1024.0, 1.0 / 4096.0 })
+  {
+    const Result plain = Decimate(input, Reduction(0.7));
+    const Result scaled = Decimate(Scaled(input, factor), Reduction(0.7));
+    EXPECT_TRUE(SameBytes(Scaled(plain.Surface, factor), scaled.Surface)) << factor;
+    EXPECT_EQ(factor * plain.Report.RunningError, scaled.Report.RunningError) << factor;
+    EXPECT_EQ(plain.Origins.NearestTriangle, scaled.Origins.NearestTriangle) << factor;
+  }
+}
+
+TEST_P(AnyReduction, TranslationByRepresentableAmountsKeepsTheTopology)
+{
+  Surface input = GetParam().Surface;
+  for (Vector3& p : input.Points)
+  {
+    p = (p * 1048576.0).array().round().matrix() / 1048576.0;
+  }
+  const Surface moved = Moved(input, { 4096.0, -2048.0, 512.5 });
+  const Result plain = Decimate(input, Reduction(0.7));
+  const Result far = Decimate(moved, Reduction(0.7));
+  EXPECT_EQ(plain.Surface.Triangles, far.Surface.Triangles);
+  EXPECT_EQ(plain.Report.RunningError, far.Report.RunningError);
+  EXPECT_EQ(plain.Origins.NearestPoint, far.Origins.NearestPoint);
+}
+
+TEST_P(AnyReduction, MillimetresOrMetresMakeNoDifference)
+{
+  const Surface& input = GetParam().Surface;
+  const Result millimetres = Decimate(input, Reduction(0.8));
+  const Result metres = Decimate(Scaled(input, 0.001), Reduction(0.8));
+  EXPECT_EQ(millimetres.Surface.Triangles.size(), metres.Surface.Triangles.size());
+  const double error = millimetres.Report.RunningError;
+  EXPECT_NEAR(1000.0 * metres.Report.RunningError, error, 0.01 * error + 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, AnyReduction, testing::ValuesIn(AllShapes()), NameOf);

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Inputs that cannot be used, progress and abort.
+#include "BruteForce.h"
+#include "Runs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace bonedecimate;
+using namespace bonedecimate::testsupport;
+
+namespace
+{
+void ExpectRefused(const Surface& input, InputStatus status)
+{
+  const Result result = Decimate(input, Options{});
+  EXPECT_EQ(result.Report.Status, status);
+  EXPECT_EQ(result.Report.Stop, StopReason::NotRun);
+  EXPECT_TRUE(result.Surface.Points.empty());
+  EXPECT_TRUE(result.Surface.Triangles.empty());
+  EXPECT_TRUE(result.Distance.empty());
+  EXPECT_TRUE(result.Origins.NearestTriangle.empty());
+  EXPECT_FALSE(result.Report.DistancesMeasured);
+  EXPECT_NE(InputMessage(result.Report), "");
+}
+
+/// Everything that the monitor heard.
+std::vector<double> Heard(const Surface& input, const Options& options)
+{
+  std::vector<double> heard;
+  Decimate(input, options, [&](double fraction) {
+    heard.push_back(fraction);
+    return true;
+  });
+  return heard;
+}
+}
+
+TEST(DecimateRefusals, InputsThatCannotBeUsedGiveAnEmptySurfaceAndAReason)
+{
+  Surface bad = Tetrahedron();
+  ExpectRefused({}, InputStatus::Empty);
+  ExpectRefused({ bad.Points, {} }, InputStatus::NoTriangles);
+  ExpectRefused({ bad.Points, { { 0, 0, 1 } } }, InputStatus::NoTriangles);
+  bad.Triangles[1][2] = 4;
+  ExpectRefused(bad, InputStatus::IndexOutOfRange);
+  bad = Tetrahedron();
+  bad.Points[2].z() = std::numeric_limits<double>::quiet_NaN();
+  ExpectRefused(bad, InputStatus::NonFinitePoints);
+  bad.Points[2].z() = 1e31;
+  ExpectRefused(bad, InputStatus::HugeCoordinates);
+}
+
+TEST(DecimateRefusals, ExtremeButFiniteCoordinatesGiveFiniteResults)
+{
+  for (const double factor : { 1e29, 1e-100, 1e-140 })
+  {
+    const Result result = Decimate(Scaled(Icosphere(2, 1.0), factor), Reduction(0.5));
+    EXPECT_EQ(WhatIsWrong(result.Surface), "") << factor;
+    EXPECT_EQ(CountTopology(result.Surface).EulerNumber, 2) << factor;
+    for (const double distance : result.Distance)
+    {
+      EXPECT_TRUE(std::isfinite(distance)) << factor;
+    }
+  }
+}
+
+TEST(DecimateRefusals, DroppedAndLockedPartsAreCountedAndTheFirstIsNamed)
+{
+  Surface input = PinchedVertex(8, 3);
+  input.Triangles.insert(input.Triangles.begin(), { 3, 3, 4 });
+  const Result result = Decimate(input, Reduction(0.3));
+  EXPECT_EQ(result.Report.Cleaning.DroppedTriangles, 1);
+  EXPECT_EQ(result.Report.Cleaning.FirstDroppedTriangle, 0);
+  EXPECT_EQ(result.Report.Cleaning.LockedPoints, 1);
+  EXPECT_EQ(result.Report.Cleaning.FirstLockedPoint, 0);
+  const Result book = Decimate(ThreeLeavedBook(5), Reduction(0.3));
+  EXPECT_EQ(book.Report.Cleaning.LockedPoints, 6);
+  EXPECT_EQ(book.Report.Input.NonManifoldEdges, 5);
+  EXPECT_GE(book.Report.Cleaning.FirstNonManifoldTriangle, 0);
+}
+
+TEST(DecimateMonitor, HearsFractionsThatNeverFallFromZeroToOne)
+{
+  for (const NamedSurface& shape : AllShapes())
+  {
+    double last = 0.0;
+    for (const double fraction : Heard(shape.Surface, Reduction(0.7)))
+    {
+      EXPECT_GE(fraction, last) << shape.Name;
+      EXPECT_LE(fraction, 1.0) << shape.Name;
+      last = fraction;
+    }
+    EXPECT_EQ(last, 1.0) << shape.Name;
+  }
+}
+
+TEST(DecimateMonitor, HearsAtLeastEveryHundredth)
+{
+  // Large enough that a hundredth is more than one collapse and one chunk of points.
+  const Surface input = Icosphere(5, 20.0);
+  Options plain = Reduction(0.9);
+  Options measured = plain;
+  measured.MeasureDistances = true;
+  Options everything = measured;
+  everything.MeasureInputDistances = true;
+  for (const Options& options : { measured, everything, plain })
+  {
+    double last = 0.0;
+    for (const double fraction : Heard(input, options))
+    {
+      EXPECT_LE(fraction - last, 0.01 + 1e-9)
+        << "after " << last << ", distances " << options.MeasureDistances << ", of the input "
+        << options.MeasureInputDistances;
+      last = fraction;
+    }
+  }
+}
+
+TEST(DecimateMonitor, AbortAtAnyTimeLeavesAValidSurface)
+{
+  const Surface input = BumpySphere(3, 20.0, 0.1, 5);
+  Options options = Reduction(0.9);
+  options.MeasureDistances = true;
+  options.MeasureInputDistances = true;
+  std::int64_t fewest = std::numeric_limits<std::int64_t>::max();
+  for (const double stopAt : { 0.0, 0.015, 0.1, 0.3, 0.5, 0.69, 0.705, 0.8, 0.9, 0.96, 0.98 })
+  {
+    int callsAfter = 0;
+    const Result result = Decimate(input, options, [&](double fraction) {
+      callsAfter += fraction >= stopAt ? 1 : 0;
+      return fraction < stopAt;
+    });
+    EXPECT_EQ(result.Report.Stop, StopReason::Aborted) << stopAt;
+    EXPECT_EQ(callsAfter, 1) << stopAt << ": once is enough";
+    EXPECT_EQ(WhatIsWrong(result.Surface), "") << stopAt;
+    EXPECT_EQ(CountTopology(result.Surface).EulerNumber, 2) << stopAt;
+    EXPECT_EQ(result.Distance.size(), result.Surface.Points.size()) << stopAt;
+    EXPECT_LE(CountTopology(result.Surface).Faces, fewest) << stopAt;
+    EXPECT_FALSE(stopAt < 0.9 && result.Report.DistancesMeasured) << stopAt;
+    fewest = CountTopology(result.Surface).Faces;
+  }
+  EXPECT_EQ(fewest, 128);
+}
+
+TEST(DecimateMonitor, AMonitorThatSaysNothingAgainstItChangesNothing)
+{
+  const Surface input = BumpySphere(3, 20.0, 0.1, 5);
+  const Result watched = Decimate(input, Reduction(0.9), [](double) { return true; });
+  EXPECT_TRUE(SameBytes(watched.Surface, Decimate(input, Reduction(0.9)).Surface));
+}

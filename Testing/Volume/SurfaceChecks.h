@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfaceChecks.h
+ * @brief What is measured of a surface in the tests of volumes, and folders that go away with their test.
+ */
+#ifndef BoneDecimate_Testing_SurfaceChecks_h
+#define BoneDecimate_Testing_SurfaceChecks_h
+
+#include "BoneVolume.h"
+
+#include <string>
+
+namespace bonedecimate::testing
+{
+/// Removed with all it holds at the end of its life.
+class TemporaryFolder
+{
+public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string File(const std::string& name) const;
+
+private:
+  std::string Path;
+};
+
+/// mm³, positive where normals point outwards.
+double EnclosedVolume(vtkPolyData* surface);
+
+/// mm, of any point from the surface of the specimen.
+double LargestDeviation(vtkPolyData* surface);
+
+int CountComponents(vtkPolyData* surface);
+
+/// Fails if the surface is not that of the specimen, where it lay, inside in.
+void ExpectSpecimen(const BoneSurface& bone);
+
+/// Fails if there is a difference in points of more than so many mm, or any in triangles.
+void ExpectEqual(vtkPolyData* a, vtkPolyData* b, double tolerance);
+
+/// Fails if the file is read, if the reason does not hold these words, or if anything was written to the terminal.
+void ExpectRefusal(const std::string& path, const std::string& words, double hounsfield = 226.0);
+}
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file VolumeFiles.h
+ * @brief Writes scans in the formats the tests read, written after the formats' descriptions and not after our readers.
+ */
+#ifndef BoneDecimate_Testing_VolumeFiles_h
+#define BoneDecimate_Testing_VolumeFiles_h
+
+#include "Specimen.h"
+
+#include <string>
+
+namespace bonedecimate::testing
+{
+std::string ReadBytes(const std::string& path);
+void WriteBytes(const std::string& path, const std::string& bytes);
+
+/// The voxels as they lie in memory on a little-endian system, or the other way about.
+std::string VoxelBytes(const Scan& scan, bool isBigEndian = false);
+
+std::string Deflated(const std::string& bytes);
+std::string Gzipped(const std::string& bytes);
+
+/// Header of a .mha or .mhd; the last line, ElementDataFile, is left to the caller.
+std::string MetaHeader(const Scan& scan, const std::string& moreLines = "");
+
+/// Uncompressed, in one file.
+void WriteMeta(const std::string& path, const Scan& scan);
+
+/// Header of a .nrrd in the given space (LPS, RAS or LAS); the empty line is left to the caller.
+std::string NrrdHeader(const Scan& scan, const std::string& space, const std::string& encoding);
+
+void WriteNrrd(const std::string& path, const Scan& scan);
+void WriteVti(const std::string& path, const Scan& scan);
+}
+
+#endif
