@@ -46,6 +46,17 @@ Json ValueAt(const Json& report, const char* pointer)
   return report.is_object() && report.contains(place) ? report[place] : Json();
 }
 
+/// Why a bone failed, or what its report warns of.
+std::string MessageOf(const BatchRow& row, const Json& report)
+{
+  std::string text = row.Message;
+  for (const Json& warning : ValueAt(report, "/warnings"))
+  {
+    text += (text.empty() ? "warning: " : "; warning: ") + warning.get<std::string>();
+  }
+  return text;
+}
+
 /// A field with its quotes doubled, in quotes where it needs them.
 std::string Quoted(const std::string& text)
 {
@@ -102,7 +113,7 @@ std::string ComposeCsv(const std::vector<BatchRow>& rows)
       const Json value = ValueAt(report, column.second);
       text += "," + (value.is_number() ? value.dump() : "");
     }
-    text += "," + Quoted(row.Message) + "\n";
+    text += "," + Quoted(MessageOf(row, report)) + "\n";
   }
   return text;
 }
@@ -131,9 +142,10 @@ void PrintTable(const std::vector<BatchRow>& rows)
   }
   for (const BatchRow& row : rows)
   {
-    if (!row.Message.empty())
+    const std::string message = MessageOf(row, ReadReport(row));
+    if (!message.empty())
     {
-      std::cout << row.Name << ": " << row.Message << "\n";
+      std::cout << row.Name << ": " << message << "\n";
     }
   }
 }

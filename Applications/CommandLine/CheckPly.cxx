@@ -16,12 +16,15 @@ namespace
 /// VTK reads the corners of a face into an array of this length.
 constexpr std::int64_t MostCorners = 255;
 
+/// What a program may have put behind binary data.
+constexpr std::streamoff LongestLineEnd = 2;
+
 struct Property
 {
   std::string Name;
   std::size_t Bytes = 0;      // of the value, or of one entry of a list
   std::size_t CountBytes = 0; // of a list's count, 0 if it is no list
-  bool IsDouble = false;
+  bool IsCorners = false;     // of a face
 };
 
 struct Element
@@ -56,17 +59,14 @@ public:
     this->CheckHeader(warnings);
     for (const Element& element : this->Elements)
     {
-      for (std::int64_t i = 0; i < element.Count; ++i)
-      {
-        const bool whole =
-          this->Encoding == "ascii" ? this->WalkText(element) : this->WalkBinary(element);
-        if (!whole)
-        {
-          Refuse(this->Path,
-            "it announces " + std::to_string(element.Count) + " of '" + element.Name +
-              "' but ends or breaks in number " + std::to_string(i));
-        }
-      }
+      this->Walk(element);
+    }
+    std::ifstream& stream = this->Lines.GetStream();
+    const bool binary = this->Encoding != "ascii";
+    const auto size = static_cast<std::streamoff>(std::filesystem::file_size(this->Path));
+    if (binary && size - static_cast<std::streamoff>(stream.tellg()) > LongestLineEnd)
+    {
+      Refuse(this->Path, "it holds more than its header announces; it is damaged");
     }
   }
 
@@ -125,9 +125,14 @@ private:
     property.Name = words.back();
     property.Bytes = BytesOf(type);
     property.CountBytes = isList ? BytesOf(words[2]) : 0;
-    property.IsDouble = type == "double" || type == "float64";
+    property.IsCorners =
+      isList && (property.Name == "vertex_indices" || property.Name == "vertex_index");
     this->Elements.back().Properties.push_back(property);
-    return property.Bytes > 0 && (!isList || (property.CountBytes > 0 && property.CountBytes < 8));
+    const bool whole = type.find("int") != std::string_view::npos ||
+      type.find("char") != std::string_view::npos || type.find("short") != std::string_view::npos;
+    return property.Bytes > 0 &&
+      (!isList || (property.CountBytes > 0 && property.CountBytes < 8)) &&
+      (!property.IsCorners || whole);
   }
 
   const Element* Find(const std::string& name) const
@@ -153,14 +158,14 @@ private:
       Refuse(this->Path, "its header has no format, no element 'vertex' or no element 'face'");
     }
     const Property* x = FindProperty(*vertices, "x");
-    const Property* corners = FindProperty(*faces, "vertex_indices");
-    corners = corners ? corners : FindProperty(*faces, "vertex_index");
-    if (!x || !FindProperty(*vertices, "y") || !FindProperty(*vertices, "z") || !corners ||
-      corners->CountBytes == 0)
+    const bool corners = std::any_of(faces->Properties.begin(), faces->Properties.end(),
+      [](const Property& property) { return property.IsCorners; });
+    if (!x || !FindProperty(*vertices, "y") || !FindProperty(*vertices, "z") || !corners)
     {
       Refuse(this->Path, "its header has no x, y, z or no list of vertex_indices");
     }
-    if (x->IsDouble)
+    this->Vertices = vertices->Count;
+    if (x->Bytes == 8)
     {
       warnings.emplace_back(
         "the coordinates of the input are doubles; PLY is read in single precision");
@@ -195,6 +200,21 @@ private:
     }
   }
 
+  void Walk(const Element& element)
+  {
+    for (std::int64_t i = 0; i < element.Count; ++i)
+    {
+      const bool whole =
+        this->Encoding == "ascii" ? this->WalkText(element) : this->WalkBinary(element);
+      if (!whole)
+      {
+        Refuse(this->Path,
+          "it announces " + std::to_string(element.Count) + " of '" + element.Name +
+            "' but ends or breaks in number " + std::to_string(i));
+      }
+    }
+  }
+
   bool WalkText(const Element& element)
   {
     do
@@ -205,35 +225,43 @@ private:
       }
     } while (this->Lines.GetWords().empty());
     const std::vector<std::string_view>& words = this->Lines.GetWords();
-    std::size_t needed = 0;
+    std::size_t at = 0;
     for (const Property& property : element.Properties)
     {
       std::int64_t count = 1;
       const bool isList = property.CountBytes > 0;
-      if (isList &&
-        (needed >= words.size() || !ReadInteger(words[needed++], count) || !IsLength(count)))
+      if (isList && (at >= words.size() || !ReadInteger(words[at++], count) || !IsLength(count)))
       {
         return false;
       }
-      needed += static_cast<std::size_t>(count);
+      for (std::int64_t i = 0; i < count; ++i, ++at)
+      {
+        if (at >= words.size() || !this->IsValue(words[at], property))
+        {
+          return false;
+        }
+      }
     }
-    return needed <= words.size() &&
-      std::all_of(words.begin(), words.begin() + std::ptrdiff_t(needed), IsNumber);
+    return this->Lines.IsEnded(); // VTK does not see a last line that has no end
   }
+
+  bool IsValue(std::string_view word, const Property& property) const
+  {
+    std::int64_t corner = 0;
+    return property.IsCorners ? ReadInteger(word, corner) && this->IsVertex(corner)
+                              : IsNumber(word);
+  }
+
+  /// VTK follows every corner before the filter could count the wrong ones.
+  bool IsVertex(std::int64_t index) const { return index >= 0 && index < this->Vertices; }
 
   bool WalkBinary(const Element& element)
   {
-    std::ifstream& stream = this->Lines.GetStream();
     for (const Property& property : element.Properties)
     {
-      const std::int64_t count = property.CountBytes > 0 ? this->ReadCount(property.CountBytes) : 1;
-      if (!IsLength(count))
-      {
-        return false;
-      }
-      const auto bytes = count * static_cast<std::int64_t>(property.Bytes);
-      stream.ignore(bytes);
-      if (stream.gcount() != bytes)
+      const std::int64_t count = property.CountBytes > 0 ? this->ReadWhole(property.CountBytes) : 1;
+      if (!IsLength(count) ||
+        !(property.IsCorners ? this->ReadCorners(count, property) : this->Skip(count, property)))
       {
         return false;
       }
@@ -241,25 +269,46 @@ private:
     return true;
   }
 
-  static bool IsLength(std::int64_t count) { return count >= 0 && count <= MostCorners; }
-
-  std::int64_t ReadCount(std::size_t bytes)
+  bool Skip(std::int64_t count, const Property& property)
   {
-    unsigned char raw[4] = {};
+    const auto bytes = count * static_cast<std::int64_t>(property.Bytes);
+    this->Lines.GetStream().ignore(bytes);
+    return this->Lines.GetStream().gcount() == bytes;
+  }
+
+  bool ReadCorners(std::int64_t count, const Property& property)
+  {
+    bool right = true;
+    for (std::int64_t i = 0; i < count && right; ++i)
+    {
+      // A negative index reads as a huge one here.
+      right = this->IsVertex(this->ReadWhole(property.Bytes));
+    }
+    return right;
+  }
+
+  /// VTK frees what it never allocated for a list without entries.
+  static bool IsLength(std::int64_t count) { return count >= 1 && count <= MostCorners; }
+
+  /// A whole number without sign; -1 at the end of the file.
+  std::int64_t ReadWhole(std::size_t bytes)
+  {
+    unsigned char raw[8] = {};
     this->Lines.GetStream().read(reinterpret_cast<char*>(raw), static_cast<std::streamsize>(bytes));
-    std::int64_t count = 0;
+    std::uint64_t value = 0;
     for (std::size_t i = 0; i < bytes; ++i)
     {
       const std::size_t place = this->Encoding == "binary_big_endian" ? i : bytes - 1 - i;
-      count = count * 256 + raw[place];
+      value = value * 256 + raw[place];
     }
-    return this->Lines.GetStream() ? count : -1;
+    return this->Lines.GetStream() ? static_cast<std::int64_t>(value) : -1;
   }
 
   const std::string& Path;
   LineReader Lines;
   std::string Encoding;
   std::vector<Element> Elements;
+  std::int64_t Vertices = 0;
 };
 }
 

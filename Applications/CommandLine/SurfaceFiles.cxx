@@ -162,7 +162,15 @@ LoadedSurface ReadSurface(const std::string& path)
   {
     Refuse(path, messages.Errors.front());
   }
-  loaded.Warnings.insert(loaded.Warnings.end(), messages.Warnings.begin(), messages.Warnings.end());
+  for (const std::string& warning : messages.Warnings)
+  {
+    // The legacy reader calls it a warning that data are missing, and returns what it has.
+    if (warning.compare(0, 5, "Error") == 0)
+    {
+      Refuse(path, warning);
+    }
+    loaded.Warnings.push_back(warning);
+  }
   if (!loaded.Surface || !HasWholeCells(loaded.Surface))
   {
     Refuse(path, "the cells of the surface are damaged");

@@ -19,6 +19,8 @@
 
 namespace bonedecimate
 {
+using namespace volume;
+
 namespace
 {
 namespace fs = std::filesystem;

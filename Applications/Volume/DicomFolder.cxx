@@ -8,7 +8,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 namespace
 {

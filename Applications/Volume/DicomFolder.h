@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 /// The DICOM files that lie in the folder itself, by name.
 std::vector<std::string> DicomFiles(const std::string& folder);

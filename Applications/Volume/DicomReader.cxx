@@ -16,7 +16,7 @@
 #include <optional>
 #include <system_error>
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 namespace
 {

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 namespace
 {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 /// What is taken from the header of one slice: its geometry and the meaning of its values, no more.
 struct DicomSlice

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 namespace
 {

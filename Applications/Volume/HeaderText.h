@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 /// One way to write a header.
 struct HeaderSyntax

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <map>
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 namespace
 {

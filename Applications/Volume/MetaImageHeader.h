@@ -13,7 +13,7 @@
 
 #include <string>
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 /// As ITK reads it: LPS, the first three numbers of TransformMatrix are the direction of the first axis.
 VoxelLayout ReadMetaImageHeader(const std::string& path);

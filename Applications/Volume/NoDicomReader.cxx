@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DicomFolder.h"
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 Volume ReadDicomFolder(const std::string&)
 {

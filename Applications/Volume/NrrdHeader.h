@@ -13,7 +13,7 @@
 
 #include <string>
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 /// RAS and LAS are turned into LPS; a file that names no anatomical space is taken as it is.
 VoxelLayout ReadNrrdHeader(const std::string& path);

@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 namespace
 {

@@ -13,7 +13,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 /// Points and triangles and nothing else; normals point to the smaller values, also where the volume is mirrored.
 vtkSmartPointer<vtkPolyData> OutwardContour(const Volume& volume, double value);

@@ -12,7 +12,7 @@
 #include <vector>
 #include <zlib.h>
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 namespace
 {

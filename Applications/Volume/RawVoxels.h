@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <string>
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 /// What a header says about its voxels.
 struct VoxelLayout

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 namespace
 {

@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <string>
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 using Vector3 = std::array<double, 3>;
 

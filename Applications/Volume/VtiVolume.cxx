@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <system_error>
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 namespace
 {

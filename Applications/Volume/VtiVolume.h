@@ -11,7 +11,7 @@
 
 #include <string>
 
-namespace bonedecimate
+namespace bonedecimate::volume
 {
 Volume ReadVti(const std::string& path);
 }

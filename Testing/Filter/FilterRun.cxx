@@ -129,6 +129,7 @@ void FilterRun::OnEvent(vtkObject* caller, unsigned long event, void* data)
 void FilterRun::OnProgress(double fraction)
 {
   this->Progress.push_back(fraction);
+  this->OnEachProgress(fraction);
   if (fraction >= this->AbortFraction)
   {
     this->Filter->SetAbortExecute(1);

@@ -12,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,9 @@ public:
   vtkIdType Triangles() { return this->Output()->GetNumberOfPolys(); }
   /// Updates; a value of the report.
   double Value(const std::string& entry);
+
+  /// Called at every progress, before an abort.
+  std::function<void(double)> OnEachProgress = [](double) {};
 
   /// Asks to abort at the first progress of at least that much.
   void AbortAt(double fraction) { this->AbortFraction = fraction; }

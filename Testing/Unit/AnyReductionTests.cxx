@@ -234,17 +234,27 @@ TEST_P(AnyReduction, TranslationByRepresentableAmountsKeepsTheTopology)
   const Result far = Decimate(moved, Reduction(0.7));
   EXPECT_EQ(plain.Surface.Triangles, far.Surface.Triangles);
   EXPECT_EQ(plain.Report.RunningError, far.Report.RunningError);
-  EXPECT_EQ(plain.Origins.NearestPoint, far.Origins.NearestPoint);
 }
 
-TEST_P(AnyReduction, MillimetresOrMetresMakeNoDifference)
+TEST_P(AnyReduction, MillimetresOrMetresGiveTheSameNumberOfTriangles)
 {
   const Surface& input = GetParam().Surface;
-  const Result millimetres = Decimate(input, Reduction(0.8));
-  const Result metres = Decimate(Scaled(input, 0.001), Reduction(0.8));
-  EXPECT_EQ(millimetres.Surface.Triangles.size(), metres.Surface.Triangles.size());
-  const double error = millimetres.Report.RunningError;
-  EXPECT_NEAR(1000.0 * metres.Report.RunningError, error, 0.01 * error + 1e-9);
+  const std::size_t millimetres = Decimate(input, Reduction(0.8)).Surface.Triangles.size();
+  const std::size_t metres = Decimate(Scaled(input, 0.001), Reduction(0.8)).Surface.Triangles.size();
+  EXPECT_LE(std::max(millimetres, metres) - std::min(millimetres, metres), 1U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, AnyReduction, testing::ValuesIn(AllShapes()), NameOf);
+
+TEST(AnyUnit, MillimetresOrMetresGiveTheSameDistances)
+{
+  // Shapes without equal costs: rounding may decide between those.
+  for (const Surface& input : { BumpySphere(3, 5.0, 0.1, 7), BumpySphere(4, 20.0, 0.02, 8) })
+  {
+    const Result millimetres = Decimate(input, Reduction(0.8));
+    const Result metres = Decimate(Scaled(input, 0.001), Reduction(0.8));
+    EXPECT_EQ(millimetres.Surface.Triangles, metres.Surface.Triangles);
+    const double error = millimetres.Report.RunningError;
+    EXPECT_NEAR(1000.0 * metres.Report.RunningError, error, 0.01 * error);
+  }
+}

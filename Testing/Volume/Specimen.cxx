@@ -7,6 +7,8 @@
 
 namespace bonedecimate::testing
 {
+using volume::Length;
+
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;

@@ -15,6 +15,9 @@
 
 namespace bonedecimate::testing
 {
+using volume::Vector3;
+using volume::VolumeGeometry;
+
 /// HU at which the surface of the specimen lies.
 constexpr double SurfaceValue = 226.0;
 

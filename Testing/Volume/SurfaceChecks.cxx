@@ -18,6 +18,9 @@
 
 namespace bonedecimate::testing
 {
+using volume::Cross;
+using volume::Dot;
+
 TemporaryFolder::TemporaryFolder()
   : Path((std::filesystem::path(::testing::TempDir()) / "bonedecimate-XXXXXX").string())
 {

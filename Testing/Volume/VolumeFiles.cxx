@@ -18,6 +18,8 @@
 
 namespace bonedecimate::testing
 {
+using volume::Length;
+
 namespace
 {
 /// By zlib; 15 bits of window make a zlib stream, 16 more a gzip file.

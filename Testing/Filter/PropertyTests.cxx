@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OptionTable.h"
+
+#include "vtkBoneDecimate.h"
+#include "vtkNew.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+#include <sstream>
+
+using namespace bonedecimate;
+
+namespace
+{
+/// A numeric property of the filter by the name that the table has for it.
+struct Number
+{
+  std::string Name;
+  std::function<void(vtkBoneDecimate*, double)> Set;
+  std::function<double(vtkBoneDecimate*)> Get;
+};
+
+#define NUMBER_PROPERTY(name)                                                                      \
+  Number                                                                                           \
+  {                                                                                                \
+    #name,                                                                                         \
+      [](vtkBoneDecimate* filter, double value) {                                                  \
+        filter->Set##name(static_cast<decltype(filter->Get##name())>(value));                      \
+      },                                                                                           \
+      [](vtkBoneDecimate* filter) { return static_cast<double>(filter->Get##name()); }             \
+  }
+
+const std::vector<Number>& Numbers()
+{
+  static const std::vector<Number> numbers = { NUMBER_PROPERTY(Mode),
+    NUMBER_PROPERTY(TargetNumberOfTriangles), NUMBER_PROPERTY(TargetReduction),
+    NUMBER_PROPERTY(MaximumError), NUMBER_PROPERTY(NormalTolerance), NUMBER_PROPERTY(MergePoints),
+    NUMBER_PROPERTY(MeasureDistances), NUMBER_PROPERTY(MeasureInputDistances),
+    NUMBER_PROPERTY(NumberOfThreads), NUMBER_PROPERTY(OutputPointsPrecision) };
+  return numbers;
+}
+
+struct Text
+{
+  std::string Name;
+  std::function<void(vtkBoneDecimate*, const std::string&)> Set;
+  std::function<std::string(vtkBoneDecimate*)> Get;
+};
+
+#define TEXT_PROPERTY(name)                                                                        \
+  Text                                                                                             \
+  {                                                                                                \
+    #name, [](vtkBoneDecimate* filter, const std::string& text) { filter->Set##name(text); },      \
+      [](vtkBoneDecimate* filter) { return filter->Get##name(); }                                  \
+  }
+
+const std::vector<Text>& Texts()
+{
+  static const std::vector<Text> texts = { TEXT_PROPERTY(DistanceArrayName),
+    TEXT_PROPERTY(RunningErrorArrayName), TEXT_PROPERTY(PointCountArrayName),
+    TEXT_PROPERTY(InputDistanceArrayName) };
+  return texts;
+}
+
+const OptionInfo& Row(const std::string& name)
+{
+  return *FindOption(name);
+}
+
+bool IsSwitch(const OptionInfo& info)
+{
+  return std::holds_alternative<bool>(GetOption(Options{}, info));
+}
+
+double DefaultOf(const OptionInfo& info)
+{
+  const OptionValue value = GetOption(Options{}, info);
+  if (const bool* on = std::get_if<bool>(&value))
+  {
+    return *on ? 1.0 : 0.0;
+  }
+  const int* whole = std::get_if<int>(&value);
+  return whole ? *whole : std::get<double>(value);
+}
+
+/// Within the range and not the default; the default itself where there is no other.
+double AnotherValue(const OptionInfo& info)
+{
+  const double value = DefaultOf(info);
+  const double less = std::holds_alternative<double>(GetOption(Options{}, info)) ? value / 2 : value - 1;
+  return value > info.Minimum ? less : std::min(info.Maximum, value + 1);
+}
+
+std::string Printed(vtkBoneDecimate* filter)
+{
+  std::ostringstream stream;
+  filter->Print(stream);
+  return stream.str();
+}
+}
+
+TEST(Properties, AreThoseOfTheTableAndNoOthers)
+{
+  std::set<std::string> properties;
+  for (const Number& number : Numbers())
+  {
+    properties.insert(number.Name);
+  }
+  for (const Text& text : Texts())
+  {
+    properties.insert(text.Name);
+  }
+  std::set<std::string> rows;
+  for (const OptionInfo& info : OptionTable())
+  {
+    rows.insert(info.Name);
+  }
+  EXPECT_EQ(properties, rows);
+}
+
+TEST(Properties, HaveTheDefaultsOfTheTable)
+{
+  vtkNew<vtkBoneDecimate> filter;
+  for (const Number& number : Numbers())
+  {
+    EXPECT_EQ(number.Get(filter), DefaultOf(Row(number.Name))) << number.Name;
+  }
+  for (const Text& text : Texts())
+  {
+    EXPECT_EQ(text.Get(filter), std::get<std::string>(GetOption(Options{}, Row(text.Name))));
+    EXPECT_FALSE(text.Get(filter).empty()) << text.Name;
+  }
+}
+
+TEST(Properties, HaveTheDefaultsOfTheirDocumentation)
+{
+  vtkNew<vtkBoneDecimate> filter;
+  EXPECT_EQ(filter->GetMode(), vtkBoneDecimate::THESIS);
+  EXPECT_EQ(filter->GetTargetNumberOfTriangles(), 0);
+  EXPECT_EQ(filter->GetTargetReduction(), 0.9);
+  EXPECT_EQ(filter->GetMaximumError(), 0.0);
+  EXPECT_EQ(filter->GetNormalTolerance(), 0.95);
+  EXPECT_TRUE(filter->GetMergePoints());
+  EXPECT_TRUE(filter->GetMeasureDistances());
+  EXPECT_FALSE(filter->GetMeasureInputDistances());
+  EXPECT_EQ(filter->GetNumberOfThreads(), 0);
+  EXPECT_EQ(filter->GetOutputPointsPrecision(), vtkAlgorithm::DEFAULT_PRECISION);
+}
+
+TEST(Properties, KeepWhatTheyAreGiven)
+{
+  vtkNew<vtkBoneDecimate> filter;
+  for (const Number& number : Numbers())
+  {
+    const double value = AnotherValue(Row(number.Name));
+    number.Set(filter, value);
+    EXPECT_EQ(number.Get(filter), value) << number.Name;
+  }
+  for (const Text& text : Texts())
+  {
+    text.Set(filter, text.Name + " of mine");
+    EXPECT_EQ(text.Get(filter), text.Name + " of mine");
+  }
+}
+
+TEST(Properties, AreHeldWithinTheirRange)
+{
+  vtkNew<vtkBoneDecimate> filter;
+  for (const Number& number : Numbers())
+  {
+    const OptionInfo& info = Row(number.Name);
+    if (IsSwitch(info))
+    {
+      continue;
+    }
+    number.Set(filter, info.Minimum - 1);
+    EXPECT_EQ(number.Get(filter), info.Minimum) << number.Name;
+    number.Set(filter, info.Maximum);
+    EXPECT_EQ(number.Get(filter), info.Maximum) << number.Name;
+    if (info.Maximum < std::numeric_limits<int>::max())
+    {
+      number.Set(filter, info.Maximum + 1);
+      EXPECT_EQ(number.Get(filter), info.Maximum) << number.Name;
+    }
+  }
+}
+
+TEST(Properties, AreNeverNanOrInfinite)
+{
+  for (const char* name : { "TargetReduction", "MaximumError", "NormalTolerance" })
+  {
+    for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity(),
+           -std::numeric_limits<double>::infinity() })
+    {
+      vtkNew<vtkBoneDecimate> filter;
+      for (const Number& number : Numbers())
+      {
+        if (number.Name == name)
+        {
+          number.Set(filter, bad);
+          EXPECT_TRUE(std::isfinite(number.Get(filter))) << name << " = " << bad;
+        }
+      }
+    }
+  }
+}
+
+TEST(Properties, MarkTheFilterModifiedOnlyWhenTheyChange)
+{
+  vtkNew<vtkBoneDecimate> filter;
+  // Said for the first time, the default reduction becomes one that was asked for, which is a change.
+  filter->SetTargetReduction(filter->GetTargetReduction());
+  for (const Number& number : Numbers())
+  {
+    const vtkMTimeType before = filter->GetMTime();
+    number.Set(filter, number.Get(filter));
+    EXPECT_EQ(filter->GetMTime(), before) << number.Name << " set to what it was";
+    const double other = AnotherValue(Row(number.Name));
+    const bool isAnother = other != number.Get(filter);
+    number.Set(filter, other);
+    EXPECT_EQ(filter->GetMTime() > before, isAnother) << number.Name;
+  }
+  for (const Text& text : Texts())
+  {
+    const vtkMTimeType before = filter->GetMTime();
+    text.Set(filter, text.Get(filter));
+    EXPECT_EQ(filter->GetMTime(), before) << text.Name << " set to what it was";
+    text.Set(filter, "another");
+    EXPECT_GT(filter->GetMTime(), before) << text.Name;
+  }
+}
+
+TEST(Properties, ClampedToWhatTheyWereDoNotMarkTheFilterModified)
+{
+  vtkNew<vtkBoneDecimate> filter;
+  filter->SetTargetReduction(1.0);
+  const vtkMTimeType before = filter->GetMTime();
+  filter->SetTargetReduction(7.0);
+  filter->SetMaximumError(-1.0);
+  filter->SetMode(3);
+  EXPECT_EQ(filter->GetMTime(), before);
+}
+
+TEST(Properties, SwitchesHaveOnAndOff)
+{
+  vtkNew<vtkBoneDecimate> filter;
+  filter->MergePointsOff();
+  filter->MeasureDistancesOff();
+  filter->MeasureInputDistancesOn();
+  EXPECT_FALSE(filter->GetMergePoints());
+  EXPECT_FALSE(filter->GetMeasureDistances());
+  EXPECT_TRUE(filter->GetMeasureInputDistances());
+  filter->MergePointsOn();
+  filter->MeasureDistancesOn();
+  filter->MeasureInputDistancesOff();
+  EXPECT_TRUE(filter->GetMergePoints());
+  EXPECT_TRUE(filter->GetMeasureDistances());
+  EXPECT_FALSE(filter->GetMeasureInputDistances());
+}
+
+TEST(PrintSelf, PrintsEveryRowOfTheTableWithItsValueAndUnit)
+{
+  vtkNew<vtkBoneDecimate> filter;
+  Options asked;
+  for (const Number& number : Numbers())
+  {
+    const OptionInfo& info = Row(number.Name);
+    number.Set(filter, AnotherValue(info));
+    SetOptionFromText(asked, info, IsSwitch(info) ? (AnotherValue(info) > 0 ? "on" : "off")
+        : info.Choices.empty() ? std::to_string(AnotherValue(info))
+                               : info.Choices[static_cast<std::size_t>(AnotherValue(info))]);
+  }
+  for (const OptionInfo& info : OptionTable())
+  {
+    const std::string unit = info.Unit.empty() ? "" : " " + info.Unit;
+    const std::string line = info.Name + ": " + OptionText(asked, info) + unit + "\n";
+    EXPECT_NE(Printed(filter).find(line), std::string::npos) << line << Printed(filter);
+  }
+}
+
+TEST(PrintSelf, SaysWhyTheLastRunEnded)
+{
+  vtkNew<vtkBoneDecimate> filter;
+  EXPECT_NE(Printed(filter).find(filter->GetStopReasonAsString()), std::string::npos);
+}

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BoneVolume.h"
+#include "Specimen.h"
+#include "SurfaceChecks.h"
+#include "VolumeFiles.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <sys/wait.h>
+#include <zlib.h>
+
+namespace bonedecimate::testing
+{
+namespace
+{
+int RunPhantom(const std::string& arguments)
+{
+  const std::string command = std::string("\"") + PHANTOM_PROGRAM + "\" " + arguments + " 2>/dev/null";
+  return WEXITSTATUS(std::system(command.c_str()));
+}
+
+unsigned long Checksum(const std::string& path)
+{
+  const std::string bytes = ReadBytes(path);
+  return crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size()));
+}
+
+TEST(Phantom, SmallOneIsAFractureOfSomeThousandTriangles)
+{
+  const TemporaryFolder folder;
+  ASSERT_EQ(RunPhantom(folder.File("a.mha") + " --size small"), 0);
+  const BoneSurface bone = ExtractBoneSurface(folder.File("a.mha"), SurfaceValue);
+  ASSERT_EQ(bone.Problem, "");
+  EXPECT_GT(bone.Surface->GetNumberOfPolys(), 20000);
+  EXPECT_LT(bone.Surface->GetNumberOfPolys(), 40000);
+  // Two parts of the shaft, the butterfly fragment, three chips, the fibula's two walls, and few crumbs.
+  EXPECT_GE(CountComponents(bone.Surface), 8);
+  EXPECT_LE(CountComponents(bone.Surface), 30);
+}
+
+TEST(Phantom, NormalOneIsABoneOfSomeHundredThousandTriangles)
+{
+  const TemporaryFolder folder;
+  ASSERT_EQ(RunPhantom(folder.File("a.mha")), 0);
+  const BoneSurface bone = ExtractBoneSurface(folder.File("a.mha"), SurfaceValue);
+  ASSERT_EQ(bone.Problem, "");
+  EXPECT_GT(bone.Surface->GetNumberOfPolys(), 200000);
+  EXPECT_LT(bone.Surface->GetNumberOfPolys(), 400000);
+  EXPECT_GE(CountComponents(bone.Surface), 8);
+  EXPECT_LE(CountComponents(bone.Surface), 100);
+  EXPECT_GT(EnclosedVolume(bone.Surface), 0.0);
+  // Pictures and their baselines are made of it: it must be the same on every system.
+  EXPECT_EQ(Checksum(folder.File("a.mha")), 0x1fe63e9bUL);
+}
+
+TEST(Phantom, IsTheSameEveryTime)
+{
+  const TemporaryFolder folder;
+  ASSERT_EQ(RunPhantom(folder.File("a.mha") + " --size small"), 0);
+  ASSERT_EQ(RunPhantom(folder.File("b.mha") + " --size small"), 0);
+  EXPECT_EQ(ReadBytes(folder.File("a.mha")), ReadBytes(folder.File("b.mha")));
+  EXPECT_EQ(Checksum(folder.File("a.mha")), 0x5cd9bc84UL);
+}
+
+TEST(Phantom, SaysHowItIsUsed)
+{
+  const TemporaryFolder folder;
+  EXPECT_EQ(RunPhantom(""), 1);
+  EXPECT_EQ(RunPhantom("--help"), 1);
+  EXPECT_EQ(RunPhantom(folder.File("a.mha") + " --size huge"), 1);
+  EXPECT_FALSE(std::filesystem::exists(folder.File("a.mha")));
+}
+
+TEST(Phantom, LeavesNothingWhereItCannotWrite)
+{
+  const TemporaryFolder folder;
+  EXPECT_EQ(RunPhantom(folder.File("missing/a.mha") + " --size small"), 3);
+  std::filesystem::create_directory(folder.File("a.mha"));
+  EXPECT_EQ(RunPhantom(folder.File("a.mha") + " --size small"), 3);
+  EXPECT_FALSE(std::filesystem::exists(folder.File("a.mha.partial")));
+}
+}
+}

@@ -1,0 +1,164 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Style and static checks, and the core's tests under sanitizers: the same for people and for CI.
+#
+#   Utilities/check.sh                     all of them
+#   Utilities/check.sh format tidy ...     only these
+#   Utilities/check.sh --fix               put the sources into the format
+#
+# format        clang-format 14, .clang-format
+# tidy          clang-tidy 14, .clang-tidy, over Filters and Applications (needs build/release, configured)
+# spelling      codespell, and no unfinished business left in comments
+# ascii         sources are ASCII
+# sizes         no file over 400 lines, no function over 60
+# architecture  includes stay in their rooms
+# sanitize      builds the core's tests with the address and undefined-behaviour sanitizers and runs them
+set -uo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
+
+readonly all_checks=(format spelling ascii sizes architecture tidy sanitize)
+readonly most_lines=400
+readonly most_lines_of_a_function=60
+jobs=$(nproc 2>/dev/null || echo 2)
+readonly jobs
+
+# Names of tracked and new files that match the patterns, without what git ignores.
+files()
+{
+  git ls-files --cached --others --exclude-standard -- "$@" | while read -r file; do
+    [ -f "$file" ] && echo "$file"
+  done
+}
+
+cxx_files() { files '*.h' '*.cxx'; }
+source_files() { files '*.h' '*.cxx' '*.cxx.in' '*.py' '*.py.in' '*.sh' '*.cmake' '*.cmake.in' '*CMakeLists.txt' .ci/run; }
+
+# The tool with version 14, whatever its name here; complains if there is none.
+tool()
+{
+  local name
+  for name in "$1-14" "$1"; do
+    if command -v "$name" >/dev/null; then
+      echo "$name"
+      return 0
+    fi
+  done
+  echo "$1 is not installed; see Utilities for the packages" >&2
+  return 1
+}
+
+check_format()
+{
+  local clang_format
+  clang_format=$(tool clang-format) || return 1
+  cxx_files | xargs "$clang_format" --style=file --dry-run --Werror --ferror-limit=3
+}
+
+fix_format()
+{
+  local clang_format
+  clang_format=$(tool clang-format) || return 1
+  cxx_files | xargs "$clang_format" --style=file -i
+}
+
+check_spelling()
+{
+  local codespell unfinished
+  codespell=$(tool codespell) || return 1
+  files '*.h' '*.cxx' '*.in' '*.py' '*.sh' '*.md' '*.txt' '*.cmake' '*.json' | grep -v '^Data/.*\.sha' |
+    xargs "$codespell" --builtin clear,rare,informal --ignore-words-list 'fo,nd,te,inout,copyable' || return 1
+  unfinished='\b(TO''DO|FIX''ME|XX''X|HA''CK)\b'
+  if source_files | xargs grep -nE "$unfinished"; then
+    echo "finish it, or write down why it is as it is"
+    return 1
+  fi
+}
+
+check_ascii()
+{
+  ! source_files | xargs grep -nP '[^\x00-\x7F]'
+}
+
+# Lines of each function by ctags: name, file, first line, length.
+function_sizes()
+{
+  cxx_files | ctags -L - -o - --langmap=C++:+.h --kinds-C++=f --fields=+ne --extras=-p 2>/dev/null
+  files '*.py' | ctags -L - -o - --kinds-Python=fm --fields=+ne --extras=-p 2>/dev/null
+}
+
+check_sizes()
+{
+  local failed=0
+  tool ctags >/dev/null || return 1
+  source_files | xargs wc -l | awk -v most="$most_lines" '$2 != "total" && $1 > most {
+    print $2 ": " $1 " lines, " most " are the most"; found = 1 } END { exit found }' || failed=1
+  function_sizes | awk -F '\t' -v most="$most_lines_of_a_function" '{
+    first = last = 0
+    for (i = 4; i <= NF; ++i) {
+      if ($i ~ /^line:/) first = substr($i, 6)
+      if ($i ~ /^end:/) last = substr($i, 5)
+    }
+    if (last - first + 1 > most) {
+      print $2 ":" first ": " $1 " has " last - first + 1 " lines, " most " are the most"
+      found = 1
+    } } END { exit found }' || failed=1
+  return $failed
+}
+
+check_architecture()
+{
+  python3 -B Testing/Architecture/rooms.py && python3 -B Testing/Architecture/rooms.py --self-test
+}
+
+check_tidy()
+{
+  local clang_tidy database=build/release
+  clang_tidy=$(tool clang-tidy) || return 1
+  if [ ! -f "$database/compile_commands.json" ]; then
+    cmake --preset release >/dev/null || return 1
+  fi
+  files 'Filters/*.cxx' 'Applications/*.cxx' |
+    xargs -P "$jobs" -n 1 "$clang_tidy" -p "$database" --quiet 2>/dev/null
+}
+
+check_sanitize()
+{
+  cmake --preset sanitize >/dev/null &&
+    cmake --build --preset sanitize -- -j "$jobs" | tail -n 1 &&
+    ctest --preset sanitize -j "$jobs" --progress 2>&1 | tail -n 25
+}
+
+main()
+{
+  local check start failed=()
+  if [ "${1:-}" = --fix ]; then
+    fix_format
+    return
+  fi
+  if [ $# -eq 0 ]; then
+    set -- "${all_checks[@]}"
+  fi
+  for check in "$@"; do
+    if ! declare -F "check_$check" >/dev/null; then
+      echo "no check '$check'; there are: ${all_checks[*]}" >&2
+      return 2
+    fi
+  done
+  for check in "$@"; do
+    start=$SECONDS
+    if "check_$check" </dev/null; then
+      echo "check $check: passed ($((SECONDS - start)) s)"
+    else
+      echo "check $check: FAILED ($((SECONDS - start)) s)"
+      failed+=("$check")
+    fi
+  done
+  if [ ${#failed[@]} -gt 0 ]; then
+    echo "failed: ${failed[*]}"
+    return 1
+  fi
+}
+
+main "$@"
