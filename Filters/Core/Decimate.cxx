@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Decimate.h"
 
+#include "Collapse/FastLoop.h"
 #include "Collapse/ThesisLoop.h"
 #include "Extract.h"
 #include "Measure/SurfaceDistance.h"
@@ -77,7 +78,8 @@ private:
     if (this->Cleaned.Status == InputStatus::Good)
     {
       report.InputChecksum = Checksum(this->Input);
-      this->Work.emplace(this->Cleaned);
+      const bool recordsDistances = this->Wanted.Mode == Mode::Thesis || this->Wanted.MaximumError > 0.0;
+      this->Work.emplace(this->Cleaned, recordsDistances);
       this->CountLocked();
     }
     this->Stage(CleanedAt, BuiltAt)(1.0);
@@ -98,28 +100,22 @@ private:
     }
   }
 
-  ThesisStops Stops() const
+  StopReason RunLoop(const Monitor& monitor)
   {
-    const Options& wanted = this->Wanted;
-    const double faces = this->Work->Mesh().NumberOfFaces();
-    const bool anyOther = wanted.TargetNumberOfTriangles > 0 || wanted.MaximumError > 0.0;
-    const bool reduce = wanted.TargetReduction < 1.0 && (wanted.TargetReductionIsExplicit || !anyOther);
-    const Index byReduction = reduce ? static_cast<Index>(std::floor(faces * (1.0 - wanted.TargetReduction) + 0.5)) : 0;
-    Index number = std::max(wanted.TargetNumberOfTriangles, byReduction);
-    if (number == 0 && !reduce && wanted.MaximumError > 0.0)
+    const Stops stops = StopsOf(this->Wanted, this->Work->Mesh().NumberOfFaces());
+    if (this->Wanted.Mode == Mode::Thesis)
     {
-      number = this->Work->Mesh().NumberOfFaces(); // an error alone: no number has to be reached
+      return ThesisLoop(*this->Work, this->Wanted.NormalTolerance, stops).Run(monitor);
     }
-    return { number, wanted.MaximumError };
+    return FastLoop(*this->Work, stops).Run(monitor);
   }
 
   void Collapse()
   {
     const Clock::time_point start = Clock::now();
     Report& report = this->Answer.Report;
-    ThesisLoop loop(*this->Work, this->Wanted.NormalTolerance, this->Stops());
     const double collapsedAt = this->MeasuredFrom() - ExtractionShare;
-    report.Stop = this->GoesOn ? loop.Run(this->Stage(BuiltAt, collapsedAt)) : StopReason::Aborted;
+    report.Stop = this->GoesOn ? this->RunLoop(this->Stage(BuiltAt, collapsedAt)) : StopReason::Aborted;
     report.RunningError = this->Work->Reference().LargestError();
     report.Collapses = this->Work->NumberOfEdits();
     report.Refusals = this->Work->Refusals();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Extract.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bonedecimate
@@ -55,7 +56,7 @@ void AddPoint(const CleanSurface& clean, const Editor& editor, Index vertex, con
   result.Origins.Barycentric.push_back(nearest.Place.Weights);
   result.Origins.NearestPoint.push_back(clean.InputPoint[nearestPoint]);
   result.Distance.push_back(std::sqrt(nearest.Place.SquaredDistance));
-  result.RunningError.push_back(known.RunningError);
+  result.RunningError.push_back(std::max(known.RunningError, result.Distance.back()));
   result.PointCount.push_back(known.PointCount);
 }
 }

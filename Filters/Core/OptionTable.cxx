@@ -132,7 +132,7 @@ std::string KindText(const OptionInfo& info)
 const std::vector<OptionInfo>& OptionTable()
 {
   static const std::vector<OptionInfo> table = {
-    { "Mode", &Options::Mode, 0, 0, "", "mode", { "Thesis" },
+    { "Mode", &Options::Mode, 0, 1, "", "mode", { "Thesis", "Fast" },
       "How the collapse is ordered and placed. Thesis takes the vertex of lowest cost, then its edge of lowest cost, and "
       "goes on while there are more triangles than asked for or no new point is farther away than MaximumError." },
     { "TargetNumberOfTriangles", &Options::TargetNumberOfTriangles, 0, LargestInteger, "triangles", "target-faces", {},

@@ -13,7 +13,8 @@ namespace bonedecimate
 {
 enum class Mode : int
 {
-  Thesis = 0 ///< Vertex-driven collapse by normal field deviation (Brandao 2018).
+  Thesis = 0, ///< Vertex-driven collapse by normal field deviation (Brandao 2018).
+  Fast = 1    ///< Ordered by the deviation that a collapse causes, in O(1) an edge.
 };
 
 /// The values are those of vtkAlgorithm::DesiredOutputPrecision.

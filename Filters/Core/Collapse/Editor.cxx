@@ -6,10 +6,10 @@
 
 namespace bonedecimate
 {
-Editor::Editor(const CleanSurface& clean)
+Editor::Editor(const CleanSurface& clean, bool recordDistances)
   : Half(clean.Surface)
   , FaceGeometry(this->Half)
-  , Source(clean)
+  , Source(clean, recordDistances)
   , Volumes(this->Half, clean.Surface)
   , Gatherer(this->Half)
 {

@@ -28,7 +28,8 @@ namespace bonedecimate
 class Editor
 {
 public:
-  explicit Editor(const CleanSurface& clean);
+  /// @param recordDistances Look up every new vertex on the original: needed for an error to stop at, and not free.
+  Editor(const CleanSurface& clean, bool recordDistances);
 
   /// Gathers what lies around the edge and judges what does not depend on the place.
   Verdict Examine(Index edge);

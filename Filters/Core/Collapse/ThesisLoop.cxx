@@ -2,73 +2,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ThesisLoop.h"
 
+#include "Mesh/MeanEdgeLength.h"
 #include "Placement/PlaneQuadric.h"
 
 #include <algorithm>
 
 namespace bonedecimate
 {
-namespace
-{
-constexpr double ProgressStep = 0.005;
-}
-
-ThesisLoop::ThesisLoop(Editor& editor, double tolerance, const ThesisStops& stops)
+ThesisLoop::ThesisLoop(Editor& editor, double tolerance, const Stops& stops)
   : Work(editor)
+  , End(editor, stops)
   , Costs(editor.Mesh(), editor.Areas(), tolerance, MeanEdgeLength(editor.Mesh()))
   , Queue(editor.Mesh().NumberOfVertexSlots())
-  , Stops(stops)
-  , FacesAtFirst(editor.Mesh().NumberOfFaces())
 {
-}
-
-//------------------------------------------------------------------------------
-bool ThesisLoop::IsDone() const
-{
-  const bool enoughRemoved = this->Work.Mesh().NumberOfFaces() <= this->Stops.Faces;
-  const bool farEnough = !(this->Work.Reference().LargestError() < this->Stops.Error);
-  return enoughRemoved && farEnough;
-}
-
-//------------------------------------------------------------------------------
-/// By faces; towards an error alone nobody knows when it will be reached, so that the end may come early.
-double ThesisLoop::FractionDone() const
-{
-  const Index goal = this->Stops.Error > 0.0 ? 0 : this->Stops.Faces;
-  const double removed = this->FacesAtFirst - this->Work.Mesh().NumberOfFaces();
-  return std::min(1.0, removed / std::max(1, this->FacesAtFirst - goal));
 }
 
 //------------------------------------------------------------------------------
 StopReason ThesisLoop::Run(const Monitor& monitor)
 {
-  if (this->IsDone())
+  if (!this->End.IsReached())
   {
-    return StopReason::AlreadySatisfied;
+    for (Index v = 0; v < this->Work.Mesh().NumberOfVertexSlots(); ++v)
+    {
+      this->Recost(v);
+    }
   }
-  for (Index v = 0; v < this->Work.Mesh().NumberOfVertexSlots(); ++v)
-  {
-    this->Recost(v);
-  }
-  double told = 0.0;
-  while (!this->IsDone())
+  while (!this->End.IsReached())
   {
     if (this->Queue.IsEmpty())
     {
       return StopReason::NothingLeft;
     }
     this->CollapseAt(this->Queue.PopLowest());
-    const double done = this->FractionDone();
-    if (done >= told + ProgressStep)
+    if (!this->End.Tell(monitor))
     {
-      told = done;
-      if (!monitor(done))
-      {
-        return StopReason::Aborted;
-      }
+      return StopReason::Aborted;
     }
   }
-  return this->Stops.Error > 0.0 ? StopReason::ErrorReached : StopReason::TargetReached;
+  return this->End.Reason();
 }
 
 //------------------------------------------------------------------------------

@@ -18,32 +18,23 @@
 
 #include "Cost/NormalFieldDeviation.h"
 #include "Editor.h"
-#include "Monitor.h"
+#include "Goal.h"
 #include "VertexQueue.h"
 
 #include <vector>
 
 namespace bonedecimate
 {
-/// What the loop runs towards; both are wanted at once.
-struct ThesisStops
-{
-  Index Faces = 0;    ///< Go on while there are more.
-  double Error = 0.0; ///< mm; go on while no new vertex is that far from the original; 0: no such wish.
-};
-
 class ThesisLoop
 {
 public:
   /// @param tolerance The thesis's w.
-  ThesisLoop(Editor& editor, double tolerance, const ThesisStops& stops);
+  ThesisLoop(Editor& editor, double tolerance, const Stops& stops);
 
   /// @param monitor Hears fractions from 0 to 1.
   StopReason Run(const Monitor& monitor);
 
 private:
-  bool IsDone() const;
-  double FractionDone() const;
   bool CollapseAt(Index vertex);
   bool CollapseEdge(Index edge);
   void Recost(Index vertex);
@@ -55,10 +46,9 @@ private:
   };
 
   Editor& Work;
+  Goal End;
   NormalFieldDeviation Costs;
   VertexQueue Queue;
-  ThesisStops Stops;
-  Index FacesAtFirst;
   std::vector<CostedEdge> EdgesOfVertex;
 };
 }

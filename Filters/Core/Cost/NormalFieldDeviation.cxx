@@ -4,22 +4,6 @@
 
 namespace bonedecimate
 {
-double MeanEdgeLength(const HalfEdgeMesh& mesh)
-{
-  double sum = 0.0; // mm
-  Index edges = 0;
-  for (Index h = 0; h < 3 * mesh.NumberOfFaceSlots(); ++h)
-  {
-    const Index twin = mesh.Twin(h);
-    if (mesh.IsAlive(HalfEdgeMesh::Face(h)) && (twin == None || h < twin))
-    {
-      sum += (mesh.Position(mesh.Target(h)) - mesh.Position(mesh.Origin(h))).norm();
-      ++edges;
-    }
-  }
-  return edges > 0 ? sum / edges : 0.0;
-}
-
 double NormalFieldDeviation::EdgeCost(Index h) const
 {
   const Index twin = this->Mesh.Twin(h);

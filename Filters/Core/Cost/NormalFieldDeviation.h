@@ -27,9 +27,6 @@
 
 namespace bonedecimate
 {
-/// Mean length of the edges, border edges counted like the others; mm.
-double MeanEdgeLength(const HalfEdgeMesh& mesh);
-
 class NormalFieldDeviation
 {
 public:

@@ -7,9 +7,10 @@
 
 namespace bonedecimate
 {
-Original::Original(const CleanSurface& clean)
+Original::Original(const CleanSurface& clean, bool recordDistances)
   : Triangles(clean.Surface)
   , Known(clean.Surface.Points.size())
+  , RecordsDistances(recordDistances)
 {
   for (std::size_t v = 0; v < this->Known.size(); ++v)
   {
@@ -34,11 +35,15 @@ void Original::Merge(Index keep, Index gone, const Vector3& position, bool keepS
   {
     return; // its distance was recorded when it came there
   }
+  kept.Moved = true;
+  if (!this->RecordsDistances)
+  {
+    return;
+  }
   const BoundingTree::Nearest nearest = this->Triangles.FindNearest(position, kept.NearestTriangle);
   const double distance = std::sqrt(nearest.Place.SquaredDistance);
   kept.NearestTriangle = nearest.Triangle;
   kept.RunningError = std::max(kept.RunningError, distance);
-  kept.Moved = true;
   this->Largest = std::max(this->Largest, distance);
 }
 }

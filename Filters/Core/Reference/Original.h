@@ -25,9 +25,10 @@ public:
     bool Moved = false;           ///< Whether it still lies where its input point lay, bit for bit.
   };
 
-  explicit Original(const CleanSurface& clean);
+  /// @param recordDistances Whether Merge looks every new vertex up; otherwise errors stay 0.
+  Original(const CleanSurface& clean, bool recordDistances);
 
-  /// Two vertices became one; the new one is looked up, unless it stayed where `keep` was.
+  /// Two vertices became one; the new one is looked up if that is wished, unless it stayed where `keep` was.
   void Merge(Index keep, Index gone, const Vector3& position, bool keepStays);
 
   const Knowledge& Of(Index vertex) const { return this->Known[vertex]; }
@@ -38,6 +39,7 @@ private:
   BoundingTree Triangles;
   std::vector<Knowledge> Known;
   double Largest = 0.0; // mm
+  bool RecordsDistances;
 };
 }
 

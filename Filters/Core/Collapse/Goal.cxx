@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Goal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr double ProgressStep = 0.005;
+}
+
+Stops StopsOf(const Options& options, Index faces)
+{
+  const bool anyOther = options.TargetNumberOfTriangles > 0 || options.MaximumError > 0.0;
+  const bool reduce = options.TargetReduction < 1.0 && (options.TargetReductionIsExplicit || !anyOther);
+  const Index byReduction = reduce ? static_cast<Index>(std::floor(faces * (1.0 - options.TargetReduction) + 0.5)) : 0;
+  const bool both = options.Mode == Mode::Thesis;
+  Index number = std::max(options.TargetNumberOfTriangles, byReduction);
+  if (both && number == 0 && !reduce && options.MaximumError > 0.0)
+  {
+    number = faces; // an error alone: no number has to be reached
+  }
+  return { number, options.MaximumError, both };
+}
+
+//------------------------------------------------------------------------------
+Goal::Goal(const Editor& editor, const Stops& stops)
+  : Work(editor)
+  , Wanted(stops)
+  , FacesAtFirst(editor.Mesh().NumberOfFaces())
+{
+}
+
+//------------------------------------------------------------------------------
+bool Goal::ErrorIsReached() const
+{
+  return this->Wanted.Error > 0.0 && this->Work.Reference().LargestError() >= this->Wanted.Error;
+}
+
+//------------------------------------------------------------------------------
+bool Goal::IsReached() const
+{
+  const bool faces = this->Work.Mesh().NumberOfFaces() <= this->Wanted.Faces;
+  if (this->Wanted.Both && this->Wanted.Error > 0.0)
+  {
+    return faces && this->ErrorIsReached();
+  }
+  return faces || this->ErrorIsReached();
+}
+
+//------------------------------------------------------------------------------
+StopReason Goal::Reason() const
+{
+  if (this->Work.NumberOfEdits() == 0)
+  {
+    return StopReason::AlreadySatisfied;
+  }
+  return this->ErrorIsReached() ? StopReason::ErrorReached : StopReason::TargetReached;
+}
+
+//------------------------------------------------------------------------------
+/// By faces; towards an error nobody knows when it will be reached, so that the end may come early.
+double Goal::FractionDone() const
+{
+  const Index end = this->Wanted.Error > 0.0 ? 0 : this->Wanted.Faces;
+  const double removed = this->FacesAtFirst - this->Work.Mesh().NumberOfFaces();
+  return std::min(1.0, removed / std::max(1, this->FacesAtFirst - end));
+}
+
+//------------------------------------------------------------------------------
+bool Goal::Tell(const Monitor& monitor)
+{
+  const double done = this->FractionDone();
+  if (done < this->Told + ProgressStep)
+  {
+    return true;
+  }
+  this->Told = done;
+  return monitor(done);
+}
+}

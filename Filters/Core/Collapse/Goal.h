@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Goal.h
+ * @brief What a loop runs towards, how far it has come, and whom it tells.
+ */
+#ifndef BoneDecimate_Core_Collapse_Goal_h
+#define BoneDecimate_Core_Collapse_Goal_h
+
+#include "Editor.h"
+#include "Monitor.h"
+
+namespace bonedecimate
+{
+struct Stops
+{
+  Index Faces = 0;     ///< A number of triangles to come down to.
+  double Error = 0.0;  ///< mm, a distance of a new vertex to the original to reach; 0: no such wish.
+  bool Both = false;   ///< The thesis goes on until both are reached, everything else until one of them is.
+};
+
+/// What the options ask for on a surface of that many faces. A default reduction steps back for other wishes.
+Stops StopsOf(const Options& options, Index faces);
+
+class Goal
+{
+public:
+  Goal(const Editor& editor, const Stops& stops);
+
+  bool IsReached() const;
+
+  /// Why it is reached, while IsReached().
+  StopReason Reason() const;
+
+  /// Tells the monitor every half percent. False if it asked to stop.
+  bool Tell(const Monitor& monitor);
+
+private:
+  bool ErrorIsReached() const;
+  double FractionDone() const;
+
+  const Editor& Work;
+  Stops Wanted;
+  Index FacesAtFirst;
+  double Told = 0.0;
+};
+}
+
+#endif

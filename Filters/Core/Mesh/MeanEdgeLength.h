@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file MeanEdgeLength.h
+ * @brief The unit in which costs of different powers of length are made comparable.
+ */
+#ifndef BoneDecimate_Core_Mesh_MeanEdgeLength_h
+#define BoneDecimate_Core_Mesh_MeanEdgeLength_h
+
+#include "HalfEdgeMesh.h"
+
+namespace bonedecimate
+{
+/// Mean length of the edges, border edges counted like the others; mm.
+inline double MeanEdgeLength(const HalfEdgeMesh& mesh)
+{
+  double sum = 0.0; // mm
+  Index edges = 0;
+  for (Index h = 0; h < 3 * mesh.NumberOfFaceSlots(); ++h)
+  {
+    const Index twin = mesh.Twin(h);
+    if (mesh.IsAlive(HalfEdgeMesh::Face(h)) && (twin == None || h < twin))
+    {
+      sum += (mesh.Position(mesh.Target(h)) - mesh.Position(mesh.Origin(h))).norm();
+      ++edges;
+    }
+  }
+  return edges > 0 ? sum / edges : 0.0;
+}
+}
+
+#endif
