@@ -85,17 +85,19 @@ void FastLoop::FindCandidates(Index vertex)
 {
   const HalfEdgeMesh& mesh = this->Work.Mesh();
   this->Candidates.clear();
-  mesh.VisitEdges(vertex, [&](Index h) {
-    if (JudgeEnds(mesh, h) == Verdict::Allowed)
+  mesh.VisitEdges(vertex,
+    [&](Index h)
     {
-      const Index other = mesh.Across(h, vertex);
-      const VertexQuadrics::Freedom freedom = FreedomOf(mesh.Kind(vertex), mesh.Kind(other));
-      this->Candidates.push_back({ this->Quadrics.Evaluate(vertex, other, freedom), h });
-    }
-  });
-  std::sort(this->Candidates.begin(), this->Candidates.end(), [](const Candidate& a, const Candidate& b) {
-    return a.Answer.Cost != b.Answer.Cost ? a.Answer.Cost < b.Answer.Cost : a.Edge < b.Edge;
-  });
+      if (JudgeEnds(mesh, h) == Verdict::Allowed)
+      {
+        const Index other = mesh.Across(h, vertex);
+        const VertexQuadrics::Freedom freedom = FreedomOf(mesh.Kind(vertex), mesh.Kind(other));
+        this->Candidates.push_back({ this->Quadrics.Evaluate(vertex, other, freedom), h });
+      }
+    });
+  std::sort(this->Candidates.begin(), this->Candidates.end(),
+    [](const Candidate& a, const Candidate& b)
+    { return a.Answer.Cost != b.Answer.Cost ? a.Answer.Cost < b.Answer.Cost : a.Edge < b.Edge; });
 }
 
 //------------------------------------------------------------------------------
@@ -131,7 +133,8 @@ void FastLoop::CollapseAt(const LevelQueue::Entry& entry)
     }
     if (this->CollapseEdge(candidate))
     {
-      return; // which has put what is left of the vertex on its level, and may have changed Candidates
+      return; // which has put what is left of the vertex on its level, and may have changed
+              // Candidates
     }
   }
   if (!this->Candidates.empty())
@@ -191,8 +194,9 @@ double FastLoop::DistanceToFan(const Vector3& p, Index vertex) const
   for (const Index h : mesh.OutgoingOf(vertex))
   {
     const Vector3& third = mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h)));
-    least = std::min(
-      least, NearestOnTriangle(p, mesh.Position(vertex), mesh.Position(mesh.Target(h)), third).SquaredDistance);
+    least = std::min(least,
+      NearestOnTriangle(p, mesh.Position(vertex), mesh.Position(mesh.Target(h)), third)
+        .SquaredDistance);
   }
   return std::sqrt(least);
 }

@@ -8,9 +8,11 @@ namespace bonedecimate
 {
 namespace
 {
-/// Cosine of the most (78 degrees) by which a face may turn in one step; 90 would let it end on its edge.
+/// Cosine of the most (78 degrees) by which a face may turn in one step; 90 would let it end on its
+/// edge.
 constexpr double LeastCosine = 0.2;
-/// 4 sqrt(3) area / sum of squared edges, 1 for an equilateral triangle: below this, no better than before.
+/// 4 sqrt(3) area / sum of squared edges, 1 for an equilateral triangle: below this, no better than
+/// before.
 constexpr double LeastQuality = 0.02;
 constexpr double QualityOfEquilateral = 6.928203230275509; // 4 sqrt(3)
 
@@ -44,7 +46,8 @@ Verdict JudgeTopology(const HalfEdgeMesh& mesh, const Neighbourhood& around)
   {
     return Verdict::LinkCondition;
   }
-  // An apex inside the surface with three faces only: with the link condition met, this is a tetrahedron.
+  // An apex inside the surface with three faces only: with the link condition met, this is a
+  // tetrahedron.
   for (Index i = 0; i < around.NumberOfGoneFaces; ++i)
   {
     const Index apex = around.Apexes[i];
@@ -65,7 +68,8 @@ Verdict JudgeTopology(const HalfEdgeMesh& mesh, const Neighbourhood& around)
   return Verdict::Allowed;
 }
 
-Verdict JudgePlace(const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around, const Edit& edit)
+Verdict JudgePlace(
+  const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around, const Edit& edit)
 {
   for (const Index h : around.Corners)
   {

@@ -15,8 +15,10 @@ constexpr double ProgressStep = 0.005;
 Stops StopsOf(const Options& options, Index faces)
 {
   const bool anyOther = options.TargetNumberOfTriangles > 0 || options.MaximumError > 0.0;
-  const bool reduce = options.TargetReduction < 1.0 && (options.TargetReductionIsExplicit || !anyOther);
-  const Index byReduction = reduce ? static_cast<Index>(std::floor(faces * (1.0 - options.TargetReduction) + 0.5)) : 0;
+  const bool reduce =
+    options.TargetReduction < 1.0 && (options.TargetReductionIsExplicit || !anyOther);
+  const Index byReduction =
+    reduce ? static_cast<Index>(std::floor(faces * (1.0 - options.TargetReduction) + 0.5)) : 0;
   const bool both = options.Mode == Mode::Thesis;
   Index number = std::max(options.TargetNumberOfTriangles, byReduction);
   if (both && number == 0 && !reduce && options.MaximumError > 0.0)

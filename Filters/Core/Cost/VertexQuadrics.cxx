@@ -9,7 +9,7 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double Ridge = 1e-4;       // of the mean eigenvalue of M
+constexpr double Ridge = 1e-4; // of the mean eigenvalue of M
 constexpr double MemoryWeight = 0.03;
 constexpr double FarthestMove = 2.0; // edge lengths from the middle
 }
@@ -43,16 +43,19 @@ VertexQuadrics::VertexQuadrics(const HalfEdgeMesh& mesh, const FaceAreas& areas,
 void VertexQuadrics::Update(Index v)
 {
   Record record;
-  this->Mesh.VisitEdges(v, [&](Index h) {
-    if (this->Mesh.Origin(h) == v)
+  this->Mesh.VisitEdges(v,
+    [&](Index h)
     {
-      AddPlane(record, this->Areas[HalfEdgeMesh::Face(h)]);
-    }
-    if (this->Mesh.Twin(h) == None)
-    {
-      AddBorderEdge(record, this->Mesh.Position(this->Mesh.Target(h)) - this->Mesh.Position(this->Mesh.Origin(h)));
-    }
-  });
+      if (this->Mesh.Origin(h) == v)
+      {
+        AddPlane(record, this->Areas[HalfEdgeMesh::Face(h)]);
+      }
+      if (this->Mesh.Twin(h) == None)
+      {
+        AddBorderEdge(record,
+          this->Mesh.Position(this->Mesh.Target(h)) - this->Mesh.Position(this->Mesh.Origin(h)));
+      }
+    });
   this->Records[v] = record;
 }
 
@@ -80,9 +83,11 @@ VertexQuadrics::Answer VertexQuadrics::Evaluate(Index v, Index w, Freedom freedo
   {
     x = PlaceOnEdge(sum, r, half);
   }
-  const double q = std::max(0.0, x.dot(Times(sum.M, x)) - 2.0 * r.dot(x) + half.dot(Times(sum.M, half)));
+  const double q =
+    std::max(0.0, x.dot(Times(sum.M, x)) - 2.0 * r.dot(x) + half.dot(Times(sum.M, half)));
   const double left = std::max(this->Memories[v], this->Memories[w]);
-  return { this->CostOf(sum.M[0] + sum.M[3] + sum.M[5], q, left), this->Mesh.Position(v) + half + x };
+  return { this->CostOf(sum.M[0] + sum.M[3] + sum.M[5], q, left),
+    this->Mesh.Position(v) + half + x };
 }
 
 //------------------------------------------------------------------------------
@@ -98,7 +103,8 @@ double VertexQuadrics::CostOf(double s, double q, double left) const
 }
 
 //------------------------------------------------------------------------------
-Vector3 VertexQuadrics::PlaceInSpace(const Record& sum, const Vector3& r, double d, const Vector3& half)
+Vector3 VertexQuadrics::PlaceInSpace(
+  const Record& sum, const Vector3& r, double d, const Vector3& half)
 {
   Symmetric ridged = sum.M;
   const double ridge = Ridge * (sum.M[0] + sum.M[3] + sum.M[5]) / 3.0;
@@ -131,7 +137,8 @@ Vector3 VertexQuadrics::PlaceInSpace(const Record& sum, const Vector3& r, double
 Vector3 VertexQuadrics::PlaceOnEdge(const Record& sum, const Vector3& r, const Vector3& half)
 {
   const double curvature = half.dot(Times(sum.M, half));
-  return curvature > 0.0 ? Vector3(std::clamp(r.dot(half) / curvature, -1.0, 1.0) * half) : Vector3(Vector3::Zero());
+  return curvature > 0.0 ? Vector3(std::clamp(r.dot(half) / curvature, -1.0, 1.0) * half)
+                         : Vector3(Vector3::Zero());
 }
 
 //------------------------------------------------------------------------------
@@ -152,7 +159,8 @@ bool VertexQuadrics::Invert(const Symmetric& m, Symmetric& inverse)
   {
     return false;
   }
-  inverse = { xx, xy, xz, m[0] * m[5] - m[2] * m[2], m[1] * m[2] - m[0] * m[4], m[0] * m[3] - m[1] * m[1] };
+  inverse = { xx, xy, xz, m[0] * m[5] - m[2] * m[2], m[1] * m[2] - m[0] * m[4],
+    m[0] * m[3] - m[1] * m[1] };
   for (double& entry : inverse)
   {
     entry /= determinant;

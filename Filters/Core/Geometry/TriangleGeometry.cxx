@@ -10,7 +10,8 @@ namespace
 {
 using Corners = std::array<const Vector3*, 3>;
 
-TrianglePlace PlaceAt(const Vector3& p, const Corners& corners, const std::array<double, 3>& weights)
+TrianglePlace PlaceAt(
+  const Vector3& p, const Corners& corners, const std::array<double, 3>& weights)
 {
   TrianglePlace place;
   place.Weights = weights;
@@ -52,7 +53,8 @@ double NearestFraction(const Vector3& p, const Vector3& a, const Vector3& b)
   return squaredLength > 0.0 ? std::clamp(edge.dot(p - a) / squaredLength, 0.0, 1.0) : 0.0;
 }
 
-TrianglePlace NearestOnTriangle(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c)
+TrianglePlace NearestOnTriangle(
+  const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const Corners corners = { &a, &b, &c };
   const Vector3 ab = b - a;

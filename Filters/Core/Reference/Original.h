@@ -21,14 +21,15 @@ public:
   {
     Index NearestTriangle = None; ///< Of the cleaned input.
     Index PointCount = 0;         ///< Input points this vertex stands for.
-    double RunningError = 0.0;    ///< mm, the largest distance recorded along the collapses into it.
-    bool Moved = false;           ///< Whether it still lies where its input point lay, bit for bit.
+    double RunningError = 0.0; ///< mm, the largest distance recorded along the collapses into it.
+    bool Moved = false;        ///< Whether it still lies where its input point lay, bit for bit.
   };
 
   /// @param recordDistances Whether Merge looks every new vertex up; otherwise errors stay 0.
   Original(const CleanSurface& clean, bool recordDistances);
 
-  /// Two vertices became one; the new one is looked up if that is wished, unless it stayed where `keep` was.
+  /// Two vertices became one; the new one is looked up if that is wished, unless it stayed where
+  /// `keep` was.
   void Merge(Index keep, Index gone, const Vector3& position, bool keepStays);
 
   const Knowledge& Of(Index vertex) const { return this->Known[vertex]; }
