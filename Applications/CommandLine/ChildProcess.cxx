@@ -56,6 +56,16 @@ ChildProcess::ChildProcess(const std::string& self, const std::vector<std::strin
   }
 }
 
+ChildProcess::~ChildProcess()
+{
+  this->Interrupt();
+  while (!this->Ended)
+  {
+    const bool again = waitpid(this->Process, &this->Status, 0) < 0 && errno == EINTR;
+    this->Ended = !again;
+  }
+}
+
 bool ChildProcess::HasEnded()
 {
   if (!this->Ended)
@@ -73,6 +83,11 @@ void ChildProcess::Interrupt()
   }
 }
 
+bool ChildProcess::HasDied() const
+{
+  return WIFSIGNALED(this->Status);
+}
+
 ExitCode ChildProcess::GetCode() const
 {
   const bool known =
@@ -82,7 +97,7 @@ ExitCode ChildProcess::GetCode() const
 
 std::string ChildProcess::GetMessage() const
 {
-  if (WIFSIGNALED(this->Status))
+  if (this->HasDied())
   {
     const int signal = WTERMSIG(this->Status);
     return "its process died of signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";

@@ -44,6 +44,7 @@ protected:
     this->Subject.Before = this->Elevation->GetPolyDataOutput();
     this->Subject.After = this->Subject.Before;
     this->Subject.DistanceArrayName = "Elevation";
+    this->Subject.Width = 600;
   }
 
   void TearDown() override { fs::remove_all(this->Folder); }
@@ -58,7 +59,7 @@ protected:
     vtkNew<vtkPNGReader> reader;
     reader->SetFileName(file.c_str());
     reader->Update();
-    EXPECT_GT(reader->GetOutput()->GetDimensions()[0], 1000);
+    EXPECT_EQ(reader->GetOutput()->GetDimensions()[0], this->Subject.Width);
     EXPECT_GT(reader->GetOutput()->GetScalarRange()[1], reader->GetOutput()->GetScalarRange()[0]);
     EXPECT_EQ(std::distance(fs::directory_iterator(this->Folder), fs::directory_iterator()), 1);
   }
@@ -153,7 +154,8 @@ TEST_F(PictureFile, SaysWhatIsMissingWithoutDisplayAndXvfb)
 {
   unsetenv("DISPLAY");
   setenv("PATH", this->Folder.c_str(), 1);
-  EXPECT_NE(WritePicture(this->Subject, this->InFolder("picture.png")).find("Xvfb"), std::string::npos);
+  EXPECT_NE(
+    WritePicture(this->Subject, this->InFolder("picture.png")).find("Xvfb"), std::string::npos);
   EXPECT_TRUE(this->FolderIsEmpty());
 }
 

@@ -42,11 +42,13 @@ void ExpectSameTopology(const Surface& before, const Surface& after)
   {
     const std::vector<std::int64_t> loops = BoundaryLoopLengths(after);
     EXPECT_EQ(loops.size(), BoundaryLoopLengths(before).size());
-    EXPECT_TRUE(std::all_of(loops.begin(), loops.end(), [](std::int64_t edges) { return edges >= 3; }));
+    EXPECT_TRUE(
+      std::all_of(loops.begin(), loops.end(), [](std::int64_t edges) { return edges >= 3; }));
   }
 }
 
-/// Components keep their order, since the least triangle of each decides it and triangles keep theirs.
+/// Components keep their order, since the least triangle of each decides it and triangles keep
+/// theirs.
 void ExpectFragmentsKept(const Surface& before, const Surface& after)
 {
   const std::vector<Surface> expected = SplitComponents(before);
@@ -93,7 +95,8 @@ void ExpectLockedPartsKept(const Surface& input, const Surface& after)
   }
   for (const Triangle& t : clean.Surface.Triangles)
   {
-    if (std::all_of(t.begin(), t.end(), [&](Index v) { return mesh.Kind(v) == VertexKind::Locked; }))
+    if (std::all_of(
+          t.begin(), t.end(), [&](Index v) { return mesh.Kind(v) == VertexKind::Locked; }))
     {
       EXPECT_GE(triangles.count(placesOf(t, inputPlace)), 1U) << "a triangle of locked points";
     }
@@ -136,7 +139,8 @@ void ExpectMapsAreWhole(const Surface& input, const Result& result)
   ASSERT_EQ(result.Distance.size(), count);
   ASSERT_EQ(result.RunningError.size(), count);
   ASSERT_EQ(result.PointCount.size(), count);
-  const std::set<Index> used = [&] {
+  const std::set<Index> used = [&]
+  {
     std::set<Index> points;
     for (const Triangle& t : input.Triangles)
     {
@@ -144,14 +148,16 @@ void ExpectMapsAreWhole(const Surface& input, const Result& result)
     }
     return points;
   }();
-  EXPECT_EQ(std::accumulate(result.PointCount.begin(), result.PointCount.end(), std::size_t(0)), used.size());
+  EXPECT_EQ(std::accumulate(result.PointCount.begin(), result.PointCount.end(), std::size_t(0)),
+    used.size());
   EXPECT_TRUE(std::all_of(
     result.PointCount.begin(), result.PointCount.end(), [](Index points) { return points >= 1; }));
 }
 
 void ExpectReportIsTrue(const Surface& before, const Result& result)
 {
-  const auto expectSide = [](const SurfaceStatistics& told, const Surface& surface) {
+  const auto expectSide = [](const SurfaceStatistics& told, const Surface& surface)
+  {
     const Topology found = CountTopology(surface);
     EXPECT_EQ(told.Faces, found.Faces);
     EXPECT_EQ(told.Points, found.Points);
@@ -205,7 +211,8 @@ TEST_P(AnyReduction, RemovesAsMuchAsAskedOrSaysThatNothingIsLeft)
     }
     EXPECT_LE(left, target) << fraction;
     EXPECT_GE(left, target - 1) << fraction << ": a collapse takes two triangles at most";
-    EXPECT_EQ(result.Report.Stop, left == faces ? StopReason::AlreadySatisfied : StopReason::TargetReached);
+    EXPECT_EQ(
+      result.Report.Stop, left == faces ? StopReason::AlreadySatisfied : StopReason::TargetReached);
   }
 }
 
@@ -240,7 +247,8 @@ TEST_P(AnyReduction, MillimetresOrMetresGiveTheSameNumberOfTriangles)
 {
   const Surface& input = GetParam().Surface;
   const std::size_t millimetres = Decimate(input, Reduction(0.8)).Surface.Triangles.size();
-  const std::size_t metres = Decimate(Scaled(input, 0.001), Reduction(0.8)).Surface.Triangles.size();
+  const std::size_t metres =
+    Decimate(Scaled(input, 0.001), Reduction(0.8)).Surface.Triangles.size();
   EXPECT_LE(std::max(millimetres, metres) - std::min(millimetres, metres), 1U);
 }
 

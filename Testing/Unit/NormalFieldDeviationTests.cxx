@@ -82,7 +82,8 @@ TEST(NormalFieldDeviation, ABorderEdgeHasATwinOfTheSameAreaAtRightAngles)
 
 TEST(NormalFieldDeviation, MeanEdgeLengthCountsEachEdgeOnce)
 {
-  EXPECT_NEAR(MeanEdgeLength(HalfEdgeMesh(Tetrahedron())), (3.0 + 3.0 * std::sqrt(2.0)) / 6.0, 1e-15);
+  EXPECT_NEAR(
+    MeanEdgeLength(HalfEdgeMesh(Tetrahedron())), (3.0 + 3.0 * std::sqrt(2.0)) / 6.0, 1e-15);
   EXPECT_NEAR(MeanEdgeLength(HalfEdgeMesh(SingleTriangle())), (2.0 + std::sqrt(2.0)) / 3.0, 1e-15);
   EXPECT_NEAR(MeanEdgeLength(HalfEdgeMesh(Grid(1))), (4.0 + std::sqrt(2.0)) / 5.0, 1e-15);
 }
