@@ -12,7 +12,7 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr std::size_t NumberLength = 2; // of the shortest number in text, with the blank after it
+constexpr std::int64_t NumberLength = 2; // of the shortest number in text, with the blank after it
 
 std::size_t BytesOf(std::string_view type)
 {

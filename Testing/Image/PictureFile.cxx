@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -25,6 +26,27 @@ namespace
 {
 using namespace bonedecimate;
 namespace fs = std::filesystem;
+
+/// Puts a variable of the environment back as it was.
+class KeptVariable
+{
+public:
+  explicit KeptVariable(const char* name)
+    : Name(name)
+    , Value(std::getenv(name) ? std::optional<std::string>(std::getenv(name)) : std::nullopt)
+  {
+  }
+  ~KeptVariable()
+  {
+    this->Value ? setenv(this->Name, this->Value->c_str(), 1) : unsetenv(this->Name);
+  }
+  KeptVariable(const KeptVariable&) = delete;
+  KeptVariable& operator=(const KeptVariable&) = delete;
+
+private:
+  const char* Name;
+  std::optional<std::string> Value;
+};
 
 class PictureFile : public ::testing::Test
 {
@@ -66,6 +88,8 @@ protected:
 
   const fs::path Folder =
     fs::path(TEMPORARY_FOLDER) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  const KeptVariable Screen{ "DISPLAY" };
+  const KeptVariable Path{ "PATH" };
   vtkNew<vtkElevationFilter> Elevation;
   PictureSubject Subject;
 };
