@@ -6,7 +6,8 @@ root=$(cd "$(dirname "$0")" && pwd)
 output=${1:-$root/bone-output}
 program=$root/build/release/bin/bonedecimate
 
-# The CT lies in InVesalius' own format: a tar with the voxels, their number and their spacing.
+# The CT lies in InVesalius' own format: a tar with the voxels, their number and their spacing. InVesalius keeps the
+# rows of a slice from back to front and turns y round in its surfaces, as the one in the same tar shows; so do we.
 unpack_cranium()
 {
   local project=$1 folder=$2
@@ -19,6 +20,7 @@ unpack_cranium()
 ObjectType = Image
 NDims = 3
 DimSize = $size
+TransformMatrix = 1 0 0 0 -1 0 0 0 1
 ElementSpacing = $spacing
 ElementType = MET_SHORT
 ElementByteOrderMSB = False
