@@ -123,11 +123,18 @@ check_tidy()
     xargs -P "$jobs" -n 1 "$clang_tidy" -p "$database" --quiet 2>/dev/null
 }
 
+# Runs quietly; shows what was said only if it fails.
+quietly()
+{
+  local said
+  said=$("$@" 2>&1) || { echo "$said" | tail -n 100; return 1; }
+}
+
 check_sanitize()
 {
-  cmake --preset sanitize >/dev/null &&
-    cmake --build --preset sanitize -- -j "$jobs" | tail -n 1 &&
-    ctest --preset sanitize -j "$jobs" --progress 2>&1 | tail -n 25
+  quietly cmake --preset sanitize &&
+    quietly cmake --build --preset sanitize --parallel "$jobs" &&
+    quietly ctest --preset sanitize --parallel "$jobs"
 }
 
 main()

@@ -90,6 +90,11 @@ bool ChildProcess::HasDied() const
 
 ExitCode ChildProcess::GetCode() const
 {
+  const int signal = this->HasDied() ? WTERMSIG(this->Status) : 0;
+  if (signal == SIGTERM || signal == SIGINT)
+  {
+    return ExitCode::Interrupted; // before it could catch them
+  }
   const bool known =
     WIFEXITED(this->Status) && WEXITSTATUS(this->Status) <= static_cast<int>(ExitCode::OutOfMemory);
   return known ? static_cast<ExitCode>(WEXITSTATUS(this->Status)) : ExitCode::OutOfMemory;

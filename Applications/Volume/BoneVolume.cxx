@@ -127,7 +127,7 @@ BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield)
   BoneSurface bone;
   if (!std::isfinite(hounsfield))
   {
-    bone.Problem = "The Hounsfield value is not a finite number.";
+    bone.Problem = "the Hounsfield value is not a finite number";
     return bone;
   }
   const Volume volume = ReadVolume(path);
@@ -136,9 +136,7 @@ BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield)
   if (bone.Problem.empty())
   {
     bone.Surface = OutwardContour(volume, hounsfield);
-    return bone;
   }
-  bone.Problem = fs::path(path).filename().string() + ": " + bone.Problem + ".";
   return bone;
 }
 }

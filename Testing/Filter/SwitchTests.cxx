@@ -119,6 +119,7 @@ TEST(NumberOfThreads, OfOneStartsNoOther)
   const std::ptrdiff_t before = NumberOfThreadsNow();
   FilterRun run(Bumps(4));
   run->SetNumberOfThreads(1);
+  run->MeasureDistancesOn();
   std::ptrdiff_t most = 0;
   run.OnEachProgress = [&](double) { most = std::max(most, NumberOfThreadsNow()); };
   run.Output();

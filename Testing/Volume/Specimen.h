@@ -25,7 +25,7 @@ constexpr double SurfaceValue = 226.0;
 /// mm outside the specimen, an ellipsoid and a ball with no symmetry between them; negative inside.
 double SpecimenDistance(const Vector3& p);
 
-/// mm³.
+/// mm^3.
 double SpecimenVolume();
 
 /// Voxels in the order of the files: the first axis runs fastest.

@@ -29,7 +29,7 @@ private:
   std::string Path;
 };
 
-/// mm³, positive where normals point outwards.
+/// mm^3, positive where normals point outwards.
 double EnclosedVolume(vtkPolyData* surface);
 
 /// mm, of any point from the surface of the specimen.
