@@ -62,5 +62,4 @@ fi
 "$program" "$ct" "$output/$name.vtp" --iso 226 --target-faces "$triangles" \
   --also "$output/$name.stl" --heatmap "$output/heatmap.vtp" --report "$output/report.json" \
   --page "$output/report.html" --picture "$output/picture.png"
-echo "Picture: $output/picture.png"
-echo "Page:    $output/report.html"
+echo "Look at $output/picture.png and $output/report.html"

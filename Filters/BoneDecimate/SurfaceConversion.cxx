@@ -22,6 +22,7 @@
 #include "vtkTriangleFilter.h"
 #include "vtkTypeInt64Array.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace bonedecimate
@@ -33,6 +34,11 @@ const char* const CellIdArrayName = "bonedecimate.cell";
 Index ToIndex(vtkIdType id, vtkIdType numberOfPoints)
 {
   return id >= 0 && id < numberOfPoints && id < std::numeric_limits<Index>::max() ? static_cast<Index>(id) : None;
+}
+
+bool HasWrongId(vtkIdType npts, const vtkIdType* ids, vtkIdType numberOfPoints)
+{
+  return std::any_of(ids, ids + npts, [=](vtkIdType id) { return ToIndex(id, numberOfPoints) == None; });
 }
 
 /// Calls visit(cell, npts, ids) for every cell of the array; cells are numbered from firstCell.
@@ -91,14 +97,10 @@ CellSurvey Survey(vtkPolyData* input, ConvertedSurface& wrongCells)
     {
       survey.FirstTooShort = cell;
     }
-    for (vtkIdType i = 0; i < npts; ++i)
+    if (HasWrongId(npts, ids, numberOfPoints))
     {
-      if (ToIndex(ids[i], numberOfPoints) == None)
-      {
-        wrongCells.Surface.Triangles.push_back({ None, None, None });
-        wrongCells.CellOfTriangle.push_back(cell);
-        break;
-      }
+      wrongCells.Surface.Triangles.push_back({ None, None, None });
+      wrongCells.CellOfTriangle.push_back(cell);
     }
   };
   const vtkIdType firstPolygon = input->GetNumberOfVerts() + input->GetNumberOfLines();
@@ -150,9 +152,31 @@ void AddTriangulated(vtkPolyData* input, const CellSurvey& survey, ConvertedSurf
   const vtkIdType lost = cellIds->GetNumberOfTuples() - different + survey.TooShort;
   if (lost > 0)
   {
-    converted.Warning = std::to_string(lost) + " polygons could not be triangulated and were left out" +
+    converted.Warnings.push_back(std::to_string(lost) + " polygons could not be triangulated and were left out" +
       (survey.TooShort > 0 ? ", the first with fewer than three points is cell " + std::to_string(survey.FirstTooShort)
-                           : std::string());
+                           : std::string()));
+  }
+}
+
+/// Lines and vertices pass through the filter, except those that would make VTK crash.
+void WarnOfWrongLines(vtkPolyData* input, ConvertedSurface& converted)
+{
+  vtkIdType wrong = 0;
+  vtkIdType first = -1;
+  const auto look = [&](vtkIdType cell, vtkIdType npts, const vtkIdType* ids)
+  {
+    if (HasWrongId(npts, ids, input->GetNumberOfPoints()) && wrong++ == 0)
+    {
+      first = cell;
+    }
+  };
+  VisitCells(input->GetVerts(), 0, look);
+  VisitCells(input->GetLines(), input->GetNumberOfVerts(), look);
+  if (wrong > 0)
+  {
+    converted.Warnings.push_back(std::to_string(wrong) +
+      " vertices and lines name points that are not there and were left out, the first is cell " +
+      std::to_string(first));
   }
 }
 
@@ -178,19 +202,22 @@ vtkSmartPointer<vtkCellArray> PassCells(
 {
   auto passed = vtkSmartPointer<vtkCellArray>::New();
   std::vector<vtkIdType> ids;
-  VisitCells(cells, 0, [&](vtkIdType, vtkIdType npts, const vtkIdType* old) {
-    ids.clear();
-    for (vtkIdType i = 0; i < npts && ToIndex(old[i], input->GetNumberOfPoints()) != None; ++i)
+  VisitCells(cells, 0,
+    [&](vtkIdType, vtkIdType npts, const vtkIdType* old)
     {
-      vtkIdType& id = newId[static_cast<std::size_t>(old[i])];
-      id = id < 0 ? points->InsertNextPoint(input->GetPoint(old[i])) : id;
-      ids.push_back(id);
-    }
-    if (static_cast<vtkIdType>(ids.size()) == npts)
-    {
+      if (HasWrongId(npts, old, input->GetNumberOfPoints()))
+      {
+        return;
+      }
+      ids.clear();
+      for (vtkIdType i = 0; i < npts; ++i)
+      {
+        vtkIdType& id = newId[static_cast<std::size_t>(old[i])];
+        id = id < 0 ? points->InsertNextPoint(input->GetPoint(old[i])) : id;
+        ids.push_back(id);
+      }
       passed->InsertNextCell(npts, ids.data());
-    }
-  });
+    });
   return passed;
 }
 
@@ -234,6 +261,7 @@ ConvertedSurface ToSurface(vtkPolyData* input)
   ConvertedSurface converted;
   ConvertedSurface wrongCells;
   AddPoints(input, converted);
+  WarnOfWrongLines(input, converted);
   const CellSurvey survey = Survey(input, wrongCells);
   if (survey.OnlyTriangles)
   {
@@ -254,6 +282,16 @@ ConvertedSurface ToSurface(vtkPolyData* input)
     converted.CellOfTriangle = std::move(wrongCells.CellOfTriangle);
   }
   return converted;
+}
+
+//------------------------------------------------------------------------------
+void NameCells(const ConvertedSurface& converted, Report& report)
+{
+  CleaningStatistics& found = report.Cleaning;
+  for (std::int64_t* triangle : { &found.FirstTriangleOutOfRange, &found.FirstDroppedTriangle })
+  {
+    *triangle = *triangle < 0 ? -1 : converted.CellOfTriangle[static_cast<std::size_t>(*triangle)];
+  }
 }
 
 //------------------------------------------------------------------------------

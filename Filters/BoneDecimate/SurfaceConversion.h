@@ -23,11 +23,14 @@ struct ConvertedSurface
   bonedecimate::Surface Surface;
   std::vector<vtkIdType> CellOfTriangle; ///< Cell of the input from which each triangle came.
   bool IsSingle = true;                  ///< Whether the points are single precision.
-  std::string Warning;                   ///< Polygons that could not be triangulated; empty if there are none.
+  std::vector<std::string> Warnings;     ///< What had to be left out, a sentence each.
 };
 
 /// Triangles as they are, strips and polygons triangulated, ids out of range as None (the core counts them).
 ConvertedSurface ToSurface(vtkPolyData* input);
+
+/// Triangles that the report names become the cells from which they came.
+void NameCells(const ConvertedSurface& converted, Report& report);
 
 /// The result's points, triangles, arrays and report; the input's vertices, lines and field data pass through.
 void FillOutput(const Result& result, const Options& options, bool single, vtkPolyData* input, vtkPolyData* output);

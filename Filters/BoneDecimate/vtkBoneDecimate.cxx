@@ -156,22 +156,21 @@ int vtkBoneDecimate::RequestData(
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   const bonedecimate::Options& options = this->Internal->Options;
   const bonedecimate::ConvertedSurface converted = bonedecimate::ToSurface(input);
-  if (!converted.Warning.empty())
-  {
-    vtkWarningMacro(<< converted.Warning);
-  }
-  const bonedecimate::Result result = bonedecimate::Decimate(
+  bonedecimate::Result result = bonedecimate::Decimate(
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); }, converted.IsSingle);
+  bonedecimate::NameCells(converted, result.Report);
   this->Internal->Report = result.Report;
   this->Internal->Entries = bonedecimate::ReportEntries(result.Report);
   if (!this->Accept(bonedecimate::InputMessage(result.Report)))
   {
     return 0;
   }
+  this->Warn(converted.Warnings);
+  this->Warn(bonedecimate::InputWarnings(result.Report));
   const std::string leftBehind = bonedecimate::NamesOfArraysLeftBehind(input);
   if (!leftBehind.empty())
   {
-    vtkWarningMacro("these arrays of the input are not carried to the output: " << leftBehind);
+    this->Warn({ "these arrays of the input are not carried to the output: " + leftBehind });
   }
   const int precision = this->GetOutputPointsPrecision();
   const bool single = precision == SINGLE_PRECISION || (precision == DEFAULT_PRECISION && converted.IsSingle);
@@ -195,6 +194,15 @@ bool vtkBoneDecimate::Accept(const std::string& problem)
     default:
       vtkErrorMacro(<< problem);
       return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimate::Warn(const std::vector<std::string>& sentences)
+{
+  for (const std::string& sentence : sentences)
+  {
+    vtkWarningMacro(<< sentence);
   }
 }
 

@@ -28,6 +28,7 @@
 
 #include <memory> // for std::unique_ptr
 #include <string> // for array names and report texts
+#include <vector> // for warnings
 
 class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneDecimate : public vtkPolyDataAlgorithm
 {
@@ -176,25 +177,41 @@ public:
   std::string GetInputDistanceArrayName() const;
   ///@}
 
-  ///@{
   /**
-   * Why the last run ended: one of StopReasons, and a sentence.
+   * Why the last run ended: one of StopReasons.
    */
   int GetStopReason() const;
-  std::string GetStopReasonAsString() const;
-  ///@}
 
-  ///@{
   /**
-   * The report of the last run, a flat list of named values ("output.faces", "distance.output_to_input.max", ...).
-   * A value is NaN and a text empty where the name is unknown; numbers read as text have all their digits.
+   * Why the last run ended, as a sentence.
+   */
+  std::string GetStopReasonAsString() const;
+
+  /**
+   * The report of the last run is a flat list of named values ("output.faces", "distance.output_to_input.max", ...).
+   * How many there are.
    */
   int GetNumberOfReportEntries() const;
+
+  /**
+   * Name of an entry, 0 to GetNumberOfReportEntries() - 1; empty beyond that.
+   */
   std::string GetReportEntryName(int entry) const;
+
+  /**
+   * Unit of the entry of that name ("mm", "mm2", "s", ...); empty where there is none.
+   */
   std::string GetReportEntryUnit(const std::string& name) const;
+
+  /**
+   * A number of the report; NaN where the name is unknown or the entry is a text.
+   */
   double GetReportValue(const std::string& name) const;
+
+  /**
+   * An entry of the report as text, numbers with all their digits; empty where the name is unknown.
+   */
   std::string GetReportText(const std::string& name) const;
-  ///@}
 
 protected:
   vtkBoneDecimate();
@@ -208,6 +225,7 @@ private:
 
   bool Accept(const std::string& problem);
   bool GoesOn(double fraction);
+  void Warn(const std::vector<std::string>& sentences);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

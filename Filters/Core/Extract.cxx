@@ -36,13 +36,20 @@ std::vector<Index> NumberVertices(const HalfEdgeMesh& mesh, std::vector<Triangle
   return number;
 }
 
+/// Optimisers take the way to single precision and back for nothing (gcc 12 does at -O2): volatile makes it real.
+double RoundedToSingle(double value)
+{
+  const volatile float rounded = static_cast<float>(value);
+  return static_cast<double>(rounded);
+}
+
 Vector3 GlobalPosition(
   const Surface& input, const CleanSurface& clean, const Editor& editor, Index vertex, bool roundToSingle)
 {
   const bool moved = editor.Reference().Of(vertex).Moved;
   const Vector3 position =
     moved ? Vector3(editor.Mesh().Position(vertex) + clean.Origin) : input.Points[clean.InputPoint[vertex]];
-  return roundToSingle ? Vector3(position.cast<float>().cast<double>()) : position;
+  return roundToSingle ? Vector3(position.unaryExpr(&RoundedToSingle)) : position;
 }
 
 void AddPoint(const CleanSurface& clean, const Editor& editor, Index vertex, const Vector3& local, Result& result)
