@@ -57,10 +57,12 @@ public:
   }
 
 private:
-  /// A monitor for one stage, whose 0 to 1 is a part of the whole. Once it said stop, it says so for ever.
+  /// A monitor for one stage, whose 0 to 1 is a part of the whole. Once it said stop, it says so
+  /// for ever.
   Monitor Stage(double from, double to)
   {
-    return [this, from, to](double fraction) {
+    return [this, from, to](double fraction)
+    {
       this->GoesOn = this->GoesOn && (!this->Outer || this->Outer(from + fraction * (to - from)));
       return this->GoesOn;
     };
@@ -103,8 +105,10 @@ private:
     const Options& wanted = this->Wanted;
     const double faces = this->Work->Mesh().NumberOfFaces();
     const bool anyOther = wanted.TargetNumberOfTriangles > 0 || wanted.MaximumError > 0.0;
-    const bool reduce = wanted.TargetReduction < 1.0 && (wanted.TargetReductionIsExplicit || !anyOther);
-    const Index byReduction = reduce ? static_cast<Index>(std::floor(faces * (1.0 - wanted.TargetReduction) + 0.5)) : 0;
+    const bool reduce =
+      wanted.TargetReduction < 1.0 && (wanted.TargetReductionIsExplicit || !anyOther);
+    const Index byReduction =
+      reduce ? static_cast<Index>(std::floor(faces * (1.0 - wanted.TargetReduction) + 0.5)) : 0;
     Index number = std::max(wanted.TargetNumberOfTriangles, byReduction);
     if (number == 0 && !reduce && wanted.MaximumError > 0.0)
     {
@@ -123,7 +127,8 @@ private:
     report.RunningError = this->Work->Reference().LargestError();
     report.Collapses = this->Work->NumberOfEdits();
     report.Refusals = this->Work->Refusals();
-    this->LocalResult.Points = Extract(this->Input, this->Cleaned, *this->Work, this->RoundToSingle, this->Answer);
+    this->LocalResult.Points =
+      Extract(this->Input, this->Cleaned, *this->Work, this->RoundToSingle, this->Answer);
     this->LocalResult.Triangles = this->Answer.Surface.Triangles;
     this->Stage(collapsedAt, this->MeasuredFrom())(1.0);
     report.Seconds.Collapse = SecondsSince(start);
@@ -132,7 +137,8 @@ private:
   /// Measuring takes about a third of the time, if there is anything to measure.
   double MeasuredFrom() const
   {
-    return this->Wanted.MeasureDistances || this->Wanted.MeasureInputDistances ? 0.7 : 1.0 - LastStep;
+    return this->Wanted.MeasureDistances || this->Wanted.MeasureInputDistances ? 0.7
+                                                                               : 1.0 - LastStep;
   }
 
   void Measure()
@@ -153,13 +159,16 @@ private:
   void MeasureDistances()
   {
     const double from = this->MeasuredFrom();
-    const double inputFrom = this->Wanted.MeasureDistances ? (this->Wanted.MeasureInputDistances ? 0.9 : 1.0 - LastStep) : from;
+    const double inputFrom = this->Wanted.MeasureDistances
+      ? (this->Wanted.MeasureInputDistances ? 0.9 : 1.0 - LastStep)
+      : from;
     const std::int64_t samples = NumberOfSamples(this->Cleaned.Surface.Triangles.size());
     const double backFrom = 0.5 * (from + inputFrom);
     if (this->Wanted.MeasureDistances)
     {
-      this->Answer.Report.OutputToInput = MeasureDistance(this->LocalResult, this->Answer.Distance,
-        this->Work->Reference().Tree(), samples, this->Wanted.NumberOfThreads, this->Stage(from, backFrom));
+      this->Answer.Report.OutputToInput =
+        MeasureDistance(this->LocalResult, this->Answer.Distance, this->Work->Reference().Tree(),
+          samples, this->Wanted.NumberOfThreads, this->Stage(from, backFrom));
     }
     const BoundingTree tree(this->LocalResult);
     if (this->Wanted.MeasureDistances)
@@ -175,10 +184,10 @@ private:
   void MeasureBack(const BoundingTree& tree, std::int64_t samples, double from, double to)
   {
     const double pointsAt = from + 0.3 * (to - from);
-    const std::vector<double> distances =
-      PointDistances(this->Cleaned.Surface.Points, tree, this->Wanted.NumberOfThreads, this->Stage(from, pointsAt));
-    this->Answer.Report.InputToOutput = MeasureDistance(
-      this->Cleaned.Surface, distances, tree, samples, this->Wanted.NumberOfThreads, this->Stage(pointsAt, to));
+    const std::vector<double> distances = PointDistances(this->Cleaned.Surface.Points, tree,
+      this->Wanted.NumberOfThreads, this->Stage(from, pointsAt));
+    this->Answer.Report.InputToOutput = MeasureDistance(this->Cleaned.Surface, distances, tree,
+      samples, this->Wanted.NumberOfThreads, this->Stage(pointsAt, to));
     this->Answer.Report.DistancesMeasured = this->GoesOn;
   }
 
@@ -191,7 +200,8 @@ private:
     {
       local.push_back(point - this->Cleaned.Origin);
     }
-    this->Answer.InputDistance = PointDistances(local, tree, this->Wanted.NumberOfThreads, this->Stage(from, to));
+    this->Answer.InputDistance =
+      PointDistances(local, tree, this->Wanted.NumberOfThreads, this->Stage(from, to));
   }
 
   const Surface& Input;
@@ -206,7 +216,8 @@ private:
 };
 }
 
-Result Decimate(const Surface& input, const Options& options, const Monitor& monitor, bool inputIsSingle)
+Result Decimate(
+  const Surface& input, const Options& options, const Monitor& monitor, bool inputIsSingle)
 {
   return Run(input, options, monitor, inputIsSingle).Go();
 }

@@ -8,7 +8,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of each vertex of the mesh its output point, None for those that are gone; fills the triangles on the way.
+/// Of each vertex of the mesh its output point, None for those that are gone; fills the triangles
+/// on the way.
 std::vector<Index> NumberVertices(const HalfEdgeMesh& mesh, std::vector<Triangle>& triangles)
 {
   std::vector<Index> number(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), None);
@@ -36,23 +37,25 @@ std::vector<Index> NumberVertices(const HalfEdgeMesh& mesh, std::vector<Triangle
   return number;
 }
 
-/// Optimisers take the way to single precision and back for nothing (gcc 12 does at -O2): volatile makes it real.
+/// Optimisers take the way to single precision and back for nothing (gcc 12 does at -O2): volatile
+/// makes it real.
 double RoundedToSingle(double value)
 {
   const volatile float rounded = static_cast<float>(value);
   return static_cast<double>(rounded);
 }
 
-Vector3 GlobalPosition(
-  const Surface& input, const CleanSurface& clean, const Editor& editor, Index vertex, bool roundToSingle)
+Vector3 GlobalPosition(const Surface& input, const CleanSurface& clean, const Editor& editor,
+  Index vertex, bool roundToSingle)
 {
   const bool moved = editor.Reference().Of(vertex).Moved;
-  const Vector3 position =
-    moved ? Vector3(editor.Mesh().Position(vertex) + clean.Origin) : input.Points[clean.InputPoint[vertex]];
+  const Vector3 position = moved ? Vector3(editor.Mesh().Position(vertex) + clean.Origin)
+                                 : input.Points[clean.InputPoint[vertex]];
   return roundToSingle ? Vector3(position.unaryExpr(&RoundedToSingle)) : position;
 }
 
-void AddPoint(const CleanSurface& clean, const Editor& editor, Index vertex, const Vector3& local, Result& result)
+void AddPoint(const CleanSurface& clean, const Editor& editor, Index vertex, const Vector3& local,
+  Result& result)
 {
   const Original::Knowledge& known = editor.Reference().Of(vertex);
   const BoundingTree& tree = editor.Reference().Tree();
@@ -67,8 +70,8 @@ void AddPoint(const CleanSurface& clean, const Editor& editor, Index vertex, con
 }
 }
 
-std::vector<Vector3> Extract(
-  const Surface& input, const CleanSurface& clean, const Editor& editor, bool roundToSingle, Result& result)
+std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, const Editor& editor,
+  bool roundToSingle, Result& result)
 {
   const std::vector<Index> number = NumberVertices(editor.Mesh(), result.Surface.Triangles);
   std::vector<Vector3> localPoints;

@@ -19,8 +19,8 @@ namespace bonedecimate
  * @param roundToSingle Round the positions to single precision before they are measured.
  * @return The result's points relative to clean.Origin, mm, as they are measured.
  */
-std::vector<Vector3> Extract(
-  const Surface& input, const CleanSurface& clean, const Editor& editor, bool roundToSingle, Result& result);
+std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, const Editor& editor,
+  bool roundToSingle, Result& result);
 }
 
 #endif

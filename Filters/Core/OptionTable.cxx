@@ -92,7 +92,8 @@ std::string Join(const std::vector<std::string>& words)
   return text;
 }
 
-std::string SetNumberFromText(Options& options, const OptionInfo& info, const std::string& text, bool integer)
+std::string SetNumberFromText(
+  Options& options, const OptionInfo& info, const std::string& text, bool integer)
 {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
@@ -133,21 +134,27 @@ const std::vector<OptionInfo>& OptionTable()
 {
   static const std::vector<OptionInfo> table = {
     { "Mode", &Options::Mode, 0, 0, "", "mode", { "Thesis" },
-      "How the collapse is ordered and placed. Thesis takes the vertex of lowest cost, then its edge of lowest cost, and "
-      "goes on while there are more triangles than asked for or no new point is farther away than MaximumError." },
-    { "TargetNumberOfTriangles", &Options::TargetNumberOfTriangles, 0, LargestInteger, "triangles", "target-faces", {},
-      "Number of triangles to reach; 0 is off." },
+      "How the collapse is ordered and placed. Thesis takes the vertex of lowest cost, then its "
+      "edge of lowest cost, and "
+      "goes on while there are more triangles than asked for or no new point is farther away than "
+      "MaximumError." },
+    { "TargetNumberOfTriangles", &Options::TargetNumberOfTriangles, 0, LargestInteger, "triangles",
+      "target-faces", {}, "Number of triangles to reach; 0 is off." },
     { "TargetReduction", &Options::TargetReduction, 0, 1, "", "target-reduction", {},
-      "Fraction of the triangles to remove; 1 is off, 0 removes none. The default steps back when a number of triangles "
+      "Fraction of the triangles to remove; 1 is off, 0 removes none. The default steps back when "
+      "a number of triangles "
       "or a largest error is asked for." },
     { "MaximumError", &Options::MaximumError, 0, Largest, "mm", "max-error", {},
-      "Distance of a new point to the input at which the collapse stops; 0 is off. In Thesis mode exactly one point may "
+      "Distance of a new point to the input at which the collapse stops; 0 is off. In Thesis mode "
+      "exactly one point may "
       "lie beyond it, and places between points may, too." },
     { "NormalTolerance", &Options::NormalTolerance, 0, 1, "", "normal-tolerance", {},
-      "The tolerance w of the normal field deviation. Smaller values make flat areas dearer; at 1 a flat edge costs "
+      "The tolerance w of the normal field deviation. Smaller values make flat areas dearer; at 1 "
+      "a flat edge costs "
       "nothing whatever its length." },
     { "MergePoints", &Options::MergePoints, 0, 1, "", "merge-points", {},
-      "Merge points with exactly equal coordinates first. Off, triangles that do not share points are fragments of their "
+      "Merge points with exactly equal coordinates first. Off, triangles that do not share points "
+      "are fragments of their "
       "own." },
     { "MeasureDistances", &Options::MeasureDistances, 0, 1, "", "measure", {},
       "Measure the distances between input and result in both directions." },
@@ -155,12 +162,14 @@ const std::vector<OptionInfo>& OptionTable()
       "Return the input with the distance of each of its points to the result." },
     { "NumberOfThreads", &Options::NumberOfThreads, 0, 1024, "threads", "threads", {},
       "Threads to use; 0 is one per processor. The result does not depend on it." },
-    { "OutputPointsPrecision", &Options::OutputPointsPrecision, 0, 2, "", "precision", { "Single", "Double", "Default" },
+    { "OutputPointsPrecision", &Options::OutputPointsPrecision, 0, 2, "", "precision",
+      { "Single", "Double", "Default" },
       "Precision of the output points; Default is that of the input." },
     { "DistanceArrayName", &Options::DistanceArrayName, 0, 0, "", "", {},
       "Name of the array of the distance of each output point to the input surface, in mm." },
     { "RunningErrorArrayName", &Options::RunningErrorArrayName, 0, 0, "", "", {},
-      "Name of the array of the largest distance recorded along the collapses into each output point, in mm." },
+      "Name of the array of the largest distance recorded along the collapses into each output "
+      "point, in mm." },
     { "PointCountArrayName", &Options::PointCountArrayName, 0, 0, "", "", {},
       "Name of the array of how many input points each output point stands for." },
     { "InputDistanceArrayName", &Options::InputDistanceArrayName, 0, 0, "", "", {},
@@ -184,7 +193,8 @@ const OptionInfo* FindOption(const std::string& name)
 OptionValue GetOption(const Options& options, const OptionInfo& info)
 {
   return std::visit(
-    [&](auto field) -> OptionValue {
+    [&](auto field) -> OptionValue
+    {
       using Type = FieldType<decltype(field)>;
       return static_cast<TravelType<Type>>(options.*field);
     },
@@ -194,12 +204,14 @@ OptionValue GetOption(const Options& options, const OptionInfo& info)
 void SetOption(Options& options, const OptionInfo& info, const OptionValue& value)
 {
   std::visit(
-    [&](auto field) {
+    [&](auto field)
+    {
       using Type = FieldType<decltype(field)>;
       auto given = std::get<TravelType<Type>>(value);
       if constexpr (std::is_same_v<Type, double>)
       {
-        given = std::isnan(given) ? Options{}.*field : std::clamp(given, info.Minimum, info.Maximum);
+        given =
+          std::isnan(given) ? Options{}.*field : std::clamp(given, info.Minimum, info.Maximum);
       }
       else if constexpr (std::is_same_v<Type, int> || std::is_enum_v<Type>)
       {
@@ -208,7 +220,8 @@ void SetOption(Options& options, const OptionInfo& info, const OptionValue& valu
       options.*field = static_cast<Type>(given);
     },
     info.Field);
-  options.TargetReductionIsExplicit = options.TargetReductionIsExplicit || info.Name == "TargetReduction";
+  options.TargetReductionIsExplicit =
+    options.TargetReductionIsExplicit || info.Name == "TargetReduction";
 }
 
 std::string SetOptionFromText(Options& options, const OptionInfo& info, const std::string& text)
@@ -266,11 +279,13 @@ std::string OptionText(const Options& options, const OptionInfo& info)
 
 std::string OptionTableMarkdown()
 {
-  std::string text = "| option | flag | values | default | unit | meaning |\n|---|---|---|---|---|---|\n";
+  std::string text =
+    "| option | flag | values | default | unit | meaning |\n|---|---|---|---|---|---|\n";
   for (const OptionInfo& info : OptionTable())
   {
-    text += "| `" + info.Name + "` | " + (info.Flag.empty() ? "" : "`--" + info.Flag + "`") + " | " +
-      KindText(info) + " | " + OptionText(Options{}, info) + " | " + info.Unit + " | " + info.Sentence + " |\n";
+    text += "| `" + info.Name + "` | " + (info.Flag.empty() ? "" : "`--" + info.Flag + "`") +
+      " | " + KindText(info) + " | " + OptionText(Options{}, info) + " | " + info.Unit + " | " +
+      info.Sentence + " |\n";
   }
   return text;
 }

@@ -16,8 +16,8 @@
 namespace bonedecimate
 {
 /// Which field of Options a row stands for; its alternative is the kind of the option.
-using OptionField = std::variant<bool Options::*, int Options::*, double Options::*, std::string Options::*,
-  Mode Options::*, PointsPrecision Options::*>;
+using OptionField = std::variant<bool Options::*, int Options::*, double Options::*,
+  std::string Options::*, Mode Options::*, PointsPrecision Options::*>;
 
 /// Switches are bool, choices are their number as int.
 using OptionValue = std::variant<bool, int, double, std::string>;
@@ -28,8 +28,8 @@ struct OptionInfo
   OptionField Field;
   double Minimum; ///< Least and greatest value of a number, both allowed.
   double Maximum;
-  std::string Unit;                 ///< "mm", "triangles", ...; empty where there is none.
-  std::string Flag;                 ///< Long flag of the command line without dashes; empty: not there.
+  std::string Unit; ///< "mm", "triangles", ...; empty where there is none.
+  std::string Flag; ///< Long flag of the command line without dashes; empty: not there.
   std::vector<std::string> Choices; ///< Names of the values 0, 1, ... of a choice.
   std::string Sentence;             ///< What it means and what happens at the ends of its range.
 };
@@ -45,10 +45,12 @@ OptionValue GetOption(const Options& options, const OptionInfo& info);
 /// Sets a value of the option's own kind, numbers clamped to the range (NaN becomes the default).
 void SetOption(Options& options, const OptionInfo& info, const OptionValue& value);
 
-/// Sets an option from text; returns what is wrong with it, or an empty string. Nothing is clamped here.
+/// Sets an option from text; returns what is wrong with it, or an empty string. Nothing is clamped
+/// here.
 std::string SetOptionFromText(Options& options, const OptionInfo& info, const std::string& text);
 
-/// The value as text: the name of a choice, "on"/"off", the shortest decimals that read back the same.
+/// The value as text: the name of a choice, "on"/"off", the shortest decimals that read back the
+/// same.
 std::string OptionText(const Options& options, const OptionInfo& info);
 
 /// The table as Markdown, for Documentation/options.md.

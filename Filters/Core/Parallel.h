@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Parallel.h
- * @brief Independent chunks of work over threads, with the same chunks whatever the number of threads.
+ * @brief Independent chunks of work over threads, with the same chunks whatever the number of
+ * threads.
  */
 #ifndef BoneDecimate_Core_Parallel_h
 #define BoneDecimate_Core_Parallel_h
@@ -20,7 +21,8 @@ namespace bonedecimate
 /// 0 means one per processor.
 inline unsigned int ThreadsToUse(int asked)
 {
-  return asked > 0 ? static_cast<unsigned int>(asked) : std::max(1U, std::thread::hardware_concurrency());
+  return asked > 0 ? static_cast<unsigned int>(asked)
+                   : std::max(1U, std::thread::hardware_concurrency());
 }
 
 /// Small enough for progress in fine steps, whatever the amount of work.
@@ -35,9 +37,9 @@ inline std::size_t NumberOfChunks(std::size_t count)
 }
 
 /**
- * Calls work(chunk, first, last) for every chunk of [0, count), each exactly once, unless the monitor says stop or
- * a chunk throws (the first exception by arrival is rethrown here). The calling thread works along and alone calls
- * the monitor. Returns false if it was stopped.
+ * Calls work(chunk, first, last) for every chunk of [0, count), each exactly once, unless the
+ * monitor says stop or a chunk throws (the first exception by arrival is rethrown here). The
+ * calling thread works along and alone calls the monitor. Returns false if it was stopped.
  */
 template <typename Work>
 bool ForEachChunk(std::size_t count, int threads, const Monitor& monitor, const Work& work)
@@ -46,16 +48,19 @@ bool ForEachChunk(std::size_t count, int threads, const Monitor& monitor, const 
   const std::size_t chunks = NumberOfChunks(count);
   std::atomic<std::size_t> next{ 0 };
   std::atomic<bool> stopped{ false };
-  const auto workUntilDone = [&](auto afterEach) {
+  const auto workUntilDone = [&](auto afterEach)
+  {
     for (std::size_t chunk = next++; chunk < chunks && !stopped; chunk = next++)
     {
       work(chunk, chunk * size, std::min(count, (chunk + 1) * size));
       afterEach();
     }
   };
-  const unsigned int helpers = static_cast<unsigned int>(std::min<std::size_t>(ThreadsToUse(threads), chunks)) - (chunks > 0);
+  const unsigned int helpers =
+    static_cast<unsigned int>(std::min<std::size_t>(ThreadsToUse(threads), chunks)) - (chunks > 0);
   std::vector<std::exception_ptr> failures(helpers + 1);
-  const auto guarded = [&](std::exception_ptr& failure, auto afterEach) {
+  const auto guarded = [&](std::exception_ptr& failure, auto afterEach)
+  {
     try
     {
       workUntilDone(afterEach);
@@ -71,10 +76,13 @@ bool ForEachChunk(std::size_t count, int threads, const Monitor& monitor, const 
   {
     pool.emplace_back([&, i] { guarded(failures[i], [] {}); });
   }
-  guarded(failures[helpers], [&] {
-    const double done = static_cast<double>(std::min(next.load(), chunks)) / static_cast<double>(chunks);
-    stopped = stopped || !monitor(done);
-  });
+  guarded(failures[helpers],
+    [&]
+    {
+      const double done =
+        static_cast<double>(std::min(next.load(), chunks)) / static_cast<double>(chunks);
+      stopped = stopped || !monitor(done);
+    });
   for (std::thread& thread : pool)
   {
     thread.join();

@@ -8,30 +8,33 @@ namespace
 {
 std::string Found(std::int64_t count, const char* what, const char* kind, std::int64_t first)
 {
-  return std::to_string(count) + " " + what + ", the first is " + kind + " " + std::to_string(first);
+  return std::to_string(count) + " " + what + ", the first is " + kind + " " +
+    std::to_string(first);
 }
 }
 
 const char* StopReasonWord(StopReason reason)
 {
-  static const char* const words[] = { "not_run", "target_reached", "error_reached", "already_satisfied", "nothing_left",
-    "aborted" };
+  static const char* const words[] = { "not_run", "target_reached", "error_reached",
+    "already_satisfied", "nothing_left", "aborted" };
   return words[static_cast<int>(reason)];
 }
 
 const char* StopReasonSentence(StopReason reason)
 {
-  static const char* const sentences[] = { "Nothing was run.", "The number of triangles asked for was reached.",
-    "The largest error asked for was reached.", "The input already had no more triangles than asked for.",
-    "No further collapse is allowed: every one left would change the topology, a border, a fragment or the orientation.",
+  static const char* const sentences[] = { "Nothing was run.",
+    "The number of triangles asked for was reached.", "The largest error asked for was reached.",
+    "The input already had no more triangles than asked for.",
+    "No further collapse is allowed: every one left would change the topology, a border, a "
+    "fragment or the orientation.",
     "The run was aborted; the surface is valid but larger than asked for." };
   return sentences[static_cast<int>(reason)];
 }
 
 const char* VerdictWord(Verdict verdict)
 {
-  static const char* const words[] = { "allowed", "non_manifold", "border", "link_condition", "fragment", "flip",
-    "degenerate" };
+  static const char* const words[] = { "allowed", "non_manifold", "border", "link_condition",
+    "fragment", "flip", "degenerate" };
   return words[static_cast<int>(verdict)];
 }
 
@@ -45,18 +48,21 @@ std::string InputMessage(const Report& report)
     case InputStatus::Empty:
       return "the input is empty: no points and no triangles";
     case InputStatus::NoTriangles:
-      return "the input has no triangle with an area (" + std::to_string(found.PointsRead) + " points, " +
-        std::to_string(found.TrianglesRead) + " triangles)";
+      return "the input has no triangle with an area (" + std::to_string(found.PointsRead) +
+        " points, " + std::to_string(found.TrianglesRead) + " triangles)";
     case InputStatus::NonFinitePoints:
-      return Found(found.NonFinitePoints, "points have NaN or infinite coordinates", "point", found.FirstNonFinitePoint);
+      return Found(found.NonFinitePoints, "points have NaN or infinite coordinates", "point",
+        found.FirstNonFinitePoint);
     case InputStatus::HugeCoordinates:
-      return Found(found.HugePoints, "points have coordinates beyond 1e30 mm", "point", found.FirstHugePoint);
+      return Found(
+        found.HugePoints, "points have coordinates beyond 1e30 mm", "point", found.FirstHugePoint);
     case InputStatus::IndexOutOfRange:
-      return Found(found.TrianglesOutOfRange, "triangles name points that are not there", "triangle",
-               found.FirstTriangleOutOfRange) +
+      return Found(found.TrianglesOutOfRange, "triangles name points that are not there",
+               "triangle", found.FirstTriangleOutOfRange) +
         " (there are " + std::to_string(found.PointsRead) + " points)";
     case InputStatus::TooManyTriangles:
-      return "the input has " + std::to_string(found.TrianglesRead) + " triangles; 715827882 is the most";
+      return "the input has " + std::to_string(found.TrianglesRead) +
+        " triangles; 715827882 is the most";
   }
   return {};
 }
@@ -67,13 +73,14 @@ std::vector<std::string> InputWarnings(const Report& report)
   std::vector<std::string> warnings;
   if (found.DroppedTriangles > 0)
   {
-    warnings.push_back(Found(
-      found.DroppedTriangles, "triangles without area were left out", "triangle", found.FirstDroppedTriangle));
+    warnings.push_back(Found(found.DroppedTriangles, "triangles without area were left out",
+      "triangle", found.FirstDroppedTriangle));
   }
   if (found.LockedPoints > 0)
   {
-    warnings.push_back(Found(found.LockedPoints, "points stay where they are because the surface is not manifold there",
-      "point", found.FirstLockedPoint));
+    warnings.push_back(Found(found.LockedPoints,
+      "points stay where they are because the surface is not manifold there", "point",
+      found.FirstLockedPoint));
   }
   return warnings;
 }

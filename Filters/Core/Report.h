@@ -20,23 +20,23 @@ namespace bonedecimate
 enum class InputStatus : int
 {
   Good = 0,
-  Empty,             ///< No points and no triangles: the result is empty, too.
-  NoTriangles,       ///< Points, but no triangle of positive area.
-  NonFinitePoints,   ///< NaN or infinite coordinates.
-  HugeCoordinates,   ///< Beyond 1e30: products of areas would overflow.
-  IndexOutOfRange,   ///< A triangle names a point that is not there.
-  TooManyTriangles   ///< More than 2^31 / 3 triangles.
+  Empty,           ///< No points and no triangles: the result is empty, too.
+  NoTriangles,     ///< Points, but no triangle of positive area.
+  NonFinitePoints, ///< NaN or infinite coordinates.
+  HugeCoordinates, ///< Beyond 1e30: products of areas would overflow.
+  IndexOutOfRange, ///< A triangle names a point that is not there.
+  TooManyTriangles ///< More than 2^31 / 3 triangles.
 };
 
 /// Why the collapse ended.
 enum class StopReason : int
 {
   NotRun = 0,
-  TargetReached,     ///< The number of triangles asked for, or the reduction.
-  ErrorReached,      ///< The largest error asked for.
-  AlreadySatisfied,  ///< The input was small enough from the start.
-  NothingLeft,       ///< No collapse is allowed any more.
-  Aborted            ///< The monitor asked for it.
+  TargetReached,    ///< The number of triangles asked for, or the reduction.
+  ErrorReached,     ///< The largest error asked for.
+  AlreadySatisfied, ///< The input was small enough from the start.
+  NothingLeft,      ///< No collapse is allowed any more.
+  Aborted           ///< The monitor asked for it.
 };
 
 /// The gate's answer to an edit. Allowed is the only one that changes the mesh.
@@ -55,12 +55,12 @@ constexpr std::size_t NumberOfVerdicts = 7;
 struct SurfaceStatistics
 {
   std::int64_t Faces = 0;
-  std::int64_t Points = 0; ///< Points used by a triangle.
-  std::int64_t Components = 0; ///< Connected by shared points.
-  std::int64_t BoundaryEdges = 0; ///< Edges of exactly one triangle.
+  std::int64_t Points = 0;           ///< Points used by a triangle.
+  std::int64_t Components = 0;       ///< Connected by shared points.
+  std::int64_t BoundaryEdges = 0;    ///< Edges of exactly one triangle.
   std::int64_t NonManifoldEdges = 0; ///< Edges of three or more triangles.
-  std::int64_t EulerNumber = 0; ///< Points - edges + faces.
-  double Area = 0.0; ///< mm^2
+  std::int64_t EulerNumber = 0;      ///< Points - edges + faces.
+  double Area = 0.0;                 ///< mm^2
   double Volume = 0.0; ///< mm^3, signed, by the divergence theorem; meaningful for closed surfaces.
 };
 
@@ -87,10 +87,10 @@ struct CleaningStatistics
 struct DistanceStatistics
 {
   double Maximum = 0.0; ///< Over all points and all area samples: a lower bound of the true one.
-  double Second = 0.0; ///< The largest but one over the points alone (the thesis's column).
-  double Mean = 0.0; ///< Over the area samples.
+  double Second = 0.0;  ///< The largest but one over the points alone (the thesis's column).
+  double Mean = 0.0;    ///< Over the area samples.
   double RootMeanSquare = 0.0; ///< Over the area samples.
-  double PointMaximum = 0.0; ///< Over the points alone.
+  double PointMaximum = 0.0;   ///< Over the points alone.
   double PointMean = 0.0;
   double PointRootMeanSquare = 0.0;
   std::int64_t Samples = 0;
@@ -99,10 +99,10 @@ struct DistanceStatistics
 
 struct StageSeconds
 {
-  double Prepare = 0.0; ///< Cleaning and building the half-edge mesh.
+  double Prepare = 0.0;  ///< Cleaning and building the half-edge mesh.
   double Collapse = 0.0; ///< Bounding tree of the original, costs, the loop, extraction.
   double Decimate = 0.0; ///< Prepare + Collapse: everything needed for the surface.
-  double Measure = 0.0; ///< Statistics of both surfaces and distances.
+  double Measure = 0.0;  ///< Statistics of both surfaces and distances.
   double Total = 0.0;
 };
 
@@ -116,7 +116,8 @@ struct Report
   bool DistancesMeasured = false;
   DistanceStatistics OutputToInput;
   DistanceStatistics InputToOutput;
-  double RunningError = 0.0; ///< mm, the thesis's maxError: largest distance of a new vertex to the input.
+  double RunningError =
+    0.0; ///< mm, the thesis's maxError: largest distance of a new vertex to the input.
   std::int64_t Collapses = 0;
   std::array<std::int64_t, NumberOfVerdicts> Refusals{}; ///< By Verdict; [Allowed] stays 0.
   StageSeconds Seconds;
@@ -131,7 +132,8 @@ const char* StopReasonSentence(StopReason reason);
 const char* VerdictWord(Verdict verdict);
 /// What is wrong with the input, with counts and the id of the first; empty if it is good.
 std::string InputMessage(const Report& report);
-/// What was found in a good input and dealt with, a sentence each, with counts and the id of the first.
+/// What was found in a good input and dealt with, a sentence each, with counts and the id of the
+/// first.
 std::vector<std::string> InputWarnings(const Report& report);
 /// Version of this software, "major.minor.patch".
 const char* Version();

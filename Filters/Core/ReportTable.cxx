@@ -36,7 +36,8 @@ void AddCleaning(Entries& entries, const Report& report)
   entries.push_back({ "input.locked_points", "", found.LockedPoints });
   entries.push_back({ "input.first_locked_point", "", found.FirstLockedPoint });
   char checksum[32];
-  std::snprintf(checksum, sizeof(checksum), "fnv1a64:%016llx", static_cast<unsigned long long>(report.InputChecksum));
+  std::snprintf(checksum, sizeof(checksum), "fnv1a64:%016llx",
+    static_cast<unsigned long long>(report.InputChecksum));
   entries.push_back({ "input.checksum", "", std::string(checksum) });
 }
 
@@ -60,7 +61,8 @@ void AddRun(Entries& entries, const Report& report)
   entries.push_back({ "collapses", "", report.Collapses });
   for (std::size_t i = 1; i < NumberOfVerdicts; ++i)
   {
-    entries.push_back({ std::string("refusals.") + VerdictWord(static_cast<Verdict>(i)), "", report.Refusals[i] });
+    entries.push_back(
+      { std::string("refusals.") + VerdictWord(static_cast<Verdict>(i)), "", report.Refusals[i] });
   }
   entries.push_back({ "seconds.prepare", "s", report.Seconds.Prepare });
   entries.push_back({ "seconds.collapse", "s", report.Seconds.Collapse });

@@ -4,7 +4,8 @@
  * @file Editor.h
  * @brief The one choke point through which every change of the mesh goes.
  *
- *     Apply(edit):  gate (ends, topology, place, fragment)  ->  mesh  ->  bookkeeping (areas, origins, volumes, hook)
+ *     Apply(edit):  gate (ends, topology, place, fragment)  ->  mesh  ->  bookkeeping (areas,
+ * origins, volumes, hook)
  *
  * The gate before and the bookkeeping after are the same for every mode and every kind of edit.
  */
@@ -36,7 +37,8 @@ public:
   /// What Examine gathered last; valid until the next edit is applied.
   const Neighbourhood& Around() const { return this->Examined; }
 
-  /// Judges the edit and, if it is allowed, carries it out. Refused edits change nothing and are counted.
+  /// Judges the edit and, if it is allowed, carries it out. Refused edits change nothing and are
+  /// counted.
   Verdict Apply(const Edit& edit);
 
   /// Called after every applied edit, for invariant checks and logs.
@@ -47,7 +49,10 @@ public:
   const FaceAreas& Areas() const { return this->FaceGeometry; }
   const Original& Reference() const { return this->Source; }
   std::int64_t NumberOfEdits() const { return this->Edits; }
-  const std::array<std::int64_t, NumberOfVerdicts>& Refusals() const { return this->RefusalsByVerdict; }
+  const std::array<std::int64_t, NumberOfVerdicts>& Refusals() const
+  {
+    return this->RefusalsByVerdict;
+  }
 
 private:
   Verdict JudgeEdge(Index edge);

@@ -18,10 +18,14 @@ class Fragments
 public:
   Fragments(const HalfEdgeMesh& mesh, const Surface& surface);
 
-  /// Whether the component of v may change its volume by that much (mm^3). Open components and cavities of no volume may.
+  /// Whether the component of v may change its volume by that much (mm^3). Open components and
+  /// cavities of no volume may.
   bool MayChange(Index v, double volumeChange) const;
 
-  void Change(Index v, double volumeChange) { this->Volumes[this->OfVertex[v]].Now += volumeChange; }
+  void Change(Index v, double volumeChange)
+  {
+    this->Volumes[this->OfVertex[v]].Now += volumeChange;
+  }
 
 private:
   struct Volume

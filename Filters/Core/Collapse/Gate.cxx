@@ -8,9 +8,11 @@ namespace bonedecimate
 {
 namespace
 {
-/// Cosine of the most (78 degrees) by which a face may turn in one step; 90 would let it end on its edge.
+/// Cosine of the most (78 degrees) by which a face may turn in one step; 90 would let it end on its
+/// edge.
 constexpr double LeastCosine = 0.2;
-/// 4 sqrt(3) area / sum of squared edges, 1 for an equilateral triangle: below this, no better than before.
+/// 4 sqrt(3) area / sum of squared edges, 1 for an equilateral triangle: below this, no better than
+/// before.
 constexpr double LeastQuality = 0.02;
 constexpr double QualityOfEquilateral = 6.928203230275509; // 4 sqrt(3)
 
@@ -44,28 +46,19 @@ Verdict JudgeTopology(const HalfEdgeMesh& mesh, const Neighbourhood& around)
   {
     return Verdict::LinkCondition;
   }
-  // An apex inside the surface with three faces only: with the link condition met, this is a tetrahedron.
-  for (Index i = 0; i < around.NumberOfGoneFaces; ++i)
+  // Two inside vertices with one staying face each: both faces would become the same triangle, back
+  // to back. That is a tetrahedron, whether it stands alone or hangs on locked corners.
+  const bool bothInside =
+    mesh.Kind(around.Start) == VertexKind::Inside && mesh.Kind(around.End) == VertexKind::Inside;
+  if (bothInside && around.Corners.size() <= 2)
   {
-    const Index apex = around.Apexes[i];
-    if (mesh.Kind(apex) != VertexKind::Inside)
-    {
-      continue;
-    }
-    Index faces = 0;
-    for (const Index h : mesh.OutgoingOf(apex))
-    {
-      faces += h != None ? 1 : 0;
-    }
-    if (faces <= 3)
-    {
-      return Verdict::Fragment;
-    }
+    return Verdict::Fragment;
   }
   return Verdict::Allowed;
 }
 
-Verdict JudgePlace(const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around, const Edit& edit)
+Verdict JudgePlace(
+  const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around, const Edit& edit)
 {
   for (const Index h : around.Corners)
   {

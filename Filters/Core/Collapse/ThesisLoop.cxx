@@ -31,7 +31,8 @@ bool ThesisLoop::IsDone() const
 }
 
 //------------------------------------------------------------------------------
-/// By faces; towards an error alone nobody knows when it will be reached, so that the end may come early.
+/// By faces; towards an error alone nobody knows when it will be reached, so that the end may come
+/// early.
 double ThesisLoop::FractionDone() const
 {
   const Index goal = this->Stops.Error > 0.0 ? 0 : this->Stops.Faces;
@@ -75,11 +76,13 @@ StopReason ThesisLoop::Run(const Monitor& monitor)
 bool ThesisLoop::CollapseAt(Index vertex)
 {
   this->EdgesOfVertex.clear();
-  this->Work.Mesh().VisitEdges(
-    vertex, [&](Index h) { this->EdgesOfVertex.push_back({ this->Costs.EdgeCost(h), h }); });
-  std::sort(this->EdgesOfVertex.begin(), this->EdgesOfVertex.end(), [](const CostedEdge& a, const CostedEdge& b) {
-    return a.Cost != b.Cost ? a.Cost < b.Cost : a.Edge < b.Edge;
-  });
+  this->Work.Mesh().VisitEdges(vertex,
+    [&](Index h) {
+      this->EdgesOfVertex.push_back({ this->Costs.EdgeCost(h), h });
+    });
+  std::sort(this->EdgesOfVertex.begin(), this->EdgesOfVertex.end(),
+    [](const CostedEdge& a, const CostedEdge& b)
+    { return a.Cost != b.Cost ? a.Cost < b.Cost : a.Edge < b.Edge; });
   return std::any_of(this->EdgesOfVertex.begin(), this->EdgesOfVertex.end(),
     [this](const CostedEdge& candidate) { return this->CollapseEdge(candidate.Edge); });
 }
@@ -91,7 +94,8 @@ bool ThesisLoop::CollapseEdge(Index edge)
   {
     return false;
   }
-  const Proposals proposals = ProposePlaces(this->Work.Mesh(), this->Work.Areas(), this->Work.Around());
+  const Proposals proposals =
+    ProposePlaces(this->Work.Mesh(), this->Work.Areas(), this->Work.Around());
   for (std::size_t i = 0; i < proposals.Count; ++i)
   {
     const Edit& edit = proposals.Edits[i];

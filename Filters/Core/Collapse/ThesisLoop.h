@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ThesisLoop.h
- * @brief The thesis's loop: lowest vertex, then its lowest edge, until the number or the error is reached.
+ * @brief The thesis's loop: lowest vertex, then its lowest edge, until the number or the error is
+ * reached.
  *
  *     put every vertex in a queue by its cost
  *     while faces > Faces or maxError < Error:
@@ -28,8 +29,9 @@ namespace bonedecimate
 /// What the loop runs towards; both are wanted at once.
 struct ThesisStops
 {
-  Index Faces = 0;    ///< Go on while there are more.
-  double Error = 0.0; ///< mm; go on while no new vertex is that far from the original; 0: no such wish.
+  Index Faces = 0; ///< Go on while there are more.
+  double Error =
+    0.0; ///< mm; go on while no new vertex is that far from the original; 0: no such wish.
 };
 
 class ThesisLoop

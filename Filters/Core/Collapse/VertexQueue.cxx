@@ -39,7 +39,8 @@ void VertexQueue::Sink(std::size_t place, const Entry& entry)
     }
     const auto begin = this->Heap.begin();
     const std::size_t last = std::min(first + Children, this->Heap.size());
-    const auto least = std::min_element(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last));
+    const auto least = std::min_element(
+      begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last));
     if (!(*least < entry))
     {
       break;

@@ -30,23 +30,26 @@ double NormalFieldDeviation::EdgeCost(Index h) const
     const FaceAreas::Face& other = this->Areas[HalfEdgeMesh::Face(twin)];
     deviation = (face.Area + other.Area) * (1.0 - this->Tolerance * face.Normal.dot(other.Normal));
   }
-  return deviation * (this->Mesh.Position(this->Mesh.Target(h)) - this->Mesh.Position(this->Mesh.Origin(h))).norm();
+  return deviation *
+    (this->Mesh.Position(this->Mesh.Target(h)) - this->Mesh.Position(this->Mesh.Origin(h))).norm();
 }
 
 double NormalFieldDeviation::VertexCost(Index v) const
 {
-  double edges = 0.0;                      // mm^3
-  double area = 0.0;                       // mm^2
-  Vector3 areaVector = Vector3::Zero();    // mm^2
-  this->Mesh.VisitEdges(v, [&](Index h) {
-    edges += this->EdgeCost(h);
-    if (this->Mesh.Origin(h) == v)
+  double edges = 0.0;                   // mm^3
+  double area = 0.0;                    // mm^2
+  Vector3 areaVector = Vector3::Zero(); // mm^2
+  this->Mesh.VisitEdges(v,
+    [&](Index h)
     {
-      const FaceAreas::Face& face = this->Areas[HalfEdgeMesh::Face(h)];
-      area += face.Area;
-      areaVector += face.Area * face.Normal;
-    }
-  });
+      edges += this->EdgeCost(h);
+      if (this->Mesh.Origin(h) == v)
+      {
+        const FaceAreas::Face& face = this->Areas[HalfEdgeMesh::Face(h)];
+        area += face.Area;
+        areaVector += face.Area * face.Normal;
+      }
+    });
   return edges + this->CurvatureLength * (area - areaVector.norm());
 }
 }

@@ -14,7 +14,8 @@ constexpr Index LeafSize = 4;
 /// The halves differ by one at most, so 2^31 triangles are 29 levels above the leaves.
 constexpr std::size_t LargestDepth = 64;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-/// A box may seem farther than the triangle in it by rounding; with this a hint never changes the answer.
+/// A box may seem farther than the triangle in it by rounding; with this a hint never changes the
+/// answer.
 constexpr double Slack = 1.0 + 1e-12;
 }
 
@@ -29,7 +30,8 @@ BoundingTree::BoundingTree(const Surface& surface)
   for (std::size_t t = 0; t < middles.size(); ++t)
   {
     const Triangle& corners = surface.Triangles[t];
-    middles[t] = surface.Points[corners[0]] + surface.Points[corners[1]] + surface.Points[corners[2]];
+    middles[t] =
+      surface.Points[corners[0]] + surface.Points[corners[1]] + surface.Points[corners[2]];
   }
   if (count > 0)
   {
@@ -39,8 +41,9 @@ BoundingTree::BoundingTree(const Surface& surface)
   for (std::size_t slot = 0; slot < order.size(); ++slot)
   {
     const Triangle& points = surface.Triangles[order[slot]];
-    this->Slots[slot] = { { surface.Points[points[0]], surface.Points[points[1]], surface.Points[points[2]] }, points,
-      order[slot] };
+    this->Slots[slot] = { { surface.Points[points[0]], surface.Points[points[1]],
+                            surface.Points[points[2]] },
+      points, order[slot] };
     this->SlotOfTriangle[order[slot]] = static_cast<Index>(slot);
   }
   // Children stand behind their parents, so that boxes are filled from the back.
@@ -51,7 +54,8 @@ BoundingTree::BoundingTree(const Surface& surface)
 }
 
 //------------------------------------------------------------------------------
-void BoundingTree::Build(std::vector<Index>& order, const std::vector<Vector3>& middles, Index first, Index last)
+void BoundingTree::Build(
+  std::vector<Index>& order, const std::vector<Vector3>& middles, Index first, Index last)
 {
   const std::size_t self = this->Nodes.size();
   this->Nodes.emplace_back();
@@ -71,9 +75,9 @@ void BoundingTree::Build(std::vector<Index>& order, const std::vector<Vector3>& 
   Eigen::Index axis = 0;
   (high - low).maxCoeff(&axis);
   const Index middle = first + (last - first) / 2;
-  std::nth_element(order.begin() + first, order.begin() + middle, order.begin() + last, [&](Index a, Index b) {
-    return middles[a][axis] != middles[b][axis] ? middles[a][axis] < middles[b][axis] : a < b;
-  });
+  std::nth_element(order.begin() + first, order.begin() + middle, order.begin() + last,
+    [&](Index a, Index b)
+    { return middles[a][axis] != middles[b][axis] ? middles[a][axis] < middles[b][axis] : a < b; });
   this->Build(order, middles, first, middle);
   this->Nodes[self].First = static_cast<Index>(this->Nodes.size());
   this->Build(order, middles, middle, last);
@@ -155,10 +159,13 @@ BoundingTree::Nearest BoundingTree::FindNearest(const Vector3& p, Index hintTria
 {
   Nearest best;
   best.Place.SquaredDistance = Infinity;
-  const auto visit = [&](const Slot& slot) {
-    const TrianglePlace place = NearestOnTriangle(p, slot.Corners[0], slot.Corners[1], slot.Corners[2]);
+  const auto visit = [&](const Slot& slot)
+  {
+    const TrianglePlace place =
+      NearestOnTriangle(p, slot.Corners[0], slot.Corners[1], slot.Corners[2]);
     const double previous = best.Place.SquaredDistance;
-    if (place.SquaredDistance < previous || (place.SquaredDistance == previous && slot.Id < best.Triangle))
+    if (place.SquaredDistance < previous ||
+      (place.SquaredDistance == previous && slot.Id < best.Triangle))
     {
       best = { slot.Id, place };
     }
@@ -167,7 +174,8 @@ BoundingTree::Nearest BoundingTree::FindNearest(const Vector3& p, Index hintTria
   {
     visit(this->Slots[this->SlotOfTriangle[hintTriangle]]);
   }
-  this->Walk(p, [&] { return best.Place.SquaredDistance; }, visit);
+  this->Walk(
+    p, [&] { return best.Place.SquaredDistance; }, visit);
   return best;
 }
 
@@ -176,7 +184,8 @@ Index BoundingTree::FindNearestPoint(const Vector3& p, Index hintTriangle) const
 {
   Index best = None;
   double squaredDistance = Infinity;
-  const auto visit = [&](const Slot& slot) {
+  const auto visit = [&](const Slot& slot)
+  {
     for (std::size_t i = 0; i < 3; ++i)
     {
       const double distance = (p - slot.Corners[i]).squaredNorm();
@@ -191,7 +200,8 @@ Index BoundingTree::FindNearestPoint(const Vector3& p, Index hintTriangle) const
   {
     visit(this->Slots[this->SlotOfTriangle[hintTriangle]]);
   }
-  this->Walk(p, [&] { return squaredDistance; }, visit);
+  this->Walk(
+    p, [&] { return squaredDistance; }, visit);
   return best;
 }
 }

@@ -4,7 +4,8 @@
  * @file BoundingTree.h
  * @brief Nearest place on a set of triangles, exactly, by a tree of axis-aligned boxes.
  *
- * The answer is the least distance and, among equals, the least triangle id; a hint changes the time, not the answer.
+ * The answer is the least distance and, among equals, the least triangle id; a hint changes the
+ * time, not the answer.
  */
 #ifndef BoneDecimate_Core_Geometry_BoundingTree_h
 #define BoneDecimate_Core_Geometry_BoundingTree_h
@@ -39,8 +40,9 @@ private:
   struct Node
   {
     Vector3 Low, High; // mm
-    Index First = 0;   // leaf: first slot; inner: index of the second child, the first one follows its parent
-    Index Count = 0;   // leaf: number of slots; inner: 0
+    Index First =
+      0; // leaf: first slot; inner: index of the second child, the first one follows its parent
+    Index Count = 0; // leaf: number of slots; inner: 0
   };
   struct Slot
   {
@@ -49,7 +51,8 @@ private:
     Index Id = None;
   };
 
-  void Build(std::vector<Index>& order, const std::vector<Vector3>& middles, Index first, Index last);
+  void Build(
+    std::vector<Index>& order, const std::vector<Vector3>& middles, Index first, Index last);
   void Bound(Node& node) const;
   static double SquaredDistanceToBox(const Node& node, const Vector3& p);
 

@@ -102,8 +102,9 @@ std::vector<double> PointDistances(
   const std::vector<Vector3>& points, const BoundingTree& to, int threads, const Monitor& monitor)
 {
   std::vector<double> distances(points.size(), 0.0);
-  const bool done =
-    ForEachChunk(points.size(), threads, monitor, [&](std::size_t, std::size_t first, std::size_t last) {
+  const bool done = ForEachChunk(points.size(), threads, monitor,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
       Index hint = None;
       for (std::size_t p = first; p < last; ++p)
       {
@@ -124,19 +125,23 @@ DistanceStatistics MeasureDistance(const Surface& from, const std::vector<double
   const double area = areas.empty() ? 0.0 : areas.back();
   const std::size_t count = area > 0.0 ? static_cast<std::size_t>(samples) : 0;
   std::vector<Sum> sums(NumberOfChunks(count));
-  const bool done = ForEachChunk(count, threads, monitor, [&](std::size_t chunk, std::size_t first, std::size_t last) {
-    const auto areaOf = [&](std::size_t i) { return (static_cast<double>(i) + 0.5) / static_cast<double>(count) * area; };
-    auto at = std::lower_bound(areas.begin(), areas.end(), areaOf(first));
-    Index hint = None;
-    for (std::size_t i = first; i < last; ++i)
+  const bool done = ForEachChunk(count, threads, monitor,
+    [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
-      at = std::find_if(at, areas.end() - 1, [&](double passed) { return passed >= areaOf(i); });
-      const Triangle& corners = from.Triangles[static_cast<std::size_t>(at - areas.begin())];
-      const BoundingTree::Nearest nearest = to.FindNearest(SampleIn(from, corners, static_cast<double>(i)), hint);
-      sums[chunk].Add(nearest.Place.SquaredDistance);
-      hint = nearest.Triangle;
-    }
-  });
+      const auto areaOf = [&](std::size_t i)
+      { return (static_cast<double>(i) + 0.5) / static_cast<double>(count) * area; };
+      auto at = std::lower_bound(areas.begin(), areas.end(), areaOf(first));
+      Index hint = None;
+      for (std::size_t i = first; i < last; ++i)
+      {
+        at = std::find_if(at, areas.end() - 1, [&](double passed) { return passed >= areaOf(i); });
+        const Triangle& corners = from.Triangles[static_cast<std::size_t>(at - areas.begin())];
+        const BoundingTree::Nearest nearest =
+          to.FindNearest(SampleIn(from, corners, static_cast<double>(i)), hint);
+        sums[chunk].Add(nearest.Place.SquaredDistance);
+        hint = nearest.Triangle;
+      }
+    });
   if (!done || count == 0)
   {
     return statistics;

@@ -13,7 +13,7 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double HugeCoordinate = 1e30;                                  // mm
+constexpr double HugeCoordinate = 1e30; // mm
 constexpr std::size_t MostTriangles = std::numeric_limits<Index>::max() / 3;
 constexpr std::uint64_t ChecksumStart = 14695981039346656037ULL;
 constexpr std::uint64_t ChecksumFactor = 1099511628211ULL;
@@ -37,7 +37,8 @@ std::uint64_t HashOf(const Vector3& p)
   return hash;
 }
 
-/// Finds the point already entered with the same coordinates: open addressing, never more than half full.
+/// Finds the point already entered with the same coordinates: open addressing, never more than half
+/// full.
 class PointFinder
 {
 public:
@@ -130,7 +131,8 @@ void Check(const Surface& input, CleanSurface& clean)
 {
   clean.Statistics.PointsRead = static_cast<std::int64_t>(input.Points.size());
   clean.Statistics.TrianglesRead = static_cast<std::int64_t>(input.Triangles.size());
-  if (input.Triangles.size() > MostTriangles || input.Points.size() > std::numeric_limits<Index>::max())
+  if (input.Triangles.size() > MostTriangles ||
+    input.Points.size() > std::numeric_limits<Index>::max())
   {
     clean.Status = InputStatus::TooManyTriangles;
     return;
@@ -146,7 +148,8 @@ void Check(const Surface& input, CleanSurface& clean)
   }
 }
 
-/// Of each input point that a triangle uses: the input point that stands for it; None for the others.
+/// Of each input point that a triangle uses: the input point that stands for it; None for the
+/// others.
 std::vector<Index> Representatives(const Surface& input, bool mergePoints)
 {
   std::vector<Index> representative(input.Points.size(), None);
@@ -173,8 +176,10 @@ bool HasRepeatedCorner(const Triangle& t)
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-/// Drops triangles of zero area that share at most one edge (with three different corners in `triangles`).
-std::vector<char> FlatTrianglesToDrop(const std::vector<Triangle>& triangles, const std::vector<Vector3>& points)
+/// Drops triangles of zero area that share at most one edge (with three different corners in
+/// `triangles`).
+std::vector<char> FlatTrianglesToDrop(
+  const std::vector<Triangle>& triangles, const std::vector<Vector3>& points)
 {
   std::vector<char> drop(triangles.size(), 0);
   bool any = false;
@@ -189,12 +194,14 @@ std::vector<char> FlatTrianglesToDrop(const std::vector<Triangle>& triangles, co
     return drop;
   }
   std::vector<char> sharedEdges(triangles.size(), 0);
-  VisitEdgeGroups(triangles, points.size(), [&](const Index* first, const Index* last) {
-    for (const Index* h = first; h != last && last - first > 1; ++h)
+  VisitEdgeGroups(triangles, points.size(),
+    [&](const Index* first, const Index* last)
     {
-      ++sharedEdges[*h / 3];
-    }
-  });
+      for (const Index* h = first; h != last && last - first > 1; ++h)
+      {
+        ++sharedEdges[*h / 3];
+      }
+    });
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     drop[t] = drop[t] != 0 && sharedEdges[t] <= 1 ? 1 : 0;
@@ -211,7 +218,8 @@ void CountDropped(CleaningStatistics& statistics, Index inputTriangle)
 }
 
 /// Triangles in terms of input points that stand for themselves; the ones without area are gone.
-void KeepTriangles(const Surface& input, const std::vector<Index>& representative, CleanSurface& clean)
+void KeepTriangles(
+  const Surface& input, const std::vector<Index>& representative, CleanSurface& clean)
 {
   std::vector<Triangle> triangles;
   std::vector<Index> ids;
@@ -243,7 +251,8 @@ void KeepTriangles(const Surface& input, const std::vector<Index>& representativ
 }
 
 /// Numbers the points that kept triangles use in input order and renames the corners.
-void NumberPoints(const Surface& input, const std::vector<Index>& representative, CleanSurface& clean)
+void NumberPoints(
+  const Surface& input, const std::vector<Index>& representative, CleanSurface& clean)
 {
   std::vector<Index> number(input.Points.size(), None);
   for (const Triangle& corners : clean.Surface.Triangles)

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Cleaning.h
- * @brief Refuses what cannot be a surface, merges equal points, drops triangles without area, counts everything.
+ * @brief Refuses what cannot be a surface, merges equal points, drops triangles without area,
+ * counts everything.
  */
 #ifndef BoneDecimate_Core_Mesh_Cleaning_h
 #define BoneDecimate_Core_Mesh_Cleaning_h
@@ -19,18 +20,19 @@ struct CleanSurface
 {
   InputStatus Status = InputStatus::Good;
   CleaningStatistics Statistics;
-  bonedecimate::Surface Surface;          ///< Points in mm relative to Origin; every point is used.
-  Vector3 Origin = Vector3::Zero();       ///< mm, the least corner of the used points' bounding box.
-  std::vector<Index> InputPoint;          ///< Of each point: the least input point with these coordinates.
-  std::vector<Index> InputPointCount;     ///< Of each point: how many input points were merged into it.
-  std::vector<Index> InputTriangle;       ///< Of each triangle.
-  std::vector<Index> PointOfInput;        ///< Of each input point: its point here; None if no triangle uses it.
+  bonedecimate::Surface Surface;    ///< Points in mm relative to Origin; every point is used.
+  Vector3 Origin = Vector3::Zero(); ///< mm, the least corner of the used points' bounding box.
+  std::vector<Index> InputPoint; ///< Of each point: the least input point with these coordinates.
+  std::vector<Index> InputPointCount; ///< Of each point: how many input points were merged into it.
+  std::vector<Index> InputTriangle;   ///< Of each triangle.
+  std::vector<Index>
+    PointOfInput; ///< Of each input point: its point here; None if no triangle uses it.
 };
 
 /**
- * Triangles with a repeated corner are dropped. A triangle of zero area with three different corners is dropped
- * only if it shares at most one edge: otherwise it holds the surface together, and dropping it would open a crack.
- * If Status is not Good, only Statistics is filled.
+ * Triangles with a repeated corner are dropped. A triangle of zero area with three different
+ * corners is dropped only if it shares at most one edge: otherwise it holds the surface together,
+ * and dropping it would open a crack. If Status is not Good, only Statistics is filled.
  */
 CleanSurface Clean(const Surface& input, bool mergePoints);
 

@@ -27,11 +27,12 @@ inline Index HalfEdgeTarget(const std::vector<Triangle>& triangles, Index halfEd
 }
 
 /**
- * Calls visit(first, last) for every edge, where [first, last) are pointers to its half-edges in ascending order.
- * Edges come in ascending order of their lesser and then their greater point.
+ * Calls visit(first, last) for every edge, where [first, last) are pointers to its half-edges in
+ * ascending order. Edges come in ascending order of their lesser and then their greater point.
  */
 template <typename Visit>
-void VisitEdgeGroups(const std::vector<Triangle>& triangles, std::size_t numberOfPoints, Visit visit)
+void VisitEdgeGroups(
+  const std::vector<Triangle>& triangles, std::size_t numberOfPoints, Visit visit)
 {
   struct Entry
   {
@@ -41,7 +42,8 @@ void VisitEdgeGroups(const std::vector<Triangle>& triangles, std::size_t numberO
   const Index count = static_cast<Index>(3 * triangles.size());
   // Counting sort by the lesser point: buckets of about three half-edges.
   std::vector<Index> start(numberOfPoints + 1, 0);
-  const auto lesser = [&](Index h) { return std::min(HalfEdgeOrigin(triangles, h), HalfEdgeTarget(triangles, h)); };
+  const auto lesser = [&](Index h)
+  { return std::min(HalfEdgeOrigin(triangles, h), HalfEdgeTarget(triangles, h)); };
   for (Index h = 0; h < count; ++h)
   {
     ++start[lesser(h) + 1];
@@ -62,9 +64,9 @@ void VisitEdgeGroups(const std::vector<Triangle>& triangles, std::size_t numberO
   {
     const auto first = entries.begin() + start[p];
     const auto last = entries.begin() + start[p + 1];
-    std::sort(first, last, [](const Entry& a, const Entry& b) {
-      return a.Greater != b.Greater ? a.Greater < b.Greater : a.HalfEdge < b.HalfEdge;
-    });
+    std::sort(first, last,
+      [](const Entry& a, const Entry& b)
+      { return a.Greater != b.Greater ? a.Greater < b.Greater : a.HalfEdge < b.HalfEdge; });
     for (auto at = first; at != last;)
     {
       group.clear();

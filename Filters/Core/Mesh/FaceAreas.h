@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FaceAreas.h
- * @brief Area and unit normal of every face, kept beside the mesh so that costs need not compute them again.
+ * @brief Area and unit normal of every face, kept beside the mesh so that costs need not compute
+ * them again.
  */
 #ifndef BoneDecimate_Core_Mesh_FaceAreas_h
 #define BoneDecimate_Core_Mesh_FaceAreas_h
@@ -35,7 +36,8 @@ public:
   void Update(const HalfEdgeMesh& mesh, Index face)
   {
     const Triangle c = mesh.Corners(face);
-    const Vector3 vector = AreaVector(mesh.Position(c[0]), mesh.Position(c[1]), mesh.Position(c[2]));
+    const Vector3 vector =
+      AreaVector(mesh.Position(c[0]), mesh.Position(c[1]), mesh.Position(c[2]));
     const double area = vector.norm();
     this->Faces[face] = { area > 0.0 ? Vector3(vector / area) : Vector3(Vector3::Zero()), area };
   }

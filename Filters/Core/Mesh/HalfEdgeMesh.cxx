@@ -25,19 +25,22 @@ HalfEdgeMesh::HalfEdgeMesh(const Surface& surface)
 //------------------------------------------------------------------------------
 void HalfEdgeMesh::MatchEdges(const Surface& surface)
 {
-  const auto worst = [this](Index v, VertexKind kind) { this->Kinds[v] = std::max(this->Kinds[v], kind); };
-  VisitEdgeGroups(surface.Triangles, surface.Points.size(), [&](const Index* first, const Index* last) {
-    const bool isPair = last - first == 2 && this->Origin(first[0]) == this->Target(first[1]);
-    if (isPair)
+  const auto worst = [this](Index v, VertexKind kind)
+  { this->Kinds[v] = std::max(this->Kinds[v], kind); };
+  VisitEdgeGroups(surface.Triangles, surface.Points.size(),
+    [&](const Index* first, const Index* last)
     {
-      this->Twins[first[0]] = first[1];
-      this->Twins[first[1]] = first[0];
-      return;
-    }
-    const VertexKind kind = last - first == 1 ? VertexKind::Border : VertexKind::Locked;
-    worst(this->Origin(*first), kind);
-    worst(this->Target(*first), kind);
-  });
+      const bool isPair = last - first == 2 && this->Origin(first[0]) == this->Target(first[1]);
+      if (isPair)
+      {
+        this->Twins[first[0]] = first[1];
+        this->Twins[first[1]] = first[0];
+        return;
+      }
+      const VertexKind kind = last - first == 1 ? VertexKind::Border : VertexKind::Locked;
+      worst(this->Origin(*first), kind);
+      worst(this->Target(*first), kind);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -91,7 +94,8 @@ void HalfEdgeMesh::Collapse(Index h, Index keep, const Vector3& position)
 }
 
 //------------------------------------------------------------------------------
-/// A half-edge that leaves the merged vertex and survives the removal of h's face; None if the face ends there.
+/// A half-edge that leaves the merged vertex and survives the removal of h's face; None if the face
+/// ends there.
 Index HalfEdgeMesh::LiveOutgoing(Index h) const
 {
   const Index alongPrevious = this->Twin(Previous(h));

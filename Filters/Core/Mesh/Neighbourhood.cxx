@@ -28,21 +28,28 @@ void NeighbourhoodGatherer::Gather(const HalfEdgeMesh& mesh, Index edge, Neighbo
   }
   around.Corners.clear();
   around.CommonNeighbours = 0;
-  const auto keepCorner = [&](Index h, Index v) {
+  const auto keepCorner = [&](Index h, Index v)
+  {
     const Index face = HalfEdgeMesh::Face(h);
-    const bool gone = face == around.GoneFaces[0] || (!around.IsBorderEdge() && face == around.GoneFaces[1]);
+    const bool gone =
+      face == around.GoneFaces[0] || (!around.IsBorderEdge() && face == around.GoneFaces[1]);
     if (mesh.Origin(h) == v && !gone)
     {
       around.Corners.push_back(h);
     }
   };
-  mesh.VisitEdges(around.Start, [&](Index h) {
-    this->Marks[mesh.Across(h, around.Start)] = this->Gatherings;
-    keepCorner(h, around.Start);
-  });
-  mesh.VisitEdges(around.End, [&](Index h) {
-    around.CommonNeighbours += this->Marks[mesh.Across(h, around.End)] == this->Gatherings ? 1 : 0;
-    keepCorner(h, around.End);
-  });
+  mesh.VisitEdges(around.Start,
+    [&](Index h)
+    {
+      this->Marks[mesh.Across(h, around.Start)] = this->Gatherings;
+      keepCorner(h, around.Start);
+    });
+  mesh.VisitEdges(around.End,
+    [&](Index h)
+    {
+      around.CommonNeighbours +=
+        this->Marks[mesh.Across(h, around.End)] == this->Gatherings ? 1 : 0;
+      keepCorner(h, around.End);
+    });
 }
 }

@@ -48,7 +48,8 @@ Components FindComponents(const Surface& surface)
     const Index root = Root(parent, static_cast<Index>(p));
     if (used[p] != 0)
     {
-      components.OfPoint[p] = root == static_cast<Index>(p) ? components.Count++ : components.OfPoint[root];
+      components.OfPoint[p] =
+        root == static_cast<Index>(p) ? components.Count++ : components.OfPoint[root];
     }
   }
   return components;
@@ -65,15 +66,18 @@ SurfaceStatistics Describe(const Surface& surface)
     statistics.Points += component != None ? 1 : 0;
   }
   std::int64_t edges = 0;
-  VisitEdgeGroups(surface.Triangles, surface.Points.size(), [&](const Index* first, const Index* last) {
-    ++edges;
-    statistics.BoundaryEdges += last - first == 1 ? 1 : 0;
-    statistics.NonManifoldEdges += last - first > 2 ? 1 : 0;
-  });
+  VisitEdgeGroups(surface.Triangles, surface.Points.size(),
+    [&](const Index* first, const Index* last)
+    {
+      ++edges;
+      statistics.BoundaryEdges += last - first == 1 ? 1 : 0;
+      statistics.NonManifoldEdges += last - first > 2 ? 1 : 0;
+    });
   statistics.EulerNumber = statistics.Points - edges + statistics.Faces;
   for (const Triangle& c : surface.Triangles)
   {
-    const Vector3 areaVector = AreaVector(surface.Points[c[0]], surface.Points[c[1]], surface.Points[c[2]]);
+    const Vector3 areaVector =
+      AreaVector(surface.Points[c[0]], surface.Points[c[1]], surface.Points[c[2]]);
     statistics.Area += areaVector.norm();
     statistics.Volume += areaVector.dot(surface.Points[c[0]]) / 3.0;
   }

@@ -13,9 +13,11 @@ namespace
 constexpr double Ridge = 1e-3;       // of the mean eigenvalue of A
 constexpr double FarthestMove = 2.0; // edge lengths from the middle
 
-/// Calls visit(normal, corner) for the plane of every triangle of both rings, the two at the edge included.
+/// Calls visit(normal, corner) for the plane of every triangle of both rings, the two at the edge
+/// included.
 template <typename Visit>
-void VisitPlanes(const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around, Visit visit)
+void VisitPlanes(
+  const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around, Visit visit)
 {
   for (Index i = 0; i < around.NumberOfGoneFaces; ++i)
   {
@@ -37,7 +39,8 @@ void AddEnd(Proposals& proposals, const HalfEdgeMesh& mesh, const Neighbourhood&
   proposals.Edits[proposals.Count++] = { around.Edge, end, mesh.Position(end), true };
 }
 
-/// Minimises a sum of squares along the edge, each term given by how it changes and how large it is at Start.
+/// Minimises a sum of squares along the edge, each term given by how it changes and how large it is
+/// at Start.
 class EdgeMinimum
 {
 public:
@@ -64,27 +67,32 @@ private:
   double Curvature = 0.0;
 };
 
-EdgeMinimum PlanesAlongEdge(const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around)
+EdgeMinimum PlanesAlongEdge(
+  const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around)
 {
   const Vector3& start = mesh.Position(around.Start);
   const Vector3 edge = mesh.Position(around.End) - start;
   EdgeMinimum minimum;
   VisitPlanes(mesh, areas, around,
-    [&](const Vector3& normal, const Vector3& corner) { minimum.Add(normal.dot(edge), normal.dot(start - corner)); });
+    [&](const Vector3& normal, const Vector3& corner)
+    { minimum.Add(normal.dot(edge), normal.dot(start - corner)); });
   return minimum;
 }
 
-void ProposeInside(const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around, Proposals& proposals)
+void ProposeInside(const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around,
+  Proposals& proposals)
 {
   const Vector3& start = mesh.Position(around.Start);
   const Vector3& end = mesh.Position(around.End);
   const Vector3 middle = 0.5 * (start + end);
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
   Vector3 b = Vector3::Zero();
-  VisitPlanes(mesh, areas, around, [&](const Vector3& normal, const Vector3& corner) {
-    a += normal * normal.transpose();
-    b += normal * normal.dot(corner - middle);
-  });
+  VisitPlanes(mesh, areas, around,
+    [&](const Vector3& normal, const Vector3& corner)
+    {
+      a += normal * normal.transpose();
+      b += normal * normal.dot(corner - middle);
+    });
   a.diagonal().array() += Ridge * a.trace() / 3.0;
   const Vector3 move = a.llt().solve(b);
   if (move.squaredNorm() <= FarthestMove * FarthestMove * (end - start).squaredNorm())
@@ -97,22 +105,24 @@ void ProposeInside(const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neigh
   AddEnd(proposals, mesh, around, around.End);
 }
 
-void ProposeAlongBorder(
-  const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around, Proposals& proposals)
+void ProposeAlongBorder(const HalfEdgeMesh& mesh, const FaceAreas& areas,
+  const Neighbourhood& around, Proposals& proposals)
 {
   const Vector3& start = mesh.Position(around.Start);
   const Vector3 edge = mesh.Position(around.End) - start;
   EdgeMinimum minimum = PlanesAlongEdge(mesh, areas, around);
   for (const Index end : { around.Start, around.End })
   {
-    mesh.VisitEdges(end, [&](Index h) {
-      const Index other = mesh.Across(h, end);
-      if (mesh.Twin(h) == None && other != around.Start && other != around.End)
+    mesh.VisitEdges(end,
+      [&](Index h)
       {
-        const Vector3 direction = (mesh.Position(other) - mesh.Position(end)).stableNormalized();
-        minimum.AddLine(direction, edge, start - mesh.Position(end));
-      }
-    });
+        const Index other = mesh.Across(h, end);
+        if (mesh.Twin(h) == None && other != around.Start && other != around.End)
+        {
+          const Vector3 direction = (mesh.Position(other) - mesh.Position(end)).stableNormalized();
+          minimum.AddLine(direction, edge, start - mesh.Position(end));
+        }
+      });
   }
   Add(proposals, around, start + minimum.Fraction() * edge);
   AddEnd(proposals, mesh, around, around.Start);
@@ -120,7 +130,8 @@ void ProposeAlongBorder(
 }
 }
 
-Proposals ProposePlaces(const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around)
+Proposals ProposePlaces(
+  const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around)
 {
   Proposals proposals;
   const bool startOnBorder = mesh.Kind(around.Start) == VertexKind::Border;

@@ -21,8 +21,8 @@ public:
   {
     Index NearestTriangle = None; ///< Of the cleaned input.
     Index PointCount = 0;         ///< Input points this vertex stands for.
-    double RunningError = 0.0;    ///< mm, the largest distance recorded along the collapses into it.
-    bool Moved = false;           ///< Whether it still lies where its input point lay, bit for bit.
+    double RunningError = 0.0; ///< mm, the largest distance recorded along the collapses into it.
+    bool Moved = false;        ///< Whether it still lies where its input point lay, bit for bit.
   };
 
   explicit Original(const CleanSurface& clean);
