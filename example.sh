@@ -6,7 +6,8 @@ root=$(cd "$(dirname "$0")" && pwd)
 output=${1:-$root/bone-output}
 program=$root/build/release/bin/bonedecimate
 
-# The CT lies in InVesalius' own format: a tar with the voxels, their number and their spacing.
+# The CT lies in InVesalius' own format: a tar with the voxels, their number and their spacing. InVesalius keeps the
+# rows of a slice from back to front and turns y round in its surfaces, as the one in the same tar shows; so do we.
 unpack_cranium()
 {
   local project=$1 folder=$2
@@ -19,6 +20,7 @@ unpack_cranium()
 ObjectType = Image
 NDims = 3
 DimSize = $size
+TransformMatrix = 1 0 0 0 -1 0 0 0 1
 ElementSpacing = $spacing
 ElementType = MET_SHORT
 ElementByteOrderMSB = False
@@ -60,5 +62,4 @@ fi
 "$program" "$ct" "$output/$name.vtp" --iso 226 --target-faces "$triangles" \
   --also "$output/$name.stl" --heatmap "$output/heatmap.vtp" --report "$output/report.json" \
   --page "$output/report.html" --picture "$output/picture.png"
-echo "Picture: $output/picture.png"
-echo "Page:    $output/report.html"
+echo "Look at $output/picture.png and $output/report.html"

@@ -41,10 +41,12 @@ double Butterfly(const Point& p)
   const double inwards = 0.85 * p.X + 0.53 * p.Y + 5.0;
   const double height = p.Z - (FractureCentre.Z + 3.0) - 0.35 * inwards;
   const double half = -1.25 * inwards;
-  return 0.62 * ((height < 0.0 ? -height : height) - half) + 0.5 * Jags(p + Point{ 40.0, 0.0, 0.0 });
+  return 0.62 * ((height < 0.0 ? -height : height) - half) +
+    0.5 * Jags(p + Point{ 40.0, 0.0, 0.0 });
 }
 
-/// A fragment of the tibia: distance to it, and its value, from where the point lay before the fracture.
+/// A fragment of the tibia: distance to it, and its value, from where the point lay before the
+/// fracture.
 struct Sample
 {
   double Distance = 1e3;

@@ -4,8 +4,8 @@
  * @file FracturedLeg.h
  * @brief What a CT of the broken leg would measure at a point.
  *
- * An oblique jagged fracture of the shaft, the lower part displaced, a butterfly fragment broken out on the inner side
- * and three loose chips. The fibula is whole.
+ * An oblique jagged fracture of the shaft, the lower part displaced, a butterfly fragment broken
+ * out on the inner side and three loose chips. The fibula is whole.
  */
 #ifndef BoneDecimate_Data_FracturedLeg_h
 #define BoneDecimate_Data_FracturedLeg_h

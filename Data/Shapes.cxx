@@ -82,8 +82,7 @@ double Noise(const Point& p, double size, std::uint32_t seed)
     const std::int64_t z = cell[2] + static_cast<std::int64_t>(corner >> 1U);
     alongX[corner] = Mix(Hash(cell[0], y, z, seed), Hash(cell[0] + 1, y, z, seed), share[0]);
   }
-  return Mix(
-    Mix(alongX[0], alongX[1], share[1]), Mix(alongX[2], alongX[3], share[1]), share[2]);
+  return Mix(Mix(alongX[0], alongX[1], share[1]), Mix(alongX[2], alongX[3], share[1]), share[2]);
 }
 
 double Ellipsoid(const Point& p, const Point& centre, const Point& halfAxes)

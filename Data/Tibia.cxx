@@ -10,7 +10,8 @@ namespace
 {
 constexpr double MarrowValue = -50.0;
 
-/// Rounded triangle in section, its edge to the front. Half the width and half the depth change along the bone.
+/// Rounded triangle in section, its edge to the front. Half the width and half the depth change
+/// along the bone.
 double Shaft(const Point& p)
 {
   static const std::vector<std::array<double, 2>> halfWidth{ { { 8.0, 25.0 } }, { { 28.0, 22.5 } },
@@ -58,8 +59,8 @@ double Head(const Point& p)
 }
 
 /**
- * HU of the spongy bone: sheets that hang together, where a smooth noise crosses zero. With less density they become
- * thinner, and end where they would be thinner than a voxel and fall to crumbs.
+ * HU of the spongy bone: sheets that hang together, where a smooth noise crosses zero. With less
+ * density they become thinner, and end where they would be thinner than a voxel and fall to crumbs.
  */
 double Spongy(const Point& p, double density)
 {
@@ -89,7 +90,8 @@ double Fibula(const Point& p)
   const double y = p.Y - (23.5 - 0.03 * below);
   const double shaft = std::sqrt(x * x + y * y) - 5.2;
   const double head = Ellipsoid(p, { 31.5, 23.5, -30.5 }, { 7.5, 7.5, 11.0 });
-  return SmoothUnion(SmoothIntersection(shaft, p.Z + 32.0, 3.0), head, 8.0) + 0.25 * Noise(p, 5.0, 3);
+  return SmoothUnion(SmoothIntersection(shaft, p.Z + 32.0, 3.0), head, 8.0) +
+    0.25 * Noise(p, 5.0, 3);
 }
 
 double TibiaValue(const Point& p, double depth)

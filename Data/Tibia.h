@@ -17,7 +17,8 @@ namespace phantom
 double Tibia(const Point& p);
 double Fibula(const Point& p);
 
-/// HU inside the tibia: compact bone so many mm below the outside, then trabeculae near the joint, marrow below.
+/// HU inside the tibia: compact bone so many mm below the outside, then trabeculae near the joint,
+/// marrow below.
 double TibiaValue(const Point& p, double depth);
 double FibulaValue(double depth);
 }

@@ -67,8 +67,7 @@ void AddIso(CLI::App& app, Arguments& arguments)
         arguments.Given["iso"] = text.str();
       },
       WrappedHelp("The input is a CT volume (.vti, .mha, .mhd, .nrrd, .nhdr, a DICOM folder): take "
-                  "the bone surface at "
-                  "this Hounsfield value, for example 226."))
+                  "the bone surface at this Hounsfield value, for example 226."))
     ->type_name("HU");
 }
 
@@ -91,8 +90,7 @@ void AddCommonFlags(CLI::App& app, Arguments& arguments)
     "result.");
   file("--picture", arguments.Picture,
     "Draw before, after and the distances as colours into a PNG. If it cannot be drawn everything "
-    "else is written and "
-    "the program ends with 3; for --page alone it is a warning.");
+    "else is written and the program ends with 3; for --page alone it is a warning.");
   app.add_flag("--quiet", arguments.Quiet, "Nothing on the standard output.");
 }
 

@@ -59,6 +59,12 @@ public:
 private:
   struct Job
   {
+    Job(std::size_t bone, const std::string& self, const std::vector<std::string>& words)
+      : Bone(bone)
+      , Child(self, words)
+    {
+    }
+
     std::size_t Bone;
     ChildProcess Child;
   };
@@ -113,8 +119,16 @@ private:
     // in this one.
     std::error_code ignored;
     std::filesystem::remove(this->Bones[bone].Report, ignored);
-    this->Running.push_back(
-      { bone, ChildProcess(this->Self, WordsFor(this->Bones[bone], this->Asked)) });
+    try
+    {
+      this->Running.emplace_back(bone, this->Self, WordsFor(this->Bones[bone], this->Asked));
+    }
+    catch (const Failure& failure)
+    {
+      this->Rows[bone].Status = "failed";
+      this->Rows[bone].Code = failure.Code;
+      this->Rows[bone].Message = failure.what();
+    }
   }
 
   void CollectEnded()
@@ -144,12 +158,15 @@ private:
 
   void Note(const Job& job)
   {
+    if (job.Child.HasDied())
+    {
+      RemoveStagedFilesOf(job.Child.GetProcess(), this->Asked.Output);
+    }
     BatchRow& row = this->Rows[job.Bone];
     row.Code = job.Child.GetCode();
     row.Message = job.Child.GetMessage();
-    row.Status = row.Code == ExitCode::Done ? "done"
-      : row.Code == ExitCode::Interrupted   ? "interrupted"
-                                            : "failed";
+    const bool stopped = row.Code == ExitCode::Interrupted;
+    row.Status = row.Code == ExitCode::Done ? "done" : (stopped ? "interrupted" : "failed");
   }
 
   void WriteCsv() const

@@ -18,13 +18,6 @@ namespace bonedecimate
 {
 namespace
 {
-std::string Lower(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return text;
-}
-
 void AddFolder(std::vector<BatchBone>& bones, const std::string& folder, bool volumes)
 {
   std::vector<fs::path> paths;
@@ -72,11 +65,11 @@ void NameBones(std::vector<BatchBone>& bones)
     std::multiset<std::string> names;
     for (const BatchBone& bone : bones)
     {
-      names.insert(Lower(bone.Name));
+      names.insert(LowerText(bone.Name));
     }
     for (BatchBone& bone : bones)
     {
-      if (bone.Name.empty() || names.count(Lower(bone.Name)) > 1)
+      if (bone.Name.empty() || names.count(LowerText(bone.Name)) > 1)
       {
         bone.Name = NameOf(bone.Input, detail);
       }
@@ -86,7 +79,7 @@ void NameBones(std::vector<BatchBone>& bones)
   for (BatchBone& bone : bones)
   {
     const std::string name = bone.Name;
-    for (int number = 2; !taken.insert(Lower(bone.Name)).second; ++number)
+    for (int number = 2; !taken.insert(LowerText(bone.Name)).second; ++number)
     {
       bone.Name = name + "_" + std::to_string(number);
     }
@@ -97,7 +90,7 @@ std::string OutputExtension(const BatchBone& bone, const Arguments& arguments)
 {
   if (!arguments.Format.empty())
   {
-    return Lower(arguments.Format);
+    return LowerText(arguments.Format);
   }
   return bone.Volume || FormatOf(bone.Input) == SurfaceFormat::Unknown ? "vtp"
                                                                        : ExtensionOf(bone.Input);

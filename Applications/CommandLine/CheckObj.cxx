@@ -82,11 +82,12 @@ private:
     {
       this->RefuseLine("fewer than " + std::to_string(least) + " numbers; the file may be cut off");
     }
+    // VTK's reader passes over a nan and takes the next vertex for this one.
     for (std::size_t i = 1; i <= least; ++i)
     {
-      if (!IsNumber(words[i]))
+      if (!IsFiniteNumber(words[i]))
       {
-        this->RefuseLine("'" + std::string(words[i].substr(0, 40)) + "' is not a number");
+        this->RefuseLine("'" + std::string(words[i].substr(0, 40)) + "' is not a finite number");
       }
     }
   }

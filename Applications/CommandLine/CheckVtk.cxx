@@ -1,110 +1,210 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/// VTK's own formats: their readers say when data are missing, but allocate by what is announced.
+/// VTK's legacy format: its reader allocates by what is announced, and follows a file that it has
+/// closed.
 #include "FileChecks.h"
 #include "LineReader.h"
 
-#include <cstdlib>
 #include <filesystem>
-#include <set>
+#include <map>
 
 namespace bonedecimate
 {
 namespace
 {
-/// Nothing compresses better than this: zlib reaches 1032, lzma not ten times as much.
-constexpr double GreatestCompression = 1e4;
+constexpr std::int64_t NumberLength = 2; // of the shortest number in text, with the blank after it
 
-std::string ReadPart(const std::string& path, std::uintmax_t from, std::size_t length)
+std::size_t BytesOf(std::string_view type)
 {
-  std::ifstream stream(path, std::ios::binary);
-  stream.seekg(static_cast<std::streamoff>(from));
-  std::string text(length, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(length));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return text;
+  static const std::map<std::string_view, std::size_t> bytes = { { "char", 1 },
+    { "unsigned_char", 1 }, { "short", 2 }, { "unsigned_short", 2 }, { "int", 4 },
+    { "unsigned_int", 4 }, { "float", 4 }, { "long", 8 }, { "unsigned_long", 8 }, { "double", 8 },
+    { "vtktypeint32", 4 }, { "vtktypeint64", 8 }, { "vtkIdType", 4 }, { "vtkidtype", 4 } };
+  const auto found = bytes.find(type);
+  return found == bytes.end() ? 0 : found->second;
 }
 
-/// The value of NAME="value" after a place in XML text; empty if it is not there.
-std::string AttributeAfter(const std::string& text, std::size_t from, const std::string& name)
+bool IsCells(std::string_view word)
 {
-  const std::size_t begin = text.find(name + "=\"", from);
-  if (begin == std::string::npos)
+  return word == "VERTICES" || word == "LINES" || word == "POLYGONS" || word == "TRIANGLE_STRIPS";
+}
+
+class VtkCheck
+{
+public:
+  explicit VtkCheck(const std::string& path)
+    : Path(path)
+    , Lines(path)
+    , Size(static_cast<std::int64_t>(std::filesystem::file_size(path)))
   {
-    return {};
   }
-  const std::size_t value = begin + name.size() + 2;
-  return text.substr(value, text.find('"', value) - value);
-}
 
-/// Points and cells of a VTK XML file against its size.
-void CheckAnnouncedXml(const std::string& path, const std::string& head, double size)
-{
-  const std::size_t piece = head.find("<Piece");
-  for (const char* name :
-    { "NumberOfPoints", "NumberOfPolys", "NumberOfStrips", "NumberOfLines", "NumberOfVerts" })
+  void Run()
   {
-    const double count = std::strtod(AttributeAfter(head, piece, name).c_str(), nullptr);
-    if (piece != std::string::npos && (count < 0.0 || count > size * GreatestCompression))
+    this->ReadHeader();
+    while (this->Lines.Next())
     {
-      Refuse(path, std::string(name) + " is more than a file of this size can hold");
+      this->CheckLine(this->Lines.GetWords());
     }
   }
-}
 
-const std::set<std::string_view>& LegacySections()
-{
-  static const std::set<std::string_view> sections = { "POINTS", "POLYGONS", "LINES", "VERTICES",
-    "TRIANGLE_STRIPS", "POINT_DATA", "CELL_DATA" };
-  return sections;
-}
-}
+private:
+  [[noreturn]] void RefuseLine(const std::string& reason)
+  {
+    Refuse(this->Path, this->Lines.Place() + reason);
+  }
 
-void CheckVtpFile(const std::string& path)
-{
-  const std::uintmax_t size = std::filesystem::file_size(path);
-  const std::string head = ReadPart(path, 0, 65536);
-  const std::size_t root = head.find("<VTKFile");
-  if (root == std::string::npos)
+  void ReadHeader()
   {
-    Refuse(path, "it is not a VTK XML file");
+    const std::string begin = "# vtk DataFile Version ";
+    if (!this->Lines.Next() || this->Lines.GetLine().compare(0, begin.size(), begin) != 0)
+    {
+      Refuse(this->Path, "it does not begin with '# vtk DataFile Version'");
+    }
+    const std::string version = this->Lines.GetLine().substr(begin.size());
+    this->HasOffsets = !version.empty() && version[0] >= '5';
+    this->Lines.Next(); // a title
+    this->Lines.Next();
+    const std::vector<std::string_view>& words = this->Lines.GetWords();
+    this->Binary = words.size() == 1 && words[0] == "BINARY";
+    if (!this->Binary && (words.size() != 1 || words[0] != "ASCII"))
+    {
+      this->RefuseLine("neither ASCII nor BINARY");
+    }
   }
-  const std::string type = AttributeAfter(head, root, "type");
-  if (type != "PolyData")
+
+  void CheckLine(const std::vector<std::string_view>& words)
   {
-    Refuse(path, "it holds '" + type + "', not PolyData");
+    if (words.size() == 2 && words[0] == "DATASET" && words[1] != "POLYDATA")
+    {
+      this->RefuseLine("it holds '" + std::string(words[1]) + "', not POLYDATA");
+    }
+    if (words.size() == 3 && words[0] == "POINTS")
+    {
+      const std::int64_t points = this->ReadCount(words[1]);
+      this->SkipNumbers(3 * points, words[2]);
+    }
+    else if (words.size() == 3 && IsCells(words[0]))
+    {
+      this->Cells = this->ReadCount(words[1]);
+      this->Corners = this->ReadCount(words[2]);
+      if (!this->HasOffsets)
+      {
+        this->WalkCells();
+      }
+    }
+    else if (words.size() == 2 && (words[0] == "OFFSETS" || words[0] == "CONNECTIVITY"))
+    {
+      this->SkipNumbers(words[0] == "OFFSETS" ? this->Cells : this->Corners, words[1]);
+    }
+    else if (words.size() == 2 && (words[0] == "POINT_DATA" || words[0] == "CELL_DATA"))
+    {
+      this->ReadCount(words[1]);
+    }
   }
-  constexpr std::size_t tail = 256;
-  if (ReadPart(path, size > tail ? size - tail : 0, tail).find("</VTKFile>") == std::string::npos)
+
+  std::int64_t ReadCount(std::string_view word)
   {
-    Refuse(path, "it does not end with '</VTKFile>'; the file is cut off");
+    std::int64_t count = 0;
+    if (!ReadInteger(word, count) || count < 0 || count > this->Size)
+    {
+      this->RefuseLine("more is announced than a file of this size can hold");
+    }
+    return count;
   }
-  CheckAnnouncedXml(path, head, static_cast<double>(size));
+
+  void SkipNumbers(std::int64_t count, std::string_view type)
+  {
+    const std::int64_t bytes = static_cast<std::int64_t>(BytesOf(type));
+    if (bytes == 0 || count * (this->Binary ? bytes : NumberLength) > this->Size)
+    {
+      this->RefuseLine("an unknown type, or more than a file of this size can hold");
+    }
+    if (this->Binary)
+    {
+      this->Lines.GetStream().ignore(count * bytes);
+      this->RequireWhole(this->Lines.GetStream().gcount() == count * bytes);
+      return;
+    }
+    for (std::int64_t i = 0; i < count; ++i)
+    {
+      this->RequireWhole(IsNumber(this->NextWord()));
+    }
+  }
+
+  /// Before version 5: every cell is its number of corners and then they.
+  void WalkCells()
+  {
+    std::int64_t left = this->Corners;
+    for (std::int64_t i = 0; i < this->Cells; ++i)
+    {
+      const std::int64_t corners = this->NextInteger();
+      left -= corners + 1;
+      this->RequireWhole(corners >= 0 && left >= 0);
+      for (std::int64_t j = 0; j < corners; ++j)
+      {
+        this->NextInteger();
+      }
+    }
+    this->RequireWhole(left == 0);
+  }
+
+  std::int64_t NextInteger()
+  {
+    std::int64_t value = 0;
+    if (!this->Binary)
+    {
+      this->RequireWhole(ReadInteger(this->NextWord(), value));
+      return value;
+    }
+    unsigned char raw[4] = {};
+    this->Lines.GetStream().read(reinterpret_cast<char*>(raw), sizeof(raw));
+    this->RequireWhole(static_cast<bool>(this->Lines.GetStream()));
+    for (const unsigned char byte : raw)
+    {
+      value = value * 256 + byte;
+    }
+    return value;
+  }
+
+  /// The next word of the data that follow a line of text, whatever their lines.
+  std::string_view NextWord()
+  {
+    if (this->LineOfWord != this->Lines.GetNumber())
+    {
+      this->Word = this->Lines.GetWords().size(); // the line that announced the data
+    }
+    while (this->Word >= this->Lines.GetWords().size() && this->Lines.Next())
+    {
+      this->Word = 0;
+    }
+    this->LineOfWord = this->Lines.GetNumber();
+    return this->Word < this->Lines.GetWords().size() ? this->Lines.GetWords()[this->Word++]
+                                                      : std::string_view();
+  }
+
+  void RequireWhole(bool whole)
+  {
+    if (!whole)
+    {
+      this->RefuseLine("the points or cells end or break here");
+    }
+  }
+
+  const std::string& Path;
+  LineReader Lines;
+  std::int64_t Size;
+  bool Binary = false;
+  bool HasOffsets = false; // version 5: offsets and corners lie in arrays of their own
+  std::int64_t Cells = 0;
+  std::int64_t Corners = 0;
+  std::size_t Word = 0; // the next one of the line
+  std::int64_t LineOfWord = 0;
+};
 }
 
 void CheckVtkFile(const std::string& path)
 {
-  const auto size = static_cast<std::int64_t>(std::filesystem::file_size(path));
-  LineReader lines(path);
-  if (!lines.Next() || lines.GetLine().compare(0, 14, "# vtk DataFile") != 0)
-  {
-    Refuse(path, "it does not begin with '# vtk DataFile'");
-  }
-  while (lines.Next())
-  {
-    const std::vector<std::string_view>& words = lines.GetWords();
-    std::int64_t count = 0;
-    if (words.size() == 2 && words[0] == "DATASET" && words[1] != "POLYDATA")
-    {
-      Refuse(path, "it holds '" + std::string(words[1]) + "', not POLYDATA");
-    }
-    if (words.size() >= 2 && LegacySections().count(words[0]) > 0 &&
-      (!ReadInteger(words[1], count) || count < 0 || count > size))
-    {
-      Refuse(path,
-        lines.Place() + std::string(words[0]) +
-          " announces more than a file of this size can hold");
-    }
-  }
+  VtkCheck(path).Run();
 }
 }

@@ -56,6 +56,16 @@ ChildProcess::ChildProcess(const std::string& self, const std::vector<std::strin
   }
 }
 
+ChildProcess::~ChildProcess()
+{
+  this->Interrupt();
+  while (!this->Ended)
+  {
+    const bool again = waitpid(this->Process, &this->Status, 0) < 0 && errno == EINTR;
+    this->Ended = !again;
+  }
+}
+
 bool ChildProcess::HasEnded()
 {
   if (!this->Ended)
@@ -73,8 +83,18 @@ void ChildProcess::Interrupt()
   }
 }
 
+bool ChildProcess::HasDied() const
+{
+  return WIFSIGNALED(this->Status);
+}
+
 ExitCode ChildProcess::GetCode() const
 {
+  const int signal = this->HasDied() ? WTERMSIG(this->Status) : 0;
+  if (signal == SIGTERM || signal == SIGINT)
+  {
+    return ExitCode::Interrupted; // before it could catch them
+  }
   const bool known =
     WIFEXITED(this->Status) && WEXITSTATUS(this->Status) <= static_cast<int>(ExitCode::OutOfMemory);
   return known ? static_cast<ExitCode>(WEXITSTATUS(this->Status)) : ExitCode::OutOfMemory;
@@ -82,7 +102,7 @@ ExitCode ChildProcess::GetCode() const
 
 std::string ChildProcess::GetMessage() const
 {
-  if (WIFSIGNALED(this->Status))
+  if (this->HasDied())
   {
     const int signal = WTERMSIG(this->Status);
     return "its process died of signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";

@@ -24,11 +24,21 @@ public:
   /// @throws Failure(ExitCode::OutOfMemory) if the system gives no further process.
   ChildProcess(const std::string& self, const std::vector<std::string>& arguments);
 
+  /// Interrupts it if it is still at work, and waits for its end.
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  void operator=(const ChildProcess&) = delete;
+
   /// Whether it has ended; does not wait.
   bool HasEnded();
 
   /// Asks it to end as an interruption would.
   void Interrupt();
+
+  /// Whether it ended by a signal, with no chance to put anything in order.
+  bool HasDied() const;
+
+  int GetProcess() const { return this->Process; }
 
   /// Of an ended child. One that died counts as out of memory, the usual cause of it.
   ExitCode GetCode() const;

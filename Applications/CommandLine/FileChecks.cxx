@@ -5,6 +5,7 @@
 #include "ExitCode.h"
 #include "SurfaceFormat.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -16,7 +17,14 @@ namespace bonedecimate
 {
 void Refuse(const std::string& path, const std::string& reason)
 {
-  throw Failure(ExitCode::InputRefused, "'" + path + "' was refused: " + reason);
+  throw Failure(ExitCode::InputRefused, "'" + path + "' was refused: " + PrintableText(reason));
+}
+
+std::string PrintableText(std::string text)
+{
+  std::replace_if(
+    text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text;
 }
 
 void CheckFile(const std::string& path)

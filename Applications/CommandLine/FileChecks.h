@@ -34,6 +34,9 @@ void CheckVtkFile(const std::string& path);
 
 /// Throws the failure: "'NAME' was refused: REASON".
 [[noreturn]] void Refuse(const std::string& path, const std::string& reason);
+
+/// A text that may quote a damaged file: whatever is not printable ASCII becomes a question mark.
+std::string PrintableText(std::string text);
 }
 
 #endif

@@ -33,12 +33,18 @@ bool LineReader::Next()
     return false;
   }
   ++this->Number;
+  this->IsSplit = false;
   this->Ended = !this->Stream.eof();
   return true;
 }
 
 const std::vector<std::string_view>& LineReader::GetWords()
 {
+  if (this->IsSplit)
+  {
+    return this->Words;
+  }
+  this->IsSplit = true;
   this->Words.clear();
   const std::string_view line = this->Line;
   for (std::size_t i = 0; i < line.size();)
@@ -64,6 +70,12 @@ bool IsNumber(std::string_view word)
   const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   // A number too large or too small for a double is still a number.
   return read.ec != std::errc::invalid_argument && read.ptr == digits.data() + digits.size();
+}
+
+bool IsFiniteNumber(std::string_view word)
+{
+  // The words nan, inf and infinity have an n, no number has.
+  return IsNumber(word) && word.find_first_of("nN") == std::string_view::npos;
 }
 
 bool ReadInteger(std::string_view word, std::int64_t& value)

@@ -42,6 +42,7 @@ private:
   std::ifstream Stream;
   std::string Line;
   std::vector<std::string_view> Words;
+  bool IsSplit = false;
   std::int64_t Number = 0;
   bool Ended = true;
 };
@@ -49,6 +50,9 @@ private:
 /// Whether the whole word is a number; nan and inf are numbers here, the filter refuses them with
 /// their count.
 bool IsNumber(std::string_view word);
+
+/// Whether it is a number and neither nan nor inf.
+bool IsFiniteNumber(std::string_view word);
 
 /// Whether the whole word is a whole number, and which.
 bool ReadInteger(std::string_view word, std::int64_t& value);

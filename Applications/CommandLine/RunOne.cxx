@@ -12,7 +12,6 @@
 #include "Page.h"
 #include "Picture.h"
 #include "ProgressBar.h"
-#include "ReportFields.h"
 #include "Stopwatch.h"
 #include "Summary.h"
 #include "SurfaceFiles.h"

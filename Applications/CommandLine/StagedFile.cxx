@@ -3,6 +3,7 @@
 #include "StagedFile.h"
 
 #include "ExitCode.h"
+#include "SurfaceFormat.h"
 
 #include <cerrno>
 #include <cstring>
@@ -10,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <unistd.h>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -35,21 +37,28 @@ fs::path ResolvedTarget(const std::string& target)
   return error ? fs::path(target) : resolved;
 }
 
+std::string PrefixOf(int process)
+{
+  return ".bonedecimate-" + std::to_string(process) + "-";
+}
+
 std::string TemporaryName(const fs::path& target, int attempt)
 {
   // The leading dot keeps it out of a batch that reads the folder.
-  fs::path name = ".bonedecimate-" + std::to_string(getpid()) + "-" + std::to_string(attempt);
-  name += target.extension();
+  fs::path name = PrefixOf(getpid()) + std::to_string(attempt);
+  // In small letters: VTK's PLY writer appends ".ply" to any other name.
+  name += target.has_extension() ? "." + ExtensionOf(target.string()) : "";
   return (target.parent_path() / name).string();
 }
 }
 
 StagedFile::StagedFile(const std::string& target)
-  : Target(ResolvedTarget(target).string())
+  : Target(target)
+  , Resolved(ResolvedTarget(target).string())
 {
   for (int attempt = 0; this->Temporary.empty(); ++attempt)
   {
-    const std::string name = TemporaryName(this->Target, attempt);
+    const std::string name = TemporaryName(this->Resolved, attempt);
     const int file = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file >= 0)
     {
@@ -101,12 +110,29 @@ void StagedFile::Flush()
 void StagedFile::Commit()
 {
   std::error_code error;
-  fs::rename(this->Temporary, this->Target, error);
+  fs::rename(this->Temporary, this->Resolved, error);
   if (error)
   {
     Fail(this->Target, error.message());
   }
   this->Temporary.clear();
+}
+
+void RemoveStagedFilesOf(int process, const std::string& folder)
+{
+  std::vector<fs::path> left;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+  {
+    if (entry.path().filename().string().rfind(PrefixOf(process), 0) == 0)
+    {
+      left.push_back(entry.path());
+    }
+  }
+  for (const fs::path& path : left)
+  {
+    fs::remove(path, ignored);
+  }
 }
 
 void WriteTextFile(const std::string& target, const std::string& text)

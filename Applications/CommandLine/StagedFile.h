@@ -37,9 +37,13 @@ public:
   void Commit();
 
 private:
-  std::string Target;    // with symbolic links resolved
+  std::string Target;
+  std::string Resolved;  // the same without symbolic links
   std::string Temporary; // empty once committed
 };
+
+/// Removes what a process that died left of its own in a folder.
+void RemoveStagedFilesOf(int process, const std::string& folder);
 
 /// Writes a text file whole or not at all.
 void WriteTextFile(const std::string& target, const std::string& text);

@@ -9,6 +9,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -36,12 +37,30 @@ vtkSmartPointer<vtkPolyData> ReadWith(Reader* reader, const std::string& path)
   return reader->GetOutput();
 }
 
+/// VTK numbers the groups of an OBJ file even where there is only one; such numbers are no loss to
+/// warn of.
+vtkSmartPointer<vtkPolyData> WithoutLoneGroup(const vtkSmartPointer<vtkPolyData>& surface)
+{
+  const char* const name = "GroupIds";
+  vtkDataArray* groups = surface->GetCellData()->GetArray(name);
+  double range[2] = { 0.0, 1.0 };
+  if (groups)
+  {
+    groups->GetRange(range);
+  }
+  if (range[0] == range[1])
+  {
+    surface->GetCellData()->RemoveArray(name);
+  }
+  return surface;
+}
+
 vtkSmartPointer<vtkPolyData> ReadFormat(const std::string& path)
 {
   switch (FormatOf(path))
   {
     case SurfaceFormat::Obj:
-      return ReadWith(vtkNew<vtkOBJReader>().Get(), path);
+      return WithoutLoneGroup(ReadWith(vtkNew<vtkOBJReader>().Get(), path));
     case SurfaceFormat::Ply:
       return ReadWith(vtkNew<vtkPLYReader>().Get(), path);
     case SurfaceFormat::Vtp:
@@ -78,10 +97,12 @@ void WriteWith(Writer* writer, vtkPolyData* surface, const std::string& path)
   writer->SetFileName(path.c_str());
   writer->SetInputData(surface);
   writer->Write();
-  if (writer->GetErrorCode() != vtkErrorCode::NoError)
+  const unsigned long error = writer->GetErrorCode();
+  if (error != vtkErrorCode::NoError)
   {
-    throw Failure(
-      ExitCode::CouldNotWrite, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+    const bool full = error == vtkErrorCode::OutOfDiskSpaceError;
+    throw Failure(ExitCode::CouldNotWrite,
+      full ? "the disk is full" : vtkErrorCode::GetStringFromErrorCode(error));
   }
 }
 
@@ -169,7 +190,7 @@ LoadedSurface ReadSurface(const std::string& path)
     {
       Refuse(path, warning);
     }
-    loaded.Warnings.push_back(warning);
+    loaded.Warnings.push_back(PrintableText(warning));
   }
   if (!loaded.Surface || !HasWholeCells(loaded.Surface))
   {

@@ -10,13 +10,18 @@ namespace bonedecimate
 {
 const char* const SurfaceExtensions = "obj, stl, ply, vtp, vtk";
 
+std::string LowerText(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return text;
+}
+
 std::string ExtensionOf(const std::string& path)
 {
   std::string extension = std::filesystem::path(path).extension().string();
   extension.erase(0, 1);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return extension;
+  return LowerText(extension);
 }
 
 SurfaceFormat FormatOf(const std::string& path)

@@ -24,6 +24,9 @@ enum class SurfaceFormat
 /// "obj stl ply vtp vtk", for messages.
 extern const char* const SurfaceExtensions;
 
+/// A to Z as a to z; letters beyond ASCII stay as they are.
+std::string LowerText(std::string text);
+
 /// The extension in small letters, without its dot; of "a.b/NAME.STL" it is "stl".
 std::string ExtensionOf(const std::string& path);
 

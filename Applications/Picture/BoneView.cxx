@@ -81,10 +81,12 @@ void AddBackdrop(vtkRenderWindow* window)
   window->AddRenderer(renderer);
 }
 
-void AddView(vtkRenderWindow* window, const Area& area, vtkActor* bone, const Viewpoint& view, const Frame& frame)
+void AddView(vtkRenderWindow* window, const Area& area, vtkActor* bone, const Viewpoint& view,
+  const Frame& frame)
 {
   vtkNew<vtkRenderer> renderer;
-  renderer->SetViewport(area.LowerLeft[0], area.LowerLeft[1], area.UpperRight[0], area.UpperRight[1]);
+  renderer->SetViewport(
+    area.LowerLeft[0], area.LowerLeft[1], area.UpperRight[0], area.UpperRight[1]);
   renderer->SetBackground(0.965, 0.97, 0.975);
   renderer->AutomaticLightCreationOff();
   vtkNew<vtkLightKit> lights;

@@ -45,7 +45,8 @@ void ColourByDistance(vtkActor* bone, const std::string& arrayName, double range
 void AddBackdrop(vtkRenderWindow* window);
 
 /// A renderer of its own in that part of the window.
-void AddView(vtkRenderWindow* window, const Area& area, vtkActor* bone, const Viewpoint& view, const Frame& frame);
+void AddView(vtkRenderWindow* window, const Area& area, vtkActor* bone, const Viewpoint& view,
+  const Frame& frame);
 }
 
 #endif

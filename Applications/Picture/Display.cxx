@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <optional>
 
+#include <csignal>
 #include <fcntl.h>
 #include <poll.h>
-#include <csignal>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -24,7 +24,7 @@ namespace
 {
 constexpr int StartTimeout = 30000; // ms, generous: the machine may be busy
 constexpr const char* Missing =
-  "no picture: there is no usable X display, and no Xvfb to make one (Debian package xvfb)";
+  "there is no usable X display, and no Xvfb to make one (Debian package xvfb)";
 
 /// A connection to the display of the environment, or null if it is dead or cannot do OpenGL.
 ::Display* Connect()
@@ -105,17 +105,17 @@ Display::Server::~Server()
 bool Display::Server::Spawn(int descriptor)
 {
   const std::string number = std::to_string(descriptor);
-  // With -terminate the server goes when its last client goes. Our own connection is that client, so that
-  // no server is left behind even where VTK ends the program.
-  const char* arguments[] = { "Xvfb", "-displayfd", number.c_str(), "-terminate", "-nolisten", "tcp", "-screen", "0",
-    "1280x1024x24", nullptr };
+  // With -terminate the server goes when its last client goes. Our own connection is that client,
+  // so that no server is left behind even where VTK ends the program.
+  const char* arguments[] = { "Xvfb", "-displayfd", number.c_str(), "-terminate", "-nolisten",
+    "tcp", "-screen", "0", "1280x1024x24", nullptr };
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  // A group of its own: an interrupt typed at the terminal is for the program, not for the server under it. A server
-  // that finds SIGUSR1 ignored would signal its parent.
+  // A group of its own: an interrupt typed at the terminal is for the program, not for the server
+  // under it. A server that finds SIGUSR1 ignored would signal its parent.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t defaults;
@@ -125,8 +125,8 @@ bool Display::Server::Spawn(int descriptor)
   posix_spawnattr_setsigdefault(&attributes, &defaults);
   posix_spawnattr_setpgroup(&attributes, 0);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
-  const int failure =
-    posix_spawnp(&this->Process, "Xvfb", &files, &attributes, const_cast<char* const*>(arguments), environ);
+  const int failure = posix_spawnp(
+    &this->Process, "Xvfb", &files, &attributes, const_cast<char* const*>(arguments), environ);
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   this->Process = failure ? 0 : this->Process;
@@ -186,9 +186,7 @@ struct Display::Server
 {
 };
 
-Display::Display(Choice)
-{
-}
+Display::Display(Choice) {}
 
 Display::~Display() = default;
 }

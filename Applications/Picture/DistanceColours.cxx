@@ -16,10 +16,11 @@ namespace
 {
 using Colour = std::array<double, 3>;
 
-// Entries 255, 231, ... 63 of "magma" by Nathaniel Smith and Stefan van der Walt (matplotlib, CC0), which is
-// perceptually uniform. It runs from light to dark here, so that bone that did not move keeps the colour of bone: the
-// first entry has its lightness from magma but less yellow, which looks green in the shade. The last quarter, nearly
-// black, is left out because no shape can be seen in it.
+// Entries 255, 231, ... 63 of "magma" by Nathaniel Smith and Stefan van der Walt (matplotlib, CC0),
+// which is perceptually uniform. It runs from light to dark here, so that bone that did not move
+// keeps the colour of bone: the first entry has its lightness from magma but less yellow, which
+// looks green in the shade. The last quarter, nearly black, is left out because no shape can be
+// seen in it.
 constexpr std::array<Colour, 9> Magma = { {
   { 0.985000, 0.965000, 0.900000 },
   { 0.995424, 0.819875, 0.579140 },

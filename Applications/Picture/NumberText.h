@@ -21,7 +21,8 @@ std::string MillimetreText(double millimetres);
 /// Few digits, for ticks and labels: "0.25", "10".
 std::string ShortText(double value);
 
-/// The least step times a power of ten that is not below a positive value. @param steps Ascending, 1 to 10.
+/// The least step times a power of ten that is not below a positive value. @param steps Ascending,
+/// 1 to 10.
 double RoundUp(double value, std::initializer_list<double> steps);
 }
 

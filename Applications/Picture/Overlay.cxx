@@ -92,8 +92,9 @@ void Overlay::Draw(const std::vector<Place>& line, double width)
 
 void Overlay::DrawRectangle(const Place& lowerLeft, const Place& upperRight, double width)
 {
-  this->Draw(
-    { lowerLeft, { upperRight[0], lowerLeft[1] }, upperRight, { lowerLeft[0], upperRight[1] }, lowerLeft }, width);
+  this->Draw({ lowerLeft, { upperRight[0], lowerLeft[1] }, upperRight,
+               { lowerLeft[0], upperRight[1] }, lowerLeft },
+    width);
 }
 
 void Overlay::DrawColourBar(
@@ -114,6 +115,7 @@ void Overlay::DrawColourBar(
   SetLook(bar->GetLabelTextProperty(), this->Pixels(0.019), false, false);
   this->Renderer->AddActor2D(bar);
   const double middle = 0.5 * (lowerLeft[0] + upperRight[0]);
-  this->Write({ title, { middle, upperRight[1] - 0.16 * (upperRight[1] - lowerLeft[1]) }, 0.021, Align::Centre, true });
+  this->Write({ title, { middle, upperRight[1] - 0.16 * (upperRight[1] - lowerLeft[1]) }, 0.021,
+    Align::Centre, true });
 }
 }

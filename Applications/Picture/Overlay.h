@@ -47,7 +47,8 @@ public:
   void Draw(const std::vector<Place>& line, double width = 0.002);
   void DrawRectangle(const Place& lowerLeft, const Place& upperRight, double width = 0.002);
   /// A bar of colours from 0 to range with its title above and numbers below.
-  void DrawColourBar(const Place& lowerLeft, const Place& upperRight, double range, const std::string& title);
+  void DrawColourBar(
+    const Place& lowerLeft, const Place& upperRight, double range, const std::string& title);
 
 private:
   int Pixels(double heights) const;

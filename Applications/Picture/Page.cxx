@@ -17,7 +17,8 @@ namespace bonedecimate
 namespace
 {
 const std::string Unknown = "not known";
-const std::string Notice = "This software is not a medical device. Do not base a diagnosis or a treatment on it alone.";
+const std::string Notice =
+  "This software is not a medical device. Do not base a diagnosis or a treatment on it alone.";
 
 using Value = std::optional<double>;
 using Rows = std::vector<std::vector<std::string>>;
@@ -46,7 +47,8 @@ std::string ShareText(const ReportFields& report)
 {
   const Value before = report.Number("input.faces");
   const Value after = report.Number("output.faces");
-  return before && after && *before > 0.0 ? " (" + GroupedText(100.0 * *after / *before, 1) + " %)" : "";
+  return before && after && *before > 0.0 ? " (" + GroupedText(100.0 * *after / *before, 1) + " %)"
+                                          : "";
 }
 
 std::string Figure(const std::string& value, const std::string& meaning)
@@ -56,7 +58,8 @@ std::string Figure(const std::string& value, const std::string& meaning)
 
 bool HasDistances(const ReportFields& report)
 {
-  return report.Number("distance.output_to_input.max") && report.Number("distance.input_to_output.max");
+  return report.Number("distance.output_to_input.max") &&
+    report.Number("distance.input_to_output.max");
 }
 
 double LargestDistance(const ReportFields& report)
@@ -73,7 +76,8 @@ std::string KeyFigures(const ReportFields& report)
     Figure(CountText(report.Number("output.faces")),
       "triangles, instead of " + CountText(report.Number("input.faces")) + ShareText(report)) +
     Figure(largest, "largest measured distance between the two surfaces") +
-    Figure(CountText(report.Number("output.components")) + " of " + CountText(report.Number("input.components")),
+    Figure(CountText(report.Number("output.components")) + " of " +
+        CountText(report.Number("input.components")),
       "components (separate pieces) kept") +
     "</div>\n";
 }
@@ -87,7 +91,8 @@ std::string DistanceSentence(const ReportFields& report)
   return "No measured place of the original lies farther than " +
     LengthText(report.Number("distance.input_to_output.max")) +
     " mm from the simplified surface, and none of the simplified surface farther than " +
-    LengthText(report.Number("distance.output_to_input.max")) + " mm from the original. On average it is " +
+    LengthText(report.Number("distance.output_to_input.max")) +
+    " mm from the original. On average it is " +
     LengthText(report.Number("distance.input_to_output.mean")) + " mm one way and " +
     LengthText(report.Number("distance.output_to_input.mean")) + " mm the other.";
 }
@@ -95,15 +100,15 @@ std::string DistanceSentence(const ReportFields& report)
 std::string Summary(const ReportFields& report)
 {
   return Paragraph("The simplified surface has " + CountText(report.Number("output.faces")) +
-           " triangles instead of " + CountText(report.Number("input.faces")) + ". " + DistanceSentence(report) + " " +
-           CountText(report.Number("output.components")) + " of " + CountText(report.Number("input.components")) +
-           " components kept.");
+    " triangles instead of " + CountText(report.Number("input.faces")) + ". " +
+    DistanceSentence(report) + " " + CountText(report.Number("output.components")) + " of " +
+    CountText(report.Number("input.components")) + " components kept.");
 }
 
 std::string Picture(const PageSubject& subject)
 {
-  const std::string image = EmbeddedPng(
-    subject.PictureFile, "The bone before and after, and the distance between the two in colours; below, a close-up");
+  const std::string image = EmbeddedPng(subject.PictureFile,
+    "The bone before and after, and the distance between the two in colours; below, a close-up");
   return image.empty() ? Paragraph("There is no picture of this bone.", "note")
                        : "<div class=\"picture\">" + image + "</div>\n";
 }
@@ -115,13 +120,17 @@ std::string MeasuringNote(const ReportFields& report)
   for (const std::string& side : sides)
   {
     const Value density = report.Number(side + ".samples_per_mm2");
-    counts += (counts.empty() ? "" : "; ") + CountText(report.Number(side + ".samples")) + " samples, " +
-      (density ? ShortText(*density) : Unknown) + " per mm&sup2;";
+    counts += (counts.empty() ? "" : "; ") + CountText(report.Number(side + ".samples")) +
+      " samples, " + (density ? ShortText(*density) : Unknown) + " per mm&sup2;";
   }
-  return Paragraph("How it was measured: from every point and from samples spread over the area of one surface (" +
-      counts + ", in the order of the columns) to the nearest place of the other surface. Mean and RMS (root mean "
-               "square) are over the area. The largest value is a lower bound: between the samples a place may lie "
-               "farther.",
+  return Paragraph(
+    "How it was measured: from every point and from samples spread over the area of one surface (" +
+      counts +
+      ", in the order of the columns) to the nearest place of the other surface. Mean and RMS "
+      "(root mean "
+      "square) are over the area. The largest value is a lower bound: between the samples a place "
+      "may lie "
+      "farther.",
     "note");
 }
 
@@ -134,22 +143,25 @@ std::string Curve(const PageSubject& subject)
   {
     return {};
   }
-  const auto within = [&sorted](double share) { return Escape(MillimetreText(Quantile(sorted, share))) + " mm"; };
-  return "<figure>\n" + ShareCurve(sorted) + "<figcaption>Share of the original's points within a distance of the "
-                                             "result. Half of them lie within " +
-    within(0.5) + ", 95 % within " + within(0.95) + ", 99 % within " + within(0.99) + " (the dots); the farthest at " +
-    within(1.0) + ".</figcaption>\n</figure>\n";
+  const auto within = [&sorted](double share)
+  { return Escape(MillimetreText(Quantile(sorted, share))) + " mm"; };
+  return "<figure>\n" + ShareCurve(sorted) +
+    "<figcaption>Share of the original's points within a distance of the "
+    "result. Half of them lie within " +
+    within(0.5) + ", 95 % within " + within(0.95) + ", 99 % within " + within(0.99) +
+    " (the dots); the farthest at " + within(1.0) + ".</figcaption>\n</figure>\n";
 }
 
 std::string DistanceTable(const ReportFields& report)
 {
   Rows rows = { { "mm", "simplified to original", "original to simplified" } };
-  const std::pair<const char*, const char*> lines[] = { { "Largest measured", "max" }, { "Mean", "mean" },
-    { "RMS", "rms" } };
+  const std::pair<const char*, const char*> lines[] = { { "Largest measured", "max" },
+    { "Mean", "mean" }, { "RMS", "rms" } };
   for (const auto& [title, name] : lines)
   {
-    rows.push_back({ title, LengthText(report.Number(std::string("distance.output_to_input.") + name)),
-      LengthText(report.Number(std::string("distance.input_to_output.") + name)) });
+    rows.push_back(
+      { title, LengthText(report.Number(std::string("distance.output_to_input.") + name)),
+        LengthText(report.Number(std::string("distance.input_to_output.") + name)) });
   }
   return Table(rows);
 }
@@ -173,8 +185,9 @@ std::string Surfaces(const ReportFields& report)
   };
   const Line lines[] = { { "Triangles", "faces", 0 }, { "Points", "points", 0 },
     { "Components (separate pieces)", "components", 0 }, { "Boundary edges", "boundary_edges", 0 },
-    { "Edges of three or more triangles", "non_manifold_edges", 0 }, { "Euler number", "euler_number", 0 },
-    { "Area, mm&sup2;", "area", 1 }, { "Volume, mm&sup3;", "volume", 1 } };
+    { "Edges of three or more triangles", "non_manifold_edges", 0 },
+    { "Euler number", "euler_number", 0 }, { "Area, mm&sup2;", "area", 1 },
+    { "Volume, mm&sup3;", "volume", 1 } };
   for (const Line& line : lines)
   {
     std::vector<std::string> row = { line.Title };
@@ -188,8 +201,10 @@ std::string Surfaces(const ReportFields& report)
   return Section("The two surfaces",
     Table(rows) +
       Paragraph("Before: after " + CountText(report.Number("input.merged_points")) +
-          " points equal to another were merged and " + CountText(report.Number("input.dropped_triangles")) +
-          " triangles without area were left out; the input held " + CountText(report.Number("input.faces_read")) +
+          " points equal to another were merged and " +
+          CountText(report.Number("input.dropped_triangles")) +
+          " triangles without area were left out; the input held " +
+          CountText(report.Number("input.faces_read")) +
           " triangles. The volume means something only where the surface is closed.",
         "note"));
 }
@@ -204,13 +219,14 @@ std::string RefusalText(const std::string& cause)
     { "flip", "a triangle would turn over" },
     { "degenerate", "a triangle would have no area left" },
   } };
-  const auto known = std::find_if(
-    sentences.begin(), sentences.end(), [&cause](const auto& sentence) { return cause == sentence.first; });
+  const auto known = std::find_if(sentences.begin(), sentences.end(),
+    [&cause](const auto& sentence) { return cause == sentence.first; });
   return known == sentences.end() ? Escape(cause) : known->second;
 }
 
 /// The entries below a name as "what: value" lines, or nothing.
-std::string List(const ReportFields& report, const std::string& beginning, std::string (*title)(const std::string&))
+std::string List(const ReportFields& report, const std::string& beginning,
+  std::string (*title)(const std::string&))
 {
   std::string items;
   for (const std::string& name : report.NamesBelow(beginning))
@@ -230,20 +246,23 @@ std::string TextOrUnknown(const ReportFields& report, const std::string& name)
 
 std::string SecondsText(const ReportFields& report)
 {
-  const auto text = [&report](const std::string& name) {
+  const auto text = [&report](const std::string& name)
+  {
     const Value value = report.Number("seconds." + name);
     return value ? GroupedText(*value, 2) + " s" : Unknown;
   };
-  return text("decimate") + " to simplify, " + text("measure") + " to measure, " + text("total") + " in all";
+  return text("decimate") + " to simplify, " + text("measure") + " to measure, " + text("total") +
+    " in all";
 }
 
 std::string Making(const ReportFields& report)
 {
-  const Rows rows = { { "What", "Value" }, { "Why it stopped", TextOrUnknown(report, "stop_sentence") },
+  const Rows rows = { { "What", "Value" },
+    { "Why it stopped", TextOrUnknown(report, "stop_sentence") },
     { "Method", TextOrUnknown(report, "options.Mode") },
     { "Software", "vtkBoneDecimate " + TextOrUnknown(report, "version") },
-    { "Checksum of the input", TextOrUnknown(report, "input.checksum") }, { "Time", SecondsText(report) },
-    { "Edges collapsed", CountText(report.Number("collapses")) },
+    { "Checksum of the input", TextOrUnknown(report, "input.checksum") },
+    { "Time", SecondsText(report) }, { "Edges collapsed", CountText(report.Number("collapses")) },
     { "Collapses refused, by cause", List(report, "refusals.", RefusalText) },
     { "Options (lengths in mm)", List(report, "options.", Escape) } };
   return Section("How it was made", "<div class=\"words\">" + Table(rows) + "</div>\n");
@@ -256,9 +275,9 @@ std::string ComposePage(const PageSubject& subject)
   const std::string title = "Simplified bone surface: " + Escape(subject.Name);
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-    title + "</title>\n<style>" + StyleSheet() + "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n" +
-    Paragraph(Notice, "notice") + KeyFigures(report) + Summary(report) + Picture(subject) +
-    Distances(subject, report) + Surfaces(report) + Making(report) + Paragraph(Notice, "notice") +
-    "</body>\n</html>\n";
+    title + "</title>\n<style>" + StyleSheet() + "</style>\n</head>\n<body>\n<h1>" + title +
+    "</h1>\n" + Paragraph(Notice, "notice") + KeyFigures(report) + Summary(report) +
+    Picture(subject) + Distances(subject, report) + Surfaces(report) + Making(report) +
+    Paragraph(Notice, "notice") + "</body>\n</html>\n";
 }
 }

@@ -15,9 +15,11 @@ namespace bonedecimate
 {
 struct PageSubject
 {
-  std::string Name;              ///< What the page calls the bone (a file name, never patient data).
-  vtkPolyData* Result = nullptr; ///< Output port 0 of vtkBoneDecimate: arrays and report in its field data.
-  vtkPolyData* Before = nullptr; ///< Output port 1, with the distance of each input point; may be null.
+  std::string Name; ///< What the page calls the bone (a file name, never patient data).
+  vtkPolyData* Result =
+    nullptr; ///< Output port 0 of vtkBoneDecimate: arrays and report in its field data.
+  vtkPolyData* Before =
+    nullptr; ///< Output port 1, with the distance of each input point; may be null.
   std::string DistanceArrayName; ///< On Before, mm.
   std::string PictureFile;       ///< A PNG to embed; empty: no picture, and the page says so.
 };

@@ -38,6 +38,14 @@ std::string Escape(const std::string& text)
   return escaped;
 }
 
+namespace
+{
+std::string Cell(const std::string& content, const std::string& tag, const std::string& attributes)
+{
+  return "<" + tag + attributes + ">" + content + "</" + tag + ">";
+}
+}
+
 std::string Table(const std::vector<std::vector<std::string>>& rows)
 {
   std::string html = "<table>\n";
@@ -47,12 +55,16 @@ std::string Table(const std::vector<std::vector<std::string>>& rows)
     std::string line;
     for (const std::string& cell : row)
     {
-      const bool isRowHead = line.empty();
-      const std::string tag = isHead || isRowHead ? "th" : "td";
-      const std::string scope = isHead ? " scope=\"col\"" : isRowHead ? " scope=\"row\"" : "";
-      line += "<" + tag + scope + ">" + cell + "</" + tag + ">";
+      if (isHead)
+      {
+        line += Cell(cell, "th", " scope=\"col\"");
+      }
+      else
+      {
+        line += line.empty() ? Cell(cell, "th", " scope=\"row\"") : Cell(cell, "td", "");
+      }
     }
-    html += "<tr>" + line + "</tr>\n";
+    html += Cell(line, "tr", "") + "\n";
     isHead = false;
   }
   return html + "</table>\n";
@@ -61,14 +73,16 @@ std::string Table(const std::vector<std::vector<std::string>>& rows)
 std::string EmbeddedPng(const std::string& file, const std::string& alternative)
 {
   std::ifstream stream(file, std::ios::binary);
-  const std::string bytes{ std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
+  const std::string bytes{ std::istreambuf_iterator<char>(stream),
+    std::istreambuf_iterator<char>() };
   if (bytes.empty())
   {
     return {};
   }
   std::string text(4 * (bytes.size() / 3 + 1), '\0');
-  const unsigned long length = vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()),
-    static_cast<unsigned long>(bytes.size()), reinterpret_cast<unsigned char*>(text.data()));
+  const unsigned long length =
+    vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()),
+      static_cast<unsigned long>(bytes.size()), reinterpret_cast<unsigned char*>(text.data()));
   text.resize(length);
   return "<img alt=\"" + Escape(alternative) + "\" src=\"data:image/png;base64," + text + "\">";
 }
@@ -76,7 +90,8 @@ std::string EmbeddedPng(const std::string& file, const std::string& alternative)
 std::string StyleSheet()
 {
   return R"(
-:root { color-scheme: light dark; --ink: #20242a; --quiet: #5b626b; --paper: #ffffff; --line: #d5d9de; --mark: #b43a75; }
+:root { color-scheme: light dark;
+  --ink: #20242a; --quiet: #5b626b; --paper: #ffffff; --line: #d5d9de; --mark: #b43a75; }
 @media (prefers-color-scheme: dark) {
   :root { --ink: #e4e7ea; --quiet: #a3abb4; --paper: #16191d; --line: #3a4149; --mark: #ee8a8a; }
 }

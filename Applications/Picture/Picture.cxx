@@ -20,8 +20,8 @@ namespace bonedecimate
 {
 namespace
 {
-// The sheet from above, in fractions of the window: headline, captions, the whole bone, a line of words, the
-// close-ups, the footer with the colour bar.
+// The sheet from above, in fractions of the window: headline, captions, the whole bone, a line of
+// words, the close-ups, the footer with the colour bar.
 constexpr double TitleHeight = 0.055;
 constexpr double CaptionHeight = 0.048;
 constexpr double WholeBottom = 0.445;
@@ -31,7 +31,7 @@ constexpr double FooterHeight = 0.105;
 constexpr double Gap = 0.006;
 constexpr int Columns = 3;
 
-constexpr double EdgesAcross = 18.0;     // of the result's triangles in a close-up
+constexpr double EdgesAcross = 18.0;      // of the result's triangles in a close-up
 constexpr double NarrowestCloseUp = 0.05; // of the height of the whole view
 constexpr double WidestCloseUp = 0.22;
 
@@ -72,7 +72,8 @@ Distances FindDistances(vtkPolyData* before, const PictureSubject& subject)
   return distances;
 }
 
-Rows ChooseRows(vtkRenderWindow* window, vtkPolyData* before, vtkPolyData* after, vtkDataArray* distances)
+Rows ChooseRows(
+  vtkRenderWindow* window, vtkPolyData* before, vtkPolyData* after, vtkDataArray* distances)
 {
   Rows rows;
   rows.View = ChooseViewpoint(before, distances);
@@ -84,10 +85,13 @@ Rows ChooseRows(vtkRenderWindow* window, vtkPolyData* before, vtkPolyData* after
   return rows;
 }
 
-/// The triangles the run began with; equal points may have been merged and empty triangles dropped since the file.
+/// The triangles the run began with; equal points may have been merged and empty triangles dropped
+/// since the file.
 double CountBefore(vtkPolyData* before, vtkPolyData* after)
 {
-  return ReportFields(after).Number("input.faces").value_or(static_cast<double>(before->GetNumberOfPolys()));
+  return ReportFields(after)
+    .Number("input.faces")
+    .value_or(static_cast<double>(before->GetNumberOfPolys()));
 }
 
 void WriteCaptions(Overlay& overlay, const std::vector<std::string>& captions, bool hasTitle)
@@ -96,13 +100,14 @@ void WriteCaptions(Overlay& overlay, const std::vector<std::string>& captions, b
   {
     const Area area = ViewArea(column, true, hasTitle);
     const double middle = 0.5 * (area.LowerLeft[0] + area.UpperRight[0]);
-    overlay.Write({ captions[static_cast<std::size_t>(column)], { middle, area.UpperRight[1] + 0.5 * CaptionHeight },
-      0.024, Align::Centre, true });
+    overlay.Write({ captions[static_cast<std::size_t>(column)],
+      { middle, area.UpperRight[1] + 0.5 * CaptionHeight }, 0.024, Align::Centre, true });
   }
 }
 
 /// Where a place of space lies in an area that shows a frame.
-Place PlaceInArea(const Area& area, double aspect, const Rows& rows, const std::array<double, 3>& point)
+Place PlaceInArea(
+  const Area& area, double aspect, const Rows& rows, const std::array<double, 3>& point)
 {
   std::array<double, 3> offset;
   vtkMath::Subtract(point, rows.Whole.Centre, offset);
@@ -113,7 +118,8 @@ Place PlaceInArea(const Area& area, double aspect, const Rows& rows, const std::
 }
 
 /// Frames the place of the close-up in a view of the whole bone.
-void MarkCloseUp(Overlay& overlay, vtkRenderWindow* window, int column, const Rows& rows, bool hasTitle)
+void MarkCloseUp(
+  Overlay& overlay, vtkRenderWindow* window, int column, const Rows& rows, bool hasTitle)
 {
   const Area area = ViewArea(column, true, hasTitle);
   const Place middle = PlaceInArea(area, area.Aspect(window), rows, rows.CloseUp.Centre);
@@ -121,8 +127,10 @@ void MarkCloseUp(Overlay& overlay, vtkRenderWindow* window, int column, const Ro
   const double up = share * (area.UpperRight[1] - area.LowerLeft[1]);
   const double closeUpAspect = ViewArea(column, false, hasTitle).Aspect(window);
   const double right = up * closeUpAspect * window->GetSize()[1] / window->GetSize()[0];
-  overlay.DrawRectangle({ std::max(middle[0] - right, area.LowerLeft[0]), std::max(middle[1] - up, area.LowerLeft[1]) },
-    { std::min(middle[0] + right, area.UpperRight[0]), std::min(middle[1] + up, area.UpperRight[1]) });
+  overlay.DrawRectangle(
+    { std::max(middle[0] - right, area.LowerLeft[0]), std::max(middle[1] - up, area.LowerLeft[1]) },
+    { std::min(middle[0] + right, area.UpperRight[0]),
+      std::min(middle[1] + up, area.UpperRight[1]) });
 }
 
 /// A line of a readable length in the lower left of an area.
@@ -150,17 +158,20 @@ void WriteCloseUpCaption(Overlay& overlay, vtkRenderWindow* window, const Rows& 
 {
   const Area area = ViewArea(0, false, true);
   const double width = 2.0 * rows.CloseUp.HalfHeight * area.Aspect(window);
-  overlay.Write({ "Close-up: the framed place with its triangles, " + ShortText(std::round(10.0 * width) / 10.0) + " mm wide",
+  overlay.Write({ "Close-up: the framed place with its triangles, " +
+      ShortText(std::round(10.0 * width) / 10.0) + " mm wide",
     { area.LowerLeft[0] + 0.002, BetweenRows }, 0.02, Align::Left, true });
 }
 
 void WriteFooter(Overlay& overlay, const Distances& distances)
 {
-  std::vector<std::string> lines = { "The camera is the same along each row. Seen from the side of -y, a little from above." };
+  std::vector<std::string> lines = {
+    "The camera is the same along each row. Seen from the side of -y, a little from above."
+  };
   if (distances.Array && distances.Largest > distances.Range)
   {
-    lines.push_back(
-      "Colours end at " + ShortText(distances.Range) + " mm; the few larger distances have the last colour.");
+    lines.push_back("Colours end at " + ShortText(distances.Range) +
+      " mm; the few larger distances have the last colour.");
   }
   lines.push_back("This software is not a medical device.");
   Place at = { ViewArea(0, false, true).LowerLeft[0] + 0.002, 0.074 };
@@ -173,7 +184,8 @@ void WriteFooter(Overlay& overlay, const Distances& distances)
 
 std::string DistanceCaption(const Distances& distances)
 {
-  return distances.Array ? "Distance, largest " + MillimetreText(distances.Largest) + " mm" : "Distance not measured";
+  return distances.Array ? "Distance, largest " + MillimetreText(distances.Largest) + " mm"
+                         : "Distance not measured";
 }
 
 void AddViews(vtkRenderWindow* window, vtkPolyData* before, vtkPolyData* after, const Rows& rows,
@@ -218,7 +230,8 @@ void ComposePicture(vtkRenderWindow* window, const PictureSubject& subject)
   }
   WriteCaptions(overlay,
     { "Before: " + GroupedText(CountBefore(before, subject.After)) + " triangles",
-      "After: " + GroupedText(static_cast<double>(after->GetNumberOfPolys())) + " triangles", DistanceCaption(distances) },
+      "After: " + GroupedText(static_cast<double>(after->GetNumberOfPolys())) + " triangles",
+      DistanceCaption(distances) },
     hasTitle);
   for (int column = 0; column < Columns; ++column)
   {
@@ -234,8 +247,9 @@ void ComposePicture(vtkRenderWindow* window, const PictureSubject& subject)
   if (distances.Array)
   {
     const Area area = ViewArea(2, false, hasTitle);
-    overlay.DrawColourBar({ area.LowerLeft[0] + 0.02, 0.005 }, { area.UpperRight[0] - 0.02, FooterHeight - 0.01 },
-      distances.Range, "distance to the result, mm");
+    overlay.DrawColourBar({ area.LowerLeft[0] + 0.02, 0.005 },
+      { area.UpperRight[0] - 0.02, FooterHeight - 0.01 }, distances.Range,
+      "distance to the result, mm");
   }
 }
 }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Picture.h
- * @brief The picture a surgeon looks at: before, after, and the distance in mm as colours with a scalar bar.
+ * @brief The picture a surgeon looks at: before, after, and the distance in mm as colours with a
+ * scalar bar.
  */
 #ifndef BoneDecimate_Applications_Picture_h
 #define BoneDecimate_Applications_Picture_h
@@ -16,11 +17,12 @@ namespace bonedecimate
 {
 struct PictureSubject
 {
-  vtkPolyData* Before = nullptr;       ///< The input surface, with the array below as point data.
-  vtkPolyData* After = nullptr;        ///< The result.
-  std::string DistanceArrayName;       ///< mm, distance of each point of Before to After.
-  std::string Title;                   ///< Over the picture; may be empty.
-  /// Whether coordinates are known to be LPS, as those of a CT volume are: only then right and left are written.
+  vtkPolyData* Before = nullptr; ///< The input surface, with the array below as point data.
+  vtkPolyData* After = nullptr;  ///< The result.
+  std::string DistanceArrayName; ///< mm, distance of each point of Before to After.
+  std::string Title;             ///< Over the picture; may be empty.
+  /// Whether coordinates are known to be LPS, as those of a CT volume are: only then right and left
+  /// are written.
   bool IsInPatientCoordinates = false;
   int Width = 1800; ///< Pixels, of the file; the height goes with it.
 };
@@ -28,8 +30,8 @@ struct PictureSubject
 /// Puts the three views into a window; the caller renders it. The window's size decides the layout.
 void ComposePicture(vtkRenderWindow* window, const PictureSubject& subject);
 
-/// Renders off screen and writes a PNG whole or not at all. Returns what went wrong, or an empty string.
-/// Without a display it starts a virtual one (Xvfb) if the system has it.
+/// Renders off screen and writes a PNG whole or not at all. Returns what went wrong, or an empty
+/// string. Without a display it starts a virtual one (Xvfb) if the system has it.
 std::string WritePicture(const PictureSubject& subject, const std::string& file);
 }
 

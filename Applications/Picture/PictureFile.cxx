@@ -74,9 +74,10 @@ std::string WriteWhole(vtkUnsignedCharArray* bytes, const std::string& file)
 
 std::string WritePicture(const PictureSubject& subject, const std::string& file)
 {
-  if (!subject.Before || !subject.After || subject.Before->GetNumberOfPolys() + subject.Before->GetNumberOfStrips() == 0)
+  if (!subject.Before || !subject.After ||
+    subject.Before->GetNumberOfPolys() + subject.Before->GetNumberOfStrips() == 0)
   {
-    return "no picture: there is no surface to show";
+    return "there is no surface to show";
   }
   const Display display; // has to outlive the window
   if (!display.GetProblem().empty())
@@ -84,6 +85,6 @@ std::string WritePicture(const PictureSubject& subject, const std::string& file)
     return display.GetProblem();
   }
   const auto bytes = RenderPng(subject);
-  return bytes && bytes->GetNumberOfValues() > 0 ? WriteWhole(bytes, file) : "no picture: nothing was rendered";
+  return bytes && bytes->GetNumberOfValues() > 0 ? WriteWhole(bytes, file) : "nothing was rendered";
 }
 }

@@ -40,8 +40,8 @@ std::string At(double x, double y)
 
 std::string Text(double x, double y, const std::string& anchor, const std::string& text)
 {
-  return "<text x=\"" + GroupedText(x, 1) + "\" y=\"" + GroupedText(y, 1) + "\" text-anchor=\"" + anchor + "\">" +
-    text + "</text>\n";
+  return "<text x=\"" + GroupedText(x, 1) + "\" y=\"" + GroupedText(y, 1) + "\" text-anchor=\"" +
+    anchor + "\">" + text + "</text>\n";
 }
 
 std::string Axes(double range)
@@ -50,12 +50,15 @@ std::string Axes(double range)
   for (int i = 0; i <= 4; ++i)
   {
     const double share = 0.25 * i;
-    svg += "<path class=\"grid\" d=\"M" + At(Left, DownOf(share)) + " L" + At(Right, DownOf(share)) + " M" +
-      At(AcrossOf(share), Bottom) + " L" + At(AcrossOf(share), Bottom + 5.0) + "\"/>\n";
+    svg += "<path class=\"grid\" d=\"M" + At(Left, DownOf(share)) + " L" +
+      At(Right, DownOf(share)) + " M" + At(AcrossOf(share), Bottom) + " L" +
+      At(AcrossOf(share), Bottom + 5.0) + "\"/>\n";
     svg += Text(Left - 6.0, DownOf(share) + 4.0, "end", GroupedText(100.0 * share) + " %");
     svg += Text(AcrossOf(share), Bottom + 19.0, "middle", ShortText(share * range));
   }
-  return svg + Text(AcrossOf(0.5), Bottom + 40.0, "middle", "distance of the original's points to the result, mm");
+  return svg +
+    Text(AcrossOf(0.5), Bottom + 40.0, "middle",
+      "distance of the original's points to the result, mm");
 }
 
 std::string Curve(const std::vector<double>& sorted, double range)
@@ -64,7 +67,8 @@ std::string Curve(const std::vector<double>& sorted, double range)
   for (int i = 0; i <= Steps; ++i)
   {
     const double across = static_cast<double>(i) / Steps;
-    const auto within = std::upper_bound(sorted.begin(), sorted.end(), across * range) - sorted.begin();
+    const auto within =
+      std::upper_bound(sorted.begin(), sorted.end(), across * range) - sorted.begin();
     const double share = static_cast<double>(within) / static_cast<double>(sorted.size());
     path += (i == 0 ? "M" : " L") + At(AcrossOf(across), DownOf(share));
   }
@@ -77,8 +81,8 @@ std::string Marks(const std::vector<double>& sorted, double range)
   for (const double share : Marked)
   {
     const double across = AcrossOf(Quantile(sorted, share) / range);
-    svg += "<circle class=\"mark\" cx=\"" + GroupedText(across, 1) + "\" cy=\"" + GroupedText(DownOf(share), 1) +
-      "\" r=\"4\"/>\n";
+    svg += "<circle class=\"mark\" cx=\"" + GroupedText(across, 1) + "\" cy=\"" +
+      GroupedText(DownOf(share), 1) + "\" r=\"4\"/>\n";
   }
   return svg;
 }
@@ -88,7 +92,8 @@ std::string ShareCurve(const std::vector<double>& sorted)
 {
   const double range = ColourRange(sorted);
   return "<svg viewBox=\"0 0 " + GroupedText(Width) + " " + GroupedText(Height) +
-    "\" role=\"img\" aria-label=\"Share of the original's points within a distance of the result\">\n" + Axes(range) +
-    Curve(sorted, range) + Marks(sorted, range) + "</svg>\n";
+    "\" role=\"img\" aria-label=\"Share of the original's points within a distance of the "
+    "result\">\n" +
+    Axes(range) + Curve(sorted, range) + Marks(sorted, range) + "</svg>\n";
 }
 }

@@ -15,11 +15,13 @@
 
 namespace bonedecimate
 {
-/// The triangles of a surface, polygons and strips among them, and none of the points that no triangle uses: those
-/// would neither be seen nor measured, but frame the bone and stretch the colours. Point data is kept.
+/// The triangles of a surface, polygons and strips among them, and none of the points that no
+/// triangle uses: those would neither be seen nor measured, but frame the bone and stretch the
+/// colours. Point data is kept.
 vtkSmartPointer<vtkPolyData> TrianglesOnly(vtkPolyData* surface);
 
-/// The finite values of an array of the points that triangles use, ascending. Empty if there is no such array.
+/// The finite values of an array of the points that triangles use, ascending. Empty if there is no
+/// such array.
 std::vector<double> SortedDistances(vtkPolyData* triangles, const std::string& arrayName);
 
 /// The least value that is not below that fraction of them; 0 if there are none.

@@ -22,10 +22,11 @@ namespace
 {
 using Vector = std::array<double, 3>;
 
-constexpr double Aside = 25.0;            // degrees
-constexpr double Above = 10.0;            // degrees
-constexpr double Margin = 1.15;           // leaves room for the words at the edges of a view
-constexpr double FacingCosine = 0.5;      // what is seen more slantwise than 60 degrees is no place for a close-up
+constexpr double Aside = 25.0;  // degrees
+constexpr double Above = 10.0;  // degrees
+constexpr double Margin = 1.15; // leaves room for the words at the edges of a view
+constexpr double FacingCosine =
+  0.5; // what is seen more slantwise than 60 degrees is no place for a close-up
 constexpr vtkIdType VisibilityTests = 20000;
 
 Viewpoint ObliqueFront(double side)
@@ -33,7 +34,8 @@ Viewpoint ObliqueFront(double side)
   const double aside = vtkMath::RadiansFromDegrees(Aside);
   const double above = vtkMath::RadiansFromDegrees(Above);
   Viewpoint view;
-  view.ToViewer = { side * std::sin(aside) * std::cos(above), -std::cos(aside) * std::cos(above), std::sin(above) };
+  view.ToViewer = { side * std::sin(aside) * std::cos(above), -std::cos(aside) * std::cos(above),
+    std::sin(above) };
   const Vector head = { 0.0, 0.0, 1.0 };
   vtkMath::Cross(head.data(), view.ToViewer.data(), view.Right.data());
   vtkMath::Normalize(view.Right.data());
@@ -63,18 +65,20 @@ void ForEachTriangle(vtkPolyData* surface, Visitor visit)
 double FacingDistance(const Viewpoint& view, vtkPolyData* surface, vtkDataArray* distances)
 {
   double sum = 0.0;
-  ForEachTriangle(surface, [&](const Vector& normal, vtkIdType corner) {
-    const double facing = vtkMath::Dot(normal.data(), view.ToViewer.data());
-    sum += std::max(facing, 0.0) * (distances ? distances->GetComponent(corner, 0) : 1.0);
-  });
+  ForEachTriangle(surface,
+    [&](const Vector& normal, vtkIdType corner)
+    {
+      const double facing = vtkMath::Dot(normal.data(), view.ToViewer.data());
+      sum += std::max(facing, 0.0) * (distances ? distances->GetComponent(corner, 0) : 1.0);
+    });
   return sum;
 }
 
 /// Coordinates along Right, Up and ToViewer.
 Vector InView(const Viewpoint& view, const Vector& point)
 {
-  return { vtkMath::Dot(point.data(), view.Right.data()), vtkMath::Dot(point.data(), view.Up.data()),
-    vtkMath::Dot(point.data(), view.ToViewer.data()) };
+  return { vtkMath::Dot(point.data(), view.Right.data()),
+    vtkMath::Dot(point.data(), view.Up.data()), vtkMath::Dot(point.data(), view.ToViewer.data()) };
 }
 
 Vector InSpace(const Viewpoint& view, const Vector& seen)
@@ -112,22 +116,25 @@ Box BoxInView(const Viewpoint& view, vtkPolyData* surface)
 }
 
 /// Whether nothing of the surface lies between a point and a viewer at that depth.
-bool IsVisible(vtkStaticCellLocator* locator, const Viewpoint& view, const Vector& seen, double depth)
+bool IsVisible(
+  vtkStaticCellLocator* locator, const Viewpoint& view, const Vector& seen, double depth)
 {
-  const double clearance = 1e-4 * (depth - seen[2]) + 1e-3; // mm, off the triangles at the point itself
+  const double clearance =
+    1e-4 * (depth - seen[2]) + 1e-3; // mm, off the triangles at the point itself
   const Vector from = InSpace(view, { seen[0], seen[1], seen[2] + clearance });
   const Vector to = InSpace(view, { seen[0], seen[1], depth });
   double parameter;
   Vector hit, local;
   int part;
-  return !locator->IntersectWithLine(from.data(), to.data(), 1e-6, parameter, hit.data(), local.data(), part);
+  return !locator->IntersectWithLine(
+    from.data(), to.data(), 1e-6, parameter, hit.data(), local.data(), part);
 }
 
 /// Squares of half a close-up's width, and the distances squared that are seen in each of them.
 using Weights = std::map<std::pair<int, int>, double>;
 
-Weights WeighPlaces(
-  const Viewpoint& view, vtkPolyData* surface, vtkDataArray* distances, const Box& box, double square)
+Weights WeighPlaces(const Viewpoint& view, vtkPolyData* surface, vtkDataArray* distances,
+  const Box& box, double square)
 {
   Weights weights;
   vtkNew<vtkStaticCellLocator> locator;
@@ -160,7 +167,8 @@ std::pair<int, int> HeaviestPlace(const Weights& weights)
   Weights sums;
   for (const auto& [place, weight] : weights)
   {
-    for (const auto& [left, down] : { std::pair(0, 0), std::pair(1, 0), std::pair(0, 1), std::pair(1, 1) })
+    for (const auto& [left, down] :
+      { std::pair(0, 0), std::pair(1, 0), std::pair(0, 1), std::pair(1, 1) })
     {
       sums[{ place.first - left, place.second - down }] += weight;
     }
@@ -175,7 +183,9 @@ Viewpoint ChooseViewpoint(vtkPolyData* surface, vtkDataArray* distances)
 {
   const Viewpoint left = ObliqueFront(1.0);
   const Viewpoint right = ObliqueFront(-1.0);
-  return FacingDistance(right, surface, distances) > FacingDistance(left, surface, distances) ? right : left;
+  return FacingDistance(right, surface, distances) > FacingDistance(left, surface, distances)
+    ? right
+    : left;
 }
 
 Frame FrameWhole(const Viewpoint& view, vtkPolyData* surface, double aspect)
@@ -191,7 +201,8 @@ Frame FrameWhole(const Viewpoint& view, vtkPolyData* surface, double aspect)
   return { InSpace(view, middle), Margin * 0.5 * std::max(height, width / aspect) };
 }
 
-Frame FrameCloseUp(const Viewpoint& view, vtkPolyData* surface, vtkDataArray* distances, double width)
+Frame FrameCloseUp(
+  const Viewpoint& view, vtkPolyData* surface, vtkDataArray* distances, double width)
 {
   const Box box = BoxInView(view, surface);
   const double square = 0.5 * width;

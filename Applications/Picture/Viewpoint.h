@@ -15,7 +15,8 @@
 
 namespace bonedecimate
 {
-/// Unit vectors; coordinates are taken as LPS: x to the patient's left, y to the back, z to the head.
+/// Unit vectors; coordinates are taken as LPS: x to the patient's left, y to the back, z to the
+/// head.
 struct Viewpoint
 {
   std::array<double, 3> ToViewer;
@@ -31,7 +32,8 @@ struct Frame
 };
 
 /**
- * From the front, a little from above and from one side: the side from which more of the distance faces the viewer.
+ * From the front, a little from above and from one side: the side from which more of the distance
+ * faces the viewer.
  * @param surface Triangles. @param distances Of its points, mm; may be null.
  */
 Viewpoint ChooseViewpoint(vtkPolyData* surface, vtkDataArray* distances);
@@ -40,11 +42,13 @@ Viewpoint ChooseViewpoint(vtkPolyData* surface, vtkDataArray* distances);
 Frame FrameWhole(const Viewpoint& view, vtkPolyData* surface, double aspect);
 
 /**
- * A square place of about that width (mm) in which the distances seen by the viewer are largest on the whole, so
- * that one odd point alone does not decide. Without distances: the middle of what faces the viewer.
+ * A square place of about that width (mm) in which the distances seen by the viewer are largest on
+ * the whole, so that one odd point alone does not decide. Without distances: the middle of what
+ * faces the viewer.
  * @param surface Triangles with point normals.
  */
-Frame FrameCloseUp(const Viewpoint& view, vtkPolyData* surface, vtkDataArray* distances, double width);
+Frame FrameCloseUp(
+  const Viewpoint& view, vtkPolyData* surface, vtkDataArray* distances, double width);
 
 void AimCamera(vtkCamera* camera, const Viewpoint& view, const Frame& frame);
 

@@ -4,6 +4,7 @@
 
 #include "DicomFolder.h"
 #include "HeaderText.h"
+#include "IsolatedReader.h"
 #include "MetaImageHeader.h"
 #include "NrrdHeader.h"
 #include "OutwardContour.h"
@@ -63,7 +64,7 @@ Volume ReadVolume(const std::string& path)
   const VolumeKind kind = KindOf(path);
   if (kind == VolumeKind::DicomFolder)
   {
-    return ReadDicomFolder(path);
+    return ReadIsolated(ReadDicomFolder, path);
   }
   std::error_code error;
   if (!fs::exists(path, error))
@@ -72,7 +73,8 @@ Volume ReadVolume(const std::string& path)
   }
   if (kind == VolumeKind::None)
   {
-    return RefusedVolume("it is no volume: .vti, .mha, .mhd, .nrrd, .nhdr or a folder of DICOM files");
+    return RefusedVolume(
+      "it is no volume: .vti, .mha, .mhd, .nrrd, .nhdr or a folder of DICOM files");
   }
   if (fs::file_size(path, error) == 0 || error)
   {
@@ -80,7 +82,7 @@ Volume ReadVolume(const std::string& path)
   }
   if (kind == VolumeKind::Vti)
   {
-    return ReadVti(path);
+    return ReadIsolated(ReadVti, path);
   }
   return ReadLayout(
     kind == VolumeKind::MetaImage ? ReadMetaImageHeader(path) : ReadNrrdHeader(path));
@@ -125,19 +127,16 @@ BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield)
   BoneSurface bone;
   if (!std::isfinite(hounsfield))
   {
-    bone.Problem = "The Hounsfield value is not a finite number.";
+    bone.Problem = "the Hounsfield value is not a finite number";
     return bone;
   }
   const Volume volume = ReadVolume(path);
   bone.Note = volume.Note;
-  bone.Problem =
-    volume.Problem.empty() ? ValuesProblem(volume.Image, hounsfield) : volume.Problem;
+  bone.Problem = volume.Problem.empty() ? ValuesProblem(volume.Image, hounsfield) : volume.Problem;
   if (bone.Problem.empty())
   {
     bone.Surface = OutwardContour(volume, hounsfield);
-    return bone;
   }
-  bone.Problem = fs::path(path).filename().string() + ": " + bone.Problem + ".";
   return bone;
 }
 }

@@ -19,14 +19,16 @@ bool IsVolume(const std::string& path);
 
 struct BoneSurface
 {
-  vtkSmartPointer<vtkPolyData> Surface; ///< mm, patient coordinates of the file (LPS); null if refused.
-  std::string Problem;                  ///< Why it was refused; empty if it was not.
-  std::string Note;                     ///< What of the input was left aside, for the user; may be empty.
+  vtkSmartPointer<vtkPolyData>
+    Surface;           ///< mm, patient coordinates of the file (LPS); null if refused.
+  std::string Problem; ///< Why it was refused; empty if it was not.
+  std::string Note;    ///< What of the input was left aside, for the user; may be empty.
 };
 
 /**
- * The surface at the given Hounsfield value by flying edges over the whole volume, normals outwards, transformed by the
- * volume's origin, spacing and direction. Nothing of the header but its geometry and its values reaches the surface.
+ * The surface at the given Hounsfield value by flying edges over the whole volume, normals
+ * outwards, transformed by the volume's origin, spacing and direction. Nothing of the header but
+ * its geometry and its values reaches the surface.
  */
 BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield);
 }

@@ -11,9 +11,10 @@
 #include <gdcmTrace.h>
 
 #include <algorithm>
-#include <exception>
 #include <filesystem>
+#include <iostream>
 #include <optional>
+#include <sstream>
 #include <system_error>
 
 namespace bonedecimate::volume
@@ -46,8 +47,8 @@ std::optional<std::vector<double>> Numbers(
   return numbers && numbers->size() == count ? numbers : std::nullopt;
 }
 
-double NumberOr(double otherwise, const gdcm::Scanner& scanner, const std::string& file,
-  const gdcm::Tag& tag)
+double NumberOr(
+  double otherwise, const gdcm::Scanner& scanner, const std::string& file, const gdcm::Tag& tag)
 {
   const auto number = Numbers(scanner, file, tag, 1);
   return number ? number->front() : otherwise;
@@ -84,8 +85,39 @@ std::optional<DicomSlice> ReadSlice(const gdcm::Scanner& scanner, const std::str
   return slice;
 }
 
+/// What GDCM has to say. It may quote the header and goes nowhere.
+class GdcmMessages
+{
+public:
+  GdcmMessages()
+  {
+    gdcm::Trace::SetWarningStream(this->Text);
+    gdcm::Trace::SetErrorStream(this->Text);
+  }
+
+  ~GdcmMessages()
+  {
+    gdcm::Trace::SetWarningStream(std::cerr);
+    gdcm::Trace::SetErrorStream(std::cerr);
+  }
+
+  GdcmMessages(const GdcmMessages&) = delete;
+  GdcmMessages& operator=(const GdcmMessages&) = delete;
+
+  /// GDCM fills up what is missing of the pixels and reads on; "use file at own risk" is all it
+  /// says.
+  bool TellOfMissingPixels() const
+  {
+    return this->Text.str().find("at own risk") != std::string::npos;
+  }
+
+private:
+  std::ostringstream Text;
+};
+
 DicomSeries ScanFiles(const std::vector<std::string>& files)
 {
+  const GdcmMessages messages;
   gdcm::Scanner scanner;
   for (const gdcm::Tag& tag : { Instance, Modality, Series, Position, Orientation, Frames, Rows,
          Columns, PixelSpacing, Intercept, Slope })
@@ -115,15 +147,17 @@ DicomSeries ScanFiles(const std::vector<std::string>& files)
 /// HU of one slice, rows one after the other. Returns what went wrong, or an empty text.
 std::string DecodeSlice(const DicomSlice& slice, float* values)
 {
+  const GdcmMessages messages;
   gdcm::ImageReader reader;
   reader.SetFileName(slice.File.c_str());
-  if (!reader.Read())
+  if (!reader.Read() || messages.TellOfMissingPixels())
   {
     return "its pixels are damaged or truncated";
   }
   const gdcm::Image& image = reader.GetImage();
   const gdcm::PixelFormat& format = image.GetPixelFormat();
-  const bool isGrey = image.GetPhotometricInterpretation() == gdcm::PhotometricInterpretation::MONOCHROME1 ||
+  const bool isGrey =
+    image.GetPhotometricInterpretation() == gdcm::PhotometricInterpretation::MONOCHROME1 ||
     image.GetPhotometricInterpretation() == gdcm::PhotometricInterpretation::MONOCHROME2;
   if (!isGrey || format.GetSamplesPerPixel() != 1)
   {
@@ -158,9 +192,15 @@ std::uintmax_t BytesOf(const DicomSeries& series)
   }
   return bytes;
 }
+}
 
-Volume DecodeSeries(const DicomSeries& series)
+Volume ReadDicomFolder(const std::string& folder)
 {
+  const DicomSeries series = ScanFiles(DicomFiles(folder));
+  if (!series.Problem.empty())
+  {
+    return RefusedVolume(series.Problem);
+  }
   const DicomSlice& first = series.Slices.front();
   const std::array<std::int64_t, 3> size{ { first.Columns, first.Rows,
     static_cast<std::int64_t>(series.Slices.size()) } };
@@ -184,26 +224,5 @@ Volume DecodeSeries(const DicomSeries& series)
     values += size[0] * size[1];
   }
   return volume;
-}
-}
-
-Volume ReadDicomFolder(const std::string& folder)
-{
-  gdcm::Trace::WarningOff();
-  gdcm::Trace::ErrorOff();
-  try
-  {
-    const DicomSeries series = ScanFiles(DicomFiles(folder));
-    return series.Problem.empty() ? DecodeSeries(series) : RefusedVolume(series.Problem);
-  }
-  catch (const std::bad_alloc&)
-  {
-    throw;
-  }
-  catch (const std::exception&)
-  {
-    // GDCM's parsers throw on some damaged files. Its text may quote the header and is not passed on.
-    return RefusedVolume("its DICOM files are damaged");
-  }
 }
 }

@@ -60,7 +60,8 @@ std::size_t RemoveCopies(Slices& slices)
 void SortByPosition(Slices& slices)
 {
   const Vector3 normal = Cross(slices.front().AlongRow, slices.front().AlongColumn);
-  std::stable_sort(slices.begin(), slices.end(), [&normal](const DicomSlice& a, const DicomSlice& b)
+  std::stable_sort(slices.begin(), slices.end(),
+    [&normal](const DicomSlice& a, const DicomSlice& b)
     { return Dot(a.Position, normal) < Dot(b.Position, normal); });
 }
 
@@ -83,7 +84,8 @@ VolumeGeometry SeriesGeometry(const Slices& slices)
   return geometry;
 }
 
-/// Positions are often rounded to a tenth of a millimetre; a slice that is missing is off by far more.
+/// Positions are often rounded to a tenth of a millimetre; a slice that is missing is off by far
+/// more.
 std::string EvennessProblem(const Slices& slices, const VolumeGeometry& geometry)
 {
   const double tolerance = 0.2 * Length(geometry.Steps[2]);

@@ -19,8 +19,8 @@ namespace bonedecimate::volume
 struct DicomSlice
 {
   std::string File;
-  std::string Series;   ///< Unique identifier of the series; compared, never written anywhere.
-  std::string Instance; ///< That of the image, to know copies of one file.
+  std::string Series;        ///< Unique identifier of the series; compared, never written anywhere.
+  std::string Instance;      ///< That of the image, to know copies of one file.
   bool IsTomography = false; ///< CT.
   std::int64_t Frames = 1;
   std::int64_t Rows = 0;

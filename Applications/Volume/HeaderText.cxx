@@ -11,7 +11,8 @@ namespace bonedecimate::volume
 {
 namespace
 {
-/// Headers are a page; some programs add a dump of the DICOM header. A binary file without line ends stops here.
+/// Headers are a page; some programs add a dump of the DICOM header. A binary file without line
+/// ends stops here.
 constexpr std::size_t LongestHeader = std::size_t(1) << 22;
 
 std::string ReadBeginning(const std::string& path)

@@ -18,7 +18,8 @@ namespace bonedecimate::volume
 /// One way to write a header.
 struct HeaderSyntax
 {
-  std::string Magic;   ///< How the first line begins, which is no field; empty: the first line is a field.
+  std::string
+    Magic; ///< How the first line begins, which is no field; empty: the first line is a field.
   char Separator;      ///< Between key and value.
   std::string LastKey; ///< After its line the voxels begin; empty: after an empty line, or nowhere.
 };

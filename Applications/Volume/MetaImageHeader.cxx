@@ -23,7 +23,8 @@ bool IsTrue(const std::string& value)
   return !value.empty() && (value[0] == 'T' || value[0] == 't' || value[0] == '1');
 }
 
-/// The numbers of a field, or those given if the field is missing; empty if they are not so many numbers.
+/// The numbers of a field, or those given if the field is missing; empty if they are not so many
+/// numbers.
 std::vector<double> Numbers(const std::string& value, const std::vector<double>& otherwise)
 {
   const std::vector<double> numbers =
@@ -33,11 +34,11 @@ std::vector<double> Numbers(const std::string& value, const std::vector<double>&
 
 std::string ReadGeometry(const HeaderText& header, VolumeGeometry& geometry)
 {
-  const auto spacing = Numbers(header.Value({ "elementspacing", "elementsize" }), { 1.0, 1.0, 1.0 });
+  const auto spacing =
+    Numbers(header.Value({ "elementspacing", "elementsize" }), { 1.0, 1.0, 1.0 });
   const auto origin = Numbers(header.Value({ "offset", "position", "origin" }), { 0.0, 0.0, 0.0 });
-  const auto directions =
-    Numbers(header.Value({ "transformmatrix", "rotation", "orientation" }),
-      { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 });
+  const auto directions = Numbers(header.Value({ "transformmatrix", "rotation", "orientation" }),
+    { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 });
   if (spacing.empty() || origin.empty() || directions.empty())
   {
     return "its ElementSpacing, Offset or TransformMatrix cannot be read";
@@ -88,8 +89,7 @@ void ReadStorage(const HeaderText& header, const std::string& path, VoxelLayout&
   layout.DataFile = isLocal ? path : BesideHeader(path, dataFile);
   layout.BytesBefore = isLocal ? header.End : bytesBefore;
   layout.IsCompressed = IsTrue(header.Value({ "compresseddata" }));
-  layout.IsBigEndian =
-    IsTrue(header.Value({ "elementbyteordermsb", "binarydatabyteordermsb" }));
+  layout.IsBigEndian = IsTrue(header.Value({ "elementbyteordermsb", "binarydatabyteordermsb" }));
 }
 }
 

@@ -15,7 +15,8 @@
 
 namespace bonedecimate::volume
 {
-/// As ITK reads it: LPS, the first three numbers of TransformMatrix are the direction of the first axis.
+/// As ITK reads it: LPS, the first three numbers of TransformMatrix are the direction of the first
+/// axis.
 VoxelLayout ReadMetaImageHeader(const std::string& path);
 }
 

@@ -6,7 +6,8 @@ namespace bonedecimate::volume
 {
 Volume ReadDicomFolder(const std::string&)
 {
-  return RefusedVolume("this build reads no DICOM; install GDCM (Debian: libgdcm-dev), configure and "
-                       "build again");
+  return RefusedVolume(
+    "this build reads no DICOM; install GDCM (Debian: libgdcm-dev), configure and "
+    "build again");
 }
 }

@@ -24,12 +24,11 @@ int ScalarType(const std::string& name)
     { "uint16", VTK_UNSIGNED_SHORT }, { "uint16_t", VTK_UNSIGNED_SHORT }, { "int", VTK_INT },
     { "signed int", VTK_INT }, { "int32", VTK_INT }, { "int32_t", VTK_INT },
     { "uint", VTK_UNSIGNED_INT }, { "unsigned int", VTK_UNSIGNED_INT },
-    { "uint32", VTK_UNSIGNED_INT }, { "uint32_t", VTK_UNSIGNED_INT },
-    { "longlong", VTK_LONG_LONG }, { "long long", VTK_LONG_LONG },
-    { "long long int", VTK_LONG_LONG }, { "signed long long", VTK_LONG_LONG },
-    { "signed long long int", VTK_LONG_LONG }, { "int64", VTK_LONG_LONG },
-    { "int64_t", VTK_LONG_LONG }, { "ulonglong", VTK_UNSIGNED_LONG_LONG },
-    { "unsigned long long", VTK_UNSIGNED_LONG_LONG },
+    { "uint32", VTK_UNSIGNED_INT }, { "uint32_t", VTK_UNSIGNED_INT }, { "longlong", VTK_LONG_LONG },
+    { "long long", VTK_LONG_LONG }, { "long long int", VTK_LONG_LONG },
+    { "signed long long", VTK_LONG_LONG }, { "signed long long int", VTK_LONG_LONG },
+    { "int64", VTK_LONG_LONG }, { "int64_t", VTK_LONG_LONG },
+    { "ulonglong", VTK_UNSIGNED_LONG_LONG }, { "unsigned long long", VTK_UNSIGNED_LONG_LONG },
     { "unsigned long long int", VTK_UNSIGNED_LONG_LONG }, { "uint64", VTK_UNSIGNED_LONG_LONG },
     { "uint64_t", VTK_UNSIGNED_LONG_LONG }, { "float", VTK_FLOAT }, { "double", VTK_DOUBLE } };
   const auto found = types.find(name);
@@ -50,7 +49,8 @@ std::vector<double> SignsToLps(const std::string& space)
 
 bool AreMillimetres(const std::string& units)
 {
-  static const std::vector<std::string> known{ "\"millimeters\"", "\"millimeter\"", "\"mm\"", "\"\"" };
+  static const std::vector<std::string> known{ "\"millimeters\"", "\"millimeter\"", "\"mm\"",
+    "\"\"" };
   std::string rest = LowerCase(units);
   for (const std::string& unit : known)
   {
@@ -75,9 +75,9 @@ std::vector<double> Directions(const HeaderText& header)
   const auto spacings = header.Fields.count("spacings") > 0
     ? ParseNumbers(header.Value({ "spacings" })).value_or(std::vector<double>())
     : std::vector<double>{ 1.0, 1.0, 1.0 };
-  return spacings.size() != 3 ? std::vector<double>()
-                              : std::vector<double>{ spacings[0], 0.0, 0.0, 0.0, spacings[1], 0.0, 0.0,
-                                  0.0, spacings[2] };
+  return spacings.size() != 3
+    ? std::vector<double>()
+    : std::vector<double>{ spacings[0], 0.0, 0.0, 0.0, spacings[1], 0.0, 0.0, 0.0, spacings[2] };
 }
 
 std::string ReadGeometry(const HeaderText& header, VolumeGeometry& geometry)
@@ -114,7 +114,8 @@ std::string Unsupported(const HeaderText& header)
   const std::string dataFile = header.Value({ "data file", "datafile" });
   if (dimension != "3")
   {
-    return "it has dimension " + dimension + ", only volumes of three with one value a voxel are read";
+    return "it has dimension " + dimension +
+      ", only volumes of three with one value a voxel are read";
   }
   if (encoding != "raw" && encoding != "gzip" && encoding != "gz")
   {

@@ -15,7 +15,8 @@
 
 namespace bonedecimate::volume
 {
-/// Points and triangles and nothing else; normals point to the smaller values, also where the volume is mirrored.
+/// Points and triangles and nothing else; normals point to the smaller values, also where the
+/// volume is mirrored.
 vtkSmartPointer<vtkPolyData> OutwardContour(const Volume& volume, double value);
 
 /// A voxel that is not a number would become a point that is none.

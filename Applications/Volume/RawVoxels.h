@@ -21,8 +21,8 @@ struct VoxelLayout
   std::array<std::int64_t, 3> Size{ { 0, 0, 0 } }; ///< The first axis runs fastest.
   int ScalarType = VTK_VOID;                       ///< VTK_SHORT and so on.
   bool IsBigEndian = false;
-  bool IsCompressed = false;   ///< By zlib or gzip.
-  std::string DataFile;        ///< Where the voxels lie.
+  bool IsCompressed = false;    ///< By zlib or gzip.
+  std::string DataFile;         ///< Where the voxels lie.
   std::int64_t BytesBefore = 0; ///< In DataFile; negative: the voxels are the end of the file.
   VolumeGeometry Geometry;
   std::string Problem; ///< Why the header is refused; empty if it is not.

@@ -77,7 +77,8 @@ std::string SizeProblem(const std::array<std::int64_t, 3>& size, int bytesPerVox
     }
     bytes *= static_cast<double>(extent);
   }
-  const double available = static_cast<double>(bytesInFile) * (isCompressed ? LargestExpansion : 1.0);
+  const double available =
+    static_cast<double>(bytesInFile) * (isCompressed ? LargestExpansion : 1.0);
   if (bytes > available)
   {
     return "it is truncated: it announces " + SizeText(size) + ", which its " +

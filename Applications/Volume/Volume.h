@@ -18,7 +18,8 @@ namespace bonedecimate::volume
 {
 using Vector3 = std::array<double, 3>;
 
-/// mm in the patient's LPS system. Steps need not be at right angles: a tilted gantry shears the volume.
+/// mm in the patient's LPS system. Steps need not be at right angles: a tilted gantry shears the
+/// volume.
 struct VolumeGeometry
 {
   Vector3 Origin{ { 0.0, 0.0, 0.0 } }; ///< Centre of the first voxel.
@@ -28,7 +29,8 @@ struct VolumeGeometry
 
 struct Volume
 {
-  vtkSmartPointer<vtkImageData> Image; ///< One value a voxel; its own origin and spacing mean nothing.
+  vtkSmartPointer<vtkImageData>
+    Image; ///< One value a voxel; its own origin and spacing mean nothing.
   VolumeGeometry Geometry;
   std::string Problem; ///< Why there is no image; empty if there is one.
   std::string Note;    ///< What of the input was left aside, for the user; may be empty.
@@ -47,15 +49,16 @@ double Determinant(const VolumeGeometry& geometry);
 std::string GeometryProblem(const VolumeGeometry& geometry);
 
 /**
- * Whether so many voxels can be stored in a file of that size: what is announced is held against what is there, so that
- * a damaged header cannot ask for memory without end.
+ * Whether so many voxels can be stored in a file of that size: what is announced is held against
+ * what is there, so that a damaged header cannot ask for memory without end.
  * @return What is wrong, or an empty text.
  */
 std::string SizeProblem(const std::array<std::int64_t, 3>& size, int bytesPerVoxel,
   std::uintmax_t bytesInFile, bool isCompressed);
 
 /// Not filled.
-vtkSmartPointer<vtkImageData> AllocateImage(const std::array<std::int64_t, 3>& size, int scalarType);
+vtkSmartPointer<vtkImageData> AllocateImage(
+  const std::array<std::int64_t, 3>& size, int scalarType);
 }
 
 #endif

@@ -64,7 +64,8 @@ std::string AnnouncedSizeProblem(vtkXMLImageDataReader* reader)
 vtkDataArray* Scalars(vtkImageData* image)
 {
   vtkPointData* data = image->GetPointData();
-  return data->GetScalars() || data->GetNumberOfArrays() != 1 ? data->GetScalars() : data->GetArray(0);
+  return data->GetScalars() || data->GetNumberOfArrays() != 1 ? data->GetScalars()
+                                                              : data->GetArray(0);
 }
 
 VolumeGeometry Geometry(vtkImageData* image)

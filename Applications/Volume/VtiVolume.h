@@ -13,6 +13,7 @@
 
 namespace bonedecimate::volume
 {
+/// May end the process on damaged files: to be called by ReadIsolated.
 Volume ReadVti(const std::string& path);
 }
 

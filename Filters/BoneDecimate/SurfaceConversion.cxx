@@ -22,6 +22,7 @@
 #include "vtkTriangleFilter.h"
 #include "vtkTypeInt64Array.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace bonedecimate
@@ -32,7 +33,15 @@ const char* const CellIdArrayName = "bonedecimate.cell";
 
 Index ToIndex(vtkIdType id, vtkIdType numberOfPoints)
 {
-  return id >= 0 && id < numberOfPoints && id < std::numeric_limits<Index>::max() ? static_cast<Index>(id) : None;
+  return id >= 0 && id < numberOfPoints && id < std::numeric_limits<Index>::max()
+    ? static_cast<Index>(id)
+    : None;
+}
+
+bool HasWrongId(vtkIdType npts, const vtkIdType* ids, vtkIdType numberOfPoints)
+{
+  return std::any_of(
+    ids, ids + npts, [=](vtkIdType id) { return ToIndex(id, numberOfPoints) == None; });
 }
 
 /// Calls visit(cell, npts, ids) for every cell of the array; cells are numbered from firstCell.
@@ -56,8 +65,8 @@ void VisitCells(vtkCellArray* cells, vtkIdType firstCell, Visit visit)
 void AddTriangle(
   ConvertedSurface& converted, vtkIdType cell, vtkIdType numberOfPoints, const vtkIdType* ids)
 {
-  converted.Surface.Triangles.push_back(
-    { ToIndex(ids[0], numberOfPoints), ToIndex(ids[1], numberOfPoints), ToIndex(ids[2], numberOfPoints) });
+  converted.Surface.Triangles.push_back({ ToIndex(ids[0], numberOfPoints),
+    ToIndex(ids[1], numberOfPoints), ToIndex(ids[2], numberOfPoints) });
   converted.CellOfTriangle.push_back(cell);
 }
 
@@ -80,25 +89,23 @@ struct CellSurvey
   vtkIdType FirstTooShort = -1;
 };
 
-/// A cell with a wrong id goes to the core as a triangle, which refuses it with its number; VTK would crash on it.
+/// A cell with a wrong id goes to the core as a triangle, which refuses it with its number; VTK
+/// would crash on it.
 CellSurvey Survey(vtkPolyData* input, ConvertedSurface& wrongCells)
 {
   CellSurvey survey;
   const vtkIdType numberOfPoints = input->GetNumberOfPoints();
-  const auto look = [&](vtkIdType cell, vtkIdType npts, const vtkIdType* ids) {
+  const auto look = [&](vtkIdType cell, vtkIdType npts, const vtkIdType* ids)
+  {
     survey.OnlyTriangles = survey.OnlyTriangles && npts == 3;
     if (npts < 3 && survey.TooShort++ == 0)
     {
       survey.FirstTooShort = cell;
     }
-    for (vtkIdType i = 0; i < npts; ++i)
+    if (HasWrongId(npts, ids, numberOfPoints))
     {
-      if (ToIndex(ids[i], numberOfPoints) == None)
-      {
-        wrongCells.Surface.Triangles.push_back({ None, None, None });
-        wrongCells.CellOfTriangle.push_back(cell);
-        break;
-      }
+      wrongCells.Surface.Triangles.push_back({ None, None, None });
+      wrongCells.CellOfTriangle.push_back(cell);
     }
   };
   const vtkIdType firstPolygon = input->GetNumberOfVerts() + input->GetNumberOfLines();
@@ -110,13 +117,15 @@ CellSurvey Survey(vtkPolyData* input, ConvertedSurface& wrongCells)
 
 void AppendCells(vtkCellArray* from, vtkIdType firstCell, vtkCellArray* to, vtkIdTypeArray* cellIds)
 {
-  VisitCells(from, firstCell, [&](vtkIdType cell, vtkIdType npts, const vtkIdType* ids) {
-    if (npts >= 3)
+  VisitCells(from, firstCell,
+    [&](vtkIdType cell, vtkIdType npts, const vtkIdType* ids)
     {
-      to->InsertNextCell(npts, ids);
-      cellIds->InsertNextValue(cell);
-    }
-  });
+      if (npts >= 3)
+      {
+        to->InsertNextCell(npts, ids);
+        cellIds->InsertNextValue(cell);
+      }
+    });
 }
 
 /// Polygons and strips through VTK's own triangulation, each triangle with the cell it came from.
@@ -138,27 +147,54 @@ void AddTriangulated(vtkPolyData* input, const CellSurvey& survey, ConvertedSurf
   triangulate->SetInputData(cells);
   triangulate->Update();
   vtkPolyData* triangles = triangulate->GetOutput();
-  auto* ids = vtkIdTypeArray::SafeDownCast(triangles->GetCellData()->GetAbstractArray(CellIdArrayName));
+  auto* ids =
+    vtkIdTypeArray::SafeDownCast(triangles->GetCellData()->GetAbstractArray(CellIdArrayName));
   vtkIdType different = 0;
   vtkIdType previous = -1;
-  VisitCells(triangles->GetPolys(), 0, [&](vtkIdType triangle, vtkIdType, const vtkIdType* corners) {
-    const vtkIdType cell = ids->GetValue(triangle);
-    different += cell != previous ? 1 : 0;
-    previous = cell;
-    AddTriangle(converted, cell, input->GetNumberOfPoints(), corners);
-  });
+  VisitCells(triangles->GetPolys(), 0,
+    [&](vtkIdType triangle, vtkIdType, const vtkIdType* corners)
+    {
+      const vtkIdType cell = ids->GetValue(triangle);
+      different += cell != previous ? 1 : 0;
+      previous = cell;
+      AddTriangle(converted, cell, input->GetNumberOfPoints(), corners);
+    });
   const vtkIdType lost = cellIds->GetNumberOfTuples() - different + survey.TooShort;
   if (lost > 0)
   {
-    converted.Warning = std::to_string(lost) + " polygons could not be triangulated and were left out" +
-      (survey.TooShort > 0 ? ", the first with fewer than three points is cell " + std::to_string(survey.FirstTooShort)
-                           : std::string());
+    converted.Warnings.push_back(std::to_string(lost) +
+      " polygons could not be triangulated and were left out" +
+      (survey.TooShort > 0 ? ", the first with fewer than three points is cell " +
+            std::to_string(survey.FirstTooShort)
+                           : std::string()));
+  }
+}
+
+/// Lines and vertices pass through the filter, except those that would make VTK crash.
+void WarnOfWrongLines(vtkPolyData* input, ConvertedSurface& converted)
+{
+  vtkIdType wrong = 0;
+  vtkIdType first = -1;
+  const auto look = [&](vtkIdType cell, vtkIdType npts, const vtkIdType* ids)
+  {
+    if (HasWrongId(npts, ids, input->GetNumberOfPoints()) && wrong++ == 0)
+    {
+      first = cell;
+    }
+  };
+  VisitCells(input->GetVerts(), 0, look);
+  VisitCells(input->GetLines(), input->GetNumberOfVerts(), look);
+  if (wrong > 0)
+  {
+    converted.Warnings.push_back(std::to_string(wrong) +
+      " vertices and lines name points that are not there and were left out, the first is cell " +
+      std::to_string(first));
   }
 }
 
 template <typename Array, typename Values>
-void AddPointArray(
-  vtkPolyData* output, const std::string& name, const char* unit, const Values& values, vtkIdType tuples, double rest)
+void AddPointArray(vtkPolyData* output, const std::string& name, const char* unit,
+  const Values& values, vtkIdType tuples, double rest)
 {
   vtkNew<Array> array;
   array->SetName(name.c_str());
@@ -178,19 +214,22 @@ vtkSmartPointer<vtkCellArray> PassCells(
 {
   auto passed = vtkSmartPointer<vtkCellArray>::New();
   std::vector<vtkIdType> ids;
-  VisitCells(cells, 0, [&](vtkIdType, vtkIdType npts, const vtkIdType* old) {
-    ids.clear();
-    for (vtkIdType i = 0; i < npts && ToIndex(old[i], input->GetNumberOfPoints()) != None; ++i)
+  VisitCells(cells, 0,
+    [&](vtkIdType, vtkIdType npts, const vtkIdType* old)
     {
-      vtkIdType& id = newId[static_cast<std::size_t>(old[i])];
-      id = id < 0 ? points->InsertNextPoint(input->GetPoint(old[i])) : id;
-      ids.push_back(id);
-    }
-    if (static_cast<vtkIdType>(ids.size()) == npts)
-    {
+      if (HasWrongId(npts, old, input->GetNumberOfPoints()))
+      {
+        return;
+      }
+      ids.clear();
+      for (vtkIdType i = 0; i < npts; ++i)
+      {
+        vtkIdType& id = newId[static_cast<std::size_t>(old[i])];
+        id = id < 0 ? points->InsertNextPoint(input->GetPoint(old[i])) : id;
+        ids.push_back(id);
+      }
       passed->InsertNextCell(npts, ids.data());
-    }
-  });
+    });
   return passed;
 }
 
@@ -234,15 +273,15 @@ ConvertedSurface ToSurface(vtkPolyData* input)
   ConvertedSurface converted;
   ConvertedSurface wrongCells;
   AddPoints(input, converted);
+  WarnOfWrongLines(input, converted);
   const CellSurvey survey = Survey(input, wrongCells);
   if (survey.OnlyTriangles)
   {
     converted.Surface.Triangles.reserve(static_cast<std::size_t>(input->GetNumberOfPolys()));
     converted.CellOfTriangle.reserve(static_cast<std::size_t>(input->GetNumberOfPolys()));
     VisitCells(input->GetPolys(), input->GetNumberOfVerts() + input->GetNumberOfLines(),
-      [&](vtkIdType cell, vtkIdType, const vtkIdType* ids) {
-        AddTriangle(converted, cell, input->GetNumberOfPoints(), ids);
-      });
+      [&](vtkIdType cell, vtkIdType, const vtkIdType* ids)
+      { AddTriangle(converted, cell, input->GetNumberOfPoints(), ids); });
   }
   else if (wrongCells.Surface.Triangles.empty())
   {
@@ -257,7 +296,18 @@ ConvertedSurface ToSurface(vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
-void FillOutput(const Result& result, const Options& options, bool single, vtkPolyData* input, vtkPolyData* output)
+void NameCells(const ConvertedSurface& converted, Report& report)
+{
+  CleaningStatistics& found = report.Cleaning;
+  for (std::int64_t* triangle : { &found.FirstTriangleOutOfRange, &found.FirstDroppedTriangle })
+  {
+    *triangle = *triangle < 0 ? -1 : converted.CellOfTriangle[static_cast<std::size_t>(*triangle)];
+  }
+}
+
+//------------------------------------------------------------------------------
+void FillOutput(const Result& result, const Options& options, bool single, vtkPolyData* input,
+  vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataType(single ? VTK_FLOAT : VTK_DOUBLE);
@@ -279,21 +329,25 @@ void FillOutput(const Result& result, const Options& options, bool single, vtkPo
   output->SetPolys(triangles);
   output->SetPoints(points);
   const vtkIdType tuples = points->GetNumberOfPoints();
-  AddPointArray<vtkDoubleArray>(output, options.DistanceArrayName, "mm", result.Distance, tuples, 0);
-  AddPointArray<vtkDoubleArray>(output, options.RunningErrorArrayName, "mm", result.RunningError, tuples, 0);
-  AddPointArray<vtkIntArray>(output, options.PointCountArrayName, "points", result.PointCount, tuples, 1);
+  AddPointArray<vtkDoubleArray>(
+    output, options.DistanceArrayName, "mm", result.Distance, tuples, 0);
+  AddPointArray<vtkDoubleArray>(
+    output, options.RunningErrorArrayName, "mm", result.RunningError, tuples, 0);
+  AddPointArray<vtkIntArray>(
+    output, options.PointCountArrayName, "points", result.PointCount, tuples, 1);
   output->GetFieldData()->PassData(input->GetFieldData());
   AddReport(result.Report, output->GetFieldData());
 }
 
 //------------------------------------------------------------------------------
-void FillInputCopy(const Result& result, const Options& options, vtkPolyData* input, vtkPolyData* output)
+void FillInputCopy(
+  const Result& result, const Options& options, vtkPolyData* input, vtkPolyData* output)
 {
   output->ShallowCopy(input);
   if (!result.InputDistance.empty())
   {
-    AddPointArray<vtkDoubleArray>(
-      output, options.InputDistanceArrayName, "mm", result.InputDistance, input->GetNumberOfPoints(), 0);
+    AddPointArray<vtkDoubleArray>(output, options.InputDistanceArrayName, "mm",
+      result.InputDistance, input->GetNumberOfPoints(), 0);
   }
 }
 

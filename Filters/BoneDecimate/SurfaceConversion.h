@@ -23,19 +23,27 @@ struct ConvertedSurface
   bonedecimate::Surface Surface;
   std::vector<vtkIdType> CellOfTriangle; ///< Cell of the input from which each triangle came.
   bool IsSingle = true;                  ///< Whether the points are single precision.
-  std::string Warning;                   ///< Polygons that could not be triangulated; empty if there are none.
+  std::vector<std::string> Warnings;     ///< What had to be left out, a sentence each.
 };
 
-/// Triangles as they are, strips and polygons triangulated, ids out of range as None (the core counts them).
+/// Triangles as they are, strips and polygons triangulated, ids out of range as None (the core
+/// counts them).
 ConvertedSurface ToSurface(vtkPolyData* input);
 
-/// The result's points, triangles, arrays and report; the input's vertices, lines and field data pass through.
-void FillOutput(const Result& result, const Options& options, bool single, vtkPolyData* input, vtkPolyData* output);
+/// Triangles that the report names become the cells from which they came.
+void NameCells(const ConvertedSurface& converted, Report& report);
+
+/// The result's points, triangles, arrays and report; the input's vertices, lines and field data
+/// pass through.
+void FillOutput(const Result& result, const Options& options, bool single, vtkPolyData* input,
+  vtkPolyData* output);
 
 /// The input with the distance of each of its points to the result, if it was measured.
-void FillInputCopy(const Result& result, const Options& options, vtkPolyData* input, vtkPolyData* output);
+void FillInputCopy(
+  const Result& result, const Options& options, vtkPolyData* input, vtkPolyData* output);
 
-/// Names of the input's point and cell arrays, which the result does not carry; empty if there are none.
+/// Names of the input's point and cell arrays, which the result does not carry; empty if there are
+/// none.
 std::string NamesOfArraysLeftBehind(vtkPolyData* input);
 }
 

@@ -24,7 +24,8 @@ struct vtkBoneDecimate::Internals
 {
   bonedecimate::Options Options;
   bonedecimate::Report Report;
-  std::vector<bonedecimate::ReportEntry> Entries = bonedecimate::ReportEntries(bonedecimate::Report());
+  std::vector<bonedecimate::ReportEntry> Entries =
+    bonedecimate::ReportEntries(bonedecimate::Report());
 
   /// The value as the table would keep it (clamped); returns whether that changes anything.
   bool Set(const char* name, const bonedecimate::OptionValue& value)
@@ -73,24 +74,22 @@ vtkBoneDecimate::~vtkBoneDecimate() = default;
     return static_cast<result>(this->Internal->Options.name);                                      \
   }
 
-vtkBoneDecimateOption(Mode, int, int, int)
-vtkBoneDecimateOption(TargetNumberOfTriangles, int, int, int)
-vtkBoneDecimateOption(TargetReduction, double, double, double)
-vtkBoneDecimateOption(MaximumError, double, double, double)
-vtkBoneDecimateOption(NormalTolerance, double, double, double)
-vtkBoneDecimateOption(MergePoints, bool, bool, bool)
-vtkBoneDecimateOption(MeasureDistances, bool, bool, bool)
-vtkBoneDecimateOption(MeasureInputDistances, bool, bool, bool)
-vtkBoneDecimateOption(NumberOfThreads, int, int, int)
-vtkBoneDecimateOption(OutputPointsPrecision, int, int, int)
-vtkBoneDecimateOption(DistanceArrayName, const std::string&, std::string, std::string)
-vtkBoneDecimateOption(RunningErrorArrayName, const std::string&, std::string, std::string)
-vtkBoneDecimateOption(PointCountArrayName, const std::string&, std::string, std::string)
-vtkBoneDecimateOption(InputDistanceArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(Mode, int, int, int) vtkBoneDecimateOption(TargetNumberOfTriangles, int, int,
+  int) vtkBoneDecimateOption(TargetReduction, double, double, double)
+  vtkBoneDecimateOption(MaximumError, double, double, double) vtkBoneDecimateOption(
+    NormalTolerance, double, double, double) vtkBoneDecimateOption(MergePoints, bool, bool, bool)
+    vtkBoneDecimateOption(MeasureDistances, bool, bool, bool) vtkBoneDecimateOption(
+      MeasureInputDistances, bool, bool, bool) vtkBoneDecimateOption(NumberOfThreads, int, int, int)
+      vtkBoneDecimateOption(OutputPointsPrecision, int, int, int)
+        vtkBoneDecimateOption(DistanceArrayName, const std::string&, std::string, std::string)
+          vtkBoneDecimateOption(RunningErrorArrayName, const std::string&, std::string, std::string)
+            vtkBoneDecimateOption(PointCountArrayName, const std::string&, std::string, std::string)
+              vtkBoneDecimateOption(
+                InputDistanceArrayName, const std::string&, std::string, std::string)
 #undef vtkBoneDecimateOption
 
-//------------------------------------------------------------------------------
-int vtkBoneDecimate::GetStopReason() const
+  //------------------------------------------------------------------------------
+  int vtkBoneDecimate::GetStopReason() const
 {
   return static_cast<int>(this->Internal->Report.Stop);
 }
@@ -150,38 +149,40 @@ std::string vtkBoneDecimate::GetReportText(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
-int vtkBoneDecimate::RequestData(
-  vtkInformation* vtkNotUsed(request), vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   const bonedecimate::Options& options = this->Internal->Options;
   const bonedecimate::ConvertedSurface converted = bonedecimate::ToSurface(input);
-  if (!converted.Warning.empty())
-  {
-    vtkWarningMacro(<< converted.Warning);
-  }
-  const bonedecimate::Result result = bonedecimate::Decimate(
-    converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); }, converted.IsSingle);
+  bonedecimate::Result result = bonedecimate::Decimate(
+    converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
+    converted.IsSingle);
+  bonedecimate::NameCells(converted, result.Report);
   this->Internal->Report = result.Report;
   this->Internal->Entries = bonedecimate::ReportEntries(result.Report);
   if (!this->Accept(bonedecimate::InputMessage(result.Report)))
   {
     return 0;
   }
+  this->Warn(converted.Warnings);
+  this->Warn(bonedecimate::InputWarnings(result.Report));
   const std::string leftBehind = bonedecimate::NamesOfArraysLeftBehind(input);
   if (!leftBehind.empty())
   {
-    vtkWarningMacro("these arrays of the input are not carried to the output: " << leftBehind);
+    this->Warn({ "these arrays of the input are not carried to the output: " + leftBehind });
   }
   const int precision = this->GetOutputPointsPrecision();
-  const bool single = precision == SINGLE_PRECISION || (precision == DEFAULT_PRECISION && converted.IsSingle);
+  const bool single =
+    precision == SINGLE_PRECISION || (precision == DEFAULT_PRECISION && converted.IsSingle);
   bonedecimate::FillOutput(result, options, single, input, vtkPolyData::GetData(outputVector, 0));
   bonedecimate::FillInputCopy(result, options, input, vtkPolyData::GetData(outputVector, 1));
   return 1;
 }
 
 //------------------------------------------------------------------------------
-/// False if the input was refused. An empty one is no failure, one without triangles only deserves a warning.
+/// False if the input was refused. An empty one is no failure, one without triangles only deserves
+/// a warning.
 bool vtkBoneDecimate::Accept(const std::string& problem)
 {
   switch (this->Internal->Report.Status)
@@ -195,6 +196,15 @@ bool vtkBoneDecimate::Accept(const std::string& problem)
     default:
       vtkErrorMacro(<< problem);
       return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimate::Warn(const std::vector<std::string>& sentences)
+{
+  for (const std::string& sentence : sentences)
+  {
+    vtkWarningMacro(<< sentence);
   }
 }
 

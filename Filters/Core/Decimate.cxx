@@ -120,12 +120,15 @@ private:
     const double collapsedAt = this->MeasuredFrom() - ExtractionShare;
     report.Stop =
       this->GoesOn ? this->RunLoop(this->Stage(BuiltAt, collapsedAt)) : StopReason::Aborted;
-    report.RunningError = this->Work->Reference().LargestError();
     report.Collapses = this->Work->NumberOfEdits();
     report.Refusals = this->Work->Refusals();
     this->LocalResult.Points =
       Extract(this->Input, this->Cleaned, *this->Work, this->RoundToSingle, this->Answer);
     this->LocalResult.Triangles = this->Answer.Surface.Triangles;
+    const std::vector<double>& errors = this->Answer.RunningError;
+    report.RunningError = this->Work->Reference().RecordsDistances()
+      ? this->Work->Reference().LargestError()
+      : *std::max_element(errors.begin(), errors.end());
     this->Stage(collapsedAt, this->MeasuredFrom())(1.0);
     report.Seconds.Collapse = SecondsSince(start);
   }

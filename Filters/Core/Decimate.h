@@ -7,7 +7,7 @@
  *     cleaned  = Clean(input)                    refuse, merge, drop, count
  *     mesh     = HalfEdgeMesh(cleaned)           lock what is not manifold
  *     original = Original(cleaned)               nearest point by a bounding tree
- *     RunThesisLoop(editor)                      collapse until a stop is reached
+ *     ThesisLoop or FastLoop                     collapse until a stop is reached
  *     result   = Extract(mesh)                   points, triangles, maps
  *     Measure(result, original)                  both directions
  *

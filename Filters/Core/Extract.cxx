@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Extract.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace bonedecimate
@@ -38,13 +37,21 @@ std::vector<Index> NumberVertices(const HalfEdgeMesh& mesh, std::vector<Triangle
   return number;
 }
 
+/// Optimisers take the way to single precision and back for nothing (gcc 12 does at -O2): volatile
+/// makes it real.
+double RoundedToSingle(double value)
+{
+  const volatile float rounded = static_cast<float>(value);
+  return static_cast<double>(rounded);
+}
+
 Vector3 GlobalPosition(const Surface& input, const CleanSurface& clean, const Editor& editor,
   Index vertex, bool roundToSingle)
 {
   const bool moved = editor.Reference().Of(vertex).Moved;
   const Vector3 position = moved ? Vector3(editor.Mesh().Position(vertex) + clean.Origin)
                                  : input.Points[clean.InputPoint[vertex]];
-  return roundToSingle ? Vector3(position.cast<float>().cast<double>()) : position;
+  return roundToSingle ? Vector3(position.unaryExpr(&RoundedToSingle)) : position;
 }
 
 void AddPoint(const CleanSurface& clean, const Editor& editor, Index vertex, const Vector3& local,
@@ -58,7 +65,8 @@ void AddPoint(const CleanSurface& clean, const Editor& editor, Index vertex, con
   result.Origins.Barycentric.push_back(nearest.Place.Weights);
   result.Origins.NearestPoint.push_back(clean.InputPoint[nearestPoint]);
   result.Distance.push_back(std::sqrt(nearest.Place.SquaredDistance));
-  result.RunningError.push_back(std::max(known.RunningError, result.Distance.back()));
+  result.RunningError.push_back(
+    editor.Reference().RecordsDistances() ? known.RunningError : result.Distance.back());
   result.PointCount.push_back(known.PointCount);
 }
 }

@@ -137,7 +137,9 @@ const std::vector<OptionInfo>& OptionTable()
       "How the collapse is ordered and placed. Thesis takes the vertex of lowest cost, then its "
       "edge of lowest cost, and "
       "goes on while there are more triangles than asked for or no new point is farther away than "
-      "MaximumError." },
+      "MaximumError. Fast "
+      "orders edges by what their collapse does to the normals, keeps the volume, and ends at the "
+      "first stop reached." },
     { "TargetNumberOfTriangles", &Options::TargetNumberOfTriangles, 0, LargestInteger, "triangles",
       "target-faces", {}, "Number of triangles to reach; 0 is off." },
     { "TargetReduction", &Options::TargetReduction, 0, 1, "", "target-reduction", {},

@@ -25,11 +25,15 @@ inline unsigned int ThreadsToUse(int asked)
                    : std::max(1U, std::thread::hardware_concurrency());
 }
 
-constexpr std::size_t ChunkSize = 512;
+/// Small enough for progress in fine steps, whatever the amount of work.
+inline std::size_t ChunkSize(std::size_t count)
+{
+  return std::clamp<std::size_t>(count / 512, 1, 512);
+}
 
 inline std::size_t NumberOfChunks(std::size_t count)
 {
-  return (count + ChunkSize - 1) / ChunkSize;
+  return (count + ChunkSize(count) - 1) / ChunkSize(count);
 }
 
 /**
@@ -40,6 +44,7 @@ inline std::size_t NumberOfChunks(std::size_t count)
 template <typename Work>
 bool ForEachChunk(std::size_t count, int threads, const Monitor& monitor, const Work& work)
 {
+  const std::size_t size = ChunkSize(count);
   const std::size_t chunks = NumberOfChunks(count);
   std::atomic<std::size_t> next{ 0 };
   std::atomic<bool> stopped{ false };
@@ -47,7 +52,7 @@ bool ForEachChunk(std::size_t count, int threads, const Monitor& monitor, const 
   {
     for (std::size_t chunk = next++; chunk < chunks && !stopped; chunk = next++)
     {
-      work(chunk, chunk * ChunkSize, std::min(count, (chunk + 1) * ChunkSize));
+      work(chunk, chunk * size, std::min(count, (chunk + 1) * size));
       afterEach();
     }
   };

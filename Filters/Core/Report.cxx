@@ -54,7 +54,8 @@ std::string InputMessage(const Report& report)
       return Found(found.NonFinitePoints, "points have NaN or infinite coordinates", "point",
         found.FirstNonFinitePoint);
     case InputStatus::HugeCoordinates:
-      return "the input has coordinates beyond 1e30 mm";
+      return Found(
+        found.HugePoints, "points have coordinates beyond 1e30 mm", "point", found.FirstHugePoint);
     case InputStatus::IndexOutOfRange:
       return Found(found.TrianglesOutOfRange, "triangles name points that are not there",
                "triangle", found.FirstTriangleOutOfRange) +
@@ -64,5 +65,23 @@ std::string InputMessage(const Report& report)
         " triangles; 715827882 is the most";
   }
   return {};
+}
+
+std::vector<std::string> InputWarnings(const Report& report)
+{
+  const CleaningStatistics& found = report.Cleaning;
+  std::vector<std::string> warnings;
+  if (found.DroppedTriangles > 0)
+  {
+    warnings.push_back(Found(found.DroppedTriangles, "triangles without area were left out",
+      "triangle", found.FirstDroppedTriangle));
+  }
+  if (found.LockedPoints > 0)
+  {
+    warnings.push_back(Found(found.LockedPoints,
+      "points stay where they are because the surface is not manifold there", "point",
+      found.FirstLockedPoint));
+  }
+  return warnings;
 }
 }

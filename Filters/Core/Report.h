@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace bonedecimate
 {
@@ -70,6 +71,8 @@ struct CleaningStatistics
   std::int64_t PointsRead = 0;
   std::int64_t NonFinitePoints = 0;
   std::int64_t FirstNonFinitePoint = -1;
+  std::int64_t HugePoints = 0; ///< With a coordinate beyond 1e30.
+  std::int64_t FirstHugePoint = -1;
   std::int64_t TrianglesOutOfRange = 0;
   std::int64_t FirstTriangleOutOfRange = -1;
   std::int64_t MergedPoints = 0;
@@ -78,7 +81,6 @@ struct CleaningStatistics
   std::int64_t FirstDroppedTriangle = -1;
   std::int64_t LockedPoints = 0; ///< On non-manifold edges or pinched.
   std::int64_t FirstLockedPoint = -1;
-  std::int64_t FirstNonManifoldTriangle = -1;
 };
 
 /// Distances of one surface to another, mm.
@@ -130,6 +132,9 @@ const char* StopReasonSentence(StopReason reason);
 const char* VerdictWord(Verdict verdict);
 /// What is wrong with the input, with counts and the id of the first; empty if it is good.
 std::string InputMessage(const Report& report);
+/// What was found in a good input and dealt with, a sentence each, with counts and the id of the
+/// first.
+std::vector<std::string> InputWarnings(const Report& report);
 /// Version of this software, "major.minor.patch".
 const char* Version();
 }

@@ -102,6 +102,17 @@ def plain(surface, centre):
     return moved
 
 
+def as_doubles(surface):
+    doubles = vtk.vtkPoints()
+    doubles.SetDataTypeToDouble()
+    for i in range(surface.GetNumberOfPoints()):
+        doubles.InsertNextPoint([x + 1e-9 for x in surface.GetPoint(i)])
+    result = vtk.vtkPolyData()
+    result.SetPoints(doubles)
+    result.SetPolys(surface.GetPolys())
+    return result
+
+
 def together(*surfaces):
     append = vtk.vtkAppendPolyData()
     for surface in surfaces:

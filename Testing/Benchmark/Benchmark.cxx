@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The thesis's tables for our stand-ins, and the whole cranium, with vtkQuadricDecimation as the yardstick.
+ * The thesis's tables for our stand-ins, and the whole cranium, with vtkQuadricDecimation as the
+ * yardstick.
  *
  *     bonedecimate-benchmark VOLUME.mhd [ROUNDS]
  *
- * Prints Markdown. Seconds are medians over the rounds (3), the contestants in turn; distances are mm.
+ * Prints Markdown. Seconds are medians over the rounds (3), the contestants in turn; distances are
+ * mm.
  */
 #include "Bones.h"
 #include "Contest.h"
@@ -22,7 +24,8 @@ constexpr int CraniumTriangles = 134000;
 void PrintHead(const char* title)
 {
   std::printf("\n### %s\n\n", title);
-  std::printf("| asked for | who | triangles | points: max | second | average | RMS | area: max | average | RMS "
+  std::printf("| asked for | who | triangles | points: max | second | average | RMS | area: max | "
+              "average | RMS "
               "| back: max | average | RMS | components | non-manifold | s | MB |\n");
   std::printf("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
 }
@@ -31,11 +34,13 @@ void PrintOutcome(double asked, const char* who, const Outcome& outcome)
 {
   const bonedecimate::DistanceStatistics& there = outcome.There;
   const bonedecimate::DistanceStatistics& back = outcome.Back;
-  std::printf("| %g | %s | %lld | %.4f | %.4f | %.5f | %.5f | %.4f | %.5f | %.5f | %.4f | %.5f | %.5f | %lld | %lld | "
+  std::printf("| %g | %s | %lld | %.4f | %.4f | %.5f | %.5f | %.4f | %.5f | %.5f | %.4f | %.5f | "
+              "%.5f | %lld | %lld | "
               "%.2f | %.0f |\n",
-    asked, who, static_cast<long long>(outcome.Surface.Faces), there.PointMaximum, there.Second, there.PointMean,
-    there.PointRootMeanSquare, there.Maximum, there.Mean, there.RootMeanSquare, back.Maximum, back.Mean,
-    back.RootMeanSquare, static_cast<long long>(outcome.Surface.Components),
+    asked, who, static_cast<long long>(outcome.Surface.Faces), there.PointMaximum, there.Second,
+    there.PointMean, there.PointRootMeanSquare, there.Maximum, there.Mean, there.RootMeanSquare,
+    back.Maximum, back.Mean, back.RootMeanSquare,
+    static_cast<long long>(outcome.Surface.Components),
     static_cast<long long>(outcome.Surface.NonManifoldEdges), outcome.Seconds, outcome.Megabytes);
 }
 
@@ -76,14 +81,16 @@ void PrintBone(const ThesisBone& thesis, vtkPolyData* bone, int rounds)
 {
   char title[160];
   const long long triangles = bone->GetNumberOfPolys();
-  std::snprintf(title, sizeof(title), "%s: %lld triangles (the thesis's had %d)", thesis.Name, triangles, thesis.Faces);
+  std::snprintf(title, sizeof(title), "%s: %lld triangles (the thesis's had %d)", thesis.Name,
+    triangles, thesis.Faces);
   PrintHead(title);
   for (const ThesisRow& row : thesis.ByCount)
   {
     PrintThesis(row);
     PrintPair(row.Asked, ContestToCount(bone, static_cast<int>(row.Asked), rounds));
   }
-  std::snprintf(title, sizeof(title), "%s, error mode: asked for a largest distance in mm", thesis.Name);
+  std::snprintf(
+    title, sizeof(title), "%s, error mode: asked for a largest distance in mm", thesis.Name);
   PrintHead(title);
   for (const ThesisRow& row : thesis.ByError)
   {

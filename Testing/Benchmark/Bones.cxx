@@ -41,14 +41,16 @@ vtkSmartPointer<vtkPolyData> Cleaned(vtkPolyData* surface)
   bonedecimate::Surface raw;
   for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
   {
-    raw.Points.emplace_back(surface->GetPoint(p)[0], surface->GetPoint(p)[1], surface->GetPoint(p)[2]);
+    raw.Points.emplace_back(
+      surface->GetPoint(p)[0], surface->GetPoint(p)[1], surface->GetPoint(p)[2]);
   }
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < surface->GetNumberOfPolys(); ++cell)
   {
     surface->GetPolys()->GetCellAtId(cell, ids);
     raw.Triangles.push_back({ static_cast<bonedecimate::Index>(ids->GetId(0)),
-      static_cast<bonedecimate::Index>(ids->GetId(1)), static_cast<bonedecimate::Index>(ids->GetId(2)) });
+      static_cast<bonedecimate::Index>(ids->GetId(1)),
+      static_cast<bonedecimate::Index>(ids->GetId(2)) });
   }
   const bonedecimate::CleanSurface clean = bonedecimate::Clean(raw, true);
   vtkNew<vtkPoints> points;
@@ -91,7 +93,8 @@ vtkSmartPointer<vtkPolyData> Bones::LargestIn(const Box& box) const
   std::array<int, 6> extent{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const auto voxel = [&](double millimetres) { return static_cast<int>(std::lround(millimetres / spacing[axis])); };
+    const auto voxel = [&](double millimetres)
+    { return static_cast<int>(std::lround(millimetres / spacing[axis])); };
     extent[2 * axis] = std::max(whole[2 * axis], voxel(box[2 * axis]));
     extent[2 * axis + 1] = std::min(whole[2 * axis + 1], voxel(box[2 * axis + 1]) - 1);
   }
@@ -101,7 +104,8 @@ vtkSmartPointer<vtkPolyData> Bones::LargestIn(const Box& box) const
   vtkNew<vtkImageConstantPad> pad;
   pad->SetInputConnection(cut->GetOutputPort());
   pad->SetConstant(AirHounsfield);
-  pad->SetOutputWholeExtent(extent[0] - 1, extent[1] + 1, extent[2] - 1, extent[3] + 1, extent[4] - 1, extent[5] + 1);
+  pad->SetOutputWholeExtent(
+    extent[0] - 1, extent[1] + 1, extent[2] - 1, extent[3] + 1, extent[4] - 1, extent[5] + 1);
   pad->Update();
   vtkNew<vtkPolyDataConnectivityFilter> largest;
   largest->SetInputData(SurfaceOf(pad->GetOutput()));

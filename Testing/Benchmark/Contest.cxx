@@ -33,13 +33,15 @@ bonedecimate::Surface ToCore(vtkPolyData* polydata)
   {
     polydata->GetPolys()->GetCellAtId(cell, ids);
     surface.Triangles.push_back({ static_cast<bonedecimate::Index>(ids->GetId(0)),
-      static_cast<bonedecimate::Index>(ids->GetId(1)), static_cast<bonedecimate::Index>(ids->GetId(2)) });
+      static_cast<bonedecimate::Index>(ids->GetId(1)),
+      static_cast<bonedecimate::Index>(ids->GetId(2)) });
   }
   return surface;
 }
 
 /// Distances of `from` to `to`, over the points that its triangles use and over its area.
-bonedecimate::DistanceStatistics Distance(const bonedecimate::Surface& from, const bonedecimate::BoundingTree& to)
+bonedecimate::DistanceStatistics Distance(
+  const bonedecimate::Surface& from, const bonedecimate::BoundingTree& to)
 {
   std::vector<char> used(from.Points.size(), 0);
   for (const bonedecimate::Triangle& corners : from.Triangles)
@@ -77,7 +79,8 @@ void RunOnce(const std::function<void()>& run, std::vector<double>& seconds, Out
   const PeakMemory memory;
   const auto start = std::chrono::steady_clock::now();
   run();
-  seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  seconds.push_back(
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   outcome.Megabytes = std::max(outcome.Megabytes, memory.Megabytes());
 }
 
@@ -118,10 +121,12 @@ Pair Contest(vtkPolyData* bone, const std::function<void(vtkBoneDecimate*)>& ask
 
 Pair ContestToCount(vtkPolyData* bone, int triangles, int rounds)
 {
-  return Contest(bone, [&](vtkBoneDecimate* ours) { ours->SetTargetNumberOfTriangles(triangles); }, rounds);
+  return Contest(
+    bone, [&](vtkBoneDecimate* ours) { ours->SetTargetNumberOfTriangles(triangles); }, rounds);
 }
 
 Pair ContestToError(vtkPolyData* bone, double millimetres, int rounds)
 {
-  return Contest(bone, [&](vtkBoneDecimate* ours) { ours->SetMaximumError(millimetres); }, rounds);
+  return Contest(
+    bone, [&](vtkBoneDecimate* ours) { ours->SetMaximumError(millimetres); }, rounds);
 }

@@ -45,8 +45,9 @@ FilterRun::FilterRun(vtkDataObject* input)
 {
   TheWindow();
   this->Filter->SetInputDataObject(input);
-  for (const auto event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent, vtkCommand::ProgressEvent,
-         vtkCommand::StartEvent })
+  this->Filter->MeasureDistancesOff();
+  for (const auto event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent,
+         vtkCommand::ProgressEvent, vtkCommand::StartEvent })
   {
     this->Filter->AddObserver(event, this, &FilterRun::OnEvent);
   }
@@ -83,7 +84,8 @@ double FilterRun::Value(const std::string& entry)
 //------------------------------------------------------------------------------
 int FilterRun::Said(const std::string& text) const
 {
-  const auto has = [&](const std::string& message) { return message.find(text) != std::string::npos; };
+  const auto has = [&](const std::string& message)
+  { return message.find(text) != std::string::npos; };
   return static_cast<int>(std::count_if(this->Errors.begin(), this->Errors.end(), has) +
     std::count_if(this->Warnings.begin(), this->Warnings.end(), has));
 }

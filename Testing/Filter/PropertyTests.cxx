@@ -28,11 +28,10 @@ struct Number
 #define NUMBER_PROPERTY(name)                                                                      \
   Number                                                                                           \
   {                                                                                                \
-    #name,                                                                                         \
-      [](vtkBoneDecimate* filter, double value) {                                                  \
-        filter->Set##name(static_cast<decltype(filter->Get##name())>(value));                      \
-      },                                                                                           \
-      [](vtkBoneDecimate* filter) { return static_cast<double>(filter->Get##name()); }             \
+#name,                                                                                         \
+      [](vtkBoneDecimate * filter, double value)                                                   \
+    { filter->Set##name(static_cast<decltype(filter->Get##name())>(value)); },                     \
+      [](vtkBoneDecimate * filter) { return static_cast<double>(filter->Get##name()); }            \
   }
 
 const std::vector<Number>& Numbers()
@@ -55,8 +54,8 @@ struct Text
 #define TEXT_PROPERTY(name)                                                                        \
   Text                                                                                             \
   {                                                                                                \
-    #name, [](vtkBoneDecimate* filter, const std::string& text) { filter->Set##name(text); },      \
-      [](vtkBoneDecimate* filter) { return filter->Get##name(); }                                  \
+#name, [](vtkBoneDecimate * filter, const std::string& text) { filter->Set##name(text); },     \
+      [](vtkBoneDecimate * filter) { return filter->Get##name(); }                                 \
   }
 
 const std::vector<Text>& Texts()
@@ -92,7 +91,8 @@ double DefaultOf(const OptionInfo& info)
 double AnotherValue(const OptionInfo& info)
 {
   const double value = DefaultOf(info);
-  const double less = std::holds_alternative<double>(GetOption(Options{}, info)) ? value / 2 : value - 1;
+  const double less =
+    std::holds_alternative<double>(GetOption(Options{}, info)) ? value / 2 : value - 1;
   return value > info.Minimum ? less : std::min(info.Maximum, value + 1);
 }
 
@@ -213,7 +213,8 @@ TEST(Properties, AreNeverNanOrInfinite)
 TEST(Properties, MarkTheFilterModifiedOnlyWhenTheyChange)
 {
   vtkNew<vtkBoneDecimate> filter;
-  // Said for the first time, the default reduction becomes one that was asked for, which is a change.
+  // Said for the first time, the default reduction becomes one that was asked for, which is a
+  // change.
   filter->SetTargetReduction(filter->GetTargetReduction());
   for (const Number& number : Numbers())
   {
@@ -271,7 +272,8 @@ TEST(PrintSelf, PrintsEveryRowOfTheTableWithItsValueAndUnit)
   {
     const OptionInfo& info = Row(number.Name);
     number.Set(filter, AnotherValue(info));
-    SetOptionFromText(asked, info, IsSwitch(info) ? (AnotherValue(info) > 0 ? "on" : "off")
+    SetOptionFromText(asked, info,
+      IsSwitch(info)           ? (AnotherValue(info) > 0 ? "on" : "off")
         : info.Choices.empty() ? std::to_string(AnotherValue(info))
                                : info.Choices[static_cast<std::size_t>(AnotherValue(info))]);
   }

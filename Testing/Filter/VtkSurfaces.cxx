@@ -84,9 +84,8 @@ Surface SurfaceOf(vtkPolyData* polyData)
   for (vtkIdType t = 0; t < polyData->GetNumberOfPolys(); ++t)
   {
     polyData->GetPolys()->GetCellAtId(t, ids);
-    const auto corner = [&](vtkIdType i) {
-      return i < ids->GetNumberOfIds() ? static_cast<Index>(ids->GetId(i)) : None;
-    };
+    const auto corner = [&](vtkIdType i)
+    { return i < ids->GetNumberOfIds() ? static_cast<Index>(ids->GetId(i)) : None; };
     surface.Triangles.push_back({ corner(0), corner(1), corner(2) });
   }
   return surface;
@@ -159,7 +158,7 @@ std::string WhatIsWrongWith(vtkPolyData* polyData)
     for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c)
     {
       cells->GetCellAtId(c, ids);
-      const vtkIdType* end = ids->begin() + ids->GetNumberOfIds();
+      vtkIdType* const end = ids->begin() + ids->GetNumberOfIds();
       const bool exist = std::all_of(ids->begin(), end,
         [&](vtkIdType id) { return id >= 0 && id < polyData->GetNumberOfPoints(); });
       if (!exist)

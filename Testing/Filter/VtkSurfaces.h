@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VtkSurfaces.h
- * @brief The surfaces of Testing/Support as polydata and back, and what VTK itself counts and measures on them.
+ * @brief The surfaces of Testing/Support as polydata and back, and what VTK itself counts and
+ * measures on them.
  */
 #ifndef BoneDecimate_Testing_VtkSurfaces_h
 #define BoneDecimate_Testing_VtkSurfaces_h
@@ -48,7 +49,8 @@ struct VtkCounts
 };
 VtkCounts CountWithVtk(vtkPolyData* polyData);
 
-/// Empty if every cell has existing points and every triangle three different ones; else what is wrong.
+/// Empty if every cell has existing points and every triangle three different ones; else what is
+/// wrong.
 std::string WhatIsWrongWith(vtkPolyData* polyData);
 }
 

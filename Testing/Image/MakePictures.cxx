@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes the baselines of the image tests and the picture of the README; the target RemakePictures runs it.
+// Writes the baselines of the image tests and the picture of the README; the target RemakePictures
+// runs it.
 #include "Display.h"
 #include "Phantom.h"
 
@@ -55,8 +56,8 @@ int main(int argc, char* argv[])
 {
   // Mesa's rendering, as in the tests, whatever display there is.
   const Display display(Display::Choice::VirtualOnly);
-  const bool isMade = argc == 5 && display.GetProblem().empty() && MakeBaselines(argv[1], argv[2]) &&
-    MakeReadmePicture(argv[3], argv[4]);
+  const bool isMade = argc == 5 && display.GetProblem().empty() &&
+    MakeBaselines(argv[1], argv[2]) && MakeReadmePicture(argv[3], argv[4]);
   if (!isMade)
   {
     std::cerr << "usage: MakePictures SMALL_VOLUME BASELINE_FOLDER NORMAL_VOLUME README_PICTURE\n"

@@ -58,7 +58,8 @@ TEST_F(Page, HoldsEveryCountOfBothSurfaces)
   const std::string page = this->Compose();
   for (const std::string side : { "input.", "output." })
   {
-    for (const char* name : { "faces", "points", "components", "boundary_edges", "non_manifold_edges", "euler_number" })
+    for (const char* name :
+      { "faces", "points", "components", "boundary_edges", "non_manifold_edges", "euler_number" })
     {
       const std::string text = GroupedText(this->Filter->GetReportValue(side + name));
       EXPECT_TRUE(Contains(page, "<td>" + text + "</td>")) << side << name << " " << text;
@@ -82,8 +83,10 @@ TEST_F(Page, HoldsTheDistancesOfBothDirections)
       EXPECT_GT(value, 0.0);
       EXPECT_TRUE(Contains(page, "<td>" + Escape(MillimetreText(value)) + "</td>")) << side << name;
     }
-    EXPECT_TRUE(Contains(page, GroupedText(this->Filter->GetReportValue(side + "samples")) + " samples"));
-    EXPECT_TRUE(Contains(page, ShortText(this->Filter->GetReportValue(side + "samples_per_mm2")) + " per mm"));
+    EXPECT_TRUE(
+      Contains(page, GroupedText(this->Filter->GetReportValue(side + "samples")) + " samples"));
+    EXPECT_TRUE(Contains(
+      page, ShortText(this->Filter->GetReportValue(side + "samples_per_mm2")) + " per mm"));
   }
 }
 
@@ -97,8 +100,10 @@ TEST_F(Page, TellsHowTheResultCameAbout)
     EXPECT_TRUE(Contains(page, Escape(this->Filter->GetReportText(name)))) << name;
   }
   EXPECT_TRUE(Contains(page, "TargetNumberOfTriangles: 1234"));
-  EXPECT_TRUE(Contains(page, "turn over: " + GroupedText(this->Filter->GetReportValue("refusals.flip"))));
-  EXPECT_TRUE(Contains(page, GroupedText(this->Filter->GetReportValue("seconds.decimate"), 2) + " s to simplify"));
+  EXPECT_TRUE(
+    Contains(page, "turn over: " + GroupedText(this->Filter->GetReportValue("refusals.flip"))));
+  EXPECT_TRUE(Contains(
+    page, GroupedText(this->Filter->GetReportValue("seconds.decimate"), 2) + " s to simplify"));
 }
 
 TEST_F(Page, SumsUpInPlainWords)
@@ -106,7 +111,8 @@ TEST_F(Page, SumsUpInPlainWords)
   const std::string page = this->Compose();
   const std::string after = GroupedText(this->Filter->GetReportValue("output.faces"));
   const std::string before = GroupedText(this->Filter->GetReportValue("input.faces"));
-  EXPECT_TRUE(Contains(page, "The simplified surface has " + after + " triangles instead of " + before + "."));
+  EXPECT_TRUE(Contains(
+    page, "The simplified surface has " + after + " triangles instead of " + before + "."));
   EXPECT_TRUE(Contains(page, "1 of 1 components kept."));
 }
 

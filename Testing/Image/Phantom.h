@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Phantom.h
- * @brief The phantom's bone, decimated, and its two pictures: what the image tests and their baselines are made of.
+ * @brief The phantom's bone, decimated, and its two pictures: what the image tests and their
+ * baselines are made of.
  */
 #ifndef BoneDecimate_Testing_Phantom_h
 #define BoneDecimate_Testing_Phantom_h
@@ -17,7 +18,8 @@
 
 namespace bonedecimate
 {
-/// The filter after its run over the bone of a CT volume at 226 HU; null if the volume cannot be used.
+/// The filter after its run over the bone of a CT volume at 226 HU; null if the volume cannot be
+/// used.
 vtkSmartPointer<vtkBoneDecimate> DecimatePhantom(const std::string& volume);
 
 /// What ComposePicture shows of a run.

@@ -1,25 +1,33 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The phantom's pictures against their baselines, and wrong pictures, which must not pass for right ones.
+// The phantom's pictures against their baselines, and wrong pictures, which must not pass for right
+// ones.
 #include "Display.h"
 #include "Phantom.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkImageDifference.h"
 #include "vtkNew.h"
+#include "vtkPNGReader.h"
+#include "vtkPNGWriter.h"
 #include "vtkPointData.h"
-#include "vtkTesting.h"
-#include "vtkTrivialProducer.h"
+#include "vtkVector.h"
 
 #include <gtest/gtest.h>
 
-#include <sstream>
+#include <string>
 
 namespace
 {
 using namespace bonedecimate;
 
-// Sum of what differs beyond a pixel's neighbourhood; a caption with another number is already above 100.
-constexpr double Tolerance = 25.0;
+// vtkTesting accepts what lies within two pixels or differs by less than a seventh of the range: a
+// picture without its triangles' edges, or with the input in place of the result, passes there. So
+// the difference is taken pixel by pixel, averaged over its neighbours because another Mesa moves
+// edges by less than a pixel.
+constexpr int PixelThreshold = 24; // of 3 * 255
+constexpr double Tolerance =
+  25.0; // another rasteriser: 4; a camera tilted by 1 degree: 640; colours reversed: 20,000
 
 class PhantomImages : public ::testing::Test
 {
@@ -32,20 +40,26 @@ protected:
     this->Subject = SubjectOf(this->Filter);
   }
 
-  /// Whether an image is the baseline; VTK's differences stay in the temporary folder.
-  static bool IsBaseline(vtkImageData* image, const std::string& name, std::string& difference)
+  /// How much an image differs from a baseline. It is left in the temporary folder.
+  static double Difference(vtkImageData* image, const std::string& name)
   {
-    vtkNew<vtkTrivialProducer> source;
-    source->SetOutput(image);
-    vtkNew<vtkTesting> testing;
-    testing->AddArgument("-V");
-    testing->AddArgument((std::string(BASELINE_FOLDER) + "/" + name + ".png").c_str());
-    testing->AddArgument("-T");
-    testing->AddArgument(TEMPORARY_FOLDER);
-    std::ostringstream output;
-    const int result = testing->RegressionTest(source, Tolerance, output);
-    difference = std::to_string(testing->GetImageDifference()) + "\n" + output.str();
-    return result == vtkTesting::PASSED;
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetInputData(image);
+    writer->SetFileName((std::string(TEMPORARY_FOLDER) + "/" + name + ".png").c_str());
+    writer->Write();
+    vtkNew<vtkPNGReader> baseline;
+    baseline->SetFileName((std::string(BASELINE_FOLDER) + "/" + name + ".png").c_str());
+    baseline->Update();
+    EXPECT_EQ(
+      vtkVector3i(baseline->GetOutput()->GetDimensions()), vtkVector3i(image->GetDimensions()));
+    vtkNew<vtkImageDifference> difference;
+    difference->SetInputData(image);
+    difference->SetImageConnection(baseline->GetOutputPort());
+    difference->AllowShiftOff();
+    difference->AveragingOn();
+    difference->SetThreshold(PixelThreshold);
+    difference->Update();
+    return difference->GetThresholdedError();
   }
 
   const Display Screen{ Display::Choice::VirtualOnly };
@@ -55,20 +69,19 @@ protected:
 
 TEST_F(PhantomImages, ColouredByDistanceLooksAsItDid)
 {
-  std::string difference;
-  EXPECT_TRUE(IsBaseline(RenderPhantom(this->Subject).Distance, "PhantomDistance", difference)) << difference;
+  EXPECT_LT(Difference(RenderPhantom(this->Subject).Distance, "PhantomDistance"), Tolerance);
 }
 
 TEST_F(PhantomImages, BeforeAndAfterLookAsTheyDid)
 {
-  std::string difference;
-  EXPECT_TRUE(IsBaseline(RenderPhantom(this->Subject).BeforeAndAfter, "PhantomBeforeAndAfter", difference))
-    << difference;
+  EXPECT_LT(
+    Difference(RenderPhantom(this->Subject).BeforeAndAfter, "PhantomBeforeAndAfter"), Tolerance);
 }
 
 TEST_F(PhantomImages, DistancesTurnedRoundAreSeen)
 {
-  vtkDataArray* distances = this->Subject.Before->GetPointData()->GetArray(this->Subject.DistanceArrayName.c_str());
+  vtkDataArray* distances =
+    this->Subject.Before->GetPointData()->GetArray(this->Subject.DistanceArrayName.c_str());
   const double largest = distances->GetRange(0)[1];
   vtkNew<vtkDoubleArray> turned;
   turned->SetName("turned");
@@ -81,15 +94,13 @@ TEST_F(PhantomImages, DistancesTurnedRoundAreSeen)
   before->GetPointData()->AddArray(turned);
   this->Subject.Before = before;
   this->Subject.DistanceArrayName = "turned";
-  std::string difference;
-  EXPECT_FALSE(IsBaseline(RenderPhantom(this->Subject).Distance, "PhantomDistance", difference)) << difference;
+  EXPECT_GT(Difference(RenderPhantom(this->Subject).Distance, "PhantomDistance"), 10.0 * Tolerance);
 }
 
 TEST_F(PhantomImages, TheInputInPlaceOfTheResultIsSeen)
 {
   this->Subject.After = this->Subject.Before;
-  std::string difference;
-  EXPECT_FALSE(IsBaseline(RenderPhantom(this->Subject).BeforeAndAfter, "PhantomBeforeAndAfter", difference))
-    << difference;
+  EXPECT_GT(Difference(RenderPhantom(this->Subject).BeforeAndAfter, "PhantomBeforeAndAfter"),
+    10.0 * Tolerance);
 }
 }

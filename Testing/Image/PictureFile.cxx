@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -25,6 +26,27 @@ namespace
 {
 using namespace bonedecimate;
 namespace fs = std::filesystem;
+
+/// Puts a variable of the environment back as it was.
+class KeptVariable
+{
+public:
+  explicit KeptVariable(const char* name)
+    : Name(name)
+    , Value(std::getenv(name) ? std::optional<std::string>(std::getenv(name)) : std::nullopt)
+  {
+  }
+  ~KeptVariable()
+  {
+    this->Value ? setenv(this->Name, this->Value->c_str(), 1) : unsetenv(this->Name);
+  }
+  KeptVariable(const KeptVariable&) = delete;
+  KeptVariable& operator=(const KeptVariable&) = delete;
+
+private:
+  const char* Name;
+  std::optional<std::string> Value;
+};
 
 class PictureFile : public ::testing::Test
 {
@@ -44,6 +66,7 @@ protected:
     this->Subject.Before = this->Elevation->GetPolyDataOutput();
     this->Subject.After = this->Subject.Before;
     this->Subject.DistanceArrayName = "Elevation";
+    this->Subject.Width = 600;
   }
 
   void TearDown() override { fs::remove_all(this->Folder); }
@@ -58,13 +81,15 @@ protected:
     vtkNew<vtkPNGReader> reader;
     reader->SetFileName(file.c_str());
     reader->Update();
-    EXPECT_GT(reader->GetOutput()->GetDimensions()[0], 1000);
+    EXPECT_EQ(reader->GetOutput()->GetDimensions()[0], this->Subject.Width);
     EXPECT_GT(reader->GetOutput()->GetScalarRange()[1], reader->GetOutput()->GetScalarRange()[0]);
     EXPECT_EQ(std::distance(fs::directory_iterator(this->Folder), fs::directory_iterator()), 1);
   }
 
   const fs::path Folder =
     fs::path(TEMPORARY_FOLDER) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  const KeptVariable Screen{ "DISPLAY" };
+  const KeptVariable Path{ "PATH" };
   vtkNew<vtkElevationFilter> Elevation;
   PictureSubject Subject;
 };
@@ -153,7 +178,8 @@ TEST_F(PictureFile, SaysWhatIsMissingWithoutDisplayAndXvfb)
 {
   unsetenv("DISPLAY");
   setenv("PATH", this->Folder.c_str(), 1);
-  EXPECT_NE(WritePicture(this->Subject, this->InFolder("picture.png")).find("Xvfb"), std::string::npos);
+  EXPECT_NE(
+    WritePicture(this->Subject, this->InFolder("picture.png")).find("Xvfb"), std::string::npos);
   EXPECT_TRUE(this->FolderIsEmpty());
 }
 

@@ -12,7 +12,8 @@ namespace
 {
 constexpr double TwoPi = 6.283185307179586;
 
-/// An open cone from a tip at the origin towards z, whose rings come after the points that are there.
+/// An open cone from a tip at the origin towards z, whose rings come after the points that are
+/// there.
 void AddCone(Surface& surface, Index tip, Index around, Index rings, double height)
 {
   const auto first = static_cast<Index>(surface.Points.size());
@@ -79,7 +80,8 @@ Surface PinchedSolids(Index around)
 
 Surface TetrahedronChain(Index count)
 {
-  // The shared corners lie on the x axis, one edge length apart; the free edge of each crosses at right angles.
+  // The shared corners lie on the x axis, one edge length apart; the free edge of each crosses at
+  // right angles.
   const double h = std::sqrt(0.5);
   Surface chain;
   chain.Points.emplace_back(0.0, 0.0, 0.0);
@@ -107,9 +109,8 @@ Surface ThreeLeavedBook(Index cells)
   {
     const double u = TwoPi * leaf / 3.0;
     const auto first = static_cast<Index>(book.Points.size());
-    const auto point = [&](Index i, Index j) {
-      return i == 0 ? j : first + (i - 1) * (cells + 1) + j;
-    };
+    const auto point = [&](Index i, Index j)
+    { return i == 0 ? j : first + (i - 1) * (cells + 1) + j; };
     for (Index i = 1; i <= cells; ++i)
     {
       for (Index j = 0; j <= cells; ++j)
@@ -142,9 +143,8 @@ Surface MoebiusStrip(Index around, Index across)
       strip.Points.emplace_back(r * std::cos(u), r * std::sin(u), v * std::sin(0.5 * u));
     }
   }
-  const auto point = [&](Index i, Index j) {
-    return i < around ? i * (across + 1) + j : across - j;
-  };
+  const auto point = [&](Index i, Index j)
+  { return i < around ? i * (across + 1) + j : across - j; };
   for (Index i = 0; i < around; ++i)
   {
     for (Index j = 0; j < across; ++j)
@@ -193,9 +193,10 @@ Surface RandomSoup(Index points, Index triangles, std::uint64_t seed)
 
 std::vector<NamedSurface> ClosedShapes()
 {
-  return { { "Tetrahedron", Tetrahedron() }, { "Cube", Cube(4) }, { "Icosphere", Icosphere(3, 5.0) },
-    { "BumpySphere", BumpySphere(3, 5.0, 0.1, 7) }, { "NoisySphere", BumpySphere(2, 5.0, 0.4, 8) },
-    { "Torus", Torus(24, 12) }, { "TunnelBlock", TunnelBlock(6) }, { "FlatPlate", FlatPlate(8) },
+  return { { "Tetrahedron", Tetrahedron() }, { "Cube", Cube(4) },
+    { "Icosphere", Icosphere(3, 5.0) }, { "BumpySphere", BumpySphere(3, 5.0, 0.1, 7) },
+    { "NoisySphere", BumpySphere(2, 5.0, 0.4, 8) }, { "Torus", Torus(24, 12) },
+    { "TunnelBlock", TunnelBlock(6) }, { "FlatPlate", FlatPlate(8) },
     { "NestedSpheres", NestedSpheres(2) }, { "Needles", Needles(48) },
     { "ManyComponents", ManyComponents(12) }, { "Envelope", Envelope() },
     { "EnvelopeBesideSphere", Together(Envelope(), Moved(Icosphere(2, 5.0), { 20, 0, 0 })) } };
@@ -213,9 +214,10 @@ std::vector<NamedSurface> OpenShapes()
 std::vector<NamedSurface> BrokenShapes()
 {
   return { { "PinchedVertex", PinchedVertex(12, 6) }, { "PinchedSolids", PinchedSolids(12) },
-    { "TetrahedronChain", TetrahedronChain(5) }, { "ThreeLeavedBook", ThreeLeavedBook(6) }, { "MoebiusStrip", MoebiusStrip(30, 5) },
-    { "InconsistentGrid", InconsistentGrid(8) }, { "DuplicateTriangles", DuplicateTriangles(2, 20) },
-    { "SparseSoup", RandomSoup(300, 100, 11) }, { "DenseSoup", RandomSoup(40, 200, 12) } };
+    { "TetrahedronChain", TetrahedronChain(5) }, { "ThreeLeavedBook", ThreeLeavedBook(6) },
+    { "MoebiusStrip", MoebiusStrip(30, 5) }, { "InconsistentGrid", InconsistentGrid(8) },
+    { "DuplicateTriangles", DuplicateTriangles(2, 20) }, { "SparseSoup", RandomSoup(300, 100, 11) },
+    { "DenseSoup", RandomSoup(40, 200, 12) } };
 }
 
 std::vector<NamedSurface> AllShapes()

@@ -111,13 +111,12 @@ std::int64_t CountNonManifoldPoints(const Surface& surface)
       opposite[t[i]].emplace_back(t[(i + 1) % 3], t[(i + 2) % 3]);
     }
   }
-  return std::count_if(opposite.begin(), opposite.end(),
-    [](const auto& entry) { return !IsOneFan(entry.second); });
+  return std::count_if(
+    opposite.begin(), opposite.end(), [](const auto& entry) { return !IsOneFan(entry.second); });
 }
 }
 
-double PointTriangleDistance(
-  const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c)
+double PointTriangleDistance(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const Long3 q = p.cast<long double>();
   const std::array<Long3, 3> corners = { a.cast<long double>(), b.cast<long double>(),
@@ -146,8 +145,8 @@ NearestTriangle BruteNearest(const Surface& surface, const Vector3& p)
   for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
   {
     const Triangle& t = surface.Triangles[i];
-    const double distance = PointTriangleDistance(
-      p, surface.Points[t[0]], surface.Points[t[1]], surface.Points[t[2]]);
+    const double distance =
+      PointTriangleDistance(p, surface.Points[t[0]], surface.Points[t[1]], surface.Points[t[2]]);
     if (distance < best.Distance)
     {
       best = { static_cast<Index>(i), distance };
@@ -324,8 +323,8 @@ std::string WhatIsWrong(const Surface& surface)
   for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
   {
     const Triangle& t = surface.Triangles[i];
-    const bool inRange = std::all_of(
-      t.begin(), t.end(), [&](Index point) { return point >= 0 && point < count; });
+    const bool inRange =
+      std::all_of(t.begin(), t.end(), [&](Index point) { return point >= 0 && point < count; });
     if (!inRange || t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
     {
       return "triangle " + std::to_string(i) + " is not made of three points that exist";

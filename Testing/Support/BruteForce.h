@@ -38,19 +38,20 @@ struct Topology
   std::int64_t Points = 0; ///< Used by a triangle.
   std::int64_t Edges = 0;
   std::int64_t Faces = 0;
-  std::int64_t Components = 0;         ///< Connected by shared points.
-  std::int64_t BoundaryEdges = 0;      ///< Of one triangle.
-  std::int64_t NonManifoldEdges = 0;   ///< Of three or more triangles.
-  std::int64_t InconsistentEdges = 0;  ///< Two triangles that run along it in the same direction.
-  std::int64_t NonManifoldPoints = 0;  ///< Whose triangles are not one fan.
-  std::int64_t EulerNumber = 0;        ///< Points - edges + faces.
+  std::int64_t Components = 0;        ///< Connected by shared points.
+  std::int64_t BoundaryEdges = 0;     ///< Of one triangle.
+  std::int64_t NonManifoldEdges = 0;  ///< Of three or more triangles.
+  std::int64_t InconsistentEdges = 0; ///< Two triangles that run along it in the same direction.
+  std::int64_t NonManifoldPoints = 0; ///< Whose triangles are not one fan.
+  std::int64_t EulerNumber = 0;       ///< Points - edges + faces.
 
   bool operator==(const Topology& other) const;
 };
 
 Topology CountTopology(const Surface& surface);
 
-/// Component number of each triangle, numbered by first triangle; triangles that share a point belong together.
+/// Component number of each triangle, numbered by first triangle; triangles that share a point
+/// belong together.
 std::vector<Index> ComponentOfTriangles(const Surface& surface);
 
 /// Each component as a surface of its own; all of them keep all points.
@@ -71,7 +72,8 @@ std::vector<std::int64_t> BoundaryLoopLengths(const Surface& surface);
 /// Number of triangles that repeat another one of the same three points in whatever order.
 std::int64_t RepeatedTriangles(const Surface& surface);
 
-/// Empty if every triangle has three different points that exist, is finite and every point is used; else why not.
+/// Empty if every triangle has three different points that exist, is finite and every point is
+/// used; else why not.
 std::string WhatIsWrong(const Surface& surface);
 
 /// Whether both are the same bit for bit.

@@ -77,7 +77,8 @@ private:
 
 Surface Block(const Cell& size, const IsSolid& isSolidInside)
 {
-  const IsSolid isSolid = [&](const Cell& cell) {
+  const IsSolid isSolid = [&](const Cell& cell)
+  {
     for (std::size_t i = 0; i < 3; ++i)
     {
       if (cell[i] < 0 || cell[i] >= size[i])
@@ -123,7 +124,8 @@ Surface Subdivided(const Surface& coarse)
   Surface fine;
   fine.Points = coarse.Points;
   std::map<std::pair<Index, Index>, Index> middles;
-  const auto middle = [&](Index a, Index b) {
+  const auto middle = [&](Index a, Index b)
+  {
     const auto next = static_cast<Index>(fine.Points.size());
     const auto [entry, isNew] = middles.emplace(std::minmax(a, b), next);
     if (isNew)
@@ -164,9 +166,9 @@ Surface TunnelBlock(Index cells)
 {
   const Index low = cells / 3;
   const Index high = cells - low;
-  return Block({ cells, cells, 3 }, [=](const Cell& cell) {
-    return cell[0] < low || cell[0] >= high || cell[1] < low || cell[1] >= high;
-  });
+  return Block({ cells, cells, 3 },
+    [=](const Cell& cell)
+    { return cell[0] < low || cell[0] >= high || cell[1] < low || cell[1] >= high; });
 }
 
 Surface Icosphere(int levels, double radius)

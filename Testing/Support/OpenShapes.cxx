@@ -13,7 +13,8 @@ namespace
 {
 constexpr double TwoPi = 6.283185307179586;
 
-/// Triangles of a lattice of columns x rows points, point (i, j) = j * columns + i, where a cell is wanted.
+/// Triangles of a lattice of columns x rows points, point (i, j) = j * columns + i, where a cell is
+/// wanted.
 std::vector<Triangle> Lattice(Index columns, Index rows, bool closeColumns,
   const std::function<bool(Index i, Index j)>& isWanted)
 {
@@ -101,9 +102,8 @@ Surface HeightField(Index cells, double amplitude, std::uint64_t seed)
 Surface HoledPlate(Index cells)
 {
   const Index third = cells / 3;
-  const auto isWanted = [=](Index i, Index j) {
-    return i < third || i >= 2 * third || j < third || j >= 2 * third;
-  };
+  const auto isWanted = [=](Index i, Index j)
+  { return i < third || i >= 2 * third || j < third || j >= 2 * third; };
   return Compacted(
     { PlanePoints(cells + 1, cells + 1), Lattice(cells + 1, cells + 1, false, isWanted) });
 }

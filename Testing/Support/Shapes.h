@@ -26,7 +26,8 @@ Surface Cube(Index cells);
 /// 20 * 4^levels triangles, all points at the radius.
 Surface Icosphere(int levels, double radius);
 
-/// An icosphere whose points move in and out by up to the amplitude (a fraction of the radius) at random.
+/// An icosphere whose points move in and out by up to the amplitude (a fraction of the radius) at
+/// random.
 Surface BumpySphere(int levels, double radius, double amplitude, std::uint64_t seed);
 
 /// 2 * around * across triangles about the z axis, radii 10 and 3.
@@ -60,7 +61,8 @@ Surface Grid(Index cells);
 /// A grid whose inner points have random heights up to the amplitude; the border stays straight.
 Surface HeightField(Index cells, double amplitude, std::uint64_t seed);
 
-/// A grid without the middle third of its cells: two straight-sided borders. Cells must be a multiple of 3.
+/// A grid without the middle third of its cells: two straight-sided borders. Cells must be a
+/// multiple of 3.
 Surface HoledPlate(Index cells);
 
 /// Radius 5, open at both ends: two round borders.
@@ -77,7 +79,8 @@ Surface PinchedVertex(Index around, Index rings);
 /// Two closed cones of which the tips are one point.
 Surface PinchedSolids(Index around);
 
-/// Regular tetrahedra, of which each shares one corner with the next: in between, two corners are free.
+/// Regular tetrahedra, of which each shares one corner with the next: in between, two corners are
+/// free.
 Surface TetrahedronChain(Index count);
 
 /// Three half planes of cells x cells squares that share their edge.

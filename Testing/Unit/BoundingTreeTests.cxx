@@ -14,7 +14,8 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-/// The least triangle of the least distance as the core's own arithmetic sees it: ties must be broken by id.
+/// The least triangle of the least distance as the core's own arithmetic sees it: ties must be
+/// broken by id.
 Index LeastTriangle(const Surface& surface, const Vector3& p)
 {
   Index best = None;
@@ -34,11 +35,13 @@ Index LeastTriangle(const Surface& surface, const Vector3& p)
   return best;
 }
 
-void ExpectNearest(const Surface& surface, const BoundingTree& tree, const Vector3& p, Random& random)
+void ExpectNearest(
+  const Surface& surface, const BoundingTree& tree, const Vector3& p, Random& random)
 {
   const BoundingTree::Nearest nearest = tree.FindNearest(p);
   const double size = 1.0 + p.norm();
-  EXPECT_NEAR(std::sqrt(nearest.Place.SquaredDistance), BruteNearest(surface, p).Distance, 1e-12 * size);
+  EXPECT_NEAR(
+    std::sqrt(nearest.Place.SquaredDistance), BruteNearest(surface, p).Distance, 1e-12 * size);
   EXPECT_EQ(nearest.Triangle, LeastTriangle(surface, p));
   EXPECT_EQ(tree.FindNearestPoint(p), BruteNearestPoint(surface, p));
   const Index hint = random.Below(static_cast<Index>(surface.Triangles.size()));
@@ -129,8 +132,8 @@ TEST(BoundingTree, FarPointsAgreeWithBruteForce)
   {
     const Vector3 p = 1e5 * random.InCube(1);
     const BoundingTree::Nearest nearest = tree.FindNearest(p);
-    EXPECT_NEAR(
-      std::sqrt(nearest.Place.SquaredDistance), BruteNearest(surface, p).Distance, 1e-12 * p.norm());
+    EXPECT_NEAR(std::sqrt(nearest.Place.SquaredDistance), BruteNearest(surface, p).Distance,
+      1e-12 * p.norm());
     EXPECT_EQ(nearest.Triangle, LeastTriangle(surface, p));
   }
 }

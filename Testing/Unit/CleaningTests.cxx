@@ -86,7 +86,8 @@ TEST(Cleaning, HugeCoordinatesAreRefusedAndLargeOnesAreNot)
 
 TEST(Cleaning, IndicesOutOfRangeAreCountedAndTheFirstIsNamed)
 {
-  for (const Index bad : { -1, 4, std::numeric_limits<Index>::max(), std::numeric_limits<Index>::min() })
+  for (const Index bad :
+    { -1, 4, std::numeric_limits<Index>::max(), std::numeric_limits<Index>::min() })
   {
     Surface surface = Tetrahedron();
     surface.Triangles[2][1] = bad;
@@ -105,7 +106,8 @@ TEST(Cleaning, TrianglesWithoutPointsAreOutOfRange)
 
 TEST(Cleaning, OnlyTrianglesWithoutAreaAreNoSurface)
 {
-  const Surface surface = { { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, { { 0, 0, 1 }, { 0, 1, 2 } } };
+  const Surface surface = { { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } },
+    { { 0, 0, 1 }, { 0, 1, 2 } } };
   const CleanSurface clean = Clean(surface, true);
   EXPECT_EQ(clean.Status, InputStatus::NoTriangles);
   EXPECT_EQ(clean.Statistics.DroppedTriangles, 2);
@@ -141,7 +143,8 @@ TEST(Cleaning, WithoutMergingTrianglesStayApart)
   const Surface soup = Unwelded(Cube(2));
   const CleanSurface clean = Clean(soup, false);
   ExpectConsistent(soup, clean);
-  EXPECT_EQ(CountTopology(clean.Surface).Components, static_cast<std::int64_t>(soup.Triangles.size()));
+  EXPECT_EQ(
+    CountTopology(clean.Surface).Components, static_cast<std::int64_t>(soup.Triangles.size()));
   EXPECT_EQ(clean.Statistics.MergedPoints, 0);
 }
 
@@ -174,7 +177,8 @@ TEST(Cleaning, RepeatedCornersAreDroppedAndTheFirstIsNamed)
 {
   Surface surface = Icosphere(1, 1.0);
   const std::size_t good = surface.Triangles.size();
-  surface.Triangles.insert(surface.Triangles.begin() + 3, { { 0, 0, 1 }, { 2, 3, 2 }, { 4, 5, 5 } });
+  surface.Triangles.insert(
+    surface.Triangles.begin() + 3, { { 0, 0, 1 }, { 2, 3, 2 }, { 4, 5, 5 } });
   const CleanSurface clean = Clean(surface, true);
   ExpectConsistent(surface, clean);
   EXPECT_EQ(clean.Surface.Triangles.size(), good);
@@ -211,8 +215,8 @@ TEST(Cleaning, UnusedPointsAreLeftOutAndCounted)
 
 TEST(Cleaning, AFlatTriangleThatHoldsTheSurfaceTogetherStays)
 {
-  // A square in which the middle of one side is a corner of one triangle only: the gap is a triangle
-  // without area, and without it there would be a crack.
+  // A square in which the middle of one side is a corner of one triangle only: the gap is a
+  // triangle without area, and without it there would be a crack.
   const Surface surface = { { { 0, 0, 0 }, { 2, 0, 0 }, { 1, 0, 0 }, { 1, 2, 0 }, { 1, -2, 0 } },
     { { 0, 2, 3 }, { 2, 1, 3 }, { 1, 0, 4 }, { 0, 1, 2 } } };
   const CleanSurface clean = Clean(surface, true);

@@ -15,7 +15,8 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-/// The collapse on a plain list of triangles: `gone` becomes `keep`, triangles with a repeated corner go.
+/// The collapse on a plain list of triangles: `gone` becomes `keep`, triangles with a repeated
+/// corner go.
 Surface Collapsed(const Surface& surface, Index keep, Index gone)
 {
   Surface result = { surface.Points, {} };
@@ -30,14 +31,16 @@ Surface Collapsed(const Surface& surface, Index keep, Index gone)
   return result;
 }
 
-/// Whether the collapse leaves a surface of the same kind: one point less, nothing lost, closed, pinched or doubled.
+/// Whether the collapse leaves a surface of the same kind: one point less, nothing lost, closed,
+/// pinched or doubled.
 bool KeepsTopology(const Surface& before, const Surface& after)
 {
   const Topology a = CountTopology(before);
   const Topology b = CountTopology(after);
-  return a.Points == b.Points + 1 && a.EulerNumber == b.EulerNumber && a.Components == b.Components &&
-    a.NonManifoldEdges == b.NonManifoldEdges && a.InconsistentEdges == b.InconsistentEdges &&
-    a.NonManifoldPoints == b.NonManifoldPoints && (a.BoundaryEdges == 0) == (b.BoundaryEdges == 0) &&
+  return a.Points == b.Points + 1 && a.EulerNumber == b.EulerNumber &&
+    a.Components == b.Components && a.NonManifoldEdges == b.NonManifoldEdges &&
+    a.InconsistentEdges == b.InconsistentEdges && a.NonManifoldPoints == b.NonManifoldPoints &&
+    (a.BoundaryEdges == 0) == (b.BoundaryEdges == 0) &&
     RepeatedTriangles(before) == RepeatedTriangles(after);
 }
 
@@ -46,7 +49,8 @@ std::string Describe(const Surface& surface, Index from, Index to)
   std::string text = "edge " + std::to_string(from) + "-" + std::to_string(to) + " of";
   for (const Triangle& t : surface.Triangles)
   {
-    text += " (" + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) + ")";
+    text +=
+      " (" + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) + ")";
   }
   return surface.Triangles.size() <= 24 ? text : text.substr(0, text.find(" of"));
 }
@@ -56,7 +60,7 @@ void CompareAllEdges(const Surface& input)
 {
   const CleanSurface clean = Clean(input, true);
   const Surface& surface = clean.Surface;
-  Editor editor(clean);
+  Editor editor(clean, true);
   const HalfEdgeMesh& mesh = editor.Mesh();
   for (Index h = 0; h < 3 * mesh.NumberOfFaceSlots(); ++h)
   {
@@ -86,7 +90,8 @@ Surface WithHoles(const Surface& surface, Index holes, std::uint64_t seed)
   return holed;
 }
 
-/// An octahedron whose upper cap is a ring of three: an edge between two vertices with three common neighbours.
+/// An octahedron whose upper cap is a ring of three: an edge between two vertices with three common
+/// neighbours.
 Surface Bipyramid(Index around)
 {
   Surface solid;
@@ -118,18 +123,22 @@ TEST_P(LinkCondition, VsCollapseOnAPlainTriangleList)
 
 INSTANTIATE_TEST_SUITE_P(Shapes, LinkCondition,
   testing::Values(NamedSurface{ "Tetrahedron", Tetrahedron() }, NamedSurface{ "Cube", Cube(2) },
-    NamedSurface{ "Icosahedron", Icosphere(0, 1.0) }, NamedSurface{ "Icosphere", Icosphere(1, 1.0) },
-    NamedSurface{ "ThinTorus", Torus(3, 3) }, NamedSurface{ "Torus", Torus(5, 4) },
-    NamedSurface{ "Bipyramid3", Bipyramid(3) }, NamedSurface{ "Bipyramid4", Bipyramid(4) },
-    NamedSurface{ "Bipyramid5", Bipyramid(5) }, NamedSurface{ "Needles", Needles(6) },
-    NamedSurface{ "Envelope", Envelope() }, NamedSurface{ "SingleTriangle", SingleTriangle() },
-    NamedSurface{ "Square", Grid(1) }, NamedSurface{ "Grid", Grid(3) },
-    NamedSurface{ "HoledPlate", HoledPlate(3) }, NamedSurface{ "ThinCylinder", OpenCylinder(3, 2) },
+    NamedSurface{ "Icosahedron", Icosphere(0, 1.0) },
+    NamedSurface{ "Icosphere", Icosphere(1, 1.0) }, NamedSurface{ "ThinTorus", Torus(3, 3) },
+    NamedSurface{ "Torus", Torus(5, 4) }, NamedSurface{ "Bipyramid3", Bipyramid(3) },
+    NamedSurface{ "Bipyramid4", Bipyramid(4) }, NamedSurface{ "Bipyramid5", Bipyramid(5) },
+    NamedSurface{ "Needles", Needles(6) }, NamedSurface{ "Envelope", Envelope() },
+    NamedSurface{ "SingleTriangle", SingleTriangle() }, NamedSurface{ "Square", Grid(1) },
+    NamedSurface{ "Grid", Grid(3) }, NamedSurface{ "HoledPlate", HoledPlate(3) },
+    NamedSurface{ "ThinCylinder", OpenCylinder(3, 2) },
     NamedSurface{ "ShortCylinder", OpenCylinder(4, 1) }, NamedSurface{ "Annulus", Annulus(6, 2) },
-    NamedSurface{ "PinchedVertex", PinchedVertex(4, 3) }, NamedSurface{ "PinchedSolids", PinchedSolids(3) },
-    NamedSurface{ "TetrahedronChain", TetrahedronChain(3) }, NamedSurface{ "Book", ThreeLeavedBook(3) },
-    NamedSurface{ "MoebiusStrip", MoebiusStrip(9, 3) }, NamedSurface{ "InconsistentGrid", InconsistentGrid(4) },
-    NamedSurface{ "Duplicates", DuplicateTriangles(1, 4) }, NamedSurface{ "SparseSoup", RandomSoup(60, 20, 5) },
+    NamedSurface{ "PinchedVertex", PinchedVertex(4, 3) },
+    NamedSurface{ "PinchedSolids", PinchedSolids(3) },
+    NamedSurface{ "TetrahedronChain", TetrahedronChain(3) },
+    NamedSurface{ "Book", ThreeLeavedBook(3) }, NamedSurface{ "MoebiusStrip", MoebiusStrip(9, 3) },
+    NamedSurface{ "InconsistentGrid", InconsistentGrid(4) },
+    NamedSurface{ "Duplicates", DuplicateTriangles(1, 4) },
+    NamedSurface{ "SparseSoup", RandomSoup(60, 20, 5) },
     NamedSurface{ "DenseSoup", RandomSoup(12, 30, 6) }),
   NameOf);
 
@@ -146,11 +155,13 @@ TEST(LinkConditionRandom, VsCollapseOnAPlainTriangleListWithHolesAndSoups)
 
 TEST(Gate, TheTableOfEndsHolds)
 {
-  // A grid of 3 x 3 cells: point 5 is inside, 6 too; 1 and 4 are on the border, the edge 1-4 is not.
+  // A grid of 3 x 3 cells: point 5 is inside, 6 too; 1 and 4 are on the border, the edge 1-4 is
+  // not.
   const CleanSurface clean = Clean(Grid(3), true);
-  Editor editor(clean);
+  Editor editor(clean, true);
   const HalfEdgeMesh& mesh = editor.Mesh();
-  const auto edge = [&](Index from, Index to) {
+  const auto edge = [&](Index from, Index to)
+  {
     for (Index h = 0; h < 3 * mesh.NumberOfFaceSlots(); ++h)
     {
       if (mesh.Origin(h) == from && mesh.Target(h) == to)
@@ -171,7 +182,7 @@ TEST(Gate, LeastFragmentsAreRefusedAsFragments)
 {
   for (const Surface& surface : { Tetrahedron(), Envelope(), SingleTriangle() })
   {
-    Editor editor(Clean(surface, true));
+    Editor editor(Clean(surface, true), true);
     for (Index h = 0; h < 3 * editor.Mesh().NumberOfFaceSlots(); ++h)
     {
       EXPECT_EQ(editor.Examine(h), Verdict::Fragment);
@@ -181,7 +192,7 @@ TEST(Gate, LeastFragmentsAreRefusedAsFragments)
 
 TEST(Gate, AnEdgeAroundATunnelIsRefusedByTheLinkCondition)
 {
-  Editor editor(Clean(Torus(3, 12), true));
+  Editor editor(Clean(Torus(3, 12), true), true);
   std::int64_t refused = 0;
   for (Index h = 0; h < 3 * editor.Mesh().NumberOfFaceSlots(); ++h)
   {

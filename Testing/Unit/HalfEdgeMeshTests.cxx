@@ -27,7 +27,8 @@ Index CountKind(const HalfEdgeMesh& mesh, VertexKind kind)
   return count;
 }
 
-/// Points on edges of three or more triangles or of two that run the same way, or whose triangles are not one fan.
+/// Points on edges of three or more triangles or of two that run the same way, or whose triangles
+/// are not one fan.
 std::set<Index> PointsToLock(const Surface& surface)
 {
   std::map<std::pair<Index, Index>, std::vector<bool>> edges;
@@ -52,7 +53,8 @@ std::set<Index> PointsToLock(const Surface& surface)
   }
   for (auto& [point, fan] : fans)
   {
-    // Without the point itself, the triangles around it are edges; one fan is one connected path or cycle.
+    // Without the point itself, the triangles around it are edges; one fan is one connected path or
+    // cycle.
     Surface rest = { surface.Points, fan.Triangles };
     for (Triangle& t : rest.Triangles)
     {
@@ -158,7 +160,8 @@ TEST(HalfEdgeMesh, RingsVisitEveryFaceAndEveryNeighbourOnce)
       std::multiset<Index> foundNeighbours = { v };
       mesh.VisitEdges(v, [&](Index h) { foundNeighbours.insert(mesh.Across(h, v)); });
       EXPECT_EQ(foundFaces, faces[v]) << v;
-      EXPECT_EQ(foundNeighbours, std::multiset<Index>(neighbours[v].begin(), neighbours[v].end())) << v;
+      EXPECT_EQ(foundNeighbours, std::multiset<Index>(neighbours[v].begin(), neighbours[v].end()))
+        << v;
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cost/NormalFieldDeviation.h"
+#include "Mesh/MeanEdgeLength.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
@@ -82,7 +83,8 @@ TEST(NormalFieldDeviation, ABorderEdgeHasATwinOfTheSameAreaAtRightAngles)
 
 TEST(NormalFieldDeviation, MeanEdgeLengthCountsEachEdgeOnce)
 {
-  EXPECT_NEAR(MeanEdgeLength(HalfEdgeMesh(Tetrahedron())), (3.0 + 3.0 * std::sqrt(2.0)) / 6.0, 1e-15);
+  EXPECT_NEAR(
+    MeanEdgeLength(HalfEdgeMesh(Tetrahedron())), (3.0 + 3.0 * std::sqrt(2.0)) / 6.0, 1e-15);
   EXPECT_NEAR(MeanEdgeLength(HalfEdgeMesh(SingleTriangle())), (2.0 + std::sqrt(2.0)) / 3.0, 1e-15);
   EXPECT_NEAR(MeanEdgeLength(HalfEdgeMesh(Grid(1))), (4.0 + std::sqrt(2.0)) / 5.0, 1e-15);
 }

@@ -46,19 +46,25 @@ struct Bench
     return around;
   }
 
-  Proposals Propose(Index edge) { return ProposePlaces(this->Mesh, this->Areas, this->Around(edge)); }
+  Proposals Propose(Index edge)
+  {
+    return ProposePlaces(this->Mesh, this->Areas, this->Around(edge));
+  }
 
   Proposals Propose(const Vector3& from, const Vector3& to)
   {
     return this->Propose(this->EdgeBetween(from, to));
   }
 
-  /// What the first proposal minimises: squared distances to the planes of both rings, and the ridge.
-  double SumOfSquares(const Neighbourhood& around, const Vector3& place, const Vector3& middle) const
+  /// What the first proposal minimises: squared distances to the planes of both rings, and the
+  /// ridge.
+  double SumOfSquares(
+    const Neighbourhood& around, const Vector3& place, const Vector3& middle) const
   {
     double sum = 0.0;
     double planes = 0.0;
-    const auto add = [&](Index face, Index vertex) {
+    const auto add = [&](Index face, Index vertex)
+    {
       sum += std::pow(this->Areas[face].Normal.dot(place - this->Mesh.Position(vertex)), 2);
       planes += 1.0; // the trace of each plane's matrix
     };
@@ -82,7 +88,8 @@ Surface Box()
   return Scaled(Cube(4), 4.0);
 }
 
-/// The ridge pulls the minimum by up to this, at edges of 1 mm, from where exact planes would put it.
+/// The ridge pulls the minimum by up to this, at edges of 1 mm, from where exact planes would put
+/// it.
 constexpr double RidgeTolerance = 0.01; // mm
 }
 
@@ -95,7 +102,8 @@ TEST(PlaneQuadric, InAPlaneTheVertexStaysInThePlane)
   {
     EXPECT_EQ(proposals.Edits[i].Position.z(), 0.0);
   }
-  EXPECT_LT((proposals.Edits[0].Position - Vector3(2.5, 2, 0)).norm(), 1e-12) << "planes leave it free: the middle";
+  EXPECT_LT((proposals.Edits[0].Position - Vector3(2.5, 2, 0)).norm(), 1e-12)
+    << "planes leave it free: the middle";
 }
 
 TEST(PlaneQuadric, AtASharpEdgeTheVertexStaysOnTheEdge)
@@ -142,7 +150,8 @@ TEST(PlaneQuadric, TheFirstProposalIsTheMinimumOfTheQuadricWithItsRidge)
     }
     for (std::size_t i = 0; i < proposals.Count; ++i)
     {
-      EXPECT_LE(best, bench.SumOfSquares(around, proposals.Edits[i].Position, middle)) << "edge " << h;
+      EXPECT_LE(best, bench.SumOfSquares(around, proposals.Edits[i].Position, middle))
+        << "edge " << h;
     }
   }
 }
@@ -198,7 +207,8 @@ TEST(Gate, APlaceThatTurnsATriangleOverIsRefused)
 {
   Bench bench(Grid(5));
   const Neighbourhood around = bench.Around(bench.EdgeBetween({ 2, 2, 0 }, { 3, 2, 0 }));
-  const auto judge = [&](const Vector3& place) {
+  const auto judge = [&](const Vector3& place)
+  {
     return JudgePlace(bench.Mesh, bench.Areas, around, { around.Edge, around.Start, place, false });
   };
   EXPECT_EQ(judge({ 2.5, 2, 0 }), Verdict::Allowed);

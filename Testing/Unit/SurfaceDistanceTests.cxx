@@ -22,13 +22,16 @@ bool GoOn(double)
   return true;
 }
 
-DistanceStatistics Measure(const Surface& from, const Surface& to, std::int64_t samples = 20000, int threads = 1)
+DistanceStatistics Measure(
+  const Surface& from, const Surface& to, std::int64_t samples = 20000, int threads = 1)
 {
   const BoundingTree tree(to);
-  return MeasureDistance(from, PointDistances(from.Points, tree, threads, GoOn), tree, samples, threads, GoOn);
+  return MeasureDistance(
+    from, PointDistances(from.Points, tree, threads, GoOn), tree, samples, threads, GoOn);
 }
 
-/// A rectangle of 10 x 1 mm in strips that get wider, so that triangles differ in area by a hundred times.
+/// A rectangle of 10 x 1 mm in strips that get wider, so that triangles differ in area by a hundred
+/// times.
 Surface UnevenStrip()
 {
   Surface strip = Grid(10);
@@ -73,8 +76,8 @@ TEST(SurfaceDistance, OfASurfaceToItselfIsNothing)
 
 TEST(SurfaceDistance, MeanIsTakenOverAreaAndNotOverTrianglesOrPoints)
 {
-  // Over the strip the distance to the plane z = x / 10, seen vertically from below, is x / sqrt(101) for
-  // x from 0 to 10: mean 5 / sqrt(101), RMS 10 / sqrt(3 * 101).
+  // Over the strip the distance to the plane z = x / 10, seen vertically from below, is x /
+  // sqrt(101) for x from 0 to 10: mean 5 / sqrt(101), RMS 10 / sqrt(3 * 101).
   Surface slope = { { { -50, -50, -5 }, { 50, -50, 5 }, { 50, 50, 5 }, { -50, 50, -5 } },
     { { 0, 1, 2 }, { 0, 2, 3 } } };
   const DistanceStatistics found = Measure(UnevenStrip(), slope, 50000);
@@ -120,8 +123,7 @@ TEST(SurfaceDistance, StatisticsVsBruteForceSamples)
     {
       const double root = std::sqrt(random.Uniform());
       const double v = random.Uniform();
-      const double distance =
-        BruteNearest(to, a + root * (1.0 - v) * ab + root * v * ac).Distance;
+      const double distance = BruteNearest(to, a + root * (1.0 - v) * ab + root * v * ac).Distance;
       sum += distance * ab.cross(ac).norm();
       squares += distance * distance * ab.cross(ac).norm();
       weight += ab.cross(ac).norm();
@@ -191,18 +193,20 @@ TEST(SurfaceDistance, NumberOfSamplesGrowsWithTheSurfaceWithinItsBounds)
 
 TEST(Parallel, EveryPieceIsDoneExactlyOnce)
 {
-  for (const std::size_t count : { std::size_t(0), std::size_t(1), ChunkSize, 5 * ChunkSize + 3 })
+  for (const std::size_t count : { 0, 1, 511, 512, 100003, 1000000 })
   {
     for (const int threads : { 0, 1, 2, 5 })
     {
       std::vector<int> done(count, 0);
-      EXPECT_TRUE(ForEachChunk(count, threads, GoOn, [&](std::size_t chunk, std::size_t first, std::size_t last) {
-        EXPECT_EQ(first, chunk * ChunkSize);
-        for (std::size_t i = first; i < last; ++i)
+      EXPECT_TRUE(ForEachChunk(count, threads, GoOn,
+        [&](std::size_t chunk, std::size_t first, std::size_t last)
         {
-          ++done[i];
-        }
-      }));
+          EXPECT_EQ(first, chunk * ChunkSize(count));
+          for (std::size_t i = first; i < last; ++i)
+          {
+            ++done[i];
+          }
+        }));
       EXPECT_EQ(done, std::vector<int>(count, 1));
     }
   }
@@ -212,12 +216,13 @@ TEST(Parallel, AnExceptionOfAnyThreadArrives)
 {
   for (const int threads : { 1, 4 })
   {
-    const auto work = [](std::size_t chunk, std::size_t, std::size_t) {
+    const auto work = [](std::size_t chunk, std::size_t, std::size_t)
+    {
       if (chunk == 7)
       {
         throw std::runtime_error("chunk 7");
       }
     };
-    EXPECT_THROW(ForEachChunk(20 * ChunkSize, threads, GoOn, work), std::runtime_error);
+    EXPECT_THROW(ForEachChunk(5000, threads, GoOn, work), std::runtime_error);
   }
 }

@@ -15,12 +15,14 @@ namespace
 {
 using Corners = std::array<Vector3, 3>;
 
-/// Holds the answer against brute force and against what it says of itself. Lengths are of the order of size.
+/// Holds the answer against brute force and against what it says of itself. Lengths are of the
+/// order of size.
 void ExpectNearest(const Vector3& p, const Corners& t, double size)
 {
   const TrianglePlace place = NearestOnTriangle(p, t[0], t[1], t[2]);
   const double tolerance = 1e-12 * size;
-  EXPECT_NEAR(std::sqrt(place.SquaredDistance), PointTriangleDistance(p, t[0], t[1], t[2]), tolerance);
+  EXPECT_NEAR(
+    std::sqrt(place.SquaredDistance), PointTriangleDistance(p, t[0], t[1], t[2]), tolerance);
   EXPECT_NEAR((place.Position - p).norm(), std::sqrt(place.SquaredDistance), tolerance);
   EXPECT_NEAR(place.Weights[0] + place.Weights[1] + place.Weights[2], 1.0, 1e-14);
   Vector3 mixed = Vector3::Zero();
@@ -75,9 +77,9 @@ TEST(TriangleGeometry, NearestPlaceOfTrianglesWithoutAreaAgreesWithBruteForce)
     const Vector3 along = random.InCube(1);
     const Vector3 p = random.InCube(2);
     const double s = random.Between(-1, 2);
-    for (const Corners& t : { Corners{ a, a, a }, Corners{ a, a + along, a }, Corners{ a, a, a + along },
-           Corners{ a + along, a, a }, Corners{ a, a + along, a + s * along },
-           Corners{ a, a + s * along, a + along } })
+    for (const Corners& t : { Corners{ a, a, a }, Corners{ a, a + along, a },
+           Corners{ a, a, a + along }, Corners{ a + along, a, a },
+           Corners{ a, a + along, a + s * along }, Corners{ a, a + s * along, a + along } })
     {
       ExpectNearest(p, t, 4.0);
     }
@@ -99,7 +101,8 @@ TEST(TriangleGeometry, NearestPlaceOfNeedlesAgreesWithBruteForce)
 
 TEST(TriangleGeometry, PointsOnNeedlesAreAtNoDistance)
 {
-  // 1 mm long and down to a nanometre wide, as marching cubes leaves them where a voxel has just the iso-value.
+  // 1 mm long and down to a nanometre wide, as marching cubes leaves them where a voxel has just
+  // the iso-value.
   Random random(6);
   for (int i = 0; i < 5000; ++i)
   {

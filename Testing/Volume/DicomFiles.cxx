@@ -4,6 +4,9 @@
 
 #include <gdcmImageChangeTransferSyntax.h>
 #include <gdcmImageWriter.h>
+#include <gdcmReader.h>
+#include <gdcmTrace.h>
+#include <gdcmWriter.h>
 
 #include <gtest/gtest.h>
 
@@ -43,7 +46,8 @@ std::string ListText(const std::vector<double>& values)
 
 void SetText(gdcm::DataSet& data, const gdcm::Tag& tag, gdcm::VR::VRType type, std::string text)
 {
-  text += text.size() % 2 == 0 ? "" : " ";
+  const char filler = type == gdcm::VR::UI ? '\0' : ' ';
+  text.append(text.size() % 2, filler);
   gdcm::DataElement element(tag);
   element.SetVR(type);
   element.SetByteValue(text.data(), gdcm::VL(static_cast<std::uint32_t>(text.size())));
@@ -60,10 +64,6 @@ void SetHeader(gdcm::DataSet& data, const SeriesOptions& options, std::size_t sl
   SetText(data, { 0x0010, 0x0020 }, gdcm::VR::LO, "Secret0815");
   SetText(data, { 0x0020, 0x000d }, gdcm::VR::UI, Root + "1");
   SetText(data, { 0x0020, 0x000e }, gdcm::VR::UI, Root + "2." + options.Series);
-  if (options.Frames > 1)
-  {
-    SetText(data, { 0x0028, 0x0008 }, gdcm::VR::IS, std::to_string(options.Frames));
-  }
 }
 
 void SetGeometry(gdcm::DataSet& data, const VolumeGeometry& geometry, std::size_t slice)
@@ -88,7 +88,8 @@ void SetGeometry(gdcm::DataSet& data, const VolumeGeometry& geometry, std::size_
 }
 
 /// Stored values of one slice.
-void SetPixels(gdcm::Image& image, const Scan& scan, const SeriesOptions& options, std::size_t slice)
+void SetPixels(
+  gdcm::Image& image, const Scan& scan, const SeriesOptions& options, std::size_t slice)
 {
   const bool isGrey = options.Colours == gdcm::PhotometricInterpretation::MONOCHROME2;
   const std::size_t count = scan.Size[0] * scan.Size[1];
@@ -141,9 +142,14 @@ void WriteSlice(
   gdcm::Reader reader;
   reader.SetFileName(path.c_str());
   ASSERT_TRUE(reader.Read());
-  SetGeometry(reader.GetFile().GetDataSet(), scan.Geometry, slice);
-  SetText(reader.GetFile().GetDataSet(), { 0x0028, 0x1052 }, gdcm::VR::DS, NumberText(options.Intercept));
-  SetText(reader.GetFile().GetDataSet(), { 0x0028, 0x1053 }, gdcm::VR::DS, NumberText(options.Slope));
+  gdcm::DataSet& data = reader.GetFile().GetDataSet();
+  SetGeometry(data, scan.Geometry, slice);
+  SetText(data, { 0x0028, 0x1052 }, gdcm::VR::DS, NumberText(options.Intercept));
+  SetText(data, { 0x0028, 0x1053 }, gdcm::VR::DS, NumberText(options.Slope));
+  if (options.Frames > 1)
+  {
+    SetText(data, { 0x0028, 0x0008 }, gdcm::VR::IS, std::to_string(options.Frames));
+  }
   gdcm::Writer rewriter;
   rewriter.SetFile(reader.GetFile());
   rewriter.SetFileName(path.c_str());
@@ -155,11 +161,14 @@ void WriteDicom(const std::string& folder, const Scan& scan, const SeriesOptions
 {
   std::filesystem::create_directories(folder);
   const std::size_t count = std::min(scan.Size[2] - options.First, options.Count);
+  gdcm::Trace::WarningOff();
   for (std::size_t k = options.First; k < options.First + count; ++k)
   {
-    // 37 is prime to every number of slices here: the names run through all of them in another order.
+    // 37 is prime to every number of slices here: the names run through all of them in another
+    // order.
     const std::string number = std::to_string(100 + k * 37 % 41);
     WriteSlice(folder + "/" + options.Prefix + number, scan, options, k);
   }
+  gdcm::Trace::WarningOn(); // whether our reader is silent must show
 }
 }

@@ -18,14 +18,14 @@ namespace bonedecimate::testing
 {
 struct SeriesOptions
 {
-  std::string Prefix = "slice";     ///< File names begin so.
-  std::string Series = "1";         ///< End of the unique identifiers.
+  std::string Prefix = "slice"; ///< File names begin so.
+  std::string Series = "1";     ///< End of the unique identifiers.
   std::string Modality = "CT";
   double Slope = 1.0;
   double Intercept = 0.0;
-  std::size_t First = 0;            ///< The slices from this one on,
-  std::size_t Count = 1000;         ///< at most so many.
-  int Frames = 1;                   ///< What the header says.
+  std::size_t First = 0;    ///< The slices from this one on,
+  std::size_t Count = 1000; ///< at most so many.
+  int Frames = 1;           ///< What the header says.
   gdcm::TransferSyntax::TSType Syntax = gdcm::TransferSyntax::ExplicitVRLittleEndian;
   gdcm::PhotometricInterpretation::PIType Colours = gdcm::PhotometricInterpretation::MONOCHROME2;
 };

@@ -34,7 +34,8 @@ TEST_F(Dicom, ShuffledFilesOfATiltedPlaneLieWhereThePatientLay)
   const BoneSurface bone = this->Bone();
   ExpectSpecimen(bone);
   WriteMeta(this->Folder.File("a.mha"), this->Tilted);
-  ExpectEqual(ExtractBoneSurface(this->Folder.File("a.mha"), SurfaceValue).Surface, bone.Surface, 1e-3);
+  ExpectEqual(
+    ExtractBoneSurface(this->Folder.File("a.mha"), SurfaceValue).Surface, bone.Surface, 1e-3);
 }
 
 TEST_F(Dicom, SlicesThatRunAgainstTheNormalAreTurned)
@@ -187,13 +188,18 @@ TEST_F(Dicom, RefusesColours)
 
 TEST_F(Dicom, RefusesTruncatedSlices)
 {
-  WriteDicom(this->Series, this->Tilted);
-  for (const auto& entry : std::filesystem::directory_iterator(this->Series))
+  for (const auto syntax : { gdcm::TransferSyntax::ExplicitVRLittleEndian,
+         gdcm::TransferSyntax::JPEGLosslessProcess14_1, gdcm::TransferSyntax::JPEGLSLossless,
+         gdcm::TransferSyntax::JPEG2000Lossless, gdcm::TransferSyntax::RLELossless })
   {
-    std::filesystem::resize_file(entry.path(), std::filesystem::file_size(entry.path()) - 100);
-    break;
+    SCOPED_TRACE(gdcm::TransferSyntax::GetTSString(syntax));
+    SeriesOptions options;
+    options.Syntax = syntax;
+    WriteDicom(this->Series, this->Tilted, options);
+    const std::string middle = this->Series + "/slice" + std::to_string(100 + 20 * 37 % 41);
+    std::filesystem::resize_file(middle, std::filesystem::file_size(middle) - 200);
+    ExpectRefusal(this->Series, "");
   }
-  ExpectRefusal(this->Series, "");
 }
 
 TEST_F(Dicom, RefusesDamagedFilesWithoutNamingThePatient)
@@ -209,11 +215,13 @@ TEST_F(Dicom, RefusesDamagedFilesWithoutNamingThePatient)
   EXPECT_EQ(this->Bone().Problem.find("Secret"), std::string::npos);
 }
 
-TEST_F(Dicom, RefusesAFolderOfHeadersWithoutImages)
+// Debian's GDCM aborts on such a file.
+TEST_F(Dicom, RefusesAFileThatEndsAfterItsMark)
 {
   std::filesystem::create_directory(this->Series);
   WriteBytes(this->Series + "/a", std::string(128, '\0') + "DICM");
-  ExpectRefusal(this->Series, "none of its DICOM files is an image");
+  EXPECT_TRUE(IsVolume(this->Series));
+  ExpectRefusal(this->Series, "damaged");
 }
 }
 }

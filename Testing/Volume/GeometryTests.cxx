@@ -7,29 +7,45 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
+#include <string>
+
 namespace bonedecimate::testing
 {
 namespace
 {
-class WhereThePatientLay : public ::testing::TestWithParam<Scan (*)()>
+struct Grid
+{
+  const char* Name;
+  Scan (*Scanned)();
+};
+
+std::ostream& operator<<(std::ostream& stream, const Grid& grid)
+{
+  return stream << grid.Name;
+}
+
+class WhereThePatientLay : public ::testing::TestWithParam<Grid>
 {
 protected:
   TemporaryFolder Folder;
 };
 
-INSTANTIATE_TEST_SUITE_P(
-  Grids, WhereThePatientLay, ::testing::Values(UprightScan, TiltedScan, MirroredScan, ShearedScan));
+INSTANTIATE_TEST_SUITE_P(Grids, WhereThePatientLay,
+  ::testing::Values(Grid{ "Upright", UprightScan }, Grid{ "Tilted", TiltedScan },
+    Grid{ "Mirrored", MirroredScan }, Grid{ "Sheared", ShearedScan }),
+  [](const auto& param) { return std::string(param.param.Name); });
 
 // A sheared direction matrix is legal in both formats.
 TEST_P(WhereThePatientLay, MetaImage)
 {
-  WriteMeta(this->Folder.File("a.mha"), GetParam()());
+  WriteMeta(this->Folder.File("a.mha"), GetParam().Scanned());
   ExpectSpecimen(ExtractBoneSurface(this->Folder.File("a.mha"), SurfaceValue));
 }
 
 TEST_P(WhereThePatientLay, NrrdInEverySpace)
 {
-  const Scan scan = GetParam()();
+  const Scan scan = GetParam().Scanned();
   for (const std::string space :
     { "left-posterior-superior", "right-anterior-superior", "left-anterior-superior" })
   {
@@ -41,13 +57,13 @@ TEST_P(WhereThePatientLay, NrrdInEverySpace)
 
 TEST_P(WhereThePatientLay, VtkImage)
 {
-  WriteVti(this->Folder.File("a.vti"), GetParam()());
+  WriteVti(this->Folder.File("a.vti"), GetParam().Scanned());
   ExpectSpecimen(ExtractBoneSurface(this->Folder.File("a.vti"), SurfaceValue));
 }
 
 TEST_P(WhereThePatientLay, TheSameFromEveryFormat)
 {
-  const Scan scan = GetParam()();
+  const Scan scan = GetParam().Scanned();
   WriteMeta(this->Folder.File("a.mha"), scan);
   WriteNrrd(this->Folder.File("a.nrrd"), scan);
   WriteVti(this->Folder.File("a.vti"), scan);

@@ -18,7 +18,8 @@ namespace
 {
 int RunPhantom(const std::string& arguments)
 {
-  const std::string command = std::string("\"") + PHANTOM_PROGRAM + "\" " + arguments + " 2>/dev/null";
+  const std::string command =
+    std::string("\"") + PHANTOM_PROGRAM + "\" " + arguments + " 2>/dev/null";
   return WEXITSTATUS(std::system(command.c_str()));
 }
 
@@ -36,7 +37,8 @@ TEST(Phantom, SmallOneIsAFractureOfSomeThousandTriangles)
   ASSERT_EQ(bone.Problem, "");
   EXPECT_GT(bone.Surface->GetNumberOfPolys(), 20000);
   EXPECT_LT(bone.Surface->GetNumberOfPolys(), 40000);
-  // Two parts of the shaft, the butterfly fragment, three chips, the fibula's two walls, and few crumbs.
+  // Two parts of the shaft, the butterfly fragment, three chips, the fibula's two walls, and few
+  // crumbs.
   EXPECT_GE(CountComponents(bone.Surface), 8);
   EXPECT_LE(CountComponents(bone.Surface), 30);
 }

@@ -44,13 +44,16 @@ Vector3 Scaled(double factor, const Vector3& a)
   return { { factor * a[0], factor * a[1], factor * a[2] } };
 }
 
-/// Rows and columns of a rotation by a quaternion of small whole numbers: exact unit vectors but for rounding.
+/// Rows and columns of a rotation by a quaternion of small whole numbers: exact unit vectors but
+/// for rounding.
 std::array<Vector3, 3> TiltedSteps()
 {
   const double norm = 36.0 + 1.0 + 4.0 + 4.0; // of the quaternion (6, 1, 2, -2)
-  const std::array<Vector3, 3> axes{ { { { (36.0 + 1.0 - 4.0 - 4.0) / norm, -20.0 / norm, -28.0 / norm } },
-    { { 28.0 / norm, (36.0 - 1.0 + 4.0 - 4.0) / norm, 4.0 / norm } },
-    { { 20.0 / norm, -20.0 / norm, (36.0 - 1.0 - 4.0 + 4.0) / norm } } } };
+  const std::array<Vector3, 3> axes{
+    { { { (36.0 + 1.0 - 4.0 - 4.0) / norm, -20.0 / norm, -28.0 / norm } },
+      { { 28.0 / norm, (36.0 - 1.0 + 4.0 - 4.0) / norm, 4.0 / norm } },
+      { { 20.0 / norm, -20.0 / norm, (36.0 - 1.0 - 4.0 + 4.0) / norm } } }
+  };
   return { { Scaled(0.8, axes[0]), Scaled(0.9, axes[1]), Scaled(1.3, axes[2]) } };
 }
 }
@@ -94,8 +97,7 @@ Scan ScanOf(const std::array<std::size_t, 3>& size, const VolumeGeometry& geomet
           p[2] += index[axis] * geometry.Steps[axis][2];
         }
         const double value = SurfaceValue - 150.0 * SpecimenDistance(p);
-        scan.Values.push_back(
-          static_cast<short>(std::lround(std::clamp(value, -1000.0, 1200.0))));
+        scan.Values.push_back(static_cast<short>(std::lround(std::clamp(value, -1000.0, 1200.0))));
       }
     }
   }

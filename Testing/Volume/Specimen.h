@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Specimen.h
- * @brief A shape fixed in the patient, scanned on any grid: wherever the voxels lie, the surface must come out the same.
+ * @brief A shape fixed in the patient, scanned on any grid: wherever the voxels lie, the surface
+ * must come out the same.
  */
 #ifndef BoneDecimate_Testing_Specimen_h
 #define BoneDecimate_Testing_Specimen_h
@@ -24,7 +25,7 @@ constexpr double SurfaceValue = 226.0;
 /// mm outside the specimen, an ellipsoid and a ball with no symmetry between them; negative inside.
 double SpecimenDistance(const Vector3& p);
 
-/// mm³.
+/// mm^3.
 double SpecimenVolume();
 
 /// Voxels in the order of the files: the first axis runs fastest.

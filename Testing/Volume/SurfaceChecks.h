@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceChecks.h
- * @brief What is measured of a surface in the tests of volumes, and folders that go away with their test.
+ * @brief What is measured of a surface in the tests of volumes, and folders that go away with their
+ * test.
  */
 #ifndef BoneDecimate_Testing_SurfaceChecks_h
 #define BoneDecimate_Testing_SurfaceChecks_h
@@ -28,7 +29,7 @@ private:
   std::string Path;
 };
 
-/// mm³, positive where normals point outwards.
+/// mm^3, positive where normals point outwards.
 double EnclosedVolume(vtkPolyData* surface);
 
 /// mm, of any point from the surface of the specimen.
@@ -42,7 +43,8 @@ void ExpectSpecimen(const BoneSurface& bone);
 /// Fails if there is a difference in points of more than so many mm, or any in triangles.
 void ExpectEqual(vtkPolyData* a, vtkPolyData* b, double tolerance);
 
-/// Fails if the file is read, if the reason does not hold these words, or if anything was written to the terminal.
+/// Fails if the file is read, if the reason does not hold these words, or if anything was written
+/// to the terminal.
 void ExpectRefusal(const std::string& path, const std::string& words, double hounsfield = 226.0);
 }
 

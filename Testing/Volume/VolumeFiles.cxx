@@ -55,7 +55,8 @@ std::string ReadBytes(const std::string& path)
 
 void WriteBytes(const std::string& path, const std::string& bytes)
 {
-  std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  std::ofstream(path, std::ios::binary)
+    .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
 std::string VoxelBytes(const Scan& scan, bool isBigEndian)

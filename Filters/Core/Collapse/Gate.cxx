@@ -46,24 +46,13 @@ Verdict JudgeTopology(const HalfEdgeMesh& mesh, const Neighbourhood& around)
   {
     return Verdict::LinkCondition;
   }
-  // An apex inside the surface with three faces only: with the link condition met, this is a
-  // tetrahedron.
-  for (Index i = 0; i < around.NumberOfGoneFaces; ++i)
+  // Two inside vertices with one staying face each: both faces would become the same triangle, back
+  // to back. That is a tetrahedron, whether it stands alone or hangs on locked corners.
+  const bool bothInside =
+    mesh.Kind(around.Start) == VertexKind::Inside && mesh.Kind(around.End) == VertexKind::Inside;
+  if (bothInside && around.Corners.size() <= 2)
   {
-    const Index apex = around.Apexes[i];
-    if (mesh.Kind(apex) != VertexKind::Inside)
-    {
-      continue;
-    }
-    Index faces = 0;
-    for (const Index h : mesh.OutgoingOf(apex))
-    {
-      faces += h != None ? 1 : 0;
-    }
-    if (faces <= 3)
-    {
-      return Verdict::Fragment;
-    }
+    return Verdict::Fragment;
   }
   return Verdict::Allowed;
 }

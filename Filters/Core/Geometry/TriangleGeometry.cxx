@@ -10,6 +10,10 @@ namespace
 {
 using Corners = std::array<const Vector3*, 3>;
 
+/// Narrower than 1e-12 of its length, a triangle's normal is rounding and its boundary is near
+/// enough.
+constexpr double LeastSquaredSine = 1e-24;
+
 TrianglePlace PlaceAt(
   const Vector3& p, const Corners& corners, const std::array<double, 3>& weights)
 {
@@ -80,12 +84,15 @@ TrianglePlace NearestOnTriangle(
   {
     return PlaceAt(p, corners, { 0.0, 0.0, 1.0 });
   }
-  // Twice the signed areas of p's projection with the edges: negative means outside of that edge.
-  const double overC = d1 * d4 - d3 * d2;
-  const double overB = d5 * d2 - d1 * d6;
-  const double overA = d3 * d6 - d5 * d4;
-  const double sum = overA + overB + overC;
-  if (overA > 0.0 && overB > 0.0 && overC > 0.0 && sum > 0.0)
+  // By cross products, since differences of products of dot products lose twice as many digits in a
+  // needle.
+  const Vector3 normal = ab.cross(ac);
+  const double overC = normal.dot(ab.cross(ap));
+  const double overB = normal.dot(ap.cross(ac));
+  const double overA = normal.dot(bp.cross(cp));
+  const double sum = normal.squaredNorm();
+  const bool hasPlane = sum > LeastSquaredSine * ab.squaredNorm() * ac.squaredNorm();
+  if (hasPlane && overA > 0.0 && overB > 0.0 && overC > 0.0)
   {
     return PlaceAt(p, corners, { 1.0 - (overB + overC) / sum, overB / sum, overC / sum });
   }

@@ -74,29 +74,32 @@ private:
   std::vector<Index> Table;
 };
 
+/// Counts one more and remembers the first.
+void Find(std::int64_t& count, std::int64_t& first, std::size_t id)
+{
+  first = count++ == 0 ? static_cast<std::int64_t>(id) : first;
+}
+
 void CheckPoints(const Surface& input, CleanSurface& clean)
 {
-  bool huge = false;
+  CleaningStatistics& found = clean.Statistics;
   for (std::size_t p = 0; p < input.Points.size(); ++p)
   {
     const Vector3& position = input.Points[p];
     if (!std::isfinite(position[0]) || !std::isfinite(position[1]) || !std::isfinite(position[2]))
     {
-      if (clean.Statistics.NonFinitePoints++ == 0)
-      {
-        clean.Statistics.FirstNonFinitePoint = static_cast<std::int64_t>(p);
-      }
+      Find(found.NonFinitePoints, found.FirstNonFinitePoint, p);
     }
-    else
+    else if (position.cwiseAbs().maxCoeff() > HugeCoordinate)
     {
-      huge = huge || position.cwiseAbs().maxCoeff() > HugeCoordinate;
+      Find(found.HugePoints, found.FirstHugePoint, p);
     }
   }
-  if (clean.Statistics.NonFinitePoints > 0)
+  if (found.NonFinitePoints > 0)
   {
     clean.Status = InputStatus::NonFinitePoints;
   }
-  else if (huge)
+  else if (found.HugePoints > 0)
   {
     clean.Status = InputStatus::HugeCoordinates;
   }
@@ -112,9 +115,9 @@ void CheckTriangles(const Surface& input, CleanSurface& clean)
     {
       inRange = inRange && corner >= 0 && static_cast<std::size_t>(corner) < numberOfPoints;
     }
-    if (!inRange && clean.Statistics.TrianglesOutOfRange++ == 0)
+    if (!inRange)
     {
-      clean.Statistics.FirstTriangleOutOfRange = static_cast<std::int64_t>(t);
+      Find(clean.Statistics.TrianglesOutOfRange, clean.Statistics.FirstTriangleOutOfRange, t);
     }
   }
   if (clean.Statistics.TrianglesOutOfRange > 0)

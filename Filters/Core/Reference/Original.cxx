@@ -10,7 +10,7 @@ namespace bonedecimate
 Original::Original(const CleanSurface& clean, bool recordDistances)
   : Triangles(clean.Surface)
   , Known(clean.Surface.Points.size())
-  , RecordsDistances(recordDistances)
+  , Records(recordDistances)
 {
   for (std::size_t v = 0; v < this->Known.size(); ++v)
   {
@@ -36,7 +36,7 @@ void Original::Merge(Index keep, Index gone, const Vector3& position, bool keepS
     return; // its distance was recorded when it came there
   }
   kept.Moved = true;
-  if (!this->RecordsDistances)
+  if (!this->Records)
   {
     return;
   }

@@ -33,6 +33,7 @@ public:
   void Merge(Index keep, Index gone, const Vector3& position, bool keepStays);
 
   const Knowledge& Of(Index vertex) const { return this->Known[vertex]; }
+  bool RecordsDistances() const { return this->Records; }
   double LargestError() const { return this->Largest; } ///< mm, the thesis's maxError.
   const BoundingTree& Tree() const { return this->Triangles; }
 
@@ -40,7 +41,7 @@ private:
   BoundingTree Triangles;
   std::vector<Knowledge> Known;
   double Largest = 0.0; // mm
-  bool RecordsDistances;
+  bool Records;
 };
 }
 

@@ -1,0 +1,201 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Many bones into one folder."""
+
+import csv
+import os
+import shutil
+import signal
+import subprocess
+import time
+
+from application import (
+    NO_MEMORY,
+    NOT_WRITTEN,
+    PROGRAM,
+    REFUSED,
+    TEMPORARY,
+    USAGE,
+    ApplicationTest,
+    main,
+    read,
+    sphere,
+    torus,
+    write,
+)
+
+
+class Batch(ApplicationTest):
+    def setUp(self):
+        super().setUp()
+        self.bones = self.path("bones")
+        self.bones.mkdir()
+        write(torus(), self.bones / "b.stl")
+        write(sphere(), self.bones / "a.ply")
+
+    def rows(self):
+        with open(self.path("out/summary.csv"), newline="", encoding="utf-8") as file:
+            return {row["name"]: row for row in csv.DictReader(file)}
+
+    def statuses(self):
+        return {name: row["status"] for name, row in self.rows().items()}
+
+    def test_folder_of_bones(self):
+        (self.bones / "notes.txt").write_text("no bone")
+        (self.bones / ".hidden.stl").write_text("no bone")
+        text = self.succeed("bones", "out", "--target-reduction", 0.5, "--jobs", 2).stdout
+        self.assertEqual(
+            sorted(p.name for p in self.path("out").iterdir()),
+            ["a.json", "a.ply", "b.json", "b.stl", "summary.csv"],
+        )
+        self.assertEqual(list(self.rows()), ["a", "b"])
+        row = self.rows()["b"]
+        self.assertEqual((row["status"], row["exit_code"], row["message"]), ("done", "0", ""))
+        self.assertEqual((row["faces_in"], row["faces_out"]), ("1920", "960"))
+        self.assertEqual((row["components_in"], row["components_out"]), ("1", "1"))
+        report = self.report("out/b.json")
+        self.assertEqual(float(row["max_output_to_input_mm"]), report["distance"]["output_to_input"]["max"])
+        self.assertEqual(float(row["mean_input_to_output_mm"]), report["distance"]["input_to_output"]["mean"])
+        self.assertRegex(text, r"(?m)^a +done")
+        self.assertRegex(text, r"(?m)^b +done +1,920 +960")
+
+    def test_several_files_and_a_folder_that_is_there(self):
+        self.path("out").mkdir()
+        self.succeed("bones/b.stl", "bones/a.ply", "out")
+        self.assertEqual(list(self.rows()), ["b", "a"])
+        shutil.rmtree(self.path("out"))
+        self.path("out").mkdir()
+        self.succeed("bones/a.ply", "out")
+        self.assertEqual(self.statuses(), {"a": "done"})
+
+    def test_format_of_the_outputs(self):
+        self.succeed("bones", "out", "--format", "vtp", "--target-faces", 500)
+        for name in ("a", "b"):
+            self.assertEqual(read(self.path("out") / (name + ".vtp")).GetNumberOfPolys(), 500)
+
+    def test_failed_bone_does_not_stop_the_others(self):
+        (self.bones / "aa.stl").write_bytes((self.bones / "b.stl").read_bytes()[:-10])
+        (self.bones / "z.obj").write_text("")
+        answer = self.run_program("bones", "out")
+        self.assertEqual((answer.returncode, answer.stderr), (REFUSED, ""))
+        self.assertEqual(self.statuses(), {"a": "done", "aa": "failed", "b": "done", "z": "failed"})
+        self.assertIn("announces", self.rows()["aa"]["message"])
+        self.assertEqual(self.rows()["aa"]["exit_code"], "2")
+        self.assertIn("0 bytes", answer.stdout)
+        self.assertFalse(self.path("out/aa.stl").exists())
+
+    def test_missing_file_among_several_is_a_failed_bone(self):
+        answer = self.run_program("bones/a.ply", "bones/nothing.ply", "out")
+        self.assertEqual(answer.returncode, REFUSED)
+        self.assertEqual(self.statuses(), {"a": "done", "nothing": "failed"})
+
+    def test_finished_bones_are_skipped(self):
+        self.succeed("bones", "out")
+        before = self.path("out/a.ply").stat().st_mtime_ns
+        table = self.rows()
+        self.succeed("bones", "out", "--threads", 1)
+        self.assertEqual(self.statuses(), {"a": "skipped", "b": "skipped"})
+        self.assertEqual(self.path("out/a.ply").stat().st_mtime_ns, before)
+        self.assertEqual(self.rows()["a"]["faces_out"], table["a"]["faces_out"])
+        self.succeed("bones", "out", "--force")
+        self.assertEqual(self.statuses(), {"a": "done", "b": "done"})
+
+    def test_changed_bones_and_options_are_done_again(self):
+        self.succeed("bones", "out")
+        os.utime(self.bones / "a.ply", (1, 1))
+        self.succeed("bones", "out")
+        self.assertEqual(self.statuses(), {"a": "done", "b": "skipped"})
+        self.path("out/b.stl").write_bytes(b"cut")
+        self.succeed("bones", "out")
+        self.assertEqual(self.statuses(), {"a": "skipped", "b": "done"})
+        self.path("out/b.json").write_text("no report")
+        self.succeed("bones", "out")
+        self.assertEqual(self.statuses(), {"a": "skipped", "b": "done"})
+        self.succeed("bones", "out", "--max-error", 0.5)
+        self.assertEqual(self.statuses(), {"a": "done", "b": "done"})
+        self.succeed("bones", "out", "--max-error", "0.50")
+        self.assertEqual(self.statuses(), {"a": "skipped", "b": "skipped"})
+
+    def test_failed_bone_is_tried_again(self):
+        (self.bones / "z.obj").write_text("")
+        self.run_program("bones", "out")
+        write(torus(), self.bones / "z.obj")
+        self.succeed("bones", "out")
+        self.assertEqual(self.statuses(), {"a": "skipped", "b": "skipped", "z": "done"})
+
+    def test_equal_names_do_not_overwrite_each_other(self):
+        other = self.path("other")
+        other.mkdir()
+        write(torus(), self.bones / "a.obj")
+        write(sphere(), other / "A.ply")
+        write(sphere(), other / "b.ply")
+        self.succeed("bones", "other", "out", "--target-faces", 400)
+        self.assertEqual(len(self.rows()), 5)
+        outputs = {p.name.lower() for p in self.path("out").iterdir()}
+        self.assertEqual(len(outputs), 11)
+        self.assertLessEqual({"a_obj.obj", "bones_a_ply.ply", "other_a_ply.ply", "b_stl.stl", "b_ply.ply"}, outputs)
+
+    def test_same_file_twice_is_two_bones(self):
+        self.succeed("bones/a.ply", "bones/a.ply", "out")
+        self.assertEqual(len(self.rows()), 2)
+
+    def test_input_folder_is_no_output_folder(self):
+        before = self.names()
+        self.fail_with(USAGE, "bones", "bones", says="input and output")
+        self.fail_with(USAGE, "bones/a.ply", "bones/b.stl", "bones", says="not overwritten")
+        self.fail_with(USAGE, "bones", "bones/a.ply", says="output folder")
+        self.assertEqual(self.names(), before)
+
+    def test_options_of_one_bone_are_wrong_usage(self):
+        for flag in ("--also", "--report", "--page", "--heatmap", "--picture"):
+            self.fail_with(USAGE, "bones", "out", flag, "x.vtp", says="one bone")
+        self.fail_with(USAGE, "bones", "out", "--format", "xyz", says="--format")
+        self.fail_with(USAGE, "bones", "out", "--jobs", "0", says="--jobs")
+
+    def test_folder_without_bones_is_refused(self):
+        self.path("nothing").mkdir()
+        self.fail_with(REFUSED, "nothing", "out", says="no surface")
+
+    def test_output_folder_that_cannot_be_made(self):
+        self.path("file").touch()
+        self.fail_with(NOT_WRITTEN, "bones", "file/out", says="file/out")
+
+    def test_table_quotes_what_needs_it(self):
+        write(torus(), self.bones / 'left, "upper".stl')
+        self.succeed("bones", "out")
+        self.assertIn('left, "upper"', self.rows())
+
+    def test_quiet_says_nothing(self):
+        self.assertEqual(self.succeed("bones", "out", "--quiet").stdout, "")
+
+    def test_warnings_reach_the_table(self):
+        text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3"
+        (self.bones / "c.obj").write_text(text)
+        answer = self.succeed("bones", "out")
+        self.assertIn("c: warning: the last line", answer.stdout)
+        self.assertIn("may be cut off", self.rows()["c"]["message"])
+
+    def test_process_that_dies_does_not_stop_the_others(self):
+        write(torus(600, 600), self.bones / "aa.ply")
+        process = subprocess.Popen([PROGRAM, "bones", "out"], cwd=self.folder, stdout=subprocess.PIPE, encoding="utf-8")
+        child = self.wait_for_child("aa.ply")
+        os.kill(child, signal.SIGKILL)
+        output = process.communicate()[0]
+        self.assertEqual(process.returncode, NO_MEMORY)
+        self.assertEqual(self.statuses(), {"a": "done", "aa": "failed", "b": "done"})
+        self.assertIn("died of signal 9", output)
+        self.assertEqual([n for n in self.names() if TEMPORARY in n], [])
+
+    def wait_for_child(self, name):
+        """The process that works on that bone, once it has reserved its output."""
+        while True:
+            for staged in self.path("out").glob(TEMPORARY + "*.ply"):
+                process = int(staged.name.split("-")[1])
+                with open("/proc/%d/cmdline" % process, encoding="utf-8") as file:
+                    if name in file.read():
+                        return process
+            time.sleep(0.005)
+
+
+if __name__ == "__main__":
+    main()

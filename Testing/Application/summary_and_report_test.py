@@ -1,0 +1,122 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the program says on the terminal and in the JSON report."""
+
+import os
+import pty
+import re
+import subprocess
+
+from application import DONE, PROGRAM, ApplicationTest, main, sphere, together, torus, write
+
+
+class SummaryAndReport(ApplicationTest):
+    def setUp(self):
+        super().setUp()
+        write(together(torus(), sphere(centre=100.0)), self.path("in.ply"))
+
+    def test_report_has_the_promised_entries(self):
+        self.succeed("in.ply", "out.vtp", "--target-faces", 900, "--report", "report.json")
+        report = self.report()
+        self.assertEqual(report["input"]["components"], 2)
+        self.assertEqual(report["output"]["components"], 2)
+        self.assertEqual(report["input"]["faces"], 1920 + 2 * 24 * 22)
+        self.assertEqual(report["output"]["faces"], 900)
+        self.assertEqual(report["stop_reason"], "target_reached")
+        for direction, names in (
+            ("output_to_input", ("max", "second", "mean", "rms")),
+            ("input_to_output", ("max", "mean", "rms")),
+        ):
+            for name in names:
+                self.assertGreater(report["distance"][direction][name], 0.0)
+        for name in ("read", "decimate", "measure", "write", "total"):
+            self.assertGreaterEqual(report["seconds"][name], 0.0)
+        parts = sum(report["seconds"][name] for name in ("read", "decimate", "measure", "write"))
+        self.assertGreaterEqual(report["seconds"]["total"], parts)
+
+    def test_whole_numbers_stay_whole_and_units_are_named(self):
+        self.succeed("in.ply", "out.vtp", "--report", "report.json")
+        report = self.report()
+        self.assertIsInstance(report["output"]["faces"], int)
+        self.assertIsInstance(report["input"]["area"], float)
+        self.assertEqual(report["units"]["distance.output_to_input.max"], "mm")
+
+    def test_report_names_files_without_their_folders(self):
+        self.path("patient").mkdir()
+        write(torus(), self.path("patient") / "bone.ply")
+        self.succeed(self.path("patient") / "bone.ply", self.path("out.vtp"), "--report", self.path("report.json"))
+        self.assertEqual(self.report()["files"]["input"], "bone.ply")
+        self.assertEqual(self.report()["files"]["output"], "out.vtp")
+        self.assertNotIn("patient", self.path("report.json").read_text())
+        self.assertNotIn(str(self.folder), self.path("report.json").read_text())
+
+    def test_summary_tells_the_same_as_the_report(self):
+        text = self.succeed("in.ply", "out.vtp", "--report", "report.json", "--target-faces", 900).stdout
+        report = self.report()
+        self.assertRegex(text, r"triangles +2,976 -> 900\n")
+        self.assertRegex(text, r"components +2 of 2 kept\n")
+        self.assertIn(report["stop_sentence"], text)
+        for direction in ("output_to_input", "input_to_output"):
+            self.assertIn("max %.3f" % report["distance"][direction]["max"], text)
+        self.assertRegex(text, r"written +out.vtp\n")
+        self.assertRegex(text, r"written +report.json\n")
+        self.assertLess(text.count("\n"), 12)
+
+    def test_no_distances_where_none_are_measured(self):
+        text = self.succeed("in.ply", "out.vtp", "--measure", "off", "--report", "report.json").stdout
+        self.assertNotIn(" mm", text)
+        self.assertNotIn("distance", self.report())
+
+    def test_number_or_error_alone_switches_the_default_reduction_off(self):
+        faces = 2976
+        self.succeed("in.ply", "out.vtp", "--report", "report.json", "--target-faces", 2000)
+        self.assertEqual(self.report()["output"]["faces"], 2000)
+        self.succeed("in.ply", "out.vtp", "--report", "report.json", "--max-error", 1e-7)
+        self.assertEqual(self.report()["stop_reason"], "error_reached")
+        self.assertGreater(self.report()["output"]["faces"], 0.5 * faces)
+        self.succeed("in.ply", "out.vtp", "--report", "report.json", "--target-reduction", 0.5)
+        self.assertAlmostEqual(self.report()["output"]["faces"] / faces, 0.5, 2)
+
+    def test_quiet_says_nothing(self):
+        self.assertEqual(self.succeed("in.ply", "out.stl", "--quiet").stdout, "")
+
+    def test_warnings_go_to_the_summary_and_the_report(self):
+        points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+        groups = "g one\nf 1 3 2\ng two\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
+        self.path("in.obj").write_text(points + groups, encoding="ascii")
+        text = self.succeed("in.obj", "out.vtp", "--report", "report.json").stdout
+        self.assertRegex(text, r"(?m)^warning: .*GroupIds")
+        self.assertIn("GroupIds", self.report()["warnings"][0])
+
+    def test_progress_bar_on_a_terminal_only(self):
+        write(torus(200, 200), self.path("large.ply"))
+        self.assertNotRegex(self.succeed("large.ply", "out.vtp").stdout, "[\r#]")
+        self.assertRegex(self.on_terminal("large.ply", "out.vtp"), r"\r\[#+ +\] +\d+ %")
+        self.assertNotIn("#", self.on_terminal("large.ply", "out.vtp", "--quiet"))
+
+    def on_terminal(self, *words):
+        ours, theirs = pty.openpty()
+        process = subprocess.Popen([PROGRAM, *words], cwd=self.folder, stdout=theirs)
+        os.close(theirs)
+        text = b""
+        try:
+            while chunk := os.read(ours, 65536):
+                text += chunk
+        except OSError:  # how a terminal says that the other side is gone
+            pass
+        os.close(ours)
+        self.assertEqual(process.wait(), DONE)
+        return text.decode()
+
+    def test_version_and_help(self):
+        self.assertRegex(self.succeed("--version").stdout, r"\Abonedecimate \d+\.\d+\.\d+\n\Z")
+        text = self.succeed("--help").stdout
+        for flag in re.findall(r"`--([a-z-]+)`", self.succeed("--options-markdown").stdout):
+            self.assertIn("--" + flag + " ", text)
+        for words in ("Exit codes", "5  out of memory", "not a medical device", "thesis INPUT.obj"):
+            self.assertIn(words, text)
+        self.assertIn("numbFaces", self.succeed("thesis", "--help").stdout)
+
+
+if __name__ == "__main__":
+    main()

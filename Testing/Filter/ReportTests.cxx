@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BruteForce.h"
+#include "FilterRun.h"
+#include "OptionTable.h"
+#include "Shapes.h"
+#include "VtkSurfaces.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkMassProperties.h"
+#include "vtkStringArray.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <regex>
+#include <set>
+
+using namespace bonedecimate;
+using namespace bonedecimate::testsupport;
+
+namespace
+{
+/// A closed piece, one with a border and one with edges of three triangles.
+Surface Mixture()
+{
+  Surface mixture =
+    Together(BumpySphere(3, 10.0, 0.05, 1), Moved(HoledPlate(9), { 50.0, 0.0, 0.0 }));
+  return Together(mixture, Moved(ThreeLeavedBook(4), { 0.0, 50.0, 0.0 }));
+}
+
+void ExpectCounts(FilterRun& run, const std::string& side, vtkPolyData* polyData)
+{
+  const VtkCounts counts = CountWithVtk(polyData);
+  EXPECT_EQ(run.Value(side + ".faces"), polyData->GetNumberOfPolys());
+  EXPECT_EQ(run.Value(side + ".points"), polyData->GetNumberOfPoints());
+  EXPECT_EQ(run.Value(side + ".components"), counts.Components);
+  EXPECT_EQ(run.Value(side + ".boundary_edges"), counts.BoundaryEdges);
+  EXPECT_EQ(run.Value(side + ".non_manifold_edges"), counts.NonManifoldEdges);
+  EXPECT_EQ(run.Value(side + ".euler_number"), CountTopology(SurfaceOf(polyData)).EulerNumber);
+  EXPECT_NEAR(run.Value(side + ".area"), TotalArea(SurfaceOf(polyData)), 1e-6);
+}
+
+void ExpectAreaAndVolume(FilterRun& run, const std::string& side, vtkPolyData* polyData)
+{
+  vtkNew<vtkMassProperties> mass;
+  mass->SetInputData(polyData);
+  EXPECT_NEAR(run.Value(side + ".area"), mass->GetSurfaceArea(), 1e-6 * mass->GetSurfaceArea());
+  EXPECT_NEAR(run.Value(side + ".volume"), mass->GetVolume(), 1e-4 * mass->GetVolume());
+}
+
+std::string NameOf(FilterRun& run, int entry)
+{
+  return run->GetReportEntryName(entry);
+}
+}
+
+TEST(Report, CountsBothSurfacesLikeVtk)
+{
+  const vtkSmartPointer<vtkPolyData> input = PolyData(Mixture());
+  FilterRun run(input);
+  vtkPolyData* output = run.Output();
+  ExpectCounts(run, "input", input);
+  ExpectCounts(run, "output", output);
+  EXPECT_LT(output->GetNumberOfPolys(), input->GetNumberOfPolys());
+}
+
+TEST(Report, MeasuresAreaAndVolumeOfAClosedSphereLikeVtk)
+{
+  const vtkSmartPointer<vtkPolyData> input = Sphere(4);
+  FilterRun run(input);
+  vtkPolyData* output = run.Output();
+  ExpectAreaAndVolume(run, "input", input);
+  ExpectAreaAndVolume(run, "output", output);
+}
+
+TEST(Report, GivesTheVolumeOfASurfaceTurnedInsideOutItsSign)
+{
+  FilterRun run(PolyData(TurnedInsideOut(Icosphere(3, 10.0))));
+  EXPECT_LT(run.Value("input.volume"), 0.0);
+  EXPECT_LT(run.Value("output.volume"), 0.0);
+}
+
+TEST(Report, StandsInTheFieldDataAsInTheGetters)
+{
+  FilterRun run(Bumps(3));
+  run->MeasureDistancesOn();
+  vtkFieldData* fieldData = run.Output()->GetFieldData();
+  EXPECT_EQ(fieldData->GetNumberOfArrays(), run->GetNumberOfReportEntries());
+  for (int i = 0; i < run->GetNumberOfReportEntries(); ++i)
+  {
+    const std::string name = NameOf(run, i);
+    vtkAbstractArray* array = fieldData->GetAbstractArray(("bonedecimate." + name).c_str());
+    ASSERT_NE(array, nullptr) << name;
+    EXPECT_EQ(array->GetNumberOfTuples(), 1) << name;
+    const char* unit = array->GetComponentName(0);
+    EXPECT_EQ(unit ? unit : "", run->GetReportEntryUnit(name)) << name;
+    if (auto* text = vtkStringArray::SafeDownCast(array))
+    {
+      EXPECT_EQ(text->GetValue(0), run->GetReportText(name)) << name;
+      EXPECT_TRUE(std::isnan(run->GetReportValue(name))) << name;
+    }
+    else
+    {
+      auto* numbers = vtkDataArray::SafeDownCast(array);
+      ASSERT_NE(numbers, nullptr) << name;
+      EXPECT_EQ(numbers->GetComponent(0, 0), run->GetReportValue(name)) << name;
+      EXPECT_EQ(std::stod(run->GetReportText(name)), run->GetReportValue(name)) << name;
+    }
+  }
+}
+
+TEST(Report, HasEachEntryOnce)
+{
+  FilterRun run(Bumps(2));
+  run->MeasureDistancesOn();
+  run.Output();
+  std::set<std::string> names;
+  for (int i = 0; i < run->GetNumberOfReportEntries(); ++i)
+  {
+    EXPECT_TRUE(names.insert(NameOf(run, i)).second) << NameOf(run, i);
+  }
+  EXPECT_FALSE(names.empty());
+}
+
+TEST(Report, KnowsUnitsOfLengthsAreasVolumesAndTimes)
+{
+  FilterRun run(Bumps(2));
+  run->MeasureDistancesOn();
+  run.Output();
+  EXPECT_EQ(run->GetReportEntryUnit("running_error"), "mm");
+  EXPECT_EQ(run->GetReportEntryUnit("distance.output_to_input.mean"), "mm");
+  EXPECT_EQ(run->GetReportEntryUnit("input.area"), "mm2");
+  EXPECT_EQ(run->GetReportEntryUnit("output.volume"), "mm3");
+  EXPECT_EQ(run->GetReportEntryUnit("seconds.total"), "s");
+  EXPECT_EQ(run->GetReportEntryUnit("options.MaximumError"), "mm");
+  EXPECT_EQ(run->GetReportEntryUnit("input.faces"), "");
+}
+
+TEST(Report, AnswersUnknownNamesAndNumbersWithNothing)
+{
+  FilterRun run(Bumps(2));
+  run.Output();
+  EXPECT_TRUE(std::isnan(run->GetReportValue("no such entry")));
+  EXPECT_EQ(run->GetReportText("no such entry"), "");
+  EXPECT_EQ(run->GetReportEntryUnit("no such entry"), "");
+  EXPECT_EQ(NameOf(run, -1), "");
+  EXPECT_EQ(NameOf(run, run->GetNumberOfReportEntries()), "");
+}
+
+TEST(Report, KeepsTheOptionsOfTheRunThatItReportsOn)
+{
+  FilterRun run(Bumps(2));
+  run->SetTargetReduction(0.25);
+  run->SetNormalTolerance(0.5);
+  run.Output();
+  run->SetNormalTolerance(0.75);
+  EXPECT_EQ(run->GetReportText("options.NormalTolerance"), "0.5");
+  EXPECT_EQ(run->GetReportText("options.TargetReduction"), "0.25");
+  for (const OptionInfo& info : OptionTable())
+  {
+    EXPECT_FALSE(run->GetReportText("options." + info.Name).empty()) << info.Name;
+  }
+}
+
+TEST(Report, NamesTheVersionAndTheReasonOfTheStop)
+{
+  FilterRun run(Bumps(2));
+  run.Output();
+  EXPECT_TRUE(
+    std::regex_match(run->GetReportText("version"), std::regex("[0-9]+\\.[0-9]+\\.[0-9]+")));
+  EXPECT_EQ(run->GetReportText("stop_reason"), "target_reached");
+  EXPECT_EQ(run->GetReportText("stop_sentence"), run->GetStopReasonAsString());
+}
+
+TEST(Report, ChecksumTellsInputsApart)
+{
+  FilterRun one(Bumps(2));
+  FilterRun same(Bumps(2));
+  Surface nudged = SurfaceOf(Bumps(2));
+  nudged.Points[7][1] = std::nextafter(nudged.Points[7][1], 1000.0);
+  FilterRun other(PolyData(nudged));
+  one.Output();
+  same.Output();
+  other.Output();
+  EXPECT_EQ(one->GetReportText("input.checksum"), same->GetReportText("input.checksum"));
+  EXPECT_NE(one->GetReportText("input.checksum"), other->GetReportText("input.checksum"));
+}
+
+TEST(Report, CountsCollapsesOfTwoTrianglesOnAClosedSurface)
+{
+  FilterRun run(Bumps(3));
+  EXPECT_EQ(2 * run.Value("collapses"), 1280 - run.Triangles());
+}
+
+TEST(Report, CountsRefusalsByTheirCause)
+{
+  FilterRun run(PolyData(HoledPlate(9)));
+  run->SetTargetNumberOfTriangles(1);
+  EXPECT_GT(run.Value("refusals.link_condition") + run.Value("refusals.border"), 0);
+  EXPECT_EQ(run.Value("refusals.non_manifold"), 0);
+}
+
+TEST(Report, SecondsAreThereAndTheStagesDoNotExceedTheWhole)
+{
+  FilterRun run(Bumps(3));
+  run->MeasureDistancesOn();
+  const double total = run.Value("seconds.total");
+  EXPECT_GT(run.Value("seconds.decimate"), 0.0);
+  EXPECT_GT(run.Value("seconds.measure"), 0.0);
+  EXPECT_LE(run.Value("seconds.decimate") + run.Value("seconds.measure"), total);
+  EXPECT_LE(run.Value("seconds.prepare") + run.Value("seconds.collapse"),
+    run.Value("seconds.decimate") * (1 + 1e-9));
+}
+
+TEST(Report, IsReadableBeforeAnyRun)
+{
+  vtkNew<vtkBoneDecimate> filter;
+  EXPECT_EQ(filter->GetReportText("stop_reason"), "not_run");
+  EXPECT_EQ(filter->GetReportValue("input.faces"), 0);
+}

@@ -1,0 +1,77 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The filter in a script as short as people write it, and its report."""
+
+import math
+import unittest
+
+from surfaces import POINTS, TRIANGLES, decimating, torus
+from vtkbonedecimate import vtkBoneDecimate
+
+
+class Script(unittest.TestCase):
+    def test_of_ten_lines(self):
+        import vtk
+
+        sphere = vtk.vtkSphereSource()
+        sphere.SetThetaResolution(64)
+        sphere.SetPhiResolution(64)
+        triangles = vtk.vtkCleanPolyData()
+        triangles.SetInputConnection(sphere.GetOutputPort())
+        decimate = vtkBoneDecimate()
+        decimate.SetInputConnection(triangles.GetOutputPort())
+        decimate.SetTargetReduction(0.8)
+        decimate.AddObserver("WarningEvent", lambda *_: None)  # the sphere's normals are left behind
+        decimate.Update()
+        self.assertEqual(decimate.GetOutput().GetNumberOfPolys(), 64 * 62 * 2 // 5 // 2 * 2)
+
+
+class Report(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.decimate = decimating(torus(), TargetReduction=0.5)
+        cls.decimate.Update()
+
+    def test_counts_both_surfaces(self):
+        values = {
+            "input.faces": TRIANGLES,
+            "input.points": POINTS,
+            "output.faces": TRIANGLES // 2,
+            "output.components": 1,
+            "output.boundary_edges": 0,
+            "output.euler_number": 0,
+        }
+        for name, value in values.items():
+            self.assertEqual(self.decimate.GetReportValue(name), value, name)
+
+    def test_has_distances_in_millimetres(self):
+        for direction in ("output_to_input", "input_to_output"):
+            path = "distance." + direction
+            self.assertGreater(self.decimate.GetReportValue(path + ".max"), 0)
+            self.assertLessEqual(
+                self.decimate.GetReportValue(path + ".mean"), self.decimate.GetReportValue(path + ".rms")
+            )
+            self.assertEqual(self.decimate.GetReportEntryUnit(path + ".max"), "mm")
+
+    def test_says_why_the_run_ended(self):
+        self.assertEqual(self.decimate.GetStopReason(), vtkBoneDecimate.TARGET_REACHED)
+        self.assertEqual(self.decimate.GetReportText("stop_reason"), "target_reached")
+        self.assertEqual(self.decimate.GetReportText("stop_sentence"), self.decimate.GetStopReasonAsString())
+
+    def test_is_the_field_data(self):
+        field_data = self.decimate.GetOutput().GetFieldData()
+        for i in range(self.decimate.GetNumberOfReportEntries()):
+            name = self.decimate.GetReportEntryName(i)
+            value = field_data.GetAbstractArray("bonedecimate." + name).GetVariantValue(0)
+            if value.IsString():
+                self.assertEqual(value.ToString(), self.decimate.GetReportText(name), name)
+            else:
+                self.assertEqual(value.ToDouble(), self.decimate.GetReportValue(name), name)
+
+    def test_answers_unknown_names_with_nothing(self):
+        self.assertTrue(math.isnan(self.decimate.GetReportValue("nonsense")))
+        self.assertEqual(self.decimate.GetReportText("nonsense"), "")
+
+
+if __name__ == "__main__":
+    unittest.main()
