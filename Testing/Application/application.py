@@ -3,6 +3,7 @@
 """Runs the program and makes the meshes that the tests give it."""
 
 import json
+import math
 import os
 import pathlib
 import resource
@@ -65,19 +66,22 @@ class ApplicationTest(unittest.TestCase):
 
 
 def torus(rings=40, sides=24, centre=0.0):
-    """A closed surface of 2 rings sides triangles, a little bumpy; coordinates in mm."""
-    source = vtk.vtkParametricTorus()
-    source.SetRingRadius(20.0)
-    source.SetCrossSectionRadius(8.0)
-    function = vtk.vtkParametricFunctionSource()
-    function.SetParametricFunction(source)
-    function.SetUResolution(rings)
-    function.SetVResolution(sides)
-    function.GenerateNormalsOff()
-    function.GenerateTextureCoordinatesOff()
-    function.SetScalarModeToNone()
-    function.Update()
-    return plain(function.GetOutput(), centre)
+    """A closed surface of 2 rings sides triangles; coordinates in mm."""
+    points = vtk.vtkPoints()
+    triangles = vtk.vtkCellArray()
+    for i in range(rings):
+        for j in range(sides):
+            u, v = 2.0 * math.pi * i / rings, 2.0 * math.pi * j / sides
+            radius = 20.0 + 8.0 * math.cos(v)
+            points.InsertNextPoint(radius * math.cos(u), radius * math.sin(u), 8.0 * math.sin(v))
+            a, b = i * sides + j, (i + 1) % rings * sides + j
+            c, d = (i + 1) % rings * sides + (j + 1) % sides, i * sides + (j + 1) % sides
+            for corners in ((a, b, c), (a, c, d)):
+                triangles.InsertNextCell(3, corners)
+    surface = vtk.vtkPolyData()
+    surface.SetPoints(points)
+    surface.SetPolys(triangles)
+    return plain(surface, centre)
 
 
 def sphere(resolution=24, centre=0.0):
