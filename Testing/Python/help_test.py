@@ -8,7 +8,7 @@ import unittest
 from vtkbonedecimate import vtkBoneDecimate
 
 # VTK's wrapping gives the comment of a group to its first member only: the setter of a property, and not its getter.
-SETTERS = [name for name in vars(vtkBoneDecimate) if name.startswith("Set") and name != "SetModeToThesis"]
+SETTERS = [name for name in vars(vtkBoneDecimate) if name.startswith("Set") and not name.startswith("SetModeTo")]
 READERS = [
     name
     for name in vars(vtkBoneDecimate)

@@ -266,8 +266,7 @@ TEST_P(AnyReduction, MillimetresOrMetresGiveTheSameNumberOfTriangles)
 {
   const Surface& input = this->Shape();
   const std::size_t millimetres = Decimate(input, Reduced(0.8)).Surface.Triangles.size();
-  const std::size_t metres =
-    Decimate(Scaled(input, 0.001), Reduced(0.8)).Surface.Triangles.size();
+  const std::size_t metres = Decimate(Scaled(input, 0.001), Reduced(0.8)).Surface.Triangles.size();
   EXPECT_LE(std::max(millimetres, metres) - std::min(millimetres, metres), 1U);
 }
 

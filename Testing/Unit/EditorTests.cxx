@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BruteForce.h"
 #include "Collapse/ThesisLoop.h"
-#include "Mesh/MeanEdgeLength.h"
 #include "Mesh/Invariants.h"
+#include "Mesh/MeanEdgeLength.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>

@@ -22,7 +22,8 @@
  * Q and D are divided by powers of the mean edge length of the cleaned input, so that scaling by a
  * power of two changes no bit of a cost.
  *
- * A place farther than two edge lengths from the middle gives way to x0, then to the middle. A
+ * Both rings hold the two faces that vanish, so that these count twice in every sum: that is the price of O(1), and the
+ * volume is kept under the two rings so counted, not exactly. A place farther than two edge lengths from the middle gives way to x0, then to the middle. A
  * border edge b adds 2 (|b|^2 I - b bT), its line's quadric, to both of its ends; it is collapsed
  * to the minimum of Q along itself.
  *
