@@ -31,8 +31,7 @@ bool ThesisLoop::IsDone() const
 }
 
 //------------------------------------------------------------------------------
-/// By faces; towards an error alone nobody knows when it will be reached, so that the end may come
-/// early.
+/// By faces; towards an error alone nobody knows when it will be reached, so that the end may come early.
 double ThesisLoop::FractionDone() const
 {
   const Index goal = this->Stops.Error > 0.0 ? 0 : this->Stops.Faces;
