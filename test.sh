@@ -3,6 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
+Utilities/install_packages.sh test
 Utilities/build_release.sh
 run=(ctest --preset release --parallel "$(getconf _NPROCESSORS_ONLN)")
 # Image tests need a screen, any will do.

@@ -89,8 +89,7 @@ struct CellSurvey
   vtkIdType FirstTooShort = -1;
 };
 
-/// A cell with a wrong id goes to the core as a triangle, which refuses it with its number; VTK
-/// would crash on it.
+/// A cell with a wrong id goes to the core as a triangle, which refuses it with its number; VTK would crash on it.
 CellSurvey Survey(vtkPolyData* input, ConvertedSurface& wrongCells)
 {
   CellSurvey survey;

@@ -26,15 +26,13 @@ struct ConvertedSurface
   std::vector<std::string> Warnings;     ///< What had to be left out, a sentence each.
 };
 
-/// Triangles as they are, strips and polygons triangulated, ids out of range as None (the core
-/// counts them).
+/// Triangles as they are, strips and polygons triangulated, ids out of range as None (the core counts them).
 ConvertedSurface ToSurface(vtkPolyData* input);
 
 /// Triangles that the report names become the cells from which they came.
 void NameCells(const ConvertedSurface& converted, Report& report);
 
-/// The result's points, triangles, arrays and report; the input's vertices, lines and field data
-/// pass through.
+/// The result's points, triangles, arrays and report; the input's vertices, lines and field data pass through.
 void FillOutput(const Result& result, const Options& options, bool single, vtkPolyData* input,
   vtkPolyData* output);
 
@@ -42,8 +40,7 @@ void FillOutput(const Result& result, const Options& options, bool single, vtkPo
 void FillInputCopy(
   const Result& result, const Options& options, vtkPolyData* input, vtkPolyData* output);
 
-/// Names of the input's point and cell arrays, which the result does not carry; empty if there are
-/// none.
+/// Names of the input's point and cell arrays, which the result does not carry; empty if there are none.
 std::string NamesOfArraysLeftBehind(vtkPolyData* input);
 }
 

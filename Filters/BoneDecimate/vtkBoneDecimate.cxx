@@ -181,8 +181,7 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
-/// False if the input was refused. An empty one is no failure, one without triangles only deserves
-/// a warning.
+/// False if the input was refused. An empty one is no failure, one without triangles only deserves a warning.
 bool vtkBoneDecimate::Accept(const std::string& problem)
 {
   switch (this->Internal->Report.Status)

@@ -4,23 +4,21 @@
  * @class   vtkBoneDecimate
  * @brief   make a bone surface smaller, keep every fragment, report the error in millimetres
  *
- * Takes a surface as marching cubes leaves it (triangles, strips or polygons, points shared or not)
- * and returns one with fewer triangles, by an edge collapse ordered by normal field deviation.
- * Coordinates are millimetres. No component of the input is removed or merged with another, open
- * borders move only along themselves, parts that are not manifold stay as they are.
+ * Takes a surface as marching cubes leaves it (triangles, strips or polygons, points shared or not) and returns
+ * one with fewer triangles, by an edge collapse ordered by normal field deviation. Coordinates are millimetres.
+ * No component of the input is removed or merged with another, open borders move only along themselves, parts that
+ * are not manifold stay as they are.
  *
- * Output port 0: the smaller surface. Point data: the distance to the input surface, the error
- * recorded along the collapses (both mm) and how many input points each point stands for. Field
- * data: the report, one array per entry, its name "bonedecimate." and the entry's
- * (GetReportEntryName()). Vertices and lines pass through. Output port 1: the input, with the
- * distance of each of its points to the result when MeasureInputDistances is on.
+ * Output port 0: the smaller surface. Point data: the distance to the input surface, the error recorded along the
+ * collapses (both mm) and how many input points each point stands for. Field data: the report, one array per
+ * entry, its name "bonedecimate." and the entry's (GetReportEntryName()). Vertices and lines pass through.
+ * Output port 1: the input, with the distance of each of its points to the result when MeasureInputDistances is on.
  *
- * An input that cannot be used (NaN, an index out of range) is an error with an empty output and
- * the reason in the message; an empty one gives an empty output and no error.
+ * An input that cannot be used (NaN, an index out of range) is an error with an empty output and the reason in the
+ * message; an empty one gives an empty output and no error.
  *
  * @sa vtkQuadricDecimation vtkDecimatePro
- * H. Brandao, Mesh Simplification and Smoothing for Bone Fragment Models, BSc thesis, Groningen
- * 2018.
+ * H. Brandao, Mesh Simplification and Smoothing for Bone Fragment Models, BSc thesis, Groningen 2018.
  */
 #ifndef vtkBoneDecimate_h
 #define vtkBoneDecimate_h
@@ -59,10 +57,8 @@ public:
 
   ///@{
   /**
-   * The method. THESIS (the default) combines the stops as the thesis does: it goes on while there
-   * are more triangles than asked for or, with MaximumError above 0, no new point is farther than
-   * that. FAST orders edges by what their collapse does to the normals of the surface and nearly keeps the
-   * volume; the first stop reached ends it.
+   * The method. THESIS (the default, and the only one so far) combines the stops as the thesis does: it goes on while
+   * there are more triangles than asked for or, with MaximumError above 0, no new point is farther than that.
    */
   void SetMode(int mode);
   int GetMode() const;
@@ -80,8 +76,8 @@ public:
 
   ///@{
   /**
-   * Fraction of the triangles to remove, 0 to 1; 1 is off. The default, 0.9, steps back when a
-   * number of triangles or a largest error is asked for and no reduction was set.
+   * Fraction of the triangles to remove, 0 to 1; 1 is off. The default, 0.9, steps back when a number of
+   * triangles or a largest error is asked for and no reduction was set.
    */
   void SetTargetReduction(double fraction);
   double GetTargetReduction() const;
@@ -89,9 +85,8 @@ public:
 
   ///@{
   /**
-   * Distance of a new point to the input surface at which the collapse stops, mm, 0 or more; 0, the
-   * default, is off. In Thesis mode exactly one point may lie beyond it, and triangles between
-   * points may, too.
+   * Distance of a new point to the input surface at which the collapse stops, mm, 0 or more; 0, the default, is off.
+   * In Thesis mode exactly one point may lie beyond it, and triangles between points may, too.
    */
   void SetMaximumError(double millimetres);
   double GetMaximumError() const;
@@ -99,8 +94,8 @@ public:
 
   ///@{
   /**
-   * The thesis's tolerance w in NFD = (area1 + area2) (1 - w n1.n2), 0 to 1, default 0.95. Smaller
-   * values make flat areas dearer; at 1 every flat edge costs nothing whatever its length.
+   * The thesis's tolerance w in NFD = (area1 + area2) (1 - w n1.n2), 0 to 1, default 0.95. Smaller values make flat
+   * areas dearer; at 1 every flat edge costs nothing whatever its length.
    */
   void SetNormalTolerance(double tolerance);
   double GetNormalTolerance() const;
@@ -108,8 +103,8 @@ public:
 
   ///@{
   /**
-   * Merge points with exactly equal coordinates first, on by default. Off, a surface whose
-   * triangles do not share points (STL) is one open fragment per triangle.
+   * Merge points with exactly equal coordinates first, on by default. Off, a surface whose triangles do not
+   * share points (STL) is one open fragment per triangle.
    */
   void SetMergePoints(bool merge);
   bool GetMergePoints() const;
@@ -118,8 +113,7 @@ public:
 
   ///@{
   /**
-   * Measure the distances between input and result in both directions for the report, on by
-   * default.
+   * Measure the distances between input and result in both directions for the report, on by default.
    */
   void SetMeasureDistances(bool measure);
   bool GetMeasureDistances() const;
@@ -128,8 +122,7 @@ public:
 
   ///@{
   /**
-   * Put the input on output port 1 with the distance of each of its points to the result, off by
-   * default.
+   * Put the input on output port 1 with the distance of each of its points to the result, off by default.
    */
   void SetMeasureInputDistances(bool measure);
   bool GetMeasureInputDistances() const;
@@ -138,8 +131,7 @@ public:
 
   ///@{
   /**
-   * Threads to use, 0 to 1024; 0, the default, is one per processor. The result does not depend on
-   * it.
+   * Threads to use, 0 to 1024; 0, the default, is one per processor. The result does not depend on it.
    */
   void SetNumberOfThreads(int threads);
   int GetNumberOfThreads() const;
@@ -147,8 +139,7 @@ public:
 
   ///@{
   /**
-   * vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION (the default): that of
-   * the input.
+   * vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION (the default): that of the input.
    */
   void SetOutputPointsPrecision(int precision);
   int GetOutputPointsPrecision() const;
@@ -156,8 +147,7 @@ public:
 
   ///@{
   /**
-   * Name of the array of the distance of each output point to the input surface, mm. Default
-   * "Distance".
+   * Name of the array of the distance of each output point to the input surface, mm. Default "Distance".
    */
   void SetDistanceArrayName(const std::string& name);
   std::string GetDistanceArrayName() const;
@@ -165,8 +155,8 @@ public:
 
   ///@{
   /**
-   * Name of the array of the largest distance recorded along the collapses into each output point,
-   * mm. Default "RunningError".
+   * Name of the array of the largest distance recorded along the collapses into each output point, mm.
+   * Default "RunningError".
    */
   void SetRunningErrorArrayName(const std::string& name);
   std::string GetRunningErrorArrayName() const;
@@ -174,8 +164,7 @@ public:
 
   ///@{
   /**
-   * Name of the array of how many input points each output point stands for. Default
-   * "InputPointCount".
+   * Name of the array of how many input points each output point stands for. Default "InputPointCount".
    */
   void SetPointCountArrayName(const std::string& name);
   std::string GetPointCountArrayName() const;
@@ -201,8 +190,8 @@ public:
   std::string GetStopReasonAsString() const;
 
   /**
-   * The report of the last run is a flat list of named values ("output.faces",
-   * "distance.output_to_input.max", ...). How many there are.
+   * The report of the last run is a flat list of named values ("output.faces", "distance.output_to_input.max", ...).
+   * How many there are.
    */
   int GetNumberOfReportEntries() const;
 

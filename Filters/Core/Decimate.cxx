@@ -58,8 +58,7 @@ public:
   }
 
 private:
-  /// A monitor for one stage, whose 0 to 1 is a part of the whole. Once it said stop, it says so
-  /// for ever.
+  /// A monitor for one stage, whose 0 to 1 is a part of the whole. Once it said stop, it says so for ever.
   Monitor Stage(double from, double to)
   {
     return [this, from, to](double fraction)

@@ -11,8 +11,7 @@
  *     result   = Extract(mesh)                   points, triangles, maps
  *     Measure(result, original)                  both directions
  *
- * H. Brandao, Mesh Simplification and Smoothing for Bone Fragment Models, BSc thesis, Groningen
- * 2018: the loop.
+ * H. Brandao, Mesh Simplification and Smoothing for Bone Fragment Models, BSc thesis, Groningen 2018: the loop.
  */
 #ifndef BoneDecimate_Core_Decimate_h
 #define BoneDecimate_Core_Decimate_h
@@ -27,8 +26,7 @@
 
 namespace bonedecimate
 {
-/// Where each output point lies on the input: one entry per output point, ids are those of the
-/// input arrays.
+/// Where each output point lies on the input: one entry per output point, ids are those of the input arrays.
 struct PointOrigins
 {
   std::vector<Index> NearestTriangle;             ///< Input triangle nearest to the output point.
@@ -50,10 +48,8 @@ struct Result
 };
 
 /**
- * @param input Points in mm and triangles; nothing is changed. Anything may be wrong with it: see
- * InputStatus.
- * @param inputIsSingle Whether the input points were single precision (what
- * PointsPrecision::Default means).
+ * @param input Points in mm and triangles; nothing is changed. Anything may be wrong with it: see InputStatus.
+ * @param inputIsSingle Whether the input points were single precision (what PointsPrecision::Default means).
  * @throws std::bad_alloc and nothing else.
  */
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor = {},

@@ -8,8 +8,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of each vertex of the mesh its output point, None for those that are gone; fills the triangles
-/// on the way.
+/// Of each vertex of the mesh its output point, None for those that are gone; fills the triangles on the way.
 std::vector<Index> NumberVertices(const HalfEdgeMesh& mesh, std::vector<Triangle>& triangles)
 {
   std::vector<Index> number(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), None);
@@ -37,8 +36,7 @@ std::vector<Index> NumberVertices(const HalfEdgeMesh& mesh, std::vector<Triangle
   return number;
 }
 
-/// Optimisers take the way to single precision and back for nothing (gcc 12 does at -O2): volatile
-/// makes it real.
+/// Optimisers take the way to single precision and back for nothing (gcc 12 does at -O2): volatile makes it real.
 double RoundedToSingle(double value)
 {
   const volatile float rounded = static_cast<float>(value);

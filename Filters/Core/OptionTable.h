@@ -45,12 +45,10 @@ OptionValue GetOption(const Options& options, const OptionInfo& info);
 /// Sets a value of the option's own kind, numbers clamped to the range (NaN becomes the default).
 void SetOption(Options& options, const OptionInfo& info, const OptionValue& value);
 
-/// Sets an option from text; returns what is wrong with it, or an empty string. Nothing is clamped
-/// here.
+/// Sets an option from text; returns what is wrong with it, or an empty string. Nothing is clamped here.
 std::string SetOptionFromText(Options& options, const OptionInfo& info, const std::string& text);
 
-/// The value as text: the name of a choice, "on"/"off", the shortest decimals that read back the
-/// same.
+/// The value as text: the name of a choice, "on"/"off", the shortest decimals that read back the same.
 std::string OptionText(const Options& options, const OptionInfo& info);
 
 /// The table as Markdown, for Documentation/options.md.

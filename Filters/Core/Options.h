@@ -43,8 +43,8 @@ struct Options
   std::string PointCountArrayName = "InputPointCount";
   std::string InputDistanceArrayName = "DistanceToResult";
 
-  /// Set by whoever sets TargetReduction. While it is false, the default reduction steps back as
-  /// soon as a number of triangles or a largest error is asked for.
+  /// Set by whoever sets TargetReduction. While it is false, the default reduction steps back as soon as a
+  /// number of triangles or a largest error is asked for.
   bool TargetReductionIsExplicit = false;
 };
 }

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Parallel.h
- * @brief Independent chunks of work over threads, with the same chunks whatever the number of
- * threads.
+ * @brief Independent chunks of work over threads, with the same chunks whatever the number of threads.
  */
 #ifndef BoneDecimate_Core_Parallel_h
 #define BoneDecimate_Core_Parallel_h
@@ -37,9 +36,9 @@ inline std::size_t NumberOfChunks(std::size_t count)
 }
 
 /**
- * Calls work(chunk, first, last) for every chunk of [0, count), each exactly once, unless the
- * monitor says stop or a chunk throws (the first exception by arrival is rethrown here). The
- * calling thread works along and alone calls the monitor. Returns false if it was stopped.
+ * Calls work(chunk, first, last) for every chunk of [0, count), each exactly once, unless the monitor says stop or
+ * a chunk throws (the first exception by arrival is rethrown here). The calling thread works along and alone calls
+ * the monitor. Returns false if it was stopped.
  */
 template <typename Work>
 bool ForEachChunk(std::size_t count, int threads, const Monitor& monitor, const Work& work)

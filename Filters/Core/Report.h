@@ -132,8 +132,7 @@ const char* StopReasonSentence(StopReason reason);
 const char* VerdictWord(Verdict verdict);
 /// What is wrong with the input, with counts and the id of the first; empty if it is good.
 std::string InputMessage(const Report& report);
-/// What was found in a good input and dealt with, a sentence each, with counts and the id of the
-/// first.
+/// What was found in a good input and dealt with, a sentence each, with counts and the id of the first.
 std::vector<std::string> InputWarnings(const Report& report);
 /// Version of this software, "major.minor.patch".
 const char* Version();

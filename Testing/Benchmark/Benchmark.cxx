@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The thesis's tables for our stand-ins, and the whole cranium, with vtkQuadricDecimation as the
- * yardstick.
+ * The thesis's tables for our stand-ins, and the whole cranium, with vtkQuadricDecimation as the yardstick.
  *
  *     bonedecimate-benchmark VOLUME.mhd [ROUNDS]
  *
- * Prints Markdown. Seconds are medians over the rounds (3), the contestants in turn; distances are
- * mm.
+ * Prints Markdown. Seconds are medians over the rounds (3), the contestants in turn; distances are mm.
  */
 #include "Bones.h"
 #include "Contest.h"

@@ -18,9 +18,8 @@ using Box = std::array<double, 6>;
 
 /**
  * Bone surfaces at 226 HU, equal points merged, triangles without area gone.
- * The maxilla and the frontal bone are stand-ins for the thesis's meshes, which are not public: the
- * largest component in a box with one voxel of air around it. They are defined on the CT of
- * Debian's package invesalius-examples.
+ * The maxilla and the frontal bone are stand-ins for the thesis's meshes, which are not public: the largest component
+ * in a box with one voxel of air around it. They are defined on the CT of Debian's package invesalius-examples.
  */
 class Bones
 {

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Contest.h
- * @brief vtkBoneDecimate and vtkQuadricDecimation on the same surface in the same process, measured
- * by the same hand.
+ * @brief vtkBoneDecimate and vtkQuadricDecimation on the same surface in the same process, measured by the same hand.
  */
 #ifndef BoneDecimate_Testing_Contest_h
 #define BoneDecimate_Testing_Contest_h
@@ -31,8 +30,7 @@ struct Pair
 /// Both to that number of triangles, in turn, `rounds` times.
 Pair ContestToCount(vtkPolyData* bone, int triangles, int rounds);
 
-/// The thesis's error mode; VTK's filter has no error in mm, so that it is asked for the number
-/// that came out.
+/// The thesis's error mode; VTK's filter has no error in mm, so that it is asked for the number that came out.
 Pair ContestToError(vtkPolyData* bone, double millimetres, int rounds);
 
 #endif

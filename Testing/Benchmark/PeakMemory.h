@@ -3,8 +3,7 @@
 #ifndef BoneDecimate_Testing_PeakMemory_h
 #define BoneDecimate_Testing_PeakMemory_h
 
-/// The most memory this process held since the object was made, beyond what it held then. Linux
-/// only; else 0.
+/// The most memory this process held since the object was made, beyond what it held then. Linux only; else 0.
 class PeakMemory
 {
 public:

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ThesisFigures.h
- * @brief The figures that H. Brandao's thesis (Groningen 2018) prints, on a Core i7-4510U and its
- * own two meshes.
+ * @brief The figures that H. Brandao's thesis (Groningen 2018) prints, on a Core i7-4510U and its own two meshes.
  *
- * Distances of the simplified surface's points to the original, mm. A negative value was not
- * printed there.
+ * Distances of the simplified surface's points to the original, mm. A negative value was not printed there.
  */
 #ifndef BoneDecimate_Testing_ThesisFigures_h
 #define BoneDecimate_Testing_ThesisFigures_h

@@ -4,8 +4,7 @@
  * @file Editor.h
  * @brief The one choke point through which every change of the mesh goes.
  *
- *     Apply(edit):  gate (ends, topology, place, fragment)  ->  mesh  ->  bookkeeping (areas,
- * origins, volumes, hook)
+ *     Apply(edit):  gate (ends, topology, place, fragment)  ->  mesh  ->  bookkeeping (areas, origins, volumes, hook)
  *
  * The gate before and the bookkeeping after are the same for every mode and every kind of edit.
  */
@@ -39,8 +38,7 @@ public:
   /// What Examine gathered last; valid until the next edit is applied.
   const Neighbourhood& Around() const { return this->Examined; }
 
-  /// Judges the edit and, if it is allowed, carries it out. Refused edits change nothing and are
-  /// counted.
+  /// Judges the edit and, if it is allowed, carries it out. Refused edits change nothing and are counted.
   Verdict Apply(const Edit& edit);
 
   /// Called after every applied edit, for invariant checks and logs.

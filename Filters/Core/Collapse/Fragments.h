@@ -18,8 +18,7 @@ class Fragments
 public:
   Fragments(const HalfEdgeMesh& mesh, const Surface& surface);
 
-  /// Whether the component of v may change its volume by that much (mm^3). Open components and
-  /// cavities of no volume may.
+  /// Whether the component of v may change its volume by that much (mm^3). Open components and cavities of no volume may.
   bool MayChange(Index v, double volumeChange) const;
 
   void Change(Index v, double volumeChange)

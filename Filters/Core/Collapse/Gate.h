@@ -4,15 +4,13 @@
  * @file Gate.h
  * @brief Whether an edge may be collapsed at all, and whether to that place.
  *
- * The link condition for triangle meshes: the vertices joined to both ends are exactly the apexes
- * of the faces at the edge. T. Dey, H. Edelsbrunner, S. Guha, D. Nekhayev, Topology preserving edge
- * contraction, 1999.
+ * The link condition for triangle meshes: the vertices joined to both ends are exactly the apexes of the faces at the edge.
+ * T. Dey, H. Edelsbrunner, S. Guha, D. Nekhayev, Topology preserving edge contraction, 1999.
  *
  * | start \ end | inside    | border                                   | locked  |
  * |-------------|-----------|------------------------------------------|---------|
  * | inside      | by link   | by link, to the border vertex            | refused |
- * | border      | (as left) | border edge: by link; inside edge: refused, it would pinch | refused
- * |
+ * | border      | (as left) | border edge: by link; inside edge: refused, it would pinch | refused |
  */
 #ifndef BoneDecimate_Core_Collapse_Gate_h
 #define BoneDecimate_Core_Collapse_Gate_h
@@ -24,8 +22,7 @@
 
 namespace bonedecimate
 {
-/// The table above, by the kinds of the ends: asked first, since rings of locked vertices cannot be
-/// gathered.
+/// The table above, by the kinds of the ends: asked first, since rings of locked vertices cannot be gathered.
 Verdict JudgeEnds(const HalfEdgeMesh& mesh, Index edge);
 
 /// Topology only: link condition and least sizes of fragments.

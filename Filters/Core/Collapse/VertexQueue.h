@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VertexQueue.h
- * @brief Vertices sorted by cost, lowest first, equal costs by vertex id: a heap that knows where
- * each vertex stands.
+ * @brief Vertices sorted by cost, lowest first, equal costs by vertex id: a heap that knows where each vertex stands.
  */
 #ifndef BoneDecimate_Core_Collapse_VertexQueue_h
 #define BoneDecimate_Core_Collapse_VertexQueue_h

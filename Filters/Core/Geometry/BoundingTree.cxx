@@ -14,8 +14,7 @@ constexpr Index LeafSize = 4;
 /// The halves differ by one at most, so 2^31 triangles are 29 levels above the leaves.
 constexpr std::size_t LargestDepth = 64;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-/// A box may seem farther than the triangle in it by rounding; with this a hint never changes the
-/// answer.
+/// A box may seem farther than the triangle in it by rounding; with this a hint never changes the answer.
 constexpr double Slack = 1.0 + 1e-12;
 }
 

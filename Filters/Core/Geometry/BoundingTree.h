@@ -4,8 +4,7 @@
  * @file BoundingTree.h
  * @brief Nearest place on a set of triangles, exactly, by a tree of axis-aligned boxes.
  *
- * The answer is the least distance and, among equals, the least triangle id; a hint changes the
- * time, not the answer.
+ * The answer is the least distance and, among equals, the least triangle id; a hint changes the time, not the answer.
  */
 #ifndef BoneDecimate_Core_Geometry_BoundingTree_h
 #define BoneDecimate_Core_Geometry_BoundingTree_h

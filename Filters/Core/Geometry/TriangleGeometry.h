@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TriangleGeometry.h
- * @brief One triangle: its area vector and the place on it nearest to a point. Degenerate ones are
- * welcome.
+ * @brief One triangle: its area vector and the place on it nearest to a point. Degenerate ones are welcome.
  */
 #ifndef BoneDecimate_Core_Geometry_TriangleGeometry_h
 #define BoneDecimate_Core_Geometry_TriangleGeometry_h
@@ -20,8 +19,7 @@ inline Vector3 AreaVector(const Vector3& a, const Vector3& b, const Vector3& c)
   return 0.5 * (b - a).cross(c - a);
 }
 
-/// A place on a triangle: where it is, its barycentric coordinates, and how far it is from what was
-/// asked.
+/// A place on a triangle: where it is, its barycentric coordinates, and how far it is from what was asked.
 struct TrianglePlace
 {
   Vector3 Position = Vector3::Zero();                // mm
@@ -32,8 +30,7 @@ struct TrianglePlace
 /// The place on the segment a-b nearest to p as a fraction of the way from a to b, 0 to 1.
 double NearestFraction(const Vector3& p, const Vector3& a, const Vector3& b);
 
-/// The place on triangle a b c nearest to p (regions as in Ericson, Real-Time Collision Detection,
-/// 2005, 5.1.5).
+/// The place on triangle a b c nearest to p (regions as in Ericson, Real-Time Collision Detection, 2005, 5.1.5).
 TrianglePlace NearestOnTriangle(
   const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c);
 }

@@ -37,8 +37,7 @@ std::uint64_t HashOf(const Vector3& p)
   return hash;
 }
 
-/// Finds the point already entered with the same coordinates: open addressing, never more than half
-/// full.
+/// Finds the point already entered with the same coordinates: open addressing, never more than half full.
 class PointFinder
 {
 public:
@@ -148,8 +147,7 @@ void Check(const Surface& input, CleanSurface& clean)
   }
 }
 
-/// Of each input point that a triangle uses: the input point that stands for it; None for the
-/// others.
+/// Of each input point that a triangle uses: the input point that stands for it; None for the others.
 std::vector<Index> Representatives(const Surface& input, bool mergePoints)
 {
   std::vector<Index> representative(input.Points.size(), None);
@@ -176,8 +174,7 @@ bool HasRepeatedCorner(const Triangle& t)
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-/// Drops triangles of zero area that share at most one edge (with three different corners in
-/// `triangles`).
+/// Drops triangles of zero area that share at most one edge (with three different corners in `triangles`).
 std::vector<char> FlatTrianglesToDrop(
   const std::vector<Triangle>& triangles, const std::vector<Vector3>& points)
 {

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Cleaning.h
- * @brief Refuses what cannot be a surface, merges equal points, drops triangles without area,
- * counts everything.
+ * @brief Refuses what cannot be a surface, merges equal points, drops triangles without area, counts everything.
  */
 #ifndef BoneDecimate_Core_Mesh_Cleaning_h
 #define BoneDecimate_Core_Mesh_Cleaning_h
@@ -30,9 +29,9 @@ struct CleanSurface
 };
 
 /**
- * Triangles with a repeated corner are dropped. A triangle of zero area with three different
- * corners is dropped only if it shares at most one edge: otherwise it holds the surface together,
- * and dropping it would open a crack. If Status is not Good, only Statistics is filled.
+ * Triangles with a repeated corner are dropped. A triangle of zero area with three different corners is dropped
+ * only if it shares at most one edge: otherwise it holds the surface together, and dropping it would open a crack.
+ * If Status is not Good, only Statistics is filled.
  */
 CleanSurface Clean(const Surface& input, bool mergePoints);
 

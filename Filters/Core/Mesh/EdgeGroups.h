@@ -27,8 +27,8 @@ inline Index HalfEdgeTarget(const std::vector<Triangle>& triangles, Index halfEd
 }
 
 /**
- * Calls visit(first, last) for every edge, where [first, last) are pointers to its half-edges in
- * ascending order. Edges come in ascending order of their lesser and then their greater point.
+ * Calls visit(first, last) for every edge, where [first, last) are pointers to its half-edges in ascending order.
+ * Edges come in ascending order of their lesser and then their greater point.
  */
 template <typename Visit>
 void VisitEdgeGroups(

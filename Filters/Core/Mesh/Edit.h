@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Edit.h
- * @brief One wish to change the mesh. Today an edge collapse; flips, moves and splits will be
- * further kinds.
+ * @brief One wish to change the mesh. Today an edge collapse; flips, moves and splits will be further kinds.
  */
 #ifndef BoneDecimate_Core_Mesh_Edit_h
 #define BoneDecimate_Core_Mesh_Edit_h

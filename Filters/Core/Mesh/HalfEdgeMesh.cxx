@@ -94,8 +94,7 @@ void HalfEdgeMesh::Collapse(Index h, Index keep, const Vector3& position)
 }
 
 //------------------------------------------------------------------------------
-/// A half-edge that leaves the merged vertex and survives the removal of h's face; None if the face
-/// ends there.
+/// A half-edge that leaves the merged vertex and survives the removal of h's face; None if the face ends there.
 Index HalfEdgeMesh::LiveOutgoing(Index h) const
 {
   const Index alongPrevious = this->Twin(Previous(h));

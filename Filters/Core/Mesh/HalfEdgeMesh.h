@@ -12,9 +12,9 @@
  *           /   f    \          Outgoing(v): the half-edge from which the ring of v is walked
  *     Origin ---h---> Target      counter-clockwise; on a border vertex the one without a twin
  *
- * Invariants (checked by Invariants.h): twins point at each other and run opposite ways; a face is
- * alive or its corners are None; the ring of a vertex that is not locked is one fan that holds all
- * its faces; locked vertices never move, never vanish, and their rings are not walked.
+ * Invariants (checked by Invariants.h): twins point at each other and run opposite ways; a face is alive or its
+ * corners are None; the ring of a vertex that is not locked is one fan that holds all its faces; locked vertices
+ * never move, never vanish, and their rings are not walked.
  */
 #ifndef BoneDecimate_Core_Mesh_HalfEdgeMesh_h
 #define BoneDecimate_Core_Mesh_HalfEdgeMesh_h
@@ -58,13 +58,11 @@ public:
   Index NumberOfFaceSlots() const { return static_cast<Index>(this->Origins.size() / 3); }
   Index NumberOfFaces() const { return this->LiveFaces; }
 
-  /// The half-edges that leave v, counter-clockwise, one for each of its faces. v must not be
-  /// locked.
+  /// The half-edges that leave v, counter-clockwise, one for each of its faces. v must not be locked.
   class OutgoingRange;
   OutgoingRange OutgoingOf(Index v) const;
 
-  /// Calls visit(h) for a half-edge of every edge at v, in ring order: outgoing ones, and on a
-  /// border the last, incoming.
+  /// Calls visit(h) for a half-edge of every edge at v, in ring order: outgoing ones, and on a border the last, incoming.
   template <typename Visit>
   void VisitEdges(Index v, Visit visit) const;
 
@@ -77,8 +75,7 @@ public:
 private:
   friend class Editor; // the one choke point: nobody else changes a mesh
 
-  /// Merges the ends of h into `keep` (one of them) at `position`. The caller has judged that this
-  /// is allowed.
+  /// Merges the ends of h into `keep` (one of them) at `position`. The caller has judged that this is allowed.
   void Collapse(Index h, Index keep, const Vector3& position);
   void RemoveFace(Index h);
   Index LiveOutgoing(Index h) const;

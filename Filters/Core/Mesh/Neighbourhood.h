@@ -5,8 +5,8 @@
  * @brief Everything around one edge, gathered once and handed to gate, placement and editor.
  *
  *            x-------apex 0------x
- *           / \      /   \      / \        corners: the half-edges that leave Start or End in faces
- * that stay /   \    / gone\    /   \       gone: the one or two faces at the edge
+ *           / \      /   \      / \        corners: the half-edges that leave Start or End in faces that stay
+ *          /   \    / gone\    /   \       gone: the one or two faces at the edge
  *         x-----Start--->End------x
  *          \   /    \ gone/    \   /
  *           \ /      \   /      \ /

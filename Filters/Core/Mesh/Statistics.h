@@ -17,8 +17,7 @@ namespace bonedecimate
 /// Points may be unused; corners must be valid.
 SurfaceStatistics Describe(const Surface& surface);
 
-/// The components, numbered in the order of their least point; None for points that no triangle
-/// uses.
+/// The components, numbered in the order of their least point; None for points that no triangle uses.
 struct Components
 {
   std::vector<Index> OfPoint;
