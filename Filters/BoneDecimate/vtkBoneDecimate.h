@@ -57,8 +57,9 @@ public:
 
   ///@{
   /**
-   * The method. THESIS (the default, and the only one so far) combines the stops as the thesis does: it goes on while
-   * there are more triangles than asked for or, with MaximumError above 0, no new point is farther than that.
+   * The method. THESIS (the default) combines the stops as the thesis does: it goes on while there are more
+   * triangles than asked for or, with MaximumError above 0, no new point is farther than that. FAST orders edges by
+   * what their collapse does to the normals of the surface and nearly keeps the volume; the first stop reached ends it.
    */
   void SetMode(int mode);
   int GetMode() const;

@@ -138,7 +138,8 @@ const std::vector<OptionInfo>& OptionTable()
       "edge of lowest cost, and "
       "goes on while there are more triangles than asked for or no new point is farther away than "
       "MaximumError. Fast "
-      "orders edges by what their collapse does to the normals, very nearly keeps the volume, and ends at the "
+      "orders edges by what their collapse does to the normals, very nearly keeps the volume, and "
+      "ends at the "
       "first stop reached." },
     { "TargetNumberOfTriangles", &Options::TargetNumberOfTriangles, 0, LargestInteger, "triangles",
       "target-faces", {}, "Number of triangles to reach; 0 is off." },

@@ -42,10 +42,11 @@ void PrintOutcome(double asked, const char* who, const Outcome& outcome)
     static_cast<long long>(outcome.Surface.NonManifoldEdges), outcome.Seconds, outcome.Megabytes);
 }
 
-void PrintPair(double asked, const Pair& pair)
+void PrintStandings(double asked, const Standings& standings)
 {
-  PrintOutcome(asked, "vtkBoneDecimate", pair.Ours);
-  PrintOutcome(asked, "vtkQuadricDecimation", pair.Vtk);
+  PrintOutcome(asked, "vtkBoneDecimate Thesis", standings.Thesis);
+  PrintOutcome(asked, "vtkBoneDecimate Fast", standings.Fast);
+  PrintOutcome(asked, "vtkQuadricDecimation", standings.Vtk);
   std::fflush(stdout);
 }
 
@@ -85,7 +86,7 @@ void PrintBone(const ThesisBone& thesis, vtkPolyData* bone, int rounds)
   for (const ThesisRow& row : thesis.ByCount)
   {
     PrintThesis(row);
-    PrintPair(row.Asked, ContestToCount(bone, static_cast<int>(row.Asked), rounds));
+    PrintStandings(row.Asked, ContestToCount(bone, static_cast<int>(row.Asked), rounds));
   }
   std::snprintf(
     title, sizeof(title), "%s, error mode: asked for a largest distance in mm", thesis.Name);
@@ -93,7 +94,7 @@ void PrintBone(const ThesisBone& thesis, vtkPolyData* bone, int rounds)
   for (const ThesisRow& row : thesis.ByError)
   {
     PrintThesis(row);
-    PrintPair(row.Asked, ContestToError(bone, row.Asked, rounds));
+    PrintStandings(row.Asked, ContestToError(bone, row.Asked, rounds));
   }
 }
 }
@@ -113,7 +114,7 @@ int main(int argc, char* argv[])
     PrintBone(ThesisFrontalBone(), bones.LargestIn(Bones::FrontalBone), rounds);
     const vtkSmartPointer<vtkPolyData> cranium = bones.Whole();
     PrintHead("whole volume");
-    PrintPair(CraniumTriangles, ContestToCount(cranium, CraniumTriangles, rounds));
+    PrintStandings(CraniumTriangles, ContestToCount(cranium, CraniumTriangles, rounds));
   }
   catch (const std::exception& failure)
   {

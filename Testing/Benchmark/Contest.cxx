@@ -12,6 +12,7 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkQuadricDecimation.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <chrono>
@@ -90,42 +91,69 @@ double Median(std::vector<double> values)
   return values[values.size() / 2];
 }
 
-Pair Contest(vtkPolyData* bone, const std::function<void(vtkBoneDecimate*)>& ask, int rounds)
+/// One of our modes once; the first round's result is judged.
+vtkSmartPointer<vtkPolyData> RunOurs(vtkPolyData* bone,
+  const std::function<void(vtkBoneDecimate*)>& ask, std::vector<double>& seconds, Outcome& outcome)
 {
-  Pair pair;
-  std::vector<double> ourSeconds;
+  vtkNew<vtkBoneDecimate> ours;
+  ours->SetInputData(bone);
+  ours->MeasureDistancesOff();
+  ask(ours);
+  RunOnce([&] { ours->Update(); }, seconds, outcome);
+  if (seconds.size() == 1)
+  {
+    Judge(bone, ours->GetOutput(), outcome);
+  }
+  return ours->GetOutput();
+}
+
+void RunVtk(vtkPolyData* bone, double reduction, std::vector<double>& seconds, Outcome& outcome)
+{
+  vtkNew<vtkQuadricDecimation> quadric;
+  quadric->SetInputData(bone);
+  quadric->SetTargetReduction(reduction);
+  RunOnce([&] { quadric->Update(); }, seconds, outcome);
+  if (seconds.size() == 1)
+  {
+    Judge(bone, quadric->GetOutput(), outcome);
+  }
+}
+
+Standings Contest(
+  vtkPolyData* bone, const std::function<void(vtkBoneDecimate*)>& askThesis, int rounds)
+{
+  Standings standings;
+  std::vector<double> thesisSeconds;
+  std::vector<double> fastSeconds;
   std::vector<double> vtkSeconds;
   for (int round = 0; round < rounds; ++round)
   {
-    vtkNew<vtkBoneDecimate> ours;
-    ours->SetInputData(bone);
-    ours->MeasureDistancesOff();
-    ask(ours);
-    RunOnce([&] { ours->Update(); }, ourSeconds, pair.Ours);
-    vtkNew<vtkQuadricDecimation> quadric;
-    quadric->SetInputData(bone);
-    const double triangles = static_cast<double>(ours->GetOutput()->GetNumberOfPolys());
-    quadric->SetTargetReduction(1.0 - triangles / static_cast<double>(bone->GetNumberOfPolys()));
-    RunOnce([&] { quadric->Update(); }, vtkSeconds, pair.Vtk);
-    if (round == 0)
+    const vtkIdType triangles =
+      RunOurs(bone, askThesis, thesisSeconds, standings.Thesis)->GetNumberOfPolys();
+    const auto askFast = [&](vtkBoneDecimate* ours)
     {
-      Judge(bone, ours->GetOutput(), pair.Ours);
-      Judge(bone, quadric->GetOutput(), pair.Vtk);
-    }
+      ours->SetModeToFast();
+      ours->SetTargetNumberOfTriangles(static_cast<int>(triangles));
+    };
+    RunOurs(bone, askFast, fastSeconds, standings.Fast);
+    const double kept =
+      static_cast<double>(triangles) / static_cast<double>(bone->GetNumberOfPolys());
+    RunVtk(bone, 1.0 - kept, vtkSeconds, standings.Vtk);
   }
-  pair.Ours.Seconds = Median(ourSeconds);
-  pair.Vtk.Seconds = Median(vtkSeconds);
-  return pair;
+  standings.Thesis.Seconds = Median(thesisSeconds);
+  standings.Fast.Seconds = Median(fastSeconds);
+  standings.Vtk.Seconds = Median(vtkSeconds);
+  return standings;
 }
 }
 
-Pair ContestToCount(vtkPolyData* bone, int triangles, int rounds)
+Standings ContestToCount(vtkPolyData* bone, int triangles, int rounds)
 {
   return Contest(
     bone, [&](vtkBoneDecimate* ours) { ours->SetTargetNumberOfTriangles(triangles); }, rounds);
 }
 
-Pair ContestToError(vtkPolyData* bone, double millimetres, int rounds)
+Standings ContestToError(vtkPolyData* bone, double millimetres, int rounds)
 {
   return Contest(
     bone, [&](vtkBoneDecimate* ours) { ours->SetMaximumError(millimetres); }, rounds);

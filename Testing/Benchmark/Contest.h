@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Contest.h
- * @brief vtkBoneDecimate and vtkQuadricDecimation on the same surface in the same process, measured by the same hand.
+ * @brief The modes of vtkBoneDecimate and vtkQuadricDecimation on the same surface in the same process, measured by the same hand.
  */
 #ifndef BoneDecimate_Testing_Contest_h
 #define BoneDecimate_Testing_Contest_h
@@ -21,16 +21,17 @@ struct Outcome
   double Megabytes = 0.0;                 ///< Peak beyond what was held before.
 };
 
-struct Pair
+struct Standings
 {
-  Outcome Ours;
+  Outcome Thesis;
+  Outcome Fast;
   Outcome Vtk;
 };
 
-/// Both to that number of triangles, in turn, `rounds` times.
-Pair ContestToCount(vtkPolyData* bone, int triangles, int rounds);
+/// All to that number of triangles, in turn, `rounds` times.
+Standings ContestToCount(vtkPolyData* bone, int triangles, int rounds);
 
-/// The thesis's error mode; VTK's filter has no error in mm, so that it is asked for the number that came out.
-Pair ContestToError(vtkPolyData* bone, double millimetres, int rounds);
+/// Thesis mode to that distance; the others are asked for the number of triangles that came out.
+Standings ContestToError(vtkPolyData* bone, double millimetres, int rounds);
 
 #endif

@@ -133,8 +133,7 @@ void FastLoop::CollapseAt(const LevelQueue::Entry& entry)
     }
     if (this->CollapseEdge(candidate))
     {
-      return; // which has put what is left of the vertex on its level, and may have changed
-              // Candidates
+      return; // which has put what is left of the vertex on its level, and may have changed Candidates
     }
   }
   if (!this->Candidates.empty())

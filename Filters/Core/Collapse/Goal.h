@@ -16,12 +16,10 @@ struct Stops
 {
   Index Faces = 0;    ///< A number of triangles to come down to.
   double Error = 0.0; ///< mm, a distance of a new vertex to the original to reach; 0: no such wish.
-  bool Both =
-    false; ///< The thesis goes on until both are reached, everything else until one of them is.
+  bool Both = false;  ///< The thesis wants both reached, everything else ends at the first.
 };
 
-/// What the options ask for on a surface of that many faces. A default reduction steps back for
-/// other wishes.
+/// What the options ask for on a surface of that many faces; a default reduction steps back for other wishes.
 Stops StopsOf(const Options& options, Index faces);
 
 class Goal

@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LevelQueue.h
- * @brief Vertices sorted by the level of their cost, eight levels an octave: no heap, no
- * comparison.
+ * @brief Vertices sorted by the level of their cost, eight levels an octave: no heap, no comparison.
  *
- * Within a level the order is first in, first out. An entry is forgotten when its vertex is set to
- * another level.
+ * Within a level the order is first in, first out. An entry is forgotten when its vertex is set to another level.
  */
 #ifndef BoneDecimate_Core_Collapse_LevelQueue_h
 #define BoneDecimate_Core_Collapse_LevelQueue_h
 
 #include "Surface.h"
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 

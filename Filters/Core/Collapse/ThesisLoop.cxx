@@ -18,23 +18,6 @@ ThesisLoop::ThesisLoop(Editor& editor, double tolerance, const Stops& stops)
 }
 
 //------------------------------------------------------------------------------
-bool ThesisLoop::IsDone() const
-{
-  const bool enoughRemoved = this->Work.Mesh().NumberOfFaces() <= this->Stops.Faces;
-  const bool farEnough = !(this->Work.Reference().LargestError() < this->Stops.Error);
-  return enoughRemoved && farEnough;
-}
-
-//------------------------------------------------------------------------------
-/// By faces; towards an error alone nobody knows when it will be reached, so that the end may come early.
-double ThesisLoop::FractionDone() const
-{
-  const Index goal = this->Stops.Error > 0.0 ? 0 : this->Stops.Faces;
-  const double removed = this->FacesAtFirst - this->Work.Mesh().NumberOfFaces();
-  return std::min(1.0, removed / std::max(1, this->FacesAtFirst - goal));
-}
-
-//------------------------------------------------------------------------------
 StopReason ThesisLoop::Run(const Monitor& monitor)
 {
   if (!this->End.IsReached())

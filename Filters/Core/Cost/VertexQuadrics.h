@@ -2,34 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VertexQuadrics.h
- * @brief What a collapse would do to the normal field, and the best place for it, from two vertex
- * records in O(1).
+ * @brief What a collapse would do to the normal field, and the best place for it, from two vertex records in O(1).
  *
- * The deviation between the old and the new normal of a face, times its area and the square of its
- * height over the moved corner, is its area times the squared distance by which the corner leaves
- * its plane. Every plane of a vertex's ring passes through that vertex, so that nine numbers a
- * vertex hold the sum over its ring:
+ * The deviation between the old and the new normal of a face, times its area and the square of its height over the
+ * moved corner, is its area times the squared distance by which the corner leaves its plane. Every plane of a vertex's
+ * ring passes through that vertex, so that nine numbers a vertex hold the sum over its ring:
  *
- *     M_v = sum 2 A n nT,  G_v = sum 2 A n mm^2 with e = (w - v) / 2 and x the place relative to
- * the middle of v and w: M = M_v + M_w,  r = (M_w - M_v) e,  g = G_v + G_w,  d = (G_w - G_v).e Q(x)
- * = xT M x - 2 r.x + eT M e                                                            mm^4 x0 = (M
- * + 1e-4 tr M / 3 I)^-1 r x  = x0 + y (d - g.x0) / (g.y),  y = (M + ...)^-1 g       keeps the
- * volume cost = S^(1/4) Q^(3/4) + 0.03 S/2 D^(3/2),  S = tr M     about sum of area times
- * distance^1.5
+ *     M_v = sum 2 A n nT,  G_v = sum 2 A n                                                      mm^2
+ *     with e = (w - v) / 2 and x the place relative to the middle of v and w:
+ *     M = M_v + M_w,  r = (M_w - M_v) e,  g = G_v + G_w,  d = (G_w - G_v).e
+ *     Q(x) = xT M x - 2 r.x + eT M e                                                            mm^4
+ *     x0 = (M + 1e-4 tr M / 3 I)^-1 r
+ *     x  = x0 + y (d - g.x0) / (g.y),  y = (M + ...)^-1 g       keeps the volume
+ *     cost = S^(1/4) Q^(3/4) + 0.03 S/2 D^(3/2),  S = tr M     about sum of area times distance^1.5
  *
- * D is the memory of error: how far, at most, the vertices merged into v and w have been left
- * behind already; without it thin parts are eaten away in many small steps. Costs have no unit: S,
- * Q and D are divided by powers of the mean edge length of the cleaned input, so that scaling by a
- * power of two changes no bit of a cost.
+ * D is the memory of error: how far, at most, the vertices merged into v and w have been left behind already; without it
+ * thin parts are eaten away in many small steps. Costs have no unit: S, Q and D are divided by powers of the mean edge length of
+ * the cleaned input, so that scaling by a power of two changes no bit of a cost.
  *
  * Both rings hold the two faces that vanish, so that these count twice in every sum: that is the price of O(1), and the
- * volume is kept under the two rings so counted, not exactly. A place farther than two edge lengths from the middle gives way to x0, then to the middle. A
- * border edge b adds 2 (|b|^2 I - b bT), its line's quadric, to both of its ends; it is collapsed
- * to the minimum of Q along itself.
+ * volume is kept under the two rings so counted, not exactly.
+ * A place farther than two edge lengths from the middle gives way to x0, then to the middle. A border edge b adds
+ * 2 (|b|^2 I - b bT), its line's quadric, to both of its ends; it is collapsed to the minimum of Q along itself.
  *
- * P. Lindstrom and G. Turk, Fast and memory efficient polygonal simplification, 1998: memoryless,
- * volume kept. M. Garland and P. Heckbert, Surface simplification using quadric error metrics,
- * 1997: quadrics.
+ * P. Lindstrom and G. Turk, Fast and memory efficient polygonal simplification, 1998: memoryless, volume kept.
+ * M. Garland and P. Heckbert, Surface simplification using quadric error metrics, 1997: quadrics.
  */
 #ifndef BoneDecimate_Core_Cost_VertexQuadrics_h
 #define BoneDecimate_Core_Cost_VertexQuadrics_h
