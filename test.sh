@@ -8,6 +8,7 @@ Utilities/build_release.sh
 run=(ctest --preset release --parallel "$(getconf _NPROCESSORS_ONLN)")
 # Image tests need a screen, any will do.
 if command -v xvfb-run > /dev/null; then
-  run=(xvfb-run -a "${run[@]}")
+  # Without a reset: the server would start afresh whenever a test leaves it alone.
+  run=(xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "${run[@]}")
 fi
 "${run[@]}"

@@ -77,9 +77,11 @@ std::string ReadDisplayNumber(int descriptor)
 }
 }
 
+/// The display in use. Its connection stays open: many servers start afresh when their last client goes, and VTK would
+/// meet them in the middle of that.
 struct Display::Server
 {
-  ::pid_t Process = 0;
+  ::pid_t Process = 0; // of a server of our own, else 0
   ::Display* Connection = nullptr;
   std::optional<std::string> OldDisplay;
 
@@ -149,7 +151,6 @@ bool Display::Server::Start()
   {
     return false;
   }
-  this->OldDisplay = GetEnvironment("DISPLAY");
   setenv("DISPLAY", (":" + number).c_str(), 1);
   this->Connection = Connect();
   if (!this->Connection)
@@ -161,16 +162,12 @@ bool Display::Server::Start()
 
 Display::Display(Choice choice)
 {
-  ::Display* existing = choice == Choice::Any ? Connect() : nullptr;
-  if (existing)
+  this->Used = std::make_unique<Server>();
+  this->Used->Connection = choice == Choice::Any ? Connect() : nullptr;
+  this->Used->OldDisplay = GetEnvironment("DISPLAY");
+  if (!this->Used->Connection && !this->Used->Start())
   {
-    XCloseDisplay(existing);
-    return;
-  }
-  this->Virtual = std::make_unique<Server>();
-  if (!this->Virtual->Start())
-  {
-    this->Virtual.reset();
+    this->Used.reset();
     this->Problem = Missing;
   }
 }

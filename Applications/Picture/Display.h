@@ -38,7 +38,7 @@ public:
 
 private:
   struct Server;
-  std::unique_ptr<Server> Virtual;
+  std::unique_ptr<Server> Used;
   std::string Problem;
 };
 }

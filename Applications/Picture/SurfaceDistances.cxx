@@ -2,26 +2,59 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceDistances.h"
 
+#include "vtkCellArray.h"
 #include "vtkCleanPolyData.h"
 #include "vtkDataArray.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkTriangle.h"
 #include "vtkTriangleFilter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
 namespace bonedecimate
 {
+namespace
+{
+/// The same points with the triangles that have an area; the filter leaves the others out, too.
+vtkSmartPointer<vtkPolyData> WithArea(vtkPolyData* triangles)
+{
+  vtkNew<vtkCellArray> kept;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < triangles->GetNumberOfPolys(); ++cell)
+  {
+    triangles->GetPolys()->GetCellAtId(cell, corners);
+    std::array<std::array<double, 3>, 3> places;
+    for (vtkIdType i = 0; i < 3; ++i)
+    {
+      triangles->GetPoint(corners->GetId(i), places[static_cast<std::size_t>(i)].data());
+    }
+    if (vtkTriangle::TriangleArea(places[0].data(), places[1].data(), places[2].data()) > 0.0)
+    {
+      kept->InsertNextCell(corners);
+    }
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(triangles->GetPoints());
+  result->SetPolys(kept);
+  result->GetPointData()->ShallowCopy(triangles->GetPointData());
+  return result;
+}
+}
+
 vtkSmartPointer<vtkPolyData> TrianglesOnly(vtkPolyData* surface)
 {
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputData(surface);
   triangles->PassVertsOff();
   triangles->PassLinesOff();
+  triangles->Update();
   vtkNew<vtkCleanPolyData> used;
-  used->SetInputConnection(triangles->GetOutputPort());
+  used->SetInputData(WithArea(triangles->GetOutput()));
   used->PointMergingOff();
   used->ConvertPolysToLinesOff();
   used->ConvertLinesToPointsOff();

@@ -15,8 +15,8 @@
 
 namespace bonedecimate
 {
-/// The triangles of a surface, polygons and strips among them, and none of the points that no
-/// triangle uses: those would neither be seen nor measured, but frame the bone and stretch the
+/// The triangles of a surface that have an area, polygons and strips among them, and none of the
+/// points that no such triangle uses: those would neither be seen nor measured, but frame the bone and stretch the
 /// colours. Point data is kept.
 vtkSmartPointer<vtkPolyData> TrianglesOnly(vtkPolyData* surface);
 

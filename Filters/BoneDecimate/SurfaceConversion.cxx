@@ -317,7 +317,7 @@ void FillOutput(const Result& result, const Options& options, bool single, vtkPo
   }
   vtkNew<vtkCellArray> triangles;
   triangles->AllocateExact(static_cast<vtkIdType>(result.Surface.Triangles.size()),
-    static_cast<vtkIdType>(3 * result.Surface.Triangles.size()));
+    3 * static_cast<vtkIdType>(result.Surface.Triangles.size()));
   for (const Triangle& corners : result.Surface.Triangles)
   {
     triangles->InsertNextCell({ corners[0], corners[1], corners[2] });
