@@ -11,6 +11,8 @@
 #include "Contest.h"
 #include "ThesisFigures.h"
 
+#include "vtkObject.h"
+
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -106,6 +108,7 @@ int main(int argc, char* argv[])
     std::fprintf(stderr, "usage: bonedecimate-benchmark VOLUME.mhd [ROUNDS]\n");
     return EXIT_FAILURE;
   }
+  vtkObject::GlobalWarningDisplayOff(); // the same few words about the bones in every round
   try
   {
     const Bones bones(argv[1]);
