@@ -83,7 +83,8 @@ TEST_F(Refuses, AnythingElse)
 
 TEST_F(Refuses, BytesThatAreNoVolume)
 {
-  const std::string noise("\x7f\x01\xfe garbage \x00\xff without end", 30);
+  const char bytes[] = "\x7f\x01\xfe garbage \x00\xff without end";
+  const std::string noise(bytes, sizeof(bytes) - 1);
   this->Expect("a.vti", noise, "not a VTK image");
   this->Expect("a.mha", noise, "no end");
   this->Expect("a.nrrd", noise, "does not begin");
