@@ -12,21 +12,4 @@ for tool in cmake ninja; do
   fi
 done
 cmake --preset release
-cmake --build...]
-set -euo pipefail
-cd "$(dirname "$0")/.."
-
-Utilities/install_packages.sh build run
-for tool in cmake ninja; do
-  if ! command -v "$tool" > /dev/null; then
-    echo "$tool is not there, so nothing can be built: install the packages in Utilities/packages.txt." >&2
-    exit 1
-  fi
-done
-configure=(cmake --preset release)
-# VTK is wrapped for the system's Python; another may come first on PATH.
-if [ -x /usr/bin/python3 ]; then
-  configure+=(-DPython3_EXECUTABLE=/usr/bin/python3)
-fi
-"${configure[@]}"
 cmake --build --preset release "$@"
