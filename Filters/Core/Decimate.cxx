@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Decimate.h"
 
-#include "Collapse/FastLoop.h"
+#include "Collapse/Sweep.h"
 #include "Collapse/ThesisLoop.h"
 #include "Extract.h"
 #include "Measure/SurfaceDistance.h"
@@ -79,9 +79,10 @@ private:
     if (this->Cleaned.Status == InputStatus::Good)
     {
       report.InputChecksum = Checksum(this->Input);
-      const bool recordsDistances =
-        this->Wanted.Mode == Mode::Thesis || this->Wanted.MaximumError > 0.0;
-      this->Work.emplace(this->Cleaned, recordsDistances);
+      const bool isThesis = this->Wanted.Mode == Mode::Thesis;
+      const Editor::Books books = { isThesis || this->Wanted.MaximumError > 0.0, isThesis,
+        !isThesis };
+      this->Work.emplace(this->Cleaned, books, this->Wanted.NumberOfThreads);
       this->CountLocked();
     }
     this->Stage(CleanedAt, BuiltAt)(1.0);
@@ -109,7 +110,7 @@ private:
     {
       return ThesisLoop(*this->Work, this->Wanted.NormalTolerance, stops).Run(monitor);
     }
-    return FastLoop(*this->Work, stops).Run(monitor);
+    return Sweep(*this->Work, stops, this->Wanted.NumberOfThreads).Run(monitor);
   }
 
   void Collapse()

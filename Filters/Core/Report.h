@@ -25,7 +25,7 @@ enum class InputStatus : int
   NonFinitePoints, ///< NaN or infinite coordinates.
   HugeCoordinates, ///< Beyond 1e30: products of areas would overflow.
   IndexOutOfRange, ///< A triangle names a point that is not there.
-  TooManyTriangles ///< More than 2^31 / 3 triangles.
+  TooManyTriangles ///< More than 2^29 - 1 triangles.
 };
 
 /// Why the collapse ended.

@@ -14,7 +14,7 @@ namespace bonedecimate
 namespace
 {
 constexpr double HugeCoordinate = 1e30; // mm
-constexpr std::size_t MostTriangles = std::numeric_limits<Index>::max() / 3;
+constexpr std::size_t MostTriangles = std::numeric_limits<Index>::max() / 4;
 constexpr std::uint64_t ChecksumStart = 14695981039346656037ULL;
 constexpr std::uint64_t ChecksumFactor = 1099511628211ULL;
 

@@ -3,20 +3,42 @@
 #include "HalfEdgeMesh.h"
 
 #include "EdgeGroups.h"
+#include "Neighbourhood.h"
+
+#include <cmath>
 
 namespace bonedecimate
 {
+namespace
+{
+/// The power of two nearest below the mean edge length, mm; 1 if there is no length.
+double UnitOf(const Surface& surface)
+{
+  double sum = 0.0; // mm
+  for (const Triangle& c : surface.Triangles)
+  {
+    sum += (surface.Points[c[1]] - surface.Points[c[0]]).norm();
+  }
+  const double mean = sum / static_cast<double>(surface.Triangles.size());
+  return mean > 0.0 && std::isfinite(mean) ? std::ldexp(1.0, std::ilogb(mean)) : 1.0;
+}
+}
+
 HalfEdgeMesh::HalfEdgeMesh(const Surface& surface)
-  : Positions(surface.Points)
-  , Twins(3 * surface.Triangles.size(), None)
-  , Outgoings(surface.Points.size(), None)
+  : Vertices(surface.Points.size())
+  , Faces(surface.Triangles.size())
   , Kinds(surface.Points.size(), VertexKind::Inside)
   , LiveFaces(static_cast<Index>(surface.Triangles.size()))
+  , LengthUnit(UnitOf(surface))
 {
-  this->Origins.reserve(3 * surface.Triangles.size());
-  for (const Triangle& corners : surface.Triangles)
+  for (std::size_t v = 0; v < this->Vertices.size(); ++v)
   {
-    this->Origins.insert(this->Origins.end(), corners.begin(), corners.end());
+    this->Vertices[v].Position = surface.Points[v];
+  }
+  for (std::size_t f = 0; f < this->Faces.size(); ++f)
+  {
+    const Triangle& c = surface.Triangles[f];
+    this->Faces[f].Origins = { c[0], c[1], c[2], None };
   }
   this->MatchEdges(surface);
   this->FindRings();
@@ -27,33 +49,38 @@ void HalfEdgeMesh::MatchEdges(const Surface& surface)
 {
   const auto worst = [this](Index v, VertexKind kind)
   { this->Kinds[v] = std::max(this->Kinds[v], kind); };
+  const auto idOf = [](Index h) { return HalfEdge(h / 3, h % 3); };
   VisitEdgeGroups(surface.Triangles, surface.Points.size(),
     [&](const Index* first, const Index* last)
     {
-      const bool isPair = last - first == 2 && this->Origin(first[0]) == this->Target(first[1]);
-      if (isPair)
+      const Index h = idOf(first[0]);
+      const Index second = idOf(last[-1]);
+      if (last - first == 2 && this->Origin(h) == this->Target(second))
       {
-        this->Twins[first[0]] = first[1];
-        this->Twins[first[1]] = first[0];
+        this->Faces[Face(h)].Twins[h & 3] = second;
+        this->Faces[Face(second)].Twins[second & 3] = h;
         return;
       }
       const VertexKind kind = last - first == 1 ? VertexKind::Border : VertexKind::Locked;
-      worst(this->Origin(*first), kind);
-      worst(this->Target(*first), kind);
+      worst(this->Origin(h), kind);
+      worst(this->Target(h), kind);
     });
 }
 
 //------------------------------------------------------------------------------
 void HalfEdgeMesh::FindRings()
 {
-  std::vector<Index> numberOfFaces(this->Positions.size(), 0);
-  for (Index h = 0; h < static_cast<Index>(this->Origins.size()); ++h)
+  std::vector<Index> numberOfFaces(this->Vertices.size(), 0);
+  for (Index face = 0; face < this->NumberOfFaceSlots(); ++face)
   {
-    const Index v = this->Origin(h);
-    ++numberOfFaces[v];
-    if (this->Outgoings[v] == None || this->Twins[h] == None)
+    for (Index h = HalfEdge(face, 0); h < HalfEdge(face, 3); ++h)
     {
-      this->Outgoings[v] = h;
+      const Index v = this->Origin(h);
+      ++numberOfFaces[v];
+      if (this->Outgoing(v) == None || this->Twin(h) == None)
+      {
+        this->Vertices[v].Outgoing = h;
+      }
     }
   }
   for (Index v = 0; v < this->NumberOfVertexSlots(); ++v)
@@ -71,35 +98,23 @@ void HalfEdgeMesh::FindRings()
 }
 
 //------------------------------------------------------------------------------
-void HalfEdgeMesh::Collapse(Index h, Index keep, const Vector3& position)
+void HalfEdgeMesh::Collapse(const Neighbourhood& around, Index keep, const Vector3& position)
 {
-  const Index gone = this->Across(h, keep);
-  const Index twin = this->Twin(h);
-  for (const Index out : this->OutgoingOf(gone))
+  const Index gone = around.Start == keep ? around.End : around.Start;
+  for (const Index out : around.Corners)
   {
-    this->Origins[out] = keep;
+    this->Faces[Face(out)].Origins[out & 3] = keep;
   }
-  Index start = this->LiveOutgoing(h);
-  start = start == None && twin != None ? this->LiveOutgoing(twin) : start;
-  this->RemoveFace(h);
+  const Index twin = this->Twin(around.Edge);
+  this->RemoveFace(around.Edge);
   if (twin != None)
   {
     this->RemoveFace(twin);
   }
-  this->Outgoings[gone] = None;
-  this->Outgoings[keep] = start;
+  this->Vertices[gone].Outgoing = None;
+  this->Vertices[keep].Outgoing = around.Corners.front(); // on a border the one without a twin
   this->Kinds[keep] = std::max(this->Kinds[keep], this->Kinds[gone]);
-  this->Positions[keep] = position;
-  this->TurnToBorder(keep);
-}
-
-//------------------------------------------------------------------------------
-/// A half-edge that leaves the merged vertex and survives the removal of h's face; None if the face ends there.
-Index HalfEdgeMesh::LiveOutgoing(Index h) const
-{
-  const Index alongPrevious = this->Twin(Previous(h));
-  const Index alongNext = this->Twin(Next(h));
-  return alongPrevious != None ? alongPrevious : alongNext == None ? None : Next(alongNext);
+  this->Vertices[keep].Position = position;
 }
 
 //------------------------------------------------------------------------------
@@ -110,40 +125,17 @@ void HalfEdgeMesh::RemoveFace(Index h)
   const Index alongPrevious = this->Twin(Previous(h));
   if (alongNext != None)
   {
-    this->Twins[alongNext] = alongPrevious;
+    this->Faces[Face(alongNext)].Twins[alongNext & 3] = alongPrevious;
   }
   if (alongPrevious != None)
   {
-    this->Twins[alongPrevious] = alongNext;
+    this->Faces[Face(alongPrevious)].Twins[alongPrevious & 3] = alongNext;
   }
   const Index apex = this->Origin(Previous(h));
-  if (this->Outgoings[apex] == Previous(h))
+  if (this->Outgoing(apex) == Previous(h))
   {
-    this->Outgoings[apex] = alongNext;
+    this->Vertices[apex].Outgoing = alongNext;
   }
-  const Index face = Face(h);
-  for (Index k = 3 * face; k < 3 * face + 3; ++k)
-  {
-    this->Origins[k] = None;
-    this->Twins[k] = None;
-  }
-  --this->LiveFaces;
-}
-
-//------------------------------------------------------------------------------
-/// Turns Outgoing(v) clockwise until it has no twin or the ring is round.
-void HalfEdgeMesh::TurnToBorder(Index v)
-{
-  const Index start = this->Outgoings[v];
-  Index at = start;
-  while (this->Twin(at) != None)
-  {
-    at = Next(this->Twin(at));
-    if (at == start)
-    {
-      return;
-    }
-  }
-  this->Outgoings[v] = at;
+  this->Faces[Face(h)] = FaceRecord();
 }
 }
