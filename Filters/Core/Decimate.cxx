@@ -6,6 +6,8 @@
 #include "Collapse/ThesisLoop.h"
 #include "Extract.h"
 #include "Measure/SurfaceDistance.h"
+#include "Mesh/Checksum.h"
+#include "Mesh/SpatialOrder.h"
 #include "Mesh/Statistics.h"
 
 #include <algorithm>
@@ -71,14 +73,15 @@ private:
   bool Prepare()
   {
     const Clock::time_point start = Clock::now();
-    this->Cleaned = Clean(this->Input, this->Wanted.MergePoints);
+    this->Cleaned = Clean(this->Input, this->Wanted.MergePoints, this->Wanted.NumberOfThreads);
     Report& report = this->Answer.Report;
     report.Status = this->Cleaned.Status;
     report.Cleaning = this->Cleaned.Statistics;
     this->Stage(0.0, CleanedAt)(1.0);
     if (this->Cleaned.Status == InputStatus::Good)
     {
-      report.InputChecksum = Checksum(this->Input);
+      SortAlongCurve(this->Cleaned, this->Wanted.NumberOfThreads);
+      report.InputChecksum = Checksum(this->Input, this->Wanted.NumberOfThreads);
       const bool isThesis = this->Wanted.Mode == Mode::Thesis;
       const Editor::Books books = { isThesis || this->Wanted.MaximumError > 0.0, isThesis,
         !isThesis };

@@ -20,7 +20,7 @@ Verdict Count(Verdict verdict, Workspace& work)
 }
 
 Editor::Editor(const CleanSurface& clean, const Books& books, int threads)
-  : Half(clean.Surface)
+  : Half(clean.Surface, threads)
   , KeepsQuadrics(books.Quadrics)
   , Source(clean, books.Distances)
   , Volumes(this->Half, clean.Surface)

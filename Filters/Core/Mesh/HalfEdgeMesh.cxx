@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HalfEdgeMesh.h"
 
-#include "EdgeGroups.h"
+#include "EdgeMatching.h"
 #include "Neighbourhood.h"
+#include "Parallel.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -24,77 +27,37 @@ double UnitOf(const Surface& surface)
 }
 }
 
-HalfEdgeMesh::HalfEdgeMesh(const Surface& surface)
+HalfEdgeMesh::HalfEdgeMesh(const Surface& surface, int threads)
   : Vertices(surface.Points.size())
   , Faces(surface.Triangles.size())
-  , Kinds(surface.Points.size(), VertexKind::Inside)
   , LiveFaces(static_cast<Index>(surface.Triangles.size()))
   , LengthUnit(UnitOf(surface))
 {
-  for (std::size_t v = 0; v < this->Vertices.size(); ++v)
-  {
-    this->Vertices[v].Position = surface.Points[v];
-  }
-  for (std::size_t f = 0; f < this->Faces.size(); ++f)
-  {
-    const Triangle& c = surface.Triangles[f];
-    this->Faces[f].Origins = { c[0], c[1], c[2], None };
-  }
-  this->MatchEdges(surface);
-  this->FindRings();
-}
-
-//------------------------------------------------------------------------------
-void HalfEdgeMesh::MatchEdges(const Surface& surface)
-{
-  const auto worst = [this](Index v, VertexKind kind)
-  { this->Kinds[v] = std::max(this->Kinds[v], kind); };
-  const auto idOf = [](Index h) { return HalfEdge(h / 3, h % 3); };
-  VisitEdgeGroups(surface.Triangles, surface.Points.size(),
-    [&](const Index* first, const Index* last)
+  const EdgeMatching edges(surface.Triangles, surface.Points.size(), threads);
+  Rings rings = edges.FindRings();
+  this->Kinds = std::move(rings.Kinds);
+  const Monitor goOn = [](double) { return true; };
+  ForEachChunk(surface.Points.size(), threads, goOn,
+    [&](std::size_t, std::size_t first, std::size_t last)
     {
-      const Index h = idOf(first[0]);
-      const Index second = idOf(last[-1]);
-      if (last - first == 2 && this->Origin(h) == this->Target(second))
+      for (std::size_t v = first; v < last; ++v)
       {
-        this->Faces[Face(h)].Twins[h & 3] = second;
-        this->Faces[Face(second)].Twins[second & 3] = h;
-        return;
+        this->Vertices[v].Position = surface.Points[v];
+        this->Vertices[v].Outgoing = rings.Outgoing[v];
       }
-      const VertexKind kind = last - first == 1 ? VertexKind::Border : VertexKind::Locked;
-      worst(this->Origin(h), kind);
-      worst(this->Target(h), kind);
     });
-}
-
-//------------------------------------------------------------------------------
-void HalfEdgeMesh::FindRings()
-{
-  std::vector<Index> numberOfFaces(this->Vertices.size(), 0);
-  for (Index face = 0; face < this->NumberOfFaceSlots(); ++face)
-  {
-    for (Index h = HalfEdge(face, 0); h < HalfEdge(face, 3); ++h)
+  ForEachChunk(surface.Triangles.size(), threads, goOn,
+    [&](std::size_t, std::size_t first, std::size_t last)
     {
-      const Index v = this->Origin(h);
-      ++numberOfFaces[v];
-      if (this->Outgoing(v) == None || this->Twin(h) == None)
+      for (std::size_t f = first; f < last; ++f)
       {
-        this->Vertices[v].Outgoing = h;
+        const Triangle& c = surface.Triangles[f];
+        const Index* twins = edges.Twins().data() + 4 * f;
+        this->Faces[f].Origins = { c[0], c[1], c[2], None };
+        this->Faces[f].Twins = { std::max(None, twins[0]), std::max(None, twins[1]),
+          std::max(None, twins[2]), None }; // odd edges have no twin
       }
-    }
-  }
-  for (Index v = 0; v < this->NumberOfVertexSlots(); ++v)
-  {
-    Index found = 0; // rings end or come back to their start, since twins are paired one to one
-    for (const Index h : this->OutgoingOf(v))
-    {
-      found += this->Origin(h) == v ? 1 : 0;
-    }
-    if (found != numberOfFaces[v])
-    {
-      this->Kinds[v] = VertexKind::Locked;
-    }
-  }
+    });
 }
 
 //------------------------------------------------------------------------------

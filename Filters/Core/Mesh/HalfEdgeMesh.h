@@ -64,7 +64,7 @@ class HalfEdgeMesh
 {
 public:
   /// Every point must be used by a triangle, corners of a triangle must differ.
-  explicit HalfEdgeMesh(const Surface& surface);
+  explicit HalfEdgeMesh(const Surface& surface, int threads = 1);
 
   static Index Next(Index h) { return (h & 3) == 2 ? h - 2 : h + 1; }
   static Index Previous(Index h) { return (h & 3) == 0 ? h + 2 : h - 1; }
@@ -116,8 +116,6 @@ private:
   void RemoveFace(Index h);
   /// Several workers remove faces at once; the count follows when they are done.
   void CountRemovedFaces(Index count) { this->LiveFaces -= count; }
-  void MatchEdges(const Surface& surface);
-  void FindRings();
 
   std::vector<VertexRecord> Vertices;
   std::vector<FaceRecord> Faces;
