@@ -5,7 +5,6 @@
 #include "Gate.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 
 namespace bonedecimate
@@ -13,13 +12,6 @@ namespace bonedecimate
 namespace
 {
 constexpr int KeysAfterRefusal = 4 * KeysOfOctave;
-
-CostKey KeyOf(float cost)
-{
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &cost, sizeof(bits));
-  return static_cast<CostKey>(std::min<std::uint32_t>(bits >> 15U, NeverKey - 1));
-}
 
 /// An open border moves only along itself.
 Freedom FreedomOf(VertexKind first, VertexKind second, bool isBorderEdge)
@@ -119,68 +111,81 @@ void BlockSweep::Renew(Index vertex)
   {
     least = std::min(least, candidate.Cost);
   }
-  this->Known.Keys[vertex] = this->Candidates.empty() ? NeverKey : KeyOf(least);
+  this->SetKey(vertex, this->Candidates.empty() ? NeverKey : KeyOf(least));
 }
 
 //------------------------------------------------------------------------------
-/// Lists the vertices whose keys are not above the level; returns the least of the other keys.
-int BlockSweep::FindReady(int level)
+/// The last vertex first, since lists are read backwards.
+void BlockSweep::ListVertices()
 {
-  constexpr Index Stride = 64; // counted without branches first
-  this->Ready.clear();
-  CostKey next = NeverKey;
-  const CostKey* keys = this->Known.Keys.data();
-  const CostKey highest = static_cast<CostKey>(level);
-  for (Index first = this->Task.First; first < this->Task.Last; first += Stride)
+  this->Levels.Clear();
+  for (Index v = this->Task.Last; v-- > this->Task.First;)
   {
-    const Index last = std::min(this->Task.Last, first + Stride);
-    CostKey found = 0;
-    for (Index v = first; v < last; ++v)
+    if (this->Known.Keys[v] <= this->Task.Limit)
     {
-      const CostKey above = keys[v] > highest ? keys[v] : NeverKey;
-      next = std::min(next, above);
-      found = static_cast<CostKey>(found | (keys[v] <= highest ? 1 : 0));
-    }
-    for (Index v = first; v < last && found != 0; ++v)
-    {
-      if (keys[v] <= highest)
-      {
-        this->Ready.push_back(v);
-      }
+      this->Levels.Add(v, this->Known.Keys[v]);
     }
   }
-  return next;
 }
 
 //------------------------------------------------------------------------------
-BlockSweep::Outcome BlockSweep::CollapseAt(Index vertex, int level)
+/// Asks for what the vertices after the next will need.
+void BlockSweep::Prefetch(std::size_t at) const
+{
+#if defined(__GNUC__)
+  constexpr std::size_t Near = 3;
+  constexpr std::size_t Far = 6;
+  const HalfEdgeMesh& mesh = this->Work.Mesh();
+  if (at + Far < this->Ready.size())
+  {
+    __builtin_prefetch(&mesh.Record(this->Ready[at + Far]));
+  }
+  if (at + Near < this->Ready.size())
+  {
+    const Index out = mesh.Outgoing(this->Ready[at + Near]);
+    __builtin_prefetch(mesh.RecordOfFace(std::max(0, out)));
+  }
+#endif
+}
+
+//------------------------------------------------------------------------------
+void BlockSweep::SetKey(Index vertex, CostKey key)
+{
+  this->Known.Keys[vertex] = key;
+  if (key <= this->Task.Limit)
+  {
+    this->Levels.Add(vertex, key);
+  }
+}
+
+//------------------------------------------------------------------------------
+BlockSweep::Outcome BlockSweep::CollapseAt(Index vertex, CostKey highest)
 {
   if (!this->FindCandidates(vertex))
   {
     this->PutOff(vertex);
     return Outcome::Elsewhere;
   }
-  int refusedAt = level;
+  CostKey next = NeverKey;
   while (!this->Candidates.empty())
   {
     const auto best = std::min_element(this->Candidates.begin(), this->Candidates.end(),
       [](const Candidate& a, const Candidate& b) { return a.Cost < b.Cost; });
     const CostKey key = KeyOf(best->Cost);
-    if (key > level)
+    if (key > highest)
     {
-      this->Known.Keys[vertex] =
-        refusedAt > level ? std::min<CostKey>(key, static_cast<CostKey>(refusedAt)) : key;
-      return Outcome::Dearer;
+      next = std::min(next, key);
+      break;
     }
     const Outcome outcome = this->TryEdge(vertex, *best);
     if (outcome != Outcome::Dearer)
     {
       return outcome;
     }
-    refusedAt = std::min(level + KeysAfterRefusal, NeverKey - 1);
+    next = static_cast<CostKey>(std::min<int>(highest + KeysAfterRefusal, NeverKey));
     this->Candidates.erase(best);
   }
-  this->Known.Keys[vertex] = refusedAt > level ? static_cast<CostKey>(refusedAt) : NeverKey;
+  this->SetKey(vertex, next);
   return Outcome::Dearer;
 }
 

@@ -80,6 +80,7 @@ public:
   const VertexRecord& Record(Index v) const { return this->Vertices[v]; }
   RingQuadric& Quadric(Index v) { return this->Vertices[v].Quadric; }
   VertexRecord* Records() { return this->Vertices.data(); } ///< To change quadrics, nothing else.
+  const FaceRecord* RecordOfFace(Index h) const { return &this->Faces[Face(h)]; }
   bool IsAlive(Index face) const { return this->Faces[face].Origins[0] != None; }
   Triangle Corners(Index face) const
   {
