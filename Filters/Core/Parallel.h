@@ -133,6 +133,26 @@ void ForEachId(std::size_t count, int threads, const Work& work)
       }
     });
 }
+
+/// Of each block how many ids before it are chosen, and at the end how many are: where blocks begin in a list of those.
+template <typename IsChosen>
+std::vector<std::size_t> StartsOfBlocks(std::size_t count, int threads, const IsChosen& isChosen)
+{
+  std::vector<std::size_t> starts(NumberOfBlocks(count) + 1, 0);
+  ForEachBlock(count, threads,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      for (std::size_t id = first; id < last; ++id)
+      {
+        starts[block + 1] += isChosen(id) ? 1 : 0;
+      }
+    });
+  for (std::size_t block = 1; block < starts.size(); ++block)
+  {
+    starts[block] += starts[block - 1];
+  }
+  return starts;
+}
 }
 
 #endif

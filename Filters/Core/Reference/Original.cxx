@@ -8,10 +8,14 @@
 namespace bonedecimate
 {
 Original::Original(const CleanSurface& clean, bool recordDistances)
-  : Triangles(clean.Surface)
+  : Source(clean.Surface)
   , Known(clean.Surface.Points.size())
   , Records(recordDistances)
 {
+  if (this->Records)
+  {
+    this->Tree();
+  }
   for (std::size_t v = 0; v < this->Known.size(); ++v)
   {
     this->Known[v].PointCount = clean.InputPointCount[v];
@@ -25,6 +29,13 @@ Original::Original(const CleanSurface& clean, bool recordDistances)
   }
 }
 
+const BoundingTree& Original::Tree(int threads) const
+{
+  std::call_once(this->TreeIsBuilt, [&] { this->Triangles.emplace(this->Source, threads); });
+  return *this->Triangles;
+}
+
+//------------------------------------------------------------------------------
 void Original::Merge(Index keep, Index gone, const Vector3& position, bool keepStays)
 {
   Knowledge& kept = this->Known[keep];
@@ -40,7 +51,7 @@ void Original::Merge(Index keep, Index gone, const Vector3& position, bool keepS
   {
     return;
   }
-  const BoundingTree::Nearest nearest = this->Triangles.FindNearest(position, kept.NearestTriangle);
+  const BoundingTree::Nearest nearest = this->Tree().FindNearest(position, kept.NearestTriangle);
   const double distance = std::sqrt(nearest.Place.SquaredDistance);
   kept.NearestTriangle = nearest.Triangle;
   kept.RunningError = std::max(kept.RunningError, distance);

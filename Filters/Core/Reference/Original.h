@@ -10,6 +10,8 @@
 #include "Geometry/BoundingTree.h"
 #include "Mesh/Cleaning.h"
 
+#include <mutex>
+#include <optional>
 #include <vector>
 
 namespace bonedecimate
@@ -25,7 +27,10 @@ public:
     bool Moved = false;        ///< Whether it still lies where its input point lay, bit for bit.
   };
 
-  /// @param recordDistances Whether Merge looks every new vertex up; otherwise errors stay 0.
+  /**
+   * @param clean Its surface must live as long as Tree() may be called for the first time.
+   * @param recordDistances Whether Merge looks every new vertex up; otherwise errors stay 0. Builds the tree.
+   */
   Original(const CleanSurface& clean, bool recordDistances);
 
   /// Two vertices became one; the new one is looked up if that is wished, unless it stayed where
@@ -35,10 +40,14 @@ public:
   const Knowledge& Of(Index vertex) const { return this->Known[vertex]; }
   bool RecordsDistances() const { return this->Records; }
   double LargestError() const { return this->Largest; } ///< mm, the thesis's maxError.
-  const BoundingTree& Tree() const { return this->Triangles; }
+
+  /// Built when it is asked for first, with so many threads; may be called by several threads.
+  const BoundingTree& Tree(int threads = 1) const;
 
 private:
-  BoundingTree Triangles;
+  const Surface& Source;
+  mutable std::once_flag TreeIsBuilt;
+  mutable std::optional<BoundingTree> Triangles;
   std::vector<Knowledge> Known;
   double Largest = 0.0; // mm
   bool Records;
