@@ -66,28 +66,34 @@ std::array<Range, 2> Halve(Middle* middles, const Range& range)
   return { Range{ range.First, middle }, Range{ middle, range.Last } };
 }
 
-/// The squared distances of a place to the four boxes of a node, in the tree's unit.
+/// The place whose nearest triangle is asked for, in the tree's unit.
 struct Asked
 {
-  std::array<float, 3> Low, High; // the place lies between them
-
-  template <typename Node>
-  void Measure(const Node& node, std::array<float, 4>& squares) const
-  {
-    std::array<float, 4> sum = { 0.0F, 0.0F, 0.0F, 0.0F };
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      for (std::size_t child = 0; child < 4; ++child)
-      {
-        const float below = node.Low[axis][child] - this->High[axis];
-        const float above = this->Low[axis] - node.High[axis][child];
-        const float apart = std::max(0.0F, std::max(below, above));
-        sum[child] += apart * apart;
-      }
-    }
-    squares = sum;
-  }
+  std::array<float, 3> Low, High; // it lies between them
 };
+
+/// Squared distances to four boxes. Without maxima, which gcc 12 does not compute four at a time: x + |x| is twice the
+/// greater of x and 0, and of the distances below and above a box one at most is positive.
+template <typename Boxes>
+std::array<float, 4> SquaredDistances(const Asked& asked, const Boxes& boxes)
+{
+  std::array<float, 4> sum = { 0.0F, 0.0F, 0.0F, 0.0F };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    std::array<float, 4> twice;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      const float below = boxes.Low[axis][i] - asked.High[axis];
+      const float above = asked.Low[axis] - boxes.High[axis][i];
+      twice[i] = (below + std::abs(below)) + (above + std::abs(above));
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      sum[i] += 0.25F * twice[i] * twice[i];
+    }
+  }
+  return sum;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -106,6 +112,7 @@ public:
   {
     this->Tree.SetUnit(this->Source);
     this->FindMiddles();
+    this->Tree.Nodes.reserve(this->Middles.size() / 3 + 1);
     std::vector<std::size_t> levels = { 0 };
     for (std::vector<Range> ranges = { { 0, static_cast<Index>(this->Middles.size()) } };
          !ranges.empty();)
@@ -306,8 +313,7 @@ void BoundingTree::Walk(const Vector3& p, Limit limit, Visit visit) const
       continue;
     }
     const Node& node = this->Nodes[waiting.Child];
-    std::array<float, 4> squares;
-    asked.Measure(node, squares);
+    const std::array<float, 4> squares = SquaredDistances(asked, node);
     const std::size_t base = size; // above it the nearest comes last
     for (std::size_t child = 0; child < 4; ++child)
     {
