@@ -1,0 +1,155 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The one command: run.sh prepares programs and peers and calls this."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+from . import document, machine, sections
+from .bones import Bone, Workshop
+from .contest import Contest, Judge
+from .contestants import find_peers, our_contestants, our_modes
+from .workers import Programs
+
+ROOT = Path(__file__).resolve().parents[3]
+THESIS_COUNTS = (65000.0, 40000.0, 10000.0, 1000.0)
+FULL = (("maxilla", THESIS_COUNTS), ("frontal", THESIS_COUNTS), ("cranium", (134000.0,)), ("leg", (0.2, 0.05)),
+        ("specimen-1000000", (0.2,)))
+QUICK = (("maxilla", (10000.0,)), ("small-leg", (0.2,)))
+SHORT = (("small-leg", (0.2,)),)
+
+
+def arguments() -> argparse.Namespace:
+    """What may be asked for."""
+    parser = argparse.ArgumentParser(prog="run.sh", description="Our modes and other programs on the same bones.")
+    parser.add_argument("--quick", action="store_true", help="one round: maxilla to 10,000 and a phantom")
+    parser.add_argument("--short", action="store_true", help="one round of our modes on a phantom, no peers: a test")
+    parser.add_argument("--growth", action="store_true", help="our modes on 0.1 to 10 million triangles, nothing else")
+    parser.add_argument("--threads", action="store_true", help="our modes on 1, 2, 4 and 8 threads, nothing else")
+    parser.add_argument("--bone", action="append", nargs="+", default=[], metavar="FILE [COUNT]",
+                        help="a surface file and numbers of triangles (below 1: shares; without: 0.1 0.02); without "
+                             "--rows, only these")
+    parser.add_argument("--rows", metavar="PATTERN", help="only the rows whose 'BONE COUNT' matches")
+    parser.add_argument("--modes", metavar="A,B", help="only these of our modes")
+    parser.add_argument("--rounds", type=int, help="rounds of each contestant (3; --quick and --short: 1)")
+    parser.add_argument("--samples", type=int, default=200000, help="samples of the judge a direction (200000)")
+    parser.add_argument("--largest", type=int, default=10_000_000, help="largest specimen of the growth (10000000)")
+    parser.add_argument("--with-meshlib", action="store_true",
+                        help="let MeshLib take part; its licence is for non-commercial use")
+    parser.add_argument("--output", type=Path, help="folder for figures, page and plots (BUILD/benchmark/results)")
+    parser.add_argument("--write-docs", action="store_true",
+                        help="write Documentation/benchmark.md, its images and the README's section")
+    parser.add_argument("--programs", type=Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--work", type=Path, required=True, help=argparse.SUPPRESS)
+    return parser.parse_args()
+
+
+def choose_bones(asked: argparse.Namespace, workshop: Workshop) -> list[Bone]:
+    """The rows of this run."""
+    wanted = SHORT if asked.short else QUICK if asked.quick else FULL
+    if asked.growth or asked.threads or (asked.bone and not asked.rows):
+        wanted = ()
+    bones = [workshop.bone(name, goals) for name, goals in wanted]
+    for file, *counts in asked.bone:
+        bones.append(workshop.file(Path(file), tuple(float(count) for count in counts) or (0.1, 0.02)))
+    return [bone for bone in bones if bone is not None]
+
+
+def run_rows(asked: argparse.Namespace, bones: list[Bone], contest: Contest, peers: list[Any],
+             modes: list[str], rounds: int) -> list[dict[str, Any]]:
+    """Every bone at every count."""
+    rows = []
+    ours = our_contestants(modes, (1,) if asked.short else (1, 2))
+    for bone in bones:
+        for count in bone.counts():
+            if not asked.rows or re.search(asked.rows, f"{bone.name} {count}"):
+                begin = time.monotonic()
+                rows.append(contest.hold(bone, count, peers, ours, rounds))
+                print(f"  {bone.name} {count:,}: {time.monotonic() - begin:.0f} s", flush=True)
+    return rows
+
+
+def measure(asked: argparse.Namespace) -> dict[str, Any]:
+    """All raw figures of the run."""
+    programs, folder = Programs(asked.programs.resolve()), asked.work.resolve()
+    folder.mkdir(parents=True, exist_ok=True)
+    rounds = asked.rounds or (1 if asked.quick or asked.short else 3)
+    workshop = Workshop(programs, folder)
+    judge = Judge(programs, asked.samples)
+    modes = [mode for mode in our_modes(programs) if not asked.modes or mode in asked.modes.split(",")]
+    alone = asked.short or asked.growth or asked.threads
+    peers, missing = ([], []) if alone else find_peers(programs, asked.with_meshlib)
+    if not programs.has("verify"):
+        missing.append("bonedecimate-verify was not built (it needs Debian's libcgal-dev, libgmp-dev and libmpfr-dev): "
+                       "times and memory only.")
+    for line in missing:
+        print(line)
+    bones = choose_bones(asked, workshop)
+    whole = not (alone or asked.quick or asked.bone or asked.rows)
+    figures: dict[str, Any] = {
+        "machine": machine.describe(), "modes": our_modes(programs), "rounds": rounds, "samples": asked.samples,
+        "rows": run_rows(asked, bones, Contest(programs, judge, folder), peers, modes, rounds),
+        "growth": [], "threads": [], "errors": []}
+    if whole:
+        for bone in bones[:2]:
+            if bone.name in ("maxilla", "frontal"):
+                figures["errors"] += sections.error_mode(programs, judge, bone, modes, (0.1, 0.5, 1.0), folder)
+    if whole or asked.growth:
+        sizes = [size for size in sections.GROWTH_SIZES if size <= asked.largest]
+        figures["growth"] = sections.growth(programs, workshop, modes, sizes, rounds, folder)
+    if whole or asked.threads:
+        bone = workshop.bone("cranium", (134000.0,)) or workshop.bone("specimen-1000000", (0.2,))
+        parallel = [mode for mode in modes if mode != "Thesis"]
+        if bone is not None:
+            figures["threads"] = sections.threads(programs, bone, parallel, rounds, folder)
+    figures["complaints"] = missing + workshop.complaints
+    return figures
+
+
+def draw(figures: dict[str, Any], folder: Path) -> list[tuple[str, str]]:
+    """The plots, where matplotlib is."""
+    try:
+        from . import plots
+    except ImportError:
+        print("matplotlib is not here: no plots")
+        return []
+    return plots.draw_all(figures, folder)
+
+
+def write(asked: argparse.Namespace, figures: dict[str, Any]) -> None:
+    """Raw figures, page and plots; with --write-docs also into the source tree."""
+    output = (asked.output or asked.work / "results").resolve()
+    output.mkdir(parents=True, exist_ok=True)
+    (output / "benchmark.json").write_text(json.dumps(figures, indent=1), encoding="utf-8")
+    made = draw(figures, output)
+    (output / "benchmark.md").write_text(document.page(figures, made, "."), encoding="utf-8")
+    print(f"{output}/benchmark.md, benchmark.json and {len(made)} plots")
+    if asked.write_docs:
+        pages = ROOT / "Documentation"
+        made = draw(figures, pages / "images")
+        (pages / "benchmark.md").write_text(document.page(figures, made, "images"), encoding="utf-8")
+        if figures["rows"]:
+            document.write_readme(ROOT / "README.md", document.readme_section(figures, made))
+        print(f"{pages}/benchmark.md and the README's section")
+
+
+def main() -> int:
+    """Measures and writes."""
+    asked = arguments()
+    figures = measure(asked)
+    if not (figures["rows"] or figures["growth"] or figures["threads"]):
+        print("nothing was measured:", *figures["complaints"])
+        return 1
+    write(asked, figures)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
