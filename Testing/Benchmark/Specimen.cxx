@@ -17,7 +17,7 @@ namespace
 using phantom::Point;
 
 /// Lengths below are voxels.
-constexpr double WallThickness = 3.0;
+constexpr double Wall = 3.0;
 constexpr double BumpHeight = 2.5;
 constexpr double BumpSize = 22.0;
 constexpr double TrabeculaSize = 11.0;
@@ -61,12 +61,12 @@ double Value(const Point& p, double size)
   {
     return outside;
   }
-  if (outside > -WallThickness - 2.0 * BumpHeight)
+  if (outside > -Wall - 2.0 * BumpHeight)
   {
     outside += BumpHeight * phantom::Noise(p, BumpSize, 11);
   }
-  const double wall = std::max(outside, -outside - WallThickness);
-  if (outside > -0.5 * WallThickness)
+  const double wall = std::max(outside, -outside - Wall);
+  if (outside > -0.5 * Wall)
   {
     return wall;
   }

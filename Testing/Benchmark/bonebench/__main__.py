@@ -8,22 +8,24 @@ import argparse
 import json
 import re
 import sys
+import tempfile
 import time
 from pathlib import Path
 from typing import Any
 
-from . import document, machine, sections
+from . import document, machine, sections, thesis
 from .bones import Bone, Workshop
 from .contest import Contest, Judge
-from .contestants import find_peers, our_contestants, our_modes
+from .contestants import Contestant, find_peers, our_contestants, our_modes
 from .workers import Programs
 
 ROOT = Path(__file__).resolve().parents[3]
+Rows = tuple[tuple[str, tuple[float, ...]], ...]
 THESIS_COUNTS = (65000.0, 40000.0, 10000.0, 1000.0)
-FULL = (("maxilla", THESIS_COUNTS), ("frontal", THESIS_COUNTS), ("cranium", (134000.0,)), ("leg", (0.2, 0.05)),
-        ("specimen-1000000", (0.2,)))
-QUICK = (("maxilla", (10000.0,)), ("small-leg", (0.2,)))
-SHORT = (("small-leg", (0.2,)),)
+FULL: Rows = (("maxilla", THESIS_COUNTS), ("frontal", THESIS_COUNTS), ("cranium", (134000.0,)), ("leg", (0.2, 0.05)),
+              ("specimen-1000000", (0.2,)))
+QUICK: Rows = (("maxilla", (10000.0,)), ("small-leg", (0.2,)))
+SHORT: Rows = (("small-leg", (0.2,)),)
 
 
 def arguments() -> argparse.Namespace:
@@ -53,7 +55,7 @@ def arguments() -> argparse.Namespace:
 
 def choose_bones(asked: argparse.Namespace, workshop: Workshop) -> list[Bone]:
     """The rows of this run."""
-    wanted = SHORT if asked.short else QUICK if asked.quick else FULL
+    wanted: Rows = SHORT if asked.short else QUICK if asked.quick else FULL
     if asked.growth or asked.threads or (asked.bone and not asked.rows):
         wanted = ()
     bones = [workshop.bone(name, goals) for name, goals in wanted]
@@ -62,7 +64,7 @@ def choose_bones(asked: argparse.Namespace, workshop: Workshop) -> list[Bone]:
     return [bone for bone in bones if bone is not None]
 
 
-def run_rows(asked: argparse.Namespace, bones: list[Bone], contest: Contest, peers: list[Any],
+def run_rows(asked: argparse.Namespace, bones: list[Bone], contest: Contest, peers: list[Contestant],
              modes: list[str], rounds: int) -> list[dict[str, Any]]:
     """Every bone at every count."""
     rows = []
@@ -76,14 +78,30 @@ def run_rows(asked: argparse.Namespace, bones: list[Bone], contest: Contest, pee
     return rows
 
 
-def measure(asked: argparse.Namespace) -> dict[str, Any]:
-    """All raw figures of the run."""
-    programs, folder = Programs(asked.programs.resolve()), asked.work.resolve()
-    folder.mkdir(parents=True, exist_ok=True)
-    rounds = asked.rounds or (1 if asked.quick or asked.short else 3)
-    workshop = Workshop(programs, folder)
-    judge = Judge(programs, asked.samples)
-    modes = [mode for mode in our_modes(programs) if not asked.modes or mode in asked.modes.split(",")]
+def parts_of_whole(asked: argparse.Namespace, workshop: Workshop, judge: Judge, bones: list[Bone], modes: list[str],
+                   rounds: int, scratch: Path) -> dict[str, Any]:
+    """Growth, threads and the thesis's error mode: all of them when nothing particular is asked for."""
+    whole = not (asked.short or asked.growth or asked.threads or asked.quick or asked.bone or asked.rows)
+    programs = workshop.programs
+    made: dict[str, list[Any]] = {"growth": [], "threads": [], "errors": []}
+    if whole:
+        for bone in bones:
+            if bone.name in thesis.BY_ERROR:
+                made["errors"] += sections.error_mode(
+                    programs, judge, bone, modes, tuple(thesis.BY_ERROR[bone.name]), scratch)
+    if whole or asked.growth:
+        sizes = [size for size in sections.GROWTH_SIZES if size <= asked.largest]
+        made["growth"] = sections.growth(programs, workshop, modes, sizes, rounds, scratch)
+    if whole or asked.threads:
+        parallel = [mode for mode in modes if mode != "Thesis"]
+        candidate = workshop.bone("cranium", (134000.0,)) or workshop.bone("specimen-1000000", (0.2,))
+        if candidate is not None:
+            made["threads"] = sections.threads(programs, candidate, parallel, rounds, scratch)
+    return made
+
+
+def who_takes_part(asked: argparse.Namespace, programs: Programs) -> tuple[list[Contestant], list[str]]:
+    """The peers of this run, and a sentence for each thing that is missing."""
     alone = asked.short or asked.growth or asked.threads
     peers, missing = ([], []) if alone else find_peers(programs, asked.with_meshlib)
     if not programs.has("verify"):
@@ -91,26 +109,25 @@ def measure(asked: argparse.Namespace) -> dict[str, Any]:
                        "times and memory only.")
     for line in missing:
         print(line)
+    return peers, missing
+
+
+def measure(asked: argparse.Namespace) -> dict[str, Any]:
+    """All raw figures of the run."""
+    programs, folder = Programs(asked.programs.resolve()), asked.work.resolve()
+    folder.mkdir(parents=True, exist_ok=True)
+    rounds = asked.rounds or (1 if asked.quick or asked.short else 3)
+    workshop, judge = Workshop(programs, folder), Judge(programs, asked.samples)
+    all_modes = our_modes(programs)
+    modes = [mode for mode in all_modes if not asked.modes or mode in asked.modes.split(",")]
+    peers, missing = who_takes_part(asked, programs)
     bones = choose_bones(asked, workshop)
-    whole = not (alone or asked.quick or asked.bone or asked.rows)
-    figures: dict[str, Any] = {
-        "machine": machine.describe(), "modes": our_modes(programs), "rounds": rounds, "samples": asked.samples,
-        "rows": run_rows(asked, bones, Contest(programs, judge, folder), peers, modes, rounds),
-        "growth": [], "threads": [], "errors": []}
-    if whole:
-        for bone in bones[:2]:
-            if bone.name in ("maxilla", "frontal"):
-                figures["errors"] += sections.error_mode(programs, judge, bone, modes, (0.1, 0.5, 1.0), folder)
-    if whole or asked.growth:
-        sizes = [size for size in sections.GROWTH_SIZES if size <= asked.largest]
-        figures["growth"] = sections.growth(programs, workshop, modes, sizes, rounds, folder)
-    if whole or asked.threads:
-        bone = workshop.bone("cranium", (134000.0,)) or workshop.bone("specimen-1000000", (0.2,))
-        parallel = [mode for mode in modes if mode != "Thesis"]
-        if bone is not None:
-            figures["threads"] = sections.threads(programs, bone, parallel, rounds, folder)
-    figures["complaints"] = missing + workshop.complaints
-    return figures
+    with tempfile.TemporaryDirectory(dir=folder) as name:  # of this run alone: another may be at work
+        scratch = Path(name)
+        rows = run_rows(asked, bones, Contest(programs, judge, scratch), peers, modes, rounds)
+        more = parts_of_whole(asked, workshop, judge, bones, modes, rounds, scratch)
+    return {"machine": machine.describe(), "modes": all_modes, "rounds": rounds, "samples": asked.samples,
+            "rows": rows, **more, "complaints": missing + workshop.complaints}
 
 
 def draw(figures: dict[str, Any], folder: Path) -> list[tuple[str, str]]:

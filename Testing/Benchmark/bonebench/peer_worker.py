@@ -14,12 +14,12 @@ import json
 import sys
 import time
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any, Callable, TypeAlias
 
 import numpy as np
 
-Points = np.ndarray  # n x 3, float32 as in the file
-Corners = np.ndarray  # m x 3, int32
+Points: TypeAlias = np.ndarray  # n x 3, float32 as in the file
+Corners: TypeAlias = np.ndarray  # m x 3, int32
 Result = Callable[[], tuple[np.ndarray, np.ndarray]]
 # The peer's import happens first; what comes back are the call to be timed and how to get at its result.
 Prepared = tuple[Callable[[], Any], Result]

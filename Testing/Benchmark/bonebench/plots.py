@@ -12,6 +12,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend first)
 from matplotlib.axes import Axes  # noqa: E402
+from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.ticker import FuncFormatter, NullFormatter  # noqa: E402
 
 from .tables import BACK, THERE, at_reference, find, judged  # noqa: E402
@@ -22,7 +23,7 @@ Entry = dict[str, Any]
 OURS = ("#D55E00", "#0072B2", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 PEER, RIVAL = "#9A9A9A", "#404040"
 MARKERS = "os^Dv"
-STYLE = {
+STYLE: Any = {
     "font.size": 11, "axes.titlesize": 12, "axes.titleweight": "bold", "axes.titlelocation": "left",
     "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "grid.color": "#E4E4E4",
     "axes.axisbelow": True, "lines.linewidth": 1.6, "figure.dpi": 150, "savefig.bbox": "tight", "svg.hashsalt": "0"}
@@ -36,6 +37,11 @@ def look(entry: Entry, modes: Sequence[str]) -> dict[str, Any]:
     index = modes.index(entry["mode"])
     return {"color": OURS[index % len(OURS)], "linestyle": "-" if entry["threads"] == 1 else (0, (3, 2)),
             "linewidth": 2.4, "marker": MARKERS[index % len(MARKERS)], "markersize": 6, "zorder": 3}
+
+
+def ink(style: dict[str, Any]) -> str:
+    """The colour of a name: a peer's is darker than its line, to be read."""
+    return "#5E5E5E" if style["color"] == PEER else str(style["color"])
 
 
 def plain(name: str) -> str:
@@ -59,8 +65,8 @@ def label_ends(axes: Axes, ends: Sequence[tuple[float, float, str, dict[str, Any
                 places[i] += overlap / 2
     right = axes.transAxes.transform((1.0, 0.0))[0]
     for (_, x, y, name, style), place in zip(pixels, places):
-        begin = axes.transData.inverted().transform((right + 0.10 * axes.figure.dpi, place))
-        axes.annotate(name, xy=(x, y), xytext=begin, textcoords="data", fontsize=9, va="center", color=style["color"],
+        begin = tuple(axes.transData.inverted().transform((right + 0.10 * axes.figure.dpi, place)))
+        axes.annotate(name, xy=(x, y), xytext=begin, textcoords="data", fontsize=9, va="center", color=ink(style),
                       fontweight="bold" if style["zorder"] == 3 else "normal", annotation_clip=False,
                       arrowprops={"arrowstyle": "-", "color": style["color"], "linewidth": 0.6, "shrinkA": 1,
                                   "shrinkB": 3, "alpha": 0.6})
@@ -176,11 +182,10 @@ def curve_plot(row: Row, modes: Sequence[str], target: Path) -> bool:
     axes.set_xlabel("mm from the original's surface to the result")
     axes.set_ylabel("% of the original's surface within that")
     axes.set_title(f"{row['bone']}, {row['asked']:,} of {row['input']['triangles']:,} triangles", pad=12)
-    handles = []
-    for _, entry, style in sorted(ends, key=lambda item: item[0]):
-        handles.append(plt.Line2D([], [], **style, label=plain(entry["name"])))
-    axes.legend(handles=handles, title="best first (median)", alignment="left", loc="lower right", fontsize=9,
-                title_fontsize=9, framealpha=1.0, edgecolor="#D0D0D0", labelcolor="linecolor")
+    order = sorted(ends, key=lambda item: item[0])
+    handles = [Line2D([], [], **style, label=plain(entry["name"])) for _, entry, style in order]
+    axes.legend(handles=handles, title="closest first (median)", alignment="left", loc="lower right", fontsize=9,
+                title_fontsize=9, framealpha=1.0, edgecolor="#D0D0D0", labelcolor=[ink(style) for _, _, style in order])
     figure.savefig(target)
     plt.close(figure)
     return True

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import statistics
 from typing import Any, Iterable, Sequence
 
 from . import thesis
@@ -63,27 +64,27 @@ def in_core(row: Row) -> list[Entry]:
     return [entry for entry in row["entries"] if entry["ours"] and entry["through"] == "core" and entry["seconds"]]
 
 
+def beside(value: float | None, base: float | None) -> str:
+    """A figure, and in brackets how many times the base's it is."""
+    return number(value) + (f" ({value / base:.2f})" if value is not None and base else "")
+
+
 def distance_table(row: Row) -> str:
-    """Seconds, memory and distances of everybody, with the ratios to CGAL's."""
+    """Seconds, memory and distances of everybody; in brackets the ratios to CGAL's."""
     base = find(row, "cgal")
-    head = ["", "triangles", "s", "x", "CPU s", "MB", "s>o avg", "x", "s>o RMS", "x", "o>s avg", "x", "o>s RMS", "x",
-            "s>o max", "o>s max", "H", "x"]
+    head = ["", "triangles", "s", "CPU s", "MB", "s>o average", "s>o RMS", "o>s average", "o>s RMS", "s>o max",
+            "o>s max", "H"]
     lines = []
     for entry in at_reference(row):
         if not entry["seconds"]:
             lines.append([entry["name"], f"failed: {entry['failure']}"] + [""] * (len(head) - 2))
             continue
-        cells = [entry["name"], f"{entry['triangles']:,}", number(entry["median_seconds"]),
-                 ratio(entry["median_seconds"], base and base["median_seconds"]),
-                 number(sorted(entry["cpu_seconds"])[len(entry["cpu_seconds"]) // 2]),
-                 f"{entry['peak_bytes'] / 1e6:.0f}"]
-        for column in RATIO_COLUMNS:
-            value = judged(entry, *column)
-            cells += [number(value), ratio(value, judged(base, *column))]
-        cells += [number(judged(entry, THERE, "maximum")), number(judged(entry, BACK, "maximum")),
-                  number(judged(entry, "hausdorff")),
-                  ratio(judged(entry, "hausdorff"), judged(base, "hausdorff"))]
-        lines.append(cells)
+        cells = [entry["name"], f"{entry['triangles']:,}",
+                 beside(entry["median_seconds"], base["median_seconds"] if base else None),
+                 number(statistics.median(entry["cpu_seconds"])), f"{entry['peak_bytes'] / 1e6:.0f}"]
+        cells += [beside(judged(entry, *column), judged(base, *column)) for column in RATIO_COLUMNS]
+        cells += [number(judged(entry, side, "maximum")) for side in (THERE, BACK)]
+        lines.append(cells + [beside(judged(entry, "hausdorff"), judged(base, "hausdorff"))])
     return markdown(head, lines)
 
 
