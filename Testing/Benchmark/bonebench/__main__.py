@@ -46,6 +46,8 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--with-meshlib", action="store_true",
                         help="let MeshLib take part; its licence is for non-commercial use")
     parser.add_argument("--output", type=Path, help="folder for figures, page and plots (BUILD/benchmark/results)")
+    parser.add_argument("--from", dest="earlier", nargs="+", type=Path, metavar="JSON",
+                        help="run nothing: page and plots again from the figures of earlier runs, put together")
     parser.add_argument("--write-docs", action="store_true",
                         help="write Documentation/benchmark.md, its images and the README's section")
     parser.add_argument("--programs", type=Path, required=True, help=argparse.SUPPRESS)
@@ -65,39 +67,37 @@ def choose_bones(asked: argparse.Namespace, workshop: Workshop) -> list[Bone]:
 
 
 def run_rows(asked: argparse.Namespace, bones: list[Bone], contest: Contest, peers: list[Contestant],
-             modes: list[str], rounds: int) -> list[dict[str, Any]]:
-    """Every bone at every count."""
-    rows = []
-    ours = our_contestants(modes, (1,) if asked.short else (1, 2))
+             figures: dict[str, Any]) -> None:
+    """Every bone at every count; what is there is saved after each, for a full run takes hours."""
+    ours = our_contestants(chosen_modes(asked, figures["modes"]), (1,) if asked.short else (1, 2))
     for bone in bones:
         for count in bone.counts():
             if not asked.rows or re.search(asked.rows, f"{bone.name} {count}"):
                 begin = time.monotonic()
-                rows.append(contest.hold(bone, count, peers, ours, rounds))
+                figures["rows"].append(contest.hold(bone, count, peers, ours, figures["rounds"]))
+                save(asked, figures)
                 print(f"  {bone.name} {count:,}: {time.monotonic() - begin:.0f} s", flush=True)
-    return rows
 
 
-def parts_of_whole(asked: argparse.Namespace, workshop: Workshop, judge: Judge, bones: list[Bone], modes: list[str],
-                   rounds: int, scratch: Path) -> dict[str, Any]:
+def run_sections(asked: argparse.Namespace, workshop: Workshop, judge: Judge, bones: list[Bone],
+                 figures: dict[str, Any], scratch: Path) -> None:
     """Growth, threads and the thesis's error mode: all of them when nothing particular is asked for."""
     whole = not (asked.short or asked.growth or asked.threads or asked.quick or asked.bone or asked.rows)
-    programs = workshop.programs
-    made: dict[str, list[Any]] = {"growth": [], "threads": [], "errors": []}
+    programs, rounds, modes = workshop.programs, figures["rounds"], chosen_modes(asked, figures["modes"])
     if whole:
         for bone in bones:
             if bone.name in thesis.BY_ERROR:
-                made["errors"] += sections.error_mode(
+                figures["errors"] += sections.error_mode(
                     programs, judge, bone, modes, tuple(thesis.BY_ERROR[bone.name]), scratch)
-    if whole or asked.growth:
-        sizes = [size for size in sections.GROWTH_SIZES if size <= asked.largest]
-        made["growth"] = sections.growth(programs, workshop, modes, sizes, rounds, scratch)
     if whole or asked.threads:
         parallel = [mode for mode in modes if mode != "Thesis"]
         candidate = workshop.bone("cranium", (134000.0,)) or workshop.bone("specimen-1000000", (0.2,))
         if candidate is not None:
-            made["threads"] = sections.threads(programs, candidate, parallel, rounds, scratch)
-    return made
+            figures["threads"] = sections.threads(programs, candidate, parallel, rounds, scratch)
+        save(asked, figures)
+    if whole or asked.growth:
+        sizes = [size for size in sections.GROWTH_SIZES if size <= asked.largest]
+        figures["growth"] = sections.growth(programs, workshop, modes, sizes, rounds, scratch)
 
 
 def who_takes_part(asked: argparse.Namespace, programs: Programs) -> tuple[list[Contestant], list[str]]:
@@ -112,22 +112,45 @@ def who_takes_part(asked: argparse.Namespace, programs: Programs) -> tuple[list[
     return peers, missing
 
 
+def chosen_modes(asked: argparse.Namespace, modes: list[str]) -> list[str]:
+    """Those of our modes that take part."""
+    return [mode for mode in modes if not asked.modes or mode in asked.modes.split(",")]
+
+
 def measure(asked: argparse.Namespace) -> dict[str, Any]:
     """All raw figures of the run."""
     programs, folder = Programs(asked.programs.resolve()), asked.work.resolve()
     folder.mkdir(parents=True, exist_ok=True)
-    rounds = asked.rounds or (1 if asked.quick or asked.short else 3)
     workshop, judge = Workshop(programs, folder), Judge(programs, asked.samples)
-    all_modes = our_modes(programs)
-    modes = [mode for mode in all_modes if not asked.modes or mode in asked.modes.split(",")]
     peers, missing = who_takes_part(asked, programs)
     bones = choose_bones(asked, workshop)
+    figures: dict[str, Any] = {
+        "machine": machine.describe(), "modes": our_modes(programs), "samples": asked.samples,
+        "rounds": asked.rounds or (1 if asked.quick or asked.short else 3),
+        "rows": [], "growth": [], "threads": [], "errors": [], "complaints": missing}
     with tempfile.TemporaryDirectory(dir=folder) as name:  # of this run alone: another may be at work
         scratch = Path(name)
-        rows = run_rows(asked, bones, Contest(programs, judge, scratch), peers, modes, rounds)
-        more = parts_of_whole(asked, workshop, judge, bones, modes, rounds, scratch)
-    return {"machine": machine.describe(), "modes": all_modes, "rounds": rounds, "samples": asked.samples,
-            "rows": rows, **more, "complaints": missing + workshop.complaints}
+        run_rows(asked, bones, Contest(programs, judge, scratch), peers, figures)
+        run_sections(asked, workshop, judge, bones, figures, scratch)
+    figures["complaints"] = missing + workshop.complaints
+    return figures
+
+
+def save(asked: argparse.Namespace, figures: dict[str, Any]) -> Path:
+    """The raw figures so far; returns their folder."""
+    output: Path = (asked.output or asked.work / "results").resolve()
+    output.mkdir(parents=True, exist_ok=True)
+    (output / "benchmark.json").write_text(json.dumps(figures, indent=1), encoding="utf-8")
+    return output
+
+
+def put_together(files: list[Path]) -> dict[str, Any]:
+    """The figures of several runs as one; machine and versions are the first one's."""
+    runs: list[dict[str, Any]] = [json.loads(file.read_text(encoding="utf-8")) for file in files]
+    for key in ("rows", "growth", "threads", "errors"):
+        runs[0][key] = [item for run in runs for item in run[key]]
+    runs[0]["complaints"] = list(dict.fromkeys(line for run in runs for line in run["complaints"]))
+    return runs[0]
 
 
 def draw(figures: dict[str, Any], folder: Path) -> list[tuple[str, str]]:
@@ -142,9 +165,7 @@ def draw(figures: dict[str, Any], folder: Path) -> list[tuple[str, str]]:
 
 def write(asked: argparse.Namespace, figures: dict[str, Any]) -> None:
     """Raw figures, page and plots; with --write-docs also into the source tree."""
-    output = (asked.output or asked.work / "results").resolve()
-    output.mkdir(parents=True, exist_ok=True)
-    (output / "benchmark.json").write_text(json.dumps(figures, indent=1), encoding="utf-8")
+    output = save(asked, figures)
     made = draw(figures, output)
     (output / "benchmark.md").write_text(document.page(figures, made, "."), encoding="utf-8")
     print(f"{output}/benchmark.md, benchmark.json and {len(made)} plots")
@@ -160,7 +181,7 @@ def write(asked: argparse.Namespace, figures: dict[str, Any]) -> None:
 def main() -> int:
     """Measures and writes."""
     asked = arguments()
-    figures = measure(asked)
+    figures = put_together(asked.earlier) if asked.earlier else measure(asked)
     if not (figures["rows"] or figures["growth"] or figures["threads"]):
         print("nothing was measured:", *figures["complaints"])
         return 1
