@@ -97,16 +97,21 @@ def run_sections(asked: argparse.Namespace, workshop: Workshop, judge: Judge, bo
         save(asked, figures)
     if whole or asked.growth:
         sizes = [size for size in sections.GROWTH_SIZES if size <= asked.largest]
-        figures["growth"] = sections.growth(programs, workshop, modes, sizes, rounds, scratch)
+        for row in sections.growth(programs, workshop, modes, sizes, rounds, scratch):
+            figures["growth"].append(row)
+            save(asked, figures)
+            print(f"  {row['triangles']:,} triangles {row['who']}: {row['seconds']:.2f} s", flush=True)
 
 
 def who_takes_part(asked: argparse.Namespace, programs: Programs) -> tuple[list[Contestant], list[str]]:
-    """The peers of this run, and a sentence for each thing that is missing."""
+    """The peers of this run, and a sentence for each thing that is missing or amiss."""
     alone = asked.short or asked.growth or asked.threads
     peers, missing = ([], []) if alone else find_peers(programs, asked.with_meshlib)
     if not programs.has("verify"):
         missing.append("bonedecimate-verify was not built (it needs Debian's libcgal-dev, libgmp-dev and libmpfr-dev): "
                        "times and memory only.")
+    if machine.busy_with_other_work():
+        missing.append(machine.busy_with_other_work())
     for line in missing:
         print(line)
     return peers, missing

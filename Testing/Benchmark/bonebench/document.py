@@ -69,14 +69,16 @@ def readme_section(figures: Figures, plots: list[tuple[str, str]]) -> str:
     """The main table, one plot and the command that makes them."""
     rows = figures["rows"]
     row = next((r for r in rows if r["bone"] == "cranium"), rows[0])
+    pieces = row["input"].get("components", 1)
     text = [BEGIN, "## Beside the others\n",
-            f"{row['bone'].capitalize()} of a CT, {row['input']['triangles']:,} triangles "
-            f"({row['input'].get('components', '?')} components) to {row['asked']:,}, closest first; ours in bold, one thread "
-            "unless said otherwise. The distances are the larger of both directions; H is the largest anywhere.\n",
+            f"The {row['bone']} of a CT, {row['input']['triangles']:,} triangles"
+            + (f" in {pieces} components" if pieces > 1 else "") + f", brought to {row['asked']:,}; closest first, ours in\n"
+            "bold, one thread unless said otherwise. Average and RMS: the larger of both directions; H: the largest of both.\n",
             tables.summary_table(row)]
     wanted = next((plot for plot in plots if plot[0] == "benchmark-maxilla-error.png"), None)
     if wanted:
         text.append(f"![{wanted[1]}](Documentation/images/{wanted[0]})\n")
+    text += [line + "\n" for line in figures["complaints"] if "do not quote" in line]
     text += ["`Testing/Benchmark/run.sh` installs the others into its build folder, runs everybody in turn and writes this "
              "section and\n[Documentation/benchmark.md](Documentation/benchmark.md).\n", END]
     return "\n".join(text)

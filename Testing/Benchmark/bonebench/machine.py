@@ -26,3 +26,11 @@ def describe() -> dict[str, Any]:
             "cores": len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count(),
             "memory_gb": int(memory[0]) / 1e6 if memory else 0.0,
             "system": words.get("PRETTY_NAME", platform.system()).strip('"')}
+
+
+def busy_with_other_work() -> str:
+    """A sentence when others use the processor, else nothing. To be asked before the first run."""
+    load, cores = os.getloadavg()[0], os.cpu_count() or 1
+    if load < 0.5 * cores:
+        return ""
+    return f"The machine was busy with other work (load {load:.1f} on {cores} cores): do not quote the seconds of this run."

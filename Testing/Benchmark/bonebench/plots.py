@@ -13,7 +13,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend first)
 from matplotlib.axes import Axes  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
-from matplotlib.ticker import FuncFormatter, NullFormatter  # noqa: E402
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
 
 from .tables import BACK, THERE, at_reference, find, judged  # noqa: E402
 
@@ -69,7 +69,7 @@ def label_ends(axes: Axes, ends: Sequence[tuple[float, float, str, dict[str, Any
         axes.annotate(name, xy=(x, y), xytext=begin, textcoords="data", fontsize=9, va="center", color=ink(style),
                       fontweight="bold" if style["zorder"] == 3 else "normal", annotation_clip=False,
                       arrowprops={"arrowstyle": "-", "color": style["color"], "linewidth": 0.6, "shrinkA": 1,
-                                  "shrinkB": 3, "alpha": 0.6})
+                                  "shrinkB": 3, "alpha": 0.6, "relpos": (0.0, 0.5)})
 
 
 def series(rows: Sequence[Row], keep: Callable[[Entry], bool]) -> dict[str, list[tuple[Row, Entry]]]:
@@ -110,6 +110,7 @@ def draw(axes: Axes, lines: dict[str, list[tuple[Row, Entry]]], modes: Sequence[
 def seconds_axis(axes: Axes) -> None:
     """Logarithmic, in plain figures."""
     axes.set_yscale("log")
+    axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: f"{y:g}"))
     axes.yaxis.set_minor_formatter(NullFormatter())
 
@@ -155,7 +156,7 @@ def time_plot(rows: Sequence[Row], modes: Sequence[str], target: Path) -> bool:
     figure, axes = plt.subplots(figsize=(7.2, 4.6))
     count_axis(axes, rows)
     seconds_axis(axes)
-    axes.set_ylabel("s")
+    axes.set_ylabel("seconds")
     axes.set_title(f"Seconds of the decimation alone: {title_of(rows)}", pad=12)
     draw(axes, series(rows, lambda e: True), modes, lambda _, entry: entry["median_seconds"])
     figure.savefig(target)
@@ -198,7 +199,7 @@ def growth_plot(rows: Sequence[Row], modes: Sequence[str], target: Path) -> bool
     figure, panels = plt.subplots(1, 2, figsize=(11.0, 4.2), gridspec_kw={"wspace": 0.5})
     views: tuple[tuple[str, Callable[[Row], float]], ...] = (
         ("Microseconds per input triangle", lambda row: 1e6 * row["seconds"] / row["triangles"]),
-        ("Peak bytes per input triangle, all included", lambda row: row["bytes"] / row["triangles"]))
+        ("Peak bytes per input triangle", lambda row: row["bytes"] / row["triangles"]))
     for axes, (title, value) in zip(panels, views):
         ends = []
         axes.set_xscale("log")
@@ -208,7 +209,7 @@ def growth_plot(rows: Sequence[Row], modes: Sequence[str], target: Path) -> bool
             axes.plot([row["triangles"] for row in points], [value(row) for row in points], **style)
             name = points[0]["mode"] + (f", {points[0]['threads']} threads" if points[0]["threads"] > 1 else "")
             ends.append((points[-1]["triangles"], value(points[-1]), name, style))
-        axes.set_ylim(0, None)
+        axes.set_ylim(0, 1.15 * max(value(row) for row in rows))
         axes.set_title(title, pad=10)
         axes.set_xlabel("input triangles")
         axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x / 1e6:g} million"))

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import statistics
 from pathlib import Path
-from typing import Any, Sequence
+from typing import Any, Iterator, Sequence
 
 from .bones import Bone, Workshop
 from .contest import Judge
@@ -19,9 +19,8 @@ THREADS = (1, 2, 4, 8)
 
 
 def growth(programs: Programs, workshop: Workshop, modes: Sequence[str], sizes: Sequence[int],
-           rounds: int, folder: Path) -> list[dict[str, Any]]:
+           rounds: int, folder: Path) -> Iterator[dict[str, Any]]:
     """Specimens of each size to a fifth: median seconds and most bytes, input and output included, per input triangle."""
-    rows = []
     for size in sizes:
         bone = workshop.bone(f"specimen-{size}", (KEPT_IN_GROWTH,))
         if bone is None:
@@ -34,14 +33,12 @@ def growth(programs: Programs, workshop: Workshop, modes: Sequence[str], sizes: 
         for who in contestants:
             good = [run for run in runs[who.key] if "failure" not in run]
             if good:
-                rows.append({
+                yield {
                     "bone": bone.name, "triangles": bone.triangles, "who": who.key, "mode": who.mode,
                     "threads": who.threads, "kept": good[0]["triangles"],
                     "seconds": statistics.median(run["seconds"] for run in good),
                     "cpu_seconds": statistics.median(run["cpu_seconds"] for run in good),
-                    "bytes": max(run["input_bytes"] + run["peak_bytes"] for run in good)})
-                print(f"  {bone.triangles:,} triangles {who.key}: {rows[-1]['seconds']:.2f} s", flush=True)
-    return rows
+                    "bytes": max(run["input_bytes"] + run["peak_bytes"] for run in good)}
 
 
 def threads(programs: Programs, bone: Bone, modes: Sequence[str], rounds: int, folder: Path) -> list[dict[str, Any]]:
