@@ -161,7 +161,9 @@ private:
   {
     const Clock::time_point start = Clock::now();
     Report& report = this->Answer.Report;
-    report.Input = Describe(this->Cleaned.Surface, this->Wanted.NumberOfThreads);
+    const SurfaceCounts counts = { static_cast<std::int64_t>(this->Cleaned.Surface.Points.size()),
+      this->Work->NumberOfFragments(), this->Work->Mesh().EdgesAtFirst() };
+    report.Input = Describe(this->Cleaned.Surface, counts, this->Wanted.NumberOfThreads);
     report.Output = Describe(this->LocalResult, this->Wanted.NumberOfThreads);
     if (this->GoesOn && this->MeasuredFrom() < 1.0 - LastStep)
     {

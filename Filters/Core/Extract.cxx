@@ -70,10 +70,23 @@ double RoundedToSingle(double value)
 Vector3 GlobalPosition(const Surface& input, const CleanSurface& clean, const Editor& editor,
   Index vertex, bool roundToSingle)
 {
-  const bool moved = editor.Reference().Of(vertex).Moved;
-  const Vector3 position = moved ? Vector3(editor.Mesh().Position(vertex) + clean.Origin)
-                                 : input.Points[clean.InputPoint[vertex]];
+  const Vector3& local = editor.Mesh().Position(vertex);
+  const Vector3 position = editor.Reference().HasMoved(vertex, local)
+    ? Vector3(local + clean.Origin)
+    : input.Points[clean.InputPoint[vertex]];
   return roundToSingle ? Vector3(position.unaryExpr(&RoundedToSingle)) : position;
+}
+
+/// Of each vertex: how many input points it stands for.
+std::vector<Index> CountPoints(const CleanSurface& clean, const Original& original)
+{
+  const std::vector<Index> current = original.CurrentVertices();
+  std::vector<Index> counts(current.size(), 0);
+  for (std::size_t v = 0; v < current.size(); ++v)
+  {
+    counts[static_cast<std::size_t>(current[v])] += clean.InputPointCount[v];
+  }
+  return counts;
 }
 
 /// Looks every point up on the original.
@@ -82,6 +95,7 @@ void FillMaps(const CleanSurface& clean, const Editor& editor, const std::vector
 {
   const Original& original = editor.Reference();
   const BoundingTree& tree = original.Tree(options.Threads);
+  const std::vector<Index> near = original.TrianglesAtPoints();
   const std::size_t origins = options.Origins ? vertices.size() : 0;
   result.Distance.resize(vertices.size());
   result.RunningError.resize(vertices.size());
@@ -90,10 +104,11 @@ void FillMaps(const CleanSurface& clean, const Editor& editor, const std::vector
   result.Origins.NearestPoint.resize(origins);
   const auto lookUp = [&](std::size_t p)
   {
-    const Original::Knowledge& known = original.Of(vertices[p]);
-    const BoundingTree::Nearest nearest = tree.FindNearest(localPoints[p], known.NearestTriangle);
+    const BoundingTree::Nearest nearest =
+      tree.FindNearest(localPoints[p], near[static_cast<std::size_t>(vertices[p])]);
     result.Distance[p] = std::sqrt(nearest.Place.SquaredDistance);
-    result.RunningError[p] = original.RecordsDistances() ? known.RunningError : result.Distance[p];
+    result.RunningError[p] =
+      original.RecordsDistances() ? original.RunningError(vertices[p]) : result.Distance[p];
     if (options.Origins)
     {
       result.Origins.NearestTriangle[p] = clean.InputTriangle[nearest.Triangle];
@@ -121,6 +136,7 @@ std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, co
   const std::vector<Index> vertices =
     NumberVertices(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), result.Surface.Triangles,
       options.Threads);
+  const std::vector<Index> counts = CountPoints(clean, editor.Reference());
   std::vector<Vector3> localPoints(vertices.size());
   result.Surface.Points.resize(vertices.size());
   result.PointCount.resize(vertices.size());
@@ -131,7 +147,7 @@ std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, co
         GlobalPosition(input, clean, editor, vertices[p], options.RoundToSingle);
       result.Surface.Points[p] = position;
       localPoints[p] = position - clean.Origin;
-      result.PointCount[p] = editor.Reference().Of(vertices[p]).PointCount;
+      result.PointCount[p] = counts[static_cast<std::size_t>(vertices[p])];
     });
   if (options.Distances || options.Origins || editor.Reference().RecordsDistances())
   {

@@ -180,7 +180,7 @@ TEST_P(EveryCollapse, KeepsTheBooksOfAreasAndPoints)
       if (++collapses % 16 == 0)
       {
         const double distance = BruteNearest(before, edit.Position).Distance;
-        EXPECT_GE(editor.Reference().Of(edit.Keep).RunningError, distance - 1e-12);
+        EXPECT_GE(editor.Reference().RunningError(edit.Keep), distance - 1e-12);
         EXPECT_GE(editor.Reference().LargestError(), distance - 1e-12);
       }
     });

@@ -3,9 +3,9 @@
 #include "BlockSweep.h"
 
 #include "Gate.h"
+#include "Kernels/Prefetch.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace bonedecimate
 {
@@ -13,77 +13,6 @@ namespace
 {
 constexpr int KeysAfterRefusal = 4 * KeysOfOctave;
 
-/// An open border moves only along itself.
-Freedom FreedomOf(VertexKind first, VertexKind second, bool isBorderEdge)
-{
-  if (second == VertexKind::Locked)
-  {
-    return Freedom::Nowhere;
-  }
-  if (first == VertexKind::Border)
-  {
-    return second != VertexKind::Border ? Freedom::First
-      : isBorderEdge                    ? Freedom::Edge
-                                        : Freedom::Nowhere;
-  }
-  return second == VertexKind::Border ? Freedom::Second : Freedom::Space;
-}
-}
-
-//------------------------------------------------------------------------------
-/// Fills Candidates with the edges at the vertex that may be collapsed at all. False if one leaves the block.
-bool BlockSweep::FindCandidates(Index vertex)
-{
-  const HalfEdgeMesh& mesh = this->Work.Mesh();
-  const VertexKind kind = mesh.Kind(vertex);
-  this->Candidates.clear();
-  this->Batch.First = &mesh.Record(vertex);
-  this->Batch.Count = 0;
-  bool isInside = true;
-  mesh.VisitEdges(vertex,
-    [&](Index h)
-    {
-      const Index other = mesh.Across(h, vertex);
-      if (!this->IsInside(other))
-      {
-        isInside = false;
-        return;
-      }
-      const int at = this->Batch.Count++;
-      this->Batch.Others[at] = &mesh.Record(other);
-      this->Batch.Freedoms[at] =
-        static_cast<std::int32_t>(FreedomOf(kind, mesh.Kind(other), mesh.Twin(h) == None));
-      this->Batch.Memories[at] =
-        std::max(this->Known.Memories[vertex], this->Known.Memories[other]);
-      this->BatchEdges[at] = h;
-      if (this->Batch.Count == EdgeBatch::Size)
-      {
-        this->JudgeBatch();
-      }
-    });
-  if (isInside && this->Batch.Count > 0)
-  {
-    this->JudgeBatch();
-  }
-  return isInside;
-}
-
-//------------------------------------------------------------------------------
-void BlockSweep::JudgeBatch()
-{
-  this->Batch.PerUnit = this->PerUnit;
-  this->Batch.CostFactor = this->Known.CostFactor;
-  EdgeAnswers answers;
-  this->Compute.JudgeEdges(this->Batch, answers);
-  for (int i = 0; i < this->Batch.Count; ++i)
-  {
-    if (answers.Costs[i] < std::numeric_limits<float>::infinity())
-    {
-      this->Candidates.push_back({ answers.Costs[i], this->BatchEdges[i],
-        { answers.Moves[0][i], answers.Moves[1][i], answers.Moves[2][i] } });
-    }
-  }
-  this->Batch.Count = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -91,7 +20,7 @@ void BlockSweep::RenewAll(Index first, Index last)
 {
   const HalfEdgeMesh& mesh = this->Work.Mesh();
   this->Task = {};
-  this->Task.Last = mesh.NumberOfVertexSlots();
+  this->Task.Vertices.Last = mesh.NumberOfVertexSlots();
   for (Index v = first; v < last; ++v)
   {
     if (mesh.Outgoing(v) != None && mesh.Kind(v) != VertexKind::Locked)
@@ -105,13 +34,9 @@ void BlockSweep::RenewAll(Index first, Index last)
 /// Gives the vertex the key of its cheapest edge.
 void BlockSweep::Renew(Index vertex)
 {
-  this->FindCandidates(vertex);
-  float least = std::numeric_limits<float>::infinity();
-  for (const Candidate& candidate : this->Candidates)
-  {
-    least = std::min(least, candidate.Cost);
-  }
-  this->SetKey(vertex, this->Candidates.empty() ? NeverKey : KeyOf(least));
+  this->Merged.Gather(this->Work.Mesh(), this->Known, vertex, this->Task.Vertices);
+  this->Merged.Judge(this->Compute);
+  this->SetKey(vertex, KeyOf(this->Merged.LeastCost()));
 }
 
 //------------------------------------------------------------------------------
@@ -119,7 +44,7 @@ void BlockSweep::Renew(Index vertex)
 void BlockSweep::ListVertices()
 {
   this->Levels.Clear();
-  for (Index v = this->Task.Last; v-- > this->Task.First;)
+  for (Index v = this->Task.Vertices.Last; v-- > this->Task.Vertices.First;)
   {
     if (this->Known.Keys[v] <= this->Task.Limit)
     {
@@ -130,22 +55,19 @@ void BlockSweep::ListVertices()
 
 //------------------------------------------------------------------------------
 /// Asks for what the vertices after the next will need.
-void BlockSweep::Prefetch(std::size_t at) const
+void BlockSweep::PrefetchReady(std::size_t at) const
 {
-#if defined(__GNUC__)
-  constexpr std::size_t Near = 3;
-  constexpr std::size_t Far = 6;
+  constexpr std::size_t near = 4;
+  constexpr std::size_t far = 8;
   const HalfEdgeMesh& mesh = this->Work.Mesh();
-  if (at + Far < this->Ready.size())
+  if (at + far < this->Ready.size())
   {
-    __builtin_prefetch(&mesh.Record(this->Ready[at + Far]));
+    Prefetch(&mesh.Record(this->Ready[at + far]));
   }
-  if (at + Near < this->Ready.size())
+  if (at + near < this->Ready.size())
   {
-    const Index out = mesh.Outgoing(this->Ready[at + Near]);
-    __builtin_prefetch(mesh.RecordOfFace(std::max(0, out)));
+    Prefetch(mesh.RecordOfFace(std::max(0, mesh.Outgoing(this->Ready[at + near]))));
   }
-#endif
 }
 
 //------------------------------------------------------------------------------
@@ -159,39 +81,52 @@ void BlockSweep::SetKey(Index vertex, CostKey key)
 }
 
 //------------------------------------------------------------------------------
-BlockSweep::Outcome BlockSweep::CollapseAt(Index vertex, CostKey highest)
+/// Of the vertex at that place of the list, judged. Those of the next are gathered first, to arrive meanwhile.
+VertexEdges& BlockSweep::EdgesOfReady(std::size_t at, CostKey highest)
 {
-  if (!this->FindCandidates(vertex))
+  const HalfEdgeMesh& mesh = this->Work.Mesh();
+  VertexEdges& edges = this->Gathered[at % 2];
+  if (edges.Vertex() != this->Ready[at])
+  {
+    edges.Gather(mesh, this->Known, this->Ready[at], this->Task.Vertices);
+  }
+  if (at + 1 < this->Ready.size() && this->Known.Keys[this->Ready[at + 1]] <= highest)
+  {
+    this->Gathered[(at + 1) % 2].Gather(
+      mesh, this->Known, this->Ready[at + 1], this->Task.Vertices);
+  }
+  edges.Judge(this->Compute);
+  return edges;
+}
+
+//------------------------------------------------------------------------------
+BlockSweep::Outcome BlockSweep::CollapseAt(VertexEdges& edges, CostKey highest)
+{
+  const Index vertex = edges.Vertex();
+  edges.Forget();
+  if (!edges.AreInside())
   {
     this->PutOff(vertex);
     return Outcome::Elsewhere;
   }
-  CostKey next = NeverKey;
-  while (!this->Candidates.empty())
+  CostKey refusedUntil = NeverKey;
+  CostKey key = KeyOf(edges.LeastCost());
+  for (; key <= highest; key = KeyOf(edges.LeastCost()))
   {
-    const auto best = std::min_element(this->Candidates.begin(), this->Candidates.end(),
-      [](const Candidate& a, const Candidate& b) { return a.Cost < b.Cost; });
-    const CostKey key = KeyOf(best->Cost);
-    if (key > highest)
-    {
-      next = std::min(next, key);
-      break;
-    }
-    const Outcome outcome = this->TryEdge(vertex, *best);
+    const Outcome outcome = this->TryEdge(vertex, edges.TakeCheapest());
     if (outcome != Outcome::Dearer)
     {
       return outcome;
     }
-    next = static_cast<CostKey>(std::min<int>(highest + KeysAfterRefusal, NeverKey));
-    this->Candidates.erase(best);
+    refusedUntil = static_cast<CostKey>(std::min<int>(highest + KeysAfterRefusal, NeverKey));
   }
-  this->SetKey(vertex, next);
+  this->SetKey(vertex, std::min(key, refusedUntil));
   return Outcome::Dearer;
 }
 
 //------------------------------------------------------------------------------
 /// Dearer means refused.
-BlockSweep::Outcome BlockSweep::TryEdge(Index vertex, const Candidate& candidate)
+BlockSweep::Outcome BlockSweep::TryEdge(Index vertex, const VertexEdges::Candidate& candidate)
 {
   if (this->Work.Examine(candidate.Edge, this->Space) != Verdict::Allowed)
   {
@@ -215,7 +150,7 @@ BlockSweep::Outcome BlockSweep::TryEdge(Index vertex, const Candidate& candidate
 
 //------------------------------------------------------------------------------
 /// To the best place, or onto the border vertex where an inside edge leads to one.
-Edit BlockSweep::EditOf(Index vertex, const Candidate& candidate) const
+Edit BlockSweep::EditOf(Index vertex, const VertexEdges::Candidate& candidate) const
 {
   const HalfEdgeMesh& mesh = this->Work.Mesh();
   const Index other = mesh.Across(candidate.Edge, vertex);
@@ -237,8 +172,9 @@ void BlockSweep::AfterCollapse(const Edit& edit, Index gone)
   const double unit = mesh.Unit();
   const double left = this->Compute.LeaveBehind(this->Space.Faces.Current(),
     unit * memories[this->Space.Around.Start], unit * memories[this->Space.Around.End]);
-  memories[edit.Keep] = static_cast<float>(left * this->PerUnit);
+  memories[edit.Keep] = static_cast<float>(left / unit);
   this->Known.Keys[gone] = NeverKey;
+  this->ForgetChanged();
   this->Renew(edit.Keep);
   if (this->Task.RenewsRing)
   {
@@ -251,6 +187,22 @@ void BlockSweep::AfterCollapse(const Edit& edit, Index gone)
           this->Renew(other);
         }
       });
+  }
+}
+
+//------------------------------------------------------------------------------
+/// What was gathered ahead may have lost an edge.
+void BlockSweep::ForgetChanged()
+{
+  const Neighbourhood& around = this->Space.Around;
+  for (VertexEdges& edges : this->Gathered)
+  {
+    const Index v = edges.Vertex();
+    if (v == around.Start || v == around.End ||
+      std::find(around.Ring.begin(), around.Ring.end(), v) != around.Ring.end())
+    {
+      edges.Forget();
+    }
   }
 }
 

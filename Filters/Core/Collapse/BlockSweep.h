@@ -22,25 +22,15 @@
 
 #include "Editor.h"
 #include "Goal.h"
-#include "LevelLists.h"
+#include "VertexEdges.h"
 
 #include <vector>
 
 namespace bonedecimate
 {
-/// What a sweep knows of every vertex, beside the mesh.
-struct VertexKeys
-{
-  std::vector<CostKey> Keys; ///< NeverKey: gone, locked, or nothing to collapse.
-  std::vector<float>
-    Memories; ///< Distance left behind so far by what was merged into it, units of the mesh.
-  float CostFactor = 1.0F; ///< Makes costs independent of how the unit was rounded.
-};
-
 struct BlockTask
 {
-  Index First = 0; ///< Vertices [First, Last).
-  Index Last = 0;
+  VertexRange Vertices;
   CostKey Limit = NeverKey - 1; ///< Dearer ones stay.
   Index Collapses = 0;          ///< The most allowed.
   int Workers = 1;              ///< Blocks that are swept at the same time.
@@ -54,7 +44,6 @@ public:
     : Work(editor)
     , Known(keys)
     , Compute(BestKernels())
-    , PerUnit(1.0 / editor.Mesh().Unit())
   {
   }
 
@@ -69,12 +58,6 @@ public:
   Tally& Counted() { return this->Space.Counted; }
 
 private:
-  struct Candidate
-  {
-    float Cost = 0.0F;
-    Index Edge = None;
-    float Move[3] = {}; // from the vertex, units
-  };
   enum class Outcome
   {
     Dearer,
@@ -82,14 +65,14 @@ private:
     Elsewhere
   };
   void Renew(Index vertex);
-  bool FindCandidates(Index vertex);
-  void JudgeBatch();
-  Outcome CollapseAt(Index vertex, CostKey highest);
-  Outcome TryEdge(Index vertex, const Candidate& candidate);
-  Edit EditOf(Index vertex, const Candidate& candidate) const;
+  VertexEdges& EdgesOfReady(std::size_t at, CostKey highest);
+  Outcome CollapseAt(VertexEdges& edges, CostKey highest);
+  Outcome TryEdge(Index vertex, const VertexEdges::Candidate& candidate);
+  Edit EditOf(Index vertex, const VertexEdges::Candidate& candidate) const;
   void AfterCollapse(const Edit& edit, Index gone);
-  bool IsInside(Index v) const { return v >= this->Task.First && v < this->Task.Last; }
-  void Prefetch(std::size_t at) const;
+  void ForgetChanged();
+  bool IsInside(Index v) const { return this->Task.Vertices.Contains(v); }
+  void PrefetchReady(std::size_t at) const;
   void ListVertices();
   void SetKey(Index vertex, CostKey key);
   void PutOff(Index vertex);
@@ -98,12 +81,10 @@ private:
   Editor& Work;
   VertexKeys& Known;
   const Kernels& Compute;
-  double PerUnit; // 1/mm
   BlockTask Task;
   Workspace Space;
-  EdgeBatch Batch;
-  Index BatchEdges[EdgeBatch::Size] = {};
-  std::vector<Candidate> Candidates;
+  VertexEdges Gathered[2]; // of one vertex and the next
+  VertexEdges Merged;
   std::vector<Index> Ready;
   LevelLists Levels;
   struct OldKey
@@ -129,10 +110,9 @@ void BlockSweep::Run(const BlockTask& task, const GoOn& goOn)
     }
     for (std::size_t i = 0; i < this->Ready.size() && left > 0; ++i)
     {
-      this->Prefetch(i);
-      const Index vertex = this->Ready[i];
-      if (this->Known.Keys[vertex] <= highest &&
-        this->CollapseAt(vertex, highest) == Outcome::Collapsed)
+      this->PrefetchReady(i);
+      if (this->Known.Keys[this->Ready[i]] <= highest &&
+        this->CollapseAt(this->EdgesOfReady(i, highest), highest) == Outcome::Collapsed)
       {
         left = goOn() ? left - 1 : 0;
       }

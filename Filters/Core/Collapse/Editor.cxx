@@ -120,7 +120,7 @@ void Editor::KeepBooks(const Edit& edit, Index gone, double volumeChange, Worksp
       this->FaceGeometry->Update(this->Half, HalfEdgeMesh::Face(h));
     }
   }
-  this->Source.Merge(edit.Keep, gone, edit.Position, edit.KeepStays);
+  this->Source.Merge(edit.Keep, gone, edit.Position);
   work.Counted.Volumes.Add(this->Volumes.ComponentOf(edit.Keep), volumeChange);
   work.Counted.RemovedFaces += work.Around.NumberOfGoneFaces;
   work.Around.Edge = None;

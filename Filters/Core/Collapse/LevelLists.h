@@ -12,7 +12,9 @@
 #include "Surface.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 namespace bonedecimate
@@ -23,12 +25,13 @@ constexpr CostKey NeverKey = 0xFFFF;
 constexpr int KeysOfOctave = 256;
 constexpr int KeysOfLevel = KeysOfOctave / 8;
 
-/// Of a cost of 0 or more that is finite.
+/// Of a cost of 0 or more; infinite ones never come up.
 inline CostKey KeyOf(float cost)
 {
   std::uint32_t bits = 0;
   std::memcpy(&bits, &cost, sizeof(bits));
-  return static_cast<CostKey>(bits >> 15U);
+  return cost < std::numeric_limits<float>::infinity() ? static_cast<CostKey>(bits >> 15U)
+                                                       : NeverKey;
 }
 
 class LevelLists

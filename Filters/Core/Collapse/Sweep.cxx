@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sweep.h"
 
-#include "Mesh/MeanEdgeLength.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -13,19 +12,21 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr Index VerticesOfBlock = 4096; // that are still there, on average
+/// Vertices of a block that are still there, on average: sixteen blocks, within limits.
+constexpr Index LeastOfBlock = 2048;
+constexpr Index MostOfBlock = 16384;
 constexpr Index RenewBelowShare = 50;
-constexpr Index LeastForRounds = 8 * VerticesOfBlock;
+constexpr Index LeastForRounds = 8 * LeastOfBlock; // vertices
 /// Of the collapses still wanted, what a round should come to: short of the final limit.
 constexpr double ShareOfRound = 0.7;
+constexpr int FirstStep = 2 * KeysOfOctave;
+constexpr int LargestStep = 4 * KeysOfOctave;
 
 /// Costs are proportional to length^3.5.
 float CostFactorOf(const HalfEdgeMesh& mesh)
 {
-  const double lengths = MeanEdgeLength(mesh) / mesh.Unit();
-  return lengths > 0.0
-    ? static_cast<float>(1.0 / (lengths * lengths * lengths * std::sqrt(lengths)))
-    : 1.0F;
+  const double length = mesh.LengthAtFirst() / mesh.Unit();
+  return static_cast<float>(1.0 / (length * length * length * std::sqrt(length)));
 }
 }
 
@@ -74,7 +75,7 @@ bool Sweep::RunRounds(const Monitor& monitor)
     return true;
   }
   CostKey limit = this->FirstLimit();
-  int step = KeysOfOctave;
+  int step = FirstStep;
   for (int round = 0; this->CollapsesWanted() > this->FacesAtFirst / 128; ++round)
   {
     const Index wanted = this->CollapsesWanted();
@@ -87,7 +88,7 @@ bool Sweep::RunRounds(const Monitor& monitor)
     if (round > 0)
     {
       const double perKey = std::max(1, wanted - left) / static_cast<double>(step);
-      step = static_cast<int>(std::clamp<double>(ShareOfRound * left / perKey, 1.0, KeysOfOctave));
+      step = static_cast<int>(std::clamp<double>(ShareOfRound * left / perKey, 1.0, LargestStep));
     }
     limit = static_cast<CostKey>(std::min<int>(limit + step, NeverKey - 1));
   }
@@ -158,8 +159,8 @@ Index Sweep::BlockSize() const
 {
   const Index slots = this->Work.Mesh().NumberOfVertexSlots();
   const Index live = std::max(1, this->Work.Mesh().NumberOfFaces() / 2);
-  return static_cast<Index>(
-    std::min<std::int64_t>(slots, std::int64_t{ VerticesOfBlock } * slots / live));
+  const std::int64_t wanted = std::clamp(live / 16, LeastOfBlock, MostOfBlock);
+  return static_cast<Index>(std::min<std::int64_t>(slots, wanted * slots / live));
 }
 
 //------------------------------------------------------------------------------
@@ -173,11 +174,11 @@ std::vector<BlockTask> Sweep::Blocks(CostKey limit, bool isShifted) const
   for (Index first = isShifted ? -size / 2 : 0; first < slots; first += size)
   {
     BlockTask task;
-    task.First = std::max(0, first);
-    task.Last = std::min(slots, first + size);
+    task.Vertices = { std::max(0, first), std::min(slots, first + size) };
     task.Limit = limit;
-    task.Collapses = static_cast<Index>(std::count_if(this->Known.Keys.begin() + task.First,
-      this->Known.Keys.begin() + task.Last, [&](CostKey key) { return key <= limit; }));
+    task.Collapses =
+      static_cast<Index>(std::count_if(this->Known.Keys.begin() + task.Vertices.First,
+        this->Known.Keys.begin() + task.Vertices.Last, [&](CostKey key) { return key <= limit; }));
     ready += task.Collapses;
     blocks.push_back(task);
   }
@@ -206,7 +207,7 @@ bool Sweep::SweepWhole(CostKey limit, Index faces, bool renewsRing, const Monito
 {
   BlockSweep whole(this->Work, this->Known);
   BlockTask task;
-  task.Last = this->Work.Mesh().NumberOfVertexSlots();
+  task.Vertices.Last = this->Work.Mesh().NumberOfVertexSlots();
   task.Limit = limit;
   task.RenewsRing = renewsRing;
   task.Collapses = std::max(0, this->Work.Mesh().NumberOfFaces() - faces);

@@ -4,57 +4,87 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace bonedecimate
 {
 Original::Original(const CleanSurface& clean, bool recordDistances)
-  : Source(clean.Surface)
-  , Known(clean.Surface.Points.size())
-  , Records(recordDistances)
+  : Clean(clean)
+  , MergedInto(clean.Surface.Points.size())
 {
-  if (this->Records)
+  std::iota(this->MergedInto.begin(), this->MergedInto.end(), 0);
+  if (recordDistances)
   {
     this->Tree();
-  }
-  for (std::size_t v = 0; v < this->Known.size(); ++v)
-  {
-    this->Known[v].PointCount = clean.InputPointCount[v];
-  }
-  for (std::size_t t = clean.Surface.Triangles.size(); t-- > 0;)
-  {
-    for (const Index corner : clean.Surface.Triangles[t])
-    {
-      this->Known[corner].NearestTriangle = static_cast<Index>(t);
-    }
+    this->Nearest = this->TrianglesAtPoints();
+    this->Errors.assign(clean.Surface.Points.size(), 0.0);
   }
 }
 
+//------------------------------------------------------------------------------
 const BoundingTree& Original::Tree(int threads) const
 {
-  std::call_once(this->TreeIsBuilt, [&] { this->Triangles.emplace(this->Source, threads); });
+  std::call_once(this->TreeIsBuilt, [&] { this->Triangles.emplace(this->Clean.Surface, threads); });
   return *this->Triangles;
 }
 
 //------------------------------------------------------------------------------
-void Original::Merge(Index keep, Index gone, const Vector3& position, bool keepStays)
+std::vector<Index> Original::TrianglesAtPoints() const
 {
-  Knowledge& kept = this->Known[keep];
-  const Knowledge& lost = this->Known[gone];
-  kept.PointCount += lost.PointCount;
-  kept.RunningError = std::max(kept.RunningError, lost.RunningError);
-  if (keepStays)
+  std::vector<Index> triangles(this->Clean.Surface.Points.size(), None);
+  for (std::size_t t = this->Clean.Surface.Triangles.size(); t-- > 0;)
   {
-    return; // its distance was recorded when it came there
+    for (const Index corner : this->Clean.Surface.Triangles[t])
+    {
+      triangles[static_cast<std::size_t>(corner)] = static_cast<Index>(t);
+    }
   }
-  kept.Moved = true;
-  if (!this->Records)
+  return triangles;
+}
+
+//------------------------------------------------------------------------------
+void Original::Merge(Index keep, Index gone, const Vector3& position)
+{
+  this->MergedInto[static_cast<std::size_t>(gone)] = keep;
+  if (this->RecordsDistances())
+  {
+    double& error = this->Errors[static_cast<std::size_t>(keep)];
+    error = std::max(error, this->Errors[static_cast<std::size_t>(gone)]);
+    this->LookUp(keep, position);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Original::LookUp(Index vertex, const Vector3& position)
+{
+  if (!this->HasMoved(vertex, position))
   {
     return;
   }
-  const BoundingTree::Nearest nearest = this->Tree().FindNearest(position, kept.NearestTriangle);
+  Index& triangle = this->Nearest[static_cast<std::size_t>(vertex)];
+  double& error = this->Errors[static_cast<std::size_t>(vertex)];
+  const BoundingTree::Nearest nearest = this->Tree().FindNearest(position, triangle);
   const double distance = std::sqrt(nearest.Place.SquaredDistance);
-  kept.NearestTriangle = nearest.Triangle;
-  kept.RunningError = std::max(kept.RunningError, distance);
+  triangle = nearest.Triangle;
+  error = std::max(error, distance);
   this->Largest = std::max(this->Largest, distance);
+}
+
+//------------------------------------------------------------------------------
+std::vector<Index> Original::CurrentVertices() const
+{
+  std::vector<Index> current = this->MergedInto;
+  for (std::size_t v = 0; v < current.size(); ++v)
+  {
+    Index last = static_cast<Index>(v);
+    while (current[static_cast<std::size_t>(last)] != last)
+    {
+      Index& next = current[static_cast<std::size_t>(last)];
+      next = current[static_cast<std::size_t>(next)]; // half the way for those who come later
+      last = next;
+    }
+    current[v] = last;
+  }
+  return current;
 }
 }

@@ -19,38 +19,45 @@ namespace bonedecimate
 class Original
 {
 public:
-  struct Knowledge
-  {
-    Index NearestTriangle = None; ///< Of the cleaned input.
-    Index PointCount = 0;         ///< Input points this vertex stands for.
-    double RunningError = 0.0; ///< mm, the largest distance recorded along the collapses into it.
-    bool Moved = false;        ///< Whether it still lies where its input point lay, bit for bit.
-  };
-
   /**
-   * @param clean Its surface must live as long as Tree() may be called for the first time.
+   * @param clean Must live as long as this.
    * @param recordDistances Whether Merge looks every new vertex up; otherwise errors stay 0. Builds the tree.
    */
   Original(const CleanSurface& clean, bool recordDistances);
 
-  /// Two vertices became one; the new one is looked up if that is wished, unless it stayed where
-  /// `keep` was.
-  void Merge(Index keep, Index gone, const Vector3& position, bool keepStays);
+  /// Two vertices became one; the new one is looked up if that is wished, and if it has moved.
+  void Merge(Index keep, Index gone, const Vector3& position);
 
-  const Knowledge& Of(Index vertex) const { return this->Known[vertex]; }
-  bool RecordsDistances() const { return this->Records; }
+  /// Whether the vertex no longer lies where its input point lay, bit for bit.
+  bool HasMoved(Index vertex, const Vector3& position) const
+  {
+    return position != this->Clean.Surface.Points[static_cast<std::size_t>(vertex)];
+  }
+
+  /// Of every vertex there was: the one it has been merged into, over however many collapses.
+  std::vector<Index> CurrentVertices() const;
+
+  bool RecordsDistances() const { return !this->Errors.empty(); }
+  /// mm, the largest distance recorded along the collapses into the vertex.
+  double RunningError(Index vertex) const { return this->Errors[static_cast<std::size_t>(vertex)]; }
   double LargestError() const { return this->Largest; } ///< mm, the thesis's maxError.
+
+  /// Of every point of the surface as it came: a triangle at it.
+  std::vector<Index> TrianglesAtPoints() const;
 
   /// Built when it is asked for first, with so many threads; may be called by several threads.
   const BoundingTree& Tree(int threads = 1) const;
 
 private:
-  const Surface& Source;
+  void LookUp(Index vertex, const Vector3& position);
+
+  const CleanSurface& Clean;
   mutable std::once_flag TreeIsBuilt;
   mutable std::optional<BoundingTree> Triangles;
-  std::vector<Knowledge> Known;
-  double Largest = 0.0; // mm
-  bool Records;
+  std::vector<Index> MergedInto; // itself while it lives
+  std::vector<Index> Nearest;    // of each vertex, where distances are recorded
+  std::vector<double> Errors;    // the same, mm
+  double Largest = 0.0;          // mm
 };
 }
 
