@@ -54,19 +54,30 @@ void BlockSweep::ListVertices()
 }
 
 //------------------------------------------------------------------------------
-/// Asks for what the vertices after the next will need.
-void BlockSweep::PrefetchReady(std::size_t at) const
+/// Goes round the next vertices of the list ahead of Gather, a face of each at a time, so that each wait overlaps with work.
+void BlockSweep::LookAhead(std::size_t at)
 {
-  constexpr std::size_t near = 4;
-  constexpr std::size_t far = 8;
   const HalfEdgeMesh& mesh = this->Work.Mesh();
-  if (at + far < this->Ready.size())
+  const std::size_t size = this->Ready.size();
+  if (at + Ahead < size)
   {
-    Prefetch(&mesh.Record(this->Ready[at + far]));
+    Prefetch(&mesh.Record(this->Ready[at + Ahead]));
   }
-  if (at + near < this->Ready.size())
+  if (at + Ahead - 1 < size)
   {
-    Prefetch(mesh.RecordOfFace(std::max(0, mesh.Outgoing(this->Ready[at + near]))));
+    Index& cursor = this->Cursors[(at + Ahead - 1) % Ahead];
+    cursor = mesh.Outgoing(this->Ready[at + Ahead - 1]);
+    Prefetch(mesh.RecordOfFace(std::max(0, cursor)));
+  }
+  for (std::size_t i = at + 2; i < std::min(at + Ahead - 1, size); ++i)
+  {
+    Index& cursor = this->Cursors[i % Ahead];
+    if (cursor != None && mesh.Origin(cursor) == this->Ready[i])
+    {
+      Prefetch(&mesh.Record(mesh.Target(cursor)));
+      cursor = mesh.Twin(HalfEdgeMesh::Previous(cursor));
+      Prefetch(mesh.RecordOfFace(std::max(0, cursor)));
+    }
   }
 }
 

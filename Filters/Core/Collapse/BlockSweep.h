@@ -24,6 +24,7 @@
 #include "Goal.h"
 #include "VertexEdges.h"
 
+#include <array>
 #include <vector>
 
 namespace bonedecimate
@@ -72,7 +73,7 @@ private:
   void AfterCollapse(const Edit& edit, Index gone);
   void ForgetChanged();
   bool IsInside(Index v) const { return this->Task.Vertices.Contains(v); }
-  void PrefetchReady(std::size_t at) const;
+  void LookAhead(std::size_t at);
   void ListVertices();
   void SetKey(Index vertex, CostKey key);
   void PutOff(Index vertex);
@@ -86,6 +87,8 @@ private:
   VertexEdges Gathered[2]; // of one vertex and the next
   VertexEdges Merged;
   std::vector<Index> Ready;
+  static constexpr std::size_t Ahead = 8; // vertices
+  std::array<Index, Ahead> Cursors{};     // half-edges at the next vertices of Ready
   LevelLists Levels;
   struct OldKey
   {
@@ -110,7 +113,7 @@ void BlockSweep::Run(const BlockTask& task, const GoOn& goOn)
     }
     for (std::size_t i = 0; i < this->Ready.size() && left > 0; ++i)
     {
-      this->PrefetchReady(i);
+      this->LookAhead(i);
       if (this->Known.Keys[this->Ready[i]] <= highest &&
         this->CollapseAt(this->EdgesOfReady(i, highest), highest) == Outcome::Collapsed)
       {
