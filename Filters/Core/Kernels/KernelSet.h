@@ -8,8 +8,8 @@
  * the triangles as they are now (RingQuadric):
  *
  *     M = Mv + Mw      r = (Mw - Mv) e      g = Gv + Gw      d = (Gw - Gv) . e
- *     x0 = (M + 1e-4 tr M / 3 I)^-1 r                                    least squared distance to the planes
- *     y  = (M + 1e-4 tr M / 3 I)^-1 g,   x = x0 + y (d - g.x0) / (g.y)   the same, volume kept
+ *     x0 = (M + 1e-5 tr M / 3 I)^-1 r                                    least squared distance to the planes
+ *     y  = (M + 1e-5 tr M / 3 I)^-1 g,   x = x0 + y (d - g.x0) / (g.y)   the same, volume kept
  *     |x| > 2 lengths: x0; that too far as well: the middle
  *     Q = x.Mx - 2 r.x + e.Me,   S = tr M,   cost = S^(1/4) Q^(3/4) + 0.03 (S / 2) D^(3/2)
  *
@@ -29,12 +29,12 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr float Ridge = 1e-4F; // of the mean eigenvalue of M
+constexpr float Ridge = 1e-5F; // of the mean eigenvalue of M
 constexpr float MemoryWeight = 0.03F;
 constexpr float FlatShare = 1e-8F;    // of S length^2
 constexpr float FarthestMove = 16.0F; // (2 lengths)^2 in squares of half a length
 constexpr double LeastCosine = 0.2;   // 78 degrees in one step; 90 would let a face end on its edge
-constexpr double LeastQuality = 0.02; // below this, no sliver worse than before
+constexpr double LeastQuality = 0.005; // below this, no sliver worse than before
 constexpr double QualityOfEquilateral = 6.928203230275509; // 4 sqrt(3)
 
 /// Records of one vertex, side by side.
