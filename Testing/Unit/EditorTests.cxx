@@ -197,7 +197,7 @@ TEST(Editor, ARefusedEditChangesNothingAndIsCounted)
   for (const Index h : HalfEdges(editor.Mesh()))
   {
     EXPECT_NE(
-      editor.Apply({ h, editor.Mesh().Origin(h), { 99, 99, 99 }, false }), Verdict::Allowed);
+      editor.Apply({ h, editor.Mesh().Origin(h), { 9999, 9999, 9999 }, false }), Verdict::Allowed);
   }
   EXPECT_EQ(calls, 0);
   EXPECT_EQ(editor.NumberOfEdits(), 0);
