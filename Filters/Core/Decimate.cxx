@@ -7,9 +7,11 @@
 #include "Extract.h"
 #include "Measure/SurfaceDistance.h"
 #include "Mesh/Statistics.h"
+#include "Relax/Relaxation.h"
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <cmath>
 #include <optional>
 
@@ -29,6 +31,10 @@ constexpr double CleanedAt = 0.01;
 constexpr double BuiltAt = 0.02;
 constexpr double ExtractionShare = 0.005;
 constexpr double LastStep = 0.005;
+/// Of the time of the loop, how much is collapse where relaxation follows.
+constexpr double CollapsedShare = 0.4;
+
+static const int NumberOfSweeps = getenv("SW")?atoi(getenv("SW")):2;
 
 /// One run, stage after stage; remembers whether somebody asked to stop.
 class Run
@@ -109,7 +115,27 @@ private:
     {
       return ThesisLoop(*this->Work, this->Wanted.NormalTolerance, stops).Run(monitor);
     }
-    return FastLoop(*this->Work, stops).Run(monitor);
+    if (this->Wanted.Mode == Mode::Fast)
+    {
+      return FastLoop(*this->Work, stops).Run(monitor);
+    }
+    return this->CollapseAndRelax(stops, monitor);
+  }
+
+  StopReason CollapseAndRelax(const Stops& stops, const Monitor& monitor)
+  {
+    const HalfEdgeMesh original = this->Work->Mesh();
+    const StopReason reason = FastLoop(*this->Work, stops)
+                                .Run([&](double done) { return monitor(CollapsedShare * done); });
+    if (reason == StopReason::Aborted || reason == StopReason::AlreadySatisfied)
+    {
+      return reason;
+    }
+    const bool done = Relaxation(*this->Work, original, this->Wanted.NumberOfThreads)
+                        .Run(NumberOfSweeps, [&](double fraction)
+                          { return monitor(CollapsedShare + (1.0 - CollapsedShare) * fraction); });
+    this->Work->LookUpVertices();
+    return done ? reason : StopReason::Aborted;
   }
 
   void Collapse()

@@ -3,6 +3,7 @@
 #include "Editor.h"
 
 #include "Gate.h"
+#include "SmallEdits.h"
 
 namespace bonedecimate
 {
@@ -72,6 +73,76 @@ Verdict Editor::Apply(const Edit& edit)
   const Index gone = this->Half.Across(edit.Edge, edit.Keep);
   this->Half.Collapse(edit.Edge, edit.Keep, edit.Position);
   this->KeepBooks(edit, gone, volumeChange);
+  return Verdict::Allowed;
+}
+
+//------------------------------------------------------------------------------
+Verdict Editor::ApplySmall(const Edit& edit)
+{
+  const Verdict verdict = edit.Kind == EditKind::Flip ? this->ApplyFlip(edit.Edge)
+                                                      : this->ApplyMove(edit.Keep, edit.Position);
+  if (verdict == Verdict::Allowed && this->AfterEdit)
+  {
+    this->AfterEdit(*this, edit);
+  }
+  return verdict;
+}
+
+//------------------------------------------------------------------------------
+void Editor::LookUpVertices()
+{
+  for (Index v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
+  {
+    if (this->Half.Outgoing(v) != None)
+    {
+      this->Source.LookUp(v, this->Half.Position(v));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+Verdict Editor::ApplyFlip(Index edge)
+{
+  const Verdict topology = JudgeFlipTopology(this->Half, edge);
+  if (topology != Verdict::Allowed)
+  {
+    return topology;
+  }
+  const Verdict place = JudgeFlipPlace(this->Half, this->FaceGeometry, edge);
+  if (place != Verdict::Allowed)
+  {
+    return place;
+  }
+  const Index vertex = this->Half.Origin(edge);
+  if (!this->Volumes.ShareAllows(vertex, FlipVolumeChange(this->Half, edge)))
+  {
+    return Verdict::Fragment;
+  }
+  this->Half.Flip(edge);
+  this->FaceGeometry.Update(this->Half, HalfEdgeMesh::Face(edge));
+  this->FaceGeometry.Update(this->Half, HalfEdgeMesh::Face(this->Half.Twin(edge)));
+  return Verdict::Allowed;
+}
+
+//------------------------------------------------------------------------------
+Verdict Editor::ApplyMove(Index vertex, const Vector3& position)
+{
+  const Verdict place = JudgeMove(this->Half, this->FaceGeometry, vertex, position);
+  if (place != Verdict::Allowed)
+  {
+    return place;
+  }
+  const double change = MoveVolumeChange(this->Half, this->FaceGeometry, vertex, position);
+  if (!this->Volumes.ShareAllows(vertex, change))
+  {
+    return Verdict::Fragment;
+  }
+  this->Half.Move(vertex, position);
+  this->Source.Move(vertex);
+  for (const Index h : this->Half.OutgoingOf(vertex))
+  {
+    this->FaceGeometry.Update(this->Half, HalfEdgeMesh::Face(h));
+  }
   return Verdict::Allowed;
 }
 

@@ -41,6 +41,20 @@ public:
   /// Judges the edit and, if it is allowed, carries it out. Refused edits change nothing and are counted.
   Verdict Apply(const Edit& edit);
 
+  /// Before a pass of ApplySmall: shares what the fragments may lose.
+  void ShareVolumes() { this->Volumes.Share(this->Half); }
+
+  /**
+   * Judges a flip or a move and, if it is allowed, carries it out. Threads may do so at the same time as long as none edits
+   * what another one's vertices are joined to, and no hook is set. Refusals are not counted.
+   */
+  Verdict ApplySmall(const Edit& edit);
+
+  /// After moves: looks all moved vertices up on the original, if distances are recorded.
+  void LookUpVertices();
+
+  bool HasHook() const { return static_cast<bool>(this->AfterEdit); }
+
   /// Called after every applied edit, for invariant checks and logs.
   using Hook = std::function<void(const Editor&, const Edit&)>;
   void SetHook(Hook hook) { this->AfterEdit = std::move(hook); }
@@ -48,6 +62,7 @@ public:
   const HalfEdgeMesh& Mesh() const { return this->Half; }
   const FaceAreas& Areas() const { return this->FaceGeometry; }
   const Original& Reference() const { return this->Source; }
+  Original& Reference() { return this->Source; }
   std::int64_t NumberOfEdits() const { return this->Edits; }
   const std::array<std::int64_t, NumberOfVerdicts>& Refusals() const
   {
@@ -56,6 +71,8 @@ public:
 
 private:
   Verdict JudgeEdge(Index edge);
+  Verdict ApplyFlip(Index edge);
+  Verdict ApplyMove(Index vertex, const Vector3& position);
   Verdict Count(Verdict verdict);
   void KeepBooks(const Edit& edit, Index gone, double volumeChange);
 

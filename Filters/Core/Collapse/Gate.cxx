@@ -2,27 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gate.h"
 
-#include <algorithm>
+#include "TriangleShape.h"
 
 namespace bonedecimate
 {
-namespace
-{
-/// Cosine of the most (78 degrees) by which a face may turn in one step; 90 would let it end on its
-/// edge.
-constexpr double LeastCosine = 0.2;
-/// 4 sqrt(3) area / sum of squared edges, 1 for an equilateral triangle: below this, no better than
-/// before.
-constexpr double LeastQuality = 0.02;
-constexpr double QualityOfEquilateral = 6.928203230275509; // 4 sqrt(3)
-
-double Quality(double area, const Vector3& a, const Vector3& b, const Vector3& c)
-{
-  const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
-  return squares > 0.0 ? QualityOfEquilateral * area / squares : 0.0;
-}
-}
-
 Verdict JudgeEnds(const HalfEdgeMesh& mesh, Index edge)
 {
   const VertexKind start = mesh.Kind(mesh.Origin(edge));
@@ -65,21 +48,11 @@ Verdict JudgePlace(
     const Vector3& corner = mesh.Position(mesh.Origin(h));
     const Vector3& second = mesh.Position(mesh.Target(h));
     const Vector3& third = mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h)));
-    const FaceAreas::Face& before = areas[HalfEdgeMesh::Face(h)];
-    const Vector3 after = AreaVector(edit.Position, second, third);
-    const double area = after.norm();
-    if (!(area > 0.0))
+    const Verdict verdict =
+      JudgeCorner(areas[HalfEdgeMesh::Face(h)], corner, edit.Position, second, third);
+    if (verdict != Verdict::Allowed)
     {
-      return Verdict::Degenerate;
-    }
-    if (before.Area > 0.0 && before.Normal.dot(after) < LeastCosine * area)
-    {
-      return Verdict::Flip;
-    }
-    const double quality = Quality(area, edit.Position, second, third);
-    if (quality < LeastQuality && quality < Quality(before.Area, corner, second, third))
-    {
-      return Verdict::Degenerate;
+      return verdict;
     }
   }
   return Verdict::Allowed;

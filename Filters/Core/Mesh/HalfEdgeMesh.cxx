@@ -4,6 +4,8 @@
 
 #include "EdgeGroups.h"
 
+#include <array>
+
 namespace bonedecimate
 {
 HalfEdgeMesh::HalfEdgeMesh(const Surface& surface)
@@ -91,6 +93,50 @@ void HalfEdgeMesh::Collapse(Index h, Index keep, const Vector3& position)
   this->Kinds[keep] = std::max(this->Kinds[keep], this->Kinds[gone]);
   this->Positions[keep] = position;
   this->TurnToBorder(keep);
+}
+
+//------------------------------------------------------------------------------
+void HalfEdgeMesh::Pair(Index h, Index twin)
+{
+  this->Twins[h] = twin;
+  if (twin != None)
+  {
+    this->Twins[twin] = h;
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Faces a b c and b a d become a d c and b c d, each in its old slot.
+void HalfEdgeMesh::Flip(Index h)
+{
+  const Index t = this->Twin(h);
+  const std::array<Index, 3> f = { h, Next(h), Previous(h) };
+  const std::array<Index, 3> g = { t, Next(t), Previous(t) };
+  const std::array<Index, 4> outer = { this->Twin(f[1]), this->Twin(f[2]), this->Twin(g[1]),
+    this->Twin(g[2]) }; // across b c, c a, a d, d b
+  const Index a = this->Origin(h);
+  const Index b = this->Origin(t);
+  const Index c = this->Origin(f[2]);
+  const Index d = this->Origin(g[2]);
+  const auto turn = [this](Index v, Index from, Index other, Index to)
+  {
+    Index& outgoing = this->Outgoings[v];
+    outgoing = outgoing == from || outgoing == other ? to : outgoing;
+  };
+  turn(a, h, g[1], f[2]);
+  turn(b, t, f[1], g[2]);
+  turn(c, f[2], None, f[1]);
+  turn(d, g[2], None, g[1]);
+  this->Origins[f[0]] = d;
+  this->Origins[f[1]] = c;
+  this->Origins[f[2]] = a;
+  this->Origins[g[0]] = c;
+  this->Origins[g[1]] = d;
+  this->Origins[g[2]] = b;
+  this->Pair(f[1], outer[1]);
+  this->Pair(f[2], outer[2]);
+  this->Pair(g[1], outer[3]);
+  this->Pair(g[2], outer[0]);
 }
 
 //------------------------------------------------------------------------------

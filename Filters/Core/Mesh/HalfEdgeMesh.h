@@ -41,6 +41,7 @@ public:
   static Index Next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static Index Previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
   static Index Face(Index h) { return h / 3; }
+  static Index HalfEdgeOf(Index face) { return 3 * face; } ///< That which leaves corner 0.
 
   Index Origin(Index h) const { return this->Origins[h]; }
   Index Target(Index h) const { return this->Origins[Next(h)]; }
@@ -77,6 +78,10 @@ private:
 
   /// Merges the ends of h into `keep` (one of them) at `position`. The caller has judged that this is allowed.
   void Collapse(Index h, Index keep, const Vector3& position);
+  /// Turns the edge of h, which has two faces, into that between their apexes. The caller has judged as above.
+  void Flip(Index h);
+  void Move(Index v, const Vector3& position) { this->Positions[v] = position; }
+  void Pair(Index h, Index twin);
   void RemoveFace(Index h);
   Index LiveOutgoing(Index h) const;
   void TurnToBorder(Index v);

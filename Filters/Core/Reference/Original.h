@@ -32,6 +32,15 @@ public:
   /// `keep` was.
   void Merge(Index keep, Index gone, const Vector3& position, bool keepStays);
 
+  /// The vertex was moved. Different vertices may be moved at the same time.
+  void Move(Index vertex) { this->Known[vertex].Moved = true; }
+
+  /// Looks the vertex up where it is now, if errors are recorded and it has moved.
+  void LookUp(Index vertex, const Vector3& position);
+
+  /// The vertex of the current mesh that the vertex has been merged into, over however many collapses.
+  Index CurrentVertex(Index vertex);
+
   const Knowledge& Of(Index vertex) const { return this->Known[vertex]; }
   bool RecordsDistances() const { return this->Records; }
   double LargestError() const { return this->Largest; } ///< mm, the thesis's maxError.
@@ -40,7 +49,8 @@ public:
 private:
   BoundingTree Triangles;
   std::vector<Knowledge> Known;
-  double Largest = 0.0; // mm
+  std::vector<Index> MergedInto; // itself while it lives
+  double Largest = 0.0;          // mm
   bool Records;
 };
 }

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Samples.h
+ * @brief Points of the original surface that travel with the faces of the current mesh.
+ *
+ * Every face of the current mesh knows the samples that lie nearest to it as a list; nothing is kept up during the
+ * collapse. Afterwards each sample starts in the fan of the vertex that a corner of its triangle was merged into, and
+ * walks over neighbouring faces while its distance falls:
+ *
+ *     Distribute     from nothing, after a collapse
+ *     Settle         every sample walks on from its face; then all are sorted by face, lists lie in one piece
+ *     Take, Put      an edit reassigns the samples of the few faces it changed
+ */
+#ifndef BoneDecimate_Core_Reference_Samples_h
+#define BoneDecimate_Core_Reference_Samples_h
+
+#include "Mesh/HalfEdgeMesh.h"
+#include "Monitor.h"
+#include "Original.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+class Samples
+{
+public:
+  struct Sample
+  {
+    std::array<float, 3> Place; ///< mm from the local origin
+    float Weight;               ///< mm^2, the area it stands for
+    Index Next;                 ///< In the list of its face.
+
+    Vector3 Position() const { return { this->Place[0], this->Place[1], this->Place[2] }; }
+  };
+
+  /// Takes the corners and the middle of every triangle.
+  explicit Samples(const HalfEdgeMesh& original);
+
+  /// Both return false if the monitor said stop: then every sample still has a face.
+  bool Distribute(const HalfEdgeMesh& original, const HalfEdgeMesh& mesh, Original& merged,
+    int threads, const Monitor& monitor);
+  bool Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor);
+
+  Index First(Index face) const { return this->Firsts[face]; }
+  const Sample& operator[](Index sample) const { return this->All[sample]; }
+  Index Count() const { return static_cast<Index>(this->All.size()); }
+
+  /// Empties the list of the face and returns its first sample; whoever takes it puts each back somewhere.
+  Index Take(Index face)
+  {
+    const Index first = this->Firsts[face];
+    this->Firsts[face] = None;
+    return first;
+  }
+  void Put(Index sample, Index face)
+  {
+    this->All[sample].Next = this->Firsts[face];
+    this->Firsts[face] = sample;
+  }
+
+  template <typename Visit>
+  void VisitFace(Index face, Visit visit) const
+  {
+    for (Index s = this->Firsts[face]; s != None; s = this->All[s].Next)
+    {
+      visit(this->All[s]);
+    }
+  }
+
+private:
+  void SortByFace();
+
+  std::vector<Sample> All;
+  std::vector<Sample> Sorted; // the other half of the double buffer
+  std::vector<Index> Faces;   // of each sample; valid only within Distribute and Settle
+  std::vector<Index> Firsts;  // of each face
+};
+}
+
+#endif
