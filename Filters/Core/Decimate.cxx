@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Decimate.h"
 
-#include "Collapse/FastLoop.h"
+#include "Collapse/Sweep.h"
 #include "Collapse/ThesisLoop.h"
 #include "Extract.h"
 #include "Measure/SurfaceDistance.h"
+#include "Mesh/Checksum.h"
+#include "Mesh/SpatialOrder.h"
 #include "Mesh/Statistics.h"
 #include "Relax/Relaxation.h"
 
@@ -77,17 +79,19 @@ private:
   bool Prepare()
   {
     const Clock::time_point start = Clock::now();
-    this->Cleaned = Clean(this->Input, this->Wanted.MergePoints);
+    this->Cleaned = Clean(this->Input, this->Wanted.MergePoints, this->Wanted.NumberOfThreads);
     Report& report = this->Answer.Report;
     report.Status = this->Cleaned.Status;
     report.Cleaning = this->Cleaned.Statistics;
     this->Stage(0.0, CleanedAt)(1.0);
     if (this->Cleaned.Status == InputStatus::Good)
     {
-      report.InputChecksum = Checksum(this->Input);
-      const bool recordsDistances =
-        this->Wanted.Mode == Mode::Thesis || this->Wanted.MaximumError > 0.0;
-      this->Work.emplace(this->Cleaned, recordsDistances);
+      SortAlongCurve(this->Cleaned, this->Wanted.NumberOfThreads);
+      report.InputChecksum = Checksum(this->Input, this->Wanted.NumberOfThreads);
+      const bool isThesis = this->Wanted.Mode == Mode::Thesis;
+      const Editor::Books books = { isThesis || this->Wanted.MaximumError > 0.0, isThesis,
+        !isThesis };
+      this->Work.emplace(this->Cleaned, books, this->Wanted.NumberOfThreads);
       this->CountLocked();
     }
     this->Stage(CleanedAt, BuiltAt)(1.0);
@@ -117,7 +121,7 @@ private:
     }
     if (this->Wanted.Mode == Mode::Fast)
     {
-      return FastLoop(*this->Work, stops).Run(monitor);
+      return Sweep(*this->Work, stops, this->Wanted.NumberOfThreads).Run(monitor);
     }
     return this->CollapseAndRelax(stops, monitor);
   }
@@ -125,7 +129,7 @@ private:
   StopReason CollapseAndRelax(const Stops& stops, const Monitor& monitor)
   {
     const HalfEdgeMesh original = this->Work->Mesh();
-    const StopReason reason = FastLoop(*this->Work, stops)
+    const StopReason reason = Sweep(*this->Work, stops, this->Wanted.NumberOfThreads)
                                 .Run([&](double done) { return monitor(CollapsedShare * done); });
     if (reason == StopReason::Aborted || reason == StopReason::AlreadySatisfied)
     {

@@ -36,27 +36,25 @@ inline std::size_t NumberOfChunks(std::size_t count)
 }
 
 /**
- * Calls work(chunk, first, last) for every chunk of [0, count), each exactly once, unless the monitor says stop or
- * a chunk throws (the first exception by arrival is rethrown here). The calling thread works along and alone calls
- * the monitor. Returns false if it was stopped.
+ * Calls work(part) for every part of [0, parts), each exactly once, unless the monitor says stop or a part throws
+ * (the first exception by arrival is rethrown here). The calling thread works along and alone calls the monitor.
+ * Returns false if it was stopped.
  */
 template <typename Work>
-bool ForEachChunk(std::size_t count, int threads, const Monitor& monitor, const Work& work)
+bool ForEachPart(std::size_t parts, int threads, const Monitor& monitor, const Work& work)
 {
-  const std::size_t size = ChunkSize(count);
-  const std::size_t chunks = NumberOfChunks(count);
   std::atomic<std::size_t> next{ 0 };
   std::atomic<bool> stopped{ false };
   const auto workUntilDone = [&](auto afterEach)
   {
-    for (std::size_t chunk = next++; chunk < chunks && !stopped; chunk = next++)
+    for (std::size_t part = next++; part < parts && !stopped; part = next++)
     {
-      work(chunk, chunk * size, std::min(count, (chunk + 1) * size));
+      work(part);
       afterEach();
     }
   };
   const unsigned int helpers =
-    static_cast<unsigned int>(std::min<std::size_t>(ThreadsToUse(threads), chunks)) - (chunks > 0);
+    static_cast<unsigned int>(std::min<std::size_t>(ThreadsToUse(threads), parts)) - (parts > 0);
   std::vector<std::exception_ptr> failures(helpers + 1);
   const auto guarded = [&](std::exception_ptr& failure, auto afterEach)
   {
@@ -79,8 +77,8 @@ bool ForEachChunk(std::size_t count, int threads, const Monitor& monitor, const 
     [&]
     {
       const double done =
-        static_cast<double>(std::min(next.load(), chunks)) / static_cast<double>(chunks);
-      stopped = stopped || !monitor(done);
+        static_cast<double>(std::min(next.load(), parts)) / static_cast<double>(parts);
+      stopped = stopped || (monitor && !monitor(done));
     });
   for (std::thread& thread : pool)
   {
@@ -94,6 +92,46 @@ bool ForEachChunk(std::size_t count, int threads, const Monitor& monitor, const 
     }
   }
   return !stopped;
+}
+
+/// Calls work(chunk, first, last) for every chunk of [0, count), as ForEachPart does.
+template <typename Work>
+bool ForEachChunk(std::size_t count, int threads, const Monitor& monitor, const Work& work)
+{
+  const std::size_t size = ChunkSize(count);
+  return ForEachPart(NumberOfChunks(count), threads, monitor,
+    [&](std::size_t chunk) { work(chunk, chunk * size, std::min(count, (chunk + 1) * size)); });
+}
+
+/// For short uniform work that nobody waits for: so much of it is worth a thread.
+constexpr std::size_t BlockSize = 8192;
+
+inline std::size_t NumberOfBlocks(std::size_t count)
+{
+  return (count + BlockSize - 1) / BlockSize;
+}
+
+/// Calls work(block, first, last) for every block of [0, count), each exactly once; cannot be stopped.
+template <typename Work>
+void ForEachBlock(std::size_t count, int threads, const Work& work)
+{
+  ForEachPart(NumberOfBlocks(count), threads, Monitor(),
+    [&](std::size_t block)
+    { work(block, block * BlockSize, std::min(count, (block + 1) * BlockSize)); });
+}
+
+/// Calls work(id) for every id of [0, count) in such blocks.
+template <typename Work>
+void ForEachId(std::size_t count, int threads, const Work& work)
+{
+  ForEachBlock(count, threads,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t id = first; id < last; ++id)
+      {
+        work(id);
+      }
+    });
 }
 }
 

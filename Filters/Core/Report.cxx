@@ -61,7 +61,7 @@ std::string InputMessage(const Report& report)
         " (there are " + std::to_string(found.PointsRead) + " points)";
     case InputStatus::TooManyTriangles:
       return "the input has " + std::to_string(found.TrianglesRead) +
-        " triangles; 715827882 is the most";
+        " triangles; 536870911 is the most";
   }
   return {};
 }

@@ -25,7 +25,7 @@ enum class InputStatus : int
   NonFinitePoints, ///< NaN or infinite coordinates.
   HugeCoordinates, ///< Beyond 1e30: products of areas would overflow.
   IndexOutOfRange, ///< A triangle names a point that is not there.
-  TooManyTriangles ///< More than 2^31 / 3 triangles.
+  TooManyTriangles ///< More than 2^31 / 4 triangles.
 };
 
 /// Why the collapse ended.
@@ -121,7 +121,7 @@ struct Report
   std::int64_t Collapses = 0;
   std::array<std::int64_t, NumberOfVerdicts> Refusals{}; ///< By Verdict; [Allowed] stays 0.
   StageSeconds Seconds;
-  std::uint64_t InputChecksum = 0; ///< FNV-1a over the 64-bit words of points and triangles.
+  std::uint64_t InputChecksum = 0; ///< Mesh/Checksum.h.
   Options Asked;
 };
 

@@ -341,6 +341,29 @@ std::string WhatIsWrong(const Surface& surface)
   return {};
 }
 
+bool SameInAnyOrder(const Surface& a, const Surface& b)
+{
+  using Place = std::array<std::uint64_t, 3>;
+  const auto placeOf = [](const Vector3& p)
+  {
+    Place place;
+    std::memcpy(place.data(), p.data(), sizeof(place));
+    return place;
+  };
+  const auto sorted = [&](const Surface& surface)
+  {
+    std::vector<std::array<Place, 3>> triangles;
+    for (const Triangle& t : surface.Triangles)
+    {
+      const std::vector<Vector3>& p = surface.Points;
+      triangles.push_back({ placeOf(p[t[0]]), placeOf(p[t[1]]), placeOf(p[t[2]]) });
+    }
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+  };
+  return a.Points.size() == b.Points.size() && sorted(a) == sorted(b);
+}
+
 bool SameBytes(const Surface& a, const Surface& b)
 {
   const std::size_t bytes = a.Points.size() * sizeof(Vector3);

@@ -76,6 +76,9 @@ std::int64_t RepeatedTriangles(const Surface& surface);
 /// used; else why not.
 std::string WhatIsWrong(const Surface& surface);
 
+/// Whether both have the same points and triangles bit for bit, in whatever order; triangles begin at the same corner.
+bool SameInAnyOrder(const Surface& a, const Surface& b);
+
 /// Whether both are the same bit for bit.
 bool SameBytes(const Surface& a, const Surface& b);
 }

@@ -48,24 +48,37 @@ void ExpectSameTopology(const Surface& before, const Surface& after)
   }
 }
 
-/// Components keep their order, since the least triangle of each decides it and triangles keep
-/// theirs.
-void ExpectFragmentsKept(const Surface& before, const Surface& after)
+/// Fragments that are closed and manifold. Which is which is not asked: they may come in another order.
+struct ClosedFragments
 {
-  const std::vector<Surface> expected = SplitComponents(before);
-  const std::vector<Surface> found = SplitComponents(after);
-  ASSERT_EQ(found.size(), expected.size());
-  for (std::size_t i = 0; i < expected.size(); ++i)
+  std::int64_t Outwards = 0; // positive volume
+  std::int64_t Inwards = 0;  // negative volume
+  std::int64_t Least = 0;    // fewer than four triangles
+
+  explicit ClosedFragments(const Surface& surface)
   {
-    const Topology kind = CountTopology(expected[i]);
-    const std::size_t least = std::min<std::size_t>(expected[i].Triangles.size(), 4);
-    if (kind.BoundaryEdges + kind.NonManifoldPoints + kind.InconsistentEdges == 0)
+    for (const Surface& fragment : SplitComponents(surface))
     {
-      EXPECT_GE(found[i].Triangles.size(), least) << "fragment " << i;
-      const double volume = SignedVolume(expected[i]);
-      EXPECT_TRUE(volume == 0.0 || SignedVolume(found[i]) * volume > 0.0) << "fragment " << i;
+      const Topology kind = CountTopology(fragment);
+      if (kind.BoundaryEdges + kind.NonManifoldPoints + kind.InconsistentEdges == 0)
+      {
+        const double volume = SignedVolume(fragment);
+        this->Outwards += volume > 0.0 ? 1 : 0;
+        this->Inwards += volume < 0.0 ? 1 : 0;
+        this->Least += fragment.Triangles.size() < 4 ? 1 : 0;
+      }
     }
   }
+};
+
+void ExpectFragmentsKept(const Surface& before, const Surface& after)
+{
+  const ClosedFragments expected(before);
+  const ClosedFragments found(after);
+  EXPECT_EQ(SplitComponents(after).size(), SplitComponents(before).size());
+  EXPECT_EQ(found.Outwards, expected.Outwards);
+  EXPECT_EQ(found.Inwards, expected.Inwards);
+  EXPECT_EQ(found.Least, expected.Least);
 }
 
 /// Everything that is not manifold is found again, bit for bit.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BruteForce.h"
+#include "Mesh/Checksum.h"
 #include "Mesh/Cleaning.h"
 #include "Shapes.h"
 
@@ -240,6 +241,30 @@ TEST(Cleaning, OriginIsTheLeastCornerOfTheBox)
     low = low.cwiseMin(p);
   }
   EXPECT_EQ(clean.Origin, low);
+}
+
+TEST(Cleaning, TheSameWhateverTheThreads)
+{
+  // Enough points for several blocks and parts; merged, unused and dropped ones among them.
+  Surface surface = Unwelded(Icosphere(5, 10.0));
+  surface.Points.resize(surface.Points.size() + 5, Vector3(1, 2, 3));
+  for (std::size_t t = 0; t < surface.Triangles.size(); t += 100)
+  {
+    surface.Triangles[t][2] = surface.Triangles[t][0];
+  }
+  const CleanSurface one = Clean(surface, true, 1);
+  ExpectConsistent(surface, one);
+  EXPECT_EQ(one.Statistics.DroppedTriangles, 205);
+  for (const int threads : { 2, 5 })
+  {
+    const CleanSurface many = Clean(surface, true, threads);
+    EXPECT_TRUE(SameBytes(one.Surface, many.Surface));
+    EXPECT_EQ(one.InputPoint, many.InputPoint);
+    EXPECT_EQ(one.InputPointCount, many.InputPointCount);
+    EXPECT_EQ(one.InputTriangle, many.InputTriangle);
+    EXPECT_EQ(one.PointOfInput, many.PointOfInput);
+    EXPECT_EQ(Checksum(surface, 1), Checksum(surface, threads));
+  }
 }
 
 TEST(Cleaning, ChecksumTellsInputsApart)

@@ -37,7 +37,7 @@ Surface SurfaceOf(const HalfEdgeMesh& mesh)
 /// Runs the loop as far as it goes and calls check(editor, edit) after every collapse.
 StopReason RunToTheEnd(const Surface& surface, const Editor::Hook& check)
 {
-  Editor editor(Clean(surface, true), true);
+  Editor editor(Clean(surface, true), Editor::Books());
   editor.SetHook(check);
   ThesisLoop loop(editor, Tolerance, { 0, 0.0, true });
   return loop.Run([](double) { return true; });
@@ -191,10 +191,10 @@ INSTANTIATE_TEST_SUITE_P(Shapes, EveryCollapse, testing::ValuesIn(AllShapes()), 
 TEST(Editor, ARefusedEditChangesNothingAndIsCounted)
 {
   const CleanSurface clean = Clean(Grid(4), true);
-  Editor editor(clean, true);
+  Editor editor(clean, Editor::Books());
   std::int64_t calls = 0;
   editor.SetHook([&](const Editor&, const Edit&) { ++calls; });
-  for (Index h = 0; h < 3 * editor.Mesh().NumberOfFaceSlots(); ++h)
+  for (const Index h : HalfEdges(editor.Mesh()))
   {
     EXPECT_NE(
       editor.Apply({ h, editor.Mesh().Origin(h), { 99, 99, 99 }, false }), Verdict::Allowed);
@@ -213,9 +213,9 @@ TEST(Editor, ARefusedEditChangesNothingAndIsCounted)
 
 TEST(Editor, AnEditMayBeAppliedWithoutBeingExaminedFirst)
 {
-  Editor editor(Clean(Grid(4), true), true);
+  Editor editor(Clean(Grid(4), true), Editor::Books());
   const HalfEdgeMesh& mesh = editor.Mesh();
-  for (Index h = 0; h < 3 * mesh.NumberOfFaceSlots(); ++h)
+  for (const Index h : HalfEdges(mesh))
   {
     if (mesh.Kind(mesh.Origin(h)) == VertexKind::Inside &&
       mesh.Kind(mesh.Target(h)) == VertexKind::Inside)
@@ -270,7 +270,7 @@ TEST(ThesisLoop, AVertexWhoseEdgesAreAllRefusedIsTriedAgainWhenItsRingChanged)
   // Whatever is left when nothing more is allowed is refused when asked again.
   for (const NamedSurface& shape : AllShapes())
   {
-    Editor editor(Clean(shape.Surface, true), true);
+    Editor editor(Clean(shape.Surface, true), Editor::Books());
     ThesisLoop loop(editor, Tolerance, { 0, 0.0, true });
     EXPECT_EQ(loop.Run([](double) { return true; }), StopReason::NothingLeft) << shape.Name;
     const Index faces = editor.Mesh().NumberOfFaces();

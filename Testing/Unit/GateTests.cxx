@@ -60,9 +60,9 @@ void CompareAllEdges(const Surface& input)
 {
   const CleanSurface clean = Clean(input, true);
   const Surface& surface = clean.Surface;
-  Editor editor(clean, true);
+  Editor editor(clean, Editor::Books());
   const HalfEdgeMesh& mesh = editor.Mesh();
-  for (Index h = 0; h < 3 * mesh.NumberOfFaceSlots(); ++h)
+  for (const Index h : HalfEdges(mesh))
   {
     const Index from = mesh.Origin(h);
     const Index to = mesh.Target(h);
@@ -158,11 +158,11 @@ TEST(Gate, TheTableOfEndsHolds)
   // A grid of 3 x 3 cells: point 5 is inside, 6 too; 1 and 4 are on the border, the edge 1-4 is
   // not.
   const CleanSurface clean = Clean(Grid(3), true);
-  Editor editor(clean, true);
+  Editor editor(clean, Editor::Books());
   const HalfEdgeMesh& mesh = editor.Mesh();
   const auto edge = [&](Index from, Index to)
   {
-    for (Index h = 0; h < 3 * mesh.NumberOfFaceSlots(); ++h)
+    for (const Index h : HalfEdges(mesh))
     {
       if (mesh.Origin(h) == from && mesh.Target(h) == to)
       {
@@ -182,8 +182,8 @@ TEST(Gate, LeastFragmentsAreRefusedAsFragments)
 {
   for (const Surface& surface : { Tetrahedron(), Envelope(), SingleTriangle() })
   {
-    Editor editor(Clean(surface, true), true);
-    for (Index h = 0; h < 3 * editor.Mesh().NumberOfFaceSlots(); ++h)
+    Editor editor(Clean(surface, true), Editor::Books());
+    for (const Index h : HalfEdges(editor.Mesh()))
     {
       EXPECT_EQ(editor.Examine(h), Verdict::Fragment);
     }
@@ -192,9 +192,9 @@ TEST(Gate, LeastFragmentsAreRefusedAsFragments)
 
 TEST(Gate, AnEdgeAroundATunnelIsRefusedByTheLinkCondition)
 {
-  Editor editor(Clean(Torus(3, 12), true), true);
+  Editor editor(Clean(Torus(3, 12), true), Editor::Books());
   std::int64_t refused = 0;
-  for (Index h = 0; h < 3 * editor.Mesh().NumberOfFaceSlots(); ++h)
+  for (const Index h : HalfEdges(editor.Mesh()))
   {
     refused += editor.Examine(h) == Verdict::LinkCondition ? 1 : 0;
   }

@@ -4,6 +4,7 @@
 #include "Mesh/Cleaning.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Mesh/Invariants.h"
+#include "Runs.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
@@ -184,7 +185,8 @@ TEST(HalfEdgeMesh, RingsRunCounterClockwise)
 
 TEST(HalfEdgeMesh, NextAndPreviousStayInTheFace)
 {
-  for (Index h = 0; h < 12; ++h)
+  const HalfEdgeMesh mesh(Grid(2));
+  for (const Index h : HalfEdges(mesh))
   {
     EXPECT_EQ(HalfEdgeMesh::Face(HalfEdgeMesh::Next(h)), HalfEdgeMesh::Face(h));
     EXPECT_EQ(HalfEdgeMesh::Previous(HalfEdgeMesh::Next(h)), h);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cost/NormalFieldDeviation.h"
 #include "Mesh/MeanEdgeLength.h"
-#include "Shapes.h"
+#include "Runs.h"
 
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ TEST(NormalFieldDeviation, BothHalvesOfAnEdgeCostTheSame)
   const HalfEdgeMesh mesh(BumpySphere(2, 3.0, 0.2, 5));
   const FaceAreas areas(mesh);
   const NormalFieldDeviation costs(mesh, areas, 0.9, MeanEdgeLength(mesh));
-  for (Index h = 0; h < 3 * mesh.NumberOfFaceSlots(); ++h)
+  for (const Index h : HalfEdges(mesh))
   {
     EXPECT_DOUBLE_EQ(costs.EdgeCost(h), costs.EdgeCost(mesh.Twin(h)));
   }

@@ -5,11 +5,12 @@
 #include "Collapse/Gate.h"
 #include "Placement/PlaneQuadric.h"
 #include "Random.h"
-#include "Shapes.h"
+#include "Runs.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 using namespace bonedecimate;
 using namespace bonedecimate::testsupport;
@@ -22,13 +23,12 @@ struct Bench
   explicit Bench(const Surface& surface)
     : Mesh(surface)
     , Areas(Mesh)
-    , Gatherer(Mesh)
   {
   }
 
   Index EdgeBetween(const Vector3& from, const Vector3& to) const
   {
-    for (Index h = 0; h < 3 * this->Mesh.NumberOfFaceSlots(); ++h)
+    for (const Index h : HalfEdges(this->Mesh))
     {
       if ((this->Mesh.Position(this->Mesh.Origin(h)) - from).norm() < 1e-12 &&
         (this->Mesh.Position(this->Mesh.Target(h)) - to).norm() < 1e-12)
@@ -42,7 +42,7 @@ struct Bench
   Neighbourhood Around(Index edge)
   {
     Neighbourhood around;
-    this->Gatherer.Gather(this->Mesh, edge, around);
+    around.Gather(this->Mesh, edge);
     return around;
   }
 
@@ -79,7 +79,6 @@ struct Bench
 
   HalfEdgeMesh Mesh;
   FaceAreas Areas;
-  NeighbourhoodGatherer Gatherer;
 };
 
 /// A cube of 4 mm with edges of 1 mm.
@@ -135,7 +134,7 @@ TEST(PlaneQuadric, AtACornerTheVertexGoesToTheCorner)
 TEST(PlaneQuadric, TheFirstProposalIsTheMinimumOfTheQuadricWithItsRidge)
 {
   Bench bench(BumpySphere(2, 5.0, 0.05, 3));
-  for (Index h = 0; h < 3 * bench.Mesh.NumberOfFaceSlots(); ++h)
+  for (const Index h : HalfEdges(bench.Mesh))
   {
     const Neighbourhood around = bench.Around(h);
     const Proposals proposals = ProposePlaces(bench.Mesh, bench.Areas, around);
@@ -159,7 +158,7 @@ TEST(PlaneQuadric, TheFirstProposalIsTheMinimumOfTheQuadricWithItsRidge)
 TEST(PlaneQuadric, FromInsideToBorderOnlyTheBorderVertexIsProposed)
 {
   Bench bench(HeightField(4, 0.3, 1));
-  for (Index h = 0; h < 3 * bench.Mesh.NumberOfFaceSlots(); ++h)
+  for (const Index h : HalfEdges(bench.Mesh))
   {
     const Index from = bench.Mesh.Origin(h);
     const Index to = bench.Mesh.Target(h);
@@ -179,7 +178,7 @@ TEST(PlaneQuadric, FromInsideToBorderOnlyTheBorderVertexIsProposed)
 TEST(PlaneQuadric, ABorderEdgeProposesOnlyPlacesOnItself)
 {
   Bench bench(HeightField(6, 0.5, 2));
-  for (Index h = 0; h < 3 * bench.Mesh.NumberOfFaceSlots(); ++h)
+  for (const Index h : HalfEdges(bench.Mesh))
   {
     if (bench.Mesh.Twin(h) != None)
     {
@@ -203,14 +202,27 @@ TEST(PlaneQuadric, AtACornerOfAFlatBorderTheCornerIsKept)
   EXPECT_EQ(bench.Propose(Vector3(4, 4, 0), Vector3(3, 4, 0)).Edits[0].Position, Vector3(4, 4, 0));
 }
 
+namespace
+{
+/// The gate's answer, and by how much the volume would change, mm^3.
+std::pair<Verdict, double> JudgeAt(
+  const Bench& bench, const Neighbourhood& around, const Vector3& place)
+{
+  FanStorage storage;
+  Fan& fan = storage.Reserve(static_cast<int>(around.Corners.size()));
+  FillFan(bench.Mesh, around, fan);
+  double change = 0.0;
+  const Verdict verdict =
+    JudgePlace(bench.Mesh, around, { around.Edge, around.Start, place, false }, fan, change);
+  return { verdict, change };
+}
+}
+
 TEST(Gate, APlaceThatTurnsATriangleOverIsRefused)
 {
   Bench bench(Grid(5));
   const Neighbourhood around = bench.Around(bench.EdgeBetween({ 2, 2, 0 }, { 3, 2, 0 }));
-  const auto judge = [&](const Vector3& place)
-  {
-    return JudgePlace(bench.Mesh, bench.Areas, around, { around.Edge, around.Start, place, false });
-  };
+  const auto judge = [&](const Vector3& place) { return JudgeAt(bench, around, place).first; };
   EXPECT_EQ(judge({ 2.5, 2, 0 }), Verdict::Allowed);
   EXPECT_EQ(judge({ 9, 2, 0 }), Verdict::Flip);
   EXPECT_EQ(judge({ 2.5, 2, 30 }), Verdict::Flip) << "all triangles upright";
@@ -221,8 +233,7 @@ TEST(Gate, APlaceThatLeavesNoAreaIsRefused)
   Bench bench(Grid(5));
   const Neighbourhood around = bench.Around(bench.EdgeBetween({ 2, 2, 0 }, { 3, 2, 0 }));
   // On the line of an edge of the ring.
-  const Edit edit = { around.Edge, around.Start, { 2.5, 3, 0 }, false };
-  EXPECT_NE(JudgePlace(bench.Mesh, bench.Areas, around, edit), Verdict::Allowed);
+  EXPECT_NE(JudgeAt(bench, around, { 2.5, 3, 0 }).first, Verdict::Allowed);
 }
 
 TEST(Gate, VolumeChangeIsTheDifferenceOfTheVolumes)
@@ -232,7 +243,8 @@ TEST(Gate, VolumeChangeIsTheDifferenceOfTheVolumes)
   for (int i = 0; i < 200; ++i)
   {
     Bench bench(surface);
-    const Index h = random.Below(3 * bench.Mesh.NumberOfFaceSlots());
+    const Index h =
+      HalfEdgeMesh::HalfEdge(random.Below(bench.Mesh.NumberOfFaceSlots()), random.Below(3));
     const Neighbourhood around = bench.Around(h);
     const Vector3 place = bench.Mesh.Position(around.Start) + random.InCube(1);
     Surface after = surface;
@@ -244,7 +256,7 @@ TEST(Gate, VolumeChangeIsTheDifferenceOfTheVolumes)
       }
     }
     after.Points[around.Start] = place; // triangles with a repeated corner have no volume
-    const double change = VolumeChange(bench.Mesh, around, { h, around.Start, place, false });
+    const double change = JudgeAt(bench, around, place).second;
     EXPECT_NEAR(change, SignedVolume(after) - SignedVolume(surface), 1e-10);
   }
 }

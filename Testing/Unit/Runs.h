@@ -8,11 +8,13 @@
 #define BoneDecimate_Testing_Runs_h
 
 #include "Decimate.h"
+#include "Mesh/HalfEdgeMesh.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <ostream>
+#include <vector>
 
 namespace bonedecimate::testsupport
 {
@@ -45,6 +47,17 @@ inline Options Error(double millimetres)
   Options options = Unmeasured();
   options.MaximumError = millimetres;
   return options;
+}
+
+/// Every half-edge of a mesh, or every n-th of them.
+inline std::vector<Index> HalfEdges(const HalfEdgeMesh& mesh, Index step = 1)
+{
+  std::vector<Index> halfEdges;
+  for (Index i = 0; i < 3 * mesh.NumberOfFaceSlots(); i += step)
+  {
+    halfEdges.push_back(HalfEdgeMesh::HalfEdge(i / 3, i % 3));
+  }
+  return halfEdges;
 }
 
 /// Printed by GoogleTest as the value of the parameter.

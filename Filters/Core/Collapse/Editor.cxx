@@ -3,89 +3,148 @@
 #include "Editor.h"
 
 #include "Gate.h"
+#include "RingQuadrics.h"
 #include "SmallEdits.h"
 
 namespace bonedecimate
 {
-Editor::Editor(const CleanSurface& clean, bool recordDistances)
-  : Half(clean.Surface)
-  , FaceGeometry(this->Half)
-  , Source(clean, recordDistances)
-  , Volumes(this->Half, clean.Surface)
-  , Gatherer(this->Half)
+namespace
 {
-}
-
-//------------------------------------------------------------------------------
-Verdict Editor::Count(Verdict verdict)
+Verdict Count(Verdict verdict, Workspace& work)
 {
   if (verdict != Verdict::Allowed)
   {
-    ++this->RefusalsByVerdict[static_cast<std::size_t>(verdict)];
+    ++work.Counted.Refusals[static_cast<std::size_t>(verdict)];
   }
   return verdict;
 }
+}
+
+Editor::Editor(const CleanSurface& clean, const Books& books, int threads)
+  : Half(clean.Surface, threads)
+  , KeepsQuadrics(books.Quadrics)
+  , Source(clean, books.Distances)
+  , Volumes(this->Half, clean.Surface)
+{
+  if (books.Areas)
+  {
+    this->FaceGeometry.emplace(this->Half);
+  }
+  if (books.Quadrics)
+  {
+    SumRingQuadrics(this->Half, threads);
+  }
+}
 
 //------------------------------------------------------------------------------
-Verdict Editor::JudgeEdge(Index edge)
+Verdict Editor::JudgeEdge(Index edge, Workspace& work) const
 {
   const Verdict ends = JudgeEnds(this->Half, edge);
   if (ends != Verdict::Allowed)
   {
     return ends;
   }
-  this->Gatherer.Gather(this->Half, edge, this->Examined);
-  const Verdict topology = JudgeTopology(this->Half, this->Examined);
+  work.Around.Gather(this->Half, edge);
+  const Verdict topology = JudgeTopology(this->Half, work.Around);
   if (topology != Verdict::Allowed)
   {
-    this->Examined.Edge = None;
+    work.Around.Edge = None;
+    return topology;
   }
-  return topology;
+  FillFan(
+    this->Half, work.Around, work.Faces.Reserve(static_cast<int>(work.Around.Corners.size())));
+  return Verdict::Allowed;
 }
 
 //------------------------------------------------------------------------------
 Verdict Editor::Examine(Index edge)
 {
-  return this->Count(this->JudgeEdge(edge));
+  const Verdict verdict = this->Examine(edge, this->Own);
+  this->Settle(this->Own.Counted);
+  return verdict;
+}
+
+//------------------------------------------------------------------------------
+Verdict Editor::Examine(Index edge, Workspace& work) const
+{
+  return Count(this->JudgeEdge(edge, work), work);
 }
 
 //------------------------------------------------------------------------------
 Verdict Editor::Apply(const Edit& edit)
 {
-  if (this->Examined.Edge != edit.Edge)
+  const Verdict verdict = this->Apply(edit, this->Own, 1);
+  this->Settle(this->Own.Counted);
+  return verdict;
+}
+
+//------------------------------------------------------------------------------
+Verdict Editor::Apply(const Edit& edit, Workspace& work, int workers)
+{
+  if (work.Around.Edge != edit.Edge)
   {
-    const Verdict verdict = this->Examine(edit.Edge);
+    const Verdict verdict = this->Examine(edit.Edge, work);
     if (verdict != Verdict::Allowed)
     {
       return verdict;
     }
   }
-  const Verdict place = JudgePlace(this->Half, this->FaceGeometry, this->Examined, edit);
-  if (place != Verdict::Allowed)
+  double volumeChange = 0.0; // mm^3
+  const Verdict verdict =
+    JudgePlace(this->Half, work.Around, edit, work.Faces.Current(), volumeChange);
+  if (verdict != Verdict::Allowed)
   {
-    return this->Count(place);
+    return Count(verdict, work);
   }
-  const double volumeChange = VolumeChange(this->Half, this->Examined, edit);
-  if (!this->Volumes.MayChange(edit.Keep, volumeChange))
+  if (!this->Volumes.MayChange(edit.Keep, volumeChange, work.Counted.Volumes, workers))
   {
-    return this->Count(Verdict::Fragment);
+    return Count(Verdict::Fragment, work);
   }
   const Index gone = this->Half.Across(edit.Edge, edit.Keep);
-  this->Half.Collapse(edit.Edge, edit.Keep, edit.Position);
-  this->KeepBooks(edit, gone, volumeChange);
+  const Vector3 origin = this->Half.Position(work.Around.Start);
+  this->Half.Collapse(work.Around, edit.Keep, edit.Position);
+  if (this->KeepsQuadrics)
+  {
+    ExchangeRingQuadrics(this->Half, work.Around, edit.Keep, origin, work.Faces.Current());
+  }
+  this->KeepBooks(edit, gone, volumeChange, work);
   return Verdict::Allowed;
 }
 
 //------------------------------------------------------------------------------
-Verdict Editor::ApplySmall(const Edit& edit)
+Verdict Editor::ApplySmall(const Edit& edit, Workspace& work, int workers)
 {
-  const Verdict verdict = edit.Kind == EditKind::Flip ? this->ApplyFlip(edit.Edge)
-                                                      : this->ApplyMove(edit.Keep, edit.Position);
-  if (verdict == Verdict::Allowed && this->AfterEdit)
+  const bool flips = edit.Kind == EditKind::Flip;
+  const Index vertex = flips ? this->Half.Origin(edit.Edge) : edit.Keep;
+  double volumeChange = 0.0; // mm^3
+  const Verdict verdict = flips ? JudgeFlip(this->Half, edit.Edge, volumeChange)
+                                : JudgeMove(this->Half, vertex, edit.Position, volumeChange);
+  if (verdict != Verdict::Allowed)
+  {
+    return verdict;
+  }
+  if (!this->Volumes.ShareAllows(vertex, volumeChange))
+  {
+    if (!this->Volumes.MayChange(vertex, volumeChange, work.Counted.Volumes, 2 * workers))
+    {
+      return Verdict::Fragment;
+    }
+    work.Counted.Volumes.Add(this->Volumes.ComponentOf(vertex), volumeChange);
+  }
+  if (flips)
+  {
+    this->Half.Flip(edit.Edge);
+  }
+  else
+  {
+    this->Half.Move(vertex, edit.Position);
+    this->Source.Move(vertex);
+  }
+  if (this->AfterEdit)
   {
     this->AfterEdit(*this, edit);
   }
-  return verdict;
+  return Verdict::Allowed;
 }
 
 //------------------------------------------------------------------------------
@@ -101,65 +160,37 @@ void Editor::LookUpVertices()
 }
 
 //------------------------------------------------------------------------------
-Verdict Editor::ApplyFlip(Index edge)
+void Editor::KeepBooks(const Edit& edit, Index gone, double volumeChange, Workspace& work)
 {
-  const Verdict topology = JudgeFlipTopology(this->Half, edge);
-  if (topology != Verdict::Allowed)
+  if (this->FaceGeometry)
   {
-    return topology;
+    for (const Index h : work.Around.Corners)
+    {
+      this->FaceGeometry->Update(this->Half, HalfEdgeMesh::Face(h));
+    }
   }
-  const Verdict place = JudgeFlipPlace(this->Half, this->FaceGeometry, edge);
-  if (place != Verdict::Allowed)
-  {
-    return place;
-  }
-  const Index vertex = this->Half.Origin(edge);
-  if (!this->Volumes.ShareAllows(vertex, FlipVolumeChange(this->Half, edge)))
-  {
-    return Verdict::Fragment;
-  }
-  this->Half.Flip(edge);
-  this->FaceGeometry.Update(this->Half, HalfEdgeMesh::Face(edge));
-  this->FaceGeometry.Update(this->Half, HalfEdgeMesh::Face(this->Half.Twin(edge)));
-  return Verdict::Allowed;
-}
-
-//------------------------------------------------------------------------------
-Verdict Editor::ApplyMove(Index vertex, const Vector3& position)
-{
-  const Verdict place = JudgeMove(this->Half, this->FaceGeometry, vertex, position);
-  if (place != Verdict::Allowed)
-  {
-    return place;
-  }
-  const double change = MoveVolumeChange(this->Half, this->FaceGeometry, vertex, position);
-  if (!this->Volumes.ShareAllows(vertex, change))
-  {
-    return Verdict::Fragment;
-  }
-  this->Half.Move(vertex, position);
-  this->Source.Move(vertex);
-  for (const Index h : this->Half.OutgoingOf(vertex))
-  {
-    this->FaceGeometry.Update(this->Half, HalfEdgeMesh::Face(h));
-  }
-  return Verdict::Allowed;
-}
-
-//------------------------------------------------------------------------------
-void Editor::KeepBooks(const Edit& edit, Index gone, double volumeChange)
-{
-  for (const Index h : this->Examined.Corners)
-  {
-    this->FaceGeometry.Update(this->Half, HalfEdgeMesh::Face(h));
-  }
-  this->Examined.Edge = None;
   this->Source.Merge(edit.Keep, gone, edit.Position, edit.KeepStays);
-  this->Volumes.Change(edit.Keep, volumeChange);
-  ++this->Edits;
+  work.Counted.Volumes.Add(this->Volumes.ComponentOf(edit.Keep), volumeChange);
+  work.Counted.RemovedFaces += work.Around.NumberOfGoneFaces;
+  work.Around.Edge = None;
+  ++work.Counted.Edits;
   if (this->AfterEdit)
   {
+    this->Settle(work.Counted);
     this->AfterEdit(*this, edit);
   }
+}
+
+//------------------------------------------------------------------------------
+void Editor::Settle(Tally& tally)
+{
+  this->Volumes.Settle(tally.Volumes);
+  this->Half.CountRemovedFaces(tally.RemovedFaces);
+  this->Edits += tally.Edits;
+  for (std::size_t i = 0; i < NumberOfVerdicts; ++i)
+  {
+    this->RefusalsByVerdict[i] += tally.Refusals[i];
+  }
+  tally = {};
 }
 }

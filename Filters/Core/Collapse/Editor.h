@@ -6,7 +6,9 @@
  *
  *     Apply(edit):  gate (ends, topology, place, fragment)  ->  mesh  ->  bookkeeping (areas, origins, volumes, hook)
  *
- * The gate before and the bookkeeping after are the same for every mode and every kind of edit.
+ * The gate before and the bookkeeping after are the same for every mode and every kind of edit. Workers with a
+ * workspace each may apply edits at the same time as long as their neighbourhoods have no vertex in common; Settle
+ * takes over what they counted, in an order that does not depend on the threads.
  */
 #ifndef BoneDecimate_Core_Collapse_Editor_h
 #define BoneDecimate_Core_Collapse_Editor_h
@@ -16,51 +18,63 @@
 #include "Mesh/Edit.h"
 #include "Mesh/FaceAreas.h"
 #include "Mesh/HalfEdgeMesh.h"
-#include "Mesh/Neighbourhood.h"
 #include "Reference/Original.h"
 #include "Report.h"
+#include "Workspace.h"
 
 #include <array>
 #include <functional>
+#include <optional>
 
 namespace bonedecimate
 {
 class Editor
 {
 public:
-  /// @param recordDistances Look up every new vertex on the original: needed for an error to stop
-  /// at, and not free.
-  Editor(const CleanSurface& clean, bool recordDistances);
+  /// What is kept beside the mesh, none of it for free.
+  struct Books
+  {
+    bool Distances =
+      true; ///< Look up every new vertex on the original: needed for an error to stop at.
+    bool Areas = true;     ///< Area and normal of each face.
+    bool Quadrics = false; ///< Mesh/RingQuadrics: the Quadric of each vertex record.
+  };
+
+  Editor(const CleanSurface& clean, const Books& books, int threads = 1);
 
   /// Gathers what lies around the edge and judges what does not depend on the place.
   Verdict Examine(Index edge);
+  Verdict Examine(Index edge, Workspace& work) const;
 
   /// What Examine gathered last; valid until the next edit is applied.
-  const Neighbourhood& Around() const { return this->Examined; }
+  const Neighbourhood& Around() const { return this->Own.Around; }
 
   /// Judges the edit and, if it is allowed, carries it out. Refused edits change nothing and are counted.
   Verdict Apply(const Edit& edit);
+  Verdict Apply(const Edit& edit, Workspace& work, int workers);
 
-  /// Before a pass of ApplySmall: shares what the fragments may lose.
+  /// Takes over what a worker counted.
+  void Settle(Tally& tally);
+
+  /// Before a pass of ApplySmall, and after the last: measures the fragments and shares what they may lose.
   void ShareVolumes() { this->Volumes.Share(this->Half); }
 
-  /**
-   * Judges a flip or a move and, if it is allowed, carries it out. Threads may do so at the same time as long as none edits
-   * what another one's vertices are joined to, and no hook is set. Refusals are not counted.
-   */
-  Verdict ApplySmall(const Edit& edit);
+  /// Judges a flip or a move and, if it is allowed, carries it out. Neither they nor their refusals are counted.
+  Verdict ApplySmall(const Edit& edit, Workspace& work, int workers);
 
   /// After moves: looks all moved vertices up on the original, if distances are recorded.
   void LookUpVertices();
 
-  bool HasHook() const { return static_cast<bool>(this->AfterEdit); }
-
   /// Called after every applied edit, for invariant checks and logs.
   using Hook = std::function<void(const Editor&, const Edit&)>;
   void SetHook(Hook hook) { this->AfterEdit = std::move(hook); }
+  bool HasHook() const
+  {
+    return static_cast<bool>(this->AfterEdit);
+  } ///< Then only one worker may work.
 
   const HalfEdgeMesh& Mesh() const { return this->Half; }
-  const FaceAreas& Areas() const { return this->FaceGeometry; }
+  const FaceAreas& Areas() const { return *this->FaceGeometry; }
   const Original& Reference() const { return this->Source; }
   Original& Reference() { return this->Source; }
   std::int64_t NumberOfEdits() const { return this->Edits; }
@@ -70,18 +84,15 @@ public:
   }
 
 private:
-  Verdict JudgeEdge(Index edge);
-  Verdict ApplyFlip(Index edge);
-  Verdict ApplyMove(Index vertex, const Vector3& position);
-  Verdict Count(Verdict verdict);
-  void KeepBooks(const Edit& edit, Index gone, double volumeChange);
+  Verdict JudgeEdge(Index edge, Workspace& work) const;
+  void KeepBooks(const Edit& edit, Index gone, double volumeChange, Workspace& work);
 
   HalfEdgeMesh Half;
-  FaceAreas FaceGeometry;
+  std::optional<FaceAreas> FaceGeometry;
+  bool KeepsQuadrics;
   Original Source;
   Fragments Volumes;
-  NeighbourhoodGatherer Gatherer;
-  Neighbourhood Examined;
+  Workspace Own;
   Hook AfterEdit;
   std::int64_t Edits = 0;
   std::array<std::int64_t, NumberOfVerdicts> RefusalsByVerdict{};

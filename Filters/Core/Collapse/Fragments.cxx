@@ -87,15 +87,52 @@ bool Fragments::ShareAllows(Index v, double volumeChange) const
 }
 
 //------------------------------------------------------------------------------
-bool Fragments::MayChange(Index v, double volumeChange) const
+bool Fragments::MayChange(Index v, double volumeChange, const Changes& pending, int workers) const
 {
   const Volume& volume = this->Volumes[this->OfVertex[v]];
   if (!volume.IsClosed || volume.AtFirst == 0.0)
   {
     return true;
   }
-  const double share = (volume.Now + volumeChange) / volume.AtFirst;
-  const double shareNow = volume.Now / volume.AtFirst;
-  return share >= LeastVolumeShare || share >= shareNow;
+  const double spare = (volume.Now / volume.AtFirst - LeastVolumeShare) / workers;
+  const double change = volumeChange / volume.AtFirst;
+  return change >= 0.0 || spare + pending.Of(this->OfVertex[v]) / volume.AtFirst + change >= 0.0;
+}
+
+//------------------------------------------------------------------------------
+void Fragments::Settle(Changes& changes)
+{
+  for (const Changes::Change& change : changes.List)
+  {
+    this->Volumes[change.Component].Now += change.Volume;
+  }
+  changes.List.clear();
+}
+
+//------------------------------------------------------------------------------
+double Fragments::Changes::Of(Index component) const
+{
+  for (const Change& change : this->List)
+  {
+    if (change.Component == component)
+    {
+      return change.Volume;
+    }
+  }
+  return 0.0;
+}
+
+//------------------------------------------------------------------------------
+void Fragments::Changes::Add(Index component, double change)
+{
+  for (Change& known : this->List)
+  {
+    if (known.Component == component)
+    {
+      known.Volume += change;
+      return;
+    }
+  }
+  this->List.push_back({ component, change });
 }
 }

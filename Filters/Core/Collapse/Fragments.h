@@ -16,15 +16,33 @@ namespace bonedecimate
 class Fragments
 {
 public:
+  /// Volume changes of a worker that are not settled yet, mm^3; it meets few components.
+  class Changes
+  {
+  public:
+    double Of(Index component) const;
+    void Add(Index component, double change);
+
+  private:
+    friend class Fragments;
+    struct Change
+    {
+      Index Component;
+      double Volume; // mm^3
+    };
+    std::vector<Change> List;
+  };
+
   Fragments(const HalfEdgeMesh& mesh, const Surface& surface);
 
   /// Whether the component of v may change its volume by that much (mm^3). Open components and cavities of no volume may.
-  bool MayChange(Index v, double volumeChange) const;
+  /// What may still be lost is shared out evenly among `workers` who do not know of each other's changes.
+  bool MayChange(Index v, double volumeChange, const Changes& pending, int workers) const;
 
-  void Change(Index v, double volumeChange)
-  {
-    this->Volumes[this->OfVertex[v]].Now += volumeChange;
-  }
+  Index ComponentOf(Index v) const { return this->OfVertex[v]; }
+
+  /// Takes a worker's changes over.
+  void Settle(Changes& changes);
 
   /// Measures all volumes afresh and shares what closed fragments may still lose among their vertices, so that vertices
   /// may be edited at the same time without asking what the others do.

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gate.h"
 
-#include "TriangleShape.h"
-
 namespace bonedecimate
 {
 Verdict JudgeEnds(const HalfEdgeMesh& mesh, Index edge)
@@ -18,6 +16,7 @@ Verdict JudgeEnds(const HalfEdgeMesh& mesh, Index edge)
   return bothOnBorder && mesh.Twin(edge) != None ? Verdict::Border : Verdict::Allowed;
 }
 
+//------------------------------------------------------------------------------
 Verdict JudgeTopology(const HalfEdgeMesh& mesh, const Neighbourhood& around)
 {
   const bool isEnvelope = !around.IsBorderEdge() && around.Apexes[0] == around.Apexes[1];
@@ -25,52 +24,53 @@ Verdict JudgeTopology(const HalfEdgeMesh& mesh, const Neighbourhood& around)
   {
     return Verdict::Fragment; // a single triangle, or two glued together along all edges
   }
-  if (around.CommonNeighbours != around.NumberOfGoneFaces)
-  {
-    return Verdict::LinkCondition;
-  }
   // Two inside vertices with one staying face each: both faces would become the same triangle, back
   // to back. That is a tetrahedron, whether it stands alone or hangs on locked corners.
   const bool bothInside =
     mesh.Kind(around.Start) == VertexKind::Inside && mesh.Kind(around.End) == VertexKind::Inside;
   if (bothInside && around.Corners.size() <= 2)
   {
-    return Verdict::Fragment;
+    return around.RingIsSimple() ? Verdict::Fragment : Verdict::LinkCondition;
   }
-  return Verdict::Allowed;
+  return around.RingIsSimple() ? Verdict::Allowed : Verdict::LinkCondition;
 }
 
-Verdict JudgePlace(
-  const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around, const Edit& edit)
+//------------------------------------------------------------------------------
+void FillFan(const HalfEdgeMesh& mesh, const Neighbourhood& around, Fan& fan)
 {
-  for (const Index h : around.Corners)
+  const Vector3& origin = mesh.Position(around.Start);
+  const Vector3 end = mesh.Position(around.End) - origin;
+  const int points = static_cast<int>(around.Ring.size());
+  for (int k = 0; k < 3; ++k)
   {
-    const Vector3& corner = mesh.Position(mesh.Origin(h));
-    const Vector3& second = mesh.Position(mesh.Target(h));
-    const Vector3& third = mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h)));
-    const Verdict verdict =
-      JudgeCorner(areas[HalfEdgeMesh::Face(h)], corner, edit.Position, second, third);
-    if (verdict != Verdict::Allowed)
-    {
-      return verdict;
-    }
+    fan.End[k] = end[k];
   }
-  return Verdict::Allowed;
+  for (int i = 0; i <= fan.Faces; ++i)
+  {
+    const Vector3& p = mesh.Position(around.Ring[static_cast<std::size_t>(i < points ? i : 0)]);
+    fan.Ring[0][i] = p[0] - origin[0];
+    fan.Ring[1][i] = p[1] - origin[1];
+    fan.Ring[2][i] = p[2] - origin[2];
+  }
+  for (int i = 0; i < fan.Faces; ++i)
+  {
+    const Index corner = mesh.Origin(around.Corners[static_cast<std::size_t>(i)]);
+    fan.AtEnd[i] = corner == around.End ? -1 : 0;
+  }
 }
 
-double VolumeChange(const HalfEdgeMesh& mesh, const Neighbourhood& around, const Edit& edit)
+//------------------------------------------------------------------------------
+Verdict JudgePlace(const HalfEdgeMesh& mesh, const Neighbourhood& around, const Edit& edit,
+  Fan& fan, double& volumeChange)
 {
-  // Measured from Start: the cones of faces at Start have no volume, those of gone faces neither.
-  const Vector3& from = mesh.Position(around.Start);
-  double change = 0.0;
-  for (const Index h : around.Corners)
+  const Vector3& origin = mesh.Position(around.Start);
+  for (int k = 0; k < 3; ++k)
   {
-    const Vector3& corner = mesh.Position(mesh.Origin(h));
-    const Vector3& second = mesh.Position(mesh.Target(h));
-    const Vector3& third = mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h)));
-    change += AreaVector(edit.Position, second, third).dot(second - from);
-    change -= AreaVector(corner, second, third).dot(second - from);
+    fan.Place[k] = edit.Position[k] - origin[k];
   }
-  return change / 3.0;
+  FanVerdict found;
+  BestKernels().JudgeFan(fan, found);
+  volumeChange = found.VolumeChange;
+  return found.Degenerate ? Verdict::Degenerate : found.Flip ? Verdict::Flip : Verdict::Allowed;
 }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SmallEdits.h
- * @brief Whether a vertex may be moved or an edge flipped: topology and the shape of the triangles, as in Gate.h.
+ * @brief Whether a vertex may be moved or an edge flipped: the rules of Gate.h for edits that remove nothing.
  *
  * Locked and border vertices never move. No corner of the two faces of a flipped edge is locked, the new edge must not
  * exist yet. No triangle turns by more than the gate allows, loses its area or becomes a worse needle.
@@ -10,7 +10,6 @@
 #ifndef BoneDecimate_Core_Collapse_SmallEdits_h
 #define BoneDecimate_Core_Collapse_SmallEdits_h
 
-#include "Mesh/FaceAreas.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Report.h"
 
@@ -21,16 +20,10 @@ namespace bonedecimate
 /// The corners around an inside edge a-b: a, b, c (apex of its face), d (apex of its twin's face).
 std::array<Index, 4> CornersAround(const HalfEdgeMesh& mesh, Index edge);
 
-/// Topology of a flip alone.
-Verdict JudgeFlipTopology(const HalfEdgeMesh& mesh, Index edge);
-/// Geometry of a flip alone.
-Verdict JudgeFlipPlace(const HalfEdgeMesh& mesh, const FaceAreas& areas, Index edge);
-double FlipVolumeChange(const HalfEdgeMesh& mesh, Index edge); // mm^3
-
+/// @param volumeChange mm^3, returned if it is allowed.
+Verdict JudgeFlip(const HalfEdgeMesh& mesh, Index edge, double& volumeChange);
 Verdict JudgeMove(
-  const HalfEdgeMesh& mesh, const FaceAreas& areas, Index vertex, const Vector3& position);
-double MoveVolumeChange(
-  const HalfEdgeMesh& mesh, const FaceAreas& areas, Index vertex, const Vector3& position); // mm^3
+  const HalfEdgeMesh& mesh, Index vertex, const Vector3& position, double& volumeChange);
 }
 
 #endif

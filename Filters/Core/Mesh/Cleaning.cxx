@@ -2,343 +2,371 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cleaning.h"
 
-#include "EdgeGroups.h"
+#include "EdgeMatching.h"
 #include "Geometry/TriangleGeometry.h"
+#include "Parallel.h"
+#include "PointMerging.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
+#include <utility>
 
 namespace bonedecimate
 {
 namespace
 {
 constexpr double HugeCoordinate = 1e30; // mm
-constexpr std::size_t MostTriangles = std::numeric_limits<Index>::max() / 3;
-constexpr std::uint64_t ChecksumStart = 14695981039346656037ULL;
-constexpr std::uint64_t ChecksumFactor = 1099511628211ULL;
+constexpr std::size_t MostTriangles = std::numeric_limits<Index>::max() / 4;
 
-std::uint64_t Bits(double value)
+/// How many there are and which comes first.
+struct Finding
 {
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &value, sizeof(bits));
-  return bits;
-}
+  std::int64_t Count = 0;
+  std::int64_t First = -1;
 
-/// Equal points have equal keys; -0 and +0 are equal, so that zero is added.
-std::uint64_t HashOf(const Vector3& p)
-{
-  std::uint64_t hash = ChecksumStart;
-  for (Eigen::Index i = 0; i < 3; ++i)
+  void Add(std::size_t id)
   {
-    hash = (hash ^ Bits(p[i] + 0.0)) * ChecksumFactor;
-    hash ^= hash >> 29;
+    this->First = this->Count++ == 0 ? static_cast<std::int64_t>(id) : this->First;
   }
-  return hash;
-}
-
-/// Finds the point already entered with the same coordinates: open addressing, never more than half full.
-class PointFinder
-{
-public:
-  PointFinder(const std::vector<Vector3>& points, std::size_t count)
-    : Points(points)
-  {
-    std::size_t size = 16;
-    while (size < 2 * count)
-    {
-      size *= 2;
-    }
-    this->Table.assign(size, None);
-  }
-
-  /// The first input point entered that equals this one: itself if it is new.
-  Index Enter(Index point)
-  {
-    const Vector3& position = this->Points[point];
-    std::size_t slot = HashOf(position) & (this->Table.size() - 1);
-    while (this->Table[slot] != None && this->Points[this->Table[slot]] != position)
-    {
-      slot = (slot + 1) & (this->Table.size() - 1);
-    }
-    if (this->Table[slot] == None)
-    {
-      this->Table[slot] = point;
-    }
-    return this->Table[slot];
-  }
-
-private:
-  const std::vector<Vector3>& Points;
-  std::vector<Index> Table;
 };
 
-/// Counts one more and remembers the first.
-void Find(std::int64_t& count, std::int64_t& first, std::size_t id)
+/// Of all ids below count those for which isBad(id) holds.
+template <typename IsBad>
+Finding FindAll(std::size_t count, int threads, const IsBad& isBad)
 {
-  first = count++ == 0 ? static_cast<std::int64_t>(id) : first;
+  std::vector<Finding> findings(NumberOfBlocks(count));
+  ForEachBlock(count, threads,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      for (std::size_t id = first; id < last; ++id)
+      {
+        if (isBad(id))
+        {
+          findings[block].Add(id);
+        }
+      }
+    });
+  Finding all;
+  for (const Finding& found : findings)
+  {
+    all.First = all.Count == 0 ? found.First : all.First;
+    all.Count += found.Count;
+  }
+  return all;
 }
 
-void CheckPoints(const Surface& input, CleanSurface& clean)
+/// Nothing can be told of triangles where points are bad: the first thing that is wrong decides.
+InputStatus CheckPoints(const Surface& input, int threads, CleaningStatistics& found)
 {
-  CleaningStatistics& found = clean.Statistics;
-  for (std::size_t p = 0; p < input.Points.size(); ++p)
+  const auto isFinite = [](const Vector3& p)
+  { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); };
+  const auto isGood = [](const Vector3& p)
   {
-    const Vector3& position = input.Points[p];
-    if (!std::isfinite(position[0]) || !std::isfinite(position[1]) || !std::isfinite(position[2]))
-    {
-      Find(found.NonFinitePoints, found.FirstNonFinitePoint, p);
-    }
-    else if (position.cwiseAbs().maxCoeff() > HugeCoordinate)
-    {
-      Find(found.HugePoints, found.FirstHugePoint, p);
-    }
-  }
-  if (found.NonFinitePoints > 0)
+    return std::abs(p[0]) <= HugeCoordinate && std::abs(p[1]) <= HugeCoordinate &&
+      std::abs(p[2]) <= HugeCoordinate;
+  };
+  const auto find = [&](const auto& isBad) { return FindAll(input.Points.size(), threads, isBad); };
+  if (find([&](std::size_t p) { return !isGood(input.Points[p]); }).Count == 0)
   {
-    clean.Status = InputStatus::NonFinitePoints;
+    return InputStatus::Good;
   }
-  else if (found.HugePoints > 0)
-  {
-    clean.Status = InputStatus::HugeCoordinates;
-  }
+  const Finding wrong = find([&](std::size_t p) { return !isFinite(input.Points[p]); });
+  const Finding huge =
+    find([&](std::size_t p) { return isFinite(input.Points[p]) && !isGood(input.Points[p]); });
+  found.NonFinitePoints = wrong.Count;
+  found.FirstNonFinitePoint = wrong.First;
+  found.HugePoints = huge.Count;
+  found.FirstHugePoint = huge.First;
+  return wrong.Count > 0 ? InputStatus::NonFinitePoints : InputStatus::HugeCoordinates;
 }
 
-void CheckTriangles(const Surface& input, CleanSurface& clean)
+InputStatus CheckTriangles(const Surface& input, int threads, CleaningStatistics& found)
 {
-  const std::size_t numberOfPoints = input.Points.size();
-  for (std::size_t t = 0; t < input.Triangles.size(); ++t)
-  {
-    bool inRange = true;
-    for (const Index corner : input.Triangles[t])
+  const auto numberOfPoints = static_cast<std::uint32_t>(input.Points.size());
+  const Finding outside = FindAll(input.Triangles.size(), threads,
+    [&](std::size_t t)
     {
-      inRange = inRange && corner >= 0 && static_cast<std::size_t>(corner) < numberOfPoints;
-    }
-    if (!inRange)
-    {
-      Find(clean.Statistics.TrianglesOutOfRange, clean.Statistics.FirstTriangleOutOfRange, t);
-    }
-  }
-  if (clean.Statistics.TrianglesOutOfRange > 0)
-  {
-    clean.Status = InputStatus::IndexOutOfRange;
-  }
+      const Triangle& c = input.Triangles[t]; // negative numbers are huge without their sign
+      return static_cast<std::uint32_t>(c[0]) >= numberOfPoints ||
+        static_cast<std::uint32_t>(c[1]) >= numberOfPoints ||
+        static_cast<std::uint32_t>(c[2]) >= numberOfPoints;
+    });
+  found.TrianglesOutOfRange = outside.Count;
+  found.FirstTriangleOutOfRange = outside.First;
+  return outside.Count > 0 ? InputStatus::IndexOutOfRange : InputStatus::Good;
 }
 
-/// Fills Status with the first thing that makes the input unusable.
-void Check(const Surface& input, CleanSurface& clean)
+/// The first thing that makes the input unusable.
+InputStatus Check(const Surface& input, int threads, CleaningStatistics& found)
 {
-  clean.Statistics.PointsRead = static_cast<std::int64_t>(input.Points.size());
-  clean.Statistics.TrianglesRead = static_cast<std::int64_t>(input.Triangles.size());
+  found.PointsRead = static_cast<std::int64_t>(input.Points.size());
+  found.TrianglesRead = static_cast<std::int64_t>(input.Triangles.size());
   if (input.Triangles.size() > MostTriangles ||
     input.Points.size() > std::numeric_limits<Index>::max())
   {
-    clean.Status = InputStatus::TooManyTriangles;
-    return;
+    return InputStatus::TooManyTriangles;
   }
-  CheckPoints(input, clean);
-  if (clean.Status == InputStatus::Good)
+  const InputStatus points = CheckPoints(input, threads, found);
+  const InputStatus status =
+    points == InputStatus::Good ? CheckTriangles(input, threads, found) : points;
+  if (status == InputStatus::Good && input.Triangles.empty())
   {
-    CheckTriangles(input, clean);
+    return input.Points.empty() ? InputStatus::Empty : InputStatus::NoTriangles;
   }
-  if (clean.Status == InputStatus::Good && input.Triangles.empty())
-  {
-    clean.Status = input.Points.empty() ? InputStatus::Empty : InputStatus::NoTriangles;
-  }
+  return status;
 }
 
-/// Of each input point that a triangle uses: the input point that stands for it; None for the others.
-std::vector<Index> Representatives(const Surface& input, bool mergePoints)
+/// What becomes of a triangle.
+enum class Fate : std::uint8_t
 {
-  std::vector<Index> representative(input.Points.size(), None);
-  for (const Triangle& corners : input.Triangles)
+  Kept,
+  Repeated, ///< Two corners are one: dropped.
+  Flat      ///< No area: dropped unless it holds the surface together.
+};
+
+/// Cleans an input that passed the checks.
+class Cleaner
+{
+public:
+  Cleaner(const Surface& input, int threads, CleanSurface& clean)
+    : Input(input)
+    , Threads(threads)
+    , Clean(clean)
+    , Stand(input.Points.size())
+    , Fates(input.Triangles.size())
   {
-    for (const Index corner : corners)
+  }
+
+  /// False if no triangle is left.
+  bool Run(bool mergePoints)
+  {
+    this->FindStands(mergePoints);
+    this->DropTriangles();
+    if (this->Clean.Statistics.DroppedTriangles == this->Clean.Statistics.TrianglesRead)
     {
-      representative[corner] = corner;
+      return false;
     }
+    this->NumberPoints();
+    this->FillTriangles();
+    this->FillPoints();
+    return true;
   }
-  if (mergePoints)
-  {
-    PointFinder finder(input.Points, input.Points.size());
-    for (Index& point : representative)
-    {
-      point = point == None ? None : finder.Enter(point);
-    }
-  }
-  return representative;
-}
 
-bool HasRepeatedCorner(const Triangle& t)
-{
-  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
+private:
+  /// The corners by the points that stand for them.
+  Triangle Stands(std::size_t t) const
+  {
+    const Triangle& c = this->Input.Triangles[t];
+    return { this->Stand[c[0]], this->Stand[c[1]], this->Stand[c[2]] };
+  }
 
-/// Drops triangles of zero area that share at most one edge (with three different corners in `triangles`).
-std::vector<char> FlatTrianglesToDrop(
-  const std::vector<Triangle>& triangles, const std::vector<Vector3>& points)
-{
-  std::vector<char> drop(triangles.size(), 0);
-  bool any = false;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
+  /// Of each input point whether one of the triangles that are not dropped has it as a corner.
+  std::vector<char> UsedPoints() const
   {
-    const Triangle& c = triangles[t];
-    drop[t] = AreaVector(points[c[0]], points[c[1]], points[c[2]]).isZero(0.0) ? 1 : 0;
-    any = any || drop[t] != 0;
-  }
-  if (!any)
-  {
-    return drop;
-  }
-  std::vector<char> sharedEdges(triangles.size(), 0);
-  VisitEdgeGroups(triangles, points.size(),
-    [&](const Index* first, const Index* last)
+    std::vector<char> used(this->Stand.size(), 0);
+    for (std::size_t t = 0; t < this->Fates.size(); ++t)
     {
-      for (const Index* h = first; h != last && last - first > 1; ++h)
+      if (this->Fates[t] == Fate::Kept)
       {
-        ++sharedEdges[*h / 3];
+        const Triangle& c = this->Input.Triangles[t];
+        used[c[0]] = used[c[1]] = used[c[2]] = 1;
       }
-    });
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    drop[t] = drop[t] != 0 && sharedEdges[t] <= 1 ? 1 : 0;
+    }
+    return used;
   }
-  return drop;
+
+  void FindStands(bool mergePoints)
+  {
+    const std::vector<char> used = this->UsedPoints();
+    ForEachId(this->Stand.size(), this->Threads,
+      [&](std::size_t p) { this->Stand[p] = used[p] != 0 ? static_cast<Index>(p) : None; });
+    if (mergePoints)
+    {
+      this->MergedPoints = MergeEqualPoints(this->Input.Points, this->Stand, this->Threads);
+    }
+  }
+
+  void DropTriangles()
+  {
+    ForEachId(
+      this->Fates.size(), this->Threads, [&](std::size_t t) { this->Fates[t] = this->FateOf(t); });
+    const auto find = [&](const auto& isIt)
+    {
+      return FindAll(
+        this->Fates.size(), this->Threads, [&](std::size_t t) { return isIt(this->Fates[t]); });
+    };
+    if (find([](Fate fate) { return fate == Fate::Flat; }).Count > 0)
+    {
+      this->KeepFlatOnesThatHoldTheSurface();
+    }
+    const Finding dropped = find([](Fate fate) { return fate != Fate::Kept; });
+    this->Clean.Statistics.DroppedTriangles = dropped.Count;
+    this->Clean.Statistics.FirstDroppedTriangle = dropped.First;
+  }
+
+  Fate FateOf(std::size_t t) const
+  {
+    const Triangle c = this->Stands(t);
+    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0])
+    {
+      return Fate::Repeated;
+    }
+    const std::vector<Vector3>& p = this->Input.Points;
+    return AreaVector(p[c[0]], p[c[1]], p[c[2]]).isZero(0.0) ? Fate::Flat : Fate::Kept;
+  }
+
+  /// A flat triangle that shares two or three of its edges closes the gap between its neighbours.
+  void KeepFlatOnesThatHoldTheSurface()
+  {
+    std::vector<Triangle> triangles;
+    std::vector<std::size_t> ids;
+    for (std::size_t t = 0; t < this->Fates.size(); ++t)
+    {
+      if (this->Fates[t] != Fate::Repeated)
+      {
+        triangles.push_back(this->Stands(t));
+        ids.push_back(t);
+      }
+    }
+    const EdgeMatching matching(triangles, this->Stand.size(), this->Threads);
+    for (std::size_t i = 0; i < ids.size(); ++i)
+    {
+      const Index* twins = matching.Twins().data() + 4 * i;
+      const auto shared = std::count_if(twins, twins + 3, [](Index twin) { return twin != None; });
+      Fate& fate = this->Fates[ids[i]];
+      fate = fate == Fate::Flat && shared > 1 ? Fate::Kept : fate;
+    }
+  }
+
+  /// Numbers the points that stand for others or themselves in input order and counts them.
+  void NumberPoints()
+  {
+    CleaningStatistics& found = this->Clean.Statistics;
+    std::vector<Index>& number = this->Clean.PointOfInput;
+    if (found.DroppedTriangles > 0)
+    {
+      this->ForgetPointsOfDroppedTriangles();
+    }
+    number.assign(this->Stand.size(), None);
+    this->Clean.InputPoint.reserve(this->Stand.size());
+    for (std::size_t p = 0; p < this->Stand.size(); ++p)
+    {
+      if (this->Stand[p] == static_cast<Index>(p))
+      {
+        number[p] = static_cast<Index>(this->Clean.InputPoint.size());
+        this->Clean.InputPoint.push_back(this->Stand[p]);
+      }
+    }
+    this->Clean.InputPointCount.assign(this->Clean.InputPoint.size(), 1);
+    found.UnusedPoints =
+      found.PointsRead - static_cast<std::int64_t>(this->Clean.InputPoint.size());
+    for (std::size_t p = 0; p < this->Stand.size() && this->MergedPoints > 0; ++p)
+    {
+      if (this->Stand[p] != None && this->Stand[p] != static_cast<Index>(p))
+      {
+        number[p] = number[this->Stand[p]];
+        ++this->Clean.InputPointCount[number[p]];
+        ++found.MergedPoints;
+        --found.UnusedPoints;
+      }
+    }
+  }
+
+  /// Points stay if the point that stands for them is a corner of a kept triangle.
+  void ForgetPointsOfDroppedTriangles()
+  {
+    std::vector<char> used(this->Stand.size(), 0);
+    for (std::size_t t = 0; t < this->Fates.size(); ++t)
+    {
+      for (const Index corner : this->Stands(t))
+      {
+        used[corner] = this->Fates[t] == Fate::Kept ? 1 : used[corner];
+      }
+    }
+    for (Index& stand : this->Stand)
+    {
+      stand = stand == None || used[stand] == 0 ? None : stand;
+    }
+  }
+
+  void FillTriangles()
+  {
+    const std::size_t count = this->Fates.size();
+    std::vector<std::size_t> next(NumberOfBlocks(count), 0); // of each block: its first new place
+    ForEachBlock(count, this->Threads,
+      [&](std::size_t block, std::size_t first, std::size_t last)
+      {
+        const auto* fates = this->Fates.data();
+        next[block] = static_cast<std::size_t>(std::count(fates + first, fates + last, Fate::Kept));
+      });
+    std::size_t kept = 0;
+    for (std::size_t& place : next)
+    {
+      kept += std::exchange(place, kept);
+    }
+    this->Clean.Surface.Triangles.resize(kept);
+    this->Clean.InputTriangle.resize(kept);
+    const std::vector<Index>& number = this->Clean.PointOfInput;
+    ForEachBlock(count, this->Threads,
+      [&](std::size_t block, std::size_t first, std::size_t last)
+      {
+        for (std::size_t t = first; t < last; ++t)
+        {
+          if (this->Fates[t] == Fate::Kept)
+          {
+            const Triangle& c = this->Input.Triangles[t];
+            const std::size_t place = next[block]++;
+            this->Clean.InputTriangle[place] = static_cast<Index>(t);
+            this->Clean.Surface.Triangles[place] = { number[c[0]], number[c[1]], number[c[2]] };
+          }
+        }
+      });
+  }
+
+  /// Relative to the least corner of their box.
+  void FillPoints()
+  {
+    const std::vector<Index>& ids = this->Clean.InputPoint;
+    const std::vector<Vector3>& from = this->Input.Points;
+    std::vector<Vector3> lows(NumberOfBlocks(ids.size()));
+    ForEachBlock(ids.size(), this->Threads,
+      [&](std::size_t block, std::size_t first, std::size_t last)
+      {
+        Vector3 low = from[ids[first]];
+        for (std::size_t p = first; p < last; ++p)
+        {
+          low = low.cwiseMin(from[ids[p]]);
+        }
+        lows[block] = low;
+      });
+    this->Clean.Origin = lows[0];
+    for (const Vector3& low : lows)
+    {
+      this->Clean.Origin = this->Clean.Origin.cwiseMin(low);
+    }
+    this->Clean.Surface.Points.resize(ids.size());
+    ForEachId(ids.size(), this->Threads,
+      [&](std::size_t p) { this->Clean.Surface.Points[p] = from[ids[p]] - this->Clean.Origin; });
+  }
+
+  const Surface& Input;
+  int Threads;
+  CleanSurface& Clean;
+  std::vector<Index> Stand; // of each input point the one that stands for it; None if unused
+  std::vector<Fate> Fates;  // of each input triangle
+  std::int64_t MergedPoints = 0;
+};
 }
 
-void CountDropped(CleaningStatistics& statistics, Index inputTriangle)
-{
-  if (statistics.DroppedTriangles++ == 0 || inputTriangle < statistics.FirstDroppedTriangle)
-  {
-    statistics.FirstDroppedTriangle = inputTriangle;
-  }
-}
-
-/// Triangles in terms of input points that stand for themselves; the ones without area are gone.
-void KeepTriangles(
-  const Surface& input, const std::vector<Index>& representative, CleanSurface& clean)
-{
-  std::vector<Triangle> triangles;
-  std::vector<Index> ids;
-  triangles.reserve(input.Triangles.size());
-  ids.reserve(input.Triangles.size());
-  for (std::size_t t = 0; t < input.Triangles.size(); ++t)
-  {
-    const Triangle& c = input.Triangles[t];
-    const Triangle corners = { representative[c[0]], representative[c[1]], representative[c[2]] };
-    if (HasRepeatedCorner(corners))
-    {
-      CountDropped(clean.Statistics, static_cast<Index>(t));
-      continue;
-    }
-    triangles.push_back(corners);
-    ids.push_back(static_cast<Index>(t));
-  }
-  const std::vector<char> drop = FlatTrianglesToDrop(triangles, input.Points);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    if (drop[t] != 0)
-    {
-      CountDropped(clean.Statistics, ids[t]);
-      continue;
-    }
-    clean.Surface.Triangles.push_back(triangles[t]);
-    clean.InputTriangle.push_back(ids[t]);
-  }
-}
-
-/// Numbers the points that kept triangles use in input order and renames the corners.
-void NumberPoints(
-  const Surface& input, const std::vector<Index>& representative, CleanSurface& clean)
-{
-  std::vector<Index> number(input.Points.size(), None);
-  for (const Triangle& corners : clean.Surface.Triangles)
-  {
-    for (const Index corner : corners)
-    {
-      number[corner] = 0;
-    }
-  }
-  clean.PointOfInput.assign(input.Points.size(), None);
-  for (std::size_t p = 0; p < input.Points.size(); ++p)
-  {
-    const Index stand = representative[p];
-    if (stand == None || number[stand] == None)
-    {
-      ++clean.Statistics.UnusedPoints;
-      continue;
-    }
-    if (stand == static_cast<Index>(p))
-    {
-      number[p] = static_cast<Index>(clean.InputPoint.size());
-      clean.InputPoint.push_back(stand);
-      clean.InputPointCount.push_back(0);
-    }
-    clean.PointOfInput[p] = number[stand];
-    ++clean.InputPointCount[number[stand]];
-    clean.Statistics.MergedPoints += stand != static_cast<Index>(p) ? 1 : 0;
-  }
-  for (Triangle& corners : clean.Surface.Triangles)
-  {
-    for (Index& corner : corners)
-    {
-      corner = number[corner];
-    }
-  }
-}
-
-void MovePointsToOrigin(const Surface& input, CleanSurface& clean)
-{
-  clean.Origin = input.Points[clean.InputPoint[0]];
-  for (const Index p : clean.InputPoint)
-  {
-    clean.Origin = clean.Origin.cwiseMin(input.Points[p]);
-  }
-  clean.Surface.Points.reserve(clean.InputPoint.size());
-  for (const Index p : clean.InputPoint)
-  {
-    clean.Surface.Points.push_back(input.Points[p] - clean.Origin);
-  }
-}
-}
-
-CleanSurface Clean(const Surface& input, bool mergePoints)
+CleanSurface Clean(const Surface& input, bool mergePoints, int threads)
 {
   CleanSurface clean;
-  Check(input, clean);
-  if (clean.Status != InputStatus::Good)
-  {
-    return clean;
-  }
-  const std::vector<Index> representative = Representatives(input, mergePoints);
-  KeepTriangles(input, representative, clean);
-  if (clean.Surface.Triangles.empty())
+  clean.Status = Check(input, threads, clean.Statistics);
+  if (clean.Status == InputStatus::Good && !Cleaner(input, threads, clean).Run(mergePoints))
   {
     clean.Status = InputStatus::NoTriangles;
-    return clean;
   }
-  NumberPoints(input, representative, clean);
-  MovePointsToOrigin(input, clean);
   return clean;
-}
-
-std::uint64_t Checksum(const Surface& surface)
-{
-  std::uint64_t sum = ChecksumStart;
-  for (const Vector3& point : surface.Points)
-  {
-    for (Eigen::Index i = 0; i < 3; ++i)
-    {
-      sum = (sum ^ Bits(point[i])) * ChecksumFactor;
-    }
-  }
-  for (const Triangle& corners : surface.Triangles)
-  {
-    for (const Index corner : corners)
-    {
-      sum = (sum ^ static_cast<std::uint64_t>(corner)) * ChecksumFactor;
-    }
-  }
-  return sum;
 }
 }

@@ -3,6 +3,13 @@
 /**
  * @file Cleaning.h
  * @brief Refuses what cannot be a surface, merges equal points, drops triangles without area, counts everything.
+ *
+ *     check points and triangles
+ *     each used point: the least used point with the same coordinates stands for it     PointMerging.h
+ *     each triangle: dropped if corners are one, or flat and at most one edge is shared
+ *     number the points that stand for a corner, rename the corners
+ *
+ * The same result whatever the number of threads.
  */
 #ifndef BoneDecimate_Core_Mesh_Cleaning_h
 #define BoneDecimate_Core_Mesh_Cleaning_h
@@ -33,10 +40,7 @@ struct CleanSurface
  * only if it shares at most one edge: otherwise it holds the surface together, and dropping it would open a crack.
  * If Status is not Good, only Statistics is filled.
  */
-CleanSurface Clean(const Surface& input, bool mergePoints);
-
-/// FNV-1a over the 64-bit words of coordinates and corners: tells two inputs apart.
-std::uint64_t Checksum(const Surface& surface);
+CleanSurface Clean(const Surface& input, bool mergePoints, int threads = 1);
 }
 
 #endif

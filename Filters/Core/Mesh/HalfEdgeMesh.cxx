@@ -2,106 +2,91 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HalfEdgeMesh.h"
 
-#include "EdgeGroups.h"
+#include "EdgeMatching.h"
+#include "Neighbourhood.h"
+#include "Parallel.h"
 
-#include <array>
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace bonedecimate
 {
-HalfEdgeMesh::HalfEdgeMesh(const Surface& surface)
-  : Positions(surface.Points)
-  , Twins(3 * surface.Triangles.size(), None)
-  , Outgoings(surface.Points.size(), None)
-  , Kinds(surface.Points.size(), VertexKind::Inside)
-  , LiveFaces(static_cast<Index>(surface.Triangles.size()))
+namespace
 {
-  this->Origins.reserve(3 * surface.Triangles.size());
-  for (const Triangle& corners : surface.Triangles)
+/// The power of two nearest below the mean edge length, mm; 1 if there is no length.
+double UnitOf(const Surface& surface)
+{
+  double sum = 0.0; // mm
+  for (const Triangle& c : surface.Triangles)
   {
-    this->Origins.insert(this->Origins.end(), corners.begin(), corners.end());
+    sum += (surface.Points[c[1]] - surface.Points[c[0]]).norm();
   }
-  this->MatchEdges(surface);
-  this->FindRings();
+  const double mean = sum / static_cast<double>(surface.Triangles.size());
+  return mean > 0.0 && std::isfinite(mean) ? std::ldexp(1.0, std::ilogb(mean)) : 1.0;
+}
 }
 
-//------------------------------------------------------------------------------
-void HalfEdgeMesh::MatchEdges(const Surface& surface)
+HalfEdgeMesh::HalfEdgeMesh(const Surface& surface, int threads)
+  : Vertices(surface.Points.size())
+  , Faces(surface.Triangles.size())
+  , LiveFaces(static_cast<Index>(surface.Triangles.size()))
+  , LengthUnit(UnitOf(surface))
 {
-  const auto worst = [this](Index v, VertexKind kind)
-  { this->Kinds[v] = std::max(this->Kinds[v], kind); };
-  VisitEdgeGroups(surface.Triangles, surface.Points.size(),
-    [&](const Index* first, const Index* last)
+  const EdgeMatching edges(surface.Triangles, surface.Points.size(), threads);
+  Rings rings = edges.FindRings();
+  this->Kinds = std::move(rings.Kinds);
+  const Monitor goOn = [](double) { return true; };
+  ForEachChunk(surface.Points.size(), threads, goOn,
+    [&](std::size_t, std::size_t first, std::size_t last)
     {
-      const bool isPair = last - first == 2 && this->Origin(first[0]) == this->Target(first[1]);
-      if (isPair)
+      for (std::size_t v = first; v < last; ++v)
       {
-        this->Twins[first[0]] = first[1];
-        this->Twins[first[1]] = first[0];
-        return;
+        this->Vertices[v].Position = surface.Points[v];
+        this->Vertices[v].Outgoing = rings.Outgoing[v];
       }
-      const VertexKind kind = last - first == 1 ? VertexKind::Border : VertexKind::Locked;
-      worst(this->Origin(*first), kind);
-      worst(this->Target(*first), kind);
+    });
+  ForEachChunk(surface.Triangles.size(), threads, goOn,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t f = first; f < last; ++f)
+      {
+        const Triangle& c = surface.Triangles[f];
+        const Index* twins = edges.Twins().data() + 4 * f;
+        this->Faces[f].Origins = { c[0], c[1], c[2], None };
+        this->Faces[f].Twins = { std::max(None, twins[0]), std::max(None, twins[1]),
+          std::max(None, twins[2]), None }; // odd edges have no twin
+      }
     });
 }
 
 //------------------------------------------------------------------------------
-void HalfEdgeMesh::FindRings()
+void HalfEdgeMesh::Collapse(const Neighbourhood& around, Index keep, const Vector3& position)
 {
-  std::vector<Index> numberOfFaces(this->Positions.size(), 0);
-  for (Index h = 0; h < static_cast<Index>(this->Origins.size()); ++h)
+  const Index gone = around.Start == keep ? around.End : around.Start;
+  for (const Index out : around.Corners)
   {
-    const Index v = this->Origin(h);
-    ++numberOfFaces[v];
-    if (this->Outgoings[v] == None || this->Twins[h] == None)
-    {
-      this->Outgoings[v] = h;
-    }
+    this->Faces[Face(out)].Origins[out & 3] = keep;
   }
-  for (Index v = 0; v < this->NumberOfVertexSlots(); ++v)
-  {
-    Index found = 0; // rings end or come back to their start, since twins are paired one to one
-    for (const Index h : this->OutgoingOf(v))
-    {
-      found += this->Origin(h) == v ? 1 : 0;
-    }
-    if (found != numberOfFaces[v])
-    {
-      this->Kinds[v] = VertexKind::Locked;
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void HalfEdgeMesh::Collapse(Index h, Index keep, const Vector3& position)
-{
-  const Index gone = this->Across(h, keep);
-  const Index twin = this->Twin(h);
-  for (const Index out : this->OutgoingOf(gone))
-  {
-    this->Origins[out] = keep;
-  }
-  Index start = this->LiveOutgoing(h);
-  start = start == None && twin != None ? this->LiveOutgoing(twin) : start;
-  this->RemoveFace(h);
+  const Index twin = this->Twin(around.Edge);
+  this->RemoveFace(around.Edge);
   if (twin != None)
   {
     this->RemoveFace(twin);
   }
-  this->Outgoings[gone] = None;
-  this->Outgoings[keep] = start;
+  this->Vertices[gone].Outgoing = None;
+  this->Vertices[keep].Outgoing = around.Corners.front(); // on a border the one without a twin
   this->Kinds[keep] = std::max(this->Kinds[keep], this->Kinds[gone]);
-  this->Positions[keep] = position;
-  this->TurnToBorder(keep);
+  this->Vertices[keep].Position = position;
 }
 
 //------------------------------------------------------------------------------
 void HalfEdgeMesh::Pair(Index h, Index twin)
 {
-  this->Twins[h] = twin;
+  this->Faces[h >> 2].Twins[h & 3] = twin;
   if (twin != None)
   {
-    this->Twins[twin] = h;
+    this->Faces[twin >> 2].Twins[twin & 3] = h;
   }
 }
 
@@ -120,32 +105,25 @@ void HalfEdgeMesh::Flip(Index h)
   const Index d = this->Origin(g[2]);
   const auto turn = [this](Index v, Index from, Index other, Index to)
   {
-    Index& outgoing = this->Outgoings[v];
+    Index& outgoing = this->Vertices[v].Outgoing;
     outgoing = outgoing == from || outgoing == other ? to : outgoing;
   };
   turn(a, h, g[1], f[2]);
   turn(b, t, f[1], g[2]);
   turn(c, f[2], None, f[1]);
   turn(d, g[2], None, g[1]);
-  this->Origins[f[0]] = d;
-  this->Origins[f[1]] = c;
-  this->Origins[f[2]] = a;
-  this->Origins[g[0]] = c;
-  this->Origins[g[1]] = d;
-  this->Origins[g[2]] = b;
+  const auto setOrigin = [this](Index half, Index v)
+  { this->Faces[half >> 2].Origins[half & 3] = v; };
+  setOrigin(f[0], d);
+  setOrigin(f[1], c);
+  setOrigin(f[2], a);
+  setOrigin(g[0], c);
+  setOrigin(g[1], d);
+  setOrigin(g[2], b);
   this->Pair(f[1], outer[1]);
   this->Pair(f[2], outer[2]);
   this->Pair(g[1], outer[3]);
   this->Pair(g[2], outer[0]);
-}
-
-//------------------------------------------------------------------------------
-/// A half-edge that leaves the merged vertex and survives the removal of h's face; None if the face ends there.
-Index HalfEdgeMesh::LiveOutgoing(Index h) const
-{
-  const Index alongPrevious = this->Twin(Previous(h));
-  const Index alongNext = this->Twin(Next(h));
-  return alongPrevious != None ? alongPrevious : alongNext == None ? None : Next(alongNext);
 }
 
 //------------------------------------------------------------------------------
@@ -156,40 +134,17 @@ void HalfEdgeMesh::RemoveFace(Index h)
   const Index alongPrevious = this->Twin(Previous(h));
   if (alongNext != None)
   {
-    this->Twins[alongNext] = alongPrevious;
+    this->Faces[Face(alongNext)].Twins[alongNext & 3] = alongPrevious;
   }
   if (alongPrevious != None)
   {
-    this->Twins[alongPrevious] = alongNext;
+    this->Faces[Face(alongPrevious)].Twins[alongPrevious & 3] = alongNext;
   }
   const Index apex = this->Origin(Previous(h));
-  if (this->Outgoings[apex] == Previous(h))
+  if (this->Outgoing(apex) == Previous(h))
   {
-    this->Outgoings[apex] = alongNext;
+    this->Vertices[apex].Outgoing = alongNext;
   }
-  const Index face = Face(h);
-  for (Index k = 3 * face; k < 3 * face + 3; ++k)
-  {
-    this->Origins[k] = None;
-    this->Twins[k] = None;
-  }
-  --this->LiveFaces;
-}
-
-//------------------------------------------------------------------------------
-/// Turns Outgoing(v) clockwise until it has no twin or the ring is round.
-void HalfEdgeMesh::TurnToBorder(Index v)
-{
-  const Index start = this->Outgoings[v];
-  Index at = start;
-  while (this->Twin(at) != None)
-  {
-    at = Next(this->Twin(at));
-    if (at == start)
-    {
-      return;
-    }
-  }
-  this->Outgoings[v] = at;
+  this->Faces[Face(h)] = FaceRecord();
 }
 }

@@ -4,7 +4,7 @@
  * @file HalfEdgeMesh.h
  * @brief A triangle mesh as half-edges in flat arrays, with whatever is not manifold locked.
  *
- * Half-edge h = 3 f + k runs from corner k of face f to the next corner, the face on its left:
+ * Half-edge h = 4 f + k, k = 0, 1, 2, runs from corner k of face f to the next corner, the face on its left:
  *
  *              apex
  *             /    \            Next(h), Previous(h): the other two of the face
@@ -15,12 +15,15 @@
  * Invariants (checked by Invariants.h): twins point at each other and run opposite ways; a face is alive or its
  * corners are None; the ring of a vertex that is not locked is one fan that holds all its faces; locked vertices
  * never move, never vanish, and their rings are not walked.
+ *
+ * A face is half a cache line, a vertex is one: an edge is judged from the two records of its ends.
  */
 #ifndef BoneDecimate_Core_Mesh_HalfEdgeMesh_h
 #define BoneDecimate_Core_Mesh_HalfEdgeMesh_h
 
 #include "Surface.h"
 
+#include <array>
 #include <vector>
 
 namespace bonedecimate
@@ -32,32 +35,64 @@ enum class VertexKind : std::uint8_t
   Locked  ///< On a non-manifold edge, or where fans meet in one point.
 };
 
+struct Neighbourhood;
+
+/// Sums over the triangles at a vertex, of area A and unit normal n: all planes pass through the vertex.
+struct RingQuadric
+{
+  std::array<float, 6>
+    M{}; ///< xx xy xz yy yz zz of the sum of 2 A n n^T, squares of the mesh's unit.
+  std::array<float, 3> G{}; ///< Sum of 2 A n, squares of the mesh's unit.
+};
+
+struct alignas(64) VertexRecord
+{
+  Vector3 Position = Vector3::Zero(); ///< mm from the local origin
+  RingQuadric Quadric;                ///< Kept by whoever needs it.
+  Index Outgoing = None;
+};
+static_assert(sizeof(VertexRecord) == 64, "one cache line");
+
+struct alignas(32) FaceRecord
+{
+  std::array<Index, 4> Origins = { None, None, None, None }; ///< The fourth is not used.
+  std::array<Index, 4> Twins = { None, None, None, None };   ///< The fourth is not used.
+};
+static_assert(sizeof(FaceRecord) == 32, "half a cache line");
+
 class HalfEdgeMesh
 {
 public:
   /// Every point must be used by a triangle, corners of a triangle must differ.
-  explicit HalfEdgeMesh(const Surface& surface);
+  explicit HalfEdgeMesh(const Surface& surface, int threads = 1);
 
-  static Index Next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static Index Previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
-  static Index Face(Index h) { return h / 3; }
-  static Index HalfEdgeOf(Index face) { return 3 * face; } ///< That which leaves corner 0.
+  static Index Next(Index h) { return (h & 3) == 2 ? h - 2 : h + 1; }
+  static Index Previous(Index h) { return (h & 3) == 0 ? h + 2 : h - 1; }
+  static Index Face(Index h) { return h >> 2; }
+  static Index HalfEdge(Index face, Index corner) { return 4 * face + corner; }
 
-  Index Origin(Index h) const { return this->Origins[h]; }
-  Index Target(Index h) const { return this->Origins[Next(h)]; }
-  Index Twin(Index h) const { return this->Twins[h]; }
-  Index Outgoing(Index v) const { return this->Outgoings[v]; }
+  Index Origin(Index h) const { return this->Faces[h >> 2].Origins[h & 3]; }
+  Index Target(Index h) const { return this->Origin(Next(h)); }
+  Index Twin(Index h) const { return this->Faces[h >> 2].Twins[h & 3]; }
+  Index Outgoing(Index v) const { return this->Vertices[v].Outgoing; }
   VertexKind Kind(Index v) const { return this->Kinds[v]; }
-  const Vector3& Position(Index v) const { return this->Positions[v]; } // mm from the local origin
-  bool IsAlive(Index face) const { return this->Origins[3 * face] != None; }
+  const Vector3& Position(Index v) const { return this->Vertices[v].Position; }
+  const VertexRecord& Record(Index v) const { return this->Vertices[v]; }
+  RingQuadric& Quadric(Index v) { return this->Vertices[v].Quadric; }
+  VertexRecord* Records() { return this->Vertices.data(); } ///< To change quadrics, nothing else.
+  bool IsAlive(Index face) const { return this->Faces[face].Origins[0] != None; }
   Triangle Corners(Index face) const
   {
-    return { this->Origins[3 * face], this->Origins[3 * face + 1], this->Origins[3 * face + 2] };
+    const std::array<Index, 4>& corners = this->Faces[face].Origins;
+    return { corners[0], corners[1], corners[2] };
   }
 
-  Index NumberOfVertexSlots() const { return static_cast<Index>(this->Positions.size()); }
-  Index NumberOfFaceSlots() const { return static_cast<Index>(this->Origins.size() / 3); }
+  Index NumberOfVertexSlots() const { return static_cast<Index>(this->Vertices.size()); }
+  Index NumberOfFaceSlots() const { return static_cast<Index>(this->Faces.size()); }
   Index NumberOfFaces() const { return this->LiveFaces; }
+
+  /// A power of two near the mean length of the edges it was made with, mm.
+  double Unit() const { return this->LengthUnit; }
 
   /// The half-edges that leave v, counter-clockwise, one for each of its faces. v must not be locked.
   class OutgoingRange;
@@ -76,24 +111,21 @@ public:
 private:
   friend class Editor; // the one choke point: nobody else changes a mesh
 
-  /// Merges the ends of h into `keep` (one of them) at `position`. The caller has judged that this is allowed.
-  void Collapse(Index h, Index keep, const Vector3& position);
+  /// Merges the ends of the edge into `keep` (one of them) at `position`. The caller has judged that this is allowed.
+  void Collapse(const Neighbourhood& around, Index keep, const Vector3& position);
   /// Turns the edge of h, which has two faces, into that between their apexes. The caller has judged as above.
   void Flip(Index h);
-  void Move(Index v, const Vector3& position) { this->Positions[v] = position; }
+  void Move(Index v, const Vector3& position) { this->Vertices[v].Position = position; }
   void Pair(Index h, Index twin);
   void RemoveFace(Index h);
-  Index LiveOutgoing(Index h) const;
-  void TurnToBorder(Index v);
-  void MatchEdges(const Surface& surface);
-  void FindRings();
+  /// Several workers remove faces at once; the count follows when they are done.
+  void CountRemovedFaces(Index count) { this->LiveFaces -= count; }
 
-  std::vector<Vector3> Positions;
-  std::vector<Index> Origins;
-  std::vector<Index> Twins;
-  std::vector<Index> Outgoings;
+  std::vector<VertexRecord> Vertices;
+  std::vector<FaceRecord> Faces;
   std::vector<VertexKind> Kinds;
   Index LiveFaces = 0;
+  double LengthUnit = 1.0; // mm
 };
 
 class HalfEdgeMesh::OutgoingRange
@@ -137,7 +169,7 @@ private:
 
 inline HalfEdgeMesh::OutgoingRange HalfEdgeMesh::OutgoingOf(Index v) const
 {
-  return { this, this->Outgoings[v] };
+  return { this, this->Outgoing(v) };
 }
 
 template <typename Visit>

@@ -18,7 +18,7 @@ std::string BrokenFace(const HalfEdgeMesh& mesh, Index face)
   {
     return At("corners of face", face);
   }
-  for (Index h = 3 * face; h < 3 * face + 3; ++h)
+  for (Index h = HalfEdgeMesh::HalfEdge(face, 0); h < HalfEdgeMesh::HalfEdge(face, 3); ++h)
   {
     const Index twin = mesh.Twin(h);
     if (twin == None)

@@ -16,13 +16,17 @@ inline double MeanEdgeLength(const HalfEdgeMesh& mesh)
 {
   double sum = 0.0; // mm
   Index edges = 0;
-  for (Index h = 0; h < 3 * mesh.NumberOfFaceSlots(); ++h)
+  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
-    const Index twin = mesh.Twin(h);
-    if (mesh.IsAlive(HalfEdgeMesh::Face(h)) && (twin == None || h < twin))
+    for (Index h = HalfEdgeMesh::HalfEdge(face, 0);
+         mesh.IsAlive(face) && h < HalfEdgeMesh::HalfEdge(face, 3); ++h)
     {
-      sum += (mesh.Position(mesh.Target(h)) - mesh.Position(mesh.Origin(h))).norm();
-      ++edges;
+      const Index twin = mesh.Twin(h);
+      if (twin == None || h < twin)
+      {
+        sum += (mesh.Position(mesh.Target(h)) - mesh.Position(mesh.Origin(h))).norm();
+        ++edges;
+      }
     }
   }
   return edges > 0 ? sum / edges : 0.0;

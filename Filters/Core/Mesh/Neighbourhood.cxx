@@ -6,50 +6,59 @@
 
 namespace bonedecimate
 {
-void NeighbourhoodGatherer::Gather(const HalfEdgeMesh& mesh, Index edge, Neighbourhood& around)
+void Neighbourhood::Gather(const HalfEdgeMesh& mesh, Index edge)
 {
-  around.Edge = edge;
-  around.Start = mesh.Origin(edge);
-  around.End = mesh.Target(edge);
-  around.NumberOfGoneFaces = 0;
-  for (const Index half : { edge, mesh.Twin(edge) })
+  const Index twin = mesh.Twin(edge);
+  this->Edge = edge;
+  this->Start = mesh.Origin(edge);
+  this->End = mesh.Target(edge);
+  this->NumberOfGoneFaces = twin == None ? 1 : 2;
+  this->GoneFaces = { HalfEdgeMesh::Face(edge), twin == None ? None : HalfEdgeMesh::Face(twin) };
+  this->Apexes = { mesh.Origin(HalfEdgeMesh::Previous(edge)),
+    twin == None ? None : mesh.Origin(HalfEdgeMesh::Previous(twin)) };
+  this->Corners.clear();
+  this->Ring.clear();
+
+  const bool startOnBorder = twin != None && mesh.Kind(this->Start) == VertexKind::Border;
+  this->IsOpen = startOnBorder || mesh.Kind(this->End) == VertexKind::Border;
+  const Index first = !this->IsOpen ? mesh.Twin(HalfEdgeMesh::Previous(edge))
+    : startOnBorder                 ? mesh.Outgoing(this->Start)
+                                    : mesh.Outgoing(this->End);
+  Index out = first;
+  Index last = None; // on a border: the half-edge that comes back from the last of the ring
+  do
   {
-    if (half != None)
+    const Index face = HalfEdgeMesh::Face(out);
+    if (face == this->GoneFaces[0] || face == this->GoneFaces[1])
     {
-      around.GoneFaces[around.NumberOfGoneFaces] = HalfEdgeMesh::Face(half);
-      around.Apexes[around.NumberOfGoneFaces] = mesh.Origin(HalfEdgeMesh::Previous(half));
-      ++around.NumberOfGoneFaces;
+      last = HalfEdgeMesh::Next(out); // over to the other end of the edge
+    }
+    else
+    {
+      this->Corners.push_back(out);
+      this->Ring.push_back(mesh.Target(out));
+      last = HalfEdgeMesh::Previous(out);
+    }
+    out = mesh.Twin(last);
+  } while (out != None && out != first);
+  if (this->IsOpen)
+  {
+    this->Ring.push_back(mesh.Origin(last));
+    this->BorderEnds = { mesh.Origin(first), mesh.Target(last) };
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Neighbourhood::RingIsSimple() const
+{
+  for (auto at = this->Ring.begin(); at != this->Ring.end(); ++at)
+  {
+    if (*at == this->Start || *at == this->End ||
+      std::find(at + 1, this->Ring.end(), *at) != this->Ring.end())
+    {
+      return false;
     }
   }
-  if (++this->Gatherings == 0) // wrapped round: old marks could be taken for new ones
-  {
-    std::fill(this->Marks.begin(), this->Marks.end(), 0);
-    this->Gatherings = 1;
-  }
-  around.Corners.clear();
-  around.CommonNeighbours = 0;
-  const auto keepCorner = [&](Index h, Index v)
-  {
-    const Index face = HalfEdgeMesh::Face(h);
-    const bool gone =
-      face == around.GoneFaces[0] || (!around.IsBorderEdge() && face == around.GoneFaces[1]);
-    if (mesh.Origin(h) == v && !gone)
-    {
-      around.Corners.push_back(h);
-    }
-  };
-  mesh.VisitEdges(around.Start,
-    [&](Index h)
-    {
-      this->Marks[mesh.Across(h, around.Start)] = this->Gatherings;
-      keepCorner(h, around.Start);
-    });
-  mesh.VisitEdges(around.End,
-    [&](Index h)
-    {
-      around.CommonNeighbours +=
-        this->Marks[mesh.Across(h, around.End)] == this->Gatherings ? 1 : 0;
-      keepCorner(h, around.End);
-    });
+  return true;
 }
 }

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Neighbourhood.h
- * @brief Everything around one edge, gathered once and handed to gate, placement and editor.
+ * @brief What lies around an edge, gathered once and handed to the gate, the placement and the costs.
  *
- *            x-------apex 0------x
- *           / \      /   \      / \        corners: the half-edges that leave Start or End in faces that stay
- *          /   \    / gone\    /   \       gone: the one or two faces at the edge
- *         x-----Start--->End------x
- *          \   /    \ gone/    \   /
- *           \ /      \   /      \ /
- *            x-------apex 1------x
+ *          p1 ---- a0 ---- qn            Start, End   the ends of the edge
+ *         /  \    /  \    /  \           a0, a1       apexes of the gone faces (a1 not on a border)
+ *       p2 -- Start-->End -- q2          Corners      half-edges of the staying faces that leave Start or End,
+ *         \  /    \  /    \  /                        counter-clockwise round the future vertex
+ *          pn ---- a1 ---- q1            Ring         what they point at and, on a border, the last one besides:
+ *                                                     face i spans Ring[i] and Ring[i + 1]
  */
 #ifndef BoneDecimate_Core_Mesh_Neighbourhood_h
 #define BoneDecimate_Core_Mesh_Neighbourhood_h
@@ -31,25 +30,18 @@ struct Neighbourhood
   std::array<Index, 2> Apexes = { None, None };
   Index NumberOfGoneFaces = 0; ///< 1 on a border, else 2.
   std::vector<Index> Corners;  ///< Half-edges of staying faces whose origin is Start or End.
-  Index CommonNeighbours = 0;  ///< Vertices joined to both ends by an edge.
+  std::vector<Index> Ring;     ///< The link of the edge, in the same order.
+  bool IsOpen = false;         ///< The ring does not close: an end lies on a border.
+  /// On an open ring: which of the ends its first and its last vertex share their border edge with.
+  std::array<Index, 2> BorderEnds = { None, None };
 
   bool IsBorderEdge() const { return this->NumberOfGoneFaces == 1; }
-};
 
-/// Gathers neighbourhoods without allocating for each; ends of edges must not be locked.
-class NeighbourhoodGatherer
-{
-public:
-  explicit NeighbourhoodGatherer(const HalfEdgeMesh& mesh)
-    : Marks(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), 0)
-  {
-  }
+  /// Gathers anew without allocating; neither end may be locked, and not both on a border unless the edge is.
+  void Gather(const HalfEdgeMesh& mesh, Index edge);
 
-  void Gather(const HalfEdgeMesh& mesh, Index edge, Neighbourhood& around);
-
-private:
-  std::vector<std::uint32_t> Marks; // the last gathering in which a vertex was a neighbour of Start
-  std::uint32_t Gatherings = 0;
+  /// The link condition: no vertex is met twice on the ring, and no end lies on it.
+  bool RingIsSimple() const;
 };
 }
 

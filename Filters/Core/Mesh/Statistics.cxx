@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics.h"
 
-#include "EdgeGroups.h"
+#include "EdgeMatching.h"
 #include "Geometry/TriangleGeometry.h"
 
 #include <numeric>
@@ -55,7 +55,7 @@ Components FindComponents(const Surface& surface)
   return components;
 }
 
-SurfaceStatistics Describe(const Surface& surface)
+SurfaceStatistics Describe(const Surface& surface, int threads)
 {
   SurfaceStatistics statistics;
   statistics.Faces = static_cast<std::int64_t>(surface.Triangles.size());
@@ -65,15 +65,11 @@ SurfaceStatistics Describe(const Surface& surface)
   {
     statistics.Points += component != None ? 1 : 0;
   }
-  std::int64_t edges = 0;
-  VisitEdgeGroups(surface.Triangles, surface.Points.size(),
-    [&](const Index* first, const Index* last)
-    {
-      ++edges;
-      statistics.BoundaryEdges += last - first == 1 ? 1 : 0;
-      statistics.NonManifoldEdges += last - first > 2 ? 1 : 0;
-    });
-  statistics.EulerNumber = statistics.Points - edges + statistics.Faces;
+  const EdgeCounts edges =
+    EdgeMatching(surface.Triangles, surface.Points.size(), threads).CountEdges();
+  statistics.BoundaryEdges = edges.Border;
+  statistics.NonManifoldEdges = edges.NonManifold;
+  statistics.EulerNumber = statistics.Points - edges.Edges + statistics.Faces;
   for (const Triangle& c : surface.Triangles)
   {
     const Vector3 areaVector =

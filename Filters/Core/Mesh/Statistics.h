@@ -15,7 +15,7 @@
 namespace bonedecimate
 {
 /// Points may be unused; corners must be valid.
-SurfaceStatistics Describe(const Surface& surface);
+SurfaceStatistics Describe(const Surface& surface, int threads = 1);
 
 /// The components, numbered in the order of their least point; None for points that no triangle uses.
 struct Components

@@ -3,182 +3,244 @@
 #include "Samples.h"
 
 #include "Parallel.h"
-#include "SurfaceWalk.h"
-#include "Relax/Knobs.h"
-#include "Geometry/BoundingTree.h"
-#include <cstdio>
-#include <cstdlib>
-#include <cmath>
+
+#include <algorithm>
+#include <numeric>
 
 namespace bonedecimate
 {
 namespace
 {
-/// Corners 1/12 each and the middle 3/4 integrate quadratic functions over a triangle exactly.
-static const double MiddleShare = Knob("SM",0.75);
-static const double CornerShare = (1-MiddleShare)/3;
+/// Below this reduction, a triangle gets three samples inside: fewer than about eight to a face are overfitted.
+constexpr Index ManyTriangles = 5;
+/// Of the area of a triangle, how much the samples inside it stand for; its corners share the rest.
+constexpr double ShareOfOne = 0.75; // with the corners exact for quadratic functions
+constexpr double ShareOfThree = 0.9;
+/// Farther than that many times the root mean square, a sample may be on the wrong sheet.
+constexpr double FarAway = 2.0;
 
 std::array<float, 3> Single(const Vector3& p)
 {
   return { static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()) };
 }
 
-Vector3 MiddleOf(const HalfEdgeMesh& mesh, const Triangle& c)
+double AreaOf(const HalfEdgeMesh& mesh, Index face)
 {
-  return (mesh.Position(c[0]) + mesh.Position(c[1]) + mesh.Position(c[2])) / 3.0;
+  const Triangle c = mesh.Corners(face);
+  return AreaVector(mesh.Position(c[0]), mesh.Position(c[1]), mesh.Position(c[2])).norm();
 }
 }
 
 Samples::Samples(const HalfEdgeMesh& original)
-  : Firsts(static_cast<std::size_t>(original.NumberOfFaceSlots()), None)
+  : Source(original)
+  , Firsts(static_cast<std::size_t>(original.NumberOfFaceSlots()), None)
 {
-  const Index vertices = original.NumberOfVertexSlots();
-  const Index faces = original.NumberOfFaceSlots();
-  const Index per = int(Knob("PER",1));
-  this->All.resize(static_cast<std::size_t>(vertices) + per*faces);
-  for (Index v = 0; v < vertices; ++v)
-  {
-    this->All[v] = { Single(original.Position(v)), 0.0F, None };
-  }
-  for (Index face = 0; face < faces; ++face)
-  {
-    const Triangle c = original.Corners(face);
-    const double area =
-      AreaVector(original.Position(c[0]), original.Position(c[1]), original.Position(c[2])).norm();
-    for (int k=0;k<per;++k) { Vector3 q=MiddleOf(original,c); if(per==3) q=0.5*q+0.5*original.Position(c[k]);
-    if(per==4&&k<3) q=0.4*q+0.6*original.Position(c[k]);
-    this->All[vertices + per*face+k] = { Single(q), static_cast<float>(MiddleShare * area/per), None }; }
-    for (const Index corner : c)
-    {
-      this->All[corner].Weight += static_cast<float>(CornerShare * area);
-    }
-  }
-  this->Faces.resize(this->All.size(), None);
 }
 
 //------------------------------------------------------------------------------
-static const HalfEdgeMesh* Dbg;
-bool Samples::Distribute(const HalfEdgeMesh& original, const HalfEdgeMesh& mesh, Original& merged,
-  int threads, const Monitor& monitor)
+/// First the vertices, then those inside triangles: their middles, or three half way from it to the corners.
+Vector3 Samples::PlaceOf(Index id) const
 {
-  Dbg=&mesh;
-  const Index vertices = original.NumberOfVertexSlots();
-  std::vector<Index> current(static_cast<std::size_t>(vertices));
-  for (Index v = 0; v < vertices; ++v)
+  if (id < this->Source.NumberOfVertexSlots())
+  {
+    return this->Source.Position(id);
+  }
+  const Triangle c = this->Source.Corners(this->TriangleOf(id));
+  const Vector3 middle =
+    (this->Source.Position(c[0]) + this->Source.Position(c[1]) + this->Source.Position(c[2])) / 3.0;
+  const Index which = (id - this->Source.NumberOfVertexSlots()) % this->PerFace;
+  return this->PerFace == 1 ? middle : Vector3(0.5 * (middle + this->Source.Position(c[which])));
+}
+
+//------------------------------------------------------------------------------
+/// Of each sample, mm^2.
+std::vector<float> Samples::Weights() const
+{
+  const Index vertices = this->Source.NumberOfVertexSlots();
+  const double inside = this->PerFace == 1 ? ShareOfOne : ShareOfThree;
+  std::vector<float> weights(this->Faces.size(), 0.0F);
+  for (Index face = 0; face < this->Source.NumberOfFaceSlots(); ++face)
+  {
+    const double area = AreaOf(this->Source, face);
+    for (const Index corner : this->Source.Corners(face))
+    {
+      weights[corner] += static_cast<float>((1.0 - inside) / 3.0 * area);
+    }
+    for (Index i = 0; i < this->PerFace; ++i)
+    {
+      weights[vertices + this->PerFace * face + i] =
+        static_cast<float>(inside / this->PerFace * area);
+    }
+  }
+  return weights;
+}
+
+//------------------------------------------------------------------------------
+bool Samples::Distribute(
+  const HalfEdgeMesh& mesh, Original& merged, int threads, const Monitor& monitor)
+{
+  const Index faces = this->Source.NumberOfFaceSlots();
+  this->PerFace = faces / ManyTriangles < mesh.NumberOfFaces() ? 3 : 1;
+  CurrentVertices current(static_cast<std::size_t>(this->Source.NumberOfVertexSlots()));
+  for (Index v = 0; v < this->Source.NumberOfVertexSlots(); ++v)
   {
     current[v] = merged.CurrentVertex(v);
   }
-  const bool goesOn = ForEachChunk(this->All.size(), threads, monitor,
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      for (std::size_t s = first; s < last; ++s)
-      {
-        const Index sample = static_cast<Index>(s);
-        const Vector3 p = this->All[s].Position();
-        if (sample < vertices)
-        {
-          PlaceOnMesh best = WalkFromVertex(mesh, p, current[sample]);
-          if (original.Kind(sample) != VertexKind::Locked)
-          {
-            Index tried = current[sample];
-            original.VisitEdges(sample,
-              [&](Index h)
-              {
-                const Index other = current[original.Across(h, sample)];
-                if (other != current[sample] && other != tried)
-                {
-                  tried = other;
-                  const PlaceOnMesh found = WalkFromVertex(mesh, p, other);
-                  if (found.Place.SquaredDistance < best.Place.SquaredDistance) best = found;
-                }
-              });
-          }
-          this->Faces[s] = best.Face;
-        }
-        else
-        {
-          const Triangle c = original.Corners((sample - vertices)/int(Knob("PER",1)));
-          PlaceOnMesh best = WalkFromVertex(mesh, p, current[c[0]]);
-          for (int k = 1; k < 3; ++k)
-            if (current[c[k]] != current[c[0]])
-            {
-              const PlaceOnMesh found = WalkFromVertex(mesh, p, current[c[k]]);
-              if (found.Place.SquaredDistance < best.Place.SquaredDistance) best = found;
-            }
-          this->Faces[s] = best.Face;
-        }
-      }
-    });
-  if (goesOn)
+  this->All.clear();
+  this->Faces.resize(current.size() + static_cast<std::size_t>(this->PerFace) * faces);
+  std::fill(this->Firsts.begin(), this->Firsts.end(), None);
+  if (!this->FindFaces(mesh, current, threads, monitor))
   {
-    this->SortByFace();
+    return false;
   }
-  return goesOn;
+  this->SortByFace();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Samples::FindFaces(
+  const HalfEdgeMesh& mesh, const CurrentVertices& current, int threads, const Monitor& monitor)
+{
+  std::vector<float> distances(this->Faces.size()); // mm^2
+  const auto forEach = [&](double from, double to, const auto& work)
+  {
+    return ForEachChunk(
+      this->Faces.size(), threads,
+      [&](double done) { return monitor(from + done * (to - from)); },
+      [&](std::size_t, std::size_t first, std::size_t last)
+      {
+        for (std::size_t id = first; id < last; ++id)
+        {
+          work(static_cast<Index>(id));
+        }
+      });
+  };
+  const bool found = forEach(0.0, 0.8,
+    [&](Index id)
+    {
+      const PlaceOnMesh near = this->FindNear(mesh, current, id);
+      this->Faces[id] = near.Face;
+      distances[id] = static_cast<float>(near.Place.SquaredDistance);
+    });
+  const double sum = std::accumulate(distances.begin(), distances.end(), 0.0);
+  const double far = FarAway * FarAway * sum / static_cast<double>(distances.size());
+  return found &&
+    forEach(0.8, 1.0,
+      [&](Index id)
+      {
+        if (distances[id] > far)
+        {
+          const PlaceOnMesh known = { this->Faces[id],
+            FrameOf(mesh, this->Faces[id]).Nearest(this->PlaceOf(id)) };
+          this->Faces[id] = this->FindFar(mesh, current, id, known).Face;
+        }
+      });
+}
+
+//------------------------------------------------------------------------------
+PlaceOnMesh Samples::FindNear(
+  const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id) const
+{
+  const Index start = id < this->Source.NumberOfVertexSlots()
+    ? id
+    : this->Source.Corners(this->TriangleOf(id))[0];
+  return WalkFromVertex(mesh, this->PlaceOf(id), current[start]);
+}
+
+//------------------------------------------------------------------------------
+/// The best of what was found and the fans that neighbours and other corners were merged into.
+PlaceOnMesh Samples::FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id,
+  const PlaceOnMesh& found) const
+{
+  const Vector3 p = this->PlaceOf(id);
+  PlaceOnMesh best = found;
+  const auto tryFan = [&](Index v)
+  {
+    const PlaceOnMesh other = WalkFromVertex(mesh, p, current[v]);
+    best = other.Place.SquaredDistance < best.Place.SquaredDistance ? other : best;
+  };
+  if (id >= this->Source.NumberOfVertexSlots())
+  {
+    const Triangle corners = this->Source.Corners(this->TriangleOf(id));
+    tryFan(corners[1]);
+    tryFan(corners[2]);
+  }
+  else if (this->Source.Kind(id) != VertexKind::Locked)
+  {
+    this->Source.VisitEdges(id, [&](Index h) { tryFan(this->Source.Across(h, id)); });
+  }
+  return best;
+}
+
+//------------------------------------------------------------------------------
+/// Lays the samples down face by face.
+void Samples::SortByFace()
+{
+  for (const Index face : this->Faces)
+  {
+    this->Firsts[face] += this->Firsts[face] == None ? 2 : 1; // their number
+  }
+  Index end = 0;
+  for (Index& count : this->Firsts)
+  {
+    if (count != None)
+    {
+      end += count;
+      count = end;
+    }
+  }
+  const std::vector<float> weights = this->Weights();
+  this->All.resize(this->Faces.size());
+  for (Index id = static_cast<Index>(this->Faces.size()); id-- > 0;)
+  {
+    Index& first = this->Firsts[this->Faces[id]];
+    --first;
+    this->All[first] = { Single(this->PlaceOf(id)), weights[id], first + 1 };
+  }
+  // The last of each list is the one before the next list begins.
+  for (const Index first : this->Firsts)
+  {
+    if (first > 0)
+    {
+      this->All[first - 1].Next = None;
+    }
+  }
+  if (!this->All.empty())
+  {
+    this->All.back().Next = None;
+  }
 }
 
 //------------------------------------------------------------------------------
 bool Samples::Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor)
 {
-  const std::size_t slots = this->Firsts.size();
-  const bool goesOn = ForEachChunk(slots, threads, monitor,
+  const bool done = ForEachChunk(this->Firsts.size(), threads, monitor,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      for (std::size_t face = first; face < last; ++face)
+      for (Index face = static_cast<Index>(first); face < static_cast<Index>(last); ++face)
       {
         if (this->Firsts[face] == None)
         {
           continue;
         }
-        const Index from = static_cast<Index>(face);
-        const TriangleFrame frame = FrameOf(mesh, from);
+        const TriangleFrame frame = FrameOf(mesh, face);
         for (Index s = this->Firsts[face]; s != None; s = this->All[s].Next)
         {
           const Vector3 p = this->All[s].Position();
           const TriangleFrame::Place place = frame.Nearest(p);
           const bool stays = place.Clamped == 0 && frame.EdgesNearby(place) == 0;
-          this->Faces[s] = stays ? from : WalkOn(mesh, p, { from, place }).Face;
+          this->Faces[s] = stays ? face : WalkOn(mesh, p, { face, place }).Face;
         }
       }
     });
-  if (goesOn)
+  if (done)
   {
-    this->SortByFace();
+    std::fill(this->Firsts.begin(), this->Firsts.end(), None);
+    for (Index s = this->Count(); s-- > 0;)
+    {
+      this->Put(s, this->Faces[s]);
+    }
   }
-  return goesOn;
-}
-
-//------------------------------------------------------------------------------
-void Samples::SortByFace()
-{
-  if (getenv("CHECK") && Dbg) { double e=0,w=0,eb=0,over=0; long bad=0; Surface q; std::vector<Index> ids; for(Index f=0;f<Dbg->NumberOfFaceSlots();++f) if(Dbg->IsAlive(f)){ Triangle c=Dbg->Corners(f); Index n=q.Points.size(); for(int k=0;k<3;++k) q.Points.push_back(Dbg->Position(c[k])); q.Triangles.push_back({n,n+1,n+2}); } BoundingTree t(q); for(size_t s=0;s<All.size();++s){ Vector3 p=All[s].Position(); double d=FrameOf(*Dbg,Faces[s]).Nearest(p).SquaredDistance; double b=t.FindNearest(p).Place.SquaredDistance; e+=All[s].Weight*d; eb+=All[s].Weight*b; w+=All[s].Weight; if(d>b*1.0001+1e-12){ bad++; over=std::max(over,std::sqrt(d)-std::sqrt(b)); } } fprintf(stderr,"samples rms %.5f brute %.5f  wrong %.4f%% worst %.4f\n",std::sqrt(e/w),std::sqrt(eb/w),100.*bad/All.size(),over); }
-
-  // Firsts becomes the end of each face's piece, then its beginning; empty faces have None.
-  std::fill(this->Firsts.begin(), this->Firsts.end(), 0);
-  for (const Index face : this->Faces)
-  {
-    ++this->Firsts[face];
-  }
-  Index end = 0;
-  for (Index& count : this->Firsts)
-  {
-    end += count;
-    count = count == 0 ? None : end;
-  }
-  this->Sorted.resize(this->All.size());
-  std::vector<Index> facesOfSorted(this->All.size());
-  for (std::size_t s = this->All.size(); s-- > 0;)
-  {
-    const Index face = this->Faces[s];
-    const Index slot = --this->Firsts[face];
-    this->Sorted[slot] = this->All[s];
-    facesOfSorted[slot] = face;
-  }
-  this->All.swap(this->Sorted);
-  this->Faces.swap(facesOfSorted);
-  for (std::size_t s = 0; s < this->All.size(); ++s)
-  {
-    const bool last = s + 1 == this->All.size() || this->Faces[s + 1] != this->Faces[s];
-    this->All[s].Next = last ? None : static_cast<Index>(s + 1);
-  }
+  return done;
 }
 }

@@ -8,8 +8,8 @@
  * collapse. Afterwards each sample starts in the fan of the vertex that a corner of its triangle was merged into, and
  * walks over neighbouring faces while its distance falls:
  *
- *     Distribute     from nothing, after a collapse
- *     Settle         every sample walks on from its face; then all are sorted by face, lists lie in one piece
+ *     Distribute     from nothing, after a collapse; those that end far away try the fans of other corners
+ *     Settle         every sample walks on from its face
  *     Take, Put      an edit reassigns the samples of the few faces it changed
  */
 #ifndef BoneDecimate_Core_Reference_Samples_h
@@ -18,6 +18,7 @@
 #include "Mesh/HalfEdgeMesh.h"
 #include "Monitor.h"
 #include "Original.h"
+#include "SurfaceWalk.h"
 
 #include <vector>
 
@@ -35,12 +36,12 @@ public:
     Vector3 Position() const { return { this->Place[0], this->Place[1], this->Place[2] }; }
   };
 
-  /// Takes the corners and the middle of every triangle.
+  /// @param original The mesh before the first collapse, which must stay.
   explicit Samples(const HalfEdgeMesh& original);
 
-  /// Both return false if the monitor said stop: then every sample still has a face.
-  bool Distribute(const HalfEdgeMesh& original, const HalfEdgeMesh& mesh, Original& merged,
-    int threads, const Monitor& monitor);
+  /// Both return false if the monitor said stop; after Distribute there are no samples then.
+  bool Distribute(
+    const HalfEdgeMesh& mesh, Original& merged, int threads, const Monitor& monitor);
   bool Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor);
 
   Index First(Index face) const { return this->Firsts[face]; }
@@ -70,12 +71,23 @@ public:
   }
 
 private:
-  void SortByFace();
+  using CurrentVertices = std::vector<Index>; // of each original vertex
 
+  Index TriangleOf(Index id) const { return (id - this->Source.NumberOfVertexSlots()) / this->PerFace; }
+  Vector3 PlaceOf(Index id) const;
+  PlaceOnMesh FindNear(const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id) const;
+  PlaceOnMesh FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id,
+    const PlaceOnMesh& found) const;
+  bool FindFaces(
+    const HalfEdgeMesh& mesh, const CurrentVertices& current, int threads, const Monitor& monitor);
+  void SortByFace();
+  std::vector<float> Weights() const;
+
+  const HalfEdgeMesh& Source;
+  Index PerFace = 1; // samples inside each original triangle
   std::vector<Sample> All;
-  std::vector<Sample> Sorted; // the other half of the double buffer
-  std::vector<Index> Faces;   // of each sample; valid only within Distribute and Settle
-  std::vector<Index> Firsts;  // of each face
+  std::vector<Index> Faces;  // of each sample; valid only within Distribute and Settle
+  std::vector<Index> Firsts; // of each face
 };
 }
 

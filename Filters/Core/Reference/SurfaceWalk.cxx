@@ -9,7 +9,7 @@ namespace
 /// Of the three corners the half-edges that leave them.
 Index HalfEdgeAt(Index face, int corner)
 {
-  const Index first = HalfEdgeMesh::HalfEdgeOf(face);
+  const Index first = HalfEdgeMesh::HalfEdge(face, 0);
   return corner == 0 ? first : corner == 1 ? HalfEdgeMesh::Next(first) : HalfEdgeMesh::Previous(first);
 }
 

@@ -91,7 +91,7 @@ bool EdgeFlipper::TryFlip(Index edge)
   Edit edit;
   edit.Kind = EditKind::Flip;
   edit.Edge = edge;
-  if (!(after < FlipBelow * before) || this->Work.ApplySmall(edit) != Verdict::Allowed)
+  if (!(after < FlipBelow * before) || this->Work.ApplySmall(edit, this->Space, this->Workers) != Verdict::Allowed)
   {
     return false;
   }

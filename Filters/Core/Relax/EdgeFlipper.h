@@ -19,8 +19,9 @@ namespace bonedecimate
 class EdgeFlipper
 {
 public:
-  EdgeFlipper(Editor& editor, Samples& samples, BackHints& hints)
+  EdgeFlipper(Editor& editor, Samples& samples, BackHints& hints, int workers)
     : Work(editor)
+    , Workers(workers)
     , Fit(samples)
     , Back(hints)
   {
@@ -35,6 +36,8 @@ private:
   double BackError(const std::array<Vector3, 3>& corners, Index face, Index& hint) const;
 
   Editor& Work;
+  Workspace Space;
+  int Workers;
   Samples& Fit;
   BackHints& Back;
 };

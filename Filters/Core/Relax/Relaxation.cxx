@@ -11,7 +11,6 @@ namespace bonedecimate
 {
 Relaxation::Relaxation(Editor& editor, const HalfEdgeMesh& original, int threads)
   : Work(editor)
-  , First(original)
   , Fit(original)
   , Back(original)
   , Threads(threads)
@@ -45,18 +44,18 @@ bool Relaxation::Begin(const Monitor& monitor)
 {
   this->Back.Begin(this->Work.Mesh());
   return this->Fit.Distribute(
-    this->First, this->Work.Mesh(), this->Work.Reference(), this->Threads, monitor);
+    this->Work.Mesh(), this->Work.Reference(), this->Threads, monitor);
 }
 
 //------------------------------------------------------------------------------
 bool Relaxation::FlipEdges(const Monitor& monitor)
 {
   this->Work.ShareVolumes();
-  return VertexBlocks(this->Work.Mesh())
-    .ForEach(this->Work.Mesh(), this->EditThreads(), monitor,
-      [this]
+  VertexBlocks blocks(this->Work.Mesh());
+  return blocks.ForEach(this->Work.Mesh(), this->EditThreads(), monitor,
+      [&]
       {
-        return [flipper = EdgeFlipper(this->Work, this->Fit, this->Back)](Index v) mutable
+        return [flipper = EdgeFlipper(this->Work, this->Fit, this->Back, blocks.Count())](Index v) mutable
         { flipper.Improve(v); };
       });
 }
@@ -65,11 +64,11 @@ bool Relaxation::FlipEdges(const Monitor& monitor)
 bool Relaxation::MoveVertices(const Monitor& monitor)
 {
   this->Work.ShareVolumes();
-  return VertexBlocks(this->Work.Mesh())
-    .ForEach(this->Work.Mesh(), this->EditThreads(), monitor,
-      [this]
+  VertexBlocks blocks(this->Work.Mesh());
+  return blocks.ForEach(this->Work.Mesh(), this->EditThreads(), monitor,
+      [&]
       {
-        return [mover = VertexMover(this->Work, this->Fit, this->Back)](Index v) mutable
+        return [mover = VertexMover(this->Work, this->Fit, this->Back, blocks.Count())](Index v) mutable
         { mover.Improve(v); };
       });
 }

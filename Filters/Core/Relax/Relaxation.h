@@ -35,7 +35,6 @@ private:
   int EditThreads() const { return this->Work.HasHook() ? 1 : this->Threads; }
 
   Editor& Work;
-  const HalfEdgeMesh& First;
   Samples Fit;
   BackHints Back;
   int Threads;

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VertexBlocks.h
- * @brief The live vertices in the order of a space-filling curve, cut into blocks that threads may work on.
+ * @brief The live vertices in their order, cut into blocks that threads may work on.
  *
  *     for shift in 0, 1/2:   each block, on any thread:  visit the vertices that no earlier pass visited
  *                                                         and whose neighbours are all in this block
  *     then, on one thread:   visit the rest
  *
- * Order and blocks depend on the mesh alone, so that the result is the same for any number of threads.
- * G. Morton, A Computer Oriented Geodetic Data Base, 1966: the curve.
+ * Order and blocks depend on the mesh alone, so that the result is the same for any number of threads. The
+ * vertices of a cleaned surface lie along a curve that fills space: a block is a patch.
  */
 #ifndef BoneDecimate_Core_Relax_VertexBlocks_h
 #define BoneDecimate_Core_Relax_VertexBlocks_h
@@ -27,6 +27,9 @@ class VertexBlocks
 public:
   explicit VertexBlocks(const HalfEdgeMesh& mesh);
 
+  /// How many workers there may be at most.
+  int Count() const { return static_cast<int>(this->Order.size() / BlockSize) + 2; }
+
   /**
    * Calls visit(v) once for every live vertex that is not locked; those visited at the same time have no common
    * neighbours. `worker()` makes the visitor of a block.
@@ -41,7 +44,7 @@ private:
   Index BlockOf(Index v, Index shift) const { return (this->Ranks[v] + shift) / BlockSize; }
   bool IsInside(const HalfEdgeMesh& mesh, Index v, Index shift) const;
 
-  std::vector<Index> Order; // live vertices along the curve
+  std::vector<Index> Order; // live vertices that are not locked
   std::vector<Index> Ranks; // of each vertex in Order
   std::vector<std::uint8_t> Visited;
 };

@@ -37,7 +37,7 @@ bool VertexMover::Improve(Index vertex)
     edit.Kind = EditKind::Move;
     edit.Keep = vertex;
     edit.Position = mesh.Position(vertex) + step;
-    if (this->Lowers(vertex, edit.Position) && this->Work.ApplySmall(edit) == Verdict::Allowed)
+    if (this->Lowers(vertex, edit.Position) && this->Work.ApplySmall(edit, this->Space, this->Workers) == Verdict::Allowed)
     {
       this->Back.SetVertex(vertex, this->VertexHint);
       for (const RingFace& ring : this->Ring)

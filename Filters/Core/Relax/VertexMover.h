@@ -28,8 +28,9 @@ namespace bonedecimate
 class VertexMover
 {
 public:
-  VertexMover(Editor& editor, const Samples& samples, BackHints& hints)
+  VertexMover(Editor& editor, const Samples& samples, BackHints& hints, int workers)
     : Work(editor)
+    , Workers(workers)
     , Fit(samples)
     , Back(hints)
   {
@@ -57,6 +58,8 @@ private:
   double ErrorOfFace(RingFace& ring, const TriangleFrame& frame, const Vector3& position) const;
 
   Editor& Work;
+  Workspace Space;
+  int Workers;
   const Samples& Fit;
   BackHints& Back;
   std::vector<RingFace> Ring;

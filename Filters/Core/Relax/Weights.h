@@ -11,7 +11,7 @@
 namespace bonedecimate
 {
 /// Weight of the way from the current surface to the original: 0 lets spikes grow, 1 is too stiff.
-static const double BackWeight = Knob("BW",0.3);
+static const double BackWeight = Knob("BW",0.1);
 /// Of a face's area, how much its middle and each of its corners stand for.
 static const double MiddleShare = Knob("BM",0.5);
 static const double CornerShare = (1-Knob("BM",.5)) / 3.0;

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RingQuadrics.h"
+
+#include "Parallel.h"
+
+namespace bonedecimate
+{
+namespace
+{
+/// A quadric in the making, in double.
+class Sum
+{
+public:
+  explicit Sum(double perUnit)
+    : PerArea(perUnit * perUnit)
+  {
+  }
+
+  /// @param n Twice the area vector, mm^2.
+  void AddPlane(const Vector3& n)
+  {
+    const double length = n.norm();
+    const Vector3 scaled = length > 0.0 ? Vector3(n / length) : Vector3(Vector3::Zero());
+    this->AddProduct(scaled, n);
+    this->G += n;
+  }
+
+  /// @param b A border edge, mm.
+  void AddBorderEdge(const Vector3& b)
+  {
+    const double squared = 2.0 * b.squaredNorm();
+    this->AddProduct(-2.0 * b, b);
+    this->M[0] += squared;
+    this->M[3] += squared;
+    this->M[5] += squared;
+  }
+
+  /// Adds `sign` times this to a quadric.
+  void AddTo(RingQuadric& quadric, double sign) const
+  {
+    const double factor = sign * this->PerArea;
+    for (std::size_t i = 0; i < 6; ++i)
+    {
+      quadric.M[i] += static_cast<float>(factor * this->M[i]);
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      quadric.G[i] += static_cast<float>(factor * this->G[static_cast<Eigen::Index>(i)]);
+    }
+  }
+
+private:
+  void AddProduct(const Vector3& a, const Vector3& b)
+  {
+    this->M[0] += a[0] * b[0];
+    this->M[1] += a[0] * b[1];
+    this->M[2] += a[0] * b[2];
+    this->M[3] += a[1] * b[1];
+    this->M[4] += a[1] * b[2];
+    this->M[5] += a[2] * b[2];
+  }
+
+  double PerArea;              // 1/mm^2
+  std::array<double, 6> M{};   // mm^2
+  Vector3 G = Vector3::Zero(); // mm^2
+};
+
+RingQuadric SumAt(const HalfEdgeMesh& mesh, Index v)
+{
+  const Vector3& origin = mesh.Position(v);
+  Sum sum(1.0 / mesh.Unit());
+  Vector3 arm = Vector3::Zero(); // to the vertex met last
+  bool isFirst = true;
+  for (const Index h : mesh.OutgoingOf(v))
+  {
+    if (isFirst)
+    {
+      arm = mesh.Position(mesh.Target(h)) - origin;
+      isFirst = false;
+    }
+    if (mesh.Twin(h) == None)
+    {
+      sum.AddBorderEdge(arm);
+    }
+    const Index back = HalfEdgeMesh::Previous(h);
+    const Vector3 next = mesh.Position(mesh.Origin(back)) - origin;
+    sum.AddPlane(arm.cross(next));
+    arm = next;
+    if (mesh.Twin(back) == None)
+    {
+      sum.AddBorderEdge(arm);
+    }
+  }
+  RingQuadric quadric;
+  sum.AddTo(quadric, 1.0);
+  return quadric;
+}
+
+void TakeGonePlanes(
+  HalfEdgeMesh& mesh, const Neighbourhood& around, const Vector3& origin, const Vector3& end)
+{
+  for (std::size_t i = 0; i < static_cast<std::size_t>(around.NumberOfGoneFaces); ++i)
+  {
+    const Vector3 apex = mesh.Position(around.Apexes[i]) - origin;
+    Sum gone(1.0 / mesh.Unit());
+    gone.AddPlane(i == 0 ? Vector3(end.cross(apex)) : Vector3(apex.cross(end)));
+    gone.AddTo(mesh.Quadric(around.Apexes[i]), -1.0);
+  }
+}
+
+void ExchangeBorderEdges(HalfEdgeMesh& mesh, const Neighbourhood& around, Index keep,
+  const Vector3& origin, const Vector3& end)
+{
+  const std::array<Index, 2> others = { around.Ring.front(), around.Ring.back() };
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const Vector3 other = mesh.Position(others[i]) - origin;
+    Sum before(1.0 / mesh.Unit());
+    before.AddBorderEdge(around.BorderEnds[i] == around.End ? Vector3(other - end) : other);
+    before.AddTo(mesh.Quadric(others[i]), -1.0);
+    Sum after(1.0 / mesh.Unit());
+    after.AddBorderEdge(mesh.Position(others[i]) - mesh.Position(keep));
+    after.AddTo(mesh.Quadric(others[i]), 1.0);
+    after.AddTo(mesh.Quadric(keep), 1.0);
+  }
+}
+}
+
+void SumRingQuadrics(HalfEdgeMesh& mesh, int threads)
+{
+  const std::size_t count = static_cast<std::size_t>(mesh.NumberOfVertexSlots());
+  ForEachChunk(
+    count, threads, [](double) { return true; },
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (Index v = static_cast<Index>(first); v < static_cast<Index>(last); ++v)
+      {
+        if (mesh.Kind(v) != VertexKind::Locked)
+        {
+          mesh.Quadric(v) = SumAt(mesh, v);
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void ExchangeRingQuadrics(HalfEdgeMesh& mesh, const Neighbourhood& around, Index keep,
+  const Vector3& origin, const Fan& fan)
+{
+  const Vector3 end(fan.End[0], fan.End[1], fan.End[2]);
+  const double perArea = 1.0 / (mesh.Unit() * mesh.Unit());
+  TakeGonePlanes(mesh, around, origin, end);
+  mesh.Quadric(keep) =
+    BestKernels().ExchangePlanes(fan, mesh.Records(), around.Ring.data(), !around.IsOpen, perArea);
+  if (around.IsOpen)
+  {
+    ExchangeBorderEdges(mesh, around, keep, origin, end);
+  }
+}
+}

@@ -1,0 +1,381 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file KernelSet.h
+ * @brief The kernels themselves; compiled once for each kind of processor, see Kernels.h.
+ *
+ * **An edge** between v and w, in coordinates about its middle, e = (w - v) / 2, with M and G of both ends summed over
+ * the triangles as they are now (RingQuadric):
+ *
+ *     M = Mv + Mw      r = (Mw - Mv) e      g = Gv + Gw      d = (Gw - Gv) . e
+ *     x0 = (M + 1e-4 tr M / 3 I)^-1 r                                    least squared distance to the planes
+ *     y  = (M + 1e-4 tr M / 3 I)^-1 g,   x = x0 + y (d - g.x0) / (g.y)   the same, volume kept
+ *     |x| > 2 lengths: x0; that too far as well: the middle
+ *     Q = x.Mx - 2 r.x + e.Me,   S = tr M,   cost = S^(1/4) Q^(3/4) + 0.03 (S / 2) D^(3/2)
+ *
+ * The first term is about area times distance^(3/2), the deviation of the normals of the faces that stay, old against
+ * new, weighted by area and height. D is the distance left behind by earlier collapses at either end. In flat places Q
+ * is lifted to a rounding's worth of S length^2, so that shorter edges go first. On open borders M holds
+ * 2 |b|^2 (I - bb^T/|b|^2) for each border edge b at both its ends.
+ *
+ * P. Lindstrom, G. Turk, Fast and memory efficient polygonal simplification, 1998: memoryless quadrics, volume kept.
+ */
+#include "Kernels.h"
+#include "Lanes.h"
+
+#include <limits>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr float Ridge = 1e-4F; // of the mean eigenvalue of M
+constexpr float MemoryWeight = 0.03F;
+constexpr float FlatShare = 1e-8F;    // of S length^2
+constexpr float FarthestMove = 16.0F; // (2 lengths)^2 in squares of half a length
+constexpr double LeastCosine = 0.2;   // 78 degrees in one step; 90 would let a face end on its edge
+constexpr double LeastQuality = 0.02; // below this, no sliver worse than before
+constexpr double QualityOfEquilateral = 6.928203230275509; // 4 sqrt(3)
+
+/// Records of one vertex, side by side.
+struct Ends
+{
+  Vectors<Floats> Half; // from First to Other, half of it, units
+  Symmetric<Floats> M;
+  Vectors<Floats> G;
+};
+
+inline Symmetric<Floats> operator+(const Symmetric<Floats>& a, const Symmetric<Floats>& b)
+{
+  return { a.XX + b.XX, a.XY + b.XY, a.XZ + b.XZ, a.YY + b.YY, a.YZ + b.YZ, a.ZZ + b.ZZ };
+}
+inline Symmetric<Floats> operator-(const Symmetric<Floats>& a, const Symmetric<Floats>& b)
+{
+  return { a.XX - b.XX, a.XY - b.XY, a.XZ - b.XZ, a.YY - b.YY, a.YZ - b.YZ, a.ZZ - b.ZZ };
+}
+
+/// Turns eight rows of eight floats into eight columns.
+inline void Transpose(Floats (&r)[8])
+{
+  Floats a[8];
+  for (int i = 0; i < 8; i += 2)
+  {
+    a[i] = __builtin_shufflevector(r[i], r[i + 1], 0, 8, 1, 9, 4, 12, 5, 13);
+    a[i + 1] = __builtin_shufflevector(r[i], r[i + 1], 2, 10, 3, 11, 6, 14, 7, 15);
+  }
+  Floats b[8];
+  for (int i = 0; i < 8; i += 4)
+  {
+    b[i] = __builtin_shufflevector(a[i], a[i + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+    b[i + 1] = __builtin_shufflevector(a[i], a[i + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    b[i + 2] = __builtin_shufflevector(a[i + 1], a[i + 3], 0, 1, 8, 9, 4, 5, 12, 13);
+    b[i + 3] = __builtin_shufflevector(a[i + 1], a[i + 3], 2, 3, 10, 11, 6, 7, 14, 15);
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    r[i] = __builtin_shufflevector(b[i], b[i + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+    r[i + 4] = __builtin_shufflevector(b[i], b[i + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+  }
+}
+
+inline const float* QuadricOf(const VertexRecord* record)
+{
+  return reinterpret_cast<const float*>(&record->Quadric); // M, then G
+}
+
+inline Ends LoadEnds(const EdgeBatch& batch)
+{
+  Floats rows[8];
+  alignas(32) float last[8];
+  alignas(32) float half[3][8];
+  double first[3];
+  std::memcpy(first, batch.First, sizeof(first));
+  const double scale = 0.5 * batch.PerUnit;
+  for (int i = 0; i < 8; ++i)
+  {
+    const VertexRecord* record = i < batch.Count ? batch.Others[i] : batch.First;
+    const float* quadric = QuadricOf(record);
+    double place[3];
+    std::memcpy(place, record, sizeof(place));
+    rows[i] = Load<Floats>(quadric);
+    last[i] = quadric[8];
+    for (int k = 0; k < 3; ++k)
+    {
+      half[k][i] = static_cast<float>((place[k] - first[k]) * scale);
+    }
+  }
+  Transpose(rows);
+  return { { Load<Floats>(half[0]), Load<Floats>(half[1]), Load<Floats>(half[2]) },
+    { rows[0], rows[1], rows[2], rows[3], rows[4], rows[5] },
+    { rows[6], rows[7], Load<Floats>(last) } };
+}
+
+struct EdgeSystem
+{
+  Symmetric<Floats> M;
+  Vectors<Floats> R, G;
+  Floats D, Trace;
+};
+
+/// The place of least Q that keeps the volume, from the middle.
+inline Vectors<Floats> PlaceInSpace(const EdgeSystem& s, Floats halfSquared)
+{
+  const Floats ridge = s.Trace * (Ridge / 3.0F);
+  const Symmetric<Floats> m = { s.M.XX + ridge, s.M.XY, s.M.XZ, s.M.YY + ridge, s.M.YZ,
+    s.M.ZZ + ridge };
+  const Symmetric<Floats> adjugate = m.Adjugate();
+  const Floats perDeterminant = 1.0F / m.Determinant(adjugate);
+  const Vectors<Floats> free = (adjugate * s.R) * perDeterminant;
+  const Vectors<Floats> y = (adjugate * s.G) * perDeterminant;
+  const Vectors<Floats> kept = free + y * ((s.D - s.G.Dot(free)) / s.G.Dot(y));
+  const Floats farthest = halfSquared * FarthestMove;
+  const Vectors<Floats> middle = { farthest * 0.0F, farthest * 0.0F, farthest * 0.0F };
+  // What is not a number is not near either.
+  const Vectors<Floats> fallback = Select(free.Dot(free) <= farthest, free, middle);
+  return Select(kept.Dot(kept) <= farthest, kept, fallback);
+}
+
+inline Vectors<Floats> PlaceOnEdge(const EdgeSystem& s, const Vectors<Floats>& half)
+{
+  const Floats curvature = half.Dot(s.M * half);
+  Floats t = s.R.Dot(half) / curvature;
+  t = t < 1.0F ? t : curvature * 0.0F + 1.0F;
+  t = t > -1.0F ? t : curvature * 0.0F - 1.0F;
+  return half * (curvature > 0.0F ? t : curvature * 0.0F);
+}
+
+void JudgeEdges(const EdgeBatch& batch, EdgeAnswers& answers)
+{
+  const Ends ends = LoadEnds(batch);
+  const float* q = QuadricOf(batch.First);
+  const Floats zero = {};
+  const Symmetric<Floats> firstM = { zero + q[0], zero + q[1], zero + q[2], zero + q[3],
+    zero + q[4], zero + q[5] };
+  const Vectors<Floats> firstG = { zero + q[6], zero + q[7], zero + q[8] };
+  const Vectors<Floats>& half = ends.Half;
+  const Floats halfSquared = half.Dot(half);
+  EdgeSystem s;
+  s.M = firstM + ends.M;
+  s.R = (ends.M - firstM) * half;
+  s.G = firstG + ends.G;
+  s.D = (ends.G - firstG).Dot(half);
+  s.Trace = s.M.XX + s.M.YY + s.M.ZZ;
+
+  const FloatMask freedom = Load<FloatMask>(batch.Freedoms);
+  Vectors<Floats> x = PlaceInSpace(s, halfSquared);
+  if (Any(freedom != static_cast<std::int32_t>(Freedom::Space)))
+  {
+    x = Select(freedom == static_cast<std::int32_t>(Freedom::Edge), PlaceOnEdge(s, half), x);
+    x = Select(freedom == static_cast<std::int32_t>(Freedom::First), half * (zero - 1.0F), x);
+    x = Select(freedom == static_cast<std::int32_t>(Freedom::Second), half, x);
+  }
+  const Floats flat = s.Trace * halfSquared * FlatShare;
+  const Floats squares =
+    Larger(x.Dot(s.M * x) - 2.0F * s.R.Dot(x) + half.Dot(s.M * half), zero) + flat;
+  const Floats memory = Load<Floats>(batch.Memories);
+  const Floats cost = (Root(Root(s.Trace) * squares * Root(squares)) +
+                        (0.5F * MemoryWeight) * s.Trace * memory * Root(memory)) *
+    batch.CostFactor;
+  const float never = std::numeric_limits<float>::infinity();
+  const FloatMask counts =
+    (freedom != static_cast<std::int32_t>(Freedom::Nowhere)) & (cost < never);
+  Store(counts ? cost : zero + never, answers.Costs);
+  Store(half.X + x.X, answers.Moves[0]);
+  Store(half.Y + x.Y, answers.Moves[1]);
+  Store(half.Z + x.Z, answers.Moves[2]);
+}
+
+//------------------------------------------------------------------------------
+inline Vectors<Doubles> LoadVectors(double* const (&from)[3], int at)
+{
+  return { Load<Doubles>(from[0] + at), Load<Doubles>(from[1] + at), Load<Doubles>(from[2] + at) };
+}
+inline void StoreVectors(const Vectors<Doubles>& v, double* const (&to)[3], int at)
+{
+  Store(v.X, to[0] + at);
+  Store(v.Y, to[1] + at);
+  Store(v.Z, to[2] + at);
+}
+inline Vectors<Doubles> All(const double (&v)[3])
+{
+  const Doubles zero = {};
+  return { zero + v[0], zero + v[1], zero + v[2] };
+}
+/// Lanes that hold a face of the fan.
+inline DoubleMask IsFace(int at, int faces)
+{
+  const DoubleMask lane = { 0, 1, 2, 3 };
+  return lane < static_cast<std::int64_t>(faces - at);
+}
+
+inline Doubles QualityOf(Doubles twiceArea, Doubles squares)
+{
+  return (0.5 * QualityOfEquilateral) * twiceArea / squares;
+}
+
+void JudgeFan(Fan& fan, FanVerdict& verdict)
+{
+  const Doubles zero = {};
+  const Vectors<Doubles> end = All(fan.End);
+  const Vectors<Doubles> start = { zero, zero, zero };
+  const Vectors<Doubles> place = All(fan.Place);
+  Doubles volume = zero;
+  DoubleMask degenerate = {};
+  DoubleMask flip = {};
+  for (int i = 0; i < fan.Faces; i += NumberOfDoubles)
+  {
+    const DoubleMask isFace = IsFace(i, fan.Faces);
+    const Vectors<Doubles> second = LoadVectors(fan.Ring, i);
+    const Vectors<Doubles> third = LoadVectors(fan.Ring, i + 1);
+    const Vectors<Doubles> corner = Select(Load<DoubleMask>(fan.AtEnd + i), end, start);
+    const Vectors<Doubles> side = third - second;
+    const Vectors<Doubles> oldArm = second - corner;
+    const Vectors<Doubles> newArm = second - place;
+    const Vectors<Doubles> before = oldArm.Cross(side);
+    const Vectors<Doubles> after = newArm.Cross(side);
+    StoreVectors(before, fan.OldArea, i);
+    StoreVectors(after, fan.NewArea, i);
+    const Doubles areaBefore = Root(before.Dot(before));
+    const Doubles areaAfter = Root(after.Dot(after));
+    const Vectors<Doubles> oldThird = third - corner;
+    const Vectors<Doubles> newThird = third - place;
+    const Doubles sideSquared = side.Dot(side);
+    const Doubles qualityAfter =
+      QualityOf(areaAfter, sideSquared + newArm.Dot(newArm) + newThird.Dot(newThird));
+    const Doubles squaresBefore = sideSquared + oldArm.Dot(oldArm) + oldThird.Dot(oldThird);
+    const Doubles qualityBefore = squaresBefore > 0.0 ? QualityOf(areaBefore, squaresBefore) : zero;
+    const DoubleMask hasArea = areaAfter > 0.0; // false for what is not a number, too
+    degenerate |=
+      isFace & (~hasArea | ((qualityAfter < LeastQuality) & (qualityAfter < qualityBefore)));
+    flip |=
+      isFace & (areaBefore > 0.0) & (before.Dot(after) < LeastCosine * (areaBefore * areaAfter));
+    const Doubles change = (after - before).Dot(second);
+    volume += isFace ? change : zero;
+  }
+  verdict.Degenerate = Any(degenerate);
+  verdict.Flip = Any(flip);
+  verdict.VolumeChange = (volume[0] + volume[1] + volume[2] + volume[3]) / 6.0;
+}
+
+//------------------------------------------------------------------------------
+/// Squared distance to a segment from `a` along `d`, both seen from the point.
+inline Doubles SquaredDistanceToSegment(const Vectors<Doubles>& a, const Vectors<Doubles>& d)
+{
+  const Doubles zero = {};
+  const Doubles squared = d.Dot(d);
+  Doubles t = squared > 0.0 ? (zero - a.Dot(d)) / squared : zero;
+  t = Smaller(Larger(t, zero), zero + 1.0);
+  const Vectors<Doubles> nearest = a + d * t;
+  return nearest.Dot(nearest);
+}
+
+/// Squared distance of the origin to the triangles a, b, c of area vector n: over the face, or to the nearest side.
+inline Doubles SquaredDistanceToTriangle(const Vectors<Doubles>& a, const Vectors<Doubles>& b,
+  const Vectors<Doubles>& c, const Vectors<Doubles>& n)
+{
+  const Doubles zero = {};
+  const Doubles u = n.Dot(b.Cross(c));
+  const Doubles v = n.Dot(c.Cross(a));
+  const Doubles w = n.Dot(a.Cross(b));
+  const DoubleMask over = (u >= zero) & (v >= zero) & (w >= zero);
+  const Doubles height = n.Dot(a);
+  const Doubles sides = Smaller(SquaredDistanceToSegment(a, b - a),
+    Smaller(SquaredDistanceToSegment(b, c - b), SquaredDistanceToSegment(c, a - c)));
+  return over ? height * height / n.Dot(n) : sides;
+}
+
+inline double LeastSquare(const Fan& fan, const double (&from)[3])
+{
+  const Vectors<Doubles> point = All(from);
+  const Vectors<Doubles> place = All(fan.Place) - point;
+  const Doubles far = Doubles{} + std::numeric_limits<double>::infinity();
+  Doubles least = far;
+  for (int i = 0; i < fan.Faces; i += NumberOfDoubles)
+  {
+    const Doubles squared = SquaredDistanceToTriangle(place, LoadVectors(fan.Ring, i) - point,
+      LoadVectors(fan.Ring, i + 1) - point, LoadVectors(fan.NewArea, i));
+    least = Smaller(IsFace(i, fan.Faces) ? squared : far, least);
+  }
+  double result = least[0];
+  for (int lane = 1; lane < NumberOfDoubles; ++lane)
+  {
+    result = least[lane] < result ? least[lane] : result;
+  }
+  return result;
+}
+
+double LeaveBehind(const Fan& fan, double atStart, double atEnd)
+{
+  const double start[3] = { 0.0, 0.0, 0.0 };
+  const double first = atStart + __builtin_sqrt(LeastSquare(fan, start));
+  const double second = atEnd + __builtin_sqrt(LeastSquare(fan, fan.End));
+  return first > second ? first : second;
+}
+
+//------------------------------------------------------------------------------
+/// Adds sign * (2 A n n^T, 2 A n) of four faces to nine sums.
+inline void AddPlanes(const Vectors<Doubles>& n, Doubles sign, Doubles (&sums)[9])
+{
+  const Doubles length = Root(n.Dot(n));
+  const Doubles weight = length > 0.0 ? sign / length : length;
+  const Vectors<Doubles> scaled = n * weight;
+  sums[0] += scaled.X * n.X;
+  sums[1] += scaled.X * n.Y;
+  sums[2] += scaled.X * n.Z;
+  sums[3] += scaled.Y * n.Y;
+  sums[4] += scaled.Y * n.Z;
+  sums[5] += scaled.Z * n.Z;
+  sums[6] += sign * n.X;
+  sums[7] += sign * n.Y;
+  sums[8] += sign * n.Z;
+}
+
+RingQuadric ExchangePlanes(
+  const Fan& fan, VertexRecord* records, const Index* ring, bool closes, double perArea)
+{
+  const Doubles zero = {};
+  Doubles sums[9] = {};
+  for (int i = 0; i < fan.Faces; i += NumberOfDoubles)
+  {
+    const DoubleMask isFace = IsFace(i, fan.Faces);
+    const Doubles weight = isFace ? zero + perArea : zero;
+    Doubles changes[9] = {};
+    AddPlanes(LoadVectors(fan.NewArea, i), weight, changes);
+    for (int k = 0; k < 9; ++k)
+    {
+      sums[k] += changes[k];
+    }
+    AddPlanes(LoadVectors(fan.OldArea, i), zero - weight, changes);
+    alignas(32) double change[9][NumberOfDoubles];
+    for (int k = 0; k < 9; ++k)
+    {
+      Store(changes[k], change[k]);
+    }
+    const int faces = fan.Faces - i < NumberOfDoubles ? fan.Faces - i : NumberOfDoubles;
+    for (int lane = 0; lane < faces; ++lane)
+    {
+      const int last = closes && i + lane + 1 == fan.Faces ? 0 : i + lane + 1;
+      float* to[2] = { reinterpret_cast<float*>(&records[ring[i + lane]].Quadric),
+        reinterpret_cast<float*>(&records[ring[last]].Quadric) };
+      for (int k = 0; k < 9; ++k)
+      {
+        const float part = static_cast<float>(change[k][lane]);
+        to[0][k] += part;
+        to[1][k] += part;
+      }
+    }
+  }
+  RingQuadric sum;
+  float* to = reinterpret_cast<float*>(&sum);
+  for (int k = 0; k < 9; ++k)
+  {
+    to[k] = static_cast<float>((sums[k][0] + sums[k][1]) + (sums[k][2] + sums[k][3]));
+  }
+  return sum;
+}
+}
+
+extern const Kernels BONEDECIMATE_KERNELS;
+const Kernels BONEDECIMATE_KERNELS = { BONEDECIMATE_KERNELS_NAME, JudgeEdges, JudgeFan, LeaveBehind,
+  ExchangePlanes };
+}

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Kernels.h"
+
+namespace bonedecimate
+{
+extern const Kernels BaselineKernels;
+#ifdef BONEDECIMATE_X86_KERNELS
+extern const Kernels Avx2Kernels;
+extern const Kernels Avx512Kernels;
+#endif
+
+const std::vector<const Kernels*>& AvailableKernels()
+{
+  static const std::vector<const Kernels*> available = []
+  {
+    std::vector<const Kernels*> sets = { &BaselineKernels };
+#ifdef BONEDECIMATE_X86_KERNELS
+    if (__builtin_cpu_supports("avx2"))
+    {
+      sets.push_back(&Avx2Kernels);
+      if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+        __builtin_cpu_supports("avx512dq"))
+      {
+        sets.push_back(&Avx512Kernels);
+      }
+    }
+#endif
+    return sets;
+  }();
+  return available;
+}
+
+const Kernels& BestKernels()
+{
+  return *AvailableKernels().back();
+}
+}

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Kernels.h
+ * @brief The inner loops that are computed eight or four at a time, one set for each kind of processor.
+ *
+ * All sets give the same bits; the best one that this processor runs is taken unless another is asked for.
+ * The formulas stand in EdgeKernel.h, FanKernel.h and DistanceKernel.h, which are compiled once for each set.
+ */
+#ifndef BoneDecimate_Core_Kernels_Kernels_h
+#define BoneDecimate_Core_Kernels_Kernels_h
+
+#include "Mesh/HalfEdgeMesh.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace bonedecimate
+{
+/// Where the merged vertex of an edge may go.
+enum class Freedom : std::int32_t
+{
+  Space,  ///< Anywhere that keeps the volume.
+  Edge,   ///< On the edge.
+  First,  ///< Where the first end is.
+  Second, ///< Where the second end is.
+  Nowhere ///< The edge may not be collapsed.
+};
+
+/// Edges from one vertex to up to eight others. Plain arrays: kernels must not use inline functions of libraries, which
+/// would be compiled for one processor and linked for all.
+struct EdgeBatch
+{
+  static constexpr int Size = 8;
+  const VertexRecord* First = nullptr;
+  const VertexRecord* Others[Size] = {};
+  std::int32_t Freedoms[Size] = {}; ///< Of type Freedom.
+  float Memories[Size] = {}; ///< The larger distance left behind so far at either end, units.
+  int Count = 0;
+  double PerUnit = 1.0;   ///< 1 / unit, 1/mm
+  float CostFactor = 1.0; ///< Makes costs independent of how the unit was rounded.
+};
+
+struct EdgeAnswers
+{
+  float Costs[EdgeBatch::Size];    ///< Infinite: never.
+  float Moves[3][EdgeBatch::Size]; ///< From First, units.
+};
+
+/// The triangles round a future vertex, before and after, mm with Start as the origin.
+struct Fan
+{
+  double*
+    Ring[3] = {}; ///< Coordinates of Ring[0 .. Faces]; the first once more at the end if it closes.
+  std::int64_t* AtEnd = {}; ///< -1 where a face hangs on End today, 0 where on Start.
+  double* OldArea[3] = {};  ///< Twice the area vectors before, mm^2, filled by JudgeFan.
+  double* NewArea[3] = {};  ///< Twice the area vectors after, mm^2, filled by JudgeFan.
+  double End[3] = {};
+  double Place[3] = {}; ///< Of the future vertex.
+  int Faces = 0;
+};
+
+/// What would be wrong with the fan after the collapse.
+struct FanVerdict
+{
+  bool Degenerate = false;   ///< A face would have no area or become a sliver.
+  bool Flip = false;         ///< A face would turn over.
+  double VolumeChange = 0.0; ///< mm^3
+};
+
+struct Kernels
+{
+  const char* Name;
+  void (*JudgeEdges)(const EdgeBatch& batch, EdgeAnswers& answers);
+  void (*JudgeFan)(Fan& fan, FanVerdict& verdict);
+  /// The larger of the distances of two points (mm from Start) to the fan after the collapse, each with what it left behind
+  /// before, mm.
+  double (*LeaveBehind)(const Fan& fan, double atStart, double atEnd);
+  /// Adds new minus old planes to the quadrics of the ring, and returns the sum of the new ones.
+  /// @param ring The vertices of the fan's ring; fewer by one than Faces + 1 if it closes.  @param perArea 1/mm^2
+  RingQuadric (*ExchangePlanes)(
+    const Fan& fan, VertexRecord* records, const Index* ring, bool closes, double perArea);
+};
+
+/// The best set for this processor.
+const Kernels& BestKernels();
+/// All sets that this processor runs, the plainest first.
+const std::vector<const Kernels*>& AvailableKernels();
+}
+
+#endif

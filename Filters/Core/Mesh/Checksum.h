@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Checksum.h
+ * @brief A number that tells two inputs apart.
+ *
+ * FNV-1a over 64-bit words instead of bytes. Points and triangles are cut into blocks (Parallel.h), each with three sums
+ * side by side, one for each coordinate or corner; the sums of all blocks are words of the final sum.
+ *
+ * G. Fowler, L. C. Noll, K.-P. Vo: the hash.
+ */
+#ifndef BoneDecimate_Core_Mesh_Checksum_h
+#define BoneDecimate_Core_Mesh_Checksum_h
+
+#include "Surface.h"
+
+namespace bonedecimate
+{
+std::uint64_t Checksum(const Surface& surface, int threads = 1);
+}
+
+#endif

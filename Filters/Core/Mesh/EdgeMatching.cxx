@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EdgeMatching.h"
+
+#include "HalfEdgeMesh.h"
+#include "Parallel.h"
+
+#include <algorithm>
+#include <array>
+
+namespace bonedecimate
+{
+namespace
+{
+/// So many half-edges at one point are searched one by one; more are sorted by their target.
+constexpr Index LongList = 32;
+
+Index NextCorner(Index k)
+{
+  return k == 2 ? 0 : k + 1;
+}
+
+Index PreviousHalfEdge(Index h)
+{
+  return (h & 3) == 0 ? h + 2 : h - 1;
+}
+}
+
+EdgeMatching::EdgeMatching(
+  const std::vector<Triangle>& triangles, std::size_t numberOfPoints, int threads)
+  : Triangles(triangles)
+  , Threads(threads)
+  , Start(numberOfPoints + 1, 0)
+  , Spokes(3 * triangles.size())
+  , TwinOf(4 * triangles.size(), None)
+{
+  this->SortByOrigin();
+  const auto eachBlock = [&](auto step)
+  {
+    ForEachBlock(numberOfPoints, threads,
+      [&](std::size_t, std::size_t first, std::size_t last) { (this->*step)(first, last); });
+  };
+  eachBlock(&EdgeMatching::SortLongLists);
+  eachBlock(&EdgeMatching::MatchBlock);
+}
+
+//------------------------------------------------------------------------------
+void EdgeMatching::SortByOrigin()
+{
+  // Counted one place further on, so that filling turns the starts into what they shall be.
+  for (const Triangle& corners : this->Triangles)
+  {
+    for (const Index corner : corners)
+    {
+      ++this->Start[corner];
+    }
+  }
+  Index sum = 0;
+  for (Index& start : this->Start)
+  {
+    sum += start;
+    start = sum;
+  }
+  for (std::size_t t = this->Triangles.size(); t-- > 0;)
+  {
+    const Triangle& corners = this->Triangles[t];
+    for (Index k = 2; k >= 0; --k)
+    {
+      this->Spokes[--this->Start[corners[k]]] = { corners[NextCorner(k)],
+        static_cast<Index>(4 * t) + k };
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void EdgeMatching::SortLongLists(std::size_t firstPoint, std::size_t lastPoint)
+{
+  for (std::size_t p = firstPoint; p < lastPoint; ++p)
+  {
+    if (this->Start[p + 1] - this->Start[p] > LongList)
+    {
+      std::sort(this->Spokes.begin() + this->Start[p], this->Spokes.begin() + this->Start[p + 1],
+        [](const Spoke& a, const Spoke& b)
+        { return a.Target != b.Target ? a.Target < b.Target : a.HalfEdge < b.HalfEdge; });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+EdgeMatching::Bundle EdgeMatching::Between(Index from, Index to) const
+{
+  const Spoke* first = this->Spokes.data() + this->Start[from];
+  const Spoke* last = this->Spokes.data() + this->Start[from + 1];
+  if (last - first > LongList)
+  {
+    const auto range = std::equal_range(first, last, Spoke{ to, None },
+      [](const Spoke& a, const Spoke& b) { return a.Target < b.Target; });
+    const auto count = static_cast<Index>(range.second - range.first);
+    return { count, count > 0 ? range.first->HalfEdge : None };
+  }
+  Bundle bundle;
+  for (const Spoke* spoke = first; spoke != last; ++spoke)
+  {
+    const bool fits = spoke->Target == to;
+    bundle.Count += fits ? 1 : 0;
+    bundle.HalfEdge = fits ? spoke->HalfEdge : bundle.HalfEdge;
+  }
+  return bundle;
+}
+
+//------------------------------------------------------------------------------
+/// Remembers through which half-edges the neighbours of one point lead to it.
+class EdgeMatching::Marks
+{
+public:
+  /// False if the place is taken, by the same neighbour or by another one.
+  bool Set(Index point, Index neighbour, Index halfEdge)
+  {
+    Mark& mark = this->At(neighbour);
+    const bool isFree = mark.Point != point;
+    mark = { point, neighbour, halfEdge };
+    return isFree;
+  }
+
+  /// The half-edge from the neighbour to the point; None if there is none or it was taken before.
+  Index Take(Index point, Index neighbour)
+  {
+    Mark& mark = this->At(neighbour);
+    const bool isThere = mark.Point == point && mark.Neighbour == neighbour;
+    const Index halfEdge = isThere ? mark.HalfEdge : None;
+    mark.HalfEdge = None;
+    return halfEdge;
+  }
+
+private:
+  struct Mark
+  {
+    Index Point = None;
+    Index Neighbour = None;
+    Index HalfEdge = None;
+  };
+  static constexpr std::size_t Size = 1024; // so that it stays in the nearest cache
+  Mark& At(Index neighbour) { return this->Table[static_cast<std::size_t>(neighbour) % Size]; }
+  std::array<Mark, Size> Table;
+};
+
+//------------------------------------------------------------------------------
+/// Every half-edge is written by the block of its origin.
+void EdgeMatching::MatchBlock(std::size_t firstPoint, std::size_t lastPoint)
+{
+  Marks marks;
+  for (std::size_t p = firstPoint; p < lastPoint; ++p)
+  {
+    if (!this->MatchPairs(static_cast<Index>(p), marks))
+    {
+      this->MatchOneByOne(static_cast<Index>(p));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Of each triangle at the point one half-edge leaves it and one arrives. False if these do not pair one to one.
+bool EdgeMatching::MatchPairs(Index point, Marks& marks)
+{
+  bool paired = true;
+  const Spoke* first = this->Spokes.data() + this->Start[point];
+  const Spoke* last = this->Spokes.data() + this->Start[point + 1];
+  for (const Spoke* spoke = first; spoke != last; ++spoke)
+  {
+    const Index arriving = PreviousHalfEdge(spoke->HalfEdge);
+    const Index origin = this->Triangles[arriving >> 2][arriving & 3];
+    paired = marks.Set(point, origin, arriving) && paired;
+  }
+  for (const Spoke* spoke = first; spoke != last; ++spoke)
+  {
+    const Index twin = marks.Take(point, spoke->Target);
+    this->TwinOf[spoke->HalfEdge] = twin;
+    paired = paired && twin != None && spoke->Target != point;
+  }
+  return paired;
+}
+
+//------------------------------------------------------------------------------
+void EdgeMatching::MatchOneByOne(Index point)
+{
+  for (Index i = this->Start[point]; i < this->Start[point + 1]; ++i)
+  {
+    const Spoke& spoke = this->Spokes[i];
+    const Bundle back = this->Between(spoke.Target, point);
+    const bool alone = this->Between(point, spoke.Target).Count == 1 && spoke.Target != point;
+    const bool isPair = alone && back.Count == 1;
+    this->TwinOf[spoke.HalfEdge] = isPair           ? back.HalfEdge
+      : this->CountOnEdge(point, spoke.Target) == 1 ? None
+                                                    : OddEdge;
+  }
+}
+
+//------------------------------------------------------------------------------
+Index EdgeMatching::CountOnEdge(Index a, Index b) const
+{
+  return this->Between(a, b).Count + (a == b ? 0 : this->Between(b, a).Count);
+}
+
+//------------------------------------------------------------------------------
+/// Whether no other half-edge of the same edge comes before this one: a group is counted once.
+bool EdgeMatching::IsFirstOnEdge(Index origin, const Spoke& spoke) const
+{
+  const Index target = spoke.Target;
+  return origin <= target ? this->Between(origin, target).HalfEdge == spoke.HalfEdge
+                          : this->Between(target, origin).Count == 0 &&
+      this->Between(origin, target).HalfEdge == spoke.HalfEdge;
+}
+
+//------------------------------------------------------------------------------
+EdgeCounts EdgeMatching::CountEdges() const
+{
+  EdgeCounts counts;
+  std::int64_t paired = 0;
+  for (std::size_t p = 0; p + 1 < this->Start.size(); ++p)
+  {
+    for (Index i = this->Start[p]; i < this->Start[p + 1]; ++i)
+    {
+      const Spoke& spoke = this->Spokes[i];
+      const Index twin = this->TwinOf[spoke.HalfEdge];
+      paired += twin >= 0 ? 1 : 0;
+      counts.Border += twin == None ? 1 : 0;
+      if (twin == OddEdge && this->IsFirstOnEdge(static_cast<Index>(p), spoke))
+      {
+        ++counts.Edges;
+        counts.NonManifold += this->CountOnEdge(static_cast<Index>(p), spoke.Target) > 2 ? 1 : 0;
+      }
+    }
+  }
+  counts.Edges += paired / 2 + counts.Border;
+  return counts;
+}
+
+//------------------------------------------------------------------------------
+Rings EdgeMatching::FindRings() const
+{
+  const std::size_t numberOfPoints = this->Start.size() - 1;
+  Rings rings;
+  rings.Outgoing.assign(numberOfPoints, None);
+  rings.Kinds.assign(numberOfPoints, VertexKind::Inside);
+  ForEachBlock(numberOfPoints, this->Threads,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t p = first; p < last; ++p)
+      {
+        this->FindRing(static_cast<Index>(p), rings);
+      }
+    });
+  return rings;
+}
+
+//------------------------------------------------------------------------------
+void EdgeMatching::FindRing(Index point, Rings& rings) const
+{
+  Index least = None;
+  Index alone = None;
+  Index worst = 0; // None is a border, OddEdge worse
+  for (Index i = this->Start[point]; i < this->Start[point + 1]; ++i)
+  {
+    const Index h = this->Spokes[i].HalfEdge;
+    least = least == None ? h : std::min(least, h);
+    alone = this->TwinOf[h] < 0 ? std::max(alone, h) : alone;
+    worst = std::min({ worst, this->TwinOf[h], this->TwinOf[PreviousHalfEdge(h)] });
+  }
+  const Index start = alone == None ? least : alone;
+  Index found = 0; // rings end or come back to their start, since twins are paired one to one
+  for (Index h = start; h >= 0;)
+  {
+    ++found;
+    h = this->TwinOf[PreviousHalfEdge(h)];
+    h = h == start ? None : h;
+  }
+  const bool isOneFan = found == this->Start[point + 1] - this->Start[point];
+  rings.Outgoing[point] = start;
+  rings.Kinds[point] = worst == OddEdge || !isOneFan ? VertexKind::Locked
+    : worst == None                                  ? VertexKind::Border
+                                                     : VertexKind::Inside;
+}
+}

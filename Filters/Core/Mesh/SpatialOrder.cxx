@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SpatialOrder.h"
+
+#include "Parallel.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr int BitsOfAxis = 21;
+/// A little below 2^21. No simple fraction of it, so that points in regular rows seldom lie on the border of two cells,
+/// where another unit of length would round them to the other side.
+constexpr double CellsAcross = 2038437.618033988;
+constexpr double LeastLength =
+  1e-290; // mm; with shorter boxes the number of cells a mm would overflow
+constexpr int BitsOfDigit = 11;
+constexpr std::size_t Digits = std::size_t(1) << BitsOfDigit;
+constexpr int BitsOfIndex = 31;
+/// Fewer points than this are sorted by comparison.
+constexpr std::size_t SmallBin = 512;
+
+/// Puts two zeros behind each of the lowest 21 bits.
+std::uint64_t Spread(std::uint64_t x)
+{
+  x = (x | x << 32) & 0x001f00000000ffffULL;
+  x = (x | x << 16) & 0x001f0000ff0000ffULL;
+  x = (x | x << 8) & 0x100f00f00f00f00fULL;
+  x = (x | x << 4) & 0x10c30c30c30c30c3ULL;
+  x = (x | x << 2) & 0x1249249249249249ULL;
+  return x;
+}
+
+/// The grid about the points.
+class Curve
+{
+public:
+  Curve(const std::vector<Vector3>& points, int threads)
+    : Points(points)
+    , Low(points[0])
+  {
+    struct Box
+    {
+      Vector3 Low, High;
+    };
+    std::vector<Box> boxes(NumberOfBlocks(points.size()));
+    ForEachBlock(points.size(), threads,
+      [&](std::size_t block, std::size_t first, std::size_t last)
+      {
+        Box box = { points[first], points[first] };
+        for (std::size_t p = first; p < last; ++p)
+        {
+          box = { box.Low.cwiseMin(points[p]), box.High.cwiseMax(points[p]) };
+        }
+        boxes[block] = box;
+      });
+    Vector3 high = this->Low;
+    for (const Box& box : boxes)
+    {
+      this->Low = this->Low.cwiseMin(box.Low);
+      high = high.cwiseMax(box.High);
+    }
+    this->Scale = CellsAcross / std::max(LeastLength, (high - this->Low).maxCoeff());
+  }
+
+  /// Place on the curve, 63 bits.
+  std::uint64_t Place(Index point) const
+  {
+    const Vector3 cell = (this->Points[point] - this->Low) * this->Scale;
+    const auto along = [&](Eigen::Index axis)
+    { return Spread(static_cast<std::uint64_t>(static_cast<std::int64_t>(cell[axis]))); };
+    return along(0) << 2 | along(1) << 1 | along(2);
+  }
+
+private:
+  const std::vector<Vector3>& Points;
+  Vector3 Low;        // mm
+  double Scale = 1.0; // cells per mm
+};
+
+/// The first 33 bits of a place on the curve and the number of the point: sorted by three digits.
+using Entry = std::uint64_t;
+
+Index PointOf(Entry entry)
+{
+  return static_cast<Index>(entry & ((Entry(1) << BitsOfIndex) - 1));
+}
+
+std::vector<Entry> Entries(const Curve& curve, std::size_t count, int threads)
+{
+  std::vector<Entry> entries(count);
+  ForEachId(count, threads,
+    [&](std::size_t p)
+    {
+      const std::uint64_t place = curve.Place(static_cast<Index>(p));
+      entries[p] = place >> (3 * BitsOfAxis - 3 * BitsOfDigit) << BitsOfIndex | p;
+    });
+  return entries;
+}
+
+/// One pass of radix sort; returns where each digit's entries begin, and one behind the last.
+std::vector<std::size_t> Distribute(const Entry* from, std::size_t count, int shift, Entry* to)
+{
+  const auto digit = [=](Entry entry) { return (entry >> shift) & (Digits - 1); };
+  std::vector<std::size_t> begins(Digits + 1, 0);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    ++begins[digit(from[i]) + 1];
+  }
+  for (std::size_t d = 0; d < Digits; ++d)
+  {
+    begins[d + 1] += begins[d];
+  }
+  std::vector<std::size_t> next(begins.begin(), begins.end() - 1);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    to[next[digit(from[i])]++] = from[i];
+  }
+  return begins;
+}
+
+/// Sorts entries of the same first digit by the other two; `spare` is as long.
+void SortBin(Entry* entries, Entry* spare, std::size_t count)
+{
+  if (count < SmallBin)
+  {
+    std::sort(entries, entries + count); // the number of the point makes them differ
+    return;
+  }
+  Distribute(entries, count, BitsOfIndex, spare);
+  Distribute(spare, count, BitsOfIndex + BitsOfDigit, entries);
+}
+
+/// Sorts the few entries that agree in 33 bits by all 63.
+void SortTies(const Curve& curve, Entry* entries, std::size_t count)
+{
+  for (std::size_t first = 0; first < count;)
+  {
+    std::size_t last = first + 1;
+    while (last < count && entries[last] >> BitsOfIndex == entries[first] >> BitsOfIndex)
+    {
+      ++last;
+    }
+    std::stable_sort(entries + first, entries + last,
+      [&](Entry a, Entry b) { return curve.Place(PointOf(a)) < curve.Place(PointOf(b)); });
+    first = last;
+  }
+}
+
+/// Of each new place the old one; of triangles sorted by the least of their corners' new numbers.
+std::vector<Index> OrderByLeastPoint(
+  const std::vector<Triangle>& triangles, std::size_t numberOfPoints)
+{
+  std::vector<Index> start(numberOfPoints + 1, 0);
+  for (const Triangle& t : triangles)
+  {
+    ++start[std::min({ t[0], t[1], t[2] }) + 1];
+  }
+  for (std::size_t p = 0; p < numberOfPoints; ++p)
+  {
+    start[p + 1] += start[p];
+  }
+  std::vector<Index> order(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    const Triangle& c = triangles[t];
+    order[start[std::min({ c[0], c[1], c[2] })]++] = static_cast<Index>(t);
+  }
+  return order;
+}
+
+template <typename Value>
+void Permute(std::vector<Value>& values, const std::vector<Index>& order, int threads)
+{
+  std::vector<Value> permuted(values.size());
+  ForEachId(order.size(), threads, [&](std::size_t i) { permuted[i] = values[order[i]]; });
+  values = std::move(permuted);
+}
+
+/// The new number of each old one.
+std::vector<Index> Inverse(const std::vector<Index>& order, int threads)
+{
+  std::vector<Index> inverse(order.size());
+  ForEachId(
+    order.size(), threads, [&](std::size_t i) { inverse[order[i]] = static_cast<Index>(i); });
+  return inverse;
+}
+}
+
+std::vector<Index> CurveOrder(const std::vector<Vector3>& points, int threads)
+{
+  if (points.empty())
+  {
+    return {};
+  }
+  const Curve curve(points, threads);
+  std::vector<Entry> unsorted = Entries(curve, points.size(), threads);
+  std::vector<Entry> entries(points.size());
+  const std::vector<std::size_t> bins =
+    Distribute(unsorted.data(), points.size(), 64 - BitsOfDigit, entries.data());
+  std::vector<Index> order(points.size());
+  ForEachPart(Digits, threads, Monitor(),
+    [&](std::size_t bin)
+    {
+      const std::size_t first = bins[bin];
+      const std::size_t count = bins[bin + 1] - first;
+      SortBin(entries.data() + first, unsorted.data() + first, count);
+      SortTies(curve, entries.data() + first, count);
+      for (std::size_t i = first; i < first + count; ++i)
+      {
+        order[i] = PointOf(entries[i]);
+      }
+    });
+  return order;
+}
+
+void SortAlongCurve(CleanSurface& clean, int threads)
+{
+  const std::vector<Index> order = CurveOrder(clean.Surface.Points, threads);
+  Permute(clean.Surface.Points, order, threads);
+  Permute(clean.InputPoint, order, threads);
+  Permute(clean.InputPointCount, order, threads);
+  const std::vector<Index> number = Inverse(order, threads);
+  ForEachId(clean.PointOfInput.size(), threads,
+    [&](std::size_t p)
+    {
+      Index& point = clean.PointOfInput[p];
+      point = point == None ? None : number[point];
+    });
+  ForEachId(clean.Surface.Triangles.size(), threads,
+    [&](std::size_t i)
+    {
+      Triangle& t = clean.Surface.Triangles[i];
+      t = { number[t[0]], number[t[1]], number[t[2]] };
+    });
+  const std::vector<Index> triangleOrder =
+    OrderByLeastPoint(clean.Surface.Triangles, clean.Surface.Points.size());
+  Permute(clean.Surface.Triangles, triangleOrder, threads);
+  Permute(clean.InputTriangle, triangleOrder, threads);
+}
+}
