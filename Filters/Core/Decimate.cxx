@@ -9,11 +9,10 @@
 #include "Mesh/Checksum.h"
 #include "Mesh/SpatialOrder.h"
 #include "Mesh/Statistics.h"
-#include "Relax/Relaxation.h"
+#include "Relax/RelaxedLoop.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <cmath>
 #include <optional>
 
@@ -33,10 +32,6 @@ constexpr double CleanedAt = 0.01;
 constexpr double BuiltAt = 0.02;
 constexpr double ExtractionShare = 0.005;
 constexpr double LastStep = 0.005;
-/// Of the time of the loop, how much is collapse where relaxation follows.
-constexpr double CollapsedShare = 0.4;
-
-static const int NumberOfSweeps = getenv("SW")?atoi(getenv("SW")):2;
 
 /// One run, stage after stage; remembers whether somebody asked to stop.
 class Run
@@ -123,23 +118,10 @@ private:
     {
       return Sweep(*this->Work, stops, this->Wanted.NumberOfThreads).Run(monitor);
     }
-    return this->CollapseAndRelax(stops, monitor);
-  }
-
-  StopReason CollapseAndRelax(const Stops& stops, const Monitor& monitor)
-  {
-    const HalfEdgeMesh original = this->Work->Mesh();
-    const StopReason reason = Sweep(*this->Work, stops, this->Wanted.NumberOfThreads)
-                                .Run([&](double done) { return monitor(CollapsedShare * done); });
-    if (reason == StopReason::Aborted || reason == StopReason::AlreadySatisfied)
-    {
-      return reason;
-    }
-    const bool done = Relaxation(*this->Work, original, this->Wanted.NumberOfThreads)
-                        .Run(NumberOfSweeps, [&](double fraction)
-                          { return monitor(CollapsedShare + (1.0 - CollapsedShare) * fraction); });
-    this->Work->LookUpVertices();
-    return done ? reason : StopReason::Aborted;
+    const bool isAccurate = this->Wanted.Mode == Mode::Accurate;
+    return RelaxedLoop(*this->Work, isAccurate ? AccurateRecipe : BalancedRecipe, stops,
+      this->Wanted.NumberOfThreads)
+      .Run(monitor);
   }
 
   void Collapse()

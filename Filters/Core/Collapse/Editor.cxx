@@ -3,6 +3,7 @@
 #include "Editor.h"
 
 #include "Gate.h"
+#include "Parallel.h"
 #include "RingQuadrics.h"
 #include "SmallEdits.h"
 
@@ -148,15 +149,21 @@ Verdict Editor::ApplySmall(const Edit& edit, Workspace& work, int workers)
 }
 
 //------------------------------------------------------------------------------
-void Editor::LookUpVertices()
+bool Editor::LookUpVertices(const Monitor& monitor)
 {
-  for (Index v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
-  {
-    if (this->Half.Outgoing(v) != None)
-    {
-      this->Source.LookUp(v, this->Half.Position(v));
-    }
-  }
+  constexpr int oneThread = 1; // the largest error is one for all
+  return !this->Source.RecordsDistances() ||
+    ForEachChunk(static_cast<std::size_t>(this->Half.NumberOfVertexSlots()), oneThread, monitor,
+      [this](std::size_t, std::size_t first, std::size_t last)
+      {
+        for (Index v = static_cast<Index>(first); v < static_cast<Index>(last); ++v)
+        {
+          if (this->Half.Outgoing(v) != None)
+          {
+            this->Source.LookUp(v, this->Half.Position(v));
+          }
+        }
+      });
 }
 
 //------------------------------------------------------------------------------

@@ -2,27 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BackHints.h"
 
+#include "Parallel.h"
+
 namespace bonedecimate
 {
-void BackHints::Begin(const HalfEdgeMesh& mesh)
+bool BackHints::Begin(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor)
 {
-  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
-  {
-    if (mesh.Outgoing(v) != None)
+  return ForEachChunk(this->OfVertex.size(), threads, monitor,
+    [&](std::size_t, std::size_t first, std::size_t last)
     {
-      this->OfVertex[v] =
-        WalkFrom(this->Source, mesh.Position(v), HalfEdgeMesh::Face(this->Source.Outgoing(v))).Face;
-    }
-  }
-  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
-  {
-    if (mesh.IsAlive(face))
-    {
-      const Triangle c = mesh.Corners(face);
-      const Vector3 middle =
-        (mesh.Position(c[0]) + mesh.Position(c[1]) + mesh.Position(c[2])) / 3.0;
-      this->OfFace[face] = WalkFrom(this->Source, middle, this->OfVertex[c[0]]).Face;
-    }
-  }
+      for (Index v = static_cast<Index>(first); v < static_cast<Index>(last); ++v)
+      {
+        if (mesh.Outgoing(v) != None)
+        {
+          const Index start = HalfEdgeMesh::Face(this->Source.Outgoing(v));
+          this->OfVertex[v] = WalkFrom(this->Source, mesh.Position(v), start).Face;
+        }
+      }
+    });
 }
 }

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BackHints.h
- * @brief The way back: for places on the current mesh the true original triangle near them.
+ * @brief The way back: for the vertices of the current mesh the true original triangle near them.
  *
- * Every vertex and every face of the current mesh remembers the original triangle that was nearest to it, or to its
- * middle, when it was last asked. Walks start there, so that they are short and stay on their sheet.
+ * Every vertex remembers the original triangle that was nearest to it when it was last asked. Walks start there, so
+ * that they are short and stay on their sheet: the nearest sheet of all would let a thin bone fall onto its other side.
  */
 #ifndef BoneDecimate_Core_Reference_BackHints_h
 #define BoneDecimate_Core_Reference_BackHints_h
 
+#include "Monitor.h"
 #include "SurfaceWalk.h"
 
 #include <vector>
@@ -19,33 +20,27 @@ namespace bonedecimate
 class BackHints
 {
 public:
-  /// @param original The mesh as it was at first, which must stay; ids of vertices and faces are those of the current one.
+  /// @param original The mesh as it was at first, which must stay; ids of vertices are those of the current one.
   explicit BackHints(const HalfEdgeMesh& original)
     : Source(original)
     , OfVertex(static_cast<std::size_t>(original.NumberOfVertexSlots()), None)
-    , OfFace(static_cast<std::size_t>(original.NumberOfFaceSlots()), None)
   {
   }
 
-  /// Begins anew after collapses: each vertex at its own original place, each face at that of a corner.
-  void Begin(const HalfEdgeMesh& mesh);
+  /// Begins anew after collapses: each vertex at its own original place. False if the monitor said stop.
+  bool Begin(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor);
 
-  PlaceOnMesh FromVertex(const Vector3& p, Index vertex) const
+  PlaceOnMesh Find(const Vector3& p, Index vertex) const
   {
     return WalkFrom(this->Source, p, this->OfVertex[vertex]);
   }
-  PlaceOnMesh FromFace(const Vector3& p, Index face) const
-  {
-    return WalkFrom(this->Source, p, this->OfFace[face]);
-  }
-  void SetVertex(Index vertex, Index triangle) { this->OfVertex[vertex] = triangle; }
-  void SetFace(Index face, Index triangle) { this->OfFace[face] = triangle; }
+  void Set(Index vertex, Index triangle) { this->OfVertex[vertex] = triangle; }
+  Index Of(Index vertex) const { return this->OfVertex[vertex]; }
   const HalfEdgeMesh& Original() const { return this->Source; }
 
 private:
   const HalfEdgeMesh& Source;
   std::vector<Index> OfVertex;
-  std::vector<Index> OfFace;
 };
 }
 

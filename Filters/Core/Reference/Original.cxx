@@ -50,7 +50,8 @@ void Original::LookUp(Index vertex, const Vector3& position)
   {
     return;
   }
-  const BoundingTree::Nearest nearest = this->Triangles.FindNearest(position, known.NearestTriangle);
+  const BoundingTree::Nearest nearest =
+    this->Triangles.FindNearest(position, known.NearestTriangle);
   const double distance = std::sqrt(nearest.Place.SquaredDistance);
   known.NearestTriangle = nearest.Triangle;
   known.RunningError = std::max(known.RunningError, distance);

@@ -33,6 +33,7 @@ double AreaOf(const HalfEdgeMesh& mesh, Index face)
 
 Samples::Samples(const HalfEdgeMesh& original)
   : Source(original)
+  , Unit(original.Unit())
   , Firsts(static_cast<std::size_t>(original.NumberOfFaceSlots()), None)
 {
 }
@@ -53,7 +54,7 @@ Vector3 Samples::PlaceOf(Index id) const
 }
 
 //------------------------------------------------------------------------------
-/// Of each sample, mm^2.
+/// Of each sample, squares of the unit.
 std::vector<float> Samples::Weights() const
 {
   const Index vertices = this->Source.NumberOfVertexSlots();
@@ -61,7 +62,7 @@ std::vector<float> Samples::Weights() const
   std::vector<float> weights(this->Faces.size(), 0.0F);
   for (Index face = 0; face < this->Source.NumberOfFaceSlots(); ++face)
   {
-    const double area = AreaOf(this->Source, face);
+    const double area = AreaOf(this->Source, face) / (this->Unit * this->Unit);
     for (const Index corner : this->Source.Corners(face))
     {
       weights[corner] += static_cast<float>((1.0 - inside) / 3.0 * area);
@@ -98,53 +99,62 @@ bool Samples::Distribute(
 }
 
 //------------------------------------------------------------------------------
+/// First for the vertices, then for those inside triangles, which start where a corner came to lie.
 bool Samples::FindFaces(
   const HalfEdgeMesh& mesh, const CurrentVertices& current, int threads, const Monitor& monitor)
 {
-  std::vector<float> distances(this->Faces.size()); // mm^2
-  const auto forEach = [&](double from, double to, const auto& work)
+  constexpr double verticesAt = 0.4;
+  constexpr double allAt = 0.9;
+  std::vector<float> distances(this->Faces.size()); // squared, units
+  const double perSquare = 1.0 / (this->Unit * this->Unit);
+  const auto forEach = [&](std::size_t begin, std::size_t end, double from, double to, auto work)
   {
-    return ForEachChunk(
-      this->Faces.size(), threads,
-      [&](double done) { return monitor(from + done * (to - from)); },
+    return ForEachChunk(end - begin, threads, PartOf(monitor, from, to),
       [&](std::size_t, std::size_t first, std::size_t last)
       {
-        for (std::size_t id = first; id < last; ++id)
+        for (std::size_t id = begin + first; id < begin + last; ++id)
         {
           work(static_cast<Index>(id));
         }
       });
   };
-  const bool found = forEach(0.0, 0.8,
-    [&](Index id)
-    {
-      const PlaceOnMesh near = this->FindNear(mesh, current, id);
-      this->Faces[id] = near.Face;
-      distances[id] = static_cast<float>(near.Place.SquaredDistance);
-    });
+  const auto find = [&](Index id)
+  {
+    const PlaceOnMesh near = this->FindNear(mesh, current, id);
+    this->Faces[id] = near.Face;
+    distances[id] = static_cast<float>(perSquare * near.Place.SquaredDistance);
+  };
+  if (!forEach(0, current.size(), 0.0, verticesAt, find) ||
+    !forEach(current.size(), this->Faces.size(), verticesAt, allAt, find))
+  {
+    return false;
+  }
   const double sum = std::accumulate(distances.begin(), distances.end(), 0.0);
   const double far = FarAway * FarAway * sum / static_cast<double>(distances.size());
-  return found &&
-    forEach(0.8, 1.0,
-      [&](Index id)
+  return forEach(0, this->Faces.size(), allAt, 1.0,
+    [&](Index id)
+    {
+      if (distances[id] > far)
       {
-        if (distances[id] > far)
-        {
-          const PlaceOnMesh known = { this->Faces[id],
-            FrameOf(mesh, this->Faces[id]).Nearest(this->PlaceOf(id)) };
-          this->Faces[id] = this->FindFar(mesh, current, id, known).Face;
-        }
-      });
+        const PlaceOnMesh known = { this->Faces[id],
+          FrameOf(mesh, this->Faces[id]).Nearest(this->PlaceOf(id)) };
+        this->Faces[id] = this->FindFar(mesh, current, id, known).Face;
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
 PlaceOnMesh Samples::FindNear(
   const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id) const
 {
-  const Index start = id < this->Source.NumberOfVertexSlots()
-    ? id
-    : this->Source.Corners(this->TriangleOf(id))[0];
-  return WalkFromVertex(mesh, this->PlaceOf(id), current[start]);
+  if (id < this->Source.NumberOfVertexSlots())
+  {
+    return WalkFromVertex(mesh, this->PlaceOf(id), current[id]);
+  }
+  const Index triangle = this->TriangleOf(id);
+  const Index start =
+    mesh.IsAlive(triangle) ? triangle : this->Faces[this->Source.Corners(triangle)[0]];
+  return WalkFrom(mesh, this->PlaceOf(id), start);
 }
 
 //------------------------------------------------------------------------------
@@ -195,7 +205,7 @@ void Samples::SortByFace()
   {
     Index& first = this->Firsts[this->Faces[id]];
     --first;
-    this->All[first] = { Single(this->PlaceOf(id)), weights[id], first + 1 };
+    this->All[first] = { Single(this->PlaceOf(id) / this->Unit), weights[id], first + 1 };
   }
   // The last of each list is the one before the next list begins.
   for (const Index first : this->Firsts)
@@ -226,7 +236,7 @@ bool Samples::Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monit
         const TriangleFrame frame = FrameOf(mesh, face);
         for (Index s = this->Firsts[face]; s != None; s = this->All[s].Next)
         {
-          const Vector3 p = this->All[s].Position();
+          const Vector3 p = this->PositionOf(this->All[s]);
           const TriangleFrame::Place place = frame.Nearest(p);
           const bool stays = place.Clamped == 0 && frame.EdgesNearby(place) == 0;
           this->Faces[s] = stays ? face : WalkOn(mesh, p, { face, place }).Face;

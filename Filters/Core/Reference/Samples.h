@@ -29,23 +29,27 @@ class Samples
 public:
   struct Sample
   {
-    std::array<float, 3> Place; ///< mm from the local origin
-    float Weight;               ///< mm^2, the area it stands for
-    Index Next;                 ///< In the list of its face.
-
-    Vector3 Position() const { return { this->Place[0], this->Place[1], this->Place[2] }; }
+    std::array<float, 3>
+      Place;      ///< From the local origin, units of the mesh: no scale is too small or too large.
+    float Weight; ///< The area it stands for, squares of that unit.
+    Index Next;   ///< In the list of its face.
   };
 
   /// @param original The mesh before the first collapse, which must stay.
   explicit Samples(const HalfEdgeMesh& original);
 
   /// Both return false if the monitor said stop; after Distribute there are no samples then.
-  bool Distribute(
-    const HalfEdgeMesh& mesh, Original& merged, int threads, const Monitor& monitor);
+  bool Distribute(const HalfEdgeMesh& mesh, Original& merged, int threads, const Monitor& monitor);
   bool Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor);
 
   Index First(Index face) const { return this->Firsts[face]; }
   const Sample& operator[](Index sample) const { return this->All[sample]; }
+  /// mm from the local origin
+  Vector3 PositionOf(const Sample& sample) const
+  {
+    return { this->Unit * sample.Place[0], this->Unit * sample.Place[1],
+      this->Unit * sample.Place[2] };
+  }
   Index Count() const { return static_cast<Index>(this->All.size()); }
 
   /// Empties the list of the face and returns its first sample; whoever takes it puts each back somewhere.
@@ -73,7 +77,10 @@ public:
 private:
   using CurrentVertices = std::vector<Index>; // of each original vertex
 
-  Index TriangleOf(Index id) const { return (id - this->Source.NumberOfVertexSlots()) / this->PerFace; }
+  Index TriangleOf(Index id) const
+  {
+    return (id - this->Source.NumberOfVertexSlots()) / this->PerFace;
+  }
   Vector3 PlaceOf(Index id) const;
   PlaceOnMesh FindNear(const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id) const;
   PlaceOnMesh FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id,
@@ -84,6 +91,7 @@ private:
   std::vector<float> Weights() const;
 
   const HalfEdgeMesh& Source;
+  double Unit;       // mm
   Index PerFace = 1; // samples inside each original triangle
   std::vector<Sample> All;
   std::vector<Index> Faces;  // of each sample; valid only within Distribute and Settle

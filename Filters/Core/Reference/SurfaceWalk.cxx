@@ -10,7 +10,9 @@ namespace
 Index HalfEdgeAt(Index face, int corner)
 {
   const Index first = HalfEdgeMesh::HalfEdge(face, 0);
-  return corner == 0 ? first : corner == 1 ? HalfEdgeMesh::Next(first) : HalfEdgeMesh::Previous(first);
+  return corner == 0 ? first
+    : corner == 1    ? HalfEdgeMesh::Next(first)
+                     : HalfEdgeMesh::Previous(first);
 }
 
 void Try(const HalfEdgeMesh& mesh, const Vector3& p, Index face, PlaceOnMesh& best)
@@ -85,7 +87,7 @@ void TryNearby(const HalfEdgeMesh& mesh, const Vector3& p, PlaceOnMesh& best)
 PlaceOnMesh WalkOn(const HalfEdgeMesh& mesh, const Vector3& p, PlaceOnMesh from)
 {
   Index face = None;
-  while (face != from.Face)
+  while (face != from.Face && from.Place.SquaredDistance > 0.0)
   {
     face = from.Face;
     const int clamped = from.Place.Clamped;
@@ -111,7 +113,10 @@ PlaceOnMesh WalkFromVertex(const HalfEdgeMesh& mesh, const Vector3& p, Index ver
   const Index outgoing = mesh.Outgoing(vertex);
   const Index face = HalfEdgeMesh::Face(outgoing);
   PlaceOnMesh best = { face, FrameOf(mesh, face).Nearest(p) };
-  TryAround(mesh, p, outgoing, best);
+  if (best.Place.SquaredDistance > 0.0)
+  {
+    TryAround(mesh, p, outgoing, best);
+  }
   return WalkOn(mesh, p, best);
 }
 }

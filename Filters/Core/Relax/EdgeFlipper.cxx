@@ -3,14 +3,16 @@
 #include "EdgeFlipper.h"
 
 #include "Collapse/SmallEdits.h"
-#include "Weights.h"
 
 namespace bonedecimate
 {
 namespace
 {
-/// The other diagonal must lower the error by that much.
-static const double FlipBelow = Knob("FB",0.98);
+/// The other diagonal must lower the error to that.
+constexpr double FlipBelow = 0.98;
+/// Cosine between a face and the original below which it may not turn farther away.
+constexpr double LeastFacing = 0.2;
+constexpr float Unknown = -1.0F;
 }
 
 //------------------------------------------------------------------------------
@@ -37,79 +39,112 @@ Index EdgeFlipper::Improve(Index vertex)
 }
 
 //------------------------------------------------------------------------------
-double EdgeFlipper::SampleError(
-  const TriangleFrame& first, const TriangleFrame& second, Index face) const
+double EdgeFlipper::ErrorBefore(const HalfEdgeMesh& mesh, Index face)
 {
-  double error = 0.0;
-  this->Fit.VisitFace(face,
-    [&](const Samples::Sample& sample)
-    {
-      const Vector3 p = sample.Position();
-      error += sample.Weight *
-        std::min(first.Nearest(p).SquaredDistance, second.Nearest(p).SquaredDistance);
-    });
-  return error;
+  float& known = this->FaceErrors[static_cast<std::size_t>(face)];
+  if (known < 0.0F)
+  {
+    const TriangleFrame frame = FrameOf(mesh, face);
+    double error = 0.0;
+    this->Fit.VisitFace(face,
+      [&](const Samples::Sample& sample)
+      {
+        error += sample.Weight *
+          this->Penalty.Of(frame.Nearest(this->Fit.PositionOf(sample)).SquaredDistance);
+      });
+    known = static_cast<float>(error);
+  }
+  return known;
 }
 
 //------------------------------------------------------------------------------
-double EdgeFlipper::BackError(const std::array<Vector3, 3>& corners, Index face, Index& hint) const
+bool EdgeFlipper::IsNearer(const Pair& after, double before) const
 {
-  const PlaceOnMesh found =
-    this->Back.FromFace((corners[0] + corners[1] + corners[2]) / 3.0, face);
-  hint = found.Face;
-  const double area = AreaVector(corners[0], corners[1], corners[2]).norm();
-  return BackWeight * MiddleShare * area * found.Place.SquaredDistance;
+  const double enough = FlipBelow * before;
+  double error = 0.0;
+  for (const Index face : after.Faces)
+  {
+    for (Index s = this->Fit.First(face); s != None && error < enough; s = this->Fit[s].Next)
+    {
+      const Vector3 p = this->Fit.PositionOf(this->Fit[s]);
+      const double squared = std::min(
+        after.Frames[0].Nearest(p).SquaredDistance, after.Frames[1].Nearest(p).SquaredDistance);
+      error += this->Fit[s].Weight * this->Penalty.Of(squared);
+    }
+  }
+  return error < enough;
+}
+
+//------------------------------------------------------------------------------
+bool EdgeFlipper::TurnsAway(
+  const std::array<Index, 4>& corners, const Pair& before, const Pair& after) const
+{
+  Vector3 original = Vector3::Zero();
+  for (const Index corner : corners)
+  {
+    original += FrameOf(this->Back.Original(), this->Back.Of(corner)).UnitNormal();
+  }
+  const auto facing = [&original](const Pair& pair)
+  {
+    return std::min(
+      pair.Frames[0].UnitNormal().dot(original), pair.Frames[1].UnitNormal().dot(original));
+  };
+  const double now = facing(after);
+  return now < LeastFacing * original.norm() && now < facing(before);
 }
 
 //------------------------------------------------------------------------------
 bool EdgeFlipper::TryFlip(Index edge)
 {
   const HalfEdgeMesh& mesh = this->Work.Mesh();
-  const std::array<Index, 4> around = CornersAround(mesh, edge);
   const std::array<Index, 2> faces = { HalfEdgeMesh::Face(edge),
     HalfEdgeMesh::Face(mesh.Twin(edge)) };
-  const Vector3& a = mesh.Position(around[0]);
-  const Vector3& b = mesh.Position(around[1]);
-  const Vector3& c = mesh.Position(around[2]);
-  const Vector3& d = mesh.Position(around[3]);
-  std::array<Index, 2> hints{};
-  const TriangleFrame oldFirst(a, b, c);
-  const TriangleFrame oldSecond(b, a, d);
-  const double before = this->SampleError(oldFirst, oldFirst, faces[0]) +
-    this->SampleError(oldSecond, oldSecond, faces[1]) + this->BackError({ a, b, c }, faces[0], hints[0]) +
-    this->BackError({ b, a, d }, faces[1], hints[1]);
-  const TriangleFrame first(a, d, c);
-  const TriangleFrame second(b, c, d);
-  double after =
-    this->SampleError(first, second, faces[0]) + this->SampleError(first, second, faces[1]);
-  if (!(after < FlipBelow * before))
+  const double before = this->ErrorBefore(mesh, faces[0]) + this->ErrorBefore(mesh, faces[1]);
+  if (!(before > 0.0))
   {
     return false;
   }
-  after += this->BackError({ a, d, c }, faces[0], hints[0]) +
-    this->BackError({ b, c, d }, faces[1], hints[1]);
+  const std::array<Index, 4> corners = CornersAround(mesh, edge);
+  const Vector3& a = mesh.Position(corners[0]);
+  const Vector3& b = mesh.Position(corners[1]);
+  const Vector3& c = mesh.Position(corners[2]);
+  const Vector3& d = mesh.Position(corners[3]);
+  const Pair after = { faces, { TriangleFrame(a, d, c), TriangleFrame(b, c, d) } };
+  if (!this->IsNearer(after, before) ||
+    this->TurnsAway(corners, { faces, { TriangleFrame(a, b, c), TriangleFrame(b, a, d) } }, after))
+  {
+    return false;
+  }
   Edit edit;
   edit.Kind = EditKind::Flip;
   edit.Edge = edge;
-  if (!(after < FlipBelow * before) || this->Work.ApplySmall(edit, this->Space, this->Workers) != Verdict::Allowed)
+  if (this->Work.ApplySmall(edit, this->Space, this->Workers) != Verdict::Allowed)
   {
     return false;
   }
-  for (std::size_t i = 0; i < 2; ++i)
-  {
-    this->Back.SetFace(faces[i], hints[i]);
-  }
-  for (Index s : { this->Fit.Take(faces[0]), this->Fit.Take(faces[1]) })
+  this->HandOver(after);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Gives the samples of both faces to the nearer one.
+void EdgeFlipper::HandOver(const Pair& after)
+{
+  for (Index s : { this->Fit.Take(after.Faces[0]), this->Fit.Take(after.Faces[1]) })
   {
     while (s != None)
     {
-      const Vector3 p = this->Fit[s].Position();
+      const Vector3 p = this->Fit.PositionOf(this->Fit[s]);
       const Index next = this->Fit[s].Next;
-      const bool nearer = first.Nearest(p).SquaredDistance <= second.Nearest(p).SquaredDistance;
-      this->Fit.Put(s, faces[nearer ? 0 : 1]);
+      const bool first =
+        after.Frames[0].Nearest(p).SquaredDistance <= after.Frames[1].Nearest(p).SquaredDistance;
+      this->Fit.Put(s, after.Faces[first ? 0 : 1]);
       s = next;
     }
   }
-  return true;
+  for (const Index face : after.Faces)
+  {
+    this->FaceErrors[static_cast<std::size_t>(face)] = Unknown;
+  }
 }
 }

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Relaxation.h
- * @brief After the collapse: fits what is left to samples of the original, by edge flips and moves of vertices.
+ * @brief Fits what is left after the collapse to samples of the original, by edge flips and moves of vertices.
  *
- *     distribute the samples over the faces
- *     sweep:  flip edges  ->  move vertices  ->  let the samples settle
+ *     Begin:       distribute the samples over the faces
+ *     Sweep:       let the samples settle  ->  flip edges  ->  move vertices
+ *     CollapseTo:  let the samples settle  ->  the last collapses by the sampled error itself
  *
- * The number of triangles, the topology, open borders and locked parts stay as they are.
+ * Sweeps leave the number of triangles, the topology, open borders and locked parts as they are.
  */
 #ifndef BoneDecimate_Core_Relax_Relaxation_h
 #define BoneDecimate_Core_Relax_Relaxation_h
@@ -15,7 +16,6 @@
 #include "Collapse/Editor.h"
 #include "Reference/BackHints.h"
 #include "Reference/Samples.h"
-#include "VertexBlocks.h"
 
 namespace bonedecimate
 {
@@ -23,13 +23,17 @@ class Relaxation
 {
 public:
   /// @param original The mesh before the first collapse, which must stay.
-  Relaxation(Editor& editor, const HalfEdgeMesh& original, int threads);
+  /// @param farthest mm, no vertex is moved farther from it; 0: anywhere.
+  Relaxation(Editor& editor, const HalfEdgeMesh& original, double farthest, int threads);
 
-  /// @param monitor Hears fractions from 0 to 1. Returns false if it said stop; the surface is valid then, too.
-  bool Run(int sweeps, const Monitor& monitor);
+  /// All monitors hear fractions from 0 to 1. False if one said stop; the surface is valid then, too.
+  bool Begin(const Monitor& monitor);
+  bool Sweep(int times, const Monitor& monitor);
+  /// @param edgesOfCollapse How many edges are judged for each collapse that is wanted.
+  bool CollapseTo(Index faces, int edgesOfCollapse, const Monitor& monitor);
 
 private:
-  bool Begin(const Monitor& monitor);
+  bool Settle(const Monitor& monitor);
   bool FlipEdges(const Monitor& monitor);
   bool MoveVertices(const Monitor& monitor);
   int EditThreads() const { return this->Work.HasHook() ? 1 : this->Threads; }
@@ -37,7 +41,9 @@ private:
   Editor& Work;
   Samples Fit;
   BackHints Back;
+  double Farthest; // mm
   int Threads;
+  bool IsSettled = false; // whether no vertex has moved since the samples were
 };
 }
 

@@ -34,12 +34,19 @@ public:
    * Calls visit(v) once for every live vertex that is not locked; those visited at the same time have no common
    * neighbours. `worker()` makes the visitor of a block.
    */
+  /// False if the monitor said stop.
   template <typename MakeWorker>
   bool ForEach(
     const HalfEdgeMesh& mesh, int threads, const Monitor& monitor, const MakeWorker& makeWorker);
 
 private:
-  static constexpr Index BlockSize = 1024;
+  static constexpr Index BlockSize = 512;
+
+  template <typename MakeWorker>
+  bool VisitBlocks(const HalfEdgeMesh& mesh, Index shift, int threads, const Monitor& monitor,
+    const MakeWorker& makeWorker);
+  template <typename MakeWorker>
+  bool VisitRest(const Monitor& monitor, const MakeWorker& makeWorker);
 
   Index BlockOf(Index v, Index shift) const { return (this->Ranks[v] + shift) / BlockSize; }
   bool IsInside(const HalfEdgeMesh& mesh, Index v, Index shift) const;
@@ -53,36 +60,56 @@ template <typename MakeWorker>
 bool VertexBlocks::ForEach(
   const HalfEdgeMesh& mesh, int threads, const Monitor& monitor, const MakeWorker& makeWorker)
 {
-  const Index count = static_cast<Index>(this->Order.size());
   std::fill(this->Visited.begin(), this->Visited.end(), 0);
-  const auto visitAll = [&](Index first, Index last, auto mayVisit)
-  {
-    auto worker = makeWorker();
-    for (Index i = std::max(0, first); i < std::min(count, last); ++i)
+  return this->VisitBlocks(mesh, 0, threads, PartOf(monitor, 0.0, 0.5), makeWorker) &&
+    this->VisitBlocks(mesh, BlockSize / 2, threads, PartOf(monitor, 0.5, 0.8), makeWorker) &&
+    this->VisitRest(PartOf(monitor, 0.8, 1.0), makeWorker);
+}
+
+//------------------------------------------------------------------------------
+template <typename MakeWorker>
+bool VertexBlocks::VisitBlocks(const HalfEdgeMesh& mesh, Index shift, int threads,
+  const Monitor& monitor, const MakeWorker& makeWorker)
+{
+  const Index count = static_cast<Index>(this->Order.size());
+  const auto blocks = static_cast<std::size_t>((count + shift + BlockSize - 1) / BlockSize);
+  return ForEachChunk(blocks, threads, monitor,
+    [&](std::size_t, std::size_t begin, std::size_t end)
     {
-      if (!this->Visited[i] && mayVisit(this->Order[i]))
+      auto worker = makeWorker();
+      const Index first = std::max(0, static_cast<Index>(begin) * BlockSize - shift);
+      const Index last = std::min(count, static_cast<Index>(end) * BlockSize - shift);
+      for (Index i = first; i < last; ++i)
       {
-        this->Visited[i] = 1;
-        worker(this->Order[i]);
+        if (!this->Visited[i] && this->IsInside(mesh, this->Order[i], shift))
+        {
+          this->Visited[i] = 1;
+          worker(this->Order[i]);
+        }
       }
-    }
-  };
-  for (const Index shift : { 0, BlockSize / 2 })
+    });
+}
+
+//------------------------------------------------------------------------------
+template <typename MakeWorker>
+bool VertexBlocks::VisitRest(const Monitor& monitor, const MakeWorker& makeWorker)
+{
+  constexpr Index tellEvery = 64; // vertices
+  const Index count = static_cast<Index>(this->Order.size());
+  auto worker = makeWorker();
+  Index visits = 0;
+  for (Index i = 0; i < count; ++i)
   {
-    const auto blocks = static_cast<std::size_t>((count + shift + BlockSize - 1) / BlockSize);
-    const bool goesOn = ForEachChunk(blocks, threads, monitor,
-      [&](std::size_t, std::size_t begin, std::size_t end)
-      {
-        const Index first = static_cast<Index>(begin) * BlockSize - shift;
-        const Index last = static_cast<Index>(end) * BlockSize - shift;
-        visitAll(first, last, [&](Index v) { return this->IsInside(mesh, v, shift); });
-      });
-    if (!goesOn)
+    if (this->Visited[i])
+    {
+      continue;
+    }
+    worker(this->Order[i]);
+    if (++visits % tellEvery == 0 && !monitor(static_cast<double>(i) / count))
     {
       return false;
     }
   }
-  visitAll(0, count, [](Index) { return true; });
   return true;
 }
 }

@@ -4,22 +4,19 @@
  * @file VertexMover.h
  * @brief One Gauss-Newton step of a vertex towards the original surface, kept only if the sampled two-sided error falls.
  *
- *     E(x) = sum over the samples of the ring's faces          weight d(sample, its face)^2
- *          + BackWeight * sum over the vertex and the middles  area   d(place, original)^2          mm^4
- *     with b the share of x in the nearest place and n its direction of distance:
- *     H = sum weight b^2 n n^T + damping,   g = sum weight b (n . r) n,   x += H^-1 g
- *
- * H. Hoppe et al., Mesh Optimization, 1993: samples fitted with the nearest places held; A. Fitzgibbon, Robust Registration
- * of 2D and 3D Point Sets, 2003: distances to planes instead of places make the steps long.
+ *     gather the samples of the ring's faces and the place of the vertex on the original       (ErrorWeights.h)
+ *     solve for the step                                                                       (FitStep.h)
+ *     too little to gain:  stay
+ *     the error falls there, and no face turns away from the original:  go; else try half the way once
  */
 #ifndef BoneDecimate_Core_Relax_VertexMover_h
 #define BoneDecimate_Core_Relax_VertexMover_h
 
 #include "Collapse/Editor.h"
+#include "ErrorWeights.h"
+#include "FitStep.h"
 #include "Reference/BackHints.h"
 #include "Reference/Samples.h"
-
-#include <Eigen/Dense>
 
 #include <vector>
 
@@ -28,11 +25,15 @@ namespace bonedecimate
 class VertexMover
 {
 public:
-  VertexMover(Editor& editor, const Samples& samples, BackHints& hints, int workers)
+  /// @param farthest mm, no vertex may go farther from the original, or farther than it is; 0: anywhere.
+  VertexMover(
+    Editor& editor, const Samples& samples, BackHints& hints, double farthest, int workers)
     : Work(editor)
-    , Workers(workers)
     , Fit(samples)
     , Back(hints)
+    , Penalty(editor.Mesh().Unit())
+    , Farthest(farthest)
+    , Workers(workers)
   {
   }
 
@@ -44,30 +45,26 @@ private:
   {
     Index Face;
     Vector3 Second, Third;
-    double Area;            // mm^2, before the step
-    double Facing;          // cosine between face and original, before the step
-    Vector3 OriginalNormal; // at the middle, before the step
-    Index Hint;             // after the step
+    double Facing; // cosine between face and original, before the step
   };
   void Gather(Index vertex);
-  void AddSamples(const TriangleFrame& frame, Index face);
-  PlaceOnMesh AddBack(const Vector3& p, const PlaceOnMesh& found, double share, double weight);
-  void Add(const Vector3& residual, const Vector3& direction, double share, double weight);
-  Vector3 Step() const;
+  double AddSamples(const TriangleFrame& frame, Index face);
   bool Lowers(Index vertex, const Vector3& position);
-  double ErrorOfFace(RingFace& ring, const TriangleFrame& frame, const Vector3& position) const;
+  double ErrorOfFace(const RingFace& ring, const TriangleFrame& frame) const;
 
   Editor& Work;
   Workspace Space;
-  int Workers;
   const Samples& Fit;
   BackHints& Back;
+  ThreeHalves Penalty;
+  double Farthest; // mm
+  int Workers;
   std::vector<RingFace> Ring;
-  Eigen::Matrix3d Normal = Eigen::Matrix3d::Zero(); // mm^2
-  Vector3 Pull = Vector3::Zero();                   // mm^3
-  double Error = 0.0;                               // mm^4
-  double RingArea = 0.0;                            // mm^2
-  Index VertexHint = None;
+  FitStep Equations;
+  double Error = 0.0;           // mm^2
+  double SquaredDistance = 0.0; // mm^2, of the vertex to the original
+  Vector3 OriginalNormal = Vector3::Zero();
+  Index Hint = None;
 };
 }
 
