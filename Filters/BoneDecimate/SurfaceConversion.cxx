@@ -4,6 +4,7 @@
 
 #include "OptionTable.h"
 #include "ReportTable.h"
+#include "SurfaceArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -23,20 +24,13 @@
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
-#include <limits>
+#include <numeric>
 
 namespace bonedecimate
 {
 namespace
 {
 const char* const CellIdArrayName = "bonedecimate.cell";
-
-Index ToIndex(vtkIdType id, vtkIdType numberOfPoints)
-{
-  return id >= 0 && id < numberOfPoints && id < std::numeric_limits<Index>::max()
-    ? static_cast<Index>(id)
-    : None;
-}
 
 bool HasWrongId(vtkIdType npts, const vtkIdType* ids, vtkIdType numberOfPoints)
 {
@@ -70,21 +64,34 @@ void AddTriangle(
   converted.CellOfTriangle.push_back(cell);
 }
 
-void AddPoints(vtkPolyData* input, ConvertedSurface& converted)
+void AddPoints(vtkPolyData* input, int threads, ConvertedSurface& converted)
 {
-  const vtkIdType count = input->GetNumberOfPoints();
-  converted.Surface.Points.resize(static_cast<std::size_t>(count));
-  for (vtkIdType p = 0; p < count; ++p)
+  const bool any = input->GetNumberOfPoints() > 0; // otherwise there may be no array at all
+  converted.IsSingle = any && input->GetPoints()->GetDataType() == VTK_FLOAT;
+  if (any)
   {
-    input->GetPoint(p, converted.Surface.Points[static_cast<std::size_t>(p)].data());
+    converted.Surface.Points = ReadPoints(input->GetPoints(), threads);
   }
-  converted.IsSingle = count > 0 && input->GetPoints()->GetDataType() == VTK_FLOAT;
+}
+
+/// False, and nothing added, if there is anything but triangles.
+bool AddPureTriangles(vtkPolyData* input, int threads, ConvertedSurface& converted)
+{
+  if (input->GetNumberOfStrips() > 0 ||
+    !ReadTriangles(
+      input->GetPolys(), input->GetNumberOfPoints(), threads, converted.Surface.Triangles))
+  {
+    return false;
+  }
+  converted.CellOfTriangle.resize(converted.Surface.Triangles.size());
+  std::iota(converted.CellOfTriangle.begin(), converted.CellOfTriangle.end(),
+    input->GetNumberOfVerts() + input->GetNumberOfLines());
+  return true;
 }
 
 /// What there is in polygons and strips, looked at before VTK touches them.
 struct CellSurvey
 {
-  bool OnlyTriangles = true;
   vtkIdType TooShort = 0; // polygons of fewer than three points
   vtkIdType FirstTooShort = -1;
 };
@@ -96,7 +103,6 @@ CellSurvey Survey(vtkPolyData* input, ConvertedSurface& wrongCells)
   const vtkIdType numberOfPoints = input->GetNumberOfPoints();
   const auto look = [&](vtkIdType cell, vtkIdType npts, const vtkIdType* ids)
   {
-    survey.OnlyTriangles = survey.OnlyTriangles && npts == 3;
     if (npts < 3 && survey.TooShort++ == 0)
     {
       survey.FirstTooShort = cell;
@@ -110,7 +116,6 @@ CellSurvey Survey(vtkPolyData* input, ConvertedSurface& wrongCells)
   const vtkIdType firstPolygon = input->GetNumberOfVerts() + input->GetNumberOfLines();
   VisitCells(input->GetPolys(), firstPolygon, look);
   VisitCells(input->GetStrips(), firstPolygon + input->GetNumberOfPolys(), look);
-  survey.OnlyTriangles = survey.OnlyTriangles && input->GetNumberOfStrips() == 0;
   return survey;
 }
 
@@ -199,10 +204,7 @@ void AddPointArray(vtkPolyData* output, const std::string& name, const char* uni
   array->SetName(name.c_str());
   array->SetNumberOfTuples(tuples);
   array->Fill(rest);
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), values[i]);
-  }
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
   array->SetComponentName(0, unit);
   output->GetPointData()->AddArray(array);
 }
@@ -267,22 +269,18 @@ void AddReport(const Report& report, vtkFieldData* fieldData)
 }
 
 //------------------------------------------------------------------------------
-ConvertedSurface ToSurface(vtkPolyData* input)
+ConvertedSurface ToSurface(vtkPolyData* input, int threads)
 {
   ConvertedSurface converted;
-  ConvertedSurface wrongCells;
-  AddPoints(input, converted);
+  AddPoints(input, threads, converted);
   WarnOfWrongLines(input, converted);
-  const CellSurvey survey = Survey(input, wrongCells);
-  if (survey.OnlyTriangles)
+  if (AddPureTriangles(input, threads, converted))
   {
-    converted.Surface.Triangles.reserve(static_cast<std::size_t>(input->GetNumberOfPolys()));
-    converted.CellOfTriangle.reserve(static_cast<std::size_t>(input->GetNumberOfPolys()));
-    VisitCells(input->GetPolys(), input->GetNumberOfVerts() + input->GetNumberOfLines(),
-      [&](vtkIdType cell, vtkIdType, const vtkIdType* ids)
-      { AddTriangle(converted, cell, input->GetNumberOfPoints(), ids); });
+    return converted;
   }
-  else if (wrongCells.Surface.Triangles.empty())
+  ConvertedSurface wrongCells;
+  const CellSurvey survey = Survey(input, wrongCells);
+  if (wrongCells.Surface.Triangles.empty())
   {
     AddTriangulated(input, survey, converted);
   }
@@ -308,30 +306,22 @@ void NameCells(const ConvertedSurface& converted, Report& report)
 void FillOutput(const Result& result, const Options& options, bool single, vtkPolyData* input,
   vtkPolyData* output)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataType(single ? VTK_FLOAT : VTK_DOUBLE);
-  points->SetNumberOfPoints(static_cast<vtkIdType>(result.Surface.Points.size()));
-  for (std::size_t p = 0; p < result.Surface.Points.size(); ++p)
-  {
-    points->SetPoint(static_cast<vtkIdType>(p), result.Surface.Points[p].data());
-  }
-  vtkNew<vtkCellArray> triangles;
-  triangles->AllocateExact(static_cast<vtkIdType>(result.Surface.Triangles.size()),
-    3 * static_cast<vtkIdType>(result.Surface.Triangles.size()));
-  for (const Triangle& corners : result.Surface.Triangles)
-  {
-    triangles->InsertNextCell({ corners[0], corners[1], corners[2] });
-  }
+  const int threads = options.NumberOfThreads;
+  const vtkSmartPointer<vtkPoints> points = ToPoints(result.Surface.Points, single, threads);
+  const vtkSmartPointer<vtkCellArray> triangles = ToCells(result.Surface.Triangles, threads);
   std::vector<vtkIdType> newId(static_cast<std::size_t>(input->GetNumberOfPoints()), -1);
   output->SetVerts(PassCells(input->GetVerts(), input, newId, points));
   output->SetLines(PassCells(input->GetLines(), input, newId, points));
   output->SetPolys(triangles);
   output->SetPoints(points);
   const vtkIdType tuples = points->GetNumberOfPoints();
-  AddPointArray<vtkDoubleArray>(
-    output, options.DistanceArrayName, "mm", result.Distance, tuples, 0);
-  AddPointArray<vtkDoubleArray>(
-    output, options.RunningErrorArrayName, "mm", result.RunningError, tuples, 0);
+  if (!result.Distance.empty() || result.Surface.Points.empty())
+  {
+    AddPointArray<vtkDoubleArray>(
+      output, options.DistanceArrayName, "mm", result.Distance, tuples, 0);
+    AddPointArray<vtkDoubleArray>(
+      output, options.RunningErrorArrayName, "mm", result.RunningError, tuples, 0);
+  }
   AddPointArray<vtkIntArray>(
     output, options.PointCountArrayName, "points", result.PointCount, tuples, 1);
   output->GetFieldData()->PassData(input->GetFieldData());

@@ -27,12 +27,13 @@ struct ConvertedSurface
 };
 
 /// Triangles as they are, strips and polygons triangulated, ids out of range as None (the core counts them).
-ConvertedSurface ToSurface(vtkPolyData* input);
+ConvertedSurface ToSurface(vtkPolyData* input, int threads);
 
 /// Triangles that the report names become the cells from which they came.
 void NameCells(const ConvertedSurface& converted, Report& report);
 
-/// The result's points, triangles, arrays and report; the input's vertices, lines and field data pass through.
+/// The result's points, triangles, report and those arrays that were filled (Decimate.h); the input's vertices, lines and
+/// field data pass through.
 void FillOutput(const Result& result, const Options& options, bool single, vtkPolyData* input,
   vtkPolyData* output);
 

@@ -154,7 +154,8 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   const bonedecimate::Options& options = this->Internal->Options;
-  const bonedecimate::ConvertedSurface converted = bonedecimate::ToSurface(input);
+  const bonedecimate::ConvertedSurface converted =
+    bonedecimate::ToSurface(input, options.NumberOfThreads);
   bonedecimate::Result result = bonedecimate::Decimate(
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
     converted.IsSingle);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace bonedecimate
@@ -37,12 +38,14 @@ constexpr double LastStep = 0.005;
 class Run
 {
 public:
-  Run(const Surface& input, const Options& options, const Monitor& monitor, bool inputIsSingle)
+  Run(const Surface& input, const Options& options, const Monitor& monitor, bool inputIsSingle,
+    bool withOrigins)
     : Input(input)
     , Wanted(options)
     , Outer(monitor)
     , RoundToSingle(options.OutputPointsPrecision == PointsPrecision::Single ||
         (options.OutputPointsPrecision == PointsPrecision::Default && inputIsSingle))
+    , WithOrigins(withOrigins)
   {
     this->Answer.Report.Asked = options;
   }
@@ -133,15 +136,26 @@ private:
       this->GoesOn ? this->RunLoop(this->Stage(BuiltAt, collapsedAt)) : StopReason::Aborted;
     report.Collapses = this->Work->NumberOfEdits();
     report.Refusals = this->Work->Refusals();
+    const ExtractOptions extract = { this->RoundToSingle, this->Wanted.MeasureDistances,
+      this->WithOrigins, this->Wanted.NumberOfThreads };
     this->LocalResult.Points =
-      Extract(this->Input, this->Cleaned, *this->Work, this->RoundToSingle, this->Answer);
+      Extract(this->Input, this->Cleaned, *this->Work, extract, this->Answer);
     this->LocalResult.Triangles = this->Answer.Surface.Triangles;
-    const std::vector<double>& errors = this->Answer.RunningError;
-    report.RunningError = this->Work->Reference().RecordsDistances()
-      ? this->Work->Reference().LargestError()
-      : *std::max_element(errors.begin(), errors.end());
+    report.RunningError = this->LargestError();
     this->Stage(collapsedAt, this->MeasuredFrom())(1.0);
     report.Seconds.Collapse = SecondsSince(start);
+  }
+
+  /// mm; not a number if nobody looked any point up.
+  double LargestError() const
+  {
+    const std::vector<double>& errors = this->Answer.RunningError;
+    if (this->Work->Reference().RecordsDistances())
+    {
+      return this->Work->Reference().LargestError();
+    }
+    return errors.empty() ? std::numeric_limits<double>::quiet_NaN()
+                          : *std::max_element(errors.begin(), errors.end());
   }
 
   /// Measuring takes about a third of the time, if there is anything to measure.
@@ -155,8 +169,10 @@ private:
   {
     const Clock::time_point start = Clock::now();
     Report& report = this->Answer.Report;
-    report.Input = Describe(this->Cleaned.Surface);
-    report.Output = Describe(this->LocalResult);
+    const SurfaceCounts counts = { static_cast<std::int64_t>(this->Cleaned.Surface.Points.size()),
+      this->Work->NumberOfFragments(), this->Work->Mesh().EdgesAtFirst() };
+    report.Input = Describe(this->Cleaned.Surface, counts, this->Wanted.NumberOfThreads);
+    report.Output = Describe(this->LocalResult, this->Wanted.NumberOfThreads);
     if (this->GoesOn && this->MeasuredFrom() < 1.0 - LastStep)
     {
       this->MeasureDistances();
@@ -176,11 +192,11 @@ private:
     const double backFrom = 0.5 * (from + inputFrom);
     if (this->Wanted.MeasureDistances)
     {
-      this->Answer.Report.OutputToInput =
-        MeasureDistance(this->LocalResult, this->Answer.Distance, this->Work->Reference().Tree(),
-          samples, this->Wanted.NumberOfThreads, this->Stage(from, backFrom));
+      this->Answer.Report.OutputToInput = MeasureDistance(this->LocalResult, this->Answer.Distance,
+        this->Work->Reference().Tree(this->Wanted.NumberOfThreads), samples,
+        this->Wanted.NumberOfThreads, this->Stage(from, backFrom));
     }
-    const BoundingTree tree(this->LocalResult);
+    const BoundingTree tree(this->LocalResult, this->Wanted.NumberOfThreads);
     if (this->Wanted.MeasureDistances)
     {
       this->MeasureBack(tree, samples, backFrom, inputFrom);
@@ -218,6 +234,7 @@ private:
   const Options& Wanted;
   const Monitor& Outer;
   bool RoundToSingle;
+  bool WithOrigins;
   bool GoesOn = true;
   CleanSurface Cleaned;
   std::optional<Editor> Work;
@@ -226,9 +243,9 @@ private:
 };
 }
 
-Result Decimate(
-  const Surface& input, const Options& options, const Monitor& monitor, bool inputIsSingle)
+Result Decimate(const Surface& input, const Options& options, const Monitor& monitor,
+  bool inputIsSingle, bool withOrigins)
 {
-  return Run(input, options, monitor, inputIsSingle).Go();
+  return Run(input, options, monitor, inputIsSingle, withOrigins).Go();
 }
 }

@@ -5,8 +5,9 @@
  * @brief The core's one entry: a surface in, a smaller surface with its error in millimetres out.
  *
  *     cleaned  = Clean(input)                    refuse, merge, drop, count
+ *     SortAlongCurve(cleaned)                    neighbours in space become neighbours in memory
  *     mesh     = HalfEdgeMesh(cleaned)           lock what is not manifold
- *     original = Original(cleaned)               nearest point by a bounding tree
+ *     original = Original(cleaned)               nearest point by a bounding tree, built when needed
  *     ThesisLoop or FastLoop                     collapse until a stop is reached
  *     result   = Extract(mesh)                   points, triangles, maps
  *     Measure(result, original)                  both directions
@@ -27,6 +28,7 @@
 namespace bonedecimate
 {
 /// Where each output point lies on the input: one entry per output point, ids are those of the input arrays.
+/// Empty unless asked for.
 struct PointOrigins
 {
   std::vector<Index> NearestTriangle;             ///< Input triangle nearest to the output point.
@@ -36,11 +38,14 @@ struct PointOrigins
 
 struct Result
 {
-  bonedecimate::Surface Surface; ///< Empty if the input was refused.
+  /// Empty if the input was refused. Points and triangles come in the order of SpatialOrder.h.
+  bonedecimate::Surface Surface;
   PointOrigins Origins;
-  std::vector<double> Distance; ///< mm, of each output point to the input surface.
-  std::vector<double>
-    RunningError; ///< mm, largest distance recorded along the collapses into each output point.
+  /// mm, of each output point to the input surface; filled with MeasureDistances, with Origins, and whenever distances
+  /// are recorded along the collapses (Thesis, or a MaximumError), else empty.
+  std::vector<double> Distance;
+  /// mm, largest distance recorded along the collapses into each output point, or Distance if none are; filled with it.
+  std::vector<double> RunningError;
   std::vector<Index> PointCount; ///< How many input points each output point stands for.
   std::vector<double>
     InputDistance; ///< mm, of each input point to the result; only with MeasureInputDistances.
@@ -50,10 +55,11 @@ struct Result
 /**
  * @param input Points in mm and triangles; nothing is changed. Anything may be wrong with it: see InputStatus.
  * @param inputIsSingle Whether the input points were single precision (what PointsPrecision::Default means).
+ * @param withOrigins Whether to fill Result::Origins, which takes two look-ups for each output point.
  * @throws std::bad_alloc and nothing else.
  */
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor = {},
-  bool inputIsSingle = false);
+  bool inputIsSingle = false, bool withOrigins = false);
 }
 
 #endif

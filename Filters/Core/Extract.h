@@ -3,6 +3,14 @@
 /**
  * @file Extract.h
  * @brief Turns what is left of the mesh into points, triangles and maps again.
+ *
+ *     triangles     those alive, in the order of the mesh
+ *     points        those of its corners, in the order of the mesh; rounded to single precision if asked for
+ *     PointCount    always
+ *     Distance, RunningError    if asked for or if distances were recorded along the collapses
+ *     Origins       if asked for
+ *
+ * Only the last two lines need the original's bounding tree. The same result whatever the number of threads.
  */
 #ifndef BoneDecimate_Core_Extract_h
 #define BoneDecimate_Core_Extract_h
@@ -13,14 +21,21 @@
 
 namespace bonedecimate
 {
+struct ExtractOptions
+{
+  bool RoundToSingle = false; ///< Round the positions to single precision before they are measured.
+  bool Distances = false;
+  bool Origins = false;
+  int Threads = 1;
+};
+
 /**
  * Fills the surface, the maps and the per-point figures of the result.
  * @param input Points that never moved are copied from here, bit for bit.
- * @param roundToSingle Round the positions to single precision before they are measured.
  * @return The result's points relative to clean.Origin, mm, as they are measured.
  */
 std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, const Editor& editor,
-  bool roundToSingle, Result& result);
+  const ExtractOptions& options, Result& result);
 }
 
 #endif

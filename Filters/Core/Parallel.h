@@ -120,6 +120,22 @@ void ForEachBlock(std::size_t count, int threads, const Work& work)
     { work(block, block * BlockSize, std::min(count, (block + 1) * BlockSize)); });
 }
 
+/// The sum of what part(first, last) returns for the blocks of [0, count), added up in their order.
+template <typename Part>
+auto SumOverBlocks(std::size_t count, int threads, const Part& part)
+{
+  std::vector<decltype(part(count, count))> parts(NumberOfBlocks(count));
+  ForEachBlock(count, threads,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    { parts[block] = part(first, last); });
+  decltype(part(count, count)) sum{};
+  for (const auto& each : parts)
+  {
+    sum += each;
+  }
+  return sum;
+}
+
 /// Calls work(id) for every id of [0, count) in such blocks.
 template <typename Work>
 void ForEachId(std::size_t count, int threads, const Work& work)
@@ -132,6 +148,26 @@ void ForEachId(std::size_t count, int threads, const Work& work)
         work(id);
       }
     });
+}
+
+/// Of each block how many ids before it are chosen, and at the end how many are: where blocks begin in a list of those.
+template <typename IsChosen>
+std::vector<std::size_t> StartsOfBlocks(std::size_t count, int threads, const IsChosen& isChosen)
+{
+  std::vector<std::size_t> starts(NumberOfBlocks(count) + 1, 0);
+  ForEachBlock(count, threads,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      for (std::size_t id = first; id < last; ++id)
+      {
+        starts[block + 1] += isChosen(id) ? 1 : 0;
+      }
+    });
+  for (std::size_t block = 1; block < starts.size(); ++block)
+  {
+    starts[block] += starts[block - 1];
+  }
+  return starts;
 }
 }
 

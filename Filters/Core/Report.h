@@ -100,7 +100,7 @@ struct DistanceStatistics
 struct StageSeconds
 {
   double Prepare = 0.0;  ///< Cleaning and building the half-edge mesh.
-  double Collapse = 0.0; ///< Bounding tree of the original, costs, the loop, extraction.
+  double Collapse = 0.0; ///< Costs, the loop, extraction; the original's bounding tree, if needed.
   double Decimate = 0.0; ///< Prepare + Collapse: everything needed for the surface.
   double Measure = 0.0;  ///< Statistics of both surfaces and distances.
   double Total = 0.0;
@@ -116,8 +116,9 @@ struct Report
   bool DistancesMeasured = false;
   DistanceStatistics OutputToInput;
   DistanceStatistics InputToOutput;
-  double RunningError =
-    0.0; ///< mm, the thesis's maxError: largest distance of a new vertex to the input.
+  /// mm, the thesis's maxError: largest distance of a new vertex to the input. Not a number if none was looked up, which
+  /// is so in Fast without MaximumError and MeasureDistances; the tables then leave it out.
+  double RunningError = 0.0;
   std::int64_t Collapses = 0;
   std::array<std::int64_t, NumberOfVerdicts> Refusals{}; ///< By Verdict; [Allowed] stays 0.
   StageSeconds Seconds;

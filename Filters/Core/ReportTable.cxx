@@ -4,6 +4,7 @@
 
 #include "OptionTable.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace bonedecimate
@@ -57,7 +58,10 @@ void AddDistance(Entries& entries, const std::string& direction, const DistanceS
 
 void AddRun(Entries& entries, const Report& report)
 {
-  entries.push_back({ "running_error", "mm", report.RunningError });
+  if (!std::isnan(report.RunningError))
+  {
+    entries.push_back({ "running_error", "mm", report.RunningError });
+  }
   entries.push_back({ "collapses", "", report.Collapses });
   for (std::size_t i = 1; i < NumberOfVerdicts; ++i)
   {

@@ -3,31 +3,42 @@
 #include "Bones.h"
 
 #include "Mesh/Cleaning.h"
+#include "Specimen.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkExtractVOI.h"
+#include "vtkFloatArray.h"
 #include "vtkFlyingEdges3D.h"
-#include "vtkIdList.h"
 #include "vtkImageConstantPad.h"
 #include "vtkImageData.h"
 #include "vtkMetaImageReader.h"
 #include "vtkNew.h"
-#include "vtkPoints.h"
+#include "vtkOBJReader.h"
+#include "vtkPLYReader.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataConnectivityFilter.h"
+#include "vtkPolyDataReader.h"
+#include "vtkSTLReader.h"
+#include "vtkSmartPointer.h"
+#include "vtkTriangleFilter.h"
+#include "vtkXMLPolyDataReader.h"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace
 {
 constexpr double BoneHounsfield = 226.0;
 constexpr double AirHounsfield = -1024.0;
 
-vtkSmartPointer<vtkPolyData> SurfaceOf(vtkImageData* volume)
+vtkSmartPointer<vtkPolyData> SurfaceOf(vtkImageData* volume, double value)
 {
   vtkNew<vtkFlyingEdges3D> contour;
   contour->SetInputData(volume);
-  contour->SetValue(0, BoneHounsfield);
+  contour->SetValue(0, value);
   contour->ComputeNormalsOff();
   contour->ComputeGradientsOff();
   contour->ComputeScalarsOff();
@@ -35,61 +46,88 @@ vtkSmartPointer<vtkPolyData> SurfaceOf(vtkImageData* volume)
   return contour->GetOutput();
 }
 
-/// The core's own cleaning, so that every contestant starts from the same triangles.
-vtkSmartPointer<vtkPolyData> Cleaned(vtkPolyData* surface)
+/// By the core's own cleaning; points keep their coordinates in single precision.
+Triangles Cleaned(vtkPolyData* surface)
 {
   bonedecimate::Surface raw;
   for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
   {
+    const double* x = surface->GetPoint(p);
     raw.Points.emplace_back(
-      surface->GetPoint(p)[0], surface->GetPoint(p)[1], surface->GetPoint(p)[2]);
+      static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2]));
   }
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < surface->GetNumberOfPolys(); ++cell)
+  const auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
   {
-    surface->GetPolys()->GetCellAtId(cell, ids);
-    raw.Triangles.push_back({ static_cast<bonedecimate::Index>(ids->GetId(0)),
-      static_cast<bonedecimate::Index>(ids->GetId(1)),
-      static_cast<bonedecimate::Index>(ids->GetId(2)) });
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(size, ids);
+    raw.Triangles.push_back({ static_cast<bonedecimate::Index>(ids[0]),
+      static_cast<bonedecimate::Index>(ids[1]), static_cast<bonedecimate::Index>(ids[2]) });
   }
   const bonedecimate::CleanSurface clean = bonedecimate::Clean(raw, true);
-  vtkNew<vtkPoints> points;
+  Triangles result;
   for (const bonedecimate::Index p : clean.InputPoint)
   {
-    points->InsertNextPoint(raw.Points[static_cast<std::size_t>(p)].data());
+    const bonedecimate::Vector3& x = raw.Points[static_cast<std::size_t>(p)];
+    result.Points.push_back({ x[0], x[1], x[2] });
   }
-  vtkNew<vtkCellArray> triangles;
-  for (const bonedecimate::Triangle& corners : clean.Surface.Triangles)
-  {
-    triangles->InsertNextCell({ corners[0], corners[1], corners[2] });
-  }
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(points);
-  result->SetPolys(triangles);
+  result.Corners.assign(clean.Surface.Triangles.begin(), clean.Surface.Triangles.end());
   return result;
 }
-}
 
-Bones::Bones(const std::string& volumeFile)
-  : VolumeFile(volumeFile)
-{
-}
-
-vtkSmartPointer<vtkPolyData> Bones::Whole() const
+vtkSmartPointer<vtkImageData> ReadVolume(const std::string& file)
 {
   vtkNew<vtkMetaImageReader> reader;
-  reader->SetFileName(this->VolumeFile.c_str());
+  if (reader->CanReadFile(file.c_str()) == 0)
+  {
+    throw std::runtime_error(file + ": no MetaImage");
+  }
+  reader->SetFileName(file.c_str());
   reader->Update();
-  return Cleaned(SurfaceOf(reader->GetOutput()));
+  return reader->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> Bones::LargestIn(const Box& box) const
+template <class Reader>
+Triangles ReadWith(const std::string& file)
 {
-  vtkNew<vtkMetaImageReader> reader;
-  reader->SetFileName(this->VolumeFile.c_str());
-  reader->Update();
-  const double* spacing = reader->GetOutput()->GetSpacing();
-  const int* whole = reader->GetOutput()->GetExtent();
+  vtkNew<Reader> reader;
+  reader->SetFileName(file.c_str());
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(reader->GetOutputPort());
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  if (triangles->GetOutput()->GetNumberOfPolys() == 0)
+  {
+    throw std::runtime_error(file + ": no triangles in it");
+  }
+  return Cleaned(triangles->GetOutput());
+}
+
+Triangles SpecimenOnGrid(int size)
+{
+  vtkNew<vtkFloatArray> values;
+  values->SetNumberOfValues(static_cast<vtkIdType>(size) * size * size);
+  FillSpecimen(size, values->GetPointer(0));
+  vtkNew<vtkImageData> volume;
+  volume->SetDimensions(size, size, size);
+  volume->SetSpacing(SpecimenSpacing, SpecimenSpacing, SpecimenSpacing);
+  volume->GetPointData()->SetScalars(values);
+  return Cleaned(SurfaceOf(volume, 0.0));
+}
+}
+
+Triangles WholeBone(const std::string& volume)
+{
+  return Cleaned(SurfaceOf(ReadVolume(volume), BoneHounsfield));
+}
+
+Triangles LargestIn(const std::string& volume, const Box& box)
+{
+  const vtkSmartPointer<vtkImageData> image = ReadVolume(volume);
+  const double* spacing = image->GetSpacing();
+  const int* whole = image->GetExtent();
   std::array<int, 6> extent{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -99,7 +137,7 @@ vtkSmartPointer<vtkPolyData> Bones::LargestIn(const Box& box) const
     extent[2 * axis + 1] = std::min(whole[2 * axis + 1], voxel(box[2 * axis + 1]) - 1);
   }
   vtkNew<vtkExtractVOI> cut;
-  cut->SetInputConnection(reader->GetOutputPort());
+  cut->SetInputData(image);
   cut->SetVOI(extent.data());
   vtkNew<vtkImageConstantPad> pad;
   pad->SetInputConnection(cut->GetOutputPort());
@@ -108,8 +146,52 @@ vtkSmartPointer<vtkPolyData> Bones::LargestIn(const Box& box) const
     extent[0] - 1, extent[1] + 1, extent[2] - 1, extent[3] + 1, extent[4] - 1, extent[5] + 1);
   pad->Update();
   vtkNew<vtkPolyDataConnectivityFilter> largest;
-  largest->SetInputData(SurfaceOf(pad->GetOutput()));
+  largest->SetInputData(SurfaceOf(pad->GetOutput(), BoneHounsfield));
   largest->SetExtractionModeToLargestRegion();
   largest->Update();
   return Cleaned(largest->GetOutput());
+}
+
+Triangles SurfaceFile(const std::string& file)
+{
+  const std::string ending = file.substr(std::min(file.size(), file.rfind('.')));
+  if (ending == ".ply")
+  {
+    return ReadWith<vtkPLYReader>(file);
+  }
+  if (ending == ".stl")
+  {
+    return ReadWith<vtkSTLReader>(file);
+  }
+  if (ending == ".obj")
+  {
+    return ReadWith<vtkOBJReader>(file);
+  }
+  if (ending == ".vtp")
+  {
+    return ReadWith<vtkXMLPolyDataReader>(file);
+  }
+  if (ending == ".vtk")
+  {
+    return ReadWith<vtkPolyDataReader>(file);
+  }
+  throw std::runtime_error(file + ": not one of .ply .stl .obj .vtp .vtk");
+}
+
+Triangles GrownSpecimen(double triangles)
+{
+  // A small one says how many triangles a voxel has; their number grows with a power a little below the cube.
+  int size = 64;
+  Triangles specimen = SpecimenOnGrid(size);
+  for (int attempt = 0; attempt < 6; ++attempt)
+  {
+    const double ratio = triangles / static_cast<double>(specimen.Corners.size());
+    if (std::fabs(ratio - 1.0) < 0.03)
+    {
+      break;
+    }
+    size = static_cast<int>(std::lround(size * std::pow(ratio, 1.0 / 2.9)));
+    specimen = SpecimenOnGrid(size);
+  }
+  return specimen;
 }

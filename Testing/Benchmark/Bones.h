@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Bones.h
- * @brief The bones of the benchmark, cut out of one CT volume.
+ * @brief The bones of the benchmark: cut out of a CT, read from a file, or grown to a size.
  */
 #ifndef BoneDecimate_Testing_Bones_h
 #define BoneDecimate_Testing_Bones_h
 
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
+#include "TriangleFile.h"
 
 #include <array>
 #include <string>
@@ -16,25 +15,18 @@
 /// A box of the volume in mm from its first voxel: least and greatest x, y, z.
 using Box = std::array<double, 6>;
 
-/**
- * Bone surfaces at 226 HU, equal points merged, triangles without area gone.
- * The maxilla and the frontal bone are stand-ins for the thesis's meshes, which are not public: the largest component
- * in a box with one voxel of air around it. They are defined on the CT of Debian's package invesalius-examples.
- */
-class Bones
-{
-public:
-  /// @param volumeFile A MetaImage (.mhd, .mha) of Hounsfield values.
-  explicit Bones(const std::string& volumeFile);
+/// Stand-ins for the thesis's meshes, which are not public, in the CT of Debian's package invesalius-examples.
+constexpr Box Maxilla = { 75, 180, 140, 222, 0, 70 };
+constexpr Box FrontalBone = { 55, 200, 147.5, 222, 70, 150 };
 
-  vtkSmartPointer<vtkPolyData> Whole() const;
-  vtkSmartPointer<vtkPolyData> LargestIn(const Box& box) const;
-
-  static constexpr Box Maxilla = { 75, 180, 140, 222, 0, 70 };
-  static constexpr Box FrontalBone = { 55, 200, 147.5, 222, 70, 150 };
-
-private:
-  std::string VolumeFile;
-};
+/// All with equal points merged and triangles without area gone, so that every contestant starts from the same ones.
+/// The whole bone at 226 HU. @param volume A MetaImage of Hounsfield values.
+Triangles WholeBone(const std::string& volume);
+/// The largest component of the bone in a box with one voxel of air around it.
+Triangles LargestIn(const std::string& volume, const Box& box);
+/// A surface file that VTK reads: .ply .stl .obj .vtp .vtk
+Triangles SurfaceFile(const std::string& file);
+/// The specimen of Specimen.h, its size chosen so that it has about that many triangles (within 3 %).
+Triangles GrownSpecimen(double triangles);
 
 #endif

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PeakMemory.h"
 
-#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -13,8 +12,8 @@
 
 namespace
 {
-/// A line of /proc/self/status such as "VmHWM:  1234 kB", in megabytes; 0 where there is none.
-double StatusMegabytes(const std::string& name)
+/// A line of /proc/self/status such as "VmHWM:  1234 kB"; 0 where there is none.
+std::int64_t StatusBytes(const std::string& name)
 {
   std::ifstream status("/proc/self/status");
   std::string line;
@@ -22,26 +21,30 @@ double StatusMegabytes(const std::string& name)
   {
     std::istringstream words(line);
     std::string word;
-    double kilobytes = 0.0;
+    std::int64_t kilobytes = 0;
     if (words >> word >> kilobytes && word == name)
     {
-      return kilobytes / 1024.0;
+      return 1024 * kilobytes;
     }
   }
-  return 0.0;
+  return 0;
 }
 }
 
-PeakMemory::PeakMemory()
+std::int64_t memory::Held()
 {
 #ifdef __GLIBC__
-  malloc_trim(0); // what an earlier run freed would be reused unseen
+  malloc_trim(0);
 #endif
-  std::ofstream("/proc/self/clear_refs") << 5; // sets the high-water mark back to what is held now
-  this->AtFirst = StatusMegabytes("VmRSS:");
+  return StatusBytes("VmRSS:");
 }
 
-double PeakMemory::Megabytes() const
+void memory::ForgetPeak()
 {
-  return std::max(0.0, StatusMegabytes("VmHWM:") - this->AtFirst);
+  std::ofstream("/proc/self/clear_refs") << 5;
+}
+
+std::int64_t memory::Peak()
+{
+  return StatusBytes("VmHWM:");
 }

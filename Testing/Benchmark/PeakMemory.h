@@ -3,15 +3,16 @@
 #ifndef BoneDecimate_Testing_PeakMemory_h
 #define BoneDecimate_Testing_PeakMemory_h
 
-/// The most memory this process held since the object was made, beyond what it held then. Linux only; else 0.
-class PeakMemory
-{
-public:
-  PeakMemory();
-  double Megabytes() const;
+#include <cstdint>
 
-private:
-  double AtFirst = 0.0;
-};
+/// What this process holds and held at most, in bytes, as Linux counts resident pages; 0 elsewhere.
+namespace memory
+{
+/// Gives freed pages back first, so that what an earlier step freed is not reused unseen.
+std::int64_t Held();
+/// From here on Peak() means the most since now.
+void ForgetPeak();
+std::int64_t Peak();
+}
 
 #endif

@@ -92,6 +92,17 @@ TEST(MeasureDistances, OffLeavesThemOutButNotTheArrays)
   EXPECT_FALSE(Values(run.Output(), "Distance").empty());
 }
 
+TEST(MeasureDistances, OffInFastLooksNothingUp)
+{
+  FilterRun run(Bumps(3));
+  run->SetMode(1);
+  run->MeasureDistancesOff();
+  EXPECT_EQ(run.Output()->GetPointData()->GetArray("Distance"), nullptr);
+  EXPECT_EQ(run.Output()->GetPointData()->GetArray("RunningError"), nullptr);
+  EXPECT_NE(run.Output()->GetPointData()->GetArray("InputPointCount"), nullptr);
+  EXPECT_TRUE(std::isnan(run.Value("running_error")));
+}
+
 TEST(MeasureDistances, DoesNotChangeTheSurface)
 {
   FilterRun with(Bumps(3));

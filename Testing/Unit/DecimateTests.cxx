@@ -259,16 +259,39 @@ TEST(Decimate, DistancesOfSinglePrecisionPointsAreThoseOfTheRoundedOnes)
   }
 }
 
+TEST(Decimate, LooksPointsUpOnlyIfSomebodyAsks)
+{
+  Options options = Reduction(0.5);
+  const Result thesis = Decimate(Bone(), options);
+  EXPECT_EQ(thesis.Distance.size(), thesis.Surface.Points.size()) << "recorded on the way";
+  EXPECT_TRUE(thesis.Origins.NearestTriangle.empty());
+  options.Mode = Mode::Fast;
+  const Result plain = Decimate(Bone(), options);
+  EXPECT_TRUE(plain.Distance.empty());
+  EXPECT_TRUE(plain.RunningError.empty());
+  EXPECT_TRUE(std::isnan(plain.Report.RunningError)) << "unknown is not nothing";
+  EXPECT_EQ(plain.PointCount.size(), plain.Surface.Points.size());
+  const Result mapped = Decimate(Bone(), options, {}, false, true);
+  EXPECT_EQ(mapped.Origins.Barycentric.size(), mapped.Surface.Points.size());
+  EXPECT_EQ(mapped.RunningError, mapped.Distance);
+  options.MeasureDistances = true;
+  const Result measured = Decimate(Bone(), options);
+  EXPECT_EQ(measured.Distance, mapped.Distance);
+  EXPECT_EQ(measured.Report.RunningError, mapped.Report.RunningError);
+  EXPECT_TRUE(measured.Origins.NearestPoint.empty());
+  EXPECT_TRUE(SameBytes(plain.Surface, measured.Surface));
+}
+
 TEST(Decimate, TheSameBytesWhateverTheThreads)
 {
   Options options = Reduction(0.7);
   options.MeasureInputDistances = true;
   const Surface input = BumpySphere(4, 20.0, 0.1, 5);
-  const Result one = Decimate(input, options);
+  const Result one = Decimate(input, options, {}, false, true);
   for (const int threads : { 2, 4, 0 })
   {
     options.NumberOfThreads = threads;
-    const Result many = Decimate(input, options);
+    const Result many = Decimate(input, options, {}, false, true);
     EXPECT_TRUE(SameBytes(one.Surface, many.Surface)) << threads;
     EXPECT_EQ(one.Distance, many.Distance) << threads;
     EXPECT_EQ(one.InputDistance, many.InputDistance) << threads;

@@ -3,10 +3,9 @@
 #include "BlockSweep.h"
 
 #include "Gate.h"
+#include "Kernels/Prefetch.h"
 
 #include <algorithm>
-#include <cstring>
-#include <limits>
 
 namespace bonedecimate
 {
@@ -14,84 +13,6 @@ namespace
 {
 constexpr int KeysAfterRefusal = 4 * KeysOfOctave;
 
-CostKey KeyOf(float cost)
-{
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &cost, sizeof(bits));
-  return static_cast<CostKey>(std::min<std::uint32_t>(bits >> 15U, NeverKey - 1));
-}
-
-/// An open border moves only along itself.
-Freedom FreedomOf(VertexKind first, VertexKind second, bool isBorderEdge)
-{
-  if (second == VertexKind::Locked)
-  {
-    return Freedom::Nowhere;
-  }
-  if (first == VertexKind::Border)
-  {
-    return second != VertexKind::Border ? Freedom::First
-      : isBorderEdge                    ? Freedom::Edge
-                                        : Freedom::Nowhere;
-  }
-  return second == VertexKind::Border ? Freedom::Second : Freedom::Space;
-}
-}
-
-//------------------------------------------------------------------------------
-/// Fills Candidates with the edges at the vertex that may be collapsed at all. False if one leaves the block.
-bool BlockSweep::FindCandidates(Index vertex)
-{
-  const HalfEdgeMesh& mesh = this->Work.Mesh();
-  const VertexKind kind = mesh.Kind(vertex);
-  this->Candidates.clear();
-  this->Batch.First = &mesh.Record(vertex);
-  this->Batch.Count = 0;
-  bool isInside = true;
-  mesh.VisitEdges(vertex,
-    [&](Index h)
-    {
-      const Index other = mesh.Across(h, vertex);
-      if (!this->IsInside(other))
-      {
-        isInside = false;
-        return;
-      }
-      const int at = this->Batch.Count++;
-      this->Batch.Others[at] = &mesh.Record(other);
-      this->Batch.Freedoms[at] =
-        static_cast<std::int32_t>(FreedomOf(kind, mesh.Kind(other), mesh.Twin(h) == None));
-      this->Batch.Memories[at] =
-        std::max(this->Known.Memories[vertex], this->Known.Memories[other]);
-      this->BatchEdges[at] = h;
-      if (this->Batch.Count == EdgeBatch::Size)
-      {
-        this->JudgeBatch();
-      }
-    });
-  if (isInside && this->Batch.Count > 0)
-  {
-    this->JudgeBatch();
-  }
-  return isInside;
-}
-
-//------------------------------------------------------------------------------
-void BlockSweep::JudgeBatch()
-{
-  this->Batch.PerUnit = this->PerUnit;
-  this->Batch.CostFactor = this->Known.CostFactor;
-  EdgeAnswers answers;
-  this->Compute.JudgeEdges(this->Batch, answers);
-  for (int i = 0; i < this->Batch.Count; ++i)
-  {
-    if (answers.Costs[i] < std::numeric_limits<float>::infinity())
-    {
-      this->Candidates.push_back({ answers.Costs[i], this->BatchEdges[i],
-        { answers.Moves[0][i], answers.Moves[1][i], answers.Moves[2][i] } });
-    }
-  }
-  this->Batch.Count = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -99,7 +20,7 @@ void BlockSweep::RenewAll(Index first, Index last)
 {
   const HalfEdgeMesh& mesh = this->Work.Mesh();
   this->Task = {};
-  this->Task.Last = mesh.NumberOfVertexSlots();
+  this->Task.Vertices.Last = mesh.NumberOfVertexSlots();
   for (Index v = first; v < last; ++v)
   {
     if (mesh.Outgoing(v) != None && mesh.Kind(v) != VertexKind::Locked)
@@ -113,80 +34,110 @@ void BlockSweep::RenewAll(Index first, Index last)
 /// Gives the vertex the key of its cheapest edge.
 void BlockSweep::Renew(Index vertex)
 {
-  this->FindCandidates(vertex);
-  float least = std::numeric_limits<float>::infinity();
-  for (const Candidate& candidate : this->Candidates)
-  {
-    least = std::min(least, candidate.Cost);
-  }
-  this->Known.Keys[vertex] = this->Candidates.empty() ? NeverKey : KeyOf(least);
+  this->Merged.Gather(this->Work.Mesh(), this->Known, vertex, this->Task.Vertices);
+  this->Merged.Judge(this->Compute);
+  this->SetKey(vertex, KeyOf(this->Merged.LeastCost()));
 }
 
 //------------------------------------------------------------------------------
-/// Lists the vertices whose keys are not above the level; returns the least of the other keys.
-int BlockSweep::FindReady(int level)
+/// The last vertex first, since lists are read backwards.
+void BlockSweep::ListVertices()
 {
-  constexpr Index Stride = 64; // counted without branches first
-  this->Ready.clear();
-  CostKey next = NeverKey;
-  const CostKey* keys = this->Known.Keys.data();
-  const CostKey highest = static_cast<CostKey>(level);
-  for (Index first = this->Task.First; first < this->Task.Last; first += Stride)
+  this->Levels.Clear();
+  for (Index v = this->Task.Vertices.Last; v-- > this->Task.Vertices.First;)
   {
-    const Index last = std::min(this->Task.Last, first + Stride);
-    CostKey found = 0;
-    for (Index v = first; v < last; ++v)
+    if (this->Known.Keys[v] <= this->Task.Limit)
     {
-      const CostKey above = keys[v] > highest ? keys[v] : NeverKey;
-      next = std::min(next, above);
-      found = static_cast<CostKey>(found | (keys[v] <= highest ? 1 : 0));
-    }
-    for (Index v = first; v < last && found != 0; ++v)
-    {
-      if (keys[v] <= highest)
-      {
-        this->Ready.push_back(v);
-      }
+      this->Levels.Add(v, this->Known.Keys[v]);
     }
   }
-  return next;
 }
 
 //------------------------------------------------------------------------------
-BlockSweep::Outcome BlockSweep::CollapseAt(Index vertex, int level)
+/// Goes round the next vertices of the list ahead of Gather, a face of each at a time, so that each wait overlaps with work.
+void BlockSweep::LookAhead(std::size_t at)
 {
-  if (!this->FindCandidates(vertex))
+  const HalfEdgeMesh& mesh = this->Work.Mesh();
+  const std::size_t size = this->Ready.size();
+  if (at + Ahead < size)
+  {
+    Prefetch(&mesh.Record(this->Ready[at + Ahead]));
+  }
+  if (at + Ahead - 1 < size)
+  {
+    Index& cursor = this->Cursors[(at + Ahead - 1) % Ahead];
+    cursor = mesh.Outgoing(this->Ready[at + Ahead - 1]);
+    Prefetch(mesh.RecordOfFace(std::max(0, cursor)));
+  }
+  for (std::size_t i = at + 2; i < std::min(at + Ahead - 1, size); ++i)
+  {
+    Index& cursor = this->Cursors[i % Ahead];
+    if (cursor != None && mesh.Origin(cursor) == this->Ready[i])
+    {
+      Prefetch(&mesh.Record(mesh.Target(cursor)));
+      cursor = mesh.Twin(HalfEdgeMesh::Previous(cursor));
+      Prefetch(mesh.RecordOfFace(std::max(0, cursor)));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void BlockSweep::SetKey(Index vertex, CostKey key)
+{
+  this->Known.Keys[vertex] = key;
+  if (key <= this->Task.Limit)
+  {
+    this->Levels.Add(vertex, key);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Of the vertex at that place of the list, judged. Those of the next are gathered first, to arrive meanwhile.
+VertexEdges& BlockSweep::EdgesOfReady(std::size_t at, CostKey highest)
+{
+  const HalfEdgeMesh& mesh = this->Work.Mesh();
+  VertexEdges& edges = this->Gathered[at % 2];
+  if (edges.Vertex() != this->Ready[at])
+  {
+    edges.Gather(mesh, this->Known, this->Ready[at], this->Task.Vertices);
+  }
+  if (at + 1 < this->Ready.size() && this->Known.Keys[this->Ready[at + 1]] <= highest)
+  {
+    this->Gathered[(at + 1) % 2].Gather(
+      mesh, this->Known, this->Ready[at + 1], this->Task.Vertices);
+  }
+  edges.Judge(this->Compute);
+  return edges;
+}
+
+//------------------------------------------------------------------------------
+BlockSweep::Outcome BlockSweep::CollapseAt(VertexEdges& edges, CostKey highest)
+{
+  const Index vertex = edges.Vertex();
+  edges.Forget();
+  if (!edges.AreInside())
   {
     this->PutOff(vertex);
     return Outcome::Elsewhere;
   }
-  int refusedAt = level;
-  while (!this->Candidates.empty())
+  CostKey refusedUntil = NeverKey;
+  CostKey key = KeyOf(edges.LeastCost());
+  for (; key <= highest; key = KeyOf(edges.LeastCost()))
   {
-    const auto best = std::min_element(this->Candidates.begin(), this->Candidates.end(),
-      [](const Candidate& a, const Candidate& b) { return a.Cost < b.Cost; });
-    const CostKey key = KeyOf(best->Cost);
-    if (key > level)
-    {
-      this->Known.Keys[vertex] =
-        refusedAt > level ? std::min<CostKey>(key, static_cast<CostKey>(refusedAt)) : key;
-      return Outcome::Dearer;
-    }
-    const Outcome outcome = this->TryEdge(vertex, *best);
+    const Outcome outcome = this->TryEdge(vertex, edges.TakeCheapest());
     if (outcome != Outcome::Dearer)
     {
       return outcome;
     }
-    refusedAt = std::min(level + KeysAfterRefusal, NeverKey - 1);
-    this->Candidates.erase(best);
+    refusedUntil = static_cast<CostKey>(std::min<int>(highest + KeysAfterRefusal, NeverKey));
   }
-  this->Known.Keys[vertex] = refusedAt > level ? static_cast<CostKey>(refusedAt) : NeverKey;
+  this->SetKey(vertex, std::min(key, refusedUntil));
   return Outcome::Dearer;
 }
 
 //------------------------------------------------------------------------------
 /// Dearer means refused.
-BlockSweep::Outcome BlockSweep::TryEdge(Index vertex, const Candidate& candidate)
+BlockSweep::Outcome BlockSweep::TryEdge(Index vertex, const VertexEdges::Candidate& candidate)
 {
   if (this->Work.Examine(candidate.Edge, this->Space) != Verdict::Allowed)
   {
@@ -210,7 +161,7 @@ BlockSweep::Outcome BlockSweep::TryEdge(Index vertex, const Candidate& candidate
 
 //------------------------------------------------------------------------------
 /// To the best place, or onto the border vertex where an inside edge leads to one.
-Edit BlockSweep::EditOf(Index vertex, const Candidate& candidate) const
+Edit BlockSweep::EditOf(Index vertex, const VertexEdges::Candidate& candidate) const
 {
   const HalfEdgeMesh& mesh = this->Work.Mesh();
   const Index other = mesh.Across(candidate.Edge, vertex);
@@ -232,8 +183,9 @@ void BlockSweep::AfterCollapse(const Edit& edit, Index gone)
   const double unit = mesh.Unit();
   const double left = this->Compute.LeaveBehind(this->Space.Faces.Current(),
     unit * memories[this->Space.Around.Start], unit * memories[this->Space.Around.End]);
-  memories[edit.Keep] = static_cast<float>(left * this->PerUnit);
+  memories[edit.Keep] = static_cast<float>(left / unit);
   this->Known.Keys[gone] = NeverKey;
+  this->ForgetChanged();
   this->Renew(edit.Keep);
   if (this->Task.RenewsRing)
   {
@@ -246,6 +198,22 @@ void BlockSweep::AfterCollapse(const Edit& edit, Index gone)
           this->Renew(other);
         }
       });
+  }
+}
+
+//------------------------------------------------------------------------------
+/// What was gathered ahead may have lost an edge.
+void BlockSweep::ForgetChanged()
+{
+  const Neighbourhood& around = this->Space.Around;
+  for (VertexEdges& edges : this->Gathered)
+  {
+    const Index v = edges.Vertex();
+    if (v == around.Start || v == around.End ||
+      std::find(around.Ring.begin(), around.Ring.end(), v) != around.Ring.end())
+    {
+      edges.Forget();
+    }
   }
 }
 

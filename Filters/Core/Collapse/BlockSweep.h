@@ -4,15 +4,14 @@
  * @file BlockSweep.h
  * @brief Collapses what is cheap within one block of consecutive vertices, level by level.
  *
- *     level = least key of the block
- *     while level <= limit and collapses are left:
- *         for every vertex whose key is not above the level:
+ *     list the vertices by level, eight an octave
+ *     while there is a level not above the limit, and collapses are left:
+ *         for every vertex of the lowest level:
  *             judge its edges afresh, cheapest first
- *             dearer than the level:      that is its key from now on
+ *             dearer than the level:      that is its key from now on, and it goes to that level
  *             reaches out of the block:   its turn comes in another round
  *             refused by the gate:        the next edge; after the last, its key goes up by four octaves
- *             else collapse; the merged vertex gets a key
- *         level = an eighth of an octave higher, or the least key if that is above
+ *             else collapse; the merged vertex gets a key and goes to its level
  *
  * Neighbours keep their keys although their costs changed: they are judged afresh when their turn comes. In small
  * meshes that is not good enough, and they get new keys at once. No vertex outside the block is read or written, so that blocks may
@@ -23,33 +22,20 @@
 
 #include "Editor.h"
 #include "Goal.h"
+#include "VertexEdges.h"
 
+#include <array>
 #include <vector>
 
 namespace bonedecimate
 {
-/// The upper 16 bits below the sign of a cost: ordered like costs, 256 to an octave.
-using CostKey = std::uint16_t;
-constexpr CostKey NeverKey = 0xFFFF;
-constexpr int KeysOfOctave = 256;
-
-/// What a sweep knows of every vertex, beside the mesh.
-struct VertexKeys
-{
-  std::vector<CostKey> Keys; ///< NeverKey: gone, locked, or nothing to collapse.
-  std::vector<float>
-    Memories; ///< Distance left behind so far by what was merged into it, units of the mesh.
-  float CostFactor = 1.0F; ///< Makes costs independent of how the unit was rounded.
-};
-
 struct BlockTask
 {
-  Index First = 0; ///< Vertices [First, Last).
-  Index Last = 0;
-  int Limit = NeverKey;    ///< The highest level.
-  Index Collapses = 0;     ///< The most allowed.
-  int Workers = 1;         ///< Blocks that are swept at the same time.
-  bool RenewsRing = false; ///< New keys for the ring of each merged vertex.
+  VertexRange Vertices;
+  CostKey Limit = NeverKey - 1; ///< Dearer ones stay.
+  Index Collapses = 0;          ///< The most allowed.
+  int Workers = 1;              ///< Blocks that are swept at the same time.
+  bool RenewsRing = false;      ///< New keys for the ring of each merged vertex.
 };
 
 class BlockSweep
@@ -59,7 +45,6 @@ public:
     : Work(editor)
     , Known(keys)
     , Compute(BestKernels())
-    , PerUnit(1.0 / editor.Mesh().Unit())
   {
   }
 
@@ -74,12 +59,6 @@ public:
   Tally& Counted() { return this->Space.Counted; }
 
 private:
-  struct Candidate
-  {
-    float Cost = 0.0F;
-    Index Edge = None;
-    float Move[3] = {}; // from the vertex, units
-  };
   enum class Outcome
   {
     Dearer,
@@ -87,27 +66,30 @@ private:
     Elsewhere
   };
   void Renew(Index vertex);
-  bool FindCandidates(Index vertex);
-  void JudgeBatch();
-  Outcome CollapseAt(Index vertex, int level);
-  Outcome TryEdge(Index vertex, const Candidate& candidate);
-  Edit EditOf(Index vertex, const Candidate& candidate) const;
+  VertexEdges& EdgesOfReady(std::size_t at, CostKey highest);
+  Outcome CollapseAt(VertexEdges& edges, CostKey highest);
+  Outcome TryEdge(Index vertex, const VertexEdges::Candidate& candidate);
+  Edit EditOf(Index vertex, const VertexEdges::Candidate& candidate) const;
   void AfterCollapse(const Edit& edit, Index gone);
-  bool IsInside(Index v) const { return v >= this->Task.First && v < this->Task.Last; }
-  int FindReady(int level);
+  void ForgetChanged();
+  bool IsInside(Index v) const { return this->Task.Vertices.Contains(v); }
+  void LookAhead(std::size_t at);
+  void ListVertices();
+  void SetKey(Index vertex, CostKey key);
   void PutOff(Index vertex);
   void Restore();
 
   Editor& Work;
   VertexKeys& Known;
   const Kernels& Compute;
-  double PerUnit; // 1/mm
   BlockTask Task;
   Workspace Space;
-  EdgeBatch Batch;
-  Index BatchEdges[EdgeBatch::Size] = {};
-  std::vector<Candidate> Candidates;
+  VertexEdges Gathered[2]; // of one vertex and the next
+  VertexEdges Merged;
   std::vector<Index> Ready;
+  static constexpr std::size_t Ahead = 8; // vertices
+  std::array<Index, Ahead> Cursors{};     // half-edges at the next vertices of Ready
+  LevelLists Levels;
   struct OldKey
   {
     Index Vertex;
@@ -120,28 +102,24 @@ template <typename GoOn>
 void BlockSweep::Run(const BlockTask& task, const GoOn& goOn)
 {
   this->Task = task;
+  this->ListVertices();
   Index left = task.Collapses;
-  int level = 0;
   while (left > 0)
   {
-    const int next = this->FindReady(level);
-    for (const Index vertex : this->Ready)
-    {
-      if (this->Known.Keys[vertex] > level || this->CollapseAt(vertex, level) != Outcome::Collapsed)
-      {
-        continue;
-      }
-      if (--left == 0 || !goOn())
-      {
-        this->Restore();
-        return;
-      }
-    }
-    if (this->Ready.empty() && (next > task.Limit || next == NeverKey))
+    const CostKey highest = std::min(this->Levels.TakeLowest(this->Ready), task.Limit);
+    if (this->Ready.empty())
     {
       break;
     }
-    level = std::min(std::max(level + KeysOfOctave / 8, next), task.Limit);
+    for (std::size_t i = 0; i < this->Ready.size() && left > 0; ++i)
+    {
+      this->LookAhead(i);
+      if (this->Known.Keys[this->Ready[i]] <= highest &&
+        this->CollapseAt(this->EdgesOfReady(i, highest), highest) == Outcome::Collapsed)
+      {
+        left = goOn() ? left - 1 : 0;
+      }
+    }
   }
   this->Restore();
 }

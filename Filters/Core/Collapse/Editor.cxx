@@ -139,7 +139,6 @@ Verdict Editor::ApplySmall(const Edit& edit, Workspace& work, int workers)
   else
   {
     this->Half.Move(vertex, edit.Position);
-    this->Source.Move(vertex);
   }
   if (this->AfterEdit)
   {
@@ -176,7 +175,7 @@ void Editor::KeepBooks(const Edit& edit, Index gone, double volumeChange, Worksp
       this->FaceGeometry->Update(this->Half, HalfEdgeMesh::Face(h));
     }
   }
-  this->Source.Merge(edit.Keep, gone, edit.Position, edit.KeepStays);
+  this->Source.Merge(edit.Keep, gone, edit.Position);
   work.Counted.Volumes.Add(this->Volumes.ComponentOf(edit.Keep), volumeChange);
   work.Counted.RemovedFaces += work.Around.NumberOfGoneFaces;
   work.Around.Edge = None;

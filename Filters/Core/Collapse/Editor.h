@@ -81,7 +81,7 @@ public:
   const HalfEdgeMesh& Mesh() const { return this->Half; }
   const FaceAreas& Areas() const { return *this->FaceGeometry; }
   const Original& Reference() const { return this->Source; }
-  Original& Reference() { return this->Source; }
+  Index NumberOfFragments() const { return this->Volumes.Count(); }
   std::int64_t NumberOfEdits() const { return this->Edits; }
   const std::array<std::int64_t, NumberOfVerdicts>& Refusals() const
   {

@@ -39,6 +39,7 @@ public:
   /// What may still be lost is shared out evenly among `workers` who do not know of each other's changes.
   bool MayChange(Index v, double volumeChange, const Changes& pending, int workers) const;
 
+  Index Count() const { return static_cast<Index>(this->Volumes.size()); }
   Index ComponentOf(Index v) const { return this->OfVertex[v]; }
 
   /// Takes a worker's changes over.

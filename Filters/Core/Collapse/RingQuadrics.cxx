@@ -3,6 +3,7 @@
 #include "RingQuadrics.h"
 
 #include "Parallel.h"
+#include "Workspace.h"
 
 namespace bonedecimate
 {
@@ -66,36 +67,56 @@ private:
   Vector3 G = Vector3::Zero(); // mm^2
 };
 
-RingQuadric SumAt(const HalfEdgeMesh& mesh, Index v)
+/// Sums the planes around one vertex after the other.
+class RingSum
 {
-  const Vector3& origin = mesh.Position(v);
-  Sum sum(1.0 / mesh.Unit());
-  Vector3 arm = Vector3::Zero(); // to the vertex met last
-  bool isFirst = true;
-  for (const Index h : mesh.OutgoingOf(v))
+public:
+  explicit RingSum(const HalfEdgeMesh& mesh)
+    : Mesh(mesh)
   {
-    if (isFirst)
-    {
-      arm = mesh.Position(mesh.Target(h)) - origin;
-      isFirst = false;
-    }
-    if (mesh.Twin(h) == None)
-    {
-      sum.AddBorderEdge(arm);
-    }
-    const Index back = HalfEdgeMesh::Previous(h);
-    const Vector3 next = mesh.Position(mesh.Origin(back)) - origin;
-    sum.AddPlane(arm.cross(next));
-    arm = next;
-    if (mesh.Twin(back) == None)
-    {
-      sum.AddBorderEdge(arm);
-    }
   }
-  RingQuadric quadric;
-  sum.AddTo(quadric, 1.0);
-  return quadric;
-}
+
+  RingQuadric At(Index v)
+  {
+    this->Arms.clear();
+    this->Mesh.VisitEdges(v,
+      [&](Index h)
+      {
+        const Index other = this->Mesh.Across(h, v);
+        this->Arms.emplace_back(this->Mesh.Position(other) - this->Mesh.Position(v));
+      });
+    const bool isOpen = this->Mesh.Kind(v) == VertexKind::Border;
+    const double perUnit = 1.0 / this->Mesh.Unit();
+    RingQuadric quadric = BestKernels().SumPlanes(this->Fill(isOpen), perUnit * perUnit);
+    if (isOpen)
+    {
+      Sum border(perUnit);
+      border.AddBorderEdge(this->Arms.front());
+      border.AddBorderEdge(this->Arms.back());
+      border.AddTo(quadric, 1.0);
+    }
+    return quadric;
+  }
+
+private:
+  const Fan& Fill(bool isOpen)
+  {
+    const int points = static_cast<int>(this->Arms.size());
+    const Fan& fan = this->Storage.Reserve(isOpen ? points - 1 : points);
+    for (int i = 0; i <= fan.Faces; ++i)
+    {
+      const Vector3& arm = this->Arms[static_cast<std::size_t>(i < points ? i : 0)];
+      fan.Ring[0][i] = arm[0];
+      fan.Ring[1][i] = arm[1];
+      fan.Ring[2][i] = arm[2];
+    }
+    return fan;
+  }
+
+  const HalfEdgeMesh& Mesh;
+  std::vector<Vector3> Arms; // to the ring, mm
+  FanStorage Storage;
+};
 
 void TakeGonePlanes(
   HalfEdgeMesh& mesh, const Neighbourhood& around, const Vector3& origin, const Vector3& end)
@@ -129,16 +150,15 @@ void ExchangeBorderEdges(HalfEdgeMesh& mesh, const Neighbourhood& around, Index 
 
 void SumRingQuadrics(HalfEdgeMesh& mesh, int threads)
 {
-  const std::size_t count = static_cast<std::size_t>(mesh.NumberOfVertexSlots());
-  ForEachChunk(
-    count, threads, [](double) { return true; },
+  ForEachBlock(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), threads,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
+      RingSum sum(mesh);
       for (Index v = static_cast<Index>(first); v < static_cast<Index>(last); ++v)
       {
-        if (mesh.Kind(v) != VertexKind::Locked)
+        if (mesh.Outgoing(v) != None && mesh.Kind(v) != VertexKind::Locked)
         {
-          mesh.Quadric(v) = SumAt(mesh, v);
+          mesh.Quadric(v) = sum.At(v);
         }
       }
     });

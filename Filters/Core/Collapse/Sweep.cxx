@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sweep.h"
 
-#include "Mesh/MeanEdgeLength.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -13,17 +12,21 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr Index VerticesOfBlock = 4096; // that are still there, on average
+/// Vertices of a block that are still there, on average: sixteen blocks, within limits.
+constexpr Index LeastOfBlock = 2048;
+constexpr Index MostOfBlock = 16384;
 constexpr Index RenewBelowShare = 50;
-constexpr Index LeastForRounds = 8 * VerticesOfBlock;
+constexpr Index LeastForRounds = 8 * LeastOfBlock; // vertices
+/// Of the collapses still wanted, what a round should come to: short of the final limit.
+constexpr double ShareOfRound = 0.7;
+constexpr int FirstStep = 2 * KeysOfOctave;
+constexpr int LargestStep = 4 * KeysOfOctave;
 
 /// Costs are proportional to length^3.5.
 float CostFactorOf(const HalfEdgeMesh& mesh)
 {
-  const double lengths = MeanEdgeLength(mesh) / mesh.Unit();
-  return lengths > 0.0
-    ? static_cast<float>(1.0 / (lengths * lengths * lengths * std::sqrt(lengths)))
-    : 1.0F;
+  const double length = mesh.LengthAtFirst() / mesh.Unit();
+  return static_cast<float>(1.0 / (length * length * length * std::sqrt(length)));
 }
 }
 
@@ -55,25 +58,41 @@ StopReason Sweep::Run(const Monitor& monitor)
     {
       return StopReason::Aborted;
     }
-    while (this->Wanted.Error == 0.0 && this->CollapsesWanted() > this->FacesAtFirst / 64 &&
-      this->Work.Mesh().NumberOfVertexSlots() > LeastForRounds)
-    {
-      const Index wanted = this->CollapsesWanted();
-      if (!this->Round(monitor))
-      {
-        return StopReason::Aborted;
-      }
-      if (wanted - this->CollapsesWanted() < wanted / 16)
-      {
-        break;
-      }
-    }
-    if (!this->Tail(monitor))
+    if (!this->RunRounds(monitor) || !this->Tail(monitor))
     {
       return StopReason::Aborted;
     }
   }
   return this->End.Reason();
+}
+
+//------------------------------------------------------------------------------
+/// As long as they are worth it. False if the monitor stopped it.
+bool Sweep::RunRounds(const Monitor& monitor)
+{
+  if (this->Wanted.Error > 0.0 || this->Work.Mesh().NumberOfVertexSlots() < LeastForRounds)
+  {
+    return true;
+  }
+  CostKey limit = this->FirstLimit();
+  int step = FirstStep;
+  for (int round = 0; this->CollapsesWanted() > this->FacesAtFirst / 128; ++round)
+  {
+    const Index wanted = this->CollapsesWanted();
+    if (!this->Round(limit, false, monitor) || !this->Round(limit, true, monitor) ||
+      !this->SweepWhole(limit, this->Wanted.Faces, false, monitor))
+    {
+      return false;
+    }
+    const Index left = this->CollapsesWanted();
+    if (round > 0)
+    {
+      const double perKey = std::max(1, wanted - left) / static_cast<double>(step);
+      step = static_cast<int>(std::clamp<double>(ShareOfRound * left / perKey, 1.0, LargestStep));
+    }
+    limit = static_cast<CostKey>(std::min<int>(limit + step, NeverKey - 1));
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -96,46 +115,42 @@ Index Sweep::CollapsesWanted() const
 }
 
 //------------------------------------------------------------------------------
-/// False if the monitor stopped it.
-bool Sweep::Round(const Monitor& monitor)
-{
-  const std::vector<BlockTask> blocks = this->Blocks(this->LimitFor(this->CollapsesWanted()));
-  std::vector<Tally> counted(blocks.size());
-  const bool done = ForEachChunk(
-    blocks.size(), this->Threads, [&](double) { return this->End.Tell(monitor); },
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      BlockSweep block(this->Work, this->Known);
-      for (std::size_t i = first; i < last; ++i)
-      {
-        block.Run(blocks[i], [] { return true; });
-        counted[i] = std::exchange(block.Counted(), {});
-      }
-    });
-  for (Tally& tally : counted)
-  {
-    this->Work.Settle(tally);
-  }
-  ++this->Rounds;
-  return done;
-}
-
-//------------------------------------------------------------------------------
-/// The highest key such that no more than that many are not above it.
-int Sweep::LimitFor(Index collapses) const
+/// The highest key such that no more vertices than there are collapses wanted are not above it.
+CostKey Sweep::FirstLimit() const
 {
   std::vector<Index> histogram(NeverKey + 1, 0);
   for (const CostKey key : this->Known.Keys)
   {
     ++histogram[key];
   }
-  Index sum = 0;
-  int limit = 0;
-  while (limit < NeverKey && sum + histogram[static_cast<std::size_t>(limit)] <= collapses)
+  Index left = this->CollapsesWanted();
+  std::size_t limit = 0;
+  while (limit < NeverKey && histogram[limit] <= left)
   {
-    sum += histogram[static_cast<std::size_t>(limit++)];
+    left -= histogram[limit++];
   }
-  return limit - 1;
+  return static_cast<CostKey>(limit > 0 ? limit - 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+/// Blocks side by side. False if the monitor stopped it.
+bool Sweep::Round(CostKey limit, bool isShifted, const Monitor& monitor)
+{
+  const std::vector<BlockTask> blocks = this->Blocks(limit, isShifted);
+  std::vector<Tally> counted(blocks.size());
+  const bool done = ForEachPart(
+    blocks.size(), this->Threads, [&](double) { return this->End.Tell(monitor); },
+    [&](std::size_t i)
+    {
+      BlockSweep block(this->Work, this->Known);
+      block.Run(blocks[i], [] { return true; });
+      counted[i] = std::exchange(block.Counted(), {});
+    });
+  for (Tally& tally : counted)
+  {
+    this->Work.Settle(tally);
+  }
+  return done;
 }
 
 //------------------------------------------------------------------------------
@@ -144,29 +159,35 @@ Index Sweep::BlockSize() const
 {
   const Index slots = this->Work.Mesh().NumberOfVertexSlots();
   const Index live = std::max(1, this->Work.Mesh().NumberOfFaces() / 2);
-  return static_cast<Index>(
-    std::min<std::int64_t>(slots, std::int64_t{ VerticesOfBlock } * slots / live));
+  const std::int64_t wanted = std::clamp(live / 16, LeastOfBlock, MostOfBlock);
+  return static_cast<Index>(std::min<std::int64_t>(slots, wanted * slots / live));
 }
 
 //------------------------------------------------------------------------------
-std::vector<BlockTask> Sweep::Blocks(int limit) const
+/// Each may collapse in proportion to the vertices it has below the limit.
+std::vector<BlockTask> Sweep::Blocks(CostKey limit, bool isShifted) const
 {
   const Index slots = this->Work.Mesh().NumberOfVertexSlots();
   const Index size = this->BlockSize();
   std::vector<BlockTask> blocks;
-  for (Index first = this->Rounds % 2 == 0 ? 0 : -size / 2; first < slots; first += size)
+  std::int64_t ready = 0;
+  for (Index first = isShifted ? -size / 2 : 0; first < slots; first += size)
   {
     BlockTask task;
-    task.First = std::max(0, first);
-    task.Last = std::min(slots, first + size);
+    task.Vertices = { std::max(0, first), std::min(slots, first + size) };
     task.Limit = limit;
-    task.Collapses = static_cast<Index>(std::count_if(this->Known.Keys.begin() + task.First,
-      this->Known.Keys.begin() + task.Last, [&](CostKey key) { return key <= limit; }));
+    task.Collapses =
+      static_cast<Index>(std::count_if(this->Known.Keys.begin() + task.Vertices.First,
+        this->Known.Keys.begin() + task.Vertices.Last, [&](CostKey key) { return key <= limit; }));
+    ready += task.Collapses;
     blocks.push_back(task);
   }
+  const std::int64_t wanted = this->CollapsesWanted();
   for (BlockTask& task : blocks)
   {
     task.Workers = static_cast<int>(blocks.size());
+    task.Collapses =
+      static_cast<Index>(task.Collapses * wanted / std::max<std::int64_t>(wanted, ready));
   }
   return blocks;
 }
@@ -175,29 +196,29 @@ std::vector<BlockTask> Sweep::Blocks(int limit) const
 /// False if the monitor stopped it.
 bool Sweep::Tail(const Monitor& monitor)
 {
-  BlockSweep whole(this->Work, this->Known);
-  bool goesOn = true;
-  BlockTask task;
-  task.Last = this->Work.Mesh().NumberOfVertexSlots();
-  task.Limit = NeverKey - 1;
   const Index renewBelow = this->FacesAtFirst / RenewBelowShare;
-  for (const bool renewsRing : { false, true })
-  {
-    task.RenewsRing = renewsRing;
-    const Index until = renewsRing ? 0 : renewBelow;
-    task.Collapses = std::max(0, this->Work.Mesh().NumberOfFaces() - until);
-    whole.Run(task,
-      [&]
-      {
-        this->Work.Settle(whole.Counted());
-        goesOn = this->End.Tell(monitor);
-        return goesOn && !this->End.IsReached() && this->Work.Mesh().NumberOfFaces() > until;
-      });
-    if (!goesOn || this->End.IsReached())
+  return this->SweepWhole(NeverKey - 1, renewBelow, false, monitor) &&
+    (this->End.IsReached() || this->SweepWhole(NeverKey - 1, 0, true, monitor));
+}
+
+//------------------------------------------------------------------------------
+/// The mesh as one block, down to so many faces. False if the monitor stopped it.
+bool Sweep::SweepWhole(CostKey limit, Index faces, bool renewsRing, const Monitor& monitor)
+{
+  BlockSweep whole(this->Work, this->Known);
+  BlockTask task;
+  task.Vertices.Last = this->Work.Mesh().NumberOfVertexSlots();
+  task.Limit = limit;
+  task.RenewsRing = renewsRing;
+  task.Collapses = std::max(0, this->Work.Mesh().NumberOfFaces() - faces);
+  bool goesOn = true;
+  whole.Run(task,
+    [&]
     {
-      break;
-    }
-  }
+      this->Work.Settle(whole.Counted());
+      goesOn = this->End.Tell(monitor);
+      return goesOn && !this->End.IsReached() && this->Work.Mesh().NumberOfFaces() > faces;
+    });
   this->Work.Settle(whole.Counted());
   return goesOn;
 }

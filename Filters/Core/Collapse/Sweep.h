@@ -34,11 +34,13 @@ public:
 private:
   bool RenewAll(const Monitor& monitor);
   Index CollapsesWanted() const;
-  bool Round(const Monitor& monitor);
-  int LimitFor(Index collapses) const;
+  bool RunRounds(const Monitor& monitor);
+  CostKey FirstLimit() const;
+  bool Round(CostKey limit, bool isShifted, const Monitor& monitor);
   Index BlockSize() const;
-  std::vector<BlockTask> Blocks(int limit) const;
+  std::vector<BlockTask> Blocks(CostKey limit, bool isShifted) const;
   bool Tail(const Monitor& monitor);
+  bool SweepWhole(CostKey limit, Index faces, bool renewsRing, const Monitor& monitor);
 
   Editor& Work;
   Stops Wanted;
@@ -46,7 +48,6 @@ private:
   int Threads;
   VertexKeys Known;
   Index FacesAtFirst;
-  int Rounds = 0;
 };
 }
 

@@ -2,113 +2,274 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoundingTree.h"
 
+#include "Parallel.h"
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace bonedecimate
 {
 namespace
 {
-constexpr Index LeafSize = 4;
-/// The halves differ by one at most, so 2^31 triangles are 29 levels above the leaves.
-constexpr std::size_t LargestDepth = 64;
+constexpr Index Width = 4; // children of a node
+/// Ranges shrink to little more than a quarter from level to level, so that 2^31 triangles need 17 levels.
+constexpr std::size_t LargestStack = 128;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-/// A box may seem farther than the triangle in it by rounding; with this a hint never changes the answer.
-constexpr double Slack = 1.0 + 1e-12;
+/// Boxes grow by this share of the whole and of the coordinate: four times what single precision rounds.
+constexpr double Growth = 1.0 / (1 << 22);
+/// A squared distance of boxes in single precision may be too large by less than this.
+constexpr double Slack = 1.0 + 1e-5;
+/// Farther away than this (in lengths of the whole) all boxes are about equally far; squares must stay finite.
+constexpr double Far = 1e12;
+constexpr double LargestSquare = 1e38;
+constexpr double LeastLength = 1e-290; // mm; with a shorter whole the scale would overflow
+
+struct Range
+{
+  Index First, Last;
+  Index Count() const { return this->Last - this->First; }
+};
+
+/// The middle of a triangle.
+struct Middle
+{
+  std::array<float, 3> At;
+  Index Id;
+};
+
+/// Half of the range and, at its end, an empty one, if it fits into one node.
+std::array<Range, 2> Halve(Middle* middles, const Range& range)
+{
+  if (range.Count() <= Width)
+  {
+    return { range, Range{ range.Last, range.Last } };
+  }
+  std::array<float, 3> low = middles[range.First].At;
+  std::array<float, 3> high = low;
+  for (Index i = range.First + 1; i < range.Last; ++i)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = std::min(low[axis], middles[i].At[axis]);
+      high[axis] = std::max(high[axis], middles[i].At[axis]);
+    }
+  }
+  const auto length = [&](std::size_t axis) { return high[axis] - low[axis]; };
+  std::size_t axis = length(1) > length(0) ? 1 : 0;
+  axis = length(2) > length(axis) ? 2 : axis;
+  const Index half = (range.Count() / 2 + Width - 1) / Width * Width;
+  const Index middle = range.First + half;
+  std::nth_element(middles + range.First, middles + middle, middles + range.Last,
+    [axis](const Middle& a, const Middle& b)
+    { return a.At[axis] != b.At[axis] ? a.At[axis] < b.At[axis] : a.Id < b.Id; });
+  return { Range{ range.First, middle }, Range{ middle, range.Last } };
 }
 
-BoundingTree::BoundingTree(const Surface& surface)
+/// The place whose nearest triangle is asked for, in the tree's unit.
+struct Asked
 {
-  const Index count = static_cast<Index>(surface.Triangles.size());
-  std::vector<Vector3> middles(surface.Triangles.size());
-  std::vector<Index> order(surface.Triangles.size());
-  std::iota(order.begin(), order.end(), 0);
-  this->Slots.resize(surface.Triangles.size());
-  this->SlotOfTriangle.resize(surface.Triangles.size());
-  for (std::size_t t = 0; t < middles.size(); ++t)
+  std::array<float, 3> Low, High; // it lies between them
+};
+
+/// Squared distances to four boxes. Without maxima, which gcc 12 does not compute four at a time: x + |x| is twice the
+/// greater of x and 0, and of the distances below and above a box one at most is positive.
+template <typename Boxes>
+std::array<float, 4> SquaredDistances(const Asked& asked, const Boxes& boxes)
+{
+  std::array<float, 4> sum = { 0.0F, 0.0F, 0.0F, 0.0F };
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const Triangle& corners = surface.Triangles[t];
-    middles[t] =
-      surface.Points[corners[0]] + surface.Points[corners[1]] + surface.Points[corners[2]];
+    std::array<float, 4> twice;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      const float below = boxes.Low[axis][i] - asked.High[axis];
+      const float above = asked.Low[axis] - boxes.High[axis][i];
+      twice[i] = (below + std::abs(below)) + (above + std::abs(above));
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      sum[i] += 0.25F * twice[i] * twice[i];
+    }
   }
-  if (count > 0)
+  return sum;
+}
+}
+
+//------------------------------------------------------------------------------
+class BoundingTree::Builder
+{
+public:
+  Builder(const Surface& surface, int threads, BoundingTree& tree)
+    : Source(surface)
+    , Threads(threads)
+    , Tree(tree)
+    , Middles(surface.Triangles.size())
   {
-    this->Nodes.reserve(surface.Triangles.size());
-    this->Build(order, middles, 0, count);
   }
-  for (std::size_t slot = 0; slot < order.size(); ++slot)
+
+  void Run()
   {
-    const Triangle& points = surface.Triangles[order[slot]];
-    this->Slots[slot] = { { surface.Points[points[0]], surface.Points[points[1]],
-                            surface.Points[points[2]] },
-      points, order[slot] };
-    this->SlotOfTriangle[order[slot]] = static_cast<Index>(slot);
+    this->Tree.SetUnit(this->Source);
+    this->FindMiddles();
+    this->Tree.Nodes.reserve(this->Middles.size() / 3 + 1);
+    std::vector<std::size_t> levels = { 0 };
+    for (std::vector<Range> ranges = { { 0, static_cast<Index>(this->Middles.size()) } };
+         !ranges.empty();)
+    {
+      ranges = this->AddLevel(ranges);
+      levels.push_back(this->Tree.Nodes.size());
+    }
+    this->FillSlots();
+    for (std::size_t level = levels.size() - 1; level-- > 0;)
+    {
+      const std::size_t first = levels[level];
+      ForEachId(levels[level + 1] - first, this->Threads,
+        [&](std::size_t i) { this->Tree.Bound(this->Tree.Nodes[first + i]); });
+    }
   }
-  // Children stand behind their parents, so that boxes are filled from the back.
-  for (std::size_t node = this->Nodes.size(); node-- > 0;)
+
+private:
+  void FindMiddles()
   {
-    this->Bound(this->Nodes[node]);
+    ForEachId(this->Middles.size(), this->Threads,
+      [&](std::size_t t)
+      {
+        const Triangle& c = this->Source.Triangles[t];
+        const std::vector<Vector3>& p = this->Source.Points;
+        for (Eigen::Index axis = 0; axis < 3; ++axis)
+        {
+          const double sum = p[c[0]][axis] + p[c[1]][axis] + p[c[2]][axis];
+          this->Middles[t].At[static_cast<std::size_t>(axis)] =
+            this->Tree.ToUnit(sum / 3.0, axis, 0.0);
+        }
+        this->Middles[t].Id = static_cast<Index>(t);
+      });
+  }
+
+  std::vector<Range> HalveAll(const std::vector<Range>& ranges)
+  {
+    std::vector<Range> halves(2 * ranges.size());
+    ForEachChunk(ranges.size(), this->Threads, Monitor(),
+      [&](std::size_t, std::size_t first, std::size_t last)
+      {
+        for (std::size_t i = first; i < last; ++i)
+        {
+          const std::array<Range, 2> two = Halve(this->Middles.data(), ranges[i]);
+          halves[2 * i] = two[0];
+          halves[2 * i + 1] = two[1];
+        }
+      });
+    return halves;
+  }
+
+  /// A node for each range; returns the ranges of the next level's nodes.
+  std::vector<Range> AddLevel(const std::vector<Range>& ranges)
+  {
+    const std::vector<Range> quarters = this->HalveAll(this->HalveAll(ranges));
+    const std::size_t nextLevel = this->Tree.Nodes.size() + ranges.size();
+    std::vector<Range> next;
+    for (std::size_t i = 0; i < ranges.size(); ++i)
+    {
+      Node node;
+      for (std::size_t child = 0; child < 4; ++child)
+      {
+        const Range& quarter = quarters[4 * i + child];
+        const Index slot = ranges[i].First + static_cast<Index>(child);
+        const bool isLast = ranges[i].Count() <= Width;
+        const bool isThere = isLast ? slot < ranges[i].Last : quarter.Count() > 0;
+        node.Children[child] = !isThere ? 0 // the root is nobody's child
+          : isLast                      ? ~slot
+                                        : static_cast<Index>(nextLevel + next.size());
+        if (isThere && !isLast)
+        {
+          next.push_back(quarter);
+        }
+      }
+      this->Tree.Nodes.push_back(node);
+    }
+    return next;
+  }
+
+  void FillSlots()
+  {
+    this->Tree.Slots.resize(this->Middles.size());
+    this->Tree.SlotOfTriangle.resize(this->Middles.size());
+    ForEachId(this->Middles.size(), this->Threads,
+      [&](std::size_t slot)
+      {
+        const Index id = this->Middles[slot].Id;
+        const Triangle& c = this->Source.Triangles[id];
+        const std::vector<Vector3>& p = this->Source.Points;
+        this->Tree.Slots[slot] = { { p[c[0]], p[c[1]], p[c[2]] }, c, id };
+        this->Tree.SlotOfTriangle[id] = static_cast<Index>(slot);
+      });
+  }
+
+  const Surface& Source;
+  int Threads;
+  BoundingTree& Tree;
+  std::vector<Middle> Middles; // by slot
+};
+
+//------------------------------------------------------------------------------
+BoundingTree::BoundingTree(const Surface& surface, int threads)
+{
+  if (!surface.Triangles.empty())
+  {
+    Builder(surface, threads, *this).Run();
   }
 }
 
 //------------------------------------------------------------------------------
-void BoundingTree::Build(
-  std::vector<Index>& order, const std::vector<Vector3>& middles, Index first, Index last)
+void BoundingTree::SetUnit(const Surface& surface)
 {
-  const std::size_t self = this->Nodes.size();
-  this->Nodes.emplace_back();
-  if (last - first <= LeafSize)
+  this->Low = surface.Points[surface.Triangles[0][0]];
+  Vector3 high = this->Low;
+  for (const Triangle& corners : surface.Triangles)
   {
-    this->Nodes[self].First = first;
-    this->Nodes[self].Count = last - first;
-    return;
+    for (const Index corner : corners)
+    {
+      this->Low = this->Low.cwiseMin(surface.Points[corner]);
+      high = high.cwiseMax(surface.Points[corner]);
+    }
   }
-  Vector3 low = middles[order[first]];
-  Vector3 high = low;
-  for (Index i = first + 1; i < last; ++i)
-  {
-    low = low.cwiseMin(middles[order[i]]);
-    high = high.cwiseMax(middles[order[i]]);
-  }
-  Eigen::Index axis = 0;
-  (high - low).maxCoeff(&axis);
-  const Index middle = first + (last - first) / 2;
-  std::nth_element(order.begin() + first, order.begin() + middle, order.begin() + last,
-    [&](Index a, Index b)
-    { return middles[a][axis] != middles[b][axis] ? middles[a][axis] < middles[b][axis] : a < b; });
-  this->Build(order, middles, first, middle);
-  this->Nodes[self].First = static_cast<Index>(this->Nodes.size());
-  this->Build(order, middles, middle, last);
+  this->Scale = 1.0 / std::max(LeastLength, (high - this->Low).maxCoeff());
+}
+
+//------------------------------------------------------------------------------
+/// From mm to a coordinate in which all triangles lie between 0 and 1, safely below (side -1) or above (side 1).
+float BoundingTree::ToUnit(double coordinate, Eigen::Index axis, double side) const
+{
+  const double unit = std::clamp((coordinate - this->Low[axis]) * this->Scale, -Far, Far);
+  return static_cast<float>(unit + side * Growth * (std::abs(unit) + 1.0));
 }
 
 //------------------------------------------------------------------------------
 void BoundingTree::Bound(Node& node) const
 {
-  if (node.Count == 0)
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  for (std::size_t child = 0; child < 4; ++child)
   {
-    const Node& left = *(&node + 1);
-    const Node& right = this->Nodes[node.First];
-    node.Low = left.Low.cwiseMin(right.Low);
-    node.High = left.High.cwiseMax(right.High);
-    return;
-  }
-  node.Low = Vector3::Constant(Infinity);
-  node.High = Vector3::Constant(-Infinity);
-  for (Index slot = node.First; slot < node.First + node.Count; ++slot)
-  {
-    for (const Vector3& corner : this->Slots[slot].Corners)
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      node.Low = node.Low.cwiseMin(corner);
-      node.High = node.High.cwiseMax(corner);
+      const auto along = static_cast<Eigen::Index>(axis);
+      float& low = node.Low[axis][child] = infinity;
+      float& high = node.High[axis][child] = -infinity;
+      if (node.Children[child] < 0)
+      {
+        const auto& [a, b, c] = this->Slots[~node.Children[child]].Corners;
+        low = this->ToUnit(std::min({ a[along], b[along], c[along] }), along, -1.0);
+        high = this->ToUnit(std::max({ a[along], b[along], c[along] }), along, 1.0);
+      }
+      else if (node.Children[child] > 0)
+      {
+        const Node& inner = this->Nodes[node.Children[child]];
+        low = *std::min_element(inner.Low[axis].begin(), inner.Low[axis].end());
+        high = *std::max_element(inner.High[axis].begin(), inner.High[axis].end());
+      }
     }
   }
-}
-
-//------------------------------------------------------------------------------
-double BoundingTree::SquaredDistanceToBox(const Node& node, const Vector3& p)
-{
-  return (node.Low - p).cwiseMax(p - node.High).cwiseMax(0.0).squaredNorm();
 }
 
 //------------------------------------------------------------------------------
@@ -117,39 +278,55 @@ void BoundingTree::Walk(const Vector3& p, Limit limit, Visit visit) const
 {
   struct Waiting
   {
-    Index Node;
-    double SquaredDistance;
+    float Square;
+    Index Child;
   };
-  std::array<Waiting, LargestDepth> stack;
+  std::array<Waiting, LargestStack> stack;
   std::size_t size = 0;
+  Asked asked;
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+  {
+    asked.Low[static_cast<std::size_t>(axis)] = this->ToUnit(p[axis], axis, -1.0);
+    asked.High[static_cast<std::size_t>(axis)] = this->ToUnit(p[axis], axis, 1.0);
+  }
+  const auto farthest = [&]
+  {
+    const double square = limit() * this->Scale * this->Scale * Slack;
+    return static_cast<float>(std::min(square, LargestSquare));
+  };
+  float most = farthest();
   if (!this->Nodes.empty())
   {
-    stack[size++] = { 0, SquaredDistanceToBox(this->Nodes[0], p) };
+    stack[size++] = { 0.0F, 0 };
   }
   while (size > 0)
   {
     const Waiting waiting = stack[--size];
-    if (waiting.SquaredDistance > Slack * limit())
+    if (waiting.Square > most)
     {
       continue;
     }
-    const Node& node = this->Nodes[waiting.Node];
-    if (node.Count > 0)
+    if (waiting.Child < 0)
     {
-      for (Index slot = node.First; slot < node.First + node.Count; ++slot)
+      visit(this->Slots[~waiting.Child]);
+      most = farthest();
+      continue;
+    }
+    const Node& node = this->Nodes[waiting.Child];
+    const std::array<float, 4> squares = SquaredDistances(asked, node);
+    const std::size_t base = size; // above it the nearest comes last
+    for (std::size_t child = 0; child < 4; ++child)
+    {
+      if (squares[child] <= most)
       {
-        visit(this->Slots[slot]);
+        std::size_t at = size++;
+        for (; at > base && stack[at - 1].Square < squares[child]; --at)
+        {
+          stack[at] = stack[at - 1];
+        }
+        stack[at] = { squares[child], node.Children[child] };
       }
-      continue;
     }
-    Waiting near = { waiting.Node + 1, SquaredDistanceToBox(this->Nodes[waiting.Node + 1], p) };
-    Waiting far = { node.First, SquaredDistanceToBox(this->Nodes[node.First], p) };
-    if (far.SquaredDistance < near.SquaredDistance)
-    {
-      std::swap(near, far);
-    }
-    stack[size++] = far;
-    stack[size++] = near;
   }
 }
 

@@ -8,8 +8,8 @@
  * the triangles as they are now (RingQuadric):
  *
  *     M = Mv + Mw      r = (Mw - Mv) e      g = Gv + Gw      d = (Gw - Gv) . e
- *     x0 = (M + 1e-4 tr M / 3 I)^-1 r                                    least squared distance to the planes
- *     y  = (M + 1e-4 tr M / 3 I)^-1 g,   x = x0 + y (d - g.x0) / (g.y)   the same, volume kept
+ *     x0 = (M + 1e-5 tr M / 3 I)^-1 r                                    least squared distance to the planes
+ *     y  = (M + 1e-5 tr M / 3 I)^-1 g,   x = x0 + y (d - g.x0) / (g.y)   the same, volume kept
  *     |x| > 2 lengths: x0; that too far as well: the middle
  *     Q = x.Mx - 2 r.x + e.Me,   S = tr M,   cost = S^(1/4) Q^(3/4) + 0.03 (S / 2) D^(3/2)
  *
@@ -29,12 +29,12 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr float Ridge = 1e-4F; // of the mean eigenvalue of M
+constexpr float Ridge = 1e-5F; // of the mean eigenvalue of M
 constexpr float MemoryWeight = 0.03F;
 constexpr float FlatShare = 1e-8F;    // of S length^2
 constexpr float FarthestMove = 16.0F; // (2 lengths)^2 in squares of half a length
 constexpr double LeastCosine = 0.2;   // 78 degrees in one step; 90 would let a face end on its edge
-constexpr double LeastQuality = 0.02; // below this, no sliver worse than before
+constexpr double LeastQuality = 0.005; // below this, no sliver worse than before
 constexpr double QualityOfEquilateral = 6.928203230275509; // 4 sqrt(3)
 
 /// Records of one vertex, side by side.
@@ -83,31 +83,50 @@ inline const float* QuadricOf(const VertexRecord* record)
   return reinterpret_cast<const float*>(&record->Quadric); // M, then G
 }
 
+/// Turns eight rows of four floats, the later four rows beside the earlier, into four columns of eight.
+inline void TransposeHalves(Floats (&r)[4])
+{
+  const Floats a = __builtin_shufflevector(r[0], r[1], 0, 8, 1, 9, 4, 12, 5, 13);
+  const Floats b = __builtin_shufflevector(r[0], r[1], 2, 10, 3, 11, 6, 14, 7, 15);
+  const Floats c = __builtin_shufflevector(r[2], r[3], 0, 8, 1, 9, 4, 12, 5, 13);
+  const Floats d = __builtin_shufflevector(r[2], r[3], 2, 10, 3, 11, 6, 14, 7, 15);
+  r[0] = __builtin_shufflevector(a, c, 0, 1, 8, 9, 4, 5, 12, 13);
+  r[1] = __builtin_shufflevector(a, c, 2, 3, 10, 11, 6, 7, 14, 15);
+  r[2] = __builtin_shufflevector(b, d, 0, 1, 8, 9, 4, 5, 12, 13);
+  r[3] = __builtin_shufflevector(b, d, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+
+/// From one position to another, times the scale; the fourth is of no meaning.
+inline FourFloats Arm(const VertexRecord* to, Doubles from, double scale)
+{
+  return __builtin_convertvector((Load<Doubles>(to) - from) * scale, FourFloats);
+}
+
 inline Ends LoadEnds(const EdgeBatch& batch)
 {
-  Floats rows[8];
-  alignas(32) float last[8];
-  alignas(32) float half[3][8];
-  double first[3];
-  std::memcpy(first, batch.First, sizeof(first));
-  const double scale = 0.5 * batch.PerUnit;
+  const VertexRecord* records[8];
   for (int i = 0; i < 8; ++i)
   {
-    const VertexRecord* record = i < batch.Count ? batch.Others[i] : batch.First;
-    const float* quadric = QuadricOf(record);
-    double place[3];
-    std::memcpy(place, record, sizeof(place));
-    rows[i] = Load<Floats>(quadric);
-    last[i] = quadric[8];
-    for (int k = 0; k < 3; ++k)
-    {
-      half[k][i] = static_cast<float>((place[k] - first[k]) * scale);
-    }
+    records[i] = i < batch.Count ? batch.Others[i] : batch.First;
+  }
+  Floats rows[8];
+  for (int i = 0; i < 8; ++i)
+  {
+    rows[i] = Load<Floats>(QuadricOf(records[i]));
   }
   Transpose(rows);
-  return { { Load<Floats>(half[0]), Load<Floats>(half[1]), Load<Floats>(half[2]) },
-    { rows[0], rows[1], rows[2], rows[3], rows[4], rows[5] },
-    { rows[6], rows[7], Load<Floats>(last) } };
+  const Doubles first = Load<Doubles>(batch.First);
+  const double scale = 0.5 * batch.PerUnit;
+  Floats half[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    half[i] = Join(Arm(records[i], first, scale), Arm(records[i + 4], first, scale));
+  }
+  TransposeHalves(half);
+  const auto last = [&](int i) { return QuadricOf(records[i])[8]; };
+  return { { half[0], half[1], half[2] }, { rows[0], rows[1], rows[2], rows[3], rows[4], rows[5] },
+    { rows[6], rows[7],
+      Floats{ last(0), last(1), last(2), last(3), last(4), last(5), last(6), last(7) } } };
 }
 
 struct EdgeSystem
@@ -179,7 +198,9 @@ void JudgeEdges(const EdgeBatch& batch, EdgeAnswers& answers)
   const float never = std::numeric_limits<float>::infinity();
   const FloatMask counts =
     (freedom != static_cast<std::int32_t>(Freedom::Nowhere)) & (cost < never);
-  Store(counts ? cost : zero + never, answers.Costs);
+  const Floats costs = counts ? cost : zero + never;
+  Store(costs, answers.Costs);
+  answers.Least = LeastOf(costs);
   Store(half.X + x.X, answers.Moves[0]);
   Store(half.Y + x.Y, answers.Moves[1]);
   Store(half.Z + x.Z, answers.Moves[2]);
@@ -330,6 +351,29 @@ inline void AddPlanes(const Vectors<Doubles>& n, Doubles sign, Doubles (&sums)[9
   sums[8] += sign * n.Z;
 }
 
+inline RingQuadric SumOfLanes(const Doubles (&sums)[9])
+{
+  RingQuadric quadric;
+  float* to = reinterpret_cast<float*>(&quadric);
+  for (int k = 0; k < 9; ++k)
+  {
+    to[k] = static_cast<float>((sums[k][0] + sums[k][1]) + (sums[k][2] + sums[k][3]));
+  }
+  return quadric;
+}
+
+RingQuadric SumPlanes(const Fan& fan, double perArea)
+{
+  const Doubles zero = {};
+  Doubles sums[9] = {};
+  for (int i = 0; i < fan.Faces; i += NumberOfDoubles)
+  {
+    const Vectors<Doubles> n = LoadVectors(fan.Ring, i).Cross(LoadVectors(fan.Ring, i + 1));
+    AddPlanes(n, IsFace(i, fan.Faces) ? zero + perArea : zero, sums);
+  }
+  return SumOfLanes(sums);
+}
+
 RingQuadric ExchangePlanes(
   const Fan& fan, VertexRecord* records, const Index* ring, bool closes, double perArea)
 {
@@ -365,17 +409,11 @@ RingQuadric ExchangePlanes(
       }
     }
   }
-  RingQuadric sum;
-  float* to = reinterpret_cast<float*>(&sum);
-  for (int k = 0; k < 9; ++k)
-  {
-    to[k] = static_cast<float>((sums[k][0] + sums[k][1]) + (sums[k][2] + sums[k][3]));
-  }
-  return sum;
+  return SumOfLanes(sums);
 }
 }
 
 extern const Kernels BONEDECIMATE_KERNELS;
 const Kernels BONEDECIMATE_KERNELS = { BONEDECIMATE_KERNELS_NAME, JudgeEdges, JudgeFan, LeaveBehind,
-  ExchangePlanes };
+  SumPlanes, ExchangePlanes };
 }

@@ -44,6 +44,7 @@ struct EdgeBatch
 struct EdgeAnswers
 {
   float Costs[EdgeBatch::Size];    ///< Infinite: never.
+  float Least;                     ///< Of the costs.
   float Moves[3][EdgeBatch::Size]; ///< From First, units.
 };
 
@@ -76,6 +77,8 @@ struct Kernels
   /// The larger of the distances of two points (mm from Start) to the fan after the collapse, each with what it left behind
   /// before, mm.
   double (*LeaveBehind)(const Fan& fan, double atStart, double atEnd);
+  /// The quadric of a vertex at the origin.  @param fan Only Ring is read.  @param perArea 1/mm^2
+  RingQuadric (*SumPlanes)(const Fan& fan, double perArea);
   /// Adds new minus old planes to the quadrics of the ring, and returns the sum of the new ones.
   /// @param ring The vertices of the fan's ring; fewer by one than Faces + 1 if it closes.  @param perArea 1/mm^2
   RingQuadric (*ExchangePlanes)(

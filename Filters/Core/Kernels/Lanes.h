@@ -20,6 +20,7 @@ namespace
 {
 using Floats = float __attribute__((vector_size(32)));
 using FloatMask = std::int32_t __attribute__((vector_size(32)));
+using FourFloats = float __attribute__((vector_size(16)));
 using Doubles = double __attribute__((vector_size(32)));
 using DoubleMask = std::int64_t __attribute__((vector_size(32)));
 constexpr int NumberOfFloats = 8;
@@ -53,6 +54,10 @@ inline Doubles Root(Doubles x)
   }
   return x;
 }
+inline Floats Join(FourFloats first, FourFloats second)
+{
+  return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7);
+}
 template <typename Lanes>
 inline Lanes Larger(Lanes a, Lanes b)
 {
@@ -62,6 +67,13 @@ template <typename Lanes>
 inline Lanes Smaller(Lanes a, Lanes b)
 {
   return a < b ? a : b;
+}
+inline float LeastOf(Floats x)
+{
+  x = Smaller(x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3));
+  x = Smaller(x, __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5));
+  x = Smaller(x, __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6));
+  return x[0];
 }
 template <typename Mask>
 inline bool Any(Mask mask)

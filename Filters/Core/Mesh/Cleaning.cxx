@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace bonedecimate
 {
@@ -293,20 +292,10 @@ private:
   void FillTriangles()
   {
     const std::size_t count = this->Fates.size();
-    std::vector<std::size_t> next(NumberOfBlocks(count), 0); // of each block: its first new place
-    ForEachBlock(count, this->Threads,
-      [&](std::size_t block, std::size_t first, std::size_t last)
-      {
-        const auto* fates = this->Fates.data();
-        next[block] = static_cast<std::size_t>(std::count(fates + first, fates + last, Fate::Kept));
-      });
-    std::size_t kept = 0;
-    for (std::size_t& place : next)
-    {
-      kept += std::exchange(place, kept);
-    }
-    this->Clean.Surface.Triangles.resize(kept);
-    this->Clean.InputTriangle.resize(kept);
+    std::vector<std::size_t> next = StartsOfBlocks(
+      count, this->Threads, [&](std::size_t t) { return this->Fates[t] == Fate::Kept; });
+    this->Clean.Surface.Triangles.resize(next.back());
+    this->Clean.InputTriangle.resize(next.back());
     const std::vector<Index>& number = this->Clean.PointOfInput;
     ForEachBlock(count, this->Threads,
       [&](std::size_t block, std::size_t first, std::size_t last)

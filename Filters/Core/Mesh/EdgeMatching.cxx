@@ -214,25 +214,38 @@ bool EdgeMatching::IsFirstOnEdge(Index origin, const Spoke& spoke) const
 //------------------------------------------------------------------------------
 EdgeCounts EdgeMatching::CountEdges() const
 {
-  EdgeCounts counts;
-  std::int64_t paired = 0;
-  for (std::size_t p = 0; p + 1 < this->Start.size(); ++p)
-  {
-    for (Index i = this->Start[p]; i < this->Start[p + 1]; ++i)
+  EdgeCounts counts = SumOverBlocks(this->Triangles.size(), this->Threads,
+    [this](std::size_t first, std::size_t last)
     {
-      const Spoke& spoke = this->Spokes[i];
-      const Index twin = this->TwinOf[spoke.HalfEdge];
-      paired += twin >= 0 ? 1 : 0;
-      counts.Border += twin == None ? 1 : 0;
-      if (twin == OddEdge && this->IsFirstOnEdge(static_cast<Index>(p), spoke))
+      EdgeCounts part;
+      for (std::size_t f = first; f < last; ++f)
       {
-        ++counts.Edges;
-        counts.NonManifold += this->CountOnEdge(static_cast<Index>(p), spoke.Target) > 2 ? 1 : 0;
+        this->CountEdgesOf(static_cast<Index>(f), part);
       }
+      return part;
+    });
+  counts.Edges += counts.Border + counts.HalfPairs / 2;
+  return counts;
+}
+
+//------------------------------------------------------------------------------
+void EdgeMatching::CountEdgesOf(Index triangle, EdgeCounts& counts) const
+{
+  for (Index k = 0; k < 3; ++k)
+  {
+    const Index h = 4 * triangle + k;
+    const Index twin = this->TwinOf[static_cast<std::size_t>(h)];
+    counts.HalfPairs += twin >= 0 ? 1 : 0;
+    counts.Border += twin == None ? 1 : 0;
+    const Triangle& c = this->Triangles[static_cast<std::size_t>(triangle)];
+    const Spoke spoke = { c[static_cast<std::size_t>((k + 1) % 3)], h };
+    const Index origin = c[static_cast<std::size_t>(k)];
+    if (twin == OddEdge && this->IsFirstOnEdge(origin, spoke))
+    {
+      ++counts.Edges;
+      counts.NonManifold += this->CountOnEdge(origin, spoke.Target) > 2 ? 1 : 0;
     }
   }
-  counts.Edges += paired / 2 + counts.Border;
-  return counts;
 }
 
 //------------------------------------------------------------------------------

@@ -33,6 +33,16 @@ struct EdgeCounts
   std::int64_t Edges = 0;
   std::int64_t Border = 0;      ///< Of exactly one triangle.
   std::int64_t NonManifold = 0; ///< Of three or more triangles.
+  std::int64_t HalfPairs = 0;   ///< Half-edges that have a twin.
+
+  EdgeCounts& operator+=(const EdgeCounts& other)
+  {
+    this->Edges += other.Edges;
+    this->Border += other.Border;
+    this->NonManifold += other.NonManifold;
+    this->HalfPairs += other.HalfPairs;
+    return *this;
+  }
 };
 
 /// The triangles around each point.
@@ -54,6 +64,7 @@ public:
   const std::vector<Index>& Twins() const { return this->TwinOf; }
   std::vector<Index> TakeTwins() { return std::move(this->TwinOf); }
 
+  /// Not after TakeTwins.
   EdgeCounts CountEdges() const;
 
   /// Corners of a triangle must differ. Not after TakeTwins.
@@ -80,6 +91,7 @@ private:
   bool MatchPairs(Index point, Marks& marks);
   void MatchOneByOne(Index point);
   Bundle Between(Index from, Index to) const;
+  void CountEdgesOf(Index triangle, EdgeCounts& counts) const;
   Index CountOnEdge(Index a, Index b) const;
   bool IsFirstOnEdge(Index origin, const Spoke& spoke) const;
   void FindRing(Index point, Rings& rings) const;

@@ -14,16 +14,22 @@ namespace bonedecimate
 {
 namespace
 {
-/// The power of two nearest below the mean edge length, mm; 1 if there is no length.
-double UnitOf(const Surface& surface)
+/// Of one edge of each triangle, mm.
+double MeanLength(const Surface& surface, int threads)
 {
-  double sum = 0.0; // mm
-  for (const Triangle& c : surface.Triangles)
-  {
-    sum += (surface.Points[c[1]] - surface.Points[c[0]]).norm();
-  }
+  const double sum = SumOverBlocks(surface.Triangles.size(), threads,
+    [&](std::size_t first, std::size_t last)
+    {
+      double part = 0.0; // mm
+      for (std::size_t f = first; f < last; ++f)
+      {
+        const Triangle& c = surface.Triangles[f];
+        part += (surface.Points[c[1]] - surface.Points[c[0]]).norm();
+      }
+      return part;
+    });
   const double mean = sum / static_cast<double>(surface.Triangles.size());
-  return mean > 0.0 && std::isfinite(mean) ? std::ldexp(1.0, std::ilogb(mean)) : 1.0;
+  return mean > 0.0 && std::isfinite(mean) ? mean : 1.0;
 }
 }
 
@@ -31,9 +37,11 @@ HalfEdgeMesh::HalfEdgeMesh(const Surface& surface, int threads)
   : Vertices(surface.Points.size())
   , Faces(surface.Triangles.size())
   , LiveFaces(static_cast<Index>(surface.Triangles.size()))
-  , LengthUnit(UnitOf(surface))
+  , Length(MeanLength(surface, threads))
+  , LengthUnit(std::ldexp(1.0, std::ilogb(this->Length)))
 {
   const EdgeMatching edges(surface.Triangles, surface.Points.size(), threads);
+  this->Counts = edges.CountEdges();
   Rings rings = edges.FindRings();
   this->Kinds = std::move(rings.Kinds);
   const Monitor goOn = [](double) { return true; };

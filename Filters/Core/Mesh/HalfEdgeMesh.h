@@ -21,6 +21,7 @@
 #ifndef BoneDecimate_Core_Mesh_HalfEdgeMesh_h
 #define BoneDecimate_Core_Mesh_HalfEdgeMesh_h
 
+#include "EdgeMatching.h"
 #include "Surface.h"
 
 #include <array>
@@ -80,6 +81,7 @@ public:
   const VertexRecord& Record(Index v) const { return this->Vertices[v]; }
   RingQuadric& Quadric(Index v) { return this->Vertices[v].Quadric; }
   VertexRecord* Records() { return this->Vertices.data(); } ///< To change quadrics, nothing else.
+  const FaceRecord* RecordOfFace(Index h) const { return &this->Faces[Face(h)]; }
   bool IsAlive(Index face) const { return this->Faces[face].Origins[0] != None; }
   Triangle Corners(Index face) const
   {
@@ -91,7 +93,10 @@ public:
   Index NumberOfFaceSlots() const { return static_cast<Index>(this->Faces.size()); }
   Index NumberOfFaces() const { return this->LiveFaces; }
 
-  /// A power of two near the mean length of the edges it was made with, mm.
+  /// Mean length of the edges it was made with, one of each triangle, mm; 1 if there is no length.
+  double LengthAtFirst() const { return this->Length; }
+  const EdgeCounts& EdgesAtFirst() const { return this->Counts; }
+  /// The power of two nearest below that length, mm.
   double Unit() const { return this->LengthUnit; }
 
   /// The half-edges that leave v, counter-clockwise, one for each of its faces. v must not be locked.
@@ -125,6 +130,8 @@ private:
   std::vector<FaceRecord> Faces;
   std::vector<VertexKind> Kinds;
   Index LiveFaces = 0;
+  EdgeCounts Counts;
+  double Length = 1.0;     // mm
   double LengthUnit = 1.0; // mm
 };
 

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics.h"
 
-#include "EdgeMatching.h"
 #include "Geometry/TriangleGeometry.h"
+#include "Parallel.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace bonedecimate
@@ -55,28 +56,58 @@ Components FindComponents(const Surface& surface)
   return components;
 }
 
+namespace
+{
+struct Extent
+{
+  double Area = 0.0;   // mm^2
+  double Volume = 0.0; // mm^3
+
+  Extent& operator+=(const Extent& other)
+  {
+    this->Area += other.Area;
+    this->Volume += other.Volume;
+    return *this;
+  }
+};
+
+Extent ExtentOf(const Surface& surface, std::size_t first, std::size_t last)
+{
+  Extent extent;
+  for (std::size_t f = first; f < last; ++f)
+  {
+    const Triangle& c = surface.Triangles[f];
+    const Vector3 areaVector =
+      AreaVector(surface.Points[c[0]], surface.Points[c[1]], surface.Points[c[2]]);
+    extent += { areaVector.norm(), areaVector.dot(surface.Points[c[0]]) / 3.0 };
+  }
+  return extent;
+}
+}
+
 SurfaceStatistics Describe(const Surface& surface, int threads)
+{
+  const Components components = FindComponents(surface);
+  const std::int64_t points = std::count_if(components.OfPoint.begin(), components.OfPoint.end(),
+    [](Index component) { return component != None; });
+  const EdgeCounts edges =
+    EdgeMatching(surface.Triangles, surface.Points.size(), threads).CountEdges();
+  return Describe(surface, { points, components.Count, edges }, threads);
+}
+
+SurfaceStatistics Describe(const Surface& surface, const SurfaceCounts& counts, int threads)
 {
   SurfaceStatistics statistics;
   statistics.Faces = static_cast<std::int64_t>(surface.Triangles.size());
-  const Components components = FindComponents(surface);
-  statistics.Components = components.Count;
-  for (const Index component : components.OfPoint)
-  {
-    statistics.Points += component != None ? 1 : 0;
-  }
-  const EdgeCounts edges =
-    EdgeMatching(surface.Triangles, surface.Points.size(), threads).CountEdges();
-  statistics.BoundaryEdges = edges.Border;
-  statistics.NonManifoldEdges = edges.NonManifold;
-  statistics.EulerNumber = statistics.Points - edges.Edges + statistics.Faces;
-  for (const Triangle& c : surface.Triangles)
-  {
-    const Vector3 areaVector =
-      AreaVector(surface.Points[c[0]], surface.Points[c[1]], surface.Points[c[2]]);
-    statistics.Area += areaVector.norm();
-    statistics.Volume += areaVector.dot(surface.Points[c[0]]) / 3.0;
-  }
+  statistics.Points = counts.Points;
+  statistics.Components = counts.Components;
+  statistics.BoundaryEdges = counts.Edges.Border;
+  statistics.NonManifoldEdges = counts.Edges.NonManifold;
+  statistics.EulerNumber = counts.Points - counts.Edges.Edges + statistics.Faces;
+  const Extent extent = SumOverBlocks(surface.Triangles.size(), threads,
+    [&](std::size_t first, std::size_t last) { return ExtentOf(surface, first, last); });
+  statistics.Area = extent.Area;
+  statistics.Volume = extent.Volume;
   return statistics;
 }
 }

@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Core_Mesh_Statistics_h
 #define BoneDecimate_Core_Mesh_Statistics_h
 
+#include "EdgeMatching.h"
 #include "Report.h"
 #include "Surface.h"
 
@@ -16,6 +17,15 @@ namespace bonedecimate
 {
 /// Points may be unused; corners must be valid.
 SurfaceStatistics Describe(const Surface& surface, int threads = 1);
+
+/// What else is known of it already.
+struct SurfaceCounts
+{
+  std::int64_t Points = 0; ///< That triangles use.
+  std::int64_t Components = 0;
+  EdgeCounts Edges;
+};
+SurfaceStatistics Describe(const Surface& surface, const SurfaceCounts& counts, int threads);
 
 /// The components, numbered in the order of their least point; None for points that no triangle uses.
 struct Components

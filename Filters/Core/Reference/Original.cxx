@@ -9,68 +9,82 @@
 namespace bonedecimate
 {
 Original::Original(const CleanSurface& clean, bool recordDistances)
-  : Triangles(clean.Surface)
-  , Known(clean.Surface.Points.size())
+  : Clean(clean)
   , MergedInto(clean.Surface.Points.size())
-  , Records(recordDistances)
 {
   std::iota(this->MergedInto.begin(), this->MergedInto.end(), 0);
-  for (std::size_t v = 0; v < this->Known.size(); ++v)
+  if (recordDistances)
   {
-    this->Known[v].PointCount = clean.InputPointCount[v];
+    this->Tree();
+    this->Nearest = this->TrianglesAtPoints();
+    this->Errors.assign(clean.Surface.Points.size(), 0.0);
   }
-  for (std::size_t t = clean.Surface.Triangles.size(); t-- > 0;)
+}
+
+//------------------------------------------------------------------------------
+const BoundingTree& Original::Tree(int threads) const
+{
+  std::call_once(this->TreeIsBuilt, [&] { this->Triangles.emplace(this->Clean.Surface, threads); });
+  return *this->Triangles;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Index> Original::TrianglesAtPoints() const
+{
+  std::vector<Index> triangles(this->Clean.Surface.Points.size(), None);
+  for (std::size_t t = this->Clean.Surface.Triangles.size(); t-- > 0;)
   {
-    for (const Index corner : clean.Surface.Triangles[t])
+    for (const Index corner : this->Clean.Surface.Triangles[t])
     {
-      this->Known[corner].NearestTriangle = static_cast<Index>(t);
+      triangles[static_cast<std::size_t>(corner)] = static_cast<Index>(t);
     }
   }
+  return triangles;
 }
 
-void Original::Merge(Index keep, Index gone, const Vector3& position, bool keepStays)
+//------------------------------------------------------------------------------
+void Original::Merge(Index keep, Index gone, const Vector3& position)
 {
-  Knowledge& kept = this->Known[keep];
-  const Knowledge& lost = this->Known[gone];
-  this->MergedInto[gone] = keep;
-  kept.PointCount += lost.PointCount;
-  kept.RunningError = std::max(kept.RunningError, lost.RunningError);
-  if (keepStays)
+  this->MergedInto[static_cast<std::size_t>(gone)] = keep;
+  if (this->RecordsDistances())
   {
-    return; // its distance was recorded when it came there
+    double& error = this->Errors[static_cast<std::size_t>(keep)];
+    error = std::max(error, this->Errors[static_cast<std::size_t>(gone)]);
+    this->LookUp(keep, position);
   }
-  kept.Moved = true;
-  this->LookUp(keep, position);
 }
 
+//------------------------------------------------------------------------------
 void Original::LookUp(Index vertex, const Vector3& position)
 {
-  Knowledge& known = this->Known[vertex];
-  if (!this->Records || !known.Moved)
+  if (!this->HasMoved(vertex, position))
   {
     return;
   }
-  const BoundingTree::Nearest nearest =
-    this->Triangles.FindNearest(position, known.NearestTriangle);
+  Index& triangle = this->Nearest[static_cast<std::size_t>(vertex)];
+  double& error = this->Errors[static_cast<std::size_t>(vertex)];
+  const BoundingTree::Nearest nearest = this->Tree().FindNearest(position, triangle);
   const double distance = std::sqrt(nearest.Place.SquaredDistance);
-  known.NearestTriangle = nearest.Triangle;
-  known.RunningError = std::max(known.RunningError, distance);
+  triangle = nearest.Triangle;
+  error = std::max(error, distance);
   this->Largest = std::max(this->Largest, distance);
 }
 
-Index Original::CurrentVertex(Index vertex)
+//------------------------------------------------------------------------------
+std::vector<Index> Original::CurrentVertices() const
 {
-  Index last = vertex;
-  while (this->MergedInto[last] != last)
+  std::vector<Index> current = this->MergedInto;
+  for (std::size_t v = 0; v < current.size(); ++v)
   {
-    last = this->MergedInto[last];
+    Index last = static_cast<Index>(v);
+    while (current[static_cast<std::size_t>(last)] != last)
+    {
+      Index& next = current[static_cast<std::size_t>(last)];
+      next = current[static_cast<std::size_t>(next)]; // half the way for those who come later
+      last = next;
+    }
+    current[v] = last;
   }
-  while (this->MergedInto[vertex] != last) // next time in one step
-  {
-    const Index next = this->MergedInto[vertex];
-    this->MergedInto[vertex] = last;
-    vertex = next;
-  }
-  return last;
+  return current;
 }
 }

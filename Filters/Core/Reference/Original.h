@@ -10,6 +10,8 @@
 #include "Geometry/BoundingTree.h"
 #include "Mesh/Cleaning.h"
 
+#include <mutex>
+#include <optional>
 #include <vector>
 
 namespace bonedecimate
@@ -17,41 +19,46 @@ namespace bonedecimate
 class Original
 {
 public:
-  struct Knowledge
-  {
-    Index NearestTriangle = None; ///< Of the cleaned input.
-    Index PointCount = 0;         ///< Input points this vertex stands for.
-    double RunningError = 0.0; ///< mm, the largest distance recorded along the collapses into it.
-    bool Moved = false;        ///< Whether it still lies where its input point lay, bit for bit.
-  };
-
-  /// @param recordDistances Whether Merge looks every new vertex up; otherwise errors stay 0.
+  /**
+   * @param clean Must live as long as this.
+   * @param recordDistances Whether Merge looks every new vertex up; otherwise errors stay 0. Builds the tree.
+   */
   Original(const CleanSurface& clean, bool recordDistances);
 
-  /// Two vertices became one; the new one is looked up if that is wished, unless it stayed where
-  /// `keep` was.
-  void Merge(Index keep, Index gone, const Vector3& position, bool keepStays);
+  /// Two vertices became one; the new one is looked up if that is wished, and if it has moved.
+  void Merge(Index keep, Index gone, const Vector3& position);
 
-  /// The vertex was moved. Different vertices may be moved at the same time.
-  void Move(Index vertex) { this->Known[vertex].Moved = true; }
-
-  /// Looks the vertex up where it is now, if errors are recorded and it has moved.
+  /// Looks the vertex up where it is now, if it has moved; only where distances are recorded.
   void LookUp(Index vertex, const Vector3& position);
 
-  /// The vertex of the current mesh that the vertex has been merged into, over however many collapses.
-  Index CurrentVertex(Index vertex);
+  /// Whether the vertex no longer lies where its input point lay, bit for bit.
+  bool HasMoved(Index vertex, const Vector3& position) const
+  {
+    return position != this->Clean.Surface.Points[static_cast<std::size_t>(vertex)];
+  }
 
-  const Knowledge& Of(Index vertex) const { return this->Known[vertex]; }
-  bool RecordsDistances() const { return this->Records; }
+  /// Of every vertex there was: the one it has been merged into, over however many collapses.
+  std::vector<Index> CurrentVertices() const;
+
+  bool RecordsDistances() const { return !this->Errors.empty(); }
+  /// mm, the largest distance recorded along the collapses into the vertex.
+  double RunningError(Index vertex) const { return this->Errors[static_cast<std::size_t>(vertex)]; }
   double LargestError() const { return this->Largest; } ///< mm, the thesis's maxError.
-  const BoundingTree& Tree() const { return this->Triangles; }
+
+  /// Of every point of the surface as it came: a triangle at it.
+  std::vector<Index> TrianglesAtPoints() const;
+
+  /// Built when it is asked for first, with so many threads; may be called by several threads.
+  const BoundingTree& Tree(int threads = 1) const;
 
 private:
-  BoundingTree Triangles;
-  std::vector<Knowledge> Known;
+  const CleanSurface& Clean;
+  mutable std::once_flag TreeIsBuilt;
+  mutable std::optional<BoundingTree> Triangles;
   std::vector<Index> MergedInto; // itself while it lives
+  std::vector<Index> Nearest;    // of each vertex, where distances are recorded
+  std::vector<double> Errors;    // the same, mm
   double Largest = 0.0;          // mm
-  bool Records;
 };
 }
 

@@ -78,15 +78,11 @@ std::vector<float> Samples::Weights() const
 
 //------------------------------------------------------------------------------
 bool Samples::Distribute(
-  const HalfEdgeMesh& mesh, Original& merged, int threads, const Monitor& monitor)
+  const HalfEdgeMesh& mesh, const Original& merged, int threads, const Monitor& monitor)
 {
   const Index faces = this->Source.NumberOfFaceSlots();
   this->PerFace = faces / ManyTriangles < mesh.NumberOfFaces() ? 3 : 1;
-  CurrentVertices current(static_cast<std::size_t>(this->Source.NumberOfVertexSlots()));
-  for (Index v = 0; v < this->Source.NumberOfVertexSlots(); ++v)
-  {
-    current[v] = merged.CurrentVertex(v);
-  }
+  const CurrentVertices current = merged.CurrentVertices();
   this->All.clear();
   this->Faces.resize(current.size() + static_cast<std::size_t>(this->PerFace) * faces);
   std::fill(this->Firsts.begin(), this->Firsts.end(), None);

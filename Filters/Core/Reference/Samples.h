@@ -39,7 +39,8 @@ public:
   explicit Samples(const HalfEdgeMesh& original);
 
   /// Both return false if the monitor said stop; after Distribute there are no samples then.
-  bool Distribute(const HalfEdgeMesh& mesh, Original& merged, int threads, const Monitor& monitor);
+  bool Distribute(
+    const HalfEdgeMesh& mesh, const Original& merged, int threads, const Monitor& monitor);
   bool Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor);
 
   Index First(Index face) const { return this->Firsts[face]; }

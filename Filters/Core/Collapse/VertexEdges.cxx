@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VertexEdges.h"
+
+#include "Kernels/Prefetch.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr float Never = std::numeric_limits<float>::infinity();
+
+/// An open border moves only along itself.
+Freedom FreedomOf(VertexKind first, VertexKind second, bool isBorderEdge)
+{
+  if (second == VertexKind::Locked)
+  {
+    return Freedom::Nowhere;
+  }
+  if (first == VertexKind::Border)
+  {
+    return second != VertexKind::Border ? Freedom::First
+      : isBorderEdge                    ? Freedom::Edge
+                                        : Freedom::Nowhere;
+  }
+  return second == VertexKind::Border ? Freedom::Second : Freedom::Space;
+}
+}
+
+//------------------------------------------------------------------------------
+void VertexEdges::Gather(
+  const HalfEdgeMesh& mesh, const VertexKeys& known, Index vertex, VertexRange block)
+{
+  const VertexKind kind = mesh.Kind(vertex);
+  const float memory = known.Memories[vertex];
+  this->Middle = vertex;
+  this->Inside = true;
+  this->Used = 0;
+  Batch* batch = nullptr;
+  mesh.VisitEdges(vertex,
+    [&](Index h)
+    {
+      const Index other = mesh.Across(h, vertex);
+      this->Inside = this->Inside && block.Contains(other);
+      if (!this->Inside)
+      {
+        return; // It may be changing just now.
+      }
+      if (batch == nullptr || batch->Asked.Count == EdgeBatch::Size)
+      {
+        batch = &this->Begin(this->Used++, mesh, known.CostFactor);
+        batch->Asked.First = &mesh.Record(vertex);
+      }
+      EdgeBatch& asked = batch->Asked;
+      const int at = asked.Count++;
+      asked.Others[at] = &mesh.Record(other);
+      Prefetch(asked.Others[at]);
+      asked.Freedoms[at] =
+        static_cast<std::int32_t>(FreedomOf(kind, mesh.Kind(other), mesh.Twin(h) == None));
+      asked.Memories[at] = std::max(memory, known.Memories[other]);
+      batch->Edges[at] = h;
+    });
+}
+
+//------------------------------------------------------------------------------
+VertexEdges::Batch& VertexEdges::Begin(
+  std::size_t batch, const HalfEdgeMesh& mesh, float costFactor)
+{
+  if (batch == this->Batches.size())
+  {
+    this->Batches.emplace_back();
+  }
+  EdgeBatch& asked = this->Batches[batch].Asked;
+  asked.Count = 0;
+  std::fill_n(asked.Freedoms, EdgeBatch::Size, static_cast<std::int32_t>(Freedom::Nowhere));
+  asked.PerUnit = 1.0 / mesh.Unit();
+  asked.CostFactor = costFactor;
+  return this->Batches[batch];
+}
+
+//------------------------------------------------------------------------------
+void VertexEdges::Judge(const Kernels& kernels)
+{
+  for (std::size_t i = 0; i < this->Used; ++i)
+  {
+    kernels.JudgeEdges(this->Batches[i].Asked, this->Batches[i].Answers);
+  }
+}
+
+//------------------------------------------------------------------------------
+float VertexEdges::LeastCost() const
+{
+  float least = Never;
+  for (std::size_t i = 0; i < this->Used; ++i)
+  {
+    least = std::min(least, this->Batches[i].Answers.Least);
+  }
+  return least;
+}
+
+//------------------------------------------------------------------------------
+VertexEdges::Candidate VertexEdges::TakeCheapest()
+{
+  const float least = this->LeastCost();
+  Candidate taken;
+  for (std::size_t i = 0; i < this->Used && least < Never; ++i)
+  {
+    EdgeAnswers& answers = this->Batches[i].Answers;
+    float* at = std::find(answers.Costs, answers.Costs + EdgeBatch::Size, least);
+    if (at != answers.Costs + EdgeBatch::Size)
+    {
+      const std::ptrdiff_t lane = at - answers.Costs;
+      taken.Edge = this->Batches[i].Edges[lane];
+      for (int k = 0; k < 3; ++k)
+      {
+        taken.Move[k] = answers.Moves[k][lane];
+      }
+      *at = Never;
+      answers.Least = *std::min_element(answers.Costs, answers.Costs + EdgeBatch::Size);
+      break;
+    }
+  }
+  return taken;
+}
+}

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file VertexEdges.h
+ * @brief The edges at one vertex, gathered first and judged later, so that the processor can fetch what judging needs.
+ */
+#ifndef BoneDecimate_Core_Collapse_VertexEdges_h
+#define BoneDecimate_Core_Collapse_VertexEdges_h
+
+#include "Kernels/Kernels.h"
+#include "LevelLists.h"
+#include "Mesh/HalfEdgeMesh.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+/// What a sweep knows of every vertex, beside the mesh.
+struct VertexKeys
+{
+  std::vector<CostKey> Keys; ///< NeverKey: gone, locked, or nothing to collapse.
+  /// Distance left behind so far by what was merged into it, units of the mesh.
+  std::vector<float> Memories;
+  float CostFactor = 1.0F; ///< Makes costs independent of how the unit was rounded.
+};
+
+/// A range of vertices.
+struct VertexRange
+{
+  Index First = 0;
+  Index Last = 0; ///< One past the end.
+  bool Contains(Index v) const { return v >= this->First && v < this->Last; }
+};
+
+class VertexEdges
+{
+public:
+  struct Candidate
+  {
+    Index Edge = None;  ///< None: there is none.
+    float Move[3] = {}; ///< From the vertex, units.
+  };
+
+  void Gather(const HalfEdgeMesh& mesh, const VertexKeys& known, Index vertex, VertexRange block);
+  void Judge(const Kernels& kernels);
+
+  /// None after Forget.
+  Index Vertex() const { return this->Middle; }
+  void Forget() { this->Middle = None; }
+  /// Whether no edge leads out of the block.
+  bool AreInside() const { return this->Inside; }
+  /// Of the edges not taken yet; infinite if there is none.
+  float LeastCost() const;
+  Candidate TakeCheapest();
+
+private:
+  struct Batch
+  {
+    EdgeBatch Asked;
+    EdgeAnswers Answers;
+    Index Edges[EdgeBatch::Size];
+  };
+  Batch& Begin(std::size_t batch, const HalfEdgeMesh& mesh, float costFactor);
+
+  Index Middle = None;
+  bool Inside = false;
+  std::size_t Used = 0;
+  std::vector<Batch> Batches;
+};
+}
+
+#endif

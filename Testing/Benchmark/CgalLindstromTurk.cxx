@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CgalLindstromTurk.cxx
+ * @brief One decimation by CGAL's edge collapse with its default policies (Lindstrom and Turk 1998), memoryless.
+ *
+ *     bonedecimate-cgal INPUT.ply OUTPUT.ply FACES
+ *
+ * Uses CGAL's Surface_mesh_simplification (GPL-3.0-or-later), which makes this program GPL: a contestant of the benchmark,
+ * never installed. CGAL counts edges and a collapse takes three, or two at a border: it is stopped at the first edge count
+ * that goes with the faces asked for on a surface without border, and ends somewhat lower on an open one.
+ */
+#include "Meter.h"
+#include "TriangleFile.h"
+
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/version.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+
+namespace
+{
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+namespace Simplification = CGAL::Surface_mesh_simplification;
+
+Mesh ReadMesh(const char* path)
+{
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  {
+    const Triangles read = ReadPly(path);
+    for (const auto& x : read.Points)
+    {
+      points.emplace_back(x[0], x[1], x[2]);
+    }
+    for (const auto& corners : read.Corners)
+    {
+      polygons.emplace_back(corners.begin(), corners.end());
+    }
+  }
+  CGAL::Polygon_mesh_processing::orient_polygon_soup(points, polygons);
+  Mesh mesh;
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, polygons, mesh);
+  return mesh;
+}
+
+Triangles ToTriangles(Mesh& mesh)
+{
+  mesh.collect_garbage();
+  Triangles result;
+  for (const auto vertex : mesh.vertices())
+  {
+    const Point& x = mesh.point(vertex);
+    result.Points.push_back({ x[0], x[1], x[2] });
+  }
+  for (const auto face : mesh.faces())
+  {
+    std::array<std::int32_t, 3> corners{};
+    std::size_t k = 0;
+    for (const auto vertex : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
+    {
+      corners[k++] = static_cast<std::int32_t>(vertex.idx());
+    }
+    result.Corners.push_back(corners);
+  }
+  return result;
+}
+}
+
+int main(int argumentCount, char** words)
+{
+  if (argumentCount != 4)
+  {
+    std::fputs("usage: bonedecimate-cgal INPUT.ply OUTPUT.ply FACES\n", stderr);
+    return EXIT_FAILURE;
+  }
+  try
+  {
+    Meter meter;
+    Mesh mesh = ReadMesh(words[1]);
+    const auto edges = static_cast<std::size_t>(1.5 * std::atof(words[3]));
+    meter.Start();
+    Simplification::edge_collapse(mesh, Simplification::Count_stop_predicate<Mesh>(edges));
+    meter.Stop();
+    const Triangles result = ToTriangles(mesh);
+    WritePly(words[2], result, Coordinates::Double);
+    std::printf(
+      "{\"triangles\": %zu, \"version\": \"%s\", ", result.Corners.size(), CGAL_VERSION_STR);
+    meter.Print();
+    std::printf("}\n");
+  }
+  catch (const std::exception& failure)
+  {
+    std::fprintf(stderr, "bonedecimate-cgal: %s\n", failure.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

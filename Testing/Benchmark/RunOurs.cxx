@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RunOurs.cxx
+ * @brief One decimation by this project in a process of its own: the benchmark's contestant.
+ *
+ *     bonedecimate-run INPUT.ply OUTPUT.ply THROUGH MODE THREADS [--faces N] [--error MM]
+ *     bonedecimate-run --modes
+ *
+ * THROUGH is core (the VTK-free call) or filter (vtkBoneDecimate, conversions included); MeasureDistances is off.
+ * Prints JSON; --modes prints the modes that there are, a line each.
+ */
+#include "Meter.h"
+#include "TriangleFile.h"
+
+#include "Decimate.h"
+#include "OptionTable.h"
+#include "vtkBoneDecimate.h"
+
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkObject.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+const bonedecimate::OptionInfo& Option(const char* name)
+{
+  const bonedecimate::OptionInfo* info = bonedecimate::FindOption(name);
+  if (info == nullptr)
+  {
+    throw std::runtime_error(std::string("there is no option ") + name);
+  }
+  return *info;
+}
+
+void Set(bonedecimate::Options& options, const char* name, const std::string& text)
+{
+  const std::string complaint = bonedecimate::SetOptionFromText(options, Option(name), text);
+  if (!complaint.empty())
+  {
+    throw std::runtime_error(complaint);
+  }
+}
+
+bonedecimate::Options Asked(int count, char** words)
+{
+  bonedecimate::Options options;
+  options.MeasureDistances = false;
+  Set(options, "Mode", words[4]);
+  Set(options, "NumberOfThreads", words[5]);
+  for (int i = 6; i + 1 < count; i += 2)
+  {
+    const bool isFaces = std::strcmp(words[i], "--faces") == 0;
+    Set(options, isFaces ? "TargetNumberOfTriangles" : "MaximumError", words[i + 1]);
+  }
+  return options;
+}
+
+Triangles RunCore(const char* input, const bonedecimate::Options& options, Meter& meter)
+{
+  bonedecimate::Surface surface;
+  {
+    const Triangles read = ReadPly(input);
+    for (const auto& point : read.Points)
+    {
+      surface.Points.emplace_back(point[0], point[1], point[2]);
+    }
+    surface.Points.shrink_to_fit();
+    surface.Triangles.assign(read.Corners.begin(), read.Corners.end());
+  }
+  meter.Start();
+  const bonedecimate::Result result = bonedecimate::Decimate(surface, options, {}, true);
+  meter.Stop();
+  Triangles written;
+  for (const auto& point : result.Surface.Points)
+  {
+    written.Points.push_back({ point[0], point[1], point[2] });
+  }
+  written.Corners.assign(result.Surface.Triangles.begin(), result.Surface.Triangles.end());
+  return written;
+}
+
+vtkSmartPointer<vtkPolyData> ReadPolyData(const char* input)
+{
+  const Triangles read = ReadPly(input);
+  vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints(static_cast<vtkIdType>(read.Points.size()));
+  for (std::size_t p = 0; p < read.Points.size(); ++p)
+  {
+    points->SetPoint(static_cast<vtkIdType>(p), read.Points[p].data());
+  }
+  vtkNew<vtkCellArray> cells;
+  cells->AllocateExact(
+    static_cast<vtkIdType>(read.Corners.size()), static_cast<vtkIdType>(3 * read.Corners.size()));
+  for (const auto& corners : read.Corners)
+  {
+    cells->InsertNextCell({ corners[0], corners[1], corners[2] });
+  }
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(cells);
+  return surface;
+}
+
+Triangles RunFilter(const char* input, const bonedecimate::Options& options, Meter& meter)
+{
+  const vtkSmartPointer<vtkPolyData> surface = ReadPolyData(input);
+  vtkNew<vtkBoneDecimate> filter;
+  filter->SetInputData(surface);
+  filter->MeasureDistancesOff();
+  filter->SetMode(static_cast<int>(options.Mode));
+  filter->SetNumberOfThreads(options.NumberOfThreads);
+  filter->SetTargetNumberOfTriangles(options.TargetNumberOfTriangles);
+  filter->SetMaximumError(options.MaximumError);
+  meter.Start();
+  filter->Update();
+  meter.Stop();
+  vtkPolyData* result = filter->GetOutput();
+  Triangles written;
+  for (vtkIdType p = 0; p < result->GetNumberOfPoints(); ++p)
+  {
+    const double* x = result->GetPoint(p);
+    written.Points.push_back({ x[0], x[1], x[2] });
+  }
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < result->GetNumberOfPolys(); ++cell)
+  {
+    result->GetPolys()->GetCellAtId(cell, ids);
+    written.Corners.push_back({ static_cast<std::int32_t>(ids->GetId(0)),
+      static_cast<std::int32_t>(ids->GetId(1)), static_cast<std::int32_t>(ids->GetId(2)) });
+  }
+  return written;
+}
+
+/// FNV-1a over the bytes of points and corners: equal for equal results.
+std::uint64_t Checksum(const Triangles& result)
+{
+  std::uint64_t sum = 0xcbf29ce484222325ULL;
+  const auto add = [&](const void* data, std::size_t size)
+  {
+    const auto* bytes = static_cast<const unsigned char*>(data);
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      sum = (sum ^ bytes[i]) * 0x100000001b3ULL;
+    }
+  };
+  add(result.Points.data(), result.Points.size() * sizeof(result.Points[0]));
+  add(result.Corners.data(), result.Corners.size() * sizeof(result.Corners[0]));
+  return sum;
+}
+
+void Run(int count, char** words)
+{
+  Meter meter;
+  const bonedecimate::Options options = Asked(count, words);
+  const bool isCore = std::strcmp(words[3], "core") == 0;
+  const Triangles result =
+    isCore ? RunCore(words[1], options, meter) : RunFilter(words[1], options, meter);
+  WritePly(words[2], result, Coordinates::Double);
+  std::printf("{\"triangles\": %zu, \"checksum\": \"%016llx\", \"version\": \"%s\", ",
+    result.Corners.size(), static_cast<unsigned long long>(Checksum(result)),
+    bonedecimate::Version());
+  meter.Print();
+  std::printf("}\n");
+}
+}
+
+int main(int argumentCount, char** words)
+{
+  vtkObject::GlobalWarningDisplayOff(); // the same few words about the bones in every run
+  try
+  {
+    if (argumentCount == 2 && std::strcmp(words[1], "--modes") == 0)
+    {
+      for (const std::string& mode : Option("Mode").Choices)
+      {
+        std::printf("%s\n", mode.c_str());
+      }
+      return EXIT_SUCCESS;
+    }
+    if (argumentCount < 8 || argumentCount % 2 != 0)
+    {
+      std::fputs("usage: bonedecimate-run INPUT.ply OUTPUT.ply core|filter MODE THREADS "
+                 "--faces N | --error MM\n",
+        stderr);
+      return EXIT_FAILURE;
+    }
+    Run(argumentCount, words);
+  }
+  catch (const std::exception& failure)
+  {
+    std::fprintf(stderr, "bonedecimate-run: %s\n", failure.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

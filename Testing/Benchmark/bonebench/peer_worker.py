@@ -1,0 +1,224 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""One decimation by a peer from Python, in this process alone: peer_worker.py PEER INPUT.ply OUTPUT.ply FACES
+
+Measured: the seconds of the decimation call alone, the mesh already in the peer's own structure; the processor's seconds
+over all threads; the memory (resident pages, Linux) that holding the input costs and the most beyond it during the call.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import importlib.metadata
+import json
+import sys
+import time
+from pathlib import Path
+from typing import Any, Callable, TypeAlias
+
+import numpy as np
+
+Points: TypeAlias = np.ndarray  # n x 3, float32 as in the file
+Corners: TypeAlias = np.ndarray  # m x 3, int32
+Result = Callable[[], tuple[np.ndarray, np.ndarray]]
+# The peer's import happens first; what comes back are the call to be timed and how to get at its result.
+Prepared = tuple[Callable[[], Any], Result]
+
+
+def read_ply(path: str) -> tuple[Points, Corners]:
+    """The benchmark's own files: float32 points, triangles."""
+    data = Path(path).read_bytes()
+    head, body = data.split(b"end_header\n", 1)
+    words = head.split()
+    points, faces = (int(words[words.index(name) + 1]) for name in (b"vertex", b"face"))
+    where = np.frombuffer(body, "<f4", 3 * points).reshape(-1, 3).copy()
+    rows = np.frombuffer(body, np.dtype([("n", "u1"), ("corners", "<i4", 3)]), faces, 12 * points)
+    return where, np.ascontiguousarray(rows["corners"])
+
+
+def write_ply(path: str, points: np.ndarray, corners: np.ndarray) -> None:
+    """In double precision, so that nothing of the result is lost."""
+    rows = np.empty(len(corners), np.dtype([("n", "u1"), ("corners", "<i4", 3)]))
+    rows["n"], rows["corners"] = 3, corners
+    axes = "".join(f"property double {axis}\n" for axis in "xyz")
+    head = (f"ply\nformat binary_little_endian 1.0\nelement vertex {len(points)}\n{axes}element face {len(corners)}\n"
+            "property list uchar int vertex_indices\nend_header\n")
+    Path(path).write_bytes(head.encode() + np.ascontiguousarray(points, "<f8").tobytes() + rows.tobytes())
+
+
+def prepare_vtk(points: Points, corners: Corners, faces: int) -> Prepared:
+    """vtkQuadricDecimation with its defaults, on a vtkPolyData."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+    from vtkmodules.vtkFiltersCore import vtkQuadricDecimation
+
+    coordinates, cells, surface = vtkPoints(), vtkCellArray(), vtkPolyData()
+    coordinates.SetData(numpy_to_vtk(points, deep=1))
+    offsets = np.arange(0, corners.size + 1, 3, dtype=np.int64)
+    cells.SetData(numpy_to_vtk(offsets, deep=1), numpy_to_vtk(corners.ravel().astype(np.int64), deep=1))
+    surface.SetPoints(coordinates)
+    surface.SetPolys(cells)
+    quadric = vtkQuadricDecimation()
+    quadric.SetInputData(surface)
+    quadric.SetTargetReduction(1.0 - faces / len(corners))
+
+    def result() -> tuple[np.ndarray, np.ndarray]:
+        output = quadric.GetOutput()
+        return (vtk_to_numpy(output.GetPoints().GetData()),
+                vtk_to_numpy(output.GetPolys().GetConnectivityArray()).reshape(-1, 3))
+
+    return quadric.Update, result
+
+
+def prepare_meshlab(points: Points, corners: Corners, faces: int, topology: bool = False) -> Prepared:
+    """Quadric edge collapse with optimal placement and MeshLab's usual quality threshold, border kept."""
+    import pymeshlab
+
+    meshes = pymeshlab.MeshSet()
+    meshes.add_mesh(pymeshlab.Mesh(points.astype(np.float64), corners))
+
+    def call() -> None:
+        meshes.meshing_decimation_quadric_edge_collapse(
+            targetfacenum=faces, qualitythr=0.3, optimalplacement=True, autoclean=True, preserveboundary=True,
+            preservetopology=topology, preservenormal=topology)
+
+    return call, lambda: (meshes.current_mesh().vertex_matrix(), meshes.current_mesh().face_matrix())
+
+
+def prepare_meshlab_topology(points: Points, corners: Corners, faces: int) -> Prepared:
+    """The same, with topology and normals kept."""
+    return prepare_meshlab(points, corners, faces, topology=True)
+
+
+def prepare_open3d(points: Points, corners: Corners, faces: int) -> Prepared:
+    """simplify_quadric_decimation with its defaults."""
+    import open3d
+
+    mesh = open3d.geometry.TriangleMesh(open3d.utility.Vector3dVector(points.astype(np.float64)),
+                                        open3d.utility.Vector3iVector(corners))
+    kept: list[Any] = []
+    return (lambda: kept.append(mesh.simplify_quadric_decimation(faces)),
+            lambda: (np.asarray(kept[0].vertices), np.asarray(kept[0].triangles)))
+
+
+def prepare_fast_simplification(points: Points, corners: Corners, faces: int) -> Prepared:
+    """simplify with its defaults (Sp4cerat's fast quadric)."""
+    import fast_simplification
+
+    kept: list[Any] = []
+    return lambda: kept.append(fast_simplification.simplify(points, corners, target_count=faces)), lambda: kept[0]
+
+
+def prepare_pyfqmr(points: Points, corners: Corners, faces: int) -> Prepared:
+    """The same algorithm by another hand, border kept."""
+    import pyfqmr
+
+    mesh = pyfqmr.Simplify()
+    mesh.setMesh(points.astype(np.float64), corners)
+    return (lambda: mesh.simplify_mesh(target_count=faces, preserve_border=True, verbose=0), lambda: mesh.getMesh()[:2])
+
+
+def prepare_meshoptimizer(points: Points, corners: Corners, faces: int) -> Prepared:
+    """meshopt_simplify to the count, whatever the error."""
+    import meshoptimizer
+
+    indices = np.ascontiguousarray(corners.ravel(), np.uint32)
+    kept: list[Any] = []
+
+    def call() -> None:
+        out = np.empty_like(indices)
+        count = meshoptimizer.simplify(out, indices, points, target_index_count=3 * faces, target_error=1e9)
+        kept.append(out[:count])
+
+    def result() -> tuple[np.ndarray, np.ndarray]:
+        used, compact = np.unique(kept[0], return_inverse=True)
+        return points[used], compact.reshape(-1, 3)
+
+    return call, result
+
+
+def prepare_meshlib(points: Points, corners: Corners, faces: int) -> Prepared:
+    """decimateMesh to the count, whatever the error."""
+    from meshlib import mrmeshnumpy, mrmeshpy
+
+    mesh = mrmeshnumpy.meshFromFacesVerts(corners, points.astype(np.float64))
+    settings = mrmeshpy.DecimateSettings()
+    settings.maxDeletedFaces = len(corners) - faces
+    settings.maxError = 1e9
+    settings.packMesh = True
+    return (lambda: mrmeshpy.decimateMesh(mesh, settings),
+            lambda: (mrmeshnumpy.getNumpyVerts(mesh), mrmeshnumpy.getNumpyFaces(mesh.topology)))
+
+
+PREPARE: dict[str, tuple[str, Callable[[Points, Corners, int], Prepared]]] = {
+    "vtk": ("vtk", prepare_vtk),
+    "meshlab": ("pymeshlab", prepare_meshlab),
+    "meshlab-topology": ("pymeshlab", prepare_meshlab_topology),
+    "open3d": ("open3d", prepare_open3d),
+    "fast-simplification": ("fast-simplification", prepare_fast_simplification),
+    "pyfqmr": ("pyfqmr", prepare_pyfqmr),
+    "meshoptimizer": ("meshoptimizer", prepare_meshoptimizer),
+    "meshlib": ("meshlib", prepare_meshlib),
+}
+
+
+def held(field: str) -> int:
+    """Bytes of a line of /proc/self/status; 0 where there is none."""
+    status = Path("/proc/self/status")
+    lines = status.read_text(encoding="ascii").splitlines() if status.exists() else []
+    return next((1024 * int(line.split()[1]) for line in lines if line.startswith(field)), 0)
+
+
+def give_back_memory() -> None:
+    """Freed pages go back to the system, so that what an earlier step freed is not reused unseen."""
+    try:
+        ctypes.CDLL(None).malloc_trim(0)
+    except (AttributeError, OSError):
+        pass
+
+
+def forget_peak() -> None:
+    """From here on VmHWM is the most since now."""
+    try:
+        Path("/proc/self/clear_refs").write_text("5", encoding="ascii")
+    except OSError:
+        pass
+
+
+def warm_up(prepare: Callable[[Points, Corners, int], Prepared]) -> None:
+    """Imports the peer and what it loads at its first call, on a tetrahedron: none of it is the decimation's."""
+    points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32)
+    corners = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], np.int32)
+    try:
+        prepare(points, corners, 4)[0]()
+    except Exception:  # a peer may refuse so small a thing; it is imported by then
+        pass
+
+
+def main(peer: str, source: str, target: str, faces: int) -> None:
+    """Reads, decimates under the clock, writes and prints JSON."""
+    package, prepare = PREPARE[peer]
+    warm_up(prepare)
+    give_back_memory()
+    program = held("VmRSS:")
+    points, corners = read_ply(source)
+    call, result = prepare(points, corners, faces)
+    if peer not in ("meshoptimizer", "fast-simplification"):  # those two hold the arrays themselves
+        del points, corners
+    give_back_memory()
+    forget_peak()
+    with_input = held("VmRSS:")
+    cpu, wall = time.process_time(), time.perf_counter()
+    call()
+    wall, cpu = time.perf_counter() - wall, time.process_time() - cpu
+    most = held("VmHWM:")
+    vertices, triangles = result()
+    write_ply(target, vertices, triangles)
+    print("\n" + json.dumps({
+        "triangles": len(triangles), "version": importlib.metadata.version(package), "seconds": wall,
+        "cpu_seconds": cpu, "input_bytes": with_input - program, "peak_bytes": most - with_input}))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], sys.argv[2], sys.argv[3], int(sys.argv[4]))

@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What only our modes do: growth to 10 million triangles, numbers of threads, the thesis's error mode."""
+
+from __future__ import annotations
+
+import statistics
+from pathlib import Path
+from typing import Any, Iterator, Sequence
+
+from .bones import Bone, Workshop
+from .contest import Judge
+from .contestants import our_contestants, ours
+from .workers import Programs, ask
+
+KEPT_IN_GROWTH = 0.2  # of the triangles
+GROWTH_SIZES = (100_000, 300_000, 1_000_000, 3_000_000, 10_000_000)
+THREADS = (1, 2, 4, 8)
+
+
+def growth(programs: Programs, workshop: Workshop, modes: Sequence[str], sizes: Sequence[int],
+           rounds: int, folder: Path) -> Iterator[dict[str, Any]]:
+    """Specimens of each size to a fifth: median seconds and most bytes, input and output included, per input triangle."""
+    for size in sizes:
+        bone = workshop.bone(f"specimen-{size}", (KEPT_IN_GROWTH,))
+        if bone is None:
+            continue
+        contestants = [who for who in our_contestants(list(modes)) if who.through == "core"]
+        runs: dict[str, list[dict[str, Any]]] = {who.key: [] for who in contestants}
+        for _ in range(rounds):
+            for who in contestants:
+                runs[who.key].append(who.run(programs, bone.file, folder / "result.ply", bone.counts()[0]))
+        for who in contestants:
+            good = [run for run in runs[who.key] if "failure" not in run]
+            if good:
+                yield {
+                    "bone": bone.name, "triangles": bone.triangles, "who": who.key, "mode": who.mode,
+                    "threads": who.threads, "kept": good[0]["triangles"],
+                    "seconds": statistics.median(run["seconds"] for run in good),
+                    "cpu_seconds": statistics.median(run["cpu_seconds"] for run in good),
+                    "bytes": max(run["input_bytes"] + run["peak_bytes"] for run in good)}
+
+
+def threads(programs: Programs, bone: Bone, modes: Sequence[str], rounds: int, folder: Path) -> list[dict[str, Any]]:
+    """The same job on 1, 2, 4 and 8 threads in turn; the bytes that come out must be equal."""
+    contestants = [ours(mode, count) for mode in modes for count in THREADS]
+    runs: dict[str, list[dict[str, Any]]] = {who.key: [] for who in contestants}
+    for _ in range(rounds):
+        for who in contestants:
+            runs[who.key].append(who.run(programs, bone.file, folder / "result.ply", bone.counts()[0]))
+    return [{
+        "bone": bone.name, "asked": bone.counts()[0], "mode": who.mode, "threads": who.threads,
+        "seconds": statistics.median(run["seconds"] for run in good),
+        "cpu_seconds": statistics.median(run["cpu_seconds"] for run in good),
+        "checksums": sorted({run["checksum"] for run in good})}
+        for who in contestants if (good := [run for run in runs[who.key] if "failure" not in run])]
+
+
+def error_mode(programs: Programs, judge: Judge, bone: Bone, modes: Sequence[str], errors: Sequence[float],
+               folder: Path) -> list[dict[str, Any]]:
+    """Each mode asked for a largest error in mm instead of a number of triangles, once: the thesis's second table."""
+    rows = []
+    for error in errors:
+        for mode in modes:
+            answer = ask([programs.path("run"), bone.file, folder / "result.ply", "core", mode, 1, "--error", error])
+            judged = {} if "failure" in answer else judge.compare(bone.file, folder / "result.ply")
+            rows.append({"bone": bone.name, "error": error, "mode": mode, "judged": judged, **answer})
+    return rows

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Shape.h
+ * @brief Topology and triangle quality of plain triangles.
+ */
+#ifndef BoneDecimate_Testing_Oracle_Shape_h
+#define BoneDecimate_Testing_Oracle_Shape_h
+
+#include "TriangleFile.h"
+
+#include <cstdint>
+
+struct Shape
+{
+  std::int64_t Components = 0;          ///< Connected by shared points.
+  std::int64_t BoundaryEdges = 0;       ///< Edges of one triangle.
+  std::int64_t NonManifoldEdges = 0;    ///< Edges of three or more triangles.
+  std::int64_t NonManifoldVertices = 0; ///< Points whose triangles are not one fan.
+  std::int64_t EulerNumber = 0;         ///< Points in use - edges + triangles.
+  std::int64_t Degenerate = 0;          ///< Triangles below 1e-8 mm^2, or with two equal corners.
+  double Quality =
+    0.0; ///< Mean of 4 sqrt(3) area / (sum of squared edges), 1 for equilateral ones.
+  double BadShare = 0.0; ///< Share of the triangles whose quality is below 0.2.
+};
+
+/// The same surface with exactly equal points made one, so that a point written twice is not taken for a border.
+Triangles Welded(const Triangles& triangles);
+
+/// @param welded Triangles with two equal corners count as degenerate and nowhere else.
+Shape MeasureShape(const Triangles& welded);
+
+#endif

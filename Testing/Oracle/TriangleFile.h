@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TriangleFile.h
+ * @brief Plain triangles from and to binary PLY: what the programs of the benchmark hand to each other.
+ *
+ * Knows nothing of the core, so that the judge shares no code with what it judges.
+ */
+#ifndef BoneDecimate_Testing_TriangleFile_h
+#define BoneDecimate_Testing_TriangleFile_h
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+struct Triangles
+{
+  std::vector<std::array<double, 3>> Points; ///< mm
+  std::vector<std::array<std::int32_t, 3>> Corners;
+};
+
+enum class Coordinates
+{
+  Single,
+  Double
+};
+
+/// Little-endian binary PLY whose vertices begin with x, y, z and whose faces are triangles.
+/// @throws std::runtime_error with the file's name and what is wrong with it.
+Triangles ReadPly(const std::string& path);
+void WritePly(const std::string& path, const Triangles& triangles, Coordinates coordinates);
+
+#endif
