@@ -30,8 +30,7 @@ bool Relaxation::Begin(const Monitor& monitor)
 //------------------------------------------------------------------------------
 bool Relaxation::Settle(const Monitor& monitor)
 {
-  this->IsSettled =
-    this->IsSettled || this->Fit.Settle(this->Work.Mesh(), this->Threads, monitor);
+  this->IsSettled = this->IsSettled || this->Fit.Settle(this->Work.Mesh(), this->Threads, monitor);
   return this->IsSettled && monitor(1.0);
 }
 

@@ -2,8 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VertexBlocks.h"
 
+#include <algorithm>
+
 namespace bonedecimate
 {
+namespace
+{
+/// Large blocks leave few vertices over that none of them holds wholly; many blocks keep many threads busy.
+constexpr Index BlocksWanted = 32;
+constexpr Index SmallestBlock = 512;
+constexpr Index LargestBlock = 8192;
+}
+
 VertexBlocks::VertexBlocks(const HalfEdgeMesh& mesh)
   : Ranks(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), None)
 {
@@ -16,6 +26,8 @@ VertexBlocks::VertexBlocks(const HalfEdgeMesh& mesh)
     }
   }
   this->Visited.resize(this->Order.size(), 0);
+  this->BlockSize =
+    std::clamp(static_cast<Index>(this->Order.size()) / BlocksWanted, SmallestBlock, LargestBlock);
 }
 
 //------------------------------------------------------------------------------

@@ -28,7 +28,7 @@ public:
   explicit VertexBlocks(const HalfEdgeMesh& mesh);
 
   /// How many workers there may be at most.
-  int Count() const { return static_cast<int>(this->Order.size() / BlockSize) + 2; }
+  int Count() const { return static_cast<int>(this->Order.size() / this->BlockSize) + 2; }
 
   /**
    * Calls visit(v) once for every live vertex that is not locked; those visited at the same time have no common
@@ -40,8 +40,6 @@ public:
     const HalfEdgeMesh& mesh, int threads, const Monitor& monitor, const MakeWorker& makeWorker);
 
 private:
-  static constexpr Index BlockSize = 512;
-
   template <typename MakeWorker>
   bool VisitBlocks(const HalfEdgeMesh& mesh, Index shift, int threads, const Monitor& monitor,
     const MakeWorker& makeWorker);
@@ -51,6 +49,7 @@ private:
   Index BlockOf(Index v, Index shift) const { return (this->Ranks[v] + shift) / BlockSize; }
   bool IsInside(const HalfEdgeMesh& mesh, Index v, Index shift) const;
 
+  Index BlockSize = 0;      // vertices
   std::vector<Index> Order; // live vertices that are not locked
   std::vector<Index> Ranks; // of each vertex in Order
   std::vector<std::uint8_t> Visited;
@@ -62,7 +61,7 @@ bool VertexBlocks::ForEach(
 {
   std::fill(this->Visited.begin(), this->Visited.end(), 0);
   return this->VisitBlocks(mesh, 0, threads, PartOf(monitor, 0.0, 0.5), makeWorker) &&
-    this->VisitBlocks(mesh, BlockSize / 2, threads, PartOf(monitor, 0.5, 0.8), makeWorker) &&
+    this->VisitBlocks(mesh, this->BlockSize / 2, threads, PartOf(monitor, 0.5, 0.8), makeWorker) &&
     this->VisitRest(PartOf(monitor, 0.8, 1.0), makeWorker);
 }
 
@@ -72,13 +71,14 @@ bool VertexBlocks::VisitBlocks(const HalfEdgeMesh& mesh, Index shift, int thread
   const Monitor& monitor, const MakeWorker& makeWorker)
 {
   const Index count = static_cast<Index>(this->Order.size());
-  const auto blocks = static_cast<std::size_t>((count + shift + BlockSize - 1) / BlockSize);
+  const auto blocks =
+    static_cast<std::size_t>((count + shift + this->BlockSize - 1) / this->BlockSize);
   return ForEachChunk(blocks, threads, monitor,
     [&](std::size_t, std::size_t begin, std::size_t end)
     {
       auto worker = makeWorker();
-      const Index first = std::max(0, static_cast<Index>(begin) * BlockSize - shift);
-      const Index last = std::min(count, static_cast<Index>(end) * BlockSize - shift);
+      const Index first = std::max(0, static_cast<Index>(begin) * this->BlockSize - shift);
+      const Index last = std::min(count, static_cast<Index>(end) * this->BlockSize - shift);
       for (Index i = first; i < last; ++i)
       {
         if (!this->Visited[i] && this->IsInside(mesh, this->Order[i], shift))
