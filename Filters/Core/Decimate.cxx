@@ -9,6 +9,7 @@
 #include "Mesh/Checksum.h"
 #include "Mesh/SpatialOrder.h"
 #include "Mesh/Statistics.h"
+#include "Relax/RelaxedLoop.h"
 
 #include <algorithm>
 #include <chrono>
@@ -116,7 +117,14 @@ private:
     {
       return ThesisLoop(*this->Work, this->Wanted.NormalTolerance, stops).Run(monitor);
     }
-    return Sweep(*this->Work, stops, this->Wanted.NumberOfThreads).Run(monitor);
+    if (this->Wanted.Mode == Mode::Fast)
+    {
+      return Sweep(*this->Work, stops, this->Wanted.NumberOfThreads).Run(monitor);
+    }
+    const bool isAccurate = this->Wanted.Mode == Mode::Accurate;
+    return RelaxedLoop(*this->Work, isAccurate ? AccurateRecipe : BalancedRecipe, stops,
+      this->Wanted.NumberOfThreads)
+      .Run(monitor);
   }
 
   void Collapse()

@@ -16,6 +16,12 @@ namespace bonedecimate
  * Returns true to go on, false to abort: the run then ends with a valid surface.
  */
 using Monitor = std::function<bool(double fraction)>;
+
+/// The monitor of a stage whose 0 to 1 is a part of another's. That other one must stay, and must not be empty.
+inline Monitor PartOf(const Monitor& monitor, double from, double to)
+{
+  return [&monitor, from, to](double done) { return monitor(from + done * (to - from)); };
+}
 }
 
 #endif

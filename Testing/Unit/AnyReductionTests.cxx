@@ -204,8 +204,7 @@ public:
 
   static std::string Name(const testing::TestParamInfo<ParamType>& info)
   {
-    const bool fast = std::get<1>(info.param) == Mode::Fast;
-    return std::get<0>(info.param).Name + (fast ? "Fast" : "Thesis");
+    return std::get<0>(info.param).Name + WordOf(std::get<1>(info.param));
   }
 };
 
@@ -270,7 +269,7 @@ TEST_P(AnyReduction, TranslationByRepresentableAmountsKeepsTheTopology)
   const Result plain = Decimate(input, Reduced(0.7), {}, false, true);
   const Result far = Decimate(moved, Reduced(0.7), {}, false, true);
   EXPECT_EQ(plain.Surface.Triangles, far.Surface.Triangles);
-  // Fast measures its errors where the points are written, rounded far from the origin.
+  // All others measure their errors where the points are written, rounded far from the origin.
   const double rounding = std::get<1>(GetParam()) == Mode::Thesis ? 0.0 : 1e-9;
   EXPECT_NEAR(plain.Report.RunningError, far.Report.RunningError, rounding);
 }
@@ -284,7 +283,7 @@ TEST_P(AnyReduction, MillimetresOrMetresGiveTheSameNumberOfTriangles)
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, AnyReduction,
-  testing::Combine(testing::ValuesIn(AllShapes()), testing::Values(Mode::Thesis, Mode::Fast)),
+  testing::Combine(testing::ValuesIn(AllShapes()), testing::ValuesIn(AllModes())),
   AnyReduction::Name);
 
 TEST(AnyUnit, MillimetresOrMetresGiveTheSameDistances)

@@ -149,7 +149,7 @@ TEST(OptionTable, ChoicesAreClampedToWhatThereIs)
 {
   Options options;
   SetOption(options, Row("Mode"), 7);
-  EXPECT_EQ(options.Mode, Mode::Fast);
+  EXPECT_EQ(options.Mode, Mode::Accurate);
   SetOption(options, Row("OutputPointsPrecision"), -3);
   EXPECT_EQ(options.OutputPointsPrecision, PointsPrecision::Single);
   SetOption(options, Row("OutputPointsPrecision"), 12);

@@ -13,7 +13,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace bonedecimate::testsupport
@@ -47,6 +49,23 @@ inline Options Error(double millimetres)
   Options options = Unmeasured();
   options.MaximumError = millimetres;
   return options;
+}
+
+inline Options InMode(Mode mode, Options options)
+{
+  options.Mode = mode;
+  return options;
+}
+
+inline std::vector<Mode> AllModes()
+{
+  return { Mode::Thesis, Mode::Fast, Mode::Balanced, Mode::Accurate };
+}
+
+inline std::string WordOf(Mode mode)
+{
+  return std::array<const char*, 4>{ "Thesis", "Fast", "Balanced", "Accurate" }.at(
+    static_cast<std::size_t>(mode));
 }
 
 /// Every half-edge of a mesh, or every n-th of them.

@@ -3,7 +3,9 @@
 #include "Editor.h"
 
 #include "Gate.h"
+#include "Parallel.h"
 #include "RingQuadrics.h"
+#include "SmallEdits.h"
 
 namespace bonedecimate
 {
@@ -108,6 +110,59 @@ Verdict Editor::Apply(const Edit& edit, Workspace& work, int workers)
   }
   this->KeepBooks(edit, gone, volumeChange, work);
   return Verdict::Allowed;
+}
+
+//------------------------------------------------------------------------------
+Verdict Editor::ApplySmall(const Edit& edit, Workspace& work, int workers)
+{
+  const bool flips = edit.Kind == EditKind::Flip;
+  const Index vertex = flips ? this->Half.Origin(edit.Edge) : edit.Keep;
+  double volumeChange = 0.0; // mm^3
+  const Verdict verdict = flips ? JudgeFlip(this->Half, edit.Edge, volumeChange)
+                                : JudgeMove(this->Half, vertex, edit.Position, volumeChange);
+  if (verdict != Verdict::Allowed)
+  {
+    return verdict;
+  }
+  if (!this->Volumes.ShareAllows(vertex, volumeChange))
+  {
+    if (!this->Volumes.MayChange(vertex, volumeChange, work.Counted.Volumes, 2 * workers))
+    {
+      return Verdict::Fragment;
+    }
+    work.Counted.Volumes.Add(this->Volumes.ComponentOf(vertex), volumeChange);
+  }
+  if (flips)
+  {
+    this->Half.Flip(edit.Edge);
+  }
+  else
+  {
+    this->Half.Move(vertex, edit.Position);
+  }
+  if (this->AfterEdit)
+  {
+    this->AfterEdit(*this, edit);
+  }
+  return Verdict::Allowed;
+}
+
+//------------------------------------------------------------------------------
+bool Editor::LookUpVertices(const Monitor& monitor)
+{
+  constexpr int oneThread = 1; // the largest error is one for all
+  return !this->Source.RecordsDistances() ||
+    ForEachChunk(static_cast<std::size_t>(this->Half.NumberOfVertexSlots()), oneThread, monitor,
+      [this](std::size_t, std::size_t first, std::size_t last)
+      {
+        for (Index v = static_cast<Index>(first); v < static_cast<Index>(last); ++v)
+        {
+          if (this->Half.Outgoing(v) != None)
+          {
+            this->Source.LookUp(v, this->Half.Position(v));
+          }
+        }
+      });
 }
 
 //------------------------------------------------------------------------------

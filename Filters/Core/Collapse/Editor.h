@@ -18,8 +18,10 @@
 #include "Mesh/Edit.h"
 #include "Mesh/FaceAreas.h"
 #include "Mesh/HalfEdgeMesh.h"
+#include "Monitor.h"
 #include "Reference/Original.h"
 #include "Report.h"
+#include "RingQuadrics.h"
 #include "Workspace.h"
 
 #include <array>
@@ -57,6 +59,18 @@ public:
 
   /// Takes over what a worker counted.
   void Settle(Tally& tally);
+
+  /// Before a pass of ApplySmall, and after the last: measures the fragments and shares what they may lose.
+  void ShareVolumes() { this->Volumes.Share(this->Half); }
+
+  /// After flips and moves, which leave the quadrics of the vertex records as they were: all of them afresh.
+  void RenewQuadrics(int threads) { SumRingQuadrics(this->Half, threads); }
+
+  /// Judges a flip or a move and, if it is allowed, carries it out. Neither they nor their refusals are counted.
+  Verdict ApplySmall(const Edit& edit, Workspace& work, int workers);
+
+  /// After moves: looks all moved vertices up on the original, if distances are recorded. False if the monitor said stop.
+  bool LookUpVertices(const Monitor& monitor);
 
   /// Called after every applied edit, for invariant checks and logs.
   using Hook = std::function<void(const Editor&, const Edit&)>;

@@ -5,12 +5,17 @@
 #include "Geometry/TriangleGeometry.h"
 #include "Mesh/Statistics.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace bonedecimate
 {
 namespace
 {
 /// A closed fragment keeps at least this share of its volume: a flat one would be as good as gone.
 constexpr double LeastVolumeShare = 0.25;
+/// A vertex is edited by its own move and by flips of its edges: about three edges a vertex, with room to spare.
+constexpr double EditsOfVertex = 8.0;
 }
 
 Fragments::Fragments(const HalfEdgeMesh& mesh, const Surface& surface)
@@ -18,20 +23,11 @@ Fragments::Fragments(const HalfEdgeMesh& mesh, const Surface& surface)
   Components components = FindComponents(surface);
   this->OfVertex = std::move(components.OfPoint);
   this->Volumes.resize(static_cast<std::size_t>(components.Count));
-  // About a point of its own, so that a small fragment far from the origin keeps its digits.
-  std::vector<Index> anchor(this->Volumes.size(), None);
-  for (const Triangle& c : surface.Triangles)
+  const std::vector<double> volumes = this->Measure(mesh);
+  for (std::size_t i = 0; i < volumes.size(); ++i)
   {
-    const Index fragment = this->OfVertex[c[0]];
-    anchor[fragment] = anchor[fragment] == None ? c[0] : anchor[fragment];
-    const Vector3& from = surface.Points[anchor[fragment]];
-    const Vector3& corner = surface.Points[c[0]];
-    this->Volumes[fragment].AtFirst +=
-      AreaVector(corner, surface.Points[c[1]], surface.Points[c[2]]).dot(corner - from) / 3.0;
-  }
-  for (Volume& volume : this->Volumes)
-  {
-    volume.Now = volume.AtFirst;
+    this->Volumes[i].AtFirst = volumes[i];
+    this->Volumes[i].Now = volumes[i];
   }
   for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
@@ -40,6 +36,54 @@ Fragments::Fragments(const HalfEdgeMesh& mesh, const Surface& surface)
       this->Volumes[this->OfVertex[v]].IsClosed = false;
     }
   }
+}
+
+/// Each about a point of its own, so that a small fragment far from the origin keeps its digits. mm^3
+std::vector<double> Fragments::Measure(const HalfEdgeMesh& mesh) const
+{
+  std::vector<double> volumes(this->Volumes.size(), 0.0);
+  std::vector<Index> anchor(this->Volumes.size(), None);
+  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    if (!mesh.IsAlive(face))
+    {
+      continue;
+    }
+    const Triangle c = mesh.Corners(face);
+    const Index fragment = this->OfVertex[c[0]];
+    anchor[fragment] = anchor[fragment] == None ? c[0] : anchor[fragment];
+    const Vector3& corner = mesh.Position(c[0]);
+    volumes[fragment] += AreaVector(corner, mesh.Position(c[1]), mesh.Position(c[2]))
+                           .dot(corner - mesh.Position(anchor[fragment])) /
+      3.0;
+  }
+  return volumes;
+}
+
+//------------------------------------------------------------------------------
+void Fragments::Share(const HalfEdgeMesh& mesh)
+{
+  std::vector<Index> vertices(this->Volumes.size(), 0);
+  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    vertices[this->OfVertex[v]] += mesh.Outgoing(v) != None ? 1 : 0;
+  }
+  const std::vector<double> volumes = this->Measure(mesh);
+  for (std::size_t i = 0; i < volumes.size(); ++i)
+  {
+    Volume& volume = this->Volumes[i];
+    volume.Now = volumes[i];
+    const double left = std::abs(volume.Now) - LeastVolumeShare * std::abs(volume.AtFirst);
+    volume.Share = std::max(0.0, left) / (EditsOfVertex * std::max(1, vertices[i]));
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Fragments::ShareAllows(Index v, double volumeChange) const
+{
+  const Volume& volume = this->Volumes[this->OfVertex[v]];
+  const double gain = volume.AtFirst < 0.0 ? -volumeChange : volumeChange;
+  return !volume.IsClosed || volume.AtFirst == 0.0 || gain >= -volume.Share;
 }
 
 //------------------------------------------------------------------------------

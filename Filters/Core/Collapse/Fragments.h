@@ -45,13 +45,23 @@ public:
   /// Takes a worker's changes over.
   void Settle(Changes& changes);
 
+  /// Measures all volumes afresh and shares what closed fragments may still lose among their vertices, so that vertices
+  /// may be edited at the same time without asking what the others do.
+  void Share(const HalfEdgeMesh& mesh);
+
+  /// Whether an edit at v may change the volume by that much (mm^3), within the share of v.
+  bool ShareAllows(Index v, double volumeChange) const;
+
 private:
   struct Volume
   {
     double AtFirst = 0.0; // mm^3, signed
     double Now = 0.0;
+    double Share = 0.0; // mm^3, what an edit of one vertex may take away
     bool IsClosed = true;
   };
+  std::vector<double> Measure(const HalfEdgeMesh& mesh) const;
+
   std::vector<Index> OfVertex;
   std::vector<Volume> Volumes;
 };

@@ -89,6 +89,52 @@ void HalfEdgeMesh::Collapse(const Neighbourhood& around, Index keep, const Vecto
 }
 
 //------------------------------------------------------------------------------
+void HalfEdgeMesh::Pair(Index h, Index twin)
+{
+  this->Faces[h >> 2].Twins[h & 3] = twin;
+  if (twin != None)
+  {
+    this->Faces[twin >> 2].Twins[twin & 3] = h;
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Faces a b c and b a d become a d c and b c d, each in its old slot.
+void HalfEdgeMesh::Flip(Index h)
+{
+  const Index t = this->Twin(h);
+  const std::array<Index, 3> f = { h, Next(h), Previous(h) };
+  const std::array<Index, 3> g = { t, Next(t), Previous(t) };
+  const std::array<Index, 4> outer = { this->Twin(f[1]), this->Twin(f[2]), this->Twin(g[1]),
+    this->Twin(g[2]) }; // across b c, c a, a d, d b
+  const Index a = this->Origin(h);
+  const Index b = this->Origin(t);
+  const Index c = this->Origin(f[2]);
+  const Index d = this->Origin(g[2]);
+  const auto turn = [this](Index v, Index from, Index other, Index to)
+  {
+    Index& outgoing = this->Vertices[v].Outgoing;
+    outgoing = outgoing == from || outgoing == other ? to : outgoing;
+  };
+  turn(a, h, g[1], f[2]);
+  turn(b, t, f[1], g[2]);
+  turn(c, f[2], None, f[1]);
+  turn(d, g[2], None, g[1]);
+  const auto setOrigin = [this](Index half, Index v)
+  { this->Faces[half >> 2].Origins[half & 3] = v; };
+  setOrigin(f[0], d);
+  setOrigin(f[1], c);
+  setOrigin(f[2], a);
+  setOrigin(g[0], c);
+  setOrigin(g[1], d);
+  setOrigin(g[2], b);
+  this->Pair(f[1], outer[1]);
+  this->Pair(f[2], outer[2]);
+  this->Pair(g[1], outer[3]);
+  this->Pair(g[2], outer[0]);
+}
+
+//------------------------------------------------------------------------------
 /// Takes out the face of h, whose other two edges become one.
 void HalfEdgeMesh::RemoveFace(Index h)
 {

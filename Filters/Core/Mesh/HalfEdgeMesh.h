@@ -118,6 +118,10 @@ private:
 
   /// Merges the ends of the edge into `keep` (one of them) at `position`. The caller has judged that this is allowed.
   void Collapse(const Neighbourhood& around, Index keep, const Vector3& position);
+  /// Turns the edge of h, which has two faces, into that between their apexes. The caller has judged as above.
+  void Flip(Index h);
+  void Move(Index v, const Vector3& position) { this->Vertices[v].Position = position; }
+  void Pair(Index h, Index twin);
   void RemoveFace(Index h);
   /// Several workers remove faces at once; the count follows when they are done.
   void CountRemovedFaces(Index count) { this->LiveFaces -= count; }

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SmallEdits.h"
+
+#include "Geometry/TriangleGeometry.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Cosine of the most (78 degrees) by which a face may turn in one step; 90 would let it end on its edge.
+constexpr double LeastCosine = 0.2;
+/// 4 sqrt(3) area / sum of squared edges, 1 for an equilateral triangle: below this, no better than before.
+constexpr double LeastQuality = 0.02;
+constexpr double QualityOfEquilateral = 6.928203230275509; // 4 sqrt(3)
+
+struct Face
+{
+  Face(const Vector3& a, const Vector3& b, const Vector3& c)
+    : Vector(AreaVector(a, b, c))
+    , Area(this->Vector.norm())
+  {
+    const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+    this->Quality = squares > 0.0 ? QualityOfEquilateral * this->Area / squares : 0.0;
+  }
+
+  Vector3 Vector; // mm^2
+  double Area;    // mm^2
+  double Quality = 0.0;
+};
+
+bool IsTurned(const Face& before, const Face& after)
+{
+  return before.Area > 0.0 &&
+    before.Vector.dot(after.Vector) < LeastCosine * before.Area * after.Area;
+}
+
+/// @param quality Of the worst face before.
+bool IsNeedle(const Face& after, double quality)
+{
+  return !(after.Area > 0.0) || (after.Quality < LeastQuality && after.Quality < quality);
+}
+
+Verdict JudgeFlipTopology(const HalfEdgeMesh& mesh, Index edge)
+{
+  if (mesh.Twin(edge) == None)
+  {
+    return Verdict::Border;
+  }
+  const std::array<Index, 4> corners = CornersAround(mesh, edge);
+  if (std::any_of(corners.begin(), corners.end(),
+        [&](Index v) { return mesh.Kind(v) == VertexKind::Locked; }))
+  {
+    return Verdict::NonManifold;
+  }
+  bool joined = corners[2] == corners[3];
+  mesh.VisitEdges(corners[2],
+    [&](Index h) { joined = joined || mesh.Across(h, corners[2]) == corners[3]; });
+  return joined ? Verdict::LinkCondition : Verdict::Allowed;
+}
+}
+
+std::array<Index, 4> CornersAround(const HalfEdgeMesh& mesh, Index edge)
+{
+  const Index twin = mesh.Twin(edge);
+  return { mesh.Origin(edge), mesh.Origin(twin), mesh.Origin(HalfEdgeMesh::Previous(edge)),
+    mesh.Origin(HalfEdgeMesh::Previous(twin)) };
+}
+
+//------------------------------------------------------------------------------
+Verdict JudgeFlip(const HalfEdgeMesh& mesh, Index edge, double& volumeChange)
+{
+  const Verdict topology = JudgeFlipTopology(mesh, edge);
+  if (topology != Verdict::Allowed)
+  {
+    return topology;
+  }
+  const std::array<Index, 4> corners = CornersAround(mesh, edge);
+  const Vector3& a = mesh.Position(corners[0]);
+  const Vector3& b = mesh.Position(corners[1]);
+  const Vector3& c = mesh.Position(corners[2]);
+  const Vector3& d = mesh.Position(corners[3]);
+  const std::array<Face, 2> before = { Face(a, b, c), Face(b, a, d) };
+  const double worst = std::min(before[0].Quality, before[1].Quality);
+  for (const Face& after : { Face(a, d, c), Face(b, c, d) })
+  {
+    if (IsNeedle(after, worst))
+    {
+      return Verdict::Degenerate;
+    }
+    if (IsTurned(before[0], after) || IsTurned(before[1], after))
+    {
+      return Verdict::Flip;
+    }
+  }
+  volumeChange = (b - a).dot((c - a).cross(d - a)) / 6.0;
+  return Verdict::Allowed;
+}
+
+//------------------------------------------------------------------------------
+Verdict JudgeMove(
+  const HalfEdgeMesh& mesh, Index vertex, const Vector3& position, double& volumeChange)
+{
+  if (mesh.Kind(vertex) != VertexKind::Inside)
+  {
+    return mesh.Kind(vertex) == VertexKind::Border ? Verdict::Border : Verdict::NonManifold;
+  }
+  Vector3 ring = Vector3::Zero(); // mm^2
+  for (const Index h : mesh.OutgoingOf(vertex))
+  {
+    const Vector3& second = mesh.Position(mesh.Target(h));
+    const Vector3& third = mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h)));
+    const Face before(mesh.Position(vertex), second, third);
+    const Face after(position, second, third);
+    if (IsNeedle(after, before.Quality))
+    {
+      return Verdict::Degenerate;
+    }
+    if (IsTurned(before, after))
+    {
+      return Verdict::Flip;
+    }
+    ring += before.Vector;
+  }
+  volumeChange = ring.dot(position - mesh.Position(vertex)) / 3.0;
+  return Verdict::Allowed;
+}
+}

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Samples.h"
+
+#include "Parallel.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Below this reduction, a triangle gets three samples inside: fewer than about eight to a face are overfitted.
+constexpr Index ManyTriangles = 5;
+/// Of the area of a triangle, how much the samples inside it stand for; its corners share the rest.
+constexpr double ShareOfOne = 0.75; // with the corners exact for quadratic functions
+constexpr double ShareOfThree = 0.9;
+/// Farther than that many times the root mean square, a sample may be on the wrong sheet.
+constexpr double FarAway = 2.0;
+
+std::array<float, 3> Single(const Vector3& p)
+{
+  return { static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()) };
+}
+
+double AreaOf(const HalfEdgeMesh& mesh, Index face)
+{
+  const Triangle c = mesh.Corners(face);
+  return AreaVector(mesh.Position(c[0]), mesh.Position(c[1]), mesh.Position(c[2])).norm();
+}
+}
+
+Samples::Samples(const HalfEdgeMesh& original)
+  : Source(original)
+  , Unit(original.Unit())
+  , Firsts(static_cast<std::size_t>(original.NumberOfFaceSlots()), None)
+{
+}
+
+//------------------------------------------------------------------------------
+/// First the vertices, then those inside triangles: their middles, or three half way from it to the corners.
+Vector3 Samples::PlaceOf(Index id) const
+{
+  if (id < this->Source.NumberOfVertexSlots())
+  {
+    return this->Source.Position(id);
+  }
+  const Triangle c = this->Source.Corners(this->TriangleOf(id));
+  const Vector3 middle =
+    (this->Source.Position(c[0]) + this->Source.Position(c[1]) + this->Source.Position(c[2])) / 3.0;
+  const Index which = (id - this->Source.NumberOfVertexSlots()) % this->PerFace;
+  return this->PerFace == 1 ? middle : Vector3(0.5 * (middle + this->Source.Position(c[which])));
+}
+
+//------------------------------------------------------------------------------
+/// Of each sample, squares of the unit.
+std::vector<float> Samples::Weights() const
+{
+  const Index vertices = this->Source.NumberOfVertexSlots();
+  const double inside = this->PerFace == 1 ? ShareOfOne : ShareOfThree;
+  std::vector<float> weights(this->Faces.size(), 0.0F);
+  for (Index face = 0; face < this->Source.NumberOfFaceSlots(); ++face)
+  {
+    const double area = AreaOf(this->Source, face) / (this->Unit * this->Unit);
+    for (const Index corner : this->Source.Corners(face))
+    {
+      weights[corner] += static_cast<float>((1.0 - inside) / 3.0 * area);
+    }
+    for (Index i = 0; i < this->PerFace; ++i)
+    {
+      weights[vertices + this->PerFace * face + i] =
+        static_cast<float>(inside / this->PerFace * area);
+    }
+  }
+  return weights;
+}
+
+//------------------------------------------------------------------------------
+bool Samples::Distribute(
+  const HalfEdgeMesh& mesh, const Original& merged, int threads, const Monitor& monitor)
+{
+  const Index faces = this->Source.NumberOfFaceSlots();
+  this->PerFace = faces / ManyTriangles < mesh.NumberOfFaces() ? 3 : 1;
+  const CurrentVertices current = merged.CurrentVertices();
+  this->All.clear();
+  this->Faces.resize(current.size() + static_cast<std::size_t>(this->PerFace) * faces);
+  std::fill(this->Firsts.begin(), this->Firsts.end(), None);
+  if (!this->FindFaces(mesh, current, threads, monitor))
+  {
+    return false;
+  }
+  this->SortByFace();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// First for the vertices, then for those inside triangles, which start where a corner came to lie.
+bool Samples::FindFaces(
+  const HalfEdgeMesh& mesh, const CurrentVertices& current, int threads, const Monitor& monitor)
+{
+  constexpr double verticesAt = 0.4;
+  constexpr double allAt = 0.9;
+  std::vector<float> distances(this->Faces.size()); // squared, units
+  const double perSquare = 1.0 / (this->Unit * this->Unit);
+  const auto forEach = [&](std::size_t begin, std::size_t end, double from, double to, auto work)
+  {
+    return ForEachChunk(end - begin, threads, PartOf(monitor, from, to),
+      [&](std::size_t, std::size_t first, std::size_t last)
+      {
+        for (std::size_t id = begin + first; id < begin + last; ++id)
+        {
+          work(static_cast<Index>(id));
+        }
+      });
+  };
+  const auto find = [&](Index id)
+  {
+    const PlaceOnMesh near = this->FindNear(mesh, current, id);
+    this->Faces[id] = near.Face;
+    distances[id] = static_cast<float>(perSquare * near.Place.SquaredDistance);
+  };
+  if (!forEach(0, current.size(), 0.0, verticesAt, find) ||
+    !forEach(current.size(), this->Faces.size(), verticesAt, allAt, find))
+  {
+    return false;
+  }
+  const double sum = std::accumulate(distances.begin(), distances.end(), 0.0);
+  const double far = FarAway * FarAway * sum / static_cast<double>(distances.size());
+  return forEach(0, this->Faces.size(), allAt, 1.0,
+    [&](Index id)
+    {
+      if (distances[id] > far)
+      {
+        const PlaceOnMesh known = { this->Faces[id],
+          FrameOf(mesh, this->Faces[id]).Nearest(this->PlaceOf(id)) };
+        this->Faces[id] = this->FindFar(mesh, current, id, known).Face;
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+PlaceOnMesh Samples::FindNear(
+  const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id) const
+{
+  if (id < this->Source.NumberOfVertexSlots())
+  {
+    return WalkFromVertex(mesh, this->PlaceOf(id), current[id]);
+  }
+  const Index triangle = this->TriangleOf(id);
+  const Index start =
+    mesh.IsAlive(triangle) ? triangle : this->Faces[this->Source.Corners(triangle)[0]];
+  return WalkFrom(mesh, this->PlaceOf(id), start);
+}
+
+//------------------------------------------------------------------------------
+/// The best of what was found and the fans that neighbours and other corners were merged into.
+PlaceOnMesh Samples::FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id,
+  const PlaceOnMesh& found) const
+{
+  const Vector3 p = this->PlaceOf(id);
+  PlaceOnMesh best = found;
+  const auto tryFan = [&](Index v)
+  {
+    const PlaceOnMesh other = WalkFromVertex(mesh, p, current[v]);
+    best = other.Place.SquaredDistance < best.Place.SquaredDistance ? other : best;
+  };
+  if (id >= this->Source.NumberOfVertexSlots())
+  {
+    const Triangle corners = this->Source.Corners(this->TriangleOf(id));
+    tryFan(corners[1]);
+    tryFan(corners[2]);
+  }
+  else if (this->Source.Kind(id) != VertexKind::Locked)
+  {
+    this->Source.VisitEdges(id, [&](Index h) { tryFan(this->Source.Across(h, id)); });
+  }
+  return best;
+}
+
+//------------------------------------------------------------------------------
+/// Lays the samples down face by face.
+void Samples::SortByFace()
+{
+  for (const Index face : this->Faces)
+  {
+    this->Firsts[face] += this->Firsts[face] == None ? 2 : 1; // their number
+  }
+  Index end = 0;
+  for (Index& count : this->Firsts)
+  {
+    if (count != None)
+    {
+      end += count;
+      count = end;
+    }
+  }
+  const std::vector<float> weights = this->Weights();
+  this->All.resize(this->Faces.size());
+  for (Index id = static_cast<Index>(this->Faces.size()); id-- > 0;)
+  {
+    Index& first = this->Firsts[this->Faces[id]];
+    --first;
+    this->All[first] = { Single(this->PlaceOf(id) / this->Unit), weights[id], first + 1 };
+  }
+  // The last of each list is the one before the next list begins.
+  for (const Index first : this->Firsts)
+  {
+    if (first > 0)
+    {
+      this->All[first - 1].Next = None;
+    }
+  }
+  if (!this->All.empty())
+  {
+    this->All.back().Next = None;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Samples::Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor)
+{
+  const bool done = ForEachChunk(this->Firsts.size(), threads, monitor,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (Index face = static_cast<Index>(first); face < static_cast<Index>(last); ++face)
+      {
+        if (this->Firsts[face] == None)
+        {
+          continue;
+        }
+        const TriangleFrame frame = FrameOf(mesh, face);
+        for (Index s = this->Firsts[face]; s != None; s = this->All[s].Next)
+        {
+          const Vector3 p = this->PositionOf(this->All[s]);
+          const TriangleFrame::Place place = frame.Nearest(p);
+          const bool stays = place.Clamped == 0 && frame.EdgesNearby(place) == 0;
+          this->Faces[s] = stays ? face : WalkOn(mesh, p, { face, place }).Face;
+        }
+      }
+    });
+  if (done)
+  {
+    std::fill(this->Firsts.begin(), this->Firsts.end(), None);
+    for (Index s = this->Count(); s-- > 0;)
+    {
+      this->Put(s, this->Faces[s]);
+    }
+  }
+  return done;
+}
+}

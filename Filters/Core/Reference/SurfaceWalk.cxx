@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceWalk.h"
+
+namespace bonedecimate
+{
+namespace
+{
+/// Of the three corners the half-edges that leave them.
+Index HalfEdgeAt(Index face, int corner)
+{
+  const Index first = HalfEdgeMesh::HalfEdge(face, 0);
+  return corner == 0 ? first
+    : corner == 1    ? HalfEdgeMesh::Next(first)
+                     : HalfEdgeMesh::Previous(first);
+}
+
+void Try(const HalfEdgeMesh& mesh, const Vector3& p, Index face, PlaceOnMesh& best)
+{
+  const TriangleFrame::Place place = FrameOf(mesh, face).Nearest(p);
+  if (place.SquaredDistance < best.Place.SquaredDistance)
+  {
+    best = { face, place };
+  }
+}
+
+void TryAcross(const HalfEdgeMesh& mesh, const Vector3& p, Index h, PlaceOnMesh& best)
+{
+  const Index twin = mesh.Twin(h);
+  if (twin != None)
+  {
+    Try(mesh, p, HalfEdgeMesh::Face(twin), best);
+  }
+}
+
+/// All faces around the origin of h but that of h.
+void TryAround(const HalfEdgeMesh& mesh, const Vector3& p, Index h, PlaceOnMesh& best)
+{
+  if (mesh.Kind(mesh.Origin(h)) == VertexKind::Locked)
+  {
+    TryAcross(mesh, p, h, best);
+    TryAcross(mesh, p, HalfEdgeMesh::Previous(h), best);
+    return;
+  }
+  const Index face = HalfEdgeMesh::Face(h);
+  for (const Index out : mesh.OutgoingOf(mesh.Origin(h)))
+  {
+    if (HalfEdgeMesh::Face(out) != face)
+    {
+      Try(mesh, p, HalfEdgeMesh::Face(out), best);
+    }
+  }
+}
+
+/// The only corner whose weight is not zero.
+int CornerOf(int clamped)
+{
+  return clamped == 6 ? 0 : clamped == 5 ? 1 : 2;
+}
+
+bool IsCorner(int clamped)
+{
+  return (clamped & (clamped - 1)) != 0;
+}
+
+/// The half-edge opposite the only corner whose weight is zero.
+Index EdgeOf(Index face, int clamped)
+{
+  return HalfEdgeAt(face, clamped == 1 ? 1 : clamped == 2 ? 2 : 0);
+}
+
+/// From a place inside a face to those across its edges that may rise towards the point.
+void TryNearby(const HalfEdgeMesh& mesh, const Vector3& p, PlaceOnMesh& best)
+{
+  const Index face = best.Face;
+  const int edges = FrameOf(mesh, face).EdgesNearby(best.Place);
+  for (const int edge : { 1, 2, 4 })
+  {
+    if ((edges & edge) != 0)
+    {
+      TryAcross(mesh, p, EdgeOf(face, edge), best);
+    }
+  }
+}
+}
+
+PlaceOnMesh WalkOn(const HalfEdgeMesh& mesh, const Vector3& p, PlaceOnMesh from)
+{
+  Index face = None;
+  while (face != from.Face && from.Place.SquaredDistance > 0.0)
+  {
+    face = from.Face;
+    const int clamped = from.Place.Clamped;
+    if (clamped == 0)
+    {
+      TryNearby(mesh, p, from);
+    }
+    else if (IsCorner(clamped))
+    {
+      TryAround(mesh, p, HalfEdgeAt(face, CornerOf(clamped)), from);
+    }
+    else
+    {
+      TryAcross(mesh, p, EdgeOf(face, clamped), from);
+    }
+  }
+  return from;
+}
+
+//------------------------------------------------------------------------------
+PlaceOnMesh WalkFromVertex(const HalfEdgeMesh& mesh, const Vector3& p, Index vertex)
+{
+  const Index outgoing = mesh.Outgoing(vertex);
+  const Index face = HalfEdgeMesh::Face(outgoing);
+  PlaceOnMesh best = { face, FrameOf(mesh, face).Nearest(p) };
+  if (best.Place.SquaredDistance > 0.0)
+  {
+    TryAround(mesh, p, outgoing, best);
+  }
+  return WalkOn(mesh, p, best);
+}
+}

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EdgeFlipper.h"
+
+#include "Collapse/SmallEdits.h"
+
+namespace bonedecimate
+{
+namespace
+{
+/// The other diagonal must lower the error to that.
+constexpr double FlipBelow = 0.98;
+/// Cosine between a face and the original below which it may not turn farther away.
+constexpr double LeastFacing = 0.2;
+constexpr float Unknown = -1.0F;
+}
+
+//------------------------------------------------------------------------------
+Index EdgeFlipper::Improve(Index vertex)
+{
+  const HalfEdgeMesh& mesh = this->Work.Mesh();
+  Index left = 0;
+  for (const Index h : mesh.OutgoingOf(vertex))
+  {
+    left += h != None ? 1 : 0;
+  }
+  // Walked by hand: a flip takes its edge out of the ring and renames the one before.
+  Index flips = 0;
+  for (Index h = mesh.Outgoing(vertex); left > 0 && h != None; --left)
+  {
+    const Index next = mesh.Twin(HalfEdgeMesh::Previous(h));
+    if (mesh.Twin(h) != None && vertex < mesh.Target(h) && this->TryFlip(h))
+    {
+      ++flips;
+    }
+    h = next;
+  }
+  return flips;
+}
+
+//------------------------------------------------------------------------------
+double EdgeFlipper::ErrorBefore(const HalfEdgeMesh& mesh, Index face)
+{
+  float& known = this->FaceErrors[static_cast<std::size_t>(face)];
+  if (known < 0.0F)
+  {
+    const TriangleFrame frame = FrameOf(mesh, face);
+    double error = 0.0;
+    this->Fit.VisitFace(face,
+      [&](const Samples::Sample& sample)
+      {
+        error += sample.Weight *
+          this->Penalty.Of(frame.Nearest(this->Fit.PositionOf(sample)).SquaredDistance);
+      });
+    known = static_cast<float>(error);
+  }
+  return known;
+}
+
+//------------------------------------------------------------------------------
+bool EdgeFlipper::IsNearer(const Pair& after, double before) const
+{
+  const double enough = FlipBelow * before;
+  double error = 0.0;
+  for (const Index face : after.Faces)
+  {
+    for (Index s = this->Fit.First(face); s != None && error < enough; s = this->Fit[s].Next)
+    {
+      const Vector3 p = this->Fit.PositionOf(this->Fit[s]);
+      const double squared = std::min(
+        after.Frames[0].Nearest(p).SquaredDistance, after.Frames[1].Nearest(p).SquaredDistance);
+      error += this->Fit[s].Weight * this->Penalty.Of(squared);
+    }
+  }
+  return error < enough;
+}
+
+//------------------------------------------------------------------------------
+bool EdgeFlipper::TurnsAway(
+  const std::array<Index, 4>& corners, const Pair& before, const Pair& after) const
+{
+  Vector3 original = Vector3::Zero();
+  for (const Index corner : corners)
+  {
+    original += FrameOf(this->Back.Original(), this->Back.Of(corner)).UnitNormal();
+  }
+  const auto facing = [&original](const Pair& pair)
+  {
+    return std::min(
+      pair.Frames[0].UnitNormal().dot(original), pair.Frames[1].UnitNormal().dot(original));
+  };
+  const double now = facing(after);
+  return now < LeastFacing * original.norm() && now < facing(before);
+}
+
+//------------------------------------------------------------------------------
+bool EdgeFlipper::TryFlip(Index edge)
+{
+  const HalfEdgeMesh& mesh = this->Work.Mesh();
+  const std::array<Index, 2> faces = { HalfEdgeMesh::Face(edge),
+    HalfEdgeMesh::Face(mesh.Twin(edge)) };
+  const double before = this->ErrorBefore(mesh, faces[0]) + this->ErrorBefore(mesh, faces[1]);
+  if (!(before > 0.0))
+  {
+    return false;
+  }
+  const std::array<Index, 4> corners = CornersAround(mesh, edge);
+  const Vector3& a = mesh.Position(corners[0]);
+  const Vector3& b = mesh.Position(corners[1]);
+  const Vector3& c = mesh.Position(corners[2]);
+  const Vector3& d = mesh.Position(corners[3]);
+  const Pair after = { faces, { TriangleFrame(a, d, c), TriangleFrame(b, c, d) } };
+  if (!this->IsNearer(after, before) ||
+    this->TurnsAway(corners, { faces, { TriangleFrame(a, b, c), TriangleFrame(b, a, d) } }, after))
+  {
+    return false;
+  }
+  Edit edit;
+  edit.Kind = EditKind::Flip;
+  edit.Edge = edge;
+  if (this->Work.ApplySmall(edit, this->Space, this->Workers) != Verdict::Allowed)
+  {
+    return false;
+  }
+  this->HandOver(after);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Gives the samples of both faces to the nearer one.
+void EdgeFlipper::HandOver(const Pair& after)
+{
+  for (Index s : { this->Fit.Take(after.Faces[0]), this->Fit.Take(after.Faces[1]) })
+  {
+    while (s != None)
+    {
+      const Vector3 p = this->Fit.PositionOf(this->Fit[s]);
+      const Index next = this->Fit[s].Next;
+      const bool first =
+        after.Frames[0].Nearest(p).SquaredDistance <= after.Frames[1].Nearest(p).SquaredDistance;
+      this->Fit.Put(s, after.Faces[first ? 0 : 1]);
+      s = next;
+    }
+  }
+  for (const Index face : after.Faces)
+  {
+    this->FaceErrors[static_cast<std::size_t>(face)] = Unknown;
+  }
+}
+}

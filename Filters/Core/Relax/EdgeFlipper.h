@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file EdgeFlipper.h
+ * @brief Flips an edge where the other diagonal of its two faces lies nearer to the samples of both.
+ *
+ *          c                    c
+ *        / | \                /   \         error before = samples of a-b-c to it + samples of b-a-d to it
+ *       a  |  b     --->     a-----b        error after  = all of them, each to the nearer of the new faces
+ *        \ | /                \   /
+ *          d                    d           (drawn the other way round: the edge is a-b before and c-d after)
+ *
+ * Flipped if that lowers the error by 2 % and turns no face away from the original. H. Hoppe et al., Mesh Optimization, 1993.
+ */
+#ifndef BoneDecimate_Core_Relax_EdgeFlipper_h
+#define BoneDecimate_Core_Relax_EdgeFlipper_h
+
+#include "Collapse/Editor.h"
+#include "ErrorWeights.h"
+#include "Reference/BackHints.h"
+#include "Reference/Samples.h"
+
+#include <array>
+#include <vector>
+
+namespace bonedecimate
+{
+class EdgeFlipper
+{
+public:
+  /// @param faceErrors Of each face, negative where unknown; workers on other parts of the mesh share it.
+  EdgeFlipper(Editor& editor, Samples& samples, const BackHints& hints,
+    std::vector<float>& faceErrors, int workers)
+    : Work(editor)
+    , Fit(samples)
+    , Back(hints)
+    , FaceErrors(faceErrors)
+    , Penalty(editor.Mesh().Unit())
+    , Workers(workers)
+  {
+  }
+
+  /// Flips edges at the vertex; returns how many.
+  Index Improve(Index vertex);
+
+private:
+  /// Two faces that share an edge.
+  struct Pair
+  {
+    std::array<Index, 2> Faces;
+    std::array<TriangleFrame, 2> Frames;
+  };
+  bool TryFlip(Index edge);
+  double ErrorBefore(const HalfEdgeMesh& mesh, Index face);
+  bool IsNearer(const Pair& after, double before) const;
+  bool TurnsAway(const std::array<Index, 4>& corners, const Pair& before, const Pair& after) const;
+  void HandOver(const Pair& after);
+
+  Editor& Work;
+  Workspace Space;
+  Samples& Fit;
+  const BackHints& Back;
+  std::vector<float>& FaceErrors;
+  ThreeHalves Penalty;
+  int Workers;
+};
+}
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RelaxedLoop.h
+ * @brief The loops of the modes Balanced and Accurate: Fast nearly to the end, then with samples of the original in hand.
+ *
+ *     Sweep to a few faces more than wanted                (ordered by what collapses do to the normals)
+ *     give every face the samples of the original near it
+ *     flip edges and move vertices
+ *     collapse the rest by what that does to the sampled error
+ *     flip edges and move vertices again
+ *
+ * Towards an error nobody knows the last collapses beforehand: then the sweep goes all the way, and no vertex is moved
+ * farther from the original than that error. What only edges at borders can give is left to a second sweep.
+ */
+#ifndef BoneDecimate_Core_Relax_RelaxedLoop_h
+#define BoneDecimate_Core_Relax_RelaxedLoop_h
+
+#include "Collapse/Goal.h"
+#include "Relaxation.h"
+
+namespace bonedecimate
+{
+/// How much is done beyond the sweep.
+struct Recipe
+{
+  double ExtraOfWanted;   ///< The sweep stops that share of the wanted faces early,
+  double ExtraOfOriginal; ///< but not earlier than that share of the original ones.
+  int EdgesOfCollapse;    ///< Edges judged for each of the last collapses.
+  int SweepsBefore;       ///< Relaxation before the last collapses.
+  int SweepsAfter;        ///< And after them,
+  int SweepsIfFew;        ///< or where few triangles remain and sweeps cost little.
+};
+constexpr Recipe BalancedRecipe = { 0.2, 0.03, 4, 1, 1, 2 };
+constexpr Recipe AccurateRecipe = { 0.3, 1.0, 8, 1, 4, 4 };
+
+class RelaxedLoop
+{
+public:
+  /// @param editor Must keep quadrics.
+  RelaxedLoop(Editor& editor, const Recipe& recipe, const Stops& stops, int threads);
+
+  /// @param monitor Hears fractions from 0 to 1.
+  StopReason Run(const Monitor& monitor);
+
+private:
+  StopReason Collapse(Index faces, const Monitor& monitor);
+  bool Relax(const HalfEdgeMesh& original, const Monitor& monitor);
+  bool CollapseLast(Relaxation& relaxation, const Monitor& monitor);
+  Index FacesOfSweep() const;
+
+  Editor& Work;
+  Recipe Asked;
+  Stops Wanted;
+  int Threads;
+  Index FacesAtFirst;
+};
+}
+
+#endif

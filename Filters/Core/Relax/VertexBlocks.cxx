@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VertexBlocks.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Large blocks leave few vertices over that none of them holds wholly; many blocks keep many threads busy.
+constexpr Index BlocksWanted = 32;
+constexpr Index SmallestBlock = 512;
+constexpr Index LargestBlock = 8192;
+}
+
+VertexBlocks::VertexBlocks(const HalfEdgeMesh& mesh)
+  : Ranks(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), None)
+{
+  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    if (mesh.Outgoing(v) != None && mesh.Kind(v) != VertexKind::Locked)
+    {
+      this->Ranks[v] = static_cast<Index>(this->Order.size());
+      this->Order.push_back(v);
+    }
+  }
+  this->Visited.resize(this->Order.size(), 0);
+  this->BlockSize =
+    std::clamp(static_cast<Index>(this->Order.size()) / BlocksWanted, SmallestBlock, LargestBlock);
+}
+
+//------------------------------------------------------------------------------
+bool VertexBlocks::IsInside(const HalfEdgeMesh& mesh, Index v, Index shift) const
+{
+  const Index block = this->BlockOf(v, shift);
+  bool inside = true;
+  mesh.VisitEdges(v,
+    [&](Index h)
+    {
+      const Index other = mesh.Across(h, v);
+      inside = inside && (this->Ranks[other] == None || this->BlockOf(other, shift) == block);
+    });
+  return inside;
+}
+}

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file VertexBlocks.h
+ * @brief The live vertices in their order, cut into blocks that threads may work on.
+ *
+ *     for shift in 0, 1/2:   each block, on any thread:  visit the vertices that no earlier pass visited
+ *                                                         and whose neighbours are all in this block
+ *     then, on one thread:   visit the rest
+ *
+ * Order and blocks depend on the mesh alone, so that the result is the same for any number of threads. The
+ * vertices of a cleaned surface lie along a curve that fills space: a block is a patch.
+ */
+#ifndef BoneDecimate_Core_Relax_VertexBlocks_h
+#define BoneDecimate_Core_Relax_VertexBlocks_h
+
+#include "Mesh/HalfEdgeMesh.h"
+#include "Monitor.h"
+#include "Parallel.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+class VertexBlocks
+{
+public:
+  explicit VertexBlocks(const HalfEdgeMesh& mesh);
+
+  /// How many workers there may be at most.
+  int Count() const { return static_cast<int>(this->Order.size() / this->BlockSize) + 2; }
+
+  /**
+   * Calls visit(v) once for every live vertex that is not locked; those visited at the same time have no common
+   * neighbours. `worker()` makes the visitor of a block.
+   */
+  /// False if the monitor said stop.
+  template <typename MakeWorker>
+  bool ForEach(
+    const HalfEdgeMesh& mesh, int threads, const Monitor& monitor, const MakeWorker& makeWorker);
+
+private:
+  template <typename MakeWorker>
+  bool VisitBlocks(const HalfEdgeMesh& mesh, Index shift, int threads, const Monitor& monitor,
+    const MakeWorker& makeWorker);
+  template <typename MakeWorker>
+  bool VisitRest(const Monitor& monitor, const MakeWorker& makeWorker);
+
+  Index BlockOf(Index v, Index shift) const { return (this->Ranks[v] + shift) / BlockSize; }
+  bool IsInside(const HalfEdgeMesh& mesh, Index v, Index shift) const;
+
+  Index BlockSize = 0;      // vertices
+  std::vector<Index> Order; // live vertices that are not locked
+  std::vector<Index> Ranks; // of each vertex in Order
+  std::vector<std::uint8_t> Visited;
+};
+
+template <typename MakeWorker>
+bool VertexBlocks::ForEach(
+  const HalfEdgeMesh& mesh, int threads, const Monitor& monitor, const MakeWorker& makeWorker)
+{
+  std::fill(this->Visited.begin(), this->Visited.end(), 0);
+  return this->VisitBlocks(mesh, 0, threads, PartOf(monitor, 0.0, 0.5), makeWorker) &&
+    this->VisitBlocks(mesh, this->BlockSize / 2, threads, PartOf(monitor, 0.5, 0.8), makeWorker) &&
+    this->VisitRest(PartOf(monitor, 0.8, 1.0), makeWorker);
+}
+
+//------------------------------------------------------------------------------
+template <typename MakeWorker>
+bool VertexBlocks::VisitBlocks(const HalfEdgeMesh& mesh, Index shift, int threads,
+  const Monitor& monitor, const MakeWorker& makeWorker)
+{
+  const Index count = static_cast<Index>(this->Order.size());
+  const auto blocks =
+    static_cast<std::size_t>((count + shift + this->BlockSize - 1) / this->BlockSize);
+  return ForEachChunk(blocks, threads, monitor,
+    [&](std::size_t, std::size_t begin, std::size_t end)
+    {
+      auto worker = makeWorker();
+      const Index first = std::max(0, static_cast<Index>(begin) * this->BlockSize - shift);
+      const Index last = std::min(count, static_cast<Index>(end) * this->BlockSize - shift);
+      for (Index i = first; i < last; ++i)
+      {
+        if (!this->Visited[i] && this->IsInside(mesh, this->Order[i], shift))
+        {
+          this->Visited[i] = 1;
+          worker(this->Order[i]);
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+template <typename MakeWorker>
+bool VertexBlocks::VisitRest(const Monitor& monitor, const MakeWorker& makeWorker)
+{
+  constexpr Index tellEvery = 64; // vertices
+  const Index count = static_cast<Index>(this->Order.size());
+  auto worker = makeWorker();
+  Index visits = 0;
+  for (Index i = 0; i < count; ++i)
+  {
+    if (this->Visited[i])
+    {
+      continue;
+    }
+    worker(this->Order[i]);
+    if (++visits % tellEvery == 0 && !monitor(static_cast<double>(i) / count))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
+
+#endif

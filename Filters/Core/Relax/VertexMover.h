@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file VertexMover.h
+ * @brief One Gauss-Newton step of a vertex towards the original surface, kept only if the sampled two-sided error falls.
+ *
+ *     gather the samples of the ring's faces and the place of the vertex on the original       (ErrorWeights.h)
+ *     solve for the step                                                                       (FitStep.h)
+ *     too little to gain:  stay
+ *     the error falls there, and no face turns away from the original:  go; else try half the way once
+ */
+#ifndef BoneDecimate_Core_Relax_VertexMover_h
+#define BoneDecimate_Core_Relax_VertexMover_h
+
+#include "Collapse/Editor.h"
+#include "ErrorWeights.h"
+#include "FitStep.h"
+#include "Reference/BackHints.h"
+#include "Reference/Samples.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+class VertexMover
+{
+public:
+  /// @param farthest mm, no vertex may go farther from the original, or farther than it is; 0: anywhere.
+  VertexMover(
+    Editor& editor, const Samples& samples, BackHints& hints, double farthest, int workers)
+    : Work(editor)
+    , Fit(samples)
+    , Back(hints)
+    , Penalty(editor.Mesh().Unit())
+    , Farthest(farthest)
+    , Workers(workers)
+  {
+  }
+
+  /// True if the vertex moved.
+  bool Improve(Index vertex);
+
+private:
+  struct RingFace
+  {
+    Index Face;
+    Vector3 Second, Third;
+    double Facing; // cosine between face and original, before the step
+  };
+  void Gather(Index vertex);
+  double AddSamples(const TriangleFrame& frame, Index face);
+  bool Lowers(Index vertex, const Vector3& position);
+  double ErrorOfFace(const RingFace& ring, const TriangleFrame& frame) const;
+
+  Editor& Work;
+  Workspace Space;
+  const Samples& Fit;
+  BackHints& Back;
+  ThreeHalves Penalty;
+  double Farthest; // mm
+  int Workers;
+  std::vector<RingFace> Ring;
+  FitStep Equations;
+  double Error = 0.0;           // mm^2
+  double SquaredDistance = 0.0; // mm^2, of the vertex to the original
+  Vector3 OriginalNormal = Vector3::Zero();
+  Index Hint = None;
+};
+}
+
+#endif

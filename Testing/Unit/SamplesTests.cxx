@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the current faces know of the original: nearest places, walks, samples.
+#include "BruteForce.h"
+#include "Collapse/Sweep.h"
+#include "Geometry/TriangleFrame.h"
+#include "Random.h"
+#include "Reference/BackHints.h"
+#include "Reference/Samples.h"
+#include "Runs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace bonedecimate;
+using namespace bonedecimate::testsupport;
+
+namespace
+{
+const Monitor GoOn = [](double) { return true; };
+
+/// Of the frame's answer everything that can be known from outside. Lengths are of the order of size.
+void ExpectNearest(const Vector3& p, const std::array<Vector3, 3>& t, double size)
+{
+  const TriangleFrame frame(t[0], t[1], t[2]);
+  const TriangleFrame::Place place = frame.Nearest(p);
+  const double tolerance = 1e-7 * size;
+  EXPECT_NEAR(
+    std::sqrt(place.SquaredDistance), PointTriangleDistance(p, t[0], t[1], t[2]), tolerance);
+  EXPECT_NEAR((frame.At(place) - p).norm(), std::sqrt(place.SquaredDistance), tolerance);
+  const std::array<double, 3> weights = { 1.0 - place.B - place.C, place.B, place.C };
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    EXPECT_GE(weights[i], -1e-12);
+    EXPECT_TRUE((place.Clamped & (1 << i)) == 0 || std::abs(weights[i]) < 1e-12);
+  }
+}
+
+/// How often each sample is in the list of a live face.
+std::vector<int> TimesListed(const Samples& samples, const HalfEdgeMesh& mesh)
+{
+  std::vector<int> times(static_cast<std::size_t>(samples.Count()), 0);
+  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    EXPECT_TRUE(mesh.IsAlive(face) || samples.First(face) == None) << "face " << face;
+    for (Index s = samples.First(face); s != None; s = samples[s].Next)
+    {
+      ++times[static_cast<std::size_t>(s)];
+    }
+  }
+  return times;
+}
+}
+
+TEST(TriangleFrame, NearestAgreesWithBruteForceOnTrianglesOfAllShapes)
+{
+  Random random(5);
+  for (int i = 0; i < 20000; ++i)
+  {
+    const double size = std::pow(10.0, random.Between(-3.0, 3.0));
+    std::array<Vector3, 3> t = { random.InCube(size), random.InCube(size), random.InCube(size) };
+    if (i % 4 == 0)
+    {
+      t[2] = t[0] + random.Uniform() * (t[1] - t[0]) + 1e-4 * t[2]; // a needle
+    }
+    ExpectNearest(random.InCube(2.0 * size), t, size);
+  }
+}
+
+TEST(TriangleFrame, NearestIsRightWhereATriangleHasNoArea)
+{
+  Random random(6);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Vector3 a = random.InCube(1.0);
+    const Vector3 b = random.InCube(1.0);
+    ExpectNearest(random.InCube(2.0), { a, b, a + random.Uniform() * (b - a) }, 1.0);
+    ExpectNearest(random.InCube(2.0), { a, a, a }, 1.0);
+  }
+}
+
+TEST(SurfaceWalk, FindsTheNearestPlaceOfAConvexSurfaceFromNearby)
+{
+  const Surface sphere = Icosphere(3, 10.0);
+  const HalfEdgeMesh mesh(sphere);
+  Random random(7);
+  for (int i = 0; i < 2000; ++i)
+  {
+    Vector3 p = random.InCube(1.0);
+    p *= random.Between(10.0, 14.0) / p.norm();
+    const Index near = sphere.Triangles[BruteNearest(sphere, p).Triangle][0];
+    const Index start = mesh.Target(mesh.Outgoing(mesh.Target(mesh.Outgoing(near))));
+    const PlaceOnMesh found = WalkFromVertex(mesh, p, start);
+    EXPECT_NEAR(std::sqrt(found.Place.SquaredDistance), BruteNearest(sphere, p).Distance, 1e-9);
+  }
+}
+
+TEST(SurfaceWalk, NeverEndsFartherThanItBegan)
+{
+  Random random(8);
+  for (const NamedSurface& shape : AllShapes())
+  {
+    const HalfEdgeMesh mesh(Clean(shape.Surface, true).Surface);
+    for (int i = 0; i < 200; ++i)
+    {
+      const Index face = random.Below(mesh.NumberOfFaceSlots());
+      const Vector3 p = random.InCube(20.0);
+      const double began = FrameOf(mesh, face).Nearest(p).SquaredDistance;
+      const PlaceOnMesh found = WalkFrom(mesh, p, face);
+      EXPECT_LE(found.Place.SquaredDistance, began) << shape.Name;
+      EXPECT_EQ(found.Place.SquaredDistance, FrameOf(mesh, found.Face).Nearest(p).SquaredDistance);
+    }
+  }
+}
+
+class EachSample : public EachShape
+{
+};
+
+TEST_P(EachSample, IsInTheListOfExactlyOneFaceAndAllStandForTheWholeArea)
+{
+  const CleanSurface clean = Clean(GetParam().Surface, true);
+  for (const Index divisor : { 2, 10 })
+  {
+    Editor editor(clean, Editor::Books{ false, false, true });
+    const HalfEdgeMesh original = editor.Mesh();
+    Sweep(editor, { original.NumberOfFaces() / divisor, 0.0, false }, 1).Run(GoOn);
+    Samples samples(original);
+    ASSERT_TRUE(samples.Distribute(editor.Mesh(), editor.Reference(), 1, GoOn));
+    const std::vector<int> one(static_cast<std::size_t>(samples.Count()), 1);
+    EXPECT_EQ(TimesListed(samples, editor.Mesh()), one);
+    double area = 0.0; // squares of the unit
+    for (Index s = 0; s < samples.Count(); ++s)
+    {
+      area += samples[s].Weight;
+    }
+    const double expected = TotalArea(clean.Surface) / (original.Unit() * original.Unit());
+    EXPECT_NEAR(area, expected, 1e-5 * expected);
+    ASSERT_TRUE(samples.Settle(editor.Mesh(), 1, GoOn));
+    EXPECT_EQ(TimesListed(samples, editor.Mesh()), one);
+  }
+}
+
+TEST_P(EachSample, LiesOnTheOriginalBeforeAnythingIsCollapsed)
+{
+  const CleanSurface clean = Clean(GetParam().Surface, true);
+  const Editor editor(clean, Editor::Books{ false, false, true });
+  const HalfEdgeMesh& mesh = editor.Mesh();
+  Samples samples(mesh);
+  ASSERT_TRUE(samples.Distribute(mesh, editor.Reference(), 1, GoOn));
+  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    samples.VisitFace(face,
+      [&](const Samples::Sample& sample)
+      {
+        const Vector3 p = samples.PositionOf(sample);
+        EXPECT_NEAR(std::sqrt(FrameOf(mesh, face).Nearest(p).SquaredDistance), 0.0, 1e-4);
+      });
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, EachSample, testing::ValuesIn(AllShapes()), NameOf);
+
+TEST(Samples, AreWhereverAThreadFoundThemTheSame)
+{
+  const CleanSurface clean = Clean(BumpySphere(5, 20.0, 0.05, 8), true);
+  Editor editor(clean, Editor::Books{ false, false, true });
+  const HalfEdgeMesh original = editor.Mesh();
+  Sweep(editor, { original.NumberOfFaces() / 8, 0.0, false }, 1).Run(GoOn);
+  Samples one(original);
+  one.Distribute(editor.Mesh(), editor.Reference(), 1, GoOn);
+  Samples four(original);
+  four.Distribute(editor.Mesh(), editor.Reference(), 4, GoOn);
+  ASSERT_EQ(one.Count(), four.Count());
+  for (Index s = 0; s < one.Count(); ++s)
+  {
+    EXPECT_EQ(one[s].Place, four[s].Place);
+    EXPECT_EQ(one[s].Next, four[s].Next);
+  }
+}
+
+TEST(BackHints, LeadToTheNearestPlaceOfTheOriginalOnASmoothSurface)
+{
+  const CleanSurface clean = Clean(BumpySphere(4, 20.0, 0.02, 8), true);
+  Editor editor(clean, Editor::Books{ false, false, true });
+  const HalfEdgeMesh original = editor.Mesh();
+  Sweep(editor, { original.NumberOfFaces() / 8, 0.0, false }, 1).Run(GoOn);
+  BackHints hints(original);
+  ASSERT_TRUE(hints.Begin(editor.Mesh(), 1, GoOn));
+  for (Index v = 0; v < editor.Mesh().NumberOfVertexSlots(); ++v)
+  {
+    if (editor.Mesh().Outgoing(v) != None)
+    {
+      const Vector3& p = editor.Mesh().Position(v);
+      EXPECT_NEAR(std::sqrt(hints.Find(p, v).Place.SquaredDistance),
+        BruteNearest(clean.Surface, p).Distance, 1e-9);
+    }
+  }
+}
