@@ -84,17 +84,36 @@ private:
     this->Stage(0.0, CleanedAt)(1.0);
     if (this->Cleaned.Status == InputStatus::Good)
     {
-      SortAlongCurve(this->Cleaned, this->Wanted.NumberOfThreads);
       report.InputChecksum = Checksum(this->Input, this->Wanted.NumberOfThreads);
-      const bool isThesis = this->Wanted.Mode == Mode::Thesis;
-      const Editor::Books books = { isThesis || this->Wanted.MaximumError > 0.0, isThesis,
-        !isThesis };
-      this->Work.emplace(this->Cleaned, books, this->Wanted.NumberOfThreads);
+      this->Build();
       this->CountLocked();
     }
     this->Stage(CleanedAt, BuiltAt)(1.0);
     report.Seconds.Prepare = SecondsSince(start);
     return this->Cleaned.Status == InputStatus::Good;
+  }
+
+  /// In steps that are short enough for somebody who waits; what nobody needs any more is left out.
+  void Build()
+  {
+    const int threads = this->Wanted.NumberOfThreads;
+    const Monitor tell = this->Stage(CleanedAt, BuiltAt);
+    if (this->GoesOn)
+    {
+      SortAlongCurve(this->Cleaned, threads);
+    }
+    tell(0.25);
+    HalfEdgeMesh mesh(this->Cleaned.Surface, threads);
+    tell(0.5);
+    const bool isThesis = this->Wanted.Mode == Mode::Thesis;
+    const Editor::Books books = { isThesis || this->Wanted.MaximumError > 0.0, isThesis,
+      !isThesis && this->GoesOn };
+    this->Work.emplace(std::move(mesh), this->Cleaned, books, threads);
+    tell(0.75);
+    if (books.Distances && this->GoesOn)
+    {
+      this->Work->Reference().Tree(threads, [&] { tell(0.75); });
+    }
   }
 
   void CountLocked()
@@ -136,14 +155,27 @@ private:
       this->GoesOn ? this->RunLoop(this->Stage(BuiltAt, collapsedAt)) : StopReason::Aborted;
     report.Collapses = this->Work->NumberOfEdits();
     report.Refusals = this->Work->Refusals();
-    const ExtractOptions extract = { this->RoundToSingle, this->Wanted.MeasureDistances,
-      this->WithOrigins, this->Wanted.NumberOfThreads };
-    this->LocalResult.Points =
-      Extract(this->Input, this->Cleaned, *this->Work, extract, this->Answer);
-    this->LocalResult.Triangles = this->Answer.Surface.Triangles;
+    this->Extract(this->Stage(collapsedAt, this->MeasuredFrom()));
     report.RunningError = this->LargestError();
-    this->Stage(collapsedAt, this->MeasuredFrom())(1.0);
     report.Seconds.Collapse = SecondsSince(start);
+  }
+
+  /// Who aborted does not wait for distances.
+  void Extract(const Monitor& monitor)
+  {
+    const int threads = this->Wanted.NumberOfThreads;
+    const Original& original = this->Work->Reference();
+    const bool distances = this->Wanted.MeasureDistances || original.RecordsDistances();
+    const ExtractOptions wanted = { this->RoundToSingle, this->GoesOn && distances,
+      this->GoesOn && this->WithOrigins, threads };
+    if (wanted.Distances || wanted.Origins)
+    {
+      original.Tree(threads, [&] { monitor(0.0); });
+    }
+    this->LocalResult.Points =
+      bonedecimate::Extract(this->Input, this->Cleaned, *this->Work, wanted, monitor, this->Answer);
+    this->LocalResult.Triangles = this->Answer.Surface.Triangles;
+    monitor(1.0);
   }
 
   /// mm; not a number if nobody looked any point up.
@@ -196,7 +228,8 @@ private:
         this->Work->Reference().Tree(this->Wanted.NumberOfThreads), samples,
         this->Wanted.NumberOfThreads, this->Stage(from, backFrom));
     }
-    const BoundingTree tree(this->LocalResult, this->Wanted.NumberOfThreads);
+    const Monitor tell = this->Stage(backFrom, backFrom);
+    const BoundingTree tree(this->LocalResult, this->Wanted.NumberOfThreads, [&] { tell(1.0); });
     if (this->Wanted.MeasureDistances)
     {
       this->MeasureBack(tree, samples, backFrom, inputFrom);

@@ -91,7 +91,8 @@ std::vector<Index> CountPoints(const CleanSurface& clean, const Original& origin
 
 /// Looks every point up on the original.
 void FillMaps(const CleanSurface& clean, const Editor& editor, const std::vector<Index>& vertices,
-  const std::vector<Vector3>& localPoints, const ExtractOptions& options, Result& result)
+  const std::vector<Vector3>& localPoints, const ExtractOptions& options, const Monitor& monitor,
+  Result& result)
 {
   const Original& original = editor.Reference();
   const BoundingTree& tree = original.Tree(options.Threads);
@@ -117,7 +118,12 @@ void FillMaps(const CleanSurface& clean, const Editor& editor, const std::vector
         clean.InputPoint[tree.FindNearestPoint(localPoints[p], nearest.Triangle)];
     }
   };
-  ForEachChunk(vertices.size(), options.Threads, Monitor(),
+  const Monitor hear = [&](double done)
+  {
+    monitor(done);
+    return true;
+  };
+  ForEachChunk(vertices.size(), options.Threads, hear,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       for (std::size_t p = first; p < last; ++p)
@@ -129,7 +135,7 @@ void FillMaps(const CleanSurface& clean, const Editor& editor, const std::vector
 }
 
 std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, const Editor& editor,
-  const ExtractOptions& options, Result& result)
+  const ExtractOptions& options, const Monitor& monitor, Result& result)
 {
   const HalfEdgeMesh& mesh = editor.Mesh();
   result.Surface.Triangles = LiveTriangles(mesh, options.Threads);
@@ -149,9 +155,9 @@ std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, co
       localPoints[p] = position - clean.Origin;
       result.PointCount[p] = counts[static_cast<std::size_t>(vertices[p])];
     });
-  if (options.Distances || options.Origins || editor.Reference().RecordsDistances())
+  if (options.Distances || options.Origins)
   {
-    FillMaps(clean, editor, vertices, localPoints, options, result);
+    FillMaps(clean, editor, vertices, localPoints, options, monitor, result);
   }
   return localPoints;
 }

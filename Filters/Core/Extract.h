@@ -32,10 +32,11 @@ struct ExtractOptions
 /**
  * Fills the surface, the maps and the per-point figures of the result.
  * @param input Points that never moved are copied from here, bit for bit.
+ * @param monitor Hears of the look-ups; it cannot stop them.
  * @return The result's points relative to clean.Origin, mm, as they are measured.
  */
 std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, const Editor& editor,
-  const ExtractOptions& options, Result& result);
+  const ExtractOptions& options, const Monitor& monitor, Result& result);
 }
 
 #endif

@@ -22,7 +22,13 @@ Verdict Count(Verdict verdict, Workspace& work)
 }
 
 Editor::Editor(const CleanSurface& clean, const Books& books, int threads)
-  : Half(clean.Surface, threads)
+  : Editor(HalfEdgeMesh(clean.Surface, threads), clean, books, threads)
+{
+}
+
+//------------------------------------------------------------------------------
+Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const Books& books, int threads)
+  : Half(std::move(mesh))
   , KeepsQuadrics(books.Quadrics)
   , Source(clean, books.Distances)
   , Volumes(this->Half, clean.Surface)

@@ -44,6 +44,8 @@ public:
 
   /// @param clean Must live as long as this.
   Editor(const CleanSurface& clean, const Books& books, int threads = 1);
+  /// @param mesh Made of the surface.
+  Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const Books& books, int threads);
   Editor(CleanSurface&&, const Books&, int = 1) = delete;
 
   /// Gathers what lies around the edge and judges what does not depend on the place.

@@ -6,13 +6,13 @@ namespace bonedecimate
 {
 Fan& FanStorage::Reserve(int faces)
 {
-  constexpr std::size_t NumberOfArrays = 9;
-  constexpr std::size_t Spare = 8; // kernels read and write whole lanes
+  constexpr std::size_t numberOfArrays = 9;
+  constexpr std::size_t spare = 8; // kernels read and write whole lanes
   this->Arrays.Faces = faces;
-  if (this->Masks.size() < static_cast<std::size_t>(faces) + Spare)
+  if (this->Masks.size() < static_cast<std::size_t>(faces) + spare)
   {
-    const std::size_t size = 2 * (static_cast<std::size_t>(faces) + Spare);
-    this->Numbers.assign(NumberOfArrays * size, 0.0);
+    const std::size_t size = 2 * (static_cast<std::size_t>(faces) + spare);
+    this->Numbers.assign(numberOfArrays * size, 0.0);
     this->Masks.assign(size, 0);
     this->Arrays.AtEnd = this->Masks.data();
     for (std::size_t k = 0; k < 3; ++k)

@@ -108,7 +108,7 @@ public:
   {
   }
 
-  void Run()
+  void Run(const std::function<void()>& afterStep)
   {
     this->Tree.SetUnit(this->Source);
     this->FindMiddles();
@@ -119,8 +119,10 @@ public:
     {
       ranges = this->AddLevel(ranges);
       levels.push_back(this->Tree.Nodes.size());
+      afterStep();
     }
     this->FillSlots();
+    afterStep();
     for (std::size_t level = levels.size() - 1; level-- > 0;)
     {
       const std::size_t first = levels[level];
@@ -213,11 +215,12 @@ private:
 };
 
 //------------------------------------------------------------------------------
-BoundingTree::BoundingTree(const Surface& surface, int threads)
+BoundingTree::BoundingTree(
+  const Surface& surface, int threads, const std::function<void()>& afterStep)
 {
   if (!surface.Triangles.empty())
   {
-    Builder(surface, threads, *this).Run();
+    Builder(surface, threads, *this).Run(afterStep ? afterStep : [] {});
   }
 }
 

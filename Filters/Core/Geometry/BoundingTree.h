@@ -21,6 +21,7 @@
 #include "TriangleGeometry.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace bonedecimate
@@ -29,7 +30,9 @@ class BoundingTree
 {
 public:
   /// Copies what it needs. Corners must be valid and finite. The same tree whatever the number of threads.
-  explicit BoundingTree(const Surface& surface, int threads = 1);
+  /// @param afterStep Called on the calling thread after each of many steps.
+  explicit BoundingTree(
+    const Surface& surface, int threads = 1, const std::function<void()>& afterStep = {});
 
   struct Nearest
   {

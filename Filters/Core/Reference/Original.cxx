@@ -15,16 +15,16 @@ Original::Original(const CleanSurface& clean, bool recordDistances)
   std::iota(this->MergedInto.begin(), this->MergedInto.end(), 0);
   if (recordDistances)
   {
-    this->Tree();
     this->Nearest = this->TrianglesAtPoints();
     this->Errors.assign(clean.Surface.Points.size(), 0.0);
   }
 }
 
 //------------------------------------------------------------------------------
-const BoundingTree& Original::Tree(int threads) const
+const BoundingTree& Original::Tree(int threads, const std::function<void()>& afterStep) const
 {
-  std::call_once(this->TreeIsBuilt, [&] { this->Triangles.emplace(this->Clean.Surface, threads); });
+  std::call_once(
+    this->TreeIsBuilt, [&] { this->Triangles.emplace(this->Clean.Surface, threads, afterStep); });
   return *this->Triangles;
 }
 

@@ -21,7 +21,7 @@ class Original
 public:
   /**
    * @param clean Must live as long as this.
-   * @param recordDistances Whether Merge looks every new vertex up; otherwise errors stay 0. Builds the tree.
+   * @param recordDistances Whether Merge looks every new vertex up; otherwise errors stay 0.
    */
   Original(const CleanSurface& clean, bool recordDistances);
   Original(CleanSurface&&, bool) = delete;
@@ -50,7 +50,7 @@ public:
   std::vector<Index> TrianglesAtPoints() const;
 
   /// Built when it is asked for first, with so many threads; may be called by several threads.
-  const BoundingTree& Tree(int threads = 1) const;
+  const BoundingTree& Tree(int threads = 1, const std::function<void()>& afterStep = {}) const;
 
 private:
   const CleanSurface& Clean;
