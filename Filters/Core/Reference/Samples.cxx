@@ -12,7 +12,7 @@ namespace bonedecimate
 namespace
 {
 /// Below this reduction, a triangle gets three samples inside: fewer than about eight to a face are overfitted.
-constexpr Index ManyTriangles = 5;
+constexpr Index ManyTriangles = 12;
 /// Of the area of a triangle, how much the samples inside it stand for; its corners share the rest.
 constexpr double ShareOfOne = 0.75; // with the corners exact for quadratic functions
 constexpr double ShareOfThree = 0.9;

@@ -31,8 +31,8 @@ struct Recipe
   int SweepsAfter;        ///< And after them,
   int SweepsIfFew;        ///< or where few triangles remain and sweeps cost little.
 };
-constexpr Recipe BalancedRecipe = { 0.2, 0.03, 4, 1, 1, 2 };
-constexpr Recipe AccurateRecipe = { 0.3, 1.0, 8, 1, 4, 4 };
+constexpr Recipe BalancedRecipe = { 0.2, 0.02, 4, 1, 1, 3 };
+constexpr Recipe AccurateRecipe = { 0.3, 0.06, 4, 1, 6, 8 };
 
 class RelaxedLoop
 {
