@@ -232,7 +232,7 @@ bool Samples::Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monit
         const TriangleFrame frame = FrameOf(mesh, face);
         for (Index s = this->Firsts[face]; s != None; s = this->All[s].Next)
         {
-          const Vector3 p = this->PositionOf(this->All[s]);
+          const Vector3 p = this->SamplePosition(this->All[s]);
           const TriangleFrame::Place place = frame.Nearest(p);
           const bool stays = place.Clamped == 0 && frame.EdgesNearby(place) == 0;
           this->Faces[s] = stays ? face : WalkOn(mesh, p, { face, place }).Face;

@@ -43,12 +43,12 @@ bool ErrorCollapse::Run(Index faces, const Monitor& monitor)
     return false;
   }
   const HalfEdgeMesh& mesh = this->Work.Mesh();
-  const std::size_t allEdges = 2 * static_cast<std::size_t>(mesh.NumberOfFaces());
+  const std::size_t mostEdges = 2 * static_cast<std::size_t>(mesh.NumberOfFaces());
   std::size_t edges = std::max(LeastEdges, this->EdgesOfCollapse * this->CollapsesWanted());
   double from = measuredAt; // what comes again is told as the end
   for (Index before = None; this->CollapsesWanted() > 0; edges *= MoreEdges)
   {
-    if (before == mesh.NumberOfFaces() && edges >= allEdges * MoreEdges)
+    if (before == mesh.NumberOfFaces() && edges >= mostEdges * MoreEdges)
     {
       break;
     }

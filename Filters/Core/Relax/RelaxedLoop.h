@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RelaxedLoop.h
- * @brief The loops of the modes Balanced and Accurate: Fast nearly to the end, then with samples of the original in hand.
+ * @brief The loop of Balanced and Accurate: Fast nearly to the end, then with samples of the original in hand.
  *
  *     Sweep to a few faces more than wanted                (ordered by what collapses do to the normals)
  *     give every face the samples of the original near it

@@ -26,7 +26,7 @@ double SampledErrors::OfFace(Index face) const
   this->Fit.VisitFace(face,
     [&](const Samples::Sample& sample)
     {
-      const Vector3 p = this->Fit.PositionOf(sample);
+      const Vector3 p = this->Fit.SamplePosition(sample);
       error += sample.Weight * this->Penalty.Of(frame.Nearest(p).SquaredDistance);
     });
   return error;
