@@ -4,16 +4,19 @@
  * @file RunOurs.cxx
  * @brief One decimation by this project in a process of its own: the benchmark's contestant.
  *
- *     bonedecimate-run INPUT.ply OUTPUT.ply THROUGH MODE THREADS [--faces N] [--error MM]
+ *     bonedecimate-run INPUT.ply OUTPUT.ply THROUGH MODE THREADS [--faces N] [--error MM] [--kernels NAME]
  *     bonedecimate-run --modes
+ *     bonedecimate-run --kernels
  *
  * THROUGH is core (the VTK-free call) or filter (vtkBoneDecimate, conversions included); MeasureDistances is off.
- * Prints JSON; --modes prints the modes that there are, a line each.
+ * Prints JSON; --modes prints the modes that there are, --kernels the sets of kernels that this processor runs,
+ * a line each.
  */
 #include "Meter.h"
 #include "TriangleFile.h"
 
 #include "Decimate.h"
+#include "Kernels/Kernels.h"
 #include "OptionTable.h"
 #include "vtkBoneDecimate.h"
 
@@ -54,6 +57,19 @@ void Set(bonedecimate::Options& options, const char* name, const std::string& te
   }
 }
 
+void Choose(const std::string& name)
+{
+  for (const bonedecimate::Kernels* kernels : bonedecimate::AvailableKernels())
+  {
+    if (name == kernels->Name)
+    {
+      bonedecimate::ChooseKernels(kernels);
+      return;
+    }
+  }
+  throw std::runtime_error("no such kernels here: " + name);
+}
+
 bonedecimate::Options Asked(int count, char** words)
 {
   bonedecimate::Options options;
@@ -62,6 +78,11 @@ bonedecimate::Options Asked(int count, char** words)
   Set(options, "NumberOfThreads", words[5]);
   for (int i = 6; i + 1 < count; i += 2)
   {
+    if (std::strcmp(words[i], "--kernels") == 0)
+    {
+      Choose(words[i + 1]);
+      continue;
+    }
     const bool isFaces = std::strcmp(words[i], "--faces") == 0;
     Set(options, isFaces ? "TargetNumberOfTriangles" : "MaximumError", words[i + 1]);
   }
@@ -190,10 +211,18 @@ int main(int argumentCount, char** words)
       }
       return EXIT_SUCCESS;
     }
+    if (argumentCount == 2 && std::strcmp(words[1], "--kernels") == 0)
+    {
+      for (const bonedecimate::Kernels* kernels : bonedecimate::AvailableKernels())
+      {
+        std::printf("%s\n", kernels->Name);
+      }
+      return EXIT_SUCCESS;
+    }
     if (argumentCount < 8 || argumentCount % 2 != 0)
     {
       std::fputs("usage: bonedecimate-run INPUT.ply OUTPUT.ply core|filter MODE THREADS "
-                 "--faces N | --error MM\n",
+                 "--faces N | --error MM [--kernels NAME]\n",
         stderr);
       return EXIT_FAILURE;
     }

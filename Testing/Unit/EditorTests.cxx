@@ -37,7 +37,8 @@ Surface SurfaceOf(const HalfEdgeMesh& mesh)
 /// Runs the loop as far as it goes and calls check(editor, edit) after every collapse.
 StopReason RunToTheEnd(const Surface& surface, const Editor::Hook& check)
 {
-  Editor editor(Clean(surface, true), Editor::Books());
+  const CleanSurface cleaned = Clean(surface, true);
+  Editor editor(cleaned, Editor::Books());
   editor.SetHook(check);
   ThesisLoop loop(editor, Tolerance, { 0, 0.0, true });
   return loop.Run([](double) { return true; });
@@ -213,7 +214,8 @@ TEST(Editor, ARefusedEditChangesNothingAndIsCounted)
 
 TEST(Editor, AnEditMayBeAppliedWithoutBeingExaminedFirst)
 {
-  Editor editor(Clean(Grid(4), true), Editor::Books());
+  const CleanSurface cleaned = Clean(Grid(4), true);
+  Editor editor(cleaned, Editor::Books());
   const HalfEdgeMesh& mesh = editor.Mesh();
   for (const Index h : HalfEdges(mesh))
   {
@@ -270,7 +272,8 @@ TEST(ThesisLoop, AVertexWhoseEdgesAreAllRefusedIsTriedAgainWhenItsRingChanged)
   // Whatever is left when nothing more is allowed is refused when asked again.
   for (const NamedSurface& shape : AllShapes())
   {
-    Editor editor(Clean(shape.Surface, true), Editor::Books());
+    const CleanSurface cleaned = Clean(shape.Surface, true);
+    Editor editor(cleaned, Editor::Books());
     ThesisLoop loop(editor, Tolerance, { 0, 0.0, true });
     EXPECT_EQ(loop.Run([](double) { return true; }), StopReason::NothingLeft) << shape.Name;
     const Index faces = editor.Mesh().NumberOfFaces();

@@ -182,7 +182,8 @@ TEST(Gate, LeastFragmentsAreRefusedAsFragments)
 {
   for (const Surface& surface : { Tetrahedron(), Envelope(), SingleTriangle() })
   {
-    Editor editor(Clean(surface, true), Editor::Books());
+    const CleanSurface cleaned = Clean(surface, true);
+    Editor editor(cleaned, Editor::Books());
     for (const Index h : HalfEdges(editor.Mesh()))
     {
       EXPECT_EQ(editor.Examine(h), Verdict::Fragment);
@@ -192,7 +193,8 @@ TEST(Gate, LeastFragmentsAreRefusedAsFragments)
 
 TEST(Gate, AnEdgeAroundATunnelIsRefusedByTheLinkCondition)
 {
-  Editor editor(Clean(Torus(3, 12), true), Editor::Books());
+  const CleanSurface cleaned = Clean(Torus(3, 12), true);
+  Editor editor(cleaned, Editor::Books());
   std::int64_t refused = 0;
   for (const Index h : HalfEdges(editor.Mesh()))
   {

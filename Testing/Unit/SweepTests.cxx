@@ -93,7 +93,8 @@ const std::vector<Freedom> Freedoms = { Freedom::Space, Freedom::Edge, Freedom::
 
 TEST(EdgeKernel, CostIsThatOfThePlanesOfBothRingsAtThePlaceChosen)
 {
-  const Editor editor(Clean(Bone(), true), Editor::Books{ false, true, true });
+  const CleanSurface cleaned = Clean(Bone(), true);
+  const Editor editor(cleaned, Editor::Books{ false, true, true });
   const HalfEdgeMesh& mesh = editor.Mesh();
   for (const Index h : HalfEdges(mesh, 7))
   {
@@ -114,7 +115,8 @@ TEST(EdgeKernel, CostIsThatOfThePlanesOfBothRingsAtThePlaceChosen)
 
 TEST(EdgeKernel, PlaceInSpaceKeepsTheVolumeUnderBothRings)
 {
-  const Editor editor(Clean(Bone(), true), Editor::Books{ false, true, true });
+  const CleanSurface cleaned = Clean(Bone(), true);
+  const Editor editor(cleaned, Editor::Books{ false, true, true });
   const HalfEdgeMesh& mesh = editor.Mesh();
   for (const Index h : HalfEdges(mesh, 5))
   {
@@ -129,7 +131,8 @@ TEST(EdgeKernel, PlaceInSpaceKeepsTheVolumeUnderBothRings)
 
 TEST(EdgeKernel, PlaceOnAnEdgeIsItsBestAndOnIt)
 {
-  const Editor editor(Clean(Bone(), true), Editor::Books{ false, true, true });
+  const CleanSurface cleaned = Clean(Bone(), true);
+  const Editor editor(cleaned, Editor::Books{ false, true, true });
   const HalfEdgeMesh& mesh = editor.Mesh();
   for (const Index h : HalfEdges(mesh, 11))
   {
@@ -148,7 +151,8 @@ TEST(EdgeKernel, PlaceOnAnEdgeIsItsBestAndOnIt)
 
 TEST(EdgeKernel, WhatWasLeftBehindMakesAnEdgeDearer)
 {
-  const Editor editor(Clean(Bone(), true), Editor::Books{ false, false, true });
+  const CleanSurface cleaned = Clean(Bone(), true);
+  const Editor editor(cleaned, Editor::Books{ false, false, true });
   const HalfEdgeMesh& mesh = editor.Mesh();
   const auto cost = [&](float memory) {
     return Judge(BestKernels(), mesh, mesh.Origin(0), mesh.Target(0), Freedom::Space, memory).Cost;
@@ -159,7 +163,8 @@ TEST(EdgeKernel, WhatWasLeftBehindMakesAnEdgeDearer)
 
 TEST(EdgeKernel, AnEdgeThatLeadsNowhereIsNeverTaken)
 {
-  const Editor editor(Clean(Bone(), true), Editor::Books{ false, false, true });
+  const CleanSurface cleaned = Clean(Bone(), true);
+  const Editor editor(cleaned, Editor::Books{ false, false, true });
   const HalfEdgeMesh& mesh = editor.Mesh();
   EXPECT_TRUE(
     std::isinf(Judge(BestKernels(), mesh, mesh.Origin(0), mesh.Target(0), Freedom::Nowhere).Cost));
@@ -167,7 +172,8 @@ TEST(EdgeKernel, AnEdgeThatLeadsNowhereIsNeverTaken)
 
 TEST(Kernels, AllSetsGiveTheSameBits)
 {
-  const Editor editor(Clean(Bone(), true), Editor::Books{ false, false, true });
+  const CleanSurface cleaned = Clean(Bone(), true);
+  const Editor editor(cleaned, Editor::Books{ false, false, true });
   const HalfEdgeMesh& mesh = editor.Mesh();
   ASSERT_FALSE(AvailableKernels().empty());
   for (const Index h : HalfEdges(mesh))
@@ -186,13 +192,28 @@ TEST(Kernels, AllSetsGiveTheSameBits)
   }
 }
 
+TEST(Kernels, OfEachProcessorGiveTheSameBytesOfAWholeRun)
+{
+  const Surface bone = BumpySphere(5, 20.0, 0.02, 31);
+  Options options;
+  options.Mode = Mode::Fast;
+  const Surface expected = Decimate(bone, options).Surface;
+  for (const Kernels* kernels : AvailableKernels())
+  {
+    ChooseKernels(kernels);
+    EXPECT_TRUE(SameBytes(Decimate(bone, options).Surface, expected)) << kernels->Name;
+  }
+  ChooseKernels(nullptr);
+}
+
 class RingQuadrics : public EachShape
 {
 };
 
 TEST_P(RingQuadrics, AreWhatASumAfreshGivesAfterManyCollapses)
 {
-  Editor editor(Clean(GetParam().Surface, true), Editor::Books{ false, false, true });
+  const CleanSurface cleaned = Clean(GetParam().Surface, true);
+  Editor editor(cleaned, Editor::Books{ false, false, true });
   const Index faces = editor.Mesh().NumberOfFaces();
   Sweep(editor, { faces / 4, 0.0, false }, 1).Run([](double) { return true; });
   HalfEdgeMesh afresh = editor.Mesh();

@@ -106,7 +106,10 @@ VertexEdges& BlockSweep::EdgesOfReady(std::size_t at, CostKey highest)
     this->Gathered[(at + 1) % 2].Gather(
       mesh, this->Known, this->Ready[at + 1], this->Task.Vertices);
   }
-  edges.Judge(this->Compute);
+  if (edges.AreInside())
+  {
+    edges.Judge(this->Compute);
+  }
   return edges;
 }
 

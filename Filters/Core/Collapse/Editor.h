@@ -42,7 +42,9 @@ public:
     bool Quadrics = false; ///< Mesh/RingQuadrics: the Quadric of each vertex record.
   };
 
+  /// @param clean Must live as long as this.
   Editor(const CleanSurface& clean, const Books& books, int threads = 1);
+  Editor(CleanSurface&&, const Books&, int = 1) = delete;
 
   /// Gathers what lies around the edge and judges what does not depend on the place.
   Verdict Examine(Index edge);

@@ -75,12 +75,13 @@ double Goal::FractionDone() const
 //------------------------------------------------------------------------------
 bool Goal::Tell(const Monitor& monitor)
 {
-  const double done = this->FractionDone();
-  if (done < this->Told + ProgressStep)
-  {
-    return true;
-  }
-  this->Told = done;
-  return monitor(done);
+  return this->FractionDone() < this->Told + ProgressStep || this->TellNow(monitor);
+}
+
+//------------------------------------------------------------------------------
+bool Goal::TellNow(const Monitor& monitor)
+{
+  this->Told = std::max(this->Told, this->FractionDone());
+  return monitor(this->Told);
 }
 }

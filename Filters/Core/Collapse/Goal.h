@@ -32,8 +32,9 @@ public:
   /// Why it is reached, while IsReached().
   StopReason Reason() const;
 
-  /// Tells the monitor every half percent. False if it asked to stop.
+  /// Tells the monitor every half percent, or at once. False if it asked to stop.
   bool Tell(const Monitor& monitor);
+  bool TellNow(const Monitor& monitor);
 
 private:
   bool ErrorIsReached() const;

@@ -19,8 +19,10 @@ constexpr Index RenewBelowShare = 50;
 constexpr Index LeastForRounds = 8 * LeastOfBlock; // vertices
 /// Of the collapses still wanted, what a round should come to: short of the final limit.
 constexpr double ShareOfRound = 0.7;
-constexpr int FirstStep = 2 * KeysOfOctave;
+constexpr int FirstStep = 2 * KeysOfOctave; // by which the limit is raised
 constexpr int LargestStep = 4 * KeysOfOctave;
+/// To the monitor, of a sweep of the whole mesh: some milliseconds.
+constexpr Index CollapsesBetweenWords = 1024;
 
 /// Costs are proportional to length^3.5.
 float CostFactorOf(const HalfEdgeMesh& mesh)
@@ -99,7 +101,7 @@ bool Sweep::RunRounds(const Monitor& monitor)
 bool Sweep::RenewAll(const Monitor& monitor)
 {
   return ForEachChunk(
-    this->Known.Keys.size(), this->Threads, [&](double) { return this->End.Tell(monitor); },
+    this->Known.Keys.size(), this->Threads, [&](double) { return this->End.TellNow(monitor); },
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       BlockSweep(this->Work, this->Known)
@@ -139,7 +141,7 @@ bool Sweep::Round(CostKey limit, bool isShifted, const Monitor& monitor)
   const std::vector<BlockTask> blocks = this->Blocks(limit, isShifted);
   std::vector<Tally> counted(blocks.size());
   const bool done = ForEachPart(
-    blocks.size(), this->Threads, [&](double) { return this->End.Tell(monitor); },
+    blocks.size(), this->Threads, [&](double) { return this->End.TellNow(monitor); },
     [&](std::size_t i)
     {
       BlockSweep block(this->Work, this->Known);
@@ -212,11 +214,13 @@ bool Sweep::SweepWhole(CostKey limit, Index faces, bool renewsRing, const Monito
   task.RenewsRing = renewsRing;
   task.Collapses = std::max(0, this->Work.Mesh().NumberOfFaces() - faces);
   bool goesOn = true;
+  Index collapses = 0;
   whole.Run(task,
     [&]
     {
       this->Work.Settle(whole.Counted());
-      goesOn = this->End.Tell(monitor);
+      const bool isTime = ++collapses % CollapsesBetweenWords == 0;
+      goesOn = isTime ? this->End.TellNow(monitor) : this->End.Tell(monitor);
       return goesOn && !this->End.IsReached() && this->Work.Mesh().NumberOfFaces() > faces;
     });
   this->Work.Settle(whole.Counted());

@@ -31,8 +31,19 @@ const std::vector<const Kernels*>& AvailableKernels()
   return available;
 }
 
+namespace
+{
+const Kernels* Chosen = nullptr;
+}
+
 const Kernels& BestKernels()
 {
-  return *AvailableKernels().back();
+  static const Kernels& best = *AvailableKernels().back();
+  return Chosen != nullptr ? *Chosen : best;
+}
+
+void ChooseKernels(const Kernels* kernels)
+{
+  Chosen = kernels;
 }
 }

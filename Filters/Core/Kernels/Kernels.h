@@ -85,8 +85,10 @@ struct Kernels
     const Fan& fan, VertexRecord* records, const Index* ring, bool closes, double perArea);
 };
 
-/// The best set for this processor.
+/// The best set for this processor, unless another one was chosen.
 const Kernels& BestKernels();
+/// For tests and benchmarks, while nothing runs. nullptr: the best again.
+void ChooseKernels(const Kernels* kernels);
 /// All sets that this processor runs, the plainest first.
 const std::vector<const Kernels*>& AvailableKernels();
 }

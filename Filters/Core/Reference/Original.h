@@ -24,6 +24,7 @@ public:
    * @param recordDistances Whether Merge looks every new vertex up; otherwise errors stay 0. Builds the tree.
    */
   Original(const CleanSurface& clean, bool recordDistances);
+  Original(CleanSurface&&, bool) = delete;
 
   /// Two vertices became one; the new one is looked up if that is wished, and if it has moved.
   void Merge(Index keep, Index gone, const Vector3& position);

@@ -25,11 +25,14 @@ class Contestant:
     mode: str = ""
     threads: int = 1
     through: str = "core"  # of ours: the VTK-free call, or "filter"
+    kernels: str = ""  # of ours: "" for the best that the processor has
 
     def run(self, programs: Programs, bone: Path, result: Path, faces: int) -> Answer:
         """One decimation in a process of its own."""
         if self.ours:
-            return ask([programs.path("run"), bone, result, self.through, self.mode, self.threads, "--faces", faces])
+            kernels = ["--kernels", self.kernels] if self.kernels else []
+            return ask([programs.path("run"), bone, result, self.through, self.mode, self.threads,
+                        "--faces", faces, *kernels])
         if self.key == "cgal":
             return ask([programs.path("cgal"), bone, result, faces])
         return ask([sys.executable, "-B", WORKER, self.key, bone, result, faces])
@@ -72,8 +75,16 @@ def find_peers(programs: Programs, meshlib: bool) -> tuple[list[Contestant], lis
 
 def our_modes(programs: Programs) -> list[str]:
     """The modes that the program was built with, in its own order."""
-    done = subprocess.run([programs.path("run"), "--modes"], capture_output=True, text=True, check=True)
-    return done.stdout.split()
+    return _listed(programs, "--modes")
+
+
+def our_kernels(programs: Programs) -> list[str]:
+    """The sets of kernels that this processor runs, the plainest first."""
+    return _listed(programs, "--kernels")
+
+
+def _listed(programs: Programs, what: str) -> list[str]:
+    return subprocess.run([programs.path("run"), what], capture_output=True, text=True, check=True).stdout.split()
 
 
 def ours(mode: str, threads: int = 1, through: str = "core") -> Contestant:

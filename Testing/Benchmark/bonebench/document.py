@@ -56,7 +56,7 @@ def page(figures: Figures, plots: list[tuple[str, str]], images: str) -> str:
                   "output included, beyond the bare program.\n", tables.growth_table(figures["growth"])]
     if figures["threads"]:
         first = figures["threads"][0]
-        parts += ["## Threads\n", f"{first['bone']} to {first['asked']:,}.\n", tables.threads_table(figures["threads"])]
+        parts += ["## Threads and kernels\n", f"{first['bone']} to {first['asked']:,}.\n", tables.threads_table(figures["threads"])]
     if figures["rows"]:
         parts += ["## Everybody\n", LEGEND, *(row_section(row) for row in figures["rows"])]
     if figures["errors"]:

@@ -5,12 +5,13 @@
 from __future__ import annotations
 
 import statistics
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Iterator, Sequence
 
 from .bones import Bone, Workshop
 from .contest import Judge
-from .contestants import our_contestants, ours
+from .contestants import our_contestants, our_kernels, ours
 from .workers import Programs, ask
 
 KEPT_IN_GROWTH = 0.2  # of the triangles
@@ -42,14 +43,16 @@ def growth(programs: Programs, workshop: Workshop, modes: Sequence[str], sizes: 
 
 
 def threads(programs: Programs, bone: Bone, modes: Sequence[str], rounds: int, folder: Path) -> list[dict[str, Any]]:
-    """The same job on 1, 2, 4 and 8 threads in turn; the bytes that come out must be equal."""
-    contestants = [ours(mode, count) for mode in modes for count in THREADS]
+    """The same job on 1, 2, 4 and 8 threads and with each set of kernels in turn; the bytes that come out must be equal."""
+    contestants = [who for mode in modes for who in
+                   [ours(mode, count) for count in THREADS]
+                   + [replace(ours(mode), key=f"{mode}-{name}", kernels=name) for name in our_kernels(programs)]]
     runs: dict[str, list[dict[str, Any]]] = {who.key: [] for who in contestants}
     for _ in range(rounds):
         for who in contestants:
             runs[who.key].append(who.run(programs, bone.file, folder / "result.ply", bone.counts()[0]))
     return [{
-        "bone": bone.name, "asked": bone.counts()[0], "mode": who.mode, "threads": who.threads,
+        "bone": bone.name, "asked": bone.counts()[0], "mode": who.mode, "threads": who.threads, "kernels": who.kernels,
         "seconds": statistics.median(run["seconds"] for run in good),
         "cpu_seconds": statistics.median(run["cpu_seconds"] for run in good),
         "checksums": sorted({run["checksum"] for run in good})}
