@@ -13,10 +13,10 @@ namespace bonedecimate
 {
 enum class Mode : int
 {
-  Thesis = 0, ///< Vertex-driven collapse by normal field deviation (Brandao 2018).
-  Fast = 1,   ///< Ordered by the deviation that a collapse causes, in O(1) an edge.
-  Balanced = 2, ///< Fast, then relaxed against samples of the original.
-  Accurate = 3  ///< Fast nearly to the end, then ordered by the sampled error itself, relaxed more often.
+  Thesis = 0,   ///< Vertex-driven collapse by normal field deviation (Brandao 2018).
+  Fast = 1,     ///< Ordered by the deviation that a collapse causes, in O(1) an edge.
+  Balanced = 2, ///< Fast nearly to the end, then fitted to samples of the original.
+  Accurate = 3  ///< As Balanced, with more collapses by sampled distance and more sweeps.
 };
 
 /// The values are those of vtkAlgorithm::DesiredOutputPrecision.

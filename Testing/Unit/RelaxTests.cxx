@@ -86,7 +86,7 @@ public:
       this->Fit.VisitFace(face,
         [&](const Samples::Sample& sample)
         {
-          const Vector3 p = this->Fit.PositionOf(sample);
+          const Vector3 p = this->Fit.SamplePosition(sample);
           error +=
             sample.Weight * penalty.Of(FrameOf(this->Mesh(), face).Nearest(p).SquaredDistance);
         });

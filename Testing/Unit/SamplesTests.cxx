@@ -154,7 +154,7 @@ TEST_P(EachSample, LiesOnTheOriginalBeforeAnythingIsCollapsed)
     samples.VisitFace(face,
       [&](const Samples::Sample& sample)
       {
-        const Vector3 p = samples.PositionOf(sample);
+        const Vector3 p = samples.SamplePosition(sample);
         EXPECT_NEAR(std::sqrt(FrameOf(mesh, face).Nearest(p).SquaredDistance), 0.0, 1e-4);
       });
   }

@@ -56,8 +56,8 @@ Verdict JudgeFlipTopology(const HalfEdgeMesh& mesh, Index edge)
     return Verdict::NonManifold;
   }
   bool joined = corners[2] == corners[3];
-  mesh.VisitEdges(corners[2],
-    [&](Index h) { joined = joined || mesh.Across(h, corners[2]) == corners[3]; });
+  mesh.VisitEdges(
+    corners[2], [&](Index h) { joined = joined || mesh.Across(h, corners[2]) == corners[3]; });
   return joined ? Verdict::LinkCondition : Verdict::Allowed;
 }
 }

@@ -60,10 +60,7 @@ public:
   double SurfaceArea() const { return this->Area; }          ///< mm^2
   bool HasPlane() const { return this->Inverse > 0.0; }
 
-  Vector3 At(const Place& place) const
-  {
-    return this->A + place.B * this->AB + place.C * this->AC;
-  }
+  Vector3 At(const Place& place) const { return this->A + place.B * this->AB + place.C * this->AC; }
 
   Place Nearest(const Vector3& p) const
   {
@@ -114,7 +111,8 @@ private:
     }
     if (all || b + c >= 1.0)
     {
-      const double t = Fraction(pc - pb + this->Bb - this->Bc, this->Bb + this->Cc - 2.0 * this->Bc);
+      const double t =
+        Fraction(pc - pb + this->Bb - this->Bc, this->Bb + this->Cc - 2.0 * this->Bc);
       const double squared = (ap - (1.0 - t) * this->AB - t * this->AC).squaredNorm();
       if (squared < best.SquaredDistance)
       {

@@ -12,7 +12,7 @@ namespace bonedecimate
 namespace
 {
 /// Below this reduction, a triangle gets three samples inside: fewer than about eight to a face are overfitted.
-constexpr Index ManyTriangles = 5;
+constexpr Index ManyTriangles = 12;
 /// Of the area of a triangle, how much the samples inside it stand for; its corners share the rest.
 constexpr double ShareOfOne = 0.75; // with the corners exact for quadratic functions
 constexpr double ShareOfThree = 0.9;
@@ -232,7 +232,7 @@ bool Samples::Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monit
         const TriangleFrame frame = FrameOf(mesh, face);
         for (Index s = this->Firsts[face]; s != None; s = this->All[s].Next)
         {
-          const Vector3 p = this->PositionOf(this->All[s]);
+          const Vector3 p = this->SamplePosition(this->All[s]);
           const TriangleFrame::Place place = frame.Nearest(p);
           const bool stays = place.Clamped == 0 && frame.EdgesNearby(place) == 0;
           this->Faces[s] = stays ? face : WalkOn(mesh, p, { face, place }).Face;

@@ -46,7 +46,7 @@ public:
   Index First(Index face) const { return this->Firsts[face]; }
   const Sample& operator[](Index sample) const { return this->All[sample]; }
   /// mm from the local origin
-  Vector3 PositionOf(const Sample& sample) const
+  Vector3 SamplePosition(const Sample& sample) const
   {
     return { this->Unit * sample.Place[0], this->Unit * sample.Place[1],
       this->Unit * sample.Place[2] };

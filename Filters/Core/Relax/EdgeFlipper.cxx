@@ -50,7 +50,7 @@ double EdgeFlipper::ErrorBefore(const HalfEdgeMesh& mesh, Index face)
       [&](const Samples::Sample& sample)
       {
         error += sample.Weight *
-          this->Penalty.Of(frame.Nearest(this->Fit.PositionOf(sample)).SquaredDistance);
+          this->Penalty.Of(frame.Nearest(this->Fit.SamplePosition(sample)).SquaredDistance);
       });
     known = static_cast<float>(error);
   }
@@ -66,7 +66,7 @@ bool EdgeFlipper::IsNearer(const Pair& after, double before) const
   {
     for (Index s = this->Fit.First(face); s != None && error < enough; s = this->Fit[s].Next)
     {
-      const Vector3 p = this->Fit.PositionOf(this->Fit[s]);
+      const Vector3 p = this->Fit.SamplePosition(this->Fit[s]);
       const double squared = std::min(
         after.Frames[0].Nearest(p).SquaredDistance, after.Frames[1].Nearest(p).SquaredDistance);
       error += this->Fit[s].Weight * this->Penalty.Of(squared);
@@ -134,7 +134,7 @@ void EdgeFlipper::HandOver(const Pair& after)
   {
     while (s != None)
     {
-      const Vector3 p = this->Fit.PositionOf(this->Fit[s]);
+      const Vector3 p = this->Fit.SamplePosition(this->Fit[s]);
       const Index next = this->Fit[s].Next;
       const bool first =
         after.Frames[0].Nearest(p).SquaredDistance <= after.Frames[1].Nearest(p).SquaredDistance;

@@ -4,13 +4,14 @@
  * @file EdgeFlipper.h
  * @brief Flips an edge where the other diagonal of its two faces lies nearer to the samples of both.
  *
- *          c                    c
- *        / | \                /   \         error before = samples of a-b-c to it + samples of b-a-d to it
- *       a  |  b     --->     a-----b        error after  = all of them, each to the nearer of the new faces
- *        \ | /                \   /
- *          d                    d           (drawn the other way round: the edge is a-b before and c-d after)
+ *          c                     c
+ *        / | \                 /   \       error before = samples of a-b-c to it + samples of b-a-d to it
+ *       a  |  b      and      a-----b      error after  = all of them, each to the nearer of the new faces
+ *        \ | /                 \   /
+ *          d                     d         (either may be before and the other after)
  *
- * Flipped if that lowers the error by 2 % and turns no face away from the original. H. Hoppe et al., Mesh Optimization, 1993.
+ * Flipped if that lowers the error by 2 % and turns no face away from the original.
+ * H. Hoppe et al., Mesh Optimization, 1993.
  */
 #ifndef BoneDecimate_Core_Relax_EdgeFlipper_h
 #define BoneDecimate_Core_Relax_EdgeFlipper_h

@@ -35,7 +35,7 @@ void Judge(const HalfEdgeMesh& mesh, Index vertex, EdgeBatch& batch, const Index
 }
 }
 
-void RateEdges(const HalfEdgeMesh& mesh, Index vertex, bool onlyOnce, std::vector<RatedEdge>& edges)
+void RateEdges(const HalfEdgeMesh& mesh, Index vertex, bool isOneWay, std::vector<RatedEdge>& edges)
 {
   EdgeBatch batch;
   std::array<Index, EdgeBatch::Size> halfEdges{};
@@ -44,7 +44,7 @@ void RateEdges(const HalfEdgeMesh& mesh, Index vertex, bool onlyOnce, std::vecto
   for (const Index h : mesh.OutgoingOf(vertex))
   {
     const Index other = mesh.Target(h);
-    if (!MayRate(mesh, other) || (onlyOnce && other < vertex))
+    if (!MayRate(mesh, other) || (isOneWay && other < vertex))
     {
       continue;
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EdgeOrder.h
- * @brief Costs and places of edges from the quadrics of their ends: what Fast goes by, here to find edges worth judging.
+ * @brief Costs and places of edges from the quadrics of their ends: here they find the edges worth judging.
  */
 #ifndef BoneDecimate_Core_Relax_EdgeOrder_h
 #define BoneDecimate_Core_Relax_EdgeOrder_h
@@ -27,9 +27,9 @@ struct RatedEdge
 };
 
 /// Appends the edges from an inside vertex to inside vertices, rated. Quadrics must be kept.
-/// @param onlyOnce Leave out edges to vertices with smaller ids.
+/// @param isOneWay Leave out edges to vertices with smaller ids.
 void RateEdges(
-  const HalfEdgeMesh& mesh, Index vertex, bool onlyOnce, std::vector<RatedEdge>& edges);
+  const HalfEdgeMesh& mesh, Index vertex, bool isOneWay, std::vector<RatedEdge>& edges);
 
 /// The cheapest of the whole mesh, in an order that depends on it alone. False if the monitor said stop.
 bool FindCheapest(const HalfEdgeMesh& mesh, std::size_t count, int threads, const Monitor& monitor,

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ErrorCollapse.h"
 
-#include "ErrorWeights.h"
 #include "Parallel.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -13,6 +15,9 @@ namespace
 constexpr std::size_t LeastEdges = 512;
 /// If the gate refused them all, that many times more the next time.
 constexpr std::size_t MoreEdges = 4;
+constexpr Index BlocksWanted = 32;
+/// Fewer collapses than that are not worth blocks.
+constexpr std::size_t LeastForBlocks = 1024;
 }
 
 ErrorCollapse::ErrorCollapse(
@@ -20,13 +25,9 @@ ErrorCollapse::ErrorCollapse(
   : Work(editor)
   , Fit(samples)
   , Back(hints)
-  , Penalty(editor.Mesh().Unit())
-  , Own{ FanFit(editor.Mesh(), samples, hints), {} }
+  , Errors(editor.Mesh(), samples, hints)
   , EdgesOfCollapse(static_cast<std::size_t>(edgesOfCollapse))
   , Threads(threads)
-  , FaceErrors(static_cast<std::size_t>(editor.Mesh().NumberOfFaceSlots()), 0.0F)
-  , VertexErrors(static_cast<std::size_t>(editor.Mesh().NumberOfVertexSlots()), 0.0F)
-  , Stamps(static_cast<std::size_t>(editor.Mesh().NumberOfVertexSlots()), 0)
 {
 }
 
@@ -34,29 +35,30 @@ ErrorCollapse::ErrorCollapse(
 bool ErrorCollapse::Run(Index faces, const Monitor& monitor)
 {
   constexpr double measuredAt = 0.1;
-  constexpr double filledAt = 0.5;
+  constexpr double judgedAt = 0.6;
   this->Wanted = faces;
-  if (!this->MeasureErrors(PartOf(monitor, 0.0, measuredAt)))
+  const double blocksAt = this->CollapsesWanted() < LeastForBlocks ? judgedAt : 0.85;
+  if (!this->Errors.MeasureAll(this->Threads, PartOf(monitor, 0.0, measuredAt)))
   {
     return false;
   }
   const HalfEdgeMesh& mesh = this->Work.Mesh();
-  const std::size_t allEdges = 2 * static_cast<std::size_t>(mesh.NumberOfFaces());
+  const std::size_t mostEdges = 2 * static_cast<std::size_t>(mesh.NumberOfFaces());
   std::size_t edges = std::max(LeastEdges, this->EdgesOfCollapse * this->CollapsesWanted());
-  double from = measuredAt;
-  for (Index before = None; this->CollapsesWanted() > 0;)
+  double from = measuredAt; // what comes again is told as the end
+  for (Index before = None; this->CollapsesWanted() > 0; edges *= MoreEdges)
   {
-    if (before == mesh.NumberOfFaces() && edges >= allEdges)
+    if (before == mesh.NumberOfFaces() && edges >= mostEdges * MoreEdges)
     {
       break;
     }
     before = mesh.NumberOfFaces();
-    if (!this->FillHeap(edges, PartOf(monitor, from, std::max(from, filledAt))) ||
-      !this->EmptyHeap(PartOf(monitor, std::max(from, filledAt), 1.0)))
+    if (!this->JudgeCheapest(edges, PartOf(monitor, from, std::max(from, judgedAt))) ||
+      !this->CollapseBlocks(PartOf(monitor, std::max(from, judgedAt), std::max(from, blocksAt))) ||
+      !this->CollapseRest(PartOf(monitor, std::max(from, blocksAt), 1.0)))
     {
       return false;
     }
-    edges *= MoreEdges;
     from = 1.0;
   }
   return true;
@@ -70,68 +72,7 @@ std::size_t ErrorCollapse::CollapsesWanted() const
 }
 
 //------------------------------------------------------------------------------
-std::uint32_t ErrorCollapse::StampOf(Index edge) const
-{
-  const HalfEdgeMesh& mesh = this->Work.Mesh();
-  return this->Stamps[mesh.Origin(edge)] + this->Stamps[mesh.Target(edge)];
-}
-
-//------------------------------------------------------------------------------
-double ErrorCollapse::FaceError(Index face) const
-{
-  const TriangleFrame frame = FrameOf(this->Work.Mesh(), face);
-  double error = 0.0;
-  this->Fit.VisitFace(face,
-    [&](const Samples::Sample& sample)
-    {
-      error += sample.Weight *
-        this->Penalty.Of(frame.Nearest(this->Fit.PositionOf(sample)).SquaredDistance);
-    });
-  return error;
-}
-
-//------------------------------------------------------------------------------
-double ErrorCollapse::VertexError(Index vertex) const
-{
-  const HalfEdgeMesh& mesh = this->Work.Mesh();
-  double area = 0.0; // mm^2
-  for (const Index h : mesh.OutgoingOf(vertex))
-  {
-    area += FrameOf(mesh, HalfEdgeMesh::Face(h)).SurfaceArea();
-  }
-  return BackWeightOfCollapse * CornerShare * this->Penalty.InUnits(area) *
-    this->Penalty.Of(this->Back.Find(mesh.Position(vertex), vertex).Place.SquaredDistance);
-}
-
-//------------------------------------------------------------------------------
-bool ErrorCollapse::MeasureErrors(const Monitor& monitor)
-{
-  const HalfEdgeMesh& mesh = this->Work.Mesh();
-  return ForEachChunk(this->FaceErrors.size(), this->Threads, monitor,
-           [&](std::size_t, std::size_t first, std::size_t last)
-           {
-             for (std::size_t face = first; face < last; ++face)
-             {
-               const Index f = static_cast<Index>(face);
-               this->FaceErrors[face] =
-                 mesh.IsAlive(f) ? static_cast<float>(this->FaceError(f)) : 0.0F;
-             }
-           }) &&
-    ForEachChunk(
-      this->VertexErrors.size(), this->Threads, [&](double) { return monitor(1.0); },
-      [&](std::size_t, std::size_t first, std::size_t last)
-      {
-        for (std::size_t vertex = first; vertex < last; ++vertex)
-        {
-          const Index v = static_cast<Index>(vertex);
-          const bool counts = mesh.Outgoing(v) != None && mesh.Kind(v) == VertexKind::Inside;
-          this->VertexErrors[vertex] = counts ? static_cast<float>(this->VertexError(v)) : 0.0F;
-        }
-      });
-}
-
-//------------------------------------------------------------------------------
-bool ErrorCollapse::FillHeap(std::size_t count, const Monitor& monitor)
+bool ErrorCollapse::JudgeCheapest(std::size_t count, const Monitor& monitor)
 {
   constexpr double foundAt = 0.1;
   std::vector<RatedEdge> edges;
@@ -139,149 +80,128 @@ bool ErrorCollapse::FillHeap(std::size_t count, const Monitor& monitor)
   {
     return false;
   }
-  this->Dearest = 0.0F;
-  for (const RatedEdge& edge : edges)
-  {
-    this->Dearest = std::max(this->Dearest, edge.Cost);
-  }
-  std::vector<Entry> entries(edges.size());
-  std::vector<std::uint8_t> isGood(edges.size(), 0);
+  this->Dearest = edges.empty() ? 0.0F : std::max_element(edges.begin(), edges.end())->Cost;
+  this->Edges.resize(edges.size());
   const bool done = ForEachChunk(edges.size(), this->Threads, PartOf(monitor, foundAt, 1.0),
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      Judge judge{ FanFit(this->Work.Mesh(), this->Fit, this->Back), {} };
+      ErrorQueue judge(this->Work, this->Fit, this->Back, this->Errors, {});
       for (std::size_t i = first; i < last; ++i)
       {
-        isGood[i] = this->Rate(edges[i], judge, entries[i]) ? 1 : 0;
+        this->Edges[i].Edge = None;
+        judge.Judge(edges[i], this->Edges[i]);
       }
     });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < entries.size(); ++i)
-  {
-    if (isGood[i] != 0)
-    {
-      entries[kept++] = entries[i];
-    }
-  }
-  entries.resize(done ? kept : 0);
-  this->Heap = std::priority_queue<Entry>(std::less<Entry>(), std::move(entries));
+  this->Edges.erase(std::remove_if(this->Edges.begin(), this->Edges.end(),
+                      [](const JudgedEdge& edge) { return edge.Edge == None; }),
+    this->Edges.end());
   return done;
 }
 
 //------------------------------------------------------------------------------
-bool ErrorCollapse::EmptyHeap(const Monitor& monitor)
+/// The cost that no more than that many edges stay below or at.
+double ErrorCollapse::LimitFor(std::size_t collapses) const
+{
+  std::vector<double> costs;
+  costs.reserve(this->Edges.size());
+  for (const JudgedEdge& edge : this->Edges)
+  {
+    costs.push_back(edge.Cost);
+  }
+  const std::size_t last = std::min(collapses, costs.size()) - 1;
+  std::nth_element(costs.begin(), costs.begin() + static_cast<std::ptrdiff_t>(last), costs.end());
+  return costs[last];
+}
+
+//------------------------------------------------------------------------------
+std::vector<ErrorBlock> ErrorCollapse::Blocks(Index size, Index shift) const
+{
+  const Index slots = this->Work.Mesh().NumberOfVertexSlots();
+  const double limit = this->LimitFor(this->CollapsesWanted());
+  std::vector<ErrorBlock> blocks;
+  for (Index first = -shift; first < slots; first += size)
+  {
+    blocks.push_back(
+      { std::max(0, first), std::min(slots, first + size), limit, this->Dearest, BlocksWanted });
+  }
+  return blocks;
+}
+
+//------------------------------------------------------------------------------
+/// Twice, the second time with blocks shifted by half of one.
+bool ErrorCollapse::CollapseBlocks(const Monitor& monitor)
+{
+  const Index size = this->Work.Mesh().NumberOfVertexSlots() / BlocksWanted + 2;
+  bool goesOn = true;
+  for (const bool again : { false, true })
+  {
+    if (goesOn && this->CollapsesWanted() >= LeastForBlocks && !this->Edges.empty())
+    {
+      goesOn = this->CollapseRound(
+        size, again ? size / 2 : 0, again ? PartOf(monitor, 0.7, 1.0) : PartOf(monitor, 0.0, 0.7));
+    }
+  }
+  return goesOn;
+}
+
+//------------------------------------------------------------------------------
+bool ErrorCollapse::CollapseRound(Index size, Index shift, const Monitor& monitor)
+{
+  const std::vector<ErrorBlock> blocks = this->Blocks(size, shift);
+  std::vector<std::vector<JudgedEdge>> edges(blocks.size());
+  std::vector<JudgedEdge> left;
+  for (const JudgedEdge& edge : this->Edges)
+  {
+    const std::size_t block = static_cast<std::size_t>((edge.Start + shift) / size);
+    const bool isInside = blocks[block].Holds(edge.End) && edge.Cost <= blocks[block].Limit;
+    (isInside ? edges[block] : left).push_back(edge);
+  }
+  std::vector<Tally> counted(blocks.size());
+  const bool done = ForEachPart(blocks.size(), this->Threads, monitor,
+    [&](std::size_t i)
+    {
+      ErrorQueue queue(this->Work, this->Fit, this->Back, this->Errors, blocks[i]);
+      for (const JudgedEdge& edge : edges[i])
+      {
+        queue.Add(edge);
+      }
+      const std::int64_t allowed = static_cast<std::int64_t>(edges[i].size());
+      queue.Run([&](std::int64_t collapses) { return collapses < allowed; });
+      counted[i] = std::exchange(queue.Counted(), {});
+      edges[i] = queue.LeftOver();
+    });
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    this->Work.Settle(counted[i]);
+    left.insert(left.end(), edges[i].begin(), edges[i].end());
+  }
+  this->Edges = std::move(left);
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool ErrorCollapse::CollapseRest(const Monitor& monitor)
 {
   constexpr std::size_t tellEvery = 8; // edges
-  const HalfEdgeMesh& mesh = this->Work.Mesh();
-  const double first = static_cast<double>(this->CollapsesWanted());
-  for (std::size_t turn = 1; this->CollapsesWanted() > 0 && !this->Heap.empty(); ++turn)
+  ErrorBlock whole;
+  whole.Dearest = this->Dearest;
+  ErrorQueue queue(this->Work, this->Fit, this->Back, this->Errors, whole);
+  for (const JudgedEdge& edge : this->Edges)
   {
-    const Entry entry = this->Heap.top();
-    this->Heap.pop();
-    const bool isThere =
-      mesh.Origin(entry.Edge) == entry.Start && mesh.Target(entry.Edge) == entry.End;
-    if (isThere && entry.Stamp != this->StampOf(entry.Edge))
+    queue.Add(edge);
+  }
+  const double first = static_cast<double>(std::max<std::size_t>(1, this->CollapsesWanted()));
+  bool goesOn = true;
+  std::size_t turn = 0;
+  queue.Run(
+    [&](std::int64_t)
     {
-      this->Push({ 0.0F, entry.Edge, entry.Place });
-    }
-    else if (isThere)
-    {
-      this->Collapse(entry);
-    }
-    if (turn % tellEvery == 0 &&
-      !monitor(1.0 - static_cast<double>(this->CollapsesWanted()) / first))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-/// False if the edge may not be collapsed.
-bool ErrorCollapse::Rate(const RatedEdge& edge, Judge& judge, Entry& entry) const
-{
-  if (this->Work.Examine(edge.Edge, judge.Space) != Verdict::Allowed)
-  {
-    return false;
-  }
-  const Neighbourhood& around = judge.Space.Around;
-  double before = this->VertexErrors[around.Start] + this->VertexErrors[around.End] +
-    this->FaceErrors[around.GoneFaces[0]] + this->FaceErrors[around.GoneFaces[1]];
-  for (const Index corner : around.Corners)
-  {
-    before += this->FaceErrors[HalfEdgeMesh::Face(corner)];
-  }
-  const FanFit::Answer answer = judge.Costs.Evaluate(around, edge.Place);
-  entry = { answer.Error - before, edge.Edge, around.Start, around.End, this->StampOf(edge.Edge),
-    answer.Position };
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void ErrorCollapse::Push(const RatedEdge& edge)
-{
-  Entry entry;
-  if (this->Rate(edge, this->Own, entry))
-  {
-    this->Heap.push(entry);
-  }
-}
-
-//------------------------------------------------------------------------------
-bool ErrorCollapse::Collapse(const Entry& entry)
-{
-  if (this->Work.Examine(entry.Edge, this->Own.Space) != Verdict::Allowed)
-  {
-    return false;
-  }
-  const Neighbourhood around = this->Own.Space.Around;
-  const FanFit::Answer answer = this->Own.Costs.Evaluate(around, entry.Place);
-  Edit edit;
-  edit.Edge = entry.Edge;
-  edit.Keep = around.Start;
-  edit.Position = answer.Position;
-  const Verdict verdict = this->Work.Apply(edit, this->Own.Space, 1);
-  this->Work.Settle(this->Own.Space.Counted);
-  if (verdict != Verdict::Allowed)
-  {
-    return false;
-  }
-  for (const Index corner : around.Corners)
-  {
-    this->Fit.Take(HalfEdgeMesh::Face(corner));
-  }
-  this->Fit.Take(around.GoneFaces[0]);
-  this->Fit.Take(around.GoneFaces[1]);
-  for (const FanFit::Member& member : this->Own.Costs.Members())
-  {
-    this->Fit.Put(member.Sample, HalfEdgeMesh::Face(around.Corners[member.Slot]));
-  }
-  this->AfterCollapse(edit.Keep, answer);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void ErrorCollapse::AfterCollapse(Index vertex, const FanFit::Answer& answer)
-{
-  const HalfEdgeMesh& mesh = this->Work.Mesh();
-  this->Back.Set(vertex, answer.Hint);
-  this->VertexErrors[vertex] = static_cast<float>(answer.VertexError);
-  ++this->Stamps[vertex];
-  for (const Index h : mesh.OutgoingOf(vertex))
-  {
-    const Index face = HalfEdgeMesh::Face(h);
-    this->FaceErrors[face] = static_cast<float>(this->FaceError(face));
-    ++this->Stamps[mesh.Target(h)];
-  }
-  this->Candidates.clear();
-  RateEdges(mesh, vertex, false, this->Candidates);
-  for (const RatedEdge& edge : this->Candidates)
-  {
-    if (edge.Cost <= this->Dearest)
-    {
-      this->Push(edge);
-    }
-  }
+      this->Work.Settle(queue.Counted());
+      const double left = static_cast<double>(this->CollapsesWanted());
+      goesOn = ++turn % tellEvery != 0 || monitor(1.0 - left / first);
+      return goesOn && left > 0.0;
+    });
+  this->Work.Settle(queue.Counted());
+  return goesOn;
 }
 }

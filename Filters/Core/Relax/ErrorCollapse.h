@@ -4,21 +4,20 @@
  * @file ErrorCollapse.h
  * @brief The last collapses, in the order of what they truly do to the sampled two-sided error.
  *
- *     of all edges inside, the cheapest by their quadrics, several for each collapse wanted: into a heap by
- *         cost = error of the fan after (FanFit) - error of the faces before                            
- *     while there are too many faces:
- *         take the cheapest edge; if something around it changed since it was judged, judge it afresh, put it back
- *         else collapse it, hand its samples to the faces of the fan, judge the edges of the merged vertex
+ *     of all edges inside, the cheapest by their quadrics, several for each collapse wanted:  judge them    (FanFit)
+ *     limit = the cost such that no more edges lie below it than collapses are wanted
+ *     every block of consecutive vertices, on any thread, then every block half a block further:
+ *         collapse its edges below the limit, cheapest first, at most as many as lay below it           (ErrorQueue)
+ *     on one thread:  collapse what is left, cheapest first, down to the exact number
  *
+ * Limit, blocks and allowances depend on the mesh alone, so that the number of threads does not change the result.
  * Edges at open borders and locked parts are left to the other order.
  */
 #ifndef BoneDecimate_Core_Relax_ErrorCollapse_h
 #define BoneDecimate_Core_Relax_ErrorCollapse_h
 
-#include "EdgeOrder.h"
-#include "FanFit.h"
+#include "ErrorQueue.h"
 
-#include <queue>
 #include <vector>
 
 namespace bonedecimate
@@ -35,51 +34,23 @@ public:
   bool Run(Index faces, const Monitor& monitor);
 
 private:
-  struct Entry
-  {
-    double Cost; //
-    Index Edge;
-    Index Start;
-    Index End;
-    std::uint32_t Stamp;
-    Vector3 Place;                           // mm from the local origin
-    bool operator<(const Entry& other) const // the cheapest on top, then the least edge
-    {
-      return this->Cost != other.Cost ? this->Cost > other.Cost : this->Edge > other.Edge;
-    }
-  };
-  /// What judging needs, one for each worker.
-  struct Judge
-  {
-    FanFit Costs;
-    Workspace Space;
-  };
-  bool MeasureErrors(const Monitor& monitor);
-  bool FillHeap(std::size_t count, const Monitor& monitor);
-  bool EmptyHeap(const Monitor& monitor);
-  bool Rate(const RatedEdge& edge, Judge& judge, Entry& entry) const;
-  void Push(const RatedEdge& edge);
-  bool Collapse(const Entry& entry);
-  void AfterCollapse(Index vertex, const FanFit::Answer& answer);
-  double FaceError(Index face) const;
-  double VertexError(Index vertex) const;
-  std::uint32_t StampOf(Index edge) const;
+  bool JudgeCheapest(std::size_t count, const Monitor& monitor);
+  bool CollapseBlocks(const Monitor& monitor);
+  bool CollapseRest(const Monitor& monitor);
+  double LimitFor(std::size_t collapses) const;
+  bool CollapseRound(Index size, Index shift, const Monitor& monitor);
+  std::vector<ErrorBlock> Blocks(Index size, Index shift) const;
   std::size_t CollapsesWanted() const;
 
   Editor& Work;
   Samples& Fit;
   BackHints& Back;
-  ThreeHalves Penalty;
-  Judge Own;
+  SampledErrors Errors;
   std::size_t EdgesOfCollapse;
   int Threads;
-  Index Wanted = 0;                  // faces
-  float Dearest = 0.0F;              // of the edges worth judging
-  std::vector<float> FaceErrors;     //
-  std::vector<float> VertexErrors;   //
-  std::vector<std::uint32_t> Stamps; // of each vertex, raised when its ring changes
-  std::priority_queue<Entry> Heap;
-  std::vector<RatedEdge> Candidates;
+  Index Wanted = 0;              // faces
+  float Dearest = 0.0F;          // by quadrics, of the edges worth judging
+  std::vector<JudgedEdge> Edges; // waiting
 };
 }
 

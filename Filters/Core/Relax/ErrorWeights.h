@@ -4,7 +4,8 @@
  * @file ErrorWeights.h
  * @brief How distances in both directions add up to one error.
  *
- *     error = sum over samples  area f(d(sample, its face))  +  BackWeight sum over vertices  ring / 3  f(d(vertex, original))
+ *     error = sum over samples   area f(d(sample, its face))
+ *           + weight back * sum over vertices   area of ring / 3  f(d(vertex, original))      squares of the unit
  *     f(d) = (d / unit)^(3/2)          between the average (1) and the root mean square (2)
  *
  * A fit of f is a fit of squares with weights w(d) = f'(d) / (2 d) that follow d (P. Holland and R. Welsch, Robust

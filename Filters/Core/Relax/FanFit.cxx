@@ -88,7 +88,7 @@ FanFit::Answer FanFit::AnswerAt(const Neighbourhood& around, const Vector3& x, F
   for (Member& member : this->Gathered)
   {
     const Samples::Sample& sample = this->Fit[member.Sample];
-    const Vector3 p = this->Fit.PositionOf(sample);
+    const Vector3 p = this->Fit.SamplePosition(sample);
     const TriangleFrame::Place place = this->FindInFan(p, member.Slot);
     const ThreeHalves::Answer penalty = this->Penalty.WithWeight(place.SquaredDistance);
     answer.Error += sample.Weight * penalty.Value;

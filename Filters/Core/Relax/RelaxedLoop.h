@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RelaxedLoop.h
- * @brief The loops of the modes Balanced and Accurate: Fast nearly to the end, then with samples of the original in hand.
+ * @brief The loop of Balanced and Accurate: Fast nearly to the end, then with samples of the original in hand.
  *
  *     Sweep to a few faces more than wanted                (ordered by what collapses do to the normals)
  *     give every face the samples of the original near it
@@ -31,8 +31,8 @@ struct Recipe
   int SweepsAfter;        ///< And after them,
   int SweepsIfFew;        ///< or where few triangles remain and sweeps cost little.
 };
-constexpr Recipe BalancedRecipe = { 0.2, 0.03, 4, 1, 1, 2 };
-constexpr Recipe AccurateRecipe = { 0.3, 1.0, 8, 1, 4, 4 };
+constexpr Recipe BalancedRecipe = { 0.2, 0.02, 4, 1, 1, 3 };
+constexpr Recipe AccurateRecipe = { 0.3, 0.06, 4, 1, 6, 8 };
 
 class RelaxedLoop
 {

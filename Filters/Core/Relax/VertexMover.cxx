@@ -81,7 +81,7 @@ double VertexMover::AddSamples(const TriangleFrame& frame, Index face)
   this->Fit.VisitFace(face,
     [&](const Samples::Sample& sample)
     {
-      const Vector3 p = this->Fit.PositionOf(sample);
+      const Vector3 p = this->Fit.SamplePosition(sample);
       const TriangleFrame::Place place = frame.Nearest(p);
       const ThreeHalves::Answer penalty = this->Penalty.WithWeight(place.SquaredDistance);
       error += sample.Weight * penalty.Value;
@@ -104,7 +104,7 @@ double VertexMover::ErrorOfFace(const RingFace& ring, const TriangleFrame& frame
     [&](const Samples::Sample& sample)
     {
       error += sample.Weight *
-        this->Penalty.Of(frame.Nearest(this->Fit.PositionOf(sample)).SquaredDistance);
+        this->Penalty.Of(frame.Nearest(this->Fit.SamplePosition(sample)).SquaredDistance);
     });
   return error;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VertexMover.h
- * @brief One Gauss-Newton step of a vertex towards the original surface, kept only if the sampled two-sided error falls.
+ * @brief One Gauss-Newton step of a vertex towards the original, kept only if the sampled two-sided error falls.
  *
  *     gather the samples of the ring's faces and the place of the vertex on the original       (ErrorWeights.h)
  *     solve for the step                                                                       (FitStep.h)

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SampledErrors.h
+ * @brief The error of every face and vertex as it is now (ErrorWeights.h), kept up while collapses change it.
+ */
+#ifndef BoneDecimate_Core_Relax_SampledErrors_h
+#define BoneDecimate_Core_Relax_SampledErrors_h
+
+#include "ErrorWeights.h"
+#include "Mesh/Neighbourhood.h"
+#include "Monitor.h"
+#include "Reference/BackHints.h"
+#include "Reference/Samples.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+class SampledErrors
+{
+public:
+  SampledErrors(const HalfEdgeMesh& mesh, const Samples& samples, const BackHints& hints);
+
+  /// All of them. False if the monitor said stop.
+  bool MeasureAll(int threads, const Monitor& monitor);
+
+  /// Of all faces at the edge and of its two ends.
+  double Around(const Neighbourhood& around) const;
+
+  /// Raised whenever something around either end has changed.
+  std::uint32_t StampOf(Index edge) const
+  {
+    return this->Stamps[this->Mesh.Origin(edge)] + this->Stamps[this->Mesh.Target(edge)];
+  }
+
+  /// After a collapse into the vertex: measures its faces, raises stamps. @param vertexError Its own.
+  void AfterCollapse(Index vertex, double vertexError);
+
+private:
+  double OfFace(Index face) const;
+  double OfVertex(Index vertex) const;
+
+  const HalfEdgeMesh& Mesh;
+  const Samples& Fit;
+  const BackHints& Back;
+  ThreeHalves Penalty;
+  std::vector<float> Faces;
+  std::vector<float> Vertices;
+  std::vector<std::uint32_t> Stamps;
+};
+}
+
+#endif
