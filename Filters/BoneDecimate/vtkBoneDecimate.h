@@ -37,11 +37,13 @@ public:
   vtkTypeMacro(vtkBoneDecimate, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// How the collapse is ordered and placed.
+  /// How the result is found.
   enum Modes
   {
     THESIS = 0,
-    FAST = 1
+    FAST = 1,
+    BALANCED = 2,
+    ACCURATE = 3
   };
 
   /// Why the last run ended.
@@ -57,14 +59,18 @@ public:
 
   ///@{
   /**
-   * The method. THESIS (the default) combines the stops as the thesis does: it goes on while there are more
-   * triangles than asked for or, with MaximumError above 0, no new point is farther than that. FAST orders edges by
-   * what their collapse does to the normals of the surface and nearly keeps the volume; the first stop reached ends it.
+   * The method. BALANCED (the default) collapses like FAST, takes the last triangles by the distance to samples of
+   * the original, then moves points and flips edges so that they come to lie nearer; ACCURATE does more of each. FAST
+   * only collapses edges, ordered by what that does to the normals, and nearly keeps the volume. These three end at
+   * the first stop reached. THESIS is the thesis to the letter: it goes on while there are more triangles than asked
+   * for or, with MaximumError above 0, no new point is farther than that.
    */
   void SetMode(int mode);
   int GetMode() const;
   void SetModeToThesis() { this->SetMode(THESIS); }
   void SetModeToFast() { this->SetMode(FAST); }
+  void SetModeToBalanced() { this->SetMode(BALANCED); }
+  void SetModeToAccurate() { this->SetMode(ACCURATE); }
   ///@}
 
   ///@{

@@ -134,16 +134,14 @@ const std::vector<OptionInfo>& OptionTable()
 {
   static const std::vector<OptionInfo> table = {
     { "Mode", &Options::Mode, 0, 3, "", "mode", { "Thesis", "Fast", "Balanced", "Accurate" },
-      "How the collapse is ordered and placed. Thesis takes the vertex of lowest cost, then its "
-      "edge of lowest cost, and "
-      "goes on while there are more triangles than asked for or no new point is farther away than "
-      "MaximumError. Fast "
-      "orders edges by what their collapse does to the normals, very nearly keeps the volume, and "
-      "ends at the "
-      "first stop reached. Balanced orders the last collapses by the distance to samples of the "
-      "original, moves points and flips edges so that they come to lie nearer. Accurate does more "
-      "of "
-      "each." },
+      "How the result is found. Balanced, the default, collapses like Fast, takes the last "
+      "triangles by the distance to samples of the original, then moves points and flips edges so "
+      "that they come to lie nearer. Accurate does more of each. Fast only collapses edges, "
+      "ordered "
+      "by what that does to the normals, and very nearly keeps the volume. Thesis takes the vertex "
+      "of lowest normal field deviation, then its edge of lowest cost, and goes on while there are "
+      "more triangles than asked for or no new point is farther away than MaximumError; the others "
+      "end at the first stop reached." },
     { "TargetNumberOfTriangles", &Options::TargetNumberOfTriangles, 0, LargestInteger, "triangles",
       "target-faces", {}, "Number of triangles to reach; 0 is off." },
     { "TargetReduction", &Options::TargetReduction, 0, 1, "", "target-reduction", {},

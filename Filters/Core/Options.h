@@ -30,7 +30,7 @@ enum class PointsPrecision : int
 /// Every field is one row of OptionTable(); the defaults are written here and nowhere else.
 struct Options
 {
-  bonedecimate::Mode Mode = bonedecimate::Mode::Thesis;
+  bonedecimate::Mode Mode = bonedecimate::Mode::Balanced;
   int TargetNumberOfTriangles = 0;
   double TargetReduction = 0.9;
   double MaximumError = 0.0; // mm

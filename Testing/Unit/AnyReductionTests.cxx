@@ -291,10 +291,15 @@ TEST(AnyUnit, MillimetresOrMetresGiveTheSameDistances)
   // Shapes without equal costs: rounding may decide between those.
   for (const Surface& input : { BumpySphere(3, 5.0, 0.1, 7), BumpySphere(4, 20.0, 0.02, 8) })
   {
-    const Result millimetres = Decimate(input, Reduction(0.8));
-    const Result metres = Decimate(Scaled(input, 0.001), Reduction(0.8));
-    EXPECT_EQ(millimetres.Surface.Triangles, metres.Surface.Triangles);
-    const double error = millimetres.Report.RunningError;
-    EXPECT_NEAR(1000.0 * metres.Report.RunningError, error, 0.01 * error);
+    for (const Mode mode : AllModes())
+    {
+      Options options = InMode(mode, Reduction(0.8));
+      options.MeasureDistances = true;
+      const Report millimetres = Decimate(input, options).Report;
+      const Report metres = Decimate(Scaled(input, 0.001), options).Report;
+      EXPECT_EQ(millimetres.Output.Faces, metres.Output.Faces);
+      const double error = millimetres.InputToOutput.RootMeanSquare;
+      EXPECT_NEAR(1000.0 * metres.InputToOutput.RootMeanSquare, error, 0.01 * error);
+    }
   }
 }

@@ -63,7 +63,9 @@ TEST(Decimate, ReductionIsTheFractionRemoved)
 TEST(Decimate, ReductionZeroReturnsTheInputBitForBit)
 {
   const Surface input = Bone();
-  const Result result = Decimate(input, Reduction(0.0));
+  Options options = Reduction(0.0);
+  options.MeasureDistances = true;
+  const Result result = Decimate(input, options);
   EXPECT_TRUE(SameInAnyOrder(result.Surface, input));
   EXPECT_EQ(result.Report.Stop, StopReason::AlreadySatisfied);
   EXPECT_EQ(result.Report.RunningError, 0.0);
@@ -143,9 +145,9 @@ TEST(Decimate, AtMostOnePointLiesBeyondTheLargestError)
   }
 }
 
-TEST(Decimate, WithNumberAndErrorItGoesOnUntilBothAreReached)
+TEST(Decimate, WithNumberAndErrorTheThesisGoesOnUntilBothAreReached)
 {
-  Options options = Error(0.5);
+  Options options = InMode(Mode::Thesis, Error(0.5));
   const std::int64_t byError = Faces(Decimate(Bone(), options));
   options.TargetNumberOfTriangles = static_cast<int>(byError) + 1000;
   EXPECT_EQ(Faces(Decimate(Bone(), options)), byError)
@@ -166,7 +168,7 @@ TEST(Decimate, NormalToleranceOneEatsFlatAreasFirstAndZeroDoesNot)
   }
   const auto leftOnes = [&](double tolerance)
   {
-    Options options = Reduction(0.45);
+    Options options = InMode(Mode::Thesis, Reduction(0.45));
     options.NormalTolerance = tolerance;
     const Result result = Decimate(plate, options);
     return std::count_if(result.Surface.Points.begin(), result.Surface.Points.end(),
@@ -261,7 +263,7 @@ TEST(Decimate, DistancesOfSinglePrecisionPointsAreThoseOfTheRoundedOnes)
 
 TEST(Decimate, LooksPointsUpOnlyIfSomebodyAsks)
 {
-  Options options = Reduction(0.5);
+  Options options = InMode(Mode::Thesis, Reduction(0.5));
   const Result thesis = Decimate(Bone(), options);
   EXPECT_EQ(thesis.Distance.size(), thesis.Surface.Points.size()) << "recorded on the way";
   EXPECT_TRUE(thesis.Origins.NearestTriangle.empty());
@@ -326,7 +328,7 @@ TEST(Decimate, SharpEdgesStayWhileFlatAreasCostNothing)
 {
   for (const Surface& input : { Cube(8), FlatPlate(12), TunnelBlock(9) })
   {
-    Options options = Reduction(0.6);
+    Options options = InMode(Mode::Thesis, Reduction(0.6));
     options.NormalTolerance = 1.0;
     const Result result = Decimate(input, options);
     EXPECT_LT(result.Report.RunningError, 0.25) << "a quarter of the plate's thickness";

@@ -259,7 +259,7 @@ TEST(FastMode, IsCloserToTheInputThanTheThesisAtTheSameCount)
 {
   for (const double fraction : { 0.5, 0.8, 0.9 })
   {
-    Options options = Reduction(fraction);
+    Options options = InMode(Mode::Thesis, Reduction(fraction));
     options.MeasureDistances = true;
     const Surface input = BumpySphere(5, 20.0, 0.05, 8);
     const Report thesis = Decimate(input, options).Report;
