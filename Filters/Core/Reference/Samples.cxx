@@ -86,12 +86,9 @@ bool Samples::Distribute(
   this->All.clear();
   this->Faces.resize(current.size() + static_cast<std::size_t>(this->PerFace) * faces);
   std::fill(this->Firsts.begin(), this->Firsts.end(), None);
-  if (!this->FindFaces(mesh, current, threads, monitor))
-  {
-    return false;
-  }
-  this->SortByFace();
-  return true;
+  constexpr double foundAt = 0.8;
+  return this->FindFaces(mesh, current, threads, PartOf(monitor, 0.0, foundAt)) &&
+    this->SortByFace(threads, PartOf(monitor, foundAt, 1.0));
 }
 
 //------------------------------------------------------------------------------
@@ -180,7 +177,7 @@ PlaceOnMesh Samples::FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& cu
 
 //------------------------------------------------------------------------------
 /// Lays the samples down face by face.
-void Samples::SortByFace()
+bool Samples::SortByFace(int threads, const Monitor& monitor)
 {
   for (const Index face : this->Faces)
   {
@@ -195,14 +192,21 @@ void Samples::SortByFace()
       count = end;
     }
   }
-  const std::vector<float> weights = this->Weights();
-  this->All.resize(this->Faces.size());
   for (Index id = static_cast<Index>(this->Faces.size()); id-- > 0;)
   {
-    Index& first = this->Firsts[this->Faces[id]];
-    --first;
-    this->All[first] = { Single(this->PlaceOf(id) / this->Unit), weights[id], first + 1 };
+    this->Faces[id] = --this->Firsts[this->Faces[id]]; // from now on where the sample goes
   }
+  const std::vector<float> weights = this->Weights();
+  this->All.resize(this->Faces.size());
+  const bool done = ForEachChunk(this->All.size(), threads, monitor,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (Index id = static_cast<Index>(first); id < static_cast<Index>(last); ++id)
+      {
+        const Index at = this->Faces[id];
+        this->All[at] = { Single(this->PlaceOf(id) / this->Unit), weights[id], at + 1 };
+      }
+    });
   // The last of each list is the one before the next list begins.
   for (const Index first : this->Firsts)
   {
@@ -215,6 +219,7 @@ void Samples::SortByFace()
   {
     this->All.back().Next = None;
   }
+  return done;
 }
 
 //------------------------------------------------------------------------------

@@ -38,7 +38,7 @@ public:
   /// @param original The mesh before the first collapse, which must stay.
   explicit Samples(const HalfEdgeMesh& original);
 
-  /// Both return false if the monitor said stop; after Distribute there are no samples then.
+  /// Both return false if the monitor said stop; then there is nothing to go on with.
   bool Distribute(
     const HalfEdgeMesh& mesh, const Original& merged, int threads, const Monitor& monitor);
   bool Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor);
@@ -88,7 +88,7 @@ private:
     const PlaceOnMesh& found) const;
   bool FindFaces(
     const HalfEdgeMesh& mesh, const CurrentVertices& current, int threads, const Monitor& monitor);
-  void SortByFace();
+  bool SortByFace(int threads, const Monitor& monitor);
   std::vector<float> Weights() const;
 
   const HalfEdgeMesh& Source;
