@@ -111,6 +111,7 @@ void BlockSweep::Run(const BlockTask& task, const GoOn& goOn)
     {
       break;
     }
+    this->Cursors.fill(None);
     for (std::size_t i = 0; i < this->Ready.size() && left > 0; ++i)
     {
       this->LookAhead(i);
