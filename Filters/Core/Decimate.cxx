@@ -204,7 +204,9 @@ private:
     const SurfaceCounts counts = { static_cast<std::int64_t>(this->Cleaned.Surface.Points.size()),
       this->Work->NumberOfFragments(), this->Work->Mesh().EdgesAtFirst() };
     report.Input = Describe(this->Cleaned.Surface, counts, this->Wanted.NumberOfThreads);
-    report.Output = Describe(this->LocalResult, this->Wanted.NumberOfThreads);
+    report.Output = this->Work->NumberOfEdits() == 0
+      ? Describe(this->LocalResult, counts, this->Wanted.NumberOfThreads)
+      : Describe(this->LocalResult, this->Wanted.NumberOfThreads);
     if (this->GoesOn && this->MeasuredFrom() < 1.0 - LastStep)
     {
       this->MeasureDistances();

@@ -31,15 +31,15 @@ VertexBlocks::VertexBlocks(const HalfEdgeMesh& mesh)
 }
 
 //------------------------------------------------------------------------------
-bool VertexBlocks::IsInside(const HalfEdgeMesh& mesh, Index v, Index shift) const
+bool VertexBlocks::IsInside(const HalfEdgeMesh& mesh, Index v, const Cut& cut) const
 {
-  const Index block = this->BlockOf(v, shift);
+  const Index block = cut.BlockOf(this->Ranks[v]);
   bool inside = true;
   mesh.VisitEdges(v,
     [&](Index h)
     {
       const Index other = mesh.Across(h, v);
-      inside = inside && (this->Ranks[other] == None || this->BlockOf(other, shift) == block);
+      inside = inside && (this->Ranks[other] == None || cut.BlockOf(this->Ranks[other]) == block);
     });
   return inside;
 }

@@ -4,8 +4,9 @@
  * @file VertexBlocks.h
  * @brief The live vertices in their order, cut into blocks that threads may work on.
  *
- *     for shift in 0, 1/2:   each block, on any thread:  visit the vertices that no earlier pass visited
- *                                                         and whose neighbours are all in this block
+ *     for blocks, blocks shifted by half, larger blocks shifted by half:
+ *         each block, on any thread:  visit the vertices that no earlier pass visited
+ *                                     and whose neighbours are all in this block
  *     then, on one thread:   visit the rest
  *
  * Order and blocks depend on the mesh alone, so that the result is the same for any number of threads. The
@@ -40,14 +41,19 @@ public:
     const HalfEdgeMesh& mesh, int threads, const Monitor& monitor, const MakeWorker& makeWorker);
 
 private:
+  struct Cut
+  {
+    Index Size;  // of a block, vertices
+    Index Shift; // of the first block beyond the first vertex
+    Index BlockOf(Index rank) const { return (rank + this->Shift) / this->Size; }
+  };
   template <typename MakeWorker>
-  bool VisitBlocks(const HalfEdgeMesh& mesh, Index shift, int threads, const Monitor& monitor,
+  bool VisitBlocks(const HalfEdgeMesh& mesh, const Cut& cut, int threads, const Monitor& monitor,
     const MakeWorker& makeWorker);
   template <typename MakeWorker>
   bool VisitRest(const Monitor& monitor, const MakeWorker& makeWorker);
 
-  Index BlockOf(Index v, Index shift) const { return (this->Ranks[v] + shift) / BlockSize; }
-  bool IsInside(const HalfEdgeMesh& mesh, Index v, Index shift) const;
+  bool IsInside(const HalfEdgeMesh& mesh, Index v, const Cut& cut) const;
 
   Index BlockSize = 0;      // vertices
   std::vector<Index> Order; // live vertices that are not locked
@@ -60,28 +66,30 @@ bool VertexBlocks::ForEach(
   const HalfEdgeMesh& mesh, int threads, const Monitor& monitor, const MakeWorker& makeWorker)
 {
   std::fill(this->Visited.begin(), this->Visited.end(), 0);
-  return this->VisitBlocks(mesh, 0, threads, PartOf(monitor, 0.0, 0.5), makeWorker) &&
-    this->VisitBlocks(mesh, this->BlockSize / 2, threads, PartOf(monitor, 0.5, 0.8), makeWorker) &&
-    this->VisitRest(PartOf(monitor, 0.8, 1.0), makeWorker);
+  const Index size = this->BlockSize;
+  const Index large = 8 * size;
+  return this->VisitBlocks(mesh, { size, 0 }, threads, PartOf(monitor, 0.0, 0.5), makeWorker) &&
+    this->VisitBlocks(mesh, { size, size / 2 }, threads, PartOf(monitor, 0.5, 0.8), makeWorker) &&
+    this->VisitBlocks(mesh, { large, large / 2 }, threads, PartOf(monitor, 0.8, 0.9), makeWorker) &&
+    this->VisitRest(PartOf(monitor, 0.9, 1.0), makeWorker);
 }
 
 //------------------------------------------------------------------------------
 template <typename MakeWorker>
-bool VertexBlocks::VisitBlocks(const HalfEdgeMesh& mesh, Index shift, int threads,
+bool VertexBlocks::VisitBlocks(const HalfEdgeMesh& mesh, const Cut& cut, int threads,
   const Monitor& monitor, const MakeWorker& makeWorker)
 {
   const Index count = static_cast<Index>(this->Order.size());
-  const auto blocks =
-    static_cast<std::size_t>((count + shift + this->BlockSize - 1) / this->BlockSize);
+  const auto blocks = static_cast<std::size_t>((count + cut.Shift + cut.Size - 1) / cut.Size);
   return ForEachChunk(blocks, threads, monitor,
     [&](std::size_t, std::size_t begin, std::size_t end)
     {
       auto worker = makeWorker();
-      const Index first = std::max(0, static_cast<Index>(begin) * this->BlockSize - shift);
-      const Index last = std::min(count, static_cast<Index>(end) * this->BlockSize - shift);
+      const Index first = std::max(0, static_cast<Index>(begin) * cut.Size - cut.Shift);
+      const Index last = std::min(count, static_cast<Index>(end) * cut.Size - cut.Shift);
       for (Index i = first; i < last; ++i)
       {
-        if (!this->Visited[i] && this->IsInside(mesh, this->Order[i], shift))
+        if (!this->Visited[i] && this->IsInside(mesh, this->Order[i], cut))
         {
           this->Visited[i] = 1;
           worker(this->Order[i]);
