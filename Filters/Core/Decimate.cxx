@@ -69,9 +69,22 @@ private:
   {
     return [this, from, to](double fraction)
     {
-      this->GoesOn = this->GoesOn && (!this->Outer || this->Outer(from + fraction * (to - from)));
+      this->Tell(from + fraction * (to - from));
       return this->GoesOn;
     };
+  }
+
+  /// Stages may take a large step at once; who listens hears of every hundredth.
+  void Tell(double fraction)
+  {
+    constexpr double hundredth = 0.01;
+    while (this->Outer && this->GoesOn && this->Told + hundredth < fraction)
+    {
+      this->Told += hundredth;
+      this->GoesOn = this->Outer(this->Told);
+    }
+    this->Told = fraction;
+    this->GoesOn = this->GoesOn && (!this->Outer || this->Outer(fraction));
   }
 
   bool Prepare()
@@ -271,6 +284,7 @@ private:
   bool RoundToSingle;
   bool WithOrigins;
   bool GoesOn = true;
+  double Told = 0.0;
   CleanSurface Cleaned;
   std::optional<Editor> Work;
   Surface LocalResult; // mm relative to Cleaned.Origin

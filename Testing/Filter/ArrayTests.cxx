@@ -46,6 +46,7 @@ void ExpectArray(vtkPolyData* polyData, const std::string& name, const std::stri
 TEST(Arrays, HaveTheirNamesUnitsAndOneValueForEachPoint)
 {
   FilterRun run(Bumps(3));
+  run->MeasureDistancesOn();
   vtkPolyData* output = run.Output();
   ExpectArray(output, "Distance", "mm");
   ExpectArray(output, "RunningError", "mm");
@@ -62,6 +63,7 @@ TEST(Arrays, BearTheNamesThatWereAskedFor)
   run->SetRunningErrorArrayName("e");
   run->SetPointCountArrayName("n");
   run->SetInputDistanceArrayName("back");
+  run->MeasureDistancesOn();
   run->MeasureInputDistancesOn();
   vtkPolyData* output = run.Output();
   ExpectArray(output, "d", "mm");
@@ -76,6 +78,7 @@ TEST(Arrays, DistanceIsThatOfTheLocatorToTheInput)
   for (const vtkSmartPointer<vtkPolyData>& input : { Bumps(3), PolyData(HeightField(24, 1.0, 5)) })
   {
     FilterRun run(input);
+    run->MeasureDistancesOn();
     ExpectNear(Values(run.Output(), "Distance"), LocatorDistances(run.Output(), input));
     EXPECT_GT(Largest(Values(run.Output(), "Distance")), 0.0);
   }
@@ -86,6 +89,7 @@ TEST(Arrays, DistanceIsThatOfTheRoundedPoints)
   const Surface input = Moved(Scaled(Icosphere(3, 1.0), 0.01), { 100, 0, 0 });
   FilterRun run(PolyData(input));
   run->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
+  run->MeasureDistancesOn();
   const std::vector<double> distances = Values(run.Output(), "Distance");
   const Surface output = SurfaceOf(run.Output());
   ASSERT_EQ(distances.size(), output.Points.size());
@@ -99,7 +103,9 @@ TEST(Arrays, DistanceIsThatOfTheRoundedPoints)
 TEST(Arrays, RunningErrorIsNeverBelowTheDistanceAndItsMaximumIsReported)
 {
   FilterRun run(Bumps(3));
+  run->SetModeToThesis();
   const std::vector<double> running = Values(run.Output(), "RunningError");
+  ASSERT_FALSE(running.empty());
   const std::vector<double> distance = Values(run.Output(), "Distance");
   for (std::size_t i = 0; i < running.size(); ++i)
   {

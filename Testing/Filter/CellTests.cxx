@@ -161,6 +161,7 @@ TEST(Cells, PointsOfVerticesAndLinesStandForThemselvesAtNoDistance)
 {
   const vtkSmartPointer<vtkPolyData> input = SphereWithVertexAndLine();
   FilterRun run(input);
+  run->MeasureDistancesOn();
   const std::vector<double> counts = Values(run.Output(), "InputPointCount");
   EXPECT_EQ(Sum(counts), input->GetNumberOfPoints());
   const std::vector<double> distances = Values(run.Output(), "Distance");

@@ -140,7 +140,7 @@ TEST(Properties, HaveTheDefaultsOfTheTable)
 TEST(Properties, HaveTheDefaultsOfTheirDocumentation)
 {
   vtkNew<vtkBoneDecimate> filter;
-  EXPECT_EQ(filter->GetMode(), vtkBoneDecimate::THESIS);
+  EXPECT_EQ(filter->GetMode(), vtkBoneDecimate::BALANCED);
   EXPECT_EQ(filter->GetTargetNumberOfTriangles(), 0);
   EXPECT_EQ(filter->GetTargetReduction(), 0.9);
   EXPECT_EQ(filter->GetMaximumError(), 0.0);
@@ -240,11 +240,11 @@ TEST(Properties, ClampedToWhatTheyWereDoNotMarkTheFilterModified)
 {
   vtkNew<vtkBoneDecimate> filter;
   filter->SetTargetReduction(1.0);
-  filter->SetModeToFast();
+  filter->SetModeToAccurate();
   const vtkMTimeType before = filter->GetMTime();
   filter->SetTargetReduction(7.0);
   filter->SetMaximumError(-1.0);
-  filter->SetMode(3);
+  filter->SetMode(4);
   EXPECT_EQ(filter->GetMTime(), before);
 }
 

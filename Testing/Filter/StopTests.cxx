@@ -30,9 +30,10 @@ vtkIdType TrianglesAtReduction(double reduction)
 /// A run towards an error alone, mm.
 struct ErrorRun
 {
-  explicit ErrorRun(double millimetres)
+  explicit ErrorRun(double millimetres, int mode = vtkBoneDecimate::BALANCED)
     : Run(Bumps(4))
   {
+    this->Run->SetMode(mode);
     this->Run->SetMaximumError(millimetres);
     this->Distances = Values(this->Run.Output(), "Distance");
   }
@@ -155,31 +156,35 @@ TEST(Stops, AnErrorAloneSwitchesTheDefaultReductionOff)
   EXPECT_LT(ErrorRun(1.0).Run.Triangles(), 500);
 }
 
-TEST(Stops, NumberAndErrorGoOnUntilBothAreReached)
+TEST(Stops, InThesisNumberAndErrorGoOnUntilBothAreReached)
 {
   FilterRun numberIsLater(Bumps(4));
+  numberIsLater->SetModeToThesis();
   numberIsLater->SetMaximumError(0.02);
   numberIsLater->SetTargetNumberOfTriangles(200);
   ExpectReached(numberIsLater.Triangles(), 200);
   EXPECT_GT(numberIsLater.Value("running_error"), 0.02);
 
   FilterRun errorIsLater(Bumps(4));
+  errorIsLater->SetModeToThesis();
   errorIsLater->SetMaximumError(0.5);
   errorIsLater->SetTargetNumberOfTriangles(5000);
-  EXPECT_EQ(errorIsLater.Triangles(), ErrorRun(0.5).Run.Triangles());
+  EXPECT_EQ(errorIsLater.Triangles(), ErrorRun(0.5, vtkBoneDecimate::THESIS).Run.Triangles());
 }
 
-TEST(Stops, ReductionAndErrorGoOnUntilBothAreReached)
+TEST(Stops, InThesisReductionAndErrorGoOnUntilBothAreReached)
 {
   FilterRun reductionIsLater(Bumps(4));
+  reductionIsLater->SetModeToThesis();
   reductionIsLater->SetMaximumError(0.02);
   reductionIsLater->SetTargetReduction(0.95);
   ExpectReached(reductionIsLater.Triangles(), 256);
 
   FilterRun errorIsLater(Bumps(4));
+  errorIsLater->SetModeToThesis();
   errorIsLater->SetMaximumError(0.5);
   errorIsLater->SetTargetReduction(0.1);
-  EXPECT_EQ(errorIsLater.Triangles(), ErrorRun(0.5).Run.Triangles());
+  EXPECT_EQ(errorIsLater.Triangles(), ErrorRun(0.5, vtkBoneDecimate::THESIS).Run.Triangles());
 }
 
 TEST(Stops, AnErrorThatIsNeverReachedEndsWhenNothingIsLeft)

@@ -11,7 +11,7 @@ from vtkbonedecimate import vtkBoneDecimate
 
 # Name: default, another value, what is beyond the range, what that becomes.
 NUMBERS = {
-    "Mode": (vtkBoneDecimate.THESIS, vtkBoneDecimate.FAST, 99, vtkBoneDecimate.FAST),
+    "Mode": (vtkBoneDecimate.BALANCED, vtkBoneDecimate.FAST, 99, vtkBoneDecimate.ACCURATE),
     "TargetNumberOfTriangles": (0, 500, -1, 0),
     "TargetReduction": (0.9, 0.5, 1.5, 1.0),
     "MaximumError": (0.0, 0.25, -1.0, 0.0),

@@ -65,23 +65,23 @@ StopReason Goal::Reason() const
 
 //------------------------------------------------------------------------------
 /// By faces; towards an error nobody knows when it will be reached, so that the end may come early.
-double Goal::FractionDone() const
+double Goal::FractionDone(Index unsettled) const
 {
   const Index end = this->Wanted.Error > 0.0 ? 0 : this->Wanted.Faces;
-  const double removed = this->FacesAtFirst - this->Work.Mesh().NumberOfFaces();
+  const double removed = this->FacesAtFirst - this->Work.Mesh().NumberOfFaces() + unsettled;
   return std::min(1.0, removed / std::max(1, this->FacesAtFirst - end));
 }
 
 //------------------------------------------------------------------------------
 bool Goal::Tell(const Monitor& monitor)
 {
-  return this->FractionDone() < this->Told + ProgressStep || this->TellNow(monitor);
+  return this->FractionDone(0) < this->Told + ProgressStep || this->TellNow(monitor);
 }
 
 //------------------------------------------------------------------------------
-bool Goal::TellNow(const Monitor& monitor)
+bool Goal::TellNow(const Monitor& monitor, Index unsettled)
 {
-  this->Told = std::max(this->Told, this->FractionDone());
+  this->Told = std::max(this->Told, this->FractionDone(unsettled));
   return monitor(this->Told);
 }
 }

@@ -34,11 +34,12 @@ public:
 
   /// Tells the monitor every half percent, or at once. False if it asked to stop.
   bool Tell(const Monitor& monitor);
-  bool TellNow(const Monitor& monitor);
+  /// @param unsettled Faces that workers have removed and the mesh has not counted yet.
+  bool TellNow(const Monitor& monitor, Index unsettled = 0);
 
 private:
   bool ErrorIsReached() const;
-  double FractionDone() const;
+  double FractionDone(Index unsettled) const;
 
   const Editor& Work;
   Stops Wanted;

@@ -5,6 +5,7 @@
 #include "Parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -140,13 +141,15 @@ bool Sweep::Round(CostKey limit, bool isShifted, const Monitor& monitor)
 {
   const std::vector<BlockTask> blocks = this->Blocks(limit, isShifted);
   std::vector<Tally> counted(blocks.size());
+  std::atomic<Index> removed{ 0 };
   const bool done = ForEachPart(
-    blocks.size(), this->Threads, [&](double) { return this->End.TellNow(monitor); },
+    blocks.size(), this->Threads, [&](double) { return this->End.TellNow(monitor, removed); },
     [&](std::size_t i)
     {
       BlockSweep block(this->Work, this->Known);
       block.Run(blocks[i], [] { return true; });
       counted[i] = std::exchange(block.Counted(), {});
+      removed += counted[i].RemovedFaces;
     });
   for (Tally& tally : counted)
   {
