@@ -54,7 +54,7 @@ inline Symmetric<Floats> operator-(const Symmetric<Floats>& a, const Symmetric<F
   return { a.XX - b.XX, a.XY - b.XY, a.XZ - b.XZ, a.YY - b.YY, a.YZ - b.YZ, a.ZZ - b.ZZ };
 }
 
-inline const double* PositionOf(const VertexRecord* record)
+inline const double* CoordinatesOf(const VertexRecord* record)
 {
   return reinterpret_cast<const double*>(record);
 }
@@ -67,7 +67,7 @@ inline const float* QuadricOf(const VertexRecord* record)
 /// From one position to another, times the scale; the fourth is of no meaning.
 inline FourFloats Arm(const VertexRecord* to, Doubles from, double scale)
 {
-  return __builtin_convertvector((Load<Doubles>(PositionOf(to)) - from) * scale, FourFloats);
+  return __builtin_convertvector((Load<Doubles>(CoordinatesOf(to)) - from) * scale, FourFloats);
 }
 
 inline Ends LoadEnds(const EdgeBatch& batch)
@@ -83,7 +83,7 @@ inline Ends LoadEnds(const EdgeBatch& batch)
     rows[i] = Load<Floats>(QuadricOf(records[i]));
   }
   Transpose(rows);
-  const Doubles first = Load<Doubles>(PositionOf(batch.First));
+  const Doubles first = Load<Doubles>(CoordinatesOf(batch.First));
   const double scale = 0.5 * batch.PerUnit;
   Floats half[4];
   for (int i = 0; i < 4; ++i)
