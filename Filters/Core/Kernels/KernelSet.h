@@ -67,7 +67,7 @@ inline const float* QuadricOf(const VertexRecord* record)
 /// From one position to another, times the scale; the fourth is of no meaning.
 inline FourFloats Arm(const VertexRecord* to, Doubles from, double scale)
 {
-  return __builtin_convertvector((Load<Doubles>(CoordinatesOf(to)) - from) * scale, FourFloats);
+  return ToFloats((Load<Doubles>(CoordinatesOf(to)) - from) * scale);
 }
 
 inline Ends LoadEnds(const EdgeBatch& batch)
@@ -126,9 +126,10 @@ inline Vectors<Floats> PlaceOnEdge(const EdgeSystem& s, const Vectors<Floats>& h
 {
   const Floats curvature = half.Dot(s.M * half);
   Floats t = s.R.Dot(half) / curvature;
-  t = t < 1.0F ? t : curvature * 0.0F + 1.0F;
-  t = t > -1.0F ? t : curvature * 0.0F - 1.0F;
-  return half * (curvature > 0.0F ? t : curvature * 0.0F);
+  const Floats zero = {};
+  t = Select(t < 1.0F, t, zero + 1.0F);
+  t = Select(t > -1.0F, t, zero - 1.0F);
+  return half * Select(curvature > 0.0F, t, zero);
 }
 
 void JudgeEdges(const EdgeBatch& batch, EdgeAnswers& answers)
@@ -166,7 +167,7 @@ void JudgeEdges(const EdgeBatch& batch, EdgeAnswers& answers)
   const float never = std::numeric_limits<float>::infinity();
   const FloatMask counts =
     (freedom != static_cast<std::int32_t>(Freedom::Nowhere)) & (cost < never);
-  const Floats costs = counts ? cost : zero + never;
+  const Floats costs = Select(counts, cost, zero + never);
   Store(costs, answers.Costs);
   answers.Least = LeastOf(costs);
   Store(half.X + x.X, answers.Moves[0]);
@@ -232,14 +233,15 @@ void JudgeFan(Fan& fan, FanVerdict& verdict)
     const Doubles qualityAfter =
       QualityOf(areaAfter, sideSquared + newArm.Dot(newArm) + newThird.Dot(newThird));
     const Doubles squaresBefore = sideSquared + oldArm.Dot(oldArm) + oldThird.Dot(oldThird);
-    const Doubles qualityBefore = squaresBefore > 0.0 ? QualityOf(areaBefore, squaresBefore) : zero;
+    const Doubles qualityBefore =
+      Select(squaresBefore > 0.0, QualityOf(areaBefore, squaresBefore), zero);
     const DoubleMask hasArea = areaAfter > 0.0; // false for what is not a number, too
     degenerate |=
       isFace & (~hasArea | ((qualityAfter < LeastQuality) & (qualityAfter < qualityBefore)));
     flip |=
       isFace & (areaBefore > 0.0) & (before.Dot(after) < LeastCosine * (areaBefore * areaAfter));
     const Doubles change = (after - before).Dot(second);
-    volume += isFace ? change : zero;
+    volume += Select(isFace, change, zero);
   }
   verdict.Degenerate = Any(degenerate);
   verdict.Flip = Any(flip);
@@ -252,7 +254,7 @@ inline Doubles SquaredDistanceToSegment(const Vectors<Doubles>& a, const Vectors
 {
   const Doubles zero = {};
   const Doubles squared = d.Dot(d);
-  Doubles t = squared > 0.0 ? (zero - a.Dot(d)) / squared : zero;
+  Doubles t = Select(squared > 0.0, (zero - a.Dot(d)) / squared, zero);
   t = Smaller(Larger(t, zero), zero + 1.0);
   const Vectors<Doubles> nearest = a + d * t;
   return nearest.Dot(nearest);
@@ -270,7 +272,7 @@ inline Doubles SquaredDistanceToTriangle(const Vectors<Doubles>& a, const Vector
   const Doubles height = n.Dot(a);
   const Doubles sides = Smaller(SquaredDistanceToSegment(a, b - a),
     Smaller(SquaredDistanceToSegment(b, c - b), SquaredDistanceToSegment(c, a - c)));
-  return over ? height * height / n.Dot(n) : sides;
+  return Select(over, height * height / n.Dot(n), sides);
 }
 
 inline double LeastSquare(const Fan& fan, const double (&from)[3])
@@ -283,7 +285,7 @@ inline double LeastSquare(const Fan& fan, const double (&from)[3])
   {
     const Doubles squared = SquaredDistanceToTriangle(place, LoadVectors(fan.Ring, i) - point,
       LoadVectors(fan.Ring, i + 1) - point, LoadVectors(fan.NewArea, i));
-    least = Smaller(IsFace(i, fan.Faces) ? squared : far, least);
+    least = Smaller(Select(IsFace(i, fan.Faces), squared, far), least);
   }
   double result = least[0];
   for (int lane = 1; lane < NumberOfDoubles; ++lane)
@@ -296,8 +298,8 @@ inline double LeastSquare(const Fan& fan, const double (&from)[3])
 double LeaveBehind(const Fan& fan, double atStart, double atEnd)
 {
   const double start[3] = { 0.0, 0.0, 0.0 };
-  const double first = atStart + __builtin_sqrt(LeastSquare(fan, start));
-  const double second = atEnd + __builtin_sqrt(LeastSquare(fan, fan.End));
+  const double first = atStart + Root(LeastSquare(fan, start));
+  const double second = atEnd + Root(LeastSquare(fan, fan.End));
   return first > second ? first : second;
 }
 
@@ -306,7 +308,7 @@ double LeaveBehind(const Fan& fan, double atStart, double atEnd)
 inline void AddPlanes(const Vectors<Doubles>& n, Doubles sign, Doubles (&sums)[9])
 {
   const Doubles length = Root(n.Dot(n));
-  const Doubles weight = length > 0.0 ? sign / length : length;
+  const Doubles weight = Select(length > 0.0, sign / length, length);
   const Vectors<Doubles> scaled = n * weight;
   sums[0] += scaled.X * n.X;
   sums[1] += scaled.X * n.Y;
@@ -337,7 +339,7 @@ RingQuadric SumPlanes(const Fan& fan, double perArea)
   for (int i = 0; i < fan.Faces; i += NumberOfDoubles)
   {
     const Vectors<Doubles> n = LoadVectors(fan.Ring, i).Cross(LoadVectors(fan.Ring, i + 1));
-    AddPlanes(n, IsFace(i, fan.Faces) ? zero + perArea : zero, sums);
+    AddPlanes(n, Select(IsFace(i, fan.Faces), zero + perArea, zero), sums);
   }
   return SumOfLanes(sums);
 }
@@ -350,7 +352,7 @@ RingQuadric ExchangePlanes(
   for (int i = 0; i < fan.Faces; i += NumberOfDoubles)
   {
     const DoubleMask isFace = IsFace(i, fan.Faces);
-    const Doubles weight = isFace ? zero + perArea : zero;
+    const Doubles weight = Select(isFace, zero + perArea, zero);
     Doubles changes[9] = {};
     AddPlanes(LoadVectors(fan.NewArea, i), weight, changes);
     for (int k = 0; k < 9; ++k)

@@ -4,6 +4,7 @@
 
 namespace bonedecimate
 {
+extern const Kernels PlainKernels;
 extern const Kernels BaselineKernels;
 #ifdef BONEDECIMATE_X86_KERNELS
 extern const Kernels Avx2Kernels;
@@ -14,7 +15,7 @@ const std::vector<const Kernels*>& AvailableKernels()
 {
   static const std::vector<const Kernels*> available = []
   {
-    std::vector<const Kernels*> sets = { &BaselineKernels };
+    std::vector<const Kernels*> sets = { &PlainKernels, &BaselineKernels };
 #ifdef BONEDECIMATE_X86_KERNELS
     if (__builtin_cpu_supports("avx2"))
     {

@@ -5,25 +5,27 @@
  * @brief Eight floats or four doubles computed side by side, with the same bits on every processor.
  *
  * Only + - * / sqrt and comparisons, which IEEE 754 fixes to the last bit; nothing is fused (-ffp-contract=off).
- * GCC and Clang turn the vector types into whatever the file is compiled for. Everything stands in an anonymous
- * namespace: each file that includes this is compiled for another processor and must not lend its code to the others.
+ * Everything stands in an anonymous namespace: each file that includes this is compiled for another processor and must
+ * not lend its code to the others.
  */
 #ifndef BoneDecimate_Core_Kernels_Lanes_h
 #define BoneDecimate_Core_Kernels_Lanes_h
 
-#include <cstdint>
+#ifndef __has_builtin
+#define __has_builtin(name) 0
+#endif
+#if !defined(BONEDECIMATE_PLAIN_LANES) && __has_builtin(__builtin_shufflevector)
+#include "VectorLanes.h"
+#else
+#include "PlainLanes.h"
+#endif
+
 #include <cstring>
 
 namespace bonedecimate
 {
 namespace
 {
-using Floats = float __attribute__((vector_size(32)));
-using FloatMask = std::int32_t __attribute__((vector_size(32)));
-using FourFloats = float __attribute__((vector_size(16)));
-using Doubles = double __attribute__((vector_size(32)));
-using DoubleMask = std::int64_t __attribute__((vector_size(32)));
-constexpr int NumberOfFloats = 8;
 constexpr int NumberOfDoubles = 4;
 
 template <typename Lanes, typename Number>
@@ -38,79 +40,15 @@ inline void Store(const Lanes& lanes, Number* to)
 {
   std::memcpy(to, &lanes, sizeof(lanes));
 }
-inline Floats Root(Floats x)
-{
-  for (int i = 0; i < NumberOfFloats; ++i)
-  {
-    x[i] = __builtin_sqrtf(x[i]);
-  }
-  return x;
-}
-inline Doubles Root(Doubles x)
-{
-  for (int i = 0; i < NumberOfDoubles; ++i)
-  {
-    x[i] = __builtin_sqrt(x[i]);
-  }
-  return x;
-}
-inline Floats Join(FourFloats first, FourFloats second)
-{
-  return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7);
-}
 template <typename Lanes>
 inline Lanes Larger(Lanes a, Lanes b)
 {
-  return a > b ? a : b;
+  return Select(a > b, a, b);
 }
 template <typename Lanes>
 inline Lanes Smaller(Lanes a, Lanes b)
 {
-  return a < b ? a : b;
-}
-/// Turns eight rows of eight floats into eight columns.
-inline void Transpose(Floats (&r)[8])
-{
-  Floats a[8];
-  for (int i = 0; i < 8; i += 2)
-  {
-    a[i] = __builtin_shufflevector(r[i], r[i + 1], 0, 8, 1, 9, 4, 12, 5, 13);
-    a[i + 1] = __builtin_shufflevector(r[i], r[i + 1], 2, 10, 3, 11, 6, 14, 7, 15);
-  }
-  Floats b[8];
-  for (int i = 0; i < 8; i += 4)
-  {
-    b[i] = __builtin_shufflevector(a[i], a[i + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-    b[i + 1] = __builtin_shufflevector(a[i], a[i + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-    b[i + 2] = __builtin_shufflevector(a[i + 1], a[i + 3], 0, 1, 8, 9, 4, 5, 12, 13);
-    b[i + 3] = __builtin_shufflevector(a[i + 1], a[i + 3], 2, 3, 10, 11, 6, 7, 14, 15);
-  }
-  for (int i = 0; i < 4; ++i)
-  {
-    r[i] = __builtin_shufflevector(b[i], b[i + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-    r[i + 4] = __builtin_shufflevector(b[i], b[i + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-  }
-}
-
-/// Turns eight rows of four floats, the later four rows beside the earlier, into four columns of eight.
-inline void TransposeHalves(Floats (&r)[4])
-{
-  const Floats a = __builtin_shufflevector(r[0], r[1], 0, 8, 1, 9, 4, 12, 5, 13);
-  const Floats b = __builtin_shufflevector(r[0], r[1], 2, 10, 3, 11, 6, 14, 7, 15);
-  const Floats c = __builtin_shufflevector(r[2], r[3], 0, 8, 1, 9, 4, 12, 5, 13);
-  const Floats d = __builtin_shufflevector(r[2], r[3], 2, 10, 3, 11, 6, 14, 7, 15);
-  r[0] = __builtin_shufflevector(a, c, 0, 1, 8, 9, 4, 5, 12, 13);
-  r[1] = __builtin_shufflevector(a, c, 2, 3, 10, 11, 6, 7, 14, 15);
-  r[2] = __builtin_shufflevector(b, d, 0, 1, 8, 9, 4, 5, 12, 13);
-  r[3] = __builtin_shufflevector(b, d, 2, 3, 10, 11, 6, 7, 14, 15);
-}
-
-inline float LeastOf(Floats x)
-{
-  x = Smaller(x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3));
-  x = Smaller(x, __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5));
-  x = Smaller(x, __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6));
-  return x[0];
+  return Select(a < b, a, b);
 }
 template <typename Mask>
 inline bool Any(Mask mask)
@@ -139,7 +77,7 @@ struct Vectors
 template <typename Mask, typename Lanes>
 inline Vectors<Lanes> Select(Mask mask, const Vectors<Lanes>& yes, const Vectors<Lanes>& no)
 {
-  return { mask ? yes.X : no.X, mask ? yes.Y : no.Y, mask ? yes.Z : no.Z };
+  return { Select(mask, yes.X, no.X), Select(mask, yes.Y, no.Y), Select(mask, yes.Z, no.Z) };
 }
 
 /// A symmetric 3 x 3 matrix: xx xy xz yy yz zz.
