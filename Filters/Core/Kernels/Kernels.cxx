@@ -15,16 +15,16 @@ const std::vector<const Kernels*>& AvailableKernels()
 {
   static const std::vector<const Kernels*> available = []
   {
-    std::vector<const Kernels*> sets = { &PlainKernels, &BaselineKernels };
+    std::vector<const Kernels*> sets = { &BaselineKernels, &PlainKernels };
 #ifdef BONEDECIMATE_X86_KERNELS
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+      __builtin_cpu_supports("avx512dq"))
+    {
+      sets.push_back(&Avx512Kernels);
+    }
     if (__builtin_cpu_supports("avx2"))
     {
       sets.push_back(&Avx2Kernels);
-      if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-        __builtin_cpu_supports("avx512dq"))
-      {
-        sets.push_back(&Avx512Kernels);
-      }
     }
 #endif
     return sets;

@@ -79,7 +79,7 @@ def our_modes(programs: Programs) -> list[str]:
 
 
 def our_kernels(programs: Programs) -> list[str]:
-    """The sets of kernels that this processor runs, the plainest first."""
+    """The sets of kernels that this processor runs, the one that is used last."""
     return _listed(programs, "--kernels")
 
 
