@@ -89,8 +89,8 @@ struct Kernels
 const Kernels& BestKernels();
 /// For tests and benchmarks, while nothing runs. nullptr: the best again.
 void ChooseKernels(const Kernels* kernels);
-/// All sets that this processor runs, the fastest last, as far as we have measured: masks of AVX-512 cost more than they
-/// save at eight lanes, and plain loops beat vector types that the processor has to take apart.
+/// All sets that this processor runs, the one to use last: AVX-512 gains nothing over AVX2 at eight lanes, and plain loops
+/// beat vector types that the processor has to take apart.
 const std::vector<const Kernels*>& AvailableKernels();
 }
 
