@@ -52,8 +52,9 @@ def page(figures: Figures, plots: list[tuple[str, str]], images: str) -> str:
                   tables.targets_table(figures["rows"])]
     parts += [f"![{caption}]({images}/{name})\n" for name, caption in plots]
     if figures["growth"]:
-        parts += ["## Growth\n", "Generated specimens brought to a fifth. Bytes: the most held while it ran, input and "
-                  "output included, beyond the bare program.\n", tables.growth_table(figures["growth"])]
+        runs = min(row["runs"] for row in figures["growth"])
+        parts += ["## Growth\n", f"Generated specimens brought to a fifth; runs of each: {runs}. Bytes: the most held while "
+                  "it ran, input and output included, beyond the bare program.\n", tables.growth_table(figures["growth"])]
     if figures["threads"]:
         first = figures["threads"][0]
         parts += ["## Threads and kernels\n", f"{first['bone']} to {first['asked']:,}.\n", tables.threads_table(figures["threads"])]

@@ -36,7 +36,7 @@ def growth(programs: Programs, workshop: Workshop, modes: Sequence[str], sizes: 
             if good:
                 yield {
                     "bone": bone.name, "triangles": bone.triangles, "who": who.key, "mode": who.mode,
-                    "threads": who.threads, "kept": good[0]["triangles"],
+                    "threads": who.threads, "kept": good[0]["triangles"], "runs": len(good),
                     "seconds": statistics.median(run["seconds"] for run in good),
                     "cpu_seconds": statistics.median(run["cpu_seconds"] for run in good),
                     "bytes": max(run["input_bytes"] + run["peak_bytes"] for run in good)}

@@ -230,6 +230,6 @@ def threads_table(rows: Sequence[Row]) -> str:
     for row in rows:
         one = next(r for r in rows if r["mode"] == row["mode"] and r["threads"] == 1)
         same = "yes" if row["checksums"] == one["checksums"] and len(one["checksums"]) == 1 else "NO"
-        lines.append([f"**{row['mode']}**", str(row["threads"]), row["kernels"] or "best", number(row["seconds"]), number(row["cpu_seconds"]),
-                      ratio(one["seconds"], row["seconds"]), same, ", ".join(row["checksums"])])
+        lines.append([f"**{row['mode']}**", str(row["threads"]), row["kernels"] or "best", number(row["seconds"]),
+                      number(row["cpu_seconds"]), ratio(one["seconds"], row["seconds"]), same, ", ".join(row["checksums"])])
     return markdown(["mode", "threads", "kernels", "s", "CPU s", "times faster", "same bytes", "checksum"], lines)
