@@ -141,7 +141,8 @@ void ExpectRings(const Surface& surface)
 
 TEST(EdgeMatching, NoTrianglesHaveNoEdges)
 {
-  const EdgeMatching matching({}, 3);
+  const std::vector<Triangle> triangles;
+  const EdgeMatching matching(triangles, 3);
   EXPECT_TRUE(matching.Twins().empty());
   EXPECT_EQ(matching.CountEdges().Edges, 0);
   EXPECT_EQ(matching.FindRings().Outgoing, std::vector<Index>(3, None));

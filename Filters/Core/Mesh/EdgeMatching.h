@@ -59,6 +59,7 @@ class EdgeMatching
 public:
   /// Corners must be valid. Keeps a reference to the triangles.
   EdgeMatching(const std::vector<Triangle>& triangles, std::size_t numberOfPoints, int threads = 1);
+  EdgeMatching(std::vector<Triangle>&&, std::size_t, int = 1) = delete;
 
   /// Of half-edge 4 f + k: its twin, None on a border, OddEdge where there is no telling.
   const std::vector<Index>& Twins() const { return this->TwinOf; }
