@@ -291,3 +291,28 @@ TEST(FastMode, AnOpenBorderThatIsStraightStaysWhereItIs)
   const Result result = Decimate(Grid(12), InFastMode(Reduction(0.8)));
   EXPECT_NEAR(result.Report.Output.Area, result.Report.Input.Area, 1e-9);
 }
+
+TEST(Sweep, EndsWhereEveryFragmentIsAsSmallAsItMayBe)
+{
+  // Enough points for rounds, and far more triangles than can be had.
+  Surface input;
+  const Surface piece = Icosphere(1, 1.0);
+  for (int i = 0; i < 600; ++i)
+  {
+    const Index first = static_cast<Index>(input.Points.size());
+    for (const Vector3& p : piece.Points)
+    {
+      input.Points.emplace_back(p + Vector3(3.0 * i, 0.0, 0.0));
+    }
+    for (const Triangle& t : piece.Triangles)
+    {
+      input.Triangles.push_back({ first + t[0], first + t[1], first + t[2] });
+    }
+  }
+  for (const Mode mode : { Mode::Fast, Mode::Balanced, Mode::Accurate })
+  {
+    const Report report = Decimate(input, InMode(mode, Triangles(4))).Report;
+    EXPECT_EQ(report.Stop, StopReason::NothingLeft) << WordOf(mode);
+    EXPECT_EQ(report.Output.Components, 600) << WordOf(mode);
+  }
+}

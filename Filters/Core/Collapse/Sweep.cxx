@@ -77,9 +77,11 @@ bool Sweep::RunRounds(const Monitor& monitor)
   {
     return true;
   }
+  constexpr CostKey last = NeverKey - 1;
   CostKey limit = this->FirstLimit();
   int step = FirstStep;
-  for (int round = 0; this->CollapsesWanted() > this->FacesAtFirst / 128; ++round)
+  bool goesUp = true;
+  for (int round = 0; goesUp && this->CollapsesWanted() > this->FacesAtFirst / 128; ++round)
   {
     const Index wanted = this->CollapsesWanted();
     if (!this->Round(limit, false, monitor) || !this->Round(limit, true, monitor) ||
@@ -93,7 +95,8 @@ bool Sweep::RunRounds(const Monitor& monitor)
       const double perKey = std::max(1, wanted - left) / static_cast<double>(step);
       step = static_cast<int>(std::clamp<double>(ShareOfRound * left / perKey, 1.0, LargestStep));
     }
-    limit = static_cast<CostKey>(std::min<int>(limit + step, NeverKey - 1));
+    goesUp = limit < last; // what no limit lets through may not be collapsed at all
+    limit = static_cast<CostKey>(std::min<int>(limit + step, last));
   }
   return true;
 }
