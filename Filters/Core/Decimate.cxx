@@ -217,6 +217,7 @@ private:
     const SurfaceCounts counts = { static_cast<std::int64_t>(this->Cleaned.Surface.Points.size()),
       this->Work->NumberOfFragments(), this->Work->Mesh().EdgesAtFirst() };
     report.Input = Describe(this->Cleaned.Surface, counts, this->Wanted.NumberOfThreads);
+    // Without a collapse the counts of the input hold: flips and moves change none of them.
     report.Output = this->Work->NumberOfEdits() == 0
       ? Describe(this->LocalResult, counts, this->Wanted.NumberOfThreads)
       : Describe(this->LocalResult, this->Wanted.NumberOfThreads);

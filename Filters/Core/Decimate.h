@@ -8,7 +8,7 @@
  *     SortAlongCurve(cleaned)                    neighbours in space become neighbours in memory
  *     mesh     = HalfEdgeMesh(cleaned)           lock what is not manifold
  *     original = Original(cleaned)               nearest point by a bounding tree, built when needed
- *     ThesisLoop or FastLoop                     collapse until a stop is reached
+ *     ThesisLoop, Sweep or RelaxedLoop           collapse until a stop is reached
  *     result   = Extract(mesh)                   points, triangles, maps
  *     Measure(result, original)                  both directions
  *

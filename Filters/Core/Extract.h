@@ -7,7 +7,7 @@
  *     triangles     those alive, in the order of the mesh
  *     points        those of its corners, in the order of the mesh; rounded to single precision if asked for
  *     PointCount    always
- *     Distance, RunningError    if asked for or if distances were recorded along the collapses
+ *     Distance, RunningError    if they or Origins are asked for
  *     Origins       if asked for
  *
  * Only the last two lines need the original's bounding tree. The same result whatever the number of threads.

@@ -117,7 +117,7 @@ struct Report
   DistanceStatistics OutputToInput;
   DistanceStatistics InputToOutput;
   /// mm, the thesis's maxError: largest distance of a new vertex to the input. Not a number if none was looked up, which
-  /// is so in Fast without MaximumError and MeasureDistances; the tables then leave it out.
+  /// is so in every mode but Thesis without MaximumError, MeasureDistances and origins; the tables then leave it out.
   double RunningError = 0.0;
   std::int64_t Collapses = 0;
   std::array<std::int64_t, NumberOfVerdicts> Refusals{}; ///< By Verdict; [Allowed] stays 0.

@@ -12,7 +12,6 @@ namespace bonedecimate
 namespace
 {
 constexpr int KeysAfterRefusal = 4 * KeysOfOctave;
-
 }
 
 //------------------------------------------------------------------------------

@@ -9,13 +9,13 @@
  *         for every vertex of the lowest level:
  *             judge its edges afresh, cheapest first
  *             dearer than the level:      that is its key from now on, and it goes to that level
- *             reaches out of the block:   its turn comes in another round
+ *             reaches out of the block:   put off to the next pass, whose blocks lie otherwise
  *             refused by the gate:        the next edge; after the last, its key goes up by four octaves
  *             else collapse; the merged vertex gets a key and goes to its level
  *
  * Neighbours keep their keys although their costs changed: they are judged afresh when their turn comes. In small
- * meshes that is not good enough, and they get new keys at once. No vertex outside the block is read or written, so that blocks may
- * be swept at the same time.
+ * meshes that is not good enough, and they get new keys at once. No vertex outside the block is read or written, so
+ * that blocks may be swept at the same time.
  */
 #ifndef BoneDecimate_Core_Collapse_BlockSweep_h
 #define BoneDecimate_Core_Collapse_BlockSweep_h

@@ -4,11 +4,14 @@
  * @file Editor.h
  * @brief The one choke point through which every change of the mesh goes.
  *
- *     Apply(edit):  gate (ends, topology, place, fragment)  ->  mesh  ->  bookkeeping (areas, origins, volumes, hook)
+ *     Apply(collapse):           Gate.h (ends, topology, place), fragment  ->  mesh
+ *                                ->  bookkeeping (areas, quadrics, origins, volumes, counts, hook)
+ *     ApplySmall(flip or move):  SmallEdits.h, fragment  ->  mesh  ->  volumes beyond the vertex's share, hook
  *
- * The gate before and the bookkeeping after are the same for every mode and every kind of edit. Workers with a
- * workspace each may apply edits at the same time as long as their neighbourhoods have no vertex in common; Settle
- * takes over what they counted, in an order that does not depend on the threads.
+ * Gate and bookkeeping of a kind of edit are the same in every mode. Flips and moves remove nothing: they have rules of
+ * their own and leave areas, quadrics, origins and counts as they are. Workers with a workspace each may apply edits at
+ * the same time as long as their neighbourhoods have no vertex in common; Settle takes over what they counted, in an
+ * order that does not depend on the threads.
  */
 #ifndef BoneDecimate_Core_Collapse_Editor_h
 #define BoneDecimate_Core_Collapse_Editor_h
@@ -39,7 +42,7 @@ public:
     bool Distances =
       true; ///< Look up every new vertex on the original: needed for an error to stop at.
     bool Areas = true;     ///< Area and normal of each face.
-    bool Quadrics = false; ///< Mesh/RingQuadrics: the Quadric of each vertex record.
+    bool Quadrics = false; ///< Collapse/RingQuadrics.h: the Quadric of each vertex record.
   };
 
   /// @param clean Must live as long as this.

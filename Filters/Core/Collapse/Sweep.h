@@ -4,16 +4,21 @@
  * @file Sweep.h
  * @brief Collapses ordered by what they do to the normal field, in rounds of blocks that are swept at the same time.
  *
- *     while many collapses are still wanted:                                                     a round
- *         limit = the highest key such that no more vertices lie below it than collapses are wanted
- *         cut the vertices into blocks of consecutive ones, shifted by half a block every other round
- *         sweep every block up to the limit; it may collapse as many as it has vertices below it
- *     sweep the whole mesh as one block down to the exact number                                  the tail
- *     nothing ready: new keys for all, once more, unless nothing has been collapsed since
+ *     new keys for all vertices
+ *     limit = the highest key such that no more vertices lie at or below it than collapses are wanted   (a histogram)
+ *     while many collapses are still wanted:                                                             a round
+ *         sweep blocks of consecutive vertices up to the limit, then blocks shifted by half;
+ *             each may collapse in proportion to the vertices it has up to the limit
+ *         sweep the whole mesh as one block up to the limit: what reached out of every block
+ *         raise the limit by two octaves; from the second round on by as many keys as should bring 0.7 (ShareOfRound)
+ *             of the collapses still wanted, judged by what the last round brought for each key
+ *     sweep the whole mesh as one block, without a limit, down to the exact number                       the tail
+ *     not there yet:  from the beginning, unless nothing has been collapsed since the keys were new
  *
- * Limits, blocks and allowances are fixed before a round and depend on the mesh alone, so that the number of threads
- * changes the time and not the result. No round aims past the limit where the final one will lie: that would be
- * cheaper and cost several percent of accuracy. An error to stop at needs the one true order: then there is only the tail.
+ * Limits, blocks and allowances are fixed before a pass over the blocks and depend on the mesh alone, so that the number
+ * of threads changes the time and not the result. No round aims past the limit where the final one will lie: that would
+ * be cheaper and cost several percent of accuracy. An error to stop at needs the one true order, and small meshes are not
+ * worth rounds: then there is only the tail. Its end, below a fiftieth of the faces, renews the keys of whole rings.
  */
 #ifndef BoneDecimate_Core_Collapse_Sweep_h
 #define BoneDecimate_Core_Collapse_Sweep_h

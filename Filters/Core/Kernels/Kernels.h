@@ -5,7 +5,7 @@
  * @brief The inner loops that are computed eight or four at a time, one set for each kind of processor.
  *
  * All sets give the same bits; the best one that this processor runs is taken unless another is asked for.
- * The formulas stand in EdgeKernel.h, FanKernel.h and DistanceKernel.h, which are compiled once for each set.
+ * The formulas stand in KernelSet.h, which is compiled once for each set.
  */
 #ifndef BoneDecimate_Core_Kernels_Kernels_h
 #define BoneDecimate_Core_Kernels_Kernels_h

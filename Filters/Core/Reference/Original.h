@@ -21,7 +21,7 @@ class Original
 public:
   /**
    * @param clean Must live as long as this.
-   * @param recordDistances Whether Merge looks every new vertex up; otherwise errors stay 0.
+   * @param recordDistances Whether Merge looks every new vertex up; otherwise there are no errors to ask for.
    */
   Original(const CleanSurface& clean, bool recordDistances);
   Original(CleanSurface&&, bool) = delete;
@@ -42,7 +42,7 @@ public:
   std::vector<Index> CurrentVertices() const;
 
   bool RecordsDistances() const { return !this->Errors.empty(); }
-  /// mm, the largest distance recorded along the collapses into the vertex.
+  /// mm, the largest distance recorded along the collapses into the vertex; only where distances are recorded.
   double RunningError(Index vertex) const { return this->Errors[static_cast<std::size_t>(vertex)]; }
   double LargestError() const { return this->Largest; } ///< mm, the thesis's maxError.
 

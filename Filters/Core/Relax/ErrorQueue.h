@@ -28,7 +28,7 @@ namespace bonedecimate
 /// An edge with what its collapse would cost.
 struct JudgedEdge
 {
-  double Cost = 0.0; // error after - error before
+  double Cost = 0.0; // error after - error before, squares of the mesh's unit
   Index Edge = None;
   Index Start = None;
   Index End = None;

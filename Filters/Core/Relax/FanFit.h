@@ -7,7 +7,7 @@
  *     gather the samples of all faces at the edge
  *     x = where the quadrics of the ends are least
  *     x' = x + one Gauss-Newton step on the samples, each on its face of the fan around x
- *     the better of the two                                            (squared distances of ErrorWeights.h,)
+ *     the better of the two                                            (by the error of ErrorWeights.h)
  *
  * A sample is looked for in the new face that replaces its old one, and on from there round the fan while its distance
  * falls.
@@ -38,10 +38,10 @@ public:
 
   struct Answer
   {
-    double Error = 0.0; //, of the new fan
+    double Error = 0.0; // of the new fan, squares of the mesh's unit
     Vector3 Position = Vector3::Zero();
     Index Hint = None;        // the original triangle near the position
-    double VertexError = 0.0; //, the share of the vertex
+    double VertexError = 0.0; // the share of the vertex in it
   };
   /// @param around Gathered for an edge whose ends are both inside.  @param place Where its vertex might go.
   Answer Evaluate(const Neighbourhood& around, const Vector3& place);

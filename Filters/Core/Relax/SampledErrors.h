@@ -25,7 +25,7 @@ public:
   /// All of them. False if the monitor said stop.
   bool MeasureAll(int threads, const Monitor& monitor);
 
-  /// Of all faces at the edge and of its two ends.
+  /// Of all faces at the edge and of its two ends, squares of the mesh's unit.
   double Around(const Neighbourhood& around) const;
 
   /// Raised whenever something around either end has changed.
@@ -34,7 +34,8 @@ public:
     return this->Stamps[this->Mesh.Origin(edge)] + this->Stamps[this->Mesh.Target(edge)];
   }
 
-  /// After a collapse into the vertex: measures its faces, raises stamps. @param vertexError Its own.
+  /// After a collapse into the vertex: measures its faces, raises stamps.
+  /// @param vertexError Its own, squares of the mesh's unit.
   void AfterCollapse(Index vertex, double vertexError);
 
 private:
@@ -45,9 +46,9 @@ private:
   const Samples& Fit;
   const BackHints& Back;
   ThreeHalves Penalty;
-  std::vector<float> Faces;
-  std::vector<float> Vertices;
-  std::vector<std::uint32_t> Stamps;
+  std::vector<float> Faces;          // error of each, squares of the mesh's unit
+  std::vector<float> Vertices;       // the same
+  std::vector<std::uint32_t> Stamps; // of each vertex, how often something around it has changed
 };
 }
 

@@ -33,9 +33,8 @@ public:
 
   /**
    * Calls visit(v) once for every live vertex that is not locked; those visited at the same time have no common
-   * neighbours. `worker()` makes the visitor of a block.
+   * neighbours. `makeWorker()` makes the visitor of a block. False if the monitor said stop.
    */
-  /// False if the monitor said stop.
   template <typename MakeWorker>
   bool ForEach(
     const HalfEdgeMesh& mesh, int threads, const Monitor& monitor, const MakeWorker& makeWorker);
@@ -44,7 +43,7 @@ private:
   struct Cut
   {
     Index Size;  // of a block, vertices
-    Index Shift; // of the first block beyond the first vertex
+    Index Shift; // by how much the first block begins before the first vertex, vertices
     Index BlockOf(Index rank) const { return (rank + this->Shift) / this->Size; }
   };
   template <typename MakeWorker>

@@ -61,7 +61,7 @@ private:
   int Workers;
   std::vector<RingFace> Ring;
   FitStep Equations;
-  double Error = 0.0;           // mm^2
+  double Error = 0.0;           // before the step, squares of the mesh's unit
   double SquaredDistance = 0.0; // mm^2, of the vertex to the original
   Vector3 OriginalNormal = Vector3::Zero();
   Index Hint = None;
