@@ -3,6 +3,7 @@
 #include "SmallEdits.h"
 
 #include "Geometry/TriangleGeometry.h"
+#include "Kernels/FaceRules.h"
 
 #include <algorithm>
 
@@ -10,12 +11,6 @@ namespace bonedecimate
 {
 namespace
 {
-/// Cosine of the most (78 degrees) by which a face may turn in one step; 90 would let it end on its edge.
-constexpr double LeastCosine = 0.2;
-/// 4 sqrt(3) area / sum of squared edges, 1 for an equilateral triangle: below this, no better than before.
-constexpr double LeastQuality = 0.02;
-constexpr double QualityOfEquilateral = 6.928203230275509; // 4 sqrt(3)
-
 struct Face
 {
   Face(const Vector3& a, const Vector3& b, const Vector3& c)
@@ -40,16 +35,12 @@ bool IsTurned(const Face& before, const Face& after)
 /// @param quality Of the worst face before.
 bool IsNeedle(const Face& after, double quality)
 {
-  return !(after.Area > 0.0) || (after.Quality < LeastQuality && after.Quality < quality);
+  return !(after.Area > 0.0) ||
+    (after.Quality < LeastQualityOfSmallEdit && after.Quality < quality);
 }
 
-Verdict JudgeFlipTopology(const HalfEdgeMesh& mesh, Index edge)
+Verdict JudgeFlipTopology(const HalfEdgeMesh& mesh, const std::array<Index, 4>& corners)
 {
-  if (mesh.Twin(edge) == None)
-  {
-    return Verdict::Border;
-  }
-  const std::array<Index, 4> corners = CornersAround(mesh, edge);
   if (std::any_of(corners.begin(), corners.end(),
         [&](Index v) { return mesh.Kind(v) == VertexKind::Locked; }))
   {
@@ -70,18 +61,26 @@ std::array<Index, 4> CornersAround(const HalfEdgeMesh& mesh, Index edge)
 }
 
 //------------------------------------------------------------------------------
+std::array<Vector3, 4> PositionsOf(const HalfEdgeMesh& mesh, const std::array<Index, 4>& corners)
+{
+  return { mesh.Position(corners[0]), mesh.Position(corners[1]), mesh.Position(corners[2]),
+    mesh.Position(corners[3]) };
+}
+
+//------------------------------------------------------------------------------
 Verdict JudgeFlip(const HalfEdgeMesh& mesh, Index edge, double& volumeChange)
 {
-  const Verdict topology = JudgeFlipTopology(mesh, edge);
+  if (mesh.Twin(edge) == None)
+  {
+    return Verdict::Border;
+  }
+  const std::array<Index, 4> corners = CornersAround(mesh, edge);
+  const Verdict topology = JudgeFlipTopology(mesh, corners);
   if (topology != Verdict::Allowed)
   {
     return topology;
   }
-  const std::array<Index, 4> corners = CornersAround(mesh, edge);
-  const Vector3& a = mesh.Position(corners[0]);
-  const Vector3& b = mesh.Position(corners[1]);
-  const Vector3& c = mesh.Position(corners[2]);
-  const Vector3& d = mesh.Position(corners[3]);
+  const auto [a, b, c, d] = PositionsOf(mesh, corners);
   const std::array<Face, 2> before = { Face(a, b, c), Face(b, a, d) };
   const double worst = std::min(before[0].Quality, before[1].Quality);
   for (const Face& after : { Face(a, d, c), Face(b, c, d) })

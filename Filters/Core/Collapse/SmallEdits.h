@@ -19,6 +19,8 @@ namespace bonedecimate
 {
 /// The corners around an inside edge a-b: a, b, c (apex of its face), d (apex of its twin's face).
 std::array<Index, 4> CornersAround(const HalfEdgeMesh& mesh, Index edge);
+/// mm from the local origin
+std::array<Vector3, 4> PositionsOf(const HalfEdgeMesh& mesh, const std::array<Index, 4>& corners);
 
 /// @param volumeChange mm^3, returned if it is allowed.
 Verdict JudgeFlip(const HalfEdgeMesh& mesh, Index edge, double& volumeChange);

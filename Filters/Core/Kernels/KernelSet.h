@@ -20,6 +20,7 @@
  *
  * P. Lindstrom, G. Turk, Fast and memory efficient polygonal simplification, 1998: memoryless quadrics, volume kept.
  */
+#include "FaceRules.h"
 #include "Kernels.h"
 #include "Lanes.h"
 
@@ -33,9 +34,6 @@ constexpr float Ridge = 1e-5F; // of the mean eigenvalue of M
 constexpr float MemoryWeight = 0.03F;
 constexpr float FlatShare = 1e-8F;    // of S length^2
 constexpr float FarthestMove = 16.0F; // (2 lengths)^2 in squares of half a length
-constexpr double LeastCosine = 0.2;   // 78 degrees in one step; 90 would let a face end on its edge
-constexpr double LeastQuality = 0.005; // below this, no sliver worse than before
-constexpr double QualityOfEquilateral = 6.928203230275509; // 4 sqrt(3)
 
 /// Records of one vertex, side by side.
 struct Ends
@@ -236,8 +234,8 @@ void JudgeFan(Fan& fan, FanVerdict& verdict)
     const Doubles qualityBefore =
       Select(squaresBefore > 0.0, QualityOf(areaBefore, squaresBefore), zero);
     const DoubleMask hasArea = areaAfter > 0.0; // false for what is not a number, too
-    degenerate |=
-      isFace & (~hasArea | ((qualityAfter < LeastQuality) & (qualityAfter < qualityBefore)));
+    degenerate |= isFace &
+      (~hasArea | ((qualityAfter < LeastQualityOfCollapse) & (qualityAfter < qualityBefore)));
     flip |=
       isFace & (areaBefore > 0.0) & (before.Dot(after) < LeastCosine * (areaBefore * areaAfter));
     const Doubles change = (after - before).Dot(second);

@@ -238,7 +238,7 @@ void EdgeMatching::CountEdgesOf(Index triangle, EdgeCounts& counts) const
     counts.HalfPairs += twin >= 0 ? 1 : 0;
     counts.Border += twin == None ? 1 : 0;
     const Triangle& c = this->Triangles[static_cast<std::size_t>(triangle)];
-    const Spoke spoke = { c[static_cast<std::size_t>((k + 1) % 3)], h };
+    const Spoke spoke = { c[static_cast<std::size_t>(NextCorner(k))], h };
     const Index origin = c[static_cast<std::size_t>(k)];
     if (twin == OddEdge && this->IsFirstOnEdge(origin, spoke))
     {

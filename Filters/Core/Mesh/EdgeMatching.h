@@ -63,12 +63,10 @@ public:
 
   /// Of half-edge 4 f + k: its twin, None on a border, OddEdge where there is no telling.
   const std::vector<Index>& Twins() const { return this->TwinOf; }
-  std::vector<Index> TakeTwins() { return std::move(this->TwinOf); }
 
-  /// Not after TakeTwins.
   EdgeCounts CountEdges() const;
 
-  /// Corners of a triangle must differ. Not after TakeTwins.
+  /// Corners of a triangle must differ.
   Rings FindRings() const;
 
 private:

@@ -44,27 +44,20 @@ HalfEdgeMesh::HalfEdgeMesh(const Surface& surface, int threads)
   this->Counts = edges.CountEdges();
   Rings rings = edges.FindRings();
   this->Kinds = std::move(rings.Kinds);
-  const Monitor goOn = [](double) { return true; };
-  ForEachChunk(surface.Points.size(), threads, goOn,
-    [&](std::size_t, std::size_t first, std::size_t last)
+  ForEachId(surface.Points.size(), threads,
+    [&](std::size_t v)
     {
-      for (std::size_t v = first; v < last; ++v)
-      {
-        this->Vertices[v].Position = surface.Points[v];
-        this->Vertices[v].Outgoing = rings.Outgoing[v];
-      }
+      this->Vertices[v].Position = surface.Points[v];
+      this->Vertices[v].Outgoing = rings.Outgoing[v];
     });
-  ForEachChunk(surface.Triangles.size(), threads, goOn,
-    [&](std::size_t, std::size_t first, std::size_t last)
+  ForEachId(surface.Triangles.size(), threads,
+    [&](std::size_t f)
     {
-      for (std::size_t f = first; f < last; ++f)
-      {
-        const Triangle& c = surface.Triangles[f];
-        const Index* twins = edges.Twins().data() + 4 * f;
-        this->Faces[f].Origins = { c[0], c[1], c[2], None };
-        this->Faces[f].Twins = { std::max(None, twins[0]), std::max(None, twins[1]),
-          std::max(None, twins[2]), None }; // odd edges have no twin
-      }
+      const Triangle& c = surface.Triangles[f];
+      const Index* twins = edges.Twins().data() + 4 * f;
+      this->Faces[f].Origins = { c[0], c[1], c[2], None };
+      this->Faces[f].Twins = { std::max(None, twins[0]), std::max(None, twins[1]),
+        std::max(None, twins[2]), None }; // odd edges have no twin
     });
 }
 

@@ -168,6 +168,15 @@ public:
   }
   Iterator begin() const { return { this->Mesh, this->Start, this->Start }; }
   Iterator end() const { return { this->Mesh, this->Start, None }; }
+  Index Count() const
+  {
+    Index count = 0;
+    for (Iterator h = this->begin(); h != this->end(); ++h)
+    {
+      ++count;
+    }
+    return count;
+  }
 
 private:
   const HalfEdgeMesh* Mesh;

@@ -10,8 +10,6 @@ namespace
 {
 /// The other diagonal must lower the error to that.
 constexpr double FlipBelow = 0.98;
-/// Cosine between a face and the original below which it may not turn farther away.
-constexpr double LeastFacing = 0.2;
 constexpr float Unknown = -1.0F;
 }
 
@@ -19,11 +17,7 @@ constexpr float Unknown = -1.0F;
 Index EdgeFlipper::Improve(Index vertex)
 {
   const HalfEdgeMesh& mesh = this->Work.Mesh();
-  Index left = 0;
-  for (const Index h : mesh.OutgoingOf(vertex))
-  {
-    left += h != None ? 1 : 0;
-  }
+  Index left = mesh.OutgoingOf(vertex).Count();
   // Walked by hand: a flip takes its edge out of the ring and renames the one before.
   Index flips = 0;
   for (Index h = mesh.Outgoing(vertex); left > 0 && h != None; --left)
@@ -44,15 +38,7 @@ double EdgeFlipper::ErrorBefore(const HalfEdgeMesh& mesh, Index face)
   float& known = this->FaceErrors[static_cast<std::size_t>(face)];
   if (known < 0.0F)
   {
-    const TriangleFrame frame = FrameOf(mesh, face);
-    double error = 0.0;
-    this->Fit.VisitFace(face,
-      [&](const Samples::Sample& sample)
-      {
-        error += sample.Weight *
-          this->Penalty.Of(frame.Nearest(this->Fit.SamplePosition(sample)).SquaredDistance);
-      });
-    known = static_cast<float>(error);
+    known = static_cast<float>(ErrorOfFace(this->Fit, this->Penalty, face, FrameOf(mesh, face)));
   }
   return known;
 }
@@ -105,10 +91,7 @@ bool EdgeFlipper::TryFlip(Index edge)
     return false;
   }
   const std::array<Index, 4> corners = CornersAround(mesh, edge);
-  const Vector3& a = mesh.Position(corners[0]);
-  const Vector3& b = mesh.Position(corners[1]);
-  const Vector3& c = mesh.Position(corners[2]);
-  const Vector3& d = mesh.Position(corners[3]);
+  const auto [a, b, c, d] = PositionsOf(mesh, corners);
   const Pair after = { faces, { TriangleFrame(a, d, c), TriangleFrame(b, c, d) } };
   if (!this->IsNearer(after, before) ||
     this->TurnsAway(corners, { faces, { TriangleFrame(a, b, c), TriangleFrame(b, a, d) } }, after))

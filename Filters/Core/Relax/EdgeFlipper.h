@@ -17,7 +17,7 @@
 #define BoneDecimate_Core_Relax_EdgeFlipper_h
 
 #include "Collapse/Editor.h"
-#include "ErrorWeights.h"
+#include "FaceError.h"
 #include "Reference/BackHints.h"
 #include "Reference/Samples.h"
 

@@ -21,15 +21,7 @@ SampledErrors::SampledErrors(
 //------------------------------------------------------------------------------
 double SampledErrors::OfFace(Index face) const
 {
-  const TriangleFrame frame = FrameOf(this->Mesh, face);
-  double error = 0.0;
-  this->Fit.VisitFace(face,
-    [&](const Samples::Sample& sample)
-    {
-      const Vector3 p = this->Fit.SamplePosition(sample);
-      error += sample.Weight * this->Penalty.Of(frame.Nearest(p).SquaredDistance);
-    });
-  return error;
+  return ErrorOfFace(this->Fit, this->Penalty, face, FrameOf(this->Mesh, face));
 }
 
 //------------------------------------------------------------------------------

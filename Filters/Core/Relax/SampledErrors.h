@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Core_Relax_SampledErrors_h
 #define BoneDecimate_Core_Relax_SampledErrors_h
 
-#include "ErrorWeights.h"
+#include "FaceError.h"
 #include "Mesh/Neighbourhood.h"
 #include "Monitor.h"
 #include "Reference/BackHints.h"

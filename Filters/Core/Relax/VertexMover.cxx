@@ -10,8 +10,6 @@ namespace
 {
 /// A step that would lower the error by less than this share is not tried.
 constexpr double LeastGain = 3e-3;
-/// Faces may turn away from the original by no more than 78 degrees, or not farther than they were.
-constexpr double LeastFacing = 0.2;
 constexpr int Attempts = 2;
 }
 
@@ -92,21 +90,12 @@ double VertexMover::AddSamples(const TriangleFrame& frame, Index face)
 
 //------------------------------------------------------------------------------
 /// The error of the face as it would be; infinite if it would turn away from the original.
-double VertexMover::ErrorOfFace(const RingFace& ring, const TriangleFrame& frame) const
+double VertexMover::ErrorIfAllowed(const RingFace& ring, const TriangleFrame& frame) const
 {
   const double facing = frame.UnitNormal().dot(this->OriginalNormal);
-  if (facing < LeastFacing && facing < ring.Facing)
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  double error = 0.0;
-  this->Fit.VisitFace(ring.Face,
-    [&](const Samples::Sample& sample)
-    {
-      error += sample.Weight *
-        this->Penalty.Of(frame.Nearest(this->Fit.SamplePosition(sample)).SquaredDistance);
-    });
-  return error;
+  return facing < LeastFacing && facing < ring.Facing
+    ? std::numeric_limits<double>::infinity()
+    : ErrorOfFace(this->Fit, this->Penalty, ring.Face, frame);
 }
 
 //------------------------------------------------------------------------------
@@ -126,7 +115,7 @@ bool VertexMover::Lowers(Index vertex, const Vector3& position)
   {
     const TriangleFrame frame(position, ring.Second, ring.Third);
     area += frame.SurfaceArea();
-    error += this->ErrorOfFace(ring, frame);
+    error += this->ErrorIfAllowed(ring, frame);
     if (!(error < this->Error))
     {
       return false;

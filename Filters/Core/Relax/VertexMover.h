@@ -13,7 +13,7 @@
 #define BoneDecimate_Core_Relax_VertexMover_h
 
 #include "Collapse/Editor.h"
-#include "ErrorWeights.h"
+#include "FaceError.h"
 #include "FitStep.h"
 #include "Reference/BackHints.h"
 #include "Reference/Samples.h"
@@ -50,7 +50,7 @@ private:
   void Gather(Index vertex);
   double AddSamples(const TriangleFrame& frame, Index face);
   bool Lowers(Index vertex, const Vector3& position);
-  double ErrorOfFace(const RingFace& ring, const TriangleFrame& frame) const;
+  double ErrorIfAllowed(const RingFace& ring, const TriangleFrame& frame) const;
 
   Editor& Work;
   Workspace Space;

@@ -82,11 +82,12 @@ def series(rows: Sequence[Row], keep: Callable[[Entry], bool]) -> dict[str, list
     return found
 
 
-def count_axis(axes: Axes, rows: Sequence[Row]) -> None:
-    """Triangles, from many to few, each asked count a tick."""
-    counts = sorted({row["asked"] for row in rows})
+def count_axis(axes: Axes, rows: Sequence[Row], note: Callable[[Row], str] = lambda _: "") -> None:
+    """Triangles, from many to few, each asked count a tick with a note below it."""
+    notes = {row["asked"]: note(row) for row in rows}
+    counts = sorted(notes)
     axes.set_xscale("log")
-    axes.set_xticks(counts, [f"{count:,}" for count in counts])
+    axes.set_xticks(counts, [f"{count:,}{notes[count]}" for count in counts])
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.tick_params(axis="x", which="minor", length=0)
     axes.set_xlim(1.25 * counts[-1], counts[0] / 1.15)
@@ -127,7 +128,8 @@ def error_plot(rows: Sequence[Row], modes: Sequence[str], target: Path) -> bool:
     if not rows:
         return False
     figure, axes = plt.subplots(figsize=(7.2, 4.6))
-    count_axis(axes, rows)
+    count_axis(axes, rows, lambda row: f"\n({worst_rms(find(row, 'cgal')):.2g} mm)")
+    axes.set_xlabel("triangles asked for (RMS distance of CGAL Lindstrom-Turk)")
     top = 2.2
     axes.set_ylim(0.6, top)
 
@@ -135,9 +137,6 @@ def error_plot(rows: Sequence[Row], modes: Sequence[str], target: Path) -> bool:
         mine, base = worst_rms(entry), worst_rms(find(row, "cgal"))
         return min(mine / base, top) if mine and base else None
 
-    ticks = sorted({row["asked"]: worst_rms(find(row, "cgal")) for row in rows}.items())
-    axes.set_xticks([count for count, _ in ticks], [f"{count:,}\n({base:.2g} mm)" for count, base in ticks])
-    axes.set_xlabel("triangles asked for (RMS distance of CGAL Lindstrom-Turk)")
     axes.set_ylabel("times CGAL Lindstrom-Turk's")
     axes.set_title(f"RMS distance, the larger of both directions: {title_of(rows)}", pad=12)
     draw(axes, series(rows, lambda e: e["threads"] == 1), modes, value)

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FaceError.h
+ * @brief How far the samples of a face lie from it, and how far it may turn away from the original.
+ */
+#ifndef BoneDecimate_Core_Relax_FaceError_h
+#define BoneDecimate_Core_Relax_FaceError_h
+
+#include "ErrorWeights.h"
+#include "Reference/Samples.h"
+
+namespace bonedecimate
+{
+/// Cosine between a face and the original (78 degrees) below which flips and moves may not turn it farther away.
+constexpr double LeastFacing = 0.2;
+
+/// The samples' part of the error of ErrorWeights.h, squares of the mesh's unit.
+/// @param frame The face as it is, or as it would be.
+inline double ErrorOfFace(
+  const Samples& samples, const ThreeHalves& penalty, Index face, const TriangleFrame& frame)
+{
+  double error = 0.0;
+  samples.VisitFace(face,
+    [&](const Samples::Sample& sample)
+    {
+      const Vector3 p = samples.SamplePosition(sample);
+      error += sample.Weight * penalty.Of(frame.Nearest(p).SquaredDistance);
+    });
+  return error;
+}
+}
+
+#endif
