@@ -289,8 +289,9 @@ TEST(Decimate, TheSameBytesWhateverTheThreads)
   Options options = Reduction(0.7);
   options.MeasureInputDistances = true;
   const Surface input = BumpySphere(4, 20.0, 0.1, 5);
+  options.NumberOfThreads = 1;
   const Result one = Decimate(input, options, {}, false, true);
-  for (const int threads : { 2, 4, 0 })
+  for (const int threads : { 1, 2, 4, 8, 0 })
   {
     options.NumberOfThreads = threads;
     const Result many = Decimate(input, options, {}, false, true);
@@ -306,6 +307,7 @@ TEST(Decimate, TheSameDistancesWhateverTheThreads)
   Options options = Reduction(0.7);
   options.MeasureDistances = true;
   const Surface input = BumpySphere(2, 20.0, 0.1, 5);
+  options.NumberOfThreads = 1;
   const Report one = Decimate(input, options).Report;
   options.NumberOfThreads = 4;
   const Report many = Decimate(input, options).Report;

@@ -4,6 +4,7 @@
 #include "BruteForce.h"
 #include "Collapse/Sweep.h"
 #include "Mesh/Invariants.h"
+#include "Mesh/SpatialOrder.h"
 #include "Relax/EdgeFlipper.h"
 #include "Relax/ErrorCollapse.h"
 #include "Relax/FitStep.h"
@@ -22,12 +23,20 @@ namespace
 {
 const Monitor GoOn = [](double) { return true; };
 
+/// In the order of a run, so that blocks of vertices are patches.
+CleanSurface Sorted(const Surface& surface)
+{
+  CleanSurface cleaned = Clean(surface, true);
+  SortAlongCurve(cleaned, 1);
+  return cleaned;
+}
+
 /// A surface after a sweep, with samples in hand.
 class Bench
 {
 public:
   Bench(const Surface& surface, Index divisor)
-    : Cleaned(Clean(surface, true))
+    : Cleaned(Sorted(surface))
     , Work(this->Cleaned, Editor::Books{ false, false, true })
     , Original(this->Work.Mesh())
     , Fit(this->Original)
@@ -70,10 +79,25 @@ public:
     return moves;
   }
 
-  bool CollapseTo(Index faces)
+  bool CollapseTo(Index faces, int threads = 1)
   {
     this->Work.RenewQuadrics(1);
-    return ErrorCollapse(this->Work, this->Fit, this->Back, 4, 1).Run(faces, GoOn);
+    return ErrorCollapse(this->Work, this->Fit, this->Back, 4, threads).Run(faces, GoOn);
+  }
+
+  /// Where the corners of all faces lie, mm.
+  std::vector<Vector3> Corners() const
+  {
+    std::vector<Vector3> corners;
+    for (Index face = 0; face < this->Mesh().NumberOfFaceSlots(); ++face)
+    {
+      for (Index k = 0; this->Mesh().IsAlive(face) && k < 3; ++k)
+      {
+        corners.push_back(
+          this->Mesh().Position(this->Mesh().Origin(HalfEdgeMesh::HalfEdge(face, k))));
+      }
+    }
+    return corners;
   }
 
   /// Over all samples, each to the face in whose list it is.
@@ -238,15 +262,33 @@ TEST(RelaxedModes, GiveTheSameBytesForAnyNumberOfThreads)
   {
     for (const int faces : { 20000, 1000 })
     {
-      Options options = InMode(mode, Triangles(faces));
-      const Surface expected = Decimate(input, options).Surface;
-      for (const int threads : { 2, 4, 8 })
-      {
-        options.NumberOfThreads = threads;
-        EXPECT_TRUE(SameBytes(Decimate(input, options).Surface, expected))
-          << WordOf(mode) << faces << threads;
-      }
+      ExpectTheSameBytesForAnyNumberOfThreads(input, InMode(mode, Triangles(faces)));
     }
+  }
+}
+
+TEST(RelaxedModes, GiveTheSameBytesWhereTheLastCollapsesRunInBlocks)
+{
+  // Balanced leaves 2 % of so many triangles to them: more than the 1024 collapses from which on blocks are worth it.
+  const Surface input = HeightField(240, 0.5, 9);
+  ExpectTheSameBytesForAnyNumberOfThreads(input, InMode(Mode::Balanced, Triangles(20000)));
+}
+
+TEST(ErrorCollapse, GivesTheSameBytesForAnyNumberOfThreadsWhereItRunsInBlocks)
+{
+  const Surface input = BumpySphere(6, 20.0, 0.05, 8);
+  std::vector<Vector3> expected;
+  for (const int threads : { 1, 2, 4, 8 })
+  {
+    Bench bench(input, 4);
+    const Index faces = bench.Mesh().NumberOfFaces() - 8000; // 4000 collapses: both cuts into blocks
+    EXPECT_TRUE(bench.CollapseTo(faces, threads));
+    EXPECT_EQ(bench.Mesh().NumberOfFaces(), faces);
+    EXPECT_EQ(BrokenInvariant(bench.Mesh()), "");
+    EXPECT_EQ(bench.SamplesListed(), bench.Fit.Count());
+    const std::vector<Vector3> corners = bench.Corners();
+    expected = threads == 1 ? corners : expected;
+    EXPECT_TRUE(corners == expected) << threads;
   }
 }
 

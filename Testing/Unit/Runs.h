@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Testing_Runs_h
 #define BoneDecimate_Testing_Runs_h
 
+#include "BruteForce.h"
 #include "Decimate.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Shapes.h"
@@ -66,6 +67,20 @@ inline std::string WordOf(Mode mode)
 {
   return std::array<const char*, 4>{ "Thesis", "Fast", "Balanced", "Accurate" }.at(
     static_cast<std::size_t>(mode));
+}
+
+/// Those of one thread from more.
+inline void ExpectTheSameBytesForAnyNumberOfThreads(const Surface& input, Options options)
+{
+  options.NumberOfThreads = 1;
+  const Surface expected = Decimate(input, options).Surface;
+  for (const int threads : { 2, 4, 8 })
+  {
+    options.NumberOfThreads = threads;
+    EXPECT_TRUE(SameBytes(Decimate(input, options).Surface, expected))
+      << WordOf(options.Mode) << " on " << threads << " threads, " << expected.Triangles.size()
+      << " triangles left";
+  }
 }
 
 /// Every half-edge of a mesh, or every n-th of them.

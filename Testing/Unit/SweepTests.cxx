@@ -29,41 +29,6 @@ Options InFastMode(Options options)
   return options;
 }
 
-/// Twice the area times the squared distance of p to the plane, over the faces of the ring of v.
-double SquaresOver(const HalfEdgeMesh& mesh, const FaceAreas& areas, Index v, const Vector3& p)
-{
-  double sum = 0.0;
-  for (const Index h : mesh.OutgoingOf(v))
-  {
-    const FaceAreas::Face& face = areas[HalfEdgeMesh::Face(h)];
-    const double distance = face.Normal.dot(p - mesh.Position(v));
-    sum += 2.0 * face.Area * distance * distance;
-  }
-  return sum;
-}
-
-/// Three times the volume between the ring of v and the same ring with its middle moved to p.
-double RingVolume(const HalfEdgeMesh& mesh, const FaceAreas& areas, Index v, const Vector3& p)
-{
-  double sum = 0.0;
-  for (const Index h : mesh.OutgoingOf(v))
-  {
-    const FaceAreas::Face& face = areas[HalfEdgeMesh::Face(h)];
-    sum += face.Area * face.Normal.dot(p - mesh.Position(v));
-  }
-  return sum;
-}
-
-double TwiceRingArea(const HalfEdgeMesh& mesh, const FaceAreas& areas, Index v)
-{
-  double sum = 0.0;
-  for (const Index h : mesh.OutgoingOf(v))
-  {
-    sum += 2.0 * areas[HalfEdgeMesh::Face(h)].Area;
-  }
-  return sum;
-}
-
 /// One edge judged by one set of kernels: cost, and place in mm.
 struct Judged
 {
@@ -71,120 +36,145 @@ struct Judged
   Vector3 Place = Vector3::Zero();
 };
 
-Judged Judge(const Kernels& kernels, const HalfEdgeMesh& mesh, Index v, Index w, Freedom freedom,
-  float memory = 0.0F)
-{
-  EdgeBatch batch;
-  batch.First = &mesh.Record(v);
-  batch.Others[0] = &mesh.Record(w);
-  batch.Freedoms[0] = static_cast<std::int32_t>(freedom);
-  batch.Memories[0] = memory;
-  batch.Count = 1;
-  batch.PerUnit = 1.0 / mesh.Unit();
-  EdgeAnswers answers;
-  kernels.JudgeEdges(batch, answers);
-  const Vector3 move(answers.Moves[0][0], answers.Moves[1][0], answers.Moves[2][0]);
-  return { answers.Costs[0], mesh.Position(v) + mesh.Unit() * move };
-}
-
 const std::vector<Freedom> Freedoms = { Freedom::Space, Freedom::Edge, Freedom::First,
   Freedom::Second };
 }
 
-TEST(EdgeKernel, CostIsThatOfThePlanesOfBothRingsAtThePlaceChosen)
+/// A bone with areas and quadrics, and its edges judged one by one.
+class EdgeKernel : public testing::Test
 {
-  const CleanSurface cleaned = Clean(Bone(), true);
-  const Editor editor(cleaned, Editor::Books{ false, true, true });
-  const HalfEdgeMesh& mesh = editor.Mesh();
-  for (const Index h : HalfEdges(mesh, 7))
+protected:
+  const HalfEdgeMesh& Mesh() const { return this->Work.Mesh(); }
+
+  /// Twice the area times the squared distance of p to the plane, over the faces of the ring of v.
+  double SquaresOver(Index v, const Vector3& p) const
   {
-    const Index v = mesh.Origin(h);
-    const Index w = mesh.Target(h);
+    return this->SumOverRing(v,
+      [&](const FaceAreas::Face& face)
+      {
+        const double distance = face.Normal.dot(p - this->Mesh().Position(v));
+        return 2.0 * face.Area * distance * distance;
+      });
+  }
+
+  /// Three times the volume between the ring of v and the same ring with its middle moved to p.
+  double RingVolume(Index v, const Vector3& p) const
+  {
+    return this->SumOverRing(v,
+      [&](const FaceAreas::Face& face)
+      { return face.Area * face.Normal.dot(p - this->Mesh().Position(v)); });
+  }
+
+  double TwiceRingArea(Index v) const
+  {
+    return this->SumOverRing(v, [](const FaceAreas::Face& face) { return 2.0 * face.Area; });
+  }
+
+  /// The edge of h, which starts at First.
+  Judged Judge(
+    Index h, Freedom freedom, float memory = 0.0F, const Kernels& kernels = BestKernels()) const
+  {
+    const Vector3& start = this->Mesh().Position(this->Mesh().Origin(h));
+    EdgeBatch batch;
+    batch.First = &this->Mesh().Record(this->Mesh().Origin(h));
+    batch.Others[0] = &this->Mesh().Record(this->Mesh().Target(h));
+    batch.Freedoms[0] = static_cast<std::int32_t>(freedom);
+    batch.Memories[0] = memory;
+    batch.Count = 1;
+    batch.PerUnit = 1.0 / this->Mesh().Unit();
+    EdgeAnswers answers;
+    kernels.JudgeEdges(batch, answers);
+    const Vector3 move(answers.Moves[0][0], answers.Moves[1][0], answers.Moves[2][0]);
+    return { answers.Costs[0], start + this->Mesh().Unit() * move };
+  }
+
+private:
+  template <typename Value>
+  double SumOverRing(Index v, const Value& value) const
+  {
+    double sum = 0.0;
+    for (const Index h : this->Mesh().OutgoingOf(v))
+    {
+      sum += value(this->Work.Areas()[HalfEdgeMesh::Face(h)]);
+    }
+    return sum;
+  }
+
+  const CleanSurface Cleaned = Clean(Bone(), true);
+  const Editor Work{ this->Cleaned, Editor::Books{ false, true, true } };
+};
+
+TEST_F(EdgeKernel, CostIsThatOfThePlanesOfBothRingsAtThePlaceChosen)
+{
+  for (const Index h : HalfEdges(this->Mesh(), 7))
+  {
+    const Index v = this->Mesh().Origin(h);
+    const Index w = this->Mesh().Target(h);
     for (const Freedom freedom : Freedoms)
     {
-      const Judged answer = Judge(BestKernels(), mesh, v, w, freedom);
-      const double q = SquaresOver(mesh, editor.Areas(), v, answer.Place) +
-        SquaresOver(mesh, editor.Areas(), w, answer.Place);
-      const double s =
-        TwiceRingArea(mesh, editor.Areas(), v) + TwiceRingArea(mesh, editor.Areas(), w);
-      const double expected = std::pow(s, 0.25) * std::pow(q, 0.75) / std::pow(mesh.Unit(), 3.5);
+      const Judged answer = this->Judge(h, freedom);
+      const double q = this->SquaresOver(v, answer.Place) + this->SquaresOver(w, answer.Place);
+      const double s = this->TwiceRingArea(v) + this->TwiceRingArea(w);
+      const double expected =
+        std::pow(s, 0.25) * std::pow(q, 0.75) / std::pow(this->Mesh().Unit(), 3.5);
       EXPECT_NEAR(answer.Cost, expected, 1e-3 * expected + 1e-6);
     }
   }
 }
 
-TEST(EdgeKernel, PlaceInSpaceKeepsTheVolumeUnderBothRings)
+TEST_F(EdgeKernel, PlaceInSpaceKeepsTheVolumeUnderBothRings)
 {
-  const CleanSurface cleaned = Clean(Bone(), true);
-  const Editor editor(cleaned, Editor::Books{ false, true, true });
-  const HalfEdgeMesh& mesh = editor.Mesh();
-  for (const Index h : HalfEdges(mesh, 5))
+  for (const Index h : HalfEdges(this->Mesh(), 5))
   {
-    const Index v = mesh.Origin(h);
-    const Index w = mesh.Target(h);
-    const Vector3 p = Judge(BestKernels(), mesh, v, w, Freedom::Space).Place;
-    const double area = TwiceRingArea(mesh, editor.Areas(), v);
-    EXPECT_NEAR(RingVolume(mesh, editor.Areas(), v, p) + RingVolume(mesh, editor.Areas(), w, p),
-      0.0, 1e-5 * area * mesh.Unit());
+    const Index v = this->Mesh().Origin(h);
+    const Index w = this->Mesh().Target(h);
+    const Vector3 p = this->Judge(h, Freedom::Space).Place;
+    const double area = this->TwiceRingArea(v);
+    EXPECT_NEAR(
+      this->RingVolume(v, p) + this->RingVolume(w, p), 0.0, 1e-5 * area * this->Mesh().Unit());
   }
 }
 
-TEST(EdgeKernel, PlaceOnAnEdgeIsItsBestAndOnIt)
+TEST_F(EdgeKernel, PlaceOnAnEdgeIsItsBestAndOnIt)
 {
-  const CleanSurface cleaned = Clean(Bone(), true);
-  const Editor editor(cleaned, Editor::Books{ false, true, true });
-  const HalfEdgeMesh& mesh = editor.Mesh();
-  for (const Index h : HalfEdges(mesh, 11))
+  for (const Index h : HalfEdges(this->Mesh(), 11))
   {
-    const Vector3& start = mesh.Position(mesh.Origin(h));
-    const Vector3& end = mesh.Position(mesh.Target(h));
-    const Judged best = Judge(BestKernels(), mesh, mesh.Origin(h), mesh.Target(h), Freedom::Edge);
+    const Vector3& start = this->Mesh().Position(this->Mesh().Origin(h));
+    const Vector3& end = this->Mesh().Position(this->Mesh().Target(h));
+    const Judged best = this->Judge(h, Freedom::Edge);
     EXPECT_NEAR((best.Place - start).norm() + (end - best.Place).norm(), (end - start).norm(),
       1e-6 * (end - start).norm());
     for (const Freedom freedom : { Freedom::First, Freedom::Second })
     {
-      const Judged other = Judge(BestKernels(), mesh, mesh.Origin(h), mesh.Target(h), freedom);
+      const Judged other = this->Judge(h, freedom);
       EXPECT_LE(best.Cost, other.Cost * (1.0 + 1e-3));
     }
   }
 }
 
-TEST(EdgeKernel, WhatWasLeftBehindMakesAnEdgeDearer)
+TEST_F(EdgeKernel, WhatWasLeftBehindMakesAnEdgeDearer)
 {
-  const CleanSurface cleaned = Clean(Bone(), true);
-  const Editor editor(cleaned, Editor::Books{ false, false, true });
-  const HalfEdgeMesh& mesh = editor.Mesh();
-  const auto cost = [&](float memory) {
-    return Judge(BestKernels(), mesh, mesh.Origin(0), mesh.Target(0), Freedom::Space, memory).Cost;
-  };
+  const auto cost = [&](float memory) { return this->Judge(0, Freedom::Space, memory).Cost; };
   EXPECT_GT(cost(0.1F), cost(0.0F));
   EXPECT_GT(cost(0.5F), cost(0.1F));
 }
 
-TEST(EdgeKernel, AnEdgeThatLeadsNowhereIsNeverTaken)
+TEST_F(EdgeKernel, AnEdgeThatLeadsNowhereIsNeverTaken)
 {
-  const CleanSurface cleaned = Clean(Bone(), true);
-  const Editor editor(cleaned, Editor::Books{ false, false, true });
-  const HalfEdgeMesh& mesh = editor.Mesh();
-  EXPECT_TRUE(
-    std::isinf(Judge(BestKernels(), mesh, mesh.Origin(0), mesh.Target(0), Freedom::Nowhere).Cost));
+  EXPECT_TRUE(std::isinf(this->Judge(0, Freedom::Nowhere).Cost));
 }
 
-TEST(Kernels, AllSetsGiveTheSameBits)
+TEST_F(EdgeKernel, GivesTheSameBitsInAllSets)
 {
-  const CleanSurface cleaned = Clean(Bone(), true);
-  const Editor editor(cleaned, Editor::Books{ false, false, true });
-  const HalfEdgeMesh& mesh = editor.Mesh();
   ASSERT_FALSE(AvailableKernels().empty());
-  for (const Index h : HalfEdges(mesh))
+  for (const Index h : HalfEdges(this->Mesh()))
   {
     for (const Freedom freedom : Freedoms)
     {
-      const Judged expected =
-        Judge(*AvailableKernels().front(), mesh, mesh.Origin(h), mesh.Target(h), freedom, 0.25F);
+      const Judged expected = this->Judge(h, freedom, 0.25F, *AvailableKernels().front());
       for (const Kernels* kernels : AvailableKernels())
       {
-        const Judged found = Judge(*kernels, mesh, mesh.Origin(h), mesh.Target(h), freedom, 0.25F);
+        const Judged found = this->Judge(h, freedom, 0.25F, *kernels);
         EXPECT_EQ(found.Cost, expected.Cost) << kernels->Name;
         EXPECT_EQ(found.Place, expected.Place) << kernels->Name;
       }
@@ -245,13 +235,7 @@ TEST(Sweep, GivesTheSameBytesForAnyNumberOfThreads)
   const Surface input = BumpySphere(7, 20.0, 0.05, 8); // enough for rounds of several blocks
   for (const int faces : { 100000, 30000, 2000 })
   {
-    Options options = InFastMode(Triangles(faces));
-    const Surface expected = Decimate(input, options).Surface;
-    for (const int threads : { 2, 4, 8 })
-    {
-      options.NumberOfThreads = threads;
-      EXPECT_TRUE(SameBytes(Decimate(input, options).Surface, expected)) << threads;
-    }
+    ExpectTheSameBytesForAnyNumberOfThreads(input, InFastMode(Triangles(faces)));
   }
 }
 
