@@ -132,7 +132,7 @@ def measure(asked: argparse.Namespace) -> dict[str, Any]:
     figures: dict[str, Any] = {
         "machine": machine.describe(), "modes": our_modes(programs), "samples": asked.samples,
         "rounds": asked.rounds or (1 if asked.quick or asked.short else 3),
-        "rows": [], "growth": [], "threads": [], "errors": [], "complaints": missing}
+        "parts": 1, "rows": [], "growth": [], "threads": [], "errors": [], "complaints": missing}
     with tempfile.TemporaryDirectory(dir=folder) as name:  # of this run alone: another may be at work
         scratch = Path(name)
         run_rows(asked, bones, Contest(programs, judge, scratch), peers, figures)
@@ -150,10 +150,11 @@ def save(asked: argparse.Namespace, figures: dict[str, Any]) -> Path:
 
 
 def put_together(files: list[Path]) -> dict[str, Any]:
-    """The figures of several runs as one; machine and versions are the first one's."""
+    """The figures of several runs as one, and how many they were; machine and rounds are the first one's."""
     runs: list[dict[str, Any]] = [json.loads(file.read_text(encoding="utf-8")) for file in files]
     for key in ("rows", "growth", "threads", "errors"):
         runs[0][key] = [item for run in runs for item in run[key]]
+    runs[0]["parts"] = sum(run.get("parts", 1) for run in runs)
     runs[0]["complaints"] = list(dict.fromkeys(line for run in runs for line in run["complaints"]))
     return runs[0]
 

@@ -26,6 +26,9 @@ def introduction(figures: Figures) -> str:
                 if not entry["ours"] and entry["version"]}
     lines = [f"{machine['processor']}, {machine['cores']} cores, {machine['memory_gb']:.0f} GB; {machine['system']}. "
              f"Rounds: {figures['rounds']}; samples a direction: {figures['samples']:,}."]
+    if figures.get("parts", 1) > 1:
+        lines.append(f"Put together from {figures['parts']} runs of the command, each of a part of it (`--from`); machine and "
+                     "rounds are those of the first.")
     if versions:
         lines.append("Peers: " + ", ".join(f"{name} {version}" for name, version in versions.items()) + ".")
     return "\n".join(lines + figures["complaints"]) + "\n"
