@@ -281,7 +281,7 @@ TEST(ErrorCollapse, GivesTheSameBytesForAnyNumberOfThreadsWhereItRunsInBlocks)
   for (const int threads : { 1, 2, 4, 8 })
   {
     Bench bench(input, 4);
-    const Index faces = bench.Mesh().NumberOfFaces() - 8000; // 4000 collapses: both cuts into blocks
+    const Index faces = bench.Mesh().NumberOfFaces() - 8000; // enough for both cuts into blocks
     EXPECT_TRUE(bench.CollapseTo(faces, threads));
     EXPECT_EQ(bench.Mesh().NumberOfFaces(), faces);
     EXPECT_EQ(BrokenInvariant(bench.Mesh()), "");
