@@ -53,7 +53,8 @@ void BlockSweep::ListVertices()
 }
 
 //------------------------------------------------------------------------------
-/// Goes round the next vertices of the list ahead of Gather, a face of each at a time, so that each wait overlaps with work.
+/// Goes round the next vertices of the list ahead of Gather, a face of each at a time, so that each wait overlaps with
+/// work.
 void BlockSweep::LookAhead(std::size_t at)
 {
   const HalfEdgeMesh& mesh = this->Work.Mesh();

@@ -59,7 +59,8 @@ public:
     this->Lowest = std::min(this->Lowest, level);
   }
 
-  /// Moves the lowest list there is to `vertices`, the last one added first; returns its highest key, NeverKey if there is none.
+  /// Moves the lowest list there is to `vertices`, the last one added first; returns its highest key, NeverKey if there
+  /// is none.
   CostKey TakeLowest(std::vector<Index>& vertices)
   {
     vertices.clear();

@@ -29,7 +29,8 @@ namespace bonedecimate
 class EdgeFlipper
 {
 public:
-  /// @param faceErrors Of each face, squares of the mesh's unit, negative where unknown; workers on other parts of the mesh share it.
+  /// @param faceErrors Of each face, squares of the mesh's unit, negative where unknown; workers on other parts of the
+  /// mesh share it.
   EdgeFlipper(Editor& editor, Samples& samples, const BackHints& hints,
     std::vector<float>& faceErrors, int workers)
     : Work(editor)
