@@ -6,6 +6,7 @@
 #include "Kernels/Prefetch.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bonedecimate
 {
@@ -127,7 +128,7 @@ BlockSweep::Outcome BlockSweep::CollapseAt(VertexEdges& edges, CostKey highest)
   CostKey key = KeyOf(edges.LeastCost());
   for (; key <= highest; key = KeyOf(edges.LeastCost()))
   {
-    const Outcome outcome = this->TryEdge(vertex, edges.TakeCheapest());
+    const Outcome outcome = this->TryEdge(vertex, edges.TakeCheapest(), CostOf(highest));
     if (outcome != Outcome::Dearer)
     {
       return outcome;
@@ -139,8 +140,9 @@ BlockSweep::Outcome BlockSweep::CollapseAt(VertexEdges& edges, CostKey highest)
 }
 
 //------------------------------------------------------------------------------
-/// Dearer means refused.
-BlockSweep::Outcome BlockSweep::TryEdge(Index vertex, const VertexEdges::Candidate& candidate)
+/// Dearer means refused, or a peak whose turn has not come.
+BlockSweep::Outcome BlockSweep::TryEdge(
+  Index vertex, const VertexEdges::Candidate& candidate, float mostCost)
 {
   if (this->Work.Examine(candidate.Edge, this->Space) != Verdict::Allowed)
   {
@@ -154,12 +156,41 @@ BlockSweep::Outcome BlockSweep::TryEdge(Index vertex, const VertexEdges::Candida
   }
   const Edit edit = this->EditOf(vertex, candidate);
   const Index gone = this->Work.Mesh().Across(edit.Edge, edit.Keep);
-  if (this->Work.Apply(edit, this->Space, this->Task.Workers) != Verdict::Allowed)
+  const double left = this->LeaveBehind(edit);
+  if (this->CostOfPeak(left) > mostCost ||
+    this->Work.Apply(edit, this->Space, this->Task.Workers) != Verdict::Allowed)
   {
     return Outcome::Dearer;
   }
+  this->Known.Memories[edit.Keep] = static_cast<float>(left);
   this->AfterCollapse(edit, gone);
   return Outcome::Collapsed;
+}
+
+//------------------------------------------------------------------------------
+/// How far the edit would leave the surface behind, with what was left behind before, units.
+double BlockSweep::LeaveBehind(const Edit& edit)
+{
+  const HalfEdgeMesh& mesh = this->Work.Mesh();
+  const Neighbourhood& around = this->Space.Around;
+  const double unit = mesh.Unit();
+  Fan& fan = this->Space.Faces.Current();
+  const Vector3 place = edit.Position - mesh.Position(around.Start);
+  for (int k = 0; k < 3; ++k)
+  {
+    fan.Place[k] = place[k];
+  }
+  return this->Compute.LeaveBehind(fan, unit * this->Known.Memories[around.Start],
+           unit * this->Known.Memories[around.End]) /
+    unit;
+}
+
+//------------------------------------------------------------------------------
+/// @param distance Units.
+double BlockSweep::CostOfPeak(double distance) const
+{
+  return this->Known.PeakFactor / this->Work.Mesh().NumberOfFaces() * distance *
+    std::sqrt(distance);
 }
 
 //------------------------------------------------------------------------------
@@ -182,11 +213,6 @@ Edit BlockSweep::EditOf(Index vertex, const VertexEdges::Candidate& candidate) c
 void BlockSweep::AfterCollapse(const Edit& edit, Index gone)
 {
   const HalfEdgeMesh& mesh = this->Work.Mesh();
-  std::vector<float>& memories = this->Known.Memories;
-  const double unit = mesh.Unit();
-  const double left = this->Compute.LeaveBehind(this->Space.Faces.Current(),
-    unit * memories[this->Space.Around.Start], unit * memories[this->Space.Around.End]);
-  memories[edit.Keep] = static_cast<float>(left / unit);
   this->Known.Keys[gone] = NeverKey;
   this->ForgetChanged();
   this->Renew(edit.Keep);

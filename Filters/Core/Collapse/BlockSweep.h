@@ -10,6 +10,7 @@
  *             judge its edges afresh, cheapest first
  *             dearer than the level:      that is its key from now on, and it goes to that level
  *             reaches out of the block:   put off to the next pass, whose blocks lie otherwise
+ *             leaves too much behind:     as if refused (its peak alone would be dearer than the level)
  *             refused by the gate:        the next edge; after the last, its key goes up by four octaves
  *             else collapse; the merged vertex gets a key and goes to its level
  *
@@ -68,7 +69,9 @@ private:
   void Renew(Index vertex);
   VertexEdges& EdgesOfReady(std::size_t at, CostKey highest);
   Outcome CollapseAt(VertexEdges& edges, CostKey highest);
-  Outcome TryEdge(Index vertex, const VertexEdges::Candidate& candidate);
+  Outcome TryEdge(Index vertex, const VertexEdges::Candidate& candidate, float mostCost);
+  double LeaveBehind(const Edit& edit);
+  double CostOfPeak(double distance) const;
   Edit EditOf(Index vertex, const VertexEdges::Candidate& candidate) const;
   void AfterCollapse(const Edit& edit, Index gone);
   void ForgetChanged();

@@ -45,6 +45,15 @@ void FillFan(const HalfEdgeMesh& mesh, const Neighbourhood& around, Fan& fan)
   {
     fan.End[k] = end[k];
   }
+  for (std::size_t lane = 0; lane < 4; ++lane)
+  {
+    const Index which = static_cast<Index>(lane) % around.NumberOfGoneFaces;
+    const Vector3 apex = mesh.Position(around.Apexes[static_cast<std::size_t>(which)]) - origin;
+    for (int k = 0; k < 3; ++k)
+    {
+      fan.Apexes[k][lane] = apex[k];
+    }
+  }
   for (int i = 0; i <= fan.Faces; ++i)
   {
     const Vector3& p = mesh.Position(around.Ring[static_cast<std::size_t>(i < points ? i : 0)]);

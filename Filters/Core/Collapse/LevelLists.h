@@ -34,6 +34,15 @@ inline CostKey KeyOf(float cost)
                                                        : NeverKey;
 }
 
+/// The highest cost of the key; not finite if no cost has it.
+inline float CostOf(CostKey key)
+{
+  const std::uint32_t bits = (static_cast<std::uint32_t>(key) << 15U) | 0x7FFFU;
+  float cost = 0.0F;
+  std::memcpy(&cost, &bits, sizeof(cost));
+  return cost;
+}
+
 class LevelLists
 {
 public:

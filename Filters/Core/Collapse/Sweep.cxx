@@ -31,9 +31,20 @@ float CostFactorOf(const HalfEdgeMesh& mesh)
   const double length = mesh.LengthAtFirst() / mesh.Unit();
   return static_cast<float>(1.0 / (length * length * length * std::sqrt(length)));
 }
+
+/**
+ * Costs weigh distances by the area that moves. A peak, the tip of a thin spur, has no area: on the way to it everything
+ * is cheap. So what a collapse leaves behind counts as if it moved an area that follows the mean face: the square of the
+ * length at first, grown like the faces.
+ */
+double PeakFactorOf(const HalfEdgeMesh& mesh)
+{
+  const double length = mesh.LengthAtFirst() / mesh.Unit();
+  return mesh.NumberOfFaces() * length * length * CostFactorOf(mesh);
+}
 }
 
-Sweep::Sweep(Editor& editor, const Stops& stops, int threads)
+Sweep::Sweep(Editor& editor, const Stops& stops, int threads, double peakWeight)
   : Work(editor)
   , Wanted(stops)
   , End(editor, stops)
@@ -44,6 +55,7 @@ Sweep::Sweep(Editor& editor, const Stops& stops, int threads)
   this->Known.Keys.assign(count, NeverKey);
   this->Known.Memories.assign(count, 0.0F);
   this->Known.CostFactor = CostFactorOf(editor.Mesh());
+  this->Known.PeakFactor = peakWeight * PeakFactorOf(editor.Mesh());
 }
 
 //------------------------------------------------------------------------------

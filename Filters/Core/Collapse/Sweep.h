@@ -31,8 +31,11 @@ namespace bonedecimate
 class Sweep
 {
 public:
+  /// What a peak weighs, see Sweep.cxx: a stricter sweep costs some average and gives a smaller maximum.
+  static constexpr double PeakWeight = 0.3;
+
   /// @param editor Must keep quadrics.
-  Sweep(Editor& editor, const Stops& stops, int threads);
+  Sweep(Editor& editor, const Stops& stops, int threads, double peakWeight = PeakWeight);
 
   /// @param monitor Hears fractions from 0 to 1.
   StopReason Run(const Monitor& monitor);

@@ -22,6 +22,9 @@ struct VertexKeys
   /// Distance left behind so far by what was merged into it, units of the mesh.
   std::vector<float> Memories;
   float CostFactor = 1.0F; ///< Makes costs independent of how the unit was rounded.
+  /// A distance left behind, units, to the power of 3/2 times this over the number of faces is the least cost that such
+  /// a collapse has.
+  double PeakFactor = 0.0;
 };
 
 /// A range of vertices.

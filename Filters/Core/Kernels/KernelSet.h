@@ -22,6 +22,7 @@
  */
 #include "FaceRules.h"
 #include "Kernels.h"
+#include "LaneDistance.h"
 #include "Lanes.h"
 
 #include <limits>
@@ -247,33 +248,8 @@ void JudgeFan(Fan& fan, FanVerdict& verdict)
 }
 
 //------------------------------------------------------------------------------
-/// Squared distance to a segment from `a` along `d`, both seen from the point.
-inline Doubles SquaredDistanceToSegment(const Vectors<Doubles>& a, const Vectors<Doubles>& d)
-{
-  const Doubles zero = {};
-  const Doubles squared = d.Dot(d);
-  Doubles t = Select(squared > 0.0, (zero - a.Dot(d)) / squared, zero);
-  t = Smaller(Larger(t, zero), zero + 1.0);
-  const Vectors<Doubles> nearest = a + d * t;
-  return nearest.Dot(nearest);
-}
-
-/// Squared distance of the origin to the triangles a, b, c of area vector n: over the face, or to the nearest side.
-inline Doubles SquaredDistanceToTriangle(const Vectors<Doubles>& a, const Vectors<Doubles>& b,
-  const Vectors<Doubles>& c, const Vectors<Doubles>& n)
-{
-  const Doubles zero = {};
-  const Doubles u = n.Dot(b.Cross(c));
-  const Doubles v = n.Dot(c.Cross(a));
-  const Doubles w = n.Dot(a.Cross(b));
-  const DoubleMask over = (u >= zero) & (v >= zero) & (w >= zero);
-  const Doubles height = n.Dot(a);
-  const Doubles sides = Smaller(SquaredDistanceToSegment(a, b - a),
-    Smaller(SquaredDistanceToSegment(b, c - b), SquaredDistanceToSegment(c, a - c)));
-  return Select(over, height * height / n.Dot(n), sides);
-}
-
-inline double LeastSquare(const Fan& fan, const double (&from)[3])
+/// Distance of a point to the fan after the collapse, mm.
+inline double DistanceToNewFan(const Fan& fan, const double (&from)[3])
 {
   const Vectors<Doubles> point = All(from);
   const Vectors<Doubles> place = All(fan.Place) - point;
@@ -281,24 +257,41 @@ inline double LeastSquare(const Fan& fan, const double (&from)[3])
   Doubles least = far;
   for (int i = 0; i < fan.Faces; i += NumberOfDoubles)
   {
-    const Doubles squared = SquaredDistanceToTriangle(place, LoadVectors(fan.Ring, i) - point,
-      LoadVectors(fan.Ring, i + 1) - point, LoadVectors(fan.NewArea, i));
+    const Doubles squared = SquaredDistanceToTriangle(
+      place, LoadVectors(fan.Ring, i) - point, LoadVectors(fan.Ring, i + 1) - point);
     least = Smaller(Select(IsFace(i, fan.Faces), squared, far), least);
   }
-  double result = least[0];
-  for (int lane = 1; lane < NumberOfDoubles; ++lane)
+  return Root(LeastOfDoubles(least));
+}
+
+/// Distance of the future vertex to the faces at both ends as they are before the collapse, mm.
+inline double DistanceToOldFan(const Fan& fan)
+{
+  const Vectors<Doubles> place = All(fan.Place);
+  const Vectors<Doubles> start = Vectors<Doubles>{} - place;
+  const Vectors<Doubles> end = All(fan.End) - place;
+  const Vectors<Doubles> apex = { Load<Doubles>(fan.Apexes[0]), Load<Doubles>(fan.Apexes[1]),
+    Load<Doubles>(fan.Apexes[2]) };
+  const Doubles far = Doubles{} + std::numeric_limits<double>::infinity();
+  Doubles least = SquaredDistanceToTriangle(start, end, apex - place);
+  for (int i = 0; i < fan.Faces; i += NumberOfDoubles)
   {
-    result = least[lane] < result ? least[lane] : result;
+    const Vectors<Doubles> corner = Select(Load<DoubleMask>(fan.AtEnd + i), end, start);
+    const Doubles squared = SquaredDistanceToTriangle(
+      corner, LoadVectors(fan.Ring, i) - place, LoadVectors(fan.Ring, i + 1) - place);
+    least = Smaller(Select(IsFace(i, fan.Faces), squared, far), least);
   }
-  return result;
+  return Root(LeastOfDoubles(least));
 }
 
 double LeaveBehind(const Fan& fan, double atStart, double atEnd)
 {
   const double start[3] = { 0.0, 0.0, 0.0 };
-  const double first = atStart + Root(LeastSquare(fan, start));
-  const double second = atEnd + Root(LeastSquare(fan, fan.End));
-  return first > second ? first : second;
+  const double first = atStart + DistanceToNewFan(fan, start);
+  const double second = atEnd + DistanceToNewFan(fan, fan.End);
+  const double ends = first > second ? first : second;
+  const double place = (atStart > atEnd ? atStart : atEnd) + DistanceToOldFan(fan);
+  return ends > place ? ends : place;
 }
 
 //------------------------------------------------------------------------------

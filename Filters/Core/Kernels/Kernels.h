@@ -57,7 +57,8 @@ struct Fan
   double* OldArea[3] = {};  ///< Twice the area vectors before, mm^2, filled by JudgeFan.
   double* NewArea[3] = {};  ///< Twice the area vectors after, mm^2, filled by JudgeFan.
   double End[3] = {};
-  double Place[3] = {}; ///< Of the future vertex.
+  double Apexes[3][4] = {}; ///< Of the faces that go with the edge; all four of one or the other.
+  double Place[3] = {};     ///< Of the future vertex.
   int Faces = 0;
 };
 
@@ -74,8 +75,8 @@ struct Kernels
   const char* Name;
   void (*JudgeEdges)(const EdgeBatch& batch, EdgeAnswers& answers);
   void (*JudgeFan)(Fan& fan, FanVerdict& verdict);
-  /// The larger of the distances of two points (mm from Start) to the fan after the collapse, each with what it left behind
-  /// before, mm.
+  /// How far the collapse leaves the surface behind, together with what was left behind at its ends before, mm: the
+  /// farthest of either end to the new fan and of the place to the old one. Needs no other kernel first.
   double (*LeaveBehind)(const Fan& fan, double atStart, double atEnd);
   /// The quadric of a vertex at the origin.  @param fan Only Ring is read.  @param perArea 1/mm^2
   RingQuadric (*SumPlanes)(const Fan& fan, double perArea);

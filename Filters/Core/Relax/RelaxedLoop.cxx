@@ -12,6 +12,8 @@ namespace
 {
 /// Below that share of the original triangles, few remain.
 constexpr double FewTriangles = 0.2;
+/// Stricter than Fast: what that costs, the relaxation wins back.
+constexpr double PeakWeight = 0.5;
 /// Of the time, when the sweep ends.
 constexpr double SweptAt = 0.3;
 }
@@ -49,7 +51,7 @@ StopReason RelaxedLoop::Collapse(Index faces, const Monitor& monitor)
 {
   Stops stops = this->Wanted;
   stops.Faces = faces;
-  return Sweep(this->Work, stops, this->Threads).Run(monitor);
+  return Sweep(this->Work, stops, this->Threads, PeakWeight).Run(monitor);
 }
 
 //------------------------------------------------------------------------------
