@@ -226,15 +226,15 @@ TEST(ThreeHalves, IsItsPowerAndFitsWithTheWeightOfItsSlope)
   {
     const double expected = std::pow(d / 0.25, 1.5);
     EXPECT_NEAR(penalty.Of(d * d), expected, 1e-12 * expected);
-    const ThreeHalves::Answer answer = penalty.WithWeight(d * d);
-    EXPECT_EQ(answer.Value, penalty.Of(d * d));
+    const Penalty answer = penalty.WithWeight(2.0, d * d);
+    EXPECT_NEAR(answer.Value, 2.0 * expected, 1e-12 * expected);
     const double h = 1e-6 * d;
     const double slope =
       (penalty.Of((d + h) * (d + h)) - penalty.Of((d - h) * (d - h))) / (2.0 * h);
-    EXPECT_NEAR(2.0 * answer.Weight * d, slope, 1e-6 * slope);
+    EXPECT_NEAR(answer.Weight * d, slope, 1e-6 * slope);
   }
   EXPECT_EQ(penalty.Of(0.0), 0.0);
-  EXPECT_TRUE(std::isfinite(penalty.WithWeight(0.0).Weight));
+  EXPECT_TRUE(std::isfinite(penalty.WithWeight(1.0, 0.0).Weight));
 }
 
 TEST(RelaxedModes, AreCloserToTheInputTheMoreTheyDo)

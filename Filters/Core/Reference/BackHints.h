@@ -34,6 +34,25 @@ public:
   {
     return WalkFrom(this->Source, p, this->OfVertex[vertex]);
   }
+  /// What was found is near enough, or else the best that walks from other vertices find: their sheet is the same.
+  /// @param squaredReach What is near enough, mm^2.
+  template <typename Vertices>
+  PlaceOnMesh FindBetter(
+    const Vector3& p, const PlaceOnMesh& found, double squaredReach, const Vertices& vertices) const
+  {
+    PlaceOnMesh best = found;
+    for (const Index v : vertices)
+    {
+      if (best.Place.SquaredDistance <= squaredReach)
+      {
+        break;
+      }
+      const bool isNew = this->OfVertex[v] != None && this->OfVertex[v] != best.Face;
+      const PlaceOnMesh other = isNew ? this->Find(p, v) : best;
+      best = other.Place.SquaredDistance < best.Place.SquaredDistance ? other : best;
+    }
+    return best;
+  }
   void Set(Index vertex, Index triangle) { this->OfVertex[vertex] = triangle; }
   Index Of(Index vertex) const { return this->OfVertex[vertex]; }
   const HalfEdgeMesh& Original() const { return this->Source; }

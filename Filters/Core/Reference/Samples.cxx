@@ -5,6 +5,7 @@
 #include "Parallel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace bonedecimate
@@ -54,15 +55,17 @@ Vector3 Samples::PlaceOf(Index id) const
 }
 
 //------------------------------------------------------------------------------
-/// Of each sample, squares of the unit.
-std::vector<float> Samples::Weights() const
+/// Of each sample, squares of the unit.  @param all Gets their sum.
+std::vector<float> Samples::Weights(double& all) const
 {
   const Index vertices = this->Source.NumberOfVertexSlots();
   const double inside = this->PerFace == 1 ? ShareOfOne : ShareOfThree;
   std::vector<float> weights(this->Faces.size(), 0.0F);
+  all = 0.0;
   for (Index face = 0; face < this->Source.NumberOfFaceSlots(); ++face)
   {
     const double area = AreaOf(this->Source, face) / (this->Unit * this->Unit);
+    all += area;
     for (const Index corner : this->Source.Corners(face))
     {
       weights[corner] += static_cast<float>((1.0 - inside) / 3.0 * area);
@@ -88,7 +91,7 @@ bool Samples::Distribute(
   std::fill(this->Firsts.begin(), this->Firsts.end(), None);
   constexpr double foundAt = 0.8;
   return this->FindFaces(mesh, current, threads, PartOf(monitor, 0.0, foundAt)) &&
-    this->SortByFace(threads, PartOf(monitor, foundAt, 1.0));
+    this->SortByFace(mesh.NumberOfFaces(), threads, PartOf(monitor, foundAt, 1.0));
 }
 
 //------------------------------------------------------------------------------
@@ -123,6 +126,7 @@ bool Samples::FindFaces(
     return false;
   }
   const double sum = std::accumulate(distances.begin(), distances.end(), 0.0);
+  this->Measured.Distance = this->Unit * std::sqrt(sum / static_cast<double>(distances.size()));
   const double far = FarAway * FarAway * sum / static_cast<double>(distances.size());
   return forEach(0, this->Faces.size(), allAt, 1.0,
     [&](Index id)
@@ -176,8 +180,8 @@ PlaceOnMesh Samples::FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& cu
 }
 
 //------------------------------------------------------------------------------
-/// Lays the samples down face by face.
-bool Samples::SortByFace(int threads, const Monitor& monitor)
+/// Lays the samples down face by face.  @param faces How many share the area.
+bool Samples::SortByFace(Index faces, int threads, const Monitor& monitor)
 {
   for (const Index face : this->Faces)
   {
@@ -196,7 +200,9 @@ bool Samples::SortByFace(int threads, const Monitor& monitor)
   {
     this->Faces[id] = --this->Firsts[this->Faces[id]]; // from now on where the sample goes
   }
-  const std::vector<float> weights = this->Weights();
+  double area = 0.0;
+  const std::vector<float> weights = this->Weights(area);
+  this->Measured.FaceArea = area / faces;
   this->All.resize(this->Faces.size());
   const bool done = ForEachChunk(this->All.size(), threads, monitor,
     [&](std::size_t, std::size_t first, std::size_t last)

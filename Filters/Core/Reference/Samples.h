@@ -51,6 +51,14 @@ public:
     return { this->Unit * sample.Place[0], this->Unit * sample.Place[1],
       this->Unit * sample.Place[2] };
   }
+  /// What is usual, after Distribute.
+  struct Usual
+  {
+    double Distance = 0.0; ///< Root mean square over the samples, mm.
+    double FaceArea = 0.0; ///< Mean over the faces, squares of the unit.
+  };
+  const Usual& Spread() const { return this->Measured; }
+
   Index Count() const { return static_cast<Index>(this->All.size()); }
 
   /// Empties the list of the face and returns its first sample; whoever takes it puts each back somewhere.
@@ -88,11 +96,12 @@ private:
     const PlaceOnMesh& found) const;
   bool FindFaces(
     const HalfEdgeMesh& mesh, const CurrentVertices& current, int threads, const Monitor& monitor);
-  bool SortByFace(int threads, const Monitor& monitor);
-  std::vector<float> Weights() const;
+  bool SortByFace(Index faces, int threads, const Monitor& monitor);
+  std::vector<float> Weights(double& all) const;
 
   const HalfEdgeMesh& Source;
-  double Unit;       // mm
+  double Unit; // mm
+  Usual Measured;
   Index PerFace = 1; // samples inside each original triangle
   std::vector<Sample> All;
   std::vector<Index> Faces;  // of each sample; valid only within Distribute and Settle

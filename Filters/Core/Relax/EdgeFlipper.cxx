@@ -38,15 +38,15 @@ double EdgeFlipper::ErrorBefore(const HalfEdgeMesh& mesh, Index face)
   float& known = this->FaceErrors[static_cast<std::size_t>(face)];
   if (known < 0.0F)
   {
-    known = static_cast<float>(ErrorOfFace(this->Fit, this->Penalty, face, FrameOf(mesh, face)));
+    known = static_cast<float>(ErrorOfFace(this->Fit, this->Weigh, face, FrameOf(mesh, face)));
   }
   return known;
 }
 
 //------------------------------------------------------------------------------
-bool EdgeFlipper::IsNearer(const Pair& after, double before) const
+/// No less than `enough` if that is reached on the way.
+double EdgeFlipper::ErrorAfter(const Pair& after, double enough) const
 {
-  const double enough = FlipBelow * before;
   double error = 0.0;
   for (const Index face : after.Faces)
   {
@@ -55,10 +55,33 @@ bool EdgeFlipper::IsNearer(const Pair& after, double before) const
       const Vector3 p = this->Fit.SamplePosition(this->Fit[s]);
       const double squared = std::min(
         after.Frames[0].Nearest(p).SquaredDistance, after.Frames[1].Nearest(p).SquaredDistance);
-      error += this->Fit[s].Weight * this->Penalty.Of(squared);
+      error += this->Weigh.OfSample(this->Fit[s].Weight, squared);
     }
   }
-  return error < enough;
+  return error;
+}
+
+//------------------------------------------------------------------------------
+/// Of the edge between the faces, from one corner to another.
+double EdgeFlipper::ErrorOfChord(
+  const Pair& pair, const std::array<Index, 4>& corners, std::size_t from, std::size_t to) const
+{
+  if (!FoldSharply(pair.Frames[0].UnitNormal(), pair.Frames[1].UnitNormal()))
+  {
+    return 0.0;
+  }
+  const HalfEdgeMesh& mesh = this->Work.Mesh();
+  const FarPenalty& far = this->Weigh.OfChords();
+  double error = 0.0;
+  for (const double share : PlacesOfChord)
+  {
+    const Vector3 p =
+      share * mesh.Position(corners[from]) + (1.0 - share) * mesh.Position(corners[to]);
+    const PlaceOnMesh near = this->Back.Find(p, corners[from]);
+    error +=
+      far.Of(this->Back.FindBetter(p, near, far.SquaredLimit(), corners).Place.SquaredDistance);
+  }
+  return error;
 }
 
 //------------------------------------------------------------------------------
@@ -85,16 +108,20 @@ bool EdgeFlipper::TryFlip(Index edge)
   const HalfEdgeMesh& mesh = this->Work.Mesh();
   const std::array<Index, 2> faces = { HalfEdgeMesh::Face(edge),
     HalfEdgeMesh::Face(mesh.Twin(edge)) };
-  const double before = this->ErrorBefore(mesh, faces[0]) + this->ErrorBefore(mesh, faces[1]);
-  if (!(before > 0.0))
+  const std::array<Index, 4> corners = CornersAround(mesh, edge);
+  const auto [a, b, c, d] = PositionsOf(mesh, corners);
+  const Pair now = { faces, { TriangleFrame(a, b, c), TriangleFrame(b, a, d) } };
+  const double enough = FlipBelow *
+    (this->ErrorBefore(mesh, faces[0]) + this->ErrorBefore(mesh, faces[1]) +
+      this->ErrorOfChord(now, corners, 0, 1));
+  if (!(enough > 0.0))
   {
     return false;
   }
-  const std::array<Index, 4> corners = CornersAround(mesh, edge);
-  const auto [a, b, c, d] = PositionsOf(mesh, corners);
   const Pair after = { faces, { TriangleFrame(a, d, c), TriangleFrame(b, c, d) } };
-  if (!this->IsNearer(after, before) ||
-    this->TurnsAway(corners, { faces, { TriangleFrame(a, b, c), TriangleFrame(b, a, d) } }, after))
+  const double error = this->ErrorAfter(after, enough);
+  if (!(error < enough) || this->TurnsAway(corners, now, after) ||
+    !(error + this->ErrorOfChord(after, corners, 2, 3) < enough))
   {
     return false;
   }

@@ -10,7 +10,7 @@
  *        \ | /                 \   /
  *          d                     d         (either may be before and the other after)
  *
- * Flipped if that lowers the error by 2 % and turns no face away from the original.
+ * Flipped if that lowers the error, that of the edge among it, by 2 % and turns no face away from the original.
  * H. Hoppe et al., Mesh Optimization, 1993.
  */
 #ifndef BoneDecimate_Core_Relax_EdgeFlipper_h
@@ -37,7 +37,7 @@ public:
     , Fit(samples)
     , Back(hints)
     , FaceErrors(faceErrors)
-    , Penalty(editor.Mesh().Unit())
+    , Weigh(editor.Mesh().Unit(), samples.Spread())
     , Workers(workers)
   {
   }
@@ -54,7 +54,9 @@ private:
   };
   bool TryFlip(Index edge);
   double ErrorBefore(const HalfEdgeMesh& mesh, Index face);
-  bool IsNearer(const Pair& after, double before) const;
+  double ErrorAfter(const Pair& after, double enough) const;
+  double ErrorOfChord(
+    const Pair& pair, const std::array<Index, 4>& corners, std::size_t from, std::size_t to) const;
   bool TurnsAway(const std::array<Index, 4>& corners, const Pair& before, const Pair& after) const;
   void HandOver(const Pair& after);
 
@@ -63,7 +65,7 @@ private:
   Samples& Fit;
   const BackHints& Back;
   std::vector<float>& FaceErrors;
-  ThreeHalves Penalty;
+  ErrorPenalty Weigh;
   int Workers;
 };
 }

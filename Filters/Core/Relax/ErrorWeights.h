@@ -4,9 +4,15 @@
  * @file ErrorWeights.h
  * @brief How distances in both directions add up to one error.
  *
- *     error = sum over samples   area f(d(sample, its face))
- *           + weight back * sum over vertices   area of ring / 3  f(d(vertex, original))      squares of the unit
+ *     error = sum over samples   area f(d(sample, its face))  +  far(d, 8)
+ *           + sum over vertices  back weight * area of ring / 3  f(d(vertex, original))  +  far(d, 5)
+ *           + sum over two places on each edge that folds sharply  far(d(place, original), 8)   squares of the unit
  *     f(d) = (d / unit)^(3/2)          between the average (1) and the root mean square (2)
+ *     far(d, k) = mean area of a face * f(T) * ((d / T)^2 - 1)^2  beyond T = k * root mean square of the samples, else 0
+ *
+ * f cares for the many; far, which does not ask for an area, for the few: the tip of a spur has none, and neither has a
+ * chord across a bay in the rim of a thin sheet, whose samples all lie on the sheet. Its fourth power outweighs whatever
+ * else is there, but only where something is far from usual, so that average and root mean square do not notice.
  *
  * A fit of f is a fit of squares with weights w(d) = f'(d) / (2 d) that follow d (P. Holland and R. Welsch, Robust
  * regression using iteratively reweighted least-squares, 1977).
@@ -14,8 +20,11 @@
 #ifndef BoneDecimate_Core_Relax_ErrorWeights_h
 #define BoneDecimate_Core_Relax_ErrorWeights_h
 
+#include "Reference/Samples.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bonedecimate
 {
@@ -26,16 +35,17 @@ constexpr double BackWeightOfCollapse = 0.1;
 /// Of a face's area, how much each of its corners stands for.
 constexpr double CornerShare = 1.0 / 3.0;
 
+/// A part of the error and what it weighs in a fit of squares.
+struct Penalty
+{
+  double Value = 0.0;  // squares of the unit
+  double Weight = 0.0; // of the square, squares of the unit / mm^2
+};
+
 /// The unit is a power of two, so that scaling by powers of two changes no bit.
 class ThreeHalves
 {
 public:
-  struct Answer
-  {
-    double Value;  // f, no unit
-    double Weight; // of the square in a fit, 1/mm^2
-  };
-
   explicit ThreeHalves(double unit)
     : PerSquare(1.0 / (unit * unit))
   {
@@ -51,16 +61,106 @@ public:
     return root * std::sqrt(root);
   }
   /// The weight is bounded, for places that lie on the surface already.
-  Answer WithWeight(double squared) const
+  /// @param area Squares of the unit.
+  Penalty WithWeight(double area, double squared) const
   {
     constexpr double least = 1e-3; // units
     const double root = std::sqrt(squared * this->PerSquare);
     const double fourth = std::sqrt(std::max(least, root));
-    return { root * std::sqrt(root), 0.75 * this->PerSquare / fourth };
+    return { area * root * std::sqrt(root), area * 0.75 * this->PerSquare / fourth };
   }
 
 private:
   double PerSquare; // 1/mm^2
+};
+
+/// What is far from usual.
+class FarPenalty
+{
+public:
+  /// @param limit mm  @param weight Squares of the unit.
+  FarPenalty(double limit, double weight)
+    : Limit(limit > 0.0 ? limit * limit : std::numeric_limits<double>::infinity())
+    , PerLimit(1.0 / this->Limit)
+    , Scale(weight)
+  {
+  }
+
+  double SquaredLimit() const { return this->Limit; } ///< mm^2
+  bool IsFar(double squared) const { return squared > this->Limit; }
+  double Of(double squared) const
+  {
+    const double beyond = squared * this->PerLimit - 1.0;
+    return this->IsFar(squared) ? this->Scale * beyond * beyond : 0.0;
+  }
+  Penalty WithWeight(double squared) const
+  {
+    const double beyond = std::max(0.0, squared * this->PerLimit - 1.0);
+    return { this->Of(squared), 2.0 * this->Scale * beyond * this->PerLimit };
+  }
+
+private:
+  double Limit;    // mm^2
+  double PerLimit; // 1/mm^2
+  double Scale;    // squares of the unit
+};
+
+/// Both together: areas in squares of the unit, squared distances in mm^2.
+class ErrorPenalty
+{
+public:
+  /// @param unit Of the mesh, mm.
+  ErrorPenalty(double unit, const Samples::Usual& usual)
+    : Near(unit)
+    , Far(Beyond(FarOfSamples, unit, usual))
+    , FarVertex(Beyond(FarOfVertices, unit, usual))
+  {
+  }
+
+  double InUnits(double area) const { return this->Near.InUnits(area); } ///< @param area mm^2
+  double OfSample(double area, double squared) const
+  {
+    const double near = area * this->Near.Of(squared);
+    return this->Far.IsFar(squared) ? near + this->Far.Of(squared) : near;
+  }
+  double OfVertex(double area, double squared) const
+  {
+    return area * this->Near.Of(squared) + this->FarVertex.Of(squared);
+  }
+  Penalty FitOfSample(double area, double squared) const
+  {
+    return Sum(this->Near.WithWeight(area, squared), this->Far, squared);
+  }
+  Penalty FitOfVertex(double area, double squared) const
+  {
+    return Sum(this->Near.WithWeight(area, squared), this->FarVertex, squared);
+  }
+  const FarPenalty& OfChords() const { return this->Far; }
+  const FarPenalty& OfFarVertices() const { return this->FarVertex; }
+
+private:
+  /// Times what is usual. Vertices lie near the surface more often than not.
+  static constexpr double FarOfSamples = 8.0;
+  static constexpr double FarOfVertices = 5.0;
+
+  static FarPenalty Beyond(double times, double unit, const Samples::Usual& usual)
+  {
+    const double limit = times * usual.Distance;
+    return { limit, usual.FaceArea * ThreeHalves(unit).Of(limit * limit) };
+  }
+  static Penalty Sum(const Penalty& near, const FarPenalty& far, double squared)
+  {
+    if (!far.IsFar(squared))
+    {
+      return near;
+    }
+    const Penalty more = far.WithWeight(squared);
+    return { near.Value + more.Value, near.Weight + more.Weight };
+  }
+
+  ThreeHalves Near;
+  FarPenalty Far;
+  FarPenalty FarVertex;
 };
 }
 

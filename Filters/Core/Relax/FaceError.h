@@ -10,22 +10,34 @@
 #include "ErrorWeights.h"
 #include "Reference/Samples.h"
 
+#include <array>
+
 namespace bonedecimate
 {
 /// Cosine between a face and the original (78 degrees) below which flips and moves may not turn it farther away.
 constexpr double LeastFacing = 0.2;
 
+/// Whether two faces fold by more than 90 degrees: there the edge between them may be a chord, which lies far from the
+/// original without any sample to see it.
+inline bool FoldSharply(const Vector3& oneNormal, const Vector3& otherNormal)
+{
+  return oneNormal.dot(otherNormal) < 0.0;
+}
+
+/// Where chords are looked at, as shares of one end.
+constexpr std::array<double, 2> PlacesOfChord = { 1.0 / 3.0, 2.0 / 3.0 };
+
 /// The samples' part of the error of ErrorWeights.h, squares of the mesh's unit.
 /// @param frame The face as it is, or as it would be.
 inline double ErrorOfFace(
-  const Samples& samples, const ThreeHalves& penalty, Index face, const TriangleFrame& frame)
+  const Samples& samples, const ErrorPenalty& penalty, Index face, const TriangleFrame& frame)
 {
   double error = 0.0;
   samples.VisitFace(face,
     [&](const Samples::Sample& sample)
     {
       const Vector3 p = samples.SamplePosition(sample);
-      error += sample.Weight * penalty.Of(frame.Nearest(p).SquaredDistance);
+      error += penalty.OfSample(sample.Weight, frame.Nearest(p).SquaredDistance);
     });
   return error;
 }

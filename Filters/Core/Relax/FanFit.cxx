@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FanFit.h"
 
-#include "ErrorWeights.h"
-
 #include <algorithm>
+#include <array>
 
 namespace bonedecimate
 {
@@ -90,14 +89,15 @@ FanFit::Answer FanFit::AnswerAt(const Neighbourhood& around, const Vector3& x, F
     const Samples::Sample& sample = this->Fit[member.Sample];
     const Vector3 p = this->Fit.SamplePosition(sample);
     const TriangleFrame::Place place = this->FindInFan(p, member.Slot);
-    const ThreeHalves::Answer penalty = this->Penalty.WithWeight(place.SquaredDistance);
-    answer.Error += sample.Weight * penalty.Value;
+    const Penalty penalty = this->Weigh.FitOfSample(sample.Weight, place.SquaredDistance);
+    answer.Error += penalty.Value;
     if (step != nullptr)
     {
-      step->AddSample(p, this->Frames[member.Slot], place, sample.Weight * penalty.Weight);
+      step->AddSample(p, this->Frames[member.Slot], place, penalty.Weight);
     }
   }
   this->AddVertex(around, answer, step);
+  answer.Error += this->ErrorOfChords(around, answer);
   return answer;
 }
 
@@ -114,15 +114,41 @@ void FanFit::AddVertex(const Neighbourhood& around, Answer& answer, FitStep* ste
   {
     area += frame.SurfaceArea();
   }
-  const double weight = BackWeightOfCollapse * CornerShare * this->Penalty.InUnits(area);
+  const double weight = BackWeightOfCollapse * CornerShare * this->Weigh.InUnits(area);
   answer.Hint = found.Face;
-  const ThreeHalves::Answer penalty = this->Penalty.WithWeight(found.Place.SquaredDistance);
-  answer.VertexError = weight * penalty.Value;
+  const Penalty penalty = this->Weigh.FitOfVertex(weight, found.Place.SquaredDistance);
+  answer.VertexError = penalty.Value;
   answer.Error += answer.VertexError;
   if (step != nullptr)
   {
-    step->AddVertex(answer.Position, FrameOf(this->Back.Original(), found.Face), found.Place,
-      weight * penalty.Weight);
+    step->AddVertex(
+      answer.Position, FrameOf(this->Back.Original(), found.Face), found.Place, penalty.Weight);
   }
+}
+
+//------------------------------------------------------------------------------
+double FanFit::ErrorOfChords(const Neighbourhood& around, const Answer& answer) const
+{
+  const FarPenalty& far = this->Weigh.OfChords();
+  const std::size_t count = this->Frames.size();
+  double error = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::size_t previous = (i + count - 1) % count;
+    if (FoldSharply(this->Frames[previous].UnitNormal(), this->Frames[i].UnitNormal()))
+    {
+      const std::array<Index, 5> others = { around.Ring[i], around.Ring[(i + 1) % count],
+        around.Ring[previous], around.Start, around.End };
+      for (const double share : PlacesOfChord)
+      {
+        const Vector3 p =
+          share * answer.Position + (1.0 - share) * this->Mesh.Position(around.Ring[i]);
+        const PlaceOnMesh near = WalkFrom(this->Back.Original(), p, answer.Hint);
+        error +=
+          far.Of(this->Back.FindBetter(p, near, far.SquaredLimit(), others).Place.SquaredDistance);
+      }
+    }
+  }
+  return error;
 }
 }

@@ -16,7 +16,7 @@
 #define BoneDecimate_Core_Relax_FanFit_h
 
 #include "Collapse/Editor.h"
-#include "ErrorWeights.h"
+#include "FaceError.h"
 #include "FitStep.h"
 #include "Reference/BackHints.h"
 #include "Reference/Samples.h"
@@ -32,7 +32,7 @@ public:
     : Mesh(mesh)
     , Fit(samples)
     , Back(hints)
-    , Penalty(mesh.Unit())
+    , Weigh(mesh.Unit(), samples.Spread())
   {
   }
 
@@ -60,12 +60,13 @@ private:
   void Build(const Neighbourhood& around, const Vector3& x);
   TriangleFrame::Place FindInFan(const Vector3& p, std::size_t& slot) const;
   Answer AnswerAt(const Neighbourhood& around, const Vector3& x, FitStep* step);
+  double ErrorOfChords(const Neighbourhood& around, const Answer& answer) const;
   void AddVertex(const Neighbourhood& around, Answer& answer, FitStep* step) const;
 
   const HalfEdgeMesh& Mesh;
   const Samples& Fit;
   const BackHints& Back;
-  ThreeHalves Penalty;
+  ErrorPenalty Weigh;
   std::vector<Member> Gathered;
   std::vector<TriangleFrame> Frames;
 };

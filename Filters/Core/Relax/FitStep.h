@@ -43,6 +43,12 @@ public:
   {
     this->Add(frame.At(place) - vertex, frame, place, 1.0, weight);
   }
+  /// A point on an edge at the vertex, as above.  @param share Of the vertex.
+  void AddOnEdge(const Vector3& point, const TriangleFrame& frame,
+    const TriangleFrame::Place& place, double share, double weight)
+  {
+    this->Add(frame.At(place) - point, frame, place, share, weight);
+  }
 
   Vector3 Solve() const
   {

@@ -11,7 +11,7 @@ SampledErrors::SampledErrors(
   : Mesh(mesh)
   , Fit(samples)
   , Back(hints)
-  , Penalty(mesh.Unit())
+  , Weigh(mesh.Unit(), samples.Spread())
   , Faces(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), 0.0F)
   , Vertices(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), 0.0F)
   , Stamps(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), 0)
@@ -21,7 +21,7 @@ SampledErrors::SampledErrors(
 //------------------------------------------------------------------------------
 double SampledErrors::OfFace(Index face) const
 {
-  return ErrorOfFace(this->Fit, this->Penalty, face, FrameOf(this->Mesh, face));
+  return ErrorOfFace(this->Fit, this->Weigh, face, FrameOf(this->Mesh, face));
 }
 
 //------------------------------------------------------------------------------
@@ -33,8 +33,8 @@ double SampledErrors::OfVertex(Index vertex) const
     area += FrameOf(this->Mesh, HalfEdgeMesh::Face(h)).SurfaceArea();
   }
   const PlaceOnMesh found = this->Back.Find(this->Mesh.Position(vertex), vertex);
-  return BackWeightOfCollapse * CornerShare * this->Penalty.InUnits(area) *
-    this->Penalty.Of(found.Place.SquaredDistance);
+  return this->Weigh.OfVertex(
+    BackWeightOfCollapse * CornerShare * this->Weigh.InUnits(area), found.Place.SquaredDistance);
 }
 
 //------------------------------------------------------------------------------

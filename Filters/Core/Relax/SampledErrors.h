@@ -45,7 +45,7 @@ private:
   const HalfEdgeMesh& Mesh;
   const Samples& Fit;
   const BackHints& Back;
-  ThreeHalves Penalty;
+  ErrorPenalty Weigh;
   std::vector<float> Faces;          // error of each, squares of the mesh's unit
   std::vector<float> Vertices;       // the same
   std::vector<std::uint32_t> Stamps; // of each vertex, how often something around it has changed

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VertexMover.h"
 
+#include <array>
 #include <limits>
 
 namespace bonedecimate
@@ -10,7 +11,7 @@ namespace
 {
 /// A step that would lower the error by less than this share is not tried.
 constexpr double LeastGain = 3e-3;
-constexpr int Attempts = 2;
+constexpr int Attempts = 3;
 }
 
 //------------------------------------------------------------------------------
@@ -48,7 +49,7 @@ void VertexMover::Gather(Index vertex)
 {
   const HalfEdgeMesh& mesh = this->Work.Mesh();
   const Vector3& position = mesh.Position(vertex);
-  const PlaceOnMesh found = this->Back.Find(position, vertex);
+  const PlaceOnMesh found = this->FindOriginal(vertex);
   const TriangleFrame original = FrameOf(this->Back.Original(), found.Face);
   this->OriginalNormal = original.UnitNormal();
   this->SquaredDistance = found.Place.SquaredDistance;
@@ -59,17 +60,72 @@ void VertexMover::Gather(Index vertex)
   for (const Index h : mesh.OutgoingOf(vertex))
   {
     const Index face = HalfEdgeMesh::Face(h);
-    const Vector3& second = mesh.Position(mesh.Target(h));
+    const Index target = mesh.Target(h);
+    const Vector3& second = mesh.Position(target);
     const Vector3& third = mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h)));
     const TriangleFrame frame(position, second, third);
     this->Error += this->AddSamples(frame, face);
-    this->Ring.push_back({ face, second, third, frame.UnitNormal().dot(this->OriginalNormal) });
+    this->Ring.push_back({ face, target, second, third, frame.UnitNormal(),
+      frame.UnitNormal().dot(this->OriginalNormal) });
     area += frame.SurfaceArea();
   }
-  const double weight = BackWeight * CornerShare * this->Penalty.InUnits(area);
-  const ThreeHalves::Answer penalty = this->Penalty.WithWeight(this->SquaredDistance);
-  this->Error += weight * penalty.Value;
-  this->Equations.AddVertex(position, original, found.Place, weight * penalty.Weight);
+  this->Error += this->AddChords(position, found.Face, &this->Equations);
+  const double weight = BackWeight * CornerShare * this->Weigh.InUnits(area);
+  const Penalty penalty = this->Weigh.FitOfVertex(weight, this->SquaredDistance);
+  this->Error += penalty.Value;
+  this->Equations.AddVertex(position, original, found.Place, penalty.Weight);
+}
+
+//------------------------------------------------------------------------------
+/// If that is far, the neighbours may know better.
+PlaceOnMesh VertexMover::FindOriginal(Index vertex)
+{
+  const HalfEdgeMesh& mesh = this->Work.Mesh();
+  const Vector3& position = mesh.Position(vertex);
+  PlaceOnMesh found = this->Back.Find(position, vertex);
+  if (this->Weigh.OfFarVertices().IsFar(found.Place.SquaredDistance))
+  {
+    this->Neighbours.clear();
+    mesh.VisitEdges(vertex, [&](Index h) { this->Neighbours.push_back(mesh.Across(h, vertex)); });
+    found = this->Back.FindBetter(
+      position, found, this->Weigh.OfFarVertices().SquaredLimit(), this->Neighbours);
+    this->Back.Set(vertex, found.Face);
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+/// Of the sharp edges from the vertex, if it were there.  @param hint The original triangle near it.
+double VertexMover::AddChords(const Vector3& position, Index hint, FitStep* equations) const
+{
+  const FarPenalty& far = this->Weigh.OfChords();
+  const std::size_t count = this->Ring.size();
+  double error = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const RingFace& previous = this->Ring[(i + count - 1) % count];
+    const RingFace& ring = this->Ring[i];
+    if (!FoldSharply(previous.Normal, ring.Normal))
+    {
+      continue;
+    }
+    const std::array<Index, 3> others = { ring.Neighbour, this->Ring[(i + 1) % count].Neighbour,
+      previous.Neighbour };
+    for (const double share : PlacesOfChord)
+    {
+      const Vector3 p = share * position + (1.0 - share) * ring.Second;
+      const PlaceOnMesh near = WalkFrom(this->Back.Original(), p, hint);
+      const PlaceOnMesh found = this->Back.FindBetter(p, near, far.SquaredLimit(), others);
+      const Penalty penalty = far.WithWeight(found.Place.SquaredDistance);
+      error += penalty.Value;
+      if (equations != nullptr && penalty.Value > 0.0)
+      {
+        const TriangleFrame frame = FrameOf(this->Back.Original(), found.Face);
+        equations->AddOnEdge(p, frame, found.Place, share, penalty.Weight);
+      }
+    }
+  }
+  return error;
 }
 
 //------------------------------------------------------------------------------
@@ -81,9 +137,9 @@ double VertexMover::AddSamples(const TriangleFrame& frame, Index face)
     {
       const Vector3 p = this->Fit.SamplePosition(sample);
       const TriangleFrame::Place place = frame.Nearest(p);
-      const ThreeHalves::Answer penalty = this->Penalty.WithWeight(place.SquaredDistance);
-      error += sample.Weight * penalty.Value;
-      this->Equations.AddSample(p, frame, place, sample.Weight * penalty.Weight);
+      const Penalty penalty = this->Weigh.FitOfSample(sample.Weight, place.SquaredDistance);
+      error += penalty.Value;
+      this->Equations.AddSample(p, frame, place, penalty.Weight);
     });
   return error;
 }
@@ -95,7 +151,7 @@ double VertexMover::ErrorIfAllowed(const RingFace& ring, const TriangleFrame& fr
   const double facing = frame.UnitNormal().dot(this->OriginalNormal);
   return facing < LeastFacing && facing < ring.Facing
     ? std::numeric_limits<double>::infinity()
-    : ErrorOfFace(this->Fit, this->Penalty, ring.Face, frame);
+    : ErrorOfFace(this->Fit, this->Weigh, ring.Face, frame);
 }
 
 //------------------------------------------------------------------------------
@@ -111,9 +167,10 @@ bool VertexMover::Lowers(Index vertex, const Vector3& position)
   this->Hint = found.Face;
   double area = 0.0; // mm^2
   double error = 0.0;
-  for (const RingFace& ring : this->Ring)
+  for (RingFace& ring : this->Ring)
   {
     const TriangleFrame frame(position, ring.Second, ring.Third);
+    ring.Normal = frame.UnitNormal();
     area += frame.SurfaceArea();
     error += this->ErrorIfAllowed(ring, frame);
     if (!(error < this->Error))
@@ -121,8 +178,8 @@ bool VertexMover::Lowers(Index vertex, const Vector3& position)
       return false;
     }
   }
-  return error +
-    BackWeight * CornerShare * this->Penalty.InUnits(area) * this->Penalty.Of(squared) <
-    this->Error;
+  error += this->Weigh.OfVertex(BackWeight * CornerShare * this->Weigh.InUnits(area), squared);
+  return error < this->Error &&
+    error + this->AddChords(position, found.Face, nullptr) < this->Error;
 }
 }

@@ -7,7 +7,7 @@
  *     gather the samples of the ring's faces and the place of the vertex on the original       (ErrorWeights.h)
  *     solve for the step                                                                       (FitStep.h)
  *     too little to gain:  stay
- *     the error falls there, and no face turns away from the original:  go; else try half the way once
+ *     the error falls there, and no face turns away from the original:  go; else try half the way, then a quarter
  */
 #ifndef BoneDecimate_Core_Relax_VertexMover_h
 #define BoneDecimate_Core_Relax_VertexMover_h
@@ -31,7 +31,7 @@ public:
     : Work(editor)
     , Fit(samples)
     , Back(hints)
-    , Penalty(editor.Mesh().Unit())
+    , Weigh(editor.Mesh().Unit(), samples.Spread())
     , Farthest(farthest)
     , Workers(workers)
   {
@@ -44,10 +44,14 @@ private:
   struct RingFace
   {
     Index Face;
+    Index Neighbour; // at Second
     Vector3 Second, Third;
+    Vector3 Normal;
     double Facing; // cosine between face and original, before the step
   };
   void Gather(Index vertex);
+  PlaceOnMesh FindOriginal(Index vertex);
+  double AddChords(const Vector3& position, Index hint, FitStep* equations) const;
   double AddSamples(const TriangleFrame& frame, Index face);
   bool Lowers(Index vertex, const Vector3& position);
   double ErrorIfAllowed(const RingFace& ring, const TriangleFrame& frame) const;
@@ -56,10 +60,11 @@ private:
   Workspace Space;
   const Samples& Fit;
   BackHints& Back;
-  ThreeHalves Penalty;
+  ErrorPenalty Weigh;
   double Farthest; // mm
   int Workers;
   std::vector<RingFace> Ring;
+  std::vector<Index> Neighbours;
   FitStep Equations;
   double Error = 0.0;           // before the step, squares of the mesh's unit
   double SquaredDistance = 0.0; // mm^2, of the vertex to the original
