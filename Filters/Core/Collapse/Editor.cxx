@@ -109,6 +109,10 @@ Verdict Editor::Apply(const Edit& edit, Workspace& work, int workers)
   }
   const Index gone = this->Half.Across(edit.Edge, edit.Keep);
   const Vector3 origin = this->Half.Position(work.Around.Start);
+  for (const Index corner : work.Around.Corners)
+  {
+    this->Half.KeepFirstNormal(HalfEdgeMesh::Face(corner));
+  }
   this->Half.Collapse(work.Around, edit.Keep, edit.Position);
   if (this->KeepsQuadrics)
   {
@@ -140,10 +144,16 @@ Verdict Editor::ApplySmall(const Edit& edit, Workspace& work, int workers)
   }
   if (flips)
   {
+    this->Half.KeepFirstNormal(HalfEdgeMesh::Face(edit.Edge));
+    this->Half.KeepFirstNormal(HalfEdgeMesh::Face(this->Half.Twin(edit.Edge)));
     this->Half.Flip(edit.Edge);
   }
   else
   {
+    for (const Index h : this->Half.OutgoingOf(vertex))
+    {
+      this->Half.KeepFirstNormal(HalfEdgeMesh::Face(h));
+    }
     this->Half.Move(vertex, edit.Position);
   }
   if (this->AfterEdit)

@@ -4,6 +4,23 @@
 
 namespace bonedecimate
 {
+namespace
+{
+/// One turn is short enough; together with those before it would be too many.
+bool IsAnyTurnedOver(const HalfEdgeMesh& mesh, const Neighbourhood& around, const Fan& fan)
+{
+  for (std::size_t i = 0; i < around.Corners.size(); ++i)
+  {
+    const Vector3 area(fan.NewArea[0][i], fan.NewArea[1][i], fan.NewArea[2][i]);
+    if (mesh.IsTurnedOver(HalfEdgeMesh::Face(around.Corners[i]), area))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
 Verdict JudgeEnds(const HalfEdgeMesh& mesh, Index edge)
 {
   const VertexKind start = mesh.Kind(mesh.Origin(edge));
@@ -80,6 +97,8 @@ Verdict JudgePlace(const HalfEdgeMesh& mesh, const Neighbourhood& around, const 
   FanVerdict found;
   BestKernels().JudgeFan(fan, found);
   volumeChange = found.VolumeChange;
-  return found.Degenerate ? Verdict::Degenerate : found.Flip ? Verdict::Flip : Verdict::Allowed;
+  return found.Degenerate                              ? Verdict::Degenerate
+    : found.Flip || IsAnyTurnedOver(mesh, around, fan) ? Verdict::Flip
+                                                       : Verdict::Allowed;
 }
 }

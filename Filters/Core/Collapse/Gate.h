@@ -24,7 +24,8 @@ Verdict JudgeTopology(const HalfEdgeMesh& mesh, const Neighbourhood& around);
 /// Fills the fan's ring from the mesh: everything but the place.
 void FillFan(const HalfEdgeMesh& mesh, const Neighbourhood& around, Fan& fan);
 
-/// No face without area, none worse than a sliver unless it was, none turned over by more than 78 degrees.
+/// No face without area, none worse than a sliver unless it was, none turned by more than 78 degrees, nor by more than 90
+/// from what it was before its first change: many small turns do not add up to a face that is turned over.
 /// @param fan Filled; its place and areas are set here.  @param volumeChange mm^3, returned.
 Verdict JudgePlace(const HalfEdgeMesh& mesh, const Neighbourhood& around, const Edit& edit,
   Fan& fan, double& volumeChange);

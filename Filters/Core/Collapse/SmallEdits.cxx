@@ -83,13 +83,18 @@ Verdict JudgeFlip(const HalfEdgeMesh& mesh, Index edge, double& volumeChange)
   const auto [a, b, c, d] = PositionsOf(mesh, corners);
   const std::array<Face, 2> before = { Face(a, b, c), Face(b, a, d) };
   const double worst = std::min(before[0].Quality, before[1].Quality);
-  for (const Face& after : { Face(a, d, c), Face(b, c, d) })
+  const std::array<Face, 2> afterwards = { Face(a, d, c), Face(b, c, d) };
+  const std::array<Index, 2> faces = { HalfEdgeMesh::Face(edge),
+    HalfEdgeMesh::Face(mesh.Twin(edge)) };
+  for (std::size_t i = 0; i < 2; ++i)
   {
+    const Face& after = afterwards[i];
     if (IsNeedle(after, worst))
     {
       return Verdict::Degenerate;
     }
-    if (IsTurned(before[0], after) || IsTurned(before[1], after))
+    if (IsTurned(before[0], after) || IsTurned(before[1], after) ||
+      mesh.IsTurnedOver(faces[i], after.Vector))
     {
       return Verdict::Flip;
     }
@@ -117,7 +122,7 @@ Verdict JudgeMove(
     {
       return Verdict::Degenerate;
     }
-    if (IsTurned(before, after))
+    if (IsTurned(before, after) || mesh.IsTurnedOver(HalfEdgeMesh::Face(h), after.Vector))
     {
       return Verdict::Flip;
     }

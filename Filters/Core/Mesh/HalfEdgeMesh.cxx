@@ -3,6 +3,7 @@
 #include "HalfEdgeMesh.h"
 
 #include "EdgeMatching.h"
+#include "Geometry/TriangleGeometry.h"
 #include "Neighbourhood.h"
 #include "Parallel.h"
 
@@ -79,6 +80,27 @@ void HalfEdgeMesh::Collapse(const Neighbourhood& around, Index keep, const Vecto
   this->Vertices[keep].Outgoing = around.Corners.front(); // on a border the one without a twin
   this->Kinds[keep] = std::max(this->Kinds[keep], this->Kinds[gone]);
   this->Vertices[keep].Position = position;
+}
+
+//------------------------------------------------------------------------------
+void HalfEdgeMesh::KeepFirstNormal(Index face)
+{
+  FaceRecord& record = this->Faces[face];
+  if (record.Twins[3] != None)
+  {
+    return;
+  }
+  const Vector3 area = AreaVector(this->Position(record.Origins[0]),
+    this->Position(record.Origins[1]), this->Position(record.Origins[2]));
+  const double largest = area.cwiseAbs().maxCoeff();
+  const bool hasDirection = largest > 0.0 && area.allFinite();
+  const auto pack = [&](Eigen::Index k)
+  {
+    const double part = hasDirection ? 32767.0 * (area[k] / largest) : 0.0;
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(part)) & 0xFFFFU;
+  };
+  record.Origins[3] = static_cast<Index>(pack(0) << 16U | pack(1));
+  record.Twins[3] = static_cast<Index>(pack(2));
 }
 
 //------------------------------------------------------------------------------

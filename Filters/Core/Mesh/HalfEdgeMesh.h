@@ -56,8 +56,8 @@ static_assert(sizeof(VertexRecord) == 64, "one cache line");
 
 struct alignas(32) FaceRecord
 {
-  std::array<Index, 4> Origins = { None, None, None, None }; ///< The fourth is not used.
-  std::array<Index, 4> Twins = { None, None, None, None };   ///< The fourth is not used.
+  std::array<Index, 4> Origins = { None, None, None, None }; ///< The fourth: FirstNormal, x and y.
+  std::array<Index, 4> Twins = { None, None, None, None };   ///< The fourth: z, None: not kept yet.
 };
 static_assert(sizeof(FaceRecord) == 32, "half a cache line");
 
@@ -87,6 +87,15 @@ public:
   {
     const std::array<Index, 4>& corners = this->Faces[face].Origins;
     return { corners[0], corners[1], corners[2] };
+  }
+
+  /**
+   * Whether a face of that area vector would look away from where it looked before its first change. False if it has not
+   * been changed yet: then nothing is known but what it is now.
+   */
+  bool IsTurnedOver(Index face, const Vector3& area) const
+  {
+    return this->Faces[face].Twins[3] != None && area.dot(this->FirstNormal(face)) < 0.0;
   }
 
   Index NumberOfVertexSlots() const { return static_cast<Index>(this->Vertices.size()); }
@@ -121,6 +130,17 @@ private:
   /// Turns the edge of h, which has two faces, into that between their apexes. The caller has judged as above.
   void Flip(Index h);
   void Move(Index v, const Vector3& position) { this->Vertices[v].Position = position; }
+  /// Before the face changes: keeps its normal if that is the first time.
+  void KeepFirstNormal(Index face);
+  /// Three numbers of 16 bits, the largest 32767: within a hundredth of a degree.
+  Vector3 FirstNormal(Index face) const
+  {
+    const std::int32_t xy = this->Faces[face].Origins[3];
+    const std::int32_t z = this->Faces[face].Twins[3];
+    return { static_cast<double>(static_cast<std::int16_t>(xy >> 16)),
+      static_cast<double>(static_cast<std::int16_t>(xy & 0xFFFF)),
+      static_cast<double>(static_cast<std::int16_t>(z)) };
+  }
   void Pair(Index h, Index twin);
   void RemoveFace(Index h);
   /// Several workers remove faces at once; the count follows when they are done.
