@@ -3,6 +3,7 @@
 #include "Editor.h"
 
 #include "Gate.h"
+#include "Geometry/TriangleGeometry.h"
 #include "Parallel.h"
 #include "RingQuadrics.h"
 #include "SmallEdits.h"
@@ -109,9 +110,11 @@ Verdict Editor::Apply(const Edit& edit, Workspace& work, int workers)
   }
   const Index gone = this->Half.Across(edit.Edge, edit.Keep);
   const Vector3 origin = this->Half.Position(work.Around.Start);
-  for (const Index corner : work.Around.Corners)
+  const Fan& fan = work.Faces.Current();
+  for (std::size_t i = 0; i < work.Around.Corners.size(); ++i)
   {
-    this->Half.KeepFirstNormal(HalfEdgeMesh::Face(corner));
+    this->Half.KeepFirstNormal(HalfEdgeMesh::Face(work.Around.Corners[i]),
+      { fan.OldArea[0][i], fan.OldArea[1][i], fan.OldArea[2][i] });
   }
   this->Half.Collapse(work.Around, edit.Keep, edit.Position);
   if (this->KeepsQuadrics)
@@ -120,6 +123,14 @@ Verdict Editor::Apply(const Edit& edit, Workspace& work, int workers)
   }
   this->KeepBooks(edit, gone, volumeChange, work);
   return Verdict::Allowed;
+}
+
+//------------------------------------------------------------------------------
+void Editor::KeepFirstNormal(Index face)
+{
+  const Triangle c = this->Half.Corners(face);
+  this->Half.KeepFirstNormal(face,
+    AreaVector(this->Half.Position(c[0]), this->Half.Position(c[1]), this->Half.Position(c[2])));
 }
 
 //------------------------------------------------------------------------------
@@ -144,15 +155,15 @@ Verdict Editor::ApplySmall(const Edit& edit, Workspace& work, int workers)
   }
   if (flips)
   {
-    this->Half.KeepFirstNormal(HalfEdgeMesh::Face(edit.Edge));
-    this->Half.KeepFirstNormal(HalfEdgeMesh::Face(this->Half.Twin(edit.Edge)));
+    this->KeepFirstNormal(HalfEdgeMesh::Face(edit.Edge));
+    this->KeepFirstNormal(HalfEdgeMesh::Face(this->Half.Twin(edit.Edge)));
     this->Half.Flip(edit.Edge);
   }
   else
   {
     for (const Index h : this->Half.OutgoingOf(vertex))
     {
-      this->Half.KeepFirstNormal(HalfEdgeMesh::Face(h));
+      this->KeepFirstNormal(HalfEdgeMesh::Face(h));
     }
     this->Half.Move(vertex, edit.Position);
   }

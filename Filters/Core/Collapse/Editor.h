@@ -96,6 +96,7 @@ public:
   }
 
 private:
+  void KeepFirstNormal(Index face);
   Verdict JudgeEdge(Index edge, Workspace& work) const;
   void KeepBooks(const Edit& edit, Index gone, double volumeChange, Workspace& work);
 

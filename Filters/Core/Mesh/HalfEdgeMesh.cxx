@@ -3,7 +3,6 @@
 #include "HalfEdgeMesh.h"
 
 #include "EdgeMatching.h"
-#include "Geometry/TriangleGeometry.h"
 #include "Neighbourhood.h"
 #include "Parallel.h"
 
@@ -83,20 +82,18 @@ void HalfEdgeMesh::Collapse(const Neighbourhood& around, Index keep, const Vecto
 }
 
 //------------------------------------------------------------------------------
-void HalfEdgeMesh::KeepFirstNormal(Index face)
+void HalfEdgeMesh::KeepFirstNormal(Index face, const Vector3& area)
 {
   FaceRecord& record = this->Faces[face];
   if (record.Twins[3] != None)
   {
     return;
   }
-  const Vector3 area = AreaVector(this->Position(record.Origins[0]),
-    this->Position(record.Origins[1]), this->Position(record.Origins[2]));
-  const double largest = area.cwiseAbs().maxCoeff();
-  const bool hasDirection = largest > 0.0 && area.allFinite();
+  const double scale = 32767.0 / area.cwiseAbs().maxCoeff();
+  const bool hasDirection = std::isfinite(scale) && area.allFinite();
   const auto pack = [&](Eigen::Index k)
   {
-    const double part = hasDirection ? 32767.0 * (area[k] / largest) : 0.0;
+    const double part = hasDirection ? scale * area[k] : 0.0;
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(part)) & 0xFFFFU;
   };
   record.Origins[3] = static_cast<Index>(pack(0) << 16U | pack(1));

@@ -130,8 +130,8 @@ private:
   /// Turns the edge of h, which has two faces, into that between their apexes. The caller has judged as above.
   void Flip(Index h);
   void Move(Index v, const Vector3& position) { this->Vertices[v].Position = position; }
-  /// Before the face changes: keeps its normal if that is the first time.
-  void KeepFirstNormal(Index face);
+  /// Before the face changes: keeps its normal if that is the first time.  @param area A vector along it.
+  void KeepFirstNormal(Index face, const Vector3& area);
   /// Three numbers of 16 bits, the largest 32767: within a hundredth of a degree.
   Vector3 FirstNormal(Index face) const
   {
