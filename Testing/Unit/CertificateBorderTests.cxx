@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Certificate/Borders.h"
+#include "Certificate/EdgeSides.h"
 #include "Certificate/Foot.h"
 #include "CertificatePairs.h"
 

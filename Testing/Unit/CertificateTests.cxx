@@ -210,7 +210,7 @@ TEST(Certificate, HoldsWhateverCandidatesTheSearchIsGiven)
     const Simplices source = WholeSurface(pair.Reference, frame);
     const Simplices other = WholeSurface(pair.Result, frame);
     const Target target(other, 1, [] {});
-    PointValues values = FindPointValues(source, target, 1, GoOn);
+    PointValues values = FindPointValues(source, target, false, 1, GoOn);
     Random random(17);
     for (std::size_t point = 0; point < source.Points.size(); ++point)
     {

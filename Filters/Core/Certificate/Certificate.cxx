@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Certificate.h"
 
-#include "Borders.h"
+#include "EdgeSides.h"
 #include "Foot.h"
 #include "Frame.h"
 #include "PairCertificate.h"
@@ -105,13 +105,13 @@ public:
   }
 
 private:
-  PairTask Task() const { return { this->Options, this->Answer.Slack }; }
+  PairTask Task(bool ofSurfaces) const { return { this->Options, this->Answer.Slack, ofSurfaces }; }
 
   void CertifySurfaces(const Frame& frame)
   {
     const double share = this->Options.WithBorders ? 0.9 : 1.0;
     const PairCertificate pair = CertifyPair(WholeSurface(this->Reference, frame),
-      WholeSurface(this->Result, frame), this->Limit, this->Task(), this->Progress, share);
+      WholeSurface(this->Result, frame), this->Limit, this->Task(true), this->Progress, share);
     this->Answer.ReferenceToResult = pair.ReferenceToResult;
     this->Answer.ResultToReference = pair.ResultToReference;
     this->Restore(frame, this->Answer.ReferenceToResult, this->Answer.ResultToReference);
@@ -128,9 +128,9 @@ private:
       ? (ofResult ? BorderPresence::Both : BorderPresence::ReferenceOnly)
       : (ofResult ? BorderPresence::ResultOnly : BorderPresence::Neither);
     const PairCertificate pair = ofReference && ofResult
-      ? CertifyPair(
-          reference.Segments, result.Segments, reference.Limit, this->Task(), this->Progress, 0.1)
-      : WithoutPartner(reference, result, this->Task());
+      ? CertifyPair(reference.Segments, result.Segments, reference.Limit, this->Task(false),
+          this->Progress, 0.1)
+      : WithoutPartner(reference, result, this->Task(false));
     this->Answer.BorderOfReferenceToResult = pair.ReferenceToResult;
     this->Answer.BorderOfResultToReference = pair.ResultToReference;
     this->Restore(

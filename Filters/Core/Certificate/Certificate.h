@@ -57,10 +57,30 @@ struct DistanceBounds
   std::int64_t Cuts = 0;        ///< how often a piece was cut
 };
 
+/// Of the distance over the area of one surface, mm. Errors are two standard errors; see MeanDistance.h.
+struct MeanDistance
+{
+  double Mean = 0.0;
+  double MeanError = 0.0;
+  double RootMeanSquare = 0.0;
+  double RootMeanSquareError = 0.0;
+  double Area = 0.0; ///< mm^2
+  std::int64_t Samples = 0;
+};
+
+/// The distance of each point of one surface to the other, and on which side it is; see SideFinder.h.
+struct PointDistances
+{
+  std::vector<double> Distance;  ///< mm; not a number for points that are not finite
+  std::vector<signed char> Side; ///< 1: outside; -1: inside; 0: on it, or not to be told
+};
+
 /// The bounds of one direction.
 struct DirectedCertificate
 {
   DistanceBounds Distance;
+  MeanDistance Mean;     ///< only if asked for, and not of borders
+  PointDistances Points; ///< only if asked for, and not of borders
   DistanceBounds Excess; ///< over the tolerance map; only with one
   CertificateVerdict Verdict = CertificateVerdict::NotAsked;
 };
@@ -91,7 +111,10 @@ struct CertificateOptions
   /// How often pieces may be cut in each direction; 0: sixteen times for each triangle, and 2^22 times.
   std::int64_t MostCuts = 0;
   bool WithBorders = true;
-  int NumberOfThreads = 0; ///< 0: one per processor; the answer is the same
+  bool WithMeans = false;      ///< Average and root mean square, too.
+  double MeanPrecision = 1e-3; ///< Share of them to which they are estimated, if 2^21 samples do.
+  bool WithPointDistances = false; ///< Distance and side of each point, too.
+  int NumberOfThreads = 0;         ///< 0: one per processor; the answer is the same
 };
 
 struct Certificate

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame.h"
 
-#include "Borders.h"
+#include "EdgeSides.h"
 
 #include <algorithm>
 #include <cmath>

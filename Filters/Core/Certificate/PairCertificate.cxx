@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PairCertificate.h"
 
+#include "MeanDistance.h"
 #include "Search.h"
+#include "SideFinder.h"
 #include "Target.h"
 
 #include <algorithm>
@@ -57,22 +59,18 @@ public:
     const std::optional<double>& tolerance = this->Task.Options.Tolerance;
     const bool stopAtTolerance = tolerance && !this->Task.Options.TightBounds;
     this->Goal.CloseBelow = stopAtTolerance ? *tolerance : -Infinity;
-    const PointValues values = this->Values(progress, 0.5 * share);
-    if (!progress.GoesOn())
+    const PointValues values = this->Values(progress, 0.4 * share);
+    if (progress.GoesOn())
     {
-      return;
+      answer.Distance = this->Find(values, progress.Next(0.4 * share));
     }
-    answer.Distance = this->Find(values, progress.Next(0.5 * share));
-    if (tolerance)
+    if (tolerance && progress.GoesOn())
     {
-      answer.Verdict = Judge(answer.Distance, *tolerance);
-      if (answer.Verdict == CertificateVerdict::Undecided && progress.GoesOn())
-      {
-        this->Goal.CloseBelow = *tolerance; // it lies in the gap
-        this->Goal.RelativeGap = 0.0;
-        Tighten(answer.Distance, this->Find(values, progress.Next(0.0)));
-        answer.Verdict = Judge(answer.Distance, *tolerance);
-      }
+      this->Decide(*tolerance, values, answer, progress);
+    }
+    if (this->Task.OfSurfaces && progress.GoesOn())
+    {
+      this->Describe(values, answer, progress.Next(0.2 * share));
     }
   }
 
@@ -92,8 +90,39 @@ public:
 private:
   PointValues Values(Stages& progress, double share) const
   {
-    return FindPointValues(
-      this->Source, this->To, this->Goal.NumberOfThreads, progress.Next(share));
+    return FindPointValues(this->Source, this->To,
+      this->Task.OfSurfaces && this->Task.Options.WithPointDistances, this->Goal.NumberOfThreads,
+      progress.Next(share));
+  }
+
+  /// Once more, if the tolerance lies in the gap.
+  void Decide(
+    double tolerance, const PointValues& values, DirectedCertificate& answer, Stages& progress)
+  {
+    answer.Verdict = Judge(answer.Distance, tolerance);
+    if (answer.Verdict == CertificateVerdict::Undecided)
+    {
+      this->Goal.CloseBelow = tolerance;
+      this->Goal.RelativeGap = 0.0;
+      Tighten(answer.Distance, this->Find(values, progress.Next(0.0)));
+      answer.Verdict = Judge(answer.Distance, tolerance);
+    }
+  }
+
+  void Describe(const PointValues& values, DirectedCertificate& answer, const Monitor& monitor)
+  {
+    const CertificateOptions& options = this->Task.Options;
+    if (options.WithMeans)
+    {
+      answer.Mean = FindMeanDistance(
+        this->Source, this->To, values, options.MeanPrecision, this->Goal.NumberOfThreads, monitor);
+    }
+    if (options.WithPointDistances)
+    {
+      answer.Points.Distance = values.Value;
+      answer.Points.Side =
+        FindSides(this->Source.Points, values.Simplex, this->To.All(), this->Goal.NumberOfThreads);
+    }
   }
 
   DistanceBounds Find(const PointValues& values, const Monitor& monitor) const

@@ -19,7 +19,8 @@ namespace bonedecimate::certificate
 struct PairTask
 {
   const CertificateOptions& Options;
-  double Slack; ///< mm
+  double Slack;           ///< mm
+  bool OfSurfaces = true; ///< not of borders
 };
 
 struct PairCertificate

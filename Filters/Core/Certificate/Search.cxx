@@ -27,6 +27,27 @@ void Join(LargestExcess& largest, const LargestExcess& other)
   }
 }
 
+/// Of each point whether its value is asked for.
+std::vector<char> AskedPoints(const Simplices& source, bool ofAll)
+{
+  std::vector<char> isAsked(source.Points.size(), 0);
+  for (const Triangle& corners : source.Corners)
+  {
+    for (const Index corner : corners)
+    {
+      if (corner != None)
+      {
+        isAsked[corner] = 1;
+      }
+    }
+  }
+  for (std::size_t point = 0; point < isAsked.size() && ofAll; ++point)
+  {
+    isAsked[point] = source.Points[point].allFinite() ? 1 : 0;
+  }
+  return isAsked;
+}
+
 /// The rounds; see Search.h.
 class Rounds
 {
@@ -159,29 +180,19 @@ private:
 
 //------------------------------------------------------------------------------
 PointValues FindPointValues(
-  const Simplices& source, const Target& target, int threads, const Monitor& monitor)
+  const Simplices& source, const Target& target, bool ofAll, int threads, const Monitor& monitor)
 {
   PointValues values;
-  values.Value.assign(source.Points.size(), 0.0);
+  values.Value.assign(source.Points.size(), std::numeric_limits<double>::quiet_NaN());
   values.Simplex.assign(source.Points.size(), None);
-  std::vector<char> isCorner(source.Points.size(), 0);
-  for (const Triangle& corners : source.Corners)
-  {
-    for (const Index corner : corners)
-    {
-      if (corner != None)
-      {
-        isCorner[corner] = 1;
-      }
-    }
-  }
+  const std::vector<char> isAsked = AskedPoints(source, ofAll);
   ForEachChunk(source.Points.size(), threads, monitor,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       Index hint = None;
       for (std::size_t point = first; point < last; ++point)
       {
-        if (isCorner[point])
+        if (isAsked[point])
         {
           const Target::Candidate found = target.FindLeast(source.Points[point], hint);
           values.Value[point] = found.Value;

@@ -50,12 +50,13 @@ struct SearchGoal
 /// The value of a point to the target, and the simplex that has it.
 struct PointValues
 {
-  std::vector<double> Value;  ///< mm; of points that are no corners 0
+  std::vector<double> Value;  ///< mm; not a number for points that were not looked at
   std::vector<Index> Simplex; ///< None there
 };
 
+/// @param ofAll Of all finite points, not only of corners.
 PointValues FindPointValues(
-  const Simplices& source, const Target& target, int threads, const Monitor& monitor);
+  const Simplices& source, const Target& target, bool ofAll, int threads, const Monitor& monitor);
 
 /// Bounds of the largest excess of the source over the target.
 /// @param monitor Not empty. If it stopped it, the upper bound is infinite.

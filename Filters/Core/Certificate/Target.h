@@ -55,6 +55,7 @@ public:
     return this->Tolerances.empty() ? 0.0 : this->Tolerances[simplex];
   }
 
+  const certificate::Simplices& All() const { return this->Set; }
   Corners CornersOf(Index simplex) const;
   bool HasCorner(Index simplex, const Vector3& place) const
   {
