@@ -18,6 +18,7 @@ CertificateOptions WithEverything()
   options.WithMeans = true;
   options.WithPointDistances = true;
   options.RelativeGap = 1e-3;
+  options.MeanPrecision = 3e-3;
   return options;
 }
 
@@ -128,7 +129,7 @@ TEST(CertificateMeans, AreThoseOfTheIntegralWithinTheErrorStated)
   const MeanDistance& mean = found.ReferenceToResult.Mean;
   EXPECT_NEAR(mean.Mean, 1.5 * cosine, 1e-9);
   EXPECT_NEAR(mean.RootMeanSquare, std::sqrt(2.25 + 1.0 / 12.0) * cosine, mean.RootMeanSquareError);
-  EXPECT_LE(mean.RootMeanSquareError, 1e-3 * mean.RootMeanSquare);
+  EXPECT_LE(mean.RootMeanSquareError, 3e-3 * mean.RootMeanSquare);
 }
 
 TEST(CertificateMeans, OfSpheresAgreeWithManyMoreSamples)
@@ -137,14 +138,14 @@ TEST(CertificateMeans, OfSpheresAgreeWithManyMoreSamples)
   const Surface coarse = Icosphere(2, 10.0);
   const Certificate found = Certify(fine, coarse, WithEverything());
   CertificateOptions finer = WithEverything();
-  finer.MeanPrecision = 1e-4;
+  finer.MeanPrecision = 1e-3;
   const Certificate reference = Certify(fine, coarse, finer);
   for (const auto& [a, b] :
     { std::pair(found.ReferenceToResult.Mean, reference.ReferenceToResult.Mean),
       std::pair(found.ResultToReference.Mean, reference.ResultToReference.Mean) })
   {
-    EXPECT_LE(a.MeanError, 1e-3 * a.Mean);
-    EXPECT_LE(a.RootMeanSquareError, 1e-3 * a.RootMeanSquare);
+    EXPECT_LE(a.MeanError, 3e-3 * a.Mean);
+    EXPECT_LE(a.RootMeanSquareError, 3e-3 * a.RootMeanSquare);
     EXPECT_LE(b.MeanError, a.MeanError);
     EXPECT_NEAR(a.Mean, b.Mean, a.MeanError + b.MeanError);
     EXPECT_NEAR(a.RootMeanSquare, b.RootMeanSquare, a.RootMeanSquareError + b.RootMeanSquareError);

@@ -9,6 +9,7 @@
 #include "Stages.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace bonedecimate
@@ -96,6 +97,7 @@ public:
     {
       this->CertifyBorders(frame);
     }
+    this->Progress.Finish();
     if (!this->Progress.GoesOn())
     {
       this->Answer = Certificate();
@@ -174,7 +176,10 @@ double Certificate::Upper() const
 Certificate Certify(const Surface& reference, const Surface& result,
   const CertificateOptions& options, const Monitor& monitor)
 {
-  return certificate::Certifier(reference, result, options, monitor).Run();
+  const auto start = std::chrono::steady_clock::now();
+  Certificate answer = certificate::Certifier(reference, result, options, monitor).Run();
+  answer.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return answer;
 }
 
 const char* VerdictWord(CertificateVerdict verdict)

@@ -128,6 +128,7 @@ struct Certificate
   DirectedCertificate BorderOfReferenceToResult;
   DirectedCertificate BorderOfResultToReference;
   double Slack = 0.0; ///< mm, by which bounds are widened for rounding; inside of them
+  double Seconds = 0.0;
 
   double Lower() const; ///< mm, of the two-sided distance of the surfaces, without their borders
   double Upper() const;

@@ -50,6 +50,26 @@ struct Sums
   }
 };
 
+/// What is likely to reach the precision; 0 if it is reached, or more may not be taken.
+std::size_t NextCount(std::size_t count, const MeanDistance& mean, double precision)
+{
+  const auto isReached = [&](double share)
+  {
+    return mean.MeanError <= share * precision * mean.Mean &&
+      mean.RootMeanSquareError <= share * precision * mean.RootMeanSquare;
+  };
+  if (isReached(1.0) || count >= MostSamples)
+  {
+    return 0;
+  }
+  count *= 2;
+  for (double share = 1.2; count < MostSamples && !isReached(share); share *= 1.4)
+  {
+    count *= 2; // errors fall with the square root
+  }
+  return count;
+}
+
 class MeanSearch
 {
 public:
@@ -66,20 +86,14 @@ public:
   {
     MeanDistance mean;
     mean.Area = this->Areas.back();
-    double from = 0.0;
-    for (std::size_t count = FewestSamples; mean.Area > 0.0 && count <= MostSamples; count *= 2)
+    std::size_t count = mean.Area > 0.0 ? FewestSamples : 0;
+    for (double from = 0.0; count > 0; from += 0.5 * (1.0 - from))
     {
-      const double to = from + 0.5 * (1.0 - from);
-      if (!this->Sample(count, PartOf(monitor, from, to), mean))
+      if (!this->Sample(count, PartOf(monitor, from, from + 0.5 * (1.0 - from)), mean))
       {
         return {};
       }
-      if (mean.MeanError <= precision * mean.Mean &&
-        mean.RootMeanSquareError <= precision * mean.RootMeanSquare)
-      {
-        break;
-      }
-      from = to;
+      count = NextCount(count, mean, precision);
     }
     return mean;
   }

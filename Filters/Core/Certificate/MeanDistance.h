@@ -5,7 +5,7 @@
  * @brief Average and root mean square of the distance over the area, to a stated precision.
  *
  *     linear part   between the corners' distances, and their squares, integrated exactly over each triangle
- *     the rest      at samples, one in each equal share of the area, twice as many until the precision is reached
+ *     the rest      at samples, one in each equal share of the area, more until the precision is reached
  *
  * The error stated is two standard errors, estimated from the differences of neighbouring shares (W. G. Cochran, Sampling
  * techniques, 1977, 5A.12: collapsed strata), which overestimates it. It is an estimate, no bound: bounds of the mean

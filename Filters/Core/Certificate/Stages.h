@@ -29,6 +29,9 @@ public:
     return [this, from, share](double fraction) { return this->Tell(from + fraction * share); };
   }
 
+  /// All is done.
+  void Finish() { this->Tell(1.0); }
+
   bool GoesOn() const { return this->Going; }
 
 private:
