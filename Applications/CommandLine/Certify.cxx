@@ -48,7 +48,7 @@ void AddOptions(CLI::App& app, CertifyArguments& arguments)
     ->type_name("SHARE")
     ->check(CLI::Range(1e-12, 1.0).description(""));
   app
-    .add_option("--precision", arguments.Precision,
+    .add_option("--mean-precision", arguments.Precision,
       WrappedHelp("To which share average and root mean square are estimated; default 0.005."))
     ->type_name("SHARE")
     ->check(CLI::Range(1e-4, 1.0).description(""));

@@ -224,7 +224,7 @@ void vtkBoneSurfaceDistance::FillOutput(vtkPolyData* input, vtkPolyData* output,
 {
   output->ShallowCopy(input);
   const bonedecimate::Certificate& answer = this->Internal->Answer;
-  const bonedecimate::PointDistances& points =
+  const bonedecimate::SignedDistances& points =
     isReference ? answer.ReferenceToResult.Points : answer.ResultToReference.Points;
   if (!points.Distance.empty())
   {

@@ -3,6 +3,7 @@
 #include "Certificate/EdgeSides.h"
 #include "Certificate/Foot.h"
 #include "CertificatePairs.h"
+#include "Decimate.h"
 
 #include <gtest/gtest.h>
 
@@ -113,6 +114,29 @@ TEST(CertificateBorders, OfClosedSurfacesKeepAnyTolerance)
   EXPECT_EQ(found.Borders, BorderPresence::Neither);
   EXPECT_EQ(found.BorderOfReferenceToResult.Distance.Upper, 0.0);
   EXPECT_EQ(found.Verdict, CertificateVerdict::Proved);
+}
+
+TEST(CertificateBorders, StandInTheReportOfADecimationOfAnyMode)
+{
+  const Surface open = OpenCylinder(60, 20);
+  for (const Mode mode : { Mode::Thesis, Mode::Fast, Mode::Balanced, Mode::Accurate })
+  {
+    Options options;
+    options.Mode = mode;
+    options.TargetReduction = 0.8;
+    options.TargetReductionIsExplicit = true;
+    const Result result = Decimate(open, options);
+    const Certificate found = Certify(open, result.Surface);
+    ASSERT_TRUE(result.Report.BordersMeasured);
+    const DistanceBounds& there = found.BorderOfReferenceToResult.Distance;
+    const DistanceBounds& back = found.BorderOfResultToReference.Distance;
+    EXPECT_NEAR(result.Report.BorderInputToOutput.Lower, there.Lower, 1e-9);
+    EXPECT_NEAR(result.Report.BorderInputToOutput.Upper, there.Upper, 1e-9);
+    EXPECT_NEAR(result.Report.BorderOutputToInput.Upper, back.Upper, 1e-9);
+    EXPECT_FALSE(Decimate(Icosphere(2, 5.0), options).Report.BordersMeasured);
+    options.MeasureDistances = false;
+    EXPECT_FALSE(Decimate(open, options).Report.BordersMeasured);
+  }
 }
 
 TEST(CertificateFoot, BoundsTheDistanceInAnyTriangle)

@@ -18,7 +18,7 @@ CertificateOptions WithEverything()
   options.WithMeans = true;
   options.WithPointDistances = true;
   options.RelativeGap = 1e-3;
-  options.MeanPrecision = 3e-3;
+  options.MeanPrecision = 1e-2;
   return options;
 }
 
@@ -61,7 +61,7 @@ TEST(CertificatePoints, AreOnTheSideThatTheWindingNumberTells)
   {
     const Surface cloud = Cloud(400, 9.0, 8);
     const Certificate found = Certify(cloud, solid, WithEverything());
-    const PointDistances& points = found.ReferenceToResult.Points;
+    const SignedDistances& points = found.ReferenceToResult.Points;
     ASSERT_EQ(points.Side.size(), cloud.Points.size());
     for (std::size_t i = 0; i < cloud.Points.size(); ++i)
     {
@@ -87,10 +87,12 @@ TEST(CertificatePoints, HaveNoSideOfABorder)
 TEST(CertificatePoints, ThatAreNotFiniteHaveNoDistance)
 {
   Surface cloud = Cloud(1, 5.0, 1);
+  cloud.Points.emplace_back(1e300, 0.0, 0.0);
   cloud.Points.emplace_back(std::nan(""), 0.0, 0.0);
   const Certificate found = Certify(cloud, Cube(1), WithEverything());
   ASSERT_EQ(found.Status, CertificateStatus::Good);
   EXPECT_TRUE(std::isnan(found.ReferenceToResult.Points.Distance.back()));
+  EXPECT_TRUE(std::isnan(*(found.ReferenceToResult.Points.Distance.end() - 2)));
   EXPECT_EQ(found.ReferenceToResult.Points.Side.back(), 0);
 }
 
@@ -129,7 +131,7 @@ TEST(CertificateMeans, AreThoseOfTheIntegralWithinTheErrorStated)
   const MeanDistance& mean = found.ReferenceToResult.Mean;
   EXPECT_NEAR(mean.Mean, 1.5 * cosine, 1e-9);
   EXPECT_NEAR(mean.RootMeanSquare, std::sqrt(2.25 + 1.0 / 12.0) * cosine, mean.RootMeanSquareError);
-  EXPECT_LE(mean.RootMeanSquareError, 3e-3 * mean.RootMeanSquare);
+  EXPECT_LE(mean.RootMeanSquareError, 1e-2 * mean.RootMeanSquare);
 }
 
 TEST(CertificateMeans, OfSpheresAgreeWithManyMoreSamples)
@@ -138,14 +140,14 @@ TEST(CertificateMeans, OfSpheresAgreeWithManyMoreSamples)
   const Surface coarse = Icosphere(2, 10.0);
   const Certificate found = Certify(fine, coarse, WithEverything());
   CertificateOptions finer = WithEverything();
-  finer.MeanPrecision = 1e-3;
+  finer.MeanPrecision = 3e-3;
   const Certificate reference = Certify(fine, coarse, finer);
   for (const auto& [a, b] :
     { std::pair(found.ReferenceToResult.Mean, reference.ReferenceToResult.Mean),
       std::pair(found.ResultToReference.Mean, reference.ResultToReference.Mean) })
   {
-    EXPECT_LE(a.MeanError, 3e-3 * a.Mean);
-    EXPECT_LE(a.RootMeanSquareError, 3e-3 * a.RootMeanSquare);
+    EXPECT_LE(a.MeanError, 1e-2 * a.Mean);
+    EXPECT_LE(a.RootMeanSquareError, 1e-2 * a.RootMeanSquare);
     EXPECT_LE(b.MeanError, a.MeanError);
     EXPECT_NEAR(a.Mean, b.Mean, a.MeanError + b.MeanError);
     EXPECT_NEAR(a.RootMeanSquare, b.RootMeanSquare, a.RootMeanSquareError + b.RootMeanSquareError);

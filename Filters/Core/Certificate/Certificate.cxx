@@ -92,8 +92,11 @@ public:
     }
     const Frame frame = FindFrame(this->Reference, this->Result);
     this->Answer.Slack = Slack(std::max(frame.Extent, LargestLimit(this->Options)));
-    this->CertifySurfaces(frame);
-    if (this->Options.WithBorders)
+    if (this->Options.WithSurfaces)
+    {
+      this->CertifySurfaces(frame);
+    }
+    if (this->Options.WithBorders && this->Progress.GoesOn())
     {
       this->CertifyBorders(frame);
     }
@@ -131,7 +134,7 @@ private:
       : (ofResult ? BorderPresence::ResultOnly : BorderPresence::Neither);
     const PairCertificate pair = ofReference && ofResult
       ? CertifyPair(reference.Segments, result.Segments, reference.Limit, this->Task(false),
-          this->Progress, 0.1)
+          this->Progress, this->Options.WithSurfaces ? 0.1 : 1.0)
       : WithoutPartner(reference, result, this->Task(false));
     this->Answer.BorderOfReferenceToResult = pair.ReferenceToResult;
     this->Answer.BorderOfResultToReference = pair.ResultToReference;

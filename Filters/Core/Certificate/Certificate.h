@@ -69,9 +69,9 @@ struct MeanDistance
 };
 
 /// The distance of each point of one surface to the other, and on which side it is; see SideFinder.h.
-struct PointDistances
+struct SignedDistances
 {
-  std::vector<double> Distance;  ///< mm; not a number for points that are not finite
+  std::vector<double> Distance;  ///< mm; not a number for points beyond 1e30 mm or not finite
   std::vector<signed char> Side; ///< 1: outside; -1: inside; 0: on it, or not to be told
 };
 
@@ -79,9 +79,9 @@ struct PointDistances
 struct DirectedCertificate
 {
   DistanceBounds Distance;
-  MeanDistance Mean;     ///< only if asked for, and not of borders
-  PointDistances Points; ///< only if asked for, and not of borders
-  DistanceBounds Excess; ///< over the tolerance map; only with one
+  MeanDistance Mean;      ///< only if asked for, and not of borders
+  SignedDistances Points; ///< only if asked for, and not of borders
+  DistanceBounds Excess;  ///< over the tolerance map; only with one
   CertificateVerdict Verdict = CertificateVerdict::NotAsked;
 };
 
@@ -110,6 +110,7 @@ struct CertificateOptions
   double RelativeGap = 1e-6;
   /// How often pieces may be cut in each direction; 0: sixteen times for each triangle, and 2^22 times.
   std::int64_t MostCuts = 0;
+  bool WithSurfaces = true;
   bool WithBorders = true;
   bool WithMeans = false;      ///< Average and root mean square, too.
   double MeanPrecision = 1e-3; ///< Share of them to which they are estimated, if 2^21 samples do.
@@ -130,7 +131,7 @@ struct Certificate
   double Slack = 0.0; ///< mm, by which bounds are widened for rounding; inside of them
   double Seconds = 0.0;
 
-  double Lower() const; ///< mm, of the two-sided distance of the surfaces, without their borders
+  double Lower() const; ///< mm, of the two-sided distance of the surfaces without their borders
   double Upper() const;
 };
 

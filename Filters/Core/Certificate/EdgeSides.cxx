@@ -3,6 +3,7 @@
 #include "EdgeSides.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 
 namespace bonedecimate::certificate
@@ -41,19 +42,19 @@ public:
   EdgeMatch(const std::vector<Triangle>& triangles, const std::vector<Index>& ids)
     : Triangles(triangles)
     , Ids(ids)
-    , Starts(ids.size() + 1, 0)
+    , Starts(ids.size() + 2, 0)
     , Found(triangles.size(), { NotRegular, NotRegular, NotRegular })
   {
   }
 
   EdgeSides Run()
   {
-    this->ForEachSide([&](Index low, const Half&) { ++this->Starts[low + 1]; });
+    this->ForEachSide([&](Index low, const Half&) { ++this->Starts[low + 2]; });
     std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
     this->Halves.resize(this->Starts.back());
-    std::vector<std::size_t> next(this->Starts.begin(), this->Starts.end() - 1);
-    this->ForEachSide([&](Index low, const Half& half) { this->Halves[next[low]++] = half; });
-    for (std::size_t low = 0; low + 1 < this->Starts.size(); ++low)
+    this->ForEachSide(
+      [&](Index low, const Half& half) { this->Halves[this->Starts[low + 1]++] = half; });
+    for (std::size_t low = 0; low + 2 < this->Starts.size(); ++low)
     {
       this->MatchAt(this->Halves.begin() + static_cast<std::ptrdiff_t>(this->Starts[low]),
         this->Halves.begin() + static_cast<std::ptrdiff_t>(this->Starts[low + 1]));
@@ -65,9 +66,8 @@ private:
   /// A side of a triangle by the end of the higher name, listed with the one of the lower.
   struct Half
   {
-    Index High, Triangle;
-    int Side;
-    bool Upwards; // whether it runs from the lower name to the higher
+    Index High;
+    std::uint32_t Slot; // three a triangle
   };
   using Iterator = std::vector<Half>::iterator;
 
@@ -82,10 +82,10 @@ private:
       {
         continue;
       }
-      for (int side = 0; side < 3; ++side)
+      for (std::uint32_t side = 0; side < 3; ++side)
       {
         const auto [low, high] = std::minmax(ids[side], ids[(side + 1) % 3]);
-        visit(low, Half{ high, static_cast<Index>(t), side, ids[side] == low });
+        visit(low, Half{ high, static_cast<std::uint32_t>(3 * t) + side });
       }
     }
   }
@@ -97,24 +97,27 @@ private:
     {
       const Iterator end =
         std::find_if(first, last, [&](const Half& other) { return other.High != first->High; });
-      const Half& one = *first;
+      const std::uint32_t one = first->Slot;
+      const std::uint32_t other = (end - 1)->Slot;
       if (end - first == 1)
       {
-        this->Found[one.Triangle][one.Side] = Border;
+        this->Found[one / 3][one % 3] = Border;
       }
-      const Half& other = *(end - 1);
-      if (end - first == 2 && one.Upwards != other.Upwards)
+      if (end - first == 2 && this->Begin(one) != this->Begin(other))
       {
-        this->Found[one.Triangle][one.Side] = other.Triangle;
-        this->Found[other.Triangle][other.Side] = one.Triangle;
+        this->Found[one / 3][one % 3] = static_cast<Index>(other / 3);
+        this->Found[other / 3][other % 3] = static_cast<Index>(one / 3);
       }
       first = end;
     }
   }
 
+  /// The name of the point at which the side begins.
+  Index Begin(std::uint32_t slot) const { return this->Ids[this->Triangles[slot / 3][slot % 3]]; }
+
   const std::vector<Triangle>& Triangles;
   const std::vector<Index>& Ids;
-  std::vector<std::size_t> Starts; // of each point its edges to points of higher names
+  std::vector<std::uint32_t> Starts; // of each point its edges to points of higher names
   std::vector<Half> Halves;
   EdgeSides Found;
 };

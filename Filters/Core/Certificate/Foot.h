@@ -38,14 +38,14 @@ double DistanceFromBelow(const Vector3& p, const Corners& corners, const Foot& f
 /**
  * How wrong a bound may be by rounding, mm, if no coordinate and no tolerance is larger than the extent (mm).
  *
- * With u = 2^-53, in u of the extent and a coordinate: a new corner from the corners of a piece, 6 each time, DeepestCut times at
- * most; a place from its weights, 8; weights whose sum exceeds 1 by rounding, 4; the difference of two places, its length
- * or a projection of it, 16; tolerances in between, 8. Together less than 1000, and less than 1750 u of the extent in
- * length. We take 2048 u.
+ * With u = 2^-53, in u of the extent and a coordinate: a new corner from the corners of a piece, 8 each time, DeepestCut
+ * times at most; a place from its weights, 8; weights whose sum exceeds 1 by rounding, 4; the difference of two places,
+ * its length or a projection of it, 16; the size of a piece, 8. Together less than 1250, and less than 2200 u of the
+ * extent in length. Tolerances in between: 3 u each time, 450 u. We take 4096 u.
  */
 constexpr double Slack(double extent)
 {
-  return 0x1p-42 * extent + 1e-150; // squares below 1e-300 are lost
+  return 0x1p-41 * extent + 1e-150; // squares below 1e-300 are lost
 }
 constexpr int DeepestCut = 150;
 }

@@ -41,13 +41,18 @@ double ExactOrigin(double low, double high)
 }
 
 //------------------------------------------------------------------------------
+bool IsUsable(const Vector3& point)
+{
+  return point.allFinite() && point.lpNorm<Eigen::Infinity>() <= LargestCoordinate;
+}
+
+//------------------------------------------------------------------------------
 bool IsUsable(const Surface& surface)
 {
   const auto isUsable = [&](Index point)
   {
     return point >= 0 && static_cast<std::size_t>(point) < surface.Points.size() &&
-      surface.Points[point].allFinite() &&
-      surface.Points[point].lpNorm<Eigen::Infinity>() <= LargestCoordinate;
+      IsUsable(surface.Points[point]);
   };
   return std::all_of(surface.Triangles.begin(), surface.Triangles.end(),
     [&](const Triangle& corners) { return std::all_of(corners.begin(), corners.end(), isUsable); });

@@ -18,7 +18,10 @@ namespace bonedecimate::certificate
 {
 constexpr double LargestCoordinate = 1e30; // mm
 
-/// Whether all triangles have points that are there, finite and not beyond the largest coordinate.
+/// Finite and not beyond the largest coordinate.
+bool IsUsable(const Vector3& point);
+
+/// Whether all triangles have points that are there and usable.
 bool IsUsable(const Surface& surface);
 
 struct Frame

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Search.h"
 
+#include "Frame.h"
 #include "Parallel.h"
 #include "PieceSearch.h"
 
@@ -43,7 +44,7 @@ std::vector<char> AskedPoints(const Simplices& source, bool ofAll)
   }
   for (std::size_t point = 0; point < isAsked.size() && ofAll; ++point)
   {
-    isAsked[point] = source.Points[point].allFinite() ? 1 : 0;
+    isAsked[point] = IsUsable(source.Points[point]) ? 1 : 0;
   }
   return isAsked;
 }

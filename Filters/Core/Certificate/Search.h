@@ -54,7 +54,7 @@ struct PointValues
   std::vector<Index> Simplex; ///< None there
 };
 
-/// @param ofAll Of all finite points, not only of corners.
+/// @param ofAll Of all points that can be a corner, not only of those that are.
 PointValues FindPointValues(
   const Simplices& source, const Target& target, bool ofAll, int threads, const Monitor& monitor);
 
