@@ -14,7 +14,7 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-constexpr double Tiny = 1e-11; // mm, more than the slack of these small shapes
+constexpr double Tiny = 1e-7; // mm, more than the least gap of these small shapes
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 bool GoOn(double)
@@ -135,6 +135,17 @@ TEST(Certificate, OfSpheresIsBetweenTheRadii)
   EXPECT_GT(found.Lower(), 0.48);
   EXPECT_NEAR(found.Upper(), 0.5, 1e-5);
   EXPECT_LE(found.Upper() - found.Lower(), 1e-6);
+}
+
+TEST(Certificate, NarrowsTheGapHoweverSmallTheDistance)
+{
+  const Surface sphere = Icosphere(1, 5.0);
+  for (double amplitude = 1.0; amplitude > 1e-6; amplitude *= 0.1)
+  {
+    const Certificate found = Compare(sphere, Shaken(sphere, amplitude, 5));
+    EXPECT_GT(found.Lower(), 0.1 * amplitude);
+    EXPECT_LE(found.Upper() - found.Lower(), 1e-6 * found.Upper() + 1e-8);
+  }
 }
 
 TEST(Certificate, SwapsItsDirectionsWithTheSurfaces)

@@ -40,9 +40,27 @@ std::vector<double> RandomMap(const Surface& surface, double most, std::uint64_t
   std::vector<double> map;
   for (std::size_t i = 0; i < surface.Points.size(); ++i)
   {
-    map.push_back(random.Between(0.0, most));
+    const double kind = random.Uniform();
+    map.push_back(kind < 0.1 ? NoLimit : kind < 0.2 ? 0.0 : random.Between(0.0, most));
   }
   return map;
+}
+
+double LimitOf(double tolerance)
+{
+  return tolerance >= 0.0 ? tolerance : Infinity;
+}
+
+/// Linear between the corners; infinite if one that counts is.
+double LimitAt(
+  const std::vector<double>& map, const Triangle& corners, const std::array<double, 3>& weights)
+{
+  double limit = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    limit += weights[i] > 0.0 ? weights[i] * LimitOf(map[corners[i]]) : 0.0;
+  }
+  return limit;
 }
 
 /// Largest sampled excess of the reference over its tolerance, mm.
@@ -53,11 +71,9 @@ double SampledExcess(
   for (const Triangle& c : reference.Triangles)
   {
     ForEachSample(reference, c, 10,
-      [&](const Vector3& place, const std::array<double, 3>& weights)
-      {
-        const double tolerance =
-          weights[0] * map[c[0]] + weights[1] * map[c[1]] + weights[2] * map[c[2]];
-        largest = std::max(largest, BruteNearest(result, place).Distance - tolerance);
+      [&](const Vector3& place, const std::array<double, 3>& weights) {
+        largest =
+          std::max(largest, BruteNearest(result, place).Distance - LimitAt(map, c, weights));
       });
   }
   return largest;
@@ -77,9 +93,9 @@ double SampledExcessBack(
         double least = Infinity;
         for (const Triangle& c : reference.Triangles)
         {
-          least = std::min(least,
-            PointTriangleDistance(place, p[c[0]], p[c[1]], p[c[2]]) -
-              std::min({ map[c[0]], map[c[1]], map[c[2]] }));
+          const double limit =
+            std::min({ LimitOf(map[c[0]]), LimitOf(map[c[1]]), LimitOf(map[c[2]]) });
+          least = std::min(least, PointTriangleDistance(place, p[c[0]], p[c[1]], p[c[2]]) - limit);
         }
         largest = std::max(largest, least);
       });

@@ -197,8 +197,7 @@ const char* StatusSentence(CertificateStatus status)
     "the result has no triangles",
     "the reference has a triangle with a point that is not there, not finite or beyond 1e30 mm",
     "the result has a triangle with a point that is not there, not finite or beyond 1e30 mm",
-    "tolerances must be finite, not negative if there is but one, and one for each point of the "
-    "reference in a map",
+    "a tolerance is infinite or negative, or a map has not one for each point of the reference",
     "aborted" };
   return sentences[static_cast<int>(status)];
 }

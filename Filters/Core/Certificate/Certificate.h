@@ -106,7 +106,8 @@ struct CertificateOptions
   std::vector<double> ToleranceMap;
   /// Refine up to the gap even where the tolerance is already proved. Without a tolerance that is always so.
   bool TightBounds = true;
-  /// The bounds differ by at most this share of the upper one, unless rounding or MostCuts ends it before.
+  /// The bounds differ by at most this share of the upper one, or by a thousand-millionth of the largest coordinate, unless
+  /// MostCuts ends it before.
   double RelativeGap = 1e-6;
   /// How often pieces may be cut in each direction; 0: sixteen times for each triangle, and 2^22 times.
   std::int64_t MostCuts = 0;

@@ -8,8 +8,9 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-/// Bounds that agree to this share of the distance to the farthest corner need no refinement.
-constexpr double GoodEnough = 1e-10;
+/// Bounds that agree to this share of the distance, or of the way to the farthest corner, need no refinement.
+constexpr double GoodShare = 1e-8;
+constexpr double GoodEnough = 1e-14;
 constexpr int MostRefinements = 4;
 
 /// Weights of the second and the third corner.
@@ -76,11 +77,30 @@ void TryEdges(const Vector3& p, const Corners& corners, Weights& best, Foot& foo
   Try(p, corners, { 1.0 - bc, bc }, best, foot);
 }
 
-bool IsNearest(const Vector3& p, const Corners& corners, const Foot& foot)
+/// No point of the triangle is nearer along a direction than the nearest corner.
+double DistanceAlong(const Vector3& direction, const Vector3& p, const Corners& corners)
+{
+  const double length = direction.norm();
+  if (!(length > 0.0))
+  {
+    return 0.0;
+  }
+  double least = direction.dot(p - corners[0]);
+  least = std::min(least, direction.dot(p - corners[1]));
+  least = std::min(least, direction.dot(p - corners[2]));
+  return least / length;
+}
+
+bool IsGood(double below, const Vector3& p, const Corners& corners, const Foot& foot)
 {
   const double reach = std::max(
     { (p - corners[0]).lpNorm<1>(), (p - corners[1]).lpNorm<1>(), (p - corners[2]).lpNorm<1>() });
-  return DistanceFromBelow(p, corners, foot) >= foot.Distance - GoodEnough * reach;
+  return foot.Distance - below <= std::max(GoodShare * foot.Distance, GoodEnough * reach);
+}
+
+bool IsNearest(const Vector3& p, const Corners& corners, const Foot& foot)
+{
+  return IsGood(DistanceFromBelow(p, corners, foot), p, corners, foot);
 }
 }
 
@@ -100,17 +120,27 @@ Foot FindFoot(const Vector3& p, const Corners& corners)
   return foot;
 }
 
+/// Near the triangle the direction from the foot is mostly rounding: at right angles to an edge or to all it is known better.
 double DistanceFromBelow(const Vector3& p, const Corners& corners, const Foot& foot)
 {
   const Vector3 rest = p - foot.Place;
-  const double length = rest.norm();
-  if (!(length > 0.0))
+  double below = std::max(0.0, DistanceAlong(rest, p, corners));
+  if (IsGood(below, p, corners, foot))
   {
-    return 0.0;
+    return below;
   }
-  double least = rest.dot(p - corners[0]);
-  least = std::min(least, rest.dot(p - corners[1]));
-  least = std::min(least, rest.dot(p - corners[2]));
-  return std::max(0.0, least / length);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const Vector3 edge = corners[(i + 1) % 3] - corners[i];
+    const double squared = edge.squaredNorm();
+    if (squared > 0.0)
+    {
+      Vector3 across = rest - (rest.dot(edge) / squared) * edge;
+      across -= (across.dot(edge) / squared) * edge;
+      below = std::max(below, DistanceAlong(across, p, corners));
+    }
+  }
+  const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  return std::max({ below, DistanceAlong(normal, p, corners), DistanceAlong(-normal, p, corners) });
 }
 }

@@ -17,8 +17,9 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr std::int64_t LeastMostCuts = std::int64_t{ 1 } << 22;
 constexpr std::int64_t CutsASimplex = 16;
-/// The least gap that is looked for: both bounds err by a slack.
-constexpr double SlacksOfGap = 4.0;
+/// The least gap that is looked for, 1e-9 of the extent, and the least that can be found: both bounds err by a slack.
+constexpr double SlacksOfGap = 2048.0;
+constexpr double FewestSlacks = 4.0;
 
 CertificateVerdict Judge(const DistanceBounds& bounds, double tolerance)
 {
@@ -104,6 +105,7 @@ private:
     {
       this->Goal.CloseBelow = tolerance;
       this->Goal.RelativeGap = 0.0;
+      this->Goal.LeastGap = FewestSlacks * this->Goal.Slack;
       Tighten(answer.Distance, this->Find(values, progress.Next(0.0)));
       answer.Verdict = Judge(answer.Distance, tolerance);
     }

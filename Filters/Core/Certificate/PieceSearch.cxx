@@ -31,9 +31,14 @@ PieceSearch::PieceSearch(const Simplices& source, const Target& target, const Po
 //------------------------------------------------------------------------------
 double PieceSearch::Goal() const
 {
+  const double limit = this->Wanted.CloseBelow;
+  if (this->Most.Value + 2.0 * this->Wanted.Slack <= limit)
+  {
+    return limit;
+  }
   const double gap = std::max(
     this->Wanted.LeastGap, this->Wanted.RelativeGap * (this->Most.Value + this->Wanted.Scale));
-  return std::max(this->Wanted.CloseBelow, this->Most.Value + gap);
+  return std::max(limit, this->Most.Value + gap);
 }
 
 //------------------------------------------------------------------------------
@@ -104,7 +109,7 @@ bool PieceSearch::CloseAsSame(const Piece& whole)
   {
     return false;
   }
-  this->MostClosed = std::max(this->MostClosed, -this->To.Tolerance(same) - leastTolerance);
+  this->MostClosed = std::max(this->MostClosed, 0.0 - this->To.Tolerance(same) - leastTolerance);
   return true;
 }
 
