@@ -16,20 +16,20 @@ namespace bonedecimate::certificate
 {
 struct PieceCorner
 {
-  Vector3 Place;    // mm
-  double Tolerance; // mm
-  double Value;     // mm, to the target
-  Index Nearest;    // of the target, the simplex with that value
-  bool IsGiven;     // a corner of the simplex, with the coordinates as they are stored
+  Vector3 Place = Vector3::Zero(); // mm
+  double Tolerance = 0.0;          // mm
+  double Value = 0.0;              // mm, to the target
+  Index Nearest = None;            // of the target, the simplex with that value
+  bool IsGiven = false; // a corner of the simplex, with the coordinates as they are stored
 };
 
 /// Of one, two or three corners.
 struct Piece
 {
   std::array<PieceCorner, 3> Corners;
-  double Upper; // mm, of the excess, widened by the slack
-  int Count;
-  int Depth;
+  double Upper = 0.0; // mm, of the excess, widened by the slack
+  int Count = 0;
+  int Depth = 0;
 };
 
 /// Of the corners of a piece, sum 1; a piece becomes as many as there are positive ones.
