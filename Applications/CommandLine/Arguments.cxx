@@ -6,6 +6,7 @@
 #include "HelpFormatter.h"
 #include "OptionTable.h"
 #include "Report.h"
+#include "Words.h"
 
 #include <CLI/CLI.hpp>
 
@@ -118,7 +119,8 @@ std::unique_ptr<CLI::App> MakeApp(
     std::make_shared<HelpFormatter>("INPUT OUTPUT [OPTIONS]\n"
                                     "       bonedecimate INPUT... FOLDER [OPTIONS]\n"
                                     "       bonedecimate thesis INPUT.obj numbFaces tolerance "
-                                    "errorThreshold [OUTPUT.obj] [OPTIONS]"));
+                                    "errorThreshold [OUTPUT.obj] [OPTIONS]\n"
+                                    "       bonedecimate certify REFERENCE RESULT [OPTIONS]"));
   app->footer(HelpFooter());
   app->set_version_flag(
     "--version", std::string("bonedecimate ") + Version(), "Print the version.");
@@ -196,45 +198,11 @@ void SetFiles(Arguments& arguments, std::vector<std::string> files)
   arguments.Inputs = std::move(files);
 }
 
-/// CLI11 takes its words in reverse, and "[a]" for a list: a folder of that name gets its own path
-/// written out.
-std::vector<std::string> WordsOf(int argc, char* argv[], int first)
-{
-  std::vector<std::string> words;
-  for (int i = argc - 1; i >= first; --i)
-  {
-    const std::string word = argv[i];
-    const bool isList = word.size() > 1 && word.front() == '[' && word.back() == ']';
-    words.push_back(isList ? "./" + word : word);
-  }
-  return words;
-}
-
-/// False if a text was asked for.
-bool Parse(CLI::App& app, std::vector<std::string> words)
-{
-  try
-  {
-    app.parse(std::move(words));
-    return true;
-  }
-  catch (const CLI::ParseError& error)
-  {
-    if (error.get_exit_code() != 0)
-    {
-      throw Failure(
-        ExitCode::Usage, std::string(error.what()) + "; see " + app.get_name() + " --help");
-    }
-    app.exit(error, std::cout, std::cerr);
-    return false;
-  }
-}
-
 bool ParseThesisForm(int argc, char* argv[], Arguments& arguments)
 {
   std::vector<std::string> words;
   const std::unique_ptr<CLI::App> app = MakeThesisApp(arguments, words);
-  if (!Parse(*app, WordsOf(argc, argv, 2)))
+  if (!ParseWords(*app, WordsOf(argc, argv, 2)))
   {
     return false;
   }
@@ -254,7 +222,7 @@ bool ParseOwnForm(int argc, char* argv[], Arguments& arguments)
   std::vector<std::string> files;
   bool markdown = false;
   const std::unique_ptr<CLI::App> app = MakeApp(arguments, files, markdown);
-  if (!Parse(*app, WordsOf(argc, argv, 1)))
+  if (!ParseWords(*app, WordsOf(argc, argv, 1)))
   {
     return false;
   }

@@ -9,7 +9,7 @@ namespace bonedecimate
 {
 std::string ExitCodesText()
 {
-  static const std::array<std::pair<ExitCode, const char*>, 6> codes = { {
+  static const std::array<std::pair<ExitCode, const char*>, 8> codes = { {
     { ExitCode::Done, "done" },
     { ExitCode::Usage, "usage: an option or a name is wrong, nothing was read" },
     { ExitCode::InputRefused, "the input was refused, nothing was written" },
@@ -17,6 +17,8 @@ std::string ExitCodesText()
       "a file could not be written, or a picture asked for could not be drawn" },
     { ExitCode::Interrupted, "interrupted, nothing was written" },
     { ExitCode::OutOfMemory, "out of memory, nothing was written" },
+    { ExitCode::Violated, "certify: the tolerance is not kept; 0 means that it is proved to be" },
+    { ExitCode::Undecided, "certify: neither could be proved" },
   } };
   std::string text = "Exit codes:\n";
   for (const auto& [code, meaning] : codes)

@@ -20,7 +20,9 @@ enum class ExitCode : int
   InputRefused = 2,
   CouldNotWrite = 3,
   Interrupted = 4,
-  OutOfMemory = 5
+  OutOfMemory = 5,
+  Violated = 6, ///< certify only
+  Undecided = 7 ///< certify only
 };
 
 /// The codes with a line on each, for --help.

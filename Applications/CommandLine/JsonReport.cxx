@@ -22,6 +22,7 @@ namespace
 using Json = nlohmann::ordered_json;
 
 const std::string Prefix = "bonedecimate.";
+const std::string CertificatePrefix = "bonedecimate.certificate.";
 
 /// The JSON pointer of a dotted name: "input.faces" lies at "/input/faces".
 Json::json_pointer PointerOf(const std::string& name)
@@ -45,18 +46,18 @@ Json ValueOf(vtkAbstractArray* array)
   return static_cast<std::int64_t>(value.ToLongLong());
 }
 
-void AddFieldData(Json& report, vtkFieldData* fields)
+void AddFieldData(Json& report, const std::string& prefix, vtkFieldData* fields)
 {
   Json units = Json::object();
   for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = fields->GetAbstractArray(i);
     const std::string arrayName = array->GetName() ? array->GetName() : "";
-    if (arrayName.compare(0, Prefix.size(), Prefix) != 0 || array->GetNumberOfValues() == 0)
+    if (arrayName.compare(0, prefix.size(), prefix) != 0 || array->GetNumberOfValues() == 0)
     {
       continue;
     }
-    const std::string name = arrayName.substr(Prefix.size());
+    const std::string name = arrayName.substr(prefix.size());
     report[PointerOf(name)] = ValueOf(array);
     if (array->HasAComponentName() && array->GetComponentName(0))
     {
@@ -95,7 +96,7 @@ ReportSubject SubjectOf(
 std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
 {
   Json report = Json::object();
-  AddFieldData(report, result->GetFieldData());
+  AddFieldData(report, Prefix, result->GetFieldData());
   report["seconds"]["read"] = subject.SecondsRead;
   report["seconds"]["write"] = subject.SecondsWrite;
   report["seconds"]["total"] = subject.SecondsTotal;
@@ -107,6 +108,17 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
   report["command_line"] = CommandLineOf(subject);
   report["warnings"] = subject.Warnings;
   // A name that is not UTF-8 is no reason to have no report.
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string ComposeJsonCertificate(vtkPolyData* output, const std::string& reference,
+  const std::string& result, const std::vector<std::string>& warnings)
+{
+  Json report = Json::object();
+  AddFieldData(report, CertificatePrefix, output->GetFieldData());
+  report["files"]["reference"] = BaseName(reference);
+  report["files"]["result"] = BaseName(result);
+  report["warnings"] = warnings;
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

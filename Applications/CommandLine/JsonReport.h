@@ -43,6 +43,10 @@ ReportSubject SubjectOf(
  */
 std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject);
 
+/// A certificate in the field data of an output of vtkBoneSurfaceDistance in the same way, with the names as "files".
+std::string ComposeJsonCertificate(vtkPolyData* output, const std::string& reference,
+  const std::string& result, const std::vector<std::string>& warnings);
+
 /**
  * Whether a report on disk is of this version, the same input and the same options (threads do not
  * matter), and the output still has the size it was written with. A report that cannot be read

@@ -4,6 +4,7 @@
 
 #include "Arguments.h"
 #include "Batch.h"
+#include "Certify.h"
 #include "Interruption.h"
 #include "RunOne.h"
 #include "VtkMessages.h"
@@ -32,6 +33,11 @@ ExitCode Fail(ExitCode code, const char* message)
 
 ExitCode Run(int argc, char* argv[])
 {
+  if (argc > 1 && std::strcmp(argv[1], "certify") == 0)
+  {
+    const std::optional<CertifyArguments> arguments = ParseCertifyArguments(argc, argv);
+    return arguments ? RunCertify(*arguments) : ExitCode::Done;
+  }
   const std::optional<Arguments> arguments = ParseArguments(argc, argv);
   if (!arguments)
   {

@@ -5,6 +5,7 @@
 #include "NumberText.h"
 #include "ReportFields.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace bonedecimate
@@ -28,6 +29,17 @@ void PrintDistances(
               << MillimetreText(report.Number(path + ".rms").value_or(0.0)) << " mm\n";
   }
 }
+
+void PrintBorders(const ReportFields& report)
+{
+  const std::optional<double> there = report.Number("distance.border_input_to_output.upper");
+  const std::optional<double> back = report.Number("distance.border_output_to_input.upper");
+  if (there && back)
+  {
+    std::cout << "open borders    within " << MillimetreText(std::max(*there, *back))
+              << " mm of each other, curve to curve\n";
+  }
+}
 }
 
 void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
@@ -42,6 +54,7 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
             << Count(report, "input.components") << " kept\n";
   PrintDistances(report, "output_to_input", "result to input ");
   PrintDistances(report, "input_to_output", "input to result ");
+  PrintBorders(report);
   std::cout << "stop            " << report.Text("stop_sentence") << "\n"
             << "seconds         read " << GroupedText(subject.SecondsRead, 2) << ", decimate "
             << seconds("seconds.decimate") << ", measure " << seconds("seconds.measure")

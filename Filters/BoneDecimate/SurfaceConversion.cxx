@@ -252,20 +252,6 @@ vtkSmartPointer<vtkAbstractArray> ReportArray(const ReportEntry& entry)
   array->InsertNextValue(std::get<std::int64_t>(entry.Value));
   return array;
 }
-
-void AddReport(const Report& report, vtkFieldData* fieldData)
-{
-  for (const ReportEntry& entry : ReportEntries(report))
-  {
-    vtkSmartPointer<vtkAbstractArray> array = ReportArray(entry);
-    array->SetName(("bonedecimate." + entry.Name).c_str());
-    if (!entry.Unit.empty())
-    {
-      array->SetComponentName(0, entry.Unit.c_str());
-    }
-    fieldData->AddArray(array);
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -325,7 +311,23 @@ void FillOutput(const Result& result, const Options& options, bool single, vtkPo
   AddPointArray<vtkIntArray>(
     output, options.PointCountArrayName, "points", result.PointCount, tuples, 1);
   output->GetFieldData()->PassData(input->GetFieldData());
-  AddReport(result.Report, output->GetFieldData());
+  AddEntries(ReportEntries(result.Report), "bonedecimate.", output->GetFieldData());
+}
+
+//------------------------------------------------------------------------------
+void AddEntries(
+  const std::vector<ReportEntry>& entries, const std::string& prefix, vtkFieldData* fieldData)
+{
+  for (const ReportEntry& entry : entries)
+  {
+    vtkSmartPointer<vtkAbstractArray> array = ReportArray(entry);
+    array->SetName((prefix + entry.Name).c_str());
+    if (!entry.Unit.empty())
+    {
+      array->SetComponentName(0, entry.Unit.c_str());
+    }
+    fieldData->AddArray(array);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -8,12 +8,14 @@
 #define SurfaceConversion_h
 
 #include "Decimate.h"
+#include "ReportTable.h"
 
 #include "vtkType.h"
 
 #include <string>
 #include <vector>
 
+class vtkFieldData;
 class vtkPolyData;
 
 namespace bonedecimate
@@ -36,6 +38,10 @@ void NameCells(const ConvertedSurface& converted, Report& report);
 /// field data pass through.
 void FillOutput(const Result& result, const Options& options, bool single, vtkPolyData* input,
   vtkPolyData* output);
+
+/// One array for each entry, its name the prefix and the entry's.
+void AddEntries(
+  const std::vector<ReportEntry>& entries, const std::string& prefix, vtkFieldData* fieldData);
 
 /// The input with the distance of each of its points to the result, if it was measured.
 void FillInputCopy(

@@ -3,6 +3,7 @@
 #include "vtkBoneDecimate.h"
 
 #include "Decimate.h"
+#include "NamedEntries.h"
 #include "OptionTable.h"
 #include "ReportTable.h"
 #include "SurfaceConversion.h"
@@ -13,10 +14,6 @@
 #include "vtkPolyData.h"
 #include "vtkVersionMacros.h"
 
-#include <cmath>
-#include <cstdio>
-#include <limits>
-
 vtkStandardNewMacro(vtkBoneDecimate);
 
 //------------------------------------------------------------------------------
@@ -24,8 +21,7 @@ struct vtkBoneDecimate::Internals
 {
   bonedecimate::Options Options;
   bonedecimate::Report Report;
-  std::vector<bonedecimate::ReportEntry> Entries =
-    bonedecimate::ReportEntries(bonedecimate::Report());
+  bonedecimate::NamedEntries Entries{ bonedecimate::ReportEntries(bonedecimate::Report()) };
 
   /// The value as the table would keep it (clamped); returns whether that changes anything.
   bool Set(const char* name, const bonedecimate::OptionValue& value)
@@ -36,18 +32,6 @@ struct vtkBoneDecimate::Internals
     bonedecimate::SetOption(this->Options, info, value);
     return before != bonedecimate::GetOption(this->Options, info) ||
       wasExplicit != this->Options.TargetReductionIsExplicit;
-  }
-
-  const bonedecimate::ReportEntry* Find(const std::string& name) const
-  {
-    for (const bonedecimate::ReportEntry& entry : this->Entries)
-    {
-      if (entry.Name == name)
-      {
-        return &entry;
-      }
-    }
-    return nullptr;
   }
 };
 
@@ -101,51 +85,27 @@ std::string vtkBoneDecimate::GetStopReasonAsString() const
 
 int vtkBoneDecimate::GetNumberOfReportEntries() const
 {
-  return static_cast<int>(this->Internal->Entries.size());
+  return this->Internal->Entries.Count();
 }
 
 std::string vtkBoneDecimate::GetReportEntryName(int entry) const
 {
-  const bool exists = entry >= 0 && entry < this->GetNumberOfReportEntries();
-  return exists ? this->Internal->Entries[static_cast<std::size_t>(entry)].Name : std::string();
+  return this->Internal->Entries.Name(entry);
 }
 
 std::string vtkBoneDecimate::GetReportEntryUnit(const std::string& name) const
 {
-  const bonedecimate::ReportEntry* entry = this->Internal->Find(name);
-  return entry ? entry->Unit : std::string();
+  return this->Internal->Entries.Unit(name);
 }
 
 double vtkBoneDecimate::GetReportValue(const std::string& name) const
 {
-  const bonedecimate::ReportEntry* entry = this->Internal->Find(name);
-  if (entry && std::holds_alternative<double>(entry->Value))
-  {
-    return std::get<double>(entry->Value);
-  }
-  return entry && std::holds_alternative<std::int64_t>(entry->Value)
-    ? static_cast<double>(std::get<std::int64_t>(entry->Value))
-    : std::numeric_limits<double>::quiet_NaN();
+  return this->Internal->Entries.Value(name);
 }
 
 std::string vtkBoneDecimate::GetReportText(const std::string& name) const
 {
-  const bonedecimate::ReportEntry* entry = this->Internal->Find(name);
-  if (!entry)
-  {
-    return {};
-  }
-  if (const auto* text = std::get_if<std::string>(&entry->Value))
-  {
-    return *text;
-  }
-  if (const auto* whole = std::get_if<std::int64_t>(&entry->Value))
-  {
-    return std::to_string(*whole);
-  }
-  char digits[40];
-  std::snprintf(digits, sizeof(digits), "%.17g", std::get<double>(entry->Value));
-  return digits;
+  return this->Internal->Entries.Text(name);
 }
 
 //------------------------------------------------------------------------------
@@ -161,7 +121,8 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
     converted.IsSingle);
   bonedecimate::NameCells(converted, result.Report);
   this->Internal->Report = result.Report;
-  this->Internal->Entries = bonedecimate::ReportEntries(result.Report);
+  this->Internal->Entries =
+    bonedecimate::NamedEntries{ bonedecimate::ReportEntries(result.Report) };
   if (!this->Accept(bonedecimate::InputMessage(result.Report)))
   {
     return 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Decimate.h"
 
+#include "Certificate/Certificate.h"
 #include "Collapse/Sweep.h"
 #include "Collapse/ThesisLoop.h"
 #include "Extract.h"
@@ -32,6 +33,7 @@ double SecondsSince(Clock::time_point start)
 constexpr double CleanedAt = 0.01;
 constexpr double BuiltAt = 0.02;
 constexpr double ExtractionShare = 0.005;
+constexpr double BordersShare = 0.02;
 constexpr double LastStep = 0.005;
 
 /// One run, stage after stage; remembers whether somebody asked to stop.
@@ -232,7 +234,7 @@ private:
 
   void MeasureDistances()
   {
-    const double from = this->MeasuredFrom();
+    const double from = this->MeasuredFrom() + BordersShare;
     const double inputFrom = this->Wanted.MeasureDistances
       ? (this->Wanted.MeasureInputDistances ? 0.9 : 1.0 - LastStep)
       : from;
@@ -240,6 +242,7 @@ private:
     const double backFrom = 0.5 * (from + inputFrom);
     if (this->Wanted.MeasureDistances)
     {
+      this->MeasureBorders(this->MeasuredFrom(), from);
       this->Answer.Report.OutputToInput = MeasureDistance(this->LocalResult, this->Answer.Distance,
         this->Work->Reference().Tree(this->Wanted.NumberOfThreads), samples,
         this->Wanted.NumberOfThreads, this->Stage(from, backFrom));
@@ -264,6 +267,26 @@ private:
     this->Answer.Report.InputToOutput = MeasureDistance(this->Cleaned.Surface, distances, tree,
       samples, this->Wanted.NumberOfThreads, this->Stage(pointsAt, to));
     this->Answer.Report.DistancesMeasured = this->GoesOn;
+  }
+
+  /// Curve to curve. A border cannot vanish, but without merged points there is one about each triangle.
+  void MeasureBorders(double from, double to)
+  {
+    CertificateOptions options;
+    options.WithSurfaces = false;
+    options.NumberOfThreads = this->Wanted.NumberOfThreads;
+    const Certificate found =
+      Certify(this->Cleaned.Surface, this->LocalResult, options, this->Stage(from, to));
+    Report& report = this->Answer.Report;
+    report.BordersMeasured =
+      found.Status == CertificateStatus::Good && found.Borders == BorderPresence::Both;
+    if (report.BordersMeasured)
+    {
+      const DistanceBounds& back = found.BorderOfResultToReference.Distance;
+      const DistanceBounds& there = found.BorderOfReferenceToResult.Distance;
+      report.BorderOutputToInput = { back.Lower, back.Upper };
+      report.BorderInputToOutput = { there.Lower, there.Upper };
+    }
   }
 
   /// Points that no triangle uses are measured like the others.

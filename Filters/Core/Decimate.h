@@ -11,6 +11,7 @@
  *     ThesisLoop, Sweep or RelaxedLoop           collapse until a stop is reached
  *     result   = Extract(mesh)                   points, triangles, maps
  *     Measure(result, original)                  both directions
+ *     Certify(original, result)                  open borders, curve to curve
  *
  * H. Brandao, Mesh Simplification and Smoothing for Bone Fragment Models, BSc thesis, Groningen 2018: the loop.
  */

@@ -97,6 +97,13 @@ struct DistanceStatistics
   double SamplesPerSquareMillimetre = 0.0;
 };
 
+/// Proved bounds of the largest distance from the open borders of one surface to those of the other, mm.
+struct BorderDistance
+{
+  double Lower = 0.0;
+  double Upper = 0.0;
+};
+
 struct StageSeconds
 {
   double Prepare = 0.0;  ///< Cleaning and building the half-edge mesh.
@@ -116,6 +123,9 @@ struct Report
   bool DistancesMeasured = false;
   DistanceStatistics OutputToInput;
   DistanceStatistics InputToOutput;
+  bool BordersMeasured = false; ///< With the distances, if both surfaces have open borders.
+  BorderDistance BorderOutputToInput;
+  BorderDistance BorderInputToOutput;
   /// mm, the thesis's maxError: largest distance of a new vertex to the input. Not a number if none was looked up, which
   /// is so in every mode but Thesis without MaximumError, MeasureDistances and origins; the tables then leave it out.
   double RunningError = 0.0;

@@ -56,6 +56,13 @@ void AddDistance(Entries& entries, const std::string& direction, const DistanceS
   entries.push_back({ path + ".samples_per_mm2", "1/mm2", distance.SamplesPerSquareMillimetre });
 }
 
+void AddBorderDistance(
+  Entries& entries, const std::string& direction, const BorderDistance& distance)
+{
+  entries.push_back({ "distance.border_" + direction + ".lower", "mm", distance.Lower });
+  entries.push_back({ "distance.border_" + direction + ".upper", "mm", distance.Upper });
+}
+
 void AddRun(Entries& entries, const Report& report)
 {
   if (!std::isnan(report.RunningError))
@@ -90,6 +97,11 @@ std::vector<ReportEntry> ReportEntries(const Report& report)
   {
     AddDistance(entries, "output_to_input", report.OutputToInput);
     AddDistance(entries, "input_to_output", report.InputToOutput);
+  }
+  if (report.BordersMeasured)
+  {
+    AddBorderDistance(entries, "output_to_input", report.BorderOutputToInput);
+    AddBorderDistance(entries, "input_to_output", report.BorderInputToOutput);
   }
   AddRun(entries, report);
   for (const OptionInfo& info : OptionTable())

@@ -4,6 +4,9 @@
 #include "Shapes.h"
 #include "VtkSurfaces.h"
 
+#include "vtkBoneSurfaceDistance.h"
+#include "vtkNew.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -143,6 +146,37 @@ TEST(Measurement, OfASurfaceThatDidNotChangeIsZero)
   }
   EXPECT_EQ(Largest(Values(run.Output(), "Distance")), 0.0);
   EXPECT_EQ(Largest(Values(run.InputCopy(), "DistanceToResult")), 0.0);
+}
+
+TEST(Measurement, OfOpenBordersIsProvedCurveToCurve)
+{
+  const vtkSmartPointer<vtkPolyData> input = PolyData(HeightField(24, 1.0, 5));
+  FilterRun run(input);
+  run->MeasureDistancesOn();
+  run->SetTargetReduction(0.8);
+  vtkNew<vtkBoneSurfaceDistance> judge;
+  judge->SetInputData(0, input);
+  judge->SetInputData(1, run.Output());
+  judge->Update();
+  const auto expectSame = [&](const std::string& reported, const std::string& certified)
+  {
+    for (const char* bound : { ".lower", ".upper" })
+    {
+      EXPECT_NEAR(
+        run.Value("distance." + reported + bound), judge->GetReportValue(certified + bound), 1e-9);
+    }
+    EXPECT_LE(
+      run.Value("distance." + reported + ".lower"), run.Value("distance." + reported + ".upper"));
+  };
+  expectSame("border_input_to_output", "border_reference_to_result");
+  expectSame("border_output_to_input", "border_result_to_reference");
+}
+
+TEST(Measurement, OfClosedSurfacesHasNoBorders)
+{
+  FilterRun run(Bumps(3));
+  run->MeasureDistancesOn();
+  EXPECT_TRUE(std::isnan(run.Value("distance.border_input_to_output.upper")));
 }
 
 TEST(Measurement, IsInMillimetresWhateverTheSize)

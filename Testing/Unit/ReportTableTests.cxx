@@ -43,6 +43,8 @@ Report MeasuredReport()
   report.OutputToInput.Maximum = 0.5;
   report.OutputToInput.Second = 0.25;
   report.InputToOutput.Mean = 0.125;
+  report.BordersMeasured = true;
+  report.BorderInputToOutput = { 0.375, 0.4375 };
   report.Refusals[static_cast<std::size_t>(Verdict::Flip)] = 17;
   report.InputChecksum = 0xABCULL;
   return report;
@@ -58,6 +60,8 @@ TEST(ReportTable, ValuesStandUnderTheirNames)
   EXPECT_EQ(Read<double>(report, "distance.output_to_input.max"), 0.5);
   EXPECT_EQ(Read<double>(report, "distance.output_to_input.second"), 0.25);
   EXPECT_EQ(Read<double>(report, "distance.input_to_output.mean"), 0.125);
+  EXPECT_EQ(Read<double>(report, "distance.border_input_to_output.lower"), 0.375);
+  EXPECT_EQ(Read<double>(report, "distance.border_input_to_output.upper"), 0.4375);
   EXPECT_EQ(Read<std::int64_t>(report, "refusals.flip"), 17);
   EXPECT_EQ(Read<std::string>(report, "stop_reason"), "target_reached");
   EXPECT_EQ(Read<std::string>(report, "input.checksum"), "fnv1a64:0000000000000abc");
@@ -78,9 +82,11 @@ TEST(ReportTable, DistancesAreLeftOutWhenNoneWereMeasuredAndNothingElseIs)
 {
   Report report = MeasuredReport();
   const std::size_t all = ReportEntries(report).size();
+  report.BordersMeasured = false;
+  EXPECT_EQ(ReportEntries(report).size(), all - 4);
   report.DistancesMeasured = false;
   const std::vector<ReportEntry> entries = ReportEntries(report);
-  EXPECT_EQ(entries.size(), all - 18);
+  EXPECT_EQ(entries.size(), all - 22);
   for (const ReportEntry& entry : entries)
   {
     EXPECT_NE(entry.Name.rfind("distance.", 0), 0U) << entry.Name;

@@ -383,4 +383,12 @@ Index BoundingTree::FindNearestPoint(const Vector3& p, Index hintTriangle) const
     p, [&] { return squaredDistance; }, visit);
   return best;
 }
+
+//------------------------------------------------------------------------------
+void BoundingTree::VisitNear(
+  const Vector3& p, const double& squaredDistance, const std::function<void(Index)>& visit) const
+{
+  this->Walk(
+    p, [&] { return squaredDistance; }, [&](const Slot& slot) { visit(slot.Id); });
+}
 }

@@ -46,6 +46,11 @@ public:
   /// The nearest corner of any triangle, as a point id; None only if there are no triangles.
   Index FindNearestPoint(const Vector3& p, Index hintTriangle = None) const;
 
+  /// Calls visit(triangle) for every triangle whose box reaches within the distance, nearer boxes first.
+  /// @param squaredDistance mm^2; visit may make it smaller.
+  void VisitNear(
+    const Vector3& p, const double& squaredDistance, const std::function<void(Index)>& visit) const;
+
 private:
   /// Four children with their boxes side by side, in the tree's own unit (see ToUnit) and a little too large.
   struct Node

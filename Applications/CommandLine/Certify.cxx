@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Certify.h"
+
+#include "FileChecks.h"
+#include "HelpFormatter.h"
+#include "Interruption.h"
+#include "JsonReport.h"
+#include "ProgressBar.h"
+#include "StagedFile.h"
+#include "SurfaceFiles.h"
+#include "SurfaceFormat.h"
+#include "VtkMessages.h"
+#include "Words.h"
+
+#include "vtkBoneSurfaceDistance.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+namespace bonedecimate
+{
+namespace
+{
+void AddOptions(CLI::App& app, CertifyArguments& arguments)
+{
+  app
+    .add_option("--tolerance", arguments.Tolerance,
+      WrappedHelp("How far any point of one surface may be from the other."))
+    ->type_name("MM")
+    ->check(CLI::Range(0.0, 1e30).description(""));
+  app
+    .add_option("--tolerance-array", arguments.ToleranceArray,
+      WrappedHelp("A point array of the reference (.vtp, .vtk) with a tolerance for each point in "
+                  "mm; negative: none of its own. --tolerance caps it."))
+    ->type_name("NAME");
+  app.add_option("--json", arguments.Json, WrappedHelp("Write everything found as JSON."))
+    ->type_name("FILE");
+  app
+    .add_option("--gap", arguments.Gap,
+      WrappedHelp("By which share of the upper bound the lower may be less; default 1e-6."))
+    ->type_name("SHARE")
+    ->check(CLI::Range(1e-12, 1.0).description(""));
+  app
+    .add_option("--mean-precision", arguments.Precision,
+      WrappedHelp("To which share average and root mean square are estimated; default 0.005."))
+    ->type_name("SHARE")
+    ->check(CLI::Range(1e-4, 1.0).description(""));
+  app
+    .add_option("--threads", arguments.Threads,
+      WrappedHelp("0, the default, is one per processor. The answer is the same."))
+    ->type_name("N")
+    ->check(CLI::Range(0, 1024).description(""));
+  app.add_flag("--first-proof", arguments.FirstProof,
+    WrappedHelp("Stop at the tolerance: no closer bounds where it is proved."));
+  app.add_flag(
+    "--no-means", arguments.WithoutMeans, WrappedHelp("No average and root mean square."));
+  app.add_flag("--no-borders", arguments.WithoutBorders,
+    WrappedHelp("Surfaces alone, not their open borders."));
+  app.add_flag("--quiet", arguments.Quiet, "Nothing on the standard output.");
+}
+
+std::string Digits(double number, int digits)
+{
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.*f", digits, number);
+  return text;
+}
+
+/// Outwards, so that what is printed is proved, too.
+std::string LowerText(double bound)
+{
+  return Digits(std::floor(bound * 1e9) * 1e-9, 9);
+}
+std::string UpperText(double bound)
+{
+  return Digits(std::ceil(bound * 1e9) * 1e-9, 9);
+}
+
+/// One run; the steps stand in RunCertify.
+class CertifyRun
+{
+public:
+  explicit CertifyRun(const CertifyArguments& arguments)
+    : Asked(arguments)
+  {
+  }
+
+  void Read()
+  {
+    const LoadedSurface reference = ReadSurface(this->Asked.Reference);
+    const LoadedSurface result = ReadSurface(this->Asked.Result);
+    for (const LoadedSurface* loaded : { &reference, &result })
+    {
+      this->Warnings.insert(this->Warnings.end(), loaded->Warnings.begin(), loaded->Warnings.end());
+    }
+    if (!this->Asked.ToleranceArray.empty() &&
+      !reference.Surface->GetPointData()->GetArray(this->Asked.ToleranceArray.c_str()))
+    {
+      Refuse(this->Asked.Reference, "it has no point array '" + this->Asked.ToleranceArray + "'");
+    }
+    this->Filter->SetInputData(0, reference.Surface);
+    this->Filter->SetInputData(1, result.Surface);
+  }
+
+  void Compare()
+  {
+    this->Filter->SetTolerance(this->Asked.Tolerance.value_or(-1.0));
+    this->Filter->SetToleranceArrayName(this->Asked.ToleranceArray);
+    this->Filter->SetTightBounds(!this->Asked.FirstProof);
+    this->Filter->SetRelativeGap(this->Asked.Gap);
+    this->Filter->SetMeasureBorders(!this->Asked.WithoutBorders);
+    this->Filter->SetMeasureMeans(!this->Asked.WithoutMeans);
+    this->Filter->SetMeanPrecision(this->Asked.Precision);
+    this->Filter->SetNumberOfThreads(this->Asked.Threads);
+    vtkNew<ProgressBar> bar;
+    bar->SetShown(!this->Asked.Quiet);
+    this->Filter->AddObserver(vtkCommand::ProgressEvent, bar);
+    TakeVtkMessages();
+    this->Filter->Update();
+    bar->Clear();
+    StopIfInterrupted();
+    const VtkMessages messages = TakeVtkMessages();
+    const std::string problem = this->Filter->GetReportText("problem");
+    if (!messages.Errors.empty() || !problem.empty())
+    {
+      throw Failure(ExitCode::InputRefused,
+        "'" + BaseName(this->Asked.Reference) + "' and '" + BaseName(this->Asked.Result) +
+          "' were refused: " + (messages.Errors.empty() ? problem : messages.Errors.front()));
+    }
+    this->Warnings.insert(this->Warnings.end(), messages.Warnings.begin(), messages.Warnings.end());
+  }
+
+  void Write()
+  {
+    if (!this->Asked.Json.empty())
+    {
+      WriteTextFile(this->Asked.Json,
+        ComposeJsonCertificate(
+          this->Filter->GetOutput(), this->Asked.Reference, this->Asked.Result, this->Warnings));
+    }
+  }
+
+  void Tell()
+  {
+    if (this->Asked.Quiet)
+    {
+      return;
+    }
+    std::cout << "distance             " << LowerText(this->Filter->GetLowerBound()) << " to "
+              << UpperText(this->Filter->GetUpperBound()) << " mm, two-sided\n";
+    this->TellDirection("reference_to_result", "reference -> result  ");
+    this->TellDirection("result_to_reference", "result -> reference  ");
+    const std::string borders = this->Filter->GetReportText("borders");
+    this->TellDirection("border_reference_to_result", "border, ref. -> res. ");
+    this->TellDirection("border_result_to_reference", "border, res. -> ref. ");
+    if (borders == "reference_only" || borders == "result_only")
+    {
+      std::cout << "borders              only the "
+                << (borders == "result_only" ? "result" : "reference") << " has some\n";
+    }
+    this->TellVerdict();
+    for (const std::string& warning : this->Warnings)
+    {
+      std::cout << "warning: " << warning << "\n";
+    }
+    std::cout << "seconds              " << Digits(this->Value("seconds"), 2) << "\n";
+  }
+
+  ExitCode Code() const
+  {
+    switch (this->Filter->GetVerdict())
+    {
+      case vtkBoneSurfaceDistance::VIOLATED:
+        return ExitCode::Violated;
+      case vtkBoneSurfaceDistance::UNDECIDED:
+        return ExitCode::Undecided;
+      default:
+        return ExitCode::Done;
+    }
+  }
+
+private:
+  double Value(const std::string& name) const { return this->Filter->GetReportValue(name); }
+
+  void TellDirection(const std::string& path, const std::string& words) const
+  {
+    const double lower = this->Value(path + ".lower");
+    if (std::isnan(lower))
+    {
+      return;
+    }
+    std::cout << words << LowerText(lower) << " to " << UpperText(this->Value(path + ".upper"))
+              << " mm";
+    const auto triangle = static_cast<long long>(this->Value(path + ".triangle"));
+    if (triangle >= 0)
+    {
+      std::cout << " at (" << Digits(this->Value(path + ".x"), 4) << ", "
+                << Digits(this->Value(path + ".y"), 4) << ", "
+                << Digits(this->Value(path + ".z"), 4) << "), triangle " << triangle;
+    }
+    std::cout << "\n";
+    const double mean = this->Value(path + ".mean");
+    if (!std::isnan(mean))
+    {
+      std::cout << "                     mean " << Digits(mean, 6) << " +- "
+                << Digits(this->Value(path + ".mean_error"), 6) << ", RMS "
+                << Digits(this->Value(path + ".rms"), 6) << " +- "
+                << Digits(this->Value(path + ".rms_error"), 6) << " mm\n";
+    }
+  }
+
+  void TellVerdict() const
+  {
+    const std::string map =
+      this->Asked.ToleranceArray.empty() ? "" : "the map '" + this->Asked.ToleranceArray + "'";
+    const std::string number =
+      this->Asked.Tolerance ? Digits(*this->Asked.Tolerance, 6) + " mm" : "";
+    if (this->Filter->GetVerdict() != vtkBoneSurfaceDistance::NOT_ASKED)
+    {
+      std::cout << "tolerance            " << this->Filter->GetVerdictAsString() << " <= " << map
+                << (map.empty() || number.empty() ? "" : " and ") << number << "\n";
+    }
+  }
+
+  const CertifyArguments& Asked;
+  std::vector<std::string> Warnings;
+  vtkNew<vtkBoneSurfaceDistance> Filter;
+};
+
+bool IsSameFile(const std::string& a, const std::string& b)
+{
+  std::error_code error;
+  return std::filesystem::equivalent(a, b, error);
+}
+}
+
+std::optional<CertifyArguments> ParseCertifyArguments(int argc, char* argv[])
+{
+  CertifyArguments arguments;
+  std::vector<std::string> files;
+  CLI::App app("Proves how far two surfaces are from each other: bounds of the largest distance in "
+               "both directions, of surfaces and of open borders, and where it is.",
+    "bonedecimate certify");
+  app.formatter(std::make_shared<HelpFormatter>("REFERENCE RESULT [OPTIONS]"));
+  app.footer(ExitCodesText());
+  app.add_option("FILES", files, WrappedHelp("Two surfaces (obj, stl, ply, vtp, vtk), mm."))
+    ->type_name("")
+    ->allow_extra_args();
+  AddOptions(app, arguments);
+  if (!ParseWords(app, WordsOf(argc, argv, 2)))
+  {
+    return {};
+  }
+  if (files.size() != 2)
+  {
+    throw Failure(ExitCode::Usage,
+      "certify takes REFERENCE RESULT; there are " + std::to_string(files.size()) + " files");
+  }
+  arguments.Reference = files[0];
+  arguments.Result = files[1];
+  if (IsSameFile(arguments.Json, files[0]) || IsSameFile(arguments.Json, files[1]))
+  {
+    throw Failure(
+      ExitCode::Usage, "'" + arguments.Json + "' is one of the surfaces; it is not overwritten");
+  }
+  return arguments;
+}
+
+ExitCode RunCertify(const CertifyArguments& arguments)
+{
+  CertifyRun run(arguments);
+  run.Read();
+  StopIfInterrupted();
+  run.Compare();
+  run.Write();
+  run.Tell();
+  return run.Code();
+}
+}

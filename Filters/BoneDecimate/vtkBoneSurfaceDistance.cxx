@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBoneSurfaceDistance.h"
+
+#include "CertificateTable.h"
+#include "NamedEntries.h"
+#include "SurfaceConversion.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSignedCharArray.h"
+#include "vtkVersionMacros.h"
+
+#include <algorithm>
+#include <limits>
+
+vtkStandardNewMacro(vtkBoneSurfaceDistance);
+
+//------------------------------------------------------------------------------
+struct vtkBoneSurfaceDistance::Internals
+{
+  std::string ToleranceArrayName;
+  std::string SignedDistanceArrayName = "SignedDistance";
+  std::string SideArrayName = "Side";
+  bonedecimate::CertificateOptions Options;
+  bonedecimate::Certificate Answer;
+  bonedecimate::NamedEntries Entries{ {} };
+};
+
+namespace
+{
+/// Triangles that bounds name become the cells from which they came.
+void NameCells(const bonedecimate::ConvertedSurface& from, const bonedecimate::ConvertedSurface& to,
+  bonedecimate::DirectedCertificate& directed)
+{
+  const auto name = [](bonedecimate::Index& triangle, const std::vector<vtkIdType>& cells)
+  {
+    triangle = triangle < 0
+      ? triangle
+      : static_cast<bonedecimate::Index>(cells[static_cast<std::size_t>(triangle)]);
+  };
+  for (bonedecimate::DistanceBounds* bounds : { &directed.Distance, &directed.Excess })
+  {
+    name(bounds->Triangle, from.CellOfTriangle);
+    name(bounds->NearestTriangle, to.CellOfTriangle);
+  }
+}
+}
+
+vtkBoneSurfaceDistance::vtkBoneSurfaceDistance()
+  : Internal(new Internals)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkBoneSurfaceDistance::~vtkBoneSurfaceDistance() = default;
+
+//------------------------------------------------------------------------------
+#define vtkBoneSurfaceDistanceName(name)                                                           \
+  void vtkBoneSurfaceDistance::Set##name(const std::string& value)                                 \
+  {                                                                                                \
+    if (this->Internal->name != value)                                                             \
+    {                                                                                              \
+      this->Internal->name = value;                                                                \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  std::string vtkBoneSurfaceDistance::Get##name() const                                            \
+  {                                                                                                \
+    return this->Internal->name;                                                                   \
+  }
+
+// clang-format off
+vtkBoneSurfaceDistanceName(ToleranceArrayName)
+vtkBoneSurfaceDistanceName(SignedDistanceArrayName)
+vtkBoneSurfaceDistanceName(SideArrayName)
+// clang-format on
+#undef vtkBoneSurfaceDistanceName
+
+  //------------------------------------------------------------------------------
+  int vtkBoneSurfaceDistance::GetVerdict() const
+{
+  return static_cast<int>(this->Internal->Answer.Verdict);
+}
+
+std::string vtkBoneSurfaceDistance::GetVerdictAsString() const
+{
+  return bonedecimate::VerdictWord(this->Internal->Answer.Verdict);
+}
+
+double vtkBoneSurfaceDistance::GetLowerBound() const
+{
+  return this->GetReportValue("lower");
+}
+
+double vtkBoneSurfaceDistance::GetUpperBound() const
+{
+  return this->GetReportValue("upper");
+}
+
+int vtkBoneSurfaceDistance::GetNumberOfReportEntries() const
+{
+  return this->Internal->Entries.Count();
+}
+
+std::string vtkBoneSurfaceDistance::GetReportEntryName(int entry) const
+{
+  return this->Internal->Entries.Name(entry);
+}
+
+std::string vtkBoneSurfaceDistance::GetReportEntryUnit(const std::string& name) const
+{
+  return this->Internal->Entries.Unit(name);
+}
+
+double vtkBoneSurfaceDistance::GetReportValue(const std::string& name) const
+{
+  return this->Internal->Entries.Value(name);
+}
+
+std::string vtkBoneSurfaceDistance::GetReportText(const std::string& name) const
+{
+  return this->Internal->Entries.Text(name);
+}
+
+//------------------------------------------------------------------------------
+int vtkBoneSurfaceDistance::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* reference = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* result = vtkPolyData::GetData(inputVector[1]);
+  if (!this->TakeTolerances(reference) || !this->Compare(reference, result))
+  {
+    return 0;
+  }
+  this->FillOutput(reference, vtkPolyData::GetData(outputVector, 0), true);
+  this->FillOutput(result, vtkPolyData::GetData(outputVector, 1), false);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBoneSurfaceDistance::TakeTolerances(vtkPolyData* reference)
+{
+  bonedecimate::CertificateOptions& options = this->Internal->Options;
+  options = bonedecimate::CertificateOptions();
+  if (this->Tolerance >= 0.0)
+  {
+    options.Tolerance = this->Tolerance;
+  }
+  const std::string& name = this->Internal->ToleranceArrayName;
+  if (name.empty())
+  {
+    return true;
+  }
+  vtkDataArray* array = reference->GetPointData()->GetArray(name.c_str());
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    vtkErrorMacro(<< "the reference has no point array '" << name << "' of one component");
+    return false;
+  }
+  options.ToleranceMap.resize(static_cast<std::size_t>(reference->GetNumberOfPoints()), -1.0);
+  for (vtkIdType i = 0; i < std::min(reference->GetNumberOfPoints(), array->GetNumberOfTuples());
+       ++i)
+  {
+    options.ToleranceMap[static_cast<std::size_t>(i)] = array->GetComponent(i, 0);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBoneSurfaceDistance::Compare(vtkPolyData* reference, vtkPolyData* result)
+{
+  const bonedecimate::ConvertedSurface one =
+    bonedecimate::ToSurface(reference, this->NumberOfThreads);
+  const bonedecimate::ConvertedSurface two = bonedecimate::ToSurface(result, this->NumberOfThreads);
+  bonedecimate::CertificateOptions& options = this->Internal->Options;
+  options.TightBounds = this->TightBounds;
+  options.RelativeGap = this->RelativeGap;
+  options.WithBorders = this->MeasureBorders;
+  options.WithMeans = this->MeasureMeans;
+  options.MeanPrecision = this->MeanPrecision;
+  options.WithPointDistances = true;
+  options.NumberOfThreads = this->NumberOfThreads;
+  bonedecimate::Certificate& answer = this->Internal->Answer;
+  answer = bonedecimate::Certify(
+    one.Surface, two.Surface, options, [this](double fraction) { return this->GoesOn(fraction); });
+  NameCells(one, two, answer.ReferenceToResult);
+  NameCells(two, one, answer.ResultToReference);
+  NameCells(one, two, answer.BorderOfReferenceToResult);
+  NameCells(two, one, answer.BorderOfResultToReference);
+  this->Internal->Entries = bonedecimate::NamedEntries(bonedecimate::CertificateEntries(answer));
+  return this->Accept(static_cast<int>(answer.Status));
+}
+
+//------------------------------------------------------------------------------
+/// False if nothing can be given out.
+bool vtkBoneSurfaceDistance::Accept(int status)
+{
+  const auto found = static_cast<bonedecimate::CertificateStatus>(status);
+  switch (found)
+  {
+    case bonedecimate::CertificateStatus::Good:
+    case bonedecimate::CertificateStatus::Aborted:
+      return true;
+    case bonedecimate::CertificateStatus::EmptyReference:
+    case bonedecimate::CertificateStatus::EmptyResult:
+      vtkWarningMacro(<< bonedecimate::StatusSentence(found));
+      return true;
+    default:
+      vtkErrorMacro(<< bonedecimate::StatusSentence(found));
+      return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneSurfaceDistance::FillOutput(vtkPolyData* input, vtkPolyData* output, bool isReference)
+{
+  output->ShallowCopy(input);
+  const bonedecimate::Certificate& answer = this->Internal->Answer;
+  const bonedecimate::SignedDistances& points =
+    isReference ? answer.ReferenceToResult.Points : answer.ResultToReference.Points;
+  if (!points.Distance.empty())
+  {
+    vtkNew<vtkDoubleArray> distances;
+    distances->SetName(this->Internal->SignedDistanceArrayName.c_str());
+    distances->SetComponentName(0, "mm");
+    vtkNew<vtkSignedCharArray> sides;
+    sides->SetName(this->Internal->SideArrayName.c_str());
+    for (std::size_t i = 0; i < points.Distance.size(); ++i)
+    {
+      distances->InsertNextValue(points.Side[i] < 0 ? -points.Distance[i] : points.Distance[i]);
+      sides->InsertNextValue(points.Side[i]);
+    }
+    output->GetPointData()->AddArray(distances);
+    output->GetPointData()->AddArray(sides);
+  }
+  bonedecimate::AddEntries(
+    this->Internal->Entries.All(), "bonedecimate.certificate.", output->GetFieldData());
+}
+
+//------------------------------------------------------------------------------
+bool vtkBoneSurfaceDistance::GoesOn(double fraction)
+{
+  this->UpdateProgress(fraction);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220614)
+  return !this->CheckAbort();
+#else
+  return this->GetAbortExecute() == 0;
+#endif
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneSurfaceDistance::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Tolerance: " << this->Tolerance << " mm\n";
+  os << indent << "ToleranceArrayName: " << this->Internal->ToleranceArrayName << "\n";
+  os << indent << "TightBounds: " << this->TightBounds << "\n";
+  os << indent << "RelativeGap: " << this->RelativeGap << "\n";
+  os << indent << "MeasureBorders: " << this->MeasureBorders << "\n";
+  os << indent << "MeasureMeans: " << this->MeasureMeans << "\n";
+  os << indent << "MeanPrecision: " << this->MeanPrecision << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "SignedDistanceArrayName: " << this->Internal->SignedDistanceArrayName << "\n";
+  os << indent << "SideArrayName: " << this->Internal->SideArrayName << "\n";
+  os << indent << "Verdict: " << this->GetVerdictAsString() << "\n";
+}

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBoneSurfaceDistance
+ * @brief   prove how far two surfaces are from each other
+ *
+ * Input port 0 is the reference, input port 1 the result, both of triangles, strips or polygons, in millimetres. A
+ * branch and bound gives a proved lower and upper bound of the largest distance in each direction and of the borders,
+ * curve to curve, with the place of each; the verdict says whether a tolerance is kept by every point of both, not by
+ * samples alone. Averages and root mean squares come with the error of their estimate.
+ *
+ * Output port 0: the reference, output port 1: the result. Point data: the signed distance to the other surface, mm
+ * (positive outside of it, and where there is no telling), and the side, 1 outside, -1 inside, 0 where there is no
+ * telling: at borders, where the surface is not consistently oriented, and on it. Field data: the report, one
+ * array per entry, its name "bonedecimate.certificate." and the entry's (GetReportEntryName()).
+ *
+ * A surface that cannot be used (NaN in a triangle, an index out of range) is an error with empty outputs. If one has no
+ * triangles, both pass through without arrays, with a warning.
+ *
+ * @sa vtkBoneDecimate vtkHausdorffDistancePointSetFilter vtkDistancePolyDataFilter
+ */
+#ifndef vtkBoneSurfaceDistance_h
+#define vtkBoneSurfaceDistance_h
+
+#include "vtkFiltersBoneDecimateModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for std::unique_ptr
+#include <string> // for array names and report texts
+
+class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneSurfaceDistance : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkBoneSurfaceDistance* New();
+  vtkTypeMacro(vtkBoneSurfaceDistance, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Whether the tolerance is kept.
+  enum Verdicts
+  {
+    NOT_ASKED = 0,
+    PROVED,
+    VIOLATED,
+    UNDECIDED
+  };
+
+  ///@{
+  /**
+   * How far any point of one surface may be from the other, mm. Negative, the default, is none.
+   */
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Name of a point array of the reference with a tolerance for each point, mm, linear on its triangles; negative or NaN: no
+   * limit of its own. Tolerance, if set, caps it. In the other direction a triangle of the reference counts with the
+   * least of its corners. Empty, the default, is none.
+   */
+  void SetToleranceArrayName(const std::string& name);
+  std::string GetToleranceArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * Narrow the bounds to the gap even where the tolerance is proved already, on by default.
+   */
+  vtkSetMacro(TightBounds, bool);
+  vtkGetMacro(TightBounds, bool);
+  vtkBooleanMacro(TightBounds, bool);
+  ///@}
+
+  ///@{
+  /**
+   * By which share of the upper bound the lower one may be less, 1e-12 to 1; default 1e-6.
+   */
+  vtkSetClampMacro(RelativeGap, double, 1e-12, 1.0);
+  vtkGetMacro(RelativeGap, double);
+  ///@}
+
+  ///@{
+  /**
+   * Measure open borders, too, on by default. If only one surface has some, no tolerance is kept.
+   */
+  vtkSetMacro(MeasureBorders, bool);
+  vtkGetMacro(MeasureBorders, bool);
+  vtkBooleanMacro(MeasureBorders, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Estimate average and root mean square over the area to MeanPrecision, on by default.
+   */
+  vtkSetMacro(MeasureMeans, bool);
+  vtkGetMacro(MeasureMeans, bool);
+  vtkBooleanMacro(MeasureMeans, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Share of average and root mean square to which they are estimated, 1e-4 to 1, as two standard errors; default 0.005.
+   */
+  vtkSetClampMacro(MeanPrecision, double, 1e-4, 1.0);
+  vtkGetMacro(MeanPrecision, double);
+  ///@}
+
+  ///@{
+  /**
+   * Threads to use, 0 to 1024; 0, the default, is one per processor. The result does not depend on it.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the array of the signed distances, mm. Default "SignedDistance".
+   */
+  void SetSignedDistanceArrayName(const std::string& name);
+  std::string GetSignedDistanceArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * Name of the array of the sides. Default "Side".
+   */
+  void SetSideArrayName(const std::string& name);
+  std::string GetSideArrayName() const;
+  ///@}
+
+  /**
+   * Whether the last run kept its tolerance: one of Verdicts.
+   */
+  int GetVerdict() const;
+
+  /**
+   * The verdict as a word: "proved".
+   */
+  std::string GetVerdictAsString() const;
+
+  ///@{
+  /**
+   * Proved bounds of the two-sided Hausdorff distance of the surfaces, mm. NaN before the first run.
+   */
+  double GetLowerBound() const;
+  double GetUpperBound() const;
+  ///@}
+
+  /**
+   * The report of the last run is a flat list of named values ("reference_to_result.upper", "borders", ...). How many
+   * there are.
+   */
+  int GetNumberOfReportEntries() const;
+
+  /**
+   * Name of an entry, 0 to GetNumberOfReportEntries() - 1; empty beyond that.
+   */
+  std::string GetReportEntryName(int entry) const;
+
+  /**
+   * Unit of the entry of that name ("mm", "mm2", "s"); empty where there is none.
+   */
+  std::string GetReportEntryUnit(const std::string& name) const;
+
+  /**
+   * A number of the report; NaN where the name is unknown or the entry is a text.
+   */
+  double GetReportValue(const std::string& name) const;
+
+  /**
+   * An entry of the report as text, numbers with all their digits; empty where the name is unknown.
+   */
+  std::string GetReportText(const std::string& name) const;
+
+protected:
+  vtkBoneSurfaceDistance();
+  ~vtkBoneSurfaceDistance() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkBoneSurfaceDistance(const vtkBoneSurfaceDistance&) = delete;
+  void operator=(const vtkBoneSurfaceDistance&) = delete;
+
+  struct Internals;
+
+  bool GoesOn(double fraction);
+  bool Compare(vtkPolyData* reference, vtkPolyData* result);
+  bool Accept(int status);
+  bool TakeTolerances(vtkPolyData* reference);
+  void FillOutput(vtkPolyData* input, vtkPolyData* output, bool isReference);
+
+  double Tolerance = -1.0; // mm
+  bool TightBounds = true;
+  double RelativeGap = 1e-6;
+  bool MeasureBorders = true;
+  bool MeasureMeans = true;
+  double MeanPrecision = 5e-3;
+  int NumberOfThreads = 0;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CutChoice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bonedecimate::certificate
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+/// Of deep cuts every third halves the longest edge, so that pieces shrink wherever candidates lead.
+constexpr int FirstHalving = 12;
+/// Of the longest edge, what a piece may be large after four cuts or so.
+constexpr double ShareAfterFewCuts = 0.15;
+constexpr int HalvingPeriod = 3;
+/// A vertex with a larger share of a corner is that corner.
+constexpr double MostWeight = 1.0 - 1e-6;
+/// A cut nearer to an end than this share of the edge makes slivers: the edge is halved instead.
+constexpr double LeastFraction = 1.0 / 32.0;
+constexpr int MostSecants = 6;
+/// Candidates are equal if they differ by less than this share of what is left below the goal.
+constexpr double EqualEnough = 0.05;
+
+}
+
+//------------------------------------------------------------------------------
+CutWeights CutChoice::Choose(const Piece& piece) const
+{
+  const Edge longest = LongestEdge(piece);
+  const bool halve = piece.Depth >= FirstHalving && piece.Depth % HalvingPeriod == 0;
+  if (halve || this->ClosesBySize(piece, std::sqrt(longest.SquaredLength)))
+  {
+    return OnEdge(longest, 0.5);
+  }
+  if (const std::optional<CutWeights> vertex = this->CommonVertex(piece))
+  {
+    return *vertex;
+  }
+  const Edge unshared = this->LongestUnsharedEdge(piece);
+  return unshared.SquaredLength < 0.0 ? OnEdge(longest, 0.5)
+                                      : OnEdge(unshared, this->EqualFraction(piece, unshared));
+}
+
+//------------------------------------------------------------------------------
+CutChoice::Edge CutChoice::EdgeOf(const Piece& piece, int from)
+{
+  Edge edge;
+  edge.From = from;
+  edge.To = (from + 1) % piece.Count;
+  edge.SquaredLength =
+    (piece.Corners[edge.To].Place - piece.Corners[edge.From].Place).squaredNorm();
+  return edge;
+}
+
+//------------------------------------------------------------------------------
+CutChoice::Edge CutChoice::LongestEdge(const Piece& piece)
+{
+  Edge longest = EdgeOf(piece, 0);
+  for (int i = 1; i < NumberOfEdges(piece); ++i)
+  {
+    const Edge edge = EdgeOf(piece, i);
+    longest = edge.SquaredLength > longest.SquaredLength ? edge : longest;
+  }
+  return longest;
+}
+
+//------------------------------------------------------------------------------
+/// Whether a few cuts make pieces so small that it does not matter where they are cut.
+bool CutChoice::ClosesBySize(const Piece& piece, double longest) const
+{
+  double most = -Infinity;
+  double leastTolerance = Infinity;
+  for (int i = 0; i < piece.Count; ++i)
+  {
+    most = std::max(most, piece.Corners[i].Value);
+    leastTolerance = std::min(leastTolerance, piece.Corners[i].Tolerance);
+  }
+  return most + ShareAfterFewCuts * longest - leastTolerance <= this->Goal;
+}
+
+//------------------------------------------------------------------------------
+CutChoice::Edge CutChoice::LongestUnsharedEdge(const Piece& piece) const
+{
+  Edge longest;
+  for (int i = 0; i < NumberOfEdges(piece); ++i)
+  {
+    Edge edge = EdgeOf(piece, i);
+    if (edge.SquaredLength > longest.SquaredLength && this->IsUnshared(piece, edge))
+    {
+      longest = edge;
+    }
+  }
+  return longest;
+}
+
+//------------------------------------------------------------------------------
+CutWeights CutChoice::OnEdge(const Edge& edge, double fraction)
+{
+  CutWeights weights = { 0.0, 0.0, 0.0 };
+  weights[edge.To] = fraction;
+  weights[edge.From] = 1.0 - fraction;
+  return weights;
+}
+
+//------------------------------------------------------------------------------
+std::optional<CutWeights> CutChoice::CommonVertex(const Piece& piece) const
+{
+  const auto& [a, b, c] = piece.Corners;
+  for (int i = 0; i < 3 && piece.Count == 3; ++i)
+  {
+    const Index one = piece.Corners[i].Nearest;
+    const Index other = piece.Corners[(i + 1) % 3].Nearest;
+    const Corners ofOne = this->To.CornersOf(one);
+    const Corners ofOther = this->To.CornersOf(other);
+    for (std::size_t k = 0; k < 3 && one != other; ++k)
+    {
+      if (std::find(ofOther.begin(), ofOther.end(), ofOne[k]) == ofOther.end())
+      {
+        continue;
+      }
+      const CutWeights weights = NearestOnTriangle(ofOne[k], a.Place, b.Place, c.Place).Weights;
+      const auto [least, most] = std::minmax_element(weights.begin(), weights.end());
+      if (*least > 0.0 && *most < MostWeight)
+      {
+        return weights;
+      }
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+/// Notes how far each end's candidate is from the other end.
+bool CutChoice::IsUnshared(const Piece& piece, Edge& edge) const
+{
+  const PieceCorner& from = piece.Corners[edge.From];
+  const PieceCorner& to = piece.Corners[edge.To];
+  if (from.Nearest == to.Nearest)
+  {
+    return false;
+  }
+  edge.FromToOther = this->To.ValueTo(from.Place, to.Nearest);
+  edge.ToToOther = this->To.ValueTo(to.Place, from.Nearest);
+  const double goal = this->Goal - this->Slack;
+  return edge.FromToOther - from.Tolerance > goal && edge.ToToOther - to.Tolerance > goal;
+}
+
+//------------------------------------------------------------------------------
+/// By the Illinois rule for false positions.
+double CutChoice::EqualFraction(const Piece& piece, const Edge& edge) const
+{
+  const PieceCorner& from = piece.Corners[edge.From];
+  const PieceCorner& to = piece.Corners[edge.To];
+  const auto difference = [&](double fraction)
+  {
+    const Vector3 place = from.Place + fraction * (to.Place - from.Place);
+    return this->To.ValueTo(place, from.Nearest) - this->To.ValueTo(place, to.Nearest);
+  };
+  const double enough = EqualEnough * (this->Goal - this->Slack - std::min(from.Value, to.Value));
+  double low = 0.0;
+  double high = 1.0;
+  double atLow = from.Value - edge.FromToOther;
+  double atHigh = edge.ToToOther - to.Value;
+  double fraction = 0.5;
+  int side = 0; // of the place before
+  for (int i = 0; i < MostSecants && atLow < 0.0 && atHigh > 0.0; ++i)
+  {
+    fraction = low - atLow * (high - low) / (atHigh - atLow);
+    const double here = difference(fraction);
+    if (std::abs(here) <= enough)
+    {
+      break;
+    }
+    const int sideHere = here < 0.0 ? -1 : 1;
+    (sideHere < 0 ? low : high) = fraction;
+    (sideHere < 0 ? atLow : atHigh) = here;
+    (sideHere < 0 ? atHigh : atLow) *= sideHere == side ? 0.5 : 1.0;
+    side = sideHere;
+  }
+  return fraction > LeastFraction && fraction < 1.0 - LeastFraction ? fraction : 0.5;
+}
+}

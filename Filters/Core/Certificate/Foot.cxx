@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Foot.h"
+
+#include <algorithm>
+
+namespace bonedecimate::certificate
+{
+namespace
+{
+/// Bounds that agree to this share of the distance, or of the way to the farthest corner, need no refinement.
+constexpr double GoodShare = 1e-8;
+constexpr double GoodEnough = 1e-14;
+constexpr int MostRefinements = 4;
+
+/// Weights of the second and the third corner.
+struct Weights
+{
+  double B, C;
+};
+
+/// The same place or, if rounding left the triangle, one in it.
+Weights Inside(Weights weights)
+{
+  weights.B = std::max(0.0, weights.B);
+  weights.C = std::max(0.0, weights.C);
+  const double sum = weights.B + weights.C;
+  return sum > 1.0 ? Weights{ weights.B / sum, weights.C / sum } : weights;
+}
+
+/// A corner is met exactly.
+Foot FootAt(const Vector3& p, const Corners& corners, const Weights& weights)
+{
+  Foot foot;
+  foot.Place = weights.B == 1.0 ? corners[1]
+    : weights.C == 1.0          ? corners[2]
+                                : Vector3(corners[0] + weights.B * (corners[1] - corners[0]) +
+                                    weights.C * (corners[2] - corners[0]));
+  foot.Distance = (p - foot.Place).norm();
+  return foot;
+}
+
+void Try(
+  const Vector3& p, const Corners& corners, const Weights& weights, Weights& best, Foot& foot)
+{
+  const Foot other = FootAt(p, corners, weights);
+  if (other.Distance < foot.Distance)
+  {
+    foot = other;
+    best = weights;
+  }
+}
+
+/// One more step towards the projection onto the plane, from where rounding ended; the residual is known exactly enough.
+Weights Step(const Vector3& p, const Corners& corners, const Weights& weights, const Foot& foot)
+{
+  const Vector3 ab = corners[1] - corners[0];
+  const Vector3 ac = corners[2] - corners[0];
+  const Vector3 normal = ab.cross(ac);
+  const double squared = normal.squaredNorm();
+  if (!(squared > 0.0))
+  {
+    return weights;
+  }
+  const Vector3 rest = p - foot.Place;
+  return Inside({ weights.B + normal.dot(rest.cross(ac)) / squared,
+    weights.C + normal.dot(ab.cross(rest)) / squared });
+}
+
+void TryEdges(const Vector3& p, const Corners& corners, Weights& best, Foot& foot)
+{
+  const double ab = NearestFraction(p, corners[0], corners[1]);
+  const double ac = NearestFraction(p, corners[0], corners[2]);
+  const double bc = NearestFraction(p, corners[1], corners[2]);
+  Try(p, corners, { ab, 0.0 }, best, foot);
+  Try(p, corners, { 0.0, ac }, best, foot);
+  Try(p, corners, { 1.0 - bc, bc }, best, foot);
+}
+
+/// No point of the triangle is nearer along a direction than the nearest corner.
+double DistanceAlong(const Vector3& direction, const Vector3& p, const Corners& corners)
+{
+  const double length = direction.norm();
+  if (!(length > 0.0))
+  {
+    return 0.0;
+  }
+  double least = direction.dot(p - corners[0]);
+  least = std::min(least, direction.dot(p - corners[1]));
+  least = std::min(least, direction.dot(p - corners[2]));
+  return least / length;
+}
+
+bool IsGood(double below, const Vector3& p, const Corners& corners, const Foot& foot)
+{
+  const double reach = std::max(
+    { (p - corners[0]).lpNorm<1>(), (p - corners[1]).lpNorm<1>(), (p - corners[2]).lpNorm<1>() });
+  return foot.Distance - below <= std::max(GoodShare * foot.Distance, GoodEnough * reach);
+}
+
+bool IsNearest(const Vector3& p, const Corners& corners, const Foot& foot)
+{
+  return IsGood(DistanceFromBelow(p, corners, foot), p, corners, foot);
+}
+}
+
+Foot FindFoot(const Vector3& p, const Corners& corners)
+{
+  const TrianglePlace place = NearestOnTriangle(p, corners[0], corners[1], corners[2]);
+  Weights weights = Inside({ place.Weights[1], place.Weights[2] });
+  Foot foot = FootAt(p, corners, weights);
+  if (!IsNearest(p, corners, foot))
+  {
+    TryEdges(p, corners, weights, foot);
+    for (int i = 0; i < MostRefinements && !IsNearest(p, corners, foot); ++i)
+    {
+      Try(p, corners, Step(p, corners, weights, foot), weights, foot);
+    }
+  }
+  return foot;
+}
+
+/// Near the triangle the direction from the foot is mostly rounding: at right angles to an edge or to all it is known better.
+double DistanceFromBelow(const Vector3& p, const Corners& corners, const Foot& foot)
+{
+  const Vector3 rest = p - foot.Place;
+  double below = std::max(0.0, DistanceAlong(rest, p, corners));
+  if (IsGood(below, p, corners, foot))
+  {
+    return below;
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const Vector3 edge = corners[(i + 1) % 3] - corners[i];
+    const double squared = edge.squaredNorm();
+    if (squared > 0.0)
+    {
+      Vector3 across = rest - (rest.dot(edge) / squared) * edge;
+      across -= (across.dot(edge) / squared) * edge;
+      below = std::max(below, DistanceAlong(across, p, corners));
+    }
+  }
+  const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  return std::max({ below, DistanceAlong(normal, p, corners), DistanceAlong(-normal, p, corners) });
+}
+}

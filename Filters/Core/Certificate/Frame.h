@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Frame.h
+ * @brief The local frame of two surfaces, and their simplices in it.
+ *
+ * Along each axis the coordinate nearest to 0 is subtracted if all are of its sign and at most twice as far: the
+ * difference is then exact (P. H. Sterbenz, Floating-point computation, 1974). Otherwise nothing is subtracted, and no
+ * coordinate is farther from 0 than twice the size of the whole. Points equal before are so after, and the other way round.
+ */
+#ifndef BoneDecimate_Core_Certificate_Frame_h
+#define BoneDecimate_Core_Certificate_Frame_h
+
+#include "Simplices.h"
+#include "Surface.h"
+
+namespace bonedecimate::certificate
+{
+constexpr double LargestCoordinate = 1e30; // mm
+
+/// Finite and not beyond the largest coordinate.
+bool IsUsable(const Vector3& point);
+
+/// Whether all triangles have points that are there and usable.
+bool IsUsable(const Surface& surface);
+
+struct Frame
+{
+  Vector3 Origin = Vector3::Zero(); ///< mm
+  double Extent = 0.0;              ///< mm, the largest absolute coordinate in it
+};
+
+Frame FindFrame(const Surface& reference, const Surface& result);
+
+Simplices WholeSurface(const Surface& surface, const Frame& frame);
+
+/// Only what is limited: of a triangle the corners that have a limit, and what lies between them.
+Simplices LimitedPart(const Simplices& whole, const std::vector<double>& limit);
+
+struct BorderSet
+{
+  Simplices Segments;
+  std::vector<double> Limit; ///< mm, at each of its points; empty without a map
+};
+
+/// @param limit mm, at each point of the surface; may be empty.
+BorderSet FindBorderSet(
+  const Surface& surface, const Frame& frame, const std::vector<double>& limit);
+}
+
+#endif

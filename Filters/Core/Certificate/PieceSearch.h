@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PieceSearch.h
+ * @brief Branch and bound over the pieces of one simplex after the other; see Search.h.
+ */
+#ifndef BoneDecimate_Core_Certificate_PieceSearch_h
+#define BoneDecimate_Core_Certificate_PieceSearch_h
+
+#include "CutChoice.h"
+#include "Search.h"
+
+#include <array>
+#include <limits>
+
+namespace bonedecimate::certificate
+{
+/// The corner of a piece with the largest excess found so far.
+struct LargestExcess
+{
+  double Value = -std::numeric_limits<double>::infinity(); // mm, excess
+  double Tolerance = 0.0;                                  // mm
+  Vector3 Place = Vector3::Zero();                         // mm
+  Index Simplex = None;
+  Index Nearest = None; // of the target
+};
+
+class PieceSearch
+{
+public:
+  PieceSearch(const Simplices& source, const Target& target, const PointValues& values,
+    const SearchGoal& goal, const LargestExcess& largest);
+
+  /// Closes what can be closed of a simplex with so many cuts at most.
+  /// @return mm, an upper bound of the excess of what is left open; minus infinity if nothing is.
+  double Explore(Index simplex, std::int64_t mostCuts);
+
+  const LargestExcess& Largest() const { return this->Most; }
+  double Closed() const { return this->MostClosed; } ///< mm, largest upper bound of what was closed
+  std::int64_t Cuts() const { return this->CutsMade; }
+
+private:
+  struct Parts
+  {
+    std::array<Piece, 3> Pieces;
+    int Count = 0;
+    double Upper = -std::numeric_limits<double>::infinity(); // mm, the largest of them
+  };
+
+  double Goal() const;
+  Piece Whole(Index simplex) const;
+  bool CloseAsSame(const Piece& whole);
+  void Bound(Piece& piece, double parentUpper) const;
+  double UpperOver(const Piece& piece, Index simplex) const;
+  double UpperAt(const PieceCorner& corner, Index simplex) const;
+  void Learn(const PieceCorner& corner, Index simplex);
+  PieceCorner NewCorner(const Piece& piece, const CutWeights& weights) const;
+  Parts Divide(const Piece& piece, const CutWeights& weights, const PieceCorner& corner) const;
+  void Cut(const Piece& piece, Index simplex);
+
+  const Simplices& Source;
+  const Target& To;
+  const PointValues& Values;
+  const SearchGoal& Wanted;
+  LargestExcess Most;
+  double MostClosed = -std::numeric_limits<double>::infinity(); // mm
+  std::int64_t CutsMade = 0;
+  std::vector<Piece> Stack;
+};
+}
+
+#endif

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Search.h"
+
+#include "Frame.h"
+#include "Parallel.h"
+#include "PieceSearch.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace bonedecimate::certificate
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+/// Cuts for each simplex in the first round, and how many times more in the next.
+constexpr std::int64_t FirstCuts = 32;
+constexpr std::int64_t MoreCuts = 16;
+/// Shares of the progress of one search.
+constexpr double ShareOfFirstRound = 0.8;
+
+void Join(LargestExcess& largest, const LargestExcess& other)
+{
+  if (other.Value > largest.Value)
+  {
+    largest = other;
+  }
+}
+
+/// Of each point whether its value is asked for.
+std::vector<char> AskedPoints(const Simplices& source, bool ofAll)
+{
+  std::vector<char> isAsked(source.Points.size(), 0);
+  for (const Triangle& corners : source.Corners)
+  {
+    for (const Index corner : corners)
+    {
+      if (corner != None)
+      {
+        isAsked[corner] = 1;
+      }
+    }
+  }
+  for (std::size_t point = 0; point < isAsked.size() && ofAll; ++point)
+  {
+    isAsked[point] = IsUsable(source.Points[point]) ? 1 : 0;
+  }
+  return isAsked;
+}
+
+/// The rounds; see Search.h.
+class Rounds
+{
+public:
+  Rounds(const Simplices& source, const Target& target, const PointValues& values,
+    const SearchGoal& goal)
+    : Source(source)
+    , To(target)
+    , Values(values)
+    , Goal(goal)
+    , Open(source.Size())
+  {
+    std::iota(this->Open.begin(), this->Open.end(), 0);
+  }
+
+  DistanceBounds Run(const Monitor& monitor)
+  {
+    this->TakeCorners();
+    bool goesOn = true;
+    double from = 0.0;
+    double to = ShareOfFirstRound;
+    for (std::int64_t cuts = FirstCuts; goesOn && this->MayCut(); cuts *= MoreCuts)
+    {
+      goesOn = this->Round(cuts, PartOf(monitor, from, to));
+      from = to;
+      to += 0.5 * (1.0 - to);
+    }
+    return goesOn ? this->Answer() : DistanceBounds();
+  }
+
+private:
+  struct Part
+  {
+    LargestExcess Largest;
+    double Closed = -Infinity;
+    double Left = -Infinity;
+    std::int64_t Cuts = 0;
+    std::vector<Index> Open;
+  };
+
+  void TakeCorners()
+  {
+    for (std::size_t simplex = 0; simplex < this->Source.Size(); ++simplex)
+    {
+      const int count = this->Source.NumberOfCorners(simplex);
+      for (int i = 0; i < count; ++i)
+      {
+        const Index point = this->Source.Corners[simplex][i];
+        const double tolerance =
+          this->Source.PointTolerance.empty() ? 0.0 : this->Source.PointTolerance[point];
+        Join(this->Largest,
+          { this->Values.Value[point] - tolerance, tolerance, this->Source.Points[point],
+            static_cast<Index>(simplex), this->Values.Simplex[point] });
+      }
+    }
+  }
+
+  bool MayCut() const { return !this->Open.empty() && this->Cuts < this->Goal.MostCuts; }
+
+  bool Round(std::int64_t wanted, const Monitor& monitor)
+  {
+    const std::int64_t share = std::max<std::int64_t>(
+      1, (this->Goal.MostCuts - this->Cuts) / static_cast<std::int64_t>(this->Open.size()));
+    const std::int64_t cuts = std::min(wanted, share);
+    std::vector<Part> parts(NumberOfChunks(this->Open.size()));
+    const bool goesOn = ForEachChunk(this->Open.size(), this->Goal.NumberOfThreads, monitor,
+      [&](std::size_t chunk, std::size_t first, std::size_t last)
+      { this->SearchPart(first, last, cuts, parts[chunk]); });
+    this->Open.clear();
+    this->Left = -Infinity;
+    for (const Part& part : parts)
+    {
+      Join(this->Largest, part.Largest);
+      this->Closed = std::max(this->Closed, part.Closed);
+      this->Left = std::max(this->Left, part.Left);
+      this->Cuts += part.Cuts;
+      this->Open.insert(this->Open.end(), part.Open.begin(), part.Open.end());
+    }
+    return goesOn;
+  }
+
+  void SearchPart(std::size_t first, std::size_t last, std::int64_t cuts, Part& part) const
+  {
+    PieceSearch search(this->Source, this->To, this->Values, this->Goal, this->Largest);
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const double left = search.Explore(this->Open[i], cuts);
+      if (left > -Infinity)
+      {
+        part.Open.push_back(this->Open[i]);
+        part.Left = std::max(part.Left, left);
+      }
+    }
+    part.Largest = search.Largest();
+    part.Closed = search.Closed();
+    part.Cuts = search.Cuts();
+  }
+
+  DistanceBounds Answer() const
+  {
+    DistanceBounds bounds;
+    bounds.Upper = std::max(this->Closed, this->Left);
+    bounds.Cuts = this->Cuts;
+    if (this->Largest.Simplex == None)
+    {
+      return bounds; // nothing to explain
+    }
+    const LargestExcess& found = this->Largest;
+    const double value = this->To.ValueFromBelow(found.Place, found.Value + found.Tolerance);
+    const bool isDistance = this->Source.PointTolerance.empty() && !this->To.HasTolerances();
+    bounds.Lower =
+      std::max(value - found.Tolerance - this->Goal.Slack, isDistance ? 0.0 : -Infinity);
+    bounds.Place = found.Place;
+    bounds.Triangle = found.Simplex;
+    bounds.NearestTriangle = found.Nearest;
+    return bounds;
+  }
+
+  const Simplices& Source;
+  const Target& To;
+  const PointValues& Values;
+  const SearchGoal& Goal;
+  std::vector<Index> Open; // simplices with pieces that are not closed
+  LargestExcess Largest;
+  double Closed = -Infinity; // mm, the largest upper bound of what is closed
+  double Left = -Infinity;   // mm, of what is open
+  std::int64_t Cuts = 0;
+};
+}
+
+//------------------------------------------------------------------------------
+PointValues FindPointValues(
+  const Simplices& source, const Target& target, bool ofAll, int threads, const Monitor& monitor)
+{
+  PointValues values;
+  values.Value.assign(source.Points.size(), std::numeric_limits<double>::quiet_NaN());
+  values.Simplex.assign(source.Points.size(), None);
+  const std::vector<char> isAsked = AskedPoints(source, ofAll);
+  ForEachChunk(source.Points.size(), threads, monitor,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      Index hint = None;
+      for (std::size_t point = first; point < last; ++point)
+      {
+        if (isAsked[point])
+        {
+          const Target::Candidate found = target.FindLeast(source.Points[point], hint);
+          values.Value[point] = found.Value;
+          values.Simplex[point] = hint = found.Simplex;
+        }
+      }
+    });
+  return values;
+}
+
+//------------------------------------------------------------------------------
+DistanceBounds FindLargestExcess(const Simplices& source, const Target& target,
+  const PointValues& values, const SearchGoal& goal, const Monitor& monitor)
+{
+  return Rounds(source, target, values, goal).Run(monitor);
+}
+}

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Simplices.h
+ * @brief What distances are certified between: triangles, or the segments of borders, in a local frame.
+ */
+#ifndef BoneDecimate_Core_Certificate_Simplices_h
+#define BoneDecimate_Core_Certificate_Simplices_h
+
+#include "Surface.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace bonedecimate::certificate
+{
+/// A point set made of triangles, segments (third corner None) and points (second and third corner None).
+struct Simplices
+{
+  std::vector<Vector3> Points;        ///< mm, in the local frame; not each need be a corner
+  std::vector<Triangle> Corners;      ///< into Points
+  std::vector<Index> TriangleIds;     ///< of the surface they come from; empty: their own positions
+  std::vector<double> PointTolerance; ///< mm, at each point, and linear in between; empty: 0
+
+  std::size_t Size() const { return this->Corners.size(); }
+  int NumberOfCorners(std::size_t simplex) const
+  {
+    const Triangle& corners = this->Corners[simplex];
+    return corners[2] != None ? 3 : corners[1] != None ? 2 : 1;
+  }
+  Index TriangleId(Index simplex) const
+  {
+    return simplex == None || this->TriangleIds.empty() ? simplex : this->TriangleIds[simplex];
+  }
+};
+}
+
+#endif

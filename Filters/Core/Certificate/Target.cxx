@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Target.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bonedecimate::certificate
+{
+namespace
+{
+/// Segments and points as triangles that repeat a corner.
+Surface AsTriangles(const Simplices& simplices)
+{
+  Surface surface{ simplices.Points, simplices.Corners };
+  for (Triangle& corners : surface.Triangles)
+  {
+    corners[1] = corners[1] == None ? corners[0] : corners[1];
+    corners[2] = corners[2] == None ? corners[1] : corners[2];
+  }
+  return surface;
+}
+
+/// The longest way along an axis from p to the box about the corners, mm: none of them is nearer.
+double DistanceToBox(const Vector3& p, const Corners& corners)
+{
+  const Vector3 below = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]) - p;
+  const Vector3 above = p - corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+  return below.cwiseMax(above).maxCoeff();
+}
+
+double Squared(double length)
+{
+  return length > 0.0 ? length * length : 0.0;
+}
+}
+
+//------------------------------------------------------------------------------
+Target::Target(const Simplices& simplices, int threads, const std::function<void()>& afterStep)
+  : Set(simplices)
+  , Tree(AsTriangles(simplices), threads, afterStep)
+{
+}
+
+//------------------------------------------------------------------------------
+void Target::SetTolerances(std::vector<double> tolerances)
+{
+  this->Tolerances = std::move(tolerances);
+  this->LargestTolerance = *std::max_element(this->Tolerances.begin(), this->Tolerances.end());
+}
+
+//------------------------------------------------------------------------------
+Corners Target::CornersOf(Index simplex) const
+{
+  const auto& [a, b, c] = this->Set.Corners[simplex];
+  const Vector3& first = this->Set.Points[a];
+  const Vector3& second = b == None ? first : this->Set.Points[b];
+  return { first, second, c == None ? second : this->Set.Points[c] };
+}
+
+//------------------------------------------------------------------------------
+Target::Candidate Target::FindLeast(const Vector3& p, Index hint) const
+{
+  const Index nearest = this->Tree.FindNearest(p, hint).Triangle;
+  Candidate best = { nearest, this->ValueTo(p, nearest) };
+  if (!this->HasTolerances())
+  {
+    return best;
+  }
+  // Farther than this, no tolerance makes up for the distance.
+  double reach = Squared(best.Value + this->LargestTolerance);
+  this->Tree.VisitNear(p, reach,
+    [&](Index simplex)
+    {
+      const double value = this->ValueTo(p, simplex);
+      if (value < best.Value || (value == best.Value && simplex < best.Simplex))
+      {
+        best = { simplex, value };
+        reach = Squared(best.Value + this->LargestTolerance);
+      }
+    });
+  return best;
+}
+
+//------------------------------------------------------------------------------
+double Target::ValueFromBelow(const Vector3& p, double startValue) const
+{
+  double least = startValue;
+  for (std::size_t i = 0; i < this->Set.Size(); ++i)
+  {
+    const auto simplex = static_cast<Index>(i);
+    const Corners corners = this->CornersOf(simplex);
+    const double tolerance = this->Tolerance(simplex);
+    if (DistanceToBox(p, corners) - tolerance < least)
+    {
+      least = std::min(least, DistanceFromBelow(p, corners, FindFoot(p, corners)) - tolerance);
+    }
+  }
+  return least;
+}
+
+//------------------------------------------------------------------------------
+Index Target::FindSame(const Corners& places, int count) const
+{
+  Vector3 middle = places[0];
+  for (int i = 1; i < count; ++i)
+  {
+    middle += (places[i] - places[0]) / count;
+  }
+  const Index simplex = this->Tree.FindNearest(middle).Triangle;
+  if (this->Set.NumberOfCorners(static_cast<std::size_t>(simplex)) != count)
+  {
+    return None;
+  }
+  const Corners corners = this->CornersOf(simplex);
+  const auto isCorner = [&](const Vector3& place)
+  { return std::find(corners.begin(), corners.begin() + count, place) != corners.begin() + count; };
+  return std::all_of(places.begin(), places.begin() + count, isCorner) ? simplex : None;
+}
+}

@@ -1,0 +1,100 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""bonedecimate certify REFERENCE RESULT: bounds, verdicts and exit codes."""
+
+import vtk
+
+from application import NOT_WRITTEN, REFUSED, SURFACES, USAGE, ApplicationTest, main, torus, write
+
+VIOLATED, UNDECIDED = 6, 7
+
+
+def square(height):
+    """Two triangles over the unit square at that height, which single precision holds exactly."""
+    points = vtk.vtkPoints()
+    for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)):
+        points.InsertNextPoint(x, y, height)
+    triangles = vtk.vtkCellArray()
+    for corners in ((0, 1, 2), (0, 2, 3)):
+        triangles.InsertNextCell(3, corners)
+    surface = vtk.vtkPolyData()
+    surface.SetPoints(points)
+    surface.SetPolys(triangles)
+    return surface
+
+
+def with_tolerance(surface, tolerance):
+    array = vtk.vtkDoubleArray()
+    array.SetName("allowed")
+    for _ in range(surface.GetNumberOfPoints()):
+        array.InsertNextValue(tolerance)
+    surface.GetPointData().AddArray(array)
+    return surface
+
+
+class Certify(ApplicationTest):
+    def setUp(self):
+        super().setUp()
+        write(square(0.0), self.path("a.ply"))
+        write(square(0.25), self.path("b.ply"))
+
+    def judge(self, *words):
+        answer = self.run_program("certify", "a.ply", "b.ply", *words)
+        self.assertEqual(answer.stderr, "")
+        return answer
+
+    def test_without_a_tolerance_is_done_when_it_knows_the_bounds(self):
+        answer = self.succeed("certify", "a.ply", "b.ply")
+        self.assertIn("0.249999999 to 0.250000001 mm", answer.stdout)
+
+    def test_ends_with_a_code_for_each_verdict(self):
+        for tolerance, code, word in ((0.26, 0, "proved"), (0.24, VIOLATED, "violated"), (0.25, UNDECIDED, "undecided")):
+            answer = self.judge("--tolerance", tolerance)
+            self.assertEqual(answer.returncode, code)
+            self.assertIn(word, answer.stdout)
+            self.assertEqual(self.judge("--tolerance", tolerance, "--first-proof").returncode, code)
+
+    def test_reads_every_format(self):
+        for extension in SURFACES:
+            write(square(0.25), self.path("b." + extension))
+            self.succeed("certify", "a.ply", "b." + extension, "--tolerance", 0.26, "--quiet")
+
+    def test_writes_all_it_found_as_json(self):
+        self.succeed("certify", "a.ply", "b.ply", "--tolerance", 0.3, "--json", "c.json")
+        found = self.report("c.json")
+        self.assertEqual((found["verdict"], found["borders"]), ("proved", "both"))
+        for direction in ("reference_to_result", "border_result_to_reference"):
+            self.assertLessEqual(found[direction]["lower"], 0.25)
+            self.assertGreaterEqual(found[direction]["upper"], 0.25)
+        self.assertAlmostEqual(found["reference_to_result"]["mean"], 0.25, 6)
+        self.assertEqual(found["units"]["upper"], "mm")
+        self.assertEqual(found["files"], {"reference": "a.ply", "result": "b.ply"})
+
+    def test_takes_a_tolerance_for_each_point(self):
+        write(with_tolerance(square(0.0), 0.3), self.path("a.vtp"))
+        self.succeed("certify", "a.vtp", "b.ply", "--tolerance-array", "allowed")
+        capped = self.run_program("certify", "a.vtp", "b.ply", "--tolerance-array", "allowed", "--tolerance", 0.1)
+        self.assertEqual(capped.returncode, VIOLATED)
+        self.fail_with(REFUSED, "certify", "a.vtp", "b.ply", "--tolerance-array", "other", says="other")
+
+    def test_holds_a_decimation_to_its_report(self):
+        write(torus(), self.path("bone.ply"))
+        self.succeed("bone.ply", "small.ply", "--target-faces", 500, "--report", "report.json", "--quiet")
+        self.succeed("certify", "bone.ply", "small.ply", "--json", "c.json", "--quiet")
+        sampled = self.report()["distance"]["input_to_output"]["max"]
+        proved = self.report("c.json")["reference_to_result"]["upper"]
+        self.assertLessEqual(sampled, proved + 1e-5)  # the file is in single precision
+
+    def test_says_nothing_when_asked_to_be_quiet(self):
+        self.assertEqual(self.judge("--quiet").stdout, "")
+
+    def test_refuses_what_it_cannot_read_or_write(self):
+        for words in (("a.ply",), ("a.ply", "b.ply", "b.ply"), ("a.ply", "b.ply", "--tolerance", -1)):
+            self.fail_with(USAGE, "certify", *words)
+        self.fail_with(USAGE, "certify", "a.ply", "b.ply", "--json", "b.ply", says="not overwritten")
+        self.fail_with(REFUSED, "certify", "a.ply", "nothing.ply", says="no such file")
+        self.fail_with(NOT_WRITTEN, "certify", "a.ply", "b.ply", "--json", "nowhere/c.json")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shapes.h"
+#include "VtkSurfaces.h"
+
+#include "vtkBoneSurfaceDistance.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+using namespace bonedecimate::testsupport;
+
+namespace
+{
+/// The filter with two inputs; counts what it says.
+class DistanceRun
+{
+public:
+  DistanceRun(vtkPolyData* reference, vtkPolyData* result)
+  {
+    this->Filter->SetInputData(0, reference);
+    this->Filter->SetInputData(1, result);
+    for (const auto event :
+      { vtkCommand::ErrorEvent, vtkCommand::WarningEvent, vtkCommand::ProgressEvent })
+    {
+      this->Filter->AddObserver(event, this, &DistanceRun::OnEvent);
+    }
+    this->Filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this, &DistanceRun::OnEvent);
+  }
+
+  vtkBoneSurfaceDistance* operator->() { return this->Filter; }
+
+  int Errors = 0;
+  int Warnings = 0;
+  double AbortAt = 2.0;
+  std::vector<double> Progress;
+
+private:
+  void OnEvent(vtkObject* caller, unsigned long event, void*)
+  {
+    this->Errors += event == vtkCommand::ErrorEvent && caller == this->Filter.Get() ? 1 : 0;
+    this->Warnings += event == vtkCommand::WarningEvent ? 1 : 0;
+    if (event == vtkCommand::ProgressEvent)
+    {
+      this->Progress.push_back(this->Filter->GetProgress());
+      this->Filter->SetAbortExecute(this->Progress.back() >= this->AbortAt ? 1 : 0);
+    }
+  }
+
+  vtkNew<vtkBoneSurfaceDistance> Filter;
+};
+
+vtkSmartPointer<vtkPolyData> Plate(double height)
+{
+  return PolyData(Moved(Grid(6), { 0.0, 0.0, height }));
+}
+
+void AddTolerance(vtkPolyData* surface, double tolerance)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("tolerance");
+  array->SetNumberOfTuples(surface->GetNumberOfPoints());
+  array->Fill(tolerance);
+  surface->GetPointData()->AddArray(array);
+}
+}
+
+TEST(SurfaceDistanceFilter, BoundsTheDistanceAndSaysWhere)
+{
+  DistanceRun run(Plate(0.0), Plate(0.25));
+  run->Update();
+  EXPECT_LE(run->GetLowerBound(), 0.25);
+  EXPECT_GE(run->GetUpperBound(), 0.25);
+  EXPECT_NEAR(run->GetUpperBound(), run->GetLowerBound(), 1e-6);
+  EXPECT_EQ(run->GetVerdict(), vtkBoneSurfaceDistance::NOT_ASKED);
+  EXPECT_EQ(run->GetReportText("borders"), "both");
+  EXPECT_NEAR(run->GetReportValue("border_reference_to_result.upper"), 0.25, 1e-6);
+  EXPECT_EQ(run->GetReportEntryUnit("reference_to_result.upper"), "mm");
+  EXPECT_GE(run->GetReportValue("reference_to_result.triangle"), 0.0);
+  EXPECT_EQ(run.Errors + run.Warnings, 0);
+}
+
+TEST(SurfaceDistanceFilter, GivesEachPointItsSignedDistanceOnBothOutputs)
+{
+  DistanceRun run(Sphere(3), PolyData(Scaled(Icosphere(3, 10.0), 1.1)));
+  run->Update();
+  const std::vector<double> inside = Values(run->GetOutput(0), "SignedDistance");
+  const std::vector<double> outside = Values(run->GetOutput(1), "SignedDistance");
+  ASSERT_EQ(inside.size(), static_cast<std::size_t>(run->GetOutput(0)->GetNumberOfPoints()));
+  for (const double distance : inside)
+  {
+    EXPECT_LT(distance, -0.9);
+    EXPECT_GT(distance, -1.1);
+  }
+  for (const double distance : outside)
+  {
+    EXPECT_GT(distance, 0.9);
+  }
+  const std::vector<double> sides = Values(run->GetOutput(1), "Side");
+  EXPECT_EQ(std::count(sides.begin(), sides.end(), 1.0), static_cast<long>(sides.size()));
+  EXPECT_STREQ(
+    run->GetOutput()->GetPointData()->GetArray("SignedDistance")->GetComponentName(0), "mm");
+}
+
+TEST(SurfaceDistanceFilter, JudgesATolerance)
+{
+  DistanceRun run(Plate(0.0), Plate(0.25));
+  run->SetTolerance(0.3);
+  run->Update();
+  EXPECT_EQ(run->GetVerdict(), vtkBoneSurfaceDistance::PROVED);
+  run->SetTolerance(0.2);
+  run->Update();
+  EXPECT_EQ(run->GetVerdict(), vtkBoneSurfaceDistance::VIOLATED);
+  EXPECT_EQ(run->GetVerdictAsString(), "violated");
+}
+
+TEST(SurfaceDistanceFilter, JudgesAToleranceOfEachPoint)
+{
+  const vtkSmartPointer<vtkPolyData> plate = Plate(0.0);
+  AddTolerance(plate, 0.3);
+  DistanceRun run(plate, Plate(0.25));
+  run->SetToleranceArrayName("tolerance");
+  run->Update();
+  EXPECT_EQ(run->GetVerdict(), vtkBoneSurfaceDistance::PROVED);
+  EXPECT_LE(run->GetReportValue("reference_to_result.excess.upper"), 0.0);
+  AddTolerance(plate, 0.2);
+  plate->Modified();
+  run->Update();
+  EXPECT_EQ(run->GetVerdict(), vtkBoneSurfaceDistance::VIOLATED);
+  run->SetToleranceArrayName("nothing");
+  run->Update();
+  EXPECT_EQ(run.Errors, 1);
+}
+
+TEST(SurfaceDistanceFilter, PutsTheReportIntoTheFieldData)
+{
+  DistanceRun run(Plate(0.0), Plate(0.25));
+  run->Update();
+  for (int i = 0; i < run->GetNumberOfReportEntries(); ++i)
+  {
+    const std::string name = "bonedecimate.certificate." + run->GetReportEntryName(i);
+    EXPECT_NE(run->GetOutput(0)->GetFieldData()->GetAbstractArray(name.c_str()), nullptr) << name;
+    EXPECT_NE(run->GetOutput(1)->GetFieldData()->GetAbstractArray(name.c_str()), nullptr) << name;
+  }
+}
+
+TEST(SurfaceDistanceFilter, TellsItsProgressToTheEnd)
+{
+  DistanceRun run(Bumps(5), Sphere(4));
+  run->SetNumberOfThreads(1);
+  run->Update();
+  ASSERT_FALSE(run.Progress.empty());
+  EXPECT_TRUE(std::is_sorted(run.Progress.begin(), run.Progress.end()));
+  EXPECT_EQ(run.Progress.back(), 1.0);
+}
+
+TEST(SurfaceDistanceFilter, AbortedHasNoArraysAndNoVerdict)
+{
+  DistanceRun run(Bumps(5), Sphere(4));
+  run.AbortAt = 0.3;
+  run->SetTolerance(5.0);
+  run->Update();
+  EXPECT_EQ(run->GetReportText("problem"), "aborted");
+  EXPECT_EQ(run->GetVerdict(), vtkBoneSurfaceDistance::NOT_ASKED);
+  EXPECT_TRUE(Values(run->GetOutput(), "SignedDistance").empty());
+}
+
+TEST(SurfaceDistanceFilter, RefusesWhatIsNoSurface)
+{
+  bonedecimate::Surface broken = Grid(3);
+  broken.Points[3].x() = std::nan("");
+  DistanceRun run(PolyData(broken), Plate(0.0));
+  run->Update();
+  EXPECT_EQ(run.Errors, 1);
+  EXPECT_NE(run->GetReportText("problem").find("reference"), std::string::npos);
+  vtkNew<vtkPolyData> nothing;
+  DistanceRun empty(Plate(0.0), nothing);
+  empty->Update();
+  EXPECT_EQ(empty.Errors, 0);
+  EXPECT_EQ(empty.Warnings, 1);
+  EXPECT_TRUE(std::isnan(empty->GetUpperBound()));
+}
+
+TEST(SurfaceDistanceFilter, PrintsEveryProperty)
+{
+  vtkNew<vtkBoneSurfaceDistance> filter;
+  std::ostringstream text;
+  filter->Print(text);
+  for (const char* name : { "Tolerance: ", "ToleranceArrayName: ", "TightBounds: ", "RelativeGap: ",
+         "MeasureBorders: ", "MeasureMeans: ", "MeanPrecision: ", "NumberOfThreads: ",
+         "SignedDistanceArrayName: ", "SideArrayName: ", "Verdict: " })
+  {
+    EXPECT_NE(text.str().find(name), std::string::npos) << name;
+  }
+}

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file HausdorffPair.cxx
+ * @brief bonedecimate-hausdorff: our certificate of two surfaces beside CGAL's bounded-error Hausdorff distance.
+ *
+ *     bonedecimate-hausdorff REFERENCE.ply RESULT.ply [ERROR in mm, default 0.0001]
+ *
+ * Prints JSON. CGAL's figure is the distance in each direction but for the error. Both use one thread.
+ */
+#include "Certificate/Certificate.h"
+#include "TriangleFile.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/distance.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+
+namespace
+{
+using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Clock = std::chrono::steady_clock;
+
+double SecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Where the surface is not manifold its points are repeated, which moves nothing.
+Mesh MeshOf(const Triangles& triangles)
+{
+  std::vector<Point> points;
+  for (const auto& [x, y, z] : triangles.Points)
+  {
+    points.emplace_back(x, y, z);
+  }
+  std::vector<std::vector<std::size_t>> polygons;
+  for (const auto& corners : triangles.Corners)
+  {
+    polygons.emplace_back(corners.begin(), corners.end());
+  }
+  CGAL::Polygon_mesh_processing::orient_polygon_soup(points, polygons);
+  Mesh mesh;
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, polygons, mesh);
+  return mesh;
+}
+
+bonedecimate::Surface SurfaceOf(const Triangles& triangles)
+{
+  bonedecimate::Surface surface;
+  for (const auto& [x, y, z] : triangles.Points)
+  {
+    surface.Points.emplace_back(x, y, z);
+  }
+  surface.Triangles.assign(triangles.Corners.begin(), triangles.Corners.end());
+  return surface;
+}
+
+void PrintOurs(const Triangles& reference, const Triangles& result)
+{
+  bonedecimate::CertificateOptions options;
+  options.NumberOfThreads = 1;
+  const bonedecimate::Certificate found =
+    bonedecimate::Certify(SurfaceOf(reference), SurfaceOf(result), options);
+  const bonedecimate::DistanceBounds& there = found.ReferenceToResult.Distance;
+  const bonedecimate::DistanceBounds& back = found.ResultToReference.Distance;
+  std::printf("{\"ours\": {\"reference_to_result\": [%.17g, %.17g], "
+              "\"result_to_reference\": [%.17g, %.17g], \"seconds\": %.3f},\n",
+    there.Lower, there.Upper, back.Lower, back.Upper, found.Seconds);
+}
+
+void PrintCgal(const Triangles& reference, const Triangles& result, double error)
+{
+  const Mesh one = MeshOf(reference);
+  const Mesh two = MeshOf(result);
+  namespace Processing = CGAL::Polygon_mesh_processing;
+  const Clock::time_point start = Clock::now();
+  const double there =
+    Processing::bounded_error_Hausdorff_distance<CGAL::Sequential_tag>(one, two, error);
+  const double back =
+    Processing::bounded_error_Hausdorff_distance<CGAL::Sequential_tag>(two, one, error);
+  std::printf(" \"cgal\": {\"reference_to_result\": %.17g, \"result_to_reference\": %.17g, "
+              "\"error\": %.17g, \"seconds\": %.3f}}\n",
+    there, back, error, SecondsSince(start));
+}
+}
+
+int main(int argumentCount, char** words)
+{
+  if (argumentCount < 3 || argumentCount > 4)
+  {
+    std::fputs("usage: bonedecimate-hausdorff REFERENCE.ply RESULT.ply [ERROR]\n", stderr);
+    return EXIT_FAILURE;
+  }
+  try
+  {
+    const Triangles reference = ReadPly(words[1]);
+    const Triangles result = ReadPly(words[2]);
+    PrintOurs(reference, result);
+    std::fflush(stdout);
+    PrintCgal(reference, result, argumentCount > 3 ? std::atof(words[3]) : 1e-4);
+  }
+  catch (const std::exception& failure)
+  {
+    std::fprintf(stderr, "bonedecimate-hausdorff: %s\n", failure.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
