@@ -92,8 +92,9 @@ public:
 
   ///@{
   /**
-   * Distance of a new point to the input surface at which the collapse stops, mm, 0 or more; 0, the default, is off.
-   * In Thesis mode exactly one point may lie beyond it, and triangles between points may, too.
+   * Largest distance in both directions, proved, mm, 0 or more; 0, the default, is off: no point of the input is farther
+   * from the result, and no point of the result farther from the input, open borders curve to curve. Thesis stops when
+   * a new point is that far away: exactly one may lie beyond it, and triangles between points may, too.
    */
   void SetMaximumError(double millimetres);
   double GetMaximumError() const;

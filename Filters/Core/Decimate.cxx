@@ -121,9 +121,14 @@ private:
     HalfEdgeMesh mesh(this->Cleaned.Surface, threads);
     tell(0.5);
     const bool isThesis = this->Wanted.Mode == Mode::Thesis;
-    const Editor::Books books = { isThesis || this->Wanted.MaximumError > 0.0, isThesis,
-      !isThesis && this->GoesOn };
+    const bool isProved = !isThesis && this->Wanted.MaximumError > 0.0;
+    const Editor::Books books = { isThesis, isThesis, !isThesis && this->GoesOn };
     this->Work.emplace(std::move(mesh), this->Cleaned, books, threads);
+    if (isProved)
+    {
+      this->Work->ProveEdits(
+        { this->Wanted.MaximumError, this->RoundToSingle, this->Cleaned.Origin }, threads);
+    }
     tell(0.75);
     if (books.Distances && this->GoesOn)
     {

@@ -43,7 +43,7 @@ struct Result
   bonedecimate::Surface Surface;
   PointOrigins Origins;
   /// mm, of each output point to the input surface; filled with MeasureDistances, with Origins, and whenever distances
-  /// are recorded along the collapses (Thesis, or a MaximumError), else empty; empty, too, in a run aborted before.
+  /// are recorded along the collapses (Thesis), else empty; empty, too, in a run aborted before.
   std::vector<double> Distance;
   /// mm, largest distance recorded along the collapses into each output point, or Distance if none are; filled with it.
   std::vector<double> RunningError;

@@ -149,9 +149,12 @@ const std::vector<OptionInfo>& OptionTable()
       "a number of triangles "
       "or a largest error is asked for." },
     { "MaximumError", &Options::MaximumError, 0, Largest, "mm", "max-error", {},
-      "Distance of a new point to the input at which the collapse stops; 0 is off. In Thesis mode "
-      "exactly one point may "
-      "lie beyond it, and places between points may, too." },
+      "Largest distance in both directions, proved: no point of the input is farther from the "
+      "result, and no point of the result farther from the input, open borders curve to curve; 0 "
+      "is "
+      "off. In Thesis mode it is the distance of a new point at which the collapse stops: exactly "
+      "one "
+      "point may lie beyond it, and places between points may, too." },
     { "NormalTolerance", &Options::NormalTolerance, 0, 1, "", "normal-tolerance", {},
       "The tolerance w of the normal field deviation. Smaller values make flat areas dearer; at 1 "
       "a flat edge costs "

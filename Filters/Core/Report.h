@@ -48,9 +48,11 @@ enum class Verdict : int
   LinkCondition, ///< It would change the topology.
   Fragment,      ///< A fragment would fall below its least size, vanish or turn inside out.
   Flip,          ///< A triangle would turn over.
-  Degenerate     ///< A triangle would have no area left.
+  Degenerate,    ///< A triangle would have no area left.
+  TooFar,        ///< It could not be proved that everything stays within the largest error.
+  Elsewhere      ///< Not refused: a worker of another part of the mesh has to do it.
 };
-constexpr std::size_t NumberOfVerdicts = 7;
+constexpr std::size_t NumberOfVerdicts = 8; ///< Those that are counted.
 
 struct SurfaceStatistics
 {

@@ -124,13 +124,13 @@ TEST(Decimate, ALargerErrorLeavesFewerTriangles)
   }
 }
 
-TEST(Decimate, AtMostOnePointLiesBeyondTheLargestError)
+TEST(Decimate, InThesisAtMostOnePointLiesBeyondTheLargestError)
 {
   for (const NamedSurface& shape : AllShapes())
   {
     for (const double error : { 0.01, 0.2, 1.0 })
     {
-      const Result result = Decimate(shape.Surface, Error(error));
+      const Result result = Decimate(shape.Surface, InMode(Mode::Thesis, Error(error)));
       EXPECT_LE(CountBeyond(result.Distance, error), 1) << shape.Name << " at " << error;
       if (result.Report.Stop == StopReason::ErrorReached)
       {

@@ -23,7 +23,7 @@ void BlockSweep::RenewAll(Index first, Index last)
   this->Task.Vertices.Last = mesh.NumberOfVertexSlots();
   for (Index v = first; v < last; ++v)
   {
-    if (mesh.Outgoing(v) != None && mesh.Kind(v) != VertexKind::Locked)
+    if (mesh.Outgoing(v) != None && mesh.Kind(v) != VertexKind::Locked && this->Known.TakeChange(v))
     {
       this->Renew(v);
     }
@@ -129,6 +129,15 @@ BlockSweep::Outcome BlockSweep::CollapseAt(VertexEdges& edges, CostKey highest)
   for (; key <= highest; key = KeyOf(edges.LeastCost()))
   {
     const Outcome outcome = this->TryEdge(vertex, edges.TakeCheapest(), CostOf(highest));
+    if (outcome == Outcome::TooFar && this->Task.TriesAll)
+    {
+      continue;
+    }
+    if (outcome == Outcome::TooFar)
+    {
+      this->SetKey(vertex, NeverKey);
+      return Outcome::TooFar;
+    }
     if (outcome != Outcome::Dearer)
     {
       return outcome;
@@ -140,13 +149,25 @@ BlockSweep::Outcome BlockSweep::CollapseAt(VertexEdges& edges, CostKey highest)
 }
 
 //------------------------------------------------------------------------------
+/// Whether all edges of the vertex were tried at all places, and nothing has changed since.
+bool BlockSweep::WasTried(Index vertex) const
+{
+  return this->Task.TriesAll && this->Known.Keys[vertex] == NeverKey &&
+    !this->Known.Changed[vertex];
+}
+
+//------------------------------------------------------------------------------
 /// Dearer means refused, or a peak whose turn has not come.
 BlockSweep::Outcome BlockSweep::TryEdge(
   Index vertex, const VertexEdges::Candidate& candidate, float mostCost)
 {
+  if (this->WasTried(this->Work.Mesh().Across(candidate.Edge, vertex)))
+  {
+    return Outcome::TooFar;
+  }
   if (this->Work.Examine(candidate.Edge, this->Space) != Verdict::Allowed)
   {
-    return Outcome::Dearer;
+    return this->Task.TriesAll ? Outcome::TooFar : Outcome::Dearer;
   }
   const std::vector<Index>& ring = this->Space.Around.Ring;
   if (!std::all_of(ring.begin(), ring.end(), [this](Index v) { return this->IsInside(v); }))
@@ -154,17 +175,45 @@ BlockSweep::Outcome BlockSweep::TryEdge(
     this->PutOff(vertex);
     return Outcome::Elsewhere;
   }
-  const Edit edit = this->EditOf(vertex, candidate);
-  const Index gone = this->Work.Mesh().Across(edit.Edge, edit.Keep);
-  const double left = this->LeaveBehind(edit);
-  if (this->CostOfPeak(left) > mostCost ||
-    this->Work.Apply(edit, this->Space, this->Task.Workers) != Verdict::Allowed)
+  const Outcome outcome = this->ApplyWherever(this->EditOf(vertex, candidate), mostCost);
+  if (outcome == Outcome::Elsewhere)
   {
-    return Outcome::Dearer;
+    this->PutOff(vertex);
   }
-  this->Known.Memories[edit.Keep] = static_cast<float>(left);
-  this->AfterCollapse(edit, gone);
-  return Outcome::Collapsed;
+  return outcome;
+}
+
+//------------------------------------------------------------------------------
+/// At the best place or, if that cannot be proved and all are tried, in the middle or at an end.
+BlockSweep::Outcome BlockSweep::ApplyWherever(const Edit& best, float mostCost)
+{
+  const HalfEdgeMesh& mesh = this->Work.Mesh();
+  const Index other = mesh.Across(best.Edge, best.Keep);
+  const Vector3 start = mesh.Position(best.Keep);
+  const Vector3 end = mesh.Position(other);
+  const std::array<Vector3, 4> places = { best.Position, 0.5 * (start + end), start, end };
+  const std::size_t count = best.KeepStays || !this->Task.TriesAll ? 1 : places.size();
+  Verdict verdict = Verdict::TooFar;
+  for (std::size_t i = 0; i < count && verdict != Verdict::Elsewhere; ++i)
+  {
+    Edit edit = best;
+    edit.Position = places[i];
+    const double left = this->LeaveBehind(edit);
+    if (this->CostOfPeak(left) > mostCost)
+    {
+      return Outcome::Dearer;
+    }
+    verdict = this->Work.Apply(edit, this->Space, this->Task.Workers);
+    if (verdict == Verdict::Allowed)
+    {
+      this->Known.Memories[edit.Keep] = static_cast<float>(left);
+      this->AfterCollapse(edit, other);
+      return Outcome::Collapsed;
+    }
+  }
+  return verdict == Verdict::Elsewhere                  ? Outcome::Elsewhere
+    : verdict == Verdict::TooFar || this->Task.TriesAll ? Outcome::TooFar
+                                                        : Outcome::Dearer;
 }
 
 //------------------------------------------------------------------------------
@@ -216,6 +265,7 @@ void BlockSweep::AfterCollapse(const Edit& edit, Index gone)
   this->Known.Keys[gone] = NeverKey;
   this->ForgetChanged();
   this->Renew(edit.Keep);
+  this->Known.NoteChange(this->Space.Around.Ring);
   if (this->Task.RenewsRing)
   {
     mesh.VisitEdges(edit.Keep,

@@ -37,6 +37,7 @@ struct BlockTask
   Index Collapses = 0;          ///< The most allowed.
   int Workers = 1;              ///< Blocks that are swept at the same time.
   bool RenewsRing = false;      ///< New keys for the ring of each merged vertex.
+  bool TriesAll = false;        ///< What cannot be proved is tried at other edges and other places.
 };
 
 class BlockSweep
@@ -63,16 +64,19 @@ private:
   enum class Outcome
   {
     Dearer,
+    TooFar, ///< Until something around it changes.
     Collapsed,
     Elsewhere
   };
   void Renew(Index vertex);
   VertexEdges& EdgesOfReady(std::size_t at, CostKey highest);
   Outcome CollapseAt(VertexEdges& edges, CostKey highest);
+  bool WasTried(Index vertex) const;
   Outcome TryEdge(Index vertex, const VertexEdges::Candidate& candidate, float mostCost);
   double LeaveBehind(const Edit& edit);
   double CostOfPeak(double distance) const;
   Edit EditOf(Index vertex, const VertexEdges::Candidate& candidate) const;
+  Outcome ApplyWherever(const Edit& best, float mostCost);
   void AfterCollapse(const Edit& edit, Index gone);
   void ForgetChanged();
   bool IsInside(Index v) const { return this->Task.Vertices.Contains(v); }
@@ -105,6 +109,7 @@ template <typename GoOn>
 void BlockSweep::Run(const BlockTask& task, const GoOn& goOn)
 {
   this->Task = task;
+  this->Space.Range = task.Vertices;
   this->ListVertices();
   Index left = task.Collapses;
   while (left > 0)

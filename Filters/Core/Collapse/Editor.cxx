@@ -14,7 +14,7 @@ namespace
 {
 Verdict Count(Verdict verdict, Workspace& work)
 {
-  if (verdict != Verdict::Allowed)
+  if (verdict != Verdict::Allowed && verdict != Verdict::Elsewhere)
   {
     ++work.Counted.Refusals[static_cast<std::size_t>(verdict)];
   }
@@ -42,6 +42,41 @@ Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const Books& books,
   {
     SumRingQuadrics(this->Half, threads);
   }
+}
+
+//------------------------------------------------------------------------------
+const HalfEdgeMesh& Editor::KeepFirst()
+{
+  if (!this->First)
+  {
+    this->First = std::make_unique<HalfEdgeMesh>(this->Half);
+  }
+  return *this->First;
+}
+
+//------------------------------------------------------------------------------
+void Editor::ProveEdits(const Promise& promise, int threads)
+{
+  this->Guard = std::make_unique<Guarantee>(this->KeepFirst(), this->Source.Tree(threads), promise);
+}
+
+//------------------------------------------------------------------------------
+template <typename Fill>
+Verdict Editor::Prove(Workspace& work, const Fill& fill) const
+{
+  if (!this->Guard)
+  {
+    return Verdict::Allowed;
+  }
+  if (!work.Proofs)
+  {
+    work.Proofs = this->Guard->Lend();
+  }
+  fill(work.Proofs->Change);
+  const ProofAnswer answer = work.Proofs->Prove(this->Half, work.Range);
+  return answer == ProofAnswer::Proved ? Verdict::Allowed
+    : answer == ProofAnswer::Refused   ? Verdict::TooFar
+                                       : Verdict::Elsewhere;
 }
 
 //------------------------------------------------------------------------------
@@ -87,8 +122,13 @@ Verdict Editor::Apply(const Edit& edit)
 }
 
 //------------------------------------------------------------------------------
-Verdict Editor::Apply(const Edit& edit, Workspace& work, int workers)
+Verdict Editor::Apply(const Edit& wanted, Workspace& work, int workers)
 {
+  Edit edit = wanted;
+  if (this->Guard && !edit.KeepStays)
+  {
+    edit.Position = this->Guard->Rounded(edit.Position);
+  }
   if (work.Around.Edge != edit.Edge)
   {
     const Verdict verdict = this->Examine(edit.Edge, work);
@@ -108,6 +148,12 @@ Verdict Editor::Apply(const Edit& edit, Workspace& work, int workers)
   {
     return Count(Verdict::Fragment, work);
   }
+  const Verdict proof =
+    this->Prove(work, [&](Patch& change) { change.FillCollapse(this->Half, work.Around, edit); });
+  if (proof != Verdict::Allowed)
+  {
+    return Count(proof, work);
+  }
   const Index gone = this->Half.Across(edit.Edge, edit.Keep);
   const Vector3 origin = this->Half.Position(work.Around.Start);
   const Fan& fan = work.Faces.Current();
@@ -117,6 +163,10 @@ Verdict Editor::Apply(const Edit& edit, Workspace& work, int workers)
       { fan.OldArea[0][i], fan.OldArea[1][i], fan.OldArea[2][i] });
   }
   this->Half.Collapse(work.Around, edit.Keep, edit.Position);
+  if (this->Guard)
+  {
+    work.Proofs->Commit();
+  }
   if (this->KeepsQuadrics)
   {
     ExchangeRingQuadrics(this->Half, work.Around, edit.Keep, origin, work.Faces.Current());
@@ -134,9 +184,14 @@ void Editor::KeepFirstNormal(Index face)
 }
 
 //------------------------------------------------------------------------------
-Verdict Editor::ApplySmall(const Edit& edit, Workspace& work, int workers)
+Verdict Editor::ApplySmall(const Edit& wanted, Workspace& work, int workers)
 {
+  Edit edit = wanted;
   const bool flips = edit.Kind == EditKind::Flip;
+  if (this->Guard && !flips)
+  {
+    edit.Position = this->Guard->Rounded(edit.Position);
+  }
   const Index vertex = flips ? this->Half.Origin(edit.Edge) : edit.Keep;
   double volumeChange = 0.0; // mm^3
   const Verdict verdict = flips ? JudgeFlip(this->Half, edit.Edge, volumeChange)
@@ -145,12 +200,21 @@ Verdict Editor::ApplySmall(const Edit& edit, Workspace& work, int workers)
   {
     return verdict;
   }
-  if (!this->Volumes.ShareAllows(vertex, volumeChange))
+  const bool needsShare = !this->Volumes.ShareAllows(vertex, volumeChange);
+  if (needsShare &&
+    !this->Volumes.MayChange(vertex, volumeChange, work.Counted.Volumes, 2 * workers))
   {
-    if (!this->Volumes.MayChange(vertex, volumeChange, work.Counted.Volumes, 2 * workers))
-    {
-      return Verdict::Fragment;
-    }
+    return Verdict::Fragment;
+  }
+  const Verdict proof = this->Prove(work,
+    [&](Patch& change)
+    { flips ? change.FillFlip(this->Half, edit) : change.FillMove(this->Half, edit); });
+  if (proof != Verdict::Allowed)
+  {
+    return proof;
+  }
+  if (needsShare)
+  {
     work.Counted.Volumes.Add(this->Volumes.ComponentOf(vertex), volumeChange);
   }
   if (flips)
@@ -167,29 +231,15 @@ Verdict Editor::ApplySmall(const Edit& edit, Workspace& work, int workers)
     }
     this->Half.Move(vertex, edit.Position);
   }
+  if (this->Guard)
+  {
+    work.Proofs->Commit();
+  }
   if (this->AfterEdit)
   {
     this->AfterEdit(*this, edit);
   }
   return Verdict::Allowed;
-}
-
-//------------------------------------------------------------------------------
-bool Editor::LookUpVertices(const Monitor& monitor)
-{
-  constexpr int oneThread = 1; // the largest error is one for all
-  return !this->Source.RecordsDistances() ||
-    ForEachChunk(static_cast<std::size_t>(this->Half.NumberOfVertexSlots()), oneThread, monitor,
-      [this](std::size_t, std::size_t first, std::size_t last)
-      {
-        for (Index v = static_cast<Index>(first); v < static_cast<Index>(last); ++v)
-        {
-          if (this->Half.Outgoing(v) != None)
-          {
-            this->Source.LookUp(v, this->Half.Position(v));
-          }
-        }
-      });
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,7 @@
 #define BoneDecimate_Core_Collapse_Editor_h
 
 #include "Fragments.h"
+#include "Guarantee/Guarantee.h"
 #include "Mesh/Cleaning.h"
 #include "Mesh/Edit.h"
 #include "Mesh/FaceAreas.h"
@@ -51,6 +52,18 @@ public:
   Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const Books& books, int threads);
   Editor(CleanSurface&&, const Books&, int = 1) = delete;
 
+  /// A copy of the mesh as it is now, for those who measure against it; made once.
+  const HalfEdgeMesh& KeepFirst();
+
+  /// From now on every edit is proved; before the first edit.
+  void ProveEdits(const Promise& promise, int threads);
+  bool IsGuaranteed() const { return this->Guard != nullptr; }
+  /// Whether an edit was refused because nobody could prove it.
+  bool MetItsLimit() const
+  {
+    return this->RefusalsByVerdict[static_cast<std::size_t>(Verdict::TooFar)] > 0;
+  }
+
   /// Gathers what lies around the edge and judges what does not depend on the place.
   Verdict Examine(Index edge);
   Verdict Examine(Index edge, Workspace& work) const;
@@ -74,9 +87,6 @@ public:
   /// Judges a flip or a move and, if it is allowed, carries it out. Neither they nor their refusals are counted.
   Verdict ApplySmall(const Edit& edit, Workspace& work, int workers);
 
-  /// After moves: looks all moved vertices up on the original, if distances are recorded. False if the monitor said stop.
-  bool LookUpVertices(const Monitor& monitor);
-
   /// Called after every applied edit, for invariant checks and logs.
   using Hook = std::function<void(const Editor&, const Edit&)>;
   void SetHook(Hook hook) { this->AfterEdit = std::move(hook); }
@@ -98,9 +108,13 @@ public:
 private:
   void KeepFirstNormal(Index face);
   Verdict JudgeEdge(Index edge, Workspace& work) const;
+  template <typename Fill>
+  Verdict Prove(Workspace& work, const Fill& fill) const;
   void KeepBooks(const Edit& edit, Index gone, double volumeChange, Workspace& work);
 
   HalfEdgeMesh Half;
+  std::unique_ptr<const HalfEdgeMesh> First;
+  std::unique_ptr<Guarantee> Guard;
   std::optional<FaceAreas> FaceGeometry;
   bool KeepsQuadrics;
   Original Source;

@@ -25,7 +25,7 @@ Stops StopsOf(const Options& options, Index faces)
   {
     number = faces; // an error alone: no number has to be reached
   }
-  return { number, options.MaximumError, both };
+  return { number, both ? options.MaximumError : 0.0, both };
 }
 
 //------------------------------------------------------------------------------

@@ -25,6 +25,15 @@ constexpr int LargestStep = 4 * KeysOfOctave;
 /// To the monitor, of a sweep of the whole mesh: some milliseconds.
 constexpr Index CollapsesBetweenWords = 1024;
 
+constexpr CostKey LastKey = NeverKey - 1;
+/// Where edits are proved: passes end that take away a smaller share of the faces than one by so many.
+constexpr Index LeastOfPass = 128;
+
+CostKey Raised(CostKey limit, int step)
+{
+  return static_cast<CostKey>(std::min<int>(limit + step, LastKey));
+}
+
 /// Costs are proportional to length^3.5.
 float CostFactorOf(const HalfEdgeMesh& mesh)
 {
@@ -55,12 +64,17 @@ Sweep::Sweep(Editor& editor, const Stops& stops, int threads, double peakWeight)
   this->Known.Keys.assign(count, NeverKey);
   this->Known.Memories.assign(count, 0.0F);
   this->Known.CostFactor = CostFactorOf(editor.Mesh());
-  this->Known.PeakFactor = peakWeight * PeakFactorOf(editor.Mesh());
+  // A proved limit needs no price for peaks.
+  this->Known.PeakFactor = editor.IsGuaranteed() ? 0.0 : peakWeight * PeakFactorOf(editor.Mesh());
 }
 
 //------------------------------------------------------------------------------
 StopReason Sweep::Run(const Monitor& monitor)
 {
+  if (this->Work.IsGuaranteed())
+  {
+    return this->RunProved(monitor);
+  }
   std::int64_t editsWhenRenewed = -1;
   while (!this->End.IsReached())
   {
@@ -82,22 +96,68 @@ StopReason Sweep::Run(const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
+/// Nobody knows where it will end. What is refused is left until the next pass, which then tries it in every way.
+StopReason Sweep::RunProved(const Monitor& monitor)
+{
+  const HalfEdgeMesh& mesh = this->Work.Mesh();
+  Index facesBefore = 0;
+  for (int pass = 0; !this->End.IsReached(); ++pass)
+  {
+    if (pass > 1 && facesBefore - mesh.NumberOfFaces() <= facesBefore / LeastOfPass)
+    {
+      return this->Work.MetItsLimit() ? StopReason::ErrorReached : StopReason::NothingLeft;
+    }
+    facesBefore = mesh.NumberOfFaces();
+    this->TriesAll = pass > 0;
+    if (pass < 2)
+    {
+      this->Known.Changed.assign(this->Known.Keys.size(), 1);
+    }
+    if (!this->RenewAll(monitor) || !this->ProvedPass(monitor))
+    {
+      return StopReason::Aborted;
+    }
+  }
+  return this->End.Reason();
+}
+
+//------------------------------------------------------------------------------
+/// False if the monitor stopped it.
+bool Sweep::ProvedPass(const Monitor& monitor)
+{
+  const Index half = this->Work.Mesh().NumberOfFaces() / 4; // of the vertices
+  CostKey limit = this->HasRounds() && !this->TriesAll ? this->FirstLimit(half) : LastKey;
+  bool goesOn = !this->HasRounds() || this->Round(limit, monitor);
+  while (goesOn && limit < LastKey && !this->End.IsReached())
+  {
+    limit = Raised(limit, LargestStep);
+    goesOn = this->Round(limit, monitor);
+  }
+  return goesOn &&
+    (this->End.IsReached() || this->SweepWhole(LastKey, this->Wanted.Faces, false, monitor));
+}
+
+//------------------------------------------------------------------------------
+bool Sweep::HasRounds() const
+{
+  return this->Work.Mesh().NumberOfVertexSlots() >= LeastForRounds;
+}
+
+//------------------------------------------------------------------------------
 /// As long as they are worth it. False if the monitor stopped it.
 bool Sweep::RunRounds(const Monitor& monitor)
 {
-  if (this->Wanted.Error > 0.0 || this->Work.Mesh().NumberOfVertexSlots() < LeastForRounds)
+  if (!this->HasRounds())
   {
     return true;
   }
-  constexpr CostKey last = NeverKey - 1;
-  CostKey limit = this->FirstLimit();
+  CostKey limit = this->FirstLimit(this->CollapsesWanted());
   int step = FirstStep;
   bool goesUp = true;
   for (int round = 0; goesUp && this->CollapsesWanted() > this->FacesAtFirst / 128; ++round)
   {
     const Index wanted = this->CollapsesWanted();
-    if (!this->Round(limit, false, monitor) || !this->Round(limit, true, monitor) ||
-      !this->SweepWhole(limit, this->Wanted.Faces, false, monitor))
+    if (!this->Round(limit, monitor))
     {
       return false;
     }
@@ -107,8 +167,8 @@ bool Sweep::RunRounds(const Monitor& monitor)
       const double perKey = std::max(1, wanted - left) / static_cast<double>(step);
       step = static_cast<int>(std::clamp<double>(ShareOfRound * left / perKey, 1.0, LargestStep));
     }
-    goesUp = limit < last; // what no limit lets through may not be collapsed at all
-    limit = static_cast<CostKey>(std::min<int>(limit + step, last));
+    goesUp = limit < LastKey; // what no limit lets through may not be collapsed at all
+    limit = Raised(limit, step);
   }
   return true;
 }
@@ -133,15 +193,15 @@ Index Sweep::CollapsesWanted() const
 }
 
 //------------------------------------------------------------------------------
-/// The highest key such that no more vertices than there are collapses wanted are not above it.
-CostKey Sweep::FirstLimit() const
+/// The highest key such that no more vertices than that are not above it.
+CostKey Sweep::FirstLimit(Index collapses) const
 {
   std::vector<Index> histogram(NeverKey + 1, 0);
   for (const CostKey key : this->Known.Keys)
   {
     ++histogram[key];
   }
-  Index left = this->CollapsesWanted();
+  Index left = collapses;
   std::size_t limit = 0;
   while (limit < NeverKey && histogram[limit] <= left)
   {
@@ -151,8 +211,16 @@ CostKey Sweep::FirstLimit() const
 }
 
 //------------------------------------------------------------------------------
-/// Blocks side by side. False if the monitor stopped it.
-bool Sweep::Round(CostKey limit, bool isShifted, const Monitor& monitor)
+/// Blocks, shifted blocks, and what neither can do. False if the monitor stopped it.
+bool Sweep::Round(CostKey limit, const Monitor& monitor)
+{
+  return this->SweepBlocks(limit, false, monitor) && this->SweepBlocks(limit, true, monitor) &&
+    this->SweepWhole(limit, this->Wanted.Faces, false, monitor);
+}
+
+//------------------------------------------------------------------------------
+/// Side by side. False if the monitor stopped it.
+bool Sweep::SweepBlocks(CostKey limit, bool isShifted, const Monitor& monitor)
 {
   const std::vector<BlockTask> blocks = this->Blocks(limit, isShifted);
   std::vector<Tally> counted(blocks.size());
@@ -196,6 +264,7 @@ std::vector<BlockTask> Sweep::Blocks(CostKey limit, bool isShifted) const
     BlockTask task;
     task.Vertices = { std::max(0, first), std::min(slots, first + size) };
     task.Limit = limit;
+    task.TriesAll = this->TriesAll;
     task.Collapses =
       static_cast<Index>(std::count_if(this->Known.Keys.begin() + task.Vertices.First,
         this->Known.Keys.begin() + task.Vertices.Last, [&](CostKey key) { return key <= limit; }));
@@ -217,8 +286,8 @@ std::vector<BlockTask> Sweep::Blocks(CostKey limit, bool isShifted) const
 bool Sweep::Tail(const Monitor& monitor)
 {
   const Index renewBelow = this->FacesAtFirst / RenewBelowShare;
-  return this->SweepWhole(NeverKey - 1, renewBelow, false, monitor) &&
-    (this->End.IsReached() || this->SweepWhole(NeverKey - 1, 0, true, monitor));
+  return this->SweepWhole(LastKey, renewBelow, false, monitor) &&
+    (this->End.IsReached() || this->SweepWhole(LastKey, 0, true, monitor));
 }
 
 //------------------------------------------------------------------------------
@@ -230,6 +299,7 @@ bool Sweep::SweepWhole(CostKey limit, Index faces, bool renewsRing, const Monito
   task.Vertices.Last = this->Work.Mesh().NumberOfVertexSlots();
   task.Limit = limit;
   task.RenewsRing = renewsRing;
+  task.TriesAll = this->TriesAll;
   task.Collapses = std::max(0, this->Work.Mesh().NumberOfFaces() - faces);
   bool goesOn = true;
   Index collapses = 0;

@@ -43,9 +43,13 @@ public:
 private:
   bool RenewAll(const Monitor& monitor);
   Index CollapsesWanted() const;
+  StopReason RunProved(const Monitor& monitor);
+  bool ProvedPass(const Monitor& monitor);
+  bool HasRounds() const;
   bool RunRounds(const Monitor& monitor);
-  CostKey FirstLimit() const;
-  bool Round(CostKey limit, bool isShifted, const Monitor& monitor);
+  CostKey FirstLimit(Index collapses) const;
+  bool Round(CostKey limit, const Monitor& monitor);
+  bool SweepBlocks(CostKey limit, bool isShifted, const Monitor& monitor);
   Index BlockSize() const;
   std::vector<BlockTask> Blocks(CostKey limit, bool isShifted) const;
   bool Tail(const Monitor& monitor);
@@ -57,6 +61,7 @@ private:
   int Threads;
   VertexKeys Known;
   Index FacesAtFirst;
+  bool TriesAll = false; // of BlockTask
 };
 }
 

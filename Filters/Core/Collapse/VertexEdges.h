@@ -10,6 +10,7 @@
 #include "Kernels/Kernels.h"
 #include "LevelLists.h"
 #include "Mesh/HalfEdgeMesh.h"
+#include "Mesh/VertexRange.h"
 
 #include <vector>
 
@@ -25,14 +26,26 @@ struct VertexKeys
   /// A distance left behind, units, to the power of 3/2 times this over the number of faces is the least cost that such
   /// a collapse has.
   double PeakFactor = 0.0;
-};
+  /// Kept where edits are proved: whether anything around a vertex has changed since it was given its key.
+  std::vector<std::uint8_t> Changed;
 
-/// A range of vertices.
-struct VertexRange
-{
-  Index First = 0;
-  Index Last = 0; ///< One past the end.
-  bool Contains(Index v) const { return v >= this->First && v < this->Last; }
+  void NoteChange(const std::vector<Index>& vertices)
+  {
+    for (std::size_t i = 0; i < vertices.size() && !this->Changed.empty(); ++i)
+    {
+      this->Changed[vertices[i]] = 1;
+    }
+  }
+  /// Whether it has to be asked again.
+  bool TakeChange(Index vertex)
+  {
+    const bool changed = this->Changed.empty() || this->Changed[vertex] != 0;
+    if (!this->Changed.empty())
+    {
+      this->Changed[vertex] = 0;
+    }
+    return changed;
+  }
 };
 
 class VertexEdges

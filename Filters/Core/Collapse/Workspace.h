@@ -8,6 +8,7 @@
 #define BoneDecimate_Core_Collapse_Workspace_h
 
 #include "Fragments.h"
+#include "Guarantee/Prover.h"
 #include "Kernels/Kernels.h"
 #include "Mesh/Neighbourhood.h"
 #include "Report.h"
@@ -45,6 +46,8 @@ struct Workspace
   Neighbourhood Around; ///< What was examined last; Edge is None if that was refused.
   FanStorage Faces;     ///< The fan of the edit judged last.
   Tally Counted;
+  VertexRange Range;              ///< What the worker may change.
+  std::shared_ptr<Prover> Proofs; ///< Lent where there is a guarantee.
 };
 }
 

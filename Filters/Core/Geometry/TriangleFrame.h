@@ -14,6 +14,7 @@
 #include "Surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -59,6 +60,23 @@ public:
   const Vector3& UnitNormal() const { return this->Normal; } ///< Zero without area.
   double SurfaceArea() const { return this->Area; }          ///< mm^2
   bool HasPlane() const { return this->Inverse > 0.0; }
+
+  /// The weights of B and C at the foot of p on the plane, inside or out; zero without a plane.
+  std::array<double, 2> Coordinates(const Vector3& p) const
+  {
+    const Vector3 ap = p - this->A;
+    const double pb = this->AB.dot(ap);
+    const double pc = this->AC.dot(ap);
+    return { (this->Cc * pb - this->Bc * pc) * this->Inverse,
+      (this->Bb * pc - this->Bc * pb) * this->Inverse };
+  }
+
+  /// mm^2, to a place that lies on the triangle even if rounding made it the wrong one: never too small by more than the
+  /// rounding of one subtraction.
+  double SquaredReach(const Vector3& p) const
+  {
+    return (p - this->At(this->Nearest(p))).squaredNorm();
+  }
 
   Vector3 At(const Place& place) const { return this->A + place.B * this->AB + place.C * this->AC; }
 

@@ -24,6 +24,7 @@
 #include "Kernels.h"
 #include "LaneDistance.h"
 #include "Lanes.h"
+#include "ReachKernel.h"
 
 #include <limits>
 
@@ -376,5 +377,5 @@ RingQuadric ExchangePlanes(
 
 extern const Kernels BONEDECIMATE_KERNELS;
 const Kernels BONEDECIMATE_KERNELS = { BONEDECIMATE_KERNELS_NAME, JudgeEdges, JudgeFan, LeaveBehind,
-  SumPlanes, ExchangePlanes };
+  SumPlanes, ExchangePlanes, ReachTriangles };
 }

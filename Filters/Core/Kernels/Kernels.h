@@ -70,6 +70,16 @@ struct FanVerdict
   double VolumeChange = 0.0; ///< mm^3
 };
 
+/// Four triangles A, A + AB, A + AC side by side, mm; those that are not there repeat another.
+struct TriangleBatch
+{
+  static constexpr int Size = 4;
+  double A[3][Size], AB[3][Size], AC[3][Size];
+  double Bb[Size], Bc[Size], Cc[Size]; ///< AB . AB, AB . AC, AC . AC, mm^2
+  double PerDeterminant[Size]; ///< 1 / (Bb Cc - Bc Bc), mm^-4; 0 for a triangle without a plane.
+  double PerSquared[3][Size];  ///< 1 / squared length of AB, AC, BC; 0 without a length, mm^-2
+};
+
 struct Kernels
 {
   const char* Name;
@@ -84,6 +94,10 @@ struct Kernels
   /// @param ring The vertices of the fan's ring; fewer by one than Faces + 1 if it closes.  @param perArea 1/mm^2
   RingQuadric (*ExchangePlanes)(
     const Fan& fan, VertexRecord* records, const Index* ring, bool closes, double perArea);
+  /// Squared distances of a point to places on the triangles, the nearest but for rounding, mm^2: never too small by more
+  /// than the rounding of one subtraction.  @param squared Size for each batch.
+  void (*ReachTriangles)(
+    const TriangleBatch* batches, int count, const double* point, double* squared);
 };
 
 /// The best set for this processor, unless another one was chosen.

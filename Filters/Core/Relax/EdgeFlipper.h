@@ -30,9 +30,9 @@ class EdgeFlipper
 {
 public:
   /// @param faceErrors Of each face, squares of the mesh's unit, negative where unknown; workers on other parts of the
-  /// mesh share it.
+  /// mesh share it.  @param range What may be changed.
   EdgeFlipper(Editor& editor, Samples& samples, const BackHints& hints,
-    std::vector<float>& faceErrors, int workers)
+    std::vector<float>& faceErrors, VertexRange range, int workers)
     : Work(editor)
     , Fit(samples)
     , Back(hints)
@@ -40,6 +40,7 @@ public:
     , Weigh(editor.Mesh().Unit(), samples.Spread())
     , Workers(workers)
   {
+    this->Space.Range = range;
   }
 
   /// Flips edges at the vertex; returns how many.

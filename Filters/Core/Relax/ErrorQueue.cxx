@@ -15,6 +15,7 @@ ErrorQueue::ErrorQueue(Editor& editor, Samples& samples, BackHints& hints, Sampl
   , Block(block)
   , Costs(editor.Mesh(), samples, hints)
 {
+  this->Space.Range = { block.First, block.Last };
 }
 
 //------------------------------------------------------------------------------
@@ -86,8 +87,13 @@ bool ErrorQueue::Collapse(const JudgedEdge& edge)
   edit.Edge = edge.Edge;
   edit.Keep = around.Start;
   edit.Position = answer.Position;
-  if (this->Work.Apply(edit, this->Space, this->Block.Workers) != Verdict::Allowed)
+  const Verdict verdict = this->Work.Apply(edit, this->Space, this->Block.Workers);
+  if (verdict != Verdict::Allowed)
   {
+    if (verdict == Verdict::Elsewhere)
+    {
+      this->Left.push_back(edge);
+    }
     return false;
   }
   this->HandOver(around);

@@ -9,11 +9,10 @@
 
 namespace bonedecimate
 {
-Relaxation::Relaxation(Editor& editor, const HalfEdgeMesh& original, double farthest, int threads)
+Relaxation::Relaxation(Editor& editor, const HalfEdgeMesh& original, int threads)
   : Work(editor)
   , Fit(original)
   , Back(original)
-  , Farthest(farthest)
   , Threads(threads)
 {
 }
@@ -58,10 +57,10 @@ bool Relaxation::FlipEdges(const Monitor& monitor)
   std::vector<float> faceErrors(
     static_cast<std::size_t>(this->Work.Mesh().NumberOfFaceSlots()), -1.0F);
   return blocks.ForEach(this->Work.Mesh(), this->EditThreads(), monitor,
-    [&]
+    [&](VertexRange range)
     {
-      return [flipper = EdgeFlipper(this->Work, this->Fit, this->Back, faceErrors, blocks.Count())](
-               Index v) mutable { flipper.Improve(v); };
+      return [flipper = EdgeFlipper(this->Work, this->Fit, this->Back, faceErrors, range,
+                blocks.Count())](Index v) mutable { flipper.Improve(v); };
     });
 }
 
@@ -72,10 +71,10 @@ bool Relaxation::MoveVertices(const Monitor& monitor)
   this->Work.ShareVolumes();
   VertexBlocks blocks(this->Work.Mesh());
   return blocks.ForEach(this->Work.Mesh(), this->EditThreads(), monitor,
-    [&]
+    [&](VertexRange range)
     {
-      return [mover = VertexMover(this->Work, this->Fit, this->Back, this->Farthest,
-                blocks.Count())](Index v) mutable { mover.Improve(v); };
+      return [mover = VertexMover(this->Work, this->Fit, this->Back, range, blocks.Count())](
+               Index v) mutable { mover.Improve(v); };
     });
 }
 

@@ -23,8 +23,7 @@ class Relaxation
 {
 public:
   /// @param original The mesh before the first collapse, which must stay.
-  /// @param farthest mm, no vertex is moved farther from it; 0: anywhere.
-  Relaxation(Editor& editor, const HalfEdgeMesh& original, double farthest, int threads);
+  Relaxation(Editor& editor, const HalfEdgeMesh& original, int threads);
 
   /// All monitors hear fractions from 0 to 1. False if one said stop; the surface is valid then, too.
   bool Begin(const Monitor& monitor);
@@ -41,7 +40,6 @@ private:
   Editor& Work;
   Samples Fit;
   BackHints Back;
-  double Farthest; // mm
   int Threads;
   bool IsSettled = false; // whether no vertex has moved since the samples were
 };

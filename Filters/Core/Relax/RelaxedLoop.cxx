@@ -36,14 +36,16 @@ StopReason RelaxedLoop::Run(const Monitor& monitor)
   {
     return this->Collapse(this->Wanted.Faces, all);
   }
-  const HalfEdgeMesh original = this->Work.Mesh();
+  const HalfEdgeMesh& original = this->Work.KeepFirst();
   const StopReason swept = this->Collapse(this->FacesOfSweep(), PartOf(all, 0.0, SweptAt));
   if (swept == StopReason::Aborted || !this->Relax(original, PartOf(all, SweptAt, 1.0)))
   {
     return StopReason::Aborted;
   }
   const Goal goal(this->Work, this->Wanted);
-  return goal.IsReached() ? goal.Reason() : StopReason::NothingLeft;
+  return goal.IsReached()      ? goal.Reason()
+    : this->Work.MetItsLimit() ? StopReason::ErrorReached
+                               : StopReason::NothingLeft;
 }
 
 //------------------------------------------------------------------------------
@@ -57,10 +59,6 @@ StopReason RelaxedLoop::Collapse(Index faces, const Monitor& monitor)
 //------------------------------------------------------------------------------
 Index RelaxedLoop::FacesOfSweep() const
 {
-  if (this->Wanted.Error > 0.0)
-  {
-    return this->Wanted.Faces;
-  }
   const double extra = std::min(this->Asked.ExtraOfWanted * this->Wanted.Faces,
     this->Asked.ExtraOfOriginal * this->FacesAtFirst);
   return std::min(this->FacesAtFirst, this->Wanted.Faces + static_cast<Index>(extra));
@@ -72,27 +70,26 @@ bool RelaxedLoop::Relax(const HalfEdgeMesh& original, const Monitor& monitor)
   constexpr double begunAt = 0.2;
   constexpr double relaxedAt = 0.4;
   constexpr double collapsedAt = 0.7;
-  constexpr double relaxedAgainAt = 0.995;
-  Relaxation relaxation(this->Work, original, this->Wanted.Error, this->Threads);
+  Relaxation relaxation(this->Work, original, this->Threads);
   const bool fewRemain = this->Wanted.Faces < FewTriangles * this->FacesAtFirst;
   const int sweepsAfter = fewRemain ? this->Asked.SweepsIfFew : this->Asked.SweepsAfter;
   return relaxation.Begin(PartOf(monitor, 0.0, begunAt)) &&
     relaxation.Sweep(this->Asked.SweepsBefore, PartOf(monitor, begunAt, relaxedAt)) &&
     this->CollapseLast(relaxation, PartOf(monitor, relaxedAt, collapsedAt)) &&
-    relaxation.Sweep(sweepsAfter, PartOf(monitor, collapsedAt, relaxedAgainAt)) &&
-    this->Work.LookUpVertices(PartOf(monitor, relaxedAgainAt, 1.0));
+    relaxation.Sweep(sweepsAfter, PartOf(monitor, collapsedAt, 1.0));
 }
 
 //------------------------------------------------------------------------------
 bool RelaxedLoop::CollapseLast(Relaxation& relaxation, const Monitor& monitor)
 {
   constexpr double lastAt = 0.99;
-  if (this->Wanted.Error > 0.0 || this->Work.Mesh().NumberOfFaces() <= this->Wanted.Faces)
+  if (this->Work.Mesh().NumberOfFaces() <= this->Wanted.Faces)
   {
     return true;
   }
-  if (!relaxation.CollapseTo(
-        this->Wanted.Faces, this->Asked.EdgesOfCollapse, PartOf(monitor, 0.0, lastAt)))
+  if (!this->Work.IsGuaranteed() &&
+    !relaxation.CollapseTo(
+      this->Wanted.Faces, this->Asked.EdgesOfCollapse, PartOf(monitor, 0.0, lastAt)))
   {
     return false;
   }

@@ -31,6 +31,16 @@ VertexBlocks::VertexBlocks(const HalfEdgeMesh& mesh)
 }
 
 //------------------------------------------------------------------------------
+VertexRange VertexBlocks::RangeOf(Index first, Index last) const
+{
+  const Index count = static_cast<Index>(this->Order.size());
+  VertexRange range;
+  range.First = first == 0 ? 0 : this->Order[first];
+  range.Last = last == count ? static_cast<Index>(this->Ranks.size()) : this->Order[last];
+  return range;
+}
+
+//------------------------------------------------------------------------------
 bool VertexBlocks::IsInside(const HalfEdgeMesh& mesh, Index v, const Cut& cut) const
 {
   const Index block = cut.BlockOf(this->Ranks[v]);

@@ -16,6 +16,7 @@
 #define BoneDecimate_Core_Relax_VertexBlocks_h
 
 #include "Mesh/HalfEdgeMesh.h"
+#include "Mesh/VertexRange.h"
 #include "Monitor.h"
 #include "Parallel.h"
 
@@ -52,6 +53,8 @@ private:
   template <typename MakeWorker>
   bool VisitRest(const Monitor& monitor, const MakeWorker& makeWorker);
 
+  /// What lies between these places of the order, and before the first and behind the last of all.
+  VertexRange RangeOf(Index first, Index last) const;
   bool IsInside(const HalfEdgeMesh& mesh, Index v, const Cut& cut) const;
 
   Index BlockSize = 0;      // vertices
@@ -83,9 +86,9 @@ bool VertexBlocks::VisitBlocks(const HalfEdgeMesh& mesh, const Cut& cut, int thr
   return ForEachChunk(blocks, threads, monitor,
     [&](std::size_t, std::size_t begin, std::size_t end)
     {
-      auto worker = makeWorker();
       const Index first = std::max(0, static_cast<Index>(begin) * cut.Size - cut.Shift);
       const Index last = std::min(count, static_cast<Index>(end) * cut.Size - cut.Shift);
+      auto worker = makeWorker(this->RangeOf(first, last));
       for (Index i = first; i < last; ++i)
       {
         if (!this->Visited[i] && this->IsInside(mesh, this->Order[i], cut))
@@ -103,7 +106,7 @@ bool VertexBlocks::VisitRest(const Monitor& monitor, const MakeWorker& makeWorke
 {
   constexpr Index tellEvery = 64; // vertices
   const Index count = static_cast<Index>(this->Order.size());
-  auto worker = makeWorker();
+  auto worker = makeWorker(this->RangeOf(0, count));
   Index visits = 0;
   for (Index i = 0; i < count; ++i)
   {

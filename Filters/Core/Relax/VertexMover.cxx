@@ -159,11 +159,6 @@ bool VertexMover::Lowers(Index vertex, const Vector3& position)
 {
   const PlaceOnMesh found = this->Back.Find(position, vertex);
   const double squared = found.Place.SquaredDistance;
-  if (this->Farthest > 0.0 &&
-    squared > std::max(this->Farthest * this->Farthest, this->SquaredDistance))
-  {
-    return false;
-  }
   this->Hint = found.Face;
   double area = 0.0; // mm^2
   double error = 0.0;

@@ -25,16 +25,16 @@ namespace bonedecimate
 class VertexMover
 {
 public:
-  /// @param farthest mm, no vertex may go farther from the original, or farther than it is; 0: anywhere.
+  /// @param range What may be changed.
   VertexMover(
-    Editor& editor, const Samples& samples, BackHints& hints, double farthest, int workers)
+    Editor& editor, const Samples& samples, BackHints& hints, VertexRange range, int workers)
     : Work(editor)
     , Fit(samples)
     , Back(hints)
     , Weigh(editor.Mesh().Unit(), samples.Spread())
-    , Farthest(farthest)
     , Workers(workers)
   {
+    this->Space.Range = range;
   }
 
   /// True if the vertex moved.
@@ -61,7 +61,6 @@ private:
   const Samples& Fit;
   BackHints& Back;
   ErrorPenalty Weigh;
-  double Farthest; // mm
   int Workers;
   std::vector<RingFace> Ring;
   std::vector<Index> Neighbours;

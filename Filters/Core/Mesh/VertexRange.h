@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file VertexRange.h
+ * @brief Consecutive vertices: what one worker may read and write.
+ */
+#ifndef BoneDecimate_Core_Mesh_VertexRange_h
+#define BoneDecimate_Core_Mesh_VertexRange_h
+
+#include "Surface.h"
+
+#include <limits>
+
+namespace bonedecimate
+{
+struct VertexRange
+{
+  Index First = 0;
+  Index Last = std::numeric_limits<Index>::max(); ///< One past the end.
+  bool Contains(Index v) const { return v >= this->First && v < this->Last; }
+};
+}
+
+#endif
