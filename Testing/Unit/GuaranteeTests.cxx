@@ -28,13 +28,6 @@ CertificateVerdict Judge(const Surface& input, const Surface& result, double err
   return Certify(input, result, options).Verdict;
 }
 
-/// Without what decimation drops before it begins.
-bool CanBeJudged(const Surface& input)
-{
-  const Report report = Decimate(input, Triangles(std::numeric_limits<int>::max())).Report;
-  return report.Status == InputStatus::Good && report.Cleaning.DroppedTriangles == 0;
-}
-
 class EachGuarantee : public EachShape
 {
 };

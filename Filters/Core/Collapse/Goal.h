@@ -20,7 +20,8 @@ struct Stops
 };
 
 /// What the options ask for on a surface of that many faces; a default reduction steps back for other wishes.
-Stops StopsOf(const Options& options, Index faces);
+/// @param isLimited Whether every point has a tolerance: such a wish, too.
+Stops StopsOf(const Options& options, Index faces, bool isLimited = false);
 
 class Goal
 {
