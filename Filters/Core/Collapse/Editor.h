@@ -56,6 +56,9 @@ public:
 
   /// From now on every edit is proved; before the first edit.
   void ProveEdits(const Promise& promise, int threads);
+  /// What has a tolerance of 0, or one too small to be proved, stays from now on, with all its faces: before the first
+  /// edit and after ProveEdits.  @param tolerances Of each vertex, mm.  @return How many vertices that is.
+  Index Freeze(const std::vector<double>& tolerances);
   bool IsGuaranteed() const { return this->Guard != nullptr; }
   /// Whether an edit was refused because nobody could prove it.
   bool MetItsLimit() const

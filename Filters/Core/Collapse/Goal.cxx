@@ -12,9 +12,10 @@ namespace
 constexpr double ProgressStep = 0.005;
 }
 
-Stops StopsOf(const Options& options, Index faces)
+Stops StopsOf(const Options& options, Index faces, bool isLimited)
 {
-  const bool anyOther = options.TargetNumberOfTriangles > 0 || options.MaximumError > 0.0;
+  const bool anyOther =
+    isLimited || options.TargetNumberOfTriangles > 0 || options.MaximumError > 0.0;
   const bool reduce =
     options.TargetReduction < 1.0 && (options.TargetReductionIsExplicit || !anyOther);
   const Index byReduction =

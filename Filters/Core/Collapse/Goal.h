@@ -21,7 +21,8 @@ struct Stops
 
 /// What the options ask for on a surface of that many faces; a default reduction steps back for other wishes. In the
 /// modes that prove their largest error that is no stop: the guarantee refuses what is beyond it.
-Stops StopsOf(const Options& options, Index faces);
+/// @param isLimited Whether every point has a tolerance: such a wish, too.
+Stops StopsOf(const Options& options, Index faces, bool isLimited = false);
 
 class Goal
 {

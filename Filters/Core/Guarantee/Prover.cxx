@@ -48,7 +48,7 @@ bool Prover::PlaceIsNear()
   {
     return true;
   }
-  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Shared.Limit);
+  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Shared.Allowed);
   this->Place = original.Find(this->Change.Position, this->Shared.Nearest[moved]);
   return this->Place.Distance <= original.Limit(this->Place.Nearest);
 }
@@ -188,7 +188,7 @@ Index Prover::PointOf(Index id)
     return known;
   }
   const Vector3& p = this->Shared.Source.Position(id);
-  const Faces near = this->Share.FacesNear(p, this->Shared.Limit);
+  const Faces near = this->Share.FacesNear(p, this->Shared.LimitAt(id));
   const Point point = { id, near, this->SquaredDistances.size() };
   for (std::size_t i = 0; i < this->Change.NewFaces.size(); ++i)
   {
@@ -240,7 +240,8 @@ bool Prover::ProveInPieces(const HalfEdgeMesh& mesh, Item& item, const Triangle&
   for (std::size_t i = 0; i < 3; ++i)
   {
     const Vector3& p = this->Shared.Source.Position(corners[i]);
-    whole[i] = { p, this->Shared.Limit, this->Share.FacesNear(p, this->Shared.Limit) };
+    const double limit = this->Shared.LimitAt(corners[i]);
+    whole[i] = { p, limit, this->Share.FacesNear(p, limit) };
   }
   item.Used = 0;
   const bool proved = this->Share.Prove(whole, item.Used);
@@ -252,7 +253,7 @@ bool Prover::ProveInPieces(const HalfEdgeMesh& mesh, Item& item, const Triangle&
 //------------------------------------------------------------------------------
 bool Prover::NewFacesAreNear()
 {
-  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Shared.Limit);
+  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Shared.Allowed);
   return std::all_of(this->Change.NewFaces.begin(), this->Change.NewFaces.end(),
     [&](const Patch::Face& face)
     {

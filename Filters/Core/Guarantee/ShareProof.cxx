@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShareProof.h"
 
+#include "Limits.h"
+
 #include <algorithm>
 
 namespace bonedecimate
@@ -150,7 +152,7 @@ ShareProof::Corner ShareProof::Between(const Corner& from, const Corner& to, dou
 {
   Corner middle;
   middle.Place = from.Place + t * (to.Place - from.Place);
-  middle.Limit = from.Limit + t * (to.Limit - from.Limit);
+  middle.Limit = Limits::Between(from.Limit, to.Limit, t);
   middle.Near = this->FacesNear(middle.Place, middle.Limit);
   return middle;
 }
