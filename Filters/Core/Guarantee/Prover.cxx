@@ -8,23 +8,38 @@
 
 namespace bonedecimate
 {
+namespace
+{
+/// Of an original, before it is given up: with too few, good edits are refused.
+constexpr std::size_t MostPieces = 1024;
+
+/// Others may have to help.
+constexpr std::size_t MostNewFaces = ShareProof::MostCandidates - 2 * Supports::MostHolders;
+
+bool FaceIsInRange(const HalfEdgeMesh& mesh, Index face, VertexRange range)
+{
+  const Triangle corners = mesh.Corners(face);
+  return range.Contains(corners[0]) && range.Contains(corners[1]) && range.Contains(corners[2]);
+}
+}
+
 Prover::Prover(Guarantee& promise)
   : Shared(promise)
   , Items(promise.Source.NumberOfFaceSlots())
   , BorderItems(static_cast<Index>(promise.Borders.Count()))
   , Points(promise.Source.NumberOfVertexSlots())
-  , Planes(promise.Source)
+  , Back(promise.Source)
 {
 }
 
 //------------------------------------------------------------------------------
 ProofAnswer Prover::Prove(const HalfEdgeMesh& mesh, VertexRange range)
 {
-  if (this->Change.NewFaces.size() > ShareProof::MostCandidates || !this->PlaceIsNear())
+  if (this->Change.NewFaces.size() > MostNewFaces || !this->PlaceIsNear())
   {
     return ProofAnswer::Refused;
   }
-  this->Prepare();
+  this->Prepare(mesh, range);
   if (!this->WitnessesAreNear(mesh))
   {
     return ProofAnswer::Refused;
@@ -91,18 +106,14 @@ bool Prover::IsOurs(
 //------------------------------------------------------------------------------
 bool Prover::IsOurs(const HalfEdgeMesh& mesh, VertexRange range) const
 {
-  const auto faceIsInRange = [&](Index face)
-  {
-    const Triangle corners = mesh.Corners(face);
-    return range.Contains(corners[0]) && range.Contains(corners[1]) && range.Contains(corners[2]);
-  };
-  return IsOurs(this->Shared.ByFaces, this->Items, faceIsInRange) &&
+  return IsOurs(this->Shared.ByFaces, this->Items,
+           [&](Index face) { return FaceIsInRange(mesh, face, range); }) &&
     IsOurs(this->Shared.ByBorders, this->BorderItems,
       [&](Index h) { return range.Contains(mesh.Origin(h)) && range.Contains(mesh.Target(h)); });
 }
 
 //------------------------------------------------------------------------------
-void Prover::Prepare()
+void Prover::Prepare(const HalfEdgeMesh& mesh, VertexRange range)
 {
   this->Points.Clear();
   this->SquaredDistances.clear();
@@ -110,6 +121,16 @@ void Prover::Prepare()
   for (const Patch::Face& face : this->Change.NewFaces)
   {
     this->Share.AddCandidate(face.Corners);
+  }
+  this->Helpers.clear();
+  const std::size_t room = ShareProof::MostCandidates - Supports::MostHolders;
+  for (const Index face : this->Change.Neighbours)
+  {
+    if (FaceIsInRange(mesh, face, range) &&
+      this->Change.NewFaces.size() + this->Helpers.size() < room)
+    {
+      this->Helpers.push_back(face);
+    }
   }
 }
 
@@ -220,22 +241,11 @@ Prover::Faces Prover::Nearest(Faces shared, const std::array<Index, 3>& points) 
 }
 
 //------------------------------------------------------------------------------
-/// With the help of the faces that stay and prove a part of it today.
+/// With the help of faces that stay: those that prove a part of it today, and those around the patch.
 bool Prover::ProveInPieces(const HalfEdgeMesh& mesh, Item& item, const Triangle& corners)
 {
   const std::size_t ours = this->Change.NewFaces.size();
-  std::size_t others = 0;
-  for (int slot = 0; slot < Supports::MostHolders; ++slot)
-  {
-    const Index holder = this->Shared.ByFaces.Holder(item.Id, slot);
-    if (holder != None && (item.Gone >> slot & 1) == 0 &&
-      ours + others < ShareProof::MostCandidates)
-    {
-      const Triangle v = mesh.Corners(holder);
-      this->Share.AddCandidate({ mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]) });
-      ++others;
-    }
-  }
+  const std::size_t held = this->AddHelp(mesh, item);
   ShareProof::Piece whole;
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -244,10 +254,54 @@ bool Prover::ProveInPieces(const HalfEdgeMesh& mesh, Item& item, const Triangle&
     whole[i] = { p, limit, this->Share.FacesNear(p, limit) };
   }
   item.Used = 0;
-  const bool proved = this->Share.Prove(whole, item.Used);
-  item.Used &= ours < ShareProof::MostCandidates ? (Faces(1) << ours) - 1 : ~Faces(0);
+  const bool proved = this->Share.Prove(whole, item.Used, MostPieces) == ShareAnswer::Proved;
+  item.Used &= (Faces(1) << (ours + this->Helpers.size())) - 1;
+  for (std::size_t i = 0; i < this->Helpers.size(); ++i)
+  {
+    if (Holds(this->Shared.ByFaces, item.Id, this->Helpers[i]))
+    {
+      item.Used &= ~(Faces(1) << (ours + i));
+    }
+  }
   this->Share.Resize(ours);
-  return proved && others + CountBits(item.Used) <= Supports::MostHolders;
+  return proved && held + CountBits(item.Used) <= Supports::MostHolders;
+}
+
+//------------------------------------------------------------------------------
+/// Candidates behind the new faces: the helpers, then what else proves the item and stays. How many prove it and stay.
+std::size_t Prover::AddHelp(const HalfEdgeMesh& mesh, const Item& item)
+{
+  const auto add = [&](Index face)
+  {
+    const Triangle v = mesh.Corners(face);
+    this->Share.AddCandidate({ mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]) });
+  };
+  std::for_each(this->Helpers.begin(), this->Helpers.end(), add);
+  std::size_t held = 0;
+  for (int slot = 0; slot < Supports::MostHolders; ++slot)
+  {
+    const Index holder = this->Shared.ByFaces.Holder(item.Id, slot);
+    if (holder != None && (item.Gone >> slot & 1) == 0)
+    {
+      ++held;
+      if (std::find(this->Helpers.begin(), this->Helpers.end(), holder) == this->Helpers.end())
+      {
+        add(holder);
+      }
+    }
+  }
+  return held;
+}
+
+//------------------------------------------------------------------------------
+bool Prover::Holds(const Supports& supports, Index item, Index holder)
+{
+  int slot = 0;
+  while (slot < Supports::MostHolders && supports.Holder(item, slot) != holder)
+  {
+    ++slot;
+  }
+  return slot < Supports::MostHolders;
 }
 
 //------------------------------------------------------------------------------
@@ -257,22 +311,9 @@ bool Prover::NewFacesAreNear()
   return std::all_of(this->Change.NewFaces.begin(), this->Change.NewFaces.end(),
     [&](const Patch::Face& face)
     {
-      const Index seed = this->Shared.Nearest[face.Vertices[0]];
-      if (this->Planes.Prove(face.Corners,
-            face.Vertices[0] == this->Change.Moved ? this->Place.Nearest : seed,
-            [&original](Index id) { return original.Limit(id); }))
-      {
-        return true;
-      }
-      PieceCover<3>::Piece whole;
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        const Index v = face.Vertices[i];
-        whole[i] = v == this->Change.Moved
-          ? this->Place
-          : original.Find(face.Corners[i], this->Shared.Nearest[v]);
-      }
-      return this->Pieces.Prove(original, whole);
+      const Index first = face.Vertices[0];
+      return this->Back.Prove(original, face.Corners,
+        first == this->Change.Moved ? this->Place.Nearest : this->Shared.Nearest[first]);
     });
 }
 
@@ -288,6 +329,7 @@ void Prover::Commit()
   {
     this->Holders.push_back(face.Id);
   }
+  this->Holders.insert(this->Holders.end(), this->Helpers.begin(), this->Helpers.end());
   Commit(this->Shared.ByFaces, this->Change.OldFaces, this->Items, this->Holders);
   if (!this->Change.NewBorder.empty() && this->Change.Moved != None)
   {
