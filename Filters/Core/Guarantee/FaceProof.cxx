@@ -120,7 +120,7 @@ bool FaceProof::GatherAround(const WalkedSurface& target, const Piece& piece, In
         this->Original.Twin(HalfEdgeMesh::HalfEdge(this->Around[at].Id, corner));
       const Index face = twin == None ? None : HalfEdgeMesh::Face(twin);
       if (face != None && this->Around.Find(face) == None &&
-        target.Distance(middle, face) <= target.Limit(face) + radius)
+        this->BoxReaches(face, middle, target.Limit(face) + radius))
       {
         this->Around.Insert({ face });
       }
@@ -131,6 +131,19 @@ bool FaceProof::GatherAround(const WalkedSurface& target, const Piece& piece, In
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// Whether the box about an original comes that near (mm).
+bool FaceProof::BoxReaches(Index face, const Vector3& p, double distance) const
+{
+  const Triangle v = this->Original.Corners(face);
+  const Vector3& a = this->Original.Position(v[0]);
+  const Vector3& b = this->Original.Position(v[1]);
+  const Vector3& c = this->Original.Position(v[2]);
+  const Vector3 below = a.cwiseMin(b).cwiseMin(c) - p;
+  const Vector3 above = p - a.cwiseMax(b).cwiseMax(c);
+  return below.cwiseMax(above).cwiseMax(0.0).squaredNorm() <= distance * distance;
 }
 
 //------------------------------------------------------------------------------

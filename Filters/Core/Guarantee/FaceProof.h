@@ -52,6 +52,7 @@ private:
   bool ProvePiece(const WalkedSurface& target, const Piece& piece);
   ShareAnswer AskAround(const WalkedSurface& target, const Piece& piece, Index seed);
   bool GatherAround(const WalkedSurface& target, const Piece& piece, Index seed);
+  bool BoxReaches(Index face, const Vector3& p, double distance) const;
   void Halve(const Piece& piece, Index hint);
 
   const HalfEdgeMesh& Original;

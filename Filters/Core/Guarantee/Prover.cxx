@@ -140,11 +140,15 @@ bool Prover::WitnessesAreNear(const HalfEdgeMesh& mesh)
 {
   for (const Index end : this->Change.Ends)
   {
-    const Index witness = end == None ? None : this->Shared.Witnesses[end];
-    Item item = { witness, 0 };
-    if (witness != None && this->Depends(item) && !this->ProveItem(mesh, item))
+    const Guarantee::Witness& known = this->Shared.Witnesses[end];
+    for (const Index witness : known)
     {
-      return false;
+      Item item = { witness, 0 };
+      if (witness != None && this->Depends(item) && !this->ProveItem(mesh, item))
+      {
+        this->Remember(witness);
+        return false;
+      }
     }
   }
   return true;
@@ -167,16 +171,31 @@ bool Prover::Depends(Item& item) const
 }
 
 //------------------------------------------------------------------------------
+/// Corners first, which refuse most of what is refused; then what has to be cut.
 bool Prover::OriginalsAreNear(const HalfEdgeMesh& mesh)
 {
+  this->Uncut.clear();
   for (Item& item : this->Items)
   {
-    if (!this->ProveItem(mesh, item))
+    const std::array<Index, 3> points = this->PointsOf(item.Id);
+    item.Used = this->Nearest(points);
+    const bool isAnyFar = std::any_of(points.begin(), points.end(),
+      [this](Index point) { return this->Points[point].Near == 0; });
+    if (isAnyFar && !this->ProveInPieces(mesh, item))
     {
-      for (const Index end : this->Change.Ends)
-      {
-        this->Shared.Witnesses[end] = item.Id;
-      }
+      this->Remember(item.Id);
+      return false;
+    }
+    if (item.Used == 0 && !isAnyFar)
+    {
+      this->Uncut.push_back(item.Id);
+    }
+  }
+  for (const Index id : this->Uncut)
+  {
+    if (!this->ProveInPieces(mesh, this->Items[this->Items.Find(id)]))
+    {
+      this->Remember(id);
       return false;
     }
   }
@@ -184,19 +203,33 @@ bool Prover::OriginalsAreNear(const HalfEdgeMesh& mesh)
 }
 
 //------------------------------------------------------------------------------
+/// As what could not be proved, in place of what refused longest ago.
+void Prover::Remember(Index item)
+{
+  for (const Index end : this->Change.Ends)
+  {
+    if (end != None)
+    {
+      Guarantee::Witness& known = this->Shared.Witnesses[end];
+      const auto place = std::find(known.begin(), known.end() - 1, item);
+      std::rotate(known.begin(), place, place + 1);
+      known.front() = item;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 bool Prover::ProveItem(const HalfEdgeMesh& mesh, Item& item)
 {
-  const Triangle corners = this->Shared.Source.Corners(item.Id);
-  const std::array<Index, 3> points = { this->PointOf(corners[0]), this->PointOf(corners[1]),
-    this->PointOf(corners[2]) };
-  const Faces shared =
-    this->Points[points[0]].Near & this->Points[points[1]].Near & this->Points[points[2]].Near;
-  if (shared == 0)
-  {
-    return this->ProveInPieces(mesh, item, corners);
-  }
-  item.Used = this->Nearest(shared, points);
-  return true;
+  item.Used = this->Nearest(this->PointsOf(item.Id));
+  return item.Used != 0 || this->ProveInPieces(mesh, item);
+}
+
+//------------------------------------------------------------------------------
+std::array<Index, 3> Prover::PointsOf(Index original)
+{
+  const Triangle corners = this->Shared.Source.Corners(original);
+  return { this->PointOf(corners[0]), this->PointOf(corners[1]), this->PointOf(corners[2]) };
 }
 
 //------------------------------------------------------------------------------
@@ -219,9 +252,12 @@ Index Prover::PointOf(Index id)
 }
 
 //------------------------------------------------------------------------------
-/// Of the faces that could prove an original, the nearest: its neighbours are those that may have to take over.
-Prover::Faces Prover::Nearest(Faces shared, const std::array<Index, 3>& points) const
+/// Of the faces near all corners of an original the nearest, if there is any: its neighbours are those that may have to
+/// take over.
+Prover::Faces Prover::Nearest(const std::array<Index, 3>& points) const
 {
+  const Faces shared =
+    this->Points[points[0]].Near & this->Points[points[1]].Near & this->Points[points[2]].Near;
   float least = std::numeric_limits<float>::infinity();
   Faces nearest = shared & (~shared + 1);
   for (std::size_t i = 0; i < this->Change.NewFaces.size(); ++i)
@@ -242,8 +278,9 @@ Prover::Faces Prover::Nearest(Faces shared, const std::array<Index, 3>& points) 
 
 //------------------------------------------------------------------------------
 /// With the help of faces that stay: those that prove a part of it today, and those around the patch.
-bool Prover::ProveInPieces(const HalfEdgeMesh& mesh, Item& item, const Triangle& corners)
+bool Prover::ProveInPieces(const HalfEdgeMesh& mesh, Item& item)
 {
+  const Triangle corners = this->Shared.Source.Corners(item.Id);
   const std::size_t ours = this->Change.NewFaces.size();
   const std::size_t held = this->AddHelp(mesh, item);
   ShareProof::Piece whole;

@@ -64,10 +64,12 @@ private:
   bool Depends(Item& item) const;
   bool OriginalsAreNear(const HalfEdgeMesh& mesh);
   bool ProveItem(const HalfEdgeMesh& mesh, Item& item);
-  bool ProveInPieces(const HalfEdgeMesh& mesh, Item& item, const Triangle& corners);
+  bool ProveInPieces(const HalfEdgeMesh& mesh, Item& item);
+  std::array<Index, 3> PointsOf(Index original);
+  void Remember(Index item);
   std::size_t AddHelp(const HalfEdgeMesh& mesh, const Item& item);
   Index PointOf(Index id);
-  Faces Nearest(Faces shared, const std::array<Index, 3>& points) const;
+  Faces Nearest(const std::array<Index, 3>& points) const;
   bool NewFacesAreNear();
   bool BorderIsNear(const HalfEdgeMesh& mesh);
   bool ProveBorderItem(const HalfEdgeMesh& mesh, Item& item);
@@ -87,6 +89,7 @@ private:
   BorderProof Border;
   PieceCover<3>::Corner Place; // of the vertex that moves
   Index BorderPlace = None;    // an original border edge near the vertex that moves
+  std::vector<Index> Uncut;   // items of which no new face is near all corners
   std::vector<Index> Helpers; // neighbours that the worker may change, too
   std::vector<Index> Holders;
 };
