@@ -4,9 +4,12 @@
  * @file Editor.h
  * @brief The one choke point through which every change of the mesh goes.
  *
- *     Apply(collapse):           Gate.h (ends, topology, place), fragment  ->  mesh
+ *     Apply(collapse):           Gate.h (ends, topology, place), fragment, proof  ->  mesh  ->  proof kept
  *                                ->  bookkeeping (areas, quadrics, origins, volumes, counts, hook)
- *     ApplySmall(flip or move):  SmallEdits.h, fragment  ->  mesh  ->  volumes beyond the vertex's share, hook
+ *     ApplySmall(flip or move):  SmallEdits.h, fragment, proof  ->  mesh  ->  proof kept
+ *                                ->  volumes beyond the vertex's share, hook
+ *
+ * The proof (ProveEdits, Guard, Guarantee.h) comes last because it costs most; without a promise there is none.
  *
  * Gate and bookkeeping of a kind of edit are the same in every mode. Flips and moves remove nothing: they have rules of
  * their own and leave areas, quadrics, origins and counts as they are. Workers with a workspace each may apply edits at
