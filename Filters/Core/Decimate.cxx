@@ -2,18 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Decimate.h"
 
-#include "Certificate/Certificate.h"
 #include "Collapse/Sweep.h"
 #include "Collapse/ThesisLoop.h"
 #include "Extract.h"
-#include "Measure/SurfaceDistance.h"
+#include "Judgement.h"
 #include "Mesh/Checksum.h"
 #include "Mesh/SpatialOrder.h"
-#include "Mesh/Statistics.h"
 #include "Relax/RelaxedLoop.h"
+#include "RunProgress.h"
+#include "StageClock.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -22,21 +21,12 @@ namespace bonedecimate
 {
 namespace
 {
-using Clock = std::chrono::steady_clock;
-
-double SecondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 /// Where on the way from 0 to 1 each stage ends. Stages that cannot be interrupted are short steps.
 constexpr double CleanedAt = 0.01;
 constexpr double BuiltAt = 0.02;
 constexpr double ExtractionShare = 0.005;
-constexpr double BordersShare = 0.02;
-constexpr double LastStep = 0.005;
 
-/// One run, stage after stage; remembers whether somebody asked to stop.
+/// One run, stage after stage.
 class Run
 {
 public:
@@ -44,7 +34,7 @@ public:
     bool withOrigins)
     : Input(input)
     , Wanted(options)
-    , Outer(monitor)
+    , Progress(monitor)
     , RoundToSingle(options.OutputPointsPrecision == PointsPrecision::Single ||
         (options.OutputPointsPrecision == PointsPrecision::Default && inputIsSingle))
     , WithOrigins(withOrigins)
@@ -54,57 +44,35 @@ public:
 
   Result Go()
   {
-    const Clock::time_point start = Clock::now();
+    const StageClock clock;
     if (this->Prepare())
     {
       this->Collapse();
-      this->Answer.Report.Seconds.Decimate = SecondsSince(start);
-      this->Measure();
+      this->Answer.Report.Seconds.Decimate = clock.Seconds();
+      Judge({ this->Input, this->Cleaned, *this->Work, this->LocalResult }, this->Wanted,
+        this->Progress, this->Answer);
     }
-    this->Answer.Report.Seconds.Total = SecondsSince(start);
+    this->Answer.Report.Seconds.Total = clock.Seconds();
     return std::move(this->Answer);
   }
 
 private:
-  /// A monitor for one stage, whose 0 to 1 is a part of the whole. Once it said stop, it says so for ever.
-  Monitor Stage(double from, double to)
-  {
-    return [this, from, to](double fraction)
-    {
-      this->Tell(from + fraction * (to - from));
-      return this->GoesOn;
-    };
-  }
-
-  /// Stages may take a large step at once; who listens hears of every hundredth.
-  void Tell(double fraction)
-  {
-    constexpr double hundredth = 0.01;
-    while (this->Outer && this->GoesOn && this->Told + hundredth < fraction)
-    {
-      this->Told += hundredth;
-      this->GoesOn = this->Outer(this->Told);
-    }
-    this->Told = fraction;
-    this->GoesOn = this->GoesOn && (!this->Outer || this->Outer(fraction));
-  }
-
   bool Prepare()
   {
-    const Clock::time_point start = Clock::now();
+    const StageClock clock;
     this->Cleaned = Clean(this->Input, this->Wanted.MergePoints, this->Wanted.NumberOfThreads);
     Report& report = this->Answer.Report;
     report.Status = this->Cleaned.Status;
     report.Cleaning = this->Cleaned.Statistics;
-    this->Stage(0.0, CleanedAt)(1.0);
+    this->Progress.Stage(0.0, CleanedAt)(1.0);
     if (this->Cleaned.Status == InputStatus::Good)
     {
       report.InputChecksum = Checksum(this->Input, this->Wanted.NumberOfThreads);
       this->Build();
       this->CountLocked();
     }
-    this->Stage(CleanedAt, BuiltAt)(1.0);
-    report.Seconds.Prepare = SecondsSince(start);
+    this->Progress.Stage(CleanedAt, BuiltAt)(1.0);
+    report.Seconds.Prepare = clock.Seconds();
     return this->Cleaned.Status == InputStatus::Good;
   }
 
@@ -112,8 +80,8 @@ private:
   void Build()
   {
     const int threads = this->Wanted.NumberOfThreads;
-    const Monitor tell = this->Stage(CleanedAt, BuiltAt);
-    if (this->GoesOn)
+    const Monitor tell = this->Progress.Stage(CleanedAt, BuiltAt);
+    if (this->Progress.GoesOn())
     {
       SortAlongCurve(this->Cleaned, threads);
     }
@@ -122,7 +90,7 @@ private:
     tell(0.5);
     const bool isThesis = this->Wanted.Mode == Mode::Thesis;
     const bool isProved = !isThesis && this->Wanted.MaximumError > 0.0;
-    const Editor::Books books = { isThesis, isThesis, !isThesis && this->GoesOn };
+    const Editor::Books books = { isThesis, isThesis, !isThesis && this->Progress.GoesOn() };
     this->Work.emplace(std::move(mesh), this->Cleaned, books, threads);
     if (isProved)
     {
@@ -130,7 +98,7 @@ private:
         { this->Wanted.MaximumError, this->RoundToSingle, this->Cleaned.Origin }, threads);
     }
     tell(0.75);
-    if (books.Distances && this->GoesOn)
+    if (books.Distances && this->Progress.GoesOn())
     {
       this->Work->Reference().Tree(threads, [&] { tell(0.75); });
     }
@@ -168,16 +136,17 @@ private:
 
   void Collapse()
   {
-    const Clock::time_point start = Clock::now();
+    const StageClock clock;
     Report& report = this->Answer.Report;
-    const double collapsedAt = this->MeasuredFrom() - ExtractionShare;
-    report.Stop =
-      this->GoesOn ? this->RunLoop(this->Stage(BuiltAt, collapsedAt)) : StopReason::Aborted;
+    const double collapsedAt = MeasuredFrom(this->Wanted) - ExtractionShare;
+    report.Stop = this->Progress.GoesOn()
+      ? this->RunLoop(this->Progress.Stage(BuiltAt, collapsedAt))
+      : StopReason::Aborted;
     report.Collapses = this->Work->NumberOfEdits();
     report.Refusals = this->Work->Refusals();
-    this->Extract(this->Stage(collapsedAt, this->MeasuredFrom()));
+    this->Extract(this->Progress.Stage(collapsedAt, MeasuredFrom(this->Wanted)));
     report.RunningError = this->LargestError();
-    report.Seconds.Collapse = SecondsSince(start);
+    report.Seconds.Collapse = clock.Seconds();
   }
 
   /// Who aborted does not wait for distances.
@@ -186,8 +155,8 @@ private:
     const int threads = this->Wanted.NumberOfThreads;
     const Original& original = this->Work->Reference();
     const bool distances = this->Wanted.MeasureDistances || original.RecordsDistances();
-    const ExtractOptions wanted = { this->RoundToSingle, this->GoesOn && distances,
-      this->GoesOn && this->WithOrigins, threads };
+    const ExtractOptions wanted = { this->RoundToSingle, this->Progress.GoesOn() && distances,
+      this->Progress.GoesOn() && this->WithOrigins, threads };
     if (wanted.Distances || wanted.Origins)
     {
       original.Tree(threads, [&] { monitor(0.0); });
@@ -210,110 +179,11 @@ private:
                           : *std::max_element(errors.begin(), errors.end());
   }
 
-  /// Measuring takes about a third of the time, if there is anything to measure.
-  double MeasuredFrom() const
-  {
-    return this->Wanted.MeasureDistances || this->Wanted.MeasureInputDistances ? 0.7
-                                                                               : 1.0 - LastStep;
-  }
-
-  void Measure()
-  {
-    const Clock::time_point start = Clock::now();
-    Report& report = this->Answer.Report;
-    const SurfaceCounts counts = { static_cast<std::int64_t>(this->Cleaned.Surface.Points.size()),
-      this->Work->NumberOfFragments(), this->Work->Mesh().EdgesAtFirst() };
-    report.Input = Describe(this->Cleaned.Surface, counts, this->Wanted.NumberOfThreads);
-    // Without a collapse the counts of the input hold: flips and moves change none of them.
-    report.Output = this->Work->NumberOfEdits() == 0
-      ? Describe(this->LocalResult, counts, this->Wanted.NumberOfThreads)
-      : Describe(this->LocalResult, this->Wanted.NumberOfThreads);
-    if (this->GoesOn && this->MeasuredFrom() < 1.0 - LastStep)
-    {
-      this->MeasureDistances();
-    }
-    this->Stage(1.0 - LastStep, 1.0)(1.0);
-    report.Stop = this->GoesOn ? report.Stop : StopReason::Aborted;
-    report.Seconds.Measure = SecondsSince(start);
-  }
-
-  void MeasureDistances()
-  {
-    const double from = this->MeasuredFrom() + BordersShare;
-    const double inputFrom = this->Wanted.MeasureDistances
-      ? (this->Wanted.MeasureInputDistances ? 0.9 : 1.0 - LastStep)
-      : from;
-    const std::int64_t samples = NumberOfSamples(this->Cleaned.Surface.Triangles.size());
-    const double backFrom = 0.5 * (from + inputFrom);
-    if (this->Wanted.MeasureDistances)
-    {
-      this->MeasureBorders(this->MeasuredFrom(), from);
-      this->Answer.Report.OutputToInput = MeasureDistance(this->LocalResult, this->Answer.Distance,
-        this->Work->Reference().Tree(this->Wanted.NumberOfThreads), samples,
-        this->Wanted.NumberOfThreads, this->Stage(from, backFrom));
-    }
-    const Monitor tell = this->Stage(backFrom, backFrom);
-    const BoundingTree tree(this->LocalResult, this->Wanted.NumberOfThreads, [&] { tell(1.0); });
-    if (this->Wanted.MeasureDistances)
-    {
-      this->MeasureBack(tree, samples, backFrom, inputFrom);
-    }
-    if (this->Wanted.MeasureInputDistances)
-    {
-      this->MeasureInput(tree, inputFrom, 1.0 - LastStep);
-    }
-  }
-
-  void MeasureBack(const BoundingTree& tree, std::int64_t samples, double from, double to)
-  {
-    const double pointsAt = from + 0.3 * (to - from);
-    const std::vector<double> distances = PointDistances(this->Cleaned.Surface.Points, tree,
-      this->Wanted.NumberOfThreads, this->Stage(from, pointsAt));
-    this->Answer.Report.InputToOutput = MeasureDistance(this->Cleaned.Surface, distances, tree,
-      samples, this->Wanted.NumberOfThreads, this->Stage(pointsAt, to));
-    this->Answer.Report.DistancesMeasured = this->GoesOn;
-  }
-
-  /// Curve to curve. A border cannot vanish, but without merged points there is one about each triangle.
-  void MeasureBorders(double from, double to)
-  {
-    CertificateOptions options;
-    options.WithSurfaces = false;
-    options.NumberOfThreads = this->Wanted.NumberOfThreads;
-    const Certificate found =
-      Certify(this->Cleaned.Surface, this->LocalResult, options, this->Stage(from, to));
-    Report& report = this->Answer.Report;
-    report.BordersMeasured =
-      found.Status == CertificateStatus::Good && found.Borders == BorderPresence::Both;
-    if (report.BordersMeasured)
-    {
-      const DistanceBounds& back = found.BorderOfResultToReference.Distance;
-      const DistanceBounds& there = found.BorderOfReferenceToResult.Distance;
-      report.BorderOutputToInput = { back.Lower, back.Upper };
-      report.BorderInputToOutput = { there.Lower, there.Upper };
-    }
-  }
-
-  /// Points that no triangle uses are measured like the others.
-  void MeasureInput(const BoundingTree& tree, double from, double to)
-  {
-    std::vector<Vector3> local;
-    local.reserve(this->Input.Points.size());
-    for (const Vector3& point : this->Input.Points)
-    {
-      local.push_back(point - this->Cleaned.Origin);
-    }
-    this->Answer.InputDistance =
-      PointDistances(local, tree, this->Wanted.NumberOfThreads, this->Stage(from, to));
-  }
-
   const Surface& Input;
   const Options& Wanted;
-  const Monitor& Outer;
+  RunProgress Progress;
   bool RoundToSingle;
   bool WithOrigins;
-  bool GoesOn = true;
-  double Told = 0.0;
   CleanSurface Cleaned;
   std::optional<Editor> Work;
   Surface LocalResult; // mm relative to Cleaned.Origin
