@@ -9,8 +9,10 @@
 #include "Mesh/Checksum.h"
 #include "Mesh/SpatialOrder.h"
 #include "Relax/RelaxedLoop.h"
+#include "ResultProof.h"
 #include "RunProgress.h"
 #include "StageClock.h"
+#include "VoxelSize.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +41,6 @@ public:
         (options.OutputPointsPrecision == PointsPrecision::Default && inputIsSingle))
     , WithOrigins(withOrigins)
   {
-    this->Answer.Report.Asked = options;
   }
 
   Result Go()
@@ -51,6 +52,9 @@ public:
       this->Answer.Report.Seconds.Decimate = clock.Seconds();
       Judge({ this->Input, this->Cleaned, *this->Work, this->LocalResult }, this->Wanted,
         this->Progress, this->Answer);
+      this->Prove();
+      Report& report = this->Answer.Report;
+      report.Stop = this->Progress.GoesOn() ? report.Stop : StopReason::Aborted;
     }
     this->Answer.Report.Seconds.Total = clock.Seconds();
     return std::move(this->Answer);
@@ -89,10 +93,9 @@ private:
     HalfEdgeMesh mesh(this->Cleaned.Surface, threads);
     tell(0.5);
     const bool isThesis = this->Wanted.Mode == Mode::Thesis;
-    const bool isProved = !isThesis && this->Wanted.MaximumError > 0.0;
     const Editor::Books books = { isThesis, isThesis, !isThesis && this->Progress.GoesOn() };
     this->Work.emplace(std::move(mesh), this->Cleaned, books, threads);
-    if (isProved)
+    if (this->Wanted.PromisesError())
     {
       this->Work->ProveEdits(
         { this->Wanted.MaximumError, this->RoundToSingle, this->Cleaned.Origin }, threads);
@@ -179,6 +182,19 @@ private:
                           : *std::max_element(errors.begin(), errors.end());
   }
 
+  /// Nothing of the run is needed any more but its result.
+  void Prove()
+  {
+    if (WantsProof(this->Wanted) && this->Progress.GoesOn())
+    {
+      this->Work.reset();
+      this->LocalResult = {};
+      this->Cleaned.Surface = {};
+      ProveResult(this->Input, this->Cleaned, this->Wanted,
+        this->Progress.Stage(MeasuredTo(this->Wanted), 1.0), this->Answer);
+    }
+  }
+
   const Surface& Input;
   const Options& Wanted;
   RunProgress Progress;
@@ -194,6 +210,11 @@ private:
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor,
   bool inputIsSingle, bool withOrigins)
 {
-  return Run(input, options, monitor, inputIsSingle, withOrigins).Go();
+  Options wanted = options;
+  const VoxelFigures voxel = ApplyPreset(input, wanted);
+  Result result = Run(input, wanted, monitor, inputIsSingle, withOrigins).Go();
+  result.Report.Asked = options;
+  result.Report.Voxel = voxel;
+  return result;
 }
 }

@@ -5,6 +5,7 @@
 #include "Certificate/Certificate.h"
 #include "Measure/SurfaceDistance.h"
 #include "Mesh/Statistics.h"
+#include "ResultProof.h"
 #include "StageClock.h"
 
 namespace bonedecimate
@@ -25,7 +26,7 @@ public:
     , Wanted(options)
     , Progress(progress)
     , Answer(answer)
-    , MeasuredAt(1.0 - LastStep)
+    , MeasuredAt(MeasuredTo(options) - LastStep)
   {
   }
 
@@ -53,7 +54,10 @@ public:
     const double backFrom = 0.5 * (from + inputFrom);
     if (this->Wanted.MeasureDistances)
     {
-      this->MeasureBorders(MeasuredFrom(this->Wanted), from);
+      if (!WantsProof(this->Wanted))
+      {
+        this->MeasureBorders(MeasuredFrom(this->Wanted), from);
+      }
       this->Answer.Report.OutputToInput = MeasureDistance(this->Run.LocalResult,
         this->Answer.Distance, this->Run.Work.Reference().Tree(this->Wanted.NumberOfThreads),
         samples, this->Wanted.NumberOfThreads, this->Progress.Stage(from, backFrom));
@@ -124,10 +128,16 @@ private:
 };
 }
 
-/// Measuring takes about a third of the time, if there is anything to measure.
+/// Measuring takes about a third of the time, if there is anything to measure; the proof a tenth.
 double MeasuredFrom(const Options& options)
 {
-  return options.MeasureDistances || options.MeasureInputDistances ? 0.7 : 1.0 - LastStep;
+  const bool measures = options.MeasureDistances || options.MeasureInputDistances;
+  return MeasuredTo(options) - (measures ? 0.3 : LastStep);
+}
+
+double MeasuredTo(const Options& options)
+{
+  return WantsProof(options) ? 0.9 : 1.0;
 }
 
 void Judge(const JudgedRun& run, const Options& options, RunProgress& progress, Result& answer)
@@ -139,9 +149,7 @@ void Judge(const JudgedRun& run, const Options& options, RunProgress& progress, 
   {
     judgement.MeasureDistances();
   }
-  progress.Stage(1.0 - LastStep, 1.0)(1.0);
-  Report& report = answer.Report;
-  report.Stop = progress.GoesOn() ? report.Stop : StopReason::Aborted;
-  report.Seconds.Measure = clock.Seconds();
+  progress.Stage(MeasuredTo(options) - LastStep, MeasuredTo(options))(1.0);
+  answer.Report.Seconds.Measure = clock.Seconds();
 }
 }

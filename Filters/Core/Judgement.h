@@ -5,7 +5,7 @@
  * @brief What a run's result is worth: statistics of both surfaces and the distances between them, for the report.
  *
  *     Describe(input), Describe(result)      counts, area, volume
- *     Certify(input, result)                 open borders, curve to curve
+ *     Certify(input, result)                 open borders, curve to curve, unless the whole is certified afterwards
  *     MeasureDistance                        both directions, by samples
  *     PointDistances                         of each point of the input
  */
@@ -28,8 +28,9 @@ struct JudgedRun
   const Surface& LocalResult; ///< mm, relative to Cleaned.Origin
 };
 
-/// Where on the way from 0 to 1 the judgement begins; it ends at 1.
+/// Where on the way from 0 to 1 the judgement begins and ends.
 double MeasuredFrom(const Options& options);
+double MeasuredTo(const Options& options);
 
 /// Fills in the report, and the distances of the input's points if they are asked for. Who aborted gets statistics alone.
 void Judge(const JudgedRun& run, const Options& options, RunProgress& progress, Result& answer);
