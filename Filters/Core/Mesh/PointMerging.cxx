@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointMerging.h"
 
+#include "Memory/LargeArray.h"
 #include "Parallel.h"
 
 #include <cstring>
@@ -40,7 +41,7 @@ struct Entry
 /// Points by the first bits of their hash, ascending in each part.
 struct Parts
 {
-  std::vector<Entry> Entries;
+  LargeArray<Entry> Entries;
   std::vector<std::size_t> Starts; // of each part, and one behind the last
 };
 
@@ -80,7 +81,7 @@ Parts Distribute(
   const std::size_t parts = NumberOfParts(points.size());
   const std::size_t blocks = NumberOfBlocks(points.size());
   const auto partOf = [=](std::uint32_t hash) { return std::uint64_t(hash) * parts >> 32; };
-  std::vector<std::uint32_t> hashes(points.size());
+  LargeArray<std::uint32_t> hashes(points.size());
   std::vector<std::size_t> places(blocks * parts, 0);
   ForEachBlock(points.size(), threads,
     [&](std::size_t block, std::size_t first, std::size_t last)
