@@ -54,6 +54,17 @@ public:
 
 template <typename T>
 using LargeArray = std::vector<T, LargeAllocator<T>>;
+
+/// Only a wish; of the pages that lie wholly within, before they are written.
+void AskForLargePages(void* memory, std::size_t bytes) noexcept;
+
+/// Room for so many in an ordinary vector that is empty, in large pages as far as they fit in.
+template <typename T>
+void ReserveLarge(std::vector<T>& values, std::size_t count)
+{
+  values.reserve(count);
+  AskForLargePages(values.data(), count * sizeof(T));
+}
 }
 
 #endif

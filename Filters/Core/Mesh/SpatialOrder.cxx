@@ -178,7 +178,9 @@ std::vector<Index> OrderByLeastPoint(
 template <typename Value>
 void Permute(std::vector<Value>& values, const std::vector<Index>& order, int threads)
 {
-  std::vector<Value> permuted(values.size());
+  std::vector<Value> permuted;
+  ReserveLarge(permuted, values.size());
+  permuted.resize(values.size());
   ForEachId(order.size(), threads, [&](std::size_t i) { permuted[i] = values[order[i]]; });
   values = std::move(permuted);
 }
