@@ -12,6 +12,7 @@
 #include "ResultProof.h"
 #include "RunProgress.h"
 #include "StageClock.h"
+#include "Tolerances.h"
 #include "VoxelSize.h"
 
 #include <algorithm>
@@ -33,13 +34,14 @@ class Run
 {
 public:
   Run(const Surface& input, const Options& options, const Monitor& monitor, bool inputIsSingle,
-    bool withOrigins)
+    bool withOrigins, const std::vector<double>* tolerances)
     : Input(input)
     , Wanted(options)
     , Progress(monitor)
     , RoundToSingle(options.OutputPointsPrecision == PointsPrecision::Single ||
         (options.OutputPointsPrecision == PointsPrecision::Default && inputIsSingle))
     , WithOrigins(withOrigins)
+    , Given(tolerances)
   {
   }
 
@@ -69,7 +71,12 @@ private:
     report.Status = this->Cleaned.Status;
     report.Cleaning = this->Cleaned.Statistics;
     this->Progress.Stage(0.0, CleanedAt)(1.0);
-    if (this->Cleaned.Status == InputStatus::Good)
+    if (report.Status == InputStatus::Good && this->Given != nullptr)
+    {
+      report.Status = CheckTolerances(
+        *this->Given, this->Input.Points.size(), this->Wanted.Mode, report.Cleaning);
+    }
+    if (report.Status == InputStatus::Good)
     {
       report.InputChecksum = Checksum(this->Input, this->Wanted.NumberOfThreads);
       this->Build();
@@ -77,7 +84,7 @@ private:
     }
     this->Progress.Stage(CleanedAt, BuiltAt)(1.0);
     report.Seconds.Prepare = clock.Seconds();
-    return this->Cleaned.Status == InputStatus::Good;
+    return report.Status == InputStatus::Good;
   }
 
   /// In steps that are short enough for somebody who waits; what nobody needs any more is left out.
@@ -95,15 +102,36 @@ private:
     const bool isThesis = this->Wanted.Mode == Mode::Thesis;
     const Editor::Books books = { isThesis, isThesis, !isThesis && this->Progress.GoesOn() };
     this->Work.emplace(std::move(mesh), this->Cleaned, books, threads);
-    if (this->Wanted.PromisesError())
-    {
-      this->Work->ProveEdits(
-        { this->Wanted.MaximumError, this->RoundToSingle, this->Cleaned.Origin }, threads);
-    }
+    this->Limit();
     tell(0.75);
     if (books.Distances && this->Progress.GoesOn())
     {
       this->Work->Reference().Tree(threads, [&] { tell(0.75); });
+    }
+  }
+
+  /// What has to be proved, and what stays as it is.
+  void Limit()
+  {
+    const std::vector<double> tolerances =
+      this->Given != nullptr ? TolerancesOf(this->Cleaned, *this->Given) : std::vector<double>();
+    const auto any = [&](auto isSo)
+    { return std::any_of(tolerances.begin(), tolerances.end(), isSo); };
+    const bool promises = this->Wanted.PromisesError();
+    const bool isThesis = this->Wanted.Mode == Mode::Thesis;
+    if (promises || (!isThesis && any([](double t) { return t > 0.0; })))
+    {
+      Promise promise;
+      promise.Error = promises ? this->Wanted.MaximumError : promise.Error;
+      promise.RoundsToSingle = this->RoundToSingle;
+      promise.Origin = this->Cleaned.Origin;
+      promise.Tolerances = tolerances.empty() ? nullptr : &tolerances;
+      this->Work->ProveEdits(promise, this->Wanted.NumberOfThreads);
+    }
+    if (!tolerances.empty())
+    {
+      this->Answer.Report.Cleaning.FrozenPoints = this->Work->Freeze(tolerances);
+      this->IsLimited = !any([](double t) { return t < 0.0; });
     }
   }
 
@@ -122,7 +150,7 @@ private:
 
   StopReason RunLoop(const Monitor& monitor)
   {
-    const Stops stops = StopsOf(this->Wanted, this->Work->Mesh().NumberOfFaces());
+    const Stops stops = StopsOf(this->Wanted, this->Work->Mesh().NumberOfFaces(), this->IsLimited);
     if (this->Wanted.Mode == Mode::Thesis)
     {
       return ThesisLoop(*this->Work, this->Wanted.NormalTolerance, stops).Run(monitor);
@@ -185,13 +213,13 @@ private:
   /// Nothing of the run is needed any more but its result.
   void Prove()
   {
-    if (WantsProof(this->Wanted) && this->Progress.GoesOn())
+    if (WantsProof(this->Wanted, this->Given != nullptr) && this->Progress.GoesOn())
     {
       this->Work.reset();
       this->LocalResult = {};
       this->Cleaned.Surface = {};
       ProveResult(this->Input, this->Cleaned, this->Wanted,
-        this->Progress.Stage(MeasuredTo(this->Wanted), 1.0), this->Answer);
+        this->Progress.Stage(MeasuredTo(this->Wanted), 1.0), this->Answer, this->Given);
     }
   }
 
@@ -200,6 +228,8 @@ private:
   RunProgress Progress;
   bool RoundToSingle;
   bool WithOrigins;
+  const std::vector<double>* Given; // mm, tolerances of the input points
+  bool IsLimited = false;           // whether every point has a tolerance
   CleanSurface Cleaned;
   std::optional<Editor> Work;
   Surface LocalResult; // mm relative to Cleaned.Origin
@@ -208,11 +238,11 @@ private:
 }
 
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor,
-  bool inputIsSingle, bool withOrigins)
+  bool inputIsSingle, bool withOrigins, const std::vector<double>* tolerances)
 {
   Options wanted = options;
   const VoxelFigures voxel = ApplyPreset(input, wanted);
-  Result result = Run(input, wanted, monitor, inputIsSingle, withOrigins).Go();
+  Result result = Run(input, wanted, monitor, inputIsSingle, withOrigins, tolerances).Go();
   result.Report.Asked = options;
   result.Report.Voxel = voxel;
   return result;

@@ -53,6 +53,7 @@ struct Options
   std::string RunningErrorArrayName = "RunningError";
   std::string PointCountArrayName = "InputPointCount";
   std::string InputDistanceArrayName = "DistanceToResult";
+  std::string ToleranceArrayName;
   bool ProveResult = true;
   std::string ErrorBoundArrayName = "ErrorBound";
   std::string InputErrorBoundArrayName = "ErrorBoundToResult";

@@ -107,9 +107,10 @@ void ProveAgainst(const Surface& reference, const CertificateOptions& question,
 }
 }
 
-bool WantsProof(const Options& options)
+bool WantsProof(const Options& options, bool hasTolerances)
 {
-  return options.ProveResult && options.PromisesError();
+  return options.ProveResult &&
+    (options.PromisesError() || (hasTolerances && options.Mode != Mode::Thesis));
 }
 
 void ProveResult(const Surface& input, const CleanSurface& cleaned, const Options& options,
