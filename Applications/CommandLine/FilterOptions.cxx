@@ -38,6 +38,7 @@ const std::map<std::string, Setter>& Setters()
     { "RunningErrorArrayName", Calls<std::string>(&vtkBoneDecimate::SetRunningErrorArrayName) },
     { "PointCountArrayName", Calls<std::string>(&vtkBoneDecimate::SetPointCountArrayName) },
     { "InputDistanceArrayName", Calls<std::string>(&vtkBoneDecimate::SetInputDistanceArrayName) },
+    { "ToleranceArrayName", Calls<std::string>(&vtkBoneDecimate::SetToleranceArrayName) },
   };
   return setters;
 }

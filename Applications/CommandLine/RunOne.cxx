@@ -19,6 +19,7 @@
 #include "VtkMessages.h"
 
 #include "vtkNew.h"
+#include "vtkPointData.h"
 
 #include <filesystem>
 
@@ -70,6 +71,7 @@ public:
   void Decimate()
   {
     ApplyOptions(this->Asked.Options, this->Filter);
+    this->TakeRegions();
     this->Filter->SetMeasureInputDistances(this->WantsDistances());
     vtkNew<ProgressBar> bar;
     bar->SetShown(!this->Asked.Quiet);
@@ -164,6 +166,22 @@ private:
   {
     return !this->Asked.Heatmap.empty() || !this->Asked.Picture.empty() ||
       !this->Asked.Page.empty();
+  }
+
+  /// An array of tolerances from the regions, if there are any.
+  void TakeRegions()
+  {
+    std::string name = this->Asked.Options.ToleranceArrayName;
+    if (!name.empty() && !this->Input->GetPointData()->HasArray(name.c_str()))
+    {
+      Refuse(this->Path, "it has no point array '" + name + "'");
+    }
+    if (!this->Asked.Regions.empty())
+    {
+      name = name.empty() ? "Tolerance" : name;
+      this->Input = WithTolerances(this->Input, this->Asked.Regions, name);
+      this->Filter->SetToleranceArrayName(name);
+    }
   }
 
   void AcceptMessages(const VtkMessages& messages)

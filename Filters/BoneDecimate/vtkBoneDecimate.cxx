@@ -14,6 +14,8 @@
 #include "vtkPolyData.h"
 #include "vtkVersionMacros.h"
 
+#include <optional>
+
 vtkStandardNewMacro(vtkBoneDecimate);
 
 //------------------------------------------------------------------------------
@@ -68,8 +70,9 @@ vtkBoneDecimateOption(Mode, int, int, int) vtkBoneDecimateOption(TargetNumberOfT
         vtkBoneDecimateOption(DistanceArrayName, const std::string&, std::string, std::string)
           vtkBoneDecimateOption(RunningErrorArrayName, const std::string&, std::string, std::string)
             vtkBoneDecimateOption(PointCountArrayName, const std::string&, std::string, std::string)
-              vtkBoneDecimateOption(
-                InputDistanceArrayName, const std::string&, std::string, std::string)
+              vtkBoneDecimateOption(InputDistanceArrayName, const std::string&, std::string,
+                std::string) vtkBoneDecimateOption(ToleranceArrayName, const std::string&,
+                std::string, std::string)
 #undef vtkBoneDecimateOption
 
   //------------------------------------------------------------------------------
@@ -114,11 +117,20 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   const bonedecimate::Options& options = this->Internal->Options;
+  const std::string& toleranceName = options.ToleranceArrayName;
+  const bool hasTolerances = !toleranceName.empty() && input->GetNumberOfPoints() > 0;
+  const std::optional<std::vector<double>> tolerances =
+    hasTolerances ? bonedecimate::ReadPointValues(input, toleranceName) : std::vector<double>();
+  if (!tolerances)
+  {
+    vtkErrorMacro(<< "the input has no point array '" << toleranceName << "' of one component");
+    return 0;
+  }
   const bonedecimate::ConvertedSurface converted =
     bonedecimate::ToSurface(input, options.NumberOfThreads);
   bonedecimate::Result result = bonedecimate::Decimate(
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
-    converted.IsSingle);
+    converted.IsSingle, false, hasTolerances ? &*tolerances : nullptr);
   bonedecimate::NameCells(converted, result.Report);
   this->Internal->Report = result.Report;
   this->Internal->Entries =
@@ -129,7 +141,7 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   }
   this->Warn(converted.Warnings);
   this->Warn(bonedecimate::InputWarnings(result.Report));
-  const std::string leftBehind = bonedecimate::NamesOfArraysLeftBehind(input);
+  const std::string leftBehind = bonedecimate::NamesOfArraysLeftBehind(input, toleranceName);
   if (!leftBehind.empty())
   {
     this->Warn({ "these arrays of the input are not carried to the output: " + leftBehind });

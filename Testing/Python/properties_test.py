@@ -25,6 +25,7 @@ TEXTS = {
     "RunningErrorArrayName": "RunningError",
     "PointCountArrayName": "InputPointCount",
     "InputDistanceArrayName": "DistanceToResult",
+    "ToleranceArrayName": "",
 }
 
 
