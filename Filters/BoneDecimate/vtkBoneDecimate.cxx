@@ -58,13 +58,14 @@ vtkBoneDecimate::~vtkBoneDecimate() = default;
     return static_cast<result>(this->Internal->Options.name);                                      \
   }
 
-vtkBoneDecimateOption(Mode, int, int, int) vtkBoneDecimateOption(TargetNumberOfTriangles, int, int,
-  int) vtkBoneDecimateOption(TargetReduction, double, double, double)
-  vtkBoneDecimateOption(MaximumError, double, double, double) vtkBoneDecimateOption(
-    NormalTolerance, double, double, double) vtkBoneDecimateOption(MergePoints, bool, bool, bool)
-    vtkBoneDecimateOption(MeasureDistances, bool, bool, bool) vtkBoneDecimateOption(
-      MeasureInputDistances, bool, bool, bool) vtkBoneDecimateOption(NumberOfThreads, int, int, int)
-      vtkBoneDecimateOption(OutputPointsPrecision, int, int, int)
+vtkBoneDecimateOption(Mode, int, int, int) vtkBoneDecimateOption(
+  TargetNumberOfTriangles, int, int, int)
+  vtkBoneDecimateOption(TargetReduction, double, double, double) vtkBoneDecimateOption(
+    MaximumError, double, double, double) vtkBoneDecimateOption(KeepClearance, bool, bool, bool)
+    vtkBoneDecimateOption(NormalTolerance, double, double, double) vtkBoneDecimateOption(
+      MergePoints, bool, bool, bool) vtkBoneDecimateOption(MeasureDistances, bool, bool, bool)
+      vtkBoneDecimateOption(MeasureInputDistances, bool, bool, bool) vtkBoneDecimateOption(
+        NumberOfThreads, int, int, int) vtkBoneDecimateOption(OutputPointsPrecision, int, int, int)
         vtkBoneDecimateOption(DistanceArrayName, const std::string&, std::string, std::string)
           vtkBoneDecimateOption(RunningErrorArrayName, const std::string&, std::string, std::string)
             vtkBoneDecimateOption(PointCountArrayName, const std::string&, std::string, std::string)

@@ -3,6 +3,7 @@
 #include "Decimate.h"
 
 #include "Certificate/Certificate.h"
+#include "Clearance/Gaps.h"
 #include "Collapse/Sweep.h"
 #include "Collapse/ThesisLoop.h"
 #include "Extract.h"
@@ -60,6 +61,7 @@ public:
       this->Collapse();
       this->Answer.Report.Seconds.Decimate = SecondsSince(start);
       this->Measure();
+      this->MeasureClearance();
     }
     this->Answer.Report.Seconds.Total = SecondsSince(start);
     return std::move(this->Answer);
@@ -128,6 +130,10 @@ private:
     {
       this->Work->ProveEdits(
         { this->Wanted.MaximumError, this->RoundToSingle, this->Cleaned.Origin }, threads);
+      if (this->Wanted.KeepClearance)
+      {
+        this->Work->KeepClearance(this->Wanted.MaximumError, threads);
+      }
     }
     tell(0.75);
     if (books.Distances && this->GoesOn)
@@ -235,6 +241,18 @@ private:
     this->Stage(1.0 - LastStep, 1.0)(1.0);
     report.Stop = this->GoesOn ? report.Stop : StopReason::Aborted;
     report.Seconds.Measure = SecondsSince(start);
+  }
+
+  /// Between fragments, with the distances.
+  void MeasureClearance()
+  {
+    Report& report = this->Answer.Report;
+    if (this->Wanted.MeasureDistances && this->GoesOn && report.Input.Components > 1)
+    {
+      report.Clearance = { LeastClearance(this->Cleaned.Surface),
+        LeastClearance(this->LocalResult) };
+      report.ClearanceMeasured = true;
+    }
   }
 
   void MeasureDistances()

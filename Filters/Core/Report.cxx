@@ -33,7 +33,7 @@ const char* StopReasonSentence(StopReason reason)
 const char* VerdictWord(Verdict verdict)
 {
   static const char* const words[] = { "allowed", "non_manifold", "border", "link_condition",
-    "fragment", "flip", "degenerate", "too_far" };
+    "fragment", "flip", "degenerate", "too_far", "crossing" };
   return words[static_cast<int>(verdict)];
 }
 

@@ -50,9 +50,10 @@ enum class Verdict : int
   Flip,          ///< A triangle would turn over.
   Degenerate,    ///< A triangle would have no area left.
   TooFar,        ///< It could not be proved that everything stays within the largest error.
-  Elsewhere      ///< Not refused: a worker of another part of the mesh has to do it.
+  Crossing, ///< Triangles would intersect, or a gap would become narrower than half of what it was.
+  Elsewhere ///< Not refused: a worker of another part of the mesh has to do it.
 };
-constexpr std::size_t NumberOfVerdicts = 8; ///< Those that are counted.
+constexpr std::size_t NumberOfVerdicts = 9; ///< Those that are counted.
 
 struct SurfaceStatistics
 {
@@ -106,6 +107,13 @@ struct BorderDistance
   double Upper = 0.0;
 };
 
+/// Least distance between two fragments, mm.
+struct FragmentClearance
+{
+  double Input = 0.0;
+  double Output = 0.0;
+};
+
 struct StageSeconds
 {
   double Prepare = 0.0;  ///< Cleaning and building the half-edge mesh.
@@ -128,6 +136,8 @@ struct Report
   bool BordersMeasured = false; ///< With the distances, if both surfaces have open borders.
   BorderDistance BorderOutputToInput;
   BorderDistance BorderInputToOutput;
+  bool ClearanceMeasured = false; ///< With the distances, if there are several fragments.
+  FragmentClearance Clearance;
   /// mm, the thesis's maxError: largest distance of a new vertex to the input. Not a number if none was looked up, which
   /// is so in every mode but Thesis without MaximumError, MeasureDistances and origins; the tables then leave it out.
   double RunningError = 0.0;

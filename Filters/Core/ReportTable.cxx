@@ -103,6 +103,11 @@ std::vector<ReportEntry> ReportEntries(const Report& report)
     AddBorderDistance(entries, "output_to_input", report.BorderOutputToInput);
     AddBorderDistance(entries, "input_to_output", report.BorderInputToOutput);
   }
+  if (report.ClearanceMeasured)
+  {
+    entries.push_back({ "clearance.input", "mm", report.Clearance.Input });
+    entries.push_back({ "clearance.output", "mm", report.Clearance.Output });
+  }
   AddRun(entries, report);
   for (const OptionInfo& info : OptionTable())
   {

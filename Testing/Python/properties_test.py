@@ -19,7 +19,7 @@ NUMBERS = {
     "NumberOfThreads": (0, 2, 5000, 1024),
     "OutputPointsPrecision": (vtkAlgorithm.DEFAULT_PRECISION, vtkAlgorithm.SINGLE_PRECISION, 7, 2),
 }
-SWITCHES = {"MergePoints": True, "MeasureDistances": True, "MeasureInputDistances": False}
+SWITCHES = {"MergePoints": True, "KeepClearance": True, "MeasureDistances": True, "MeasureInputDistances": False}
 TEXTS = {
     "DistanceArrayName": "Distance",
     "RunningErrorArrayName": "RunningError",
