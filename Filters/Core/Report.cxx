@@ -51,7 +51,7 @@ const char* StopReasonSentence(StopReason reason)
 const char* VerdictWord(Verdict verdict)
 {
   static const char* const words[] = { "allowed", "non_manifold", "border", "link_condition",
-    "fragment", "flip", "degenerate", "too_far", "frozen" };
+    "fragment", "flip", "degenerate", "too_far", "frozen", "crossing" };
   return words[static_cast<int>(verdict)];
 }
 
