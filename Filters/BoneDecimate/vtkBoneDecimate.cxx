@@ -58,18 +58,25 @@ vtkBoneDecimate::~vtkBoneDecimate() = default;
     return static_cast<result>(this->Internal->Options.name);                                      \
   }
 
-vtkBoneDecimateOption(Mode, int, int, int) vtkBoneDecimateOption(TargetNumberOfTriangles, int, int,
-  int) vtkBoneDecimateOption(TargetReduction, double, double, double)
-  vtkBoneDecimateOption(MaximumError, double, double, double) vtkBoneDecimateOption(
-    NormalTolerance, double, double, double) vtkBoneDecimateOption(MergePoints, bool, bool, bool)
-    vtkBoneDecimateOption(MeasureDistances, bool, bool, bool) vtkBoneDecimateOption(
-      MeasureInputDistances, bool, bool, bool) vtkBoneDecimateOption(NumberOfThreads, int, int, int)
-      vtkBoneDecimateOption(OutputPointsPrecision, int, int, int)
-        vtkBoneDecimateOption(DistanceArrayName, const std::string&, std::string, std::string)
-          vtkBoneDecimateOption(RunningErrorArrayName, const std::string&, std::string, std::string)
-            vtkBoneDecimateOption(PointCountArrayName, const std::string&, std::string, std::string)
-              vtkBoneDecimateOption(
-                InputDistanceArrayName, const std::string&, std::string, std::string)
+// clang-format off
+vtkBoneDecimateOption(Mode, int, int, int)
+vtkBoneDecimateOption(TargetNumberOfTriangles, int, int, int)
+vtkBoneDecimateOption(TargetReduction, double, double, double)
+vtkBoneDecimateOption(MaximumError, double, double, double)
+vtkBoneDecimateOption(NormalTolerance, double, double, double)
+vtkBoneDecimateOption(MergePoints, bool, bool, bool)
+vtkBoneDecimateOption(MeasureDistances, bool, bool, bool)
+vtkBoneDecimateOption(MeasureInputDistances, bool, bool, bool)
+vtkBoneDecimateOption(NumberOfThreads, int, int, int)
+vtkBoneDecimateOption(OutputPointsPrecision, int, int, int)
+vtkBoneDecimateOption(PassArrays, bool, bool, bool)
+vtkBoneDecimateOption(MakeMaps, bool, bool, bool)
+vtkBoneDecimateOption(RecomputeNormals, bool, bool, bool)
+vtkBoneDecimateOption(DistanceArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(RunningErrorArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(PointCountArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(InputDistanceArrayName, const std::string&, std::string, std::string)
+// clang-format on
 #undef vtkBoneDecimateOption
 
   //------------------------------------------------------------------------------
@@ -118,7 +125,7 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
     bonedecimate::ToSurface(input, options.NumberOfThreads);
   bonedecimate::Result result = bonedecimate::Decimate(
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
-    converted.IsSingle);
+    converted.IsSingle, bonedecimate::NeedsOrigins(input, options));
   bonedecimate::NameCells(converted, result.Report);
   this->Internal->Report = result.Report;
   this->Internal->Entries =
@@ -129,15 +136,11 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   }
   this->Warn(converted.Warnings);
   this->Warn(bonedecimate::InputWarnings(result.Report));
-  const std::string leftBehind = bonedecimate::NamesOfArraysLeftBehind(input);
-  if (!leftBehind.empty())
-  {
-    this->Warn({ "these arrays of the input are not carried to the output: " + leftBehind });
-  }
   const int precision = this->GetOutputPointsPrecision();
   const bool single =
     precision == SINGLE_PRECISION || (precision == DEFAULT_PRECISION && converted.IsSingle);
-  bonedecimate::FillOutput(result, options, single, input, vtkPolyData::GetData(outputVector, 0));
+  bonedecimate::FillOutput(
+    result, converted, options, single, input, vtkPolyData::GetData(outputVector, 0));
   bonedecimate::FillInputCopy(result, options, input, vtkPolyData::GetData(outputVector, 1));
   return 1;
 }

@@ -19,7 +19,8 @@ NUMBERS = {
     "NumberOfThreads": (0, 2, 5000, 1024),
     "OutputPointsPrecision": (vtkAlgorithm.DEFAULT_PRECISION, vtkAlgorithm.SINGLE_PRECISION, 7, 2),
 }
-SWITCHES = {"MergePoints": True, "MeasureDistances": True, "MeasureInputDistances": False}
+SWITCHES = {"MergePoints": True, "MeasureDistances": True, "MeasureInputDistances": False,
+            "PassArrays": True, "MakeMaps": False, "RecomputeNormals": False}
 TEXTS = {
     "DistanceArrayName": "Distance",
     "RunningErrorArrayName": "RunningError",

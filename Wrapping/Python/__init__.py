@@ -5,6 +5,6 @@
 # The superclass must be known to Python before the wrapped class is loaded.
 import vtkmodules.vtkCommonExecutionModel  # noqa: F401
 
-from .vtkFiltersBoneDecimate import vtkBoneDecimate, vtkBoneSurfaceDistance
+from .vtkFiltersBoneDecimate import vtkBoneCheck, vtkBoneDecimate, vtkBoneSurfaceDistance
 
-__all__ = ["vtkBoneDecimate", "vtkBoneSurfaceDistance"]
+__all__ = ["vtkBoneCheck", "vtkBoneDecimate", "vtkBoneSurfaceDistance"]
