@@ -128,8 +128,9 @@ struct Report
   bool BordersMeasured = false; ///< With the distances, if both surfaces have open borders.
   BorderDistance BorderOutputToInput;
   BorderDistance BorderInputToOutput;
-  /// mm, the thesis's maxError: largest distance of a new vertex to the input. Not a number if none was looked up, which
-  /// is so in every mode but Thesis without MaximumError, MeasureDistances and origins; the tables then leave it out.
+  /// mm, the thesis's maxError: largest distance of a new vertex to the input, along the collapses in mode Thesis, at the
+  /// end in the others. Not a number where none was looked up, which is so in these without MeasureDistances and origins;
+  /// the tables then leave it out.
   double RunningError = 0.0;
   std::int64_t Collapses = 0;
   std::array<std::int64_t, NumberOfVerdicts> Refusals{}; ///< By Verdict; [Allowed] stays 0.

@@ -83,6 +83,24 @@ inline void ExpectTheSameBytesForAnyNumberOfThreads(const Surface& input, Option
   }
 }
 
+/// With all points, those too that are used no more.
+inline Surface SurfaceOf(const HalfEdgeMesh& mesh)
+{
+  Surface surface;
+  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    surface.Points.push_back(mesh.Position(v));
+  }
+  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    if (mesh.IsAlive(face))
+    {
+      surface.Triangles.push_back(mesh.Corners(face));
+    }
+  }
+  return surface;
+}
+
 /// Every half-edge of a mesh, or every n-th of them.
 inline std::vector<Index> HalfEdges(const HalfEdgeMesh& mesh, Index step = 1)
 {

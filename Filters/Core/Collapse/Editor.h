@@ -40,8 +40,7 @@ public:
   /// What is kept beside the mesh, none of it for free.
   struct Books
   {
-    bool Distances =
-      true; ///< Look up every new vertex on the original: needed for an error to stop at.
+    bool Distances = true; ///< Look up every new vertex on the original: the error of mode Thesis.
     bool Areas = true;     ///< Area and normal of each face.
     bool Quadrics = false; ///< Collapse/RingQuadrics.h: the Quadric of each vertex record.
   };
