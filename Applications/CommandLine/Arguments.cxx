@@ -151,7 +151,9 @@ std::unique_ptr<CLI::App> MakeApp(
                                     "errorThreshold [OUTPUT.obj] [OPTIONS]\n"
                                     "       bonedecimate certify REFERENCE RESULT [OPTIONS]\n"
                                     "       bonedecimate tolerance INPUT --triangles N [OPTIONS]\n"
-                                    "       bonedecimate curve INPUT --errors MM,... [OPTIONS]"));
+                                    "       bonedecimate curve INPUT --errors MM,... [OPTIONS]\n"
+
+                                    "       bonedecimate check FILE [OPTIONS]"));
   app->footer(HelpFooter());
   app->set_version_flag(
     "--version", std::string("bonedecimate ") + Version(), "Print the version.");

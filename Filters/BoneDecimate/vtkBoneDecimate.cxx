@@ -72,6 +72,9 @@ vtkBoneDecimateOption(MeasureDistances, bool, bool, bool)
 vtkBoneDecimateOption(MeasureInputDistances, bool, bool, bool)
 vtkBoneDecimateOption(NumberOfThreads, int, int, int)
 vtkBoneDecimateOption(OutputPointsPrecision, int, int, int)
+vtkBoneDecimateOption(PassArrays, bool, bool, bool)
+vtkBoneDecimateOption(MakeMaps, bool, bool, bool)
+vtkBoneDecimateOption(RecomputeNormals, bool, bool, bool)
 vtkBoneDecimateOption(DistanceArrayName, const std::string&, std::string, std::string)
 vtkBoneDecimateOption(RunningErrorArrayName, const std::string&, std::string, std::string)
 vtkBoneDecimateOption(PointCountArrayName, const std::string&, std::string, std::string)
@@ -140,7 +143,8 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
     bonedecimate::ToSurface(input, options.NumberOfThreads);
   bonedecimate::Result result = bonedecimate::Decimate(
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
-    converted.IsSingle, false, hasTolerances ? &*tolerances : nullptr);
+    converted.IsSingle, bonedecimate::NeedsOrigins(input, options),
+    hasTolerances ? &*tolerances : nullptr);
   bonedecimate::NameCells(converted, result.Report);
   this->Internal->Report = result.Report;
   this->Internal->Entries =
@@ -151,15 +155,11 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   }
   this->Warn(converted.Warnings);
   this->Warn(bonedecimate::InputWarnings(result.Report));
-  const std::string leftBehind = bonedecimate::NamesOfArraysLeftBehind(input, toleranceName);
-  if (!leftBehind.empty())
-  {
-    this->Warn({ "these arrays of the input are not carried to the output: " + leftBehind });
-  }
   const int precision = this->GetOutputPointsPrecision();
   const bool single =
     precision == SINGLE_PRECISION || (precision == DEFAULT_PRECISION && converted.IsSingle);
-  bonedecimate::FillOutput(result, options, single, input, vtkPolyData::GetData(outputVector, 0));
+  bonedecimate::FillOutput(
+    result, converted, options, single, input, vtkPolyData::GetData(outputVector, 0));
   bonedecimate::FillInputCopy(result, options, input, vtkPolyData::GetData(outputVector, 1));
   const std::string contradiction = bonedecimate::ProofMessage(result.Report);
   if (!contradiction.empty())

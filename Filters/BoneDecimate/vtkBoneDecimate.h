@@ -165,6 +165,36 @@ public:
 
   ///@{
   /**
+   * Give the result the arrays of the input's points and cells, on by default: floating values as they are at the place on
+   * the input that is nearest to the new point, normals with their length, everything else from the nearest input point;
+   * cell data from the input cell nearest to the centroid of the triangle. Costs look-ups only if there are any.
+   */
+  void SetPassArrays(bool pass);
+  bool GetPassArrays() const;
+  vtkBooleanMacro(PassArrays, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Add the arrays OriginalPointIds (nearest input point) and OriginalCellIds to the output, and ResultPointIds, the output
+   * point that each input point became part of or -1 if no triangle uses it, to output port 1. Off by default.
+   */
+  void SetMakeMaps(bool make);
+  bool GetMakeMaps() const;
+  vtkBooleanMacro(MakeMaps, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Give the output point normals of its own triangles instead of those of the input, off by default.
+   */
+  void SetRecomputeNormals(bool recompute);
+  bool GetRecomputeNormals() const;
+  vtkBooleanMacro(RecomputeNormals, bool);
+  ///@}
+
+  ///@{
+  /**
    * Name of the array of the distance of each output point to the input surface, mm. Default "Distance".
    */
   void SetDistanceArrayName(const std::string& name);

@@ -28,20 +28,23 @@
 
 namespace bonedecimate
 {
-/// Where each output point lies on the input: one entry per output point, ids are those of the input arrays.
-/// Empty unless asked for.
-struct PointOrigins
+/// Where output and input lie on each other. Empty unless asked for.
+struct SurfaceOrigins
 {
-  std::vector<Index> NearestTriangle;             ///< Input triangle nearest to the output point.
+  std::vector<Index> NearestTriangle;             ///< Input triangle nearest to each output point.
   std::vector<std::array<double, 3>> Barycentric; ///< Of the nearest place in that triangle, sum 1.
-  std::vector<Index> NearestPoint;                ///< Input point nearest to the output point.
+  std::vector<Index> NearestPoint;                ///< Input point nearest to each output point.
+  std::vector<Index>
+    TriangleAtCentroid; ///< Input triangle nearest to each output triangle's centroid.
+  std::vector<Index>
+    OutputPoint; ///< Of each input point: the one it became part of, None if no triangle used it.
 };
 
 struct Result
 {
   /// Empty if the input was refused. Points and triangles come in the order of SpatialOrder.h.
   bonedecimate::Surface Surface;
-  PointOrigins Origins;
+  SurfaceOrigins Origins;
   /// mm, of each output point to the input surface; filled with MeasureDistances, with Origins, and whenever distances
   /// are recorded along the collapses (Thesis), else empty; empty, too, in a run aborted before.
   std::vector<double> Distance;
@@ -60,7 +63,8 @@ struct Result
 /**
  * @param input Points in mm and triangles; nothing is changed. Anything may be wrong with it: see InputStatus.
  * @param inputIsSingle Whether the input points were single precision (what PointsPrecision::Default means).
- * @param withOrigins Whether to fill Result::Origins, which takes two look-ups for each output point.
+ * @param withOrigins Whether to fill Result::Origins, which takes two look-ups for each output point and one for each
+ * output triangle.
  * @param tolerances mm, of each input point, see Tolerances.h; null: none but MaximumError.
  * @throws std::bad_alloc and nothing else.
  */

@@ -189,6 +189,19 @@ std::vector<OptionInfo> RunRows()
     { "OutputPointsPrecision", &Options::OutputPointsPrecision, 0, 2, "", "precision",
       { "Single", "Double", "Default" },
       "Precision of the output points; Default is that of the input." },
+    { "PassArrays", &Options::PassArrays, 0, 1, "", "pass-arrays", {},
+      "Give the result the input's arrays of points and cells: floating values as they are at the "
+      "place on the input that "
+      "is nearest to the new point, everything else from the nearest point, or the cell nearest to "
+      "the middle of the "
+      "triangle." },
+    { "MakeMaps", &Options::MakeMaps, 0, 1, "", "maps", {},
+      "Give the result the arrays OriginalPointIds and OriginalCellIds, nearest point and cell of "
+      "the input, and the input "
+      "on output port 1 ResultPointIds, the point of the result that each input point became part "
+      "of." },
+    { "RecomputeNormals", &Options::RecomputeNormals, 0, 1, "", "recompute-normals", {},
+      "Give the result point normals of its own triangles, not those of the input." },
   };
 }
 

@@ -50,6 +50,9 @@ struct Options
   bool MeasureInputDistances = false;
   int NumberOfThreads = 0;
   PointsPrecision OutputPointsPrecision = PointsPrecision::Default;
+  bool PassArrays = true;
+  bool MakeMaps = false;
+  bool RecomputeNormals = false;
   std::string DistanceArrayName = "Distance";
   std::string RunningErrorArrayName = "RunningError";
   std::string PointCountArrayName = "InputPointCount";

@@ -5,13 +5,11 @@
 #include "Shapes.h"
 #include "VtkSurfaces.h"
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
-#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
@@ -186,31 +184,6 @@ TEST(Arrays, TheSecondPortIsTheInputWithItsOwnArrays)
   EXPECT_EQ(copy->GetPointData()->GetArray("Density"), density);
   EXPECT_FALSE(input->GetPointData()->HasArray("DistanceToResult"))
     << "the input itself was changed";
-}
-
-TEST(Arrays, LeftBehindAreNamedInOneWarning)
-{
-  const vtkSmartPointer<vtkPolyData> input = Bumps(2);
-  vtkNew<vtkFloatArray> density;
-  density->SetName("Density");
-  density->SetNumberOfTuples(input->GetNumberOfPoints());
-  vtkNew<vtkStringArray> label;
-  label->SetName("Label");
-  label->SetNumberOfTuples(input->GetNumberOfCells());
-  input->GetPointData()->AddArray(density);
-  input->GetCellData()->AddArray(label);
-  FilterRun run(input);
-  run.Output();
-  EXPECT_EQ(run.Warnings.size(), 1U);
-  EXPECT_EQ(run.Said("Density"), 1) << run.AllMessages();
-  EXPECT_EQ(run.Said("Label"), 1) << run.AllMessages();
-}
-
-TEST(Arrays, NothingIsSaidWhereNothingIsLeftBehind)
-{
-  FilterRun run(Bumps(2));
-  run.Output();
-  EXPECT_TRUE(run.SaidNothing()) << run.AllMessages();
 }
 
 TEST(Arrays, OfTheFieldDataPassThrough)
