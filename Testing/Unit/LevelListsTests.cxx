@@ -98,3 +98,28 @@ TEST(CostKeys, RiseWithTheCostByAnOctaveForEachDoubling)
     EXPECT_LE(KeyOf(cost), KeyOf(static_cast<float>(cost * random.Between(1.0, 1.1))));
   }
 }
+
+TEST(CostKeys, AreCountedHoweverManyThereAre)
+{
+  constexpr CostKey limit = 0x8000;
+  Random random(7);
+  std::vector<CostKey> keys(200000);
+  std::vector<Index> upTo(keys.size() + 1, 0);
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    keys[i] = static_cast<CostKey>(random.Between(0.0, limit + 100.0));
+    upTo[i + 1] = upTo[i] + (keys[i] <= limit ? 1 : 0);
+  }
+  const std::vector<std::size_t> ends = { 0, 1, 31, 4095, 4096, 4097, 65536, keys.size() };
+  for (const std::size_t first : ends)
+  {
+    for (const std::size_t last : ends)
+    {
+      if (first <= last)
+      {
+        EXPECT_EQ(
+          CountUpTo(limit, keys.data() + first, keys.data() + last), upTo[last] - upTo[first]);
+      }
+    }
+  }
+}
