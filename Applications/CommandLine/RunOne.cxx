@@ -20,6 +20,7 @@
 #include "WrittenProof.h"
 
 #include "vtkNew.h"
+#include "vtkPointData.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -33,7 +34,9 @@ Options OptionsOf(const Arguments& arguments)
 {
   Options options = arguments.Options;
   const auto isReadAsSingle = [](const std::string& path) { return !ReadsDoubles(FormatOf(path)); };
-  if (options.PromisesError() &&
+  const bool isLimited = (!options.ToleranceArrayName.empty() || !arguments.Regions.empty()) &&
+    options.Mode != Mode::Thesis;
+  if ((options.PromisesError() || isLimited) &&
     (isReadAsSingle(arguments.Output) ||
       std::any_of(arguments.Also.begin(), arguments.Also.end(), isReadAsSingle)))
   {
@@ -89,6 +92,7 @@ public:
     Options options = OptionsOf(this->Asked);
     options.VoxelSize = options.VoxelSize == 0.0 ? this->VoxelSize : options.VoxelSize;
     ApplyOptions(options, this->Filter);
+    this->TakeRegions();
     this->Filter->SetMeasureInputDistances(this->WantsDistances());
     vtkNew<ProgressBar> bar;
     bar->SetShown(!this->Asked.Quiet);
@@ -207,9 +211,25 @@ private:
       return;
     }
     const ProvedRun run = { this->Input, this->Filter->GetOutput(),
-      this->Filter->GetReportValue("proof.tolerance"), this->Filter->GetMergePoints(),
-      this->Filter->GetNumberOfThreads() };
+      this->Filter->GetReportValue("proof.tolerance"), this->Filter->GetToleranceArrayName(),
+      this->Filter->GetMergePoints(), this->Filter->GetNumberOfThreads() };
     this->Subject.ProvedFiles[BaseName(target)] = ProveWritten(run, readBack, target);
+  }
+
+  /// An array of tolerances from the regions, if there are any.
+  void TakeRegions()
+  {
+    std::string name = this->Asked.Options.ToleranceArrayName;
+    if (!name.empty() && !this->Input->GetPointData()->HasArray(name.c_str()))
+    {
+      Refuse(this->Path, "it has no point array '" + name + "'");
+    }
+    if (!this->Asked.Regions.empty())
+    {
+      name = name.empty() ? "Tolerance" : name;
+      this->Input = WithTolerances(this->Input, this->Asked.Regions, name);
+      this->Filter->SetToleranceArrayName(name);
+    }
   }
 
   void AcceptMessages(const VtkMessages& messages)

@@ -59,7 +59,8 @@ void Certify(const ProvedRun& run, vtkPolyData* readBack, const std::string& tar
   vtkNew<vtkBoneSurfaceDistance> distance;
   distance->SetInputData(0, run.Input);
   distance->SetInputData(1, readBack);
-  distance->SetTolerance(run.Tolerance);
+  distance->SetTolerance(run.Tolerance > 0.0 ? run.Tolerance : -1.0);
+  distance->SetToleranceArrayName(run.ToleranceArray);
   distance->SetTightBounds(false);
   distance->SetMeasureBorders(run.WithBorders);
   distance->SetMeasureMeans(false);
@@ -70,8 +71,8 @@ void Certify(const ProvedRun& run, vtkPolyData* readBack, const std::string& tar
     const bool isViolated = distance->GetVerdict() == vtkBoneSurfaceDistance::VIOLATED;
     throw Failure(isViolated ? ExitCode::Violated : ExitCode::Undecided,
       "the certificate of '" + BaseName(target) + "' as it was read back " +
-        (isViolated ? "contradicts" : "cannot decide") + " the largest error of " +
-        FixedText(run.Tolerance, BoundDecimals) + " mm: the distance is between " +
+        (isViolated ? "contradicts" : "cannot decide") +
+        " what was asked for: the distance is between " +
         LowerBoundText(distance->GetLowerBound(), BoundDecimals) + " and " +
         UpperBoundText(distance->GetUpperBound(), BoundDecimals) + " mm; nothing was written");
   }

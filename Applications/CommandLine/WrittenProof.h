@@ -21,7 +21,8 @@ struct ProvedRun
 {
   vtkPolyData* Input;
   vtkPolyData* Output;
-  double Tolerance; ///< mm
+  double Tolerance;           ///< mm; 0: none for all points.
+  std::string ToleranceArray; ///< Of the input, mm; empty: none.
   bool WithBorders;
   int NumberOfThreads;
 };

@@ -29,6 +29,7 @@ TEXTS = {
     "InputDistanceArrayName": "DistanceToResult",
     "ErrorBoundArrayName": "ErrorBound",
     "InputErrorBoundArrayName": "ErrorBoundToResult",
+    "ToleranceArrayName": "",
 }
 
 
