@@ -71,8 +71,8 @@ void Certify(const ProvedRun& run, vtkPolyData* readBack, const std::string& tar
     const bool isViolated = distance->GetVerdict() == vtkBoneSurfaceDistance::VIOLATED;
     throw Failure(isViolated ? ExitCode::Violated : ExitCode::Undecided,
       "the certificate of '" + BaseName(target) + "' as it was read back " +
-        (isViolated ? "contradicts" : "cannot decide") +
-        " what was asked for: the distance is between " +
+        (isViolated ? "contradicts" : "cannot decide") + " the largest error of " +
+        (run.Tolerance > 0.0 ? FixedText(run.Tolerance, BoundDecimals) + " mm" : "the map") + ": the distance is between " +
         LowerBoundText(distance->GetLowerBound(), BoundDecimals) + " and " +
         UpperBoundText(distance->GetUpperBound(), BoundDecimals) + " mm; nothing was written");
   }

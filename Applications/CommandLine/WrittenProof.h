@@ -21,8 +21,8 @@ struct ProvedRun
 {
   vtkPolyData* Input;
   vtkPolyData* Output;
-  double Tolerance;           ///< mm; 0: none for all points.
-  std::string ToleranceArray; ///< Of the input, mm; empty: none.
+  double Tolerance;           ///< mm, everywhere; 0: none
+  std::string ToleranceArray; ///< Of the input's points; empty: none.
   bool WithBorders;
   int NumberOfThreads;
 };

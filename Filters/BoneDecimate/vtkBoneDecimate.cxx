@@ -65,6 +65,7 @@ vtkBoneDecimateOption(Mode, int, int, int)
 vtkBoneDecimateOption(TargetNumberOfTriangles, int, int, int)
 vtkBoneDecimateOption(TargetReduction, double, double, double)
 vtkBoneDecimateOption(MaximumError, double, double, double)
+vtkBoneDecimateOption(KeepClearance, bool, bool, bool)
 vtkBoneDecimateOption(NormalTolerance, double, double, double)
 vtkBoneDecimateOption(MergePoints, bool, bool, bool)
 vtkBoneDecimateOption(MeasureDistances, bool, bool, bool)
@@ -79,8 +80,8 @@ vtkBoneDecimateOption(ProveResult, bool, bool, bool)
 vtkBoneDecimateOption(ErrorBoundArrayName, const std::string&, std::string, std::string)
 vtkBoneDecimateOption(InputErrorBoundArrayName, const std::string&, std::string, std::string)
 vtkBoneDecimateOption(ErrorPreset, int, int, int)
-vtkBoneDecimateOption(ToleranceArrayName, const std::string&, std::string, std::string)
 vtkBoneDecimateOption(VoxelSize, double, double, double)
+vtkBoneDecimateOption(ToleranceArrayName, const std::string&, std::string, std::string)
 // clang-format on
 #undef vtkBoneDecimateOption
 

@@ -102,6 +102,16 @@ public:
 
   ///@{
   /**
+   * With MaximumError, on by default: no new pair of triangles intersects, and what faces each other across a gap, two
+   * fragments or the walls of a fracture, keeps half of the distance that it had. Not in Thesis mode.
+   */
+  void SetKeepClearance(bool keep);
+  bool GetKeepClearance() const;
+  vtkBooleanMacro(KeepClearance, bool);
+  ///@}
+
+  ///@{
+  /**
    * The thesis's tolerance w in NFD = (area1 + area2) (1 - w n1.n2), 0 to 1, default 0.95. Smaller values make flat
    * areas dearer; at 1 every flat edge costs nothing whatever its length.
    */

@@ -3,6 +3,7 @@
 #include "Judgement.h"
 
 #include "Certificate/Certificate.h"
+#include "Clearance/Gaps.h"
 #include "Measure/SurfaceDistance.h"
 #include "Mesh/Statistics.h"
 #include "ResultProof.h"
@@ -72,6 +73,18 @@ public:
     if (this->Wanted.MeasureInputDistances)
     {
       this->MeasureInput(tree, inputFrom, this->MeasuredAt);
+    }
+  }
+
+  /// Between fragments.
+  void MeasureClearance()
+  {
+    Report& report = this->Answer.Report;
+    if (report.Input.Components > 1)
+    {
+      report.Clearance = { LeastClearance(this->Run.Cleaned.Surface),
+        LeastClearance(this->Run.LocalResult) };
+      report.ClearanceMeasured = true;
     }
   }
 
@@ -148,6 +161,10 @@ void Judge(const JudgedRun& run, const Options& options, RunProgress& progress, 
   if (progress.GoesOn() && (options.MeasureDistances || options.MeasureInputDistances))
   {
     judgement.MeasureDistances();
+  }
+  if (progress.GoesOn() && options.MeasureDistances)
+  {
+    judgement.MeasureClearance();
   }
   progress.Stage(MeasuredTo(options) - LastStep, MeasuredTo(options))(1.0);
   answer.Report.Seconds.Measure = clock.Seconds();

@@ -161,6 +161,10 @@ std::vector<OptionInfo> GoalRows()
       "off. In Thesis mode it is the distance of a new point at which the collapse stops: exactly "
       "one "
       "point may lie beyond it, and places between points may, too." },
+    { "KeepClearance", &Options::KeepClearance, 0, 1, "", "keep-clearance", {},
+      "With MaximumError: no new pair of triangles intersects, and what faces each other across a "
+      "gap, two fragments or the walls of a fracture, keeps half of the distance that it had. Not "
+      "in Thesis mode." },
     { "NormalTolerance", &Options::NormalTolerance, 0, 1, "", "normal-tolerance", {},
       "The tolerance w of the normal field deviation. Smaller values make flat areas dearer; at 1 "
       "a flat edge costs "

@@ -51,7 +51,7 @@ const char* StopReasonSentence(StopReason reason)
 const char* VerdictWord(Verdict verdict)
 {
   static const char* const words[] = { "allowed", "non_manifold", "border", "link_condition",
-    "fragment", "flip", "degenerate", "too_far", "frozen" };
+    "fragment", "flip", "degenerate", "too_far", "frozen", "crossing" };
   return words[static_cast<int>(verdict)];
 }
 
@@ -120,9 +120,8 @@ std::string ProofMessage(const Report& report)
   }
   char text[240];
   std::snprintf(text, sizeof(text),
-    "the certificate %s that the result keeps the largest error of %.9g mm (0: none everywhere) "
-    "and "
-    "the tolerances of its points: the distance is between %.9g and %.9g mm",
+    "the certificate %s that the result keeps the largest error of %.9g mm (0: none) and its "
+    "points' tolerances: the distance is between %.9g and %.9g mm",
     proof.Verdict == CertificateVerdict::Violated ? "contradicts" : "cannot decide",
     proof.Tolerance, proof.Lower(), proof.Upper());
   return text;

@@ -56,9 +56,10 @@ enum class Verdict : int
   Degenerate,    ///< A triangle would have no area left.
   TooFar,        ///< It could not be proved that everything stays within the largest error.
   Frozen,        ///< An end or corner stays as it is because its tolerance, or a neighbour's, is 0.
+  Crossing,      ///< Triangles would intersect, or a gap would become narrower than half of what it was.
   Elsewhere      ///< Not refused: a worker of another part of the mesh has to do it.
 };
-constexpr std::size_t NumberOfVerdicts = 9; ///< Those that are counted.
+constexpr std::size_t NumberOfVerdicts = 10; ///< Those that are counted.
 
 struct SurfaceStatistics
 {
@@ -151,6 +152,13 @@ struct VoxelFigures
     0.0; ///< mm, what the preset makes of it, or MaximumError if that is smaller.
 };
 
+/// Least distance between two fragments, mm.
+struct FragmentClearance
+{
+  double Input = 0.0;
+  double Output = 0.0;
+};
+
 struct StageSeconds
 {
   double Prepare = 0.0;  ///< Cleaning and building the half-edge mesh.
@@ -174,6 +182,8 @@ struct Report
   bool BordersMeasured = false; ///< With the distances, if both surfaces have open borders.
   ProvedDistance BorderOutputToInput;
   ProvedDistance BorderInputToOutput;
+  bool ClearanceMeasured = false; ///< With the distances, if there are several fragments.
+  FragmentClearance Clearance;
   ErrorProof Proof;
   VoxelFigures Voxel;
   /// mm, the thesis's maxError: largest distance of a new vertex to the input, along the collapses in mode Thesis, at the

@@ -141,6 +141,11 @@ std::vector<ReportEntry> ReportEntries(const Report& report)
   {
     AddProof(entries, report.Proof);
   }
+  if (report.ClearanceMeasured)
+  {
+    entries.push_back({ "clearance.input", "mm", report.Clearance.Input });
+    entries.push_back({ "clearance.output", "mm", report.Clearance.Output });
+  }
   AddRun(entries, report);
   for (const OptionInfo& info : OptionTable())
   {

@@ -38,7 +38,7 @@ const std::vector<Number>& Numbers()
 {
   static const std::vector<Number> numbers = { NUMBER_PROPERTY(Mode),
     NUMBER_PROPERTY(TargetNumberOfTriangles), NUMBER_PROPERTY(TargetReduction),
-    NUMBER_PROPERTY(MaximumError), NUMBER_PROPERTY(NormalTolerance), NUMBER_PROPERTY(MergePoints),
+    NUMBER_PROPERTY(MaximumError), NUMBER_PROPERTY(KeepClearance), NUMBER_PROPERTY(NormalTolerance), NUMBER_PROPERTY(MergePoints),
     NUMBER_PROPERTY(MeasureDistances), NUMBER_PROPERTY(MeasureInputDistances),
     NUMBER_PROPERTY(NumberOfThreads), NUMBER_PROPERTY(OutputPointsPrecision),
     NUMBER_PROPERTY(ProveResult), NUMBER_PROPERTY(ErrorPreset), NUMBER_PROPERTY(VoxelSize) };
@@ -146,6 +146,7 @@ TEST(Properties, HaveTheDefaultsOfTheirDocumentation)
   EXPECT_EQ(filter->GetTargetNumberOfTriangles(), 0);
   EXPECT_EQ(filter->GetTargetReduction(), 0.9);
   EXPECT_EQ(filter->GetMaximumError(), 0.0);
+  EXPECT_TRUE(filter->GetKeepClearance());
   EXPECT_EQ(filter->GetNormalTolerance(), 0.95);
   EXPECT_TRUE(filter->GetMergePoints());
   EXPECT_TRUE(filter->GetMeasureDistances());
@@ -254,6 +255,10 @@ TEST(Properties, ClampedToWhatTheyWereDoNotMarkTheFilterModified)
 TEST(Properties, SwitchesHaveOnAndOff)
 {
   vtkNew<vtkBoneDecimate> filter;
+  filter->KeepClearanceOff();
+  EXPECT_FALSE(filter->GetKeepClearance());
+  filter->KeepClearanceOn();
+  EXPECT_TRUE(filter->GetKeepClearance());
   filter->MergePointsOff();
   filter->MeasureDistancesOff();
   filter->MeasureInputDistancesOn();

@@ -7,14 +7,8 @@ import vtkmodules.vtkCommonExecutionModel  # noqa: F401
 
 from .vtkFiltersBoneDecimate import vtkBoneDecimate, vtkBoneErrorSearch, vtkBoneSurfaceDistance, vtkBoneTolerance
 
-__all__ = [
-    "vtkBoneDecimate",
-    "vtkBoneErrorSearch",
-    "vtkBoneSurfaceDistance",
-    "vtkBoneTolerance",
-    "error_curve",
-    "smallest_error",
-]
+__all__ = ["vtkBoneDecimate", "vtkBoneErrorSearch", "vtkBoneSurfaceDistance", "vtkBoneTolerance", "error_curve",
+           "smallest_error"]
 
 
 def smallest_error(surface, triangles, precision=0.02, mode=vtkBoneDecimate.BALANCED):

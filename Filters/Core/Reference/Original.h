@@ -36,6 +36,8 @@ public:
     return position != this->Clean.Surface.Points[static_cast<std::size_t>(vertex)];
   }
 
+  const Surface& AtFirst() const { return this->Clean.Surface; }
+
   /// Of every vertex there was: the one it has been merged into, over however many collapses.
   std::vector<Index> CurrentVertices() const;
 
