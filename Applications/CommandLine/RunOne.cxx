@@ -34,7 +34,9 @@ Options OptionsOf(const Arguments& arguments)
 {
   Options options = arguments.Options;
   const auto isReadAsSingle = [](const std::string& path) { return !ReadsDoubles(FormatOf(path)); };
-  if (options.PromisesError() &&
+  const bool isLimited = (!options.ToleranceArrayName.empty() || !arguments.Regions.empty()) &&
+    options.Mode != Mode::Thesis;
+  if ((options.PromisesError() || isLimited) &&
     (isReadAsSingle(arguments.Output) ||
       std::any_of(arguments.Also.begin(), arguments.Also.end(), isReadAsSingle)))
   {
@@ -210,8 +212,7 @@ private:
     }
     const ProvedRun run = { this->Input, this->Filter->GetOutput(),
       this->Filter->GetReportValue("proof.tolerance"), this->Filter->GetToleranceArrayName(),
-      this->Filter->GetMergePoints(),
-      this->Filter->GetNumberOfThreads() };
+      this->Filter->GetMergePoints(), this->Filter->GetNumberOfThreads() };
     this->Subject.ProvedFiles[BaseName(target)] = ProveWritten(run, readBack, target);
   }
 

@@ -118,10 +118,10 @@ std::string ProofMessage(const Report& report)
   {
     return {};
   }
-  char text[200];
+  char text[240];
   std::snprintf(text, sizeof(text),
-    "the certificate %s that the result keeps the largest error of %.9g mm: "
-    "the distance is between %.9g and %.9g mm",
+    "the certificate %s that the result keeps the largest error of %.9g mm (0: none) and its "
+    "points' tolerances: the distance is between %.9g and %.9g mm",
     proof.Verdict == CertificateVerdict::Violated ? "contradicts" : "cannot decide",
     proof.Tolerance, proof.Lower(), proof.Upper());
   return text;

@@ -121,7 +121,7 @@ struct ErrorProof
 {
   bool WasMade = false;         ///< Else nothing else counts.
   CertificateVerdict Verdict{}; ///< Of everything that was compared.
-  double Tolerance = 0.0;       ///< mm, what was to be proved; 0: nothing, only the bounds count.
+  double Tolerance = 0.0;       ///< mm, what was to be proved everywhere; 0: nothing.
   ProvedDistance InputToOutput;
   ProvedDistance OutputToInput;
   /// Borders are those where points of equal coordinates are one; without MergePoints they are not compared.

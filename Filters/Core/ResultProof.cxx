@@ -13,19 +13,28 @@ namespace bonedecimate
 {
 namespace
 {
-/// How closely the bounds are looked for: of the whole, as a share of it; of a triangle, as a share of the largest error.
+/// How closely the bounds are looked for: of the whole, as a share of it; of a triangle, as a share of the largest error, or
+/// of the largest tolerance if there is none.
 constexpr double WholeGap = 1e-4;
 constexpr double TriangleGap = 0.02;
 
 CertificateOptions QuestionOf(const Options& options, const std::vector<double>* tolerances)
 {
   CertificateOptions question;
-  question.ToleranceMap = tolerances != nullptr ? *tolerances : question.ToleranceMap;
+  double largest = 0.0; // mm
+  if (tolerances != nullptr)
+  {
+    question.ToleranceMap = *tolerances;
+    for (const double tolerance : *tolerances)
+    {
+      largest = std::fmax(largest, tolerance);
+    }
+  }
   if (options.PromisesError())
   {
-    question.Tolerance = options.MaximumError;
-    question.ResultTriangleGap = TriangleGap * options.MaximumError;
+    question.Tolerance = largest = options.MaximumError;
   }
+  question.ResultTriangleGap = TriangleGap * largest;
   question.RelativeGap = WholeGap;
   question.WithBorders = options.MergePoints;
   question.ReferenceTriangleGap = options.MeasureInputDistances ? question.ResultTriangleGap : 0.0;
