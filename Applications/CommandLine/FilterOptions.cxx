@@ -28,6 +28,7 @@ const std::map<std::string, Setter>& Setters()
     { "TargetNumberOfTriangles", Calls<int>(&vtkBoneDecimate::SetTargetNumberOfTriangles) },
     { "TargetReduction", Calls<double>(&vtkBoneDecimate::SetTargetReduction) },
     { "MaximumError", Calls<double>(&vtkBoneDecimate::SetMaximumError) },
+    { "KeepClearance", Calls<bool>(&vtkBoneDecimate::SetKeepClearance) },
     { "NormalTolerance", Calls<double>(&vtkBoneDecimate::SetNormalTolerance) },
     { "MergePoints", Calls<bool>(&vtkBoneDecimate::SetMergePoints) },
     { "MeasureDistances", Calls<bool>(&vtkBoneDecimate::SetMeasureDistances) },
@@ -38,6 +39,13 @@ const std::map<std::string, Setter>& Setters()
     { "RunningErrorArrayName", Calls<std::string>(&vtkBoneDecimate::SetRunningErrorArrayName) },
     { "PointCountArrayName", Calls<std::string>(&vtkBoneDecimate::SetPointCountArrayName) },
     { "InputDistanceArrayName", Calls<std::string>(&vtkBoneDecimate::SetInputDistanceArrayName) },
+    { "ProveResult", Calls<bool>(&vtkBoneDecimate::SetProveResult) },
+    { "ErrorPreset", Calls<int>(&vtkBoneDecimate::SetErrorPreset) },
+    { "VoxelSize", Calls<double>(&vtkBoneDecimate::SetVoxelSize) },
+    { "ErrorBoundArrayName", Calls<std::string>(&vtkBoneDecimate::SetErrorBoundArrayName) },
+    { "InputErrorBoundArrayName",
+      Calls<std::string>(&vtkBoneDecimate::SetInputErrorBoundArrayName) },
+    { "ToleranceArrayName", Calls<std::string>(&vtkBoneDecimate::SetToleranceArrayName) },
   };
   return setters;
 }
