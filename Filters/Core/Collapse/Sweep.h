@@ -19,7 +19,8 @@
  *
  *     pass 0:   the limit lies at half of the vertices, then rises by four octaves at a time:  a round each, as above
  *               one edge of a vertex at its best place; what cannot be proved waits for the next pass
- *     pass 1 and later:  a round without a limit
+ *               between shifted blocks and the whole mesh, three large blocks
+ *     pass 1 and later:  such a round without a limit
  *               all edges of a vertex, each at its best place, in its middle and at its ends
  *     after each pass what blocks left is swept as one block, and only vertices near a change get new keys
  *     end:      a pass takes away less than one face in 128 (LeastOfPass), or what is wanted is reached
@@ -58,9 +59,15 @@ private:
   bool RunRounds(const Monitor& monitor);
   CostKey FirstLimit(Index collapses) const;
   bool Round(CostKey limit, const Monitor& monitor);
-  bool SweepBlocks(CostKey limit, bool isShifted, const Monitor& monitor);
+  struct BlockCut
+  {
+    Index Size;     ///< Of a block, vertex slots.
+    bool IsShifted; ///< By half of one.
+  };
+  bool SweepBlocks(CostKey limit, BlockCut cut, const Monitor& monitor);
   Index BlockSize() const;
-  std::vector<BlockTask> Blocks(CostKey limit, bool isShifted) const;
+  BlockCut LargeBlocks() const;
+  std::vector<BlockTask> Blocks(CostKey limit, BlockCut cut) const;
   bool Tail(const Monitor& monitor);
   bool SweepWhole(CostKey limit, Index faces, bool renewsRing, const Monitor& monitor);
 

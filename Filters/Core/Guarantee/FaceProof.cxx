@@ -15,13 +15,11 @@ constexpr std::size_t MostPieces = 256;
 constexpr int HalvingsBeforeShares = 2;
 /// Cuts of a piece among the originals around it.
 constexpr std::size_t MostParts = 128;
-/// Around a piece; more are too slow.
-constexpr Index MostAround = 32;
+constexpr Index MostAround = ShareProof::MostCandidates;
 }
 
 //------------------------------------------------------------------------------
-bool FaceProof::Prove(
-  const WalkedSurface& target, const std::array<Vector3, 3>& face, Index hint)
+bool FaceProof::Prove(const WalkedSurface& target, const std::array<Vector3, 3>& face, Index hint)
 {
   this->Open.assign(1, { face, hint, 0 });
   for (std::size_t at = 0; at < this->Open.size(); ++at)
@@ -39,18 +37,19 @@ bool FaceProof::Prove(
 /// Or halves it; false if it cannot be proved.
 bool FaceProof::ProvePiece(const WalkedSurface& target, const Piece& piece)
 {
+  const auto limit = [&target](Index id) { return target.Limit(id); };
+  if (piece.Halvings == 0 && this->Planes.Prove(piece.Corners, piece.Hint, limit))
+  {
+    return true;
+  }
   const Vector3 middle = (piece.Corners[0] + piece.Corners[1] + piece.Corners[2]) / 3.0;
   const PieceCover<3>::Corner nearest = target.Find(middle, piece.Hint);
   if (!target.IsWithin(nearest))
   {
     return false;
   }
-  if (std::isinf(target.Limit(nearest.Nearest)))
-  {
-    return true; // it allows everything
-  }
-  if (this->Planes.Prove(
-        piece.Corners, nearest.Nearest, [&target](Index id) { return target.Limit(id); }))
+  if (std::isinf(target.Limit(nearest.Nearest)) ||
+    this->Planes.Prove(piece.Corners, nearest.Nearest, limit))
   {
     return true;
   }
@@ -116,8 +115,7 @@ bool FaceProof::GatherAround(const WalkedSurface& target, const Piece& piece, In
   {
     for (Index corner = 0; corner < 3; ++corner)
     {
-      const Index twin =
-        this->Original.Twin(HalfEdgeMesh::HalfEdge(this->Around[at].Id, corner));
+      const Index twin = this->Original.Twin(HalfEdgeMesh::HalfEdge(this->Around[at].Id, corner));
       const Index face = twin == None ? None : HalfEdgeMesh::Face(twin);
       if (face != None && this->Around.Find(face) == None &&
         this->BoxReaches(face, middle, target.Limit(face) + radius))

@@ -8,9 +8,11 @@ namespace bonedecimate
 {
 namespace
 {
+/// As in Extract.cxx: without volatile, gcc 12 leaves the way to single precision and back out.
 double RoundedToSingle(double coordinate, double origin)
 {
-  return static_cast<double>(static_cast<float>(coordinate + origin)) - origin;
+  const volatile float rounded = static_cast<float>(coordinate + origin);
+  return static_cast<double>(rounded) - origin;
 }
 }
 

@@ -42,7 +42,8 @@ std::uint8_t SidesBeyond(Place p)
 {
   const double a = 1.0 - p.B - p.C;
   const double error = Rounding * (1.0 + std::abs(p.B) + std::abs(p.C));
-  return static_cast<std::uint8_t>((p.B < 0.0 ? 1 : 0) | (p.C < 0.0 ? 2 : 0) | (a < -error ? 4 : 0));
+  return static_cast<std::uint8_t>(
+    (p.B < 0.0 ? 1 : 0) | (p.C < 0.0 ? 2 : 0) | (a < -error ? 4 : 0));
 }
 
 /// Bits for the four directions.
@@ -93,7 +94,8 @@ const PlaneCover::Shadow& PlaneCover::ShadowOf(Index vertex)
   {
     const Vector3 p = this->Original.Position(vertex) - this->A;
     const Place place = { this->AlongB.dot(p), this->AlongC.dot(p) };
-    Shadow shadow = { vertex, SidesBeyond(place), SidesOf(Counted, place), place.B, place.C, {}, 0.0 };
+    Shadow shadow = { vertex, SidesBeyond(place), SidesOf(Counted, place), place.B, place.C, {},
+      0.0 };
     shadow.Offset = p - shadow.B * this->AB - shadow.C * this->AC;
     shadow.SquaredOffset = shadow.Offset.squaredNorm();
     at = this->Shadows.Insert(shadow);

@@ -11,10 +11,13 @@ namespace bonedecimate
 namespace
 {
 /// Of an original, before it is given up: with too few, good edits are refused.
-constexpr std::size_t MostPieces = 1024;
+constexpr std::size_t MostPieces = 256;
+
+/// Limits that the ends of an edge may be away from the new faces.
+constexpr double FarthestOfEnds = 1.5;
 
 /// Others may have to help.
-constexpr std::size_t MostNewFaces = ShareProof::MostCandidates - 2 * Supports::MostHolders;
+constexpr std::size_t MostNewFaces = ShareProof::MostCandidates - Supports::MostHolders;
 
 bool FaceIsInRange(const HalfEdgeMesh& mesh, Index face, VertexRange range)
 {
@@ -39,8 +42,8 @@ ProofAnswer Prover::Prove(const HalfEdgeMesh& mesh, VertexRange range)
   {
     return ProofAnswer::Refused;
   }
-  this->Prepare(mesh, range);
-  if (!this->WitnessesAreNear(mesh))
+  this->Prepare();
+  if (!this->EndsAreNear(mesh) || !this->WitnessesAreNear(mesh))
   {
     return ProofAnswer::Refused;
   }
@@ -113,7 +116,7 @@ bool Prover::IsOurs(const HalfEdgeMesh& mesh, VertexRange range) const
 }
 
 //------------------------------------------------------------------------------
-void Prover::Prepare(const HalfEdgeMesh& mesh, VertexRange range)
+void Prover::Prepare()
 {
   this->Points.Clear();
   this->SquaredDistances.clear();
@@ -122,16 +125,23 @@ void Prover::Prepare(const HalfEdgeMesh& mesh, VertexRange range)
   {
     this->Share.AddCandidate(face.Corners);
   }
-  this->Helpers.clear();
-  const std::size_t room = ShareProof::MostCandidates - Supports::MostHolders;
-  for (const Index face : this->Change.Neighbours)
+}
+
+//------------------------------------------------------------------------------
+/// Vertices that go lie within the limit of the original, which shall lie within the limit of the new faces: where they
+/// are farther from those than a good part of both together, a proof is not to be had, but for few.
+bool Prover::EndsAreNear(const HalfEdgeMesh& mesh)
+{
+  if (this->Change.Moved == None)
   {
-    if (FaceIsInRange(mesh, face, range) &&
-      this->Change.NewFaces.size() + this->Helpers.size() < room)
-    {
-      this->Helpers.push_back(face);
-    }
+    return true;
   }
+  const Triangle around = this->Shared.Source.Corners(this->Place.Nearest);
+  const double limit = std::max({ this->Shared.LimitAt(around[0]), this->Shared.LimitAt(around[1]),
+    this->Shared.LimitAt(around[2]) });
+  return std::all_of(this->Change.Ends.begin(), this->Change.Ends.end(),
+    [&](Index end)
+    { return this->Share.FacesNear(mesh.Position(end), FarthestOfEnds * limit) != 0; });
 }
 
 //------------------------------------------------------------------------------
@@ -179,8 +189,8 @@ bool Prover::OriginalsAreNear(const HalfEdgeMesh& mesh)
   {
     const std::array<Index, 3> points = this->PointsOf(item.Id);
     item.Used = this->Nearest(points);
-    const bool isAnyFar = std::any_of(points.begin(), points.end(),
-      [this](Index point) { return this->Points[point].Near == 0; });
+    const bool isAnyFar = std::any_of(
+      points.begin(), points.end(), [this](Index point) { return this->Points[point].Near == 0; });
     if (isAnyFar && !this->ProveInPieces(mesh, item))
     {
       this->Remember(item.Id);
@@ -277,7 +287,7 @@ Prover::Faces Prover::Nearest(const std::array<Index, 3>& points) const
 }
 
 //------------------------------------------------------------------------------
-/// With the help of faces that stay: those that prove a part of it today, and those around the patch.
+/// With the help of the faces that stay and prove a part of it today.
 bool Prover::ProveInPieces(const HalfEdgeMesh& mesh, Item& item)
 {
   const Triangle corners = this->Shared.Source.Corners(item.Id);
@@ -292,53 +302,27 @@ bool Prover::ProveInPieces(const HalfEdgeMesh& mesh, Item& item)
   }
   item.Used = 0;
   const bool proved = this->Share.Prove(whole, item.Used, MostPieces) == ShareAnswer::Proved;
-  item.Used &= (Faces(1) << (ours + this->Helpers.size())) - 1;
-  for (std::size_t i = 0; i < this->Helpers.size(); ++i)
-  {
-    if (Holds(this->Shared.ByFaces, item.Id, this->Helpers[i]))
-    {
-      item.Used &= ~(Faces(1) << (ours + i));
-    }
-  }
+  item.Used &= (Faces(1) << ours) - 1;
   this->Share.Resize(ours);
   return proved && held + CountBits(item.Used) <= Supports::MostHolders;
 }
 
 //------------------------------------------------------------------------------
-/// Candidates behind the new faces: the helpers, then what else proves the item and stays. How many prove it and stay.
+/// Candidates behind the new faces: what else proves the item and stays. How many they are.
 std::size_t Prover::AddHelp(const HalfEdgeMesh& mesh, const Item& item)
 {
-  const auto add = [&](Index face)
-  {
-    const Triangle v = mesh.Corners(face);
-    this->Share.AddCandidate({ mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]) });
-  };
-  std::for_each(this->Helpers.begin(), this->Helpers.end(), add);
   std::size_t held = 0;
   for (int slot = 0; slot < Supports::MostHolders; ++slot)
   {
     const Index holder = this->Shared.ByFaces.Holder(item.Id, slot);
     if (holder != None && (item.Gone >> slot & 1) == 0)
     {
+      const Triangle v = mesh.Corners(holder);
+      this->Share.AddCandidate({ mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]) });
       ++held;
-      if (std::find(this->Helpers.begin(), this->Helpers.end(), holder) == this->Helpers.end())
-      {
-        add(holder);
-      }
     }
   }
   return held;
-}
-
-//------------------------------------------------------------------------------
-bool Prover::Holds(const Supports& supports, Index item, Index holder)
-{
-  int slot = 0;
-  while (slot < Supports::MostHolders && supports.Holder(item, slot) != holder)
-  {
-    ++slot;
-  }
-  return slot < Supports::MostHolders;
 }
 
 //------------------------------------------------------------------------------
@@ -366,7 +350,6 @@ void Prover::Commit()
   {
     this->Holders.push_back(face.Id);
   }
-  this->Holders.insert(this->Holders.end(), this->Helpers.begin(), this->Helpers.end());
   Commit(this->Shared.ByFaces, this->Change.OldFaces, this->Items, this->Holders);
   if (!this->Change.NewBorder.empty() && this->Change.Moved != None)
   {

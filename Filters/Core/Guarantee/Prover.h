@@ -43,7 +43,7 @@ private:
   {
     Index Id;
     std::uint32_t Gone; // bits of its slots whose holders change
-    Faces Used = 0;     // of the new faces and those that may help, those that prove it
+    Faces Used = 0;     // of the new faces, those that prove it
   };
   struct Point
   {
@@ -59,7 +59,8 @@ private:
     const Supports& supports, const SparseSet<Item>& items, const IsInRange& isInRange);
   bool IsOurs(const HalfEdgeMesh& mesh, VertexRange range) const;
   bool PlaceIsNear();
-  void Prepare(const HalfEdgeMesh& mesh, VertexRange range);
+  void Prepare();
+  bool EndsAreNear(const HalfEdgeMesh& mesh);
   bool WitnessesAreNear(const HalfEdgeMesh& mesh);
   bool Depends(Item& item) const;
   bool OriginalsAreNear(const HalfEdgeMesh& mesh);
@@ -76,7 +77,6 @@ private:
   bool NewBorderIsNear();
   static void Commit(Supports& supports, const std::vector<Index>& gone, SparseSet<Item>& items,
     const std::vector<Index>& holders);
-  static bool Holds(const Supports& supports, Index item, Index holder);
 
   Guarantee& Shared;
   SparseSet<Item> Items;
@@ -89,8 +89,7 @@ private:
   BorderProof Border;
   PieceCover<3>::Corner Place; // of the vertex that moves
   Index BorderPlace = None;    // an original border edge near the vertex that moves
-  std::vector<Index> Uncut;   // items of which no new face is near all corners
-  std::vector<Index> Helpers; // neighbours that the worker may change, too
+  std::vector<Index> Uncut;    // items of which no new face is near all corners
   std::vector<Index> Holders;
 };
 }

@@ -63,8 +63,8 @@ public:
   void Resize(std::size_t count) { this->Count = count; }
   std::size_t NumberOfCandidates() const { return this->Count; }
   /// @param most mm, within which it proves anything, however large a corner's limit is.
-  void AddCandidate(const std::array<Vector3, 3>& corners,
-    double most = std::numeric_limits<double>::infinity());
+  void AddCandidate(
+    const std::array<Vector3, 3>& corners, double most = std::numeric_limits<double>::infinity());
 
   /// Those that lie within the limit (mm) of p, and within their own.
   Faces FacesNear(const Vector3& p, double limit);
