@@ -6,12 +6,12 @@
  *
  *     cleaned  = Clean(input)                    refuse, merge, drop, count
  *     SortAlongCurve(cleaned)                    neighbours in space become neighbours in memory
- *     mesh     = HalfEdgeMesh(cleaned)           lock what is not manifold
+ *     mesh     = HalfEdgeMesh(cleaned)           lock what is not manifold, freeze what has a tolerance of 0
  *     original = Original(cleaned)               nearest point by a bounding tree, built when needed
  *     ThesisLoop, Sweep or RelaxedLoop           collapse until a stop is reached
  *     result   = Extract(mesh)                   points, triangles, maps
- *     Measure(result, original)                  both directions
- *     Certify(original, result)                  open borders, curve to curve
+ *     Judge(result, original)                    both directions, open borders
+ *     ProveResult(input, result)                 the certificate, if there is a largest error
  *
  * H. Brandao, Mesh Simplification and Smoothing for Bone Fragment Models, BSc thesis, Groningen 2018: the loop.
  */
@@ -50,6 +50,10 @@ struct Result
   std::vector<Index> PointCount; ///< How many input points each output point stands for.
   std::vector<double>
     InputDistance; ///< mm, of each input point to the result; only with MeasureInputDistances.
+  /// mm, proved: no point of the triangles around an output point is farther from the input. Empty without a proof.
+  std::vector<double> ErrorBound;
+  /// mm, the same of each input point, not a number where there is no triangle; only with MeasureInputDistances.
+  std::vector<double> InputErrorBound;
   bonedecimate::Report Report;
 };
 
@@ -57,10 +61,12 @@ struct Result
  * @param input Points in mm and triangles; nothing is changed. Anything may be wrong with it: see InputStatus.
  * @param inputIsSingle Whether the input points were single precision (what PointsPrecision::Default means).
  * @param withOrigins Whether to fill Result::Origins, which takes two look-ups for each output point.
+ * @param tolerances mm, of each input point, see Tolerances.h; null: none but MaximumError.
  * @throws std::bad_alloc and nothing else.
  */
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor = {},
-  bool inputIsSingle = false, bool withOrigins = false);
+  bool inputIsSingle = false, bool withOrigins = false,
+  const std::vector<double>* tolerances = nullptr);
 }
 
 #endif

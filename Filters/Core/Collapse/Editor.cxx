@@ -8,6 +8,8 @@
 #include "RingQuadrics.h"
 #include "SmallEdits.h"
 
+#include <algorithm>
+
 namespace bonedecimate
 {
 namespace
@@ -65,6 +67,27 @@ void Editor::KeepClearance(double error, int threads)
 {
   this->Clearance =
     std::make_unique<ClearanceGuard>(this->Half, this->Source.AtFirst(), error, threads);
+}
+
+//------------------------------------------------------------------------------
+Index Editor::Freeze(const std::vector<double>& tolerances)
+{
+  const auto isFrozen = [&](Index v)
+  { return this->Guard ? !(this->Guard->LimitAt(v) > 0.0) : tolerances[v] == 0.0; };
+  for (Index face = 0; face < this->Half.NumberOfFaceSlots(); ++face)
+  {
+    const Triangle corners = this->Half.Corners(face);
+    if (std::any_of(corners.begin(), corners.end(), isFrozen))
+    {
+      std::for_each(corners.begin(), corners.end(), [this](Index v) { this->Half.Freeze(v); });
+    }
+  }
+  Index count = 0;
+  for (Index v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
+  {
+    count += isFrozen(v) ? 1 : 0;
+  }
+  return count;
 }
 
 //------------------------------------------------------------------------------
@@ -298,6 +321,8 @@ void Editor::Settle(Tally& tally)
   {
     this->RefusalsByVerdict[i] += tally.Refusals[i];
   }
-  tally = {};
+  tally.Refusals.fill(0); // the list of volumes keeps its memory
+  tally.Edits = 0;
+  tally.RemovedFaces = 0;
 }
 }

@@ -35,7 +35,7 @@ Guarantee::Guarantee(const HalfEdgeMesh& atFirst, const BoundingTree& tree, cons
       this->Borders.Count() == 0 ? 0 : HalfEdgeMesh::HalfEdge(atFirst.NumberOfFaceSlots(), 0))
   , NearestBorder(this->Borders.EdgesAtVertices())
   , Nearest(static_cast<std::size_t>(atFirst.NumberOfVertexSlots()), None)
-  , Witnesses(this->Nearest)
+  , Witnesses(this->Nearest.size(), { None, None, None, None })
 {
   for (Index face = 0; face < atFirst.NumberOfFaceSlots(); ++face)
   {

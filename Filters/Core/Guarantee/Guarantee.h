@@ -22,6 +22,7 @@
 #include "Reference/Original.h"
 #include "Supports.h"
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -75,7 +76,9 @@ private:
   Supports ByBorders;               // held by half-edges
   std::vector<Index> NearestBorder; // of each vertex: an original border edge near it
   std::vector<Index> Nearest;       // of each vertex of the mesh: an original triangle near it
-  std::vector<Index> Witnesses; // of each vertex: the original that could not be proved last time
+  /// Originals that could not be proved, the last one first.
+  using Witness = std::array<Index, 4>;
+  std::vector<Witness> Witnesses; // of each vertex
   std::mutex Lending;
   std::vector<std::unique_ptr<Prover>> Idle;
 };

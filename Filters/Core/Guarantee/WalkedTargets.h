@@ -52,6 +52,10 @@ public:
     return std::sqrt(FrameOf(this->Mesh, face).SquaredReach(p));
   }
   double Limit(Index face) const { return this->Allowed.Over(face); }
+  bool IsWithin(const PieceCover<3>::Corner& place) const
+  {
+    return place.Distance <= this->Limit(place.Nearest);
+  }
 
 private:
   PieceCover<3>::Corner FindBetter(const PieceCover<3>::Corner& from) const;

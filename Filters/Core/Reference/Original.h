@@ -8,6 +8,7 @@
 #define BoneDecimate_Core_Reference_Original_h
 
 #include "Geometry/BoundingTree.h"
+#include "Memory/LargeArray.h"
 #include "Mesh/Cleaning.h"
 
 #include <mutex>
@@ -28,9 +29,6 @@ public:
 
   /// Two vertices became one; the new one is looked up if that is wished, and if it has moved.
   void Merge(Index keep, Index gone, const Vector3& position);
-
-  /// Looks the vertex up where it is now, if it has moved; only where distances are recorded.
-  void LookUp(Index vertex, const Vector3& position);
 
   /// Whether the vertex no longer lies where its input point lay, bit for bit.
   bool HasMoved(Index vertex, const Vector3& position) const
@@ -55,13 +53,15 @@ public:
   const BoundingTree& Tree(int threads = 1, const std::function<void()>& afterStep = {}) const;
 
 private:
+  void LookUp(Index vertex, const Vector3& position);
+
   const CleanSurface& Clean;
   mutable std::once_flag TreeIsBuilt;
   mutable std::optional<BoundingTree> Triangles;
-  std::vector<Index> MergedInto; // itself while it lives
-  std::vector<Index> Nearest;    // of each vertex, where distances are recorded
-  std::vector<double> Errors;    // the same, mm
-  double Largest = 0.0;          // mm
+  LargeArray<Index> MergedInto; // itself while it lives
+  std::vector<Index> Nearest;   // of each vertex, where distances are recorded
+  std::vector<double> Errors;   // the same, mm
+  double Largest = 0.0;         // mm
 };
 }
 
