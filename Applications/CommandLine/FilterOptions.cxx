@@ -45,6 +45,7 @@ const std::map<std::string, Setter>& Setters()
     { "ErrorBoundArrayName", Calls<std::string>(&vtkBoneDecimate::SetErrorBoundArrayName) },
     { "InputErrorBoundArrayName",
       Calls<std::string>(&vtkBoneDecimate::SetInputErrorBoundArrayName) },
+    { "ToleranceArrayName", Calls<std::string>(&vtkBoneDecimate::SetToleranceArrayName) },
   };
   return setters;
 }

@@ -20,6 +20,7 @@
 #include "WrittenProof.h"
 
 #include "vtkNew.h"
+#include "vtkPointData.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -89,6 +90,7 @@ public:
     Options options = OptionsOf(this->Asked);
     options.VoxelSize = options.VoxelSize == 0.0 ? this->VoxelSize : options.VoxelSize;
     ApplyOptions(options, this->Filter);
+    this->TakeRegions();
     this->Filter->SetMeasureInputDistances(this->WantsDistances());
     vtkNew<ProgressBar> bar;
     bar->SetShown(!this->Asked.Quiet);
@@ -207,9 +209,26 @@ private:
       return;
     }
     const ProvedRun run = { this->Input, this->Filter->GetOutput(),
-      this->Filter->GetReportValue("proof.tolerance"), this->Filter->GetMergePoints(),
+      this->Filter->GetReportValue("proof.tolerance"), this->Filter->GetToleranceArrayName(),
+      this->Filter->GetMergePoints(),
       this->Filter->GetNumberOfThreads() };
     this->Subject.ProvedFiles[BaseName(target)] = ProveWritten(run, readBack, target);
+  }
+
+  /// An array of tolerances from the regions, if there are any.
+  void TakeRegions()
+  {
+    std::string name = this->Asked.Options.ToleranceArrayName;
+    if (!name.empty() && !this->Input->GetPointData()->HasArray(name.c_str()))
+    {
+      Refuse(this->Path, "it has no point array '" + name + "'");
+    }
+    if (!this->Asked.Regions.empty())
+    {
+      name = name.empty() ? "Tolerance" : name;
+      this->Input = WithTolerances(this->Input, this->Asked.Regions, name);
+      this->Filter->SetToleranceArrayName(name);
+    }
   }
 
   void AcceptMessages(const VtkMessages& messages)

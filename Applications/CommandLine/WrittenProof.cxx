@@ -59,7 +59,8 @@ void Certify(const ProvedRun& run, vtkPolyData* readBack, const std::string& tar
   vtkNew<vtkBoneSurfaceDistance> distance;
   distance->SetInputData(0, run.Input);
   distance->SetInputData(1, readBack);
-  distance->SetTolerance(run.Tolerance);
+  distance->SetTolerance(run.Tolerance > 0.0 ? run.Tolerance : -1.0);
+  distance->SetToleranceArrayName(run.ToleranceArray);
   distance->SetTightBounds(false);
   distance->SetMeasureBorders(run.WithBorders);
   distance->SetMeasureMeans(false);
@@ -71,7 +72,7 @@ void Certify(const ProvedRun& run, vtkPolyData* readBack, const std::string& tar
     throw Failure(isViolated ? ExitCode::Violated : ExitCode::Undecided,
       "the certificate of '" + BaseName(target) + "' as it was read back " +
         (isViolated ? "contradicts" : "cannot decide") + " the largest error of " +
-        FixedText(run.Tolerance, BoundDecimals) + " mm: the distance is between " +
+        (run.Tolerance > 0.0 ? FixedText(run.Tolerance, BoundDecimals) + " mm" : "the map") + ": the distance is between " +
         LowerBoundText(distance->GetLowerBound(), BoundDecimals) + " and " +
         UpperBoundText(distance->GetUpperBound(), BoundDecimals) + " mm; nothing was written");
   }

@@ -21,7 +21,8 @@ struct ProvedRun
 {
   vtkPolyData* Input;
   vtkPolyData* Output;
-  double Tolerance; ///< mm
+  double Tolerance;           ///< mm, everywhere; 0: none
+  std::string ToleranceArray; ///< Of the input's points; empty: none.
   bool WithBorders;
   int NumberOfThreads;
 };

@@ -9,6 +9,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
@@ -279,6 +280,23 @@ ConvertedSurface ToSurface(vtkPolyData* input, int threads)
 }
 
 //------------------------------------------------------------------------------
+std::optional<std::vector<double>> ReadPointValues(vtkPolyData* input, const std::string& name)
+{
+  vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    return {};
+  }
+  std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(array->GetComponent(i, 0));
+  }
+  return values;
+}
+
+//------------------------------------------------------------------------------
 void NameCells(const ConvertedSurface& converted, Report& report)
 {
   CleaningStatistics& found = report.Cleaning;
@@ -353,7 +371,7 @@ void FillInputCopy(
 }
 
 //------------------------------------------------------------------------------
-std::string NamesOfArraysLeftBehind(vtkPolyData* input)
+std::string NamesOfArraysLeftBehind(vtkPolyData* input, const std::string& used)
 {
   std::string names;
   for (vtkFieldData* data : { static_cast<vtkFieldData*>(input->GetPointData()),
@@ -361,8 +379,9 @@ std::string NamesOfArraysLeftBehind(vtkPolyData* input)
   {
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
-      const char* name = data->GetAbstractArray(i)->GetName();
-      names += (names.empty() ? "" : ", ") + std::string(name ? name : "(unnamed)");
+      const char* given = data->GetAbstractArray(i)->GetName();
+      const std::string name = given ? given : "(unnamed)";
+      names += name == used ? "" : (names.empty() ? "" : ", ") + name;
     }
   }
   return names;

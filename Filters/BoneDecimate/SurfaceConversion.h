@@ -12,6 +12,7 @@
 
 #include "vtkType.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct ConvertedSurface
 /// Triangles as they are, strips and polygons triangulated, ids out of range as None (the core counts them).
 ConvertedSurface ToSurface(vtkPolyData* input, int threads);
 
+/// A number for each point; nothing if there is no such point array of one component.
+std::optional<std::vector<double>> ReadPointValues(vtkPolyData* input, const std::string& name);
+
 /// Triangles that the report names become the cells from which they came.
 void NameCells(const ConvertedSurface& converted, Report& report);
 
@@ -48,7 +52,8 @@ void FillInputCopy(
   const Result& result, const Options& options, vtkPolyData* input, vtkPolyData* output);
 
 /// Names of the input's point and cell arrays, which the result does not carry; empty if there are none.
-std::string NamesOfArraysLeftBehind(vtkPolyData* input);
+/// @param used Name of one that is not missed.
+std::string NamesOfArraysLeftBehind(vtkPolyData* input, const std::string& used = {});
 }
 
 #endif

@@ -14,6 +14,8 @@
 #include "vtkPolyData.h"
 #include "vtkVersionMacros.h"
 
+#include <optional>
+
 vtkStandardNewMacro(vtkBoneDecimate);
 
 //------------------------------------------------------------------------------
@@ -79,6 +81,7 @@ vtkBoneDecimateOption(ErrorBoundArrayName, const std::string&, std::string, std:
 vtkBoneDecimateOption(InputErrorBoundArrayName, const std::string&, std::string, std::string)
 vtkBoneDecimateOption(ErrorPreset, int, int, int)
 vtkBoneDecimateOption(VoxelSize, double, double, double)
+vtkBoneDecimateOption(ToleranceArrayName, const std::string&, std::string, std::string)
 // clang-format on
 #undef vtkBoneDecimateOption
 
@@ -124,11 +127,20 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   const bonedecimate::Options& options = this->Internal->Options;
+  const std::string& toleranceName = options.ToleranceArrayName;
+  const bool hasTolerances = !toleranceName.empty() && input->GetNumberOfPoints() > 0;
+  const std::optional<std::vector<double>> tolerances =
+    hasTolerances ? bonedecimate::ReadPointValues(input, toleranceName) : std::vector<double>();
+  if (!tolerances)
+  {
+    vtkErrorMacro(<< "the input has no point array '" << toleranceName << "' of one component");
+    return 0;
+  }
   const bonedecimate::ConvertedSurface converted =
     bonedecimate::ToSurface(input, options.NumberOfThreads);
   bonedecimate::Result result = bonedecimate::Decimate(
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
-    converted.IsSingle);
+    converted.IsSingle, false, hasTolerances ? &*tolerances : nullptr);
   bonedecimate::NameCells(converted, result.Report);
   this->Internal->Report = result.Report;
   this->Internal->Entries =
@@ -139,7 +151,7 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   }
   this->Warn(converted.Warnings);
   this->Warn(bonedecimate::InputWarnings(result.Report));
-  const std::string leftBehind = bonedecimate::NamesOfArraysLeftBehind(input);
+  const std::string leftBehind = bonedecimate::NamesOfArraysLeftBehind(input, toleranceName);
   if (!leftBehind.empty())
   {
     this->Warn({ "these arrays of the input are not carried to the output: " + leftBehind });

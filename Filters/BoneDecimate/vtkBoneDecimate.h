@@ -17,7 +17,7 @@
  * An input that cannot be used (NaN, an index out of range) is an error with an empty output and the reason in the
  * message; an empty one gives an empty output and no error.
  *
- * @sa vtkQuadricDecimation vtkDecimatePro
+ * @sa vtkBoneTolerance vtkBoneSurfaceDistance vtkQuadricDecimation vtkDecimatePro
  * H. Brandao, Mesh Simplification and Smoothing for Bone Fragment Models, BSc thesis, Groningen 2018.
  */
 #ifndef vtkBoneDecimate_h
@@ -250,6 +250,18 @@ public:
    */
   void SetVoxelSize(double millimetres);
   double GetVoxelSize() const;
+  ///@}
+
+  ///@{
+  /**
+   * Name of a point array of the input, of any type of number, with how far the surface may move at each point, mm: 0
+   * freezes the point with all triangles at it, bit for bit; negative is no limit of its own; in between it is a largest
+   * error there, linear on each triangle, proved in both directions like MaximumError, which caps it if set. Empty, the
+   * default, is none; a name without such an array, NaN and infinity are errors. Thesis takes only 0 and negative ones.
+   * vtkBoneTolerance makes such arrays.
+   */
+  void SetToleranceArrayName(const std::string& name);
+  std::string GetToleranceArrayName() const;
   ///@}
 
   /**

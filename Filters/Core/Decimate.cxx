@@ -127,6 +127,10 @@ private:
       promise.Origin = this->Cleaned.Origin;
       promise.Tolerances = tolerances.empty() ? nullptr : &tolerances;
       this->Work->ProveEdits(promise, this->Wanted.NumberOfThreads);
+      if (promises && this->Wanted.KeepClearance)
+      {
+        this->Work->KeepClearance(this->Wanted.MaximumError, this->Wanted.NumberOfThreads);
+      }
     }
     if (promises && this->Wanted.KeepClearance)
     {

@@ -80,11 +80,11 @@ public:
   void MeasureClearance()
   {
     Report& report = this->Answer.Report;
-    report.ClearanceMeasured = report.Input.Components > 1;
-    if (report.ClearanceMeasured)
+    if (report.Input.Components > 1)
     {
       report.Clearance = { LeastClearance(this->Run.Cleaned.Surface),
         LeastClearance(this->Run.LocalResult) };
+      report.ClearanceMeasured = true;
     }
   }
 

@@ -134,11 +134,11 @@ std::string KindText(const OptionInfo& info)
   }
   return std::holds_alternative<std::string>(value) ? "text" : RangeText(info);
 }
-}
 
-const std::vector<OptionInfo>& OptionTable()
+/// What to reach, and how.
+std::vector<OptionInfo> GoalRows()
 {
-  static const std::vector<OptionInfo> table = {
+  return {
     { "Mode", &Options::Mode, 0, 3, "", "mode", { "Thesis", "Fast", "Balanced", "Accurate" },
       "How the result is found. Balanced, the default, collapses like Fast, takes the last "
       "triangles by the distance to samples of the original, then moves points and flips edges so "
@@ -169,6 +169,13 @@ const std::vector<OptionInfo>& OptionTable()
       "The tolerance w of the normal field deviation. Smaller values make flat areas dearer; at 1 "
       "a flat edge costs "
       "nothing whatever its length." },
+  };
+}
+
+/// What is done with the input, and what is measured.
+std::vector<OptionInfo> RunRows()
+{
+  return {
     { "MergePoints", &Options::MergePoints, 0, 1, "", "merge-points", {},
       "Merge points with exactly equal coordinates first. Off, triangles that do not share points "
       "are fragments of their "
@@ -182,6 +189,13 @@ const std::vector<OptionInfo>& OptionTable()
     { "OutputPointsPrecision", &Options::OutputPointsPrecision, 0, 2, "", "precision",
       { "Single", "Double", "Default" },
       "Precision of the output points; Default is that of the input." },
+  };
+}
+
+/// Names of arrays.
+std::vector<OptionInfo> ArrayRows()
+{
+  return {
     { "DistanceArrayName", &Options::DistanceArrayName, 0, 0, "", "", {},
       "Name of the array of the distance of each output point to the input surface, in mm." },
     { "RunningErrorArrayName", &Options::RunningErrorArrayName, 0, 0, "", "", {},
@@ -191,6 +205,13 @@ const std::vector<OptionInfo>& OptionTable()
       "Name of the array of how many input points each output point stands for." },
     { "InputDistanceArrayName", &Options::InputDistanceArrayName, 0, 0, "", "", {},
       "Name of the array of the distance of each input point to the result, in mm." },
+  };
+}
+
+/// What is proved.
+std::vector<OptionInfo> ProofRows()
+{
+  return {
     { "ToleranceArrayName", &Options::ToleranceArrayName, 0, 0, "", "tolerance-array", {},
       "Name of a point array of the input, of any type of number, with how far the surface may "
       "move "
@@ -215,6 +236,20 @@ const std::vector<OptionInfo>& OptionTable()
       "Least side of the scan's voxels, for ErrorPreset; 0: estimated from the surface, which "
       "must be as marching cubes leaves it, and reported as an estimate." },
   };
+}
+}
+
+const std::vector<OptionInfo>& OptionTable()
+{
+  static const std::vector<OptionInfo> table = []
+  {
+    std::vector<OptionInfo> rows;
+    for (const std::vector<OptionInfo>& group : { GoalRows(), RunRows(), ArrayRows(), ProofRows() })
+    {
+      rows.insert(rows.end(), group.begin(), group.end());
+    }
+    return rows;
+  }();
   return table;
 }
 

@@ -56,8 +56,8 @@ enum class Verdict : int
   Degenerate,    ///< A triangle would have no area left.
   TooFar,        ///< It could not be proved that everything stays within the largest error.
   Frozen,        ///< An end or corner stays as it is because its tolerance, or a neighbour's, is 0.
-  Crossing, ///< Triangles would intersect, or a gap would become narrower than half of what it was.
-  Elsewhere ///< Not refused: a worker of another part of the mesh has to do it.
+  Crossing,      ///< Triangles would intersect, or a gap would become narrower than half of what it was.
+  Elsewhere      ///< Not refused: a worker of another part of the mesh has to do it.
 };
 constexpr std::size_t NumberOfVerdicts = 10; ///< Those that are counted.
 
@@ -116,13 +116,6 @@ struct ProvedDistance
   double Upper = 0.0;
 };
 
-/// Least distance between two fragments, mm.
-struct FragmentClearance
-{
-  double Input = 0.0;
-  double Output = 0.0;
-};
-
 /// What the certificate says of the surface as it is written.
 struct ErrorProof
 {
@@ -157,6 +150,13 @@ struct VoxelFigures
   double Error = 0.0; ///< mm, by which an estimate may be off.
   double LargestError =
     0.0; ///< mm, what the preset makes of it, or MaximumError if that is smaller.
+};
+
+/// Least distance between two fragments, mm.
+struct FragmentClearance
+{
+  double Input = 0.0;
+  double Output = 0.0;
 };
 
 struct StageSeconds

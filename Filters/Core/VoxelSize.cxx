@@ -20,8 +20,8 @@ constexpr double ShareOnPlanes =
   0.15; // fewer where the planes are far apart than where voxels are cubes: two thirds
 constexpr std::size_t FewestPlanes = 4;
 /// The median edge of marching cubes' triangles, as a share of the side of a cubic voxel, and how far it may be off.
-constexpr double EdgeOfVoxel = 0.72;
-constexpr double EdgeError = 0.35;
+constexpr double EdgeOfVoxel = 1.03;
+constexpr double EdgeError = 0.2;
 
 struct Value
 {

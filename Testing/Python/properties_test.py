@@ -21,7 +21,8 @@ NUMBERS = {
     "VoxelSize": (0.0, 0.5, -1.0, 0.0),
     "OutputPointsPrecision": (vtkAlgorithm.DEFAULT_PRECISION, vtkAlgorithm.SINGLE_PRECISION, 7, 2),
 }
-SWITCHES = {"MergePoints": True, "KeepClearance": True, "MeasureDistances": True, "MeasureInputDistances": False, "ProveResult": True}
+SWITCHES = {"MergePoints": True, "KeepClearance": True, "MeasureDistances": True, "MeasureInputDistances": False,
+            "ProveResult": True}
 TEXTS = {
     "DistanceArrayName": "Distance",
     "RunningErrorArrayName": "RunningError",
@@ -29,6 +30,7 @@ TEXTS = {
     "InputDistanceArrayName": "DistanceToResult",
     "ErrorBoundArrayName": "ErrorBound",
     "InputErrorBoundArrayName": "ErrorBoundToResult",
+    "ToleranceArrayName": "",
 }
 
 

@@ -119,7 +119,7 @@ void ExpectRings(const Surface& surface)
 {
   const BruteMatching brute(surface.Triangles);
   const Rings rings = EdgeMatching(surface.Triangles, surface.Points.size(), 2).FindRings();
-  std::vector<Index> outgoing(surface.Points.size(), None);
+  LargeArray<Index> outgoing(surface.Points.size(), None);
   for (Index f = 0; f < static_cast<Index>(surface.Triangles.size()); ++f)
   {
     for (Index k = 0; k < 3; ++k)
@@ -145,7 +145,7 @@ TEST(EdgeMatching, NoTrianglesHaveNoEdges)
   const EdgeMatching matching(triangles, 3);
   EXPECT_TRUE(matching.Twins().empty());
   EXPECT_EQ(matching.CountEdges().Edges, 0);
-  EXPECT_EQ(matching.FindRings().Outgoing, std::vector<Index>(3, None));
+  EXPECT_EQ(matching.FindRings().Outgoing, LargeArray<Index>(3, None));
 }
 
 TEST(EdgeMatching, AgreesWithBruteForceOnAllShapes)

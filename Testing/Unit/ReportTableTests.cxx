@@ -94,16 +94,6 @@ TEST(ReportTable, DistancesAreLeftOutWhenNoneWereMeasuredAndNothingElseIs)
   }
 }
 
-TEST(ReportTable, ClearanceIsLeftOutWhereThereIsOneFragment)
-{
-  Report report = MeasuredReport();
-  EXPECT_EQ(Find(ReportEntries(report), "clearance.input"), nullptr);
-  report.ClearanceMeasured = true;
-  report.Clearance = { 0.75, 0.5 };
-  EXPECT_EQ(Read<double>(report, "clearance.input"), 0.75);
-  EXPECT_EQ(Read<double>(report, "clearance.output"), 0.5);
-}
-
 TEST(ReportTable, ProofIsThereOnlyWhereOneWasMadeAndHasTheLargestOfAllDirections)
 {
   Report report = MeasuredReport();
@@ -125,6 +115,16 @@ TEST(ReportTable, ProofIsThereOnlyWhereOneWasMadeAndHasTheLargestOfAllDirections
   EXPECT_EQ(Read<double>(report, "proof.tolerance"), 0.5);
   EXPECT_EQ(Read<double>(report, "proof.input_to_output.upper"), 0.375);
   EXPECT_EQ(Read<double>(report, "proof.border_output_to_input.lower"), 0.4375);
+}
+
+TEST(ReportTable, ClearanceIsLeftOutWhereThereIsOneFragment)
+{
+  Report report = MeasuredReport();
+  EXPECT_EQ(Find(ReportEntries(report), "clearance.input"), nullptr);
+  report.ClearanceMeasured = true;
+  report.Clearance = { 0.75, 0.5 };
+  EXPECT_EQ(Read<double>(report, "clearance.input"), 0.75);
+  EXPECT_EQ(Read<double>(report, "clearance.output"), 0.5);
 }
 
 TEST(ReportTable, LengthsAreInMillimetresAndTimesInSeconds)

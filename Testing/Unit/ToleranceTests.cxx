@@ -168,12 +168,12 @@ INSTANTIATE_TEST_SUITE_P(Shapes, EachTolerance, testing::ValuesIn(AllShapes()), 
 
 TEST(Tolerance, OfZeroLeavesTheRestToBeSimplified)
 {
-  const Surface input = Icosphere(5, 20.0); // 20,480 triangles
+  const Surface input = Icosphere(4, 20.0); // 5,120 triangles
   const Map map = Halves(input, 0.0, -1.0);
   for (const Mode mode : AllModes())
   {
-    const Result result = DecimateWith(input, InMode(mode, Triangles(12000)), map);
-    EXPECT_EQ(result.Surface.Triangles.size(), 12000U) << WordOf(mode);
+    const Result result = DecimateWith(input, InMode(mode, Triangles(3000)), map);
+    EXPECT_EQ(result.Surface.Triangles.size(), 3000U) << WordOf(mode);
     EXPECT_EQ(result.Report.Stop, StopReason::TargetReached) << WordOf(mode);
     ExpectFrozen(input, map, result.Surface);
   }
@@ -200,9 +200,9 @@ TEST(Tolerance, CountsOnlyThePointsThatWereAskedToStay)
 
 TEST(Tolerance, AllowsFewerTrianglesTheLargerItIs)
 {
-  const Surface input = Icosphere(5, 20.0);
+  const Surface input = Icosphere(4, 20.0);
   std::size_t before = input.Triangles.size();
-  for (const double tolerance : { 0.02, 0.2, 2.0 })
+  for (const double tolerance : { 0.1, 0.5, 2.0 })
   {
     const Map map = Halves(input, tolerance, tolerance * 2.0);
     const Result result = DecimateWith(input, InMode(Mode::Fast, Unmeasured()), map);
@@ -215,9 +215,9 @@ TEST(Tolerance, AllowsFewerTrianglesTheLargerItIs)
 
 TEST(Tolerance, IsSpentWhereItIsGiven)
 {
-  const Surface input = Icosphere(5, 20.0);
+  const Surface input = Icosphere(4, 20.0);
   const Result result =
-    DecimateWith(input, InMode(Mode::Fast, Unmeasured()), Halves(input, 0.02, 0.4));
+    DecimateWith(input, InMode(Mode::Fast, Unmeasured()), Halves(input, 0.1, 2.0));
   int above = 0;
   for (const Vector3& p : result.Surface.Points)
   {
@@ -228,7 +228,7 @@ TEST(Tolerance, IsSpentWhereItIsGiven)
 
 TEST(Tolerance, OfTheSameEverywhereIsALargestError)
 {
-  const Surface input = BumpySphere(5, 20.0, 0.02, 8);
+  const Surface input = BumpySphere(3, 20.0, 0.01, 8);
   for (const Mode mode : { Mode::Fast, Mode::Balanced })
   {
     const Surface alone = Decimate(input, InMode(mode, Error(0.2))).Surface;
@@ -240,18 +240,18 @@ TEST(Tolerance, OfTheSameEverywhereIsALargestError)
 
 TEST(Tolerance, IsCappedByTheLargestError)
 {
-  const Surface input = BumpySphere(5, 20.0, 0.02, 8);
+  const Surface input = BumpySphere(4, 20.0, 0.01, 8);
   Map map(input.Points.size(), 3.0);
   map[5] = -1.0;
-  const Result result = DecimateWith(input, InMode(Mode::Fast, Error(0.1)), map);
+  const Result result = DecimateWith(input, InMode(Mode::Fast, Error(0.4)), map);
   EXPECT_LT(result.Surface.Triangles.size(), input.Triangles.size() / 2);
   EXPECT_EQ(
-    JudgeMap(input, result.Surface, Map(input.Points.size(), 0.1)), CertificateVerdict::Proved);
+    JudgeMap(input, result.Surface, Map(input.Points.size(), 0.4)), CertificateVerdict::Proved);
 }
 
 TEST(Tolerance, OfNobodyChangesNothing)
 {
-  const Surface input = BumpySphere(4, 20.0, 0.05, 8);
+  const Surface input = BumpySphere(3, 20.0, 0.05, 8);
   const Map none(input.Points.size(), -1.0);
   for (const Mode mode : AllModes())
   {
@@ -264,24 +264,24 @@ TEST(Tolerance, OfNobodyChangesNothing)
 
 TEST(Tolerance, EndsAtTheNumberOfTrianglesIfThatComesFirst)
 {
-  const Surface input = BumpySphere(5, 20.0, 0.05, 8);
+  const Surface input = BumpySphere(4, 20.0, 0.01, 8);
   const Map map = Halves(input, 0.3, -1.0);
   for (const Mode mode : { Mode::Fast, Mode::Balanced, Mode::Accurate })
   {
-    const Result result = DecimateWith(input, InMode(mode, Triangles(9000)), map);
+    const Result result = DecimateWith(input, InMode(mode, Triangles(2500)), map);
     EXPECT_EQ(result.Report.Stop, StopReason::TargetReached) << WordOf(mode);
-    EXPECT_EQ(result.Surface.Triangles.size(), 9000U) << WordOf(mode);
+    EXPECT_EQ(result.Surface.Triangles.size(), 2500U) << WordOf(mode);
     EXPECT_EQ(JudgeMap(input, result.Surface, map), CertificateVerdict::Proved) << WordOf(mode);
   }
 }
 
 TEST(Tolerance, LeavesTheDefaultReductionInForceWhereSomePointsHaveNone)
 {
-  const Surface input = BumpySphere(5, 20.0, 0.01, 8);
-  const Result some = DecimateWith(input, Unmeasured(), Halves(input, 1.0, -1.0));
+  const Surface input = BumpySphere(4, 20.0, 0.01, 8);
+  const Result some = DecimateWith(input, Unmeasured(), Halves(input, 2.0, -1.0));
   EXPECT_EQ(some.Report.Stop, StopReason::TargetReached);
   EXPECT_EQ(some.Surface.Triangles.size(), input.Triangles.size() / 10);
-  const Result all = DecimateWith(input, Unmeasured(), Halves(input, 1.0, 1.0));
+  const Result all = DecimateWith(input, Unmeasured(), Halves(input, 2.0, 2.0));
   EXPECT_LT(all.Surface.Triangles.size(), input.Triangles.size() / 10);
 }
 
@@ -329,23 +329,17 @@ TEST(Tolerance, GivesTheSameBytesForAnyNumberOfThreads)
     p[2] += 0.8 * std::sin(0.31 * p[0]) * std::cos(0.23 * p[1]);
     map.push_back(0.0015 * std::max(0.0, p[0] - 40.0));
   }
-  for (const Mode mode : { Mode::Fast, Mode::Balanced })
-  {
-    ExpectTheSameBytesForAnyNumberOfThreads(input, InMode(mode, Triangles(30000)), &map);
-  }
+  ExpectTheSameBytesForAnyNumberOfThreads(input, InMode(Mode::Fast, Triangles(32000)), &map);
   for (double& tolerance : map)
   {
     tolerance = tolerance == 0.0 ? 0.0 : -1.0;
   }
-  for (const Mode mode : { Mode::Fast, Mode::Balanced })
-  {
-    ExpectTheSameBytesForAnyNumberOfThreads(input, InMode(mode, Triangles(20000)), &map);
-  }
+  ExpectTheSameBytesForAnyNumberOfThreads(input, InMode(Mode::Balanced, Triangles(20000)), &map);
 }
 
 TEST(Tolerance, DoesNotDependOnTheUnitOfLength)
 {
-  const Surface input = BumpySphere(4, 20.0, 0.05, 8);
+  const Surface input = BumpySphere(3, 20.0, 0.02, 8);
   Map map = RandomMap(input, 1.0, 3);
   const Options options = InMode(Mode::Fast, Unmeasured());
   const Surface small = DecimateWith(input, options, map).Surface;

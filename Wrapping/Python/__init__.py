@@ -5,9 +5,10 @@
 # The superclass must be known to Python before the wrapped class is loaded.
 import vtkmodules.vtkCommonExecutionModel  # noqa: F401
 
-from .vtkFiltersBoneDecimate import vtkBoneDecimate, vtkBoneErrorSearch, vtkBoneSurfaceDistance
+from .vtkFiltersBoneDecimate import vtkBoneDecimate, vtkBoneErrorSearch, vtkBoneSurfaceDistance, vtkBoneTolerance
 
-__all__ = ["vtkBoneDecimate", "vtkBoneErrorSearch", "vtkBoneSurfaceDistance", "error_curve", "smallest_error"]
+__all__ = ["vtkBoneDecimate", "vtkBoneErrorSearch", "vtkBoneSurfaceDistance", "vtkBoneTolerance", "error_curve",
+           "smallest_error"]
 
 
 def smallest_error(surface, triangles, precision=0.02, mode=vtkBoneDecimate.BALANCED):

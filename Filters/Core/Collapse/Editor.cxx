@@ -63,13 +63,6 @@ void Editor::ProveEdits(const Promise& promise, int threads)
 }
 
 //------------------------------------------------------------------------------
-void Editor::KeepClearance(double error, int threads)
-{
-  this->Clearance =
-    std::make_unique<ClearanceGuard>(this->Half, this->Source.AtFirst(), error, threads);
-}
-
-//------------------------------------------------------------------------------
 Index Editor::Freeze(const std::vector<double>& tolerances)
 {
   const auto isFrozen = [&](Index v)
@@ -88,6 +81,13 @@ Index Editor::Freeze(const std::vector<double>& tolerances)
     count += isFrozen(v) ? 1 : 0;
   }
   return count;
+}
+
+//------------------------------------------------------------------------------
+void Editor::KeepClearance(double error, int threads)
+{
+  this->Clearance =
+    std::make_unique<ClearanceGuard>(this->Half, this->Source.AtFirst(), error, threads);
 }
 
 //------------------------------------------------------------------------------

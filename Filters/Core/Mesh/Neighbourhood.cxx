@@ -4,8 +4,28 @@
 
 #include "Memory/Prefetch.h"
 
+#include <algorithm>
+
 namespace bonedecimate
 {
+namespace
+{
+/// From both sides at once, while the ring of the start is walked: the faces round the end of the edge.
+void FetchFacesOfEnd(const HalfEdgeMesh& mesh, Index edge, Index twin)
+{
+  constexpr int steps = 2;
+  Index left = mesh.Twin(HalfEdgeMesh::Next(edge));
+  Index right = twin == None ? None : mesh.Twin(HalfEdgeMesh::Previous(twin));
+  for (int i = 0; i < steps && left != None && right != None; ++i)
+  {
+    left = mesh.Twin(HalfEdgeMesh::Next(left));
+    right = mesh.Twin(HalfEdgeMesh::Previous(right));
+  }
+  Prefetch(mesh.RecordOfFace(std::max(0, left)));
+  Prefetch(mesh.RecordOfFace(std::max(0, right)));
+}
+}
+
 void Neighbourhood::Gather(const HalfEdgeMesh& mesh, Index edge)
 {
   const Index twin = mesh.Twin(edge);
@@ -16,6 +36,7 @@ void Neighbourhood::Gather(const HalfEdgeMesh& mesh, Index edge)
   this->GoneFaces = { HalfEdgeMesh::Face(edge), twin == None ? None : HalfEdgeMesh::Face(twin) };
   this->Apexes = { mesh.Origin(HalfEdgeMesh::Previous(edge)),
     twin == None ? None : mesh.Origin(HalfEdgeMesh::Previous(twin)) };
+  FetchFacesOfEnd(mesh, edge, twin);
   this->Corners.clear();
   this->Ring.clear();
 
