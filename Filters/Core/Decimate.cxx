@@ -132,10 +132,6 @@ private:
         this->Work->KeepClearance(this->Wanted.MaximumError, this->Wanted.NumberOfThreads);
       }
     }
-    if (promises && this->Wanted.KeepClearance)
-    {
-      this->Work->KeepClearance(this->Wanted.MaximumError, this->Wanted.NumberOfThreads);
-    }
     if (!tolerances.empty())
     {
       this->Answer.Report.Cleaning.FrozenPoints = this->Work->Freeze(tolerances);

@@ -352,9 +352,9 @@ TEST(Clearance, NoRandomShapeGetsMorePairsThatIntersect)
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   for (std::uint64_t round = 0; round < 12; ++round)
   {
-    const Surface ball = BumpySphere(3, 5.0, 0.1 + 0.3 * uniform(random), round);
+    const Surface ball = BumpySphere(2, 5.0, 0.1 + 0.3 * uniform(random), round);
     const Surface input = Together(ball,
-      Moved(BumpySphere(3, 3.0, 0.2, round + 100), Vector3(6.0 + 3.0 * uniform(random), 1.0, 0.5)));
+      Moved(BumpySphere(2, 3.0, 0.2, round + 100), Vector3(6.0 + 3.0 * uniform(random), 1.0, 0.5)));
     const double error = 0.05 + 1.5 * uniform(random);
     const Mode mode = ProvingModes[round % ProvingModes.size()];
     const Surface result = Decimate(input, Guarded(mode, error)).Surface;
