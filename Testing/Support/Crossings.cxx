@@ -139,24 +139,34 @@ bool FoldsFlat(const Corners& a, const Vector3& third)
   return up.dot(edge.cross((third - a[0]).cast<Real>())) > 0;
 }
 
-/// By points and triangles; of edges by many places on each.
+/// Where the lines of two segments come nearest, if that is inside of both; infinite if not.
+double DistanceInside(const Vector3& p, const Vector3& toP, const Vector3& q, const Vector3& toQ)
+{
+  const Vector u = (toP - p).cast<Real>();
+  const Vector v = (toQ - q).cast<Real>();
+  const Vector w = (p - q).cast<Real>();
+  const Real determinant = u.dot(u) * v.dot(v) - u.dot(v) * u.dot(v);
+  const Real s = u.dot(v) * v.dot(w) - v.dot(v) * u.dot(w);
+  const Real t = u.dot(u) * v.dot(w) - u.dot(v) * u.dot(w);
+  const bool isInside = determinant > 0 && s > 0 && s < determinant && t > 0 && t < determinant;
+  return isInside ? static_cast<double>((w + s / determinant * u - t / determinant * v).norm())
+                  : std::numeric_limits<double>::infinity();
+}
+
 double Distance(const Corners& a, const Corners& b)
 {
   if (BoxesMeet(a, b, 0.0) && Meet(a, b))
   {
     return 0.0;
   }
-  constexpr int places = 32;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i)
   {
-    for (int k = 0; k < places; ++k)
+    least = std::min({ least, PointTriangleDistance(a[i], b[0], b[1], b[2]),
+      PointTriangleDistance(b[i], a[0], a[1], a[2]) });
+    for (std::size_t j = 0; j < 3; ++j)
     {
-      const double t = static_cast<double>(k) / places;
-      const Vector3 onA = (1.0 - t) * a[i] + t * a[(i + 1) % 3];
-      const Vector3 onB = (1.0 - t) * b[i] + t * b[(i + 1) % 3];
-      least = std::min({ least, PointTriangleDistance(onA, b[0], b[1], b[2]),
-        PointTriangleDistance(onB, a[0], a[1], a[2]) });
+      least = std::min(least, DistanceInside(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]));
     }
   }
   return least;
@@ -202,16 +212,20 @@ std::int64_t CountCrossings(const Surface& surface)
 double LeastDistance(const Surface& surface, const IsChosen& first, const IsChosen& second)
 {
   double least = std::numeric_limits<double>::infinity();
+  std::vector<Corners> others;
+  for (const Triangle& b : surface.Triangles)
+  {
+    if (second(b))
+    {
+      others.push_back(CornersOf(surface, b));
+    }
+  }
   for (const Triangle& a : surface.Triangles)
   {
-    for (const Triangle& b : surface.Triangles)
+    const Corners p = CornersOf(surface, a);
+    for (std::size_t i = 0; first(a) && i < others.size(); ++i)
     {
-      const Corners p = CornersOf(surface, a);
-      const Corners q = CornersOf(surface, b);
-      if (BoxesMeet(p, q, least) && first(a) && second(b))
-      {
-        least = std::min(least, Distance(p, q));
-      }
+      least = BoxesMeet(p, others[i], least) ? std::min(least, Distance(p, others[i])) : least;
     }
   }
   return least;
