@@ -210,8 +210,7 @@ private:
     }
     const ProvedRun run = { this->Input, this->Filter->GetOutput(),
       this->Filter->GetReportValue("proof.tolerance"), this->Filter->GetToleranceArrayName(),
-      this->Filter->GetMergePoints(),
-      this->Filter->GetNumberOfThreads() };
+      this->Filter->GetMergePoints(), this->Filter->GetNumberOfThreads() };
     this->Subject.ProvedFiles[BaseName(target)] = ProveWritten(run, readBack, target);
   }
 

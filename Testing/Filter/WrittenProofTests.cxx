@@ -30,7 +30,7 @@ protected:
   std::string Prove(const Surface& readBack)
   {
     return ProveWritten(
-      { this->Input, this->Run.Output(), Error, true, 1 }, PolyData(readBack), "bone.ply");
+      { this->Input, this->Run.Output(), Error, "", true, 1 }, PolyData(readBack), "bone.ply");
   }
 
   vtkSmartPointer<vtkPolyData> Input;
