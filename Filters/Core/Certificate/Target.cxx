@@ -107,10 +107,16 @@ Index Target::FindSame(const Corners& places, int count) const
   {
     middle += (places[i] - places[0]) / count;
   }
-  const Index simplex = this->Tree.FindNearest(middle).Triangle;
-  const Corners corners = this->CornersOf(simplex);
-  const auto isCorner = [&](const Vector3& place)
-  { return std::find(corners.begin(), corners.end(), place) != corners.end(); };
-  return std::all_of(places.begin(), places.begin() + count, isCorner) ? simplex : None;
+  Index same = None;
+  this->Tree.VisitNear(middle, 0.0,
+    [&](Index simplex)
+    {
+      const Corners corners = this->CornersOf(simplex);
+      const auto isCorner = [&](const Vector3& place)
+      { return std::find(corners.begin(), corners.end(), place) != corners.end(); };
+      const bool hasAll = std::all_of(places.begin(), places.begin() + count, isCorner);
+      same = hasAll && (same == None || simplex < same) ? simplex : same;
+    });
+  return same;
 }
 }
