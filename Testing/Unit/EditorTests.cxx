@@ -23,7 +23,7 @@ StopReason RunToTheEnd(const Surface& surface, const Editor::Hook& check)
   const CleanSurface cleaned = Clean(surface, true);
   Editor editor(cleaned, Editor::Books());
   editor.SetHook(check);
-  ThesisLoop loop(editor, Tolerance, { 0, 0.0, true });
+  ThesisLoop loop(editor, Tolerance, { 0, 0.0 });
   return loop.Run([](double) { return true; });
 }
 
@@ -257,10 +257,10 @@ TEST(ThesisLoop, AVertexWhoseEdgesAreAllRefusedIsTriedAgainWhenItsRingChanged)
   {
     const CleanSurface cleaned = Clean(shape.Surface, true);
     Editor editor(cleaned, Editor::Books());
-    ThesisLoop loop(editor, Tolerance, { 0, 0.0, true });
+    ThesisLoop loop(editor, Tolerance, { 0, 0.0 });
     EXPECT_EQ(loop.Run([](double) { return true; }), StopReason::NothingLeft) << shape.Name;
     const Index faces = editor.Mesh().NumberOfFaces();
-    ThesisLoop again(editor, Tolerance, { 0, 0.0, true });
+    ThesisLoop again(editor, Tolerance, { 0, 0.0 });
     again.Run([](double) { return true; });
     EXPECT_GT(editor.Mesh().NumberOfFaces(), 0) << shape.Name;
     EXPECT_GE(10 * editor.Mesh().NumberOfFaces(), 9 * faces) << shape.Name;
