@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A largest error is kept, by the judgement of the certificate, which knows nothing of how it was proved.
 #include "Certificate/Certificate.h"
+#include "Mesh/Cleaning.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>
