@@ -7,7 +7,7 @@
  *
  *     Prove(edit):   the new vertex lies within the limit of the original
  *                    every original that a changed face proved is proved again by the new faces   (ShareProof)
- *                    every new face is proved by the original                                     (PieceCover)
+ *                    every new face is proved by the original                                     (FaceProof)
  *                    the same for borders, curve to curve
  *     Commit(edit):  who proves whom
  *
