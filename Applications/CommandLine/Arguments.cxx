@@ -72,6 +72,35 @@ void AddIso(CLI::App& app, Arguments& arguments)
     ->type_name("HU");
 }
 
+void AddRegions(CLI::App& app, Arguments& arguments)
+{
+  app
+    .add_option_function<std::vector<std::string>>(
+      "--region",
+      [&arguments](const std::vector<std::string>& texts)
+      {
+        std::string all;
+        for (const std::string& text : texts)
+        {
+          const std::string problem = ReadRegions(text, arguments.Regions);
+          if (!problem.empty())
+          {
+            throw CLI::ValidationError("--region", problem);
+          }
+          all += (all.empty() ? "" : ";") + text;
+        }
+        arguments.Given["region"] = all;
+      },
+      WrappedHelp("How far the surface may move in a part of it, in mm: box:x0,x1,y0,y1,z0,z1=MM, "
+                  "sphere:x,y,z,radius=MM, rest=MM for what is in none of them. 0 freezes, "
+                  "negative is no limit; where parts overlap the smallest counts, and --max-error "
+                  "caps all. May be repeated."))
+    ->type_name("SHAPE=MM")
+    ->expected(1)
+    ->take_all()
+    ->allow_extra_args(false);
+}
+
 void AddCommonFlags(CLI::App& app, Arguments& arguments)
 {
   const auto file = [&app](const char* flag, std::string& value, const char* help)
@@ -120,7 +149,11 @@ std::unique_ptr<CLI::App> MakeApp(
                                     "       bonedecimate INPUT... FOLDER [OPTIONS]\n"
                                     "       bonedecimate thesis INPUT.obj numbFaces tolerance "
                                     "errorThreshold [OUTPUT.obj] [OPTIONS]\n"
-                                    "       bonedecimate certify REFERENCE RESULT [OPTIONS]"));
+                                    "       bonedecimate certify REFERENCE RESULT [OPTIONS]\n"
+                                    "       bonedecimate tolerance INPUT --triangles N [OPTIONS]\n"
+                                    "       bonedecimate curve INPUT --errors MM,... [OPTIONS]\n"
+
+                                    "       bonedecimate check FILE [OPTIONS]"));
   app->footer(HelpFooter());
   app->set_version_flag(
     "--version", std::string("bonedecimate ") + Version(), "Print the version.");
@@ -137,6 +170,7 @@ std::unique_ptr<CLI::App> MakeApp(
     }
   }
   AddIso(*app, arguments);
+  AddRegions(*app, arguments);
   AddCommonFlags(*app, arguments);
   AddBatchFlags(*app, arguments);
   app->add_flag("--options-markdown", markdown, "Print the table of options as Markdown.");

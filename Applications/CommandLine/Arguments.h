@@ -8,6 +8,7 @@
 #define BoneDecimate_Applications_Arguments_h
 
 #include "Options.h"
+#include "Regions.h"
 
 #include <map>
 #include <optional>
@@ -24,6 +25,7 @@ struct Arguments
   std::map<std::string, std::string>
     Given;                   ///< Options that were asked for: flag without dashes and value.
   std::optional<double> Iso; ///< Hounsfield value of the surface of a volume.
+  std::vector<Region> Regions;
 
   /// @name One bone only. @{
   std::vector<std::string> Also;

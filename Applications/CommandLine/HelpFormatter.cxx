@@ -80,13 +80,16 @@ std::string OptionValueName(const OptionInfo& info)
   {
     return "MM";
   }
-  return std::holds_alternative<int>(value) ? "N" : "NUMBER";
+  return std::holds_alternative<int>(value)      ? "N"
+    : std::holds_alternative<std::string>(value) ? "NAME"
+                                                 : "NUMBER";
 }
 
 std::string OptionHelp(const OptionInfo& info)
 {
+  const std::string byDefault = OptionText(Options{}, info);
   return WrappedHelp(info.Sentence + " Takes " + AcceptedValues(info) + "; default " +
-    OptionText(Options{}, info) + ".");
+    (byDefault.empty() ? "none" : byDefault) + ".");
 }
 
 std::string WrappedHelp(const std::string& text)

@@ -5,6 +5,8 @@
 #include "Arguments.h"
 #include "Batch.h"
 #include "Certify.h"
+#include "ErrorCommands.h"
+#include "Inspect.h"
 #include "Interruption.h"
 #include "RunOne.h"
 #include "VtkMessages.h"
@@ -31,12 +33,35 @@ ExitCode Fail(ExitCode code, const char* message)
   return code;
 }
 
+/// What one word asks for: reads the rest of them, does it.
+struct Command
+{
+  const char* Word;
+  ExitCode (*Run)(int argc, char* argv[]);
+};
+
+template <typename Wanted, std::optional<Wanted> Parse(int, char**), ExitCode Do(const Wanted&)>
+ExitCode ParseAndDo(int argc, char* argv[])
+{
+  const std::optional<Wanted> arguments = Parse(argc, argv);
+  return arguments ? Do(*arguments) : ExitCode::Done;
+}
+
+constexpr Command Commands[] = {
+  { "certify", ParseAndDo<CertifyArguments, ParseCertifyArguments, RunCertify> },
+  { "check", ParseAndDo<InspectArguments, ParseInspectArguments, RunInspect> },
+  { "tolerance", ParseAndDo<ErrorArguments, ParseErrorArguments, RunErrorCommand> },
+  { "curve", ParseAndDo<ErrorArguments, ParseErrorArguments, RunErrorCommand> },
+};
+
 ExitCode Run(int argc, char* argv[])
 {
-  if (argc > 1 && std::strcmp(argv[1], "certify") == 0)
+  for (const Command& command : Commands)
   {
-    const std::optional<CertifyArguments> arguments = ParseCertifyArguments(argc, argv);
-    return arguments ? RunCertify(*arguments) : ExitCode::Done;
+    if (argc > 1 && std::strcmp(argv[1], command.Word) == 0)
+    {
+      return command.Run(argc, argv);
+    }
   }
   const std::optional<Arguments> arguments = ParseArguments(argc, argv);
   if (!arguments)

@@ -17,15 +17,34 @@
 #include "SurfaceFiles.h"
 #include "SurfaceFormat.h"
 #include "VtkMessages.h"
+#include "WrittenProof.h"
 
 #include "vtkNew.h"
+#include "vtkPointData.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace bonedecimate
 {
 namespace
 {
+/// What is proved holds for the files only if they are read with the coordinates that were proved.
+Options OptionsOf(const Arguments& arguments)
+{
+  Options options = arguments.Options;
+  const auto isReadAsSingle = [](const std::string& path) { return !ReadsDoubles(FormatOf(path)); };
+  const bool isLimited = (!options.ToleranceArrayName.empty() || !arguments.Regions.empty()) &&
+    options.Mode != Mode::Thesis;
+  if ((options.PromisesError() || isLimited) &&
+    (isReadAsSingle(arguments.Output) ||
+      std::any_of(arguments.Also.begin(), arguments.Also.end(), isReadAsSingle)))
+  {
+    options.OutputPointsPrecision = PointsPrecision::Single;
+  }
+  return options;
+}
+
 /// A bone on its way; the verbs are in the order of RunOne().
 class BoneRun
 {
@@ -53,6 +72,7 @@ public:
         Refuse(this->Path, bone.Problem);
       }
       this->Input = bone.Surface;
+      this->VoxelSize = bone.VoxelSize;
       if (!bone.Note.empty())
       {
         this->Subject.Warnings.push_back(bone.Note);
@@ -69,7 +89,10 @@ public:
 
   void Decimate()
   {
-    ApplyOptions(this->Asked.Options, this->Filter);
+    Options options = OptionsOf(this->Asked);
+    options.VoxelSize = options.VoxelSize == 0.0 ? this->VoxelSize : options.VoxelSize;
+    ApplyOptions(options, this->Filter);
+    this->TakeRegions();
     this->Filter->SetMeasureInputDistances(this->WantsDistances());
     vtkNew<ProgressBar> bar;
     bar->SetShown(!this->Asked.Quiet);
@@ -79,7 +102,9 @@ public:
     this->Filter->Update();
     bar->Clear();
     StopIfInterrupted();
-    this->AcceptMessages(TakeVtkMessages());
+    const VtkMessages messages = TakeVtkMessages();
+    this->AcceptProof(messages);
+    this->AcceptMessages(messages);
   }
 
   void WriteSurfaces(OutputFiles& files)
@@ -87,7 +112,9 @@ public:
     const Stopwatch watch;
     for (StagedFile& file : files.Surfaces)
     {
-      WriteSurface(this->Filter->GetOutput(), file.GetTemporary(), file.GetTarget());
+      const vtkSmartPointer<vtkPolyData> readBack =
+        WriteSurface(this->Filter->GetOutput(), file.GetTemporary(), file.GetTarget());
+      this->ProveFile(readBack, file.GetTarget());
       const std::string loss = LossText(this->Filter->GetOutput(), file.GetTarget());
       if (!loss.empty())
       {
@@ -166,6 +193,45 @@ private:
       !this->Asked.Page.empty();
   }
 
+  void AcceptProof(const VtkMessages& messages) const
+  {
+    const std::string verdict = this->Filter->GetReportText("proof.verdict");
+    if (verdict == "violated" || verdict == "undecided")
+    {
+      throw Failure(verdict == "violated" ? ExitCode::Violated : ExitCode::Undecided,
+        "'" + BaseName(this->Path) + "': " +
+          (messages.Errors.empty() ? verdict : messages.Errors.front()) + "; nothing was written");
+    }
+  }
+
+  void ProveFile(vtkPolyData* readBack, const std::string& target)
+  {
+    if (this->Filter->GetReportText("proof.verdict").empty())
+    {
+      return;
+    }
+    const ProvedRun run = { this->Input, this->Filter->GetOutput(),
+      this->Filter->GetReportValue("proof.tolerance"), this->Filter->GetToleranceArrayName(),
+      this->Filter->GetMergePoints(), this->Filter->GetNumberOfThreads() };
+    this->Subject.ProvedFiles[BaseName(target)] = ProveWritten(run, readBack, target);
+  }
+
+  /// An array of tolerances from the regions, if there are any.
+  void TakeRegions()
+  {
+    std::string name = this->Asked.Options.ToleranceArrayName;
+    if (!name.empty() && !this->Input->GetPointData()->HasArray(name.c_str()))
+    {
+      Refuse(this->Path, "it has no point array '" + name + "'");
+    }
+    if (!this->Asked.Regions.empty())
+    {
+      name = name.empty() ? "Tolerance" : name;
+      this->Input = WithTolerances(this->Input, this->Asked.Regions, name);
+      this->Filter->SetToleranceArrayName(name);
+    }
+  }
+
   void AcceptMessages(const VtkMessages& messages)
   {
     if (!messages.Errors.empty())
@@ -186,6 +252,7 @@ private:
   Stopwatch Whole;
   ReportSubject Subject;
   bool Volume;
+  double VoxelSize = 0.0; // mm, of a volume
   vtkSmartPointer<vtkPolyData> Input;
   vtkNew<vtkBoneDecimate> Filter;
   std::vector<std::string> Notes;

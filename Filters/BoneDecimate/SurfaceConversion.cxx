@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceConversion.h"
 
+#include "CellVisits.h"
+#include "DataTransfer.h"
 #include "OptionTable.h"
+#include "PassedCells.h"
 #include "ReportTable.h"
 #include "SurfaceArrays.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -31,30 +33,6 @@ namespace bonedecimate
 namespace
 {
 const char* const CellIdArrayName = "bonedecimate.cell";
-
-bool HasWrongId(vtkIdType npts, const vtkIdType* ids, vtkIdType numberOfPoints)
-{
-  return std::any_of(
-    ids, ids + npts, [=](vtkIdType id) { return ToIndex(id, numberOfPoints) == None; });
-}
-
-/// Calls visit(cell, npts, ids) for every cell of the array; cells are numbered from firstCell.
-template <typename Visit>
-void VisitCells(vtkCellArray* cells, vtkIdType firstCell, Visit visit)
-{
-  if (!cells)
-  {
-    return;
-  }
-  auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-  {
-    vtkIdType npts = 0;
-    const vtkIdType* ids = nullptr;
-    iterator->GetCurrentCell(npts, ids);
-    visit(firstCell + iterator->GetCurrentCellId(), npts, ids);
-  }
-}
 
 void AddTriangle(
   ConvertedSurface& converted, vtkIdType cell, vtkIdType numberOfPoints, const vtkIdType* ids)
@@ -209,31 +187,6 @@ void AddPointArray(vtkPolyData* output, const std::string& name, const char* uni
   output->GetPointData()->AddArray(array);
 }
 
-/// Copies cells of the input whose points are appended to `points` when they are met first.
-vtkSmartPointer<vtkCellArray> PassCells(
-  vtkCellArray* cells, vtkPolyData* input, std::vector<vtkIdType>& newId, vtkPoints* points)
-{
-  auto passed = vtkSmartPointer<vtkCellArray>::New();
-  std::vector<vtkIdType> ids;
-  VisitCells(cells, 0,
-    [&](vtkIdType, vtkIdType npts, const vtkIdType* old)
-    {
-      if (HasWrongId(npts, old, input->GetNumberOfPoints()))
-      {
-        return;
-      }
-      ids.clear();
-      for (vtkIdType i = 0; i < npts; ++i)
-      {
-        vtkIdType& id = newId[static_cast<std::size_t>(old[i])];
-        id = id < 0 ? points->InsertNextPoint(input->GetPoint(old[i])) : id;
-        ids.push_back(id);
-      }
-      passed->InsertNextCell(npts, ids.data());
-    });
-  return passed;
-}
-
 vtkSmartPointer<vtkAbstractArray> ReportArray(const ReportEntry& entry)
 {
   if (const auto* text = std::get_if<std::string>(&entry.Value))
@@ -251,6 +204,47 @@ vtkSmartPointer<vtkAbstractArray> ReportArray(const ReportEntry& entry)
   auto array = vtkSmartPointer<vtkTypeInt64Array>::New();
   array->InsertNextValue(std::get<std::int64_t>(entry.Value));
   return array;
+}
+
+/// What the input knew, carried over. Aborted runs do not know where their points lie.
+void AddInputArrays(const Result& result, const ConvertedSurface& converted, const Options& options,
+  const PassedIds& passed, vtkPolyData* input, vtkPolyData* output)
+{
+  const bool isKnown = result.Origins.NearestPoint.size() == result.Surface.Points.size();
+  if (options.PassArrays && isKnown)
+  {
+    const std::set<std::string> own = { options.DistanceArrayName, options.RunningErrorArrayName,
+      options.PointCountArrayName, options.ErrorBoundArrayName, "OriginalPointIds",
+      "OriginalCellIds" };
+    TransferArrays(result, converted, passed, own, input, output);
+  }
+  if (options.MakeMaps && isKnown)
+  {
+    AddMaps(result, converted, passed, output);
+  }
+  if (options.RecomputeNormals)
+  {
+    RecomputeNormals(output);
+  }
+}
+
+void AddOwnArrays(const Result& result, const Options& options, vtkPolyData* output)
+{
+  const vtkIdType tuples = output->GetNumberOfPoints();
+  if (!result.Distance.empty() || result.Surface.Points.empty())
+  {
+    AddPointArray<vtkDoubleArray>(
+      output, options.DistanceArrayName, "mm", result.Distance, tuples, 0);
+    AddPointArray<vtkDoubleArray>(
+      output, options.RunningErrorArrayName, "mm", result.RunningError, tuples, 0);
+  }
+  AddPointArray<vtkIntArray>(
+    output, options.PointCountArrayName, "points", result.PointCount, tuples, 1);
+  if (!result.ErrorBound.empty())
+  {
+    AddPointArray<vtkDoubleArray>(
+      output, options.ErrorBoundArrayName, "mm", result.ErrorBound, tuples, 0);
+  }
 }
 }
 
@@ -279,6 +273,23 @@ ConvertedSurface ToSurface(vtkPolyData* input, int threads)
 }
 
 //------------------------------------------------------------------------------
+std::optional<std::vector<double>> ReadPointValues(vtkPolyData* input, const std::string& name)
+{
+  vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    return {};
+  }
+  std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(array->GetComponent(i, 0));
+  }
+  return values;
+}
+
+//------------------------------------------------------------------------------
 void NameCells(const ConvertedSurface& converted, Report& report)
 {
   CleaningStatistics& found = report.Cleaning;
@@ -289,27 +300,35 @@ void NameCells(const ConvertedSurface& converted, Report& report)
 }
 
 //------------------------------------------------------------------------------
-void FillOutput(const Result& result, const Options& options, bool single, vtkPolyData* input,
-  vtkPolyData* output)
+/// Several triangles may come from the same cell.
+void NameCells(const ConvertedSurface& converted, Finding& finding)
+{
+  if (InfoOf(finding.Kind).Of != "triangle")
+  {
+    return;
+  }
+  std::vector<Index>& ids = finding.First;
+  for (Index& id : ids)
+  {
+    id = static_cast<Index>(converted.CellOfTriangle[static_cast<std::size_t>(id)]);
+  }
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+//------------------------------------------------------------------------------
+void FillOutput(const Result& result, const ConvertedSurface& converted, const Options& options,
+  bool single, vtkPolyData* input, vtkPolyData* output)
 {
   const int threads = options.NumberOfThreads;
   const vtkSmartPointer<vtkPoints> points = ToPoints(result.Surface.Points, single, threads);
-  const vtkSmartPointer<vtkCellArray> triangles = ToCells(result.Surface.Triangles, threads);
-  std::vector<vtkIdType> newId(static_cast<std::size_t>(input->GetNumberOfPoints()), -1);
-  output->SetVerts(PassCells(input->GetVerts(), input, newId, points));
-  output->SetLines(PassCells(input->GetLines(), input, newId, points));
-  output->SetPolys(triangles);
+  PassedCells others(input, points);
+  output->SetVerts(others.Pass(input->GetVerts(), 0));
+  output->SetLines(others.Pass(input->GetLines(), input->GetNumberOfVerts()));
+  output->SetPolys(ToCells(result.Surface.Triangles, threads));
   output->SetPoints(points);
-  const vtkIdType tuples = points->GetNumberOfPoints();
-  if (!result.Distance.empty() || result.Surface.Points.empty())
-  {
-    AddPointArray<vtkDoubleArray>(
-      output, options.DistanceArrayName, "mm", result.Distance, tuples, 0);
-    AddPointArray<vtkDoubleArray>(
-      output, options.RunningErrorArrayName, "mm", result.RunningError, tuples, 0);
-  }
-  AddPointArray<vtkIntArray>(
-    output, options.PointCountArrayName, "points", result.PointCount, tuples, 1);
+  AddInputArrays(result, converted, options, others.Ids(), input, output);
+  AddOwnArrays(result, options, output);
   output->GetFieldData()->PassData(input->GetFieldData());
   AddEntries(ReportEntries(result.Report), "bonedecimate.", output->GetFieldData());
 }
@@ -340,21 +359,22 @@ void FillInputCopy(
     AddPointArray<vtkDoubleArray>(output, options.InputDistanceArrayName, "mm",
       result.InputDistance, input->GetNumberOfPoints(), 0);
   }
+  if (!result.InputErrorBound.empty())
+  {
+    AddPointArray<vtkDoubleArray>(output, options.InputErrorBoundArrayName, "mm",
+      result.InputErrorBound, input->GetNumberOfPoints(), 0);
+  }
+  if (options.MakeMaps && !result.Origins.OutputPoint.empty())
+  {
+    AddInputMap(result, output);
+  }
 }
 
 //------------------------------------------------------------------------------
-std::string NamesOfArraysLeftBehind(vtkPolyData* input)
+bool NeedsOrigins(vtkPolyData* input, const Options& options)
 {
-  std::string names;
-  for (vtkFieldData* data : { static_cast<vtkFieldData*>(input->GetPointData()),
-         static_cast<vtkFieldData*>(input->GetCellData()) })
-  {
-    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-    {
-      const char* name = data->GetAbstractArray(i)->GetName();
-      names += (names.empty() ? "" : ", ") + std::string(name ? name : "(unnamed)");
-    }
-  }
-  return names;
+  const bool hasArrays =
+    input->GetPointData()->GetNumberOfArrays() > 0 || input->GetCellData()->GetNumberOfArrays() > 0;
+  return options.MakeMaps || (options.PassArrays && hasArrays);
 }
 }

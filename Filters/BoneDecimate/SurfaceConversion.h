@@ -8,10 +8,12 @@
 #define SurfaceConversion_h
 
 #include "Decimate.h"
+#include "Doctor/Doctor.h"
 #include "ReportTable.h"
 
 #include "vtkType.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,24 +33,28 @@ struct ConvertedSurface
 /// Triangles as they are, strips and polygons triangulated, ids out of range as None (the core counts them).
 ConvertedSurface ToSurface(vtkPolyData* input, int threads);
 
+/// A number for each point; nothing if there is no such point array of one component.
+std::optional<std::vector<double>> ReadPointValues(vtkPolyData* input, const std::string& name);
+
 /// Triangles that the report names become the cells from which they came.
 void NameCells(const ConvertedSurface& converted, Report& report);
+void NameCells(const ConvertedSurface& converted, Finding& finding);
+
+/// Whether the run has to say where its points and triangles lie on the input.
+bool NeedsOrigins(vtkPolyData* input, const Options& options);
 
 /// The result's points, triangles, report and those arrays that were filled (Decimate.h); the input's vertices, lines and
-/// field data pass through.
-void FillOutput(const Result& result, const Options& options, bool single, vtkPolyData* input,
-  vtkPolyData* output);
+/// field data pass through, its arrays as DataTransfer.h says.
+void FillOutput(const Result& result, const ConvertedSurface& converted, const Options& options,
+  bool single, vtkPolyData* input, vtkPolyData* output);
 
 /// One array for each entry, its name the prefix and the entry's.
 void AddEntries(
   const std::vector<ReportEntry>& entries, const std::string& prefix, vtkFieldData* fieldData);
 
-/// The input with the distance of each of its points to the result, if it was measured.
+/// The input with the distance of each of its points to the result, if it was measured, and the map, if it was asked for.
 void FillInputCopy(
   const Result& result, const Options& options, vtkPolyData* input, vtkPolyData* output);
-
-/// Names of the input's point and cell arrays, which the result does not carry; empty if there are none.
-std::string NamesOfArraysLeftBehind(vtkPolyData* input);
 }
 
 #endif

@@ -14,6 +14,8 @@
 #include "vtkPolyData.h"
 #include "vtkVersionMacros.h"
 
+#include <optional>
+
 vtkStandardNewMacro(vtkBoneDecimate);
 
 //------------------------------------------------------------------------------
@@ -58,18 +60,32 @@ vtkBoneDecimate::~vtkBoneDecimate() = default;
     return static_cast<result>(this->Internal->Options.name);                                      \
   }
 
-vtkBoneDecimateOption(Mode, int, int, int) vtkBoneDecimateOption(TargetNumberOfTriangles, int, int,
-  int) vtkBoneDecimateOption(TargetReduction, double, double, double)
-  vtkBoneDecimateOption(MaximumError, double, double, double) vtkBoneDecimateOption(
-    NormalTolerance, double, double, double) vtkBoneDecimateOption(MergePoints, bool, bool, bool)
-    vtkBoneDecimateOption(MeasureDistances, bool, bool, bool) vtkBoneDecimateOption(
-      MeasureInputDistances, bool, bool, bool) vtkBoneDecimateOption(NumberOfThreads, int, int, int)
-      vtkBoneDecimateOption(OutputPointsPrecision, int, int, int)
-        vtkBoneDecimateOption(DistanceArrayName, const std::string&, std::string, std::string)
-          vtkBoneDecimateOption(RunningErrorArrayName, const std::string&, std::string, std::string)
-            vtkBoneDecimateOption(PointCountArrayName, const std::string&, std::string, std::string)
-              vtkBoneDecimateOption(
-                InputDistanceArrayName, const std::string&, std::string, std::string)
+// clang-format off
+vtkBoneDecimateOption(Mode, int, int, int)
+vtkBoneDecimateOption(TargetNumberOfTriangles, int, int, int)
+vtkBoneDecimateOption(TargetReduction, double, double, double)
+vtkBoneDecimateOption(MaximumError, double, double, double)
+vtkBoneDecimateOption(KeepClearance, bool, bool, bool)
+vtkBoneDecimateOption(NormalTolerance, double, double, double)
+vtkBoneDecimateOption(MergePoints, bool, bool, bool)
+vtkBoneDecimateOption(MeasureDistances, bool, bool, bool)
+vtkBoneDecimateOption(MeasureInputDistances, bool, bool, bool)
+vtkBoneDecimateOption(NumberOfThreads, int, int, int)
+vtkBoneDecimateOption(OutputPointsPrecision, int, int, int)
+vtkBoneDecimateOption(PassArrays, bool, bool, bool)
+vtkBoneDecimateOption(MakeMaps, bool, bool, bool)
+vtkBoneDecimateOption(RecomputeNormals, bool, bool, bool)
+vtkBoneDecimateOption(DistanceArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(RunningErrorArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(PointCountArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(InputDistanceArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(ProveResult, bool, bool, bool)
+vtkBoneDecimateOption(ErrorBoundArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(InputErrorBoundArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(ErrorPreset, int, int, int)
+vtkBoneDecimateOption(VoxelSize, double, double, double)
+vtkBoneDecimateOption(ToleranceArrayName, const std::string&, std::string, std::string)
+// clang-format on
 #undef vtkBoneDecimateOption
 
   //------------------------------------------------------------------------------
@@ -114,11 +130,21 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   const bonedecimate::Options& options = this->Internal->Options;
+  const std::string& toleranceName = options.ToleranceArrayName;
+  const bool hasTolerances = !toleranceName.empty() && input->GetNumberOfPoints() > 0;
+  const std::optional<std::vector<double>> tolerances =
+    hasTolerances ? bonedecimate::ReadPointValues(input, toleranceName) : std::vector<double>();
+  if (!tolerances)
+  {
+    vtkErrorMacro(<< "the input has no point array '" << toleranceName << "' of one component");
+    return 0;
+  }
   const bonedecimate::ConvertedSurface converted =
     bonedecimate::ToSurface(input, options.NumberOfThreads);
   bonedecimate::Result result = bonedecimate::Decimate(
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
-    converted.IsSingle);
+    converted.IsSingle, bonedecimate::NeedsOrigins(input, options),
+    hasTolerances ? &*tolerances : nullptr);
   bonedecimate::NameCells(converted, result.Report);
   this->Internal->Report = result.Report;
   this->Internal->Entries =
@@ -129,16 +155,17 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   }
   this->Warn(converted.Warnings);
   this->Warn(bonedecimate::InputWarnings(result.Report));
-  const std::string leftBehind = bonedecimate::NamesOfArraysLeftBehind(input);
-  if (!leftBehind.empty())
-  {
-    this->Warn({ "these arrays of the input are not carried to the output: " + leftBehind });
-  }
   const int precision = this->GetOutputPointsPrecision();
   const bool single =
     precision == SINGLE_PRECISION || (precision == DEFAULT_PRECISION && converted.IsSingle);
-  bonedecimate::FillOutput(result, options, single, input, vtkPolyData::GetData(outputVector, 0));
+  bonedecimate::FillOutput(
+    result, converted, options, single, input, vtkPolyData::GetData(outputVector, 0));
   bonedecimate::FillInputCopy(result, options, input, vtkPolyData::GetData(outputVector, 1));
+  const std::string contradiction = bonedecimate::ProofMessage(result.Report);
+  if (!contradiction.empty())
+  {
+    vtkErrorMacro(<< contradiction);
+  }
   return 1;
 }
 

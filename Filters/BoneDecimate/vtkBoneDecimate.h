@@ -17,7 +17,7 @@
  * An input that cannot be used (NaN, an index out of range) is an error with an empty output and the reason in the
  * message; an empty one gives an empty output and no error.
  *
- * @sa vtkQuadricDecimation vtkDecimatePro
+ * @sa vtkBoneTolerance vtkBoneSurfaceDistance vtkQuadricDecimation vtkDecimatePro
  * H. Brandao, Mesh Simplification and Smoothing for Bone Fragment Models, BSc thesis, Groningen 2018.
  */
 #ifndef vtkBoneDecimate_h
@@ -102,6 +102,16 @@ public:
 
   ///@{
   /**
+   * With MaximumError, on by default: no new pair of triangles intersects, and what faces each other across a gap, two
+   * fragments or the walls of a fracture, keeps half of the distance that it had. Not in Thesis mode.
+   */
+  void SetKeepClearance(bool keep);
+  bool GetKeepClearance() const;
+  vtkBooleanMacro(KeepClearance, bool);
+  ///@}
+
+  ///@{
+  /**
    * The thesis's tolerance w in NFD = (area1 + area2) (1 - w n1.n2), 0 to 1, default 0.95. Smaller values make flat
    * areas dearer; at 1 every flat edge costs nothing whatever its length.
    */
@@ -155,6 +165,36 @@ public:
 
   ///@{
   /**
+   * Give the result the arrays of the input's points and cells, on by default: floating values as they are at the place on
+   * the input that is nearest to the new point, normals with their length, everything else from the nearest input point;
+   * cell data from the input cell nearest to the centroid of the triangle. Costs look-ups only if there are any.
+   */
+  void SetPassArrays(bool pass);
+  bool GetPassArrays() const;
+  vtkBooleanMacro(PassArrays, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Add the arrays OriginalPointIds (nearest input point) and OriginalCellIds to the output, and ResultPointIds, the output
+   * point that each input point became part of or -1 if no triangle uses it, to output port 1. Off by default.
+   */
+  void SetMakeMaps(bool make);
+  bool GetMakeMaps() const;
+  vtkBooleanMacro(MakeMaps, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Give the output point normals of its own triangles instead of those of the input, off by default.
+   */
+  void SetRecomputeNormals(bool recompute);
+  bool GetRecomputeNormals() const;
+  vtkBooleanMacro(RecomputeNormals, bool);
+  ///@}
+
+  ///@{
+  /**
    * Name of the array of the distance of each output point to the input surface, mm. Default "Distance".
    */
   void SetDistanceArrayName(const std::string& name);
@@ -185,6 +225,73 @@ public:
    */
   void SetInputDistanceArrayName(const std::string& name);
   std::string GetInputDistanceArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * With MaximumError in every mode but Thesis, certify the result as it is written (both directions, open borders) and
+   * put the proved bounds into the report, on by default. A result that the certificate contradicts is an error.
+   */
+  void SetProveResult(bool prove);
+  bool GetProveResult() const;
+  vtkBooleanMacro(ProveResult, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the array of the proved bound at each output point, mm: no point of the triangles around it is farther from
+   * the input. Default "ErrorBound".
+   */
+  void SetErrorBoundArrayName(const std::string& name);
+  std::string GetErrorBoundArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * Name of the array on output port 1 of the proved bound at each input point, mm: no point of the triangles around it
+   * is farther from the result; only with MeasureInputDistances. Default "ErrorBoundToResult".
+   */
+  void SetInputErrorBoundArrayName(const std::string& name);
+  std::string GetInputErrorBoundArrayName() const;
+  ///@}
+
+  /// A largest error as a share of the scan's voxels.
+  enum ErrorPresets
+  {
+    NO_PRESET = 0,
+    QUARTER_VOXEL = 1,
+    HALF_VOXEL = 2,
+    ONE_VOXEL = 3
+  };
+
+  ///@{
+  /**
+   * A largest error as a share of the least side of the scan's voxels: one of ErrorPresets, by default NO_PRESET.
+   * MaximumError counts, too, if it is smaller.
+   */
+  void SetErrorPreset(int preset);
+  int GetErrorPreset() const;
+  ///@}
+
+  ///@{
+  /**
+   * The least side of the scan's voxels, mm, for ErrorPreset; 0, the default, is estimated from the surface, which must be
+   * as marching cubes leaves it; the report says so (voxel.from).
+   */
+  void SetVoxelSize(double millimetres);
+  double GetVoxelSize() const;
+  ///@}
+
+  ///@{
+  /**
+   * Name of a point array of the input, of any type of number, with how far the surface may move at each point, mm: 0
+   * freezes the point with all triangles at it, bit for bit; negative is no limit of its own; in between it is a largest
+   * error there, linear on each triangle, proved in both directions like MaximumError, which caps it if set. Empty, the
+   * default, is none; a name without such an array, NaN and infinity are errors. Thesis takes only 0 and negative ones.
+   * vtkBoneTolerance makes such arrays.
+   */
+  void SetToleranceArrayName(const std::string& name);
+  std::string GetToleranceArrayName() const;
   ///@}
 
   /**

@@ -6,7 +6,6 @@
 #include "NamedEntries.h"
 #include "SurfaceConversion.h"
 
-#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -17,8 +16,7 @@
 #include "vtkSignedCharArray.h"
 #include "vtkVersionMacros.h"
 
-#include <algorithm>
-#include <limits>
+#include <utility>
 
 vtkStandardNewMacro(vtkBoneSurfaceDistance);
 
@@ -159,18 +157,14 @@ bool vtkBoneSurfaceDistance::TakeTolerances(vtkPolyData* reference)
   {
     return true;
   }
-  vtkDataArray* array = reference->GetPointData()->GetArray(name.c_str());
-  if (!array || array->GetNumberOfComponents() != 1)
+  std::optional<std::vector<double>> values = bonedecimate::ReadPointValues(reference, name);
+  if (!values)
   {
     vtkErrorMacro(<< "the reference has no point array '" << name << "' of one component");
     return false;
   }
+  options.ToleranceMap = std::move(*values);
   options.ToleranceMap.resize(static_cast<std::size_t>(reference->GetNumberOfPoints()), -1.0);
-  for (vtkIdType i = 0; i < std::min(reference->GetNumberOfPoints(), array->GetNumberOfTuples());
-       ++i)
-  {
-    options.ToleranceMap[static_cast<std::size_t>(i)] = array->GetComponent(i, 0);
-  }
   return true;
 }
 

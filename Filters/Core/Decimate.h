@@ -6,12 +6,12 @@
  *
  *     cleaned  = Clean(input)                    refuse, merge, drop, count
  *     SortAlongCurve(cleaned)                    neighbours in space become neighbours in memory
- *     mesh     = HalfEdgeMesh(cleaned)           lock what is not manifold
+ *     mesh     = HalfEdgeMesh(cleaned)           lock what is not manifold, freeze what has a tolerance of 0
  *     original = Original(cleaned)               nearest point by a bounding tree, built when needed
  *     ThesisLoop, Sweep or RelaxedLoop           collapse until a stop is reached
  *     result   = Extract(mesh)                   points, triangles, maps
- *     Measure(result, original)                  both directions
- *     Certify(original, result)                  open borders, curve to curve
+ *     Judge(result, original)                    both directions, open borders
+ *     ProveResult(input, result)                 the certificate, if there is a largest error
  *
  * H. Brandao, Mesh Simplification and Smoothing for Bone Fragment Models, BSc thesis, Groningen 2018: the loop.
  */
@@ -28,20 +28,23 @@
 
 namespace bonedecimate
 {
-/// Where each output point lies on the input: one entry per output point, ids are those of the input arrays.
-/// Empty unless asked for.
-struct PointOrigins
+/// Where output and input lie on each other. Empty unless asked for.
+struct SurfaceOrigins
 {
-  std::vector<Index> NearestTriangle;             ///< Input triangle nearest to the output point.
+  std::vector<Index> NearestTriangle;             ///< Input triangle nearest to each output point.
   std::vector<std::array<double, 3>> Barycentric; ///< Of the nearest place in that triangle, sum 1.
-  std::vector<Index> NearestPoint;                ///< Input point nearest to the output point.
+  std::vector<Index> NearestPoint;                ///< Input point nearest to each output point.
+  std::vector<Index>
+    TriangleAtCentroid; ///< Input triangle nearest to each output triangle's centroid.
+  std::vector<Index>
+    OutputPoint; ///< Of each input point: the one it became part of, None if no triangle used it.
 };
 
 struct Result
 {
   /// Empty if the input was refused. Points and triangles come in the order of SpatialOrder.h.
   bonedecimate::Surface Surface;
-  PointOrigins Origins;
+  SurfaceOrigins Origins;
   /// mm, of each output point to the input surface; filled with MeasureDistances, with Origins, and whenever distances
   /// are recorded along the collapses (Thesis), else empty; empty, too, in a run aborted before.
   std::vector<double> Distance;
@@ -50,17 +53,24 @@ struct Result
   std::vector<Index> PointCount; ///< How many input points each output point stands for.
   std::vector<double>
     InputDistance; ///< mm, of each input point to the result; only with MeasureInputDistances.
+  /// mm, proved: no point of the triangles around an output point is farther from the input. Empty without a proof.
+  std::vector<double> ErrorBound;
+  /// mm, the same of each input point, not a number where there is no triangle; only with MeasureInputDistances.
+  std::vector<double> InputErrorBound;
   bonedecimate::Report Report;
 };
 
 /**
  * @param input Points in mm and triangles; nothing is changed. Anything may be wrong with it: see InputStatus.
  * @param inputIsSingle Whether the input points were single precision (what PointsPrecision::Default means).
- * @param withOrigins Whether to fill Result::Origins, which takes two look-ups for each output point.
+ * @param withOrigins Whether to fill Result::Origins, which takes two look-ups for each output point and one for each
+ * output triangle.
+ * @param tolerances mm, of each input point, see Tolerances.h; null: none but MaximumError.
  * @throws std::bad_alloc and nothing else.
  */
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor = {},
-  bool inputIsSingle = false, bool withOrigins = false);
+  bool inputIsSingle = false, bool withOrigins = false,
+  const std::vector<double>* tolerances = nullptr);
 }
 
 #endif

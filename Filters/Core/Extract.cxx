@@ -78,9 +78,8 @@ Vector3 GlobalPosition(const Surface& input, const CleanSurface& clean, const Ed
 }
 
 /// Of each vertex: how many input points it stands for.
-std::vector<Index> CountPoints(const CleanSurface& clean, const Original& original)
+std::vector<Index> CountPoints(const CleanSurface& clean, const std::vector<Index>& current)
 {
-  const std::vector<Index> current = original.CurrentVertices();
   std::vector<Index> counts(current.size(), 0);
   for (std::size_t v = 0; v < current.size(); ++v)
   {
@@ -89,47 +88,99 @@ std::vector<Index> CountPoints(const CleanSurface& clean, const Original& origin
   return counts;
 }
 
-/// Looks every point up on the original.
-void FillMaps(const CleanSurface& clean, const Editor& editor, const std::vector<Index>& vertices,
-  const std::vector<Vector3>& localPoints, const ExtractOptions& options, const Monitor& monitor,
-  Result& result)
+/// Of each input point: the place in the list of vertices of the one that it became part of.
+std::vector<Index> PlacesOfInput(const CleanSurface& clean, const std::vector<Index>& current,
+  const std::vector<Index>& vertices, int threads)
 {
-  const Original& original = editor.Reference();
-  const BoundingTree& tree = original.Tree(options.Threads);
-  const std::vector<Index> near = original.TrianglesAtPoints();
-  const std::size_t origins = options.Origins ? vertices.size() : 0;
-  result.Distance.resize(vertices.size());
-  result.RunningError.resize(vertices.size());
-  result.Origins.NearestTriangle.resize(origins);
-  result.Origins.Barycentric.resize(origins);
-  result.Origins.NearestPoint.resize(origins);
-  const auto lookUp = [&](std::size_t p)
+  std::vector<Index> places(current.size(), None);
+  for (std::size_t p = 0; p < vertices.size(); ++p)
   {
-    const BoundingTree::Nearest nearest =
-      tree.FindNearest(localPoints[p], near[static_cast<std::size_t>(vertices[p])]);
-    result.Distance[p] = std::sqrt(nearest.Place.SquaredDistance);
-    result.RunningError[p] =
-      original.RecordsDistances() ? original.RunningError(vertices[p]) : result.Distance[p];
-    if (options.Origins)
+    places[static_cast<std::size_t>(vertices[p])] = static_cast<Index>(p);
+  }
+  std::vector<Index> ofInput(clean.PointOfInput.size(), None);
+  ForEachId(ofInput.size(), threads,
+    [&](std::size_t p)
     {
-      result.Origins.NearestTriangle[p] = clean.InputTriangle[nearest.Triangle];
-      result.Origins.Barycentric[p] = nearest.Place.Weights;
-      result.Origins.NearestPoint[p] =
-        clean.InputPoint[tree.FindNearestPoint(localPoints[p], nearest.Triangle)];
-    }
-  };
+      const Index point = clean.PointOfInput[p];
+      ofInput[p] = point == None ? None : places[static_cast<std::size_t>(current[point])];
+    });
+  return ofInput;
+}
+
+/// What is left, and what it is looked up on.
+struct Remains
+{
+  const CleanSurface& Clean;
+  const Original& Source;
+  std::vector<Index> Vertices; // of the mesh, a point of the result each
+  std::vector<Vector3> Points; // mm from the local origin
+};
+
+/// Point by point or triangle by triangle; the monitor cannot stop it.
+template <typename LookUp>
+void LookUpEach(std::size_t count, int threads, const Monitor& monitor, const LookUp& lookUp)
+{
   const Monitor hear = [&](double done)
   {
     monitor(done);
     return true;
   };
-  ForEachChunk(vertices.size(), options.Threads, hear,
+  ForEachChunk(count, threads, hear,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      for (std::size_t p = first; p < last; ++p)
+      for (std::size_t i = first; i < last; ++i)
       {
-        lookUp(p);
+        lookUp(i);
       }
+    });
+}
+
+void LookUpPoints(
+  const Remains& remains, const ExtractOptions& options, const Monitor& monitor, Result& result)
+{
+  const BoundingTree& tree = remains.Source.Tree(options.Threads);
+  const std::vector<Index> near = remains.Source.TrianglesAtPoints();
+  const std::size_t count = remains.Points.size();
+  const std::size_t origins = options.Origins ? count : 0;
+  result.Distance.resize(count);
+  result.RunningError.resize(count);
+  result.Origins.NearestTriangle.resize(origins);
+  result.Origins.Barycentric.resize(origins);
+  result.Origins.NearestPoint.resize(origins);
+  LookUpEach(count, options.Threads, monitor,
+    [&](std::size_t p)
+    {
+      const Index vertex = remains.Vertices[p];
+      const BoundingTree::Nearest nearest = tree.FindNearest(remains.Points[p], near[vertex]);
+      result.Distance[p] = std::sqrt(nearest.Place.SquaredDistance);
+      result.RunningError[p] = remains.Source.RecordsDistances()
+        ? remains.Source.RunningError(vertex)
+        : result.Distance[p];
+      if (options.Origins)
+      {
+        result.Origins.NearestTriangle[p] = remains.Clean.InputTriangle[nearest.Triangle];
+        result.Origins.Barycentric[p] = nearest.Place.Weights;
+        result.Origins.NearestPoint[p] =
+          remains.Clean.InputPoint[tree.FindNearestPoint(remains.Points[p], nearest.Triangle)];
+      }
+    });
+}
+
+void LookUpCentroids(
+  const Remains& remains, const ExtractOptions& options, const Monitor& monitor, Result& result)
+{
+  const BoundingTree& tree = remains.Source.Tree(options.Threads);
+  const std::vector<Index> near = remains.Source.TrianglesAtPoints();
+  const std::vector<Triangle>& triangles = result.Surface.Triangles;
+  result.Origins.TriangleAtCentroid.resize(triangles.size());
+  LookUpEach(triangles.size(), options.Threads, monitor,
+    [&](std::size_t t)
+    {
+      const Triangle& c = triangles[t];
+      const Vector3 centroid =
+        (remains.Points[c[0]] + remains.Points[c[1]] + remains.Points[c[2]]) / 3.0;
+      const Index triangle = tree.FindNearest(centroid, near[remains.Vertices[c[0]]]).Triangle;
+      result.Origins.TriangleAtCentroid[t] = remains.Clean.InputTriangle[triangle];
     });
 }
 }
@@ -139,11 +190,14 @@ std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, co
 {
   const HalfEdgeMesh& mesh = editor.Mesh();
   result.Surface.Triangles = LiveTriangles(mesh, options.Threads);
-  const std::vector<Index> vertices =
+  Remains remains = { clean, editor.Reference(),
     NumberVertices(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), result.Surface.Triangles,
-      options.Threads);
-  const std::vector<Index> counts = CountPoints(clean, editor.Reference());
-  std::vector<Vector3> localPoints(vertices.size());
+      options.Threads),
+    {} };
+  const std::vector<Index>& vertices = remains.Vertices;
+  const std::vector<Index> current = editor.Reference().CurrentVertices();
+  const std::vector<Index> counts = CountPoints(clean, current);
+  remains.Points.resize(vertices.size());
   result.Surface.Points.resize(vertices.size());
   result.PointCount.resize(vertices.size());
   ForEachId(vertices.size(), options.Threads,
@@ -152,13 +206,20 @@ std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, co
       const Vector3 position =
         GlobalPosition(input, clean, editor, vertices[p], options.RoundToSingle);
       result.Surface.Points[p] = position;
-      localPoints[p] = position - clean.Origin;
+      remains.Points[p] = position - clean.Origin;
       result.PointCount[p] = counts[static_cast<std::size_t>(vertices[p])];
     });
+  constexpr double pointsLookedUp = 0.5;
   if (options.Distances || options.Origins)
   {
-    FillMaps(clean, editor, vertices, localPoints, options, monitor, result);
+    LookUpPoints(
+      remains, options, PartOf(monitor, 0.0, options.Origins ? pointsLookedUp : 1.0), result);
   }
-  return localPoints;
+  if (options.Origins)
+  {
+    LookUpCentroids(remains, options, PartOf(monitor, pointsLookedUp, 1.0), result);
+    result.Origins.OutputPoint = PlacesOfInput(clean, current, vertices, options.Threads);
+  }
+  return std::move(remains.Points);
 }
 }

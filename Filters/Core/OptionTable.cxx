@@ -59,6 +59,12 @@ std::string Lower(std::string text)
   return text;
 }
 
+std::string WithoutDashes(std::string text)
+{
+  text.erase(std::remove(text.begin(), text.end(), '-'), text.end());
+  return text;
+}
+
 /// Reads "on", "off", "true", ... ; -1 if it is none of them.
 int ReadSwitch(const std::string& text)
 {
@@ -74,7 +80,7 @@ int ReadChoice(const OptionInfo& info, const std::string& text)
 {
   for (std::size_t i = 0; i < info.Choices.size(); ++i)
   {
-    if (Lower(info.Choices[i]) == Lower(text))
+    if (Lower(info.Choices[i]) == Lower(WithoutDashes(text)))
     {
       return static_cast<int>(i);
     }
@@ -128,11 +134,11 @@ std::string KindText(const OptionInfo& info)
   }
   return std::holds_alternative<std::string>(value) ? "text" : RangeText(info);
 }
-}
 
-const std::vector<OptionInfo>& OptionTable()
+/// What to reach, and how.
+std::vector<OptionInfo> GoalRows()
 {
-  static const std::vector<OptionInfo> table = {
+  return {
     { "Mode", &Options::Mode, 0, 3, "", "mode", { "Thesis", "Fast", "Balanced", "Accurate" },
       "How the result is found. Balanced, the default, collapses like Fast, takes the last "
       "triangles by the distance to samples of the original, then moves points and flips edges so "
@@ -147,7 +153,7 @@ const std::vector<OptionInfo>& OptionTable()
     { "TargetReduction", &Options::TargetReduction, 0, 1, "", "target-reduction", {},
       "Fraction of the triangles to remove; 1 is off, 0 removes none. The default steps back when "
       "a number of triangles "
-      "or a largest error is asked for." },
+      "or a largest error is asked for, or every point has a tolerance." },
     { "MaximumError", &Options::MaximumError, 0, Largest, "mm", "max-error", {},
       "Largest distance in both directions, proved: no point of the input is farther from the "
       "result, and no point of the result farther from the input, open borders curve to curve; 0 "
@@ -155,10 +161,21 @@ const std::vector<OptionInfo>& OptionTable()
       "off. In Thesis mode it is the distance of a new point at which the collapse stops: exactly "
       "one "
       "point may lie beyond it, and places between points may, too." },
+    { "KeepClearance", &Options::KeepClearance, 0, 1, "", "keep-clearance", {},
+      "With MaximumError: no new pair of triangles intersects, and what faces each other across a "
+      "gap, two fragments or the walls of a fracture, keeps half of the distance that it had. Not "
+      "in Thesis mode." },
     { "NormalTolerance", &Options::NormalTolerance, 0, 1, "", "normal-tolerance", {},
       "The tolerance w of the normal field deviation. Smaller values make flat areas dearer; at 1 "
       "a flat edge costs "
       "nothing whatever its length." },
+  };
+}
+
+/// What is done with the input, and what is measured.
+std::vector<OptionInfo> RunRows()
+{
+  return {
     { "MergePoints", &Options::MergePoints, 0, 1, "", "merge-points", {},
       "Merge points with exactly equal coordinates first. Off, triangles that do not share points "
       "are fragments of their "
@@ -172,6 +189,26 @@ const std::vector<OptionInfo>& OptionTable()
     { "OutputPointsPrecision", &Options::OutputPointsPrecision, 0, 2, "", "precision",
       { "Single", "Double", "Default" },
       "Precision of the output points; Default is that of the input." },
+    { "PassArrays", &Options::PassArrays, 0, 1, "", "pass-arrays", {},
+      "Give the result the input's arrays of points and cells: floating values as they are at the "
+      "place on the input that "
+      "is nearest to the new point, everything else from the nearest point, or the cell nearest to "
+      "the middle of the "
+      "triangle." },
+    { "MakeMaps", &Options::MakeMaps, 0, 1, "", "maps", {},
+      "Give the result the arrays OriginalPointIds and OriginalCellIds, nearest point and cell of "
+      "the input, and the input "
+      "on output port 1 ResultPointIds, the point of the result that each input point became part "
+      "of." },
+    { "RecomputeNormals", &Options::RecomputeNormals, 0, 1, "", "recompute-normals", {},
+      "Give the result point normals of its own triangles, not those of the input." },
+  };
+}
+
+/// Names of arrays.
+std::vector<OptionInfo> ArrayRows()
+{
+  return {
     { "DistanceArrayName", &Options::DistanceArrayName, 0, 0, "", "", {},
       "Name of the array of the distance of each output point to the input surface, in mm." },
     { "RunningErrorArrayName", &Options::RunningErrorArrayName, 0, 0, "", "", {},
@@ -182,6 +219,50 @@ const std::vector<OptionInfo>& OptionTable()
     { "InputDistanceArrayName", &Options::InputDistanceArrayName, 0, 0, "", "", {},
       "Name of the array of the distance of each input point to the result, in mm." },
   };
+}
+
+/// What is proved.
+std::vector<OptionInfo> ProofRows()
+{
+  return {
+    { "ToleranceArrayName", &Options::ToleranceArrayName, 0, 0, "", "tolerance-array", {},
+      "Name of a point array of the input, of any type of number, with how far the surface may "
+      "move "
+      "at each point, in mm: 0 freezes the point with all triangles at it, negative is no limit of "
+      "its own, in between it is a largest error there, linear on each triangle and proved like "
+      "MaximumError, which caps it. Empty is none. Thesis takes only 0 and negative ones." },
+    { "ProveResult", &Options::ProveResult, 0, 1, "", "prove", {},
+      "With MaximumError in every mode but Thesis: certify the result as it is written, both "
+      "directions and open borders, and report the proved bounds." },
+    { "ErrorBoundArrayName", &Options::ErrorBoundArrayName, 0, 0, "", "", {},
+      "Name of the array of the proved bound at each output point, in mm: no point of the "
+      "triangles around it is farther from the input. Only with ProveResult." },
+    { "InputErrorBoundArrayName", &Options::InputErrorBoundArrayName, 0, 0, "", "", {},
+      "Name of the array of the proved bound at each input point, in mm: no point of the triangles "
+      "around it is farther from the result. Only with ProveResult and MeasureInputDistances." },
+    { "ErrorPreset", &Options::ErrorPreset, 0, 3, "", "preset",
+      { "None", "QuarterVoxel", "HalfVoxel", "OneVoxel" },
+      "A largest error as a share of the least side of the scan's voxels (VoxelSize); MaximumError "
+      "counts, too, if it is smaller. A quarter of a voxel is below what the scan shows, a half "
+      "is about how far a surface may be off by the scan alone, one is for overviews." },
+    { "VoxelSize", &Options::VoxelSize, 0, Largest, "mm", "voxel-size", {},
+      "Least side of the scan's voxels, for ErrorPreset; 0: estimated from the surface, which "
+      "must be as marching cubes leaves it, and reported as an estimate." },
+  };
+}
+}
+
+const std::vector<OptionInfo>& OptionTable()
+{
+  static const std::vector<OptionInfo> table = []
+  {
+    std::vector<OptionInfo> rows;
+    for (const std::vector<OptionInfo>& group : { GoalRows(), RunRows(), ArrayRows(), ProofRows() })
+    {
+      rows.insert(rows.end(), group.begin(), group.end());
+    }
+    return rows;
+  }();
   return table;
 }
 

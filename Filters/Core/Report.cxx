@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report.h"
 
+#include "Certificate/Certificate.h"
+
+#include <algorithm>
+#include <cstdio>
+
 namespace bonedecimate
 {
 namespace
@@ -11,6 +16,18 @@ std::string Found(std::int64_t count, const char* what, const char* kind, std::i
   return std::to_string(count) + " " + what + ", the first is " + kind + " " +
     std::to_string(first);
 }
+}
+
+double ErrorProof::Lower() const
+{
+  return std::max({ this->InputToOutput.Lower, this->OutputToInput.Lower,
+    this->BorderInputToOutput.Lower, this->BorderOutputToInput.Lower });
+}
+
+double ErrorProof::Upper() const
+{
+  return std::max({ this->InputToOutput.Upper, this->OutputToInput.Upper,
+    this->BorderInputToOutput.Upper, this->BorderOutputToInput.Upper });
 }
 
 const char* StopReasonWord(StopReason reason)
@@ -25,7 +42,8 @@ const char* StopReasonSentence(StopReason reason)
   static const char* const sentences[] = { "Nothing was run.",
     "The number of triangles asked for was reached.", "The largest error asked for was reached.",
     "The input already had no more triangles than asked for.",
-    "No further collapse is allowed: topology, borders, fragments or orientation would change.",
+    "No further collapse is allowed: topology, borders, fragments, orientation or what is frozen "
+    "would change.",
     "The run was aborted; the surface is valid but larger than asked for." };
   return sentences[static_cast<int>(reason)];
 }
@@ -33,7 +51,7 @@ const char* StopReasonSentence(StopReason reason)
 const char* VerdictWord(Verdict verdict)
 {
   static const char* const words[] = { "allowed", "non_manifold", "border", "link_condition",
-    "fragment", "flip", "degenerate", "too_far" };
+    "fragment", "flip", "degenerate", "too_far", "frozen", "crossing" };
   return words[static_cast<int>(verdict)];
 }
 
@@ -62,6 +80,14 @@ std::string InputMessage(const Report& report)
     case InputStatus::TooManyTriangles:
       return "the input has " + std::to_string(found.TrianglesRead) +
         " triangles; 536870911 is the most";
+    case InputStatus::BadTolerances:
+      return found.BadTolerances == 0
+        ? "there is not one tolerance for each point"
+        : Found(found.BadTolerances, "points have a NaN or infinite tolerance", "point",
+            found.FirstBadTolerance);
+    case InputStatus::TolerancesInThesis:
+      return "Thesis mode proves no distances: its tolerances can only be 0 (frozen) or negative "
+             "(no limit)";
   }
   return {};
 }
@@ -82,5 +108,22 @@ std::vector<std::string> InputWarnings(const Report& report)
       found.FirstLockedPoint));
   }
   return warnings;
+}
+
+std::string ProofMessage(const Report& report)
+{
+  const ErrorProof& proof = report.Proof;
+  if (!proof.WasMade || proof.Verdict == CertificateVerdict::Proved ||
+    proof.Verdict == CertificateVerdict::NotAsked)
+  {
+    return {};
+  }
+  char text[240];
+  std::snprintf(text, sizeof(text),
+    "the certificate %s that the result keeps the largest error of %.9g mm (0: none) and its "
+    "points' tolerances: the distance is between %.9g and %.9g mm",
+    proof.Verdict == CertificateVerdict::Violated ? "contradicts" : "cannot decide",
+    proof.Tolerance, proof.Lower(), proof.Upper());
+  return text;
 }
 }

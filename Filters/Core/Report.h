@@ -16,16 +16,21 @@
 
 namespace bonedecimate
 {
+enum class CertificateVerdict : int; // of Certificate/Certificate.h
+enum class BorderPresence : int;
+
 /// Whether the input could be used at all.
 enum class InputStatus : int
 {
   Good = 0,
-  Empty,           ///< No points and no triangles: the result is empty, too.
-  NoTriangles,     ///< Points, but no triangle of positive area.
-  NonFinitePoints, ///< NaN or infinite coordinates.
-  HugeCoordinates, ///< Beyond 1e30: products of areas would overflow.
-  IndexOutOfRange, ///< A triangle names a point that is not there.
-  TooManyTriangles ///< More than 2^31 / 4 triangles.
+  Empty,             ///< No points and no triangles: the result is empty, too.
+  NoTriangles,       ///< Points, but no triangle of positive area.
+  NonFinitePoints,   ///< NaN or infinite coordinates.
+  HugeCoordinates,   ///< Beyond 1e30: products of areas would overflow.
+  IndexOutOfRange,   ///< A triangle names a point that is not there.
+  TooManyTriangles,  ///< More than 2^31 / 4 triangles.
+  BadTolerances,     ///< NaN or infinite, or not one for each point.
+  TolerancesInThesis ///< Thesis mode proves nothing: only 0 and no limit.
 };
 
 /// Why the collapse ended.
@@ -50,9 +55,11 @@ enum class Verdict : int
   Flip,          ///< A triangle would turn over.
   Degenerate,    ///< A triangle would have no area left.
   TooFar,        ///< It could not be proved that everything stays within the largest error.
+  Frozen,        ///< An end or corner stays as it is because its tolerance, or a neighbour's, is 0.
+  Crossing,      ///< Triangles would intersect, or a gap would become narrower than half of what it was.
   Elsewhere      ///< Not refused: a worker of another part of the mesh has to do it.
 };
-constexpr std::size_t NumberOfVerdicts = 8; ///< Those that are counted.
+constexpr std::size_t NumberOfVerdicts = 10; ///< Those that are counted.
 
 struct SurfaceStatistics
 {
@@ -83,6 +90,9 @@ struct CleaningStatistics
   std::int64_t FirstDroppedTriangle = -1;
   std::int64_t LockedPoints = 0; ///< On non-manifold edges or pinched.
   std::int64_t FirstLockedPoint = -1;
+  std::int64_t BadTolerances = 0; ///< NaN or infinite.
+  std::int64_t FirstBadTolerance = -1;
+  std::int64_t FrozenPoints = 0; ///< Points, after merging, whose tolerance leaves them no room.
 };
 
 /// Distances of one surface to another, mm.
@@ -99,11 +109,54 @@ struct DistanceStatistics
   double SamplesPerSquareMillimetre = 0.0;
 };
 
-/// Proved bounds of the largest distance from the open borders of one surface to those of the other, mm.
-struct BorderDistance
+/// Proved bounds of the largest distance from one surface to the other, or from its open borders to the other's, mm.
+struct ProvedDistance
 {
   double Lower = 0.0;
   double Upper = 0.0;
+};
+
+/// What the certificate says of the surface as it is written.
+struct ErrorProof
+{
+  bool WasMade = false;         ///< Else nothing else counts.
+  CertificateVerdict Verdict{}; ///< Of everything that was compared.
+  double Tolerance = 0.0;       ///< mm, what was to be proved everywhere; 0: nothing.
+  ProvedDistance InputToOutput;
+  ProvedDistance OutputToInput;
+  /// Borders are those where points of equal coordinates are one; without MergePoints they are not compared.
+  bool BordersCompared = false;
+  BorderPresence Borders{}; ///< If only one surface has some, they are infinitely far.
+  ProvedDistance BorderInputToOutput;
+  ProvedDistance BorderOutputToInput;
+  std::int64_t TrianglesLeftOut = 0; ///< Of the input: those without area that cleaning dropped.
+
+  double Lower() const; ///< mm, the largest of all directions, borders too.
+  double Upper() const;
+};
+
+/// The voxels of a run with an ErrorPreset.
+struct VoxelFigures
+{
+  enum class Source : int
+  {
+    NotAsked = 0,
+    Given,
+    Grid, ///< Estimated from the planes of marching cubes.
+    Edges ///< Estimated from the lengths of edges.
+  };
+  Source From = Source::NotAsked;
+  double Size = 0.0;  ///< mm, the least side.
+  double Error = 0.0; ///< mm, by which an estimate may be off.
+  double LargestError =
+    0.0; ///< mm, what the preset makes of it, or MaximumError if that is smaller.
+};
+
+/// Least distance between two fragments, mm.
+struct FragmentClearance
+{
+  double Input = 0.0;
+  double Output = 0.0;
 };
 
 struct StageSeconds
@@ -112,6 +165,7 @@ struct StageSeconds
   double Collapse = 0.0; ///< Costs, the loop, extraction; the original's bounding tree, if needed.
   double Decimate = 0.0; ///< Prepare + Collapse: everything needed for the surface.
   double Measure = 0.0;  ///< Statistics of both surfaces and distances.
+  double Prove = 0.0;    ///< The certificate of the result.
   double Total = 0.0;
 };
 
@@ -126,10 +180,15 @@ struct Report
   DistanceStatistics OutputToInput;
   DistanceStatistics InputToOutput;
   bool BordersMeasured = false; ///< With the distances, if both surfaces have open borders.
-  BorderDistance BorderOutputToInput;
-  BorderDistance BorderInputToOutput;
-  /// mm, the thesis's maxError: largest distance of a new vertex to the input. Not a number if none was looked up, which
-  /// is so in every mode but Thesis without MaximumError, MeasureDistances and origins; the tables then leave it out.
+  ProvedDistance BorderOutputToInput;
+  ProvedDistance BorderInputToOutput;
+  bool ClearanceMeasured = false; ///< With the distances, if there are several fragments.
+  FragmentClearance Clearance;
+  ErrorProof Proof;
+  VoxelFigures Voxel;
+  /// mm, the thesis's maxError: largest distance of a new vertex to the input, along the collapses in mode Thesis, at the
+  /// end in the others. Not a number where none was looked up, which is so in these without MeasureDistances and origins;
+  /// the tables then leave it out.
   double RunningError = 0.0;
   std::int64_t Collapses = 0;
   std::array<std::int64_t, NumberOfVerdicts> Refusals{}; ///< By Verdict; [Allowed] stays 0.
@@ -147,6 +206,8 @@ const char* VerdictWord(Verdict verdict);
 std::string InputMessage(const Report& report);
 /// What was found in a good input and dealt with, a sentence each, with counts and the id of the first.
 std::vector<std::string> InputWarnings(const Report& report);
+/// That the certificate contradicts the promise, or cannot decide; empty if it is proved or there is no proof.
+std::string ProofMessage(const Report& report);
 /// Version of this software, "major.minor.patch".
 const char* Version();
 }

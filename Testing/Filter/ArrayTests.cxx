@@ -5,13 +5,11 @@
 #include "Shapes.h"
 #include "VtkSurfaces.h"
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
-#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
@@ -71,6 +69,24 @@ TEST(Arrays, BearTheNamesThatWereAskedFor)
   ExpectArray(output, "n", "points");
   EXPECT_EQ(output->GetPointData()->GetNumberOfArrays(), 3);
   ExpectArray(run.InputCopy(), "back", "mm");
+}
+
+TEST(Arrays, ErrorBoundsComeWithTheProofUnderTheirNames)
+{
+  FilterRun run(Bumps(3));
+  run->SetMaximumError(0.2);
+  run->MeasureInputDistancesOn();
+  ExpectArray(run.Output(), "ErrorBound", "mm");
+  ExpectArray(run.InputCopy(), "ErrorBoundToResult", "mm");
+  EXPECT_EQ(Largest(Values(run.Output(), "ErrorBound")), run.Value("proof.output_to_input.upper"));
+  EXPECT_LE(run.Value("proof.upper"), 0.2);
+  run->SetErrorBoundArrayName("b");
+  run->SetInputErrorBoundArrayName("back");
+  ExpectArray(run.Output(), "b", "mm");
+  ExpectArray(run.InputCopy(), "back", "mm");
+  run->ProveResultOff();
+  EXPECT_FALSE(run.Output()->GetPointData()->HasArray("b"));
+  EXPECT_FALSE(run.InputCopy()->GetPointData()->HasArray("back"));
 }
 
 TEST(Arrays, DistanceIsThatOfTheLocatorToTheInput)
@@ -168,31 +184,6 @@ TEST(Arrays, TheSecondPortIsTheInputWithItsOwnArrays)
   EXPECT_EQ(copy->GetPointData()->GetArray("Density"), density);
   EXPECT_FALSE(input->GetPointData()->HasArray("DistanceToResult"))
     << "the input itself was changed";
-}
-
-TEST(Arrays, LeftBehindAreNamedInOneWarning)
-{
-  const vtkSmartPointer<vtkPolyData> input = Bumps(2);
-  vtkNew<vtkFloatArray> density;
-  density->SetName("Density");
-  density->SetNumberOfTuples(input->GetNumberOfPoints());
-  vtkNew<vtkStringArray> label;
-  label->SetName("Label");
-  label->SetNumberOfTuples(input->GetNumberOfCells());
-  input->GetPointData()->AddArray(density);
-  input->GetCellData()->AddArray(label);
-  FilterRun run(input);
-  run.Output();
-  EXPECT_EQ(run.Warnings.size(), 1U);
-  EXPECT_EQ(run.Said("Density"), 1) << run.AllMessages();
-  EXPECT_EQ(run.Said("Label"), 1) << run.AllMessages();
-}
-
-TEST(Arrays, NothingIsSaidWhereNothingIsLeftBehind)
-{
-  FilterRun run(Bumps(2));
-  run.Output();
-  EXPECT_TRUE(run.SaidNothing()) << run.AllMessages();
 }
 
 TEST(Arrays, OfTheFieldDataPassThrough)

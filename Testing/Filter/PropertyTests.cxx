@@ -38,9 +38,10 @@ const std::vector<Number>& Numbers()
 {
   static const std::vector<Number> numbers = { NUMBER_PROPERTY(Mode),
     NUMBER_PROPERTY(TargetNumberOfTriangles), NUMBER_PROPERTY(TargetReduction),
-    NUMBER_PROPERTY(MaximumError), NUMBER_PROPERTY(NormalTolerance), NUMBER_PROPERTY(MergePoints),
+    NUMBER_PROPERTY(MaximumError), NUMBER_PROPERTY(KeepClearance), NUMBER_PROPERTY(NormalTolerance), NUMBER_PROPERTY(MergePoints),
     NUMBER_PROPERTY(MeasureDistances), NUMBER_PROPERTY(MeasureInputDistances),
-    NUMBER_PROPERTY(NumberOfThreads), NUMBER_PROPERTY(OutputPointsPrecision) };
+    NUMBER_PROPERTY(NumberOfThreads), NUMBER_PROPERTY(OutputPointsPrecision),
+    NUMBER_PROPERTY(ProveResult), NUMBER_PROPERTY(ErrorPreset), NUMBER_PROPERTY(VoxelSize) };
   return numbers;
 }
 
@@ -62,7 +63,8 @@ const std::vector<Text>& Texts()
 {
   static const std::vector<Text> texts = { TEXT_PROPERTY(DistanceArrayName),
     TEXT_PROPERTY(RunningErrorArrayName), TEXT_PROPERTY(PointCountArrayName),
-    TEXT_PROPERTY(InputDistanceArrayName) };
+    TEXT_PROPERTY(InputDistanceArrayName), TEXT_PROPERTY(ErrorBoundArrayName),
+    TEXT_PROPERTY(InputErrorBoundArrayName), TEXT_PROPERTY(ToleranceArrayName) };
   return texts;
 }
 
@@ -133,7 +135,7 @@ TEST(Properties, HaveTheDefaultsOfTheTable)
   for (const Text& text : Texts())
   {
     EXPECT_EQ(text.Get(filter), std::get<std::string>(GetOption(Options{}, Row(text.Name))));
-    EXPECT_FALSE(text.Get(filter).empty()) << text.Name;
+    EXPECT_EQ(text.Get(filter).empty(), text.Name == "ToleranceArrayName") << text.Name;
   }
 }
 
@@ -144,10 +146,12 @@ TEST(Properties, HaveTheDefaultsOfTheirDocumentation)
   EXPECT_EQ(filter->GetTargetNumberOfTriangles(), 0);
   EXPECT_EQ(filter->GetTargetReduction(), 0.9);
   EXPECT_EQ(filter->GetMaximumError(), 0.0);
+  EXPECT_TRUE(filter->GetKeepClearance());
   EXPECT_EQ(filter->GetNormalTolerance(), 0.95);
   EXPECT_TRUE(filter->GetMergePoints());
   EXPECT_TRUE(filter->GetMeasureDistances());
   EXPECT_FALSE(filter->GetMeasureInputDistances());
+  EXPECT_TRUE(filter->GetProveResult());
   EXPECT_EQ(filter->GetNumberOfThreads(), 0);
   EXPECT_EQ(filter->GetOutputPointsPrecision(), vtkAlgorithm::DEFAULT_PRECISION);
 }
@@ -251,6 +255,10 @@ TEST(Properties, ClampedToWhatTheyWereDoNotMarkTheFilterModified)
 TEST(Properties, SwitchesHaveOnAndOff)
 {
   vtkNew<vtkBoneDecimate> filter;
+  filter->KeepClearanceOff();
+  EXPECT_FALSE(filter->GetKeepClearance());
+  filter->KeepClearanceOn();
+  EXPECT_TRUE(filter->GetKeepClearance());
   filter->MergePointsOff();
   filter->MeasureDistancesOff();
   filter->MeasureInputDistancesOn();

@@ -144,6 +144,43 @@ void ExpectPlacesAreNearest(const Surface& input, const Result& result)
   }
 }
 
+void ExpectCentroidsAreNearest(const Surface& input, const Result& result)
+{
+  ASSERT_EQ(result.Origins.TriangleAtCentroid.size(), result.Surface.Triangles.size());
+  for (std::size_t t = 0; t < result.Surface.Triangles.size(); ++t)
+  {
+    const Triangle& c = result.Surface.Triangles[t];
+    const std::vector<Vector3>& points = result.Surface.Points;
+    const Vector3 centroid = (points[c[0]] + points[c[1]] + points[c[2]]) / 3.0;
+    const Surface found = { input.Points,
+      { input.Triangles[result.Origins.TriangleAtCentroid[t]] } };
+    EXPECT_NEAR(
+      BruteNearest(found, centroid).Distance, BruteNearest(input, centroid).Distance, Rounding)
+      << "triangle " << t;
+  }
+}
+
+/// As often as the counts say; a point that stayed stands for itself.
+void ExpectOutputPointsAreCounted(const Surface& input, const Result& result)
+{
+  ASSERT_EQ(result.Origins.OutputPoint.size(), input.Points.size());
+  std::vector<Index> counts(result.PointCount.size(), 0);
+  for (std::size_t p = 0; p < input.Points.size(); ++p)
+  {
+    const Index output = result.Origins.OutputPoint[p];
+    counts.at(static_cast<std::size_t>(output == None ? 0 : output)) += output == None ? 0 : 1;
+  }
+  EXPECT_EQ(counts, result.PointCount);
+  for (std::size_t i = 0; i < result.Surface.Points.size(); ++i)
+  {
+    const Index nearest = result.Origins.NearestPoint[i];
+    if (result.Surface.Points[i] == input.Points[nearest])
+    {
+      EXPECT_EQ(result.Origins.OutputPoint[nearest], static_cast<Index>(i));
+    }
+  }
+}
+
 void ExpectMapsAreWhole(const Surface& input, const Result& result)
 {
   const std::size_t count = result.Surface.Points.size();
@@ -221,6 +258,8 @@ TEST_P(AnyReduction, KeepsTopologyFragmentsLockedPartsAndTellsTheTruth)
     ExpectLockedPartsKept(input, result.Surface);
     ExpectMapsAreWhole(input, result);
     ExpectPlacesAreNearest(input, result);
+    ExpectCentroidsAreNearest(input, result);
+    ExpectOutputPointsAreCounted(input, result);
     ExpectReportIsTrue(before, result);
   }
 }

@@ -103,6 +103,7 @@ TEST(OptionTable, DefaultsAreThoseOfTheStructAndWithinTheRange)
   EXPECT_EQ(std::get<double>(GetOption(Options{}, Row("MaximumError"))), 0.0);
   EXPECT_EQ(std::get<double>(GetOption(Options{}, Row("NormalTolerance"))), 0.95);
   EXPECT_TRUE(std::get<bool>(GetOption(Options{}, Row("MergePoints"))));
+  EXPECT_TRUE(std::get<bool>(GetOption(Options{}, Row("KeepClearance"))));
   EXPECT_TRUE(std::get<bool>(GetOption(Options{}, Row("MeasureDistances"))));
   EXPECT_FALSE(std::get<bool>(GetOption(Options{}, Row("MeasureInputDistances"))));
   for (const OptionInfo& info : OptionTable())

@@ -32,7 +32,8 @@ PieceSearch::PieceSearch(const Simplices& source, const Target& target, const Po
 double PieceSearch::Goal() const
 {
   const double limit = this->Wanted.CloseBelow;
-  if (this->Most.Value + 2.0 * this->Wanted.Slack <= limit)
+  const double room = this->Wanted.Decides ? 0.0 : 2.0 * this->Wanted.Slack;
+  if (this->Most.Value + room <= limit)
   {
     return limit;
   }
@@ -73,6 +74,20 @@ double PieceSearch::Explore(Index simplex, std::int64_t mostCuts)
 }
 
 //------------------------------------------------------------------------------
+double PieceSearch::UpperOf(Index simplex, std::int64_t mostCuts)
+{
+  this->Most = LargestExcess();
+  this->MostClosed = -Infinity;
+  const Piece whole = this->Whole(simplex);
+  for (int i = 0; i < whole.Count; ++i)
+  {
+    this->Learn(whole.Corners[i], simplex);
+  }
+  const double left = this->Explore(simplex, mostCuts);
+  return std::max(left, this->MostClosed);
+}
+
+//------------------------------------------------------------------------------
 Piece PieceSearch::Whole(Index simplex) const
 {
   Piece piece;
@@ -97,9 +112,9 @@ bool PieceSearch::CloseAsSame(const Piece& whole)
   for (int i = 0; i < whole.Count; ++i)
   {
     const PieceCorner& corner = whole.Corners[i];
-    if (corner.Value + this->To.Tolerance(corner.Nearest) != 0.0)
+    if (!this->To.HasTolerances() && corner.Value != 0.0)
     {
-      return false;
+      return false; // with tolerances the value is that of a simplex which need not be the same
     }
     places[i] = corner.Place;
     leastTolerance = std::min(leastTolerance, corner.Tolerance);

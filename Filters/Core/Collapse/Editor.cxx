@@ -8,6 +8,8 @@
 #include "RingQuadrics.h"
 #include "SmallEdits.h"
 
+#include <algorithm>
+
 namespace bonedecimate
 {
 namespace
@@ -61,6 +63,34 @@ void Editor::ProveEdits(const Promise& promise, int threads)
 }
 
 //------------------------------------------------------------------------------
+Index Editor::Freeze(const std::vector<double>& tolerances)
+{
+  const auto isFrozen = [&](Index v)
+  { return this->Guard ? !(this->Guard->LimitAt(v) > 0.0) : tolerances[v] == 0.0; };
+  for (Index face = 0; face < this->Half.NumberOfFaceSlots(); ++face)
+  {
+    const Triangle corners = this->Half.Corners(face);
+    if (std::any_of(corners.begin(), corners.end(), isFrozen))
+    {
+      std::for_each(corners.begin(), corners.end(), [this](Index v) { this->Half.Freeze(v); });
+    }
+  }
+  Index count = 0;
+  for (Index v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
+  {
+    count += isFrozen(v) ? 1 : 0;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+void Editor::KeepClearance(double error, int threads)
+{
+  this->Clearance =
+    std::make_unique<ClearanceGuard>(this->Half, this->Source.AtFirst(), error, threads);
+}
+
+//------------------------------------------------------------------------------
 template <typename Fill>
 Verdict Editor::Prove(Workspace& work, const Fill& fill) const
 {
@@ -73,10 +103,33 @@ Verdict Editor::Prove(Workspace& work, const Fill& fill) const
     work.Proofs = this->Guard->Lend();
   }
   fill(work.Proofs->Change);
+  const Patch& change = work.Proofs->Change;
+  if (this->Clearance && !this->Clearance->Owns(this->Half, change, work.Range, work.Nearby))
+  {
+    return Verdict::Elsewhere;
+  }
   const ProofAnswer answer = work.Proofs->Prove(this->Half, work.Range);
+  if (answer == ProofAnswer::Proved && this->Clearance)
+  {
+    return this->Clearance->Judge(this->Half, change, work.Nearby);
+  }
   return answer == ProofAnswer::Proved ? Verdict::Allowed
     : answer == ProofAnswer::Refused   ? Verdict::TooFar
                                        : Verdict::Elsewhere;
+}
+
+//------------------------------------------------------------------------------
+/// Of the edit that was proved last and has been carried out.
+void Editor::CommitProof(Workspace& work)
+{
+  if (this->Guard)
+  {
+    work.Proofs->Commit();
+  }
+  if (this->Clearance)
+  {
+    this->Clearance->Commit(work.Proofs->Change, work.Nearby);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -163,10 +216,7 @@ Verdict Editor::Apply(const Edit& wanted, Workspace& work, int workers)
       { fan.OldArea[0][i], fan.OldArea[1][i], fan.OldArea[2][i] });
   }
   this->Half.Collapse(work.Around, edit.Keep, edit.Position);
-  if (this->Guard)
-  {
-    work.Proofs->Commit();
-  }
+  this->CommitProof(work);
   if (this->KeepsQuadrics)
   {
     ExchangeRingQuadrics(this->Half, work.Around, edit.Keep, origin, work.Faces.Current());
@@ -231,10 +281,7 @@ Verdict Editor::ApplySmall(const Edit& wanted, Workspace& work, int workers)
     }
     this->Half.Move(vertex, edit.Position);
   }
-  if (this->Guard)
-  {
-    work.Proofs->Commit();
-  }
+  this->CommitProof(work);
   if (this->AfterEdit)
   {
     this->AfterEdit(*this, edit);

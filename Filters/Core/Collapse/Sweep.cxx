@@ -16,6 +16,8 @@ namespace
 /// Vertices of a block that are still there, on average: sixteen blocks, within limits.
 constexpr Index LeastOfBlock = 2048;
 constexpr Index MostOfBlock = 16384;
+/// Proofs are worth more blocks.
+constexpr Index LeastOfProvedBlock = 512;
 constexpr Index RenewBelowShare = 50;
 constexpr Index LeastForRounds = 8 * LeastOfBlock; // vertices
 /// Of the collapses still wanted, what a round should come to: short of the final limit.
@@ -214,15 +216,17 @@ CostKey Sweep::FirstLimit(Index collapses) const
 /// Blocks, shifted blocks, and what neither can do. False if the monitor stopped it.
 bool Sweep::Round(CostKey limit, const Monitor& monitor)
 {
-  return this->SweepBlocks(limit, false, monitor) && this->SweepBlocks(limit, true, monitor) &&
+  return this->SweepBlocks(limit, { this->BlockSize(), false }, monitor) &&
+    this->SweepBlocks(limit, { this->BlockSize(), true }, monitor) &&
+    (!this->Work.IsGuaranteed() || this->SweepBlocks(limit, this->LargeBlocks(), monitor)) &&
     this->SweepWhole(limit, this->Wanted.Faces, false, monitor);
 }
 
 //------------------------------------------------------------------------------
 /// Side by side. False if the monitor stopped it.
-bool Sweep::SweepBlocks(CostKey limit, bool isShifted, const Monitor& monitor)
+bool Sweep::SweepBlocks(CostKey limit, BlockCut cut, const Monitor& monitor)
 {
-  const std::vector<BlockTask> blocks = this->Blocks(limit, isShifted);
+  const std::vector<BlockTask> blocks = this->Blocks(limit, cut);
   std::vector<Tally> counted(blocks.size());
   std::atomic<Index> removed{ 0 };
   const bool done = ForEachPart(
@@ -247,22 +251,29 @@ Index Sweep::BlockSize() const
 {
   const Index slots = this->Work.Mesh().NumberOfVertexSlots();
   const Index live = std::max(1, this->Work.Mesh().NumberOfFaces() / 2);
-  const std::int64_t wanted = std::clamp(live / 16, LeastOfBlock, MostOfBlock);
+  const Index least = this->Work.IsGuaranteed() ? LeastOfProvedBlock : LeastOfBlock;
+  const std::int64_t wanted = std::clamp(live / 16, least, MostOfBlock);
   return static_cast<Index>(std::min<std::int64_t>(slots, wanted * slots / live));
 }
 
 //------------------------------------------------------------------------------
+/// For what reaches out of small ones: so few that little reaches out of them, with ends where no others have theirs.
+Sweep::BlockCut Sweep::LargeBlocks() const
+{
+  return { 1 + 2 * (this->Work.Mesh().NumberOfVertexSlots() / 5), false };
+}
+
+//------------------------------------------------------------------------------
 /// Each may collapse in proportion to the vertices it has below the limit.
-std::vector<BlockTask> Sweep::Blocks(CostKey limit, bool isShifted) const
+std::vector<BlockTask> Sweep::Blocks(CostKey limit, BlockCut cut) const
 {
   const Index slots = this->Work.Mesh().NumberOfVertexSlots();
-  const Index size = this->BlockSize();
   std::vector<BlockTask> blocks;
   std::int64_t ready = 0;
-  for (Index first = isShifted ? -size / 2 : 0; first < slots; first += size)
+  for (Index first = cut.IsShifted ? -cut.Size / 2 : 0; first < slots; first += cut.Size)
   {
     BlockTask task;
-    task.Vertices = { std::max(0, first), std::min(slots, first + size) };
+    task.Vertices = { std::max(0, first), std::min(slots, first + cut.Size) };
     task.Limit = limit;
     task.TriesAll = this->TriesAll;
     task.Collapses = CountUpTo(limit, this->Known.Keys.data() + task.Vertices.First,

@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Core_Collapse_Workspace_h
 #define BoneDecimate_Core_Collapse_Workspace_h
 
+#include "Clearance/ClearanceGuard.h"
 #include "Fragments.h"
 #include "Guarantee/Prover.h"
 #include "Kernels/Kernels.h"
@@ -48,6 +49,7 @@ struct Workspace
   Tally Counted;
   VertexRange Range;              ///< What the worker may change.
   std::shared_ptr<Prover> Proofs; ///< Lent where there is a guarantee.
+  ClearanceGuard::Workspace Nearby;
 };
 }
 

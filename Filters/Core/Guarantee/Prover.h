@@ -8,11 +8,11 @@
 #define BoneDecimate_Core_Guarantee_Prover_h
 
 #include "BorderProof.h"
+#include "FaceProof.h"
 #include "Guarantee.h"
 #include "Mesh/VertexRange.h"
 #include "Patch.h"
 #include "PieceCover.h"
-#include "PlaneCover.h"
 #include "ShareProof.h"
 #include "SparseSet.h"
 
@@ -60,13 +60,17 @@ private:
   bool IsOurs(const HalfEdgeMesh& mesh, VertexRange range) const;
   bool PlaceIsNear();
   void Prepare();
+  bool EndsAreNear(const HalfEdgeMesh& mesh);
   bool WitnessesAreNear(const HalfEdgeMesh& mesh);
   bool Depends(Item& item) const;
   bool OriginalsAreNear(const HalfEdgeMesh& mesh);
   bool ProveItem(const HalfEdgeMesh& mesh, Item& item);
-  bool ProveInPieces(const HalfEdgeMesh& mesh, Item& item, const Triangle& corners);
+  bool ProveInPieces(const HalfEdgeMesh& mesh, Item& item);
+  std::array<Index, 3> PointsOf(Index original);
+  void Remember(Index item);
+  std::size_t AddHelp(const HalfEdgeMesh& mesh, const Item& item);
   Index PointOf(Index id);
-  Faces Nearest(Faces shared, const std::array<Index, 3>& points) const;
+  Faces Nearest(const std::array<Index, 3>& points) const;
   bool NewFacesAreNear();
   bool BorderIsNear(const HalfEdgeMesh& mesh);
   bool ProveBorderItem(const HalfEdgeMesh& mesh, Item& item);
@@ -80,12 +84,12 @@ private:
   SparseSet<Point> Points;
   std::vector<float> SquaredDistances; // mm^2, of the points to the new faces
   ShareProof Share;
-  PlaneCover Planes;
-  PieceCover<3> Pieces;
+  FaceProof Back;
   PieceCover<2> BorderPieces;
   BorderProof Border;
   PieceCover<3>::Corner Place; // of the vertex that moves
   Index BorderPlace = None;    // an original border edge near the vertex that moves
+  std::vector<Index> Uncut;    // items of which no new face is near all corners
   std::vector<Index> Holders;
 };
 }

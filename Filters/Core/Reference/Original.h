@@ -30,14 +30,13 @@ public:
   /// Two vertices became one; the new one is looked up if that is wished, and if it has moved.
   void Merge(Index keep, Index gone, const Vector3& position);
 
-  /// Looks the vertex up where it is now, if it has moved; only where distances are recorded.
-  void LookUp(Index vertex, const Vector3& position);
-
   /// Whether the vertex no longer lies where its input point lay, bit for bit.
   bool HasMoved(Index vertex, const Vector3& position) const
   {
     return position != this->Clean.Surface.Points[static_cast<std::size_t>(vertex)];
   }
+
+  const Surface& AtFirst() const { return this->Clean.Surface; }
 
   /// Of every vertex there was: the one it has been merged into, over however many collapses.
   std::vector<Index> CurrentVertices() const;
@@ -54,6 +53,8 @@ public:
   const BoundingTree& Tree(int threads = 1, const std::function<void()>& afterStep = {}) const;
 
 private:
+  void LookUp(Index vertex, const Vector3& position);
+
   const CleanSurface& Clean;
   mutable std::once_flag TreeIsBuilt;
   mutable std::optional<BoundingTree> Triangles;

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Regions.h"
+
+#include "vtkBoneTolerance.h"
+#include "vtkBox.h"
+#include "vtkNew.h"
+#include "vtkSphere.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+namespace bonedecimate
+{
+namespace
+{
+bool ReadNumber(const std::string& text, double& number)
+{
+  char* end = nullptr;
+  number = std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0' && std::isfinite(number);
+}
+
+bool ReadNumbers(const std::string& text, std::vector<double>& numbers)
+{
+  std::istringstream parts(text);
+  bool good = true;
+  for (std::string part; good && std::getline(parts, part, ',');)
+  {
+    numbers.emplace_back();
+    good = ReadNumber(part, numbers.back());
+  }
+  return good && (text.empty() || text.back() != ',');
+}
+
+bool IsOrdered(const std::vector<double>& box)
+{
+  return box[0] <= box[1] && box[2] <= box[3] && box[4] <= box[5];
+}
+
+/// False if it is none of the shapes, or its numbers make no sense.
+bool ReadShape(const std::string& text, Region& region)
+{
+  const std::size_t colon = text.find(':');
+  const std::string word = text.substr(0, colon);
+  const bool good =
+    ReadNumbers(colon == std::string::npos ? "" : text.substr(colon + 1), region.Numbers);
+  const std::size_t count = region.Numbers.size();
+  if (word == "box")
+  {
+    region.Shape = Region::Box;
+    return good && count == 6 && IsOrdered(region.Numbers);
+  }
+  if (word == "sphere")
+  {
+    region.Shape = Region::Sphere;
+    return good && count == 4 && region.Numbers[3] >= 0.0;
+  }
+  return text == "rest";
+}
+
+void Choose(const Region& region, vtkBoneTolerance* filter)
+{
+  const std::vector<double>& n = region.Numbers;
+  filter->SetChoice(region.Shape == Region::Rest ? vtkBoneTolerance::UNLIMITED
+                                                 : vtkBoneTolerance::IMPLICIT_FUNCTION);
+  filter->SetInsideTolerance(region.Tolerance);
+  if (region.Shape == Region::Box)
+  {
+    vtkNew<vtkBox> box;
+    box->SetBounds(n.data());
+    filter->SetImplicitFunction(box);
+  }
+  else if (region.Shape == Region::Sphere)
+  {
+    vtkNew<vtkSphere> sphere;
+    sphere->SetCenter(n[0], n[1], n[2]);
+    sphere->SetRadius(n[3]);
+    filter->SetImplicitFunction(sphere);
+  }
+}
+}
+
+std::string ReadRegions(const std::string& text, std::vector<Region>& regions)
+{
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ';');)
+  {
+    Region region;
+    const std::size_t equals = part.rfind('=');
+    if (equals == std::string::npos || !ReadShape(part.substr(0, equals), region) ||
+      !ReadNumber(part.substr(equals + 1), region.Tolerance))
+    {
+      return "takes box:x0,x1,y0,y1,z0,z1=MM, sphere:x,y,z,radius=MM or rest=MM, not '" + part +
+        "'";
+    }
+    regions.push_back(region);
+  }
+  return text.empty() ? "takes a region" : "";
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> WithTolerances(
+  vtkPolyData* surface, const std::vector<Region>& regions, const std::string& arrayName)
+{
+  vtkSmartPointer<vtkPolyData> result = surface;
+  for (const bool isRest : { false, true })
+  {
+    for (const Region& region : regions)
+    {
+      if ((region.Shape == Region::Rest) == isRest)
+      {
+        vtkNew<vtkBoneTolerance> filter;
+        filter->SetToleranceArrayName(arrayName);
+        Choose(region, filter);
+        filter->SetInputData(result);
+        filter->Update();
+        result = filter->GetOutput();
+      }
+    }
+  }
+  return result;
+}
+}

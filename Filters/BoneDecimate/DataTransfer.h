@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file DataTransfer.h
+ * @brief What the input's arrays say of the places where the result's points and cells lie now.
+ *
+ *     point, not moved            the tuple of its input point
+ *     point, floating values      blended in the nearest input triangle, where the point is nearest to it; normals get
+ *                                 their length back
+ *     point, anything else        the tuple of the nearest input point: ids, labels, text and bits are never blended
+ *     triangle                    the tuple of the input cell nearest to its centroid
+ *     vertices, lines             their own tuples
+ *
+ * Nothing is blended along the collapses: each value is that of one place on the input.
+ */
+#ifndef DataTransfer_h
+#define DataTransfer_h
+
+#include "PassedCells.h"
+#include "SurfaceConversion.h"
+
+#include <set>
+#include <string>
+
+class vtkPolyData;
+
+namespace bonedecimate
+{
+/// Every array of points and cells, with its name, components, information and attribute, but those of the names: what an
+/// earlier run said of its result is not true of this one.
+void TransferArrays(const Result& result, const ConvertedSurface& converted,
+  const PassedIds& passed, const std::set<std::string>& without, vtkPolyData* input,
+  vtkPolyData* output);
+
+/// Point data OriginalPointIds (the nearest input point) and cell data OriginalCellIds.
+void AddMaps(const Result& result, const ConvertedSurface& converted, const PassedIds& passed,
+  vtkPolyData* output);
+
+/// Point data ResultPointIds: of each input point the output point that it became part of, -1 if no triangle uses it.
+void AddInputMap(const Result& result, vtkPolyData* inputCopy);
+
+/// Point normals of the result as it is, in place of those the input had.
+void RecomputeNormals(vtkPolyData* output);
+}
+
+#endif

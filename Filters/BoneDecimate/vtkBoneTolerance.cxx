@@ -1,0 +1,320 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBoneTolerance.h"
+
+#include "FeaturePoints.h"
+#include "PointChoice.h"
+#include "SurfaceConversion.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkImplicitFunction.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSelection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+vtkStandardNewMacro(vtkBoneTolerance);
+vtkCxxSetObjectMacro(vtkBoneTolerance, ImplicitFunction, vtkImplicitFunction);
+
+//------------------------------------------------------------------------------
+struct vtkBoneTolerance::Internals
+{
+  std::string ChoiceArrayName = "Choice";
+  std::string ToleranceArrayName = "Tolerance";
+  std::vector<int> Labels;
+  bonedecimate::PointChoice Chosen; // of the run
+
+  bool Counts(double value) const
+  {
+    return this->Labels.empty()
+      ? value != 0.0
+      : std::any_of(this->Labels.begin(), this->Labels.end(),
+          [value](int label) { return value == static_cast<double>(label); });
+  }
+};
+
+namespace
+{
+/// The smaller of two tolerances; a negative one limits nothing.
+double SmallerOf(double a, double b)
+{
+  return a < 0.0 ? b : b < 0.0 ? a : std::min(a, b);
+}
+
+vtkDataArray* OneComponent(vtkDataArray* array)
+{
+  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
+}
+}
+
+vtkBoneTolerance::vtkBoneTolerance()
+  : Internal(new Internals)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkBoneTolerance::~vtkBoneTolerance()
+{
+  this->SetImplicitFunction(nullptr);
+}
+
+//------------------------------------------------------------------------------
+#define vtkBoneToleranceName(name)                                                                 \
+  void vtkBoneTolerance::Set##name(const std::string& value)                                       \
+  {                                                                                                \
+    if (this->Internal->name != value)                                                             \
+    {                                                                                              \
+      this->Internal->name = value;                                                                \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  std::string vtkBoneTolerance::Get##name() const                                                  \
+  {                                                                                                \
+    return this->Internal->name;                                                                   \
+  }
+
+// clang-format off
+vtkBoneToleranceName(ChoiceArrayName)
+vtkBoneToleranceName(ToleranceArrayName)
+// clang-format on
+#undef vtkBoneToleranceName
+
+  //------------------------------------------------------------------------------
+  void vtkBoneTolerance::AddLabel(int label)
+{
+  this->Internal->Labels.push_back(label);
+  this->Modified();
+}
+
+void vtkBoneTolerance::RemoveAllLabels()
+{
+  if (!this->Internal->Labels.empty())
+  {
+    this->Internal->Labels.clear();
+    this->Modified();
+  }
+}
+
+int vtkBoneTolerance::GetNumberOfLabels() const
+{
+  return static_cast<int>(this->Internal->Labels.size());
+}
+
+int vtkBoneTolerance::GetLabel(int place) const
+{
+  return place >= 0 && place < this->GetNumberOfLabels()
+    ? this->Internal->Labels[static_cast<std::size_t>(place)]
+    : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkBoneTolerance::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->ImplicitFunction ? std::max(own, this->ImplicitFunction->GetMTime()) : own;
+}
+
+//------------------------------------------------------------------------------
+int vtkBoneTolerance::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkSelection");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBoneTolerance::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkDataObject* selection = vtkDataObject::GetData(inputVector[1]);
+  const std::string problem = this->Problem(input, selection);
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return 0;
+  }
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->ShallowCopy(input);
+  this->Choose(input, selection);
+  this->Lower(output);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+/// What is missing; empty if nothing is.
+std::string vtkBoneTolerance::Problem(vtkPolyData* input, vtkDataObject* selection) const
+{
+  const std::string& name = this->Internal->ChoiceArrayName;
+  const std::string& result = this->Internal->ToleranceArrayName;
+  if (!std::isfinite(this->InsideTolerance) || !std::isfinite(this->OutsideTolerance))
+  {
+    return "a tolerance is not a finite number";
+  }
+  if (this->Feather > 0.0 && (this->InsideTolerance < 0.0 || this->OutsideTolerance < 0.0))
+  {
+    return "a feather goes from one tolerance to another: neither may be negative (no limit)";
+  }
+  if (input->GetPointData()->HasArray(result.c_str()) &&
+    !OneComponent(input->GetPointData()->GetArray(result.c_str())))
+  {
+    return "the point array '" + result + "' is there and has not one number for each point";
+  }
+  if (this->Choice == POINT_ARRAY && !OneComponent(input->GetPointData()->GetArray(name.c_str())))
+  {
+    return "the input has no point array '" + name + "' of one component";
+  }
+  if (this->Choice == CELL_ARRAY && !OneComponent(input->GetCellData()->GetArray(name.c_str())))
+  {
+    return "the input has no cell array '" + name + "' of one component";
+  }
+  if (this->Choice == SELECTION && !selection)
+  {
+    return "there is no selection on input port 1";
+  }
+  return this->Choice == IMPLICIT_FUNCTION && !this->ImplicitFunction
+    ? "there is no implicit function"
+    : "";
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneTolerance::Choose(vtkPolyData* input, vtkDataObject* selection) const
+{
+  Internals& own = *this->Internal;
+  const auto counts = [&own](double value) { return own.Counts(value); };
+  const char* name = own.ChoiceArrayName.c_str();
+  switch (this->Choice)
+  {
+    case POINT_ARRAY:
+      own.Chosen =
+        bonedecimate::ChoosePoints(input->GetPointData()->GetArray(name), counts, this->Inverted);
+      break;
+    case CELL_ARRAY:
+      own.Chosen = bonedecimate::ChooseCells(
+        input, input->GetCellData()->GetArray(name), counts, this->Inverted);
+      break;
+    case SELECTION:
+      own.Chosen = bonedecimate::ChooseBySelection(
+        input, vtkSelection::SafeDownCast(selection), this->Inverted);
+      break;
+    case IMPLICIT_FUNCTION:
+      this->ChooseByFunction(input);
+      break;
+    case FOLDS:
+    case BORDERS:
+      this->ChooseLines(input);
+      break;
+    case UNLIMITED:
+      this->ChooseUnlimited(input);
+      break;
+    default:
+      own.Chosen.assign(static_cast<std::size_t>(input->GetNumberOfPoints()), !this->Inverted);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneTolerance::ChooseUnlimited(vtkPolyData* input) const
+{
+  vtkDataArray* before =
+    input->GetPointData()->GetArray(this->Internal->ToleranceArrayName.c_str());
+  const bool all = before == nullptr;
+  this->Internal->Chosen.assign(
+    static_cast<std::size_t>(input->GetNumberOfPoints()), all != this->Inverted);
+  if (!all)
+  {
+    this->Internal->Chosen = bonedecimate::ChoosePoints(
+      before, [](double tolerance) { return tolerance < 0.0; }, this->Inverted);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneTolerance::ChooseByFunction(vtkPolyData* input) const
+{
+  bonedecimate::PointChoice& chosen = this->Internal->Chosen;
+  chosen.clear();
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    const double value = this->ImplicitFunction->FunctionValue(input->GetPoint(i));
+    chosen.push_back((value <= 0.0) != this->Inverted);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneTolerance::ChooseLines(vtkPolyData* input) const
+{
+  const bonedecimate::ConvertedSurface converted = bonedecimate::ToSurface(input, 1);
+  bonedecimate::PointChoice& chosen = this->Internal->Chosen;
+  chosen = this->Choice == BORDERS ? bonedecimate::PointsOnBorders(converted.Surface)
+                                   : bonedecimate::PointsOnFolds(converted.Surface,
+                                       std::cos(vtkMath::RadiansFromDegrees(this->FoldAngle)));
+  if (this->Inverted)
+  {
+    chosen.flip();
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The array of the output: what this choice allows or, where that is less, what was there before.
+void vtkBoneTolerance::Lower(vtkPolyData* output) const
+{
+  const bonedecimate::PointChoice& chosen = this->Internal->Chosen;
+  const std::string& name = this->Internal->ToleranceArrayName;
+  vtkDataArray* before = output->GetPointData()->GetArray(name.c_str());
+  std::vector<double> distances; // mm
+  if (this->Feather > 0.0)
+  {
+    distances = bonedecimate::DistancesToChosen(output, chosen, this->Feather);
+  }
+  vtkNew<vtkDoubleArray> tolerances;
+  tolerances->SetName(name.c_str());
+  tolerances->SetComponentName(0, "mm");
+  tolerances->SetNumberOfTuples(output->GetNumberOfPoints());
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+  {
+    double tolerance = chosen[i] ? this->InsideTolerance : this->OutsideTolerance;
+    if (!distances.empty())
+    {
+      const double share = distances[i] / this->Feather;
+      tolerance = (1.0 - share) * this->InsideTolerance + share * this->OutsideTolerance;
+    }
+    const auto id = static_cast<vtkIdType>(i);
+    tolerances->SetValue(
+      id, before ? SmallerOf(before->GetComponent(id, 0), tolerance) : tolerance);
+  }
+  output->GetPointData()->AddArray(tolerances);
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneTolerance::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Choice: " << this->Choice << "\n";
+  os << indent << "ChoiceArrayName: " << this->Internal->ChoiceArrayName << "\n";
+  os << indent << "Labels:";
+  for (const int label : this->Internal->Labels)
+  {
+    os << " " << label;
+  }
+  os << "\n";
+  os << indent << "ImplicitFunction: " << this->ImplicitFunction << "\n";
+  os << indent << "FoldAngle: " << this->FoldAngle << " degrees\n";
+  os << indent << "Inverted: " << this->Inverted << "\n";
+  os << indent << "InsideTolerance: " << this->InsideTolerance << " mm\n";
+  os << indent << "OutsideTolerance: " << this->OutsideTolerance << " mm\n";
+  os << indent << "Feather: " << this->Feather << " mm\n";
+  os << indent << "ToleranceArrayName: " << this->Internal->ToleranceArrayName << "\n";
+}

@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ClearanceGuard.h"
+
+#include "PartTree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Of the gap at first: what has to stay.
+constexpr double ShareOfGap = 0.5;
+/// Both sides may move by the error; a gap that many errors wide keeps half of its width whatever happens.
+constexpr double ErrorsOfGap = 4.0;
+
+using Piece = ClearanceGuard::Piece;
+
+/// mm, how far from a face its gaps have to be looked after.
+double ReachOf(const Gap& gap)
+{
+  double reach = 0.0;
+  for (const float width : { gap.ToOwn, gap.ToOther })
+  {
+    reach = std::isfinite(width) ? std::max<double>(reach, ShareOfGap * width) : reach;
+  }
+  return reach;
+}
+
+/// mm^2, between the boxes.
+double SquaredDistance(const Piece& a, const Piece& b)
+{
+  return (a.Low - b.High).cwiseMax(b.Low - a.High).cwiseMax(0.0).squaredNorm();
+}
+
+bool HasCorner(const Piece& piece, Index vertex)
+{
+  return std::find(piece.Vertices.begin(), piece.Vertices.end(), vertex) != piece.Vertices.end();
+}
+
+int CountShared(const Piece& a, const Piece& b)
+{
+  return static_cast<int>(std::count_if(
+    a.Vertices.begin(), a.Vertices.end(), [&b](Index vertex) { return HasCorner(b, vertex); }));
+}
+
+/// The corners, those that both have first, in the order of the vertices.
+TriangleCorners SharedFirst(const Piece& piece, const Piece& other)
+{
+  std::array<std::size_t, 3> order = { 0, 1, 2 };
+  std::sort(order.begin(), order.end(),
+    [&](std::size_t i, std::size_t j)
+    {
+      const bool sharesI = HasCorner(other, piece.Vertices[i]);
+      const bool sharesJ = HasCorner(other, piece.Vertices[j]);
+      return sharesI != sharesJ ? sharesI : piece.Vertices[i] < piece.Vertices[j];
+    });
+  return { piece.Corners[order[0]], piece.Corners[order[1]], piece.Corners[order[2]] };
+}
+
+bool Meet(const Piece& a, const Piece& b)
+{
+  if (SquaredDistance(a, b) > 0.0)
+  {
+    return false;
+  }
+  switch (CountShared(a, b))
+  {
+    case 0:
+      return bonedecimate::Meet(a.Corners, b.Corners);
+    case 1:
+      return MeetBeyondCorner(SharedFirst(a, b), SharedFirst(b, a));
+    case 2:
+      return MeetBeyondEdge(SharedFirst(a, b), SharedFirst(b, a));
+    default:
+      return true;
+  }
+}
+
+/// Pairs of a patch with what is near it, and within it.
+std::size_t CountMeetings(const std::vector<Piece>& patch, const std::vector<Piece>& near)
+{
+  std::size_t count = 0;
+  for (auto piece = patch.begin(); piece != patch.end(); ++piece)
+  {
+    const auto meets = [&](const Piece& other) { return Meet(*piece, other); };
+    count += static_cast<std::size_t>(std::count_if(near.begin(), near.end(), meets) +
+      std::count_if(piece + 1, patch.end(), meets));
+  }
+  return count;
+}
+
+/// mm, of the box around all of them; there is one at least.
+Vector3 LeastOf(const std::vector<Piece>& pieces)
+{
+  Vector3 low = pieces[0].Low;
+  for (const Piece& piece : pieces)
+  {
+    low = low.cwiseMin(piece.Low);
+  }
+  return low;
+}
+Vector3 MostOf(const std::vector<Piece>& pieces)
+{
+  Vector3 high = pieces[0].High;
+  for (const Piece& piece : pieces)
+  {
+    high = high.cwiseMax(piece.High);
+  }
+  return high;
+}
+
+/// Whether p lies in what two patches with one rim enclose; in doubt it does.
+bool IsBetween(const Vector3& p, const std::vector<Piece>& a, const std::vector<Piece>& b)
+{
+  // Directions that nobody models along.
+  for (const Vector3& direction : { Vector3(0.61, 0.53, 0.587), Vector3(-0.37, 0.71, -0.599) })
+  {
+    bool isInside = false;
+    bool isClear = true;
+    for (const std::vector<Piece>* patch : { &a, &b })
+    {
+      for (const Piece& piece : *patch)
+      {
+        const RayAnswer answer = ShootRay(p, direction, piece.Corners);
+        isInside = isInside != (answer == RayAnswer::Hits);
+        isClear = isClear && answer != RayAnswer::Unclear;
+      }
+    }
+    if (isClear)
+    {
+      return isInside;
+    }
+  }
+  return true;
+}
+}
+
+ClearanceGuard::ClearanceGuard(
+  const HalfEdgeMesh& mesh, const Surface& surface, double error, int threads)
+  : Grid(mesh, error)
+  , Widths(surface, ErrorsOfGap * error, threads)
+{
+}
+
+//------------------------------------------------------------------------------
+/// A new vertex stands for both that were merged into it.
+ClearanceGuard::Piece ClearanceGuard::PieceOf(
+  const Patch& change, const Triangle& vertices, const TriangleCorners& corners) const
+{
+  Piece piece;
+  piece.Vertices = vertices;
+  piece.Corners = corners;
+  piece.Low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
+  piece.High = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+  piece.Normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+  for (const Index vertex : vertices)
+  {
+    piece.LeastGap = piece.LeastGap.And(this->Widths.Of(vertex));
+    if (vertex == change.Moved)
+    {
+      piece.LeastGap = piece.LeastGap.And(this->Widths.Of(change.Ends[0]));
+      piece.LeastGap = piece.LeastGap.And(this->Widths.Of(change.Ends[1]));
+    }
+  }
+  piece.Reach = ReachOf(piece.LeastGap);
+  return piece;
+}
+
+//------------------------------------------------------------------------------
+void ClearanceGuard::FillPieces(
+  const HalfEdgeMesh& mesh, const Patch& change, Workspace& work) const
+{
+  work.Old.clear();
+  work.New.clear();
+  for (const Index face : change.OldFaces)
+  {
+    const Triangle v = mesh.Corners(face);
+    work.Old.push_back(this->PieceOf(change, v, CornersOf(mesh, v)));
+  }
+  for (const Patch::Face& face : change.NewFaces)
+  {
+    work.New.push_back(this->PieceOf(change, face.Vertices, face.Corners));
+  }
+}
+
+//------------------------------------------------------------------------------
+void ClearanceGuard::FindCells(Workspace& work) const
+{
+  work.OldCells.clear();
+  work.EndsOfOld.clear();
+  work.Cells.clear();
+  for (const Piece& piece : work.Old)
+  {
+    this->Grid.AddCells(piece.Corners, 0.0, work.OldCells);
+    work.EndsOfOld.push_back(work.OldCells.size());
+  }
+  for (const Piece& piece : work.New)
+  {
+    this->Grid.AddCells(piece.Corners, piece.Reach, work.Cells);
+  }
+  work.Cells.insert(work.Cells.end(), work.OldCells.begin(), work.OldCells.end());
+  std::sort(work.Cells.begin(), work.Cells.end());
+  work.Cells.erase(std::unique(work.Cells.begin(), work.Cells.end()), work.Cells.end());
+}
+
+//------------------------------------------------------------------------------
+/// Faces that stay and whose box is as near as any gap asks for, or meets that of a face that goes.
+void ClearanceGuard::FindNear(const HalfEdgeMesh& mesh, const Patch& change, Workspace& work) const
+{
+  work.Faces.clear();
+  work.Near.clear();
+  this->Grid.AddFaces(work.Cells, work.Faces);
+  std::sort(work.Faces.begin(), work.Faces.end());
+  work.Faces.erase(std::unique(work.Faces.begin(), work.Faces.end()), work.Faces.end());
+  const std::vector<Index>& old = change.OldFaces;
+  for (const Index face : work.Faces)
+  {
+    const Triangle v = mesh.Corners(face);
+    const TriangleCorners corners = CornersOf(mesh, v);
+    const Vector3 low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
+    const Vector3 high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+    const auto isNear = [&](const Piece& piece)
+    {
+      return (piece.Low - high).cwiseMax(low - piece.High).cwiseMax(0.0).squaredNorm() <=
+        piece.Reach * piece.Reach;
+    };
+    if ((std::any_of(work.New.begin(), work.New.end(), isNear) ||
+          std::any_of(work.Old.begin(), work.Old.end(), isNear)) &&
+      std::find(old.begin(), old.end(), face) == old.end())
+    {
+      work.Near.push_back(this->PieceOf(change, v, corners));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// mm, at first, where the two stand; infinite if there was none.
+double ClearanceGuard::GapOf(const Piece& a, const Piece& b) const
+{
+  const Gap both = a.LeastGap.And(b.LeastGap);
+  return this->Widths.PartOf(a.Vertices[0]) == this->Widths.PartOf(b.Vertices[0]) ? both.ToOwn
+                                                                                  : both.ToOther;
+}
+
+//------------------------------------------------------------------------------
+/// For the gap at first, and nearer than what it takes the place of.
+bool ClearanceGuard::IsTooNear(
+  const Piece& piece, const Piece& near, const std::vector<Piece>& old) const
+{
+  const double gap = this->GapOf(piece, near);
+  const bool isOwn =
+    this->Widths.PartOf(piece.Vertices[0]) == this->Widths.PartOf(near.Vertices[0]);
+  const double squared = ShareOfGap * ShareOfGap * gap * gap; // mm^2
+  if (!std::isfinite(gap) || SquaredDistance(piece, near) >= squared ||
+    (isOwn && piece.Normal.dot(near.Normal) >= 0.0) || CountShared(piece, near) > 0)
+  {
+    return false;
+  }
+  const Way way = WayBetween(piece.Corners, near.Corners);
+  if (way.SquaredLength >= squared || (isOwn && !Face(piece.Normal, near.Normal, way.FromAToB)))
+  {
+    return false;
+  }
+  return std::all_of(old.begin(), old.end(),
+    [&](const Piece& gone)
+    {
+      return CountShared(gone, near) > 0 ||
+        WayBetween(gone.Corners, near.Corners).SquaredLength > way.SquaredLength;
+    });
+}
+
+//------------------------------------------------------------------------------
+bool ClearanceGuard::NarrowsGap(const Workspace& work) const
+{
+  return std::any_of(work.New.begin(), work.New.end(),
+    [&](const Piece& piece)
+    {
+      return std::any_of(work.Near.begin(), work.Near.end(),
+        [&](const Piece& near) { return this->IsTooNear(piece, near, work.Old); });
+    });
+}
+
+//------------------------------------------------------------------------------
+/// What meets neither the faces that go nor the new ones lies between them as a whole or not at all.
+bool ClearanceGuard::JumpsOver(const Workspace& work)
+{
+  const Vector3 low = LeastOf(work.Old).cwiseMin(LeastOf(work.New));
+  const Vector3 high = MostOf(work.Old).cwiseMax(MostOf(work.New));
+  return std::any_of(work.Near.begin(), work.Near.end(),
+    [&](const Piece& near)
+    {
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const bool isOfPatch = std::any_of(work.Old.begin(), work.Old.end(),
+          [&](const Piece& old) { return HasCorner(old, near.Vertices[i]); });
+        const Vector3& p = near.Corners[i];
+        if (!isOfPatch)
+        {
+          return (p - low).minCoeff() >= 0.0 && (high - p).minCoeff() >= 0.0 &&
+            IsBetween(p, work.Old, work.New);
+        }
+      }
+      return false;
+    });
+}
+
+//------------------------------------------------------------------------------
+bool ClearanceGuard::Owns(
+  const HalfEdgeMesh& mesh, const Patch& change, VertexRange range, Workspace& work) const
+{
+  this->FillPieces(mesh, change, work);
+  this->FindCells(work);
+  return this->Grid.Owns(range, work.Cells);
+}
+
+//------------------------------------------------------------------------------
+Verdict ClearanceGuard::Judge(const HalfEdgeMesh& mesh, const Patch& change, Workspace& work) const
+{
+  this->FindNear(mesh, change, work);
+  const std::size_t meetings = CountMeetings(work.New, work.Near);
+  const bool allowed = (meetings == 0 || meetings <= CountMeetings(work.Old, work.Near)) &&
+    !this->NarrowsGap(work) && !JumpsOver(work);
+  return allowed ? Verdict::Allowed : Verdict::Crossing;
+}
+
+//------------------------------------------------------------------------------
+void ClearanceGuard::Commit(const Patch& change, Workspace& work)
+{
+  std::size_t from = 0;
+  for (std::size_t i = 0; i < change.OldFaces.size(); ++i)
+  {
+    work.Cells.assign(work.OldCells.begin() + static_cast<std::ptrdiff_t>(from),
+      work.OldCells.begin() + static_cast<std::ptrdiff_t>(work.EndsOfOld[i]));
+    this->Grid.Remove(change.OldFaces[i], work.Cells);
+    from = work.EndsOfOld[i];
+  }
+  for (const Patch::Face& face : change.NewFaces)
+  {
+    work.Cells.clear();
+    this->Grid.AddCells(face.Corners, 0.0, work.Cells);
+    this->Grid.Insert(face.Id, face.Vertices, work.Cells);
+  }
+  if (change.Moved != None)
+  {
+    this->Widths.Set(
+      change.Moved, this->Widths.Of(change.Ends[0]).And(this->Widths.Of(change.Ends[1])));
+  }
+}
+}

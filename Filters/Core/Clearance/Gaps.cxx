@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gaps.h"
+
+#include "Geometry/TriangleGeometry.h"
+#include "Parallel.h"
+#include "PartTree.h"
+
+namespace bonedecimate
+{
+namespace
+{
+std::vector<Vector3> NormalsOf(const Surface& surface)
+{
+  std::vector<Vector3> normals(surface.Points.size(), Vector3::Zero());
+  for (const Triangle& c : surface.Triangles)
+  {
+    const Vector3 area =
+      AreaVector(surface.Points[c[0]], surface.Points[c[1]], surface.Points[c[2]]);
+    for (const Index point : c)
+    {
+      normals[point] += area;
+    }
+  }
+  return normals;
+}
+
+/// Infinite if it is not less than the limit.
+float Below(double width, double limit)
+{
+  return width < limit ? static_cast<float>(width) : std::numeric_limits<float>::infinity();
+}
+}
+
+Gaps::Gaps(const Surface& surface, double limit, int threads)
+  : Parts(FindComponents(surface))
+  , Widths(surface.Points.size())
+{
+  const PartTree tree(surface, this->Parts);
+  const std::vector<Vector3> normals = NormalsOf(surface);
+  ForEachId(surface.Points.size(), threads,
+    [&](std::size_t i)
+    {
+      const Index point = static_cast<Index>(i);
+      const Index part = this->Parts.OfPoint[point];
+      Gap& gap = this->Widths[point];
+      gap.ToOwn = Below(tree.ToFacing(point, normals[point].normalized(), limit), limit);
+      if (this->Parts.Count > 1)
+      {
+        gap.ToOther = Below(tree.ToOtherPart(surface.Points[point], part, limit), limit);
+      }
+    });
+}
+
+double LeastClearance(const Surface& surface)
+{
+  const Components parts = FindComponents(surface);
+  return parts.Count > 1 ? PartTree(surface, parts).LeastClearance()
+                         : std::numeric_limits<double>::infinity();
+}
+}

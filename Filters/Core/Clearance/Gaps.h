@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Gaps.h
+ * @brief How wide the gap was at first at what each vertex of the current mesh stands for.
+ *
+ *     at first:   the distance to the other fragments, and to what faces the vertex within its own fragment (PartTree.h)
+ *     merged:     the smaller of both
+ */
+#ifndef BoneDecimate_Core_Clearance_Gaps_h
+#define BoneDecimate_Core_Clearance_Gaps_h
+
+#include "Mesh/Statistics.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace bonedecimate
+{
+/// mm; infinite where nothing is near.
+struct Gap
+{
+  float ToOwn = std::numeric_limits<float>::infinity();   ///< To what faces it within its fragment.
+  float ToOther = std::numeric_limits<float>::infinity(); ///< To other fragments.
+
+  Gap And(const Gap& other) const
+  {
+    return { std::min(this->ToOwn, other.ToOwn), std::min(this->ToOther, other.ToOther) };
+  }
+};
+
+class Gaps
+{
+public:
+  /// @param limit mm; wider gaps count as none.
+  Gaps(const Surface& surface, double limit, int threads);
+
+  Index PartOf(Index vertex) const { return this->Parts.OfPoint[vertex]; }
+  const Gap& Of(Index vertex) const { return this->Widths[vertex]; }
+  void Set(Index vertex, const Gap& gap) { this->Widths[vertex] = gap; }
+
+private:
+  Components Parts;
+  std::vector<Gap> Widths; // of each vertex
+};
+
+/// mm, the least distance between two fragments of a surface; infinite if there is one only.
+double LeastClearance(const Surface& surface);
+}
+
+#endif
