@@ -104,11 +104,11 @@ TEST(CostKeys, AreCountedHoweverManyThereAre)
   constexpr CostKey limit = 0x8000;
   Random random(7);
   std::vector<CostKey> keys(200000);
-  std::vector<Index> upTo(keys.size() + 1, 0);
+  std::vector<Index> lower(keys.size() + 1, 0);
   for (std::size_t i = 0; i < keys.size(); ++i)
   {
     keys[i] = static_cast<CostKey>(random.Between(0.0, limit + 100.0));
-    upTo[i + 1] = upTo[i] + (keys[i] <= limit ? 1 : 0);
+    lower[i + 1] = lower[i] + (keys[i] <= limit ? 1 : 0);
   }
   const std::vector<std::size_t> ends = { 0, 1, 31, 4095, 4096, 4097, 65536, keys.size() };
   for (const std::size_t first : ends)
@@ -118,7 +118,7 @@ TEST(CostKeys, AreCountedHoweverManyThereAre)
       if (first <= last)
       {
         EXPECT_EQ(
-          CountUpTo(limit, keys.data() + first, keys.data() + last), upTo[last] - upTo[first]);
+          CountUpTo(limit, keys.data() + first, keys.data() + last), lower[last] - lower[first]);
       }
     }
   }
