@@ -50,8 +50,8 @@ nlohmann::ordered_json Compose(
     }
     findings.push_back(finding);
   }
-  return { { "file", BaseName(file) }, { "usable", check->IsUsable() },
-    { "warnings", warnings }, { "findings", findings } };
+  return { { "file", BaseName(file) }, { "usable", check->IsUsable() }, { "warnings", warnings },
+    { "findings", findings } };
 }
 
 /// "refused   3 points are not finite: 5, 7, 19"
@@ -67,8 +67,8 @@ void Tell(vtkBoneCheck* check, int finding)
   const char* before = ": ";
   for (const vtkIdType id : first)
   {
-    std::printf("%s%s%lld", before, before[0] == ':' ? (check->GetIdsOf(finding) + " ").c_str() : "",
-      static_cast<long long>(id));
+    std::printf("%s%s%lld", before,
+      before[0] == ':' ? (check->GetIdsOf(finding) + " ").c_str() : "", static_cast<long long>(id));
     before = ", ";
   }
   const bool isAll = check->GetCount(finding) <= static_cast<vtkIdType>(first.size());
@@ -136,8 +136,10 @@ ExitCode RunInspect(const InspectArguments& arguments)
   StopIfInterrupted();
   if (!arguments.Json.empty())
   {
-    WriteTextFile(
-      arguments.Json, Compose(check, arguments.File, loaded.Warnings).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    WriteTextFile(arguments.Json,
+      Compose(check, arguments.File, loaded.Warnings)
+          .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+        "\n");
   }
   if (!arguments.Quiet)
   {

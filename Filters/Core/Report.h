@@ -56,8 +56,8 @@ enum class Verdict : int
   Degenerate,    ///< A triangle would have no area left.
   TooFar,        ///< It could not be proved that everything stays within the largest error.
   Frozen,        ///< An end or corner stays as it is because its tolerance, or a neighbour's, is 0.
-  Crossing,      ///< Triangles would intersect, or a gap would become narrower than half of what it was.
-  Elsewhere      ///< Not refused: a worker of another part of the mesh has to do it.
+  Crossing, ///< Triangles would intersect, or a gap would become narrower than half of what it was.
+  Elsewhere ///< Not refused: a worker of another part of the mesh has to do it.
 };
 constexpr std::size_t NumberOfVerdicts = 10; ///< Those that are counted.
 

@@ -88,7 +88,10 @@ bonedecimate::Options Asked(int count, char** words)
     }
     const bool isFaces = std::strcmp(words[i], "--faces") == 0;
     const bool isError = std::strcmp(words[i], "--error") == 0;
-    Set(options, isFaces ? "TargetNumberOfTriangles" : isError ? "MaximumError" : words[i] + 2,
+    Set(options,
+      isFaces     ? "TargetNumberOfTriangles"
+        : isError ? "MaximumError"
+                  : words[i] + 2,
       words[i + 1]);
   }
   return options;
@@ -100,7 +103,8 @@ void PrintCertificate(const bonedecimate::Surface& input, const bonedecimate::Su
   const bonedecimate::Certificate found = bonedecimate::Certify(input, result);
   const auto& there = found.BorderOfReferenceToResult.Distance;
   const auto& back = found.BorderOfResultToReference.Distance;
-  std::printf("\"proved\": {\"lower\": %.9g, \"upper\": %.9g, \"borders\": %.9g, \"seconds\": %.3f}, ",
+  std::printf(
+    "\"proved\": {\"lower\": %.9g, \"upper\": %.9g, \"borders\": %.9g, \"seconds\": %.3f}, ",
     found.Lower(), found.Upper(), std::max(there.Upper, back.Upper), found.Seconds);
 }
 

@@ -72,7 +72,7 @@ TEST(Doctor, NamesTrianglesOfPointsThatAreNotThere)
 TEST(Doctor, TellsTrianglesWithoutAreaFromThoseWithACornerTwice)
 {
   Surface surface = Icosphere(1, 10.0);
-  surface.Points.push_back(surface.Points[0]);                // equal: a corner twice
+  surface.Points.push_back(surface.Points[0]);                           // equal: a corner twice
   surface.Points.push_back(2.0 * surface.Points[1] - surface.Points[0]); // on a line
   const auto last = static_cast<Index>(surface.Points.size()) - 1;
   surface.Triangles.push_back({ 0, 0, 1 });

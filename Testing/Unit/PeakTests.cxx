@@ -77,7 +77,7 @@ double PeakAfterSweep(const Surface& input, Index faces, double peakWeight)
   CleanSurface cleaned = Clean(input, true);
   SortAlongCurve(cleaned, 1);
   Editor editor(cleaned, Editor::Books{ false, false, true });
-  Sweep(editor, { faces, 0.0, false }, 1, peakWeight).Run([](double) { return true; });
+  Sweep(editor, { faces, 0.0 }, 1, peakWeight).Run([](double) { return true; });
   return LargestDistance(cleaned.Surface, SurfaceOf(editor.Mesh()));
 }
 

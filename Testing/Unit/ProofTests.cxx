@@ -187,7 +187,7 @@ TEST(FaceProof, ProvesNothingThatIsNotSoAndMostOfWhatIs)
     FaceProof proof(mesh);
     std::mt19937 random(5);
     int proved = 0;
-    int shouldBe = 0;
+    int provable = 0;
     int notProved = 0;
     for (int round = 0; round < 200; ++round)
     {
@@ -196,11 +196,11 @@ TEST(FaceProof, ProvesNothingThatIsNotSoAndMostOfWhatIs)
       const bool isProved = proof.Prove(target, face, tree.FindNearest(face[0]).Triangle);
       EXPECT_TRUE(!isProved || farthest <= limit * (1.0 + 1e-12)) << farthest;
       proved += isProved ? 1 : 0;
-      shouldBe += farthest < 0.9 * limit ? 1 : 0;
+      provable += farthest < 0.9 * limit ? 1 : 0;
       notProved += farthest < 0.9 * limit && !isProved ? 1 : 0;
     }
     EXPECT_GT(proved, 20);
-    EXPECT_LT(notProved, 0.2 * shouldBe);
+    EXPECT_LT(notProved, 0.2 * provable);
   }
 }
 

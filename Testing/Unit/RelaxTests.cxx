@@ -44,7 +44,7 @@ public:
     , Back(this->Original)
     , FaceErrors(static_cast<std::size_t>(this->Original.NumberOfFaceSlots()), -1.0F)
   {
-    Sweep(this->Work, { this->Original.NumberOfFaces() / divisor, 0.0, false }, 1).Run(GoOn);
+    Sweep(this->Work, { this->Original.NumberOfFaces() / divisor, 0.0 }, 1).Run(GoOn);
     this->Back.Begin(this->Work.Mesh(), 1, GoOn);
     this->Fit.Distribute(this->Work.Mesh(), this->Work.Reference(), 1, GoOn);
     this->Work.ShareVolumes();

@@ -125,7 +125,7 @@ TEST_P(EachSample, IsInTheListOfExactlyOneFaceAndAllStandForTheWholeArea)
   {
     Editor editor(clean, Editor::Books{ false, false, true });
     const HalfEdgeMesh original = editor.Mesh();
-    Sweep(editor, { original.NumberOfFaces() / divisor, 0.0, false }, 1).Run(GoOn);
+    Sweep(editor, { original.NumberOfFaces() / divisor, 0.0 }, 1).Run(GoOn);
     Samples samples(original);
     ASSERT_TRUE(samples.Distribute(editor.Mesh(), editor.Reference(), 1, GoOn));
     const std::vector<int> one(static_cast<std::size_t>(samples.Count()), 1);
@@ -167,7 +167,7 @@ TEST(Samples, AreWhereverAThreadFoundThemTheSame)
   const CleanSurface clean = Clean(BumpySphere(5, 20.0, 0.05, 8), true);
   Editor editor(clean, Editor::Books{ false, false, true });
   const HalfEdgeMesh original = editor.Mesh();
-  Sweep(editor, { original.NumberOfFaces() / 8, 0.0, false }, 1).Run(GoOn);
+  Sweep(editor, { original.NumberOfFaces() / 8, 0.0 }, 1).Run(GoOn);
   Samples one(original);
   one.Distribute(editor.Mesh(), editor.Reference(), 1, GoOn);
   Samples four(original);
@@ -185,7 +185,7 @@ TEST(BackHints, LeadToTheNearestPlaceOfTheOriginalOnASmoothSurface)
   const CleanSurface clean = Clean(BumpySphere(4, 20.0, 0.02, 8), true);
   Editor editor(clean, Editor::Books{ false, false, true });
   const HalfEdgeMesh original = editor.Mesh();
-  Sweep(editor, { original.NumberOfFaces() / 8, 0.0, false }, 1).Run(GoOn);
+  Sweep(editor, { original.NumberOfFaces() / 8, 0.0 }, 1).Run(GoOn);
   BackHints hints(original);
   ASSERT_TRUE(hints.Begin(editor.Mesh(), 1, GoOn));
   for (Index v = 0; v < editor.Mesh().NumberOfVertexSlots(); ++v)

@@ -205,7 +205,7 @@ TEST_P(RingQuadrics, AreWhatASumAfreshGivesAfterManyCollapses)
   const CleanSurface cleaned = Clean(GetParam().Surface, true);
   Editor editor(cleaned, Editor::Books{ false, false, true });
   const Index faces = editor.Mesh().NumberOfFaces();
-  Sweep(editor, { faces / 4, 0.0, false }, 1).Run([](double) { return true; });
+  Sweep(editor, { faces / 4, 0.0 }, 1).Run([](double) { return true; });
   HalfEdgeMesh afresh = editor.Mesh();
   SumRingQuadrics(afresh, 1);
   for (Index v = 0; v < afresh.NumberOfVertexSlots(); ++v)

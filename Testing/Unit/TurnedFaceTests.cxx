@@ -115,7 +115,7 @@ TEST_P(EveryFace, LooksWhereItLookedAtFirst)
     CleanSurface cleaned = Clean(shape.Surface, true);
     SortAlongCurve(cleaned, 1);
     Editor editor(cleaned, Editor::Books{ mode == Mode::Thesis, true, true });
-    RunIn(editor, mode, { editor.Mesh().NumberOfFaces() / divisor, 0.0, false });
+    RunIn(editor, mode, { editor.Mesh().NumberOfFaces() / divisor, 0.0 });
     EXPECT_GE(LeastFacing(editor.Mesh(), cleaned.Surface), -Rounding) << "one in " << divisor;
   }
 }

@@ -93,7 +93,8 @@ private:
     const std::vector<Vector3>& points = this->Whole.Points;
     this->Look(FindingKind::NonFinitePoints, points.size(),
       [&](std::size_t p) { return !points[p].allFinite(); });
-    this->Look(FindingKind::HugePoints, points.size(), [&](std::size_t p)
+    this->Look(FindingKind::HugePoints, points.size(),
+      [&](std::size_t p)
       { return points[p].allFinite() && points[p].cwiseAbs().maxCoeff() > HugeCoordinate; });
   }
 
@@ -125,8 +126,7 @@ private:
     const std::vector<Triangle>& triangles = this->Whole.Triangles;
     const auto place = [&](Index id) -> const Vector3&
     { return this->Whole.Points[static_cast<std::size_t>(id)]; };
-    const auto repeats = [&](const Triangle& c)
-    {
+    const auto repeats = [&](const Triangle& c) {
       return place(c[0]) == place(c[1]) || place(c[1]) == place(c[2]) || place(c[2]) == place(c[0]);
     };
     this->Look(FindingKind::RepeatedCorners, triangles.size(),
@@ -137,7 +137,8 @@ private:
         const Triangle& c = triangles[t];
         const Vector3 origin = clean.Origin;
         return !repeats(c) &&
-          AreaVector(place(c[0]) - origin, place(c[1]) - origin, place(c[2]) - origin).norm() == 0.0;
+          AreaVector(place(c[0]) - origin, place(c[1]) - origin, place(c[2]) - origin).norm() ==
+          0.0;
       });
   }
 
@@ -184,7 +185,8 @@ private:
     {
       if (copies[i].Corners == copies[i - 1].Corners)
       {
-        this->Add(copies[i].IsTurned == copies[i - 1].IsTurned ? duplicates : opposites, copies[i].Id);
+        this->Add(
+          copies[i].IsTurned == copies[i - 1].IsTurned ? duplicates : opposites, copies[i].Id);
       }
     }
     this->Keep(std::move(duplicates));
@@ -261,7 +263,10 @@ private:
         ++last;
       }
       const std::size_t count = last - first;
-      this->Add(count == 1 ? border : count == 2 ? inconsistent : nonManifold, edges[first].Triangle);
+      this->Add(count == 1 ? border
+          : count == 2     ? inconsistent
+                           : nonManifold,
+        edges[first].Triangle);
       const auto& [from, to] = edges[first].Ends;
       if (count == 1)
       {
@@ -332,7 +337,8 @@ const FindingInfo& InfoOf(FindingKind kind)
   static const std::array<FindingInfo, NumberOfFindingKinds> table = { {
     { "non_finite_points", "points are not finite", "point", Severity::Refused },
     { "huge_points", "points have a coordinate beyond 1e30", "point", Severity::Refused },
-    { "ids_out_of_range", "triangles name a point that is not there", "triangle", Severity::Refused },
+    { "ids_out_of_range", "triangles name a point that is not there", "triangle",
+      Severity::Refused },
     { "repeated_corners", "triangles have the same corner twice", "triangle", Severity::Cleaned },
     { "no_area", "triangles have no area", "triangle", Severity::Cleaned },
     { "duplicates", "triangles repeat an earlier one", "triangle", Severity::Kept },
@@ -345,7 +351,8 @@ const FindingInfo& InfoOf(FindingKind kind)
     { "pinched_points", "points hold parts together that share no edge there", "point",
       Severity::Kept },
     { "open_edges", "edges have one triangle: open borders", "triangle", Severity::Note },
-    { "unwelded_points", "points of a border lie nearly on another border", "point", Severity::Kept },
+    { "unwelded_points", "points of a border lie nearly on another border", "point",
+      Severity::Kept },
     { "components", "connected parts", "", Severity::Note },
     { "odd_size", "the size is not that of a bone in millimetres", "", Severity::Note },
   } };

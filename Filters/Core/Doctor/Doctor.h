@@ -49,7 +49,8 @@ struct Finding
 {
   FindingKind Kind;
   std::int64_t Count = 0;
-  std::vector<Index> First = {}; ///< Ids of the input, ascending: at most FirstFindings points or triangles; see FindingInfo.
+  std::vector<Index>
+    First = {}; ///< Ids of the input, ascending: at most FirstFindings points or triangles; see FindingInfo.
   double Length = std::numeric_limits<double>::quiet_NaN(); ///< mm, where the kind has one
 };
 constexpr std::size_t FirstFindings = 8;

@@ -57,7 +57,8 @@ private:
   static std::uint64_t KeyOf(const Cell& cell)
   {
     return static_cast<std::uint64_t>(cell[0]) * 73856093U ^
-      static_cast<std::uint64_t>(cell[1]) * 19349663U ^ static_cast<std::uint64_t>(cell[2]) * 83492791U;
+      static_cast<std::uint64_t>(cell[1]) * 19349663U ^
+      static_cast<std::uint64_t>(cell[2]) * 83492791U;
   }
 
   const std::vector<Vector3>& Points;
@@ -121,9 +122,9 @@ NearBorders FindNearBorders(
       {
         const bool isOther = other != point &&
           !std::binary_search(neighbours.begin(), neighbours.end(), std::pair(point, other));
-        const double distance = (points[static_cast<std::size_t>(point)] -
-          points[static_cast<std::size_t>(other)])
-                                  .norm();
+        const double distance =
+          (points[static_cast<std::size_t>(point)] - points[static_cast<std::size_t>(other)])
+            .norm();
         least = isOther ? std::min(least, distance) : least;
       });
     if (least <= limit)
