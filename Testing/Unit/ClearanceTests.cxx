@@ -252,17 +252,11 @@ TEST(Clearance, FoldsDoNotCutThroughThemselves)
 {
   const Surface input = BumpySphere(4, 10.0, 0.3, 3);
   ASSERT_EQ(CountCrossings(input), 0);
-  std::int64_t without = 0;
-  for (const double error : { 0.8, 1.5 })
-  {
-    for (const Mode mode : { Mode::Fast, Mode::Balanced })
-    {
-      without += CountCrossings(Decimate(input, Guarded(mode, error, false)).Surface);
-      EXPECT_EQ(CountCrossings(Decimate(input, Guarded(mode, error)).Surface), 0)
-        << WordOf(mode) << " " << error;
-    }
-  }
-  EXPECT_GT(without, 0);
+  const Surface without = Decimate(input, Guarded(Mode::Balanced, 0.8, false)).Surface;
+  const Surface with = Decimate(input, Guarded(Mode::Balanced, 0.8)).Surface;
+  EXPECT_GT(CountCrossings(without), 0);
+  EXPECT_EQ(CountCrossings(with), 0);
+  EXPECT_LT(with.Triangles.size(), input.Triangles.size() / 3);
 }
 
 TEST(Clearance, ASmallFragmentIsNotSwallowed)
@@ -293,7 +287,7 @@ TEST(Clearance, GivesTheSameBytesForAnyNumberOfThreads)
   for (const Mode mode : { Mode::Fast, Mode::Balanced })
   {
     Options options = Guarded(mode, 0.2);
-    options.TargetNumberOfTriangles = 12000; // of 36,864
+    options.TargetNumberOfTriangles = 24000; // of 36,864
     ExpectTheSameBytesForAnyNumberOfThreads(input, options);
   }
 }
