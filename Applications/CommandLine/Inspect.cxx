@@ -6,6 +6,7 @@
 #include "Interruption.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"
+#include "SurfaceFormat.h"
 #include "Words.h"
 
 #include "vtkBoneCheck.h"

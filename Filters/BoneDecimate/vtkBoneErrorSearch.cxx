@@ -127,8 +127,8 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   this->SmallestError = found.Best < 0 ? std::numeric_limits<double>::quiet_NaN()
                                        : found.Trials[static_cast<std::size_t>(found.Best)].Proved;
   this->ErrorTriedInVain = found.TriedInVain;
-  bonedecimate::FillOutput(
-    found.Found, options.Run, converted.IsSingle, input, vtkPolyData::GetData(outputVector, 0));
+  bonedecimate::FillOutput(found.Found, converted, options.Run, converted.IsSingle, input,
+    vtkPolyData::GetData(outputVector, 0));
   FillTable(found.Trials, vtkTable::GetData(outputVector, 1));
   return 1;
 }
