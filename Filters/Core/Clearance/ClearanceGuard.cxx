@@ -311,14 +311,23 @@ bool ClearanceGuard::JumpsOver(const Workspace& work)
 bool ClearanceGuard::Owns(
   const HalfEdgeMesh& mesh, const Patch& change, VertexRange range, Workspace& work) const
 {
-  this->FillPieces(mesh, change, work);
-  this->FindCells(work);
-  return this->Grid.Owns(range, work.Cells);
+  work.KnowsCells = !this->Grid.HoldsAll(range);
+  if (work.KnowsCells)
+  {
+    this->FillPieces(mesh, change, work);
+    this->FindCells(work);
+  }
+  return !work.KnowsCells || this->Grid.Owns(range, work.Cells);
 }
 
 //------------------------------------------------------------------------------
 Verdict ClearanceGuard::Judge(const HalfEdgeMesh& mesh, const Patch& change, Workspace& work) const
 {
+  if (!work.KnowsCells)
+  {
+    this->FillPieces(mesh, change, work);
+    this->FindCells(work);
+  }
   this->FindNear(mesh, change, work);
   const std::size_t meetings = CountMeetings(work.New, work.Near);
   const bool allowed = (meetings == 0 || meetings <= CountMeetings(work.Old, work.Near)) &&

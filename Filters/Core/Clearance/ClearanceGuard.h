@@ -39,13 +39,14 @@ public:
     double Reach;               // mm, how far from it gaps have to be looked after
   };
 
-  /// What one worker needs while it judges; filled by Owns for Judge and Commit.
+  /// What one worker needs while it judges; filled by Owns or Judge for Commit.
   struct Workspace
   {
     std::vector<FaceGrid::Key> OldCells, Cells;
     std::vector<std::size_t> EndsOfOld; // in OldCells, of each face that goes
     std::vector<Index> Faces;
     std::vector<Piece> Old, New, Near;
+    bool KnowsCells = false; ///< Of this edit.
   };
 
   /// Whether all that has to be looked at may be looked at; else a worker of another range has to judge.

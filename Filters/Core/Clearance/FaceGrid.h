@@ -42,6 +42,9 @@ public:
   /// Adds all cells within the reach (mm) of a triangle; none is left out, a few more may be there.
   void AddCells(const TriangleCorners& corners, double reach, std::vector<Key>& cells) const;
 
+  /// Whether the range may look into every cell there is.
+  bool HoldsAll(VertexRange range) const;
+
   /// Whether the range may look into all of them.
   bool Owns(VertexRange range, const std::vector<Key>& cells) const;
 
@@ -85,7 +88,6 @@ private:
   static constexpr Key Free = ~Key(0);
 
   double CellFor(const HalfEdgeMesh& mesh, double least) const;
-  bool HoldsAll(VertexRange range) const;
   std::size_t SlotOf(Key cell) const;
   Cell& FindOrAdd(Key cell);
   void Grow();
