@@ -81,12 +81,12 @@ class SummaryAndReport(ApplicationTest):
         self.assertEqual(self.succeed("in.ply", "out.stl", "--quiet").stdout, "")
 
     def test_warnings_go_to_the_summary_and_the_report(self):
-        points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
-        groups = "g one\nf 1 3 2\ng two\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
-        self.path("in.obj").write_text(points + groups, encoding="ascii")
+        points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 5 0 0\nv 6 0 0\nv 7 0 0\n"
+        triangles = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nf 5 6 7\n"
+        self.path("in.obj").write_text(points + triangles, encoding="ascii")
         text = self.succeed("in.obj", "out.vtp", "--report", "report.json").stdout
-        self.assertRegex(text, r"(?m)^warning: .*GroupIds")
-        self.assertIn("GroupIds", self.report()["warnings"][0])
+        self.assertRegex(text, r"(?m)^warning: .*without area")
+        self.assertIn("without area", self.report()["warnings"][0])
 
     def test_progress_bar_on_a_terminal_only(self):
         write(torus(200, 200), self.path("large.ply"))

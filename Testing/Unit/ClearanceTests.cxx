@@ -287,7 +287,7 @@ TEST(Clearance, GivesTheSameBytesForAnyNumberOfThreads)
   for (const Mode mode : { Mode::Fast, Mode::Balanced })
   {
     Options options = Guarded(mode, 0.2);
-    options.TargetNumberOfTriangles = 24000; // of 36,864
+    options.TargetNumberOfTriangles = 32000; // of 36,864
     ExpectTheSameBytesForAnyNumberOfThreads(input, options);
   }
 }

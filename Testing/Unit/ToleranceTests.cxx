@@ -334,7 +334,7 @@ TEST(Tolerance, GivesTheSameBytesForAnyNumberOfThreads)
   {
     tolerance = tolerance == 0.0 ? 0.0 : -1.0;
   }
-  ExpectTheSameBytesForAnyNumberOfThreads(input, InMode(Mode::Balanced, Triangles(20000)), &map);
+  ExpectTheSameBytesForAnyNumberOfThreads(input, InMode(Mode::Balanced, Triangles(32000)), &map);
 }
 
 TEST(Tolerance, DoesNotDependOnTheUnitOfLength)

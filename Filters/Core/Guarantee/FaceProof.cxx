@@ -3,7 +3,6 @@
 #include "FaceProof.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace bonedecimate
 {
@@ -48,7 +47,10 @@ bool FaceProof::ProvePiece(const WalkedSurface& target, const Piece& piece)
   {
     return false;
   }
-  if (std::isinf(target.Limit(nearest.Nearest)) ||
+  // The distance to one original is a convex function.
+  const auto isWithin = [&](const Vector3& corner)
+  { return target.Distance(corner, nearest.Nearest) <= target.Limit(nearest.Nearest); };
+  if (std::all_of(piece.Corners.begin(), piece.Corners.end(), isWithin) ||
     this->Planes.Prove(piece.Corners, nearest.Nearest, limit))
   {
     return true;
