@@ -11,6 +11,7 @@
 #include "Mesh/SpatialOrder.h"
 #include "Mesh/Statistics.h"
 #include "Relax/RelaxedLoop.h"
+#include "Tolerances.h"
 
 #include <algorithm>
 #include <chrono>
@@ -41,13 +42,14 @@ class Run
 {
 public:
   Run(const Surface& input, const Options& options, const Monitor& monitor, bool inputIsSingle,
-    bool withOrigins)
+    bool withOrigins, const std::vector<double>* tolerances)
     : Input(input)
     , Wanted(options)
     , Outer(monitor)
     , RoundToSingle(options.OutputPointsPrecision == PointsPrecision::Single ||
         (options.OutputPointsPrecision == PointsPrecision::Default && inputIsSingle))
     , WithOrigins(withOrigins)
+    , Given(tolerances)
   {
     this->Answer.Report.Asked = options;
   }
@@ -97,7 +99,12 @@ private:
     report.Status = this->Cleaned.Status;
     report.Cleaning = this->Cleaned.Statistics;
     this->Stage(0.0, CleanedAt)(1.0);
-    if (this->Cleaned.Status == InputStatus::Good)
+    if (report.Status == InputStatus::Good && this->Given != nullptr)
+    {
+      report.Status = CheckTolerances(
+        *this->Given, this->Input.Points.size(), this->Wanted.Mode, report.Cleaning);
+    }
+    if (report.Status == InputStatus::Good)
     {
       report.InputChecksum = Checksum(this->Input, this->Wanted.NumberOfThreads);
       this->Build();
@@ -105,7 +112,7 @@ private:
     }
     this->Stage(CleanedAt, BuiltAt)(1.0);
     report.Seconds.Prepare = SecondsSince(start);
-    return this->Cleaned.Status == InputStatus::Good;
+    return report.Status == InputStatus::Good;
   }
 
   /// In steps that are short enough for somebody who waits; what nobody needs any more is left out.
@@ -121,18 +128,37 @@ private:
     HalfEdgeMesh mesh(this->Cleaned.Surface, threads);
     tell(0.5);
     const bool isThesis = this->Wanted.Mode == Mode::Thesis;
-    const bool isProved = !isThesis && this->Wanted.MaximumError > 0.0;
     const Editor::Books books = { isThesis, isThesis, !isThesis && this->GoesOn };
     this->Work.emplace(std::move(mesh), this->Cleaned, books, threads);
-    if (isProved)
-    {
-      this->Work->ProveEdits(
-        { this->Wanted.MaximumError, this->RoundToSingle, this->Cleaned.Origin }, threads);
-    }
+    this->Limit();
     tell(0.75);
     if (books.Distances && this->GoesOn)
     {
       this->Work->Reference().Tree(threads, [&] { tell(0.75); });
+    }
+  }
+
+  /// What has to be proved, and what stays as it is.
+  void Limit()
+  {
+    const std::vector<double> tolerances =
+      this->Given != nullptr ? TolerancesOf(this->Cleaned, *this->Given) : std::vector<double>();
+    const auto any = [&](auto isSo)
+    { return std::any_of(tolerances.begin(), tolerances.end(), isSo); };
+    const bool hasError = this->Wanted.MaximumError > 0.0;
+    if (this->Wanted.Mode != Mode::Thesis && (hasError || any([](double t) { return t > 0.0; })))
+    {
+      Promise promise;
+      promise.Error = hasError ? this->Wanted.MaximumError : promise.Error;
+      promise.RoundsToSingle = this->RoundToSingle;
+      promise.Origin = this->Cleaned.Origin;
+      promise.Tolerances = tolerances.empty() ? nullptr : &tolerances;
+      this->Work->ProveEdits(promise, this->Wanted.NumberOfThreads);
+    }
+    if (!tolerances.empty())
+    {
+      this->Answer.Report.Cleaning.FrozenPoints = this->Work->Freeze(tolerances);
+      this->IsLimited = !any([](double t) { return t < 0.0; });
     }
   }
 
@@ -151,7 +177,7 @@ private:
 
   StopReason RunLoop(const Monitor& monitor)
   {
-    const Stops stops = StopsOf(this->Wanted, this->Work->Mesh().NumberOfFaces());
+    const Stops stops = StopsOf(this->Wanted, this->Work->Mesh().NumberOfFaces(), this->IsLimited);
     if (this->Wanted.Mode == Mode::Thesis)
     {
       return ThesisLoop(*this->Work, this->Wanted.NormalTolerance, stops).Run(monitor);
@@ -312,6 +338,8 @@ private:
   const Monitor& Outer;
   bool RoundToSingle;
   bool WithOrigins;
+  const std::vector<double>* Given; // mm, tolerances of the input points
+  bool IsLimited = false;           // whether every point has a tolerance
   bool GoesOn = true;
   double Told = 0.0;
   CleanSurface Cleaned;
@@ -322,8 +350,8 @@ private:
 }
 
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor,
-  bool inputIsSingle, bool withOrigins)
+  bool inputIsSingle, bool withOrigins, const std::vector<double>* tolerances)
 {
-  return Run(input, options, monitor, inputIsSingle, withOrigins).Go();
+  return Run(input, options, monitor, inputIsSingle, withOrigins, tolerances).Go();
 }
 }

@@ -6,7 +6,7 @@
  *
  *     cleaned  = Clean(input)                    refuse, merge, drop, count
  *     SortAlongCurve(cleaned)                    neighbours in space become neighbours in memory
- *     mesh     = HalfEdgeMesh(cleaned)           lock what is not manifold
+ *     mesh     = HalfEdgeMesh(cleaned)           lock what is not manifold, freeze what has a tolerance of 0
  *     original = Original(cleaned)               nearest point by a bounding tree, built when needed
  *     ThesisLoop, Sweep or RelaxedLoop           collapse until a stop is reached
  *     result   = Extract(mesh)                   points, triangles, maps
@@ -57,10 +57,12 @@ struct Result
  * @param input Points in mm and triangles; nothing is changed. Anything may be wrong with it: see InputStatus.
  * @param inputIsSingle Whether the input points were single precision (what PointsPrecision::Default means).
  * @param withOrigins Whether to fill Result::Origins, which takes two look-ups for each output point.
+ * @param tolerances mm, of each input point, see Tolerances.h; null: none but MaximumError.
  * @throws std::bad_alloc and nothing else.
  */
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor = {},
-  bool inputIsSingle = false, bool withOrigins = false);
+  bool inputIsSingle = false, bool withOrigins = false,
+  const std::vector<double>* tolerances = nullptr);
 }
 
 #endif

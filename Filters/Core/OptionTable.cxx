@@ -147,7 +147,7 @@ const std::vector<OptionInfo>& OptionTable()
     { "TargetReduction", &Options::TargetReduction, 0, 1, "", "target-reduction", {},
       "Fraction of the triangles to remove; 1 is off, 0 removes none. The default steps back when "
       "a number of triangles "
-      "or a largest error is asked for." },
+      "or a largest error is asked for, or every point has a tolerance." },
     { "MaximumError", &Options::MaximumError, 0, Largest, "mm", "max-error", {},
       "Largest distance in both directions, proved: no point of the input is farther from the "
       "result, and no point of the result farther from the input, open borders curve to curve; 0 "
@@ -181,6 +181,12 @@ const std::vector<OptionInfo>& OptionTable()
       "Name of the array of how many input points each output point stands for." },
     { "InputDistanceArrayName", &Options::InputDistanceArrayName, 0, 0, "", "", {},
       "Name of the array of the distance of each input point to the result, in mm." },
+    { "ToleranceArrayName", &Options::ToleranceArrayName, 0, 0, "", "tolerance-array", {},
+      "Name of a point array of the input, of any type of number, with how far the surface may "
+      "move "
+      "at each point, in mm: 0 freezes the point with all triangles at it, negative is no limit of "
+      "its own, in between it is a largest error there, linear on each triangle and proved like "
+      "MaximumError, which caps it. Empty is none. Thesis takes only 0 and negative ones." },
   };
   return table;
 }

@@ -44,6 +44,7 @@ struct Options
   std::string RunningErrorArrayName = "RunningError";
   std::string PointCountArrayName = "InputPointCount";
   std::string InputDistanceArrayName = "DistanceToResult";
+  std::string ToleranceArrayName;
 
   /// Set by whoever sets TargetReduction. While it is false, the default reduction steps back as soon as a
   /// number of triangles or a largest error is asked for.

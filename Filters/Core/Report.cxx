@@ -25,7 +25,8 @@ const char* StopReasonSentence(StopReason reason)
   static const char* const sentences[] = { "Nothing was run.",
     "The number of triangles asked for was reached.", "The largest error asked for was reached.",
     "The input already had no more triangles than asked for.",
-    "No further collapse is allowed: topology, borders, fragments or orientation would change.",
+    "No further collapse is allowed: topology, borders, fragments, orientation or what is frozen "
+    "would change.",
     "The run was aborted; the surface is valid but larger than asked for." };
   return sentences[static_cast<int>(reason)];
 }
@@ -33,7 +34,7 @@ const char* StopReasonSentence(StopReason reason)
 const char* VerdictWord(Verdict verdict)
 {
   static const char* const words[] = { "allowed", "non_manifold", "border", "link_condition",
-    "fragment", "flip", "degenerate", "too_far" };
+    "fragment", "flip", "degenerate", "too_far", "frozen" };
   return words[static_cast<int>(verdict)];
 }
 
@@ -62,6 +63,14 @@ std::string InputMessage(const Report& report)
     case InputStatus::TooManyTriangles:
       return "the input has " + std::to_string(found.TrianglesRead) +
         " triangles; 536870911 is the most";
+    case InputStatus::BadTolerances:
+      return found.BadTolerances == 0
+        ? "there is not one tolerance for each point"
+        : Found(found.BadTolerances, "points have a NaN or infinite tolerance", "point",
+            found.FirstBadTolerance);
+    case InputStatus::TolerancesInThesis:
+      return "Thesis mode proves no distances: its tolerances can only be 0 (frozen) or negative "
+             "(no limit)";
   }
   return {};
 }

@@ -20,12 +20,14 @@ namespace bonedecimate
 enum class InputStatus : int
 {
   Good = 0,
-  Empty,           ///< No points and no triangles: the result is empty, too.
-  NoTriangles,     ///< Points, but no triangle of positive area.
-  NonFinitePoints, ///< NaN or infinite coordinates.
-  HugeCoordinates, ///< Beyond 1e30: products of areas would overflow.
-  IndexOutOfRange, ///< A triangle names a point that is not there.
-  TooManyTriangles ///< More than 2^31 / 4 triangles.
+  Empty,             ///< No points and no triangles: the result is empty, too.
+  NoTriangles,       ///< Points, but no triangle of positive area.
+  NonFinitePoints,   ///< NaN or infinite coordinates.
+  HugeCoordinates,   ///< Beyond 1e30: products of areas would overflow.
+  IndexOutOfRange,   ///< A triangle names a point that is not there.
+  TooManyTriangles,  ///< More than 2^31 / 4 triangles.
+  BadTolerances,     ///< NaN or infinite, or not one for each point.
+  TolerancesInThesis ///< Thesis mode proves nothing: only 0 and no limit.
 };
 
 /// Why the collapse ended.
@@ -50,9 +52,10 @@ enum class Verdict : int
   Flip,          ///< A triangle would turn over.
   Degenerate,    ///< A triangle would have no area left.
   TooFar,        ///< It could not be proved that everything stays within the largest error.
+  Frozen,        ///< An end or corner stays as it is because its tolerance, or a neighbour's, is 0.
   Elsewhere      ///< Not refused: a worker of another part of the mesh has to do it.
 };
-constexpr std::size_t NumberOfVerdicts = 8; ///< Those that are counted.
+constexpr std::size_t NumberOfVerdicts = 9; ///< Those that are counted.
 
 struct SurfaceStatistics
 {
@@ -83,6 +86,9 @@ struct CleaningStatistics
   std::int64_t FirstDroppedTriangle = -1;
   std::int64_t LockedPoints = 0; ///< On non-manifold edges or pinched.
   std::int64_t FirstLockedPoint = -1;
+  std::int64_t BadTolerances = 0; ///< NaN or infinite.
+  std::int64_t FirstBadTolerance = -1;
+  std::int64_t FrozenPoints = 0; ///< Points, after merging, whose tolerance leaves them no room.
 };
 
 /// Distances of one surface to another, mm.
@@ -128,8 +134,9 @@ struct Report
   bool BordersMeasured = false; ///< With the distances, if both surfaces have open borders.
   BorderDistance BorderOutputToInput;
   BorderDistance BorderInputToOutput;
-  /// mm, the thesis's maxError: largest distance of a new vertex to the input. Not a number if none was looked up, which
-  /// is so in every mode but Thesis without MaximumError, MeasureDistances and origins; the tables then leave it out.
+  /// mm, the thesis's maxError: largest distance of a new vertex to the input, along the collapses in mode Thesis, at the
+  /// end in the others. Not a number where none was looked up, which is so in these without MeasureDistances and origins;
+  /// the tables then leave it out.
   double RunningError = 0.0;
   std::int64_t Collapses = 0;
   std::array<std::int64_t, NumberOfVerdicts> Refusals{}; ///< By Verdict; [Allowed] stays 0.

@@ -36,6 +36,7 @@ void AddCleaning(Entries& entries, const Report& report)
   entries.push_back({ "input.first_dropped_triangle", "", found.FirstDroppedTriangle });
   entries.push_back({ "input.locked_points", "", found.LockedPoints });
   entries.push_back({ "input.first_locked_point", "", found.FirstLockedPoint });
+  entries.push_back({ "input.frozen_points", "", found.FrozenPoints });
   char checksum[32];
   std::snprintf(checksum, sizeof(checksum), "fnv1a64:%016llx",
     static_cast<unsigned long long>(report.InputChecksum));

@@ -10,13 +10,10 @@
  * never installed. CGAL counts edges and a collapse takes three, or two at a border: it is stopped at the first edge count
  * that goes with the faces asked for on a surface without border, and ends somewhat lower on an open one.
  */
+#include "CgalMesh.h"
 #include "Meter.h"
-#include "TriangleFile.h"
 
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/version.h>
@@ -30,27 +27,6 @@ namespace
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 namespace Simplification = CGAL::Surface_mesh_simplification;
-
-Mesh ReadMesh(const char* path)
-{
-  std::vector<Point> points;
-  std::vector<std::vector<std::size_t>> polygons;
-  {
-    const Triangles read = ReadPly(path);
-    for (const auto& x : read.Points)
-    {
-      points.emplace_back(x[0], x[1], x[2]);
-    }
-    for (const auto& corners : read.Corners)
-    {
-      polygons.emplace_back(corners.begin(), corners.end());
-    }
-  }
-  CGAL::Polygon_mesh_processing::orient_polygon_soup(points, polygons);
-  Mesh mesh;
-  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, polygons, mesh);
-  return mesh;
-}
 
 Triangles ToTriangles(Mesh& mesh)
 {
@@ -85,7 +61,7 @@ int main(int argumentCount, char** words)
   try
   {
     Meter meter;
-    Mesh mesh = ReadMesh(words[1]);
+    Mesh mesh = MeshOf<Point>(ReadPly(words[1]));
     const auto edges = static_cast<std::size_t>(1.5 * std::atof(words[3]));
     meter.Start();
     Simplification::edge_collapse(mesh, Simplification::Count_stop_predicate<Mesh>(edges));

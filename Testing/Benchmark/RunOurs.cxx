@@ -4,17 +4,19 @@
  * @file RunOurs.cxx
  * @brief One decimation by this project in a process of its own: the benchmark's contestant.
  *
- *     bonedecimate-run INPUT.ply OUTPUT.ply THROUGH MODE THREADS [--faces N] [--error MM] [--kernels NAME]
+ *     bonedecimate-run INPUT.ply OUTPUT.ply THROUGH MODE THREADS [--faces N] [--error MM] [--kernels NAME] [--NAME VALUE]
  *     bonedecimate-run --modes
  *     bonedecimate-run --kernels
  *
- * THROUGH is core (the VTK-free call) or filter (vtkBoneDecimate, conversions included); MeasureDistances is off.
+ * THROUGH is core (the VTK-free call) or filter (vtkBoneDecimate, conversions included); MeasureDistances is off. NAME is
+ * that of an option of the core. With an error, core has the result judged by the certificate, beyond the clock.
  * Prints JSON; --modes prints the modes that there are, --kernels the sets of kernels that this processor runs,
  * a line each.
  */
 #include "Meter.h"
 #include "TriangleFile.h"
 
+#include "Certificate/Certificate.h"
 #include "Decimate.h"
 #include "Kernels/Kernels.h"
 #include "OptionTable.h"
@@ -29,6 +31,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -84,9 +87,21 @@ bonedecimate::Options Asked(int count, char** words)
       continue;
     }
     const bool isFaces = std::strcmp(words[i], "--faces") == 0;
-    Set(options, isFaces ? "TargetNumberOfTriangles" : "MaximumError", words[i + 1]);
+    const bool isError = std::strcmp(words[i], "--error") == 0;
+    Set(options, isFaces ? "TargetNumberOfTriangles" : isError ? "MaximumError" : words[i] + 2,
+      words[i + 1]);
   }
   return options;
+}
+
+/// Which knows nothing of how the result was made.
+void PrintCertificate(const bonedecimate::Surface& input, const bonedecimate::Surface& result)
+{
+  const bonedecimate::Certificate found = bonedecimate::Certify(input, result);
+  const auto& there = found.BorderOfReferenceToResult.Distance;
+  const auto& back = found.BorderOfResultToReference.Distance;
+  std::printf("\"proved\": {\"lower\": %.9g, \"upper\": %.9g, \"borders\": %.9g, \"seconds\": %.3f}, ",
+    found.Lower(), found.Upper(), std::max(there.Upper, back.Upper), found.Seconds);
 }
 
 Triangles RunCore(const char* input, const bonedecimate::Options& options, Meter& meter)
@@ -104,6 +119,10 @@ Triangles RunCore(const char* input, const bonedecimate::Options& options, Meter
   meter.Start();
   const bonedecimate::Result result = bonedecimate::Decimate(surface, options, {}, true);
   meter.Stop();
+  if (options.MaximumError > 0.0)
+  {
+    PrintCertificate(surface, result.Surface);
+  }
   Triangles written;
   for (const auto& point : result.Surface.Points)
   {
@@ -187,10 +206,11 @@ void Run(int count, char** words)
   Meter meter;
   const bonedecimate::Options options = Asked(count, words);
   const bool isCore = std::strcmp(words[3], "core") == 0;
+  std::printf("{");
   const Triangles result =
     isCore ? RunCore(words[1], options, meter) : RunFilter(words[1], options, meter);
   WritePly(words[2], result, Coordinates::Double);
-  std::printf("{\"triangles\": %zu, \"checksum\": \"%016llx\", \"version\": \"%s\", ",
+  std::printf("\"triangles\": %zu, \"checksum\": \"%016llx\", \"version\": \"%s\", ",
     result.Corners.size(), static_cast<unsigned long long>(Checksum(result)),
     bonedecimate::Version());
   meter.Print();

@@ -9,13 +9,10 @@
  * Prints JSON. CGAL's figure is the distance in each direction but for the error. Both use one thread.
  */
 #include "Certificate/Certificate.h"
-#include "TriangleFile.h"
+#include "CgalMesh.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <chrono>
 #include <cstdio>
@@ -25,31 +22,11 @@
 namespace
 {
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
 using Clock = std::chrono::steady_clock;
 
 double SecondsSince(Clock::time_point start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Where the surface is not manifold its points are repeated, which moves nothing.
-Mesh MeshOf(const Triangles& triangles)
-{
-  std::vector<Point> points;
-  for (const auto& [x, y, z] : triangles.Points)
-  {
-    points.emplace_back(x, y, z);
-  }
-  std::vector<std::vector<std::size_t>> polygons;
-  for (const auto& corners : triangles.Corners)
-  {
-    polygons.emplace_back(corners.begin(), corners.end());
-  }
-  CGAL::Polygon_mesh_processing::orient_polygon_soup(points, polygons);
-  Mesh mesh;
-  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, polygons, mesh);
-  return mesh;
 }
 
 bonedecimate::Surface SurfaceOf(const Triangles& triangles)
@@ -78,8 +55,8 @@ void PrintOurs(const Triangles& reference, const Triangles& result)
 
 void PrintCgal(const Triangles& reference, const Triangles& result, double error)
 {
-  const Mesh one = MeshOf(reference);
-  const Mesh two = MeshOf(result);
+  const auto one = MeshOf<Point>(reference);
+  const auto two = MeshOf<Point>(result);
   namespace Processing = CGAL::Polygon_mesh_processing;
   const Clock::time_point start = Clock::now();
   const double there =

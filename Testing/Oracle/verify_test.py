@@ -4,19 +4,13 @@
 
 import json
 import os
-import pathlib
-import struct
 import subprocess
-import tempfile
 import unittest
+
+from surface_files import WithFiles, square
 
 PROGRAM = os.environ["VERIFY_PROGRAM"]
 TETRAHEDRON = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
-
-
-def square(z, size=10.0):
-    """Two triangles over the square from 0 to size at height z."""
-    return [(0, 0, z), (size, 0, z), (size, size, z), (0, size, z)], [(0, 1, 2), (0, 2, 3)]
 
 
 def tetrahedron(shift=0.0):
@@ -32,22 +26,7 @@ def together(*surfaces):
     return points, triangles
 
 
-class Verify(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
-    def write(self, name, surface):
-        points, triangles = surface
-        axes = "".join(f"property double {axis}\n" for axis in "xyz")
-        head = (f"ply\nformat binary_little_endian 1.0\nelement vertex {len(points)}\n{axes}"
-                f"element face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header\n")
-        body = b"".join(struct.pack("<3d", *point) for point in points)
-        body += b"".join(struct.pack("<B3i", 3, *corners) for corners in triangles)
-        (self.folder / name).write_bytes(head.encode() + body)
-        return self.folder / name
-
+class Verify(WithFiles):
     def ask(self, *words):
         done = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, check=True)
         return json.loads(done.stdout)

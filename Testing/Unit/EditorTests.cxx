@@ -17,23 +17,6 @@ namespace
 {
 constexpr double Tolerance = 0.95;
 
-Surface SurfaceOf(const HalfEdgeMesh& mesh)
-{
-  Surface surface;
-  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
-  {
-    surface.Points.push_back(mesh.Position(v));
-  }
-  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
-  {
-    if (mesh.IsAlive(face))
-    {
-      surface.Triangles.push_back(mesh.Corners(face));
-    }
-  }
-  return surface;
-}
-
 /// Runs the loop as far as it goes and calls check(editor, edit) after every collapse.
 StopReason RunToTheEnd(const Surface& surface, const Editor::Hook& check)
 {

@@ -71,23 +71,6 @@ double LargestDistance(const Surface& from, const Surface& to)
   return std::sqrt(largest);
 }
 
-Surface SurfaceOf(const HalfEdgeMesh& mesh)
-{
-  Surface surface;
-  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
-  {
-    surface.Points.push_back(mesh.Position(v));
-  }
-  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
-  {
-    if (mesh.IsAlive(face))
-    {
-      surface.Triangles.push_back(mesh.Corners(face));
-    }
-  }
-  return surface;
-}
-
 /// mm, from the points of the original to what is left of them.
 double PeakAfterSweep(const Surface& input, Index faces, double peakWeight)
 {

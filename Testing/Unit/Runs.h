@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -69,18 +70,44 @@ inline std::string WordOf(Mode mode)
     static_cast<std::size_t>(mode));
 }
 
+/// Without what decimation drops before it begins: what was dropped may be farther away than anything.
+inline bool CanBeJudged(const Surface& input)
+{
+  const Report report = Decimate(input, Triangles(std::numeric_limits<int>::max())).Report;
+  return report.Status == InputStatus::Good && report.Cleaning.DroppedTriangles == 0;
+}
+
 /// Those of one thread from more.
-inline void ExpectTheSameBytesForAnyNumberOfThreads(const Surface& input, Options options)
+inline void ExpectTheSameBytesForAnyNumberOfThreads(
+  const Surface& input, Options options, const std::vector<double>* tolerances = nullptr)
 {
   options.NumberOfThreads = 1;
-  const Surface expected = Decimate(input, options).Surface;
+  const Surface expected = Decimate(input, options, {}, false, false, tolerances).Surface;
   for (const int threads : { 2, 4, 8 })
   {
     options.NumberOfThreads = threads;
-    EXPECT_TRUE(SameBytes(Decimate(input, options).Surface, expected))
+    EXPECT_TRUE(SameBytes(Decimate(input, options, {}, false, false, tolerances).Surface, expected))
       << WordOf(options.Mode) << " on " << threads << " threads, " << expected.Triangles.size()
       << " triangles left";
   }
+}
+
+/// With all points, those too that are used no more.
+inline Surface SurfaceOf(const HalfEdgeMesh& mesh)
+{
+  Surface surface;
+  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    surface.Points.push_back(mesh.Position(v));
+  }
+  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    if (mesh.IsAlive(face))
+    {
+      surface.Triangles.push_back(mesh.Corners(face));
+    }
+  }
+  return surface;
 }
 
 /// Every half-edge of a mesh, or every n-th of them.

@@ -86,6 +86,13 @@ public:
       answer.Excess = this->Find(values, progress.Next(0.5 * share));
       answer.Verdict = Judge(answer.Excess, 0.0);
     }
+    if (answer.Verdict == CertificateVerdict::Undecided && progress.GoesOn())
+    {
+      // What did not move, with a tolerance of 0, has an excess of exactly 0: no gap is allowed above it.
+      this->Goal.Decides = true;
+      Tighten(answer.Excess, this->Find(values, progress.Next(0.0)));
+      answer.Verdict = Judge(answer.Excess, 0.0);
+    }
   }
 
 private:

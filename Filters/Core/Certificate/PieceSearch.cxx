@@ -32,7 +32,8 @@ PieceSearch::PieceSearch(const Simplices& source, const Target& target, const Po
 double PieceSearch::Goal() const
 {
   const double limit = this->Wanted.CloseBelow;
-  if (this->Most.Value + 2.0 * this->Wanted.Slack <= limit)
+  const double room = this->Wanted.Decides ? 0.0 : 2.0 * this->Wanted.Slack;
+  if (this->Most.Value + room <= limit)
   {
     return limit;
   }
@@ -97,9 +98,9 @@ bool PieceSearch::CloseAsSame(const Piece& whole)
   for (int i = 0; i < whole.Count; ++i)
   {
     const PieceCorner& corner = whole.Corners[i];
-    if (corner.Value + this->To.Tolerance(corner.Nearest) != 0.0)
+    if (!this->To.HasTolerances() && corner.Value != 0.0)
     {
-      return false;
+      return false; // with tolerances the value is that of a simplex which need not be the same
     }
     places[i] = corner.Place;
     leastTolerance = std::min(leastTolerance, corner.Tolerance);

@@ -43,6 +43,7 @@ struct SearchGoal
   double LeastGap = 0.0;    ///< mm; several slacks at least, or nothing is ever closed
   double Slack = 0.0;       ///< mm; see Slack()
   double Scale = 0.0;       ///< mm; added to the bound of which the gap is a share
+  bool Decides = false; ///< Close nothing above CloseBelow as long as nothing was found above it.
   std::int64_t MostCuts = 0;
   int NumberOfThreads = 0;
 };

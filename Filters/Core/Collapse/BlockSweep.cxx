@@ -23,7 +23,7 @@ void BlockSweep::RenewAll(Index first, Index last)
   this->Task.Vertices.Last = mesh.NumberOfVertexSlots();
   for (Index v = first; v < last; ++v)
   {
-    if (mesh.Outgoing(v) != None && mesh.Kind(v) != VertexKind::Locked && this->Known.TakeChange(v))
+    if (mesh.Outgoing(v) != None && !mesh.IsFixed(v) && this->Known.TakeChange(v))
     {
       this->Renew(v);
     }
@@ -272,7 +272,7 @@ void BlockSweep::AfterCollapse(const Edit& edit, Index gone)
       [&](Index h)
       {
         const Index other = mesh.Across(h, edit.Keep);
-        if (mesh.Kind(other) != VertexKind::Locked)
+        if (!mesh.IsFixed(other))
         {
           this->Renew(other);
         }

@@ -8,6 +8,8 @@
 #include "RingQuadrics.h"
 #include "SmallEdits.h"
 
+#include <algorithm>
+
 namespace bonedecimate
 {
 namespace
@@ -58,6 +60,27 @@ const HalfEdgeMesh& Editor::KeepFirst()
 void Editor::ProveEdits(const Promise& promise, int threads)
 {
   this->Guard = std::make_unique<Guarantee>(this->KeepFirst(), this->Source.Tree(threads), promise);
+}
+
+//------------------------------------------------------------------------------
+Index Editor::Freeze(const std::vector<double>& tolerances)
+{
+  const auto isFrozen = [&](Index v)
+  { return this->Guard ? !(this->Guard->LimitAt(v) > 0.0) : tolerances[v] == 0.0; };
+  for (Index face = 0; face < this->Half.NumberOfFaceSlots(); ++face)
+  {
+    const Triangle corners = this->Half.Corners(face);
+    if (std::any_of(corners.begin(), corners.end(), isFrozen))
+    {
+      std::for_each(corners.begin(), corners.end(), [this](Index v) { this->Half.Freeze(v); });
+    }
+  }
+  Index count = 0;
+  for (Index v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
+  {
+    count += isFrozen(v) ? 1 : 0;
+  }
+  return count;
 }
 
 //------------------------------------------------------------------------------

@@ -4,9 +4,12 @@
  * @file Editor.h
  * @brief The one choke point through which every change of the mesh goes.
  *
- *     Apply(collapse):           Gate.h (ends, topology, place), fragment  ->  mesh
+ *     Apply(collapse):           Gate.h (ends, topology, place), fragment, proof  ->  mesh  ->  proof kept
  *                                ->  bookkeeping (areas, quadrics, origins, volumes, counts, hook)
- *     ApplySmall(flip or move):  SmallEdits.h, fragment  ->  mesh  ->  volumes beyond the vertex's share, hook
+ *     ApplySmall(flip or move):  SmallEdits.h, fragment, proof  ->  mesh  ->  proof kept
+ *                                ->  volumes beyond the vertex's share, hook
+ *
+ * The proof (ProveEdits, Guard, Guarantee.h) comes last because it costs most; without a promise there is none.
  *
  * Gate and bookkeeping of a kind of edit are the same in every mode. Flips and moves remove nothing: they have rules of
  * their own and leave areas, quadrics, origins and counts as they are. Workers with a workspace each may apply edits at
@@ -40,8 +43,7 @@ public:
   /// What is kept beside the mesh, none of it for free.
   struct Books
   {
-    bool Distances =
-      true; ///< Look up every new vertex on the original: needed for an error to stop at.
+    bool Distances = true; ///< Look up every new vertex on the original: the error of mode Thesis.
     bool Areas = true;     ///< Area and normal of each face.
     bool Quadrics = false; ///< Collapse/RingQuadrics.h: the Quadric of each vertex record.
   };
@@ -57,6 +59,9 @@ public:
 
   /// From now on every edit is proved; before the first edit.
   void ProveEdits(const Promise& promise, int threads);
+  /// What has a tolerance of 0, or one too small to be proved, stays from now on, with all its faces: before the first
+  /// edit and after ProveEdits.  @param tolerances Of each vertex, mm.  @return How many vertices that is.
+  Index Freeze(const std::vector<double>& tolerances);
   bool IsGuaranteed() const { return this->Guard != nullptr; }
   /// Whether an edit was refused because nobody could prove it.
   bool MetItsLimit() const

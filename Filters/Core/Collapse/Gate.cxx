@@ -29,6 +29,10 @@ Verdict JudgeEnds(const HalfEdgeMesh& mesh, Index edge)
   {
     return Verdict::NonManifold;
   }
+  if (start == VertexKind::Frozen || end == VertexKind::Frozen)
+  {
+    return Verdict::Frozen;
+  }
   const bool bothOnBorder = start == VertexKind::Border && end == VertexKind::Border;
   return bothOnBorder && mesh.Twin(edge) != None ? Verdict::Border : Verdict::Allowed;
 }

@@ -15,7 +15,7 @@
 
 namespace bonedecimate
 {
-/// Locked ends, and edges inside that join two border vertices: collapsing those would pinch the surface.
+/// Locked or frozen ends, and edges inside that join two border vertices: collapsing those would pinch the surface.
 Verdict JudgeEnds(const HalfEdgeMesh& mesh, Index edge);
 
 /// Link condition and the least size of fragments.

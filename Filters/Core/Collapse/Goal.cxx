@@ -12,20 +12,21 @@ namespace
 constexpr double ProgressStep = 0.005;
 }
 
-Stops StopsOf(const Options& options, Index faces)
+Stops StopsOf(const Options& options, Index faces, bool isLimited)
 {
-  const bool anyOther = options.TargetNumberOfTriangles > 0 || options.MaximumError > 0.0;
+  const bool anyOther =
+    isLimited || options.TargetNumberOfTriangles > 0 || options.MaximumError > 0.0;
   const bool reduce =
     options.TargetReduction < 1.0 && (options.TargetReductionIsExplicit || !anyOther);
   const Index byReduction =
     reduce ? static_cast<Index>(std::floor(faces * (1.0 - options.TargetReduction) + 0.5)) : 0;
-  const bool both = options.Mode == Mode::Thesis;
+  const double error = options.Mode == Mode::Thesis ? options.MaximumError : 0.0;
   Index number = std::max(options.TargetNumberOfTriangles, byReduction);
-  if (both && number == 0 && !reduce && options.MaximumError > 0.0)
+  if (error > 0.0 && number == 0 && !reduce)
   {
     number = faces; // an error alone: no number has to be reached
   }
-  return { number, both ? options.MaximumError : 0.0, both };
+  return { number, error };
 }
 
 //------------------------------------------------------------------------------
@@ -39,18 +40,14 @@ Goal::Goal(const Editor& editor, const Stops& stops)
 //------------------------------------------------------------------------------
 bool Goal::ErrorIsReached() const
 {
-  return this->Wanted.Error > 0.0 && this->Work.Reference().LargestError() >= this->Wanted.Error;
+  return this->Work.Reference().LargestError() >= this->Wanted.Error;
 }
 
 //------------------------------------------------------------------------------
 bool Goal::IsReached() const
 {
-  const bool faces = this->Work.Mesh().NumberOfFaces() <= this->Wanted.Faces;
-  if (this->Wanted.Both && this->Wanted.Error > 0.0)
-  {
-    return faces && this->ErrorIsReached();
-  }
-  return faces || this->ErrorIsReached();
+  return this->Work.Mesh().NumberOfFaces() <= this->Wanted.Faces &&
+    (this->Wanted.Error == 0.0 || this->ErrorIsReached());
 }
 
 //------------------------------------------------------------------------------
@@ -60,7 +57,7 @@ StopReason Goal::Reason() const
   {
     return StopReason::AlreadySatisfied;
   }
-  return this->ErrorIsReached() ? StopReason::ErrorReached : StopReason::TargetReached;
+  return this->Wanted.Error > 0.0 ? StopReason::ErrorReached : StopReason::TargetReached;
 }
 
 //------------------------------------------------------------------------------

@@ -14,13 +14,15 @@ namespace bonedecimate
 {
 struct Stops
 {
-  Index Faces = 0;    ///< A number of triangles to come down to.
-  double Error = 0.0; ///< mm, a distance of a new vertex to the original to reach; 0: no such wish.
-  bool Both = false;  ///< The thesis wants both reached, everything else ends at the first.
+  Index Faces = 0; ///< A number of triangles to come down to.
+  /// mm, mode Thesis alone: a distance of a new vertex to the original that has to be reached as well; 0: no such wish.
+  double Error = 0.0;
 };
 
-/// What the options ask for on a surface of that many faces; a default reduction steps back for other wishes.
-Stops StopsOf(const Options& options, Index faces);
+/// What the options ask for on a surface of that many faces; a default reduction steps back for other wishes. In the
+/// modes that prove their largest error that is no stop: the guarantee refuses what is beyond it.
+/// @param isLimited Whether every point has a tolerance: such a wish, too.
+Stops StopsOf(const Options& options, Index faces, bool isLimited = false);
 
 class Goal
 {

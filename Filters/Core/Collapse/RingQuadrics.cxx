@@ -156,7 +156,7 @@ void SumRingQuadrics(HalfEdgeMesh& mesh, int threads)
       RingSum sum(mesh);
       for (Index v = static_cast<Index>(first); v < static_cast<Index>(last); ++v)
       {
-        if (mesh.Outgoing(v) != None && mesh.Kind(v) != VertexKind::Locked)
+        if (mesh.Outgoing(v) != None && !mesh.IsFixed(v))
         {
           mesh.Quadric(v) = sum.At(v);
         }

@@ -39,12 +39,19 @@ bool IsNeedle(const Face& after, double quality)
     (after.Quality < LeastQualityOfSmallEdit && after.Quality < quality);
 }
 
+Verdict VerdictOfFixed(VertexKind kind)
+{
+  return kind == VertexKind::Frozen ? Verdict::Frozen : Verdict::NonManifold;
+}
+
 Verdict JudgeFlipTopology(const HalfEdgeMesh& mesh, const std::array<Index, 4>& corners)
 {
-  if (std::any_of(corners.begin(), corners.end(),
-        [&](Index v) { return mesh.Kind(v) == VertexKind::Locked; }))
+  for (const Index corner : corners)
   {
-    return Verdict::NonManifold;
+    if (mesh.IsFixed(corner))
+    {
+      return VerdictOfFixed(mesh.Kind(corner));
+    }
   }
   bool joined = corners[2] == corners[3];
   mesh.VisitEdges(
@@ -109,7 +116,7 @@ Verdict JudgeMove(
 {
   if (mesh.Kind(vertex) != VertexKind::Inside)
   {
-    return mesh.Kind(vertex) == VertexKind::Border ? Verdict::Border : Verdict::NonManifold;
+    return mesh.IsFixed(vertex) ? VerdictOfFixed(mesh.Kind(vertex)) : Verdict::Border;
   }
   Vector3 ring = Vector3::Zero(); // mm^2
   for (const Index h : mesh.OutgoingOf(vertex))

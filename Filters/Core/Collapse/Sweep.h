@@ -15,6 +15,15 @@
  *     sweep the whole mesh as one block, without a limit, down to the exact number                       the tail
  *     not there yet:  from the beginning, unless nothing has been collapsed since the keys were new
  *
+ * Where every edit is proved (Guarantee), nobody knows beforehand where it will end:
+ *
+ *     pass 0:   the limit lies at half of the vertices, then rises by four octaves at a time:  a round each, as above
+ *               one edge of a vertex at its best place; what cannot be proved waits for the next pass
+ *     pass 1 and later:  a round without a limit
+ *               all edges of a vertex, each at its best place, in its middle and at its ends
+ *     after each pass what blocks left is swept as one block, and only vertices near a change get new keys
+ *     end:      a pass takes away less than one face in 128 (LeastOfPass), or what is wanted is reached
+ *
  * Limits, blocks and allowances are fixed before a pass over the blocks and depend on the mesh alone, so that the
  * number of threads changes the time and not the result. No round aims past the limit where the final one will lie:
  * that would be cheaper and cost several percent of accuracy. An error to stop at needs the one true order, and small

@@ -85,7 +85,7 @@ bool ThesisLoop::CollapseEdge(Index edge)
 //------------------------------------------------------------------------------
 void ThesisLoop::Recost(Index vertex)
 {
-  if (this->Work.Mesh().Kind(vertex) != VertexKind::Locked)
+  if (!this->Work.Mesh().IsFixed(vertex))
   {
     this->Queue.Set(vertex, this->Costs.VertexCost(vertex));
   }

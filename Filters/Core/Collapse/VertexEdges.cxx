@@ -16,7 +16,7 @@ constexpr float Never = std::numeric_limits<float>::infinity();
 /// An open border moves only along itself.
 Freedom FreedomOf(VertexKind first, VertexKind second, bool isBorderEdge)
 {
-  if (second == VertexKind::Locked)
+  if (second == VertexKind::Locked || second == VertexKind::Frozen)
   {
     return Freedom::Nowhere;
   }

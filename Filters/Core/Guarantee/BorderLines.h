@@ -24,6 +24,9 @@ public:
   BorderProof::Segment Ends(Index edge) const;
   double Distance(const Vector3& p, Index edge) const; ///< mm
 
+  /// The edges before and after; None at the line's ends and at vertices that are locked.
+  const std::array<Index, 2>& NeighboursOf(Index edge) const { return this->Neighbours[edge]; }
+
   /// Along the line while the distance falls.
   Index WalkFrom(const Vector3& p, Index edge) const;
 
@@ -33,8 +36,7 @@ public:
 private:
   const HalfEdgeMesh& Mesh;
   std::vector<Index> Edges; // half-edges
-  std::vector<std::array<Index, 2>>
-    Neighbours; // the edges before and after; None at vertices that are locked
+  std::vector<std::array<Index, 2>> Neighbours;
 };
 }
 

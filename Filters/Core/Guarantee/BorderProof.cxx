@@ -13,12 +13,13 @@ double BorderProof::SquaredReach(const Segment& segment, const Vector3& p)
 }
 
 //------------------------------------------------------------------------------
-std::size_t BorderProof::SharedBy(const Segment& piece, double limit) const
+std::size_t BorderProof::SharedBy(const Piece& piece) const
 {
+  const auto isNear = [&piece](const Segment& candidate, std::size_t end)
+  { return SquaredReach(candidate, piece.Ends[end]) <= piece.Limits[end] * piece.Limits[end]; };
   std::size_t i = 0;
   while (i < this->Candidates.size() &&
-    (SquaredReach(this->Candidates[i], piece[0]) > limit * limit ||
-      SquaredReach(this->Candidates[i], piece[1]) > limit * limit))
+    !(isNear(this->Candidates[i], 0) && isNear(this->Candidates[i], 1)))
   {
     ++i;
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BorderProof.h
- * @brief Whether every point of a segment lies within a limit of one of several segments, proved.
+ * @brief Whether every point of a segment lies within its limit of one of several segments, proved.
  *
  * As in ShareProof.h: the distance to a segment is a convex function, so that two ends which share a segment prove all
  * between them; where they share none, both halves are proved.
@@ -10,6 +10,7 @@
 #ifndef BoneDecimate_Core_Guarantee_BorderProof_h
 #define BoneDecimate_Core_Guarantee_BorderProof_h
 
+#include "Limits.h"
 #include "Surface.h"
 
 #include <array>
@@ -21,22 +22,27 @@ class BorderProof
 {
 public:
   using Segment = std::array<Vector3, 2>; // mm
+  struct Piece
+  {
+    Segment Ends;
+    std::array<double, 2> Limits; // mm, at the ends, linear in between; see Limits.h
+  };
 
   std::vector<Segment> Candidates;
 
   /// mm^2, of p to a place that lies on the segment.
   static double SquaredReach(const Segment& segment, const Vector3& p);
 
-  /// @param limit mm.  @param visit Called with the place of each candidate that proves a part.
+  /// @param visit Called with the place of each candidate that proves a part.
   template <typename Visit>
-  bool Prove(const Segment& whole, double limit, Visit visit)
+  bool Prove(const Piece& whole, Visit visit)
   {
     this->Open.assign(1, whole);
     for (int pieces = 0; !this->Open.empty(); ++pieces)
     {
-      const Segment piece = this->Open.back();
+      const Piece piece = this->Open.back();
       this->Open.pop_back();
-      const std::size_t shared = this->SharedBy(piece, limit);
+      const std::size_t shared = this->SharedBy(piece);
       if (shared < this->Candidates.size())
       {
         visit(shared);
@@ -46,9 +52,10 @@ public:
       {
         return false;
       }
-      const Vector3 middle = 0.5 * (piece[0] + piece[1]);
-      this->Open.push_back({ piece[0], middle });
-      this->Open.push_back({ middle, piece[1] });
+      const Vector3 middle = 0.5 * (piece.Ends[0] + piece.Ends[1]);
+      const double limit = Limits::Between(piece.Limits[0], piece.Limits[1], 0.5);
+      this->Open.push_back({ { piece.Ends[0], middle }, { piece.Limits[0], limit } });
+      this->Open.push_back({ { middle, piece.Ends[1] }, { limit, piece.Limits[1] } });
     }
     return true;
   }
@@ -56,10 +63,10 @@ public:
 private:
   static constexpr int MostPieces = 64;
 
-  /// The first candidate within the limit of both ends; their number if there is none.
-  std::size_t SharedBy(const Segment& piece, double limit) const;
+  /// The first candidate within the limits of both ends; their number if there is none.
+  std::size_t SharedBy(const Piece& piece) const;
 
-  std::vector<Segment> Open;
+  std::vector<Piece> Open;
 };
 }
 

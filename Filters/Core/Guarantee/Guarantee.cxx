@@ -4,50 +4,48 @@
 
 #include "Prover.h"
 
-#include <algorithm>
-
 namespace bonedecimate
 {
 namespace
 {
-/// For the rounding of distances and of points between others, far more than they need.
-constexpr double RelativeSlack = 1e-6;
-/// Of the largest coordinate, for the same.
-constexpr double AbsoluteSlack = 1e-14;
-
 double RoundedToSingle(double coordinate, double origin)
 {
   return static_cast<double>(static_cast<float>(coordinate + origin)) - origin;
 }
 }
 
+Vector3 Promise::Rounded(const Vector3& position) const
+{
+  const Vector3& origin = this->Origin;
+  return this->RoundsToSingle
+    ? Vector3(RoundedToSingle(position[0], origin[0]), RoundedToSingle(position[1], origin[1]),
+        RoundedToSingle(position[2], origin[2]))
+    : position;
+}
+
+//------------------------------------------------------------------------------
 Guarantee::Guarantee(const HalfEdgeMesh& atFirst, const BoundingTree& tree, const Promise& promise)
   : Source(atFirst)
   , Tree(tree)
   , Promised(promise)
+  , Allowed(atFirst, promise)
   , ByFaces(atFirst.NumberOfFaceSlots(), atFirst.NumberOfFaceSlots())
   , Borders(atFirst)
   , ByBorders(this->Borders.Count(),
       this->Borders.Count() == 0 ? 0 : HalfEdgeMesh::HalfEdge(atFirst.NumberOfFaceSlots(), 0))
   , NearestBorder(this->Borders.EdgesAtVertices())
   , Nearest(static_cast<std::size_t>(atFirst.NumberOfVertexSlots()), None)
-  , Witnesses(this->Nearest)
+  , Witnesses(this->Nearest.size(), { None, None, None, None })
 {
-  double size = 0.0;     // mm
-  double rounding = 0.0; // mm, by which points that never move are moved when they are written
-  for (Index v = 0; v < atFirst.NumberOfVertexSlots(); ++v)
-  {
-    const Vector3& p = atFirst.Position(v);
-    size = std::max(size, (p + promise.Origin).cwiseAbs().maxCoeff());
-    rounding = std::max(rounding, (this->Rounded(p) - p).norm());
-  }
-  this->Limit = promise.Error * (1.0 - RelativeSlack) - AbsoluteSlack * size - rounding;
   for (Index face = 0; face < atFirst.NumberOfFaceSlots(); ++face)
   {
     this->ByFaces.Add(face, face);
     for (const Index v : atFirst.Corners(face))
     {
-      this->Nearest[v] = face;
+      const Index known = this->Nearest[v];
+      const bool allowsMore =
+        known == None || this->Allowed.Over(face) >= this->Allowed.Over(known);
+      this->Nearest[v] = allowsMore ? face : known;
     }
   }
   for (Index edge = 0; edge < this->Borders.Count(); ++edge)
@@ -57,16 +55,6 @@ Guarantee::Guarantee(const HalfEdgeMesh& atFirst, const BoundingTree& tree, cons
 }
 
 Guarantee::~Guarantee() = default;
-
-//------------------------------------------------------------------------------
-Vector3 Guarantee::Rounded(const Vector3& position) const
-{
-  const Vector3& origin = this->Promised.Origin;
-  return this->Promised.RoundsToSingle
-    ? Vector3(RoundedToSingle(position[0], origin[0]), RoundedToSingle(position[1], origin[1]),
-        RoundedToSingle(position[2], origin[2]))
-    : position;
-}
 
 //------------------------------------------------------------------------------
 std::shared_ptr<Prover> Guarantee::Lend()

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patch.h"
 
+#include <algorithm>
+
 namespace bonedecimate
 {
 void Patch::Clear()
 {
   this->OldFaces.clear();
   this->NewFaces.clear();
+  this->Neighbours.clear();
   this->OldBorder.clear();
   this->NewBorder.clear();
   this->Moved = None;
@@ -31,6 +34,19 @@ void Patch::AddOld(const HalfEdgeMesh& mesh, Index face, Index at, Index orAt)
 }
 
 //------------------------------------------------------------------------------
+/// @param edge Of an old face, on the rim of the patch.
+void Patch::AddNeighbour(const HalfEdgeMesh& mesh, Index edge)
+{
+  const Index twin = mesh.Twin(edge);
+  const Index face = twin == None ? None : HalfEdgeMesh::Face(twin);
+  std::vector<Index>& known = this->Neighbours;
+  if (face != None && std::find(known.begin(), known.end(), face) == known.end())
+  {
+    known.push_back(face);
+  }
+}
+
+//------------------------------------------------------------------------------
 void Patch::FillCollapse(const HalfEdgeMesh& mesh, const Neighbourhood& around, const Edit& edit)
 {
   this->Clear();
@@ -44,6 +60,7 @@ void Patch::FillCollapse(const HalfEdgeMesh& mesh, const Neighbourhood& around, 
     const Index second = around.Ring[i];
     const Index third = around.Ring[(i + 1) % around.Ring.size()];
     this->AddOld(mesh, face, around.Start, around.End);
+    this->AddNeighbour(mesh, HalfEdgeMesh::Next(around.Corners[i]));
     this->NewFaces.push_back({ face, { edit.Keep, second, third },
       { edit.Position, mesh.Position(second), mesh.Position(third) } });
   }
@@ -74,6 +91,7 @@ void Patch::FillMove(const HalfEdgeMesh& mesh, const Edit& edit)
     const Index second = mesh.Target(h);
     const Index third = mesh.Origin(HalfEdgeMesh::Previous(h));
     this->OldFaces.push_back(face);
+    this->AddNeighbour(mesh, HalfEdgeMesh::Next(h));
     this->NewFaces.push_back({ face, { edit.Keep, second, third },
       { edit.Position, mesh.Position(second), mesh.Position(third) } });
   }
@@ -99,6 +117,11 @@ void Patch::FillFlip(const HalfEdgeMesh& mesh, const Edit& edit)
   };
   add(HalfEdgeMesh::Face(h), { d, c, a });
   add(HalfEdgeMesh::Face(twin), { c, d, b });
+  for (const Index outer : { HalfEdgeMesh::Next(h), HalfEdgeMesh::Previous(h),
+         HalfEdgeMesh::Next(twin), HalfEdgeMesh::Previous(twin) })
+  {
+    this->AddNeighbour(mesh, outer);
+  }
   const auto moveBorder = [&](Index from, Index to)
   {
     if (mesh.Twin(from) == None)

@@ -33,6 +33,7 @@ struct Patch
 
   std::vector<Index> OldFaces;
   std::vector<Face> NewFaces; // their ids are among the old ones
+  std::vector<Index> Neighbours; ///< Faces across the edges of the patch: they stay as they are.
   std::vector<Index> OldBorder;
   std::vector<BorderEdge> NewBorder;
   std::array<Index, 2> Ends = { None, None }; ///< Vertices whose faces change all.
@@ -48,6 +49,7 @@ struct Patch
 private:
   void Clear();
   void AddOld(const HalfEdgeMesh& mesh, Index face, Index at, Index orAt);
+  void AddNeighbour(const HalfEdgeMesh& mesh, Index edge);
 };
 }
 

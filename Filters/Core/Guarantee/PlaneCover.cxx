@@ -19,6 +19,9 @@ struct Place
   double B, C;
 };
 
+/// Where the shadows are counted: any place of the face but one that edges are likely to run through.
+constexpr Place Counted = { 0.3279, 0.3391 };
+
 /// Twice the area of p q r, and how wrong it may be.
 struct Turn
 {
@@ -34,17 +37,24 @@ struct Turn
   double Value, Error;
 };
 
-/// Whether the segment may meet the triangle (0, 0), (1, 0), (0, 1); false only if it surely does not.
-bool MeetsFace(Place p, Place q)
+/// The sides of the triangle (0, 0), (1, 0), (0, 1) that the place surely lies beyond.
+std::uint8_t SidesBeyond(Place p)
 {
-  const double pa = 1.0 - p.B - p.C;
-  const double qa = 1.0 - q.B - q.C;
-  const double error =
-    Rounding * (1.0 + std::abs(p.B) + std::abs(p.C) + std::abs(q.B) + std::abs(q.C));
-  if ((p.B < 0.0 && q.B < 0.0) || (p.C < 0.0 && q.C < 0.0) || (pa < -error && qa < -error))
-  {
-    return false;
-  }
+  const double a = 1.0 - p.B - p.C;
+  const double error = Rounding * (1.0 + std::abs(p.B) + std::abs(p.C));
+  return static_cast<std::uint8_t>((p.B < 0.0 ? 1 : 0) | (p.C < 0.0 ? 2 : 0) | (a < -error ? 4 : 0));
+}
+
+/// Bits for the four directions.
+std::uint8_t SidesOf(Place middle, Place p)
+{
+  return static_cast<std::uint8_t>((p.B < middle.B ? 1 : 0) | (p.B > middle.B ? 2 : 0) |
+    (p.C < middle.C ? 4 : 0) | (p.C > middle.C ? 8 : 0));
+}
+
+/// Whether the segment may meet that triangle, all of it or not; false only if it surely does not.
+bool PassesFace(Place p, Place q)
+{
   const int first = Turn(p, q, { 0.0, 0.0 }).Sign();
   return first == 0 || Turn(p, q, { 1.0, 0.0 }).Sign() != first ||
     Turn(p, q, { 0.0, 1.0 }).Sign() != first;
@@ -57,6 +67,8 @@ bool PlaneCover::Begin(const std::array<Vector3, 3>& face)
   this->Triangles.Clear();
   this->Shadows.Clear();
   this->IsOdd = false;
+  this->SuspectB = Counted.B;
+  this->SuspectC = Counted.C;
   this->A = face[0];
   this->AB = face[1] - face[0];
   this->AC = face[2] - face[0];
@@ -80,7 +92,8 @@ const PlaneCover::Shadow& PlaneCover::ShadowOf(Index vertex)
   if (at == None)
   {
     const Vector3 p = this->Original.Position(vertex) - this->A;
-    Shadow shadow = { vertex, this->AlongB.dot(p), this->AlongC.dot(p), {}, 0.0 };
+    const Place place = { this->AlongB.dot(p), this->AlongC.dot(p) };
+    Shadow shadow = { vertex, SidesBeyond(place), SidesOf(Counted, place), place.B, place.C, {}, 0.0 };
     shadow.Offset = p - shadow.B * this->AB - shadow.C * this->AC;
     shadow.SquaredOffset = shadow.Offset.squaredNorm();
     at = this->Shadows.Insert(shadow);
@@ -95,38 +108,64 @@ bool PlaneCover::Visit(Index triangle, double limit)
   Shape shape;
   std::transform(
     corners.begin(), corners.end(), shape.begin(), [this](Index v) { return this->ShadowOf(v); });
+  if ((shape[0].Beyond & shape[1].Beyond & shape[2].Beyond) != 0)
+  {
+    return true; // nowhere over the face
+  }
   const double farthest =
     std::max({ shape[0].SquaredOffset, shape[1].SquaredOffset, shape[2].SquaredOffset });
-  if (farthest > limit * limit && !IsNearOver(shape, limit))
+  if ((farthest > limit * limit && !this->IsNearOver(shape, limit)) || !this->Count(shape))
   {
     return false;
   }
-  int turns = 0;
   for (Index k = 0; k < 3; ++k)
   {
-    const Place p = { shape[k].B, shape[k].C };
-    const Place q = { shape[(k + 1) % 3].B, shape[(k + 1) % 3].C };
-    const int turn = Turn(p, q, { 1.0 / 3.0, 1.0 / 3.0 }).Sign();
+    const Shadow& p = shape[k];
+    const Shadow& q = shape[(k + 1) % 3];
+    const bool meets = (p.Beyond & q.Beyond) == 0 &&
+      (p.Beyond == 0 || q.Beyond == 0 || PassesFace({ p.B, p.C }, { q.B, q.C }));
+    if (meets && !this->Cross(HalfEdgeMesh::HalfEdge(triangle, k)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// False if it cannot be said whether the place lies in the shadow.
+bool PlaneCover::Count(const Shape& shape)
+{
+  if ((shape[0].Beside & shape[1].Beside & shape[2].Beside) != 0)
+  {
+    return true;
+  }
+  int turns = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Shadow& p = shape[k];
+    const Shadow& q = shape[(k + 1) % 3];
+    const int turn = Turn({ p.B, p.C }, { q.B, q.C }, Counted).Sign();
     if (turn == 0)
     {
       return false;
     }
     turns += turn;
-    if (MeetsFace(p, q))
-    {
-      const Index twin = this->Original.Twin(HalfEdgeMesh::HalfEdge(triangle, k));
-      if (twin == None)
-      {
-        return false;
-      }
-      if (this->Triangles.Find(HalfEdgeMesh::Face(twin)) == None)
-      {
-        this->Triangles.Insert({ HalfEdgeMesh::Face(twin) });
-      }
-    }
   }
   this->IsOdd = this->IsOdd != (std::abs(turns) == 3);
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// To the triangle across; false if there is none.
+bool PlaneCover::Cross(Index edge)
+{
+  const Index twin = this->Original.Twin(edge);
+  if (twin != None && this->Triangles.Find(HalfEdgeMesh::Face(twin)) == None)
+  {
+    this->Triangles.Insert({ HalfEdgeMesh::Face(twin) });
+  }
+  return twin != None;
 }
 
 //------------------------------------------------------------------------------
@@ -157,13 +196,20 @@ bool PlaneCover::IsNearOver(const Shape& shape, double limit)
       if ((pIn >= 0.0) != (qIn >= 0.0))
       {
         const double t = pIn / (pIn - qIn);
-        to[kept++] = { None, p.B + t * (q.B - p.B), p.C + t * (q.C - p.C),
+        to[kept++] = { None, 0, 0, p.B + t * (q.B - p.B), p.C + t * (q.C - p.C),
           p.Offset + t * (q.Offset - p.Offset), 0.0 };
       }
     }
     count = kept;
   }
-  return std::all_of(polygons[1].begin(), polygons[1].begin() + static_cast<std::ptrdiff_t>(count),
-    [limit](const Shadow& s) { return s.Offset.squaredNorm() <= limit * limit; });
+  const auto end = polygons[1].begin() + static_cast<std::ptrdiff_t>(count);
+  const auto far = std::find_if(polygons[1].begin(), end,
+    [limit](const Shadow& s) { return !(s.Offset.squaredNorm() <= limit * limit); });
+  if (far != end)
+  {
+    this->SuspectB = far->B;
+    this->SuspectC = far->C;
+  }
+  return far == end;
 }
 }

@@ -20,6 +20,9 @@
 #include "Mesh/HalfEdgeMesh.h"
 #include "SparseSet.h"
 
+#include <array>
+#include <cstdint>
+
 namespace bonedecimate
 {
 class PlaneCover
@@ -32,7 +35,7 @@ public:
   {
   }
 
-  /// @param seeds Original triangles near the face.  @param limit Of an original triangle, mm.
+  /// @param seed An original triangle near the middle of the face.  @param limit Of an original triangle, mm.
   template <typename Limit>
   bool Prove(const std::array<Vector3, 3>& face, Index seed, const Limit& limit)
   {
@@ -52,11 +55,19 @@ public:
     return this->IsOdd;
   }
 
+  /// A place of the face that is likely to be too far away, where it could not be proved.
+  Vector3 Suspect() const
+  {
+    return this->A + this->SuspectB * this->AB + this->SuspectC * this->AC;
+  }
+
 private:
   static constexpr Index MostTriangles = 4096;
   struct Shadow
   {
     Index Id;
+    std::uint8_t Beyond; // bits: surely on the other side of a side of the face
+    std::uint8_t Beside; // bits: on one side of the place where shadows are counted
     double B, C;
     Vector3 Offset;       // mm, from the shadow to the vertex
     double SquaredOffset; // mm^2
@@ -71,13 +82,16 @@ private:
   bool Begin(const std::array<Vector3, 3>& face);
   const Shadow& ShadowOf(Index vertex);
   bool Visit(Index triangle, double limit);
-  static bool IsNearOver(const Shape& shape, double limit);
+  bool Count(const Shape& shape);
+  bool Cross(Index edge);
+  bool IsNearOver(const Shape& shape, double limit);
 
   const HalfEdgeMesh& Original;
   SparseSet<Visited> Triangles;
   SparseSet<Shadow> Shadows;
   Vector3 A, AB, AC;
   Vector3 AlongB, AlongC; // 1/mm: b = AlongB . (p - A)
+  double SuspectB = 0.0, SuspectC = 0.0;
   bool IsOdd = false;
 };
 }

@@ -25,7 +25,7 @@ bool Prover::BorderIsNear(const HalfEdgeMesh& mesh)
 //------------------------------------------------------------------------------
 bool Prover::NewBorderIsNear()
 {
-  const WalkedBorder original(this->Shared.Borders, this->Shared.Limit);
+  const WalkedBorder original(this->Shared.Borders, this->Shared.Allowed);
   for (const Patch::BorderEdge& edge : this->Change.NewBorder)
   {
     PieceCover<2>::Piece whole;
@@ -63,8 +63,12 @@ bool Prover::ProveBorderItem(const HalfEdgeMesh& mesh, Item& item)
         { mesh.Position(mesh.Origin(h)), mesh.Position(mesh.Target(h)) });
     }
   }
-  const bool proved = this->Border.Prove(this->Shared.Borders.Ends(item.Id), this->Shared.Limit,
-    [&](std::size_t used) { item.Used |= used < ours ? Faces(1) << used : Faces(0); });
+  const Index border = this->Shared.Borders.HalfEdge(item.Id);
+  const BorderProof::Piece whole = { this->Shared.Borders.Ends(item.Id),
+    { this->Shared.LimitAt(this->Shared.Source.Origin(border)),
+      this->Shared.LimitAt(this->Shared.Source.Target(border)) } };
+  const bool proved = this->Border.Prove(
+    whole, [&](std::size_t used) { item.Used |= used < ours ? Faces(1) << used : Faces(0); });
   const std::size_t others = this->Border.Candidates.size() - ours;
   return proved && others + CountBits(item.Used) <= Supports::MostHolders;
 }

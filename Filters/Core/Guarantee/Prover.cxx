@@ -8,23 +8,38 @@
 
 namespace bonedecimate
 {
+namespace
+{
+/// Of an original, before it is given up: with too few, good edits are refused.
+constexpr std::size_t MostPieces = 1024;
+
+/// Others may have to help.
+constexpr std::size_t MostNewFaces = ShareProof::MostCandidates - 2 * Supports::MostHolders;
+
+bool FaceIsInRange(const HalfEdgeMesh& mesh, Index face, VertexRange range)
+{
+  const Triangle corners = mesh.Corners(face);
+  return range.Contains(corners[0]) && range.Contains(corners[1]) && range.Contains(corners[2]);
+}
+}
+
 Prover::Prover(Guarantee& promise)
   : Shared(promise)
   , Items(promise.Source.NumberOfFaceSlots())
   , BorderItems(static_cast<Index>(promise.Borders.Count()))
   , Points(promise.Source.NumberOfVertexSlots())
-  , Planes(promise.Source)
+  , Back(promise.Source)
 {
 }
 
 //------------------------------------------------------------------------------
 ProofAnswer Prover::Prove(const HalfEdgeMesh& mesh, VertexRange range)
 {
-  if (this->Change.NewFaces.size() > ShareProof::MostCandidates || !this->PlaceIsNear())
+  if (this->Change.NewFaces.size() > MostNewFaces || !this->PlaceIsNear())
   {
     return ProofAnswer::Refused;
   }
-  this->Prepare();
+  this->Prepare(mesh, range);
   if (!this->WitnessesAreNear(mesh))
   {
     return ProofAnswer::Refused;
@@ -48,7 +63,7 @@ bool Prover::PlaceIsNear()
   {
     return true;
   }
-  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Shared.Limit);
+  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Shared.Allowed);
   this->Place = original.Find(this->Change.Position, this->Shared.Nearest[moved]);
   return this->Place.Distance <= original.Limit(this->Place.Nearest);
 }
@@ -91,18 +106,14 @@ bool Prover::IsOurs(
 //------------------------------------------------------------------------------
 bool Prover::IsOurs(const HalfEdgeMesh& mesh, VertexRange range) const
 {
-  const auto faceIsInRange = [&](Index face)
-  {
-    const Triangle corners = mesh.Corners(face);
-    return range.Contains(corners[0]) && range.Contains(corners[1]) && range.Contains(corners[2]);
-  };
-  return IsOurs(this->Shared.ByFaces, this->Items, faceIsInRange) &&
+  return IsOurs(this->Shared.ByFaces, this->Items,
+           [&](Index face) { return FaceIsInRange(mesh, face, range); }) &&
     IsOurs(this->Shared.ByBorders, this->BorderItems,
       [&](Index h) { return range.Contains(mesh.Origin(h)) && range.Contains(mesh.Target(h)); });
 }
 
 //------------------------------------------------------------------------------
-void Prover::Prepare()
+void Prover::Prepare(const HalfEdgeMesh& mesh, VertexRange range)
 {
   this->Points.Clear();
   this->SquaredDistances.clear();
@@ -110,6 +121,16 @@ void Prover::Prepare()
   for (const Patch::Face& face : this->Change.NewFaces)
   {
     this->Share.AddCandidate(face.Corners);
+  }
+  this->Helpers.clear();
+  const std::size_t room = ShareProof::MostCandidates - Supports::MostHolders;
+  for (const Index face : this->Change.Neighbours)
+  {
+    if (FaceIsInRange(mesh, face, range) &&
+      this->Change.NewFaces.size() + this->Helpers.size() < room)
+    {
+      this->Helpers.push_back(face);
+    }
   }
 }
 
@@ -119,11 +140,15 @@ bool Prover::WitnessesAreNear(const HalfEdgeMesh& mesh)
 {
   for (const Index end : this->Change.Ends)
   {
-    const Index witness = end == None ? None : this->Shared.Witnesses[end];
-    Item item = { witness, 0 };
-    if (witness != None && this->Depends(item) && !this->ProveItem(mesh, item))
+    const Guarantee::Witness& known = this->Shared.Witnesses[end];
+    for (const Index witness : known)
     {
-      return false;
+      Item item = { witness, 0 };
+      if (witness != None && this->Depends(item) && !this->ProveItem(mesh, item))
+      {
+        this->Remember(witness);
+        return false;
+      }
     }
   }
   return true;
@@ -146,16 +171,31 @@ bool Prover::Depends(Item& item) const
 }
 
 //------------------------------------------------------------------------------
+/// Corners first, which refuse most of what is refused; then what has to be cut.
 bool Prover::OriginalsAreNear(const HalfEdgeMesh& mesh)
 {
+  this->Uncut.clear();
   for (Item& item : this->Items)
   {
-    if (!this->ProveItem(mesh, item))
+    const std::array<Index, 3> points = this->PointsOf(item.Id);
+    item.Used = this->Nearest(points);
+    const bool isAnyFar = std::any_of(points.begin(), points.end(),
+      [this](Index point) { return this->Points[point].Near == 0; });
+    if (isAnyFar && !this->ProveInPieces(mesh, item))
     {
-      for (const Index end : this->Change.Ends)
-      {
-        this->Shared.Witnesses[end] = item.Id;
-      }
+      this->Remember(item.Id);
+      return false;
+    }
+    if (item.Used == 0 && !isAnyFar)
+    {
+      this->Uncut.push_back(item.Id);
+    }
+  }
+  for (const Index id : this->Uncut)
+  {
+    if (!this->ProveInPieces(mesh, this->Items[this->Items.Find(id)]))
+    {
+      this->Remember(id);
       return false;
     }
   }
@@ -163,19 +203,33 @@ bool Prover::OriginalsAreNear(const HalfEdgeMesh& mesh)
 }
 
 //------------------------------------------------------------------------------
+/// As what could not be proved, in place of what refused longest ago.
+void Prover::Remember(Index item)
+{
+  for (const Index end : this->Change.Ends)
+  {
+    if (end != None)
+    {
+      Guarantee::Witness& known = this->Shared.Witnesses[end];
+      const auto place = std::find(known.begin(), known.end() - 1, item);
+      std::rotate(known.begin(), place, place + 1);
+      known.front() = item;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 bool Prover::ProveItem(const HalfEdgeMesh& mesh, Item& item)
 {
-  const Triangle corners = this->Shared.Source.Corners(item.Id);
-  const std::array<Index, 3> points = { this->PointOf(corners[0]), this->PointOf(corners[1]),
-    this->PointOf(corners[2]) };
-  const Faces shared =
-    this->Points[points[0]].Near & this->Points[points[1]].Near & this->Points[points[2]].Near;
-  if (shared == 0)
-  {
-    return this->ProveInPieces(mesh, item, corners);
-  }
-  item.Used = this->Nearest(shared, points);
-  return true;
+  item.Used = this->Nearest(this->PointsOf(item.Id));
+  return item.Used != 0 || this->ProveInPieces(mesh, item);
+}
+
+//------------------------------------------------------------------------------
+std::array<Index, 3> Prover::PointsOf(Index original)
+{
+  const Triangle corners = this->Shared.Source.Corners(original);
+  return { this->PointOf(corners[0]), this->PointOf(corners[1]), this->PointOf(corners[2]) };
 }
 
 //------------------------------------------------------------------------------
@@ -188,7 +242,7 @@ Index Prover::PointOf(Index id)
     return known;
   }
   const Vector3& p = this->Shared.Source.Position(id);
-  const Faces near = this->Share.FacesNear(p, this->Shared.Limit);
+  const Faces near = this->Share.FacesNear(p, this->Shared.LimitAt(id));
   const Point point = { id, near, this->SquaredDistances.size() };
   for (std::size_t i = 0; i < this->Change.NewFaces.size(); ++i)
   {
@@ -198,9 +252,12 @@ Index Prover::PointOf(Index id)
 }
 
 //------------------------------------------------------------------------------
-/// Of the faces that could prove an original, the nearest: its neighbours are those that may have to take over.
-Prover::Faces Prover::Nearest(Faces shared, const std::array<Index, 3>& points) const
+/// Of the faces near all corners of an original the nearest, if there is any: its neighbours are those that may have to
+/// take over.
+Prover::Faces Prover::Nearest(const std::array<Index, 3>& points) const
 {
+  const Faces shared =
+    this->Points[points[0]].Near & this->Points[points[1]].Near & this->Points[points[2]].Near;
   float least = std::numeric_limits<float>::infinity();
   Faces nearest = shared & (~shared + 1);
   for (std::size_t i = 0; i < this->Change.NewFaces.size(); ++i)
@@ -220,58 +277,80 @@ Prover::Faces Prover::Nearest(Faces shared, const std::array<Index, 3>& points) 
 }
 
 //------------------------------------------------------------------------------
-/// With the help of the faces that stay and prove a part of it today.
-bool Prover::ProveInPieces(const HalfEdgeMesh& mesh, Item& item, const Triangle& corners)
+/// With the help of faces that stay: those that prove a part of it today, and those around the patch.
+bool Prover::ProveInPieces(const HalfEdgeMesh& mesh, Item& item)
 {
+  const Triangle corners = this->Shared.Source.Corners(item.Id);
   const std::size_t ours = this->Change.NewFaces.size();
-  std::size_t others = 0;
-  for (int slot = 0; slot < Supports::MostHolders; ++slot)
-  {
-    const Index holder = this->Shared.ByFaces.Holder(item.Id, slot);
-    if (holder != None && (item.Gone >> slot & 1) == 0 &&
-      ours + others < ShareProof::MostCandidates)
-    {
-      const Triangle v = mesh.Corners(holder);
-      this->Share.AddCandidate({ mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]) });
-      ++others;
-    }
-  }
+  const std::size_t held = this->AddHelp(mesh, item);
   ShareProof::Piece whole;
   for (std::size_t i = 0; i < 3; ++i)
   {
     const Vector3& p = this->Shared.Source.Position(corners[i]);
-    whole[i] = { p, this->Shared.Limit, this->Share.FacesNear(p, this->Shared.Limit) };
+    const double limit = this->Shared.LimitAt(corners[i]);
+    whole[i] = { p, limit, this->Share.FacesNear(p, limit) };
   }
   item.Used = 0;
-  const bool proved = this->Share.Prove(whole, item.Used);
-  item.Used &= ours < ShareProof::MostCandidates ? (Faces(1) << ours) - 1 : ~Faces(0);
+  const bool proved = this->Share.Prove(whole, item.Used, MostPieces) == ShareAnswer::Proved;
+  item.Used &= (Faces(1) << (ours + this->Helpers.size())) - 1;
+  for (std::size_t i = 0; i < this->Helpers.size(); ++i)
+  {
+    if (Holds(this->Shared.ByFaces, item.Id, this->Helpers[i]))
+    {
+      item.Used &= ~(Faces(1) << (ours + i));
+    }
+  }
   this->Share.Resize(ours);
-  return proved && others + CountBits(item.Used) <= Supports::MostHolders;
+  return proved && held + CountBits(item.Used) <= Supports::MostHolders;
+}
+
+//------------------------------------------------------------------------------
+/// Candidates behind the new faces: the helpers, then what else proves the item and stays. How many prove it and stay.
+std::size_t Prover::AddHelp(const HalfEdgeMesh& mesh, const Item& item)
+{
+  const auto add = [&](Index face)
+  {
+    const Triangle v = mesh.Corners(face);
+    this->Share.AddCandidate({ mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]) });
+  };
+  std::for_each(this->Helpers.begin(), this->Helpers.end(), add);
+  std::size_t held = 0;
+  for (int slot = 0; slot < Supports::MostHolders; ++slot)
+  {
+    const Index holder = this->Shared.ByFaces.Holder(item.Id, slot);
+    if (holder != None && (item.Gone >> slot & 1) == 0)
+    {
+      ++held;
+      if (std::find(this->Helpers.begin(), this->Helpers.end(), holder) == this->Helpers.end())
+      {
+        add(holder);
+      }
+    }
+  }
+  return held;
+}
+
+//------------------------------------------------------------------------------
+bool Prover::Holds(const Supports& supports, Index item, Index holder)
+{
+  int slot = 0;
+  while (slot < Supports::MostHolders && supports.Holder(item, slot) != holder)
+  {
+    ++slot;
+  }
+  return slot < Supports::MostHolders;
 }
 
 //------------------------------------------------------------------------------
 bool Prover::NewFacesAreNear()
 {
-  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Shared.Limit);
+  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Shared.Allowed);
   return std::all_of(this->Change.NewFaces.begin(), this->Change.NewFaces.end(),
     [&](const Patch::Face& face)
     {
-      const Index seed = this->Shared.Nearest[face.Vertices[0]];
-      if (this->Planes.Prove(face.Corners,
-            face.Vertices[0] == this->Change.Moved ? this->Place.Nearest : seed,
-            [&original](Index id) { return original.Limit(id); }))
-      {
-        return true;
-      }
-      PieceCover<3>::Piece whole;
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        const Index v = face.Vertices[i];
-        whole[i] = v == this->Change.Moved
-          ? this->Place
-          : original.Find(face.Corners[i], this->Shared.Nearest[v]);
-      }
-      return this->Pieces.Prove(original, whole);
+      const Index first = face.Vertices[0];
+      return this->Back.Prove(original, face.Corners,
+        first == this->Change.Moved ? this->Place.Nearest : this->Shared.Nearest[first]);
     });
 }
 
@@ -287,6 +366,7 @@ void Prover::Commit()
   {
     this->Holders.push_back(face.Id);
   }
+  this->Holders.insert(this->Holders.end(), this->Helpers.begin(), this->Helpers.end());
   Commit(this->Shared.ByFaces, this->Change.OldFaces, this->Items, this->Holders);
   if (!this->Change.NewBorder.empty() && this->Change.Moved != None)
   {

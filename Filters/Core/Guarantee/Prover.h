@@ -8,11 +8,11 @@
 #define BoneDecimate_Core_Guarantee_Prover_h
 
 #include "BorderProof.h"
+#include "FaceProof.h"
 #include "Guarantee.h"
 #include "Mesh/VertexRange.h"
 #include "Patch.h"
 #include "PieceCover.h"
-#include "PlaneCover.h"
 #include "ShareProof.h"
 #include "SparseSet.h"
 
@@ -43,7 +43,7 @@ private:
   {
     Index Id;
     std::uint32_t Gone; // bits of its slots whose holders change
-    Faces Used = 0;     // of the new faces, those that prove it
+    Faces Used = 0;     // of the new faces and those that may help, those that prove it
   };
   struct Point
   {
@@ -59,20 +59,24 @@ private:
     const Supports& supports, const SparseSet<Item>& items, const IsInRange& isInRange);
   bool IsOurs(const HalfEdgeMesh& mesh, VertexRange range) const;
   bool PlaceIsNear();
-  void Prepare();
+  void Prepare(const HalfEdgeMesh& mesh, VertexRange range);
   bool WitnessesAreNear(const HalfEdgeMesh& mesh);
   bool Depends(Item& item) const;
   bool OriginalsAreNear(const HalfEdgeMesh& mesh);
   bool ProveItem(const HalfEdgeMesh& mesh, Item& item);
-  bool ProveInPieces(const HalfEdgeMesh& mesh, Item& item, const Triangle& corners);
+  bool ProveInPieces(const HalfEdgeMesh& mesh, Item& item);
+  std::array<Index, 3> PointsOf(Index original);
+  void Remember(Index item);
+  std::size_t AddHelp(const HalfEdgeMesh& mesh, const Item& item);
   Index PointOf(Index id);
-  Faces Nearest(Faces shared, const std::array<Index, 3>& points) const;
+  Faces Nearest(const std::array<Index, 3>& points) const;
   bool NewFacesAreNear();
   bool BorderIsNear(const HalfEdgeMesh& mesh);
   bool ProveBorderItem(const HalfEdgeMesh& mesh, Item& item);
   bool NewBorderIsNear();
   static void Commit(Supports& supports, const std::vector<Index>& gone, SparseSet<Item>& items,
     const std::vector<Index>& holders);
+  static bool Holds(const Supports& supports, Index item, Index holder);
 
   Guarantee& Shared;
   SparseSet<Item> Items;
@@ -80,12 +84,13 @@ private:
   SparseSet<Point> Points;
   std::vector<float> SquaredDistances; // mm^2, of the points to the new faces
   ShareProof Share;
-  PlaneCover Planes;
-  PieceCover<3> Pieces;
+  FaceProof Back;
   PieceCover<2> BorderPieces;
   BorderProof Border;
   PieceCover<3>::Corner Place; // of the vertex that moves
   Index BorderPlace = None;    // an original border edge near the vertex that moves
+  std::vector<Index> Uncut;   // items of which no new face is near all corners
+  std::vector<Index> Helpers; // neighbours that the worker may change, too
   std::vector<Index> Holders;
 };
 }

@@ -2,23 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShareProof.h"
 
+#include "Limits.h"
+
 #include <algorithm>
 
 namespace bonedecimate
 {
 namespace
 {
-/// Pieces looked at before an edit is refused: with too few, good edits are.
-constexpr int MostPieces = 256;
 /// Of a triangle's angle: sharper ones have no plane worth the name, only sides.
 constexpr double LeastSquaredSine = 1e-18;
 /// Splits nearer to an end of the edge than that share gain too little.
 constexpr double LeastFraction = 0.02;
 
-/// Where a weight that falls from the first to the second value reaches zero; 1 if it does not.
+/// Of a weight: nearer to zero, a place is on the side of the face.
+constexpr double OnSide = 1e-9;
+
+/// Where a weight that falls from the first to the second value reaches zero; 1 if it ends inside, wherever it began.
 double ZeroOf(double first, double second)
 {
-  return second < 0.0 && first > 0.0 ? first / (first - second) : first < 0.0 ? 0.0 : 1.0;
+  return second >= -OnSide ? 1.0 : first > 0.0 ? first / (first - second) : 0.0;
 }
 }
 
@@ -28,7 +31,7 @@ ShareProof::ShareProof()
 }
 
 //------------------------------------------------------------------------------
-void ShareProof::AddCandidate(const std::array<Vector3, 3>& corners)
+void ShareProof::AddCandidate(const std::array<Vector3, 3>& corners, double most)
 {
   const Vector3 ab = corners[1] - corners[0];
   const Vector3 ac = corners[2] - corners[0];
@@ -53,7 +56,7 @@ void ShareProof::AddCandidate(const std::array<Vector3, 3>& corners)
     batch.Cc[lane] = cc;
     batch.PerDeterminant[lane] = determinant > LeastSquaredSine * bb * cc ? 1.0 / determinant : 0.0;
   }
-  ++this->Count;
+  this->Most[this->Count++] = most;
 }
 
 //------------------------------------------------------------------------------
@@ -65,7 +68,8 @@ ShareProof::Faces ShareProof::FacesNear(const Vector3& p, double limit)
   Faces near = 0;
   for (std::size_t i = 0; i < this->Count; ++i)
   {
-    near |= Faces(this->Squared[i] <= limit * limit ? 1 : 0) << i;
+    const double most = std::min(limit, this->Most[i]);
+    near |= Faces(this->Squared[i] <= most * most ? 1 : 0) << i;
   }
   return near;
 }
@@ -89,60 +93,75 @@ std::array<double, 3> ShareProof::Weights(std::size_t candidate, const Vector3& 
 }
 
 //------------------------------------------------------------------------------
-bool ShareProof::Prove(const Piece& whole, Faces& used)
+ShareAnswer ShareProof::Prove(const Piece& whole, Faces& used, std::size_t mostPieces)
 {
-  this->Open.assign(1, whole);
-  for (int pieces = 0; !this->Open.empty(); ++pieces)
+  if (std::any_of(
+        whole.begin(), whole.end(), [this](const Corner& corner) { return this->IsFar(corner); }))
   {
-    const Piece piece = this->Open.back();
-    this->Open.pop_back();
-    if (pieces == MostPieces || piece[0].Near == 0 || piece[1].Near == 0 || piece[2].Near == 0)
-    {
-      return false;
-    }
+    return ShareAnswer::TooFar;
+  }
+  this->Open.assign(1, whole);
+  for (std::size_t at = 0; at < this->Open.size(); ++at)
+  {
+    const Piece piece = this->Open[at];
     const Faces shared = piece[0].Near & piece[1].Near & piece[2].Near;
-    if (shared == 0)
+    if (shared == 0 && this->Open.size() + 2 > mostPieces)
     {
-      const std::array<Piece, 2> halves = this->Split(piece);
-      this->Open.insert(this->Open.end(), halves.begin(), halves.end());
+      return ShareAnswer::Unknown;
     }
-    else if ((shared & used) == 0)
+    if (shared == 0 && !this->Split(piece))
     {
-      used |= shared & (~shared + 1); // the lowest
+      return ShareAnswer::TooFar;
+    }
+    if ((shared & used) == 0)
+    {
+      used |= shared & (~shared + 1); // the lowest, if any
     }
   }
-  return true;
+  return ShareAnswer::Proved;
 }
 
 //------------------------------------------------------------------------------
-std::array<ShareProof::Piece, 2> ShareProof::Split(const Piece& piece)
+bool ShareProof::IsFar(const Corner& corner)
+{
+  if (corner.Near == 0)
+  {
+    this->Far = corner.Place;
+  }
+  return corner.Near == 0;
+}
+
+//------------------------------------------------------------------------------
+/// Leaves the halves to be proved; false if nothing is near the place between them.
+bool ShareProof::Split(const Piece& piece)
 {
   std::size_t edge = 0;
-  double longest = -1.0; // mm^2; an edge without a shared face goes before all others
-  double at = 0.5;
+  bool shares = true;
+  double longest = -1.0; // mm^2, of the edges without a shared face, if there are any
   for (std::size_t i = 0; i < 3; ++i)
   {
     const Corner& from = piece[i];
     const Corner& to = piece[(i + 1) % 3];
-    const bool shares = (from.Near & to.Near) != 0;
+    const bool share = (from.Near & to.Near) != 0;
     const double length = (to.Place - from.Place).squaredNorm();
-    if (!shares)
+    if ((shares && !share) || (share == shares && length > longest))
     {
       edge = i;
-      at = this->ExitFraction(from, to);
-      break;
-    }
-    if (length > longest)
-    {
+      shares = share;
       longest = length;
-      edge = i;
     }
   }
+  const double at = shares ? 0.5 : this->ExitFraction(piece[edge], piece[(edge + 1) % 3]);
   const Corner middle = this->Between(piece[edge], piece[(edge + 1) % 3], at);
-  std::array<Piece, 2> halves = { piece, piece };
-  halves[0][(edge + 1) % 3] = middle;
-  halves[1][edge] = middle;
-  return halves;
+  if (this->IsFar(middle))
+  {
+    return false;
+  }
+  this->Open.push_back(piece);
+  this->Open.back()[(edge + 1) % 3] = middle;
+  this->Open.push_back(piece);
+  this->Open.back()[edge] = middle;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -150,7 +169,7 @@ ShareProof::Corner ShareProof::Between(const Corner& from, const Corner& to, dou
 {
   Corner middle;
   middle.Place = from.Place + t * (to.Place - from.Place);
-  middle.Limit = from.Limit + t * (to.Limit - from.Limit);
+  middle.Limit = Limits::Between(from.Limit, to.Limit, t);
   middle.Near = this->FacesNear(middle.Place, middle.Limit);
   return middle;
 }

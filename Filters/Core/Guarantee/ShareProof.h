@@ -7,11 +7,12 @@
  * The distance to a face is a convex function: if all three corners are near enough to one face, so is every point
  * between them, and this holds for distance - limit, too, where the limit is linear on the triangle.
  *
- *     near(corner) = the candidates within the corner's limit
- *     piece:  a corner without any:          refused
- *             all three share a candidate:   proved
+ *     near(corner) = the candidates within the corner's limit and their own
+ *     piece:  all three corners share a candidate:   proved
  *             else split the edge whose ends share none where it leaves the prism over a face near its start,
- *             or the longest edge in the middle, and prove both halves
+ *             or the longest edge in the middle:
+ *                 nothing near the new corner:       too far
+ *                 else prove both halves, larger pieces first
  */
 #ifndef BoneDecimate_Core_Guarantee_ShareProof_h
 #define BoneDecimate_Core_Guarantee_ShareProof_h
@@ -20,6 +21,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace bonedecimate
@@ -33,6 +35,13 @@ inline std::size_t CountBits(std::uint64_t bits)
   }
   return count;
 }
+
+enum class ShareAnswer
+{
+  Proved,
+  TooFar, ///< A place was found that is near no candidate.
+  Unknown ///< The pieces became too many.
+};
 
 class ShareProof
 {
@@ -53,27 +62,35 @@ public:
   /// Only the first `count` candidates stay.
   void Resize(std::size_t count) { this->Count = count; }
   std::size_t NumberOfCandidates() const { return this->Count; }
-  void AddCandidate(const std::array<Vector3, 3>& corners);
+  /// @param most mm, within which it proves anything, however large a corner's limit is.
+  void AddCandidate(const std::array<Vector3, 3>& corners,
+    double most = std::numeric_limits<double>::infinity());
 
-  /// Those that lie within the limit (mm) of p.
+  /// Those that lie within the limit (mm) of p, and within their own.
   Faces FacesNear(const Vector3& p, double limit);
   /// mm^2, of the point asked about last to a candidate.
   double SquaredDistance(std::size_t candidate) const { return this->Squared[candidate]; }
 
   /// @param used The candidates that prove it, added to those given, which are preferred.
-  bool Prove(const Piece& whole, Faces& used);
+  /// @param mostPieces That are looked at before it is given up: with too few, good edits are refused.
+  ShareAnswer Prove(const Piece& whole, Faces& used, std::size_t mostPieces);
+  /// The place that was near nothing, after TooFar.
+  const Vector3& FarPlace() const { return this->Far; }
 
 private:
   Corner Between(const Corner& from, const Corner& to, double t);
   double ExitFraction(const Corner& from, const Corner& to) const;
-  std::array<Piece, 2> Split(const Piece& piece);
+  bool Split(const Piece& piece);
+  bool IsFar(const Corner& corner);
   std::array<double, 3> Weights(std::size_t candidate, const Vector3& p) const;
 
   const Kernels& Compute;
   std::array<TriangleBatch, MostCandidates / TriangleBatch::Size> Candidates;
   std::size_t Count = 0;
+  std::array<double, MostCandidates> Most;    // mm
   std::array<double, MostCandidates> Squared; // mm^2
   std::vector<Piece> Open;
+  Vector3 Far = Vector3::Zero();
 };
 }
 

@@ -15,6 +15,8 @@
 
 #include <array>
 #include <atomic>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace bonedecimate
@@ -27,7 +29,7 @@ public:
   /// Nothing holds anything yet.
   Supports(Index items, Index holders)
     : Items(static_cast<std::size_t>(items))
-    , Firsts(static_cast<std::size_t>(holders), None)
+    , Firsts(static_cast<std::size_t>(holders), NoSlot)
   {
   }
 
@@ -35,9 +37,9 @@ public:
   template <typename Visit>
   void VisitItems(Index holder, Visit visit) const
   {
-    for (Index s = this->Firsts[holder]; s != None; s = this->Slot(s).Next)
+    for (SlotId s = this->Firsts[holder]; s != NoSlot; s = this->Slot(s).Next)
     {
-      visit(s / MostHolders, s % MostHolders);
+      visit(static_cast<Index>(s / MostHolders), static_cast<int>(s % MostHolders));
     }
   }
 
@@ -48,7 +50,7 @@ public:
   }
 
   /// The holder proves nothing any more; its items still have to be told by Free.
-  void Forget(Index holder) { this->Firsts[holder] = None; }
+  void Forget(Index holder) { this->Firsts[holder] = NoSlot; }
   void Free(Index item, int slot)
   {
     this->Items[item][slot].Holder.store(None, std::memory_order_relaxed);
@@ -64,19 +66,22 @@ public:
     }
     this->Items[item][slot].Holder.store(holder, std::memory_order_relaxed);
     this->Items[item][slot].Next = this->Firsts[holder];
-    this->Firsts[holder] = item * MostHolders + slot;
+    this->Firsts[holder] = static_cast<SlotId>(item) * MostHolders + static_cast<SlotId>(slot);
   }
 
 private:
+  /// item * MostHolders + slot: of as many items as a mesh may have faces, a quarter of an Index' range.
+  using SlotId = std::uint32_t;
+  static constexpr SlotId NoSlot = std::numeric_limits<SlotId>::max();
   struct Entry
   {
     std::atomic<Index> Holder{ None }; ///< Others may look whether it is theirs.
-    Index Next = None;                 ///< Slot of the same holder: item * MostHolders + slot.
+    SlotId Next = NoSlot;              ///< Of the same holder.
   };
-  const Entry& Slot(Index s) const { return this->Items[s / MostHolders][s % MostHolders]; }
+  const Entry& Slot(SlotId s) const { return this->Items[s / MostHolders][s % MostHolders]; }
 
   std::vector<std::array<Entry, MostHolders>> Items;
-  std::vector<Index> Firsts; // of each holder
+  std::vector<SlotId> Firsts; // of each holder
 };
 }
 

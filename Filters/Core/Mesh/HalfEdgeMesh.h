@@ -14,7 +14,7 @@
  *
  * Invariants (checked by Invariants.h): twins point at each other and run opposite ways; a face is alive or its
  * corners are None; the ring of a vertex that is not locked is one fan that holds all its faces; locked vertices
- * never move, never vanish, and their rings are not walked.
+ * never move, never vanish, and their rings are not walked. Frozen ones are like locked ones whose rings are in order.
  *
  * A face is half a cache line, a vertex is one: an edge is judged from the two records of its ends.
  */
@@ -33,7 +33,8 @@ enum class VertexKind : std::uint8_t
 {
   Inside, ///< Its faces close around it.
   Border, ///< On an open border, its faces are one fan.
-  Locked  ///< On a non-manifold edge, or where fans meet in one point.
+  Locked, ///< On a non-manifold edge, or where fans meet in one point.
+  Frozen  ///< Asked to stay, or a corner of a face that was; its ring can be walked.
 };
 
 struct Neighbourhood;
@@ -77,6 +78,8 @@ public:
   Index Twin(Index h) const { return this->Faces[h >> 2].Twins[h & 3]; }
   Index Outgoing(Index v) const { return this->Vertices[v].Outgoing; }
   VertexKind Kind(Index v) const { return this->Kinds[v]; }
+  /// Locked or frozen: it never moves and never vanishes. Nothing changes a face of three such corners.
+  bool IsFixed(Index v) const { return this->Kinds[v] >= VertexKind::Locked; }
   const Vector3& Position(Index v) const { return this->Vertices[v].Position; }
   const VertexRecord& Record(Index v) const { return this->Vertices[v]; }
   RingQuadric& Quadric(Index v) { return this->Vertices[v].Quadric; }
@@ -129,6 +132,11 @@ private:
   void Collapse(const Neighbourhood& around, Index keep, const Vector3& position);
   /// Turns the edge of h, which has two faces, into that between their apexes. The caller has judged as above.
   void Flip(Index h);
+  /// Before the first edit.
+  void Freeze(Index v)
+  {
+    this->Kinds[v] = this->Kinds[v] == VertexKind::Locked ? VertexKind::Locked : VertexKind::Frozen;
+  }
   void Move(Index v, const Vector3& position) { this->Vertices[v].Position = position; }
   /// Before the face changes: keeps its normal if that is the first time.  @param area A vector along it.
   void KeepFirstNormal(Index face, const Vector3& area);

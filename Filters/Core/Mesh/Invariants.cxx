@@ -53,7 +53,8 @@ std::string BrokenRing(const HalfEdgeMesh& mesh, Index v, Index numberOfFaces)
     }
   }
   const bool onBorder = mesh.Twin(start) == None;
-  if (found != numberOfFaces || onBorder != (mesh.Kind(v) == VertexKind::Border))
+  const bool isFrozen = mesh.Kind(v) == VertexKind::Frozen;
+  if (found != numberOfFaces || (!isFrozen && onBorder != (mesh.Kind(v) == VertexKind::Border)))
   {
     return At("fan of vertex", v);
   }

@@ -29,9 +29,6 @@ public:
   /// Two vertices became one; the new one is looked up if that is wished, and if it has moved.
   void Merge(Index keep, Index gone, const Vector3& position);
 
-  /// Looks the vertex up where it is now, if it has moved; only where distances are recorded.
-  void LookUp(Index vertex, const Vector3& position);
-
   /// Whether the vertex no longer lies where its input point lay, bit for bit.
   bool HasMoved(Index vertex, const Vector3& position) const
   {
@@ -53,6 +50,8 @@ public:
   const BoundingTree& Tree(int threads = 1, const std::function<void()>& afterStep = {}) const;
 
 private:
+  void LookUp(Index vertex, const Vector3& position);
+
   const CleanSurface& Clean;
   mutable std::once_flag TreeIsBuilt;
   mutable std::optional<BoundingTree> Triangles;

@@ -10,8 +10,8 @@
  *     collapse the rest by what that does to the sampled error
  *     flip edges and move vertices again
  *
- * Towards an error nobody knows the last collapses beforehand: then the sweep goes all the way, and no vertex is moved
- * farther from the original than that error. What only edges at borders can give is left to a second sweep.
+ * Where every edit is proved nobody knows the last collapses beforehand: then the sweep goes all the way, and flips and
+ * moves are proved like collapses. What only edges at borders can give is left to a second sweep.
  */
 #ifndef BoneDecimate_Core_Relax_RelaxedLoop_h
 #define BoneDecimate_Core_Relax_RelaxedLoop_h

@@ -19,7 +19,7 @@ VertexBlocks::VertexBlocks(const HalfEdgeMesh& mesh)
 {
   for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
-    if (mesh.Outgoing(v) != None && mesh.Kind(v) != VertexKind::Locked)
+    if (mesh.Outgoing(v) != None && !mesh.IsFixed(v))
     {
       this->Ranks[v] = static_cast<Index>(this->Order.size());
       this->Order.push_back(v);

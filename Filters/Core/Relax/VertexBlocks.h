@@ -33,7 +33,7 @@ public:
   int Count() const { return static_cast<int>(this->Order.size() / this->BlockSize) + 2; }
 
   /**
-   * Calls visit(v) once for every live vertex that is not locked; those visited at the same time have no common
+   * Calls visit(v) once for every live vertex that is neither locked nor frozen; those visited at the same time have no common
    * neighbours. `makeWorker()` makes the visitor of a block. False if the monitor said stop.
    */
   template <typename MakeWorker>
@@ -58,7 +58,7 @@ private:
   bool IsInside(const HalfEdgeMesh& mesh, Index v, const Cut& cut) const;
 
   Index BlockSize = 0;      // vertices
-  std::vector<Index> Order; // live vertices that are not locked
+  std::vector<Index> Order; // live vertices that may move
   std::vector<Index> Ranks; // of each vertex in Order
   std::vector<std::uint8_t> Visited;
 };

@@ -24,6 +24,7 @@ Rows = tuple[tuple[str, tuple[float, ...]], ...]
 THESIS_COUNTS = (65000.0, 40000.0, 10000.0, 1000.0)
 FULL: Rows = (("maxilla", THESIS_COUNTS), ("frontal", THESIS_COUNTS), ("cranium", (134000.0,)), ("leg", (0.2, 0.05)),
               ("specimen-1000000", (0.2,)))
+PROMISED_BONES = (("maxilla", 10000.0), ("frontal", 10000.0), ("cranium", 134000.0))
 QUICK: Rows = (("maxilla", (10000.0,)), ("small-leg", (0.2,)))
 SHORT: Rows = (("small-leg", (0.2,)),)
 
@@ -35,6 +36,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--short", action="store_true", help="one round of our modes on a phantom, no peers: a test")
     parser.add_argument("--growth", action="store_true", help="our modes on 0.1 to 10 million triangles, nothing else")
     parser.add_argument("--threads", action="store_true", help="our modes on 1, 2, 4 and 8 threads, nothing else")
+    parser.add_argument("--promises", action="store_true", help="our modes asked for proved errors, nothing else")
     parser.add_argument("--bone", action="append", nargs="+", default=[], metavar="FILE [COUNT]",
                         help="a surface file and numbers of triangles (below 1: shares; without: 0.1 0.02); without "
                              "--rows, only these")
@@ -58,7 +60,7 @@ def arguments() -> argparse.Namespace:
 def choose_bones(asked: argparse.Namespace, workshop: Workshop) -> list[Bone]:
     """The rows of this run."""
     wanted: Rows = SHORT if asked.short else QUICK if asked.quick else FULL
-    if asked.growth or asked.threads or (asked.bone and not asked.rows):
+    if asked.growth or asked.threads or asked.promises or (asked.bone and not asked.rows):
         wanted = ()
     bones = [workshop.bone(name, goals) for name, goals in wanted]
     for file, *counts in asked.bone:
@@ -82,13 +84,20 @@ def run_rows(asked: argparse.Namespace, bones: list[Bone], contest: Contest, pee
 def run_sections(asked: argparse.Namespace, workshop: Workshop, judge: Judge, bones: list[Bone],
                  figures: dict[str, Any], scratch: Path) -> None:
     """Growth, threads and the thesis's error mode: all of them when nothing particular is asked for."""
-    whole = not (asked.short or asked.growth or asked.threads or asked.quick or asked.bone or asked.rows)
+    whole = not (asked.short or asked.growth or asked.threads or asked.promises or asked.quick or asked.bone or asked.rows)
     programs, rounds, modes = workshop.programs, figures["rounds"], chosen_modes(asked, figures["modes"])
     if whole:
         for bone in bones:
             if bone.name in thesis.BY_ERROR:
                 figures["errors"] += sections.error_mode(
                     programs, judge, bone, modes, tuple(thesis.BY_ERROR[bone.name]), scratch)
+    if whole or asked.promises:
+        for name, count in PROMISED_BONES:
+            bone = workshop.bone(name, (count,))
+            for row in sections.promises(programs, judge, bone, modes[1:], scratch) if bone else ():
+                figures["promises"].append(row)
+                save(asked, figures)
+                print(f"  {name} {row['error']} mm {row['mode']}: {row.get('triangles')}", flush=True)
     if whole or asked.threads:
         parallel = [mode for mode in modes if mode != "Thesis"]
         candidate = workshop.bone("cranium", (134000.0,)) or workshop.bone("specimen-1000000", (0.2,))
@@ -105,13 +114,11 @@ def run_sections(asked: argparse.Namespace, workshop: Workshop, judge: Judge, bo
 
 def who_takes_part(asked: argparse.Namespace, programs: Programs) -> tuple[list[Contestant], list[str]]:
     """The peers of this run, and a sentence for each thing that is missing or amiss."""
-    alone = asked.short or asked.growth or asked.threads
+    alone = asked.short or asked.growth or asked.threads or asked.promises
     peers, missing = ([], []) if alone else find_peers(programs, asked.with_meshlib)
     if not programs.has("verify"):
         missing.append("bonedecimate-verify was not built (it needs Debian's libcgal-dev, libgmp-dev and libmpfr-dev): "
                        "times and memory only.")
-    if machine.busy_with_other_work():
-        missing.append(machine.busy_with_other_work())
     for line in missing:
         print(line)
     return peers, missing
@@ -126,18 +133,19 @@ def measure(asked: argparse.Namespace) -> dict[str, Any]:
     """All raw figures of the run."""
     programs, folder = Programs(asked.programs.resolve()), asked.work.resolve()
     folder.mkdir(parents=True, exist_ok=True)
+    others = machine.Others()
     workshop, judge = Workshop(programs, folder), Judge(programs, asked.samples)
     peers, missing = who_takes_part(asked, programs)
     bones = choose_bones(asked, workshop)
     figures: dict[str, Any] = {
         "machine": machine.describe(), "modes": our_modes(programs), "samples": asked.samples,
         "rounds": asked.rounds or (1 if asked.quick or asked.short else 3),
-        "parts": 1, "rows": [], "growth": [], "threads": [], "errors": [], "complaints": missing}
+        "parts": 1, "rows": [], "growth": [], "threads": [], "errors": [], "promises": [], "complaints": missing}
     with tempfile.TemporaryDirectory(dir=folder) as name:  # of this run alone: another may be at work
         scratch = Path(name)
         run_rows(asked, bones, Contest(programs, judge, scratch), peers, figures)
         run_sections(asked, workshop, judge, bones, figures, scratch)
-    figures["complaints"] = missing + workshop.complaints
+    figures["complaints"] = missing + workshop.complaints + [line for line in [others.complaint()] if line]
     return figures
 
 
@@ -152,8 +160,8 @@ def save(asked: argparse.Namespace, figures: dict[str, Any]) -> Path:
 def put_together(files: list[Path]) -> dict[str, Any]:
     """The figures of several runs as one, and how many they were; machine and rounds are the first one's."""
     runs: list[dict[str, Any]] = [json.loads(file.read_text(encoding="utf-8")) for file in files]
-    for key in ("rows", "growth", "threads", "errors"):
-        runs[0][key] = [item for run in runs for item in run[key]]
+    for key in ("rows", "growth", "threads", "errors", "promises"):
+        runs[0][key] = [item for run in runs for item in run.get(key, [])]
     runs[0]["parts"] = sum(run.get("parts", 1) for run in runs)
     runs[0]["complaints"] = list(dict.fromkeys(line for run in runs for line in run["complaints"]))
     return runs[0]
@@ -188,7 +196,7 @@ def main() -> int:
     """Measures and writes."""
     asked = arguments()
     figures = put_together(asked.earlier) if asked.earlier else measure(asked)
-    if not (figures["rows"] or figures["growth"] or figures["threads"]):
+    if not any(figures[key] for key in ("rows", "growth", "threads", "promises")):
         print("nothing was measured:", *figures["complaints"])
         return 1
     write(asked, figures)

@@ -63,6 +63,12 @@ def page(figures: Figures, plots: list[tuple[str, str]], images: str) -> str:
         parts += ["## Threads and kernels\n", f"{first['bone']} to {first['asked']:,}.\n", tables.threads_table(figures["threads"])]
     if figures["rows"]:
         parts += ["## Everybody\n", LEGEND, *(row_section(row) for row in figures["rows"])]
+    if figures.get("promises"):
+        beside = {row["bone"]: row["peer_faces"] for row in figures["promises"]}
+        parts += ["## A largest error that is proved\n", "Two threads, once; judged by the certificate, which takes time of its own. "
+                  "CGAL's Lindstrom-Turk in the same run: "
+                  + ", ".join(f"{bone} to {faces:,}" for bone, faces in beside.items()) + ".\n",
+                  tables.promise_table(figures["promises"])]
     if figures["errors"]:
         parts += ["## Asked for a largest error\n", "One thread, once; points of the result to the original, mm, as the "
                   "thesis measured; H both ways.\n", tables.error_table(figures["errors"])]

@@ -6,6 +6,8 @@ from __future__ import annotations
 
 import os
 import platform
+import resource
+import time
 from pathlib import Path
 from typing import Any
 
@@ -28,9 +30,31 @@ def describe() -> dict[str, Any]:
             "system": words.get("PRETTY_NAME", platform.system()).strip('"')}
 
 
-def busy_with_other_work() -> str:
-    """A sentence when others use the processor, else nothing. To be asked before the first run."""
-    load, cores = os.getloadavg()[0], os.cpu_count() or 1
-    if load < 0.5 * cores:
-        return ""
-    return f"The machine was busy with other work (load {load:.1f} on {cores} cores): do not quote the seconds of this run."
+def _busy_seconds() -> float:
+    """Of all cores together since the system started, time taken by other guests of a host included."""
+    stat = Path("/proc/stat")
+    if not stat.is_file():
+        return 0.0
+    user, nice, system, _idle, _wait, hard, soft, stolen = map(int, stat.read_text(encoding="utf-8").split()[1:9])
+    return (user + nice + system + hard + soft + stolen) / os.sysconf("SC_CLK_TCK")
+
+
+def _own_seconds() -> float:
+    """Of this program and of those it has run."""
+    used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(one.ru_utime + one.ru_stime for one in used)
+
+
+class Others:
+    """How much of the processor everybody else uses from now on."""
+
+    def __init__(self) -> None:
+        self.since = time.monotonic(), _busy_seconds() - _own_seconds()
+
+    def complaint(self) -> str:
+        """A sentence where that disturbs the times, else nothing."""
+        begin, used = self.since
+        cores = (_busy_seconds() - _own_seconds() - used) / max(1.0, time.monotonic() - begin)
+        if cores < 0.1:
+            return ""
+        return f"Other programs used {cores:.1f} of {os.cpu_count()} cores during this run: do not quote its seconds."

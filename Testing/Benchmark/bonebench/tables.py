@@ -210,6 +210,23 @@ def error_table(rows: Sequence[Row]) -> str:
     return markdown(["asked for", "triangles", "max", "second", "average", "RMS", "H", "s"], lines)
 
 
+def promise_table(rows: Sequence[Row]) -> str:
+    """Asked for a proved largest error: triangles, what the certificate proves of the result, and what that cost."""
+    head = ["bone, error", "mode", "triangles", "proved <= mm", "borders <= mm", "H, sampled", "self-intersecting pairs", "s",
+            "s / CGAL's", "bytes / triangle"]
+    lines = []
+    for row in rows:
+        if "failure" in row:
+            continue
+        proved = row["proved"]
+        used = (row["input_bytes"] + row["peak_bytes"]) / row["input"]
+        lines.append([f"{row['bone']} {row['error']} mm", f"**{row['mode']}**", f"{row['triangles']:,}",
+                      f"{proved['upper']:.6f}", f"{proved['borders']:.6f}", number(judged(row, "hausdorff")),
+                      str(judged(row, "self_intersections")), number(row["seconds"]),
+                      ratio(row["seconds"], row["peer_seconds"]), f"{used:.0f}"])
+    return markdown(head, lines)
+
+
 def growth_table(rows: Sequence[Row]) -> str:
     """Seconds and bytes per input triangle, and their growth from the specimen next to a million triangles."""
     head = ["mode", "input triangles", "s", "us / triangle", "bytes / triangle", "time per triangle / that at 1 million"]

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FaceProof.h
+ * @brief Whether every point of a face lies within the limits of the original, proved.
+ *
+ *     the face, then its pieces, larger ones first:
+ *         its middle is too far away:                                                       refused
+ *         the original lies over it like a sheet (PlaneCover):                              proved
+ *         the place where the sheet seemed too far away is:                                 refused
+ *         small enough, and a few originals around it prove it together (ShareProof):       proved
+ *         else halve its longest edge; both halves are pieces
+ *
+ * Where sheets end, or wrap round a thin rim, only the pieces at the rim are left to ShareProof. Which originals are asked
+ * is found by walking over the original: what is not found can only refuse.
+ */
+#ifndef BoneDecimate_Core_Guarantee_FaceProof_h
+#define BoneDecimate_Core_Guarantee_FaceProof_h
+
+#include "PlaneCover.h"
+#include "ShareProof.h"
+#include "SparseSet.h"
+#include "WalkedTargets.h"
+
+namespace bonedecimate
+{
+class FaceProof
+{
+public:
+  explicit FaceProof(const HalfEdgeMesh& original)
+    : Original(original)
+    , Planes(original)
+    , Around(original.NumberOfFaceSlots())
+  {
+  }
+
+  /// @param hint An original triangle near the face.
+  bool Prove(const WalkedSurface& target, const std::array<Vector3, 3>& face, Index hint);
+
+private:
+  struct Piece
+  {
+    std::array<Vector3, 3> Corners; // mm
+    Index Hint;                     // an original triangle near it
+    int Halvings;
+  };
+  struct Found
+  {
+    Index Id;
+  };
+
+  bool ProvePiece(const WalkedSurface& target, const Piece& piece);
+  ShareAnswer AskAround(const WalkedSurface& target, const Piece& piece, Index seed);
+  bool GatherAround(const WalkedSurface& target, const Piece& piece, Index seed);
+  bool BoxReaches(Index face, const Vector3& p, double distance) const;
+  void Halve(const Piece& piece, Index hint);
+
+  const HalfEdgeMesh& Original;
+  PlaneCover Planes;
+  ShareProof Share;
+  SparseSet<Found> Around;
+  std::vector<Piece> Open;
+};
+}
+
+#endif

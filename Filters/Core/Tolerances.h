@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Tolerances.h
+ * @brief How far the surface may move at each point, as it is asked for: mm, one for each input point.
+ *
+ *     0            the point and all triangles at it stay as they are, bit for bit
+ *     positive     a largest error of its own, linear on each triangle
+ *     negative     no limit of its own
+ *
+ * The largest error asked for everywhere caps them all. Documentation/tolerance.md.
+ */
+#ifndef BoneDecimate_Core_Tolerances_h
+#define BoneDecimate_Core_Tolerances_h
+
+#include "Mesh/Cleaning.h"
+#include "Options.h"
+#include "Report.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+/// Whether a run of that mode can use them; what is wrong is counted.
+InputStatus CheckTolerances(const std::vector<double>& given, std::size_t numberOfPoints, Mode mode,
+  CleaningStatistics& found);
+
+/// mm, of each point of the cleaned surface: the least of the input points that became it, -1: none. Empty if nothing
+/// limits anything.
+std::vector<double> TolerancesOf(const CleanSurface& clean, const std::vector<double>& given);
+}
+
+#endif
