@@ -6,8 +6,8 @@
  *
  *     bonedecimate-attack RUNS SEED [SURFACE.ply ...]
  *
- * Every run is a random surface, or a piece cut out of one of the files, with random options, simplified and then judged
- * by the certificate, which knows nothing of how it was made. Ends with 1 at the first run that broke the promise, and
+ * Every run is a random surface, or a piece cut out of one of the files, with random options and at times a random map of
+ * tolerances, simplified and then judged by the certificate, which knows nothing of how it was made. Ends with 1 at the first run that broke the promise, and
  * names its seed: RUNS 1 with that SEED does it again.
  */
 #include "BruteForce.h"
@@ -17,6 +17,7 @@
 #include "TriangleFile.h"
 #include "Victims.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -40,7 +41,26 @@ struct Attack
 {
   Surface Victim;
   Options Asked;
+  std::vector<double> Tolerances; // mm, of each point; empty: no map
 };
+
+/// Nothing may change in one ball, nothing is limited in another, in between the tolerance grows with the distance.
+std::vector<double> AnyMap(Random& random, const Surface& surface, double error)
+{
+  const auto anyPoint = [&]
+  { return surface.Points[static_cast<std::size_t>(random.Below(static_cast<Index>(surface.Points.size())))]; };
+  const Vector3 frozen = anyPoint();
+  const Vector3 free = anyPoint();
+  const double radius = MeanEdge(surface) * random.Between(0.0, 6.0);
+  const double slope = random.Between(0.0, 0.5);
+  std::vector<double> tolerances;
+  for (const Vector3& p : surface.Points)
+  {
+    const double distance = std::max(0.0, (p - frozen).norm() - radius);
+    tolerances.push_back((p - free).norm() < radius ? -1.0 : std::min(2.0 * error, slope * distance));
+  }
+  return tolerances;
+}
 
 Attack AnyAttack(std::uint64_t seed, const std::vector<Surface>& large)
 {
@@ -58,18 +78,38 @@ Attack AnyAttack(std::uint64_t seed, const std::vector<Surface>& large)
     options.TargetNumberOfTriangles =
       1 + random.Below(static_cast<Index>(attack.Victim.Triangles.size()) + 1);
   }
+  if (random.Below(3) == 0)
+  {
+    attack.Tolerances = AnyMap(random, attack.Victim, options.MaximumError);
+  }
   return attack;
 }
 
-/// What decimation takes for the input: without triangles that have no area.
-Surface Cleaned(const Surface& input)
+/// What decimation takes for the input: equal points are one, triangles without area are not there.
+CleanSurface Cleaned(const Surface& input)
 {
   CleanSurface clean = Clean(input, true);
   for (Vector3& p : clean.Surface.Points)
   {
     p += clean.Origin;
   }
-  return clean.Surface;
+  return clean;
+}
+
+/// The least of the points that are one now; -1 where none has a limit.
+std::vector<double> CleanedMap(const CleanSurface& clean, const std::vector<double>& tolerances)
+{
+  std::vector<double> map(tolerances.empty() ? 0 : clean.Surface.Points.size(), -1.0);
+  for (std::size_t p = 0; p < tolerances.size(); ++p)
+  {
+    const Index point = clean.PointOfInput[p];
+    if (point != None && tolerances[p] >= 0.0)
+    {
+      double& least = map[static_cast<std::size_t>(point)];
+      least = least < 0.0 ? tolerances[p] : std::min(least, tolerances[p]);
+    }
+  }
+  return map;
 }
 
 /// Empty if the topology is what it was.
@@ -88,22 +128,24 @@ const char* WhatTopologyLost(const Surface& before, const Surface& after)
 /// Empty if everything was kept.
 std::string WhatBroke(const Attack& attack, Totals& totals)
 {
-  const Result result = Decimate(attack.Victim, attack.Asked);
+  const Result result = Decimate(attack.Victim, attack.Asked, {}, false, false,
+    attack.Tolerances.empty() ? nullptr : &attack.Tolerances);
   ++totals.Runs;
   if (result.Report.Status != InputStatus::Good)
   {
     ++totals.Refused;
     return {};
   }
-  const Surface cleaned = Cleaned(attack.Victim);
-  totals.TrianglesIn += static_cast<std::int64_t>(cleaned.Triangles.size());
+  const CleanSurface cleaned = Cleaned(attack.Victim);
+  totals.TrianglesIn += static_cast<std::int64_t>(cleaned.Surface.Triangles.size());
   totals.TrianglesOut += static_cast<std::int64_t>(result.Surface.Triangles.size());
-  const std::string lost = WhatTopologyLost(cleaned, result.Surface);
+  const std::string lost = WhatTopologyLost(cleaned.Surface, result.Surface);
   CertificateOptions options;
   options.Tolerance = attack.Asked.MaximumError;
+  options.ToleranceMap = CleanedMap(cleaned, attack.Tolerances);
   options.TightBounds = false;
   options.NumberOfThreads = 1;
-  const Certificate found = Certify(cleaned, result.Surface, options);
+  const Certificate found = Certify(cleaned.Surface, result.Surface, options);
   totals.LargestShare =
     std::max(totals.LargestShare, found.Upper() / attack.Asked.MaximumError);
   return !lost.empty() ? "lost " + lost
@@ -131,10 +173,10 @@ std::vector<Surface> ReadAll(int count, char** paths)
 
 void PrintFailure(std::uint64_t seed, const Attack& attack, const std::string& broke)
 {
-  std::printf("seed %llu: %s (mode %d, error %.17g mm, target %d, threads %d, %zu triangles)\n",
+  std::printf("seed %llu: %s (mode %d, error %.17g mm, target %d, threads %d, %s map, %zu triangles)\n",
     static_cast<unsigned long long>(seed), broke.c_str(), static_cast<int>(attack.Asked.Mode),
     attack.Asked.MaximumError, attack.Asked.TargetNumberOfTriangles, attack.Asked.NumberOfThreads,
-    attack.Victim.Triangles.size());
+    attack.Tolerances.empty() ? "no" : "a", attack.Victim.Triangles.size());
 }
 
 int Run(long runs, std::uint64_t seed, const std::vector<Surface>& large)

@@ -33,6 +33,32 @@ class Mutant(NamedTuple):
 
 
 MUTANTS = (
+    Mutant("a limit that is a twentieth too large", ROOM + "Limits.cxx", "promised * (1.0 - RelativeSlack) - slack",
+           "promised * 1.05 - slack"),
+    Mutant("no slack for points that are rounded when they are written", ROOM + "Limits.cxx",
+           "return AbsoluteSlack * size + rounding;", "return 0.0 * (size + rounding);"),
+    Mutant("the most tolerant corner of an original counts", ROOM + "Limits.h",
+           ": std::min({ this->Values[c[0]]", ": std::max({ this->Values[c[0]]"),
+    Mutant("originals are not asked", ROOM + "Prover.cxx", "&& this->OriginalsAreNear(mesh) &&", "&&"),
+    Mutant("new faces are not asked", ROOM + "Prover.cxx", "&& this->NewFacesAreNear();", ";"),
+    Mutant("borders are not asked", ROOM + "Prover.cxx", "this->BorderIsNear(mesh) &&", ""),
+    Mutant("two corners of an original are enough", ROOM + "Prover.cxx",
+           "& this->Points[points[1]].Near & this->Points[points[2]].Near;", "& this->Points[points[1]].Near;"),
+    Mutant("two corners of a piece are enough", ROOM + "ShareProof.cxx",
+           "piece[0].Near & piece[1].Near & piece[2].Near;", "piece[0].Near & piece[1].Near;"),
+    Mutant("half of a piece is forgotten", ROOM + "ShareProof.cxx",
+           "  this->Open.push_back(piece);\n  this->Open.back()[edge] = middle;\n", ""),
+    Mutant("who proves an original is not written down", ROOM + "Prover.cxx",
+           "supports.Add(item.Id, holders[i]);", "(void)holders;"),
+    Mutant("an even number of layers is a cover", ROOM + "PlaneCover.h", "return this->IsOdd;", "return true;"),
+    Mutant("a sheet may end over the face", ROOM + "PlaneCover.cxx", "return twin != None;", "return true;"),
+    Mutant("a sheet may be as far from the face as it likes", ROOM + "PlaneCover.cxx",
+           "(farthest > limit * limit && !this->IsNearOver(shape, limit)) ||", ""),
+    Mutant("one end of a border is enough", ROOM + "BorderProof.cxx", "isNear(this->Candidates[i], 0) &&",
+           "isNear(this->Candidates[i], 0) ||"),
+    Mutant("half of a face is forgotten", ROOM + "FaceProof.cxx",
+           "  half.Corners[next] = piece.Corners[next];\n  half.Corners[edge] = middle;\n  this->Open.push_back(half);\n",
+           ""),
 )
 
 
