@@ -120,7 +120,9 @@ std::unique_ptr<CLI::App> MakeApp(
                                     "       bonedecimate INPUT... FOLDER [OPTIONS]\n"
                                     "       bonedecimate thesis INPUT.obj numbFaces tolerance "
                                     "errorThreshold [OUTPUT.obj] [OPTIONS]\n"
-                                    "       bonedecimate certify REFERENCE RESULT [OPTIONS]"));
+                                    "       bonedecimate certify REFERENCE RESULT [OPTIONS]\n"
+                                    "       bonedecimate tolerance INPUT --triangles N [OPTIONS]\n"
+                                    "       bonedecimate curve INPUT --errors MM,... [OPTIONS]"));
   app->footer(HelpFooter());
   app->set_version_flag(
     "--version", std::string("bonedecimate ") + Version(), "Print the version.");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Certify.h"
 
+#include "BoundText.h"
 #include "FileChecks.h"
 #include "HelpFormatter.h"
 #include "Interruption.h"
@@ -19,7 +20,6 @@
 #include "vtkPointData.h"
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -66,22 +66,7 @@ void AddOptions(CLI::App& app, CertifyArguments& arguments)
   app.add_flag("--quiet", arguments.Quiet, "Nothing on the standard output.");
 }
 
-std::string Digits(double number, int digits)
-{
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.*f", digits, number);
-  return text;
-}
-
-/// Outwards, so that what is printed is proved, too.
-std::string LowerText(double bound)
-{
-  return Digits(std::floor(bound * 1e9) * 1e-9, 9);
-}
-std::string UpperText(double bound)
-{
-  return Digits(std::ceil(bound * 1e9) * 1e-9, 9);
-}
+constexpr int BoundDecimals = 9;
 
 /// One run; the steps stand in RunCertify.
 class CertifyRun
@@ -153,8 +138,9 @@ public:
     {
       return;
     }
-    std::cout << "distance             " << LowerText(this->Filter->GetLowerBound()) << " to "
-              << UpperText(this->Filter->GetUpperBound()) << " mm, two-sided\n";
+    std::cout << "distance             "
+              << LowerBoundText(this->Filter->GetLowerBound(), BoundDecimals) << " to "
+              << UpperBoundText(this->Filter->GetUpperBound(), BoundDecimals) << " mm, two-sided\n";
     this->TellDirection("reference_to_result", "reference -> result  ");
     this->TellDirection("result_to_reference", "result -> reference  ");
     const std::string borders = this->Filter->GetReportText("borders");
@@ -170,7 +156,7 @@ public:
     {
       std::cout << "warning: " << warning << "\n";
     }
-    std::cout << "seconds              " << Digits(this->Value("seconds"), 2) << "\n";
+    std::cout << "seconds              " << FixedText(this->Value("seconds"), 2) << "\n";
   }
 
   ExitCode Code() const
@@ -196,23 +182,23 @@ private:
     {
       return;
     }
-    std::cout << words << LowerText(lower) << " to " << UpperText(this->Value(path + ".upper"))
-              << " mm";
+    std::cout << words << LowerBoundText(lower, BoundDecimals) << " to "
+              << UpperBoundText(this->Value(path + ".upper"), BoundDecimals) << " mm";
     const auto triangle = static_cast<long long>(this->Value(path + ".triangle"));
     if (triangle >= 0)
     {
-      std::cout << " at (" << Digits(this->Value(path + ".x"), 4) << ", "
-                << Digits(this->Value(path + ".y"), 4) << ", "
-                << Digits(this->Value(path + ".z"), 4) << "), triangle " << triangle;
+      std::cout << " at (" << FixedText(this->Value(path + ".x"), 4) << ", "
+                << FixedText(this->Value(path + ".y"), 4) << ", "
+                << FixedText(this->Value(path + ".z"), 4) << "), triangle " << triangle;
     }
     std::cout << "\n";
     const double mean = this->Value(path + ".mean");
     if (!std::isnan(mean))
     {
-      std::cout << "                     mean " << Digits(mean, 6) << " +- "
-                << Digits(this->Value(path + ".mean_error"), 6) << ", RMS "
-                << Digits(this->Value(path + ".rms"), 6) << " +- "
-                << Digits(this->Value(path + ".rms_error"), 6) << " mm\n";
+      std::cout << "                     mean " << FixedText(mean, 6) << " +- "
+                << FixedText(this->Value(path + ".mean_error"), 6) << ", RMS "
+                << FixedText(this->Value(path + ".rms"), 6) << " +- "
+                << FixedText(this->Value(path + ".rms_error"), 6) << " mm\n";
     }
   }
 
@@ -221,7 +207,7 @@ private:
     const std::string map =
       this->Asked.ToleranceArray.empty() ? "" : "the map '" + this->Asked.ToleranceArray + "'";
     const std::string number =
-      this->Asked.Tolerance ? Digits(*this->Asked.Tolerance, 6) + " mm" : "";
+      this->Asked.Tolerance ? FixedText(*this->Asked.Tolerance, 6) + " mm" : "";
     if (this->Filter->GetVerdict() != vtkBoneSurfaceDistance::NOT_ASKED)
     {
       std::cout << "tolerance            " << this->Filter->GetVerdictAsString() << " <= " << map

@@ -17,8 +17,11 @@ std::string ExitCodesText()
       "a file could not be written, or a picture asked for could not be drawn" },
     { ExitCode::Interrupted, "interrupted, nothing was written" },
     { ExitCode::OutOfMemory, "out of memory, nothing was written" },
-    { ExitCode::Violated, "certify: the tolerance is not kept; 0 means that it is proved to be" },
-    { ExitCode::Undecided, "certify: neither could be proved" },
+    { ExitCode::Violated,
+      "certify: the tolerance is not kept; 0 means that it is proved to be. tolerance: no surface "
+      "has "
+      "so few triangles. Else: the certificate contradicts the largest error asked for, a defect" },
+    { ExitCode::Undecided, "neither could be proved" },
   } };
   std::string text = "Exit codes:\n";
   for (const auto& [code, meaning] : codes)

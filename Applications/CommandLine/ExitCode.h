@@ -21,8 +21,8 @@ enum class ExitCode : int
   CouldNotWrite = 3,
   Interrupted = 4,
   OutOfMemory = 5,
-  Violated = 6, ///< certify only
-  Undecided = 7 ///< certify only
+  Violated = 6, ///< As an end of a decimation: a defect.
+  Undecided = 7
 };
 
 /// The codes with a line on each, for --help.

@@ -38,6 +38,12 @@ const std::map<std::string, Setter>& Setters()
     { "RunningErrorArrayName", Calls<std::string>(&vtkBoneDecimate::SetRunningErrorArrayName) },
     { "PointCountArrayName", Calls<std::string>(&vtkBoneDecimate::SetPointCountArrayName) },
     { "InputDistanceArrayName", Calls<std::string>(&vtkBoneDecimate::SetInputDistanceArrayName) },
+    { "ProveResult", Calls<bool>(&vtkBoneDecimate::SetProveResult) },
+    { "ErrorPreset", Calls<int>(&vtkBoneDecimate::SetErrorPreset) },
+    { "VoxelSize", Calls<double>(&vtkBoneDecimate::SetVoxelSize) },
+    { "ErrorBoundArrayName", Calls<std::string>(&vtkBoneDecimate::SetErrorBoundArrayName) },
+    { "InputErrorBoundArrayName",
+      Calls<std::string>(&vtkBoneDecimate::SetInputErrorBoundArrayName) },
   };
   return setters;
 }

@@ -105,6 +105,10 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
   report["files"]["input_modified"] = subject.InputStamp.Modified;
   report["files"]["output"] = subject.Output;
   report["files"]["output_bytes"] = subject.OutputBytes;
+  if (!subject.ProvedFiles.empty())
+  {
+    report["proof"]["files"] = subject.ProvedFiles;
+  }
   report["command_line"] = CommandLineOf(subject);
   report["warnings"] = subject.Warnings;
   // A name that is not UTF-8 is no reason to have no report.

@@ -27,6 +27,8 @@ struct ReportSubject
   std::int64_t OutputBytes = 0;
   std::map<std::string, std::string> Given; ///< What the command line asked for, by flag.
   std::vector<std::string> Warnings;
+  /// Of each surface that was written after it had been proved: see ProveWritten().
+  std::map<std::string, std::string> ProvedFiles;
   double SecondsRead = 0.0;
   double SecondsWrite = 0.0;
   double SecondsTotal = 0.0; ///< From the start to the written surface.

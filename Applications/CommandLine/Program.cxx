@@ -5,6 +5,7 @@
 #include "Arguments.h"
 #include "Batch.h"
 #include "Certify.h"
+#include "ErrorCommands.h"
 #include "Interruption.h"
 #include "RunOne.h"
 #include "VtkMessages.h"
@@ -37,6 +38,11 @@ ExitCode Run(int argc, char* argv[])
   {
     const std::optional<CertifyArguments> arguments = ParseCertifyArguments(argc, argv);
     return arguments ? RunCertify(*arguments) : ExitCode::Done;
+  }
+  if (argc > 1 && (std::strcmp(argv[1], "tolerance") == 0 || std::strcmp(argv[1], "curve") == 0))
+  {
+    const std::optional<ErrorArguments> arguments = ParseErrorArguments(argc, argv);
+    return arguments ? RunErrorCommand(*arguments) : ExitCode::Done;
   }
   const std::optional<Arguments> arguments = ParseArguments(argc, argv);
   if (!arguments)

@@ -17,15 +17,31 @@
 #include "SurfaceFiles.h"
 #include "SurfaceFormat.h"
 #include "VtkMessages.h"
+#include "WrittenProof.h"
 
 #include "vtkNew.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace bonedecimate
 {
 namespace
 {
+/// What is proved holds for the files only if they are read with the coordinates that were proved.
+Options OptionsOf(const Arguments& arguments)
+{
+  Options options = arguments.Options;
+  const auto isReadAsSingle = [](const std::string& path) { return !ReadsDoubles(FormatOf(path)); };
+  if (options.PromisesError() &&
+    (isReadAsSingle(arguments.Output) ||
+      std::any_of(arguments.Also.begin(), arguments.Also.end(), isReadAsSingle)))
+  {
+    options.OutputPointsPrecision = PointsPrecision::Single;
+  }
+  return options;
+}
+
 /// A bone on its way; the verbs are in the order of RunOne().
 class BoneRun
 {
@@ -53,6 +69,7 @@ public:
         Refuse(this->Path, bone.Problem);
       }
       this->Input = bone.Surface;
+      this->VoxelSize = bone.VoxelSize;
       if (!bone.Note.empty())
       {
         this->Subject.Warnings.push_back(bone.Note);
@@ -69,7 +86,9 @@ public:
 
   void Decimate()
   {
-    ApplyOptions(this->Asked.Options, this->Filter);
+    Options options = OptionsOf(this->Asked);
+    options.VoxelSize = options.VoxelSize == 0.0 ? this->VoxelSize : options.VoxelSize;
+    ApplyOptions(options, this->Filter);
     this->Filter->SetMeasureInputDistances(this->WantsDistances());
     vtkNew<ProgressBar> bar;
     bar->SetShown(!this->Asked.Quiet);
@@ -79,7 +98,9 @@ public:
     this->Filter->Update();
     bar->Clear();
     StopIfInterrupted();
-    this->AcceptMessages(TakeVtkMessages());
+    const VtkMessages messages = TakeVtkMessages();
+    this->AcceptProof(messages);
+    this->AcceptMessages(messages);
   }
 
   void WriteSurfaces(OutputFiles& files)
@@ -87,7 +108,9 @@ public:
     const Stopwatch watch;
     for (StagedFile& file : files.Surfaces)
     {
-      WriteSurface(this->Filter->GetOutput(), file.GetTemporary(), file.GetTarget());
+      const vtkSmartPointer<vtkPolyData> readBack =
+        WriteSurface(this->Filter->GetOutput(), file.GetTemporary(), file.GetTarget());
+      this->ProveFile(readBack, file.GetTarget());
       const std::string loss = LossText(this->Filter->GetOutput(), file.GetTarget());
       if (!loss.empty())
       {
@@ -166,6 +189,29 @@ private:
       !this->Asked.Page.empty();
   }
 
+  void AcceptProof(const VtkMessages& messages) const
+  {
+    const std::string verdict = this->Filter->GetReportText("proof.verdict");
+    if (verdict == "violated" || verdict == "undecided")
+    {
+      throw Failure(verdict == "violated" ? ExitCode::Violated : ExitCode::Undecided,
+        "'" + BaseName(this->Path) + "': " +
+          (messages.Errors.empty() ? verdict : messages.Errors.front()) + "; nothing was written");
+    }
+  }
+
+  void ProveFile(vtkPolyData* readBack, const std::string& target)
+  {
+    if (this->Filter->GetReportText("proof.verdict").empty())
+    {
+      return;
+    }
+    const ProvedRun run = { this->Input, this->Filter->GetOutput(),
+      this->Filter->GetReportValue("proof.tolerance"), this->Filter->GetMergePoints(),
+      this->Filter->GetNumberOfThreads() };
+    this->Subject.ProvedFiles[BaseName(target)] = ProveWritten(run, readBack, target);
+  }
+
   void AcceptMessages(const VtkMessages& messages)
   {
     if (!messages.Errors.empty())
@@ -186,6 +232,7 @@ private:
   Stopwatch Whole;
   ReportSubject Subject;
   bool Volume;
+  double VoxelSize = 0.0; // mm, of a volume
   vtkSmartPointer<vtkPolyData> Input;
   vtkNew<vtkBoneDecimate> Filter;
   std::vector<std::string> Notes;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Summary.h"
 
+#include "BoundText.h"
 #include "NumberText.h"
 #include "ReportFields.h"
 
@@ -40,6 +41,43 @@ void PrintBorders(const ReportFields& report)
               << " mm of each other, curve to curve\n";
   }
 }
+
+void PrintVoxel(const ReportFields& report)
+{
+  const std::optional<double> size = report.Number("voxel.size");
+  if (size)
+  {
+    const std::string from = report.Text("voxel.from");
+    const double error = report.Number("voxel.error").value_or(0.0);
+    std::cout << "voxel           " << FixedText(*size, 4) << " mm"
+              << (from == "given"     ? ""
+                     : from == "grid" ? ", estimated from the grid of the surface"
+                                      : ", estimated from edges, +- " + FixedText(error, 2) + " mm")
+              << "; at most " << FixedText(report.Number("voxel.largest_error").value_or(0.0), 4)
+              << " mm asked for\n";
+  }
+}
+
+/// Rounded up, so that what is printed is proved.
+void PrintProof(const ReportFields& report)
+{
+  const std::optional<double> upper = report.Number("proof.upper");
+  if (!upper)
+  {
+    return;
+  }
+  const std::string borders = report.Text("proof.borders");
+  std::cout << "proved          <= " << UpperBoundText(*upper, 6) << " mm in both directions"
+            << (borders == "both"              ? ", open borders too"
+                   : borders == "not_compared" ? ", but for open borders"
+                                               : "");
+  const double leftOut = report.Number("proof.triangles_left_out").value_or(0.0);
+  if (leftOut > 0.0)
+  {
+    std::cout << ", but for " << GroupedText(leftOut) << " triangles of the input without area";
+  }
+  std::cout << "\n";
+}
 }
 
 void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
@@ -55,10 +93,13 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
   PrintDistances(report, "output_to_input", "result to input ");
   PrintDistances(report, "input_to_output", "input to result ");
   PrintBorders(report);
+  PrintVoxel(report);
+  PrintProof(report);
   std::cout << "stop            " << report.Text("stop_sentence") << "\n"
             << "seconds         read " << GroupedText(subject.SecondsRead, 2) << ", decimate "
             << seconds("seconds.decimate") << ", measure " << seconds("seconds.measure")
-            << ", write " << GroupedText(subject.SecondsWrite, 2) << "\n";
+            << ", prove " << seconds("seconds.prove") << ", write "
+            << GroupedText(subject.SecondsWrite, 2) << "\n";
   for (const std::string& file : written)
   {
     std::cout << "written         " << file << "\n";

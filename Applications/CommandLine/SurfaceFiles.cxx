@@ -139,7 +139,8 @@ void WriteFormat(vtkPolyData* surface, const std::string& path)
   }
 }
 
-bool Arrived(vtkPolyData* surface, const std::string& path)
+/// What can be read back, if it has as many points and triangles as it should.
+vtkSmartPointer<vtkPolyData> Arrived(vtkPolyData* surface, const std::string& path)
 {
   try
   {
@@ -147,16 +148,17 @@ bool Arrived(vtkPolyData* surface, const std::string& path)
     const bool samePoints =
       FormatOf(path) == SurfaceFormat::Stl || // three of its own for every triangle
       arrived.Surface->GetNumberOfPoints() == surface->GetNumberOfPoints();
-    return samePoints && CountFaces(arrived.Surface) == CountFaces(surface);
+    const bool isWhole = samePoints && CountFaces(arrived.Surface) == CountFaces(surface);
+    return isWhole ? arrived.Surface : nullptr;
   }
   catch (const Failure&)
   {
-    return false;
+    return nullptr;
   }
 }
 
 /// Not every writer notices a full disk; what can be read back in full has arrived.
-void WriteAndCheck(vtkPolyData* surface, const std::string& path)
+vtkSmartPointer<vtkPolyData> WriteAndCheck(vtkPolyData* surface, const std::string& path)
 {
   TakeVtkMessages();
   WriteFormat(surface, path);
@@ -165,10 +167,12 @@ void WriteAndCheck(vtkPolyData* surface, const std::string& path)
   {
     throw Failure(ExitCode::CouldNotWrite, messages.Errors.front());
   }
-  if (!Arrived(surface, path))
+  vtkSmartPointer<vtkPolyData> arrived = Arrived(surface, path);
+  if (!arrived)
   {
     throw Failure(ExitCode::CouldNotWrite, "the file is not complete, the disk may be full");
   }
+  return arrived;
 }
 }
 
@@ -203,11 +207,12 @@ LoadedSurface ReadSurface(const std::string& path)
   return loaded;
 }
 
-void WriteSurface(vtkPolyData* surface, const std::string& path, const std::string& target)
+vtkSmartPointer<vtkPolyData> WriteSurface(
+  vtkPolyData* surface, const std::string& path, const std::string& target)
 {
   try
   {
-    WriteAndCheck(surface, path);
+    return WriteAndCheck(surface, path);
   }
   catch (const Failure& failure)
   {

@@ -26,11 +26,12 @@ struct LoadedSurface
 LoadedSurface ReadSurface(const std::string& path);
 
 /**
- * Writes to a name that exists already (see StagedFile), and reads back what arrived.
+ * Writes to a name that exists already (see StagedFile), and returns what was read back.
  * @param target The name it will get, for messages.
  * @throws Failure(ExitCode::CouldNotWrite)
  */
-void WriteSurface(vtkPolyData* surface, const std::string& path, const std::string& target);
+vtkSmartPointer<vtkPolyData> WriteSurface(
+  vtkPolyData* surface, const std::string& path, const std::string& target);
 
 /// What this format cannot hold of the surface, for people; empty if it holds all of it.
 std::string LossText(vtkPolyData* surface, const std::string& path);

@@ -47,6 +47,11 @@ bool HoldsDoubles(SurfaceFormat format)
   return format != SurfaceFormat::Stl && format != SurfaceFormat::Ply;
 }
 
+bool ReadsDoubles(SurfaceFormat format)
+{
+  return format == SurfaceFormat::Vtp || format == SurfaceFormat::Vtk;
+}
+
 std::string BaseName(const std::string& path)
 {
   const std::filesystem::path whole(path);

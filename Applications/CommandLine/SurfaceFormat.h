@@ -39,6 +39,9 @@ bool HoldsArrays(SurfaceFormat format);
 /// Whether its coordinates keep double precision.
 bool HoldsDoubles(SurfaceFormat format);
 
+/// Whether what is read from it has double precision.
+bool ReadsDoubles(SurfaceFormat format);
+
 /// The last part of a path: reports name files without their folders.
 std::string BaseName(const std::string& path);
 }

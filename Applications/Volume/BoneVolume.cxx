@@ -13,6 +13,7 @@
 
 #include "vtkPointData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -136,6 +137,8 @@ BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield)
   if (bone.Problem.empty())
   {
     bone.Surface = OutwardContour(volume, hounsfield);
+    const double* const spacing = volume.Image->GetSpacing();
+    bone.VoxelSize = std::min({ spacing[0], spacing[1], spacing[2] });
   }
   return bone;
 }

@@ -20,9 +20,10 @@ bool IsVolume(const std::string& path);
 struct BoneSurface
 {
   vtkSmartPointer<vtkPolyData>
-    Surface;           ///< mm, patient coordinates of the file (LPS); null if refused.
-  std::string Problem; ///< Why it was refused; empty if it was not.
-  std::string Note;    ///< What of the input was left aside, for the user; may be empty.
+    Surface;              ///< mm, patient coordinates of the file (LPS); null if refused.
+  double VoxelSize = 0.0; ///< mm, the least side of its voxels.
+  std::string Problem;    ///< Why it was refused; empty if it was not.
+  std::string Note;       ///< What of the input was left aside, for the user; may be empty.
 };
 
 /**

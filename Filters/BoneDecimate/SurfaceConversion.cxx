@@ -310,6 +310,11 @@ void FillOutput(const Result& result, const Options& options, bool single, vtkPo
   }
   AddPointArray<vtkIntArray>(
     output, options.PointCountArrayName, "points", result.PointCount, tuples, 1);
+  if (!result.ErrorBound.empty())
+  {
+    AddPointArray<vtkDoubleArray>(
+      output, options.ErrorBoundArrayName, "mm", result.ErrorBound, tuples, 0);
+  }
   output->GetFieldData()->PassData(input->GetFieldData());
   AddEntries(ReportEntries(result.Report), "bonedecimate.", output->GetFieldData());
 }
@@ -339,6 +344,11 @@ void FillInputCopy(
   {
     AddPointArray<vtkDoubleArray>(output, options.InputDistanceArrayName, "mm",
       result.InputDistance, input->GetNumberOfPoints(), 0);
+  }
+  if (!result.InputErrorBound.empty())
+  {
+    AddPointArray<vtkDoubleArray>(output, options.InputErrorBoundArrayName, "mm",
+      result.InputErrorBound, input->GetNumberOfPoints(), 0);
   }
 }
 

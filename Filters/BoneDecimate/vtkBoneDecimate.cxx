@@ -58,18 +58,27 @@ vtkBoneDecimate::~vtkBoneDecimate() = default;
     return static_cast<result>(this->Internal->Options.name);                                      \
   }
 
-vtkBoneDecimateOption(Mode, int, int, int) vtkBoneDecimateOption(TargetNumberOfTriangles, int, int,
-  int) vtkBoneDecimateOption(TargetReduction, double, double, double)
-  vtkBoneDecimateOption(MaximumError, double, double, double) vtkBoneDecimateOption(
-    NormalTolerance, double, double, double) vtkBoneDecimateOption(MergePoints, bool, bool, bool)
-    vtkBoneDecimateOption(MeasureDistances, bool, bool, bool) vtkBoneDecimateOption(
-      MeasureInputDistances, bool, bool, bool) vtkBoneDecimateOption(NumberOfThreads, int, int, int)
-      vtkBoneDecimateOption(OutputPointsPrecision, int, int, int)
-        vtkBoneDecimateOption(DistanceArrayName, const std::string&, std::string, std::string)
-          vtkBoneDecimateOption(RunningErrorArrayName, const std::string&, std::string, std::string)
-            vtkBoneDecimateOption(PointCountArrayName, const std::string&, std::string, std::string)
-              vtkBoneDecimateOption(
-                InputDistanceArrayName, const std::string&, std::string, std::string)
+// clang-format off
+vtkBoneDecimateOption(Mode, int, int, int)
+vtkBoneDecimateOption(TargetNumberOfTriangles, int, int, int)
+vtkBoneDecimateOption(TargetReduction, double, double, double)
+vtkBoneDecimateOption(MaximumError, double, double, double)
+vtkBoneDecimateOption(NormalTolerance, double, double, double)
+vtkBoneDecimateOption(MergePoints, bool, bool, bool)
+vtkBoneDecimateOption(MeasureDistances, bool, bool, bool)
+vtkBoneDecimateOption(MeasureInputDistances, bool, bool, bool)
+vtkBoneDecimateOption(NumberOfThreads, int, int, int)
+vtkBoneDecimateOption(OutputPointsPrecision, int, int, int)
+vtkBoneDecimateOption(DistanceArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(RunningErrorArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(PointCountArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(InputDistanceArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(ProveResult, bool, bool, bool)
+vtkBoneDecimateOption(ErrorBoundArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(InputErrorBoundArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(ErrorPreset, int, int, int)
+vtkBoneDecimateOption(VoxelSize, double, double, double)
+// clang-format on
 #undef vtkBoneDecimateOption
 
   //------------------------------------------------------------------------------
@@ -139,6 +148,11 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
     precision == SINGLE_PRECISION || (precision == DEFAULT_PRECISION && converted.IsSingle);
   bonedecimate::FillOutput(result, options, single, input, vtkPolyData::GetData(outputVector, 0));
   bonedecimate::FillInputCopy(result, options, input, vtkPolyData::GetData(outputVector, 1));
+  const std::string contradiction = bonedecimate::ProofMessage(result.Report);
+  if (!contradiction.empty())
+  {
+    vtkErrorMacro(<< contradiction);
+  }
   return 1;
 }
 

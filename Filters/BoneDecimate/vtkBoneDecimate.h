@@ -187,6 +187,61 @@ public:
   std::string GetInputDistanceArrayName() const;
   ///@}
 
+  ///@{
+  /**
+   * With MaximumError in every mode but Thesis, certify the result as it is written (both directions, open borders) and
+   * put the proved bounds into the report, on by default. A result that the certificate contradicts is an error.
+   */
+  void SetProveResult(bool prove);
+  bool GetProveResult() const;
+  vtkBooleanMacro(ProveResult, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the array of the proved bound at each output point, mm: no point of the triangles around it is farther from
+   * the input. Default "ErrorBound".
+   */
+  void SetErrorBoundArrayName(const std::string& name);
+  std::string GetErrorBoundArrayName() const;
+  ///@}
+
+  ///@{
+  /**
+   * Name of the array on output port 1 of the proved bound at each input point, mm: no point of the triangles around it
+   * is farther from the result; only with MeasureInputDistances. Default "ErrorBoundToResult".
+   */
+  void SetInputErrorBoundArrayName(const std::string& name);
+  std::string GetInputErrorBoundArrayName() const;
+  ///@}
+
+  /// A largest error as a share of the scan's voxels.
+  enum ErrorPresets
+  {
+    NO_PRESET = 0,
+    QUARTER_VOXEL = 1,
+    HALF_VOXEL = 2,
+    ONE_VOXEL = 3
+  };
+
+  ///@{
+  /**
+   * A largest error as a share of the least side of the scan's voxels: one of ErrorPresets, by default NO_PRESET.
+   * MaximumError counts, too, if it is smaller.
+   */
+  void SetErrorPreset(int preset);
+  int GetErrorPreset() const;
+  ///@}
+
+  ///@{
+  /**
+   * The least side of the scan's voxels, mm, for ErrorPreset; 0, the default, is estimated from the surface, which must be
+   * as marching cubes leaves it; the report says so (voxel.from).
+   */
+  void SetVoxelSize(double millimetres);
+  double GetVoxelSize() const;
+  ///@}
+
   /**
    * Why the last run ended: one of StopReasons.
    */

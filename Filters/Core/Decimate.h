@@ -10,8 +10,8 @@
  *     original = Original(cleaned)               nearest point by a bounding tree, built when needed
  *     ThesisLoop, Sweep or RelaxedLoop           collapse until a stop is reached
  *     result   = Extract(mesh)                   points, triangles, maps
- *     Measure(result, original)                  both directions
- *     Certify(original, result)                  open borders, curve to curve
+ *     Judge(result, original)                    both directions, open borders
+ *     ProveResult(input, result)                 the certificate, if there is a largest error
  *
  * H. Brandao, Mesh Simplification and Smoothing for Bone Fragment Models, BSc thesis, Groningen 2018: the loop.
  */
@@ -50,6 +50,10 @@ struct Result
   std::vector<Index> PointCount; ///< How many input points each output point stands for.
   std::vector<double>
     InputDistance; ///< mm, of each input point to the result; only with MeasureInputDistances.
+  /// mm, proved: no point of the triangles around an output point is farther from the input. Empty without a proof.
+  std::vector<double> ErrorBound;
+  /// mm, the same of each input point, not a number where there is no triangle; only with MeasureInputDistances.
+  std::vector<double> InputErrorBound;
   bonedecimate::Report Report;
 };
 

@@ -59,6 +59,12 @@ std::string Lower(std::string text)
   return text;
 }
 
+std::string WithoutDashes(std::string text)
+{
+  text.erase(std::remove(text.begin(), text.end(), '-'), text.end());
+  return text;
+}
+
 /// Reads "on", "off", "true", ... ; -1 if it is none of them.
 int ReadSwitch(const std::string& text)
 {
@@ -74,7 +80,7 @@ int ReadChoice(const OptionInfo& info, const std::string& text)
 {
   for (std::size_t i = 0; i < info.Choices.size(); ++i)
   {
-    if (Lower(info.Choices[i]) == Lower(text))
+    if (Lower(info.Choices[i]) == Lower(WithoutDashes(text)))
     {
       return static_cast<int>(i);
     }
@@ -187,6 +193,23 @@ const std::vector<OptionInfo>& OptionTable()
       "at each point, in mm: 0 freezes the point with all triangles at it, negative is no limit of "
       "its own, in between it is a largest error there, linear on each triangle and proved like "
       "MaximumError, which caps it. Empty is none. Thesis takes only 0 and negative ones." },
+    { "ProveResult", &Options::ProveResult, 0, 1, "", "prove", {},
+      "With MaximumError in every mode but Thesis: certify the result as it is written, both "
+      "directions and open borders, and report the proved bounds." },
+    { "ErrorBoundArrayName", &Options::ErrorBoundArrayName, 0, 0, "", "", {},
+      "Name of the array of the proved bound at each output point, in mm: no point of the "
+      "triangles around it is farther from the input. Only with ProveResult." },
+    { "InputErrorBoundArrayName", &Options::InputErrorBoundArrayName, 0, 0, "", "", {},
+      "Name of the array of the proved bound at each input point, in mm: no point of the triangles "
+      "around it is farther from the result. Only with ProveResult and MeasureInputDistances." },
+    { "ErrorPreset", &Options::ErrorPreset, 0, 3, "", "preset",
+      { "None", "QuarterVoxel", "HalfVoxel", "OneVoxel" },
+      "A largest error as a share of the least side of the scan's voxels (VoxelSize); MaximumError "
+      "counts, too, if it is smaller. A quarter of a voxel is below what the scan shows, a half "
+      "is about how far a surface may be off by the scan alone, one is for overviews." },
+    { "VoxelSize", &Options::VoxelSize, 0, Largest, "mm", "voxel-size", {},
+      "Least side of the scan's voxels, for ErrorPreset; 0: estimated from the surface, which "
+      "must be as marching cubes leaves it, and reported as an estimate." },
   };
   return table;
 }

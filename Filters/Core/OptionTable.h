@@ -17,7 +17,7 @@ namespace bonedecimate
 {
 /// Which field of Options a row stands for; its alternative is the kind of the option.
 using OptionField = std::variant<bool Options::*, int Options::*, double Options::*,
-  std::string Options::*, Mode Options::*, PointsPrecision Options::*>;
+  std::string Options::*, Mode Options::*, PointsPrecision Options::*, ErrorPreset Options::*>;
 
 /// Switches are bool, choices are their number as int.
 using OptionValue = std::variant<bool, int, double, std::string>;

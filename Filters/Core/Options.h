@@ -27,6 +27,15 @@ enum class PointsPrecision : int
   Default = 2 ///< That of the input points.
 };
 
+/// A largest error as a share of the scan's voxels.
+enum class ErrorPreset : int
+{
+  NoPreset = 0,
+  QuarterVoxel = 1,
+  HalfVoxel = 2,
+  OneVoxel = 3
+};
+
 /// Every field is one row of OptionTable(); the defaults are written here and nowhere else.
 struct Options
 {
@@ -45,10 +54,22 @@ struct Options
   std::string PointCountArrayName = "InputPointCount";
   std::string InputDistanceArrayName = "DistanceToResult";
   std::string ToleranceArrayName;
+  bool ProveResult = true;
+  std::string ErrorBoundArrayName = "ErrorBound";
+  std::string InputErrorBoundArrayName = "ErrorBoundToResult";
+  bonedecimate::ErrorPreset ErrorPreset = bonedecimate::ErrorPreset::NoPreset;
+  double VoxelSize = 0.0; // mm
 
   /// Set by whoever sets TargetReduction. While it is false, the default reduction steps back as soon as a
   /// number of triangles or a largest error is asked for.
   bool TargetReductionIsExplicit = false;
+
+  /// Whether MaximumError is a promise about every point of both surfaces.
+  bool PromisesError() const
+  {
+    return this->Mode != bonedecimate::Mode::Thesis &&
+      (this->MaximumError > 0.0 || this->ErrorPreset != bonedecimate::ErrorPreset::NoPreset);
+  }
 };
 }
 

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report.h"
 
+#include "Certificate/Certificate.h"
+
+#include <algorithm>
+#include <cstdio>
+
 namespace bonedecimate
 {
 namespace
@@ -11,6 +16,18 @@ std::string Found(std::int64_t count, const char* what, const char* kind, std::i
   return std::to_string(count) + " " + what + ", the first is " + kind + " " +
     std::to_string(first);
 }
+}
+
+double ErrorProof::Lower() const
+{
+  return std::max({ this->InputToOutput.Lower, this->OutputToInput.Lower,
+    this->BorderInputToOutput.Lower, this->BorderOutputToInput.Lower });
+}
+
+double ErrorProof::Upper() const
+{
+  return std::max({ this->InputToOutput.Upper, this->OutputToInput.Upper,
+    this->BorderInputToOutput.Upper, this->BorderOutputToInput.Upper });
 }
 
 const char* StopReasonWord(StopReason reason)
@@ -91,5 +108,22 @@ std::vector<std::string> InputWarnings(const Report& report)
       found.FirstLockedPoint));
   }
   return warnings;
+}
+
+std::string ProofMessage(const Report& report)
+{
+  const ErrorProof& proof = report.Proof;
+  if (!proof.WasMade || proof.Verdict == CertificateVerdict::Proved ||
+    proof.Verdict == CertificateVerdict::NotAsked)
+  {
+    return {};
+  }
+  char text[200];
+  std::snprintf(text, sizeof(text),
+    "the certificate %s that the result keeps the largest error of %.9g mm: "
+    "the distance is between %.9g and %.9g mm",
+    proof.Verdict == CertificateVerdict::Violated ? "contradicts" : "cannot decide",
+    proof.Tolerance, proof.Lower(), proof.Upper());
+  return text;
 }
 }

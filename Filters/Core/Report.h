@@ -16,6 +16,9 @@
 
 namespace bonedecimate
 {
+enum class CertificateVerdict : int; // of Certificate/Certificate.h
+enum class BorderPresence : int;
+
 /// Whether the input could be used at all.
 enum class InputStatus : int
 {
@@ -105,11 +108,47 @@ struct DistanceStatistics
   double SamplesPerSquareMillimetre = 0.0;
 };
 
-/// Proved bounds of the largest distance from the open borders of one surface to those of the other, mm.
-struct BorderDistance
+/// Proved bounds of the largest distance from one surface to the other, or from its open borders to the other's, mm.
+struct ProvedDistance
 {
   double Lower = 0.0;
   double Upper = 0.0;
+};
+
+/// What the certificate says of the surface as it is written.
+struct ErrorProof
+{
+  bool WasMade = false;         ///< Else nothing else counts.
+  CertificateVerdict Verdict{}; ///< Of everything that was compared.
+  double Tolerance = 0.0;       ///< mm, what was to be proved; 0: nothing, only the bounds count.
+  ProvedDistance InputToOutput;
+  ProvedDistance OutputToInput;
+  /// Borders are those where points of equal coordinates are one; without MergePoints they are not compared.
+  bool BordersCompared = false;
+  BorderPresence Borders{}; ///< If only one surface has some, they are infinitely far.
+  ProvedDistance BorderInputToOutput;
+  ProvedDistance BorderOutputToInput;
+  std::int64_t TrianglesLeftOut = 0; ///< Of the input: those without area that cleaning dropped.
+
+  double Lower() const; ///< mm, the largest of all directions, borders too.
+  double Upper() const;
+};
+
+/// The voxels of a run with an ErrorPreset.
+struct VoxelFigures
+{
+  enum class Source : int
+  {
+    NotAsked = 0,
+    Given,
+    Grid, ///< Estimated from the planes of marching cubes.
+    Edges ///< Estimated from the lengths of edges.
+  };
+  Source From = Source::NotAsked;
+  double Size = 0.0;  ///< mm, the least side.
+  double Error = 0.0; ///< mm, by which an estimate may be off.
+  double LargestError =
+    0.0; ///< mm, what the preset makes of it, or MaximumError if that is smaller.
 };
 
 struct StageSeconds
@@ -118,6 +157,7 @@ struct StageSeconds
   double Collapse = 0.0; ///< Costs, the loop, extraction; the original's bounding tree, if needed.
   double Decimate = 0.0; ///< Prepare + Collapse: everything needed for the surface.
   double Measure = 0.0;  ///< Statistics of both surfaces and distances.
+  double Prove = 0.0;    ///< The certificate of the result.
   double Total = 0.0;
 };
 
@@ -132,8 +172,10 @@ struct Report
   DistanceStatistics OutputToInput;
   DistanceStatistics InputToOutput;
   bool BordersMeasured = false; ///< With the distances, if both surfaces have open borders.
-  BorderDistance BorderOutputToInput;
-  BorderDistance BorderInputToOutput;
+  ProvedDistance BorderOutputToInput;
+  ProvedDistance BorderInputToOutput;
+  ErrorProof Proof;
+  VoxelFigures Voxel;
   /// mm, the thesis's maxError: largest distance of a new vertex to the input, along the collapses in mode Thesis, at the
   /// end in the others. Not a number where none was looked up, which is so in these without MeasureDistances and origins;
   /// the tables then leave it out.
@@ -154,6 +196,8 @@ const char* VerdictWord(Verdict verdict);
 std::string InputMessage(const Report& report);
 /// What was found in a good input and dealt with, a sentence each, with counts and the id of the first.
 std::vector<std::string> InputWarnings(const Report& report);
+/// That the certificate contradicts the promise, or cannot decide; empty if it is proved or there is no proof.
+std::string ProofMessage(const Report& report);
 /// Version of this software, "major.minor.patch".
 const char* Version();
 }

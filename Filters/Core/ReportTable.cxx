@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReportTable.h"
 
+#include "Certificate/Certificate.h"
+#include "CertificateTable.h"
 #include "OptionTable.h"
 
 #include <cmath>
@@ -57,11 +59,37 @@ void AddDistance(Entries& entries, const std::string& direction, const DistanceS
   entries.push_back({ path + ".samples_per_mm2", "1/mm2", distance.SamplesPerSquareMillimetre });
 }
 
-void AddBorderDistance(
-  Entries& entries, const std::string& direction, const BorderDistance& distance)
+void AddBounds(Entries& entries, const std::string& path, const ProvedDistance& distance)
 {
-  entries.push_back({ "distance.border_" + direction + ".lower", "mm", distance.Lower });
-  entries.push_back({ "distance.border_" + direction + ".upper", "mm", distance.Upper });
+  entries.push_back({ path + ".lower", "mm", distance.Lower });
+  entries.push_back({ path + ".upper", "mm", distance.Upper });
+}
+
+void AddProof(Entries& entries, const ErrorProof& proof)
+{
+  entries.push_back({ "proof.verdict", "", std::string(VerdictWord(proof.Verdict)) });
+  entries.push_back({ "proof.tolerance", "mm", proof.Tolerance });
+  AddBounds(entries, "proof", { proof.Lower(), proof.Upper() });
+  AddBounds(entries, "proof.output_to_input", proof.OutputToInput);
+  AddBounds(entries, "proof.input_to_output", proof.InputToOutput);
+  const std::string borders =
+    proof.BordersCompared ? BorderPresenceWord(proof.Borders) : "not_compared";
+  entries.push_back({ "proof.borders", "", borders });
+  if (proof.BordersCompared && proof.Borders == BorderPresence::Both)
+  {
+    AddBounds(entries, "proof.border_output_to_input", proof.BorderOutputToInput);
+    AddBounds(entries, "proof.border_input_to_output", proof.BorderInputToOutput);
+  }
+  entries.push_back({ "proof.triangles_left_out", "", proof.TrianglesLeftOut });
+}
+
+void AddVoxel(Entries& entries, const VoxelFigures& voxel)
+{
+  static const char* const sources[] = { "not_asked", "given", "grid", "edges" };
+  entries.push_back({ "voxel.from", "", std::string(sources[static_cast<int>(voxel.From)]) });
+  entries.push_back({ "voxel.size", "mm", voxel.Size });
+  entries.push_back({ "voxel.error", "mm", voxel.Error });
+  entries.push_back({ "voxel.largest_error", "mm", voxel.LargestError });
 }
 
 void AddRun(Entries& entries, const Report& report)
@@ -80,6 +108,7 @@ void AddRun(Entries& entries, const Report& report)
   entries.push_back({ "seconds.collapse", "s", report.Seconds.Collapse });
   entries.push_back({ "seconds.decimate", "s", report.Seconds.Decimate });
   entries.push_back({ "seconds.measure", "s", report.Seconds.Measure });
+  entries.push_back({ "seconds.prove", "s", report.Seconds.Prove });
   entries.push_back({ "seconds.total", "s", report.Seconds.Total });
 }
 }
@@ -101,8 +130,16 @@ std::vector<ReportEntry> ReportEntries(const Report& report)
   }
   if (report.BordersMeasured)
   {
-    AddBorderDistance(entries, "output_to_input", report.BorderOutputToInput);
-    AddBorderDistance(entries, "input_to_output", report.BorderInputToOutput);
+    AddBounds(entries, "distance.border_output_to_input", report.BorderOutputToInput);
+    AddBounds(entries, "distance.border_input_to_output", report.BorderInputToOutput);
+  }
+  if (report.Voxel.From != VoxelFigures::Source::NotAsked)
+  {
+    AddVoxel(entries, report.Voxel);
+  }
+  if (report.Proof.WasMade)
+  {
+    AddProof(entries, report.Proof);
   }
   AddRun(entries, report);
   for (const OptionInfo& info : OptionTable())

@@ -44,6 +44,13 @@ class Volumes(ApplicationTest):
                 self.assertGreater(self.report()["output"]["volume"], 1000.0)
                 self.assertEqual(self.report()["command_line"]["iso"], "226")
 
+    def test_volume_tells_the_voxels_of_a_preset(self):
+        words = ("--iso", 226, "--preset", "half-voxel", "--report", "report.json")
+        self.succeed("ct.vti", "out.vtp", *words)
+        self.assertEqual(self.report()["voxel"]["from"], "given")
+        self.assertEqual(self.report()["proof"]["tolerance"], 0.5)
+        self.assertEqual(self.report()["proof"]["verdict"], "proved")
+
     def test_volume_needs_a_value(self):
         self.fail_with(USAGE, "ct.vti", "out.vtp", says="--iso")
 

@@ -18,7 +18,7 @@ SOURCES = (".h", ".cxx", ".hpp", ".cpp", ".h.in", ".cxx.in")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 
 # Headers that every room of the core may know: the words in which its rooms talk.
-VOCABULARY = {"Surface.h", "Options.h", "Report.h", "Monitor.h", "Parallel.h"}
+VOCABULARY = {"Surface.h", "Options.h", "Report.h", "Monitor.h", "Parallel.h", "Memory/LargeArray.h", "Memory/Prefetch.h"}
 # Geometry is below them; the table says `Surface.h` and nothing else.
 WITHOUT_VOCABULARY = {f"{CORE}/Geometry"}
 # The program puts its own rooms together, and takes what the table does not list one by one: "system" is the
@@ -28,6 +28,7 @@ LIBRARIES = {
     "Applications/CommandLine": {"CLI11", "JSON", "system"},
     "Applications/Picture": {"JSON", "system"},
     "Applications/Volume": {"system"},
+    f"{CORE}/Memory": {"system"},
 }
 STREAMS = {"iostream", "fstream", "sstream", "ostream", "istream", "iomanip", "ios", "iosfwd", "streambuf",
            "filesystem", "syncstream"}

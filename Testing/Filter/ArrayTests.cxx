@@ -73,6 +73,24 @@ TEST(Arrays, BearTheNamesThatWereAskedFor)
   ExpectArray(run.InputCopy(), "back", "mm");
 }
 
+TEST(Arrays, ErrorBoundsComeWithTheProofUnderTheirNames)
+{
+  FilterRun run(Bumps(3));
+  run->SetMaximumError(0.2);
+  run->MeasureInputDistancesOn();
+  ExpectArray(run.Output(), "ErrorBound", "mm");
+  ExpectArray(run.InputCopy(), "ErrorBoundToResult", "mm");
+  EXPECT_EQ(Largest(Values(run.Output(), "ErrorBound")), run.Value("proof.output_to_input.upper"));
+  EXPECT_LE(run.Value("proof.upper"), 0.2);
+  run->SetErrorBoundArrayName("b");
+  run->SetInputErrorBoundArrayName("back");
+  ExpectArray(run.Output(), "b", "mm");
+  ExpectArray(run.InputCopy(), "back", "mm");
+  run->ProveResultOff();
+  EXPECT_FALSE(run.Output()->GetPointData()->HasArray("b"));
+  EXPECT_FALSE(run.InputCopy()->GetPointData()->HasArray("back"));
+}
+
 TEST(Arrays, DistanceIsThatOfTheLocatorToTheInput)
 {
   for (const vtkSmartPointer<vtkPolyData>& input : { Bumps(3), PolyData(HeightField(24, 1.0, 5)) })

@@ -40,7 +40,8 @@ const std::vector<Number>& Numbers()
     NUMBER_PROPERTY(TargetNumberOfTriangles), NUMBER_PROPERTY(TargetReduction),
     NUMBER_PROPERTY(MaximumError), NUMBER_PROPERTY(NormalTolerance), NUMBER_PROPERTY(MergePoints),
     NUMBER_PROPERTY(MeasureDistances), NUMBER_PROPERTY(MeasureInputDistances),
-    NUMBER_PROPERTY(NumberOfThreads), NUMBER_PROPERTY(OutputPointsPrecision) };
+    NUMBER_PROPERTY(NumberOfThreads), NUMBER_PROPERTY(OutputPointsPrecision),
+    NUMBER_PROPERTY(ProveResult), NUMBER_PROPERTY(ErrorPreset), NUMBER_PROPERTY(VoxelSize) };
   return numbers;
 }
 
@@ -62,7 +63,8 @@ const std::vector<Text>& Texts()
 {
   static const std::vector<Text> texts = { TEXT_PROPERTY(DistanceArrayName),
     TEXT_PROPERTY(RunningErrorArrayName), TEXT_PROPERTY(PointCountArrayName),
-    TEXT_PROPERTY(InputDistanceArrayName) };
+    TEXT_PROPERTY(InputDistanceArrayName), TEXT_PROPERTY(ErrorBoundArrayName),
+    TEXT_PROPERTY(InputErrorBoundArrayName) };
   return texts;
 }
 
@@ -148,6 +150,7 @@ TEST(Properties, HaveTheDefaultsOfTheirDocumentation)
   EXPECT_TRUE(filter->GetMergePoints());
   EXPECT_TRUE(filter->GetMeasureDistances());
   EXPECT_FALSE(filter->GetMeasureInputDistances());
+  EXPECT_TRUE(filter->GetProveResult());
   EXPECT_EQ(filter->GetNumberOfThreads(), 0);
   EXPECT_EQ(filter->GetOutputPointsPrecision(), vtkAlgorithm::DEFAULT_PRECISION);
 }

@@ -17,14 +17,18 @@ NUMBERS = {
     "MaximumError": (0.0, 0.25, -1.0, 0.0),
     "NormalTolerance": (0.95, 0.5, 2.0, 1.0),
     "NumberOfThreads": (0, 2, 5000, 1024),
+    "ErrorPreset": (vtkBoneDecimate.NO_PRESET, vtkBoneDecimate.HALF_VOXEL, 9, vtkBoneDecimate.ONE_VOXEL),
+    "VoxelSize": (0.0, 0.5, -1.0, 0.0),
     "OutputPointsPrecision": (vtkAlgorithm.DEFAULT_PRECISION, vtkAlgorithm.SINGLE_PRECISION, 7, 2),
 }
-SWITCHES = {"MergePoints": True, "MeasureDistances": True, "MeasureInputDistances": False}
+SWITCHES = {"MergePoints": True, "MeasureDistances": True, "MeasureInputDistances": False, "ProveResult": True}
 TEXTS = {
     "DistanceArrayName": "Distance",
     "RunningErrorArrayName": "RunningError",
     "PointCountArrayName": "InputPointCount",
     "InputDistanceArrayName": "DistanceToResult",
+    "ErrorBoundArrayName": "ErrorBound",
+    "InputErrorBoundArrayName": "ErrorBoundToResult",
 }
 
 

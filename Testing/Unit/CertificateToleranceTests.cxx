@@ -223,6 +223,26 @@ TEST(CertificateTolerance, OfZeroFreezesItsPointsAndLetsOthersMove)
   EXPECT_EQ(AgainstMap(sphere, result, map).Verdict, CertificateVerdict::Violated);
 }
 
+TEST(CertificateTolerance, OfZeroNextToNoLimitOrToARampIsDecided)
+{
+  const Surface sphere = Icosphere(3, 10.0);
+  for (const double below : { NoLimit, 0.05 })
+  {
+    Surface result = sphere;
+    std::vector<double> map;
+    for (std::size_t i = 0; i < sphere.Points.size(); ++i)
+    {
+      const double z = sphere.Points[i].z();
+      map.push_back(z > 0.0 ? 0.0 : below < 0.0 ? NoLimit : -below * z);
+      result.Points[i] *= z < -4.0 ? 1.01 : 1.0;
+    }
+    EXPECT_EQ(AgainstMap(sphere, result, map).Verdict, CertificateVerdict::Proved) << below;
+    result.Points[0] *= 1.0 + 1e-7;
+    map[0] = 0.0;
+    EXPECT_EQ(AgainstMap(sphere, result, map).Verdict, CertificateVerdict::Violated) << below;
+  }
+}
+
 TEST(CertificateTolerance, WhereNothingLimitsAnythingMayHappen)
 {
   const Surface plate = Grid(4);

@@ -107,7 +107,7 @@ void ExpectMatched(const Surface& surface)
   for (const int threads : { 1, 3 })
   {
     const EdgeMatching matching(surface.Triangles, surface.Points.size(), threads);
-    EXPECT_EQ(matching.Twins(), brute.Twins);
+    EXPECT_EQ(std::vector<Index>(matching.Twins().begin(), matching.Twins().end()), brute.Twins);
     const EdgeCounts counts = matching.CountEdges();
     EXPECT_EQ(counts.Edges, brute.Counts.Edges);
     EXPECT_EQ(counts.Border, brute.Counts.Border);

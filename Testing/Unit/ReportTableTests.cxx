@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Certificate/Certificate.h"
 #include "OptionTable.h"
 #include "ReportTable.h"
 
@@ -91,6 +92,29 @@ TEST(ReportTable, DistancesAreLeftOutWhenNoneWereMeasuredAndNothingElseIs)
   {
     EXPECT_NE(entry.Name.rfind("distance.", 0), 0U) << entry.Name;
   }
+}
+
+TEST(ReportTable, ProofIsThereOnlyWhereOneWasMadeAndHasTheLargestOfAllDirections)
+{
+  Report report = MeasuredReport();
+  const std::size_t without = ReportEntries(report).size();
+  report.Proof.WasMade = true;
+  report.Proof.Verdict = CertificateVerdict::Proved;
+  report.Proof.Tolerance = 0.5;
+  report.Proof.InputToOutput = { 0.25, 0.375 };
+  report.Proof.OutputToInput = { 0.125, 0.1875 };
+  EXPECT_EQ(Read<std::string>(report, "proof.borders"), "not_compared");
+  EXPECT_EQ(ReportEntries(report).size(), without + 10);
+  report.Proof.BordersCompared = true;
+  report.Proof.Borders = BorderPresence::Both;
+  report.Proof.BorderOutputToInput = { 0.4375, 0.46875 };
+  EXPECT_EQ(ReportEntries(report).size(), without + 14);
+  EXPECT_EQ(Read<std::string>(report, "proof.verdict"), "proved");
+  EXPECT_EQ(Read<double>(report, "proof.lower"), 0.4375);
+  EXPECT_EQ(Read<double>(report, "proof.upper"), 0.46875);
+  EXPECT_EQ(Read<double>(report, "proof.tolerance"), 0.5);
+  EXPECT_EQ(Read<double>(report, "proof.input_to_output.upper"), 0.375);
+  EXPECT_EQ(Read<double>(report, "proof.border_output_to_input.lower"), 0.4375);
 }
 
 TEST(ReportTable, LengthsAreInMillimetresAndTimesInSeconds)

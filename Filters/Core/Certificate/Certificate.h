@@ -81,7 +81,9 @@ struct DirectedCertificate
   DistanceBounds Distance;
   MeanDistance Mean;      ///< only if asked for, and not of borders
   SignedDistances Points; ///< only if asked for, and not of borders
-  DistanceBounds Excess;  ///< over the tolerance map; only with one
+  /// mm, for each triangle no less than the distance of any of its points; only if asked for, and not of borders.
+  std::vector<double> TriangleUpper;
+  DistanceBounds Excess; ///< over the tolerance map; only with one
   CertificateVerdict Verdict = CertificateVerdict::NotAsked;
 };
 
@@ -116,7 +118,11 @@ struct CertificateOptions
   bool WithMeans = false;      ///< Average and root mean square, too.
   double MeanPrecision = 1e-3; ///< Share of them to which they are estimated, if 2^21 samples do.
   bool WithPointDistances = false; ///< Distance and side of each point, too.
-  int NumberOfThreads = 0;         ///< 0: one per processor; the answer is the same
+  /// mm; above 0: an upper bound for each triangle, too, by at most so much above its largest distance, unless 4,096 cuts
+  /// of the triangle end it before.
+  double ReferenceTriangleGap = 0.0;
+  double ResultTriangleGap = 0.0;
+  int NumberOfThreads = 0; ///< 0: one per processor; the answer is the same
 };
 
 struct Certificate

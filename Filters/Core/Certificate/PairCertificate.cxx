@@ -6,6 +6,7 @@
 #include "Search.h"
 #include "SideFinder.h"
 #include "Target.h"
+#include "TriangleBounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,10 +42,12 @@ void Tighten(DistanceBounds& bounds, const DistanceBounds& other)
 class Direction
 {
 public:
-  Direction(const Simplices& source, const Target& target, const PairTask& task)
+  /// @param triangleGap mm, of the bounds of single triangles; 0: none are wanted.
+  Direction(const Simplices& source, const Target& target, const PairTask& task, double triangleGap)
     : Source(source)
     , To(target)
     , Task(task)
+    , TriangleGap(task.OfSurfaces ? triangleGap : 0.0)
   {
     const std::int64_t asked = task.Options.MostCuts;
     this->Goal.MostCuts =
@@ -69,9 +72,13 @@ public:
     {
       this->Decide(*tolerance, values, answer, progress);
     }
+    if (this->TriangleGap > 0.0 && progress.GoesOn())
+    {
+      this->BoundTriangles(values, answer, progress.Next(0.1 * share));
+    }
     if (this->Task.OfSurfaces && progress.GoesOn())
     {
-      this->Describe(values, answer, progress.Next(0.2 * share));
+      this->Describe(values, answer, progress.Next(0.1 * share));
     }
   }
 
@@ -118,6 +125,17 @@ private:
     }
   }
 
+  void BoundTriangles(
+    const PointValues& values, DirectedCertificate& answer, const Monitor& monitor) const
+  {
+    SearchGoal goal = this->Goal;
+    goal.CloseBelow = -Infinity;
+    goal.RelativeGap = 0.0;
+    goal.LeastGap = std::max(this->TriangleGap, FewestSlacks * goal.Slack);
+    answer.TriangleUpper =
+      FindTriangleBounds(this->Source, this->To, values, goal, answer.Distance.Upper, monitor);
+  }
+
   void Describe(const PointValues& values, DirectedCertificate& answer, const Monitor& monitor)
   {
     const CertificateOptions& options = this->Task.Options;
@@ -142,6 +160,7 @@ private:
   const Simplices& Source;
   const Target& To;
   const PairTask& Task;
+  double TriangleGap; // mm
   SearchGoal Goal;
 };
 
@@ -201,7 +220,8 @@ DirectedCertificate Forward(const Comparison& both)
   DirectedCertificate answer;
   const Monitor tell = both.Progress.Next(0.0);
   const Target target(both.Result, both.Task.Options.NumberOfThreads, [&] { tell(1.0); });
-  Direction(both.Reference, target, both.Task).FindDistance(answer, both.Progress, both.Share);
+  Direction(both.Reference, target, both.Task, both.Task.Options.ReferenceTriangleGap)
+    .FindDistance(answer, both.Progress, both.Share);
   NameTriangles(answer.Distance, both.Reference, both.Result);
   if (both.Limit.empty() || !both.Progress.GoesOn())
   {
@@ -213,7 +233,7 @@ DirectedCertificate Forward(const Comparison& both)
     Allow(answer);
     return answer;
   }
-  Direction(limited, target, both.Task)
+  Direction(limited, target, both.Task, 0.0)
     .FindExcess(answer, LargestFinite(both.Limit), both.Progress, both.Share);
   NameTriangles(answer.Excess, limited, both.Result);
   return answer;
@@ -224,7 +244,8 @@ DirectedCertificate Backward(const Comparison& both)
   DirectedCertificate answer;
   const Monitor tell = both.Progress.Next(0.0);
   Target target(both.Reference, both.Task.Options.NumberOfThreads, [&] { tell(1.0); });
-  Direction(both.Result, target, both.Task).FindDistance(answer, both.Progress, both.Share);
+  Direction(both.Result, target, both.Task, both.Task.Options.ResultTriangleGap)
+    .FindDistance(answer, both.Progress, both.Share);
   NameTriangles(answer.Distance, both.Result, both.Reference);
   if (both.Limit.empty() || !both.Progress.GoesOn())
   {
@@ -238,7 +259,8 @@ DirectedCertificate Backward(const Comparison& both)
     return answer;
   }
   target.SetTolerances(std::move(least));
-  Direction(both.Result, target, both.Task).FindExcess(answer, largest, both.Progress, both.Share);
+  Direction(both.Result, target, both.Task, 0.0)
+    .FindExcess(answer, largest, both.Progress, both.Share);
   NameTriangles(answer.Excess, both.Result, both.Reference);
   return answer;
 }

@@ -74,6 +74,20 @@ double PieceSearch::Explore(Index simplex, std::int64_t mostCuts)
 }
 
 //------------------------------------------------------------------------------
+double PieceSearch::UpperOf(Index simplex, std::int64_t mostCuts)
+{
+  this->Most = LargestExcess();
+  this->MostClosed = -Infinity;
+  const Piece whole = this->Whole(simplex);
+  for (int i = 0; i < whole.Count; ++i)
+  {
+    this->Learn(whole.Corners[i], simplex);
+  }
+  const double left = this->Explore(simplex, mostCuts);
+  return std::max(left, this->MostClosed);
+}
+
+//------------------------------------------------------------------------------
 Piece PieceSearch::Whole(Index simplex) const
 {
   Piece piece;

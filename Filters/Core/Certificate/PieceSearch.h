@@ -35,6 +35,10 @@ public:
   /// @return mm, an upper bound of the excess of what is left open; minus infinity if nothing is.
   double Explore(Index simplex, std::int64_t mostCuts);
 
+  /// Forgets all others.
+  /// @return mm, an upper bound of the excess of this simplex, within the gap if so many cuts are enough.
+  double UpperOf(Index simplex, std::int64_t mostCuts);
+
   const LargestExcess& Largest() const { return this->Most; }
   double Closed() const { return this->MostClosed; } ///< mm, largest upper bound of what was closed
   std::int64_t Cuts() const { return this->CutsMade; }

@@ -108,13 +108,9 @@ Index Target::FindSame(const Corners& places, int count) const
     middle += (places[i] - places[0]) / count;
   }
   const Index simplex = this->Tree.FindNearest(middle).Triangle;
-  if (this->Set.NumberOfCorners(static_cast<std::size_t>(simplex)) != count)
-  {
-    return None;
-  }
   const Corners corners = this->CornersOf(simplex);
   const auto isCorner = [&](const Vector3& place)
-  { return std::find(corners.begin(), corners.begin() + count, place) != corners.begin() + count; };
+  { return std::find(corners.begin(), corners.end(), place) != corners.end(); };
   return std::all_of(places.begin(), places.begin() + count, isCorner) ? simplex : None;
 }
 }

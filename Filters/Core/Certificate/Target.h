@@ -46,7 +46,7 @@ public:
   /// A lower bound of the value to the set, mm, but for rounding.
   double ValueFromBelow(const Vector3& p, double startValue) const;
 
-  /// A simplex of exactly these places in any order; None if none was found.
+  /// A simplex that has all these places among its corners; None if none was found.
   Index FindSame(const Corners& places, int count) const;
 
   bool HasTolerances() const { return !this->Tolerances.empty(); }

@@ -3,7 +3,7 @@
 #include "BlockSweep.h"
 
 #include "Gate.h"
-#include "Kernels/Prefetch.h"
+#include "Memory/Prefetch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,12 +43,20 @@ void BlockSweep::Renew(Index vertex)
 /// The last vertex first, since lists are read backwards.
 void BlockSweep::ListVertices()
 {
+  constexpr Index step = 32; // looked at together: later rounds find few
   this->Levels.Clear();
-  for (Index v = this->Task.Vertices.Last; v-- > this->Task.Vertices.First;)
+  const CostKey* keys = this->Known.Keys.data();
+  const CostKey limit = this->Task.Limit;
+  for (Index end = this->Task.Vertices.Last; end > this->Task.Vertices.First; end -= step)
   {
-    if (this->Known.Keys[v] <= this->Task.Limit)
+    const Index first = std::max(this->Task.Vertices.First, end - step);
+    const bool hasAny = CountUpTo(limit, keys + first, keys + end) > 0;
+    for (Index v = end; hasAny && v-- > first;)
     {
-      this->Levels.Add(v, this->Known.Keys[v]);
+      if (keys[v] <= limit)
+      {
+        this->Levels.Add(v, keys[v]);
+      }
     }
   }
 }

@@ -297,6 +297,8 @@ void Editor::Settle(Tally& tally)
   {
     this->RefusalsByVerdict[i] += tally.Refusals[i];
   }
-  tally = {};
+  tally.Refusals.fill(0); // the list of volumes keeps its memory
+  tally.Edits = 0;
+  tally.RemovedFaces = 0;
 }
 }

@@ -94,9 +94,13 @@ bool Fragments::MayChange(Index v, double volumeChange, const Changes& pending, 
   {
     return true;
   }
-  const double spare = (volume.Now / volume.AtFirst - LeastVolumeShare) / workers;
   const double change = volumeChange / volume.AtFirst;
-  return change >= 0.0 || spare + pending.Of(this->OfVertex[v]) / volume.AtFirst + change >= 0.0;
+  if (change >= 0.0)
+  {
+    return true;
+  }
+  const double spare = (volume.Now / volume.AtFirst - LeastVolumeShare) / workers;
+  return spare + pending.Of(this->OfVertex[v]) / volume.AtFirst + change >= 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -59,7 +59,7 @@ Verdict JudgeTopology(const HalfEdgeMesh& mesh, const Neighbourhood& around)
 //------------------------------------------------------------------------------
 void FillFan(const HalfEdgeMesh& mesh, const Neighbourhood& around, Fan& fan)
 {
-  const Vector3& origin = mesh.Position(around.Start);
+  const Vector3 origin = mesh.Position(around.Start);
   const Vector3 end = mesh.Position(around.End) - origin;
   const int points = static_cast<int>(around.Ring.size());
   for (int k = 0; k < 3; ++k)
@@ -75,17 +75,20 @@ void FillFan(const HalfEdgeMesh& mesh, const Neighbourhood& around, Fan& fan)
       fan.Apexes[k][lane] = apex[k];
     }
   }
-  for (int i = 0; i <= fan.Faces; ++i)
+  double* const ring[3] = { fan.Ring[0], fan.Ring[1], fan.Ring[2] };
+  const int faces = fan.Faces;
+  for (int i = 0; i <= faces; ++i)
   {
     const Vector3& p = mesh.Position(around.Ring[static_cast<std::size_t>(i < points ? i : 0)]);
-    fan.Ring[0][i] = p[0] - origin[0];
-    fan.Ring[1][i] = p[1] - origin[1];
-    fan.Ring[2][i] = p[2] - origin[2];
+    ring[0][i] = p[0] - origin[0];
+    ring[1][i] = p[1] - origin[1];
+    ring[2][i] = p[2] - origin[2];
   }
-  for (int i = 0; i < fan.Faces; ++i)
+  std::int64_t* const atEnd = fan.AtEnd;
+  for (int i = 0; i < faces; ++i)
   {
     const Index corner = mesh.Origin(around.Corners[static_cast<std::size_t>(i)]);
-    fan.AtEnd[i] = corner == around.End ? -1 : 0;
+    atEnd[i] = corner == around.End ? -1 : 0;
   }
 }
 

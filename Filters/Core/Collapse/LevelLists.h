@@ -12,6 +12,7 @@
 #include "Surface.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -41,6 +42,24 @@ inline float CostOf(CostKey key)
   float cost = 0.0F;
   std::memcpy(&cost, &bits, sizeof(cost));
   return cost;
+}
+
+/// How many of the keys are not above the limit; short sums, so that compilers count many at a time.
+inline Index CountUpTo(CostKey limit, const CostKey* first, const CostKey* last)
+{
+  constexpr std::ptrdiff_t most = 4096;
+  Index count = 0;
+  while (first != last)
+  {
+    const CostKey* end = first + std::min(most, last - first);
+    std::uint16_t part = 0;
+    for (; first != end; ++first)
+    {
+      part = static_cast<std::uint16_t>(part + (*first <= limit ? 1 : 0));
+    }
+    count += part;
+  }
+  return count;
 }
 
 class LevelLists

@@ -78,43 +78,44 @@ public:
 
   RingQuadric At(Index v)
   {
-    this->Arms.clear();
-    this->Mesh.VisitEdges(v,
-      [&](Index h)
-      {
-        const Index other = this->Mesh.Across(h, v);
-        this->Arms.emplace_back(this->Mesh.Position(other) - this->Mesh.Position(v));
-      });
+    this->Ring.clear();
+    this->Mesh.VisitNeighbours(v, [&](Index, Index other) { this->Ring.push_back(other); });
     const bool isOpen = this->Mesh.Kind(v) == VertexKind::Border;
+    if (!isOpen)
+    {
+      this->Ring.push_back(this->Ring.front());
+    }
     const double perUnit = 1.0 / this->Mesh.Unit();
-    RingQuadric quadric = BestKernels().SumPlanes(this->Fill(isOpen), perUnit * perUnit);
+    RingQuadric quadric = this->Compute.SumPlanes(this->Fill(v), perUnit * perUnit);
     if (isOpen)
     {
       Sum border(perUnit);
-      border.AddBorderEdge(this->Arms.front());
-      border.AddBorderEdge(this->Arms.back());
+      border.AddBorderEdge(this->Mesh.Position(this->Ring.front()) - this->Mesh.Position(v));
+      border.AddBorderEdge(this->Mesh.Position(this->Ring.back()) - this->Mesh.Position(v));
       border.AddTo(quadric, 1.0);
     }
     return quadric;
   }
 
 private:
-  const Fan& Fill(bool isOpen)
+  const Fan& Fill(Index v)
   {
-    const int points = static_cast<int>(this->Arms.size());
-    const Fan& fan = this->Storage.Reserve(isOpen ? points - 1 : points);
-    for (int i = 0; i <= fan.Faces; ++i)
+    const Vector3 middle = this->Mesh.Position(v);
+    const Fan& fan = this->Storage.Reserve(static_cast<int>(this->Ring.size()) - 1);
+    double* const to[3] = { fan.Ring[0], fan.Ring[1], fan.Ring[2] };
+    for (std::size_t i = 0; i < this->Ring.size(); ++i)
     {
-      const Vector3& arm = this->Arms[static_cast<std::size_t>(i < points ? i : 0)];
-      fan.Ring[0][i] = arm[0];
-      fan.Ring[1][i] = arm[1];
-      fan.Ring[2][i] = arm[2];
+      const Vector3& end = this->Mesh.Position(this->Ring[i]);
+      to[0][i] = end[0] - middle[0];
+      to[1][i] = end[1] - middle[1];
+      to[2][i] = end[2] - middle[2];
     }
     return fan;
   }
 
   const HalfEdgeMesh& Mesh;
-  std::vector<Vector3> Arms; // to the ring, mm
+  const Kernels& Compute = BestKernels();
+  std::vector<Index> Ring; // the first once more at the end if it closes
   FanStorage Storage;
 };
 

@@ -265,9 +265,8 @@ std::vector<BlockTask> Sweep::Blocks(CostKey limit, bool isShifted) const
     task.Vertices = { std::max(0, first), std::min(slots, first + size) };
     task.Limit = limit;
     task.TriesAll = this->TriesAll;
-    task.Collapses =
-      static_cast<Index>(std::count_if(this->Known.Keys.begin() + task.Vertices.First,
-        this->Known.Keys.begin() + task.Vertices.Last, [&](CostKey key) { return key <= limit; }));
+    task.Collapses = CountUpTo(limit, this->Known.Keys.data() + task.Vertices.First,
+      this->Known.Keys.data() + task.Vertices.Last);
     ready += task.Collapses;
     blocks.push_back(task);
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VertexEdges.h"
 
-#include "Kernels/Prefetch.h"
+#include "Memory/Prefetch.h"
 
 #include <algorithm>
 #include <limits>
@@ -35,34 +35,38 @@ void VertexEdges::Gather(
   const HalfEdgeMesh& mesh, const VertexKeys& known, Index vertex, VertexRange block)
 {
   const VertexKind kind = mesh.Kind(vertex);
-  const float memory = known.Memories[vertex];
+  const float* memories = known.Memories.data();
+  const float memory = memories[vertex];
   this->Middle = vertex;
-  this->Inside = true;
   this->Used = 0;
+  bool inside = true;
   Batch* batch = nullptr;
-  mesh.VisitEdges(vertex,
-    [&](Index h)
+  int at = EdgeBatch::Size;
+  mesh.VisitNeighbours(vertex,
+    [&](Index h, Index other)
     {
-      const Index other = mesh.Across(h, vertex);
-      this->Inside = this->Inside && block.Contains(other);
-      if (!this->Inside)
+      inside = inside && block.Contains(other);
+      if (!inside)
       {
         return; // It may be changing just now.
       }
-      if (batch == nullptr || batch->Asked.Count == EdgeBatch::Size)
+      if (at == EdgeBatch::Size)
       {
         batch = &this->Begin(this->Used++, mesh, known.CostFactor);
         batch->Asked.First = &mesh.Record(vertex);
+        at = 0;
       }
+      const VertexRecord* record = &mesh.Record(other);
+      Prefetch(record);
       EdgeBatch& asked = batch->Asked;
-      const int at = asked.Count++;
-      asked.Others[at] = &mesh.Record(other);
-      Prefetch(asked.Others[at]);
+      asked.Others[at] = record;
       asked.Freedoms[at] =
         static_cast<std::int32_t>(FreedomOf(kind, mesh.Kind(other), mesh.Twin(h) == None));
-      asked.Memories[at] = std::max(memory, known.Memories[other]);
+      asked.Memories[at] = std::max(memory, memories[other]);
       batch->Edges[at] = h;
+      asked.Count = ++at;
     });
+  this->Inside = inside;
 }
 
 //------------------------------------------------------------------------------

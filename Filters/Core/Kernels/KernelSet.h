@@ -336,15 +336,55 @@ RingQuadric SumPlanes(const Fan& fan, double perArea)
   return SumOfLanes(sums);
 }
 
+/// What four faces change in the quadrics at their ends, a row for each face: eight numbers and the ninth.
+struct Changes
+{
+  Floats Eight[NumberOfDoubles];
+  FourFloats Ninth;
+};
+
+inline Changes RowsOf(const Doubles (&sums)[9])
+{
+  Changes rows;
+  for (int k = 0; k < NumberOfDoubles; ++k)
+  {
+    rows.Eight[k] = Join(ToFloats(sums[k]), ToFloats(sums[k + NumberOfDoubles]));
+  }
+  TransposeHalves(rows.Eight);
+  rows.Ninth = ToFloats(sums[8]);
+  return rows;
+}
+
+/// A quadric on its way through the registers.
+struct NineFloats
+{
+  Floats Eight;
+  float Ninth;
+  NineFloats operator+(const NineFloats& o) const { return { Eight + o.Eight, Ninth + o.Ninth }; }
+};
+
+inline NineFloats LoadQuadric(const VertexRecord& record)
+{
+  const float* from = QuadricOf(&record);
+  return { Load<Floats>(from), from[8] };
+}
+inline void StoreQuadric(const NineFloats& quadric, VertexRecord& record)
+{
+  float* to = reinterpret_cast<float*>(&record.Quadric);
+  Store(quadric.Eight, to);
+  to[8] = quadric.Ninth;
+}
+
+/// Every vertex of the ring gets the change of the face before it and then that of the face behind it.
 RingQuadric ExchangePlanes(
   const Fan& fan, VertexRecord* records, const Index* ring, bool closes, double perArea)
 {
   const Doubles zero = {};
   Doubles sums[9] = {};
+  NineFloats before = {};
   for (int i = 0; i < fan.Faces; i += NumberOfDoubles)
   {
-    const DoubleMask isFace = IsFace(i, fan.Faces);
-    const Doubles weight = Select(isFace, zero + perArea, zero);
+    const Doubles weight = Select(IsFace(i, fan.Faces), zero + perArea, zero);
     Doubles changes[9] = {};
     AddPlanes(LoadVectors(fan.NewArea, i), weight, changes);
     for (int k = 0; k < 9; ++k)
@@ -352,25 +392,19 @@ RingQuadric ExchangePlanes(
       sums[k] += changes[k];
     }
     AddPlanes(LoadVectors(fan.OldArea, i), zero - weight, changes);
-    alignas(32) double change[9][NumberOfDoubles];
-    for (int k = 0; k < 9; ++k)
-    {
-      Store(changes[k], change[k]);
-    }
+    const Changes rows = RowsOf(changes);
     const int faces = fan.Faces - i < NumberOfDoubles ? fan.Faces - i : NumberOfDoubles;
     for (int lane = 0; lane < faces; ++lane)
     {
-      const int last = closes && i + lane + 1 == fan.Faces ? 0 : i + lane + 1;
-      float* to[2] = { reinterpret_cast<float*>(&records[ring[i + lane]].Quadric),
-        reinterpret_cast<float*>(&records[ring[last]].Quadric) };
-      for (int k = 0; k < 9; ++k)
-      {
-        const float part = static_cast<float>(change[k][lane]);
-        to[0][k] += part;
-        to[1][k] += part;
-      }
+      VertexRecord& record = records[ring[i + lane]];
+      const NineFloats change = { rows.Eight[lane], rows.Ninth[lane] };
+      const NineFloats old = LoadQuadric(record);
+      StoreQuadric((i + lane > 0 ? old + before : old) + change, record);
+      before = change;
     }
   }
+  VertexRecord& last = records[ring[closes ? 0 : fan.Faces]];
+  StoreQuadric(LoadQuadric(last) + before, last);
   return SumOfLanes(sums);
 }
 }

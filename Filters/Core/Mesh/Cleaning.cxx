@@ -4,6 +4,7 @@
 
 #include "EdgeMatching.h"
 #include "Geometry/TriangleGeometry.h"
+#include "Memory/LargeArray.h"
 #include "Parallel.h"
 #include "PointMerging.h"
 
@@ -133,7 +134,7 @@ public:
     , Threads(threads)
     , Clean(clean)
     , Stand(input.Points.size())
-    , Fates(input.Triangles.size())
+    , Fates(input.Triangles.size(), Fate::Kept)
   {
   }
 
@@ -247,8 +248,9 @@ private:
     {
       this->ForgetPointsOfDroppedTriangles();
     }
+    ReserveLarge(number, this->Stand.size());
     number.assign(this->Stand.size(), None);
-    this->Clean.InputPoint.reserve(this->Stand.size());
+    ReserveLarge(this->Clean.InputPoint, this->Stand.size());
     for (std::size_t p = 0; p < this->Stand.size(); ++p)
     {
       if (this->Stand[p] == static_cast<Index>(p))
@@ -294,6 +296,8 @@ private:
     const std::size_t count = this->Fates.size();
     std::vector<std::size_t> next = StartsOfBlocks(
       count, this->Threads, [&](std::size_t t) { return this->Fates[t] == Fate::Kept; });
+    ReserveLarge(this->Clean.Surface.Triangles, next.back());
+    ReserveLarge(this->Clean.InputTriangle, next.back());
     this->Clean.Surface.Triangles.resize(next.back());
     this->Clean.InputTriangle.resize(next.back());
     const std::vector<Index>& number = this->Clean.PointOfInput;
@@ -334,6 +338,7 @@ private:
     {
       this->Clean.Origin = this->Clean.Origin.cwiseMin(low);
     }
+    ReserveLarge(this->Clean.Surface.Points, ids.size());
     this->Clean.Surface.Points.resize(ids.size());
     ForEachId(ids.size(), this->Threads,
       [&](std::size_t p) { this->Clean.Surface.Points[p] = from[ids[p]] - this->Clean.Origin; });
@@ -342,8 +347,8 @@ private:
   const Surface& Input;
   int Threads;
   CleanSurface& Clean;
-  std::vector<Index> Stand; // of each input point the one that stands for it; None if unused
-  std::vector<Fate> Fates;  // of each input triangle
+  LargeArray<Index> Stand; // of each input point the one that stands for it; None if unused
+  LargeArray<Fate> Fates;  // of each input triangle
   std::int64_t MergedPoints = 0;
 };
 }

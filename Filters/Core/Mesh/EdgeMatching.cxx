@@ -19,11 +19,6 @@ Index NextCorner(Index k)
 {
   return k == 2 ? 0 : k + 1;
 }
-
-Index PreviousHalfEdge(Index h)
-{
-  return (h & 3) == 0 ? h + 2 : h - 1;
-}
 }
 
 EdgeMatching::EdgeMatching(
@@ -32,9 +27,10 @@ EdgeMatching::EdgeMatching(
   , Threads(threads)
   , Start(numberOfPoints + 1, 0)
   , Spokes(3 * triangles.size())
-  , TwinOf(4 * triangles.size(), None)
+  , TwinOf(4 * triangles.size())
 {
   this->SortByOrigin();
+  ForEachId(triangles.size(), threads, [&](std::size_t t) { this->TwinOf[4 * t + 3] = None; });
   const auto eachBlock = [&](auto step)
   {
     ForEachBlock(numberOfPoints, threads,
@@ -167,7 +163,7 @@ bool EdgeMatching::MatchPairs(Index point, Marks& marks)
   const Spoke* last = this->Spokes.data() + this->Start[point + 1];
   for (const Spoke* spoke = first; spoke != last; ++spoke)
   {
-    const Index arriving = PreviousHalfEdge(spoke->HalfEdge);
+    const Index arriving = HalfEdgeMesh::Previous(spoke->HalfEdge);
     const Index origin = this->Triangles[arriving >> 2][arriving & 3];
     paired = marks.Set(point, origin, arriving) && paired;
   }
@@ -253,8 +249,8 @@ Rings EdgeMatching::FindRings() const
 {
   const std::size_t numberOfPoints = this->Start.size() - 1;
   Rings rings;
-  rings.Outgoing.assign(numberOfPoints, None);
-  rings.Kinds.assign(numberOfPoints, VertexKind::Inside);
+  rings.Outgoing.resize(numberOfPoints);
+  rings.Kinds.resize(numberOfPoints);
   ForEachBlock(numberOfPoints, this->Threads,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
@@ -277,14 +273,14 @@ void EdgeMatching::FindRing(Index point, Rings& rings) const
     const Index h = this->Spokes[i].HalfEdge;
     least = least == None ? h : std::min(least, h);
     alone = this->TwinOf[h] < 0 ? std::max(alone, h) : alone;
-    worst = std::min({ worst, this->TwinOf[h], this->TwinOf[PreviousHalfEdge(h)] });
+    worst = std::min({ worst, this->TwinOf[h], this->TwinOf[HalfEdgeMesh::Previous(h)] });
   }
   const Index start = alone == None ? least : alone;
   Index found = 0; // rings end or come back to their start, since twins are paired one to one
   for (Index h = start; h >= 0;)
   {
     ++found;
-    h = this->TwinOf[PreviousHalfEdge(h)];
+    h = this->TwinOf[HalfEdgeMesh::Previous(h)];
     h = h == start ? None : h;
   }
   const bool isOneFan = found == this->Start[point + 1] - this->Start[point];

@@ -17,6 +17,7 @@
 #ifndef BoneDecimate_Core_Mesh_EdgeMatching_h
 #define BoneDecimate_Core_Mesh_EdgeMatching_h
 
+#include "Memory/LargeArray.h"
 #include "Surface.h"
 
 #include <vector>
@@ -49,9 +50,9 @@ struct EdgeCounts
 struct Rings
 {
   /// Of each point the half-edge at which its ring starts: the greatest without a twin, else the least. None if unused.
-  std::vector<Index> Outgoing;
+  LargeArray<Index> Outgoing;
   /// Of each point: locked if one of its edges is odd or its triangles are not one fan.
-  std::vector<VertexKind> Kinds;
+  LargeArray<VertexKind> Kinds;
 };
 
 class EdgeMatching
@@ -62,7 +63,7 @@ public:
   EdgeMatching(std::vector<Triangle>&&, std::size_t, int = 1) = delete;
 
   /// Of half-edge 4 f + k: its twin, None on a border, OddEdge where there is no telling.
-  const std::vector<Index>& Twins() const { return this->TwinOf; }
+  const LargeArray<Index>& Twins() const { return this->TwinOf; }
 
   EdgeCounts CountEdges() const;
 
@@ -97,9 +98,9 @@ private:
 
   const std::vector<Triangle>& Triangles;
   int Threads;
-  std::vector<Index> Start;  // of each point its first spoke, and one behind the last
-  std::vector<Spoke> Spokes; // by origin; of many at one point by target
-  std::vector<Index> TwinOf;
+  LargeArray<Index> Start;  // of each point its first spoke, and one behind the last
+  LargeArray<Spoke> Spokes; // by origin; of many at one point by target
+  LargeArray<Index> TwinOf;
 };
 }
 

@@ -45,10 +45,8 @@ HalfEdgeMesh::HalfEdgeMesh(const Surface& surface, int threads)
   Rings rings = edges.FindRings();
   this->Kinds = std::move(rings.Kinds);
   ForEachId(surface.Points.size(), threads,
-    [&](std::size_t v)
-    {
-      this->Vertices[v].Position = surface.Points[v];
-      this->Vertices[v].Outgoing = rings.Outgoing[v];
+    [&](std::size_t v) {
+      this->Vertices[v] = { surface.Points[v], {}, rings.Outgoing[v] };
     });
   ForEachId(surface.Triangles.size(), threads,
     [&](std::size_t f)
@@ -82,13 +80,8 @@ void HalfEdgeMesh::Collapse(const Neighbourhood& around, Index keep, const Vecto
 }
 
 //------------------------------------------------------------------------------
-void HalfEdgeMesh::KeepFirstNormal(Index face, const Vector3& area)
+void HalfEdgeMesh::PackFirstNormal(FaceRecord& record, const Vector3& area)
 {
-  FaceRecord& record = this->Faces[face];
-  if (record.Twins[3] != None)
-  {
-    return;
-  }
   const double scale = 32767.0 / area.cwiseAbs().maxCoeff();
   const bool hasDirection = std::isfinite(scale) && area.allFinite();
   const auto pack = [&](Eigen::Index k)
@@ -165,6 +158,6 @@ void HalfEdgeMesh::RemoveFace(Index h)
   {
     this->Vertices[apex].Outgoing = alongNext;
   }
-  this->Faces[Face(h)] = FaceRecord();
+  this->Faces[Face(h)] = { { None, None, None, None }, { None, None, None, None } };
 }
 }

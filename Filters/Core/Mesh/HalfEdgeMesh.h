@@ -22,10 +22,10 @@
 #define BoneDecimate_Core_Mesh_HalfEdgeMesh_h
 
 #include "EdgeMatching.h"
+#include "Memory/LargeArray.h"
 #include "Surface.h"
 
 #include <array>
-#include <vector>
 
 namespace bonedecimate
 {
@@ -43,22 +43,22 @@ struct Neighbourhood;
 struct RingQuadric
 {
   std::array<float, 6>
-    M{}; ///< xx xy xz yy yz zz of the sum of 2 A n n^T, squares of the mesh's unit.
-  std::array<float, 3> G{}; ///< Sum of 2 A n, squares of the mesh's unit.
+    M; ///< xx xy xz yy yz zz of the sum of 2 A n n^T, squares of the mesh's unit.
+  std::array<float, 3> G; ///< Sum of 2 A n, squares of the mesh's unit.
 };
 
 struct alignas(64) VertexRecord
 {
-  Vector3 Position = Vector3::Zero(); ///< mm from the local origin
-  RingQuadric Quadric;                ///< Kept by whoever needs it.
-  Index Outgoing = None;
+  Vector3 Position;    ///< mm from the local origin
+  RingQuadric Quadric; ///< Kept by whoever needs it.
+  Index Outgoing;
 };
 static_assert(sizeof(VertexRecord) == 64, "one cache line");
 
 struct alignas(32) FaceRecord
 {
-  std::array<Index, 4> Origins = { None, None, None, None }; ///< The fourth: FirstNormal, x and y.
-  std::array<Index, 4> Twins = { None, None, None, None };   ///< The fourth: z, None: not kept yet.
+  std::array<Index, 4> Origins; ///< The fourth: FirstNormal, x and y.
+  std::array<Index, 4> Twins;   ///< The fourth: z, None: not kept yet.
 };
 static_assert(sizeof(FaceRecord) == 32, "half a cache line");
 
@@ -68,8 +68,9 @@ public:
   /// Every point must be used by a triangle, corners of a triangle must differ.
   explicit HalfEdgeMesh(const Surface& surface, int threads = 1);
 
-  static Index Next(Index h) { return (h & 3) == 2 ? h - 2 : h + 1; }
-  static Index Previous(Index h) { return (h & 3) == 0 ? h + 2 : h - 1; }
+  // From the bits of the corner, since nobody can guess which corner it is: branches would be taken wrongly.
+  static Index Next(Index h) { return h + 1 - 3 * (h >> 1 & 1); }
+  static Index Previous(Index h) { return h + 2 - 3 * ((h | h >> 1) & 1); }
   static Index Face(Index h) { return h >> 2; }
   static Index HalfEdge(Index face, Index corner) { return 4 * face + corner; }
 
@@ -117,7 +118,13 @@ public:
 
   /// Calls visit(h) for a half-edge of every edge at v, in ring order: outgoing ones, and on a border the last, incoming.
   template <typename Visit>
-  void VisitEdges(Index v, Visit visit) const;
+  void VisitEdges(Index v, Visit visit) const
+  {
+    this->VisitNeighbours(v, [&](Index h, Index) { visit(h); });
+  }
+  /// The same as visit(h, other end).
+  template <typename Visit>
+  void VisitNeighbours(Index v, Visit visit) const;
 
   /// The other end of the edge of half-edge h at v.
   Index Across(Index h, Index v) const
@@ -139,7 +146,14 @@ private:
   }
   void Move(Index v, const Vector3& position) { this->Vertices[v].Position = position; }
   /// Before the face changes: keeps its normal if that is the first time.  @param area A vector along it.
-  void KeepFirstNormal(Index face, const Vector3& area);
+  void KeepFirstNormal(Index face, const Vector3& area)
+  {
+    if (this->Faces[face].Twins[3] == None)
+    {
+      PackFirstNormal(this->Faces[face], area);
+    }
+  }
+  static void PackFirstNormal(FaceRecord& record, const Vector3& area);
   /// Three numbers of 16 bits, the largest 32767: within a hundredth of a degree.
   Vector3 FirstNormal(Index face) const
   {
@@ -154,9 +168,9 @@ private:
   /// Several workers remove faces at once; the count follows when they are done.
   void CountRemovedFaces(Index count) { this->LiveFaces -= count; }
 
-  std::vector<VertexRecord> Vertices;
-  std::vector<FaceRecord> Faces;
-  std::vector<VertexKind> Kinds;
+  LargeArray<VertexRecord> Vertices;
+  LargeArray<FaceRecord> Faces;
+  LargeArray<VertexKind> Kinds;
   Index LiveFaces = 0;
   EdgeCounts Counts;
   double Length = 1.0;     // mm
@@ -217,17 +231,17 @@ inline HalfEdgeMesh::OutgoingRange HalfEdgeMesh::OutgoingOf(Index v) const
 }
 
 template <typename Visit>
-void HalfEdgeMesh::VisitEdges(Index v, Visit visit) const
+void HalfEdgeMesh::VisitNeighbours(Index v, Visit visit) const
 {
   Index last = None;
   for (const Index h : this->OutgoingOf(v))
   {
-    visit(h);
+    visit(h, this->Target(h));
     last = Previous(h);
   }
   if (last != None && this->Twin(last) == None)
   {
-    visit(last);
+    visit(last, this->Origin(last));
   }
 }
 }

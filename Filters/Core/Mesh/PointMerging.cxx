@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointMerging.h"
 
+#include "Memory/LargeArray.h"
 #include "Parallel.h"
 
 #include <cstring>
@@ -40,7 +41,7 @@ struct Entry
 /// Points by the first bits of their hash, ascending in each part.
 struct Parts
 {
-  std::vector<Entry> Entries;
+  LargeArray<Entry> Entries;
   std::vector<std::size_t> Starts; // of each part, and one behind the last
 };
 
@@ -75,12 +76,12 @@ std::vector<std::size_t> PlaceBlocks(
 }
 
 Parts Distribute(
-  const std::vector<Vector3>& points, const std::vector<Index>& representative, int threads)
+  const std::vector<Vector3>& points, const LargeArray<Index>& representative, int threads)
 {
   const std::size_t parts = NumberOfParts(points.size());
   const std::size_t blocks = NumberOfBlocks(points.size());
   const auto partOf = [=](std::uint32_t hash) { return std::uint64_t(hash) * parts >> 32; };
-  std::vector<std::uint32_t> hashes(points.size());
+  LargeArray<std::uint32_t> hashes(points.size());
   std::vector<std::size_t> places(blocks * parts, 0);
   ForEachBlock(points.size(), threads,
     [&](std::size_t block, std::size_t first, std::size_t last)
@@ -111,7 +112,7 @@ Parts Distribute(
 
 /// Open addressing, never more than half full; the table's place comes from the last bits of the hash.
 std::int64_t MergePart(const std::vector<Vector3>& points, const Entry* first, const Entry* last,
-  std::vector<Entry>& table, std::vector<Index>& representative)
+  std::vector<Entry>& table, LargeArray<Index>& representative)
 {
   std::size_t size = 16;
   while (size < 2 * static_cast<std::size_t>(last - first))
@@ -132,15 +133,18 @@ std::int64_t MergePart(const std::vector<Vector3>& points, const Entry* first, c
     {
       table[slot] = *entry;
     }
-    merged += table[slot].Point != entry->Point ? 1 : 0;
-    representative[entry->Point] = table[slot].Point;
+    if (table[slot].Point != entry->Point)
+    {
+      representative[entry->Point] = table[slot].Point;
+      ++merged;
+    }
   }
   return merged;
 }
 }
 
 std::int64_t MergeEqualPoints(
-  const std::vector<Vector3>& points, std::vector<Index>& representative, int threads)
+  const std::vector<Vector3>& points, LargeArray<Index>& representative, int threads)
 {
   const Parts parts = Distribute(points, representative, threads);
   std::vector<std::int64_t> merged(parts.Starts.size() - 1, 0);

@@ -10,6 +10,7 @@
 #ifndef BoneDecimate_Core_Mesh_PointMerging_h
 #define BoneDecimate_Core_Mesh_PointMerging_h
 
+#include "Memory/LargeArray.h"
 #include "Surface.h"
 
 #include <vector>
@@ -22,7 +23,7 @@ namespace bonedecimate
  * @return How many points are represented by another one.
  */
 std::int64_t MergeEqualPoints(
-  const std::vector<Vector3>& points, std::vector<Index>& representative, int threads = 1);
+  const std::vector<Vector3>& points, LargeArray<Index>& representative, int threads = 1);
 }
 
 #endif

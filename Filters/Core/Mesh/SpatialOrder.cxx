@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SpatialOrder.h"
 
+#include "Memory/LargeArray.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -88,9 +89,9 @@ Index PointOf(Entry entry)
   return static_cast<Index>(entry & ((Entry(1) << BitsOfIndex) - 1));
 }
 
-std::vector<Entry> Entries(const Curve& curve, std::size_t count, int threads)
+LargeArray<Entry> Entries(const Curve& curve, std::size_t count, int threads)
 {
-  std::vector<Entry> entries(count);
+  LargeArray<Entry> entries(count);
   ForEachId(count, threads,
     [&](std::size_t p)
     {
@@ -143,8 +144,11 @@ void SortTies(const Curve& curve, Entry* entries, std::size_t count)
     {
       ++last;
     }
-    std::stable_sort(entries + first, entries + last,
-      [&](Entry a, Entry b) { return curve.Place(PointOf(a)) < curve.Place(PointOf(b)); });
+    if (last - first > 1) // the library asks for memory even to sort one
+    {
+      std::stable_sort(entries + first, entries + last,
+        [&](Entry a, Entry b) { return curve.Place(PointOf(a)) < curve.Place(PointOf(b)); });
+    }
     first = last;
   }
 }
@@ -174,7 +178,9 @@ std::vector<Index> OrderByLeastPoint(
 template <typename Value>
 void Permute(std::vector<Value>& values, const std::vector<Index>& order, int threads)
 {
-  std::vector<Value> permuted(values.size());
+  std::vector<Value> permuted;
+  ReserveLarge(permuted, values.size());
+  permuted.resize(values.size());
   ForEachId(order.size(), threads, [&](std::size_t i) { permuted[i] = values[order[i]]; });
   values = std::move(permuted);
 }
@@ -196,8 +202,8 @@ std::vector<Index> CurveOrder(const std::vector<Vector3>& points, int threads)
     return {};
   }
   const Curve curve(points, threads);
-  std::vector<Entry> unsorted = Entries(curve, points.size(), threads);
-  std::vector<Entry> entries(points.size());
+  LargeArray<Entry> unsorted = Entries(curve, points.size(), threads);
+  LargeArray<Entry> entries(points.size());
   const std::vector<std::size_t> bins =
     Distribute(unsorted.data(), points.size(), 64 - BitsOfDigit, entries.data());
   std::vector<Index> order(points.size());

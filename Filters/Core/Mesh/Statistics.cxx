@@ -25,9 +25,12 @@ Index Root(std::vector<Index>& parent, Index v)
 /// The root of a set is its least member.
 void Join(std::vector<Index>& parent, Index a, Index b)
 {
-  a = Root(parent, a);
-  b = Root(parent, b);
-  parent[std::max(a, b)] = std::min(a, b);
+  if (parent[a] != parent[b])
+  {
+    a = Root(parent, a);
+    b = Root(parent, b);
+    parent[std::max(a, b)] = std::min(a, b);
+  }
 }
 }
 

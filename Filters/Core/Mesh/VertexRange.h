@@ -9,6 +9,7 @@
 
 #include "Surface.h"
 
+#include <cstdint>
 #include <limits>
 
 namespace bonedecimate
@@ -17,7 +18,11 @@ struct VertexRange
 {
   Index First = 0;
   Index Last = std::numeric_limits<Index>::max(); ///< One past the end.
-  bool Contains(Index v) const { return v >= this->First && v < this->Last; }
+  bool Contains(Index v) const
+  {
+    return static_cast<std::uint32_t>(v - this->First) <
+      static_cast<std::uint32_t>(this->Last - this->First);
+  }
 };
 }
 

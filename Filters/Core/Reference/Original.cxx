@@ -73,7 +73,7 @@ void Original::LookUp(Index vertex, const Vector3& position)
 //------------------------------------------------------------------------------
 std::vector<Index> Original::CurrentVertices() const
 {
-  std::vector<Index> current = this->MergedInto;
+  std::vector<Index> current(this->MergedInto.begin(), this->MergedInto.end());
   for (std::size_t v = 0; v < current.size(); ++v)
   {
     Index last = static_cast<Index>(v);

@@ -8,6 +8,7 @@
 #define BoneDecimate_Core_Reference_Original_h
 
 #include "Geometry/BoundingTree.h"
+#include "Memory/LargeArray.h"
 #include "Mesh/Cleaning.h"
 
 #include <mutex>
@@ -55,10 +56,10 @@ private:
   const CleanSurface& Clean;
   mutable std::once_flag TreeIsBuilt;
   mutable std::optional<BoundingTree> Triangles;
-  std::vector<Index> MergedInto; // itself while it lives
-  std::vector<Index> Nearest;    // of each vertex, where distances are recorded
-  std::vector<double> Errors;    // the same, mm
-  double Largest = 0.0;          // mm
+  LargeArray<Index> MergedInto; // itself while it lives
+  std::vector<Index> Nearest;   // of each vertex, where distances are recorded
+  std::vector<double> Errors;   // the same, mm
+  double Largest = 0.0;         // mm
 };
 }
 

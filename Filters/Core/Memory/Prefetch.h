@@ -4,8 +4,8 @@
  * @file Prefetch.h
  * @brief Asks the processor for memory that is needed soon; never changes a result.
  */
-#ifndef BoneDecimate_Core_Kernels_Prefetch_h
-#define BoneDecimate_Core_Kernels_Prefetch_h
+#ifndef BoneDecimate_Core_Memory_Prefetch_h
+#define BoneDecimate_Core_Memory_Prefetch_h
 
 namespace bonedecimate
 {

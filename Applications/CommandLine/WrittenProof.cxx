@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WrittenProof.h"
+
+#include "BoundText.h"
+#include "ExitCode.h"
+#include "SurfaceFormat.h"
+
+#include "vtkBoneSurfaceDistance.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <array>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr int BoundDecimals = 9;
+
+std::array<double, 3> PlaceOf(vtkPolyData* surface, vtkIdType point)
+{
+  std::array<double, 3> place = {};
+  surface->GetPoint(point, place.data());
+  return place;
+}
+
+/// Equal places in the same order; points may have other numbers, as in STL files.
+bool IsSame(vtkPolyData* a, vtkPolyData* b)
+{
+  const auto cellsA = vtk::TakeSmartPointer(a->GetPolys()->NewIterator());
+  const auto cellsB = vtk::TakeSmartPointer(b->GetPolys()->NewIterator());
+  for (cellsA->GoToFirstCell(), cellsB->GoToFirstCell();
+       !cellsA->IsDoneWithTraversal() && !cellsB->IsDoneWithTraversal();
+       cellsA->GoToNextCell(), cellsB->GoToNextCell())
+  {
+    vtkIdType sizeA = 0;
+    vtkIdType sizeB = 0;
+    const vtkIdType* cornersA = nullptr;
+    const vtkIdType* cornersB = nullptr;
+    cellsA->GetCurrentCell(sizeA, cornersA);
+    cellsB->GetCurrentCell(sizeB, cornersB);
+    const bool isSame = sizeA == sizeB &&
+      std::equal(cornersA, cornersA + sizeA, cornersB,
+        [a, b](vtkIdType p, vtkIdType q) { return PlaceOf(a, p) == PlaceOf(b, q); });
+    if (!isSame)
+    {
+      return false;
+    }
+  }
+  return cellsA->IsDoneWithTraversal() && cellsB->IsDoneWithTraversal();
+}
+
+void Certify(const ProvedRun& run, vtkPolyData* readBack, const std::string& target)
+{
+  vtkNew<vtkBoneSurfaceDistance> distance;
+  distance->SetInputData(0, run.Input);
+  distance->SetInputData(1, readBack);
+  distance->SetTolerance(run.Tolerance);
+  distance->SetTightBounds(false);
+  distance->SetMeasureBorders(run.WithBorders);
+  distance->SetMeasureMeans(false);
+  distance->SetNumberOfThreads(run.NumberOfThreads);
+  distance->Update();
+  if (distance->GetVerdict() != vtkBoneSurfaceDistance::PROVED)
+  {
+    const bool isViolated = distance->GetVerdict() == vtkBoneSurfaceDistance::VIOLATED;
+    throw Failure(isViolated ? ExitCode::Violated : ExitCode::Undecided,
+      "the certificate of '" + BaseName(target) + "' as it was read back " +
+        (isViolated ? "contradicts" : "cannot decide") + " the largest error of " +
+        FixedText(run.Tolerance, BoundDecimals) + " mm: the distance is between " +
+        LowerBoundText(distance->GetLowerBound(), BoundDecimals) + " and " +
+        UpperBoundText(distance->GetUpperBound(), BoundDecimals) + " mm; nothing was written");
+  }
+}
+}
+
+std::string ProveWritten(const ProvedRun& run, vtkPolyData* readBack, const std::string& target)
+{
+  if (IsSame(run.Output, readBack))
+  {
+    return "same_bits";
+  }
+  Certify(run, readBack, target);
+  return "certified";
+}
+}

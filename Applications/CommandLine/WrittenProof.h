@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file WrittenProof.h
+ * @brief Whether what was proved holds for the file that was written.
+ *
+ *     every triangle read back has the same corners, bit for bit:  it is what was proved
+ *     else:                                                        the certificate of what was read back
+ */
+#ifndef BoneDecimate_Applications_WrittenProof_h
+#define BoneDecimate_Applications_WrittenProof_h
+
+#include "vtkPolyData.h"
+
+#include <string>
+
+namespace bonedecimate
+{
+/// A run whose result is proved.
+struct ProvedRun
+{
+  vtkPolyData* Input;
+  vtkPolyData* Output;
+  double Tolerance; ///< mm
+  bool WithBorders;
+  int NumberOfThreads;
+};
+
+/**
+ * @param target The name the file will get, for messages.
+ * @returns "same_bits" or "certified".
+ * @throws Failure(ExitCode::Violated) or Failure(ExitCode::Undecided)
+ */
+std::string ProveWritten(const ProvedRun& run, vtkPolyData* readBack, const std::string& target);
+}
+
+#endif

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ErrorSearch.h"
+
+#include "Certificate/Certificate.h"
+#include "Mesh/Cleaning.h"
+#include "ResultProof.h"
+#include "RunProgress.h"
+#include "StageClock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Of the progress of a run without a largest error; its certificate has the rest.
+constexpr double ShareOfPlainRun = 0.9;
+
+/// Runs that share their input.
+class Trials
+{
+public:
+  Trials(const Surface& input, const ErrorSearchOptions& options, const Monitor& monitor)
+    : Input(input)
+    , Asked(options)
+    , Progress(monitor)
+  {
+    this->Asked.Run.ProveResult = true;
+    this->Asked.Run.MeasureDistances = false;
+    this->Asked.Run.MeasureInputDistances = false;
+  }
+
+  ErrorSearchResult& Answer() { return this->Found; }
+
+  /// @param error mm; 0: none.
+  /// @returns Whether there was a result, which is the last trial then.
+  bool Run(double error, std::int64_t mostTriangles, double from, double to)
+  {
+    const StageClock clock;
+    Options options = this->Asked.Run;
+    options.MaximumError = error;
+    Result result = error > 0.0
+      ? Decimate(this->Input, options, this->Progress.Stage(from, to), this->Asked.InputIsSingle)
+      : this->PlainRun(options, from, to);
+    const bool isWhole = result.Report.Status == InputStatus::Good && result.Report.Proof.WasMade;
+    if (isWhole)
+    {
+      this->Add(error, mostTriangles, clock.Seconds(), result.Report);
+    }
+    this->Found.WasAborted = !this->Progress.GoesOn();
+    if (isWhole ? this->IsBetter() : this->Found.Best < 0)
+    {
+      this->Found.Found = std::move(result);
+    }
+    return isWhole;
+  }
+
+  const ErrorTrial& Last() const { return this->Found.Trials.back(); }
+
+private:
+  Result PlainRun(const Options& options, double from, double to)
+  {
+    const double runAt = from + ShareOfPlainRun * (to - from);
+    Result result =
+      Decimate(this->Input, options, this->Progress.Stage(from, runAt), this->Asked.InputIsSingle);
+    if (result.Report.Status == InputStatus::Good && this->Progress.GoesOn())
+    {
+      const CleanSurface cleaned = Clean(this->Input, options.MergePoints, options.NumberOfThreads);
+      ProveResult(this->Input, cleaned, options, this->Progress.Stage(runAt, to), result);
+    }
+    return result;
+  }
+
+  void Add(double error, std::int64_t mostTriangles, double seconds, const Report& report)
+  {
+    const ErrorProof& proof = report.Proof;
+    const bool isProved = error == 0.0 || proof.Verdict == CertificateVerdict::Proved;
+    this->Found.Trials.push_back({ error, report.Output.Faces, proof.Upper(),
+      isProved && report.Output.Faces <= mostTriangles, seconds });
+  }
+
+  /// The last trial; and notes it.
+  bool IsBetter()
+  {
+    const auto last = static_cast<int>(this->Found.Trials.size()) - 1;
+    const int best = this->Found.Best;
+    const bool isBetter = this->Last().IsReached &&
+      (best < 0 || this->Last().Proved < this->Found.Trials[static_cast<std::size_t>(best)].Proved);
+    this->Found.Best = isBetter ? last : best;
+    return isBetter || best < 0;
+  }
+
+  const Surface& Input;
+  ErrorSearchOptions Asked;
+  RunProgress Progress;
+  ErrorSearchResult Found;
+};
+}
+
+ErrorSearchResult FindSmallestError(
+  const Surface& input, const ErrorSearchOptions& options, const Monitor& monitor)
+{
+  const std::int64_t wanted = options.Run.TargetNumberOfTriangles;
+  Trials trials(input, options, monitor);
+  double done = 0.5; // each run has half of what is left of the progress
+  if (!trials.Run(0.0, wanted, 0.0, done) || !trials.Last().IsReached)
+  {
+    return std::move(trials.Answer());
+  }
+  double low = 0.0;                   // mm
+  double high = trials.Last().Proved; // mm
+  double error = high;                // mm
+  for (int runs = 1; runs < options.MostRuns && low < high * (1.0 - options.RelativePrecision);
+       ++runs)
+  {
+    const double next = 0.5 * (1.0 + done);
+    if (!trials.Run(error, wanted, done, next))
+    {
+      break;
+    }
+    done = next;
+    const bool isReached = trials.Last().IsReached;
+    high = isReached ? std::min(high, trials.Last().Proved) : high;
+    low = isReached ? low : std::max(low, error);
+    error = low > 0.0 ? std::sqrt(low * high) : 0.5 * high;
+  }
+  trials.Answer().TriedInVain = low;
+  return std::move(trials.Answer());
+}
+
+ErrorSearchResult FindErrorCurve(const Surface& input, const std::vector<double>& errors,
+  const ErrorSearchOptions& options, const Monitor& monitor)
+{
+  ErrorSearchOptions withoutTarget = options;
+  withoutTarget.Run.TargetNumberOfTriangles = 0;
+  Trials trials(input, withoutTarget, monitor);
+  const double count = static_cast<double>(errors.size());
+  for (std::size_t i = 0; i < errors.size(); ++i)
+  {
+    const auto before = static_cast<double>(i);
+    if (!trials.Run(errors[i], std::numeric_limits<std::int64_t>::max(), before / count,
+          (before + 1.0) / count))
+    {
+      break;
+    }
+  }
+  return std::move(trials.Answer());
+}
+}

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Judgement.h"
+
+#include "Certificate/Certificate.h"
+#include "Measure/SurfaceDistance.h"
+#include "Mesh/Statistics.h"
+#include "ResultProof.h"
+#include "StageClock.h"
+
+namespace bonedecimate
+{
+namespace
+{
+/// Shares of the whole progress.
+constexpr double BordersShare = 0.02;
+constexpr double InputPointsShare = 0.095;
+constexpr double LastStep = 0.005;
+
+/// The steps of Judge(), one after the other.
+class Judgement
+{
+public:
+  Judgement(const JudgedRun& run, const Options& options, RunProgress& progress, Result& answer)
+    : Run(run)
+    , Wanted(options)
+    , Progress(progress)
+    , Answer(answer)
+    , MeasuredAt(MeasuredTo(options) - LastStep)
+  {
+  }
+
+  void DescribeSurfaces()
+  {
+    const int threads = this->Wanted.NumberOfThreads;
+    const Editor& work = this->Run.Work;
+    const SurfaceCounts counts = { static_cast<std::int64_t>(
+                                     this->Run.Cleaned.Surface.Points.size()),
+      work.NumberOfFragments(), work.Mesh().EdgesAtFirst() };
+    Report& report = this->Answer.Report;
+    report.Input = Describe(this->Run.Cleaned.Surface, counts, threads);
+    // Without a collapse the counts of the input hold: flips and moves change none of them.
+    report.Output = work.NumberOfEdits() == 0 ? Describe(this->Run.LocalResult, counts, threads)
+                                              : Describe(this->Run.LocalResult, threads);
+  }
+
+  void MeasureDistances()
+  {
+    const double from = MeasuredFrom(this->Wanted) + BordersShare;
+    const double inputFrom = !this->Wanted.MeasureDistances ? from
+      : this->Wanted.MeasureInputDistances                  ? this->MeasuredAt - InputPointsShare
+                                                            : this->MeasuredAt;
+    const std::int64_t samples = NumberOfSamples(this->Run.Cleaned.Surface.Triangles.size());
+    const double backFrom = 0.5 * (from + inputFrom);
+    if (this->Wanted.MeasureDistances)
+    {
+      if (!WantsProof(this->Wanted))
+      {
+        this->MeasureBorders(MeasuredFrom(this->Wanted), from);
+      }
+      this->Answer.Report.OutputToInput = MeasureDistance(this->Run.LocalResult,
+        this->Answer.Distance, this->Run.Work.Reference().Tree(this->Wanted.NumberOfThreads),
+        samples, this->Wanted.NumberOfThreads, this->Progress.Stage(from, backFrom));
+    }
+    const Monitor tell = this->Progress.Stage(backFrom, backFrom);
+    const BoundingTree tree(
+      this->Run.LocalResult, this->Wanted.NumberOfThreads, [&] { tell(1.0); });
+    if (this->Wanted.MeasureDistances)
+    {
+      this->MeasureBack(tree, samples, backFrom, inputFrom);
+    }
+    if (this->Wanted.MeasureInputDistances)
+    {
+      this->MeasureInput(tree, inputFrom, this->MeasuredAt);
+    }
+  }
+
+private:
+  void MeasureBack(const BoundingTree& tree, std::int64_t samples, double from, double to)
+  {
+    const double pointsAt = from + 0.3 * (to - from);
+    const Surface& cleaned = this->Run.Cleaned.Surface;
+    const std::vector<double> distances = PointDistances(
+      cleaned.Points, tree, this->Wanted.NumberOfThreads, this->Progress.Stage(from, pointsAt));
+    this->Answer.Report.InputToOutput = MeasureDistance(cleaned, distances, tree, samples,
+      this->Wanted.NumberOfThreads, this->Progress.Stage(pointsAt, to));
+    this->Answer.Report.DistancesMeasured = this->Progress.GoesOn();
+  }
+
+  /// Curve to curve. A border cannot vanish, but without merged points there is one about each triangle.
+  void MeasureBorders(double from, double to)
+  {
+    CertificateOptions options;
+    options.WithSurfaces = false;
+    options.NumberOfThreads = this->Wanted.NumberOfThreads;
+    const Certificate found = Certify(
+      this->Run.Cleaned.Surface, this->Run.LocalResult, options, this->Progress.Stage(from, to));
+    Report& report = this->Answer.Report;
+    report.BordersMeasured =
+      found.Status == CertificateStatus::Good && found.Borders == BorderPresence::Both;
+    if (report.BordersMeasured)
+    {
+      const DistanceBounds& back = found.BorderOfResultToReference.Distance;
+      const DistanceBounds& there = found.BorderOfReferenceToResult.Distance;
+      report.BorderOutputToInput = { back.Lower, back.Upper };
+      report.BorderInputToOutput = { there.Lower, there.Upper };
+    }
+  }
+
+  /// Points that no triangle uses are measured like the others.
+  void MeasureInput(const BoundingTree& tree, double from, double to)
+  {
+    std::vector<Vector3> local;
+    local.reserve(this->Run.Input.Points.size());
+    for (const Vector3& point : this->Run.Input.Points)
+    {
+      local.push_back(point - this->Run.Cleaned.Origin);
+    }
+    this->Answer.InputDistance =
+      PointDistances(local, tree, this->Wanted.NumberOfThreads, this->Progress.Stage(from, to));
+  }
+
+  const JudgedRun& Run;
+  const Options& Wanted;
+  RunProgress& Progress;
+  Result& Answer;
+  double MeasuredAt; // where on the way from 0 to 1 it ends
+};
+}
+
+/// Measuring takes about a third of the time, if there is anything to measure; the proof a tenth.
+double MeasuredFrom(const Options& options)
+{
+  const bool measures = options.MeasureDistances || options.MeasureInputDistances;
+  return MeasuredTo(options) - (measures ? 0.3 : LastStep);
+}
+
+double MeasuredTo(const Options& options)
+{
+  return WantsProof(options) ? 0.9 : 1.0;
+}
+
+void Judge(const JudgedRun& run, const Options& options, RunProgress& progress, Result& answer)
+{
+  const StageClock clock;
+  Judgement judgement(run, options, progress, answer);
+  judgement.DescribeSurfaces();
+  if (progress.GoesOn() && (options.MeasureDistances || options.MeasureInputDistances))
+  {
+    judgement.MeasureDistances();
+  }
+  progress.Stage(MeasuredTo(options) - LastStep, MeasuredTo(options))(1.0);
+  answer.Report.Seconds.Measure = clock.Seconds();
+}
+}

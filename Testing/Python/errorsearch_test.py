@@ -1,0 +1,38 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The smallest proved error for a number of triangles, and the curve, from Python."""
+
+import unittest
+
+from surfaces import TRIANGLES, decimating, torus
+from vtkbonedecimate import error_curve, smallest_error, vtkBoneDecimate, vtkBoneSurfaceDistance
+
+
+class ErrorSearch(unittest.TestCase):
+    def test_finds_a_surface_that_another_judge_confirms(self):
+        error, surface = smallest_error(torus(), 400, 0.1, vtkBoneDecimate.FAST)
+        self.assertLessEqual(surface.GetNumberOfPolys(), 400)
+        judge = vtkBoneSurfaceDistance()
+        judge.SetInputData(0, torus())
+        judge.SetInputData(1, surface)
+        judge.Update()
+        self.assertLessEqual(judge.GetLowerBound(), error)
+        self.assertEqual(surface.GetFieldData().GetArray("bonedecimate.proof.upper").GetValue(0), error)
+
+    def test_knows_when_there_is_none(self):
+        self.assertIsNone(smallest_error(torus(), 3)[0])
+
+    def test_has_a_curve(self):
+        curve = error_curve(torus(), [0.05, 0.5], vtkBoneDecimate.FAST)
+        self.assertEqual([row[0] for row in curve], [0.05, 0.5])
+        for error, triangles, proved in curve:
+            self.assertLessEqual(proved, error)
+            run = decimating(torus(), MaximumError=error, Mode=vtkBoneDecimate.FAST)
+            run.Update()
+            self.assertEqual(run.GetOutput().GetNumberOfPolys(), triangles)
+        self.assertLess(curve[1][1], curve[0][1])
+        self.assertLess(curve[0][1], TRIANGLES)
+
+
+if __name__ == "__main__":
+    unittest.main()
