@@ -81,6 +81,7 @@ Attack AnyAttack(std::uint64_t seed, const std::vector<Surface>& large)
   if (random.Below(3) == 0)
   {
     attack.Tolerances = AnyMap(random, attack.Victim, options.MaximumError);
+    options.OutputPointsPrecision = PointsPrecision::Double; // a tolerance of 0 leaves no room for rounding
   }
   return attack;
 }
@@ -89,9 +90,9 @@ Attack AnyAttack(std::uint64_t seed, const std::vector<Surface>& large)
 CleanSurface Cleaned(const Surface& input)
 {
   CleanSurface clean = Clean(input, true);
-  for (Vector3& p : clean.Surface.Points)
+  for (std::size_t p = 0; p < clean.Surface.Points.size(); ++p)
   {
-    p += clean.Origin;
+    clean.Surface.Points[p] = input.Points[clean.InputPoint[p]]; // bit for bit
   }
   return clean;
 }
@@ -125,6 +126,20 @@ const char* WhatTopologyLost(const Surface& before, const Surface& after)
                                                                      : "";
 }
 
+std::string WhatItSays(const Certificate& found)
+{
+  char text[400];
+  const DirectedCertificate& there = found.ReferenceToResult;
+  const DirectedCertificate& back = found.ResultToReference;
+  std::snprintf(text, sizeof(text),
+    "the certificate says %s: %.17g and %.17g mm, over the map %.3g to %.3g and %.3g to %.3g mm, borders %s and %s",
+    VerdictWord(found.Verdict), there.Distance.Upper, back.Distance.Upper, there.Excess.Lower,
+    there.Excess.Upper, back.Excess.Lower, back.Excess.Upper,
+    VerdictWord(found.BorderOfReferenceToResult.Verdict),
+    VerdictWord(found.BorderOfResultToReference.Verdict));
+  return text;
+}
+
 /// Empty if everything was kept.
 std::string WhatBroke(const Attack& attack, Totals& totals)
 {
@@ -148,10 +163,9 @@ std::string WhatBroke(const Attack& attack, Totals& totals)
   const Certificate found = Certify(cleaned.Surface, result.Surface, options);
   totals.LargestShare =
     std::max(totals.LargestShare, found.Upper() / attack.Asked.MaximumError);
-  return !lost.empty() ? "lost " + lost
-    : found.Verdict != CertificateVerdict::Proved
-    ? std::string("the certificate says ") + VerdictWord(found.Verdict)
-    : std::string();
+  return !lost.empty()                            ? "lost " + lost
+    : found.Verdict == CertificateVerdict::Proved ? std::string()
+                                                  : WhatItSays(found);
 }
 
 std::vector<Surface> ReadAll(int count, char** paths)
