@@ -29,9 +29,9 @@ CertificateVerdict Judge(const Surface& input, const Surface& result, double err
 Surface Cleaned(const Surface& input)
 {
   CleanSurface clean = Clean(input, true);
-  for (Vector3& p : clean.Surface.Points)
+  for (std::size_t p = 0; p < clean.Surface.Points.size(); ++p)
   {
-    p += clean.Origin;
+    clean.Surface.Points[p] = input.Points[clean.InputPoint[p]]; // bit for bit
   }
   return clean.Surface;
 }

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Victims.h"
+
+#include "Shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace bonedecimate::testsupport
+{
+namespace
+{
+constexpr Index LargestCut = 6000; // triangles
+
+/// Two walls that face each other across a narrow gap, and a waving sheet above them.
+Surface Walls(Random& random)
+{
+  const Index cells = 8 + random.Below(20);
+  const Surface wall = HeightField(cells, random.Between(0.0, 0.6), 1 + random.Below(1000));
+  const double gap = random.Between(0.02, 1.0);
+  Surface walls = Together(wall, Moved(TurnedInsideOut(wall), { 0.0, 0.0, gap }));
+  return random.Below(2) == 0 ? walls : Together(walls, Moved(wall, { 0.3, 0.2, 3.0 * gap }));
+}
+
+Surface WavingGrid(Random& random)
+{
+  Surface surface = Grid(6 + random.Below(34));
+  const double height = random.Between(0.0, 2.0);
+  const double alongX = random.Between(0.05, 1.5);
+  const double alongY = random.Between(0.05, 1.5);
+  for (Vector3& p : surface.Points)
+  {
+    p[2] += height * std::sin(alongX * p[0]) * std::cos(alongY * p[1]);
+  }
+  return surface;
+}
+
+Surface Bumps(Random& random)
+{
+  return BumpySphere(
+    2 + random.Below(3), 10.0, random.Between(0.0, 0.4), static_cast<std::uint64_t>(random.Below(1000)));
+}
+
+/// A shell: the inner wall follows the outer one.
+Surface Shell(Random& random)
+{
+  const Surface outer = Bumps(random);
+  return Together(outer, TurnedInsideOut(Scaled(outer, random.Between(0.8, 0.999))));
+}
+
+/// One of the shapes that every other test takes, too.
+Surface KnownShape(Random& random)
+{
+  static const std::vector<NamedSurface> shapes = AllShapes();
+  return shapes[static_cast<std::size_t>(random.Below(static_cast<Index>(shapes.size())))].Surface;
+}
+
+/// The triangles for which that is so, and the points that they use.
+Surface Part(const Surface& surface, const std::function<bool(const Triangle&)>& isTaken)
+{
+  Surface part;
+  std::vector<Index> number(surface.Points.size(), None);
+  for (const Triangle& corners : surface.Triangles)
+  {
+    if (!isTaken(corners))
+    {
+      continue;
+    }
+    Triangle renamed = {};
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      Index& id = number[static_cast<std::size_t>(corners[k])];
+      if (id == None)
+      {
+        id = static_cast<Index>(part.Points.size());
+        part.Points.push_back(surface.Points[static_cast<std::size_t>(corners[k])]);
+      }
+      renamed[k] = id;
+    }
+    part.Triangles.push_back(renamed);
+  }
+  return part;
+}
+
+/// What lies in a ball about one of the points, as large as the most triangles allow.
+Surface CutOut(Random& random, const Surface& large)
+{
+  const Index middle = random.Below(static_cast<Index>(large.Points.size()));
+  const Vector3 center = large.Points[static_cast<std::size_t>(middle)];
+  const auto distance2 = [&](const Triangle& corners)
+  { return (large.Points[static_cast<std::size_t>(corners[0])] - center).squaredNorm(); };
+  std::vector<double> all;
+  all.reserve(large.Triangles.size());
+  std::transform(large.Triangles.begin(), large.Triangles.end(), std::back_inserter(all), distance2);
+  const auto wanted = std::min<std::size_t>(
+    all.size() - 1, static_cast<std::size_t>(200 + random.Below(LargestCut - 200)));
+  std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(wanted), all.end());
+  const double radius2 = all[wanted];
+  return Part(large, [&](const Triangle& corners) { return distance2(corners) <= radius2; });
+}
+
+/// Points moved by up to a share of an edge, triangles torn out.
+Surface Damaged(Random& random, Surface surface)
+{
+  if (random.Below(3) == 0)
+  {
+    const double most = random.Between(0.0, 0.5) * MeanEdge(surface);
+    for (Vector3& p : surface.Points)
+    {
+      p += random.InCube(most);
+    }
+  }
+  if (random.Below(4) == 0)
+  {
+    const double share = random.Between(0.0, 0.1);
+    surface = Part(surface, [&](const Triangle&) { return random.Uniform() >= share; });
+  }
+  return surface;
+}
+}
+
+double MeanEdge(const Surface& surface)
+{
+  double sum = 0.0;
+  for (const Triangle& corners : surface.Triangles)
+  {
+    sum += (surface.Points[static_cast<std::size_t>(corners[0])] -
+      surface.Points[static_cast<std::size_t>(corners[1])])
+             .norm();
+  }
+  return sum / std::max<double>(1.0, static_cast<double>(surface.Triangles.size()));
+}
+
+Surface AnyVictim(Random& random, const std::vector<Surface>& large)
+{
+  static const std::array<Surface (*)(Random&), 5> makers = { Walls, WavingGrid, Bumps, Shell,
+    KnownShape };
+  const bool cuts = !large.empty() && random.Below(2) == 0;
+  Surface surface = cuts
+    ? CutOut(random,
+        large[static_cast<std::size_t>(random.Below(static_cast<Index>(large.size())))])
+    : makers[static_cast<std::size_t>(random.Below(static_cast<Index>(makers.size())))](random);
+  surface = Damaged(random, std::move(surface));
+  if (random.Below(3) == 0)
+  {
+    surface = Scaled(surface, std::pow(10.0, random.Between(-3.0, 3.0)));
+  }
+  if (random.Below(3) == 0)
+  {
+    surface = Moved(surface, random.InCube(std::pow(10.0, random.Between(0.0, 4.0))));
+  }
+  return surface;
+}
+}
