@@ -48,7 +48,10 @@ struct Attack
 std::vector<double> AnyMap(Random& random, const Surface& surface, double error)
 {
   const auto anyPoint = [&]
-  { return surface.Points[static_cast<std::size_t>(random.Below(static_cast<Index>(surface.Points.size())))]; };
+  {
+    return surface
+      .Points[static_cast<std::size_t>(random.Below(static_cast<Index>(surface.Points.size())))];
+  };
   const Vector3 frozen = anyPoint();
   const Vector3 free = anyPoint();
   const double radius = MeanEdge(surface) * random.Between(0.0, 6.0);
@@ -57,7 +60,8 @@ std::vector<double> AnyMap(Random& random, const Surface& surface, double error)
   for (const Vector3& p : surface.Points)
   {
     const double distance = std::max(0.0, (p - frozen).norm() - radius);
-    tolerances.push_back((p - free).norm() < radius ? -1.0 : std::min(2.0 * error, slope * distance));
+    tolerances.push_back(
+      (p - free).norm() < radius ? -1.0 : std::min(2.0 * error, slope * distance));
   }
   return tolerances;
 }
@@ -72,7 +76,8 @@ Attack AnyAttack(std::uint64_t seed, const std::vector<Surface>& large)
   options.MeasureDistances = false;
   options.MaximumError = MeanEdge(attack.Victim) * std::pow(10.0, random.Between(-2.0, 1.0));
   options.NumberOfThreads = 1 + random.Below(3);
-  options.OutputPointsPrecision = random.Below(2) == 0 ? PointsPrecision::Single : PointsPrecision::Double;
+  options.OutputPointsPrecision =
+    random.Below(2) == 0 ? PointsPrecision::Single : PointsPrecision::Double;
   if (random.Below(4) == 0)
   {
     options.TargetNumberOfTriangles =
@@ -81,7 +86,8 @@ Attack AnyAttack(std::uint64_t seed, const std::vector<Surface>& large)
   if (random.Below(3) == 0)
   {
     attack.Tolerances = AnyMap(random, attack.Victim, options.MaximumError);
-    options.OutputPointsPrecision = PointsPrecision::Double; // a tolerance of 0 leaves no room for rounding
+    options.OutputPointsPrecision =
+      PointsPrecision::Double; // a tolerance of 0 leaves no room for rounding
   }
   return attack;
 }
@@ -118,12 +124,12 @@ const char* WhatTopologyLost(const Surface& before, const Surface& after)
 {
   const Topology was = CountTopology(before);
   const Topology is = CountTopology(after);
-  return was.Components != is.Components                             ? "a component"
-    : was.EulerNumber != is.EulerNumber                              ? "the Euler number"
-    : (was.BoundaryEdges == 0) != (is.BoundaryEdges == 0)            ? "the borders"
-    : is.NonManifoldEdges > was.NonManifoldEdges                     ? "an edge that was manifold"
-    : is.NonManifoldPoints > was.NonManifoldPoints                   ? "a point that was manifold"
-                                                                     : "";
+  return was.Components != is.Components                  ? "a component"
+    : was.EulerNumber != is.EulerNumber                   ? "the Euler number"
+    : (was.BoundaryEdges == 0) != (is.BoundaryEdges == 0) ? "the borders"
+    : is.NonManifoldEdges > was.NonManifoldEdges          ? "an edge that was manifold"
+    : is.NonManifoldPoints > was.NonManifoldPoints        ? "a point that was manifold"
+                                                          : "";
 }
 
 std::string WhatItSays(const Certificate& found)
@@ -132,7 +138,8 @@ std::string WhatItSays(const Certificate& found)
   const DirectedCertificate& there = found.ReferenceToResult;
   const DirectedCertificate& back = found.ResultToReference;
   std::snprintf(text, sizeof(text),
-    "the certificate says %s: %.17g and %.17g mm, over the map %.3g to %.3g and %.3g to %.3g mm, borders %s and %s",
+    "the certificate says %s: %.17g and %.17g mm, over the map %.3g to %.3g and %.3g to %.3g mm, "
+    "borders %s and %s",
     VerdictWord(found.Verdict), there.Distance.Upper, back.Distance.Upper, there.Excess.Lower,
     there.Excess.Upper, back.Excess.Lower, back.Excess.Upper,
     VerdictWord(found.BorderOfReferenceToResult.Verdict),
@@ -161,8 +168,7 @@ std::string WhatBroke(const Attack& attack, Totals& totals)
   options.TightBounds = false;
   options.NumberOfThreads = 1;
   const Certificate found = Certify(cleaned.Surface, result.Surface, options);
-  totals.LargestShare =
-    std::max(totals.LargestShare, found.Upper() / attack.Asked.MaximumError);
+  totals.LargestShare = std::max(totals.LargestShare, found.Upper() / attack.Asked.MaximumError);
   return !lost.empty()                            ? "lost " + lost
     : found.Verdict == CertificateVerdict::Proved ? std::string()
                                                   : WhatItSays(found);
@@ -187,7 +193,8 @@ std::vector<Surface> ReadAll(int count, char** paths)
 
 void PrintFailure(std::uint64_t seed, const Attack& attack, const std::string& broke)
 {
-  std::printf("seed %llu: %s (mode %d, error %.17g mm, target %d, threads %d, %s map, %zu triangles)\n",
+  std::printf(
+    "seed %llu: %s (mode %d, error %.17g mm, target %d, threads %d, %s map, %zu triangles)\n",
     static_cast<unsigned long long>(seed), broke.c_str(), static_cast<int>(attack.Asked.Mode),
     attack.Asked.MaximumError, attack.Asked.TargetNumberOfTriangles, attack.Asked.NumberOfThreads,
     attack.Tolerances.empty() ? "no" : "a", attack.Victim.Triangles.size());
@@ -206,7 +213,8 @@ int Run(long runs, std::uint64_t seed, const std::vector<Surface>& large)
       return EXIT_FAILURE;
     }
   }
-  std::printf("%lld runs, %lld of them on what is no surface; %lld triangles became %lld; at most %.4f of the error "
+  std::printf("%lld runs, %lld of them on what is no surface; %lld triangles became %lld; at most "
+              "%.4f of the error "
               "was used; none broke the promise\n",
     static_cast<long long>(totals.Runs), static_cast<long long>(totals.Refused),
     static_cast<long long>(totals.TrianglesIn), static_cast<long long>(totals.TrianglesOut),

@@ -13,12 +13,12 @@ namespace bonedecimate::testsupport
 {
 namespace
 {
-constexpr Index LargestCut = 6000; // triangles
+constexpr Index LargestCut = 1500; // triangles
 
 /// Two walls that face each other across a narrow gap, and a waving sheet above them.
 Surface Walls(Random& random)
 {
-  const Index cells = 8 + random.Below(20);
+  const Index cells = 5 + random.Below(12);
   const Surface wall = HeightField(cells, random.Between(0.0, 0.6), 1 + random.Below(1000));
   const double gap = random.Between(0.02, 1.0);
   Surface walls = Together(wall, Moved(TurnedInsideOut(wall), { 0.0, 0.0, gap }));
@@ -27,7 +27,7 @@ Surface Walls(Random& random)
 
 Surface WavingGrid(Random& random)
 {
-  Surface surface = Grid(6 + random.Below(34));
+  Surface surface = Grid(5 + random.Below(20));
   const double height = random.Between(0.0, 2.0);
   const double alongX = random.Between(0.05, 1.5);
   const double alongY = random.Between(0.05, 1.5);
@@ -40,8 +40,8 @@ Surface WavingGrid(Random& random)
 
 Surface Bumps(Random& random)
 {
-  return BumpySphere(
-    2 + random.Below(3), 10.0, random.Between(0.0, 0.4), static_cast<std::uint64_t>(random.Below(1000)));
+  return BumpySphere(1 + random.Below(3), 10.0, random.Between(0.0, 0.4),
+    static_cast<std::uint64_t>(random.Below(1000)));
 }
 
 /// A shell: the inner wall follows the outer one.
@@ -94,9 +94,10 @@ Surface CutOut(Random& random, const Surface& large)
   { return (large.Points[static_cast<std::size_t>(corners[0])] - center).squaredNorm(); };
   std::vector<double> all;
   all.reserve(large.Triangles.size());
-  std::transform(large.Triangles.begin(), large.Triangles.end(), std::back_inserter(all), distance2);
+  std::transform(
+    large.Triangles.begin(), large.Triangles.end(), std::back_inserter(all), distance2);
   const auto wanted = std::min<std::size_t>(
-    all.size() - 1, static_cast<std::size_t>(200 + random.Below(LargestCut - 200)));
+    all.size() - 1, static_cast<std::size_t>(100 + random.Below(LargestCut - 100)));
   std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(wanted), all.end());
   const double radius2 = all[wanted];
   return Part(large, [&](const Triangle& corners) { return distance2(corners) <= radius2; });
@@ -140,8 +141,8 @@ Surface AnyVictim(Random& random, const std::vector<Surface>& large)
     KnownShape };
   const bool cuts = !large.empty() && random.Below(2) == 0;
   Surface surface = cuts
-    ? CutOut(random,
-        large[static_cast<std::size_t>(random.Below(static_cast<Index>(large.size())))])
+    ? CutOut(
+        random, large[static_cast<std::size_t>(random.Below(static_cast<Index>(large.size())))])
     : makers[static_cast<std::size_t>(random.Below(static_cast<Index>(makers.size())))](random);
   surface = Damaged(random, std::move(surface));
   if (random.Below(3) == 0)

@@ -18,7 +18,7 @@ namespace bonedecimate::testsupport
 double MeanEdge(const Surface& surface);
 
 /**
- * Some hundred to some thousand triangles, at any scale and anywhere.
+ * Some ten to two thousand triangles, at any scale and anywhere.
  * @param large Surfaces to cut pieces from, half of the time; may be empty.
  */
 Surface AnyVictim(Random& random, const std::vector<Surface>& large);

@@ -42,8 +42,8 @@ const std::vector<Number>& Numbers()
     NUMBER_PROPERTY(MergePoints), NUMBER_PROPERTY(MeasureDistances),
     NUMBER_PROPERTY(MeasureInputDistances), NUMBER_PROPERTY(NumberOfThreads),
     NUMBER_PROPERTY(OutputPointsPrecision), NUMBER_PROPERTY(PassArrays), NUMBER_PROPERTY(MakeMaps),
-    NUMBER_PROPERTY(RecomputeNormals), NUMBER_PROPERTY(ProveResult),
-    NUMBER_PROPERTY(ErrorPreset), NUMBER_PROPERTY(VoxelSize) };
+    NUMBER_PROPERTY(RecomputeNormals), NUMBER_PROPERTY(ProveResult), NUMBER_PROPERTY(ErrorPreset),
+    NUMBER_PROPERTY(VoxelSize) };
   return numbers;
 }
 
