@@ -113,8 +113,9 @@ std::string Curve(const std::vector<CurvePoint>& points, const Axis& errors, con
   {
     const std::string x = Number(errors.At(point.Error));
     const std::string y = Number(triangles.At(point.Triangles));
-    path += (path.empty() ? "M" : " L") + x + "," + y;
-    marks += "<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"4\" fill=\"#1f5fa8\"/>\n";
+    path.append(path.empty() ? "M" : " L").append(x).append(",").append(y);
+    marks.append("<circle cx=\"").append(x).append("\" cy=\"").append(y);
+    marks.append("\" r=\"4\" fill=\"#1f5fa8\"/>\n");
     marks += Text(errors.At(point.Error) + 8.0, triangles.At(point.Triangles) - 6.0, "start",
       GroupedText(point.Triangles));
   }

@@ -42,8 +42,7 @@ const char* StopReasonSentence(StopReason reason)
   static const char* const sentences[] = { "Nothing was run.",
     "The number of triangles asked for was reached.", "The largest error asked for was reached.",
     "The input already had no more triangles than asked for.",
-    "No further collapse is allowed: topology, borders, fragments, orientation or what is frozen "
-    "would change.",
+    "No further collapse is allowed: topology, borders, fragments or what is frozen would change.",
     "The run was aborted; the surface is valid but larger than asked for." };
   return sentences[static_cast<int>(reason)];
 }

@@ -18,7 +18,7 @@ constexpr double Rounding = 1e-6;
 
 FaceGrid::Key NameOf(std::int32_t x, std::int32_t y, std::int32_t z)
 {
-  const auto part = [](std::int32_t i) { return static_cast<FaceGrid::Key>(i + Farthest + 1); };
+  const auto part = [](std::int64_t i) { return static_cast<FaceGrid::Key>(i + Farthest + 1); };
   return part(x) << 42U | part(y) << 21U | part(z);
 }
 

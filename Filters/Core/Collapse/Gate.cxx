@@ -59,7 +59,7 @@ Verdict JudgeTopology(const HalfEdgeMesh& mesh, const Neighbourhood& around)
 //------------------------------------------------------------------------------
 void FillFan(const HalfEdgeMesh& mesh, const Neighbourhood& around, Fan& fan)
 {
-  const Vector3 origin = mesh.Position(around.Start);
+  const Vector3& origin = mesh.Position(around.Start);
   const Vector3 end = mesh.Position(around.End) - origin;
   const int points = static_cast<int>(around.Ring.size());
   for (int k = 0; k < 3; ++k)
