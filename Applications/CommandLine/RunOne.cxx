@@ -12,7 +12,7 @@
 #include "Page.h"
 #include "Picture.h"
 #include "ProgressBar.h"
-#include "Stopwatch.h"
+#include "StageClock.h"
 #include "Summary.h"
 #include "SurfaceFiles.h"
 #include "SurfaceFormat.h"
@@ -63,7 +63,7 @@ public:
 
   void Read()
   {
-    const Stopwatch watch;
+    const StageClock watch;
     if (this->Volume)
     {
       const BoneSurface bone = ExtractBoneSurface(this->Path, *this->Asked.Iso);
@@ -109,7 +109,7 @@ public:
 
   void WriteSurfaces(OutputFiles& files)
   {
-    const Stopwatch watch;
+    const StageClock watch;
     for (StagedFile& file : files.Surfaces)
     {
       const vtkSmartPointer<vtkPolyData> readBack =
@@ -249,7 +249,7 @@ private:
 
   const Arguments& Asked;
   const std::string& Path;
-  Stopwatch Whole;
+  StageClock Whole;
   ReportSubject Subject;
   bool Volume;
   double VoxelSize = 0.0; // mm, of a volume

@@ -112,6 +112,7 @@ struct Remains
 {
   const CleanSurface& Clean;
   const Original& Source;
+  std::vector<Index> Near;     // of each vertex, a triangle of the original
   std::vector<Index> Vertices; // of the mesh, a point of the result each
   std::vector<Vector3> Points; // mm from the local origin
 };
@@ -139,7 +140,6 @@ void LookUpPoints(
   const Remains& remains, const ExtractOptions& options, const Monitor& monitor, Result& result)
 {
   const BoundingTree& tree = remains.Source.Tree(options.Threads);
-  const std::vector<Index> near = remains.Source.TrianglesAtPoints();
   const std::size_t count = remains.Points.size();
   const std::size_t origins = options.Origins ? count : 0;
   result.Distance.resize(count);
@@ -151,7 +151,7 @@ void LookUpPoints(
     [&](std::size_t p)
     {
       const Index vertex = remains.Vertices[p];
-      const BoundingTree::Nearest nearest = tree.FindNearest(remains.Points[p], near[vertex]);
+      const BoundingTree::Nearest nearest = tree.FindNearest(remains.Points[p], remains.Near[vertex]);
       result.Distance[p] = std::sqrt(nearest.Place.SquaredDistance);
       result.RunningError[p] = remains.Source.RecordsDistances()
         ? remains.Source.RunningError(vertex)
@@ -170,7 +170,6 @@ void LookUpCentroids(
   const Remains& remains, const ExtractOptions& options, const Monitor& monitor, Result& result)
 {
   const BoundingTree& tree = remains.Source.Tree(options.Threads);
-  const std::vector<Index> near = remains.Source.TrianglesAtPoints();
   const std::vector<Triangle>& triangles = result.Surface.Triangles;
   result.Origins.TriangleAtCentroid.resize(triangles.size());
   LookUpEach(triangles.size(), options.Threads, monitor,
@@ -179,7 +178,7 @@ void LookUpCentroids(
       const Triangle& c = triangles[t];
       const Vector3 centroid =
         (remains.Points[c[0]] + remains.Points[c[1]] + remains.Points[c[2]]) / 3.0;
-      const Index triangle = tree.FindNearest(centroid, near[remains.Vertices[c[0]]]).Triangle;
+      const Index triangle = tree.FindNearest(centroid, remains.Near[remains.Vertices[c[0]]]).Triangle;
       result.Origins.TriangleAtCentroid[t] = remains.Clean.InputTriangle[triangle];
     });
 }
@@ -190,7 +189,7 @@ std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, co
 {
   const HalfEdgeMesh& mesh = editor.Mesh();
   result.Surface.Triangles = LiveTriangles(mesh, options.Threads);
-  Remains remains = { clean, editor.Reference(),
+  Remains remains = { clean, editor.Reference(), {},
     NumberVertices(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), result.Surface.Triangles,
       options.Threads),
     {} };
@@ -212,6 +211,7 @@ std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, co
   constexpr double pointsLookedUp = 0.5;
   if (options.Distances || options.Origins)
   {
+    remains.Near = remains.Source.TrianglesAtPoints();
     LookUpPoints(
       remains, options, PartOf(monitor, 0.0, options.Origins ? pointsLookedUp : 1.0), result);
   }

@@ -27,9 +27,8 @@
  *
  * Limits, blocks and allowances are fixed before a pass over the blocks and depend on the mesh alone, so that the
  * number of threads changes the time and not the result. No round aims past the limit where the final one will lie:
- * that would be cheaper and cost several percent of accuracy. An error to stop at needs the one true order, and small
- * meshes are not worth rounds: then there is only the tail. Its end, below a fiftieth of the faces, renews the keys of
- * whole rings.
+ * that would be cheaper and cost several percent of accuracy. Small meshes are not worth rounds: then there is only the
+ * tail. Its end, below a fiftieth of the faces, renews the keys of whole rings.
  */
 #ifndef BoneDecimate_Core_Collapse_Sweep_h
 #define BoneDecimate_Core_Collapse_Sweep_h

@@ -92,9 +92,10 @@ def run_sections(asked: argparse.Namespace, workshop: Workshop, judge: Judge, bo
                 figures["errors"] += sections.error_mode(
                     programs, judge, bone, modes, tuple(thesis.BY_ERROR[bone.name]), scratch)
     if whole or asked.promises:
+        proving = [mode for mode in modes if mode != "Thesis"]
         for name, count in PROMISED_BONES:
             bone = workshop.bone(name, (count,))
-            for row in sections.promises(programs, judge, bone, modes[1:], scratch) if bone else ():
+            for row in sections.promises(programs, judge, bone, proving, scratch) if bone else ():
                 figures["promises"].append(row)
                 save(asked, figures)
                 print(f"  {name} {row['error']} mm {row['mode']}: {row.get('triangles')}", flush=True)
