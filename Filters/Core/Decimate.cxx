@@ -4,10 +4,12 @@
 
 #include "Collapse/Sweep.h"
 #include "Collapse/ThesisLoop.h"
+#include "Cost/AutomaticTolerance.h"
 #include "Extract.h"
 #include "Judgement.h"
 #include "Mesh/Checksum.h"
 #include "Mesh/SpatialOrder.h"
+#include "ReferenceInput.h"
 #include "Relax/RelaxedLoop.h"
 #include "ResultProof.h"
 #include "RunProgress.h"
@@ -34,7 +36,7 @@ class Run
 {
 public:
   Run(const Surface& input, const Options& options, const Monitor& monitor, bool inputIsSingle,
-    bool withOrigins, const std::vector<double>* tolerances)
+    bool withOrigins, const std::vector<double>* tolerances, const Surface* reference)
     : Input(input)
     , Wanted(options)
     , Progress(monitor)
@@ -42,6 +44,8 @@ public:
         (options.OutputPointsPrecision == PointsPrecision::Default && inputIsSingle))
     , WithOrigins(withOrigins)
     , Given(tolerances)
+    , Allowed(tolerances)
+    , Reference(reference)
   {
   }
 
@@ -52,8 +56,9 @@ public:
     {
       this->Collapse();
       this->Answer.Report.Seconds.Decimate = clock.Seconds();
-      Judge({ this->Input, this->Cleaned, *this->Work, this->LocalResult }, this->Wanted,
-        this->Progress, this->Answer);
+      Judge({ this->Input, this->Cleaned, *this->Work, this->LocalResult,
+              this->First ? &this->First->Reference.Surface : nullptr },
+        this->Wanted, this->Progress, this->Answer);
       this->Prove();
       Report& report = this->Answer.Report;
       report.Stop = this->Progress.GoesOn() ? report.Stop : StopReason::Aborted;
@@ -76,6 +81,10 @@ private:
       report.Status = CheckTolerances(
         *this->Given, this->Input.Points.size(), this->Wanted.Mode, report.Cleaning);
     }
+    if (report.Status == InputStatus::Good && this->Reference != nullptr)
+    {
+      this->Compare();
+    }
     if (report.Status == InputStatus::Good)
     {
       report.InputChecksum = Checksum(this->Input, this->Wanted.NumberOfThreads);
@@ -85,6 +94,22 @@ private:
     this->Progress.Stage(CleanedAt, BuiltAt)(1.0);
     report.Seconds.Prepare = clock.Seconds();
     return report.Status == InputStatus::Good;
+  }
+
+  /// What the first original leaves of the largest error caps the tolerances.
+  void Compare()
+  {
+    this->First = CompareWithReference(*this->Reference, this->Input, this->Cleaned, this->Wanted,
+      this->Progress.Stage(CleanedAt, CleanedAt));
+    this->Answer.Report.Status = this->First->Status;
+    this->Answer.Report.Reference = this->First->Figures;
+    std::vector<double>& left = this->First->Left;
+    for (std::size_t i = 0; this->Given != nullptr && i < left.size(); ++i)
+    {
+      const double given = (*this->Given)[i];
+      left[i] = given >= 0.0 ? std::min(left[i], given) : left[i];
+    }
+    this->Allowed = &left;
   }
 
   /// In steps that are short enough for somebody who waits; what nobody needs any more is left out.
@@ -113,8 +138,9 @@ private:
   /// What has to be proved, and what stays as it is.
   void Limit()
   {
-    const std::vector<double> tolerances =
-      this->Given != nullptr ? TolerancesOf(this->Cleaned, *this->Given) : std::vector<double>();
+    const std::vector<double> tolerances = this->Allowed != nullptr
+      ? TolerancesOf(this->Cleaned, *this->Allowed)
+      : std::vector<double>();
     const auto any = [&](auto isSo)
     { return std::any_of(tolerances.begin(), tolerances.end(), isSo); };
     const bool promises = this->Wanted.PromisesError();
@@ -152,12 +178,23 @@ private:
     }
   }
 
+  /// Without a number of triangles nobody knows how many will stay.
+  double NormalTolerance(const Stops& stops) const
+  {
+    const double faces = this->Work->Mesh().NumberOfFaces();
+    return this->Wanted.AutomaticNormalTolerance && stops.Faces > 0
+      ? AutomaticNormalTolerance(stops.Faces / faces)
+      : this->Wanted.NormalTolerance;
+  }
+
   StopReason RunLoop(const Monitor& monitor)
   {
     const Stops stops = StopsOf(this->Wanted, this->Work->Mesh().NumberOfFaces(), this->IsLimited);
     if (this->Wanted.Mode == Mode::Thesis)
     {
-      return ThesisLoop(*this->Work, this->Wanted.NormalTolerance, stops).Run(monitor);
+      const double tolerance = this->NormalTolerance(stops);
+      this->Answer.Report.NormalTolerance = tolerance;
+      return ThesisLoop(*this->Work, tolerance, stops).Run(monitor);
     }
     if (this->Wanted.Mode == Mode::Fast)
     {
@@ -223,7 +260,8 @@ private:
       this->LocalResult = {};
       this->Cleaned.Surface = {};
       ProveResult(this->Input, this->Cleaned, this->Wanted,
-        this->Progress.Stage(MeasuredTo(this->Wanted), 1.0), this->Answer, this->Given);
+        this->Progress.Stage(MeasuredTo(this->Wanted), 1.0), this->Answer, this->Given,
+        this->First ? &this->First->Reference : nullptr);
     }
   }
 
@@ -233,7 +271,11 @@ private:
   bool RoundToSingle;
   bool WithOrigins;
   const std::vector<double>* Given; // mm, tolerances of the input points
-  bool IsLimited = false;           // whether every point has a tolerance
+  const std::vector<double>*
+    Allowed; // mm, the same, capped by what the reference leaves of the error
+  const Surface* Reference;
+  std::optional<ReferenceInput> First; // the reference read, if there is one
+  bool IsLimited = false;              // whether every point has a tolerance
   CleanSurface Cleaned;
   std::optional<Editor> Work;
   Surface LocalResult; // mm relative to Cleaned.Origin
@@ -242,11 +284,13 @@ private:
 }
 
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor,
-  bool inputIsSingle, bool withOrigins, const std::vector<double>* tolerances)
+  bool inputIsSingle, bool withOrigins, const std::vector<double>* tolerances,
+  const Surface* reference)
 {
   Options wanted = options;
-  const VoxelFigures voxel = ApplyPreset(input, wanted);
-  Result result = Run(input, wanted, monitor, inputIsSingle, withOrigins, tolerances).Go();
+  const VoxelFigures voxel = ApplyPreset(reference != nullptr ? *reference : input, wanted);
+  Result result =
+    Run(input, wanted, monitor, inputIsSingle, withOrigins, tolerances, reference).Go();
   result.Report.Asked = options;
   result.Report.Voxel = voxel;
   return result;
