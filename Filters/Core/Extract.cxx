@@ -151,7 +151,8 @@ void LookUpPoints(
     [&](std::size_t p)
     {
       const Index vertex = remains.Vertices[p];
-      const BoundingTree::Nearest nearest = tree.FindNearest(remains.Points[p], remains.Near[vertex]);
+      const BoundingTree::Nearest nearest =
+        tree.FindNearest(remains.Points[p], remains.Near[vertex]);
       result.Distance[p] = std::sqrt(nearest.Place.SquaredDistance);
       result.RunningError[p] = remains.Source.RecordsDistances()
         ? remains.Source.RunningError(vertex)
@@ -178,7 +179,8 @@ void LookUpCentroids(
       const Triangle& c = triangles[t];
       const Vector3 centroid =
         (remains.Points[c[0]] + remains.Points[c[1]] + remains.Points[c[2]]) / 3.0;
-      const Index triangle = tree.FindNearest(centroid, remains.Near[remains.Vertices[c[0]]]).Triangle;
+      const Index triangle =
+        tree.FindNearest(centroid, remains.Near[remains.Vertices[c[0]]]).Triangle;
       result.Origins.TriangleAtCentroid[t] = remains.Clean.InputTriangle[triangle];
     });
 }
