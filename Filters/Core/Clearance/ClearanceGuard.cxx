@@ -112,6 +112,16 @@ Vector3 MostOf(const std::vector<Piece>& pieces)
   return high;
 }
 
+double MostReach(const std::vector<Piece>& pieces) // mm
+{
+  double most = 0.0;
+  for (const Piece& piece : pieces)
+  {
+    most = std::max(most, piece.Reach);
+  }
+  return most;
+}
+
 /// Whether p lies in what two patches with one rim enclose; in doubt it does.
 bool IsBetween(const Vector3& p, const std::vector<Piece>& a, const std::vector<Piece>& b)
 {
@@ -216,19 +226,25 @@ void ClearanceGuard::FindNear(const HalfEdgeMesh& mesh, const Patch& change, Wor
   std::sort(work.Faces.begin(), work.Faces.end());
   work.Faces.erase(std::unique(work.Faces.begin(), work.Faces.end()), work.Faces.end());
   const std::vector<Index>& old = change.OldFaces;
+  const double reach = std::max(MostReach(work.New), MostReach(work.Old));
+  const Vector3 wholeLow = LeastOf(work.Old).cwiseMin(LeastOf(work.New)).array() - reach;
+  const Vector3 wholeHigh = MostOf(work.Old).cwiseMax(MostOf(work.New)).array() + reach;
   for (const Index face : work.Faces)
   {
     const Triangle v = mesh.Corners(face);
     const TriangleCorners corners = CornersOf(mesh, v);
     const Vector3 low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
     const Vector3 high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+    const bool mayBeNear =
+      (wholeHigh - low).minCoeff() >= 0.0 && (high - wholeLow).minCoeff() >= 0.0;
     const auto isNear = [&](const Piece& piece)
     {
       return (piece.Low - high).cwiseMax(low - piece.High).cwiseMax(0.0).squaredNorm() <=
         piece.Reach * piece.Reach;
     };
-    if ((std::any_of(work.New.begin(), work.New.end(), isNear) ||
-          std::any_of(work.Old.begin(), work.Old.end(), isNear)) &&
+    if (mayBeNear &&
+      (std::any_of(work.New.begin(), work.New.end(), isNear) ||
+        std::any_of(work.Old.begin(), work.Old.end(), isNear)) &&
       std::find(old.begin(), old.end(), face) == old.end())
     {
       work.Near.push_back(this->PieceOf(change, v, corners));
