@@ -7,6 +7,7 @@
 #include "Extract.h"
 #include "Judgement.h"
 #include "Mesh/Checksum.h"
+#include "Mesh/Sheets.h"
 #include "Mesh/SpatialOrder.h"
 #include "Relax/RelaxedLoop.h"
 #include "ResultProof.h"
@@ -81,7 +82,6 @@ private:
     {
       report.InputChecksum = Checksum(this->Input, this->Wanted.NumberOfThreads);
       this->Build();
-      this->CountLocked();
     }
     this->Progress.Stage(CleanedAt, BuiltAt)(1.0);
     report.Seconds.Prepare = clock.Seconds();
@@ -99,6 +99,13 @@ private:
     }
     tell(0.25);
     HalfEdgeMesh mesh(this->Cleaned.Surface, threads);
+    this->CountLocked(mesh);
+    if (this->Progress.GoesOn() && HasSeams(mesh))
+    {
+      SplitSheets(this->Cleaned, mesh);
+      SortAlongCurve(this->Cleaned, threads);
+      mesh = HalfEdgeMesh(this->Cleaned.Surface, threads, this->Cleaned.Sheets);
+    }
     tell(0.5);
     const bool isThesis = this->Wanted.Mode == Mode::Thesis;
     const Editor::Books books = { isThesis, isThesis, !isThesis && this->Progress.GoesOn() };
@@ -140,12 +147,12 @@ private:
     }
   }
 
-  void CountLocked()
+  void CountLocked(const HalfEdgeMesh& mesh)
   {
     CleaningStatistics& found = this->Answer.Report.Cleaning;
-    for (Index v = this->Work->Mesh().NumberOfVertexSlots(); v-- > 0;)
+    for (Index v = mesh.NumberOfVertexSlots(); v-- > 0;)
     {
-      if (this->Work->Mesh().Kind(v) == VertexKind::Locked)
+      if (mesh.Kind(v) == VertexKind::Locked)
       {
         ++found.LockedPoints;
         found.FirstLockedPoint = this->Cleaned.InputPoint[v];

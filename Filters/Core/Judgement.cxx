@@ -5,6 +5,7 @@
 #include "Certificate/Certificate.h"
 #include "Clearance/Gaps.h"
 #include "Measure/SurfaceDistance.h"
+#include "Mesh/Sheets.h"
 #include "Mesh/Statistics.h"
 #include "StageClock.h"
 
@@ -34,9 +35,8 @@ public:
   {
     const int threads = this->Wanted.NumberOfThreads;
     const Editor& work = this->Run.Work;
-    const SurfaceCounts counts = { static_cast<std::int64_t>(
-                                     this->Run.Cleaned.Surface.Points.size()),
-      work.NumberOfFragments(), work.Mesh().EdgesAtFirst() };
+    const SurfaceCounts counts = { NumberOfSites(this->Run.Cleaned), work.NumberOfFragments(),
+      work.Mesh().EdgesAtFirst() };
     Report& report = this->Answer.Report;
     report.Input = Describe(this->Run.Cleaned.Surface, counts, threads);
     // Without a collapse the counts of the input hold: flips and moves change none of them.
@@ -82,7 +82,7 @@ public:
     Report& report = this->Answer.Report;
     if (report.Input.Components > 1)
     {
-      report.Clearance = { LeastClearance(this->Run.Cleaned.Surface),
+      report.Clearance = { WithJoined(this->Run.Cleaned, LeastClearance),
         LeastClearance(this->Run.LocalResult) };
       report.ClearanceMeasured = true;
     }
