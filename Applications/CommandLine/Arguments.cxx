@@ -112,6 +112,9 @@ void AddCommonFlags(CLI::App& app, Arguments& arguments)
     ->expected(1)
     ->take_all()
     ->allow_extra_args(false);
+  file("--reference", arguments.Reference,
+    "The surface from which INPUT was made by runs before: --max-error is promised and proved "
+    "against it, and distances are measured to it.");
   file("--report", arguments.Report, "Write the report as JSON.");
   file("--page", arguments.Page,
     "Write a self-contained HTML page for people, with the picture in it.");

@@ -29,6 +29,7 @@ struct Arguments
 
   /// @name One bone only. @{
   std::vector<std::string> Also;
+  std::string Reference; ///< What the input was made from; empty: nothing.
   std::string Report;
   std::string Page;
   std::string Heatmap;

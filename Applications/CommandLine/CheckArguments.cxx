@@ -59,6 +59,8 @@ void CheckOverwriting(const Arguments& arguments)
   {
     Require(!IsSame(*output, arguments.Inputs[0]),
       "'" + *output + "' is the input; it is not overwritten");
+    Require(arguments.Reference.empty() || !IsSame(*output, arguments.Reference),
+      "'" + *output + "' is the reference; it is not overwritten");
     const bool twice = std::any_of(output + 1, outputs.end(),
       [output](const std::string& other) { return IsSame(*output, other); });
     Require(!twice, "'" + *output + "' would be written twice");
@@ -77,6 +79,8 @@ void CheckOneBone(const Arguments& arguments)
       "' needs the extension vtp or vtk, the others hold no arrays");
   Require(arguments.Picture.empty() || ExtensionOf(arguments.Picture) == "png",
     "--picture '" + arguments.Picture + "' needs the extension png");
+  Require(arguments.Reference.empty() || arguments.Options.PromisesError(),
+    "--reference needs --max-error or --preset, in every mode but Thesis");
   const bool volume = IsVolume(arguments.Inputs[0]);
   Require(!volume || arguments.Iso,
     "'" + arguments.Inputs[0] + "' is a volume: --iso HU says which surface to take");
@@ -93,6 +97,7 @@ void CheckBatch(const Arguments& arguments)
     !arguments.Page.empty() || !arguments.Heatmap.empty() || !arguments.Picture.empty();
   Require(!single,
     "--also, --report, --page, --heatmap and --picture are for one bone; many get a report each");
+  Require(arguments.Reference.empty(), "--reference is for one bone");
   Require(arguments.Format.empty() || FormatOf("x." + arguments.Format) != SurfaceFormat::Unknown,
     "--format '" + arguments.Format + "' is none of " + SurfaceExtensions);
   std::error_code error;

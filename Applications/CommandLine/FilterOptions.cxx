@@ -30,6 +30,7 @@ const std::map<std::string, Setter>& Setters()
     { "MaximumError", Calls<double>(&vtkBoneDecimate::SetMaximumError) },
     { "KeepClearance", Calls<bool>(&vtkBoneDecimate::SetKeepClearance) },
     { "NormalTolerance", Calls<double>(&vtkBoneDecimate::SetNormalTolerance) },
+    { "AutomaticNormalTolerance", Calls<bool>(&vtkBoneDecimate::SetAutomaticNormalTolerance) },
     { "MergePoints", Calls<bool>(&vtkBoneDecimate::SetMergePoints) },
     { "MeasureDistances", Calls<bool>(&vtkBoneDecimate::SetMeasureDistances) },
     { "MeasureInputDistances", Calls<bool>(&vtkBoneDecimate::SetMeasureInputDistances) },

@@ -84,6 +84,11 @@ public:
       this->Input = loaded.Surface;
       this->Subject.Warnings = loaded.Warnings;
     }
+    if (!this->Asked.Reference.empty())
+    {
+      this->Reference = ReadSurface(this->Asked.Reference).Surface;
+      this->Filter->SetReferenceData(this->Reference);
+    }
     this->Subject.SecondsRead = watch.Seconds();
   }
 
@@ -210,9 +215,20 @@ private:
     {
       return;
     }
-    const ProvedRun run = { this->Input, this->Filter->GetOutput(),
+    ProvedRun run = { this->Input, this->Filter->GetOutput(),
       this->Filter->GetReportValue("proof.tolerance"), this->Filter->GetToleranceArrayName(),
       this->Filter->GetMergePoints(), this->Filter->GetNumberOfThreads() };
+    if (this->Reference)
+    {
+      ProvedRun map = run;
+      map.Tolerance = 0.0;
+      run.Input = this->Reference;
+      run.ToleranceArray.clear();
+      if (!map.ToleranceArray.empty())
+      {
+        ProveWritten(map, readBack, target);
+      }
+    }
     this->Subject.ProvedFiles[BaseName(target)] = ProveWritten(run, readBack, target);
   }
 
@@ -254,6 +270,7 @@ private:
   bool Volume;
   double VoxelSize = 0.0; // mm, of a volume
   vtkSmartPointer<vtkPolyData> Input;
+  vtkSmartPointer<vtkPolyData> Reference; // null: none
   vtkNew<vtkBoneDecimate> Filter;
   std::vector<std::string> Notes;
   std::string PictureProblem;

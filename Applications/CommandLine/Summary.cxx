@@ -68,6 +68,7 @@ void PrintProof(const ReportFields& report)
   }
   const std::string borders = report.Text("proof.borders");
   std::cout << "proved          <= " << UpperBoundText(*upper, 6) << " mm in both directions"
+            << (report.Number("reference.faces") ? " to the reference" : "")
             << (borders == "both"              ? ", open borders too"
                    : borders == "not_compared" ? ", but for open borders"
                                                : "");
@@ -90,6 +91,11 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
             << Count(report, "output.faces") << "\n"
             << "components      " << Count(report, "output.components") << " of "
             << Count(report, "input.components") << " kept\n";
+  if (report.Number("reference.faces"))
+  {
+    std::cout << "reference       " << Count(report, "reference.faces")
+              << " triangles: what distances are measured to\n";
+  }
   PrintDistances(report, "output_to_input", "result to input ");
   PrintDistances(report, "input_to_output", "input to result ");
   PrintBorders(report);

@@ -40,6 +40,7 @@ struct vtkBoneDecimate::Internals
 vtkBoneDecimate::vtkBoneDecimate()
   : Internal(new Internals)
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -67,6 +68,7 @@ vtkBoneDecimateOption(TargetReduction, double, double, double)
 vtkBoneDecimateOption(MaximumError, double, double, double)
 vtkBoneDecimateOption(KeepClearance, bool, bool, bool)
 vtkBoneDecimateOption(NormalTolerance, double, double, double)
+vtkBoneDecimateOption(AutomaticNormalTolerance, bool, bool, bool)
 vtkBoneDecimateOption(MergePoints, bool, bool, bool)
 vtkBoneDecimateOption(MeasureDistances, bool, bool, bool)
 vtkBoneDecimateOption(MeasureInputDistances, bool, bool, bool)
@@ -125,6 +127,28 @@ std::string vtkBoneDecimate::GetReportText(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
+void vtkBoneDecimate::SetReferenceData(vtkPolyData* reference)
+{
+  this->SetInputData(1, reference);
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimate::SetReferenceConnection(vtkAlgorithmOutput* reference)
+{
+  this->SetInputConnection(1, reference);
+}
+
+//------------------------------------------------------------------------------
+int vtkBoneDecimate::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+//------------------------------------------------------------------------------
 int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -141,10 +165,14 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   }
   const bonedecimate::ConvertedSurface converted =
     bonedecimate::ToSurface(input, options.NumberOfThreads);
+  vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
+  const bonedecimate::ConvertedSurface first = reference != nullptr
+    ? bonedecimate::ToSurface(reference, options.NumberOfThreads)
+    : bonedecimate::ConvertedSurface();
   bonedecimate::Result result = bonedecimate::Decimate(
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
     converted.IsSingle, bonedecimate::NeedsOrigins(input, options),
-    hasTolerances ? &*tolerances : nullptr);
+    hasTolerances ? &*tolerances : nullptr, reference != nullptr ? &first.Surface : nullptr);
   bonedecimate::NameCells(converted, result.Report);
   this->Internal->Report = result.Report;
   this->Internal->Entries =

@@ -9,6 +9,9 @@
  * No component of the input is removed or merged with another, open borders move only along themselves, parts that
  * are not manifold stay as they are.
  *
+ * Input port 0: the surface. Input port 1, optional: the reference, what the surface was made from by runs before. With it
+ * MaximumError is promised, proved and measured against the reference, however often a result is fed in again.
+ *
  * Output port 0: the smaller surface. Point data: the distance to the input surface, the error recorded along the
  * collapses (both mm) and how many input points each point stands for. Field data: the report, one array per
  * entry, its name "bonedecimate." and the entry's (GetReportEntryName()). Vertices and lines pass through.
@@ -121,6 +124,16 @@ public:
 
   ///@{
   /**
+   * In Thesis mode with a number of triangles or a reduction to reach, choose NormalTolerance by the share of the triangles
+   * that stays (report entry "normal_tolerance"), off by default.
+   */
+  void SetAutomaticNormalTolerance(bool automatic);
+  bool GetAutomaticNormalTolerance() const;
+  vtkBooleanMacro(AutomaticNormalTolerance, bool);
+  ///@}
+
+  ///@{
+  /**
    * Merge points with exactly equal coordinates first, on by default. Off, a surface whose triangles do not
    * share points (STL) is one open fragment per triangle.
    */
@@ -195,7 +208,8 @@ public:
 
   ///@{
   /**
-   * Name of the array of the distance of each output point to the input surface, mm. Default "Distance".
+   * Name of the array of the distance of each output point to the input surface (with MeasureDistances to the reference, if
+   * there is one), mm. Default "Distance".
    */
   void SetDistanceArrayName(const std::string& name);
   std::string GetDistanceArrayName() const;
@@ -240,7 +254,7 @@ public:
   ///@{
   /**
    * Name of the array of the proved bound at each output point, mm: no point of the triangles around it is farther from
-   * the input. Default "ErrorBound".
+   * the input, or from the reference if there is one. Default "ErrorBound".
    */
   void SetErrorBoundArrayName(const std::string& name);
   std::string GetErrorBoundArrayName() const;
@@ -249,7 +263,7 @@ public:
   ///@{
   /**
    * Name of the array on output port 1 of the proved bound at each input point, mm: no point of the triangles around it
-   * is farther from the result; only with MeasureInputDistances. Default "ErrorBoundToResult".
+   * is farther from the result; only with MeasureInputDistances and without a reference. Default "ErrorBoundToResult".
    */
   void SetInputErrorBoundArrayName(const std::string& name);
   std::string GetInputErrorBoundArrayName() const;
@@ -294,6 +308,15 @@ public:
   std::string GetToleranceArrayName() const;
   ///@}
 
+  ///@{
+  /**
+   * The first original of an input that is itself a result: what MaximumError, which must be set, is promised against.
+   * Tolerances stay those against the input. An input that is farther from it than MaximumError is an error.
+   */
+  void SetReferenceData(vtkPolyData* reference);
+  void SetReferenceConnection(vtkAlgorithmOutput* reference);
+  ///@}
+
   /**
    * Why the last run ended: one of StopReasons.
    */
@@ -334,6 +357,7 @@ protected:
   vtkBoneDecimate();
   ~vtkBoneDecimate() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

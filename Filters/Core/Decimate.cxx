@@ -4,11 +4,13 @@
 
 #include "Collapse/Sweep.h"
 #include "Collapse/ThesisLoop.h"
+#include "Cost/AutomaticTolerance.h"
 #include "Extract.h"
 #include "Judgement.h"
 #include "Mesh/Checksum.h"
 #include "Mesh/Sheets.h"
 #include "Mesh/SpatialOrder.h"
+#include "ReferenceInput.h"
 #include "Relax/RelaxedLoop.h"
 #include "ResultProof.h"
 #include "RunProgress.h"
@@ -35,7 +37,7 @@ class Run
 {
 public:
   Run(const Surface& input, const Options& options, const Monitor& monitor, bool inputIsSingle,
-    bool withOrigins, const std::vector<double>* tolerances)
+    bool withOrigins, const std::vector<double>* tolerances, const Surface* reference)
     : Input(input)
     , Wanted(options)
     , Progress(monitor)
@@ -43,6 +45,8 @@ public:
         (options.OutputPointsPrecision == PointsPrecision::Default && inputIsSingle))
     , WithOrigins(withOrigins)
     , Given(tolerances)
+    , Allowed(tolerances)
+    , Reference(reference)
   {
   }
 
@@ -54,7 +58,7 @@ public:
       this->Collapse();
       this->Answer.Report.Seconds.Decimate = clock.Seconds();
       const JudgedRun run = { this->Input, this->Cleaned, *this->Work, this->LocalResult,
-        this->IsProved() };
+        this->First ? &this->First->Reference.Surface : nullptr, this->IsProved() };
       Judge(run, this->Wanted, this->Progress, this->Answer);
       this->Prove();
       Report& report = this->Answer.Report;
@@ -78,6 +82,10 @@ private:
       report.Status = CheckTolerances(
         *this->Given, this->Input.Points.size(), this->Wanted.Mode, report.Cleaning);
     }
+    if (report.Status == InputStatus::Good && this->Reference != nullptr)
+    {
+      this->Compare();
+    }
     if (report.Status == InputStatus::Good)
     {
       report.InputChecksum = Checksum(this->Input, this->Wanted.NumberOfThreads);
@@ -86,6 +94,22 @@ private:
     this->Progress.Stage(CleanedAt, BuiltAt)(1.0);
     report.Seconds.Prepare = clock.Seconds();
     return report.Status == InputStatus::Good;
+  }
+
+  /// What the first original leaves of the largest error caps the tolerances.
+  void Compare()
+  {
+    this->First = CompareWithReference(*this->Reference, this->Input, this->Cleaned, this->Wanted,
+      this->Progress.Stage(CleanedAt, CleanedAt));
+    this->Answer.Report.Status = this->First->Status;
+    this->Answer.Report.Reference = this->First->Figures;
+    std::vector<double>& left = this->First->Left;
+    for (std::size_t i = 0; this->Given != nullptr && i < left.size(); ++i)
+    {
+      const double given = (*this->Given)[i];
+      left[i] = given >= 0.0 ? std::min(left[i], given) : left[i];
+    }
+    this->Allowed = &left;
   }
 
   /// In steps that are short enough for somebody who waits; what nobody needs any more is left out.
@@ -121,8 +145,9 @@ private:
   /// What has to be proved, and what stays as it is.
   void Limit()
   {
-    const std::vector<double> tolerances =
-      this->Given != nullptr ? TolerancesOf(this->Cleaned, *this->Given) : std::vector<double>();
+    const std::vector<double> tolerances = this->Allowed != nullptr
+      ? TolerancesOf(this->Cleaned, *this->Allowed)
+      : std::vector<double>();
     const auto any = [&](auto isSo)
     { return std::any_of(tolerances.begin(), tolerances.end(), isSo); };
     const bool promises = this->Wanted.PromisesError();
@@ -160,12 +185,23 @@ private:
     }
   }
 
+  /// Without a number of triangles nobody knows how many will stay.
+  double NormalTolerance(const Stops& stops) const
+  {
+    const double faces = this->Work->Mesh().NumberOfFaces();
+    return this->Wanted.AutomaticNormalTolerance && stops.Faces > 0
+      ? AutomaticNormalTolerance(stops.Faces / faces)
+      : this->Wanted.NormalTolerance;
+  }
+
   StopReason RunLoop(const Monitor& monitor)
   {
     const Stops stops = StopsOf(this->Wanted, this->Work->Mesh().NumberOfFaces(), this->IsLimited);
     if (this->Wanted.Mode == Mode::Thesis)
     {
-      return ThesisLoop(*this->Work, this->Wanted.NormalTolerance, stops).Run(monitor);
+      const double tolerance = this->NormalTolerance(stops);
+      this->Answer.Report.NormalTolerance = tolerance;
+      return ThesisLoop(*this->Work, tolerance, stops).Run(monitor);
     }
     if (this->Wanted.Mode == Mode::Fast)
     {
@@ -234,7 +270,8 @@ private:
       this->LocalResult = {};
       this->Cleaned.Surface = {};
       ProveResult(this->Input, this->Cleaned, this->Wanted,
-        this->Progress.Stage(MeasuredTo(true), 1.0), this->Answer, this->Given);
+        this->Progress.Stage(MeasuredTo(true), 1.0), this->Answer, this->Given,
+        this->First ? &this->First->Reference : nullptr);
     }
   }
 
@@ -244,7 +281,11 @@ private:
   bool RoundToSingle;
   bool WithOrigins;
   const std::vector<double>* Given; // mm, tolerances of the input points
-  bool IsLimited = false;           // whether every point has a tolerance
+  const std::vector<double>*
+    Allowed; // mm, the same, capped by what the reference leaves of the error
+  const Surface* Reference;
+  std::optional<ReferenceInput> First; // the reference read, if there is one
+  bool IsLimited = false;              // whether every point has a tolerance
   CleanSurface Cleaned;
   std::optional<Editor> Work;
   Surface LocalResult; // mm relative to Cleaned.Origin
@@ -253,11 +294,13 @@ private:
 }
 
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor,
-  bool inputIsSingle, bool withOrigins, const std::vector<double>* tolerances)
+  bool inputIsSingle, bool withOrigins, const std::vector<double>* tolerances,
+  const Surface* reference)
 {
   Options wanted = options;
-  const VoxelFigures voxel = ApplyPreset(input, wanted);
-  Result result = Run(input, wanted, monitor, inputIsSingle, withOrigins, tolerances).Go();
+  const VoxelFigures voxel = ApplyPreset(reference != nullptr ? *reference : input, wanted);
+  Result result =
+    Run(input, wanted, monitor, inputIsSingle, withOrigins, tolerances, reference).Go();
   result.Report.Asked = options;
   result.Report.Voxel = voxel;
   return result;

@@ -5,6 +5,7 @@
  * @brief The core's one entry: a surface in, a smaller surface with its error in millimetres out.
  *
  *     cleaned  = Clean(input)                    refuse, merge, drop, count
+ *     CompareWithReference(input)                what is left of the largest error, if the input is itself a result
  *     SortAlongCurve(cleaned)                    neighbours in space become neighbours in memory
  *     mesh     = HalfEdgeMesh(cleaned)           split where it is not manifold, freeze what has a tolerance of 0
  *     original = Original(cleaned)               nearest point by a bounding tree, built when needed
@@ -45,7 +46,7 @@ struct Result
   /// Empty if the input was refused. Points and triangles come in the order of SpatialOrder.h.
   bonedecimate::Surface Surface;
   SurfaceOrigins Origins;
-  /// mm, of each output point to the input surface; filled with MeasureDistances, with Origins, and whenever distances
+  /// mm, of each output point to the input surface, or to the reference if distances are measured; filled with MeasureDistances, with Origins, and whenever distances
   /// are recorded along the collapses (Thesis), else empty; empty, too, in a run aborted before.
   std::vector<double> Distance;
   /// mm, largest distance recorded along the collapses into each output point, or Distance if none are; filled with it.
@@ -55,7 +56,8 @@ struct Result
     InputDistance; ///< mm, of each input point to the result; only with MeasureInputDistances.
   /// mm, proved: no point of the triangles around an output point is farther from the input. Empty without a proof.
   std::vector<double> ErrorBound;
-  /// mm, the same of each input point, not a number where there is no triangle; only with MeasureInputDistances.
+  /// mm, the same of each input point, not a number where there is no triangle; only with MeasureInputDistances and
+  /// without a reference.
   std::vector<double> InputErrorBound;
   bonedecimate::Report Report;
 };
@@ -66,11 +68,13 @@ struct Result
  * @param withOrigins Whether to fill Result::Origins, which takes two look-ups for each output point and one for each
  * output triangle.
  * @param tolerances mm, of each input point, see Tolerances.h; null: none but MaximumError.
+ * @param reference What the largest error is promised, proved and measured against, if that is not the input but what it was
+ * made from (ReferenceInput.h); the tolerances stay those against the input. Null: the input.
  * @throws std::bad_alloc and nothing else.
  */
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor = {},
   bool inputIsSingle = false, bool withOrigins = false,
-  const std::vector<double>* tolerances = nullptr);
+  const std::vector<double>* tolerances = nullptr, const Surface* reference = nullptr);
 }
 
 #endif

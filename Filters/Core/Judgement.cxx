@@ -9,6 +9,8 @@
 #include "Mesh/Statistics.h"
 #include "StageClock.h"
 
+#include <utility>
+
 namespace bonedecimate
 {
 namespace
@@ -51,7 +53,8 @@ public:
     const double inputFrom = !this->Wanted.MeasureDistances ? from
       : this->Wanted.MeasureInputDistances                  ? this->MeasuredAt - InputPointsShare
                                                             : this->MeasuredAt;
-    const std::int64_t samples = NumberOfSamples(this->Run.Cleaned.Surface.Triangles.size());
+    const Surface& original = this->Original();
+    const std::int64_t samples = NumberOfSamples(original.Triangles.size());
     const double backFrom = 0.5 * (from + inputFrom);
     if (this->Wanted.MeasureDistances)
     {
@@ -59,16 +62,14 @@ public:
       {
         this->MeasureBorders(measuredFrom, from);
       }
-      this->Answer.Report.OutputToInput = MeasureDistance(this->Run.LocalResult,
-        this->Answer.Distance, this->Run.Work.Reference().Tree(this->Wanted.NumberOfThreads),
-        samples, this->Wanted.NumberOfThreads, this->Progress.Stage(from, backFrom));
+      this->MeasureThere(samples, from, backFrom);
     }
     const Monitor tell = this->Progress.Stage(backFrom, backFrom);
     const BoundingTree tree(
       this->Run.LocalResult, this->Wanted.NumberOfThreads, [&] { tell(1.0); });
     if (this->Wanted.MeasureDistances)
     {
-      this->MeasureBack(tree, samples, backFrom, inputFrom);
+      this->MeasureBack(original, tree, samples, backFrom, inputFrom);
     }
     if (this->Wanted.MeasureInputDistances)
     {
@@ -89,13 +90,53 @@ public:
   }
 
 private:
-  void MeasureBack(const BoundingTree& tree, std::int64_t samples, double from, double to)
+  /// What distances are measured to; relative to Cleaned.Origin.
+  const Surface& Original()
+  {
+    if (this->Run.Reference == nullptr)
+    {
+      return this->Run.Cleaned.Surface;
+    }
+    CleanSurface clean =
+      Clean(*this->Run.Reference, this->Wanted.MergePoints, this->Wanted.NumberOfThreads);
+    this->LocalReference = std::move(clean.Surface);
+    for (Vector3& p : this->LocalReference.Points)
+    {
+      p += clean.Origin - this->Run.Cleaned.Origin;
+    }
+    return this->LocalReference;
+  }
+
+  void MeasureThere(std::int64_t samples, double from, double to)
+  {
+    const int threads = this->Wanted.NumberOfThreads;
+    const Monitor tell = this->Progress.Stage(from, to);
+    const auto measure = [&](const BoundingTree& tree)
+    {
+      return MeasureDistance(
+        this->Run.LocalResult, this->Answer.Distance, tree, samples, threads, tell);
+    };
+    if (this->Run.Reference == nullptr)
+    {
+      this->Answer.Report.OutputToInput = measure(this->Run.Work.Reference().Tree(threads));
+      return;
+    }
+    const BoundingTree tree(this->LocalReference, threads);
+    this->Answer.Distance =
+      PointDistances(this->Run.LocalResult.Points, tree, threads, this->Progress.Stage(from, from));
+    if (this->Progress.GoesOn())
+    {
+      this->Answer.Report.OutputToInput = measure(tree);
+    }
+  }
+
+  void MeasureBack(
+    const Surface& original, const BoundingTree& tree, std::int64_t samples, double from, double to)
   {
     const double pointsAt = from + 0.3 * (to - from);
-    const Surface& cleaned = this->Run.Cleaned.Surface;
     const std::vector<double> distances = PointDistances(
-      cleaned.Points, tree, this->Wanted.NumberOfThreads, this->Progress.Stage(from, pointsAt));
-    this->Answer.Report.InputToOutput = MeasureDistance(cleaned, distances, tree, samples,
+      original.Points, tree, this->Wanted.NumberOfThreads, this->Progress.Stage(from, pointsAt));
+    this->Answer.Report.InputToOutput = MeasureDistance(original, distances, tree, samples,
       this->Wanted.NumberOfThreads, this->Progress.Stage(pointsAt, to));
     this->Answer.Report.DistancesMeasured = this->Progress.GoesOn();
   }
@@ -137,6 +178,7 @@ private:
   const Options& Wanted;
   RunProgress& Progress;
   Result& Answer;
+  Surface LocalReference;
   double MeasuredAt; // where on the way from 0 to 1 it ends
 };
 }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Judgement.h
- * @brief What a run's result is worth: statistics of both surfaces and the distances between them, for the report.
+ * @brief What a run's result is worth: statistics of both surfaces and the distances between them, for the report;
+ *        distances to the reference, if the run has one.
  *
  *     Describe(input), Describe(result)      counts, area, volume
  *     Certify(input, result)                 open borders, curve to curve, unless the whole is certified afterwards
@@ -26,6 +27,7 @@ struct JudgedRun
   const CleanSurface& Cleaned;
   const Editor& Work;
   const Surface& LocalResult; ///< mm, relative to Cleaned.Origin
+  const Surface* Reference;   ///< mm, as stored: what distances are measured to; null: the input.
   bool IsProvedNext;          ///< whether the certificate follows, borders and all
 };
 

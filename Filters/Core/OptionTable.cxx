@@ -169,6 +169,12 @@ std::vector<OptionInfo> GoalRows()
       "The tolerance w of the normal field deviation. Smaller values make flat areas dearer; at 1 "
       "a flat edge costs "
       "nothing whatever its length." },
+    { "AutomaticNormalTolerance", &Options::AutomaticNormalTolerance, 0, 1, "",
+      "auto-normal-tolerance", {},
+      "In Thesis mode with a number of triangles or a reduction to reach: NormalTolerance is "
+      "chosen "
+      "by the share of the triangles that stays, 0.95 for half of them or more, 0 for a tenth or "
+      "less. The report says which it was." },
   };
 }
 

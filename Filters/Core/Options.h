@@ -45,6 +45,7 @@ struct Options
   double MaximumError = 0.0; // mm
   bool KeepClearance = true;
   double NormalTolerance = 0.95;
+  bool AutomaticNormalTolerance = false;
   bool MergePoints = true;
   bool MeasureDistances = true;
   bool MeasureInputDistances = false;

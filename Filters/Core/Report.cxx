@@ -16,6 +16,16 @@ std::string Found(std::int64_t count, const char* what, const char* kind, std::i
   return std::to_string(count) + " " + what + ", the first is " + kind + " " +
     std::to_string(first);
 }
+
+std::string FarMessage(const ProvedDistance& distance)
+{
+  char text[160];
+  std::snprintf(text, sizeof(text),
+    "the input itself is farther from the reference than the largest error: between %.9g and %.9g "
+    "mm, or its open borders are",
+    distance.Lower, distance.Upper);
+  return text;
+}
 }
 
 double ErrorProof::Lower() const
@@ -87,6 +97,12 @@ std::string InputMessage(const Report& report)
     case InputStatus::TolerancesInThesis:
       return "Thesis mode proves no distances: its tolerances can only be 0 (frozen) or negative "
              "(no limit)";
+    case InputStatus::ReferenceWithoutError:
+      return "a reference is for a largest error, in every mode but Thesis; none is asked for";
+    case InputStatus::BadReference:
+      return "the reference has no triangles, or points or triangles that no surface has";
+    case InputStatus::FarFromReference:
+      return FarMessage(report.Reference.ToInput);
   }
   return {};
 }

@@ -23,14 +23,17 @@ enum class BorderPresence : int;
 enum class InputStatus : int
 {
   Good = 0,
-  Empty,             ///< No points and no triangles: the result is empty, too.
-  NoTriangles,       ///< Points, but no triangle of positive area.
-  NonFinitePoints,   ///< NaN or infinite coordinates.
-  HugeCoordinates,   ///< Beyond 1e30: products of areas would overflow.
-  IndexOutOfRange,   ///< A triangle names a point that is not there.
-  TooManyTriangles,  ///< More than 2^31 / 4 triangles.
-  BadTolerances,     ///< NaN or infinite, or not one for each point.
-  TolerancesInThesis ///< Thesis mode proves nothing: only 0 and no limit.
+  Empty,                 ///< No points and no triangles: the result is empty, too.
+  NoTriangles,           ///< Points, but no triangle of positive area.
+  NonFinitePoints,       ///< NaN or infinite coordinates.
+  HugeCoordinates,       ///< Beyond 1e30: products of areas would overflow.
+  IndexOutOfRange,       ///< A triangle names a point that is not there.
+  TooManyTriangles,      ///< More than 2^31 / 4 triangles.
+  BadTolerances,         ///< NaN or infinite, or not one for each point.
+  TolerancesInThesis,    ///< Thesis mode proves nothing: only 0 and no limit.
+  ReferenceWithoutError, ///< There is nothing to promise against it.
+  BadReference,          ///< It has no triangle, or is refused as an input is.
+  FarFromReference       ///< The input is farther from it than the largest error.
 };
 
 /// Why the collapse ended.
@@ -135,6 +138,15 @@ struct ErrorProof
   double Upper() const;
 };
 
+/// What the largest error was promised against, if not the input.
+struct ReferenceFigures
+{
+  bool IsGiven = false; ///< Else nothing else counts.
+  std::int64_t Faces = 0;
+  std::uint64_t Checksum = 0; ///< As that of the input.
+  ProvedDistance ToInput;     ///< mm, between reference and input, the larger direction.
+};
+
 /// The voxels of a run with an ErrorPreset.
 struct VoxelFigures
 {
@@ -184,12 +196,14 @@ struct Report
   ProvedDistance BorderInputToOutput;
   bool ClearanceMeasured = false; ///< With the distances, if there are several fragments.
   FragmentClearance Clearance;
-  ErrorProof Proof;
+  ErrorProof Proof; ///< Against the reference, if there is one.
+  ReferenceFigures Reference;
   VoxelFigures Voxel;
   /// mm, the thesis's maxError: largest distance of a new vertex to the input, along the collapses in mode Thesis, at the
   /// end in the others. Not a number where none was looked up, which is so in these without MeasureDistances and origins;
   /// the tables then leave it out.
   double RunningError = 0.0;
+  double NormalTolerance = 0.0; ///< The thesis's w of the run; only in mode Thesis.
   std::int64_t Collapses = 0;
   std::array<std::int64_t, NumberOfVerdicts> Refusals{}; ///< By Verdict; [Allowed] stays 0.
   StageSeconds Seconds;

@@ -27,6 +27,13 @@ void AddSurface(Entries& entries, const std::string& side, const SurfaceStatisti
   entries.push_back({ side + ".volume", "mm3", surface.Volume });
 }
 
+std::string ChecksumText(std::uint64_t checksum)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "fnv1a64:%016llx", static_cast<unsigned long long>(checksum));
+  return text;
+}
+
 void AddCleaning(Entries& entries, const Report& report)
 {
   const CleaningStatistics& found = report.Cleaning;
@@ -39,10 +46,7 @@ void AddCleaning(Entries& entries, const Report& report)
   entries.push_back({ "input.locked_points", "", found.LockedPoints });
   entries.push_back({ "input.first_locked_point", "", found.FirstLockedPoint });
   entries.push_back({ "input.frozen_points", "", found.FrozenPoints });
-  char checksum[32];
-  std::snprintf(checksum, sizeof(checksum), "fnv1a64:%016llx",
-    static_cast<unsigned long long>(report.InputChecksum));
-  entries.push_back({ "input.checksum", "", std::string(checksum) });
+  entries.push_back({ "input.checksum", "", ChecksumText(report.InputChecksum) });
 }
 
 void AddDistance(Entries& entries, const std::string& direction, const DistanceStatistics& distance)
@@ -83,6 +87,13 @@ void AddProof(Entries& entries, const ErrorProof& proof)
   entries.push_back({ "proof.triangles_left_out", "", proof.TrianglesLeftOut });
 }
 
+void AddReference(Entries& entries, const ReferenceFigures& reference)
+{
+  entries.push_back({ "reference.faces", "", reference.Faces });
+  entries.push_back({ "reference.checksum", "", ChecksumText(reference.Checksum) });
+  AddBounds(entries, "reference.to_input", reference.ToInput);
+}
+
 void AddVoxel(Entries& entries, const VoxelFigures& voxel)
 {
   static const char* const sources[] = { "not_asked", "given", "grid", "edges" };
@@ -97,6 +108,10 @@ void AddRun(Entries& entries, const Report& report)
   if (!std::isnan(report.RunningError))
   {
     entries.push_back({ "running_error", "mm", report.RunningError });
+  }
+  if (report.Asked.Mode == Mode::Thesis)
+  {
+    entries.push_back({ "normal_tolerance", "", report.NormalTolerance });
   }
   entries.push_back({ "collapses", "", report.Collapses });
   for (std::size_t i = 1; i < NumberOfVerdicts; ++i)
@@ -136,6 +151,10 @@ std::vector<ReportEntry> ReportEntries(const Report& report)
   if (report.Voxel.From != VoxelFigures::Source::NotAsked)
   {
     AddVoxel(entries, report.Voxel);
+  }
+  if (report.Reference.IsGiven)
+  {
+    AddReference(entries, report.Reference);
   }
   if (report.Proof.WasMade)
   {

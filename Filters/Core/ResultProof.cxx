@@ -42,20 +42,6 @@ CertificateOptions QuestionOf(const Options& options, const std::vector<double>*
   return question;
 }
 
-/// All points, and the triangles that cleaning kept, in the order of the input.
-Surface KeptPart(const Surface& input, std::vector<Index> triangles)
-{
-  std::sort(triangles.begin(), triangles.end());
-  Surface kept;
-  kept.Points = input.Points;
-  kept.Triangles.reserve(triangles.size());
-  for (const Index triangle : triangles)
-  {
-    kept.Triangles.push_back(input.Triangles[triangle]);
-  }
-  return kept;
-}
-
 ProvedDistance BoundsOf(const DirectedCertificate& directed)
 {
   return { directed.Distance.Lower, directed.Distance.Upper };
@@ -114,6 +100,36 @@ void ProveAgainst(const Surface& reference, const CertificateOptions& question,
   answer.ErrorBound = BoundsAtPoints(answer.Surface, found.ResultToReference.TriangleUpper);
   answer.InputErrorBound = BoundsAtPoints(reference, found.ReferenceToResult.TriangleUpper);
 }
+
+void ProveAgainst(const KeptSurface& reference, const CertificateOptions& question,
+  const Monitor& monitor, Result& answer)
+{
+  ProveAgainst(reference.Surface, question, monitor, answer);
+  answer.Report.Proof.TrianglesLeftOut = reference.LeftOut;
+}
+
+/// Of tolerances that hold against another surface than the largest error: the worse verdict counts.
+void AddMapVerdict(const Surface& input, const Options& options, const std::vector<double>& map,
+  const Monitor& monitor, Result& answer)
+{
+  CertificateOptions question;
+  question.ToleranceMap = map;
+  question.TightBounds = false;
+  question.WithBorders = options.MergePoints;
+  question.NumberOfThreads = options.NumberOfThreads;
+  const Certificate found = Certify(input, answer.Surface, question, monitor);
+  if (found.Status == CertificateStatus::Good)
+  {
+    CertificateVerdict& verdict = answer.Report.Proof.Verdict;
+    const bool isWorse = found.Verdict == CertificateVerdict::Violated ||
+      (found.Verdict == CertificateVerdict::Undecided && verdict == CertificateVerdict::Proved);
+    verdict = isWorse ? found.Verdict : verdict;
+  }
+  else
+  {
+    answer.Report.Proof = {}; // somebody aborted
+  }
+}
 }
 
 bool WantsProof(const Options& options, bool hasTolerances)
@@ -123,19 +139,31 @@ bool WantsProof(const Options& options, bool hasTolerances)
 }
 
 void ProveResult(const Surface& input, const CleanSurface& cleaned, const Options& options,
-  const Monitor& monitor, Result& answer, const std::vector<double>* tolerances)
+  const Monitor& monitor, Result& answer, const std::vector<double>* tolerances,
+  const KeptSurface* reference)
 {
   const StageClock clock;
-  const CertificateOptions question = QuestionOf(options, tolerances);
-  const std::int64_t leftOut = cleaned.Statistics.DroppedTriangles;
-  if (leftOut > 0)
+  if (reference != nullptr)
   {
-    ProveAgainst(KeptPart(input, cleaned.InputTriangle), question, monitor, answer);
-    answer.Report.Proof.TrianglesLeftOut = leftOut;
+    Options question = options;
+    question.MeasureInputDistances = false; // bounds at points of the reference are nobody's
+    ProveAgainst(*reference, QuestionOf(question, nullptr), monitor, answer);
+    if (tolerances != nullptr)
+    {
+      AddMapVerdict(KeptPart(input, cleaned).Surface, options, *tolerances, monitor, answer);
+    }
   }
   else
   {
-    ProveAgainst(input, question, monitor, answer);
+    const CertificateOptions question = QuestionOf(options, tolerances);
+    if (cleaned.Statistics.DroppedTriangles > 0)
+    {
+      ProveAgainst(KeptPart(input, cleaned), question, monitor, answer);
+    }
+    else
+    {
+      ProveAgainst(input, question, monitor, answer);
+    }
   }
   answer.Report.Seconds.Prove = clock.Seconds();
 }

@@ -22,7 +22,8 @@ NUMBERS = {
     "OutputPointsPrecision": (vtkAlgorithm.DEFAULT_PRECISION, vtkAlgorithm.SINGLE_PRECISION, 7, 2),
 }
 SWITCHES = {"MergePoints": True, "KeepClearance": True, "MeasureDistances": True, "MeasureInputDistances": False,
-            "ProveResult": True, "PassArrays": True, "MakeMaps": False, "RecomputeNormals": False}
+            "ProveResult": True, "PassArrays": True, "MakeMaps": False, "RecomputeNormals": False,
+            "AutomaticNormalTolerance": False}
 TEXTS = {
     "DistanceArrayName": "Distance",
     "RunningErrorArrayName": "RunningError",

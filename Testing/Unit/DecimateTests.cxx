@@ -178,6 +178,23 @@ TEST(Decimate, NormalToleranceOneEatsFlatAreasFirstAndZeroDoesNot)
   EXPECT_LT(2 * leftOnes(1.0), leftOnes(0.0));
 }
 
+TEST(Decimate, ChoosesTheNormalToleranceByTheShareThatStays)
+{
+  const Surface bone = BumpySphere(4, 20.0, 0.02, 3);
+  const auto run = [&](Options options)
+  {
+    options.AutomaticNormalTolerance = true;
+    return Decimate(bone, InMode(Mode::Thesis, options));
+  };
+  EXPECT_EQ(run(Reduction(0.4)).Report.NormalTolerance, 0.95);
+  EXPECT_NEAR(run(Reduction(0.7)).Report.NormalTolerance, 0.7125, 1e-9);
+  EXPECT_EQ(run(Triangles(100)).Report.NormalTolerance, 0.0);
+  EXPECT_EQ(run(Error(0.05)).Report.NormalTolerance, 0.95) << "nobody knows how many will stay";
+  Options chosen = InMode(Mode::Thesis, Reduction(0.7));
+  chosen.NormalTolerance = run(Reduction(0.7)).Report.NormalTolerance;
+  EXPECT_TRUE(SameBytes(Decimate(bone, chosen).Surface, run(Reduction(0.7)).Surface));
+}
+
 TEST(Decimate, WithoutMergingASoupStaysASoup)
 {
   const Surface soup = Unwelded(Icosphere(2, 5.0));

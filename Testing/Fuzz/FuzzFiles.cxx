@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FuzzFiles.cxx
+ * @brief Any bytes, into everything of ours that reads files: they are refused in words or accepted, and nothing else.
+ *
+ *     bytes:  one that chooses who reads, then the file
+ */
+#include "Bytes.h"
+#include "ExitCode.h"
+#include "FileChecks.h"
+#include "HeaderText.h"
+#ifdef BONEDECIMATE_FUZZ_VOLUMES
+#include "MetaImageHeader.h"
+#include "NrrdHeader.h"
+#endif
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <unistd.h>
+
+using namespace bonedecimate;
+using bonedecimate::testsupport::Bytes;
+
+namespace
+{
+/// A file of this process, which is written again and again.
+class Scratch
+{
+public:
+  Scratch()
+    : Path(
+        (std::filesystem::temp_directory_path() / ("fuzzed-" + std::to_string(getpid()))).string())
+  {
+  }
+  ~Scratch() { std::remove(this->Path.c_str()); }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  void Write(const Bytes& bytes) const
+  {
+    std::ofstream(this->Path, std::ios::binary)
+      .write(
+        reinterpret_cast<const char*>(bytes.Rest()), static_cast<std::streamsize>(bytes.Count()));
+  }
+
+  const std::string Path;
+};
+
+#ifdef BONEDECIMATE_FUZZ_VOLUMES
+/// The header and, if there are few enough, the voxels.
+void ReadVolume(const volume::VoxelLayout& layout)
+{
+  std::int64_t voxels = 1;
+  for (const std::int64_t size : layout.Size)
+  {
+    voxels = size > 0 && size < 1024 ? voxels * size : 1 << 30;
+  }
+  if (layout.Problem.empty() && voxels < (1 << 20))
+  {
+    const volume::Volume read = volume::ReadVoxels(layout);
+    if (!read.Image && read.Problem.empty())
+    {
+      std::fputs("broken: neither an image nor a reason\n", stderr);
+      std::abort();
+    }
+  }
+}
+#endif
+
+void ReadAs(int kind, const std::string& path)
+{
+  std::vector<std::string> warnings;
+  switch (kind)
+  {
+    case 0:
+      return CheckObjFile(path, warnings);
+    case 1:
+      return CheckStlFile(path);
+    case 2:
+      return CheckPlyFile(path, warnings);
+    case 3:
+      return CheckVtkFile(path);
+    case 4:
+      return CheckVtpFile(path);
+#ifdef BONEDECIMATE_FUZZ_VOLUMES
+    case 5:
+      return ReadVolume(volume::ReadMetaImageHeader(path));
+    case 6:
+      return ReadVolume(volume::ReadNrrdHeader(path));
+#endif
+    default:
+      volume::ReadHeaderText(path, { "NRRD", ':', "" });
+      volume::ReadHeaderText(path, { "", '=', "elementdatafile" });
+  }
+}
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  static const Scratch scratch;
+  Bytes bytes(data, size);
+  const int kind = bytes.Below(8);
+  scratch.Write(bytes);
+  try
+  {
+    ReadAs(kind, scratch.Path);
+  }
+  catch (const Failure& failure)
+  {
+    if (failure.Code != ExitCode::InputRefused || std::string(failure.what()).empty())
+    {
+      std::fprintf(stderr, "broken: refused as %d\n", static_cast<int>(failure.Code));
+      std::abort();
+    }
+  }
+  return 0;
+}

@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Inputs for the fuzzers: made here, or found by them, kept as texts with one input a line in hexadecimal.
+
+    corpus.py make core|files FOLDER    the first inputs, a file each
+    corpus.py unpack TEXT FOLDER        what is kept, a file each
+    corpus.py pack FOLDER TEXT          a folder's files (let the fuzzer merge them before), the longest of them left out
+"""
+
+from __future__ import annotations
+
+import pathlib
+import random
+import sys
+
+LONGEST = 700  # bytes of an input that is kept
+OPTIONS = 21  # bytes that FuzzCore.cxx takes for them
+
+TETRAHEDRON = ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)), ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))
+
+
+def octahedron():
+    points = ((2, 0, 0), (-2, 0, 0), (0, 2, 0), (0, -2, 0), (0, 0, 2), (0, 0, -2))
+    faces = [(a, b, c) if (a + b + c) % 2 == 0 else (b, a, c) for a in (0, 1) for b in (2, 3) for c in (4, 5)]
+    return points, faces
+
+
+def grid(cells, height, generator):
+    side = cells + 1
+    points = [(x, y, generator.uniform(0, height)) for y in range(side) for x in range(side)]
+    faces = []
+    for y in range(cells):
+        for x in range(cells):
+            corner = y * side + x
+            faces += [(corner, corner + 1, corner + side), (corner + 1, corner + side + 1, corner + side)]
+    return points, faces
+
+
+def soup(generator):
+    points = [tuple(generator.uniform(-3, 3) for _ in range(3)) for _ in range(generator.randrange(4, 40))]
+    return points, [tuple(generator.randrange(len(points)) for _ in range(3)) for _ in range(generator.randrange(1, 90))]
+
+
+def core_input(surface, generator):
+    points, faces = surface
+    options = bytes(generator.randrange(256) for _ in range(OPTIONS))
+    places = bytes(max(0, min(249, round(c * 16) + 128)) for point in points for c in point)
+    return options + bytes([len(points)]) + places + bytes(corner for face in faces for corner in face)
+
+
+def core_inputs():
+    generator = random.Random(1)
+    for _ in range(12):
+        for surface in (TETRAHEDRON, octahedron(), grid(4, 0, generator), grid(6, 1, generator), soup(generator)):
+            yield core_input(surface, generator)
+
+
+def file_inputs():
+    points, faces = TETRAHEDRON
+    def rows(items, begin="", add=0):
+        return "".join(begin + " ".join(str(i + add) if add else str(i) for i in item) + "\n" for item in items)
+
+    corners = [(3, *face) for face in faces]
+    yield 0, rows(points, "v ") + rows(faces, "f ", 1)
+    yield 0, rows(points, "v ") + "vn 0 0 1\ng bone\n" + rows([(-1, -2, -3)], "f ") + "f 1/1/1 2//1 3/1\n"
+    facets = "".join("facet normal 0 0 0\nouter loop\n" + rows((points[c] for c in f), "vertex ") + "endloop\nendfacet\n" for f in faces)
+    yield 1, "solid bone\n" + facets + "endsolid bone\n"
+    yield 1, "\0" * 80 + "\x01\0\0\0" + "\0" * 50
+    header = "ply\nformat %s 1.0\nelement vertex %d\nproperty float x\nproperty float y\nproperty float z\nelement face %d\nproperty list uchar int vertex_indices\nend_header\n"
+    yield 2, header % ("ascii", 4, 4) + rows(points) + rows(corners)
+    yield 2, header % ("binary_little_endian", 1, 1) + "\0" * 12 + "\3" + "\0" * 12
+    yield 2, header % ("binary_big_endian", 1, 1) + "\0" * 12 + "\3" + "\0" * 12
+    legacy = "# vtk DataFile Version %s\nbone\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n" + rows(points)
+    yield 3, legacy % "3.0" + "POLYGONS 4 16\n" + rows(corners)
+    yield 3, legacy % "5.1" + "POLYGONS 5 12\nOFFSETS vtktypeint64\n0 3 6 9 12\nCONNECTIVITY vtktypeint64\n0 2 1 0 1 3 1 2 3 0 3 2\n"
+    yield 3, legacy % "3.0" + "POINT_DATA 4\nSCALARS a float 1\nLOOKUP_TABLE default\n0 1 2 3\n"
+    yield 4, (
+        '<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian">\n<PolyData>'
+        '<Piece NumberOfPoints="4" NumberOfPolys="4"><Points><DataArray type="Float32" NumberOfComponents="3" '
+        'format="ascii">0 0 0</DataArray></Points></Piece></PolyData></VTKFile>\n'
+    )
+    meta = "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementType = MET_SHORT\nElementSpacing = 1 1 1\n"
+    yield 5, meta + "TransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = 0 0 0\nElementDataFile = LOCAL\n" + "\0" * 16
+    yield 5, meta + "CompressedData = True\nElementDataFile = LOCAL\nx"
+    nrrd = "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nendian: little\nencoding: %s\n"
+    yield 6, nrrd % "raw" + "space: left-posterior-superior\nspace directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\n\n" + "\0" * 16
+    yield 6, nrrd % "gzip" + "spacings: 1 1 1\n\nx"
+    yield 7, meta + nrrd
+
+
+def write(folder, inputs):
+    folder.mkdir(parents=True, exist_ok=True)
+    for number, data in enumerate(inputs):
+        (folder / f"{number:04}").write_bytes(data)
+
+
+def main():
+    verb, what, where = sys.argv[1:4]
+    if verb == "make":
+        files = (bytes([kind]) + text.encode("latin-1") for kind, text in file_inputs())
+        write(pathlib.Path(where), core_inputs() if what == "core" else files)
+    elif verb == "unpack":
+        write(pathlib.Path(where), map(bytes.fromhex, pathlib.Path(what).read_text(encoding="ascii").split()))
+    else:
+        found = {file.read_bytes() for file in pathlib.Path(what).iterdir()}
+        lines = sorted((data.hex() for data in found if 0 < len(data) <= LONGEST), key=lambda line: (len(line), line))
+        pathlib.Path(where).write_text("\n".join(lines) + "\n", encoding="ascii")
+
+
+if __name__ == "__main__":
+    main()
