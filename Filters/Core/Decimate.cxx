@@ -8,6 +8,7 @@
 #include "Judgement.h"
 #include "Mesh/Checksum.h"
 #include "Mesh/SpatialOrder.h"
+#include "Mesh/SurfaceAssembly.h"
 #include "Relax/RelaxedLoop.h"
 #include "ResultProof.h"
 #include "RunProgress.h"
@@ -34,7 +35,7 @@ class Run
 {
 public:
   Run(const Surface& input, const Options& options, const Monitor& monitor, bool inputIsSingle,
-    bool withOrigins, const std::vector<double>* tolerances)
+    bool withOrigins, const std::vector<double>* tolerances, EditLog* log)
     : Input(input)
     , Wanted(options)
     , Progress(monitor)
@@ -42,6 +43,7 @@ public:
         (options.OutputPointsPrecision == PointsPrecision::Default && inputIsSingle))
     , WithOrigins(withOrigins)
     , Given(tolerances)
+    , Log(log)
   {
   }
 
@@ -102,6 +104,10 @@ private:
     const bool isThesis = this->Wanted.Mode == Mode::Thesis;
     const Editor::Books books = { isThesis, isThesis, !isThesis && this->Progress.GoesOn() };
     this->Work.emplace(std::move(mesh), this->Cleaned, books, threads);
+    if (this->Log != nullptr)
+    {
+      this->Work->Record();
+    }
     this->Limit();
     tell(0.75);
     if (books.Distances && this->Progress.GoesOn())
@@ -179,9 +185,41 @@ private:
       : StopReason::Aborted;
     report.Collapses = this->Work->NumberOfEdits();
     report.Refusals = this->Work->Refusals();
+    this->HandLogOver();
     this->Extract(this->Progress.Stage(collapsedAt, MeasuredFrom(this->Wanted)));
     report.RunningError = this->LargestError();
     report.Seconds.Collapse = clock.Seconds();
+  }
+
+  void HandLogOver()
+  {
+    if (this->Log == nullptr)
+    {
+      return;
+    }
+    EditLog& log = *this->Log;
+    log = this->Work->TakeLog();
+    log.InputChecksum = this->Answer.Report.InputChecksum;
+    log.Vertices = this->Work->Mesh().NumberOfVertexSlots();
+    log.Faces = this->Work->Mesh().NumberOfFaceSlots();
+    log.IsSingle = this->RoundToSingle;
+    log.MergesPoints = this->Wanted.MergePoints;
+    const auto place = [this](Index vertex, Vector3& position)
+    {
+      position =
+        OutputPosition(this->Input, this->Cleaned, vertex, position, this->RoundToSingle);
+    };
+    for (LoggedCollapse& collapse : log.Collapses)
+    {
+      place(collapse.Kept, collapse.Position);
+    }
+    for (LoggedPatch& patch : log.Patches)
+    {
+      for (LoggedPatch::Vertex& vertex : patch.Vertices)
+      {
+        place(vertex.Id, vertex.Position);
+      }
+    }
   }
 
   /// Who aborted does not wait for distances.
@@ -233,6 +271,7 @@ private:
   bool RoundToSingle;
   bool WithOrigins;
   const std::vector<double>* Given; // mm, tolerances of the input points
+  EditLog* Log;                     // null: nobody wants it
   bool IsLimited = false;           // whether every point has a tolerance
   CleanSurface Cleaned;
   std::optional<Editor> Work;
@@ -242,11 +281,11 @@ private:
 }
 
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor,
-  bool inputIsSingle, bool withOrigins, const std::vector<double>* tolerances)
+  bool inputIsSingle, bool withOrigins, const std::vector<double>* tolerances, EditLog* log)
 {
   Options wanted = options;
   const VoxelFigures voxel = ApplyPreset(input, wanted);
-  Result result = Run(input, wanted, monitor, inputIsSingle, withOrigins, tolerances).Go();
+  Result result = Run(input, wanted, monitor, inputIsSingle, withOrigins, tolerances, log).Go();
   result.Report.Asked = options;
   result.Report.Voxel = voxel;
   return result;

@@ -18,6 +18,7 @@
 #ifndef BoneDecimate_Core_Decimate_h
 #define BoneDecimate_Core_Decimate_h
 
+#include "Levels/EditLog.h"
 #include "Monitor.h"
 #include "Options.h"
 #include "Report.h"
@@ -66,11 +67,12 @@ struct Result
  * @param withOrigins Whether to fill Result::Origins, which takes two look-ups for each output point and one for each
  * output triangle.
  * @param tolerances mm, of each input point, see Tolerances.h; null: none but MaximumError.
+ * @param log Where the run is to be recorded, see Levels.h; null: nowhere. Not changed if the input was refused.
  * @throws std::bad_alloc and nothing else.
  */
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor = {},
   bool inputIsSingle = false, bool withOrigins = false,
-  const std::vector<double>* tolerances = nullptr);
+  const std::vector<double>* tolerances = nullptr, EditLog* log = nullptr);
 }
 
 #endif
