@@ -204,10 +204,8 @@ private:
     log.Faces = this->Work->Mesh().NumberOfFaceSlots();
     log.IsSingle = this->RoundToSingle;
     log.MergesPoints = this->Wanted.MergePoints;
-    const auto place = [this](Index vertex, Vector3& position)
-    {
-      position =
-        OutputPosition(this->Input, this->Cleaned, vertex, position, this->RoundToSingle);
+    const auto place = [this](Index vertex, Vector3& position) {
+      position = OutputPosition(this->Input, this->Cleaned, vertex, position, this->RoundToSingle);
     };
     for (LoggedCollapse& collapse : log.Collapses)
     {

@@ -85,7 +85,8 @@ void LookUpPoints(
     [&](std::size_t p)
     {
       const Index vertex = remains.Vertices[p];
-      const BoundingTree::Nearest nearest = tree.FindNearest(remains.Points[p], remains.Near[vertex]);
+      const BoundingTree::Nearest nearest =
+        tree.FindNearest(remains.Points[p], remains.Near[vertex]);
       result.Distance[p] = std::sqrt(nearest.Place.SquaredDistance);
       result.RunningError[p] = remains.Source.RecordsDistances()
         ? remains.Source.RunningError(vertex)
@@ -112,7 +113,8 @@ void LookUpCentroids(
       const Triangle& c = triangles[t];
       const Vector3 centroid =
         (remains.Points[c[0]] + remains.Points[c[1]] + remains.Points[c[2]]) / 3.0;
-      const Index triangle = tree.FindNearest(centroid, remains.Near[remains.Vertices[c[0]]]).Triangle;
+      const Index triangle =
+        tree.FindNearest(centroid, remains.Near[remains.Vertices[c[0]]]).Triangle;
       result.Origins.TriangleAtCentroid[t] = remains.Clean.InputTriangle[triangle];
     });
 }
@@ -139,8 +141,8 @@ std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, co
   ForEachId(vertices.size(), options.Threads,
     [&](std::size_t p)
     {
-      const Vector3 position =
-        OutputPosition(input, clean, vertices[p], mesh.Position(vertices[p]), options.RoundToSingle);
+      const Vector3 position = OutputPosition(
+        input, clean, vertices[p], mesh.Position(vertices[p]), options.RoundToSingle);
       result.Surface.Points[p] = position;
       remains.Points[p] = position - clean.Origin;
       result.PointCount[p] = counts[static_cast<std::size_t>(vertices[p])];

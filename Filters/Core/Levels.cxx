@@ -75,11 +75,7 @@ Index Levels::ByError(double error) const
   Index level = 0;
   for (const LevelMark& mark : this->Edits.Marks)
   {
-    if (!(mark.Largest <= error))
-    {
-      break;
-    }
-    level = mark.Collapses;
+    level = mark.Largest <= error ? mark.Collapses : level;
   }
   return level;
 }
@@ -112,8 +108,7 @@ std::optional<Level> Levels::AtOn(const Surface& other, Index collapses) const
         return;
       }
       const Index triangle = tree.FindNearest(point).Triangle;
-      point = CarriedPoint(
-        point, cornersIn(this->Points, triangle), cornersIn(points, triangle));
+      point = CarriedPoint(point, cornersIn(this->Points, triangle), cornersIn(points, triangle));
       point = this->Edits.IsSingle ? RoundedToSingle(point) : point;
     });
   return level;

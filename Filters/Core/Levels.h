@@ -36,7 +36,7 @@ public:
 
   /// The first level of no more triangles than that; the last one if there is none.
   Index ByTriangles(Index triangles) const { return this->Stack->LevelOf(triangles); }
-  /// The last mark up to which no mark is farther from the input than that, mm; the input itself if there is none.
+  /// The coarsest mark that is no farther from the input than that, mm; level 0 if there is none.
   Index ByError(double error) const;
 
   Level At(Index collapses) const
@@ -57,11 +57,11 @@ private:
 
   EditLog Edits;
   std::optional<LevelStack> Stack;
-  std::vector<Vector3> Points;      // mm, of the cleaned input's vertices
-  std::vector<Triangle> Triangles;  // of the cleaned input
-  std::vector<Index> InputPoint;    // of each vertex
-  std::size_t InputPoints = 0;      // how many
-  std::uint64_t Connectivity = 0;   // checksum of the input's triangles
+  std::vector<Vector3> Points;     // mm, of the cleaned input's vertices
+  std::vector<Triangle> Triangles; // of the cleaned input
+  std::vector<Index> InputPoint;   // of each vertex
+  std::size_t InputPoints = 0;     // how many
+  std::uint64_t Connectivity = 0;  // checksum of the input's triangles
   int Threads = 0;
 };
 

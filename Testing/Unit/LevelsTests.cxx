@@ -139,8 +139,8 @@ TEST(Levels, RecordingChangesNothingOfTheRun)
   for (const Mode mode : AllModes())
   {
     const Options options = InMode(mode, Reduction(0.9));
-    EXPECT_TRUE(SameBytes(Record(SmallBone(), options).Run.Surface,
-      Decimate(SmallBone(), options).Surface));
+    EXPECT_TRUE(
+      SameBytes(Record(SmallBone(), options).Run.Surface, Decimate(SmallBone(), options).Surface));
   }
 }
 
@@ -269,7 +269,8 @@ TEST(Levels, OnTheSameSurfaceMovedTurnedAndScaledTheyMoveTurnAndGrowWithIt)
   const Surface bone = SmallBone();
   const Recorded recorded = Record(bone, Triangles(300));
   const Eigen::Matrix3d turn(Eigen::AngleAxisd(2.1, Vector3(1.0, -2.0, 0.5).normalized()));
-  const auto map = [&](const Vector3& p) { return Vector3(1.7 * (turn * p) + Vector3(30.0, -4.0, 11.0)); };
+  const auto map = [&](const Vector3& p)
+  { return Vector3(1.7 * (turn * p) + Vector3(30.0, -4.0, 11.0)); };
   for (const int count : { 3000, 1000, 300 })
   {
     const Index level = recorded.Levels.ByTriangles(count);
@@ -286,9 +287,8 @@ TEST(Levels, OnABentBoneTheyStayAsNearToItAsOnTheRecordedOne)
   const Surface bone = SmallBone();
   const Recorded recorded = Record(bone, Triangles(500));
   const Surface bent = Mapped(bone,
-    [](const Vector3& p) {
-      return Vector3(1.2 * p[0] + 0.01 * p[1] * p[1], p[1] + 3.0, 0.9 * p[2] + 0.1 * p[0]);
-    });
+    [](const Vector3& p)
+    { return Vector3(1.2 * p[0] + 0.01 * p[1] * p[1], p[1] + 3.0, 0.9 * p[2] + 0.1 * p[0]); });
   const Index last = recorded.Levels.NumberOfCollapses();
   const std::optional<Level> there = recorded.Levels.AtOn(bent, last);
   ASSERT_TRUE(there.has_value());

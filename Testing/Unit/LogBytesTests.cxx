@@ -40,8 +40,8 @@ Bytes Forged(Bytes bytes)
   for (std::size_t at = 0; at < size; at += 8)
   {
     Bytes word(8, 0);
-    std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(at), std::min<std::size_t>(8, size - at),
-      word.begin());
+    std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(at),
+      std::min<std::size_t>(8, size - at), word.begin());
     std::uint64_t value = 0;
     for (int k = 7; k >= 0; --k)
     {
@@ -67,9 +67,10 @@ void PutIndex(Bytes& bytes, std::size_t at, std::uint32_t value)
 bool IsWithin(const Surface& surface)
 {
   return std::all_of(surface.Triangles.begin(), surface.Triangles.end(),
-    [&](const Triangle& c) {
-      return std::all_of(c.begin(), c.end(), [&](Index v)
-        { return v >= 0 && v < static_cast<Index>(surface.Points.size()); });
+    [&](const Triangle& c)
+    {
+      return std::all_of(c.begin(), c.end(),
+        [&](Index v) { return v >= 0 && v < static_cast<Index>(surface.Points.size()); });
     });
 }
 
@@ -212,27 +213,30 @@ TEST(LogBytes, EditsThatNoRunCanHaveMadeAreRefused)
     return Levels().Open(bone, std::move(log), 1);
   };
   EXPECT_EQ(statusWith([](EditLog&) {}), LogStatus::Good);
-  EXPECT_EQ(statusWith([](EditLog& log) { log.Collapses[1] = log.Collapses[0]; }),
-    LogStatus::Contradictory)
+  EXPECT_EQ(
+    statusWith([](EditLog& log) { log.Collapses[1] = log.Collapses[0]; }), LogStatus::Contradictory)
     << "a face that is gone";
   EXPECT_EQ(statusWith([](EditLog& log) { log.Collapses[3].Kept = log.Vertices; }),
     LogStatus::Contradictory);
-  EXPECT_EQ(statusWith([](EditLog& log) { log.Collapses[3].HalfEdge |= 3; }),
-    LogStatus::Contradictory)
+  EXPECT_EQ(
+    statusWith([](EditLog& log) { log.Collapses[3].HalfEdge |= 3; }), LogStatus::Contradictory)
     << "a triangle has three corners";
   EXPECT_EQ(statusWith([](EditLog& log) { log.Collapses[3].Position[1] = std::nan(""); }),
     LogStatus::Contradictory);
-  EXPECT_EQ(statusWith([](EditLog& log) { log.Marks.back().Triangles -= 1; }),
-    LogStatus::Contradictory);
-  EXPECT_EQ(statusWith([](EditLog& log) { log.Patches.push_back({ 99999, {}, {} }); }),
+  EXPECT_EQ(
+    statusWith([](EditLog& log) { log.Marks.back().Triangles -= 1; }), LogStatus::Contradictory);
+  EXPECT_EQ(statusWith(
+              [](EditLog& log) {
+                log.Patches.push_back({ 99999, {}, {} });
+              }),
     LogStatus::Contradictory);
 }
 
 TEST(LogBytes, EveryRefusalHasASentence)
 {
   EXPECT_TRUE(LogMessage(LogStatus::Good).empty());
-  for (const LogStatus status : { LogStatus::NotALog, LogStatus::UnknownVersion,
-         LogStatus::Damaged, LogStatus::Contradictory, LogStatus::OtherSurface })
+  for (const LogStatus status : { LogStatus::NotALog, LogStatus::UnknownVersion, LogStatus::Damaged,
+         LogStatus::Contradictory, LogStatus::OtherSurface })
   {
     EXPECT_FALSE(LogMessage(status).empty());
   }

@@ -23,7 +23,7 @@ namespace bonedecimate
 {
 struct LoggedCollapse
 {
-  Vector3 Position;      ///< Of the merged vertex, mm.
+  Vector3 Position;       ///< Of the merged vertex, mm.
   Index HalfEdge = None;  ///< From one end to the other, in a face that goes; see HalfEdgeMesh.h.
   Index OtherFace = None; ///< The other face that goes; None on a border.
   Index Kept = None;      ///< The end that survives.

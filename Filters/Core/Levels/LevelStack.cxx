@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 
 namespace bonedecimate
 {
@@ -24,7 +25,6 @@ public:
     made.FaceEnds.assign(triangles.size(), Never);
     made.LastChange.assign(triangles.size(), None);
     made.Lives.assign(this->Current.size(), Life());
-    made.LastPlacing.assign(this->Current.size(), None);
     made.Placings.reserve(log.Collapses.size());
     made.FacesLeft.reserve(log.Collapses.size() + 1);
     for (std::size_t v = 0; v < this->Current.size(); ++v)
@@ -56,6 +56,25 @@ public:
     return good && patch == this->Log.Patches.end();
   }
 
+  /// Placings by vertex: counted, then put behind each other.
+  void SortPlacings()
+  {
+    std::vector<Index>& first = this->Made.FirstPlacing;
+    first.assign(this->Current.size() + 1, 0);
+    for (const Placing& placing : this->Made.Placings)
+    {
+      ++first[static_cast<std::size_t>(placing.Vertex) + 1];
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<Index> next(first.begin(), first.end() - 1);
+    std::vector<Placing> sorted(this->Made.Placings.size());
+    for (const Placing& placing : this->Made.Placings)
+    {
+      sorted[static_cast<std::size_t>(next[static_cast<std::size_t>(placing.Vertex)]++)] = placing;
+    }
+    this->Made.Placings = std::move(sorted);
+  }
+
 private:
   bool IsLiveFace(Index face) const
   {
@@ -83,8 +102,9 @@ private:
   Triangle CornersNow(Index face)
   {
     const Index change = this->Made.LastChange[static_cast<std::size_t>(face)];
-    const Triangle& c = change == None ? this->Made.Corners[static_cast<std::size_t>(face)]
-                                       : this->Made.Changes[static_cast<std::size_t>(change)].Corners;
+    const Triangle& c = change == None
+      ? this->Made.Corners[static_cast<std::size_t>(face)]
+      : this->Made.Changes[static_cast<std::size_t>(change)].Corners;
     return { this->Now(c[0]), this->Now(c[1]), this->Now(c[2]) };
   }
 
@@ -160,9 +180,7 @@ private:
 
   void Place(Index vertex, const Vector3& position, Index time)
   {
-    Index& last = this->Made.LastPlacing[static_cast<std::size_t>(vertex)];
-    this->Made.Placings.push_back({ position, time, last });
-    last = static_cast<Index>(this->Made.Placings.size()) - 1;
+    this->Made.Placings.push_back({ position, time, vertex });
   }
 
   const EditLog& Log;
@@ -175,19 +193,18 @@ std::optional<LevelStack> LevelStack::Build(
   const std::vector<Triangle>& triangles, const EditLog& log)
 {
   const auto isVertex = [&](const Triangle& c)
-  {
-    return std::all_of(
-      c.begin(), c.end(), [&](Index v) { return v >= 0 && v < log.Vertices; });
-  };
+  { return std::all_of(c.begin(), c.end(), [&](Index v) { return v >= 0 && v < log.Vertices; }); };
   std::optional<LevelStack> stack;
   if (static_cast<std::size_t>(log.Faces) == triangles.size() &&
     std::all_of(triangles.begin(), triangles.end(), isVertex))
   {
     stack.emplace();
-    if (!Builder(triangles, log, *stack).Replay())
+    Builder builder(triangles, log, *stack);
+    if (!builder.Replay())
     {
-      stack.reset();
+      return {};
     }
+    builder.SortPlacings();
   }
   return stack;
 }
@@ -197,8 +214,7 @@ Index LevelStack::LevelOf(Index triangles) const
 {
   const auto found = std::lower_bound(
     this->FacesLeft.begin(), this->FacesLeft.end(), triangles, std::greater<Index>());
-  return std::min(
-    static_cast<Index>(found - this->FacesLeft.begin()), this->NumberOfCollapses());
+  return std::min(static_cast<Index>(found - this->FacesLeft.begin()), this->NumberOfCollapses());
 }
 
 //------------------------------------------------------------------------------
@@ -217,12 +233,14 @@ Triangle LevelStack::CornersAt(Index face, Index time) const
 //------------------------------------------------------------------------------
 const Vector3* LevelStack::PlaceAt(Index vertex, Index time) const
 {
-  Index placing = this->LastPlacing[static_cast<std::size_t>(vertex)];
-  while (placing != None && this->Placings[static_cast<std::size_t>(placing)].Time > time)
+  const auto v = static_cast<std::size_t>(vertex);
+  const Placing* first = this->Placings.data() + this->FirstPlacing[v];
+  const Placing* last = this->Placings.data() + this->FirstPlacing[v + 1];
+  while (last != first && (last - 1)->Time > time)
   {
-    placing = this->Placings[static_cast<std::size_t>(placing)].Before;
+    --last;
   }
-  return placing == None ? nullptr : &this->Placings[static_cast<std::size_t>(placing)].Position;
+  return last == first ? nullptr : &(last - 1)->Position;
 }
 
 //------------------------------------------------------------------------------

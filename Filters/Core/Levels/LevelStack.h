@@ -5,7 +5,7 @@
  * @brief All levels of a recorded run in arrays from which each is read off, without its edits being replayed.
  *
  *     each face     when it went; the last time its corners were changed by flips, and from there the time before
- *     each vertex   when it went, and into which; the last time it was placed, and from there the time before
+ *     each vertex   when it went, and into which; all the times it was placed
  *
  *     level t:  the faces that went later, in their order
  *               corners: as they were changed last by then, each followed into what it had become by then
@@ -39,7 +39,8 @@ public:
    * @param triangles Of the cleaned and sorted input.
    * @return Nothing if the log cannot have been recorded on that surface.
    */
-  static std::optional<LevelStack> Build(const std::vector<Triangle>& triangles, const EditLog& log);
+  static std::optional<LevelStack> Build(
+    const std::vector<Triangle>& triangles, const EditLog& log);
 
   Index NumberOfCollapses() const { return static_cast<Index>(this->FacesLeft.size()) - 1; }
   /// Triangles of the level after so many collapses.
@@ -63,7 +64,7 @@ private:
   {
     Vector3 Position; // mm
     Index Time;
-    Index Before; // the placing before, or None
+    Index Vertex;
   };
   struct Change
   {
@@ -91,9 +92,9 @@ private:
   std::vector<Index> LastChange; // of each face
   std::vector<Change> Changes;
   LargeArray<Life> Lives;
-  std::vector<Index> LastPlacing; // of each vertex
-  std::vector<Placing> Placings;
-  std::vector<Index> FacesLeft; // of each time
+  std::vector<Placing> Placings;   // vertex after vertex, of each in the order of time
+  std::vector<Index> FirstPlacing; // of each vertex, and at the end how many there are
+  std::vector<Index> FacesLeft;    // of each time
 };
 }
 

@@ -122,8 +122,8 @@ public:
   template <typename T>
   void Resize(std::vector<T>& list, Index count, std::size_t bytesOfEach)
   {
-    this->Good = this->Good && count >= 0 &&
-      static_cast<std::size_t>(count) <= this->Left / bytesOfEach;
+    this->Good =
+      this->Good && count >= 0 && static_cast<std::size_t>(count) <= this->Left / bytesOfEach;
     list.resize(this->Good ? static_cast<std::size_t>(count) : 0);
   }
 
@@ -251,8 +251,7 @@ std::string LogMessage(LogStatus status)
 std::vector<unsigned char> WriteLog(const EditLog& log)
 {
   Writer to;
-  to.Bytes.reserve(64 +
-    (3 * sizeof(Index) + BytesOfPosition(log.IsSingle)) * log.Collapses.size());
+  to.Bytes.reserve(64 + (3 * sizeof(Index) + BytesOfPosition(log.IsSingle)) * log.Collapses.size());
   to.Bytes.insert(to.Bytes.end(), Magic.begin(), Magic.end());
   to.PutBits(FormatVersion);
   to.PutBits((log.IsSingle ? SingleFlag : 0U) | (log.MergesPoints ? MergeFlag : 0U));

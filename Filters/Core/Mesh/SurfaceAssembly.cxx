@@ -53,9 +53,8 @@ Vector3 OutputPosition(const Surface& input, const CleanSurface& clean, Index ve
 {
   const auto v = static_cast<std::size_t>(vertex);
   const bool hasMoved = local != clean.Surface.Points[v];
-  const Vector3 position = hasMoved
-    ? Vector3(local + clean.Origin)
-    : input.Points[static_cast<std::size_t>(clean.InputPoint[v])];
+  const Vector3 position = hasMoved ? Vector3(local + clean.Origin)
+                                    : input.Points[static_cast<std::size_t>(clean.InputPoint[v])];
   return roundToSingle ? RoundedToSingle(position) : position;
 }
 }
