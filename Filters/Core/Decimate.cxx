@@ -54,8 +54,9 @@ public:
     {
       this->Collapse();
       this->Answer.Report.Seconds.Decimate = clock.Seconds();
-      Judge({ this->Input, this->Cleaned, *this->Work, this->LocalResult }, this->Wanted,
-        this->Progress, this->Answer);
+      const JudgedRun run = { this->Input, this->Cleaned, *this->Work, this->LocalResult,
+        this->IsProved() };
+      Judge(run, this->Wanted, this->Progress, this->Answer);
       this->Prove();
       Report& report = this->Answer.Report;
       report.Stop = this->Progress.GoesOn() ? report.Stop : StopReason::Aborted;
@@ -179,14 +180,15 @@ private:
   {
     const StageClock clock;
     Report& report = this->Answer.Report;
-    const double collapsedAt = MeasuredFrom(this->Wanted) - ExtractionShare;
+    const double extractedAt = MeasuredFrom(this->Wanted, this->IsProved());
+    const double collapsedAt = extractedAt - ExtractionShare;
     report.Stop = this->Progress.GoesOn()
       ? this->RunLoop(this->Progress.Stage(BuiltAt, collapsedAt))
       : StopReason::Aborted;
     report.Collapses = this->Work->NumberOfEdits();
     report.Refusals = this->Work->Refusals();
     this->HandLogOver();
-    this->Extract(this->Progress.Stage(collapsedAt, MeasuredFrom(this->Wanted)));
+    this->Extract(this->Progress.Stage(collapsedAt, extractedAt));
     report.RunningError = this->LargestError();
     report.Seconds.Collapse = clock.Seconds();
   }
@@ -250,16 +252,18 @@ private:
                           : *std::max_element(errors.begin(), errors.end());
   }
 
+  bool IsProved() const { return WantsProof(this->Wanted, this->Given != nullptr); }
+
   /// Nothing of the run is needed any more but its result.
   void Prove()
   {
-    if (WantsProof(this->Wanted, this->Given != nullptr) && this->Progress.GoesOn())
+    if (this->IsProved() && this->Progress.GoesOn())
     {
       this->Work.reset();
       this->LocalResult = {};
       this->Cleaned.Surface = {};
       ProveResult(this->Input, this->Cleaned, this->Wanted,
-        this->Progress.Stage(MeasuredTo(this->Wanted), 1.0), this->Answer, this->Given);
+        this->Progress.Stage(MeasuredTo(true), 1.0), this->Answer, this->Given);
     }
   }
 

@@ -6,7 +6,6 @@
 #include "Clearance/Gaps.h"
 #include "Measure/SurfaceDistance.h"
 #include "Mesh/Statistics.h"
-#include "ResultProof.h"
 #include "StageClock.h"
 
 namespace bonedecimate
@@ -27,7 +26,7 @@ public:
     , Wanted(options)
     , Progress(progress)
     , Answer(answer)
-    , MeasuredAt(MeasuredTo(options) - LastStep)
+    , MeasuredAt(MeasuredTo(run.IsProvedNext) - LastStep)
   {
   }
 
@@ -47,7 +46,8 @@ public:
 
   void MeasureDistances()
   {
-    const double from = MeasuredFrom(this->Wanted) + BordersShare;
+    const double measuredFrom = MeasuredFrom(this->Wanted, this->Run.IsProvedNext);
+    const double from = measuredFrom + BordersShare;
     const double inputFrom = !this->Wanted.MeasureDistances ? from
       : this->Wanted.MeasureInputDistances                  ? this->MeasuredAt - InputPointsShare
                                                             : this->MeasuredAt;
@@ -55,9 +55,9 @@ public:
     const double backFrom = 0.5 * (from + inputFrom);
     if (this->Wanted.MeasureDistances)
     {
-      if (!WantsProof(this->Wanted))
+      if (!this->Run.IsProvedNext)
       {
-        this->MeasureBorders(MeasuredFrom(this->Wanted), from);
+        this->MeasureBorders(measuredFrom, from);
       }
       this->Answer.Report.OutputToInput = MeasureDistance(this->Run.LocalResult,
         this->Answer.Distance, this->Run.Work.Reference().Tree(this->Wanted.NumberOfThreads),
@@ -142,15 +142,15 @@ private:
 }
 
 /// Measuring takes about a third of the time, if there is anything to measure; the proof a tenth.
-double MeasuredFrom(const Options& options)
+double MeasuredFrom(const Options& options, bool isProvedNext)
 {
   const bool measures = options.MeasureDistances || options.MeasureInputDistances;
-  return MeasuredTo(options) - (measures ? 0.3 : LastStep);
+  return MeasuredTo(isProvedNext) - (measures ? 0.3 : LastStep);
 }
 
-double MeasuredTo(const Options& options)
+double MeasuredTo(bool isProvedNext)
 {
-  return WantsProof(options) ? 0.9 : 1.0;
+  return isProvedNext ? 0.9 : 1.0;
 }
 
 void Judge(const JudgedRun& run, const Options& options, RunProgress& progress, Result& answer)
@@ -166,7 +166,8 @@ void Judge(const JudgedRun& run, const Options& options, RunProgress& progress, 
   {
     judgement.MeasureClearance();
   }
-  progress.Stage(MeasuredTo(options) - LastStep, MeasuredTo(options))(1.0);
+  const double end = MeasuredTo(run.IsProvedNext);
+  progress.Stage(end - LastStep, end)(1.0);
   answer.Report.Seconds.Measure = clock.Seconds();
 }
 }
