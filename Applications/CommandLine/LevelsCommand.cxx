@@ -113,6 +113,19 @@ std::string NameOfLevel(const std::string& output, vtkIdType triangles)
   return (path.parent_path() / name).string();
 }
 
+/// No output takes the place of a surface that was read.
+void KeepSurfaces(const LevelsArguments& arguments, const std::string& output)
+{
+  for (const std::string* input : { &arguments.Input, &arguments.On })
+  {
+    std::error_code error;
+    if (std::filesystem::equivalent(output, *input, error))
+    {
+      throw Failure(ExitCode::Usage, "'" + output + "' is a surface; it is not overwritten");
+    }
+  }
+}
+
 /// One command; the verbs are in the order of RunLevels().
 class LevelsRun
 {
@@ -248,6 +261,7 @@ private:
     const std::string name = NameOfLevel(this->Asked.Output, level->GetNumberOfPolys());
     if (std::find(this->Written.begin(), this->Written.end(), name) == this->Written.end())
     {
+      KeepSurfaces(this->Asked, name);
       StagedFile& file = files.emplace_back(name);
       WriteSurface(level, file.GetTemporary(), file.GetTarget());
       this->Written.push_back(name);
@@ -282,15 +296,7 @@ void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
     throw Failure(ExitCode::Usage,
       "--output '" + arguments.Output + "' needs one of the extensions " + SurfaceExtensions);
   }
-  for (const std::string* input : { &arguments.Input, &arguments.On })
-  {
-    std::error_code error;
-    if (std::filesystem::equivalent(arguments.Record, *input, error))
-    {
-      throw Failure(
-        ExitCode::Usage, "'" + arguments.Record + "' is a surface; it is not overwritten");
-    }
-  }
+  KeepSurfaces(arguments, arguments.Record);
 }
 }
 

@@ -78,6 +78,9 @@ class Levels(ApplicationTest):
         self.fail_with(USAGE, "levels", "in.ply", "--triangles", 300, "--output", "out.txt", says="extensions")
         self.fail_with(USAGE, "levels", "in.ply", "--log", "a", "--mode", "fast", says="takes its place")
         self.fail_with(USAGE, "levels", "in.ply", "--record", "in.ply", says="not overwritten")
+        write(torus(), self.path("out-300.ply"))
+        words = ("--triangles", 300, "--output", "out.ply", "--no-errors")
+        self.fail_with(USAGE, "levels", "out-300.ply", *words, says="not overwritten")
         self.fail_with(NOT_WRITTEN, "levels", "in.ply", "--record", "nowhere/in.levels", "--no-errors")
 
 
