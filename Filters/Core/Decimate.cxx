@@ -10,6 +10,7 @@
 #include "Mesh/Checksum.h"
 #include "Mesh/Sheets.h"
 #include "Mesh/SpatialOrder.h"
+#include "Mesh/SurfaceAssembly.h"
 #include "ReferenceInput.h"
 #include "Relax/RelaxedLoop.h"
 #include "ResultProof.h"
@@ -37,7 +38,7 @@ class Run
 {
 public:
   Run(const Surface& input, const Options& options, const Monitor& monitor, bool inputIsSingle,
-    bool withOrigins, const std::vector<double>* tolerances, const Surface* reference)
+    bool withOrigins, const std::vector<double>* tolerances, const Surface* reference, EditLog* log)
     : Input(input)
     , Wanted(options)
     , Progress(monitor)
@@ -47,6 +48,7 @@ public:
     , Given(tolerances)
     , Allowed(tolerances)
     , Reference(reference)
+    , Log(log)
   {
   }
 
@@ -134,6 +136,10 @@ private:
     const bool isThesis = this->Wanted.Mode == Mode::Thesis;
     const Editor::Books books = { isThesis, isThesis, !isThesis && this->Progress.GoesOn() };
     this->Work.emplace(std::move(mesh), this->Cleaned, books, threads);
+    if (this->Log != nullptr)
+    {
+      this->Work->Record();
+    }
     this->Limit();
     tell(0.75);
     if (books.Distances && this->Progress.GoesOn())
@@ -224,9 +230,39 @@ private:
       : StopReason::Aborted;
     report.Collapses = this->Work->NumberOfEdits();
     report.Refusals = this->Work->Refusals();
+    this->HandLogOver();
     this->Extract(this->Progress.Stage(collapsedAt, extractedAt));
     report.RunningError = this->LargestError();
     report.Seconds.Collapse = clock.Seconds();
+  }
+
+  void HandLogOver()
+  {
+    if (this->Log == nullptr)
+    {
+      return;
+    }
+    EditLog& log = *this->Log;
+    log = this->Work->TakeLog();
+    log.InputChecksum = this->Answer.Report.InputChecksum;
+    log.Vertices = this->Work->Mesh().NumberOfVertexSlots();
+    log.Faces = this->Work->Mesh().NumberOfFaceSlots();
+    log.IsSingle = this->RoundToSingle;
+    log.MergesPoints = this->Wanted.MergePoints;
+    const auto place = [this](Index vertex, Vector3& position) {
+      position = OutputPosition(this->Input, this->Cleaned, vertex, position, this->RoundToSingle);
+    };
+    for (LoggedCollapse& collapse : log.Collapses)
+    {
+      place(collapse.Kept, collapse.Position);
+    }
+    for (LoggedPatch& patch : log.Patches)
+    {
+      for (LoggedPatch::Vertex& vertex : patch.Vertices)
+      {
+        place(vertex.Id, vertex.Position);
+      }
+    }
   }
 
   /// Who aborted does not wait for distances.
@@ -285,6 +321,7 @@ private:
     Allowed; // mm, the same, capped by what the reference leaves of the error
   const Surface* Reference;
   std::optional<ReferenceInput> First; // the reference read, if there is one
+  EditLog* Log;                        // null: nobody wants it
   bool IsLimited = false;              // whether every point has a tolerance
   CleanSurface Cleaned;
   std::optional<Editor> Work;
@@ -295,12 +332,12 @@ private:
 
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor,
   bool inputIsSingle, bool withOrigins, const std::vector<double>* tolerances,
-  const Surface* reference)
+  const Surface* reference, EditLog* log)
 {
   Options wanted = options;
   const VoxelFigures voxel = ApplyPreset(reference != nullptr ? *reference : input, wanted);
   Result result =
-    Run(input, wanted, monitor, inputIsSingle, withOrigins, tolerances, reference).Go();
+    Run(input, wanted, monitor, inputIsSingle, withOrigins, tolerances, reference, log).Go();
   result.Report.Asked = options;
   result.Report.Voxel = voxel;
   return result;

@@ -315,6 +315,11 @@ void Editor::KeepBooks(const Edit& edit, Index gone, double volumeChange, Worksp
   this->Source.Merge(edit.Keep, gone, edit.Position);
   work.Counted.Volumes.Add(this->Volumes.ComponentOf(edit.Keep), volumeChange);
   work.Counted.RemovedFaces += work.Around.NumberOfGoneFaces;
+  if (this->Recorder)
+  {
+    work.Counted.Log.push_back(
+      { edit.Position, edit.Edge, work.Around.GoneFaces[1], edit.Keep, work.Rank });
+  }
   work.Around.Edge = None;
   ++work.Counted.Edits;
   if (this->AfterEdit)
@@ -337,5 +342,45 @@ void Editor::Settle(Tally& tally)
   tally.Refusals.fill(0); // the list of volumes keeps its memory
   tally.Edits = 0;
   tally.RemovedFaces = 0;
+  if (this->Recorder)
+  {
+    this->Recorder->Add(tally.Log);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Editor::Settle(std::vector<Tally>& tallies)
+{
+  if (this->Recorder)
+  {
+    std::vector<std::vector<LoggedCollapse>*> lists;
+    for (Tally& tally : tallies)
+    {
+      lists.push_back(&tally.Log);
+    }
+    this->Recorder->AddMerged(lists);
+  }
+  for (Tally& tally : tallies)
+  {
+    this->Settle(tally);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Editor::BeginSmallEdits()
+{
+  if (this->Recorder)
+  {
+    this->Recorder->BeginPatch(this->Half);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Editor::EndSmallEdits()
+{
+  if (this->Recorder)
+  {
+    this->Recorder->EndPatch(this->Half);
+  }
 }
 }
