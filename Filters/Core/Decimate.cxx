@@ -7,6 +7,7 @@
 #include "Extract.h"
 #include "Judgement.h"
 #include "Mesh/Checksum.h"
+#include "Mesh/Sheets.h"
 #include "Mesh/SpatialOrder.h"
 #include "Relax/RelaxedLoop.h"
 #include "ResultProof.h"
@@ -52,8 +53,9 @@ public:
     {
       this->Collapse();
       this->Answer.Report.Seconds.Decimate = clock.Seconds();
-      Judge({ this->Input, this->Cleaned, *this->Work, this->LocalResult }, this->Wanted,
-        this->Progress, this->Answer);
+      const JudgedRun run = { this->Input, this->Cleaned, *this->Work, this->LocalResult,
+        this->IsProved() };
+      Judge(run, this->Wanted, this->Progress, this->Answer);
       this->Prove();
       Report& report = this->Answer.Report;
       report.Stop = this->Progress.GoesOn() ? report.Stop : StopReason::Aborted;
@@ -80,7 +82,6 @@ private:
     {
       report.InputChecksum = Checksum(this->Input, this->Wanted.NumberOfThreads);
       this->Build();
-      this->CountLocked();
     }
     this->Progress.Stage(CleanedAt, BuiltAt)(1.0);
     report.Seconds.Prepare = clock.Seconds();
@@ -98,6 +99,13 @@ private:
     }
     tell(0.25);
     HalfEdgeMesh mesh(this->Cleaned.Surface, threads);
+    this->CountLocked(mesh);
+    if (this->Progress.GoesOn() && HasSeams(mesh))
+    {
+      SplitSheets(this->Cleaned, mesh);
+      SortAlongCurve(this->Cleaned, threads);
+      mesh = HalfEdgeMesh(this->Cleaned.Surface, threads, this->Cleaned.Sheets);
+    }
     tell(0.5);
     const bool isThesis = this->Wanted.Mode == Mode::Thesis;
     const Editor::Books books = { isThesis, isThesis, !isThesis && this->Progress.GoesOn() };
@@ -139,12 +147,12 @@ private:
     }
   }
 
-  void CountLocked()
+  void CountLocked(const HalfEdgeMesh& mesh)
   {
     CleaningStatistics& found = this->Answer.Report.Cleaning;
-    for (Index v = this->Work->Mesh().NumberOfVertexSlots(); v-- > 0;)
+    for (Index v = mesh.NumberOfVertexSlots(); v-- > 0;)
     {
-      if (this->Work->Mesh().Kind(v) == VertexKind::Locked)
+      if (mesh.Kind(v) == VertexKind::Locked)
       {
         ++found.LockedPoints;
         found.FirstLockedPoint = this->Cleaned.InputPoint[v];
@@ -173,13 +181,14 @@ private:
   {
     const StageClock clock;
     Report& report = this->Answer.Report;
-    const double collapsedAt = MeasuredFrom(this->Wanted) - ExtractionShare;
+    const double extractedAt = MeasuredFrom(this->Wanted, this->IsProved());
+    const double collapsedAt = extractedAt - ExtractionShare;
     report.Stop = this->Progress.GoesOn()
       ? this->RunLoop(this->Progress.Stage(BuiltAt, collapsedAt))
       : StopReason::Aborted;
     report.Collapses = this->Work->NumberOfEdits();
     report.Refusals = this->Work->Refusals();
-    this->Extract(this->Progress.Stage(collapsedAt, MeasuredFrom(this->Wanted)));
+    this->Extract(this->Progress.Stage(collapsedAt, extractedAt));
     report.RunningError = this->LargestError();
     report.Seconds.Collapse = clock.Seconds();
   }
@@ -214,16 +223,18 @@ private:
                           : *std::max_element(errors.begin(), errors.end());
   }
 
+  bool IsProved() const { return WantsProof(this->Wanted, this->Given != nullptr); }
+
   /// Nothing of the run is needed any more but its result.
   void Prove()
   {
-    if (WantsProof(this->Wanted, this->Given != nullptr) && this->Progress.GoesOn())
+    if (this->IsProved() && this->Progress.GoesOn())
     {
       this->Work.reset();
       this->LocalResult = {};
       this->Cleaned.Surface = {};
       ProveResult(this->Input, this->Cleaned, this->Wanted,
-        this->Progress.Stage(MeasuredTo(this->Wanted), 1.0), this->Answer, this->Given);
+        this->Progress.Stage(MeasuredTo(true), 1.0), this->Answer, this->Given);
     }
   }
 

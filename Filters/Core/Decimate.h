@@ -6,7 +6,7 @@
  *
  *     cleaned  = Clean(input)                    refuse, merge, drop, count
  *     SortAlongCurve(cleaned)                    neighbours in space become neighbours in memory
- *     mesh     = HalfEdgeMesh(cleaned)           lock what is not manifold, freeze what has a tolerance of 0
+ *     mesh     = HalfEdgeMesh(cleaned)           split where it is not manifold, freeze what has a tolerance of 0
  *     original = Original(cleaned)               nearest point by a bounding tree, built when needed
  *     ThesisLoop, Sweep or RelaxedLoop           collapse until a stop is reached
  *     result   = Extract(mesh)                   points, triangles, maps

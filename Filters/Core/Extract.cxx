@@ -4,13 +4,14 @@
 
 #include "Parallel.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bonedecimate
 {
 namespace
 {
-/// The corners of the faces that are alive.
+/// The corners of the faces that are alive, sheets joined.
 std::vector<Triangle> LiveTriangles(const HalfEdgeMesh& mesh, int threads)
 {
   const auto slots = static_cast<std::size_t>(mesh.NumberOfFaceSlots());
@@ -25,7 +26,8 @@ std::vector<Triangle> LiveTriangles(const HalfEdgeMesh& mesh, int threads)
       {
         if (isAlive(face))
         {
-          triangles[next++] = mesh.Corners(static_cast<Index>(face));
+          const Triangle c = mesh.Corners(static_cast<Index>(face));
+          triangles[next++] = { mesh.Site(c[0]), mesh.Site(c[1]), mesh.Site(c[2]) };
         }
       }
     });
@@ -151,7 +153,8 @@ void LookUpPoints(
     [&](std::size_t p)
     {
       const Index vertex = remains.Vertices[p];
-      const BoundingTree::Nearest nearest = tree.FindNearest(remains.Points[p], remains.Near[vertex]);
+      const BoundingTree::Nearest nearest =
+        tree.FindNearest(remains.Points[p], remains.Near[vertex]);
       result.Distance[p] = std::sqrt(nearest.Place.SquaredDistance);
       result.RunningError[p] = remains.Source.RecordsDistances()
         ? remains.Source.RunningError(vertex)
@@ -178,7 +181,8 @@ void LookUpCentroids(
       const Triangle& c = triangles[t];
       const Vector3 centroid =
         (remains.Points[c[0]] + remains.Points[c[1]] + remains.Points[c[2]]) / 3.0;
-      const Index triangle = tree.FindNearest(centroid, remains.Near[remains.Vertices[c[0]]]).Triangle;
+      const Index triangle =
+        tree.FindNearest(centroid, remains.Near[remains.Vertices[c[0]]]).Triangle;
       result.Origins.TriangleAtCentroid[t] = remains.Clean.InputTriangle[triangle];
     });
 }
@@ -194,7 +198,8 @@ std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, co
       options.Threads),
     {} };
   const std::vector<Index>& vertices = remains.Vertices;
-  const std::vector<Index> current = editor.Reference().CurrentVertices();
+  std::vector<Index> current = editor.Reference().CurrentVertices();
+  std::for_each(current.begin(), current.end(), [&](Index& vertex) { vertex = mesh.Site(vertex); });
   const std::vector<Index> counts = CountPoints(clean, current);
   remains.Points.resize(vertices.size());
   result.Surface.Points.resize(vertices.size());
