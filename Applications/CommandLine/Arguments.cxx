@@ -155,6 +155,7 @@ std::unique_ptr<CLI::App> MakeApp(
                                     "       bonedecimate certify REFERENCE RESULT [OPTIONS]\n"
                                     "       bonedecimate tolerance INPUT --triangles N [OPTIONS]\n"
                                     "       bonedecimate curve INPUT --errors MM,... [OPTIONS]\n"
+                                    "       bonedecimate levels INPUT [OPTIONS]\n"
                                     "       bonedecimate check FILE [OPTIONS]"));
   app->footer(HelpFooter());
   app->set_version_flag(

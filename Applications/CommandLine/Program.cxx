@@ -8,6 +8,7 @@
 #include "ErrorCommands.h"
 #include "Inspect.h"
 #include "Interruption.h"
+#include "LevelsCommand.h"
 #include "RunOne.h"
 #include "VtkMessages.h"
 
@@ -50,6 +51,7 @@ ExitCode ParseAndDo(int argc, char* argv[])
 constexpr Command Commands[] = {
   { "certify", ParseAndDo<CertifyArguments, ParseCertifyArguments, RunCertify> },
   { "check", ParseAndDo<InspectArguments, ParseInspectArguments, RunInspect> },
+  { "levels", ParseAndDo<LevelsArguments, ParseLevelsArguments, RunLevels> },
   { "tolerance", ParseAndDo<ErrorArguments, ParseErrorArguments, RunErrorCommand> },
   { "curve", ParseAndDo<ErrorArguments, ParseErrorArguments, RunErrorCommand> },
 };

@@ -85,7 +85,9 @@ void Normalise(vtkDataArray* from, vtkIdType nearest, vtkIdType point, vtkDataAr
 {
   std::array<double, 3> normal = {};
   to->GetTuple(point, normal.data());
-  const double length = std::hypot(normal[0], normal[1], normal[2]);
+  // Of libm only sqrt, so that every build and the Python package round alike.
+  const double length =
+    std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
   if (length < 1e-6)
   {
     to->SetTuple(point, nearest, from);

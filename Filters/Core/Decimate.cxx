@@ -8,7 +8,9 @@
 #include "Extract.h"
 #include "Judgement.h"
 #include "Mesh/Checksum.h"
+#include "Mesh/Sheets.h"
 #include "Mesh/SpatialOrder.h"
+#include "Mesh/SurfaceAssembly.h"
 #include "ReferenceInput.h"
 #include "Relax/RelaxedLoop.h"
 #include "ResultProof.h"
@@ -36,7 +38,7 @@ class Run
 {
 public:
   Run(const Surface& input, const Options& options, const Monitor& monitor, bool inputIsSingle,
-    bool withOrigins, const std::vector<double>* tolerances, const Surface* reference)
+    bool withOrigins, const std::vector<double>* tolerances, const Surface* reference, EditLog* log)
     : Input(input)
     , Wanted(options)
     , Progress(monitor)
@@ -46,6 +48,7 @@ public:
     , Given(tolerances)
     , Allowed(tolerances)
     , Reference(reference)
+    , Log(log)
   {
   }
 
@@ -56,9 +59,9 @@ public:
     {
       this->Collapse();
       this->Answer.Report.Seconds.Decimate = clock.Seconds();
-      Judge({ this->Input, this->Cleaned, *this->Work, this->LocalResult,
-              this->First ? &this->First->Reference.Surface : nullptr },
-        this->Wanted, this->Progress, this->Answer);
+      const JudgedRun run = { this->Input, this->Cleaned, *this->Work, this->LocalResult,
+        this->First ? &this->First->Reference.Surface : nullptr, this->IsProved() };
+      Judge(run, this->Wanted, this->Progress, this->Answer);
       this->Prove();
       Report& report = this->Answer.Report;
       report.Stop = this->Progress.GoesOn() ? report.Stop : StopReason::Aborted;
@@ -89,7 +92,6 @@ private:
     {
       report.InputChecksum = Checksum(this->Input, this->Wanted.NumberOfThreads);
       this->Build();
-      this->CountLocked();
     }
     this->Progress.Stage(CleanedAt, BuiltAt)(1.0);
     report.Seconds.Prepare = clock.Seconds();
@@ -123,10 +125,21 @@ private:
     }
     tell(0.25);
     HalfEdgeMesh mesh(this->Cleaned.Surface, threads);
+    this->CountLocked(mesh);
+    if (this->Progress.GoesOn() && HasSeams(mesh))
+    {
+      SplitSheets(this->Cleaned, mesh);
+      SortAlongCurve(this->Cleaned, threads);
+      mesh = HalfEdgeMesh(this->Cleaned.Surface, threads, this->Cleaned.Sheets);
+    }
     tell(0.5);
     const bool isThesis = this->Wanted.Mode == Mode::Thesis;
     const Editor::Books books = { isThesis, isThesis, !isThesis && this->Progress.GoesOn() };
     this->Work.emplace(std::move(mesh), this->Cleaned, books, threads);
+    if (this->Log != nullptr)
+    {
+      this->Work->Record();
+    }
     this->Limit();
     tell(0.75);
     if (books.Distances && this->Progress.GoesOn())
@@ -165,12 +178,12 @@ private:
     }
   }
 
-  void CountLocked()
+  void CountLocked(const HalfEdgeMesh& mesh)
   {
     CleaningStatistics& found = this->Answer.Report.Cleaning;
-    for (Index v = this->Work->Mesh().NumberOfVertexSlots(); v-- > 0;)
+    for (Index v = mesh.NumberOfVertexSlots(); v-- > 0;)
     {
-      if (this->Work->Mesh().Kind(v) == VertexKind::Locked)
+      if (mesh.Kind(v) == VertexKind::Locked)
       {
         ++found.LockedPoints;
         found.FirstLockedPoint = this->Cleaned.InputPoint[v];
@@ -210,15 +223,46 @@ private:
   {
     const StageClock clock;
     Report& report = this->Answer.Report;
-    const double collapsedAt = MeasuredFrom(this->Wanted) - ExtractionShare;
+    const double extractedAt = MeasuredFrom(this->Wanted, this->IsProved());
+    const double collapsedAt = extractedAt - ExtractionShare;
     report.Stop = this->Progress.GoesOn()
       ? this->RunLoop(this->Progress.Stage(BuiltAt, collapsedAt))
       : StopReason::Aborted;
     report.Collapses = this->Work->NumberOfEdits();
     report.Refusals = this->Work->Refusals();
-    this->Extract(this->Progress.Stage(collapsedAt, MeasuredFrom(this->Wanted)));
+    this->HandLogOver();
+    this->Extract(this->Progress.Stage(collapsedAt, extractedAt));
     report.RunningError = this->LargestError();
     report.Seconds.Collapse = clock.Seconds();
+  }
+
+  void HandLogOver()
+  {
+    if (this->Log == nullptr)
+    {
+      return;
+    }
+    EditLog& log = *this->Log;
+    log = this->Work->TakeLog();
+    log.InputChecksum = this->Answer.Report.InputChecksum;
+    log.Vertices = this->Work->Mesh().NumberOfVertexSlots();
+    log.Faces = this->Work->Mesh().NumberOfFaceSlots();
+    log.IsSingle = this->RoundToSingle;
+    log.MergesPoints = this->Wanted.MergePoints;
+    const auto place = [this](Index vertex, Vector3& position) {
+      position = OutputPosition(this->Input, this->Cleaned, vertex, position, this->RoundToSingle);
+    };
+    for (LoggedCollapse& collapse : log.Collapses)
+    {
+      place(collapse.Kept, collapse.Position);
+    }
+    for (LoggedPatch& patch : log.Patches)
+    {
+      for (LoggedPatch::Vertex& vertex : patch.Vertices)
+      {
+        place(vertex.Id, vertex.Position);
+      }
+    }
   }
 
   /// Who aborted does not wait for distances.
@@ -251,16 +295,18 @@ private:
                           : *std::max_element(errors.begin(), errors.end());
   }
 
+  bool IsProved() const { return WantsProof(this->Wanted, this->Given != nullptr); }
+
   /// Nothing of the run is needed any more but its result.
   void Prove()
   {
-    if (WantsProof(this->Wanted, this->Given != nullptr) && this->Progress.GoesOn())
+    if (this->IsProved() && this->Progress.GoesOn())
     {
       this->Work.reset();
       this->LocalResult = {};
       this->Cleaned.Surface = {};
       ProveResult(this->Input, this->Cleaned, this->Wanted,
-        this->Progress.Stage(MeasuredTo(this->Wanted), 1.0), this->Answer, this->Given,
+        this->Progress.Stage(MeasuredTo(true), 1.0), this->Answer, this->Given,
         this->First ? &this->First->Reference : nullptr);
     }
   }
@@ -275,6 +321,7 @@ private:
     Allowed; // mm, the same, capped by what the reference leaves of the error
   const Surface* Reference;
   std::optional<ReferenceInput> First; // the reference read, if there is one
+  EditLog* Log;                        // null: nobody wants it
   bool IsLimited = false;              // whether every point has a tolerance
   CleanSurface Cleaned;
   std::optional<Editor> Work;
@@ -285,12 +332,12 @@ private:
 
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor,
   bool inputIsSingle, bool withOrigins, const std::vector<double>* tolerances,
-  const Surface* reference)
+  const Surface* reference, EditLog* log)
 {
   Options wanted = options;
   const VoxelFigures voxel = ApplyPreset(reference != nullptr ? *reference : input, wanted);
   Result result =
-    Run(input, wanted, monitor, inputIsSingle, withOrigins, tolerances, reference).Go();
+    Run(input, wanted, monitor, inputIsSingle, withOrigins, tolerances, reference, log).Go();
   result.Report.Asked = options;
   result.Report.Voxel = voxel;
   return result;

@@ -7,7 +7,7 @@
  *     cleaned  = Clean(input)                    refuse, merge, drop, count
  *     CompareWithReference(input)                what is left of the largest error, if the input is itself a result
  *     SortAlongCurve(cleaned)                    neighbours in space become neighbours in memory
- *     mesh     = HalfEdgeMesh(cleaned)           lock what is not manifold, freeze what has a tolerance of 0
+ *     mesh     = HalfEdgeMesh(cleaned)           split where it is not manifold, freeze what has a tolerance of 0
  *     original = Original(cleaned)               nearest point by a bounding tree, built when needed
  *     ThesisLoop, Sweep or RelaxedLoop           collapse until a stop is reached
  *     result   = Extract(mesh)                   points, triangles, maps
@@ -19,6 +19,7 @@
 #ifndef BoneDecimate_Core_Decimate_h
 #define BoneDecimate_Core_Decimate_h
 
+#include "Levels/EditLog.h"
 #include "Monitor.h"
 #include "Options.h"
 #include "Report.h"
@@ -70,11 +71,13 @@ struct Result
  * @param tolerances mm, of each input point, see Tolerances.h; null: none but MaximumError.
  * @param reference What the largest error is promised, proved and measured against, if that is not the input but what it was
  * made from (ReferenceInput.h); the tolerances stay those against the input. Null: the input.
+ * @param log Where the run is to be recorded, see Levels.h; null: nowhere. Not changed if the input was refused.
  * @throws std::bad_alloc and nothing else.
  */
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor = {},
   bool inputIsSingle = false, bool withOrigins = false,
-  const std::vector<double>* tolerances = nullptr, const Surface* reference = nullptr);
+  const std::vector<double>* tolerances = nullptr, const Surface* reference = nullptr,
+  EditLog* log = nullptr);
 }
 
 #endif

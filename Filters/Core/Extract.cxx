@@ -2,81 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Extract.h"
 
+#include "Mesh/SurfaceAssembly.h"
 #include "Parallel.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bonedecimate
 {
 namespace
 {
-/// The corners of the faces that are alive.
-std::vector<Triangle> LiveTriangles(const HalfEdgeMesh& mesh, int threads)
-{
-  const auto slots = static_cast<std::size_t>(mesh.NumberOfFaceSlots());
-  const auto isAlive = [&](std::size_t face) { return mesh.IsAlive(static_cast<Index>(face)); };
-  std::vector<std::size_t> starts = StartsOfBlocks(slots, threads, isAlive);
-  std::vector<Triangle> triangles(starts.back());
-  ForEachBlock(slots, threads,
-    [&](std::size_t block, std::size_t first, std::size_t last)
-    {
-      std::size_t next = starts[block];
-      for (std::size_t face = first; face < last; ++face)
-      {
-        if (isAlive(face))
-        {
-          triangles[next++] = mesh.Corners(static_cast<Index>(face));
-        }
-      }
-    });
-  return triangles;
-}
-
-/// The vertices that are corners, ascending; the corners become places in this list.
-std::vector<Index> NumberVertices(
-  std::size_t vertexSlots, std::vector<Triangle>& triangles, int threads)
-{
-  std::vector<Index> number(vertexSlots, None);
-  for (const Triangle& corners : triangles)
-  {
-    number[corners[0]] = number[corners[1]] = number[corners[2]] = 0;
-  }
-  std::vector<Index> vertices;
-  vertices.reserve(triangles.size());
-  for (std::size_t v = 0; v < vertexSlots; ++v)
-  {
-    if (number[v] != None)
-    {
-      number[v] = static_cast<Index>(vertices.size());
-      vertices.push_back(static_cast<Index>(v));
-    }
-  }
-  ForEachId(triangles.size(), threads,
-    [&](std::size_t t)
-    {
-      Triangle& c = triangles[t];
-      c = { number[c[0]], number[c[1]], number[c[2]] };
-    });
-  return vertices;
-}
-
-/// Optimisers take the way to single precision and back for nothing (gcc 12 does at -O2): volatile makes it real.
-double RoundedToSingle(double value)
-{
-  const volatile float rounded = static_cast<float>(value);
-  return static_cast<double>(rounded);
-}
-
-Vector3 GlobalPosition(const Surface& input, const CleanSurface& clean, const Editor& editor,
-  Index vertex, bool roundToSingle)
-{
-  const Vector3& local = editor.Mesh().Position(vertex);
-  const Vector3 position = editor.Reference().HasMoved(vertex, local)
-    ? Vector3(local + clean.Origin)
-    : input.Points[clean.InputPoint[vertex]];
-  return roundToSingle ? Vector3(position.unaryExpr(&RoundedToSingle)) : position;
-}
-
 /// Of each vertex: how many input points it stands for.
 std::vector<Index> CountPoints(const CleanSurface& clean, const std::vector<Index>& current)
 {
@@ -151,7 +86,8 @@ void LookUpPoints(
     [&](std::size_t p)
     {
       const Index vertex = remains.Vertices[p];
-      const BoundingTree::Nearest nearest = tree.FindNearest(remains.Points[p], remains.Near[vertex]);
+      const BoundingTree::Nearest nearest =
+        tree.FindNearest(remains.Points[p], remains.Near[vertex]);
       result.Distance[p] = std::sqrt(nearest.Place.SquaredDistance);
       result.RunningError[p] = remains.Source.RecordsDistances()
         ? remains.Source.RunningError(vertex)
@@ -178,7 +114,8 @@ void LookUpCentroids(
       const Triangle& c = triangles[t];
       const Vector3 centroid =
         (remains.Points[c[0]] + remains.Points[c[1]] + remains.Points[c[2]]) / 3.0;
-      const Index triangle = tree.FindNearest(centroid, remains.Near[remains.Vertices[c[0]]]).Triangle;
+      const Index triangle =
+        tree.FindNearest(centroid, remains.Near[remains.Vertices[c[0]]]).Triangle;
       result.Origins.TriangleAtCentroid[t] = remains.Clean.InputTriangle[triangle];
     });
 }
@@ -188,13 +125,21 @@ std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, co
   const ExtractOptions& options, const Monitor& monitor, Result& result)
 {
   const HalfEdgeMesh& mesh = editor.Mesh();
-  result.Surface.Triangles = LiveTriangles(mesh, options.Threads);
+  result.Surface.Triangles = LiveTriangles(
+    static_cast<std::size_t>(mesh.NumberOfFaceSlots()), options.Threads,
+    [&](std::size_t face) { return mesh.IsAlive(static_cast<Index>(face)); },
+    [&](std::size_t face)
+    {
+      const Triangle c = mesh.Corners(static_cast<Index>(face));
+      return Triangle{ mesh.Site(c[0]), mesh.Site(c[1]), mesh.Site(c[2]) };
+    });
   Remains remains = { clean, editor.Reference(), {},
     NumberVertices(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), result.Surface.Triangles,
       options.Threads),
     {} };
   const std::vector<Index>& vertices = remains.Vertices;
-  const std::vector<Index> current = editor.Reference().CurrentVertices();
+  std::vector<Index> current = editor.Reference().CurrentVertices();
+  std::for_each(current.begin(), current.end(), [&](Index& vertex) { vertex = mesh.Site(vertex); });
   const std::vector<Index> counts = CountPoints(clean, current);
   remains.Points.resize(vertices.size());
   result.Surface.Points.resize(vertices.size());
@@ -202,8 +147,8 @@ std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, co
   ForEachId(vertices.size(), options.Threads,
     [&](std::size_t p)
     {
-      const Vector3 position =
-        GlobalPosition(input, clean, editor, vertices[p], options.RoundToSingle);
+      const Vector3 position = OutputPosition(
+        input, clean, vertices[p], mesh.Position(vertices[p]), options.RoundToSingle);
       result.Surface.Points[p] = position;
       remains.Points[p] = position - clean.Origin;
       result.PointCount[p] = counts[static_cast<std::size_t>(vertices[p])];

@@ -5,8 +5,8 @@
 #include "Certificate/Certificate.h"
 #include "Clearance/Gaps.h"
 #include "Measure/SurfaceDistance.h"
+#include "Mesh/Sheets.h"
 #include "Mesh/Statistics.h"
-#include "ResultProof.h"
 #include "StageClock.h"
 
 #include <utility>
@@ -29,7 +29,7 @@ public:
     , Wanted(options)
     , Progress(progress)
     , Answer(answer)
-    , MeasuredAt(MeasuredTo(options) - LastStep)
+    , MeasuredAt(MeasuredTo(run.IsProvedNext) - LastStep)
   {
   }
 
@@ -37,9 +37,8 @@ public:
   {
     const int threads = this->Wanted.NumberOfThreads;
     const Editor& work = this->Run.Work;
-    const SurfaceCounts counts = { static_cast<std::int64_t>(
-                                     this->Run.Cleaned.Surface.Points.size()),
-      work.NumberOfFragments(), work.Mesh().EdgesAtFirst() };
+    const SurfaceCounts counts = { NumberOfSites(this->Run.Cleaned), work.NumberOfFragments(),
+      work.Mesh().EdgesAtFirst() };
     Report& report = this->Answer.Report;
     report.Input = Describe(this->Run.Cleaned.Surface, counts, threads);
     // Without a collapse the counts of the input hold: flips and moves change none of them.
@@ -49,7 +48,8 @@ public:
 
   void MeasureDistances()
   {
-    const double from = MeasuredFrom(this->Wanted) + BordersShare;
+    const double measuredFrom = MeasuredFrom(this->Wanted, this->Run.IsProvedNext);
+    const double from = measuredFrom + BordersShare;
     const double inputFrom = !this->Wanted.MeasureDistances ? from
       : this->Wanted.MeasureInputDistances                  ? this->MeasuredAt - InputPointsShare
                                                             : this->MeasuredAt;
@@ -58,9 +58,9 @@ public:
     const double backFrom = 0.5 * (from + inputFrom);
     if (this->Wanted.MeasureDistances)
     {
-      if (!WantsProof(this->Wanted))
+      if (!this->Run.IsProvedNext)
       {
-        this->MeasureBorders(MeasuredFrom(this->Wanted), from);
+        this->MeasureBorders(measuredFrom, from);
       }
       this->MeasureThere(samples, from, backFrom);
     }
@@ -83,7 +83,7 @@ public:
     Report& report = this->Answer.Report;
     if (report.Input.Components > 1)
     {
-      report.Clearance = { LeastClearance(this->Run.Cleaned.Surface),
+      report.Clearance = { WithJoined(this->Run.Cleaned, LeastClearance),
         LeastClearance(this->Run.LocalResult) };
       report.ClearanceMeasured = true;
     }
@@ -184,15 +184,15 @@ private:
 }
 
 /// Measuring takes about a third of the time, if there is anything to measure; the proof a tenth.
-double MeasuredFrom(const Options& options)
+double MeasuredFrom(const Options& options, bool isProvedNext)
 {
   const bool measures = options.MeasureDistances || options.MeasureInputDistances;
-  return MeasuredTo(options) - (measures ? 0.3 : LastStep);
+  return MeasuredTo(isProvedNext) - (measures ? 0.3 : LastStep);
 }
 
-double MeasuredTo(const Options& options)
+double MeasuredTo(bool isProvedNext)
 {
-  return WantsProof(options) ? 0.9 : 1.0;
+  return isProvedNext ? 0.9 : 1.0;
 }
 
 void Judge(const JudgedRun& run, const Options& options, RunProgress& progress, Result& answer)
@@ -208,7 +208,8 @@ void Judge(const JudgedRun& run, const Options& options, RunProgress& progress, 
   {
     judgement.MeasureClearance();
   }
-  progress.Stage(MeasuredTo(options) - LastStep, MeasuredTo(options))(1.0);
+  const double end = MeasuredTo(run.IsProvedNext);
+  progress.Stage(end - LastStep, end)(1.0);
   answer.Report.Seconds.Measure = clock.Seconds();
 }
 }

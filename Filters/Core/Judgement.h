@@ -28,11 +28,12 @@ struct JudgedRun
   const Editor& Work;
   const Surface& LocalResult; ///< mm, relative to Cleaned.Origin
   const Surface* Reference;   ///< mm, as stored: what distances are measured to; null: the input.
+  bool IsProvedNext;          ///< whether the certificate follows, borders and all
 };
 
 /// Where on the way from 0 to 1 the judgement begins and ends.
-double MeasuredFrom(const Options& options);
-double MeasuredTo(const Options& options);
+double MeasuredFrom(const Options& options, bool isProvedNext);
+double MeasuredTo(bool isProvedNext);
 
 /// Fills in the report, and the distances of the input's points if they are asked for. Who aborted gets statistics alone.
 void Judge(const JudgedRun& run, const Options& options, RunProgress& progress, Result& answer);

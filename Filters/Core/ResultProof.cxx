@@ -14,7 +14,7 @@ namespace bonedecimate
 namespace
 {
 /// How closely the bounds are looked for: of the whole, as a share of it; of a triangle, as a share of the largest error, or
-/// of the largest tolerance if there is none.
+/// of the largest tolerance if there is none. The gate keeps twice the first share away from the largest error.
 constexpr double WholeGap = 1e-4;
 constexpr double TriangleGap = 0.02;
 

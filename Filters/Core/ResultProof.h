@@ -20,7 +20,7 @@
 namespace bonedecimate
 {
 /// Whether a run ends with its proof.
-bool WantsProof(const Options& options, bool hasTolerances = false);
+bool WantsProof(const Options& options, bool hasTolerances);
 
 /**
  * Fills in the report's proof and the bounds at the points; without a promise there are bounds of the whole and no verdict.

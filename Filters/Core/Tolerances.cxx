@@ -45,6 +45,11 @@ std::vector<double> TolerancesOf(const CleanSurface& clean, const std::vector<do
       limits = true;
     }
   }
+  const std::vector<Index>& sites = clean.Sheets.Sites;
+  for (std::size_t v = 0; v < sites.size(); ++v)
+  {
+    tolerances[v] = tolerances[static_cast<std::size_t>(sites[v])];
+  }
   if (!limits)
   {
     tolerances.clear();

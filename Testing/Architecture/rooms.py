@@ -29,6 +29,7 @@ LIBRARIES = {
     "Applications/Picture": {"JSON", "system"},
     "Applications/Volume": {"system"},
     f"{CORE}/Memory": {"system"},
+    "Wrapping/Wheel": {"nanobind"},
 }
 STREAMS = {"iostream", "fstream", "sstream", "ostream", "istream", "iomanip", "ios", "iosfwd", "streambuf",
            "filesystem", "syncstream"}
@@ -46,6 +47,7 @@ KINDS = [
     (re.compile(r"^gdcm\w*\.h"), "GDCM"),
     (re.compile(r"^CLI/"), "CLI11"),
     (re.compile(r"^nlohmann/"), "JSON"),
+    (re.compile(r"^nanobind/"), "nanobind"),
 ]
 
 

@@ -4,7 +4,9 @@
 #include "Shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 namespace bonedecimate::testsupport
 {
@@ -56,6 +58,67 @@ void AddLid(Surface& surface, Index around, double height)
       height > 0.0 ? Triangle{ middle, first + i, next } : Triangle{ middle, next, first + i });
   }
 }
+
+using Cell = std::array<Index, 3>;
+
+/// Squares between cells of a lattice, as two triangles each.
+class CellWalls
+{
+public:
+  /// Between a cell and the one before it along an axis.
+  void Add(const Cell& cell, std::size_t axis, bool isTurned)
+  {
+    const std::size_t u = (axis + (isTurned ? 2 : 1)) % 3;
+    const std::size_t v = (axis + (isTurned ? 1 : 2)) % 3;
+    std::array<Index, 4> square{};
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      Cell corner = cell;
+      corner[u] += k == 1 || k == 2 ? 1 : 0;
+      corner[v] += k > 1 ? 1 : 0;
+      square[k] = this->PointAt(corner);
+    }
+    this->Walls.Triangles.push_back({ square[0], square[1], square[2] });
+    this->Walls.Triangles.push_back({ square[0], square[2], square[3] });
+  }
+
+  Surface Walls;
+
+private:
+  Index PointAt(const Cell& corner)
+  {
+    const auto found = this->Points.emplace(corner, static_cast<Index>(this->Points.size()));
+    if (found.second)
+    {
+      this->Walls.Points.emplace_back(corner[0], corner[1], corner[2]);
+    }
+    return found.first->second;
+  }
+
+  std::map<Cell, Index> Points;
+};
+}
+
+Surface Smoothed(Surface surface, int times)
+{
+  for (; times > 0; --times)
+  {
+    std::vector<Vector3> sums(surface.Points.size(), Vector3::Zero());
+    std::vector<double> counts(surface.Points.size(), 0.0);
+    for (const Triangle& t : surface.Triangles)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        sums[t[k]] += surface.Points[t[(k + 1) % 3]] + surface.Points[t[(k + 2) % 3]];
+        counts[t[k]] += 2.0;
+      }
+    }
+    for (std::size_t p = 0; p < sums.size(); ++p)
+    {
+      surface.Points[p] = 0.5 * surface.Points[p] + 0.5 / counts[p] * sums[p];
+    }
+  }
+  return surface;
 }
 
 Surface PinchedVertex(Index around, Index rings)
@@ -172,6 +235,30 @@ Surface DuplicateTriangles(int levels, Index copies)
   return sphere;
 }
 
+Surface HalvedBall(Index radius)
+{
+  const auto cellAt = [radius](const Cell& c)
+  {
+    const Vector3 middle(c[0] + 0.5, c[1] + 0.5, c[2] + 0.5);
+    return middle.squaredNorm() > radius * radius ? 0 : c[0] < 0 ? 1 : 2;
+  };
+  CellWalls walls;
+  const Index side = 2 * radius + 1;
+  for (Index i = 0; i < 3 * side * side * side; ++i)
+  {
+    const auto axis = static_cast<std::size_t>(i % 3);
+    const Cell cell = { i / 3 % side - radius, i / 3 / side % side - radius,
+      i / 3 / side / side - radius };
+    Cell below = cell;
+    --below[axis];
+    if (cellAt(cell) != cellAt(below))
+    {
+      walls.Add(cell, axis, cellAt(below) == 0);
+    }
+  }
+  return Smoothed(walls.Walls, 3);
+}
+
 Surface RandomSoup(Index points, Index triangles, std::uint64_t seed)
 {
   Random random(seed);
@@ -216,8 +303,8 @@ std::vector<NamedSurface> BrokenShapes()
   return { { "PinchedVertex", PinchedVertex(12, 6) }, { "PinchedSolids", PinchedSolids(12) },
     { "TetrahedronChain", TetrahedronChain(5) }, { "ThreeLeavedBook", ThreeLeavedBook(6) },
     { "MoebiusStrip", MoebiusStrip(30, 5) }, { "InconsistentGrid", InconsistentGrid(8) },
-    { "DuplicateTriangles", DuplicateTriangles(2, 20) }, { "SparseSoup", RandomSoup(300, 100, 11) },
-    { "DenseSoup", RandomSoup(40, 200, 12) } };
+    { "DuplicateTriangles", DuplicateTriangles(2, 20) }, { "HalvedBall", HalvedBall(5) },
+    { "SparseSoup", RandomSoup(300, 100, 11) }, { "DenseSoup", RandomSoup(40, 200, 12) } };
 }
 
 std::vector<NamedSurface> AllShapes()

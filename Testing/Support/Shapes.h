@@ -95,6 +95,10 @@ Surface InconsistentGrid(Index cells);
 /// An icosphere of which the first triangles stand there twice.
 Surface DuplicateTriangles(int levels, Index copies);
 
+/// The ball of that radius in cells, cut by the plane x = 0 into two that share their wall: three sheets meet in its rim,
+/// and cells that touch along an edge or in a corner do the rest. Smoothed.
+Surface HalvedBall(Index radius);
+
 /// Random triangles over few points: everything that can be wrong with edges.
 Surface RandomSoup(Index points, Index triangles, std::uint64_t seed);
 
@@ -103,6 +107,8 @@ Surface RandomSoup(Index points, Index triangles, std::uint64_t seed);
 /// Every triangle with three points of its own, as in STL.
 Surface Unwelded(const Surface& surface);
 
+/// Every point halfway to the mean of its neighbours, so many times; all points must be used.
+Surface Smoothed(Surface surface, int times);
 Surface Moved(Surface surface, const Vector3& offset);
 Surface Scaled(Surface surface, double factor);
 Surface TurnedInsideOut(Surface surface);

@@ -6,10 +6,11 @@
 import vtkmodules.vtkCommonExecutionModel  # noqa: F401
 
 from .vtkFiltersBoneDecimate import (
-    vtkBoneCheck, vtkBoneDecimate, vtkBoneErrorSearch, vtkBoneSurfaceDistance, vtkBoneTolerance)
+    vtkBoneCheck, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance,
+    vtkBoneTolerance)
 
-__all__ = ["vtkBoneCheck", "vtkBoneDecimate", "vtkBoneErrorSearch", "vtkBoneSurfaceDistance", "vtkBoneTolerance",
-           "error_curve", "smallest_error"]
+__all__ = ["vtkBoneCheck", "vtkBoneDecimate", "vtkBoneDecimateLevels", "vtkBoneErrorSearch", "vtkBoneSurfaceDistance",
+           "vtkBoneTolerance", "error_curve", "smallest_error"]
 
 
 def smallest_error(surface, triangles, precision=0.02, mode=vtkBoneDecimate.BALANCED):

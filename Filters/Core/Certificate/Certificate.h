@@ -111,7 +111,7 @@ struct CertificateOptions
   /// The bounds differ by at most this share of the upper one, or by a thousand-millionth of the largest coordinate, unless
   /// MostCuts ends it before.
   double RelativeGap = 1e-6;
-  /// How often pieces may be cut in each direction; 0: sixteen times for each triangle, and 2^22 times.
+  /// How often pieces may be cut in each direction; 0: sixteen times for each triangle, and 2^26 times.
   std::int64_t MostCuts = 0;
   bool WithSurfaces = true;
   bool WithBorders = true;

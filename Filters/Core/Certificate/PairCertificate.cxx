@@ -16,7 +16,7 @@ namespace bonedecimate::certificate
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr std::int64_t LeastMostCuts = std::int64_t{ 1 } << 22;
+constexpr std::int64_t LeastMostCuts = std::int64_t{ 1 } << 26;
 constexpr std::int64_t CutsASimplex = 16;
 /// The least gap that is looked for, 1e-9 of the extent, and the least that can be found: both bounds err by a slack.
 constexpr double SlacksOfGap = 2048.0;

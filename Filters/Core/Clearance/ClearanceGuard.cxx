@@ -112,6 +112,16 @@ Vector3 MostOf(const std::vector<Piece>& pieces)
   return high;
 }
 
+double MostReach(const std::vector<Piece>& pieces) // mm
+{
+  double most = 0.0;
+  for (const Piece& piece : pieces)
+  {
+    most = std::max(most, piece.Reach);
+  }
+  return most;
+}
+
 /// Whether p lies in what two patches with one rim enclose; in doubt it does.
 bool IsBetween(const Vector3& p, const std::vector<Piece>& a, const std::vector<Piece>& b)
 {
@@ -147,22 +157,22 @@ ClearanceGuard::ClearanceGuard(
 
 //------------------------------------------------------------------------------
 /// A new vertex stands for both that were merged into it.
-ClearanceGuard::Piece ClearanceGuard::PieceOf(
-  const Patch& change, const Triangle& vertices, const TriangleCorners& corners) const
+ClearanceGuard::Piece ClearanceGuard::PieceOf(const HalfEdgeMesh& mesh, const Patch& change,
+  const Triangle& vertices, const TriangleCorners& corners) const
 {
   Piece piece;
-  piece.Vertices = vertices;
+  piece.Vertices = { mesh.Site(vertices[0]), mesh.Site(vertices[1]), mesh.Site(vertices[2]) };
   piece.Corners = corners;
   piece.Low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
   piece.High = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
   piece.Normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-  for (const Index vertex : vertices)
+  for (const Index site : piece.Vertices)
   {
-    piece.LeastGap = piece.LeastGap.And(this->Widths.Of(vertex));
-    if (vertex == change.Moved)
+    piece.LeastGap = piece.LeastGap.And(this->Widths.Of(site));
+    if (change.Moved != None && site == mesh.Site(change.Moved))
     {
-      piece.LeastGap = piece.LeastGap.And(this->Widths.Of(change.Ends[0]));
-      piece.LeastGap = piece.LeastGap.And(this->Widths.Of(change.Ends[1]));
+      piece.LeastGap = piece.LeastGap.And(this->Widths.Of(mesh.Site(change.Ends[0])));
+      piece.LeastGap = piece.LeastGap.And(this->Widths.Of(mesh.Site(change.Ends[1])));
     }
   }
   piece.Reach = ReachOf(piece.LeastGap);
@@ -178,11 +188,11 @@ void ClearanceGuard::FillPieces(
   for (const Index face : change.OldFaces)
   {
     const Triangle v = mesh.Corners(face);
-    work.Old.push_back(this->PieceOf(change, v, CornersOf(mesh, v)));
+    work.Old.push_back(this->PieceOf(mesh, change, v, CornersOf(mesh, v)));
   }
   for (const Patch::Face& face : change.NewFaces)
   {
-    work.New.push_back(this->PieceOf(change, face.Vertices, face.Corners));
+    work.New.push_back(this->PieceOf(mesh, change, face.Vertices, face.Corners));
   }
 }
 
@@ -216,22 +226,28 @@ void ClearanceGuard::FindNear(const HalfEdgeMesh& mesh, const Patch& change, Wor
   std::sort(work.Faces.begin(), work.Faces.end());
   work.Faces.erase(std::unique(work.Faces.begin(), work.Faces.end()), work.Faces.end());
   const std::vector<Index>& old = change.OldFaces;
+  const double reach = std::max(MostReach(work.New), MostReach(work.Old));
+  const Vector3 wholeLow = LeastOf(work.Old).cwiseMin(LeastOf(work.New)).array() - reach;
+  const Vector3 wholeHigh = MostOf(work.Old).cwiseMax(MostOf(work.New)).array() + reach;
   for (const Index face : work.Faces)
   {
     const Triangle v = mesh.Corners(face);
     const TriangleCorners corners = CornersOf(mesh, v);
     const Vector3 low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
     const Vector3 high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+    const bool mayBeNear =
+      (wholeHigh - low).minCoeff() >= 0.0 && (high - wholeLow).minCoeff() >= 0.0;
     const auto isNear = [&](const Piece& piece)
     {
       return (piece.Low - high).cwiseMax(low - piece.High).cwiseMax(0.0).squaredNorm() <=
         piece.Reach * piece.Reach;
     };
-    if ((std::any_of(work.New.begin(), work.New.end(), isNear) ||
-          std::any_of(work.Old.begin(), work.Old.end(), isNear)) &&
+    if (mayBeNear &&
+      (std::any_of(work.New.begin(), work.New.end(), isNear) ||
+        std::any_of(work.Old.begin(), work.Old.end(), isNear)) &&
       std::find(old.begin(), old.end(), face) == old.end())
     {
-      work.Near.push_back(this->PieceOf(change, v, corners));
+      work.Near.push_back(this->PieceOf(mesh, change, v, corners));
     }
   }
 }
@@ -336,7 +352,7 @@ Verdict ClearanceGuard::Judge(const HalfEdgeMesh& mesh, const Patch& change, Wor
 }
 
 //------------------------------------------------------------------------------
-void ClearanceGuard::Commit(const Patch& change, Workspace& work)
+void ClearanceGuard::Commit(const HalfEdgeMesh& mesh, const Patch& change, Workspace& work)
 {
   std::size_t from = 0;
   for (std::size_t i = 0; i < change.OldFaces.size(); ++i)
@@ -354,8 +370,8 @@ void ClearanceGuard::Commit(const Patch& change, Workspace& work)
   }
   if (change.Moved != None)
   {
-    this->Widths.Set(
-      change.Moved, this->Widths.Of(change.Ends[0]).And(this->Widths.Of(change.Ends[1])));
+    this->Widths.Set(mesh.Site(change.Moved),
+      this->Widths.Of(mesh.Site(change.Ends[0])).And(this->Widths.Of(mesh.Site(change.Ends[1]))));
   }
 }
 }

@@ -25,13 +25,13 @@ namespace bonedecimate
 class ClearanceGuard
 {
 public:
-  /// @param surface Of which the mesh was made.  @param error mm, how far the surface may move.
+  /// @param surface Of which the mesh was made, its sheets joined.  @param error mm, how far the surface may move.
   ClearanceGuard(const HalfEdgeMesh& mesh, const Surface& surface, double error, int threads);
 
   /// A face with what every pair of it needs.
   struct Piece
   {
-    Triangle Vertices;
+    Triangle Vertices;       // their sites
     TriangleCorners Corners; // mm
     Vector3 Low, High;       // mm, its box
     Vector3 Normal;
@@ -56,11 +56,11 @@ public:
   Verdict Judge(const HalfEdgeMesh& mesh, const Patch& change, Workspace& work) const;
 
   /// Of the edit that was judged last, before or after it is carried out.
-  void Commit(const Patch& change, Workspace& work);
+  void Commit(const HalfEdgeMesh& mesh, const Patch& change, Workspace& work);
 
 private:
-  Piece PieceOf(
-    const Patch& change, const Triangle& vertices, const TriangleCorners& corners) const;
+  Piece PieceOf(const HalfEdgeMesh& mesh, const Patch& change, const Triangle& vertices,
+    const TriangleCorners& corners) const;
   void FillPieces(const HalfEdgeMesh& mesh, const Patch& change, Workspace& work) const;
   void FindCells(Workspace& work) const;
   void FindNear(const HalfEdgeMesh& mesh, const Patch& change, Workspace& work) const;

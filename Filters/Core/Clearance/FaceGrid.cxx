@@ -11,6 +11,9 @@ namespace
 {
 /// Cells along an axis are numbered by 21 bits; what lies beyond counts to the last.
 constexpr std::int32_t Farthest = (1 << 20) - 1;
+/// How many faces a cell is wide. Faces grow: in smaller cells they would soon be in too many, larger ones have parts of
+/// too many workers in them.
+constexpr double FacesOfSide = 2.0;
 /// Of a cell's side: how far around the surface empty cells know to whom they belong.
 constexpr double Margin = 0.25;
 /// Of a cell's side, for the rounding of what is divided by it.
@@ -134,7 +137,7 @@ FaceGrid::FaceGrid(const HalfEdgeMesh& mesh, double leastCell)
 }
 
 //------------------------------------------------------------------------------
-/// A little longer than a face on average, much longer where few faces are so large that they would fill too many cells.
+/// Some faces on average, many more where few faces are so large that they would fill too many cells.
 double FaceGrid::CellFor(const HalfEdgeMesh& mesh, double least) const
 {
   double lengths = 0.0; // mm
@@ -147,7 +150,7 @@ double FaceGrid::CellFor(const HalfEdgeMesh& mesh, double least) const
     areas += size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
   }
   const double faces = std::max(1, mesh.NumberOfFaceSlots());
-  return std::max({ least, 1.25 * lengths / faces, std::sqrt(areas / faces), 1e-30 });
+  return FacesOfSide * std::max({ least, 1.25 * lengths / faces, std::sqrt(areas / faces), 1e-30 });
 }
 
 //------------------------------------------------------------------------------

@@ -36,7 +36,7 @@ class FaceGrid
 public:
   using Key = std::uint64_t; ///< Names a cell.
 
-  /// @param leastCell mm, of the side of a cell.
+  /// @param leastCell mm, half of the least side of a cell.
   FaceGrid(const HalfEdgeMesh& mesh, double leastCell);
 
   /// Adds all cells within the reach (mm) of a triangle; none is left out, a few more may be there.

@@ -173,12 +173,14 @@ BlockSweep::Outcome BlockSweep::TryEdge(
   {
     return Outcome::TooFar;
   }
-  if (this->Work.Examine(candidate.Edge, this->Space) != Verdict::Allowed)
+  const Verdict verdict = this->Work.Examine(candidate.Edge, this->Space);
+  if (verdict != Verdict::Allowed && verdict != Verdict::Elsewhere)
   {
     return this->Task.TriesAll ? Outcome::TooFar : Outcome::Dearer;
   }
   const std::vector<Index>& ring = this->Space.Around.Ring;
-  if (!std::all_of(ring.begin(), ring.end(), [this](Index v) { return this->IsInside(v); }))
+  if (verdict == Verdict::Elsewhere ||
+    !std::all_of(ring.begin(), ring.end(), [this](Index v) { return this->IsInside(v); }))
   {
     this->PutOff(vertex);
     return Outcome::Elsewhere;
@@ -251,16 +253,15 @@ double BlockSweep::CostOfPeak(double distance) const
 }
 
 //------------------------------------------------------------------------------
-/// To the best place, or onto the border vertex where an inside edge leads to one.
+/// To the best place, or onto the vertex that stays, where an inside edge leads to the border, or any to a pinned one.
 Edit BlockSweep::EditOf(Index vertex, const VertexEdges::Candidate& candidate) const
 {
   const HalfEdgeMesh& mesh = this->Work.Mesh();
   const Index other = mesh.Across(candidate.Edge, vertex);
-  const bool onBorder = mesh.Kind(vertex) == VertexKind::Border;
-  if (onBorder != (mesh.Kind(other) == VertexKind::Border))
+  if (mesh.Kind(vertex) != mesh.Kind(other))
   {
-    const Index border = onBorder ? vertex : other;
-    return { candidate.Edge, border, mesh.Position(border), true };
+    const Index stays = mesh.Kind(vertex) > mesh.Kind(other) ? vertex : other;
+    return { candidate.Edge, stays, mesh.Position(stays), true };
   }
   const Vector3 move(candidate.Move[0], candidate.Move[1], candidate.Move[2]);
   return { candidate.Edge, vertex, mesh.Position(vertex) + move * mesh.Unit(), false };

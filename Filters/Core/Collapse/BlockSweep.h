@@ -120,6 +120,7 @@ void BlockSweep::Run(const BlockTask& task, const GoOn& goOn)
       break;
     }
     this->Cursors.fill(None);
+    this->Space.Rank = highest;
     for (std::size_t i = 0; i < this->Ready.size() && left > 0; ++i)
     {
       this->LookAhead(i);

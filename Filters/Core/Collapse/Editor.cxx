@@ -4,8 +4,10 @@
 
 #include "Gate.h"
 #include "Geometry/TriangleGeometry.h"
+#include "Mesh/Sheets.h"
 #include "Parallel.h"
 #include "RingQuadrics.h"
+#include "SheetRules.h"
 #include "SmallEdits.h"
 
 #include <algorithm>
@@ -25,7 +27,7 @@ Verdict Count(Verdict verdict, Workspace& work)
 }
 
 Editor::Editor(const CleanSurface& clean, const Books& books, int threads)
-  : Editor(HalfEdgeMesh(clean.Surface, threads), clean, books, threads)
+  : Editor(HalfEdgeMesh(clean.Surface, threads, clean.Sheets), clean, books, threads)
 {
 }
 
@@ -34,7 +36,8 @@ Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const Books& books,
   : Half(std::move(mesh))
   , KeepsQuadrics(books.Quadrics)
   , Source(clean, books.Distances)
-  , Volumes(this->Half, clean.Surface)
+  , Volumes(
+      WithJoined(clean, [this](const Surface& joined) { return Fragments(this->Half, joined); }))
 {
   if (books.Areas)
   {
@@ -78,7 +81,7 @@ Index Editor::Freeze(const std::vector<double>& tolerances)
   Index count = 0;
   for (Index v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
   {
-    count += isFrozen(v) ? 1 : 0;
+    count += isFrozen(v) && this->Half.Site(v) == v ? 1 : 0;
   }
   return count;
 }
@@ -86,8 +89,9 @@ Index Editor::Freeze(const std::vector<double>& tolerances)
 //------------------------------------------------------------------------------
 void Editor::KeepClearance(double error, int threads)
 {
-  this->Clearance =
-    std::make_unique<ClearanceGuard>(this->Half, this->Source.AtFirst(), error, threads);
+  this->Clearance = WithJoined(this->Source.AtFirst(),
+    [&](const Surface& joined)
+    { return std::make_unique<ClearanceGuard>(this->Half, joined, error, threads); });
 }
 
 //------------------------------------------------------------------------------
@@ -128,7 +132,7 @@ void Editor::CommitProof(Workspace& work)
   }
   if (this->Clearance)
   {
-    this->Clearance->Commit(work.Proofs->Change, work.Nearby);
+    this->Clearance->Commit(this->Half, work.Proofs->Change, work.Nearby);
   }
 }
 
@@ -141,7 +145,11 @@ Verdict Editor::JudgeEdge(Index edge, Workspace& work) const
     return ends;
   }
   work.Around.Gather(this->Half, edge);
-  const Verdict topology = JudgeTopology(this->Half, work.Around);
+  Verdict topology = JudgeTopology(this->Half, work.Around);
+  if (topology == Verdict::Allowed && this->Half.HasSheets())
+  {
+    topology = JudgeSheets(this->Half, work.Around, work.Range);
+  }
   if (topology != Verdict::Allowed)
   {
     work.Around.Edge = None;
@@ -244,8 +252,13 @@ Verdict Editor::ApplySmall(const Edit& wanted, Workspace& work, int workers)
   }
   const Index vertex = flips ? this->Half.Origin(edit.Edge) : edit.Keep;
   double volumeChange = 0.0; // mm^3
-  const Verdict verdict = flips ? JudgeFlip(this->Half, edit.Edge, volumeChange)
-                                : JudgeMove(this->Half, vertex, edit.Position, volumeChange);
+  Verdict verdict = flips ? JudgeFlip(this->Half, edit.Edge, volumeChange)
+                          : JudgeMove(this->Half, vertex, edit.Position, volumeChange);
+  if (verdict == Verdict::Allowed && flips && this->Half.HasSheets())
+  {
+    const std::array<Index, 4> corners = CornersAround(this->Half, edit.Edge);
+    verdict = JudgeNewEdge(this->Half, corners[2], corners[3], work.Range);
+  }
   if (verdict != Verdict::Allowed)
   {
     return verdict;
@@ -302,6 +315,11 @@ void Editor::KeepBooks(const Edit& edit, Index gone, double volumeChange, Worksp
   this->Source.Merge(edit.Keep, gone, edit.Position);
   work.Counted.Volumes.Add(this->Volumes.ComponentOf(edit.Keep), volumeChange);
   work.Counted.RemovedFaces += work.Around.NumberOfGoneFaces;
+  if (this->Recorder)
+  {
+    work.Counted.Log.push_back(
+      { edit.Position, edit.Edge, work.Around.GoneFaces[1], edit.Keep, work.Rank });
+  }
   work.Around.Edge = None;
   ++work.Counted.Edits;
   if (this->AfterEdit)
@@ -324,5 +342,45 @@ void Editor::Settle(Tally& tally)
   tally.Refusals.fill(0); // the list of volumes keeps its memory
   tally.Edits = 0;
   tally.RemovedFaces = 0;
+  if (this->Recorder)
+  {
+    this->Recorder->Add(tally.Log);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Editor::Settle(std::vector<Tally>& tallies)
+{
+  if (this->Recorder)
+  {
+    std::vector<std::vector<LoggedCollapse>*> lists;
+    for (Tally& tally : tallies)
+    {
+      lists.push_back(&tally.Log);
+    }
+    this->Recorder->AddMerged(lists);
+  }
+  for (Tally& tally : tallies)
+  {
+    this->Settle(tally);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Editor::BeginSmallEdits()
+{
+  if (this->Recorder)
+  {
+    this->Recorder->BeginPatch(this->Half);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Editor::EndSmallEdits()
+{
+  if (this->Recorder)
+  {
+    this->Recorder->EndPatch(this->Half);
+  }
 }
 }

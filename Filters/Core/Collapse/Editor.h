@@ -22,6 +22,7 @@
 #include "Clearance/ClearanceGuard.h"
 #include "Fragments.h"
 #include "Guarantee/Guarantee.h"
+#include "Levels/EditRecorder.h"
 #include "Mesh/Cleaning.h"
 #include "Mesh/Edit.h"
 #include "Mesh/FaceAreas.h"
@@ -86,6 +87,16 @@ public:
 
   /// Takes over what a worker counted.
   void Settle(Tally& tally);
+  /// Takes over what workers counted that worked side by side.
+  void Settle(std::vector<Tally>& tallies);
+
+  /// From now on the log is kept; before the first edit.
+  void Record() { this->Recorder.emplace(); }
+  /// Once, when all is done; positions are in mm from the local origin.
+  EditLog TakeLog() { return this->Recorder->Take(); }
+  /// Before and after flips and moves, for the log.
+  void BeginSmallEdits();
+  void EndSmallEdits();
 
   /// Before a pass of ApplySmall, and after the last: measures the fragments and shares what they may lose.
   void ShareVolumes() { this->Volumes.Share(this->Half); }
@@ -132,6 +143,7 @@ private:
   Fragments Volumes;
   Workspace Own;
   Hook AfterEdit;
+  std::optional<EditRecorder> Recorder;
   std::int64_t Edits = 0;
   std::array<std::int64_t, NumberOfVerdicts> RefusalsByVerdict{};
 };

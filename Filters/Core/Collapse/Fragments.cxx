@@ -18,10 +18,14 @@ constexpr double LeastVolumeShare = 0.25;
 constexpr double EditsOfVertex = 8.0;
 }
 
-Fragments::Fragments(const HalfEdgeMesh& mesh, const Surface& surface)
+Fragments::Fragments(const HalfEdgeMesh& mesh, const Surface& joined)
 {
-  Components components = FindComponents(surface);
+  Components components = FindComponents(joined);
   this->OfVertex = std::move(components.OfPoint);
+  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    this->OfVertex[v] = this->OfVertex[mesh.Site(v)];
+  }
   this->Volumes.resize(static_cast<std::size_t>(components.Count));
   const std::vector<double> volumes = this->Measure(mesh);
   for (std::size_t i = 0; i < volumes.size(); ++i)

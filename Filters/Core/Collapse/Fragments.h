@@ -33,7 +33,8 @@ public:
     std::vector<Change> List;
   };
 
-  Fragments(const HalfEdgeMesh& mesh, const Surface& surface);
+  /// @param joined The surface of the mesh, its sheets joined.
+  Fragments(const HalfEdgeMesh& mesh, const Surface& joined);
 
   /// Whether the component of v may change its volume by that much (mm^3). Open components and cavities of no volume may.
   /// What may still be lost is shared out evenly among `workers` who do not know of each other's changes.

@@ -33,8 +33,10 @@ Verdict JudgeEnds(const HalfEdgeMesh& mesh, Index edge)
   {
     return Verdict::Frozen;
   }
-  const bool bothOnBorder = start == VertexKind::Border && end == VertexKind::Border;
-  return bothOnBorder && mesh.Twin(edge) != None ? Verdict::Border : Verdict::Allowed;
+  const bool leavesBorder = start != VertexKind::Inside && end != VertexKind::Inside;
+  const bool areBothPinned = mesh.IsPinned(mesh.Origin(edge)) && mesh.IsPinned(mesh.Target(edge));
+  return areBothPinned || (leavesBorder && mesh.Twin(edge) != None) ? Verdict::Border
+                                                                    : Verdict::Allowed;
 }
 
 //------------------------------------------------------------------------------
@@ -47,8 +49,7 @@ Verdict JudgeTopology(const HalfEdgeMesh& mesh, const Neighbourhood& around)
   }
   // Two inside vertices with one staying face each: both faces would become the same triangle, back
   // to back. That is a tetrahedron, whether it stands alone or hangs on locked corners.
-  const bool bothInside =
-    mesh.Kind(around.Start) == VertexKind::Inside && mesh.Kind(around.End) == VertexKind::Inside;
+  const bool bothInside = !mesh.IsOnBorder(around.Start) && !mesh.IsOnBorder(around.End);
   if (bothInside && around.Corners.size() <= 2)
   {
     return around.RingIsSimple() ? Verdict::Fragment : Verdict::LinkCondition;

@@ -15,7 +15,8 @@
 
 namespace bonedecimate
 {
-/// Locked or frozen ends, and edges inside that join two border vertices: collapsing those would pinch the surface.
+/// Locked or frozen ends, two pinned ones, and edges inside that join two vertices on borders, seams or pinned: collapsing
+/// those would pinch the surface or move what must not move.
 Verdict JudgeEnds(const HalfEdgeMesh& mesh, Index edge);
 
 /// Link condition and the least size of fragments.

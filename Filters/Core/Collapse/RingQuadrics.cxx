@@ -80,7 +80,7 @@ public:
   {
     this->Ring.clear();
     this->Mesh.VisitNeighbours(v, [&](Index, Index other) { this->Ring.push_back(other); });
-    const bool isOpen = this->Mesh.Kind(v) == VertexKind::Border;
+    const bool isOpen = this->Mesh.IsOnBorder(v);
     if (!isOpen)
     {
       this->Ring.push_back(this->Ring.front());

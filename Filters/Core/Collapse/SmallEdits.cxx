@@ -53,6 +53,10 @@ Verdict JudgeFlipTopology(const HalfEdgeMesh& mesh, const std::array<Index, 4>& 
       return VerdictOfFixed(mesh.Kind(corner));
     }
   }
+  if (mesh.IsPinned(corners[0]) && mesh.IsPinned(corners[1]))
+  {
+    return Verdict::Border;
+  }
   bool joined = corners[2] == corners[3];
   mesh.VisitEdges(
     corners[2], [&](Index h) { joined = joined || mesh.Across(h, corners[2]) == corners[3]; });

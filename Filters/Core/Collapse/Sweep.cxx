@@ -238,10 +238,7 @@ bool Sweep::SweepBlocks(CostKey limit, BlockCut cut, const Monitor& monitor)
       counted[i] = std::exchange(block.Counted(), {});
       removed += counted[i].RemovedFaces;
     });
-  for (Tally& tally : counted)
-  {
-    this->Work.Settle(tally);
-  }
+  this->Work.Settle(counted);
   return done;
 }
 

@@ -13,20 +13,21 @@ namespace
 {
 constexpr float Never = std::numeric_limits<float>::infinity();
 
-/// An open border moves only along itself.
+/// An open border moves only along itself; what is pinned stays.
 Freedom FreedomOf(VertexKind first, VertexKind second, bool isBorderEdge)
 {
-  if (second == VertexKind::Locked || second == VertexKind::Frozen)
+  const bool leavesBorder = first != VertexKind::Inside && second != VertexKind::Inside;
+  if (second >= VertexKind::Locked || (leavesBorder && !isBorderEdge))
   {
     return Freedom::Nowhere;
   }
-  if (first == VertexKind::Border)
+  if (first == second)
   {
-    return second != VertexKind::Border ? Freedom::First
-      : isBorderEdge                    ? Freedom::Edge
-                                        : Freedom::Nowhere;
+    return first == VertexKind::Inside ? Freedom::Space
+      : first == VertexKind::Border    ? Freedom::Edge
+                                       : Freedom::Nowhere;
   }
-  return second == VertexKind::Border ? Freedom::Second : Freedom::Space;
+  return first > second ? Freedom::First : Freedom::Second;
 }
 }
 

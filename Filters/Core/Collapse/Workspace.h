@@ -11,6 +11,7 @@
 #include "Fragments.h"
 #include "Guarantee/Prover.h"
 #include "Kernels/Kernels.h"
+#include "Levels/EditLog.h"
 #include "Mesh/Neighbourhood.h"
 #include "Report.h"
 
@@ -40,6 +41,7 @@ struct Tally
   std::array<std::int64_t, NumberOfVerdicts> Refusals{};
   std::int64_t Edits = 0;
   Index RemovedFaces = 0;
+  std::vector<LoggedCollapse> Log; ///< Only where the run is recorded.
 };
 
 struct Workspace
@@ -48,6 +50,7 @@ struct Workspace
   FanStorage Faces;     ///< The fan of the edit judged last.
   Tally Counted;
   VertexRange Range;              ///< What the worker may change.
+  float Rank = 0.0F;              ///< What the next edit costs, for the log: see EditRecorder.h.
   std::shared_ptr<Prover> Proofs; ///< Lent where there is a guarantee.
   ClearanceGuard::Workspace Nearby;
 };

@@ -6,6 +6,7 @@
  *
  *     the face, then its pieces, larger ones first:
  *         its middle is too far away:                                                       refused
+ *         one original is near enough to all three corners:                                 proved
  *         the original lies over it like a sheet (PlaneCover):                              proved
  *         the place where the sheet seemed too far away is:                                 refused
  *         small enough, and a few originals around it prove it together (ShareProof):       proved

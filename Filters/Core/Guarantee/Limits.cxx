@@ -12,8 +12,9 @@ namespace bonedecimate
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-/// For the rounding of distances and of points between others, far more than they need.
-constexpr double RelativeSlack = 1e-6;
+/// Far more than the rounding of distances and of points between others needs: the certificate of the result then decides
+/// as soon as its bounds are that near to each other.
+constexpr double RelativeSlack = 2e-4;
 /// Of the largest coordinate, for the same.
 constexpr double AbsoluteSlack = 1e-14;
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patch.h"
 
+#include <algorithm>
+
 namespace bonedecimate
 {
 void Patch::Clear()
@@ -10,6 +12,7 @@ void Patch::Clear()
   this->NewFaces.clear();
   this->OldBorder.clear();
   this->NewBorder.clear();
+  this->BorderStays = false;
   this->Moved = None;
 }
 
@@ -53,10 +56,44 @@ void Patch::FillCollapse(const HalfEdgeMesh& mesh, const Neighbourhood& around, 
   }
   if (around.IsOpen)
   {
-    this->NewBorder.push_back({ around.Corners.front(), { edit.Keep, around.Ring.front() },
-      { edit.Position, mesh.Position(around.Ring.front()) } });
-    this->NewBorder.push_back({ HalfEdgeMesh::Previous(around.Corners.back()),
-      { around.Ring.back(), edit.Keep }, { mesh.Position(around.Ring.back()), edit.Position } });
+    this->AddBorder(mesh, around, edit);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Different lines may meet in a pinned vertex: there only edges of one line may take each other's place.
+void Patch::AddBorder(const HalfEdgeMesh& mesh, const Neighbourhood& around, const Edit& edit)
+{
+  const bool isPinned = mesh.IsPinned(edit.Keep);
+  const Index gone = edit.Keep == around.Start ? around.End : around.Start;
+  const auto onLine = [&](Index v) { return !mesh.IsPinned(v) ? v : isPinned ? gone : edit.Keep; };
+  this->BorderStays = isPinned && !around.IsBorderEdge();
+  std::array<BorderEdge, 2> edges;
+  edges[0] = { around.Corners.front(), { edit.Keep, around.Ring.front() },
+    { edit.Position, mesh.Position(around.Ring.front()) } };
+  edges[1] = { HalfEdgeMesh::Previous(around.Corners.back()), { around.Ring.back(), edit.Keep },
+    { mesh.Position(around.Ring.back()), edit.Position } };
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    BorderEdge& edge = edges[i];
+    edge.OnLine = { onLine(edge.Vertices[0]), onLine(edge.Vertices[1]) };
+    const auto old = std::find_if(this->OldBorder.begin(), this->OldBorder.end(),
+      [&](Index h) {
+        return i == 0 ? mesh.Target(h) == around.Ring.front()
+                      : mesh.Origin(h) == around.Ring.back();
+      });
+    if (this->BorderStays)
+    {
+      edge.Replaces = *old;
+    }
+    if (isPinned && !this->BorderStays && around.BorderEnds[i] == edit.Keep)
+    {
+      this->OldBorder.erase(old); // that of the pinned vertex's other line
+    }
+    else
+    {
+      this->NewBorder.push_back(edge);
+    }
   }
 }
 
@@ -99,12 +136,13 @@ void Patch::FillFlip(const HalfEdgeMesh& mesh, const Edit& edit)
   };
   add(HalfEdgeMesh::Face(h), { d, c, a });
   add(HalfEdgeMesh::Face(twin), { c, d, b });
+  this->BorderStays = true;
   const auto moveBorder = [&](Index from, Index to)
   {
     if (mesh.Twin(from) == None)
     {
       const std::array<Index, 2> v = { mesh.Origin(from), mesh.Target(from) };
-      this->NewBorder.push_back({ to, v, { mesh.Position(v[0]), mesh.Position(v[1]) } });
+      this->NewBorder.push_back({ to, v, { mesh.Position(v[0]), mesh.Position(v[1]) }, from, v });
     }
   };
   moveBorder(HalfEdgeMesh::Next(h), HalfEdgeMesh::Previous(twin));

@@ -29,12 +29,17 @@ struct Patch
     Index Id; // of its half-edge, after the edit
     std::array<Index, 2> Vertices;
     std::array<Vector3, 2> Ends;
+    Index Replaces = None; ///< Where BorderStays: the old half-edge in the same place.
+    /// Vertices near the ends that lie on this line alone: pinned ones are replaced by one that is not.
+    std::array<Index, 2> OnLine = { None, None };
   };
 
   std::vector<Index> OldFaces;
   std::vector<Face> NewFaces; // their ids are among the old ones
   std::vector<Index> OldBorder;
   std::vector<BorderEdge> NewBorder;
+  bool BorderStays =
+    false; ///< The border's edges stay in their places and only belong to other faces.
   std::array<Index, 2> Ends = { None, None }; ///< Vertices whose faces change all.
   Index Moved = None;                         ///< The vertex that is new or moves; None if none is.
   Vector3 Position = Vector3::Zero();
@@ -48,6 +53,7 @@ struct Patch
 private:
   void Clear();
   void AddOld(const HalfEdgeMesh& mesh, Index face, Index at, Index orAt);
+  void AddBorder(const HalfEdgeMesh& mesh, const Neighbourhood& around, const Edit& edit);
 };
 }
 

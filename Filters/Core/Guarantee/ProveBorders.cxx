@@ -25,13 +25,17 @@ bool Prover::BorderIsNear(const HalfEdgeMesh& mesh)
 //------------------------------------------------------------------------------
 bool Prover::NewBorderIsNear()
 {
+  if (this->Change.BorderStays)
+  {
+    return true;
+  }
   const WalkedBorder original(this->Shared.Borders, this->Shared.Allowed);
   for (const Patch::BorderEdge& edge : this->Change.NewBorder)
   {
     PieceCover<2>::Piece whole;
     for (std::size_t i = 0; i < 2; ++i)
     {
-      whole[i] = original.Find(edge.Ends[i], this->Shared.NearestBorder[edge.Vertices[i]]);
+      whole[i] = original.Find(edge.Ends[i], this->Shared.NearestBorder[edge.OnLine[i]]);
       if (edge.Vertices[i] == this->Change.Moved)
       {
         this->BorderPlace = whole[i].Nearest;
@@ -48,6 +52,11 @@ bool Prover::NewBorderIsNear()
 //------------------------------------------------------------------------------
 bool Prover::ProveBorderItem(const HalfEdgeMesh& mesh, Item& item)
 {
+  if (this->Change.BorderStays)
+  {
+    this->HandOver(item);
+    return true;
+  }
   this->Border.Candidates.clear();
   for (const Patch::BorderEdge& edge : this->Change.NewBorder)
   {
@@ -71,5 +80,20 @@ bool Prover::ProveBorderItem(const HalfEdgeMesh& mesh, Item& item)
     whole, [&](std::size_t used) { item.Used |= used < ours ? Faces(1) << used : Faces(0); });
   const std::size_t others = this->Border.Candidates.size() - ours;
   return proved && others + CountBits(item.Used) <= Supports::MostHolders;
+}
+
+//------------------------------------------------------------------------------
+/// From each old border edge to the new one in its place.
+void Prover::HandOver(Item& item)
+{
+  for (int slot = 0; slot < Supports::MostHolders; ++slot)
+  {
+    for (std::size_t i = 0; i < this->Change.NewBorder.size(); ++i)
+    {
+      const bool isHolder = (item.Gone >> slot & 1) != 0 &&
+        this->Shared.ByBorders.Holder(item.Id, slot) == this->Change.NewBorder[i].Replaces;
+      item.Used |= isHolder ? Faces(1) << i : Faces(0);
+    }
+  }
 }
 }

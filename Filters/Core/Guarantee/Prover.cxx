@@ -351,7 +351,7 @@ void Prover::Commit()
     this->Holders.push_back(face.Id);
   }
   Commit(this->Shared.ByFaces, this->Change.OldFaces, this->Items, this->Holders);
-  if (!this->Change.NewBorder.empty() && this->Change.Moved != None)
+  if (!this->Change.NewBorder.empty() && !this->Change.BorderStays && this->Change.Moved != None)
   {
     this->Shared.NearestBorder[this->Change.Moved] = this->BorderPlace;
   }

@@ -74,6 +74,7 @@ private:
   bool NewFacesAreNear();
   bool BorderIsNear(const HalfEdgeMesh& mesh);
   bool ProveBorderItem(const HalfEdgeMesh& mesh, Item& item);
+  void HandOver(Item& item);
   bool NewBorderIsNear();
   static void Commit(Supports& supports, const std::vector<Index>& gone, SparseSet<Item>& items,
     const std::vector<Index>& holders);

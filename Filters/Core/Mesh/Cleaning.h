@@ -14,6 +14,7 @@
 #ifndef BoneDecimate_Core_Mesh_Cleaning_h
 #define BoneDecimate_Core_Mesh_Cleaning_h
 
+#include "HalfEdgeMesh.h"
 #include "Report.h"
 #include "Surface.h"
 
@@ -32,7 +33,8 @@ struct CleanSurface
   std::vector<Index> InputPointCount; ///< Of each point: how many input points were merged into it.
   std::vector<Index> InputTriangle;   ///< Of each triangle.
   std::vector<Index>
-    PointOfInput; ///< Of each input point: its point here; None if no triangle uses it.
+    PointOfInput;  ///< Of each input point: its point here; None if no triangle uses it.
+  SheetMap Sheets; ///< Empty until it is split.
 };
 
 /**

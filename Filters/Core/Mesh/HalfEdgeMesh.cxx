@@ -33,7 +33,7 @@ double MeanLength(const Surface& surface, int threads)
 }
 }
 
-HalfEdgeMesh::HalfEdgeMesh(const Surface& surface, int threads)
+HalfEdgeMesh::HalfEdgeMesh(const Surface& surface, int threads, const SheetMap& sheets)
   : Vertices(surface.Points.size())
   , Faces(surface.Triangles.size())
   , LiveFaces(static_cast<Index>(surface.Triangles.size()))
@@ -57,6 +57,35 @@ HalfEdgeMesh::HalfEdgeMesh(const Surface& surface, int threads)
       this->Faces[f].Twins = { std::max(None, twins[0]), std::max(None, twins[1]),
         std::max(None, twins[2]), None }; // odd edges have no twin
     });
+  if (!sheets.Sites.empty())
+  {
+    this->LinkCopies(sheets);
+  }
+}
+
+//------------------------------------------------------------------------------
+void HalfEdgeMesh::LinkCopies(const SheetMap& sheets)
+{
+  this->Counts = sheets.Edges;
+  this->Sites = sheets.Sites;
+  this->NextCopies = sheets.Sites;
+  for (Index v = 0; v < this->NumberOfVertexSlots(); ++v)
+  {
+    const Index site = this->Sites[v];
+    if (v != site)
+    {
+      this->NextCopies[v] = std::exchange(this->NextCopies[site], v);
+    }
+  }
+  for (Index v = 0; v < this->NumberOfVertexSlots(); ++v)
+  {
+    VertexKind& kind = this->Kinds[v];
+    const bool isAlone = this->NextCopies[v] == v;
+    kind = isAlone                 ? kind
+      : kind == VertexKind::Inside ? VertexKind::Pinned
+      : kind == VertexKind::Border ? VertexKind::PinnedBorder
+                                   : kind;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -14,7 +14,8 @@
  *
  * Invariants (checked by Invariants.h): twins point at each other and run opposite ways; a face is alive or its
  * corners are None; the ring of a vertex that is not locked is one fan that holds all its faces; locked vertices
- * never move, never vanish, and their rings are not walked. Frozen ones are like locked ones whose rings are in order.
+ * never move, never vanish, and their rings are not walked. Frozen ones are like locked ones whose rings are in order;
+ * pinned ones stay, but their faces may change: what is collapsed at them ends in them.
  *
  * A face is half a cache line, a vertex is one: an edge is judged from the two records of its ends.
  */
@@ -31,13 +32,23 @@ namespace bonedecimate
 {
 enum class VertexKind : std::uint8_t
 {
-  Inside, ///< Its faces close around it.
-  Border, ///< On an open border, its faces are one fan.
-  Locked, ///< On a non-manifold edge, or where fans meet in one point.
-  Frozen  ///< Asked to stay, or a corner of a face that was; its ring can be walked.
+  Inside,       ///< Its faces close around it.
+  Border,       ///< On an open border, its faces are one fan.
+  Pinned,       ///< Its faces close around it, but other sheets meet there: it stays.
+  PinnedBorder, ///< On the border of a sheet where others meet it, its faces are one fan: it stays.
+  Locked,       ///< On a non-manifold edge, or where fans meet in one point, and not split.
+  Frozen        ///< Asked to stay, or a corner of a face that was; its ring can be walked.
 };
 
 struct Neighbourhood;
+
+/// How a surface was split, see Sheets.h.
+struct SheetMap
+{
+  std::vector<Index>
+    Sites;          ///< Of each point: the one that all its copies name. Empty: nothing was split.
+  EdgeCounts Edges; ///< Before.
+};
 
 /// Sums over the triangles at a vertex, of area A and unit normal n: all planes pass through the vertex.
 struct RingQuadric
@@ -66,7 +77,7 @@ class HalfEdgeMesh
 {
 public:
   /// Every point must be used by a triangle, corners of a triangle must differ.
-  explicit HalfEdgeMesh(const Surface& surface, int threads = 1);
+  explicit HalfEdgeMesh(const Surface& surface, int threads = 1, const SheetMap& sheets = {});
 
   // From the bits of the corner, since nobody can guess which corner it is: branches would be taken wrongly.
   static Index Next(Index h) { return h + 1 - 3 * (h >> 1 & 1); }
@@ -81,6 +92,16 @@ public:
   VertexKind Kind(Index v) const { return this->Kinds[v]; }
   /// Locked or frozen: it never moves and never vanishes. Nothing changes a face of three such corners.
   bool IsFixed(Index v) const { return this->Kinds[v] >= VertexKind::Locked; }
+  /// It never moves and never vanishes, but may be collapsed onto.
+  bool IsPinned(Index v) const
+  {
+    return this->Kinds[v] == VertexKind::Pinned || this->Kinds[v] == VertexKind::PinnedBorder;
+  }
+  /// Its ring is open. Not to be asked of locked and frozen ones.
+  bool IsOnBorder(Index v) const
+  {
+    return this->Kinds[v] == VertexKind::Border || this->Kinds[v] == VertexKind::PinnedBorder;
+  }
   const Vector3& Position(Index v) const { return this->Vertices[v].Position; }
   const VertexRecord& Record(Index v) const { return this->Vertices[v]; }
   RingQuadric& Quadric(Index v) { return this->Vertices[v].Quadric; }
@@ -102,12 +123,19 @@ public:
     return this->Faces[face].Twins[3] != None && area.dot(this->FirstNormal(face)) < 0.0;
   }
 
+  bool HasSheets() const { return !this->Sites.empty(); }
+  /// The same for all copies of a point in the sheets that meet there; v where there is one only.
+  Index Site(Index v) const { return this->Sites.empty() ? v : this->Sites[v]; }
+  /// Copy after copy, and back to the first.
+  Index NextCopy(Index v) const { return this->NextCopies.empty() ? v : this->NextCopies[v]; }
+
   Index NumberOfVertexSlots() const { return static_cast<Index>(this->Vertices.size()); }
   Index NumberOfFaceSlots() const { return static_cast<Index>(this->Faces.size()); }
   Index NumberOfFaces() const { return this->LiveFaces; }
 
   /// Mean length of the edges it was made with, one of each triangle, mm; 1 if there is no length.
   double LengthAtFirst() const { return this->Length; }
+  /// Sheets counted as joined.
   const EdgeCounts& EdgesAtFirst() const { return this->Counts; }
   /// The power of two nearest below that length, mm.
   double Unit() const { return this->LengthUnit; }
@@ -134,6 +162,8 @@ public:
 
 private:
   friend class Editor; // the one choke point: nobody else changes a mesh
+
+  void LinkCopies(const SheetMap& sheets);
 
   /// Merges the ends of the edge into `keep` (one of them) at `position`. The caller has judged that this is allowed.
   void Collapse(const Neighbourhood& around, Index keep, const Vector3& position);
@@ -171,6 +201,8 @@ private:
   LargeArray<VertexRecord> Vertices;
   LargeArray<FaceRecord> Faces;
   LargeArray<VertexKind> Kinds;
+  std::vector<Index> Sites;      // of each vertex; empty: there is one sheet
+  std::vector<Index> NextCopies; // of each vertex, if there are more
   Index LiveFaces = 0;
   EdgeCounts Counts;
   double Length = 1.0;     // mm

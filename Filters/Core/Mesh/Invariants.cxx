@@ -54,7 +54,7 @@ std::string BrokenRing(const HalfEdgeMesh& mesh, Index v, Index numberOfFaces)
   }
   const bool onBorder = mesh.Twin(start) == None;
   const bool isFrozen = mesh.Kind(v) == VertexKind::Frozen;
-  if (found != numberOfFaces || (!isFrozen && onBorder != (mesh.Kind(v) == VertexKind::Border)))
+  if (found != numberOfFaces || (!isFrozen && onBorder != mesh.IsOnBorder(v)))
   {
     return At("fan of vertex", v);
   }

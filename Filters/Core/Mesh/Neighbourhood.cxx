@@ -40,8 +40,8 @@ void Neighbourhood::Gather(const HalfEdgeMesh& mesh, Index edge)
   this->Corners.clear();
   this->Ring.clear();
 
-  const bool startOnBorder = twin != None && mesh.Kind(this->Start) == VertexKind::Border;
-  this->IsOpen = startOnBorder || mesh.Kind(this->End) == VertexKind::Border;
+  const bool startOnBorder = twin != None && mesh.IsOnBorder(this->Start);
+  this->IsOpen = startOnBorder || mesh.IsOnBorder(this->End);
   const Index first = !this->IsOpen ? mesh.Twin(HalfEdgeMesh::Previous(edge))
     : startOnBorder                 ? mesh.Outgoing(this->Start)
                                     : mesh.Outgoing(this->End);

@@ -235,6 +235,14 @@ void SortAlongCurve(CleanSurface& clean, int threads)
       Index& point = clean.PointOfInput[p];
       point = point == None ? None : number[point];
     });
+  if (!clean.Sheets.Sites.empty())
+  {
+    Permute(clean.Sheets.Sites, order, threads);
+    for (Index& site : clean.Sheets.Sites)
+    {
+      site = number[site];
+    }
+  }
   ForEachId(clean.Surface.Triangles.size(), threads,
     [&](std::size_t i)
     {

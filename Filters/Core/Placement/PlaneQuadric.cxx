@@ -132,15 +132,15 @@ Proposals ProposePlaces(
   const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around)
 {
   Proposals proposals;
-  const bool startOnBorder = mesh.Kind(around.Start) == VertexKind::Border;
-  const bool endOnBorder = mesh.Kind(around.End) == VertexKind::Border;
-  if (around.IsBorderEdge())
+  const VertexKind start = mesh.Kind(around.Start);
+  const VertexKind end = mesh.Kind(around.End);
+  if (start != end)
+  {
+    AddEnd(proposals, mesh, around, start > end ? around.Start : around.End);
+  }
+  else if (around.IsBorderEdge())
   {
     ProposeAlongBorder(mesh, areas, around, proposals);
-  }
-  else if (startOnBorder || endOnBorder)
-  {
-    AddEnd(proposals, mesh, around, startOnBorder ? around.Start : around.End);
   }
   else
   {

@@ -36,7 +36,7 @@ public:
     return position != this->Clean.Surface.Points[static_cast<std::size_t>(vertex)];
   }
 
-  const Surface& AtFirst() const { return this->Clean.Surface; }
+  const CleanSurface& AtFirst() const { return this->Clean; }
 
   /// Of every vertex there was: the one it has been merged into, over however many collapses.
   std::vector<Index> CurrentVertices() const;

@@ -170,10 +170,10 @@ bool ErrorCollapse::CollapseRound(Index size, Index shift, const Monitor& monito
       counted[i] = std::exchange(queue.Counted(), {});
       edges[i] = queue.LeftOver();
     });
-  for (std::size_t i = 0; i < blocks.size(); ++i)
+  this->Work.Settle(counted);
+  for (const std::vector<JudgedEdge>& rest : edges)
   {
-    this->Work.Settle(counted[i]);
-    left.insert(left.end(), edges[i].begin(), edges[i].end());
+    left.insert(left.end(), rest.begin(), rest.end());
   }
   this->Edges = std::move(left);
   return done;

@@ -87,6 +87,7 @@ bool ErrorQueue::Collapse(const JudgedEdge& edge)
   edit.Edge = edge.Edge;
   edit.Keep = around.Start;
   edit.Position = answer.Position;
+  this->Space.Rank = static_cast<float>(edge.Cost);
   const Verdict verdict = this->Work.Apply(edit, this->Space, this->Block.Workers);
   if (verdict != Verdict::Allowed)
   {

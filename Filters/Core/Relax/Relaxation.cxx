@@ -39,6 +39,7 @@ bool Relaxation::Sweep(int times, const Monitor& monitor)
   constexpr double settledAt = 0.06;
   constexpr double flippedAt = 0.45;
   bool goesOn = true;
+  this->Work.BeginSmallEdits();
   for (int i = 0; i < times && goesOn; ++i)
   {
     const Monitor sweep = PartOf(monitor, static_cast<double>(i) / times, (i + 1.0) / times);
@@ -46,6 +47,7 @@ bool Relaxation::Sweep(int times, const Monitor& monitor)
       this->FlipEdges(PartOf(sweep, settledAt, flippedAt)) &&
       this->MoveVertices(PartOf(sweep, flippedAt, 1.0));
   }
+  this->Work.EndSmallEdits();
   return goesOn;
 }
 

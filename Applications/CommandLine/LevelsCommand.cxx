@@ -1,0 +1,341 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LevelsCommand.h"
+
+#include "BoundText.h"
+#include "FileChecks.h"
+#include "HelpFormatter.h"
+#include "Interruption.h"
+#include "NumberText.h"
+#include "ProgressBar.h"
+#include "StagedFile.h"
+#include "SurfaceFiles.h"
+#include "SurfaceFormat.h"
+#include "VtkMessages.h"
+#include "Words.h"
+
+#include "vtkBoneDecimateLevels.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <list>
+#include <memory>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr int DistanceDecimals = 4;
+
+void AddRunOptions(CLI::App& app, LevelsArguments& arguments)
+{
+  app
+    .add_option("--log", arguments.Log,
+      WrappedHelp("Take the levels from this log, recorded on the same INPUT, instead of a run."))
+    ->type_name("FILE");
+  app.add_option("--record", arguments.Record, WrappedHelp("Write the log of the run."))
+    ->type_name("FILE");
+  app
+    .add_option("--coarsest", arguments.Coarsest,
+      WrappedHelp("Triangles of the coarsest level; default a tenth of the input's."))
+    ->type_name("N")
+    ->check(CLI::Range(1, 2147483647).description(""));
+  app.add_option("--mode", arguments.Mode, "Of the run, default Balanced.")
+    ->type_name("Thesis|Fast|Balanced|Accurate")
+    ->check(CLI::IsMember({ "Thesis", "Fast", "Balanced", "Accurate" }, CLI::ignore_case)
+              .description(""));
+  app
+    .add_option("--max-error", arguments.MaximumError,
+      WrappedHelp("Largest distance in mm that the run may cause; every level keeps it."))
+    ->type_name("MM")
+    ->check(CLI::Range(1e-9, 1e30).description(""));
+  app.add_flag("--no-errors", arguments.WithoutErrors,
+    WrappedHelp("Do not measure how far levels are from the input."));
+}
+
+void AddLevelOptions(CLI::App& app, LevelsArguments& arguments)
+{
+  app
+    .add_option("--triangles", arguments.Triangles,
+      WrappedHelp("Levels by their numbers of triangles, with commas between them."))
+    ->type_name("N,...")
+    ->delimiter(',')
+    ->check(CLI::Range(1, 2147483647).description(""));
+  app
+    .add_option("--errors", arguments.Errors,
+      WrappedHelp("Levels by their largest measured distances in mm, with commas between them."))
+    ->type_name("MM,...")
+    ->delimiter(',')
+    ->check(CLI::Range(1e-9, 1e30).description(""));
+  app
+    .add_option("--output", arguments.Output,
+      WrappedHelp("Where levels go: with NAME.EXT, a level to NAME-TRIANGLES.EXT."))
+    ->type_name("NAME.EXT");
+  app
+    .add_option("--on", arguments.On,
+      WrappedHelp("Put the levels on this surface, which has the triangles of INPUT and other "
+                  "points, such as a bone registered to it."))
+    ->type_name("FILE");
+  app
+    .add_option("--threads", arguments.Threads,
+      WrappedHelp("0, the default, is one per processor. The levels are the same."))
+    ->type_name("N")
+    ->check(CLI::Range(0, 1024).description(""));
+  app.add_flag("--quiet", arguments.Quiet, "Nothing on the standard output.");
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> ReadBytes(const std::string& path)
+{
+  CheckFile(path);
+  const std::uintmax_t size = std::filesystem::file_size(path);
+  auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  bytes->SetNumberOfValues(static_cast<vtkIdType>(size));
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(reinterpret_cast<char*>(bytes->GetPointer(0)), static_cast<std::streamsize>(size));
+  if (!stream)
+  {
+    Refuse(path, "it could not be read");
+  }
+  return bytes;
+}
+
+std::string NameOfLevel(const std::string& output, vtkIdType triangles)
+{
+  const std::filesystem::path path(output);
+  const std::string name =
+    path.stem().string() + "-" + std::to_string(triangles) + path.extension().string();
+  return (path.parent_path() / name).string();
+}
+
+/// No output takes the place of a surface that was read.
+void KeepSurfaces(const LevelsArguments& arguments, const std::string& output)
+{
+  for (const std::string* input : { &arguments.Input, &arguments.On })
+  {
+    std::error_code error;
+    if (std::filesystem::equivalent(output, *input, error))
+    {
+      throw Failure(ExitCode::Usage, "'" + output + "' is a surface; it is not overwritten");
+    }
+  }
+}
+
+/// One command; the verbs are in the order of RunLevels().
+class LevelsRun
+{
+public:
+  explicit LevelsRun(const LevelsArguments& arguments)
+    : Asked(arguments)
+  {
+    const std::string mode = LowerText(arguments.Mode);
+    this->Filter->SetMode(mode == "thesis" ? 0 : mode == "fast" ? 1 : mode == "balanced" ? 2 : 3);
+    this->Filter->SetCoarsestNumberOfTriangles(arguments.Coarsest);
+    this->Filter->SetMaximumError(arguments.MaximumError);
+    this->Filter->SetMeasureErrors(!arguments.WithoutErrors);
+    this->Filter->SetNumberOfThreads(arguments.Threads);
+  }
+
+  void Read()
+  {
+    this->Filter->SetInputData(this->ReadOne(this->Asked.Input));
+    if (!this->Asked.Log.empty())
+    {
+      this->Filter->SetLog(ReadBytes(this->Asked.Log));
+    }
+    if (!this->Asked.Record.empty())
+    {
+      this->Record.emplace(this->Asked.Record);
+    }
+  }
+
+  void Run()
+  {
+    vtkNew<ProgressBar> bar;
+    bar->SetShown(!this->Asked.Quiet && this->Asked.Log.empty());
+    this->Filter->AddObserver(vtkCommand::ProgressEvent, bar);
+    this->Update(this->Asked.Log.empty() ? this->Asked.Input : this->Asked.Log);
+    bar->Clear();
+    this->Filter->RemoveObserver(bar);
+    StopIfInterrupted();
+    if (!this->Asked.On.empty())
+    {
+      this->Filter->SetInputData(1, this->ReadOne(this->Asked.On));
+    }
+  }
+
+  /// Whole or not at all: no file gets its name before all are written.
+  void Write()
+  {
+    if (this->Record)
+    {
+      vtkUnsignedCharArray* log = this->Filter->GetLog();
+      const auto* bytes = reinterpret_cast<const char*>(log->GetPointer(0));
+      this->Record->WriteText(
+        std::string(bytes, static_cast<std::size_t>(log->GetNumberOfValues())));
+      this->Record->Flush();
+    }
+    std::list<StagedFile> files;
+    for (const int triangles : this->Asked.Triangles)
+    {
+      this->WriteLevel(triangles, 0.0, files);
+    }
+    for (const double error : this->Asked.Errors)
+    {
+      this->WriteLevel(0, error, files);
+    }
+    for (StagedFile& file : files)
+    {
+      file.Flush();
+    }
+    for (StagedFile& file : files)
+    {
+      file.Commit();
+    }
+    if (this->Record)
+    {
+      this->Record->Commit();
+    }
+  }
+
+  void Tell() const
+  {
+    if (this->Asked.Quiet)
+    {
+      return;
+    }
+    for (int mark = 0; mark < this->Filter->GetNumberOfMarks(); ++mark)
+    {
+      std::cout << GroupedText(this->Filter->GetMarkTriangles(mark)) << " triangles";
+      if (!std::isnan(this->Filter->GetMarkLargestDistance(mark)))
+      {
+        std::cout << ", largest distance "
+                  << FixedText(this->Filter->GetMarkLargestDistance(mark), DistanceDecimals)
+                  << " mm, mean "
+                  << FixedText(this->Filter->GetMarkMeanDistance(mark), DistanceDecimals) << " mm";
+      }
+      std::cout << "\n";
+    }
+    for (const std::string& name : this->Written)
+    {
+      std::cout << "wrote " << name << "\n";
+    }
+    for (const std::string& warning : this->Warnings)
+    {
+      std::cout << "warning: " << warning << "\n";
+    }
+  }
+
+private:
+  vtkSmartPointer<vtkPolyData> ReadOne(const std::string& path)
+  {
+    const LoadedSurface loaded = ReadSurface(path);
+    this->Warnings.insert(this->Warnings.end(), loaded.Warnings.begin(), loaded.Warnings.end());
+    return loaded.Surface;
+  }
+
+  /// @param source Who is to blame for an error.
+  void Update(const std::string& source)
+  {
+    TakeVtkMessages();
+    this->Filter->Update();
+    const VtkMessages messages = TakeVtkMessages();
+    if (!messages.Errors.empty())
+    {
+      Refuse(source, messages.Errors.front());
+    }
+  }
+
+  void WriteLevel(int triangles, double error, std::list<StagedFile>& files)
+  {
+    this->Filter->SetNumberOfTriangles(triangles);
+    this->Filter->SetLevelError(error);
+    this->Update(this->Asked.On.empty() ? this->Asked.Input : this->Asked.On);
+    StopIfInterrupted();
+    vtkPolyData* level = this->Filter->GetOutput();
+    const std::string name = NameOfLevel(this->Asked.Output, level->GetNumberOfPolys());
+    if (std::find(this->Written.begin(), this->Written.end(), name) == this->Written.end())
+    {
+      KeepSurfaces(this->Asked, name);
+      StagedFile& file = files.emplace_back(name);
+      WriteSurface(level, file.GetTemporary(), file.GetTarget());
+      this->Written.push_back(name);
+    }
+  }
+
+  const LevelsArguments& Asked;
+  std::vector<std::string> Warnings;
+  std::vector<std::string> Written;
+  std::optional<StagedFile> Record;
+  vtkNew<vtkBoneDecimateLevels> Filter;
+};
+
+void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
+{
+  for (const char* flag : { "--record", "--coarsest", "--mode", "--max-error", "--no-errors" })
+  {
+    if (!arguments.Log.empty() && app.count(flag) > 0)
+    {
+      throw Failure(
+        ExitCode::Usage, std::string(flag) + " is for a run, and --log takes its place");
+    }
+  }
+  const bool wantsLevels = !arguments.Triangles.empty() || !arguments.Errors.empty();
+  if (wantsLevels == arguments.Output.empty())
+  {
+    throw Failure(ExitCode::Usage,
+      wantsLevels ? "--output is needed for the levels" : "--output needs --triangles or --errors");
+  }
+  if (wantsLevels && FormatOf(arguments.Output) == SurfaceFormat::Unknown)
+  {
+    throw Failure(ExitCode::Usage,
+      "--output '" + arguments.Output + "' needs one of the extensions " + SurfaceExtensions);
+  }
+  KeepSurfaces(arguments, arguments.Record);
+}
+}
+
+std::optional<LevelsArguments> ParseLevelsArguments(int argc, char* argv[])
+{
+  LevelsArguments arguments;
+  std::vector<std::string> files;
+  CLI::App app("Levels of detail: one run, recorded, and any stage of it at once, by a number of "
+               "triangles or by a measured distance.",
+    "bonedecimate levels");
+  app.formatter(std::make_shared<HelpFormatter>("INPUT [OPTIONS]"));
+  app.footer(ExitCodesText());
+  app.add_option("FILES", files, WrappedHelp("A surface (obj, stl, ply, vtp, vtk), mm."))
+    ->type_name("")
+    ->allow_extra_args();
+  AddRunOptions(app, arguments);
+  AddLevelOptions(app, arguments);
+  if (!ParseWords(app, WordsOf(argc, argv, 2)))
+  {
+    return {};
+  }
+  if (files.size() != 1)
+  {
+    throw Failure(
+      ExitCode::Usage, "levels takes one INPUT; there are " + std::to_string(files.size()));
+  }
+  arguments.Input = files[0];
+  CheckTogether(app, arguments);
+  return arguments;
+}
+
+ExitCode RunLevels(const LevelsArguments& arguments)
+{
+  LevelsRun run(arguments);
+  run.Read();
+  StopIfInterrupted();
+  run.Run();
+  run.Write();
+  run.Tell();
+  return ExitCode::Done;
+}
+}

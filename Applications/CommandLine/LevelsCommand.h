@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LevelsCommand.h
+ * @brief bonedecimate levels: records a run or takes its log from a file, lists the levels that were measured, writes those
+ * that are asked for.
+ */
+#ifndef BoneDecimate_Applications_LevelsCommand_h
+#define BoneDecimate_Applications_LevelsCommand_h
+
+#include "ExitCode.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+struct LevelsArguments
+{
+  std::string Input;
+  std::string Log; ///< A log instead of a run.
+
+  /// @name A run. @{
+  int Coarsest = 0;
+  std::string Mode = "Balanced";
+  double MaximumError = 0.0; ///< mm
+  bool WithoutErrors = false;
+  std::string Record; ///< Where its log goes; empty: nowhere.
+  /// @}
+
+  /// @name Levels. @{
+  std::vector<int> Triangles;
+  std::vector<double> Errors; ///< mm
+  std::string Output;         ///< NAME.EXT; a level goes to NAME-TRIANGLES.EXT.
+  std::string On;             ///< A surface with the same triangles; empty: the input.
+  /// @}
+
+  int Threads = 0;
+  bool Quiet = false;
+};
+
+/// @returns Nothing if it asked for a text (--help), which is then printed.
+/// @throws Failure(ExitCode::Usage)
+std::optional<LevelsArguments> ParseLevelsArguments(int argc, char* argv[]);
+
+/// @throws Failure, std::bad_alloc
+ExitCode RunLevels(const LevelsArguments& arguments);
+}
+
+#endif

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SheetRules.h
+ * @brief What no edit may do where sheets meet: join two sheets along an edge that they did not have in common.
+ */
+#ifndef BoneDecimate_Core_Collapse_SheetRules_h
+#define BoneDecimate_Core_Collapse_SheetRules_h
+
+#include "Mesh/Neighbourhood.h"
+#include "Mesh/VertexRange.h"
+#include "Report.h"
+
+namespace bonedecimate
+{
+/// Whether an edge leads from any copy of a to any copy of b, or both are copies of one point.
+bool AreJoined(const HalfEdgeMesh& mesh, Index a, Index b);
+
+/// Of a collapse.  @return Elsewhere if a copy of something around the edge is out of range.
+Verdict JudgeSheets(const HalfEdgeMesh& mesh, const Neighbourhood& around, VertexRange range);
+
+/// Of a flip that makes an edge from a to b.
+Verdict JudgeNewEdge(const HalfEdgeMesh& mesh, Index a, Index b, VertexRange range);
+}
+
+#endif

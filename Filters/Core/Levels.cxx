@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Levels.h"
+
+#include "Levels/CarriedPoint.h"
+#include "Measure/SurfaceDistance.h"
+#include "Mesh/Checksum.h"
+#include "Mesh/Sheets.h"
+#include "Mesh/SpatialOrder.h"
+#include "Mesh/SurfaceAssembly.h"
+#include "Parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr std::int64_t MostSamplesOfMark = 200000;
+
+std::uint64_t ConnectivityOf(const Surface& surface, int threads)
+{
+  Surface triangles;
+  triangles.Triangles = surface.Triangles;
+  return Checksum(triangles, threads);
+}
+
+/// See Decimate.cxx.
+void NumberAsInRun(CleanSurface& clean, int threads)
+{
+  SortAlongCurve(clean, threads);
+  const HalfEdgeMesh mesh(clean.Surface, threads);
+  if (HasSeams(mesh))
+  {
+    SplitSheets(clean, mesh);
+    SortAlongCurve(clean, threads);
+  }
+}
+}
+
+LogStatus Levels::Open(const Surface& input, EditLog log, int threads)
+{
+  this->Stack.reset();
+  CleanSurface clean = Clean(input, log.MergesPoints, threads);
+  if (clean.Status != InputStatus::Good || Checksum(input, threads) != log.InputChecksum)
+  {
+    return LogStatus::OtherSurface;
+  }
+  NumberAsInRun(clean, threads);
+  if (clean.Surface.Points.size() != static_cast<std::size_t>(log.Vertices))
+  {
+    return LogStatus::OtherSurface;
+  }
+  std::optional<LevelStack> stack = LevelStack::Build(clean.Surface.Triangles, log);
+  const auto isTrue = [&](const LevelMark& mark)
+  { return stack->TrianglesAt(mark.Collapses) == mark.Triangles; };
+  if (!stack || !std::all_of(log.Marks.begin(), log.Marks.end(), isTrue))
+  {
+    return LogStatus::Contradictory;
+  }
+  this->Edits = std::move(log);
+  this->Threads = threads;
+  this->InputPoint = std::move(clean.InputPoint);
+  this->Sites = std::move(clean.Sheets.Sites);
+  this->InputPoints = input.Points.size();
+  this->Points = this->PointsOf(input);
+  this->Triangles = std::move(clean.Surface.Triangles);
+  this->Connectivity = ConnectivityOf(input, threads);
+  this->Stack = std::move(stack);
+  return LogStatus::Good;
+}
+
+//------------------------------------------------------------------------------
+/// Of each vertex of the cleaned input.
+std::vector<Vector3> Levels::PointsOf(const Surface& input) const
+{
+  std::vector<Vector3> points(this->InputPoint.size());
+  ForEachId(points.size(), this->Threads,
+    [&](std::size_t v)
+    {
+      const Vector3& point = input.Points[static_cast<std::size_t>(this->InputPoint[v])];
+      points[v] = this->Edits.IsSingle ? RoundedToSingle(point) : point;
+    });
+  return points;
+}
+
+//------------------------------------------------------------------------------
+Index Levels::ByError(double error) const
+{
+  Index level = 0;
+  for (const LevelMark& mark : this->Edits.Marks)
+  {
+    level = mark.Largest <= error ? mark.Collapses : level;
+  }
+  return level;
+}
+
+//------------------------------------------------------------------------------
+std::optional<Level> Levels::AtOn(const Surface& other, Index collapses) const
+{
+  if (other.Points.size() != this->InputPoints ||
+    ConnectivityOf(other, this->Threads) != this->Connectivity)
+  {
+    return {};
+  }
+  const std::vector<Vector3> points = this->PointsOf(other);
+  const BoundingTree tree({ this->Points, this->Triangles }, this->Threads);
+  const auto cornersIn = [this](const std::vector<Vector3>& all, Index triangle)
+  {
+    const Triangle& c = this->Triangles[static_cast<std::size_t>(triangle)];
+    return std::array<Vector3, 3>{ all[static_cast<std::size_t>(c[0])],
+      all[static_cast<std::size_t>(c[1])], all[static_cast<std::size_t>(c[2])] };
+  };
+  Level level = this->At(collapses);
+  ForEachId(level.Vertices.size(), this->Threads,
+    [&](std::size_t p)
+    {
+      const auto vertex = static_cast<std::size_t>(level.Vertices[p]);
+      Vector3& point = level.Surface.Points[p];
+      if (point == this->Points[vertex])
+      {
+        point = points[vertex];
+        return;
+      }
+      const Index triangle = tree.FindNearest(point).Triangle;
+      point = CarriedPoint(point, cornersIn(this->Points, triangle), cornersIn(points, triangle));
+      point = this->Edits.IsSingle ? RoundedToSingle(point) : point;
+    });
+  return level;
+}
+
+//------------------------------------------------------------------------------
+bool Levels::Mark(bool measure, const Monitor& monitor)
+{
+  this->Edits.Marks.clear();
+  const Index last = this->NumberOfCollapses();
+  for (double triangles = this->TrianglesAt(0); last > 0; triangles /= std::sqrt(2.0))
+  {
+    LevelMark mark;
+    mark.Collapses = this->ByTriangles(static_cast<Index>(triangles));
+    mark.Triangles = this->TrianglesAt(mark.Collapses);
+    if (mark.Collapses > 0)
+    {
+      this->Edits.Marks.push_back(mark);
+    }
+    if (mark.Collapses == last)
+    {
+      break;
+    }
+  }
+  if (!measure || this->Edits.Marks.empty())
+  {
+    return true;
+  }
+  const BoundingTree input({ this->Points, this->Triangles }, this->Threads);
+  double done = 0.0;
+  for (LevelMark& mark : this->Edits.Marks)
+  {
+    if (monitor && !monitor(done / static_cast<double>(this->Edits.Marks.size())))
+    {
+      return false;
+    }
+    this->MeasureMark(input, mark);
+    done += 1.0;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void Levels::MeasureMark(const BoundingTree& input, LevelMark& mark) const
+{
+  const std::int64_t samples =
+    std::min(MostSamplesOfMark, 4 * static_cast<std::int64_t>(this->Triangles.size()));
+  const Surface level = this->At(mark.Collapses).Surface;
+  const BoundingTree tree(level, this->Threads);
+  const DistanceStatistics to = MeasureDistance(level,
+    PointDistances(level.Points, input, this->Threads, {}), input, samples, this->Threads, {});
+  const DistanceStatistics from = MeasureDistance({ this->Points, this->Triangles },
+    PointDistances(this->Points, tree, this->Threads, {}), tree, samples, this->Threads, {});
+  mark.Largest = std::max(to.Maximum, from.Maximum);
+  mark.Mean = std::max(to.Mean, from.Mean);
+}
+
+//------------------------------------------------------------------------------
+Result RecordLevels(const Surface& input, const Options& options, const Monitor& monitor,
+  bool inputIsSingle, Levels& levels)
+{
+  constexpr double runAt = 0.5;
+  EditLog log;
+  const Monitor all = [&monitor](double done) { return !monitor || monitor(done); };
+  Result run =
+    Decimate(input, options, PartOf(all, 0.0, runAt), inputIsSingle, false, nullptr, nullptr, &log);
+  levels = Levels();
+  if (run.Report.Status == InputStatus::Good &&
+    levels.Open(input, std::move(log), options.NumberOfThreads) == LogStatus::Good &&
+    !levels.Mark(options.MeasureDistances, PartOf(all, runAt, 1.0)))
+  {
+    run.Report.Stop = StopReason::Aborted;
+  }
+  return run;
+}
+}

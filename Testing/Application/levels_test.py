@@ -1,0 +1,88 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""bonedecimate levels: record, list, take levels out; damaged logs."""
+
+from application import NOT_WRITTEN, REFUSED, USAGE, ApplicationTest, main, torus, write
+
+
+class Levels(ApplicationTest):
+    def setUp(self):
+        super().setUp()
+        write(torus(), self.path("in.ply"))
+
+    def record(self, *words):
+        return self.succeed("levels", "in.ply", "--record", "in.levels", "--coarsest", 200, *words).stdout
+
+    def test_levels_out_of_a_log_are_those_of_its_run(self):
+        levels = ("--triangles", "1000,400,200", "--output", "run.ply", "--no-errors", "--quiet")
+        self.assertEqual(self.record(*levels), "")
+        self.succeed("levels", "in.ply", "--log", "in.levels", "--triangles", "1000,400,200", "--output", "log.ply")
+        for triangles in (1000, 400, 200):
+            of_run = self.path(f"run-{triangles}.ply").read_bytes()
+            self.assertEqual(self.path(f"log-{triangles}.ply").read_bytes(), of_run)
+            self.assertIn(b"element face %d\n" % triangles, of_run)
+
+    def test_the_coarsest_level_is_the_result_of_a_decimation(self):
+        self.record("--no-errors", "--mode", "fast", "--triangles", 200, "--output", "level.obj")
+        self.succeed("in.ply", "direct.obj", "--mode", "fast", "--target-faces", 200, "--quiet")
+
+        def data(name):
+            lines = self.path(name).read_text(encoding="ascii").splitlines()
+            return [line for line in lines if line[:2] in ("v ", "f ")]
+
+        self.assertEqual(data("level-200.obj"), data("direct.obj"))
+
+    def test_measured_levels_are_listed_and_taken_by_their_distance(self):
+        lines = self.record().splitlines()
+        self.assertRegex(lines[0], r"^1,\d\d\d triangles, largest distance 0\.\d{4} mm, mean 0\.\d{4} mm$")
+        self.assertTrue(lines[-1].startswith("200 triangles, largest distance "))
+        self.assertEqual(self.succeed("levels", "in.ply", "--log", "in.levels").stdout.splitlines(), lines)
+        largest = float(lines[-1].split()[4]) + 1e-4
+        words = ("--log", "in.levels", "--errors", largest, "--output", "near.stl")
+        self.assertIn("wrote near-200.stl\n", self.succeed("levels", "in.ply", *words).stdout)
+
+    def test_levels_go_onto_another_surface_of_the_same_triangles(self):
+        self.record("--no-errors", "--quiet")
+        write(torus(centre=30.0), self.path("there.ply"))
+        words = ("--log", "in.levels", "--triangles", 300, "--output", "on.ply", "--on")
+        self.succeed("levels", "in.ply", *words, "there.ply")
+        self.assertIn(b"element face 300\n", self.path("on-300.ply").read_bytes())
+        write(torus(rings=41), self.path("other.ply"))
+        self.path("on-300.ply").unlink()
+        self.fail_with(REFUSED, "levels", "in.ply", *words, "other.ply", says="not those of the first")
+
+    def test_damaged_logs_are_refused(self):
+        self.record("--no-errors", "--quiet")
+        log = self.path("in.levels").read_bytes()
+        damaged = {
+            "cut": (log[:1000], "damaged"),
+            "changed": (log[:500] + bytes([log[500] ^ 1]) + log[501:], "damaged"),
+            "longer": (log + b"\0", "damaged"),
+            "newer": (log[:8] + b"\2" + log[9:], "version"),
+            "other": (b"ply\n" + log, "no log"),
+            "empty": (b"", "empty"),
+        }
+        for name, (content, says) in damaged.items():
+            self.path(name).write_bytes(content)
+            self.fail_with(REFUSED, "levels", "in.ply", "--log", name, says=says)
+        write(torus(rings=41), self.path("other.ply"))
+        self.fail_with(REFUSED, "levels", "other.ply", "--log", "in.levels", says="another surface")
+        self.fail_with(REFUSED, "levels", "in.ply", "--log", "nothing", says="no such file")
+        self.fail_with(REFUSED, "levels", "in.ply", "--log", ".", says="folder")
+
+    def test_refuses_what_makes_no_sense(self):
+        self.fail_with(USAGE, "levels")
+        self.fail_with(USAGE, "levels", "in.ply", "in.ply")
+        self.fail_with(USAGE, "levels", "in.ply", "--triangles", 300, says="--output is needed")
+        self.fail_with(USAGE, "levels", "in.ply", "--output", "out.ply", says="needs --triangles")
+        self.fail_with(USAGE, "levels", "in.ply", "--triangles", 300, "--output", "out.txt", says="extensions")
+        self.fail_with(USAGE, "levels", "in.ply", "--log", "a", "--mode", "fast", says="takes its place")
+        self.fail_with(USAGE, "levels", "in.ply", "--record", "in.ply", says="not overwritten")
+        write(torus(), self.path("out-300.ply"))
+        words = ("--triangles", 300, "--output", "out.ply", "--no-errors")
+        self.fail_with(USAGE, "levels", "out-300.ply", *words, says="not overwritten")
+        self.fail_with(NOT_WRITTEN, "levels", "in.ply", "--record", "nowhere/in.levels", "--no-errors")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The log as bytes: there and back, damaged, and forged.
+#include "LevelRuns.h"
+#include "Random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+using namespace bonedecimate;
+using namespace bonedecimate::testsupport;
+
+namespace
+{
+using Bytes = std::vector<unsigned char>;
+
+LogStatus Read(const Bytes& bytes, EditLog& log)
+{
+  return ReadLog(bytes.data(), bytes.size(), log);
+}
+
+LogStatus StatusOf(const Bytes& bytes)
+{
+  EditLog log;
+  return Read(bytes, log);
+}
+
+Recorded Example(Mode mode = Mode::Balanced)
+{
+  return Record(HeightField(12, 0.3, 7), InMode(mode, Triangles(60)));
+}
+
+/// The checksum as the page says, so that readers get to see what is wrong before it.
+Bytes Forged(Bytes bytes)
+{
+  const std::size_t size = bytes.size() - 8;
+  std::uint64_t sum = 0xcbf29ce484222325ULL;
+  for (std::size_t at = 0; at < size; at += 8)
+  {
+    Bytes word(8, 0);
+    std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(at),
+      std::min<std::size_t>(8, size - at), word.begin());
+    std::uint64_t value = 0;
+    for (int k = 7; k >= 0; --k)
+    {
+      value = value * 256 + word[static_cast<std::size_t>(k)];
+    }
+    sum = (sum ^ value) * 0x100000001b3ULL;
+  }
+  for (std::size_t k = 0; k < 8; ++k)
+  {
+    bytes[size + k] = static_cast<unsigned char>(sum >> (8 * k));
+  }
+  return bytes;
+}
+
+void PutIndex(Bytes& bytes, std::size_t at, std::uint32_t value)
+{
+  for (std::size_t k = 0; k < 4; ++k)
+  {
+    bytes[at + k] = static_cast<unsigned char>(value >> (8 * k));
+  }
+}
+
+bool IsWithin(const Surface& surface)
+{
+  return std::all_of(surface.Triangles.begin(), surface.Triangles.end(),
+    [&](const Triangle& c)
+    {
+      return std::all_of(c.begin(), c.end(),
+        [&](Index v) { return v >= 0 && v < static_cast<Index>(surface.Points.size()); });
+    });
+}
+
+/// Refused, or good for levels whose triangles have points.
+void ExpectHarmless(const Bytes& bytes, const Surface& surface)
+{
+  EditLog log;
+  Levels levels;
+  if (Read(bytes, log) == LogStatus::Good &&
+    levels.Open(surface, std::move(log), 1) == LogStatus::Good)
+  {
+    for (Index level = 0; level <= levels.NumberOfCollapses(); level += 7)
+    {
+      EXPECT_TRUE(IsWithin(levels.At(level).Surface));
+    }
+  }
+}
+
+constexpr std::size_t AtVersion = 8;
+constexpr std::size_t AtCounts = 24; // vertices, faces, collapses, patches, marks
+}
+
+TEST(LogBytes, WhatIsReadIsWhatWasWritten)
+{
+  for (const Mode mode : AllModes())
+  {
+    for (const bool isSingle : { false, true })
+    {
+      const Surface bone = HeightField(12, 0.3, 7);
+      const Recorded recorded = Record(bone, InMode(mode, Triangles(60)), isSingle);
+      const Bytes bytes = WriteLog(recorded.Levels.Log());
+      EditLog log;
+      ASSERT_EQ(Read(bytes, log), LogStatus::Good);
+      EXPECT_EQ(WriteLog(log), bytes);
+      Levels levels;
+      ASSERT_EQ(levels.Open(bone, log, 1), LogStatus::Good);
+      for (const Index level : { 0, 20, levels.NumberOfCollapses() })
+      {
+        EXPECT_TRUE(SameBytes(levels.At(level).Surface, recorded.Levels.At(level).Surface));
+      }
+    }
+  }
+}
+
+TEST(LogBytes, OfACollapseThereAre24BytesInSinglePrecision)
+{
+  const Surface bone = SmallBone();
+  const Recorded recorded = Record(bone, InMode(Mode::Fast, Triangles(100)), true);
+  const EditLog& log = recorded.Levels.Log();
+  EXPECT_EQ(WriteLog(log).size(), 44 + 24 * log.Collapses.size() + 24 * log.Marks.size() + 8);
+}
+
+TEST(LogBytes, EveryBeginningOfAFileIsRefused)
+{
+  const Bytes bytes = WriteLog(Example().Levels.Log());
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+  {
+    const LogStatus status =
+      StatusOf(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)));
+    EXPECT_EQ(status, size < 8 ? LogStatus::NotALog : LogStatus::Damaged) << size;
+  }
+}
+
+TEST(LogBytes, EveryChangedByteIsFound)
+{
+  Bytes bytes = WriteLog(Example().Levels.Log());
+  for (unsigned char& byte : bytes)
+  {
+    byte ^= 0x20U;
+    EXPECT_NE(StatusOf(bytes), LogStatus::Good);
+    byte ^= 0x20U;
+  }
+  bytes.push_back(0);
+  EXPECT_EQ(StatusOf(bytes), LogStatus::Damaged) << "longer than it was";
+}
+
+TEST(LogBytes, AnotherVersionIsNamed)
+{
+  Bytes bytes = WriteLog(Example().Levels.Log());
+  PutIndex(bytes, AtVersion, 2);
+  EXPECT_EQ(StatusOf(Forged(bytes)), LogStatus::UnknownVersion);
+  const std::string text = "ply\nformat binary_little_endian 1.0\n";
+  EXPECT_EQ(StatusOf(Bytes(text.begin(), text.end())), LogStatus::NotALog);
+}
+
+TEST(LogBytes, CountsBeyondTheFileTakeNoMemory)
+{
+  const Bytes bytes = WriteLog(Example().Levels.Log());
+  for (std::size_t count = 2; count < 5; ++count)
+  {
+    for (const std::uint32_t value : { 0x7fffffffU, 0xffffffffU, 0x10000000U })
+    {
+      Bytes forged = bytes;
+      PutIndex(forged, AtCounts + 4 * count, value);
+      EXPECT_EQ(StatusOf(Forged(forged)), LogStatus::Contradictory);
+    }
+  }
+}
+
+TEST(LogBytes, ForgedNumbersAreRefusedOrHarmless)
+{
+  const Surface bone = HeightField(12, 0.3, 7);
+  const Bytes bytes = WriteLog(Example().Levels.Log());
+  ASSERT_EQ(StatusOf(Forged(bytes)), LogStatus::Good) << "the forger knows the checksum";
+  Random random(3);
+  const std::uint32_t values[] = { 0, 1, 0x7fffffffU, 0xffffffffU, 0x80000000U, 0x7ff80000U };
+  for (int i = 0; i < 2000; ++i)
+  {
+    Bytes forged = bytes;
+    for (Index changes = random.Below(3); changes >= 0; --changes)
+    {
+      const auto at = static_cast<std::size_t>(
+        AtVersion + 4 * random.Below(static_cast<Index>((bytes.size() - 8 - AtVersion) / 4)));
+      const std::uint32_t value = random.Below(2) == 0
+        ? values[random.Below(6)]
+        : static_cast<std::uint32_t>(random.Below(300));
+      PutIndex(forged, at, value);
+    }
+    ExpectHarmless(Forged(forged), bone);
+  }
+}
+
+TEST(LogBytes, AnotherSurfaceIsRefused)
+{
+  const EditLog log = Example().Levels.Log();
+  Levels levels;
+  Surface other = HeightField(12, 0.3, 8);
+  EXPECT_EQ(levels.Open(other, log, 1), LogStatus::OtherSurface);
+  EXPECT_EQ(levels.Open(Surface(), log, 1), LogStatus::OtherSurface);
+  EXPECT_FALSE(levels.IsOpen());
+}
+
+TEST(LogBytes, EditsThatNoRunCanHaveMadeAreRefused)
+{
+  const Surface bone = HeightField(12, 0.3, 7);
+  const auto statusWith = [&](const auto& change)
+  {
+    EditLog log = Example(Mode::Fast).Levels.Log();
+    change(log);
+    return Levels().Open(bone, std::move(log), 1);
+  };
+  EXPECT_EQ(statusWith([](EditLog&) {}), LogStatus::Good);
+  EXPECT_EQ(
+    statusWith([](EditLog& log) { log.Collapses[1] = log.Collapses[0]; }), LogStatus::Contradictory)
+    << "a face that is gone";
+  EXPECT_EQ(statusWith([](EditLog& log) { log.Collapses[3].Kept = log.Vertices; }),
+    LogStatus::Contradictory);
+  EXPECT_EQ(
+    statusWith([](EditLog& log) { log.Collapses[3].HalfEdge |= 3; }), LogStatus::Contradictory)
+    << "a triangle has three corners";
+  EXPECT_EQ(statusWith([](EditLog& log) { log.Collapses[3].Position[1] = std::nan(""); }),
+    LogStatus::Contradictory);
+  EXPECT_EQ(
+    statusWith([](EditLog& log) { log.Marks.back().Triangles -= 1; }), LogStatus::Contradictory);
+  EXPECT_EQ(statusWith(
+              [](EditLog& log) {
+                log.Patches.push_back({ 99999, {}, {} });
+              }),
+    LogStatus::Contradictory);
+}
+
+TEST(LogBytes, EveryRefusalHasASentence)
+{
+  EXPECT_TRUE(LogMessage(LogStatus::Good).empty());
+  for (const LogStatus status : { LogStatus::NotALog, LogStatus::UnknownVersion, LogStatus::Damaged,
+         LogStatus::Contradictory, LogStatus::OtherSurface })
+  {
+    EXPECT_FALSE(LogMessage(status).empty());
+  }
+}

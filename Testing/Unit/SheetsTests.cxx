@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// What is not manifold is split into sheets, simplified up to its seams, and joined again.
+#include "BruteForce.h"
+#include "Mesh/Invariants.h"
+#include "Mesh/Sheets.h"
+#include "Mesh/SpatialOrder.h"
+#include "Runs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+using namespace bonedecimate;
+using namespace bonedecimate::testsupport;
+
+namespace
+{
+CleanSurface Split(const Surface& input)
+{
+  CleanSurface clean = Clean(input, true);
+  SplitSheets(clean, HalfEdgeMesh(clean.Surface));
+  return clean;
+}
+
+using Place = std::array<double, 3>;
+
+/// The corners of edges of three or more triangles.
+std::set<Place> SeamPlaces(const Surface& surface)
+{
+  std::map<std::pair<Index, Index>, int> edges;
+  for (const Triangle& t : surface.Triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      ++edges[std::minmax(t[k], t[(k + 1) % 3])];
+    }
+  }
+  std::set<Place> places;
+  for (const auto& [edge, count] : edges)
+  {
+    for (const Index v : { edge.first, edge.second })
+    {
+      if (count > 2)
+      {
+        places.insert({ surface.Points[v][0], surface.Points[v][1], surface.Points[v][2] });
+      }
+    }
+  }
+  return places;
+}
+
+class EachSplit : public EachShape
+{
+};
+}
+
+TEST_P(EachSplit, IsJoinedToWhatItWas)
+{
+  const CleanSurface before = Clean(GetParam().Surface, true);
+  const CleanSurface clean = Split(GetParam().Surface);
+  EXPECT_EQ(NumberOfSites(clean), static_cast<std::int64_t>(before.Surface.Points.size()));
+  WithJoined(clean,
+    [&](const Surface& joined)
+    {
+      EXPECT_EQ(joined.Triangles, before.Surface.Triangles);
+      for (std::size_t v = 0; v < joined.Points.size(); ++v)
+      {
+        EXPECT_EQ(joined.Points[v], before.Surface.Points[clean.Sheets.Sites[v]]);
+        EXPECT_EQ(clean.InputPoint[v], before.InputPoint[clean.Sheets.Sites[v]]);
+      }
+    });
+}
+
+TEST_P(EachSplit, LeavesSheetsThatAreManifoldAndPinnedWhereTheyMeet)
+{
+  CleanSurface clean = Split(GetParam().Surface);
+  SortAlongCurve(clean);
+  const HalfEdgeMesh mesh(clean.Surface, 1, clean.Sheets);
+  EXPECT_EQ(BrokenInvariant(mesh), "");
+  std::int64_t locked = 0; // where a sheet meets itself along a single edge
+  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    locked += mesh.Kind(v) == VertexKind::Locked ? 1 : 0;
+  }
+  EXPECT_EQ(CountTopology(clean.Surface).NonManifoldPoints, locked);
+  EXPECT_LE(locked, GetParam().Name == "DenseSoup" ? 40 : 2);
+  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    const bool isAlone = mesh.NextCopy(v) == v;
+    EXPECT_EQ(mesh.Site(mesh.NextCopy(v)), mesh.Site(v));
+    EXPECT_EQ(mesh.Position(mesh.NextCopy(v)), mesh.Position(v));
+    EXPECT_TRUE(isAlone ? !mesh.IsPinned(v) : mesh.IsPinned(v) || mesh.IsFixed(v));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, EachSplit, testing::ValuesIn(BrokenShapes()), NameOf);
+
+TEST(Sheets, AreSimplifiedUpToTheirSeamsInEveryMode)
+{
+  const Surface input = HalvedBall(10);
+  const Topology before = CountTopology(input);
+  ASSERT_GT(before.NonManifoldEdges, 40);
+  const std::set<Place> seams = SeamPlaces(input);
+  for (const Mode mode : AllModes())
+  {
+    const Result result = Decimate(input, InMode(mode, Reduction(0.8)));
+    const Topology after = CountTopology(result.Surface);
+    EXPECT_EQ(result.Report.Stop, StopReason::TargetReached) << WordOf(mode);
+    EXPECT_LE(5 * after.Faces, before.Faces + 5) << WordOf(mode);
+    EXPECT_EQ(after.NonManifoldEdges, before.NonManifoldEdges) << WordOf(mode);
+    EXPECT_EQ(after.BoundaryEdges, 0) << WordOf(mode) << ": a crack";
+    EXPECT_EQ(after.EulerNumber, before.EulerNumber) << WordOf(mode);
+    EXPECT_EQ(SeamPlaces(result.Surface), seams) << WordOf(mode);
+    EXPECT_EQ(result.Report.Input.NonManifoldEdges, before.NonManifoldEdges) << WordOf(mode);
+    EXPECT_EQ(result.Report.Input.Points, before.Points) << WordOf(mode);
+    EXPECT_EQ(result.Report.Input.Components, 1) << WordOf(mode);
+  }
+}
+
+TEST(Sheets, NeverMeetAlongAnEdgeThatTheyDidNotHaveInCommon)
+{
+  // So few triangles are asked for that only what must not be done is left.
+  for (const std::uint64_t seed : { 1, 2, 3, 4 })
+  {
+    const Surface soup = RandomSoup(200, 260, seed);
+    for (const Surface& input : { HalvedBall(4 + static_cast<Index>(seed)), soup })
+    {
+      const Topology before = CountTopology(input);
+      for (const Mode mode : AllModes())
+      {
+        const Topology after = CountTopology(Decimate(input, InMode(mode, Triangles(1))).Surface);
+        EXPECT_LE(after.NonManifoldEdges, before.NonManifoldEdges) << WordOf(mode) << seed;
+        EXPECT_LE(after.BoundaryEdges, before.BoundaryEdges) << WordOf(mode) << seed;
+      }
+    }
+  }
+}
+
+TEST(Sheets, GiveTheSameBytesForAnyNumberOfThreads)
+{
+  Surface input = ThreeLeavedBook(75); // enough points for blocks
+  for (Vector3& p : input.Points)
+  {
+    p += 0.3 * std::sin(0.9 * p[1]) *
+      Vector3(-p[2], 0.0, p[0])
+        .normalized()
+        .unaryExpr([](double x) { return std::isfinite(x) ? x : 0.0; });
+  }
+  ExpectTheSameBytesForAnyNumberOfThreads(input, InMode(Mode::Fast, Triangles(30000)));
+  Options proved = InMode(Mode::Fast, Triangles(33200));
+  proved.MaximumError = 0.1;
+  ExpectTheSameBytesForAnyNumberOfThreads(input, proved);
+}

@@ -1,0 +1,254 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""numpy in, numpy out: what decimate() and certify() of the wheel promise. Needs no VTK."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+import unittest
+
+import numpy as np
+
+import bonedecimate
+from bonedecimate import StopReason, certify, decimate
+from bonedecimate import options as table
+
+
+def ball(around=60, up=30, radius=10.0):
+    """A closed surface: points, mm, and triangles."""
+    u, v = np.meshgrid(np.arange(around) * 2 * np.pi / around, np.arange(1, up) * np.pi / up, indexing="ij")
+    ring = np.stack([np.cos(u) * np.sin(v), np.sin(u) * np.sin(v), np.cos(v)], axis=-1).reshape(-1, 3)
+    points = radius * np.vstack([ring, [[0, 0, 1], [0, 0, -1]]])
+    triangles = []
+    for i in range(around):
+        j = (i + 1) % around
+        a, b = i * (up - 1), j * (up - 1)
+        triangles += [(len(ring), a, b), (a + up - 2, len(ring) + 1, b + up - 2)]
+        for k in range(up - 2):
+            triangles += [(a + k, a + k + 1, b + k), (b + k, a + k + 1, b + k + 1)]
+    return points, np.array(triangles)
+
+
+POINTS, TRIANGLES = ball()
+
+
+def farthest(points, others, triangles, parts):
+    """By brute force: the largest distance of the points to samples of triangles whose edges are cut into so many parts."""
+    weights = np.array([(i, j, parts - i - j) for i in range(parts + 1) for j in range(parts + 1 - i)]) / parts
+    samples = np.einsum("wk,tkc->twc", weights, others[triangles]).reshape(-1, 3)
+    return max(np.sqrt(((samples - point) ** 2).sum(axis=1).min()) for point in points)
+
+
+class Decimate(unittest.TestCase):
+    def test_keeps_the_largest_error_and_proves_it(self):
+        result = decimate(POINTS, TRIANGLES, max_error=0.2)
+        self.assertLess(len(result.triangles), len(TRIANGLES) / 3)
+        self.assertEqual(result.report["proof.verdict"], "proved")
+        self.assertLessEqual(result.report["proof.upper"], 0.2)
+        self.assertLess(farthest(POINTS[::97], result.points, result.triangles, 36), 0.21)
+        self.assertLess(farthest(result.points[::16], POINTS, TRIANGLES, 12), 0.21)
+        self.assertEqual(result.units["proof.upper"], "mm")
+
+    def test_has_shapes_and_types_as_documented(self):
+        result = decimate(POINTS, TRIANGLES, max_error=0.2, maps=True, measure_input_distances=True)
+        n, m = len(result.points), len(result.triangles)
+        of_points = {"distance": np.float64, "running_error": np.float64, "point_count": np.int32,
+                     "error_bound": np.float64, "nearest_point": np.int32, "nearest_triangle": np.int32}
+        for name, kind in of_points.items():
+            self.assertEqual((getattr(result, name).shape, getattr(result, name).dtype), ((n,), kind), name)
+        self.assertEqual((result.points.shape, result.triangles.shape), ((n, 3), (m, 3)))
+        self.assertEqual((result.barycentric.shape, result.triangle_at_centroid.shape), ((n, 3), (m,)))
+        for name in ("input_distance", "input_error_bound", "output_point"):
+            self.assertEqual(getattr(result, name).shape, (len(POINTS),), name)
+        self.assertEqual(result.stop_reason, StopReason.ErrorReached)
+        np.testing.assert_array_equal(np.bincount(result.output_point), result.point_count)
+
+    def test_result_unpacks_and_outlives_what_made_it(self):
+        points, triangles = decimate(POINTS, TRIANGLES, target_faces=500)
+        self.assertEqual((len(triangles), triangles.max()), (500, len(points) - 1))
+
+    def test_does_not_change_its_input(self):
+        points, triangles = POINTS.copy(), TRIANGLES.copy()
+        decimate(points, triangles)
+        np.testing.assert_array_equal(points, POINTS)
+        np.testing.assert_array_equal(triangles, TRIANGLES)
+
+    def test_takes_any_layout_and_type_of_integer(self):
+        wanted = decimate(POINTS, TRIANGLES).points
+        for kind in (np.int32, np.uint16, np.int64, np.uint64):
+            odd = np.asfortranarray(TRIANGLES.astype(kind))
+            np.testing.assert_array_equal(decimate(np.asfortranarray(POINTS), odd).points, wanted)
+        np.testing.assert_array_equal(decimate(POINTS.tolist(), TRIANGLES.tolist()).points, wanted)
+
+    def test_single_precision_gives_single_precision(self):
+        for precision, given, wanted in (("Default", "f4", "f4"), ("Double", "f4", "f8"), ("Single", "f8", "f4")):
+            points = decimate(POINTS.astype(given), TRIANGLES, precision=precision).points
+            self.assertEqual(points.dtype, np.dtype(wanted))
+
+    def test_the_number_of_threads_does_not_matter(self):
+        one, two = (decimate(POINTS, TRIANGLES, max_error=0.1, threads=count) for count in (1, 2))
+        np.testing.assert_array_equal(one.points, two.points)
+        np.testing.assert_array_equal(one.triangles, two.triangles)
+
+    def test_tolerances_freeze_points(self):
+        tolerances = np.where(POINTS[:, 2] > 0, 0.0, -1.0)
+        result = decimate(POINTS, TRIANGLES, tolerances=tolerances, target_reduction=0.4)
+        kept = {tuple(point) for point in result.points}
+        self.assertTrue(all(tuple(point) in kept for point in POINTS[POINTS[:, 2] > 0]))
+
+    def test_every_option_of_the_table_is_a_keyword(self):
+        defaults = {key: row.default_text if row.choices else row.default
+                    for key, row in table.ROWS.items() if key not in table.WITHOUT_ARRAYS}
+        del defaults["target_reduction"]  # setting it is not the same as leaving it
+        result, plain = decimate(POINTS, TRIANGLES, **defaults), decimate(POINTS, TRIANGLES)
+        np.testing.assert_array_equal(result.points, plain.points)
+        self.assertEqual(result.report["options.MaximumError"], "0")
+
+
+class Refusals(unittest.TestCase):
+    def test_wrong_shapes_are_value_errors(self):
+        for points, triangles in ((POINTS[:, :2], TRIANGLES), (POINTS, TRIANGLES.ravel()), (POINTS.ravel(), TRIANGLES)):
+            with self.assertRaisesRegex(ValueError, "of shape"):
+                decimate(points, triangles)
+        with self.assertRaisesRegex(ValueError, "one for each"):
+            decimate(POINTS, TRIANGLES, tolerances=[0.1])
+
+    def test_indices_that_are_no_integers_are_type_errors(self):
+        with self.assertRaisesRegex(TypeError, "integers"):
+            decimate(POINTS, TRIANGLES.astype(float))
+
+    def test_surfaces_that_are_none_are_value_errors(self):
+        far, broken = TRIANGLES.copy(), POINTS.copy()
+        far[5, 1] = 2**40
+        broken[3, 1] = np.nan
+        with self.assertRaisesRegex(ValueError, "not there, the first is triangle 5"):
+            decimate(POINTS, far)
+        with self.assertRaisesRegex(ValueError, "NaN or infinite coordinates, the first is point 3"):
+            decimate(broken, TRIANGLES)
+        with self.assertRaisesRegex(ValueError, "no triangle"):
+            decimate(POINTS, np.empty((0, 3), int))
+
+    def test_nothing_becomes_nothing(self):
+        points, triangles = decimate(np.empty((0, 3)), np.empty((0, 3), int))
+        self.assertEqual((points.shape, triangles.shape), ((0, 3), (0, 3)))
+
+    def test_unknown_options_are_type_errors_that_name_those_there_are(self):
+        for name in ("error", "distance_array_name", "pass_arrays", "tolerance_array"):
+            with self.assertRaisesRegex(TypeError, "there are: mode, target_faces"):
+                decimate(POINTS, TRIANGLES, **{name: 1})
+
+    def test_values_out_of_range_are_value_errors(self):
+        for key, value in (("max_error", -1), ("target_reduction", 1.5), ("mode", "Slow"), ("threads", 1.5),
+                           ("max_error", float("nan"))):
+            with self.assertRaisesRegex(ValueError, "takes"):
+                decimate(POINTS, TRIANGLES, **{key: value})
+
+    def test_values_of_the_wrong_kind_are_type_errors(self):
+        for key, value in (("max_error", "0.2"), ("mode", 3)):
+            with self.assertRaises(TypeError):
+                decimate(POINTS, TRIANGLES, **{key: value})
+
+
+class Running(unittest.TestCase):
+    def test_progress_rises_to_one(self):
+        heard = []
+        decimate(POINTS, TRIANGLES, progress=heard.append)
+        self.assertEqual((heard, heard[-1]), (sorted(heard), 1.0))
+        self.assertGreater(len(heard), 20)
+
+    def test_false_ends_the_run_with_a_valid_surface(self):
+        result = decimate(POINTS, TRIANGLES, max_error=0.2, progress=lambda fraction: fraction < 0.3)
+        self.assertEqual(result.stop_reason, StopReason.Aborted)
+        self.assertLess(result.triangles.max(), len(result.points))
+        with self.assertRaises(bonedecimate.Aborted):
+            certify((POINTS, TRIANGLES), result, progress=lambda fraction: False)
+
+    def test_what_the_progress_function_raises_comes_out(self):
+        with self.assertRaises(ZeroDivisionError):
+            decimate(POINTS, TRIANGLES, progress=lambda fraction: 1 / 0)
+        with self.assertRaises(TypeError):
+            decimate(POINTS, TRIANGLES, progress=7)
+
+    def test_other_threads_run_meanwhile(self):
+        points, triangles = ball(300, 150)
+        turns, end = [], threading.Event()
+
+        def count():
+            while not end.wait(0.001):
+                turns.append(time.perf_counter())
+        thread = threading.Thread(target=count)
+        thread.start()
+        start = time.perf_counter()
+        decimate(points, triangles, threads=1)
+        stop = time.perf_counter()
+        end.set()
+        thread.join()
+        during = [turn for turn in turns if start < turn < stop]
+        self.assertLess(np.diff([start, *during, stop]).max(), 0.5 * (stop - start))
+
+    def test_ctrl_c_ends_the_run(self):
+        """In a process of its own, which hears the signal in the middle of a run that would go on."""
+        program = """
+import os, signal, threading
+import arrays_test, bonedecimate
+points, triangles = arrays_test.ball(300, 150)
+heard = []
+def listen(fraction):
+    heard.append(fraction)
+    if len(heard) == 5:
+        os.kill(os.getpid(), signal.SIGINT)
+try:
+    bonedecimate.decimate(points, triangles, max_error=0.01, mode="Accurate", progress=listen)
+except KeyboardInterrupt:
+    print("interrupted after", len(heard))
+"""
+        here = os.path.dirname(os.path.abspath(__file__))
+        done = subprocess.run([sys.executable, "-B", "-c", program], cwd=here, capture_output=True, text=True, timeout=60,
+                              preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler))
+        self.assertRegex(done.stdout, r"^interrupted after [56]$", done.stderr)
+
+    def test_importing_needs_no_vtk(self):
+        program = "import sys, bonedecimate; print([name for name in sys.modules if 'vtk' in name.lower()])"
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+        self.assertEqual(done.stdout, "[]\n")
+
+
+class Certify(unittest.TestCase):
+    def test_bounds_the_distance_of_concentric_balls(self):
+        certificate = certify((POINTS, TRIANGLES), (1.1 * POINTS, TRIANGLES), tolerance=1.2)
+        self.assertLessEqual(certificate.lower, 1.0 + 1e-9)
+        self.assertAlmostEqual(certificate.upper, 1.0, delta=0.02)
+        self.assertEqual(certificate.verdict, "proved")
+        self.assertEqual(certify((POINTS, TRIANGLES), (1.1 * POINTS, TRIANGLES), tolerance=0.9).verdict, "violated")
+
+    def test_signs_distances(self):
+        certificate = certify((POINTS, TRIANGLES), (1.1 * POINTS, TRIANGLES))
+        self.assertTrue((certificate.reference_distance < -0.9).all())
+        self.assertTrue((certificate.result_distance > 0.9).all())
+        self.assertEqual((certificate.reference_side.max(), certificate.result_side.min()), (-1, 1))
+
+    def test_agrees_with_the_proof_of_the_run(self):
+        result = decimate(POINTS, TRIANGLES, max_error=0.2)
+        certificate = certify((POINTS, TRIANGLES), result)
+        self.assertLessEqual(certificate.lower, result.report["proof.upper"])
+        self.assertLessEqual(certificate.upper, 0.2)
+
+    def test_tolerances_of_points(self):
+        shifted = POINTS + np.where(POINTS[:, 2:] > 5, [[0, 0, 0.5]], 0)
+        loose = np.where(POINTS[:, 2] > 0, 0.6, 0.1)
+        self.assertEqual(certify((POINTS, TRIANGLES), (shifted, TRIANGLES), tolerances=loose).verdict, "proved")
+        self.assertEqual(certify((POINTS, TRIANGLES), (shifted, TRIANGLES), tolerances=0.1 + 0 * loose).verdict, "violated")
+
+    def test_refuses_what_cannot_be_compared(self):
+        for other in ((POINTS, TRIANGLES[:0]), (POINTS * np.nan, TRIANGLES), (POINTS, TRIANGLES + 9999)):
+            with self.assertRaises(ValueError):
+                certify((POINTS, TRIANGLES), other)
+        with self.assertRaises(ValueError):
+            certify((POINTS, TRIANGLES), (POINTS, TRIANGLES), tolerance=-1.0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,202 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The wheel's filter in a pipeline: events, abort, errors, what is computed again. Its outputs: sameness_test.py."""
+
+import gc
+import os
+import signal
+import subprocess
+import sys
+import threading
+import unittest
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkLogger
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+import specimens
+from bonedecimate import decimate as decimate_arrays
+from bonedecimate import vtkBoneDecimate
+from bonedecimate.options import ROWS
+from bonedecimate.polydata import numbers, surface_of
+
+vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+
+
+def decimating(surface=None, **properties):
+    decimate = vtkBoneDecimate()
+    decimate.SetInputData(surface or specimens.torus(60, 40))
+    for name, value in properties.items():
+        getattr(decimate, "Set" + name)(value)
+    return decimate
+
+
+class Properties(unittest.TestCase):
+    def test_are_held_within_their_range(self):
+        decimate = vtkBoneDecimate()
+        for name, given, held in (("MaximumError", -1, 0.0), ("TargetReduction", 1.5, 1.0), ("Mode", 99, 3)):
+            getattr(decimate, "Set" + name)(given)
+            self.assertEqual(getattr(decimate, "Get" + name)(), held)
+
+    def test_switches_have_on_and_off(self):
+        decimate = vtkBoneDecimate()
+        for row in ROWS.values():
+            if row.kind == "bool":
+                getattr(decimate, row.name + "On")()
+                self.assertIs(getattr(decimate, "Get" + row.name)(), True)
+                getattr(decimate, row.name + "Off")()
+                self.assertIs(getattr(decimate, "Get" + row.name)(), False)
+
+    def test_refuse_what_is_of_another_type(self):
+        for value in ("much", None, [1]):
+            with self.assertRaises(TypeError):
+                vtkBoneDecimate().SetTargetReduction(value)
+
+    def test_tell_their_meaning_and_stand_in_the_printed_text(self):
+        for row in ROWS.values():
+            self.assertIn(row.sentence, getattr(vtkBoneDecimate, "Set" + row.name).__doc__)
+            self.assertIn(f"{row.name}: ", str(vtkBoneDecimate()))
+
+    def test_modify_the_filter_only_if_they_change(self):
+        decimate = decimating(MaximumError=0.3)
+        before = decimate.GetMTime()
+        decimate.SetMaximumError(0.3)
+        self.assertEqual(decimate.GetMTime(), before)
+        decimate.SetMaximumError(0.4)
+        self.assertGreater(decimate.GetMTime(), before)
+
+
+class Pipeline(unittest.TestCase):
+    def test_has_input_and_output_connections(self):
+        sphere = vtkSphereSource()
+        sphere.SetThetaResolution(40)
+        sphere.SetPhiResolution(40)
+        decimate = vtkBoneDecimate()
+        decimate.SetInputConnection(sphere.GetOutputPort())
+        decimate.SetTargetNumberOfTriangles(500)
+        clean = vtkCleanPolyData()
+        clean.SetInputConnection(decimate.GetOutputPort())
+        clean.Update()
+        self.assertEqual(clean.GetOutput().GetNumberOfPolys(), 500)
+        self.assertIsNotNone(clean.GetOutput().GetPointData().GetArray("Distance"))
+
+    def test_runs_again_only_when_something_changed(self):
+        decimate = decimating()
+        starts = []
+        decimate.AddObserver("StartEvent", lambda *_: starts.append(1))
+        decimate.Update()
+        decimate.Update()
+        self.assertEqual(len(starts), 1)
+        decimate.SetTargetReduction(0.3)
+        decimate.Update()
+        self.assertEqual(len(starts), 2)
+
+    def test_gives_what_numpy_gets(self):
+        surface = specimens.torus(60, 40)
+        decimate = decimating(surface, MaximumError=0.1)
+        decimate.Update()
+        arrays = surface_of(surface)
+        result = decimate_arrays(arrays.points, arrays.triangles, max_error=0.1)
+        output = surface_of(decimate.GetOutput())
+        np.testing.assert_array_equal(output.points, result.points)
+        np.testing.assert_array_equal(output.triangles, result.triangles)
+        self.assertEqual(decimate.GetReportValue("proof.upper"), result.report["proof.upper"])
+
+    def test_output_outlives_filter_and_arrays(self):
+        decimate = decimating()
+        decimate.Update()
+        output = decimate.GetOutput()
+        before = specimens.portrait(output)
+        del decimate
+        gc.collect()
+        np.ones(1000000)
+        self.assertEqual(specimens.portrait(output), before)
+
+    def test_does_not_change_its_input(self):
+        surface = specimens.with_arrays(specimens.torus())
+        before = specimens.portrait(surface)
+        decimating(surface, MakeMaps=True, MeasureInputDistances=True).Update()
+        self.assertEqual(specimens.portrait(surface), before)
+
+    def test_carries_over_every_array_but_those_it_writes_itself(self):
+        surface = specimens.with_arrays(specimens.torus())
+        decimate = decimating(surface)
+        decimate.Update()
+        data = decimate.GetOutput().GetPointData()
+        for i in range(surface.GetPointData().GetNumberOfArrays()):
+            name = surface.GetPointData().GetAbstractArray(i).GetName()
+            self.assertIsNotNone(data.GetAbstractArray(name), name)
+        self.assertLess(numbers(data.GetArray("Distance")).max(), 1.0)
+
+
+class Events(unittest.TestCase):
+    def test_progress_rises_to_one(self):
+        decimate, heard = decimating(), []
+        decimate.AddObserver("ProgressEvent", lambda speaker, _: heard.append(speaker.GetProgress()))
+        decimate.Update()
+        self.assertEqual((heard, heard[-1]), (sorted(heard), 1.0))
+        self.assertGreater(len(heard), 20)
+
+    def test_an_observer_can_abort_and_the_output_is_valid(self):
+        decimate = decimating()
+        decimate.AddObserver("ProgressEvent", lambda speaker, _: speaker.SetAbortExecute(speaker.GetProgress() > 0.3))
+        decimate.Update()
+        self.assert_aborted(decimate)
+        decimate.RemoveAllObservers()
+        decimate.SetAbortExecute(0)
+        decimate.Modified()
+        decimate.Update()
+        self.assertEqual(decimate.GetStopReason(), vtkBoneDecimate.TARGET_REACHED)
+
+    def test_another_thread_can_abort(self):
+        decimate = decimating(specimens.torus(300, 150), NumberOfThreads=1)
+        heard = threading.Event()
+        decimate.AddObserver("ProgressEvent", lambda speaker, _: speaker.GetProgress() > 0.1 and heard.set())
+
+        def abort():
+            heard.wait(60)
+            decimate.SetAbortExecute(1)
+        thread = threading.Thread(target=abort)
+        thread.start()
+        decimate.Update()
+        thread.join()
+        self.assert_aborted(decimate)
+
+    def assert_aborted(self, decimate):
+        self.assertEqual(decimate.GetStopReason(), vtkBoneDecimate.ABORTED)
+        self.assertEqual(decimate.GetReportText("stop_reason"), "aborted")
+        output = surface_of(decimate.GetOutput())
+        self.assertGreater(len(output.triangles), 0)
+        self.assertTrue(0 <= output.triangles.min() <= output.triangles.max() < len(output.points))
+
+    def test_errors_empty_the_output_and_say_why(self):
+        decimate = decimating(specimens.wrong_index())
+        ear = specimens.Ear(decimate)
+        decimate.Update()
+        self.assertRegex(ear.texts[0], "^ErrorEvent: 1 triangles name points that are not there, the first is triangle 96")
+        self.assertEqual(decimate.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_ctrl_c_ends_update_with_keyboard_interrupt(self):
+        program = """
+import os, signal, threading, time
+import filter_test, specimens
+decimate = filter_test.decimating(specimens.torus(200, 100), Mode=3, MaximumError=0.01)
+def interrupt():
+    while decimate.GetProgress() < 0.1:
+        time.sleep(0.001)
+    os.kill(os.getpid(), signal.SIGINT)
+threading.Thread(target=interrupt).start()
+try:
+    decimate.Update()
+except KeyboardInterrupt:
+    print(decimate.GetStopReason() == decimate.NOT_RUN and "interrupted")
+"""
+        here = os.path.dirname(os.path.abspath(__file__))
+        done = subprocess.run([sys.executable, "-B", "-c", program], cwd=here, capture_output=True, text=True, timeout=60,
+                              preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler))
+        self.assertEqual(done.stdout, "interrupted\n", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

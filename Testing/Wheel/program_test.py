@@ -1,0 +1,107 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""`python -m bonedecimate`: with VTK, with meshio, and with numpy alone."""
+
+import contextlib
+import io
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+from unittest import mock
+
+import numpy as np
+
+from arrays_test import POINTS, TRIANGLES
+from bonedecimate import __main__ as program
+from bonedecimate import certify, files
+from bonedecimate.options import ROWS
+
+REAL_HAS = files.has
+
+
+class Program(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        files._write_stl((POINTS, TRIANGLES), self.folder / "bone.stl")
+
+    def run_program(self, *words, code=0, without=()):
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), mock.patch.object(
+                files, "has", lambda module: not module.startswith(tuple(without)) and REAL_HAS(module)):
+            found = program.main([str(word) for word in words])
+        self.assertEqual(found, code, err.getvalue())
+        return out.getvalue(), err.getvalue()
+
+    def engines(self):
+        """What to do without, so that each of those that are there has its turn."""
+        found = [("vtk", "meshio")]
+        found += [("vtk",)] if REAL_HAS("meshio") else []
+        return found + ([()] if REAL_HAS("vtkmodules") else [])
+
+    def test_decimates_an_stl_with_whatever_is_there(self):
+        for without in self.engines():
+            with self.subTest(without=without):
+                small, report = self.folder / "small.stl", self.folder / "report.json"
+                out, _ = self.run_program(self.folder / "bone.stl", small, "--max-error", "0.2", "--report", report,
+                                          without=without)
+                told = json.loads(report.read_text())
+                self.assertIn(f"{len(TRIANGLES)} -> {told['output.faces']} triangles", out)
+                points, triangles = files._read_stl(small)
+                self.assertEqual(len(triangles), told["output.faces"])
+                certificate = certify((POINTS, TRIANGLES), (points, triangles), borders=False)
+                self.assertLess(certificate.upper, 0.2 + 1e-5)  # single precision in the file
+                self.assertLess(len(triangles), len(TRIANGLES) / 3)
+
+    def test_files_that_are_none_are_refused(self):
+        (self.folder / "cut.stl").write_bytes((self.folder / "bone.stl").read_bytes()[:1000])
+        for without in self.engines():
+            for name in ("cut.stl", "absent.stl"):
+                with self.subTest(name, without=without):
+                    self.run_program(self.folder / name, self.folder / "out.stl", code=2, without=without)
+                    self.assertFalse((self.folder / "out.stl").exists())
+
+    def test_says_what_it_needs_for_other_formats(self):
+        _, err = self.run_program(self.folder / "bone.stl", self.folder / "out.ply", code=3, without=("vtk", "meshio"))
+        self.assertIn("only binary STL can be written", err)
+        _, err = self.run_program(self.folder / "bone.stl", self.folder / "out.stl", "--recompute-normals",
+                                  code=2, without=("vtk",))
+        self.assertIn("--recompute-normals is about arrays of a file", err)
+
+    def test_wrong_words_are_usage(self):
+        for words in (["--mode", "Slow"], ["--max-error", "-1"], ["--nonsense"]):
+            self.run_program(self.folder / "bone.stl", self.folder / "out.stl", *words, code=1)
+        self.run_program(code=1)
+
+    def test_has_every_flag_of_the_table(self):
+        out, _ = self.run_program("--help")
+        for row in ROWS.values():
+            if row.flag:
+                self.assertIn("--" + row.flag, out)
+
+    @unittest.skipUnless(REAL_HAS("vtkmodules"), "no VTK here")
+    def test_arrays_come_along_where_vtk_reads_and_writes(self):
+        self.run_program(self.folder / "bone.stl", self.folder / "small.vtp", "--target-faces", "800", "--maps")
+        surface = files.read_vtk(self.folder / "small.vtp")
+        self.assertEqual(surface.GetNumberOfPolys(), 800)
+        for name in ("Distance", "InputPointCount", "OriginalPointIds"):
+            self.assertIsNotNone(surface.GetPointData().GetArray(name), name)
+        self.assertIsNotNone(surface.GetFieldData().GetAbstractArray("bonedecimate.version"))
+
+    def test_runs_as_a_module(self):
+        done = subprocess.run([sys.executable, "-m", "bonedecimate", self.folder / "bone.stl", self.folder / "out.stl"],
+                              capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(len(files._read_stl(self.folder / "out.stl")[1]), len(TRIANGLES) // 10)
+
+    def test_stl_keeps_orientation(self):
+        points, triangles = files._read_stl(self.folder / "bone.stl")
+        np.testing.assert_array_equal(points[triangles], POINTS[TRIANGLES].astype(np.float32))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Builds the wheel of the Python package bonedecimate (Documentation/python.md).
+#
+#   build_wheel.sh [--portable] [FOLDER]     into FOLDER, by default dist/ of the project
+#
+# --portable   for any Linux since glibc 2.17: compiled by the zig of PyPI's ziglang, checked and named by auditwheel
+# PYTHON       the Python to build for, with its headers; by default python3
+set -euo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+portable=
+if [ "${1:-}" = --portable ]; then
+  portable=yes
+  shift
+fi
+folder=$(realpath -m "${1:-$root/dist}")
+python=${PYTHON:-python3}
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+"$python" -m venv "$scratch/tools"
+"$scratch/tools/bin/pip" -q install --disable-pip-version-check "pip>=23" ${portable:+ziglang auditwheel}
+export CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(getconf _NPROCESSORS_ONLN)}"
+if [ -n "$portable" ]; then
+  # No space between name and target: CMake takes CXX for one word and its arguments.
+  for compiler in cc c++; do
+    printf '#!/bin/sh\nexec "%s" -m ziglang %s -target x86_64-linux-gnu.2.17 "$@"\n' \
+      "$scratch/tools/bin/python" "$compiler" > "$scratch/zig-$compiler"
+    chmod +x "$scratch/zig-$compiler"
+  done
+  # libc++ leaves out what libstdc++ brings along.
+  export CC="$scratch/zig-cc" CXX="$scratch/zig-c++" CXXFLAGS="-include stdio.h ${CXXFLAGS:-}"
+fi
+mkdir -p "$folder"
+rm -rf "$root/build/wheel" # of another compiler, or of tools that are gone
+"$scratch/tools/bin/pip" wheel --disable-pip-version-check --no-deps -w "$scratch/made" "$root"
+if [ -n "$portable" ]; then
+  "$scratch/tools/bin/auditwheel" repair --plat manylinux_2_17_x86_64 -w "$folder" "$scratch"/made/*.whl
+else
+  cp "$scratch"/made/*.whl "$folder"
+fi

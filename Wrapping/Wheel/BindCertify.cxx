@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Arrays.h"
+#include "Bindings.h"
+#include "Certificate/Certificate.h"
+#include "CertificateTable.h"
+#include "Listener.h"
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+
+namespace bonedecimate
+{
+namespace
+{
+nb::dict ToDict(Certificate&& certificate)
+{
+  nb::dict answer;
+  answer["entries"] = ToList(CertificateEntries(certificate));
+  answer["status"] = certificate.Status;
+  answer["problem"] = StatusSentence(certificate.Status);
+  SignedDistances& reference = certificate.ReferenceToResult.Points;
+  SignedDistances& result = certificate.ResultToReference.Points;
+  answer["reference_distance"] = ToArray(std::move(reference.Distance));
+  answer["reference_side"] = ToArray(std::move(reference.Side));
+  answer["result_distance"] = ToArray(std::move(result.Distance));
+  answer["result_side"] = ToArray(std::move(result.Side));
+  return answer;
+}
+
+nb::dict Run(const PointsIn& referencePoints, const TrianglesIn& referenceTriangles,
+  const PointsIn& points, const TrianglesIn& triangles, const CertificateOptions& options,
+  nb::object progress)
+{
+  const Surface reference = ToSurface(referencePoints, referenceTriangles);
+  const Surface result = ToSurface(points, triangles);
+  return ToDict(Listener(std::move(progress))
+                  .Hear([&](const Monitor& monitor)
+                    { return Certify(reference, result, options, monitor); }));
+}
+}
+
+//------------------------------------------------------------------------------
+void BindCertify(nb::module_& module)
+{
+  nb::enum_<CertificateStatus>(module, "CertificateStatus", "Whether two surfaces can be compared.")
+    .value("Good", CertificateStatus::Good)
+    .value("EmptyReference", CertificateStatus::EmptyReference)
+    .value("EmptyResult", CertificateStatus::EmptyResult)
+    .value("BadReference", CertificateStatus::BadReference)
+    .value("BadResult", CertificateStatus::BadResult)
+    .value("BadTolerance", CertificateStatus::BadTolerance)
+    .value("Aborted", CertificateStatus::Aborted);
+  nb::class_<CertificateOptions>(module, "CertificateOptions", "As in Certificate.h.")
+    .def(nb::init<>())
+    .def_rw("tolerance", &CertificateOptions::Tolerance, nb::arg().none())
+    .def("set_tolerances", [](CertificateOptions& options, const NumbersIn& map)
+      { options.ToleranceMap = *ToNumbers(map); }, nb::arg("tolerances"))
+    .def_rw("tight_bounds", &CertificateOptions::TightBounds)
+    .def_rw("relative_gap", &CertificateOptions::RelativeGap)
+    .def_rw("with_borders", &CertificateOptions::WithBorders)
+    .def_rw("with_means", &CertificateOptions::WithMeans)
+    .def_rw("mean_precision", &CertificateOptions::MeanPrecision)
+    .def_rw("with_point_distances", &CertificateOptions::WithPointDistances)
+    .def_rw("threads", &CertificateOptions::NumberOfThreads);
+  module.def("certify", &Run, nb::arg("reference_points"), nb::arg("reference_triangles"),
+    nb::arg("points"), nb::arg("triangles"), nb::arg("options"), nb::arg("progress").none(),
+    "Proved bounds of the distance of two surfaces.");
+}
+}

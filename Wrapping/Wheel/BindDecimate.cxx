@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Arrays.h"
+#include "Bindings.h"
+#include "Decimate.h"
+#include "Listener.h"
+#include "ReportTable.h"
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Triangles that the report names become the cells from which they came.
+void NameCells(const std::optional<CellsIn>& cells, CleaningStatistics& found)
+{
+  if (!cells)
+  {
+    return;
+  }
+  for (std::int64_t* triangle : { &found.FirstTriangleOutOfRange, &found.FirstDroppedTriangle })
+  {
+    *triangle = *triangle < 0 ? -1 : cells->data()[*triangle];
+  }
+}
+
+void AddReport(const Report& report, nb::dict& answer)
+{
+  answer["entries"] = ToList(ReportEntries(report));
+  answer["status"] = report.Status;
+  answer["stop"] = report.Stop;
+  answer["problem"] = InputMessage(report);
+  answer["warnings"] = InputWarnings(report);
+  answer["contradiction"] = ProofMessage(report);
+}
+
+/// Arrays that were not filled are empty.
+nb::dict ToDict(Result&& result)
+{
+  nb::dict answer;
+  AddReport(result.Report, answer);
+  answer["points"] = ToRows<double>(std::move(result.Surface.Points));
+  answer["triangles"] = ToRows<Index>(std::move(result.Surface.Triangles));
+  answer["distance"] = ToArray(std::move(result.Distance));
+  answer["running_error"] = ToArray(std::move(result.RunningError));
+  answer["point_count"] = ToArray(std::move(result.PointCount));
+  answer["input_distance"] = ToArray(std::move(result.InputDistance));
+  answer["error_bound"] = ToArray(std::move(result.ErrorBound));
+  answer["input_error_bound"] = ToArray(std::move(result.InputErrorBound));
+  SurfaceOrigins& origins = result.Origins;
+  answer["nearest_triangle"] = ToArray(std::move(origins.NearestTriangle));
+  answer["barycentric"] = ToRows<double>(std::move(origins.Barycentric));
+  answer["nearest_point"] = ToArray(std::move(origins.NearestPoint));
+  answer["triangle_at_centroid"] = ToArray(std::move(origins.TriangleAtCentroid));
+  answer["output_point"] = ToArray(std::move(origins.OutputPoint));
+  return answer;
+}
+
+nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options& options,
+  bool single, bool origins, const std::optional<NumbersIn>& tolerances,
+  const std::optional<CellsIn>& cells, nb::object progress)
+{
+  const Surface surface = ToSurface(points, triangles);
+  const std::optional<std::vector<double>> numbers = ToNumbers(tolerances);
+  Result result = Listener(std::move(progress))
+                    .Hear(
+                      [&](const Monitor& monitor) {
+                        return Decimate(
+                          surface, options, monitor, single, origins, numbers ? &*numbers : nullptr);
+                      });
+  NameCells(cells, result.Report.Cleaning);
+  return ToDict(std::move(result));
+}
+}
+
+//------------------------------------------------------------------------------
+void BindDecimate(nb::module_& module)
+{
+  module.def("decimate", &Run, nb::arg("points"), nb::arg("triangles"), nb::arg("options"),
+    nb::arg("single"), nb::arg("origins"), nb::arg("tolerances").none(), nb::arg("cells").none(),
+    nb::arg("progress").none(), "One run; the keys of what it returns are those of Decimate.h.");
+}
+}

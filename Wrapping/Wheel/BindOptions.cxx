@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Arrays.h"
+#include "Bindings.h"
+#include "OptionTable.h"
+#include "ReportTable.h"
+
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/variant.h>
+#include <nanobind/stl/vector.h>
+
+#include <stdexcept>
+#include <type_traits>
+
+namespace bonedecimate
+{
+namespace
+{
+const OptionInfo& Row(const std::string& name)
+{
+  const OptionInfo* info = FindOption(name);
+  if (!info)
+  {
+    throw nb::key_error(name.c_str());
+  }
+  return *info;
+}
+
+/// A Python number as the kind of number that the option is; what cannot be turned without loss is a TypeError.
+OptionValue AsKindOf(const OptionValue& current, const OptionValue& given, const OptionInfo& info)
+{
+  return std::visit(
+    [&](const auto& old, const auto& value) -> OptionValue
+    {
+      using To = std::decay_t<decltype(old)>;
+      using From = std::decay_t<decltype(value)>;
+      constexpr bool isSame = std::is_same_v<To, From>;
+      constexpr bool isText = std::is_same_v<To, std::string> || std::is_same_v<From, std::string>;
+      if constexpr (isSame || (!isText && !std::is_same_v<From, double>))
+      {
+        return static_cast<To>(value);
+      }
+      else
+      {
+        throw nb::type_error((info.Name + ": a value of the wrong type").c_str());
+      }
+    },
+    current, given);
+}
+
+/// Whether that changes anything.
+bool Set(Options& options, const std::string& name, const OptionValue& value)
+{
+  const OptionInfo& info = Row(name);
+  const OptionValue before = GetOption(options, info);
+  const bool wasExplicit = options.TargetReductionIsExplicit;
+  SetOption(options, info, AsKindOf(before, value, info));
+  return before != GetOption(options, info) || wasExplicit != options.TargetReductionIsExplicit;
+}
+
+void Read(Options& options, const std::string& name, const std::string& text)
+{
+  const std::string problem = SetOptionFromText(options, Row(name), text);
+  if (!problem.empty())
+  {
+    throw nb::value_error(problem.c_str());
+  }
+}
+
+const char* KindWord(const OptionInfo& info)
+{
+  static const char* const words[] = { "bool", "int", "float", "str" };
+  return words[GetOption(Options(), info).index()];
+}
+
+void BindEnums(nb::module_& module)
+{
+  nb::enum_<Mode>(module, "Mode", "How the result is found.")
+    .value("Thesis", Mode::Thesis)
+    .value("Fast", Mode::Fast)
+    .value("Balanced", Mode::Balanced)
+    .value("Accurate", Mode::Accurate);
+  nb::enum_<ErrorPreset>(module, "ErrorPreset", "A largest error as a share of the scan's voxels.")
+    .value("NoPreset", ErrorPreset::NoPreset)
+    .value("QuarterVoxel", ErrorPreset::QuarterVoxel)
+    .value("HalfVoxel", ErrorPreset::HalfVoxel)
+    .value("OneVoxel", ErrorPreset::OneVoxel);
+  nb::enum_<StopReason>(module, "StopReason", "Why a run ended.")
+    .value("NotRun", StopReason::NotRun)
+    .value("TargetReached", StopReason::TargetReached)
+    .value("ErrorReached", StopReason::ErrorReached)
+    .value("AlreadySatisfied", StopReason::AlreadySatisfied)
+    .value("NothingLeft", StopReason::NothingLeft)
+    .value("Aborted", StopReason::Aborted);
+  nb::enum_<InputStatus>(module, "InputStatus", "Whether an input could be used.")
+    .value("Good", InputStatus::Good)
+    .value("Empty", InputStatus::Empty)
+    .value("NoTriangles", InputStatus::NoTriangles)
+    .value("NonFinitePoints", InputStatus::NonFinitePoints)
+    .value("HugeCoordinates", InputStatus::HugeCoordinates)
+    .value("IndexOutOfRange", InputStatus::IndexOutOfRange)
+    .value("TooManyTriangles", InputStatus::TooManyTriangles)
+    .value("BadTolerances", InputStatus::BadTolerances)
+    .value("TolerancesInThesis", InputStatus::TolerancesInThesis);
+}
+
+void BindTable(nb::module_& module)
+{
+  nb::class_<OptionInfo>(module, "OptionInfo", "A row of the table of options.")
+    .def_ro("name", &OptionInfo::Name, "As in SetName() of the filter.")
+    .def_ro("minimum", &OptionInfo::Minimum)
+    .def_ro("maximum", &OptionInfo::Maximum)
+    .def_ro("unit", &OptionInfo::Unit)
+    .def_ro("flag", &OptionInfo::Flag, "Of the command line, without dashes; may be empty.")
+    .def_ro("choices", &OptionInfo::Choices)
+    .def_ro("sentence", &OptionInfo::Sentence)
+    .def_prop_ro("kind", &KindWord, "bool, int, float or str.")
+    .def_prop_ro(
+      "default", [](const OptionInfo& info) { return GetOption(Options(), info); })
+    .def_prop_ro(
+      "default_text", [](const OptionInfo& info) { return OptionText(Options(), info); });
+  module.def(
+    "option_table", [] { return OptionTable(); }, "All options, in the order of the documentation.");
+  module.def("option_table_markdown", &OptionTableMarkdown);
+}
+}
+
+//------------------------------------------------------------------------------
+void BindOptions(nb::module_& module)
+{
+  BindEnums(module);
+  BindTable(module);
+  nb::class_<Options>(module, "Options", "The values of all options.")
+    .def(nb::init<>())
+    .def("get", [](const Options& options, const std::string& name)
+      { return GetOption(options, Row(name)); }, nb::arg("name"))
+    .def("set", &Set, nb::arg("name"), nb::arg("value"),
+      "Clamps to the range; returns whether anything changed.")
+    .def("read", &Read, nb::arg("name"), nb::arg("text"),
+      "Raises ValueError if the text is none of the option's values.")
+    .def("text", [](const Options& options, const std::string& name)
+      { return OptionText(options, Row(name)); }, nb::arg("name"));
+  module.def("empty_report", [] { return ToList(ReportEntries(Report())); },
+    "The entries of a run that has not been.");
+  module.def("stop_sentence", &StopReasonSentence, nb::arg("reason"));
+  module.attr("__version__") = Version();
+}
+}

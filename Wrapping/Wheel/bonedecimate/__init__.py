@@ -1,0 +1,29 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bone surfaces from CT made smaller, with the error in millimetres, proved.
+
+>>> import bonedecimate
+>>> small = bonedecimate.decimate(points, triangles, max_error=0.2)
+>>> small.points, small.triangles, small.report["proof.upper"]
+
+Importing this needs numpy only. `bonedecimate.vtkBoneDecimate`, the same filter for VTK pipelines, imports the VTK that is
+there; PyVista finds `mesh.bone` by itself.
+"""
+
+from typing import TYPE_CHECKING
+
+from ._core import StopReason, __version__
+from .arrays import Aborted, Certificate, Result, certify, decimate
+
+if TYPE_CHECKING:
+    from .vtk_filter import vtkBoneDecimate
+
+__all__ = ["Aborted", "Certificate", "Result", "StopReason", "__version__", "certify", "decimate", "vtkBoneDecimate"]
+
+
+def __getattr__(name: str):
+    """VTK is imported by those who ask for the filter."""
+    if name == "vtkBoneDecimate":
+        from .vtk_filter import vtkBoneDecimate
+        return vtkBoneDecimate
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

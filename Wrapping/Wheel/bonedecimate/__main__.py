@@ -1,0 +1,139 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""`python -m bonedecimate` and `bonedecimate-py`: one surface, with the options of the table.
+
+The program bonedecimate of the C++ project does more: CT, batches, pages, pictures, certificates of files.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import pathlib
+import sys
+from collections.abc import Callable
+
+from . import __version__, _core, files
+from .arrays import check, decimate
+from .options import ROWS, WITHOUT_ARRAYS, keyword
+from .progress import listener
+
+DONE, USAGE, REFUSED, COULD_NOT_WRITE, INTERRUPTED, OUT_OF_MEMORY, VIOLATED = range(7)  # as the C++ program
+
+
+def parser() -> argparse.ArgumentParser:
+    made = argparse.ArgumentParser(prog="bonedecimate-py", description="Make a bone surface smaller; lengths are mm.",
+                                   epilog="Exit codes: 0 done, 1 usage, 2 input refused, 3 could not write, "
+                                          "4 interrupted, 5 out of memory, 6 the certificate contradicts the promise.")
+    made.add_argument("input", type=pathlib.Path, help=".stl .obj .ply .vtp .vtk by VTK; what meshio reads; or binary STL")
+    made.add_argument("output", type=pathlib.Path)
+    made.add_argument("--report", type=pathlib.Path, metavar="FILE", help="the report as JSON")
+    made.add_argument("--quiet", action="store_true", help="no progress, no summary")
+    made.add_argument("--version", action="version", version=__version__)
+    for row in ROWS.values():
+        if row.flag:
+            default = f" Default: {row.default_text or 'none'} {row.unit}".rstrip()
+            alone = {"nargs": "?", "const": "on"} if row.kind == "bool" else {}
+            made.add_argument("--" + row.flag, metavar=_values(row), help=(row.sentence + default).replace("%", "%%"),
+                              **alone)
+    return made
+
+
+def _values(row: _core.OptionInfo) -> str:
+    if row.kind == "bool":
+        return "on|off"
+    return "|".join(row.choices) or row.unit.upper() or row.kind.upper()
+
+
+def options_of(arguments: argparse.Namespace) -> _core.Options:
+    options = _core.Options()
+    for row in ROWS.values():
+        text = getattr(arguments, keyword(row), None)
+        if text is not None:
+            options.read(row.name, text)
+    return options
+
+
+def _with_vtk(arguments: argparse.Namespace, options: _core.Options, progress) -> tuple[dict, Callable[[], None]]:
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+    from .run import fill_output, run
+    data = files.read_vtk(arguments.input)
+    answer, surface = run(data, options, progress)
+    check(answer)
+
+    def write() -> None:
+        output = vtkPolyData()
+        fill_output(answer, surface, options, data, output)
+        files.write_vtk(output, arguments.output)
+    return {name: value for name, _, value in answer["entries"]}, write
+
+
+def _without_vtk(arguments: argparse.Namespace, _options, progress) -> tuple[dict, Callable[[], None]]:
+    given = {key: _value(row, getattr(arguments, key)) for key, row in ROWS.items() if getattr(arguments, key, None)}
+    for key in sorted(WITHOUT_ARRAYS & given.keys()):
+        raise ValueError(f"--{ROWS[key].flag} is about arrays of a file, which need VTK: pip install bonedecimate[vtk]")
+    result = decimate(*files.read(arguments.input), progress=progress, **given)
+    return result.report, lambda: files.write(tuple(result), arguments.output)
+
+
+def _value(row: _core.OptionInfo, text: str):
+    """As Python has it, once the table has read it."""
+    if row.choices or row.kind == "str":
+        return text
+    options = _core.Options()
+    options.read(row.name, text)
+    return options.get(row.name)
+
+
+def _work(arguments: argparse.Namespace) -> int:
+    try:
+        options = options_of(arguments)
+    except ValueError as problem:
+        return _fail(USAGE, problem)
+    engine = _with_vtk if files.has("vtkmodules.vtkIOGeometry") else _without_vtk
+    try:
+        with listener(_bar(arguments)) as heard:
+            report, write = engine(arguments, options, heard)
+    except (OSError, ValueError) as problem:
+        return _fail(REFUSED, problem)
+    except RuntimeError as problem:
+        return _fail(VIOLATED, problem)
+    try:
+        write()
+        if arguments.report:
+            arguments.report.write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
+    except (OSError, ValueError) as problem:
+        return _fail(COULD_NOT_WRITE, problem)
+    if not arguments.quiet:
+        print(f"{report['input.faces']} -> {report['output.faces']} triangles: {report['stop_sentence']}")
+        if "proof.upper" in report:
+            print(f"proved: no point is farther than {report['proof.upper']:.6g} mm from the other surface")
+    return DONE
+
+
+def _bar(arguments: argparse.Namespace):
+    """A bar for people, if there is something that draws one."""
+    return True if not arguments.quiet and sys.stderr.isatty() and (files.has("tqdm") or files.has("rich")) else None
+
+
+def _fail(code: int, problem: Exception) -> int:
+    print(f"bonedecimate-py: {problem}", file=sys.stderr)
+    return code
+
+
+def main(words: list[str] | None = None) -> int:
+    try:
+        arguments = parser().parse_args(words)
+    except SystemExit as end:  # argparse ends with 2 where the C++ program has 1
+        return USAGE if end.code else DONE
+    try:
+        return _work(arguments)
+    except KeyboardInterrupt:
+        return _fail(INTERRUPTED, InterruptedError("interrupted; nothing was written"))
+    except MemoryError:
+        return _fail(OUT_OF_MEMORY, MemoryError("out of memory"))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,238 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""numpy arrays in, numpy arrays out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from .options import WITHOUT_ARRAYS, read
+from .progress import Progress, listener
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._keywords import ArrayOptions
+
+
+class Aborted(RuntimeError):
+    """The progress function returned False, and there is no result without the whole run."""
+
+
+class Result:
+    """What a run made of a surface. Lengths are millimetres, n points and m triangles are those of the result.
+
+    Unpacks into its points and triangles: ``points, triangles = decimate(...)``.
+    """
+
+    points: NDArray  #: (n, 3), float32 or float64 as `precision` says
+    triangles: NDArray[np.int32]  #: (m, 3), counter-clockwise seen from outside
+    distance: NDArray[np.float64]  #: (n,), of each point to the input surface; empty without `measure`
+    running_error: NDArray[np.float64]  #: (n,), mm, the largest distance recorded along the collapses into it
+    point_count: NDArray[np.int32]  #: (n,), how many input points it stands for
+    error_bound: NDArray[np.float64]  #: (n,), proved around each point; empty without a proof
+    input_distance: NDArray[np.float64]  #: of each input point to the result, with `measure_input_distances`
+    input_error_bound: NDArray[np.float64]  #: the same of what is proved
+    nearest_point: NDArray[np.int32]  #: (n,), input point nearest to each point; empty without `maps`
+    nearest_triangle: NDArray[np.int32]  #: (n,), input triangle nearest to each point; empty without `maps`
+    barycentric: NDArray[np.float64]  #: (n, 3), of the nearest place in that triangle; empty without `maps`
+    triangle_at_centroid: NDArray[np.int32]  #: (m,), input triangle nearest to each centroid; empty without `maps`
+    output_point: NDArray[np.int32]  #: of each input point: the point it became part of, or -1; empty without `maps`
+    stop_reason: _core.StopReason  #: why the run ended
+    warnings: list[str]  #: what was found in the input and dealt with, a sentence each
+    report: dict[str, int | float | str]  #: the report by name, "distance.output_to_input.max"
+    units: dict[str, str]  #: of each entry of the report that has one
+
+    def __init__(self, answer: dict, single: bool) -> None:
+        for name in ("distance", "running_error", "point_count", "error_bound", "input_distance", "input_error_bound",
+                     "nearest_point", "nearest_triangle", "barycentric", "triangle_at_centroid", "output_point",
+                     "triangles", "warnings"):
+            setattr(self, name, answer[name])
+        self.points = answer["points"].astype(np.float32) if single else answer["points"]
+        self.stop_reason = answer["stop"]
+        self.report, self.units = _named(answer["entries"])
+
+    def __iter__(self) -> Iterator[NDArray]:
+        return iter((self.points, self.triangles))
+
+    def __repr__(self) -> str:
+        return (f"<bonedecimate.Result: {len(self.triangles)} of {self.report['input.faces']} triangles, "
+                f"{self.stop_reason.name}>")
+
+
+class Certificate:
+    """How far two surfaces are from each other, proved. Lengths are millimetres.
+
+    Bounds are of the largest distance of both directions, borders not included: those stand in `report`.
+    """
+
+    verdict: str  #: "not_asked", "proved", "violated" or "undecided"
+    lower: float  #: no less far apart than that
+    upper: float  #: no farther apart than that
+    reference_distance: NDArray[np.float64]  #: of each point of the reference, negative inside of the other surface
+    result_distance: NDArray[np.float64]  #: of each point of the other surface, negative inside of the reference
+    reference_side: NDArray[np.int8]  #: 1 outside, -1 inside, 0 on it or where there is no telling
+    result_side: NDArray[np.int8]
+    report: dict[str, int | float | str]  #: by name, "reference_to_result.upper"
+    units: dict[str, str]
+
+    def __init__(self, answer: dict) -> None:
+        self.report, self.units = _named(answer["entries"])
+        self.verdict, self.lower, self.upper = (self.report[name] for name in ("verdict", "lower", "upper"))
+        for which in ("reference", "result"):
+            side = answer[which + "_side"]
+            distance = answer[which + "_distance"]
+            setattr(self, which + "_side", side)
+            setattr(self, which + "_distance", np.where(side < 0, -distance, distance))
+
+    def __repr__(self) -> str:
+        return f"<bonedecimate.Certificate: {self.lower:.6g} to {self.upper:.6g} mm, {self.verdict}>"
+
+
+def decimate(
+    points: ArrayLike,
+    triangles: ArrayLike,
+    *,
+    tolerances: ArrayLike | None = None,
+    progress: bool | Progress | None = None,
+    **options: Unpack[ArrayOptions],
+) -> Result:
+    """A surface with fewer triangles, and what that cost in millimetres.
+
+    Parameters
+    ----------
+    points : (n, 3) array of float, mm
+        float32 points give float32 points (`precision`); everything is computed in float64.
+    triangles : (m, 3) array of int
+        Indices of the corners, counter-clockwise seen from outside the bone.
+    tolerances : (n,) array of float, mm, optional
+        How far the surface may move at each point: 0 freezes it, negative is no limit of its own.
+    progress : bool or function, optional
+        True shows a bar (tqdm or rich). A function is called with the fraction done, 0 to 1; if it returns False the run
+        ends with the valid surface that it has by then, and ``stop_reason`` says so.
+    **options
+        Those of the table of options (Documentation/options.md) as keywords: ``max_error=0.2`` (mm, proved),
+        ``target_faces=1000``, ``target_reduction=0.9``, ``mode="Accurate"``, ``threads=1``, ...
+
+    Raises
+    ------
+    TypeError
+        An option that is none, indices that are no integers.
+    ValueError
+        Shapes, options out of range, and surfaces that are none: points that are not finite, indices out of range.
+    RuntimeError
+        The certificate contradicts what was promised: a defect of this software.
+    KeyboardInterrupt
+        Ctrl-C in the main thread ends the run within a hundredth of it.
+
+    The same bytes for any number of threads, and the same as those of the C++ filter. Other Python threads run meanwhile.
+    """
+    corners = _triangles(triangles)
+    places, isSingle = _points(points)
+    values = read(options, WITHOUT_ARRAYS)
+    precision = values.text("OutputPointsPrecision")
+    numbers = None if tolerances is None else np.ascontiguousarray(tolerances, dtype=np.float64)
+    if numbers is not None and numbers.shape != (len(places),):
+        raise ValueError(f"tolerances are one for each of {len(places)} points, not of shape {numbers.shape}")
+    with listener(progress) as heard:
+        answer = _core.decimate(places, corners, values, isSingle, bool(values.get("MakeMaps")), numbers, None, heard)
+    check(answer)
+    return Result(answer, precision == "Single" or (precision == "Default" and isSingle))
+
+
+def certify(
+    reference: tuple[ArrayLike, ArrayLike] | Result,
+    result: tuple[ArrayLike, ArrayLike] | Result,
+    *,
+    tolerance: float | None = None,
+    tolerances: ArrayLike | None = None,
+    tight_bounds: bool = True,
+    relative_gap: float = 1e-6,
+    borders: bool = True,
+    means: bool = True,
+    mean_precision: float = 5e-3,
+    threads: int = 0,
+    progress: bool | Progress | None = None,
+) -> Certificate:
+    """How far two surfaces are from each other, proved for every point of both and not sampled.
+
+    Parameters
+    ----------
+    reference, result : (points, triangles), or what `decimate` returned
+        Arrays of shapes (n, 3), mm, and (m, 3), as `decimate` takes them.
+    tolerance : float, mm, optional
+        How far any point of one may be from the other; ``verdict`` says whether that is kept.
+    tolerances : (n,) array of float, mm, optional
+        The same for each point of the reference, linear on its triangles; negative: no limit of its own.
+    tight_bounds : bool
+        Narrow the bounds to the gap even where the tolerance is proved already.
+    relative_gap : float
+        By which share of the upper bound the lower one may be less.
+    borders, means : bool
+        Compare open borders curve to curve; estimate average and root mean square to the share `mean_precision`.
+
+    Raises
+    ------
+    ValueError
+        Shapes, surfaces without triangles, points that are not finite, indices out of range, tolerances below 0.
+    Aborted
+        The progress function returned False.
+    """
+    options = _core.CertificateOptions()
+    options.tolerance = None if tolerance is None else float(tolerance)
+    if tolerances is not None:
+        options.set_tolerances(np.ascontiguousarray(tolerances, dtype=np.float64).reshape(-1))
+    options.tight_bounds, options.relative_gap = tight_bounds, float(relative_gap)
+    options.with_borders, options.with_means, options.mean_precision = borders, means, float(mean_precision)
+    options.threads, options.with_point_distances = threads, True
+    surfaces = []
+    for points, triangles in (reference, result):
+        surfaces += [_points(points)[0], _triangles(triangles)]
+    with listener(progress) as heard:
+        answer = _core.certify(*surfaces, options, heard)
+    if answer["status"] == _core.CertificateStatus.Aborted:
+        raise Aborted("the comparison was stopped")
+    if answer["status"] != _core.CertificateStatus.Good:
+        raise ValueError(answer["problem"])
+    return Certificate(answer)
+
+
+def check(answer: dict) -> None:
+    """Raises what a run has to say against its input, or against itself."""
+    if answer["status"] not in (_core.InputStatus.Good, _core.InputStatus.Empty):
+        raise ValueError(answer["problem"])
+    if answer["contradiction"]:
+        raise RuntimeError(answer["contradiction"])
+
+
+def _named(entries: list[tuple[str, str, int | float | str]]) -> tuple[dict, dict]:
+    return {name: value for name, _, value in entries}, {name: unit for name, unit, _ in entries if unit}
+
+
+def _points(points: ArrayLike) -> tuple[NDArray[np.float64], bool]:
+    """The points in double precision, and whether they were single."""
+    array = np.asarray(points)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"points are of shape (n, 3), not {array.shape}")
+    return np.ascontiguousarray(array, dtype=np.float64), array.dtype == np.float32
+
+
+def _triangles(triangles: ArrayLike) -> NDArray[np.int32]:
+    """Indices that do not fit become -1, which the core refuses with their number."""
+    array = np.asarray(triangles)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"triangles are of shape (m, 3), not {array.shape}")
+    if array.size and array.dtype.kind not in "iu":
+        raise TypeError(f"triangles are integers, not {array.dtype}")
+    return indices(array)
+
+
+def indices(array: NDArray) -> NDArray[np.int32]:
+    """As the core counts; -1 for what it cannot count."""
+    fits = (array >= 0) & (array < np.iinfo(np.int32).max)
+    return np.ascontiguousarray(np.where(fits, array, -1), dtype=np.int32)

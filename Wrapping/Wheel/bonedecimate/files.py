@@ -1,0 +1,122 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files in and out: by the user's VTK with all arrays, else by meshio, else binary STL by numpy alone."""
+
+from __future__ import annotations
+
+import importlib.util
+import pathlib
+
+import numpy as np
+from numpy.typing import NDArray
+
+Surface = tuple[NDArray, NDArray]
+
+# Of every ending that VTK knows: the module, the reader and the writer.
+VTK_KINDS = {
+    ".stl": ("vtkIOGeometry", "vtkSTLReader", "vtkSTLWriter"),
+    ".obj": ("vtkIOGeometry", "vtkOBJReader", "vtkOBJWriter"),
+    ".ply": ("vtkIOPLY", "vtkPLYReader", "vtkPLYWriter"),
+    ".vtp": ("vtkIOXML", "vtkXMLPolyDataReader", "vtkXMLPolyDataWriter"),
+    ".vtk": ("vtkIOLegacy", "vtkPolyDataReader", "vtkPolyDataWriter"),
+}
+STL_TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+STL_HEADER = 84  # bytes, of which the last four are the number of triangles
+
+
+def has(module: str) -> bool:
+    return importlib.util.find_spec(module) is not None
+
+
+def read_vtk(path: pathlib.Path):
+    """A vtkPolyData. Raises OSError if there is none in the file."""
+    reader = _vtk_class(path, 1)()
+    problems = []
+    for event in ("ErrorEvent", "WarningEvent"):
+        reader.AddObserver(event, lambda *_: problems.append(event))
+    reader.SetFileName(str(_checked(path)))
+    reader.Update()
+    if problems or reader.GetOutput().GetNumberOfPoints() == 0:
+        raise OSError(f"{path} could not be read as {path.suffix}")
+    return reader.GetOutput()
+
+
+def write_vtk(surface, path: pathlib.Path) -> None:
+    writer = _vtk_class(path, 2)()
+    writer.SetInputData(surface)
+    writer.SetFileName(str(path))
+    if hasattr(writer, "SetFileTypeToBinary") and path.suffix.lower() in (".stl", ".ply", ".vtk"):
+        writer.SetFileTypeToBinary()
+    path.unlink(missing_ok=True)
+    if writer.Write() != 1 or not path.exists():
+        raise OSError(f"{path} could not be written")
+
+
+def read(path: pathlib.Path) -> Surface:
+    """Points and triangles, without VTK."""
+    _checked(path)
+    if has("meshio"):
+        import meshio
+        mesh = meshio.read(path)
+        return np.asarray(mesh.points), mesh.get_cells_type("triangle")
+    if path.suffix.lower() != ".stl":
+        raise OSError(f"without VTK and meshio only binary STL can be read, not {path}")
+    return _read_stl(path)
+
+
+def write(surface: Surface, path: pathlib.Path) -> None:
+    if has("meshio"):
+        import meshio
+        options = {"binary": True} if path.suffix.lower() == ".stl" else {}
+        meshio.Mesh(surface[0], [("triangle", surface[1])]).write(path, **options)
+    elif path.suffix.lower() == ".stl":
+        _write_stl(surface, path)
+    else:
+        raise OSError(f"without VTK and meshio only binary STL can be written, not {path}")
+
+
+def _checked(path: pathlib.Path) -> pathlib.Path:
+    """Raises OSError for what readers pass over in silence: a file that is not there, a binary STL that was cut."""
+    if not path.is_file():
+        raise FileNotFoundError(f"{path} is not there")
+    if path.suffix.lower() == ".stl":
+        with open(path, "rb") as file:
+            is_text = file.read(5) == b"solid"
+        if not is_text and path.stat().st_size != _stl_size(_stl_count(path)):
+            raise OSError(f"{path} is no binary STL of {_stl_count(path)} triangles: it has {path.stat().st_size} bytes")
+    return path
+
+
+def _stl_count(path: pathlib.Path) -> int:
+    count = np.fromfile(path, "<u4", 1, offset=STL_HEADER - 4) if path.stat().st_size >= STL_HEADER else []
+    return int(count[0]) if len(count) else 0
+
+
+def _stl_size(triangles: int) -> int:
+    return STL_HEADER + triangles * STL_TRIANGLE.itemsize
+
+
+def _vtk_class(path: pathlib.Path, which: int):
+    kind = VTK_KINDS.get(path.suffix.lower())
+    if kind is None:
+        raise OSError(f"{path}: no format has that ending; there are {' '.join(VTK_KINDS)}")
+    return getattr(importlib.import_module("vtkmodules." + kind[0]), kind[which])
+
+
+def _read_stl(path: pathlib.Path) -> Surface:
+    count = _stl_count(path)
+    if path.stat().st_size != _stl_size(count):  # text, too
+        raise OSError(f"{path} is no binary STL; others need VTK or meshio")
+    corners = np.fromfile(path, STL_TRIANGLE, count, offset=STL_HEADER)["corners"].reshape(-1, 3)
+    return corners, np.arange(len(corners)).reshape(-1, 3)
+
+
+def _write_stl(surface: Surface, path: pathlib.Path) -> None:
+    triangles = np.zeros(len(surface[1]), STL_TRIANGLE)
+    triangles["corners"] = surface[0][surface[1]]
+    sides = np.diff(triangles["corners"].astype(np.float64), axis=1)
+    normals = np.cross(sides[:, 0], sides[:, 1])
+    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+    triangles["normal"] = normals / np.where(lengths > 0, lengths, 1)
+    header = b"bonedecimate".ljust(80) + np.uint32(len(triangles)).astype("<u4").tobytes()
+    path.write_bytes(header + triangles.tobytes())

@@ -1,0 +1,187 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkPolyData as the core's surface: what SurfaceConversion does on the side of C++.
+
+    triangles            as they are
+    polygons, strips     triangulated by VTK, each triangle with the cell it came from
+    ids out of range     -1, which the core refuses with their number
+    vertices, lines      kept aside, with the points that they use
+
+The modules of VTK are those that the user has; nothing here depends on their version.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkAbstractArray, vtkDoubleArray, vtkFloatArray, vtkIdTypeArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+
+from .arrays import indices
+
+CELL = "bonedecimate.cell"
+
+
+def numbers(array) -> NDArray:
+    """The values of a vtkDataArray, shared if they can be."""
+    if not array.HasStandardMemoryLayout():
+        plain = vtkAbstractArray.CreateArray(array.GetDataType())
+        plain.DeepCopy(array)
+        array = plain
+    if array.GetNumberOfValues() == 0:
+        return np.empty((array.GetNumberOfTuples(), array.GetNumberOfComponents()))
+    return np.asarray(memoryview(array)).reshape(array.GetNumberOfTuples(), array.GetNumberOfComponents())
+
+
+def new_array(kind, values: NDArray):
+    """An array of that class with a row of the values a tuple."""
+    array = kind()
+    array.SetNumberOfComponents(values.shape[1] if values.ndim == 2 else 1)
+    array.SetNumberOfTuples(len(values))
+    if values.size:
+        with np.errstate(over="ignore"):
+            numbers(array)[...] = values.reshape(len(values), -1)
+    return array
+
+
+class Cells:
+    """A vtkCellArray as offsets and point ids."""
+
+    def __init__(self, cells, first: int, points: int) -> None:
+        count = cells.GetNumberOfCells() if cells else 0
+        self.first = first  # number of the first of them in the data set
+        self.offsets = numbers(cells.GetOffsetsArray())[:, 0].astype(np.int64) if count else np.zeros(1, np.int64)
+        self.ids = np.empty(0, np.int64)
+        if count:
+            self.ids = numbers(cells.GetConnectivityArray())[:, 0].astype(np.int64)[self.offsets[0]:self.offsets[-1]]
+            self.offsets -= self.offsets[0]
+        misses = np.concatenate([[0], np.cumsum((self.ids < 0) | (self.ids >= points))])
+        self.wrong = misses[self.offsets[1:]] > misses[self.offsets[:-1]]
+
+    @property
+    def sizes(self) -> NDArray:
+        return np.diff(self.offsets)
+
+    @property
+    def numbers(self) -> NDArray:
+        return self.first + np.arange(len(self.sizes))
+
+    def keep(self, mask: NDArray) -> tuple[NDArray, NDArray]:
+        """Sizes and ids of some."""
+        return self.sizes[mask], self.ids[np.repeat(mask, self.sizes)]
+
+
+def cell_array(sizes: NDArray, ids: NDArray) -> vtkCellArray:
+    cells = vtkCellArray()
+    offsets = np.concatenate([[0], np.cumsum(sizes)])
+    cells.SetData(new_array(vtkIdTypeArray, offsets), new_array(vtkIdTypeArray, ids))
+    return cells
+
+
+@dataclass
+class Surface:
+    """What goes into the core."""
+
+    points: NDArray[np.float64]
+    is_single: bool
+    triangles: NDArray[np.int32] = field(default_factory=lambda: np.empty((0, 3), np.int32))
+    cell_of_triangle: NDArray[np.int64] = field(default_factory=lambda: np.empty(0, np.int64))
+    warnings: list[str] = field(default_factory=list)
+
+
+def surface_of(data: vtkPolyData) -> Surface:
+    count = data.GetNumberOfPoints()
+    points = numbers(data.GetPoints().GetData()) if count else np.empty((0, 3))
+    is_single = count > 0 and data.GetPoints().GetDataType() == VTK_FLOAT
+    surface = Surface(np.ascontiguousarray(points, dtype=np.float64), is_single)
+    _warn_of_lines(data, surface)
+    first = data.GetNumberOfVerts() + data.GetNumberOfLines()
+    polys = Cells(data.GetPolys(), first, count)
+    strips = Cells(data.GetStrips(), first + data.GetNumberOfPolys(), count)
+    if len(strips.sizes) == 0 and (polys.sizes == 3).all():
+        fits = np.where(polys.ids < count, polys.ids, -1)
+        surface.triangles, surface.cell_of_triangle = indices(fits.reshape(-1, 3)), polys.numbers
+        return surface
+    wrong = np.concatenate([polys.numbers[polys.wrong], strips.numbers[strips.wrong]])
+    if len(wrong):  # VTK would crash on it
+        surface.triangles, surface.cell_of_triangle = np.full((len(wrong), 3), -1, np.int32), wrong
+    else:
+        _triangulate(data.GetPoints(), polys, strips, surface)
+    return surface
+
+
+def _warn_of_lines(data: vtkPolyData, surface: Surface) -> None:
+    verts, lines = passed_cells(data)
+    wrong = np.concatenate([verts.numbers[verts.wrong], lines.numbers[lines.wrong]])
+    if len(wrong):
+        surface.warnings.append(f"{len(wrong)} vertices and lines name points that are not there and were left out, "
+                                f"the first is cell {wrong[0]}")
+
+
+def _triangulate(points: vtkPoints, polys: Cells, strips: Cells, surface: Surface) -> None:
+    cells = vtkPolyData()
+    cells.SetPoints(points)
+    cells.SetPolys(cell_array(*polys.keep(polys.sizes >= 3)))
+    cells.SetStrips(cell_array(*strips.keep(strips.sizes >= 3)))
+    all_numbers = np.concatenate([polys.numbers, strips.numbers])
+    long_enough = np.concatenate([polys.sizes, strips.sizes]) >= 3
+    ids = new_array(vtkIdTypeArray, all_numbers[long_enough])
+    ids.SetName(CELL)
+    cells.GetCellData().AddArray(ids)
+    triangulate = vtkTriangleFilter()
+    triangulate.SetInputData(cells)
+    triangulate.Update()
+    output = triangulate.GetOutput()
+    surface.triangles = indices(Cells(output.GetPolys(), 0, len(surface.points)).ids.reshape(-1, 3))
+    found = numbers(output.GetCellData().GetArray(CELL))[:, 0].astype(np.int64)
+    surface.cell_of_triangle = found
+    lost = len(all_numbers) - np.count_nonzero(np.diff(found, prepend=-1))
+    if lost:
+        text = f"{lost} polygons could not be triangulated and were left out"
+        if not long_enough.all():
+            text += f", the first with fewer than three points is cell {all_numbers[~long_enough][0]}"
+        surface.warnings.append(text)
+
+
+def passed_cells(data: vtkPolyData) -> tuple[Cells, Cells]:
+    """Vertices and lines."""
+    count = data.GetNumberOfPoints()
+    return Cells(data.GetVerts(), 0, count), Cells(data.GetLines(), data.GetNumberOfVerts(), count)
+
+
+@dataclass
+class Passed:
+    """Vertices and lines on their way to the output: the input's ids of what is no part of the surface."""
+
+    points: NDArray[np.int64]  # those after the surface's, in the order in which the cells use them
+    cells: NDArray[np.int64]  # those before the triangles
+    verts: vtkCellArray
+    lines: vtkCellArray
+
+
+def passed(data: vtkPolyData, own: int) -> Passed:
+    """@param own How many points the surface has."""
+    groups = passed_cells(data)
+    kept = [cells.keep(~cells.wrong) for cells in groups]
+    ids = np.concatenate([kept[0][1], kept[1][1]])
+    used, first, inverse = np.unique(ids, return_index=True, return_inverse=True)
+    order = np.argsort(first)
+    rank = np.empty_like(order)
+    rank[order] = np.arange(len(order))
+    new = own + rank[inverse.reshape(-1)]
+    middle = len(kept[0][1])
+    return Passed(used[order], np.concatenate([cells.numbers[~cells.wrong] for cells in groups]),
+                  cell_array(kept[0][0], new[:middle]), cell_array(kept[1][0], new[middle:]))
+
+
+def points_of(places: NDArray, single: bool) -> vtkPoints:
+    points = vtkPoints()
+    points.SetData(new_array(vtkFloatArray if single else vtkDoubleArray, places))
+    return points
+
+
+def set_triangles(triangles: NDArray, output: vtkPolyData) -> None:
+    output.SetPolys(cell_array(np.full(len(triangles), 3), triangles.reshape(-1)))

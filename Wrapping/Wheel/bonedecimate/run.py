@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A run on vtkPolyData, with everything that the C++ filter gives out; for the filter, PyVista and the program."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkStringArray, vtkTypeInt64Array
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from . import _core
+from .polydata import Passed, Surface, passed, points_of, set_triangles, surface_of
+from .progress import Progress
+from .transfer import add_input_map, add_maps, recompute_normals, transfer_arrays
+
+ENTRY_ARRAYS = {int: vtkTypeInt64Array, float: vtkDoubleArray, str: vtkStringArray}
+
+
+def run(data: vtkPolyData, options: _core.Options, progress: Progress | None) -> tuple[dict, Surface]:
+    """What the core says of it, its warnings and ours together. Raises ValueError without the array of tolerances."""
+    name = options.get("ToleranceArrayName")
+    tolerances = _point_values(data, name) if name and data.GetNumberOfPoints() else None
+    surface = surface_of(data)
+    has_arrays = data.GetPointData().GetNumberOfArrays() + data.GetCellData().GetNumberOfArrays() > 0
+    origins = options.get("MakeMaps") or (options.get("PassArrays") and has_arrays)
+    answer = _core.decimate(surface.points, surface.triangles, options, surface.is_single, origins, tolerances,
+                            surface.cell_of_triangle, progress)
+    answer["warnings"] = surface.warnings + answer["warnings"]
+    return answer, surface
+
+
+def fill_output(answer: dict, surface: Surface, options: _core.Options, data: vtkPolyData, output: vtkPolyData) -> None:
+    precision = options.text("OutputPointsPrecision")
+    single = precision == "Single" or (precision == "Default" and surface.is_single)
+    passing = passed(data, len(answer["points"]))
+    places = answer["points"]
+    if len(passing.points):
+        places = np.concatenate([places, surface.points[passing.points]])
+    output.SetVerts(passing.verts)
+    output.SetLines(passing.lines)
+    set_triangles(answer["triangles"], output)
+    output.SetPoints(points_of(places, single))
+    _add_input_arrays(answer, surface, options, passing, data, output)
+    _add_own_arrays(answer, options, output)
+    output.GetFieldData().PassData(data.GetFieldData())
+    add_entries(answer["entries"], "bonedecimate.", output)
+
+
+def fill_input_copy(answer: dict, options: _core.Options, data: vtkPolyData, output: vtkPolyData) -> None:
+    """The input with the distance of each of its points to the result, and the map, if they were asked for."""
+    output.ShallowCopy(data)
+    for key, name in (("input_distance", "InputDistanceArrayName"), ("input_error_bound", "InputErrorBoundArrayName")):
+        if len(answer[key]):
+            add_point_array(output, options.get(name), "mm", answer[key], vtkDoubleArray)
+    if options.get("MakeMaps") and len(answer["output_point"]):
+        add_input_map(answer, output)
+
+
+def add_entries(entries: list, prefix: str, output: vtkPolyData) -> None:
+    """One array of field data an entry of a report."""
+    for name, unit, value in entries:
+        array = ENTRY_ARRAYS[type(value)]()
+        array.InsertNextValue(value)
+        array.SetName(prefix + name)
+        if unit:
+            array.SetComponentName(0, unit)
+        output.GetFieldData().AddArray(array)
+
+
+def add_point_array(output: vtkPolyData, name: str, unit: str, values: NDArray, kind, rest: float = 0) -> None:
+    """@param rest Of the points after those of the surface."""
+    array = kind()
+    array.SetName(name)
+    array.SetNumberOfTuples(output.GetNumberOfPoints())
+    array.Fill(rest)
+    if len(values):
+        np.asarray(memoryview(array))[:len(values)] = values
+    array.SetComponentName(0, unit)
+    output.GetPointData().AddArray(array)
+
+
+def _point_values(data: vtkPolyData, name: str) -> NDArray[np.float64]:
+    array = data.GetPointData().GetArray(name)
+    if array is None or array.GetNumberOfComponents() != 1:
+        raise ValueError(f"the input has no point array '{name}' of one component")
+    values = vtkDoubleArray()
+    values.DeepCopy(array)  # of any type of number
+    return np.array(memoryview(values)) if values.GetNumberOfTuples() else np.empty(0)
+
+
+def _add_input_arrays(answer: dict, surface: Surface, options: _core.Options, passing: Passed, data: vtkPolyData,
+                      output: vtkPolyData) -> None:
+    """What the input knew, carried over. Aborted runs do not know where their points lie."""
+    is_known = len(answer["nearest_point"]) == len(answer["points"])
+    if options.get("PassArrays") and is_known:
+        own = {options.get(name + "ArrayName") for name in ("Distance", "RunningError", "PointCount", "ErrorBound")}
+        transfer_arrays(answer, surface, passing, own | {"OriginalPointIds", "OriginalCellIds"}, data, output)
+    if options.get("MakeMaps") and is_known:
+        add_maps(answer, surface, passing, output)
+    if options.get("RecomputeNormals"):
+        recompute_normals(output)
+
+
+def _add_own_arrays(answer: dict, options: _core.Options, output: vtkPolyData) -> None:
+    if len(answer["distance"]) or not len(answer["points"]):
+        add_point_array(output, options.get("DistanceArrayName"), "mm", answer["distance"], vtkDoubleArray)
+        add_point_array(output, options.get("RunningErrorArrayName"), "mm", answer["running_error"], vtkDoubleArray)
+    add_point_array(output, options.get("PointCountArrayName"), "points", answer["point_count"], vtkIntArray, 1)
+    if len(answer["error_bound"]):
+        add_point_array(output, options.get("ErrorBoundArrayName"), "mm", answer["error_bound"], vtkDoubleArray)

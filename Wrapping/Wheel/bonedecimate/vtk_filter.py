@@ -1,0 +1,170 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkBoneDecimate for the VTK that is there, whatever its version: the C++ filter's name, properties, arrays and report."""
+
+from __future__ import annotations
+
+import math
+
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonCore import vtkOutputWindow
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from . import _core
+from .options import ROWS, words
+from .run import fill_input_copy, fill_output, run
+
+
+class vtkBoneDecimate(VTKPythonAlgorithmBase):
+    """Make a bone surface smaller, keep every fragment, report the error in millimetres.
+
+    Input port 0: vtkPolyData of triangles, strips or polygons, mm. Output port 0: the smaller surface; point data: the
+    distance to the input, the error recorded along the collapses (mm) and how many input points each point stands for;
+    field data: the report, one array an entry ("bonedecimate." and its name). Vertices and lines pass through.
+    Output port 1: the input, with the distance of each of its points to the result when MeasureInputDistances is on.
+
+    An input that cannot be used is an ErrorEvent with an empty output, as everywhere in VTK. Ctrl-C in the main thread ends
+    the run, and Update() raises KeyboardInterrupt.
+    """
+
+    def __init__(self) -> None:
+        super().__init__(nInputPorts=1, inputType="vtkPolyData", nOutputPorts=2, outputType="vtkPolyData")
+        self._options = _core.Options()
+        self._entries = _core.empty_report()
+        self._stop = _core.StopReason.NotRun
+        self._interrupted = False
+
+    def SetInputData(self, data: vtkPolyData) -> None:
+        self.SetInputDataObject(data)
+
+    def GetInput(self) -> vtkPolyData:
+        return self.GetInputDataObject(0, 0)
+
+    def GetOutput(self, port: int = 0) -> vtkPolyData:
+        return self.GetOutputDataObject(port)
+
+    def SetModeToThesis(self) -> None:
+        self.SetMode(self.THESIS)
+
+    def SetModeToFast(self) -> None:
+        self.SetMode(self.FAST)
+
+    def SetModeToBalanced(self) -> None:
+        self.SetMode(self.BALANCED)
+
+    def SetModeToAccurate(self) -> None:
+        self.SetMode(self.ACCURATE)
+
+    def GetStopReason(self) -> int:
+        """Why the last run ended: NOT_RUN, TARGET_REACHED, ..."""
+        return self._stop.value
+
+    def GetStopReasonAsString(self) -> str:
+        """Why the last run ended, as a sentence."""
+        return _core.stop_sentence(self._stop)
+
+    def GetNumberOfReportEntries(self) -> int:
+        return len(self._entries)
+
+    def GetReportEntryName(self, entry: int) -> str:
+        """Empty beyond them."""
+        return self._entries[entry][0] if 0 <= entry < len(self._entries) else ""
+
+    def GetReportEntryUnit(self, name: str) -> str:
+        """Empty where there is none."""
+        return self._entry(name)[1]
+
+    def GetReportValue(self, name: str) -> float:
+        """A number of the report; NaN where the name is unknown or the entry is a text."""
+        value = self._entry(name)[2]
+        return math.nan if isinstance(value, str) else float(value)
+
+    def GetReportText(self, name: str) -> str:
+        """An entry as text, numbers with all their digits; empty where the name is unknown."""
+        value = self._entry(name)[2]
+        return f"{value:.17g}" if isinstance(value, float) else str(value)
+
+    def _entry(self, name: str) -> tuple[str, str, int | float | str]:
+        return next((entry for entry in self._entries if entry[0] == name), (name, "", ""))
+
+    def Update(self, *arguments) -> None:
+        super().Update(*arguments)
+        if self._interrupted:
+            self._interrupted = False
+            raise KeyboardInterrupt
+
+    def RequestData(self, _request, inInfo, outInfo) -> int:
+        outputs = [vtkPolyData.GetData(outInfo, port) for port in range(2)]
+        try:
+            return self._run(vtkPolyData.GetData(inInfo[0]), *outputs)
+        except (ValueError, MemoryError) as problem:
+            return self._fail(str(problem) or "out of memory")
+        except KeyboardInterrupt:  # VTK would print it and go on
+            self._interrupted = True
+            return 0
+
+    def _run(self, data: vtkPolyData, output: vtkPolyData, input_copy: vtkPolyData) -> int:
+        answer, surface = run(data, self._options, self._goes_on)
+        self._entries, self._stop = answer["entries"], answer["stop"]
+        status = answer["status"]
+        if status == _core.InputStatus.NoTriangles:
+            self._say("WarningEvent", answer["problem"])
+        elif status not in (_core.InputStatus.Good, _core.InputStatus.Empty):
+            return self._fail(answer["problem"])
+        for warning in answer["warnings"]:
+            self._say("WarningEvent", warning)
+        fill_output(answer, surface, self._options, data, output)
+        fill_input_copy(answer, self._options, data, input_copy)
+        if answer["contradiction"]:
+            self._say("ErrorEvent", answer["contradiction"])
+        return 1
+
+    def _goes_on(self, fraction: float) -> bool:
+        """An aborted run still has a valid surface. CheckAbort() would have the executive throw it away."""
+        self.UpdateProgress(fraction)
+        return not self.GetAbortExecute()
+
+    def _fail(self, text: str) -> int:
+        self._say("ErrorEvent", text)
+        return 0
+
+    def _say(self, event: str, text: str) -> None:
+        """To observers, or where VTK prints what nobody observes, as the macros of C++ do."""
+        if not self.GetGlobalWarningDisplay():
+            return
+        if self.HasObserver(event):
+            self.InvokeEvent(event, text)
+        elif event == "ErrorEvent":
+            vtkOutputWindow.GetInstance().DisplayErrorText(f"ERROR: In vtkBoneDecimate: {text}\n")
+        else:
+            vtkOutputWindow.GetInstance().DisplayWarningText(f"Warning: In vtkBoneDecimate: {text}\n")
+
+    def __str__(self) -> str:
+        units = {row.name: f" {row.unit}" if row.unit else "" for row in ROWS.values()}
+        lines = [f"  {name}: {self._options.text(name)}{unit}" for name, unit in units.items()]
+        return "\n".join([super().__str__().rstrip("\n"), *lines, f"  StopReason: {self.GetStopReasonAsString()}", ""])
+
+
+def _add_property(row: _core.OptionInfo) -> None:
+    """SetName(), GetName() and, for a switch, NameOn() and NameOff(); values are held within their range."""
+    def put(self, value) -> None:
+        if self._options.set(row.name, value.item() if hasattr(value, "item") else value):
+            self.Modified()
+
+    def get(self):
+        return self._options.get(row.name)
+
+    text = f"{row.sentence} Default: {row.default_text or 'none'} {row.unit}".rstrip()
+    for name, function in (("Set" + row.name, put), ("Get" + row.name, get)):
+        function.__name__, function.__doc__ = name, text
+        setattr(vtkBoneDecimate, name, function)
+    if row.kind == "bool":
+        setattr(vtkBoneDecimate, row.name + "On", lambda self: put(self, True))
+        setattr(vtkBoneDecimate, row.name + "Off", lambda self: put(self, False))
+
+
+for _row in ROWS.values():
+    _add_property(_row)
+for _enumeration in (_core.Mode, _core.ErrorPreset, _core.StopReason):
+    for _member in _enumeration:
+        setattr(vtkBoneDecimate, words(_member.name, "_").upper(), _member.value)
