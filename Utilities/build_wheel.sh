@@ -21,9 +21,9 @@ trap 'rm -rf "$scratch"' EXIT
 "$scratch/tools/bin/pip" -q install --disable-pip-version-check "pip>=23" ${portable:+ziglang auditwheel}
 export CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(getconf _NPROCESSORS_ONLN)}"
 if [ -n "$portable" ]; then
-  # No space between name and target: CMake takes CXX for one word and its arguments.
+  # -I: pip hides what is installed here from the builds that it starts.
   for compiler in cc c++; do
-    printf '#!/bin/sh\nexec "%s" -m ziglang %s -target x86_64-linux-gnu.2.17 "$@"\n' \
+    printf '#!/bin/sh\nexec "%s" -I -m ziglang %s -target x86_64-linux-gnu.2.17 "$@"\n' \
       "$scratch/tools/bin/python" "$compiler" > "$scratch/zig-$compiler"
     chmod +x "$scratch/zig-$compiler"
   done

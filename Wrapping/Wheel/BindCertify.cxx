@@ -34,9 +34,9 @@ nb::dict Run(const PointsIn& referencePoints, const TrianglesIn& referenceTriang
 {
   const Surface reference = ToSurface(referencePoints, referenceTriangles);
   const Surface result = ToSurface(points, triangles);
-  return ToDict(Listener(std::move(progress))
-                  .Hear([&](const Monitor& monitor)
-                    { return Certify(reference, result, options, monitor); }));
+  return ToDict(
+    Listener(std::move(progress))
+      .Hear([&](const Monitor& monitor) { return Certify(reference, result, options, monitor); }));
 }
 }
 
@@ -54,8 +54,11 @@ void BindCertify(nb::module_& module)
   nb::class_<CertificateOptions>(module, "CertificateOptions", "As in Certificate.h.")
     .def(nb::init<>())
     .def_rw("tolerance", &CertificateOptions::Tolerance, nb::arg().none())
-    .def("set_tolerances", [](CertificateOptions& options, const NumbersIn& map)
-      { options.ToleranceMap = *ToNumbers(map); }, nb::arg("tolerances"))
+    .def(
+      "set_tolerances",
+      [](CertificateOptions& options, const NumbersIn& map)
+      { options.ToleranceMap = *ToNumbers(map); },
+      nb::arg("tolerances"))
     .def_rw("tight_bounds", &CertificateOptions::TightBounds)
     .def_rw("relative_gap", &CertificateOptions::RelativeGap)
     .def_rw("with_borders", &CertificateOptions::WithBorders)

@@ -68,8 +68,8 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
   Result result = Listener(std::move(progress))
                     .Hear(
                       [&](const Monitor& monitor) {
-                        return Decimate(
-                          surface, options, monitor, single, origins, numbers ? &*numbers : nullptr);
+                        return Decimate(surface, options, monitor, single, origins,
+                          numbers ? &*numbers : nullptr);
                       });
   NameCells(cells, result.Report.Cleaning);
   return ToDict(std::move(result));

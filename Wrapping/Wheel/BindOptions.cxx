@@ -115,12 +115,12 @@ void BindTable(nb::module_& module)
     .def_ro("choices", &OptionInfo::Choices)
     .def_ro("sentence", &OptionInfo::Sentence)
     .def_prop_ro("kind", &KindWord, "bool, int, float or str.")
-    .def_prop_ro(
-      "default", [](const OptionInfo& info) { return GetOption(Options(), info); })
+    .def_prop_ro("default", [](const OptionInfo& info) { return GetOption(Options(), info); })
     .def_prop_ro(
       "default_text", [](const OptionInfo& info) { return OptionText(Options(), info); });
   module.def(
-    "option_table", [] { return OptionTable(); }, "All options, in the order of the documentation.");
+    "option_table", [] { return OptionTable(); },
+    "All options, in the order of the documentation.");
   module.def("option_table_markdown", &OptionTableMarkdown);
 }
 }
@@ -132,15 +132,21 @@ void BindOptions(nb::module_& module)
   BindTable(module);
   nb::class_<Options>(module, "Options", "The values of all options.")
     .def(nb::init<>())
-    .def("get", [](const Options& options, const std::string& name)
-      { return GetOption(options, Row(name)); }, nb::arg("name"))
+    .def(
+      "get",
+      [](const Options& options, const std::string& name) { return GetOption(options, Row(name)); },
+      nb::arg("name"))
     .def("set", &Set, nb::arg("name"), nb::arg("value"),
       "Clamps to the range; returns whether anything changed.")
     .def("read", &Read, nb::arg("name"), nb::arg("text"),
       "Raises ValueError if the text is none of the option's values.")
-    .def("text", [](const Options& options, const std::string& name)
-      { return OptionText(options, Row(name)); }, nb::arg("name"));
-  module.def("empty_report", [] { return ToList(ReportEntries(Report())); },
+    .def(
+      "text",
+      [](const Options& options, const std::string& name)
+      { return OptionText(options, Row(name)); },
+      nb::arg("name"));
+  module.def(
+    "empty_report", [] { return ToList(ReportEntries(Report())); },
     "The entries of a run that has not been.");
   module.def("stop_sentence", &StopReasonSentence, nb::arg("reason"));
   module.attr("__version__") = Version();

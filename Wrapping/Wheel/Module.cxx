@@ -4,7 +4,8 @@
 
 NB_MODULE(_core, module)
 {
-  nanobind::set_leak_warnings(false); // classes of VTK live until the interpreter is gone, and hold rows of the table
+  nanobind::set_leak_warnings(
+    false); // classes of VTK live until the interpreter is gone, and hold rows of the table
   module.doc() = "The core of vtkBoneDecimate. Use it through the package bonedecimate.";
   bonedecimate::BindOptions(module);
   bonedecimate::BindDecimate(module);
