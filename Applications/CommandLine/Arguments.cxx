@@ -92,9 +92,9 @@ void AddRegions(CLI::App& app, Arguments& arguments)
         arguments.Given["region"] = all;
       },
       WrappedHelp("How far the surface may move in a part of it, in mm: box:x0,x1,y0,y1,z0,z1=MM, "
-                  "sphere:x,y,z,radius=MM, rest=MM for what is in none of them. 0 freezes, "
-                  "negative is no limit; where parts overlap the smallest counts, and --max-error "
-                  "caps all. May be repeated."))
+                  "sphere:x,y,z,radius=MM, rest=MM for what is in none of them. 0 freezes; "
+                  "where parts overlap the smallest counts, and --max-error caps all. May be "
+                  "repeated."))
     ->type_name("SHAPE=MM")
     ->expected(1)
     ->take_all()

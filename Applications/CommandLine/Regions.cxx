@@ -90,10 +90,11 @@ std::string ReadRegions(const std::string& text, std::vector<Region>& regions)
     Region region;
     const std::size_t equals = part.rfind('=');
     if (equals == std::string::npos || !ReadShape(part.substr(0, equals), region) ||
-      !ReadNumber(part.substr(equals + 1), region.Tolerance))
+      !ReadNumber(part.substr(equals + 1), region.Tolerance) || region.Tolerance < 0.0)
     {
-      return "takes box:x0,x1,y0,y1,z0,z1=MM, sphere:x,y,z,radius=MM or rest=MM, not '" + part +
-        "'";
+      return "takes box:x0,x1,y0,y1,z0,z1=MM, sphere:x,y,z,radius=MM or rest=MM, 0 mm or more, not "
+             "'" +
+        part + "'";
     }
     regions.push_back(region);
   }

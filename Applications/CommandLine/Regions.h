@@ -25,7 +25,7 @@ struct Region
   };
   Shapes Shape = Rest;
   std::vector<double> Numbers;
-  double Tolerance = 0.0; ///< mm; 0 freezes, negative is no limit
+  double Tolerance = 0.0; ///< mm; 0 freezes
 };
 
 /**

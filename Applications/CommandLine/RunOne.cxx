@@ -242,7 +242,15 @@ private:
     }
     if (!this->Asked.Regions.empty())
     {
-      name = name.empty() ? "Tolerance" : name;
+      if (name.empty())
+      {
+        name = "Tolerance";
+        // A result of an earlier run still has that run's.
+        vtkNew<vtkPolyData> without;
+        without->ShallowCopy(this->Input);
+        without->GetPointData()->RemoveArray(name.c_str());
+        this->Input = without;
+      }
       this->Input = WithTolerances(this->Input, this->Asked.Regions, name);
       this->Filter->SetToleranceArrayName(name);
     }

@@ -365,9 +365,9 @@ TEST(Limits, AreTheSmallerOfToleranceAndErrorAndLinearInBetween)
   const Limits limits(mesh, promise);
   EXPECT_TRUE(limits.Differ());
   EXPECT_EQ(limits.At(0), 0.0);
-  EXPECT_NEAR(limits.At(1), 1.0, 1e-5);
-  EXPECT_NEAR(limits.At(2), 1.0, 1e-5);
-  EXPECT_NEAR(limits.At(3), 0.5, 1e-5);
+  EXPECT_NEAR(limits.At(1), 1.0, 3e-4);
+  EXPECT_NEAR(limits.At(2), 1.0, 3e-4);
+  EXPECT_NEAR(limits.At(3), 0.5, 3e-4);
   for (const Index v : { 1, 2, 3 })
   {
     EXPECT_LT(limits.At(v), v == 3 ? 0.5 : 1.0) << "no slack";

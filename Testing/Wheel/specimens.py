@@ -171,6 +171,8 @@ def cases():
         "Accurate": (torus(60, 40, bumps=0.4), {"Mode": 3, "TargetReduction": 0.8}),
         "Tolerances": (tolerant(sheet(), lambda i: 0.02 * (i % 9), vtkFloatArray), {"ToleranceArrayName": "Tolerance"}),
         "Preset": (sheet(False), {"ErrorPreset": 2, "VoxelSize": 0.5, "KeepClearance": False}),
+        "Reference": (torus(bumps=0.3), {"MaximumError": 0.2, "ReferenceData": torus(bumps=0.31)}),
+        "ReferenceTooFar": (torus(bumps=0.3), {"MaximumError": 0.001, "ReferenceData": torus()}),
         "Empty": (vtkPolyData(), {}),
         "PointsAlone": (polydata(torus(6, 5).GetPoints(), vtkCellArray()), {}),
         "NotANumber": (spoilt(torus(), (math.nan, 0, 0)), {}),

@@ -7,6 +7,7 @@
 #include "ReportTable.h"
 
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -61,15 +62,18 @@ nb::dict ToDict(Result&& result)
 
 nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options& options,
   bool single, bool origins, const std::optional<NumbersIn>& tolerances,
-  const std::optional<CellsIn>& cells, nb::object progress)
+  const std::optional<CellsIn>& cells,
+  const std::optional<std::pair<PointsIn, TrianglesIn>>& reference, nb::object progress)
 {
   const Surface surface = ToSurface(points, triangles);
+  const Surface first = reference ? ToSurface(reference->first, reference->second) : Surface();
   const std::optional<std::vector<double>> numbers = ToNumbers(tolerances);
   Result result = Listener(std::move(progress))
                     .Hear(
-                      [&](const Monitor& monitor) {
+                      [&](const Monitor& monitor)
+                      {
                         return Decimate(surface, options, monitor, single, origins,
-                          numbers ? &*numbers : nullptr);
+                          numbers ? &*numbers : nullptr, reference ? &first : nullptr);
                       });
   NameCells(cells, result.Report.Cleaning);
   return ToDict(std::move(result));
@@ -81,6 +85,7 @@ void BindDecimate(nb::module_& module)
 {
   module.def("decimate", &Run, nb::arg("points"), nb::arg("triangles"), nb::arg("options"),
     nb::arg("single"), nb::arg("origins"), nb::arg("tolerances").none(), nb::arg("cells").none(),
-    nb::arg("progress").none(), "One run; the keys of what it returns are those of Decimate.h.");
+    nb::arg("reference").none(), nb::arg("progress").none(),
+    "One run; the keys of what it returns are those of Decimate.h.");
 }
 }

@@ -101,7 +101,10 @@ void BindEnums(nb::module_& module)
     .value("IndexOutOfRange", InputStatus::IndexOutOfRange)
     .value("TooManyTriangles", InputStatus::TooManyTriangles)
     .value("BadTolerances", InputStatus::BadTolerances)
-    .value("TolerancesInThesis", InputStatus::TolerancesInThesis);
+    .value("TolerancesInThesis", InputStatus::TolerancesInThesis)
+    .value("ReferenceWithoutError", InputStatus::ReferenceWithoutError)
+    .value("BadReference", InputStatus::BadReference)
+    .value("FarFromReference", InputStatus::FarFromReference);
 }
 
 void BindTable(nb::module_& module)

@@ -99,6 +99,7 @@ def decimate(
     triangles: ArrayLike,
     *,
     tolerances: ArrayLike | None = None,
+    reference: tuple[ArrayLike, ArrayLike] | Result | None = None,
     progress: bool | Progress | None = None,
     **options: Unpack[ArrayOptions],
 ) -> Result:
@@ -112,6 +113,9 @@ def decimate(
         Indices of the corners, counter-clockwise seen from outside the bone.
     tolerances : (n,) array of float, mm, optional
         How far the surface may move at each point: 0 freezes it, negative is no limit of its own.
+    reference : (points, triangles), or what `decimate` returned, optional
+        What this surface was made from by runs before: ``max_error``, which must be given, is promised, proved and measured
+        against it.
     progress : bool or function, optional
         True shows a bar (tqdm or rich). A function is called with the fraction done, 0 to 1; if it returns False the run
         ends with the valid surface that it has by then, and ``stop_reason`` says so.
@@ -139,8 +143,12 @@ def decimate(
     numbers = None if tolerances is None else np.ascontiguousarray(tolerances, dtype=np.float64)
     if numbers is not None and numbers.shape != (len(places),):
         raise ValueError(f"tolerances are one for each of {len(places)} points, not of shape {numbers.shape}")
+    first = None
+    if reference is not None:
+        firstPlaces, firstCorners = reference
+        first = (_points(firstPlaces)[0], _triangles(firstCorners))
     with listener(progress) as heard:
-        answer = _core.decimate(places, corners, values, isSingle, bool(values.get("MakeMaps")), numbers, None, heard)
+        answer = _core.decimate(places, corners, values, isSingle, bool(values.get("MakeMaps")), numbers, None, first, heard)
     check(answer)
     return Result(answer, precision == "Single" or (precision == "Default" and isSingle))
 

@@ -9,6 +9,7 @@ import math
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import _core
 from .options import ROWS, words
@@ -18,7 +19,8 @@ from .run import fill_input_copy, fill_output, run
 class vtkBoneDecimate(VTKPythonAlgorithmBase):
     """Make a bone surface smaller, keep every fragment, report the error in millimetres.
 
-    Input port 0: vtkPolyData of triangles, strips or polygons, mm. Output port 0: the smaller surface; point data: the
+    Input port 0: vtkPolyData of triangles, strips or polygons, mm. Input port 1, optional: the reference, what that was made
+    from by runs before; with it MaximumError is promised, proved and measured against the reference. Output port 0: the smaller surface; point data: the
     distance to the input, the error recorded along the collapses (mm) and how many input points each point stands for;
     field data: the report, one array an entry ("bonedecimate." and its name). Vertices and lines pass through.
     Output port 1: the input, with the distance of each of its points to the result when MeasureInputDistances is on.
@@ -28,7 +30,7 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
     """
 
     def __init__(self) -> None:
-        super().__init__(nInputPorts=1, inputType="vtkPolyData", nOutputPorts=2, outputType="vtkPolyData")
+        super().__init__(nInputPorts=2, inputType="vtkPolyData", nOutputPorts=2, outputType="vtkPolyData")
         self._options = _core.Options()
         self._entries = _core.empty_report()
         self._stop = _core.StopReason.NotRun
@@ -36,6 +38,17 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
 
     def SetInputData(self, data: vtkPolyData) -> None:
         self.SetInputDataObject(data)
+
+    def SetReferenceData(self, reference: vtkPolyData) -> None:
+        self.SetInputDataObject(1, reference)
+
+    def SetReferenceConnection(self, reference) -> None:
+        self.SetInputConnection(1, reference)
+
+    def FillInputPortInformation(self, port: int, info) -> int:
+        if port == 1:
+            info.Set(vtkAlgorithm.INPUT_IS_OPTIONAL(), 1)
+        return super().FillInputPortInformation(port, info)
 
     def GetInput(self) -> vtkPolyData:
         return self.GetInputDataObject(0, 0)
@@ -96,15 +109,15 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
     def RequestData(self, _request, inInfo, outInfo) -> int:
         outputs = [vtkPolyData.GetData(outInfo, port) for port in range(2)]
         try:
-            return self._run(vtkPolyData.GetData(inInfo[0]), *outputs)
+            return self._run(vtkPolyData.GetData(inInfo[0]), vtkPolyData.GetData(inInfo[1]), *outputs)
         except (ValueError, MemoryError) as problem:
             return self._fail(str(problem) or "out of memory")
         except KeyboardInterrupt:  # VTK would print it and go on
             self._interrupted = True
             return 0
 
-    def _run(self, data: vtkPolyData, output: vtkPolyData, input_copy: vtkPolyData) -> int:
-        answer, surface = run(data, self._options, self._goes_on)
+    def _run(self, data: vtkPolyData, reference: vtkPolyData | None, output: vtkPolyData, input_copy: vtkPolyData) -> int:
+        answer, surface = run(data, self._options, self._goes_on, reference)
         self._entries, self._stop = answer["entries"], answer["stop"]
         status = answer["status"]
         if status == _core.InputStatus.NoTriangles:
