@@ -3,7 +3,7 @@
 #
 #   build_wheel.sh [--portable] [FOLDER]     into FOLDER, by default dist/ of the project
 #
-# --portable   for any Linux since glibc 2.17: compiled by the zig of PyPI's ziglang, checked and named by auditwheel
+# --portable   for any x86_64 Linux since glibc 2.17: compiled by the zig of PyPI's ziglang, checked and named by auditwheel
 # PYTHON       the Python to build for, with its headers; by default python3
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)

@@ -249,6 +249,7 @@ private:
     {
       Refuse(source, messages.Errors.front());
     }
+    this->Warnings.insert(this->Warnings.end(), messages.Warnings.begin(), messages.Warnings.end());
   }
 
   void WriteLevel(int triangles, double error, std::list<StagedFile>& files)
@@ -295,6 +296,10 @@ void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
   {
     throw Failure(ExitCode::Usage,
       "--output '" + arguments.Output + "' needs one of the extensions " + SurfaceExtensions);
+  }
+  if (arguments.WithoutErrors && !arguments.Errors.empty())
+  {
+    throw Failure(ExitCode::Usage, "--errors needs the distances that --no-errors leaves out");
   }
   KeepSurfaces(arguments, arguments.Record);
 }

@@ -6,8 +6,8 @@
  *
  * Takes a surface as marching cubes leaves it (triangles, strips or polygons, points shared or not) and returns
  * one with fewer triangles, by an edge collapse ordered by normal field deviation. Coordinates are millimetres.
- * No component of the input is removed or merged with another, open borders move only along themselves, parts that
- * are not manifold stay as they are.
+ * No component of the input is removed or merged with another, open borders move only along themselves, edges and
+ * vertices that are not manifold stay as they are.
  *
  * Input port 0: the surface. Input port 1, optional: the reference, what the surface was made from by runs before. With it
  * MaximumError is promised, proved and measured against the reference, however often a result is fed in again.
@@ -311,11 +311,13 @@ public:
   ///@{
   /**
    * The first original of an input that is itself a result: what MaximumError, which must be set, is promised against.
-   * Tolerances stay those against the input. An input that is farther from it than MaximumError is an error.
+   * Tolerances stay those against the input. An input that is farther from it than MaximumError is an error. Default none.
    */
   void SetReferenceData(vtkPolyData* reference);
-  void SetReferenceConnection(vtkAlgorithmOutput* reference);
   ///@}
+
+  /// The same as a connection, to the input port 1. Default none.
+  void SetReferenceConnection(vtkAlgorithmOutput* reference);
 
   /**
    * Why the last run ended: one of StopReasons.

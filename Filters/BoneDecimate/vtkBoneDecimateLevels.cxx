@@ -240,6 +240,10 @@ bool vtkBoneDecimateLevels::Record(vtkPolyData* input)
     vtkErrorMacro(<< bonedecimate::InputMessage(run.Report));
     return false;
   }
+  for (const std::string& warning : bonedecimate::InputWarnings(run.Report))
+  {
+    vtkWarningMacro(<< warning);
+  }
   const std::string contradiction = bonedecimate::ProofMessage(run.Report);
   if (!contradiction.empty())
   {
@@ -279,7 +283,8 @@ bool vtkBoneDecimateLevels::Fill(vtkPolyData* other, vtkPolyData* output)
     : levels.At(level);
   if (!found)
   {
-    vtkErrorMacro(<< "the triangles of the second input are not those of the first");
+    vtkErrorMacro(
+      << "the second input has other triangles than the first, or points that are not finite");
     return false;
   }
   output->SetPoints(

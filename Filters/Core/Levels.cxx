@@ -100,7 +100,9 @@ Index Levels::ByError(double error) const
 //------------------------------------------------------------------------------
 std::optional<Level> Levels::AtOn(const Surface& other, Index collapses) const
 {
+  const auto isFinite = [](const Vector3& point) { return point.allFinite(); };
   if (other.Points.size() != this->InputPoints ||
+    !std::all_of(other.Points.begin(), other.Points.end(), isFinite) ||
     ConnectivityOf(other, this->Threads) != this->Connectivity)
   {
     return {};

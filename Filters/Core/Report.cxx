@@ -92,8 +92,8 @@ std::string InputMessage(const Report& report)
     case InputStatus::BadTolerances:
       return found.BadTolerances == 0
         ? "there is not one tolerance for each point"
-        : Found(found.BadTolerances, "points have a NaN or infinite tolerance", "point",
-            found.FirstBadTolerance);
+        : Found(found.BadTolerances, "points have a tolerance that is NaN or beyond 1e30 mm",
+            "point", found.FirstBadTolerance);
     case InputStatus::TolerancesInThesis:
       return "Thesis mode proves no distances: its tolerances can only be 0 (frozen) or negative "
              "(no limit)";

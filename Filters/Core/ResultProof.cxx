@@ -88,11 +88,18 @@ void ProveAgainst(const Surface& reference, const CertificateOptions& question,
   const Monitor& monitor, Result& answer)
 {
   const Certificate found = Certify(reference, answer.Surface, question, monitor);
+  Report& report = answer.Report;
+  if (found.Status == CertificateStatus::Aborted)
+  {
+    return;
+  }
   if (found.Status != CertificateStatus::Good)
   {
-    return; // somebody aborted
+    report.Proof.WasMade = true; // of what cannot be judged nothing is proved
+    report.Proof.Verdict = CertificateVerdict::Undecided;
+    report.Proof.Tolerance = question.Tolerance.value_or(0.0);
+    return;
   }
-  Report& report = answer.Report;
   report.Proof = ProofOf(found, question);
   report.BordersMeasured = report.DistancesMeasured && found.Borders == BorderPresence::Both;
   report.BorderInputToOutput = report.Proof.BorderInputToOutput;
@@ -128,6 +135,7 @@ void AddMapVerdict(const Surface& input, const Options& options, const std::vect
   else
   {
     answer.Report.Proof = {}; // somebody aborted
+    answer.ErrorBound.clear();
   }
 }
 }
@@ -147,10 +155,12 @@ void ProveResult(const Surface& input, const CleanSurface& cleaned, const Option
   {
     Options question = options;
     question.MeasureInputDistances = false; // bounds at points of the reference are nobody's
-    ProveAgainst(*reference, QuestionOf(question, nullptr), monitor, answer);
-    if (tolerances != nullptr)
+    const double half = tolerances != nullptr ? 0.5 : 1.0;
+    ProveAgainst(*reference, QuestionOf(question, nullptr), PartOf(monitor, 0.0, half), answer);
+    if (tolerances != nullptr && answer.Report.Proof.WasMade)
     {
-      AddMapVerdict(KeptPart(input, cleaned).Surface, options, *tolerances, monitor, answer);
+      AddMapVerdict(
+        KeptPart(input, cleaned).Surface, options, *tolerances, PartOf(monitor, half, 1.0), answer);
     }
   }
   else

@@ -49,7 +49,7 @@ class Levels(ApplicationTest):
         self.assertIn(b"element face 300\n", self.path("on-300.ply").read_bytes())
         write(torus(rings=41), self.path("other.ply"))
         self.path("on-300.ply").unlink()
-        self.fail_with(REFUSED, "levels", "in.ply", *words, "other.ply", says="not those of the first")
+        self.fail_with(REFUSED, "levels", "in.ply", *words, "other.ply", says="other triangles than the first")
 
     def test_damaged_logs_are_refused(self):
         self.record("--no-errors", "--quiet")

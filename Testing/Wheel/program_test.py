@@ -57,6 +57,17 @@ class Program(unittest.TestCase):
                 self.assertLess(certificate.upper, 0.2 + 1e-5)  # single precision in the file
                 self.assertLess(len(triangles), len(TRIANGLES) / 3)
 
+    def test_a_package_that_is_not_there_is_no_failure(self):
+        self.assertFalse(files.has("no_such_package.module"))
+
+    def test_the_input_is_not_overwritten(self):
+        bone = self.folder / "bone.stl"
+        before = bone.read_bytes()
+        for words in ((bone, bone), (bone, self.folder / "out.stl", "--report", bone)):
+            self.assertIn("not overwritten", self.run_program(*words, code=1)[1])
+        self.assertEqual(bone.read_bytes(), before)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["bone.stl"])
+
     def test_files_that_are_none_are_refused(self):
         (self.folder / "cut.stl").write_bytes((self.folder / "bone.stl").read_bytes()[:1000])
         for without in self.engines():

@@ -53,12 +53,13 @@ std::vector<double> Limits(const CertificateOptions& options)
   return limits;
 }
 
-double LargestLimit(const CertificateOptions& options)
+/// mm, of those that are finite.
+double Largest(const std::vector<double>& limits)
 {
-  double largest = options.Tolerance.value_or(0.0);
-  for (const double tolerance : options.ToleranceMap)
+  double largest = 0.0;
+  for (const double limit : limits)
   {
-    largest = tolerance > largest ? tolerance : largest;
+    largest = std::isfinite(limit) ? std::max(largest, limit) : largest;
   }
   return largest;
 }
@@ -91,7 +92,8 @@ public:
       return this->Answer;
     }
     const Frame frame = FindFrame(this->Reference, this->Result);
-    this->Answer.Slack = Slack(std::max(frame.Extent, LargestLimit(this->Options)));
+    this->Answer.Slack = Slack(
+      std::max({ frame.Extent, this->Options.Tolerance.value_or(0.0), Largest(this->Limit) }));
     if (this->Options.WithSurfaces)
     {
       this->CertifySurfaces(frame);

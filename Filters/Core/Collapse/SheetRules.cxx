@@ -54,6 +54,19 @@ bool AreJoined(const HalfEdgeMesh& mesh, Index a, Index b)
 }
 
 //------------------------------------------------------------------------------
+/// Whether an end is pinned and the only face at it goes: another of its open lines would be left without the edge that it
+/// has there, and with it what that edge proves.
+bool LosesEar(const HalfEdgeMesh& mesh, const Neighbourhood& around)
+{
+  const auto isEar = [&](Index v)
+  {
+    int edges = 0;
+    mesh.VisitEdges(v, [&edges](Index) { ++edges; });
+    return mesh.IsPinned(v) && edges == 2;
+  };
+  return isEar(around.Start) || isEar(around.End);
+}
+
 /// The merged vertex gets the edges of both ends: none of those of one may be there already, between other copies or
 /// from the other end to another copy.
 Verdict JudgeSheets(const HalfEdgeMesh& mesh, const Neighbourhood& around, VertexRange range)
@@ -63,6 +76,10 @@ Verdict JudgeSheets(const HalfEdgeMesh& mesh, const Neighbourhood& around, Verte
     std::any_of(around.Ring.begin(), around.Ring.end(), isOut))
   {
     return Verdict::Elsewhere;
+  }
+  if (LosesEar(mesh, around))
+  {
+    return Verdict::Border;
   }
   const auto endAt = [&](std::size_t i)
   { return i < around.Corners.size() ? mesh.Origin(around.Corners[i]) : around.BorderEnds[1]; };

@@ -121,7 +121,8 @@ private:
     const Index end = corners[(corner + 1) % 3];
     const Index gone = collapse.Kept == start ? end : start;
     if (start == end || (collapse.Kept != start && collapse.Kept != end) ||
-      !collapse.Position.allFinite() || !this->Remove(collapse.OtherFace, face, corners, time))
+      !collapse.Position.allFinite() ||
+      !this->Remove(collapse.OtherFace, face, { start, end }, time))
     {
       return false;
     }
@@ -133,8 +134,8 @@ private:
     return true;
   }
 
-  /// The face on the other side of the edge, which shares two corners with the first one.
-  bool Remove(Index other, Index first, const Triangle& corners, Index time)
+  /// The face on the other side of the edge.
+  bool Remove(Index other, Index first, const std::array<Index, 2>& edge, Index time)
   {
     if (other == None)
     {
@@ -145,11 +146,10 @@ private:
       return false;
     }
     const Triangle across = this->CornersNow(other);
-    const auto shared = std::count_if(across.begin(), across.end(),
-      [&](Index v) { return std::find(corners.begin(), corners.end(), v) != corners.end(); });
     this->Made.FaceEnds[static_cast<std::size_t>(other)] = time;
     --this->Left;
-    return shared >= 2;
+    return std::all_of(edge.begin(), edge.end(),
+      [&](Index v) { return std::find(across.begin(), across.end(), v) != across.end(); });
   }
 
   bool Apply(const LoggedPatch& patch, Index time)

@@ -72,7 +72,7 @@ def _with_vtk(arguments: argparse.Namespace, options: _core.Options, progress) -
 def _without_vtk(arguments: argparse.Namespace, _options, progress) -> tuple[dict, Callable[[], None]]:
     given = {key: _value(row, getattr(arguments, key)) for key, row in ROWS.items() if getattr(arguments, key, None)}
     for key in sorted(WITHOUT_ARRAYS & given.keys()):
-        raise ValueError(f"--{ROWS[key].flag} is about arrays of a file, which need VTK: pip install bonedecimate[vtk]")
+        raise ValueError(f"--{ROWS[key].flag} is about arrays of a file, which need VTK: pip install vtk")
     result = decimate(*files.read(arguments.input), progress=progress, **given)
     return result.report, lambda: files.write(tuple(result), arguments.output)
 
@@ -91,6 +91,9 @@ def _work(arguments: argparse.Namespace) -> int:
         options = options_of(arguments)
     except ValueError as problem:
         return _fail(USAGE, problem)
+    for path in (arguments.output, arguments.report):
+        if path and path.exists() and arguments.input.exists() and path.samefile(arguments.input):
+            return _fail(USAGE, ValueError(f"'{path}' is the input; it is not overwritten"))
     engine = _with_vtk if files.has("vtkmodules.vtkIOGeometry") else _without_vtk
     try:
         with listener(_bar(arguments)) as heard:
@@ -102,7 +105,8 @@ def _work(arguments: argparse.Namespace) -> int:
     try:
         write()
         if arguments.report:
-            arguments.report.write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
+            with files.whole(arguments.report) as made:
+                made.write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
     except (OSError, ValueError) as problem:
         return _fail(COULD_NOT_WRITE, problem)
     if not arguments.quiet:

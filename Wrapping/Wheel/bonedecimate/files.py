@@ -4,7 +4,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import importlib.util
+import os
 import pathlib
 
 import numpy as np
@@ -25,7 +27,21 @@ STL_HEADER = 84  # bytes, of which the last four are the number of triangles
 
 
 def has(module: str) -> bool:
-    return importlib.util.find_spec(module) is not None
+    try:
+        return importlib.util.find_spec(module) is not None
+    except ModuleNotFoundError:  # not even the package that it is in
+        return False
+
+
+@contextlib.contextmanager
+def whole(path: pathlib.Path):
+    """A name beside the path; what is written there takes the path's place when all of it is."""
+    made = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
+    try:
+        yield made
+        os.replace(made, path)
+    finally:
+        made.unlink(missing_ok=True)
 
 
 def read_vtk(path: pathlib.Path):
@@ -44,12 +60,12 @@ def read_vtk(path: pathlib.Path):
 def write_vtk(surface, path: pathlib.Path) -> None:
     writer = _vtk_class(path, 2)()
     writer.SetInputData(surface)
-    writer.SetFileName(str(path))
     if hasattr(writer, "SetFileTypeToBinary") and path.suffix.lower() in (".stl", ".ply", ".vtk"):
         writer.SetFileTypeToBinary()
-    path.unlink(missing_ok=True)
-    if writer.Write() != 1 or not path.exists():
-        raise OSError(f"{path} could not be written")
+    with whole(path) as made:
+        writer.SetFileName(str(made))
+        if writer.Write() != 1 or not made.exists():
+            raise OSError(f"{path} could not be written")
 
 
 def read(path: pathlib.Path) -> Surface:
@@ -68,9 +84,11 @@ def write(surface: Surface, path: pathlib.Path) -> None:
     if has("meshio"):
         import meshio
         options = {"binary": True} if path.suffix.lower() == ".stl" else {}
-        meshio.Mesh(surface[0], [("triangle", surface[1])]).write(path, **options)
+        with whole(path) as made:
+            meshio.Mesh(surface[0], [("triangle", surface[1])]).write(made, **options)
     elif path.suffix.lower() == ".stl":
-        _write_stl(surface, path)
+        with whole(path) as made:
+            _write_stl(surface, made)
     else:
         raise OSError(f"without VTK and meshio only binary STL can be written, not {path}")
 

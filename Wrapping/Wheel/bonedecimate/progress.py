@@ -34,7 +34,7 @@ def _bar():
         import rich.progress  # noqa: F401
         return _rich_bar()
     except ImportError:
-        raise ImportError("a progress bar needs tqdm or rich: pip install bonedecimate[progress]") from None
+        raise ImportError("a progress bar needs tqdm or rich: pip install tqdm") from None
 
 
 @contextmanager

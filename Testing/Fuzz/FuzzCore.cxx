@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FuzzCore.cxx
+ * @brief Any soup of triangles, into the core with any options: what comes out must be a surface, and keep what is promised.
+ *
+ *     bytes:  options, a byte each; whether a map, a reference, nonsense in coordinates and corners are wanted
+ *             number of points, three bytes each; then triangles, three bytes each
+ */
+#include "Bytes.h"
+#include "Certificate/Certificate.h"
+#include "Decimate.h"
+#include "Doctor/Doctor.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+
+using namespace bonedecimate;
+using bonedecimate::testsupport::Bytes;
+
+namespace
+{
+constexpr int MostPoints = 60;
+
+struct Question
+{
+  bonedecimate::Options Options;
+  bool HasMap = false;
+  bool HasReference = false;
+  bool MovesReference = false;
+  bool HasNonsense = false;
+  bool IsSingle = false;
+  bool WantsOrigins = false;
+};
+
+Question AnyQuestion(Bytes& bytes)
+{
+  Question question;
+  Options& options = question.Options;
+  options.Mode = static_cast<Mode>(bytes.Below(4));
+  options.NumberOfThreads = 1;
+  options.OutputPointsPrecision = static_cast<PointsPrecision>(bytes.Below(3));
+  options.MergePoints = bytes.Switch();
+  options.KeepClearance = bytes.Switch();
+  options.ProveResult = bytes.Switch();
+  options.MeasureInputDistances = bytes.Switch();
+  options.MeasureDistances = bytes.Below(8) == 1; // a hundred thousand samples each time
+  options.TargetNumberOfTriangles = bytes.Below(128);
+  options.TargetReduction = bytes.Below(101) / 100.0;
+  options.TargetReductionIsExplicit = bytes.Switch();
+  options.MaximumError = std::pow(bytes.Below(64) / 16.0, 3.0); // mm
+  options.NormalTolerance = bytes.Below(101) / 100.0;
+  options.ErrorPreset = static_cast<ErrorPreset>(bytes.Below(8) < 4 ? 0 : bytes.Below(4));
+  options.VoxelSize = bytes.Below(32) / 8.0; // mm
+  question.HasMap = bytes.Below(3) == 1;
+  question.HasReference = bytes.Below(4) == 1;
+  question.MovesReference = bytes.Switch();
+  question.HasNonsense = bytes.Below(4) == 1;
+  question.IsSingle = bytes.Switch();
+  question.WantsOrigins = bytes.Switch();
+  return question;
+}
+
+/// mm; few different ones, so that points meet and planes are flat.
+double Coordinate(Bytes& bytes, bool hasNonsense)
+{
+  const int byte = bytes.Next();
+  if (hasNonsense && byte >= 250)
+  {
+    constexpr double nonsense[] = { 1e300, -1e31, 1e29, 1e-310,
+      std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity() };
+    return nonsense[byte - 250];
+  }
+  return (byte - 128) / 16.0;
+}
+
+Surface AnySurface(Bytes& bytes, bool hasNonsense)
+{
+  Surface surface;
+  const int points = bytes.Below(MostPoints + 1);
+  for (int p = 0; p < points; ++p)
+  {
+    const double x = Coordinate(bytes, hasNonsense);
+    const double y = Coordinate(bytes, hasNonsense);
+    surface.Points.emplace_back(x, y, Coordinate(bytes, hasNonsense));
+  }
+  while (bytes.Count() >= 3)
+  {
+    Triangle triangle = {};
+    for (Index& corner : triangle)
+    {
+      const int byte = bytes.Next();
+      corner = hasNonsense ? byte - 2 : points == 0 ? -1 : byte % points;
+    }
+    surface.Triangles.push_back(triangle);
+  }
+  return surface;
+}
+
+std::vector<double> MapOf(const Surface& surface)
+{
+  std::vector<double> map;
+  for (std::size_t p = 0; p < surface.Points.size(); ++p)
+  {
+    map.push_back(static_cast<double>((p * 7) % 5) - 1.0);
+  }
+  return map;
+}
+
+void Demand(bool holds, const char* what)
+{
+  if (!holds)
+  {
+    std::fprintf(stderr, "broken: %s\n", what);
+    std::abort();
+  }
+}
+
+void DemandSurface(const Surface& surface)
+{
+  for (const Vector3& p : surface.Points)
+  {
+    Demand(p.allFinite(), "a point is not finite");
+  }
+  for (const Triangle& t : surface.Triangles)
+  {
+    for (const Index corner : t)
+    {
+      Demand(corner >= 0 && static_cast<std::size_t>(corner) < surface.Points.size(),
+        "a corner is no point");
+    }
+    Demand(t[0] != t[1] && t[1] != t[2] && t[2] != t[0], "a corner is there twice");
+  }
+}
+
+void DemandReport(const Report& report)
+{
+  const bool isGood = report.Status == InputStatus::Good;
+  Demand(isGood == InputMessage(report).empty(), "a refusal says nothing, or a success something");
+  if (isGood)
+  {
+    Demand(report.Output.Components == report.Input.Components, "a component is gone");
+    Demand(report.Output.Faces <= report.Input.Faces, "there are more triangles than before");
+    Demand(report.Output.NonManifoldEdges <= report.Input.NonManifoldEdges, "edges of three");
+    // Soups may lie in themselves so that nobody can tell what is nearest: then it is undecided, and said so.
+    Demand(report.Proof.Verdict != CertificateVerdict::Violated, "a promise is broken");
+  }
+}
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  Bytes bytes(data, size);
+  const Question question = AnyQuestion(bytes);
+  const Surface surface = AnySurface(bytes, question.HasNonsense);
+  const std::vector<double> map = question.HasMap ? MapOf(surface) : std::vector<double>();
+  Surface reference = surface;
+  if (question.MovesReference && !reference.Points.empty())
+  {
+    reference.Points.front()[2] += 0.25;
+  }
+  const Result result =
+    Decimate(surface, question.Options, {}, question.IsSingle, question.WantsOrigins,
+      question.HasMap ? &map : nullptr, question.HasReference ? &reference : nullptr);
+  DemandSurface(result.Surface);
+  DemandReport(result.Report);
+  const std::vector<Finding> findings = Examine(surface, 1);
+  Demand(findings.size() <= static_cast<std::size_t>(NumberOfFindingKinds), "findings of no kind");
+  CertificateOptions options;
+  options.NumberOfThreads = 1;
+  options.RelativeGap = 0.01;
+  const Certificate found = Certify(surface, result.Surface, options);
+  Demand(found.Status != CertificateStatus::Good || found.Lower() <= found.Upper(),
+    "a lower bound above the upper");
+  return 0;
+}
