@@ -354,6 +354,7 @@ void Editor::Settle(std::vector<Tally>& tallies)
   if (this->Recorder)
   {
     std::vector<std::vector<LoggedCollapse>*> lists;
+    lists.reserve(tallies.size());
     for (Tally& tally : tallies)
     {
       lists.push_back(&tally.Log);
