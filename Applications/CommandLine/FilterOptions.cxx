@@ -50,6 +50,7 @@ const std::map<std::string, Setter>& Setters()
     { "InputErrorBoundArrayName",
       Calls<std::string>(&vtkBoneDecimate::SetInputErrorBoundArrayName) },
     { "ToleranceArrayName", Calls<std::string>(&vtkBoneDecimate::SetToleranceArrayName) },
+    { "LabelArrayName", Calls<std::string>(&vtkBoneDecimate::SetLabelArrayName) },
   };
   return setters;
 }

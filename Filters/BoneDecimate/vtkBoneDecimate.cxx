@@ -3,6 +3,7 @@
 #include "vtkBoneDecimate.h"
 
 #include "Decimate.h"
+#include "LabelArrays.h"
 #include "NamedEntries.h"
 #include "OptionTable.h"
 #include "ReportTable.h"
@@ -87,6 +88,7 @@ vtkBoneDecimateOption(InputErrorBoundArrayName, const std::string&, std::string,
 vtkBoneDecimateOption(ErrorPreset, int, int, int)
 vtkBoneDecimateOption(VoxelSize, double, double, double)
 vtkBoneDecimateOption(ToleranceArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(LabelArrayName, const std::string&, std::string, std::string)
 // clang-format on
 #undef vtkBoneDecimateOption
 
@@ -165,6 +167,15 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   }
   const bonedecimate::ConvertedSurface converted =
     bonedecimate::ToSurface(input, options.NumberOfThreads);
+  const std::string& labelName = options.LabelArrayName;
+  const bool hasLabels = !labelName.empty() && input->GetNumberOfPoints() > 0;
+  const std::optional<bonedecimate::Labels> labels =
+    hasLabels ? bonedecimate::ReadLabels(input, converted, labelName) : bonedecimate::Labels();
+  if (!labels)
+  {
+    vtkErrorMacro(<< "the input has no cell or point array '" << labelName << "' of whole numbers");
+    return 0;
+  }
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
   const bonedecimate::ConvertedSurface first = reference != nullptr
     ? bonedecimate::ToSurface(reference, options.NumberOfThreads)
@@ -172,7 +183,8 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   bonedecimate::Result result = bonedecimate::Decimate(
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
     converted.IsSingle, bonedecimate::NeedsOrigins(input, options),
-    hasTolerances ? &*tolerances : nullptr, reference != nullptr ? &first.Surface : nullptr);
+    hasTolerances ? &*tolerances : nullptr, reference != nullptr ? &first.Surface : nullptr, nullptr,
+    hasLabels ? &*labels : nullptr);
   bonedecimate::NameCells(converted, result.Report);
   this->Internal->Report = result.Report;
   this->Internal->Entries =

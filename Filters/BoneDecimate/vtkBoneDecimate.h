@@ -310,6 +310,18 @@ public:
 
   ///@{
   /**
+   * Cell or point array of the input, of whole numbers, with the bone, fragment or segment of each triangle (the cell array if
+   * there are both; several components are one label together; of points, the majority at the triangle). Lines between
+   * different labels are simplified only along themselves, every output triangle has the label of the input triangles that it
+   * stands for, and the report has the areas of each label before and after (labels.*). Empty, the default, is none; a name
+   * without such an array is an error.
+   */
+  void SetLabelArrayName(const std::string& name);
+  std::string GetLabelArrayName() const;
+  ///@}
+
+  ///@{
+  /**
    * The first original of an input that is itself a result: what MaximumError, which must be set, is promised against.
    * Tolerances stay those against the input. An input that is farther from it than MaximumError is an error. Default none.
    */

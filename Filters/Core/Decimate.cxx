@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Decimate.h"
 
+#include "Collapse/LineStages.h"
 #include "Collapse/Sweep.h"
 #include "Collapse/ThesisLoop.h"
 #include "Cost/AutomaticTolerance.h"
@@ -38,7 +39,8 @@ class Run
 {
 public:
   Run(const Surface& input, const Options& options, const Monitor& monitor, bool inputIsSingle,
-    bool withOrigins, const std::vector<double>* tolerances, const Surface* reference, EditLog* log)
+    bool withOrigins, const std::vector<double>* tolerances, const Surface* reference, EditLog* log,
+    const Labels* labels)
     : Input(input)
     , Wanted(options)
     , Progress(monitor)
@@ -49,6 +51,7 @@ public:
     , Allowed(tolerances)
     , Reference(reference)
     , Log(log)
+    , Named(labels)
   {
   }
 
@@ -62,6 +65,7 @@ public:
       const JudgedRun run = { this->Input, this->Cleaned, *this->Work, this->LocalResult,
         this->First ? &this->First->Reference.Surface : nullptr, this->IsProved() };
       Judge(run, this->Wanted, this->Progress, this->Answer);
+      this->MeasureLabels();
       this->Prove();
       Report& report = this->Answer.Report;
       report.Stop = this->Progress.GoesOn() ? report.Stop : StopReason::Aborted;
@@ -126,6 +130,11 @@ private:
     tell(0.25);
     HalfEdgeMesh mesh(this->Cleaned.Surface, threads);
     this->CountLocked(mesh);
+    if (this->Named != nullptr)
+    {
+      mesh =
+        HalfEdgeMesh(this->Cleaned.Surface, threads, {}, LabelsOf(this->Cleaned, *this->Named));
+    }
     if (this->Progress.GoesOn() && HasSeams(mesh))
     {
       SplitSheets(this->Cleaned, mesh);
@@ -176,6 +185,10 @@ private:
       this->Answer.Report.Cleaning.FrozenPoints = this->Work->Freeze(tolerances);
       this->IsLimited = !any([](double t) { return t < 0.0; });
     }
+    if (this->Named != nullptr)
+    {
+      this->Work->FreeLines();
+    }
   }
 
   void CountLocked(const HalfEdgeMesh& mesh)
@@ -207,11 +220,15 @@ private:
     {
       const double tolerance = this->NormalTolerance(stops);
       this->Answer.Report.NormalTolerance = tolerance;
-      return ThesisLoop(*this->Work, tolerance, stops).Run(monitor);
+      ThesisLoop thesis(*this->Work, tolerance, stops);
+      return RunInStages(*this->Work, stops, monitor,
+        [&](const Stops& stage, const Monitor& tell) { return thesis.RunTo(stage, tell); });
     }
     if (this->Wanted.Mode == Mode::Fast)
     {
-      return Sweep(*this->Work, stops, this->Wanted.NumberOfThreads).Run(monitor);
+      Sweep sweep(*this->Work, stops, this->Wanted.NumberOfThreads);
+      return RunInStages(*this->Work, stops, monitor,
+        [&](const Stops& stage, const Monitor& tell) { return sweep.RunTo(stage, tell); });
     }
     const bool isAccurate = this->Wanted.Mode == Mode::Accurate;
     return RelaxedLoop(*this->Work, isAccurate ? AccurateRecipe : BalancedRecipe, stops,
@@ -272,7 +289,7 @@ private:
     const Original& original = this->Work->Reference();
     const bool distances = this->Wanted.MeasureDistances || original.RecordsDistances();
     const ExtractOptions wanted = { this->RoundToSingle, this->Progress.GoesOn() && distances,
-      this->Progress.GoesOn() && this->WithOrigins, threads };
+      this->Progress.GoesOn() && this->WithOrigins, threads, this->Named };
     if (wanted.Distances || wanted.Origins)
     {
       original.Tree(threads, [&] { monitor(0.0); });
@@ -281,6 +298,14 @@ private:
       bonedecimate::Extract(this->Input, this->Cleaned, *this->Work, wanted, monitor, this->Answer);
     this->LocalResult.Triangles = this->Answer.Surface.Triangles;
     monitor(1.0);
+  }
+
+  void MeasureLabels()
+  {
+    if (this->Named != nullptr)
+    {
+      this->Answer.Report.Labels = LabelAreas(this->Cleaned, this->Work->Mesh(), *this->Named);
+    }
   }
 
   /// mm; not a number if nobody looked any point up.
@@ -322,6 +347,7 @@ private:
   const Surface* Reference;
   std::optional<ReferenceInput> First; // the reference read, if there is one
   EditLog* Log;                        // null: nobody wants it
+  const Labels* Named;                 // null: there are none
   bool IsLimited = false;              // whether every point has a tolerance
   CleanSurface Cleaned;
   std::optional<Editor> Work;
@@ -332,12 +358,13 @@ private:
 
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor,
   bool inputIsSingle, bool withOrigins, const std::vector<double>* tolerances,
-  const Surface* reference, EditLog* log)
+  const Surface* reference, EditLog* log, const Labels* labels)
 {
   Options wanted = options;
   const VoxelFigures voxel = ApplyPreset(reference != nullptr ? *reference : input, wanted);
   Result result =
-    Run(input, wanted, monitor, inputIsSingle, withOrigins, tolerances, reference, log).Go();
+    Run(input, wanted, monitor, inputIsSingle, withOrigins, tolerances, reference, log, labels)
+      .Go();
   result.Report.Asked = options;
   result.Report.Voxel = voxel;
   return result;

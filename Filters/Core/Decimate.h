@@ -19,6 +19,7 @@
 #ifndef BoneDecimate_Core_Decimate_h
 #define BoneDecimate_Core_Decimate_h
 
+#include "Labels.h"
 #include "Levels/EditLog.h"
 #include "Monitor.h"
 #include "Options.h"
@@ -37,7 +38,7 @@ struct SurfaceOrigins
   std::vector<std::array<double, 3>> Barycentric; ///< Of the nearest place in that triangle, sum 1.
   std::vector<Index> NearestPoint;                ///< Input point nearest to each output point.
   std::vector<Index>
-    TriangleAtCentroid; ///< Input triangle nearest to each output triangle's centroid.
+    TriangleAtCentroid; ///< Input triangle nearest to each output triangle's centroid; one of its label.
   std::vector<Index>
     OutputPoint; ///< Of each input point: the one it became part of, None if no triangle used it.
 };
@@ -72,12 +73,14 @@ struct Result
  * @param reference What the largest error is promised, proved and measured against, if that is not the input but what it was
  * made from (ReferenceInput.h); the tolerances stay those against the input. Null: the input.
  * @param log Where the run is to be recorded, see Levels.h; null: nowhere. Not changed if the input was refused.
+ * @param labels Of the input triangles: lines between different ones are collapsed along themselves alone, and every triangle
+ * keeps its own. Not together with a log. Null: none.
  * @throws std::bad_alloc and nothing else.
  */
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor = {},
   bool inputIsSingle = false, bool withOrigins = false,
   const std::vector<double>* tolerances = nullptr, const Surface* reference = nullptr,
-  EditLog* log = nullptr);
+  EditLog* log = nullptr, const Labels* labels = nullptr);
 }
 
 #endif

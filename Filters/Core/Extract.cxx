@@ -102,6 +102,22 @@ void LookUpPoints(
     });
 }
 
+/// Those nearest to centroids may belong to a neighbour: then what the face was at first.
+void KeepLabels(
+  const HalfEdgeMesh& mesh, const CleanSurface& clean, const Labels& labels, Result& result)
+{
+  std::size_t next = 0;
+  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    if (mesh.IsAlive(face))
+    {
+      Index& triangle = result.Origins.TriangleAtCentroid[next++];
+      const Index own = clean.InputTriangle[face];
+      triangle = labels.OfTriangle[triangle] == labels.OfTriangle[own] ? triangle : own;
+    }
+  }
+}
+
 void LookUpCentroids(
   const Remains& remains, const ExtractOptions& options, const Monitor& monitor, Result& result)
 {
@@ -163,6 +179,10 @@ std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, co
   if (options.Origins)
   {
     LookUpCentroids(remains, options, PartOf(monitor, pointsLookedUp, 1.0), result);
+    if (options.Named != nullptr)
+    {
+      KeepLabels(mesh, clean, *options.Named, result);
+    }
     result.Origins.OutputPoint = PlacesOfInput(clean, current, vertices, options.Threads);
   }
   return std::move(remains.Points);

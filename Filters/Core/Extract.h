@@ -27,6 +27,7 @@ struct ExtractOptions
   bool Distances = false;
   bool Origins = false;
   int Threads = 1;
+  const Labels* Named = nullptr; ///< Of the input triangles; null: none.
 };
 
 /**

@@ -237,6 +237,11 @@ std::vector<OptionInfo> ProofRows()
       "at each point, in mm: 0 freezes the point with all triangles at it, negative is no limit of "
       "its own, in between it is a largest error there, linear on each triangle and proved like "
       "MaximumError, which caps it. Empty is none. Thesis takes only 0 and negative ones." },
+    { "LabelArrayName", &Options::LabelArrayName, 0, 0, "", "labels", {},
+      "Name of a cell or point array of whole numbers with the bone, fragment or segment of each "
+      "triangle (cells first; of points the majority at the triangle): what lies between different "
+      "ones are lines that are simplified only along themselves, and every triangle keeps its "
+      "label. Empty is none." },
     { "ProveResult", &Options::ProveResult, 0, 1, "", "prove", {},
       "With MaximumError in every mode but Thesis: certify the result as it is written, both "
       "directions and open borders, and report the proved bounds." },

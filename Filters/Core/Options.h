@@ -59,6 +59,7 @@ struct Options
   std::string PointCountArrayName = "InputPointCount";
   std::string InputDistanceArrayName = "DistanceToResult";
   std::string ToleranceArrayName;
+  std::string LabelArrayName;
   bool ProveResult = true;
   std::string ErrorBoundArrayName = "ErrorBound";
   std::string InputErrorBoundArrayName = "ErrorBoundToResult";

@@ -11,6 +11,8 @@ namespace bonedecimate
 {
 namespace
 {
+constexpr double LabelChangeToTell = 0.01;
+
 std::string Found(std::int64_t count, const char* what, const char* kind, std::int64_t first)
 {
   return std::to_string(count) + " " + what + ", the first is " + kind + " " +
@@ -121,6 +123,20 @@ std::vector<std::string> InputWarnings(const Report& report)
     warnings.push_back(Found(found.LockedPoints,
       "points stay where they are because the surface is not manifold there", "point",
       found.FirstLockedPoint));
+  }
+  const auto changed = [](const LabelArea& a) { return a.Change() > LabelChangeToTell; };
+  const auto most = std::max_element(report.Labels.begin(), report.Labels.end(),
+    [](const LabelArea& a, const LabelArea& b) { return a.Change() < b.Change(); });
+  if (most != report.Labels.end() && changed(*most))
+  {
+    const auto count = std::count_if(report.Labels.begin(), report.Labels.end(), changed);
+    char text[120];
+    std::snprintf(text, sizeof(text),
+      "the areas of %lld labels changed by more than 1 %%, most that of label ",
+      static_cast<long long>(count));
+    char share[40];
+    std::snprintf(share, sizeof(share), ": by %.3g %%", 100.0 * most->Change());
+    warnings.push_back(text + most->Name + share);
   }
   return warnings;
 }

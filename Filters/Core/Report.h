@@ -10,6 +10,7 @@
 #include "Options.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -171,6 +172,16 @@ struct FragmentClearance
   double Output = 0.0;
 };
 
+/// Of the triangles of one label, mm^2.
+struct LabelArea
+{
+  std::string Name;
+  double Input = 0.0;
+  double Output = 0.0;
+  /// A share of what it was; 0 where there was none.
+  double Change() const { return Input > 0.0 ? std::abs(Output - Input) / Input : 0.0; }
+};
+
 struct StageSeconds
 {
   double Prepare = 0.0;  ///< Cleaning and building the half-edge mesh.
@@ -196,7 +207,8 @@ struct Report
   ProvedDistance BorderInputToOutput;
   bool ClearanceMeasured = false; ///< With the distances, if there are several fragments.
   FragmentClearance Clearance;
-  ErrorProof Proof; ///< Against the reference, if there is one.
+  std::vector<LabelArea> Labels; ///< Empty without labels.
+  ErrorProof Proof;              ///< Against the reference, if there is one.
   ReferenceFigures Reference;
   VoxelFigures Voxel;
   /// mm, the thesis's maxError: largest distance of a new vertex to the input, along the collapses in mode Thesis, at the

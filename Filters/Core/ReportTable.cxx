@@ -4,6 +4,7 @@
 
 #include "Certificate/Certificate.h"
 #include "CertificateTable.h"
+#include "Labels.h"
 #include "OptionTable.h"
 
 #include <cmath>
@@ -94,6 +95,17 @@ void AddReference(Entries& entries, const ReferenceFigures& reference)
   AddBounds(entries, "reference.to_input", reference.ToInput);
 }
 
+void AddLabels(Entries& entries, const Report& report)
+{
+  entries.push_back({ "labels.count", "", static_cast<std::int64_t>(report.Labels.size()) });
+  entries.push_back({ "labels.largest_change", "", LargestLabelChange(report) });
+  for (const LabelArea& area : report.Labels)
+  {
+    entries.push_back({ "labels.of_" + area.Name + ".input_area", "mm2", area.Input });
+    entries.push_back({ "labels.of_" + area.Name + ".output_area", "mm2", area.Output });
+  }
+}
+
 void AddVoxel(Entries& entries, const VoxelFigures& voxel)
 {
   static const char* const sources[] = { "not_asked", "given", "grid", "edges" };
@@ -164,6 +176,10 @@ std::vector<ReportEntry> ReportEntries(const Report& report)
   {
     entries.push_back({ "clearance.input", "mm", report.Clearance.Input });
     entries.push_back({ "clearance.output", "mm", report.Clearance.Output });
+  }
+  if (!report.Labels.empty())
+  {
+    AddLabels(entries, report);
   }
   AddRun(entries, report);
   for (const OptionInfo& info : OptionTable())

@@ -66,7 +66,8 @@ const std::vector<Text>& Texts()
   static const std::vector<Text> texts = { TEXT_PROPERTY(DistanceArrayName),
     TEXT_PROPERTY(RunningErrorArrayName), TEXT_PROPERTY(PointCountArrayName),
     TEXT_PROPERTY(InputDistanceArrayName), TEXT_PROPERTY(ErrorBoundArrayName),
-    TEXT_PROPERTY(InputErrorBoundArrayName), TEXT_PROPERTY(ToleranceArrayName) };
+    TEXT_PROPERTY(InputErrorBoundArrayName), TEXT_PROPERTY(ToleranceArrayName),
+    TEXT_PROPERTY(LabelArrayName) };
   return texts;
 }
 
@@ -137,7 +138,8 @@ TEST(Properties, HaveTheDefaultsOfTheTable)
   for (const Text& text : Texts())
   {
     EXPECT_EQ(text.Get(filter), std::get<std::string>(GetOption(Options{}, Row(text.Name))));
-    EXPECT_EQ(text.Get(filter).empty(), text.Name == "ToleranceArrayName") << text.Name;
+    const bool isOfInput = text.Name == "ToleranceArrayName" || text.Name == "LabelArrayName";
+    EXPECT_EQ(text.Get(filter).empty(), isOfInput) << text.Name;
   }
 }
 

@@ -32,6 +32,7 @@ TEXTS = {
     "ErrorBoundArrayName": "ErrorBound",
     "InputErrorBoundArrayName": "ErrorBoundToResult",
     "ToleranceArrayName": "",
+    "LabelArrayName": "",
 }
 
 

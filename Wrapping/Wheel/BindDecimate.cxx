@@ -28,6 +28,22 @@ void NameCells(const std::optional<CellsIn>& cells, CleaningStatistics& found)
   }
 }
 
+/// Of each triangle a place in the list of names.
+using NamedLabels = std::pair<CellsIn, std::vector<std::string>>;
+
+std::optional<Labels> ToLabels(const std::optional<NamedLabels>& from)
+{
+  if (!from)
+  {
+    return {};
+  }
+  Labels labels;
+  labels.Names = from->second;
+  const CellsIn& places = from->first;
+  labels.OfTriangle.assign(places.data(), places.data() + places.shape(0));
+  return labels;
+}
+
 void AddReport(const Report& report, nb::dict& answer)
 {
   answer["entries"] = ToList(ReportEntries(report));
@@ -63,8 +79,10 @@ nb::dict ToDict(Result&& result)
 nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options& options,
   bool single, bool origins, const std::optional<NumbersIn>& tolerances,
   const std::optional<CellsIn>& cells,
-  const std::optional<std::pair<PointsIn, TrianglesIn>>& reference, nb::object progress)
+  const std::optional<std::pair<PointsIn, TrianglesIn>>& reference, nb::object progress,
+  const std::optional<NamedLabels>& labels)
 {
+  const std::optional<Labels> named = ToLabels(labels);
   const Surface surface = ToSurface(points, triangles);
   const Surface first = reference ? ToSurface(reference->first, reference->second) : Surface();
   const std::optional<std::vector<double>> numbers = ToNumbers(tolerances);
@@ -73,7 +91,8 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
                       [&](const Monitor& monitor)
                       {
                         return Decimate(surface, options, monitor, single, origins,
-                          numbers ? &*numbers : nullptr, reference ? &first : nullptr);
+                          numbers ? &*numbers : nullptr, reference ? &first : nullptr, nullptr,
+                          named ? &*named : nullptr);
                       });
   NameCells(cells, result.Report.Cleaning);
   return ToDict(std::move(result));
@@ -85,7 +104,7 @@ void BindDecimate(nb::module_& module)
 {
   module.def("decimate", &Run, nb::arg("points"), nb::arg("triangles"), nb::arg("options"),
     nb::arg("single"), nb::arg("origins"), nb::arg("tolerances").none(), nb::arg("cells").none(),
-    nb::arg("reference").none(), nb::arg("progress").none(),
+    nb::arg("reference").none(), nb::arg("progress").none(), nb::arg("labels").none() = nb::none(),
     "One run; the keys of what it returns are those of Decimate.h.");
 }
 }

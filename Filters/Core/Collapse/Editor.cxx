@@ -102,11 +102,23 @@ Verdict Editor::Prove(Workspace& work, const Fill& fill) const
   {
     return Verdict::Allowed;
   }
+  fill(this->PatchOf(work));
+  return this->ProvePatch(work);
+}
+
+//------------------------------------------------------------------------------
+Patch& Editor::PatchOf(Workspace& work) const
+{
   if (!work.Proofs)
   {
     work.Proofs = this->Guard->Lend();
   }
-  fill(work.Proofs->Change);
+  return work.Proofs->Change;
+}
+
+//------------------------------------------------------------------------------
+Verdict Editor::ProvePatch(Workspace& work) const
+{
   const Patch& change = work.Proofs->Change;
   if (this->Clearance && !this->Clearance->Owns(this->Half, change, work.Range, work.Nearby))
   {
@@ -217,13 +229,7 @@ Verdict Editor::Apply(const Edit& wanted, Workspace& work, int workers)
   }
   const Index gone = this->Half.Across(edit.Edge, edit.Keep);
   const Vector3 origin = this->Half.Position(work.Around.Start);
-  const Fan& fan = work.Faces.Current();
-  for (std::size_t i = 0; i < work.Around.Corners.size(); ++i)
-  {
-    this->Half.KeepFirstNormal(HalfEdgeMesh::Face(work.Around.Corners[i]),
-      { fan.OldArea[0][i], fan.OldArea[1][i], fan.OldArea[2][i] });
-  }
-  this->Half.Collapse(work.Around, edit.Keep, edit.Position);
+  this->CarryOut(edit, work);
   this->CommitProof(work);
   if (this->KeepsQuadrics)
   {

@@ -6,6 +6,7 @@
  *
  *     Apply(collapse):           Gate.h (ends, topology, place), fragment, proof  ->  mesh  ->  proof kept
  *                                ->  bookkeeping (areas, quadrics, origins, volumes, counts, hook)
+ *     ApplyTogether(collapses):  the same of an edge of a seam in all its sheets, proved as one       (EditTogether.cxx)
  *     ApplySmall(flip or move):  SmallEdits.h, fragment, proof  ->  mesh  ->  proof kept
  *                                ->  volumes beyond the vertex's share, hook
  *
@@ -27,6 +28,7 @@
 #include "Mesh/Edit.h"
 #include "Mesh/FaceAreas.h"
 #include "Mesh/HalfEdgeMesh.h"
+#include "Mesh/SeamLines.h"
 #include "Monitor.h"
 #include "Reference/Original.h"
 #include "Report.h"
@@ -35,6 +37,8 @@
 
 #include <array>
 #include <functional>
+#include <limits>
+#include <memory>
 #include <optional>
 
 namespace bonedecimate
@@ -85,6 +89,22 @@ public:
   Verdict Apply(const Edit& edit);
   Verdict Apply(const Edit& edit, Workspace& work, int workers);
 
+  /// The same edge of a seam in every sheet that meets there, onto one site that stays: all of them or none. Nobody else may
+  /// work meanwhile.
+  Verdict ApplyTogether(const std::vector<Edit>& edits);
+
+  /// From now on the lines along which sheets meet may be collapsed along themselves: before the first edit, after Freeze.
+  /// Not where a log is kept, of which every beginning has to be a surface.
+  void FreeLines() { this->Seams = std::make_unique<SeamLines>(this->Half); }
+  /// Null where they stay, or where there are none.
+  SeamLines* Lines();
+
+  /// mm, how far the result may be from an original vertex; infinite where nothing is promised.
+  double LimitAt(Index vertex) const
+  {
+    return this->Guard ? this->Guard->LimitAt(vertex) : std::numeric_limits<double>::infinity();
+  }
+
   /// Takes over what a worker counted.
   void Settle(Tally& tally);
   /// Takes over what workers counted that worked side by side.
@@ -130,8 +150,20 @@ private:
   Verdict JudgeEdge(Index edge, Workspace& work) const;
   template <typename Fill>
   Verdict Prove(Workspace& work, const Fill& fill) const;
+  Patch& PatchOf(Workspace& work) const; ///< To be filled; only with a guarantee.
+  Verdict ProvePatch(Workspace& work) const;
   void CommitProof(Workspace& work);
   void KeepBooks(const Edit& edit, Index gone, double volumeChange, Workspace& work);
+  /// Of one sheet of several.
+  struct SheetEdit
+  {
+    Workspace Space;
+    Vector3 Origin;      // of its fan, mm
+    double VolumeChange; // mm^3
+  };
+  Verdict JudgeTogether(const std::vector<Edit>& edits);
+  Verdict ProveTogether(const std::vector<Edit>& edits);
+  void CarryOut(const Edit& edit, Workspace& work);
 
   HalfEdgeMesh Half;
   std::unique_ptr<const HalfEdgeMesh> First;
@@ -142,6 +174,8 @@ private:
   Original Source;
   Fragments Volumes;
   Workspace Own;
+  std::vector<SheetEdit> Sheets; // of ApplyTogether; their memory stays
+  std::unique_ptr<SeamLines> Seams;
   Hook AfterEdit;
   std::optional<EditRecorder> Recorder;
   std::int64_t Edits = 0;

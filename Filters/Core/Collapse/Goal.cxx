@@ -38,6 +38,14 @@ Goal::Goal(const Editor& editor, const Stops& stops)
 }
 
 //------------------------------------------------------------------------------
+void Goal::Set(const Stops& stops)
+{
+  this->Wanted = stops;
+  this->FacesAtFirst = this->Work.Mesh().NumberOfFaces();
+  this->Told = 0.0;
+}
+
+//------------------------------------------------------------------------------
 bool Goal::ErrorIsReached() const
 {
   return this->Work.Reference().LargestError() >= this->Wanted.Error;

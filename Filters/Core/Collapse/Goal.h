@@ -29,6 +29,9 @@ class Goal
 public:
   Goal(const Editor& editor, const Stops& stops);
 
+  /// From where the mesh is now, towards something else.
+  void Set(const Stops& stops);
+
   bool IsReached() const;
 
   /// Why it is reached, while IsReached().

@@ -53,22 +53,53 @@ bool AreJoined(const HalfEdgeMesh& mesh, Index a, Index b)
       });
 }
 
-//------------------------------------------------------------------------------
+namespace
+{
+/// Whether there is one face alone at it.
+bool IsEar(const HalfEdgeMesh& mesh, Index v)
+{
+  int edges = 0;
+  mesh.VisitEdges(v, [&edges](Index) { ++edges; });
+  return edges == 2;
+}
+
 /// Whether an end is pinned and the only face at it goes: another of its open lines would be left without the edge that it
 /// has there, and with it what that edge proves.
 bool LosesEar(const HalfEdgeMesh& mesh, const Neighbourhood& around)
 {
-  const auto isEar = [&](Index v)
-  {
-    int edges = 0;
-    mesh.VisitEdges(v, [&edges](Index) { ++edges; });
-    return mesh.IsPinned(v) && edges == 2;
-  };
+  const auto isEar = [&](Index v) { return mesh.IsPinned(v) && IsEar(mesh, v); };
   return isEar(around.Start) || isEar(around.End);
 }
 
-/// The merged vertex gets the edges of both ends: none of those of one may be there already, between other copies or
+/// The merged vertex gets the edges of both ends: whether any of those of one is there already, between other copies or
 /// from the other end to another copy.
+/// @param exempt A site to which there is one that goes; None: none.
+bool JoinsSheets(const HalfEdgeMesh& mesh, const Neighbourhood& around, Index exempt)
+{
+  const auto endAt = [&](std::size_t i)
+  { return i < around.Corners.size() ? mesh.Origin(around.Corners[i]) : around.BorderEnds[1]; };
+  for (std::size_t i = 0; i < around.Ring.size(); ++i)
+  {
+    const Index v = around.Ring[i];
+    const Index end = endAt(i);
+    const Index other = end == around.Start ? around.End : around.Start;
+    const bool isKnown = v == around.Apexes[0] || v == around.Apexes[1] || mesh.Site(v) == exempt;
+    bool joins = HasCopies(mesh, other) && !isKnown && AreJoined(mesh, other, v);
+    for (std::size_t k = 0; k < i && HasCopies(mesh, v) && !joins; ++k)
+    {
+      const bool wereJoined = endAt(k) == end && HasCopies(mesh, end);
+      joins = mesh.Site(around.Ring[k]) == mesh.Site(v) && !wereJoined;
+    }
+    if (joins)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+//------------------------------------------------------------------------------
 Verdict JudgeSheets(const HalfEdgeMesh& mesh, const Neighbourhood& around, VertexRange range)
 {
   const auto isOut = [&](Index v) { return IsOutOfRange(mesh, v, range); };
@@ -77,30 +108,30 @@ Verdict JudgeSheets(const HalfEdgeMesh& mesh, const Neighbourhood& around, Verte
   {
     return Verdict::Elsewhere;
   }
-  if (LosesEar(mesh, around))
+  return LosesEar(mesh, around)       ? Verdict::Border
+    : JoinsSheets(mesh, around, None) ? Verdict::LinkCondition
+                                      : Verdict::Allowed;
+}
+
+//------------------------------------------------------------------------------
+/// A single face at the vertex that goes, with two edges of the seam, goes with it: its third edge becomes the seam's.
+Verdict JudgeSeam(
+  const HalfEdgeMesh& mesh, const std::vector<const Neighbourhood*>& sheets, Index gone)
+{
+  Index third = None; // the site beyond which such an edge ends
+  for (const Neighbourhood* around : sheets)
   {
-    return Verdict::Border;
-  }
-  const auto endAt = [&](std::size_t i)
-  { return i < around.Corners.size() ? mesh.Origin(around.Corners[i]) : around.BorderEnds[1]; };
-  for (std::size_t i = 0; i < around.Ring.size(); ++i)
-  {
-    const Index v = around.Ring[i];
-    const Index end = endAt(i);
-    const Index other = end == around.Start ? around.End : around.Start;
-    const bool isApex = v == around.Apexes[0] || v == around.Apexes[1];
-    bool joins = HasCopies(mesh, other) && !isApex && AreJoined(mesh, other, v);
-    for (std::size_t k = 0; k < i && HasCopies(mesh, v) && !joins; ++k)
+    const bool startGoes = mesh.Site(around->Start) == gone;
+    if (IsEar(mesh, startGoes ? around->End : around->Start))
     {
-      const bool wereJoined = endAt(k) == end && HasCopies(mesh, end);
-      joins = mesh.Site(around.Ring[k]) == mesh.Site(v) && !wereJoined;
+      return Verdict::Border;
     }
-    if (joins)
-    {
-      return Verdict::LinkCondition;
-    }
+    third =
+      IsEar(mesh, startGoes ? around->Start : around->End) ? mesh.Site(around->Apexes[0]) : third;
   }
-  return Verdict::Allowed;
+  const bool joins = std::any_of(sheets.begin(), sheets.end(),
+    [&](const Neighbourhood* around) { return JoinsSheets(mesh, *around, third); });
+  return joins ? Verdict::LinkCondition : Verdict::Allowed;
 }
 
 //------------------------------------------------------------------------------

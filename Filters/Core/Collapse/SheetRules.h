@@ -19,6 +19,11 @@ bool AreJoined(const HalfEdgeMesh& mesh, Index a, Index b);
 /// Of a collapse.  @return Elsewhere if a copy of something around the edge is out of range.
 Verdict JudgeSheets(const HalfEdgeMesh& mesh, const Neighbourhood& around, VertexRange range);
 
+/// Of an edge of a seam, collapsed in every sheet there at once.
+/// @param sheets Around the edge in each of them.  @param gone The site that goes.
+Verdict JudgeSeam(
+  const HalfEdgeMesh& mesh, const std::vector<const Neighbourhood*>& sheets, Index gone);
+
 /// Of a flip that makes an edge from a to b.
 Verdict JudgeNewEdge(const HalfEdgeMesh& mesh, Index a, Index b, VertexRange range);
 }

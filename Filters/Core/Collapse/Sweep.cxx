@@ -98,6 +98,18 @@ StopReason Sweep::Run(const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
+StopReason Sweep::RunTo(const Stops& stops, const Monitor& monitor)
+{
+  this->Wanted = stops;
+  this->End.Set(stops);
+  for (Index v = 0; v < this->Work.Mesh().NumberOfVertexSlots(); ++v)
+  {
+    this->Known.Keys[v] = this->Work.Mesh().Outgoing(v) == None ? NeverKey : this->Known.Keys[v];
+  }
+  return this->Run(monitor);
+}
+
+//------------------------------------------------------------------------------
 /// Nobody knows where it will end. What is refused is left until the next pass, which then tries it in every way.
 StopReason Sweep::RunProved(const Monitor& monitor)
 {

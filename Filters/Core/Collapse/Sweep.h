@@ -48,6 +48,8 @@ public:
 
   /// @param monitor Hears fractions from 0 to 1.
   StopReason Run(const Monitor& monitor);
+  /// Again, towards something else, after others have changed the mesh.
+  StopReason RunTo(const Stops& stops, const Monitor& monitor);
 
 private:
   bool RenewAll(const Monitor& monitor);

@@ -43,6 +43,13 @@ StopReason ThesisLoop::Run(const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
+StopReason ThesisLoop::RunTo(const Stops& stops, const Monitor& monitor)
+{
+  this->End.Set(stops);
+  return this->Run(monitor);
+}
+
+//------------------------------------------------------------------------------
 bool ThesisLoop::CollapseAt(Index vertex)
 {
   this->EdgesOfVertex.clear();
@@ -85,7 +92,11 @@ bool ThesisLoop::CollapseEdge(Index edge)
 //------------------------------------------------------------------------------
 void ThesisLoop::Recost(Index vertex)
 {
-  if (!this->Work.Mesh().IsFixed(vertex))
+  if (this->Work.Mesh().Outgoing(vertex) == None)
+  {
+    this->Queue.Remove(vertex);
+  }
+  else if (!this->Work.Mesh().IsFixed(vertex))
   {
     this->Queue.Set(vertex, this->Costs.VertexCost(vertex));
   }

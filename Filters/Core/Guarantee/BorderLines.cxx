@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BorderLines.h"
 
+#include "Mesh/SeamLines.h"
+
 #include <cmath>
 
 namespace bonedecimate
@@ -26,7 +28,7 @@ BorderLines::BorderLines(const HalfEdgeMesh& mesh)
   for (Index edge = 0; edge < this->Count(); ++edge)
   {
     const Index at = mesh.Target(this->Edges[edge]);
-    if (mesh.Kind(at) == VertexKind::Border)
+    if (mesh.Kind(at) == VertexKind::Border || SeamRunsThrough(mesh, at))
     {
       this->Neighbours[edge][1] = leaving[at];
       this->Neighbours[leaving[at]][0] = edge;

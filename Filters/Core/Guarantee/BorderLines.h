@@ -24,7 +24,7 @@ public:
   BorderProof::Segment Ends(Index edge) const;
   double Distance(const Vector3& p, Index edge) const; ///< mm
 
-  /// The edges before and after; None at the line's ends and at vertices that are locked.
+  /// The edges before and after; None at the line's ends, where seams do not run through, and at vertices that are locked.
   const std::array<Index, 2>& NeighboursOf(Index edge) const { return this->Neighbours[edge]; }
 
   /// Along the line while the distance falls.

@@ -40,6 +40,12 @@ void Patch::FillCollapse(const HalfEdgeMesh& mesh, const Neighbourhood& around, 
   this->Ends = { around.Start, around.End };
   this->Moved = edit.Keep;
   this->Position = edit.Position;
+  this->AddCollapse(mesh, around, edit);
+}
+
+//------------------------------------------------------------------------------
+void Patch::AddCollapse(const HalfEdgeMesh& mesh, const Neighbourhood& around, const Edit& edit)
+{
   const std::size_t count = around.Corners.size();
   for (std::size_t i = 0; i < count; ++i)
   {

@@ -46,6 +46,8 @@ struct Patch
 
   /// @param around Of the edge to collapse.
   void FillCollapse(const HalfEdgeMesh& mesh, const Neighbourhood& around, const Edit& edit);
+  /// The same edge in one more sheet: all in a patch end at one site.
+  void AddCollapse(const HalfEdgeMesh& mesh, const Neighbourhood& around, const Edit& edit);
   void FillMove(const HalfEdgeMesh& mesh, const Edit& edit);
   /// The mesh must turn the edge as HalfEdgeMesh::Flip says.
   void FillFlip(const HalfEdgeMesh& mesh, const Edit& edit);

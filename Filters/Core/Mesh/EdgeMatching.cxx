@@ -245,6 +245,19 @@ void EdgeMatching::CountEdgesOf(Index triangle, EdgeCounts& counts) const
 }
 
 //------------------------------------------------------------------------------
+void EdgeMatching::CutBetween(const std::vector<Index>& labels)
+{
+  for (Index h = 0; h < static_cast<Index>(this->TwinOf.size()); ++h)
+  {
+    const Index twin = this->TwinOf[h];
+    if (twin > h && labels[h >> 2] != labels[twin >> 2])
+    {
+      this->TwinOf[h] = this->TwinOf[twin] = OddEdge;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 Rings EdgeMatching::FindRings() const
 {
   const std::size_t numberOfPoints = this->Start.size() - 1;

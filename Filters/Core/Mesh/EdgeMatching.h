@@ -67,6 +67,9 @@ public:
 
   EdgeCounts CountEdges() const;
 
+  /// From now on there is no telling where triangles of different labels share an edge.  @param labels Of each triangle.
+  void CutBetween(const std::vector<Index>& labels);
+
   /// Corners of a triangle must differ.
   Rings FindRings() const;
 

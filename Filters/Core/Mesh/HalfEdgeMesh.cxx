@@ -33,15 +33,20 @@ double MeanLength(const Surface& surface, int threads)
 }
 }
 
-HalfEdgeMesh::HalfEdgeMesh(const Surface& surface, int threads, const SheetMap& sheets)
+HalfEdgeMesh::HalfEdgeMesh(
+  const Surface& surface, int threads, const SheetMap& sheets, const std::vector<Index>& labels)
   : Vertices(surface.Points.size())
   , Faces(surface.Triangles.size())
   , LiveFaces(static_cast<Index>(surface.Triangles.size()))
   , Length(MeanLength(surface, threads))
   , LengthUnit(std::ldexp(1.0, std::ilogb(this->Length)))
 {
-  const EdgeMatching edges(surface.Triangles, surface.Points.size(), threads);
+  EdgeMatching edges(surface.Triangles, surface.Points.size(), threads);
   this->Counts = edges.CountEdges();
+  if (!labels.empty())
+  {
+    edges.CutBetween(labels);
+  }
   Rings rings = edges.FindRings();
   this->Kinds = std::move(rings.Kinds);
   ForEachId(surface.Points.size(), threads,

@@ -77,7 +77,9 @@ class HalfEdgeMesh
 {
 public:
   /// Every point must be used by a triangle, corners of a triangle must differ.
-  explicit HalfEdgeMesh(const Surface& surface, int threads = 1, const SheetMap& sheets = {});
+  /// @param labels Of each triangle: edges between different ones are locked, for Sheets.h to split. Empty: there are none.
+  explicit HalfEdgeMesh(const Surface& surface, int threads = 1, const SheetMap& sheets = {},
+    const std::vector<Index>& labels = {});
 
   // From the bits of the corner, since nobody can guess which corner it is: branches would be taken wrongly.
   static Index Next(Index h) { return h + 1 - 3 * (h >> 1 & 1); }

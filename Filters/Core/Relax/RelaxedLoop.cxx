@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RelaxedLoop.h"
 
+#include "Collapse/LineStages.h"
 #include "Collapse/Sweep.h"
 
 #include <algorithm>
@@ -53,7 +54,9 @@ StopReason RelaxedLoop::Collapse(Index faces, const Monitor& monitor)
 {
   Stops stops = this->Wanted;
   stops.Faces = faces;
-  return Sweep(this->Work, stops, this->Threads, PeakWeight).Run(monitor);
+  Sweep sweep(this->Work, stops, this->Threads, PeakWeight);
+  return RunInStages(this->Work, stops, monitor,
+    [&sweep](const Stops& stage, const Monitor& tell) { return sweep.RunTo(stage, tell); });
 }
 
 //------------------------------------------------------------------------------

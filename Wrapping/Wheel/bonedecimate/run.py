@@ -10,6 +10,7 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import _core
+from .labels import labels_of
 from .polydata import Passed, Surface, passed, points_of, set_triangles, surface_of
 from .progress import Progress
 from .transfer import add_input_map, add_maps, recompute_normals, transfer_arrays
@@ -19,18 +20,20 @@ ENTRY_ARRAYS = {int: vtkTypeInt64Array, float: vtkDoubleArray, str: vtkStringArr
 
 def run(data: vtkPolyData, options: _core.Options, progress: Progress | None,
         reference: vtkPolyData | None = None) -> tuple[dict, Surface]:
-    """What the core says of it, its warnings and ours together. Raises ValueError without the array of tolerances.
+    """What the core says of it, its warnings and ours together. Raises ValueError without the arrays that are named.
 
     @param reference What the input was made from, if the largest error is promised against that.
     """
     name = options.get("ToleranceArrayName")
     tolerances = _point_values(data, name) if name and data.GetNumberOfPoints() else None
     surface = surface_of(data)
+    name = options.get("LabelArrayName")
+    labels = labels_of(data, surface, name) if name and data.GetNumberOfPoints() else None
     has_arrays = data.GetPointData().GetNumberOfArrays() + data.GetCellData().GetNumberOfArrays() > 0
     origins = options.get("MakeMaps") or (options.get("PassArrays") and has_arrays)
     first = surface_of(reference) if reference is not None else None
     answer = _core.decimate(surface.points, surface.triangles, options, surface.is_single, origins, tolerances,
-                            surface.cell_of_triangle, first and (first.points, first.triangles), progress)
+                            surface.cell_of_triangle, first and (first.points, first.triangles), progress, labels)
     answer["warnings"] = surface.warnings + answer["warnings"]
     return answer, surface
 
