@@ -79,9 +79,8 @@ std::optional<Labels> ReadLabels(
   vtkDataArray* points = cells ? nullptr : input->GetPointData()->GetArray(name.c_str());
   vtkDataArray* array = cells ? cells : points;
   const vtkIdType needed = cells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
-  std::optional<Tuples> tuples = array && array->GetNumberOfTuples() >= needed
-    ? Number(array)
-    : std::optional<Tuples>();
+  std::optional<Tuples> tuples =
+    array && array->GetNumberOfTuples() >= needed ? Number(array) : std::optional<Tuples>();
   if (!tuples)
   {
     return {};

@@ -183,8 +183,8 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   bonedecimate::Result result = bonedecimate::Decimate(
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
     converted.IsSingle, bonedecimate::NeedsOrigins(input, options),
-    hasTolerances ? &*tolerances : nullptr, reference != nullptr ? &first.Surface : nullptr, nullptr,
-    hasLabels ? &*labels : nullptr);
+    hasTolerances ? &*tolerances : nullptr, reference != nullptr ? &first.Surface : nullptr,
+    nullptr, hasLabels ? &*labels : nullptr);
   bonedecimate::NameCells(converted, result.Report);
   this->Internal->Report = result.Report;
   this->Internal->Entries =

@@ -86,14 +86,14 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
   const Surface surface = ToSurface(points, triangles);
   const Surface first = reference ? ToSurface(reference->first, reference->second) : Surface();
   const std::optional<std::vector<double>> numbers = ToNumbers(tolerances);
-  Result result = Listener(std::move(progress))
-                    .Hear(
-                      [&](const Monitor& monitor)
-                      {
-                        return Decimate(surface, options, monitor, single, origins,
-                          numbers ? &*numbers : nullptr, reference ? &first : nullptr, nullptr,
-                          named ? &*named : nullptr);
-                      });
+  Result result =
+    Listener(std::move(progress))
+      .Hear(
+        [&](const Monitor& monitor)
+        {
+          return Decimate(surface, options, monitor, single, origins, numbers ? &*numbers : nullptr,
+            reference ? &first : nullptr, nullptr, named ? &*named : nullptr);
+        });
   NameCells(cells, result.Report.Cleaning);
   return ToDict(std::move(result));
 }
