@@ -20,6 +20,7 @@
 #include <cmath>
 #include <map>
 
+using namespace bonedecimate;
 using namespace bonedecimate::testsupport;
 
 namespace
