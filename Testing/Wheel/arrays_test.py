@@ -43,6 +43,16 @@ def farthest(points, others, triangles, parts):
 
 
 class Decimate(unittest.TestCase):
+    def test_keeps_what_is_left_of_the_error_against_a_reference(self):
+        first = decimate(POINTS, TRIANGLES, max_error=0.1)
+        second = decimate(*first, max_error=0.2, reference=(POINTS, TRIANGLES))
+        self.assertLess(len(second.triangles), len(first.triangles))
+        self.assertEqual(second.report["proof.verdict"], "proved")
+        self.assertLessEqual(second.report["reference.to_input.upper"], 0.1)
+        self.assertEqual(certify((POINTS, TRIANGLES), second, tolerance=0.2).verdict, "proved")
+        with self.assertRaisesRegex(ValueError, "reference"):
+            decimate(*first, target_reduction=0.5, reference=(POINTS, TRIANGLES))
+
     def test_keeps_the_largest_error_and_proves_it(self):
         result = decimate(POINTS, TRIANGLES, max_error=0.2)
         self.assertLess(len(result.triangles), len(TRIANGLES) / 3)
