@@ -183,6 +183,30 @@ TEST(Sheets, KeepTheLastTriangleAtAPinnedEndOfAnOpenLine)
   }
 }
 
+TEST(Sheets, AreOfNoConsequenceFarAway)
+{
+  // One pinched pair of points must not change what is done to the rest of a bone of several blocks.
+  const Surface bone = BumpySphere(6, 20.0, 0.2, 3);
+  Surface both = bone;
+  const Index first = static_cast<Index>(both.Points.size());
+  for (const Vector3& point : BowTie().Points)
+  {
+    both.Points.push_back(point + Vector3(100.0, 0.0, 0.0));
+  }
+  for (const Triangle& t : BowTie().Triangles)
+  {
+    both.Triangles.push_back({ first + t[0], first + t[1], first + t[2] });
+  }
+  const Index wanted = static_cast<Index>(bone.Triangles.size() / 4);
+  const auto meanOf = [&](const Surface& input, Index triangles)
+  {
+    Options options = InMode(Mode::Balanced, Triangles(triangles));
+    options.MeasureDistances = true;
+    return Decimate(input, options).Report.InputToOutput.Mean;
+  };
+  EXPECT_NEAR(meanOf(both, wanted + 10) / meanOf(bone, wanted), 1.0, 0.004);
+}
+
 TEST(Sheets, GiveTheSameBytesForAnyNumberOfThreads)
 {
   Surface input = ThreeLeavedBook(75); // enough points for blocks
