@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is not manifold is split into sheets, simplified up to its seams, and joined again.
 #include "BruteForce.h"
+#include "Collapse/Editor.h"
+#include "Collapse/SheetRules.h"
 #include "Mesh/Invariants.h"
 #include "Mesh/Sheets.h"
 #include "Mesh/SpatialOrder.h"
@@ -138,6 +140,76 @@ TEST(Sheets, NeverMeetAlongAnEdgeThatTheyDidNotHaveInCommon)
       }
     }
   }
+}
+
+/// Two open strips that have one point in common, at which each has a single triangle.
+Surface BowTie()
+{
+  Surface tie = { { { 0, 0, 0 } }, {} };
+  for (const double side : { 1.0, -1.0 })
+  {
+    const Index first = static_cast<Index>(tie.Points.size());
+    for (const double x : { 1.0, 2.0, 3.0 })
+    {
+      tie.Points.push_back({ side * x, -0.5, 0 });
+      tie.Points.push_back({ side * x, 0.5, 0 });
+    }
+    tie.Triangles.push_back({ 0, first, first + 1 });
+    for (Index k = first; k < first + 4; k += 2)
+    {
+      tie.Triangles.push_back({ k, k + 2, k + 1 });
+      tie.Triangles.push_back({ k + 1, k + 2, k + 3 });
+    }
+  }
+  for (std::size_t t = tie.Triangles.size() / 2; t < tie.Triangles.size(); ++t)
+  {
+    std::swap(tie.Triangles[t][1], tie.Triangles[t][2]); // the same side up
+  }
+  return tie;
+}
+
+TEST(Sheets, KeepTheLastTriangleAtAPinnedEndOfAnOpenLine)
+{
+  const CleanSurface clean = Split(BowTie());
+  Editor editor(HalfEdgeMesh(clean.Surface, 1, clean.Sheets), clean, Editor::Books(), 1);
+  const HalfEdgeMesh& mesh = editor.Mesh();
+  for (const Index last : { 0, 5 }) // the only triangles of their sheets at the point
+  {
+    for (const Index k : { 0, 2 })
+    {
+      const Index h = HalfEdgeMesh::HalfEdge(last, k);
+      ASSERT_TRUE(mesh.IsPinned(mesh.Origin(h)) || mesh.IsPinned(mesh.Target(h)));
+      EXPECT_EQ(editor.Examine(h), Verdict::Border) << last << " " << k;
+    }
+  }
+}
+
+TEST(Sheets, AskOnlyCopiesWhetherTheyLieInTheBlock)
+{
+  // Else a single seam would keep every edit at the ends of blocks, in the whole mesh, from being made.
+  const CleanSurface clean = Split(HalvedBall(6));
+  const HalfEdgeMesh mesh(clean.Surface, 1, clean.Sheets);
+  const VertexRange nothing = { 0, 0 };
+  const auto hasCopies = [&mesh](Index v) { return mesh.NextCopy(v) != v; };
+  Neighbourhood around;
+  std::int64_t alone = 0;
+  for (const Index h : HalfEdges(mesh))
+  {
+    if (mesh.Twin(h) != None && !mesh.IsFixed(mesh.Origin(h)) && !mesh.IsFixed(mesh.Target(h)))
+    {
+      around.Gather(mesh, h);
+      const bool isAlone = !hasCopies(around.Start) && !hasCopies(around.End) &&
+        std::none_of(around.Ring.begin(), around.Ring.end(), hasCopies);
+      EXPECT_EQ(
+        JudgeSheets(mesh, around, nothing), isAlone ? Verdict::Allowed : Verdict::Elsewhere);
+      const Index a = around.Apexes[0];
+      const Index b = around.Apexes[1];
+      EXPECT_EQ(
+        JudgeNewEdge(mesh, a, b, nothing) == Verdict::Elsewhere, hasCopies(a) || hasCopies(b));
+      alone += isAlone ? 1 : 0;
+    }
+  }
+  EXPECT_GT(alone, 100);
 }
 
 TEST(Sheets, GiveTheSameBytesForAnyNumberOfThreads)
