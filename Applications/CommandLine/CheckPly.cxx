@@ -61,16 +61,32 @@ public:
     {
       this->Walk(element);
     }
-    std::ifstream& stream = this->Lines.GetStream();
-    const bool binary = this->Encoding != "ascii";
-    const auto size = static_cast<std::streamoff>(std::filesystem::file_size(this->Path));
-    if (binary && size - static_cast<std::streamoff>(stream.tellg()) > LongestLineEnd)
+    if (this->Encoding == "ascii" ? this->HasMoreText() : this->HasMoreBytes())
     {
       Refuse(this->Path, "it holds more than its header announces; it is damaged");
     }
   }
 
 private:
+  bool HasMoreText()
+  {
+    while (this->Lines.Next())
+    {
+      if (!this->Lines.GetWords().empty())
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool HasMoreBytes()
+  {
+    const auto size = static_cast<std::streamoff>(std::filesystem::file_size(this->Path));
+    const auto read = static_cast<std::streamoff>(this->Lines.GetStream().tellg());
+    return size - read > LongestLineEnd;
+  }
+
   void ReadHeader()
   {
     if (!this->Lines.Next() || this->Lines.GetWords().size() != 1 ||
@@ -242,7 +258,8 @@ private:
         }
       }
     }
-    return this->Lines.IsEnded(); // VTK does not see a last line that has no end
+    // VTK does not see a last line that has no end, and skips what a list's count leaves out.
+    return at == words.size() && this->Lines.IsEnded();
   }
 
   bool IsValue(std::string_view word, const Property& property) const

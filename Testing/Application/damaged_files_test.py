@@ -4,9 +4,8 @@
 
 import random
 import re
-import resource
 
-from application import DONE, REFUSED, SURFACES, ApplicationTest, limit, main, torus, write
+from application import DONE, REFUSED, SURFACES, ApplicationTest, main, torus, write
 
 TETRAHEDRON_OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
 TETRAHEDRON_PLY = """ply
@@ -139,21 +138,6 @@ class DamagedFiles(ApplicationTest):
         ):
             with self.subTest(extension=extension, new=new):
                 self.refuse(self.write_text(extension, (old, new)))
-
-    def test_announced_counts_do_not_take_memory(self):
-        billions = "1000000000"
-        for extension, old, new in (
-            ("ply", "element vertex 4", "element vertex " + billions),
-            ("ply", "element face 4", "element face " + billions),
-            ("ply", "3 0 2 1", billions + " 0 2 1"),
-            ("vtk", "POINTS 4", "POINTS " + billions),
-            ("vtk", "POLYGONS 4 16", "POLYGONS " + billions + " " + billions),
-            ("vtp", 'NumberOfPoints="4"', 'NumberOfPoints="' + billions + '"'),
-            ("vtp", 'NumberOfPolys="4"', 'NumberOfPolys="' + billions + '"'),
-        ):
-            with self.subTest(extension=extension, new=new):
-                name = self.write_text(extension, (old, new))
-                self.refuse(name, preexec_fn=limit(resource.RLIMIT_DATA, 2 << 30))
 
     def test_cells_that_run_out_of_their_arrays(self):
         for new in ("3 6 9 99", "9 6 3 12", "-3 6 9 12", "3 6 9"):

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Inputs for the fuzzers: made here, or found by them, kept as texts with one input a line in hexadecimal.
 
-    corpus.py make core|files FOLDER    the first inputs, a file each
+    corpus.py make core|files|logs FOLDER    the first inputs, a file each
     corpus.py unpack TEXT FOLDER        what is kept, a file each
     corpus.py pack FOLDER TEXT          a folder's files (let the fuzzer merge them before), the longest of them left out
 """
@@ -89,6 +89,22 @@ def file_inputs():
     yield 7, meta + nrrd
 
 
+def log_inputs():
+    """Changes of the recordings of FuzzLogs.cxx, and short files of any bytes."""
+    generator = random.Random(2)
+    values = (0, 1, 2, 3, 7, 20, 60, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 0x7FF80000, 0x7F800000)
+    for number in range(64):
+        changes = b"".join(
+            generator.randrange(0, 4096).to_bytes(2, "big")
+            + (generator.choice(values) if generator.random() < 0.6 else generator.randrange(200)).to_bytes(4, "big")
+            for _ in range(number % 5)
+        )
+        yield bytes([number % 4, number % 8 != 7, 0]) + changes
+    for length in (0, 4, 8, 36, 44, 90):
+        version = (1).to_bytes(4, "little")
+        yield bytes([0, 1, 1]) + version + bytes(generator.randrange(3) for _ in range(length))
+
+
 def write(folder, inputs):
     folder.mkdir(parents=True, exist_ok=True)
     for number, data in enumerate(inputs):
@@ -99,7 +115,7 @@ def main():
     verb, what, where = sys.argv[1:4]
     if verb == "make":
         files = (bytes([kind]) + text.encode("latin-1") for kind, text in file_inputs())
-        write(pathlib.Path(where), core_inputs() if what == "core" else files)
+        write(pathlib.Path(where), {"core": core_inputs(), "files": files, "logs": log_inputs()}[what])
     elif verb == "unpack":
         write(pathlib.Path(where), map(bytes.fromhex, pathlib.Path(what).read_text(encoding="ascii").split()))
     else:

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The log as bytes: there and back, damaged, and forged.
+#include "ForgedLog.h"
 #include "LevelRuns.h"
 #include "Random.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 
 using namespace bonedecimate;
 using namespace bonedecimate::testsupport;
@@ -30,38 +30,6 @@ LogStatus StatusOf(const Bytes& bytes)
 Recorded Example(Mode mode = Mode::Balanced)
 {
   return Record(HeightField(12, 0.3, 7), InMode(mode, Triangles(60)));
-}
-
-/// The checksum as the page says, so that readers get to see what is wrong before it.
-Bytes Forged(Bytes bytes)
-{
-  const std::size_t size = bytes.size() - 8;
-  std::uint64_t sum = 0xcbf29ce484222325ULL;
-  for (std::size_t at = 0; at < size; at += 8)
-  {
-    Bytes word(8, 0);
-    std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(at),
-      std::min<std::size_t>(8, size - at), word.begin());
-    std::uint64_t value = 0;
-    for (int k = 7; k >= 0; --k)
-    {
-      value = value * 256 + word[static_cast<std::size_t>(k)];
-    }
-    sum = (sum ^ value) * 0x100000001b3ULL;
-  }
-  for (std::size_t k = 0; k < 8; ++k)
-  {
-    bytes[size + k] = static_cast<unsigned char>(sum >> (8 * k));
-  }
-  return bytes;
-}
-
-void PutIndex(Bytes& bytes, std::size_t at, std::uint32_t value)
-{
-  for (std::size_t k = 0; k < 4; ++k)
-  {
-    bytes[at + k] = static_cast<unsigned char>(value >> (8 * k));
-  }
 }
 
 bool IsWithin(const Surface& surface)
