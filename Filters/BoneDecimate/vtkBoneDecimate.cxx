@@ -5,6 +5,7 @@
 #include "Decimate.h"
 #include "NamedEntries.h"
 #include "OptionTable.h"
+#include "ReportCells.h"
 #include "ReportTable.h"
 #include "SurfaceConversion.h"
 
@@ -87,6 +88,11 @@ vtkBoneDecimateOption(InputErrorBoundArrayName, const std::string&, std::string,
 vtkBoneDecimateOption(ErrorPreset, int, int, int)
 vtkBoneDecimateOption(VoxelSize, double, double, double)
 vtkBoneDecimateOption(ToleranceArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(PruneSize, double, double, double)
+vtkBoneDecimateOption(PruneArea, double, double, double)
+vtkBoneDecimateOption(PruneVolume, double, double, double)
+vtkBoneDecimateOption(PruneTriangles, int, int, int)
+vtkBoneDecimateOption(ExamineInput, bool, bool, bool)
 // clang-format on
 #undef vtkBoneDecimateOption
 

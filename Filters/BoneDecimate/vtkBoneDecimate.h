@@ -310,6 +310,31 @@ public:
 
   ///@{
   /**
+   * Leave out components below a longest side of their box (mm), an area (mm2), a volume (mm3, closed ones alone) or a
+   * number of triangles, and list them in the report ("pruned.list.0.size", ...); 0, the default of each, leaves out none.
+   * Errors, proofs and the other counts of the report are of what is left; if nothing would be, the input is refused.
+   */
+  void SetPruneSize(double millimetres);
+  double GetPruneSize() const;
+  void SetPruneArea(double squareMillimetres);
+  double GetPruneArea() const;
+  void SetPruneVolume(double cubicMillimetres);
+  double GetPruneVolume() const;
+  void SetPruneTriangles(int triangles);
+  int GetPruneTriangles() const;
+  ///@}
+
+  ///@{
+  /**
+   * Put what vtkBoneCheck finds in the input into the report ("findings.0.kind", ...), off by default.
+   */
+  void SetExamineInput(bool examine);
+  bool GetExamineInput() const;
+  vtkBooleanMacro(ExamineInput, bool);
+  ///@}
+
+  ///@{
+  /**
    * The first original of an input that is itself a result: what MaximumError, which must be set, is promised against.
    * Tolerances stay those against the input. An input that is farther from it than MaximumError is an error. Default none.
    */
@@ -319,14 +344,10 @@ public:
   /// The same as a connection, to the input port 1. Default none.
   void SetReferenceConnection(vtkAlgorithmOutput* reference);
 
-  /**
-   * Why the last run ended: one of StopReasons.
-   */
+  /// Why the last run ended: one of StopReasons.
   int GetStopReason() const;
 
-  /**
-   * Why the last run ended, as a sentence.
-   */
+  /// Why the last run ended, as a sentence.
   std::string GetStopReasonAsString() const;
 
   /**

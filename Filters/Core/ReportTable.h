@@ -33,7 +33,9 @@ struct ReportEntry
  * dropped_triangles, first_dropped_triangle, locked_points, first_locked_point, checksum, problem}, output.{faces ... volume}, distance.output_to_input.{max, second,
  * mean, rms, point_max, point_mean, point_rms, samples, samples_per_mm2}, distance.input_to_output.{the same},
  * distance.border_output_to_input.{lower, upper}, distance.border_input_to_output.{the same},
- * clearance.{input, output}, running_error, collapses, refusals.{non_manifold, border, ...}, seconds.{prepare, collapse, decimate, measure,
+ * findings.N.{kind, severity, sentence, count, length, first_points.K or first_triangles.K} with ExamineInput;
+ * pruned.{components, faces}, pruned.list.N.{faces, size, area, volume, place.{0, 1, 2}} of the thousand largest, if pruning
+ * was asked for; clearance.{input, output}, running_error, collapses, refusals.{non_manifold, border, ...}, seconds.{prepare, collapse, decimate, measure,
  * total}, options.{each option by name}.
  */
 std::vector<ReportEntry> ReportEntries(const Report& report);

@@ -4,6 +4,7 @@
 #include "Bindings.h"
 #include "Decimate.h"
 #include "Listener.h"
+#include "ReportCells.h"
 #include "ReportTable.h"
 
 #include <nanobind/stl/optional.h>
@@ -15,19 +16,6 @@ namespace bonedecimate
 {
 namespace
 {
-/// Triangles that the report names become the cells from which they came.
-void NameCells(const std::optional<CellsIn>& cells, CleaningStatistics& found)
-{
-  if (!cells)
-  {
-    return;
-  }
-  for (std::int64_t* triangle : { &found.FirstTriangleOutOfRange, &found.FirstDroppedTriangle })
-  {
-    *triangle = *triangle < 0 ? -1 : cells->data()[*triangle];
-  }
-}
-
 void AddReport(const Report& report, nb::dict& answer)
 {
   answer["entries"] = ToList(ReportEntries(report));
@@ -75,7 +63,10 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
                         return Decimate(surface, options, monitor, single, origins,
                           numbers ? &*numbers : nullptr, reference ? &first : nullptr);
                       });
-  NameCells(cells, result.Report.Cleaning);
+  if (cells)
+  {
+    NameCells([&](std::size_t triangle) { return cells->data()[triangle]; }, result.Report);
+  }
   return ToDict(std::move(result));
 }
 }
