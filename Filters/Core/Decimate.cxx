@@ -136,9 +136,8 @@ private:
     tell(0.25);
     HalfEdgeMesh mesh(this->Cleaned.Surface, threads);
     this->CountLocked(mesh);
-    if (this->Progress.GoesOn() && HasSeams(mesh))
+    if (this->Progress.GoesOn() && SplitSheets(this->Cleaned, mesh))
     {
-      SplitSheets(this->Cleaned, mesh);
       SortAlongCurve(this->Cleaned, threads);
       mesh = HalfEdgeMesh(this->Cleaned.Surface, threads, this->Cleaned.Sheets);
     }
@@ -150,16 +149,18 @@ private:
     {
       this->Work->Record();
     }
-    this->Limit();
-    tell(0.75);
     if (books.Distances && this->Progress.GoesOn())
     {
-      this->Work->Reference().Tree(threads, [&] { tell(0.75); });
+      this->Work->Reference().Tree(threads, [&] { tell(0.5); });
+    }
+    if (this->Progress.GoesOn())
+    {
+      this->Limit(PartOf(tell, 0.5, 1.0));
     }
   }
 
   /// What has to be proved, and what stays as it is.
-  void Limit()
+  void Limit(const Monitor& monitor)
   {
     const std::vector<double> tolerances = this->Allowed != nullptr
       ? TolerancesOf(this->Cleaned, *this->Allowed)
@@ -178,7 +179,7 @@ private:
       this->Work->ProveEdits(promise, this->Wanted.NumberOfThreads);
       if (promises && this->Wanted.KeepClearance)
       {
-        this->Work->KeepClearance(this->Wanted.MaximumError, this->Wanted.NumberOfThreads);
+        this->Work->KeepClearance(this->Wanted.MaximumError, this->Wanted.NumberOfThreads, monitor);
       }
     }
     if (!tolerances.empty())
@@ -326,9 +327,8 @@ private:
   RunProgress Progress;
   bool RoundToSingle;
   bool WithOrigins;
-  const std::vector<double>* Given; // mm, tolerances of the input points
-  const std::vector<double>*
-    Allowed; // mm, the same, capped by what the reference leaves of the error
+  const std::vector<double>* Given;   // mm, tolerances of the input points
+  const std::vector<double>* Allowed; // mm, the same, capped by what the reference leaves
   const Surface* Reference;
   std::optional<ReferenceInput> First; // the reference read, if there is one
   EditLog* Log;                        // null: nobody wants it

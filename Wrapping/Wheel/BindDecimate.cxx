@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "BindDecimate.h"
+
 #include "Arrays.h"
 #include "Bindings.h"
-#include "Decimate.h"
 #include "Listener.h"
 #include "ReportCells.h"
 #include "ReportTable.h"
@@ -26,28 +27,6 @@ void AddReport(const Report& report, nb::dict& answer)
   answer["contradiction"] = ProofMessage(report);
 }
 
-/// Arrays that were not filled are empty.
-nb::dict ToDict(Result&& result)
-{
-  nb::dict answer;
-  AddReport(result.Report, answer);
-  answer["points"] = ToRows<double>(std::move(result.Surface.Points));
-  answer["triangles"] = ToRows<Index>(std::move(result.Surface.Triangles));
-  answer["distance"] = ToArray(std::move(result.Distance));
-  answer["running_error"] = ToArray(std::move(result.RunningError));
-  answer["point_count"] = ToArray(std::move(result.PointCount));
-  answer["input_distance"] = ToArray(std::move(result.InputDistance));
-  answer["error_bound"] = ToArray(std::move(result.ErrorBound));
-  answer["input_error_bound"] = ToArray(std::move(result.InputErrorBound));
-  SurfaceOrigins& origins = result.Origins;
-  answer["nearest_triangle"] = ToArray(std::move(origins.NearestTriangle));
-  answer["barycentric"] = ToRows<double>(std::move(origins.Barycentric));
-  answer["nearest_point"] = ToArray(std::move(origins.NearestPoint));
-  answer["triangle_at_centroid"] = ToArray(std::move(origins.TriangleAtCentroid));
-  answer["output_point"] = ToArray(std::move(origins.OutputPoint));
-  return answer;
-}
-
 nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options& options,
   bool single, bool origins, const std::optional<NumbersIn>& tolerances,
   const std::optional<CellsIn>& cells,
@@ -69,6 +48,28 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
   }
   return ToDict(std::move(result));
 }
+}
+
+//------------------------------------------------------------------------------
+nb::dict ToDict(Result&& result)
+{
+  nb::dict answer;
+  AddReport(result.Report, answer);
+  answer["points"] = ToRows<double>(std::move(result.Surface.Points));
+  answer["triangles"] = ToRows<Index>(std::move(result.Surface.Triangles));
+  answer["distance"] = ToArray(std::move(result.Distance));
+  answer["running_error"] = ToArray(std::move(result.RunningError));
+  answer["point_count"] = ToArray(std::move(result.PointCount));
+  answer["input_distance"] = ToArray(std::move(result.InputDistance));
+  answer["error_bound"] = ToArray(std::move(result.ErrorBound));
+  answer["input_error_bound"] = ToArray(std::move(result.InputErrorBound));
+  SurfaceOrigins& origins = result.Origins;
+  answer["nearest_triangle"] = ToArray(std::move(origins.NearestTriangle));
+  answer["barycentric"] = ToRows<double>(std::move(origins.Barycentric));
+  answer["nearest_point"] = ToArray(std::move(origins.NearestPoint));
+  answer["triangle_at_centroid"] = ToArray(std::move(origins.TriangleAtCentroid));
+  answer["output_point"] = ToArray(std::move(origins.OutputPoint));
+  return answer;
 }
 
 //------------------------------------------------------------------------------
