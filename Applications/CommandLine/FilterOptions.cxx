@@ -49,6 +49,11 @@ const std::map<std::string, Setter>& Setters()
     { "ErrorBoundArrayName", Calls<std::string>(&vtkBoneDecimate::SetErrorBoundArrayName) },
     { "InputErrorBoundArrayName",
       Calls<std::string>(&vtkBoneDecimate::SetInputErrorBoundArrayName) },
+    { "PruneSize", Calls<double>(&vtkBoneDecimate::SetPruneSize) },
+    { "PruneArea", Calls<double>(&vtkBoneDecimate::SetPruneArea) },
+    { "PruneVolume", Calls<double>(&vtkBoneDecimate::SetPruneVolume) },
+    { "PruneTriangles", Calls<int>(&vtkBoneDecimate::SetPruneTriangles) },
+    { "ExamineInput", Calls<bool>(&vtkBoneDecimate::SetExamineInput) },
     { "ToleranceArrayName", Calls<std::string>(&vtkBoneDecimate::SetToleranceArrayName) },
     { "LabelArrayName", Calls<std::string>(&vtkBoneDecimate::SetLabelArrayName) },
   };

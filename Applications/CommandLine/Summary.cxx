@@ -58,6 +58,47 @@ void PrintVoxel(const ReportFields& report)
   }
 }
 
+/// What was left out on request, the largest first.
+void PrintPruned(const ReportFields& report)
+{
+  constexpr int mostPrinted = 10;
+  if (!report.Number("pruned.components"))
+  {
+    return;
+  }
+  std::cout << "pruned          " << Count(report, "pruned.components") << " components, "
+            << Count(report, "pruned.faces") << " triangles\n";
+  for (int i = 0; i < mostPrinted; ++i)
+  {
+    const std::string path = "pruned.list." + std::to_string(i);
+    if (!report.Number(path + ".faces"))
+    {
+      return;
+    }
+    const auto length = [&](const char* name)
+    { return MillimetreText(report.Number(path + name).value_or(0.0)); };
+    std::cout << "  " << Count(report, path + ".faces") << " triangles, " << length(".size")
+              << " mm, at " << length(".place.0") << ", " << length(".place.1") << ", "
+              << length(".place.2") << "\n";
+  }
+}
+
+/// What the doctor found in the input.
+void PrintFindings(const ReportFields& report)
+{
+  for (int i = 0;; ++i)
+  {
+    const std::string path = "findings." + std::to_string(i);
+    if (!report.Number(path + ".count"))
+    {
+      return;
+    }
+    std::cout << "found           " << Count(report, path + ".count") << " "
+              << report.Text(path + ".sentence") << " (" << report.Text(path + ".severity")
+              << ")\n";
+  }
+}
+
 /// Rounded up, so that what is printed is proved.
 void PrintProof(const ReportFields& report)
 {
@@ -91,6 +132,8 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
             << Count(report, "output.faces") << "\n"
             << "components      " << Count(report, "output.components") << " of "
             << Count(report, "input.components") << " kept\n";
+  PrintPruned(report);
+  PrintFindings(report);
   if (report.Number("reference.faces"))
   {
     std::cout << "reference       " << Count(report, "reference.faces")

@@ -209,6 +209,69 @@ std::string Surfaces(const ReportFields& report)
         "note"));
 }
 
+/// "a triangle 5, 7, ..."; empty where a kind has no ids.
+std::string FirstIds(const ReportFields& report, const std::string& path)
+{
+  std::string ids;
+  for (const char* of : { "point", "triangle" })
+  {
+    for (const std::string& name : report.NamesBelow(path + ".first_" + of + "s."))
+    {
+      ids += (ids.empty() ? std::string(of) + " " : ", ") + CountText(report.Number(name));
+    }
+  }
+  return ids;
+}
+
+/// What the doctor found, if it was asked.
+std::string Findings(const ReportFields& report)
+{
+  Rows rows = { { "", "how many", "the first", "what decimation did" } };
+  for (std::size_t i = 0; report.Number("findings." + std::to_string(i) + ".count"); ++i)
+  {
+    const std::string path = "findings." + std::to_string(i);
+    const Value length = report.Number(path + ".length");
+    rows.push_back({ Escape(report.Text(path + ".sentence")) +
+        (length ? " (" + LengthText(length) + " mm)" : std::string()),
+      CountText(report.Number(path + ".count")), FirstIds(report, path),
+      Escape(report.Text(path + ".severity")) });
+  }
+  return rows.size() == 1 ? std::string() : Section("What was found in the input", Table(rows));
+}
+
+/// What was left out on request, if anything was asked for.
+std::string Pruned(const ReportFields& report)
+{
+  constexpr std::size_t mostShown = 20;
+  const Value count = report.Number("pruned.components");
+  if (!count)
+  {
+    return {};
+  }
+  const std::string text = Paragraph("Left out on request: " + CountText(count) +
+    " components of " + CountText(report.Number("pruned.faces")) +
+    " triangles. Distances are those of what is left." +
+    (*count > 0 ? " The largest of them:" : ""));
+  Rows rows = { { "triangles", "longest side, mm", "area, mm&sup2;", "about, mm" } };
+  for (std::size_t i = 0; i < mostShown; ++i)
+  {
+    const std::string path = "pruned.list." + std::to_string(i);
+    const Value faces = report.Number(path + ".faces");
+    if (!faces)
+    {
+      break;
+    }
+    std::string place;
+    for (const std::string& name : report.NamesBelow(path + ".place."))
+    {
+      place += (place.empty() ? "" : ", ") + LengthText(report.Number(name));
+    }
+    rows.push_back({ CountText(faces), LengthText(report.Number(path + ".size")),
+      LengthText(report.Number(path + ".area")), place });
+  }
+  return Section("What was left out", text + (rows.size() == 1 ? std::string() : Table(rows)));
+}
+
 std::string RefusalText(const std::string& cause)
 {
   static const std::array<std::pair<const char*, const char*>, 6> sentences = { {
@@ -277,7 +340,7 @@ std::string ComposePage(const PageSubject& subject)
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
     title + "</title>\n<style>" + StyleSheet() + "</style>\n</head>\n<body>\n<h1>" + title +
     "</h1>\n" + Paragraph(Notice, "notice") + KeyFigures(report) + Summary(report) +
-    Picture(subject) + Distances(subject, report) + Surfaces(report) + Making(report) +
-    Paragraph(Notice, "notice") + "</body>\n</html>\n";
+    Picture(subject) + Distances(subject, report) + Surfaces(report) + Pruned(report) +
+    Findings(report) + Making(report) + Paragraph(Notice, "notice") + "</body>\n</html>\n";
 }
 }

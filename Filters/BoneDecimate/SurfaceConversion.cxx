@@ -290,30 +290,22 @@ std::optional<std::vector<double>> ReadPointValues(vtkPolyData* input, const std
 }
 
 //------------------------------------------------------------------------------
-void NameCells(const ConvertedSurface& converted, Report& report)
+namespace
 {
-  CleaningStatistics& found = report.Cleaning;
-  for (std::int64_t* triangle : { &found.FirstTriangleOutOfRange, &found.FirstDroppedTriangle })
+const std::string ReportPrefix = "bonedecimate.";
+
+/// What an earlier run said of its result is not true of this one.
+void RemoveEntries(const std::string& prefix, vtkFieldData* fieldData)
+{
+  for (int i = fieldData->GetNumberOfArrays(); i-- > 0;)
   {
-    *triangle = *triangle < 0 ? -1 : converted.CellOfTriangle[static_cast<std::size_t>(*triangle)];
+    const char* name = fieldData->GetArrayName(i);
+    if (name && std::string(name).compare(0, prefix.size(), prefix) == 0)
+    {
+      fieldData->RemoveArray(i);
+    }
   }
 }
-
-//------------------------------------------------------------------------------
-/// Several triangles may come from the same cell.
-void NameCells(const ConvertedSurface& converted, Finding& finding)
-{
-  if (InfoOf(finding.Kind).Of != "triangle")
-  {
-    return;
-  }
-  std::vector<Index>& ids = finding.First;
-  for (Index& id : ids)
-  {
-    id = static_cast<Index>(converted.CellOfTriangle[static_cast<std::size_t>(id)]);
-  }
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
 //------------------------------------------------------------------------------
@@ -330,7 +322,8 @@ void FillOutput(const Result& result, const ConvertedSurface& converted, const O
   AddInputArrays(result, converted, options, others.Ids(), input, output);
   AddOwnArrays(result, options, output);
   output->GetFieldData()->PassData(input->GetFieldData());
-  AddEntries(ReportEntries(result.Report), "bonedecimate.", output->GetFieldData());
+  RemoveEntries(ReportPrefix, output->GetFieldData());
+  AddEntries(ReportEntries(result.Report), ReportPrefix, output->GetFieldData());
 }
 
 //------------------------------------------------------------------------------

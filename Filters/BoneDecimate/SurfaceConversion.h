@@ -28,6 +28,8 @@ struct ConvertedSurface
   std::vector<vtkIdType> CellOfTriangle; ///< Cell of the input from which each triangle came.
   bool IsSingle = true;                  ///< Whether the points are single precision.
   std::vector<std::string> Warnings;     ///< What had to be left out, a sentence each.
+
+  vtkIdType operator()(std::size_t triangle) const { return this->CellOfTriangle[triangle]; }
 };
 
 /// Triangles as they are, strips and polygons triangulated, ids out of range as None (the core counts them).
@@ -35,10 +37,6 @@ ConvertedSurface ToSurface(vtkPolyData* input, int threads);
 
 /// A number for each point; nothing if there is no such point array of one component.
 std::optional<std::vector<double>> ReadPointValues(vtkPolyData* input, const std::string& name);
-
-/// Triangles that the report names become the cells from which they came.
-void NameCells(const ConvertedSurface& converted, Report& report);
-void NameCells(const ConvertedSurface& converted, Finding& finding);
 
 /// Whether the run has to say where its points and triangles lie on the input.
 bool NeedsOrigins(vtkPolyData* input, const Options& options);

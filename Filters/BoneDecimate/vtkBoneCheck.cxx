@@ -3,6 +3,7 @@
 #include "vtkBoneCheck.h"
 
 #include "Doctor/Doctor.h"
+#include "ReportCells.h"
 #include "SurfaceConversion.h"
 
 #include "vtkIdList.h"

@@ -7,6 +7,7 @@
 #include "LabelArrays.h"
 #include "NamedEntries.h"
 #include "OptionTable.h"
+#include "ReportCells.h"
 #include "ReportTable.h"
 #include "SurfaceConversion.h"
 
@@ -90,6 +91,11 @@ vtkBoneDecimateOption(ErrorPreset, int, int, int)
 vtkBoneDecimateOption(VoxelSize, double, double, double)
 vtkBoneDecimateOption(ToleranceArrayName, const std::string&, std::string, std::string)
 vtkBoneDecimateOption(LabelArrayName, const std::string&, std::string, std::string)
+vtkBoneDecimateOption(PruneSize, double, double, double)
+vtkBoneDecimateOption(PruneArea, double, double, double)
+vtkBoneDecimateOption(PruneVolume, double, double, double)
+vtkBoneDecimateOption(PruneTriangles, int, int, int)
+vtkBoneDecimateOption(ExamineInput, bool, bool, bool)
 // clang-format on
 #undef vtkBoneDecimateOption
 

@@ -77,9 +77,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Number of triangles to reach, 0 to 2147483647; 0, the default, is off.
-   */
+  /// Number of triangles to reach, 0 to 2147483647; 0, the default, is off.
   void SetTargetNumberOfTriangles(int triangles);
   int GetTargetNumberOfTriangles() const;
   ///@}
@@ -143,35 +141,27 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Measure the distances between input and result in both directions for the report, on by default.
-   */
+  /// Measure the distances between input and result in both directions for the report, on by default.
   void SetMeasureDistances(bool measure);
   bool GetMeasureDistances() const;
   vtkBooleanMacro(MeasureDistances, bool);
   ///@}
 
   ///@{
-  /**
-   * Put the input on output port 1 with the distance of each of its points to the result, off by default.
-   */
+  /// Put the input on output port 1 with the distance of each of its points to the result, off by default.
   void SetMeasureInputDistances(bool measure);
   bool GetMeasureInputDistances() const;
   vtkBooleanMacro(MeasureInputDistances, bool);
   ///@}
 
   ///@{
-  /**
-   * Threads to use, 0 to 1024; 0, the default, is one per processor. The result does not depend on it.
-   */
+  /// Threads to use, 0 to 1024; 0, the default, is one per processor. The result does not depend on it.
   void SetNumberOfThreads(int threads);
   int GetNumberOfThreads() const;
   ///@}
 
   ///@{
-  /**
-   * vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION (the default): that of the input.
-   */
+  /// vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION (the default): that of the input.
   void SetOutputPointsPrecision(int precision);
   int GetOutputPointsPrecision() const;
   ///@}
@@ -198,9 +188,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Give the output point normals of its own triangles instead of those of the input, off by default.
-   */
+  /// Give the output point normals of its own triangles instead of those of the input, off by default.
   void SetRecomputeNormals(bool recompute);
   bool GetRecomputeNormals() const;
   vtkBooleanMacro(RecomputeNormals, bool);
@@ -225,9 +213,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Name of the array of how many input points each output point stands for. Default "InputPointCount".
-   */
+  /// Name of the array of how many input points each output point stands for. Default "InputPointCount".
   void SetPointCountArrayName(const std::string& name);
   std::string GetPointCountArrayName() const;
   ///@}
@@ -322,6 +308,29 @@ public:
 
   ///@{
   /**
+   * Leave out components below a longest side of their box (mm), an area (mm2), a volume (mm3, closed ones alone) or a
+   * number of triangles, and list them in the report ("pruned.list.0.size", ...); 0, the default of each, leaves out none.
+   * Errors, proofs and the other counts of the report are of what is left; if nothing would be, the input is refused.
+   */
+  void SetPruneSize(double millimetres);
+  double GetPruneSize() const;
+  void SetPruneArea(double squareMillimetres);
+  double GetPruneArea() const;
+  void SetPruneVolume(double cubicMillimetres);
+  double GetPruneVolume() const;
+  void SetPruneTriangles(int triangles);
+  int GetPruneTriangles() const;
+  ///@}
+
+  ///@{
+  /// Put what vtkBoneCheck finds in the input into the report ("findings.0.kind", ...), off by default.
+  void SetExamineInput(bool examine);
+  bool GetExamineInput() const;
+  vtkBooleanMacro(ExamineInput, bool);
+  ///@}
+
+  ///@{
+  /**
    * The first original of an input that is itself a result: what MaximumError, which must be set, is promised against.
    * Tolerances stay those against the input. An input that is farther from it than MaximumError is an error. Default none.
    */
@@ -331,14 +340,10 @@ public:
   /// The same as a connection, to the input port 1. Default none.
   void SetReferenceConnection(vtkAlgorithmOutput* reference);
 
-  /**
-   * Why the last run ended: one of StopReasons.
-   */
+  /// Why the last run ended: one of StopReasons.
   int GetStopReason() const;
 
-  /**
-   * Why the last run ended, as a sentence.
-   */
+  /// Why the last run ended, as a sentence.
   std::string GetStopReasonAsString() const;
 
   /**
@@ -347,24 +352,16 @@ public:
    */
   int GetNumberOfReportEntries() const;
 
-  /**
-   * Name of an entry, 0 to GetNumberOfReportEntries() - 1; empty beyond that.
-   */
+  /// Name of an entry, 0 to GetNumberOfReportEntries() - 1; empty beyond that.
   std::string GetReportEntryName(int entry) const;
 
-  /**
-   * Unit of the entry of that name ("mm", "mm2", "s", ...); empty where there is none.
-   */
+  /// Unit of the entry of that name ("mm", "mm2", "s", ...); empty where there is none.
   std::string GetReportEntryUnit(const std::string& name) const;
 
-  /**
-   * A number of the report; NaN where the name is unknown or the entry is a text.
-   */
+  /// A number of the report; NaN where the name is unknown or the entry is a text.
   double GetReportValue(const std::string& name) const;
 
-  /**
-   * An entry of the report as text, numbers with all their digits; empty where the name is unknown.
-   */
+  /// An entry of the report as text, numbers with all their digits; empty where the name is unknown.
   std::string GetReportText(const std::string& name) const;
 
 protected:

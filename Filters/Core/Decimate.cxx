@@ -12,6 +12,7 @@
 #include "Mesh/Sheets.h"
 #include "Mesh/SpatialOrder.h"
 #include "Mesh/SurfaceAssembly.h"
+#include "Prune.h"
 #include "ReferenceInput.h"
 #include "Relax/RelaxedLoop.h"
 #include "ResultProof.h"
@@ -82,7 +83,16 @@ private:
     Report& report = this->Answer.Report;
     report.Status = this->Cleaned.Status;
     report.Cleaning = this->Cleaned.Statistics;
+    if (this->Wanted.ExamineInput)
+    {
+      report.Findings = Examine(this->Input, this->Wanted.NumberOfThreads);
+    }
     this->Progress.Stage(0.0, CleanedAt)(1.0);
+    if (report.Status == InputStatus::Good)
+    {
+      report.Pruned = Prune(this->Input, this->Wanted, this->Cleaned);
+      report.Status = report.Pruned.TookAll ? InputStatus::EverythingPruned : InputStatus::Good;
+    }
     if (report.Status == InputStatus::Good && this->Given != nullptr)
     {
       report.Status = CheckTolerances(

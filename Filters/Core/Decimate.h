@@ -5,6 +5,7 @@
  * @brief The core's one entry: a surface in, a smaller surface with its error in millimetres out.
  *
  *     cleaned  = Clean(input)                    refuse, merge, drop, count
+ *     Prune(cleaned)                             components that are too small, on request
  *     CompareWithReference(input)                what is left of the largest error, if the input is itself a result
  *     SortAlongCurve(cleaned)                    neighbours in space become neighbours in memory
  *     mesh     = HalfEdgeMesh(cleaned)           split where it is not manifold, freeze what has a tolerance of 0

@@ -184,9 +184,12 @@ Result RecordLevels(const Surface& input, const Options& options, const Monitor&
 {
   constexpr double runAt = 0.5;
   EditLog log;
+  Options whole = options;
+  whole.PruneSize = whole.PruneArea = whole.PruneVolume = 0.0;
+  whole.PruneTriangles = 0;
   const Monitor all = [&monitor](double done) { return !monitor || monitor(done); };
   Result run =
-    Decimate(input, options, PartOf(all, 0.0, runAt), inputIsSingle, false, nullptr, nullptr, &log);
+    Decimate(input, whole, PartOf(all, 0.0, runAt), inputIsSingle, false, nullptr, nullptr, &log);
   levels = Levels();
   if (run.Report.Status == InputStatus::Good &&
     levels.Open(input, std::move(log), options.NumberOfThreads) == LogStatus::Good &&

@@ -67,7 +67,7 @@ private:
 };
 
 /**
- * A run with its levels; both are empty if the input was refused.
+ * A run with its levels; both are empty if the input was refused. They are of all components: nothing is pruned.
  * @param levels Gets marks; with MeasureDistances they are measured.
  * @return The run, as Decimate() returns it.
  */

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptionTable.h"
 
+#include "InputOptionRows.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -268,7 +270,8 @@ const std::vector<OptionInfo>& OptionTable()
   static const std::vector<OptionInfo> table = []
   {
     std::vector<OptionInfo> rows;
-    for (const std::vector<OptionInfo>& group : { GoalRows(), RunRows(), ArrayRows(), ProofRows() })
+    for (const std::vector<OptionInfo>& group :
+      { GoalRows(), RunRows(), ArrayRows(), ProofRows(), InputOptionRows() })
     {
       rows.insert(rows.end(), group.begin(), group.end());
     }

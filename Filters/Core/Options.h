@@ -64,11 +64,23 @@ struct Options
   std::string ErrorBoundArrayName = "ErrorBound";
   std::string InputErrorBoundArrayName = "ErrorBoundToResult";
   bonedecimate::ErrorPreset ErrorPreset = bonedecimate::ErrorPreset::NoPreset;
-  double VoxelSize = 0.0; // mm
+  double VoxelSize = 0.0;   // mm
+  double PruneSize = 0.0;   // mm
+  double PruneArea = 0.0;   // mm^2
+  double PruneVolume = 0.0; // mm^3
+  int PruneTriangles = 0;
+  bool ExamineInput = false;
 
   /// Set by whoever sets TargetReduction. While it is false, the default reduction steps back as soon as a
   /// number of triangles or a largest error is asked for.
   bool TargetReductionIsExplicit = false;
+
+  /// Whether small components are to go.
+  bool Prunes() const
+  {
+    return this->PruneSize > 0.0 || this->PruneArea > 0.0 || this->PruneVolume > 0.0 ||
+      this->PruneTriangles > 0;
+  }
 
   /// Whether MaximumError is a promise about every point of both surfaces.
   bool PromisesError() const

@@ -105,6 +105,9 @@ std::string InputMessage(const Report& report)
       return "the reference has no triangles, or points or triangles that no surface has";
     case InputStatus::FarFromReference:
       return FarMessage(report.Reference.ToInput);
+    case InputStatus::EverythingPruned:
+      return "each of the " + std::to_string(report.Pruned.Components.size()) +
+        " components is smaller than what was to be kept; nothing would be left";
   }
   return {};
 }

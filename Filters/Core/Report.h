@@ -7,7 +7,9 @@
 #ifndef BoneDecimate_Core_Report_h
 #define BoneDecimate_Core_Report_h
 
+#include "Doctor/Doctor.h"
 #include "Options.h"
+#include "Surface.h"
 
 #include <array>
 #include <cmath>
@@ -34,7 +36,8 @@ enum class InputStatus : int
   TolerancesInThesis,    ///< Thesis mode proves nothing: only 0 and no limit.
   ReferenceWithoutError, ///< There is nothing to promise against it.
   BadReference,          ///< It has no triangle, or is refused as an input is.
-  FarFromReference       ///< The input is farther from it than the largest error.
+  FarFromReference,      ///< The input is farther from it than the largest error.
+  EverythingPruned       ///< No component is large enough for what was asked for.
 };
 
 /// Why the collapse ended.
@@ -148,6 +151,24 @@ struct ReferenceFigures
   ProvedDistance ToInput;     ///< mm, between reference and input, the larger direction.
 };
 
+/// A component that was left out on request.
+struct PrunedComponent
+{
+  std::int64_t Triangles = 0;
+  double Size = 0.0;               ///< mm, the longest side of its box along the axes.
+  double Area = 0.0;               ///< mm^2
+  double Volume = 0.0;             ///< mm^3, not a number if it is not closed.
+  Vector3 Place = Vector3::Zero(); ///< mm, the middle of the box.
+};
+
+struct PruneFigures
+{
+  bool IsAsked = false; ///< Else nothing else counts.
+  bool TookAll = false; ///< Then the input was refused.
+  std::int64_t Triangles = 0;
+  std::vector<PrunedComponent> Components; ///< The largest first.
+};
+
 /// The voxels of a run with an ErrorPreset.
 struct VoxelFigures
 {
@@ -198,6 +219,8 @@ struct Report
   SurfaceStatistics Input; ///< After cleaning.
   SurfaceStatistics Output;
   CleaningStatistics Cleaning;
+  std::vector<Finding> Findings; ///< Of the doctor, if they were asked for: of the whole input.
+  PruneFigures Pruned;
   bool DistancesMeasured = false;
   DistanceStatistics OutputToInput;
   DistanceStatistics InputToOutput;

@@ -4,9 +4,11 @@
 
 #include "Certificate/Certificate.h"
 #include "CertificateTable.h"
+#include "Doctor/Doctor.h"
 #include "Labels.h"
 #include "OptionTable.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -106,6 +108,54 @@ void AddLabels(Entries& entries, const Report& report)
   }
 }
 
+/// What the doctor found, a list of objects.
+void AddFindings(Entries& entries, const std::vector<Finding>& findings)
+{
+  for (std::size_t i = 0; i < findings.size(); ++i)
+  {
+    const Finding& found = findings[i];
+    const FindingInfo& info = InfoOf(found.Kind);
+    const std::string path = "findings." + std::to_string(i);
+    entries.push_back({ path + ".kind", "", info.Word });
+    entries.push_back({ path + ".severity", "", std::string(SeverityWord(info.Severity)) });
+    entries.push_back({ path + ".sentence", "", info.Sentence });
+    entries.push_back({ path + ".count", "", found.Count });
+    if (!std::isnan(found.Length))
+    {
+      entries.push_back({ path + ".length", "mm", found.Length });
+    }
+    for (std::size_t k = 0; k < found.First.size() && !info.Of.empty(); ++k)
+    {
+      entries.push_back({ path + ".first_" + info.Of + "s." + std::to_string(k), "",
+        static_cast<std::int64_t>(found.First[k]) });
+    }
+  }
+}
+
+/// What was left out on request; of many components the largest are listed.
+void AddPruned(Entries& entries, const PruneFigures& pruned)
+{
+  constexpr std::size_t mostListed = 1000;
+  const std::vector<PrunedComponent>& all = pruned.Components;
+  entries.push_back({ "pruned.components", "", static_cast<std::int64_t>(all.size()) });
+  entries.push_back({ "pruned.faces", "", pruned.Triangles });
+  for (std::size_t i = 0; i < std::min(all.size(), mostListed); ++i)
+  {
+    const std::string path = "pruned.list." + std::to_string(i);
+    entries.push_back({ path + ".faces", "", all[i].Triangles });
+    entries.push_back({ path + ".size", "mm", all[i].Size });
+    entries.push_back({ path + ".area", "mm2", all[i].Area });
+    if (!std::isnan(all[i].Volume))
+    {
+      entries.push_back({ path + ".volume", "mm3", all[i].Volume });
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      entries.push_back({ path + ".place." + std::to_string(axis), "mm", all[i].Place[axis] });
+    }
+  }
+}
+
 void AddVoxel(Entries& entries, const VoxelFigures& voxel)
 {
   static const char* const sources[] = { "not_asked", "given", "grid", "edges" };
@@ -149,6 +199,11 @@ std::vector<ReportEntry> ReportEntries(const Report& report)
   AddSurface(entries, "input", report.Input);
   AddCleaning(entries, report);
   entries.push_back({ "input.problem", "", InputMessage(report) });
+  AddFindings(entries, report.Findings);
+  if (report.Pruned.IsAsked)
+  {
+    AddPruned(entries, report.Pruned);
+  }
   AddSurface(entries, "output", report.Output);
   if (report.DistancesMeasured)
   {

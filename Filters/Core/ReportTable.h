@@ -34,6 +34,10 @@ struct ReportEntry
  *     input    .{faces, points, components, boundary_edges, non_manifold_edges, euler_number, area, volume}
  *              .{faces_read, points_read, merged_points, unused_points, dropped_triangles, first_dropped_triangle,
  *                locked_points, first_locked_point, frozen_points, checksum, problem}
+ *     findings .N.{kind, severity, sentence, count, length}, with ExamineInput
+ *              .N.{first_points, first_triangles}.K
+ *     pruned   .{components, faces}, if pruning was asked for
+ *              .list.N.{faces, size, area, volume, place.{0, 1, 2}} of the thousand largest
  *     output   .{faces ... volume}
  *     distance .{output_to_input, input_to_output}
  *                .{max, second, mean, rms, point_max, point_mean, point_rms, samples, samples_per_mm2}

@@ -168,7 +168,7 @@ void ProveResult(const Surface& input, const CleanSurface& cleaned, const Option
   else
   {
     const CertificateOptions question = QuestionOf(options, tolerances);
-    if (cleaned.Statistics.DroppedTriangles > 0)
+    if (cleaned.InputTriangle.size() < input.Triangles.size())
     {
       ProveAgainst(KeptPart(input, cleaned), question, monitor, answer);
     }

@@ -4,7 +4,7 @@
  * @file ResultProof.h
  * @brief The certificate of a run: how far its result is from its input, proved, as both are stored.
  *
- *     reference = input, or what it was made from, without the triangles without area that cleaning dropped
+ *     reference = input, or what it was made from, without what cleaning dropped or was pruned
  *     Certify(reference, result)         in input coordinates, rounded as they will be written
  *     bound of a point                   the largest upper bound of the triangles around it
  *

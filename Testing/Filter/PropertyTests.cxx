@@ -43,7 +43,9 @@ const std::vector<Number>& Numbers()
     NUMBER_PROPERTY(MeasureDistances), NUMBER_PROPERTY(MeasureInputDistances),
     NUMBER_PROPERTY(NumberOfThreads), NUMBER_PROPERTY(OutputPointsPrecision),
     NUMBER_PROPERTY(PassArrays), NUMBER_PROPERTY(MakeMaps), NUMBER_PROPERTY(RecomputeNormals),
-    NUMBER_PROPERTY(ProveResult), NUMBER_PROPERTY(ErrorPreset), NUMBER_PROPERTY(VoxelSize) };
+    NUMBER_PROPERTY(ProveResult), NUMBER_PROPERTY(ErrorPreset), NUMBER_PROPERTY(VoxelSize),
+    NUMBER_PROPERTY(PruneSize), NUMBER_PROPERTY(PruneArea), NUMBER_PROPERTY(PruneVolume),
+    NUMBER_PROPERTY(PruneTriangles), NUMBER_PROPERTY(ExamineInput) };
   return numbers;
 }
 
@@ -156,6 +158,9 @@ TEST(Properties, HaveTheDefaultsOfTheirDocumentation)
   EXPECT_TRUE(filter->GetMeasureDistances());
   EXPECT_FALSE(filter->GetMeasureInputDistances());
   EXPECT_TRUE(filter->GetProveResult());
+  EXPECT_FALSE(filter->GetExamineInput());
+  EXPECT_EQ(filter->GetPruneSize() + filter->GetPruneArea() + filter->GetPruneVolume(), 0.0);
+  EXPECT_EQ(filter->GetPruneTriangles(), 0);
   EXPECT_EQ(filter->GetNumberOfThreads(), 0);
   EXPECT_EQ(filter->GetOutputPointsPrecision(), vtkAlgorithm::DEFAULT_PRECISION);
 }

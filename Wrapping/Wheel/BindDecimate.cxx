@@ -5,6 +5,7 @@
 #include "Arrays.h"
 #include "Bindings.h"
 #include "Listener.h"
+#include "ReportCells.h"
 #include "ReportTable.h"
 
 #include <nanobind/stl/optional.h>
@@ -16,19 +17,6 @@ namespace bonedecimate
 {
 namespace
 {
-/// Triangles that the report names become the cells from which they came.
-void NameCells(const std::optional<CellsIn>& cells, CleaningStatistics& found)
-{
-  if (!cells)
-  {
-    return;
-  }
-  for (std::int64_t* triangle : { &found.FirstTriangleOutOfRange, &found.FirstDroppedTriangle })
-  {
-    *triangle = *triangle < 0 ? -1 : cells->data()[*triangle];
-  }
-}
-
 /// Of each triangle a place in the list of names.
 using NamedLabels = std::pair<CellsIn, std::vector<std::string>>;
 
@@ -73,7 +61,10 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
           return Decimate(surface, options, monitor, single, origins, numbers ? &*numbers : nullptr,
             reference ? &first : nullptr, nullptr, named ? &*named : nullptr);
         });
-  NameCells(cells, result.Report.Cleaning);
+  if (cells)
+  {
+    NameCells([&](std::size_t triangle) { return cells->data()[triangle]; }, result.Report);
+  }
   return ToDict(std::move(result));
 }
 }

@@ -20,7 +20,7 @@ constexpr double HugeCoordinate = 1e30; // mm
 constexpr std::size_t MostTriangles = std::numeric_limits<Index>::max() / 4;
 
 /// How many there are and which comes first.
-struct Finding
+struct Tally
 {
   std::int64_t Count = 0;
   std::int64_t First = -1;
@@ -33,9 +33,9 @@ struct Finding
 
 /// Of all ids below count those for which isBad(id) holds.
 template <typename IsBad>
-Finding FindAll(std::size_t count, int threads, const IsBad& isBad)
+Tally FindAll(std::size_t count, int threads, const IsBad& isBad)
 {
-  std::vector<Finding> findings(NumberOfBlocks(count));
+  std::vector<Tally> tallies(NumberOfBlocks(count));
   ForEachBlock(count, threads,
     [&](std::size_t block, std::size_t first, std::size_t last)
     {
@@ -43,12 +43,12 @@ Finding FindAll(std::size_t count, int threads, const IsBad& isBad)
       {
         if (isBad(id))
         {
-          findings[block].Add(id);
+          tallies[block].Add(id);
         }
       }
     });
-  Finding all;
-  for (const Finding& found : findings)
+  Tally all;
+  for (const Tally& found : tallies)
   {
     all.First = all.Count == 0 ? found.First : all.First;
     all.Count += found.Count;
@@ -71,8 +71,8 @@ InputStatus CheckPoints(const Surface& input, int threads, CleaningStatistics& f
   {
     return InputStatus::Good;
   }
-  const Finding wrong = find([&](std::size_t p) { return !isFinite(input.Points[p]); });
-  const Finding huge =
+  const Tally wrong = find([&](std::size_t p) { return !isFinite(input.Points[p]); });
+  const Tally huge =
     find([&](std::size_t p) { return isFinite(input.Points[p]) && !isGood(input.Points[p]); });
   found.NonFinitePoints = wrong.Count;
   found.FirstNonFinitePoint = wrong.First;
@@ -84,7 +84,7 @@ InputStatus CheckPoints(const Surface& input, int threads, CleaningStatistics& f
 InputStatus CheckTriangles(const Surface& input, int threads, CleaningStatistics& found)
 {
   const auto numberOfPoints = static_cast<std::uint32_t>(input.Points.size());
-  const Finding outside = FindAll(input.Triangles.size(), threads,
+  const Tally outside = FindAll(input.Triangles.size(), threads,
     [&](std::size_t t)
     {
       const Triangle& c = input.Triangles[t]; // negative numbers are huge without their sign
@@ -200,7 +200,7 @@ private:
     {
       this->KeepFlatOnesThatHoldTheSurface();
     }
-    const Finding dropped = find([](Fate fate) { return fate != Fate::Kept; });
+    const Tally dropped = find([](Fate fate) { return fate != Fate::Kept; });
     this->Clean.Statistics.DroppedTriangles = dropped.Count;
     this->Clean.Statistics.FirstDroppedTriangle = dropped.First;
   }

@@ -52,6 +52,7 @@ def fill_output(answer: dict, surface: Surface, options: _core.Options, data: vt
     _add_input_arrays(answer, surface, options, passing, data, output)
     _add_own_arrays(answer, options, output)
     output.GetFieldData().PassData(data.GetFieldData())
+    remove_entries("bonedecimate.", output)
     add_entries(answer["entries"], "bonedecimate.", output)
 
 
@@ -63,6 +64,14 @@ def fill_input_copy(answer: dict, options: _core.Options, data: vtkPolyData, out
             add_point_array(output, options.get(name), "mm", answer[key], vtkDoubleArray)
     if options.get("MakeMaps") and len(answer["output_point"]):
         add_input_map(answer, output)
+
+
+def remove_entries(prefix: str, output: vtkPolyData) -> None:
+    """What an earlier run said of its result is not true of this one."""
+    fields = output.GetFieldData()
+    for i in reversed(range(fields.GetNumberOfArrays())):
+        if (fields.GetArrayName(i) or "").startswith(prefix):
+            fields.RemoveArray(i)
 
 
 def add_entries(entries: list, prefix: str, output: vtkPolyData) -> None:
