@@ -127,6 +127,18 @@ std::string vtkBoneDecimate::GetReportText(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
+void vtkBoneDecimate::ForgetTargetReduction()
+{
+  bonedecimate::Options& options = this->Internal->Options;
+  if (options.TargetReductionIsExplicit)
+  {
+    options.TargetReduction = bonedecimate::Options().TargetReduction;
+    options.TargetReductionIsExplicit = false;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkBoneDecimate::SetReferenceData(vtkPolyData* reference)
 {
   this->SetInputData(1, reference);

@@ -359,6 +359,11 @@ protected:
   vtkBoneDecimate();
   ~vtkBoneDecimate() override;
 
+  /**
+   * As if TargetReduction had never been set: for classes that set every property, asked for or not.
+   */
+  void ForgetTargetReduction();
+
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
