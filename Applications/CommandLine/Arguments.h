@@ -43,6 +43,7 @@ struct Arguments
   /// @}
 
   bool Quiet = false;
+  bool HasTags = false;    ///< Progress as 3D Slicer reads it.
   bool ThesisForm = false; ///< Always one bone.
 };
 

@@ -43,7 +43,8 @@ void AddRunOptions(CLI::App& app, LevelsArguments& arguments)
     ->type_name("FILE");
   app
     .add_option("--coarsest", arguments.Coarsest,
-      WrappedHelp("Triangles of the coarsest level; default a tenth of the input's."))
+      WrappedHelp("Triangles of the coarsest level; default a tenth of the input's, "
+                  "or with --max-error as few as that allows."))
     ->type_name("N")
     ->check(CLI::Range(1, 2147483647).description(""));
   app.add_option("--mode", arguments.Mode, "Of the run, default Balanced.")

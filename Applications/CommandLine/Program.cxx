@@ -10,6 +10,7 @@
 #include "Interruption.h"
 #include "LevelsCommand.h"
 #include "RunOne.h"
+#include "SlicerModule.h"
 #include "VtkMessages.h"
 
 #include <cstdio>
@@ -64,6 +65,10 @@ ExitCode Run(int argc, char* argv[])
     {
       return command.Run(argc, argv);
     }
+  }
+  if (IsSlicerCall(argc, argv))
+  {
+    return RunSlicerCall(argc, argv);
   }
   const std::optional<Arguments> arguments = ParseArguments(argc, argv);
   if (!arguments)

@@ -22,11 +22,17 @@ void ProgressBar::Execute(vtkObject* caller, unsigned long, void* callData)
     vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
   }
   const int percent = static_cast<int>(*static_cast<double*>(callData) * 100.0);
-  if (!this->Shown || percent == this->Percent)
+  if (!(this->Shown || this->Tags) || percent == this->Percent)
   {
     return;
   }
   this->Percent = percent;
+  if (this->Tags)
+  {
+    std::printf("<filter-progress>%.2f</filter-progress>\n", percent / 100.0);
+    std::fflush(stdout);
+    return;
+  }
   const auto done = static_cast<std::size_t>(percent < 0 ? 0 : (percent > 100 ? 50 : percent / 2));
   std::printf("\r[%s%s] %3d %%", std::string(done, '#').c_str(),
     std::string(50 - done, ' ').c_str(), percent);
@@ -35,7 +41,7 @@ void ProgressBar::Execute(vtkObject* caller, unsigned long, void* callData)
 
 void ProgressBar::Clear()
 {
-  if (this->Shown && this->Percent >= 0)
+  if (this->Shown && !this->Tags && this->Percent >= 0)
   {
     std::printf("\r\033[K");
     std::fflush(stdout);

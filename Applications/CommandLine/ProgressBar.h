@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ProgressBar.h
- * @brief A bar on a terminal, nothing in a pipe; and the place where an interruption reaches VTK.
+ * @brief A bar on a terminal, nothing in a pipe, or 3D Slicer's tags; and the place where an interruption reaches VTK.
  */
 #ifndef BoneDecimate_Applications_ProgressBar_h
 #define BoneDecimate_Applications_ProgressBar_h
@@ -21,6 +21,9 @@ public:
   /// @param shown Whether anybody wants to see it; it still needs a terminal.
   void SetShown(bool shown);
 
+  /// Tags instead of a bar, whatever the output is.
+  void SetTags(bool tags) { this->Tags = tags; }
+
   /// Tells the algorithm to abort once the program was interrupted.
   void Execute(vtkObject* caller, unsigned long event, void* callData) override;
 
@@ -29,6 +32,7 @@ public:
 
 private:
   bool Shown = false;
+  bool Tags = false;
   int Percent = -1;
 };
 }

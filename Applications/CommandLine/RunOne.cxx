@@ -101,6 +101,7 @@ public:
     this->Filter->SetMeasureInputDistances(this->WantsDistances());
     vtkNew<ProgressBar> bar;
     bar->SetShown(!this->Asked.Quiet);
+    bar->SetTags(this->Asked.HasTags);
     this->Filter->AddObserver(vtkCommand::ProgressEvent, bar);
     this->Filter->SetInputData(this->Input);
     TakeVtkMessages();
@@ -190,6 +191,8 @@ public:
           "; everything else is written");
     }
   }
+
+  vtkPolyData* Result() { return this->Filter->GetOutput(); }
 
 private:
   bool WantsDistances() const
@@ -285,7 +288,7 @@ private:
 };
 }
 
-void RunOne(const Arguments& arguments)
+vtkSmartPointer<vtkPolyData> RunOne(const Arguments& arguments)
 {
   BoneRun run(arguments);
   OutputFiles files(arguments);
@@ -298,5 +301,6 @@ void RunOne(const Arguments& arguments)
   run.Describe(files);
   StopIfInterrupted();
   run.Tell(files.Commit());
+  return run.Result();
 }
 }

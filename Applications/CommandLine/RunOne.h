@@ -9,14 +9,18 @@
 
 #include "Arguments.h"
 
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
 namespace bonedecimate
 {
 /**
  * Either every file asked for is there afterwards or none of them, with one exception: a picture
  * that could not be drawn does not take the others with it.
+ * @return the result, with the report in its field data
  * @throws Failure, std::bad_alloc
  */
-void RunOne(const Arguments& arguments);
+vtkSmartPointer<vtkPolyData> RunOne(const Arguments& arguments);
 }
 
 #endif

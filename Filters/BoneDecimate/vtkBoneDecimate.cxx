@@ -3,6 +3,7 @@
 #include "vtkBoneDecimate.h"
 
 #include "Decimate.h"
+#include "FilterProgress.h"
 #include "NamedEntries.h"
 #include "OptionTable.h"
 #include "ReportTable.h"
@@ -239,19 +240,14 @@ void vtkBoneDecimate::Warn(const std::vector<std::string>& sentences)
 //------------------------------------------------------------------------------
 bool vtkBoneDecimate::GoesOn(double fraction)
 {
-  this->UpdateProgress(fraction);
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220614)
-  if (this->CheckAbort())
-  {
+  const bool goesOn = bonedecimate::GoesOn(*this, fraction);
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  if (!goesOn)
+  {
     this->SetAbortOutput(false); // the output is a valid surface and stays
-#endif
-    return false;
   }
-  return true;
-#else
-  return this->GetAbortExecute() == 0;
 #endif
+  return goesOn;
 }
 
 //------------------------------------------------------------------------------

@@ -105,7 +105,7 @@ public:
 
   ///@{
   /**
-   * With MaximumError, on by default: no new pair of triangles intersects, and what faces each other across a gap, two
+   * With MaximumError, on by default: no more pairs of triangles intersect than before, and what faces each other across a gap, two
    * fragments or the walls of a fracture, keeps half of the distance that it had. Not in Thesis mode.
    */
   void SetKeepClearance(bool keep);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBoneDecimateLevels.h"
 
+#include "FilterProgress.h"
 #include "Levels.h"
 #include "SurfaceArrays.h"
 #include "SurfaceConversion.h"
@@ -14,7 +15,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVersionMacros.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
@@ -228,8 +228,9 @@ bool vtkBoneDecimateLevels::Record(vtkPolyData* input)
   options.MeasureDistances = this->MeasureErrors;
   options.NumberOfThreads = this->NumberOfThreads;
   const bonedecimate::Result run = bonedecimate::RecordLevels(
-    converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
-    converted.IsSingle, this->Internal->Levels);
+    converted.Surface, options,
+    [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); }, converted.IsSingle,
+    this->Internal->Levels);
   const bonedecimate::InputStatus status = run.Report.Status;
   if (status == bonedecimate::InputStatus::NoTriangles)
   {
@@ -291,17 +292,6 @@ bool vtkBoneDecimateLevels::Fill(vtkPolyData* other, vtkPolyData* output)
     bonedecimate::ToPoints(found->Surface.Points, levels.Log().IsSingle, this->NumberOfThreads));
   output->SetPolys(bonedecimate::ToCells(found->Surface.Triangles, this->NumberOfThreads));
   return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkBoneDecimateLevels::GoesOn(double fraction)
-{
-  this->UpdateProgress(fraction);
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220614)
-  return !this->CheckAbort();
-#else
-  return this->GetAbortExecute() == 0;
-#endif
 }
 
 //------------------------------------------------------------------------------

@@ -96,7 +96,7 @@ public:
   ///@}
 
   /**
-   * How many levels were measured, from fine to coarse; 0 before the first update.
+   * How many levels are marked, from fine to coarse; 0 before the first update.
    */
   int GetNumberOfMarks() const;
 
@@ -142,7 +142,6 @@ private:
   bool Record(vtkPolyData* input);
   int LevelWanted() const;
   bool Fill(vtkPolyData* other, vtkPolyData* output);
-  bool GoesOn(double fraction);
 
   int Mode = 2;
   int CoarsestNumberOfTriangles = 0;

@@ -3,6 +3,7 @@
 #include "vtkBoneErrorSearch.h"
 
 #include "ErrorSearch.h"
+#include "FilterProgress.h"
 #include "SurfaceConversion.h"
 
 #include "vtkDoubleArray.h"
@@ -13,7 +14,6 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 #include "vtkTypeInt64Array.h"
-#include "vtkVersionMacros.h"
 
 #include <cmath>
 #include <limits>
@@ -114,7 +114,7 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   options.Run.NumberOfThreads = this->NumberOfThreads;
   options.RelativePrecision = this->RelativePrecision;
   options.InputIsSingle = converted.IsSingle;
-  const auto monitor = [this](double fraction) { return this->GoesOn(fraction); };
+  const auto monitor = [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); };
   const bonedecimate::ErrorSearchResult found = this->Errors.empty()
     ? bonedecimate::FindSmallestError(converted.Surface, options, monitor)
     : bonedecimate::FindErrorCurve(converted.Surface, this->Errors, options, monitor);
@@ -131,17 +131,6 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
     vtkPolyData::GetData(outputVector, 0));
   FillTable(found.Trials, vtkTable::GetData(outputVector, 1));
   return 1;
-}
-
-//------------------------------------------------------------------------------
-bool vtkBoneErrorSearch::GoesOn(double fraction)
-{
-  this->UpdateProgress(fraction);
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220614)
-  return !this->CheckAbort();
-#else
-  return this->GetAbortExecute() == 0;
-#endif
 }
 
 //------------------------------------------------------------------------------

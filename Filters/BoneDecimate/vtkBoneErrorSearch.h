@@ -99,8 +99,6 @@ private:
   vtkBoneErrorSearch(const vtkBoneErrorSearch&) = delete;
   void operator=(const vtkBoneErrorSearch&) = delete;
 
-  bool GoesOn(double fraction);
-
   int Mode = 2;
   int TargetNumberOfTriangles = 0;
   double RelativePrecision = 0.02;

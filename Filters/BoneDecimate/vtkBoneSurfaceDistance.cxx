@@ -3,6 +3,7 @@
 #include "vtkBoneSurfaceDistance.h"
 
 #include "CertificateTable.h"
+#include "FilterProgress.h"
 #include "NamedEntries.h"
 #include "SurfaceConversion.h"
 
@@ -14,7 +15,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSignedCharArray.h"
-#include "vtkVersionMacros.h"
 
 #include <utility>
 
@@ -183,8 +183,8 @@ bool vtkBoneSurfaceDistance::Compare(vtkPolyData* reference, vtkPolyData* result
   options.WithPointDistances = true;
   options.NumberOfThreads = this->NumberOfThreads;
   bonedecimate::Certificate& answer = this->Internal->Answer;
-  answer = bonedecimate::Certify(
-    one.Surface, two.Surface, options, [this](double fraction) { return this->GoesOn(fraction); });
+  answer = bonedecimate::Certify(one.Surface, two.Surface, options,
+    [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); });
   NameCells(one, two, answer.ReferenceToResult);
   NameCells(two, one, answer.ResultToReference);
   NameCells(one, two, answer.BorderOfReferenceToResult);
@@ -237,17 +237,6 @@ void vtkBoneSurfaceDistance::FillOutput(vtkPolyData* input, vtkPolyData* output,
   }
   bonedecimate::AddEntries(
     this->Internal->Entries.All(), "bonedecimate.certificate.", output->GetFieldData());
-}
-
-//------------------------------------------------------------------------------
-bool vtkBoneSurfaceDistance::GoesOn(double fraction)
-{
-  this->UpdateProgress(fraction);
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220614)
-  return !this->CheckAbort();
-#else
-  return this->GetAbortExecute() == 0;
-#endif
 }
 
 //------------------------------------------------------------------------------

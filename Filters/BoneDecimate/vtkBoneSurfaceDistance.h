@@ -185,7 +185,6 @@ private:
 
   struct Internals;
 
-  bool GoesOn(double fraction);
   bool Compare(vtkPolyData* reference, vtkPolyData* result);
   bool Accept(int status);
   bool TakeTolerances(vtkPolyData* reference);

@@ -126,9 +126,8 @@ private:
     tell(0.25);
     HalfEdgeMesh mesh(this->Cleaned.Surface, threads);
     this->CountLocked(mesh);
-    if (this->Progress.GoesOn() && HasSeams(mesh))
+    if (this->Progress.GoesOn() && SplitSheets(this->Cleaned, mesh))
     {
-      SplitSheets(this->Cleaned, mesh);
       SortAlongCurve(this->Cleaned, threads);
       mesh = HalfEdgeMesh(this->Cleaned.Surface, threads, this->Cleaned.Sheets);
     }
@@ -316,9 +315,8 @@ private:
   RunProgress Progress;
   bool RoundToSingle;
   bool WithOrigins;
-  const std::vector<double>* Given; // mm, tolerances of the input points
-  const std::vector<double>*
-    Allowed; // mm, the same, capped by what the reference leaves of the error
+  const std::vector<double>* Given;   // mm, tolerances of the input points
+  const std::vector<double>* Allowed; // mm, the same, capped by what the reference leaves
   const Surface* Reference;
   std::optional<ReferenceInput> First; // the reference read, if there is one
   EditLog* Log;                        // null: nobody wants it

@@ -47,8 +47,9 @@ struct Result
   /// Empty if the input was refused. Points and triangles come in the order of SpatialOrder.h.
   bonedecimate::Surface Surface;
   SurfaceOrigins Origins;
-  /// mm, of each output point to the input surface, or to the reference if distances are measured; filled with MeasureDistances, with Origins, and whenever distances
-  /// are recorded along the collapses (Thesis), else empty; empty, too, in a run aborted before.
+  /// mm, of each output point to the input surface, or to the reference if distances are measured; filled with
+  /// MeasureDistances, with Origins, and whenever distances are recorded along the collapses (Thesis), else empty; empty,
+  /// too, in a run aborted before.
   std::vector<double> Distance;
   /// mm, largest distance recorded along the collapses into each output point, or Distance if none are; filled with it.
   std::vector<double> RunningError;
@@ -69,8 +70,8 @@ struct Result
  * @param withOrigins Whether to fill Result::Origins, which takes two look-ups for each output point and one for each
  * output triangle.
  * @param tolerances mm, of each input point, see Tolerances.h; null: none but MaximumError.
- * @param reference What the largest error is promised, proved and measured against, if that is not the input but what it was
- * made from (ReferenceInput.h); the tolerances stay those against the input. Null: the input.
+ * @param reference What the largest error is promised, proved and measured against, if that is not the input but what it
+ * was made from (ReferenceInput.h); the tolerances stay those against the input. Null: the input.
  * @param log Where the run is to be recorded, see Levels.h; null: nowhere. Not changed if the input was refused.
  * @throws std::bad_alloc and nothing else.
  */

@@ -27,17 +27,6 @@ std::uint64_t ConnectivityOf(const Surface& surface, int threads)
   return Checksum(triangles, threads);
 }
 
-/// See Decimate.cxx.
-void NumberAsInRun(CleanSurface& clean, int threads)
-{
-  SortAlongCurve(clean, threads);
-  const HalfEdgeMesh mesh(clean.Surface, threads);
-  if (HasSeams(mesh))
-  {
-    SplitSheets(clean, mesh);
-    SortAlongCurve(clean, threads);
-  }
-}
 }
 
 LogStatus Levels::Open(const Surface& input, EditLog log, int threads)
@@ -48,7 +37,11 @@ LogStatus Levels::Open(const Surface& input, EditLog log, int threads)
   {
     return LogStatus::OtherSurface;
   }
-  NumberAsInRun(clean, threads);
+  SortAlongCurve(clean, threads); // numbered as in the run, see Decimate.cxx
+  if (SplitSheets(clean, HalfEdgeMesh(clean.Surface, threads)))
+  {
+    SortAlongCurve(clean, threads);
+  }
   if (clean.Surface.Points.size() != static_cast<std::size_t>(log.Vertices))
   {
     return LogStatus::OtherSurface;

@@ -162,7 +162,8 @@ std::vector<OptionInfo> GoalRows()
       "one "
       "point may lie beyond it, and places between points may, too." },
     { "KeepClearance", &Options::KeepClearance, 0, 1, "", "keep-clearance", {},
-      "With MaximumError: no new pair of triangles intersects, and what faces each other across a "
+      "With MaximumError: no more pairs of triangles intersect than before, and what faces each "
+      "other across a "
       "gap, two fragments or the walls of a fracture, keeps half of the distance that it had. Not "
       "in Thesis mode." },
     { "NormalTolerance", &Options::NormalTolerance, 0, 1, "", "normal-tolerance", {},
@@ -172,9 +173,8 @@ std::vector<OptionInfo> GoalRows()
     { "AutomaticNormalTolerance", &Options::AutomaticNormalTolerance, 0, 1, "",
       "auto-normal-tolerance", {},
       "In Thesis mode with a number of triangles or a reduction to reach: NormalTolerance is "
-      "chosen "
-      "by the share of the triangles that stays, 0.95 for half of them or more, 0 for a tenth or "
-      "less. The report says which it was." },
+      "chosen by the share of the triangles that stays, 0.95 for half of them or more, 0 for a "
+      "tenth or less. The report says which it was." },
   };
 }
 

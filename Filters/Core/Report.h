@@ -93,7 +93,7 @@ struct CleaningStatistics
   std::int64_t FirstDroppedTriangle = -1;
   std::int64_t LockedPoints = 0; ///< On non-manifold edges or pinched.
   std::int64_t FirstLockedPoint = -1;
-  std::int64_t BadTolerances = 0; ///< NaN or infinite.
+  std::int64_t BadTolerances = 0; ///< NaN or beyond 1e30 mm.
   std::int64_t FirstBadTolerance = -1;
   std::int64_t FrozenPoints = 0; ///< Points, after merging, whose tolerance leaves them no room.
 };
@@ -158,10 +158,9 @@ struct VoxelFigures
     Edges ///< Estimated from the lengths of edges.
   };
   Source From = Source::NotAsked;
-  double Size = 0.0;  ///< mm, the least side.
-  double Error = 0.0; ///< mm, by which an estimate may be off.
-  double LargestError =
-    0.0; ///< mm, what the preset makes of it, or MaximumError if that is smaller.
+  double Size = 0.0;         ///< mm, the least side.
+  double Error = 0.0;        ///< mm, by which an estimate may be off.
+  double LargestError = 0.0; ///< mm, what the preset makes of it, or a smaller MaximumError.
 };
 
 /// Least distance between two fragments, mm.
@@ -199,9 +198,9 @@ struct Report
   ErrorProof Proof; ///< Against the reference, if there is one.
   ReferenceFigures Reference;
   VoxelFigures Voxel;
-  /// mm, the thesis's maxError: largest distance of a new vertex to the input, along the collapses in mode Thesis, at the
-  /// end in the others. Not a number where none was looked up, which is so in these without MeasureDistances and origins;
-  /// the tables then leave it out.
+  /// mm, the thesis's maxError: largest distance of a new vertex to the input, along the collapses in mode Thesis, at
+  /// the end in the others. Not a number where none was looked up, which is so in these without MeasureDistances and
+  /// origins; the tables then leave it out.
   double RunningError = 0.0;
   double NormalTolerance = 0.0; ///< The thesis's w of the run; only in mode Thesis.
   std::int64_t Collapses = 0;

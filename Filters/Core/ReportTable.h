@@ -26,15 +26,25 @@ struct ReportEntry
 };
 
 /**
- * All entries of a report, always in the same order. Entries of distances are left out when none were measured, those of
- * borders and of the clearance between fragments where there are none.
- * Names: version, stop_reason, stop_sentence, input.{faces, points, components, boundary_edges,
- * non_manifold_edges, euler_number, area, volume, faces_read, points_read, merged_points, unused_points,
- * dropped_triangles, first_dropped_triangle, locked_points, first_locked_point, checksum, problem}, output.{faces ... volume}, distance.output_to_input.{max, second,
- * mean, rms, point_max, point_mean, point_rms, samples, samples_per_mm2}, distance.input_to_output.{the same},
- * distance.border_output_to_input.{lower, upper}, distance.border_input_to_output.{the same},
- * clearance.{input, output}, running_error, collapses, refusals.{non_manifold, border, ...}, seconds.{prepare, collapse, decimate, measure,
- * total}, options.{each option by name}.
+ * All entries of a report, always in the same order. Entries of distances, of the reference, of the voxels and of the
+ * proof are left out when there are none, those of borders and of the clearance between fragments where there are none.
+ *
+ *     version, stop_reason, stop_sentence
+ *     input    .{faces, points, components, boundary_edges, non_manifold_edges, euler_number, area, volume}
+ *              .{faces_read, points_read, merged_points, unused_points, dropped_triangles, first_dropped_triangle,
+ *                locked_points, first_locked_point, frozen_points, checksum, problem}
+ *     output   .{faces ... volume}
+ *     distance .{output_to_input, input_to_output}
+ *                .{max, second, mean, rms, point_max, point_mean, point_rms, samples, samples_per_mm2}
+ *              .{border_output_to_input, border_input_to_output}.{lower, upper}
+ *     voxel    .{from, size, error, largest_error}
+ *     reference.{faces, checksum, to_input.{lower, upper}}
+ *     proof    .{verdict, tolerance, lower, upper, borders, triangles_left_out}
+ *              .{output_to_input, input_to_output, border_...}.{lower, upper}
+ *     clearance.{input, output}
+ *     running_error, normal_tolerance, collapses, refusals.{non_manifold, border, ...}
+ *     seconds  .{prepare, collapse, decimate, measure, prove, total}
+ *     options  .{each option by name}
  */
 std::vector<ReportEntry> ReportEntries(const Report& report);
 }

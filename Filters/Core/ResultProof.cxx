@@ -98,6 +98,8 @@ void ProveAgainst(const Surface& reference, const CertificateOptions& question,
     report.Proof.WasMade = true; // of what cannot be judged nothing is proved
     report.Proof.Verdict = CertificateVerdict::Undecided;
     report.Proof.Tolerance = question.Tolerance.value_or(0.0);
+    constexpr double any = std::numeric_limits<double>::infinity();
+    report.Proof.InputToOutput.Upper = report.Proof.OutputToInput.Upper = any;
     return;
   }
   report.Proof = ProofOf(found, question);
@@ -125,18 +127,18 @@ void AddMapVerdict(const Surface& input, const Options& options, const std::vect
   question.WithBorders = options.MergePoints;
   question.NumberOfThreads = options.NumberOfThreads;
   const Certificate found = Certify(input, answer.Surface, question, monitor);
-  if (found.Status == CertificateStatus::Good)
+  if (found.Status == CertificateStatus::Aborted)
   {
-    CertificateVerdict& verdict = answer.Report.Proof.Verdict;
-    const bool isWorse = found.Verdict == CertificateVerdict::Violated ||
-      (found.Verdict == CertificateVerdict::Undecided && verdict == CertificateVerdict::Proved);
-    verdict = isWorse ? found.Verdict : verdict;
-  }
-  else
-  {
-    answer.Report.Proof = {}; // somebody aborted
+    answer.Report.Proof = {};
     answer.ErrorBound.clear();
+    return;
   }
+  CertificateVerdict& verdict = answer.Report.Proof.Verdict;
+  const bool isJudged = found.Status == CertificateStatus::Good;
+  const CertificateVerdict here = isJudged ? found.Verdict : CertificateVerdict::Undecided;
+  const bool isWorse = here == CertificateVerdict::Violated ||
+    (here == CertificateVerdict::Undecided && verdict == CertificateVerdict::Proved);
+  verdict = isWorse ? here : verdict;
 }
 }
 

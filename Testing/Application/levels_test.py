@@ -75,6 +75,8 @@ class Levels(ApplicationTest):
         self.fail_with(USAGE, "levels", "in.ply", "in.ply")
         self.fail_with(USAGE, "levels", "in.ply", "--triangles", 300, says="--output is needed")
         self.fail_with(USAGE, "levels", "in.ply", "--output", "out.ply", says="needs --triangles")
+        unmeasured = ("--errors", 0.1, "--no-errors", "--output", "out.ply")
+        self.fail_with(USAGE, "levels", "in.ply", *unmeasured, says="--no-errors")
         self.fail_with(USAGE, "levels", "in.ply", "--triangles", 300, "--output", "out.txt", says="extensions")
         self.fail_with(USAGE, "levels", "in.ply", "--log", "a", "--mode", "fast", says="takes its place")
         self.fail_with(USAGE, "levels", "in.ply", "--record", "in.ply", says="not overwritten")

@@ -72,7 +72,8 @@ class Regions(ApplicationTest):
 
     def test_that_make_no_sense_are_a_usage_error(self):
         for text in ("", "box", "box:1,2,3=0.1", "box:2,1,0,1,0,1=0.1", "ball:0,0,0,1=1", "sphere:0,0,0,1",
-                     "sphere:0,0,0,1=", "sphere:0,0,0,-1=1", "sphere:0,0,x,1=1", "rest=much", "rest:1=1"):
+                     "sphere:0,0,0,1=", "sphere:0,0,0,-1=1", "sphere:0,0,x,1=1", "rest=much", "rest:1=1", "rest=-1",
+                     "sphere:0,0,0,1=-0.1"):
             with self.subTest(text):
                 self.fail_with(USAGE, "bone.vtp", "small.vtp", "--region", text)
 

@@ -266,6 +266,22 @@ TEST(CertificateTolerance, ASingleLimitedPointIsHeldAllTheSame)
   EXPECT_EQ(AgainstMap(plate, result, map).Verdict, CertificateVerdict::Proved);
 }
 
+TEST(CertificateTolerance, AHugeMapDoesNotBlurTheSingleOne)
+{
+  // Rounding is allowed for by what has to be kept, not by what nobody cares for.
+  const Surface reference = Icosphere(2, 10.0);
+  Surface result = reference;
+  for (Vector3& point : result.Points)
+  {
+    point *= 1.0 + 1e-3; // 0.01 mm at the corners
+  }
+  const std::vector<double> huge(reference.Points.size(), 1e9);
+  const double above = 0.01 * (1.0 + 1e-5);
+  const double below = 0.01 * (1.0 - 1e-5);
+  EXPECT_EQ(AgainstMap(reference, result, huge, above).Verdict, CertificateVerdict::Proved);
+  EXPECT_EQ(AgainstMap(reference, result, huge, below).Verdict, CertificateVerdict::Violated);
+}
+
 TEST(CertificateTolerance, TheSingleOneCapsTheMap)
 {
   const Surface plate = Grid(4);

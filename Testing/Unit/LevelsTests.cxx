@@ -317,3 +317,15 @@ TEST(Levels, OtherTrianglesAreRefused)
   other.Points.pop_back();
   EXPECT_FALSE(recorded.Levels.AtOn(other, 10).has_value());
 }
+
+TEST(Levels, PlacesThatAreNoneAreRefused)
+{
+  const Surface bone = SmallBone();
+  const Recorded recorded = Record(bone, Triangles(300));
+  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity() })
+  {
+    Surface other = bone;
+    other.Points[7][2] = bad;
+    EXPECT_FALSE(recorded.Levels.AtOn(other, 10).has_value());
+  }
+}

@@ -74,6 +74,12 @@ bool IsWithin(const Surface& surface)
     });
 }
 
+EditLog WithoutMarks(EditLog log)
+{
+  log.Marks.clear();
+  return log;
+}
+
 /// Refused, or good for levels whose triangles have points.
 void ExpectHarmless(const Bytes& bytes, const Surface& surface)
 {
@@ -190,6 +196,22 @@ TEST(LogBytes, ForgedNumbersAreRefusedOrHarmless)
       PutIndex(forged, at, value);
     }
     ExpectHarmless(Forged(forged), bone);
+  }
+}
+
+TEST(LogBytes, ACollapseWhoseOtherFaceLiesAcrossAnotherEdgeIsRefused)
+{
+  const Surface bone = HeightField(12, 0.3, 7);
+  EditLog log = WithoutMarks(Example(Mode::Fast).Levels.Log());
+  const auto inside = std::find_if(log.Collapses.begin(), log.Collapses.end(),
+    [](const LoggedCollapse& collapse) { return collapse.OtherFace != None; });
+  ASSERT_NE(inside, log.Collapses.end());
+  const Index right = inside->OtherFace;
+  for (Index face = 0; face < log.Faces; ++face)
+  {
+    inside->OtherFace = face;
+    const bool isGood = Levels().Open(bone, log, 1) == LogStatus::Good;
+    EXPECT_EQ(isGood, face == right) << face;
   }
 }
 

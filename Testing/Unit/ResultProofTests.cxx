@@ -209,6 +209,19 @@ TEST(ResultProof, GivesTheBordersToTheReport)
   EXPECT_EQ(report.BorderInputToOutput.Upper, report.Proof.BorderInputToOutput.Upper);
 }
 
+TEST(ResultProof, OfWhatTheCertificateCannotReadIsUndecidedAndBoundsNothing)
+{
+  const Surface input = BumpySphere(3, 20.0, 0.1, 5);
+  const Options options = InMode(Mode::Fast, Error(0.3));
+  Result broken = Decimate(input, options);
+  broken.Surface.Points[3][1] = std::nan("");
+  broken.Report.Proof = ProofOfAnother(input, options, broken);
+  EXPECT_TRUE(broken.Report.Proof.WasMade);
+  EXPECT_EQ(broken.Report.Proof.Verdict, CertificateVerdict::Undecided);
+  EXPECT_TRUE(std::isinf(broken.Report.Proof.Upper()));
+  EXPECT_FALSE(ProofMessage(broken.Report).empty());
+}
+
 TEST(ResultProof, IsNotThereIfSomebodyStopsIt)
 {
   const Surface input = BumpySphere(4, 20.0, 0.1, 5);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is not manifold is split into sheets, simplified up to its seams, and joined again.
 #include "BruteForce.h"
+#include "Collapse/Editor.h"
 #include "Mesh/Invariants.h"
 #include "Mesh/Sheets.h"
 #include "Mesh/SpatialOrder.h"
@@ -136,6 +137,48 @@ TEST(Sheets, NeverMeetAlongAnEdgeThatTheyDidNotHaveInCommon)
         EXPECT_LE(after.NonManifoldEdges, before.NonManifoldEdges) << WordOf(mode) << seed;
         EXPECT_LE(after.BoundaryEdges, before.BoundaryEdges) << WordOf(mode) << seed;
       }
+    }
+  }
+}
+
+/// Two open strips that have one point in common, at which each has a single triangle.
+Surface BowTie()
+{
+  Surface tie = { { { 0, 0, 0 } }, {} };
+  for (const double side : { 1.0, -1.0 })
+  {
+    const Index first = static_cast<Index>(tie.Points.size());
+    for (const double x : { 1.0, 2.0, 3.0 })
+    {
+      tie.Points.push_back({ side * x, -0.5, 0 });
+      tie.Points.push_back({ side * x, 0.5, 0 });
+    }
+    tie.Triangles.push_back({ 0, first, first + 1 });
+    for (Index k = first; k < first + 4; k += 2)
+    {
+      tie.Triangles.push_back({ k, k + 2, k + 1 });
+      tie.Triangles.push_back({ k + 1, k + 2, k + 3 });
+    }
+  }
+  for (std::size_t t = tie.Triangles.size() / 2; t < tie.Triangles.size(); ++t)
+  {
+    std::swap(tie.Triangles[t][1], tie.Triangles[t][2]); // the same side up
+  }
+  return tie;
+}
+
+TEST(Sheets, KeepTheLastTriangleAtAPinnedEndOfAnOpenLine)
+{
+  const CleanSurface clean = Split(BowTie());
+  Editor editor(HalfEdgeMesh(clean.Surface, 1, clean.Sheets), clean, Editor::Books(), 1);
+  const HalfEdgeMesh& mesh = editor.Mesh();
+  for (const Index last : { 0, 5 }) // the only triangles of their sheets at the point
+  {
+    for (const Index k : { 0, 2 })
+    {
+      const Index h = HalfEdgeMesh::HalfEdge(last, k);
+      ASSERT_TRUE(mesh.IsPinned(mesh.Origin(h)) || mesh.IsPinned(mesh.Target(h)));
+      EXPECT_EQ(editor.Examine(h), Verdict::Border) << last << " " << k;
     }
   }
 }

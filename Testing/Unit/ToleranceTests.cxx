@@ -298,7 +298,7 @@ TEST(Tolerance, OfEqualPointsIsTheSmallest)
 TEST(Tolerance, ThatIsNoNumberOrNotForEachPointIsRefused)
 {
   const Surface input = Icosphere(2, 10.0);
-  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity() })
+  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity(), 1e31 })
   {
     Map map(input.Points.size(), 1.0);
     map[3] = bad;

@@ -42,7 +42,60 @@ def farthest(points, others, triangles, parts):
     return max(np.sqrt(((samples - point) ** 2).sum(axis=1).min()) for point in points)
 
 
+class Levels(unittest.TestCase):
+    OPTIONS = {"mode": "Fast", "threads": 1}  # where a level is what a run of its own gives
+
+    def test_are_what_runs_to_their_numbers_give(self):
+        levels = bonedecimate.record_levels(POINTS, TRIANGLES, target_faces=300, **self.OPTIONS)
+        self.assertEqual(len(levels.result.triangles), 300)
+        for triangles in (3000, 1000, 300):
+            points, corners = levels.at(triangles=triangles)
+            run = decimate(POINTS, TRIANGLES, target_faces=triangles, **self.OPTIONS)
+            np.testing.assert_array_equal(points, run.points)
+            np.testing.assert_array_equal(corners, run.triangles)
+
+    def test_marks_are_measured_and_taken_by_their_distance(self):
+        levels = bonedecimate.record_levels(POINTS.astype(np.float32), TRIANGLES, target_faces=300)
+        self.assertTrue((np.diff(levels.marks[:, 0]) < 0).all())
+        middle = levels.marks[len(levels.marks) // 2]
+        points, corners = levels.at(error=middle[1])
+        self.assertEqual((len(corners), points.dtype), (middle[0], np.float32))
+        self.assertEqual(len(levels.at(error=0.0)[1]), len(TRIANGLES))
+        bare = bonedecimate.record_levels(POINTS, TRIANGLES, measure=False)
+        self.assertTrue(np.isnan(bare.marks[:, 1:]).all())
+
+    def test_open_again_from_their_log_and_go_onto_another_bone(self):
+        levels = bonedecimate.record_levels(POINTS, TRIANGLES, target_faces=300)
+        again = bonedecimate.open_levels(POINTS, TRIANGLES, levels.log)
+        for one, other in zip(levels.at(triangles=800), again.at(triangles=800)):
+            np.testing.assert_array_equal(one, other)
+        points, corners = again.at(triangles=800, on=(2 * POINTS, TRIANGLES))
+        np.testing.assert_array_equal(corners, levels.at(triangles=800)[1])
+        np.testing.assert_allclose(points, 2 * levels.at(triangles=800)[0], atol=1e-6)
+
+    def test_of_what_makes_no_sense_there_are_none(self):
+        levels = bonedecimate.record_levels(POINTS, TRIANGLES, target_faces=300)
+        for wrong in ({}, {"triangles": 3, "error": 0.1}, {"triangles": 3, "on": (POINTS, TRIANGLES[::-1])}):
+            with self.assertRaises(ValueError):
+                levels.at(**wrong)
+        for log in (b"", b"no log at all", levels.log[:-1]):
+            with self.assertRaises(ValueError):
+                bonedecimate.open_levels(POINTS, TRIANGLES, log)
+        with self.assertRaisesRegex(ValueError, "surface"):
+            bonedecimate.open_levels(POINTS + 1.0, TRIANGLES, levels.log)
+
+
 class Decimate(unittest.TestCase):
+    def test_keeps_what_is_left_of_the_error_against_a_reference(self):
+        first = decimate(POINTS, TRIANGLES, max_error=0.1)
+        second = decimate(*first, max_error=0.2, reference=(POINTS, TRIANGLES))
+        self.assertLess(len(second.triangles), len(first.triangles))
+        self.assertEqual(second.report["proof.verdict"], "proved")
+        self.assertLessEqual(second.report["reference.to_input.upper"], 0.1)
+        self.assertEqual(certify((POINTS, TRIANGLES), second, tolerance=0.2).verdict, "proved")
+        with self.assertRaisesRegex(ValueError, "reference"):
+            decimate(*first, target_reduction=0.5, reference=(POINTS, TRIANGLES))
+
     def test_keeps_the_largest_error_and_proves_it(self):
         result = decimate(POINTS, TRIANGLES, max_error=0.2)
         self.assertLess(len(result.triangles), len(TRIANGLES) / 3)

@@ -29,6 +29,13 @@ def bone():
 
 
 class Accessor(unittest.TestCase):
+    def test_levels_are_those_of_one_run(self):
+        levels = bone().bone.levels(target_faces=400)
+        self.assertEqual(levels.at(triangles=400).n_cells, 400)
+        finer = levels.at(error=float(levels.marks[0, 1]))
+        self.assertEqual(finer.n_cells, int(levels.marks[0, 0]))
+        self.assertLess(finer.bone.distance_to(bone())["SignedDistance"].max(), 2 * levels.marks[0, 1] + 1e-9)
+
     def test_is_found_without_an_import(self):
         program = """
 import sys, pyvista

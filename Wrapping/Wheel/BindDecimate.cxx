@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "BindDecimate.h"
+
 #include "Arrays.h"
 #include "Bindings.h"
-#include "Decimate.h"
 #include "Listener.h"
 #include "ReportTable.h"
 
@@ -38,7 +39,27 @@ void AddReport(const Report& report, nb::dict& answer)
   answer["contradiction"] = ProofMessage(report);
 }
 
-/// Arrays that were not filled are empty.
+nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options& options,
+  bool single, bool origins, const std::optional<NumbersIn>& tolerances,
+  const std::optional<CellsIn>& cells,
+  const std::optional<std::pair<PointsIn, TrianglesIn>>& reference, nb::object progress)
+{
+  const Surface surface = ToSurface(points, triangles);
+  const Surface first = reference ? ToSurface(reference->first, reference->second) : Surface();
+  const std::optional<std::vector<double>> numbers = ToNumbers(tolerances);
+  Result result = Listener(std::move(progress))
+                    .Hear(
+                      [&](const Monitor& monitor)
+                      {
+                        return Decimate(surface, options, monitor, single, origins,
+                          numbers ? &*numbers : nullptr, reference ? &first : nullptr);
+                      });
+  NameCells(cells, result.Report.Cleaning);
+  return ToDict(std::move(result));
+}
+}
+
+//------------------------------------------------------------------------------
 nb::dict ToDict(Result&& result)
 {
   nb::dict answer;
@@ -58,26 +79,6 @@ nb::dict ToDict(Result&& result)
   answer["triangle_at_centroid"] = ToArray(std::move(origins.TriangleAtCentroid));
   answer["output_point"] = ToArray(std::move(origins.OutputPoint));
   return answer;
-}
-
-nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options& options,
-  bool single, bool origins, const std::optional<NumbersIn>& tolerances,
-  const std::optional<CellsIn>& cells,
-  const std::optional<std::pair<PointsIn, TrianglesIn>>& reference, nb::object progress)
-{
-  const Surface surface = ToSurface(points, triangles);
-  const Surface first = reference ? ToSurface(reference->first, reference->second) : Surface();
-  const std::optional<std::vector<double>> numbers = ToNumbers(tolerances);
-  Result result = Listener(std::move(progress))
-                    .Hear(
-                      [&](const Monitor& monitor)
-                      {
-                        return Decimate(surface, options, monitor, single, origins,
-                          numbers ? &*numbers : nullptr, reference ? &first : nullptr);
-                      });
-  NameCells(cells, result.Report.Cleaning);
-  return ToDict(std::move(result));
-}
 }
 
 //------------------------------------------------------------------------------

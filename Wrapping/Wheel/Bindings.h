@@ -19,6 +19,9 @@ void BindDecimate(nanobind::module_& module);
 
 /// The certificate of two surfaces.
 void BindCertify(nanobind::module_& module);
+
+/// A recorded run and every level of detail of it.
+void BindLevels(nanobind::module_& module);
 }
 
 #endif

@@ -10,4 +10,5 @@ NB_MODULE(_core, module)
   bonedecimate::BindOptions(module);
   bonedecimate::BindDecimate(module);
   bonedecimate::BindCertify(module);
+  bonedecimate::BindLevels(module);
 }

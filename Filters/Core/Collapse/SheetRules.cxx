@@ -33,8 +33,8 @@ bool IsOutOfRange(const HalfEdgeMesh& mesh, Index v, VertexRange range)
 {
   return IsAnyCopy(mesh, v, [&](Index copy) { return !range.Contains(copy); });
 }
-}
 
+/// Whether an edge leads from any copy of a to any copy of b, or both are copies of one point.
 bool AreJoined(const HalfEdgeMesh& mesh, Index a, Index b)
 {
   const Index site = mesh.Site(b);
@@ -53,7 +53,6 @@ bool AreJoined(const HalfEdgeMesh& mesh, Index a, Index b)
       });
 }
 
-//------------------------------------------------------------------------------
 /// Whether an end is pinned and the only face at it goes: another of its open lines would be left without the edge that it
 /// has there, and with it what that edge proves.
 bool LosesEar(const HalfEdgeMesh& mesh, const Neighbourhood& around)
@@ -65,6 +64,7 @@ bool LosesEar(const HalfEdgeMesh& mesh, const Neighbourhood& around)
     return mesh.IsPinned(v) && edges == 2;
   };
   return isEar(around.Start) || isEar(around.End);
+}
 }
 
 /// The merged vertex gets the edges of both ends: none of those of one may be there already, between other copies or

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SheetRules.h
- * @brief What no edit may do where sheets meet: join two sheets along an edge that they did not have in common.
+ * @brief What no edit may do where sheets meet: join two of them along an edge that they did not have in common, or take
+ * the last face at a pinned end of open lines.
  */
 #ifndef BoneDecimate_Core_Collapse_SheetRules_h
 #define BoneDecimate_Core_Collapse_SheetRules_h
@@ -13,9 +14,6 @@
 
 namespace bonedecimate
 {
-/// Whether an edge leads from any copy of a to any copy of b, or both are copies of one point.
-bool AreJoined(const HalfEdgeMesh& mesh, Index a, Index b);
-
 /// Of a collapse.  @return Elsewhere if a copy of something around the edge is out of range.
 Verdict JudgeSheets(const HalfEdgeMesh& mesh, const Neighbourhood& around, VertexRange range);
 

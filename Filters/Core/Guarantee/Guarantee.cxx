@@ -2,27 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Guarantee.h"
 
+#include "Mesh/SurfaceAssembly.h"
 #include "Prover.h"
 
 namespace bonedecimate
 {
-namespace
-{
-/// As in Extract.cxx: without volatile, gcc 12 leaves the way to single precision and back out.
-double RoundedToSingle(double coordinate, double origin)
-{
-  const volatile float rounded = static_cast<float>(coordinate + origin);
-  return static_cast<double>(rounded) - origin;
-}
-}
-
 Vector3 Promise::Rounded(const Vector3& position) const
 {
-  const Vector3& origin = this->Origin;
-  return this->RoundsToSingle
-    ? Vector3(RoundedToSingle(position[0], origin[0]), RoundedToSingle(position[1], origin[1]),
-        RoundedToSingle(position[2], origin[2]))
-    : position;
+  return this->RoundsToSingle ? Vector3(RoundedToSingle(position + this->Origin) - this->Origin)
+                              : position;
 }
 
 //------------------------------------------------------------------------------

@@ -18,10 +18,16 @@ public:
   {
   }
 
-  void Run()
+  bool Run()
   {
     this->FindPoints();
+    if (this->Points.empty())
+    {
+      return false;
+    }
     this->GatherCorners();
+    this->IsNamed.assign(
+      static_cast<std::size_t>(HalfEdgeMesh::HalfEdge(this->Mesh.NumberOfFaceSlots(), 0)), false);
     std::vector<Index>& sites = this->Clean.Sheets.Sites;
     sites.resize(this->Clean.Surface.Points.size());
     std::iota(sites.begin(), sites.end(), 0);
@@ -31,6 +37,7 @@ public:
       this->Split(this->Points[i], this->Corners.begin() + this->Starts[i],
         this->Corners.begin() + this->Starts[i + 1]);
     }
+    return true;
   }
 
 private:
@@ -79,36 +86,41 @@ private:
   /// The first fan keeps the point.
   void Split(Index point, Iterator first, Iterator last)
   {
-    for (Index name = point; first != last; name = None)
+    bool isFirst = true;
+    for (; first != last; ++first)
     {
-      const Iterator end = this->TakeFan(first, last);
-      name = name == None ? this->AddCopy(point) : name;
-      for (; first != end; ++first)
+      if (!this->IsNamed[*first])
       {
-        this->Clean.Surface.Triangles[*first >> 2][*first & 3] = name;
+        this->NameFan(*first, isFirst ? point : this->AddCopy(point));
+        isFirst = false;
       }
     }
   }
 
-  /// Brings all corners of one fan to the front; returns where the others begin.
-  Iterator TakeFan(Iterator first, Iterator last)
+  /// From one corner of the fan both ways round the point.
+  void NameFan(Index corner, Index name)
   {
-    Iterator end = first + 1;
-    for (Iterator known = first; known != end; ++known)
+    const auto isNew = [this](Index h) { return h != None && !this->IsNamed[h]; };
+    const auto give = [this, name](Index h)
     {
-      const Index before = this->Mesh.Twin(*known);
-      const std::array<Index, 2> neighbours = { this->Mesh.Twin(HalfEdgeMesh::Previous(*known)),
-        before == None ? None : HalfEdgeMesh::Next(before) };
-      for (const Index corner : neighbours)
-      {
-        const Iterator found = std::find(end, last, corner);
-        if (corner != None && found != last)
-        {
-          std::iter_swap(found, end++);
-        }
-      }
+      this->IsNamed[h] = true;
+      this->Clean.Surface.Triangles[h >> 2][h & 3] = name;
+    };
+    const auto before = [this](Index h) { return this->Mesh.Twin(HalfEdgeMesh::Previous(h)); };
+    const auto after = [this](Index h)
+    {
+      const Index twin = this->Mesh.Twin(h);
+      return twin == None ? None : HalfEdgeMesh::Next(twin);
+    };
+    give(corner);
+    for (Index h = before(corner); isNew(h); h = before(h))
+    {
+      give(h);
     }
-    return end;
+    for (Index h = after(corner); isNew(h); h = after(h))
+    {
+      give(h);
+    }
   }
 
   Index AddCopy(Index point)
@@ -127,23 +139,13 @@ private:
   std::vector<Index> Points;
   std::vector<Index> Starts; // of each of those points, in the next list
   std::vector<Index> Corners;
+  std::vector<bool> IsNamed; // of each half-edge, whether the fan of its origin has its point
 };
 }
 
-bool HasSeams(const HalfEdgeMesh& mesh)
+bool SplitSheets(CleanSurface& clean, const HalfEdgeMesh& mesh)
 {
-  bool hasLocked = false;
-  for (Index v = 0; v < mesh.NumberOfVertexSlots() && !hasLocked; ++v)
-  {
-    hasLocked = mesh.Kind(v) == VertexKind::Locked;
-  }
-  return hasLocked;
-}
-
-//------------------------------------------------------------------------------
-void SplitSheets(CleanSurface& clean, const HalfEdgeMesh& mesh)
-{
-  Splitter(clean, mesh).Run();
+  return Splitter(clean, mesh).Run();
 }
 
 //------------------------------------------------------------------------------

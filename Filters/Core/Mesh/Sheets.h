@@ -21,12 +21,10 @@
 
 namespace bonedecimate
 {
-/// Whether anything has to be split: something is locked.
-bool HasSeams(const HalfEdgeMesh& mesh);
-
 /// The copies come last; maps go along, each input point stays with its first copy.
 /// @param mesh Made of the surface.
-void SplitSheets(CleanSurface& clean, const HalfEdgeMesh& mesh);
+/// @return whether anything was split, that is locked: then the mesh has to be made anew, with clean.Sheets.
+bool SplitSheets(CleanSurface& clean, const HalfEdgeMesh& mesh);
 
 /// Points, with the copies of one as one.
 std::int64_t NumberOfSites(const CleanSurface& clean);

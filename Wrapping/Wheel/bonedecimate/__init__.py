@@ -14,11 +14,13 @@ from typing import TYPE_CHECKING
 
 from ._core import StopReason, __version__
 from .arrays import Aborted, Certificate, Result, certify, decimate
+from .levels import Levels, open_levels, record_levels
 
 if TYPE_CHECKING:
     from .vtk_filter import vtkBoneDecimate
 
-__all__ = ["Aborted", "Certificate", "Result", "StopReason", "__version__", "certify", "decimate", "vtkBoneDecimate"]
+__all__ = ["Aborted", "Certificate", "Levels", "Result", "StopReason", "__version__", "certify", "decimate",
+           "open_levels", "record_levels", "vtkBoneDecimate"]
 
 
 def __getattr__(name: str):

@@ -11,6 +11,7 @@ import numpy as np
 import pyvista as pv
 
 from .arrays import Certificate, certify, check
+from .levels import Levels, record_levels
 from .options import read
 from .polydata import surface_of
 from .progress import Progress, listener
@@ -19,10 +20,26 @@ from .run import add_entries, fill_output, run
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._keywords import AllOptions
+    from ._keywords import AllOptions, ArrayOptions
 
 ERROR = "SignedDistance"
 SIDE = "Side"
+
+
+class MeshLevels:
+    """`bonedecimate.Levels` with meshes in place of arrays; `levels` is what is behind it."""
+
+    def __init__(self, levels: Levels) -> None:
+        self.levels = levels
+
+    @property
+    def marks(self) -> np.ndarray:
+        """(k, 3), from fine to coarse: triangles, largest and mean distance, mm."""
+        return self.levels.marks
+
+    def at(self, *, triangles: int | None = None, error: float | None = None) -> pv.PolyData:
+        """The level of so many triangles, or of so many mm: points and triangles, no arrays."""
+        return pv.PolyData.from_regular_faces(*self.levels.at(triangles=triangles, error=error))
 
 
 @pv.register_dataset_accessor("bone", pv.PolyData)
@@ -61,6 +78,16 @@ class BoneAccessor:
         output = pv.PolyData()
         fill_output(answer, surface, values, self._mesh, output)
         return output
+
+    def levels(self, *, progress_bar: bool | Progress = False, **options: Unpack[ArrayOptions]) -> MeshLevels:
+        """One run, recorded, and every stage of it at once: `bonedecimate.record_levels` has the keywords.
+
+        >>> levels = mesh.bone.levels(target_reduction=0.95)
+        >>> levels.at(triangles=20000).plot()
+        """
+        surface = surface_of(self._mesh)
+        points = surface.points.astype(np.float32) if surface.is_single else surface.points
+        return MeshLevels(record_levels(points, surface.triangles, progress=progress_bar, **options))
 
     def certify(self, other: pv.PolyData, **keywords) -> Certificate:
         """How far this one (the reference) and another are from each other: `bonedecimate.certify` has the keywords."""

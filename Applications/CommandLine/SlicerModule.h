@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SlicerModule.h
+ * @brief The program as a command-line module of 3D Slicer.
+ *
+ *     bonedecimate --xml                                       the description
+ *     bonedecimate --returnparameterfile FILE [OPTIONS] INPUT OUTPUT
+ *                  [--roi x,y,z,rx,ry,rz] [--keep x,y,z]... [--keep-radius MM]
+ *
+ * A region of interest is its centre and half of its sides, mm; places are in the coordinates of the files (LPS in Slicer).
+ * Progress goes to the standard output in Slicer's tags, results as "name = value" to FILE.
+ */
+#ifndef BoneDecimate_Applications_SlicerModule_h
+#define BoneDecimate_Applications_SlicerModule_h
+
+#include "ExitCode.h"
+
+namespace bonedecimate
+{
+/// Whether the words are Slicer's.
+bool IsSlicerCall(int argc, char* argv[]);
+
+/// @throws Failure, std::bad_alloc
+ExitCode RunSlicerCall(int argc, char* argv[]);
+}
+
+#endif

@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Debian package: what it says of itself, what is in it, and that this runs."""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+VERSION = os.environ["VERSION"]
+
+
+def run(*words, **keywords):
+    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False, **keywords)
+    assert done.returncode == 0, f"{words}:\n{done.stdout}\n{done.stderr}"
+    return done.stdout
+
+
+class DebianPackage(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        folder = pathlib.Path(cls.scratch.name)
+        run(os.environ["CPACK"], "--config", f"{os.environ['BINARY_DIR']}/CPackConfig.cmake", "-B", folder)
+        (cls.file,) = folder.glob("*.deb")
+        cls.root = folder / "root"
+        run("dpkg-deb", "-x", cls.file, cls.root)
+        cls.usr = cls.root / "usr"
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def test_says_what_it_is_and_what_it_needs(self):
+        field = {name: run("dpkg-deb", "-f", self.file, name).strip() for name in ("Package", "Version", "Depends")}
+        self.assertEqual((field["Package"], field["Version"]), ("vtkbonedecimate", VERSION))
+        self.assertRegex(field["Depends"], r"\blibvtk9")
+        self.assertRegex(field["Depends"], r"\blibc6 ")
+        self.assertIn("BSD 3-Clause", (self.usr / "share/doc/vtkbonedecimate/copyright").read_text(encoding="utf-8"))
+
+    def test_program_runs(self):
+        self.assertIn(VERSION, run(self.usr / "bin/bonedecimate", "--version"))
+
+    def test_python_package_runs(self):
+        packages = self.usr / "lib/python3/dist-packages"
+        printed = run(sys.executable, "-c", "import vtkbonedecimate as b; print(b.vtkBoneDecimate().GetClassName())",
+                      env=dict(os.environ, PYTHONPATH=str(packages)))
+        self.assertEqual(printed.strip(), "vtkBoneDecimate")
+
+    def test_has_headers_and_the_cmake_package(self):
+        self.assertTrue((self.usr / "include/vtkbonedecimate/vtkBoneDecimate.h").is_file())
+        self.assertTrue((self.usr / "lib/cmake/vtkBoneDecimate/vtkBoneDecimateConfig.cmake").is_file())
+
+    def test_looks_for_libraries_only_beside_itself(self):
+        binaries = [self.usr / "bin/bonedecimate", *self.usr.glob("lib/**/*.so")]
+        self.assertGreater(len(binaries), 2)
+        for binary in binaries:
+            paths = re.findall(r"R(?:UN)?PATH.*\[(.*)\]", run("readelf", "-d", binary))
+            for path in ":".join(paths).split(":"):
+                self.assertTrue(path == "" or path.startswith("$ORIGIN"), f"{binary.name}: {path}")
+
+
+if __name__ == "__main__":
+    unittest.main()

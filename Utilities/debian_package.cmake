@@ -1,0 +1,20 @@
+# What `cpack` makes in the build folder: a package for the Debian that it was built on. Libraries it needs are found by
+# dpkg-shlibdeps (dpkg-dev).
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME vtkbonedecimate)
+set(CPACK_PACKAGE_CONTACT "vtkBoneDecimate contributors <contributors@vtkbonedecimate.invalid>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Bone surfaces with fewer triangles, and the proved error in millimetres")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+  "Makes surfaces of bone from CT smaller by edge collapse and proves, in\n millimetres, how far the result is from the \
+input.\n .\n The program bonedecimate, the VTK filter vtkBoneDecimate with its headers and\n CMake package, and the Python \
+package vtkbonedecimate. Not a medical device.")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS python3-vtk9)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev, libvtk9-dev")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/vtkbonedecimate" RENAME copyright)
+include(CPack)

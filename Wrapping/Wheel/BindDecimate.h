@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BindDecimate.h
+ * @brief What a run returns, as Python sees it.
+ */
+#ifndef BoneDecimate_Wrapping_Wheel_BindDecimate_h
+#define BoneDecimate_Wrapping_Wheel_BindDecimate_h
+
+#include "Decimate.h"
+
+#include <nanobind/nanobind.h>
+
+namespace bonedecimate
+{
+/// Arrays that were not filled are empty.
+nanobind::dict ToDict(Result&& result);
+}
+
+#endif
