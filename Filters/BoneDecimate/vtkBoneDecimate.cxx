@@ -140,6 +140,19 @@ void vtkBoneDecimate::ForgetTargetReduction()
 }
 
 //------------------------------------------------------------------------------
+bool vtkBoneDecimate::IsTargetReductionSet() const
+{
+  return this->Internal->Options.TargetReductionIsExplicit;
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimate::CopyOptions(const vtkBoneDecimate& from)
+{
+  this->Internal->Options = from.Internal->Options;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 void vtkBoneDecimate::SetReferenceData(vtkPolyData* reference)
 {
   this->SetInputData(1, reference);

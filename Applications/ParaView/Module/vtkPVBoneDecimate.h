@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPVBoneDecimate
- * @brief   vtkBoneDecimate as a panel sets it
+ * @brief   vtkPBoneDecimate as a panel sets it
  *
  * A panel sets every property, those at their default, too. For vtkBoneDecimate a reduction that was set counts beside every
  * other stop, and its default steps back: here a reduction that equals the default was not set.
@@ -10,14 +10,14 @@
 #ifndef vtkPVBoneDecimate_h
 #define vtkPVBoneDecimate_h
 
-#include "vtkBoneDecimate.h"
 #include "vtkBoneDecimateParaViewModule.h" // for export macro
+#include "vtkPBoneDecimate.h"
 
-class VTKBONEDECIMATEPARAVIEW_EXPORT vtkPVBoneDecimate : public vtkBoneDecimate
+class VTKBONEDECIMATEPARAVIEW_EXPORT vtkPVBoneDecimate : public vtkPBoneDecimate
 {
 public:
   static vtkPVBoneDecimate* New();
-  vtkTypeMacro(vtkPVBoneDecimate, vtkBoneDecimate);
+  vtkTypeMacro(vtkPVBoneDecimate, vtkPBoneDecimate);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
