@@ -34,21 +34,34 @@ struct SlicerWords
   std::string KeptRadius = "5"; ///< mm
 };
 
+bool IsFlag(const std::string& word)
+{
+  return word.compare(0, 2, "--") == 0;
+}
+
+/// Slicer's --max_error is --max-error.
+std::string OwnFlag(std::string word)
+{
+  std::replace(word.begin(), word.end(), '_', '-');
+  return word;
+}
+
 SlicerWords Sorted(const Words& words)
 {
   SlicerWords sorted;
   for (std::size_t i = 0; i < words.size(); ++i)
   {
     std::string ignored;
-    std::string* const value = words[i] == "--returnparameterfile" ? &sorted.ResultFile
-      : words[i] == "--roi"                                        ? &sorted.Region
-      : words[i] == "--keep"                                       ? &sorted.Kept.emplace_back()
-      : words[i] == "--keep-radius"                                ? &sorted.KeptRadius
-      : words[i] == "--processinformationaddress"                  ? &ignored
-                                                                   : nullptr;
+    const std::string word = IsFlag(words[i]) ? OwnFlag(words[i]) : words[i];
+    std::string* const value = word == "--returnparameterfile" ? &sorted.ResultFile
+      : word == "--roi"                                        ? &sorted.Region
+      : word == "--keep"                                       ? &sorted.Kept.emplace_back()
+      : word == "--keep-radius"                                ? &sorted.KeptRadius
+      : word == "--processinformationaddress"                  ? &ignored
+                                                               : nullptr;
     if (value == nullptr)
     {
-      sorted.Rest.push_back(words[i]);
+      sorted.Rest.push_back(word);
     }
     else if (++i < words.size())
     {

@@ -6,8 +6,9 @@
  *
  *     bonedecimate --xml                                       the description
  *     bonedecimate --returnparameterfile FILE [OPTIONS] INPUT OUTPUT
- *                  [--roi x,y,z,rx,ry,rz] [--keep x,y,z]... [--keep-radius MM]
+ *                  [--roi x,y,z,rx,ry,rz] [--keep x,y,z]... [--keep_radius MM]
  *
+ * Flags may be written with underscores (--max_error), since Slicer allows no dashes in them.
  * A region of interest is its centre and half of its sides, mm; places are in the coordinates of the files (LPS in Slicer).
  * Progress goes to the standard output in Slicer's tags, results as "name = value" to FILE.
  */

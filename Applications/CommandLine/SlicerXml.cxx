@@ -47,6 +47,13 @@ std::string LabelOf(const std::string& name)
   return label;
 }
 
+/// Slicer takes letters, numbers and underscores.
+std::string SlicerFlag(std::string flag)
+{
+  std::replace(flag.begin(), flag.end(), '-', '_');
+  return "--" + flag;
+}
+
 class Description
 {
 public:
@@ -151,7 +158,7 @@ private:
     this->Put("longflag", "--keep");
     this->Close("point");
     this->Open("double", "keepRadius", "Keep within (mm)", "Radius of what stays, mm.");
-    this->Put("longflag", "--keep-radius");
+    this->Put("longflag", SlicerFlag("keep-radius"));
     this->Put("default", "5");
     this->Text << "<constraints><minimum>0</minimum><step>1</step></constraints>\n";
     this->Close("double");
@@ -186,7 +193,7 @@ private:
                                                  : "string";
     const std::string unit = info.Unit.empty() ? "" : " (" + info.Unit + ")";
     this->Open(element, info.Name, LabelOf(info.Name) + unit, info.Sentence);
-    this->Put("longflag", "--" + info.Flag);
+    this->Put("longflag", SlicerFlag(info.Flag));
     this->Put("default", value != nullptr ? value : OptionText(Options{}, info));
     if (isChoice)
     {

@@ -139,16 +139,18 @@ private:
     {
       this->Work->Record();
     }
-    this->Limit();
-    tell(0.75);
     if (books.Distances && this->Progress.GoesOn())
     {
-      this->Work->Reference().Tree(threads, [&] { tell(0.75); });
+      this->Work->Reference().Tree(threads, [&] { tell(0.5); });
+    }
+    if (this->Progress.GoesOn())
+    {
+      this->Limit(PartOf(tell, 0.5, 1.0));
     }
   }
 
   /// What has to be proved, and what stays as it is.
-  void Limit()
+  void Limit(const Monitor& monitor)
   {
     const std::vector<double> tolerances = this->Allowed != nullptr
       ? TolerancesOf(this->Cleaned, *this->Allowed)
@@ -167,7 +169,7 @@ private:
       this->Work->ProveEdits(promise, this->Wanted.NumberOfThreads);
       if (promises && this->Wanted.KeepClearance)
       {
-        this->Work->KeepClearance(this->Wanted.MaximumError, this->Wanted.NumberOfThreads);
+        this->Work->KeepClearance(this->Wanted.MaximumError, this->Wanted.NumberOfThreads, monitor);
       }
     }
     if (!tolerances.empty())

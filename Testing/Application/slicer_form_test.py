@@ -40,6 +40,8 @@ class SlicerForm(ApplicationTest):
         self.assertEqual(len(names), len(set(names)))
         self.assertTrue(all(re.fullmatch(r"[A-Za-z]\w*", name) for name in names))
         flags = {one.text for one in self.description().iter("longflag")}
+        self.assertTrue(all(re.fullmatch(r"--[A-Za-z_]\w*", flag) for flag in flags), "Slicer takes no dashes")
+        flags = {"--" + flag[2:].replace("_", "-") for flag in flags}
         table = set(re.findall(r"`(--[a-z-]+)`", self.succeed("--options-markdown").stdout))
         self.assertLessEqual(table, flags)
         self.assertEqual(flags - table, {"--heatmap", "--roi", "--keep", "--keep-radius"})

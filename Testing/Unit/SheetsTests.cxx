@@ -3,6 +3,7 @@
 // What is not manifold is split into sheets, simplified up to its seams, and joined again.
 #include "BruteForce.h"
 #include "Collapse/Editor.h"
+#include "Collapse/SheetRules.h"
 #include "Mesh/Invariants.h"
 #include "Mesh/Sheets.h"
 #include "Mesh/SpatialOrder.h"
@@ -181,6 +182,34 @@ TEST(Sheets, KeepTheLastTriangleAtAPinnedEndOfAnOpenLine)
       EXPECT_EQ(editor.Examine(h), Verdict::Border) << last << " " << k;
     }
   }
+}
+
+TEST(Sheets, AskOnlyCopiesWhetherTheyLieInTheBlock)
+{
+  // Else a single seam would keep every edit at the ends of blocks, in the whole mesh, from being made.
+  const CleanSurface clean = Split(HalvedBall(6));
+  const HalfEdgeMesh mesh(clean.Surface, 1, clean.Sheets);
+  const VertexRange nothing = { 0, 0 };
+  const auto hasCopies = [&mesh](Index v) { return mesh.NextCopy(v) != v; };
+  Neighbourhood around;
+  std::int64_t alone = 0;
+  for (const Index h : HalfEdges(mesh))
+  {
+    if (mesh.Twin(h) != None && !mesh.IsFixed(mesh.Origin(h)) && !mesh.IsFixed(mesh.Target(h)))
+    {
+      around.Gather(mesh, h);
+      const bool isAlone = !hasCopies(around.Start) && !hasCopies(around.End) &&
+        std::none_of(around.Ring.begin(), around.Ring.end(), hasCopies);
+      EXPECT_EQ(
+        JudgeSheets(mesh, around, nothing), isAlone ? Verdict::Allowed : Verdict::Elsewhere);
+      const Index a = around.Apexes[0];
+      const Index b = around.Apexes[1];
+      EXPECT_EQ(
+        JudgeNewEdge(mesh, a, b, nothing) == Verdict::Elsewhere, hasCopies(a) || hasCopies(b));
+      alone += isAlone ? 1 : 0;
+    }
+  }
+  EXPECT_GT(alone, 100);
 }
 
 TEST(Sheets, GiveTheSameBytesForAnyNumberOfThreads)

@@ -6,6 +6,8 @@
 #include "Levels.h"
 #include "Listener.h"
 
+#include <nanobind/stl/unique_ptr.h>
+
 #include <memory>
 
 namespace bonedecimate

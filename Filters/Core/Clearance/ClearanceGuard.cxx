@@ -148,10 +148,10 @@ bool IsBetween(const Vector3& p, const std::vector<Piece>& a, const std::vector<
 }
 }
 
-ClearanceGuard::ClearanceGuard(
-  const HalfEdgeMesh& mesh, const Surface& surface, double error, int threads)
+ClearanceGuard::ClearanceGuard(const HalfEdgeMesh& mesh, const Surface& surface, double error,
+  int threads, const Monitor& monitor)
   : Grid(mesh, error)
-  , Widths(surface, ErrorsOfGap * error, threads)
+  , Widths(surface, ErrorsOfGap * error, threads, monitor)
 {
 }
 

@@ -26,7 +26,8 @@ class ClearanceGuard
 {
 public:
   /// @param surface Of which the mesh was made, its sheets joined.  @param error mm, how far the surface may move.
-  ClearanceGuard(const HalfEdgeMesh& mesh, const Surface& surface, double error, int threads);
+  ClearanceGuard(const HalfEdgeMesh& mesh, const Surface& surface, double error, int threads,
+    const Monitor& monitor);
 
   /// A face with what every pair of it needs.
   struct Piece

@@ -32,22 +32,28 @@ float Below(double width, double limit)
 }
 }
 
-Gaps::Gaps(const Surface& surface, double limit, int threads)
+Gaps::Gaps(const Surface& surface, double limit, int threads, const Monitor& monitor)
   : Parts(FindComponents(surface))
   , Widths(surface.Points.size())
 {
   const PartTree tree(surface, this->Parts);
   const std::vector<Vector3> normals = NormalsOf(surface);
-  ForEachId(surface.Points.size(), threads,
-    [&](std::size_t i)
+  const auto measure = [&](Index point)
+  {
+    const Index part = this->Parts.OfPoint[point];
+    Gap& gap = this->Widths[point];
+    gap.ToOwn = Below(tree.ToFacing(point, normals[point].normalized(), limit), limit);
+    if (this->Parts.Count > 1)
     {
-      const Index point = static_cast<Index>(i);
-      const Index part = this->Parts.OfPoint[point];
-      Gap& gap = this->Widths[point];
-      gap.ToOwn = Below(tree.ToFacing(point, normals[point].normalized(), limit), limit);
-      if (this->Parts.Count > 1)
+      gap.ToOther = Below(tree.ToOtherPart(surface.Points[point], part, limit), limit);
+    }
+  };
+  ForEachChunk(surface.Points.size(), threads, monitor,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
       {
-        gap.ToOther = Below(tree.ToOtherPart(surface.Points[point], part, limit), limit);
+        measure(static_cast<Index>(i));
       }
     });
 }

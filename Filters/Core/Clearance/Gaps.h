@@ -11,6 +11,7 @@
 #define BoneDecimate_Core_Clearance_Gaps_h
 
 #include "Mesh/Statistics.h"
+#include "Monitor.h"
 
 #include <algorithm>
 #include <limits>
@@ -34,7 +35,8 @@ class Gaps
 {
 public:
   /// @param limit mm; wider gaps count as none.
-  Gaps(const Surface& surface, double limit, int threads);
+  /// @param monitor If it says stop, what is there must not be used.
+  Gaps(const Surface& surface, double limit, int threads, const Monitor& monitor = {});
 
   Index PartOf(Index vertex) const { return this->Parts.OfPoint[vertex]; }
   const Gap& Of(Index vertex) const { return this->Widths[vertex]; }

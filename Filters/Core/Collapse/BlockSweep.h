@@ -54,8 +54,9 @@ public:
   void RenewAll(Index first, Index last);
 
   /// @param goOn Asked after every collapse.
-  template <typename GoOn>
-  void Run(const BlockTask& task, const GoOn& goOn);
+  /// @param pulse Asked before every vertex that is looked at.
+  template <typename GoOn, typename Pulse>
+  void Run(const BlockTask& task, const GoOn& goOn, const Pulse& pulse);
 
   /// What the edits since the last time amount to, for Editor::Settle.
   Tally& Counted() { return this->Space.Counted; }
@@ -105,8 +106,8 @@ private:
   std::vector<OldKey> Postponed;
 };
 
-template <typename GoOn>
-void BlockSweep::Run(const BlockTask& task, const GoOn& goOn)
+template <typename GoOn, typename Pulse>
+void BlockSweep::Run(const BlockTask& task, const GoOn& goOn, const Pulse& pulse)
 {
   this->Task = task;
   this->Space.Range = task.Vertices;
@@ -123,6 +124,11 @@ void BlockSweep::Run(const BlockTask& task, const GoOn& goOn)
     this->Space.Rank = highest;
     for (std::size_t i = 0; i < this->Ready.size() && left > 0; ++i)
     {
+      if (!pulse())
+      {
+        left = 0;
+        break;
+      }
       this->LookAhead(i);
       if (this->Known.Keys[this->Ready[i]] <= highest &&
         this->CollapseAt(this->EdgesOfReady(i, highest), highest) == Outcome::Collapsed)

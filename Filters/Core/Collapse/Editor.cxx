@@ -87,11 +87,11 @@ Index Editor::Freeze(const std::vector<double>& tolerances)
 }
 
 //------------------------------------------------------------------------------
-void Editor::KeepClearance(double error, int threads)
+void Editor::KeepClearance(double error, int threads, const Monitor& monitor)
 {
   this->Clearance = WithJoined(this->Source.AtFirst(),
     [&](const Surface& joined)
-    { return std::make_unique<ClearanceGuard>(this->Half, joined, error, threads); });
+    { return std::make_unique<ClearanceGuard>(this->Half, joined, error, threads, monitor); });
 }
 
 //------------------------------------------------------------------------------

@@ -66,7 +66,7 @@ public:
   Index Freeze(const std::vector<double>& tolerances);
   /// From now on no proved edit may let triangles meet or narrow a gap too much.
   /// @param error mm, how far the surface may move.
-  void KeepClearance(double error, int threads);
+  void KeepClearance(double error, int threads, const Monitor& monitor);
   bool IsGuaranteed() const { return this->Guard != nullptr; }
   /// Whether an edit was refused because nobody could prove it.
   bool MetItsLimit() const

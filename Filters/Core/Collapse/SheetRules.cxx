@@ -29,9 +29,11 @@ bool HasCopies(const HalfEdgeMesh& mesh, Index v)
   return mesh.NextCopy(v) != v;
 }
 
+/// Of a vertex with copies: only their rings are read here. To others the rules apply that hold without sheets, too.
 bool IsOutOfRange(const HalfEdgeMesh& mesh, Index v, VertexRange range)
 {
-  return IsAnyCopy(mesh, v, [&](Index copy) { return !range.Contains(copy); });
+  return HasCopies(mesh, v) &&
+    IsAnyCopy(mesh, v, [&](Index copy) { return !range.Contains(copy); });
 }
 
 /// Whether an edge leads from any copy of a to any copy of b, or both are copies of one point.
@@ -110,6 +112,8 @@ Verdict JudgeNewEdge(const HalfEdgeMesh& mesh, Index a, Index b, VertexRange ran
   {
     return Verdict::Elsewhere;
   }
-  return AreJoined(mesh, a, b) || AreJoined(mesh, b, a) ? Verdict::LinkCondition : Verdict::Allowed;
+  const bool areJoined =
+    (HasCopies(mesh, a) && AreJoined(mesh, a, b)) || (HasCopies(mesh, b) && AreJoined(mesh, b, a));
+  return areJoined ? Verdict::LinkCondition : Verdict::Allowed;
 }
 }

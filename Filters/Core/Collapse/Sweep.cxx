@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <thread>
 #include <utility>
 
 namespace bonedecimate
@@ -26,6 +27,8 @@ constexpr int FirstStep = 2 * KeysOfOctave; // by which the limit is raised
 constexpr int LargestStep = 4 * KeysOfOctave;
 /// To the monitor, of a sweep of the whole mesh: some milliseconds.
 constexpr Index CollapsesBetweenWords = 1024;
+/// The same where edits are proved, in vertices that are looked at.
+constexpr Index VerticesBetweenWords = 64;
 
 constexpr CostKey LastKey = NeverKey - 1;
 /// Where edits are proved: passes end that take away a smaller share of the faces than one by so many.
@@ -229,12 +232,28 @@ bool Sweep::SweepBlocks(CostKey limit, BlockCut cut, const Monitor& monitor)
   const std::vector<BlockTask> blocks = this->Blocks(limit, cut);
   std::vector<Tally> counted(blocks.size());
   std::atomic<Index> removed{ 0 };
+  std::atomic<bool> goesOn{ true };
+  const auto tell = [&]
+  {
+    goesOn = goesOn && this->End.TellNow(monitor, removed);
+    return goesOn.load();
+  };
+  const bool isSlow = this->Work.IsGuaranteed();
+  const std::thread::id teller = std::this_thread::get_id();
   const bool done = ForEachPart(
-    blocks.size(), this->Threads, [&](double) { return this->End.TellNow(monitor, removed); },
+    blocks.size(), this->Threads, [&](double) { return tell(); },
     [&](std::size_t i)
     {
+      const bool tells = std::this_thread::get_id() == teller;
+      Index looked = 0;
+      const auto pulse = [&]
+      {
+        const bool isTime = isSlow && ++looked % VerticesBetweenWords == 0;
+        return !isTime || (tells ? tell() : goesOn.load());
+      };
       BlockSweep block(this->Work, this->Known);
-      block.Run(blocks[i], [] { return true; });
+      block.Run(
+        blocks[i], [] { return true; }, pulse);
       counted[i] = std::exchange(block.Counted(), {});
       removed += counted[i].RemovedFaces;
     });
@@ -310,14 +329,22 @@ bool Sweep::SweepWhole(CostKey limit, Index faces, bool renewsRing, const Monito
   task.Collapses = std::max(0, this->Work.Mesh().NumberOfFaces() - faces);
   bool goesOn = true;
   Index collapses = 0;
-  whole.Run(task,
-    [&]
-    {
-      this->Work.Settle(whole.Counted());
-      const bool isTime = ++collapses % CollapsesBetweenWords == 0;
-      goesOn = isTime ? this->End.TellNow(monitor) : this->End.Tell(monitor);
-      return goesOn && !this->End.IsReached() && this->Work.Mesh().NumberOfFaces() > faces;
-    });
+  Index looked = 0;
+  const auto goOn = [&]
+  {
+    this->Work.Settle(whole.Counted());
+    const bool isTime = ++collapses % CollapsesBetweenWords == 0;
+    goesOn = isTime ? this->End.TellNow(monitor) : this->End.Tell(monitor);
+    return goesOn && !this->End.IsReached() && this->Work.Mesh().NumberOfFaces() > faces;
+  };
+  const bool isSlow = this->Work.IsGuaranteed();
+  const auto pulse = [&]
+  {
+    const bool isTime = isSlow && ++looked % VerticesBetweenWords == 0;
+    goesOn = goesOn && (!isTime || this->End.TellNow(monitor));
+    return goesOn;
+  };
+  whole.Run(task, goOn, pulse);
   this->Work.Settle(whole.Counted());
   return goesOn;
 }

@@ -1,0 +1,142 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Who simplifies: the wheel `bonedecimate` in Slicer's own Python, or the program `bonedecimate` beside it."""
+
+import importlib.util
+import re
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+import vtk
+from vtk.util.numpy_support import numpy_to_vtk
+
+TOLERANCE = "Tolerance"  # mm, point array of what goes in
+
+
+class DecimationError(RuntimeError):
+    """What went wrong, in a sentence for the user."""
+
+
+class NoEngine(DecimationError):
+    """Neither the wheel nor the program is there."""
+
+
+class Cancelled(DecimationError):
+    """The user asked for it; nothing has changed."""
+
+
+def find_engine(program=None):
+    """The wheel if it is installed, else the program; raises NoEngine with what to do if there is neither."""
+    if importlib.util.find_spec("bonedecimate") is not None:
+        return WheelEngine()
+    program = program or shutil.which("bonedecimate")
+    if program:
+        return ProgramEngine(program)
+    raise NoEngine("Neither the Python package bonedecimate nor the program bonedecimate is there. Install the package's "
+                   "wheel into Slicer's Python, or put the program on the PATH.")
+
+
+def with_tolerances(surface, tolerances):
+    """A shallow copy with the point array that engines read."""
+    copy = vtk.vtkPolyData()
+    copy.ShallowCopy(surface)
+    if tolerances is not None:
+        array = numpy_to_vtk(tolerances, deep=True)
+        array.SetName(TOLERANCE)
+        copy.GetPointData().AddArray(array)
+    return copy
+
+
+class WheelEngine:
+    """In this process."""
+
+    has_levels = True
+
+    def decimate(self, surface, options, tolerances=None, progress=None):
+        """@param options Flags of the program without dashes and their values: {"max-error": 0.2}.
+        @param progress Called with the fraction done; returns False to cancel.
+        """
+        from bonedecimate import options as table
+        from bonedecimate import vtkBoneDecimate
+        decimate = vtkBoneDecimate()
+        rows = {row.flag: row for row in table.ROWS.values()}
+        for flag, value in options.items():
+            row = rows[flag]
+            getattr(decimate, "Set" + row.name)(row.choices.index(value) if row.choices else value)
+        if tolerances is not None:
+            decimate.SetToleranceArrayName(TOLERANCE)
+        problems = []
+        decimate.AddObserver("ErrorEvent", _collector(problems))
+        cancelled = []
+
+        def tell(caller, _event):
+            if progress and progress(caller.GetProgress()) is False:
+                cancelled.append(True)
+                caller.SetAbortExecute(1)
+
+        decimate.AddObserver("ProgressEvent", tell)
+        decimate.SetInputDataObject(0, with_tolerances(surface, tolerances))
+        decimate.Update()
+        if cancelled:
+            raise Cancelled("Cancelled.")
+        if problems:
+            raise DecimationError(problems[0])
+        return decimate.GetOutputDataObject(0)
+
+    def record_levels(self, surface, options):
+        """bonedecimate.Levels of the surface's triangles."""
+        import bonedecimate
+        from bonedecimate.polydata import surface_of
+        found = surface_of(surface)
+        keywords = {flag.replace("-", "_"): value for flag, value in options.items()}
+        return bonedecimate.record_levels(found.points.astype("float32"), found.triangles, **keywords)
+
+
+def _collector(problems):
+    def collect(_caller, _event, text):
+        problems.append(text.strip().splitlines()[-1])
+
+    collect.CallDataType = vtk.VTK_STRING
+    return collect
+
+
+class ProgramEngine:
+    """In a process of its own, through files."""
+
+    has_levels = False
+
+    def __init__(self, program):
+        self.program = str(program)
+
+    def decimate(self, surface, options, tolerances=None, progress=None):
+        with tempfile.TemporaryDirectory(prefix="bonedecimate-") as folder:
+            source, target = Path(folder, "input.vtp"), Path(folder, "output.vtp")
+            writer = vtk.vtkXMLPolyDataWriter()
+            writer.SetFileName(str(source))
+            writer.SetInputData(with_tolerances(surface, tolerances))
+            if not writer.Write():
+                raise DecimationError(f"Could not write to {folder}.")
+            words = [self.program, "--returnparameterfile", str(Path(folder, "results.txt"))]
+            for flag, value in options.items():
+                words += ["--" + flag, "on" if value is True else "off" if value is False else str(value)]
+            if tolerances is not None:
+                words += ["--tolerance-array", TOLERANCE]
+            self._run([*words, str(source), str(target)], progress)
+            reader = vtk.vtkXMLPolyDataReader()
+            reader.SetFileName(str(target))
+            reader.Update()
+            return reader.GetOutput()
+
+    @staticmethod
+    def _run(words, progress):
+        with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            for line in process.stdout:
+                found = re.match(r"<filter-progress>(.*)</filter-progress>", line)
+                if found and progress and progress(float(found[1])) is False:
+                    process.kill()
+                    raise Cancelled("Cancelled.")
+            problem = process.stderr.read().strip()
+        if process.returncode != 0:
+            raise DecimationError(problem or f"The program ended with {process.returncode}.")
