@@ -136,6 +136,31 @@ std::string vtkBoneDecimate::GetReportText(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
+void vtkBoneDecimate::ForgetTargetReduction()
+{
+  bonedecimate::Options& options = this->Internal->Options;
+  if (options.TargetReductionIsExplicit)
+  {
+    options.TargetReduction = bonedecimate::Options().TargetReduction;
+    options.TargetReductionIsExplicit = false;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkBoneDecimate::IsTargetReductionSet() const
+{
+  return this->Internal->Options.TargetReductionIsExplicit;
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimate::CopyOptions(const vtkBoneDecimate& from)
+{
+  this->Internal->Options = from.Internal->Options;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 void vtkBoneDecimate::SetReferenceData(vtkPolyData* reference)
 {
   this->SetInputData(1, reference);

@@ -368,6 +368,21 @@ protected:
   vtkBoneDecimate();
   ~vtkBoneDecimate() override;
 
+  /**
+   * As if TargetReduction had never been set: for classes that set every property, asked for or not.
+   */
+  void ForgetTargetReduction();
+
+  /**
+   * Whether TargetReduction was set and so counts beside every other stop.
+   */
+  bool IsTargetReductionSet() const;
+
+  /**
+   * Every property of the other one, and whether its TargetReduction was set.
+   */
+  void CopyOptions(const vtkBoneDecimate& from);
+
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

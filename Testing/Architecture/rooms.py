@@ -14,6 +14,7 @@ from pathlib import Path, PurePosixPath
 
 CORE = "Filters/Core"
 DOOR = "Filters/BoneDecimate"
+PARALLEL = "Filters/BoneDecimateParallel"
 SOURCES = (".h", ".cxx", ".hpp", ".cpp", ".h.in", ".cxx.in")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 
@@ -23,7 +24,10 @@ VOCABULARY = {"Surface.h", "Options.h", "Report.h", "Monitor.h", "Parallel.h", "
 WITHOUT_VOCABULARY = {f"{CORE}/Geometry"}
 # The program puts its own rooms together, and takes what the table does not list one by one: "system" is the
 # headers of the operating system and of its small libraries.
-NEIGHBOURS = {"Applications/CommandLine": {"Applications/Volume", "Applications/Picture"}}
+NEIGHBOURS = {
+    "Applications/CommandLine": {"Applications/Volume", "Applications/Picture"},
+    "Applications/ParaView/Module": {PARALLEL},
+}
 LIBRARIES = {
     "Applications/CommandLine": {"CLI11", "JSON", "system"},
     "Applications/Picture": {"JSON", "system"},
@@ -131,7 +135,7 @@ def room_of(path, rooms):
 
 def resolve(root, includer, name):
     """The file of ours that an include means, as a path from the root; None if it is not ours."""
-    folders = [str(PurePosixPath(includer).parent), CORE, DOOR, "Testing/Support"]
+    folders = [str(PurePosixPath(includer).parent), CORE, DOOR, PARALLEL, "Testing/Support"]
     folders += [str(folder.relative_to(root)) for folder in sorted((root / "Applications").glob("*"))]
     for folder in folders:
         target = (root / folder / name).resolve()

@@ -21,6 +21,7 @@ PLANTED = [
     ("Filters/Core/Collapse/B.cxx", '#include "Decimate.h"', "may not include Filters/Core"),
     ("Filters/BoneDecimate/A.cxx", '#include "Mesh/HalfEdgeMesh.h"', "may not include Filters/Core/Mesh"),
     ("Filters/BoneDecimate/B.cxx", "#include <CGAL/AABB_tree.h>", "CGAL is nowhere"),
+    ("Filters/BoneDecimateParallel/A.cxx", '#include "Decimate.h"', "may not include Filters/Core"),
     ("Applications/CommandLine/A.cxx", '#include "Collapse/Editor.h"', "may not include Filters/Core/Collapse"),
     ("Applications/Volume/A.cxx", '#include "Decimate.h"', "may not include Filters/Core"),
     ("Applications/Picture/A.cxx", "#include <CGAL/Origin.h>", "CGAL is nowhere"),

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WholeInput.h"
+
+#include "SeamStrips.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTriangleFilter.h"
+
+namespace bonedecimate
+{
+const char* const BlockArrayName = "BlockIndex";
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> AppendBlocks(vtkCompositeDataSet* composite)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> blocks;
+  auto place = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (place->InitTraversal(); !place->IsDoneWithTraversal(); place->GoToNextItem())
+  {
+    vtkPolyData* block = vtkPolyData::SafeDownCast(place->GetCurrentDataObject());
+    if (block && block->GetNumberOfCells() > 0)
+    {
+      vtkNew<vtkIntArray> index;
+      index->SetName(BlockArrayName);
+      index->SetNumberOfTuples(block->GetNumberOfCells());
+      index->Fill(place->GetCurrentFlatIndex());
+      blocks.push_back(vtkSmartPointer<vtkPolyData>::New());
+      blocks.back()->ShallowCopy(block);
+      blocks.back()->GetCellData()->AddArray(index);
+    }
+  }
+  return Join(blocks);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> WholeInput(vtkDataObject* input)
+{
+  auto whole = vtkSmartPointer<vtkPolyData>::New();
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    whole = AppendBlocks(composite);
+  }
+  else if (auto* surface = vtkPolyData::SafeDownCast(input))
+  {
+    whole->ShallowCopy(surface);
+  }
+  whole->RemoveGhostCells();
+  if (whole->GetNumberOfStrips() == 0 && whole->GetPolys()->GetMaxCellSize() <= 3)
+  {
+    return whole;
+  }
+  vtkNew<vtkTriangleFilter> triangulate;
+  triangulate->SetInputData(whole);
+  triangulate->Update();
+  return triangulate->GetOutput();
+}
+}

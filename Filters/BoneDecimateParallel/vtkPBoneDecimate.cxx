@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPBoneDecimate.h"
+
+#include "Plan.h"
+#include "SeamStrips.h"
+#include "WholeInput.h"
+
+#include "vtkCommand.h"
+#include "vtkCommunicator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+
+vtkStandardNewMacro(vtkPBoneDecimate);
+vtkCxxSetObjectMacro(vtkPBoneDecimate, Controller, vtkMultiProcessController);
+
+vtkPBoneDecimate::vtkPBoneDecimate()
+{
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkPBoneDecimate::~vtkPBoneDecimate()
+{
+  this->SetController(nullptr);
+}
+
+vtkMultiProcessController* vtkPBoneDecimate::GetController()
+{
+  return this->Controller;
+}
+
+//------------------------------------------------------------------------------
+int vtkPBoneDecimate::FillInputPortInformation(int port, vtkInformation* info)
+{
+  const int known = this->Superclass::FillInputPortInformation(port, info);
+  if (port == 0)
+  {
+    // First: by the first type the pipeline decides whether to hand over block by block.
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  }
+  return known;
+}
+
+//------------------------------------------------------------------------------
+int vtkPBoneDecimate::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  if (!this->HasProcesses() && vtkPolyData::SafeDownCast(input))
+  {
+    return this->Superclass::RequestData(request, inputVector, outputVector);
+  }
+  const vtkSmartPointer<vtkPolyData> whole = bonedecimate::WholeInput(input);
+  vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
+  return this->HasProcesses() ? this->RunTogether(whole, reference, outputVector)
+                              : this->RunAlone(whole, reference, outputVector);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPBoneDecimate::HasProcesses() const
+{
+  return this->Controller && this->Controller->GetNumberOfProcesses() > 1;
+}
+
+//------------------------------------------------------------------------------
+/// Sum, least or largest number of all processes.
+double vtkPBoneDecimate::OfAll(double own, int operation) const
+{
+  double all = own;
+  this->Controller->AllReduce(&own, &all, 1, operation);
+  return all;
+}
+
+//------------------------------------------------------------------------------
+/// False if the input was refused, which was said then.
+bool vtkPBoneDecimate::Run(vtkPBoneDecimate* run, vtkPolyData* input, vtkPolyData* reference)
+{
+  run->SetController(nullptr);
+  run->SetInputData(0, input);
+  run->SetInputData(1, reference);
+  run->AddObserver(vtkCommand::ProgressEvent, this, &vtkPBoneDecimate::PassProgress);
+  run->Update();
+  return input->GetNumberOfPolys() == 0 || run->GetOutput()->GetNumberOfPolys() > 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPBoneDecimate::PassProgress(
+  vtkObject* caller, unsigned long vtkNotUsed(event), void* vtkNotUsed(data))
+{
+  auto* run = static_cast<vtkPBoneDecimate*>(caller);
+  this->UpdateProgress(run->GetProgress());
+  run->SetAbortExecute(this->GetAbortExecute());
+}
+
+//------------------------------------------------------------------------------
+int vtkPBoneDecimate::RunAlone(
+  vtkPolyData* input, vtkPolyData* reference, vtkInformationVector* outputVector)
+{
+  vtkNew<vtkPBoneDecimate> run;
+  run->CopyOptions(*this);
+  const bool isDone = this->Run(run, input, reference);
+  vtkPolyData::GetData(outputVector, 0)->ShallowCopy(run->GetOutput());
+  vtkPolyData::GetData(outputVector, 1)->ShallowCopy(run->GetOutputDataObject(1));
+  return isDone ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkPBoneDecimate::RunTogether(
+  vtkPolyData* input, vtkPolyData* reference, vtkInformationVector* outputVector)
+{
+  if (this->GetErrorPreset() != NO_PRESET && this->GetVoxelSize() == 0.0)
+  {
+    vtkErrorMacro(<< "ErrorPreset on several processes needs VoxelSize: a part tells too little");
+    return 0;
+  }
+  Plan plan = this->MakePlan(input, reference);
+  vtkNew<vtkPBoneDecimate> run;
+  const bool isDone = this->ReducePart(run, input, reference, plan);
+  if (this->OfAll(isDone ? 1.0 : 0.0, vtkCommunicator::MIN_OP) == 0.0)
+  {
+    if (isDone)
+    {
+      vtkErrorMacro(<< "another process refused its part of the surface");
+    }
+    return 0;
+  }
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkPolyData* inputCopy = vtkPolyData::GetData(outputVector, 1);
+  output->ShallowCopy(run->GetOutput());
+  inputCopy->ShallowCopy(run->GetOutputDataObject(1));
+  plan.Proved = this->ProvedByAll(run);
+  if (plan.ReducesSeams)
+  {
+    this->ReduceSeams(input, plan, output, inputCopy);
+  }
+  for (vtkPolyData* surface : { output, inputCopy })
+  {
+    surface->GetPointData()->RemoveArray(Plan::ToleranceName);
+    surface->GetPointData()->RemoveArray(bonedecimate::RimArrayName);
+  }
+  this->Report(plan, output);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+/// mm; not a number if nobody proved anything. Who had no triangles does not count.
+double vtkPBoneDecimate::ProvedByAll(vtkPBoneDecimate* run) const
+{
+  const double proved = run->GetReportValue("proof.upper");
+  const double most = this->OfAll(std::isnan(proved) ? -1.0 : proved, vtkCommunicator::MAX_OP);
+  return most < 0.0 ? std::nan("") : most;
+}
+
+//------------------------------------------------------------------------------
+void vtkPBoneDecimate::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller << "\n";
+}

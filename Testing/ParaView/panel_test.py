@@ -1,0 +1,84 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The panels of the plugin, as ParaView reads them."""
+
+import os
+import pathlib
+import re
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+from paraview import simple
+
+import specimens
+import surfaces
+
+SOURCE = pathlib.Path(os.environ["SOURCE_DIR"])
+PANELS = [SOURCE / "Applications" / "ParaView" / "Plugin" / name for name in ("BoneDecimate.xml", "BoneTools.xml")]
+TABLE = (SOURCE / "Documentation" / "options.md").read_text(encoding="utf-8")
+
+
+class Panel(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        surfaces.load()
+        cls.bone = surfaces.source(specimens.torus())
+
+    def test_every_option_of_the_table_is_a_property_with_its_default(self):
+        decimate = simple.BoneDecimate(Input=self.bone)
+        rows = re.findall(r"^\| `(\w+)` \|[^|]*\| ([^|]+) \| ([^|]*) \| ([^|]*) \|", TABLE, re.MULTILINE)
+        self.assertGreater(len(rows), 20)
+        for name, values, default, unit in rows:
+            with self.subTest(name):
+                found = decimate.GetProperty(name)
+                self.assertEqual(found.GetDocumentation().GetDescription().strip().startswith("In mm."), unit.strip() == "mm")
+                value = str(found.GetData())
+                words = {"on": "1", "off": "0"}
+                text = default.strip()
+                if values == "text":
+                    self.assertEqual(value.replace(" (mm)", ""), text)
+                elif values[0].isdigit():
+                    self.assertEqual(float(value), float(text))
+                else:
+                    self.assertEqual(value, words.get(text, text))
+
+    def test_no_property_names_one_that_is_not_there(self):
+        for panel in PANELS:
+            for proxy in ElementTree.parse(panel).iter("SourceProxy"):
+                names = {child.get("name") for child in proxy if child.tag.endswith("Property")}
+                decorators = {one.get("property") for one in proxy.iter("PropertyWidgetDecorator")} - {None}
+                grouped = {one.get("name") for group in proxy.iter("PropertyGroup") for one in group}
+                with self.subTest(proxy.get("name")):
+                    self.assertLessEqual(decorators | grouped, names)
+
+    def test_tolerances_are_chosen_from_the_point_arrays_and_none_is_the_default(self):
+        surface = specimens.with_arrays(specimens.torus())
+        decimate = simple.BoneDecimate(Input=surfaces.source(surface))
+        self.assertEqual(decimate.ToleranceArrayName, "")
+        offered = decimate.GetProperty("ToleranceArrayName").GetAvailable()
+        self.assertIn("Density", offered)
+        self.assertIn("", offered)
+        self.assertNotIn("Part", offered)
+
+    def test_the_report_is_in_the_information_about_the_field_data(self):
+        decimate = simple.BoneDecimate(Input=self.bone, MaximumError=0.2)
+        decimate.UpdatePipeline()
+        information = decimate.GetDataInformation().GetFieldDataInformation()
+        names = [information.GetArrayInformation(i).GetName() for i in range(information.GetNumberOfArrays())]
+        self.assertIn("bonedecimate.output.faces", names)
+        proved = information.GetArrayInformation("bonedecimate.proof.upper").GetComponentRange(0)
+        self.assertLessEqual(proved[1], 0.2)
+        self.assertGreater(proved[1], 0)
+
+    def test_distances_say_their_unit(self):
+        decimate = simple.BoneDecimate(Input=self.bone, MaximumError=0.2, MeasureInputDistances=1)
+        decimate.UpdatePipeline()
+        self.assertIn("Distance (mm)", decimate.PointData.keys())
+        self.assertIn("ErrorBound (mm)", decimate.PointData.keys())
+        of_input = simple.OutputPort(decimate, 1).PointData.keys()
+        self.assertIn("DistanceToResult (mm)", of_input)
+        self.assertNotIn("DistanceToResult (mm)", decimate.PointData.keys())
+
+
+if __name__ == "__main__":
+    unittest.main()

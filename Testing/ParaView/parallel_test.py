@@ -1,0 +1,178 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""One, two and four ranks of pvbatch: the result hangs together, reaches the number, keeps the error, and is repeatable.
+
+What the ranks wrote is joined and judged here, by the system's VTK and by the certificate, which knows no run.
+"""
+
+import hashlib
+import os
+import pathlib
+import subprocess
+import unittest
+
+from vtkbonedecimate import vtkBoneSurfaceDistance
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkFeatureEdges
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+import cases
+import specimens
+
+FOLDER = pathlib.Path(os.environ["FOLDER"]) / "parallel"
+WORKER = pathlib.Path(__file__).with_name("parallel_worker.py")
+RANKS = (1, 2, 4)
+
+
+def run(ranks, folder, names):
+    folder.mkdir(parents=True, exist_ok=True)
+    environment = {**os.environ, "OMPI_MCA_mpi_yield_when_idle": "1", "LD_LIBRARY_PATH": os.environ["PARAVIEW_LIBRARIES"],
+                   "PYTHONPATH": os.pathsep.join([os.environ["WHEEL_TESTS"], str(WORKER.parent)])}
+    subprocess.run([os.environ["MPIEXEC"], "-n", str(ranks), os.environ["PVBATCH"], "--sym", str(WORKER), str(folder), *names],
+                   env=environment, check=True, timeout=240)
+
+
+def read(path):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def parts(name, ranks, folder=FOLDER):
+    return [read(folder / f"{name}-{ranks}-{rank}.vtp") for rank in range(ranks)]
+
+
+def joined(surfaces):
+    """One surface, equal points merged."""
+    append = vtkAppendPolyData()
+    for surface in surfaces:
+        append.AddInputData(surface)
+    clean = vtkCleanPolyData()
+    clean.SetInputConnection(append.GetOutputPort())
+    clean.SetTolerance(0.0)
+    clean.Update()
+    return clean.GetOutput()
+
+
+def bad_edges(surface, border):
+    """How many edges are open, or of more than two triangles."""
+    edges = vtkFeatureEdges()
+    edges.SetInputData(surface)
+    edges.SetBoundaryEdges(border)
+    edges.SetNonManifoldEdges(not border)
+    edges.FeatureEdgesOff()
+    edges.ManifoldEdgesOff()
+    edges.Update()
+    return edges.GetOutput().GetNumberOfCells()
+
+
+def distance(before, after):
+    """mm, proved: no point of either is farther from the other, open borders curve to curve."""
+    compare = vtkBoneSurfaceDistance()
+    compare.SetInputData(0, before)
+    compare.SetInputData(1, after)
+    compare.SetMeasureMeans(False)
+    compare.SetRelativeGap(1e-3)
+    compare.Update()
+    return compare.GetUpperBound()
+
+
+def is_proved(before, after, tolerance):
+    """Whether the certificate says so, both ways and of open borders."""
+    compare = vtkBoneSurfaceDistance()
+    compare.SetInputData(0, before)
+    compare.SetInputData(1, after)
+    compare.SetTolerance(tolerance)
+    compare.SetMeasureMeans(False)
+    compare.Update()
+    return compare.GetVerdictAsString() == "proved"
+
+
+class Parallel(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.cases = cases.cases()
+        for ranks in RANKS:
+            run(ranks, FOLDER, cls.cases)
+        cls.whole = {(name, ranks): joined(parts(name, ranks)) for name in cls.cases for ranks in RANKS}
+        for (name, ranks), surface in cls.whole.items():
+            print(f"{name:10} {ranks} ranks: {surface.GetNumberOfPolys():6} triangles, {bad_edges(surface, True):4} open edges, "
+                  f"{distance(cls.cases[name][0], surface):.4f} mm", flush=True)
+
+    def test_nothing_comes_apart(self):
+        for (name, ranks), surface in self.whole.items():
+            with self.subTest(name, ranks=ranks):
+                before = self.cases[name][0]
+                if name == "open":
+                    self.assertLessEqual(bad_edges(surface, True), bad_edges(before, True))
+                    self.assertGreater(bad_edges(surface, True), 0)
+                else:
+                    self.assertEqual(bad_edges(surface, True), 0)
+                self.assertEqual(bad_edges(surface, False), 0)
+
+    def test_numbers_are_meant_of_the_whole_surface(self):
+        for name, wanted in (("reduction", 1920), ("fast", 1500), ("blocks", 1920)):
+            for ranks in RANKS:
+                with self.subTest(name, ranks=ranks):
+                    self.assertEqual(self.whole[name, ranks].GetNumberOfPolys(), wanted)
+
+    def test_the_error_holds_of_the_whole_surface(self):
+        for name in ("error", "open"):
+            for ranks in RANKS:
+                with self.subTest(name, ranks=ranks):
+                    self.assertTrue(is_proved(self.cases[name][0], self.whole[name, ranks], 0.1))
+
+    def test_seams_are_reduced(self):
+        for name in ("reduction", "error", "fast", "open"):
+            for surface in parts(name, 4):
+                with self.subTest(name):
+                    before, after = (surface.GetFieldData().GetArray("bonedecimate.parallel.seam_faces_" + when).GetValue(0)
+                                     for when in ("before", "after"))
+                    self.assertGreater(before, 0)
+                    self.assertLess(after, before)
+
+    def test_the_report_is_that_of_the_whole_surface_on_every_rank(self):
+        for surface in parts("error", 4):
+            entry = {name: surface.GetFieldData().GetArray("bonedecimate." + name).GetValue(0)
+                     for name in ("input.faces", "output.faces", "proof.upper", "parallel.processes")}
+            self.assertEqual(entry["input.faces"], 9600)
+            self.assertEqual(entry["output.faces"], self.whole["error", 4].GetNumberOfPolys())
+            self.assertLessEqual(entry["proof.upper"], 0.1)
+            self.assertEqual(entry["parallel.processes"], 4)
+
+    def test_bounds_and_distances_are_true_of_the_input(self):
+        for name in ("error", "open"):
+            before = self.cases[name][0]
+            for surface in parts(name, 4):
+                data = surface.GetPointData()
+                bounds, distances = (data.GetArray(array + " (mm)") for array in ("ErrorBound", "Distance"))
+                compare = vtkBoneSurfaceDistance()
+                compare.SetInputData(0, before)
+                compare.SetInputData(1, surface)
+                compare.SetMeasureBorders(False)
+                compare.SetMeasureMeans(False)
+                compare.Update()
+                true = compare.GetOutputDataObject(1).GetPointData().GetArray("SignedDistance")
+                for i in range(surface.GetNumberOfPoints()):
+                    self.assertLess(abs(abs(true.GetValue(i)) - distances.GetValue(i)), 1e-5)
+                    self.assertLessEqual(abs(true.GetValue(i)), bounds.GetValue(i) + 1e-9)
+
+    def test_every_triangle_says_its_block(self):
+        blocks = {1: {1, 2}, 2: {1, 2}}
+        for ranks, wanted in blocks.items():
+            for surface in parts("blocks", ranks):
+                index = surface.GetCellData().GetArray("BlockIndex")
+                self.assertEqual({index.GetValue(i) for i in range(index.GetNumberOfValues())}, wanted)
+
+    def test_the_same_partition_gives_the_same_bytes(self):
+        names = ("reduction", "error")
+        run(2, FOLDER / "again", names)
+        for name in names:
+            for first, second in zip(parts(name, 2), parts(name, 2, FOLDER / "again")):
+                self.assertEqual(specimens.portrait(first)["Polys"], specimens.portrait(second)["Polys"])
+                digests = [hashlib.sha256(repr(specimens.portrait(one)).encode()).hexdigest() for one in (first, second)]
+                self.assertEqual(*digests)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Run by pvbatch on several ranks: each takes its part of each surface and writes what the filter makes of it.
+
+    mpiexec -n N pvbatch --sym parallel_worker.py FOLDER CASE...     writes FOLDER/CASE-N-RANK.vtp
+"""
+
+import sys
+
+from paraview import simple
+from paraview.servermanager import vtkProcessModule
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+import cases
+import specimens
+import surfaces
+
+
+def part_of(surface, belongs):
+    """The triangles that belong here, with the points they use and no others."""
+    chosen = vtkCellArray()
+    for number, corners in enumerate(specimens.triangles_of(surface)):
+        if belongs(number):
+            chosen.InsertNextCell(3, corners)
+    clean = vtkCleanPolyData()
+    clean.SetInputData(specimens.polydata(surface.GetPoints(), chosen))
+    clean.PointMergingOff()
+    clean.Update()
+    return clean.GetOutput()
+
+
+def blocks_of(surface, rank, ranks):
+    """Two blocks on the first rank, one on the others: every rank must take part all the same."""
+    parts = 2 * ranks
+    cells = surface.GetNumberOfCells()
+    answer = vtkMultiBlockDataSet()
+    for block in range(2):
+        answer.SetBlock(block, part_of(surface, lambda number: number * parts // cells == 2 * rank + block))
+    return answer
+
+
+def main(folder, *names):
+    surfaces.load()
+    module = vtkProcessModule.GetProcessModule()
+    rank, ranks = module.GetPartitionId(), module.GetNumberOfLocalPartitions()
+    for name in names:
+        surface, cut, properties = cases.cases()[name]
+        data = (blocks_of(surface, rank, ranks) if cut == "blocks" else
+                part_of(surface, lambda number: cases.OWNER[cut](number, surface.GetNumberOfCells(), ranks) == rank))
+        decimate = simple.BoneDecimate(Input=surfaces.source(data), **properties)
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(f"{folder}/{name}-{ranks}-{rank}.vtp")
+        writer.SetInputData(surfaces.output(decimate))
+        writer.Write()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
