@@ -299,8 +299,7 @@ public:
    * Cell or point array of the input, of whole numbers, with the bone, fragment or segment of each triangle (the cell array if
    * there are both; several components are one label together; of points, the majority at the triangle). Lines between
    * different labels are simplified only along themselves, every output triangle has the label of the input triangles that it
-   * stands for, and the report has the areas of each label before and after (labels.*). Empty, the default, is none; a name
-   * without such an array is an error.
+   * stands for, and the report has each label's areas (labels.*). Empty, the default, is none; a wrong name is an error.
    */
   void SetLabelArrayName(const std::string& name);
   std::string GetLabelArrayName() const;
