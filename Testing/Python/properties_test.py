@@ -19,11 +19,15 @@ NUMBERS = {
     "NumberOfThreads": (0, 2, 5000, 1024),
     "ErrorPreset": (vtkBoneDecimate.NO_PRESET, vtkBoneDecimate.HALF_VOXEL, 9, vtkBoneDecimate.ONE_VOXEL),
     "VoxelSize": (0.0, 0.5, -1.0, 0.0),
+    "PruneSize": (0.0, 2.0, -1.0, 0.0),
+    "PruneArea": (0.0, 20.0, -1.0, 0.0),
+    "PruneVolume": (0.0, 8.0, -1.0, 0.0),
+    "PruneTriangles": (0, 100, -1, 0),
     "OutputPointsPrecision": (vtkAlgorithm.DEFAULT_PRECISION, vtkAlgorithm.SINGLE_PRECISION, 7, 2),
 }
 SWITCHES = {"MergePoints": True, "KeepClearance": True, "MeasureDistances": True, "MeasureInputDistances": False,
             "ProveResult": True, "PassArrays": True, "MakeMaps": False, "RecomputeNormals": False,
-            "AutomaticNormalTolerance": False}
+            "AutomaticNormalTolerance": False, "ExamineInput": False}
 TEXTS = {
     "DistanceArrayName": "Distance",
     "RunningErrorArrayName": "RunningError",
