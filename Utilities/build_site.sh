@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # The documentation as a site: build/site/html/index.html. A link that leads nowhere and a class without a word fail.
-# Needs doxygen and python3-venv (Utilities/install_packages.sh checks); MkDocs comes from PyPI.
+# Needs doxygen and python3-venv (Utilities/install_packages.sh site); MkDocs comes from PyPI.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 readonly mkdocs_packages=(mkdocs==1.6.1 mkdocs-material==9.6.23)

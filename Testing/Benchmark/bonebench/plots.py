@@ -63,6 +63,8 @@ def label_ends(axes: Axes, ends: Sequence[tuple[float, float, str, dict[str, Any
             if overlap > 0.01:
                 places[i - 1] -= overlap / 2
                 places[i] += overlap / 2
+        # The topmost may not run into the title.
+        places[-1] = min(places[-1], axes.transAxes.transform((0.0, 1.0))[1])
     right = axes.transAxes.transform((1.0, 0.0))[0]
     for (_, x, y, name, style), place in zip(pixels, places):
         begin = tuple(axes.transData.inverted().transform((right + 0.10 * axes.figure.dpi, place)))
@@ -87,7 +89,9 @@ def count_axis(axes: Axes, rows: Sequence[Row], note: Callable[[Row], str] = lam
     notes = {row["asked"]: note(row) for row in rows}
     counts = sorted(notes)
     axes.set_xscale("log")
-    axes.set_xticks(counts, [f"{count:,}{notes[count]}" for count in counts])
+    # One that is near the next stands two lines lower, to be read beside it.
+    near = [bool(notes[count]) and larger < 2 * count for count, larger in zip(counts, [*counts[1:], float("inf")])]
+    axes.set_xticks(counts, [("\n\n" if low else "") + f"{count:,}{notes[count]}" for count, low in zip(counts, near)])
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.tick_params(axis="x", which="minor", length=0)
     axes.set_xlim(1.25 * counts[-1], counts[0] / 1.15)
@@ -225,20 +229,21 @@ def title_of(rows: Sequence[Row]) -> str:
 
 
 def draw_all(figures: dict[str, Any], folder: Path) -> list[tuple[str, str]]:
-    """Every plot that there are figures for; returns file names and what they show."""
+    """What says more than the tables: bones with three rows and more, and the largest; returns names and captions."""
     folder.mkdir(parents=True, exist_ok=True)
     modes, rows = figures["modes"], figures["rows"]
     made = []
     with plt.rc_context(STYLE):
         bones = dict.fromkeys(row["bone"] for row in rows)
-        several = [bone for bone in bones if sum(row["bone"] == bone for row in rows) > 1]
+        several = [bone for bone in bones if sum(row["bone"] == bone for row in rows) > 2]
+        largest = max(rows, key=lambda row: row["input"]["triangles"])["bone"] if rows else None
         for bone in several:
             mine = [row for row in rows if row["bone"] == bone]
             made += [(f"benchmark-{bone}-error.png", f"{bone}: distance against triangles")] * error_plot(
                 mine, modes, folder / f"benchmark-{bone}-error.png")
             made += [(f"benchmark-{bone}-time.png", f"{bone}: time against triangles")] * time_plot(
                 mine, modes, folder / f"benchmark-{bone}-time.png")
-        for bone in bones:
+        for bone in dict.fromkeys([*several, *filter(None, [largest])]):
             row = next(row for row in rows if row["bone"] == bone)
             row = next((r for r in rows if r["bone"] == bone and r["asked"] == 10000), row)
             made += [(f"benchmark-{bone}-curve.png", f"{bone}: cumulative error")] * curve_plot(
