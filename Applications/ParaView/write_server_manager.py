@@ -21,7 +21,7 @@ PANEL = pathlib.Path(__file__).resolve().parent / "Plugin" / "BoneDecimate.xml"
 
 GROUPS = [
     ("How far (lengths in mm)", ["Mode", "TargetNumberOfTriangles", "TargetReduction", "MaximumError", "ErrorPreset", "VoxelSize",
-                 "ToleranceArrayName"]),
+                 "ToleranceArrayName", "LabelArrayName"]),
     ("What is promised", ["KeepClearance", "ProveResult"]),
     ("What comes out", ["MeasureDistances", "MeasureInputDistances", "PassArrays", "MakeMaps", "RecomputeNormals",
                         "OutputPointsPrecision"]),
@@ -128,7 +128,7 @@ def text_kind(name, default):
                   '        </ArrayListDomain>')
         return "StringVectorProperty", default, domain
     # Arrays of distances say their unit wherever ParaView shows their name: in the legend above all.
-    in_mm = name.endswith("ArrayName") and name != "PointCountArrayName"
+    in_mm = name.endswith("ArrayName") and name not in ("PointCountArrayName", "LabelArrayName")
     return "StringVectorProperty", default + (" (mm)" if in_mm else ""), ""
 
 
@@ -152,7 +152,7 @@ def hints(name):
 def write_property(row):
     name, values, default, unit, meaning = row
     element, start, domain = kind_of(name, values, default)
-    advanced = name in ADVANCED or name.endswith("ArrayName") and name != "ToleranceArrayName" or name == "NormalTolerance"
+    advanced = name in ADVANCED or name.endswith("ArrayName") and name not in GROUPS[0][1] or name == "NormalTolerance"
     lines = [f'      <{element} name="{name}" label="{label(name)}"',
              f'        command="{COMMANDS.get(name, "Set" + name)}" number_of_elements="1" default_values={quoteattr(start)}',
              f'        panel_visibility="{"advanced" if advanced else "default"}">']

@@ -305,21 +305,19 @@ public:
   std::string GetLabelArrayName() const;
   ///@}
 
-  ///@{
-  /**
-   * Leave out components below a longest side of their box (mm), an area (mm2), a volume (mm3, closed ones alone) or a
-   * number of triangles, and list them in the report ("pruned.list.0.size", ...); 0, the default of each, leaves out none.
-   * Errors, proofs and the other counts of the report are of what is left; if nothing would be, the input is refused.
-   */
+  /// Leave out components whose box is below this on its longest side, mm, and list them in the report (pruned.*); all
+  /// else in it is of what is left, and nothing left is an error. Default 0: none is ever left out.
   void SetPruneSize(double millimetres);
   double GetPruneSize() const;
+  /// The same by area, mm2. Default 0.
   void SetPruneArea(double squareMillimetres);
   double GetPruneArea() const;
+  /// The same by volume, mm3, of closed ones. Default 0.
   void SetPruneVolume(double cubicMillimetres);
   double GetPruneVolume() const;
+  /// The same by number of triangles. Default 0.
   void SetPruneTriangles(int triangles);
   int GetPruneTriangles() const;
-  ///@}
 
   ///@{
   /// Put what vtkBoneCheck finds in the input into the report ("findings.0.kind", ...), off by default.

@@ -200,6 +200,7 @@ void vtkPBoneDecimate::ReduceSeams(
   if (isFirst)
   {
     std::vector<vtkSmartPointer<vtkPolyData>> strips;
+    strips.reserve(received.size());
     for (vtkDataObject* one : received)
     {
       strips.emplace_back(vtkPolyData::SafeDownCast(one));
