@@ -114,12 +114,31 @@ int vtkPBoneDecimate::RunAlone(
 }
 
 //------------------------------------------------------------------------------
-int vtkPBoneDecimate::RunTogether(
-  vtkPolyData* input, vtkPolyData* reference, vtkInformationVector* outputVector)
+/// What cannot be told from a part of a surface; null if nothing is asked for that cannot.
+const char* vtkPBoneDecimate::ProblemOfParts() const
 {
   if (this->GetErrorPreset() != NO_PRESET && this->GetVoxelSize() == 0.0)
   {
-    vtkErrorMacro(<< "ErrorPreset on several processes needs VoxelSize: a part tells too little");
+    return "ErrorPreset on several processes needs VoxelSize: a part tells too little";
+  }
+  if (this->GetPruneSize() > 0.0 || this->GetPruneArea() > 0.0 || this->GetPruneVolume() > 0.0 ||
+    this->GetPruneTriangles() > 0)
+  {
+    return "components are pruned on one process alone: here may lie a small part of a large one";
+  }
+  return this->GetLabelArrayName().empty()
+    ? nullptr
+    : "labels are for one process alone: their lines would not meet between the parts";
+}
+
+//------------------------------------------------------------------------------
+int vtkPBoneDecimate::RunTogether(
+  vtkPolyData* input, vtkPolyData* reference, vtkInformationVector* outputVector)
+{
+  const char* problem = this->ProblemOfParts();
+  if (problem != nullptr)
+  {
+    vtkErrorMacro(<< problem);
     return 0;
   }
   Plan plan = this->MakePlan(input, reference);

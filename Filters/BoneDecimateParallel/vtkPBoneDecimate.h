@@ -22,7 +22,7 @@
  * On one process a vtkPolyData gives exactly what vtkBoneDecimate gives. The polydata in a composite data set are taken as one
  * surface, so that equal points of blocks hang together; the cell array BlockIndex says from which block a triangle is.
  *
- * Every process must update the filter, those without triangles, too.
+ * Every process must update the filter, those without triangles, too. Pruning and labels are refused on several.
  */
 #ifndef vtkPBoneDecimate_h
 #define vtkPBoneDecimate_h
@@ -71,6 +71,7 @@ private:
   double LargestError() const;
   double TrianglesWanted(double total, bool isLimited) const;
   bool IsLimitedEverywhere(vtkPolyData* input) const;
+  const char* ProblemOfParts() const;
   Plan MakePlan(vtkPolyData* input, vtkPolyData* reference) const;
   void Order(vtkPBoneDecimate* run, double triangles, double error) const;
   bool ReducePart(

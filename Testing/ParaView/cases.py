@@ -24,3 +24,12 @@ def cases():
         "open": (sheet, "slabs", {"MaximumError": 0.1}),
         "blocks": (ring, "blocks", {"TargetReduction": 0.8}),
     }
+
+
+def refused():
+    """What one part of a surface cannot tell."""
+    ring = specimens.torus()
+    return {
+        "pruned": (ring, "slabs", {"PruneTriangles": 4}),
+        "labelled": (ring, "slabs", {"LabelArrayName": "bone"}),
+    }

@@ -122,6 +122,12 @@ class Parallel(unittest.TestCase):
                 with self.subTest(name, ranks=ranks):
                     self.assertTrue(is_proved(self.cases[name][0], self.whole[name, ranks], 0.1))
 
+    def test_what_no_part_can_tell_is_refused(self):
+        run(2, FOLDER, cases.refused())
+        for name in cases.refused():
+            with self.subTest(name):
+                self.assertEqual([part.GetNumberOfPolys() for part in parts(name, 2)], [0, 0])
+
     def test_seams_are_reduced(self):
         for name in ("reduction", "error", "fast", "open"):
             for surface in parts(name, 4):

@@ -46,7 +46,7 @@ def main(folder, *names):
     module = vtkProcessModule.GetProcessModule()
     rank, ranks = module.GetPartitionId(), module.GetNumberOfLocalPartitions()
     for name in names:
-        surface, cut, properties = cases.cases()[name]
+        surface, cut, properties = {**cases.cases(), **cases.refused()}[name]
         data = (blocks_of(surface, rank, ranks) if cut == "blocks" else
                 part_of(surface, lambda number: cases.OWNER[cut](number, surface.GetNumberOfCells(), ranks) == rank))
         decimate = simple.BoneDecimate(Input=surfaces.source(data), **properties)
