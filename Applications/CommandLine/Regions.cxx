@@ -22,18 +22,6 @@ bool ReadNumber(const std::string& text, double& number)
   return !text.empty() && *end == '\0' && std::isfinite(number);
 }
 
-bool ReadNumbers(const std::string& text, std::vector<double>& numbers)
-{
-  std::istringstream parts(text);
-  bool good = true;
-  for (std::string part; good && std::getline(parts, part, ',');)
-  {
-    numbers.emplace_back();
-    good = ReadNumber(part, numbers.back());
-  }
-  return good && (text.empty() || text.back() != ',');
-}
-
 bool IsOrdered(const std::vector<double>& box)
 {
   return box[0] <= box[1] && box[2] <= box[3] && box[4] <= box[5];
@@ -82,6 +70,19 @@ void Choose(const Region& region, vtkBoneTolerance* filter)
 }
 }
 
+bool ReadNumbers(const std::string& text, std::vector<double>& numbers)
+{
+  std::istringstream parts(text);
+  bool good = true;
+  for (std::string part; good && std::getline(parts, part, ',');)
+  {
+    numbers.emplace_back();
+    good = ReadNumber(part, numbers.back());
+  }
+  return good && (text.empty() || text.back() != ',');
+}
+
+//------------------------------------------------------------------------------
 std::string ReadRegions(const std::string& text, std::vector<Region>& regions)
 {
   std::istringstream parts(text);

@@ -28,6 +28,9 @@ struct Region
   double Tolerance = 0.0; ///< mm; 0 freezes
 };
 
+/// Numbers with commas in between, finite ones.  @return false if it is anything else.
+bool ReadNumbers(const std::string& text, std::vector<double>& numbers);
+
 /**
  * One or more regions, with semicolons in between, appended to those given.
  * @return What is wrong with the text; empty if nothing is.

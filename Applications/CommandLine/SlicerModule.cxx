@@ -10,11 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <iterator>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -79,18 +77,8 @@ SlicerWords Sorted(const Words& words)
 std::vector<double> Numbers(const std::string& flag, const std::string& text, std::size_t count)
 {
   std::vector<double> numbers;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');)
-  {
-    char* end = nullptr;
-    numbers.push_back(std::strtod(part.c_str(), &end));
-    if (part.empty() || *end != '\0' || !std::isfinite(numbers.back()))
-    {
-      numbers.clear();
-      break;
-    }
-  }
-  if (numbers.size() != count)
+  const bool areNumbers = ReadNumbers(text, numbers);
+  if (!areNumbers || numbers.size() != count)
   {
     throw Failure(ExitCode::Usage,
       flag + " takes " + std::to_string(count) + " numbers with commas in between, not '" + text +

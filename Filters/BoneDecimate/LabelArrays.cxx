@@ -37,31 +37,31 @@ std::optional<Tuples> Number(vtkDataArray* array)
 {
   constexpr double largest = 9007199254740992.0; // beyond, doubles leave whole numbers out
   std::map<std::vector<std::int64_t>, Index> known;
-  std::vector<std::vector<std::int64_t>> tuples;
+  std::vector<const Index*> ids; // in the map, where they are numbered when all are known
+  std::vector<std::int64_t> tuple(static_cast<std::size_t>(array->GetNumberOfComponents()));
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
-    std::vector<std::int64_t> tuple;
-    for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+    for (std::size_t k = 0; k < tuple.size(); ++k)
     {
-      const double value = array->GetComponent(i, k);
+      const double value = array->GetComponent(i, static_cast<int>(k));
       if (!(std::abs(value) <= largest) || std::floor(value) != value)
       {
         return {};
       }
-      tuple.push_back(static_cast<std::int64_t>(value));
+      tuple[k] = static_cast<std::int64_t>(value);
     }
-    known.emplace(tuple, 0);
-    tuples.push_back(std::move(tuple));
+    ids.push_back(&known.emplace(tuple, 0).first->second);
   }
   Tuples numbered;
-  for (auto& [tuple, id] : known)
+  for (auto& [values, id] : known)
   {
     id = static_cast<Index>(numbered.Names.size());
-    numbered.Names.push_back(NameOf(tuple));
+    numbered.Names.push_back(NameOf(values));
   }
-  for (const std::vector<std::int64_t>& tuple : tuples)
+  numbered.Ids.reserve(ids.size());
+  for (const Index* id : ids)
   {
-    numbered.Ids.push_back(known[tuple]);
+    numbered.Ids.push_back(*id);
   }
   return numbered;
 }

@@ -26,7 +26,6 @@ std::uint64_t ConnectivityOf(const Surface& surface, int threads)
   triangles.Triangles = surface.Triangles;
   return Checksum(triangles, threads);
 }
-
 }
 
 LogStatus Levels::Open(const Surface& input, EditLog log, int threads)

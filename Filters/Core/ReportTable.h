@@ -27,8 +27,8 @@ struct ReportEntry
 
 /**
  * All entries of a report, always in the same order. Entries of distances, of the reference, of the voxels and of the
- * proof are left out when there are none, those of borders, of the clearance and of labels where
- * there are none (labels.{count, largest_change, of_<label>.{input_area, output_area}}).
+ * proof are left out when there are none, those of borders, of the clearance between fragments and of labels where there
+ * are none.
  *
  *     version, stop_reason, stop_sentence
  *     input    .{faces, points, components, boundary_edges, non_manifold_edges, euler_number, area, volume}
@@ -47,6 +47,8 @@ struct ReportEntry
  *     proof    .{verdict, tolerance, lower, upper, borders, triangles_left_out}
  *              .{output_to_input, input_to_output, border_...}.{lower, upper}
  *     clearance.{input, output}
+ *     labels   .{count, largest_change}
+ *              .of_LABEL.{input_area, output_area}
  *     running_error, normal_tolerance, collapses, refusals.{non_manifold, border, ...}
  *     seconds  .{prepare, collapse, decimate, measure, prove, total}
  *     options  .{each option by name}

@@ -90,7 +90,8 @@ LineCollapse::Answer LineCollapse::Run(const Wish& wish, const Monitor& monitor)
 {
   Answer answer;
   const Index most = 1 + std::max(0, this->Lines.NumberOfEdges() - wish.Edges) / PassesForAll;
-  for (int pass = 0; pass<MostPasses&& this->Lines.NumberOfEdges()> wish.Edges; ++pass)
+  const auto isFine = [&] { return this->Lines.NumberOfEdges() > wish.Edges; };
+  for (int pass = 0; pass < MostPasses && isFine(); ++pass)
   {
     const Index gone = this->Pass(wish, most, monitor, answer);
     answer.Gone += gone;

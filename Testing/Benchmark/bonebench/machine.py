@@ -45,6 +45,9 @@ def _own_seconds() -> float:
     return sum(one.ru_utime + one.ru_stime for one in used)
 
 
+BUSY = "Other programs used"
+
+
 class Others:
     """How much of the processor everybody else uses from now on."""
 
@@ -57,4 +60,4 @@ class Others:
         cores = (_busy_seconds() - _own_seconds() - used) / max(1.0, time.monotonic() - begin)
         if cores < 0.1:
             return ""
-        return f"Other programs used {cores:.1f} of {os.cpu_count()} cores during this run: do not quote its seconds."
+        return f"{BUSY} {cores:.1f} of {os.cpu_count()} cores during this run: do not quote its seconds."

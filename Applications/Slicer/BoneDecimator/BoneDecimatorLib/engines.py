@@ -91,7 +91,8 @@ class WheelEngine:
         from bonedecimate.polydata import surface_of
         found = surface_of(surface)
         keywords = {flag.replace("-", "_"): value for flag, value in options.items()}
-        return bonedecimate.record_levels(found.points.astype("float32"), found.triangles, **keywords)
+        points = found.points.astype("float32") if found.is_single else found.points
+        return bonedecimate.record_levels(points, found.triangles, **keywords)
 
 
 def _collector(problems):
