@@ -153,7 +153,7 @@ void SortTies(const Curve& curve, Entry* entries, std::size_t count)
   }
 }
 
-/// Of each new place the old one; of triangles sorted by the least of their corners' new numbers.
+/// Of each new place the old one; of triangles sorted by their corners' new numbers from the least one on.
 std::vector<Index> OrderByLeastPoint(
   const std::vector<Triangle>& triangles, std::size_t numberOfPoints)
 {
@@ -171,6 +171,17 @@ std::vector<Index> OrderByLeastPoint(
   {
     const Triangle& c = triangles[t];
     order[start[std::min({ c[0], c[1], c[2] })]++] = static_cast<Index>(t);
+  }
+  const auto fromLeast = [&](Index t)
+  {
+    Triangle c = triangles[t];
+    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+    return c;
+  };
+  for (std::size_t p = 0; p < numberOfPoints; ++p) // by now each start is the end of its point
+  {
+    std::stable_sort(order.begin() + (p == 0 ? 0 : start[p - 1]), order.begin() + start[p],
+      [&](Index a, Index b) { return fromLeast(a) < fromLeast(b); });
   }
   return order;
 }

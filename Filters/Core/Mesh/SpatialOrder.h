@@ -5,7 +5,7 @@
  * @brief Puts neighbours in space next to each other in memory.
  *
  *     points     along the Z curve through a grid of 21 bits an axis, those of one cell in their old order
- *     triangles  after their least point, those of one point in their old order
+ *     triangles  after their least point and the other corners from there on, equal ones in their old order
  *
  * The grid fills the bounding box, measured by its longest side: scaling by powers of two and moving by exactly
  * representable amounts keep the order, other units of length but for points that round into another cell. Sorting is
