@@ -69,6 +69,10 @@ def page(figures: Figures, plots: list[tuple[str, str]], images: str) -> str:
                   "CGAL's Lindstrom-Turk in the same run: "
                   + ", ".join(f"{bone} to {faces:,}" for bone, faces in beside.items()) + ".\n",
                   tables.promise_table(figures["promises"])]
+    if figures.get("promises_of_peers"):
+        parts += ["The others: those that take an error asked for it, in whatever unit theirs has; then the fewest triangles at "
+                  "which they stay within it, found by trial, within 5 %. H is sampled, the largest distance at least that.\n",
+                  tables.peers_promise_table(figures["promises_of_peers"])]
     if figures["errors"]:
         parts += ["## Asked for a largest error\n", "One thread, once; points of the result to the original, mm, as the "
                   "thesis measured; H both ways.\n", tables.error_table(figures["errors"])]

@@ -227,6 +227,19 @@ def promise_table(rows: Sequence[Row]) -> str:
     return markdown(head, lines)
 
 
+def peers_promise_table(rows: Sequence[Row]) -> str:
+    """Asked for an error: what peers give that can be asked, and the fewest triangles by trial; sampled distances."""
+    lines = []
+    for row in rows:
+        asked, by_trial = row["asked"], row["by_trial"]
+        cells = [f"{row['bone']} {row['error']} mm", row["name"]]
+        for answer in (asked, by_trial):
+            there = "triangles" in answer
+            cells += [f"{answer['triangles']:,}" if there else "-", number(judged(answer, "hausdorff") if there else None)]
+        lines.append(cells + [number(by_trial.get("seconds"))])
+    return markdown(["bone, error", "", "asked for it: triangles", "H", "by trial: triangles", "H", "s, last trial"], lines)
+
+
 def growth_table(rows: Sequence[Row]) -> str:
     """Seconds and bytes per input triangle, and their growth from the specimen next to a million triangles."""
     head = ["mode", "input triangles", "s", "us / triangle", "bytes / triangle", "time per triangle / that at 1 million"]
