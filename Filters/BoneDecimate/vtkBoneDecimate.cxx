@@ -212,11 +212,14 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   const bonedecimate::ConvertedSurface first = reference != nullptr
     ? bonedecimate::ToSurface(reference, options.NumberOfThreads)
     : bonedecimate::ConvertedSurface();
+  bonedecimate::Companions companions = { converted.IsSingle,
+    bonedecimate::NeedsOrigins(input, options) };
+  companions.Tolerances = hasTolerances ? &*tolerances : nullptr;
+  companions.Reference = reference != nullptr ? &first.Surface : nullptr;
+  companions.Labels = hasLabels ? &*labels : nullptr;
   bonedecimate::Result result = bonedecimate::Decimate(
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
-    converted.IsSingle, bonedecimate::NeedsOrigins(input, options),
-    hasTolerances ? &*tolerances : nullptr, reference != nullptr ? &first.Surface : nullptr,
-    nullptr, hasLabels ? &*labels : nullptr);
+    companions);
   bonedecimate::NameCells(converted, result.Report);
   this->Internal->Report = result.Report;
   this->Internal->Entries =

@@ -39,20 +39,19 @@ constexpr double ExtractionShare = 0.005;
 class Run
 {
 public:
-  Run(const Surface& input, const Options& options, const Monitor& monitor, bool inputIsSingle,
-    bool withOrigins, const std::vector<double>* tolerances, const Surface* reference, EditLog* log,
-    const Labels* labels)
+  Run(const Surface& input, const Options& options, const Monitor& monitor,
+    const Companions& companions)
     : Input(input)
     , Wanted(options)
     , Progress(monitor)
     , RoundToSingle(options.OutputPointsPrecision == PointsPrecision::Single ||
-        (options.OutputPointsPrecision == PointsPrecision::Default && inputIsSingle))
-    , WithOrigins(withOrigins)
-    , Given(tolerances)
-    , Allowed(tolerances)
-    , Reference(reference)
-    , Log(log)
-    , Named(labels)
+        (options.OutputPointsPrecision == PointsPrecision::Default && companions.InputIsSingle))
+    , WithOrigins(companions.WantsOrigins)
+    , Given(companions.Tolerances)
+    , Allowed(companions.Tolerances)
+    , Reference(companions.Reference)
+    , Log(companions.Log)
+    , Named(companions.Labels)
   {
   }
 
@@ -367,14 +366,12 @@ private:
 }
 
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor,
-  bool inputIsSingle, bool withOrigins, const std::vector<double>* tolerances,
-  const Surface* reference, EditLog* log, const Labels* labels)
+  const Companions& companions)
 {
   Options wanted = options;
-  const VoxelFigures voxel = ApplyPreset(reference != nullptr ? *reference : input, wanted);
-  Result result =
-    Run(input, wanted, monitor, inputIsSingle, withOrigins, tolerances, reference, log, labels)
-      .Go();
+  const VoxelFigures voxel =
+    ApplyPreset(companions.Reference != nullptr ? *companions.Reference : input, wanted);
+  Result result = Run(input, wanted, monitor, companions).Go();
   result.Report.Asked = options;
   result.Report.Voxel = voxel;
   return result;

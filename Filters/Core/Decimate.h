@@ -66,23 +66,31 @@ struct Result
   bonedecimate::Report Report;
 };
 
+/// What belongs to the input, and what is wanted beside the surface; none of it has to be there.
+struct Companions
+{
+  /// Whether the input points were single precision: what PointsPrecision::Default means.
+  bool InputIsSingle = false;
+  /// Result::Origins: two look-ups for each output point and one for each output triangle.
+  bool WantsOrigins = false;
+  /// mm, of each input point, see Tolerances.h; null: MaximumError alone.
+  const std::vector<double>* Tolerances = nullptr;
+  /// What the largest error is promised, proved and measured against, if that is not the input but what it was made from
+  /// (ReferenceInput.h); the tolerances stay those against the input.
+  const Surface* Reference = nullptr;
+  /// Of the input triangles: lines between different ones are collapsed along themselves alone, and every triangle keeps
+  /// its own. Not together with a log.
+  const bonedecimate::Labels* Labels = nullptr;
+  /// Where the run is to be recorded, see Levels.h; not changed if the input was refused.
+  EditLog* Log = nullptr;
+};
+
 /**
  * @param input Points in mm and triangles; nothing is changed. Anything may be wrong with it: see InputStatus.
- * @param inputIsSingle Whether the input points were single precision (what PointsPrecision::Default means).
- * @param withOrigins Whether to fill Result::Origins, which takes two look-ups for each output point and one for each
- * output triangle.
- * @param tolerances mm, of each input point, see Tolerances.h; null: none but MaximumError.
- * @param reference What the largest error is promised, proved and measured against, if that is not the input but what it
- * was made from (ReferenceInput.h); the tolerances stay those against the input. Null: the input.
- * @param log Where the run is to be recorded, see Levels.h; null: nowhere. Not changed if the input was refused.
- * @param labels Of the input triangles: lines between different ones are collapsed along themselves alone, and every triangle
- * keeps its own. Not together with a log. Null: none.
  * @throws std::bad_alloc and nothing else.
  */
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor = {},
-  bool inputIsSingle = false, bool withOrigins = false,
-  const std::vector<double>* tolerances = nullptr, const Surface* reference = nullptr,
-  EditLog* log = nullptr, const Labels* labels = nullptr);
+  const Companions& companions = {});
 }
 
 #endif

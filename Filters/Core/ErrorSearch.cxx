@@ -42,9 +42,9 @@ public:
     const StageClock clock;
     Options options = this->Asked.Run;
     options.MaximumError = error;
-    Result result = error > 0.0
-      ? Decimate(this->Input, options, this->Progress.Stage(from, to), this->Asked.InputIsSingle)
-      : this->PlainRun(options, from, to);
+    Result result = error > 0.0 ? Decimate(this->Input, options, this->Progress.Stage(from, to),
+                                    { this->Asked.InputIsSingle })
+                                : this->PlainRun(options, from, to);
     const bool isWhole = result.Report.Status == InputStatus::Good && result.Report.Proof.WasMade;
     if (isWhole)
     {
@@ -64,8 +64,8 @@ private:
   Result PlainRun(const Options& options, double from, double to)
   {
     const double runAt = from + ShareOfPlainRun * (to - from);
-    Result result =
-      Decimate(this->Input, options, this->Progress.Stage(from, runAt), this->Asked.InputIsSingle);
+    Result result = Decimate(
+      this->Input, options, this->Progress.Stage(from, runAt), { this->Asked.InputIsSingle });
     if (result.Report.Status == InputStatus::Good && this->Progress.GoesOn())
     {
       const CleanSurface cleaned = Clean(this->Input, options.MergePoints, options.NumberOfThreads);

@@ -187,8 +187,9 @@ Result RecordLevels(const Surface& input, const Options& options, const Monitor&
   whole.PruneSize = whole.PruneArea = whole.PruneVolume = 0.0;
   whole.PruneTriangles = 0;
   const Monitor all = [&monitor](double done) { return !monitor || monitor(done); };
-  Result run =
-    Decimate(input, whole, PartOf(all, 0.0, runAt), inputIsSingle, false, nullptr, nullptr, &log);
+  Companions companions = { inputIsSingle };
+  companions.Log = &log;
+  Result run = Decimate(input, whole, PartOf(all, 0.0, runAt), companions);
   levels = Levels();
   if (run.Report.Status == InputStatus::Good &&
     levels.Open(input, std::move(log), options.NumberOfThreads) == LogStatus::Good &&

@@ -150,8 +150,8 @@ std::string WhatItSays(const Certificate& found)
 /// Empty if everything was kept.
 std::string WhatBroke(const Attack& attack, Totals& totals)
 {
-  const Result result = Decimate(attack.Victim, attack.Asked, {}, false, false,
-    attack.Tolerances.empty() ? nullptr : &attack.Tolerances);
+  const Result result = Decimate(attack.Victim, attack.Asked, {},
+    { false, false, attack.Tolerances.empty() ? nullptr : &attack.Tolerances });
   ++totals.Runs;
   if (result.Report.Status != InputStatus::Good)
   {

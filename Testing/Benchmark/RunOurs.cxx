@@ -122,7 +122,7 @@ Triangles RunCore(const char* input, const bonedecimate::Options& options, Meter
     surface.Triangles.assign(read.Corners.begin(), read.Corners.end());
   }
   meter.Start();
-  const bonedecimate::Result result = bonedecimate::Decimate(surface, options, {}, true);
+  const bonedecimate::Result result = bonedecimate::Decimate(surface, options, {}, { true });
   meter.Stop();
   if (options.MaximumError > 0.0)
   {

@@ -185,9 +185,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const bool hasLabels = question.NumberOfLabels > 0;
   const Labels labels = hasLabels ? LabelsOf(surface, question.NumberOfLabels) : Labels();
-  const Result result = Decimate(surface, question.Options, {}, question.IsSingle,
-    question.WantsOrigins, question.HasMap ? &map : nullptr,
-    question.HasReference ? &reference : nullptr, nullptr, hasLabels ? &labels : nullptr);
+  const Result result = Decimate(surface, question.Options, {},
+    { question.IsSingle, question.WantsOrigins, question.HasMap ? &map : nullptr,
+      question.HasReference ? &reference : nullptr, hasLabels ? &labels : nullptr });
   DemandSurface(result.Surface);
   DemandReport(result.Report);
   const std::vector<Finding> findings = Examine(surface, 1);

@@ -252,7 +252,7 @@ TEST_P(AnyReduction, KeepsTopologyFragmentsLockedPartsAndTellsTheTruth)
   for (const double fraction : { 0.0, 0.3, 0.6, 0.9, 0.99, 1.0 })
   {
     SCOPED_TRACE("reduction " + std::to_string(fraction));
-    const Result result = Decimate(input, Reduced(fraction), {}, false, true);
+    const Result result = Decimate(input, Reduced(fraction), {}, { false, true });
     ExpectSameTopology(before, result.Surface);
     ExpectFragmentsKept(before, result.Surface);
     ExpectLockedPartsKept(input, result.Surface);
@@ -289,8 +289,8 @@ TEST_P(AnyReduction, ScalingByPowersOfTwoChangesNothingButTheScale)
   const Surface& input = this->Shape();
   for (const double factor : { 1024.0, 1.0 / 4096.0 })
   {
-    const Result plain = Decimate(input, Reduced(0.7), {}, false, true);
-    const Result scaled = Decimate(Scaled(input, factor), Reduced(0.7), {}, false, true);
+    const Result plain = Decimate(input, Reduced(0.7), {}, { false, true });
+    const Result scaled = Decimate(Scaled(input, factor), Reduced(0.7), {}, { false, true });
     EXPECT_TRUE(SameBytes(Scaled(plain.Surface, factor), scaled.Surface)) << factor;
     EXPECT_EQ(factor * plain.Report.RunningError, scaled.Report.RunningError) << factor;
     EXPECT_EQ(plain.Origins.NearestTriangle, scaled.Origins.NearestTriangle) << factor;
@@ -305,8 +305,8 @@ TEST_P(AnyReduction, TranslationByRepresentableAmountsKeepsTheTopology)
     p = (p * 1048576.0).array().round().matrix() / 1048576.0;
   }
   const Surface moved = Moved(input, { 4096.0, -2048.0, 512.5 });
-  const Result plain = Decimate(input, Reduced(0.7), {}, false, true);
-  const Result far = Decimate(moved, Reduced(0.7), {}, false, true);
+  const Result plain = Decimate(input, Reduced(0.7), {}, { false, true });
+  const Result far = Decimate(moved, Reduced(0.7), {}, { false, true });
   EXPECT_EQ(plain.Surface.Triangles, far.Surface.Triangles);
   // All others measure their errors where the points are written, rounded far from the origin.
   const double rounding = std::get<1>(GetParam()) == Mode::Thesis ? 0.0 : 1e-9;

@@ -258,7 +258,7 @@ TEST(Decimate, PrecisionIsThatAskedForOrThatOfTheInput)
   {
     Options options = Reduction(0.5);
     options.OutputPointsPrecision = precision;
-    return AreFloats(Decimate(Bone(), options, {}, inputIsSingle).Surface);
+    return AreFloats(Decimate(Bone(), options, {}, { inputIsSingle }).Surface);
   };
   EXPECT_TRUE(isSingle(PointsPrecision::Single, false));
   EXPECT_FALSE(isSingle(PointsPrecision::Double, true));
@@ -290,7 +290,7 @@ TEST(Decimate, LooksPointsUpOnlyIfSomebodyAsks)
   EXPECT_TRUE(plain.RunningError.empty());
   EXPECT_TRUE(std::isnan(plain.Report.RunningError)) << "unknown is not nothing";
   EXPECT_EQ(plain.PointCount.size(), plain.Surface.Points.size());
-  const Result mapped = Decimate(Bone(), options, {}, false, true);
+  const Result mapped = Decimate(Bone(), options, {}, { false, true });
   EXPECT_EQ(mapped.Origins.Barycentric.size(), mapped.Surface.Points.size());
   EXPECT_EQ(mapped.RunningError, mapped.Distance);
   options.MeasureDistances = true;
@@ -307,11 +307,11 @@ TEST(Decimate, TheSameBytesWhateverTheThreads)
   options.MeasureInputDistances = true;
   const Surface input = BumpySphere(4, 20.0, 0.1, 5);
   options.NumberOfThreads = 1;
-  const Result one = Decimate(input, options, {}, false, true);
+  const Result one = Decimate(input, options, {}, { false, true });
   for (const int threads : { 1, 2, 4, 8, 0 })
   {
     options.NumberOfThreads = threads;
-    const Result many = Decimate(input, options, {}, false, true);
+    const Result many = Decimate(input, options, {}, { false, true });
     EXPECT_TRUE(SameBytes(one.Surface, many.Surface)) << threads;
     EXPECT_EQ(one.Distance, many.Distance) << threads;
     EXPECT_EQ(one.InputDistance, many.InputDistance) << threads;

@@ -225,8 +225,8 @@ TEST(Labels, StayWhereLinesAreFrozen)
     const Vector3& v = input.Points[p];
     tolerances[p] = places.count({ v[0], v[1], v[2] }) > 0 ? 0.0 : -1.0;
   }
-  const Result result = Decimate(input, InMode(Mode::Fast, Reduction(0.7)), {}, false, true,
-    &tolerances, nullptr, nullptr, &labels);
+  const Result result = Decimate(
+    input, InMode(Mode::Fast, Reduction(0.7)), {}, { false, true, &tolerances, nullptr, &labels });
   EXPECT_EQ(EndsOf(LinesOf(result.Surface, LabelsAfter(labels, result))), places);
 }
 

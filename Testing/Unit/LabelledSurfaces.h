@@ -94,7 +94,7 @@ inline Labels ThreeParts(const Surface& surface)
 
 inline Result RunWith(const Labels& labels, const Surface& input, const Options& options)
 {
-  return Decimate(input, options, {}, false, true, nullptr, nullptr, nullptr, &labels);
+  return Decimate(input, options, {}, { false, true, nullptr, nullptr, &labels });
 }
 
 /// Of each output triangle.

@@ -126,7 +126,7 @@ TEST(Levels, TheLastLevelIsTheResultOfTheRunAndTheFirstIsTheInput)
         if (patches.empty() || patches.front().Collapses > 0)
         {
           const Surface untouched =
-            Decimate(shape.Surface, InMode(mode, Reduction(0.0)), {}, isSingle).Surface;
+            Decimate(shape.Surface, InMode(mode, Reduction(0.0)), {}, { isSingle }).Surface;
           EXPECT_TRUE(SameBytes(recorded.Levels.At(0).Surface, untouched));
         }
       }

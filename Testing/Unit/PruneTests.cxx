@@ -134,7 +134,7 @@ TEST(Prune, ProvesWhatIsLeft)
 TEST(Prune, PointsOfWhatWentStandForNone)
 {
   const Surface input = BoneWithCrumbs();
-  const Result result = Decimate(input, Pruning(5.0, 0, 0, 0), {}, false, true);
+  const Result result = Decimate(input, Pruning(5.0, 0, 0, 0), {}, { false, true });
   const std::vector<Index>& map = result.Origins.OutputPoint;
   ASSERT_EQ(map.size(), input.Points.size());
   EXPECT_TRUE(std::all_of(map.end() - 11, map.end(), [](Index point) { return point == None; }));

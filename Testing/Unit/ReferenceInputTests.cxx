@@ -35,7 +35,7 @@ Map Brush(const Surface& surface, bool above)
 Result Again(
   const Surface& input, const Options& options, const Surface& reference, const Map* map = nullptr)
 {
-  return Decimate(input, options, {}, false, false, map, &reference);
+  return Decimate(input, options, {}, { false, false, map, &reference });
 }
 
 CertificateVerdict Judge(const Surface& reference, const Surface& result, double error)
@@ -234,7 +234,7 @@ TEST(ReferenceInput, LeavesTolerancesWhatTheyAreAgainstTheInput)
   const Surface first = BumpySphere(3, 20.0, 0.02, 3);
   const Options options = InMode(Mode::Fast, Error(Promised));
   const Map above = Brush(first, true);
-  const Surface half = Decimate(first, options, {}, false, false, &above).Surface;
+  const Surface half = Decimate(first, options, {}, { false, false, &above }).Surface;
   const Map map(half.Points.size(), 0.05);
   const Result result = Again(half, options, first, &map);
   EXPECT_EQ(result.Report.Proof.Verdict, CertificateVerdict::Proved);
@@ -247,7 +247,7 @@ TEST(ReferenceInput, GivesTheSameBytesForAnyNumberOfThreads)
   const Surface first = BumpySphere(3, 20.0, 0.02, 3);
   Options options = InMode(Mode::Balanced, Error(Promised));
   const Map above = Brush(first, true);
-  const Surface half = Decimate(first, options, {}, false, false, &above).Surface;
+  const Surface half = Decimate(first, options, {}, { false, false, &above }).Surface;
   const Surface expected = Again(half, options, first).Surface;
   options.NumberOfThreads = 4;
   EXPECT_TRUE(SameBytes(Again(half, options, first).Surface, expected));
@@ -256,9 +256,8 @@ TEST(ReferenceInput, GivesTheSameBytesForAnyNumberOfThreads)
 TEST(ReferenceInput, StopsWhenSomebodyAborts)
 {
   const Surface first = BumpySphere(3, 20.0, 0.02, 3);
-  const Result aborted = Decimate(
-    first, InMode(Mode::Fast, Error(Promised)), [](double fraction) { return fraction < 0.01; },
-    false, false, nullptr, &first);
+  const Result aborted = Decimate(first, InMode(Mode::Fast, Error(Promised)),
+    [](double fraction) { return fraction < 0.01; }, { false, false, nullptr, &first });
   EXPECT_EQ(aborted.Report.Stop, StopReason::Aborted);
   EXPECT_EQ(aborted.Surface.Triangles.size(), first.Triangles.size());
 }

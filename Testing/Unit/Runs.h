@@ -82,11 +82,12 @@ inline void ExpectTheSameBytesForAnyNumberOfThreads(
   const Surface& input, Options options, const std::vector<double>* tolerances = nullptr)
 {
   options.NumberOfThreads = 1;
-  const Surface expected = Decimate(input, options, {}, false, false, tolerances).Surface;
+  const Surface expected = Decimate(input, options, {}, { false, false, tolerances }).Surface;
   for (const int threads : { 2, 4, 8 })
   {
     options.NumberOfThreads = threads;
-    EXPECT_TRUE(SameBytes(Decimate(input, options, {}, false, false, tolerances).Surface, expected))
+    EXPECT_TRUE(
+      SameBytes(Decimate(input, options, {}, { false, false, tolerances }).Surface, expected))
       << WordOf(options.Mode) << " on " << threads << " threads, " << expected.Triangles.size()
       << " triangles left";
   }

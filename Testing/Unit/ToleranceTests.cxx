@@ -21,7 +21,7 @@ using Map = std::vector<double>;
 
 Result DecimateWith(const Surface& input, const Options& options, const Map& tolerances)
 {
-  return Decimate(input, options, {}, false, false, &tolerances);
+  return Decimate(input, options, {}, { false, false, &tolerances });
 }
 
 /// Proved, or nearer to it than the certificate's own rounding, which is all it can say of a distance of 0 in a soup.

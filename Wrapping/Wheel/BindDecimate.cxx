@@ -53,14 +53,13 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
   const Surface surface = ToSurface(points, triangles);
   const Surface first = reference ? ToSurface(reference->first, reference->second) : Surface();
   const std::optional<std::vector<double>> numbers = ToNumbers(tolerances);
-  Result result =
-    Listener(std::move(progress))
-      .Hear(
-        [&](const Monitor& monitor)
-        {
-          return Decimate(surface, options, monitor, single, origins, numbers ? &*numbers : nullptr,
-            reference ? &first : nullptr, nullptr, named ? &*named : nullptr);
-        });
+  Companions companions = { single, origins };
+  companions.Tolerances = numbers ? &*numbers : nullptr;
+  companions.Reference = reference ? &first : nullptr;
+  companions.Labels = named ? &*named : nullptr;
+  Result result = Listener(std::move(progress))
+                    .Hear([&](const Monitor& monitor)
+                      { return Decimate(surface, options, monitor, companions); });
   if (cells)
   {
     NameCells([&](std::size_t triangle) { return cells->data()[triangle]; }, result.Report);

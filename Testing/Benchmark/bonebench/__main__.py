@@ -42,6 +42,7 @@ def arguments() -> argparse.Namespace:
                              "--rows, only these")
     parser.add_argument("--rows", metavar="PATTERN", help="only the rows whose 'BONE COUNT' matches")
     parser.add_argument("--modes", metavar="A,B", help="only these of our modes")
+    parser.add_argument("--peers", metavar="A,B", help="only these peers, by the keys in benchmark.json; none: nobody")
     parser.add_argument("--rounds", type=int, help="rounds of each contestant (3; --quick and --short: 1)")
     parser.add_argument("--samples", type=int, default=200000, help="samples of the judge a direction (200000)")
     parser.add_argument("--largest", type=int, default=10_000_000, help="largest specimen of the growth (10000000)")
@@ -130,6 +131,8 @@ def who_takes_part(asked: argparse.Namespace, programs: Programs) -> tuple[list[
     """The peers of this run, and a sentence for each thing that is missing or amiss."""
     alone = asked.short or asked.growth or asked.threads
     peers, missing = ([], []) if alone else find_peers(programs, asked.with_meshlib)
+    if asked.peers is not None:
+        peers = [peer for peer in peers if peer.key in asked.peers.split(",")]
     if not programs.has("verify"):
         missing.append("bonedecimate-verify was not built (it needs Debian's libcgal-dev, libgmp-dev and libmpfr-dev): "
                        "times and memory only.")
