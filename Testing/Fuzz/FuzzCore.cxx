@@ -4,18 +4,20 @@
  * @file FuzzCore.cxx
  * @brief Any soup of triangles, into the core with any options: what comes out must be a surface, and keep what is promised.
  *
- *     bytes:  options, a byte each; whether a map, a reference, nonsense in coordinates and corners are wanted
+ *     bytes:  options, a byte each; whether a map, a reference, labels, nonsense in coordinates and corners are wanted
  *             number of points, three bytes each; then triangles, three bytes each
  */
 #include "Bytes.h"
 #include "Certificate/Certificate.h"
 #include "Decimate.h"
 #include "Doctor/Doctor.h"
+#include "Labels.h"
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <string>
 
 using namespace bonedecimate;
 using bonedecimate::testsupport::Bytes;
@@ -27,6 +29,7 @@ constexpr int MostPoints = 60;
 struct Question
 {
   bonedecimate::Options Options;
+  int NumberOfLabels = 0; // 0: none
   bool HasMap = false;
   bool HasReference = false;
   bool MovesReference = false;
@@ -46,7 +49,7 @@ Question AnyQuestion(Bytes& bytes)
   options.KeepClearance = bytes.Switch();
   options.ProveResult = bytes.Switch();
   options.MeasureInputDistances = bytes.Switch();
-  options.MeasureDistances = bytes.Below(8) == 1; // a hundred thousand samples each time
+  options.MeasureDistances = bytes.Below(64) == 1; // a hundred thousand samples each time
   options.TargetNumberOfTriangles = bytes.Below(128);
   options.TargetReduction = bytes.Below(101) / 100.0;
   options.TargetReductionIsExplicit = bytes.Switch();
@@ -54,6 +57,10 @@ Question AnyQuestion(Bytes& bytes)
   options.NormalTolerance = bytes.Below(101) / 100.0;
   options.ErrorPreset = static_cast<ErrorPreset>(bytes.Below(8) < 4 ? 0 : bytes.Below(4));
   options.VoxelSize = bytes.Below(32) / 8.0; // mm
+  options.AutomaticNormalTolerance = bytes.Switch();
+  options.PruneTriangles = bytes.Below(4) == 1 ? 5 : 0;
+  options.PruneSize = bytes.Below(4) == 1 ? 2.0 : 0.0; // mm
+  question.NumberOfLabels = bytes.Below(4);
   question.HasMap = bytes.Below(3) == 1;
   question.HasReference = bytes.Below(4) == 1;
   question.MovesReference = bytes.Switch();
@@ -109,6 +116,21 @@ std::vector<double> MapOf(const Surface& surface)
   return map;
 }
 
+/// In stripes of seven triangles: a soup's neighbours have one label or two.
+Labels LabelsOf(const Surface& surface, int count)
+{
+  Labels labels;
+  for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
+  {
+    labels.OfTriangle.push_back(static_cast<Index>(t / 7) % count);
+  }
+  for (int label = 0; label < count; ++label)
+  {
+    labels.Names.push_back(std::to_string(label));
+  }
+  return labels;
+}
+
 void Demand(bool holds, const char* what)
 {
   if (!holds)
@@ -161,9 +183,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   {
     reference.Points.front()[2] += 0.25;
   }
-  const Result result =
-    Decimate(surface, question.Options, {}, question.IsSingle, question.WantsOrigins,
-      question.HasMap ? &map : nullptr, question.HasReference ? &reference : nullptr);
+  const bool hasLabels = question.NumberOfLabels > 0;
+  const Labels labels = hasLabels ? LabelsOf(surface, question.NumberOfLabels) : Labels();
+  const Result result = Decimate(surface, question.Options, {}, question.IsSingle,
+    question.WantsOrigins, question.HasMap ? &map : nullptr,
+    question.HasReference ? &reference : nullptr, nullptr, hasLabels ? &labels : nullptr);
   DemandSurface(result.Surface);
   DemandReport(result.Report);
   const std::vector<Finding> findings = Examine(surface, 1);

@@ -15,7 +15,7 @@ import random
 import sys
 
 LONGEST = 700  # bytes of an input that is kept
-OPTIONS = 21  # bytes that FuzzCore.cxx takes for them
+OPTIONS = 25  # bytes that FuzzCore.cxx takes for them
 
 TETRAHEDRON = ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)), ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))
 
@@ -101,7 +101,7 @@ def log_inputs():
         )
         yield bytes([number % 4, number % 8 != 7, 0]) + changes
     for length in (0, 4, 8, 36, 44, 90):
-        version = (1).to_bytes(4, "little")
+        version = (2).to_bytes(4, "little")
         yield bytes([0, 1, 1]) + version + bytes(generator.randrange(3) for _ in range(length))
 
 

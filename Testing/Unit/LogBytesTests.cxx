@@ -124,7 +124,7 @@ TEST(LogBytes, EveryChangedByteIsFound)
 TEST(LogBytes, AnotherVersionIsNamed)
 {
   Bytes bytes = WriteLog(Example().Levels.Log());
-  PutIndex(bytes, AtVersion, 2);
+  PutIndex(bytes, AtVersion, 1);
   EXPECT_EQ(StatusOf(Forged(bytes)), LogStatus::UnknownVersion);
   const std::string text = "ply\nformat binary_little_endian 1.0\n";
   EXPECT_EQ(StatusOf(Bytes(text.begin(), text.end())), LogStatus::NotALog);
@@ -211,6 +211,8 @@ TEST(LogBytes, EditsThatNoRunCanHaveMadeAreRefused)
   EXPECT_EQ(
     statusWith([](EditLog& log) { log.Collapses[3].HalfEdge |= 3; }), LogStatus::Contradictory)
     << "a triangle has three corners";
+  EXPECT_EQ(statusWith([](EditLog& log) { log.Collapses[3].Position[1] = 1e200; }),
+    LogStatus::Contradictory);
   EXPECT_EQ(statusWith([](EditLog& log) { log.Collapses[3].Position[1] = std::nan(""); }),
     LogStatus::Contradictory);
   EXPECT_EQ(

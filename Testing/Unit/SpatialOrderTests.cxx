@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 using namespace bonedecimate;
 using namespace bonedecimate::testsupport;
@@ -42,8 +43,9 @@ std::vector<Index> BruteOrder(const std::vector<Vector3>& points)
   }
   std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(
-    order.begin(), order.end(), [&](Index a, Index b) { return places[a] < places[b]; });
+  const auto key = [&](Index p)
+  { return std::make_tuple(places[p], points[p][0], points[p][1], points[p][2]); };
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
   return order;
 }
 
@@ -141,7 +143,7 @@ TEST(SpatialOrder, TheMapsGoAlongWithPointsAndTriangles)
     {
       EXPECT_EQ(after.PointOfInput[i] == None, before.PointOfInput[i] == None);
     }
-    std::vector<std::pair<Index, Index>> places; // least point, then old place
+    std::vector<std::pair<Triangle, Index>> places; // corners from the least one on, then old place
     for (std::size_t t = 0; t < after.Surface.Triangles.size(); ++t)
     {
       const Triangle& corners = after.Surface.Triangles[t];
@@ -150,8 +152,10 @@ TEST(SpatialOrder, TheMapsGoAlongWithPointsAndTriangles)
         const Index inputPoint = input.Triangles[after.InputTriangle[t]][k];
         EXPECT_EQ(after.PointOfInput[inputPoint], corners[k]);
       }
-      places.emplace_back(
-        *std::min_element(corners.begin(), corners.end()), after.InputTriangle[t]);
+      Triangle fromLeast = corners;
+      std::rotate(
+        fromLeast.begin(), std::min_element(fromLeast.begin(), fromLeast.end()), fromLeast.end());
+      places.emplace_back(fromLeast, after.InputTriangle[t]);
     }
     EXPECT_EQ(places.size(), before.Surface.Triangles.size());
     EXPECT_TRUE(std::is_sorted(places.begin(), places.end()));

@@ -12,7 +12,7 @@ namespace bonedecimate
 namespace
 {
 constexpr std::array<unsigned char, 8> Magic = { 'B', 'D', 'L', 'E', 'V', 'E', 'L', 'S' };
-constexpr std::uint32_t FormatVersion = 1;
+constexpr std::uint32_t FormatVersion = 2;
 constexpr std::uint32_t SingleFlag = 1;
 constexpr std::uint32_t MergeFlag = 2;
 constexpr std::size_t BytesOfChecksum = 8;

@@ -75,6 +75,17 @@ public:
     return along(0) << 2 | along(1) << 1 | along(2);
   }
 
+  bool IsBefore(Index a, Index b) const
+  {
+    const std::uint64_t placeOfA = this->Place(a);
+    const std::uint64_t placeOfB = this->Place(b);
+    const Vector3& p = this->Points[a];
+    const Vector3& q = this->Points[b];
+    return placeOfA != placeOfB
+      ? placeOfA < placeOfB
+      : std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
+  }
+
 private:
   const std::vector<Vector3>& Points;
   Vector3 Low;        // mm
@@ -134,7 +145,7 @@ void SortBin(Entry* entries, Entry* spare, std::size_t count)
   Distribute(spare, count, BitsOfIndex + BitsOfDigit, entries);
 }
 
-/// Sorts the few entries that agree in 33 bits by all 63.
+/// Sorts the few entries that agree in 33 bits by all 63, those of one cell by their coordinates.
 void SortTies(const Curve& curve, Entry* entries, std::size_t count)
 {
   for (std::size_t first = 0; first < count;)
@@ -147,7 +158,7 @@ void SortTies(const Curve& curve, Entry* entries, std::size_t count)
     if (last - first > 1) // the library asks for memory even to sort one
     {
       std::stable_sort(entries + first, entries + last,
-        [&](Entry a, Entry b) { return curve.Place(PointOf(a)) < curve.Place(PointOf(b)); });
+        [&](Entry a, Entry b) { return curve.IsBefore(PointOf(a), PointOf(b)); });
     }
     first = last;
   }

@@ -4,7 +4,8 @@
  * @file SpatialOrder.h
  * @brief Puts neighbours in space next to each other in memory.
  *
- *     points     along the Z curve through a grid of 21 bits an axis, those of one cell in their old order
+ *     points     along the Z curve through a grid of 21 bits an axis, those of one cell by their coordinates, equal
+ *                ones in their old order
  *     triangles  after their least point and the other corners from there on, equal ones in their old order
  *
  * The grid fills the bounding box, measured by its longest side: scaling by powers of two and moving by exactly
