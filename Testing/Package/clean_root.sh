@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# The Debian package on a Debian that has nothing else: installed with what it depends on, run, imported, built against.
+#
+#   Testing/Package/clean_root.sh [BUILD]     with the package of BUILD, by default build/release, in BUILD/clean-root
+#
+# As root, with debootstrap and the sources of this system's apt; takes 3 GB and some minutes; not part of the tests.
+set -euo pipefail
+# In its own mount namespace: what is mounted in the root is gone with this script.
+[ -n "${CLEAN_ROOT_MOUNTS:-}" ] || CLEAN_ROOT_MOUNTS=own exec unshare --mount "${BASH_SOURCE[0]}" "$@"
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+build=$(cd "${1:-$project/build/release}" && pwd)
+root=$build/clean-root
+work=$root/root/work
+
+say() { printf '\n== %s\n' "$*"; }
+inside() {
+  chroot "$root" /usr/bin/env -i HOME=/root LC_ALL=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin "$@"
+}
+add() {
+  if ! inside DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends install "$@" > "$root/apt.log"; then
+    tail -n 30 "$root/apt.log"
+    return 1
+  fi
+}
+# The first program in that language that the README prints.
+printed() {
+  awk -v opening="^\`\`\`$1\$" '$0 ~ opening { on = 1; next } on && /^```$/ { exit } on' "$project/README.md"
+}
+
+say "A clean root"
+sources=$(apt-get indextargets --format 'deb $(SITE) $(RELEASE) $(COMPONENT)' 'Created-By: Packages' 'Origin: Debian')
+suite=$(. /etc/os-release && echo "$VERSION_CODENAME")
+mirror=$(awk -v suite="$suite" '$3 == suite { print $2; exit }' <<< "$sources")
+rm -rf "$root"
+debootstrap --variant=minbase "$suite" "$root" "$mirror" > /dev/null
+mount -t proc proc "$root/proc"
+sort -u <<< "$sources" > "$root/etc/apt/sources.list"
+settings=$root/etc/apt/apt.conf.d/90outside
+(echo 'Dpkg::Use-Pty "0";'; apt-config dump | sed -nE '/^Acquire::(https?|Check-)/p') > "$settings"
+inside apt-get -q update > /dev/null
+echo "Debian $(cat "$root/etc/debian_version"), $(inside dpkg-query -f '.\n' -W | wc -l) packages"
+
+say "The package with what it depends on"
+mkdir "$work"
+cpack --config "$build/CPackConfig.cmake" -B "$work/cpack" > /dev/null 2>&1
+mv "$work"/cpack/*.deb "$work/package.deb"
+add /root/work/package.deb
+inside dpkg-query -f '${Package} ${Version} ${Architecture}, ${Installed-Size} kB\n' -W vtkbonedecimate
+echo "$(inside dpkg-query -f '.\n' -W | wc -l) packages in all"
+
+say "The program"
+# A wavy sheet of 3200 triangles.
+awk 'function corner(i, j) { printf "vertex %g %g %.9g\n", i, j, 2 * sin(i / 7) * cos(j / 5) }
+  function triangle(a, b, c, d, e, f) {
+    print "facet normal 0 0 0\nouter loop"; corner(a, b); corner(c, d); corner(e, f); print "endloop\nendfacet" }
+  BEGIN { print "solid sheet"
+    for (i = 0; i < 40; ++i) for (j = 0; j < 40; ++j) {
+      triangle(i, j, i + 1, j, i + 1, j + 1); triangle(i, j, i + 1, j + 1, i, j + 1) }
+    print "endsolid sheet" }' > "$work/sheet.stl"
+inside bonedecimate --version
+inside bonedecimate /root/work/sheet.stl /root/work/small.stl --max-error 0.1
+
+say "The Python package"
+add python3-vtk9
+printed python > "$work/readme.py"
+inside python3 /root/work/readme.py
+
+say "A project of its own against the headers"
+add cmake g++ ninja-build libvtk9-dev
+printed cpp > "$work/shrink.cxx"
+printed cmake > "$work/CMakeLists.txt"
+inside cmake -G Ninja -S /root/work -B /root/work/build > /dev/null
+inside cmake --build /root/work/build | tail -n 1
+inside /root/work/build/shrink /root/work/sheet.stl /root/work/shrunk.vtp
+inside bonedecimate check /root/work/shrunk.vtp
+
+say "Removed again"
+inside apt-get -q -y remove vtkbonedecimate > "$root/apt.log"
+if inside find /usr -iname '*bonedecimate*' | grep .; then
+  echo "That is left behind."
+  exit 1
+fi
+echo "Nothing is left behind."
