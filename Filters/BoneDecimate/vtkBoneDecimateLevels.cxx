@@ -284,8 +284,8 @@ bool vtkBoneDecimateLevels::Fill(vtkPolyData* other, vtkPolyData* output)
     : levels.At(level);
   if (!found)
   {
-    vtkErrorMacro(
-      << "the second input has other triangles than the first, or points that are not finite");
+    vtkErrorMacro(<< "the second input has other triangles than the first, or points that are not "
+                     "finite or beyond 1e30 mm");
     return false;
   }
   output->SetPoints(

@@ -92,9 +92,9 @@ Index Levels::ByError(double error) const
 //------------------------------------------------------------------------------
 std::optional<Level> Levels::AtOn(const Surface& other, Index collapses) const
 {
-  const auto isFinite = [](const Vector3& point) { return point.allFinite(); };
+  const auto isUsable = [](const Vector3& point) { return IsUsable(point); };
   if (other.Points.size() != this->InputPoints ||
-    !std::all_of(other.Points.begin(), other.Points.end(), isFinite) ||
+    !std::all_of(other.Points.begin(), other.Points.end(), isUsable) ||
     ConnectivityOf(other, this->Threads) != this->Connectivity)
   {
     return {};

@@ -32,7 +32,7 @@ Certificate DistanceOf(
   return Certify(reference, input, question, monitor);
 }
 
-double LargestCoordinate(const Surface& surface)
+double LargestCoordinateOf(const Surface& surface)
 {
   double largest = 0.0;
   for (const Triangle& triangle : surface.Triangles)
@@ -58,7 +58,7 @@ void RaiseToNearest(const Surface& reference, const std::vector<double>& bounds,
 {
   const BoundingTree tree(input, threads);
   const double rounding =
-    RelativeSlack * std::max(LargestCoordinate(reference), LargestCoordinate(input));
+    RelativeSlack * std::max(LargestCoordinateOf(reference), LargestCoordinateOf(input));
   for (std::size_t r = 0; r < bounds.size(); ++r)
   {
     const std::array<Vector3, 3> c = CornersOf(reference, static_cast<Index>(r));

@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +19,16 @@ namespace bonedecimate
 {
 /// A position or a direction; positions are in millimetres.
 using Vector3 = Eigen::Vector3d;
+
+/// mm, of each axis: products of areas do not overflow up to here.
+constexpr double LargestCoordinate = 1e30;
+
+/// Finite and not beyond the largest coordinate.
+inline bool IsUsable(const Vector3& point)
+{
+  return std::abs(point[0]) <= LargestCoordinate && std::abs(point[1]) <= LargestCoordinate &&
+    std::abs(point[2]) <= LargestCoordinate;
+}
 
 /// Index of a point, a triangle or a half-edge; -1 means none.
 using Index = std::int32_t;

@@ -49,7 +49,7 @@ Question AnyQuestion(Bytes& bytes)
   options.KeepClearance = bytes.Switch();
   options.ProveResult = bytes.Switch();
   options.MeasureInputDistances = bytes.Switch();
-  options.MeasureDistances = bytes.Below(8) == 1; // a hundred thousand samples each time
+  options.MeasureDistances = bytes.Below(64) == 1; // a hundred thousand samples each time
   options.TargetNumberOfTriangles = bytes.Below(128);
   options.TargetReduction = bytes.Below(101) / 100.0;
   options.TargetReductionIsExplicit = bytes.Switch();
@@ -185,10 +185,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const bool hasLabels = question.NumberOfLabels > 0;
   const Labels labels = hasLabels ? LabelsOf(surface, question.NumberOfLabels) : Labels();
-  const Result result =
-    Decimate(surface, question.Options, {}, question.IsSingle, question.WantsOrigins,
-      question.HasMap ? &map : nullptr, question.HasReference ? &reference : nullptr, nullptr,
-      hasLabels ? &labels : nullptr);
+  const Result result = Decimate(surface, question.Options, {}, question.IsSingle,
+    question.WantsOrigins, question.HasMap ? &map : nullptr,
+    question.HasReference ? &reference : nullptr, nullptr, hasLabels ? &labels : nullptr);
   DemandSurface(result.Surface);
   DemandReport(result.Report);
   const std::vector<Finding> findings = Examine(surface, 1);

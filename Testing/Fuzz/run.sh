@@ -22,8 +22,8 @@ for name in core files logs; do
   inputs="$folder/corpus-$name"
   python3 "$root/Testing/Fuzz/corpus.py" unpack "$root/Testing/Fuzz/corpus/$name.txt" "$inputs"
   echo "$name: $runs runs"
-  # A find stops its harness; an input of five seconds or of a gibibyte is one, too.
-  "$folder/bin/bonedecimate-fuzz-$name" -runs="$runs" -timeout=5 -rss_limit_mb=2048 -malloc_limit_mb=1024 \
+  # A find stops its harness; an input of a minute or of a gibibyte is one, too.
+  "$folder/bin/bonedecimate-fuzz-$name" -runs="$runs" -timeout=60 -rss_limit_mb=2048 -malloc_limit_mb=1024 \
     -artifact_prefix="$folder/find-$name-" -print_final_stats=1 -verbosity=0 "$inputs" 2>&1 |
     grep -v "dictionary\|# Uses" || status=1
   echo "$name: $(find "$inputs" -type f | wc -l) inputs in its corpus now"

@@ -322,7 +322,7 @@ TEST(Levels, PlacesThatAreNoneAreRefused)
 {
   const Surface bone = SmallBone();
   const Recorded recorded = Record(bone, Triangles(300));
-  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity() })
+  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity(), 1e200 })
   {
     Surface other = bone;
     other.Points[7][2] = bad;

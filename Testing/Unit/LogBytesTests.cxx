@@ -211,6 +211,8 @@ TEST(LogBytes, EditsThatNoRunCanHaveMadeAreRefused)
   EXPECT_EQ(
     statusWith([](EditLog& log) { log.Collapses[3].HalfEdge |= 3; }), LogStatus::Contradictory)
     << "a triangle has three corners";
+  EXPECT_EQ(statusWith([](EditLog& log) { log.Collapses[3].Position[1] = 1e200; }),
+    LogStatus::Contradictory);
   EXPECT_EQ(statusWith([](EditLog& log) { log.Collapses[3].Position[1] = std::nan(""); }),
     LogStatus::Contradictory);
   EXPECT_EQ(

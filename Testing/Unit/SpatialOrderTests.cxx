@@ -45,8 +45,7 @@ std::vector<Index> BruteOrder(const std::vector<Vector3>& points)
   std::iota(order.begin(), order.end(), 0);
   const auto key = [&](Index p)
   { return std::make_tuple(places[p], points[p][0], points[p][1], points[p][2]); };
-  std::stable_sort(
-    order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
   return order;
 }
 

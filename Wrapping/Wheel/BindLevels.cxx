@@ -66,7 +66,8 @@ nb::tuple On(
   std::optional<Level> level = levels.AtOn(ToSurface(points, triangles), collapses);
   if (!level)
   {
-    throw nb::value_error("the other surface has other triangles, or points that are not finite");
+    throw nb::value_error(
+      "the other surface has other triangles, or points that are not finite or beyond 1e30 mm");
   }
   return ToTuple(std::move(*level));
 }

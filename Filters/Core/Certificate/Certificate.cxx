@@ -28,9 +28,10 @@ CertificateStatus Check(
     return reference.Triangles.empty() ? CertificateStatus::EmptyReference
                                        : CertificateStatus::EmptyResult;
   }
-  if (!IsUsable(reference) || !IsUsable(result))
+  if (!HasUsableTriangles(reference) || !HasUsableTriangles(result))
   {
-    return IsUsable(reference) ? CertificateStatus::BadResult : CertificateStatus::BadReference;
+    return HasUsableTriangles(reference) ? CertificateStatus::BadResult
+                                         : CertificateStatus::BadReference;
   }
   const auto isGood = [](double tolerance) { return !(tolerance > LargestCoordinate); };
   const std::vector<double>& map = options.ToleranceMap;

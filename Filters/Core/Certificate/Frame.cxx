@@ -41,13 +41,7 @@ double ExactOrigin(double low, double high)
 }
 
 //------------------------------------------------------------------------------
-bool IsUsable(const Vector3& point)
-{
-  return point.allFinite() && point.lpNorm<Eigen::Infinity>() <= LargestCoordinate;
-}
-
-//------------------------------------------------------------------------------
-bool IsUsable(const Surface& surface)
+bool HasUsableTriangles(const Surface& surface)
 {
   const auto isUsable = [&](Index point)
   {

@@ -16,13 +16,8 @@
 
 namespace bonedecimate::certificate
 {
-constexpr double LargestCoordinate = 1e30; // mm
-
-/// Finite and not beyond the largest coordinate.
-bool IsUsable(const Vector3& point);
-
 /// Whether all triangles have points that are there and usable.
-bool IsUsable(const Surface& surface);
+bool HasUsableTriangles(const Surface& surface);
 
 struct Frame
 {

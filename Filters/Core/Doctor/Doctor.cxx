@@ -18,7 +18,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double HugeCoordinate = 1e30; // mm
 /// Diagonals of what may be a bone in mm: from an ear's stirrup to a man.
 constexpr double SmallestBone = 2.0;
 constexpr double LargestBone = 3000.0;
@@ -94,8 +93,7 @@ private:
     this->Look(FindingKind::NonFinitePoints, points.size(),
       [&](std::size_t p) { return !points[p].allFinite(); });
     this->Look(FindingKind::HugePoints, points.size(),
-      [&](std::size_t p)
-      { return points[p].allFinite() && points[p].cwiseAbs().maxCoeff() > HugeCoordinate; });
+      [&](std::size_t p) { return points[p].allFinite() && !IsUsable(points[p]); });
   }
 
   void LookAtTriangles()

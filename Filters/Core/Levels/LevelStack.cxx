@@ -121,8 +121,7 @@ private:
     const Index end = corners[(corner + 1) % 3];
     const Index gone = collapse.Kept == start ? end : start;
     if (start == end || (collapse.Kept != start && collapse.Kept != end) ||
-      !collapse.Position.allFinite() ||
-      !this->Remove(collapse.OtherFace, face, { start, end }, time))
+      !IsUsable(collapse.Position) || !this->Remove(collapse.OtherFace, face, { start, end }, time))
     {
       return false;
     }
@@ -169,7 +168,7 @@ private:
     }
     for (const LoggedPatch::Vertex& vertex : patch.Vertices)
     {
-      if (!this->IsLiveVertex(vertex.Id) || !vertex.Position.allFinite())
+      if (!this->IsLiveVertex(vertex.Id) || !IsUsable(vertex.Position))
       {
         return false;
       }

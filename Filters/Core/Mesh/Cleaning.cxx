@@ -16,7 +16,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double HugeCoordinate = 1e30; // mm
 constexpr std::size_t MostTriangles = std::numeric_limits<Index>::max() / 4;
 
 /// How many there are and which comes first.
@@ -61,19 +60,14 @@ InputStatus CheckPoints(const Surface& input, int threads, CleaningStatistics& f
 {
   const auto isFinite = [](const Vector3& p)
   { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); };
-  const auto isGood = [](const Vector3& p)
-  {
-    return std::abs(p[0]) <= HugeCoordinate && std::abs(p[1]) <= HugeCoordinate &&
-      std::abs(p[2]) <= HugeCoordinate;
-  };
   const auto find = [&](const auto& isBad) { return FindAll(input.Points.size(), threads, isBad); };
-  if (find([&](std::size_t p) { return !isGood(input.Points[p]); }).Count == 0)
+  if (find([&](std::size_t p) { return !IsUsable(input.Points[p]); }).Count == 0)
   {
     return InputStatus::Good;
   }
   const Tally wrong = find([&](std::size_t p) { return !isFinite(input.Points[p]); });
   const Tally huge =
-    find([&](std::size_t p) { return isFinite(input.Points[p]) && !isGood(input.Points[p]); });
+    find([&](std::size_t p) { return isFinite(input.Points[p]) && !IsUsable(input.Points[p]); });
   found.NonFinitePoints = wrong.Count;
   found.FirstNonFinitePoint = wrong.First;
   found.HugePoints = huge.Count;

@@ -13,7 +13,7 @@ import time
 from pathlib import Path
 from typing import Any
 
-from . import document, machine, sections, thesis
+from . import document, machine, promises, sections, thesis
 from .bones import Bone, Workshop
 from .contest import Contest, Judge
 from .contestants import Contestant, find_peers, our_contestants, our_modes
@@ -36,7 +36,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--short", action="store_true", help="one round of our modes on a phantom, no peers: a test")
     parser.add_argument("--growth", action="store_true", help="our modes on 0.1 to 10 million triangles, nothing else")
     parser.add_argument("--threads", action="store_true", help="our modes on 1, 2, 4 and 8 threads, nothing else")
-    parser.add_argument("--promises", action="store_true", help="our modes asked for proved errors, nothing else")
+    parser.add_argument("--promises", action="store_true", help="our modes asked for proved errors, peers beside them, nothing else")
     parser.add_argument("--bone", action="append", nargs="+", default=[], metavar="FILE [COUNT]",
                         help="a surface file and numbers of triangles (below 1: shares; without: 0.1 0.02); without "
                              "--rows, only these")
@@ -82,8 +82,8 @@ def run_rows(asked: argparse.Namespace, bones: list[Bone], contest: Contest, pee
 
 
 def run_sections(asked: argparse.Namespace, workshop: Workshop, judge: Judge, bones: list[Bone],
-                 figures: dict[str, Any], scratch: Path) -> None:
-    """Growth, threads and the thesis's error mode: all of them when nothing particular is asked for."""
+                 peers: list[Contestant], figures: dict[str, Any], scratch: Path) -> None:
+    """Growth, threads, proved errors and the thesis's error mode: all of them when nothing particular is asked for."""
     whole = not (asked.short or asked.growth or asked.threads or asked.promises or asked.quick or asked.bone or asked.rows)
     programs, rounds, modes = workshop.programs, figures["rounds"], chosen_modes(asked, figures["modes"])
     if whole:
@@ -92,13 +92,7 @@ def run_sections(asked: argparse.Namespace, workshop: Workshop, judge: Judge, bo
                 figures["errors"] += sections.error_mode(
                     programs, judge, bone, modes, tuple(thesis.BY_ERROR[bone.name]), scratch)
     if whole or asked.promises:
-        proving = [mode for mode in modes if mode != "Thesis"]
-        for name, count in PROMISED_BONES:
-            bone = workshop.bone(name, (count,))
-            for row in sections.promises(programs, judge, bone, proving, scratch) if bone else ():
-                figures["promises"].append(row)
-                save(asked, figures)
-                print(f"  {name} {row['error']} mm {row['mode']}: {row.get('triangles')}", flush=True)
+        run_promises(asked, workshop, judge, peers, figures, scratch)
     if whole or asked.threads:
         parallel = [mode for mode in modes if mode != "Thesis"]
         candidate = workshop.bone("cranium", (134000.0,)) or workshop.bone("specimen-1000000", (0.2,))
@@ -113,9 +107,28 @@ def run_sections(asked: argparse.Namespace, workshop: Workshop, judge: Judge, bo
             print(f"  {row['triangles']:,} triangles {row['who']}: {row['seconds']:.2f} s", flush=True)
 
 
+def run_promises(asked: argparse.Namespace, workshop: Workshop, judge: Judge, peers: list[Contestant],
+                 figures: dict[str, Any], scratch: Path) -> None:
+    """Ours and the peers', saved line by line: trials take long."""
+    programs = workshop.programs
+    proving = [mode for mode in chosen_modes(asked, figures["modes"]) if mode != "Thesis"]
+    for name, count in PROMISED_BONES:
+        bone = workshop.bone(name, (count,)) if not asked.rows or re.search(asked.rows, f"{name} {count}") else None
+        if bone is None:
+            continue
+        for row in promises.our_promises(programs, judge, bone, proving, scratch):
+            figures["promises"].append(row)
+            save(asked, figures)
+            print(f"  {name} {row['error']} mm {row['mode']}: {row.get('triangles')}", flush=True)
+        for row in promises.of_peers(programs, judge, bone, peers, scratch):
+            figures["promises_of_peers"].append(row)
+            save(asked, figures)
+            print(f"  {name} {row['error']} mm {row['name']}: {row['by_trial'].get('triangles')} by trial", flush=True)
+
+
 def who_takes_part(asked: argparse.Namespace, programs: Programs) -> tuple[list[Contestant], list[str]]:
     """The peers of this run, and a sentence for each thing that is missing or amiss."""
-    alone = asked.short or asked.growth or asked.threads or asked.promises
+    alone = asked.short or asked.growth or asked.threads
     peers, missing = ([], []) if alone else find_peers(programs, asked.with_meshlib)
     if not programs.has("verify"):
         missing.append("bonedecimate-verify was not built (it needs Debian's libcgal-dev, libgmp-dev and libmpfr-dev): "
@@ -141,11 +154,12 @@ def measure(asked: argparse.Namespace) -> dict[str, Any]:
     figures: dict[str, Any] = {
         "machine": machine.describe(), "modes": our_modes(programs), "samples": asked.samples,
         "rounds": asked.rounds or (1 if asked.quick or asked.short else 3),
-        "parts": 1, "rows": [], "growth": [], "threads": [], "errors": [], "promises": [], "complaints": missing}
+        "parts": 1, "rows": [], "growth": [], "threads": [], "errors": [], "promises": [],
+        "promises_of_peers": [], "complaints": missing}
     with tempfile.TemporaryDirectory(dir=folder) as name:  # of this run alone: another may be at work
         scratch = Path(name)
         run_rows(asked, bones, Contest(programs, judge, scratch), peers, figures)
-        run_sections(asked, workshop, judge, bones, figures, scratch)
+        run_sections(asked, workshop, judge, bones, peers, figures, scratch)
     figures["complaints"] = missing + workshop.complaints + [line for line in [others.complaint()] if line]
     return figures
 
@@ -161,7 +175,7 @@ def save(asked: argparse.Namespace, figures: dict[str, Any]) -> Path:
 def put_together(files: list[Path]) -> dict[str, Any]:
     """The figures of several runs as one, and how many they were; machine and rounds are the first one's."""
     runs: list[dict[str, Any]] = [json.loads(file.read_text(encoding="utf-8")) for file in files]
-    for key in ("rows", "growth", "threads", "errors", "promises"):
+    for key in ("rows", "growth", "threads", "errors", "promises", "promises_of_peers"):
         runs[0][key] = [item for run in runs for item in run.get(key, [])]
     runs[0]["parts"] = sum(run.get("parts", 1) for run in runs)
     runs[0]["complaints"] = list(dict.fromkeys(line for run in runs for line in run["complaints"]))
@@ -203,7 +217,7 @@ def main() -> int:
     """Measures and writes."""
     asked = arguments()
     figures = put_together(asked.earlier) if asked.earlier else measure(asked)
-    if not any(figures[key] for key in ("rows", "growth", "threads", "promises")):
+    if not any(figures[key] for key in ("rows", "growth", "threads", "promises", "promises_of_peers")):
         print("nothing was measured:", *figures["complaints"])
         return 1
     write(asked, figures)

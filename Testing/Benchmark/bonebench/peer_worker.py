@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""One decimation by a peer from Python, in this process alone: peer_worker.py PEER INPUT.ply OUTPUT.ply FACES
+"""One decimation by a peer from Python, in this process alone: peer_worker.py PEER INPUT.ply OUTPUT.ply FACES|MMmm
 
 Measured: the seconds of the decimation call alone, the mesh already in the peer's own structure; the processor's seconds
 over all threads; the memory (resident pages, Linux) that holding the input costs and the most beyond it during the call.
@@ -46,8 +46,8 @@ def write_ply(path: str, points: np.ndarray, corners: np.ndarray) -> None:
     Path(path).write_bytes(head.encode() + np.ascontiguousarray(points, "<f8").tobytes() + rows.tobytes())
 
 
-def prepare_vtk(points: Points, corners: Corners, faces: int) -> Prepared:
-    """vtkQuadricDecimation with its defaults, on a vtkPolyData."""
+def prepare_vtk(points: Points, corners: Corners, faces: int, error: float | None = None) -> Prepared:
+    """vtkQuadricDecimation with its defaults, on a vtkPolyData; its limit of the error has no unit that is written down."""
     from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
     from vtkmodules.vtkCommonCore import vtkPoints
     from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -62,6 +62,8 @@ def prepare_vtk(points: Points, corners: Corners, faces: int) -> Prepared:
     quadric = vtkQuadricDecimation()
     quadric.SetInputData(surface)
     quadric.SetTargetReduction(1.0 - faces / len(corners))
+    if error is not None:
+        quadric.SetMaximumError(error)
 
     def result() -> tuple[np.ndarray, np.ndarray]:
         output = quadric.GetOutput()
@@ -119,16 +121,19 @@ def prepare_pyfqmr(points: Points, corners: Corners, faces: int) -> Prepared:
     return (lambda: mesh.simplify_mesh(target_count=faces, preserve_border=True, verbose=0), lambda: mesh.getMesh()[:2])
 
 
-def prepare_meshoptimizer(points: Points, corners: Corners, faces: int) -> Prepared:
-    """meshopt_simplify to the count, whatever the error."""
+def prepare_meshoptimizer(points: Points, corners: Corners, faces: int, error: float | None = None) -> Prepared:
+    """meshopt_simplify to the count, or to an absolute error, whatever the other."""
     import meshoptimizer
+
+    absolute = 4  # meshopt_SimplifyErrorAbsolute
 
     indices = np.ascontiguousarray(corners.ravel(), np.uint32)
     kept: list[Any] = []
 
     def call() -> None:
         out = np.empty_like(indices)
-        count = meshoptimizer.simplify(out, indices, points, target_index_count=3 * faces, target_error=1e9)
+        count = meshoptimizer.simplify(out, indices, points, target_index_count=3 * faces,
+                                       target_error=1e9 if error is None else error, options=0 if error is None else absolute)
         kept.append(out[:count])
 
     def result() -> tuple[np.ndarray, np.ndarray]:
@@ -138,14 +143,14 @@ def prepare_meshoptimizer(points: Points, corners: Corners, faces: int) -> Prepa
     return call, result
 
 
-def prepare_meshlib(points: Points, corners: Corners, faces: int) -> Prepared:
-    """decimateMesh to the count, whatever the error."""
+def prepare_meshlib(points: Points, corners: Corners, faces: int, error: float | None = None) -> Prepared:
+    """decimateMesh to the count, or to an error, whatever the other."""
     from meshlib import mrmeshnumpy, mrmeshpy
 
     mesh = mrmeshnumpy.meshFromFacesVerts(corners, points.astype(np.float64))
     settings = mrmeshpy.DecimateSettings()
     settings.maxDeletedFaces = len(corners) - faces
-    settings.maxError = 1e9
+    settings.maxError = 1e9 if error is None else error
     settings.packMesh = True
     return (lambda: mrmeshpy.decimateMesh(mesh, settings),
             lambda: (mrmeshnumpy.getNumpyVerts(mesh), mrmeshnumpy.getNumpyFaces(mesh.topology)))
@@ -161,6 +166,8 @@ PREPARE: dict[str, tuple[str, Callable[[Points, Corners, int], Prepared]]] = {
     "meshoptimizer": ("meshoptimizer", prepare_meshoptimizer),
     "meshlib": ("meshlib", prepare_meshlib),
 }
+# Those that can be asked for a largest error.
+TAKE_ERRORS = {"vtk": prepare_vtk, "meshoptimizer": prepare_meshoptimizer, "meshlib": prepare_meshlib}
 
 
 def held(field: str) -> int:
@@ -196,14 +203,21 @@ def warm_up(prepare: Callable[[Points, Corners, int], Prepared]) -> None:
         pass
 
 
-def main(peer: str, source: str, target: str, faces: int) -> None:
+def prepared(peer: str, points: Points, corners: Corners, goal: str) -> Prepared:
+    """For a number of triangles, or with "mm" behind it for a largest error and no number."""
+    if goal.endswith("mm"):
+        return TAKE_ERRORS[peer](points, corners, 4, float(goal.removesuffix("mm")))
+    return PREPARE[peer][1](points, corners, int(goal))
+
+
+def main(peer: str, source: str, target: str, goal: str) -> None:
     """Reads, decimates under the clock, writes and prints JSON."""
     package, prepare = PREPARE[peer]
     warm_up(prepare)
     give_back_memory()
     program = held("VmRSS:")
     points, corners = read_ply(source)
-    call, result = prepare(points, corners, faces)
+    call, result = prepared(peer, points, corners, goal)
     if peer not in ("meshoptimizer", "fast-simplification"):  # those two hold the arrays themselves
         del points, corners
     give_back_memory()
@@ -221,4 +235,4 @@ def main(peer: str, source: str, target: str, faces: int) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], sys.argv[2], sys.argv[3], int(sys.argv[4]))
+    main(*sys.argv[1:5])

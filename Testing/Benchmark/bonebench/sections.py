@@ -17,7 +17,6 @@ from .workers import Programs, ask
 KEPT_IN_GROWTH = 0.2  # of the triangles
 GROWTH_SIZES = (100_000, 300_000, 1_000_000, 3_000_000, 10_000_000)
 THREADS = (1, 2, 4, 8)
-PROMISED = (0.1, 0.2, 0.5, 1.0)  # mm
 
 
 def growth(programs: Programs, workshop: Workshop, modes: Sequence[str], sizes: Sequence[int],
@@ -70,14 +69,3 @@ def error_mode(programs: Programs, judge: Judge, bone: Bone, modes: Sequence[str
             judged = {} if "failure" in answer else judge.compare(bone.file, folder / "result.ply")
             rows.append({"bone": bone.name, "error": error, "mode": mode, "judged": judged, **answer})
     return rows
-
-
-def promises(programs: Programs, judge: Judge, bone: Bone, modes: Sequence[str], folder: Path) -> Iterator[dict[str, Any]]:
-    """Each mode that proves its largest error asked for one, on two threads, beside CGAL's Lindstrom-Turk in the same run."""
-    beside = ask([programs.path("cgal"), bone.file, folder / "peer.ply", bone.counts()[0]]) if programs.has("cgal") else {}
-    for error in PROMISED:
-        for mode in modes:
-            answer = ask([programs.path("run"), bone.file, folder / "result.ply", "core", mode, 2, "--error", error])
-            judged = {} if "failure" in answer else judge.compare(bone.file, folder / "result.ply")
-            yield {"bone": bone.name, "input": bone.triangles, "error": error, "mode": mode, "judged": judged,
-                   "peer_faces": bone.counts()[0], "peer_seconds": beside.get("seconds"), **answer}

@@ -213,7 +213,7 @@ def error_table(rows: Sequence[Row]) -> str:
 def promise_table(rows: Sequence[Row]) -> str:
     """Asked for a proved largest error: triangles, what the certificate proves of the result, and what that cost."""
     head = ["bone, error", "mode", "triangles", "proved <= mm", "borders <= mm", "H, sampled", "self-intersecting pairs", "s",
-            "s / CGAL's", "bytes / triangle"]
+            "of these the certificate", "the rest / CGAL's", "bytes / triangle"]
     lines = []
     for row in rows:
         if "failure" in row:
@@ -223,8 +223,22 @@ def promise_table(rows: Sequence[Row]) -> str:
         lines.append([f"{row['bone']} {row['error']} mm", f"**{row['mode']}**", f"{row['triangles']:,}",
                       f"{proved['upper']:.6f}", f"{proved['borders']:.6f}", number(judged(row, "hausdorff")),
                       str(judged(row, "self_intersections")), number(row["seconds"]),
-                      ratio(row["seconds"], row["peer_seconds"]), f"{used:.0f}"])
+                      number(proved["own_seconds"]), ratio(row["seconds"] - proved["own_seconds"], row["peer_seconds"]),
+                      f"{used:.0f}"])
     return markdown(head, lines)
+
+
+def peers_promise_table(rows: Sequence[Row]) -> str:
+    """Asked for an error: what peers give that can be asked, and the fewest triangles by trial; sampled distances."""
+    lines = []
+    for row in rows:
+        asked, by_trial = row["asked"], row["by_trial"]
+        cells = [f"{row['bone']} {row['error']} mm", row["name"]]
+        for answer in (asked, by_trial):
+            there = "triangles" in answer
+            cells += [f"{answer['triangles']:,}" if there else "-", number(judged(answer, "hausdorff") if there else None)]
+        lines.append(cells + [number(by_trial.get("seconds"))])
+    return markdown(["bone, error", "", "asked for it: triangles", "H", "by trial: triangles", "H", "s, last trial"], lines)
 
 
 def growth_table(rows: Sequence[Row]) -> str:
