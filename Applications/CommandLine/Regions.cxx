@@ -4,6 +4,7 @@
 
 #include "vtkBoneTolerance.h"
 #include "vtkBox.h"
+#include "vtkImplicitFunction.h"
 #include "vtkNew.h"
 #include "vtkSphere.h"
 
@@ -48,25 +49,45 @@ bool ReadShape(const std::string& text, Region& region)
   return text == "rest";
 }
 
-void Choose(const Region& region, vtkBoneTolerance* filter)
+/// Not positive inside; null for the rest, which has no shape.
+vtkSmartPointer<vtkImplicitFunction> FunctionOf(const Region& region)
 {
   const std::vector<double>& n = region.Numbers;
+  if (region.Shape == Region::Box)
+  {
+    const auto box = vtkSmartPointer<vtkBox>::New();
+    box->SetBounds(n.data());
+    return box;
+  }
+  if (region.Shape == Region::Sphere)
+  {
+    const auto sphere = vtkSmartPointer<vtkSphere>::New();
+    sphere->SetCenter(n[0], n[1], n[2]);
+    sphere->SetRadius(n[3]);
+    return sphere;
+  }
+  return nullptr;
+}
+
+void Choose(const Region& region, vtkBoneTolerance* filter)
+{
   filter->SetChoice(region.Shape == Region::Rest ? vtkBoneTolerance::UNLIMITED
                                                  : vtkBoneTolerance::IMPLICIT_FUNCTION);
   filter->SetInsideTolerance(region.Tolerance);
-  if (region.Shape == Region::Box)
+  filter->SetImplicitFunction(FunctionOf(region));
+}
+
+bool HoldsNoPoint(const Region& region, vtkPolyData* surface)
+{
+  const auto function = FunctionOf(region);
+  for (vtkIdType i = 0; function && i < surface->GetNumberOfPoints(); ++i)
   {
-    vtkNew<vtkBox> box;
-    box->SetBounds(n.data());
-    filter->SetImplicitFunction(box);
+    if (function->FunctionValue(surface->GetPoint(i)) <= 0.0)
+    {
+      return false;
+    }
   }
-  else if (region.Shape == Region::Sphere)
-  {
-    vtkNew<vtkSphere> sphere;
-    sphere->SetCenter(n[0], n[1], n[2]);
-    sphere->SetRadius(n[3]);
-    filter->SetImplicitFunction(sphere);
-  }
+  return function != nullptr;
 }
 }
 
@@ -97,6 +118,7 @@ std::string ReadRegions(const std::string& text, std::vector<Region>& regions)
              "'" +
         part + "'";
     }
+    region.Text = part;
     regions.push_back(region);
   }
   return text.empty() ? "takes a region" : "";
@@ -123,5 +145,19 @@ vtkSmartPointer<vtkPolyData> WithTolerances(
     }
   }
   return result;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> IdleRegions(vtkPolyData* surface, const std::vector<Region>& regions)
+{
+  std::vector<std::string> texts;
+  for (const Region& region : regions)
+  {
+    if (HoldsNoPoint(region, surface))
+    {
+      texts.push_back(region.Text);
+    }
+  }
+  return texts;
 }
 }

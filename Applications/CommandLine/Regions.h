@@ -26,6 +26,7 @@ struct Region
   Shapes Shape = Rest;
   std::vector<double> Numbers;
   double Tolerance = 0.0; ///< mm; 0 freezes
+  std::string Text;       ///< As it was given.
 };
 
 /// Numbers with commas in between, finite ones.  @return false if it is anything else.
@@ -41,6 +42,9 @@ std::string ReadRegions(const std::string& text, std::vector<Region>& regions);
 /// it was there before.
 vtkSmartPointer<vtkPolyData> WithTolerances(
   vtkPolyData* surface, const std::vector<Region>& regions, const std::string& arrayName);
+
+/// The texts of the regions that hold no point of the surface, and so limit nothing.
+std::vector<std::string> IdleRegions(vtkPolyData* surface, const std::vector<Region>& regions);
 }
 
 #endif

@@ -254,6 +254,10 @@ private:
         without->GetPointData()->RemoveArray(name.c_str());
         this->Input = without;
       }
+      for (const std::string& region : IdleRegions(this->Input, this->Asked.Regions))
+      {
+        this->Subject.Warnings.push_back("no point of the surface lies in " + region);
+      }
       this->Input = WithTolerances(this->Input, this->Asked.Regions, name);
       this->Filter->SetToleranceArrayName(name);
     }

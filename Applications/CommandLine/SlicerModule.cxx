@@ -100,8 +100,9 @@ void AddRegion(const std::string& text, Arguments& arguments)
     inside.Numbers.push_back(n[axis] + half);
   }
   inside.Tolerance = arguments.Options.MaximumError;
+  inside.Text = "--roi " + text;
   arguments.Regions.push_back(inside);
-  arguments.Regions.push_back({ Region::Rest, {}, 0.0 });
+  arguments.Regions.push_back({ Region::Rest, {}, 0.0, "rest" });
 }
 
 void AddPlaces(const SlicerWords& asked, Arguments& arguments)
@@ -122,6 +123,7 @@ void AddPlaces(const SlicerWords& asked, Arguments& arguments)
     ball.Shape = Region::Sphere;
     ball.Numbers = Numbers("--keep", place, 3);
     ball.Numbers.push_back(std::abs(radius));
+    ball.Text = "--keep " + place;
     arguments.Regions.push_back(ball);
   }
   if (!asked.Region.empty())

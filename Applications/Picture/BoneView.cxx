@@ -5,6 +5,7 @@
 #include "DistanceColours.h"
 #include "SurfaceDistances.h"
 
+#include "vtkCleanPolyData.h"
 #include "vtkLightKit.h"
 #include "vtkNew.h"
 #include "vtkPolyDataMapper.h"
@@ -24,8 +25,14 @@ double Area::Aspect(vtkRenderWindow* window) const
 
 vtkSmartPointer<vtkPolyData> TrianglesWithNormals(vtkPolyData* surface)
 {
+  // STL writes a point once for each of its triangles: unmerged it would look faceted beside its result.
+  vtkNew<vtkCleanPolyData> merged;
+  merged->SetInputData(TrianglesOnly(surface));
+  merged->SetTolerance(0.0);
+  merged->ConvertPolysToLinesOff();
+  merged->ConvertLinesToPointsOff();
   vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(TrianglesOnly(surface));
+  normals->SetInputConnection(merged->GetOutputPort());
   normals->SplittingOff();
   normals->ConsistencyOff();
   normals->Update();

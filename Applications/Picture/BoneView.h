@@ -29,7 +29,7 @@ struct Area
   double Aspect(vtkRenderWindow* window) const;
 };
 
-/// TrianglesOnly() and point normals.
+/// TrianglesOnly() with equal points merged and point normals.
 vtkSmartPointer<vtkPolyData> TrianglesWithNormals(vtkPolyData* surface);
 
 /// Shaded smoothly, in the colour of bone.

@@ -77,6 +77,13 @@ class Regions(ApplicationTest):
             with self.subTest(text):
                 self.fail_with(USAGE, "bone.vtp", "small.vtp", "--region", text)
 
+    def test_that_hold_no_point_are_warned_of(self):
+        self.decimate("--region", "box:0,99,-99,99,-99,99=0;sphere:999,0,0,5=0.1", "--region", "box:8,9,0,1,500,600=0",
+                      "--max-error", 0.2)
+        self.assertEqual(self.report()["warnings"], [
+            "no point of the surface lies in sphere:999,0,0,5=0.1",
+            "no point of the surface lies in box:8,9,0,1,500,600=0"])
+
     def test_thesis_takes_only_frozen_ones(self):
         mode = ("--mode", "Thesis", "--target-faces", 1500)
         self.decimate(*mode, "--region", "box:0,99,-99,99,-99,99=0")

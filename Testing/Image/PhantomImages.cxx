@@ -5,12 +5,15 @@
 #include "Display.h"
 #include "Phantom.h"
 
+#include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkImageDifference.h"
 #include "vtkNew.h"
 #include "vtkPNGReader.h"
 #include "vtkPNGWriter.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkVector.h"
 
 #include <gtest/gtest.h>
@@ -28,6 +31,32 @@ using namespace bonedecimate;
 constexpr int PixelThreshold = 24; // of 3 * 255
 constexpr double Tolerance =
   25.0; // another rasteriser: 4; a camera tilted by 1 degree: 640; colours reversed: 20,000
+
+/// As a file of the format STL holds it.
+vtkSmartPointer<vtkPolyData> WithPointsOfItsOwnForEachTriangle(vtkPolyData* surface)
+{
+  auto soup = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(surface->GetPoints()->GetDataType());
+  soup->GetPointData()->CopyAllocate(surface->GetPointData());
+  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    surface->GetCellPoints(cell, corners);
+    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType from = corners->GetId(i);
+      const vtkIdType to = points->InsertNextPoint(surface->GetPoint(from));
+      soup->GetPointData()->CopyData(surface->GetPointData(), from, to);
+      corners->SetId(i, to);
+    }
+    triangles->InsertNextCell(corners);
+  }
+  soup->SetPoints(points);
+  soup->SetPolys(triangles);
+  return soup;
+}
 
 class PhantomImages : public ::testing::Test
 {
@@ -76,6 +105,15 @@ TEST_F(PhantomImages, BeforeAndAfterLookAsTheyDid)
 {
   EXPECT_LT(
     Difference(RenderPhantom(this->Subject).BeforeAndAfter, "PhantomBeforeAndAfter"), Tolerance);
+}
+
+TEST_F(PhantomImages, AnInputWhoseTrianglesShareNoPointsLooksTheSame)
+{
+  const auto soup = WithPointsOfItsOwnForEachTriangle(this->Subject.Before);
+  this->Subject.Before = soup;
+  const auto pictures = RenderPhantom(this->Subject);
+  EXPECT_LT(Difference(pictures.BeforeAndAfter, "PhantomBeforeAndAfter"), Tolerance);
+  EXPECT_LT(Difference(pictures.Distance, "PhantomDistance"), Tolerance);
 }
 
 TEST_F(PhantomImages, DistancesTurnedRoundAreSeen)
