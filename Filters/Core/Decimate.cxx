@@ -97,6 +97,14 @@ private:
       report.Status = CheckTolerances(
         *this->Given, this->Input.Points.size(), this->Wanted.Mode, report.Cleaning);
     }
+    if (report.Status == InputStatus::Good && this->RoundToSingle &&
+      this->Wanted.Mode != Mode::Thesis)
+    {
+      const double error = this->Wanted.PromisesError() ? this->Wanted.MaximumError
+                                                        : std::numeric_limits<double>::infinity();
+      report.Status =
+        CheckRounding(this->Input, this->Cleaned, error, this->Given, report.Cleaning);
+    }
     if (report.Status == InputStatus::Good && this->Reference != nullptr)
     {
       this->Compare();

@@ -28,6 +28,18 @@ std::string FarMessage(const ProvedDistance& distance)
     distance.Lower, distance.Upper);
   return text;
 }
+
+std::string CoarseMessage(const CleaningStatistics& found)
+{
+  char text[240];
+  std::snprintf(text, sizeof(text),
+    "single precision alone moves %lld points farther than the largest error or their tolerances "
+    "allow, by up to %.3g mm, the first is point %lld; double precision, or an origin near the "
+    "surface, leaves them where they are",
+    static_cast<long long>(found.CoarsePoints), found.LargestRounding,
+    static_cast<long long>(found.FirstCoarsePoint));
+  return text;
+}
 }
 
 double ErrorProof::Lower() const
@@ -108,6 +120,8 @@ std::string InputMessage(const Report& report)
     case InputStatus::EverythingPruned:
       return "each of the " + std::to_string(report.Pruned.Components.size()) +
         " components is smaller than what was to be kept; nothing would be left";
+    case InputStatus::SinglePrecisionTooCoarse:
+      return CoarseMessage(found);
   }
   return {};
 }

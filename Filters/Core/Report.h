@@ -37,7 +37,8 @@ enum class InputStatus : int
   ReferenceWithoutError, ///< There is nothing to promise against it.
   BadReference,          ///< It has no triangle, or is refused as an input is.
   FarFromReference,      ///< The input is farther from it than the largest error.
-  EverythingPruned       ///< No component is large enough for what was asked for.
+  EverythingPruned,      ///< No component is large enough for what was asked for.
+  SinglePrecisionTooCoarse ///< Written in it, points move farther than the error or their tolerances allow.
 };
 
 /// Why the collapse ended.
@@ -99,6 +100,10 @@ struct CleaningStatistics
   std::int64_t FirstLockedPoint = -1;
   std::int64_t BadTolerances = 0; ///< NaN or beyond 1e30 mm.
   std::int64_t FirstBadTolerance = -1;
+  /// Which single precision moves farther than they may move, after merging.
+  std::int64_t CoarsePoints = 0;
+  std::int64_t FirstCoarsePoint = -1;
+  double LargestRounding = 0.0;  ///< mm, of those points.
   std::int64_t FrozenPoints = 0; ///< Points, after merging, whose tolerance leaves them no room.
 };
 

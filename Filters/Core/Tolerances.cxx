@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tolerances.h"
 
+#include "Mesh/SurfaceAssembly.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,6 +32,27 @@ InputStatus CheckTolerances(const std::vector<double>& given, std::size_t number
   }
   const bool areProved = std::any_of(given.begin(), given.end(), [](double t) { return t > 0.0; });
   return areProved && mode == Mode::Thesis ? InputStatus::TolerancesInThesis : InputStatus::Good;
+}
+
+//------------------------------------------------------------------------------
+InputStatus CheckRounding(const Surface& input, const CleanSurface& clean, double largestError,
+  const std::vector<double>* given, CleaningStatistics& found)
+{
+  const std::vector<double> tolerances =
+    given != nullptr ? TolerancesOf(clean, *given) : std::vector<double>();
+  for (std::size_t v = 0; v < clean.InputPoint.size(); ++v)
+  {
+    const Index id = clean.InputPoint[v];
+    const Vector3& point = input.Points[static_cast<std::size_t>(id)];
+    const bool isLimited = !tolerances.empty() && tolerances[v] >= 0.0;
+    const double rounding = (RoundedToSingle(point) - point).norm();
+    if (rounding > (isLimited ? std::min(tolerances[v], largestError) : largestError))
+    {
+      found.FirstCoarsePoint = found.CoarsePoints++ == 0 ? id : found.FirstCoarsePoint;
+      found.LargestRounding = std::max(found.LargestRounding, rounding);
+    }
+  }
+  return found.CoarsePoints > 0 ? InputStatus::SinglePrecisionTooCoarse : InputStatus::Good;
 }
 
 //------------------------------------------------------------------------------

@@ -25,6 +25,11 @@ namespace bonedecimate
 InputStatus CheckTolerances(const std::vector<double>& given, std::size_t numberOfPoints, Mode mode,
   CleaningStatistics& found);
 
+/// Whether rounding the coordinates to single precision, as they are written, leaves every point that triangles use
+/// within the largest error (mm; infinite: none) and its tolerance; what is moved too far is counted.
+InputStatus CheckRounding(const Surface& input, const CleanSurface& clean, double largestError,
+  const std::vector<double>* given, CleaningStatistics& found);
+
 /// mm, of each point of the cleaned surface: the least of the input points that became it, -1: none. Empty if nothing
 /// limits anything.
 std::vector<double> TolerancesOf(const CleanSurface& clean, const std::vector<double>& given);

@@ -31,7 +31,7 @@ namespace
 struct Totals
 {
   std::int64_t Runs = 0;
-  std::int64_t Refused = 0; // inputs that are no surface
+  std::int64_t Refused = 0; // no surface, or an error that the precision asked for cannot hold
   std::int64_t TrianglesIn = 0;
   std::int64_t TrianglesOut = 0;
   double LargestShare = 0.0; // of the error allowed
@@ -213,7 +213,7 @@ int Run(long runs, std::uint64_t seed, const std::vector<Surface>& large)
       return EXIT_FAILURE;
     }
   }
-  std::printf("%lld runs, %lld of them on what is no surface; %lld triangles became %lld; at most "
+  std::printf("%lld runs, %lld of them refused; %lld triangles became %lld; at most "
               "%.4f of the error "
               "was used; none broke the promise\n",
     static_cast<long long>(totals.Runs), static_cast<long long>(totals.Refused),

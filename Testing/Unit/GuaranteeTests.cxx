@@ -85,6 +85,31 @@ TEST(Guarantee, HoldsAfterRoundingToSinglePrecisionFarFromTheOrigin)
   EXPECT_EQ(Judge(input, result.Surface, 0.2), CertificateVerdict::Proved);
 }
 
+TEST(Guarantee, OfWhatSinglePrecisionCannotKeepIsRefused)
+{
+  const Surface bone = Moved(Icosphere(2, 10.0), Vector3(1.0 / 3, 2000.0, 1e5 / 7));
+  const auto run = [&](double error, double tolerance, PointsPrecision precision)
+  {
+    Options options = InMode(Mode::Fast, Error(error));
+    options.OutputPointsPrecision = precision;
+    const std::vector<double> tolerances(bone.Points.size(), tolerance);
+    return Decimate(bone, options, {}, { false, false, &tolerances }).Report;
+  };
+  const double beyond = 1e-4; // mm; half of what two single numbers lie apart out there is 5e-4
+  const Report refused = run(beyond, -1.0, PointsPrecision::Single);
+  EXPECT_EQ(refused.Status, InputStatus::SinglePrecisionTooCoarse);
+  EXPECT_GT(refused.Cleaning.CoarsePoints, 0);
+  EXPECT_GT(refused.Cleaning.LargestRounding, beyond);
+  EXPECT_NE(InputMessage(refused).find("double precision"), std::string::npos);
+  EXPECT_EQ(run(0.1, 0.0, PointsPrecision::Single).Status, InputStatus::SinglePrecisionTooCoarse);
+  for (const Report& kept : { run(0.1, -1.0, PointsPrecision::Single),
+         run(beyond, 0.0, PointsPrecision::Double), run(beyond, -1.0, PointsPrecision::Double) })
+  {
+    EXPECT_EQ(kept.Status, InputStatus::Good);
+    EXPECT_EQ(kept.Proof.Verdict, CertificateVerdict::Proved);
+  }
+}
+
 TEST(Guarantee, GivesTheSameBytesForAnyNumberOfThreads)
 {
   Surface input = Grid(140); // enough points for blocks, waves that are not all provable

@@ -104,7 +104,9 @@ void BindEnums(nb::module_& module)
     .value("TolerancesInThesis", InputStatus::TolerancesInThesis)
     .value("ReferenceWithoutError", InputStatus::ReferenceWithoutError)
     .value("BadReference", InputStatus::BadReference)
-    .value("FarFromReference", InputStatus::FarFromReference);
+    .value("FarFromReference", InputStatus::FarFromReference)
+    .value("EverythingPruned", InputStatus::EverythingPruned)
+    .value("SinglePrecisionTooCoarse", InputStatus::SinglePrecisionTooCoarse);
 }
 
 void BindTable(nb::module_& module)
