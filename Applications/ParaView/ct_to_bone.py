@@ -47,8 +47,8 @@ def main(plugin, ct, folder, iso="226", error="0.3"):
     before, after, proved = (report.GetArrayInformation("bonedecimate." + name).GetComponentRange(0)[0]
                              for name in ("input.faces", "output.faces", "proof.upper"))
     print(f"{before:.0f} triangles -> {after:.0f}, no point farther than {proved:.3f} mm")
+    simple.SaveData(str(folder / "bone.vtp"), proxy=bone)  # first: it needs no screen
     show(bone, folder / "bone.png")
-    simple.SaveData(str(folder / "bone.vtp"), proxy=bone)
     simple.SaveState(str(folder / "bone.pvsm"))
 
 
