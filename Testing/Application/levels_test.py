@@ -58,7 +58,7 @@ class Levels(ApplicationTest):
             "cut": (log[:1000], "damaged"),
             "changed": (log[:500] + bytes([log[500] ^ 1]) + log[501:], "damaged"),
             "longer": (log + b"\0", "damaged"),
-            "newer": (log[:8] + b"\2" + log[9:], "version"),
+            "of another version": (log[:8] + b"\xff" + log[9:], "version"),
             "other": (b"ply\n" + log, "no log"),
             "empty": (b"", "empty"),
         }
