@@ -43,7 +43,8 @@ public:
   {
     return this->Stack->At(collapses, this->Threads, this->Points, this->Sites);
   }
-  /// Nothing if its triangles are not those of the input, or its points not usable (Surface.h). The same triangles as At().
+  /// Nothing if its triangles are not those of the input, or its points not usable (Surface.h). The same triangles as
+  /// At().
   std::optional<Level> AtOn(const Surface& other, Index collapses) const;
 
   /// Sets the marks, and measures them. False if the monitor said stop: then they are not measured.

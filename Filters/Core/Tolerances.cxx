@@ -12,8 +12,6 @@ namespace bonedecimate
 namespace
 {
 constexpr double NoLimit = -1.0;
-/// mm; the certificate judges nothing beyond.
-constexpr double Largest = 1e30;
 }
 
 InputStatus CheckTolerances(const std::vector<double>& given, std::size_t numberOfPoints, Mode mode,
@@ -21,7 +19,7 @@ InputStatus CheckTolerances(const std::vector<double>& given, std::size_t number
 {
   for (std::size_t i = 0; i < given.size(); ++i)
   {
-    if (!(std::fabs(given[i]) <= Largest) && found.BadTolerances++ == 0)
+    if (!(std::fabs(given[i]) <= LargestCoordinate) && found.BadTolerances++ == 0)
     {
       found.FirstBadTolerance = static_cast<std::int64_t>(i);
     }

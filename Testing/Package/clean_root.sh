@@ -13,11 +13,12 @@ set -euo pipefail
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build=$(cd "${1:-$project/build/release}" && pwd)
 root=$build/clean-root
-work=$root/root/work
+there=/srv/trial # in the root
+work=$root$there
 
 say() { printf '\n== %s\n' "$*"; }
 inside() {
-  chroot "$root" /usr/bin/env -i HOME=/root LC_ALL=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin "$@"
+  chroot "$root" /usr/bin/env -i HOME=/srv LC_ALL=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin "$@"
 }
 add() {
   if ! inside DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends install "$@" > "$root/apt.log"; then
@@ -44,10 +45,10 @@ inside apt-get -q update > /dev/null
 echo "Debian $(cat "$root/etc/debian_version"), $(inside dpkg-query -f '.\n' -W | wc -l) packages"
 
 say "The package with what it depends on"
-mkdir "$work"
+mkdir -p "$work"
 cpack --config "$build/CPackConfig.cmake" -B "$work/cpack" > /dev/null 2>&1
 mv "$work"/cpack/*.deb "$work/package.deb"
-add /root/work/package.deb
+add $there/package.deb
 inside dpkg-query -f '${Package} ${Version} ${Architecture}, ${Installed-Size} kB\n' -W vtkbonedecimate
 echo "$(inside dpkg-query -f '.\n' -W | wc -l) packages in all"
 
@@ -61,21 +62,21 @@ awk 'function corner(i, j) { printf "vertex %g %g %.9g\n", i, j, 2 * sin(i / 7) 
       triangle(i, j, i + 1, j, i + 1, j + 1); triangle(i, j, i + 1, j + 1, i, j + 1) }
     print "endsolid sheet" }' > "$work/sheet.stl"
 inside bonedecimate --version
-inside bonedecimate /root/work/sheet.stl /root/work/small.stl --max-error 0.1
+inside bonedecimate $there/sheet.stl $there/small.stl --max-error 0.1
 
 say "The Python package"
 add python3-vtk9
 printed python > "$work/readme.py"
-inside python3 /root/work/readme.py
+inside python3 $there/readme.py
 
 say "A project of its own against the headers"
 add cmake g++ ninja-build libvtk9-dev
 printed cpp > "$work/shrink.cxx"
 printed cmake > "$work/CMakeLists.txt"
-inside cmake -G Ninja -S /root/work -B /root/work/build > /dev/null
-inside cmake --build /root/work/build | tail -n 1
-inside /root/work/build/shrink /root/work/sheet.stl /root/work/shrunk.vtp
-inside bonedecimate check /root/work/shrunk.vtp
+inside cmake -G Ninja -S $there -B $there/build > /dev/null
+inside cmake --build $there/build | tail -n 1
+inside $there/build/shrink $there/sheet.stl $there/shrunk.vtp
+inside bonedecimate check $there/shrunk.vtp
 
 say "Removed again"
 inside apt-get -q -y remove vtkbonedecimate > "$root/apt.log"

@@ -191,8 +191,9 @@ std::vector<Index> OrderByLeastPoint(
   };
   for (std::size_t p = 0; p < numberOfPoints; ++p) // by now each start is the end of its point
   {
-    std::stable_sort(order.begin() + (p == 0 ? 0 : start[p - 1]), order.begin() + start[p],
-      [&](Index a, Index b) { return fromLeast(a) < fromLeast(b); });
+    std::sort(order.begin() + (p == 0 ? 0 : start[p - 1]), order.begin() + start[p],
+      [&](Index a, Index b)
+      { return std::make_pair(fromLeast(a), a) < std::make_pair(fromLeast(b), b); });
   }
   return order;
 }

@@ -188,6 +188,9 @@ def put_together(files: list[Path]) -> dict[str, Any]:
     rounds = sorted({run["rounds"] for run in runs})
     if len(rounds) > 1:
         runs[0]["complaints"].append(f"Parts of it have {' or '.join(map(str, rounds))} rounds.")
+    samples = sorted({run["samples"] for run in runs})
+    if len(samples) > 1:
+        runs[0]["complaints"].append(f"Parts of it have {' or '.join(f'{count:,}' for count in samples)} samples a direction.")
     return runs[0]
 
 

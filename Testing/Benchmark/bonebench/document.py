@@ -65,8 +65,8 @@ def page(figures: Figures, plots: list[tuple[str, str]], images: str) -> str:
         parts += ["## Everybody\n", LEGEND, *(row_section(row) for row in figures["rows"])]
     if figures.get("promises"):
         beside = {row["bone"]: row["peer_faces"] for row in figures["promises"]}
-        parts += ["## A largest error that is proved\n", "Once; the processor's seconds of two threads together, with the certificate that each run ends with; judged by "
-                  "another. "
+        parts += ["## A largest error that is proved\n", "Two threads, once, with the certificate that each run ends with; "
+                  "judged by another. "
                   "CGAL's Lindstrom-Turk in the same run: "
                   + ", ".join(f"{bone} to {faces:,}" for bone, faces in beside.items()) + ".\n",
                   tables.promise_table(figures["promises"])]

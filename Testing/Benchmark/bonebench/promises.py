@@ -29,7 +29,7 @@ def our_promises(programs: Programs, judge: Judge, bone: Bone, modes: Sequence[s
             answer = ask([programs.path("run"), bone.file, folder / "result.ply", "core", mode, 2, "--error", error])
             judged = {} if "failure" in answer else judge.compare(bone.file, folder / "result.ply")
             yield {"bone": bone.name, "input": bone.triangles, "error": error, "mode": mode, "judged": judged,
-                   "peer_faces": bone.counts()[0], "peer_cpu_seconds": beside.get("cpu_seconds"), **answer}
+                   "peer_faces": bone.counts()[0], "peer_seconds": beside.get("seconds"), **answer}
 
 
 class Trials:
