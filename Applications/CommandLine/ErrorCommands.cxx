@@ -5,6 +5,7 @@
 #include "BoundText.h"
 #include "CurvePicture.h"
 #include "FileChecks.h"
+#include "FilterOptions.h"
 #include "HelpFormatter.h"
 #include "Interruption.h"
 #include "NumberText.h"
@@ -100,8 +101,7 @@ public:
 
   void Search()
   {
-    const std::string mode = LowerText(this->Asked.Mode);
-    this->Filter->SetMode(mode == "fast" ? 1 : mode == "accurate" ? 3 : 2);
+    this->Filter->SetMode(ModeNumber(this->Asked.Mode));
     this->Filter->SetTargetNumberOfTriangles(this->Asked.Triangles);
     this->Filter->SetRelativePrecision(this->Asked.Precision);
     this->Filter->SetNumberOfThreads(this->Asked.Threads);

@@ -76,4 +76,12 @@ void ApplyOptions(const Options& options, vtkBoneDecimate* filter)
     }
   }
 }
+
+//------------------------------------------------------------------------------
+int ModeNumber(const std::string& name)
+{
+  Options options;
+  SetOptionFromText(options, *FindOption("Mode"), name);
+  return static_cast<int>(options.Mode);
+}
 }

@@ -11,6 +11,8 @@
 
 #include "vtkBoneDecimate.h"
 
+#include <string>
+
 namespace bonedecimate
 {
 /**
@@ -19,6 +21,9 @@ namespace bonedecimate
  * @throws std::logic_error if a row has no setter here, so that no run can overlook a new option.
  */
 void ApplyOptions(const Options& options, vtkBoneDecimate* filter);
+
+/// For SetMode() of any filter that has one.  @param name Of a mode, checked, in letters of any size.
+int ModeNumber(const std::string& name);
 }
 
 #endif

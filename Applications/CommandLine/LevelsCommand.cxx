@@ -4,6 +4,7 @@
 
 #include "BoundText.h"
 #include "FileChecks.h"
+#include "FilterOptions.h"
 #include "HelpFormatter.h"
 #include "Interruption.h"
 #include "NumberText.h"
@@ -134,8 +135,7 @@ public:
   explicit LevelsRun(const LevelsArguments& arguments)
     : Asked(arguments)
   {
-    const std::string mode = LowerText(arguments.Mode);
-    this->Filter->SetMode(mode == "thesis" ? 0 : mode == "fast" ? 1 : mode == "balanced" ? 2 : 3);
+    this->Filter->SetMode(ModeNumber(arguments.Mode));
     this->Filter->SetCoarsestNumberOfTriangles(arguments.Coarsest);
     this->Filter->SetMaximumError(arguments.MaximumError);
     this->Filter->SetMeasureErrors(!arguments.WithoutErrors);
