@@ -28,6 +28,8 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
+constexpr long RunsBetweenWords = 1000; // some minutes
+
 struct Totals
 {
   std::int64_t Runs = 0;
@@ -211,6 +213,10 @@ int Run(long runs, std::uint64_t seed, const std::vector<Surface>& large)
     {
       PrintFailure(seed + static_cast<std::uint64_t>(run), attack, broke);
       return EXIT_FAILURE;
+    }
+    if ((run + 1) % RunsBetweenWords == 0)
+    {
+      std::fprintf(stderr, "%ld runs\n", run + 1);
     }
   }
   std::printf("%lld runs, %lld of them refused; %lld triangles became %lld; at most "

@@ -120,7 +120,7 @@ def run_promises(asked: argparse.Namespace, workshop: Workshop, judge: Judge, pe
         for row in promises.our_promises(programs, judge, bone, proving, scratch):
             figures["promises"].append(row)
             save(asked, figures)
-            print(f"  {name} {row['error']} mm {row['mode']}: {row.get('triangles')}", flush=True)
+            print(f"  {name} {row['error']} mm {row['mode']}, guard {row['guard']}: {row.get('triangles')}", flush=True)
         for row in promises.of_peers(programs, judge, bone, peers, scratch):
             figures["promises_of_peers"].append(row)
             save(asked, figures)

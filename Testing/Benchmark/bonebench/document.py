@@ -69,7 +69,9 @@ def page(figures: Figures, plots: list[tuple[str, str]], images: str) -> str:
                   "judged by another. "
                   "CGAL's Lindstrom-Turk in the same run: "
                   + ", ".join(f"{bone} to {faces:,}" for bone, faces in beside.items()) + ".\n",
-                  tables.promise_table(figures["promises"])]
+                  tables.promise_table([row for row in figures["promises"] if row["guard"] == "on"]),
+                  "With `KeepClearance` switched off, so that triangles may come to intersect and gaps to close:\n",
+                  tables.promise_table([row for row in figures["promises"] if row["guard"] == "off"])]
     if figures.get("promises_of_peers"):
         parts += ["The others: those that take an error asked for it, in whatever unit theirs has; then the fewest triangles at "
                   "which they stay within it, found by trial, within 5 %. H is sampled, the largest distance at least that.\n",

@@ -5,6 +5,7 @@ peer stays within it, found by trial."""
 
 from __future__ import annotations
 
+import itertools
 import sys
 from pathlib import Path
 from typing import Any, Iterator, Sequence
@@ -22,14 +23,15 @@ FEWEST = 0.003  # of the triangles: where trials begin
 
 
 def our_promises(programs: Programs, judge: Judge, bone: Bone, modes: Sequence[str], folder: Path) -> Iterator[dict[str, Any]]:
-    """Each mode that proves its largest error asked for one, on two threads, beside CGAL's Lindstrom-Turk in the same run."""
+    """Each mode that proves its largest error asked for one, on two threads, with and without the guard of gaps, beside
+    CGAL's Lindstrom-Turk in the same run."""
     beside = ask([programs.path("cgal"), bone.file, folder / "peer.ply", bone.counts()[0]]) if programs.has("cgal") else {}
-    for error in ERRORS:
-        for mode in modes:
-            answer = ask([programs.path("run"), bone.file, folder / "result.ply", "core", mode, 2, "--error", error])
-            judged = {} if "failure" in answer else judge.compare(bone.file, folder / "result.ply")
-            yield {"bone": bone.name, "input": bone.triangles, "error": error, "mode": mode, "judged": judged,
-                   "peer_faces": bone.counts()[0], "peer_seconds": beside.get("seconds"), **answer}
+    for guard, error, mode in itertools.product(("on", "off"), ERRORS, modes):
+        answer = ask([programs.path("run"), bone.file, folder / "result.ply", "core", mode, 2, "--error", error,
+                      "--KeepClearance", guard])
+        judged = {} if "failure" in answer else judge.compare(bone.file, folder / "result.ply")
+        yield {"bone": bone.name, "input": bone.triangles, "error": error, "mode": mode, "guard": guard, "judged": judged,
+               "peer_faces": bone.counts()[0], "peer_seconds": beside.get("seconds"), **answer}
 
 
 class Trials:

@@ -243,4 +243,6 @@ def _triangles(triangles: ArrayLike) -> NDArray[np.int32]:
 def indices(array: NDArray) -> NDArray[np.int32]:
     """As the core counts; -1 for what it cannot count."""
     fits = (array >= 0) & (array < np.iinfo(np.int32).max)
-    return np.ascontiguousarray(np.where(fits, array, -1), dtype=np.int32)
+    counted = np.full(array.shape, -1, dtype=np.int32)  # np.where would give -1 the type of the array, which may have none
+    np.copyto(counted, array, where=fits, casting="unsafe")
+    return counted
