@@ -128,7 +128,7 @@ def main() -> int:
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--only", default="")
     parser.add_argument("--runs", type=int, default=4000)
-    asked = parser.parse_args()
+    asked = parser.parse_intermixed_args()  # options may stand between the folder and the surfaces
     chosen = [mutant for mutant in MUTANTS if asked.only in mutant.name]
     if asked.list or asked.folder is None or problems():
         print(*(problems() or [f"{mutant.name}: {mutant.file}" for mutant in chosen]), sep="\n")
