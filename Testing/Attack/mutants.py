@@ -53,7 +53,7 @@ MUTANTS = (
     Mutant("an even number of layers is a cover", ROOM + "PlaneCover.h", "return this->IsOdd;", "return true;"),
     Mutant("a sheet may end over the face", ROOM + "PlaneCover.cxx", "return twin != None;", "return true;"),
     Mutant("a sheet may be as far from the face as it likes", ROOM + "PlaneCover.cxx",
-           "(farthest > limit * limit && !this->IsNearOver(shape, limit)) ||", ""),
+           "(farthest > limit * limit && !this->IsNearOver(shape, limit)) ||", "farthest < -limit ||"),
     Mutant("one end of a border is enough", ROOM + "BorderProof.cxx", "isNear(this->Candidates[i], 0) &&",
            "isNear(this->Candidates[i], 0) ||"),
     Mutant("half of a face is forgotten", ROOM + "FaceProof.cxx",
