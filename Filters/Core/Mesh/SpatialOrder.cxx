@@ -6,6 +6,7 @@
 #include "Parallel.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace bonedecimate
 {
