@@ -16,10 +16,12 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <thread>
 
 namespace
@@ -168,11 +170,19 @@ TEST_F(PictureFile, LeavesNothingBesideAFolderOfItsName)
 }
 
 #ifdef BONEDECIMATE_RENDERS_THROUGH_X
-/// The socket of the display in the environment: there as long as its server runs.
-fs::path SocketOfDisplay()
+/// The socket of a server: there as long as it runs. Another test's server takes the number, and makes the file anew, as
+/// soon as it is free; the time tells the two apart.
+struct Socket
 {
-  return "/tmp/.X11-unix/X" + std::string(std::getenv("DISPLAY")).substr(1);
-}
+  fs::path File = "/tmp/.X11-unix/X" + std::string(std::getenv("DISPLAY")).substr(1);
+  fs::file_time_type Made = fs::last_write_time(this->File);
+
+  bool IsThere() const
+  {
+    std::error_code missing;
+    return fs::last_write_time(this->File, missing) == this->Made && !missing;
+  }
+};
 
 TEST_F(PictureFile, SaysWhatIsMissingWithoutDisplayAndXvfb)
 {
@@ -187,29 +197,32 @@ TEST_F(PictureFile, LeavesNoServerBehind)
 {
   auto display = std::make_unique<Display>(Display::Choice::VirtualOnly);
   ASSERT_EQ(display->GetProblem(), "");
-  const fs::path socket = SocketOfDisplay();
-  EXPECT_TRUE(fs::exists(socket));
+  const Socket socket;
+  EXPECT_TRUE(socket.IsThere());
   display.reset();
-  EXPECT_FALSE(fs::exists(socket));
+  EXPECT_FALSE(socket.IsThere());
 }
 
 TEST_F(PictureFile, LeavesNoServerBehindWhereTheProgramIsAborted)
 {
-  const std::string note = this->InFolder("socket");
+  const std::string note = this->InFolder("note");
   EXPECT_DEATH(
     {
       const Display display(Display::Choice::VirtualOnly);
-      fs::exists(SocketOfDisplay()) ? fs::create_symlink(SocketOfDisplay(), note) : void();
+      const Socket socket;
+      std::ofstream(note) << socket.File.string() << ' ' << socket.Made.time_since_epoch().count();
       std::abort();
     },
     "");
-  ASSERT_TRUE(fs::is_symlink(note));
-  const fs::path socket = fs::read_symlink(note);
-  for (int i = 0; i < 300 && fs::exists(socket); ++i)
+  std::string file;
+  fs::file_time_type::rep made = 0;
+  ASSERT_TRUE(std::ifstream(note) >> file >> made);
+  const Socket socket{ file, fs::file_time_type(fs::file_time_type::duration(made)) };
+  for (int i = 0; i < 300 && socket.IsThere(); ++i)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
-  EXPECT_FALSE(fs::exists(socket));
+  EXPECT_FALSE(socket.IsThere());
 }
 #endif
 }
