@@ -246,9 +246,13 @@ private:
     {
       std::int64_t count = 1;
       const bool isList = property.CountBytes > 0;
-      if (isList && (at >= words.size() || !ReadInteger(words[at++], count) || !IsLength(count)))
+      if (isList)
       {
-        return false;
+        if (at >= words.size() || !ReadInteger(words[at], count) || !IsLength(count))
+        {
+          return false;
+        }
+        ++at;
       }
       for (std::int64_t i = 0; i < count; ++i, ++at)
       {

@@ -108,8 +108,8 @@ std::string ChildProcess::GetMessage() const
     return "its process died of signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
   }
   std::string text(4096, '\0');
-  std::rewind(this->Errors.get());
-  text.resize(std::fread(text.data(), 1, text.size(), this->Errors.get()));
+  const bool isAtStart = std::fseek(this->Errors.get(), 0, SEEK_SET) == 0;
+  text.resize(isAtStart ? std::fread(text.data(), 1, text.size(), this->Errors.get()) : 0);
   text.resize(std::min(text.find('\n'), text.size()));
   const std::string program = "bonedecimate: ";
   return text.compare(0, program.size(), program) == 0 ? text.substr(program.size()) : text;

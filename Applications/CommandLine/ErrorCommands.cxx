@@ -136,6 +136,7 @@ public:
     if (!this->Asked.Picture.empty())
     {
       std::vector<CurvePoint> points;
+      points.reserve(static_cast<std::size_t>(this->Rows()));
       for (vtkIdType row = 0; row < this->Rows(); ++row)
       {
         points.push_back({ this->Value(row, "ProvedError"), this->Value(row, "Triangles") });

@@ -173,11 +173,11 @@ void Run(const Words& words)
   AddPlaces(asked, *arguments);
   arguments->HasTags = true;
   std::cout << "<filter-start>\n<filter-name>vtkBoneDecimate</filter-name>\n"
-               "<filter-comment> \"Bone decimation\" </filter-comment>\n</filter-start>"
-            << std::endl;
+               "<filter-comment> \"Bone decimation\" </filter-comment>\n</filter-start>\n"
+            << std::flush;
   WriteResults(RunOne(*arguments), asked.ResultFile);
-  std::cout << "<filter-end>\n<filter-name>vtkBoneDecimate</filter-name>\n</filter-end>"
-            << std::endl;
+  std::cout << "<filter-end>\n<filter-name>vtkBoneDecimate</filter-name>\n</filter-end>\n"
+            << std::flush;
 }
 }
 

@@ -69,6 +69,7 @@ bool ForEachPart(std::size_t parts, int threads, const Monitor& monitor, const W
     }
   };
   std::vector<std::thread> pool;
+  pool.reserve(helpers);
   for (unsigned int i = 0; i < helpers; ++i)
   {
     pool.emplace_back([&, i] { guarded(failures[i], [] {}); });

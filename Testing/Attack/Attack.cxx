@@ -6,14 +6,16 @@
  *
  *     bonedecimate-attack RUNS SEED [SURFACE.ply ...]
  *
- * Every run is a random surface, or a piece cut out of one of the files, with random options and at times a random map of
- * tolerances, simplified and then judged by the certificate, which knows nothing of how it was made. Ends with 1 at the first run that broke the promise, and
- * names its seed: RUNS 1 with that SEED does it again.
+ * Every run is a random surface, or a piece cut out of one of the files, with random options, at times a random map of
+ * tolerances, at times so far from the origin that rounding counts, simplified and then judged by the certificate, which
+ * knows nothing of how it was made. Ends with 1 at the first run that broke the promise, and names its seed: RUNS 1 with
+ * that SEED does it again.
  */
 #include "BruteForce.h"
 #include "Certificate/Certificate.h"
 #include "Decimate.h"
 #include "Mesh/Cleaning.h"
+#include "Shapes.h"
 #include "TriangleFile.h"
 #include "Victims.h"
 
@@ -22,6 +24,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <limits>
 
 using namespace bonedecimate;
 using namespace bonedecimate::testsupport;
@@ -68,6 +71,17 @@ std::vector<double> AnyMap(Random& random, const Surface& surface, double error)
   return tolerances;
 }
 
+/// So far from the origin that single precision moves points by some share of an edge, and an error of the same order:
+/// points that never move are moved when they are written.
+void PutWhereRoundingCounts(Random& random, Attack& attack)
+{
+  const double distance = MeanEdge(attack.Victim) * std::pow(10.0, random.Between(4.0, 6.5));
+  attack.Victim =
+    Moved(attack.Victim, { distance, distance * random.Uniform(), distance * random.Uniform() });
+  const double unit = distance * std::numeric_limits<float>::epsilon();
+  attack.Asked.MaximumError = unit * std::pow(10.0, random.Between(0.0, 1.5));
+}
+
 Attack AnyAttack(std::uint64_t seed, const std::vector<Surface>& large)
 {
   Random random(seed);
@@ -90,6 +104,10 @@ Attack AnyAttack(std::uint64_t seed, const std::vector<Surface>& large)
     attack.Tolerances = AnyMap(random, attack.Victim, options.MaximumError);
     options.OutputPointsPrecision =
       PointsPrecision::Double; // a tolerance of 0 leaves no room for rounding
+  }
+  if (options.OutputPointsPrecision == PointsPrecision::Single && random.Below(3) == 0)
+  {
+    PutWhereRoundingCounts(random, attack);
   }
   return attack;
 }

@@ -32,10 +32,14 @@ CertificateVerdict Judge(const DistanceBounds& bounds, double tolerance)
 /// The best of two searches.
 void Tighten(DistanceBounds& bounds, const DistanceBounds& other)
 {
-  DistanceBounds best = other.Lower > bounds.Lower ? other : bounds;
-  best.Upper = std::min(bounds.Upper, other.Upper);
-  best.Cuts = bounds.Cuts + other.Cuts;
-  bounds = best;
+  const double upper = std::min(bounds.Upper, other.Upper);
+  const std::int64_t cuts = bounds.Cuts + other.Cuts;
+  if (other.Lower > bounds.Lower)
+  {
+    bounds = other;
+  }
+  bounds.Upper = upper;
+  bounds.Cuts = cuts;
 }
 
 /// One direction; the target's tolerances are those of the excess.

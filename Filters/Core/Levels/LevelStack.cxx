@@ -50,7 +50,8 @@ public:
     Index time = 0;
     for (const LoggedCollapse& collapse : this->Log.Collapses)
     {
-      good = good && this->Apply(collapse, ++time) && patchesOf(time);
+      ++time;
+      good = good && this->Apply(collapse, time) && patchesOf(time);
       this->Made.FacesLeft.push_back(this->Left);
     }
     return good && patch == this->Log.Patches.end();
