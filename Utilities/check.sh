@@ -150,7 +150,9 @@ check_sanitize()
   local left_out='AnyNumberOfThreads|TheDefaultReductionStepsBack|TheMoreTheyDo|MillimetresOrMetres'
   left_out+='|FewerTriangles|ThatManyTriangles|AsNearAsAskedFor|ThatComesFirst|RunInBlocks|WallsOfAFracture|AThinSheet'
   left_out+='|AnyReduction.*/(Icosphere|BumpySphere|HalvedBall|TunnelBlock|FlatPlate|NestedSpheres)'
-  left_out+='|Each(Guarantee|Clearance|Proof).*/(TunnelBlock|FlatPlate|NestedSpheres|Cube)'
+  local suites='Each(Guarantee|Clearance|Proof|Reference|Tolerance)'
+  left_out+="|$suites.*/(TunnelBlock|FlatPlate|NestedSpheres|Cube|(Inconsistent)?Grid|HoledPlate)"
+  left_out+="|$suites.*/(PinchedVertex|DuplicateTriangles|EnvelopeBesideSphere)"
   run_sanitized --exclude-regex "$left_out"
 }
 
