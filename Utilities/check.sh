@@ -16,7 +16,7 @@
 # sizes         no file over 400 lines, no function over 60
 # architecture  includes stay in their rooms
 # sanitize      builds the core's tests with the address and undefined-behaviour sanitizers and runs most of them
-# sanitize_whole  all of them, half an hour more; only by its name
+# sanitize_whole  all of them, far longer; only by its name
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 
@@ -143,8 +143,8 @@ run_sanitized()
     quietly ctest --preset sanitize --parallel "$jobs" "$@"
 }
 
-# A short form: without what runs the same again on 2, 4 and 8 threads, the largest shapes of the longest suites, and
-# comparisons of many whole runs, all of which every build runs without sanitizers.
+# A short form: without what runs the same again on 2, 4 and 8 threads, the slowest shapes of the longest suites (large ones
+# and some that are not manifold), and comparisons of many whole runs, all of which every build runs without sanitizers.
 check_sanitize()
 {
   local left_out='AnyNumberOfThreads|TheDefaultReductionStepsBack|TheMoreTheyDo|MillimetresOrMetres'
