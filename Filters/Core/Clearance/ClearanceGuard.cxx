@@ -327,13 +327,26 @@ bool ClearanceGuard::JumpsOver(const Workspace& work)
 bool ClearanceGuard::Owns(
   const HalfEdgeMesh& mesh, const Patch& change, VertexRange range, Workspace& work) const
 {
-  work.KnowsCells = !this->Grid.HoldsAll(range);
-  if (work.KnowsCells)
+  work.KnowsCells = false;
+  if (this->Grid.HoldsAll(range))
   {
-    this->FillPieces(mesh, change, work);
-    this->FindCells(work);
+    return true;
   }
-  return !work.KnowsCells || this->Grid.Owns(range, work.Cells);
+  // Corners alone tell most of what belongs to others, and soon.
+  const auto isOwned = [&](const Patch::Face& face)
+  {
+    return std::all_of(face.Corners.begin(), face.Corners.end(),
+      [&](const Vector3& corner) { return this->Grid.Owns(range, this->Grid.CellAt(corner)); });
+  };
+  if (!std::all_of(change.NewFaces.begin(), change.NewFaces.end(), isOwned))
+  {
+    return false;
+  }
+  work.KnowsCells = true;
+  this->FillPieces(mesh, change, work);
+  this->FindCells(work);
+  return std::all_of(work.Cells.begin(), work.Cells.end(),
+    [&](FaceGrid::Key cell) { return this->Grid.Owns(range, cell); });
 }
 
 //------------------------------------------------------------------------------

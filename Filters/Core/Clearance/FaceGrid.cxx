@@ -234,17 +234,19 @@ bool FaceGrid::HoldsAll(VertexRange range) const
 }
 
 //------------------------------------------------------------------------------
-/// Who reads an interval while its owner makes it grow finds it foreign either way.
-bool FaceGrid::Owns(VertexRange range, const std::vector<Key>& cells) const
+FaceGrid::Key FaceGrid::CellAt(const Vector3& corner) const
 {
-  return this->HoldsAll(range) ||
-    std::all_of(cells.begin(), cells.end(),
-      [&](Key name)
-      {
-        const Cell& cell = this->Cells[this->SlotOf(name)];
-        return cell.Name != Free && range.Contains(cell.Low.load(std::memory_order_relaxed)) &&
-          range.Contains(cell.High.load(std::memory_order_relaxed));
-      });
+  const Vector3 p = corner * (1.0 / this->Side);
+  return NameOf(Floor(p[0]), Floor(p[1]), Floor(p[2]));
+}
+
+//------------------------------------------------------------------------------
+/// Who reads an interval while its owner makes it grow finds it foreign either way.
+bool FaceGrid::Owns(VertexRange range, Key name) const
+{
+  const Cell& cell = this->Cells[this->SlotOf(name)];
+  return cell.Name != Free && range.Contains(cell.Low.load(std::memory_order_relaxed)) &&
+    range.Contains(cell.High.load(std::memory_order_relaxed));
 }
 
 //------------------------------------------------------------------------------

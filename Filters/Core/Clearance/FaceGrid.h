@@ -45,8 +45,11 @@ public:
   /// Whether the range may look into every cell there is.
   bool HoldsAll(VertexRange range) const;
 
-  /// Whether the range may look into all of them.
-  bool Owns(VertexRange range, const std::vector<Key>& cells) const;
+  /// One of those that AddCells gives for a triangle with such a corner.
+  Key CellAt(const Vector3& corner) const;
+
+  /// Whether the range, which does not hold all, may look into the cell.
+  bool Owns(VertexRange range, Key cell) const;
 
   /// Adds the faces in the cells, each as often as it is met.
   void AddFaces(const std::vector<Key>& cells, std::vector<Index>& faces) const;
