@@ -13,6 +13,23 @@ namespace bonedecimate
 namespace
 {
 constexpr int KeysAfterRefusal = 4 * KeysOfOctave;
+
+/// Where a merged vertex may go if the best place cannot be proved, seen from the middle of its edge.
+struct OtherPlace
+{
+  double TowardsBest;
+  double TowardsStart; // of the edge; -1: to its end
+
+  Vector3 Of(const Vector3& best, const Vector3& start, const Vector3& end) const
+  {
+    const Vector3 middle = 0.5 * (start + end);
+    return middle + this->TowardsBest * (best - middle) + this->TowardsStart * (start - middle);
+  }
+};
+/// The first few are what most is won by for what they cost: the middle and the ends are soon refused.
+constexpr std::array<OtherPlace, BlockTask::MostPlaces - 1> OtherPlaces = { { { 0.0, 0.0 },
+  { 0.0, 1.0 }, { 0.0, -1.0 }, { 1.0, 0.3 }, { 1.0, -0.3 }, { 0.5, 0.0 }, { 1.5, 0.0 },
+  { 2.0, 0.0 }, { 0.5, 0.3 }, { 0.5, -0.3 }, { 1.5, 0.3 }, { 1.5, -0.3 } } };
 }
 
 //------------------------------------------------------------------------------
@@ -137,7 +154,7 @@ BlockSweep::Outcome BlockSweep::CollapseAt(VertexEdges& edges, CostKey highest)
   for (; key <= highest; key = KeyOf(edges.LeastCost()))
   {
     const Outcome outcome = this->TryEdge(vertex, edges.TakeCheapest(), CostOf(highest));
-    if (outcome == Outcome::TooFar && this->Task.TriesAll)
+    if (outcome == Outcome::TooFar && this->Task.TriesAll())
     {
       continue;
     }
@@ -160,7 +177,7 @@ BlockSweep::Outcome BlockSweep::CollapseAt(VertexEdges& edges, CostKey highest)
 /// Whether all edges of the vertex were tried at all places, and nothing has changed since.
 bool BlockSweep::WasTried(Index vertex) const
 {
-  return this->Task.TriesAll && this->Known.Keys[vertex] == NeverKey &&
+  return this->Task.TriesAll() && this->Known.Keys[vertex] == NeverKey &&
     !this->Known.Changed[vertex];
 }
 
@@ -176,7 +193,7 @@ BlockSweep::Outcome BlockSweep::TryEdge(
   const Verdict verdict = this->Work.Examine(candidate.Edge, this->Space);
   if (verdict != Verdict::Allowed && verdict != Verdict::Elsewhere)
   {
-    return this->Task.TriesAll ? Outcome::TooFar : Outcome::Dearer;
+    return this->Task.TriesAll() ? Outcome::TooFar : Outcome::Dearer;
   }
   const std::vector<Index>& ring = this->Space.Around.Ring;
   if (verdict == Verdict::Elsewhere ||
@@ -194,20 +211,19 @@ BlockSweep::Outcome BlockSweep::TryEdge(
 }
 
 //------------------------------------------------------------------------------
-/// At the best place or, if that cannot be proved and all are tried, in the middle or at an end.
+/// At the best place or, if that cannot be proved and all are tried, at another.
 BlockSweep::Outcome BlockSweep::ApplyWherever(const Edit& best, float mostCost)
 {
   const HalfEdgeMesh& mesh = this->Work.Mesh();
   const Index other = mesh.Across(best.Edge, best.Keep);
   const Vector3 start = mesh.Position(best.Keep);
   const Vector3 end = mesh.Position(other);
-  const std::array<Vector3, 4> places = { best.Position, 0.5 * (start + end), start, end };
-  const std::size_t count = best.KeepStays || !this->Task.TriesAll ? 1 : places.size();
+  const int count = best.KeepStays ? 1 : this->Task.Places;
   Verdict verdict = Verdict::TooFar;
-  for (std::size_t i = 0; i < count && verdict != Verdict::Elsewhere; ++i)
+  for (int i = 0; i < count && verdict != Verdict::Elsewhere; ++i)
   {
     Edit edit = best;
-    edit.Position = places[i];
+    edit.Position = i == 0 ? best.Position : OtherPlaces[i - 1].Of(best.Position, start, end);
     const double left = this->LeaveBehind(edit);
     if (this->CostOfPeak(left) > mostCost)
     {
@@ -222,7 +238,7 @@ BlockSweep::Outcome BlockSweep::ApplyWherever(const Edit& best, float mostCost)
     }
   }
   return verdict == Verdict::Elsewhere                  ? Outcome::Elsewhere
-    : verdict == Verdict::TooFar || this->Task.TriesAll ? Outcome::TooFar
+    : verdict == Verdict::TooFar || this->Task.TriesAll() ? Outcome::TooFar
                                                         : Outcome::Dearer;
 }
 

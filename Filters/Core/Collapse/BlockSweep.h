@@ -37,7 +37,10 @@ struct BlockTask
   Index Collapses = 0;          ///< The most allowed.
   int Workers = 1;              ///< Blocks that are swept at the same time.
   bool RenewsRing = false;      ///< New keys for the ring of each merged vertex.
-  bool TriesAll = false;        ///< What cannot be proved is tried at other edges and other places.
+  /// Of a merged vertex, until one can be proved: one is the best alone, and no other edge is tried instead.
+  int Places = 1;
+  static constexpr int MostPlaces = 13;
+  bool TriesAll() const { return this->Places > 1; }
 };
 
 class BlockSweep

@@ -58,12 +58,13 @@ double PeakFactorOf(const HalfEdgeMesh& mesh)
 }
 }
 
-Sweep::Sweep(Editor& editor, const Stops& stops, int threads, double peakWeight)
+Sweep::Sweep(Editor& editor, const Stops& stops, int threads, double peakWeight, int places)
   : Work(editor)
   , Wanted(stops)
   , End(editor, stops)
   , Threads(editor.HasHook() ? 1 : threads)
   , FacesAtFirst(editor.Mesh().NumberOfFaces())
+  , Places(places)
 {
   const std::size_t count = static_cast<std::size_t>(editor.Mesh().NumberOfVertexSlots());
   this->Known.Keys.assign(count, NeverKey);
@@ -303,7 +304,7 @@ std::vector<BlockTask> Sweep::Blocks(CostKey limit, BlockCut cut) const
     BlockTask task;
     task.Vertices = { std::max(0, first), std::min(slots, first + cut.Size) };
     task.Limit = limit;
-    task.TriesAll = this->TriesAll;
+    task.Places = this->TriesAll ? this->Places : 1;
     task.Collapses = CountUpTo(limit, this->Known.Keys.data() + task.Vertices.First,
       this->Known.Keys.data() + task.Vertices.Last);
     ready += task.Collapses;
@@ -337,7 +338,7 @@ bool Sweep::SweepWhole(CostKey limit, Index faces, bool renewsRing, const Monito
   task.Vertices.Last = this->Work.Mesh().NumberOfVertexSlots();
   task.Limit = limit;
   task.RenewsRing = renewsRing;
-  task.TriesAll = this->TriesAll;
+  task.Places = this->TriesAll ? this->Places : 1;
   task.Collapses = std::max(0, this->Work.Mesh().NumberOfFaces() - faces);
   bool goesOn = true;
   Index collapses = 0;

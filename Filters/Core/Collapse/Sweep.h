@@ -21,7 +21,7 @@
  *               one edge of a vertex at its best place; what cannot be proved waits for the next pass
  *               between shifted blocks and the whole mesh, three large blocks
  *     pass 1 and later:  such a round without a limit
- *               all edges of a vertex, each at its best place, in its middle and at its ends
+ *               all edges of a vertex, each at its best place, in its middle, at its ends, and at others near the best
  *     after each pass what blocks left is swept as one block, and only vertices near a change get new keys
  *     end:      a pass takes away less than one face in 128 (LeastOfPass), or what is wanted is reached
  *
@@ -43,8 +43,12 @@ public:
   /// What a peak weighs, see Sweep.cxx: a stricter sweep costs some average and gives a smaller maximum.
   static constexpr double PeakWeight = 0.3;
 
+  /// Where edits are proved, of a merged vertex, see BlockSweep.cxx: more of them give fewer triangles and take longer.
+  static constexpr int PlacesTried = 4;
+
   /// @param editor Must keep quadrics.
-  Sweep(Editor& editor, const Stops& stops, int threads, double peakWeight = PeakWeight);
+  Sweep(Editor& editor, const Stops& stops, int threads, double peakWeight = PeakWeight,
+    int places = PlacesTried);
 
   /// @param monitor Hears fractions from 0 to 1.
   StopReason Run(const Monitor& monitor);
@@ -78,7 +82,8 @@ private:
   int Threads;
   VertexKeys Known;
   Index FacesAtFirst;
-  bool TriesAll = false; // of BlockTask
+  int Places;
+  bool TriesAll = false; // otherwise the best place alone
 };
 }
 

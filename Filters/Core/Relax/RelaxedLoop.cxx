@@ -54,7 +54,7 @@ StopReason RelaxedLoop::Collapse(Index faces, const Monitor& monitor)
 {
   Stops stops = this->Wanted;
   stops.Faces = faces;
-  Sweep sweep(this->Work, stops, this->Threads, PeakWeight);
+  Sweep sweep(this->Work, stops, this->Threads, PeakWeight, this->Asked.PlacesTried);
   return RunInStages(this->Work, stops, monitor,
     [&sweep](const Stops& stage, const Monitor& tell) { return sweep.RunTo(stage, tell); });
 }
@@ -71,15 +71,21 @@ Index RelaxedLoop::FacesOfSweep() const
 bool RelaxedLoop::Relax(const HalfEdgeMesh& original, const Monitor& monitor)
 {
   constexpr double begunAt = 0.2;
-  constexpr double relaxedAt = 0.4;
+  constexpr double relaxedAt = 0.4; // of a round
   constexpr double collapsedAt = 0.7;
   Relaxation relaxation(this->Work, original, this->Threads);
   const bool fewRemain = this->Wanted.Faces < FewTriangles * this->FacesAtFirst;
   const int sweepsAfter = fewRemain ? this->Asked.SweepsIfFew : this->Asked.SweepsAfter;
-  return relaxation.Begin(PartOf(monitor, 0.0, begunAt)) &&
-    relaxation.Sweep(this->Asked.SweepsBefore, PartOf(monitor, begunAt, relaxedAt)) &&
-    this->CollapseLast(relaxation, PartOf(monitor, relaxedAt, collapsedAt)) &&
-    relaxation.Sweep(sweepsAfter, PartOf(monitor, collapsedAt, 1.0));
+  const int rounds = this->Work.IsGuaranteed() ? this->Asked.ProvedRounds : 1;
+  const Monitor tell = PartOf(monitor, begunAt, collapsedAt);
+  bool goesOn = relaxation.Begin(PartOf(monitor, 0.0, begunAt));
+  for (int i = 0; i < rounds && goesOn; ++i)
+  {
+    const Monitor round = PartOf(tell, static_cast<double>(i) / rounds, (i + 1.0) / rounds);
+    goesOn = relaxation.Sweep(this->Asked.SweepsBefore, PartOf(round, 0.0, relaxedAt)) &&
+      this->CollapseLast(relaxation, PartOf(round, relaxedAt, 1.0));
+  }
+  return goesOn && relaxation.Sweep(sweepsAfter, PartOf(monitor, collapsedAt, 1.0));
 }
 
 //------------------------------------------------------------------------------

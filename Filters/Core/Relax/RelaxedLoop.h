@@ -11,12 +11,13 @@
  *     flip edges and move vertices again
  *
  * Where every edit is proved nobody knows the last collapses beforehand: then the sweep goes all the way, and flips and
- * moves are proved like collapses. What only edges at borders can give is left to a second sweep.
+ * moves are proved like collapses. They make room for further ones: another sweep follows, and both once more as often as the
+ * recipe says.
  */
 #ifndef BoneDecimate_Core_Relax_RelaxedLoop_h
 #define BoneDecimate_Core_Relax_RelaxedLoop_h
 
-#include "Collapse/Goal.h"
+#include "Collapse/BlockSweep.h"
 #include "Relaxation.h"
 
 namespace bonedecimate
@@ -30,9 +31,11 @@ struct Recipe
   int SweepsBefore;       ///< Relaxation before the last collapses.
   int SweepsAfter;        ///< And after them,
   int SweepsIfFew;        ///< or where few triangles remain and sweeps cost little.
+  int PlacesTried;        ///< Where edits are proved: of BlockTask,
+  int ProvedRounds;       ///< and how often relaxation and a sweep follow each other.
 };
-constexpr Recipe BalancedRecipe = { 0.2, 0.02, 4, 1, 1, 3 };
-constexpr Recipe AccurateRecipe = { 0.3, 0.06, 4, 1, 6, 8 };
+constexpr Recipe BalancedRecipe = { 0.2, 0.02, 4, 1, 1, 3, 8, 1 };
+constexpr Recipe AccurateRecipe = { 0.3, 0.06, 4, 1, 6, 8, BlockTask::MostPlaces, 3 };
 
 class RelaxedLoop
 {
