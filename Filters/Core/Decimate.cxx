@@ -3,6 +3,7 @@
 #include "Decimate.h"
 
 #include "Collapse/LineStages.h"
+#include "Collapse/OwnPlaces.h"
 #include "Collapse/Sweep.h"
 #include "Collapse/ThesisLoop.h"
 #include "Cost/AutomaticTolerance.h"
@@ -58,9 +59,8 @@ public:
   Result Go()
   {
     const StageClock clock;
-    if (this->Prepare())
+    if (this->Prepare() && this->Collapse())
     {
-      this->Collapse();
       this->Answer.Report.Seconds.Decimate = clock.Seconds();
       const JudgedRun run = { this->Input, this->Cleaned, *this->Work, this->LocalResult,
         this->First ? &this->First->Reference.Surface : nullptr, this->IsProved() };
@@ -254,7 +254,8 @@ private:
       .Run(monitor);
   }
 
-  void Collapse()
+  /// False if its result cannot be written in single precision.
+  bool Collapse()
   {
     const StageClock clock;
     Report& report = this->Answer.Report;
@@ -263,12 +264,23 @@ private:
     report.Stop = this->Progress.GoesOn()
       ? this->RunLoop(this->Progress.Stage(BuiltAt, collapsedAt))
       : StopReason::Aborted;
+    const bool placesMayMeet =
+      this->RoundToSingle && this->Wanted.MergePoints && this->Work->IsGuaranteed();
+    if (placesMayMeet && report.Stop != StopReason::Aborted)
+    {
+      report.Status = GiveOwnPlaces(*this->Work, this->Input, this->Cleaned, report.Cleaning);
+    }
+    if (report.Status != InputStatus::Good)
+    {
+      return false;
+    }
     report.Collapses = this->Work->NumberOfEdits();
     report.Refusals = this->Work->Refusals();
     this->HandLogOver();
     this->Extract(this->Progress.Stage(collapsedAt, extractedAt));
     report.RunningError = this->LargestError();
     report.Seconds.Collapse = clock.Seconds();
+    return true;
   }
 
   void HandLogOver()

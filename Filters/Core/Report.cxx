@@ -32,6 +32,14 @@ std::string FarMessage(const ProvedDistance& distance)
 std::string CoarseMessage(const CleaningStatistics& found)
 {
   char text[240];
+  if (found.MeetingPoints > 0)
+  {
+    std::snprintf(text, sizeof(text),
+      "single precision leaves %lld points of the result on the places of others, the first is "
+      "point %lld of the input; double precision, or an origin near the surface, keeps them apart",
+      static_cast<long long>(found.MeetingPoints), static_cast<long long>(found.FirstCoarsePoint));
+    return text;
+  }
   std::snprintf(text, sizeof(text),
     "single precision alone moves %lld points farther than the largest error or their tolerances "
     "allow, by up to %.3g mm, the first is point %lld; double precision, or an origin near the "

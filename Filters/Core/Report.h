@@ -38,7 +38,7 @@ enum class InputStatus : int
   BadReference,          ///< It has no triangle, or is refused as an input is.
   FarFromReference,      ///< The input is farther from it than the largest error.
   EverythingPruned,      ///< No component is large enough for what was asked for.
-  SinglePrecisionTooCoarse ///< Written in it, points move farther than the error or their tolerances allow.
+  SinglePrecisionTooCoarse ///< Written in it, points move farther than the error or tolerances allow, or onto others.
 };
 
 /// Why the collapse ended.
@@ -102,6 +102,7 @@ struct CleaningStatistics
   std::int64_t FirstBadTolerance = -1;
   /// Which single precision moves farther than they may move, after merging.
   std::int64_t CoarsePoints = 0;
+  std::int64_t MeetingPoints = 0; ///< Of the result, which single precision leaves on another's place.
   std::int64_t FirstCoarsePoint = -1;
   double LargestRounding = 0.0;  ///< mm, of those points.
   std::int64_t FrozenPoints = 0; ///< Points, after merging, whose tolerance leaves them no room.

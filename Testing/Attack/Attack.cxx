@@ -20,11 +20,13 @@
 #include "Victims.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <limits>
+#include <map>
 
 using namespace bonedecimate;
 using namespace bonedecimate::testsupport;
@@ -123,6 +125,21 @@ CleanSurface Cleaned(const Surface& input)
   return clean;
 }
 
+/// With points of equal coordinates as one.
+Surface AsRead(Surface surface)
+{
+  std::map<std::array<double, 3>, Index> first;
+  for (Triangle& corners : surface.Triangles)
+  {
+    for (Index& corner : corners)
+    {
+      const Vector3& p = surface.Points[static_cast<std::size_t>(corner)];
+      corner = first.emplace(std::array<double, 3>{ p[0], p[1], p[2] }, corner).first->second;
+    }
+  }
+  return surface;
+}
+
 /// The least of the points that are one now; -1 where none has a limit.
 std::vector<double> CleanedMap(const CleanSurface& clean, const std::vector<double>& tolerances)
 {
@@ -181,7 +198,8 @@ std::string WhatBroke(const Attack& attack, Totals& totals)
   const CleanSurface cleaned = Cleaned(attack.Victim);
   totals.TrianglesIn += static_cast<std::int64_t>(cleaned.Surface.Triangles.size());
   totals.TrianglesOut += static_cast<std::int64_t>(result.Surface.Triangles.size());
-  const std::string lost = WhatTopologyLost(cleaned.Surface, result.Surface);
+  std::string lost = WhatTopologyLost(cleaned.Surface, result.Surface);
+  lost = lost.empty() ? WhatTopologyLost(cleaned.Surface, AsRead(result.Surface)) : lost;
   CertificateOptions options;
   options.Tolerance = attack.Asked.MaximumError;
   options.ToleranceMap = CleanedMap(cleaned, attack.Tolerances);

@@ -36,6 +36,28 @@ Surface Cleaned(const Surface& input)
   return clean.Surface;
 }
 
+/// A disc, slit from its rim to the middle: the ends of the slit on the rim are 1e-8 mm apart.
+Surface SlitDisc(const Vector3& middle)
+{
+  constexpr Index corners = 64;
+  constexpr double halfSlit = 5e-10; // radians
+  constexpr double radius = 10.0;
+  const double turn = 2.0 * std::acos(-1.0) - 2.0 * halfSlit;
+  Surface disc;
+  disc.Points.push_back(middle);
+  for (Index i = 0; i < corners; ++i)
+  {
+    const double angle = halfSlit + turn * i / (corners - 1);
+    disc.Points.push_back(
+      middle + radius * Vector3(std::cos(angle), std::sin(angle), 0.1 * std::sin(3.0 * angle)));
+    if (i > 0)
+    {
+      disc.Triangles.push_back({ 0, i, i + 1 });
+    }
+  }
+  return disc;
+}
+
 class EachGuarantee : public EachShape
 {
 };
@@ -108,6 +130,43 @@ TEST(Guarantee, OfWhatSinglePrecisionCannotKeepIsRefused)
     EXPECT_EQ(kept.Status, InputStatus::Good);
     EXPECT_EQ(kept.Proof.Verdict, CertificateVerdict::Proved);
   }
+}
+
+TEST(Guarantee, ClosesNoSlitThatIsNarrowerThanSinglePrecision)
+{
+  const Surface input = SlitDisc(Vector3(1000.0, 2000.0, 3000.0));
+  const Vector3& one = input.Points[1];
+  const Vector3& other = input.Points.back();
+  ASSERT_EQ(one.cast<float>(), other.cast<float>());
+  for (const Mode mode : ProvingModes)
+  {
+    for (const Options& reach : { Error(0.05), Error(0.5) })
+    {
+      Options options = InMode(mode, reach);
+      options.OutputPointsPrecision = PointsPrecision::Single;
+      const Result result = Decimate(input, options);
+      EXPECT_LT(result.Surface.Triangles.size(), input.Triangles.size());
+      EXPECT_EQ(
+        Judge(input, result.Surface, options.MaximumError), CertificateVerdict::Proved)
+        << WordOf(mode);
+    }
+  }
+}
+
+TEST(Guarantee, IsRefusedWhereSinglePrecisionHasNoPlacesForItsPoints)
+{
+  const Surface input = Moved(Icosphere(2, 1.0), Vector3(1e7, 0.0, 0.0)); // 1 mm is one step there
+  Options options = InMode(Mode::Fast, Error(10.0));
+  options.TargetNumberOfTriangles = static_cast<Index>(input.Triangles.size());
+  options.OutputPointsPrecision = PointsPrecision::Single;
+  const Result refused = Decimate(input, options);
+  EXPECT_EQ(refused.Report.Status, InputStatus::SinglePrecisionTooCoarse);
+  EXPECT_GT(refused.Report.Cleaning.MeetingPoints, 0);
+  EXPECT_GE(refused.Report.Cleaning.FirstCoarsePoint, 0);
+  EXPECT_TRUE(refused.Surface.Triangles.empty());
+  EXPECT_NE(InputMessage(refused.Report).find("places of others"), std::string::npos);
+  options.OutputPointsPrecision = PointsPrecision::Double;
+  EXPECT_EQ(Decimate(input, options).Report.Proof.Verdict, CertificateVerdict::Proved);
 }
 
 TEST(Guarantee, GivesTheSameBytesForAnyNumberOfThreads)

@@ -118,7 +118,7 @@ Verdict JudgeFlip(const HalfEdgeMesh& mesh, Index edge, double& volumeChange)
 Verdict JudgeMove(
   const HalfEdgeMesh& mesh, Index vertex, const Vector3& position, double& volumeChange)
 {
-  if (mesh.Kind(vertex) != VertexKind::Inside)
+  if (mesh.IsFixed(vertex) || mesh.IsPinned(vertex))
   {
     return mesh.IsFixed(vertex) ? VerdictOfFixed(mesh.Kind(vertex)) : Verdict::Border;
   }

@@ -4,7 +4,7 @@
  * @file SmallEdits.h
  * @brief Whether a vertex may be moved or an edge flipped: the rules of Gate.h for edits that remove nothing.
  *
- * Locked, frozen and border vertices never move. No corner of the two faces of a flipped edge is locked or frozen, the
+ * Locked, frozen and pinned vertices never move. No corner of the two faces of a flipped edge is locked or frozen, the
  * new edge must not exist yet. No triangle turns by more than the gate allows, loses its area or becomes a worse needle.
  */
 #ifndef BoneDecimate_Core_Collapse_SmallEdits_h

@@ -104,7 +104,6 @@ void Patch::AddBorder(const HalfEdgeMesh& mesh, const Neighbourhood& around, con
 }
 
 //------------------------------------------------------------------------------
-/// Vertices on borders do not move.
 void Patch::FillMove(const HalfEdgeMesh& mesh, const Edit& edit)
 {
   this->Clear();
@@ -116,9 +115,18 @@ void Patch::FillMove(const HalfEdgeMesh& mesh, const Edit& edit)
     const Index face = HalfEdgeMesh::Face(h);
     const Index second = mesh.Target(h);
     const Index third = mesh.Origin(HalfEdgeMesh::Previous(h));
-    this->OldFaces.push_back(face);
+    this->AddOld(mesh, face, edit.Keep, edit.Keep);
     this->NewFaces.push_back({ face, { edit.Keep, second, third },
       { edit.Position, mesh.Position(second), mesh.Position(third) } });
+  }
+  for (const Index h : this->OldBorder)
+  {
+    const Index from = mesh.Origin(h);
+    const Index to = mesh.Target(h);
+    const auto onLine = [&](Index v) { return mesh.IsPinned(v) ? edit.Keep : v; };
+    const auto position = [&](Index v) { return v == edit.Keep ? edit.Position : mesh.Position(v); };
+    this->NewBorder.push_back(
+      { h, { from, to }, { position(from), position(to) }, None, { onLine(from), onLine(to) } });
   }
 }
 
