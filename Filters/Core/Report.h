@@ -102,7 +102,8 @@ struct CleaningStatistics
   std::int64_t FirstBadTolerance = -1;
   /// Which single precision moves farther than they may move, after merging.
   std::int64_t CoarsePoints = 0;
-  std::int64_t MeetingPoints = 0; ///< Of the result, which single precision leaves on another's place.
+  std::int64_t MeetingPoints =
+    0; ///< Of the result, which single precision leaves on another's place.
   std::int64_t FirstCoarsePoint = -1;
   double LargestRounding = 0.0;  ///< mm, of those points.
   std::int64_t FrozenPoints = 0; ///< Points, after merging, whose tolerance leaves them no room.

@@ -146,8 +146,7 @@ TEST(Guarantee, ClosesNoSlitThatIsNarrowerThanSinglePrecision)
       options.OutputPointsPrecision = PointsPrecision::Single;
       const Result result = Decimate(input, options);
       EXPECT_LT(result.Surface.Triangles.size(), input.Triangles.size());
-      EXPECT_EQ(
-        Judge(input, result.Surface, options.MaximumError), CertificateVerdict::Proved)
+      EXPECT_EQ(Judge(input, result.Surface, options.MaximumError), CertificateVerdict::Proved)
         << WordOf(mode);
     }
   }

@@ -237,9 +237,9 @@ BlockSweep::Outcome BlockSweep::ApplyWherever(const Edit& best, float mostCost)
       return Outcome::Collapsed;
     }
   }
-  return verdict == Verdict::Elsewhere                  ? Outcome::Elsewhere
+  return verdict == Verdict::Elsewhere                    ? Outcome::Elsewhere
     : verdict == Verdict::TooFar || this->Task.TriesAll() ? Outcome::TooFar
-                                                        : Outcome::Dearer;
+                                                          : Outcome::Dearer;
 }
 
 //------------------------------------------------------------------------------

@@ -49,8 +49,8 @@ public:
     {
       this->Work.ShareVolumes();
       this->Work.BeginSmallEdits();
-      later.erase(std::remove_if(later.begin(), later.end(),
-                    [this](Index v) { return this->Separate(v); }),
+      later.erase(
+        std::remove_if(later.begin(), later.end(), [this](Index v) { return this->Separate(v); }),
         later.end());
       this->Work.EndSmallEdits();
       this->Work.ShareVolumes();

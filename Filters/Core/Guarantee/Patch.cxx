@@ -124,7 +124,8 @@ void Patch::FillMove(const HalfEdgeMesh& mesh, const Edit& edit)
     const Index from = mesh.Origin(h);
     const Index to = mesh.Target(h);
     const auto onLine = [&](Index v) { return mesh.IsPinned(v) ? edit.Keep : v; };
-    const auto position = [&](Index v) { return v == edit.Keep ? edit.Position : mesh.Position(v); };
+    const auto position = [&](Index v)
+    { return v == edit.Keep ? edit.Position : mesh.Position(v); };
     this->NewBorder.push_back(
       { h, { from, to }, { position(from), position(to) }, None, { onLine(from), onLine(to) } });
   }
