@@ -32,9 +32,10 @@ double AreaOf(const HalfEdgeMesh& mesh, Index face)
 }
 }
 
-Samples::Samples(const HalfEdgeMesh& original)
+Samples::Samples(const HalfEdgeMesh& original, bool mayBeThree)
   : Source(original)
   , Unit(original.Unit())
+  , MayBeThree(mayBeThree)
   , Firsts(static_cast<std::size_t>(original.NumberOfFaceSlots()), None)
 {
 }
@@ -84,7 +85,7 @@ bool Samples::Distribute(
   const HalfEdgeMesh& mesh, const Original& merged, int threads, const Monitor& monitor)
 {
   const Index faces = this->Source.NumberOfFaceSlots();
-  this->PerFace = faces / ManyTriangles < mesh.NumberOfFaces() ? 3 : 1;
+  this->PerFace = this->MayBeThree && faces / ManyTriangles < mesh.NumberOfFaces() ? 3 : 1;
   const CurrentVertices current = merged.CurrentVertices();
   this->All.clear();
   this->Faces.resize(current.size() + static_cast<std::size_t>(this->PerFace) * faces);

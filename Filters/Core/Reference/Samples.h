@@ -36,7 +36,8 @@ public:
   };
 
   /// @param original The mesh before the first collapse, which must stay.
-  explicit Samples(const HalfEdgeMesh& original);
+  /// @param mayBeThree Of each triangle, where many remain; else one: where every edit is proved they gain nothing.
+  explicit Samples(const HalfEdgeMesh& original, bool mayBeThree = true);
 
   /// Both return false if the monitor said stop; then there is nothing to go on with.
   bool Distribute(
@@ -102,6 +103,7 @@ private:
   const HalfEdgeMesh& Source;
   double Unit; // mm
   Usual Measured;
+  bool MayBeThree;
   Index PerFace = 1; // samples inside each original triangle
   std::vector<Sample> All;
   std::vector<Index> Faces;  // of each sample; valid only within Distribute and Settle

@@ -11,7 +11,7 @@ namespace bonedecimate
 {
 Relaxation::Relaxation(Editor& editor, const HalfEdgeMesh& original, int threads)
   : Work(editor)
-  , Fit(original)
+  , Fit(original, !editor.IsGuaranteed())
   , Back(original)
   , Threads(threads)
 {
