@@ -59,8 +59,6 @@ MUTANTS = (
     Mutant("half of a face is forgotten", ROOM + "FaceProof.cxx",
            "  half.Corners[next] = piece.Corners[next];\n  half.Corners[edge] = middle;\n  this->Open.push_back(half);\n",
            ""),
-    Mutant("points may meet where single precision has one place for them", "Filters/Core/Decimate.cxx",
-           "if (placesMayMeet &&", "if (false && placesMayMeet &&"),
 )
 
 

@@ -19,6 +19,7 @@ using Place = std::array<float, 3>; // mm
 std::vector<std::array<int, 3>> StepsAround()
 {
   std::vector<std::array<int, 3>> steps;
+  steps.reserve(27);
   for (int i = 0; i < 27; ++i)
   {
     steps.push_back({ i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1 });
