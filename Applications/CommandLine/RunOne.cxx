@@ -66,7 +66,8 @@ public:
     const StageClock watch;
     if (this->Volume)
     {
-      const BoneSurface bone = ExtractBoneSurface(this->Path, *this->Asked.Iso);
+      const BoneSurface bone = ExtractBoneSurface(this->Path, *this->Asked.Iso,
+        this->Asked.TakesLabels ? LabelPolicy::AsIntensities : LabelPolicy::Refuse);
       if (!bone.Surface)
       {
         Refuse(this->Path, bone.Problem);
