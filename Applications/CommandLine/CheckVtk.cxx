@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// VTK's legacy format: its reader allocates by what is announced, and follows a file that it has
 /// closed.
+#include "CoordinateCollector.h"
 #include "FileChecks.h"
 #include "LineReader.h"
 
@@ -32,8 +33,9 @@ bool IsCells(std::string_view word)
 class VtkCheck
 {
 public:
-  explicit VtkCheck(const std::string& path)
+  VtkCheck(const std::string& path, CoordinateCollector& textPoints)
     : Path(path)
+    , TextPoints(textPoints)
     , Lines(path)
     , Size(static_cast<std::int64_t>(std::filesystem::file_size(path)))
   {
@@ -82,7 +84,7 @@ private:
     if (words.size() == 3 && words[0] == "POINTS")
     {
       const std::int64_t points = this->ReadCount(words[1]);
-      this->SkipNumbers(3 * points, words[2]);
+      this->SkipNumbers(3 * points, words[2], &this->TextPoints);
     }
     else if (words.size() == 3 && IsCells(words[0]))
     {
@@ -113,7 +115,7 @@ private:
     return count;
   }
 
-  void SkipNumbers(std::int64_t count, std::string_view type)
+  void SkipNumbers(std::int64_t count, std::string_view type, CoordinateCollector* texts = nullptr)
   {
     const std::int64_t bytes = static_cast<std::int64_t>(BytesOf(type));
     if (bytes == 0 || count * (this->Binary ? bytes : NumberLength) > this->Size)
@@ -128,7 +130,12 @@ private:
     }
     for (std::int64_t i = 0; i < count; ++i)
     {
-      this->RequireWhole(IsNumber(this->NextWord()));
+      double number = 0.0;
+      this->RequireWhole(ReadNumber(this->NextWord(), number));
+      if (texts)
+      {
+        texts->Add(number);
+      }
     }
   }
 
@@ -192,6 +199,7 @@ private:
   }
 
   const std::string& Path;
+  CoordinateCollector& TextPoints;
   LineReader Lines;
   std::int64_t Size;
   bool Binary = false;
@@ -203,8 +211,8 @@ private:
 };
 }
 
-void CheckVtkFile(const std::string& path)
+void CheckVtkFile(const std::string& path, CoordinateCollector& textPoints)
 {
-  VtkCheck(path).Run();
+  VtkCheck(path, textPoints).Run();
 }
 }

@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// VTK's XML format: its reader says when data are missing, but allocates by what is announced.
+#include "CoordinateCollector.h"
 #include "FileChecks.h"
+#include "LineReader.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -50,9 +53,38 @@ void CheckAnnouncedXml(const std::string& path, const std::string& head, double 
     }
   }
 }
+
+/// Of every piece; nothing where a piece has its points in binary.
+void ReadTextPoints(const std::string& path, std::uintmax_t size, CoordinateCollector& points)
+{
+  const std::string text = ReadPart(path, 0, static_cast<std::size_t>(size));
+  for (std::size_t at = text.find("<Points"); at != std::string::npos;
+       at = text.find("<Points", at + 1))
+  {
+    const std::size_t array = text.find("<DataArray", at);
+    const std::size_t begin = std::min(text.find('>', array), text.size());
+    const std::string tag = array < begin ? text.substr(array, begin - array) : std::string();
+    if (AttributeAfter(tag, 0, "format") != "ascii")
+    {
+      return;
+    }
+    const std::string_view numbers =
+      std::string_view(text).substr(begin, text.find('<', begin) - begin);
+    std::vector<std::string_view> words;
+    SplitWords(numbers.substr(std::min<std::size_t>(1, numbers.size())), words);
+    for (const std::string_view word : words)
+    {
+      double number = 0.0;
+      if (ReadNumber(word, number))
+      {
+        points.Add(number);
+      }
+    }
+  }
+}
 }
 
-void CheckVtpFile(const std::string& path)
+void CheckVtpFile(const std::string& path, CoordinateCollector& textPoints)
 {
   const std::uintmax_t size = std::filesystem::file_size(path);
   const std::string head = ReadPart(path, 0, 65536);
@@ -72,5 +104,10 @@ void CheckVtpFile(const std::string& path)
     Refuse(path, "it does not end with '</VTKFile>'; the file is cut off");
   }
   CheckAnnouncedXml(path, head, static_cast<double>(size));
+  // Points come first in a piece: a file whose first ones are binary is read by VTK alone.
+  if (AttributeAfter(head, head.find("<Points"), "format") == "ascii")
+  {
+    ReadTextPoints(path, size, textPoints);
+  }
 }
 }

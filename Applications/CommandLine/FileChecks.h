@@ -12,12 +12,19 @@
 
 namespace bonedecimate
 {
+class CoordinateCollector;
+
 /// Existence, kind, size and permission of a file. @throws Failure(ExitCode::InputRefused)
 void CheckFile(const std::string& path);
 
-/// @name Announced counts against what is there; the file is there and not empty. @{
-void CheckVtpFile(const std::string& path);
-void CheckVtkFile(const std::string& path);
+/**
+ * @name Announced counts against what is there; the file is there and not empty.
+ * @param textPoints Gets the coordinates if they are text: an array of single precision, which VTK
+ * makes of them, may round them.
+ * @{
+ */
+void CheckVtpFile(const std::string& path, CoordinateCollector& textPoints);
+void CheckVtkFile(const std::string& path, CoordinateCollector& textPoints);
 /// @}
 
 /// Throws the failure: "'NAME' was refused: REASON".

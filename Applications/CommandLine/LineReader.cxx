@@ -13,7 +13,7 @@ namespace
 {
 bool IsBlank(char c)
 {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f';
 }
 
 /// A number may begin with a plus sign, which from_chars does not know.
@@ -58,21 +58,25 @@ const std::vector<std::string_view>& LineReader::GetWords()
   }
   this->IsSplit = true;
   this->Words.clear();
-  const std::string_view line = this->Line;
-  for (std::size_t i = 0; i < line.size();)
+  SplitWords(this->Line, this->Words);
+  return this->Words;
+}
+
+void SplitWords(std::string_view text, std::vector<std::string_view>& words)
+{
+  for (std::size_t i = 0; i < text.size();)
   {
     std::size_t end = i;
-    while (end < line.size() && !IsBlank(line[end]))
+    while (end < text.size() && !IsBlank(text[end]))
     {
       ++end;
     }
     if (end > i)
     {
-      this->Words.push_back(line.substr(i, end - i));
+      words.push_back(text.substr(i, end - i));
     }
     i = end + 1;
   }
-  return this->Words;
 }
 
 bool ReadNumber(std::string_view word, double& value)

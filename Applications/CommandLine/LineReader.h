@@ -51,6 +51,9 @@ private:
   bool Ended = true;
 };
 
+/// Adds what stands between blanks and line ends; valid as long as the text is.
+void SplitWords(std::string_view text, std::vector<std::string_view>& words);
+
 /// Whether the whole word is a number, and which: rounded to the nearest double, infinite beyond
 /// the largest.
 bool ReadNumber(std::string_view word, double& value);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceFiles.h"
 
+#include "CoordinateCollector.h"
 #include "ExitCode.h"
 #include "FileChecks.h"
 #include "SurfaceFormat.h"
@@ -34,9 +35,25 @@ vtkSmartPointer<vtkPolyData> ReadWith(Reader* reader, const std::string& path)
   return reader->GetOutput();
 }
 
+/// Text may hold what the array of single precision that VTK makes of it does not.
+vtkSmartPointer<vtkPolyData> WithTextPoints(
+  vtkSmartPointer<vtkPolyData> surface, CoordinateCollector& text)
+{
+  const auto points = text.MakePoints();
+  const bool isRounded = surface->GetPoints() && points->GetDataType() == VTK_DOUBLE &&
+    surface->GetPoints()->GetDataType() != VTK_DOUBLE &&
+    surface->GetPoints()->GetNumberOfPoints() == points->GetNumberOfPoints();
+  if (isRounded)
+  {
+    surface->SetPoints(points);
+  }
+  return surface;
+}
+
 /// What the format's reader says about it goes to VTK's messages or to the warnings.
 vtkSmartPointer<vtkPolyData> ReadFormat(const std::string& path, std::vector<std::string>& warnings)
 {
+  CoordinateCollector textPoints;
   switch (FormatOf(path))
   {
     case SurfaceFormat::Obj:
@@ -46,11 +63,11 @@ vtkSmartPointer<vtkPolyData> ReadFormat(const std::string& path, std::vector<std
     case SurfaceFormat::Stl:
       return ReadStlFile(path);
     case SurfaceFormat::Vtp:
-      CheckVtpFile(path);
-      return ReadWith(vtkNew<vtkXMLPolyDataReader>().Get(), path);
+      CheckVtpFile(path, textPoints);
+      return WithTextPoints(ReadWith(vtkNew<vtkXMLPolyDataReader>().Get(), path), textPoints);
     case SurfaceFormat::Vtk:
-      CheckVtkFile(path);
-      return ReadWith(vtkNew<vtkPolyDataReader>().Get(), path);
+      CheckVtkFile(path, textPoints);
+      return WithTextPoints(ReadWith(vtkNew<vtkPolyDataReader>().Get(), path), textPoints);
     case SurfaceFormat::Unknown:
       break;
   }

@@ -33,8 +33,8 @@ def far_torus(centre):
 
 def far_sheet(centre):
     """Points and triangles of a sheet of 12 mm with waves of .02 mm, as doubles that are no single numbers."""
-    side = 17
-    places = np.stack(np.meshgrid(np.arange(side), np.arange(side), indexing="ij"), -1).reshape(-1, 2) * 0.7123456789
+    side = 12
+    places = np.stack(np.meshgrid(np.arange(side), np.arange(side), indexing="ij"), -1).reshape(-1, 2) * 1.0123456789
     heights = 0.01 * np.sin(places[:, 0]) * np.cos(1.3 * places[:, 1])
     corners = (np.arange(side - 1)[:, None] * side + np.arange(side - 1)).ravel()
     triangles = np.concatenate([corners[:, None] + (0, side, side + 1), corners[:, None] + (0, side + 1, 1)])
@@ -69,6 +69,28 @@ def text_stl_of(points, triangles):
     return ("solid bone\n" + "".join(facets) + "endsolid bone\n").encode()
 
 
+def cells_text(triangles, form):
+    return "".join(form % tuple(t) for t in triangles)
+
+
+def text_vtk_of(points, triangles):
+    return ("# vtk DataFile Version 3.0\nbone\nASCII\nDATASET POLYDATA\n"
+            f"POINTS {len(points)} float\n" + "".join("%r %r %r\n" % tuple(map(float, p)) for p in points)
+            + f"POLYGONS {len(triangles)} {4 * len(triangles)}\n" + cells_text(triangles, "3 %d %d %d\n")).encode()
+
+
+def text_vtp_of(points, triangles):
+    def array(kind, name, text):
+        return f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{3 if name == "Points" else 1}" format="ascii">{text}</DataArray>'
+
+    ends = " ".join(str(3 * i + 3) for i in range(len(triangles)))
+    return ('<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>'
+            f'<Piece NumberOfPoints="{len(points)}" NumberOfPolys="{len(triangles)}"><Points>'
+            + array("Float32", "Points", "\n".join("%r %r %r" % tuple(map(float, p)) for p in points)) + "</Points><Polys>"
+            + array("Int32", "connectivity", cells_text(triangles, "%d %d %d ")) + array("Int32", "offsets", ends)
+            + "</Polys></Piece></PolyData></VTKFile>\n").encode()
+
+
 FORMS = {
     "text.obj": obj_of,
     "text.ply": text_ply_of,
@@ -76,6 +98,8 @@ FORMS = {
     "little.ply": binary_ply_of,
     "big.ply": lambda points, triangles: binary_ply_of(points, triangles, ">"),
     "text.stl": text_stl_of,
+    "text.vtk": text_vtk_of,
+    "text.vtp": text_vtp_of,
 }
 
 

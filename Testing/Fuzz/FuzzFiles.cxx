@@ -8,9 +8,10 @@
  */
 #include "Bytes.h"
 #include "ExitCode.h"
-#include "FileChecks.h"
 #include "HeaderText.h"
 #ifdef BONEDECIMATE_FUZZ_WITH_VTK
+#include "CoordinateCollector.h"
+#include "FileChecks.h"
 #include "MetaImageHeader.h"
 #include "NrrdHeader.h"
 #include "SurfaceReaders.h"
@@ -98,29 +99,33 @@ void CheckSurface(vtkPolyData* surface)
 
 void ReadAs(int kind, const std::string& path)
 {
+#ifdef BONEDECIMATE_FUZZ_WITH_VTK
   std::vector<std::string> warnings;
+  CoordinateCollector points;
   switch (kind)
   {
-    case 3:
-      return CheckVtkFile(path);
-    case 4:
-      return CheckVtpFile(path);
-#ifdef BONEDECIMATE_FUZZ_WITH_VTK
     case 0:
       return CheckSurface(ReadObjFile(path, warnings));
     case 1:
       return CheckSurface(ReadStlFile(path));
     case 2:
       return CheckSurface(ReadPlyFile(path, warnings));
+    case 3:
+      return CheckVtkFile(path, points);
+    case 4:
+      return CheckVtpFile(path, points);
     case 5:
       return ReadVolume(volume::ReadMetaImageHeader(path));
     case 6:
       return ReadVolume(volume::ReadNrrdHeader(path));
-#endif
     default:
-      volume::ReadHeaderText(path, { "NRRD", ':', "" });
-      volume::ReadHeaderText(path, { "", '=', "elementdatafile" });
+      break;
   }
+#else
+  static_cast<void>(kind);
+#endif
+  volume::ReadHeaderText(path, { "NRRD", ':', "" });
+  volume::ReadHeaderText(path, { "", '=', "elementdatafile" });
 }
 }
 

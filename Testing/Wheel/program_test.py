@@ -103,6 +103,39 @@ class Program(unittest.TestCase):
             self.assertIsNotNone(surface.GetPointData().GetArray(name), name)
         self.assertIsNotNone(surface.GetFieldData().GetAbstractArray("bonedecimate.version"))
 
+    @unittest.skipUnless(REAL_HAS("vtkmodules"), "no VTK here")
+    def test_coordinates_in_double_precision_are_read_as_they_are(self):
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        far = POINTS.astype(np.float64) + 1e7 + 1 / 3
+        vertices = ["%r %r %r\n" % tuple(map(float, point)) for point in far]
+        header = f"element vertex {len(far)}\nproperty double x\nproperty double y\nproperty double z\n" \
+                 f"element face {len(TRIANGLES)}\nproperty list uchar int vertex_indices\nend_header\n"
+        fives = np.zeros(len(TRIANGLES), np.dtype([("count", "u1"), ("corners", ">i4", 3)]))
+        fives["count"], fives["corners"] = 3, TRIANGLES
+        faces = "".join("f %d %d %d\n" % tuple(corners + 1) for corners in TRIANGLES)
+        loops = "".join("facet normal 0 0 0\nouter loop\n" + "".join("vertex " + vertices[i] for i in corners)
+                        + "endloop\nendfacet\n" for corners in TRIANGLES)
+        for name, data in (
+            ("plain.obj", "".join("v " + vertex for vertex in vertices) + faces),
+            ("seam.obj", "vt 0 0\n" + "".join("v " + vertex for vertex in vertices) + "".join(
+                "f %d/1 %d/1 %d/1\n" % tuple(corners + 1) for corners in TRIANGLES)),
+            ("text.ply", "ply\nformat ascii 1.0\n" + header + "".join(vertices)
+             + "".join("3 %d %d %d\n" % tuple(corners) for corners in TRIANGLES)),
+            ("text.stl", "solid\n" + loops + "endsolid\n"),
+        ):
+            with self.subTest(name=name):
+                (self.folder / name).write_text(data)
+                self.expect_corners(name, far, vtk_to_numpy)
+        (self.folder / "big.ply").write_bytes(("ply\nformat binary_big_endian 1.0\n" + header).encode()
+                                              + far.astype(">f8").tobytes() + fives.tobytes())
+        self.expect_corners("big.ply", far, vtk_to_numpy)
+
+    def expect_corners(self, name, far, vtk_to_numpy):
+        surface = files.read_vtk(self.folder / name)
+        points = vtk_to_numpy(surface.GetPoints().GetData())
+        triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        np.testing.assert_array_equal(points[triangles[: len(TRIANGLES)]], far[TRIANGLES])
+
     def test_runs_as_a_module(self):
         done = subprocess.run([sys.executable, "-m", "bonedecimate", self.folder / "bone.stl", self.folder / "out.stl"],
                               capture_output=True, text=True)

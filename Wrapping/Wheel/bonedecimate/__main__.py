@@ -87,6 +87,8 @@ def _value(row: _core.OptionInfo, text: str):
 
 
 def _work(arguments: argparse.Namespace) -> int:
+    if arguments.output.suffix.lower() in files.SINGLE:  # what is proved is what is written
+        arguments.precision = "Single"
     try:
         options = options_of(arguments)
     except ValueError as problem:

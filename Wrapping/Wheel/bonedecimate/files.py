@@ -12,6 +12,8 @@ import pathlib
 import numpy as np
 from numpy.typing import NDArray
 
+from . import exact
+
 Surface = tuple[NDArray, NDArray]
 
 # Of every ending that VTK knows: the module, the reader and the writer.
@@ -22,6 +24,7 @@ VTK_KINDS = {
     ".vtp": ("vtkIOXML", "vtkXMLPolyDataReader", "vtkXMLPolyDataWriter"),
     ".vtk": ("vtkIOLegacy", "vtkPolyDataReader", "vtkPolyDataWriter"),
 }
+SINGLE = (".stl", ".ply")  # what VTK's writers round to single precision
 STL_TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 STL_HEADER = 84  # bytes, of which the last four are the number of triangles
 
@@ -45,8 +48,35 @@ def whole(path: pathlib.Path):
 
 
 def read_vtk(path: pathlib.Path):
-    """A vtkPolyData. Raises OSError if there is none in the file."""
+    """A vtkPolyData, in double precision if the file's coordinates need it. Raises OSError if there is none in the file."""
+    surface = _read_vtk(path)
+    coordinates = exact.coordinates(path)
+    if coordinates is not None and not exact.are_single(coordinates):
+        surface = _with_coordinates(surface, coordinates, path)
+    return surface
+
+
+def _with_coordinates(surface, coordinates: NDArray, path: pathlib.Path):
+    """The surface with the coordinates that VTK's reader rounded. Raises OSError if they cannot be told apart."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+    kind = path.suffix.lower()
+    if kind == ".stl":
+        surface = _read_vtk(path, merges=False)
+    count = surface.GetNumberOfPoints()
+    if kind == ".obj" and len(coordinates) != count:  # then every corner has a point, for texture or normals
+        coordinates = coordinates[exact.obj_corners(path)]
+    if len(coordinates) == count:
+        read = vtk_to_numpy(surface.GetPoints().GetData()).astype(np.float64)
+        if np.all(np.abs(read - coordinates) <= np.spacing(np.abs(coordinates).astype(np.float32))):
+            surface.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(coordinates), deep=True))
+            return surface
+    raise OSError(f"{path} has coordinates in double precision, which VTK rounds; write it as .vtp")
+
+
+def _read_vtk(path: pathlib.Path, merges: bool = True):
     reader = _vtk_class(path, 1)()
+    if not merges:
+        reader.MergingOff()
     problems = []
     for event in ("ErrorEvent", "WarningEvent"):
         reader.AddObserver(event, lambda *_: problems.append(event))
