@@ -33,8 +33,8 @@ def far_torus(centre):
 
 def far_sheet(centre):
     """Points and triangles of a sheet of 12 mm with waves of .02 mm, as doubles that are no single numbers."""
-    side = 12
-    places = np.stack(np.meshgrid(np.arange(side), np.arange(side), indexing="ij"), -1).reshape(-1, 2) * 1.0123456789
+    side = 14
+    places = np.stack(np.meshgrid(np.arange(side), np.arange(side), indexing="ij"), -1).reshape(-1, 2) * 0.7123456789
     heights = 0.01 * np.sin(places[:, 0]) * np.cos(1.3 * places[:, 1])
     corners = (np.arange(side - 1)[:, None] * side + np.arange(side - 1)).ravel()
     triangles = np.concatenate([corners[:, None] + (0, side, side + 1), corners[:, None] + (0, side + 1, 1)])
