@@ -204,7 +204,7 @@ private:
     std::size_t corner = 0;
     for (vtkIdType face = 0; face < faces.Vertices->GetNumberOfCells(); ++face)
     {
-      const int material = StateOf(faces, face).Material;
+      const vtkIdType material = StateOf(faces, face).Material;
       for (vtkIdType i = 0; i < faces.Vertices->GetCellSize(face); ++i, ++corner)
       {
         const vtkIdType index = faces.TextureCoordinates[corner];

@@ -51,7 +51,7 @@ public:
       {
         return {};
       }
-      const auto label = static_cast<std::size_t>(this->Values[i]);
+      const std::size_t label = IndexOf(this->Values[i]);
       if (!isThere[label])
       {
         isThere[label] = true;
@@ -101,6 +101,12 @@ private:
       number == static_cast<double>(static_cast<int>(number));
   }
 
+  /// Of a label.
+  static std::size_t IndexOf(Value value)
+  {
+    return static_cast<std::size_t>(static_cast<int>(value));
+  }
+
   void CountPairs(std::size_t axis, std::vector<Pairs>& pairs) const
   {
     const vtkIdType step = this->Steps[axis];
@@ -110,8 +116,8 @@ private:
       {
         continue; // the last along the axis: the next voxel in memory is no neighbor
       }
-      const auto a = static_cast<std::size_t>(this->Values[i]);
-      const auto b = static_cast<std::size_t>(this->Values[i + step]);
+      const std::size_t a = IndexOf(this->Values[i]);
+      const std::size_t b = IndexOf(this->Values[i + step]);
       if (a > 0 && a == b)
       {
         ++pairs[a].Equal;
