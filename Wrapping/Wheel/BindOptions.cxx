@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arrays.h"
 #include "Bindings.h"
+#include "NumberRange.h"
 #include "OptionTable.h"
 #include "ReportTable.h"
 
@@ -133,6 +134,14 @@ void BindTable(nb::module_& module)
     "option_table", [] { return OptionTable(); },
     "All options, in the order of the documentation.");
   module.def("option_table_markdown", &OptionTableMarkdown);
+  module.def(
+    "check_number",
+    [](const std::string& name, double minimum, double maximum, bool isWhole,
+      const std::string& unit, double value) {
+      return CheckNumber(name, { minimum, maximum, isWhole, unit }, value);
+    },
+    nb::arg("name"), nb::arg("minimum"), nb::arg("maximum"), nb::arg("is_whole"), nb::arg("unit"),
+    nb::arg("value"), "What is wrong with a number, in one sentence; empty if nothing is.");
 }
 }
 
