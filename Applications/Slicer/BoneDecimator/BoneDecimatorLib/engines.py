@@ -62,9 +62,14 @@ class WheelEngine:
         from bonedecimate import vtkBoneDecimate
         decimate = vtkBoneDecimate()
         rows = {row.flag: row for row in table.ROWS.values()}
-        for flag, value in options.items():
-            row = rows[flag]
-            getattr(decimate, "Set" + row.name)(row.choices.index(value) if row.choices else value)
+        try:
+            for flag, value in options.items():
+                row = rows[flag]
+                if row.choices and value not in row.choices:
+                    raise ValueError(f"{row.name} takes one of {', '.join(row.choices)}, not {value!r}")
+                getattr(decimate, "Set" + row.name)(row.choices.index(value) if row.choices else value)
+        except (TypeError, ValueError) as problem:  # not what that option takes
+            raise DecimationError(str(problem)) from problem
         if tolerances is not None:
             decimate.SetToleranceArrayName(TOLERANCE)
         problems = []
