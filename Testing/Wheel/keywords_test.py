@@ -50,7 +50,7 @@ def good(row, by_number):
     if row.kind == "bool":
         return [True, False, 0, 1, np.bool_(True)]
     if row.kind == "str":
-        return ["Name", "", np.str_("Name"), "größe"]
+        return ["Name", "", np.str_("Name"), "gr\u00f6\u00dfe"]
     middle = [1, np.int32(1), np.uint8(1), np.array(1)] + ([1.0, 4e2] if row.kind == "int" else [0.5, np.float32(0.5)])
     kind = int if row.kind == "int" else float
     return [kind(row.minimum), kind(row.maximum), *middle]
@@ -227,7 +227,7 @@ class Names(unittest.TestCase):
 
     def test_that_are_misspelled_are_answered_with_the_one_that_was_meant(self):
         meant = {"max_eror": "max_error", "maximum_error": "max_error", "maxError": "max_error", "target_face": "target_faces",
-                 "number_of_threads": "threads", "tolerence": "tolerances", "reduction": "target_reduction"}
+                 "number_of_threads": "threads", "tolerancs": "tolerances", "reduction": "target_reduction"}
         for word, name in meant.items():
             with self.assertRaisesRegex(TypeError, f"no option '{word}' here .did you mean '{name}'"):
                 decimate(*TETRAHEDRON, **{word: 1})

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import math
 import pathlib
 import sys
 import warnings
@@ -119,7 +118,7 @@ def _work(arguments: argparse.Namespace) -> int:
         write()
         if arguments.report:
             with files.whole(arguments.report) as made:
-                made.write_text(_json(report), encoding="utf-8")
+                made.write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
     except (OSError, ValueError) as problem:
         return _fail(COULD_NOT_WRITE, problem)
     if not arguments.quiet:
@@ -127,12 +126,6 @@ def _work(arguments: argparse.Namespace) -> int:
         if "proof.upper" in report:
             print(f"proved: no point is farther than {report['proof.upper']:.6g} mm from the other surface")
     return DONE
-
-
-def _json(report: dict) -> str:
-    """JSON has no NaN and no infinity: they are null, as from the C++ program."""
-    plain = {name: None if isinstance(value, float) and not math.isfinite(value) else value for name, value in report.items()}
-    return json.dumps(plain, indent=2, allow_nan=False) + "\n"
 
 
 def _bar(arguments: argparse.Namespace):

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from .options import WITHOUT_ARRAYS, number, read, switch, takes_options, thread_count
 from .progress import Progress, listener
-from .surfaces import labels_from, named_labels, points_from, surface_from, tolerances_from, triangles_from, warn
+from .surfaces import labels_from, points_from, surface_from, tolerances_from, triangles_from, warn
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -118,50 +118,44 @@ def decimate(
     points : (n, 3) array of float, mm
         float32 points give float32 points (`precision`); everything is computed in float64.
     triangles : (m, 3) array of int
-        Indices of the corners, counter-clockwise seen from outside the bone.
+        Counter-clockwise seen from outside the bone.
     tolerances : (n,) array of float, mm, optional
         How far the surface may move at each point: 0 freezes it, negative is no limit of its own.
     labels : (m,) array of whole numbers, optional
-        Bone, fragment or segment of each triangle: the lines between different ones are simplified only along themselves,
-        and each triangle of the result has one of them (``labels`` of the result).
+        Bone, fragment or segment of each triangle, kept by the result's: lines between them are simplified along themselves.
     reference : mesh, (points, triangles), or what `decimate` returned, optional
-        What this surface was made from by runs before: ``max_error``, which must be given, is promised, proved and measured
-        against it.
+        What this surface was made from by runs before; ``max_error``, which must be given, is proved against it.
     progress : bool or function, optional
-        True shows a bar (tqdm or rich). A function is called with the fraction done, 0 to 1; if it returns False the run
-        ends with the valid surface that it has by then, and ``stop_reason`` says so.
+        True shows a bar (tqdm or rich). A function is called with the fraction done, 0 to 1; if it returns False, the run ends
+        with the valid surface so far, and ``stop_reason`` says so.
     **options
 
     Raises
     ------
     TypeError
-        An option that does not exist, values and arrays of a wrong type.
+        An unknown option, values and arrays of a wrong type.
     ValueError
-        Arrays of a wrong shape, options out of range, and surfaces that cannot be used: without triangles (an empty one, too),
+        Arrays of a wrong shape, options out of range, surfaces that cannot be used: without triangles (an empty one, too),
         points that are not finite, indices out of range.
     RuntimeError
         The certificate contradicts what was promised: a defect of this software.
     KeyboardInterrupt
         Ctrl-C in the main thread ends the run within a hundredth of it.
 
-    The same bytes for any number of threads, and the same as those of the C++ filter. Other Python threads run meanwhile.
+    The bytes of the result are those of the C++ filter, for any number of threads. Other Python threads run meanwhile.
     """
     corners = triangles_from(triangles)
     places, isSingle = points_from(points)
     values = read(options, decimate)
-    precision = values.text("OutputPointsPrecision")
-    given = labels_from(labels, len(corners))
-    named = None if given is None else named_labels(given[:, None])
-    if given is not None and named is None:
-        raise ValueError("labels are whole numbers of at most 2^53")
+    given, named = labels_from(labels, len(corners))
     first = None if reference is None else surface_from(reference, "reference")
-    makesMaps = bool(values.get("MakeMaps"))
+    needsOrigins = bool(values.get("MakeMaps")) or named is not None
+    limits = tolerances_from(tolerances, len(places))
     with listener(progress) as heard:
-        answer = _core.decimate(places, corners, values, isSingle, makesMaps or named is not None,
-                                tolerances_from(tolerances, len(places)), None, first and first[:2], heard, named)
+        answer = _core.decimate(places, corners, values, isSingle, needsOrigins, limits, None, first and first[:2], heard, named)
     answer["warnings"] = (first.warnings if first else []) + answer["warnings"]
     check(answer, 2)
-    result = Result(answer, precision == "Single" or (precision == "Default" and isSingle))
+    result = Result(answer, gives_single(values, isSingle))
     if given is not None:
         result.labels = given[result.triangle_at_centroid]
     return result
@@ -196,13 +190,9 @@ def certify(
     relative_gap : float
         By which share of the upper bound the lower one may be less, 1e-12 to 1.
     borders, means : bool
-        Compare open borders curve to curve; estimate average and root mean square to the share `mean_precision`.
-    mean_precision : float
-        1e-4 to 1.
-    threads : int
-        0, the default, is one per processor.
-    progress : bool or function, optional
-        As `decimate` takes it.
+        Compare open borders curve to curve; estimate average and root mean square to the share `mean_precision`, 1e-4 to 1.
+    threads, progress
+        As `decimate` takes them.
 
     Raises
     ------
@@ -216,13 +206,13 @@ def certify(
     first, second = surface_from(reference, "reference"), surface_from(result, "result")
     warn(first.warnings + second.warnings, 2)
     options = _core.CertificateOptions()
-    options.tolerance = None if tolerance is None else number("tolerance", tolerance, 0, 1e30, "mm")
+    if tolerance is not None:
+        options.tolerance = number("tolerance", tolerance, 0, 1e30, "mm")
     if tolerances is not None:
         options.set_tolerances(tolerances_from(tolerances, len(first.points)))
     options.tight_bounds, options.with_borders = switch("tight_bounds", tight_bounds), switch("borders", borders)
     options.relative_gap = number("relative_gap", relative_gap, 1e-12, 1)
-    options.with_means = switch("means", means)
-    options.mean_precision = number("mean_precision", mean_precision, 1e-4, 1)
+    options.with_means, options.mean_precision = switch("means", means), number("mean_precision", mean_precision, 1e-4, 1)
     options.threads, options.with_point_distances = thread_count(threads), True
     with listener(progress) as heard:
         answer = _core.certify(*first[:2], *second[:2], options, heard)
@@ -231,6 +221,12 @@ def certify(
     if answer["status"] != _core.CertificateStatus.Good:
         raise ValueError(answer["problem"])
     return Certificate(answer)
+
+
+def gives_single(values: _core.Options, isSingle: bool) -> bool:
+    """Whether the points of the result are single precision, as those of the input are or are not."""
+    precision = values.text("OutputPointsPrecision")
+    return precision == "Single" or (precision == "Default" and isSingle)
 
 
 def check(answer: dict, stacklevel: int) -> None:

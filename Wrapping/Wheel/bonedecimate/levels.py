@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from .arrays import Result, check
+from .arrays import Result, check, gives_single
 from .options import WITHOUT_LEVELS, number, read, takes_options, thread_count
 from .progress import Progress, listener
 from .surfaces import points_from, surface_from, triangles_from, warn
@@ -103,8 +103,7 @@ def record_levels(points: ArrayLike, triangles: ArrayLike, *, progress: bool | P
     corners = triangles_from(triangles)
     places, isSingle = points_from(points)
     values = read(options, record_levels)
-    precision = values.text("OutputPointsPrecision")
-    single = precision == "Single" or (precision == "Default" and isSingle)
+    single = gives_single(values, isSingle)
     with listener(progress) as heard:
         answer, levels = _core.record_levels(places, corners, values, isSingle, heard)
     check(answer, 2)

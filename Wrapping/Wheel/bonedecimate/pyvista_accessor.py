@@ -109,14 +109,8 @@ class BoneAccessor:
 
         Raises
         ------
-        TypeError
-            An option that does not exist, values and arrays of a wrong type.
-        ValueError
-            Options out of range, arrays of a wrong shape, and surfaces that cannot be used, as for `bonedecimate.decimate`.
-        RuntimeError
-            The certificate contradicts what was promised: a defect of this software.
-        KeyboardInterrupt
-            By Ctrl-C, at once.
+        TypeError, ValueError, RuntimeError, KeyboardInterrupt
+            As `bonedecimate.decimate` does.
         """
         if isinstance(labels, str):
             options = {**options, "labels": labels}
@@ -146,7 +140,7 @@ class BoneAccessor:
             mesh.point_data[TOLERANCES] = tolerances_from(tolerances, mesh.n_points)
             values.set("ToleranceArrayName", TOLERANCES)
         if labels is not None:
-            mesh.cell_data[LABELS] = labels_from(labels, mesh.n_cells, "cells")
+            mesh.cell_data[LABELS] = labels_from(labels, mesh.n_cells, "cells")[0]
             values.set("LabelArrayName", LABELS)
         return mesh
 

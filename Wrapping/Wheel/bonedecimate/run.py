@@ -12,6 +12,7 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import _core
+from .arrays import gives_single
 from .labels import labels_of
 from .polydata import Passed, Surface, passed, points_of, set_triangles, surface_of
 from .progress import Progress
@@ -45,8 +46,7 @@ def run(data: vtkPolyData, options: _core.Options, progress: Progress | None,
 
 
 def fill_output(answer: dict, surface: Surface, options: _core.Options, data: vtkPolyData, output: vtkPolyData) -> None:
-    precision = options.text("OutputPointsPrecision")
-    single = precision == "Single" or (precision == "Default" and surface.is_single)
+    single = gives_single(options, surface.is_single)
     passing = passed(data, len(answer["points"]))
     places = answer["points"]
     if len(passing.points):

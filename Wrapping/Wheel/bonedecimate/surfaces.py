@@ -93,17 +93,23 @@ def tolerances_from(tolerances: ArrayLike | None, count: int, name: str = "toler
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
-def labels_from(labels: ArrayLike | None, count: int, what: str = "triangles") -> NDArray | None:
-    """One whole number for each of the triangles (or cells)."""
+NamedLabels = tuple[NDArray[np.int64], list[str]]
+
+
+def labels_from(labels: ArrayLike | None, count: int, what: str = "triangles") -> tuple[NDArray | None, NamedLabels | None]:
+    """One whole number for each of the triangles (or cells): as they were given, and as `named_labels` has them."""
     if labels is None:
-        return None
+        return None, None
     array = _array(labels, "labels", "biuf")
     if array.shape != (count,):
         raise ValueError(f"labels are one for each of {count} {what}, not of shape {array.shape}")
-    return array
+    named = named_labels(array[:, None])
+    if named is None:
+        raise ValueError("labels are whole numbers of at most 2^53")
+    return array, named
 
 
-def named_labels(rows: NDArray) -> tuple[NDArray[np.int64], list[str]] | None:
+def named_labels(rows: NDArray) -> NamedLabels | None:
     """Of each row of values a position in the list of names, and that list; None if a value is not a whole number."""
     values = rows.astype(np.float64)
     if not np.all((np.abs(values) <= LARGEST_LABEL) & (np.floor(values) == values)):
