@@ -12,11 +12,9 @@ from pathlib import Path
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk
 
+from .checks import DecimationError
+
 TOLERANCE = "Tolerance"  # mm, point array of what goes in
-
-
-class DecimationError(RuntimeError):
-    """What went wrong, in a sentence for the user."""
 
 
 class NoEngine(DecimationError):
