@@ -26,8 +26,8 @@ SOURCE = pathlib.Path(os.environ["SOURCE_DIR"])
 pv.OFF_SCREEN = True
 
 
-def bone():
-    return pv.Sphere(radius=40, theta_resolution=80, phi_resolution=80)
+def bone(resolution=80):
+    return pv.Sphere(radius=40, theta_resolution=resolution, phi_resolution=resolution)
 
 
 class Accessor(unittest.TestCase):
@@ -81,7 +81,7 @@ print(pyvista.Sphere().bone.decimate(target_faces=200).n_cells)
                          {name: value for name, value in numbers.items() if "seconds." not in name and "options." not in name})
 
     def test_takes_tolerances_labels_and_a_reference_as_numpy_does(self):
-        mesh = bone()
+        mesh = bone(40)
         points, triangles = mesh.points, mesh.regular_faces
         tolerances = np.where(points[:, 2] > 0, 0.0, 0.3)
         labels = (mesh.cell_centers().points[:, 0] > 0).astype(int)
@@ -93,7 +93,7 @@ print(pyvista.Sphere().bone.decimate(target_faces=200).n_cells)
             np.testing.assert_array_equal(small.regular_faces, wanted.triangles, name)
             if name == "labels":
                 np.testing.assert_array_equal(small["Labels"], wanted.labels)
-        self.assertEqual(mesh.array_names, bone().array_names)
+        self.assertEqual(mesh.array_names, bone(40).array_names)
         for reference in (mesh, (points, triangles)):
             again = first.bone.decimate(max_error=0.3, reference=reference)
             self.assertLessEqual(again.bone.report["proof.upper"], 0.3)
@@ -110,7 +110,7 @@ print(pyvista.Sphere().bone.decimate(target_faces=200).n_cells)
             mesh.bone.decimate(tolerances=tolerances, tolerance_array="Tolerance")
 
     def test_returns_the_input_with_its_distances_on_request(self):
-        mesh = bone()
+        mesh = bone(40)
         small, measured = mesh.bone.decimate(max_error=0.2, measure_input_distances=True, maps=True, with_input=True)
         self.assertEqual(measured.n_points, mesh.n_points)
         self.assertLessEqual(measured["DistanceToResult"].max(), 0.2)
@@ -120,21 +120,21 @@ print(pyvista.Sphere().bone.decimate(target_faces=200).n_cells)
             mesh.bone.decimate(measure_input_distances=True)
 
     def test_levels_open_again_and_go_onto_another_bone(self):
-        levels = bone().bone.levels(target_faces=400)
-        again = bone().bone.open_levels(levels.log)
+        levels = bone(40).bone.levels(target_faces=400)
+        again = bone(40).bone.open_levels(levels.log)
         np.testing.assert_array_equal(again.at(triangles=800).points, levels.at(triangles=800).points)
-        other = bone()
+        other = bone(40)
         other.points *= 2
         np.testing.assert_allclose(again.at(triangles=800, on=other).points, 2 * again.at(triangles=800).points, atol=1e-4)
 
     def test_what_is_left_out_is_a_warning(self):
-        mesh = bone()
+        mesh = bone(40)
         mesh.lines = [2, 0, 1]
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             self.assertEqual(mesh.bone.decimate().n_lines, 1)
         mesh = pv.PolyData(mesh.points, np.concatenate([mesh.faces, [2, 0, 1]]))
-        other = bone()
+        other = bone(40)
         for run in (mesh.bone.decimate, mesh.bone.levels, lambda: mesh.bone.certify(other), lambda: other.bone.certify(mesh),
                     lambda: other.bone.decimate(max_error=1, reference=mesh)):
             with self.assertWarnsRegex(UserWarning, "1 polygons could not be triangulated") as heard:
