@@ -3,6 +3,7 @@
 #include "Report.h"
 
 #include "Certificate/Certificate.h"
+#include "InputSize.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -130,6 +131,9 @@ std::string InputMessage(const Report& report)
         " components is smaller than what was to be kept; nothing would be left";
     case InputStatus::SinglePrecisionTooCoarse:
       return CoarseMessage(found);
+    case InputStatus::ErrorBeyondSize:
+    case InputStatus::ErrorBelowSize:
+      return SizeMessage(report.Size, report.Status);
   }
   return {};
 }
@@ -137,7 +141,7 @@ std::string InputMessage(const Report& report)
 std::vector<std::string> InputWarnings(const Report& report)
 {
   const CleaningStatistics& found = report.Cleaning;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = SizeWarnings(report.Size);
   if (found.DroppedTriangles > 0)
   {
     warnings.push_back(Found(found.DroppedTriangles, "triangles without area were left out",

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """numpy in, numpy out: what decimate() and certify() of the wheel promise. Needs no VTK."""
 
+import json
 import os
 import signal
 import subprocess
@@ -9,6 +10,7 @@ import sys
 import threading
 import time
 import unittest
+import warnings
 
 import numpy as np
 
@@ -60,9 +62,14 @@ class Levels(unittest.TestCase):
         middle = levels.marks[len(levels.marks) // 2]
         points, corners = levels.at(error=middle[1])
         self.assertEqual((len(corners), points.dtype), (middle[0], np.float32))
-        self.assertEqual(len(levels.at(error=0.0)[1]), len(TRIANGLES))
+        with self.assertWarnsRegex(UserWarning, "no mark is within 0 mm of the input; this is the whole input"):
+            self.assertEqual(len(levels.at(error=0.0)[1]), len(TRIANGLES))
+        with self.assertWarnsRegex(UserWarning, "the coarsest level has 300 triangles, more than 299"):
+            self.assertEqual(len(levels.at(triangles=299)[1]), 300)
         bare = bonedecimate.record_levels(POINTS, TRIANGLES, measure=False)
         self.assertTrue(np.isnan(bare.marks[:, 1:]).all())
+        with self.assertRaisesRegex(ValueError, "recorded without distances"):
+            bare.at(error=0.1)
 
     def test_open_again_from_their_log_and_go_onto_another_bone(self):
         levels = bonedecimate.record_levels(POINTS, TRIANGLES, target_faces=300)
@@ -75,7 +82,7 @@ class Levels(unittest.TestCase):
 
     def test_of_what_makes_no_sense_there_are_none(self):
         levels = bonedecimate.record_levels(POINTS, TRIANGLES, target_faces=300)
-        for wrong in ({}, {"triangles": 3, "error": 0.1}, {"triangles": 3, "on": (POINTS, TRIANGLES[::-1])}):
+        for wrong in ({}, {"triangles": 3, "error": 0.1}, {"triangles": 300, "on": (POINTS, TRIANGLES[::-1])}):
             with self.assertRaises(ValueError):
                 levels.at(**wrong)
         for log in (b"", b"no log at all", levels.log[:-1]):
@@ -152,6 +159,27 @@ class Decimate(unittest.TestCase):
         kept = {tuple(point) for point in result.points}
         self.assertTrue(all(tuple(point) in kept for point in POINTS[POINTS[:, 2] > 0]))
 
+    def test_labels_keep_their_lines_and_every_triangle_has_one(self):
+        labels = np.where(POINTS[TRIANGLES].mean(axis=1)[:, 2] > 1e-6, 7, -3).astype(np.int16)
+        result = decimate(POINTS, TRIANGLES, labels=labels, target_reduction=0.8)
+        self.assertEqual((result.labels.shape, result.labels.dtype), ((len(result.triangles),), np.int16))
+        self.assertEqual(result.report["labels.count"], 2)
+        heights = result.points[result.triangles][:, :, 2]
+        line = np.abs(POINTS[np.unique(TRIANGLES[labels == 7]), 2]).min()
+        self.assertTrue((heights[result.labels == 7] >= -line - 0.5).all())
+        self.assertTrue((heights[result.labels == -3] <= line + 0.5).all())
+        plain = decimate(POINTS, TRIANGLES, labels=labels.astype(float), target_reduction=0.8)
+        np.testing.assert_array_equal(plain.points, result.points)
+        self.assertEqual(decimate(POINTS, TRIANGLES, target_reduction=0.8).labels.size, 0)
+
+    def test_report_is_what_json_takes(self):
+        result = decimate(POINTS.astype(np.float32), TRIANGLES, max_error=0.2, examine=True, prune_triangles=1)
+        certificate = certify((POINTS, TRIANGLES), result)
+        levels = bonedecimate.record_levels(POINTS, TRIANGLES, target_faces=300)
+        for report in (result.report, result.units, certificate.report, certificate.units, levels.result.report):
+            self.assertEqual(json.loads(json.dumps(report)), report)
+            self.assertLessEqual({type(value) for value in report.values()}, {int, float, str})
+
     def test_every_option_of_the_table_is_a_keyword(self):
         defaults = {key: row.default_text if row.choices else row.default
                     for key, row in table.ROWS.items() if key not in table.WITHOUT_ARRAYS}
@@ -184,9 +212,13 @@ class Refusals(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "no triangle"):
             decimate(POINTS, np.empty((0, 3), int))
 
-    def test_nothing_becomes_nothing(self):
-        points, triangles = decimate(np.empty((0, 3)), np.empty((0, 3), int))
-        self.assertEqual((points.shape, triangles.shape), ((0, 3), (0, 3)))
+    def test_nothing_is_no_surface_either(self):
+        nothing = np.empty((0, 3)), np.empty((0, 3), int)
+        for function in (decimate, bonedecimate.record_levels):
+            with self.assertRaisesRegex(ValueError, "the input is empty: no points and no triangles"):
+                function(*nothing)
+        with self.assertRaisesRegex(ValueError, "no triangle"):
+            certify(nothing, nothing)
 
     def test_unknown_options_are_type_errors_that_name_those_there_are(self):
         for name in ("error", "distance_array_name", "pass_arrays", "tolerance_array"):
@@ -206,6 +238,18 @@ class Refusals(unittest.TestCase):
 
 
 class Running(unittest.TestCase):
+    def test_what_was_dealt_with_is_a_warning(self):
+        triangles = np.vstack([TRIANGLES, [[5, 5, 6]]])
+        with self.assertWarnsRegex(UserWarning, "1 triangles without area were left out") as heard:
+            result = decimate(POINTS, triangles)
+        self.assertEqual((result.warnings, heard.filename), ([str(heard.warning)], __file__))
+        with self.assertWarnsRegex(UserWarning, "1 triangles without area") as heard:
+            bonedecimate.record_levels(POINTS, triangles)
+        self.assertEqual(heard.filename, __file__)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertEqual(decimate(POINTS, TRIANGLES).warnings, [])
+
     def test_progress_rises_to_one(self):
         heard = []
         decimate(POINTS, TRIANGLES, progress=heard.append)

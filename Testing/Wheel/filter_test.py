@@ -33,11 +33,17 @@ def decimating(surface=None, **properties):
 
 
 class Properties(unittest.TestCase):
-    def test_are_held_within_their_range(self):
-        decimate = vtkBoneDecimate()
-        for name, given, held in (("MaximumError", -1, 0.0), ("TargetReduction", 1.5, 1.0), ("Mode", 99, 3)):
-            getattr(decimate, "Set" + name)(given)
+    def test_out_of_their_range_are_value_errors_and_change_nothing(self):
+        decimate = decimating(MaximumError=0.3, TargetReduction=0.4, Mode=1)
+        before = decimate.GetMTime()
+        for name, given, held in (("MaximumError", -1, 0.3), ("TargetReduction", 1.5, 0.4), ("Mode", 99, 1),
+                                  ("MaximumError", float("nan"), 0.3), ("NumberOfThreads", 1.5, 0)):
+            with self.assertRaisesRegex(ValueError, f"^{name} takes .*, not {given}".replace("nan", "NaN")):
+                getattr(decimate, "Set" + name)(given)
             self.assertEqual(getattr(decimate, "Get" + name)(), held)
+        self.assertEqual(decimate.GetMTime(), before)
+        decimate.Update()
+        self.assertEqual(decimate.GetStopReason(), vtkBoneDecimate.TARGET_REACHED)
 
     def test_switches_have_on_and_off(self):
         decimate = vtkBoneDecimate()

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import warnings
 from unittest import mock
 
 import numpy as np
@@ -56,6 +57,16 @@ class Program(unittest.TestCase):
                 certificate = certify((POINTS, TRIANGLES), (points, triangles), borders=False)
                 self.assertLess(certificate.upper, 0.2 + 1e-5)  # single precision in the file
                 self.assertLess(len(triangles), len(TRIANGLES) / 3)
+
+    def test_warns_of_what_was_dealt_with(self):
+        """A third triangle at an edge: its points stay."""
+        triangles = np.vstack([TRIANGLES, [[*TRIANGLES[0][:2], len(POINTS)]]])
+        files._write_stl((np.vstack([POINTS, [[0, 0, 30]]]), triangles), self.folder / "odd.stl")
+        for without in self.engines():
+            with self.subTest(without=without), warnings.catch_warnings():
+                warnings.simplefilter("error")
+                _, err = self.run_program(self.folder / "odd.stl", self.folder / "small.stl", without=without)
+                self.assertRegex(err, "^bonedecimate-py: warning: [0-9]+ points stay where they are")
 
     def test_a_package_that_is_not_there_is_no_failure(self):
         self.assertFalse(files.has("no_such_package.module"))

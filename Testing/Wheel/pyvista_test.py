@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`mesh.bone` of PyVista, the notebook, and the programs that the documentation prints."""
 
+import ast
 import importlib.metadata
+import inspect
 import io
 import json
 import os
@@ -24,8 +26,8 @@ SOURCE = pathlib.Path(os.environ["SOURCE_DIR"])
 pv.OFF_SCREEN = True
 
 
-def bone():
-    return pv.Sphere(radius=40, theta_resolution=80, phi_resolution=80)
+def bone(resolution=80):
+    return pv.Sphere(radius=40, theta_resolution=resolution, phi_resolution=resolution)
 
 
 class Accessor(unittest.TestCase):
@@ -68,15 +70,76 @@ print(pyvista.Sphere().bone.decimate(target_faces=200).n_cells)
         with self.assertRaisesRegex(ValueError, "no point array 'nonsense'"):
             bone().bone.decimate(tolerance_array="nonsense")
 
-    def test_what_is_left_out_is_a_warning(self):
+    def test_report_is_what_json_takes(self):
         mesh = bone()
+        small = mesh.bone.decimate(max_error=0.2, examine=True)
+        report = small.bone.report
+        self.assertEqual(json.loads(json.dumps(report)), report)
+        self.assertEqual({type(value) for value in report.values()}, {int, float, str})
+        numbers = bonedecimate.decimate(mesh.points, mesh.regular_faces, max_error=0.2, examine=True).report
+        self.assertEqual({name: value for name, value in report.items() if "seconds." not in name and "options." not in name},
+                         {name: value for name, value in numbers.items() if "seconds." not in name and "options." not in name})
+
+    def test_takes_tolerances_labels_and_a_reference_as_numpy_does(self):
+        mesh = bone(40)
+        points, triangles = mesh.points, mesh.regular_faces
+        tolerances = np.where(points[:, 2] > 0, 0.0, 0.3)
+        labels = (mesh.cell_centers().points[:, 0] > 0).astype(int)
+        first = mesh.bone.decimate(max_error=0.1)
+        given = {"tolerances": {"tolerances": tolerances}, "labels": {"labels": labels, "target_reduction": 0.7}}
+        for name, keywords in given.items():
+            small, wanted = mesh.bone.decimate(**keywords), bonedecimate.decimate(points, triangles, **keywords)
+            np.testing.assert_array_equal(small.points, wanted.points, name)
+            np.testing.assert_array_equal(small.regular_faces, wanted.triangles, name)
+            if name == "labels":
+                np.testing.assert_array_equal(small["Labels"], wanted.labels)
+        self.assertEqual(mesh.array_names, bone(40).array_names)
+        for reference in (mesh, (points, triangles)):
+            again = first.bone.decimate(max_error=0.3, reference=reference)
+            self.assertLessEqual(again.bone.report["proof.upper"], 0.3)
+            self.assertEqual(again.bone.report["reference.faces"], mesh.n_cells)
+            numbers = bonedecimate.decimate(first.points, first.regular_faces, max_error=0.3, reference=reference)
+            np.testing.assert_array_equal(again.points, numbers.points)
+        mesh["Tolerance"] = tolerances
+        mesh.cell_data["Part"] = labels
+        np.testing.assert_array_equal(mesh.bone.decimate(tolerance_array="Tolerance").points,
+                                      mesh.bone.decimate(tolerances=tolerances).points)
+        np.testing.assert_array_equal(mesh.bone.decimate(labels="Part", target_reduction=0.7)["Part"],
+                                      mesh.bone.decimate(labels=labels, target_reduction=0.7)["Labels"])
+        with self.assertRaisesRegex(ValueError, "not both"):
+            mesh.bone.decimate(tolerances=tolerances, tolerance_array="Tolerance")
+
+    def test_returns_the_input_with_its_distances_on_request(self):
+        mesh = bone(40)
+        small, measured = mesh.bone.decimate(max_error=0.2, measure_input_distances=True, maps=True, with_input=True)
+        self.assertEqual(measured.n_points, mesh.n_points)
+        self.assertLessEqual(measured["DistanceToResult"].max(), 0.2)
+        self.assertLess(measured["ResultPointIds"].max(), small.n_points)
+        self.assertNotIn("DistanceToResult", mesh.array_names)
+        with self.assertRaisesRegex(ValueError, "with_input=True"):
+            mesh.bone.decimate(measure_input_distances=True)
+
+    def test_levels_open_again_and_go_onto_another_bone(self):
+        levels = bone(40).bone.levels(target_faces=400)
+        again = bone(40).bone.open_levels(levels.log)
+        np.testing.assert_array_equal(again.at(triangles=800).points, levels.at(triangles=800).points)
+        other = bone(40)
+        other.points *= 2
+        np.testing.assert_allclose(again.at(triangles=800, on=other).points, 2 * again.at(triangles=800).points, atol=1e-4)
+
+    def test_what_is_left_out_is_a_warning(self):
+        mesh = bone(40)
         mesh.lines = [2, 0, 1]
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             self.assertEqual(mesh.bone.decimate().n_lines, 1)
         mesh = pv.PolyData(mesh.points, np.concatenate([mesh.faces, [2, 0, 1]]))
-        with self.assertWarnsRegex(UserWarning, "1 polygons could not be triangulated"):
-            mesh.bone.decimate()
+        other = bone(40)
+        for run in (mesh.bone.decimate, mesh.bone.levels, lambda: mesh.bone.certify(other), lambda: other.bone.certify(mesh),
+                    lambda: other.bone.decimate(max_error=1, reference=mesh)):
+            with self.assertWarnsRegex(UserWarning, "1 polygons could not be triangulated") as heard:
+                run()
+            self.assertIn(heard.filename, (__file__, inspect.getfile(type(mesh.bone))))
 
     def test_measures_distances(self):
         mesh = bone()
@@ -131,15 +194,28 @@ class Documentation(unittest.TestCase):
 
 class Package(unittest.TestCase):
     def test_is_typed_and_its_stubs_know_every_option(self):
+        from bonedecimate import levels
+        from bonedecimate.options import ROWS
         folder = pathlib.Path(bonedecimate.__file__).parent
         self.assertTrue((folder / "py.typed").exists())
-        for stub in ("_core.pyi", "_keywords.pyi", "vtk_filter.pyi"):
-            compile((folder / stub).read_text(encoding="utf-8"), stub, "exec")
-        from bonedecimate.options import ROWS
-        keywords, members = ((folder / name).read_text() for name in ("_keywords.pyi", "vtk_filter.pyi"))
+        stubs = {path.stem: path.read_text(encoding="utf-8") for path in folder.glob("*.pyi")}
+        self.assertEqual(set(stubs), {"_core", "_keywords", "arrays", "levels", "pyvista_accessor", "vtk_filter"})
+        for name, text in stubs.items():
+            compile(text, name + ".pyi", "exec")
         for key, row in ROWS.items():
-            self.assertIn(f"    {key}: ", keywords)
-            self.assertIn(f"def Set{row.name}(self, value: ", members)
+            if key != "labels":  # a parameter of its own
+                self.assertIn(f"    {key}: ", stubs["_keywords"])
+            self.assertIn(f"def Set{row.name}(self, value: ", stubs["vtk_filter"])
+        for name, owner in (("arrays", bonedecimate), ("levels", levels.Levels), ("levels", levels),
+                            ("pyvista_accessor", type(bone().bone))):
+            owned = ast.parse(stubs[name])
+            for node in ast.walk(owned):
+                if isinstance(node, ast.FunctionDef) and not node.name.startswith("_") and inspect.isfunction(
+                        getattr(owner, node.name, None)):
+                    with self.subTest(f"{name}.{node.name}"):
+                        written = [each.arg for each in node.args.args + node.args.kwonlyargs]
+                        written += [node.args.kwarg.arg] if node.args.kwarg else []
+                        self.assertEqual(written, list(inspect.signature(getattr(owner, node.name)).parameters))
 
     def test_version_is_that_of_the_project(self):
         self.assertEqual(bonedecimate.__version__, importlib.metadata.version("bonedecimate"))

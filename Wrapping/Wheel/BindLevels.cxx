@@ -20,9 +20,19 @@ nb::tuple ToTuple(Level&& level)
     ToRows<Index>(std::move(level.Surface.Triangles)));
 }
 
+/// Nothing was recorded of an input that was refused.
+const Levels& Opened(const Levels& levels)
+{
+  if (!levels.IsOpen())
+  {
+    throw nb::value_error("there are no levels: nothing was recorded");
+  }
+  return levels;
+}
+
 Level LevelOf(const Levels& levels, Index collapses)
 {
-  if (collapses < 0 || collapses > levels.NumberOfCollapses())
+  if (collapses < 0 || collapses > Opened(levels).NumberOfCollapses())
   {
     throw nb::index_error("no such level");
   }
@@ -90,8 +100,17 @@ void BindLevels(nb::module_& module)
     module, "Levels", "A recorded run; level n is what its first n collapses made.")
     .def_prop_ro("collapses",
       [](const Levels& levels) { return levels.IsOpen() ? levels.NumberOfCollapses() : 0; })
-    .def("by_triangles", &Levels::ByTriangles, nb::arg("triangles"))
-    .def("by_error", &Levels::ByError, nb::arg("error"))
+    .def(
+      "by_triangles",
+      [](const Levels& levels, Index triangles) { return Opened(levels).ByTriangles(triangles); },
+      nb::arg("triangles"))
+    .def(
+      "by_error", [](const Levels& levels, double error) { return Opened(levels).ByError(error); },
+      nb::arg("error"))
+    .def(
+      "triangles_at",
+      [](const Levels& levels, Index level) { return Opened(levels).TrianglesAt(level); },
+      nb::arg("level"))
     .def(
       "at", [](const Levels& levels, Index level) { return ToTuple(LevelOf(levels, level)); },
       nb::arg("level"))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bone surfaces from CT made smaller, with the error in millimetres, proved.
+"""Bone surfaces from CT made smaller, with the error in millimeters, proved.
 
 >>> import bonedecimate
 >>> small = bonedecimate.decimate(points, triangles, max_error=0.2)
@@ -29,3 +29,7 @@ def __getattr__(name: str):
         from .vtk_filter import vtkBoneDecimate
         return vtkBoneDecimate
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

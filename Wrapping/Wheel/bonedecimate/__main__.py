@@ -11,10 +11,12 @@ import argparse
 import json
 import pathlib
 import sys
+import warnings
 from collections.abc import Callable
+from typing import NamedTuple
 
 from . import __version__, _core, files
-from .arrays import check, decimate
+from .arrays import decimate, raise_problems
 from .options import ROWS, WITHOUT_ARRAYS, keyword
 from .progress import listener
 
@@ -54,27 +56,35 @@ def options_of(arguments: argparse.Namespace) -> _core.Options:
     return options
 
 
-def _with_vtk(arguments: argparse.Namespace, options: _core.Options, progress) -> tuple[dict, Callable[[], None]]:
+class Run(NamedTuple):
+    report: dict
+    warnings: list[str]
+    write: Callable[[], None]
+
+
+def _with_vtk(arguments: argparse.Namespace, options: _core.Options, progress) -> Run:
     from vtkmodules.vtkCommonDataModel import vtkPolyData
 
     from .run import fill_output, run
     data = files.read_vtk(arguments.input)
     answer, surface = run(data, options, progress)
-    check(answer)
+    raise_problems(answer)
 
     def write() -> None:
         output = vtkPolyData()
         fill_output(answer, surface, options, data, output)
         files.write_vtk(output, arguments.output)
-    return {name: value for name, _, value in answer["entries"]}, write
+    return Run({name: value for name, _, value in answer["entries"]}, answer["warnings"], write)
 
 
-def _without_vtk(arguments: argparse.Namespace, _options, progress) -> tuple[dict, Callable[[], None]]:
+def _without_vtk(arguments: argparse.Namespace, _options, progress) -> Run:
     given = {key: _value(row, getattr(arguments, key)) for key, row in ROWS.items() if getattr(arguments, key, None)}
     for key in sorted(WITHOUT_ARRAYS & given.keys()):
         raise ValueError(f"--{ROWS[key].flag} is about arrays of a file, which need VTK: pip install vtk")
-    result = decimate(*files.read(arguments.input), progress=progress, **given)
-    return result.report, lambda: files.write(tuple(result), arguments.output)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # they are printed from the list
+        result = decimate(*files.read(arguments.input), progress=progress, **given)
+    return Run(result.report, result.warnings, lambda: files.write(tuple(result), arguments.output))
 
 
 def _value(row: _core.OptionInfo, text: str):
@@ -99,11 +109,13 @@ def _work(arguments: argparse.Namespace) -> int:
     engine = _with_vtk if files.has("vtkmodules.vtkIOGeometry") else _without_vtk
     try:
         with listener(_bar(arguments)) as heard:
-            report, write = engine(arguments, options, heard)
+            report, found, write = engine(arguments, options, heard)
     except (OSError, ValueError) as problem:
         return _fail(REFUSED, problem)
     except RuntimeError as problem:
         return _fail(VIOLATED, problem)
+    for warning in found:
+        print(f"bonedecimate-py: warning: {warning}", file=sys.stderr)
     try:
         write()
         if arguments.report:

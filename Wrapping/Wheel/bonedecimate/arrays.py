@@ -11,13 +11,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from .options import WITHOUT_ARRAYS, read
+from .options import WITHOUT_ARRAYS, number, read, switch, takes_options, thread_count
 from .progress import Progress, listener
+from .surfaces import labels_from, points_from, surface_from, tolerances_from, triangles_from, warn
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._keywords import ArrayOptions
+    from .surfaces import SurfaceLike
 
 
 class Aborted(RuntimeError):
@@ -43,6 +45,7 @@ class Result:
     barycentric: NDArray[np.float64]  #: (n, 3), of the nearest place in that triangle; empty without `maps`
     triangle_at_centroid: NDArray[np.int32]  #: (m,), input triangle nearest to each centroid; empty without `maps`
     output_point: NDArray[np.int32]  #: of each input point: the point it became part of, or -1; empty without `maps`
+    labels: NDArray  #: (m,), of each triangle, of the type of those given; empty without `labels`
     stop_reason: _core.StopReason  #: why the run ended
     warnings: list[str]  #: what was found in the input and dealt with, a sentence each
     report: dict[str, int | float | str]  #: the report by name, "distance.output_to_input.max"
@@ -53,6 +56,7 @@ class Result:
                      "nearest_point", "nearest_triangle", "barycentric", "triangle_at_centroid", "output_point",
                      "triangles", "warnings"):
             setattr(self, name, answer[name])
+        self.labels = np.empty(0, np.int64)
         self.points = answer["points"].astype(np.float32) if single else answer["points"]
         self.stop_reason = answer["stop"]
         self.report, self.units = _named(answer["entries"])
@@ -94,68 +98,72 @@ class Certificate:
         return f"<bonedecimate.Certificate: {self.lower:.6g} to {self.upper:.6g} mm, {self.verdict}>"
 
 
+@takes_options(WITHOUT_ARRAYS)
 def decimate(
     points: ArrayLike,
     triangles: ArrayLike,
     *,
     tolerances: ArrayLike | None = None,
-    reference: tuple[ArrayLike, ArrayLike] | Result | None = None,
+    labels: ArrayLike | None = None,
+    reference: SurfaceLike | None = None,
     progress: bool | Progress | None = None,
     **options: Unpack[ArrayOptions],
 ) -> Result:
-    """A surface with fewer triangles, and what that cost in millimetres.
+    """A surface with fewer triangles, and what that cost in millimeters.
+
+    What is odd about the input and was dealt with is a Python warning each, and in ``warnings`` of the result.
 
     Parameters
     ----------
     points : (n, 3) array of float, mm
         float32 points give float32 points (`precision`); everything is computed in float64.
     triangles : (m, 3) array of int
-        Indices of the corners, counter-clockwise seen from outside the bone.
+        Counter-clockwise seen from outside the bone.
     tolerances : (n,) array of float, mm, optional
         How far the surface may move at each point: 0 freezes it, negative is no limit of its own.
-    reference : (points, triangles), or what `decimate` returned, optional
-        What this surface was made from by runs before: ``max_error``, which must be given, is promised, proved and measured
-        against it.
+    labels : (m,) array of whole numbers, optional
+        Bone, fragment or segment of each triangle, kept by the result's: lines between them are simplified along themselves.
+    reference : mesh, (points, triangles), or what `decimate` returned, optional
+        What this surface was made from by runs before; ``max_error``, which must be given, is proved against it.
     progress : bool or function, optional
-        True shows a bar (tqdm or rich). A function is called with the fraction done, 0 to 1; if it returns False the run
-        ends with the valid surface that it has by then, and ``stop_reason`` says so.
+        True shows a bar (tqdm or rich). A function is called with the fraction done, 0 to 1; if it returns False, the run ends
+        with the valid surface so far, and ``stop_reason`` says so.
     **options
-        Those of the table of options (Documentation/options.md) as keywords: ``max_error=0.2`` (mm, proved),
-        ``target_faces=1000``, ``target_reduction=0.9``, ``mode="Accurate"``, ``threads=1``, ...
 
     Raises
     ------
     TypeError
-        An option that is none, indices that are no integers.
+        An unknown option, values and arrays of a wrong type.
     ValueError
-        Shapes, options out of range, and surfaces that are none: points that are not finite, indices out of range.
+        Arrays of a wrong shape, options out of range, surfaces that cannot be used: without triangles (an empty one, too),
+        points that are not finite, indices out of range.
     RuntimeError
         The certificate contradicts what was promised: a defect of this software.
     KeyboardInterrupt
         Ctrl-C in the main thread ends the run within a hundredth of it.
 
-    The same bytes for any number of threads, and the same as those of the C++ filter. Other Python threads run meanwhile.
+    The bytes of the result are those of the C++ filter, for any number of threads. Other Python threads run meanwhile.
     """
-    corners = _triangles(triangles)
-    places, isSingle = _points(points)
-    values = read(options, WITHOUT_ARRAYS)
-    precision = values.text("OutputPointsPrecision")
-    numbers = None if tolerances is None else np.ascontiguousarray(tolerances, dtype=np.float64)
-    if numbers is not None and numbers.shape != (len(places),):
-        raise ValueError(f"tolerances are one for each of {len(places)} points, not of shape {numbers.shape}")
-    first = None
-    if reference is not None:
-        firstPlaces, firstCorners = reference
-        first = (_points(firstPlaces)[0], _triangles(firstCorners))
+    corners = triangles_from(triangles)
+    places, isSingle = points_from(points)
+    values = read(options, decimate)
+    given, named = labels_from(labels, len(corners))
+    first = None if reference is None else surface_from(reference, "reference")
+    needsOrigins = bool(values.get("MakeMaps")) or named is not None
+    limits = tolerances_from(tolerances, len(places))
     with listener(progress) as heard:
-        answer = _core.decimate(places, corners, values, isSingle, bool(values.get("MakeMaps")), numbers, None, first, heard)
-    check(answer)
-    return Result(answer, precision == "Single" or (precision == "Default" and isSingle))
+        answer = _core.decimate(places, corners, values, isSingle, needsOrigins, limits, None, first and first[:2], heard, named)
+    answer["warnings"] = (first.warnings if first else []) + answer["warnings"]
+    check(answer, 2)
+    result = Result(answer, gives_single(values, isSingle))
+    if given is not None:
+        result.labels = given[result.triangle_at_centroid]
+    return result
 
 
 def certify(
-    reference: tuple[ArrayLike, ArrayLike] | Result,
-    result: tuple[ArrayLike, ArrayLike] | Result,
+    reference: SurfaceLike,
+    result: SurfaceLike,
     *,
     tolerance: float | None = None,
     tolerances: ArrayLike | None = None,
@@ -171,38 +179,43 @@ def certify(
 
     Parameters
     ----------
-    reference, result : (points, triangles), or what `decimate` returned
-        Arrays of shapes (n, 3), mm, and (m, 3), as `decimate` takes them.
+    reference, result : mesh, (points, triangles), or what `decimate` returned
+        Meshes are vtkPolyData or pyvista.PolyData; arrays are of shapes (n, 3), mm, and (m, 3), as `decimate` takes them.
     tolerance : float, mm, optional
-        How far any point of one may be from the other; ``verdict`` says whether that is kept.
+        How far any point of one may be from the other, 0 to 1e30; ``verdict`` says whether that is kept.
     tolerances : (n,) array of float, mm, optional
         The same for each point of the reference, linear on its triangles; negative: no limit of its own.
     tight_bounds : bool
         Narrow the bounds to the gap even where the tolerance is proved already.
     relative_gap : float
-        By which share of the upper bound the lower one may be less.
+        By which share of the upper bound the lower one may be less, 1e-12 to 1.
     borders, means : bool
-        Compare open borders curve to curve; estimate average and root mean square to the share `mean_precision`.
+        Compare open borders curve to curve; estimate average and root mean square to the share `mean_precision`, 1e-4 to 1.
+    threads, progress
+        As `decimate` takes them.
 
     Raises
     ------
+    TypeError
+        Something that is no surface, values of a wrong type.
     ValueError
-        Shapes, surfaces without triangles, points that are not finite, indices out of range, tolerances below 0.
+        Shapes, values out of range, surfaces without triangles, points that are not finite, indices out of range.
     Aborted
         The progress function returned False.
     """
+    first, second = surface_from(reference, "reference"), surface_from(result, "result")
+    warn(first.warnings + second.warnings, 2)
     options = _core.CertificateOptions()
-    options.tolerance = None if tolerance is None else float(tolerance)
+    if tolerance is not None:
+        options.tolerance = number("tolerance", tolerance, 0, 1e30, "mm")
     if tolerances is not None:
-        options.set_tolerances(np.ascontiguousarray(tolerances, dtype=np.float64).reshape(-1))
-    options.tight_bounds, options.relative_gap = tight_bounds, float(relative_gap)
-    options.with_borders, options.with_means, options.mean_precision = borders, means, float(mean_precision)
-    options.threads, options.with_point_distances = threads, True
-    surfaces = []
-    for points, triangles in (reference, result):
-        surfaces += [_points(points)[0], _triangles(triangles)]
+        options.set_tolerances(tolerances_from(tolerances, len(first.points)))
+    options.tight_bounds, options.with_borders = switch("tight_bounds", tight_bounds), switch("borders", borders)
+    options.relative_gap = number("relative_gap", relative_gap, 1e-12, 1)
+    options.with_means, options.mean_precision = switch("means", means), number("mean_precision", mean_precision, 1e-4, 1)
+    options.threads, options.with_point_distances = thread_count(threads), True
     with listener(progress) as heard:
-        answer = _core.certify(*surfaces, options, heard)
+        answer = _core.certify(*first[:2], *second[:2], options, heard)
     if answer["status"] == _core.CertificateStatus.Aborted:
         raise Aborted("the comparison was stopped")
     if answer["status"] != _core.CertificateStatus.Good:
@@ -210,9 +223,23 @@ def certify(
     return Certificate(answer)
 
 
-def check(answer: dict) -> None:
-    """Raises what a run has to say against its input, or against itself."""
-    if answer["status"] not in (_core.InputStatus.Good, _core.InputStatus.Empty):
+def gives_single(values: _core.Options, isSingle: bool) -> bool:
+    """Whether the points of the result are single precision, as those of the input are or are not."""
+    precision = values.text("OutputPointsPrecision")
+    return precision == "Single" or (precision == "Default" and isSingle)
+
+
+def check(answer: dict, stacklevel: int) -> None:
+    """Raises what a run has to say against its input, or against itself; what it only mentions are warnings.
+
+    @param stacklevel As of warnings.warn in the calling function: 2 is its caller.
+    """
+    raise_problems(answer)
+    warn(answer["warnings"], stacklevel + 1)
+
+
+def raise_problems(answer: dict) -> None:
+    if answer["status"] != _core.InputStatus.Good:
         raise ValueError(answer["problem"])
     if answer["contradiction"]:
         raise RuntimeError(answer["contradiction"])
@@ -220,29 +247,3 @@ def check(answer: dict) -> None:
 
 def _named(entries: list[tuple[str, str, int | float | str]]) -> tuple[dict, dict]:
     return {name: value for name, _, value in entries}, {name: unit for name, unit, _ in entries if unit}
-
-
-def _points(points: ArrayLike) -> tuple[NDArray[np.float64], bool]:
-    """The points in double precision, and whether they were single."""
-    array = np.asarray(points)
-    if array.ndim != 2 or array.shape[1] != 3:
-        raise ValueError(f"points are of shape (n, 3), not {array.shape}")
-    return np.ascontiguousarray(array, dtype=np.float64), array.dtype == np.float32
-
-
-def _triangles(triangles: ArrayLike) -> NDArray[np.int32]:
-    """Indices that do not fit become -1, which the core refuses with their number."""
-    array = np.asarray(triangles)
-    if array.ndim != 2 or array.shape[1] != 3:
-        raise ValueError(f"triangles are of shape (m, 3), not {array.shape}")
-    if array.size and array.dtype.kind not in "iu":
-        raise TypeError(f"triangles are integers, not {array.dtype}")
-    return indices(array)
-
-
-def indices(array: NDArray) -> NDArray[np.int32]:
-    """As the core counts; -1 for what it cannot count."""
-    fits = (array >= 0) & (array < np.iinfo(np.int32).max)
-    counted = np.full(array.shape, -1, dtype=np.int32)  # np.where would give -1 the type of the array, which may have none
-    np.copyto(counted, array, where=fits, casting="unsafe")
-    return counted

@@ -9,20 +9,18 @@ from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .polydata import Surface, numbers
-
-LARGEST = 2.0**53  # beyond, doubles leave whole numbers out
+from .surfaces import named_labels
 
 
 def labels_of(data: vtkPolyData, surface: Surface, name: str) -> tuple[NDArray[np.int64], list[str]]:
-    """Of each triangle a place in a list of names. Raises ValueError without an array of whole numbers."""
+    """Of each triangle a position in a list of names. Raises ValueError without an array of whole numbers."""
     cells = data.GetCellData().GetArray(name)
     array = cells if cells is not None else data.GetPointData().GetArray(name)
     needed = data.GetNumberOfCells() if cells is not None else data.GetNumberOfPoints()
-    values = numbers(array).astype(np.float64) if array is not None else np.full((1, 1), np.nan)
-    if len(values) < needed or not np.all((np.abs(values) <= LARGEST) & (np.floor(values) == values)):
+    named = named_labels(numbers(array)) if array is not None and array.GetNumberOfTuples() >= needed else None
+    if named is None:
         raise ValueError(f"the input has no cell or point array '{name}' of whole numbers")
-    tuples, ids = np.unique(values.astype(np.int64), axis=0, return_inverse=True)
-    ids = ids.reshape(-1).astype(np.int64)
+    ids, names = named
     if cells is not None:
         places = ids[surface.cell_of_triangle]
     else:
@@ -30,4 +28,4 @@ def labels_of(data: vtkPolyData, surface: Surface, name: str) -> tuple[NDArray[n
         isThere = (corners >= 0) & (corners < needed)  # what is not is refused later
         a, b, c = np.where(isThere, ids[np.where(isThere, corners, 0)], 0).T
         places = np.where(b == c, b, np.where((a == b) | (a == c), a, np.minimum(np.minimum(a, b), c)))
-    return np.ascontiguousarray(places), ["_".join(str(value) for value in row) for row in tuples.tolist()]
+    return np.ascontiguousarray(places), names

@@ -10,14 +10,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from .arrays import Result, _points, _triangles, check
-from .options import WITHOUT_ARRAYS, read
+from .arrays import Result, check, gives_single
+from .options import WITHOUT_LEVELS, number, read, takes_options, thread_count
 from .progress import Progress, listener
+from .surfaces import points_from, surface_from, triangles_from, warn
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._keywords import ArrayOptions
+    from ._keywords import LevelOptions
+    from .surfaces import SurfaceLike
 
 
 class Levels:
@@ -31,32 +33,52 @@ class Levels:
         self.marks = np.array(core.marks(), dtype=np.float64).reshape(-1, 3)
 
     def at(self, *, triangles: int | None = None, error: float | None = None,
-           on: tuple[ArrayLike, ArrayLike] | Result | None = None) -> tuple[NDArray, NDArray[np.int32]]:
+           on: SurfaceLike | None = None) -> tuple[NDArray, NDArray[np.int32]]:
         """The points (n, 3), mm, and triangles (m, 3) of a level.
 
         Parameters
         ----------
         triangles : int
-            The first level of no more triangles than that; the last one if there is none.
+            The first level of no more triangles than that; the last one, with a warning, if there is none.
         error : float, mm
-            Instead: the coarsest mark whose measured distance to the input is no larger; the input if there is none.
-        on : (points, triangles), optional
+            Instead: the coarsest mark whose measured distance to the input is no larger; the input, with a warning, if there
+            is none.
+        on : mesh or (points, triangles), optional
             A surface with the same triangles and other points (a registered bone) that takes the level over.
 
         Raises
         ------
+        TypeError
+            Values of a wrong type.
         ValueError
-            Neither of the two numbers or both, other triangles, points that are not finite.
+            Neither of the two numbers or both, values out of range, an error of levels without measured distances, other
+            triangles, points that are not finite.
         """
         if (triangles is None) == (error is None):
             raise ValueError("a level is wanted by triangles or by error, one of them")
-        level = self._core.by_error(float(error)) if triangles is None else self._core.by_triangles(int(triangles))
+        level = self._by_triangles(triangles) if error is None else self._by_error(error)
         if on is None:
             points, corners = self._core.at(level)
         else:
-            others, theirs = on
-            points, corners = self._core.on(level, _points(others)[0], _triangles(theirs))
+            points, corners = self._core.on(level, *surface_from(on, "on")[:2])
         return points.astype(np.float32) if self._single else points, corners
+
+    def _by_triangles(self, triangles: int) -> int:
+        wanted = number("triangles", triangles, 0, np.iinfo(np.int32).max, "triangles", is_whole=True)
+        level = self._core.by_triangles(wanted)
+        count = self._core.triangles_at(level)
+        if count > wanted:
+            warn([f"the coarsest level has {count} triangles, more than {wanted}"], 3)
+        return level
+
+    def _by_error(self, error: float) -> int:
+        largest = number("error", error, 0, 1e30, "mm")
+        if np.isnan(self.marks[:, 1]).any():
+            raise ValueError("these levels were recorded without distances; ask for a number of triangles")
+        level = self._core.by_error(largest)
+        if level == 0:
+            warn([f"no mark is within {largest:g} mm of the input; this is the whole input"], 3)
+        return level
 
     @property
     def log(self) -> bytes:
@@ -67,33 +89,33 @@ class Levels:
         return f"<bonedecimate.Levels: {self._core.collapses} collapses, {len(self.marks)} marks>"
 
 
+@takes_options(WITHOUT_LEVELS)
 def record_levels(points: ArrayLike, triangles: ArrayLike, *, progress: bool | Progress | None = None,
-                  **options: Unpack[ArrayOptions]) -> Levels:
+                  **options: Unpack[LevelOptions]) -> Levels:
     """Runs once and keeps every stage of it.
 
     Parameters
     ----------
     points, triangles, progress
-        As `decimate` takes them.
+        As `decimate` takes them; so are the options, of the coarsest level, and what is raised.
     **options
-        ``mode``, ``target_faces`` or ``target_reduction`` (of the coarsest level), ``max_error`` (mm, kept by every level),
-        ``measure=False`` (marks without distances), ``threads``. The others have no use here.
     """
-    corners = _triangles(triangles)
-    places, isSingle = _points(points)
-    values = read(options, WITHOUT_ARRAYS)
-    precision = values.text("OutputPointsPrecision")
-    single = precision == "Single" or (precision == "Default" and isSingle)
+    corners = triangles_from(triangles)
+    places, isSingle = points_from(points)
+    values = read(options, record_levels)
+    single = gives_single(values, isSingle)
     with listener(progress) as heard:
         answer, levels = _core.record_levels(places, corners, values, isSingle, heard)
-    check(answer)
+    check(answer, 2)
     return Levels(levels, single, Result(answer, single))
 
 
 def open_levels(points: ArrayLike, triangles: ArrayLike, log: bytes, *, threads: int = 0) -> Levels:
     """The levels of a log again, with the very points and triangles that were recorded.
 
-    Raises ValueError if the log is none, damaged, or of another surface.
+    Raises TypeError if the log is not bytes, ValueError if it is no log, damaged, or of another surface.
     """
-    places, isSingle = _points(points)
-    return Levels(_core.open_levels(places, _triangles(triangles), bytes(log), threads), isSingle, None)
+    if not isinstance(log, (bytes, bytearray, memoryview)):
+        raise TypeError(f"log is bytes, not a {type(log).__name__}")
+    places, isSingle = points_from(points)
+    return Levels(_core.open_levels(places, triangles_from(triangles), bytes(log), thread_count(threads)), isSingle, None)

@@ -1,11 +1,19 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The core's table of options as Python's keywords: `max_error` is `--max-error` and `MaximumError`."""
+"""The core's table of options as Python's keywords: `max_error` is `--max-error` and `MaximumError`.
+
+Every function that takes options shows them in its signature and its docstring (`takes_options`), and reads them by that
+signature (`read`): there is no other list of keywords. Imports the core alone, so that the build can write stubs with it.
+"""
 
 from __future__ import annotations
 
+import difflib
+import inspect
+import numbers
 import re
-from collections.abc import Mapping
+import textwrap
+from collections.abc import Callable, Iterable, Mapping
 
 from . import _core
 
@@ -26,34 +34,170 @@ def keyword(row: _core.OptionInfo) -> str:
 for _row in _core.option_table():
     ROWS[keyword(_row)] = _row
 
-# What numpy arrays have no use for: names of arrays of a data set, and what becomes of the others of its arrays.
-WITHOUT_ARRAYS = {key for key, row in ROWS.items() if row.name.endswith("ArrayName")} | {
-    keyword(row) for row in ROWS.values() if row.name in ("PassArrays", "RecomputeNormals")
-}
+# Options that a function does not take, and why.
+WITHOUT_ARRAYS = {key: "it is about the arrays of a data set" for key, row in ROWS.items()
+                  if row.name.endswith("ArrayName") or row.name in ("PassArrays", "RecomputeNormals")}
+WITHOUT_LEVELS = WITHOUT_ARRAYS | {key: "levels are of all components and have no maps" for key, row in ROWS.items()
+                                   if row.name.startswith("Prune") or row.name == "MakeMaps"}
 
 
-def _text(value: object) -> str:
-    value = value.item() if hasattr(value, "item") else value
-    if isinstance(value, bool):
-        return "on" if value else "off"
-    return value if isinstance(value, str) else repr(value)
+def type_of(row: _core.OptionInfo) -> str:
+    """As an annotation."""
+    return "Literal[" + ", ".join(f'"{choice}"' for choice in row.choices) + "]" if row.choices else row.kind
 
 
-def read(keywords: Mapping[str, object], without: set[str] = frozenset()) -> _core.Options:
-    """Options with those values.
+def default_of(row: _core.OptionInfo) -> bool | int | float | str:
+    return row.default_text if row.choices else row.default
 
-    Raises TypeError for a keyword that is none, ValueError for a value that is out of range.
+
+def describe(row: _core.OptionInfo) -> str:
+    """Meaning, default, range and unit."""
+    unit = f" {row.unit}" if row.unit else ""
+    text = f"{row.sentence} Default: {row.default_text or 'none'}{unit}."
+    if row.kind in ("int", "float") and not row.choices:
+        text += f" Range: {row.minimum:g} to {row.maximum:.10g}{unit}.".replace("e+", "e")
+    return text
+
+
+def options_but(without: Iterable[str]) -> dict[str, _core.OptionInfo]:
+    """The rows of all options but those, by keyword."""
+    return {key: row for key, row in ROWS.items() if key not in without}
+
+
+def with_options(docstring: str, rows: Mapping[str, _core.OptionInfo]) -> str:
+    """The docstring with an entry for each option in place of "**options"."""
+    entries = [f"{key} : {type_of(row)}\n" + textwrap.indent(textwrap.fill(describe(row), 100), "    ")
+               for key, row in rows.items()]
+    return inspect.cleandoc(docstring).replace("**options", "\n".join(entries))
+
+
+def takes_options(without: Mapping[str, str]):
+    """Decorator of a function with **options: its signature and its docstring show every option of the table but those
+    without, which are given with the reason, and those that are parameters of their own."""
+    def decorate(function: Callable) -> Callable:
+        signature = inspect.signature(function)
+        own = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
+        rows = options_but([*without, *signature.parameters])
+        options = [inspect.Parameter(key, inspect.Parameter.KEYWORD_ONLY, default=default_of(row), annotation=type_of(row))
+                   for key, row in rows.items()]
+        function.__signature__ = signature.replace(parameters=own + options)
+        function.__doc__ = with_options(function.__doc__ or "", rows)
+        function._without = without
+        return function
+    return decorate
+
+
+def nearest(word: str, names: Iterable[str]) -> str | None:
+    """The name that was probably meant, if there is one. Names of properties stand for their keywords, too."""
+    spellings = {name: name for name in names}
+    for name in tuple(spellings):
+        if name in ROWS:
+            spellings.setdefault(words(ROWS[name].name, "_"), name)
+    found = difflib.get_close_matches(words(word, "_"), spellings, 1)
+    return spellings[found[0]] if found else None
+
+
+def read(keywords: Mapping[str, object], function: Callable) -> _core.Options:
+    """Options with those values, as the function takes them.
+
+    Raises TypeError for a keyword that is none and for a value of a wrong type, ValueError for a value out of range.
     """
     options = _core.Options()
+    known = inspect.signature(function).parameters
     for key, value in keywords.items():
-        if key not in ROWS or key in without:
-            there_are = ", ".join(name for name in ROWS if name not in without)
-            raise TypeError(f"there is no option '{key}' here; there are: {there_are}")
-        if isinstance(value, str) != (ROWS[key].kind == "str" or bool(ROWS[key].choices)):
-            raise TypeError(f"{key} takes {_wanted(ROWS[key])}, not {value!r}")
-        options.read(ROWS[key].name, _text(value))
+        if key not in known:
+            raise TypeError(_unknown(key, [name for name in known if name != "self"], function._without))
+        assign(options, key, value)
     return options
 
 
-def _wanted(row: _core.OptionInfo) -> str:
-    return "one of " + ", ".join(map(repr, row.choices)) if row.choices else f"a value of type {row.kind}"
+def _unknown(key: str, known: list[str], without: Mapping[str, str]) -> str:
+    meant = nearest(key, known)
+    hint = f" (did you mean '{meant}'?)" if meant else ""
+    if key in without:
+        hint = f": {without[key]}"
+    there_are = ", ".join(name for name in ROWS if name in known)
+    return f"there is no option '{key}' here{hint}; there are: {there_are}"
+
+
+def assign(options: _core.Options, key: str, value: object, by_number: bool = False) -> bool:
+    """Sets an option; returns whether that changes anything.
+
+    @param by_number Choices come as their numbers, as in VTK, and not as their names.
+    """
+    row = ROWS[key]
+    plain = _plain(value)
+    if row.choices and not by_number:
+        if not isinstance(plain, str):
+            raise TypeError(f"{key} takes one of {', '.join(map(repr, row.choices))}, not {_shown(value)}")
+        before = options.get(row.name)
+        options.read(row.name, plain)
+        return options.get(row.name) != before
+    kind = "int" if row.choices else row.kind
+    if not _IS_OF_KIND[kind](plain):
+        raise TypeError(f"{key} takes {_WANTED[kind]}, not {_shown(value)}")
+    return options.set(row.name, _converted(options, row, kind, plain))
+
+
+def _plain(value: object) -> object:
+    """A number of numpy as Python's."""
+    return value.item() if hasattr(value, "item") and getattr(value, "ndim", 0) == 0 else value
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, numbers.Real) and not isinstance(value, bool)
+
+
+_IS_OF_KIND = {"bool": lambda value: isinstance(value, int), "int": _is_number, "float": _is_number,
+               "str": lambda value: isinstance(value, str)}
+_WANTED = {"bool": "True or False", "int": "a whole number", "float": "a number", "str": "a str"}
+
+
+def _converted(options: _core.Options, row: _core.OptionInfo, kind: str, value):
+    """What the core can take. Values that it cannot even hold are ValueErrors with its sentence."""
+    if kind == "bool" and value in (0, 1):
+        return bool(value)
+    try:
+        if kind == "float":
+            return float(value)
+        if kind == "int" and value == int(value) and abs(value) < 2**31:
+            return int(value)
+    except (OverflowError, ValueError):
+        pass
+    if kind == "str":
+        return value
+    options.read(row.name, repr(value))  # raises
+    raise ValueError(f"{row.name} does not take {value!r}")
+
+
+def _shown(value: object) -> str:
+    text = repr(value)
+    return text if len(text) <= 60 else f"a {type(value).__name__}"
+
+
+def number(name: str, value: object, minimum: float, maximum: float, unit: str = "", is_whole: bool = False) -> float | int:
+    """A number that is no option of the table, checked by the same rules, with the core's sentence."""
+    plain = _plain(value)
+    if not _is_number(plain):
+        raise TypeError(f"{name} takes {_WANTED['int' if is_whole else 'float']}, not {_shown(value)}")
+    try:
+        size = float(plain)
+    except OverflowError:
+        size = float("inf") if plain > 0 else -float("inf")
+    problem = _core.check_number(name, minimum, maximum, is_whole, unit, size)
+    if problem:
+        raise ValueError(problem)
+    return int(plain) if is_whole else size
+
+
+def switch(name: str, value: object) -> bool:
+    plain = _plain(value)
+    if not isinstance(plain, int) or plain not in (0, 1):
+        raise TypeError(f"{name} takes {_WANTED['bool']}, not {_shown(value)}")
+    return bool(plain)
+
+
+def thread_count(value: object) -> int:
+    options = _core.Options()
+    assign(options, "threads", value)
+    return options.get(ROWS["threads"].name)

@@ -20,7 +20,7 @@ from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkAbstractArray, vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
-from .arrays import indices
+from .surfaces import indices
 
 CELL = "bonedecimate.cell"
 

@@ -4,26 +4,33 @@
 
 from __future__ import annotations
 
-import warnings
+import inspect
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
 import pyvista as pv
+from numpy.typing import ArrayLike
 
 from .arrays import Certificate, certify, check
-from .levels import Levels, record_levels
-from .options import read
+from .levels import Levels, open_levels, record_levels
+from .options import WITHOUT_LEVELS, number, read, switch, takes_options
 from .polydata import surface_of
 from .progress import Progress, listener
-from .run import add_entries, fill_output, run
+from .run import add_entries, fill_input_copy, fill_output, run
+from .surfaces import labels_from, tolerances_from, warn
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._keywords import AllOptions, ArrayOptions
+    from ._keywords import LevelOptions, MeshOptions
+    from .surfaces import SurfaceLike
 
 ERROR = "SignedDistance"
 SIDE = "Side"
+# Of what is given as arrays and not by name.
+TOLERANCES = "Tolerances"
+LABELS = "Labels"
 
 
 class MeshLevels:
@@ -37,9 +44,27 @@ class MeshLevels:
         """(k, 3), from fine to coarse: triangles, largest and mean distance, mm."""
         return self.levels.marks
 
-    def at(self, *, triangles: int | None = None, error: float | None = None) -> pv.PolyData:
-        """The level of so many triangles, or of so many mm: points and triangles, no arrays."""
-        return pv.PolyData.from_regular_faces(*self.levels.at(triangles=triangles, error=error))
+    def at(self, *, triangles: int | None = None, error: float | None = None,
+           on: SurfaceLike | None = None) -> pv.PolyData:
+        """The level of so many triangles, or of so many mm: points and triangles, no arrays. As `bonedecimate.Levels.at`."""
+        return pv.PolyData.from_regular_faces(*self.levels.at(triangles=triangles, error=error, on=on))
+
+    @property
+    def log(self) -> bytes:
+        """For `mesh.bone.open_levels` of the same mesh."""
+        return self.levels.log
+
+
+def _has_keywords_of(function: Callable):
+    """Decorator: the signature shows what **keywords are passed on to."""
+    def decorate(method: Callable) -> Callable:
+        signature = inspect.signature(method)
+        own = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
+        others = [each for each in inspect.signature(function).parameters.values()
+                  if each.kind is inspect.Parameter.KEYWORD_ONLY]
+        method.__signature__ = signature.replace(parameters=own + others)
+        return method
+    return decorate
 
 
 @pv.register_dataset_accessor("bone", pv.PolyData)
@@ -49,52 +74,108 @@ class BoneAccessor:
     def __init__(self, mesh: pv.PolyData) -> None:
         self._mesh = mesh
 
-    def decimate(self, *, progress_bar: bool | Progress = False, **options: Unpack[AllOptions]) -> pv.PolyData:
+    @takes_options({})
+    def decimate(
+        self,
+        *,
+        tolerances: ArrayLike | None = None,
+        labels: str | ArrayLike | None = None,
+        reference: SurfaceLike | None = None,
+        with_input: bool = False,
+        progress_bar: bool | Progress = False,
+        **options: Unpack[MeshOptions],
+    ) -> pv.PolyData | tuple[pv.PolyData, pv.PolyData]:
         """A smaller surface with the arrays of this one, its distance to this one, and the report as field data.
+
+        What is odd about the input and was dealt with is a Python warning each.
+
+        Parameters
+        ----------
+        tolerances : (n_points,) array of float, mm, optional
+            How far the surface may move at each point: 0 freezes it, negative is no limit of its own. The result has them as
+            the point array Tolerances. An array that the mesh has is named by ``tolerance_array`` instead.
+        labels : str or (n_cells,) array of whole numbers, optional
+            Bone, fragment or segment of each cell, as the name of a cell or point array, or as an array that the result has as
+            the cell array Labels: the lines between different ones are simplified only along themselves.
+        reference : mesh, (points, triangles), or what `bonedecimate.decimate` returned, optional
+            What this surface was made from by runs before: ``max_error``, which must be given, is promised, proved and
+            measured against it.
+        with_input : bool
+            True returns a pair: the result, and a copy of this mesh with what ``measure_input_distances`` and ``maps`` find out
+            about its points. ``measure_input_distances`` needs it.
+        progress_bar : bool or function
+            True shows a bar (tqdm or rich); a function is called with the fraction done, and ends the run by False.
+        **options
+
+        Raises
+        ------
+        TypeError, ValueError, RuntimeError, KeyboardInterrupt
+            As `bonedecimate.decimate` does.
+        """
+        if isinstance(labels, str):
+            options = {**options, "labels": labels}
+            labels = None
+        values = read(options, BoneAccessor.decimate)
+        mesh = self._with_arrays(values, tolerances, labels)
+        has_input = switch("with_input", with_input)
+        if values.get("MeasureInputDistances") and not has_input:
+            raise ValueError("measure_input_distances is about the points of the input, which with_input=True returns, too")
+        with listener(progress_bar) as heard:
+            answer, surface = run(mesh, values, heard, reference)
+        check(answer, 2)
+        output = pv.PolyData()
+        fill_output(answer, surface, values, mesh, output)
+        if not has_input:
+            return output
+        measured = pv.PolyData()
+        fill_input_copy(answer, values, mesh, measured)
+        return output, measured
+
+    def _with_arrays(self, values, tolerances: ArrayLike | None, labels: ArrayLike | None) -> pv.PolyData:
+        """The mesh, or a copy with the arrays that were given; the options then name them."""
+        mesh = self._mesh if tolerances is None and labels is None else self._mesh.copy(deep=False)
+        if tolerances is not None:
+            if values.get("ToleranceArrayName"):
+                raise ValueError("tolerances are an array, or tolerance_array names one: not both")
+            mesh.point_data[TOLERANCES] = tolerances_from(tolerances, mesh.n_points)
+            values.set("ToleranceArrayName", TOLERANCES)
+        if labels is not None:
+            mesh.cell_data[LABELS] = labels_from(labels, mesh.n_cells, "cells")[0]
+            values.set("LabelArrayName", LABELS)
+        return mesh
+
+    @takes_options(WITHOUT_LEVELS)
+    def levels(self, *, progress_bar: bool | Progress = False, **options: Unpack[LevelOptions]) -> MeshLevels:
+        """One run, recorded, and every stage of it at once, as `bonedecimate.record_levels`.
+
+        >>> levels = mesh.bone.levels(target_reduction=0.95)
+        >>> levels.at(triangles=20000).plot()
 
         Parameters
         ----------
         progress_bar : bool or function
-            True shows a bar (tqdm or rich); a function is called with the fraction done, and ends the run by False.
+            As `decimate` takes it; so are the options, of the coarsest level, and what is raised.
         **options
-            Documentation/options.md as keywords: ``max_error=0.2`` (mm, proved), ``target_reduction=0.9``,
-            ``mode="Accurate"``, ``tolerance_array="Tolerance"``, ``maps=True``, ...
-
-        Raises
-        ------
-        TypeError, ValueError
-            An option that is none or out of range, an input that is no surface.
-        RuntimeError
-            The certificate contradicts what was promised: a defect of this software.
-        KeyboardInterrupt
-            By Ctrl-C, at once.
         """
-        values = read(options)
-        with listener(progress_bar) as heard:
-            answer, surface = run(self._mesh, values, heard)
-        check(answer)
-        for warning in answer["warnings"]:
-            warnings.warn(warning, stacklevel=2)
-        output = pv.PolyData()
-        fill_output(answer, surface, values, self._mesh, output)
-        return output
+        read(options, BoneAccessor.levels)
+        return MeshLevels(record_levels(*self._arrays(), progress=progress_bar, **options))
 
-    def levels(self, *, progress_bar: bool | Progress = False, **options: Unpack[ArrayOptions]) -> MeshLevels:
-        """One run, recorded, and every stage of it at once: `bonedecimate.record_levels` has the keywords.
+    def open_levels(self, log: bytes, *, threads: int = 0) -> MeshLevels:
+        """The levels of a log again, with the very mesh that was recorded, as `bonedecimate.open_levels`."""
+        return MeshLevels(open_levels(*self._arrays(), log, threads=threads))
 
-        >>> levels = mesh.bone.levels(target_reduction=0.95)
-        >>> levels.at(triangles=20000).plot()
-        """
+    def _arrays(self) -> tuple[np.ndarray, np.ndarray]:
         surface = surface_of(self._mesh)
-        points = surface.points.astype(np.float32) if surface.is_single else surface.points
-        return MeshLevels(record_levels(points, surface.triangles, progress=progress_bar, **options))
+        warn(surface.warnings, 3)
+        return surface.points.astype(np.float32) if surface.is_single else surface.points, surface.triangles
 
-    def certify(self, other: pv.PolyData, **keywords) -> Certificate:
+    @_has_keywords_of(certify)
+    def certify(self, other: SurfaceLike, **keywords) -> Certificate:
         """How far this one (the reference) and another are from each other: `bonedecimate.certify` has the keywords."""
-        one, two = surface_of(self._mesh), surface_of(other)
-        return certify((one.points, one.triangles), (two.points, two.triangles), **keywords)
+        return certify(self._mesh, other, **keywords)
 
-    def distance_to(self, other: pv.PolyData, **keywords) -> pv.PolyData:
+    @_has_keywords_of(certify)
+    def distance_to(self, other: SurfaceLike, **keywords) -> pv.PolyData:
         """A copy with the arrays SignedDistance (mm, negative inside of the other) and Side at each point.
 
         Field data: the certificate, proved bounds of the largest distance in each direction and of the borders.
@@ -108,16 +189,17 @@ class BoneAccessor:
         add_entries(entries, "bonedecimate.certificate.", copy)
         return copy
 
-    def plot_error(self, other: pv.PolyData, *, largest: float | None = None, **keywords):
-        """Shows this surface coloured by its signed distance to the other, mm; keywords are those of ``plot``.
+    def plot_error(self, other: SurfaceLike, *, largest: float | None = None, **keywords):
+        """Shows this surface colored by its signed distance to the other, mm; keywords are those of ``plot``.
 
         Parameters
         ----------
         largest : float, mm, optional
-            At which the colours end in both directions; the largest that there is by default.
+            At which the colors end in both directions; the largest that there is by default.
         """
+        limit = None if largest is None else number("largest", largest, 0, 1e30, "mm")
         measured = self.distance_to(other)
-        end = largest or float(np.nanmax(np.abs(measured[ERROR]), initial=0.0)) or 1.0
+        end = limit or float(np.nanmax(np.abs(measured[ERROR]), initial=0.0)) or 1.0
         settings = {"scalars": ERROR, "clim": (-end, end), "cmap": "coolwarm",
                     "scalar_bar_args": {"title": "distance, mm"}}
         return measured.plot(**{**settings, **keywords})
@@ -130,5 +212,5 @@ class BoneAccessor:
             name = key.removeprefix("bonedecimate.")
             if name != key and not name.startswith("certificate."):
                 value = self._mesh.field_data[key]
-                found[name] = value if isinstance(value, str) else value[0]
+                found[name] = value if isinstance(value, str) else value[0].item()
         return found

@@ -4,22 +4,29 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkStringArray, vtkTypeInt64Array
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import _core
+from .arrays import gives_single
 from .labels import labels_of
 from .polydata import Passed, Surface, passed, points_of, set_triangles, surface_of
 from .progress import Progress
+from .surfaces import surface_from
 from .transfer import add_input_map, add_maps, recompute_normals, transfer_arrays
+
+if TYPE_CHECKING:
+    from .surfaces import SurfaceLike
 
 ENTRY_ARRAYS = {int: vtkTypeInt64Array, float: vtkDoubleArray, str: vtkStringArray}
 
 
 def run(data: vtkPolyData, options: _core.Options, progress: Progress | None,
-        reference: vtkPolyData | None = None) -> tuple[dict, Surface]:
+        reference: SurfaceLike | None = None) -> tuple[dict, Surface]:
     """What the core says of it, its warnings and ours together. Raises ValueError without the arrays that are named.
 
     @param reference What the input was made from, if the largest error is promised against that.
@@ -31,16 +38,15 @@ def run(data: vtkPolyData, options: _core.Options, progress: Progress | None,
     labels = labels_of(data, surface, name) if name and data.GetNumberOfPoints() else None
     has_arrays = data.GetPointData().GetNumberOfArrays() + data.GetCellData().GetNumberOfArrays() > 0
     origins = options.get("MakeMaps") or (options.get("PassArrays") and has_arrays)
-    first = surface_of(reference) if reference is not None else None
+    first = None if reference is None else surface_from(reference, "reference")
     answer = _core.decimate(surface.points, surface.triangles, options, surface.is_single, origins, tolerances,
-                            surface.cell_of_triangle, first and (first.points, first.triangles), progress, labels)
-    answer["warnings"] = surface.warnings + answer["warnings"]
+                            surface.cell_of_triangle, first and first[:2], progress, labels)
+    answer["warnings"] = surface.warnings + (first.warnings if first else []) + answer["warnings"]
     return answer, surface
 
 
 def fill_output(answer: dict, surface: Surface, options: _core.Options, data: vtkPolyData, output: vtkPolyData) -> None:
-    precision = options.text("OutputPointsPrecision")
-    single = precision == "Single" or (precision == "Default" and surface.is_single)
+    single = gives_single(options, surface.is_single)
     passing = passed(data, len(answer["points"]))
     places = answer["points"]
     if len(passing.points):

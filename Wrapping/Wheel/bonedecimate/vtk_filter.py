@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
@@ -12,12 +13,12 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import _core
-from .options import ROWS, words
+from .options import ROWS, assign, describe, nearest, words
 from .run import fill_input_copy, fill_output, run
 
 
 class vtkBoneDecimate(VTKPythonAlgorithmBase):
-    """Make a bone surface smaller, keep every fragment, report the error in millimetres.
+    """Make a bone surface smaller, keep every fragment, report the error in millimeters.
 
     Input port 0: vtkPolyData of triangles, strips or polygons, mm. Input port 1, optional: the reference, what that was made
     from by runs before; with it MaximumError is promised, proved and measured against the reference. Output port 0: the smaller surface; point data: the
@@ -25,16 +26,29 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
     field data: the report, one array an entry ("bonedecimate." and its name). Vertices and lines pass through.
     Output port 1: the input, with the distance of each of its points to the result when MeasureInputDistances is on.
 
-    An input that cannot be used is an ErrorEvent with an empty output, as everywhere in VTK. Ctrl-C in the main thread ends
-    the run, and Update() raises KeyboardInterrupt.
+    Every option is SetName() and GetName(), a Python property (name.maximum_error = 0.2), and a keyword of the constructor.
+    A value out of its range is a ValueError, one of a wrong type a TypeError, and the value before stays; a name that there
+    is not is an AttributeError. An input that cannot be used is an ErrorEvent with an empty output, as everywhere in VTK; an
+    empty one gives an empty output. Ctrl-C in the main thread ends the run, and Update() raises KeyboardInterrupt.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, **properties) -> None:
         super().__init__(nInputPorts=2, inputType="vtkPolyData", nOutputPorts=2, outputType="vtkPolyData")
         self._options = _core.Options()
         self._entries = _core.empty_report()
         self._stop = _core.StopReason.NotRun
         self._interrupted = False
+        for name, value in properties.items():
+            if name not in PROPERTIES:
+                raise TypeError(f"vtkBoneDecimate has no property '{name}'{_meant(name)}")
+            setattr(self, name, value)
+
+    def __setattr__(self, name: str, value) -> None:
+        """Names that there are not are refused, since nothing would read them. Classes made of this one may have others."""
+        if not (name.startswith("_") or name in ("InputType", "OutputType") or _is_settable(type(self), name)):
+            if type(self) is vtkBoneDecimate or hasattr(type(self), name) or nearest(name, PROPERTIES):
+                raise AttributeError(f"vtkBoneDecimate has no property '{name}'{_meant(name)}")
+        super().__setattr__(name, value)
 
     def SetInputData(self, data: vtkPolyData) -> None:
         self.SetInputDataObject(data)
@@ -158,26 +172,52 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
         return "\n".join([super().__str__().rstrip("\n"), *lines, f"  StopReason: {self.GetStopReasonAsString()}", ""])
 
 
-def _add_property(row: _core.OptionInfo) -> None:
-    """SetName(), GetName() and, for a switch, NameOn() and NameOff(); values are held within their range."""
+def _is_settable(kind: type, name: str) -> bool:
+    """Methods are not: they would be hidden."""
+    return inspect.isdatadescriptor(getattr(kind, name, None))
+
+
+def _meant(name: str) -> str:
+    word = name.removeprefix("Set")
+    found = nearest(word, PROPERTIES)
+    return f"; did you mean '{found}'?" if found else ""
+
+
+def _add_property(key: str, row: _core.OptionInfo) -> None:
+    """SetName(), GetName(), the property name and, for a switch, NameOn() and NameOff()."""
     def put(self, value) -> None:
-        if self._options.set(row.name, value.item() if hasattr(value, "item") else value):
+        if assign(self._options, key, value, by_number=True):
             self.Modified()
 
     def get(self):
         return self._options.get(row.name)
 
-    text = f"{row.sentence} Default: {row.default_text or 'none'} {row.unit}".rstrip()
-    for name, function in (("Set" + row.name, put), ("Get" + row.name, get)):
-        function.__name__, function.__doc__ = name, text
-        setattr(vtkBoneDecimate, name, function)
+    def switch(name: str, value: bool):
+        def turn(self) -> None:
+            put(self, value)
+        return _named(turn, name, describe(row))
+
+    members = [_named(put, "Set" + row.name, describe(row)), _named(get, "Get" + row.name, describe(row))]
     if row.kind == "bool":
-        setattr(vtkBoneDecimate, row.name + "On", lambda self: put(self, True))
-        setattr(vtkBoneDecimate, row.name + "Off", lambda self: put(self, False))
+        members += [switch(row.name + "On", True), switch(row.name + "Off", False)]
+    for member in members:
+        setattr(vtkBoneDecimate, member.__name__, member)
+    setattr(vtkBoneDecimate, words(row.name, "_"), property(get, put, doc=describe(row)))
 
 
-for _row in ROWS.values():
-    _add_property(_row)
+def _named(function, name: str, text: str):
+    function.__name__, function.__qualname__, function.__doc__ = name, f"vtkBoneDecimate.{name}", text
+    return function
+
+
+PROPERTIES = {words(row.name, "_"): key for key, row in ROWS.items()}  # keyword of each property
+_parameters = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=ROWS[key].default,
+                                 annotation="int" if ROWS[key].choices else ROWS[key].kind)
+               for name, key in PROPERTIES.items()]
+vtkBoneDecimate.__init__.__signature__ = inspect.Signature(
+    [inspect.Parameter("self", inspect.Parameter.POSITIONAL_OR_KEYWORD), *_parameters])
+for _key, _row in ROWS.items():
+    _add_property(_key, _row)
 for _enumeration in (_core.Mode, _core.ErrorPreset, _core.StopReason):
     for _member in _enumeration:
         setattr(vtkBoneDecimate, words(_member.name, "_").upper(), _member.value)
