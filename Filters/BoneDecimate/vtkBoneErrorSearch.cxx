@@ -117,7 +117,7 @@ void vtkBoneErrorSearch::AddError(double millimetres)
   {
     this->Rejected->Check(this, "Error",
       "Error takes a number above 0 and at most 1e30 mm, not " +
-        bonedecimate::NumberText(millimetres));
+        bonedecimate::SentenceNumber(millimetres));
   }
 }
 

@@ -43,7 +43,7 @@ std::string Millimeters(double length)
 /// "the largest error of 50 mm"
 std::string ErrorText(const SizeFigures& size)
 {
-  const std::string number = NumberText(size.LargestError);
+  const std::string number = SentenceNumber(size.LargestError);
   return size.Point < 0
     ? "the largest error of " + number + " mm"
     : "the tolerance of " + number + " mm of point " + std::to_string(size.Point);

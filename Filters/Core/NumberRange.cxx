@@ -8,16 +8,6 @@
 
 namespace bonedecimate
 {
-namespace
-{
-/// "1e+30" becomes "1e30", which is how people write it.
-std::string WithoutPlus(std::string text)
-{
-  const std::size_t plus = text.find('+');
-  return plus == std::string::npos ? text : text.erase(plus, 1);
-}
-}
-
 std::string NumberText(double value)
 {
   if (std::isnan(value))
@@ -40,9 +30,16 @@ std::string NumberText(double value)
   return text;
 }
 
+std::string SentenceNumber(double value)
+{
+  std::string text = NumberText(value);
+  const std::size_t plus = text.find('+');
+  return plus == std::string::npos ? text : text.erase(plus, 1);
+}
+
 std::string EndsText(const NumberRange& range)
 {
-  return WithoutPlus(NumberText(range.Minimum)) + " to " + WithoutPlus(NumberText(range.Maximum));
+  return SentenceNumber(range.Minimum) + " to " + SentenceNumber(range.Maximum);
 }
 
 std::string RangeText(const NumberRange& range)
@@ -61,6 +58,6 @@ std::string CheckNumber(const std::string& name, const NumberRange& range, doubl
 {
   return IsInRange(range, value)
     ? std::string()
-    : name + " takes " + RangeText(range) + ", not " + WithoutPlus(NumberText(value));
+    : name + " takes " + RangeText(range) + ", not " + SentenceNumber(value);
 }
 }

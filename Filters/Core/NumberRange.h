@@ -36,6 +36,9 @@ std::string CheckNumber(const std::string& name, const NumberRange& range, doubl
 
 /// Shortest decimals that read back the same; "NaN", "infinity", "-infinity".
 std::string NumberText(double value);
+
+/// The same as people write it, "1e30" for "1e+30".
+std::string SentenceNumber(double value);
 }
 
 #endif

@@ -108,7 +108,8 @@ TEST(BadInput, LargeCoordinatesBelowThatAreNot)
   FilterRun run(PolyData(Scaled(Icosphere(3, 1.0), 1e29)));
   EXPECT_EQ(run.Triangles(), 128);
   EXPECT_EQ(WhatIsWrongWith(run.Output()), "");
-  EXPECT_TRUE(run.SaidNothing()) << run.AllMessages();
+  EXPECT_EQ(run.Said("not the size of a bone"), 1);
+  EXPECT_EQ(run.Errors.size() + run.Warnings.size(), 1U) << run.AllMessages();
 }
 
 TEST(BadInput, TinyCoordinatesAreNot)

@@ -6,14 +6,17 @@
 #include "VtkSurfaces.h"
 
 #include "vtkBoneCheck.h"
+#include "vtkBoneDecimate.h"
 #include "vtkBoneDecimateLevels.h"
 #include "vtkBoneErrorSearch.h"
 #include "vtkBoneSurfaceDistance.h"
 #include "vtkBoneTolerance.h"
+#include "vtkCallbackCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSphere.h"
+#include "vtkTable.h"
 
 #include <cmath>
 
@@ -203,4 +206,41 @@ TEST(RejectedValues, OfTheCheck)
   vtkBoneCheck* filter = held;
   filter->SetInputData(Sphere(1));
   ExpectRejections(filter, CHECKED(filter, NumberOfThreads, 1, IntegersOutside(0, 1024)));
+}
+
+namespace
+{
+/// A filter with a largest error of 100 mm, for a ball with a bounding box of 20 mm.
+template <typename Filter>
+void ExpectRefusalUntilAllowed(Filter* filter)
+{
+  ErrorTexts errors(filter);
+  const vtkNew<vtkCallbackCommand> silent; // a warning about the error that is used instead
+  filter->AddObserver(vtkCommand::WarningEvent, silent);
+  filter->SetInputData(Sphere(1));
+  filter->Update();
+  EXPECT_EQ(errors.Count("the largest error of 100 mm is more than a quarter"), 1);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  errors.Texts.clear();
+  filter->AllowLargeErrorOn();
+  filter->Update();
+  EXPECT_TRUE(errors.Texts.empty());
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+}
+
+TEST(LargeErrors, AreRefusedByEveryFilterUntilTheyAreAllowed)
+{
+  const vtkNew<vtkBoneDecimate> decimate;
+  decimate->SetMaximumError(100.0);
+  ExpectRefusalUntilAllowed(decimate.Get());
+  const vtkNew<vtkBoneDecimateLevels> levels;
+  levels->SetMaximumError(100.0);
+  ExpectRefusalUntilAllowed(levels.Get());
+  const vtkNew<vtkBoneErrorSearch> curve;
+  curve->AddError(0.5);
+  curve->AddError(100.0);
+  curve->AddError(1.0);
+  ExpectRefusalUntilAllowed(curve.Get());
+  EXPECT_EQ(curve->GetTrials()->GetNumberOfRows(), 3);
 }
