@@ -46,18 +46,15 @@ int CountShared(const Piece& a, const Piece& b)
     a.Vertices.begin(), a.Vertices.end(), [&b](Index vertex) { return HasCorner(b, vertex); }));
 }
 
-/// The corners, those that both have first, in the order of the vertices.
-TriangleCorners SharedFirst(const Piece& piece, const Piece& other)
+/// The number of the first corner for which that is so.
+std::size_t FindCorner(const Piece& piece, const Piece& other, bool isShared)
 {
-  std::array<std::size_t, 3> order = { 0, 1, 2 };
-  std::sort(order.begin(), order.end(),
-    [&](std::size_t i, std::size_t j)
-    {
-      const bool sharesI = HasCorner(other, piece.Vertices[i]);
-      const bool sharesJ = HasCorner(other, piece.Vertices[j]);
-      return sharesI != sharesJ ? sharesI : piece.Vertices[i] < piece.Vertices[j];
-    });
-  return { piece.Corners[order[0]], piece.Corners[order[1]], piece.Corners[order[2]] };
+  std::size_t i = 0;
+  while (i < 2 && HasCorner(other, piece.Vertices[i]) != isShared)
+  {
+    ++i;
+  }
+  return i;
 }
 
 bool Meet(const Piece& a, const Piece& b)
@@ -69,11 +66,11 @@ bool Meet(const Piece& a, const Piece& b)
   switch (CountShared(a, b))
   {
     case 0:
-      return bonedecimate::Meet(a.Corners, b.Corners);
+      return bonedecimate::Meet(a, b);
     case 1:
-      return MeetBeyondCorner(SharedFirst(a, b), SharedFirst(b, a));
+      return MeetBeyondCorner(a, FindCorner(a, b, true), b, FindCorner(b, a, true));
     case 2:
-      return MeetBeyondEdge(SharedFirst(a, b), SharedFirst(b, a));
+      return MeetBeyondEdge(a, FindCorner(a, b, false), b.Corners[FindCorner(b, a, false)]);
     default:
       return true;
   }
@@ -123,18 +120,21 @@ double MostReach(const std::vector<Piece>& pieces) // mm
 }
 
 /// Whether p lies in what two patches with one rim enclose; in doubt it does.
-bool IsBetween(const Vector3& p, const std::vector<Piece>& a, const std::vector<Piece>& b)
+/// @param size mm, longer than the box around both.
+bool IsBetween(
+  const Vector3& p, double size, const std::vector<Piece>& a, const std::vector<Piece>& b)
 {
   // Directions that nobody models along.
   for (const Vector3& direction : { Vector3(0.61, 0.53, 0.587), Vector3(-0.37, 0.71, -0.599) })
   {
+    const Vector3 farPoint = p + 2.0 * size * direction;
     bool isInside = false;
     bool isClear = true;
     for (const std::vector<Piece>* patch : { &a, &b })
     {
       for (const Piece& piece : *patch)
       {
-        const RayAnswer answer = ShootRay(p, direction, piece.Corners);
+        const RayAnswer answer = ShootRay(p, farPoint, piece);
         isInside = isInside != (answer == RayAnswer::Hits);
         isClear = isClear && answer != RayAnswer::Unclear;
       }
@@ -160,9 +160,8 @@ ClearanceGuard::ClearanceGuard(const HalfEdgeMesh& mesh, const Surface& surface,
 ClearanceGuard::Piece ClearanceGuard::PieceOf(const HalfEdgeMesh& mesh, const Patch& change,
   const Triangle& vertices, const TriangleCorners& corners) const
 {
-  Piece piece;
+  Piece piece(corners);
   piece.Vertices = { mesh.Site(vertices[0]), mesh.Site(vertices[1]), mesh.Site(vertices[2]) };
-  piece.Corners = corners;
   piece.Low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
   piece.High = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
   piece.Normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
@@ -305,6 +304,7 @@ bool ClearanceGuard::JumpsOver(const Workspace& work)
 {
   const Vector3 low = LeastOf(work.Old).cwiseMin(LeastOf(work.New));
   const Vector3 high = MostOf(work.Old).cwiseMax(MostOf(work.New));
+  const double size = (high - low).sum();
   return std::any_of(work.Near.begin(), work.Near.end(),
     [&](const Piece& near)
     {
@@ -316,7 +316,7 @@ bool ClearanceGuard::JumpsOver(const Workspace& work)
         if (!isOfPatch)
         {
           return (p - low).minCoeff() >= 0.0 && (high - p).minCoeff() >= 0.0 &&
-            IsBetween(p, work.Old, work.New);
+            IsBetween(p, size, work.Old, work.New);
         }
       }
       return false;
