@@ -29,6 +29,12 @@ double ReachOf(const Gap& gap)
   return reach;
 }
 
+bool BoxesMeet(const Piece& a, const Piece& b)
+{
+  return a.Low[0] <= b.High[0] && b.Low[0] <= a.High[0] && a.Low[1] <= b.High[1] &&
+    b.Low[1] <= a.High[1] && a.Low[2] <= b.High[2] && b.Low[2] <= a.High[2];
+}
+
 /// mm^2, between the boxes.
 double SquaredDistance(const Piece& a, const Piece& b)
 {
@@ -59,7 +65,7 @@ std::size_t FindCorner(const Piece& piece, const Piece& other, bool isShared)
 
 bool Meet(const Piece& a, const Piece& b)
 {
-  if (SquaredDistance(a, b) > 0.0)
+  if (!BoxesMeet(a, b))
   {
     return false;
   }
@@ -76,17 +82,47 @@ bool Meet(const Piece& a, const Piece& b)
   }
 }
 
-/// Pairs of a patch with what is near it, and within it.
-std::size_t CountMeetings(const std::vector<Piece>& patch, const std::vector<Piece>& near)
+/// Pairs of a patch with what is near it, and within it, that meet.
+/// @param isEnough Asked after each with how many they are by then; true ends it.
+template <typename IsEnough>
+void CountMeetings(
+  const std::vector<Piece>& patch, const std::vector<Piece>& near, const IsEnough& isEnough)
 {
   std::size_t count = 0;
   for (auto piece = patch.begin(); piece != patch.end(); ++piece)
   {
-    const auto meets = [&](const Piece& other) { return Meet(*piece, other); };
-    count += static_cast<std::size_t>(std::count_if(near.begin(), near.end(), meets) +
-      std::count_if(piece + 1, patch.end(), meets));
+    const auto endsIt = [&](const Piece& other)
+    { return Meet(*piece, other) && isEnough(++count); };
+    if (std::any_of(near.begin(), near.end(), endsIt) ||
+      std::any_of(piece + 1, patch.end(), endsIt))
+    {
+      return;
+    }
   }
-  return count;
+}
+
+/// Whether more pairs meet than with the faces that go.
+bool MeetMore(
+  const std::vector<Piece>& before, const std::vector<Piece>& after, const std::vector<Piece>& near)
+{
+  std::size_t allowed = 0;
+  bool isMore = false;
+  CountMeetings(after, near,
+    [&](std::size_t count)
+    {
+      if (count == 1) // most edits need not know
+      {
+        CountMeetings(before, near,
+          [&](std::size_t countBefore)
+          {
+            allowed = countBefore;
+            return false;
+          });
+      }
+      isMore = count > allowed;
+      return isMore;
+    });
+  return isMore;
 }
 
 /// mm, of the box around all of them; there is one at least.
@@ -358,9 +394,8 @@ Verdict ClearanceGuard::Judge(const HalfEdgeMesh& mesh, const Patch& change, Wor
     this->FindCells(work);
   }
   this->FindNear(mesh, change, work);
-  const std::size_t meetings = CountMeetings(work.New, work.Near);
-  const bool allowed = (meetings == 0 || meetings <= CountMeetings(work.Old, work.Near)) &&
-    !this->NarrowsGap(work) && !JumpsOver(work);
+  const bool allowed =
+    !MeetMore(work.Old, work.New, work.Near) && !this->NarrowsGap(work) && !JumpsOver(work);
   return allowed ? Verdict::Allowed : Verdict::Crossing;
 }
 
