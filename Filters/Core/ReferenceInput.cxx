@@ -16,6 +16,8 @@ namespace
 {
 /// How closely a triangle's distance is looked for, as a share of the largest error.
 constexpr double TriangleGap = 0.01;
+/// The same for the distance of the whole.
+constexpr double WholeGap = 1e-4;
 /// For the rounding of the differences below, as a share of the largest error, and of distances, of the coordinates.
 constexpr double RelativeSlack = 1e-12;
 
@@ -25,6 +27,7 @@ Certificate DistanceOf(
   CertificateOptions question;
   question.Tolerance = options.MaximumError;
   question.RelativeGap = TriangleGap;
+  question.LeastGap = WholeGap * options.MaximumError;
   question.ReferenceTriangleGap = TriangleGap * options.MaximumError;
   question.ResultTriangleGap = question.ReferenceTriangleGap;
   question.WithBorders = options.MergePoints;

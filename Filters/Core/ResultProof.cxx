@@ -13,8 +13,10 @@ namespace bonedecimate
 {
 namespace
 {
-/// How closely the bounds are looked for: of the whole, as a share of it; of a triangle, as a share of the largest error, or
-/// of the largest tolerance if there is none. The gate keeps twice the first share away from the largest error.
+/// How closely the bounds are looked for: of the whole, as a share of it or of the largest error, whatever is more; of a
+/// triangle, as a share of the largest error, or of the largest tolerance if there is none. The gate keeps twice the first
+/// share away from the largest error. What is flat, and so at a distance of 0, would otherwise be cut along every edge of
+/// the input to the last digit.
 constexpr double WholeGap = 1e-4;
 constexpr double TriangleGap = 0.02;
 
@@ -36,6 +38,7 @@ CertificateOptions QuestionOf(const Options& options, const std::vector<double>*
   }
   question.ResultTriangleGap = TriangleGap * largest;
   question.RelativeGap = WholeGap;
+  question.LeastGap = WholeGap * largest;
   question.WithBorders = options.MergePoints;
   question.ReferenceTriangleGap = options.MeasureInputDistances ? question.ResultTriangleGap : 0.0;
   question.NumberOfThreads = options.NumberOfThreads;

@@ -51,6 +51,55 @@ Surface Shell(Random& random)
   return Together(outer, TurnedInsideOut(Scaled(outer, random.Between(0.8, 0.999))));
 }
 
+/// Flat parts: a prism, a box turned anywhere or not at all.
+Surface FlatSides(Random& random)
+{
+  Surface surface = random.Below(2) == 0
+    ? Prism(3 + random.Below(9), 1 + random.Below(5), 1 + random.Below(6))
+    : Cube(1 + random.Below(9));
+  if (random.Below(2) == 0)
+  {
+    const Vector3 x = (Vector3(1.0, 0.0, 0.0) + random.InCube(0.5)).normalized();
+    const Vector3 y = x.cross(random.InCube(1.0)).normalized();
+    const Vector3 z = x.cross(y);
+    for (Vector3& p : surface.Points)
+    {
+      p = p[0] * x + p[1] * y + p[2] * z;
+    }
+  }
+  return surface;
+}
+
+/// One label of a label map: an ellipsoid cut by a plane, with wrong voxels here and there.
+Surface LabelMapPart(Random& random)
+{
+  const std::array<Index, 3> size = { 3 + random.Below(6), 3 + random.Below(6),
+    3 + random.Below(5) };
+  const Vector3 middle = 0.5 * Vector3(size[0] - 1, size[1] - 1, size[2] - 1);
+  const Vector3 axes = middle + random.InCube(0.5);
+  const Vector3 cut = random.InCube(1.0);
+  const double noise = random.Below(2) == 0 ? 0.0 : random.Between(0.0, 0.2);
+  std::vector<int> labels;
+  for (Index i = 0; i < size[0] * size[1] * size[2]; ++i)
+  {
+    const Vector3 at = Vector3(i % size[0], i / size[0] % size[1], i / size[0] / size[1]) - middle;
+    const bool isInside = (at.cwiseQuotient(axes)).squaredNorm() < 1.0;
+    const bool isWrong = random.Uniform() < noise;
+    labels.push_back(isInside == isWrong ? 0 : cut.dot(at) < 0.5 ? 1 : 2);
+  }
+  const Vector3 spacing(1.0, 1.0, random.Below(2) == 0 ? 1.0 : random.Between(0.5, 3.0));
+  const auto labelOf = [&](const std::array<Index, 3>& voxel) {
+    return labels[static_cast<std::size_t>((voxel[2] * size[1] + voxel[1]) * size[0] + voxel[0])];
+  };
+  const Surface surface = LabelSurface(size, spacing, labelOf, 1);
+  return surface.Triangles.empty() ? Cube(3) : surface;
+}
+
+Surface NearWalls(Random& random)
+{
+  return NearSpheres(1 + random.Below(3), std::pow(10.0, random.Between(-5.0, -1.0)));
+}
+
 /// One of the shapes that every other test takes, too.
 Surface KnownShape(Random& random)
 {
@@ -137,8 +186,8 @@ double MeanEdge(const Surface& surface)
 
 Surface AnyVictim(Random& random, const std::vector<Surface>& large)
 {
-  static const std::array<Surface (*)(Random&), 5> makers = { Walls, WavingGrid, Bumps, Shell,
-    KnownShape };
+  static const std::array<Surface (*)(Random&), 8> makers = { Walls, WavingGrid, Bumps, Shell,
+    KnownShape, FlatSides, LabelMapPart, NearWalls };
   const bool cuts = !large.empty() && random.Below(2) == 0;
   Surface surface = cuts
     ? CutOut(

@@ -12,6 +12,7 @@
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageConstantPad.h"
 #include "vtkImageData.h"
+#include "vtkImageThreshold.h"
 #include "vtkMetaImageReader.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
@@ -150,6 +151,21 @@ Triangles LargestIn(const std::string& volume, const Box& box)
   largest->SetExtractionModeToLargestRegion();
   largest->Update();
   return Cleaned(largest->GetOutput());
+}
+
+Triangles BinaryCrop(const std::string& volume, const VoxelBox& box)
+{
+  vtkNew<vtkExtractVOI> cut;
+  cut->SetInputData(ReadVolume(volume));
+  cut->SetVOI(box[0], box[1] - 1, box[2], box[3] - 1, box[4], box[5] - 1);
+  vtkNew<vtkImageThreshold> bone;
+  bone->SetInputConnection(cut->GetOutputPort());
+  bone->ThresholdByUpper(BoneHounsfield);
+  bone->SetInValue(1.0);
+  bone->SetOutValue(0.0);
+  bone->SetOutputScalarTypeToFloat();
+  bone->Update();
+  return Cleaned(SurfaceOf(bone->GetOutput(), 0.5));
 }
 
 Triangles SurfaceFile(const std::string& file)

@@ -4,7 +4,7 @@
  * @file MakeBone.cxx
  * @brief Writes one of the benchmark's bones as binary PLY.
  *
- *     bonedecimate-bone whole|maxilla|frontal VOLUME.mhd OUTPUT.ply
+ *     bonedecimate-bone whole|maxilla|frontal|vault VOLUME.mhd OUTPUT.ply
  *     bonedecimate-bone file SURFACE OUTPUT.ply
  *     bonedecimate-bone specimen TRIANGLES OUTPUT.ply
  */
@@ -28,6 +28,10 @@ Triangles Make(const std::string& kind, const std::string& from)
   {
     return LargestIn(from, kind == "maxilla" ? Maxilla : FrontalBone);
   }
+  if (kind == "vault")
+  {
+    return BinaryCrop(from, Vault);
+  }
   if (kind == "file")
   {
     return SurfaceFile(from);
@@ -45,7 +49,8 @@ int main(int argumentCount, char** words)
   if (argumentCount != 4)
   {
     std::fputs(
-      "usage: bonedecimate-bone whole|maxilla|frontal|file|specimen FROM OUTPUT.ply\n", stderr);
+      "usage: bonedecimate-bone whole|maxilla|frontal|vault|file|specimen FROM OUTPUT.ply\n",
+      stderr);
     return EXIT_FAILURE;
   }
   try

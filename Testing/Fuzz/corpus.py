@@ -37,6 +37,27 @@ def grid(cells, height, generator):
     return points, faces
 
 
+def voxels(cells):
+    """The sides of unit cubes, each two triangles: flat parts, and stairs as label maps have them."""
+    points, faces = {}, []
+    for cell in sorted(cells):
+        for axis in range(3):
+            for step in (-1, 1):
+                if tuple(c + step * (k == axis) for k, c in enumerate(cell)) in cells:
+                    continue
+                u, v = (axis + 1) % 3, (axis + 2) % 3
+                corners = []
+                for du, dv in ((0, 0), (1, 0), (1, 1), (0, 1))[::step]:
+                    corner = tuple(c + (step > 0) * (k == axis) + du * (k == u) + dv * (k == v) for k, c in enumerate(cell))
+                    corners.append(points.setdefault(corner, len(points)))
+                faces += [(corners[0], corners[1], corners[2]), (corners[0], corners[2], corners[3])]
+    return list(points), faces
+
+
+BOX = {(x, y, z) for x in range(3) for y in range(2) for z in range(2)}
+STAIRS = {(x, y, z) for x in range(3) for y in range(2) for z in range(3 - x)}
+
+
 def soup(generator):
     points = [tuple(generator.uniform(-3, 3) for _ in range(3)) for _ in range(generator.randrange(4, 40))]
     return points, [tuple(generator.randrange(len(points)) for _ in range(3)) for _ in range(generator.randrange(1, 90))]
@@ -54,6 +75,10 @@ def core_inputs():
     for _ in range(12):
         for surface in (TETRAHEDRON, octahedron(), grid(4, 0, generator), grid(6, 1, generator), soup(generator)):
             yield core_input(surface, generator)
+    generator = random.Random(3)
+    for _ in range(6):
+        for cells in (BOX, STAIRS):
+            yield core_input(voxels(cells), generator)
 
 
 def file_inputs():

@@ -286,7 +286,11 @@ std::vector<NamedSurface> ClosedShapes()
     { "TunnelBlock", TunnelBlock(6) }, { "FlatPlate", FlatPlate(8) },
     { "NestedSpheres", NestedSpheres(2) }, { "Needles", Needles(48) },
     { "ManyComponents", ManyComponents(12) }, { "Envelope", Envelope() },
-    { "EnvelopeBesideSphere", Together(Envelope(), Moved(Icosphere(2, 5.0), { 20, 0, 0 })) } };
+    { "EnvelopeBesideSphere", Together(Envelope(), Moved(Icosphere(2, 5.0), { 20, 0, 0 })) },
+    { "Box", Scaled(Cube(6), 3.5) }, { "Prism", Prism(5, 3, 4) },
+    { "CappedCylinder", CappedCylinder(16, 4) }, { "VoxelEllipsoid", VoxelEllipsoid() },
+    { "HalfOfLabels", LabelledPart(1) }, { "CoreOfLabels", LabelledPart(3) },
+    { "NearSpheres", NearSpheres(1, 0.001) } };
 }
 
 std::vector<NamedSurface> OpenShapes()

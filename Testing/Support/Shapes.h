@@ -9,7 +9,9 @@
 
 #include "Surface.h"
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,26 @@ Surface ManyComponents(Index count);
 
 /// Two triangles with the same three points, back to back.
 Surface Envelope();
+
+// Closed, with flat parts -----------------------------------------------------
+
+/// Radius 5, height 8: a regular polygon along z, its sides in parts times layers squares; the caps are rings around a center.
+Surface Prism(Index sides, Index parts, Index layers);
+Surface CappedCylinder(Index around, Index layers);
+
+/// The label of a voxel.
+using LabelOf = std::function<int(const std::array<Index, 3>& voxel)>;
+
+/// The surface of one label of a label map, as marching gives it: vertices in the middle between voxels.
+Surface LabelSurface(
+  const std::array<Index, 3>& size, const Vector3& spacing, const LabelOf& labelOf, int label);
+
+/// An ellipsoid in voxels, and one of its labels 1 to 3: two halves and a core, which touch each other.
+Surface VoxelEllipsoid();
+Surface LabelledPart(int label);
+
+/// Two spheres, one in the other, that far apart: hardly an edit leaves them apart.
+Surface NearSpheres(int levels, double gap);
 
 // Open -----------------------------------------------------------------------
 

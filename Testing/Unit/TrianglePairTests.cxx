@@ -25,9 +25,11 @@ struct Pair
 
   bool Meet(Index shared) const
   {
-    return shared == 0 ? bonedecimate::Meet(this->A, this->B)
-      : shared == 1    ? MeetBeyondCorner(this->A, this->B)
-                       : MeetBeyondEdge(this->A, this->B);
+    const PlaneTriangle a(this->A);
+    const PlaneTriangle b(this->B);
+    return shared == 0 ? bonedecimate::Meet(a, b)
+      : shared == 1    ? MeetBeyondCorner(a, 0, b, 0)
+                       : MeetBeyondEdge(a, 2, this->B[2]);
   }
   bool Cross() const
   {
@@ -68,6 +70,36 @@ private:
   std::mt19937 Random;
   std::uniform_real_distribution<double> Uniform{ -1.0, 1.0 };
 };
+
+bool HasArea(const TriangleCorners& t)
+{
+  return (t[1] - t[0]).cross(t[2] - t[0]).squaredNorm() > 0.0;
+}
+
+/// Whether the second lies on one side of the plane of the first, or in it.
+bool LiesOnOneSide(const TriangleCorners& a, const TriangleCorners& b)
+{
+  const Vector3 normal = (a[1] - a[0]).cross(a[2] - a[0]);
+  const auto height = [&](const Vector3& p) { return normal.dot(p - a[0]); };
+  return std::min({ height(b[0]), height(b[1]), height(b[2]) }) >= 0.0 ||
+    std::max({ height(b[0]), height(b[1]), height(b[2]) }) <= 0.0;
+}
+
+/// Of a surface, which may share corners.
+bool NeighborsMeet(const Surface& surface, Triangle a, Triangle b)
+{
+  const auto isIn = [](const Triangle& t)
+  { return [&t](Index v) { return std::find(t.begin(), t.end(), v) != t.end(); }; };
+  const Triangle wholeA = a;
+  const auto shared = std::partition(a.begin(), a.end(), isIn(b)) - a.begin();
+  std::partition(b.begin(), b.end(), isIn(wholeA));
+  const auto triangle = [&surface](const Triangle& t) {
+    return PlaneTriangle({ surface.Points[t[0]], surface.Points[t[1]], surface.Points[t[2]] });
+  };
+  return shared == 0 ? bonedecimate::Meet(triangle(a), triangle(b))
+    : shared == 1    ? MeetBeyondCorner(triangle(a), 0, triangle(b), 0)
+                     : MeetBeyondEdge(triangle(a), 2, surface.Points[b[2]]);
+}
 }
 
 TEST(TrianglePair, MeetsWhereBruteForceFindsThatItDoes)
@@ -89,58 +121,114 @@ TEST(TrianglePair, MeetsWhereBruteForceFindsThatItDoes)
 TEST(TrianglePair, MeetsWhereBruteForceFindsThatItDoesInOnePlane)
 {
   Places places(5);
-  const Vector3 u(0.3, -0.4, 0.7);
-  const Vector3 v(0.2, 0.9, -0.1);
   for (const Index shared : { 0, 1, 2 })
   {
     for (int round = 0; round < 5000; ++round)
     {
-      // Along z exactly, and in a plane that rounding bends.
       const Pair flat =
         places.AnyPair(shared, [&] { return Vector3(places.One(), places.One(), 0.5); });
       ASSERT_EQ(flat.Meet(shared), flat.Cross()) << shared << " shared, round " << round;
-      const Pair tilted =
-        places.AnyPair(shared, [&] { return (places.One() * u + places.One() * v).eval(); });
-      EXPECT_TRUE(tilted.Meet(shared) || !tilted.Cross()) << shared << " shared, round " << round;
     }
   }
 }
 
-TEST(TrianglePair, NeighboursInAFlatGridDoNotMeet)
+/// Corners on a small lattice, so that all that is special happens: corners in planes, on edges and on corners, planes in
+/// common. Brute force has no rounding there.
+TEST(TrianglePair, MeetsWhereBruteForceFindsThatItDoesOnALattice)
 {
-  const Surface grid = Grid(4);
-  for (const Triangle& a : grid.Triangles)
+  Places places(7);
+  const auto place = [&]
   {
-    for (const Triangle& b : grid.Triangles)
+    const auto coordinate = [&] { return std::floor(1.5 + 1.5 * places.One()); };
+    return Vector3(coordinate(), coordinate(), coordinate());
+  };
+  for (const Index shared : { 0, 1, 2 })
+  {
+    int met = 0;
+    int touched = 0;
+    for (int round = 0; round < 60000; ++round)
     {
-      Triangle p = a;
-      Triangle q = b;
-      const auto isIn = [](const Triangle& t)
-      { return [&t](Index v) { return std::find(t.begin(), t.end(), v) != t.end(); }; };
-      const auto shared = std::partition(p.begin(), p.end(), isIn(b)) - p.begin();
-      std::partition(q.begin(), q.end(), isIn(a));
-      if (shared == 2 && p[0] != q[0])
+      const Pair pair = places.AnyPair(shared, place);
+      if (HasArea(pair.A) && HasArea(pair.B))
       {
-        std::swap(q[0], q[1]);
+        ASSERT_EQ(pair.Meet(shared), pair.Cross()) << shared << " shared, round " << round;
+        met += pair.Cross() ? 1 : 0;
+        touched += pair.Cross() && LiesOnOneSide(pair.A, pair.B) ? 1 : 0;
       }
-      const TriangleCorners cornersA = { grid.Points[p[0]], grid.Points[p[1]], grid.Points[p[2]] };
-      const TriangleCorners cornersB = { grid.Points[q[0]], grid.Points[q[1]], grid.Points[q[2]] };
-      EXPECT_FALSE(shared == 0 && Meet(cornersA, cornersB));
-      EXPECT_FALSE(shared == 1 && MeetBeyondCorner(cornersA, cornersB));
-      EXPECT_FALSE(shared == 2 && MeetBeyondEdge(cornersA, cornersB));
+    }
+    EXPECT_GT(met, 500) << shared << " shared";
+    EXPECT_GT(touched, 500) << shared << " shared";
+  }
+}
+
+/// The pair is known on a lattice, and stays what it is in a plane that is not along an axis, where nothing is rounded.
+TEST(TrianglePair, DecidesTheSameInEveryPlaneOfALattice)
+{
+  Places places(15);
+  const std::array<std::array<Vector3, 2>, 4> planes = { { { Vector3(1, 1, 0), Vector3(0, 0, 1) },
+    { Vector3(1, 0, 1), Vector3(-1, 1, 0) }, { Vector3(3, 5, 7), Vector3(-2, 11, 1) },
+    { Vector3(0, 0.95703125, 1.5), Vector3(1, 0, 0) } } };
+  for (const Index shared : { 0, 1, 2 })
+  {
+    for (int round = 0; round < 5000; ++round)
+    {
+      const Pair flat = places.AnyPair(shared,
+        [&] { return Vector3(std::floor(4.0 * places.One()), std::floor(4.0 * places.One()), 0); });
+      for (const auto& [u, v] : planes)
+      {
+        Pair tilted = flat;
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+          tilted.A[i] = flat.A[i][0] * u + flat.A[i][1] * v;
+          tilted.B[i] = flat.B[i][0] * u + flat.B[i][1] * v;
+        }
+        ASSERT_EQ(tilted.Meet(shared), flat.Meet(shared)) << shared << " shared, round " << round;
+      }
     }
   }
 }
 
-TEST(TrianglePair, FoldedFlatOntoItsNeighbourItMeetsIt)
+TEST(TrianglePair, TouchesOrNotByOneBit)
 {
-  const TriangleCorners a = { Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0.3, 1, 0) };
-  const TriangleCorners flat = { a[0], a[1], Vector3(0.6, 0.5, 0) };
-  const TriangleCorners across = { a[0], a[1], Vector3(0.6, -0.5, 0) };
-  const TriangleCorners raised = { a[0], a[1], Vector3(0.6, 0.5, 1e-6) };
-  EXPECT_TRUE(MeetBeyondEdge(a, flat));
-  EXPECT_FALSE(MeetBeyondEdge(a, across));
-  EXPECT_FALSE(MeetBeyondEdge(a, raised));
+  const TriangleCorners floor = { Vector3(0, 0, 0), Vector3(3, 0, 1), Vector3(0, 3, 1) };
+  // Above the middle of the floor, in whose plane it lies.
+  const Vector3 foot(1, 1, 2.0 / 3.0);
+  const double above = std::nextafter(foot[2], 1.0);
+  const double below = std::nextafter(foot[2], 0.0);
+  const auto meets = [&](double height)
+  {
+    return bonedecimate::Meet(PlaneTriangle(floor),
+      PlaneTriangle({ Vector3(1, 1, height), Vector3(1, 1, 5), Vector3(2, 1, 5) }));
+  };
+  EXPECT_FALSE(meets(above));
+  EXPECT_TRUE(meets(below));
+}
+
+TEST(TrianglePair, NeighborsInAFlatGridDoNotMeet)
+{
+  Surface grid = Grid(4);
+  for (const double tilt : { 0.0, 1.0, 0.3 })
+  {
+    for (Vector3& p : grid.Points)
+    {
+      p[2] = tilt * (p[0] + p[1]); // 0.3 rounds: not quite in one plane
+    }
+    for (const Triangle& a : grid.Triangles)
+    {
+      for (const Triangle& b : grid.Triangles)
+      {
+        EXPECT_TRUE(a == b || !NeighborsMeet(grid, a, b)) << tilt;
+      }
+    }
+  }
+}
+
+TEST(TrianglePair, FoldedFlatOntoItsNeighborItMeetsIt)
+{
+  const PlaneTriangle a({ Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0.3, 1, 0) });
+  EXPECT_TRUE(MeetBeyondEdge(a, 2, Vector3(0.6, 0.5, 0)));
+  EXPECT_FALSE(MeetBeyondEdge(a, 2, Vector3(0.6, -0.5, 0)));
+  EXPECT_FALSE(MeetBeyondEdge(a, 2, Vector3(0.6, 0.5, 1e-300)));
 }
 
 TEST(TrianglePair, WayIsAsLongAsBruteForceFinds)
@@ -163,12 +251,18 @@ TEST(TrianglePair, WayIsAsLongAsBruteForceFinds)
 
 TEST(TrianglePair, RaysHitWhatTheyGoThrough)
 {
-  const TriangleCorners t = { Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0) };
-  EXPECT_EQ(ShootRay({ 0.2, 0.2, -1.0 }, { 0.0, 0.0, 1.0 }, t), RayAnswer::Hits);
-  EXPECT_EQ(ShootRay({ 0.2, 0.2, -1.0 }, { 0.0, 0.0, -1.0 }, t), RayAnswer::Misses);
-  EXPECT_EQ(ShootRay({ 0.8, 0.8, -1.0 }, { 0.0, 0.0, 1.0 }, t), RayAnswer::Misses);
-  EXPECT_EQ(ShootRay({ 0.5, 0.5, -1.0 }, { 0.0, 0.0, 1.0 }, t), RayAnswer::Unclear);
-  EXPECT_EQ(ShootRay({ 0.2, 0.2, 0.0 }, { 0.0, 0.0, 1.0 }, t), RayAnswer::Unclear);
+  const PlaneTriangle t({ Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0) });
+  const auto shoot = [&t](double x, double y, double from, double to) {
+    return ShootRay({ x, y, from }, { x, y, to }, t);
+  };
+  EXPECT_EQ(shoot(0.2, 0.2, -1.0, 9.0), RayAnswer::Hits);
+  EXPECT_EQ(shoot(0.2, 0.2, -1.0, -9.0), RayAnswer::Misses);
+  EXPECT_EQ(shoot(0.8, 0.8, -1.0, 9.0), RayAnswer::Misses);
+  EXPECT_EQ(shoot(0.5, 0.5, -1.0, 9.0), RayAnswer::Unclear);
+  EXPECT_EQ(shoot(0.2, 0.2, 0.0, 9.0), RayAnswer::Unclear);
+  EXPECT_EQ(shoot(0.8, 0.8, 0.0, 9.0), RayAnswer::Misses);
+  EXPECT_EQ(shoot(std::nextafter(0.5, 1.0), 0.5, -1.0, 9.0), RayAnswer::Misses);
+  EXPECT_EQ(shoot(std::nextafter(0.5, 0.0), 0.5, -1.0, 9.0), RayAnswer::Hits);
 }
 
 TEST(FaceGrid, LeavesNoCellOutThatATriangleReachesInto)

@@ -108,9 +108,10 @@ struct CertificateOptions
   std::vector<double> ToleranceMap;
   /// Refine up to the gap even where the tolerance is already proved. Without a tolerance that is always so.
   bool TightBounds = true;
-  /// The bounds differ by at most this share of the upper one, or by a thousand-millionth of the largest coordinate, unless
-  /// MostCuts ends it before.
+  /// The bounds differ by at most this share of the upper one, by the least gap, or by a thousand-millionth of the largest
+  /// coordinate, unless MostCuts ends it before.
   double RelativeGap = 1e-6;
+  double LeastGap = 0.0; ///< mm; bounds that are nearer to each other are not sought.
   /// How often pieces may be cut in each direction; 0: sixteen times for each triangle, and 2^26 times.
   std::int64_t MostCuts = 0;
   bool WithSurfaces = true;

@@ -58,7 +58,7 @@ public:
       asked > 0 ? asked : LeastMostCuts + CutsASimplex * static_cast<std::int64_t>(source.Size());
     this->Goal.RelativeGap = task.Options.RelativeGap;
     this->Goal.Slack = task.Slack;
-    this->Goal.LeastGap = SlacksOfGap * task.Slack;
+    this->Goal.LeastGap = std::max(SlacksOfGap * task.Slack, task.Options.LeastGap);
     this->Goal.NumberOfThreads = task.Options.NumberOfThreads;
   }
 

@@ -29,6 +29,12 @@ double ReachOf(const Gap& gap)
   return reach;
 }
 
+bool BoxesMeet(const Piece& a, const Piece& b)
+{
+  return a.Low[0] <= b.High[0] && b.Low[0] <= a.High[0] && a.Low[1] <= b.High[1] &&
+    b.Low[1] <= a.High[1] && a.Low[2] <= b.High[2] && b.Low[2] <= a.High[2];
+}
+
 /// mm^2, between the boxes.
 double SquaredDistance(const Piece& a, const Piece& b)
 {
@@ -46,50 +52,77 @@ int CountShared(const Piece& a, const Piece& b)
     a.Vertices.begin(), a.Vertices.end(), [&b](Index vertex) { return HasCorner(b, vertex); }));
 }
 
-/// The corners, those that both have first, in the order of the vertices.
-TriangleCorners SharedFirst(const Piece& piece, const Piece& other)
+/// The number of the first corner for which that is so.
+std::size_t FindCorner(const Piece& piece, const Piece& other, bool isShared)
 {
-  std::array<std::size_t, 3> order = { 0, 1, 2 };
-  std::sort(order.begin(), order.end(),
-    [&](std::size_t i, std::size_t j)
-    {
-      const bool sharesI = HasCorner(other, piece.Vertices[i]);
-      const bool sharesJ = HasCorner(other, piece.Vertices[j]);
-      return sharesI != sharesJ ? sharesI : piece.Vertices[i] < piece.Vertices[j];
-    });
-  return { piece.Corners[order[0]], piece.Corners[order[1]], piece.Corners[order[2]] };
+  std::size_t i = 0;
+  while (i < 2 && HasCorner(other, piece.Vertices[i]) != isShared)
+  {
+    ++i;
+  }
+  return i;
 }
 
 bool Meet(const Piece& a, const Piece& b)
 {
-  if (SquaredDistance(a, b) > 0.0)
+  if (!BoxesMeet(a, b))
   {
     return false;
   }
   switch (CountShared(a, b))
   {
     case 0:
-      return bonedecimate::Meet(a.Corners, b.Corners);
+      return bonedecimate::Meet(a, b);
     case 1:
-      return MeetBeyondCorner(SharedFirst(a, b), SharedFirst(b, a));
+      return MeetBeyondCorner(a, FindCorner(a, b, true), b, FindCorner(b, a, true));
     case 2:
-      return MeetBeyondEdge(SharedFirst(a, b), SharedFirst(b, a));
+      return MeetBeyondEdge(a, FindCorner(a, b, false), b.Corners[FindCorner(b, a, false)]);
     default:
       return true;
   }
 }
 
-/// Pairs of a patch with what is near it, and within it.
-std::size_t CountMeetings(const std::vector<Piece>& patch, const std::vector<Piece>& near)
+/// Pairs of a patch with what is near it, and within it, that meet.
+/// @param isEnough Asked after each with how many they are by then; true ends it.
+template <typename IsEnough>
+void CountMeetings(
+  const std::vector<Piece>& patch, const std::vector<Piece>& near, const IsEnough& isEnough)
 {
   std::size_t count = 0;
   for (auto piece = patch.begin(); piece != patch.end(); ++piece)
   {
-    const auto meets = [&](const Piece& other) { return Meet(*piece, other); };
-    count += static_cast<std::size_t>(std::count_if(near.begin(), near.end(), meets) +
-      std::count_if(piece + 1, patch.end(), meets));
+    const auto endsIt = [&](const Piece& other)
+    { return Meet(*piece, other) && isEnough(++count); };
+    if (std::any_of(near.begin(), near.end(), endsIt) ||
+      std::any_of(piece + 1, patch.end(), endsIt))
+    {
+      return;
+    }
   }
-  return count;
+}
+
+/// Whether more pairs meet than with the faces that go.
+bool MeetMore(
+  const std::vector<Piece>& before, const std::vector<Piece>& after, const std::vector<Piece>& near)
+{
+  std::size_t allowed = 0;
+  bool isMore = false;
+  CountMeetings(after, near,
+    [&](std::size_t count)
+    {
+      if (count == 1) // most edits need not know
+      {
+        CountMeetings(before, near,
+          [&](std::size_t countBefore)
+          {
+            allowed = countBefore;
+            return false;
+          });
+      }
+      isMore = count > allowed;
+      return isMore;
+    });
+  return isMore;
 }
 
 /// mm, of the box around all of them; there is one at least.
@@ -123,18 +156,21 @@ double MostReach(const std::vector<Piece>& pieces) // mm
 }
 
 /// Whether p lies in what two patches with one rim enclose; in doubt it does.
-bool IsBetween(const Vector3& p, const std::vector<Piece>& a, const std::vector<Piece>& b)
+/// @param size mm, longer than the box around both.
+bool IsBetween(
+  const Vector3& p, double size, const std::vector<Piece>& a, const std::vector<Piece>& b)
 {
   // Directions that nobody models along.
   for (const Vector3& direction : { Vector3(0.61, 0.53, 0.587), Vector3(-0.37, 0.71, -0.599) })
   {
+    const Vector3 farPoint = p + 2.0 * size * direction;
     bool isInside = false;
     bool isClear = true;
     for (const std::vector<Piece>* patch : { &a, &b })
     {
       for (const Piece& piece : *patch)
       {
-        const RayAnswer answer = ShootRay(p, direction, piece.Corners);
+        const RayAnswer answer = ShootRay(p, farPoint, piece);
         isInside = isInside != (answer == RayAnswer::Hits);
         isClear = isClear && answer != RayAnswer::Unclear;
       }
@@ -160,9 +196,8 @@ ClearanceGuard::ClearanceGuard(const HalfEdgeMesh& mesh, const Surface& surface,
 ClearanceGuard::Piece ClearanceGuard::PieceOf(const HalfEdgeMesh& mesh, const Patch& change,
   const Triangle& vertices, const TriangleCorners& corners) const
 {
-  Piece piece;
+  Piece piece(corners);
   piece.Vertices = { mesh.Site(vertices[0]), mesh.Site(vertices[1]), mesh.Site(vertices[2]) };
-  piece.Corners = corners;
   piece.Low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
   piece.High = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
   piece.Normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
@@ -305,6 +340,7 @@ bool ClearanceGuard::JumpsOver(const Workspace& work)
 {
   const Vector3 low = LeastOf(work.Old).cwiseMin(LeastOf(work.New));
   const Vector3 high = MostOf(work.Old).cwiseMax(MostOf(work.New));
+  const double size = (high - low).sum();
   return std::any_of(work.Near.begin(), work.Near.end(),
     [&](const Piece& near)
     {
@@ -316,7 +352,7 @@ bool ClearanceGuard::JumpsOver(const Workspace& work)
         if (!isOfPatch)
         {
           return (p - low).minCoeff() >= 0.0 && (high - p).minCoeff() >= 0.0 &&
-            IsBetween(p, work.Old, work.New);
+            IsBetween(p, size, work.Old, work.New);
         }
       }
       return false;
@@ -358,9 +394,8 @@ Verdict ClearanceGuard::Judge(const HalfEdgeMesh& mesh, const Patch& change, Wor
     this->FindCells(work);
   }
   this->FindNear(mesh, change, work);
-  const std::size_t meetings = CountMeetings(work.New, work.Near);
-  const bool allowed = (meetings == 0 || meetings <= CountMeetings(work.Old, work.Near)) &&
-    !this->NarrowsGap(work) && !JumpsOver(work);
+  const bool allowed =
+    !MeetMore(work.Old, work.New, work.Near) && !this->NarrowsGap(work) && !JumpsOver(work);
   return allowed ? Verdict::Allowed : Verdict::Crossing;
 }
 

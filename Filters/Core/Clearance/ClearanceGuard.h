@@ -30,11 +30,12 @@ public:
     const Monitor& monitor);
 
   /// A face with what every pair of it needs.
-  struct Piece
+  struct Piece : PlaneTriangle
   {
-    Triangle Vertices;       // their sites
-    TriangleCorners Corners; // mm
-    Vector3 Low, High;       // mm, its box
+    using PlaneTriangle::PlaneTriangle;
+
+    Triangle Vertices; // their sites
+    Vector3 Low, High; // mm, its box
     Vector3 Normal;
     bonedecimate::Gap LeastGap; // of its corners
     double Reach;               // mm, how far from it gaps have to be looked after

@@ -241,8 +241,8 @@ double PartTree::LeastBetween(std::size_t leafA, std::size_t leafB, double squar
       {
         const TriangleCorners cornersA = this->CornersOf(a);
         const TriangleCorners cornersB = this->CornersOf(b);
-        const double squared =
-          Meet(cornersA, cornersB) ? 0.0 : WayBetween(cornersA, cornersB).SquaredLength;
+        const bool meet = Meet(PlaneTriangle(cornersA), PlaneTriangle(cornersB));
+        const double squared = meet ? 0.0 : WayBetween(cornersA, cornersB).SquaredLength;
         squaredLimit = std::min(squaredLimit, squared);
       }
     }

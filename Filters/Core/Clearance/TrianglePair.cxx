@@ -11,88 +11,123 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the product of the lengths: below it an inner product may be rounding.
-constexpr double Slack = 1e-12;
-/// The same where a plane has to hold others apart that lie in it: far above the slack.
-constexpr double Clear = 1e-9;
-/// The sine of the least angle between two rays in one plane that are told apart.
-constexpr double LeastSine = 1e-3;
+/// Signs of the corners of one triangle: on which side of the plane of the other they lie.
+using Sides = std::array<int, 3>;
 
-/// Six corners relative to the first.
-struct Six
+Sides SidesOf(const OrientedPlane& plane, const TriangleCorners& corners)
 {
-  Six(const TriangleCorners& a, const TriangleCorners& b)
+  return { plane.SideOf(corners[0]), plane.SideOf(corners[1]), plane.SideOf(corners[2]) };
+}
+
+bool AreStrictlyOnOneSide(const Sides& sides)
+{
+  return sides[0] != 0 && sides[0] == sides[1] && sides[0] == sides[2];
+}
+
+bool AreZero(const Sides& sides)
+{
+  return sides[0] == 0 && sides[1] == 0 && sides[2] == 0;
+}
+
+/// Turned so that the first corner lies alone on its side of the plane of the other triangle, the positive one: the
+/// others lie in the plane or on the negative side, or the first lies in front of two in the plane.
+/// @return Whether the other triangle has to be taken in reverse, because the first corner was on the negative side.
+bool IsolateFirst(TriangleCorners& corners, const Sides& sides)
+{
+  for (const int side : { 1, -1 })
   {
-    for (std::size_t i = 0; i < 3; ++i)
+    const auto count = std::count(sides.begin(), sides.end(), side);
+    const auto opposite = std::count(sides.begin(), sides.end(), -side);
+    // Alone on its side; two in the plane; or alone in the plane, with both others on the opposite side.
+    const int alone = count == 1 ? side : count == 0 && opposite == 2 ? 0 : 2;
+    if (alone != 2)
     {
-      this->A[i] = a[i] - a[0];
-      this->B[i] = b[i] - a[0];
-      this->Size = std::max(
-        { this->Size, this->A[i].cwiseAbs().maxCoeff(), this->B[i].cwiseAbs().maxCoeff() });
+      const auto first = std::find(sides.begin(), sides.end(), alone) - sides.begin();
+      std::rotate(corners.begin(), corners.begin() + first, corners.end());
+      return side < 0;
+    }
+  }
+  return false; // all on one side or in the plane: not called
+}
+
+/// The axis along which the corners are projected to an area, and the sign of that; 0 if they lie on a line.
+struct Projection
+{
+  explicit Projection(const TriangleCorners& t)
+  {
+    const Vector3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
+    normal.cwiseAbs().maxCoeff(&this->Axis);
+    for (int i = 0; i < 3 && this->Sign == 0; ++i)
+    {
+      this->Axis = i == 0 ? this->Axis : (this->Axis + 1) % 3;
+      this->Sign = ProjectedOrientation(t[0], t[1], t[2], this->Axis);
     }
   }
 
-  bool AreApart(const Vector3& axis) const
+  int Of(const Vector3& a, const Vector3& b, const Vector3& c) const
   {
-    const double slack = Slack * this->Size * axis.cwiseAbs().sum();
-    const std::array<double, 3> a = { 0.0, axis.dot(this->A[1]), axis.dot(this->A[2]) };
-    const std::array<double, 3> b = { axis.dot(this->B[0]), axis.dot(this->B[1]),
-      axis.dot(this->B[2]) };
-    return std::min({ a[0], a[1], a[2] }) > std::max({ b[0], b[1], b[2] }) + slack ||
-      std::min({ b[0], b[1], b[2] }) > std::max({ a[0], a[1], a[2] }) + slack;
+    return this->Sign * ProjectedOrientation(a, b, c, this->Axis);
   }
 
-  TriangleCorners A, B; // mm
-  double Size = 0.0;    // mm
+  Eigen::Index Axis = 0;
+  int Sign = 0;
 };
+
+/// Of two triangles in one plane: whether an edge of a has all of b strictly beyond it.
+bool HasSeparatingEdge(
+  const TriangleCorners& a, const TriangleCorners& b, const Projection& projection)
+{
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const auto isBeyond = [&](const Vector3& p)
+    { return projection.Of(a[i], a[(i + 1) % 3], p) < 0; };
+    if (std::all_of(b.begin(), b.end(), isBeyond))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// In one plane. Convex sets are apart if and only if an edge of one of them separates them.
+bool MeetInPlane(const TriangleCorners& a, const TriangleCorners& b)
+{
+  const Projection ofA(a);
+  const Projection ofB(b);
+  return ofA.Sign == 0 || ofB.Sign == 0 ||
+    (!HasSeparatingEdge(a, b, ofA) && !HasSeparatingEdge(b, a, ofB));
+}
+
+/// The corners with the one of that number first.
+TriangleCorners Turned(const TriangleCorners& corners, std::size_t first)
+{
+  return { corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3] };
+}
+
+/// Whether the ray from a[0] through p runs in the angle at a[0] or along one of its sides.
+bool IsInAngle(const TriangleCorners& a, const Vector3& p, const Projection& projection)
+{
+  return projection.Of(a[0], a[1], p) >= 0 && projection.Of(a[0], p, a[2]) >= 0;
+}
+
+/// In one plane, the first corner in common.
+bool AnglesOverlap(const TriangleCorners& a, const TriangleCorners& b)
+{
+  const Projection ofA(a);
+  const Projection ofB(b);
+  return ofA.Sign == 0 || ofB.Sign == 0 || IsInAngle(a, b[1], ofA) || IsInAngle(a, b[2], ofA) ||
+    IsInAngle(b, a[1], ofB) || IsInAngle(b, a[2], ofB);
+}
+
+/// Whether three signs are those of a line that goes through a triangle, its boundary included.
+bool GoesThrough(int first, int second, int third)
+{
+  return std::min({ first, second, third }) >= 0 || std::max({ first, second, third }) <= 0;
+}
 
 TriangleCorners EdgesOf(const TriangleCorners& corners)
 {
   return { corners[1] - corners[0], corners[2] - corners[1], corners[0] - corners[2] };
-}
-
-/// On which side of a plane through the tip a ray lies: -1, 1, 0 in it, 2 unclear.
-int SideOf(const Vector3& normal, const Vector3& ray)
-{
-  const double height = normal.dot(ray);
-  const double scale = std::sqrt(normal.squaredNorm() * ray.squaredNorm());
-  return std::abs(height) <= Slack * scale ? 0
-    : std::abs(height) < Clear * scale     ? 2
-    : height > 0.0                         ? 1
-                                           : -1;
-}
-
-bool AreApart(const Vector3& ray, const Vector3& other)
-{
-  const double squared = ray.squaredNorm() * other.squaredNorm();
-  return ray.dot(other) < 0.0 || ray.cross(other).squaredNorm() > LeastSine * LeastSine * squared;
-}
-
-using Rays = std::array<Vector3, 2>;
-
-/// Whether the plane lies between the angles; each may have one ray in it, if those differ.
-bool AreApart(const Vector3& normal, const Rays& a, const Rays& b)
-{
-  const std::array<int, 2> sideA = { SideOf(normal, a[0]), SideOf(normal, a[1]) };
-  const std::array<int, 2> sideB = { SideOf(normal, b[0]), SideOf(normal, b[1]) };
-  const int low = std::min(sideA[0], sideA[1]);
-  const int high = std::max(sideA[0], sideA[1]);
-  const int lowB = std::min(sideB[0], sideB[1]);
-  const int highB = std::max(sideB[0], sideB[1]);
-  const bool areOpposite = (low >= 0 && highB <= 0) || (high <= 0 && lowB >= 0);
-  if (high == 2 || highB == 2 || !areOpposite)
-  {
-    return false;
-  }
-  const bool allOfA = low == 0 && high == 0;
-  const bool allOfB = lowB == 0 && highB == 0;
-  const bool noneOfA = sideA[0] != 0 && sideA[1] != 0;
-  const bool noneOfB = sideB[0] != 0 && sideB[1] != 0;
-  if (noneOfA || noneOfB)
-  {
-    return true;
-  }
-  return !allOfA && !allOfB && AreApart(a[sideA[0] == 0 ? 0 : 1], b[sideB[0] == 0 ? 0 : 1]);
 }
 
 /// Between segments from p along u and from q along v.
@@ -115,109 +150,106 @@ Way WayBetweenSegments(const Vector3& p, const Vector3& u, const Vector3& q, con
   const Vector3 way = t * v - s * u - w;
   return { way.squaredNorm(), way };
 }
+
+/// Two triangles in different planes, which reach both across the plane of the other, cover an interval each of the line
+/// in which their planes meet (P. Guigue, O. Devillers, Fast and robust triangle-triangle overlap test using orientation
+/// predicates, 2003).
+bool IntervalsOverlap(
+  TriangleCorners p, const Sides& sidesA, TriangleCorners q, const Sides& sidesB)
+{
+  const bool reverseB = IsolateFirst(p, sidesA);
+  const bool reverseA = IsolateFirst(q, sidesB);
+  if (reverseB)
+  {
+    std::swap(q[1], q[2]);
+  }
+  if (reverseA)
+  {
+    std::swap(p[1], p[2]);
+  }
+  return Orientation(p[0], p[1], q[0], q[1]) <= 0 && Orientation(p[0], p[2], q[2], q[0]) <= 0;
+}
 }
 
-bool Meet(const TriangleCorners& a, const TriangleCorners& b)
+bool Meet(const PlaneTriangle& a, const PlaneTriangle& b)
 {
-  const Six six(a, b);
-  const TriangleCorners edgesA = EdgesOf(six.A);
-  const TriangleCorners edgesB = EdgesOf(six.B);
-  const Vector3 normalA = edgesA[0].cross(edgesA[1]);
-  const Vector3 normalB = edgesB[0].cross(edgesB[1]);
-  if (six.AreApart(normalA) || six.AreApart(normalB))
+  const Sides sidesB = SidesOf(a.Plane, b.Corners);
+  if (AreStrictlyOnOneSide(sidesB))
   {
     return false;
   }
-  for (const Vector3& edgeA : edgesA)
-  {
-    for (const Vector3& edgeB : edgesB)
-    {
-      if (six.AreApart(edgeA.cross(edgeB)))
-      {
-        return false;
-      }
-    }
-  }
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    if (six.AreApart(normalA.cross(edgesA[i])) || six.AreApart(normalB.cross(edgesB[i])) ||
-      six.AreApart(normalA.cross(edgesB[i])) || six.AreApart(normalB.cross(edgesA[i])))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool MeetBeyondCorner(const TriangleCorners& a, const TriangleCorners& b)
-{
-  const Rays raysA = { a[1] - a[0], a[2] - a[0] };
-  const Rays raysB = { b[1] - a[0], b[2] - a[0] };
-  const Vector3 normalA = raysA[0].cross(raysA[1]);
-  const Vector3 normalB = raysB[0].cross(raysB[1]);
-  if (AreApart(normalA, raysA, raysB) || AreApart(normalB, raysA, raysB))
+  const Sides sidesA = SidesOf(b.Plane, a.Corners);
+  if (AreStrictlyOnOneSide(sidesA))
   {
     return false;
   }
-  for (const Vector3& rayA : raysA)
+  if (AreZero(sidesA) || AreZero(sidesB))
   {
-    for (const Vector3& rayB : raysB)
-    {
-      if (AreApart(rayA.cross(rayB), raysA, raysB))
-      {
-        return false;
-      }
-    }
+    // One of them without area has no plane: in doubt it meets.
+    return AreZero(sidesA) != AreZero(sidesB) || MeetInPlane(a.Corners, b.Corners);
   }
-  for (std::size_t i = 0; i < 2; ++i)
-  {
-    if (AreApart(normalA.cross(raysA[i]), raysA, raysB) ||
-      AreApart(normalB.cross(raysB[i]), raysA, raysB))
-    {
-      return false;
-    }
-  }
-  return true;
+  return IntervalsOverlap(a.Corners, sidesA, b.Corners, sidesB);
 }
 
 //------------------------------------------------------------------------------
-bool MeetBeyondEdge(const TriangleCorners& a, const TriangleCorners& b)
+/// One of them meets the side of the other that lies opposite of the common corner.
+bool MeetBeyondCorner(
+  const PlaneTriangle& a, std::size_t cornerOfA, const PlaneTriangle& b, std::size_t cornerOfB)
 {
-  const Vector3 edge = a[1] - a[0];
-  const Vector3 upA = edge.cross(a[2] - a[0]);
-  const Vector3 upB = edge.cross(b[2] - a[0]);
-  const double squared = upA.squaredNorm() * upB.squaredNorm();
-  return upA.dot(upB) >= 0.0 && upA.cross(upB).squaredNorm() <= Clear * Clear * squared;
+  const TriangleCorners p = Turned(a.Corners, cornerOfA);
+  const TriangleCorners q = Turned(b.Corners, cornerOfB);
+  const std::array<int, 2> sidesQ = { a.Plane.SideOf(q[1]), a.Plane.SideOf(q[2]) };
+  if (sidesQ[0] * sidesQ[1] > 0)
+  {
+    return false;
+  }
+  const std::array<int, 2> sidesP = { b.Plane.SideOf(p[1]), b.Plane.SideOf(p[2]) };
+  if (sidesP[0] * sidesP[1] > 0)
+  {
+    return false;
+  }
+  const bool isFlatP = sidesP[0] == 0 && sidesP[1] == 0;
+  const bool isFlatQ = sidesQ[0] == 0 && sidesQ[1] == 0;
+  if (isFlatP || isFlatQ)
+  {
+    // One of them without area has no plane: in doubt it meets.
+    return isFlatP != isFlatQ || AnglesOverlap(p, q);
+  }
+  // How the line through the side of one passes the three sides of the other.
+  const int across = Orientation(q[1], q[2], p[1], p[2]);
+  return GoesThrough(sidesP[0], across, -sidesP[1]) || GoesThrough(sidesQ[0], across, -sidesQ[1]);
 }
 
 //------------------------------------------------------------------------------
-RayAnswer ShootRay(const Vector3& p, const Vector3& direction, const TriangleCorners& corners)
+bool MeetBeyondEdge(const PlaneTriangle& a, std::size_t thirdOfA, const Vector3& thirdOfB)
 {
-  const TriangleCorners from = { corners[0] - p, corners[1] - p, corners[2] - p };
-  bool isUnclear = false;
-  int sum = 0;
-  for (std::size_t i = 0; i < 3; ++i)
+  if (a.Plane.SideOf(thirdOfB) != 0)
   {
-    const Vector3& a = from[i];
-    const Vector3& b = from[(i + 1) % 3];
-    const double side = direction.dot(a.cross(b));
-    const bool isSmall = std::abs(side) <=
-      Slack * direction.cwiseAbs().sum() * a.cwiseAbs().sum() * b.cwiseAbs().sum();
-    isUnclear = isUnclear || isSmall;
-    sum += isSmall ? 0 : side > 0.0 ? 1 : -1;
+    return false;
   }
-  if (!isUnclear && sum != 3 && sum != -3)
+  const TriangleCorners p = Turned(a.Corners, thirdOfA);
+  const Projection projection(p);
+  return projection.Sign == 0 || projection.Of(p[1], p[2], thirdOfB) >= 0;
+}
+
+//------------------------------------------------------------------------------
+RayAnswer ShootRay(const Vector3& p, const Vector3& farPoint, const PlaneTriangle& triangle)
+{
+  const TriangleCorners& c = triangle.Corners;
+  const Sides sides = { Orientation(c[0], c[1], p, farPoint), Orientation(c[1], c[2], p, farPoint),
+    Orientation(c[2], c[0], p, farPoint) };
+  if (!GoesThrough(sides[0], sides[1], sides[2]))
   {
     return RayAnswer::Misses;
   }
-  const Vector3 normal = (from[1] - from[0]).cross(from[2] - from[0]);
-  const double height = normal.dot(from[0]);
-  if (isUnclear || std::abs(height) <= Slack * normal.cwiseAbs().sum() * from[0].cwiseAbs().sum())
+  const int here = triangle.Plane.SideOf(p);
+  const int there = triangle.Plane.SideOf(farPoint);
+  if (here != 0 && here == there)
   {
-    return RayAnswer::Unclear;
+    return RayAnswer::Misses;
   }
-  return (height > 0.0) == (sum > 0) ? RayAnswer::Hits : RayAnswer::Misses;
+  const bool isClear = here != 0 && there != 0 && sides[0] * sides[1] * sides[2] != 0;
+  return isClear ? RayAnswer::Hits : RayAnswer::Unclear;
 }
 
 //------------------------------------------------------------------------------

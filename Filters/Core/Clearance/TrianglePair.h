@@ -2,19 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TrianglePair.h
- * @brief Whether two triangles meet, and how far apart they are. In doubt they meet.
+ * @brief Whether two triangles intersect, decided exactly, and how far apart they are.
  *
- * Two convex bodies are apart if and only if a plane lies between them, and of two triangles one of a few does: along a
- * face, along an edge of each, or upright on a face along an edge. A plane counts only if it keeps both at a distance
- * larger than all rounding, so that "apart" is certain and "meet" may be touching. What counts where corners are shared
- * is what CGAL::Polygon_mesh_processing::self_intersections counts.
+ *     no common corner:     they intersect if they have a point in common: also if they only touch
+ *     one common corner:    if they have another point in common
+ *     one common edge:      if they lie in one plane on the same side of the edge
  *
- * C. Ericson, Real-Time Collision Detection, 2005, 5.1.9 (segments) and 5.2.1 (separating axes).
+ * So neighbors in one plane do not intersect unless they overlap. This is what
+ * CGAL::Polygon_mesh_processing::self_intersections counts. Every sign is that of an exact predicate
+ * (Geometry/ExactPredicates.h): there is no tolerance. Only for a triangle whose corners lie on a line exactly the answer
+ * is "they intersect" where its plane would have to decide.
+ *
+ * C. Ericson, Real-Time Collision Detection, 2005, 5.1.9: the distance of segments.
  */
 #ifndef BoneDecimate_Core_Clearance_TrianglePair_h
 #define BoneDecimate_Core_Clearance_TrianglePair_h
 
-#include "Surface.h"
+#include "Geometry/ExactPredicates.h"
 
 #include <array>
 
@@ -22,12 +26,27 @@ namespace bonedecimate
 {
 using TriangleCorners = std::array<Vector3, 3>; // mm
 
+/// A triangle with its plane, for many pairs.
+struct PlaneTriangle
+{
+  PlaneTriangle() = default;
+  explicit PlaneTriangle(const TriangleCorners& corners)
+    : Corners(corners)
+    , Plane(corners[0], corners[1], corners[2])
+  {
+  }
+
+  TriangleCorners Corners; // mm
+  OrientedPlane Plane;
+};
+
 /// No corner is shared.
-bool Meet(const TriangleCorners& a, const TriangleCorners& b);
-/// The first corner of both is the same: whether they meet anywhere else.
-bool MeetBeyondCorner(const TriangleCorners& a, const TriangleCorners& b);
-/// The first two corners of both are the same: whether one is folded flat onto the other.
-bool MeetBeyondEdge(const TriangleCorners& a, const TriangleCorners& b);
+bool Meet(const PlaneTriangle& a, const PlaneTriangle& b);
+/// One corner of each is the same; they are named by their numbers, 0 to 2.
+bool MeetBeyondCorner(
+  const PlaneTriangle& a, std::size_t cornerOfA, const PlaneTriangle& b, std::size_t cornerOfB);
+/// Both have an edge in common, and each a third corner beside it, that of a named by its number.
+bool MeetBeyondEdge(const PlaneTriangle& a, std::size_t thirdOfA, const Vector3& thirdOfB);
 
 enum class RayAnswer
 {
@@ -35,8 +54,9 @@ enum class RayAnswer
   Hits,
   Unclear
 };
-/// Whether a ray from p goes through the triangle; unclear where it passes within rounding of an edge or begins on it.
-RayAnswer ShootRay(const Vector3& p, const Vector3& direction, const TriangleCorners& corners);
+/// Whether the segment from p to a point far away goes through the triangle; unclear where it passes exactly through an edge
+/// or begins on the triangle.
+RayAnswer ShootRay(const Vector3& p, const Vector3& farPoint, const PlaneTriangle& triangle);
 
 /// The shortest way between two triangles.
 struct Way

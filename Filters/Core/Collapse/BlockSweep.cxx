@@ -150,6 +150,7 @@ BlockSweep::Outcome BlockSweep::CollapseAt(VertexEdges& edges, CostKey highest)
     return Outcome::Elsewhere;
   }
   CostKey refusedUntil = NeverKey;
+  bool crosses = false;
   CostKey key = KeyOf(edges.LeastCost());
   for (; key <= highest; key = KeyOf(edges.LeastCost()))
   {
@@ -163,13 +164,16 @@ BlockSweep::Outcome BlockSweep::CollapseAt(VertexEdges& edges, CostKey highest)
       this->SetKey(vertex, NeverKey);
       return Outcome::TooFar;
     }
-    if (outcome != Outcome::Dearer)
+    if (outcome != Outcome::Dearer && outcome != Outcome::Crossing)
     {
       return outcome;
     }
+    crosses = crosses || outcome == Outcome::Crossing;
     refusedUntil = static_cast<CostKey>(std::min<int>(highest + KeysAfterRefusal, NeverKey));
   }
-  this->SetKey(vertex, std::min(key, refusedUntil));
+  // With no edge left that was not tried, to try again and again until the end of the pass would cost more than the pass.
+  const bool waits = crosses && key == NeverKey;
+  this->SetKey(vertex, waits ? NeverKey : std::min(key, refusedUntil));
   return Outcome::Dearer;
 }
 
@@ -182,7 +186,7 @@ bool BlockSweep::WasTried(Index vertex) const
 }
 
 //------------------------------------------------------------------------------
-/// Dearer means refused, or a peak whose turn has not come.
+/// Dearer means refused, or a peak whose turn has not come; refused because it would cross something, it is Crossing.
 BlockSweep::Outcome BlockSweep::TryEdge(
   Index vertex, const VertexEdges::Candidate& candidate, float mostCost)
 {
@@ -239,6 +243,7 @@ BlockSweep::Outcome BlockSweep::ApplyWherever(const Edit& best, float mostCost)
   }
   return verdict == Verdict::Elsewhere                    ? Outcome::Elsewhere
     : verdict == Verdict::TooFar || this->Task.TriesAll() ? Outcome::TooFar
+    : verdict == Verdict::Crossing                        ? Outcome::Crossing
                                                           : Outcome::Dearer;
 }
 

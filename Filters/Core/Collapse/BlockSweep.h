@@ -68,7 +68,8 @@ private:
   enum class Outcome
   {
     Dearer,
-    TooFar, ///< Until something around it changes.
+    Crossing, ///< As long as nothing near it changes.
+    TooFar,   ///< Until something around it changes.
     Collapsed,
     Elsewhere
   };

@@ -22,9 +22,9 @@ from .workers import Programs
 ROOT = Path(__file__).resolve().parents[3]
 Rows = tuple[tuple[str, tuple[float, ...]], ...]
 THESIS_COUNTS = (65000.0, 40000.0, 10000.0, 1000.0)
-FULL: Rows = (("maxilla", THESIS_COUNTS), ("frontal", THESIS_COUNTS), ("cranium", (134000.0,)), ("leg", (0.2, 0.05)),
-              ("specimen-1000000", (0.2,)))
-PROMISED_BONES = (("maxilla", 10000.0), ("frontal", 10000.0), ("cranium", 134000.0))
+FULL: Rows = (("maxilla", THESIS_COUNTS), ("frontal", THESIS_COUNTS), ("cranium", (134000.0,)), ("vault", (0.2, 0.05)),
+              ("leg", (0.2, 0.05)), ("specimen-1000000", (0.2,)))
+PROMISED_BONES = (("maxilla", 10000.0), ("frontal", 10000.0), ("vault", 2000.0), ("cranium", 134000.0))
 QUICK: Rows = (("maxilla", (10000.0,)), ("small-leg", (0.2,)))
 SHORT: Rows = (("small-leg", (0.2,)),)
 

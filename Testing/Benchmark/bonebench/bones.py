@@ -38,7 +38,7 @@ class Workshop:
         self.complaints: list[str] = []
 
     def bone(self, name: str, goals: tuple[float, ...]) -> Bone | None:
-        """A bone by name: cranium, maxilla, frontal, leg, small-leg, specimen-TRIANGLES."""
+        """A bone by name: cranium, maxilla, frontal, vault, leg, small-leg, specimen-TRIANGLES."""
         if name.startswith("specimen-"):
             return self._made(name, goals, "specimen", name.split("-", 1)[1])
         if name in ("leg", "small-leg"):
