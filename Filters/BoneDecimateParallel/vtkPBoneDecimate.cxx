@@ -141,9 +141,26 @@ const char* vtkPBoneDecimate::ProblemOfParts() const
   {
     return "components are pruned on one process alone: here may lie a small part of a large one";
   }
-  return this->GetLabelArrayName().empty()
-    ? nullptr
-    : "labels are for one process alone: their lines would not meet between the parts";
+  if (!this->GetLabelArrayName().empty())
+  {
+    return "labels are for one process alone: their lines would not meet between the parts";
+  }
+  if (!this->GetMergePoints())
+  {
+    return "MergePoints off is for one process alone: parts are joined where points are equal";
+  }
+  if (this->GetMakeMaps())
+  {
+    return "MakeMaps is for one process alone: the ids of a part are not those of the whole";
+  }
+  if (this->GetOutputPointsPrecision() != DEFAULT_PRECISION)
+  {
+    return "OutputPointsPrecision on several processes is that of the input: parts are joined where "
+           "points are equal";
+  }
+  return this->GetExamineInput()
+    ? "ExamineInput is for one process alone: what is odd about a part need not be so in the whole"
+    : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -17,12 +17,13 @@
  * second phase: the triangles at the shared points stay as they are.
  *
  * The report in the field data is then that of the whole surface and short: input.faces, output.faces, proof.upper (mm), and
- * parallel.*; the getters keep that of the process's own part. MakeMaps and OutputPointsPrecision do not count.
+ * parallel.*; the getters keep that of the process's own part.
  *
  * On one process a vtkPolyData gives exactly what vtkBoneDecimate gives. The polydata in a composite data set are taken as one
  * surface, so that equal points of blocks hang together; the cell array BlockIndex says from which block a triangle is.
  *
- * Every process must update the filter, those without triangles, too. Pruning and labels are refused on several.
+ * Every process must update the filter, those without triangles, too. Refused on several: pruning, labels, MergePoints off, MakeMaps,
+ * ExamineInput, an OutputPointsPrecision other than the default, and an ErrorPreset without VoxelSize. ErrorBoundToResult is left out.
  */
 #ifndef vtkPBoneDecimate_h
 #define vtkPBoneDecimate_h

@@ -8,6 +8,7 @@ What the ranks wrote is joined and judged here, by the system's VTK and by the c
 import hashlib
 import os
 import pathlib
+import re
 import subprocess
 import unittest
 
@@ -129,6 +130,18 @@ class Parallel(unittest.TestCase):
         for name in cases.refused():
             with self.subTest(name):
                 self.assertEqual([part.GetNumberOfPolys() for part in parts(name, 2)], [0, 0])
+
+    def test_every_option_counts_or_is_refused(self):
+        table = subprocess.run([os.environ["PROGRAM"], "--options-markdown"], stdout=subprocess.PIPE, encoding="utf-8", check=True)
+        options = set(re.findall(r"^\| `(\w+)` \|", table.stdout, re.MULTILINE))
+        allowed = cases.allowed()
+        self.assertEqual(options - set(cases.refused()), set(allowed))
+        run(2, FOLDER, allowed)
+        for name, (*_, shows) in allowed.items():
+            for part in parts(name, 2):
+                with self.subTest(name):
+                    self.assertGreater(part.GetNumberOfPolys(), 0)
+                    self.assertTrue(shows(part))
 
     def test_seams_are_reduced(self):
         for name in ("reduction", "error", "fast", "open"):

@@ -19,13 +19,16 @@ import surfaces
 
 
 def part_of(surface, belongs):
-    """The triangles that belong here, with the points they use and no others."""
+    """The triangles that belong here, with the points they use and no others, and their arrays."""
     chosen = vtkCellArray()
+    part = specimens.polydata(surface.GetPoints(), chosen)
+    part.GetPointData().ShallowCopy(surface.GetPointData())
+    part.GetCellData().CopyAllocate(surface.GetCellData())
     for number, corners in enumerate(specimens.triangles_of(surface)):
         if belongs(number):
-            chosen.InsertNextCell(3, corners)
+            part.GetCellData().CopyData(surface.GetCellData(), number, chosen.InsertNextCell(3, corners))
     clean = vtkCleanPolyData()
-    clean.SetInputData(specimens.polydata(surface.GetPoints(), chosen))
+    clean.SetInputData(part)
     clean.PointMergingOff()
     clean.Update()
     return clean.GetOutput()
@@ -45,8 +48,9 @@ def main(folder, *names):
     surfaces.load()
     module = vtkProcessModule.GetProcessModule()
     rank, ranks = module.GetPartitionId(), module.GetNumberOfLocalPartitions()
+    every = {**cases.cases(), **cases.refused(), **cases.allowed()}
     for name in names:
-        surface, cut, properties = {**cases.cases(), **cases.refused()}[name]
+        surface, cut, properties, *_ = every[name]
         data = (blocks_of(surface, rank, ranks) if cut == "blocks" else
                 part_of(surface, lambda number: cases.OWNER[cut](number, surface.GetNumberOfCells(), ranks) == rank))
         decimate = simple.BoneDecimate(Input=surfaces.source(data), **properties)
