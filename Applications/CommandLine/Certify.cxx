@@ -7,6 +7,7 @@
 #include "HelpFormatter.h"
 #include "Interruption.h"
 #include "JsonReport.h"
+#include "Numbers.h"
 #include "ProgressBar.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"
@@ -30,11 +31,9 @@ namespace
 {
 void AddOptions(CLI::App& app, CertifyArguments& arguments)
 {
-  app
-    .add_option("--tolerance", arguments.Tolerance,
-      WrappedHelp("How far any point of one surface may be from the other."))
-    ->type_name("MM")
-    ->check(CLI::Range(0.0, 1e30).description(""));
+  AddNumber(app,
+    { "--tolerance", "MM", LengthRange, "How far any point of one surface may be from the other." },
+    [&arguments](double value) { arguments.Tolerance = value; });
   app
     .add_option("--tolerance-array", arguments.ToleranceArray,
       WrappedHelp("A point array of the reference (.vtp, .vtk) with a tolerance for each point in "
@@ -42,21 +41,15 @@ void AddOptions(CLI::App& app, CertifyArguments& arguments)
     ->type_name("NAME");
   app.add_option("--json", arguments.Json, WrappedHelp("Write everything found as JSON."))
     ->type_name("FILE");
-  app
-    .add_option("--gap", arguments.Gap,
-      WrappedHelp("By which share of the upper bound the lower may be less; default 1e-6."))
-    ->type_name("SHARE")
-    ->check(CLI::Range(1e-12, 1.0).description(""));
-  app
-    .add_option("--mean-precision", arguments.Precision,
-      WrappedHelp("To which share average and root mean square are estimated; default 0.005."))
-    ->type_name("SHARE")
-    ->check(CLI::Range(1e-4, 1.0).description(""));
-  app
-    .add_option("--threads", arguments.Threads,
-      WrappedHelp("0, the default, is one per processor. The answer is the same."))
-    ->type_name("N")
-    ->check(CLI::Range(0, 1024).description(""));
+  AddNumber(app,
+    { "--gap", "RATIO", { 1e-12, 1.0, "", false },
+      "By which ratio of the upper bound the lower may be less; default 1e-6." },
+    [&arguments](double value) { arguments.Gap = value; });
+  AddNumber(app,
+    { "--mean-precision", "RATIO", { 1e-4, 1.0, "", false },
+      "Relative precision of average and root mean square; default 0.005." },
+    [&arguments](double value) { arguments.Precision = value; });
+  AddThreads(app, arguments.Threads);
   app.add_flag("--first-proof", arguments.FirstProof,
     WrappedHelp("Stop at the tolerance: no closer bounds where it is proved."));
   app.add_flag(

@@ -3,6 +3,7 @@
 #include "HelpFormatter.h"
 
 #include "ExitCode.h"
+#include "Numbers.h"
 #include "SurfaceFormat.h"
 
 #include <sstream>
@@ -14,9 +15,13 @@ namespace
 constexpr std::size_t FlagColumn = 32;
 constexpr std::size_t TextWidth = 68;
 
-/// "a number, 0 to 1": as the table itself puts it when it refuses a text.
+/// "a number, 0 to 1"; of choices as the table itself puts it when it refuses a text.
 std::string AcceptedValues(const OptionInfo& info)
 {
+  if (const std::optional<NumberRange> range = RangeOf(info))
+  {
+    return AcceptedText(*range);
+  }
   Options ignored;
   const std::string problem = SetOptionFromText(ignored, info, "?");
   const std::string before = " takes ";

@@ -4,6 +4,7 @@
 
 #include "HelpFormatter.h"
 #include "Interruption.h"
+#include "Numbers.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"
 #include "SurfaceFormat.h"
@@ -102,11 +103,7 @@ std::optional<InspectArguments> ParseInspectArguments(int argc, char* argv[])
     ->type_name("");
   app.add_option("--json", arguments.Json, WrappedHelp("Write everything found as JSON."))
     ->type_name("FILE");
-  app
-    .add_option("--threads", arguments.Threads,
-      WrappedHelp("0, the default, is one per processor. The answer is the same."))
-    ->type_name("N")
-    ->check(CLI::Range(0, 1024).description(""));
+  AddThreads(app, arguments.Threads);
   app.add_flag("--quiet", arguments.Quiet, "Nothing on the standard output.");
   if (!ParseWords(app, WordsOf(argc, argv, 2)))
   {

@@ -8,6 +8,7 @@
 #include "HelpFormatter.h"
 #include "Interruption.h"
 #include "NumberText.h"
+#include "Numbers.h"
 #include "ProgressBar.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"
@@ -42,39 +43,31 @@ void AddRunOptions(CLI::App& app, LevelsArguments& arguments)
     ->type_name("FILE");
   app.add_option("--record", arguments.Record, WrappedHelp("Write the log of the run."))
     ->type_name("FILE");
-  app
-    .add_option("--coarsest", arguments.Coarsest,
-      WrappedHelp("Triangles of the coarsest level; default a tenth of the input's, "
-                  "or with --max-error as few as that allows."))
-    ->type_name("N")
-    ->check(CLI::Range(1, 2147483647).description(""));
+  AddNumber(app,
+    { "--coarsest", "N", TriangleRange,
+      "Triangles of the coarsest level; default a tenth of the input's, or with --max-error as few "
+      "as that allows." },
+    [&arguments](double value) { arguments.Coarsest = static_cast<int>(value); });
   app.add_option("--mode", arguments.Mode, "Of the run, default Balanced.")
     ->type_name("Thesis|Fast|Balanced|Accurate")
     ->check(CLI::IsMember({ "Thesis", "Fast", "Balanced", "Accurate" }, CLI::ignore_case)
               .description(""));
-  app
-    .add_option("--max-error", arguments.MaximumError,
-      WrappedHelp("Largest distance in mm that the run may cause; every level keeps it."))
-    ->type_name("MM")
-    ->check(CLI::Range(1e-9, 1e30).description(""));
+  AddNumber(app,
+    { "--max-error", "MM", PositiveLengthRange,
+      "Largest distance that the run may cause; every level keeps it." },
+    [&arguments](double value) { arguments.MaximumError = value; });
   app.add_flag("--no-errors", arguments.WithoutErrors,
     WrappedHelp("Do not measure how far levels are from the input."));
 }
 
 void AddLevelOptions(CLI::App& app, LevelsArguments& arguments)
 {
-  app
-    .add_option("--triangles", arguments.Triangles,
-      WrappedHelp("Levels by their numbers of triangles, with commas between them."))
-    ->type_name("N,...")
-    ->delimiter(',')
-    ->check(CLI::Range(1, 2147483647).description(""));
-  app
-    .add_option("--errors", arguments.Errors,
-      WrappedHelp("Levels by their largest measured distances in mm, with commas between them."))
-    ->type_name("MM,...")
-    ->delimiter(',')
-    ->check(CLI::Range(1e-9, 1e30).description(""));
+  AddNumberList(app,
+    { "--triangles", "N,...", TriangleRange, "Levels by their numbers of triangles." },
+    [&arguments](double value) { arguments.Triangles.push_back(static_cast<int>(value)); });
+  AddNumberList(app,
+    { "--errors", "MM,...", PositiveLengthRange, "Levels by their largest measured distances." },
+    [&arguments](double error) { arguments.Errors.push_back(error); });
   app
     .add_option("--output", arguments.Output,
       WrappedHelp("Where levels go: with NAME.EXT, a level to NAME-TRIANGLES.EXT."))
@@ -84,11 +77,7 @@ void AddLevelOptions(CLI::App& app, LevelsArguments& arguments)
       WrappedHelp("Put the levels on this surface, which has the triangles of INPUT and other "
                   "points, such as a bone registered to it."))
     ->type_name("FILE");
-  app
-    .add_option("--threads", arguments.Threads,
-      WrappedHelp("0, the default, is one per processor. The levels are the same."))
-    ->type_name("N")
-    ->check(CLI::Range(0, 1024).description(""));
+  AddThreads(app, arguments.Threads);
   app.add_flag("--quiet", arguments.Quiet, "Nothing on the standard output.");
 }
 
