@@ -5,6 +5,7 @@
 #include "BoneVolume.h"
 #include "ExitCode.h"
 #include "SurfaceFormat.h"
+#include "Words.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -91,6 +92,16 @@ void CheckOneBone(const Arguments& arguments)
   CheckOverwriting(arguments);
 }
 
+/// By an extension that this program reads or writes.
+bool IsNamedLikeFile(std::string path)
+{
+  path.erase(path.find_last_not_of('/') + 1);
+  const std::string extension = ExtensionOf(path);
+  const auto others = { "vti", "mha", "mhd", "nrrd", "nhdr", "json", "html", "png", "svg", "csv" };
+  return FormatOf(path) != SurfaceFormat::Unknown ||
+    std::find(others.begin(), others.end(), extension) != others.end();
+}
+
 void CheckBatch(const Arguments& arguments)
 {
   const bool single = !arguments.Also.empty() || !arguments.Report.empty() ||
@@ -103,6 +114,8 @@ void CheckBatch(const Arguments& arguments)
   std::error_code error;
   Require(!fs::exists(arguments.Output, error) || fs::is_directory(arguments.Output, error),
     "'" + arguments.Output + "' is a file; many bones need an output folder");
+  Require(fs::is_directory(arguments.Output, error) || !IsNamedLikeFile(arguments.Output),
+    "'" + arguments.Output + "' is named like a file; it would become an output folder");
   for (const std::string& input : arguments.Inputs)
   {
     Require(!IsSame(input, arguments.Output), "'" + input + "' is input and output folder at once");
@@ -128,6 +141,10 @@ void CheckArguments(const Arguments& arguments)
     std::none_of(arguments.Inputs.begin(), arguments.Inputs.end(),
       [](const std::string& input) { return input.empty(); });
   Require(named, "a name is empty");
+  if (!arguments.ThesisForm)
+  {
+    RequireCommandOrFile(arguments.Inputs[0]);
+  }
   if (IsBatch(arguments))
   {
     CheckBatch(arguments);
