@@ -34,6 +34,7 @@ void GiveOption(
   if (const std::optional<NumberRange> range = RangeOf(info))
   {
     const double value = ReadNumber(name, text, *range);
+    // The range was checked.
     SetOption(arguments.Options, info,
       range->IsWhole ? OptionValue(static_cast<int>(value)) : OptionValue(value));
   }
@@ -133,7 +134,7 @@ void AddCommonFlags(CLI::App& app, Arguments& arguments)
 void AddBatchFlags(CLI::App& app, Arguments& arguments)
 {
   AddNumber(app,
-    { "--jobs", "N", { 1, 1024, "processes", true },
+    { "--jobs", "N", { 1, 1024, true, "processes" },
       "Many bones: how many at once, each a process of its own." },
     [&arguments](double jobs) { arguments.Jobs = static_cast<int>(jobs); });
   app.add_flag("--force", arguments.Force,

@@ -42,11 +42,11 @@ void AddOptions(CLI::App& app, CertifyArguments& arguments)
   app.add_option("--json", arguments.Json, WrappedHelp("Write everything found as JSON."))
     ->type_name("FILE");
   AddNumber(app,
-    { "--gap", "RATIO", { 1e-12, 1.0, "", false },
+    { "--gap", "RATIO", { 1e-12, 1.0, false, "" },
       "By which ratio of the upper bound the lower may be less; default 1e-6." },
     [&arguments](double value) { arguments.Gap = value; });
   AddNumber(app,
-    { "--mean-precision", "RATIO", { 1e-4, 1.0, "", false },
+    { "--mean-precision", "RATIO", { 1e-4, 1.0, false, "" },
       "Relative precision of average and root mean square; default 0.005." },
     [&arguments](double value) { arguments.Precision = value; });
   AddThreads(app, arguments.Threads);

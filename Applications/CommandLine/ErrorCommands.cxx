@@ -61,7 +61,7 @@ void AddOptions(CLI::App& app, ErrorArguments& arguments, bool isCurve)
       [&arguments](double value) { arguments.Triangles = static_cast<int>(value); })
       ->required();
     AddNumber(app,
-      { "--precision", "RATIO", { 0.001, 0.5, "", false },
+      { "--precision", "RATIO", { 0.001, 0.5, false, "" },
         "The search ends when the error that is found and the one that was tried in vain differ "
         "by this ratio at most; default 0.02." },
       [&arguments](double value) { arguments.Precision = value; });

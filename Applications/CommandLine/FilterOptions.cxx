@@ -28,6 +28,7 @@ const std::map<std::string, Setter>& Setters()
     { "TargetNumberOfTriangles", Calls<int>(&vtkBoneDecimate::SetTargetNumberOfTriangles) },
     { "TargetReduction", Calls<double>(&vtkBoneDecimate::SetTargetReduction) },
     { "MaximumError", Calls<double>(&vtkBoneDecimate::SetMaximumError) },
+    { "AllowLargeError", Calls<bool>(&vtkBoneDecimate::SetAllowLargeError) },
     { "KeepClearance", Calls<bool>(&vtkBoneDecimate::SetKeepClearance) },
     { "NormalTolerance", Calls<double>(&vtkBoneDecimate::SetNormalTolerance) },
     { "AutomaticNormalTolerance", Calls<bool>(&vtkBoneDecimate::SetAutomaticNormalTolerance) },

@@ -20,7 +20,7 @@ std::string AcceptedValues(const OptionInfo& info)
 {
   if (const std::optional<NumberRange> range = RangeOf(info))
   {
-    return AcceptedText(*range);
+    return RangeText(*range);
   }
   Options ignored;
   const std::string problem = SetOptionFromText(ignored, info, "?");

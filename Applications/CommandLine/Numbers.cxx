@@ -5,10 +5,8 @@
 #include "ExitCode.h"
 #include "HelpFormatter.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace bonedecimate
 {
@@ -49,17 +47,7 @@ std::optional<NumberRange> RangeOf(const OptionInfo& info)
   {
     return {};
   }
-  return NumberRange{ info.Minimum, std::min(info.Maximum, LargestLength), info.Unit.c_str(),
-    isWhole };
-}
-
-std::string AcceptedText(const NumberRange& range)
-{
-  char text[80];
-  std::snprintf(text, sizeof(text), "%.10g to %.10g", range.Minimum, range.Maximum);
-  const std::string unit = range.Unit;
-  return (range.IsWhole ? "a whole number, " : "a number, ") + std::string(text) +
-    (unit.empty() ? "" : " " + unit);
+  return NumberRange{ info.Minimum, info.Maximum, isWhole, info.Unit };
 }
 
 std::optional<double> NumberFromText(const std::string& text)
@@ -77,10 +65,9 @@ std::optional<double> NumberFromText(const std::string& text)
 double ReadNumber(const std::string& flag, const std::string& text, const NumberRange& range)
 {
   const std::optional<double> value = NumberFromText(text);
-  if (!value || *value < range.Minimum || *value > range.Maximum ||
-    (range.IsWhole && *value != std::floor(*value)))
+  if (!value || !IsInRange(range, *value))
   {
-    throw Failure(ExitCode::Usage, flag + " takes " + AcceptedText(range) + ", not '" + text + "'");
+    throw Failure(ExitCode::Usage, flag + " takes " + RangeText(range) + ", not '" + text + "'");
   }
   return *value;
 }
@@ -88,14 +75,14 @@ double ReadNumber(const std::string& flag, const std::string& text, const Number
 CLI::Option* AddNumber(
   CLI::App& app, const NumberOption& option, const std::function<void(double)>& set)
 {
-  return AddText(app, option, AcceptedText(option.Range),
+  return AddText(app, option, RangeText(option.Range),
     [option, set](const std::string& text) { set(ReadNumber(option.Flag, text, option.Range)); });
 }
 
 CLI::Option* AddNumberList(
   CLI::App& app, const NumberOption& option, const std::function<void(double)>& append)
 {
-  const std::string each = "numbers with commas in between, each " + AcceptedText(option.Range);
+  const std::string each = "numbers with commas in between, each " + RangeText(option.Range);
   return AddText(app, option, each,
     [option, append](const std::string& text)
     {

@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Applications_Numbers_h
 #define BoneDecimate_Applications_Numbers_h
 
+#include "NumberRange.h"
 #include "OptionTable.h"
 
 #include <CLI/CLI.hpp>
@@ -18,27 +19,16 @@
 
 namespace bonedecimate
 {
-/// What a number may be; both ends are allowed.
-struct NumberRange
-{
-  double Minimum;
-  double Maximum;
-  const char* Unit; ///< "mm", "triangles", ...; empty where there is none.
-  bool IsWhole;
-};
-
-constexpr double LargestLength = 1e30; ///< mm; the core refuses coordinates beyond it.
-constexpr NumberRange TriangleRange = { 1, 2147483647, "triangles", true };
-constexpr NumberRange PositiveLengthRange = { 1e-9, LargestLength, "mm", false };
-constexpr NumberRange LengthRange = { 0, LargestLength, "mm", false };
-constexpr NumberRange CoordinateRange = { -LargestLength, LargestLength, "mm", false };
-constexpr NumberRange HounsfieldRange = { -LargestLength, LargestLength, "HU", false };
+/// @name Ranges that several options share. @{
+const NumberRange TriangleRange = { 1, 2147483647, true, "triangles" };
+const NumberRange PositiveLengthRange = { 1e-9, LargestNumber, false, "mm" };
+const NumberRange LengthRange = { 0, LargestNumber, false, "mm" };
+const NumberRange CoordinateRange = { -LargestNumber, LargestNumber, false, "mm" };
+const NumberRange HounsfieldRange = { -LargestNumber, LargestNumber, false, "HU" };
+/// @}
 
 /// The range of a numeric row of the table of options; nothing for switches, choices and texts.
 std::optional<NumberRange> RangeOf(const OptionInfo& info);
-
-/// "a whole number, 0 to 1024 threads".
-std::string AcceptedText(const NumberRange& range);
 
 /// A finite decimal number: no blanks, no unit, no hexadecimal digits, no comma. Nothing if the text is anything else.
 std::optional<double> NumberFromText(const std::string& text);

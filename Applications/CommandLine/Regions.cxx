@@ -116,7 +116,7 @@ std::string ReadRegions(const std::string& text, std::vector<Region>& regions)
       !ReadLength(part.substr(equals + 1), LengthRange, region.Tolerance))
     {
       return "takes box:x0,x1,y0,y1,z0,z1=MM, sphere:x,y,z,radius=MM or rest=MM in mm, each MM " +
-        AcceptedText(LengthRange) + ", not '" + part + "'";
+        RangeText(LengthRange) + ", not '" + part + "'";
     }
     region.Text = part;
     regions.push_back(region);

@@ -82,7 +82,7 @@ std::vector<double> Numbers(const std::string& flag, const std::string& text, st
   {
     throw Failure(ExitCode::Usage,
       flag + " takes " + std::to_string(count) + " numbers with commas in between, each " +
-        AcceptedText(CoordinateRange) + ", not '" + text + "'");
+        RangeText(CoordinateRange) + ", not '" + text + "'");
   }
   return numbers;
 }
@@ -99,8 +99,8 @@ void AddRegion(const std::string& text, Arguments& arguments)
     if (half < 0.0)
     {
       throw Failure(ExitCode::Usage,
-        "--roi takes a center and three radii, each " + AcceptedText(LengthRange) + ", not '" +
-          text + "'");
+        "--roi takes a center and three radii, each " + RangeText(LengthRange) + ", not '" + text +
+          "'");
     }
     inside.Numbers.push_back(n[axis] - half);
     inside.Numbers.push_back(n[axis] + half);

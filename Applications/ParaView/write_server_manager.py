@@ -102,8 +102,9 @@ def text_of(meaning, unit):
 
 
 def range_attributes(values):
-    least, most = re.fullmatch(r"(\S+) (?:or more|to (\S+))", values).groups()
-    return f'min="{least}"' + (f' max="{most}"' if most else "")
+    least, most = re.fullmatch(r"(\S+) to (\S+)", values).groups()
+    # A panel shows a slider between two ends, which is of no use for 1e30 mm: the filter rejects what is beyond.
+    return f'min="{least}"' + ("" if most == "1e30" else f' max="{most}"')
 
 
 def kind_of(name, values, default):

@@ -28,15 +28,16 @@ struct vtkBoneDecimate::Internals
   bonedecimate::Report Report;
   bonedecimate::NamedEntries Entries{ bonedecimate::ReportEntries(bonedecimate::Report()) };
 
-  /// The value as the table would keep it (clamped); returns whether that changes anything.
-  bool Set(const char* name, const bonedecimate::OptionValue& value)
+  /// What is wrong with the value, in one sentence; then nothing changes.
+  std::string Set(const char* name, const bonedecimate::OptionValue& value, bool& isChanged)
   {
     const bonedecimate::OptionInfo& info = *bonedecimate::FindOption(name);
     const bonedecimate::OptionValue before = bonedecimate::GetOption(this->Options, info);
     const bool wasExplicit = this->Options.TargetReductionIsExplicit;
-    bonedecimate::SetOption(this->Options, info, value);
-    return before != bonedecimate::GetOption(this->Options, info) ||
+    std::string problem = bonedecimate::SetOption(this->Options, info, value);
+    isChanged = before != bonedecimate::GetOption(this->Options, info) ||
       wasExplicit != this->Options.TargetReductionIsExplicit;
+    return problem;
   }
 };
 
@@ -54,7 +55,13 @@ vtkBoneDecimate::~vtkBoneDecimate() = default;
 #define vtkBoneDecimateOption(name, argument, travel, result)                                      \
   void vtkBoneDecimate::Set##name(argument value)                                                  \
   {                                                                                                \
-    if (this->Internal->Set(#name, static_cast<travel>(value)))                                    \
+    bool isChanged = false;                                                                        \
+    const std::string problem = this->Internal->Set(#name, static_cast<travel>(value), isChanged); \
+    if (!problem.empty())                                                                          \
+    {                                                                                              \
+      vtkErrorMacro(<< problem);                                                                   \
+    }                                                                                              \
+    else if (isChanged)                                                                            \
     {                                                                                              \
       this->Modified();                                                                            \
     }                                                                                              \
@@ -69,6 +76,7 @@ vtkBoneDecimateOption(Mode, int, int, int)
 vtkBoneDecimateOption(TargetNumberOfTriangles, int, int, int)
 vtkBoneDecimateOption(TargetReduction, double, double, double)
 vtkBoneDecimateOption(MaximumError, double, double, double)
+vtkBoneDecimateOption(AllowLargeError, bool, bool, bool)
 vtkBoneDecimateOption(KeepClearance, bool, bool, bool)
 vtkBoneDecimateOption(NormalTolerance, double, double, double)
 vtkBoneDecimateOption(AutomaticNormalTolerance, bool, bool, bool)

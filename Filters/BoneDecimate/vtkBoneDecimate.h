@@ -102,6 +102,13 @@ public:
   ///@}
 
   ///@{
+  /// Run although MaximumError is more than a quarter of the diagonal of the input's bounding box, off by default: an error.
+  void SetAllowLargeError(bool allow);
+  bool GetAllowLargeError() const;
+  vtkBooleanMacro(AllowLargeError, bool);
+  ///@}
+
+  ///@{
   /**
    * With MaximumError, on by default: no more pairs of triangles intersect than before, and what faces each other across a gap, two
    * fragments or the walls of a fracture, keeps half of the distance that it had. Not in Thesis mode.
@@ -343,10 +350,7 @@ public:
   /// Why the last run ended, as a sentence.
   std::string GetStopReasonAsString() const;
 
-  /**
-   * The report of the last run is a flat list of named values ("output.faces", "distance.output_to_input.max", ...).
-   * How many there are.
-   */
+  /// The report of the last run is a flat list of named values ("output.faces", "distance.output_to_input.max", ...): how many.
   int GetNumberOfReportEntries() const;
 
   /// Name of an entry, 0 to GetNumberOfReportEntries() - 1; empty beyond that.
@@ -365,19 +369,13 @@ protected:
   vtkBoneDecimate();
   ~vtkBoneDecimate() override;
 
-  /**
-   * As if TargetReduction had never been set: for classes that set every property, asked for or not.
-   */
+  /// As if TargetReduction had never been set: for classes that set every property, asked for or not.
   void ForgetTargetReduction();
 
-  /**
-   * Whether TargetReduction was set and so counts beside every other stop.
-   */
+  /// Whether TargetReduction was set and so counts beside every other stop.
   bool IsTargetReductionSet() const;
 
-  /**
-   * Every property of the other one, and whether its TargetReduction was set.
-   */
+  /// Every property of the other one, and whether its TargetReduction was set.
   void CopyOptions(const vtkBoneDecimate& from);
 
   int FillInputPortInformation(int port, vtkInformation* info) override;

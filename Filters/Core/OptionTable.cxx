@@ -3,139 +3,15 @@
 #include "OptionTable.h"
 
 #include "InputOptionRows.h"
+#include "NumberRange.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
-#include <type_traits>
 
 namespace bonedecimate
 {
 namespace
 {
-constexpr double Largest = std::numeric_limits<double>::max();
 constexpr double LargestInteger = std::numeric_limits<int>::max();
-
-template <typename Field>
-using FieldType = std::decay_t<decltype(std::declval<Options>().*std::declval<Field>())>;
-
-/// The kind of value in which a field travels: choices as int, the others as themselves.
-template <typename Type>
-using TravelType = std::conditional_t<std::is_enum_v<Type>, int, Type>;
-
-/// "any number up to" reads better than 1.79769e+308.
-std::string RangeText(const OptionInfo& info)
-{
-  char text[80];
-  if (info.Maximum == Largest)
-  {
-    std::snprintf(text, sizeof(text), "%g or more", info.Minimum);
-  }
-  else
-  {
-    std::snprintf(text, sizeof(text), "%.10g to %.10g", info.Minimum, info.Maximum);
-  }
-  return text;
-}
-
-std::string NumberText(double value)
-{
-  char text[40];
-  for (int digits = 6; digits <= 17; ++digits)
-  {
-    std::snprintf(text, sizeof(text), "%.*g", digits, value);
-    if (std::strtod(text, nullptr) == value)
-    {
-      break;
-    }
-  }
-  return text;
-}
-
-std::string Lower(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return text;
-}
-
-std::string WithoutDashes(std::string text)
-{
-  text.erase(std::remove(text.begin(), text.end(), '-'), text.end());
-  return text;
-}
-
-/// Reads "on", "off", "true", ... ; -1 if it is none of them.
-int ReadSwitch(const std::string& text)
-{
-  const std::string word = Lower(text);
-  if (word == "on" || word == "true" || word == "yes" || word == "1")
-  {
-    return 1;
-  }
-  return word == "off" || word == "false" || word == "no" || word == "0" ? 0 : -1;
-}
-
-int ReadChoice(const OptionInfo& info, const std::string& text)
-{
-  for (std::size_t i = 0; i < info.Choices.size(); ++i)
-  {
-    if (Lower(info.Choices[i]) == Lower(WithoutDashes(text)))
-    {
-      return static_cast<int>(i);
-    }
-  }
-  return -1;
-}
-
-std::string Join(const std::vector<std::string>& words)
-{
-  std::string text;
-  for (const std::string& word : words)
-  {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return text;
-}
-
-std::string SetNumberFromText(
-  Options& options, const OptionInfo& info, const std::string& text, bool integer)
-{
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  const bool isNumber = !text.empty() && *end == '\0' && std::isfinite(value);
-  const bool fits = isNumber && (!integer || value == std::floor(value));
-  if (!fits || value < info.Minimum || value > info.Maximum)
-  {
-    return info.Name + " takes " + (integer ? "a whole number, " : "a number, ") + RangeText(info) +
-      (info.Unit.empty() ? "" : " " + info.Unit) + ", not '" + text + "'";
-  }
-  if (integer)
-  {
-    SetOption(options, info, static_cast<int>(value));
-  }
-  else
-  {
-    SetOption(options, info, value);
-  }
-  return {};
-}
-
-std::string KindText(const OptionInfo& info)
-{
-  if (!info.Choices.empty())
-  {
-    return Join(info.Choices);
-  }
-  const OptionValue value = GetOption(Options{}, info);
-  if (std::holds_alternative<bool>(value))
-  {
-    return "on, off";
-  }
-  return std::holds_alternative<std::string>(value) ? "text" : RangeText(info);
-}
 
 /// What to reach, and how.
 std::vector<OptionInfo> GoalRows()
@@ -156,13 +32,18 @@ std::vector<OptionInfo> GoalRows()
       "Fraction of the triangles to remove; 1 is off, 0 removes none. The default steps back when "
       "a number of triangles "
       "or a largest error is asked for, or every point has a tolerance." },
-    { "MaximumError", &Options::MaximumError, 0, Largest, "mm", "max-error", {},
+    { "MaximumError", &Options::MaximumError, 0, LargestNumber, "mm", "max-error", {},
       "Largest distance in both directions, proved: no point of the input is farther from the "
       "result, and no point of the result farther from the input, open borders curve to curve; 0 "
       "is "
       "off. In Thesis mode it is the distance of a new point at which the collapse stops: exactly "
       "one "
       "point may lie beyond it, and places between points may, too." },
+    { "AllowLargeError", &Options::AllowLargeError, 0, 1, "", "allow-large-error", {},
+      "Run although the largest error is more than a quarter of the diagonal of the input's "
+      "bounding "
+      "box. Without it such a run is refused, because the coordinates are probably not in "
+      "millimeters." },
     { "KeepClearance", &Options::KeepClearance, 0, 1, "", "keep-clearance", {},
       "With MaximumError: no more pairs of triangles intersect than before, and what faces each "
       "other across a "
@@ -258,7 +139,7 @@ std::vector<OptionInfo> ProofRows()
       "A largest error as a share of the least side of the scan's voxels (VoxelSize); MaximumError "
       "counts, too, if it is smaller. A quarter of a voxel is below what the scan shows, a half "
       "is about how far a surface may be off by the scan alone, one is for overviews." },
-    { "VoxelSize", &Options::VoxelSize, 0, Largest, "mm", "voxel-size", {},
+    { "VoxelSize", &Options::VoxelSize, 0, LargestNumber, "mm", "voxel-size", {},
       "Least side of the scan's voxels, for ErrorPreset; 0: estimated from the surface, which "
       "must be as marching cubes leaves it, and reported as an estimate." },
   };
@@ -290,105 +171,5 @@ const OptionInfo* FindOption(const std::string& name)
     }
   }
   return nullptr;
-}
-
-OptionValue GetOption(const Options& options, const OptionInfo& info)
-{
-  return std::visit(
-    [&](auto field) -> OptionValue
-    {
-      using Type = FieldType<decltype(field)>;
-      return static_cast<TravelType<Type>>(options.*field);
-    },
-    info.Field);
-}
-
-void SetOption(Options& options, const OptionInfo& info, const OptionValue& value)
-{
-  std::visit(
-    [&](auto field)
-    {
-      using Type = FieldType<decltype(field)>;
-      auto given = std::get<TravelType<Type>>(value);
-      if constexpr (std::is_same_v<Type, double>)
-      {
-        given =
-          std::isnan(given) ? Options{}.*field : std::clamp(given, info.Minimum, info.Maximum);
-      }
-      else if constexpr (std::is_same_v<Type, int> || std::is_enum_v<Type>)
-      {
-        given = std::clamp(given, static_cast<int>(info.Minimum), static_cast<int>(info.Maximum));
-      }
-      options.*field = static_cast<Type>(given);
-    },
-    info.Field);
-  options.TargetReductionIsExplicit =
-    options.TargetReductionIsExplicit || info.Name == "TargetReduction";
-}
-
-std::string SetOptionFromText(Options& options, const OptionInfo& info, const std::string& text)
-{
-  const OptionValue current = GetOption(options, info);
-  if (!info.Choices.empty())
-  {
-    const int choice = ReadChoice(info, text);
-    if (choice < 0)
-    {
-      return info.Name + " takes one of " + Join(info.Choices) + ", not '" + text + "'";
-    }
-    SetOption(options, info, choice);
-    return {};
-  }
-  if (std::holds_alternative<bool>(current))
-  {
-    const int on = ReadSwitch(text);
-    if (on < 0)
-    {
-      return info.Name + " takes on or off, not '" + text + "'";
-    }
-    SetOption(options, info, on == 1);
-    return {};
-  }
-  if (std::holds_alternative<std::string>(current))
-  {
-    SetOption(options, info, text);
-    return {};
-  }
-  return SetNumberFromText(options, info, text, std::holds_alternative<int>(current));
-}
-
-std::string OptionText(const Options& options, const OptionInfo& info)
-{
-  const OptionValue value = GetOption(options, info);
-  if (!info.Choices.empty())
-  {
-    return info.Choices[static_cast<std::size_t>(std::get<int>(value))];
-  }
-  if (const bool* on = std::get_if<bool>(&value))
-  {
-    return *on ? "on" : "off";
-  }
-  if (const int* number = std::get_if<int>(&value))
-  {
-    return std::to_string(*number);
-  }
-  if (const double* number = std::get_if<double>(&value))
-  {
-    return NumberText(*number);
-  }
-  return std::get<std::string>(value);
-}
-
-std::string OptionTableMarkdown()
-{
-  std::string text =
-    "| option | flag | values | default | unit | meaning |\n|---|---|---|---|---|---|\n";
-  for (const OptionInfo& info : OptionTable())
-  {
-    text += "| `" + info.Name + "` | " + (info.Flag.empty() ? "" : "`--" + info.Flag + "`") +
-      " | " + KindText(info) + " | " + OptionText(Options{}, info) + " | " + info.Unit + " | " +
-      info.Sentence + " |\n";
-  }
-  return text;
 }
 }

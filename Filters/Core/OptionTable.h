@@ -26,7 +26,7 @@ struct OptionInfo
 {
   std::string Name; ///< As in SetName() of the filter.
   OptionField Field;
-  double Minimum; ///< Least and greatest value of a number, both allowed.
+  double Minimum; ///< Least and greatest value of a number, both allowed and finite.
   double Maximum;
   std::string Unit; ///< "mm", "triangles", ...; empty where there is none.
   std::string Flag; ///< Long flag of the command line without dashes; empty: not there.
@@ -42,10 +42,14 @@ const OptionInfo* FindOption(const std::string& name);
 
 OptionValue GetOption(const Options& options, const OptionInfo& info);
 
-/// Sets a value of the option's own kind, numbers clamped to the range (NaN becomes the default).
-void SetOption(Options& options, const OptionInfo& info, const OptionValue& value);
+/// What is wrong with a value, in one sentence: its kind, or that it is outside the range (NaN and infinity are). Empty
+/// if nothing is.
+std::string CheckOption(const OptionInfo& info, const OptionValue& value);
 
-/// Sets an option from text; returns what is wrong with it, or an empty string. Nothing is clamped here.
+/// Sets the value; or leaves the options as they are and returns what CheckOption() says.
+std::string SetOption(Options& options, const OptionInfo& info, const OptionValue& value);
+
+/// The same from text.
 std::string SetOptionFromText(Options& options, const OptionInfo& info, const std::string& text);
 
 /// The value as text: the name of a choice, "on"/"off", the shortest decimals that read back the same.

@@ -43,6 +43,7 @@ struct Options
   int TargetNumberOfTriangles = 0;
   double TargetReduction = 0.9;
   double MaximumError = 0.0; // mm
+  bool AllowLargeError = false;
   bool KeepClearance = true;
   double NormalTolerance = 0.95;
   bool AutomaticNormalTolerance = false;

@@ -3,6 +3,7 @@
 #include "Report.h"
 
 #include "Certificate/Certificate.h"
+#include "NumberRange.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -27,6 +28,20 @@ std::string FarMessage(const ProvedDistance& distance)
     "mm, or its open borders are",
     distance.Lower, distance.Upper);
   return text;
+}
+
+std::string SizeMessage(const SizeFigures& size, bool isBeyond)
+{
+  const std::string what = size.Point < 0
+    ? "a largest error of " + NumberText(size.LargestError) + " mm"
+    : "the tolerance of " + NumberText(size.LargestError) + " mm of point " +
+      std::to_string(size.Point);
+  char diagonal[40];
+  std::snprintf(diagonal, sizeof(diagonal), "%.6g mm", size.Diagonal);
+  return what + " is " + (isBeyond ? "more than a quarter" : "less than a millionth") +
+    " of the diagonal of the input's bounding box, " + diagonal +
+    (isBeyond ? "; the coordinates may not be in millimeters (AllowLargeError runs anyway)"
+              : "; rounding alone exceeds it");
 }
 
 std::string CoarseMessage(const CleaningStatistics& found)
@@ -130,6 +145,9 @@ std::string InputMessage(const Report& report)
         " components is smaller than what was to be kept; nothing would be left";
     case InputStatus::SinglePrecisionTooCoarse:
       return CoarseMessage(found);
+    case InputStatus::ErrorBeyondSize:
+    case InputStatus::ErrorBelowSize:
+      return SizeMessage(report.Size, report.Status == InputStatus::ErrorBeyondSize);
   }
   return {};
 }

@@ -38,7 +38,9 @@ enum class InputStatus : int
   BadReference,          ///< It has no triangle, or is refused as an input is.
   FarFromReference,      ///< The input is farther from it than the largest error.
   EverythingPruned,      ///< No component is large enough for what was asked for.
-  SinglePrecisionTooCoarse ///< Written in it, points move farther than the error or tolerances allow, or onto others.
+  SinglePrecisionTooCoarse, ///< Written in it, points move farther than the error or tolerances allow, or onto others.
+  ErrorBeyondSize, ///< The largest error is more than a quarter of the diagonal, and AllowLargeError is off.
+  ErrorBelowSize ///< The largest error is less than a millionth of the diagonal: rounding alone exceeds it.
 };
 
 /// Why the collapse ended.
@@ -176,6 +178,15 @@ struct PruneFigures
   std::vector<PrunedComponent> Components; ///< The largest first.
 };
 
+/// The size of the input, and the largest error compared with it.
+struct SizeFigures
+{
+  double Diagonal = 0.0;     ///< mm, of the bounding box of the input's triangles, after pruning.
+  double LargestError = 0.0; ///< mm, of MaximumError, the preset or the tolerances; 0: none.
+  std::int64_t Point = -1;   ///< The input point whose tolerance LargestError is; -1 if it is none.
+  double ErrorBound = 0.0;   ///< mm, what the run used of it: at most Diagonal.
+};
+
 /// The voxels of a run with an ErrorPreset.
 struct VoxelFigures
 {
@@ -240,6 +251,7 @@ struct Report
   ErrorProof Proof;              ///< Against the reference, if there is one.
   ReferenceFigures Reference;
   VoxelFigures Voxel;
+  SizeFigures Size;
   /// mm, the thesis's maxError: largest distance of a new vertex to the input, along the collapses in mode Thesis, at
   /// the end in the others. Not a number where none was looked up, which is so in these without MeasureDistances and
   /// origins; the tables then leave it out.

@@ -20,7 +20,7 @@ OTHER_VALUES = {"FILE", "NAME", "EXT", "NAME.EXT", "SHAPE=MM"}
 NO_NUMBERS = ("nan", "-inf", "1e400", "", "5mm")
 MORE_NO_NUMBERS = ("inf", "NaN", " 5", "5 ", "0x10", "five", "1'000", "--5", "\N{ARABIC-INDIC DIGIT FIVE}")
 ENTRY = re.compile(r"(?ms)^  (--[a-z-]+) (\S+)(.*?)(?=^  -|^\S|\Z)")
-RANGE = re.compile(r"(numbers with commas in between, each )?(a whole number|a number), (\S+) to ([^\s;.]+(?:\.\d+)?) ?(\S*?)[;.]")
+RANGE = re.compile(r"(numbers with commas in between, each )?(a whole number|a number) from (\S+) to ([^\s;]+[^\s;.]) ?(\S*?)[;.] ?")
 
 
 class Flag:
@@ -28,6 +28,7 @@ class Flag:
         self.name = name
         self.is_list = bool(found[1])
         self.is_whole = found[2] == "a whole number"
+        self.least_text = found[3]
         self.least, self.most = float(found[3]), float(found[4])
         self.unit = found[5]
 
@@ -84,7 +85,7 @@ class HostileValues(ApplicationTest):
                     with self.subTest(command=command, flag=flag.name, value=value):
                         answer = self.fail_with(USAGE, *self.words(command, flag.name, value), says=flag.name)
                         self.assertIn("takes", answer.stderr)
-                        self.assertIn("%g" % flag.least, answer.stderr)
+                        self.assertIn("from %s to " % flag.least_text, answer.stderr)
                         self.assertIn(flag.unit, answer.stderr)
                         if not flag.is_list:
                             self.assertIn("not '%s'" % value, answer.stderr)

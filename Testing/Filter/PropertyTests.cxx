@@ -38,14 +38,14 @@ const std::vector<Number>& Numbers()
 {
   static const std::vector<Number> numbers = { NUMBER_PROPERTY(Mode),
     NUMBER_PROPERTY(TargetNumberOfTriangles), NUMBER_PROPERTY(TargetReduction),
-    NUMBER_PROPERTY(MaximumError), NUMBER_PROPERTY(KeepClearance), NUMBER_PROPERTY(NormalTolerance),
-    NUMBER_PROPERTY(AutomaticNormalTolerance), NUMBER_PROPERTY(MergePoints),
-    NUMBER_PROPERTY(MeasureDistances), NUMBER_PROPERTY(MeasureInputDistances),
-    NUMBER_PROPERTY(NumberOfThreads), NUMBER_PROPERTY(OutputPointsPrecision),
-    NUMBER_PROPERTY(PassArrays), NUMBER_PROPERTY(MakeMaps), NUMBER_PROPERTY(RecomputeNormals),
-    NUMBER_PROPERTY(ProveResult), NUMBER_PROPERTY(ErrorPreset), NUMBER_PROPERTY(VoxelSize),
-    NUMBER_PROPERTY(PruneSize), NUMBER_PROPERTY(PruneArea), NUMBER_PROPERTY(PruneVolume),
-    NUMBER_PROPERTY(PruneTriangles), NUMBER_PROPERTY(ExamineInput) };
+    NUMBER_PROPERTY(MaximumError), NUMBER_PROPERTY(AllowLargeError), NUMBER_PROPERTY(KeepClearance),
+    NUMBER_PROPERTY(NormalTolerance), NUMBER_PROPERTY(AutomaticNormalTolerance),
+    NUMBER_PROPERTY(MergePoints), NUMBER_PROPERTY(MeasureDistances),
+    NUMBER_PROPERTY(MeasureInputDistances), NUMBER_PROPERTY(NumberOfThreads),
+    NUMBER_PROPERTY(OutputPointsPrecision), NUMBER_PROPERTY(PassArrays), NUMBER_PROPERTY(MakeMaps),
+    NUMBER_PROPERTY(RecomputeNormals), NUMBER_PROPERTY(ProveResult), NUMBER_PROPERTY(ErrorPreset),
+    NUMBER_PROPERTY(VoxelSize), NUMBER_PROPERTY(PruneSize), NUMBER_PROPERTY(PruneArea),
+    NUMBER_PROPERTY(PruneVolume), NUMBER_PROPERTY(PruneTriangles), NUMBER_PROPERTY(ExamineInput) };
   return numbers;
 }
 

@@ -25,7 +25,7 @@ NUMBERS = {
     "PruneTriangles": (0, 100, -1, 0),
     "OutputPointsPrecision": (vtkAlgorithm.DEFAULT_PRECISION, vtkAlgorithm.SINGLE_PRECISION, 7, 2),
 }
-SWITCHES = {"MergePoints": True, "KeepClearance": True, "MeasureDistances": True, "MeasureInputDistances": False,
+SWITCHES = {"MergePoints": True, "AllowLargeError": False, "KeepClearance": True, "MeasureDistances": True, "MeasureInputDistances": False,
             "ProveResult": True, "PassArrays": True, "MakeMaps": False, "RecomputeNormals": False,
             "AutomaticNormalTolerance": False, "ExamineInput": False}
 TEXTS = {

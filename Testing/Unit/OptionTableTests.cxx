@@ -54,6 +54,31 @@ OptionValue AnotherValue(const Options& options, const OptionInfo& info)
   }
   return std::get<std::string>(value) + "2";
 }
+
+/// Values of the option's own kind that it must reject, and one of another kind.
+std::vector<OptionValue> ValuesOutside(const OptionInfo& info)
+{
+  const OptionValue value = GetOption(Options{}, info);
+  std::vector<OptionValue> bad = { std::holds_alternative<bool>(value) ? OptionValue(2)
+                                                                       : OptionValue(true) };
+  if (std::holds_alternative<double>(value))
+  {
+    using Limits = std::numeric_limits<double>;
+    bad.insert(bad.end(),
+      { Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), -Limits::max(), Limits::max(),
+        std::nextafter(info.Minimum, -1.0), std::nextafter(info.Maximum, Limits::infinity()) });
+  }
+  if (std::holds_alternative<int>(value))
+  {
+    bad.insert(bad.end(), { std::numeric_limits<int>::min(), static_cast<int>(info.Minimum) - 1 });
+    if (info.Maximum < std::numeric_limits<int>::max())
+    {
+      bad.insert(
+        bad.end(), { std::numeric_limits<int>::max(), static_cast<int>(info.Maximum) + 1 });
+    }
+  }
+  return bad;
+}
 }
 
 TEST(OptionTable, HasEveryFieldOfOptionsExactlyOnce)
@@ -114,47 +139,79 @@ TEST(OptionTable, DefaultsAreThoseOfTheStructAndWithinTheRange)
   }
 }
 
-TEST(OptionTable, NumbersAreClampedToTheirRange)
+TEST(OptionTable, RangesAreFinite)
 {
   for (const OptionInfo& info : OptionTable())
   {
-    if (!IsNumber(info))
-    {
-      continue;
-    }
+    EXPECT_LE(std::abs(info.Minimum), 1e30) << info.Name;
+    EXPECT_LE(std::abs(info.Maximum), 1e30) << info.Name;
+    EXPECT_LE(info.Minimum, info.Maximum) << info.Name;
+  }
+}
+
+TEST(OptionTable, ValuesOutsideTheirRangeAreRejectedAndTheValueBeforeStays)
+{
+  for (const OptionInfo& info : OptionTable())
+  {
     Options options;
-    SetOption(options, info, ValueOf(info, -5.0));
-    EXPECT_EQ(GetOption(options, info), ValueOf(info, info.Minimum)) << info.Name;
-    SetOption(options, info, ValueOf(info, info.Maximum));
-    EXPECT_EQ(GetOption(options, info), ValueOf(info, info.Maximum)) << info.Name;
-    if (info.Maximum <= 1024.0)
+    EXPECT_EQ(SetOption(options, info, AnotherValue(options, info)), "") << info.Name;
+    const OptionValue before = GetOption(options, info);
+    const bool wasExplicit = options.TargetReductionIsExplicit;
+    for (const OptionValue& bad : ValuesOutside(info))
     {
-      SetOption(options, info, ValueOf(info, info.Maximum + 5.0));
-      EXPECT_EQ(GetOption(options, info), ValueOf(info, info.Maximum)) << info.Name;
+      const std::string problem = SetOption(options, info, bad);
+      EXPECT_EQ(problem.find(info.Name + " takes "), 0U) << info.Name << ": " << problem;
+      EXPECT_EQ(CheckOption(info, bad), problem) << info.Name;
+      EXPECT_EQ(GetOption(options, info), before) << info.Name << ": " << problem;
+      EXPECT_EQ(options.TargetReductionIsExplicit, wasExplicit) << info.Name;
     }
   }
 }
 
-TEST(OptionTable, InfinityIsClampedAndNotANumberBecomesTheDefault)
+TEST(OptionTable, BothEndsOfARangeAreAccepted)
 {
-  Options options;
-  SetOption(options, Row("MaximumError"), std::numeric_limits<double>::infinity());
-  EXPECT_TRUE(std::isfinite(options.MaximumError));
-  SetOption(options, Row("TargetReduction"), -std::numeric_limits<double>::infinity());
-  EXPECT_EQ(options.TargetReduction, 0.0);
-  SetOption(options, Row("TargetReduction"), std::nan(""));
-  EXPECT_EQ(options.TargetReduction, Options{}.TargetReduction);
+  for (const OptionInfo& info : OptionTable())
+  {
+    for (const double end : { info.Minimum, info.Maximum })
+    {
+      Options options;
+      if (IsNumber(info) || !info.Choices.empty())
+      {
+        EXPECT_EQ(SetOption(options, info, ValueOf(info, end)), "") << info.Name;
+        EXPECT_EQ(GetOption(options, info), ValueOf(info, end)) << info.Name;
+      }
+    }
+  }
 }
 
-TEST(OptionTable, ChoicesAreClampedToWhatThereIs)
+TEST(OptionTable, RejectedReductionsAreNotExplicit)
 {
   Options options;
-  SetOption(options, Row("Mode"), 7);
-  EXPECT_EQ(options.Mode, Mode::Accurate);
-  SetOption(options, Row("OutputPointsPrecision"), -3);
-  EXPECT_EQ(options.OutputPointsPrecision, PointsPrecision::Single);
-  SetOption(options, Row("OutputPointsPrecision"), 12);
-  EXPECT_EQ(options.OutputPointsPrecision, PointsPrecision::Default);
+  EXPECT_NE(SetOption(options, Row("TargetReduction"), 1.5), "");
+  EXPECT_FALSE(options.TargetReductionIsExplicit);
+}
+
+TEST(OptionTable, RejectionsAreOneSentenceWithRangeUnitAndValue)
+{
+  Options options;
+  EXPECT_EQ(SetOption(options, Row("MaximumError"), -1.0),
+    "MaximumError takes a number from 0 to 1e30 mm, not -1");
+  EXPECT_EQ(SetOption(options, Row("MaximumError"), std::nan("")),
+    "MaximumError takes a number from 0 to 1e30 mm, not NaN");
+  EXPECT_EQ(SetOption(options, Row("MaximumError"), std::numeric_limits<double>::max()),
+    "MaximumError takes a number from 0 to 1e30 mm, not 1.7976931348623157e308");
+  EXPECT_EQ(SetOption(options, Row("TargetReduction"), -std::numeric_limits<double>::infinity()),
+    "TargetReduction takes a number from 0 to 1, not -infinity");
+  EXPECT_EQ(SetOption(options, Row("NumberOfThreads"), 1025),
+    "NumberOfThreads takes a whole number from 0 to 1024 threads, not 1025");
+  EXPECT_EQ(SetOption(options, Row("Mode"), 7),
+    "Mode takes one of Thesis, Fast, Balanced, Accurate, not 7");
+  EXPECT_EQ(SetOptionFromText(options, Row("MaximumError"), "-1"),
+    "MaximumError takes a number from 0 to 1e30 mm, not -1");
+  EXPECT_EQ(SetOptionFromText(options, Row("MaximumError"), "much"),
+    "MaximumError takes a number from 0 to 1e30 mm, not 'much'");
+  EXPECT_EQ(SetOptionFromText(options, Row("MergePoints"), "maybe"),
+    "MergePoints takes on or off, not 'maybe'");
 }
 
 TEST(OptionTable, ValuesSurviveTheWayThroughText)
@@ -171,7 +228,7 @@ TEST(OptionTable, ValuesSurviveTheWayThroughText)
 
 TEST(OptionTable, DecimalsReadBackTheSameBitForBit)
 {
-  for (const double value : { 0.1, 1.0 / 3.0, 5e-324, 1.7976931348623157e308, 123456789.125 })
+  for (const double value : { 0.1, 1.0 / 3.0, 5e-324, 1e30, 123456789.125 })
   {
     Options options;
     options.MaximumError = value;
@@ -188,7 +245,8 @@ TEST(OptionTable, TextThatIsWrongIsRefusedWithTheNameAndChangesNothing)
 {
   const std::vector<std::pair<std::string, std::string>> wrong = { { "MaximumError", "-1" },
     { "MaximumError", "nan" }, { "MaximumError", "inf" }, { "MaximumError", "" },
-    { "MaximumError", "1 mm" }, { "TargetReduction", "1.5" }, { "TargetReduction", "ninety" },
+    { "MaximumError", "1 mm" }, { "MaximumError", "1e31" }, { "MaximumError", "1e999" },
+    { "TargetReduction", "1.5" }, { "TargetReduction", "ninety" },
     { "TargetNumberOfTriangles", "2.5" }, { "TargetNumberOfTriangles", "3000000000" },
     { "NumberOfThreads", "1025" }, { "MergePoints", "maybe" }, { "Mode", "Magic" }, { "Mode", "" },
     { "OutputPointsPrecision", "2" } };

@@ -54,7 +54,11 @@ bool Set(Options& options, const std::string& name, const OptionValue& value)
   const OptionInfo& info = Row(name);
   const OptionValue before = GetOption(options, info);
   const bool wasExplicit = options.TargetReductionIsExplicit;
-  SetOption(options, info, AsKindOf(before, value, info));
+  const std::string problem = SetOption(options, info, AsKindOf(before, value, info));
+  if (!problem.empty())
+  {
+    throw nb::value_error(problem.c_str());
+  }
   return before != GetOption(options, info) || wasExplicit != options.TargetReductionIsExplicit;
 }
 
@@ -106,7 +110,9 @@ void BindEnums(nb::module_& module)
     .value("BadReference", InputStatus::BadReference)
     .value("FarFromReference", InputStatus::FarFromReference)
     .value("EverythingPruned", InputStatus::EverythingPruned)
-    .value("SinglePrecisionTooCoarse", InputStatus::SinglePrecisionTooCoarse);
+    .value("SinglePrecisionTooCoarse", InputStatus::SinglePrecisionTooCoarse)
+    .value("ErrorBeyondSize", InputStatus::ErrorBeyondSize)
+    .value("ErrorBelowSize", InputStatus::ErrorBelowSize);
 }
 
 void BindTable(nb::module_& module)
@@ -142,7 +148,7 @@ void BindOptions(nb::module_& module)
       [](const Options& options, const std::string& name) { return GetOption(options, Row(name)); },
       nb::arg("name"))
     .def("set", &Set, nb::arg("name"), nb::arg("value"),
-      "Clamps to the range; returns whether anything changed.")
+      "Raises ValueError for a value outside its range; returns whether anything changed.")
     .def("read", &Read, nb::arg("name"), nb::arg("text"),
       "Raises ValueError if the text is none of the option's values.")
     .def(

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NumberRange.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace bonedecimate
+{
+namespace
+{
+/// "1e+30" becomes "1e30", which is how people write it.
+std::string WithoutPlus(std::string text)
+{
+  const std::size_t plus = text.find('+');
+  return plus == std::string::npos ? text : text.erase(plus, 1);
+}
+}
+
+std::string NumberText(double value)
+{
+  if (std::isnan(value))
+  {
+    return "NaN";
+  }
+  if (std::isinf(value))
+  {
+    return value < 0.0 ? "-infinity" : "infinity";
+  }
+  char text[40];
+  for (int digits = 6; digits <= 17; ++digits)
+  {
+    std::snprintf(text, sizeof(text), "%.*g", digits, value);
+    if (std::strtod(text, nullptr) == value)
+    {
+      break;
+    }
+  }
+  return text;
+}
+
+std::string EndsText(const NumberRange& range)
+{
+  return WithoutPlus(NumberText(range.Minimum)) + " to " + WithoutPlus(NumberText(range.Maximum));
+}
+
+std::string RangeText(const NumberRange& range)
+{
+  return (range.IsWhole ? "a whole number from " : "a number from ") + EndsText(range) +
+    (range.Unit.empty() ? "" : " " + range.Unit);
+}
+
+bool IsInRange(const NumberRange& range, double value)
+{
+  const bool isBetween = value >= range.Minimum && value <= range.Maximum;
+  return isBetween && (!range.IsWhole || value == std::floor(value));
+}
+
+std::string CheckNumber(const std::string& name, const NumberRange& range, double value)
+{
+  return IsInRange(range, value)
+    ? std::string()
+    : name + " takes " + RangeText(range) + ", not " + WithoutPlus(NumberText(value));
+}
+}
