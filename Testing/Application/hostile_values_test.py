@@ -20,7 +20,7 @@ OTHER_VALUES = {"FILE", "NAME", "EXT", "NAME.EXT", "SHAPE=MM"}
 NO_NUMBERS = ("nan", "-inf", "1e400", "", "5mm")
 MORE_NO_NUMBERS = ("inf", "NaN", " 5", "5 ", "0x10", "five", "1'000", "--5", "\N{ARABIC-INDIC DIGIT FIVE}")
 ENTRY = re.compile(r"(?ms)^  (--[a-z-]+) (\S+)(.*?)(?=^  -|^\S|\Z)")
-RANGE = re.compile(r"(numbers with commas in between, each )?(a whole number|a number) from (\S+) to ([^\s;]+[^\s;.]) ?(\S*?)[;.] ?")
+RANGE = re.compile(r"(numbers with commas in between, each )?(a whole number|a number) from (\S+) to ([^\s;]*[^\s;.]) ?(\S*?)[;.] ?")
 
 
 class Flag:
