@@ -43,7 +43,7 @@ struct Arguments
   /// @}
 
   bool Quiet = false;
-  bool HasTags = false;    ///< Progress as 3D Slicer reads it.
+  bool HasTags = false;    ///< Called by 3D Slicer: progress in tags, every option given.
   bool ThesisForm = false; ///< Always one bone.
 };
 

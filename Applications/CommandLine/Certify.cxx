@@ -220,6 +220,21 @@ bool IsSameFile(const std::string& a, const std::string& b)
 }
 }
 
+/// Options that would have no effect.
+void CheckTogether(const CLI::App& app, const CertifyArguments& arguments)
+{
+  const bool hasTolerance = arguments.Tolerance || !arguments.ToleranceArray.empty();
+  if (arguments.FirstProof && !hasTolerance)
+  {
+    throw Failure(
+      ExitCode::Usage, "--first-proof has no effect; it needs --tolerance or --tolerance-array");
+  }
+  if (arguments.WithoutMeans && app.count("--mean-precision") > 0)
+  {
+    throw Failure(ExitCode::Usage, "--mean-precision has no effect with --no-means");
+  }
+}
+
 std::optional<CertifyArguments> ParseCertifyArguments(int argc, char* argv[])
 {
   CertifyArguments arguments;
@@ -242,6 +257,7 @@ std::optional<CertifyArguments> ParseCertifyArguments(int argc, char* argv[])
     throw Failure(ExitCode::Usage,
       "certify takes REFERENCE RESULT; there are " + std::to_string(files.size()) + " files");
   }
+  CheckTogether(app, arguments);
   arguments.Reference = files[0];
   arguments.Result = files[1];
   if (IsSameFile(arguments.Json, files[0]) || IsSameFile(arguments.Json, files[1]))

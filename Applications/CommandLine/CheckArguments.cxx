@@ -4,10 +4,13 @@
 
 #include "BoneVolume.h"
 #include "ExitCode.h"
+#include "IdleOptions.h"
+#include "OptionTable.h"
 #include "SurfaceFormat.h"
 #include "Words.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 namespace fs = std::filesystem;
@@ -68,6 +71,60 @@ void CheckOverwriting(const Arguments& arguments)
   }
 }
 
+/// The sentence with flags in place of names of options.
+std::string WithFlags(std::string sentence)
+{
+  for (const OptionInfo& info : OptionTable())
+  {
+    const std::size_t at = sentence.find(info.Name);
+    const bool isWord = at != std::string::npos && (at == 0 || sentence[at - 1] == ' ') &&
+      std::isalpha(static_cast<unsigned char>(sentence[at + info.Name.size()])) == 0;
+    if (isWord && !info.Flag.empty())
+    {
+      sentence.replace(at, info.Name.size(), "--" + info.Flag);
+    }
+  }
+  return sentence;
+}
+
+/// 3D Slicer gives every option; there those count that do not have their default.
+void CheckIdleOptions(const Arguments& arguments)
+{
+  Options options = arguments.Options;
+  if (options.ToleranceArrayName.empty() && !arguments.Regions.empty())
+  {
+    options.ToleranceArrayName = "Tolerance";
+  }
+  std::vector<std::string> given;
+  for (const OptionInfo& info : OptionTable())
+  {
+    if (arguments.Given.count(info.Flag) > 0)
+    {
+      given.push_back(info.Name);
+    }
+  }
+  const std::vector<std::string> idle =
+    IdleOptions(options, arguments.HasTags ? ChangedOptions(options) : given);
+  Require(idle.empty(), idle.empty() ? "" : WithFlags(idle.front()));
+}
+
+/// What is proved is proved of coordinates as they will be read.
+void CheckPrecision(const Arguments& arguments)
+{
+  const bool isProved = arguments.Options.Mode != Mode::Thesis &&
+    (arguments.Options.PromisesError() || !arguments.Options.ToleranceArrayName.empty() ||
+      !arguments.Regions.empty());
+  std::vector<std::string> surfaces = arguments.Also;
+  surfaces.push_back(arguments.Output);
+  for (const std::string& surface : surfaces)
+  {
+    Require(!isProved || arguments.Options.OutputPointsPrecision != PointsPrecision::Double ||
+        ReadsDoubles(FormatOf(surface)),
+      "--precision Double has no effect with a largest error; '" + surface +
+        "' is read in single precision");
+  }
+}
+
 void CheckOneBone(const Arguments& arguments)
 {
   RequireSurfaceFormat("the output", arguments.Output);
@@ -89,6 +146,7 @@ void CheckOneBone(const Arguments& arguments)
     "--iso is for volumes; '" + arguments.Inputs[0] + "' is none");
   Require(arguments.Jobs == 0 && !arguments.Force && arguments.Format.empty(),
     "--jobs, --force and --format are for many bones and an output folder");
+  CheckPrecision(arguments);
   CheckOverwriting(arguments);
 }
 
@@ -145,6 +203,7 @@ void CheckArguments(const Arguments& arguments)
   {
     RequireCommandOrFile(arguments.Inputs[0]);
   }
+  CheckIdleOptions(arguments);
   if (IsBatch(arguments))
   {
     CheckBatch(arguments);

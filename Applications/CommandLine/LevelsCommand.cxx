@@ -153,6 +153,7 @@ public:
     bar->Clear();
     this->Filter->RemoveObserver(bar);
     StopIfInterrupted();
+    this->RequireDistances();
     if (!this->Asked.On.empty())
     {
       this->Filter->SetInputData(1, this->ReadOne(this->Asked.On));
@@ -249,6 +250,7 @@ private:
     this->Update(this->Asked.On.empty() ? this->Asked.Input : this->Asked.On);
     StopIfInterrupted();
     vtkPolyData* level = this->Filter->GetOutput();
+    this->WarnOutOfReach(triangles, error, level->GetNumberOfPolys());
     const std::string name = NameOfLevel(this->Asked.Output, level->GetNumberOfPolys());
     if (std::find(this->Written.begin(), this->Written.end(), name) == this->Written.end())
     {
@@ -256,6 +258,40 @@ private:
       StagedFile& file = files.emplace_back(name);
       WriteSurface(level, file.GetTemporary(), file.GetTarget());
       this->Written.push_back(name);
+    }
+  }
+
+  /// What the log has instead of what was asked for.
+  void WarnOutOfReach(int triangles, double error, vtkIdType found)
+  {
+    if (triangles > 0 && found > triangles)
+    {
+      this->Warnings.push_back("no level has as few as " + GroupedText(triangles) +
+        " triangles; the coarsest has " + GroupedText(static_cast<double>(found)));
+    }
+    bool isWithin = false;
+    for (int mark = 0; mark < this->Filter->GetNumberOfMarks(); ++mark)
+    {
+      isWithin = isWithin || this->Filter->GetMarkLargestDistance(mark) <= error;
+    }
+    if (error > 0.0 && !isWithin)
+    {
+      this->Warnings.push_back("no measured level is within " + NumberText(error) +
+        " mm; the input itself, " + GroupedText(static_cast<double>(found)) +
+        " triangles, was written");
+    }
+  }
+
+  /// A log whose distances were not measured has no level by a distance.
+  void RequireDistances() const
+  {
+    const int last = this->Filter->GetNumberOfMarks() - 1;
+    if (!this->Asked.Errors.empty() && !this->Asked.Log.empty() &&
+      std::isnan(this->Filter->GetMarkLargestDistance(last)))
+    {
+      throw Failure(ExitCode::Usage,
+        "--errors needs measured distances; '" + BaseName(this->Asked.Log) +
+          "' was recorded with --no-errors");
     }
   }
 
@@ -286,6 +322,15 @@ void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
   {
     throw Failure(ExitCode::Usage,
       "--output '" + arguments.Output + "' needs one of the extensions " + SurfaceExtensions);
+  }
+  for (const int triangles : arguments.Triangles)
+  {
+    if (triangles < arguments.Coarsest)
+    {
+      throw Failure(ExitCode::Usage,
+        "--triangles " + std::to_string(triangles) +
+          " is out of reach; --coarsest ends the run at " + std::to_string(arguments.Coarsest));
+    }
   }
   if (arguments.WithoutErrors && !arguments.Errors.empty())
   {

@@ -171,13 +171,13 @@ void Run(const Words& words)
   {
     return;
   }
+  arguments->HasTags = true;
   CheckArguments(*arguments);
   if (IsBatch(*arguments))
   {
     throw Failure(ExitCode::Usage, "--returnparameterfile is for one bone");
   }
   AddPlaces(asked, *arguments);
-  arguments->HasTags = true;
   std::cout << "<filter-start>\n<filter-name>vtkBoneDecimate</filter-name>\n"
                "<filter-comment> \"Bone decimation\" </filter-comment>\n</filter-start>\n"
             << std::flush;

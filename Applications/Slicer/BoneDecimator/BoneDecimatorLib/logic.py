@@ -33,9 +33,11 @@ class Request:
             raise DecimationError("Give a tolerance or a number of triangles.")
         if self.brush is not None and self.tolerance <= 0.0:
             raise DecimationError("A brush needs a tolerance.")
-        wanted = {"mode": self.mode, "keep-clearance": self.keep_clearance}
+        wanted = {"mode": self.mode}
         if self.tolerance > 0.0:
             wanted["max-error"] = self.tolerance
+            if self.mode != "Thesis":
+                wanted["keep-clearance"] = self.keep_clearance
         if self.triangles > 0:
             wanted["target-faces"] = self.triangles
         return {**wanted, **self.extra}
