@@ -76,6 +76,23 @@ void AddIso(CLI::App& app, Arguments& arguments)
     });
 }
 
+void AddIntensities(CLI::App& app, Arguments& arguments)
+{
+  app
+    .add_option_function<std::string>(
+      "--intensities",
+      [&arguments](const std::string& text)
+      {
+        arguments.TakesLabels = text == "on";
+        arguments.Given["intensities"] = text;
+      },
+      WrappedHelp(
+        "Take the values of a volume for intensities even where they look like the labels "
+        "of a segmentation, which is refused otherwise; default off."))
+    ->type_name("on|off")
+    ->check(CLI::IsMember({ "on", "off" }).description(""));
+}
+
 void AddRegions(CLI::App& app, Arguments& arguments)
 {
   app
@@ -176,6 +193,7 @@ std::unique_ptr<CLI::App> MakeApp(
     }
   }
   AddIso(*app, arguments);
+  AddIntensities(*app, arguments);
   AddRegions(*app, arguments);
   AddCommonFlags(*app, arguments);
   AddBatchFlags(*app, arguments);
@@ -197,6 +215,7 @@ std::unique_ptr<CLI::App> MakeThesisApp(Arguments& arguments, std::vector<std::s
     ->allow_extra_args();
   AddTableOption(*app, arguments, *FindOption("NumberOfThreads"));
   AddIso(*app, arguments);
+  AddIntensities(*app, arguments);
   AddCommonFlags(*app, arguments);
   return app;
 }

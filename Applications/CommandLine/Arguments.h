@@ -25,6 +25,7 @@ struct Arguments
   std::map<std::string, std::string>
     Given;                   ///< Options that were asked for: flag without dashes and value.
   std::optional<double> Iso; ///< Hounsfield value of the surface of a volume.
+  bool TakesLabels = false;  ///< Also values that look like labels, as intensities.
   std::vector<Region> Regions;
 
   /// @name One bone only. @{

@@ -213,6 +213,7 @@ std::map<std::string, std::string> GivenFor(const BatchBone& bone, const Argumen
   if (!bone.Volume)
   {
     given.erase("iso");
+    given.erase("intensities");
   }
   return given;
 }

@@ -119,9 +119,9 @@ void CheckPrecision(const Arguments& arguments)
   for (const std::string& surface : surfaces)
   {
     Require(!isProved || arguments.Options.OutputPointsPrecision != PointsPrecision::Double ||
-        ReadsDoubles(FormatOf(surface)),
+        HoldsDoubles(FormatOf(surface)),
       "--precision Double has no effect with a largest error; '" + surface +
-        "' is read in single precision");
+        "' holds single precision");
   }
 }
 
@@ -144,6 +144,8 @@ void CheckOneBone(const Arguments& arguments)
     "'" + arguments.Inputs[0] + "' is a volume: --iso HU says which surface to take");
   Require(volume || !arguments.Iso || !fs::exists(arguments.Inputs[0]),
     "--iso is for volumes; '" + arguments.Inputs[0] + "' is none");
+  Require(arguments.Iso || arguments.Given.count("intensities") == 0,
+    "--intensities is for volumes, together with --iso");
   Require(arguments.Jobs == 0 && !arguments.Force && arguments.Format.empty(),
     "--jobs, --force and --format are for many bones and an output folder");
   CheckPrecision(arguments);
@@ -167,6 +169,8 @@ void CheckBatch(const Arguments& arguments)
   Require(!single,
     "--also, --report, --page, --heatmap and --picture are for one bone; many get a report each");
   Require(arguments.Reference.empty(), "--reference is for one bone");
+  Require(arguments.Iso || arguments.Given.count("intensities") == 0,
+    "--intensities is for volumes, together with --iso");
   Require(arguments.Format.empty() || FormatOf("x." + arguments.Format) != SurfaceFormat::Unknown,
     "--format '" + arguments.Format + "' is none of " + SurfaceExtensions);
   std::error_code error;

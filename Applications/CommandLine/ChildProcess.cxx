@@ -91,7 +91,7 @@ bool ChildProcess::HasDied() const
 ExitCode ChildProcess::GetCode() const
 {
   const int signal = this->HasDied() ? WTERMSIG(this->Status) : 0;
-  if (signal == SIGTERM || signal == SIGINT)
+  if (signal == SIGTERM || signal == SIGINT || signal == SIGHUP)
   {
     return ExitCode::Interrupted; // before it could catch them
   }

@@ -3,7 +3,6 @@
 #include "FileChecks.h"
 
 #include "ExitCode.h"
-#include "SurfaceFormat.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -48,33 +47,5 @@ void CheckFile(const std::string& path)
   {
     Refuse(path, std::strerror(errno));
   }
-}
-
-std::vector<std::string> CheckSurfaceFile(const std::string& path)
-{
-  const SurfaceFormat format = FormatOf(path);
-  CheckFile(path);
-  std::vector<std::string> warnings;
-  switch (format)
-  {
-    case SurfaceFormat::Obj:
-      CheckObjFile(path, warnings);
-      break;
-    case SurfaceFormat::Stl:
-      CheckStlFile(path);
-      break;
-    case SurfaceFormat::Ply:
-      CheckPlyFile(path, warnings);
-      break;
-    case SurfaceFormat::Vtp:
-      CheckVtpFile(path);
-      break;
-    case SurfaceFormat::Vtk:
-      CheckVtkFile(path);
-      break;
-    case SurfaceFormat::Unknown:
-      Refuse(path, std::string("its extension is none of ") + SurfaceExtensions);
-  }
-  return warnings;
 }
 }

@@ -2,32 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FileChecks.h
- * @brief Looks at a surface file before VTK does: VTK's readers trust counts, and read text as the
- * number 0.
+ * @brief What holds for any file that is read, and a look at VTK's own formats before VTK's readers
+ * trust their counts.
  */
 #ifndef BoneDecimate_Applications_FileChecks_h
 #define BoneDecimate_Applications_FileChecks_h
 
 #include <string>
-#include <vector>
 
 namespace bonedecimate
 {
-/**
- * Existence, kind, size and permission of the file, then its format by its extension: announced
- * counts against what is there, numbers that are numbers, indices within range.
- * @returns Warnings, one line each.
- * @throws Failure(ExitCode::InputRefused) with one line.
- */
-std::vector<std::string> CheckSurfaceFile(const std::string& path);
-
-/// The part of it that holds for any file.
+/// Existence, kind, size and permission of a file. @throws Failure(ExitCode::InputRefused)
 void CheckFile(const std::string& path);
 
-/// @name One format each; the file is there and not empty. @{
-void CheckObjFile(const std::string& path, std::vector<std::string>& warnings);
-void CheckStlFile(const std::string& path);
-void CheckPlyFile(const std::string& path, std::vector<std::string>& warnings);
+/// @name Announced counts against what is there; the file is there and not empty. @{
 void CheckVtpFile(const std::string& path);
 void CheckVtkFile(const std::string& path);
 /// @}

@@ -24,12 +24,22 @@ void Handle(int signal, void (*handler)(int))
   sigemptyset(&action.sa_mask);
   sigaction(signal, &action, nullptr);
 }
+
+bool IsIgnored(int signal)
+{
+  struct sigaction action = {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
 }
 
 void CatchSignals()
 {
   Handle(SIGINT, NoteInterruption);
   Handle(SIGTERM, NoteInterruption);
+  if (!IsIgnored(SIGHUP)) // as under nohup
+  {
+    Handle(SIGHUP, NoteInterruption);
+  }
   Handle(SIGPIPE, SIG_IGN);
   Handle(SIGXFSZ, SIG_IGN);
 }

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Interruption.h
- * @brief SIGINT and SIGTERM as a question that long work asks now and then.
+ * @brief SIGINT, SIGTERM and SIGHUP as a question that long work asks now and then.
  */
 #ifndef BoneDecimate_Applications_Interruption_h
 #define BoneDecimate_Applications_Interruption_h
 
 namespace bonedecimate
 {
-/// From now on SIGINT and SIGTERM are only noted. A full disk or a closed pipe is an error of the
+/// From now on SIGINT, SIGTERM and SIGHUP (a closed terminal) are only noted; SIGHUP stays ignored
+/// where it was, as under nohup. A full disk or a closed pipe is an error of the
 /// write, not a death.
 void CatchSignals();
 

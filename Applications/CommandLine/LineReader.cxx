@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LineReader.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cstdlib>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -38,6 +41,15 @@ bool LineReader::Next()
   return true;
 }
 
+bool LineReader::Continue()
+{
+  std::string begin = std::move(this->Line);
+  begin.erase(std::min(begin.rfind('\\'), begin.size()));
+  const bool hasNext = this->Next();
+  this->Line.insert(0, begin + ' ');
+  return hasNext;
+}
+
 const std::vector<std::string_view>& LineReader::GetWords()
 {
   if (this->IsSplit)
@@ -63,19 +75,27 @@ const std::vector<std::string_view>& LineReader::GetWords()
   return this->Words;
 }
 
-bool IsNumber(std::string_view word)
+bool ReadNumber(std::string_view word, double& value)
 {
   const std::string_view digits = WithoutPlus(word);
-  double value = 0.0;
   const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  // A number too large or too small for a double is still a number.
+  if (read.ec == std::errc::result_out_of_range)
+  {
+    value = std::strtod(std::string(digits).c_str(), nullptr);
+  }
   return read.ec != std::errc::invalid_argument && read.ptr == digits.data() + digits.size();
 }
 
-bool IsFiniteNumber(std::string_view word)
+bool ReadFiniteNumber(std::string_view word, double& value)
 {
   // The words nan, inf and infinity have an n, no number has.
-  return IsNumber(word) && word.find_first_of("nN") == std::string_view::npos;
+  return ReadNumber(word, value) && word.find_first_of("nN") == std::string_view::npos;
+}
+
+bool IsNumber(std::string_view word)
+{
+  double value = 0.0;
+  return ReadNumber(word, value);
 }
 
 bool ReadInteger(std::string_view word, std::int64_t& value)

@@ -23,6 +23,10 @@ public:
   /// Goes on to the next line; false at the end of the file.
   bool Next();
 
+  /// Puts the next line in place of the backslash at the end of this one; false at the end of the
+  /// file.
+  bool Continue();
+
   const std::string& GetLine() const { return this->Line; }
   std::int64_t GetNumber() const { return this->Number; }
 
@@ -47,12 +51,16 @@ private:
   bool Ended = true;
 };
 
+/// Whether the whole word is a number, and which: rounded to the nearest double, infinite beyond
+/// the largest.
+bool ReadNumber(std::string_view word, double& value);
+
 /// Whether the whole word is a number; nan and inf are numbers here, the filter refuses them with
 /// their count.
 bool IsNumber(std::string_view word);
 
-/// Whether it is a number and neither nan nor inf.
-bool IsFiniteNumber(std::string_view word);
+/// The same for a number that is written as one, not as the word nan or inf.
+bool ReadFiniteNumber(std::string_view word, double& value);
 
 /// Whether the whole word is a whole number, and which.
 bool ReadInteger(std::string_view word, std::int64_t& value);

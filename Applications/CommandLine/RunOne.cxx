@@ -33,12 +33,12 @@ namespace
 Options OptionsOf(const Arguments& arguments)
 {
   Options options = arguments.Options;
-  const auto isReadAsSingle = [](const std::string& path) { return !ReadsDoubles(FormatOf(path)); };
+  const auto isSingle = [](const std::string& path) { return !HoldsDoubles(FormatOf(path)); };
   const bool isLimited = (!options.ToleranceArrayName.empty() || !arguments.Regions.empty()) &&
     options.Mode != Mode::Thesis;
   if ((options.PromisesError() || isLimited) &&
-    (isReadAsSingle(arguments.Output) ||
-      std::any_of(arguments.Also.begin(), arguments.Also.end(), isReadAsSingle)))
+    (isSingle(arguments.Output) ||
+      std::any_of(arguments.Also.begin(), arguments.Also.end(), isSingle)))
   {
     options.OutputPointsPrecision = PointsPrecision::Single;
   }
@@ -66,7 +66,8 @@ public:
     const StageClock watch;
     if (this->Volume)
     {
-      const BoneSurface bone = ExtractBoneSurface(this->Path, *this->Asked.Iso);
+      const BoneSurface bone = ExtractBoneSurface(this->Path, *this->Asked.Iso,
+        this->Asked.TakesLabels ? LabelPolicy::AsIntensities : LabelPolicy::Refuse);
       if (!bone.Surface)
       {
         Refuse(this->Path, bone.Problem);

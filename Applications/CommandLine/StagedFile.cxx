@@ -5,11 +5,16 @@
 #include "ExitCode.h"
 #include "SurfaceFormat.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <set>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
 
@@ -37,18 +42,122 @@ fs::path ResolvedTarget(const std::string& target)
   return error ? fs::path(target) : resolved;
 }
 
+constexpr const char* CommonPrefix = ".bonedecimate-";
+
+/// Of the running system: only files of processes of the same kernel have locks that can be trusted
+/// here. Another computer may share the folder. Empty where the system does not tell.
+const std::string& SystemName()
+{
+  static const std::string name = []
+  {
+    std::string id;
+    std::ifstream("/proc/sys/kernel/random/boot_id") >> id;
+    id.erase(std::remove(id.begin(), id.end(), '-'), id.end());
+    return id.substr(0, 12);
+  }();
+  return name;
+}
+
+/// ".bonedecimate-PROCESS-SYSTEM-", before a number and the target's extension.
 std::string PrefixOf(int process)
 {
-  return ".bonedecimate-" + std::to_string(process) + "-";
+  return CommonPrefix + std::to_string(process) + "-" + SystemName() + "-";
+}
+
+/// Whether the name is one that PrefixOf() begins, of any process of this system.
+bool IsOfThisSystem(const std::string& name)
+{
+  const std::size_t begin = std::string(CommonPrefix).size();
+  const std::size_t end = name.find('-', begin);
+  return !SystemName().empty() && name.rfind(CommonPrefix, 0) == 0 && end != std::string::npos &&
+    name.compare(end, SystemName().size() + 2, "-" + SystemName() + "-") == 0;
 }
 
 std::string TemporaryName(const fs::path& target, int attempt)
 {
   // The leading dot keeps it out of a batch that reads the folder.
   fs::path name = PrefixOf(getpid()) + std::to_string(attempt);
-  // In small letters: VTK's PLY writer appends ".ply" to any other name.
   name += target.has_extension() ? "." + ExtensionOf(target.string()) : "";
   return (target.parent_path() / name).string();
+}
+
+/// Whether the name still stands for the open file.
+bool IsNameOf(const std::string& name, int file)
+{
+  struct stat named = {};
+  struct stat opened = {};
+  return lstat(name.c_str(), &named) == 0 && fstat(file, &opened) == 0 &&
+    named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
+}
+
+/// Whoever is alive holds a lock on its files: what can be locked belongs to nobody.
+void RemoveIfAbandoned(const std::string& name)
+{
+  // For writing, without which network file systems give no lock.
+  const int file = open(name.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  if (file < 0)
+  {
+    return;
+  }
+  struct stat status = {};
+  const bool isFile = fstat(file, &status) == 0 && S_ISREG(status.st_mode);
+  // The lock is held while the name is removed: see Reserve().
+  if (isFile && flock(file, LOCK_EX | LOCK_NB) == 0 && IsNameOf(name, file))
+  {
+    unlink(name.c_str());
+  }
+  close(file);
+}
+
+std::vector<fs::path> FilesIn(
+  const std::string& folder, const std::function<bool(const std::string&)>& isWanted)
+{
+  std::vector<fs::path> found;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+  {
+    if (isWanted(entry.path().filename().string()))
+    {
+      found.push_back(entry.path());
+    }
+  }
+  return found;
+}
+
+/// Once for each folder that this process writes to.
+void RemoveAbandonedFilesIn(const fs::path& folder)
+{
+  static std::set<std::string> known;
+  const std::string name = folder.empty() ? "." : folder.string();
+  if (known.insert(name).second)
+  {
+    for (const fs::path& path : FilesIn(name, IsOfThisSystem))
+    {
+      RemoveIfAbandoned(path.string());
+    }
+  }
+}
+
+/// A new file with a lock on it; -1 and errno if there cannot be one, EEXIST if the name is taken.
+int Reserve(const std::string& name)
+{
+  const int file = open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file < 0)
+  {
+    return file;
+  }
+  // Another process may take the file for abandoned before the lock; it removes it with the lock
+  // held, and is gone when this one has it. A file system without locks removes nothing.
+  while (flock(file, LOCK_EX) != 0 && errno == EINTR)
+  {
+  }
+  if (!IsNameOf(name, file))
+  {
+    close(file);
+    errno = EEXIST;
+    return -1;
+  }
+  return file;
 }
 }
 
@@ -56,13 +165,13 @@ StagedFile::StagedFile(const std::string& target)
   : Target(target)
   , Resolved(ResolvedTarget(target).string())
 {
+  RemoveAbandonedFilesIn(fs::path(this->Resolved).parent_path());
   for (int attempt = 0; this->Temporary.empty(); ++attempt)
   {
     const std::string name = TemporaryName(this->Resolved, attempt);
-    const int file = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (file >= 0)
+    this->Lock = Reserve(name);
+    if (this->Lock >= 0)
     {
-      close(file);
       this->Temporary = name;
     }
     else if (errno != EEXIST)
@@ -78,6 +187,10 @@ StagedFile::~StagedFile()
   if (!this->Temporary.empty())
   {
     fs::remove(this->Temporary, ignored);
+  }
+  if (this->Lock >= 0)
+  {
+    close(this->Lock);
   }
 }
 
@@ -120,16 +233,10 @@ void StagedFile::Commit()
 
 void RemoveStagedFilesOf(int process, const std::string& folder)
 {
-  std::vector<fs::path> left;
+  const std::string prefix = PrefixOf(process);
   std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
-  {
-    if (entry.path().filename().string().rfind(PrefixOf(process), 0) == 0)
-    {
-      left.push_back(entry.path());
-    }
-  }
-  for (const fs::path& path : left)
+  for (const fs::path& path :
+    FilesIn(folder, [&](const std::string& name) { return name.rfind(prefix, 0) == 0; }))
   {
     fs::remove(path, ignored);
   }

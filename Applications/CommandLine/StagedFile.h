@@ -15,6 +15,11 @@ namespace bonedecimate
  * Reserves a temporary file in the target's folder, with the target's extension, and renames it
  * when all is well. Without Commit() the temporary file is removed. Every method throws
  * Failure(ExitCode::CouldNotWrite).
+ *
+ * A process that is killed leaves its temporary file behind. The next that writes to the folder
+ * removes it: as long as a process lives it holds a lock (flock) on each of its files, and the name
+ * tells on which running system, so that files of another computer that shares the folder are left
+ * alone.
  */
 class StagedFile
 {
@@ -40,6 +45,7 @@ private:
   std::string Target;
   std::string Resolved;  // the same without symbolic links
   std::string Temporary; // empty once committed
+  int Lock = -1;         // the open file that holds it
 };
 
 /// Removes what a process that died left of its own in a folder.

@@ -5,22 +5,19 @@
 #include "ExitCode.h"
 #include "FileChecks.h"
 #include "SurfaceFormat.h"
+#include "SurfaceReaders.h"
 #include "VtkMessages.h"
+#include "WritePly.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
-#include "vtkOBJReader.h"
 #include "vtkOBJWriter.h"
-#include "vtkPLYReader.h"
-#include "vtkPLYWriter.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataReader.h"
 #include "vtkPolyDataWriter.h"
-#include "vtkSTLReader.h"
 #include "vtkSTLWriter.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
@@ -37,46 +34,27 @@ vtkSmartPointer<vtkPolyData> ReadWith(Reader* reader, const std::string& path)
   return reader->GetOutput();
 }
 
-/// VTK numbers the groups of an OBJ file even where there is only one; such numbers are no loss to
-/// warn of.
-vtkSmartPointer<vtkPolyData> WithoutLoneGroup(const vtkSmartPointer<vtkPolyData>& surface)
-{
-  const char* const name = "GroupIds";
-  vtkDataArray* groups = surface->GetCellData()->GetArray(name);
-  double range[2] = { 0.0, 1.0 };
-  if (groups)
-  {
-    groups->GetRange(range);
-  }
-  if (range[0] == range[1])
-  {
-    surface->GetCellData()->RemoveArray(name);
-  }
-  return surface;
-}
-
-vtkSmartPointer<vtkPolyData> ReadFormat(const std::string& path)
+/// What the format's reader says about it goes to VTK's messages or to the warnings.
+vtkSmartPointer<vtkPolyData> ReadFormat(const std::string& path, std::vector<std::string>& warnings)
 {
   switch (FormatOf(path))
   {
     case SurfaceFormat::Obj:
-      return WithoutLoneGroup(ReadWith(vtkNew<vtkOBJReader>().Get(), path));
+      return ReadObjFile(path, warnings);
     case SurfaceFormat::Ply:
-      return ReadWith(vtkNew<vtkPLYReader>().Get(), path);
+      return ReadPlyFile(path, warnings);
+    case SurfaceFormat::Stl:
+      return ReadStlFile(path);
     case SurfaceFormat::Vtp:
+      CheckVtpFile(path);
       return ReadWith(vtkNew<vtkXMLPolyDataReader>().Get(), path);
     case SurfaceFormat::Vtk:
+      CheckVtkFile(path);
       return ReadWith(vtkNew<vtkPolyDataReader>().Get(), path);
-    case SurfaceFormat::Stl:
-    {
-      vtkNew<vtkSTLReader> reader;
-      reader->MergingOff();
-      return ReadWith(reader.Get(), path);
-    }
     case SurfaceFormat::Unknown:
       break;
   }
-  return nullptr;
+  Refuse(path, std::string("its extension is none of ") + SurfaceExtensions);
 }
 
 /// Offsets that run backwards or past the end would take every later step out of its arrays.
@@ -113,7 +91,7 @@ void WriteFormat(vtkPolyData* surface, const std::string& path)
     case SurfaceFormat::Obj:
       return WriteWith(vtkNew<vtkOBJWriter>().Get(), surface, path);
     case SurfaceFormat::Ply:
-      return WriteWith(vtkNew<vtkPLYWriter>().Get(), surface, path);
+      return WritePlyFile(surface, path);
     case SurfaceFormat::Stl:
     {
       vtkNew<vtkSTLWriter> writer;
@@ -179,9 +157,9 @@ vtkSmartPointer<vtkPolyData> WriteAndCheck(vtkPolyData* surface, const std::stri
 LoadedSurface ReadSurface(const std::string& path)
 {
   LoadedSurface loaded;
-  loaded.Warnings = CheckSurfaceFile(path);
+  CheckFile(path);
   TakeVtkMessages();
-  loaded.Surface = ReadFormat(path);
+  loaded.Surface = ReadFormat(path, loaded.Warnings);
   const VtkMessages messages = TakeVtkMessages();
   if (!messages.Errors.empty())
   {

@@ -44,12 +44,7 @@ bool HoldsArrays(SurfaceFormat format)
 
 bool HoldsDoubles(SurfaceFormat format)
 {
-  return format != SurfaceFormat::Stl && format != SurfaceFormat::Ply;
-}
-
-bool ReadsDoubles(SurfaceFormat format)
-{
-  return format == SurfaceFormat::Vtp || format == SurfaceFormat::Vtk;
+  return format != SurfaceFormat::Stl;
 }
 
 std::string BaseName(const std::string& path)

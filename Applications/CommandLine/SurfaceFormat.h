@@ -36,11 +36,8 @@ SurfaceFormat FormatOf(const std::string& path);
 /// Whether it keeps arrays (distances, report) beside points and triangles.
 bool HoldsArrays(SurfaceFormat format);
 
-/// Whether its coordinates keep double precision.
+/// Whether coordinates in double precision come back from it as they were.
 bool HoldsDoubles(SurfaceFormat format);
-
-/// Whether what is read from it has double precision.
-bool ReadsDoubles(SurfaceFormat format);
 
 /// The last part of a path: reports name files without their folders.
 std::string BaseName(const std::string& path);

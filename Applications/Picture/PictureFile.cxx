@@ -49,25 +49,18 @@ vtkSmartPointer<vtkUnsignedCharArray> RenderPng(const PictureSubject& subject)
   return writer->GetResult();
 }
 
-/// Under another name in the same folder first, so that nobody finds half a picture.
+/// Into the file itself, never by renaming another: whoever reserved it holds a lock on it.
 std::string WriteWhole(vtkUnsignedCharArray* bytes, const std::string& file)
 {
-  const fs::path target(file);
-  const fs::path temporary = target.parent_path() / (".part-" + target.filename().string());
-  std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
+  std::ofstream stream(file, std::ios::binary | std::ios::trunc);
   stream.write(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
   stream.close();
-  std::error_code error;
   if (stream)
-  {
-    fs::rename(temporary, target, error);
-  }
-  if (stream && !error)
   {
     return {};
   }
   std::error_code ignored;
-  fs::remove(temporary, ignored);
+  fs::remove(file, ignored);
   return "could not write the picture '" + file + "'";
 }
 }

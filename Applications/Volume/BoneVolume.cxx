@@ -9,6 +9,7 @@
 #include "NrrdHeader.h"
 #include "OutwardContour.h"
 #include "RawVoxels.h"
+#include "VoxelValues.h"
 #include "VtiVolume.h"
 
 #include "vtkPointData.h"
@@ -33,6 +34,7 @@ enum class VolumeKind
   Vti,
   MetaImage,
   Nrrd,
+  Nifti,
   DicomFolder
 };
 
@@ -43,7 +45,13 @@ VolumeKind KindOf(const std::string& path)
   {
     return HoldsDicom(path) ? VolumeKind::DicomFolder : VolumeKind::None;
   }
-  const std::string extension = LowerCase(fs::path(path).extension().string());
+  const fs::path name(path);
+  const std::string extension = LowerCase(name.extension().string());
+  const std::string before = LowerCase(name.stem().extension().string());
+  if (extension == ".nii" || (extension == ".gz" && before == ".nii"))
+  {
+    return VolumeKind::Nifti;
+  }
   if (extension == ".vti")
   {
     return VolumeKind::Vti;
@@ -77,6 +85,11 @@ Volume ReadVolume(const std::string& path)
     return RefusedVolume(
       "it is no volume: .vti, .mha, .mhd, .nrrd, .nhdr or a folder of DICOM files");
   }
+  if (kind == VolumeKind::Nifti)
+  {
+    return RefusedVolume("NIfTI is not read yet: save it as .nrrd or .mha, for example with 3D "
+                         "Slicer or ITK-SNAP");
+  }
   if (fs::file_size(path, error) == 0 || error)
   {
     return RefusedVolume("it is empty or cannot be read");
@@ -95,6 +108,38 @@ std::string NumberText(double value)
   text.imbue(std::locale::classic());
   text << value;
   return text.str();
+}
+
+/// "1, 2, 3 and 17 more"
+std::string ListText(const std::vector<int>& labels)
+{
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(labels.size(), most); ++i)
+  {
+    text += (i > 0 ? ", " : "") + std::to_string(labels[i]);
+  }
+  return labels.size() > most ? text + " and " + std::to_string(labels.size() - most) + " more"
+                              : text;
+}
+
+/// Of a label map the reason why it has no one surface; of a mask a note.
+void JudgeLabels(const Volume& volume, LabelPolicy policy, BoneSurface& bone)
+{
+  const ValueSurvey survey = SurveyValues(volume);
+  if (survey.Kind == ValueKind::Mask)
+  {
+    bone.Note += (bone.Note.empty() ? "" : "; ") + std::string("its values are 0 and ") +
+      std::to_string(survey.Labels[0]) +
+      " alone: a mask, whose surface has steps as large as its voxels";
+  }
+  if (survey.Kind == ValueKind::Labels && policy == LabelPolicy::Refuse)
+  {
+    bone.Problem = "it is a label map with the labels " + ListText(survey.Labels) +
+      ", whose numbers are names and no intensities: one surface at a value would fuse the parts "
+      "and shift their surfaces; export each label as a surface or as a binary label map of its "
+      "own, for example from 3D Slicer, or give --intensities on if these are measured values";
+  }
 }
 
 /// Why the voxels have no surface at that value, or an empty text.
@@ -123,7 +168,7 @@ bool IsVolume(const std::string& path)
   return KindOf(path) != VolumeKind::None;
 }
 
-BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield)
+BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield, LabelPolicy policy)
 {
   BoneSurface bone;
   if (!std::isfinite(hounsfield))
@@ -134,6 +179,10 @@ BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield)
   const Volume volume = ReadVolume(path);
   bone.Note = volume.Note;
   bone.Problem = volume.Problem.empty() ? ValuesProblem(volume.Image, hounsfield) : volume.Problem;
+  if (bone.Problem.empty())
+  {
+    JudgeLabels(volume, policy, bone);
+  }
   if (bone.Problem.empty())
   {
     bone.Surface = OutwardContour(volume, hounsfield);

@@ -14,7 +14,8 @@
 
 namespace bonedecimate
 {
-/// True for .vti, .mha, .mhd, .nrrd, .nhdr files and for folders that hold DICOM files.
+/// True for .vti, .mha, .mhd, .nrrd, .nhdr files and for folders that hold DICOM files; and for
+/// NIfTI (.nii, .nii.gz), which is a volume, but refused with that reason.
 bool IsVolume(const std::string& path);
 
 struct BoneSurface
@@ -26,12 +27,20 @@ struct BoneSurface
   std::string Note;       ///< What of the input was left aside, for the user; may be empty.
 };
 
+/// How the values of a volume are taken that look like the labels of a segmentation.
+enum class LabelPolicy
+{
+  Refuse,       ///< One surface would fuse the labels and lie at another place for each of them.
+  AsIntensities ///< As those of any other volume.
+};
+
 /**
  * The surface at the given Hounsfield value by flying edges over the whole volume, normals
  * outwards, transformed by the volume's origin, spacing and direction. Nothing of the header but
  * its geometry and its values reaches the surface.
  */
-BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield);
+BoneSurface ExtractBoneSurface(
+  const std::string& path, double hounsfield, LabelPolicy policy = LabelPolicy::Refuse);
 }
 
 #endif

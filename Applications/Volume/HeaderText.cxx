@@ -24,12 +24,20 @@ std::string ReadBeginning(const std::string& path)
   return text;
 }
 
-/// Lines that are no fields (comments, key:=value pairs, anything else) are passed over.
+/// Lines that are no fields (comments, anything else) are passed over.
 void AddField(const std::string& line, char separator, HeaderText& header)
 {
   const std::size_t place = line.find(separator);
   const bool isPair = separator == ':' && line.compare(place + 1, 1, "=") == 0;
-  if (place != std::string::npos && line[0] != '#' && !isPair)
+  if (place == std::string::npos || line[0] == '#')
+  {
+    return;
+  }
+  if (isPair)
+  {
+    header.PairKeys.insert(LowerCase(Trimmed(line.substr(0, place))));
+  }
+  else
   {
     header.Fields[LowerCase(Trimmed(line.substr(0, place)))] = Trimmed(line.substr(place + 1));
   }

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,10 @@ struct HeaderSyntax
 struct HeaderText
 {
   std::map<std::string, std::string> Fields; ///< Keys in lower case.
-  std::int64_t End = 0;                      ///< Bytes before the voxels, if they are in this file.
-  std::string Problem;                       ///< Why it could not be read; empty if it was.
+  std::set<std::string>
+    PairKeys;           ///< Of pairs key:=value, in lower case; their values are not kept.
+  std::int64_t End = 0; ///< Bytes before the voxels, if they are in this file.
+  std::string Problem;  ///< Why it could not be read; empty if it was.
 
   /// The value of the first of these keys that is there; empty if none is.
   std::string Value(const std::vector<std::string>& keys) const;

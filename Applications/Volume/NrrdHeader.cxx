@@ -106,12 +106,23 @@ std::string ReadGeometry(const HeaderText& header, VolumeGeometry& geometry)
   return GeometryProblem(geometry);
 }
 
+/// 3D Slicer describes each segment of a segmentation by pairs such as "Segment0_ID:=...".
+bool IsSegmentation(const HeaderText& header)
+{
+  return header.PairKeys.count("segment0_id") > 0;
+}
+
 /// What of the format is not read here, in words; empty if all is.
 std::string Unsupported(const HeaderText& header)
 {
   const std::string dimension = header.Value({ "dimension" });
   const std::string encoding = LowerCase(header.Value({ "encoding" }));
   const std::string dataFile = header.Value({ "data file", "datafile" });
+  if (dimension == "4" && IsSegmentation(header))
+  {
+    return "it is a segmentation of 3D Slicer in several layers, because segments overlap: export "
+           "each segment from 3D Slicer as a surface or as a binary label map of its own";
+  }
   if (dimension != "3")
   {
     return "it has dimension " + dimension +
@@ -158,6 +169,7 @@ VoxelLayout ReadNrrdHeader(const std::string& path)
     return RefusedLayout("its type or sizes cannot be read");
   }
   std::copy(size->begin(), size->end(), layout.Size.begin());
+  layout.IsSegmentation = IsSegmentation(header);
   ReadStorage(header, path, layout);
   layout.Problem = ReadGeometry(header, layout.Geometry);
   return layout;

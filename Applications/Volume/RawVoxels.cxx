@@ -105,6 +105,7 @@ Volume ReadVoxels(const VoxelLayout& layout)
   }
   Volume volume;
   volume.Geometry = layout.Geometry;
+  volume.IsSegmentation = layout.IsSegmentation;
   volume.Image = AllocateImage(layout.Size, layout.ScalarType);
   const auto voxels = static_cast<std::size_t>(volume.Image->GetNumberOfPoints());
   const std::size_t bytes = voxels * static_cast<std::size_t>(bytesPerVoxel);

@@ -25,7 +25,8 @@ struct VoxelLayout
   std::string DataFile;         ///< Where the voxels lie.
   std::int64_t BytesBefore = 0; ///< In DataFile; negative: the voxels are the end of the file.
   VolumeGeometry Geometry;
-  std::string Problem; ///< Why the header is refused; empty if it is not.
+  bool IsSegmentation = false; ///< The header says that values are labels.
+  std::string Problem;         ///< Why the header is refused; empty if it is not.
 };
 
 VoxelLayout RefusedLayout(const std::string& problem);

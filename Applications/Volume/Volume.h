@@ -32,8 +32,9 @@ struct Volume
   vtkSmartPointer<vtkImageData>
     Image; ///< One value a voxel; its own origin and spacing mean nothing.
   VolumeGeometry Geometry;
-  std::string Problem; ///< Why there is no image; empty if there is one.
-  std::string Note;    ///< What of the input was left aside, for the user; may be empty.
+  std::string Problem;         ///< Why there is no image; empty if there is one.
+  bool IsSegmentation = false; ///< The header says that values are labels.
+  std::string Note;            ///< What of the input was left aside, for the user; may be empty.
 };
 
 Volume RefusedVolume(const std::string& problem);

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""SIGINT and SIGTERM end a run; nothing of it is left."""
+"""SIGINT, SIGTERM and SIGHUP end a run; nothing of it is left. What a killed run leaves, the next one removes."""
 
+import pathlib
 import signal
 import subprocess
 import time
@@ -10,14 +11,18 @@ from application import INTERRUPTED, PROGRAM, TEMPORARY, ApplicationTest, main, 
 
 
 class Interruption(ApplicationTest):
-    def start(self, *words):
+    def start(self, *words, **keywords):
         return subprocess.Popen(
             [PROGRAM, *words],
             cwd=self.folder,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             encoding="utf-8",
+            **keywords,
         )
+
+    def temporaries(self):
+        return sorted(path.name for path in self.folder.glob(TEMPORARY + "*"))
 
     def wait_for_work(self, folder):
         """Until the program has reserved its output, which it does before it reads."""
@@ -26,13 +31,65 @@ class Interruption(ApplicationTest):
 
     def test_signals_leave_nothing(self):
         write(torus(600, 600), self.path("in.ply"))
-        for name in (signal.SIGINT, signal.SIGTERM):
+        for name in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             process = self.start("in.ply", "out.ply", "--also", "out.stl", "--report", "report.json")
             self.wait_for_work(self.folder)
             process.send_signal(name)
             output, errors = process.communicate()
             self.assertEqual((process.returncode, output, errors), (INTERRUPTED, "", "bonedecimate: interrupted\n"))
             self.assertEqual(self.names(), ["in.ply"])
+
+    def test_hangup_is_ignored_where_it_was_ignored_before(self):
+        """As under nohup."""
+        write(torus(100, 100), self.path("in.ply"))
+        process = self.start("in.ply", "out.ply", preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        self.wait_for_work(self.folder)
+        process.send_signal(signal.SIGHUP)
+        self.assertEqual(process.communicate()[1], "")
+        self.assertEqual(process.returncode, 0)
+
+    def test_next_run_removes_what_a_killed_one_left(self):
+        write(torus(200, 200), self.path("in.ply"))
+        write(torus(), self.path("small.ply"))
+        process = self.start("in.ply", "out.ply", "--also", "out.stl", "--report", "report.json")
+        self.wait_for_work(self.folder)
+        process.kill()
+        process.communicate()
+        self.assertGreater(len(self.temporaries()), 0)
+        self.path("elsewhere").mkdir()
+        self.succeed("small.ply", "elsewhere/small.ply", "--quiet")
+        self.assertGreater(len(self.temporaries()), 0, "only the folder that a run writes to is its business")
+        self.succeed("check", "small.ply", "--json", "found.json", "--quiet")
+        self.assertEqual(self.temporaries(), [])
+        self.assertFalse(self.path("out.ply").exists())
+
+    def test_run_leaves_the_files_of_a_living_one_alone(self):
+        write(torus(100, 100), self.path("in.ply"))
+        write(torus(), self.path("small.ply"))
+        process = self.start("in.ply", "out.ply", "--also", "out.stl", "--picture", "out.png")
+        self.wait_for_work(self.folder)
+        process.send_signal(signal.SIGSTOP)
+        before = self.temporaries()
+        self.succeed("small.ply", "other.ply", "--quiet")
+        self.assertEqual(self.temporaries(), before)
+        process.send_signal(signal.SIGCONT)
+        self.assertEqual((process.communicate()[1], process.returncode), ("", 0))
+        self.assertEqual(self.temporaries(), [])
+        for name in ("out.ply", "out.stl", "out.png"):
+            self.assertGreater(self.path(name).stat().st_size, 0)
+
+    def test_files_of_another_system_and_of_other_programs_are_left_alone(self):
+        write(torus(), self.path("small.ply"))
+        boot = pathlib.Path("/proc/sys/kernel/random/boot_id").read_text(encoding="ascii").replace("-", "")[:12]
+        names = [".bonedecimate-1-000000000000-0.ply", ".bonedecimate-1-0.ply", f".bonedecimate-{boot}.ply"]
+        for name in names:
+            self.path(name).write_text("of another")
+        self.path(f".bonedecimate-1-{boot}-0.ply").mkdir()  # no file
+        self.path(f".bonedecimate-1-{boot}-1.ply").symlink_to("small.ply")
+        names += [f".bonedecimate-1-{boot}-0.ply", f".bonedecimate-1-{boot}-1.ply"]
+        self.path(f".bonedecimate-1-{boot}-2.ply").write_text("of a process that is no more")
+        self.succeed("small.ply", "out.ply", "--quiet")
+        self.assertEqual(self.temporaries(), sorted(names))
 
     def test_interrupted_batch_stops_its_children(self):
         self.path("bones").mkdir()

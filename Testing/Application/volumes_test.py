@@ -2,7 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A CT volume instead of a surface."""
 
+import random
+
 import vtk
+from vtk.util import numpy_support
 
 from application import REFUSED, USAGE, ApplicationTest, main, read
 
@@ -22,6 +25,39 @@ def ball(size=24):
     return image
 
 
+def labelled(labels, size=24, kind=vtk.VTK_UNSIGNED_CHAR, background=0):
+    """Slabs of those labels side by side in a block within the background."""
+    image = vtk.vtkImageData()
+    image.SetDimensions(size, size, size)
+    image.AllocateScalars(kind, 1)
+    image.GetPointData().GetScalars().Fill(background)
+    width = (size - 8) // len(labels)
+    for x in range(4, 4 + width * len(labels)):
+        for y in range(6, size - 6):
+            for z in range(6, size - 6):
+                image.SetScalarComponentFromDouble(x, y, z, 0, labels[(x - 4) // width])
+    return image
+
+
+def bytes_of(image):
+    return numpy_support.vtk_to_numpy(image.GetPointData().GetScalars()).tobytes()
+
+
+def segmentation(segments, layers=1, size=24):
+    """The .seg.nrrd of 3D Slicer with those labels; with layers each segment has one, as where they overlap."""
+    shape = f"{layers} {size} {size} {size}" if layers > 1 else f"{size} {size} {size}"
+    kinds = "list domain domain domain" if layers > 1 else "domain domain domain"
+    none = "none " if layers > 1 else ""
+    header = (f"NRRD0004\n# Complete NRRD file format specification at:\ntype: unsigned char\n"
+              f"dimension: {4 if layers > 1 else 3}\nspace: left-posterior-superior\nsizes: {shape}\n"
+              f"space directions: {none}(1,0,0) (0,1,0) (0,0,1)\nkinds: {kinds}\nendian: little\nencoding: raw\n"
+              "space origin: (0,0,0)\n")
+    for i, label in enumerate(segments):
+        header += f"Segment{i}_ID:=Segment_{i + 1}\nSegment{i}_LabelValue:={label}\nSegment{i}_Layer:=0\n"
+    voxels = bytes_of(labelled(segments, size))
+    return header.encode() + b"\n" + voxels * layers
+
+
 class Volumes(ApplicationTest):
     def setUp(self):
         super().setUp()
@@ -29,9 +65,12 @@ class Volumes(ApplicationTest):
         self.write_ball(self.path("ct.mha"))
 
     def write_ball(self, path):
+        self.write(ball(), path)
+
+    def write(self, image, path):
         writer = vtk.vtkXMLImageDataWriter() if path.suffix == ".vti" else vtk.vtkMetaImageWriter()
         writer.SetFileName(str(path))
-        writer.SetInputData(ball())
+        writer.SetInputData(image)
         writer.Write()
 
     def test_bone_surface_of_a_volume(self):
@@ -62,6 +101,81 @@ class Volumes(ApplicationTest):
             whole = self.path(name).read_bytes()
             self.path(name).write_bytes(whole[: len(whole) // 2])
             self.fail_with(REFUSED, name, "out.vtp", "--iso", 226)
+
+    def refuse_labels(self, name, says):
+        for iso in (0.5, 1.5):
+            answer = self.fail_with(REFUSED, name, "out.vtp", "--iso", iso, says=says)
+            self.assertIn("label map", answer.stderr)
+
+    def test_label_maps_are_refused_with_the_way_to_go(self):
+        self.path("two.seg.nrrd").write_bytes(segmentation((1, 2)))
+        self.refuse_labels("two.seg.nrrd", "with the labels 1, 2,")
+        self.path("layers.seg.nrrd").write_bytes(segmentation((1, 1), layers=2))
+        self.refuse_labels("layers.seg.nrrd", "several layers")
+        for name in ("map.mha", "map.vti"):
+            for kind in (vtk.VTK_UNSIGNED_CHAR, vtk.VTK_SHORT, vtk.VTK_FLOAT):
+                with self.subTest(name=name, kind=kind):
+                    self.write(labelled((3, 17, 4), kind=kind), self.path(name))
+                    self.refuse_labels(name, "with the labels 3, 4, 17,")
+        self.write(labelled((1, 2, 3, 4, 5, 6, 7, 8)), self.path("many.mha"))
+        self.refuse_labels("many.mha", "1, 2, 3, 4, 5 and 3 more")
+        self.fail_with(REFUSED, "many.mha", "out.vtp", "--iso", 0.5, says="--intensities on")
+
+    def test_label_maps_can_be_taken_for_intensities_on_request(self):
+        self.write(labelled((1, 2)), self.path("map.mha"))
+        words = ("--iso", 0.5, "--intensities", "on", "--report", "report.json")
+        self.succeed("map.mha", "out.vtp", *words)
+        self.assertEqual(self.report()["command_line"]["intensities"], "on")
+        self.fail_with(REFUSED, "map.mha", "out.vtp", "--iso", 0.5, "--intensities", "off", says="label map")
+        self.fail_with(USAGE, "map.mha", "out.vtp", "--iso", 0.5, "--intensities", "yes", says="--intensities")
+        self.fail_with(USAGE, "out.vtp", "again.vtp", "--intensities", "on", says="together with --iso")
+        self.path("maps").mkdir()
+        self.write(labelled((1, 2)), self.path("maps/map.mha"))
+        self.succeed("maps", "out", "--iso", 0.5, "--intensities", "on")
+        self.assertTrue(self.path("out/map.vtp").exists())
+
+    def test_masks_are_taken_with_a_note(self):
+        for label, iso in ((1, 0.5), (255, 127.5)):
+            for name in ("mask.mha", "mask.vti"):
+                self.write(labelled((label,)), self.path(name))
+                text = self.succeed(name, "out.vtp", "--iso", iso).stdout
+                self.assertIn(f"its values are 0 and {label} alone: a mask", text)
+        self.path("one.seg.nrrd").write_bytes(segmentation((1,)))
+        self.assertIn("a mask", self.succeed("one.seg.nrrd", "out.vtp", "--iso", 0.5).stdout)
+
+    def test_intensities_are_never_taken_for_labels(self):
+        """Whole numbers that are not negative, in all the ways in which intensities are stored so."""
+        generator = random.Random(1)
+        noisy = ball(16)
+        for window in (255, 15, 7):
+            scalars = noisy.GetPointData().GetScalars()
+            values = vtk.vtkUnsignedCharArray()
+            for i in range(scalars.GetNumberOfTuples()):
+                share = (scalars.GetTuple1(i) + 1000.0) / 2000.0 + generator.gauss(0.0, 0.07)
+                values.InsertNextValue(int(max(0.0, min(1.0, share)) * window))
+            image = vtk.vtkImageData()
+            image.SetDimensions(noisy.GetDimensions())
+            image.GetPointData().SetScalars(values)
+            for name in ("window.mha", "window.vti"):
+                self.write(image, self.path(name))
+                text = self.succeed(name, "out.vtp", "--iso", 0.61 * window).stdout
+                self.assertNotIn("mask", text)
+        for kind, shift in ((vtk.VTK_UNSIGNED_SHORT, 1000), (vtk.VTK_SHORT, 0)):
+            shifted = vtk.vtkImageShiftScale()
+            shifted.SetInputData(ball())
+            shifted.SetShift(shift)
+            shifted.SetOutputScalarType(kind)
+            shifted.Update()
+            self.write(shifted.GetOutput(), self.path("ct.mha"))
+            self.assertNotIn("mask", self.succeed("ct.mha", "out.vtp", "--iso", 226 + shift).stdout)
+        tissues = labelled((40, 700), kind=vtk.VTK_SHORT, background=-1000)
+        self.write(tissues, self.path("tissues.mha"))
+        self.succeed("tissues.mha", "out.vtp", "--iso", 300)
+
+    def test_nifti_is_refused_by_its_name(self):
+        for name in ("scan.nii", "scan.nii.gz"):
+            self.path(name).write_bytes(b"\x5c\x01\0\0")
+            self.fail_with(REFUSED, name, "out.vtp", "--iso", 226, says="NIfTI is not read yet: save it as .nrrd or .mha")
 
     def test_volumes_of_a_batch(self):
         self.path("scans").mkdir()

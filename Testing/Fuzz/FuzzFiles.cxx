@@ -10,9 +10,15 @@
 #include "ExitCode.h"
 #include "FileChecks.h"
 #include "HeaderText.h"
-#ifdef BONEDECIMATE_FUZZ_VOLUMES
+#ifdef BONEDECIMATE_FUZZ_WITH_VTK
 #include "MetaImageHeader.h"
 #include "NrrdHeader.h"
+#include "SurfaceReaders.h"
+#endif
+
+#ifdef BONEDECIMATE_FUZZ_WITH_VTK
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #endif
 
 #include <cstdio>
@@ -50,7 +56,7 @@ public:
   const std::string Path;
 };
 
-#ifdef BONEDECIMATE_FUZZ_VOLUMES
+#ifdef BONEDECIMATE_FUZZ_WITH_VTK
 /// The header and, if there are few enough, the voxels.
 void ReadVolume(const volume::VoxelLayout& layout)
 {
@@ -71,22 +77,41 @@ void ReadVolume(const volume::VoxelLayout& layout)
 }
 #endif
 
+#ifdef BONEDECIMATE_FUZZ_WITH_VTK
+/// Every corner of what was read is a point, and every array has a tuple for each.
+void CheckSurface(vtkPolyData* surface)
+{
+  vtkCellArray* polygons = surface->GetPolys();
+  bool isWhole = polygons->IsValid() && surface->CheckAttributes() == 0;
+  for (vtkIdType i = 0; isWhole && i < polygons->GetNumberOfConnectivityIds(); ++i)
+  {
+    const double corner = polygons->GetConnectivityArray()->GetTuple1(i);
+    isWhole = corner >= 0.0 && corner < static_cast<double>(surface->GetNumberOfPoints());
+  }
+  if (!isWhole)
+  {
+    std::fputs("broken: a surface with corners or arrays that do not fit\n", stderr);
+    std::abort();
+  }
+}
+#endif
+
 void ReadAs(int kind, const std::string& path)
 {
   std::vector<std::string> warnings;
   switch (kind)
   {
-    case 0:
-      return CheckObjFile(path, warnings);
-    case 1:
-      return CheckStlFile(path);
-    case 2:
-      return CheckPlyFile(path, warnings);
     case 3:
       return CheckVtkFile(path);
     case 4:
       return CheckVtpFile(path);
-#ifdef BONEDECIMATE_FUZZ_VOLUMES
+#ifdef BONEDECIMATE_FUZZ_WITH_VTK
+    case 0:
+      return CheckSurface(ReadObjFile(path, warnings));
+    case 1:
+      return CheckSurface(ReadStlFile(path));
+    case 2:
+      return CheckSurface(ReadPlyFile(path, warnings));
     case 5:
       return ReadVolume(volume::ReadMetaImageHeader(path));
     case 6:

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file WritePly.h
+ * @brief Binary PLY whose coordinates have the precision of the surface's.
+ */
+#ifndef BoneDecimate_Applications_WritePly_h
+#define BoneDecimate_Applications_WritePly_h
+
+#include "vtkPolyData.h"
+
+#include <string>
+
+namespace bonedecimate
+{
+/**
+ * Points, polygons and active texture coordinates, little-endian. Of a surface in single precision
+ * the bytes are those of vtkPLYWriter, which rounds doubles.
+ * @throws Failure(ExitCode::CouldNotWrite)
+ */
+void WritePlyFile(vtkPolyData* surface, const std::string& path);
+}
+
+#endif
