@@ -136,6 +136,7 @@ void AddCommonFlags(CLI::App& app, Arguments& arguments)
   file("--reference", arguments.Reference,
     "The surface from which INPUT was made by runs before: --max-error is promised and proved "
     "against it, and distances are measured to it.");
+  AddUnit(app, arguments.Unit);
   file("--report", arguments.Report, "Write the report as JSON.");
   file("--page", arguments.Page,
     "Write a self-contained HTML page for people, with the picture in it.");
@@ -294,6 +295,10 @@ std::optional<Arguments> ParseArguments(int argc, char* argv[])
   const bool thesis = argc > 1 && std::string(argv[1]) == "thesis";
   const bool run =
     thesis ? ParseThesisForm(argc, argv, arguments) : ParseOwnForm(argc, argv, arguments);
+  if (!arguments.Unit.IsMillimeter())
+  {
+    arguments.Given["unit"] = arguments.Unit.Name;
+  }
   return run ? std::optional<Arguments>(std::move(arguments)) : std::nullopt;
 }
 }

@@ -50,6 +50,7 @@ void AddOptions(CLI::App& app, CertifyArguments& arguments)
       "Relative precision of average and root mean square; default 0.005." },
     [&arguments](double value) { arguments.Precision = value; });
   AddThreads(app, arguments.Threads);
+  AddUnit(app, arguments.Unit);
   app.add_flag("--first-proof", arguments.FirstProof,
     WrappedHelp("Stop at the tolerance: no closer bounds where it is proved."));
   app.add_flag(
@@ -72,9 +73,9 @@ public:
 
   void Read()
   {
-    const LoadedSurface reference = ReadSurface(this->Asked.Reference);
-    const LoadedSurface result = ReadSurface(this->Asked.Result);
-    for (const LoadedSurface* loaded : { &reference, &result })
+    const MillimeterSurface reference = ReadInMillimeters(this->Asked.Reference, this->Asked.Unit);
+    const MillimeterSurface result = ReadInMillimeters(this->Asked.Result, this->Asked.Unit);
+    for (const MillimeterSurface* loaded : { &reference, &result })
     {
       this->Warnings.insert(this->Warnings.end(), loaded->Warnings.begin(), loaded->Warnings.end());
     }
@@ -120,8 +121,8 @@ public:
     if (!this->Asked.Json.empty())
     {
       WriteTextFile(this->Asked.Json,
-        ComposeJsonCertificate(
-          this->Filter->GetOutput(), this->Asked.Reference, this->Asked.Result, this->Warnings));
+        ComposeJsonCertificate(this->Filter->GetOutput(), this->Asked.Reference, this->Asked.Result,
+          this->Asked.Unit.Name, this->Warnings));
     }
   }
 

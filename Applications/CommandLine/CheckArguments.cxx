@@ -207,6 +207,8 @@ void CheckArguments(const Arguments& arguments)
   {
     RequireCommandOrFile(arguments.Inputs[0]);
   }
+  Require(!arguments.Iso || arguments.Unit.IsMillimeter(),
+    "--unit is for surfaces; a volume for --iso is in millimeters by its header");
   CheckIdleOptions(arguments);
   if (IsBatch(arguments))
   {

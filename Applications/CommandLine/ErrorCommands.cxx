@@ -23,9 +23,11 @@
 #include "vtkNew.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -71,6 +73,7 @@ void AddOptions(CLI::App& app, ErrorArguments& arguments, bool isCurve)
     ->type_name("Fast|Balanced|Accurate")
     ->check(CLI::IsMember({ "Fast", "Balanced", "Accurate" }, CLI::ignore_case).description(""));
   AddThreads(app, arguments.Threads);
+  AddUnit(app, arguments.Unit);
   app.add_flag("--quiet", arguments.Quiet, "Nothing on the standard output.");
 }
 
@@ -85,7 +88,7 @@ public:
 
   void Read()
   {
-    const LoadedSurface loaded = ReadSurface(this->Asked.Input);
+    const MillimeterSurface loaded = ReadInMillimeters(this->Asked.Input, this->Asked.Unit);
     this->Warnings = loaded.Warnings;
     this->Filter->SetInputData(loaded.Surface);
   }
@@ -110,8 +113,10 @@ public:
     const VtkMessages messages = TakeVtkMessages();
     if (!messages.Errors.empty())
     {
-      Refuse(this->Asked.Input, messages.Errors.front());
+      Refuse(this->Asked.Input, WithUnitHint(messages.Errors.front()));
     }
+    std::transform(messages.Warnings.begin(), messages.Warnings.end(),
+      std::back_inserter(this->Warnings), WithUnitHint);
   }
 
   void Write()
@@ -203,6 +208,7 @@ private:
     Json report = Json::object();
     report["version"] = Version();
     report["input"] = BaseName(this->Asked.Input);
+    report["unit"] = this->Asked.Unit.Name; // of the coordinates in the file
     report["mode"] = this->Asked.Mode;
     if (this->Asked.Triangles > 0)
     {

@@ -34,7 +34,7 @@ std::vector<vtkIdType> FirstIds(vtkBoneCheck* check, int finding)
 }
 
 nlohmann::ordered_json Compose(
-  vtkBoneCheck* check, const std::string& file, const std::vector<std::string>& warnings)
+  vtkBoneCheck* check, const InspectArguments& arguments, const std::vector<std::string>& warnings)
 {
   nlohmann::ordered_json findings = nlohmann::ordered_json::array();
   for (int i = 0; i < check->GetNumberOfFindings(); ++i)
@@ -52,8 +52,8 @@ nlohmann::ordered_json Compose(
     }
     findings.push_back(finding);
   }
-  return { { "file", BaseName(file) }, { "usable", check->IsUsable() }, { "warnings", warnings },
-    { "findings", findings } };
+  return { { "file", BaseName(arguments.File) }, { "unit", arguments.Unit.Name },
+    { "usable", check->IsUsable() }, { "warnings", warnings }, { "findings", findings } };
 }
 
 /// "refused   3 points are not finite: 5, 7, 19"
@@ -104,6 +104,7 @@ std::optional<InspectArguments> ParseInspectArguments(int argc, char* argv[])
   app.add_option("--json", arguments.Json, WrappedHelp("Write everything found as JSON."))
     ->type_name("FILE");
   AddThreads(app, arguments.Threads);
+  AddUnit(app, arguments.Unit);
   app.add_flag("--quiet", arguments.Quiet, "Nothing on the standard output.");
   if (!ParseWords(app, WordsOf(argc, argv, 2)))
   {
@@ -125,7 +126,7 @@ std::optional<InspectArguments> ParseInspectArguments(int argc, char* argv[])
 //------------------------------------------------------------------------------
 ExitCode RunInspect(const InspectArguments& arguments)
 {
-  const LoadedSurface loaded = ReadSurface(arguments.File);
+  const MillimeterSurface loaded = ReadInMillimeters(arguments.File, arguments.Unit);
   StopIfInterrupted();
   vtkNew<vtkBoneCheck> check;
   check->SetInputData(loaded.Surface);
@@ -135,7 +136,7 @@ ExitCode RunInspect(const InspectArguments& arguments)
   if (!arguments.Json.empty())
   {
     WriteTextFile(arguments.Json,
-      Compose(check, arguments.File, loaded.Warnings)
+      Compose(check, arguments, loaded.Warnings)
           .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
         "\n");
   }

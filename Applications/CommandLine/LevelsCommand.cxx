@@ -4,6 +4,7 @@
 
 #include "BoundText.h"
 #include "FileChecks.h"
+#include "FileRounding.h"
 #include "FilterOptions.h"
 #include "HelpFormatter.h"
 #include "Interruption.h"
@@ -26,6 +27,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <list>
 #include <memory>
 
@@ -78,6 +80,7 @@ void AddLevelOptions(CLI::App& app, LevelsArguments& arguments)
                   "points, such as a bone registered to it."))
     ->type_name("FILE");
   AddThreads(app, arguments.Threads);
+  AddUnit(app, arguments.Unit);
   app.add_flag("--quiet", arguments.Quiet, "Nothing on the standard output.");
 }
 
@@ -134,6 +137,10 @@ public:
   void Read()
   {
     this->Filter->SetInputData(this->ReadOne(this->Asked.Input));
+    if (this->Asked.MaximumError > 0.0)
+    {
+      this->Filter->SetMaximumError(this->ErrorOfRun());
+    }
     if (!this->Asked.Log.empty())
     {
       this->Filter->SetLog(ReadBytes(this->Asked.Log));
@@ -225,9 +232,22 @@ public:
 private:
   vtkSmartPointer<vtkPolyData> ReadOne(const std::string& path)
   {
-    const LoadedSurface loaded = ReadSurface(path);
+    const MillimeterSurface loaded = ReadInMillimeters(path, this->Asked.Unit);
+    this->InFile = loaded.InFile;
+    this->IsSingle = loaded.IsSingle();
     this->Warnings.insert(this->Warnings.end(), loaded.Warnings.begin(), loaded.Warnings.end());
     return loaded.Surface;
+  }
+
+  /// Levels are rounded once more if their files are in another unit.
+  double ErrorOfRun()
+  {
+    const LengthUnit& unit = this->Asked.Unit;
+    const bool writesSingle = this->IsSingle ||
+      (!this->Asked.Output.empty() && !HoldsDoubles(FormatOf(this->Asked.Output)));
+    auto* input = vtkPolyData::SafeDownCast(this->Filter->GetInput());
+    return ErrorWithRoom(this->Asked.MaximumError, LargestRounding(input, unit, writesSingle), unit,
+      this->Asked.Input);
   }
 
   /// @param source Who is to blame for an error.
@@ -238,9 +258,10 @@ private:
     const VtkMessages messages = TakeVtkMessages();
     if (!messages.Errors.empty())
     {
-      Refuse(source, messages.Errors.front());
+      Refuse(source, WithUnitHint(messages.Errors.front()));
     }
-    this->Warnings.insert(this->Warnings.end(), messages.Warnings.begin(), messages.Warnings.end());
+    std::transform(messages.Warnings.begin(), messages.Warnings.end(),
+      std::back_inserter(this->Warnings), WithUnitHint);
   }
 
   void WriteLevel(int triangles, double error, std::list<StagedFile>& files)
@@ -256,7 +277,8 @@ private:
     {
       KeepSurfaces(this->Asked, name);
       StagedFile& file = files.emplace_back(name);
-      WriteSurface(level, file.GetTemporary(), file.GetTarget());
+      WriteSurface(FromMillimeters(level, this->Asked.Unit, this->IsSingle, this->InFile),
+        file.GetTemporary(), file.GetTarget());
       this->Written.push_back(name);
     }
   }
@@ -299,6 +321,8 @@ private:
   std::vector<std::string> Warnings;
   std::vector<std::string> Written;
   std::optional<StagedFile> Record;
+  bool IsSingle = false;               // the file that was read last
+  vtkSmartPointer<vtkPolyData> InFile; // the same, in its unit
   vtkNew<vtkBoneDecimateLevels> Filter;
 };
 

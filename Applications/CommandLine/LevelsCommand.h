@@ -9,6 +9,7 @@
 #define BoneDecimate_Applications_LevelsCommand_h
 
 #include "ExitCode.h"
+#include "LengthUnit.h"
 
 #include <optional>
 #include <string>
@@ -37,6 +38,7 @@ struct LevelsArguments
   /// @}
 
   int Threads = 0;
+  LengthUnit Unit; ///< Of the coordinates in files of surfaces; a log is in millimeters.
   bool Quiet = false;
 };
 
