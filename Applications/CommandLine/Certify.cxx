@@ -90,7 +90,10 @@ public:
 
   void Compare()
   {
-    this->Filter->SetTolerance(this->Asked.Tolerance.value_or(-1.0));
+    if (this->Asked.Tolerance)
+    {
+      this->Filter->SetTolerance(*this->Asked.Tolerance);
+    }
     this->Filter->SetToleranceArrayName(this->Asked.ToleranceArray);
     this->Filter->SetTightBounds(!this->Asked.FirstProof);
     this->Filter->SetRelativeGap(this->Asked.Gap);

@@ -59,7 +59,10 @@ void Certify(const ProvedRun& run, vtkPolyData* readBack, const std::string& tar
   vtkNew<vtkBoneSurfaceDistance> distance;
   distance->SetInputData(0, run.Input);
   distance->SetInputData(1, readBack);
-  distance->SetTolerance(run.Tolerance > 0.0 ? run.Tolerance : -1.0);
+  if (run.Tolerance > 0.0)
+  {
+    distance->SetTolerance(run.Tolerance);
+  }
   distance->SetToleranceArrayName(run.ToleranceArray);
   distance->SetTightBounds(false);
   distance->SetMeasureBorders(run.WithBorders);

@@ -3,6 +3,7 @@
 #include "vtkBoneCheck.h"
 
 #include "Doctor/Doctor.h"
+#include "RejectedValues.h"
 #include "ReportCells.h"
 #include "SurfaceConversion.h"
 
@@ -17,6 +18,7 @@
 struct vtkBoneCheck::Internals
 {
   std::vector<bonedecimate::Finding> Findings;
+  bonedecimate::RejectedValues Rejected;
 
   /// One that says nothing where there is no such number.
   const bonedecimate::Finding* At(int finding) const
@@ -103,9 +105,29 @@ void vtkBoneCheck::GetFirstIds(int finding, vtkIdList* ids) const
 }
 
 //------------------------------------------------------------------------------
+void vtkBoneCheck::SetNumberOfThreads(int threads)
+{
+  this->Internal->Rejected.SetOption(this, "NumberOfThreads", threads, this->NumberOfThreads);
+}
+
+std::string vtkBoneCheck::GetRejectedValue(const std::string& property) const
+{
+  return this->Internal->Rejected.Of(property);
+}
+
+vtkMTimeType vtkBoneCheck::GetMTime()
+{
+  return this->Internal->Rejected.MTime(this->Superclass::GetMTime());
+}
+
+//------------------------------------------------------------------------------
 int vtkBoneCheck::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (this->Internal->Rejected.Report(this))
+  {
+    return 0;
+  }
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   const bonedecimate::ConvertedSurface converted =
     bonedecimate::ToSurface(input, this->NumberOfThreads);

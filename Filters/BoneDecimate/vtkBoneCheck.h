@@ -29,6 +29,7 @@ public:
   static vtkBoneCheck* New();
   vtkTypeMacro(vtkBoneCheck, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
 
   /**
    * Of the last update. Findings are numbered from 0; what has no such number is empty, 0 or NaN.
@@ -79,11 +80,17 @@ public:
 
   ///@{
   /**
-   * Threads to use, 0 to 1024; 0, the default, is one per processor. The findings do not depend on it.
+   * Threads to use, 0 to 1024; 0, the default, is one per processor. The findings do not depend on it. Other numbers are an
+   * error event; the value before stays, and updates fail until there is a valid one.
    */
-  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  void SetNumberOfThreads(int threads);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
+
+  /**
+   * What is wrong with the last value of a property ("NumberOfThreads"), in one sentence; empty if it was valid.
+   */
+  std::string GetRejectedValue(const std::string& property) const;
 
 protected:
   vtkBoneCheck();

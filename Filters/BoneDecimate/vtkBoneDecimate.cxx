@@ -4,9 +4,11 @@
 
 #include "Decimate.h"
 #include "FilterProgress.h"
+#include "InputSize.h"
 #include "LabelArrays.h"
 #include "NamedEntries.h"
 #include "OptionTable.h"
+#include "RejectedValues.h"
 #include "ReportCells.h"
 #include "ReportTable.h"
 #include "SurfaceConversion.h"
@@ -17,6 +19,7 @@
 #include "vtkPolyData.h"
 #include "vtkVersionMacros.h"
 
+#include <algorithm>
 #include <optional>
 
 vtkStandardNewMacro(vtkBoneDecimate);
@@ -28,16 +31,37 @@ struct vtkBoneDecimate::Internals
   bonedecimate::Report Report;
   bonedecimate::NamedEntries Entries{ bonedecimate::ReportEntries(bonedecimate::Report()) };
 
-  /// What is wrong with the value, in one sentence; then nothing changes.
-  std::string Set(const char* name, const bonedecimate::OptionValue& value, bool& isChanged)
+  bonedecimate::RejectedValues Rejected;
+  bool IsPart = false; // of a surface whose size is another one
+
+  void Keep(const bonedecimate::Report& report)
+  {
+    this->Report = report;
+    this->Report.Size = this->IsPart ? bonedecimate::SizeFigures() : report.Size;
+    this->Entries = bonedecimate::NamedEntries{ bonedecimate::ReportEntries(this->Report) };
+  }
+
+  bool WritesSingle(bool inputIsSingle) const
+  {
+    using Precision = bonedecimate::PointsPrecision;
+    const Precision precision = this->Options.OutputPointsPrecision;
+    return precision == Precision::Single || (precision == Precision::Default && inputIsSingle);
+  }
+
+  /// Sets an option of the table, or rejects its value.
+  void Set(vtkBoneDecimate* filter, const char* name, const bonedecimate::OptionValue& value)
   {
     const bonedecimate::OptionInfo& info = *bonedecimate::FindOption(name);
     const bonedecimate::OptionValue before = bonedecimate::GetOption(this->Options, info);
     const bool wasExplicit = this->Options.TargetReductionIsExplicit;
-    std::string problem = bonedecimate::SetOption(this->Options, info, value);
-    isChanged = before != bonedecimate::GetOption(this->Options, info) ||
-      wasExplicit != this->Options.TargetReductionIsExplicit;
-    return problem;
+    const bool isValid =
+      this->Rejected.Check(filter, name, bonedecimate::SetOption(this->Options, info, value));
+    if (isValid &&
+      (before != bonedecimate::GetOption(this->Options, info) ||
+        wasExplicit != this->Options.TargetReductionIsExplicit))
+    {
+      filter->Modified();
+    }
   }
 };
 
@@ -55,16 +79,7 @@ vtkBoneDecimate::~vtkBoneDecimate() = default;
 #define vtkBoneDecimateOption(name, argument, travel, result)                                      \
   void vtkBoneDecimate::Set##name(argument value)                                                  \
   {                                                                                                \
-    bool isChanged = false;                                                                        \
-    const std::string problem = this->Internal->Set(#name, static_cast<travel>(value), isChanged); \
-    if (!problem.empty())                                                                          \
-    {                                                                                              \
-      vtkErrorMacro(<< problem);                                                                   \
-    }                                                                                              \
-    else if (isChanged)                                                                            \
-    {                                                                                              \
-      this->Modified();                                                                            \
-    }                                                                                              \
+    this->Internal->Set(this, #name, static_cast<travel>(value));                                  \
   }                                                                                                \
   result vtkBoneDecimate::Get##name() const                                                        \
   {                                                                                                \
@@ -144,8 +159,26 @@ std::string vtkBoneDecimate::GetReportText(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkBoneDecimate::GetRejectedValue(const std::string& property) const
+{
+  return this->Internal->Rejected.Of(property);
+}
+
+vtkMTimeType vtkBoneDecimate::GetMTime()
+{
+  return this->Internal->Rejected.MTime(this->Superclass::GetMTime());
+}
+
+//------------------------------------------------------------------------------
+bool vtkBoneDecimate::ReportRejectedValues()
+{
+  return this->Internal->Rejected.Report(this);
+}
+
+//------------------------------------------------------------------------------
 void vtkBoneDecimate::ForgetTargetReduction()
 {
+  this->Internal->Rejected.Check(this, "TargetReduction", {});
   bonedecimate::Options& options = this->Internal->Options;
   if (options.TargetReductionIsExplicit)
   {
@@ -162,10 +195,28 @@ bool vtkBoneDecimate::IsTargetReductionSet() const
 }
 
 //------------------------------------------------------------------------------
-void vtkBoneDecimate::CopyOptions(const vtkBoneDecimate& from)
+void vtkBoneDecimate::CopyOptions(const vtkBoneDecimate& from, bool isPart)
 {
   this->Internal->Options = from.Internal->Options;
+  this->Internal->Rejected = from.Internal->Rejected;
+  this->Internal->IsPart = isPart;
+  this->Internal->Options.AllowLargeError |= isPart;
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkBoneDecimate::AcceptSize(double diagonal, double largestError)
+{
+  const bonedecimate::SizeFigures size = { diagonal, largestError, -1,
+    std::min(diagonal, largestError) };
+  const bonedecimate::InputStatus status = bonedecimate::CheckSize(size, this->Internal->Options);
+  if (status != bonedecimate::InputStatus::Good)
+  {
+    vtkErrorMacro(<< bonedecimate::SizeMessage(size, status));
+    return false;
+  }
+  this->Warn(bonedecimate::SizeWarnings(size));
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -194,6 +245,10 @@ int vtkBoneDecimate::FillInputPortInformation(int port, vtkInformation* info)
 int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (this->ReportRejectedValues())
+  {
+    return 0;
+  }
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   const bonedecimate::Options& options = this->Internal->Options;
   const std::string& toleranceName = options.ToleranceArrayName;
@@ -229,18 +284,14 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
     companions);
   bonedecimate::NameCells(converted, result.Report);
-  this->Internal->Report = result.Report;
-  this->Internal->Entries =
-    bonedecimate::NamedEntries{ bonedecimate::ReportEntries(result.Report) };
+  this->Internal->Keep(result.Report);
   if (!this->Accept(bonedecimate::InputMessage(result.Report)))
   {
     return 0;
   }
   this->Warn(converted.Warnings);
-  this->Warn(bonedecimate::InputWarnings(result.Report));
-  const int precision = this->GetOutputPointsPrecision();
-  const bool single =
-    precision == SINGLE_PRECISION || (precision == DEFAULT_PRECISION && converted.IsSingle);
+  this->Warn(bonedecimate::InputWarnings(this->Internal->Report));
+  const bool single = this->Internal->WritesSingle(converted.IsSingle);
   bonedecimate::FillOutput(
     result, converted, options, single, input, vtkPolyData::GetData(outputVector, 0));
   bonedecimate::FillInputCopy(result, options, input, vtkPolyData::GetData(outputVector, 1));

@@ -17,6 +17,9 @@
  * entry, its name "bonedecimate." and the entry's (GetReportEntryName()). Vertices and lines pass through.
  * Output port 1: the input, with the distance of each of its points to the result when MeasureInputDistances is on.
  *
+ * A value outside its range (NaN and infinity always are) is an error event when it is set: the property keeps its value, and
+ * updates fail with the same sentence until it gets a valid one.
+ *
  * An input that cannot be used (NaN, an index out of range) is an error with an empty output and the reason in the
  * message; an empty one gives an empty output and no error.
  *
@@ -39,6 +42,7 @@ public:
   static vtkBoneDecimate* New();
   vtkTypeMacro(vtkBoneDecimate, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
 
   /// How the result is found.
   enum Modes
@@ -93,7 +97,7 @@ public:
 
   ///@{
   /**
-   * Largest distance in both directions, proved, mm, 0 or more; 0, the default, is off: no point of the input is farther
+   * Largest distance in both directions, proved, mm, 0 to 1e30; 0, the default, is off: no point of the input is farther
    * from the result, and no point of the result farther from the input, open borders curve to curve. Thesis stops when
    * a new point is that far away: exactly one may lie beyond it, and triangles between points may, too.
    */
@@ -168,7 +172,7 @@ public:
   ///@}
 
   ///@{
-  /// vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION (the default): that of the input.
+  /// vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or DEFAULT_PRECISION (the default, that of the input).
   void SetOutputPointsPrecision(int precision);
   int GetOutputPointsPrecision() const;
   ///@}
@@ -211,10 +215,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Name of the array of the largest distance recorded along the collapses into each output point, mm.
-   * Default "RunningError".
-   */
+  /// Name of the array of the largest distance recorded along the collapses into each output point, mm, default "RunningError".
   void SetRunningErrorArrayName(const std::string& name);
   std::string GetRunningErrorArrayName() const;
   ///@}
@@ -226,10 +227,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Name of the array on output port 1 of the distance of each input point to the result, mm.
-   * Default "DistanceToResult".
-   */
+  /// Name of the array on output port 1 of the distance of each input point to the result, mm, default "DistanceToResult".
   void SetInputDistanceArrayName(const std::string& name);
   std::string GetInputDistanceArrayName() const;
   ///@}
@@ -282,7 +280,7 @@ public:
 
   ///@{
   /**
-   * The least side of the scan's voxels, mm, for ErrorPreset; 0, the default, is estimated from the surface, which must be
+   * The least side of the scan's voxels, mm, 0 to 1e30, for ErrorPreset; 0, the default, is estimated from the surface, which must be
    * as marching cubes leaves it; the report says so (voxel.from).
    */
   void SetVoxelSize(double millimetres);
@@ -312,17 +310,17 @@ public:
   std::string GetLabelArrayName() const;
   ///@}
 
-  /// Leave out components whose box is below this on its longest side, mm, and list them in the report (pruned.*); all
+  /// Leave out components whose box is below this on its longest side, mm, 0 to 1e30, and list them in the report (pruned.*); all
   /// else in it is of what is left, and nothing left is an error. Default 0: none is ever left out.
   void SetPruneSize(double millimetres);
   double GetPruneSize() const;
-  /// The same by area, mm2. Default 0.
+  /// The same by area, mm2, 0 to 1e30. Default 0.
   void SetPruneArea(double squareMillimetres);
   double GetPruneArea() const;
-  /// The same by volume, mm3, of closed ones. Default 0.
+  /// The same by volume, mm3, 0 to 1e30, of closed ones. Default 0.
   void SetPruneVolume(double cubicMillimetres);
   double GetPruneVolume() const;
-  /// The same by number of triangles. Default 0.
+  /// The same by number of triangles, 0 to 2147483647. Default 0.
   void SetPruneTriangles(int triangles);
   int GetPruneTriangles() const;
 
@@ -333,16 +331,17 @@ public:
   vtkBooleanMacro(ExamineInput, bool);
   ///@}
 
-  ///@{
   /**
    * The first original of an input that is itself a result: what MaximumError, which must be set, is promised against.
    * Tolerances stay those against the input. An input that is farther from it than MaximumError is an error. Default none.
    */
   void SetReferenceData(vtkPolyData* reference);
-  ///@}
 
   /// The same as a connection, to the input port 1. Default none.
   void SetReferenceConnection(vtkAlgorithmOutput* reference);
+
+  /// What is wrong with the last value of a property ("MaximumError"), in one sentence; empty if it was valid.
+  std::string GetRejectedValue(const std::string& property) const;
 
   /// Why the last run ended: one of StopReasons.
   int GetStopReason() const;
@@ -372,11 +371,15 @@ protected:
   /// As if TargetReduction had never been set: for classes that set every property, asked for or not.
   void ForgetTargetReduction();
 
+  /// An error event for each rejected value; whether there are any.
+  bool ReportRejectedValues();
+
   /// Whether TargetReduction was set and so counts beside every other stop.
   bool IsTargetReductionSet() const;
 
-  /// Every property of the other one, and whether its TargetReduction was set.
-  void CopyOptions(const vtkBoneDecimate& from);
+  /// Every property of the other one. The input may be a part of a surface whose size AcceptSize() was told.
+  void CopyOptions(const vtkBoneDecimate& from, bool isPart = false);
+  bool AcceptSize(double diagonal, double largestError);
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

@@ -4,6 +4,7 @@
 
 #include "FilterProgress.h"
 #include "Levels.h"
+#include "RejectedValues.h"
 #include "SurfaceArrays.h"
 #include "SurfaceConversion.h"
 
@@ -18,7 +19,6 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 vtkStandardNewMacro(vtkBoneDecimateLevels);
@@ -31,6 +31,7 @@ struct vtkBoneDecimateLevels::Internals
   vtkMTimeType InputTime = 0;
   vtkSmartPointer<vtkUnsignedCharArray> Given; // null: a run
   vtkSmartPointer<vtkUnsignedCharArray> Written;
+  bonedecimate::RejectedValues Rejected;
 
   const bonedecimate::LevelMark* Mark(int mark) const
   {
@@ -39,6 +40,14 @@ struct vtkBoneDecimateLevels::Internals
     return isThere ? &marks[static_cast<std::size_t>(mark)] : nullptr;
   }
 };
+
+namespace
+{
+bonedecimate::NumberRange TriangleRange()
+{
+  return { 0.0, VTK_INT_MAX, true, "triangles" };
+}
+}
 
 vtkBoneDecimateLevels::vtkBoneDecimateLevels()
   : Internal(new Internals)
@@ -60,10 +69,8 @@ void vtkBoneDecimateLevels::Forget()
 //------------------------------------------------------------------------------
 void vtkBoneDecimateLevels::SetMode(int mode)
 {
-  const int clamped = std::clamp(mode, 0, 3);
-  if (this->Mode != clamped)
+  if (this->Internal->Rejected.SetOption(this, "Mode", mode, this->Mode))
   {
-    this->Mode = clamped;
     this->Forget();
   }
 }
@@ -71,10 +78,9 @@ void vtkBoneDecimateLevels::SetMode(int mode)
 //------------------------------------------------------------------------------
 void vtkBoneDecimateLevels::SetCoarsestNumberOfTriangles(int triangles)
 {
-  const int clamped = std::max(0, triangles);
-  if (this->CoarsestNumberOfTriangles != clamped)
+  if (this->Internal->Rejected.SetNumber(this, "CoarsestNumberOfTriangles", TriangleRange(),
+        triangles, this->CoarsestNumberOfTriangles))
   {
-    this->CoarsestNumberOfTriangles = clamped;
     this->Forget();
   }
 }
@@ -82,10 +88,18 @@ void vtkBoneDecimateLevels::SetCoarsestNumberOfTriangles(int triangles)
 //------------------------------------------------------------------------------
 void vtkBoneDecimateLevels::SetMaximumError(double millimetres)
 {
-  const double clamped = std::isfinite(millimetres) ? std::max(0.0, millimetres) : 0.0;
-  if (this->MaximumError != clamped)
+  if (this->Internal->Rejected.SetOption(this, "MaximumError", millimetres, this->MaximumError))
   {
-    this->MaximumError = clamped;
+    this->Forget();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimateLevels::SetAllowLargeError(bool allow)
+{
+  if (this->AllowLargeError != allow)
+  {
+    this->AllowLargeError = allow;
     this->Forget();
   }
 }
@@ -98,6 +112,37 @@ void vtkBoneDecimateLevels::SetMeasureErrors(bool measure)
     this->MeasureErrors = measure;
     this->Forget();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimateLevels::SetNumberOfThreads(int threads)
+{
+  this->Internal->Rejected.SetOption(this, "NumberOfThreads", threads, this->NumberOfThreads);
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimateLevels::SetNumberOfTriangles(int triangles)
+{
+  this->Internal->Rejected.SetNumber(
+    this, "NumberOfTriangles", TriangleRange(), triangles, this->NumberOfTriangles);
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimateLevels::SetLevelError(double millimeters)
+{
+  this->Internal->Rejected.SetNumber(this, "LevelError",
+    { 0.0, bonedecimate::LargestNumber, false, "mm" }, millimeters, this->LevelError);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBoneDecimateLevels::GetRejectedValue(const std::string& property) const
+{
+  return this->Internal->Rejected.Of(property);
+}
+
+vtkMTimeType vtkBoneDecimateLevels::GetMTime()
+{
+  return this->Internal->Rejected.MTime(this->Superclass::GetMTime());
 }
 
 //------------------------------------------------------------------------------
@@ -166,7 +211,7 @@ int vtkBoneDecimateLevels::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  if (!this->Prepare(input))
+  if (this->Internal->Rejected.Report(this) || !this->Prepare(input))
   {
     return 0;
   }
@@ -225,6 +270,7 @@ bool vtkBoneDecimateLevels::Record(vtkPolyData* input)
   options.Mode = static_cast<bonedecimate::Mode>(this->Mode);
   options.TargetNumberOfTriangles = this->CoarsestNumberOfTriangles;
   options.MaximumError = this->MaximumError;
+  options.AllowLargeError = this->AllowLargeError;
   options.MeasureDistances = this->MeasureErrors;
   options.NumberOfThreads = this->NumberOfThreads;
   const bonedecimate::Result run = bonedecimate::RecordLevels(
@@ -301,6 +347,7 @@ void vtkBoneDecimateLevels::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Mode: " << this->Mode << "\n";
   os << indent << "CoarsestNumberOfTriangles: " << this->CoarsestNumberOfTriangles << "\n";
   os << indent << "MaximumError: " << this->MaximumError << " mm\n";
+  os << indent << "AllowLargeError: " << this->AllowLargeError << "\n";
   os << indent << "MeasureErrors: " << this->MeasureErrors << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n";

@@ -12,6 +12,9 @@
  * registered to the first: the level is put on it, with the same triangles as on the first.
  * Output: points and triangles of the level; lines, vertices and arrays of the input do not come along.
  *
+ * A value outside its range is an error event when it is set: the property keeps its value, and updates fail until it gets a
+ * valid one.
+ *
  * The log can be taken out (GetLog()), kept in a file, and given to another instance with the same input (SetLog()), which
  * then need not run. Documentation/levels.md has the format.
  *
@@ -24,6 +27,7 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
+#include <string> // for sentences
 
 class vtkUnsignedCharArray;
 
@@ -33,6 +37,7 @@ public:
   static vtkBoneDecimateLevels* New();
   vtkTypeMacro(vtkBoneDecimateLevels, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
 
   ///@{
   /**
@@ -53,11 +58,20 @@ public:
 
   ///@{
   /**
-   * Largest distance that the run may cause, mm, 0 or more, proved in every mode but THESIS: every level keeps it. Default 0:
+   * Largest distance that the run may cause, mm, 0 to 1e30, proved in every mode but THESIS: every level keeps it. Default 0:
    * none.
    */
   void SetMaximumError(double millimetres);
   vtkGetMacro(MaximumError, double);
+  ///@}
+
+  ///@{
+  /**
+   * Run although MaximumError is more than a quarter of the diagonal of the input's bounding box, off by default: an error.
+   */
+  void SetAllowLargeError(bool allow);
+  vtkGetMacro(AllowLargeError, bool);
+  vtkBooleanMacro(AllowLargeError, bool);
   ///@}
 
   ///@{
@@ -74,7 +88,7 @@ public:
   /**
    * Threads to use, 0 to 1024. Default 0: one per processor. No level depends on it.
    */
-  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  void SetNumberOfThreads(int threads);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
@@ -82,18 +96,23 @@ public:
   /**
    * The level wanted, by a number of triangles: the first one that has no more. 0 to 2147483647; 0, the default, is off.
    */
-  vtkSetClampMacro(NumberOfTriangles, int, 0, VTK_INT_MAX);
+  void SetNumberOfTriangles(int triangles);
   vtkGetMacro(NumberOfTriangles, int);
   ///@}
 
   ///@{
   /**
-   * The level wanted, by a distance to the input, mm: the coarsest measured one that is not farther, or the input. 0 or more;
+   * The level wanted, by a distance to the input, mm: the coarsest measured one that is not farther, or the input. 0 to 1e30;
    * 0, the default, is off. With NumberOfTriangles, the finer of both; with neither, the coarsest level.
    */
-  vtkSetClampMacro(LevelError, double, 0.0, VTK_DOUBLE_MAX);
+  void SetLevelError(double millimeters);
   vtkGetMacro(LevelError, double);
   ///@}
+
+  /**
+   * What is wrong with the last value of a property ("LevelError"), in one sentence; empty if it was valid.
+   */
+  std::string GetRejectedValue(const std::string& property) const;
 
   /**
    * How many levels are marked, from fine to coarse; 0 before the first update.
@@ -146,6 +165,7 @@ private:
   int Mode = 2;
   int CoarsestNumberOfTriangles = 0;
   double MaximumError = 0.0; // mm
+  bool AllowLargeError = false;
   bool MeasureErrors = true;
   int NumberOfThreads = 0;
   int NumberOfTriangles = 0;

@@ -4,6 +4,7 @@
 
 #include "ErrorSearch.h"
 #include "FilterProgress.h"
+#include "RejectedValues.h"
 #include "SurfaceConversion.h"
 
 #include "vtkDoubleArray.h"
@@ -15,7 +16,6 @@
 #include "vtkTable.h"
 #include "vtkTypeInt64Array.h"
 
-#include <cmath>
 #include <limits>
 
 vtkStandardNewMacro(vtkBoneErrorSearch);
@@ -55,27 +55,76 @@ void FillTable(const std::vector<bonedecimate::ErrorTrial>& trials, vtkTable* ta
 //------------------------------------------------------------------------------
 vtkBoneErrorSearch::vtkBoneErrorSearch()
   : SmallestError(std::numeric_limits<double>::quiet_NaN())
+  , Rejected(new bonedecimate::RejectedValues)
 {
   this->SetNumberOfOutputPorts(2);
+}
+
+vtkBoneErrorSearch::~vtkBoneErrorSearch() = default;
+
+//------------------------------------------------------------------------------
+void vtkBoneErrorSearch::SetMode(int mode)
+{
+  const std::string problem = bonedecimate::CheckOption(*bonedecimate::FindOption("Mode"), mode);
+  const bool isThesis = mode == static_cast<int>(bonedecimate::Mode::Thesis);
+  this->Rejected->Set(this, "Mode",
+    isThesis ? "Mode takes one of Fast, Balanced, Accurate, not Thesis, which proves nothing"
+             : problem,
+    mode, this->Mode);
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneErrorSearch::SetTargetNumberOfTriangles(int triangles)
+{
+  this->Rejected->SetOption(
+    this, "TargetNumberOfTriangles", triangles, this->TargetNumberOfTriangles);
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneErrorSearch::SetRelativePrecision(double share)
+{
+  this->Rejected->SetNumber(
+    this, "RelativePrecision", { 0.001, 0.5 }, share, this->RelativePrecision);
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneErrorSearch::SetNumberOfThreads(int threads)
+{
+  this->Rejected->SetOption(this, "NumberOfThreads", threads, this->NumberOfThreads);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBoneErrorSearch::GetRejectedValue(const std::string& property) const
+{
+  return this->Rejected->Of(property);
+}
+
+vtkMTimeType vtkBoneErrorSearch::GetMTime()
+{
+  return this->Rejected->MTime(this->Superclass::GetMTime());
 }
 
 //------------------------------------------------------------------------------
 void vtkBoneErrorSearch::AddError(double millimetres)
 {
-  if (std::isfinite(millimetres) && millimetres > 0.0)
+  const bonedecimate::NumberRange range = { 0.0, bonedecimate::LargestNumber, false, "mm" };
+  if (millimetres > 0.0 && bonedecimate::IsInRange(range, millimetres))
   {
     this->Errors.push_back(millimetres);
     this->Modified();
   }
   else
   {
-    vtkWarningMacro(<< "an error of " << millimetres << " mm was left out");
+    this->Rejected->Check(this, "Error",
+      "Error takes a number above 0 and at most 1e30 mm, not " +
+        bonedecimate::NumberText(millimetres));
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkBoneErrorSearch::RemoveAllErrors()
 {
+  this->Rejected->Check(this, "Error", {});
   if (!this->Errors.empty())
   {
     this->Errors.clear();
@@ -100,6 +149,10 @@ int vtkBoneErrorSearch::FillOutputPortInformation(int port, vtkInformation* info
 int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (this->Rejected->Report(this))
+  {
+    return 0;
+  }
   if (this->Errors.empty() && this->TargetNumberOfTriangles == 0)
   {
     vtkErrorMacro(<< "neither a number of triangles nor errors were given");
@@ -112,6 +165,7 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   options.Run.Mode = static_cast<bonedecimate::Mode>(this->Mode);
   options.Run.TargetNumberOfTriangles = this->TargetNumberOfTriangles;
   options.Run.NumberOfThreads = this->NumberOfThreads;
+  options.Run.AllowLargeError = this->AllowLargeError;
   options.RelativePrecision = this->RelativePrecision;
   options.InputIsSingle = converted.IsSingle;
   const auto monitor = [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); };
@@ -123,6 +177,10 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   {
     vtkErrorMacro(<< problem);
     return 0;
+  }
+  for (const std::string& warning : bonedecimate::InputWarnings(found.Found.Report))
+  {
+    vtkWarningMacro(<< warning);
   }
   this->SmallestError = found.Best < 0 ? std::numeric_limits<double>::quiet_NaN()
                                        : found.Trials[static_cast<std::size_t>(found.Best)].Proved;
@@ -140,6 +198,7 @@ void vtkBoneErrorSearch::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Mode: " << this->Mode << "\n";
   os << indent << "TargetNumberOfTriangles: " << this->TargetNumberOfTriangles << "\n";
   os << indent << "RelativePrecision: " << this->RelativePrecision << "\n";
+  os << indent << "AllowLargeError: " << this->AllowLargeError << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "Errors: " << this->Errors.size() << "\n";
   os << indent << "SmallestError: " << this->SmallestError << " mm\n";

@@ -5,7 +5,9 @@
 #include "CertificateTable.h"
 #include "FilterProgress.h"
 #include "NamedEntries.h"
+#include "RejectedValues.h"
 #include "SurfaceConversion.h"
+#include "Tolerances.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
@@ -29,10 +31,13 @@ struct vtkBoneSurfaceDistance::Internals
   bonedecimate::CertificateOptions Options;
   bonedecimate::Certificate Answer;
   bonedecimate::NamedEntries Entries{ {} };
+  bonedecimate::RejectedValues Rejected;
 };
 
 namespace
 {
+constexpr double NoTolerance = -1.0; // mm
+
 /// Triangles that bounds name become the cells from which they came.
 void NameCells(const bonedecimate::ConvertedSurface& from, const bonedecimate::ConvertedSurface& to,
   bonedecimate::DirectedCertificate& directed)
@@ -83,7 +88,50 @@ vtkBoneSurfaceDistanceName(SideArrayName)
 #undef vtkBoneSurfaceDistanceName
 
   //------------------------------------------------------------------------------
-  int vtkBoneSurfaceDistance::GetVerdict() const
+  void vtkBoneSurfaceDistance::SetTolerance(double millimeters)
+{
+  this->Internal->Rejected.SetNumber(this, "Tolerance",
+    { 0.0, bonedecimate::LargestNumber, false, "mm" }, millimeters, this->Tolerance);
+}
+
+void vtkBoneSurfaceDistance::RemoveTolerance()
+{
+  this->Internal->Rejected.Set(this, "Tolerance", {}, NoTolerance, this->Tolerance);
+}
+
+void vtkBoneSurfaceDistance::SetToleranceOrNone(double millimeters)
+{
+  millimeters == NoTolerance ? this->RemoveTolerance() : this->SetTolerance(millimeters);
+}
+
+void vtkBoneSurfaceDistance::SetRelativeGap(double gap)
+{
+  this->Internal->Rejected.SetNumber(this, "RelativeGap", { 1e-12, 1.0 }, gap, this->RelativeGap);
+}
+
+void vtkBoneSurfaceDistance::SetMeanPrecision(double precision)
+{
+  this->Internal->Rejected.SetNumber(
+    this, "MeanPrecision", { 1e-4, 1.0 }, precision, this->MeanPrecision);
+}
+
+void vtkBoneSurfaceDistance::SetNumberOfThreads(int threads)
+{
+  this->Internal->Rejected.SetOption(this, "NumberOfThreads", threads, this->NumberOfThreads);
+}
+
+std::string vtkBoneSurfaceDistance::GetRejectedValue(const std::string& property) const
+{
+  return this->Internal->Rejected.Of(property);
+}
+
+vtkMTimeType vtkBoneSurfaceDistance::GetMTime()
+{
+  return this->Internal->Rejected.MTime(this->Superclass::GetMTime());
+}
+
+//------------------------------------------------------------------------------
+int vtkBoneSurfaceDistance::GetVerdict() const
 {
   return static_cast<int>(this->Internal->Answer.Verdict);
 }
@@ -134,7 +182,8 @@ int vtkBoneSurfaceDistance::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* result = vtkPolyData::GetData(inputVector[1]);
-  if (!this->TakeTolerances(reference) || !this->Compare(reference, result))
+  if (this->Internal->Rejected.Report(this) || !this->TakeTolerances(reference) ||
+    !this->Compare(reference, result))
   {
     return 0;
   }
@@ -163,8 +212,16 @@ bool vtkBoneSurfaceDistance::TakeTolerances(vtkPolyData* reference)
     vtkErrorMacro(<< "the reference has no point array '" << name << "' of one component");
     return false;
   }
+  bonedecimate::Report found;
+  found.Status =
+    bonedecimate::CheckTolerances(*values, static_cast<std::size_t>(reference->GetNumberOfPoints()),
+      bonedecimate::Mode::Balanced, found.Cleaning);
+  if (found.Status != bonedecimate::InputStatus::Good)
+  {
+    vtkErrorMacro(<< bonedecimate::InputMessage(found));
+    return false;
+  }
   options.ToleranceMap = std::move(*values);
-  options.ToleranceMap.resize(static_cast<std::size_t>(reference->GetNumberOfPoints()), -1.0);
   return true;
 }
 

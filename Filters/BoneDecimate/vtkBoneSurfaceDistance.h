@@ -14,6 +14,9 @@
  * telling: at borders, where the surface is not consistently oriented, and on it. Field data: the report, one
  * array per entry, its name "bonedecimate.certificate." and the entry's (GetReportEntryName()).
  *
+ * A value outside its range is an error event when it is set: the property keeps its value, and updates fail until it gets a
+ * valid one.
+ *
  * A surface that cannot be used (NaN in a triangle, an index out of range) is an error with empty outputs. If one has no
  * triangles, both pass through without arrays, with a warning.
  *
@@ -34,6 +37,7 @@ public:
   static vtkBoneSurfaceDistance* New();
   vtkTypeMacro(vtkBoneSurfaceDistance, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
 
   /// Whether the tolerance is kept.
   enum Verdicts
@@ -46,16 +50,18 @@ public:
 
   ///@{
   /**
-   * How far any point of one surface may be from the other, mm. Negative, the default, is none.
+   * How far any point of one surface may be from the other, mm, 0 to 1e30. By default there is no tolerance, and
+   * GetTolerance() returns -1.
    */
-  vtkSetMacro(Tolerance, double);
+  void SetTolerance(double millimeters);
   vtkGetMacro(Tolerance, double);
+  void RemoveTolerance();
   ///@}
 
   ///@{
   /**
-   * Name of a point array of the reference with a tolerance for each point, mm, linear on its triangles; negative or NaN: no
-   * limit of its own. Tolerance, if set, caps it. In the other direction a triangle of the reference counts with the
+   * Name of a point array of the reference with a tolerance for each point, mm, linear on its triangles; negative: no limit of
+   * its own; NaN and numbers beyond 1e30 are errors. Tolerance, if set, caps it. In the other direction a triangle of the reference counts with the
    * least of its corners. Empty, the default, is none.
    */
   void SetToleranceArrayName(const std::string& name);
@@ -75,7 +81,7 @@ public:
   /**
    * By which share of the upper bound the lower one may be less, 1e-12 to 1; default 1e-6.
    */
-  vtkSetClampMacro(RelativeGap, double, 1e-12, 1.0);
+  void SetRelativeGap(double gap);
   vtkGetMacro(RelativeGap, double);
   ///@}
 
@@ -101,7 +107,7 @@ public:
   /**
    * Share of average and root mean square to which they are estimated, 1e-4 to 1, as two standard errors; default 0.005.
    */
-  vtkSetClampMacro(MeanPrecision, double, 1e-4, 1.0);
+  void SetMeanPrecision(double precision);
   vtkGetMacro(MeanPrecision, double);
   ///@}
 
@@ -109,7 +115,7 @@ public:
   /**
    * Threads to use, 0 to 1024; 0, the default, is one per processor. The result does not depend on it.
    */
-  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  void SetNumberOfThreads(int threads);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
@@ -128,6 +134,16 @@ public:
   void SetSideArrayName(const std::string& name);
   std::string GetSideArrayName() const;
   ///@}
+
+  /**
+   * For panels, which set every property: as SetTolerance(), but -1 removes the tolerance.
+   */
+  void SetToleranceOrNone(double millimeters);
+
+  /**
+   * What is wrong with the last value of a property ("Tolerance"), in one sentence; empty if it was valid.
+   */
+  std::string GetRejectedValue(const std::string& property) const;
 
   /**
    * Whether the last run kept its tolerance: one of Verdicts.

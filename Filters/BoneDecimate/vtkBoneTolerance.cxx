@@ -4,6 +4,7 @@
 
 #include "FeaturePoints.h"
 #include "PointChoice.h"
+#include "RejectedValues.h"
 #include "SurfaceConversion.h"
 
 #include "vtkCellData.h"
@@ -33,6 +34,7 @@ struct vtkBoneTolerance::Internals
   std::string ToleranceArrayName = "Tolerance";
   std::vector<int> Labels;
   bonedecimate::PointChoice Chosen; // of the run
+  bonedecimate::RejectedValues Rejected;
 
   bool Counts(double value) const
   {
@@ -45,6 +47,25 @@ struct vtkBoneTolerance::Internals
 
 namespace
 {
+/// Negative is no limit.
+bonedecimate::NumberRange ToleranceRange()
+{
+  return { -bonedecimate::LargestNumber, bonedecimate::LargestNumber, false, "mm" };
+}
+
+/// The id of the first value that is NaN or beyond 1e30 in absolute value; -1 if there is none.
+vtkIdType FirstBadTolerance(vtkDataArray* tolerances)
+{
+  for (vtkIdType i = 0; i < tolerances->GetNumberOfTuples(); ++i)
+  {
+    if (!bonedecimate::IsInRange(ToleranceRange(), tolerances->GetComponent(i, 0)))
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+
 /// The smaller of two tolerances; a negative one limits nothing.
 double SmallerOf(double a, double b)
 {
@@ -90,7 +111,43 @@ vtkBoneToleranceName(ToleranceArrayName)
 #undef vtkBoneToleranceName
 
   //------------------------------------------------------------------------------
-  void vtkBoneTolerance::AddLabel(int label)
+  void vtkBoneTolerance::SetChoice(int choice)
+{
+  this->Internal->Rejected.SetNumber(
+    this, "Choice", { EVERYTHING, UNLIMITED, true, {} }, choice, this->Choice);
+}
+
+void vtkBoneTolerance::SetFoldAngle(double degrees)
+{
+  this->Internal->Rejected.SetNumber(
+    this, "FoldAngle", { 0.0, 180.0, false, "degrees" }, degrees, this->FoldAngle);
+}
+
+void vtkBoneTolerance::SetInsideTolerance(double millimeters)
+{
+  this->Internal->Rejected.SetNumber(
+    this, "InsideTolerance", ToleranceRange(), millimeters, this->InsideTolerance);
+}
+
+void vtkBoneTolerance::SetOutsideTolerance(double millimeters)
+{
+  this->Internal->Rejected.SetNumber(
+    this, "OutsideTolerance", ToleranceRange(), millimeters, this->OutsideTolerance);
+}
+
+void vtkBoneTolerance::SetFeather(double millimeters)
+{
+  this->Internal->Rejected.SetNumber(
+    this, "Feather", { 0.0, bonedecimate::LargestNumber, false, "mm" }, millimeters, this->Feather);
+}
+
+std::string vtkBoneTolerance::GetRejectedValue(const std::string& property) const
+{
+  return this->Internal->Rejected.Of(property);
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneTolerance::AddLabel(int label)
 {
   this->Internal->Labels.push_back(label);
   this->Modified();
@@ -120,7 +177,7 @@ int vtkBoneTolerance::GetLabel(int place) const
 //------------------------------------------------------------------------------
 vtkMTimeType vtkBoneTolerance::GetMTime()
 {
-  const vtkMTimeType own = this->Superclass::GetMTime();
+  const vtkMTimeType own = this->Internal->Rejected.MTime(this->Superclass::GetMTime());
   return this->ImplicitFunction ? std::max(own, this->ImplicitFunction->GetMTime()) : own;
 }
 
@@ -140,6 +197,10 @@ int vtkBoneTolerance::FillInputPortInformation(int port, vtkInformation* info)
 int vtkBoneTolerance::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (this->Internal->Rejected.Report(this))
+  {
+    return 0;
+  }
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkDataObject* selection = vtkDataObject::GetData(inputVector[1]);
   const std::string problem = this->Problem(input, selection);
@@ -150,7 +211,12 @@ int vtkBoneTolerance::RequestData(vtkInformation* vtkNotUsed(request),
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(input);
-  this->Choose(input, selection);
+  if (!this->Choose(input, selection))
+  {
+    vtkErrorMacro(<< "the implicit function is NaN at a point of the surface");
+    output->Initialize();
+    return 0;
+  }
   this->Lower(output);
   return 1;
 }
@@ -161,18 +227,20 @@ std::string vtkBoneTolerance::Problem(vtkPolyData* input, vtkDataObject* selecti
 {
   const std::string& name = this->Internal->ChoiceArrayName;
   const std::string& result = this->Internal->ToleranceArrayName;
-  if (!std::isfinite(this->InsideTolerance) || !std::isfinite(this->OutsideTolerance))
-  {
-    return "a tolerance is not a finite number";
-  }
   if (this->Feather > 0.0 && (this->InsideTolerance < 0.0 || this->OutsideTolerance < 0.0))
   {
     return "a feather goes from one tolerance to another: neither may be negative (no limit)";
   }
-  if (input->GetPointData()->HasArray(result.c_str()) &&
-    !OneComponent(input->GetPointData()->GetArray(result.c_str())))
+  if (input->GetPointData()->HasArray(result.c_str()))
   {
-    return "the point array '" + result + "' is there and has not one number for each point";
+    vtkDataArray* before = OneComponent(input->GetPointData()->GetArray(result.c_str()));
+    const vtkIdType bad = before ? FirstBadTolerance(before) : -1;
+    if (!before || bad >= 0)
+    {
+      return "the point array '" + result + "' is there and " +
+        (before ? "its value of point " + std::to_string(bad) + " is NaN or beyond 1e30 mm"
+                : "has not one number for each point");
+    }
   }
   if (this->Choice == POINT_ARRAY && !OneComponent(input->GetPointData()->GetArray(name.c_str())))
   {
@@ -192,7 +260,8 @@ std::string vtkBoneTolerance::Problem(vtkPolyData* input, vtkDataObject* selecti
 }
 
 //------------------------------------------------------------------------------
-void vtkBoneTolerance::Choose(vtkPolyData* input, vtkDataObject* selection) const
+/// False if the implicit function cannot tell.
+bool vtkBoneTolerance::Choose(vtkPolyData* input, vtkDataObject* selection) const
 {
   Internals& own = *this->Internal;
   const auto counts = [&own](double value) { return own.Counts(value); };
@@ -212,8 +281,7 @@ void vtkBoneTolerance::Choose(vtkPolyData* input, vtkDataObject* selection) cons
         input, vtkSelection::SafeDownCast(selection), this->Inverted);
       break;
     case IMPLICIT_FUNCTION:
-      this->ChooseByFunction(input);
-      break;
+      return this->ChooseByFunction(input);
     case FOLDS:
     case BORDERS:
       this->ChooseLines(input);
@@ -224,6 +292,7 @@ void vtkBoneTolerance::Choose(vtkPolyData* input, vtkDataObject* selection) cons
     default:
       own.Chosen.assign(static_cast<std::size_t>(input->GetNumberOfPoints()), !this->Inverted);
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -242,15 +311,20 @@ void vtkBoneTolerance::ChooseUnlimited(vtkPolyData* input) const
 }
 
 //------------------------------------------------------------------------------
-void vtkBoneTolerance::ChooseByFunction(vtkPolyData* input) const
+bool vtkBoneTolerance::ChooseByFunction(vtkPolyData* input) const
 {
   bonedecimate::PointChoice& chosen = this->Internal->Chosen;
   chosen.clear();
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
     const double value = this->ImplicitFunction->FunctionValue(input->GetPoint(i));
+    if (std::isnan(value))
+    {
+      return false;
+    }
     chosen.push_back((value <= 0.0) != this->Inverted);
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------

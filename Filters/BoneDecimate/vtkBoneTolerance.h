@@ -16,7 +16,9 @@
  *
  * Input port 0: the surface. Input port 1, optional: a vtkSelection of points or cells of it.
  *
- * A name without an array, a choice without what it needs, a tolerance that is not finite: an error, and no output.
+ * A value outside its range, NaN and infinity above all, is an error event when it is set: the property keeps its value, and
+ * updates fail until it gets a valid one. A name without an array, a choice without what it needs, NaN in the array of
+ * tolerances or from the implicit function: an error, and no output.
  *
  * @sa vtkBoneDecimate vtkBoneSurfaceDistance
  */
@@ -55,7 +57,7 @@ public:
   /**
    * What chooses the points, one of Choices. Default EVERYTHING.
    */
-  vtkSetClampMacro(Choice, int, EVERYTHING, UNLIMITED);
+  void SetChoice(int choice);
   vtkGetMacro(Choice, int);
   void SetChoiceToEverything() { this->SetChoice(EVERYTHING); }
   void SetChoiceToPointArray() { this->SetChoice(POINT_ARRAY); }
@@ -109,7 +111,7 @@ public:
    * FOLDS: the angle between the normals of two triangles from which their edge counts, degrees, 0 to 180, default 30.
    * Edges of more than two triangles and of triangles that face opposite ways count, too.
    */
-  vtkSetClampMacro(FoldAngle, double, 0.0, 180.0);
+  void SetFoldAngle(double degrees);
   vtkGetMacro(FoldAngle, double);
   ///@}
 
@@ -125,26 +127,26 @@ public:
 
   ///@{
   /**
-   * Tolerance of the chosen points, mm. 0, the default, freezes them; negative is no limit.
+   * Tolerance of the chosen points, mm. 0, the default, freezes them; negative is no limit; -1e30 to 1e30.
    */
-  vtkSetMacro(InsideTolerance, double);
+  void SetInsideTolerance(double millimeters);
   vtkGetMacro(InsideTolerance, double);
   ///@}
 
   ///@{
   /**
-   * Tolerance of all other points, mm. Negative, the default, is no limit.
+   * Tolerance of all other points, mm. Negative, the default, is no limit; -1e30 to 1e30.
    */
-  vtkSetMacro(OutsideTolerance, double);
+  void SetOutsideTolerance(double millimeters);
   vtkGetMacro(OutsideTolerance, double);
   ///@}
 
   ///@{
   /**
-   * Width of a ring around the chosen points, mm, 0 or more; 0, the default, is none. In it the tolerance goes from that
+   * Width of a ring around the chosen points, mm, 0 to 1e30; 0, the default, is none. In it the tolerance goes from that
    * inside to that outside, linearly with the straight distance to the nearest chosen point. Both must then be 0 or more.
    */
-  vtkSetClampMacro(Feather, double, 0.0, VTK_DOUBLE_MAX);
+  void SetFeather(double millimeters);
   vtkGetMacro(Feather, double);
   ///@}
 
@@ -157,7 +159,12 @@ public:
   ///@}
 
   /**
-   * The implicit function counts, too.
+   * What is wrong with the last value of a property ("Feather"), in one sentence; empty if it was valid.
+   */
+  std::string GetRejectedValue(const std::string& property) const;
+
+  /**
+   * The implicit function counts, too, and it changes as long as there is a rejected value.
    */
   vtkMTimeType GetMTime() override;
 
@@ -175,9 +182,9 @@ private:
   struct Internals;
 
   std::string Problem(vtkPolyData* input, vtkDataObject* selection) const;
-  void Choose(vtkPolyData* input, vtkDataObject* selection) const;
+  bool Choose(vtkPolyData* input, vtkDataObject* selection) const;
   void ChooseUnlimited(vtkPolyData* input) const;
-  void ChooseByFunction(vtkPolyData* input) const;
+  bool ChooseByFunction(vtkPolyData* input) const;
   void ChooseLines(vtkPolyData* input) const;
   void Lower(vtkPolyData* output) const;
 

@@ -95,6 +95,25 @@ double vtkPBoneDecimate::LargestError() const
 }
 
 //------------------------------------------------------------------------------
+/// mm, of the bounding box of all parts.
+double vtkPBoneDecimate::WholeDiagonal(vtkPolyData* input) const
+{
+  double bounds[6];
+  input->GetBounds(bounds);
+  double squares = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const bool isEmpty = input->GetNumberOfPoints() == 0;
+    const double none = std::numeric_limits<double>::infinity();
+    const double least = this->OfAll(isEmpty ? none : bounds[2 * axis], vtkCommunicator::MIN_OP);
+    const double most =
+      this->OfAll(isEmpty ? -none : bounds[2 * axis + 1], vtkCommunicator::MAX_OP);
+    squares += (most - least) * (most - least);
+  }
+  return std::sqrt(squares);
+}
+
+//------------------------------------------------------------------------------
 /// As on one process: the default reduction steps back, the first stop reached counts.
 double vtkPBoneDecimate::TrianglesWanted(double total, bool isLimited) const
 {
@@ -146,7 +165,7 @@ vtkPBoneDecimate::Plan vtkPBoneDecimate::MakePlan(vtkPolyData* input, vtkPolyDat
 //------------------------------------------------------------------------------
 void vtkPBoneDecimate::Order(vtkPBoneDecimate* run, double triangles, double error) const
 {
-  run->CopyOptions(*this);
+  run->CopyOptions(*this, true);
   run->SetTargetNumberOfTriangles(
     static_cast<int>(std::min<double>(triangles, std::numeric_limits<int>::max())));
   run->SetTargetReduction(1.0); // is in the number

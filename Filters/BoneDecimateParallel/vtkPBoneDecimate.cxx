@@ -54,6 +54,15 @@ int vtkPBoneDecimate::FillInputPortInformation(int port, vtkInformation* info)
 int vtkPBoneDecimate::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const bool isRejected = this->ReportRejectedValues();
+  if (this->IsTrueAnywhere(isRejected))
+  {
+    if (!isRejected)
+    {
+      vtkErrorMacro(<< "another process rejected a value of a property");
+    }
+    return 0;
+  }
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   if (!this->HasProcesses() && vtkPolyData::SafeDownCast(input))
   {
@@ -78,6 +87,12 @@ double vtkPBoneDecimate::OfAll(double own, int operation) const
   double all = own;
   this->Controller->AllReduce(&own, &all, 1, operation);
   return all;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPBoneDecimate::IsTrueAnywhere(bool own) const
+{
+  return this->HasProcesses() ? this->OfAll(own ? 1.0 : 0.0, vtkCommunicator::MAX_OP) > 0.0 : own;
 }
 
 //------------------------------------------------------------------------------
@@ -139,6 +154,11 @@ int vtkPBoneDecimate::RunTogether(
   if (problem != nullptr)
   {
     vtkErrorMacro(<< problem);
+    return 0;
+  }
+  const double diagonal = this->WholeDiagonal(input);
+  if (std::isfinite(diagonal) && !this->AcceptSize(diagonal, this->LargestError()))
+  {
     return 0;
   }
   Plan plan = this->MakePlan(input, reference);

@@ -62,6 +62,7 @@ private:
 
   bool HasProcesses() const;
   double OfAll(double own, int operation) const;
+  bool IsTrueAnywhere(bool own) const;
   bool Run(vtkPBoneDecimate* run, vtkPolyData* input, vtkPolyData* reference);
   void PassProgress(vtkObject* caller, unsigned long event, void* data);
   int RunAlone(vtkPolyData* input, vtkPolyData* reference, vtkInformationVector* outputVector);
@@ -69,6 +70,7 @@ private:
   double ProvedByAll(vtkPBoneDecimate* run) const;
 
   double LargestError() const;
+  double WholeDiagonal(vtkPolyData* input) const;
   double TrianglesWanted(double total, bool isLimited) const;
   bool IsLimitedEverywhere(vtkPolyData* input) const;
   const char* ProblemOfParts() const;

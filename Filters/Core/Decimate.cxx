@@ -92,18 +92,15 @@ private:
       report.Pruned = Prune(this->Input, this->Wanted, this->Cleaned);
       report.Status = report.Pruned.TookAll ? InputStatus::EverythingPruned : InputStatus::Good;
     }
+    if (report.Status == InputStatus::Good)
+    {
+      report.Status = CheckErrors(
+        this->Input, this->Cleaned, this->Given, this->RoundToSingle, this->Wanted, report);
+    }
     if (report.Status == InputStatus::Good && this->Given != nullptr)
     {
-      report.Status = CheckTolerances(
-        *this->Given, this->Input.Points.size(), this->Wanted.Mode, report.Cleaning);
-    }
-    if (report.Status == InputStatus::Good && this->RoundToSingle &&
-      this->Wanted.Mode != Mode::Thesis)
-    {
-      const double error = this->Wanted.PromisesError() ? this->Wanted.MaximumError
-                                                        : std::numeric_limits<double>::infinity();
-      report.Status =
-        CheckRounding(this->Input, this->Cleaned, error, this->Given, report.Cleaning);
+      this->Limited = LimitedTolerances(*this->Given, report.Size.Diagonal);
+      this->Given = this->Allowed = &this->Limited;
     }
     if (report.Status == InputStatus::Good && this->Reference != nullptr)
     {
@@ -367,12 +364,13 @@ private:
   }
 
   const Surface& Input;
-  const Options& Wanted;
+  Options Wanted; // with the largest error that is used
   RunProgress Progress;
   bool RoundToSingle;
   bool WithOrigins;
   const std::vector<double>* Given;   // mm, tolerances of the input points
   const std::vector<double>* Allowed; // mm, the same, capped by what the reference leaves
+  std::vector<double> Limited;        // mm, the same, none above the diagonal
   const Surface* Reference;
   std::optional<ReferenceInput> First; // the reference read, if there is one
   EditLog* Log;                        // null: nobody wants it

@@ -23,9 +23,11 @@ constexpr double ShareOfPlainRun = 0.9;
 class Trials
 {
 public:
-  Trials(const Surface& input, const ErrorSearchOptions& options, const Monitor& monitor)
+  Trials(
+    const Surface& input, const ErrorSearchOptions& options, const Monitor& monitor, bool isCurve)
     : Input(input)
     , Asked(options)
+    , IsCurve(isCurve)
     , Progress(monitor)
   {
     this->Asked.Run.ProveResult = true;
@@ -45,13 +47,15 @@ public:
     Result result = error > 0.0 ? Decimate(this->Input, options, this->Progress.Stage(from, to),
                                     { this->Asked.InputIsSingle })
                                 : this->PlainRun(options, from, to);
+    const bool isRefused = result.Report.Status != InputStatus::Good;
     const bool isWhole = result.Report.Status == InputStatus::Good && result.Report.Proof.WasMade;
     if (isWhole)
     {
       this->Add(error, mostTriangles, clock.Seconds(), result.Report);
     }
     this->Found.WasAborted = !this->Progress.GoesOn();
-    if (isWhole ? this->IsBetter() : this->Found.Best < 0)
+    const bool endsCurve = isRefused && this->IsCurve;
+    if (isWhole ? this->IsBetter() : endsCurve || this->Found.Best < 0)
     {
       this->Found.Found = std::move(result);
     }
@@ -95,6 +99,7 @@ private:
 
   const Surface& Input;
   ErrorSearchOptions Asked;
+  bool IsCurve; // an error that is refused was asked for: the answer is that it is refused
   RunProgress Progress;
   ErrorSearchResult Found;
 };
@@ -104,7 +109,9 @@ ErrorSearchResult FindSmallestError(
   const Surface& input, const ErrorSearchOptions& options, const Monitor& monitor)
 {
   const std::int64_t wanted = options.Run.TargetNumberOfTriangles;
-  Trials trials(input, options, monitor);
+  ErrorSearchOptions withAnyError = options; // its errors are measured, not asked for
+  withAnyError.Run.AllowLargeError = true;
+  Trials trials(input, withAnyError, monitor, false);
   double done = 0.5; // each run has half of what is left of the progress
   if (!trials.Run(0.0, wanted, 0.0, done) || !trials.Last().IsReached)
   {
@@ -136,7 +143,7 @@ ErrorSearchResult FindErrorCurve(const Surface& input, const std::vector<double>
 {
   ErrorSearchOptions withoutTarget = options;
   withoutTarget.Run.TargetNumberOfTriangles = 0;
-  Trials trials(input, withoutTarget, monitor);
+  Trials trials(input, withoutTarget, monitor, true);
   const double count = static_cast<double>(errors.size());
   for (std::size_t i = 0; i < errors.size(); ++i)
   {

@@ -59,7 +59,8 @@ struct ErrorSearchResult
 ErrorSearchResult FindSmallestError(
   const Surface& input, const ErrorSearchOptions& options, const Monitor& monitor = {});
 
-/// One run for each largest error (mm, above 0), in their order; Found is the last.
+/// One run for each largest error (mm, above 0), in their order; Found is the last, or the first that was refused, with its
+/// status.
 ErrorSearchResult FindErrorCurve(const Surface& input, const std::vector<double>& errors,
   const ErrorSearchOptions& options, const Monitor& monitor = {});
 }

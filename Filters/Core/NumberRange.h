@@ -19,7 +19,7 @@ struct NumberRange
   double Minimum; ///< Both ends are allowed.
   double Maximum;
   bool IsWhole = false;
-  std::string Unit; ///< "mm", "triangles", ...; empty where there is none.
+  std::string Unit = {}; ///< "mm", "triangles", ...; empty where there is none.
 };
 
 /// "0 to 1e30"

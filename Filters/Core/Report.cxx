@@ -3,7 +3,7 @@
 #include "Report.h"
 
 #include "Certificate/Certificate.h"
-#include "NumberRange.h"
+#include "InputSize.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -28,20 +28,6 @@ std::string FarMessage(const ProvedDistance& distance)
     "mm, or its open borders are",
     distance.Lower, distance.Upper);
   return text;
-}
-
-std::string SizeMessage(const SizeFigures& size, bool isBeyond)
-{
-  const std::string what = size.Point < 0
-    ? "a largest error of " + NumberText(size.LargestError) + " mm"
-    : "the tolerance of " + NumberText(size.LargestError) + " mm of point " +
-      std::to_string(size.Point);
-  char diagonal[40];
-  std::snprintf(diagonal, sizeof(diagonal), "%.6g mm", size.Diagonal);
-  return what + " is " + (isBeyond ? "more than a quarter" : "less than a millionth") +
-    " of the diagonal of the input's bounding box, " + diagonal +
-    (isBeyond ? "; the coordinates may not be in millimeters (AllowLargeError runs anyway)"
-              : "; rounding alone exceeds it");
 }
 
 std::string CoarseMessage(const CleaningStatistics& found)
@@ -147,7 +133,7 @@ std::string InputMessage(const Report& report)
       return CoarseMessage(found);
     case InputStatus::ErrorBeyondSize:
     case InputStatus::ErrorBelowSize:
-      return SizeMessage(report.Size, report.Status == InputStatus::ErrorBeyondSize);
+      return SizeMessage(report.Size, report.Status);
   }
   return {};
 }
@@ -155,7 +141,7 @@ std::string InputMessage(const Report& report)
 std::vector<std::string> InputWarnings(const Report& report)
 {
   const CleaningStatistics& found = report.Cleaning;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = SizeWarnings(report.Size);
   if (found.DroppedTriangles > 0)
   {
     warnings.push_back(Found(found.DroppedTriangles, "triangles without area were left out",

@@ -49,6 +49,7 @@ void AddCleaning(Entries& entries, const Report& report)
   entries.push_back({ "input.locked_points", "", found.LockedPoints });
   entries.push_back({ "input.first_locked_point", "", found.FirstLockedPoint });
   entries.push_back({ "input.frozen_points", "", found.FrozenPoints });
+  entries.push_back({ "input.diagonal", "mm", report.Size.Diagonal });
   entries.push_back({ "input.checksum", "", ChecksumText(report.InputChecksum) });
 }
 
@@ -167,6 +168,10 @@ void AddVoxel(Entries& entries, const VoxelFigures& voxel)
 
 void AddRun(Entries& entries, const Report& report)
 {
+  if (report.Size.LargestError > 0.0)
+  {
+    entries.push_back({ "error_bound", "mm", report.Size.ErrorBound });
+  }
   if (!std::isnan(report.RunningError))
   {
     entries.push_back({ "running_error", "mm", report.RunningError });

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tolerances.h"
 
+#include "InputSize.h"
 #include "Mesh/SurfaceAssembly.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bonedecimate
 {
@@ -51,6 +53,45 @@ InputStatus CheckRounding(const Surface& input, const CleanSurface& clean, doubl
     }
   }
   return found.CoarsePoints > 0 ? InputStatus::SinglePrecisionTooCoarse : InputStatus::Good;
+}
+
+//------------------------------------------------------------------------------
+InputStatus CheckErrors(const Surface& input, const CleanSurface& clean,
+  const std::vector<double>* given, bool roundsToSingle, Options& options, Report& report)
+{
+  InputStatus status = InputStatus::Good;
+  if (given != nullptr)
+  {
+    status = CheckTolerances(*given, input.Points.size(), options.Mode, report.Cleaning);
+  }
+  if (status != InputStatus::Good)
+  {
+    return status;
+  }
+  report.Size = MeasureSize(clean, options, given);
+  const bool isThesis = options.Mode == Mode::Thesis;
+  if (roundsToSingle && !isThesis)
+  {
+    const double error =
+      options.PromisesError() ? options.MaximumError : std::numeric_limits<double>::infinity();
+    status = CheckRounding(input, clean, error, given, report.Cleaning);
+  }
+  status = status == InputStatus::Good ? CheckSize(report.Size, options) : status;
+  if (!isThesis)
+  {
+    options.MaximumError = std::min(options.MaximumError, report.Size.Diagonal);
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> LimitedTolerances(std::vector<double> given, double limit)
+{
+  for (double& tolerance : given)
+  {
+    tolerance = std::min(tolerance, limit);
+  }
+  return given;
 }
 
 //------------------------------------------------------------------------------

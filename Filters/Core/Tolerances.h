@@ -30,6 +30,14 @@ InputStatus CheckTolerances(const std::vector<double>& given, std::size_t number
 InputStatus CheckRounding(const Surface& input, const CleanSurface& clean, double largestError,
   const std::vector<double>* given, CleaningStatistics& found);
 
+/// Whether the tolerances (null: none) and the largest error suit the mode, the precision of the output and the size of the
+/// input (InputSize.h), which is put into the report. Lowers the largest error to the diagonal if it is more.
+InputStatus CheckErrors(const Surface& input, const CleanSurface& clean,
+  const std::vector<double>* given, bool roundsToSingle, Options& options, Report& report);
+
+/// mm, the tolerances, none above the limit.
+std::vector<double> LimitedTolerances(std::vector<double> given, double limit);
+
 /// mm, of each point of the cleaned surface: the least of the input points that became it, -1: none. Empty if nothing
 /// limits anything.
 std::vector<double> TolerancesOf(const CleanSurface& clean, const std::vector<double>& given);

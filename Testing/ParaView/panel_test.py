@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The panels of the plugin, as ParaView reads them."""
 
+import math
 import os
 import pathlib
 import re
@@ -69,6 +70,30 @@ class Panel(unittest.TestCase):
         proved = information.GetArrayInformation("bonedecimate.proof.upper").GetComponentRange(0)
         self.assertLessEqual(proved[1], 0.2)
         self.assertGreater(proved[1], 0)
+
+    def test_values_outside_their_range_give_no_output_until_there_is_a_valid_one(self):
+        rows = re.findall(r"^\| `(\w+)` \|[^|]*\| ([\d.e]+) to ([\d.e]+) \|", TABLE, re.MULTILINE)
+        self.assertGreater(len(rows), 8)
+        for name, least, most in rows:
+            is_whole = float(most).is_integer() and float(most) > 1 and float(most) < 1e30
+            beyond = [-2**31, -1] if is_whole else [float(least) - 1, float(most) * 1.1, math.nan, math.inf, -math.inf]
+            decimate = simple.BoneDecimate(Input=self.bone)
+            valid = decimate.GetProperty(name).GetData()
+            for value in beyond:
+                with self.subTest(name, value=value):
+                    setattr(decimate, name, value)
+                    decimate.UpdatePipeline()
+                    self.assertEqual(decimate.GetDataInformation().GetNumberOfPoints(), 0)
+                    setattr(decimate, name, valid)
+                    decimate.UpdatePipeline()
+                    self.assertGreater(decimate.GetDataInformation().GetNumberOfPoints(), 0)
+
+    def test_a_tolerance_of_minus_one_is_none_and_any_other_negative_one_an_error(self):
+        compare = simple.BoneSurfaceDistance(Input=self.bone, Result=self.bone)
+        for value, is_valid in ((-1, True), (-0.5, False), (0.5, True), (math.nan, False), (-1, True)):
+            compare.Tolerance = value
+            compare.UpdatePipeline()
+            self.assertEqual(compare.GetDataInformation().GetNumberOfPoints() > 0, is_valid, value)
 
     def test_distances_say_their_unit(self):
         decimate = simple.BoneDecimate(Input=self.bone, MaximumError=0.2, MeasureInputDistances=1)

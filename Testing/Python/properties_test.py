@@ -2,28 +2,34 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every property of the filter, from Python."""
 
+import math
+import re
 import unittest
 
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
-from surfaces import TRIANGLES, decimating, torus
-from vtkbonedecimate import vtkBoneDecimate
+from surfaces import TRIANGLES, Ear, decimating, torus
+from vtkbonedecimate import (
+    error_curve, smallest_error, vtkBoneCheck, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance,
+    vtkBoneTolerance)
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 
-# Name: default, another value, what is beyond the range, what that becomes.
+NO_NUMBERS = (math.nan, math.inf, -math.inf)
+# Name: default, another value, values outside the range.
 NUMBERS = {
-    "Mode": (vtkBoneDecimate.BALANCED, vtkBoneDecimate.FAST, 99, vtkBoneDecimate.ACCURATE),
-    "TargetNumberOfTriangles": (0, 500, -1, 0),
-    "TargetReduction": (0.9, 0.5, 1.5, 1.0),
-    "MaximumError": (0.0, 0.25, -1.0, 0.0),
-    "NormalTolerance": (0.95, 0.5, 2.0, 1.0),
-    "NumberOfThreads": (0, 2, 5000, 1024),
-    "ErrorPreset": (vtkBoneDecimate.NO_PRESET, vtkBoneDecimate.HALF_VOXEL, 9, vtkBoneDecimate.ONE_VOXEL),
-    "VoxelSize": (0.0, 0.5, -1.0, 0.0),
-    "PruneSize": (0.0, 2.0, -1.0, 0.0),
-    "PruneArea": (0.0, 20.0, -1.0, 0.0),
-    "PruneVolume": (0.0, 8.0, -1.0, 0.0),
-    "PruneTriangles": (0, 100, -1, 0),
-    "OutputPointsPrecision": (vtkAlgorithm.DEFAULT_PRECISION, vtkAlgorithm.SINGLE_PRECISION, 7, 2),
+    "Mode": (vtkBoneDecimate.BALANCED, vtkBoneDecimate.FAST, (-1, 4, -2**31, 2**31 - 1)),
+    "TargetNumberOfTriangles": (0, 500, (-1, -2**31)),
+    "TargetReduction": (0.9, 0.5, (-0.1, 1.5, *NO_NUMBERS)),
+    "MaximumError": (0.0, 0.25, (-1.0, 1.1e30, *NO_NUMBERS)),
+    "NormalTolerance": (0.95, 0.5, (-0.1, 2.0, *NO_NUMBERS)),
+    "NumberOfThreads": (0, 2, (-1, 1025)),
+    "ErrorPreset": (vtkBoneDecimate.NO_PRESET, vtkBoneDecimate.HALF_VOXEL, (-1, 4)),
+    "VoxelSize": (0.0, 0.5, (-1.0, 1.1e30, *NO_NUMBERS)),
+    "PruneSize": (0.0, 2.0, (-1.0, 1.1e30, *NO_NUMBERS)),
+    "PruneArea": (0.0, 20.0, (-1.0, 1.1e30, *NO_NUMBERS)),
+    "PruneVolume": (0.0, 8.0, (-1.0, 1.1e30, *NO_NUMBERS)),
+    "PruneTriangles": (0, 100, (-1, -2**31)),
+    "OutputPointsPrecision": (vtkAlgorithm.DEFAULT_PRECISION, vtkAlgorithm.SINGLE_PRECISION, (-1, 3)),
 }
 SWITCHES = {"MergePoints": True, "AllowLargeError": False, "KeepClearance": True, "MeasureDistances": True, "MeasureInputDistances": False,
             "ProveResult": True, "PassArrays": True, "MakeMaps": False, "RecomputeNormals": False,
@@ -46,6 +52,10 @@ def get(decimate, name):
 
 def put(decimate, name, value):
     getattr(decimate, "Set" + name)(value)
+
+
+def snake(name):
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower()
 
 
 class Properties(unittest.TestCase):
@@ -71,11 +81,97 @@ class Properties(unittest.TestCase):
             put(decimate, name, "my " + name)
             self.assertEqual(get(decimate, name), "my " + name)
 
-    def test_are_held_within_their_range(self):
+    def test_reject_values_outside_their_range(self):
         decimate = vtkBoneDecimate()
-        for name, (_default, _other, beyond, held) in NUMBERS.items():
-            put(decimate, name, beyond)
-            self.assertEqual(get(decimate, name), held, name)
+        for name, (_default, other, outside) in NUMBERS.items():
+            put(decimate, name, other)
+            for value in outside:
+                with self.subTest(name, value=value):
+                    with self.assertRaisesRegex(ValueError, f"^{name} takes "):
+                        put(decimate, name, value)
+                    with self.assertRaisesRegex(ValueError, f"^{name} takes "):
+                        setattr(decimate, snake(name), value)
+                    self.assertEqual(get(decimate, name), other)
+
+    def test_a_rejected_value_fails_every_update_until_there_is_a_valid_one(self):
+        decimate = decimating(torus(), TargetReduction=0.5)
+        with self.assertRaises(ValueError):
+            decimate.maximum_error = math.nan
+        errors = Ear(decimate, "ErrorEvent")
+        Ear(decimate.GetExecutive(), "ErrorEvent")
+        for times in (1, 2):
+            decimate.Update()
+            self.assertEqual(len(errors.texts), times)
+            self.assertIn("MaximumError takes a number from 0 to 1e30 mm, not NaN", errors.texts[-1])
+            self.assertEqual(decimate.GetOutput().GetNumberOfPoints(), 0)
+        decimate.maximum_error = 0.5
+        decimate.Update()
+        self.assertEqual(len(errors.texts), 2)
+        self.assertGreater(decimate.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_are_attributes_too(self):
+        decimate = vtkBoneDecimate(maximum_error=0.5, mode=vtkBoneDecimate.FAST)
+        self.assertEqual((decimate.GetMaximumError(), decimate.GetMode()), (0.5, vtkBoneDecimate.FAST))
+        for name, (default, other, _outside) in NUMBERS.items():
+            setattr(decimate, snake(name), default)
+            self.assertEqual(get(decimate, name), default)
+            setattr(decimate, snake(name), other)
+            self.assertEqual(get(decimate, name), other)
+        for name in (*SWITCHES, *TEXTS):
+            put(decimate, name, "a name" if name in TEXTS else True)
+            self.assertEqual(getattr(decimate, snake(name)), get(decimate, name))
+
+    def test_unknown_attributes_are_errors(self):
+        for filter_class in (vtkBoneCheck, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance,
+                             vtkBoneTolerance):
+            with self.subTest(filter_class.__name__):
+                for name in ("max_error", "MaximumError", "SetNumberOfThreads", "Update", "GetOutput", "anything"):
+                    with self.assertRaises(AttributeError):
+                        setattr(filter_class(), name, 0.1)
+                with self.assertRaises(AttributeError):
+                    filter_class(anything=0.1)
+
+    def test_of_every_other_filter_reject_values_outside_their_range(self):
+        outside = {"tolerance": (-1, *NO_NUMBERS), "relative_gap": (0, 2, *NO_NUMBERS), "mean_precision": (0, 2, *NO_NUMBERS),
+                   "number_of_threads": (-1, 1025), "choice": (-1, 8), "fold_angle": (-1, 181, *NO_NUMBERS),
+                   "feather": (-1, *NO_NUMBERS), "inside_tolerance": NO_NUMBERS, "outside_tolerance": NO_NUMBERS,
+                   "mode": (-1, 4), "relative_precision": (0, 0.6, *NO_NUMBERS), "target_number_of_triangles": (-1,),
+                   "coarsest_number_of_triangles": (-1,), "maximum_error": (-1, *NO_NUMBERS), "number_of_triangles": (-1,),
+                   "level_error": (-1, *NO_NUMBERS)}
+        tried = set()
+        for filter_class in (vtkBoneCheck, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance, vtkBoneTolerance):
+            one = filter_class()
+            for name, values in outside.items():
+                for value in values if hasattr(filter_class, name) else ():
+                    with self.subTest(filter_class.__name__, name=name, value=value):
+                        before = getattr(one, name)
+                        with self.assertRaisesRegex(ValueError, " takes "):
+                            setattr(one, name, value)
+                        self.assertEqual(getattr(one, name), before)
+                        tried.add(name)
+        self.assertEqual(tried, set(outside))
+        for value in (0, -1, *NO_NUMBERS):
+            with self.assertRaises(ValueError):
+                vtkBoneErrorSearch().AddError(value)
+
+    def test_searches_and_curves_raise_what_is_wrong(self):
+        for wrong in (lambda: smallest_error(torus(), 0), lambda: smallest_error(torus(), -1),
+                      lambda: smallest_error(torus(), 100, math.nan), lambda: smallest_error(torus(), 100, mode=0),
+                      lambda: error_curve(torus(), []), lambda: error_curve(torus(), [0.1, math.nan]),
+                      lambda: error_curve(torus(), [0.1, 1e9])):
+            with self.assertRaises(ValueError):
+                wrong()
+
+    def test_stay_those_of_the_class_behind_a_pipeline(self):
+        clean = vtkCleanPolyData()
+        decimate = decimating(torus(), MaximumError=0.5)
+        clean.SetInputConnection(decimate.GetOutputPort())
+        del decimate
+        found = clean.GetInputConnection(0, 0).GetProducer()
+        self.assertIsInstance(found, vtkBoneDecimate)
+        self.assertEqual(found.maximum_error, 0.5)
+        with self.assertRaises(AttributeError):
+            found.max_error = 0.1
 
     def test_switches_have_set_on_and_off(self):
         decimate = vtkBoneDecimate()

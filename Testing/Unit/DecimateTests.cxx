@@ -91,7 +91,7 @@ TEST(Decimate, TheDefaultReductionStepsBackForANumberOrAnError)
 {
   EXPECT_EQ(Faces(Decimate(Bone(), Triangles(100))), 100) << "a tenth would be 512";
   EXPECT_EQ(Faces(Decimate(Bone(), Triangles(4000))), 4000);
-  EXPECT_GT(Faces(Decimate(Bone(), Error(1e-6))), 4000);
+  EXPECT_GT(Faces(Decimate(Bone(), Error(1e-4))), 4000);
 }
 
 TEST(Decimate, OfNumberAndExplicitReductionTheFirstReachedStops)
@@ -130,7 +130,9 @@ TEST(Decimate, InThesisAtMostOnePointLiesBeyondTheLargestError)
   {
     for (const double error : { 0.01, 0.2, 1.0 })
     {
-      const Result result = Decimate(shape.Surface, InMode(Mode::Thesis, Error(error)));
+      Options options = InMode(Mode::Thesis, Error(error));
+      options.AllowLargeError = true; // some shapes have a size of 1 mm
+      const Result result = Decimate(shape.Surface, options);
       EXPECT_LE(CountBeyond(result.Distance, error), 1) << shape.Name << " at " << error;
       if (result.Report.Stop == StopReason::ErrorReached)
       {

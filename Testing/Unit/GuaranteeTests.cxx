@@ -156,6 +156,7 @@ TEST(Guarantee, IsRefusedWhereSinglePrecisionHasNoPlacesForItsPoints)
 {
   const Surface input = Moved(Icosphere(2, 1.0), Vector3(1e7, 0.0, 0.0)); // 1 mm is one step there
   Options options = InMode(Mode::Fast, Error(10.0));
+  options.AllowLargeError = true;
   options.TargetNumberOfTriangles = static_cast<Index>(input.Triangles.size());
   options.OutputPointsPrecision = PointsPrecision::Single;
   const Result refused = Decimate(input, options);

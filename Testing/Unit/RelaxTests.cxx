@@ -302,6 +302,7 @@ TEST(RelaxedModes, EndAtTheFirstStopReached)
     options.MaximumError = 0.05;
     EXPECT_EQ(Decimate(input, options).Report.Stop, StopReason::ErrorReached);
     options.MaximumError = 100.0;
+    options.AllowLargeError = true;
     const Result byNumber = Decimate(input, options);
     EXPECT_EQ(byNumber.Report.Stop, StopReason::TargetReached);
     EXPECT_EQ(byNumber.Surface.Triangles.size(), 40U);

@@ -82,7 +82,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         buttons = qt.QHBoxLayout()
         for name in presets((1.0,)):
             button = qt.QPushButton(name)
-            button.clicked.connect(lambda _checked=False, name=name: self._onPreset(name))
+            button.clicked.connect(lambda _checked=False, name=name: self._try(lambda: self._onPreset(name)))
             buttons.addWidget(button)
         self.triangles = qt.QSpinBox()
         self.triangles.maximum, self.triangles.singleStep = 100_000_000, 1000

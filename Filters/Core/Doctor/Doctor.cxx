@@ -3,6 +3,7 @@
 #include "Doctor.h"
 
 #include "Geometry/TriangleGeometry.h"
+#include "Mesh/BoneSize.h"
 #include "Mesh/Cleaning.h"
 #include "Mesh/EdgeMatching.h"
 #include "Mesh/HalfEdgeMesh.h"
@@ -18,10 +19,6 @@ namespace bonedecimate
 {
 namespace
 {
-/// Diagonals of what may be a bone in mm: from an ear's stirrup to a man.
-constexpr double SmallestBone = 2.0;
-constexpr double LargestBone = 3000.0;
-
 class Examination
 {
 public:
@@ -319,8 +316,7 @@ private:
     }
     Finding size = { FindingKind::OddSize };
     size.Length = most.norm();
-    size.Count =
-      size.Length > 0.0 && (size.Length < SmallestBone || size.Length > LargestBone) ? 1 : 0;
+    size.Count = size.Length > 0.0 && !IsBoneSize(size.Length) ? 1 : 0;
     this->Keep(std::move(size));
   }
 

@@ -12,11 +12,9 @@ from pathlib import Path
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk
 
+from .checks import DecimationError
+
 TOLERANCE = "Tolerance"  # mm, point array of what goes in
-
-
-class DecimationError(RuntimeError):
-    """What went wrong, in a sentence for the user."""
 
 
 class NoEngine(DecimationError):
@@ -63,8 +61,7 @@ class WheelEngine:
         decimate = vtkBoneDecimate()
         rows = {row.flag: row for row in table.ROWS.values()}
         for flag, value in options.items():
-            row = rows[flag]
-            getattr(decimate, "Set" + row.name)(row.choices.index(value) if row.choices else value)
+            _set_option(decimate, rows, flag, value)
         if tolerances is not None:
             decimate.SetToleranceArrayName(TOLERANCE)
         problems = []
@@ -93,6 +90,19 @@ class WheelEngine:
         keywords = {flag.replace("-", "_"): value for flag, value in options.items()}
         points = found.points.astype("float32") if found.is_single else found.points
         return bonedecimate.record_levels(points, found.triangles, **keywords)
+
+
+def _set_option(decimate, rows, flag, value):
+    """An option by its flag; unknown ones and values outside the range are a DecimationError."""
+    row = rows.get(flag)
+    if row is None:
+        raise DecimationError(f"There is no option --{flag}.")
+    if row.choices and value not in row.choices:
+        raise DecimationError(f"{row.name} takes one of {', '.join(row.choices)}, not {value!r}.")
+    try:
+        getattr(decimate, "Set" + row.name)(row.choices.index(value) if row.choices else value)
+    except (OverflowError, TypeError, ValueError) as problem:
+        raise DecimationError(str(problem)) from problem
 
 
 def _collector(problems):

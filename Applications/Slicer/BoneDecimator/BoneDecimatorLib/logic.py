@@ -7,8 +7,9 @@ from dataclasses import dataclass, field
 import numpy as np
 import vtk
 
-from . import places
-from .engines import DecimationError, find_engine
+from . import checks, places
+from .checks import DecimationError
+from .engines import find_engine
 
 PRESETS = {"quarter of a voxel": 0.25, "half a voxel": 0.5, "one voxel": 1.0}
 
@@ -27,12 +28,21 @@ class Request:
     feather: float = 2.0  # over which the tolerance goes from one value to the other
     extra: dict = field(default_factory=dict)  # more flags of the program
 
-    def options(self):
-        """Flags of the program without dashes."""
+    def check(self):
+        """Raises DecimationError with a sentence about the first value that is wrong."""
+        checks.check_length("The tolerance", self.tolerance)
+        checks.check_whole("The number of triangles", self.triangles, 0, checks.MOST_TRIANGLES)
+        checks.check_mode(self.mode)
+        checks.check_length("The radius", self.radius)
+        checks.check_length("The feather", self.feather)
         if self.tolerance <= 0.0 and self.triangles <= 0:
             raise DecimationError("Give a tolerance or a number of triangles.")
         if self.brush is not None and self.tolerance <= 0.0:
             raise DecimationError("A brush needs a tolerance.")
+
+    def options(self):
+        """Flags of the program without dashes."""
+        self.check()
         wanted = {"mode": self.mode}
         if self.tolerance > 0.0:
             wanted["max-error"] = self.tolerance
@@ -45,6 +55,8 @@ class Request:
 
 def presets(spacing):
     """Tolerances, mm, by name, from the scan's voxels: their least side counts."""
+    for side in spacing:
+        checks.check_length("The scan's spacing", side)
     return {name: share * min(spacing) for name, share in PRESETS.items()}
 
 
@@ -120,6 +132,7 @@ class BoneDecimatorLogic:
 
     def decimate(self, source, request, target=None, segment=None, progress=None):
         """A new model node, or the target with what it was kept for undo(). Returns node and statistics."""
+        request.check()
         surface = surface_of(source, segment)
         result = self.engine.decimate(surface, request.options(), self.tolerances(request, source, surface), progress)
         if target is None:
@@ -133,10 +146,13 @@ class BoneDecimatorLogic:
         """For a slider: bonedecimate.Levels down to that share of the triangles."""
         if not self.engine.has_levels:
             raise DecimationError("Levels need the Python package bonedecimate.")
+        checks.check_mode(mode)
+        checks.check_ratio("The ratio of triangles", share)
         return self.engine.record_levels(surface_of(source, segment), {"mode": mode, "target-reduction": 1.0 - share})
 
     def show_level(self, levels, triangles, target):
         """Puts a level into a node: no undo, a slider is its own."""
+        checks.check_whole("The number of triangles", triangles, 1, checks.MOST_TRIANGLES)
         points, corners = levels.at(triangles=triangles)
         target.SetAndObservePolyData(_polydata(points, corners))
 
