@@ -248,7 +248,9 @@ std::optional<CertifyArguments> ParseCertifyArguments(int argc, char* argv[])
     "bonedecimate certify");
   app.formatter(std::make_shared<HelpFormatter>("REFERENCE RESULT [OPTIONS]"));
   app.footer(ExitCodesText());
-  app.add_option("FILES", files, WrappedHelp("Two surfaces (obj, stl, ply, vtp, vtk), mm."))
+  app
+    .add_option(
+      "FILES", files, WrappedHelp("Two surfaces (obj, stl, ply, vtp, vtk), in mm or --unit."))
     ->type_name("")
     ->allow_extra_args();
   AddOptions(app, arguments);

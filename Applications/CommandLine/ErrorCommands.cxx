@@ -52,6 +52,7 @@ void AddOptions(CLI::App& app, ErrorArguments& arguments, bool isCurve)
       { "--errors", "MM,...", PositiveLengthRange, "Largest errors, for example 0.1,0.2,0.5,1." },
       [&arguments](double error) { arguments.Errors.push_back(error); })
       ->required();
+    AddAllowLargeError(app, arguments.AllowLargeError);
     AddFile(app, "--csv", arguments.Csv, "Write the runs as a table.");
     AddFile(app, "--picture", arguments.Picture, "Draw the curve into an SVG.");
   }
@@ -99,6 +100,7 @@ public:
     this->Filter->SetTargetNumberOfTriangles(this->Asked.Triangles);
     this->Filter->SetRelativePrecision(this->Asked.Precision);
     this->Filter->SetNumberOfThreads(this->Asked.Threads);
+    this->Filter->SetAllowLargeError(this->Asked.AllowLargeError);
     for (const double error : this->Asked.Errors)
     {
       this->Filter->AddError(error);
@@ -279,7 +281,9 @@ std::optional<ErrorArguments> ParseErrorArguments(int argc, char* argv[])
   app.formatter(std::make_shared<HelpFormatter>(
     isCurve ? "INPUT --errors MM,... [OPTIONS]" : "INPUT --triangles N [OPTIONS]"));
   app.footer(ExitCodesText());
-  app.add_option("FILES", files, WrappedHelp("A surface (obj, stl, ply, vtp, vtk), mm."))
+  app
+    .add_option(
+      "FILES", files, WrappedHelp("A surface (obj, stl, ply, vtp, vtk), in mm or --unit."))
     ->type_name("")
     ->allow_extra_args();
   AddOptions(app, arguments, isCurve);

@@ -5,7 +5,9 @@
 #include "BoundText.h"
 #include "ExitCode.h"
 #include "FileChecks.h"
+#include "ReportFields.h"
 #include "Surface.h"
+#include "SurfaceFormat.h"
 #include "VoxelSize.h"
 
 #include "vtkDataArray.h"
@@ -55,6 +57,64 @@ double Widened(const std::string& name, double value, double move, double error)
     return std::max(0.0, value - move);
   }
   return error > 0.0 && EndsWith(name, ".tolerance") ? error : value;
+}
+
+/// How far the farthest point of a result, mm, lies from itself in the file, mm.
+double LargestMove(vtkPolyData* result, vtkPolyData* inFile, const LengthUnit& unit)
+{
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i)
+  {
+    const Place from = PlaceOf(result, i);
+    const Place to = PlaceOf(inFile, i);
+    double square = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double step = unit.ToMillimeters(to[axis]) - from[axis];
+      square += step * step;
+    }
+    largest = std::max(largest, square);
+  }
+  return std::sqrt(largest) * (1.0 + 8.0 * std::numeric_limits<double>::epsilon());
+}
+
+/// A copy whose proved bounds in the field data hold for the file. @param error What is kept then, mm; 0: as it is.
+vtkSmartPointer<vtkPolyData> WithWidenedProof(vtkPolyData* result, double move, double error)
+{
+  vtkNew<vtkFieldData> fields;
+  fields->DeepCopy(result->GetFieldData());
+  for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+  {
+    auto* entry = vtkDoubleArray::SafeDownCast(fields->GetAbstractArray(i));
+    const std::string name = entry && entry->GetName() ? entry->GetName() : "";
+    if (BeginsWith(name, "bonedecimate.proof.") || BeginsWith(name, "bonedecimate.distance."))
+    {
+      entry->SetValue(0, Widened(name, entry->GetValue(0), move, error));
+    }
+  }
+  auto widened = vtkSmartPointer<vtkPolyData>::New();
+  widened->ShallowCopy(result);
+  widened->SetFieldData(fields);
+  return widened;
+}
+
+/// Points of different coordinates in the first surface that have the same in the second.
+vtkIdType CountMeetingPoints(vtkPolyData* result, vtkPolyData* inFile)
+{
+  std::vector<std::pair<Place, Place>> places;
+  places.reserve(static_cast<std::size_t>(result->GetNumberOfPoints()));
+  for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i)
+  {
+    places.emplace_back(PlaceOf(inFile, i), PlaceOf(result, i));
+  }
+  std::sort(places.begin(), places.end());
+  vtkIdType meeting = 0;
+  for (std::size_t i = 1; i < places.size(); ++i)
+  {
+    const bool isSame = places[i].first == places[i - 1].first;
+    meeting += isSame && places[i].second != places[i - 1].second ? 1 : 0;
+  }
+  return meeting;
 }
 }
 
@@ -132,43 +192,6 @@ vtkSmartPointer<vtkPolyData> TolerancesWithRoom(
   return result;
 }
 
-double LargestMove(vtkPolyData* result, vtkPolyData* inFile, const LengthUnit& unit)
-{
-  double largest = 0.0;
-  for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i)
-  {
-    const Place from = PlaceOf(result, i);
-    const Place to = PlaceOf(inFile, i);
-    double square = 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const double step = unit.ToMillimeters(to[axis]) - from[axis];
-      square += step * step;
-    }
-    largest = std::max(largest, square);
-  }
-  return std::sqrt(largest) * (1.0 + 8.0 * std::numeric_limits<double>::epsilon());
-}
-
-vtkSmartPointer<vtkPolyData> WithWidenedProof(vtkPolyData* result, double move, double error)
-{
-  vtkNew<vtkFieldData> fields;
-  fields->DeepCopy(result->GetFieldData());
-  for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
-  {
-    auto* entry = vtkDoubleArray::SafeDownCast(fields->GetAbstractArray(i));
-    const std::string name = entry && entry->GetName() ? entry->GetName() : "";
-    if (BeginsWith(name, "bonedecimate.proof.") || BeginsWith(name, "bonedecimate.distance."))
-    {
-      entry->SetValue(0, Widened(name, entry->GetValue(0), move, error));
-    }
-  }
-  auto widened = vtkSmartPointer<vtkPolyData>::New();
-  widened->ShallowCopy(result);
-  widened->SetFieldData(fields);
-  return widened;
-}
-
 vtkSmartPointer<vtkPolyData> WithWidenedBounds(
   vtkPolyData* surface, const std::string& array, double move)
 {
@@ -187,21 +210,28 @@ vtkSmartPointer<vtkPolyData> WithWidenedBounds(
   return widened;
 }
 
-vtkIdType CountMeetingPoints(vtkPolyData* result, vtkPolyData* inFile)
+RoundedResult RoundForFile(vtkPolyData* result, vtkPolyData* inFile, const RoundedRun& run)
 {
-  std::vector<std::pair<Place, Place>> places;
-  places.reserve(static_cast<std::size_t>(result->GetNumberOfPoints()));
-  for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i)
+  const vtkIdType meeting = run.MergesPoints ? CountMeetingPoints(result, inFile) : 0;
+  if (meeting > 0)
   {
-    places.emplace_back(PlaceOf(inFile, i), PlaceOf(result, i));
+    Refuse(run.Path,
+      "in " + run.Unit.Name + " and single precision, " + std::to_string(meeting) +
+        " points of the result would lie on others; obj, ply, vtp and vtk hold double precision");
   }
-  std::sort(places.begin(), places.end());
-  vtkIdType meeting = 0;
-  for (std::size_t i = 1; i < places.size(); ++i)
+  const double move = LargestMove(result, inFile, run.Unit);
+  const vtkSmartPointer<vtkPolyData> proved =
+    WithWidenedBounds(WithWidenedProof(result, move, run.Error), run.BoundArray, move);
+  const ReportFields report(proved);
+  const double upper = report.Number("proof.upper").value_or(0.0);
+  const double tolerance = report.Number("proof.tolerance").value_or(0.0);
+  if (tolerance > 0.0 && upper > tolerance)
   {
-    const bool isSame = places[i].first == places[i - 1].first;
-    meeting += isSame && places[i].second != places[i - 1].second ? 1 : 0;
+    throw Failure(ExitCode::Undecided,
+      "'" + BaseName(run.Path) + "': written in " + run.Unit.Name + ", points move by up to " +
+        UpperBoundText(move, 9) + " mm, for which the largest error of " + FixedText(tolerance, 9) +
+        " mm has no room; give --voxel-size or write double precision; nothing was written");
   }
-  return meeting;
+  return { proved, move };
 }
 }

@@ -42,21 +42,33 @@ bool HasFrozenPoints(vtkPolyData* surface, const std::string& array);
 vtkSmartPointer<vtkPolyData> TolerancesWithRoom(
   vtkPolyData* surface, const std::string& array, double rounding);
 
-/// How far the farthest point of a result, mm, lies from itself in the file, mm.
-double LargestMove(vtkPolyData* result, vtkPolyData* inFile, const LengthUnit& unit);
-
-/**
- * A copy whose proved bounds in the field data ("bonedecimate.proof.*", and those of open borders) hold for the file.
- * @param error What is kept then, mm; 0: leaves the tolerance of the proof as it is.
- */
-vtkSmartPointer<vtkPolyData> WithWidenedProof(vtkPolyData* result, double move, double error);
-
-/// A copy with the same for a point array of bounds, if it is there.
+/// A copy whose point array of proved bounds, if it is there, holds for points that were moved so far, mm.
 vtkSmartPointer<vtkPolyData> WithWidenedBounds(
   vtkPolyData* surface, const std::string& array, double move);
 
-/// Points of different coordinates in the first surface that have the same in the second.
-vtkIdType CountMeetingPoints(vtkPolyData* result, vtkPolyData* inFile);
+/// A run whose result goes to a file in another unit than millimeters.
+struct RoundedRun
+{
+  const LengthUnit& Unit;
+  double Error; ///< mm, asked for; 0: none, or not known before the run.
+  std::string BoundArray;
+  bool MergesPoints;
+  const std::string& Path; ///< Of the input, for messages.
+};
+
+struct RoundedResult
+{
+  vtkSmartPointer<vtkPolyData> Result; ///< mm, with bounds that hold for the file.
+  double Move;                         ///< mm, of the farthest point.
+};
+
+/**
+ * @param result A proved result, mm.
+ * @param inFile The same as the file will have it.
+ * @throws Failure(ExitCode::InputRefused) if the rounding puts points onto each other, Failure(ExitCode::Undecided) if the
+ * largest error has no room for it.
+ */
+RoundedResult RoundForFile(vtkPolyData* result, vtkPolyData* inFile, const RoundedRun& run);
 }
 
 #endif

@@ -65,6 +65,10 @@ void Tell(vtkBoneCheck* check, int finding)
   {
     std::printf(" (%.6g mm)", check->GetLength(finding));
   }
+  if (check->GetWord(finding) == "odd_size")
+  {
+    std::printf("; --unit tells another unit of the coordinates");
+  }
   const std::vector<vtkIdType> first = FirstIds(check, finding);
   const char* before = ": ";
   for (const vtkIdType id : first)
@@ -99,7 +103,9 @@ std::optional<InspectArguments> ParseInspectArguments(int argc, char* argv[])
     "bonedecimate check");
   app.formatter(std::make_shared<HelpFormatter>("FILE [OPTIONS]"));
   app.footer(ExitCodesText());
-  app.add_option("FILE", arguments.File, WrappedHelp("A surface (obj, stl, ply, vtp, vtk), mm."))
+  app
+    .add_option(
+      "FILE", arguments.File, WrappedHelp("A surface (obj, stl, ply, vtp, vtk), in mm or --unit."))
     ->type_name("");
   app.add_option("--json", arguments.Json, WrappedHelp("Write everything found as JSON."))
     ->type_name("FILE");

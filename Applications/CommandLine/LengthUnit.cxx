@@ -136,6 +136,17 @@ void AddUnit(CLI::App& app, LengthUnit& unit)
     ->type_name("m|cm|mm|um|inch");
 }
 
+void AddAllowLargeError(CLI::App& app, bool& allow)
+{
+  app
+    .add_option_function<std::string>(
+      "--allow-large-error", [&allow](const std::string& text) { allow = text == "on"; },
+      WrappedHelp("Take an error of more than a quarter of the diagonal of the input's bounding "
+                  "box, which is refused otherwise; default off."))
+    ->type_name("on|off")
+    ->check(CLI::IsMember({ "on", "off" }).description(""));
+}
+
 MillimeterSurface ReadInMillimeters(const std::string& path, const LengthUnit& unit)
 {
   const LoadedSurface loaded = ReadSurface(path);

@@ -64,6 +64,9 @@ vtkSmartPointer<vtkPolyData> ToMillimeters(vtkPolyData* surface, const LengthUni
 vtkSmartPointer<vtkPolyData> FromMillimeters(
   vtkPolyData* surface, const LengthUnit& unit, bool toSingle, vtkPolyData* input);
 
+/// Adds --allow-large-error, for commands whose options are not those of the table.
+void AddAllowLargeError(CLI::App& app, bool& allow);
+
 /// The message, with --unit and --allow-large-error named where it doubts that coordinates are in millimeters.
 std::string WithUnitHint(std::string message);
 }

@@ -26,6 +26,7 @@ struct LevelsArguments
   int Coarsest = 0;
   std::string Mode = "Balanced";
   double MaximumError = 0.0; ///< mm
+  bool AllowLargeError = false;
   bool WithoutErrors = false;
   std::string Record; ///< Where its log goes; empty: nowhere.
   /// @}
@@ -45,6 +46,9 @@ struct LevelsArguments
 /// @returns Nothing if it asked for a text (--help), which is then printed.
 /// @throws Failure(ExitCode::Usage)
 std::optional<LevelsArguments> ParseLevelsArguments(int argc, char* argv[]);
+
+/// No output takes the place of a surface that is read. @throws Failure(ExitCode::Usage)
+void KeepSurfaces(const LevelsArguments& arguments, const std::string& output);
 
 /// @throws Failure, std::bad_alloc
 ExitCode RunLevels(const LevelsArguments& arguments);

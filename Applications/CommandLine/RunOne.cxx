@@ -33,22 +33,6 @@ namespace bonedecimate
 {
 namespace
 {
-/// What is proved holds for the files only if they are read with the coordinates that were proved.
-Options OptionsOf(const Arguments& arguments)
-{
-  Options options = arguments.Options;
-  const auto isSingle = [](const std::string& path) { return !HoldsDoubles(FormatOf(path)); };
-  const bool isLimited = (!options.ToleranceArrayName.empty() || !arguments.Regions.empty()) &&
-    options.Mode != Mode::Thesis;
-  if ((options.PromisesError() || isLimited) &&
-    (isSingle(arguments.Output) ||
-      std::any_of(arguments.Also.begin(), arguments.Also.end(), isSingle)))
-  {
-    options.OutputPointsPrecision = PointsPrecision::Single;
-  }
-  return options;
-}
-
 /// A bone on its way; the verbs are in the order of RunOne().
 class BoneRun
 {
@@ -101,7 +85,7 @@ public:
 
   void Decimate()
   {
-    Options options = OptionsOf(this->Asked);
+    Options options = OptionsForFiles(this->Asked);
     options.VoxelSize = options.VoxelSize == 0.0 ? this->VoxelSize : options.VoxelSize;
     this->LeaveRoom(options);
     ApplyOptions(options, this->Filter);
@@ -252,28 +236,12 @@ private:
     {
       return;
     }
-    const vtkIdType meeting =
-      this->Filter->GetMergePoints() ? CountMeetingPoints(this->Result, this->InFile) : 0;
-    if (meeting > 0)
-    {
-      Refuse(this->Path,
-        "in " + unit.Name + " and single precision, " + std::to_string(meeting) +
-          " points of the result would lie on others; obj, ply, vtp and vtk hold double precision");
-    }
-    this->Move = LargestMove(this->Result, this->InFile, unit);
-    this->Result = WithWidenedBounds(WithWidenedProof(this->Result, this->Move, this->Error),
-      this->Filter->GetErrorBoundArrayName(), this->Move);
+    const RoundedResult rounded = RoundForFile(this->Result, this->InFile,
+      { unit, this->Error, this->Filter->GetErrorBoundArrayName(), this->Filter->GetMergePoints(),
+        this->Path });
+    this->Move = rounded.Move;
+    this->Result = rounded.Result;
     this->InFile = FromMillimeters(this->Result, unit, this->WritesSingle, this->InputInFile);
-    const ReportFields report(this->Result);
-    const double upper = report.Number("proof.upper").value_or(0.0);
-    const double tolerance = report.Number("proof.tolerance").value_or(0.0);
-    if (tolerance > 0.0 && upper > tolerance)
-    {
-      throw Failure(ExitCode::Undecided,
-        "'" + BaseName(this->Path) + "': written in " + unit.Name + ", points move by up to " +
-          UpperBoundText(this->Move, 9) + " mm, which the proof of " + FixedText(tolerance, 9) +
-          " mm has no room for; give --voxel-size or write double precision; nothing was written");
-    }
     this->Notes.push_back("coordinates in " + unit.Name + " are rounded by up to " +
       UpperBoundText(this->Move, 9) + " mm, which the largest error includes");
   }

@@ -37,7 +37,8 @@ class Units(ApplicationTest):
         self.succeed("mm.vtp", "expected.vtp", "--max-error", 0.2, "--report", "expected.json", "--quiet")
         expected = self.report("expected.json")
         for unit, factor in UNITS.items():
-            for source, target in ((".stl", "out.stl"), (".stl", "out.vtp"), (".vtp", "out.vtp"), (".vtp", "out.stl")):
+            pairs = ((".stl", "out.stl"), (".stl", "out.vtp"), (".vtp", "out.vtp"), (".vtp", "out.stl"))
+            for source, target in pairs if unit == "m" else pairs[1:3]:
                 with self.subTest(unit=unit, source=source, target=target):
                     self.succeed(unit + source, target, "--unit", unit, "--max-error", 0.2, "--report", "report.json",
                                  "--also", "also.obj")
@@ -61,6 +62,23 @@ class Units(ApplicationTest):
         answer = self.run_program("certify", "m.stl", "out.stl", "--unit", "m", "--tolerance", 0.001)
         self.assertEqual(answer.returncode, VIOLATED)
 
+    def test_a_size_that_is_not_in_millimeters_is_warned_of_and_refused_with_the_way_to_go(self):
+        write(scaled(torus(), 1e-3), self.path("bone.ply"))
+        said = self.succeed("bone.ply", "out.ply", "--target-faces", 500, "--report", "r.json").stdout
+        self.assertRegex(said, "warning: .*may not be in millimeters, --unit tells their unit")
+        self.assertIn("--unit tells their unit", self.report("r.json")["warnings"][0])
+        for words in (("bone.ply", "new.ply", "--max-error", 0.5), ("curve", "bone.ply", "--errors", 0.5),
+                      ("levels", "bone.ply", "--max-error", 0.5)):
+            answer = self.fail_with(REFUSED, *words, says="may not be in millimeters, --unit tells their unit")
+            self.assertIn("--allow-large-error on", answer.stderr)
+            self.succeed(*words, "--allow-large-error", "on")
+            self.succeed(*words, "--unit", "m")
+            self.path("new.ply").unlink(missing_ok=True)
+        self.assertIn("--unit", self.succeed("check", "bone.ply").stdout)
+        self.assertNotIn("--unit", self.succeed("check", "bone.ply", "--unit", "m").stdout)
+        self.assertNotIn("warning", self.succeed("bone.ply", "out.ply", "--unit", "m").stdout)
+        self.fail_with(USAGE, "levels", "bone.ply", "--allow-large-error", "on", says="it needs --max-error")
+
     def test_every_format_is_read_and_written(self):
         for extension in SURFACES:
             write(scaled(torus(), 0.1), self.path("bone." + extension))
@@ -70,7 +88,7 @@ class Units(ApplicationTest):
 
     def test_what_is_frozen_has_the_same_coordinates_in_the_file(self):
         half = ("--region", "box:0,99,-99,99,-99,99=0;rest=0.2", "--quiet")
-        for unit in UNITS:
+        for unit in ("m", "inch"):
             for name in (unit + ".stl", unit + ".vtp"):
                 target = "out" + name[-4:]
                 self.succeed(name, target, "--unit", unit, *half)
