@@ -4,13 +4,13 @@
 
 #include "ExitCode.h"
 #include "HelpFormatter.h"
+#include "Numbers.h"
 #include "OptionTable.h"
 #include "Report.h"
 #include "Words.h"
 
 #include <CLI/CLI.hpp>
 
-#include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -31,10 +31,20 @@ const std::vector<std::pair<const char*, const char*>> ThesisNumbers = {
 void GiveOption(
   Arguments& arguments, const OptionInfo& info, const std::string& name, const std::string& text)
 {
-  const std::string problem = SetOptionFromText(arguments.Options, info, text);
-  if (!problem.empty())
+  if (const std::optional<NumberRange> range = RangeOf(info))
   {
-    throw CLI::ValidationError(name, problem);
+    const double value = ReadNumber(name, text, *range);
+    // The range was checked.
+    SetOption(arguments.Options, info,
+      range->IsWhole ? OptionValue(static_cast<int>(value)) : OptionValue(value));
+  }
+  else
+  {
+    const std::string problem = SetOptionFromText(arguments.Options, info, text);
+    if (!problem.empty())
+    {
+      throw Failure(ExitCode::Usage, name + ": " + problem);
+    }
   }
   arguments.Given[info.Flag] = OptionText(arguments.Options, info);
 }
@@ -53,23 +63,17 @@ void AddTableOption(CLI::App& app, Arguments& arguments, const OptionInfo& info)
 
 void AddIso(CLI::App& app, Arguments& arguments)
 {
-  app
-    .add_option_function<double>(
-      "--iso",
-      [&arguments](double hounsfield)
-      {
-        if (!std::isfinite(hounsfield))
-        {
-          throw CLI::ValidationError("--iso", "takes a number");
-        }
-        arguments.Iso = hounsfield;
-        std::ostringstream text;
-        text << std::setprecision(17) << hounsfield;
-        arguments.Given["iso"] = text.str();
-      },
-      WrappedHelp("The input is a CT volume (.vti, .mha, .mhd, .nrrd, .nhdr, a DICOM folder): take "
-                  "the bone surface at this Hounsfield value, for example 226."))
-    ->type_name("HU");
+  AddNumber(app,
+    { "--iso", "HU", HounsfieldRange,
+      "The input is a CT volume (.vti, .mha, .mhd, .nrrd, .nhdr, a DICOM folder): take the bone "
+      "surface at this Hounsfield value, for example 226." },
+    [&arguments](double hounsfield)
+    {
+      arguments.Iso = hounsfield;
+      std::ostringstream text;
+      text << std::setprecision(17) << hounsfield;
+      arguments.Given["iso"] = text.str();
+    });
 }
 
 void AddIntensities(CLI::App& app, Arguments& arguments)
@@ -102,7 +106,7 @@ void AddRegions(CLI::App& app, Arguments& arguments)
           const std::string problem = ReadRegions(text, arguments.Regions);
           if (!problem.empty())
           {
-            throw CLI::ValidationError("--region", problem);
+            throw Failure(ExitCode::Usage, "--region " + problem);
           }
           all += (all.empty() ? "" : ";") + text;
         }
@@ -132,6 +136,7 @@ void AddCommonFlags(CLI::App& app, Arguments& arguments)
   file("--reference", arguments.Reference,
     "The surface from which INPUT was made by runs before: --max-error is promised and proved "
     "against it, and distances are measured to it.");
+  AddUnit(app, arguments.Unit);
   file("--report", arguments.Report, "Write the report as JSON.");
   file("--page", arguments.Page,
     "Write a self-contained HTML page for people, with the picture in it.");
@@ -146,11 +151,10 @@ void AddCommonFlags(CLI::App& app, Arguments& arguments)
 
 void AddBatchFlags(CLI::App& app, Arguments& arguments)
 {
-  app
-    .add_option("--jobs", arguments.Jobs,
-      WrappedHelp("Many bones: how many at once, each a process of its own."))
-    ->type_name("N")
-    ->check(CLI::Range(1, 1024).description(""));
+  AddNumber(app,
+    { "--jobs", "N", { 1, 1024, true, "processes" },
+      "Many bones: how many at once, each a process of its own." },
+    [&arguments](double jobs) { arguments.Jobs = static_cast<int>(jobs); });
   app.add_flag("--force", arguments.Force,
     WrappedHelp("Many bones: do those again that are finished already."));
   app
@@ -262,14 +266,7 @@ bool ParseThesisForm(int argc, char* argv[], Arguments& arguments)
   {
     return false;
   }
-  try
-  {
-    SetThesisWords(arguments, words);
-  }
-  catch (const CLI::ParseError& error)
-  {
-    throw Failure(ExitCode::Usage, error.what());
-  }
+  SetThesisWords(arguments, words);
   return true;
 }
 
@@ -298,6 +295,10 @@ std::optional<Arguments> ParseArguments(int argc, char* argv[])
   const bool thesis = argc > 1 && std::string(argv[1]) == "thesis";
   const bool run =
     thesis ? ParseThesisForm(argc, argv, arguments) : ParseOwnForm(argc, argv, arguments);
+  if (!arguments.Unit.IsMillimeter())
+  {
+    arguments.Given["unit"] = arguments.Unit.Name;
+  }
   return run ? std::optional<Arguments>(std::move(arguments)) : std::nullopt;
 }
 }

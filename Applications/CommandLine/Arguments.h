@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Applications_Arguments_h
 #define BoneDecimate_Applications_Arguments_h
 
+#include "LengthUnit.h"
 #include "Options.h"
 #include "Regions.h"
 
@@ -27,6 +28,7 @@ struct Arguments
   std::optional<double> Iso; ///< Hounsfield value of the surface of a volume.
   bool TakesLabels = false;  ///< Also values that look like labels, as intensities.
   std::vector<Region> Regions;
+  LengthUnit Unit; ///< Of the coordinates in files of surfaces.
 
   /// @name One bone only. @{
   std::vector<std::string> Also;
@@ -44,7 +46,7 @@ struct Arguments
   /// @}
 
   bool Quiet = false;
-  bool HasTags = false;    ///< Progress as 3D Slicer reads it.
+  bool HasTags = false;    ///< Called by 3D Slicer: progress in tags, every option given.
   bool ThesisForm = false; ///< Always one bone.
 };
 

@@ -37,6 +37,12 @@ public:
       this->Rows[i].Name = this->Bones[i].Name;
       this->Rows[i].Input = BaseName(this->Bones[i].Input);
       this->Rows[i].Report = this->Bones[i].Report;
+      if (!this->Bones[i].IsBone())
+      {
+        this->Rows[i].Status = "skipped";
+        this->Rows[i].Code = this->Bones[i].CodeIfNot;
+        this->Rows[i].Message = this->Bones[i].WhyNot;
+      }
     }
   }
 
@@ -86,12 +92,14 @@ private:
     for (; this->Next < this->Bones.size() && this->Running.size() < jobs && !IsInterrupted();
          ++this->Next)
     {
-      if (this->IsFinished(this->Bones[this->Next]))
+      const BatchBone& bone = this->Bones[this->Next];
+      if (bone.IsBone() && this->IsFinished(bone))
       {
         this->Rows[this->Next].Status = "skipped";
         this->Rows[this->Next].Code = ExitCode::Done;
+        this->Rows[this->Next].Message = "finished by an earlier run; --force does it again";
       }
-      else
+      else if (bone.IsBone())
       {
         this->Start(this->Next);
       }
@@ -181,7 +189,7 @@ private:
     if (this->Terminal && ended != this->Shown)
     {
       this->Shown = ended;
-      std::cout << "\r" << ended << " of " << this->Bones.size() << " bones" << std::flush;
+      std::cout << "\r" << ended << " of " << this->Bones.size() << " files" << std::flush;
     }
   }
 

@@ -18,7 +18,32 @@ namespace bonedecimate
 {
 namespace
 {
-void AddFolder(std::vector<BatchBone>& bones, const std::string& folder, bool volumes)
+/// An entry of a folder that was scanned, with the reason if it is no bone.
+BatchBone BoneOf(const fs::path& path, bool hasIso)
+{
+  std::error_code error;
+  BatchBone bone;
+  bone.Input = path.string();
+  const bool isFolder = fs::is_directory(path, error);
+  bone.Volume = IsVolume(bone.Input);
+  if (bone.Volume && !hasIso)
+  {
+    bone.WhyNot = "a volume: --iso HU says which surface to take";
+    bone.CodeIfNot = ExitCode::InputRefused;
+  }
+  else if (!bone.Volume && isFolder)
+  {
+    bone.WhyNot = "a folder: folders in a folder are not searched";
+  }
+  else if (!bone.Volume && FormatOf(bone.Input) == SurfaceFormat::Unknown)
+  {
+    const std::string extension = path.extension().string();
+    bone.WhyNot = "not a surface or volume: " + (extension.empty() ? "no extension" : extension);
+  }
+  return bone;
+}
+
+void AddFolder(std::vector<BatchBone>& bones, const std::string& folder, const Arguments& arguments)
 {
   std::vector<fs::path> paths;
   std::error_code error;
@@ -33,13 +58,10 @@ void AddFolder(std::vector<BatchBone>& bones, const std::string& folder, bool vo
   std::sort(paths.begin(), paths.end());
   for (const fs::path& path : paths)
   {
-    const bool hidden = path.filename().string()[0] == '.';
-    const bool surface =
-      fs::is_regular_file(path, error) && FormatOf(path.string()) != SurfaceFormat::Unknown;
-    const bool volume = volumes && !surface && IsVolume(path.string());
-    if (!hidden && (surface || volume))
+    const bool isHidden = path.filename().string()[0] == '.';
+    if (!isHidden && !fs::equivalent(path, arguments.Output, error))
     {
-      bones.push_back({ path.string(), "", "", "", volume });
+      bones.push_back(BoneOf(path, arguments.Iso.has_value()));
     }
   }
 }
@@ -58,32 +80,50 @@ std::string NameOf(const fs::path& input, int detail)
 
 /// Two inputs of one name get more of their paths into it, in the end a number. Small and capital
 /// letters are the same here, for there are file systems that think so.
-void NameBones(std::vector<BatchBone>& bones)
+void NameBones(const std::vector<BatchBone*>& bones)
 {
   for (int detail = 0; detail <= 2; ++detail)
   {
     std::multiset<std::string> names;
-    for (const BatchBone& bone : bones)
+    for (const BatchBone* bone : bones)
     {
-      names.insert(LowerText(bone.Name));
+      names.insert(LowerText(bone->Name));
     }
-    for (BatchBone& bone : bones)
+    for (BatchBone* bone : bones)
     {
-      if (bone.Name.empty() || names.count(LowerText(bone.Name)) > 1)
+      if (bone->Name.empty() || names.count(LowerText(bone->Name)) > 1)
       {
-        bone.Name = NameOf(bone.Input, detail);
+        bone->Name = NameOf(bone->Input, detail);
       }
     }
   }
   std::set<std::string> taken;
-  for (BatchBone& bone : bones)
+  for (BatchBone* bone : bones)
   {
-    const std::string name = bone.Name;
-    for (int number = 2; !taken.insert(LowerText(bone.Name)).second; ++number)
+    const std::string name = bone->Name;
+    for (int number = 2; !taken.insert(LowerText(bone->Name)).second; ++number)
     {
-      bone.Name = name + "_" + std::to_string(number);
+      bone->Name = name + "_" + std::to_string(number);
     }
   }
+}
+
+/// What is no bone keeps its own name and does not change that of any output.
+void NameAll(std::vector<BatchBone>& all)
+{
+  std::vector<BatchBone*> bones;
+  for (BatchBone& one : all)
+  {
+    if (one.IsBone())
+    {
+      bones.push_back(&one);
+    }
+    else
+    {
+      one.Name = BaseName(one.Input);
+    }
+  }
+  NameBones(bones);
 }
 
 std::string OutputExtension(const BatchBone& bone, const Arguments& arguments)
@@ -96,6 +136,22 @@ std::string OutputExtension(const BatchBone& bone, const Arguments& arguments)
                                                                        : ExtensionOf(bone.Input);
 }
 
+void CheckThatThereAreBones(const std::vector<BatchBone>& bones, const Arguments& arguments)
+{
+  const auto isBone = [](const BatchBone& bone) { return bone.IsBone(); };
+  if (std::none_of(bones.begin(), bones.end(), isBone))
+  {
+    throw Failure(ExitCode::InputRefused,
+      "'" + arguments.Inputs[0] + "' was refused: no surface file is in it" +
+        (arguments.Iso ? " and no volume" : ", and volumes need --iso HU"));
+  }
+  const auto isVolume = [](const BatchBone& bone) { return bone.Volume; };
+  if (arguments.Iso && std::none_of(bones.begin(), bones.end(), isVolume))
+  {
+    throw Failure(ExitCode::Usage, "--iso is for volumes; none of the inputs is one");
+  }
+}
+
 void CheckOverwriting(const std::vector<BatchBone>& bones)
 {
   for (const BatchBone& bone : bones)
@@ -103,7 +159,7 @@ void CheckOverwriting(const std::vector<BatchBone>& bones)
     for (const BatchBone& other : bones)
     {
       std::error_code error;
-      if (fs::equivalent(bone.Output, other.Input, error))
+      if (bone.IsBone() && fs::equivalent(bone.Output, other.Input, error))
       {
         throw Failure(ExitCode::Usage, "'" + bone.Output + "' is an input; it is not overwritten");
       }
@@ -126,24 +182,26 @@ std::vector<BatchBone> PlanBatch(const Arguments& arguments)
     const bool volume = IsVolume(input);
     if (!volume && fs::is_directory(input, error))
     {
-      AddFolder(bones, input, arguments.Iso.has_value());
+      AddFolder(bones, input, arguments);
     }
     else
     {
-      bones.push_back({ input, "", "", "", volume });
+      BatchBone bone;
+      bone.Input = input;
+      bone.Volume = volume;
+      bones.push_back(bone);
     }
   }
-  if (bones.empty())
-  {
-    throw Failure(ExitCode::InputRefused,
-      "'" + arguments.Inputs[0] + "' was refused: no surface file is in it");
-  }
-  NameBones(bones);
+  CheckThatThereAreBones(bones, arguments);
+  NameAll(bones);
   for (BatchBone& bone : bones)
   {
     const fs::path folder(arguments.Output);
-    bone.Output = (folder / (bone.Name + "." + OutputExtension(bone, arguments))).string();
-    bone.Report = (folder / (bone.Name + ".json")).string();
+    if (bone.IsBone())
+    {
+      bone.Output = (folder / (bone.Name + "." + OutputExtension(bone, arguments))).string();
+      bone.Report = (folder / (bone.Name + ".json")).string();
+    }
   }
   CheckOverwriting(bones);
   return bones;

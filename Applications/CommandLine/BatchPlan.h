@@ -8,6 +8,7 @@
 #define BoneDecimate_Applications_BatchPlan_h
 
 #include "Arguments.h"
+#include "ExitCode.h"
 
 #include <map>
 #include <string>
@@ -22,13 +23,18 @@ struct BatchBone
   std::string Output;
   std::string Report;
   bool Volume = false;
+  std::string WhyNot;                  ///< Why nothing is done with it; empty for a bone.
+  ExitCode CodeIfNot = ExitCode::Done; ///< What that means for the batch.
+
+  bool IsBone() const { return this->WhyNot.empty(); }
 };
 
 /**
- * Files in the order given, those of a folder sorted by name: every surface file, and every volume
- * with --iso.
- * @throws Failure(ExitCode::InputRefused) if there is none, Failure(ExitCode::Usage) if an output
- * is an input.
+ * Files in the order given, those of a folder sorted by name: every file and folder in it but hidden ones and the output
+ * folder. What is neither a surface nor a volume has a reason instead of outputs and counts as Done, for nobody named it;
+ * a volume without --iso counts as InputRefused.
+ * @throws Failure(ExitCode::InputRefused) if there is no bone, Failure(ExitCode::Usage) if an output
+ * is an input, or if --iso is given and there is no volume.
  */
 std::vector<BatchBone> PlanBatch(const Arguments& arguments);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BatchTable.h"
 
+#include "BoundText.h"
 #include "NumberText.h"
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <tuple>
 #include <utility>
 
 namespace bonedecimate
@@ -18,7 +20,7 @@ namespace
 using Json = nlohmann::json;
 
 /// Columns that come from the report: heading and JSON pointer.
-const std::array<std::pair<const char*, const char*>, 9> ReportColumns = { {
+const std::array<std::pair<const char*, const char*>, 11> ReportColumns = { {
   { "faces_in", "/input/faces" },
   { "faces_out", "/output/faces" },
   { "components_in", "/input/components" },
@@ -27,12 +29,14 @@ const std::array<std::pair<const char*, const char*>, 9> ReportColumns = { {
   { "mean_output_to_input_mm", "/distance/output_to_input/mean" },
   { "max_input_to_output_mm", "/distance/input_to_output/max" },
   { "mean_input_to_output_mm", "/distance/input_to_output/mean" },
+  { "proved_mm", "/proof/upper" },
+  { "verdict", "/proof/verdict" },
   { "seconds", "/seconds/total" },
 } };
 
 Json ReadReport(const BatchRow& row)
 {
-  if (row.Status != "done" && row.Status != "skipped")
+  if (row.Report.empty() || (row.Status != "done" && row.Status != "skipped"))
   {
     return Json();
   }
@@ -46,7 +50,7 @@ Json ValueAt(const Json& report, const char* pointer)
   return report.is_object() && report.contains(place) ? report[place] : Json();
 }
 
-/// Why a bone failed, or what its report warns of.
+/// Why a bone failed or was skipped, and what its report warns of.
 std::string MessageOf(const BatchRow& row, const Json& report)
 {
   std::string text = row.Message;
@@ -79,7 +83,9 @@ std::string Padded(const std::string& text, std::size_t width, bool right)
   return right ? blanks + text : text + blanks;
 }
 
-std::array<std::string, 6> CellsOf(const BatchRow& row)
+using TableLine = std::array<std::string, 8>;
+
+TableLine CellsOf(const BatchRow& row)
 {
   const Json report = ReadReport(row);
   const auto number = [&report](const char* pointer, auto text)
@@ -89,9 +95,12 @@ std::array<std::string, 6> CellsOf(const BatchRow& row)
   };
   const auto whole = [](double value) { return GroupedText(value); };
   const auto length = [](double value) { return MillimetreText(value); };
+  const auto bound = [](double value) { return UpperBoundText(value, 6); };
+  const Json verdict = ValueAt(report, "/proof/verdict");
   return { row.Name, row.Status, number("/input/faces", whole), number("/output/faces", whole),
     number("/distance/output_to_input/max", length),
-    number("/distance/input_to_output/max", length) };
+    number("/distance/input_to_output/max", length), number("/proof/upper", bound),
+    verdict.is_string() ? verdict.get<std::string>() : "-" };
 }
 }
 
@@ -111,7 +120,10 @@ std::string ComposeCsv(const std::vector<BatchRow>& rows)
     for (const auto& column : ReportColumns)
     {
       const Json value = ValueAt(report, column.second);
-      text += "," + (value.is_number() ? value.dump() : "");
+      text += "," +
+        (value.is_number()      ? value.dump()
+            : value.is_string() ? Quoted(value.get<std::string>())
+                                : "");
     }
     text += "," + Quoted(MessageOf(row, report)) + "\n";
   }
@@ -120,18 +132,18 @@ std::string ComposeCsv(const std::vector<BatchRow>& rows)
 
 void PrintTable(const std::vector<BatchRow>& rows)
 {
-  std::vector<std::array<std::string, 6>> lines = { { "name", "status", "triangles", "->",
-    "max out-in mm", "max in-out mm" } };
+  std::vector<TableLine> lines = { { "name", "status", "triangles", "->", "max out-in mm",
+    "max in-out mm", "proved <= mm", "verdict" } };
   std::transform(rows.begin(), rows.end(), std::back_inserter(lines), CellsOf);
-  std::array<std::size_t, 6> widths{};
-  for (const auto& line : lines)
+  std::array<std::size_t, std::tuple_size_v<TableLine>> widths{};
+  for (const TableLine& line : lines)
   {
     for (std::size_t i = 0; i < line.size(); ++i)
     {
       widths[i] = std::max(widths[i], line[i].size());
     }
   }
-  for (const auto& line : lines)
+  for (const TableLine& line : lines)
   {
     std::string text;
     for (std::size_t i = 0; i < line.size(); ++i)

@@ -21,7 +21,7 @@ struct BatchRow
   std::string Status = "not run"; ///< Or "done", "skipped", "failed", "interrupted".
   ExitCode Code = ExitCode::Interrupted;
   std::string Report;  ///< File to take the numbers from; read if the status is done or skipped.
-  std::string Message; ///< Why it failed.
+  std::string Message; ///< Why it failed or was skipped.
 };
 
 std::string ComposeCsv(const std::vector<BatchRow>& rows);

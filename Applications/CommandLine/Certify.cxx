@@ -7,6 +7,7 @@
 #include "HelpFormatter.h"
 #include "Interruption.h"
 #include "JsonReport.h"
+#include "Numbers.h"
 #include "ProgressBar.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"
@@ -30,11 +31,9 @@ namespace
 {
 void AddOptions(CLI::App& app, CertifyArguments& arguments)
 {
-  app
-    .add_option("--tolerance", arguments.Tolerance,
-      WrappedHelp("How far any point of one surface may be from the other."))
-    ->type_name("MM")
-    ->check(CLI::Range(0.0, 1e30).description(""));
+  AddNumber(app,
+    { "--tolerance", "MM", LengthRange, "How far any point of one surface may be from the other." },
+    [&arguments](double value) { arguments.Tolerance = value; });
   app
     .add_option("--tolerance-array", arguments.ToleranceArray,
       WrappedHelp("A point array of the reference (.vtp, .vtk) with a tolerance for each point in "
@@ -42,21 +41,16 @@ void AddOptions(CLI::App& app, CertifyArguments& arguments)
     ->type_name("NAME");
   app.add_option("--json", arguments.Json, WrappedHelp("Write everything found as JSON."))
     ->type_name("FILE");
-  app
-    .add_option("--gap", arguments.Gap,
-      WrappedHelp("By which share of the upper bound the lower may be less; default 1e-6."))
-    ->type_name("SHARE")
-    ->check(CLI::Range(1e-12, 1.0).description(""));
-  app
-    .add_option("--mean-precision", arguments.Precision,
-      WrappedHelp("To which share average and root mean square are estimated; default 0.005."))
-    ->type_name("SHARE")
-    ->check(CLI::Range(1e-4, 1.0).description(""));
-  app
-    .add_option("--threads", arguments.Threads,
-      WrappedHelp("0, the default, is one per processor. The answer is the same."))
-    ->type_name("N")
-    ->check(CLI::Range(0, 1024).description(""));
+  AddNumber(app,
+    { "--gap", "RATIO", { 1e-12, 1.0, false, "" },
+      "By which ratio of the upper bound the lower may be less; default 1e-6." },
+    [&arguments](double value) { arguments.Gap = value; });
+  AddNumber(app,
+    { "--mean-precision", "RATIO", { 1e-4, 1.0, false, "" },
+      "Relative precision of average and root mean square; default 0.005." },
+    [&arguments](double value) { arguments.Precision = value; });
+  AddThreads(app, arguments.Threads);
+  AddUnit(app, arguments.Unit);
   app.add_flag("--first-proof", arguments.FirstProof,
     WrappedHelp("Stop at the tolerance: no closer bounds where it is proved."));
   app.add_flag(
@@ -79,9 +73,9 @@ public:
 
   void Read()
   {
-    const LoadedSurface reference = ReadSurface(this->Asked.Reference);
-    const LoadedSurface result = ReadSurface(this->Asked.Result);
-    for (const LoadedSurface* loaded : { &reference, &result })
+    const MillimeterSurface reference = ReadInMillimeters(this->Asked.Reference, this->Asked.Unit);
+    const MillimeterSurface result = ReadInMillimeters(this->Asked.Result, this->Asked.Unit);
+    for (const MillimeterSurface* loaded : { &reference, &result })
     {
       this->Warnings.insert(this->Warnings.end(), loaded->Warnings.begin(), loaded->Warnings.end());
     }
@@ -130,8 +124,8 @@ public:
     if (!this->Asked.Json.empty())
     {
       WriteTextFile(this->Asked.Json,
-        ComposeJsonCertificate(
-          this->Filter->GetOutput(), this->Asked.Reference, this->Asked.Result, this->Warnings));
+        ComposeJsonCertificate(this->Filter->GetOutput(), this->Asked.Reference, this->Asked.Result,
+          this->Asked.Unit.Name, this->Warnings));
     }
   }
 
@@ -230,6 +224,21 @@ bool IsSameFile(const std::string& a, const std::string& b)
 }
 }
 
+/// Options that would have no effect.
+void CheckTogether(const CLI::App& app, const CertifyArguments& arguments)
+{
+  const bool hasTolerance = arguments.Tolerance || !arguments.ToleranceArray.empty();
+  if (arguments.FirstProof && !hasTolerance)
+  {
+    throw Failure(
+      ExitCode::Usage, "--first-proof has no effect; it needs --tolerance or --tolerance-array");
+  }
+  if (arguments.WithoutMeans && app.count("--mean-precision") > 0)
+  {
+    throw Failure(ExitCode::Usage, "--mean-precision has no effect with --no-means");
+  }
+}
+
 std::optional<CertifyArguments> ParseCertifyArguments(int argc, char* argv[])
 {
   CertifyArguments arguments;
@@ -239,7 +248,9 @@ std::optional<CertifyArguments> ParseCertifyArguments(int argc, char* argv[])
     "bonedecimate certify");
   app.formatter(std::make_shared<HelpFormatter>("REFERENCE RESULT [OPTIONS]"));
   app.footer(ExitCodesText());
-  app.add_option("FILES", files, WrappedHelp("Two surfaces (obj, stl, ply, vtp, vtk), mm."))
+  app
+    .add_option(
+      "FILES", files, WrappedHelp("Two surfaces (obj, stl, ply, vtp, vtk), in mm or --unit."))
     ->type_name("")
     ->allow_extra_args();
   AddOptions(app, arguments);
@@ -252,6 +263,7 @@ std::optional<CertifyArguments> ParseCertifyArguments(int argc, char* argv[])
     throw Failure(ExitCode::Usage,
       "certify takes REFERENCE RESULT; there are " + std::to_string(files.size()) + " files");
   }
+  CheckTogether(app, arguments);
   arguments.Reference = files[0];
   arguments.Result = files[1];
   if (IsSameFile(arguments.Json, files[0]) || IsSameFile(arguments.Json, files[1]))

@@ -8,6 +8,7 @@
 #define BoneDecimate_Applications_Certify_h
 
 #include "ExitCode.h"
+#include "LengthUnit.h"
 
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@ struct CertifyArguments
   std::optional<double> Tolerance; ///< mm
   std::string ToleranceArray;      ///< A point array of the reference, mm; empty: none.
   std::string Json;                ///< A file; empty: none.
+  LengthUnit Unit;                 ///< Of the coordinates in both files.
   double Gap = 1e-6;
   double Precision = 5e-3; ///< Of means.
   int Threads = 0;

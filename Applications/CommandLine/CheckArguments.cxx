@@ -4,9 +4,13 @@
 
 #include "BoneVolume.h"
 #include "ExitCode.h"
+#include "IdleOptions.h"
+#include "OptionTable.h"
 #include "SurfaceFormat.h"
+#include "Words.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 namespace fs = std::filesystem;
@@ -67,6 +71,60 @@ void CheckOverwriting(const Arguments& arguments)
   }
 }
 
+/// The sentence with flags in place of names of options.
+std::string WithFlags(std::string sentence)
+{
+  for (const OptionInfo& info : OptionTable())
+  {
+    const std::size_t at = sentence.find(info.Name);
+    const bool isWord = at != std::string::npos && (at == 0 || sentence[at - 1] == ' ') &&
+      std::isalpha(static_cast<unsigned char>(sentence[at + info.Name.size()])) == 0;
+    if (isWord && !info.Flag.empty())
+    {
+      sentence.replace(at, info.Name.size(), "--" + info.Flag);
+    }
+  }
+  return sentence;
+}
+
+/// 3D Slicer gives every option; there those count that do not have their default.
+void CheckIdleOptions(const Arguments& arguments)
+{
+  Options options = arguments.Options;
+  if (options.ToleranceArrayName.empty() && !arguments.Regions.empty())
+  {
+    options.ToleranceArrayName = "Tolerance";
+  }
+  std::vector<std::string> given;
+  for (const OptionInfo& info : OptionTable())
+  {
+    if (arguments.Given.count(info.Flag) > 0)
+    {
+      given.push_back(info.Name);
+    }
+  }
+  const std::vector<std::string> idle =
+    IdleOptions(options, arguments.HasTags ? ChangedOptions(options) : given);
+  Require(idle.empty(), idle.empty() ? "" : WithFlags(idle.front()));
+}
+
+/// What is proved is proved of coordinates as they will be read.
+void CheckPrecision(const Arguments& arguments)
+{
+  const bool isProved = arguments.Options.Mode != Mode::Thesis &&
+    (arguments.Options.PromisesError() || !arguments.Options.ToleranceArrayName.empty() ||
+      !arguments.Regions.empty());
+  std::vector<std::string> surfaces = arguments.Also;
+  surfaces.push_back(arguments.Output);
+  for (const std::string& surface : surfaces)
+  {
+    Require(!isProved || arguments.Options.OutputPointsPrecision != PointsPrecision::Double ||
+        HoldsDoubles(FormatOf(surface)),
+      "--precision Double has no effect with a largest error; '" + surface +
+        "' holds single precision");
+  }
+}
+
 void CheckOneBone(const Arguments& arguments)
 {
   RequireSurfaceFormat("the output", arguments.Output);
@@ -90,7 +148,18 @@ void CheckOneBone(const Arguments& arguments)
     "--intensities is for volumes, together with --iso");
   Require(arguments.Jobs == 0 && !arguments.Force && arguments.Format.empty(),
     "--jobs, --force and --format are for many bones and an output folder");
+  CheckPrecision(arguments);
   CheckOverwriting(arguments);
+}
+
+/// By an extension that this program reads or writes.
+bool IsNamedLikeFile(std::string path)
+{
+  path.erase(path.find_last_not_of('/') + 1);
+  const std::string extension = ExtensionOf(path);
+  const auto others = { "vti", "mha", "mhd", "nrrd", "nhdr", "json", "html", "png", "svg", "csv" };
+  return FormatOf(path) != SurfaceFormat::Unknown ||
+    std::find(others.begin(), others.end(), extension) != others.end();
 }
 
 void CheckBatch(const Arguments& arguments)
@@ -107,6 +176,8 @@ void CheckBatch(const Arguments& arguments)
   std::error_code error;
   Require(!fs::exists(arguments.Output, error) || fs::is_directory(arguments.Output, error),
     "'" + arguments.Output + "' is a file; many bones need an output folder");
+  Require(fs::is_directory(arguments.Output, error) || !IsNamedLikeFile(arguments.Output),
+    "'" + arguments.Output + "' is named like a file; it would become an output folder");
   for (const std::string& input : arguments.Inputs)
   {
     Require(!IsSame(input, arguments.Output), "'" + input + "' is input and output folder at once");
@@ -132,6 +203,13 @@ void CheckArguments(const Arguments& arguments)
     std::none_of(arguments.Inputs.begin(), arguments.Inputs.end(),
       [](const std::string& input) { return input.empty(); });
   Require(named, "a name is empty");
+  if (!arguments.ThesisForm)
+  {
+    RequireCommandOrFile(arguments.Inputs[0]);
+  }
+  Require(!arguments.Iso || arguments.Unit.IsMillimeter(),
+    "--unit is for surfaces; a volume for --iso is in millimeters by its header");
+  CheckIdleOptions(arguments);
   if (IsBatch(arguments))
   {
     CheckBatch(arguments);

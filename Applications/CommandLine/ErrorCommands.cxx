@@ -9,6 +9,7 @@
 #include "HelpFormatter.h"
 #include "Interruption.h"
 #include "NumberText.h"
+#include "Numbers.h"
 #include "ProgressBar.h"
 #include "Report.h"
 #include "StagedFile.h"
@@ -22,9 +23,11 @@
 #include "vtkNew.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -45,41 +48,33 @@ void AddOptions(CLI::App& app, ErrorArguments& arguments, bool isCurve)
 {
   if (isCurve)
   {
-    app
-      .add_option("--errors", arguments.Errors,
-        WrappedHelp("Largest errors in mm, with commas between them: 0.1,0.2,0.5,1."))
-      ->type_name("MM,...")
-      ->delimiter(',')
-      ->required()
-      ->check(CLI::Range(1e-9, 1e30).description(""));
+    AddNumberList(app,
+      { "--errors", "MM,...", PositiveLengthRange, "Largest errors, for example 0.1,0.2,0.5,1." },
+      [&arguments](double error) { arguments.Errors.push_back(error); })
+      ->required();
+    AddAllowLargeError(app, arguments.AllowLargeError);
     AddFile(app, "--csv", arguments.Csv, "Write the runs as a table.");
     AddFile(app, "--picture", arguments.Picture, "Draw the curve into an SVG.");
   }
   else
   {
-    app
-      .add_option("--triangles", arguments.Triangles,
-        WrappedHelp("The number of triangles whose smallest error is looked for."))
-      ->type_name("N")
-      ->required()
-      ->check(CLI::Range(1, 2147483647).description(""));
-    app
-      .add_option("--precision", arguments.Precision,
-        WrappedHelp(
-          "The search ends when the error that is found and the one that was tried in vain "
-          "differ by this share at most; 0.001 to 0.5, default 0.02."))
-      ->type_name("SHARE")
-      ->check(CLI::Range(0.001, 0.5).description(""));
+    AddNumber(app,
+      { "--triangles", "N", TriangleRange,
+        "The number of triangles whose smallest error is looked for." },
+      [&arguments](double value) { arguments.Triangles = static_cast<int>(value); })
+      ->required();
+    AddNumber(app,
+      { "--precision", "RATIO", { 0.001, 0.5, false, "" },
+        "The search ends when the error that is found and the one that was tried in vain differ "
+        "by this ratio at most; default 0.02." },
+      [&arguments](double value) { arguments.Precision = value; });
   }
   AddFile(app, "--json", arguments.Json, "Write all runs as JSON.");
   app.add_option("--mode", arguments.Mode, "Default Balanced.")
     ->type_name("Fast|Balanced|Accurate")
     ->check(CLI::IsMember({ "Fast", "Balanced", "Accurate" }, CLI::ignore_case).description(""));
-  app
-    .add_option("--threads", arguments.Threads,
-      WrappedHelp("0, the default, is one per processor. The answer is the same."))
-    ->type_name("N")
-    ->check(CLI::Range(0, 1024).description(""));
+  AddThreads(app, arguments.Threads);
+  AddUnit(app, arguments.Unit);
   app.add_flag("--quiet", arguments.Quiet, "Nothing on the standard output.");
 }
 
@@ -94,7 +89,7 @@ public:
 
   void Read()
   {
-    const LoadedSurface loaded = ReadSurface(this->Asked.Input);
+    const MillimeterSurface loaded = ReadInMillimeters(this->Asked.Input, this->Asked.Unit);
     this->Warnings = loaded.Warnings;
     this->Filter->SetInputData(loaded.Surface);
   }
@@ -105,6 +100,7 @@ public:
     this->Filter->SetTargetNumberOfTriangles(this->Asked.Triangles);
     this->Filter->SetRelativePrecision(this->Asked.Precision);
     this->Filter->SetNumberOfThreads(this->Asked.Threads);
+    this->Filter->SetAllowLargeError(this->Asked.AllowLargeError);
     for (const double error : this->Asked.Errors)
     {
       this->Filter->AddError(error);
@@ -119,8 +115,10 @@ public:
     const VtkMessages messages = TakeVtkMessages();
     if (!messages.Errors.empty())
     {
-      Refuse(this->Asked.Input, messages.Errors.front());
+      Refuse(this->Asked.Input, WithUnitHint(messages.Errors.front()));
     }
+    std::transform(messages.Warnings.begin(), messages.Warnings.end(),
+      std::back_inserter(this->Warnings), WithUnitHint);
   }
 
   void Write()
@@ -212,6 +210,7 @@ private:
     Json report = Json::object();
     report["version"] = Version();
     report["input"] = BaseName(this->Asked.Input);
+    report["unit"] = this->Asked.Unit.Name; // of the coordinates in the file
     report["mode"] = this->Asked.Mode;
     if (this->Asked.Triangles > 0)
     {
@@ -282,7 +281,9 @@ std::optional<ErrorArguments> ParseErrorArguments(int argc, char* argv[])
   app.formatter(std::make_shared<HelpFormatter>(
     isCurve ? "INPUT --errors MM,... [OPTIONS]" : "INPUT --triangles N [OPTIONS]"));
   app.footer(ExitCodesText());
-  app.add_option("FILES", files, WrappedHelp("A surface (obj, stl, ply, vtp, vtk), mm."))
+  app
+    .add_option(
+      "FILES", files, WrappedHelp("A surface (obj, stl, ply, vtp, vtk), in mm or --unit."))
     ->type_name("")
     ->allow_extra_args();
   AddOptions(app, arguments, isCurve);

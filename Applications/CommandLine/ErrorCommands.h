@@ -9,6 +9,7 @@
 #define BoneDecimate_Applications_ErrorCommands_h
 
 #include "ExitCode.h"
+#include "LengthUnit.h"
 
 #include <optional>
 #include <string>
@@ -24,7 +25,9 @@ struct ErrorArguments
   std::vector<double> Errors; ///< mm, curve only
   std::string Mode = "Balanced";
   int Threads = 0;
-  std::string Json; ///< Files; empty: none.
+  bool AllowLargeError = false; ///< curve only
+  LengthUnit Unit;              ///< Of the coordinates in the file.
+  std::string Json;             ///< Files; empty: none.
   std::string Csv;
   std::string Picture;
   bool Quiet = false;

@@ -3,7 +3,9 @@
 #include "FilterOptions.h"
 
 #include "OptionTable.h"
+#include "SurfaceFormat.h"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <stdexcept>
@@ -84,5 +86,21 @@ int ModeNumber(const std::string& name)
   Options options;
   SetOptionFromText(options, *FindOption("Mode"), name);
   return static_cast<int>(options.Mode);
+}
+
+//------------------------------------------------------------------------------
+Options OptionsForFiles(const Arguments& arguments)
+{
+  Options options = arguments.Options;
+  const auto isSingle = [](const std::string& path) { return !HoldsDoubles(FormatOf(path)); };
+  const bool isLimited = (!options.ToleranceArrayName.empty() || !arguments.Regions.empty()) &&
+    options.Mode != Mode::Thesis;
+  if ((options.PromisesError() || isLimited) &&
+    (isSingle(arguments.Output) ||
+      std::any_of(arguments.Also.begin(), arguments.Also.end(), isSingle)))
+  {
+    options.OutputPointsPrecision = PointsPrecision::Single;
+  }
+  return options;
 }
 }

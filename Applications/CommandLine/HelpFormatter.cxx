@@ -3,6 +3,7 @@
 #include "HelpFormatter.h"
 
 #include "ExitCode.h"
+#include "Numbers.h"
 #include "SurfaceFormat.h"
 
 #include <sstream>
@@ -14,9 +15,13 @@ namespace
 constexpr std::size_t FlagColumn = 32;
 constexpr std::size_t TextWidth = 68;
 
-/// "a number, 0 to 1": as the table itself puts it when it refuses a text.
+/// "a number, 0 to 1"; of choices as the table itself puts it when it refuses a text.
 std::string AcceptedValues(const OptionInfo& info)
 {
+  if (const std::optional<NumberRange> range = RangeOf(info))
+  {
+    return RangeText(*range);
+  }
   Options ignored;
   const std::string problem = SetOptionFromText(ignored, info, "?");
   const std::string before = " takes ";
@@ -53,10 +58,12 @@ std::string HelpFooter()
     "Lengths are millimetres.\n\n"
     "Many bones: the output folder gets NAME.EXT and NAME.json for each, and summary.csv.\n"
     "NAME is the input's, with its extension, its folder or a number added where two inputs\n"
-    "would get the same. One that fails does not stop the others. Run again, a bone is\n"
+    "would get the same. One that fails does not stop the others. Files of a folder that are\n"
+    "no surfaces or volumes are skipped, each with a row in summary.csv. Run again, a bone is\n"
     "skipped if its report names the same version, options, input size and time of change,\n"
     "and its output has the size it was written with. The program ends with the highest\n"
-    "code of them; a bone whose process died counts as 5.\n\n" +
+    "code of them; a bone whose process died counts as 5, a volume in a folder without --iso\n"
+    "as 2, a file of another kind that was not named itself as 0.\n\n" +
     ExitCodesText() + "\nThis software is not a medical device.\n";
 }
 

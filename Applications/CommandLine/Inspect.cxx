@@ -4,6 +4,7 @@
 
 #include "HelpFormatter.h"
 #include "Interruption.h"
+#include "Numbers.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"
 #include "SurfaceFormat.h"
@@ -33,7 +34,7 @@ std::vector<vtkIdType> FirstIds(vtkBoneCheck* check, int finding)
 }
 
 nlohmann::ordered_json Compose(
-  vtkBoneCheck* check, const std::string& file, const std::vector<std::string>& warnings)
+  vtkBoneCheck* check, const InspectArguments& arguments, const std::vector<std::string>& warnings)
 {
   nlohmann::ordered_json findings = nlohmann::ordered_json::array();
   for (int i = 0; i < check->GetNumberOfFindings(); ++i)
@@ -51,8 +52,8 @@ nlohmann::ordered_json Compose(
     }
     findings.push_back(finding);
   }
-  return { { "file", BaseName(file) }, { "usable", check->IsUsable() }, { "warnings", warnings },
-    { "findings", findings } };
+  return { { "file", BaseName(arguments.File) }, { "unit", arguments.Unit.Name },
+    { "usable", check->IsUsable() }, { "warnings", warnings }, { "findings", findings } };
 }
 
 /// "refused   3 points are not finite: 5, 7, 19"
@@ -63,6 +64,10 @@ void Tell(vtkBoneCheck* check, int finding)
   if (!std::isnan(check->GetLength(finding)))
   {
     std::printf(" (%.6g mm)", check->GetLength(finding));
+  }
+  if (check->GetWord(finding) == "odd_size")
+  {
+    std::printf("; --unit tells another unit of the coordinates");
   }
   const std::vector<vtkIdType> first = FirstIds(check, finding);
   const char* before = ": ";
@@ -98,15 +103,14 @@ std::optional<InspectArguments> ParseInspectArguments(int argc, char* argv[])
     "bonedecimate check");
   app.formatter(std::make_shared<HelpFormatter>("FILE [OPTIONS]"));
   app.footer(ExitCodesText());
-  app.add_option("FILE", arguments.File, WrappedHelp("A surface (obj, stl, ply, vtp, vtk), mm."))
+  app
+    .add_option(
+      "FILE", arguments.File, WrappedHelp("A surface (obj, stl, ply, vtp, vtk), in mm or --unit."))
     ->type_name("");
   app.add_option("--json", arguments.Json, WrappedHelp("Write everything found as JSON."))
     ->type_name("FILE");
-  app
-    .add_option("--threads", arguments.Threads,
-      WrappedHelp("0, the default, is one per processor. The answer is the same."))
-    ->type_name("N")
-    ->check(CLI::Range(0, 1024).description(""));
+  AddThreads(app, arguments.Threads);
+  AddUnit(app, arguments.Unit);
   app.add_flag("--quiet", arguments.Quiet, "Nothing on the standard output.");
   if (!ParseWords(app, WordsOf(argc, argv, 2)))
   {
@@ -128,7 +132,7 @@ std::optional<InspectArguments> ParseInspectArguments(int argc, char* argv[])
 //------------------------------------------------------------------------------
 ExitCode RunInspect(const InspectArguments& arguments)
 {
-  const LoadedSurface loaded = ReadSurface(arguments.File);
+  const MillimeterSurface loaded = ReadInMillimeters(arguments.File, arguments.Unit);
   StopIfInterrupted();
   vtkNew<vtkBoneCheck> check;
   check->SetInputData(loaded.Surface);
@@ -138,7 +142,7 @@ ExitCode RunInspect(const InspectArguments& arguments)
   if (!arguments.Json.empty())
   {
     WriteTextFile(arguments.Json,
-      Compose(check, arguments.File, loaded.Warnings)
+      Compose(check, arguments, loaded.Warnings)
           .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
         "\n");
   }

@@ -8,6 +8,7 @@
 #define BoneDecimate_Applications_Inspect_h
 
 #include "ExitCode.h"
+#include "LengthUnit.h"
 
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@ struct InspectArguments
   std::string File;
   std::string Json; ///< A file; empty: none.
   int Threads = 0;
+  LengthUnit Unit; ///< Of the coordinates in the file.
   bool Quiet = false;
 };
 

@@ -88,6 +88,7 @@ ReportSubject SubjectOf(
   ReportSubject subject;
   subject.Input = BaseName(input);
   subject.Output = BaseName(output);
+  subject.Unit = arguments.Unit.Name;
   subject.InputStamp = StampOf(input);
   subject.Given = arguments.Given;
   return subject;
@@ -105,6 +106,7 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
   report["files"]["input_modified"] = subject.InputStamp.Modified;
   report["files"]["output"] = subject.Output;
   report["files"]["output_bytes"] = subject.OutputBytes;
+  report["files"]["unit"] = subject.Unit;
   if (!subject.ProvedFiles.empty())
   {
     report["proof"]["files"] = subject.ProvedFiles;
@@ -116,12 +118,13 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
 }
 
 std::string ComposeJsonCertificate(vtkPolyData* output, const std::string& reference,
-  const std::string& result, const std::vector<std::string>& warnings)
+  const std::string& result, const std::string& unit, const std::vector<std::string>& warnings)
 {
   Json report = Json::object();
   AddFieldData(report, CertificatePrefix, output->GetFieldData());
   report["files"]["reference"] = BaseName(reference);
   report["files"]["result"] = BaseName(result);
+  report["files"]["unit"] = unit;
   report["warnings"] = warnings;
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

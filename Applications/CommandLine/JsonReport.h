@@ -23,6 +23,7 @@ struct ReportSubject
 {
   std::string Input;
   std::string Output;
+  std::string Unit;     ///< Of the coordinates in both.
   FileStamp InputStamp; ///< From before the input was read.
   std::int64_t OutputBytes = 0;
   std::map<std::string, std::string> Given; ///< What the command line asked for, by flag.
@@ -46,8 +47,9 @@ ReportSubject SubjectOf(
 std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject);
 
 /// A certificate in the field data of an output of vtkBoneSurfaceDistance in the same way, with the names as "files".
+/// @param unit Of the coordinates in both files.
 std::string ComposeJsonCertificate(vtkPolyData* output, const std::string& reference,
-  const std::string& result, const std::vector<std::string>& warnings);
+  const std::string& result, const std::string& unit, const std::vector<std::string>& warnings);
 
 /**
  * Whether a report on disk is of this version, the same input and the same options (threads do not

@@ -4,16 +4,16 @@
 
 #include "BoundText.h"
 #include "FileChecks.h"
+#include "FileRounding.h"
 #include "FilterOptions.h"
-#include "HelpFormatter.h"
 #include "Interruption.h"
+#include "NumberRange.h"
 #include "NumberText.h"
 #include "ProgressBar.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"
 #include "SurfaceFormat.h"
 #include "VtkMessages.h"
-#include "Words.h"
 
 #include "vtkBoneDecimateLevels.h"
 #include "vtkCommand.h"
@@ -25,72 +25,14 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <list>
-#include <memory>
 
 namespace bonedecimate
 {
 namespace
 {
 constexpr int DistanceDecimals = 4;
-
-void AddRunOptions(CLI::App& app, LevelsArguments& arguments)
-{
-  app
-    .add_option("--log", arguments.Log,
-      WrappedHelp("Take the levels from this log, recorded on the same INPUT, instead of a run."))
-    ->type_name("FILE");
-  app.add_option("--record", arguments.Record, WrappedHelp("Write the log of the run."))
-    ->type_name("FILE");
-  app
-    .add_option("--coarsest", arguments.Coarsest,
-      WrappedHelp("Triangles of the coarsest level; default a tenth of the input's, "
-                  "or with --max-error as few as that allows."))
-    ->type_name("N")
-    ->check(CLI::Range(1, 2147483647).description(""));
-  app.add_option("--mode", arguments.Mode, "Of the run, default Balanced.")
-    ->type_name("Thesis|Fast|Balanced|Accurate")
-    ->check(CLI::IsMember({ "Thesis", "Fast", "Balanced", "Accurate" }, CLI::ignore_case)
-              .description(""));
-  app
-    .add_option("--max-error", arguments.MaximumError,
-      WrappedHelp("Largest distance in mm that the run may cause; every level keeps it."))
-    ->type_name("MM")
-    ->check(CLI::Range(1e-9, 1e30).description(""));
-  app.add_flag("--no-errors", arguments.WithoutErrors,
-    WrappedHelp("Do not measure how far levels are from the input."));
-}
-
-void AddLevelOptions(CLI::App& app, LevelsArguments& arguments)
-{
-  app
-    .add_option("--triangles", arguments.Triangles,
-      WrappedHelp("Levels by their numbers of triangles, with commas between them."))
-    ->type_name("N,...")
-    ->delimiter(',')
-    ->check(CLI::Range(1, 2147483647).description(""));
-  app
-    .add_option("--errors", arguments.Errors,
-      WrappedHelp("Levels by their largest measured distances in mm, with commas between them."))
-    ->type_name("MM,...")
-    ->delimiter(',')
-    ->check(CLI::Range(1e-9, 1e30).description(""));
-  app
-    .add_option("--output", arguments.Output,
-      WrappedHelp("Where levels go: with NAME.EXT, a level to NAME-TRIANGLES.EXT."))
-    ->type_name("NAME.EXT");
-  app
-    .add_option("--on", arguments.On,
-      WrappedHelp("Put the levels on this surface, which has the triangles of INPUT and other "
-                  "points, such as a bone registered to it."))
-    ->type_name("FILE");
-  app
-    .add_option("--threads", arguments.Threads,
-      WrappedHelp("0, the default, is one per processor. The levels are the same."))
-    ->type_name("N")
-    ->check(CLI::Range(0, 1024).description(""));
-  app.add_flag("--quiet", arguments.Quiet, "Nothing on the standard output.");
-}
 
 vtkSmartPointer<vtkUnsignedCharArray> ReadBytes(const std::string& path)
 {
@@ -115,19 +57,6 @@ std::string NameOfLevel(const std::string& output, vtkIdType triangles)
   return (path.parent_path() / name).string();
 }
 
-/// No output takes the place of a surface that was read.
-void KeepSurfaces(const LevelsArguments& arguments, const std::string& output)
-{
-  for (const std::string* input : { &arguments.Input, &arguments.On })
-  {
-    std::error_code error;
-    if (std::filesystem::equivalent(output, *input, error))
-    {
-      throw Failure(ExitCode::Usage, "'" + output + "' is a surface; it is not overwritten");
-    }
-  }
-}
-
 /// One command; the verbs are in the order of RunLevels().
 class LevelsRun
 {
@@ -138,6 +67,7 @@ public:
     this->Filter->SetMode(ModeNumber(arguments.Mode));
     this->Filter->SetCoarsestNumberOfTriangles(arguments.Coarsest);
     this->Filter->SetMaximumError(arguments.MaximumError);
+    this->Filter->SetAllowLargeError(arguments.AllowLargeError);
     this->Filter->SetMeasureErrors(!arguments.WithoutErrors);
     this->Filter->SetNumberOfThreads(arguments.Threads);
   }
@@ -145,6 +75,10 @@ public:
   void Read()
   {
     this->Filter->SetInputData(this->ReadOne(this->Asked.Input));
+    if (this->Asked.MaximumError > 0.0)
+    {
+      this->Filter->SetMaximumError(this->ErrorOfRun());
+    }
     if (!this->Asked.Log.empty())
     {
       this->Filter->SetLog(ReadBytes(this->Asked.Log));
@@ -164,6 +98,7 @@ public:
     bar->Clear();
     this->Filter->RemoveObserver(bar);
     StopIfInterrupted();
+    this->RequireDistances();
     if (!this->Asked.On.empty())
     {
       this->Filter->SetInputData(1, this->ReadOne(this->Asked.On));
@@ -235,9 +170,22 @@ public:
 private:
   vtkSmartPointer<vtkPolyData> ReadOne(const std::string& path)
   {
-    const LoadedSurface loaded = ReadSurface(path);
+    const MillimeterSurface loaded = ReadInMillimeters(path, this->Asked.Unit);
+    this->InFile = loaded.InFile;
+    this->IsSingle = loaded.IsSingle();
     this->Warnings.insert(this->Warnings.end(), loaded.Warnings.begin(), loaded.Warnings.end());
     return loaded.Surface;
+  }
+
+  /// Levels are rounded once more if their files are in another unit.
+  double ErrorOfRun()
+  {
+    const LengthUnit& unit = this->Asked.Unit;
+    const bool writesSingle = this->IsSingle ||
+      (!this->Asked.Output.empty() && !HoldsDoubles(FormatOf(this->Asked.Output)));
+    auto* input = vtkPolyData::SafeDownCast(this->Filter->GetInput());
+    return ErrorWithRoom(this->Asked.MaximumError, LargestRounding(input, unit, writesSingle), unit,
+      this->Asked.Input);
   }
 
   /// @param source Who is to blame for an error.
@@ -248,9 +196,10 @@ private:
     const VtkMessages messages = TakeVtkMessages();
     if (!messages.Errors.empty())
     {
-      Refuse(source, messages.Errors.front());
+      Refuse(source, WithUnitHint(messages.Errors.front()));
     }
-    this->Warnings.insert(this->Warnings.end(), messages.Warnings.begin(), messages.Warnings.end());
+    std::transform(messages.Warnings.begin(), messages.Warnings.end(),
+      std::back_inserter(this->Warnings), WithUnitHint);
   }
 
   void WriteLevel(int triangles, double error, std::list<StagedFile>& files)
@@ -260,13 +209,49 @@ private:
     this->Update(this->Asked.On.empty() ? this->Asked.Input : this->Asked.On);
     StopIfInterrupted();
     vtkPolyData* level = this->Filter->GetOutput();
+    this->WarnOutOfReach(triangles, error, level->GetNumberOfPolys());
     const std::string name = NameOfLevel(this->Asked.Output, level->GetNumberOfPolys());
     if (std::find(this->Written.begin(), this->Written.end(), name) == this->Written.end())
     {
       KeepSurfaces(this->Asked, name);
       StagedFile& file = files.emplace_back(name);
-      WriteSurface(level, file.GetTemporary(), file.GetTarget());
+      WriteSurface(FromMillimeters(level, this->Asked.Unit, this->IsSingle, this->InFile),
+        file.GetTemporary(), file.GetTarget());
       this->Written.push_back(name);
+    }
+  }
+
+  /// What the log has instead of what was asked for.
+  void WarnOutOfReach(int triangles, double error, vtkIdType found)
+  {
+    if (triangles > 0 && found > triangles)
+    {
+      this->Warnings.push_back("no level has as few as " + GroupedText(triangles) +
+        " triangles; the coarsest has " + GroupedText(static_cast<double>(found)));
+    }
+    bool isWithin = false;
+    for (int mark = 0; mark < this->Filter->GetNumberOfMarks(); ++mark)
+    {
+      isWithin = isWithin || this->Filter->GetMarkLargestDistance(mark) <= error;
+    }
+    if (error > 0.0 && !isWithin)
+    {
+      this->Warnings.push_back("no measured level is within " + NumberText(error) +
+        " mm; the input itself, " + GroupedText(static_cast<double>(found)) +
+        " triangles, was written");
+    }
+  }
+
+  /// A log whose distances were not measured has no level by a distance.
+  void RequireDistances() const
+  {
+    const int last = this->Filter->GetNumberOfMarks() - 1;
+    if (!this->Asked.Errors.empty() && !this->Asked.Log.empty() &&
+      std::isnan(this->Filter->GetMarkLargestDistance(last)))
+    {
+      throw Failure(ExitCode::Usage,
+        "--errors needs measured distances; '" + BaseName(this->Asked.Log) +
+          "' was recorded with --no-errors");
     }
   }
 
@@ -274,64 +259,10 @@ private:
   std::vector<std::string> Warnings;
   std::vector<std::string> Written;
   std::optional<StagedFile> Record;
+  bool IsSingle = false;               // the file that was read last
+  vtkSmartPointer<vtkPolyData> InFile; // the same, in its unit
   vtkNew<vtkBoneDecimateLevels> Filter;
 };
-
-void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
-{
-  for (const char* flag : { "--record", "--coarsest", "--mode", "--max-error", "--no-errors" })
-  {
-    if (!arguments.Log.empty() && app.count(flag) > 0)
-    {
-      throw Failure(
-        ExitCode::Usage, std::string(flag) + " is for a run, and --log takes its place");
-    }
-  }
-  const bool wantsLevels = !arguments.Triangles.empty() || !arguments.Errors.empty();
-  if (wantsLevels == arguments.Output.empty())
-  {
-    throw Failure(ExitCode::Usage,
-      wantsLevels ? "--output is needed for the levels" : "--output needs --triangles or --errors");
-  }
-  if (wantsLevels && FormatOf(arguments.Output) == SurfaceFormat::Unknown)
-  {
-    throw Failure(ExitCode::Usage,
-      "--output '" + arguments.Output + "' needs one of the extensions " + SurfaceExtensions);
-  }
-  if (arguments.WithoutErrors && !arguments.Errors.empty())
-  {
-    throw Failure(ExitCode::Usage, "--errors needs the distances that --no-errors leaves out");
-  }
-  KeepSurfaces(arguments, arguments.Record);
-}
-}
-
-std::optional<LevelsArguments> ParseLevelsArguments(int argc, char* argv[])
-{
-  LevelsArguments arguments;
-  std::vector<std::string> files;
-  CLI::App app("Levels of detail: one run, recorded, and any stage of it at once, by a number of "
-               "triangles or by a measured distance.",
-    "bonedecimate levels");
-  app.formatter(std::make_shared<HelpFormatter>("INPUT [OPTIONS]"));
-  app.footer(ExitCodesText());
-  app.add_option("FILES", files, WrappedHelp("A surface (obj, stl, ply, vtp, vtk), mm."))
-    ->type_name("")
-    ->allow_extra_args();
-  AddRunOptions(app, arguments);
-  AddLevelOptions(app, arguments);
-  if (!ParseWords(app, WordsOf(argc, argv, 2)))
-  {
-    return {};
-  }
-  if (files.size() != 1)
-  {
-    throw Failure(
-      ExitCode::Usage, "levels takes one INPUT; there are " + std::to_string(files.size()));
-  }
-  arguments.Input = files[0];
-  CheckTogether(app, arguments);
-  return arguments;
 }
 
 ExitCode RunLevels(const LevelsArguments& arguments)

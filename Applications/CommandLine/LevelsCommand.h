@@ -9,6 +9,7 @@
 #define BoneDecimate_Applications_LevelsCommand_h
 
 #include "ExitCode.h"
+#include "LengthUnit.h"
 
 #include <optional>
 #include <string>
@@ -25,6 +26,7 @@ struct LevelsArguments
   int Coarsest = 0;
   std::string Mode = "Balanced";
   double MaximumError = 0.0; ///< mm
+  bool AllowLargeError = false;
   bool WithoutErrors = false;
   std::string Record; ///< Where its log goes; empty: nowhere.
   /// @}
@@ -37,12 +39,16 @@ struct LevelsArguments
   /// @}
 
   int Threads = 0;
+  LengthUnit Unit; ///< Of the coordinates in files of surfaces; a log is in millimeters.
   bool Quiet = false;
 };
 
 /// @returns Nothing if it asked for a text (--help), which is then printed.
 /// @throws Failure(ExitCode::Usage)
 std::optional<LevelsArguments> ParseLevelsArguments(int argc, char* argv[]);
+
+/// No output takes the place of a surface that is read. @throws Failure(ExitCode::Usage)
+void KeepSurfaces(const LevelsArguments& arguments, const std::string& output);
 
 /// @throws Failure, std::bad_alloc
 ExitCode RunLevels(const LevelsArguments& arguments);

@@ -12,6 +12,7 @@
 #include "RunOne.h"
 #include "SlicerModule.h"
 #include "VtkMessages.h"
+#include "Words.h"
 
 #include <cstdio>
 #include <cstring>
@@ -69,6 +70,10 @@ ExitCode Run(int argc, char* argv[])
   if (IsSlicerCall(argc, argv))
   {
     return RunSlicerCall(argc, argv);
+  }
+  if (argc > 1 && std::strcmp(argv[1], "thesis") != 0)
+  {
+    RequireCommandOrFile(argv[1]); // before options of a misspelled command are called unknown
   }
   const std::optional<Arguments> arguments = ParseArguments(argc, argv);
   if (!arguments)

@@ -2,25 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Regions.h"
 
+#include "Numbers.h"
+
 #include "vtkBoneTolerance.h"
 #include "vtkBox.h"
 #include "vtkImplicitFunction.h"
 #include "vtkNew.h"
 #include "vtkSphere.h"
 
-#include <cmath>
-#include <cstdlib>
+#include <limits>
 #include <sstream>
 
 namespace bonedecimate
 {
 namespace
 {
-bool ReadNumber(const std::string& text, double& number)
+/// False if it is no number, or out of the range.
+bool ReadLength(const std::string& text, const NumberRange& range, double& number)
 {
-  char* end = nullptr;
-  number = std::strtod(text.c_str(), &end);
-  return !text.empty() && *end == '\0' && std::isfinite(number);
+  number = NumberFromText(text).value_or(std::numeric_limits<double>::quiet_NaN());
+  return number >= range.Minimum && number <= range.Maximum; // false for NaN
 }
 
 bool IsOrdered(const std::vector<double>& box)
@@ -98,7 +99,7 @@ bool ReadNumbers(const std::string& text, std::vector<double>& numbers)
   for (std::string part; good && std::getline(parts, part, ',');)
   {
     numbers.emplace_back();
-    good = ReadNumber(part, numbers.back());
+    good = ReadLength(part, CoordinateRange, numbers.back());
   }
   return good && (text.empty() || text.back() != ',');
 }
@@ -112,16 +113,16 @@ std::string ReadRegions(const std::string& text, std::vector<Region>& regions)
     Region region;
     const std::size_t equals = part.rfind('=');
     if (equals == std::string::npos || !ReadShape(part.substr(0, equals), region) ||
-      !ReadNumber(part.substr(equals + 1), region.Tolerance) || region.Tolerance < 0.0)
+      !ReadLength(part.substr(equals + 1), LengthRange, region.Tolerance))
     {
-      return "takes box:x0,x1,y0,y1,z0,z1=MM, sphere:x,y,z,radius=MM or rest=MM, 0 mm or more, not "
-             "'" +
-        part + "'";
+      return "takes box:x0,x1,y0,y1,z0,z1=MM, sphere:x,y,z,radius=MM or rest=MM in mm, each MM " +
+        RangeText(LengthRange) + ", not '" + part + "'";
     }
     region.Text = part;
     regions.push_back(region);
   }
-  return text.empty() ? "takes a region" : "";
+  return text.empty() ? "takes box:x0,x1,y0,y1,z0,z1=MM, sphere:x,y,z,radius=MM or rest=MM, not ''"
+                      : "";
 }
 
 //------------------------------------------------------------------------------

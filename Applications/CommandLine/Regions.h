@@ -29,7 +29,7 @@ struct Region
   std::string Text;       ///< As it was given.
 };
 
-/// Numbers with commas in between, finite ones.  @return false if it is anything else.
+/// Numbers with commas in between, each -1e30 to 1e30.  @return false if it is anything else.
 bool ReadNumbers(const std::string& text, std::vector<double>& numbers);
 
 /**

@@ -3,8 +3,10 @@
 #include "RunOne.h"
 
 #include "BoneVolume.h"
+#include "BoundText.h"
 #include "ExitCode.h"
 #include "FileChecks.h"
+#include "FileRounding.h"
 #include "FilterOptions.h"
 #include "Interruption.h"
 #include "JsonReport.h"
@@ -12,6 +14,7 @@
 #include "Page.h"
 #include "Picture.h"
 #include "ProgressBar.h"
+#include "ReportFields.h"
 #include "StageClock.h"
 #include "Summary.h"
 #include "SurfaceFiles.h"
@@ -24,27 +27,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 namespace bonedecimate
 {
 namespace
 {
-/// What is proved holds for the files only if they are read with the coordinates that were proved.
-Options OptionsOf(const Arguments& arguments)
-{
-  Options options = arguments.Options;
-  const auto isSingle = [](const std::string& path) { return !HoldsDoubles(FormatOf(path)); };
-  const bool isLimited = (!options.ToleranceArrayName.empty() || !arguments.Regions.empty()) &&
-    options.Mode != Mode::Thesis;
-  if ((options.PromisesError() || isLimited) &&
-    (isSingle(arguments.Output) ||
-      std::any_of(arguments.Also.begin(), arguments.Also.end(), isSingle)))
-  {
-    options.OutputPointsPrecision = PointsPrecision::Single;
-  }
-  return options;
-}
-
 /// A bone on its way; the verbs are in the order of RunOne().
 class BoneRun
 {
@@ -81,13 +69,15 @@ public:
     }
     else
     {
-      const LoadedSurface loaded = ReadSurface(this->Path);
+      const MillimeterSurface loaded = ReadInMillimeters(this->Path, this->Asked.Unit);
       this->Input = loaded.Surface;
+      this->InputInFile = loaded.InFile;
+      this->IsSingle = loaded.IsSingle();
       this->Subject.Warnings = loaded.Warnings;
     }
     if (!this->Asked.Reference.empty())
     {
-      this->Reference = ReadSurface(this->Asked.Reference).Surface;
+      this->Reference = ReadInMillimeters(this->Asked.Reference, this->Asked.Unit).Surface;
       this->Filter->SetReferenceData(this->Reference);
     }
     this->Subject.SecondsRead = watch.Seconds();
@@ -95,8 +85,9 @@ public:
 
   void Decimate()
   {
-    Options options = OptionsOf(this->Asked);
+    Options options = OptionsForFiles(this->Asked);
     options.VoxelSize = options.VoxelSize == 0.0 ? this->VoxelSize : options.VoxelSize;
+    this->LeaveRoom(options);
     ApplyOptions(options, this->Filter);
     this->TakeRegions();
     this->Filter->SetMeasureInputDistances(this->WantsDistances());
@@ -104,7 +95,7 @@ public:
     bar->SetShown(!this->Asked.Quiet);
     bar->SetTags(this->Asked.HasTags);
     this->Filter->AddObserver(vtkCommand::ProgressEvent, bar);
-    this->Filter->SetInputData(this->Input);
+    this->Filter->SetInputData(this->InputWithRoom());
     TakeVtkMessages();
     this->Filter->Update();
     bar->Clear();
@@ -112,6 +103,7 @@ public:
     const VtkMessages messages = TakeVtkMessages();
     this->AcceptProof(messages);
     this->AcceptMessages(messages);
+    this->TakeResult();
   }
 
   void WriteSurfaces(OutputFiles& files)
@@ -120,9 +112,9 @@ public:
     for (StagedFile& file : files.Surfaces)
     {
       const vtkSmartPointer<vtkPolyData> readBack =
-        WriteSurface(this->Filter->GetOutput(), file.GetTemporary(), file.GetTarget());
-      this->ProveFile(readBack, file.GetTarget());
-      const std::string loss = LossText(this->Filter->GetOutput(), file.GetTarget());
+        WriteSurface(this->InFile, file.GetTemporary(), file.GetTarget());
+      this->ProveFile(ToMillimeters(readBack, this->Asked.Unit), file.GetTarget());
+      const std::string loss = LossText(this->InFile, file.GetTarget());
       if (!loss.empty())
       {
         this->Notes.push_back(loss);
@@ -131,7 +123,7 @@ public:
     if (files.Heatmap)
     {
       WriteSurface(
-        this->Filter->GetOutput(1), files.Heatmap->GetTemporary(), files.Heatmap->GetTarget());
+        this->HeatmapInFile(), files.Heatmap->GetTemporary(), files.Heatmap->GetTarget());
     }
     this->Subject.OutputBytes =
       static_cast<std::int64_t>(std::filesystem::file_size(files.Surfaces.front().GetTemporary()));
@@ -165,7 +157,7 @@ public:
     {
       PageSubject page;
       page.Name = this->Subject.Input;
-      page.Result = this->Filter->GetOutput();
+      page.Result = this->Result;
       page.Before = this->Filter->GetOutput(1);
       page.DistanceArrayName = this->Filter->GetInputDistanceArrayName();
       page.PictureFile =
@@ -174,7 +166,7 @@ public:
     }
     if (files.Report)
     {
-      files.Report->WriteText(ComposeJsonReport(this->Filter->GetOutput(), this->Subject));
+      files.Report->WriteText(ComposeJsonReport(this->Result, this->Subject));
     }
     files.KeepsPicture = files.KeepsPicture && this->PictureProblem.empty();
   }
@@ -183,7 +175,7 @@ public:
   {
     if (!this->Asked.Quiet)
     {
-      PrintSummary(this->Filter->GetOutput(), this->Subject, this->Notes, written);
+      PrintSummary(this->Result, this->Subject, this->Notes, written);
     }
     if (!this->Asked.Picture.empty() && !this->PictureProblem.empty())
     {
@@ -193,9 +185,85 @@ public:
     }
   }
 
-  vtkPolyData* Result() { return this->Filter->GetOutput(); }
+  vtkSmartPointer<vtkPolyData> GetResult() { return this->Result; }
 
 private:
+  /// For what writing in another unit rounds.
+  void LeaveRoom(Options& options)
+  {
+    if (this->Asked.Unit.IsMillimeter())
+    {
+      return;
+    }
+    this->WritesSingle = options.OutputPointsPrecision == PointsPrecision::Single ||
+      (options.OutputPointsPrecision == PointsPrecision::Default && this->IsSingle);
+    options.OutputPointsPrecision = PointsPrecision::Double;
+    const bool isLimited = !options.ToleranceArrayName.empty() || !this->Asked.Regions.empty();
+    if (options.PromisesError() || (isLimited && options.Mode != Mode::Thesis))
+    {
+      this->Room = LargestRounding(this->Input, this->Asked.Unit, this->WritesSingle);
+    }
+    this->Error = options.PromisesError() ? KnownError(options) : 0.0;
+    if (this->Error > 0.0)
+    {
+      options.MaximumError = ErrorWithRoom(this->Error, this->Room, this->Asked.Unit, this->Path);
+    }
+  }
+
+  vtkSmartPointer<vtkPolyData> InputWithRoom() const
+  {
+    const std::string array = this->Filter->GetToleranceArrayName();
+    if (this->Room == 0.0 || array.empty())
+    {
+      return this->Input;
+    }
+    if (this->WritesSingle && !this->IsSingle && HasFrozenPoints(this->Input, array))
+    {
+      Refuse(this->Path,
+        "single precision in " + this->Asked.Unit.Name +
+          " would move points of tolerance 0; obj, ply, vtp and vtk hold double precision");
+    }
+    return TolerancesWithRoom(this->Input, array, this->Room);
+  }
+
+  /// The result in millimeters with what is proved of the files, and as the files will have it.
+  void TakeResult()
+  {
+    const LengthUnit& unit = this->Asked.Unit;
+    this->Result = this->Filter->GetOutput();
+    this->InFile = FromMillimeters(this->Result, unit, this->WritesSingle, this->InputInFile);
+    if (this->Room == 0.0)
+    {
+      return;
+    }
+    const RoundedResult rounded = RoundForFile(this->Result, this->InFile,
+      { unit, this->Error, this->Filter->GetErrorBoundArrayName(), this->Filter->GetMergePoints(),
+        this->Path });
+    this->Move = rounded.Move;
+    this->Result = rounded.Result;
+    this->InFile = FromMillimeters(this->Result, unit, this->WritesSingle, this->InputInFile);
+    this->Notes.push_back("coordinates in " + unit.Name + " are rounded by up to " +
+      UpperBoundText(this->Move, 9) + " mm, which the largest error includes");
+  }
+
+  vtkSmartPointer<vtkPolyData> HeatmapInFile() const
+  {
+    if (this->Asked.Unit.IsMillimeter())
+    {
+      return this->Filter->GetOutput(1);
+    }
+    const vtkSmartPointer<vtkPolyData> heatmap =
+      FromMillimeters(WithWidenedBounds(this->Filter->GetOutput(1),
+                        this->Filter->GetInputErrorBoundArrayName(), this->Move),
+        this->Asked.Unit, this->IsSingle, this->InputInFile);
+    const std::string array = this->Filter->GetToleranceArrayName();
+    if (!array.empty())
+    {
+      heatmap->GetPointData()->AddArray(this->Input->GetPointData()->GetArray(array.c_str()));
+    }
+    return heatmap;
+  }
+
   bool WantsDistances() const
   {
     return !this->Asked.Heatmap.empty() || !this->Asked.Picture.empty() ||
@@ -219,9 +287,11 @@ private:
     {
       return;
     }
-    ProvedRun run = { this->Input, this->Filter->GetOutput(),
-      this->Filter->GetReportValue("proof.tolerance"), this->Filter->GetToleranceArrayName(),
-      this->Filter->GetMergePoints(), this->Filter->GetNumberOfThreads() };
+    const vtkSmartPointer<vtkPolyData> inFile = ToMillimeters(this->InFile, this->Asked.Unit);
+    ProvedRun run = { this->Input, inFile,
+      ReportFields(this->Result).Number("proof.tolerance").value_or(0.0),
+      this->Filter->GetToleranceArrayName(), this->Filter->GetMergePoints(),
+      this->Filter->GetNumberOfThreads() };
     if (this->Reference)
     {
       ProvedRun map = run;
@@ -268,15 +338,15 @@ private:
   {
     if (!messages.Errors.empty())
     {
-      Refuse(this->Path, messages.Errors.front());
+      Refuse(this->Path, WithUnitHint(messages.Errors.front()));
     }
     if (this->Filter->GetOutput()->GetNumberOfPolys() == 0)
     {
       Refuse(
         this->Path, messages.Warnings.empty() ? "it holds no triangle" : messages.Warnings.front());
     }
-    this->Subject.Warnings.insert(
-      this->Subject.Warnings.end(), messages.Warnings.begin(), messages.Warnings.end());
+    std::transform(messages.Warnings.begin(), messages.Warnings.end(),
+      std::back_inserter(this->Subject.Warnings), WithUnitHint);
   }
 
   const Arguments& Asked;
@@ -288,6 +358,17 @@ private:
   vtkSmartPointer<vtkPolyData> Input;
   vtkSmartPointer<vtkPolyData> Reference; // null: none
   vtkNew<vtkBoneDecimate> Filter;
+
+  vtkSmartPointer<vtkPolyData> InputInFile; // null: a volume
+
+  bool IsSingle = false;     // the input's file
+  bool WritesSingle = false; // in another unit than millimeters
+  double Room = 0.0;         // mm, for rounding; 0 in millimeters
+  double Error = 0.0;        // mm, asked for in another unit than millimeters; 0: none
+  double Move = 0.0;         // mm, by rounding
+  vtkSmartPointer<vtkPolyData> Result;
+  vtkSmartPointer<vtkPolyData> InFile; // the same in the unit of the files
+
   std::vector<std::string> Notes;
   std::string PictureProblem;
 };
@@ -306,6 +387,6 @@ vtkSmartPointer<vtkPolyData> RunOne(const Arguments& arguments)
   run.Describe(files);
   StopIfInterrupted();
   run.Tell(files.Commit());
-  return run.Result();
+  return run.GetResult();
 }
 }

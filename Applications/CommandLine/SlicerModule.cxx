@@ -3,13 +3,13 @@
 #include "SlicerModule.h"
 
 #include "Arguments.h"
+#include "Numbers.h"
 #include "ReportFields.h"
 #include "RunOne.h"
 #include "SlicerXml.h"
 #include "StagedFile.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <iterator>
 #include <optional>
@@ -81,8 +81,8 @@ std::vector<double> Numbers(const std::string& flag, const std::string& text, st
   if (!areNumbers || numbers.size() != count)
   {
     throw Failure(ExitCode::Usage,
-      flag + " takes " + std::to_string(count) + " numbers with commas in between, not '" + text +
-        "'");
+      flag + " takes " + std::to_string(count) + " numbers with commas in between, each " +
+        RangeText(CoordinateRange) + ", not '" + text + "'");
   }
   return numbers;
 }
@@ -95,7 +95,13 @@ void AddRegion(const std::string& text, Arguments& arguments)
   inside.Shape = Region::Box;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const double half = std::abs(n[axis + 3]);
+    const double half = n[axis + 3];
+    if (half < 0.0)
+    {
+      throw Failure(ExitCode::Usage,
+        "--roi takes a center and three radii, each " + RangeText(LengthRange) + ", not '" + text +
+          "'");
+    }
     inside.Numbers.push_back(n[axis] - half);
     inside.Numbers.push_back(n[axis] + half);
   }
@@ -116,13 +122,13 @@ void AddPlaces(const SlicerWords& asked, Arguments& arguments)
     throw Failure(
       ExitCode::Usage, "--roi and --keep need --max-error, in another mode than Thesis");
   }
-  const double radius = Numbers("--keep-radius", asked.KeptRadius, 1)[0];
+  const double radius = ReadNumber("--keep-radius", asked.KeptRadius, LengthRange);
   for (const std::string& place : asked.Kept)
   {
     Region ball;
     ball.Shape = Region::Sphere;
     ball.Numbers = Numbers("--keep", place, 3);
-    ball.Numbers.push_back(std::abs(radius));
+    ball.Numbers.push_back(radius);
     ball.Text = "--keep " + place;
     arguments.Regions.push_back(ball);
   }
@@ -165,13 +171,13 @@ void Run(const Words& words)
   {
     return;
   }
+  arguments->HasTags = true;
   CheckArguments(*arguments);
   if (IsBatch(*arguments))
   {
     throw Failure(ExitCode::Usage, "--returnparameterfile is for one bone");
   }
   AddPlaces(asked, *arguments);
-  arguments->HasTags = true;
   std::cout << "<filter-start>\n<filter-name>vtkBoneDecimate</filter-name>\n"
                "<filter-comment> \"Bone decimation\" </filter-comment>\n</filter-start>\n"
             << std::flush;

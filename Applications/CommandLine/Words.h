@@ -21,6 +21,13 @@ std::vector<std::string> WordsOf(int argc, char* argv[], int first);
 /// False if a text was asked for, which is printed then.
 /// @throws Failure(ExitCode::Usage)
 bool ParseWords(CLI::App& app, std::vector<std::string> words);
+
+/**
+ * Refuses a first word that is neither a command nor a file, and names the command that may be meant. Words with a dot or a
+ * slash are names of files.
+ * @throws Failure(ExitCode::Usage)
+ */
+void RequireCommandOrFile(const std::string& word);
 }
 
 #endif

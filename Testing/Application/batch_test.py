@@ -4,6 +4,7 @@
 
 import csv
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -48,7 +49,7 @@ class Batch(ApplicationTest):
             sorted(p.name for p in self.path("out").iterdir()),
             ["a.json", "a.ply", "b.json", "b.stl", "summary.csv"],
         )
-        self.assertEqual(list(self.rows()), ["a", "b"])
+        self.assertEqual(list(self.rows()), ["a", "b", "notes.txt"])
         row = self.rows()["b"]
         self.assertEqual((row["status"], row["exit_code"], row["message"]), ("done", "0", ""))
         self.assertEqual((row["faces_in"], row["faces_out"]), ("1920", "960"))
@@ -58,6 +59,71 @@ class Batch(ApplicationTest):
         self.assertEqual(float(row["mean_input_to_output_mm"]), report["distance"]["input_to_output"]["mean"])
         self.assertRegex(text, r"(?m)^a +done")
         self.assertRegex(text, r"(?m)^b +done +1,920 +960")
+
+    def test_every_file_of_a_folder_has_a_row_and_the_reason_why_nothing_was_done(self):
+        (self.bones / "notes.txt").write_text("no bone")
+        (self.bones / "README").write_text("no bone")
+        (self.bones / "a").write_text("no bone")
+        (self.bones / ".hidden.stl").write_text("no bone")
+        (self.bones / "below.stl").mkdir()
+        text = self.succeed("bones", "bones/out", "--target-faces", 500).stdout
+        shutil.move(self.bones / "out", self.path("out"))
+        with open(self.path("out/summary.csv"), newline="", encoding="utf-8") as file:
+            reasons = {row["input"]: (row["status"], row["exit_code"], row["message"]) for row in csv.DictReader(file)}
+        self.assertEqual(reasons, {
+            "README": ("skipped", "0", "not a surface or volume: no extension"),
+            "a": ("skipped", "0", "not a surface or volume: no extension"),
+            "a.ply": ("done", "0", ""),
+            "b.stl": ("done", "0", ""),
+            "below.stl": ("skipped", "0", "a folder: folders in a folder are not searched"),
+            "notes.txt": ("skipped", "0", "not a surface or volume: .txt"),
+        })
+        self.assertIn("notes.txt: not a surface or volume: .txt\n", text)
+        self.assertTrue(self.path("out/a.ply").exists())
+
+    def test_what_is_asked_for_and_not_done_ends_with_its_code(self):
+        (self.bones / "gone.stl").symlink_to("nowhere.stl")
+        answer = self.run_program("bones", "out", "--target-faces", 500)
+        self.assertEqual((answer.returncode, answer.stderr), (REFUSED, ""))
+        self.assertEqual(self.statuses(), {"a": "done", "b": "done", "gone": "failed"})
+        (self.bones / "gone.stl").unlink()
+        (self.bones / "ct.nrrd").write_bytes(b"NRRD0004\n")
+        answer = self.run_program("bones", "out", "--target-faces", 500)
+        self.assertEqual((answer.returncode, answer.stderr), (REFUSED, ""))
+        self.assertIn("--iso", self.rows()["ct.nrrd"]["message"])
+        (self.bones / "notes.txt").write_text("no bone")
+        answer = self.run_program("bones/a.ply", "bones/notes.txt", "named")
+        self.assertEqual(answer.returncode, REFUSED)
+
+    def test_table_has_the_proved_bound_and_the_verdict(self):
+        text = self.succeed("bones", "out", "--max-error", 0.2).stdout
+        for name in ("a", "b"):
+            proof = self.report("out/%s.json" % name)["proof"]
+            self.assertEqual(float(self.rows()[name]["proved_mm"]), proof["upper"])
+            self.assertEqual(self.rows()[name]["verdict"], "proved")
+            printed = re.search(r"(?m)^%s .* (0\.\d{6}) +proved$" % name, text)
+            self.assertTrue(proof["upper"] <= float(printed[1]) <= 0.2)
+
+    def test_named_like_a_file_is_no_output_folder(self):
+        for name in ("extra.ply", "new.stl/", "report.json", "page.html", "ct.mha", "below/x.VTP"):
+            self.fail_with(USAGE, "bones/a.ply", "bones/b.stl", name, says="named like a file")
+            self.fail_with(USAGE, "bones", name, says="named like a file")
+        self.succeed("bones", "left.v2", "--target-faces", 500)
+        self.path("kept.ply").mkdir()
+        self.succeed("bones", "kept.ply", "--target-faces", 500)
+
+    def test_misspelled_commands_are_no_inputs(self):
+        for meant in ("certify", "check", "Levels", "tolerance", "curve", "thesis"):
+            word, meant = meant[:3] + meant[4:], meant.lower()  # a letter is missing
+            for words in (("bones/a.ply", "bones/b.stl"), ("bones/a.ply", "new"), ("bones/a.ply", "b", "--json", "c.json"),
+                          ("bones/a.ply",), ()):
+                self.fail_with(USAGE, word, *words, says="'%s' is neither a command nor a file; did you mean %s?" % (word, meant))
+            self.fail_with(USAGE, "--quiet", word, "bones/a.ply", "new", says="did you mean " + meant)
+        self.fail_with(USAGE, "shrink", "bones/a.ply", "new", says="the commands are certify, check, curve, levels, thesis")
+
+    def test_iso_without_a_volume_is_wrong_usage(self):
+        self.fail_with(USAGE, "bones", "out", "--iso", 226, says="none of the inputs is one")
+        self.fail_with(USAGE, "bones/a.ply", "bones/b.stl", "out", "--iso", 226, says="none of the inputs is one")
 
     def test_several_files_and_a_folder_that_is_there(self):
         self.path("out").mkdir()

@@ -68,7 +68,7 @@ class Certify(ApplicationTest):
             self.assertGreaterEqual(found[direction]["upper"], 0.25)
         self.assertAlmostEqual(found["reference_to_result"]["mean"], 0.25, 6)
         self.assertEqual(found["units"]["upper"], "mm")
-        self.assertEqual(found["files"], {"reference": "a.ply", "result": "b.ply"})
+        self.assertEqual(found["files"], {"reference": "a.ply", "result": "b.ply", "unit": "mm"})
 
     def test_takes_a_tolerance_for_each_point(self):
         write(with_tolerance(square(0.0), 0.3), self.path("a.vtp"))

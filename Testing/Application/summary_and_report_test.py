@@ -71,7 +71,7 @@ class SummaryAndReport(ApplicationTest):
         faces = 2976
         self.succeed("in.ply", "out.vtp", "--report", "report.json", "--target-faces", 2000)
         self.assertEqual(self.report()["output"]["faces"], 2000)
-        self.succeed("in.ply", "out.vtp", "--report", "report.json", "--max-error", 1e-7)
+        self.succeed("in.ply", "out.vtp", "--report", "report.json", "--max-error", 1e-3)
         self.assertEqual(self.report()["stop_reason"], "error_reached")
         self.assertGreater(self.report()["output"]["faces"], 0.5 * faces)
         self.succeed("in.ply", "out.vtp", "--report", "report.json", "--target-reduction", 0.5)
@@ -86,7 +86,7 @@ class SummaryAndReport(ApplicationTest):
         self.path("in.obj").write_text(points + triangles, encoding="ascii")
         text = self.succeed("in.obj", "out.vtp", "--report", "report.json").stdout
         self.assertRegex(text, r"(?m)^warning: .*without area")
-        self.assertIn("without area", self.report()["warnings"][0])
+        self.assertIn("without area", self.report()["warnings"][1])
 
     def test_progress_bar_on_a_terminal_only(self):
         write(torus(200, 200), self.path("large.ply"))

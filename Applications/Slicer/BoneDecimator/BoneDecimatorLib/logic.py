@@ -43,9 +43,11 @@ class Request:
     def options(self):
         """Flags of the program without dashes."""
         self.check()
-        wanted = {"mode": self.mode, "keep-clearance": self.keep_clearance}
+        wanted = {"mode": self.mode}
         if self.tolerance > 0.0:
             wanted["max-error"] = self.tolerance
+            if self.mode != "Thesis":
+                wanted["keep-clearance"] = self.keep_clearance
         if self.triangles > 0:
             wanted["target-faces"] = self.triangles
         return {**wanted, **self.extra}

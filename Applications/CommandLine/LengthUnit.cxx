@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LengthUnit.h"
+
+#include "ExitCode.h"
+#include "HelpFormatter.h"
+#include "SurfaceFiles.h"
+
+#include "vtkNew.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace bonedecimate
+{
+namespace
+{
+const std::array<LengthUnit, 5> Units = { { { "m", 1000.0, 1.0 }, { "cm", 10.0, 1.0 },
+  { "mm", 1.0, 1.0 }, { "um", 1.0, 1000.0 }, { "inch", 127.0, 5.0 } } };
+
+void SetUnit(LengthUnit& unit, const std::string& name)
+{
+  std::string names;
+  for (const LengthUnit& one : Units)
+  {
+    if (one.Name == name)
+    {
+      unit = one;
+      return;
+    }
+    names += (names.empty() ? "" : ", ") + one.Name;
+  }
+  throw Failure(ExitCode::Usage, "--unit takes one of " + names + ", not '" + name + "'");
+}
+
+using Place = std::array<double, 3>;
+
+Place PlaceOf(vtkPolyData* surface, vtkIdType point)
+{
+  Place place = {};
+  surface->GetPoint(point, place.data());
+  return place;
+}
+
+template <typename Convert>
+Place Converted(Place place, const Convert& convert)
+{
+  std::transform(place.begin(), place.end(), place.begin(), convert);
+  return place;
+}
+
+/// @param convert Makes a place of a place.
+template <typename Convert>
+vtkSmartPointer<vtkPolyData> WithPoints(vtkPolyData* surface, int precision, const Convert& convert)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(precision);
+  points->SetNumberOfPoints(surface->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    points->SetPoint(i, convert(PlaceOf(surface, i)).data());
+  }
+  auto converted = vtkSmartPointer<vtkPolyData>::New();
+  converted->ShallowCopy(surface);
+  converted->SetPoints(points);
+  return converted;
+}
+
+/// From places in millimeters to those of the file, as far as the conversion back would not find them.
+class Originals
+{
+public:
+  Originals(vtkPolyData* input, const LengthUnit& unit)
+    : Unit(unit)
+  {
+    for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+    {
+      const Place inFile = PlaceOf(input, i);
+      const Place place =
+        Converted(inFile, [&unit](double coordinate) { return unit.ToMillimeters(coordinate); });
+      if (this->Nearest(place) != inFile)
+      {
+        this->Places.emplace_back(place, inFile);
+      }
+    }
+    std::sort(this->Places.begin(), this->Places.end());
+  }
+
+  Place Find(const Place& place) const
+  {
+    const auto found = std::lower_bound(this->Places.begin(), this->Places.end(), place,
+      [](const std::pair<Place, Place>& entry, const Place& wanted)
+      { return entry.first < wanted; });
+    const bool isThere = found != this->Places.end() && found->first == place;
+    return isThere ? found->second : this->Nearest(place);
+  }
+
+private:
+  Place Nearest(const Place& place) const
+  {
+    return Converted(
+      place, [this](double coordinate) { return this->Unit.FromMillimeters(coordinate); });
+  }
+
+  const LengthUnit& Unit;
+  std::vector<std::pair<Place, Place>> Places;
+};
+}
+
+double LengthUnit::FromMillimeters(double millimeters) const
+{
+  const double nearest = millimeters * this->Divisor / this->Factor;
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double candidate :
+    { nearest, std::nextafter(nearest, -infinity), std::nextafter(nearest, infinity) })
+  {
+    if (this->ToMillimeters(candidate) == millimeters)
+    {
+      return candidate;
+    }
+  }
+  return nearest;
+}
+
+void AddUnit(CLI::App& app, LengthUnit& unit)
+{
+  app
+    .add_option_function<std::string>(
+      "--unit", [&unit](const std::string& name) { SetUnit(unit, name); },
+      WrappedHelp("The unit of the coordinates in files of surfaces, read and written; default mm. "
+                  "Options, reports, arrays and pages are in millimeters whatever it is."))
+    ->type_name("m|cm|mm|um|inch");
+}
+
+void AddAllowLargeError(CLI::App& app, bool& allow)
+{
+  app
+    .add_option_function<std::string>(
+      "--allow-large-error", [&allow](const std::string& text) { allow = text == "on"; },
+      WrappedHelp("Take an error of more than a quarter of the diagonal of the input's bounding "
+                  "box, which is refused otherwise; default off."))
+    ->type_name("on|off")
+    ->check(CLI::IsMember({ "on", "off" }).description(""));
+}
+
+MillimeterSurface ReadInMillimeters(const std::string& path, const LengthUnit& unit)
+{
+  const LoadedSurface loaded = ReadSurface(path);
+  return { ToMillimeters(loaded.Surface, unit), loaded.Warnings, loaded.Surface };
+}
+
+vtkSmartPointer<vtkPolyData> ToMillimeters(vtkPolyData* surface, const LengthUnit& unit)
+{
+  const auto convert = [&unit](const Place& place) {
+    return Converted(place, [&unit](double coordinate) { return unit.ToMillimeters(coordinate); });
+  };
+  return unit.IsMillimeter() ? vtkSmartPointer<vtkPolyData>(surface)
+                             : WithPoints(surface, VTK_DOUBLE, convert);
+}
+
+vtkSmartPointer<vtkPolyData> FromMillimeters(
+  vtkPolyData* surface, const LengthUnit& unit, bool toSingle, vtkPolyData* input)
+{
+  if (unit.IsMillimeter())
+  {
+    return surface;
+  }
+  const Originals originals(input, unit);
+  return WithPoints(surface, toSingle ? VTK_FLOAT : VTK_DOUBLE,
+    [&originals](const Place& place) { return originals.Find(place); });
+}
+
+std::string WithUnitHint(std::string message)
+{
+  const std::string doubt = "may not be in millimeters";
+  const std::string option = "AllowLargeError";
+  if (message.find(doubt) != std::string::npos)
+  {
+    message.insert(message.find(doubt) + doubt.size(), ", --unit tells their unit");
+  }
+  if (const std::size_t at = message.find(option); at != std::string::npos)
+  {
+    message.replace(at, option.size(), "--allow-large-error on");
+  }
+  return message;
+}
+}

@@ -1,0 +1,142 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every numeric flag of every command, as --help lists them, with values that it cannot take."""
+
+import re
+
+from application import REFUSED, USAGE, ApplicationTest, main
+
+COMMANDS = {
+    "": ("nothing.ply", "out.ply"),
+    "thesis": ("nothing.obj", 700, 0.95, 0),
+    "certify": ("nothing.ply", "other.ply"),
+    "tolerance": ("nothing.ply", "--triangles", 5),
+    "curve": ("nothing.ply", "--errors", 0.5),
+    "levels": ("nothing.ply",),
+    "check": ("nothing.ply",),
+}
+# What stands for the value of a flag that takes no number.
+OTHER_VALUES = {"FILE", "NAME", "EXT", "NAME.EXT", "SHAPE=MM"}
+NO_NUMBERS = ("nan", "-inf", "1e400", "", "5mm")
+MORE_NO_NUMBERS = ("inf", "NaN", " 5", "5 ", "0x10", "five", "1'000", "--5", "\N{ARABIC-INDIC DIGIT FIVE}")
+ENTRY = re.compile(r"(?ms)^  (--[a-z-]+) (\S+)(.*?)(?=^  -|^\S|\Z)")
+RANGE = re.compile(r"(numbers with commas in between, each )?(a whole number|a number) from (\S+) to ([^\s;]*[^\s;.]) ?(\S*?)[;.] ?")
+
+
+class Flag:
+    def __init__(self, name, found):
+        self.name = name
+        self.is_list = bool(found[1])
+        self.is_whole = found[2] == "a whole number"
+        self.least_text = found[3]
+        self.least, self.most = float(found[3]), float(found[4])
+        self.unit = found[5]
+
+    def hostile(self, is_first):
+        """Few values for each flag, many for the first one of a command: there is only one reader."""
+        yield from NO_NUMBERS
+        if is_first:
+            yield from MORE_NO_NUMBERS
+        step = max(1.0, 1e-6 * abs(self.least))
+        yield repr(self.least - step)
+        yield repr(self.most * 1.01 + 1)
+        if self.is_whole:
+            yield "1.5"
+        for good in ("1",) if self.is_list else ():
+            for bad in (",%s", "%s,", "%s,,%s", "%s,nan"):
+                yield bad.replace("%s", good)
+        if not self.is_list:
+            yield "1,5"
+
+    def good(self):
+        """Ways to write a number in the range."""
+        if self.most < 1.0:
+            return ("+.25", "2.5e-1")
+        return ("1e3", "+1000.0") if self.most >= 1000.0 else ("1e0", "+1.0")
+
+
+class HostileValues(ApplicationTest):
+    def flags(self, command):
+        """The numeric flags of a command; nothing else that takes a value may be left over."""
+        help_text = self.succeed(*filter(None, (command, "--help"))).stdout
+        numeric = []
+        for name, value, text in ENTRY.findall(help_text):
+            found = RANGE.search(re.sub(r"\s+", " ", value + text))
+            if found:
+                numeric.append(Flag(name, found))
+            else:
+                takes_choice = re.fullmatch(r"[\w]+(\|\w+)+", value)
+                takes_nothing = not re.fullmatch(r"[A-Z.,=]+|[\w|]+\|[\w|]+", value)
+                self.assertTrue(takes_choice or takes_nothing or value in OTHER_VALUES, (name, value))
+        return numeric
+
+    def words(self, command, flag, value):
+        words = list(COMMANDS[command])
+        if flag in words:
+            at = words.index(flag)
+            del words[at : at + 2]
+        return [*filter(None, (command,)), *words, flag, value]
+
+    def test_each_flag_refuses_what_is_no_number_in_its_range(self):
+        count = 0
+        for command in COMMANDS:
+            for at, flag in enumerate(self.flags(command)):
+                for value in flag.hostile(at == 0):
+                    with self.subTest(command=command, flag=flag.name, value=value):
+                        answer = self.fail_with(USAGE, *self.words(command, flag.name, value), says=flag.name)
+                        self.assertIn("takes", answer.stderr)
+                        self.assertIn("from %s to " % flag.least_text, answer.stderr)
+                        self.assertIn(flag.unit, answer.stderr)
+                        if not flag.is_list:
+                            self.assertIn("not '%s'" % value, answer.stderr)
+                        count += 1
+        self.assertGreater(count, 200)
+
+    def test_each_flag_takes_every_way_to_write_a_number(self):
+        for command in COMMANDS:
+            for flag in self.flags(command):
+                for value in flag.good():
+                    with self.subTest(command=command, flag=flag.name, value=value):
+                        stderr = self.run_program(*self.words(command, flag.name, value)).stderr
+                        self.assertNotIn(" takes ", stderr)
+
+    def test_every_command_has_its_numbers(self):
+        found = {command: {flag.name for flag in self.flags(command)} for command in COMMANDS}
+        self.assertLessEqual({"--max-error", "--target-faces", "--iso", "--jobs", "--threads"}, found[""])
+        self.assertEqual(found["certify"], {"--tolerance", "--gap", "--mean-precision", "--threads"})
+        self.assertEqual(found["tolerance"], {"--triangles", "--precision", "--threads"})
+        self.assertEqual(found["curve"], {"--errors", "--threads"})
+        self.assertEqual(found["levels"], {"--coarsest", "--max-error", "--triangles", "--errors", "--threads"})
+        self.assertEqual(found["check"], {"--threads"})
+
+    def test_numbers_of_the_thesis_are_read_in_the_same_way(self):
+        for at, name in enumerate(("numbFaces", "tolerance", "errorThreshold"), 1):
+            for value in (*NO_NUMBERS, -1, "1,5"):
+                words = list(COMMANDS["thesis"])
+                words[at] = value
+                if str(value).startswith("-"):
+                    words.insert(0, "--")
+                with self.subTest(name=name, value=value):
+                    self.fail_with(USAGE, "thesis", *words, says=name + " takes a")
+        self.fail_with(REFUSED, "thesis", "nothing.obj", "7e2", "+.95", "0.0", says="no such file")
+
+    def test_numbers_of_regions_are_read_in_the_same_way(self):
+        for value in (*NO_NUMBERS, -1, 1e31):
+            for text in ("rest=%s", "sphere:0,0,0,%s=1", "sphere:0,0,0,1=%s", "box:%s,1,0,1,0,1=%s"):
+                text = text.replace("%s", str(value))
+                with self.subTest(text):
+                    self.fail_with(USAGE, *COMMANDS[""], "--region", text, says="--region takes ")
+
+    def test_numbers_of_slicer_are_read_in_the_same_way(self):
+        run = ("--returnparameterfile", "r.txt", *COMMANDS[""], "--max-error", 1)
+        for value in (*NO_NUMBERS, 1e31):
+            for words in (("--roi", "0,0,0,1,1,%s" % value), ("--keep", "0,0,%s" % value),
+                          ("--keep", "0,0,0", "--keep-radius", value)):
+                with self.subTest(words):
+                    self.fail_with(USAGE, *run, *words, says=words[-2] + " takes ")
+        self.fail_with(USAGE, *run, "--keep", "0,0,0", "--keep-radius", -1, says="--keep-radius takes ")
+        self.fail_with(USAGE, *run, "--roi", "0,0,0,1,1,-1", says="--roi takes ")
+
+
+if __name__ == "__main__":
+    main()
