@@ -37,7 +37,11 @@ struct vtkBoneDecimate::Internals
   void Keep(const bonedecimate::Report& report)
   {
     this->Report = report;
-    this->Report.Size = this->IsPart ? bonedecimate::SizeFigures() : report.Size;
+    if (this->IsPart)
+    {
+      this->Report.Size = {};
+      this->Report.Asked = {}; // its options are made from those of the whole
+    }
     this->Entries = bonedecimate::NamedEntries{ bonedecimate::ReportEntries(this->Report) };
   }
 

@@ -13,6 +13,7 @@
 #include "Mesh/Sheets.h"
 #include "Mesh/SpatialOrder.h"
 #include "Mesh/SurfaceAssembly.h"
+#include "OptionTable.h"
 #include "Prune.h"
 #include "ReferenceInput.h"
 #include "Relax/RelaxedLoop.h"
@@ -23,7 +24,6 @@
 #include "VoxelSize.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -36,8 +36,7 @@ constexpr double CleanedAt = 0.01;
 constexpr double BuiltAt = 0.02;
 constexpr double ExtractionShare = 0.005;
 
-/// One run, stage after stage.
-class Run
+class Run // stage after stage
 {
 public:
   Run(const Surface& input, const Options& options, const Monitor& monitor,
@@ -181,8 +180,7 @@ private:
     const auto any = [&](auto isSo)
     { return std::any_of(tolerances.begin(), tolerances.end(), isSo); };
     const bool promises = this->Wanted.PromisesError();
-    const bool isThesis = this->Wanted.Mode == Mode::Thesis;
-    if (promises || (!isThesis && any([](double t) { return t > 0.0; })))
+    if (promises || (this->Wanted.Mode != Mode::Thesis && any([](double t) { return t > 0.0; })))
     {
       Promise promise;
       promise.Error = promises ? this->Wanted.MaximumError : promise.Error;
@@ -386,12 +384,17 @@ private:
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor,
   const Companions& companions)
 {
-  Options wanted = options;
-  const VoxelFigures voxel =
-    ApplyPreset(companions.Reference != nullptr ? *companions.Reference : input, wanted);
-  Result result = Run(input, wanted, monitor, companions).Go();
+  Result result;
+  result.Report.Status = InputStatus::InvalidOption;
+  if (CheckOptions(options).empty())
+  {
+    Options wanted = options;
+    const VoxelFigures voxel =
+      ApplyPreset(companions.Reference != nullptr ? *companions.Reference : input, wanted);
+    result = Run(input, wanted, monitor, companions).Go();
+    result.Report.Voxel = voxel;
+  }
   result.Report.Asked = options;
-  result.Report.Voxel = voxel;
   return result;
 }
 }

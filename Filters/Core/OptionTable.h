@@ -46,6 +46,9 @@ OptionValue GetOption(const Options& options, const OptionInfo& info);
 /// if nothing is.
 std::string CheckOption(const OptionInfo& info, const OptionValue& value);
 
+/// What is wrong with the first option whose value cannot be, empty if nothing is: structs are filled without SetOption(), too.
+std::string CheckOptions(const Options& options);
+
 /// Sets the value; or leaves the options as they are and returns what CheckOption() says.
 std::string SetOption(Options& options, const OptionInfo& info, const OptionValue& value);
 

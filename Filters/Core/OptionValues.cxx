@@ -151,6 +151,19 @@ std::string CheckOption(const OptionInfo& info, const OptionValue& value)
   return isKnown ? std::string() : Rejection(info, GivenText(value));
 }
 
+std::string CheckOptions(const Options& options)
+{
+  for (const OptionInfo& info : OptionTable())
+  {
+    const std::string problem = CheckOption(info, GetOption(options, info));
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  return {};
+}
+
 std::string SetOption(Options& options, const OptionInfo& info, const OptionValue& value)
 {
   std::string problem = CheckOption(info, value);

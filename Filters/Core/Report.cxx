@@ -3,7 +3,9 @@
 #include "Report.h"
 
 #include "Certificate/Certificate.h"
+#include "IdleOptions.h"
 #include "InputSize.h"
+#include "OptionTable.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -18,6 +20,25 @@ std::string Found(std::int64_t count, const char* what, const char* kind, std::i
 {
   return std::to_string(count) + " " + what + ", the first is " + kind + " " +
     std::to_string(first);
+}
+
+/// Names of arrays that are not made do no harm, and ParaView's panel names all of them.
+std::vector<std::string> IdleWarnings(const Report& report)
+{
+  const std::string suffix = "ArrayName";
+  const auto isName = [&suffix](const std::string& option)
+  {
+    return option.size() > suffix.size() &&
+      option.compare(option.size() - suffix.size(), suffix.size(), suffix) == 0;
+  };
+  Options options = report.Asked;
+  std::vector<std::string> given = ChangedOptions(options);
+  given.erase(std::remove_if(given.begin(), given.end(), isName), given.end());
+  if (report.HasTolerances && options.ToleranceArrayName.empty())
+  {
+    options.ToleranceArrayName = "without a name";
+  }
+  return IdleOptions(options, given);
 }
 
 std::string FarMessage(const ProvedDistance& distance)
@@ -134,6 +155,8 @@ std::string InputMessage(const Report& report)
     case InputStatus::ErrorBeyondSize:
     case InputStatus::ErrorBelowSize:
       return SizeMessage(report.Size, report.Status);
+    case InputStatus::InvalidOption:
+      return CheckOptions(report.Asked);
   }
   return {};
 }
@@ -141,7 +164,9 @@ std::string InputMessage(const Report& report)
 std::vector<std::string> InputWarnings(const Report& report)
 {
   const CleaningStatistics& found = report.Cleaning;
-  std::vector<std::string> warnings = SizeWarnings(report.Size);
+  std::vector<std::string> warnings = IdleWarnings(report);
+  const std::vector<std::string> ofSize = SizeWarnings(report.Size);
+  warnings.insert(warnings.end(), ofSize.begin(), ofSize.end());
   if (found.DroppedTriangles > 0)
   {
     warnings.push_back(Found(found.DroppedTriangles, "triangles without area were left out",
@@ -178,12 +203,15 @@ std::string ProofMessage(const Report& report)
   {
     return {};
   }
-  char text[240];
-  std::snprintf(text, sizeof(text),
-    "the certificate %s that the result keeps the largest error of %.9g mm (0: none) and its "
-    "points' tolerances: the distance is between %.9g and %.9g mm",
-    proof.Verdict == CertificateVerdict::Violated ? "contradicts" : "cannot decide",
-    proof.Tolerance, proof.Lower(), proof.Upper());
-  return text;
+  const std::string limit = proof.Tolerance > 0.0
+    ? "the largest error of " + SentenceNumber(proof.Tolerance) + " mm" +
+      (report.HasTolerances ? " and the tolerances of the points" : "")
+    : "the tolerances of the points";
+  char text[120];
+  std::snprintf(
+    text, sizeof(text), ": the distance is between %.9g and %.9g mm", proof.Lower(), proof.Upper());
+  return std::string("the certificate ") +
+    (proof.Verdict == CertificateVerdict::Violated ? "contradicts" : "cannot decide") +
+    " that the result keeps " + limit + text;
 }
 }

@@ -40,7 +40,8 @@ enum class InputStatus : int
   EverythingPruned,      ///< No component is large enough for what was asked for.
   SinglePrecisionTooCoarse, ///< Written in it, points move farther than the error or tolerances allow, or onto others.
   ErrorBeyondSize, ///< The largest error is more than a quarter of the diagonal, and AllowLargeError is off.
-  ErrorBelowSize ///< The largest error is less than a millionth of the diagonal: rounding alone exceeds it.
+  ErrorBelowSize, ///< The largest error is less than a millionth of the diagonal: rounding alone exceeds it.
+  InvalidOption ///< A value that is not in the range of its option.
 };
 
 /// Why the collapse ended.
@@ -262,6 +263,7 @@ struct Report
   StageSeconds Seconds;
   std::uint64_t InputChecksum = 0; ///< Mesh/Checksum.h.
   Options Asked;
+  bool HasTolerances = false; ///< Whether points had tolerances of their own.
 };
 
 /// One word, as in the JSON report: "target_reached".

@@ -60,6 +60,7 @@ InputStatus CheckErrors(const Surface& input, const CleanSurface& clean,
   const std::vector<double>* given, bool roundsToSingle, Options& options, Report& report)
 {
   InputStatus status = InputStatus::Good;
+  report.HasTolerances = given != nullptr;
   if (given != nullptr)
   {
     status = CheckTolerances(*given, input.Points.size(), options.Mode, report.Cleaning);

@@ -3,6 +3,7 @@
 #include "IdleOptions.h"
 
 #include "OptionTable.h"
+#include "Runs.h"
 
 #include <gtest/gtest.h>
 
@@ -90,4 +91,22 @@ TEST(IdleOptions, FindsWhatIsNotTheDefault)
     (Names{ "KeepClearance has no effect; it needs MaximumError or ErrorPreset, and another Mode "
             "than Thesis",
       "VoxelSize has no effect; it needs ErrorPreset" }));
+}
+
+TEST(IdleOptions, AreWarnedOfInEveryRun)
+{
+  const Surface ball = testsupport::Icosphere(2, 10.0);
+  Options options;
+  options.KeepClearance = false;
+  options.DistanceArrayName = "far";
+  const Report idle = Decimate(ball, options).Report;
+  EXPECT_EQ(InputWarnings(idle), IdleOptions(options, { "KeepClearance" }));
+  options.MaximumError = 0.5;
+  EXPECT_TRUE(InputWarnings(Decimate(ball, options).Report).empty());
+  options = {};
+  options.ProveResult = false;
+  const std::vector<double> tolerances(ball.Points.size(), 0.5);
+  EXPECT_EQ(InputWarnings(Decimate(ball, options).Report).size(), 1);
+  const Report limited = Decimate(ball, options, {}, { false, false, &tolerances }).Report;
+  EXPECT_TRUE(InputWarnings(limited).empty());
 }

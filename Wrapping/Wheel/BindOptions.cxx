@@ -113,7 +113,8 @@ void BindEnums(nb::module_& module)
     .value("EverythingPruned", InputStatus::EverythingPruned)
     .value("SinglePrecisionTooCoarse", InputStatus::SinglePrecisionTooCoarse)
     .value("ErrorBeyondSize", InputStatus::ErrorBeyondSize)
-    .value("ErrorBelowSize", InputStatus::ErrorBelowSize);
+    .value("ErrorBelowSize", InputStatus::ErrorBelowSize)
+    .value("InvalidOption", InputStatus::InvalidOption);
 }
 
 void BindTable(nb::module_& module)
