@@ -303,3 +303,18 @@ TEST(Certificate, EndsWhenTheMonitorSaysStop)
     EXPECT_EQ(found.Status, CertificateStatus::Aborted);
   }
 }
+
+/// In single precision the points of a flat grid lie on lines that are not quite straight: 15 million cuts to the last digit.
+TEST(Certificate, OfAFlatPartInOtherTrianglesEndsSoonWithALeastGap)
+{
+  Surface grid = Scaled(Grid(28), 1.0 / 28.0);
+  for (Vector3& p : grid.Points)
+  {
+    p = p.unaryExpr([](double x) { return static_cast<double>(static_cast<float>(x)); });
+  }
+  CertificateOptions options;
+  options.LeastGap = 1e-5;
+  const Certificate found = Certify(grid, Grid(1), options);
+  EXPECT_LE(found.Upper(), 1e-5);
+  EXPECT_LT(found.ResultToReference.Distance.Cuts, 200000);
+}

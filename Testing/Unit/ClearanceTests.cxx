@@ -338,58 +338,6 @@ TEST_P(EachClearance, HasNoMorePairsThatIntersectThanBefore)
 
 INSTANTIATE_TEST_SUITE_P(Shapes, EachClearance, testing::ValuesIn(AllShapes()), NameOf);
 
-TEST(Clearance, FlatPartsAreSimplifiedAsIfNothingWereNear)
-{
-  const std::vector<std::pair<Surface, std::size_t>> shapes = { { Scaled(Cube(12), 5.0), 12 },
-    { Prism(6, 6, 9), 20 }, { CappedCylinder(24, 9), 92 }, { VoxelEllipsoid(), 0 },
-    { LabelledPart(1), 0 }, { Grid(20), 2 } };
-  for (const auto& [shape, expected] : shapes)
-  {
-    for (const Mode mode : { Mode::Fast, Mode::Balanced })
-    {
-      const double error = expected > 0 ? 1e-3 : 0.3;
-      const Result with = Decimate(shape, Guarded(mode, error));
-      const Result without = Decimate(shape, Guarded(mode, error, false));
-      const std::size_t count = with.Surface.Triangles.size();
-      EXPECT_LE(count, 1.03 * without.Surface.Triangles.size() + 4) << WordOf(mode) << expected;
-      EXPECT_TRUE(expected == 0 || count == expected) << WordOf(mode) << count;
-      EXPECT_EQ(CountCrossings(with.Surface), 0) << WordOf(mode) << expected;
-      const std::size_t crossing = static_cast<std::size_t>(Verdict::Crossing);
-      EXPECT_LE(with.Report.Refusals[crossing], 10) << WordOf(mode) << expected;
-    }
-  }
-}
-
-/// Two plates whose near sides lie in one plane, apart or overlapping there, and one that stands on the other.
-TEST(Clearance, WhatLiesInOnePlaneStaysApartOrTouchesNoMore)
-{
-  const Surface plate = Scaled(FlatPlate(6), 0.5);
-  for (const Vector3& offset : { Vector3(3.25, 0.0, 0.0), Vector3(1.3, 0.7, 0.5) })
-  {
-    for (const Mode mode : { Mode::Fast, Mode::Balanced })
-    {
-      const Surface input = Together(plate, Moved(plate, offset));
-      const std::int64_t before = CountCrossings(input);
-      const Surface result = Decimate(input, Guarded(mode, 0.2)).Surface;
-      EXPECT_LE(CountCrossings(result), before) << WordOf(mode) << offset.transpose();
-      EXPECT_GE(LeastDistanceOfComponents(result), before == 0 ? 0.125 : 0.0);
-      EXPECT_EQ(SplitComponents(result).size(), 2U);
-      EXPECT_LT(result.Triangles.size(), input.Triangles.size() / 2) << WordOf(mode);
-    }
-  }
-}
-
-TEST(Clearance, NearWallsAreNotTriedOverAndOver)
-{
-  const Surface spheres = NearSpheres(3, 0.001);
-  const Result result = Decimate(spheres, Guarded(Mode::Fast, 0.1));
-  EXPECT_EQ(CountCrossings(result.Surface), 0);
-  EXPECT_GE(LeastDistanceOfComponents(result.Surface), 0.5 * LeastDistanceOfComponents(spheres));
-  const std::size_t crossing = static_cast<std::size_t>(Verdict::Crossing);
-  EXPECT_LT(
-    result.Report.Refusals[crossing], static_cast<std::int64_t>(30 * spheres.Triangles.size()));
-}
-
 TEST(Clearance, NoRandomShapeGetsMorePairsThatIntersect)
 {
   std::mt19937 random(17);

@@ -71,11 +71,6 @@ private:
   std::uniform_real_distribution<double> Uniform{ -1.0, 1.0 };
 };
 
-bool HasArea(const TriangleCorners& t)
-{
-  return (t[1] - t[0]).cross(t[2] - t[0]).squaredNorm() > 0.0;
-}
-
 /// Whether the second lies on one side of the plane of the first, or in it.
 bool LiesOnOneSide(const TriangleCorners& a, const TriangleCorners& b)
 {

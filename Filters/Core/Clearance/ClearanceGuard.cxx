@@ -16,8 +16,6 @@ constexpr double ShareOfGap = 0.5;
 /// Both sides may move by the error; a gap that many errors wide keeps half of its width whatever happens.
 constexpr double ErrorsOfGap = 4.0;
 
-using Piece = ClearanceGuard::Piece;
-
 /// mm, how far from a face its gaps have to be looked after.
 double ReachOf(const Gap& gap)
 {
@@ -29,122 +27,6 @@ double ReachOf(const Gap& gap)
   return reach;
 }
 
-bool BoxesMeet(const Piece& a, const Piece& b)
-{
-  return a.Low[0] <= b.High[0] && b.Low[0] <= a.High[0] && a.Low[1] <= b.High[1] &&
-    b.Low[1] <= a.High[1] && a.Low[2] <= b.High[2] && b.Low[2] <= a.High[2];
-}
-
-/// mm^2, between the boxes.
-double SquaredDistance(const Piece& a, const Piece& b)
-{
-  return (a.Low - b.High).cwiseMax(b.Low - a.High).cwiseMax(0.0).squaredNorm();
-}
-
-bool HasCorner(const Piece& piece, Index vertex)
-{
-  return std::find(piece.Vertices.begin(), piece.Vertices.end(), vertex) != piece.Vertices.end();
-}
-
-int CountShared(const Piece& a, const Piece& b)
-{
-  return static_cast<int>(std::count_if(
-    a.Vertices.begin(), a.Vertices.end(), [&b](Index vertex) { return HasCorner(b, vertex); }));
-}
-
-/// The number of the first corner for which that is so.
-std::size_t FindCorner(const Piece& piece, const Piece& other, bool isShared)
-{
-  std::size_t i = 0;
-  while (i < 2 && HasCorner(other, piece.Vertices[i]) != isShared)
-  {
-    ++i;
-  }
-  return i;
-}
-
-bool Meet(const Piece& a, const Piece& b)
-{
-  if (!BoxesMeet(a, b))
-  {
-    return false;
-  }
-  switch (CountShared(a, b))
-  {
-    case 0:
-      return bonedecimate::Meet(a, b);
-    case 1:
-      return MeetBeyondCorner(a, FindCorner(a, b, true), b, FindCorner(b, a, true));
-    case 2:
-      return MeetBeyondEdge(a, FindCorner(a, b, false), b.Corners[FindCorner(b, a, false)]);
-    default:
-      return true;
-  }
-}
-
-/// Pairs of a patch with what is near it, and within it, that meet.
-/// @param isEnough Asked after each with how many they are by then; true ends it.
-template <typename IsEnough>
-void CountMeetings(
-  const std::vector<Piece>& patch, const std::vector<Piece>& near, const IsEnough& isEnough)
-{
-  std::size_t count = 0;
-  for (auto piece = patch.begin(); piece != patch.end(); ++piece)
-  {
-    const auto endsIt = [&](const Piece& other)
-    { return Meet(*piece, other) && isEnough(++count); };
-    if (std::any_of(near.begin(), near.end(), endsIt) ||
-      std::any_of(piece + 1, patch.end(), endsIt))
-    {
-      return;
-    }
-  }
-}
-
-/// Whether more pairs meet than with the faces that go.
-bool MeetMore(
-  const std::vector<Piece>& before, const std::vector<Piece>& after, const std::vector<Piece>& near)
-{
-  std::size_t allowed = 0;
-  bool isMore = false;
-  CountMeetings(after, near,
-    [&](std::size_t count)
-    {
-      if (count == 1) // most edits need not know
-      {
-        CountMeetings(before, near,
-          [&](std::size_t countBefore)
-          {
-            allowed = countBefore;
-            return false;
-          });
-      }
-      isMore = count > allowed;
-      return isMore;
-    });
-  return isMore;
-}
-
-/// mm, of the box around all of them; there is one at least.
-Vector3 LeastOf(const std::vector<Piece>& pieces)
-{
-  Vector3 low = pieces[0].Low;
-  for (const Piece& piece : pieces)
-  {
-    low = low.cwiseMin(piece.Low);
-  }
-  return low;
-}
-Vector3 MostOf(const std::vector<Piece>& pieces)
-{
-  Vector3 high = pieces[0].High;
-  for (const Piece& piece : pieces)
-  {
-    high = high.cwiseMax(piece.High);
-  }
-  return high;
-}
-
 double MostReach(const std::vector<Piece>& pieces) // mm
 {
   double most = 0.0;
@@ -153,34 +35,6 @@ double MostReach(const std::vector<Piece>& pieces) // mm
     most = std::max(most, piece.Reach);
   }
   return most;
-}
-
-/// Whether p lies in what two patches with one rim enclose; in doubt it does.
-/// @param size mm, longer than the box around both.
-bool IsBetween(
-  const Vector3& p, double size, const std::vector<Piece>& a, const std::vector<Piece>& b)
-{
-  // Directions that nobody models along.
-  for (const Vector3& direction : { Vector3(0.61, 0.53, 0.587), Vector3(-0.37, 0.71, -0.599) })
-  {
-    const Vector3 farPoint = p + 2.0 * size * direction;
-    bool isInside = false;
-    bool isClear = true;
-    for (const std::vector<Piece>* patch : { &a, &b })
-    {
-      for (const Piece& piece : *patch)
-      {
-        const RayAnswer answer = ShootRay(p, farPoint, piece);
-        isInside = isInside != (answer == RayAnswer::Hits);
-        isClear = isClear && answer != RayAnswer::Unclear;
-      }
-    }
-    if (isClear)
-    {
-      return isInside;
-    }
-  }
-  return true;
 }
 }
 
@@ -193,7 +47,7 @@ ClearanceGuard::ClearanceGuard(const HalfEdgeMesh& mesh, const Surface& surface,
 
 //------------------------------------------------------------------------------
 /// A new vertex stands for both that were merged into it.
-ClearanceGuard::Piece ClearanceGuard::PieceOf(const HalfEdgeMesh& mesh, const Patch& change,
+Piece ClearanceGuard::PieceOf(const HalfEdgeMesh& mesh, const Patch& change,
   const Triangle& vertices, const TriangleCorners& corners) const
 {
   Piece piece(corners);
@@ -335,31 +189,6 @@ bool ClearanceGuard::NarrowsGap(const Workspace& work) const
 }
 
 //------------------------------------------------------------------------------
-/// What meets neither the faces that go nor the new ones lies between them as a whole or not at all.
-bool ClearanceGuard::JumpsOver(const Workspace& work)
-{
-  const Vector3 low = LeastOf(work.Old).cwiseMin(LeastOf(work.New));
-  const Vector3 high = MostOf(work.Old).cwiseMax(MostOf(work.New));
-  const double size = (high - low).sum();
-  return std::any_of(work.Near.begin(), work.Near.end(),
-    [&](const Piece& near)
-    {
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        const bool isOfPatch = std::any_of(work.Old.begin(), work.Old.end(),
-          [&](const Piece& old) { return HasCorner(old, near.Vertices[i]); });
-        const Vector3& p = near.Corners[i];
-        if (!isOfPatch)
-        {
-          return (p - low).minCoeff() >= 0.0 && (high - p).minCoeff() >= 0.0 &&
-            IsBetween(p, size, work.Old, work.New);
-        }
-      }
-      return false;
-    });
-}
-
-//------------------------------------------------------------------------------
 bool ClearanceGuard::Owns(
   const HalfEdgeMesh& mesh, const Patch& change, VertexRange range, Workspace& work) const
 {
@@ -394,8 +223,8 @@ Verdict ClearanceGuard::Judge(const HalfEdgeMesh& mesh, const Patch& change, Wor
     this->FindCells(work);
   }
   this->FindNear(mesh, change, work);
-  const bool allowed =
-    !MeetMore(work.Old, work.New, work.Near) && !this->NarrowsGap(work) && !JumpsOver(work);
+  const bool allowed = !MeetMore(work.Old, work.New, work.Near) && !this->NarrowsGap(work) &&
+    !JumpOver(work.Old, work.New, work.Near);
   return allowed ? Verdict::Allowed : Verdict::Crossing;
 }
 

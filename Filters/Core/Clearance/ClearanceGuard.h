@@ -5,12 +5,12 @@
  * @brief No edit lets triangles meet that did not meet before, nor narrows a gap to less than half of what it was.
  *
  *     near    = faces of the current mesh near the new ones                                          (FaceGrid)
- *     meet:     pairs of a new face with one that is near, or of two new ones, that meet             (TrianglePair)
+ *     meet:     pairs of a new face with one that is near, or of two new ones, that meet             (Piece)
  *               refused if there are more of them than of pairs with the faces that go
  *     gap:      a pair that faces each other, or of two fragments, and has no corner in common
  *               refused if it is nearer than half the gap at first at what its corners stand for     (Gaps)
  *               and nearer than the faces that go were
- *     jump:     refused if a corner of what is near lies between the faces that go and the new ones
+ *     jump:     refused if a corner of what is near lies between the faces that go and the new ones  (Piece)
  */
 #ifndef BoneDecimate_Core_Clearance_ClearanceGuard_h
 #define BoneDecimate_Core_Clearance_ClearanceGuard_h
@@ -18,6 +18,7 @@
 #include "FaceGrid.h"
 #include "Gaps.h"
 #include "Guarantee/Patch.h"
+#include "Piece.h"
 #include "Report.h"
 
 namespace bonedecimate
@@ -28,18 +29,6 @@ public:
   /// @param surface Of which the mesh was made, its sheets joined.  @param error mm, how far the surface may move.
   ClearanceGuard(const HalfEdgeMesh& mesh, const Surface& surface, double error, int threads,
     const Monitor& monitor);
-
-  /// A face with what every pair of it needs.
-  struct Piece : PlaneTriangle
-  {
-    using PlaneTriangle::PlaneTriangle;
-
-    Triangle Vertices; // their sites
-    Vector3 Low, High; // mm, its box
-    Vector3 Normal;
-    bonedecimate::Gap LeastGap; // of its corners
-    double Reach;               // mm, how far from it gaps have to be looked after
-  };
 
   /// What one worker needs while it judges; filled by Owns or Judge for Commit.
   struct Workspace
@@ -69,7 +58,6 @@ private:
   double GapOf(const Piece& a, const Piece& b) const;
   bool IsTooNear(const Piece& piece, const Piece& near, const std::vector<Piece>& old) const;
   bool NarrowsGap(const Workspace& work) const;
-  static bool JumpsOver(const Workspace& work);
 
   FaceGrid Grid;
   Gaps Widths;

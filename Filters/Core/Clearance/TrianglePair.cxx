@@ -171,6 +171,12 @@ bool IntervalsOverlap(
 }
 }
 
+bool HasArea(const TriangleCorners& corners)
+{
+  return Projection(corners).Sign != 0;
+}
+
+//------------------------------------------------------------------------------
 bool Meet(const PlaneTriangle& a, const PlaneTriangle& b)
 {
   const Sides sidesB = SidesOf(a.Plane, b.Corners);

@@ -40,6 +40,9 @@ struct PlaneTriangle
   OrientedPlane Plane;
 };
 
+/// Whether the corners do not lie on a line, exactly.
+bool HasArea(const TriangleCorners& corners);
+
 /// No corner is shared.
 bool Meet(const PlaneTriangle& a, const PlaneTriangle& b);
 /// One corner of each is the same; they are named by their numbers, 0 to 2.
