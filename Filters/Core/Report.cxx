@@ -5,6 +5,7 @@
 #include "Certificate/Certificate.h"
 #include "IdleOptions.h"
 #include "InputSize.h"
+#include "NumberRange.h"
 #include "OptionTable.h"
 
 #include <algorithm>

@@ -1,0 +1,439 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What can be combined in one run of the program: each feature with its words and how its outputs show that it took effect."""
+
+import dataclasses
+import functools
+import json
+import math
+import re
+import subprocess
+import typing
+
+import vtk
+
+from application import USAGE, array_names, read, torus, write
+
+ERROR = 0.3  # mm, of the features that bound it
+LARGE_ERROR = 40.0  # mm, more than a quarter of the diagonal
+FROZEN = (28.0, 0.0, 0.0, 9.0)  # center and radius of the frozen region, mm
+METERS = 1e-3  # per mm
+ARRAYS = ("vtp", "vtk")  # what holds them
+
+
+@dataclasses.dataclass
+class Feature:
+    """words: on the command line. problem: of a run that succeeded, why the feature is not seen to have taken effect."""
+
+    name: str
+    words: tuple = ()
+    problem: typing.Callable = lambda run: ""
+    refused_by: tuple = ()  # words of which a refusal has one
+    goal: bool = False  # says where to stop
+    input: str = ""  # a kind of input
+    output: str = ""  # a format of the output
+    command: str = ""  # a subcommand
+
+    def __post_init__(self):
+        flags = [str(word) for word in self.words if str(word).startswith("--")]
+        names = [word.lstrip("-").replace("-", " ") for word in flags]
+        self.refused_by = (*self.refused_by, *flags, *names, *filter(None, (self.command, self.name)))
+
+    @property
+    def shown(self):
+        words = " ".join(map(str, (*filter(None, (self.command,)), *self.words)))
+        return words or (f"OUTPUT.{self.output}" if self.output else self.input)
+
+    def problem_in(self, run):
+        return self.problem(run) or ""
+
+
+class Run:
+    """One call of the program with the words of two features."""
+
+    def __init__(self, program, pair):
+        self.program, self.pair = program, pair
+        self.kinds = {feature.input for feature in pair} - {""}
+        self.command = next((feature.command for feature in pair if feature.command), "")
+        formats = [feature.output for feature in pair if feature.output]
+        self.formats = formats or ["obj" if "thesis form" in self.kinds else "vtp"]
+
+    def has(self, name):
+        return any(feature.name == name for feature in self.pair)
+
+    def has_word(self, word):
+        return any(word in feature.words for feature in self.pair)
+
+    def prunes(self):
+        return any(str(word).startswith("--prune") for feature in self.pair for word in feature.words)
+
+    def extra(self):
+        """The words of both, those that both have once."""
+        first, second = ([tuple(feature.words[i:i + 2]) for i in range(0, len(feature.words), 2)] for feature in self.pair)
+        return [word for words in first + [words for words in second if words not in first] for word in words]
+
+    def execute(self, folder):
+        self.folder = folder
+        self.words = [self.program, *map(str, self.line())]
+        return subprocess.run(
+            self.words, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8", check=False)
+
+    def line(self):
+        extra = self.extra()
+        if len([feature for feature in self.pair if feature.command]) == 2:
+            return [self.pair[0].command, self.pair[1].command, "bone.vtp"]
+        if self.command:
+            return [self.command, *self.command_inputs(), *extra, "--quiet"]
+        if "thesis form" in self.kinds:
+            return ["thesis", self.source("bone", "obj"), 300, 0.95, 0, self.output(), *extra, *self.listing()]
+        if not any(feature.goal for feature in self.pair):
+            extra += ["--target-reduction", 0.5]
+        if not any("--measure" in feature.words for feature in self.pair):
+            extra += ["--measure", "off"]  # half of the time of a small run
+        return [self.input(), self.output_words(), *self.other_formats(), *extra, *self.listing()]
+
+    def other_formats(self):
+        if "batch" in self.kinds:
+            return ["--format", self.formats[0]] if any(feature.output for feature in self.pair) else []
+        return ["--also", "out." + self.formats[1]] if len(self.formats) > 1 else []
+
+    def listing(self):
+        return ["--quiet"] if "batch" in self.kinds else ["--report", "report.json", "--quiet"]
+
+    def source(self, stem, extension):
+        return f"{stem}_m.{extension}" if "unit" in self.kinds else f"{stem}.{extension}"
+
+    def command_inputs(self):
+        source = self.input()
+        return [source, source] if self.command == "certify" else [source]
+
+    def input(self):
+        if "batch" in self.kinds:
+            return "volumes" if "CT" in self.kinds else "meters" if "unit" in self.kinds else "bones"
+        return "bone.mha" if "CT" in self.kinds else self.source("bone", "vtp")
+
+    def output_words(self):
+        return "small" if "batch" in self.kinds else self.output()
+
+    def output(self):
+        return ("small/bone." if "batch" in self.kinds else "out.") + self.formats[0]
+
+    # What the run wrote.
+
+    @functools.cached_property
+    def report(self):
+        name = "small/bone.json" if "batch" in self.kinds else "report.json"
+        path = self.folder / name
+        return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+
+    @functools.cached_property
+    def result(self):
+        return in_millimeters(read(self.folder / self.output()), self)
+
+    @functools.cached_property
+    def bone(self):
+        """The surface that went in, or of the volume the one that the program extracted."""
+        if "CT" in self.kinds:
+            return isosurface(self.folder / "bone.mha")
+        return in_millimeters(read(self.folder / self.source("bone", "vtp")), self)
+
+    def holds_arrays(self):
+        return self.formats[0] in ARRAYS
+
+    def option(self, name):
+        return self.report["options"][name]
+
+    def warnings(self):
+        return [generic(text) for text in self.report.get("warnings", [])]
+
+
+def generic(sentence):
+    """Without numbers that differ from run to run."""
+    return re.sub(r"\d+(\.\d+)?(e-?\d+)?", "N", sentence)
+
+
+def in_millimeters(surface, run):
+    return scaled(surface, 1.0 / METERS) if "unit" in run.kinds else surface
+
+
+def scaled(surface, factor):
+    points = vtk.vtkPoints()
+    points.SetDataTypeToDouble()
+    for i in range(surface.GetNumberOfPoints()):
+        points.InsertNextPoint([factor * x for x in surface.GetPoint(i)])
+    result = vtk.vtkPolyData()
+    result.ShallowCopy(surface)
+    result.SetPoints(points)
+    return result
+
+
+# The inputs: a torus of two halves, one of which is to move little, and a crumb whose triangles share no points.
+
+def crumb():
+    source = vtk.vtkPlatonicSolidSource()
+    source.SetSolidTypeToOctahedron()
+    source.Update()
+    solid = source.GetOutput()
+    points, cells = vtk.vtkPoints(), vtk.vtkCellArray()
+    for cell in range(solid.GetNumberOfCells()):
+        corners = solid.GetCell(cell).GetPointIds()
+        cells.InsertNextCell(3, [
+            points.InsertNextPoint([x + (60.0 if axis == 0 else 0.0) for axis, x in enumerate(solid.GetPoint(corners.GetId(k)))])
+            for k in range(3)])
+    surface = vtk.vtkPolyData()
+    surface.SetPoints(points)
+    surface.SetPolys(cells)
+    return surface
+
+
+def bone():
+    append = vtk.vtkAppendPolyData()
+    append.AddInputData(torus(28, 14))
+    append.AddInputData(crumb())
+    append.Update()
+    surface = append.GetOutput()
+    tolerance, label = vtk.vtkFloatArray(), vtk.vtkIntArray()
+    tolerance.SetName("allowed")
+    label.SetName("Bone")
+    for i in range(surface.GetNumberOfPoints()):
+        tolerance.InsertNextValue(0.0 if surface.GetPoint(i)[0] < -20.0 else -1.0)
+    for cell in range(surface.GetNumberOfCells()):
+        y = sum(surface.GetCell(cell).GetPoints().GetPoint(k)[1] for k in range(3))
+        label.InsertNextValue(1 if y < 0 else 2)
+    surface.GetPointData().AddArray(tolerance)
+    surface.GetCellData().AddArray(label)
+    return surface
+
+
+def volume():
+    """A ball of 8 mm in air, and a smaller one beside it."""
+    size = 28
+    image = vtk.vtkImageData()
+    image.SetDimensions(size + 12, size, size)
+    image.AllocateScalars(vtk.VTK_SHORT, 1)
+    for z in range(size):
+        for y in range(size):
+            for x in range(size + 12):
+                to_large = math.dist((x, y, z), (13.5, 13.5, 13.5))
+                to_small = math.dist((x, y, z), (33.0, 13.5, 13.5))
+                depth = max(8.0 - to_large, 2.0 - to_small)
+                image.SetScalarComponentFromDouble(x, y, z, 0, max(-1000.0, min(1000.0, depth * 400.0)))
+    return image
+
+
+def isosurface(path):
+    reader = vtk.vtkMetaImageReader()
+    reader.SetFileName(str(path))
+    contour = vtk.vtkFlyingEdges3D()
+    contour.SetInputConnection(reader.GetOutputPort())
+    contour.SetValue(0, 226)
+    contour.Update()
+    return contour.GetOutput()
+
+
+def write_inputs(folder):
+    surface = bone()
+    meters = scaled(surface, METERS)
+    for name, written in (("bone", surface), ("bone_m", meters)):
+        for extension in ("vtp", "obj"):
+            write(written, folder / f"{name}.{extension}")
+    write(surface, folder / "first.vtp")
+    for name in ("bones", "meters", "volumes"):
+        (folder / name).mkdir()
+    write(surface, folder / "bones" / "bone.vtp")
+    write(meters, folder / "meters" / "bone.vtp")
+    for target in (folder / "bone.mha", folder / "volumes" / "bone.mha"):
+        writer = vtk.vtkMetaImageWriter()
+        writer.SetFileName(str(target))
+        writer.SetInputData(volume())
+        writer.Write()
+
+
+# How it shows that a feature took effect.
+
+def distance(a, b):
+    """mm, the largest from the points and the centers of the triangles of one to the other."""
+    locator = vtk.vtkStaticCellLocator()
+    locator.SetDataSet(b)
+    locator.BuildLocator()
+    place, cell, sub, squared = [0.0] * 3, vtk.reference(0), vtk.reference(0), vtk.reference(0.0)
+    largest = 0.0
+    centers = vtk.vtkCellCenters()
+    centers.SetInputData(a)
+    centers.Update()
+    for surface in (a, centers.GetOutput()):
+        for i in range(surface.GetNumberOfPoints()):
+            locator.FindClosestPoint(surface.GetPoint(i), place, cell, sub, squared)
+            largest = max(largest, float(squared))
+    return math.sqrt(largest)
+
+
+def shows(path, value):
+    """The report says so."""
+    def problem(run):
+        if run.command:
+            return ""
+        found = functools.reduce(lambda at, key: at.get(key, {}), path.split("."), run.report)
+        return "" if found == value else f"report.{path} is {found!r}"
+    return problem
+
+
+def stops_there(run):
+    if run.command:
+        return ""
+    faces, stop = run.report["output"]["faces"], run.report["stop_reason"]
+    limit = 300 if run.has_word("--target-faces") else 0.3 * run.report["input"]["faces"]
+    return "" if faces <= limit + 1 or stop not in ("target_reached",) else f"{faces} triangles, {stop}"
+
+
+def moves_at_most(run):
+    if run.command:
+        return ""
+    worst = max(distance(run.result, run.bone), 0.0 if run.prunes() else distance(run.bone, run.result))
+    if run.has_word("Thesis") or "thesis form" in run.kinds:
+        return ""
+    if worst > ERROR + 1e-5:
+        return f"{worst} mm away"
+    proof = run.report.get("proof", {})
+    if run.has("no proof"):
+        return "a proof" if proof else ""
+    return "" if proof.get("verdict") == "proved" and proof["upper"] <= ERROR else f"proof: {proof}"
+
+
+def keeps_points(inside):
+    def problem(run):
+        if run.command:
+            return ""
+        digits = 5 if "unit" in run.kinds or not run.holds_arrays() else 12
+        rounded = lambda p: tuple(round(x, digits) for x in p)
+        after = {rounded(run.result.GetPoint(i)) for i in range(run.result.GetNumberOfPoints())}
+        gone = [p for i in range(run.bone.GetNumberOfPoints())
+                if inside(p := run.bone.GetPoint(i)) and rounded(p) not in after]
+        return f"{len(gone)} frozen points moved, the first {gone[0]}" if gone else ""
+    return problem
+
+
+def has_labels(run):
+    if run.command:
+        return ""
+    labels = run.report.get("labels", {})
+    if labels.get("count") != 2:
+        return f"labels: {labels}"
+    if not run.holds_arrays() or run.has("no arrays"):
+        return ""
+    array = run.result.GetCellData().GetArray("Bone")
+    found = {array.GetValue(i) for i in range(array.GetNumberOfValues())} if array else set()
+    return "" if found == {1, 2} else f"labels of the result: {found}"
+
+
+def without_crumb(run):
+    if run.command or run.has("points apart"):  # its triangles are components of their own then, and open
+        return ""
+    return "" if run.report["pruned"]["components"] >= 1 and run.result.GetBounds()[1] < 32.0 else "the crumb is still there"
+
+
+def keeps_to_the_cap(run):
+    proof = run.report.get("proof", {})
+    return "" if run.command or proof.get("verdict") == "proved" and proof["upper"] <= LARGE_ERROR else f"proof: {proof}"
+
+
+def keeps_duplicates(run):
+    return "" if run.command or run.report["input"]["merged_points"] == 0 else "points were merged"
+
+
+def is_double(run):
+    if run.command or not run.holds_arrays():
+        return ""
+    return "" if read(run.folder / run.output()).GetPoints().GetDataType() == vtk.VTK_DOUBLE else "single precision"
+
+
+def lacks_arrays(run):
+    return "" if run.command or "allowed" not in array_names(run.result.GetPointData()) else "arrays"
+
+
+def has_point_array(name):
+    def problem(run):
+        if run.command or not run.holds_arrays():
+            return ""
+        return "" if name in array_names(run.result.GetPointData()) else f"no {name}"
+    return problem
+
+
+def wrote(name, text=None):
+    def problem(run):
+        path = run.folder / name
+        if run.command:
+            return ""
+        if not path.exists():
+            return f"no {name}"
+        return "" if text is None or text in path.read_bytes() else f"no {text!r} in {name}"
+    return problem
+
+
+def wrote_surface(run):
+    if run.command:
+        return ""
+    paths = [run.output(), *("out." + extension for extension in run.formats[1:])]
+    counts = {read(run.folder / path).GetNumberOfPolys() for path in paths}
+    return "" if counts == {run.report["output"]["faces"]} else f"{paths}: {counts} triangles"
+
+
+def flags_of_the_table(program):
+    """Of `bonedecimate --options-markdown`."""
+    table = subprocess.run([program, "--options-markdown"], stdout=subprocess.PIPE, encoding="utf-8", check=True).stdout
+    return set(re.findall(r"\| `(--[a-z-]+)` \|", table))
+
+
+def mode(name):
+    return Feature(name, ("--mode", name), shows("options.Mode", name))
+
+
+def switch(name, flag, value, option, problem=None):
+    return Feature(name, (flag, value), problem or shows(f"options.{option}", value))
+
+
+FEATURES = [
+    mode("Thesis"), mode("Fast"), mode("Balanced"), mode("Accurate"),
+    Feature("triangles", ("--target-faces", 300), stops_there, goal=True),
+    Feature("reduction", ("--target-reduction", 0.7), stops_there, goal=True),
+    Feature("largest error", ("--max-error", ERROR), moves_at_most, goal=True),
+    Feature("preset", ("--preset", "HalfVoxel", "--voxel-size", 2 * ERROR), moves_at_most, goal=True),
+    Feature("gaps may close", ("--max-error", ERROR, "--keep-clearance", "off"), shows("options.KeepClearance", "off"), goal=True),
+    Feature("no proof", ("--max-error", ERROR, "--prove", "off"), shows("options.ProveResult", "off"), goal=True),
+    Feature("large error allowed", ("--max-error", LARGE_ERROR, "--allow-large-error", "on"), keeps_to_the_cap, goal=True),
+    Feature("region", ("--region", "sphere:{},{},{},{}=0".format(*FROZEN)),
+            keeps_points(lambda p: math.dist(p, FROZEN[:3]) <= FROZEN[3] - 1e-3), ("tolerance",)),
+    Feature("tolerance array", ("--tolerance-array", "allowed"), keeps_points(lambda p: p[0] < -20.0), ("allowed", "tolerance")),
+    Feature("labels", ("--labels", "Bone"), has_labels, ("Bone", "label")),
+    Feature("prune", ("--prune-size", 6), without_crumb),
+    Feature("prune by area", ("--prune-area", 60), without_crumb),
+    Feature("prune by volume", ("--prune-volume", 60), without_crumb),
+    Feature("prune by triangles", ("--prune-triangles", 200), without_crumb),
+    Feature("reference", ("--max-error", ERROR, "--reference", "first.vtp"), lambda run: "" if run.command or "reference" in run.report else "none", goal=True),
+    switch("points apart", "--merge-points", "off", "MergePoints", keeps_duplicates),
+    Feature("measured", ("--measure", "on"), lambda run: "" if run.command or "distance" in run.report else "no distance"),
+    switch("double precision", "--precision", "Double", "OutputPointsPrecision", is_double),
+    switch("no arrays", "--pass-arrays", "off", "PassArrays", lacks_arrays),
+    switch("maps", "--maps", "on", "MakeMaps", has_point_array("OriginalPointIds")),
+    switch("normals", "--recompute-normals", "on", "RecomputeNormals", has_point_array("Normals")),
+    Feature("normal tolerance", ("--mode", "Thesis", "--normal-tolerance", 0.5), shows("normal_tolerance", 0.5)),
+    Feature("automatic normal tolerance", ("--mode", "Thesis", "--target-faces", 300, "--auto-normal-tolerance", "on"),
+            shows("options.AutomaticNormalTolerance", "on"), goal=True),
+    Feature("threads", ("--threads", 2), shows("options.NumberOfThreads", "2")),
+    switch("examine", "--examine", "on", "ExamineInput", lambda run: "" if run.command or "findings" in run.report else "none"),
+    Feature("obj", output="obj", problem=wrote_surface), Feature("stl", output="stl", problem=wrote_surface),
+    Feature("ply", output="ply", problem=wrote_surface), Feature("vtp", output="vtp", problem=wrote_surface),
+    Feature("vtk", output="vtk", problem=wrote_surface),
+    Feature("heat map", ("--heatmap", "map.vtp"), wrote("map.vtp", b"DistanceToResult")),
+    Feature("picture", ("--picture", "picture.png"), wrote("picture.png", b"PNG")),
+    Feature("page", ("--page", "page.html"), wrote("page.html", b"</html>")),
+    Feature("CT", ("--iso", 226), input="CT", refused_by=("volume",)),
+    Feature("unit", ("--unit", "m"), shows("files.unit", "m"), input="unit"),
+    Feature("batch", input="batch", refused_by=("one bone", "folder")),
+    Feature("thesis form", input="thesis form", refused_by=("not expected",)),
+    Feature("certify", command="certify", refused_by=("not expected",)),
+    Feature("check", command="check", refused_by=("not expected",)),
+    Feature("tolerance", ("--triangles", 300), command="tolerance", refused_by=("not expected",)),
+    Feature("curve", ("--errors", f"{ERROR}"), command="curve", refused_by=("not expected",)),
+    Feature("levels", ("--record", "run.levels"), command="levels", refused_by=("not expected",)),
+]

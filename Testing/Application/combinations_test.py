@@ -1,0 +1,157 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every pair of features of the program either works, which the outputs must show, or is refused with one sentence.
+
+Each row of the table of options that has a flag must belong to a feature below. `combinations_test.py --print` prints the
+matrix of Documentation/combinations.md; the test fails if the page is not that one.
+"""
+
+import concurrent.futures
+import itertools
+import json
+import os
+import pathlib
+import re
+import shutil
+import sys
+import tempfile
+import unittest
+
+import vtk
+
+import combinations_features as features
+from application import DONE, PROGRAM, REFUSED, USAGE, main
+
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "combinations.md"
+BEGIN, END = "<!-- matrix: begin -->", "<!-- matrix: end -->"
+WORKS, WARNS, REFUSES = "+", "w", "-"
+
+
+class Outcome:
+    """What a pair of features came to: a mark, the sentence of a refusal or a warning, and what is wrong with it."""
+
+    def __init__(self, mark, sentence="", problem=""):
+        self.mark, self.sentence, self.problem = mark, sentence, problem
+
+
+def outcome_of(run, inputs):
+    """Runs a pair in a folder of its own."""
+    with tempfile.TemporaryDirectory(prefix="bonedecimate-test-") as name:
+        folder = pathlib.Path(name)
+        for path in inputs.iterdir():
+            (shutil.copytree if path.is_dir() else os.link)(path, folder / path.name)
+        before = sorted(folder.rglob("*"))
+        answer = run.execute(folder)
+        if answer.returncode in (USAGE, REFUSED):
+            return refusal(run, answer, left=sorted(folder.rglob("*")) != before)
+        if answer.returncode != DONE:
+            return Outcome("?", problem=f"exit code {answer.returncode}: {answer.stderr}")
+        return success(run, answer)
+
+
+def refusal(run, answer, left):
+    sentence = answer.stderr.strip()
+    problem = ""
+    if left:
+        problem = "refused, but something was written"
+    elif not re.fullmatch(r"bonedecimate: [^\n]+", sentence):
+        problem = f"the refusal is not one line: {answer.stderr!r}"
+    elif not any(word.lower() in sentence.lower() for feature in run.pair for word in feature.refused_by):
+        problem = f"the refusal names neither feature: {sentence!r}"
+    return Outcome(REFUSES, shortened(sentence), problem)
+
+
+def shortened(sentence):
+    """Without what differs between features that are refused alike."""
+    text = sentence[len("bonedecimate: "):]
+    return re.sub(r"; see bonedecimate.*--help", "", re.sub(r"not expected: --[a-z-]+", "not expected: --...", text))
+
+
+def success(run, answer):
+    if answer.stderr:
+        return Outcome(WORKS, problem=f"success, but it says {answer.stderr!r}")
+    problems = [f"no sign of '{feature.name}': {problem}" for feature in run.pair if (problem := feature.problem_in(run))]
+    warnings = run.warnings()
+    return Outcome(WARNS if warnings else WORKS, "; ".join(warnings), "; ".join(problems))
+
+
+def all_outcomes(rows, inputs):
+    """Of each unordered pair of different features."""
+    pairs = list(itertools.combinations(rows, 2))
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        outcomes = pool.map(lambda pair: outcome_of(features.Run(PROGRAM, pair), inputs), pairs)
+    return {(a.name, b.name): outcome for (a, b), outcome in zip(pairs, outcomes)}
+
+
+def matrix(rows, outcomes):
+    """One line a feature, one column for each feature before it."""
+    width = max(len(feature.name) for feature in rows)
+    lines = [" " * (width + 5) + "".join(f"{number // 10 or ' '}" for number in range(1, len(rows))),
+             " " * (width + 5) + "".join(f"{number % 10}" for number in range(1, len(rows)))]
+    for number, feature in enumerate(rows, 1):
+        marks = "".join(outcomes[(other.name, feature.name)].mark for other in rows[: number - 1])
+        lines.append(f"{number:2}  {feature.name:{width}} {marks}")
+    return lines
+
+
+def page_text(rows, outcomes):
+    lines = ["| | feature | in the program |", "|---:|---|---|"]
+    lines += [f"| {number} | {feature.name} | `{feature.shown}` |" for number, feature in enumerate(rows, 1)]
+    lines += ["", "```text", *matrix(rows, outcomes), "```", ""]
+    for mark, title in ((REFUSES, "refused with"), (WARNS, "done with the warning")):
+        sentences = {}
+        for pair, outcome in outcomes.items():
+            if outcome.mark == mark:
+                sentences.setdefault(outcome.sentence, []).append(pair)
+        lines += [f"| {title} | pairs |", "|---|---|"]
+        for sentence, pairs in sorted(sentences.items()):
+            lines.append(f"| {sentence} | {grouped(pairs)} |")
+        lines.append("")
+    return "\n".join(lines)
+
+
+def grouped(pairs):
+    """a with b, c, d; e with f."""
+    partners = {}
+    while pairs:
+        counts = {}
+        for pair in pairs:
+            for name in pair:
+                counts[name] = counts.get(name, 0) + 1
+        most = max(counts, key=lambda name: counts[name])
+        partners[most] = [b if a == most else a for a, b in pairs if most in (a, b)]
+        pairs = [pair for pair in pairs if most not in pair]
+    return "; ".join(f"{name} with {', '.join(others)}" for name, others in partners.items())
+
+
+class Combinations(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with tempfile.TemporaryDirectory(prefix="bonedecimate-test-") as name:
+            inputs = pathlib.Path(name)
+            features.write_inputs(inputs)
+            cls.outcomes = all_outcomes(features.FEATURES, inputs)
+
+    def test_none_is_silent(self):
+        problems = {pair: outcome.problem for pair, outcome in self.outcomes.items() if outcome.problem}
+        self.assertEqual(problems, {}, "\n" + "\n".join(f"{pair}: {text}" for pair, text in problems.items()))
+
+    def test_every_flag_of_the_table_belongs_to_a_feature(self):
+        covered = {word for feature in features.FEATURES for word in feature.words if word.startswith("--")}
+        self.assertEqual(features.flags_of_the_table(PROGRAM) - covered, set())
+
+    def test_the_page_is_what_was_found(self):
+        page = PAGE.read_text(encoding="utf-8")
+        written = page[page.index(BEGIN) + len(BEGIN):page.index(END)].strip()
+        self.assertEqual(written, page_text(features.FEATURES, self.outcomes).strip())
+
+
+if __name__ == "__main__":
+    if "--print" in sys.argv:
+        Combinations.setUpClass()
+        for pair, found in Combinations.outcomes.items():
+            if found.problem:
+                print(pair, found.problem, file=sys.stderr)
+        print(page_text(features.FEATURES, Combinations.outcomes))
+    else:
+        main()
