@@ -86,7 +86,10 @@ public:
   void Decimate()
   {
     Options options = OptionsForFiles(this->Asked);
-    options.VoxelSize = options.VoxelSize == 0.0 ? this->VoxelSize : options.VoxelSize;
+    if (options.ErrorPreset != ErrorPreset::NoPreset && options.VoxelSize == 0.0)
+    {
+      options.VoxelSize = this->VoxelSize;
+    }
     this->LeaveRoom(options);
     ApplyOptions(options, this->Filter);
     this->TakeRegions();

@@ -64,7 +64,8 @@ def refusal(run, answer, left):
 def shortened(sentence):
     """Without what differs between features that are refused alike."""
     text = sentence[len("bonedecimate: "):]
-    return re.sub(r"; see bonedecimate.*--help", "", re.sub(r"not expected: --[a-z-]+", "not expected: --...", text))
+    text = re.sub(r"The following arguments? (was|were) not expected: .*", "The following argument was not expected: ...", text)
+    return re.sub(r"; see bonedecimate.*--help", "", text)
 
 
 def success(run, answer):

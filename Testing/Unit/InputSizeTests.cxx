@@ -4,6 +4,7 @@
 
 #include "Certificate/Certificate.h"
 #include "ErrorSearch.h"
+#include "OptionTable.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>
@@ -156,4 +157,20 @@ TEST(InputSize, SearchesTryErrorsOfAnySizeAndCurvesNone)
   const ErrorSearchResult allowed = FindErrorCurve(Ball(), { 0.5, 100.0, 1.0 }, options);
   EXPECT_EQ(allowed.Trials.size(), 3U);
   EXPECT_EQ(allowed.Found.Report.Status, InputStatus::Good);
+}
+
+TEST(Options, OutsideTheirRangeAreRefusedByTheRunItself)
+{
+  const Surface ball = Icosphere(1, 10.0);
+  Options options;
+  EXPECT_EQ(CheckOptions(options), "");
+  options.MaximumError = std::nan("");
+  const Result refused = Decimate(ball, options);
+  EXPECT_EQ(refused.Report.Status, InputStatus::InvalidOption);
+  EXPECT_EQ(InputMessage(refused.Report), CheckOptions(options));
+  EXPECT_NE(CheckOptions(options).find("MaximumError takes a number from 0"), std::string::npos);
+  EXPECT_TRUE(refused.Surface.Triangles.empty());
+  options = {};
+  options.Mode = static_cast<Mode>(7);
+  EXPECT_EQ(Decimate(ball, options).Report.Status, InputStatus::InvalidOption);
 }

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptionTable.h"
-#include "Runs.h"
 
 #include <gtest/gtest.h>
 
@@ -296,20 +295,4 @@ TEST(OptionTable, MarkdownHasOneLineForEachOption)
     EXPECT_NE(page.find("| `" + info.Name + "` |"), std::string::npos) << info.Name;
     EXPECT_NE(page.find(info.Sentence), std::string::npos) << info.Name;
   }
-}
-
-TEST(OptionTable, StructsWithAValueOutsideItsRangeAreRefusedByTheRun)
-{
-  const Surface ball = testsupport::Icosphere(1, 10.0);
-  Options options;
-  EXPECT_EQ(CheckOptions(options), "");
-  options.MaximumError = std::nan("");
-  const Result refused = Decimate(ball, options);
-  EXPECT_EQ(refused.Report.Status, InputStatus::InvalidOption);
-  EXPECT_EQ(InputMessage(refused.Report), CheckOptions(options));
-  EXPECT_NE(CheckOptions(options).find("MaximumError takes a number from 0"), std::string::npos);
-  EXPECT_TRUE(refused.Surface.Triangles.empty());
-  options = {};
-  options.Mode = static_cast<Mode>(7);
-  EXPECT_EQ(Decimate(ball, options).Report.Status, InputStatus::InvalidOption);
 }
