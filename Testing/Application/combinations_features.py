@@ -432,7 +432,7 @@ FEATURES = [
     Feature("page", ("--page", "page.html"), wrote("page.html", b"</html>")),
     Feature("CT", ("--iso", 226), input="CT", refused_by=("volume",)),
     Feature("unit", ("--unit", "m"), shows("files.unit", "m"), input="unit"),
-    Feature("batch", input="batch", refused_by=("one bone", "folder")),
+    Feature("batch", input="batch", refused_by=("one bone", "folder", "output")),
     Feature("thesis form", input="thesis form", refused_by=("not expected",)),
     Feature("certify", command="certify", refused_by=("not expected",)),
     Feature("check", command="check", refused_by=("not expected",)),

@@ -138,7 +138,7 @@ class Combinations(unittest.TestCase):
         self.assertEqual(problems, {}, "\n" + "\n".join(f"{pair}: {text}" for pair, text in problems.items()))
 
     def test_every_flag_of_the_table_belongs_to_a_feature(self):
-        covered = {word for feature in features.FEATURES for word in feature.words if word.startswith("--")}
+        covered = {word for feature in features.FEATURES for word in map(str, feature.words) if word.startswith("--")}
         self.assertEqual(features.flags_of_the_table(PROGRAM) - covered, set())
 
     def test_the_page_is_what_was_found(self):

@@ -71,7 +71,7 @@ TEST_P(EachGuarantee, IsKeptWhateverTheShape)
   {
     for (const double error : { 0.05, 0.6 })
     {
-      const Result result = Decimate(input, InMode(mode, Error(error)));
+      const Result result = Decimate(input, InMode(mode, ErrorOfAnySize(error)));
       EXPECT_EQ(Judge(cleaned, result.Surface, error), CertificateVerdict::Proved)
         << WordOf(mode) << " " << error;
     }

@@ -93,7 +93,7 @@ TEST_P(EachReference, IsKeptOverThreeBrushes)
   for (const bool above : { true, false, true })
   {
     const Map map = Brush(surface, above);
-    const Result next = Again(surface, InMode(Mode::Fast, Error(Promised)), first, &map);
+    const Result next = Again(surface, InMode(Mode::Fast, ErrorOfAnySize(Promised)), first, &map);
     ASSERT_EQ(next.Report.Status, InputStatus::Good);
     EXPECT_EQ(next.Report.Proof.Verdict, CertificateVerdict::Proved) << ProofMessage(next.Report);
     EXPECT_EQ(Judge(first, next.Surface, Promised), CertificateVerdict::Proved);

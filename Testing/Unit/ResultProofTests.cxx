@@ -80,7 +80,7 @@ TEST_P(EachProof, HoldsAndItsBoundsAreAboveEveryPlace)
   const Surface& input = GetParam().Surface;
   for (const Mode mode : { Mode::Fast, Mode::Balanced })
   {
-    const Result result = Proved(input, InMode(mode, Error(0.4)));
+    const Result result = Proved(input, InMode(mode, ErrorOfAnySize(0.4)));
     const ErrorProof& proof = result.Report.Proof;
     ASSERT_TRUE(proof.WasMade) << WordOf(mode);
     EXPECT_EQ(proof.Verdict, CertificateVerdict::Proved) << WordOf(mode);

@@ -53,6 +53,14 @@ inline Options Error(double millimetres)
   return options;
 }
 
+/// Some shapes are no larger than the errors that all of them are given.
+inline Options ErrorOfAnySize(double millimetres)
+{
+  Options options = Error(millimetres);
+  options.AllowLargeError = true;
+  return options;
+}
+
 inline Options InMode(Mode mode, Options options)
 {
   options.Mode = mode;

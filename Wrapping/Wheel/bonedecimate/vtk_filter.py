@@ -82,6 +82,10 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
     def SetModeToAccurate(self) -> None:
         self.SetMode(self.ACCURATE)
 
+    def GetRejectedValue(self, _property: str) -> str:
+        """Always empty: a value out of its range raises at once and leaves the property as it was."""
+        return ""
+
     def GetStopReason(self) -> int:
         """Why the last run ended: NOT_RUN, TARGET_REACHED, ..."""
         return self._stop.value
