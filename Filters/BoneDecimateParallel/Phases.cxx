@@ -282,6 +282,15 @@ void vtkPBoneDecimate::MeasureAnew(
     SetPointValues(seams, this->GetDistanceArrayName(), least);
     SetPointValues(seams, this->GetRunningErrorArrayName(), least);
   }
+  else
+  {
+    // Those of phase 2 are distances to what phase 1 left, not to the input.
+    for (vtkPolyData* surface : { rest, seams })
+    {
+      surface->GetPointData()->RemoveArray(this->GetDistanceArrayName().c_str());
+      surface->GetPointData()->RemoveArray(this->GetRunningErrorArrayName().c_str());
+    }
+  }
   if (this->GetMeasureInputDistances())
   {
     std::vector<double> nearest = bonedecimate::DistancesTo(rest, input->GetPoints());

@@ -12,12 +12,12 @@ import typing
 
 import vtk
 
-from application import USAGE, array_names, read, torus, write
+from application import array_names, read
+from combinations_inputs import METERS, isosurface, scaled
 
 ERROR = 0.3  # mm, of the features that bound it
 LARGE_ERROR = 40.0  # mm, more than a quarter of the diagonal
 FROZEN = (28.0, 0.0, 0.0, 9.0)  # center and radius of the frozen region, mm
-METERS = 1e-3  # per mm
 ARRAYS = ("vtp", "vtk")  # what holds them
 
 
@@ -156,100 +156,6 @@ def generic(sentence):
 
 def in_millimeters(surface, run):
     return scaled(surface, 1.0 / METERS) if "unit" in run.kinds else surface
-
-
-def scaled(surface, factor):
-    points = vtk.vtkPoints()
-    points.SetDataTypeToDouble()
-    for i in range(surface.GetNumberOfPoints()):
-        points.InsertNextPoint([factor * x for x in surface.GetPoint(i)])
-    result = vtk.vtkPolyData()
-    result.ShallowCopy(surface)
-    result.SetPoints(points)
-    return result
-
-
-# The inputs: a torus of two halves, one of which is to move little, and a crumb whose triangles share no points.
-
-def crumb():
-    source = vtk.vtkPlatonicSolidSource()
-    source.SetSolidTypeToOctahedron()
-    source.Update()
-    solid = source.GetOutput()
-    points, cells = vtk.vtkPoints(), vtk.vtkCellArray()
-    for cell in range(solid.GetNumberOfCells()):
-        corners = solid.GetCell(cell).GetPointIds()
-        cells.InsertNextCell(3, [
-            points.InsertNextPoint([x + (60.0 if axis == 0 else 0.0) for axis, x in enumerate(solid.GetPoint(corners.GetId(k)))])
-            for k in range(3)])
-    surface = vtk.vtkPolyData()
-    surface.SetPoints(points)
-    surface.SetPolys(cells)
-    return surface
-
-
-def bone():
-    append = vtk.vtkAppendPolyData()
-    append.AddInputData(torus(28, 14))
-    append.AddInputData(crumb())
-    append.Update()
-    surface = append.GetOutput()
-    tolerance, label = vtk.vtkFloatArray(), vtk.vtkIntArray()
-    tolerance.SetName("allowed")
-    label.SetName("Bone")
-    for i in range(surface.GetNumberOfPoints()):
-        tolerance.InsertNextValue(0.0 if surface.GetPoint(i)[0] < -20.0 else -1.0)
-    for cell in range(surface.GetNumberOfCells()):
-        y = sum(surface.GetCell(cell).GetPoints().GetPoint(k)[1] for k in range(3))
-        label.InsertNextValue(1 if y < 0 else 2)
-    surface.GetPointData().AddArray(tolerance)
-    surface.GetCellData().AddArray(label)
-    return surface
-
-
-def volume():
-    """A ball of 8 mm in air, and a smaller one beside it."""
-    size = 28
-    image = vtk.vtkImageData()
-    image.SetDimensions(size + 12, size, size)
-    image.AllocateScalars(vtk.VTK_SHORT, 1)
-    for z in range(size):
-        for y in range(size):
-            for x in range(size + 12):
-                to_large = math.dist((x, y, z), (13.5, 13.5, 13.5))
-                to_small = math.dist((x, y, z), (33.0, 13.5, 13.5))
-                depth = max(8.0 - to_large, 2.0 - to_small)
-                image.SetScalarComponentFromDouble(x, y, z, 0, max(-1000.0, min(1000.0, depth * 400.0)))
-    return image
-
-
-def isosurface(path):
-    reader = vtk.vtkMetaImageReader()
-    reader.SetFileName(str(path))
-    contour = vtk.vtkFlyingEdges3D()
-    contour.SetInputConnection(reader.GetOutputPort())
-    contour.SetValue(0, 226)
-    contour.Update()
-    return contour.GetOutput()
-
-
-def write_inputs(folder):
-    surface = bone()
-    meters = scaled(surface, METERS)
-    for name, written in (("bone", surface), ("bone_m", meters)):
-        for extension in ("vtp", "obj"):
-            write(written, folder / f"{name}.{extension}")
-    write(surface, folder / "first.vtp")
-    write(meters, folder / "first_m.vtp")
-    for name in ("bones", "meters", "volumes"):
-        (folder / name).mkdir()
-    write(surface, folder / "bones" / "bone.vtp")
-    write(meters, folder / "meters" / "bone.vtp")
-    for target in (folder / "bone.mha", folder / "volumes" / "bone.mha"):
-        writer = vtk.vtkMetaImageWriter()
-        writer.SetFileName(str(target))
-        writer.SetInputData(volume())
-        writer.Write()
 
 
 # How it shows that a feature took effect.

@@ -8,7 +8,6 @@ matrix of Documentation/combinations.md; the test fails if the page is not that 
 
 import concurrent.futures
 import itertools
-import json
 import os
 import pathlib
 import re
@@ -17,9 +16,9 @@ import sys
 import tempfile
 import unittest
 
-import vtk
 
 import combinations_features as features
+import combinations_inputs
 from application import DONE, PROGRAM, REFUSED, USAGE, main
 
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "combinations.md"
@@ -130,7 +129,7 @@ class Combinations(unittest.TestCase):
     def setUpClass(cls):
         with tempfile.TemporaryDirectory(prefix="bonedecimate-test-") as name:
             inputs = pathlib.Path(name)
-            features.write_inputs(inputs)
+            combinations_inputs.write_inputs(inputs)
             cls.outcomes = all_outcomes(features.FEATURES, inputs)
 
     def test_none_is_silent(self):

@@ -138,10 +138,10 @@ class Parallel(unittest.TestCase):
         self.assertEqual(options - set(cases.refused()), set(allowed))
         run(2, FOLDER, allowed)
         for name, (*_, shows) in allowed.items():
-            for part in parts(name, 2):
-                with self.subTest(name):
-                    self.assertGreater(part.GetNumberOfPolys(), 0)
-                    self.assertTrue(shows(part))
+            found = parts(name, 2)  # seams go to the first rank, so that the other one may have nothing left
+            with self.subTest(name):
+                self.assertGreater(sum(part.GetNumberOfPolys() for part in found), 0)
+                self.assertTrue(all(shows(part) for part in found if part.GetNumberOfPolys() > 0))
 
     def test_seams_are_reduced(self):
         for name in ("reduction", "error", "fast", "open"):
