@@ -79,11 +79,15 @@ void RequireCommandOrFile(const std::string& word)
   std::string names;
   for (const std::string command : Commands)
   {
-    names += (names.empty() ? "" : ", ") + command;
+    names.append(names.empty() ? "" : ", ").append(command);
     if (EditDistance(LowerText(word), command) <= mostEdits)
     {
       throw Failure(ExitCode::Usage,
-        "'" + word + "' is neither a command nor a file; did you mean " + command + "?");
+        std::string("'")
+          .append(word)
+          .append("' is neither a command nor a file; did you mean ")
+          .append(command)
+          .append("?"));
     }
   }
   throw Failure(

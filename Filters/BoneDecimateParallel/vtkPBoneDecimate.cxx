@@ -155,8 +155,8 @@ const char* vtkPBoneDecimate::ProblemOfParts() const
   }
   if (this->GetOutputPointsPrecision() != DEFAULT_PRECISION)
   {
-    return "OutputPointsPrecision on several processes is that of the input: parts are joined where "
-           "points are equal";
+    return "OutputPointsPrecision on several processes is that of the input: parts are joined "
+           "where points are equal";
   }
   return this->GetExamineInput()
     ? "ExamineInput is for one process alone: what is odd about a part need not be so in the whole"
