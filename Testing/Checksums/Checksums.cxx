@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Checksums.cxx
+ * @brief bonedecimate-checksums: one line of checksums for each shape and set of options, one checksum for each mode.
+ *
+ *     bonedecimate-checksums [SURFACE.ply ...]
+ *
+ * Without files the shapes of the tests, with files these surfaces at fewer options. A checksum covers the points, the
+ * triangles, every array of the result and the counts of its report. Two versions with the same lines give the same results.
+ */
+#include "ChecksumRuns.h"
+#include "TriangleFile.h"
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+using namespace bonedecimate;
+using namespace bonedecimate::testsupport;
+
+namespace
+{
+void PrintLines(const NamedSurface& shape, const std::vector<ChecksumCase>& cases)
+{
+  for (const ChecksumCase& one : cases)
+  {
+    std::printf("%-20s %-17s", shape.Name.c_str(), one.Name.c_str());
+    for (const Mode mode : { Mode::Thesis, Mode::Fast, Mode::Balanced, Mode::Accurate })
+    {
+      const std::uint64_t sum = ChecksumOfRun(shape.Surface, one, mode);
+      std::printf(" %016llx", static_cast<unsigned long long>(sum));
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+  }
+}
+
+Surface Read(const char* path)
+{
+  const Triangles read = ReadPly(path);
+  Surface surface;
+  for (const std::array<double, 3>& p : read.Points)
+  {
+    surface.Points.emplace_back(p[0], p[1], p[2]);
+  }
+  surface.Triangles.assign(read.Corners.begin(), read.Corners.end());
+  return surface;
+}
+}
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    for (int i = 1; i < argc; ++i)
+    {
+      const Surface surface = Read(argv[i]);
+      PrintLines(
+        { std::filesystem::path(argv[i]).stem().string(), surface }, CasesOfLarge(surface));
+    }
+    if (argc == 1)
+    {
+      for (const NamedSurface& shape : ShapesOfChecksums())
+      {
+        PrintLines(shape, CasesOfShapes(shape.Surface));
+      }
+      const NamedSurface large = LargeShapeOfChecksums();
+      PrintLines(large, CasesOfLarge(large.Surface));
+    }
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
