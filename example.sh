@@ -28,7 +28,7 @@ ElementDataFile = matrix.dat
 HEADER
 }
 
-# Where the package's file is; systems that install no documentation have to fetch it.
+# The file of the package; systems that install no documentation have to download it.
 find_cranium()
 {
   local inside=usr/share/doc/invesalius-examples/examples/Cranium.inv3 folder=$1
@@ -59,7 +59,7 @@ else
   "$root/build/release/bin/bonedecimate-phantom" "$ct"
 fi
 
-"$program" "$ct" "$output/$name.vtp" --iso 226 --target-faces "$triangles" \
+"$program" "$ct" "$output/$name.vtp" --iso 226 --target-triangles "$triangles" \
   --also "$output/$name.stl" --heatmap "$output/heatmap.vtp" --report "$output/report.json" \
   --page "$output/report.html" --picture "$output/picture.png"
 echo "Look at $output/picture.png and $output/report.html"

@@ -17,8 +17,8 @@ constexpr double Blur = 1.9; // mm over which the scanner smears an edge
 
 const Point FractureCentre{ 0.0, 0.0, -82.0 };
 
-/// What of a voxel lies inside.
-double Share(double distance)
+/// Fraction of a voxel that lies inside of a surface at that signed distance, mm.
+double InsideFraction(double distance)
 {
   return 1.0 - Fade(distance, -0.5 * Blur, 0.5 * Blur);
 }
@@ -106,9 +106,9 @@ double SoftValue(const Point& p)
 {
   const double skin = Ellipsoid({ p.X, p.Y, 0.0 }, { 3.0, 8.0, 0.0 }, { 52.0, 50.0, 1e3 });
   const double fat = 7.0 + 2.5 * Noise(p, 30.0, 41);
-  const double muscle = FatValue + (MuscleValue - FatValue) * Share(skin + fat);
-  const double inside = muscle + (20.0 - muscle) * (1.0 - Share(skin + 1.5));
-  return AirValue + (inside - AirValue) * Share(skin);
+  const double muscle = FatValue + (MuscleValue - FatValue) * InsideFraction(skin + fat);
+  const double inside = muscle + (20.0 - muscle) * (1.0 - InsideFraction(skin + 1.5));
+  return AirValue + (inside - AirValue) * InsideFraction(skin);
 }
 }
 
@@ -135,6 +135,6 @@ double LegValue(const Point& p)
     Take(nearest, fibula, FibulaValue(-fibula));
   }
   const double soft = SoftValue(p);
-  return soft + (nearest.Value - soft) * Share(nearest.Distance);
+  return soft + (nearest.Value - soft) * InsideFraction(nearest.Distance);
 }
 }

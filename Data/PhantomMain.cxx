@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PhantomMain.cxx
- * @brief bonedecimate-phantom: writes a CT of a broken leg that nobody has.
+ * @brief bonedecimate-phantom: writes a synthetic CT of a broken leg.
  */
 #include "FracturedLeg.h"
 

@@ -24,9 +24,9 @@ std::int64_t Floor(double value)
   return static_cast<double>(whole) > value ? whole - 1 : whole;
 }
 
-double Mix(double a, double b, double share)
+double Mix(double a, double b, double weight)
 {
-  return a + (b - a) * share;
+  return a + (b - a) * weight;
 }
 }
 
@@ -52,8 +52,8 @@ double Clamped(double value, double least, double largest)
 
 double Fade(double value, double begin, double end)
 {
-  const double share = Clamped((value - begin) / (end - begin), 0.0, 1.0);
-  return share * share * (3.0 - 2.0 * share);
+  const double weight = Clamped((value - begin) / (end - begin), 0.0, 1.0);
+  return weight * weight * (3.0 - 2.0 * weight);
 }
 
 double Hash(std::int64_t x, std::int64_t y, std::int64_t z, std::uint32_t seed)
@@ -69,36 +69,36 @@ double Noise(const Point& p, double size, std::uint32_t seed)
 {
   const std::array<double, 3> scaled{ { p.X / size, p.Y / size, p.Z / size } };
   std::array<std::int64_t, 3> cell;
-  std::array<double, 3> share;
+  std::array<double, 3> weight;
   for (std::size_t i = 0; i < 3; ++i)
   {
     cell[i] = Floor(scaled[i]);
-    share[i] = Fade(scaled[i] - static_cast<double>(cell[i]), 0.0, 1.0);
+    weight[i] = Fade(scaled[i] - static_cast<double>(cell[i]), 0.0, 1.0);
   }
   std::array<double, 4> alongX;
   for (std::size_t corner = 0; corner < 4; ++corner)
   {
     const std::int64_t y = cell[1] + static_cast<std::int64_t>(corner & 1U);
     const std::int64_t z = cell[2] + static_cast<std::int64_t>(corner >> 1U);
-    alongX[corner] = Mix(Hash(cell[0], y, z, seed), Hash(cell[0] + 1, y, z, seed), share[0]);
+    alongX[corner] = Mix(Hash(cell[0], y, z, seed), Hash(cell[0] + 1, y, z, seed), weight[0]);
   }
-  return Mix(Mix(alongX[0], alongX[1], share[1]), Mix(alongX[2], alongX[3], share[1]), share[2]);
+  return Mix(Mix(alongX[0], alongX[1], weight[1]), Mix(alongX[2], alongX[3], weight[1]), weight[2]);
 }
 
-double Ellipsoid(const Point& p, const Point& centre, const Point& halfAxes)
+double Ellipsoid(const Point& p, const Point& center, const Point& halfAxes)
 {
-  const Point q = p - centre;
+  const Point q = p - center;
   const Point once{ q.X / halfAxes.X, q.Y / halfAxes.Y, q.Z / halfAxes.Z };
   const Point twice{ once.X / halfAxes.X, once.Y / halfAxes.Y, once.Z / halfAxes.Z };
   const double level = std::sqrt(Dot(once, once));
-  const double slope = std::sqrt(Dot(twice, twice)) + 1e-9; // the centre has none
+  const double slope = std::sqrt(Dot(twice, twice)) + 1e-9; // the center has none
   return level * (level - 1.0) / slope;
 }
 
 double SmoothUnion(double a, double b, double width)
 {
-  const double share = Clamped(0.5 + 0.5 * (b - a) / width, 0.0, 1.0);
-  return Mix(b, a, share) - width * share * (1.0 - share);
+  const double weight = Clamped(0.5 + 0.5 * (b - a) / width, 0.0, 1.0);
+  return Mix(b, a, weight) - width * weight * (1.0 - weight);
 }
 
 double SmoothIntersection(double a, double b, double width)

@@ -32,19 +32,19 @@ double Clamped(double value, double least, double largest);
 /// From 0 to 1 while the value goes from begin to end, without a kink at either.
 double Fade(double value, double begin, double end);
 
-/// A number from -1 to 1 for a place on the integer grid.
+/// A number from -1 to 1 for a position on the integer grid.
 double Hash(std::int64_t x, std::int64_t y, std::int64_t z, std::uint32_t seed);
 
 /// From -1 to 1, smooth, with bumps of about that many mm.
 double Noise(const Point& p, double size, std::uint32_t seed);
 
-double Ellipsoid(const Point& p, const Point& centre, const Point& halfAxes);
+double Ellipsoid(const Point& p, const Point& center, const Point& halfAxes);
 
 /// Union and intersection whose edges are rounded over that many mm.
 double SmoothUnion(double a, double b, double width);
 double SmoothIntersection(double a, double b, double width);
 
-/// A curve through given places, ascending; constant beyond its ends.
+/// A curve through the knots, which ascend; constant beyond its ends.
 double Curve(const std::vector<std::array<double, 2>>& knots, double at);
 
 /// How a fragment was moved: turned about a pivot, then shifted.

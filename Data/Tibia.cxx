@@ -35,9 +35,9 @@ double Shaft(const Point& p)
 double Plateau(const Point& p)
 {
   double height = 0.0;
-  for (const double centre : { -17.5, 17.5 })
+  for (const double center : { -17.5, 17.5 })
   {
-    const double x = (p.X - centre) / 15.0;
+    const double x = (p.X - center) / 15.0;
     const double y = (p.Y - 0.5) / 18.0;
     const double rim = 1.0 - Clamped(x * x + y * y, 0.0, 1.0);
     height -= 2.6 * rim * rim;
@@ -59,7 +59,7 @@ double Head(const Point& p)
 }
 
 /**
- * HU of the spongy bone: sheets that hang together, where a smooth noise crosses zero. With less
+ * HU of the spongy bone: connected plates, where a smooth noise crosses zero. With less
  * density they become thinner, and end where they would be thinner than a voxel and fall to crumbs.
  */
 double Spongy(const Point& p, double density)
@@ -68,12 +68,12 @@ double Spongy(const Point& p, double density)
   {
     return MarrowValue + 90.0 * density;
   }
-  // Pulled about by other noises, or the sheets would follow the grid of the first.
+  // Pulled about by other noises, or the plates would follow the grid of the first.
   const Point pulled =
     p + Point{ 2.2 * Noise(p, 5.5, 12), 2.2 * Noise(p, 5.5, 13), 2.2 * Noise(p, 5.5, 14) };
   const double noise = Noise(pulled, 4.8, 11);
-  const double sheet = 1.0 - Fade(noise < 0.0 ? -noise : noise, 0.0, 0.07 + 0.40 * density);
-  return MarrowValue + 90.0 * density + 620.0 * Fade(density, 0.30, 0.50) * sheet;
+  const double plate = 1.0 - Fade(noise < 0.0 ? -noise : noise, 0.0, 0.07 + 0.40 * density);
+  return MarrowValue + 90.0 * density + 620.0 * Fade(density, 0.30, 0.50) * plate;
 }
 }
 

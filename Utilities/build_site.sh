@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# The documentation as a site: build/site/html/index.html. A link that leads nowhere and a class without a word fail.
+# The documentation as a site: build/site/html/index.html. A broken link or an undocumented class fails.
 # Needs doxygen and python3-venv (Utilities/install_packages.sh site); MkDocs comes from PyPI.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -11,12 +11,12 @@ readonly venv=build/site/venv pages=build/site/pages
 
 rm -rf "$pages" build/site/html
 mkdir -p "$pages"
-# One folder of pages: links out of the root and into it become links between neighbours.
+# One folder of pages: links out of the root and into it become links between neighbors.
 for page in README.md ARCHITECTURE.md CHANGELOG.md CONTRIBUTING.md Documentation/*.md; do
   sed -e 's#](Documentation/#](#g' -e 's#](\.\./#](#g' -e 's#](README\.md#](index.md#g' "$page" > "$pages/$(basename "$page")"
 done
 mv "$pages/README.md" "$pages/index.md"
-cp -r Documentation/images Documentation/*.ipynb LICENSE CITATION.cff "$pages"
+cp -r Documentation/images Documentation/benchmark-data Documentation/*.ipynb LICENSE CITATION.cff "$pages"
 doxygen Utilities/site/Doxyfile
 printf '# Classes\n\n[The classes for VTK and the interface of the core](classes/index.html)\n' > "$pages/api.md"
 

@@ -27,7 +27,7 @@ if [ -n "$portable" ]; then
       "$scratch/tools/bin/python" "$compiler" > "$scratch/zig-$compiler"
     chmod +x "$scratch/zig-$compiler"
   done
-  # Debian's Python.h asks for <x86_64-linux-gnu/python3.../pyconfig.h>, below /usr/include, where zig does not look.
+  # Debian's Python.h includes <x86_64-linux-gnu/python3.../pyconfig.h>, below /usr/include, where zig does not look.
   headers=$("$python" -c 'import sysconfig; print(sysconfig.get_path("include"))')
   mkdir -p "$scratch/include/x86_64-linux-gnu"
   ln -s "${headers%/*}/x86_64-linux-gnu/${headers##*/}" "$scratch/include/x86_64-linux-gnu"

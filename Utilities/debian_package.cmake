@@ -3,9 +3,9 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME vtkbonedecimate)
 set(CPACK_PACKAGE_CONTACT "vtkBoneDecimate contributors <contributors@vtkbonedecimate.invalid>")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Bone surfaces with fewer triangles, and the proved error in millimetres")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Bone surfaces with fewer triangles, and the proved error in millimeters")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
-  "Makes surfaces of bone from CT smaller by edge collapse and proves, in\n millimetres, how far the result is from the \
+  "Makes surfaces of bone from CT smaller by edge collapse and proves, in\n millimeters, how far the result is from the \
 input.\n .\n The program bonedecimate, the VTK filter vtkBoneDecimate with its headers and\n CMake package, and the Python \
 package vtkbonedecimate. Not a medical device.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -16,10 +16,11 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS python3-vtk9)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS libvtk9-dev)
-# What Python compiles there is on no package's list of files, and would stay.
+# Files that Python compiles there belong to no package and would remain.
 file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/debian/prerm" @ONLY CONTENT [[#!/bin/sh
 set -e
-rm -rf "/usr/@CMAKE_INSTALL_LIBDIR@/python3/dist-packages/vtkbonedecimate/__pycache__"
+rm -rf "/usr/@CMAKE_INSTALL_LIBDIR@/python3/dist-packages/bonedecimate/__pycache__" \
+  "/usr/@CMAKE_INSTALL_LIBDIR@/python3/dist-packages/vtkbonedecimate/__pycache__"
 ]])
 file(CHMOD "${PROJECT_BINARY_DIR}/debian/prerm"
   PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Puts Debian's ParaView, headers and Python into a folder of its own, where the build finds it (BONEDECIMATE_PARAVIEW).
+# Extracts Debian's ParaView, headers and Python into a separate folder, where the build finds it (BONEDECIMATE_PARAVIEW).
 # Usage: install_paraview.sh [FOLDER]     by default build/paraview; 155 MB to download, 670 MB there, 250 MB of libraries
 #
 # Its package of Python modules and that of Debian's VTK exclude each other, so it cannot be installed in the usual way.
@@ -15,7 +15,7 @@ if [ -x "$folder/usr/bin/pvpython" ]; then
   exit 0
 fi
 if ! command -v apt-get > /dev/null || [ "$(id -u)" -ne 0 ]; then
-  echo "This takes Debian's packages and needs root; a ParaView elsewhere is named by -DBONEDECIMATE_PARAVIEW_PREFIX."
+  echo "This takes Debian's packages and needs root; to use another ParaView, set -DBONEDECIMATE_PARAVIEW_PREFIX."
   exit 1
 fi
 

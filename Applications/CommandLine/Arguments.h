@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Arguments.h
- * @brief What the command line asks for.
+ * @brief The arguments of a decimation.
  */
 #ifndef BoneDecimate_Applications_Arguments_h
 #define BoneDecimate_Applications_Arguments_h
 
 #include "LengthUnit.h"
-#include "Options.h"
+#include "Options/OptionTable.h"
 #include "Regions.h"
+
+#include <CLI/CLI.hpp>
 
 #include <map>
 #include <optional>
@@ -20,11 +22,11 @@ namespace bonedecimate
 {
 struct Arguments
 {
-  std::vector<std::string> Inputs;
-  std::string Output; ///< A file for one bone, a folder for many.
+  std::vector<std::string> Inputs; ///< While parsing the output, too.
+  std::string Output;              ///< A file for one bone, a folder for many.
   bonedecimate::Options Options;
   std::map<std::string, std::string>
-    Given;                   ///< Options that were asked for: flag without dashes and value.
+    Given;                   ///< Options of the command line: flag without dashes and value.
   std::optional<double> Iso; ///< Hounsfield value of the surface of a volume.
   bool TakesLabels = false;  ///< Also values that look like labels, as intensities.
   std::vector<Region> Regions;
@@ -41,7 +43,7 @@ struct Arguments
 
   /// @name Many bones only. @{
   std::string Format; ///< Extension of the outputs; empty: that of each input.
-  int Jobs = 0;       ///< 0: not asked for.
+  int Jobs = 0;       ///< 0: not given.
   bool Force = false;
   /// @}
 
@@ -50,13 +52,17 @@ struct Arguments
   bool ThesisForm = false; ///< Always one bone.
 };
 
-/**
- * Reads the command line, either form of it.
- * @returns Nothing if it asked for a text (--help, --version, --options-markdown), which is then
- * printed.
- * @throws Failure(ExitCode::Usage)
- */
-std::optional<Arguments> ParseArguments(int argc, char* argv[]);
+/// Adds the options of a decimation and its positional files.
+void AddDecimateOptions(CLI::App& app, Arguments& arguments);
+
+/// Adds those options of a decimation that the form of the thesis has, too.
+void AddThesisOptions(CLI::App& app, Arguments& arguments);
+
+/// Sets an option of the table from a text that was validated, and notes that it was given.
+void GiveOption(Arguments& arguments, const OptionInfo& info, const std::string& text);
+
+/// Completes the arguments after parsing: the last file is the output. @throws Failure(ExitCode::Usage)
+void TakeFiles(Arguments& arguments);
 
 /// Whether the output is a folder of many bones.
 bool IsBatch(const Arguments& arguments);

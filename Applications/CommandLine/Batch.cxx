@@ -5,10 +5,10 @@
 #include "BatchPlan.h"
 #include "BatchTable.h"
 #include "ChildProcess.h"
+#include "FileNames.h"
 #include "Interruption.h"
 #include "JsonReport.h"
 #include "StagedFile.h"
-#include "SurfaceFormat.h"
 
 #include <algorithm>
 #include <chrono>
@@ -26,7 +26,7 @@ class Batch
 {
 public:
   Batch(const Arguments& arguments, const std::string& self)
-    : Asked(arguments)
+    : Requested(arguments)
     , Self(self)
     , Bones(PlanBatch(arguments))
     , Rows(Bones.size())
@@ -78,17 +78,17 @@ private:
   void MakeFolder()
   {
     std::error_code error;
-    std::filesystem::create_directories(this->Asked.Output, error);
+    std::filesystem::create_directories(this->Requested.Output, error);
     if (error)
     {
-      throw Failure(
-        ExitCode::CouldNotWrite, "could not make '" + this->Asked.Output + "': " + error.message());
+      throw Failure(ExitCode::CouldNotWrite,
+        "could not make '" + this->Requested.Output + "': " + error.message());
     }
   }
 
   void StartSome()
   {
-    const auto jobs = static_cast<std::size_t>(std::max(this->Asked.Jobs, 1));
+    const auto jobs = static_cast<std::size_t>(std::max(this->Requested.Jobs, 1));
     for (; this->Next < this->Bones.size() && this->Running.size() < jobs && !IsInterrupted();
          ++this->Next)
     {
@@ -116,9 +116,9 @@ private:
 
   bool IsFinished(const BatchBone& bone) const
   {
-    ReportSubject subject = SubjectOf(this->Asked, bone.Input, bone.Output);
-    subject.Given = GivenFor(bone, this->Asked);
-    return !this->Asked.Force && ReportMatches(bone.Report, bone.Output, subject);
+    ReportSubject subject = SubjectOf(this->Requested, bone.Input, bone.Output);
+    subject.Given = OptionsFor(bone, this->Requested);
+    return !this->Requested.Force && ReportMatches(bone.Report, bone.Output, subject);
   }
 
   void Start(std::size_t bone)
@@ -129,7 +129,7 @@ private:
     std::filesystem::remove(this->Bones[bone].Report, ignored);
     try
     {
-      this->Running.emplace_back(bone, this->Self, WordsFor(this->Bones[bone], this->Asked));
+      this->Running.emplace_back(bone, this->Self, WordsFor(this->Bones[bone], this->Requested));
     }
     catch (const Failure& failure)
     {
@@ -168,7 +168,7 @@ private:
   {
     if (job.Child.HasDied())
     {
-      RemoveStagedFilesOf(job.Child.GetProcess(), this->Asked.Output);
+      RemoveStagedFilesOf(job.Child.GetProcess(), this->Requested.Output);
     }
     BatchRow& row = this->Rows[job.Bone];
     row.Code = job.Child.GetCode();
@@ -179,7 +179,7 @@ private:
 
   void WriteCsv() const
   {
-    const std::filesystem::path folder(this->Asked.Output);
+    const std::filesystem::path folder(this->Requested.Output);
     WriteTextFile((folder / "summary.csv").string(), ComposeCsv(this->Rows));
   }
 
@@ -199,7 +199,7 @@ private:
     {
       std::cout << "\r\033[K";
     }
-    if (!this->Asked.Quiet)
+    if (!this->Requested.Quiet)
     {
       PrintTable(this->Rows);
     }
@@ -212,7 +212,7 @@ private:
     return worst->Code;
   }
 
-  const Arguments& Asked;
+  const Arguments& Requested;
   const std::string& Self;
   std::vector<BatchBone> Bones;
   std::vector<BatchRow> Rows;

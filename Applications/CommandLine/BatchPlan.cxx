@@ -4,8 +4,10 @@
 
 #include "BoneVolume.h"
 #include "ExitCode.h"
-#include "OptionTable.h"
-#include "SurfaceFormat.h"
+#include "FileNames.h"
+#include "Formats/SurfaceFormat.h"
+#include "Options/OptionTable.h"
+#include "Options/Text.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -29,13 +31,13 @@ BatchBone BoneOf(const fs::path& path, bool hasIso)
   if (bone.Volume && !hasIso)
   {
     bone.WhyNot = "a volume: --iso HU says which surface to take";
-    bone.CodeIfNot = ExitCode::InputRefused;
+    bone.CodeIfNot = ExitCode::InputRejected;
   }
   else if (!bone.Volume && isFolder)
   {
     bone.WhyNot = "a folder: folders in a folder are not searched";
   }
-  else if (!bone.Volume && FormatOf(bone.Input) == SurfaceFormat::Unknown)
+  else if (!bone.Volume && FindFormat(bone.Input) == nullptr)
   {
     const std::string extension = path.extension().string();
     bone.WhyNot = "not a surface or volume: " + (extension.empty() ? "no extension" : extension);
@@ -53,7 +55,7 @@ void AddFolder(std::vector<BatchBone>& bones, const std::string& folder, const A
   }
   if (error)
   {
-    throw Failure(ExitCode::InputRefused, "'" + folder + "' was refused: " + error.message());
+    throw Failure(ExitCode::InputRejected, "'" + folder + "' was rejected: " + error.message());
   }
   std::sort(paths.begin(), paths.end());
   for (const fs::path& path : paths)
@@ -87,11 +89,11 @@ void NameBones(const std::vector<BatchBone*>& bones)
     std::multiset<std::string> names;
     for (const BatchBone* bone : bones)
     {
-      names.insert(LowerText(bone->Name));
+      names.insert(LowerCase(bone->Name));
     }
     for (BatchBone* bone : bones)
     {
-      if (bone->Name.empty() || names.count(LowerText(bone->Name)) > 1)
+      if (bone->Name.empty() || names.count(LowerCase(bone->Name)) > 1)
       {
         bone->Name = NameOf(bone->Input, detail);
       }
@@ -101,7 +103,7 @@ void NameBones(const std::vector<BatchBone*>& bones)
   for (BatchBone* bone : bones)
   {
     const std::string name = bone->Name;
-    for (int number = 2; !taken.insert(LowerText(bone->Name)).second; ++number)
+    for (int number = 2; !taken.insert(LowerCase(bone->Name)).second; ++number)
     {
       bone->Name = name + "_" + std::to_string(number);
     }
@@ -130,10 +132,9 @@ std::string OutputExtension(const BatchBone& bone, const Arguments& arguments)
 {
   if (!arguments.Format.empty())
   {
-    return LowerText(arguments.Format);
+    return LowerCase(arguments.Format);
   }
-  return bone.Volume || FormatOf(bone.Input) == SurfaceFormat::Unknown ? "vtp"
-                                                                       : ExtensionOf(bone.Input);
+  return bone.Volume || FindFormat(bone.Input) == nullptr ? "vtp" : ExtensionOf(bone.Input);
 }
 
 void CheckThatThereAreBones(const std::vector<BatchBone>& bones, const Arguments& arguments)
@@ -141,8 +142,8 @@ void CheckThatThereAreBones(const std::vector<BatchBone>& bones, const Arguments
   const auto isBone = [](const BatchBone& bone) { return bone.IsBone(); };
   if (std::none_of(bones.begin(), bones.end(), isBone))
   {
-    throw Failure(ExitCode::InputRefused,
-      "'" + arguments.Inputs[0] + "' was refused: no surface file is in it" +
+    throw Failure(ExitCode::InputRejected,
+      "'" + arguments.Inputs[0] + "' was rejected: no surface file is in it" +
         (arguments.Iso ? " and no volume" : ", and volumes need --iso HU"));
   }
   const auto isVolume = [](const BatchBone& bone) { return bone.Volume; };
@@ -207,7 +208,7 @@ std::vector<BatchBone> PlanBatch(const Arguments& arguments)
   return bones;
 }
 
-std::map<std::string, std::string> GivenFor(const BatchBone& bone, const Arguments& arguments)
+std::map<std::string, std::string> OptionsFor(const BatchBone& bone, const Arguments& arguments)
 {
   std::map<std::string, std::string> given = arguments.Given;
   if (!bone.Volume)
@@ -221,7 +222,7 @@ std::map<std::string, std::string> GivenFor(const BatchBone& bone, const Argumen
 std::vector<std::string> WordsFor(const BatchBone& bone, const Arguments& arguments)
 {
   std::vector<std::string> words = { "--quiet", "--report", bone.Report };
-  for (const auto& [flag, text] : GivenFor(bone, arguments))
+  for (const auto& [flag, text] : OptionsFor(bone, arguments))
   {
     words.insert(words.end(), { "--" + flag, text });
   }

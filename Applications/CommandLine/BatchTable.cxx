@@ -21,8 +21,8 @@ using Json = nlohmann::json;
 
 /// Columns that come from the report: heading and JSON pointer.
 const std::array<std::pair<const char*, const char*>, 11> ReportColumns = { {
-  { "faces_in", "/input/faces" },
-  { "faces_out", "/output/faces" },
+  { "triangles_in", "/input/triangles" },
+  { "triangles_out", "/output/triangles" },
   { "components_in", "/input/components" },
   { "components_out", "/output/components" },
   { "max_output_to_input_mm", "/distance/output_to_input/max" },
@@ -30,7 +30,7 @@ const std::array<std::pair<const char*, const char*>, 11> ReportColumns = { {
   { "max_input_to_output_mm", "/distance/input_to_output/max" },
   { "mean_input_to_output_mm", "/distance/input_to_output/mean" },
   { "proved_mm", "/proof/upper" },
-  { "verdict", "/proof/verdict" },
+  { "proof_status", "/proof/status" },
   { "seconds", "/seconds/total" },
 } };
 
@@ -46,8 +46,8 @@ Json ReadReport(const BatchRow& row)
 
 Json ValueAt(const Json& report, const char* pointer)
 {
-  const Json::json_pointer place(pointer);
-  return report.is_object() && report.contains(place) ? report[place] : Json();
+  const Json::json_pointer at(pointer);
+  return report.is_object() && report.contains(at) ? report[at] : Json();
 }
 
 /// Why a bone failed or was skipped, and what its report warns of.
@@ -94,13 +94,13 @@ TableLine CellsOf(const BatchRow& row)
     return value.is_number() ? text(value.get<double>()) : std::string("-");
   };
   const auto whole = [](double value) { return GroupedText(value); };
-  const auto length = [](double value) { return MillimetreText(value); };
+  const auto length = [](double value) { return MillimeterText(value); };
   const auto bound = [](double value) { return UpperBoundText(value, 6); };
-  const Json verdict = ValueAt(report, "/proof/verdict");
-  return { row.Name, row.Status, number("/input/faces", whole), number("/output/faces", whole),
-    number("/distance/output_to_input/max", length),
+  const Json status = ValueAt(report, "/proof/status");
+  return { row.Name, row.Status, number("/input/triangles", whole),
+    number("/output/triangles", whole), number("/distance/output_to_input/max", length),
     number("/distance/input_to_output/max", length), number("/proof/upper", bound),
-    verdict.is_string() ? verdict.get<std::string>() : "-" };
+    status.is_string() ? status.get<std::string>() : "-" };
 }
 }
 
@@ -133,7 +133,7 @@ std::string ComposeCsv(const std::vector<BatchRow>& rows)
 void PrintTable(const std::vector<BatchRow>& rows)
 {
   std::vector<TableLine> lines = { { "name", "status", "triangles", "->", "max out-in mm",
-    "max in-out mm", "proved <= mm", "verdict" } };
+    "max in-out mm", "proved <= mm", "proof" } };
   std::transform(rows.begin(), rows.end(), std::back_inserter(lines), CellsOf);
   std::array<std::size_t, std::tuple_size_v<TableLine>> widths{};
   for (const TableLine& line : lines)

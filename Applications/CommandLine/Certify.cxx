@@ -3,25 +3,22 @@
 #include "Certify.h"
 
 #include "BoundText.h"
-#include "FileChecks.h"
+#include "CommandLine.h"
+#include "CommonOptions.h"
+#include "FileNames.h"
+#include "FilterRun.h"
+#include "Formats/FileChecks.h"
 #include "HelpFormatter.h"
 #include "Interruption.h"
 #include "JsonReport.h"
-#include "Numbers.h"
-#include "ProgressBar.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"
-#include "SurfaceFormat.h"
-#include "VtkMessages.h"
-#include "Words.h"
 
 #include "vtkBoneSurfaceDistance.h"
-#include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -36,11 +33,10 @@ void AddOptions(CLI::App& app, CertifyArguments& arguments)
     [&arguments](double value) { arguments.Tolerance = value; });
   app
     .add_option("--tolerance-array", arguments.ToleranceArray,
-      WrappedHelp("A point array of the reference (.vtp, .vtk) with a tolerance for each point in "
+      WrappedHelp("A point array of the reference with a tolerance for each point in "
                   "mm; negative: none of its own. --tolerance caps it."))
     ->type_name("NAME");
-  app.add_option("--json", arguments.Json, WrappedHelp("Write everything found as JSON."))
-    ->type_name("FILE");
+  AddFile(app, "--json", arguments.Json, "Write everything found as JSON.");
   AddNumber(app,
     { "--gap", "RATIO", { 1e-12, 1.0, false, "" },
       "By which ratio of the upper bound the lower may be less; default 1e-6." },
@@ -55,34 +51,31 @@ void AddOptions(CLI::App& app, CertifyArguments& arguments)
     WrappedHelp("Stop at the tolerance: no closer bounds where it is proved."));
   app.add_flag(
     "--no-means", arguments.WithoutMeans, WrappedHelp("No average and root mean square."));
-  app.add_flag("--no-borders", arguments.WithoutBorders,
-    WrappedHelp("Surfaces alone, not their open borders."));
-  app.add_flag("--quiet", arguments.Quiet, "Nothing on the standard output.");
+  app.add_flag("--no-boundaries", arguments.WithoutBoundaries,
+    WrappedHelp("Surfaces alone, not their open boundaries."));
+  AddQuiet(app, arguments.Quiet);
 }
 
 constexpr int BoundDecimals = 9;
 
-/// One run; the steps stand in RunCertify.
+/// One run; the steps are in the order of AddCertifyCommand().
 class CertifyRun
 {
 public:
   explicit CertifyRun(const CertifyArguments& arguments)
-    : Asked(arguments)
+    : Requested(arguments)
   {
   }
 
   void Read()
   {
-    const MillimeterSurface reference = ReadInMillimeters(this->Asked.Reference, this->Asked.Unit);
-    const MillimeterSurface result = ReadInMillimeters(this->Asked.Result, this->Asked.Unit);
-    for (const MillimeterSurface* loaded : { &reference, &result })
+    const std::vector<std::string>& files = this->Requested.Files;
+    const MillimeterSurface reference = ReadInput(files[0], this->Requested.Unit, this->Warnings);
+    const MillimeterSurface result = ReadInput(files[1], this->Requested.Unit, this->Warnings);
+    if (!this->Requested.ToleranceArray.empty() &&
+      !reference.Surface->GetPointData()->GetArray(this->Requested.ToleranceArray.c_str()))
     {
-      this->Warnings.insert(this->Warnings.end(), loaded->Warnings.begin(), loaded->Warnings.end());
-    }
-    if (!this->Asked.ToleranceArray.empty() &&
-      !reference.Surface->GetPointData()->GetArray(this->Asked.ToleranceArray.c_str()))
-    {
-      Refuse(this->Asked.Reference, "it has no point array '" + this->Asked.ToleranceArray + "'");
+      Reject(files[0], "it has no point array '" + this->Requested.ToleranceArray + "'");
     }
     this->Filter->SetInputData(0, reference.Surface);
     this->Filter->SetInputData(1, result.Surface);
@@ -90,48 +83,42 @@ public:
 
   void Compare()
   {
-    if (this->Asked.Tolerance)
+    if (this->Requested.Tolerance)
     {
-      this->Filter->SetTolerance(*this->Asked.Tolerance);
+      this->Filter->SetTolerance(*this->Requested.Tolerance);
     }
-    this->Filter->SetToleranceArrayName(this->Asked.ToleranceArray);
-    this->Filter->SetTightBounds(!this->Asked.FirstProof);
-    this->Filter->SetRelativeGap(this->Asked.Gap);
-    this->Filter->SetMeasureBorders(!this->Asked.WithoutBorders);
-    this->Filter->SetMeasureMeans(!this->Asked.WithoutMeans);
-    this->Filter->SetMeanPrecision(this->Asked.Precision);
-    this->Filter->SetNumberOfThreads(this->Asked.Threads);
-    vtkNew<ProgressBar> bar;
-    bar->SetShown(!this->Asked.Quiet);
-    this->Filter->AddObserver(vtkCommand::ProgressEvent, bar);
-    TakeVtkMessages();
-    this->Filter->Update();
-    bar->Clear();
-    StopIfInterrupted();
-    const VtkMessages messages = TakeVtkMessages();
+    this->Filter->SetToleranceArrayName(this->Requested.ToleranceArray);
+    this->Filter->SetTightBounds(!this->Requested.FirstProof);
+    this->Filter->SetRelativeGap(this->Requested.Gap);
+    this->Filter->SetMeasureBoundaries(!this->Requested.WithoutBoundaries);
+    this->Filter->SetMeasureMeans(!this->Requested.WithoutMeans);
+    this->Filter->SetMeanPrecision(this->Requested.Precision);
+    this->Filter->SetNumberOfThreads(this->Requested.Threads);
+    const VtkMessages messages =
+      UpdateFilter(this->Filter, this->Requested.Quiet ? Progress::Hidden : Progress::Bar);
     const std::string problem = this->Filter->GetReportText("problem");
     if (!messages.Errors.empty() || !problem.empty())
     {
-      throw Failure(ExitCode::InputRefused,
-        "'" + BaseName(this->Asked.Reference) + "' and '" + BaseName(this->Asked.Result) +
-          "' were refused: " + (messages.Errors.empty() ? problem : messages.Errors.front()));
+      throw Failure(ExitCode::InputRejected,
+        "'" + BaseName(this->Requested.Files[0]) + "' and '" + BaseName(this->Requested.Files[1]) +
+          "' were rejected: " + (messages.Errors.empty() ? problem : messages.Errors.front()));
     }
-    this->Warnings.insert(this->Warnings.end(), messages.Warnings.begin(), messages.Warnings.end());
+    AcceptMessages(messages, this->Requested.Files[1], this->Warnings);
   }
 
   void Write()
   {
-    if (!this->Asked.Json.empty())
+    if (!this->Requested.Json.empty())
     {
-      WriteTextFile(this->Asked.Json,
-        ComposeJsonCertificate(this->Filter->GetOutput(), this->Asked.Reference, this->Asked.Result,
-          this->Asked.Unit.Name, this->Warnings));
+      WriteTextFile(this->Requested.Json,
+        ComposeJsonCertificate(this->Filter->GetOutput(), this->Requested.Files,
+          this->Requested.Unit.Name, this->Warnings));
     }
   }
 
   void Tell()
   {
-    if (this->Asked.Quiet)
+    if (this->Requested.Quiet)
     {
       return;
     }
@@ -140,25 +127,22 @@ public:
               << UpperBoundText(this->Filter->GetUpperBound(), BoundDecimals) << " mm, two-sided\n";
     this->TellDirection("reference_to_result", "reference -> result  ");
     this->TellDirection("result_to_reference", "result -> reference  ");
-    const std::string borders = this->Filter->GetReportText("borders");
-    this->TellDirection("border_reference_to_result", "border, ref. -> res. ");
-    this->TellDirection("border_result_to_reference", "border, res. -> ref. ");
-    if (borders == "reference_only" || borders == "result_only")
+    const std::string boundaries = this->Filter->GetReportText("boundaries");
+    this->TellDirection("boundary_reference_to_result", "boundary ref. -> res.");
+    this->TellDirection("boundary_result_to_reference", "boundary res. -> ref.");
+    if (boundaries == "reference_only" || boundaries == "result_only")
     {
-      std::cout << "borders              only the "
-                << (borders == "result_only" ? "result" : "reference") << " has some\n";
+      std::cout << "boundaries           only the "
+                << (boundaries == "result_only" ? "result" : "reference") << " has some\n";
     }
-    this->TellVerdict();
-    for (const std::string& warning : this->Warnings)
-    {
-      std::cout << "warning: " << warning << "\n";
-    }
+    this->TellStatus();
+    PrintWarnings(this->Warnings);
     std::cout << "seconds              " << FixedText(this->Value("seconds"), 2) << "\n";
   }
 
   ExitCode Code() const
   {
-    switch (this->Filter->GetVerdict())
+    switch (this->Filter->GetStatus())
     {
       case vtkBoneSurfaceDistance::VIOLATED:
         return ExitCode::Violated;
@@ -199,30 +183,24 @@ private:
     }
   }
 
-  void TellVerdict() const
+  void TellStatus() const
   {
-    const std::string map =
-      this->Asked.ToleranceArray.empty() ? "" : "the map '" + this->Asked.ToleranceArray + "'";
+    const std::string map = this->Requested.ToleranceArray.empty()
+      ? ""
+      : "the map '" + this->Requested.ToleranceArray + "'";
     const std::string number =
-      this->Asked.Tolerance ? FixedText(*this->Asked.Tolerance, 6) + " mm" : "";
-    if (this->Filter->GetVerdict() != vtkBoneSurfaceDistance::NOT_ASKED)
+      this->Requested.Tolerance ? FixedText(*this->Requested.Tolerance, 6) + " mm" : "";
+    if (this->Filter->GetStatus() != vtkBoneSurfaceDistance::NOT_ASKED)
     {
-      std::cout << "tolerance            " << this->Filter->GetVerdictAsString() << " <= " << map
+      std::cout << "tolerance            " << this->Filter->GetStatusAsString() << " <= " << map
                 << (map.empty() || number.empty() ? "" : " and ") << number << "\n";
     }
   }
 
-  const CertifyArguments& Asked;
+  const CertifyArguments& Requested;
   std::vector<std::string> Warnings;
   vtkNew<vtkBoneSurfaceDistance> Filter;
 };
-
-bool IsSameFile(const std::string& a, const std::string& b)
-{
-  std::error_code error;
-  return std::filesystem::equivalent(a, b, error);
-}
-}
 
 /// Options that would have no effect.
 void CheckTogether(const CLI::App& app, const CertifyArguments& arguments)
@@ -239,42 +217,14 @@ void CheckTogether(const CLI::App& app, const CertifyArguments& arguments)
   }
 }
 
-std::optional<CertifyArguments> ParseCertifyArguments(int argc, char* argv[])
+void Check(const CLI::App& command, const CertifyArguments& arguments)
 {
-  CertifyArguments arguments;
-  std::vector<std::string> files;
-  CLI::App app("Proves how far two surfaces are from each other: bounds of the largest distance in "
-               "both directions, of surfaces and of open borders, and where it is.",
-    "bonedecimate certify");
-  app.formatter(std::make_shared<HelpFormatter>("REFERENCE RESULT [OPTIONS]"));
-  app.footer(ExitCodesText());
-  app
-    .add_option(
-      "FILES", files, WrappedHelp("Two surfaces (obj, stl, ply, vtp, vtk), in mm or --unit."))
-    ->type_name("")
-    ->allow_extra_args();
-  AddOptions(app, arguments);
-  if (!ParseWords(app, WordsOf(argc, argv, 2)))
-  {
-    return {};
-  }
-  if (files.size() != 2)
-  {
-    throw Failure(ExitCode::Usage,
-      "certify takes REFERENCE RESULT; there are " + std::to_string(files.size()) + " files");
-  }
-  CheckTogether(app, arguments);
-  arguments.Reference = files[0];
-  arguments.Result = files[1];
-  if (IsSameFile(arguments.Json, files[0]) || IsSameFile(arguments.Json, files[1]))
-  {
-    throw Failure(
-      ExitCode::Usage, "'" + arguments.Json + "' is one of the surfaces; it is not overwritten");
-  }
-  return arguments;
+  RequireFiles(command, arguments.Files, 2, "REFERENCE RESULT");
+  CheckTogether(command, arguments);
+  RequireNotInput(arguments.Json, arguments.Files);
 }
 
-ExitCode RunCertify(const CertifyArguments& arguments)
+ExitCode Run(const CertifyArguments& arguments)
 {
   CertifyRun run(arguments);
   run.Read();
@@ -283,5 +233,22 @@ ExitCode RunCertify(const CertifyArguments& arguments)
   run.Write();
   run.Tell();
   return run.Code();
+}
+}
+
+void AddCertifyCommand(CLI::App& program, ExitCode& code)
+{
+  const auto arguments = std::make_shared<CertifyArguments>();
+  CLI::App& command = AddCommand(program, "certify", { "REFERENCE RESULT [OPTIONS]" },
+    "Proves how far two surfaces are from each other: bounds of the largest distance in both "
+    "directions, of surfaces and of open boundaries, and where it is.");
+  AddSurfaces(command, arguments->Files, "Two surfaces");
+  AddOptions(command, *arguments);
+  command.final_callback(
+    [&command, arguments, &code]
+    {
+      Check(command, *arguments);
+      code = Run(*arguments);
+    });
 }
 }

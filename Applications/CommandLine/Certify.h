@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Certify.h
- * @brief bonedecimate certify: reads two surfaces, proves how far they are from each other, tells.
+ * @brief bonedecimate certify: proved bounds of the distance of two surfaces.
  */
 #ifndef BoneDecimate_Applications_Certify_h
 #define BoneDecimate_Applications_Certify_h
@@ -10,15 +10,17 @@
 #include "ExitCode.h"
 #include "LengthUnit.h"
 
+#include <CLI/CLI.hpp>
+
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace bonedecimate
 {
 struct CertifyArguments
 {
-  std::string Reference;
-  std::string Result;
+  std::vector<std::string> Files;  ///< Reference and result.
   std::optional<double> Tolerance; ///< mm
   std::string ToleranceArray;      ///< A point array of the reference, mm; empty: none.
   std::string Json;                ///< A file; empty: none.
@@ -28,19 +30,15 @@ struct CertifyArguments
   int Threads = 0;
   bool FirstProof = false; ///< Stop at the tolerance.
   bool WithoutMeans = false;
-  bool WithoutBorders = false;
+  bool WithoutBoundaries = false;
   bool Quiet = false;
 };
 
-/// @returns Nothing if it asked for a text (--help), which is then printed.
-/// @throws Failure(ExitCode::Usage)
-std::optional<CertifyArguments> ParseCertifyArguments(int argc, char* argv[]);
-
 /**
- * @returns Done if the tolerance is proved to be kept or none was given, Violated, or Undecided.
- * @throws Failure, std::bad_alloc
+ * Adds the command. Its code is Done if the tolerance is proved to be kept or none was given, Violated, or Undecided.
+ * It throws Failure and std::bad_alloc.
  */
-ExitCode RunCertify(const CertifyArguments& arguments);
+void AddCertifyCommand(CLI::App& program, ExitCode& code);
 }
 
 #endif

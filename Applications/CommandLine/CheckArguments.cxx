@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arguments.h"
+#include "FileNames.h"
+#include "Formats/SurfaceFormat.h"
 
 #include "BoneVolume.h"
 #include "ExitCode.h"
-#include "IdleOptions.h"
-#include "OptionTable.h"
-#include "SurfaceFormat.h"
-#include "Words.h"
+#include "Options/IneffectiveOptions.h"
+#include "Options/OptionTable.h"
 
 #include <algorithm>
 #include <cctype>
@@ -29,8 +29,8 @@ void Require(bool right, const std::string& message)
 
 void RequireSurfaceFormat(const std::string& what, const std::string& path)
 {
-  Require(FormatOf(path) != SurfaceFormat::Unknown,
-    what + " '" + path + "' needs one of the extensions " + SurfaceExtensions);
+  Require(FindFormat(path) != nullptr,
+    what + " '" + path + "' needs one of the extensions " + SurfaceExtensions());
 }
 
 /// The same file by whatever name.
@@ -88,7 +88,7 @@ std::string WithFlags(std::string sentence)
 }
 
 /// 3D Slicer gives every option; there those count that do not have their default.
-void CheckIdleOptions(const Arguments& arguments)
+void CheckIneffectiveOptions(const Arguments& arguments)
 {
   Options options = arguments.Options;
   if (options.ToleranceArrayName.empty() && !arguments.Regions.empty())
@@ -103,23 +103,23 @@ void CheckIdleOptions(const Arguments& arguments)
       given.push_back(info.Name);
     }
   }
-  const std::vector<std::string> idle =
-    IdleOptions(options, arguments.HasTags ? ChangedOptions(options) : given);
-  Require(idle.empty(), idle.empty() ? "" : WithFlags(idle.front()));
+  const std::vector<std::string> ineffective =
+    IneffectiveOptions(options, arguments.HasTags ? ChangedOptions(options) : given);
+  Require(ineffective.empty(), ineffective.empty() ? "" : WithFlags(ineffective.front()));
 }
 
 /// What is proved is proved of coordinates as they will be read.
 void CheckPrecision(const Arguments& arguments)
 {
-  const bool isProved = arguments.Options.Mode != Mode::Thesis &&
-    (arguments.Options.PromisesError() || !arguments.Options.ToleranceArrayName.empty() ||
+  const bool isProved = arguments.Options.ProvesError() &&
+    (arguments.Options.BoundsError() || !arguments.Options.ToleranceArrayName.empty() ||
       !arguments.Regions.empty());
   std::vector<std::string> surfaces = arguments.Also;
   surfaces.push_back(arguments.Output);
   for (const std::string& surface : surfaces)
   {
     Require(!isProved || arguments.Options.OutputPointsPrecision != PointsPrecision::Double ||
-        HoldsDoubles(FormatOf(surface)),
+        FindFormat(surface)->HoldsDoubles,
       "--precision Double has no effect with a largest error; '" + surface +
         "' holds single precision");
   }
@@ -132,12 +132,13 @@ void CheckOneBone(const Arguments& arguments)
   {
     RequireSurfaceFormat("--also", file);
   }
-  Require(arguments.Heatmap.empty() || HoldsArrays(FormatOf(arguments.Heatmap)),
-    "--heatmap '" + arguments.Heatmap +
-      "' needs the extension vtp or vtk, the others hold no arrays");
+  const SurfaceFormat* const heatmap = FindFormat(arguments.Heatmap);
+  Require(arguments.Heatmap.empty() || (heatmap != nullptr && heatmap->HoldsArrays),
+    "--heatmap '" + arguments.Heatmap + "' needs an extension whose format holds arrays: " +
+      ExtensionsThat(&SurfaceFormat::HoldsArrays));
   Require(arguments.Picture.empty() || ExtensionOf(arguments.Picture) == "png",
     "--picture '" + arguments.Picture + "' needs the extension png");
-  Require(arguments.Reference.empty() || arguments.Options.PromisesError(),
+  Require(arguments.Reference.empty() || arguments.Options.BoundsError(),
     "--reference needs --max-error or --preset, in every mode but Thesis");
   const bool volume = IsVolume(arguments.Inputs[0]);
   Require(!volume || arguments.Iso,
@@ -157,8 +158,8 @@ bool IsNamedLikeFile(std::string path)
 {
   path.erase(path.find_last_not_of('/') + 1);
   const std::string extension = ExtensionOf(path);
-  const auto others = { "vti", "mha", "mhd", "nrrd", "nhdr", "json", "html", "png", "svg", "csv" };
-  return FormatOf(path) != SurfaceFormat::Unknown ||
+  const auto others = { "json", "html", "png", "svg", "csv" };
+  return FindFormat(path) != nullptr || IsVolumeFile(path) ||
     std::find(others.begin(), others.end(), extension) != others.end();
 }
 
@@ -171,8 +172,8 @@ void CheckBatch(const Arguments& arguments)
   Require(arguments.Reference.empty(), "--reference is for one bone");
   Require(arguments.Iso || arguments.Given.count("intensities") == 0,
     "--intensities is for volumes, together with --iso");
-  Require(arguments.Format.empty() || FormatOf("x." + arguments.Format) != SurfaceFormat::Unknown,
-    "--format '" + arguments.Format + "' is none of " + SurfaceExtensions);
+  Require(arguments.Format.empty() || FindFormat("x." + arguments.Format) != nullptr,
+    "--format '" + arguments.Format + "' is none of " + SurfaceExtensions());
   std::error_code error;
   Require(!fs::exists(arguments.Output, error) || fs::is_directory(arguments.Output, error),
     "'" + arguments.Output + "' is a file; many bones need an output folder");
@@ -203,13 +204,9 @@ void CheckArguments(const Arguments& arguments)
     std::none_of(arguments.Inputs.begin(), arguments.Inputs.end(),
       [](const std::string& input) { return input.empty(); });
   Require(named, "a name is empty");
-  if (!arguments.ThesisForm)
-  {
-    RequireCommandOrFile(arguments.Inputs[0]);
-  }
   Require(!arguments.Iso || arguments.Unit.IsMillimeter(),
     "--unit is for surfaces; a volume for --iso is in millimeters by its header");
-  CheckIdleOptions(arguments);
+  CheckIneffectiveOptions(arguments);
   if (IsBatch(arguments))
   {
     CheckBatch(arguments);

@@ -32,7 +32,7 @@ public:
   /// Whether it has ended; does not wait.
   bool HasEnded();
 
-  /// Asks it to end as an interruption would.
+  /// Sends it the signal of an interruption.
   void Interrupt();
 
   /// Whether it ended by a signal, with no chance to put anything in order.

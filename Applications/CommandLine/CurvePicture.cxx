@@ -3,6 +3,7 @@
 #include "CurvePicture.h"
 
 #include "NumberText.h"
+#include "Options/Text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,20 +67,10 @@ std::string Number(double value)
   return text;
 }
 
-std::string Escaped(const std::string& text)
-{
-  std::string escaped;
-  for (const char c : text)
-  {
-    escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-  }
-  return escaped;
-}
-
 std::string Text(double x, double y, const std::string& anchor, const std::string& text)
 {
   return "<text x=\"" + Number(x) + "\" y=\"" + Number(y) + "\" text-anchor=\"" + anchor + "\">" +
-    Escaped(text) + "</text>\n";
+    EscapedXml(text) + "</text>\n";
 }
 
 std::string Line(double x1, double y1, double x2, double y2)

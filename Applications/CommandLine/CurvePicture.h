@@ -18,7 +18,7 @@ struct CurvePoint
   double Triangles;
 };
 
-/// @param title Any text. Points without an error or triangles above 0 have no place on it.
+/// @param title Any text. Points without an error or triangles above 0 are left out.
 std::string ComposeCurve(const std::string& title, std::vector<CurvePoint> points);
 }
 

@@ -3,31 +3,25 @@
 #include "ErrorCommands.h"
 
 #include "BoundText.h"
+#include "CommandLine.h"
+#include "CommonOptions.h"
 #include "CurvePicture.h"
-#include "FileChecks.h"
+#include "FileNames.h"
 #include "FilterOptions.h"
-#include "HelpFormatter.h"
+#include "FilterRun.h"
+#include "Formats/FileChecks.h"
 #include "Interruption.h"
+#include "JsonReport.h"
 #include "NumberText.h"
-#include "Numbers.h"
-#include "ProgressBar.h"
-#include "Report.h"
+#include "Report/Report.h"
 #include "StagedFile.h"
-#include "SurfaceFiles.h"
-#include "SurfaceFormat.h"
-#include "VtkMessages.h"
-#include "Words.h"
 
 #include "vtkBoneErrorSearch.h"
-#include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkTable.h"
 
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -38,11 +32,6 @@ namespace
 using Json = nlohmann::ordered_json;
 
 constexpr int BoundDecimals = 6;
-
-void AddFile(CLI::App& app, const char* flag, std::string& value, const char* help)
-{
-  app.add_option(flag, value, WrappedHelp(help))->type_name("FILE");
-}
 
 void AddOptions(CLI::App& app, ErrorArguments& arguments, bool isCurve)
 {
@@ -70,68 +59,54 @@ void AddOptions(CLI::App& app, ErrorArguments& arguments, bool isCurve)
       [&arguments](double value) { arguments.Precision = value; });
   }
   AddFile(app, "--json", arguments.Json, "Write all runs as JSON.");
-  app.add_option("--mode", arguments.Mode, "Default Balanced.")
-    ->type_name("Fast|Balanced|Accurate")
-    ->check(CLI::IsMember({ "Fast", "Balanced", "Accurate" }, CLI::ignore_case).description(""));
+  AddMode(app, arguments.Mode, "Fast|Balanced|Accurate", "Default Balanced.");
   AddThreads(app, arguments.Threads);
   AddUnit(app, arguments.Unit);
-  app.add_flag("--quiet", arguments.Quiet, "Nothing on the standard output.");
+  AddQuiet(app, arguments.Quiet);
 }
 
-/// One run; the steps stand in RunErrorCommand.
+/// One run; the steps are in the order of Run().
 class ErrorRun
 {
 public:
   explicit ErrorRun(const ErrorArguments& arguments)
-    : Asked(arguments)
+    : Requested(arguments)
   {
   }
 
   void Read()
   {
-    const MillimeterSurface loaded = ReadInMillimeters(this->Asked.Input, this->Asked.Unit);
-    this->Warnings = loaded.Warnings;
-    this->Filter->SetInputData(loaded.Surface);
+    this->Filter->SetInputData(
+      ReadInput(this->Requested.Files[0], this->Requested.Unit, this->Warnings).Surface);
   }
 
   void Search()
   {
-    this->Filter->SetMode(ModeNumber(this->Asked.Mode));
-    this->Filter->SetTargetNumberOfTriangles(this->Asked.Triangles);
-    this->Filter->SetRelativePrecision(this->Asked.Precision);
-    this->Filter->SetNumberOfThreads(this->Asked.Threads);
-    this->Filter->SetAllowLargeError(this->Asked.AllowLargeError);
-    for (const double error : this->Asked.Errors)
+    this->Filter->SetMode(ModeNumber(this->Requested.Mode));
+    this->Filter->SetTargetNumberOfTriangles(this->Requested.Triangles);
+    this->Filter->SetRelativePrecision(this->Requested.Precision);
+    this->Filter->SetNumberOfThreads(this->Requested.Threads);
+    this->Filter->SetAllowLargeError(this->Requested.AllowLargeError);
+    for (const double error : this->Requested.Errors)
     {
       this->Filter->AddError(error);
     }
-    vtkNew<ProgressBar> bar;
-    bar->SetShown(!this->Asked.Quiet);
-    this->Filter->AddObserver(vtkCommand::ProgressEvent, bar);
-    TakeVtkMessages();
-    this->Filter->Update();
-    bar->Clear();
-    StopIfInterrupted();
-    const VtkMessages messages = TakeVtkMessages();
-    if (!messages.Errors.empty())
-    {
-      Refuse(this->Asked.Input, WithUnitHint(messages.Errors.front()));
-    }
-    std::transform(messages.Warnings.begin(), messages.Warnings.end(),
-      std::back_inserter(this->Warnings), WithUnitHint);
+    const VtkMessages messages =
+      UpdateFilter(this->Filter, this->Requested.Quiet ? Progress::Hidden : Progress::Bar);
+    AcceptMessages(messages, this->Requested.Files[0], this->Warnings);
   }
 
   void Write()
   {
-    if (!this->Asked.Json.empty())
+    if (!this->Requested.Json.empty())
     {
-      WriteTextFile(this->Asked.Json, this->ComposeJson());
+      WriteJsonFile(this->Requested.Json, this->ComposeJson());
     }
-    if (!this->Asked.Csv.empty())
+    if (!this->Requested.Csv.empty())
     {
-      WriteTextFile(this->Asked.Csv, this->ComposeCsv());
+      WriteTextFile(this->Requested.Csv, this->ComposeCsv());
     }
-    if (!this->Asked.Picture.empty())
+    if (!this->Requested.Picture.empty())
     {
       std::vector<CurvePoint> points;
       points.reserve(static_cast<std::size_t>(this->Rows()));
@@ -139,13 +114,14 @@ public:
       {
         points.push_back({ this->Value(row, "ProvedError"), this->Value(row, "Triangles") });
       }
-      WriteTextFile(this->Asked.Picture, ComposeCurve(BaseName(this->Asked.Input), points));
+      WriteTextFile(
+        this->Requested.Picture, ComposeCurve(BaseName(this->Requested.Files[0]), points));
     }
   }
 
   void Tell() const
   {
-    if (this->Asked.Quiet)
+    if (this->Requested.Quiet)
     {
       return;
     }
@@ -153,19 +129,17 @@ public:
     {
       this->TellRun(row);
     }
-    if (this->Asked.Triangles > 0)
+    if (this->Requested.Triangles > 0)
     {
-      this->TellAnswer();
+      this->TellResult();
     }
-    for (const std::string& warning : this->Warnings)
-    {
-      std::cout << "warning: " << warning << "\n";
-    }
+    PrintWarnings(this->Warnings);
   }
 
   ExitCode Code() const
   {
-    const bool failed = this->Asked.Triangles > 0 && std::isnan(this->Filter->GetSmallestError());
+    const bool failed =
+      this->Requested.Triangles > 0 && std::isnan(this->Filter->GetSmallestError());
     return failed ? ExitCode::Violated : ExitCode::Done;
   }
 
@@ -178,20 +152,21 @@ private:
 
   void TellRun(vtkIdType row) const
   {
-    const double asked = this->Value(row, "MaximumError");
-    std::cout << (asked > 0.0 ? "at most " + FixedText(asked, BoundDecimals) + " mm"
+    const double error = this->Value(row, "MaximumError");
+    std::cout << (error > 0.0 ? "at most " + FixedText(error, BoundDecimals) + " mm"
                               : "by number alone    ")
               << "  " << GroupedText(this->Value(row, "Triangles")) << " triangles, proved <= "
               << UpperBoundText(this->Value(row, "ProvedError"), BoundDecimals) << " mm, "
               << GroupedText(this->Value(row, "Seconds"), 1) << " s\n";
   }
 
-  void TellAnswer() const
+  void TellResult() const
   {
     const double error = this->Filter->GetSmallestError();
     if (std::isnan(error))
     {
-      std::cout << "no surface of so few triangles: topology, borders or fragments would change\n";
+      std::cout
+        << "no surface of so few triangles: topology, boundaries or fragments would change\n";
       return;
     }
     std::cout << "smallest error  <= " << UpperBoundText(error, BoundDecimals)
@@ -205,19 +180,19 @@ private:
     }
   }
 
-  std::string ComposeJson() const
+  Json ComposeJson() const
   {
     Json report = Json::object();
     report["version"] = Version();
-    report["input"] = BaseName(this->Asked.Input);
-    report["unit"] = this->Asked.Unit.Name; // of the coordinates in the file
-    report["mode"] = this->Asked.Mode;
-    if (this->Asked.Triangles > 0)
+    report["input"] = BaseName(this->Requested.Files[0]);
+    report["unit"] = this->Requested.Unit.Name; // of the coordinates in the file
+    report["mode"] = this->Requested.Mode;
+    if (this->Requested.Triangles > 0)
     {
-      report["triangles"] = this->Asked.Triangles;
+      report["triangles"] = this->Requested.Triangles;
       report["smallest_error_mm"] = this->Filter->GetSmallestError(); // null if there is none
       report["tried_in_vain_mm"] = this->Filter->GetErrorTriedInVain();
-      report["precision"] = this->Asked.Precision;
+      report["precision"] = this->Requested.Precision;
     }
     report["runs"] = Json::array();
     for (vtkIdType row = 0; row < this->Rows(); ++row)
@@ -229,7 +204,7 @@ private:
         { "seconds", this->Value(row, "Seconds") } });
     }
     report["warnings"] = this->Warnings;
-    return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return report;
   }
 
   std::string ComposeCsv() const
@@ -245,63 +220,12 @@ private:
     return text;
   }
 
-  const ErrorArguments& Asked;
+  const ErrorArguments& Requested;
   std::vector<std::string> Warnings;
   vtkNew<vtkBoneErrorSearch> Filter;
 };
 
-void CheckFiles(const ErrorArguments& arguments)
-{
-  if (!arguments.Picture.empty() && ExtensionOf(arguments.Picture) != "svg")
-  {
-    throw Failure(ExitCode::Usage, "--picture '" + arguments.Picture + "' needs the extension svg");
-  }
-  for (const std::string* file : { &arguments.Json, &arguments.Csv, &arguments.Picture })
-  {
-    std::error_code error;
-    if (std::filesystem::equivalent(*file, arguments.Input, error))
-    {
-      throw Failure(ExitCode::Usage, "'" + *file + "' is the input; it is not overwritten");
-    }
-  }
-}
-}
-
-std::optional<ErrorArguments> ParseErrorArguments(int argc, char* argv[])
-{
-  ErrorArguments arguments;
-  std::vector<std::string> files;
-  const bool isCurve = std::string(argv[1]) == "curve";
-  CLI::App app(isCurve
-      ? "How few triangles can be proved for each of some largest errors: both directions, every "
-        "point, open borders too."
-      : "The smallest error that can be proved for a number of triangles: both directions, every "
-        "point, open borders too.",
-    isCurve ? "bonedecimate curve" : "bonedecimate tolerance");
-  app.formatter(std::make_shared<HelpFormatter>(
-    isCurve ? "INPUT --errors MM,... [OPTIONS]" : "INPUT --triangles N [OPTIONS]"));
-  app.footer(ExitCodesText());
-  app
-    .add_option(
-      "FILES", files, WrappedHelp("A surface (obj, stl, ply, vtp, vtk), in mm or --unit."))
-    ->type_name("")
-    ->allow_extra_args();
-  AddOptions(app, arguments, isCurve);
-  if (!ParseWords(app, WordsOf(argc, argv, 2)))
-  {
-    return {};
-  }
-  if (files.size() != 1)
-  {
-    throw Failure(ExitCode::Usage,
-      app.get_name().substr(13) + " takes one INPUT; there are " + std::to_string(files.size()));
-  }
-  arguments.Input = files[0];
-  CheckFiles(arguments);
-  return arguments;
-}
-
-ExitCode RunErrorCommand(const ErrorArguments& arguments)
+ExitCode Run(const ErrorArguments& arguments)
 {
   ErrorRun run(arguments);
   run.Read();
@@ -310,5 +234,48 @@ ExitCode RunErrorCommand(const ErrorArguments& arguments)
   run.Write();
   run.Tell();
   return run.Code();
+}
+
+void Check(const CLI::App& command, const ErrorArguments& arguments)
+{
+  RequireFiles(command, arguments.Files, 1, "one INPUT");
+  if (!arguments.Picture.empty() && ExtensionOf(arguments.Picture) != "svg")
+  {
+    throw Failure(ExitCode::Usage, "--picture '" + arguments.Picture + "' needs the extension svg");
+  }
+  for (const std::string& file : { arguments.Json, arguments.Csv, arguments.Picture })
+  {
+    RequireNotInput(file, arguments.Files);
+  }
+}
+
+void AddErrorCommand(CLI::App& command, bool isCurve, ExitCode& code)
+{
+  const auto arguments = std::make_shared<ErrorArguments>();
+  AddSurfaces(command, arguments->Files, "A surface");
+  AddOptions(command, *arguments, isCurve);
+  command.final_callback(
+    [&command, arguments, &code]
+    {
+      Check(command, *arguments);
+      code = Run(*arguments);
+    });
+}
+}
+
+void AddToleranceCommand(CLI::App& program, ExitCode& code)
+{
+  CLI::App& command = AddCommand(program, "tolerance", { "INPUT --triangles N [OPTIONS]" },
+    "The smallest error that can be proved for a number of triangles: both directions, every "
+    "point, open boundaries too.");
+  AddErrorCommand(command, false, code);
+}
+
+void AddCurveCommand(CLI::App& program, ExitCode& code)
+{
+  CLI::App& command = AddCommand(program, "curve", { "INPUT --errors MM,... [OPTIONS]" },
+    "How few triangles can be proved for each of some largest errors: both directions, every "
+    "point, open boundaries too.");
+  AddErrorCommand(command, true, code);
 }
 }

@@ -11,7 +11,8 @@
 #include "ExitCode.h"
 #include "LengthUnit.h"
 
-#include <optional>
+#include <CLI/CLI.hpp>
+
 #include <string>
 #include <vector>
 
@@ -19,10 +20,10 @@ namespace bonedecimate
 {
 struct ErrorArguments
 {
-  std::string Input;
-  int Triangles = 0;          ///< tolerance only
-  double Precision = 0.02;    ///< tolerance only
-  std::vector<double> Errors; ///< mm, curve only
+  std::vector<std::string> Files; ///< One.
+  int Triangles = 0;              ///< tolerance only
+  double Precision = 0.02;        ///< tolerance only
+  std::vector<double> Errors;     ///< mm, curve only
   std::string Mode = "Balanced";
   int Threads = 0;
   bool AllowLargeError = false; ///< curve only
@@ -33,16 +34,14 @@ struct ErrorArguments
   bool Quiet = false;
 };
 
-/// @param argc The word argv[1] is "tolerance" or "curve".
-/// @returns Nothing if it asked for a text (--help), which is then printed.
-/// @throws Failure(ExitCode::Usage)
-std::optional<ErrorArguments> ParseErrorArguments(int argc, char* argv[]);
-
 /**
- * @returns Done, or Violated if no run was as small as asked for.
- * @throws Failure, std::bad_alloc
+ * @name Add the commands. Their code is Done, or Violated if no run has as few triangles as requested.
+ * They throw Failure and std::bad_alloc.
+ * @{
  */
-ExitCode RunErrorCommand(const ErrorArguments& arguments);
+void AddToleranceCommand(CLI::App& program, ExitCode& code);
+void AddCurveCommand(CLI::App& program, ExitCode& code);
+/// @}
 }
 
 #endif

@@ -12,15 +12,15 @@ std::string ExitCodesText()
   static const std::array<std::pair<ExitCode, const char*>, 8> codes = { {
     { ExitCode::Done, "done" },
     { ExitCode::Usage, "usage: an option or a name is wrong, nothing was read" },
-    { ExitCode::InputRefused, "the input was refused, nothing was written" },
+    { ExitCode::InputRejected, "the input was rejected, nothing was written" },
     { ExitCode::CouldNotWrite,
-      "a file could not be written, or a picture asked for could not be drawn" },
+      "a file could not be written, or the picture of --picture could not be drawn" },
     { ExitCode::Interrupted, "interrupted, nothing was written" },
     { ExitCode::OutOfMemory, "out of memory, nothing was written" },
     { ExitCode::Violated,
       "certify: the tolerance is not kept; 0 means that it is proved to be. tolerance: no surface "
-      "has "
-      "so few triangles. Else: the certificate contradicts the largest error asked for, a defect" },
+      "has so few triangles. Otherwise: the certificate contradicts the requested largest error, a "
+      "defect" },
     { ExitCode::Undecided, "neither could be proved" },
   } };
   std::string text = "Exit codes:\n";

@@ -17,7 +17,7 @@ enum class ExitCode : int
 {
   Done = 0,
   Usage = 1,
-  InputRefused = 2,
+  InputRejected = 2,
   CouldNotWrite = 3,
   Interrupted = 4,
   OutOfMemory = 5,

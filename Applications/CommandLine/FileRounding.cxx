@@ -4,59 +4,69 @@
 
 #include "BoundText.h"
 #include "ExitCode.h"
-#include "FileChecks.h"
+#include "FileNames.h"
+#include "Formats/FileChecks.h"
+#include "Formats/SurfaceFormat.h"
+#include "Input/VoxelSize.h"
 #include "ReportFields.h"
 #include "Surface.h"
-#include "SurfaceFormat.h"
-#include "VoxelSize.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 namespace bonedecimate
 {
 namespace
 {
-using Place = std::array<double, 3>;
+using Json = nlohmann::ordered_json;
+using Position = std::array<double, 3>;
 
-Place PlaceOf(vtkPolyData* surface, vtkIdType point)
+Position PositionOf(vtkPolyData* surface, vtkIdType point)
 {
-  Place place = {};
-  surface->GetPoint(point, place.data());
-  return place;
-}
-
-bool EndsWith(const std::string& text, const std::string& end)
-{
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-bool BeginsWith(const std::string& text, const std::string& begin)
-{
-  return text.compare(0, begin.size(), begin) == 0;
+  Position position = {};
+  surface->GetPoint(point, position.data());
+  return position;
 }
 
 /// What an entry of the proof becomes.
 double Widened(const std::string& name, double value, double move, double error)
 {
-  if (EndsWith(name, ".upper"))
+  if (name == "upper")
   {
     return value + move;
   }
-  if (EndsWith(name, ".lower"))
+  if (name == "lower")
   {
     return std::max(0.0, value - move);
   }
-  return error > 0.0 && EndsWith(name, ".tolerance") ? error : value;
+  return error > 0.0 && name == "tolerance" ? error : value;
+}
+
+/// The same of all entries below one.
+void Widen(Json& json, double move, double error)
+{
+  for (auto& item : json.items())
+  {
+    if (item.value().is_object())
+    {
+      Widen(item.value(), move, error);
+    }
+    else if (item.value().is_number_float())
+    {
+      item.value() = Widened(item.key(), item.value().get<double>(), move, error);
+    }
+  }
 }
 
 /// How far the farthest point of a result, mm, lies from itself in the file, mm.
@@ -65,8 +75,8 @@ double LargestMove(vtkPolyData* result, vtkPolyData* inFile, const LengthUnit& u
   double largest = 0.0;
   for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i)
   {
-    const Place from = PlaceOf(result, i);
-    const Place to = PlaceOf(inFile, i);
+    const Position from = PositionOf(result, i);
+    const Position to = PositionOf(inFile, i);
     double square = 0.0;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
@@ -83,14 +93,21 @@ vtkSmartPointer<vtkPolyData> WithWidenedProof(vtkPolyData* result, double move, 
 {
   vtkNew<vtkFieldData> fields;
   fields->DeepCopy(result->GetFieldData());
-  for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+  Json report = Json::parse(ReportJsonOf(result));
+  for (const char* part : { "proof", "distance" })
   {
-    auto* entry = vtkDoubleArray::SafeDownCast(fields->GetAbstractArray(i));
-    const std::string name = entry && entry->GetName() ? entry->GetName() : "";
-    if (BeginsWith(name, "bonedecimate.proof.") || BeginsWith(name, "bonedecimate.distance."))
+    if (report.contains(part))
     {
-      entry->SetValue(0, Widened(name, entry->GetValue(0), move, error));
+      Widen(report[part], move, error);
     }
+  }
+  vtkNew<vtkStringArray> text;
+  text->SetName("BoneDecimateReport");
+  text->InsertNextValue(report.dump());
+  fields->AddArray(text);
+  if (auto* upper = vtkDoubleArray::SafeDownCast(fields->GetArray("bonedecimate.proof.upper")))
+  {
+    upper->SetValue(0, upper->GetValue(0) + move);
   }
   auto widened = vtkSmartPointer<vtkPolyData>::New();
   widened->ShallowCopy(result);
@@ -101,18 +118,18 @@ vtkSmartPointer<vtkPolyData> WithWidenedProof(vtkPolyData* result, double move, 
 /// Points of different coordinates in the first surface that have the same in the second.
 vtkIdType CountMeetingPoints(vtkPolyData* result, vtkPolyData* inFile)
 {
-  std::vector<std::pair<Place, Place>> places;
-  places.reserve(static_cast<std::size_t>(result->GetNumberOfPoints()));
+  std::vector<std::pair<Position, Position>> positions;
+  positions.reserve(static_cast<std::size_t>(result->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i)
   {
-    places.emplace_back(PlaceOf(inFile, i), PlaceOf(result, i));
+    positions.emplace_back(PositionOf(inFile, i), PositionOf(result, i));
   }
-  std::sort(places.begin(), places.end());
+  std::sort(positions.begin(), positions.end());
   vtkIdType meeting = 0;
-  for (std::size_t i = 1; i < places.size(); ++i)
+  for (std::size_t i = 1; i < positions.size(); ++i)
   {
-    const bool isSame = places[i].first == places[i - 1].first;
-    meeting += isSame && places[i].second != places[i - 1].second ? 1 : 0;
+    const bool isSame = positions[i].first == positions[i - 1].first;
+    meeting += isSame && positions[i].second != positions[i - 1].second ? 1 : 0;
   }
   return meeting;
 }
@@ -147,18 +164,19 @@ double KnownError(const Options& options)
   return known.MaximumError;
 }
 
-double ErrorWithRoom(double error, double rounding, const LengthUnit& unit, const std::string& path)
+double ErrorBeforeRounding(
+  double error, double rounding, const LengthUnit& unit, const std::string& path)
 {
   if (rounding > 0.5 * error)
   {
-    Refuse(path,
+    Reject(path,
       "written in " + unit.Name + " its coordinates move by up to " + UpperBoundText(rounding, 9) +
         " mm, more than half of the largest error of " + FixedText(error, 9) + " mm");
   }
   return error - rounding;
 }
 
-bool HasFrozenPoints(vtkPolyData* surface, const std::string& array)
+bool HasZeroTolerance(vtkPolyData* surface, const std::string& array)
 {
   vtkDataArray* given = surface->GetPointData()->GetArray(array.c_str());
   for (vtkIdType i = 0; given && i < given->GetNumberOfTuples(); ++i)
@@ -171,7 +189,7 @@ bool HasFrozenPoints(vtkPolyData* surface, const std::string& array)
   return false;
 }
 
-vtkSmartPointer<vtkPolyData> TolerancesWithRoom(
+vtkSmartPointer<vtkPolyData> TolerancesBeforeRounding(
   vtkPolyData* surface, const std::string& array, double rounding)
 {
   auto result = vtkSmartPointer<vtkPolyData>::New();
@@ -215,22 +233,25 @@ RoundedResult RoundForFile(vtkPolyData* result, vtkPolyData* inFile, const Round
   const vtkIdType meeting = run.MergesPoints ? CountMeetingPoints(result, inFile) : 0;
   if (meeting > 0)
   {
-    Refuse(run.Path,
+    Reject(run.Path,
       "in " + run.Unit.Name + " and single precision, " + std::to_string(meeting) +
-        " points of the result would lie on others; obj, ply, vtp and vtk hold double precision");
+        " points of the result would lie on others; " +
+        ExtensionsThat(&SurfaceFormat::HoldsDoubles) + " hold double precision");
   }
   const double move = LargestMove(result, inFile, run.Unit);
   const vtkSmartPointer<vtkPolyData> proved =
     WithWidenedBounds(WithWidenedProof(result, move, run.Error), run.BoundArray, move);
   const ReportFields report(proved);
-  const double upper = report.Number("proof.upper").value_or(0.0);
+  const double upper =
+    report.Number("proof.upper").value_or(std::numeric_limits<double>::infinity());
   const double tolerance = report.Number("proof.tolerance").value_or(0.0);
   if (tolerance > 0.0 && upper > tolerance)
   {
     throw Failure(ExitCode::Undecided,
       "'" + BaseName(run.Path) + "': written in " + run.Unit.Name + ", points move by up to " +
-        UpperBoundText(move, 9) + " mm, for which the largest error of " + FixedText(tolerance, 9) +
-        " mm has no room; give --voxel-size or write double precision; nothing was written");
+        UpperBoundText(move, 9) + " mm, which exceeds the largest error of " +
+        FixedText(tolerance, 9) +
+        " mm; give --voxel-size or write double precision; nothing was written");
   }
   return { proved, move };
 }

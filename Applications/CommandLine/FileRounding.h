@@ -4,8 +4,8 @@
  * @file FileRounding.h
  * @brief A proved result in millimeters on its way to a file in another unit: writing rounds each coordinate once more.
  *
- *     room      the run keeps a largest error that is smaller by what the rounding can move a point
- *     widened   what was proved of the result, with what the rounding moved its points added
+ *     before    the run keeps a largest error that is smaller by the distance that the rounding can move a point
+ *     after     the distance that the rounding moved points is added to the proved bounds
  *
  * Both surfaces have the same triangles, so that no distance changes by more than the farthest move of a corner.
  */
@@ -13,7 +13,7 @@
 #define BoneDecimate_Applications_FileRounding_h
 
 #include "LengthUnit.h"
-#include "Options.h"
+#include "Options/Options.h"
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -29,17 +29,17 @@ double LargestRounding(vtkPolyData* surface, const LengthUnit& unit, bool isSing
 double KnownError(const Options& options);
 
 /**
- * Leaves room for the rounding in a largest error.
- * @throws Failure(ExitCode::InputRefused) if that is more than half of it.
+ * The largest error that a run has to keep so that the rounding may be added.
+ * @throws Failure(ExitCode::InputRejected) if that is more than half of it.
  */
-double ErrorWithRoom(
+double ErrorBeforeRounding(
   double error, double rounding, const LengthUnit& unit, const std::string& path);
 
 /// Whether some point has a tolerance of 0.
-bool HasFrozenPoints(vtkPolyData* surface, const std::string& array);
+bool HasZeroTolerance(vtkPolyData* surface, const std::string& array);
 
-/// The surface with an array of tolerances that leaves the same room; one that leaves none freezes.
-vtkSmartPointer<vtkPolyData> TolerancesWithRoom(
+/// The surface with tolerances that are smaller by the rounding; a tolerance below the rounding becomes 0.
+vtkSmartPointer<vtkPolyData> TolerancesBeforeRounding(
   vtkPolyData* surface, const std::string& array, double rounding);
 
 /// A copy whose point array of proved bounds, if it is there, holds for points that were moved so far, mm.
@@ -50,7 +50,7 @@ vtkSmartPointer<vtkPolyData> WithWidenedBounds(
 struct RoundedRun
 {
   const LengthUnit& Unit;
-  double Error; ///< mm, asked for; 0: none, or not known before the run.
+  double Error; ///< mm, requested; 0: none, or not known before the run.
   std::string BoundArray;
   bool MergesPoints;
   const std::string& Path; ///< Of the input, for messages.
@@ -65,8 +65,8 @@ struct RoundedResult
 /**
  * @param result A proved result, mm.
  * @param inFile The same as the file will have it.
- * @throws Failure(ExitCode::InputRefused) if the rounding puts points onto each other, Failure(ExitCode::Undecided) if the
- * largest error has no room for it.
+ * @throws Failure(ExitCode::InputRejected) if the rounding puts points onto each other, Failure(ExitCode::Undecided) if the
+ * largest error is less than the sum.
  */
 RoundedResult RoundForFile(vtkPolyData* result, vtkPolyData* inFile, const RoundedRun& run);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FileStamp.h
- * @brief How a later run recognises an input: its size and when it was changed.
+ * @brief How a later run recognizes an input: its size and when it was changed.
  */
 #ifndef BoneDecimate_Applications_FileStamp_h
 #define BoneDecimate_Applications_FileStamp_h

@@ -8,7 +8,7 @@
 #define BoneDecimate_Applications_FilterOptions_h
 
 #include "Arguments.h"
-#include "Options.h"
+#include "Options/Options.h"
 
 #include "vtkBoneDecimate.h"
 
@@ -16,20 +16,16 @@
 
 namespace bonedecimate
 {
-/**
- * Calls the setter of every row of OptionTable(); TargetReduction only if it was asked for, for its
- * default steps back by itself.
- * @throws std::logic_error if a row has no setter here, so that no run can overlook a new option.
- */
+/// Sets every option of the table; TargetReduction only if it was set, because its default is ignored beside other targets.
 void ApplyOptions(const Options& options, vtkBoneDecimate* filter);
 
 /**
- * The options asked for, in the precision of the files: what is proved holds for them only if they are read with the
+ * The requested options, in the precision of the files: what is proved holds for them only if they are read with the
  * coordinates that were proved.
  */
 Options OptionsForFiles(const Arguments& arguments);
 
-/// For SetMode() of any filter that has one.  @param name Of a mode, checked, in letters of any size.
+/// For SetMode() of any filter that has one.  @param name Of a mode, validated, in any case.
 int ModeNumber(const std::string& name);
 }
 

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HelpFormatter.h"
 
+#include "CommandLine.h"
 #include "ExitCode.h"
-#include "Numbers.h"
-#include "SurfaceFormat.h"
+#include "Formats/SurfaceFormat.h"
 
+#include <memory>
 #include <sstream>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -15,47 +17,65 @@ namespace
 constexpr std::size_t FlagColumn = 32;
 constexpr std::size_t TextWidth = 68;
 
-/// "a number, 0 to 1"; of choices as the table itself puts it when it refuses a text.
-std::string AcceptedValues(const OptionInfo& info)
+constexpr const char* Indentation = "       "; // below "Usage: "
+
+void AddUsage(
+  const CLI::App& command, const std::vector<std::string>& forms, std::vector<std::string>& lines)
 {
-  if (const std::optional<NumberRange> range = RangeOf(info))
+  for (const std::string& form : forms)
   {
-    return RangeText(*range);
+    lines.push_back(CommandPath(command) + " " + form + "\n");
   }
-  Options ignored;
-  const std::string problem = SetOptionFromText(ignored, info, "?");
-  const std::string before = " takes ";
-  const std::size_t begin = problem.find(before);
-  const std::size_t end = problem.rfind(", not '");
-  return begin == std::string::npos || end == std::string::npos
-    ? "any text"
-    : problem.substr(begin + before.size(), end - begin - before.size());
 }
 }
 
-HelpFormatter::HelpFormatter(const std::string& usage)
-  : Usage(usage)
+HelpFormatter::HelpFormatter(std::vector<std::string> usage)
+  : Usage(std::move(usage))
 {
   this->column_width(FlagColumn);
 }
 
 std::string HelpFormatter::make_usage(const CLI::App* app, std::string) const
 {
-  return "Usage: " + app->get_name() + " " + this->Usage + "\n";
+  std::vector<std::string> lines;
+  AddUsage(*app, this->Usage, lines);
+  if (app->get_name() == DefaultCommand && app->get_parent() != nullptr)
+  {
+    for (const CLI::App* other :
+      app->get_parent()->get_subcommands([app](const CLI::App* one) { return one != app; }))
+    {
+      const auto formatter = std::dynamic_pointer_cast<HelpFormatter>(other->get_formatter());
+      AddUsage(*other, formatter->Usage, lines);
+    }
+  }
+  std::string text;
+  for (const std::string& line : lines)
+  {
+    text += (text.empty() ? "Usage: " : Indentation) + line;
+  }
+  return text;
+}
+
+std::string CommandPath(const CLI::App& command)
+{
+  const std::string program = "bonedecimate";
+  return command.get_name() == DefaultCommand ? program : program + " " + command.get_name();
 }
 
 std::string ProgramDescription()
 {
-  return "Makes a bone surface from CT smaller, keeps every fragment and says in millimetres what "
+  return "Makes a bone surface from CT smaller, keeps every fragment and says in millimeters what "
          "that cost.";
 }
 
 std::string HelpFooter()
 {
-  return std::string("Surfaces are read and written by extension: ") + SurfaceExtensions +
+  return "Surfaces are read and written by extension: " + SurfaceExtensions() +
     ".\n"
-    "Of them vtp and vtk hold arrays. Every file is written whole or not at all.\n"
-    "Lengths are millimetres.\n\n"
+    "Of them " +
+    ExtensionsThat(&SurfaceFormat::HoldsArrays) +
+    " hold arrays. Every file is written whole or not at all.\n"
+    "Lengths are millimeters.\n\n"
     "Many bones: the output folder gets NAME.EXT and NAME.json for each, and summary.csv.\n"
     "NAME is the input's, with its extension, its folder or a number added where two inputs\n"
     "would get the same. One that fails does not stop the others. Files of a folder that are\n"
@@ -95,7 +115,7 @@ std::string OptionValueName(const OptionInfo& info)
 std::string OptionHelp(const OptionInfo& info)
 {
   const std::string byDefault = OptionText(Options{}, info);
-  return WrappedHelp(info.Sentence + " Takes " + AcceptedValues(info) + "; default " +
+  return WrappedHelp(info.Sentence + " Takes " + ValuesText(info) + "; default " +
     (byDefault.empty() ? "none" : byDefault) + ".");
 }
 

@@ -7,35 +7,41 @@
 #ifndef BoneDecimate_Applications_HelpFormatter_h
 #define BoneDecimate_Applications_HelpFormatter_h
 
-#include "OptionTable.h"
+#include "Options/OptionTable.h"
 
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <vector>
 
 namespace bonedecimate
 {
 class HelpFormatter : public CLI::Formatter
 {
 public:
-  /// @param usage What follows the program's name.
-  explicit HelpFormatter(const std::string& usage);
+  /// @param usage What follows the name of the command, one form a line.
+  explicit HelpFormatter(std::vector<std::string> usage);
+
+  /// The forms of this command; for the default command those of all others, too.
 
   std::string make_usage(const CLI::App* app, std::string name) const override;
 
 private:
-  std::string Usage;
+  std::vector<std::string> Usage;
 };
+
+/// What a user types: "bonedecimate levels", and "bonedecimate" for the default command.
+std::string CommandPath(const CLI::App& command);
 
 std::string ProgramDescription();
 
-/// Formats, how finished bones are recognised, exit codes.
+/// Formats, how finished bones are recognized, exit codes.
 std::string HelpFooter();
 
 /// The help of an option of the core's table: its sentence, range, unit and default.
 std::string OptionHelp(const OptionInfo& info);
 
-/// What stands for its value: "MM", "N", "on|off", "Thesis".
+/// Its value in the help: "MM", "N", "on|off", "Thesis".
 std::string OptionValueName(const OptionInfo& info);
 
 /// Breaks a help text to the width beside the column of flags.

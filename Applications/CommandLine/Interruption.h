@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Interruption.h
- * @brief SIGINT, SIGTERM and SIGHUP as a question that long work asks now and then.
+ * @brief SIGINT, SIGTERM and SIGHUP as a flag that long work tests now and then.
  */
 #ifndef BoneDecimate_Applications_Interruption_h
 #define BoneDecimate_Applications_Interruption_h

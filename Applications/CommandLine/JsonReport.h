@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ struct ReportSubject
   std::string Unit;     ///< Of the coordinates in both.
   FileStamp InputStamp; ///< From before the input was read.
   std::int64_t OutputBytes = 0;
-  std::map<std::string, std::string> Given; ///< What the command line asked for, by flag.
+  std::map<std::string, std::string> Given; ///< The options of the command line, by flag.
   std::vector<std::string> Warnings;
   /// Of each surface that was written after it had been proved: see ProveWritten().
   std::map<std::string, std::string> ProvedFiles;
@@ -48,8 +49,15 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
 
 /// A certificate in the field data of an output of vtkBoneSurfaceDistance in the same way, with the names as "files".
 /// @param unit Of the coordinates in both files.
-std::string ComposeJsonCertificate(vtkPolyData* output, const std::string& reference,
-  const std::string& result, const std::string& unit, const std::vector<std::string>& warnings);
+/// @param files Reference and result.
+std::string ComposeJsonCertificate(vtkPolyData* output, const std::vector<std::string>& files,
+  const std::string& unit, const std::vector<std::string>& warnings);
+
+/// As a file has it; a name that is not UTF-8 is no reason to have no report.
+std::string JsonText(const nlohmann::ordered_json& json);
+
+/// @throws Failure(ExitCode::CouldNotWrite)
+void WriteJsonFile(const std::string& path, const nlohmann::ordered_json& json);
 
 /**
  * Whether a report on disk is of this version, the same input and the same options (threads do not

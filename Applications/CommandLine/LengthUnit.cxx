@@ -37,23 +37,23 @@ void SetUnit(LengthUnit& unit, const std::string& name)
   throw Failure(ExitCode::Usage, "--unit takes one of " + names + ", not '" + name + "'");
 }
 
-using Place = std::array<double, 3>;
+using Position = std::array<double, 3>;
 
-Place PlaceOf(vtkPolyData* surface, vtkIdType point)
+Position PositionOf(vtkPolyData* surface, vtkIdType point)
 {
-  Place place = {};
-  surface->GetPoint(point, place.data());
-  return place;
+  Position position = {};
+  surface->GetPoint(point, position.data());
+  return position;
 }
 
 template <typename Convert>
-Place Converted(Place place, const Convert& convert)
+Position Converted(Position position, const Convert& convert)
 {
-  std::transform(place.begin(), place.end(), place.begin(), convert);
-  return place;
+  std::transform(position.begin(), position.end(), position.begin(), convert);
+  return position;
 }
 
-/// @param convert Makes a place of a place.
+/// @param convert A position to a position.
 template <typename Convert>
 vtkSmartPointer<vtkPolyData> WithPoints(vtkPolyData* surface, int precision, const Convert& convert)
 {
@@ -62,7 +62,7 @@ vtkSmartPointer<vtkPolyData> WithPoints(vtkPolyData* surface, int precision, con
   points->SetNumberOfPoints(surface->GetNumberOfPoints());
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
-    points->SetPoint(i, convert(PlaceOf(surface, i)).data());
+    points->SetPoint(i, convert(PositionOf(surface, i)).data());
   }
   auto converted = vtkSmartPointer<vtkPolyData>::New();
   converted->ShallowCopy(surface);
@@ -70,7 +70,7 @@ vtkSmartPointer<vtkPolyData> WithPoints(vtkPolyData* surface, int precision, con
   return converted;
 }
 
-/// From places in millimeters to those of the file, as far as the conversion back would not find them.
+/// From positions in millimeters to those of the file, as far as the conversion back would not find them.
 class Originals
 {
 public:
@@ -79,35 +79,35 @@ public:
   {
     for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
     {
-      const Place inFile = PlaceOf(input, i);
-      const Place place =
+      const Position inFile = PositionOf(input, i);
+      const Position position =
         Converted(inFile, [&unit](double coordinate) { return unit.ToMillimeters(coordinate); });
-      if (this->Nearest(place) != inFile)
+      if (this->Nearest(position) != inFile)
       {
-        this->Places.emplace_back(place, inFile);
+        this->Positions.emplace_back(position, inFile);
       }
     }
-    std::sort(this->Places.begin(), this->Places.end());
+    std::sort(this->Positions.begin(), this->Positions.end());
   }
 
-  Place Find(const Place& place) const
+  Position Find(const Position& position) const
   {
-    const auto found = std::lower_bound(this->Places.begin(), this->Places.end(), place,
-      [](const std::pair<Place, Place>& entry, const Place& wanted)
-      { return entry.first < wanted; });
-    const bool isThere = found != this->Places.end() && found->first == place;
-    return isThere ? found->second : this->Nearest(place);
+    const auto found = std::lower_bound(this->Positions.begin(), this->Positions.end(), position,
+      [](const std::pair<Position, Position>& entry, const Position& key)
+      { return entry.first < key; });
+    const bool isThere = found != this->Positions.end() && found->first == position;
+    return isThere ? found->second : this->Nearest(position);
   }
 
 private:
-  Place Nearest(const Place& place) const
+  Position Nearest(const Position& position) const
   {
     return Converted(
-      place, [this](double coordinate) { return this->Unit.FromMillimeters(coordinate); });
+      position, [this](double coordinate) { return this->Unit.FromMillimeters(coordinate); });
   }
 
   const LengthUnit& Unit;
-  std::vector<std::pair<Place, Place>> Places;
+  std::vector<std::pair<Position, Position>> Positions;
 };
 }
 
@@ -136,17 +136,6 @@ void AddUnit(CLI::App& app, LengthUnit& unit)
     ->type_name("m|cm|mm|um|inch");
 }
 
-void AddAllowLargeError(CLI::App& app, bool& allow)
-{
-  app
-    .add_option_function<std::string>(
-      "--allow-large-error", [&allow](const std::string& text) { allow = text == "on"; },
-      WrappedHelp("Take an error of more than a quarter of the diagonal of the input's bounding "
-                  "box, which is refused otherwise; default off."))
-    ->type_name("on|off")
-    ->check(CLI::IsMember({ "on", "off" }).description(""));
-}
-
 MillimeterSurface ReadInMillimeters(const std::string& path, const LengthUnit& unit)
 {
   const LoadedSurface loaded = ReadSurface(path);
@@ -155,8 +144,10 @@ MillimeterSurface ReadInMillimeters(const std::string& path, const LengthUnit& u
 
 vtkSmartPointer<vtkPolyData> ToMillimeters(vtkPolyData* surface, const LengthUnit& unit)
 {
-  const auto convert = [&unit](const Place& place) {
-    return Converted(place, [&unit](double coordinate) { return unit.ToMillimeters(coordinate); });
+  const auto convert = [&unit](const Position& position)
+  {
+    return Converted(
+      position, [&unit](double coordinate) { return unit.ToMillimeters(coordinate); });
   };
   return unit.IsMillimeter() ? vtkSmartPointer<vtkPolyData>(surface)
                              : WithPoints(surface, VTK_DOUBLE, convert);
@@ -171,7 +162,7 @@ vtkSmartPointer<vtkPolyData> FromMillimeters(
   }
   const Originals originals(input, unit);
   return WithPoints(surface, toSingle ? VTK_FLOAT : VTK_DOUBLE,
-    [&originals](const Place& place) { return originals.Find(place); });
+    [&originals](const Position& position) { return originals.Find(position); });
 }
 
 std::string WithUnitHint(std::string message)

@@ -50,7 +50,7 @@ struct MillimeterSurface
   bool IsSingle() const { return this->InFile->GetPoints()->GetDataType() == VTK_FLOAT; }
 };
 
-/// @throws Failure(ExitCode::InputRefused)
+/// @throws Failure(ExitCode::InputRejected)
 MillimeterSurface ReadInMillimeters(const std::string& path, const LengthUnit& unit);
 
 /// Points of double precision in millimeters; the surface itself if that is its unit.
@@ -63,9 +63,6 @@ vtkSmartPointer<vtkPolyData> ToMillimeters(vtkPolyData* surface, const LengthUni
  */
 vtkSmartPointer<vtkPolyData> FromMillimeters(
   vtkPolyData* surface, const LengthUnit& unit, bool toSingle, vtkPolyData* input);
-
-/// Adds --allow-large-error, for commands whose options are not those of the table.
-void AddAllowLargeError(CLI::App& app, bool& allow);
 
 /// The message, with --unit and --allow-large-error named where it doubts that coordinates are in millimeters.
 std::string WithUnitHint(std::string message);

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/SurfaceFormat.h"
 #include "LevelsCommand.h"
 
+#include "CommandLine.h"
+#include "CommonOptions.h"
 #include "HelpFormatter.h"
-#include "Numbers.h"
-#include "SurfaceFormat.h"
-#include "Words.h"
 
-#include <filesystem>
 #include <memory>
 
 namespace bonedecimate
@@ -16,21 +15,15 @@ namespace
 {
 void AddRunOptions(CLI::App& app, LevelsArguments& arguments)
 {
-  app
-    .add_option("--log", arguments.Log,
-      WrappedHelp("Take the levels from this log, recorded on the same INPUT, instead of a run."))
-    ->type_name("FILE");
-  app.add_option("--record", arguments.Record, WrappedHelp("Write the log of the run."))
-    ->type_name("FILE");
+  AddFile(app, "--log", arguments.Log,
+    "Take the levels from this log, recorded on the same INPUT, instead of a run.");
+  AddFile(app, "--record", arguments.Record, "Write the log of the run.");
   AddNumber(app,
     { "--coarsest", "N", TriangleRange,
       "Triangles of the coarsest level; default a tenth of the input's, or with --max-error as few "
       "as that allows." },
     [&arguments](double value) { arguments.Coarsest = static_cast<int>(value); });
-  app.add_option("--mode", arguments.Mode, "Of the run, default Balanced.")
-    ->type_name("Thesis|Fast|Balanced|Accurate")
-    ->check(CLI::IsMember({ "Thesis", "Fast", "Balanced", "Accurate" }, CLI::ignore_case)
-              .description(""));
+  AddMode(app, arguments.Mode, "Thesis|Fast|Balanced|Accurate", "Of the run, default Balanced.");
   AddNumber(app,
     { "--max-error", "MM", PositiveLengthRange,
       "Largest distance that the run may cause; every level keeps it." },
@@ -52,14 +45,12 @@ void AddLevelOptions(CLI::App& app, LevelsArguments& arguments)
     .add_option("--output", arguments.Output,
       WrappedHelp("Where levels go: with NAME.EXT, a level to NAME-TRIANGLES.EXT."))
     ->type_name("NAME.EXT");
-  app
-    .add_option("--on", arguments.On,
-      WrappedHelp("Put the levels on this surface, which has the triangles of INPUT and other "
-                  "points, such as a bone registered to it."))
-    ->type_name("FILE");
+  AddFile(app, "--on", arguments.On,
+    "Put the levels on this surface, which has the triangles of INPUT and other points, such as a "
+    "bone registered to it.");
   AddThreads(app, arguments.Threads);
   AddUnit(app, arguments.Unit);
-  app.add_flag("--quiet", arguments.Quiet, "Nothing on the standard output.");
+  AddQuiet(app, arguments.Quiet);
 }
 
 void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
@@ -78,10 +69,10 @@ void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
     throw Failure(ExitCode::Usage,
       wantsLevels ? "--output is needed for the levels" : "--output needs --triangles or --errors");
   }
-  if (wantsLevels && FormatOf(arguments.Output) == SurfaceFormat::Unknown)
+  if (wantsLevels && FindFormat(arguments.Output) == nullptr)
   {
     throw Failure(ExitCode::Usage,
-      "--output '" + arguments.Output + "' needs one of the extensions " + SurfaceExtensions);
+      "--output '" + arguments.Output + "' needs one of the extensions " + SurfaceExtensions());
   }
   if (app.count("--allow-large-error") > 0 && app.count("--max-error") == 0)
   {
@@ -104,45 +95,26 @@ void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
 }
 }
 
-std::optional<LevelsArguments> ParseLevelsArguments(int argc, char* argv[])
+void AddLevelsCommand(CLI::App& program)
 {
-  LevelsArguments arguments;
-  std::vector<std::string> files;
-  CLI::App app("Levels of detail: one run, recorded, and any stage of it at once, by a number of "
-               "triangles or by a measured distance.",
-    "bonedecimate levels");
-  app.formatter(std::make_shared<HelpFormatter>("INPUT [OPTIONS]"));
-  app.footer(ExitCodesText());
-  app
-    .add_option(
-      "FILES", files, WrappedHelp("A surface (obj, stl, ply, vtp, vtk), in mm or --unit."))
-    ->type_name("")
-    ->allow_extra_args();
-  AddRunOptions(app, arguments);
-  AddLevelOptions(app, arguments);
-  if (!ParseWords(app, WordsOf(argc, argv, 2)))
-  {
-    return {};
-  }
-  if (files.size() != 1)
-  {
-    throw Failure(
-      ExitCode::Usage, "levels takes one INPUT; there are " + std::to_string(files.size()));
-  }
-  arguments.Input = files[0];
-  CheckTogether(app, arguments);
-  return arguments;
+  const auto arguments = std::make_shared<LevelsArguments>();
+  CLI::App& command = AddCommand(program, "levels", { "INPUT [OPTIONS]" },
+    "Levels of detail: one run, recorded, and any stage of it at once, by a number of triangles or "
+    "by a measured distance.");
+  AddSurfaces(command, arguments->Files, "A surface");
+  AddRunOptions(command, *arguments);
+  AddLevelOptions(command, *arguments);
+  command.final_callback(
+    [&command, arguments]
+    {
+      RequireFiles(command, arguments->Files, 1, "one INPUT");
+      CheckTogether(command, *arguments);
+      RunLevels(*arguments);
+    });
 }
 
 void KeepSurfaces(const LevelsArguments& arguments, const std::string& output)
 {
-  for (const std::string* input : { &arguments.Input, &arguments.On })
-  {
-    std::error_code error;
-    if (std::filesystem::equivalent(output, *input, error))
-    {
-      throw Failure(ExitCode::Usage, "'" + output + "' is a surface; it is not overwritten");
-    }
-  }
+  RequireNotInput(output, { arguments.Files[0], arguments.On });
 }
 }

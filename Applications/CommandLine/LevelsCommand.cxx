@@ -3,20 +3,19 @@
 #include "LevelsCommand.h"
 
 #include "BoundText.h"
-#include "FileChecks.h"
+#include "FileNames.h"
 #include "FileRounding.h"
 #include "FilterOptions.h"
+#include "FilterRun.h"
+#include "Formats/FileChecks.h"
+#include "Formats/SurfaceFormat.h"
 #include "Interruption.h"
-#include "NumberRange.h"
 #include "NumberText.h"
-#include "ProgressBar.h"
+#include "Options/NumberRange.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"
-#include "SurfaceFormat.h"
-#include "VtkMessages.h"
 
 #include "vtkBoneDecimateLevels.h"
-#include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -25,7 +24,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <list>
 
 namespace bonedecimate
@@ -44,7 +42,7 @@ vtkSmartPointer<vtkUnsignedCharArray> ReadBytes(const std::string& path)
   stream.read(reinterpret_cast<char*>(bytes->GetPointer(0)), static_cast<std::streamsize>(size));
   if (!stream)
   {
-    Refuse(path, "it could not be read");
+    Reject(path, "it could not be read");
   }
   return bytes;
 }
@@ -62,46 +60,42 @@ class LevelsRun
 {
 public:
   explicit LevelsRun(const LevelsArguments& arguments)
-    : Asked(arguments)
+    : Requested(arguments)
   {
     this->Filter->SetMode(ModeNumber(arguments.Mode));
-    this->Filter->SetCoarsestNumberOfTriangles(arguments.Coarsest);
+    this->Filter->SetTargetNumberOfTriangles(arguments.Coarsest);
     this->Filter->SetMaximumError(arguments.MaximumError);
     this->Filter->SetAllowLargeError(arguments.AllowLargeError);
-    this->Filter->SetMeasureErrors(!arguments.WithoutErrors);
+    this->Filter->SetMeasureDistances(!arguments.WithoutErrors);
     this->Filter->SetNumberOfThreads(arguments.Threads);
   }
 
   void Read()
   {
-    this->Filter->SetInputData(this->ReadOne(this->Asked.Input));
-    if (this->Asked.MaximumError > 0.0)
+    this->Filter->SetInputData(this->ReadOne(this->Requested.Files[0]));
+    if (this->Requested.MaximumError > 0.0)
     {
       this->Filter->SetMaximumError(this->ErrorOfRun());
     }
-    if (!this->Asked.Log.empty())
+    if (!this->Requested.Log.empty())
     {
-      this->Filter->SetLog(ReadBytes(this->Asked.Log));
+      this->Filter->SetLog(ReadBytes(this->Requested.Log));
     }
-    if (!this->Asked.Record.empty())
+    if (!this->Requested.Record.empty())
     {
-      this->Record.emplace(this->Asked.Record);
+      this->Record.emplace(this->Requested.Record);
     }
   }
 
   void Run()
   {
-    vtkNew<ProgressBar> bar;
-    bar->SetShown(!this->Asked.Quiet && this->Asked.Log.empty());
-    this->Filter->AddObserver(vtkCommand::ProgressEvent, bar);
-    this->Update(this->Asked.Log.empty() ? this->Asked.Input : this->Asked.Log);
-    bar->Clear();
-    this->Filter->RemoveObserver(bar);
-    StopIfInterrupted();
+    const bool isRun = this->Requested.Log.empty();
+    this->Update(isRun ? this->Requested.Files[0] : this->Requested.Log,
+      this->Requested.Quiet || !isRun ? Progress::Hidden : Progress::Bar);
     this->RequireDistances();
-    if (!this->Asked.On.empty())
+    if (!this->Requested.On.empty())
     {
-      this->Filter->SetInputData(1, this->ReadOne(this->Asked.On));
+      this->Filter->SetInputData(1, this->ReadOne(this->Requested.On));
     }
   }
 
@@ -117,11 +111,11 @@ public:
       this->Record->Flush();
     }
     std::list<StagedFile> files;
-    for (const int triangles : this->Asked.Triangles)
+    for (const int triangles : this->Requested.Triangles)
     {
       this->WriteLevel(triangles, 0.0, files);
     }
-    for (const double error : this->Asked.Errors)
+    for (const double error : this->Requested.Errors)
     {
       this->WriteLevel(0, error, files);
     }
@@ -141,7 +135,7 @@ public:
 
   void Tell() const
   {
-    if (this->Asked.Quiet)
+    if (this->Requested.Quiet)
     {
       return;
     }
@@ -161,67 +155,55 @@ public:
     {
       std::cout << "wrote " << name << "\n";
     }
-    for (const std::string& warning : this->Warnings)
-    {
-      std::cout << "warning: " << warning << "\n";
-    }
+    PrintWarnings(this->Warnings);
   }
 
 private:
   vtkSmartPointer<vtkPolyData> ReadOne(const std::string& path)
   {
-    const MillimeterSurface loaded = ReadInMillimeters(path, this->Asked.Unit);
+    const MillimeterSurface loaded = ReadInput(path, this->Requested.Unit, this->Warnings);
     this->InFile = loaded.InFile;
     this->IsSingle = loaded.IsSingle();
-    this->Warnings.insert(this->Warnings.end(), loaded.Warnings.begin(), loaded.Warnings.end());
     return loaded.Surface;
   }
 
   /// Levels are rounded once more if their files are in another unit.
   double ErrorOfRun()
   {
-    const LengthUnit& unit = this->Asked.Unit;
+    const LengthUnit& unit = this->Requested.Unit;
     const bool writesSingle = this->IsSingle ||
-      (!this->Asked.Output.empty() && !HoldsDoubles(FormatOf(this->Asked.Output)));
+      (!this->Requested.Output.empty() && !FindFormat(this->Requested.Output)->HoldsDoubles);
     auto* input = vtkPolyData::SafeDownCast(this->Filter->GetInput());
-    return ErrorWithRoom(this->Asked.MaximumError, LargestRounding(input, unit, writesSingle), unit,
-      this->Asked.Input);
+    return ErrorBeforeRounding(this->Requested.MaximumError,
+      LargestRounding(input, unit, writesSingle), unit, this->Requested.Files[0]);
   }
 
-  /// @param source Who is to blame for an error.
-  void Update(const std::string& source)
+  /// @param source The file that an error is about.
+  void Update(const std::string& source, Progress progress)
   {
-    TakeVtkMessages();
-    this->Filter->Update();
-    const VtkMessages messages = TakeVtkMessages();
-    if (!messages.Errors.empty())
-    {
-      Refuse(source, WithUnitHint(messages.Errors.front()));
-    }
-    std::transform(messages.Warnings.begin(), messages.Warnings.end(),
-      std::back_inserter(this->Warnings), WithUnitHint);
+    AcceptMessages(UpdateFilter(this->Filter, progress), source, this->Warnings);
   }
 
   void WriteLevel(int triangles, double error, std::list<StagedFile>& files)
   {
     this->Filter->SetNumberOfTriangles(triangles);
     this->Filter->SetLevelError(error);
-    this->Update(this->Asked.On.empty() ? this->Asked.Input : this->Asked.On);
-    StopIfInterrupted();
+    this->Update(
+      this->Requested.On.empty() ? this->Requested.Files[0] : this->Requested.On, Progress::Hidden);
     vtkPolyData* level = this->Filter->GetOutput();
     this->WarnOutOfReach(triangles, error, level->GetNumberOfPolys());
-    const std::string name = NameOfLevel(this->Asked.Output, level->GetNumberOfPolys());
+    const std::string name = NameOfLevel(this->Requested.Output, level->GetNumberOfPolys());
     if (std::find(this->Written.begin(), this->Written.end(), name) == this->Written.end())
     {
-      KeepSurfaces(this->Asked, name);
+      KeepSurfaces(this->Requested, name);
       StagedFile& file = files.emplace_back(name);
-      WriteSurface(FromMillimeters(level, this->Asked.Unit, this->IsSingle, this->InFile),
+      WriteSurface(FromMillimeters(level, this->Requested.Unit, this->IsSingle, this->InFile),
         file.GetTemporary(), file.GetTarget());
       this->Written.push_back(name);
     }
   }
 
-  /// What the log has instead of what was asked for.
+  /// Warns where the log has another level than requested.
   void WarnOutOfReach(int triangles, double error, vtkIdType found)
   {
     if (triangles > 0 && found > triangles)
@@ -246,16 +228,16 @@ private:
   void RequireDistances() const
   {
     const int last = this->Filter->GetNumberOfMarks() - 1;
-    if (!this->Asked.Errors.empty() && !this->Asked.Log.empty() &&
+    if (!this->Requested.Errors.empty() && !this->Requested.Log.empty() &&
       std::isnan(this->Filter->GetMarkLargestDistance(last)))
     {
       throw Failure(ExitCode::Usage,
-        "--errors needs measured distances; '" + BaseName(this->Asked.Log) +
+        "--errors needs measured distances; '" + BaseName(this->Requested.Log) +
           "' was recorded with --no-errors");
     }
   }
 
-  const LevelsArguments& Asked;
+  const LevelsArguments& Requested;
   std::vector<std::string> Warnings;
   std::vector<std::string> Written;
   std::optional<StagedFile> Record;
@@ -265,7 +247,7 @@ private:
 };
 }
 
-ExitCode RunLevels(const LevelsArguments& arguments)
+void RunLevels(const LevelsArguments& arguments)
 {
   LevelsRun run(arguments);
   run.Read();
@@ -273,6 +255,5 @@ ExitCode RunLevels(const LevelsArguments& arguments)
   run.Run();
   run.Write();
   run.Tell();
-  return ExitCode::Done;
 }
 }

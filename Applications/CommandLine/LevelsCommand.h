@@ -3,7 +3,7 @@
 /**
  * @file LevelsCommand.h
  * @brief bonedecimate levels: records a run or takes its log from a file, lists the levels that were measured, writes those
- * that are asked for.
+ * that are requested.
  */
 #ifndef BoneDecimate_Applications_LevelsCommand_h
 #define BoneDecimate_Applications_LevelsCommand_h
@@ -11,7 +11,8 @@
 #include "ExitCode.h"
 #include "LengthUnit.h"
 
-#include <optional>
+#include <CLI/CLI.hpp>
+
 #include <string>
 #include <vector>
 
@@ -19,8 +20,8 @@ namespace bonedecimate
 {
 struct LevelsArguments
 {
-  std::string Input;
-  std::string Log; ///< A log instead of a run.
+  std::vector<std::string> Files; ///< One.
+  std::string Log;                ///< A log instead of a run.
 
   /// @name A run. @{
   int Coarsest = 0;
@@ -43,15 +44,14 @@ struct LevelsArguments
   bool Quiet = false;
 };
 
-/// @returns Nothing if it asked for a text (--help), which is then printed.
-/// @throws Failure(ExitCode::Usage)
-std::optional<LevelsArguments> ParseLevelsArguments(int argc, char* argv[]);
+/// Adds the command; its code is Done. It throws Failure and std::bad_alloc.
+void AddLevelsCommand(CLI::App& program);
 
-/// No output takes the place of a surface that is read. @throws Failure(ExitCode::Usage)
+/// Requires that an output is not a surface that is read. @throws Failure(ExitCode::Usage)
 void KeepSurfaces(const LevelsArguments& arguments, const std::string& output);
 
 /// @throws Failure, std::bad_alloc
-ExitCode RunLevels(const LevelsArguments& arguments);
+void RunLevels(const LevelsArguments& arguments);
 }
 
 #endif

@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Program.h"
 
-#include "Arguments.h"
-#include "Batch.h"
 #include "Certify.h"
+#include "CommandLine.h"
+#include "DecimateCommand.h"
+#include "DeprecatedNames.h"
+#include "Diagnose.h"
 #include "ErrorCommands.h"
-#include "Inspect.h"
+#include "HelpFormatter.h"
 #include "Interruption.h"
 #include "LevelsCommand.h"
-#include "RunOne.h"
 #include "SlicerModule.h"
 #include "VtkMessages.h"
-#include "Words.h"
 
+#include <algorithm>
 #include <cstdio>
-#include <cstring>
 #include <iostream>
 #include <new>
 #include <system_error>
@@ -36,57 +36,26 @@ ExitCode Fail(ExitCode code, const char* message)
   return code;
 }
 
-/// What one word asks for: reads the rest of them, does it.
-struct Command
-{
-  const char* Word;
-  ExitCode (*Run)(int argc, char* argv[]);
-};
-
-template <typename Wanted, std::optional<Wanted> Parse(int, char**), ExitCode Do(const Wanted&)>
-ExitCode ParseAndDo(int argc, char* argv[])
-{
-  const std::optional<Wanted> arguments = Parse(argc, argv);
-  return arguments ? Do(*arguments) : ExitCode::Done;
-}
-
-constexpr Command Commands[] = {
-  { "certify", ParseAndDo<CertifyArguments, ParseCertifyArguments, RunCertify> },
-  { "check", ParseAndDo<InspectArguments, ParseInspectArguments, RunInspect> },
-  { "levels", ParseAndDo<LevelsArguments, ParseLevelsArguments, RunLevels> },
-  { "tolerance", ParseAndDo<ErrorArguments, ParseErrorArguments, RunErrorCommand> },
-  { "curve", ParseAndDo<ErrorArguments, ParseErrorArguments, RunErrorCommand> },
-};
-
 ExitCode Run(int argc, char* argv[])
 {
-  for (const Command& command : Commands)
+  const std::vector<std::string> words =
+    WithCurrentNames(std::vector<std::string>(argv + 1, argv + std::max(argc, 1)));
+  if (IsSlicerCall(words))
   {
-    if (argc > 1 && std::strcmp(argv[1], command.Word) == 0)
-    {
-      return command.Run(argc, argv);
-    }
+    return RunSlicerCall(words);
   }
-  if (IsSlicerCall(argc, argv))
-  {
-    return RunSlicerCall(argc, argv);
-  }
-  if (argc > 1 && std::strcmp(argv[1], "thesis") != 0)
-  {
-    RequireCommandOrFile(argv[1]); // before options of a misspelled command are called unknown
-  }
-  const std::optional<Arguments> arguments = ParseArguments(argc, argv);
-  if (!arguments)
-  {
-    return ExitCode::Done;
-  }
-  CheckArguments(*arguments);
-  if (IsBatch(*arguments))
-  {
-    return RunBatch(*arguments, argv[0]);
-  }
-  RunOne(*arguments);
-  return ExitCode::Done;
+  ExitCode code = ExitCode::Done;
+  CLI::App program(ProgramDescription(), "bonedecimate");
+  program.require_subcommand(1);
+  AddDecimateCommand(program, argc > 0 ? argv[0] : "", code);
+  AddThesisCommand(program);
+  AddCertifyCommand(program, code);
+  AddToleranceCommand(program, code);
+  AddCurveCommand(program, code);
+  AddLevelsCommand(program);
+  AddDiagnoseCommand(program, code);
+  RunCommandLine(program, words);
+  return code;
 }
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ProgressBar.h
- * @brief A bar on a terminal, nothing in a pipe, or 3D Slicer's tags; and the place where an interruption reaches VTK.
+ * @brief A bar on a terminal, nothing in a pipe, or 3D Slicer's tags. An interruption aborts the algorithm here.
  */
 #ifndef BoneDecimate_Applications_ProgressBar_h
 #define BoneDecimate_Applications_ProgressBar_h
@@ -18,7 +18,7 @@ public:
   static ProgressBar* New() { return new ProgressBar; }
   vtkTypeMacro(ProgressBar, vtkCommand);
 
-  /// @param shown Whether anybody wants to see it; it still needs a terminal.
+  /// @param shown Whether to show it; it needs a terminal, too.
   void SetShown(bool shown);
 
   /// Tags instead of a bar, whatever the output is.

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Regions.h"
 
-#include "Numbers.h"
+#include "CommonOptions.h"
+#include "Options/Text.h"
 
 #include "vtkBoneTolerance.h"
 #include "vtkBox.h"
@@ -10,8 +11,7 @@
 #include "vtkNew.h"
 #include "vtkSphere.h"
 
-#include <limits>
-#include <sstream>
+#include <optional>
 
 namespace bonedecimate
 {
@@ -20,8 +20,9 @@ namespace
 /// False if it is no number, or out of the range.
 bool ReadLength(const std::string& text, const NumberRange& range, double& number)
 {
-  number = NumberFromText(text).value_or(std::numeric_limits<double>::quiet_NaN());
-  return number >= range.Minimum && number <= range.Maximum; // false for NaN
+  const std::optional<double> value = ParseFinite(text);
+  number = value.value_or(0.0);
+  return value && IsInRange(range, *value);
 }
 
 bool IsOrdered(const std::vector<double>& box)
@@ -34,18 +35,18 @@ bool ReadShape(const std::string& text, Region& region)
 {
   const std::size_t colon = text.find(':');
   const std::string word = text.substr(0, colon);
-  const bool good =
-    ReadNumbers(colon == std::string::npos ? "" : text.substr(colon + 1), region.Numbers);
+  const bool areNumbers =
+    colon != std::string::npos && ReadNumbers(text.substr(colon + 1), region.Numbers);
   const std::size_t count = region.Numbers.size();
   if (word == "box")
   {
     region.Shape = Region::Box;
-    return good && count == 6 && IsOrdered(region.Numbers);
+    return areNumbers && count == 6 && IsOrdered(region.Numbers);
   }
   if (word == "sphere")
   {
     region.Shape = Region::Sphere;
-    return good && count == 4 && region.Numbers[3] >= 0.0;
+    return areNumbers && count == 4 && region.Numbers[3] >= 0.0;
   }
   return text == "rest";
 }
@@ -94,21 +95,19 @@ bool HoldsNoPoint(const Region& region, vtkPolyData* surface)
 
 bool ReadNumbers(const std::string& text, std::vector<double>& numbers)
 {
-  std::istringstream parts(text);
-  bool good = true;
-  for (std::string part; good && std::getline(parts, part, ',');)
+  bool areNumbers = true;
+  for (const std::string& part : SplitAt(text, ','))
   {
     numbers.emplace_back();
-    good = ReadLength(part, CoordinateRange, numbers.back());
+    areNumbers = areNumbers && ReadLength(part, CoordinateRange, numbers.back());
   }
-  return good && (text.empty() || text.back() != ',');
+  return areNumbers;
 }
 
 //------------------------------------------------------------------------------
 std::string ReadRegions(const std::string& text, std::vector<Region>& regions)
 {
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ';');)
+  for (const std::string& part : SplitAt(text, ';'))
   {
     Region region;
     const std::size_t equals = part.rfind('=');
@@ -121,8 +120,7 @@ std::string ReadRegions(const std::string& text, std::vector<Region>& regions)
     region.Text = part;
     regions.push_back(region);
   }
-  return text.empty() ? "takes box:x0,x1,y0,y1,z0,z1=MM, sphere:x,y,z,radius=MM or rest=MM, not ''"
-                      : "";
+  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -149,7 +147,8 @@ vtkSmartPointer<vtkPolyData> WithTolerances(
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> IdleRegions(vtkPolyData* surface, const std::vector<Region>& regions)
+std::vector<std::string> RegionsWithoutPoints(
+  vtkPolyData* surface, const std::vector<Region>& regions)
 {
   std::vector<std::string> texts;
   for (const Region& region : regions)

@@ -20,12 +20,12 @@ struct Region
   enum Shapes
   {
     Box,    ///< x0, x1, y0, y1, z0, z1, mm
-    Sphere, ///< centre x, y, z and radius, mm
+    Sphere, ///< center x, y, z and radius, mm
     Rest    ///< Whatever no other region and no array limits.
   };
   Shapes Shape = Rest;
   std::vector<double> Numbers;
-  double Tolerance = 0.0; ///< mm; 0 freezes
+  double Tolerance = 0.0; ///< mm; 0 constrains the vertices
   std::string Text;       ///< As it was given.
 };
 
@@ -44,7 +44,8 @@ vtkSmartPointer<vtkPolyData> WithTolerances(
   vtkPolyData* surface, const std::vector<Region>& regions, const std::string& arrayName);
 
 /// The texts of the regions that hold no point of the surface, and so limit nothing.
-std::vector<std::string> IdleRegions(vtkPolyData* surface, const std::vector<Region>& regions);
+std::vector<std::string> RegionsWithoutPoints(
+  vtkPolyData* surface, const std::vector<Region>& regions);
 }
 
 #endif

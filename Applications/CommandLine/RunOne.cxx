@@ -5,20 +5,21 @@
 #include "BoneVolume.h"
 #include "BoundText.h"
 #include "ExitCode.h"
-#include "FileChecks.h"
+#include "FileNames.h"
 #include "FileRounding.h"
 #include "FilterOptions.h"
+#include "FilterRun.h"
+#include "Formats/FileChecks.h"
+#include "Formats/SurfaceFormat.h"
 #include "Interruption.h"
 #include "JsonReport.h"
 #include "OutputFiles.h"
 #include "Page.h"
 #include "Picture.h"
-#include "ProgressBar.h"
 #include "ReportFields.h"
 #include "StageClock.h"
 #include "Summary.h"
 #include "SurfaceFiles.h"
-#include "SurfaceFormat.h"
 #include "VtkMessages.h"
 #include "WrittenProof.h"
 
@@ -33,12 +34,12 @@ namespace bonedecimate
 {
 namespace
 {
-/// A bone on its way; the verbs are in the order of RunOne().
+/// One run; the steps are in the order of RunOne().
 class BoneRun
 {
 public:
   explicit BoneRun(const Arguments& arguments)
-    : Asked(arguments)
+    : Requested(arguments)
     , Path(arguments.Inputs[0])
     , Subject(SubjectOf(arguments, arguments.Inputs[0], arguments.Output))
     , Volume(IsVolume(arguments.Inputs[0]))
@@ -54,11 +55,11 @@ public:
     const StageClock watch;
     if (this->Volume)
     {
-      const BoneSurface bone = ExtractBoneSurface(this->Path, *this->Asked.Iso,
-        this->Asked.TakesLabels ? LabelPolicy::AsIntensities : LabelPolicy::Refuse);
+      const BoneSurface bone = ExtractBoneSurface(this->Path, *this->Requested.Iso,
+        this->Requested.TakesLabels ? LabelPolicy::AsIntensities : LabelPolicy::Reject);
       if (!bone.Surface)
       {
-        Refuse(this->Path, bone.Problem);
+        Reject(this->Path, bone.Problem);
       }
       this->Input = bone.Surface;
       this->VoxelSize = bone.VoxelSize;
@@ -69,15 +70,15 @@ public:
     }
     else
     {
-      const MillimeterSurface loaded = ReadInMillimeters(this->Path, this->Asked.Unit);
+      const MillimeterSurface loaded =
+        ReadInput(this->Path, this->Requested.Unit, this->Subject.Warnings);
       this->Input = loaded.Surface;
       this->InputInFile = loaded.InFile;
       this->IsSingle = loaded.IsSingle();
-      this->Subject.Warnings = loaded.Warnings;
     }
-    if (!this->Asked.Reference.empty())
+    if (!this->Requested.Reference.empty())
     {
-      this->Reference = ReadInMillimeters(this->Asked.Reference, this->Asked.Unit).Surface;
+      this->Reference = ReadInMillimeters(this->Requested.Reference, this->Requested.Unit).Surface;
       this->Filter->SetReferenceData(this->Reference);
     }
     this->Subject.SecondsRead = watch.Seconds();
@@ -85,27 +86,23 @@ public:
 
   void Decimate()
   {
-    Options options = OptionsForFiles(this->Asked);
+    Options options = OptionsForFiles(this->Requested);
     if (options.ErrorPreset != ErrorPreset::NoPreset && options.VoxelSize == 0.0)
     {
       options.VoxelSize = this->VoxelSize;
     }
-    this->LeaveRoom(options);
+    this->ReserveRounding(options);
     ApplyOptions(options, this->Filter);
     this->TakeRegions();
     this->Filter->SetMeasureInputDistances(this->WantsDistances());
-    vtkNew<ProgressBar> bar;
-    bar->SetShown(!this->Asked.Quiet);
-    bar->SetTags(this->Asked.HasTags);
-    this->Filter->AddObserver(vtkCommand::ProgressEvent, bar);
-    this->Filter->SetInputData(this->InputWithRoom());
-    TakeVtkMessages();
-    this->Filter->Update();
-    bar->Clear();
-    StopIfInterrupted();
-    const VtkMessages messages = TakeVtkMessages();
+    this->Filter->SetInputData(this->InputBeforeRounding());
+    const VtkMessages messages = UpdateFilter(this->Filter,
+      this->Requested.HasTags   ? Progress::Tags
+        : this->Requested.Quiet ? Progress::Hidden
+                                : Progress::Bar);
     this->AcceptProof(messages);
-    this->AcceptMessages(messages);
+    this->RequireTriangles(messages);
+    AcceptMessages(messages, this->Path, this->Subject.Warnings);
     this->TakeResult();
   }
 
@@ -116,7 +113,7 @@ public:
     {
       const vtkSmartPointer<vtkPolyData> readBack =
         WriteSurface(this->InFile, file.GetTemporary(), file.GetTarget());
-      this->ProveFile(ToMillimeters(readBack, this->Asked.Unit), file.GetTarget());
+      this->ProveFile(ToMillimeters(readBack, this->Requested.Unit), file.GetTarget());
       const std::string loss = LossText(this->InFile, file.GetTarget());
       if (!loss.empty())
       {
@@ -176,14 +173,14 @@ public:
 
   void Tell(const std::vector<std::string>& written)
   {
-    if (!this->Asked.Quiet)
+    if (!this->Requested.Quiet)
     {
       PrintSummary(this->Result, this->Subject, this->Notes, written);
     }
-    if (!this->Asked.Picture.empty() && !this->PictureProblem.empty())
+    if (!this->Requested.Picture.empty() && !this->PictureProblem.empty())
     {
       throw Failure(ExitCode::CouldNotWrite,
-        "could not draw '" + this->Asked.Picture + "': " + this->PictureProblem +
+        "could not draw '" + this->Requested.Picture + "': " + this->PictureProblem +
           "; everything else is written");
     }
   }
@@ -191,51 +188,52 @@ public:
   vtkSmartPointer<vtkPolyData> GetResult() { return this->Result; }
 
 private:
-  /// For what writing in another unit rounds.
-  void LeaveRoom(Options& options)
+  /// Reduces the largest error by what writing in another unit rounds.
+  void ReserveRounding(Options& options)
   {
-    if (this->Asked.Unit.IsMillimeter())
+    if (this->Requested.Unit.IsMillimeter())
     {
       return;
     }
     this->WritesSingle = options.OutputPointsPrecision == PointsPrecision::Single ||
       (options.OutputPointsPrecision == PointsPrecision::Default && this->IsSingle);
     options.OutputPointsPrecision = PointsPrecision::Double;
-    const bool isLimited = !options.ToleranceArrayName.empty() || !this->Asked.Regions.empty();
-    if (options.PromisesError() || (isLimited && options.Mode != Mode::Thesis))
+    const bool isLimited = !options.ToleranceArrayName.empty() || !this->Requested.Regions.empty();
+    if (options.BoundsError() || (isLimited && options.ProvesError()))
     {
-      this->Room = LargestRounding(this->Input, this->Asked.Unit, this->WritesSingle);
+      this->Rounding = LargestRounding(this->Input, this->Requested.Unit, this->WritesSingle);
     }
-    this->Error = options.PromisesError() ? KnownError(options) : 0.0;
+    this->Error = options.BoundsError() ? KnownError(options) : 0.0;
     if (this->Error > 0.0)
     {
-      options.MaximumError = ErrorWithRoom(this->Error, this->Room, this->Asked.Unit, this->Path);
+      options.MaximumError =
+        ErrorBeforeRounding(this->Error, this->Rounding, this->Requested.Unit, this->Path);
     }
   }
 
-  vtkSmartPointer<vtkPolyData> InputWithRoom() const
+  vtkSmartPointer<vtkPolyData> InputBeforeRounding() const
   {
     const std::string array = this->Filter->GetToleranceArrayName();
-    if (this->Room == 0.0 || array.empty())
+    if (this->Rounding == 0.0 || array.empty())
     {
       return this->Input;
     }
-    if (this->WritesSingle && !this->IsSingle && HasFrozenPoints(this->Input, array))
+    if (this->WritesSingle && !this->IsSingle && HasZeroTolerance(this->Input, array))
     {
-      Refuse(this->Path,
-        "single precision in " + this->Asked.Unit.Name +
-          " would move points of tolerance 0; obj, ply, vtp and vtk hold double precision");
+      Reject(this->Path,
+        "single precision in " + this->Requested.Unit.Name + " would move points of tolerance 0; " +
+          ExtensionsThat(&SurfaceFormat::HoldsDoubles) + " hold double precision");
     }
-    return TolerancesWithRoom(this->Input, array, this->Room);
+    return TolerancesBeforeRounding(this->Input, array, this->Rounding);
   }
 
   /// The result in millimeters with what is proved of the files, and as the files will have it.
   void TakeResult()
   {
-    const LengthUnit& unit = this->Asked.Unit;
+    const LengthUnit& unit = this->Requested.Unit;
     this->Result = this->Filter->GetOutput();
     this->InFile = FromMillimeters(this->Result, unit, this->WritesSingle, this->InputInFile);
-    if (this->Room == 0.0)
+    if (this->Rounding == 0.0)
     {
       return;
     }
@@ -251,14 +249,14 @@ private:
 
   vtkSmartPointer<vtkPolyData> HeatmapInFile() const
   {
-    if (this->Asked.Unit.IsMillimeter())
+    if (this->Requested.Unit.IsMillimeter())
     {
       return this->Filter->GetOutput(1);
     }
     const vtkSmartPointer<vtkPolyData> heatmap =
       FromMillimeters(WithWidenedBounds(this->Filter->GetOutput(1),
                         this->Filter->GetInputErrorBoundArrayName(), this->Move),
-        this->Asked.Unit, this->IsSingle, this->InputInFile);
+        this->Requested.Unit, this->IsSingle, this->InputInFile);
     const std::string array = this->Filter->GetToleranceArrayName();
     if (!array.empty())
     {
@@ -269,28 +267,28 @@ private:
 
   bool WantsDistances() const
   {
-    return !this->Asked.Heatmap.empty() || !this->Asked.Picture.empty() ||
-      !this->Asked.Page.empty();
+    return !this->Requested.Heatmap.empty() || !this->Requested.Picture.empty() ||
+      !this->Requested.Page.empty();
   }
 
   void AcceptProof(const VtkMessages& messages) const
   {
-    const std::string verdict = this->Filter->GetReportText("proof.verdict");
-    if (verdict == "violated" || verdict == "undecided")
+    const std::string status = this->Filter->GetReportText("proof.status");
+    if (status == "violated" || status == "undecided")
     {
-      throw Failure(verdict == "violated" ? ExitCode::Violated : ExitCode::Undecided,
+      throw Failure(status == "violated" ? ExitCode::Violated : ExitCode::Undecided,
         "'" + BaseName(this->Path) + "': " +
-          (messages.Errors.empty() ? verdict : messages.Errors.front()) + "; nothing was written");
+          (messages.Errors.empty() ? status : messages.Errors.front()) + "; nothing was written");
     }
   }
 
   void ProveFile(vtkPolyData* readBack, const std::string& target)
   {
-    if (this->Filter->GetReportText("proof.verdict").empty())
+    if (this->Filter->GetReportText("proof.status").empty())
     {
       return;
     }
-    const vtkSmartPointer<vtkPolyData> inFile = ToMillimeters(this->InFile, this->Asked.Unit);
+    const vtkSmartPointer<vtkPolyData> inFile = ToMillimeters(this->InFile, this->Requested.Unit);
     ProvedRun run = { this->Input, inFile,
       ReportFields(this->Result).Number("proof.tolerance").value_or(0.0),
       this->Filter->GetToleranceArrayName(), this->Filter->GetMergePoints(),
@@ -312,12 +310,12 @@ private:
   /// An array of tolerances from the regions, if there are any.
   void TakeRegions()
   {
-    std::string name = this->Asked.Options.ToleranceArrayName;
+    std::string name = this->Requested.Options.ToleranceArrayName;
     if (!name.empty() && !this->Input->GetPointData()->HasArray(name.c_str()))
     {
-      Refuse(this->Path, "it has no point array '" + name + "'");
+      Reject(this->Path, "it has no point array '" + name + "'");
     }
-    if (!this->Asked.Regions.empty())
+    if (!this->Requested.Regions.empty())
     {
       if (name.empty())
       {
@@ -328,31 +326,25 @@ private:
         without->GetPointData()->RemoveArray(name.c_str());
         this->Input = without;
       }
-      for (const std::string& region : IdleRegions(this->Input, this->Asked.Regions))
+      for (const std::string& region : RegionsWithoutPoints(this->Input, this->Requested.Regions))
       {
         this->Subject.Warnings.push_back("no point of the surface lies in " + region);
       }
-      this->Input = WithTolerances(this->Input, this->Asked.Regions, name);
+      this->Input = WithTolerances(this->Input, this->Requested.Regions, name);
       this->Filter->SetToleranceArrayName(name);
     }
   }
 
-  void AcceptMessages(const VtkMessages& messages)
+  void RequireTriangles(const VtkMessages& messages) const
   {
-    if (!messages.Errors.empty())
+    if (messages.Errors.empty() && this->Filter->GetOutput()->GetNumberOfPolys() == 0)
     {
-      Refuse(this->Path, WithUnitHint(messages.Errors.front()));
-    }
-    if (this->Filter->GetOutput()->GetNumberOfPolys() == 0)
-    {
-      Refuse(
+      Reject(
         this->Path, messages.Warnings.empty() ? "it holds no triangle" : messages.Warnings.front());
     }
-    std::transform(messages.Warnings.begin(), messages.Warnings.end(),
-      std::back_inserter(this->Subject.Warnings), WithUnitHint);
   }
 
-  const Arguments& Asked;
+  const Arguments& Requested;
   const std::string& Path;
   StageClock Whole;
   ReportSubject Subject;
@@ -366,8 +358,8 @@ private:
 
   bool IsSingle = false;     // the input's file
   bool WritesSingle = false; // in another unit than millimeters
-  double Room = 0.0;         // mm, for rounding; 0 in millimeters
-  double Error = 0.0;        // mm, asked for in another unit than millimeters; 0: none
+  double Rounding = 0.0;     // mm, for rounding; 0 in millimeters
+  double Error = 0.0;        // mm, requested in another unit than millimeters; 0: none
   double Move = 0.0;         // mm, by rounding
   vtkSmartPointer<vtkPolyData> Result;
   vtkSmartPointer<vtkPolyData> InFile; // the same in the unit of the files

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RunOne.h
- * @brief One bone: read, decimate, write everything asked for, tell.
+ * @brief One bone: read, decimate, write the requested files, print a summary.
  */
 #ifndef BoneDecimate_Applications_RunOne_h
 #define BoneDecimate_Applications_RunOne_h
@@ -15,7 +15,7 @@
 namespace bonedecimate
 {
 /**
- * Either every file asked for is there afterwards or none of them, with one exception: a picture
+ * Either every requested file is there afterwards or none of them, with one exception: a picture
  * that could not be drawn does not take the others with it.
  * @return the result, with the report in its field data
  * @throws Failure, std::bad_alloc

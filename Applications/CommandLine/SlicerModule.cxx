@@ -3,7 +3,10 @@
 #include "SlicerModule.h"
 
 #include "Arguments.h"
-#include "Numbers.h"
+#include "CommandLine.h"
+#include "CommonOptions.h"
+#include "DeprecatedNames.h"
+#include "HelpFormatter.h"
 #include "ReportFields.h"
 #include "RunOne.h"
 #include "SlicerXml.h"
@@ -11,8 +14,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <iterator>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ namespace
 {
 using Words = std::vector<std::string>;
 
-/// What a panel says in Slicer's words.
+/// The words of a panel, sorted.
 struct SlicerWords
 {
   Words Rest; ///< The program's own.
@@ -111,30 +112,30 @@ void AddRegion(const std::string& text, Arguments& arguments)
   arguments.Regions.push_back({ Region::Rest, {}, 0.0, "rest" });
 }
 
-void AddPlaces(const SlicerWords& asked, Arguments& arguments)
+void AddRegions(const SlicerWords& requested, Arguments& arguments)
 {
-  if (asked.Region.empty() && asked.Kept.empty())
+  if (requested.Region.empty() && requested.Kept.empty())
   {
     return;
   }
-  if (!arguments.Options.PromisesError())
+  if (!arguments.Options.BoundsError())
   {
     throw Failure(
       ExitCode::Usage, "--roi and --keep need --max-error, in another mode than Thesis");
   }
-  const double radius = ReadNumber("--keep-radius", asked.KeptRadius, LengthRange);
-  for (const std::string& place : asked.Kept)
+  const double radius = ReadNumber("--keep-radius", requested.KeptRadius, LengthRange);
+  for (const std::string& center : requested.Kept)
   {
     Region ball;
     ball.Shape = Region::Sphere;
-    ball.Numbers = Numbers("--keep", place, 3);
+    ball.Numbers = Numbers("--keep", center, 3);
     ball.Numbers.push_back(radius);
-    ball.Text = "--keep " + place;
+    ball.Text = "--keep " + center;
     arguments.Regions.push_back(ball);
   }
-  if (!asked.Region.empty())
+  if (!requested.Region.empty())
   {
-    AddRegion(asked.Region, arguments);
+    AddRegion(requested.Region, arguments);
   }
 }
 
@@ -156,51 +157,47 @@ void WriteResults(vtkPolyData* result, const std::string& path)
   }
 }
 
-void Run(const Words& words)
+void Decimate(const SlicerWords& requested, Arguments& arguments)
 {
-  const SlicerWords asked = Sorted(words);
-  Words own = { "bonedecimate" };
-  own.insert(own.end(), asked.Rest.begin(), asked.Rest.end());
-  std::vector<char*> pointers;
-  std::transform(own.begin(), own.end(), std::back_inserter(pointers),
-    [](std::string& word) { return word.data(); });
-  pointers.push_back(nullptr);
-  std::optional<Arguments> arguments =
-    ParseArguments(static_cast<int>(own.size()), pointers.data());
-  if (!arguments)
-  {
-    return;
-  }
-  arguments->HasTags = true;
-  CheckArguments(*arguments);
-  if (IsBatch(*arguments))
+  TakeFiles(arguments);
+  arguments.HasTags = true;
+  CheckArguments(arguments);
+  if (IsBatch(arguments))
   {
     throw Failure(ExitCode::Usage, "--returnparameterfile is for one bone");
   }
-  AddPlaces(asked, *arguments);
+  AddRegions(requested, arguments);
   std::cout << "<filter-start>\n<filter-name>vtkBoneDecimate</filter-name>\n"
                "<filter-comment> \"Bone decimation\" </filter-comment>\n</filter-start>\n"
             << std::flush;
-  WriteResults(RunOne(*arguments), asked.ResultFile);
+  WriteResults(RunOne(arguments), requested.ResultFile);
   std::cout << "<filter-end>\n<filter-name>vtkBoneDecimate</filter-name>\n</filter-end>\n"
             << std::flush;
 }
+
+void Run(const Words& words)
+{
+  const SlicerWords requested = Sorted(words);
+  CLI::App program(ProgramDescription(), "bonedecimate");
+  Arguments arguments;
+  CLI::App& command = AddCommand(program, DefaultCommand, {}, ProgramDescription());
+  AddDecimateOptions(command, arguments);
+  command.final_callback([&requested, &arguments] { Decimate(requested, arguments); });
+  Words own = WithCurrentNames(requested.Rest);
+  own.insert(own.begin(), DefaultCommand);
+  RunCommandLine(program, own);
+}
 }
 
-bool IsSlicerCall(int argc, char* argv[])
+bool IsSlicerCall(const std::vector<std::string>& words)
 {
-  return std::any_of(argv + 1, argv + std::max(argc, 1),
-    [](const char* word)
-    {
-      const std::string text = word;
-      return text == "--xml" || text == "--returnparameterfile";
-    });
+  return std::any_of(words.begin(), words.end(),
+    [](const std::string& word) { return word == "--xml" || word == "--returnparameterfile"; });
 }
 
 //------------------------------------------------------------------------------
-ExitCode RunSlicerCall(int argc, char* argv[])
+ExitCode RunSlicerCall(const std::vector<std::string>& words)
 {
-  const Words words(argv + 1, argv + argc);
   if (std::find(words.begin(), words.end(), "--xml") != words.end())
   {
     std::cout << SlicerXml();

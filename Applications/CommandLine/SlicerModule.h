@@ -9,7 +9,7 @@
  *                  [--roi x,y,z,rx,ry,rz] [--keep x,y,z]... [--keep_radius MM]
  *
  * Flags may be written with underscores (--max_error), since Slicer allows no dashes in them.
- * A region of interest is its centre and half of its sides, mm; places are in the coordinates of the files (LPS in Slicer).
+ * A region of interest is its center and half of its sides, mm; positions are in the coordinates of the files (LPS in Slicer).
  * Progress goes to the standard output in Slicer's tags, results as "name = value" to FILE.
  */
 #ifndef BoneDecimate_Applications_SlicerModule_h
@@ -17,13 +17,16 @@
 
 #include "ExitCode.h"
 
+#include <string>
+#include <vector>
+
 namespace bonedecimate
 {
 /// Whether the words are Slicer's.
-bool IsSlicerCall(int argc, char* argv[]);
+bool IsSlicerCall(const std::vector<std::string>& words);
 
 /// @throws Failure, std::bad_alloc
-ExitCode RunSlicerCall(int argc, char* argv[]);
+ExitCode RunSlicerCall(const std::vector<std::string>& words);
 }
 
 #endif

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SlicerXml.h"
 
-#include "OptionTable.h"
-#include "Report.h"
+#include "Formats/SurfaceFormat.h"
+#include "Options/OptionTable.h"
+#include "Options/Text.h"
+#include "Report/Report.h"
 
 #include <algorithm>
 #include <limits>
@@ -13,8 +15,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// What a panel shows first. Where it begins with another value than the table has, the value stands here: a panel hands
-/// over every number, so that what steps back elsewhere has to be off.
+/// The first options of a panel. A panel passes every number, so a default that the program ignores next to other options is
+/// replaced by a value of its own.
 struct Shown
 {
   const char* Option;
@@ -22,17 +24,7 @@ struct Shown
 };
 constexpr Shown Goals[] = { { "MaximumError", "0.2" }, { "ErrorPreset", nullptr },
   { "VoxelSize", nullptr }, { "TargetNumberOfTriangles", nullptr }, { "TargetReduction", "1" },
-  { "Mode", nullptr }, { "KeepClearance", nullptr } };
-
-std::string Escaped(const std::string& text)
-{
-  std::string escaped;
-  for (const char c : text)
-  {
-    escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-  }
-  return escaped;
-}
+  { "Mode", nullptr }, { "IntersectionGuard", nullptr } };
 
 /// "MaximumError" becomes "Maximum error".
 std::string LabelOf(const std::string& name)
@@ -68,7 +60,7 @@ public:
       this->Add(*FindOption(goal.Option), goal.Value);
     }
     this->CloseGroup();
-    this->Places();
+    this->Regions();
     this->OpenGroup("Everything else", "The other options of the program.", true);
     for (const OptionInfo& info : OptionTable())
     {
@@ -88,7 +80,7 @@ public:
 private:
   void Put(const char* element, const std::string& text)
   {
-    this->Text << "<" << element << ">" << Escaped(text) << "</" << element << ">\n";
+    this->Text << "<" << element << ">" << EscapedXml(text) << "</" << element << ">\n";
   }
 
   void Head()
@@ -127,12 +119,20 @@ private:
     this->Text << "</" << element.substr(0, element.find(' ')) << ">\n";
   }
 
-  void Model(const char* name, const char* label, const char* channel, const char* place,
-    const std::string& value, const std::string& extensions = ".vtp,.vtk,.ply,.stl,.obj")
+  void Model(const char* name, const char* label, const char* channel, const char* element,
+    const std::string& value, bool needsArrays = false)
   {
+    std::string extensions;
+    for (const SurfaceFormat* format : SurfaceFormats())
+    {
+      if (format->HoldsArrays || !needsArrays)
+      {
+        extensions += (extensions.empty() ? "." : ",.") + std::string(format->Extension);
+      }
+    }
     this->Open("geometry fileExtensions=\"" + extensions + "\"", name, label, label);
     this->Put("channel", channel);
-    this->Put(place, value);
+    this->Put(element, value);
     this->Close("geometry");
   }
 
@@ -142,11 +142,11 @@ private:
     this->Model("inputModel", "Input model", "input", "index", "0");
     this->Model("outputModel", "Output model", "output", "index", "1");
     this->Model("heatmapModel", "Input model with its distance to the result", "output", "longflag",
-      "--heatmap", ".vtp,.vtk");
+      "--heatmap", true);
     this->CloseGroup();
   }
 
-  void Places()
+  void Regions()
   {
     this->OpenGroup("Where", "Needs a maximum error.");
     this->Open("region multiple=\"false\" coordinateSystem=\"lps\"", "roi", "Only inside of",
@@ -230,11 +230,11 @@ private:
 const std::vector<SlicerResult>& SlicerResults()
 {
   static const std::vector<SlicerResult> results = {
-    { "inputTriangles", "integer", "input.faces", "Triangles before" },
-    { "outputTriangles", "integer", "output.faces", "Triangles after" },
+    { "inputTriangles", "integer", "input.triangles", "Triangles before" },
+    { "outputTriangles", "integer", "output.triangles", "Triangles after" },
     { "fragments", "integer", "output.components", "Fragments after" },
     { "provedError", "double", "proof.upper", "Proved: no point is farther away (mm)" },
-    { "verdict", "string", "proof.verdict", "Whether that keeps what was asked for" },
+    { "proofStatus", "string", "proof.status", "Whether the requested error is kept" },
     { "averageDistance", "double", "distance.input_to_output.mean", "Average distance (mm)" },
     { "stopReason", "string", "stop_sentence", "Why it ended" },
   };

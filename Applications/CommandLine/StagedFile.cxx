@@ -3,7 +3,7 @@
 #include "StagedFile.h"
 
 #include "ExitCode.h"
-#include "SurfaceFormat.h"
+#include "FileNames.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -29,7 +29,7 @@ namespace
   throw Failure(ExitCode::CouldNotWrite, "could not write '" + target + "': " + reason);
 }
 
-/// What the name stands for; a link keeps pointing, the file behind it is replaced.
+/// The file of a name; a link stays, the file that it points to is replaced.
 fs::path ResolvedTarget(const std::string& target)
 {
   std::error_code error;
@@ -45,7 +45,7 @@ fs::path ResolvedTarget(const std::string& target)
 constexpr const char* CommonPrefix = ".bonedecimate-";
 
 /// Of the running system: only files of processes of the same kernel have locks that can be trusted
-/// here. Another computer may share the folder. Empty where the system does not tell.
+/// here. The folder may be on a network. Empty where the system does not tell.
 const std::string& SystemName()
 {
   static const std::string name = []
@@ -81,7 +81,7 @@ std::string TemporaryName(const fs::path& target, int attempt)
   return (target.parent_path() / name).string();
 }
 
-/// Whether the name still stands for the open file.
+/// Whether the name still is that of the open file.
 bool IsNameOf(const std::string& name, int file)
 {
   struct stat named = {};
@@ -90,7 +90,7 @@ bool IsNameOf(const std::string& name, int file)
     named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
 }
 
-/// Whoever is alive holds a lock on its files: what can be locked belongs to nobody.
+/// A running process holds a lock on its files: a file that can be locked belongs to none.
 void RemoveIfAbandoned(const std::string& name)
 {
   // For writing, without which network file systems give no lock.
@@ -110,13 +110,13 @@ void RemoveIfAbandoned(const std::string& name)
 }
 
 std::vector<fs::path> FilesIn(
-  const std::string& folder, const std::function<bool(const std::string&)>& isWanted)
+  const std::string& folder, const std::function<bool(const std::string&)>& isSelected)
 {
   std::vector<fs::path> found;
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
   {
-    if (isWanted(entry.path().filename().string()))
+    if (isSelected(entry.path().filename().string()))
     {
       found.push_back(entry.path());
     }

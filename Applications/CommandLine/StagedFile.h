@@ -18,7 +18,7 @@ namespace bonedecimate
  *
  * A process that is killed leaves its temporary file behind. The next that writes to the folder
  * removes it: as long as a process lives it holds a lock (flock) on each of its files, and the name
- * tells on which running system, so that files of another computer that shares the folder are left
+ * tells on which running system, so that files of another computer that uses the folder are left
  * alone.
  */
 class StagedFile

@@ -25,19 +25,19 @@ void PrintDistances(
   const std::optional<double> maximum = report.Number(path + ".max");
   if (maximum)
   {
-    std::cout << words << "max " << MillimetreText(*maximum) << ", mean "
-              << MillimetreText(report.Number(path + ".mean").value_or(0.0)) << ", RMS "
-              << MillimetreText(report.Number(path + ".rms").value_or(0.0)) << " mm\n";
+    std::cout << words << "max " << MillimeterText(*maximum) << ", mean "
+              << MillimeterText(report.Number(path + ".mean").value_or(0.0)) << ", RMS "
+              << MillimeterText(report.Number(path + ".rms").value_or(0.0)) << " mm\n";
   }
 }
 
-void PrintBorders(const ReportFields& report)
+void PrintBoundaries(const ReportFields& report)
 {
-  const std::optional<double> there = report.Number("distance.border_input_to_output.upper");
-  const std::optional<double> back = report.Number("distance.border_output_to_input.upper");
+  const std::optional<double> there = report.Number("distance.boundary_input_to_output.upper");
+  const std::optional<double> back = report.Number("distance.boundary_output_to_input.upper");
   if (there && back)
   {
-    std::cout << "open borders    within " << MillimetreText(std::max(*there, *back))
+    std::cout << "open boundaries within " << MillimeterText(std::max(*there, *back))
               << " mm of each other, curve to curve\n";
   }
 }
@@ -54,11 +54,11 @@ void PrintVoxel(const ReportFields& report)
                      : from == "grid" ? ", estimated from the grid of the surface"
                                       : ", estimated from edges, +- " + FixedText(error, 2) + " mm")
               << "; at most " << FixedText(report.Number("voxel.largest_error").value_or(0.0), 4)
-              << " mm asked for\n";
+              << " mm requested\n";
   }
 }
 
-/// What was left out on request, the largest first.
+/// The components left out on request, the largest first.
 void PrintPruned(const ReportFields& report)
 {
   constexpr int mostPrinted = 10;
@@ -67,28 +67,28 @@ void PrintPruned(const ReportFields& report)
     return;
   }
   std::cout << "pruned          " << Count(report, "pruned.components") << " components, "
-            << Count(report, "pruned.faces") << " triangles\n";
+            << Count(report, "pruned.triangles") << " triangles\n";
   for (int i = 0; i < mostPrinted; ++i)
   {
     const std::string path = "pruned.list." + std::to_string(i);
-    if (!report.Number(path + ".faces"))
+    if (!report.Number(path + ".triangles"))
     {
       return;
     }
     const auto length = [&](const char* name)
-    { return MillimetreText(report.Number(path + name).value_or(0.0)); };
-    std::cout << "  " << Count(report, path + ".faces") << " triangles, " << length(".size")
-              << " mm, at " << length(".place.0") << ", " << length(".place.1") << ", "
-              << length(".place.2") << "\n";
+    { return MillimeterText(report.Number(path + name).value_or(0.0)); };
+    std::cout << "  " << Count(report, path + ".triangles") << " triangles, " << length(".size")
+              << " mm, at " << length(".center.0") << ", " << length(".center.1") << ", "
+              << length(".center.2") << "\n";
   }
 }
 
-/// What the doctor found in the input.
-void PrintFindings(const ReportFields& report)
+/// The diagnostics of the input.
+void PrintDiagnostics(const ReportFields& report)
 {
   for (int i = 0;; ++i)
   {
-    const std::string path = "findings." + std::to_string(i);
+    const std::string path = "diagnostics." + std::to_string(i);
     if (!report.Number(path + ".count"))
     {
       return;
@@ -107,12 +107,12 @@ void PrintProof(const ReportFields& report)
   {
     return;
   }
-  const std::string borders = report.Text("proof.borders");
+  const std::string boundaries = report.Text("proof.boundaries");
   std::cout << "proved          <= " << UpperBoundText(*upper, 6) << " mm in both directions"
-            << (report.Number("reference.faces") ? " to the reference" : "")
-            << (borders == "both"              ? ", open borders too"
-                   : borders == "not_compared" ? ", but for open borders"
-                                               : "");
+            << (report.Number("reference.triangles") ? " to the reference" : "")
+            << (boundaries == "both"              ? ", open boundaries too"
+                   : boundaries == "not_compared" ? ", but for open boundaries"
+                                                  : "");
   const double leftOut = report.Number("proof.triangles_left_out").value_or(0.0);
   if (leftOut > 0.0)
   {
@@ -128,20 +128,20 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
   const ReportFields report(result);
   const auto seconds = [&report](const char* name)
   { return GroupedText(report.Number(name).value_or(0.0), 2); };
-  std::cout << "triangles       " << Count(report, "input.faces") << " -> "
-            << Count(report, "output.faces") << "\n"
+  std::cout << "triangles       " << Count(report, "input.triangles") << " -> "
+            << Count(report, "output.triangles") << "\n"
             << "components      " << Count(report, "output.components") << " of "
             << Count(report, "input.components") << " kept\n";
   PrintPruned(report);
-  PrintFindings(report);
-  if (report.Number("reference.faces"))
+  PrintDiagnostics(report);
+  if (report.Number("reference.triangles"))
   {
-    std::cout << "reference       " << Count(report, "reference.faces")
+    std::cout << "reference       " << Count(report, "reference.triangles")
               << " triangles: what distances are measured to\n";
   }
   PrintDistances(report, "output_to_input", "result to input ");
   PrintDistances(report, "input_to_output", "input to result ");
-  PrintBorders(report);
+  PrintBoundaries(report);
   PrintVoxel(report);
   PrintProof(report);
   std::cout << "stop            " << report.Text("stop_sentence") << "\n"

@@ -2,76 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceFiles.h"
 
-#include "CoordinateCollector.h"
 #include "ExitCode.h"
-#include "FileChecks.h"
-#include "SurfaceFormat.h"
-#include "SurfaceReaders.h"
+#include "Formats/FileChecks.h"
+#include "Formats/SurfaceFormat.h"
 #include "VtkMessages.h"
-#include "WritePly.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
-#include "vtkNew.h"
-#include "vtkOBJWriter.h"
 #include "vtkPointData.h"
-#include "vtkPolyDataReader.h"
-#include "vtkPolyDataWriter.h"
-#include "vtkSTLWriter.h"
-#include "vtkXMLPolyDataReader.h"
-#include "vtkXMLPolyDataWriter.h"
 
 namespace bonedecimate
 {
 namespace
 {
-template <typename Reader>
-vtkSmartPointer<vtkPolyData> ReadWith(Reader* reader, const std::string& path)
-{
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  return reader->GetOutput();
-}
-
-/// Text may hold what the array of single precision that VTK makes of it does not.
-vtkSmartPointer<vtkPolyData> WithTextPoints(
-  vtkSmartPointer<vtkPolyData> surface, CoordinateCollector& text)
-{
-  const auto points = text.MakePoints();
-  const bool isRounded = surface->GetPoints() && points->GetDataType() == VTK_DOUBLE &&
-    surface->GetPoints()->GetDataType() != VTK_DOUBLE &&
-    surface->GetPoints()->GetNumberOfPoints() == points->GetNumberOfPoints();
-  if (isRounded)
-  {
-    surface->SetPoints(points);
-  }
-  return surface;
-}
-
 /// What the format's reader says about it goes to VTK's messages or to the warnings.
 vtkSmartPointer<vtkPolyData> ReadFormat(const std::string& path, std::vector<std::string>& warnings)
 {
-  CoordinateCollector textPoints;
-  switch (FormatOf(path))
+  const SurfaceFormat* const format = FindFormat(path);
+  if (format == nullptr)
   {
-    case SurfaceFormat::Obj:
-      return ReadObjFile(path, warnings);
-    case SurfaceFormat::Ply:
-      return ReadPlyFile(path, warnings);
-    case SurfaceFormat::Stl:
-      return ReadStlFile(path);
-    case SurfaceFormat::Vtp:
-      CheckVtpFile(path, textPoints);
-      return WithTextPoints(ReadWith(vtkNew<vtkXMLPolyDataReader>().Get(), path), textPoints);
-    case SurfaceFormat::Vtk:
-      CheckVtkFile(path, textPoints);
-      return WithTextPoints(ReadWith(vtkNew<vtkPolyDataReader>().Get(), path), textPoints);
-    case SurfaceFormat::Unknown:
-      break;
+    Reject(path, "its extension is none of " + SurfaceExtensions());
   }
-  Refuse(path, std::string("its extension is none of ") + SurfaceExtensions);
+  return format->Read(path, warnings);
 }
 
 /// Offsets that run backwards or past the end would take every later step out of its arrays.
@@ -86,62 +39,13 @@ vtkIdType CountFaces(vtkPolyData* surface)
   return surface->GetPolys()->GetNumberOfCells() + surface->GetStrips()->GetNumberOfCells();
 }
 
-template <typename Writer>
-void WriteWith(Writer* writer, vtkPolyData* surface, const std::string& path)
-{
-  writer->SetFileName(path.c_str());
-  writer->SetInputData(surface);
-  writer->Write();
-  const unsigned long error = writer->GetErrorCode();
-  if (error != vtkErrorCode::NoError)
-  {
-    const bool full = error == vtkErrorCode::OutOfDiskSpaceError;
-    throw Failure(ExitCode::CouldNotWrite,
-      full ? "the disk is full" : vtkErrorCode::GetStringFromErrorCode(error));
-  }
-}
-
-void WriteFormat(vtkPolyData* surface, const std::string& path)
-{
-  switch (FormatOf(path))
-  {
-    case SurfaceFormat::Obj:
-      return WriteWith(vtkNew<vtkOBJWriter>().Get(), surface, path);
-    case SurfaceFormat::Ply:
-      return WritePlyFile(surface, path);
-    case SurfaceFormat::Stl:
-    {
-      vtkNew<vtkSTLWriter> writer;
-      writer->SetFileTypeToBinary();
-      return WriteWith(writer.Get(), surface, path);
-    }
-    case SurfaceFormat::Vtp:
-    {
-      vtkNew<vtkXMLPolyDataWriter> writer;
-      writer->SetDataModeToAppended();
-      writer->EncodeAppendedDataOff();
-      writer->SetCompressorTypeToZLib();
-      return WriteWith(writer.Get(), surface, path);
-    }
-    case SurfaceFormat::Vtk:
-    {
-      vtkNew<vtkPolyDataWriter> writer;
-      writer->SetFileTypeToBinary();
-      return WriteWith(writer.Get(), surface, path);
-    }
-    case SurfaceFormat::Unknown:
-      break;
-  }
-}
-
 /// What can be read back, if it has as many points and triangles as it should.
 vtkSmartPointer<vtkPolyData> Arrived(vtkPolyData* surface, const std::string& path)
 {
   try
   {
     const LoadedSurface arrived = ReadSurface(path);
-    const bool samePoints =
-      FormatOf(path) == SurfaceFormat::Stl || // three of its own for every triangle
+    const bool samePoints = !FindFormat(path)->SharesPoints ||
       arrived.Surface->GetNumberOfPoints() == surface->GetNumberOfPoints();
     const bool isWhole = samePoints && CountFaces(arrived.Surface) == CountFaces(surface);
     return isWhole ? arrived.Surface : nullptr;
@@ -156,7 +60,7 @@ vtkSmartPointer<vtkPolyData> Arrived(vtkPolyData* surface, const std::string& pa
 vtkSmartPointer<vtkPolyData> WriteAndCheck(vtkPolyData* surface, const std::string& path)
 {
   TakeVtkMessages();
-  WriteFormat(surface, path);
+  FindFormat(path)->Write(surface, path);
   const VtkMessages messages = TakeVtkMessages();
   if (!messages.Errors.empty())
   {
@@ -180,24 +84,24 @@ LoadedSurface ReadSurface(const std::string& path)
   const VtkMessages messages = TakeVtkMessages();
   if (!messages.Errors.empty())
   {
-    Refuse(path, messages.Errors.front());
+    Reject(path, messages.Errors.front());
   }
   for (const std::string& warning : messages.Warnings)
   {
     // The legacy reader calls it a warning that data are missing, and returns what it has.
     if (warning.compare(0, 5, "Error") == 0)
     {
-      Refuse(path, warning);
+      Reject(path, warning);
     }
     loaded.Warnings.push_back(PrintableText(warning));
   }
   if (!loaded.Surface || !HasWholeCells(loaded.Surface))
   {
-    Refuse(path, "the cells of the surface are damaged");
+    Reject(path, "the cells of the surface are damaged");
   }
   if (!loaded.Surface->GetPoints() || CountFaces(loaded.Surface) == 0)
   {
-    Refuse(path, "it holds no triangle");
+    Reject(path, "it holds no triangle");
   }
   return loaded;
 }
@@ -217,19 +121,20 @@ vtkSmartPointer<vtkPolyData> WriteSurface(
 
 std::string LossText(vtkPolyData* surface, const std::string& path)
 {
-  const SurfaceFormat format = FormatOf(path);
+  const SurfaceFormat& format = *FindFormat(path);
   const int arrays = surface->GetPointData()->GetNumberOfArrays() +
     surface->GetCellData()->GetNumberOfArrays() + surface->GetFieldData()->GetNumberOfArrays();
   std::string text;
-  if (!HoldsArrays(format) && arrays > 0)
+  if (!format.HoldsArrays && arrays > 0)
   {
-    text = "cannot hold arrays such as the distance of each point; .vtp, .vtk and --heatmap can";
+    text = "cannot hold arrays such as the distance of each point; --heatmap and the formats " +
+      ExtensionsThat(&SurfaceFormat::HoldsArrays) + " can";
   }
-  if (!HoldsDoubles(format) && surface->GetPoints()->GetDataType() == VTK_DOUBLE)
+  if (!format.HoldsDoubles && surface->GetPoints()->GetDataType() == VTK_DOUBLE)
   {
     text += std::string(text.empty() ? "" : ", and ") +
       "rounds the double coordinates to single precision";
   }
-  return text.empty() ? text : ExtensionOf(path) + " " + text;
+  return text.empty() ? text : format.Extension + (" " + text);
 }
 }

@@ -22,7 +22,7 @@ struct LoadedSurface
   std::vector<std::string> Warnings;
 };
 
-/// @throws Failure(ExitCode::InputRefused)
+/// @throws Failure(ExitCode::InputRejected)
 LoadedSurface ReadSurface(const std::string& path);
 
 /**

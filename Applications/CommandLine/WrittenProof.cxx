@@ -4,7 +4,7 @@
 
 #include "BoundText.h"
 #include "ExitCode.h"
-#include "SurfaceFormat.h"
+#include "FileNames.h"
 
 #include "vtkBoneSurfaceDistance.h"
 #include "vtkCellArray.h"
@@ -21,14 +21,14 @@ namespace
 {
 constexpr int BoundDecimals = 9;
 
-std::array<double, 3> PlaceOf(vtkPolyData* surface, vtkIdType point)
+std::array<double, 3> PositionOf(vtkPolyData* surface, vtkIdType point)
 {
-  std::array<double, 3> place = {};
-  surface->GetPoint(point, place.data());
-  return place;
+  std::array<double, 3> position = {};
+  surface->GetPoint(point, position.data());
+  return position;
 }
 
-/// Equal places in the same order; points may have other numbers, as in STL files.
+/// Equal positions in the same order; points may have other numbers, as in STL files.
 bool IsSame(vtkPolyData* a, vtkPolyData* b)
 {
   const auto cellsA = vtk::TakeSmartPointer(a->GetPolys()->NewIterator());
@@ -45,7 +45,7 @@ bool IsSame(vtkPolyData* a, vtkPolyData* b)
     cellsB->GetCurrentCell(sizeB, cornersB);
     const bool isSame = sizeA == sizeB &&
       std::equal(cornersA, cornersA + sizeA, cornersB,
-        [a, b](vtkIdType p, vtkIdType q) { return PlaceOf(a, p) == PlaceOf(b, q); });
+        [a, b](vtkIdType p, vtkIdType q) { return PositionOf(a, p) == PositionOf(b, q); });
     if (!isSame)
     {
       return false;
@@ -65,13 +65,13 @@ void Certify(const ProvedRun& run, vtkPolyData* readBack, const std::string& tar
   }
   distance->SetToleranceArrayName(run.ToleranceArray);
   distance->SetTightBounds(false);
-  distance->SetMeasureBorders(run.WithBorders);
+  distance->SetMeasureBoundaries(run.WithBoundaries);
   distance->SetMeasureMeans(false);
   distance->SetNumberOfThreads(run.NumberOfThreads);
   distance->Update();
-  if (distance->GetVerdict() != vtkBoneSurfaceDistance::PROVED)
+  if (distance->GetStatus() != vtkBoneSurfaceDistance::PROVED)
   {
-    const bool isViolated = distance->GetVerdict() == vtkBoneSurfaceDistance::VIOLATED;
+    const bool isViolated = distance->GetStatus() == vtkBoneSurfaceDistance::VIOLATED;
     throw Failure(isViolated ? ExitCode::Violated : ExitCode::Undecided,
       "the certificate of '" + BaseName(target) + "' as it was read back " +
         (isViolated ? "contradicts" : "cannot decide") + " the largest error of " +

@@ -23,7 +23,7 @@ struct ProvedRun
   vtkPolyData* Output;
   double Tolerance;           ///< mm, everywhere; 0: none
   std::string ToleranceArray; ///< Of the input's points; empty: none.
-  bool WithBorders;
+  bool WithBoundaries;
   int NumberOfThreads;
 };
 

@@ -5,7 +5,7 @@
     pvpython ct_to_bone.py PLUGIN.so CT.mha FOLDER [ISO] [MAXIMUM_ERROR]
 
 PLUGIN.so is the plugin BoneDecimate; ISO is the contour value, 226 HU by default; MAXIMUM_ERROR is in mm, 0.3 by default. Into
-FOLDER go bone.vtp, bone.png (coloured by the proved bound of the error, mm) and bone.pvsm.
+FOLDER go bone.vtp, bone.png (colored by the proved bound of the error, mm) and bone.pvsm.
 """
 
 import pathlib
@@ -24,7 +24,7 @@ def bone_of(ct, iso, error):
 
 
 def show(bone, picture):
-    """Renders the bone, coloured by how far it may be from the contour, and its edges."""
+    """Renders the bone, colored by how far it may be from the contour, and its edges."""
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = [1000, 800]
     view.OrientationAxesVisibility = 0
@@ -45,7 +45,7 @@ def main(plugin, ct, folder, iso="226", error="0.3"):
     bone.UpdatePipeline()
     report = bone.GetDataInformation().GetFieldDataInformation()
     before, after, proved = (report.GetArrayInformation("bonedecimate." + name).GetComponentRange(0)[0]
-                             for name in ("input.faces", "output.faces", "proof.upper"))
+                             for name in ("input.triangles", "output.triangles", "proof.upper"))
     print(f"{before:.0f} triangles -> {after:.0f}, no point farther than {proved:.3f} mm")
     simple.SaveData(str(folder / "bone.vtp"), proxy=bone)  # first: it needs no screen
     show(bone, folder / "bone.png")

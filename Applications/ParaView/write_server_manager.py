@@ -4,7 +4,7 @@
 """Writes Plugin/BoneDecimate.xml, the panel of ParaView, from the table in Documentation/options.md.
 
 That page is the core's table of options word for word (a test holds it against the program), so names, ranges, units, defaults
-and texts are written nowhere else. What only a panel knows stands below: what belongs together, what applies when.
+and texts are written nowhere else. Below is what only a panel has: groups, and when an option applies.
 
     write_server_manager.py            write it
     write_server_manager.py --check    fail if it is not what would be written
@@ -20,13 +20,13 @@ TABLE = ROOT / "Documentation" / "options.md"
 PANEL = pathlib.Path(__file__).resolve().parent / "Plugin" / "BoneDecimate.xml"
 
 GROUPS = [
-    ("How far (lengths in mm)", ["Mode", "TargetNumberOfTriangles", "TargetReduction", "MaximumError", "ErrorPreset", "VoxelSize",
+    ("Targets (lengths in mm)", ["Mode", "TargetNumberOfTriangles", "TargetReduction", "MaximumError", "ErrorPreset", "VoxelSize",
                  "ToleranceArrayName", "LabelArrayName"]),
-    ("What is promised", ["KeepClearance", "ProveResult"]),
-    ("What comes out", ["MeasureDistances", "MeasureInputDistances", "PassArrays", "MakeMaps", "RecomputeNormals",
+    ("Proof", ["IntersectionGuard", "ProveResult"]),
+    ("Output", ["MeasureDistances", "MeasureInputDistances", "PassArrays", "MakeMaps", "RecomputeNormals",
                         "OutputPointsPrecision"]),
 ]
-# Not at first sight: the advanced toggle of the panel shows them.
+# Shown by the advanced toggle of the panel.
 ADVANCED = {"MergePoints", "NumberOfThreads", "OutputPointsPrecision", "MakeMaps"}
 
 THESIS = ("Mode", "0", False)
@@ -34,7 +34,7 @@ NOT_THESIS = ("Mode", "0", True)
 HAS_ERROR = [("MaximumError", "0", True), ("ErrorPreset", "0", True), ("ToleranceArrayName", "", True)]
 # Enabled where one of each list holds: (property, value, inverted).
 APPLIES = {
-    "KeepClearance": [[NOT_THESIS], HAS_ERROR],
+    "IntersectionGuard": [[NOT_THESIS], HAS_ERROR],
     "ProveResult": [[NOT_THESIS], HAS_ERROR],
     "ErrorBoundArrayName": [[NOT_THESIS], HAS_ERROR, [("ProveResult", "1", False)]],
     "InputErrorBoundArrayName": [[NOT_THESIS], HAS_ERROR, [("ProveResult", "1", False)], [("MeasureInputDistances", "1", False)]],
@@ -52,10 +52,10 @@ HEAD = """<!-- Written by write_server_manager.py from Documentation/options.md.
 <ServerManagerConfiguration>
   <ProxyGroup name="filters">
     <SourceProxy name="BoneDecimate" class="vtkPVBoneDecimate" label="Bone Decimate">
-      <Documentation short_help="Make a bone surface smaller, keep every fragment, report the error in millimetres.">
-        Takes a surface as a contour leaves it and returns one with fewer triangles. Coordinates are millimetres. No component is
-        removed or merged with another, open borders move only along themselves. With MaximumError no point of either surface
-        is farther than that from the other, which is proved. The report is in the field data (bonedecimate.*).
+      <Documentation short_help="Make a bone surface smaller, keep every fragment, report the error in millimeters.">
+        Returns the surface with fewer triangles. Coordinates are millimeters. No component is
+        removed or merged with another, open boundaries move only along themselves. With MaximumError no point of either surface
+        is farther than that from the other, which is proved. The report is in the field data: BoneDecimateReport as JSON, its main figures as bonedecimate.*.
       </Documentation>
       <InputProperty name="Input" command="SetInputConnection" port_index="0">
         <ProxyGroupDomain name="groups"><Group name="sources"/><Group name="filters"/></ProxyGroupDomain>
@@ -66,7 +66,7 @@ HEAD = """<!-- Written by write_server_manager.py from Documentation/options.md.
       <InputProperty name="Reference" command="SetInputConnection" port_index="1" null_on_empty="1">
         <ProxyGroupDomain name="groups"><Group name="sources"/><Group name="filters"/></ProxyGroupDomain>
         <DataTypeDomain name="input_type"><DataType value="vtkPolyData"/></DataTypeDomain>
-        <Documentation>The first surface, if the input is itself a result: what MaximumError is promised against.</Documentation>
+        <Documentation>The original surface, if the input is itself a result: MaximumError is proved against it.</Documentation>
         <Hints><Optional/></Hints>
       </InputProperty>
 """

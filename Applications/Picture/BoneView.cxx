@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoneView.h"
 
-#include "DistanceColours.h"
+#include "DistanceColors.h"
 #include "SurfaceDistances.h"
 
 #include "vtkCleanPolyData.h"
@@ -64,16 +64,16 @@ void ShowTriangles(vtkActor* bone, double lineWidth)
   property->SetLineWidth(static_cast<float>(lineWidth));
 }
 
-void ColourByDistance(vtkActor* bone, const std::string& arrayName, double range)
+void ColorByDistance(vtkActor* bone, const std::string& arrayName, double range)
 {
   vtkMapper* mapper = bone->GetMapper();
   mapper->SetScalarModeToUsePointFieldData();
   mapper->SelectColorArray(arrayName.c_str());
-  mapper->SetLookupTable(DistanceColours(range));
+  mapper->SetLookupTable(DistanceColors(range));
   mapper->UseLookupTableScalarRangeOn();
   mapper->InterpolateScalarsBeforeMappingOn();
   mapper->ScalarVisibilityOn();
-  // Less shadow and no shine, so that the colours can be read off.
+  // Less shadow and no shine, so that the colors can be read off.
   vtkProperty* property = bone->GetProperty();
   property->SetAmbient(0.3);
   property->SetDiffuse(0.75);

@@ -22,8 +22,8 @@ namespace bonedecimate
 /// Part of a window, in its fractions.
 struct Area
 {
-  Place LowerLeft;
-  Place UpperRight;
+  Position LowerLeft;
+  Position UpperRight;
 
   /// Width by height in pixels.
   double Aspect(vtkRenderWindow* window) const;
@@ -32,14 +32,14 @@ struct Area
 /// TrianglesOnly() with equal points merged and point normals.
 vtkSmartPointer<vtkPolyData> TrianglesWithNormals(vtkPolyData* surface);
 
-/// Shaded smoothly, in the colour of bone.
+/// Shaded smoothly, in the color of bone.
 vtkSmartPointer<vtkActor> MakeBone(vtkPolyData* surface);
 
 /// Flat triangles with their edges. @param lineWidth Pixels.
 void ShowTriangles(vtkActor* bone, double lineWidth);
 
-/// Colours from 0 to range (mm) by an array of the points.
-void ColourByDistance(vtkActor* bone, const std::string& arrayName, double range);
+/// Colors from 0 to range (mm) by an array of the points.
+void ColorByDistance(vtkActor* bone, const std::string& arrayName, double range);
 
 /// White behind everything that no view covers; has to come before the views.
 void AddBackdrop(vtkRenderWindow* window);

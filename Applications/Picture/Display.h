@@ -14,7 +14,7 @@ namespace bonedecimate
 {
 /**
  * VTK before 9.4 renders through X alone and ends the whole program where it finds none, so this
- * has to be asked first. If the environment's DISPLAY cannot be used, an Xvfb is started and
+ * has to be called first. If the environment's DISPLAY cannot be used, an Xvfb is started and
  * DISPLAY names it until the object goes. The Xvfb ends with the object, and also with the program
  * however that ends. Newer VTK chooses its window itself: there the object does nothing. Not to be
  * used by two threads at a time, for DISPLAY belongs to the process.

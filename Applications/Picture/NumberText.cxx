@@ -28,20 +28,20 @@ std::string GroupedText(double value, int decimals)
     return text;
   }
   const std::size_t first = text[0] == '-' ? 1 : 0;
-  std::size_t place = text.find('.');
-  place = place == std::string::npos ? text.size() : place;
-  while (place > first + 3)
+  std::size_t position = text.find('.');
+  position = position == std::string::npos ? text.size() : position;
+  while (position > first + 3)
   {
-    place -= 3;
-    text.insert(place, ",");
+    position -= 3;
+    text.insert(position, ",");
   }
   return text;
 }
 
-std::string MillimetreText(double millimetres)
+std::string MillimeterText(double millimeters)
 {
-  const bool isTiny = millimetres > 0.0 && millimetres < 0.0005;
-  return isTiny ? "< 0.001" : GroupedText(millimetres, 3);
+  const bool isTiny = millimeters > 0.0 && millimeters < 0.0005;
+  return isTiny ? "< 0.001" : GroupedText(millimeters, 3);
 }
 
 std::string ShortText(double value)

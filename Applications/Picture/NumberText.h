@@ -15,8 +15,8 @@ namespace bonedecimate
 /// Rounded to that many decimals, thousands set apart by commas.
 std::string GroupedText(double value, int decimals = 0);
 
-/// A length to the micrometre, without its unit; a smaller one that is not zero is "< 0.001".
-std::string MillimetreText(double millimetres);
+/// A length to the micrometer, without its unit; a smaller one that is not zero is "< 0.001".
+std::string MillimeterText(double millimeters);
 
 /// Few digits, for ticks and labels: "0.25", "10".
 std::string ShortText(double value);

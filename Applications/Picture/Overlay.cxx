@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Overlay.h"
 
-#include "DistanceColours.h"
+#include "DistanceColors.h"
 
 #include "vtkActor2D.h"
 #include "vtkCellArray.h"
@@ -28,13 +28,13 @@ constexpr std::array<double, 3> QuietInk = { 0.36, 0.38, 0.41 };
 
 void SetLook(vtkTextProperty* property, int pixels, bool isBold, bool isQuiet)
 {
-  const auto& colour = isQuiet ? QuietInk : Ink;
+  const auto& color = isQuiet ? QuietInk : Ink;
   property->SetFontFamilyToArial();
   property->SetFontSize(pixels);
   property->SetBold(isBold);
   property->SetItalic(false);
   property->SetShadow(false);
-  property->SetColor(colour[0], colour[1], colour[2]);
+  property->SetColor(color[0], color[1], color[2]);
 }
 }
 
@@ -66,14 +66,14 @@ void Overlay::Write(const Words& words)
   this->Renderer->AddActor2D(actor);
 }
 
-void Overlay::Draw(const std::vector<Place>& line, double width)
+void Overlay::Draw(const std::vector<Position>& line, double width)
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
   lines->InsertNextCell(static_cast<int>(line.size()));
-  for (const Place& place : line)
+  for (const Position& position : line)
   {
-    lines->InsertCellPoint(points->InsertNextPoint(place[0], place[1], 0.0));
+    lines->InsertCellPoint(points->InsertNextPoint(position[0], position[1], 0.0));
   }
   vtkNew<vtkPolyData> drawing;
   drawing->SetPoints(points);
@@ -90,18 +90,18 @@ void Overlay::Draw(const std::vector<Place>& line, double width)
   this->Renderer->AddActor2D(actor);
 }
 
-void Overlay::DrawRectangle(const Place& lowerLeft, const Place& upperRight, double width)
+void Overlay::DrawRectangle(const Position& lowerLeft, const Position& upperRight, double width)
 {
   this->Draw({ lowerLeft, { upperRight[0], lowerLeft[1] }, upperRight,
                { lowerLeft[0], upperRight[1] }, lowerLeft },
     width);
 }
 
-void Overlay::DrawColourBar(
-  const Place& lowerLeft, const Place& upperRight, double range, const std::string& title)
+void Overlay::DrawColorBar(
+  const Position& lowerLeft, const Position& upperRight, double range, const std::string& title)
 {
   vtkNew<vtkScalarBarActor> bar;
-  bar->SetLookupTable(DistanceColours(range));
+  bar->SetLookupTable(DistanceColors(range));
   bar->SetMaximumNumberOfColors(256);
   bar->SetOrientationToHorizontal();
   bar->SetNumberOfLabels(5);
@@ -116,6 +116,6 @@ void Overlay::DrawColourBar(
   this->Renderer->AddActor2D(bar);
   const double middle = 0.5 * (lowerLeft[0] + upperRight[0]);
   this->Write({ title, { middle, upperRight[1] - 0.16 * (upperRight[1] - lowerLeft[1]) }, 0.021,
-    Align::Centre, true });
+    Align::Center, true });
 }
 }

@@ -18,23 +18,23 @@
 namespace bonedecimate
 {
 /// x from the left, y from below, 0 to 1.
-using Place = std::array<double, 2>;
+using Position = std::array<double, 2>;
 
 enum class Align
 {
   Left,
-  Centre,
+  Center,
   Right
 };
 
 struct Words
 {
   std::string Text;
-  Place At;           ///< Of the text's middle in height.
+  Position At;        ///< Of the text's middle in height.
   double Size = 0.02; ///< Of the letters, in heights of the window.
   Align Side = Align::Left;
   bool IsBold = false;
-  bool IsQuiet = false; ///< Grey.
+  bool IsQuiet = false; ///< Gray.
 };
 
 class Overlay
@@ -44,11 +44,11 @@ public:
 
   void Write(const Words& words);
   /// @param width In heights of the window.
-  void Draw(const std::vector<Place>& line, double width = 0.002);
-  void DrawRectangle(const Place& lowerLeft, const Place& upperRight, double width = 0.002);
-  /// A bar of colours from 0 to range with its title above and numbers below.
-  void DrawColourBar(
-    const Place& lowerLeft, const Place& upperRight, double range, const std::string& title);
+  void Draw(const std::vector<Position>& line, double width = 0.002);
+  void DrawRectangle(const Position& lowerLeft, const Position& upperRight, double width = 0.002);
+  /// A bar of colors from 0 to range with its title above and numbers below.
+  void DrawColorBar(
+    const Position& lowerLeft, const Position& upperRight, double range, const std::string& title);
 
 private:
   int Pixels(double heights) const;

@@ -3,7 +3,7 @@
 #include "Picture.h"
 
 #include "BoneView.h"
-#include "DistanceColours.h"
+#include "DistanceColors.h"
 #include "NumberText.h"
 #include "Overlay.h"
 #include "ReportFields.h"
@@ -20,8 +20,8 @@ namespace bonedecimate
 {
 namespace
 {
-// The sheet from above, in fractions of the window: headline, captions, the whole bone, a line of
-// words, the close-ups, the footer with the colour bar.
+// The picture from top to bottom, in fractions of the window: headline, captions, the whole bone, a line of
+// words, the close-ups, the footer with the color bar.
 constexpr double TitleHeight = 0.055;
 constexpr double CaptionHeight = 0.048;
 constexpr double WholeBottom = 0.445;
@@ -64,9 +64,9 @@ Distances FindDistances(vtkPolyData* before, const PictureSubject& subject)
   Distances distances;
   distances.Array = before->GetPointData()->GetArray(subject.DistanceArrayName.c_str());
   const std::vector<double> sorted = SortedDistances(before, subject.DistanceArrayName);
-  distances.Range = ColourRange(sorted);
+  distances.Range = ColorRange(sorted);
   const double largest = sorted.empty() ? 0.0 : sorted.back();
-  // The report knows of places between the points, too.
+  // The report has distances between the points, too.
   const auto reported = ReportFields(subject.After).Number("distance.input_to_output.max");
   distances.Largest = std::max(largest, reported.value_or(0.0));
   return distances;
@@ -90,7 +90,7 @@ Rows ChooseRows(
 double CountBefore(vtkPolyData* before, vtkPolyData* after)
 {
   return ReportFields(after)
-    .Number("input.faces")
+    .Number("input.triangles")
     .value_or(static_cast<double>(before->GetNumberOfPolys()));
 }
 
@@ -101,30 +101,30 @@ void WriteCaptions(Overlay& overlay, const std::vector<std::string>& captions, b
     const Area area = ViewArea(column, true, hasTitle);
     const double middle = 0.5 * (area.LowerLeft[0] + area.UpperRight[0]);
     overlay.Write({ captions[static_cast<std::size_t>(column)],
-      { middle, area.UpperRight[1] + 0.5 * CaptionHeight }, 0.024, Align::Centre, true });
+      { middle, area.UpperRight[1] + 0.5 * CaptionHeight }, 0.024, Align::Center, true });
   }
 }
 
-/// Where a place of space lies in an area that shows a frame.
-Place PlaceInArea(
+/// Where a point of space lies in an area that shows a frame.
+Position PositionInArea(
   const Area& area, double aspect, const Rows& rows, const std::array<double, 3>& point)
 {
   std::array<double, 3> offset;
-  vtkMath::Subtract(point, rows.Whole.Centre, offset);
+  vtkMath::Subtract(point, rows.Whole.Center, offset);
   const double right = vtkMath::Dot(offset, rows.View.Right) / (rows.Whole.HalfHeight * aspect);
   const double up = vtkMath::Dot(offset, rows.View.Up) / rows.Whole.HalfHeight;
   return { area.LowerLeft[0] + 0.5 * (1.0 + right) * (area.UpperRight[0] - area.LowerLeft[0]),
     area.LowerLeft[1] + 0.5 * (1.0 + up) * (area.UpperRight[1] - area.LowerLeft[1]) };
 }
 
-/// Frames the place of the close-up in a view of the whole bone.
+/// Draws a frame around the close-up in a view of the whole bone.
 void MarkCloseUp(
   Overlay& overlay, vtkRenderWindow* window, int column, const Rows& rows, bool hasTitle)
 {
   const Area area = ViewArea(column, true, hasTitle);
-  const Place middle = PlaceInArea(area, area.Aspect(window), rows, rows.CloseUp.Centre);
-  const double share = 0.5 * rows.CloseUp.HalfHeight / rows.Whole.HalfHeight;
-  const double up = share * (area.UpperRight[1] - area.LowerLeft[1]);
+  const Position middle = PositionInArea(area, area.Aspect(window), rows, rows.CloseUp.Center);
+  const double scale = 0.5 * rows.CloseUp.HalfHeight / rows.Whole.HalfHeight;
+  const double up = scale * (area.UpperRight[1] - area.LowerLeft[1]);
   const double closeUpAspect = ViewArea(column, false, hasTitle).Aspect(window);
   const double right = up * closeUpAspect * window->GetSize()[1] / window->GetSize()[0];
   overlay.DrawRectangle(
@@ -139,7 +139,7 @@ void DrawScale(Overlay& overlay, vtkRenderWindow* window, const Area& area, cons
   const double widthShown = 2.0 * frame.HalfHeight * area.Aspect(window);
   const double length = RoundUp(0.12 * widthShown, { 1.0, 2.0, 5.0 });
   const double width = length / widthShown * (area.UpperRight[0] - area.LowerLeft[0]);
-  const Place left = { area.LowerLeft[0] + 0.008, area.LowerLeft[1] + 0.014 };
+  const Position left = { area.LowerLeft[0] + 0.008, area.LowerLeft[1] + 0.014 };
   overlay.Draw({ left, { left[0] + width, left[1] } }, 0.004);
   overlay.Write({ ShortText(length) + " mm", { left[0] + width + 0.006, left[1] }, 0.018 });
 }
@@ -150,15 +150,15 @@ void WriteDirections(Overlay& overlay, const Area& area)
   const double height = 0.5 * (area.LowerLeft[1] + area.UpperRight[1]);
   overlay.Write({ "R", { area.LowerLeft[0] + 0.006, height }, 0.018, Align::Left, false, true });
   overlay.Write({ "L", { area.UpperRight[0] - 0.006, height }, 0.018, Align::Right, false, true });
-  overlay.Write({ "S", { middle, area.UpperRight[1] - 0.016 }, 0.018, Align::Centre, false, true });
-  overlay.Write({ "I", { middle, area.LowerLeft[1] + 0.016 }, 0.018, Align::Centre, false, true });
+  overlay.Write({ "S", { middle, area.UpperRight[1] - 0.016 }, 0.018, Align::Center, false, true });
+  overlay.Write({ "I", { middle, area.LowerLeft[1] + 0.016 }, 0.018, Align::Center, false, true });
 }
 
 void WriteCloseUpCaption(Overlay& overlay, vtkRenderWindow* window, const Rows& rows)
 {
   const Area area = ViewArea(0, false, true);
   const double width = 2.0 * rows.CloseUp.HalfHeight * area.Aspect(window);
-  overlay.Write({ "Close-up: the framed place with its triangles, " +
+  overlay.Write({ "Close-up: the framed area with its triangles, " +
       ShortText(std::round(10.0 * width) / 10.0) + " mm wide",
     { area.LowerLeft[0] + 0.002, BetweenRows }, 0.02, Align::Left, true });
 }
@@ -170,11 +170,11 @@ void WriteFooter(Overlay& overlay, const Distances& distances)
   };
   if (distances.Array && distances.Largest > distances.Range)
   {
-    lines.push_back("Colours end at " + ShortText(distances.Range) +
-      " mm; the few larger distances have the last colour.");
+    lines.push_back("Colors end at " + ShortText(distances.Range) +
+      " mm; the few larger distances have the last color.");
   }
   lines.push_back("This software is not a medical device.");
-  Place at = { ViewArea(0, false, true).LowerLeft[0] + 0.002, 0.074 };
+  Position at = { ViewArea(0, false, true).LowerLeft[0] + 0.002, 0.074 };
   for (const std::string& line : lines)
   {
     overlay.Write({ line, at, 0.017, Align::Left, false, true });
@@ -184,7 +184,7 @@ void WriteFooter(Overlay& overlay, const Distances& distances)
 
 std::string DistanceCaption(const Distances& distances)
 {
-  return distances.Array ? "Distance, largest " + MillimetreText(distances.Largest) + " mm"
+  return distances.Array ? "Distance, largest " + MillimeterText(distances.Largest) + " mm"
                          : "Distance not measured";
 }
 
@@ -204,8 +204,8 @@ void AddViews(vtkRenderWindow* window, vtkPolyData* before, vtkPolyData* after, 
     }
     else if (distances.Array)
     {
-      ColourByDistance(bone, subject.DistanceArrayName, distances.Range);
-      ColourByDistance(closeUp, subject.DistanceArrayName, distances.Range);
+      ColorByDistance(bone, subject.DistanceArrayName, distances.Range);
+      ColorByDistance(closeUp, subject.DistanceArrayName, distances.Range);
     }
     AddView(window, ViewArea(column, true, hasTitle), bone, rows.View, rows.Whole);
     AddView(window, ViewArea(column, false, hasTitle), closeUp, rows.View, rows.CloseUp);
@@ -226,7 +226,7 @@ void ComposePicture(vtkRenderWindow* window, const PictureSubject& subject)
   Overlay overlay(window);
   if (hasTitle)
   {
-    overlay.Write({ subject.Title, { 0.5, 1.0 - 0.5 * TitleHeight }, 0.03, Align::Centre, true });
+    overlay.Write({ subject.Title, { 0.5, 1.0 - 0.5 * TitleHeight }, 0.03, Align::Center, true });
   }
   WriteCaptions(overlay,
     { "Before: " + GroupedText(CountBefore(before, subject.After)) + " triangles",
@@ -247,7 +247,7 @@ void ComposePicture(vtkRenderWindow* window, const PictureSubject& subject)
   if (distances.Array)
   {
     const Area area = ViewArea(2, false, hasTitle);
-    overlay.DrawColourBar({ area.LowerLeft[0] + 0.02, 0.005 },
+    overlay.DrawColorBar({ area.LowerLeft[0] + 0.02, 0.005 },
       { area.UpperRight[0] - 0.02, FooterHeight - 0.01 }, distances.Range,
       "distance to the result, mm");
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Picture.h
- * @brief The picture a surgeon looks at: before, after, and the distance in mm as colours with a
+ * @brief The picture a surgeon looks at: before, after, and the distance in mm as colors with a
  * scalar bar.
  */
 #ifndef BoneDecimate_Applications_Picture_h

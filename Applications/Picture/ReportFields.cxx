@@ -2,51 +2,93 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReportFields.h"
 
-#include "vtkAbstractArray.h"
-#include "vtkDataArray.h"
-#include "vtkVariant.h"
+#include "vtkFieldData.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace bonedecimate
 {
 namespace
 {
-const std::string Prefix = "bonedecimate.";
+using Json = nlohmann::ordered_json;
 
-bool IsFilled(vtkAbstractArray* array)
+/// Calls visit(name, value) for each value, with its name of words and dots.
+template <typename Visit>
+void VisitValues(const std::string& path, const Json& json, const Visit& visit)
 {
-  return array && array->GetNumberOfValues() > 0;
+  if (!json.is_structured())
+  {
+    visit(path, json);
+    return;
+  }
+  for (const auto& item : json.items())
+  {
+    VisitValues(path.empty() ? item.key() : path + "." + item.key(), item.value(), visit);
+  }
 }
+
+/// Whole numbers without a point.
+std::string TextOf(const Json& value)
+{
+  const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+  const bool isWhole = text.size() > 2 && text.compare(text.size() - 2, 2, ".0") == 0;
+  return value.is_number_float() && isWhole ? text.substr(0, text.size() - 2) : text;
+}
+}
+
+std::string ReportJsonOf(vtkPolyData* result, const char* arrayName)
+{
+  auto* array = result
+    ? vtkStringArray::SafeDownCast(result->GetFieldData()->GetAbstractArray(arrayName))
+    : nullptr;
+  return array && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0)) : "{}";
 }
 
 ReportFields::ReportFields(vtkPolyData* result)
-  : Fields(result ? result->GetFieldData() : nullptr)
 {
+  Json report = Json::parse(ReportJsonOf(result), nullptr, false);
+  if (report.is_object())
+  {
+    report.erase("units");
+    VisitValues("", report,
+      [this](const std::string& name, const Json& value)
+      {
+        const auto number =
+          value.is_number() ? std::optional<double>(value.get<double>()) : std::nullopt;
+        this->Fields.push_back({ name, number, TextOf(value) });
+      });
+  }
+}
+
+const ReportFields::Field* ReportFields::Find(const std::string& name) const
+{
+  const auto found = std::find_if(this->Fields.begin(), this->Fields.end(),
+    [&](const Field& field) { return field.Name == name; });
+  return found == this->Fields.end() ? nullptr : &*found;
 }
 
 std::optional<double> ReportFields::Number(const std::string& name) const
 {
-  vtkDataArray* array = this->Fields ? this->Fields->GetArray((Prefix + name).c_str()) : nullptr;
-  return IsFilled(array) ? std::optional<double>(array->GetComponent(0, 0)) : std::nullopt;
+  const Field* field = this->Find(name);
+  return field ? field->Number : std::nullopt;
 }
 
 std::string ReportFields::Text(const std::string& name) const
 {
-  vtkAbstractArray* array =
-    this->Fields ? this->Fields->GetAbstractArray((Prefix + name).c_str()) : nullptr;
-  return IsFilled(array) ? array->GetVariantValue(0).ToString() : std::string();
+  const Field* field = this->Find(name);
+  return field ? field->Text : std::string();
 }
 
 std::vector<std::string> ReportFields::NamesBelow(const std::string& beginning) const
 {
   std::vector<std::string> names;
-  const std::string whole = Prefix + beginning;
-  for (int i = 0; this->Fields && i < this->Fields->GetNumberOfArrays(); ++i)
+  for (const Field& field : this->Fields)
   {
-    const char* arrayName = this->Fields->GetArrayName(i);
-    const std::string name = arrayName ? arrayName : "";
-    if (name.compare(0, whole.size(), whole) == 0)
+    if (field.Name.compare(0, beginning.size(), beginning) == 0)
     {
-      names.push_back(name.substr(Prefix.size()));
+      names.push_back(field.Name);
     }
   }
   return names;

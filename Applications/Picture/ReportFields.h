@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ReportFields.h
- * @brief The report as it travels in the field data of a result: read by its names.
+ * @brief The report in the field data of a result, read by the names of its entries.
  */
 #ifndef BoneDecimate_Applications_ReportFields_h
 #define BoneDecimate_Applications_ReportFields_h
 
-#include "vtkFieldData.h"
 #include "vtkPolyData.h"
 
 #include <optional>
@@ -16,7 +15,10 @@
 
 namespace bonedecimate
 {
-/// Names are those of ReportTable.h, without the prefix of the field data.
+/// The JSON in the field data of an output: a report or, by that name, a certificate. "{}" if there is none.
+std::string ReportJsonOf(vtkPolyData* result, const char* arrayName = "BoneDecimateReport");
+
+/// Names are those of ReportTable.h.
 class ReportFields
 {
 public:
@@ -32,7 +34,15 @@ public:
   std::vector<std::string> NamesBelow(const std::string& beginning) const;
 
 private:
-  vtkFieldData* Fields = nullptr;
+  struct Field
+  {
+    std::string Name;
+    std::optional<double> Number;
+    std::string Text;
+  };
+  const Field* Find(const std::string& name) const;
+
+  std::vector<Field> Fields; // in the order of the report
 };
 }
 

@@ -28,12 +28,13 @@ vtkSmartPointer<vtkPolyData> WithArea(vtkPolyData* triangles)
   for (vtkIdType cell = 0; cell < triangles->GetNumberOfPolys(); ++cell)
   {
     triangles->GetPolys()->GetCellAtId(cell, corners);
-    std::array<std::array<double, 3>, 3> places;
+    std::array<std::array<double, 3>, 3> positions;
     for (vtkIdType i = 0; i < 3; ++i)
     {
-      triangles->GetPoint(corners->GetId(i), places[static_cast<std::size_t>(i)].data());
+      triangles->GetPoint(corners->GetId(i), positions[static_cast<std::size_t>(i)].data());
     }
-    if (vtkTriangle::TriangleArea(places[0].data(), places[1].data(), places[2].data()) > 0.0)
+    if (vtkTriangle::TriangleArea(positions[0].data(), positions[1].data(), positions[2].data()) >
+      0.0)
     {
       kept->InsertNextCell(corners);
     }

@@ -17,7 +17,7 @@ namespace bonedecimate
 {
 /// The triangles of a surface that have an area, polygons and strips among them, and none of the
 /// points that no such triangle uses: those would neither be seen nor measured, but frame the bone and stretch the
-/// colours. Point data is kept.
+/// colors. Point data is kept.
 vtkSmartPointer<vtkPolyData> TrianglesOnly(vtkPolyData* surface);
 
 /// The finite values of an array of the points that triangles use, ascending. Empty if there is no

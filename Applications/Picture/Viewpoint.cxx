@@ -24,9 +24,9 @@ using Vector = std::array<double, 3>;
 
 constexpr double Aside = 25.0;  // degrees
 constexpr double Above = 10.0;  // degrees
-constexpr double Margin = 1.15; // leaves room for the words at the edges of a view
+constexpr double Margin = 1.15; // leaves space for the words at the edges of a view
 constexpr double FacingCosine =
-  0.5; // what is seen more slantwise than 60 degrees is no place for a close-up
+  0.5; // what is seen more slantwise than 60 degrees is not used for a close-up
 constexpr vtkIdType VisibilityTests = 20000;
 
 Viewpoint ObliqueFront(double side)
@@ -119,9 +119,9 @@ Box BoxInView(const Viewpoint& view, vtkPolyData* surface)
 bool IsVisible(
   vtkStaticCellLocator* locator, const Viewpoint& view, const Vector& seen, double depth)
 {
-  const double clearance =
+  const double offset =
     1e-4 * (depth - seen[2]) + 1e-3; // mm, off the triangles at the point itself
-  const Vector from = InSpace(view, { seen[0], seen[1], seen[2] + clearance });
+  const Vector from = InSpace(view, { seen[0], seen[1], seen[2] + offset });
   const Vector to = InSpace(view, { seen[0], seen[1], depth });
   double parameter;
   Vector hit, local;
@@ -133,7 +133,7 @@ bool IsVisible(
 /// Squares of half a close-up's width, and the distances squared that are seen in each of them.
 using Weights = std::map<std::pair<int, int>, double>;
 
-Weights WeighPlaces(const Viewpoint& view, vtkPolyData* surface, vtkDataArray* distances,
+Weights WeighSquares(const Viewpoint& view, vtkPolyData* surface, vtkDataArray* distances,
   const Box& box, double square)
 {
   Weights weights;
@@ -162,15 +162,15 @@ Weights WeighPlaces(const Viewpoint& view, vtkPolyData* surface, vtkDataArray* d
 }
 
 /// The lower left of the two by two squares that weigh most together.
-std::pair<int, int> HeaviestPlace(const Weights& weights)
+std::pair<int, int> HeaviestSquare(const Weights& weights)
 {
   Weights sums;
-  for (const auto& [place, weight] : weights)
+  for (const auto& [position, weight] : weights)
   {
     for (const auto& [left, down] :
       { std::pair(0, 0), std::pair(1, 0), std::pair(0, 1), std::pair(1, 1) })
     {
-      sums[{ place.first - left, place.second - down }] += weight;
+      sums[{ position.first - left, position.second - down }] += weight;
     }
   }
   const auto heaviest = std::max_element(
@@ -206,7 +206,7 @@ Frame FrameCloseUp(
 {
   const Box box = BoxInView(view, surface);
   const double square = 0.5 * width;
-  const auto [column, row] = HeaviestPlace(WeighPlaces(view, surface, distances, box, square));
+  const auto [column, row] = HeaviestSquare(WeighSquares(view, surface, distances, box, square));
   const Vector middle = { box.Least[0] + (column + 1) * square, box.Least[1] + (row + 1) * square,
     0.5 * (box.Least[2] + box.Greatest[2]) };
   return { InSpace(view, middle), square };
@@ -216,11 +216,11 @@ void AimCamera(vtkCamera* camera, const Viewpoint& view, const Frame& frame)
 {
   camera->ParallelProjectionOn();
   camera->SetParallelScale(frame.HalfHeight);
-  camera->SetFocalPoint(frame.Centre.data());
+  camera->SetFocalPoint(frame.Center.data());
   Vector position;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    position[i] = frame.Centre[i] + 10.0 * frame.HalfHeight * view.ToViewer[i];
+    position[i] = frame.Center[i] + 10.0 * frame.HalfHeight * view.ToViewer[i];
   }
   camera->SetPosition(position.data());
   camera->SetViewUp(view.Up.data());

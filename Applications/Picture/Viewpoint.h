@@ -27,7 +27,7 @@ struct Viewpoint
 /// What a parallel camera shows, mm.
 struct Frame
 {
-  std::array<double, 3> Centre;
+  std::array<double, 3> Center;
   double HalfHeight;
 };
 
@@ -42,7 +42,7 @@ Viewpoint ChooseViewpoint(vtkPolyData* surface, vtkDataArray* distances);
 Frame FrameWhole(const Viewpoint& view, vtkPolyData* surface, double aspect);
 
 /**
- * A square place of about that width (mm) in which the distances seen by the viewer are largest on
+ * A square of about that width (mm) in which the distances seen by the viewer are largest on
  * the whole, so that one odd point alone does not decide. Without distances: the middle of what
  * faces the viewer.
  * @param surface Triangles with point normals.

@@ -7,6 +7,7 @@
 #include "IsolatedReader.h"
 #include "MetaImageHeader.h"
 #include "NrrdHeader.h"
+#include "Options/Text.h"
 #include "OutwardContour.h"
 #include "RawVoxels.h"
 #include "VoxelValues.h"
@@ -38,14 +39,8 @@ enum class VolumeKind
   DicomFolder
 };
 
-VolumeKind KindOf(const std::string& path)
+VolumeKind KindByExtension(const fs::path& name)
 {
-  std::error_code error;
-  if (fs::is_directory(path, error))
-  {
-    return HoldsDicom(path) ? VolumeKind::DicomFolder : VolumeKind::None;
-  }
-  const fs::path name(path);
   const std::string extension = LowerCase(name.extension().string());
   const std::string before = LowerCase(name.stem().extension().string());
   if (extension == ".nii" || (extension == ".gz" && before == ".nii"))
@@ -63,9 +58,19 @@ VolumeKind KindOf(const std::string& path)
   return extension == ".nrrd" || extension == ".nhdr" ? VolumeKind::Nrrd : VolumeKind::None;
 }
 
+VolumeKind KindOf(const std::string& path)
+{
+  std::error_code error;
+  if (fs::is_directory(path, error))
+  {
+    return HoldsDicom(path) ? VolumeKind::DicomFolder : VolumeKind::None;
+  }
+  return KindByExtension(path);
+}
+
 Volume ReadLayout(const VoxelLayout& layout)
 {
-  return layout.Problem.empty() ? ReadVoxels(layout) : RefusedVolume(layout.Problem);
+  return layout.Problem.empty() ? ReadVoxels(layout) : RejectedVolume(layout.Problem);
 }
 
 Volume ReadVolume(const std::string& path)
@@ -78,21 +83,21 @@ Volume ReadVolume(const std::string& path)
   std::error_code error;
   if (!fs::exists(path, error))
   {
-    return RefusedVolume("it does not exist");
+    return RejectedVolume("it does not exist");
   }
   if (kind == VolumeKind::None)
   {
-    return RefusedVolume(
+    return RejectedVolume(
       "it is no volume: .vti, .mha, .mhd, .nrrd, .nhdr or a folder of DICOM files");
   }
   if (kind == VolumeKind::Nifti)
   {
-    return RefusedVolume("NIfTI is not read yet: save it as .nrrd or .mha, for example with 3D "
-                         "Slicer or ITK-SNAP");
+    return RejectedVolume("NIfTI is not read yet: save it as .nrrd or .mha, for example with 3D "
+                          "Slicer or ITK-SNAP");
   }
   if (fs::file_size(path, error) == 0 || error)
   {
-    return RefusedVolume("it is empty or cannot be read");
+    return RejectedVolume("it is empty or cannot be read");
   }
   if (kind == VolumeKind::Vti)
   {
@@ -124,7 +129,7 @@ std::string ListText(const std::vector<int>& labels)
 }
 
 /// Of a label map the reason why it has no one surface; of a mask a note.
-void JudgeLabels(const Volume& volume, LabelPolicy policy, BoneSurface& bone)
+void CheckLabels(const Volume& volume, LabelPolicy policy, BoneSurface& bone)
 {
   const ValueSurvey survey = SurveyValues(volume);
   if (survey.Kind == ValueKind::Mask)
@@ -133,7 +138,7 @@ void JudgeLabels(const Volume& volume, LabelPolicy policy, BoneSurface& bone)
       std::to_string(survey.Labels[0]) +
       " alone: a mask, whose surface has steps as large as its voxels";
   }
-  if (survey.Kind == ValueKind::Labels && policy == LabelPolicy::Refuse)
+  if (survey.Kind == ValueKind::Labels && policy == LabelPolicy::Reject)
   {
     bone.Problem = "it is a label map with the labels " + ListText(survey.Labels) +
       ", whose numbers are names and no intensities: one surface at a value would fuse the parts "
@@ -168,6 +173,11 @@ bool IsVolume(const std::string& path)
   return KindOf(path) != VolumeKind::None;
 }
 
+bool IsVolumeFile(const std::string& path)
+{
+  return KindByExtension(path) != VolumeKind::None;
+}
+
 BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield, LabelPolicy policy)
 {
   BoneSurface bone;
@@ -181,7 +191,7 @@ BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield, Label
   bone.Problem = volume.Problem.empty() ? ValuesProblem(volume.Image, hounsfield) : volume.Problem;
   if (bone.Problem.empty())
   {
-    JudgeLabels(volume, policy, bone);
+    CheckLabels(volume, policy, bone);
   }
   if (bone.Problem.empty())
   {

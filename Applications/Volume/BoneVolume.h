@@ -15,22 +15,25 @@
 namespace bonedecimate
 {
 /// True for .vti, .mha, .mhd, .nrrd, .nhdr files and for folders that hold DICOM files; and for
-/// NIfTI (.nii, .nii.gz), which is a volume, but refused with that reason.
+/// NIfTI (.nii, .nii.gz), which is a volume, but rejected with that reason.
 bool IsVolume(const std::string& path);
+
+/// The same by the extension alone: for files that need not be there.
+bool IsVolumeFile(const std::string& path);
 
 struct BoneSurface
 {
   vtkSmartPointer<vtkPolyData>
-    Surface;              ///< mm, patient coordinates of the file (LPS); null if refused.
+    Surface;              ///< mm, patient coordinates of the file (LPS); null if rejected.
   double VoxelSize = 0.0; ///< mm, the least side of its voxels.
-  std::string Problem;    ///< Why it was refused; empty if it was not.
+  std::string Problem;    ///< Why it was rejected; empty if it was not.
   std::string Note;       ///< What of the input was left aside, for the user; may be empty.
 };
 
 /// How the values of a volume are taken that look like the labels of a segmentation.
 enum class LabelPolicy
 {
-  Refuse,       ///< One surface would fuse the labels and lie at another place for each of them.
+  Reject,       ///< One surface would fuse the labels and lie at another position for each of them.
   AsIntensities ///< As those of any other volume.
 };
 
@@ -40,7 +43,7 @@ enum class LabelPolicy
  * its geometry and its values reaches the surface.
  */
 BoneSurface ExtractBoneSurface(
-  const std::string& path, double hounsfield, LabelPolicy policy = LabelPolicy::Refuse);
+  const std::string& path, double hounsfield, LabelPolicy policy = LabelPolicy::Reject);
 }
 
 #endif

@@ -22,7 +22,7 @@ bool HoldsDicom(const std::string& folder);
 /**
  * The series with most slices, CT before anything else; the note says what was left aside. Slices
  * are sorted by their position along the normal of the image plane. Slices missing in between are a
- * reason to refuse. May end the process on damaged files: to be called by ReadIsolated.
+ * reason to reject. May end the process on damaged files: to be called by ReadIsolated.
  */
 Volume ReadDicomFolder(const std::string& folder);
 }

@@ -199,7 +199,7 @@ Volume ReadDicomFolder(const std::string& folder)
   const DicomSeries series = ScanFiles(DicomFiles(folder));
   if (!series.Problem.empty())
   {
-    return RefusedVolume(series.Problem);
+    return RejectedVolume(series.Problem);
   }
   const DicomSlice& first = series.Slices.front();
   const std::array<std::int64_t, 3> size{ { first.Columns, first.Rows,
@@ -207,7 +207,7 @@ Volume ReadDicomFolder(const std::string& folder)
   const std::string sizeProblem = SizeProblem(size, 1, BytesOf(series), true);
   if (!sizeProblem.empty())
   {
-    return RefusedVolume(sizeProblem);
+    return RejectedVolume(sizeProblem);
   }
   Volume volume;
   volume.Geometry = series.Geometry;
@@ -219,7 +219,7 @@ Volume ReadDicomFolder(const std::string& folder)
     const std::string problem = DecodeSlice(slice, values);
     if (!problem.empty())
     {
-      return RefusedVolume(std::filesystem::path(slice.File).filename().string() + ": " + problem);
+      return RejectedVolume(std::filesystem::path(slice.File).filename().string() + ": " + problem);
     }
     values += size[0] * size[1];
   }

@@ -84,7 +84,7 @@ VolumeGeometry SeriesGeometry(const Slices& slices)
   return geometry;
 }
 
-/// Positions are often rounded to a tenth of a millimetre; a slice that is missing is off by far
+/// Positions are often rounded to a tenth of a millimeter; a slice that is missing is off by far
 /// more.
 std::string EvennessProblem(const Slices& slices, const VolumeGeometry& geometry)
 {

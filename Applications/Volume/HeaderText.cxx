@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HeaderText.h"
 
-#include <charconv>
+#include "Options/Text.h"
+
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -27,19 +28,20 @@ std::string ReadBeginning(const std::string& path)
 /// Lines that are no fields (comments, anything else) are passed over.
 void AddField(const std::string& line, char separator, HeaderText& header)
 {
-  const std::size_t place = line.find(separator);
-  const bool isPair = separator == ':' && line.compare(place + 1, 1, "=") == 0;
-  if (place == std::string::npos || line[0] == '#')
+  const std::size_t position = line.find(separator);
+  const bool isPair = separator == ':' && line.compare(position + 1, 1, "=") == 0;
+  if (position == std::string::npos || line[0] == '#')
   {
     return;
   }
   if (isPair)
   {
-    header.PairKeys.insert(LowerCase(Trimmed(line.substr(0, place))));
+    header.PairKeys.insert(LowerCase(Trimmed(line.substr(0, position))));
   }
   else
   {
-    header.Fields[LowerCase(Trimmed(line.substr(0, place)))] = Trimmed(line.substr(place + 1));
+    header.Fields[LowerCase(Trimmed(line.substr(0, position)))] =
+      Trimmed(line.substr(position + 1));
   }
 }
 
@@ -52,14 +54,12 @@ std::optional<std::vector<Number>> Parse(const std::string& text)
   while (first != std::string::npos)
   {
     const std::size_t end = std::min(text.find_first_of(between, first), text.size());
-    first += text[first] == '+' ? 1 : 0; // from_chars takes no plus
-    Number number = 0;
-    const auto result = std::from_chars(text.data() + first, text.data() + end, number);
-    if (result.ec != std::errc() || result.ptr != text.data() + end)
+    const auto number = ParseNumber<Number>(std::string_view(text).substr(first, end - first));
+    if (!number)
     {
       return std::nullopt;
     }
-    numbers.push_back(number);
+    numbers.push_back(*number);
     first = text.find_first_not_of(between, end);
   }
   return numbers;
@@ -89,7 +89,7 @@ HeaderText ReadHeaderText(const std::string& path, const HeaderSyntax& syntax)
     return header;
   }
   std::size_t begin = syntax.Magic.empty() ? 0 : std::min(text.find('\n'), text.size() - 1) + 1;
-  const bool endsEmpty = syntax.LastKey.empty();
+  const bool endsEmpty = syntax.LastBucket.empty();
   bool isOver = false;
   while (!isOver && begin < text.size())
   {
@@ -100,11 +100,11 @@ HeaderText ReadHeaderText(const std::string& path, const HeaderSyntax& syntax)
     if (!line.empty())
     {
       AddField(line, syntax.Separator, header);
-      isOver = isOver || (!endsEmpty && header.Fields.count(syntax.LastKey) > 0);
+      isOver = isOver || (!endsEmpty && header.Fields.count(syntax.LastBucket) > 0);
     }
   }
   header.End = static_cast<std::int64_t>(std::min(begin, text.size()));
-  // A header of NRRD may end with its file: then the voxels lie elsewhere.
+  // A header of NRRD may end with its file: then the voxels lie in another file.
   if (!isOver && (!endsEmpty || text.size() == LongestHeader))
   {
     header.Problem = "its header has no end";
@@ -118,16 +118,6 @@ std::string Trimmed(const std::string& text)
   const std::size_t first = text.find_first_not_of(blanks);
   const std::size_t last = text.find_last_not_of(blanks);
   return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
-}
-
-std::string LowerCase(const std::string& text)
-{
-  std::string lower = text;
-  for (char& letter : lower)
-  {
-    letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  }
-  return lower;
 }
 
 std::optional<std::vector<double>> ParseNumbers(const std::string& text)

@@ -21,8 +21,9 @@ struct HeaderSyntax
 {
   std::string
     Magic; ///< How the first line begins, which is no field; empty: the first line is a field.
-  char Separator;      ///< Between key and value.
-  std::string LastKey; ///< After its line the voxels begin; empty: after an empty line, or nowhere.
+  char Separator; ///< Between key and value.
+  std::string
+    LastBucket; ///< After its line the voxels begin; empty: after an empty line, or nowhere.
 };
 
 struct HeaderText
@@ -41,8 +42,6 @@ HeaderText ReadHeaderText(const std::string& path, const HeaderSyntax& syntax);
 
 /// Without blanks, line ends and zeros at either end.
 std::string Trimmed(const std::string& text);
-
-std::string LowerCase(const std::string& text);
 
 /// Numbers between blanks, commas, backslashes or brackets; none if anything else is there.
 std::optional<std::vector<double>> ParseNumbers(const std::string& text);

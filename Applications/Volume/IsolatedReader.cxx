@@ -110,7 +110,7 @@ Volume ReadIsolated(Reader reader, const std::string& path)
   const pid_t child = pipe.IsOpen() ? fork() : -1;
   if (child < 0)
   {
-    return RefusedVolume("the system gives no process to read it in");
+    return RejectedVolume("the system gives no process to read it in");
   }
   if (child == 0)
   {
@@ -125,6 +125,6 @@ Volume ReadIsolated(Reader reader, const std::string& path)
   {
     throw std::bad_alloc();
   }
-  return isComplete ? volume : RefusedVolume("it is damaged");
+  return isComplete ? volume : RejectedVolume("it is damaged");
 }
 }

@@ -18,7 +18,7 @@ namespace bonedecimate::volume
 {
 using Reader = Volume (*)(const std::string& path);
 
-/// What the reader returns, or a refusal if it does not return. Nothing it writes to the terminal
+/// What the reader returns, or a rejection if it does not return. Nothing it writes to the terminal
 /// is seen.
 Volume ReadIsolated(Reader reader, const std::string& path);
 }

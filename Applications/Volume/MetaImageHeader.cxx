@@ -3,6 +3,7 @@
 #include "MetaImageHeader.h"
 
 #include "HeaderText.h"
+#include "Options/Text.h"
 
 #include <algorithm>
 #include <map>
@@ -106,7 +107,7 @@ VoxelLayout ReadMetaImageHeader(const std::string& path)
   const auto size = ParseWholeNumbers(header.Value({ "dimsize" }));
   if (type == ScalarTypes.end() || !size || size->size() != 3)
   {
-    return RefusedLayout("its ElementType or DimSize cannot be read");
+    return RejectedLayout("its ElementType or DimSize cannot be read");
   }
   layout.ScalarType = type->second;
   std::copy(size->begin(), size->end(), layout.Size.begin());

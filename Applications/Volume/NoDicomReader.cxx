@@ -6,7 +6,7 @@ namespace bonedecimate::volume
 {
 Volume ReadDicomFolder(const std::string&)
 {
-  return RefusedVolume(
+  return RejectedVolume(
     "this build reads no DICOM; install GDCM (Debian: libgdcm-dev), configure and "
     "build again");
 }

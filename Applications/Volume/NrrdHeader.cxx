@@ -3,6 +3,7 @@
 #include "NrrdHeader.h"
 
 #include "HeaderText.h"
+#include "Options/Text.h"
 
 #include <algorithm>
 #include <map>
@@ -47,18 +48,18 @@ std::vector<double> SignsToLps(const std::string& space)
   return found == spaces.end() ? std::vector<double>() : found->second;
 }
 
-bool AreMillimetres(const std::string& units)
+bool AreMillimeters(const std::string& units)
 {
   static const std::vector<std::string> known{ "\"millimeters\"", "\"millimeter\"", "\"mm\"",
     "\"\"" };
   std::string rest = LowerCase(units);
   for (const std::string& unit : known)
   {
-    std::size_t place = rest.find(unit);
-    while (place != std::string::npos)
+    std::size_t position = rest.find(unit);
+    while (position != std::string::npos)
     {
-      rest.erase(place, unit.size());
-      place = rest.find(unit);
+      rest.erase(position, unit.size());
+      position = rest.find(unit);
     }
   }
   return Trimmed(rest).empty();
@@ -87,7 +88,7 @@ std::string ReadGeometry(const HeaderText& header, VolumeGeometry& geometry)
   const std::vector<double> directions = Directions(header);
   const std::string originText = header.Value({ "space origin" });
   const auto origin = ParseNumbers(originText.empty() ? "0 0 0" : originText);
-  if (signs.empty() || !AreMillimetres(header.Value({ "space units" })))
+  if (signs.empty() || !AreMillimeters(header.Value({ "space units" })))
   {
     return "its space (" + space + ") is not RAS, LAS or LPS in mm";
   }
@@ -166,7 +167,7 @@ VoxelLayout ReadNrrdHeader(const std::string& path)
   layout.ScalarType = ScalarType(LowerCase(header.Value({ "type" })));
   if (layout.ScalarType == VTK_VOID || !size || size->size() != 3)
   {
-    return RefusedLayout("its type or sizes cannot be read");
+    return RejectedLayout("its type or sizes cannot be read");
   }
   std::copy(size->begin(), size->end(), layout.Size.begin());
   layout.IsSegmentation = IsSegmentation(header);

@@ -34,16 +34,16 @@ public:
   /// True if the file holds exactly that many bytes and its checksum is right.
   bool Fill(std::ifstream& file, char* bytes, std::size_t count)
   {
-    char spare = 0; // room for zlib to come to the end of the stream
+    char spare = 0; // space for zlib to come to the end of the stream
     std::size_t done = 0;
     while (done <= count && this->Status == Z_OK)
     {
       this->Refill(file);
-      const std::size_t room = done < count ? std::min(Piece, count - done) : 1;
+      const std::size_t space = done < count ? std::min(Piece, count - done) : 1;
       this->Stream.next_out = reinterpret_cast<Bytef*>(done < count ? bytes + done : &spare);
-      this->Stream.avail_out = static_cast<uInt>(room);
+      this->Stream.avail_out = static_cast<uInt>(space);
       this->Status = inflate(&this->Stream, Z_NO_FLUSH);
-      done += room - this->Stream.avail_out;
+      done += space - this->Stream.avail_out;
     }
     return done == count && this->Status == Z_STREAM_END;
   }
@@ -77,7 +77,7 @@ bool FillVoxels(std::ifstream& file, bool isCompressed, char* bytes, std::size_t
 }
 }
 
-VoxelLayout RefusedLayout(const std::string& problem)
+VoxelLayout RejectedLayout(const std::string& problem)
 {
   VoxelLayout layout;
   layout.Problem = problem;
@@ -91,7 +91,7 @@ Volume ReadVoxels(const VoxelLayout& layout)
   if (error)
   {
     const std::string name = std::filesystem::path(layout.DataFile).filename().string();
-    return RefusedVolume("the file of its voxels, " + name + ", cannot be read");
+    return RejectedVolume("the file of its voxels, " + name + ", cannot be read");
   }
   const bool isAtEnd = layout.BytesBefore < 0 && !layout.IsCompressed;
   const std::uintmax_t before =
@@ -101,7 +101,7 @@ Volume ReadVoxels(const VoxelLayout& layout)
     SizeProblem(layout.Size, bytesPerVoxel, fileSize - before, layout.IsCompressed);
   if (!problem.empty())
   {
-    return RefusedVolume(problem);
+    return RejectedVolume(problem);
   }
   Volume volume;
   volume.Geometry = layout.Geometry;
@@ -114,7 +114,7 @@ Volume ReadVoxels(const VoxelLayout& layout)
   char* values = static_cast<char*>(volume.Image->GetScalarPointer());
   if (!FillVoxels(file, layout.IsCompressed, values, bytes))
   {
-    return RefusedVolume("its voxels are truncated or damaged");
+    return RejectedVolume("its voxels are truncated or damaged");
   }
   if (layout.IsBigEndian != IsHostBigEndian && bytesPerVoxel > 1)
   {

@@ -26,10 +26,10 @@ struct VoxelLayout
   std::int64_t BytesBefore = 0; ///< In DataFile; negative: the voxels are the end of the file.
   VolumeGeometry Geometry;
   bool IsSegmentation = false; ///< The header says that values are labels.
-  std::string Problem;         ///< Why the header is refused; empty if it is not.
+  std::string Problem;         ///< Why the header is rejected; empty if it is not.
 };
 
-VoxelLayout RefusedLayout(const std::string& problem);
+VoxelLayout RejectedLayout(const std::string& problem);
 
 Volume ReadVoxels(const VoxelLayout& layout);
 }

@@ -19,7 +19,7 @@ std::string SizeText(const std::array<std::int64_t, 3>& size)
 }
 }
 
-Volume RefusedVolume(const std::string& problem)
+Volume RejectedVolume(const std::string& problem)
 {
   Volume volume;
   volume.Problem = problem;

@@ -22,9 +22,9 @@ using Vector3 = std::array<double, 3>;
 /// volume.
 struct VolumeGeometry
 {
-  Vector3 Origin{ { 0.0, 0.0, 0.0 } }; ///< Centre of the first voxel.
+  Vector3 Origin{ { 0.0, 0.0, 0.0 } }; ///< Center of the first voxel.
   std::array<Vector3, 3> Steps{ { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } },
-    { { 0.0, 0.0, 1.0 } } } }; ///< From a voxel to its neighbour along i, j and k.
+    { { 0.0, 0.0, 1.0 } } } }; ///< From a voxel to its neighbor along i, j and k.
 };
 
 struct Volume
@@ -37,7 +37,7 @@ struct Volume
   std::string Note;            ///< What of the input was left aside, for the user; may be empty.
 };
 
-Volume RefusedVolume(const std::string& problem);
+Volume RejectedVolume(const std::string& problem);
 
 double Dot(const Vector3& a, const Vector3& b);
 Vector3 Cross(const Vector3& a, const Vector3& b);

@@ -94,13 +94,13 @@ Volume ReadVti(const std::string& path)
   reader->SetFileName(path.c_str());
   if (!reader->CanReadFile(path.c_str()))
   {
-    return RefusedVolume("it is not a VTK image file");
+    return RejectedVolume("it is not a VTK image file");
   }
   reader->UpdateInformation();
   const std::string sizeProblem = listener.HasError ? std::string() : AnnouncedSizeProblem(reader);
   if (!sizeProblem.empty())
   {
-    return RefusedVolume(sizeProblem);
+    return RejectedVolume(sizeProblem);
   }
   if (!listener.HasError)
   {
@@ -108,14 +108,14 @@ Volume ReadVti(const std::string& path)
   }
   if (listener.HasError)
   {
-    return RefusedVolume("it is truncated or damaged");
+    return RejectedVolume("it is truncated or damaged");
   }
   vtkImageData* image = reader->GetOutput();
   vtkDataArray* scalars = Scalars(image);
   if (!scalars || scalars->GetNumberOfComponents() != 1 ||
     scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
-    return RefusedVolume("it has no array of one value a voxel");
+    return RejectedVolume("it has no array of one value a voxel");
   }
   Volume volume;
   volume.Geometry = Geometry(image);

@@ -42,11 +42,11 @@ vtkSmartPointer<vtkAbstractArray> EmptyCopy(vtkAbstractArray* from, vtkIdType tu
 void AddLike(
   vtkDataSetAttributes* from, int index, vtkAbstractArray* array, vtkDataSetAttributes* to)
 {
-  const int place = to->AddArray(array);
+  const int added = to->AddArray(array);
   const int attribute = from->IsArrayAnAttribute(index);
   if (attribute >= 0)
   {
-    to->SetActiveAttribute(place, attribute);
+    to->SetActiveAttribute(added, attribute);
   }
 }
 
@@ -81,7 +81,7 @@ void Blend(vtkDataArray* from, const Triangle& corners, const std::array<double,
 }
 
 /// Between opposite normals there is none: then that of the nearest point.
-void Normalise(vtkDataArray* from, vtkIdType nearest, vtkIdType point, vtkDataArray* to)
+void Normalize(vtkDataArray* from, vtkIdType nearest, vtkIdType point, vtkDataArray* to)
 {
   std::array<double, 3> normal = {};
   to->GetTuple(point, normal.data());
@@ -120,7 +120,7 @@ void FillPoints(vtkPointData* data, int index, const Result& result,
       result.Origins.Barycentric[p], point, blended);
     if (isNormal)
     {
-      Normalise(numbers, nearest, point, blended);
+      Normalize(numbers, nearest, point, blended);
     }
   }
 }
@@ -153,7 +153,7 @@ void TransferPointArrays(const Result& result, const ConvertedSurface& converted
   }
 }
 
-/// Of each output cell: the input cell that it stands for.
+/// For each output cell the input cell that it represents.
 std::vector<vtkIdType> CellSources(
   const Result& result, const ConvertedSurface& converted, const PassedIds& passed)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DataTransfer.h
- * @brief What the input's arrays say of the places where the result's points and cells lie now.
+ * @brief Arrays of the input at the positions of the result's points and cells.
  *
  *     point, not moved            the tuple of its input point
  *     point, floating values      blended in the nearest input triangle, where the point is nearest to it; normals get
@@ -11,7 +11,7 @@
  *     triangle                    the tuple of the input cell nearest to its centroid
  *     vertices, lines             their own tuples
  *
- * Nothing is blended along the collapses: each value is that of one place on the input.
+ * Nothing is blended along the collapses: each value is that of one position on the input.
  */
 #ifndef DataTransfer_h
 #define DataTransfer_h
@@ -27,7 +27,7 @@ class vtkPolyData;
 namespace bonedecimate
 {
 /// Every array of points and cells, with its name, components, information and attribute, but those of the names: what an
-/// earlier run said of its result is not true of this one.
+/// earlier run recorded of its result does not describe this one.
 void TransferArrays(const Result& result, const ConvertedSurface& converted,
   const PassedIds& passed, const std::set<std::string>& without, vtkPolyData* input,
   vtkPolyData* output);
@@ -39,7 +39,7 @@ void AddMaps(const Result& result, const ConvertedSurface& converted, const Pass
 /// Point data ResultPointIds: of each input point the output point that it became part of, -1 if no triangle uses it.
 void AddInputMap(const Result& result, vtkPolyData* inputCopy);
 
-/// Point normals of the result as it is, in place of those the input had.
+/// Point normals of the result from its own triangles, instead of those of the input.
 void RecomputeNormals(vtkPolyData* output);
 }
 

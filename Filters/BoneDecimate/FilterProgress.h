@@ -12,7 +12,7 @@
 
 namespace bonedecimate
 {
-/// Tells how much is done, from 0 to 1.  @return false if somebody asked to abort.
+/// Reports the fraction that is done, 0 to 1. @returns False if the run is to be aborted.
 inline bool GoesOn(vtkAlgorithm& filter, double fraction)
 {
   filter.UpdateProgress(fraction);

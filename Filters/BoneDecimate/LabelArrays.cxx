@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LabelArrays.h"
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkPointData.h"
+#include "vtkDataObject.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -73,26 +72,29 @@ Index Majority(Index a, Index b, Index c)
 }
 
 std::optional<Labels> ReadLabels(
-  vtkPolyData* input, const ConvertedSurface& converted, const std::string& name)
+  vtkPolyData* input, const ConvertedSurface& converted, vtkDataArray* array, int association)
 {
-  vtkDataArray* cells = input->GetCellData()->GetArray(name.c_str());
-  vtkDataArray* points = cells ? nullptr : input->GetPointData()->GetArray(name.c_str());
-  vtkDataArray* array = cells ? cells : points;
-  const vtkIdType needed = cells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
+  const bool isOfCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  const bool isOfPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  if (!array || !(isOfCells || isOfPoints))
+  {
+    return {};
+  }
+  const vtkIdType needed = isOfCells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
   std::optional<Tuples> tuples =
-    array && array->GetNumberOfTuples() >= needed ? Number(array) : std::optional<Tuples>();
+    array->GetNumberOfTuples() >= needed ? Number(array) : std::optional<Tuples>();
   if (!tuples)
   {
     return {};
   }
   Labels labels;
   labels.Names = std::move(tuples->Names);
-  const auto at = [&](Index point) // ids out of range are refused later
+  const auto at = [&](Index point) // ids out of range are rejected later
   { return point < 0 || point >= needed ? 0 : tuples->Ids[static_cast<std::size_t>(point)]; };
   for (std::size_t t = 0; t < converted.Surface.Triangles.size(); ++t)
   {
     const Triangle& c = converted.Surface.Triangles[t];
-    labels.OfTriangle.push_back(cells
+    labels.OfTriangle.push_back(isOfCells
         ? tuples->Ids[static_cast<std::size_t>(converted.CellOfTriangle[t])]
         : Majority(at(c[0]), at(c[1]), at(c[2])));
   }

@@ -12,19 +12,20 @@
 #ifndef LabelArrays_h
 #define LabelArrays_h
 
-#include "Labels.h"
+#include "Input/Labels.h"
 #include "SurfaceConversion.h"
 
 #include <optional>
-#include <string>
 
+class vtkDataArray;
 class vtkPolyData;
 
 namespace bonedecimate
 {
-/// Nothing if there is no such array of whole numbers.
+/// Nothing if the array is null or has other values than whole numbers.
+/// @param association Of vtkDataObject::FieldAssociations: points or cells.
 std::optional<Labels> ReadLabels(
-  vtkPolyData* input, const ConvertedSurface& converted, const std::string& name);
+  vtkPolyData* input, const ConvertedSurface& converted, vtkDataArray* array, int association);
 }
 
 #endif

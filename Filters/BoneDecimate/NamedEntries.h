@@ -7,7 +7,7 @@
 #ifndef NamedEntries_h
 #define NamedEntries_h
 
-#include "ReportTable.h"
+#include "Report/ReportTable.h"
 
 #include <string>
 #include <vector>

@@ -20,8 +20,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// What vtkExtractSelection calls its answer when it leaves the data as they are: 1 where something is selected.
-const char* const AnswerName = "vtkInsidedness";
+/// Name of vtkExtractSelection's array when it preserves the topology: 1 where something is selected.
+const char* const InsideName = "vtkInsidedness";
 
 bool IsPositive(double value)
 {
@@ -67,13 +67,13 @@ PointChoice ChooseBySelection(vtkPolyData* surface, vtkSelection* selection, boo
   extract->SetInputData(1, selection);
   extract->PreserveTopologyOn();
   extract->Update();
-  vtkDataSet* answer = vtkDataSet::SafeDownCast(extract->GetOutputDataObject(0));
-  if (!answer)
+  vtkDataSet* selected = vtkDataSet::SafeDownCast(extract->GetOutputDataObject(0));
+  if (!selected)
   {
     return PointChoice(static_cast<std::size_t>(surface->GetNumberOfPoints()), inverted);
   }
-  vtkDataArray* cells = answer->GetCellData()->GetArray(AnswerName);
-  vtkDataArray* points = answer->GetPointData()->GetArray(AnswerName);
+  vtkDataArray* cells = selected->GetCellData()->GetArray(InsideName);
+  vtkDataArray* points = selected->GetPointData()->GetArray(InsideName);
   const bool ofCells = cells != nullptr && selection->GetNumberOfNodes() > 0 &&
     selection->GetNode(0)->GetFieldType() == vtkSelectionNode::CELL;
   if (ofCells)

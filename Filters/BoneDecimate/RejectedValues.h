@@ -7,8 +7,8 @@
 #ifndef BoneDecimate_RejectedValues_h
 #define BoneDecimate_RejectedValues_h
 
-#include "NumberRange.h"
-#include "OptionTable.h"
+#include "Options/NumberRange.h"
+#include "Options/OptionTable.h"
 
 #include "vtkObject.h"
 #include "vtkTimeStamp.h"

@@ -4,9 +4,11 @@
 
 #include "CellVisits.h"
 #include "DataTransfer.h"
-#include "OptionTable.h"
+#include "Options/OptionTable.h"
 #include "PassedCells.h"
-#include "ReportTable.h"
+#include "Report/ReportFigures.h"
+#include "Report/ReportJson.h"
+#include "Report/ReportTable.h"
 #include "SurfaceArrays.h"
 
 #include "vtkCellArray.h"
@@ -74,7 +76,7 @@ struct CellSurvey
   vtkIdType FirstTooShort = -1;
 };
 
-/// A cell with a wrong id goes to the core as a triangle, which refuses it with its number; VTK would crash on it.
+/// A cell with a wrong id goes to the core as a triangle, which rejects it with its number; VTK would crash on it.
 CellSurvey Survey(vtkPolyData* input, ConvertedSurface& wrongCells)
 {
   CellSurvey survey;
@@ -153,7 +155,7 @@ void AddTriangulated(vtkPolyData* input, const CellSurvey& survey, ConvertedSurf
 }
 
 /// Lines and vertices pass through the filter, except those that would make VTK crash.
-void WarnOfWrongLines(vtkPolyData* input, ConvertedSurface& converted)
+void WarnOfWrongFeatureCurves(vtkPolyData* input, ConvertedSurface& converted)
 {
   vtkIdType wrong = 0;
   vtkIdType first = -1;
@@ -206,6 +208,21 @@ vtkSmartPointer<vtkAbstractArray> ReportArray(const ReportEntry& entry)
   return array;
 }
 
+/// A report of an earlier run does not describe this result, and neither does a certificate of another pair.
+void RemoveReport(const ReportArrays& arrays, vtkFieldData* fieldData)
+{
+  for (int i = fieldData->GetNumberOfArrays(); i-- > 0;)
+  {
+    const char* name = fieldData->GetArrayName(i);
+    const bool isFigure =
+      name && std::string(name).compare(0, arrays.Prefix.size(), arrays.Prefix) == 0;
+    if (isFigure || (name && (arrays.Json == name || ArraysOfCertificate().Json == name)))
+    {
+      fieldData->RemoveArray(i);
+    }
+  }
+}
+
 /// What the input knew, carried over. Aborted runs do not know where their points lie.
 void AddInputArrays(const Result& result, const ConvertedSurface& converted, const Options& options,
   const PassedIds& passed, vtkPolyData* input, vtkPolyData* output)
@@ -253,7 +270,7 @@ ConvertedSurface ToSurface(vtkPolyData* input, int threads)
 {
   ConvertedSurface converted;
   AddPoints(input, threads, converted);
-  WarnOfWrongLines(input, converted);
+  WarnOfWrongFeatureCurves(input, converted);
   if (AddPureTriangles(input, threads, converted))
   {
     return converted;
@@ -273,9 +290,8 @@ ConvertedSurface ToSurface(vtkPolyData* input, int threads)
 }
 
 //------------------------------------------------------------------------------
-std::optional<std::vector<double>> ReadPointValues(vtkPolyData* input, const std::string& name)
+std::optional<std::vector<double>> ReadNumbers(vtkDataArray* array)
 {
-  vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
   if (!array || array->GetNumberOfComponents() != 1)
   {
     return {};
@@ -290,22 +306,18 @@ std::optional<std::vector<double>> ReadPointValues(vtkPolyData* input, const std
 }
 
 //------------------------------------------------------------------------------
-namespace
+const ReportArrays& ArraysOfReport()
 {
-const std::string ReportPrefix = "bonedecimate.";
-
-/// What an earlier run said of its result is not true of this one.
-void RemoveEntries(const std::string& prefix, vtkFieldData* fieldData)
-{
-  for (int i = fieldData->GetNumberOfArrays(); i-- > 0;)
-  {
-    const char* name = fieldData->GetArrayName(i);
-    if (name && std::string(name).compare(0, prefix.size(), prefix) == 0)
-    {
-      fieldData->RemoveArray(i);
-    }
-  }
+  static const ReportArrays arrays = { "BoneDecimateReport", "bonedecimate.", KeyFigures() };
+  return arrays;
 }
+
+//------------------------------------------------------------------------------
+const ReportArrays& ArraysOfCertificate()
+{
+  static const ReportArrays arrays = { "BoneDecimateCertificate", "bonedecimate.certificate.",
+    CertificateKeyFigures() };
+  return arrays;
 }
 
 //------------------------------------------------------------------------------
@@ -322,23 +334,30 @@ void FillOutput(const Result& result, const ConvertedSurface& converted, const O
   AddInputArrays(result, converted, options, others.Ids(), input, output);
   AddOwnArrays(result, options, output);
   output->GetFieldData()->PassData(input->GetFieldData());
-  RemoveEntries(ReportPrefix, output->GetFieldData());
-  AddEntries(ReportEntries(result.Report), ReportPrefix, output->GetFieldData());
+  SetReport(ReportEntries(result.Report), ArraysOfReport(), output->GetFieldData());
 }
 
 //------------------------------------------------------------------------------
-void AddEntries(
-  const std::vector<ReportEntry>& entries, const std::string& prefix, vtkFieldData* fieldData)
+void SetReport(
+  const std::vector<ReportEntry>& entries, const ReportArrays& arrays, vtkFieldData* fieldData)
 {
+  RemoveReport(arrays, fieldData);
+  const auto json = ReportArray({ "", "", ReportJson(entries) });
+  json->SetName(arrays.Json.c_str());
+  fieldData->AddArray(json);
   for (const ReportEntry& entry : entries)
   {
-    vtkSmartPointer<vtkAbstractArray> array = ReportArray(entry);
-    array->SetName((prefix + entry.Name).c_str());
-    if (!entry.Unit.empty())
+    const std::vector<std::string>& names = arrays.KeyFigures;
+    if (std::find(names.begin(), names.end(), entry.Name) != names.end())
     {
-      array->SetComponentName(0, entry.Unit.c_str());
+      const vtkSmartPointer<vtkAbstractArray> array = ReportArray(entry);
+      array->SetName((arrays.Prefix + entry.Name).c_str());
+      if (!entry.Unit.empty())
+      {
+        array->SetComponentName(0, entry.Unit.c_str());
+      }
+      fieldData->AddArray(array);
     }
-    fieldData->AddArray(array);
   }
 }
 

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceConversion.h
- * @brief The corridor between vtkPolyData and the core's surface. No geometry is decided here.
+ * @brief Conversion between vtkPolyData and the core's surface.
  */
 #ifndef SurfaceConversion_h
 #define SurfaceConversion_h
 
 #include "Decimate.h"
-#include "Doctor/Doctor.h"
-#include "ReportTable.h"
+#include "Diagnostics/Diagnostics.h"
+#include "Report/ReportTable.h"
 
 #include "vtkType.h"
 
@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataArray;
 class vtkFieldData;
 class vtkPolyData;
 
@@ -35,8 +36,8 @@ struct ConvertedSurface
 /// Triangles as they are, strips and polygons triangulated, ids out of range as None (the core counts them).
 ConvertedSurface ToSurface(vtkPolyData* input, int threads);
 
-/// A number for each point; nothing if there is no such point array of one component.
-std::optional<std::vector<double>> ReadPointValues(vtkPolyData* input, const std::string& name);
+/// The values of an array; nothing if it is null or has several components.
+std::optional<std::vector<double>> ReadNumbers(vtkDataArray* array);
 
 /// Whether the run has to say where its points and triangles lie on the input.
 bool NeedsOrigins(vtkPolyData* input, const Options& options);
@@ -46,11 +47,21 @@ bool NeedsOrigins(vtkPolyData* input, const Options& options);
 void FillOutput(const Result& result, const ConvertedSurface& converted, const Options& options,
   bool single, vtkPolyData* input, vtkPolyData* output);
 
-/// One array for each entry, its name the prefix and the entry's.
-void AddEntries(
-  const std::vector<ReportEntry>& entries, const std::string& prefix, vtkFieldData* fieldData);
+/// How a report is stored in field data.
+struct ReportArrays
+{
+  std::string Json;   ///< Name of the array of one string.
+  std::string Prefix; ///< Of the names of the arrays of the key figures.
+  std::vector<std::string> KeyFigures;
+};
+const ReportArrays& ArraysOfReport();      ///< BoneDecimateReport, bonedecimate.*
+const ReportArrays& ArraysOfCertificate(); ///< BoneDecimateCertificate, bonedecimate.certificate.*
 
-/// The input with the distance of each of its points to the result, if it was measured, and the map, if it was asked for.
+/// Replaces the reports of earlier runs. The key figures that are among the entries get an array each, with their unit.
+void SetReport(
+  const std::vector<ReportEntry>& entries, const ReportArrays& arrays, vtkFieldData* fieldData);
+
+/// The input with the distance of each of its points to the result, if it was measured, and the map, if MakeMaps is on.
 void FillInputCopy(
   const Result& result, const Options& options, vtkPolyData* input, vtkPolyData* output);
 }

@@ -4,73 +4,47 @@
 
 #include "Decimate.h"
 #include "FilterProgress.h"
-#include "InputSize.h"
+#include "Input/InputSize.h"
 #include "LabelArrays.h"
-#include "NamedEntries.h"
-#include "OptionTable.h"
-#include "RejectedValues.h"
-#include "ReportCells.h"
-#include "ReportTable.h"
+#include "Report/ReportCells.h"
+#include "RunState.h"
 #include "SurfaceConversion.h"
 
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 vtkStandardNewMacro(vtkBoneDecimate);
 
-//------------------------------------------------------------------------------
-struct vtkBoneDecimate::Internals
+namespace
 {
-  bonedecimate::Options Options;
-  bonedecimate::Report Report;
-  bonedecimate::NamedEntries Entries{ bonedecimate::ReportEntries(bonedecimate::Report()) };
+bool WritesSingle(const bonedecimate::Options& options, bool inputIsSingle)
+{
+  using Precision = bonedecimate::PointsPrecision;
+  const Precision precision = options.OutputPointsPrecision;
+  return precision == Precision::Single || (precision == Precision::Default && inputIsSingle);
+}
 
-  bonedecimate::RejectedValues Rejected;
-  bool IsPart = false; // of a surface whose size is another one
-
-  void Keep(const bonedecimate::Report& report)
-  {
-    this->Report = report;
-    if (this->IsPart)
-    {
-      this->Report.Size = {};
-      this->Report.Asked = {}; // its options are made from those of the whole
-    }
-    this->Entries = bonedecimate::NamedEntries{ bonedecimate::ReportEntries(this->Report) };
-  }
-
-  bool WritesSingle(bool inputIsSingle) const
-  {
-    using Precision = bonedecimate::PointsPrecision;
-    const Precision precision = this->Options.OutputPointsPrecision;
-    return precision == Precision::Single || (precision == Precision::Default && inputIsSingle);
-  }
-
-  /// Sets an option of the table, or rejects its value.
-  void Set(vtkBoneDecimate* filter, const char* name, const bonedecimate::OptionValue& value)
-  {
-    const bonedecimate::OptionInfo& info = *bonedecimate::FindOption(name);
-    const bonedecimate::OptionValue before = bonedecimate::GetOption(this->Options, info);
-    const bool wasExplicit = this->Options.TargetReductionIsExplicit;
-    const bool isValid =
-      this->Rejected.Check(filter, name, bonedecimate::SetOption(this->Options, info, value));
-    if (isValid &&
-      (before != bonedecimate::GetOption(this->Options, info) ||
-        wasExplicit != this->Options.TargetReductionIsExplicit))
-    {
-      filter->Modified();
-    }
-  }
-};
+/// What a report of a part says: its size and its options are made from those of the whole.
+bonedecimate::Report ReportOfPart(bonedecimate::Report report)
+{
+  report.Size = {};
+  report.Requested = {};
+  return report;
+}
+}
 
 vtkBoneDecimate::vtkBoneDecimate()
-  : Internal(new Internals)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
@@ -79,111 +53,10 @@ vtkBoneDecimate::vtkBoneDecimate()
 vtkBoneDecimate::~vtkBoneDecimate() = default;
 
 //------------------------------------------------------------------------------
-// One line a property: range and default stand in the core's table of options.
-#define vtkBoneDecimateOption(name, argument, travel, result)                                      \
-  void vtkBoneDecimate::Set##name(argument value)                                                  \
-  {                                                                                                \
-    this->Internal->Set(this, #name, static_cast<travel>(value));                                  \
-  }                                                                                                \
-  result vtkBoneDecimate::Get##name() const                                                        \
-  {                                                                                                \
-    return static_cast<result>(this->Internal->Options.name);                                      \
-  }
-
-// clang-format off
-vtkBoneDecimateOption(Mode, int, int, int)
-vtkBoneDecimateOption(TargetNumberOfTriangles, int, int, int)
-vtkBoneDecimateOption(TargetReduction, double, double, double)
-vtkBoneDecimateOption(MaximumError, double, double, double)
-vtkBoneDecimateOption(AllowLargeError, bool, bool, bool)
-vtkBoneDecimateOption(KeepClearance, bool, bool, bool)
-vtkBoneDecimateOption(NormalTolerance, double, double, double)
-vtkBoneDecimateOption(AutomaticNormalTolerance, bool, bool, bool)
-vtkBoneDecimateOption(MergePoints, bool, bool, bool)
-vtkBoneDecimateOption(MeasureDistances, bool, bool, bool)
-vtkBoneDecimateOption(MeasureInputDistances, bool, bool, bool)
-vtkBoneDecimateOption(NumberOfThreads, int, int, int)
-vtkBoneDecimateOption(OutputPointsPrecision, int, int, int)
-vtkBoneDecimateOption(PassArrays, bool, bool, bool)
-vtkBoneDecimateOption(MakeMaps, bool, bool, bool)
-vtkBoneDecimateOption(RecomputeNormals, bool, bool, bool)
-vtkBoneDecimateOption(DistanceArrayName, const std::string&, std::string, std::string)
-vtkBoneDecimateOption(RunningErrorArrayName, const std::string&, std::string, std::string)
-vtkBoneDecimateOption(PointCountArrayName, const std::string&, std::string, std::string)
-vtkBoneDecimateOption(InputDistanceArrayName, const std::string&, std::string, std::string)
-vtkBoneDecimateOption(ProveResult, bool, bool, bool)
-vtkBoneDecimateOption(ErrorBoundArrayName, const std::string&, std::string, std::string)
-vtkBoneDecimateOption(InputErrorBoundArrayName, const std::string&, std::string, std::string)
-vtkBoneDecimateOption(ErrorPreset, int, int, int)
-vtkBoneDecimateOption(VoxelSize, double, double, double)
-vtkBoneDecimateOption(ToleranceArrayName, const std::string&, std::string, std::string)
-vtkBoneDecimateOption(LabelArrayName, const std::string&, std::string, std::string)
-vtkBoneDecimateOption(PruneSize, double, double, double)
-vtkBoneDecimateOption(PruneArea, double, double, double)
-vtkBoneDecimateOption(PruneVolume, double, double, double)
-vtkBoneDecimateOption(PruneTriangles, int, int, int)
-vtkBoneDecimateOption(ExamineInput, bool, bool, bool)
-// clang-format on
-#undef vtkBoneDecimateOption
-
-  //------------------------------------------------------------------------------
-  int vtkBoneDecimate::GetStopReason() const
-{
-  return static_cast<int>(this->Internal->Report.Stop);
-}
-
-std::string vtkBoneDecimate::GetStopReasonAsString() const
-{
-  return bonedecimate::StopReasonSentence(this->Internal->Report.Stop);
-}
-
-int vtkBoneDecimate::GetNumberOfReportEntries() const
-{
-  return this->Internal->Entries.Count();
-}
-
-std::string vtkBoneDecimate::GetReportEntryName(int entry) const
-{
-  return this->Internal->Entries.Name(entry);
-}
-
-std::string vtkBoneDecimate::GetReportEntryUnit(const std::string& name) const
-{
-  return this->Internal->Entries.Unit(name);
-}
-
-double vtkBoneDecimate::GetReportValue(const std::string& name) const
-{
-  return this->Internal->Entries.Value(name);
-}
-
-std::string vtkBoneDecimate::GetReportText(const std::string& name) const
-{
-  return this->Internal->Entries.Text(name);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkBoneDecimate::GetRejectedValue(const std::string& property) const
-{
-  return this->Internal->Rejected.Of(property);
-}
-
-vtkMTimeType vtkBoneDecimate::GetMTime()
-{
-  return this->Internal->Rejected.MTime(this->Superclass::GetMTime());
-}
-
-//------------------------------------------------------------------------------
-bool vtkBoneDecimate::ReportRejectedValues()
-{
-  return this->Internal->Rejected.Report(this);
-}
-
-//------------------------------------------------------------------------------
 void vtkBoneDecimate::ForgetTargetReduction()
 {
-  this->Internal->Rejected.Check(this, "TargetReduction", {});
-  bonedecimate::Options& options = this->Internal->Options;
+  this->State->Rejected.Check(this, "TargetReduction", {});
+  bonedecimate::Options& options = this->State->Options;
   if (options.TargetReductionIsExplicit)
   {
     options.TargetReduction = bonedecimate::Options().TargetReduction;
@@ -195,17 +68,66 @@ void vtkBoneDecimate::ForgetTargetReduction()
 //------------------------------------------------------------------------------
 bool vtkBoneDecimate::IsTargetReductionSet() const
 {
-  return this->Internal->Options.TargetReductionIsExplicit;
+  return this->State->Options.TargetReductionIsExplicit;
 }
 
 //------------------------------------------------------------------------------
 void vtkBoneDecimate::CopyOptions(const vtkBoneDecimate& from, bool isPart)
 {
-  this->Internal->Options = from.Internal->Options;
-  this->Internal->Rejected = from.Internal->Rejected;
-  this->Internal->IsPart = isPart;
-  this->Internal->Options.AllowLargeError |= isPart;
+  this->State->Options = from.State->Options;
+  this->State->Rejected = from.State->Rejected;
+  this->IsPart = isPart;
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): VTK's getter is not const
+  auto& source = const_cast<vtkBoneDecimate&>(from);
+  vtkInformation* arrays = source.GetInformation();
+  if (arrays->Has(INPUT_ARRAYS_TO_PROCESS()))
+  {
+    this->GetInformation()->CopyEntry(arrays, INPUT_ARRAYS_TO_PROCESS(), 1);
+  }
+  else
+  {
+    this->GetInformation()->Remove(INPUT_ARRAYS_TO_PROCESS());
+  }
+  this->State->Options.AllowLargeError |= isPart;
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkBoneDecimate::HasInputArray(int index)
+{
+  const bonedecimate::Options& options = this->State->Options;
+  const std::string& name =
+    index == LABEL_ARRAY ? options.LabelArrayName : options.ToleranceArrayName;
+  vtkInformationVector* chosen = this->GetInformation()->Get(INPUT_ARRAYS_TO_PROCESS());
+  return !name.empty() ||
+    (chosen && index < chosen->GetNumberOfInformationObjects() &&
+      chosen->GetInformationObject(index)->Has(vtkDataObject::FIELD_ASSOCIATION()));
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* vtkBoneDecimate::GetInputArray(int index, vtkPolyData* input, int& association)
+{
+  const bonedecimate::Options& options = this->State->Options;
+  const std::string& name =
+    index == LABEL_ARRAY ? options.LabelArrayName : options.ToleranceArrayName;
+  if (name.empty())
+  {
+    return this->HasInputArray(index) ? this->GetInputArrayToProcess(index, input, association)
+                                      : nullptr;
+  }
+  vtkDataArray* cells =
+    index == LABEL_ARRAY ? input->GetCellData()->GetArray(name.c_str()) : nullptr;
+  association =
+    cells ? vtkDataObject::FIELD_ASSOCIATION_CELLS : vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  return cells ? cells : input->GetPointData()->GetArray(name.c_str());
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* vtkBoneDecimate::GetPointTolerances(vtkPolyData* input)
+{
+  int association = -1;
+  vtkDataArray* array = this->GetInputArray(TOLERANCE_ARRAY, input, association);
+  return association == vtkDataObject::FIELD_ASSOCIATION_POINTS ? array : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -213,7 +135,7 @@ bool vtkBoneDecimate::AcceptSize(double diagonal, double largestError)
 {
   const bonedecimate::SizeFigures size = { diagonal, largestError, -1,
     std::min(diagonal, largestError) };
-  const bonedecimate::InputStatus status = bonedecimate::CheckSize(size, this->Internal->Options);
+  const bonedecimate::InputStatus status = bonedecimate::CheckSize(size, this->State->Options);
   if (status != bonedecimate::InputStatus::Good)
   {
     vtkErrorMacro(<< bonedecimate::SizeMessage(size, status));
@@ -221,6 +143,38 @@ bool vtkBoneDecimate::AcceptSize(double diagonal, double largestError)
   }
   this->Warn(bonedecimate::SizeWarnings(size));
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimate::TakeReport(const vtkBoneDecimate& from)
+{
+  this->State->Keep(from.State->Report);
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimate::SetReportOfParts(
+  const std::map<std::string, double>& entries, vtkPolyData* output)
+{
+  std::vector<bonedecimate::ReportEntry> list;
+  for (const auto& [name, value] : entries)
+  {
+    const bool isError = name == "proof.upper";
+    list.push_back({ name, isError ? "mm" : "",
+      isError ? bonedecimate::ReportValue(value) : static_cast<std::int64_t>(value) });
+  }
+  const auto of = [&entries](const char* name)
+  {
+    const auto found = entries.find(name);
+    return found == entries.end() ? 0.0 : found->second;
+  };
+  bonedecimate::Report report;
+  report.Input.Faces = static_cast<std::int64_t>(of("input.triangles"));
+  report.Output.Faces = static_cast<std::int64_t>(of("output.triangles"));
+  report.Proof.WasMade = entries.count("proof.upper") > 0;
+  report.Proof.OutputToInput.Upper = of("proof.upper");
+  this->State->Report = std::move(report);
+  this->State->Entries = bonedecimate::NamedEntries(list);
+  bonedecimate::SetReport(list, bonedecimate::ArraysOfReport(), output->GetFieldData());
 }
 
 //------------------------------------------------------------------------------
@@ -246,6 +200,20 @@ int vtkBoneDecimate::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
+/// Reports that the input lacks an array.
+void vtkBoneDecimate::RejectArray(int index)
+{
+  const bonedecimate::Options& options = this->State->Options;
+  const std::string& name =
+    index == LABEL_ARRAY ? options.LabelArrayName : options.ToleranceArrayName;
+  const std::string quoted =
+    name.empty() ? " for index " + std::to_string(index) : " '" + name + "'";
+  vtkErrorMacro(<< "the input has no "
+                << (index == LABEL_ARRAY ? "cell or point array" : "point array") << quoted
+                << (index == LABEL_ARRAY ? " of whole numbers" : " of one component"));
+}
+
+//------------------------------------------------------------------------------
 int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -254,48 +222,46 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   }
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  const bonedecimate::Options& options = this->Internal->Options;
-  const std::string& toleranceName = options.ToleranceArrayName;
-  const bool hasTolerances = !toleranceName.empty() && input->GetNumberOfPoints() > 0;
-  const std::optional<std::vector<double>> tolerances =
-    hasTolerances ? bonedecimate::ReadPointValues(input, toleranceName) : std::vector<double>();
-  if (!tolerances)
-  {
-    vtkErrorMacro(<< "the input has no point array '" << toleranceName << "' of one component");
-    return 0;
-  }
+  const bonedecimate::Options& options = this->State->Options;
+  const bool isFilled = input->GetNumberOfPoints() > 0;
+  const bool hasTolerances = isFilled && this->HasInputArray(TOLERANCE_ARRAY);
+  const std::optional<std::vector<double>> tolerances = hasTolerances
+    ? bonedecimate::ReadNumbers(this->GetPointTolerances(input))
+    : std::vector<double>();
   const bonedecimate::ConvertedSurface converted =
     bonedecimate::ToSurface(input, options.NumberOfThreads);
-  const std::string& labelName = options.LabelArrayName;
-  const bool hasLabels = !labelName.empty() && input->GetNumberOfPoints() > 0;
-  const std::optional<bonedecimate::Labels> labels =
-    hasLabels ? bonedecimate::ReadLabels(input, converted, labelName) : bonedecimate::Labels();
-  if (!labels)
+  const bool hasLabels = isFilled && this->HasInputArray(LABEL_ARRAY);
+  int association = -1;
+  vtkDataArray* labelArray =
+    hasLabels ? this->GetInputArray(LABEL_ARRAY, input, association) : nullptr;
+  const std::optional<bonedecimate::Labels> labels = hasLabels
+    ? bonedecimate::ReadLabels(input, converted, labelArray, association)
+    : bonedecimate::Labels();
+  if (!tolerances || !labels)
   {
-    vtkErrorMacro(<< "the input has no cell or point array '" << labelName << "' of whole numbers");
+    this->RejectArray(!tolerances ? TOLERANCE_ARRAY : LABEL_ARRAY);
     return 0;
   }
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
   const bonedecimate::ConvertedSurface first = reference != nullptr
     ? bonedecimate::ToSurface(reference, options.NumberOfThreads)
     : bonedecimate::ConvertedSurface();
-  bonedecimate::Companions companions = { converted.IsSingle,
+  bonedecimate::RunInputs inputs = { converted.IsSingle,
     bonedecimate::NeedsOrigins(input, options) };
-  companions.Tolerances = hasTolerances ? &*tolerances : nullptr;
-  companions.Reference = reference != nullptr ? &first.Surface : nullptr;
-  companions.Labels = hasLabels ? &*labels : nullptr;
+  inputs.Tolerances = hasTolerances ? &*tolerances : nullptr;
+  inputs.Reference = reference != nullptr ? &first.Surface : nullptr;
+  inputs.Labels = hasLabels ? &*labels : nullptr;
   bonedecimate::Result result = bonedecimate::Decimate(
-    converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
-    companions);
+    converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); }, inputs);
   bonedecimate::NameCells(converted, result.Report);
-  this->Internal->Keep(result.Report);
+  this->State->Keep(this->IsPart ? ReportOfPart(result.Report) : result.Report);
   if (!this->Accept(bonedecimate::InputMessage(result.Report)))
   {
     return 0;
   }
   this->Warn(converted.Warnings);
-  this->Warn(bonedecimate::InputWarnings(this->Internal->Report));
-  const bool single = this->Internal->WritesSingle(converted.IsSingle);
+  this->Warn(bonedecimate::InputWarnings(this->State->Report));
+  const bool single = WritesSingle(options, converted.IsSingle);
   bonedecimate::FillOutput(
     result, converted, options, single, input, vtkPolyData::GetData(outputVector, 0));
   bonedecimate::FillInputCopy(result, options, input, vtkPolyData::GetData(outputVector, 1));
@@ -308,10 +274,10 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
-/// False if the input was refused. An empty one is no failure, one without triangles only deserves a warning.
+/// False if the input was rejected. An empty input is valid; one without triangles is a warning.
 bool vtkBoneDecimate::Accept(const std::string& problem)
 {
-  switch (this->Internal->Report.Status)
+  switch (this->State->Report.Status)
   {
     case bonedecimate::InputStatus::Good:
     case bonedecimate::InputStatus::Empty:
@@ -322,15 +288,6 @@ bool vtkBoneDecimate::Accept(const std::string& problem)
     default:
       vtkErrorMacro(<< problem);
       return false;
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkBoneDecimate::Warn(const std::vector<std::string>& sentences)
-{
-  for (const std::string& sentence : sentences)
-  {
-    vtkWarningMacro(<< sentence);
   }
 }
 
@@ -351,10 +308,4 @@ bool vtkBoneDecimate::GoesOn(double fraction)
 void vtkBoneDecimate::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  for (const bonedecimate::OptionInfo& info : bonedecimate::OptionTable())
-  {
-    os << indent << info.Name << ": " << bonedecimate::OptionText(this->Internal->Options, info)
-       << (info.Unit.empty() ? "" : " ") << info.Unit << "\n";
-  }
-  os << indent << "StopReason: " << this->GetStopReasonAsString() << "\n";
 }

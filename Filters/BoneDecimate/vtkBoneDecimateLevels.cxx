@@ -4,7 +4,7 @@
 
 #include "FilterProgress.h"
 #include "Levels.h"
-#include "RejectedValues.h"
+#include "RunState.h"
 #include "SurfaceArrays.h"
 #include "SurfaceConversion.h"
 
@@ -29,9 +29,8 @@ struct vtkBoneDecimateLevels::Internals
   bonedecimate::Levels Levels;
   vtkWeakPointer<vtkPolyData> Input; // what they are of, as it was then
   vtkMTimeType InputTime = 0;
-  vtkSmartPointer<vtkUnsignedCharArray> Given; // null: a run
+  vtkSmartPointer<vtkUnsignedCharArray> InputLog; // null: a run
   vtkSmartPointer<vtkUnsignedCharArray> Written;
-  bonedecimate::RejectedValues Rejected;
 
   const bonedecimate::LevelMark* Mark(int mark) const
   {
@@ -67,88 +66,33 @@ void vtkBoneDecimateLevels::Forget()
 }
 
 //------------------------------------------------------------------------------
-void vtkBoneDecimateLevels::SetMode(int mode)
+/// No level depends on the number of threads.
+void vtkBoneDecimateLevels::OptionChanged(const std::string& name)
 {
-  if (this->Internal->Rejected.SetOption(this, "Mode", mode, this->Mode))
+  if (name != "NumberOfThreads")
   {
     this->Forget();
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkBoneDecimateLevels::SetCoarsestNumberOfTriangles(int triangles)
-{
-  if (this->Internal->Rejected.SetNumber(this, "CoarsestNumberOfTriangles", TriangleRange(),
-        triangles, this->CoarsestNumberOfTriangles))
-  {
-    this->Forget();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkBoneDecimateLevels::SetMaximumError(double millimetres)
-{
-  if (this->Internal->Rejected.SetOption(this, "MaximumError", millimetres, this->MaximumError))
-  {
-    this->Forget();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkBoneDecimateLevels::SetAllowLargeError(bool allow)
-{
-  if (this->AllowLargeError != allow)
-  {
-    this->AllowLargeError = allow;
-    this->Forget();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkBoneDecimateLevels::SetMeasureErrors(bool measure)
-{
-  if (this->MeasureErrors != measure)
-  {
-    this->MeasureErrors = measure;
-    this->Forget();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkBoneDecimateLevels::SetNumberOfThreads(int threads)
-{
-  this->Internal->Rejected.SetOption(this, "NumberOfThreads", threads, this->NumberOfThreads);
 }
 
 //------------------------------------------------------------------------------
 void vtkBoneDecimateLevels::SetNumberOfTriangles(int triangles)
 {
-  this->Internal->Rejected.SetNumber(
+  this->State->Rejected.SetNumber(
     this, "NumberOfTriangles", TriangleRange(), triangles, this->NumberOfTriangles);
 }
 
 //------------------------------------------------------------------------------
 void vtkBoneDecimateLevels::SetLevelError(double millimeters)
 {
-  this->Internal->Rejected.SetNumber(this, "LevelError",
+  this->State->Rejected.SetNumber(this, "LevelError",
     { 0.0, bonedecimate::LargestNumber, false, "mm" }, millimeters, this->LevelError);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkBoneDecimateLevels::GetRejectedValue(const std::string& property) const
-{
-  return this->Internal->Rejected.Of(property);
-}
-
-vtkMTimeType vtkBoneDecimateLevels::GetMTime()
-{
-  return this->Internal->Rejected.MTime(this->Superclass::GetMTime());
 }
 
 //------------------------------------------------------------------------------
 void vtkBoneDecimateLevels::SetLog(vtkUnsignedCharArray* log)
 {
-  this->Internal->Given = log;
+  this->Internal->InputLog = log;
   this->Forget();
 }
 
@@ -211,7 +155,7 @@ int vtkBoneDecimateLevels::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  if (this->Internal->Rejected.Report(this) || !this->Prepare(input))
+  if (this->State->Rejected.Report(this) || !this->Prepare(input))
   {
     return 0;
   }
@@ -222,7 +166,7 @@ int vtkBoneDecimateLevels::RequestData(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
-/// Levels of the input as it is now; closed ones if it has no triangles. False if it or the log was refused.
+/// Makes the levels of the input; there are none if it has no triangles. False if the input or the log was rejected.
 bool vtkBoneDecimateLevels::Prepare(vtkPolyData* input)
 {
   Internals& mine = *this->Internal;
@@ -232,23 +176,24 @@ bool vtkBoneDecimateLevels::Prepare(vtkPolyData* input)
   }
   mine.Levels = bonedecimate::Levels();
   mine.Written = nullptr;
+  this->State->Keep(bonedecimate::Report());
   mine.Input = input;
   mine.InputTime = input->GetMTime();
-  return mine.Given ? this->OpenLog(input) : this->Record(input);
+  return mine.InputLog ? this->OpenLog(input) : this->Record(input);
 }
 
 //------------------------------------------------------------------------------
 bool vtkBoneDecimateLevels::OpenLog(vtkPolyData* input)
 {
   bonedecimate::EditLog log;
-  vtkUnsignedCharArray* given = this->Internal->Given;
+  vtkUnsignedCharArray* bytes = this->Internal->InputLog;
   bonedecimate::LogStatus status = bonedecimate::ReadLog(
-    given->GetPointer(0), static_cast<std::size_t>(given->GetNumberOfValues()), log);
+    bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()), log);
   if (status == bonedecimate::LogStatus::Good)
   {
-    status =
-      this->Internal->Levels.Open(bonedecimate::ToSurface(input, this->NumberOfThreads).Surface,
-        std::move(log), this->NumberOfThreads);
+    status = this->Internal->Levels.Open(
+      bonedecimate::ToSurface(input, this->GetNumberOfThreads()).Surface, std::move(log),
+      this->GetNumberOfThreads());
   }
   if (status != bonedecimate::LogStatus::Good)
   {
@@ -261,22 +206,13 @@ bool vtkBoneDecimateLevels::OpenLog(vtkPolyData* input)
 bool vtkBoneDecimateLevels::Record(vtkPolyData* input)
 {
   const bonedecimate::ConvertedSurface converted =
-    bonedecimate::ToSurface(input, this->NumberOfThreads);
-  for (const std::string& warning : converted.Warnings)
-  {
-    vtkWarningMacro(<< warning);
-  }
-  bonedecimate::Options options;
-  options.Mode = static_cast<bonedecimate::Mode>(this->Mode);
-  options.TargetNumberOfTriangles = this->CoarsestNumberOfTriangles;
-  options.MaximumError = this->MaximumError;
-  options.AllowLargeError = this->AllowLargeError;
-  options.MeasureDistances = this->MeasureErrors;
-  options.NumberOfThreads = this->NumberOfThreads;
+    bonedecimate::ToSurface(input, this->GetNumberOfThreads());
+  this->Warn(converted.Warnings);
   const bonedecimate::Result run = bonedecimate::RecordLevels(
-    converted.Surface, options,
+    converted.Surface, this->State->Options,
     [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); }, converted.IsSingle,
     this->Internal->Levels);
+  this->State->Keep(run.Report);
   const bonedecimate::InputStatus status = run.Report.Status;
   if (status == bonedecimate::InputStatus::NoTriangles)
   {
@@ -287,10 +223,7 @@ bool vtkBoneDecimateLevels::Record(vtkPolyData* input)
     vtkErrorMacro(<< bonedecimate::InputMessage(run.Report));
     return false;
   }
-  for (const std::string& warning : bonedecimate::InputWarnings(run.Report))
-  {
-    vtkWarningMacro(<< warning);
-  }
+  this->Warn(bonedecimate::InputWarnings(run.Report));
   const std::string contradiction = bonedecimate::ProofMessage(run.Report);
   if (!contradiction.empty())
   {
@@ -305,7 +238,7 @@ bool vtkBoneDecimateLevels::Record(vtkPolyData* input)
 
 //------------------------------------------------------------------------------
 /// In collapses.
-int vtkBoneDecimateLevels::LevelWanted() const
+int vtkBoneDecimateLevels::SelectedLevel() const
 {
   const bonedecimate::Levels& levels = this->Internal->Levels;
   int level = levels.NumberOfCollapses();
@@ -324,9 +257,9 @@ int vtkBoneDecimateLevels::LevelWanted() const
 bool vtkBoneDecimateLevels::Fill(vtkPolyData* other, vtkPolyData* output)
 {
   const bonedecimate::Levels& levels = this->Internal->Levels;
-  const int level = this->LevelWanted();
+  const int level = this->SelectedLevel();
   const std::optional<bonedecimate::Level> found = other
-    ? levels.AtOn(bonedecimate::ToSurface(other, this->NumberOfThreads).Surface, level)
+    ? levels.AtOn(bonedecimate::ToSurface(other, this->GetNumberOfThreads()).Surface, level)
     : levels.At(level);
   if (!found)
   {
@@ -334,9 +267,9 @@ bool vtkBoneDecimateLevels::Fill(vtkPolyData* other, vtkPolyData* output)
                      "finite or beyond 1e30 mm");
     return false;
   }
-  output->SetPoints(
-    bonedecimate::ToPoints(found->Surface.Points, levels.Log().IsSingle, this->NumberOfThreads));
-  output->SetPolys(bonedecimate::ToCells(found->Surface.Triangles, this->NumberOfThreads));
+  output->SetPoints(bonedecimate::ToPoints(
+    found->Surface.Points, levels.Log().IsSingle, this->GetNumberOfThreads()));
+  output->SetPolys(bonedecimate::ToCells(found->Surface.Triangles, this->GetNumberOfThreads()));
   return true;
 }
 
@@ -344,12 +277,6 @@ bool vtkBoneDecimateLevels::Fill(vtkPolyData* other, vtkPolyData* output)
 void vtkBoneDecimateLevels::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Mode: " << this->Mode << "\n";
-  os << indent << "CoarsestNumberOfTriangles: " << this->CoarsestNumberOfTriangles << "\n";
-  os << indent << "MaximumError: " << this->MaximumError << " mm\n";
-  os << indent << "AllowLargeError: " << this->AllowLargeError << "\n";
-  os << indent << "MeasureErrors: " << this->MeasureErrors << "\n";
-  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n";
   os << indent << "LevelError: " << this->LevelError << " mm\n";
   os << indent << "NumberOfMarks: " << this->GetNumberOfMarks() << "\n";

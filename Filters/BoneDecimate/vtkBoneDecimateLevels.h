@@ -4,9 +4,13 @@
  * @class   vtkBoneDecimateLevels
  * @brief   levels of detail: one decimation, recorded, and every stage of it at once
  *
- * The first update runs vtkBoneDecimate's engine down to the coarsest level and records it. From then on each update only
- * reads a level off: by a number of triangles, or by a largest measured distance to the input (mm). Changing a property of
- * the run, or the input, records anew.
+ * The first update runs a decimation down to the coarsest level and records it. From then on each update only reads a level:
+ * by a number of triangles (NumberOfTriangles), or by a largest measured distance to the input (LevelError, mm). Changing an
+ * option of the run, or the input, starts a new recording.
+ *
+ * The options of the run are those of vtkBoneDecimate: TargetNumberOfTriangles, TargetReduction and MaximumError say where the
+ * coarsest level is, and every level keeps MaximumError. Without MeasureDistances the levels have no measured distance, and
+ * LevelError selects the input. The report and the getters are about the coarsest level; they are empty for a log.
  *
  * Input port 0: the surface. Input port 1, optional: a surface with the same triangles and other points, such as a bone
  * registered to the first: the level is put on it, with the same triangles as on the first.
@@ -15,86 +19,32 @@
  * A value outside its range is an error event when it is set: the property keeps its value, and updates fail until it gets a
  * valid one.
  *
- * The log can be taken out (GetLog()), kept in a file, and given to another instance with the same input (SetLog()), which
- * then need not run. Documentation/levels.md has the format.
+ * The log (GetLog()) can be stored in a file and set in another instance with the same input (SetLog()), which then does
+ * not run. Documentation/levels.md has the format.
  *
  * @sa vtkBoneDecimate
  */
 #ifndef vtkBoneDecimateLevels_h
 #define vtkBoneDecimateLevels_h
 
+#include "vtkBoneGoalOptions.h"
 #include "vtkFiltersBoneDecimateModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
-#include <string> // for sentences
+#include <string> // for names of options
 
 class vtkUnsignedCharArray;
 
-class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneDecimateLevels : public vtkPolyDataAlgorithm
+class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneDecimateLevels : public vtkBoneGoalOptions
 {
 public:
   static vtkBoneDecimateLevels* New();
-  vtkTypeMacro(vtkBoneDecimateLevels, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkBoneDecimateLevels, vtkBoneGoalOptions);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
 
   ///@{
   /**
-   * The mode of the run, one of vtkBoneDecimate::Modes. Default BALANCED.
-   */
-  void SetMode(int mode);
-  vtkGetMacro(Mode, int);
-  ///@}
-
-  ///@{
-  /**
-   * Number of triangles of the coarsest level, 0 to 2147483647. Default 0: a tenth of the input's, or with MaximumError as
-   * few as it allows.
-   */
-  void SetCoarsestNumberOfTriangles(int triangles);
-  vtkGetMacro(CoarsestNumberOfTriangles, int);
-  ///@}
-
-  ///@{
-  /**
-   * Largest distance that the run may cause, mm, 0 to 1e30, proved in every mode but THESIS: every level keeps it. Default 0:
-   * none.
-   */
-  void SetMaximumError(double millimetres);
-  vtkGetMacro(MaximumError, double);
-  ///@}
-
-  ///@{
-  /**
-   * Run although MaximumError is more than a quarter of the diagonal of the input's bounding box, off by default: an error.
-   */
-  void SetAllowLargeError(bool allow);
-  vtkGetMacro(AllowLargeError, bool);
-  vtkBooleanMacro(AllowLargeError, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Measure how far levels are from the input, about two for each halving of the number of triangles, on by default. Without
-   * it LevelError is of no use.
-   */
-  void SetMeasureErrors(bool measure);
-  vtkGetMacro(MeasureErrors, bool);
-  vtkBooleanMacro(MeasureErrors, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Threads to use, 0 to 1024. Default 0: one per processor. No level depends on it.
-   */
-  void SetNumberOfThreads(int threads);
-  vtkGetMacro(NumberOfThreads, int);
-  ///@}
-
-  ///@{
-  /**
-   * The level wanted, by a number of triangles: the first one that has no more. 0 to 2147483647; 0, the default, is off.
+   * Selects the first level that has no more triangles than this. 0 to 2147483647; 0, the default, is off.
    */
   void SetNumberOfTriangles(int triangles);
   vtkGetMacro(NumberOfTriangles, int);
@@ -102,17 +52,12 @@ public:
 
   ///@{
   /**
-   * The level wanted, by a distance to the input, mm: the coarsest measured one that is not farther, or the input. 0 to 1e30;
+   * Selects the coarsest level whose measured distance to the input is at most this, mm, or the input if there is none. 0 to 1e30;
    * 0, the default, is off. With NumberOfTriangles, the finer of both; with neither, the coarsest level.
    */
   void SetLevelError(double millimeters);
   vtkGetMacro(LevelError, double);
   ///@}
-
-  /**
-   * What is wrong with the last value of a property ("LevelError"), in one sentence; empty if it was valid.
-   */
-  std::string GetRejectedValue(const std::string& property) const;
 
   /**
    * How many levels are marked, from fine to coarse; 0 before the first update.
@@ -139,8 +84,8 @@ public:
   vtkUnsignedCharArray* GetLog();
 
   /**
-   * A log to be used instead of a run, from now on; null goes back to runs. That it is not damaged and belongs to the input
-   * is found out by the next update, which otherwise fails.
+   * A log to use instead of a run; null, the default, is a run. The next update fails if the log is damaged or belongs to
+   * another surface.
    */
   void SetLog(vtkUnsignedCharArray* log);
 
@@ -148,6 +93,7 @@ protected:
   vtkBoneDecimateLevels();
   ~vtkBoneDecimateLevels() override;
 
+  void OptionChanged(const std::string& name) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -159,15 +105,9 @@ private:
   bool Prepare(vtkPolyData* input);
   bool OpenLog(vtkPolyData* input);
   bool Record(vtkPolyData* input);
-  int LevelWanted() const;
+  int SelectedLevel() const;
   bool Fill(vtkPolyData* other, vtkPolyData* output);
 
-  int Mode = 2;
-  int CoarsestNumberOfTriangles = 0;
-  double MaximumError = 0.0; // mm
-  bool AllowLargeError = false;
-  bool MeasureErrors = true;
-  int NumberOfThreads = 0;
   int NumberOfTriangles = 0;
   double LevelError = 0.0; // mm
 

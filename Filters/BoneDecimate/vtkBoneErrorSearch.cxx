@@ -4,7 +4,7 @@
 
 #include "ErrorSearch.h"
 #include "FilterProgress.h"
-#include "RejectedValues.h"
+#include "RunState.h"
 #include "SurfaceConversion.h"
 
 #include "vtkDoubleArray.h"
@@ -55,7 +55,6 @@ void FillTable(const std::vector<bonedecimate::ErrorTrial>& trials, vtkTable* ta
 //------------------------------------------------------------------------------
 vtkBoneErrorSearch::vtkBoneErrorSearch()
   : SmallestError(std::numeric_limits<double>::quiet_NaN())
-  , Rejected(new bonedecimate::RejectedValues)
 {
   this->SetNumberOfOutputPorts(2);
 }
@@ -63,68 +62,44 @@ vtkBoneErrorSearch::vtkBoneErrorSearch()
 vtkBoneErrorSearch::~vtkBoneErrorSearch() = default;
 
 //------------------------------------------------------------------------------
-void vtkBoneErrorSearch::SetMode(int mode)
+std::string vtkBoneErrorSearch::OptionProblem(
+  const bonedecimate::Options& changed, const std::string& name) const
 {
-  const std::string problem = bonedecimate::CheckOption(*bonedecimate::FindOption("Mode"), mode);
-  const bool isThesis = mode == static_cast<int>(bonedecimate::Mode::Thesis);
-  this->Rejected->Set(this, "Mode",
-    isThesis ? "Mode takes one of Fast, Balanced, Accurate, not Thesis, which proves nothing"
-             : problem,
-    mode, this->Mode);
+  const auto proves = [](const bonedecimate::ModeInfo& row) { return row.ProvesError(); };
+  const bonedecimate::ModeInfo& info = bonedecimate::FindMode(changed.Mode);
+  return name != "Mode" || proves(info) ? std::string()
+                                        : "Mode takes one of " +
+      bonedecimate::ModeNamesWhere(proves) + ", not " + info.Name + ", which proves nothing";
 }
 
 //------------------------------------------------------------------------------
-void vtkBoneErrorSearch::SetTargetNumberOfTriangles(int triangles)
+void vtkBoneErrorSearch::SetRelativePrecision(double ratio)
 {
-  this->Rejected->SetOption(
-    this, "TargetNumberOfTriangles", triangles, this->TargetNumberOfTriangles);
+  this->State->Rejected.SetNumber(
+    this, "RelativePrecision", { 0.001, 0.5 }, ratio, this->RelativePrecision);
 }
 
 //------------------------------------------------------------------------------
-void vtkBoneErrorSearch::SetRelativePrecision(double share)
-{
-  this->Rejected->SetNumber(
-    this, "RelativePrecision", { 0.001, 0.5 }, share, this->RelativePrecision);
-}
-
-//------------------------------------------------------------------------------
-void vtkBoneErrorSearch::SetNumberOfThreads(int threads)
-{
-  this->Rejected->SetOption(this, "NumberOfThreads", threads, this->NumberOfThreads);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkBoneErrorSearch::GetRejectedValue(const std::string& property) const
-{
-  return this->Rejected->Of(property);
-}
-
-vtkMTimeType vtkBoneErrorSearch::GetMTime()
-{
-  return this->Rejected->MTime(this->Superclass::GetMTime());
-}
-
-//------------------------------------------------------------------------------
-void vtkBoneErrorSearch::AddError(double millimetres)
+void vtkBoneErrorSearch::AddError(double millimeters)
 {
   const bonedecimate::NumberRange range = { 0.0, bonedecimate::LargestNumber, false, "mm" };
-  if (millimetres > 0.0 && bonedecimate::IsInRange(range, millimetres))
+  if (millimeters > 0.0 && bonedecimate::IsInRange(range, millimeters))
   {
-    this->Errors.push_back(millimetres);
+    this->Errors.push_back(millimeters);
     this->Modified();
   }
   else
   {
-    this->Rejected->Check(this, "Error",
+    this->State->Rejected.Check(this, "Error",
       "Error takes a number above 0 and at most 1e30 mm, not " +
-        bonedecimate::SentenceNumber(millimetres));
+        bonedecimate::SentenceNumber(millimeters));
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkBoneErrorSearch::RemoveAllErrors()
 {
-  this->Rejected->Check(this, "Error", {});
+  this->State->Rejected.Check(this, "Error", {});
   if (!this->Errors.empty())
   {
     this->Errors.clear();
@@ -149,39 +124,34 @@ int vtkBoneErrorSearch::FillOutputPortInformation(int port, vtkInformation* info
 int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (this->Rejected->Report(this))
+  if (this->State->Rejected.Report(this))
   {
     return 0;
   }
-  if (this->Errors.empty() && this->TargetNumberOfTriangles == 0)
+  if (this->Errors.empty() && this->GetTargetNumberOfTriangles() == 0)
   {
-    vtkErrorMacro(<< "neither a number of triangles nor errors were given");
+    vtkErrorMacro(<< "there is neither a number of triangles nor an error");
     return 0;
   }
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   const bonedecimate::ConvertedSurface converted =
-    bonedecimate::ToSurface(input, this->NumberOfThreads);
+    bonedecimate::ToSurface(input, this->GetNumberOfThreads());
   bonedecimate::ErrorSearchOptions options;
-  options.Run.Mode = static_cast<bonedecimate::Mode>(this->Mode);
-  options.Run.TargetNumberOfTriangles = this->TargetNumberOfTriangles;
-  options.Run.NumberOfThreads = this->NumberOfThreads;
-  options.Run.AllowLargeError = this->AllowLargeError;
+  options.Run = this->State->Options;
   options.RelativePrecision = this->RelativePrecision;
   options.InputIsSingle = converted.IsSingle;
   const auto monitor = [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); };
   const bonedecimate::ErrorSearchResult found = this->Errors.empty()
     ? bonedecimate::FindSmallestError(converted.Surface, options, monitor)
     : bonedecimate::FindErrorCurve(converted.Surface, this->Errors, options, monitor);
+  this->State->Keep(found.Found.Report);
   const std::string problem = bonedecimate::InputMessage(found.Found.Report);
   if (!problem.empty())
   {
     vtkErrorMacro(<< problem);
     return 0;
   }
-  for (const std::string& warning : bonedecimate::InputWarnings(found.Found.Report))
-  {
-    vtkWarningMacro(<< warning);
-  }
+  this->Warn(bonedecimate::InputWarnings(found.Found.Report));
   this->SmallestError = found.Best < 0 ? std::numeric_limits<double>::quiet_NaN()
                                        : found.Trials[static_cast<std::size_t>(found.Best)].Proved;
   this->ErrorTriedInVain = found.TriedInVain;
@@ -195,11 +165,7 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
 void vtkBoneErrorSearch::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Mode: " << this->Mode << "\n";
-  os << indent << "TargetNumberOfTriangles: " << this->TargetNumberOfTriangles << "\n";
   os << indent << "RelativePrecision: " << this->RelativePrecision << "\n";
-  os << indent << "AllowLargeError: " << this->AllowLargeError << "\n";
-  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "Errors: " << this->Errors.size() << "\n";
   os << indent << "SmallestError: " << this->SmallestError << " mm\n";
   os << indent << "ErrorTriedInVain: " << this->ErrorTriedInVain << " mm\n";

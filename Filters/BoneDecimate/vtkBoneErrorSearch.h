@@ -4,75 +4,46 @@
  * @class   vtkBoneErrorSearch
  * @brief   the smallest error that can be proved for a number of triangles, and the curve of one against the other
  *
- * Runs vtkBoneDecimate's engine again and again. With TargetNumberOfTriangles it looks for the smallest MaximumError (mm)
- * with which so few triangles can be proved, beginning with the run that has no largest error and is certified afterwards;
- * the better of both ways is the answer. With errors of its own (AddError()) it runs each of them once: the curve.
+ * Runs several decimations. With TargetNumberOfTriangles it searches for the smallest largest error (mm) that is proved for a
+ * result of at most so many triangles. The first run has no largest error and is certified afterwards; the result with the
+ * smaller proved error is returned. With errors (AddError()) it runs once for each of them instead: the curve of the number of
+ * triangles against the error. Mode must be another than THESIS, which proves nothing. AllowLargeError applies to curves; a
+ * search measures its errors.
  *
  * A value outside its range is an error event when it is set: the property keeps its value, and updates fail until it gets a
  * valid one.
  *
  * Output port 0: the surface of the best run (of the last error for a curve) with its report.
- * Output port 1: a table with a row for each run: MaximumError (mm; 0: none was asked for), Triangles, ProvedError (mm, both
- * ways and open borders), Reached (whether it is proved and no larger than asked for) and Seconds.
+ * Output port 1: a table with a row for each run: MaximumError (mm; 0: none), Triangles, ProvedError (mm, both
+ * ways and open boundaries), Reached (whether it is proved and has no more triangles than requested) and Seconds.
  *
  * @sa vtkBoneDecimate vtkBoneSurfaceDistance
  */
 #ifndef vtkBoneErrorSearch_h
 #define vtkBoneErrorSearch_h
 
+#include "vtkBoneRunOptions.h"
 #include "vtkFiltersBoneDecimateModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // for std::unique_ptr
 #include <string> // for sentences
 #include <vector> // for errors
 
 class vtkTable;
 
-namespace bonedecimate
-{
-class RejectedValues;
-}
-
-class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneErrorSearch : public vtkPolyDataAlgorithm
+class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneErrorSearch : public vtkBoneRunOptions
 {
 public:
   static vtkBoneErrorSearch* New();
-  vtkTypeMacro(vtkBoneErrorSearch, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkBoneErrorSearch, vtkBoneRunOptions);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
 
   ///@{
   /**
-   * The mode of every run, one of vtkBoneDecimate::Modes but THESIS, which proves nothing. Default BALANCED.
-   */
-  void SetMode(int mode);
-  vtkGetMacro(Mode, int);
-  ///@}
-
-  ///@{
-  /**
-   * The number of triangles whose smallest error is looked for; does not count if there are errors. 0 to 2147483647; default 0: none.
-   */
-  void SetTargetNumberOfTriangles(int triangles);
-  vtkGetMacro(TargetNumberOfTriangles, int);
-  ///@}
-
-  ///@{
-  /**
-   * The search ends when the smallest error found and the largest that was tried in vain differ by at most this share,
+   * The search ends when the smallest error found and the largest that was tried in vain differ by at most this ratio,
    * 0.001 to 0.5. Default 0.02.
    */
-  void SetRelativePrecision(double share);
+  void SetRelativePrecision(double ratio);
   vtkGetMacro(RelativePrecision, double);
-  ///@}
-
-  ///@{
-  /**
-   * Threads to use, 0 to 1024. Default 0: one per processor. The answer does not depend on it.
-   */
-  void SetNumberOfThreads(int threads);
-  vtkGetMacro(NumberOfThreads, int);
   ///@}
 
   ///@{
@@ -80,34 +51,18 @@ public:
    * The largest errors of a curve, mm, above 0 and at most 1e30. By default there are none. After a value outside of that, updates
    * fail until RemoveAllErrors(): a curve never lacks an error silently.
    */
-  void AddError(double millimetres);
+  void AddError(double millimeters);
   void RemoveAllErrors();
   int GetNumberOfErrors() const { return static_cast<int>(this->Errors.size()); }
   ///@}
 
-  ///@{
   /**
-   * Run a curve although one of its errors is more than a quarter of the diagonal of the input's bounding box, off by default: an
-   * error.
-   */
-  vtkSetMacro(AllowLargeError, bool);
-  vtkGetMacro(AllowLargeError, bool);
-  vtkBooleanMacro(AllowLargeError, bool);
-  ///@}
-
-  /**
-   * What is wrong with the last value of a property ("Mode"), or with an error of the curve ("Error"), in one sentence; empty if
-   * nothing is.
-   */
-  std::string GetRejectedValue(const std::string& property) const;
-
-  /**
-   * The smallest error that is proved, mm; not a number if no run was as small as asked for.
+   * The smallest error that is proved, mm; NaN if no run had so few triangles.
    */
   double GetSmallestError() const { return this->SmallestError; }
 
   /**
-   * The largest error below it for which no run was as small as asked for, mm; 0 if none failed.
+   * The largest error below it with which no run had so few triangles, mm; 0 if there is none.
    */
   double GetErrorTriedInVain() const { return this->ErrorTriedInVain; }
 
@@ -120,6 +75,8 @@ protected:
   vtkBoneErrorSearch();
   ~vtkBoneErrorSearch() override;
 
+  std::string OptionProblem(
+    const bonedecimate::Options& changed, const std::string& name) const override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -127,15 +84,10 @@ private:
   vtkBoneErrorSearch(const vtkBoneErrorSearch&) = delete;
   void operator=(const vtkBoneErrorSearch&) = delete;
 
-  int Mode = 2;
-  int TargetNumberOfTriangles = 0;
   double RelativePrecision = 0.02;
-  bool AllowLargeError = false;
-  int NumberOfThreads = 0;
   std::vector<double> Errors;    // mm
   double SmallestError;          // mm
   double ErrorTriedInVain = 0.0; // mm
-  std::unique_ptr<bonedecimate::RejectedValues> Rejected;
 };
 
 #endif

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBoneSurfaceDistance.h"
 
-#include "CertificateTable.h"
 #include "FilterProgress.h"
+#include "Input/Tolerances.h"
 #include "NamedEntries.h"
 #include "RejectedValues.h"
+#include "Report/CertificateTable.h"
+#include "Report/ReportJson.h"
 #include "SurfaceConversion.h"
-#include "Tolerances.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
@@ -29,7 +30,7 @@ struct vtkBoneSurfaceDistance::Internals
   std::string SignedDistanceArrayName = "SignedDistance";
   std::string SideArrayName = "Side";
   bonedecimate::CertificateOptions Options;
-  bonedecimate::Certificate Answer;
+  bonedecimate::Certificate Result;
   bonedecimate::NamedEntries Entries{ {} };
   bonedecimate::RejectedValues Rejected;
 };
@@ -131,14 +132,14 @@ vtkMTimeType vtkBoneSurfaceDistance::GetMTime()
 }
 
 //------------------------------------------------------------------------------
-int vtkBoneSurfaceDistance::GetVerdict() const
+int vtkBoneSurfaceDistance::GetStatus() const
 {
-  return static_cast<int>(this->Internal->Answer.Verdict);
+  return static_cast<int>(this->Internal->Result.Proof);
 }
 
-std::string vtkBoneSurfaceDistance::GetVerdictAsString() const
+std::string vtkBoneSurfaceDistance::GetStatusAsString() const
 {
-  return bonedecimate::VerdictWord(this->Internal->Answer.Verdict);
+  return bonedecimate::ProofStatusWord(this->Internal->Result.Proof);
 }
 
 double vtkBoneSurfaceDistance::GetLowerBound() const
@@ -149,6 +150,11 @@ double vtkBoneSurfaceDistance::GetLowerBound() const
 double vtkBoneSurfaceDistance::GetUpperBound() const
 {
   return this->GetReportValue("upper");
+}
+
+std::string vtkBoneSurfaceDistance::GetReportAsJson() const
+{
+  return bonedecimate::ReportJson(this->Internal->Entries.All());
 }
 
 int vtkBoneSurfaceDistance::GetNumberOfReportEntries() const
@@ -206,16 +212,16 @@ bool vtkBoneSurfaceDistance::TakeTolerances(vtkPolyData* reference)
   {
     return true;
   }
-  std::optional<std::vector<double>> values = bonedecimate::ReadPointValues(reference, name);
+  std::optional<std::vector<double>> values =
+    bonedecimate::ReadNumbers(reference->GetPointData()->GetArray(name.c_str()));
   if (!values)
   {
     vtkErrorMacro(<< "the reference has no point array '" << name << "' of one component");
     return false;
   }
   bonedecimate::Report found;
-  found.Status =
-    bonedecimate::CheckTolerances(*values, static_cast<std::size_t>(reference->GetNumberOfPoints()),
-      bonedecimate::Mode::Balanced, found.Cleaning);
+  found.Status = bonedecimate::CheckTolerances(
+    *values, static_cast<std::size_t>(reference->GetNumberOfPoints()), true, found.Cleaning);
   if (found.Status != bonedecimate::InputStatus::Good)
   {
     vtkErrorMacro(<< bonedecimate::InputMessage(found));
@@ -234,24 +240,25 @@ bool vtkBoneSurfaceDistance::Compare(vtkPolyData* reference, vtkPolyData* result
   bonedecimate::CertificateOptions& options = this->Internal->Options;
   options.TightBounds = this->TightBounds;
   options.RelativeGap = this->RelativeGap;
-  options.WithBorders = this->MeasureBorders;
+  options.WithBoundaries = this->MeasureBoundaries;
   options.WithMeans = this->MeasureMeans;
   options.MeanPrecision = this->MeanPrecision;
   options.WithPointDistances = true;
   options.NumberOfThreads = this->NumberOfThreads;
-  bonedecimate::Certificate& answer = this->Internal->Answer;
-  answer = bonedecimate::Certify(one.Surface, two.Surface, options,
+  bonedecimate::Certificate& certificate = this->Internal->Result;
+  certificate = bonedecimate::Certify(one.Surface, two.Surface, options,
     [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); });
-  NameCells(one, two, answer.ReferenceToResult);
-  NameCells(two, one, answer.ResultToReference);
-  NameCells(one, two, answer.BorderOfReferenceToResult);
-  NameCells(two, one, answer.BorderOfResultToReference);
-  this->Internal->Entries = bonedecimate::NamedEntries(bonedecimate::CertificateEntries(answer));
-  return this->Accept(static_cast<int>(answer.Status));
+  NameCells(one, two, certificate.ReferenceToResult);
+  NameCells(two, one, certificate.ResultToReference);
+  NameCells(one, two, certificate.BoundaryOfReferenceToResult);
+  NameCells(two, one, certificate.BoundaryOfResultToReference);
+  this->Internal->Entries =
+    bonedecimate::NamedEntries(bonedecimate::CertificateEntries(certificate));
+  return this->Accept(static_cast<int>(certificate.Status));
 }
 
 //------------------------------------------------------------------------------
-/// False if nothing can be given out.
+/// False if there is nothing to return.
 bool vtkBoneSurfaceDistance::Accept(int status)
 {
   const auto found = static_cast<bonedecimate::CertificateStatus>(status);
@@ -274,9 +281,9 @@ bool vtkBoneSurfaceDistance::Accept(int status)
 void vtkBoneSurfaceDistance::FillOutput(vtkPolyData* input, vtkPolyData* output, bool isReference)
 {
   output->ShallowCopy(input);
-  const bonedecimate::Certificate& answer = this->Internal->Answer;
+  const bonedecimate::Certificate& certificate = this->Internal->Result;
   const bonedecimate::SignedDistances& points =
-    isReference ? answer.ReferenceToResult.Points : answer.ResultToReference.Points;
+    isReference ? certificate.ReferenceToResult.Points : certificate.ResultToReference.Points;
   if (!points.Distance.empty())
   {
     vtkNew<vtkDoubleArray> distances;
@@ -292,8 +299,8 @@ void vtkBoneSurfaceDistance::FillOutput(vtkPolyData* input, vtkPolyData* output,
     output->GetPointData()->AddArray(distances);
     output->GetPointData()->AddArray(sides);
   }
-  bonedecimate::AddEntries(
-    this->Internal->Entries.All(), "bonedecimate.certificate.", output->GetFieldData());
+  bonedecimate::SetReport(
+    this->Internal->Entries.All(), bonedecimate::ArraysOfCertificate(), output->GetFieldData());
 }
 
 //------------------------------------------------------------------------------
@@ -304,11 +311,11 @@ void vtkBoneSurfaceDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ToleranceArrayName: " << this->Internal->ToleranceArrayName << "\n";
   os << indent << "TightBounds: " << this->TightBounds << "\n";
   os << indent << "RelativeGap: " << this->RelativeGap << "\n";
-  os << indent << "MeasureBorders: " << this->MeasureBorders << "\n";
+  os << indent << "MeasureBoundaries: " << this->MeasureBoundaries << "\n";
   os << indent << "MeasureMeans: " << this->MeasureMeans << "\n";
   os << indent << "MeanPrecision: " << this->MeanPrecision << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "SignedDistanceArrayName: " << this->Internal->SignedDistanceArrayName << "\n";
   os << indent << "SideArrayName: " << this->Internal->SideArrayName << "\n";
-  os << indent << "Verdict: " << this->GetVerdictAsString() << "\n";
+  os << indent << "Status: " << this->GetStatusAsString() << "\n";
 }

@@ -4,15 +4,16 @@
  * @class   vtkBoneSurfaceDistance
  * @brief   prove how far two surfaces are from each other
  *
- * Input port 0 is the reference, input port 1 the result, both of triangles, strips or polygons, in millimetres. A
- * branch and bound gives a proved lower and upper bound of the largest distance in each direction and of the borders,
- * curve to curve, with the place of each; the verdict says whether a tolerance is kept by every point of both, not by
+ * Input port 0 is the reference, input port 1 the result, both of triangles, strips or polygons, in millimeters. A
+ * branch and bound gives a proved lower and upper bound of the largest distance in each direction and of the boundaries,
+ * curve to curve, with the position of each; the status says whether every point of both keeps a tolerance, not only
  * samples alone. Averages and root mean squares come with the error of their estimate.
  *
  * Output port 0: the reference, output port 1: the result. Point data: the signed distance to the other surface, mm
  * (positive outside of it, and where there is no telling), and the side, 1 outside, -1 inside, 0 where there is no
- * telling: at borders, where the surface is not consistently oriented, and on it. Field data: the report, one
- * array per entry, its name "bonedecimate.certificate." and the entry's (GetReportEntryName()).
+ * telling: at boundaries, where the surface is not consistently oriented, and on it. Field data: the report
+ * as one JSON text, BoneDecimateCertificate, and its main figures as arrays of their own: bonedecimate.certificate.status,
+ * .lower, .upper, .boundaries, .reference_to_result.{upper, mean} and .result_to_reference.{upper, mean}.
  *
  * A value outside its range is an error event when it is set: the property keeps its value, and updates fail until it gets a
  * valid one.
@@ -40,7 +41,7 @@ public:
   vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
 
   /// Whether the tolerance is kept.
-  enum Verdicts
+  enum Status
   {
     NOT_ASKED = 0,
     PROVED,
@@ -79,7 +80,7 @@ public:
 
   ///@{
   /**
-   * By which share of the upper bound the lower one may be less, 1e-12 to 1; default 1e-6.
+   * Largest difference of the bounds as a ratio to the upper bound, 1e-12 to 1; default 1e-6.
    */
   void SetRelativeGap(double gap);
   vtkGetMacro(RelativeGap, double);
@@ -87,11 +88,11 @@ public:
 
   ///@{
   /**
-   * Measure open borders, too, on by default. If only one surface has some, no tolerance is kept.
+   * Measure open boundaries, too, on by default. If only one surface has some, no tolerance is kept.
    */
-  vtkSetMacro(MeasureBorders, bool);
-  vtkGetMacro(MeasureBorders, bool);
-  vtkBooleanMacro(MeasureBorders, bool);
+  vtkSetMacro(MeasureBoundaries, bool);
+  vtkGetMacro(MeasureBoundaries, bool);
+  vtkBooleanMacro(MeasureBoundaries, bool);
   ///@}
 
   ///@{
@@ -105,7 +106,7 @@ public:
 
   ///@{
   /**
-   * Share of average and root mean square to which they are estimated, 1e-4 to 1, as two standard errors; default 0.005.
+   * Two standard errors of the average and of the root mean square as a ratio to them, 1e-4 to 1; default 0.005.
    */
   void SetMeanPrecision(double precision);
   vtkGetMacro(MeanPrecision, double);
@@ -146,14 +147,14 @@ public:
   std::string GetRejectedValue(const std::string& property) const;
 
   /**
-   * Whether the last run kept its tolerance: one of Verdicts.
+   * Whether the last run kept its tolerance: one of Status.
    */
-  int GetVerdict() const;
+  int GetStatus() const;
 
   /**
-   * The verdict as a word: "proved".
+   * The status as a word: "not_requested", "proved", "violated" or "undecided".
    */
-  std::string GetVerdictAsString() const;
+  std::string GetStatusAsString() const;
 
   ///@{
   /**
@@ -164,7 +165,12 @@ public:
   ///@}
 
   /**
-   * The report of the last run is a flat list of named values ("reference_to_result.upper", "borders", ...). How many
+   * The whole report as JSON, objects within objects, as Documentation/certificate.schema.json describes it.
+   */
+  std::string GetReportAsJson() const;
+
+  /**
+   * The report of the last run is a flat list of named values ("reference_to_result.upper", "boundaries", ...). How many
    * there are.
    */
   int GetNumberOfReportEntries() const;
@@ -209,7 +215,7 @@ private:
   double Tolerance = -1.0; // mm
   bool TightBounds = true;
   double RelativeGap = 1e-6;
-  bool MeasureBorders = true;
+  bool MeasureBoundaries = true;
   bool MeasureMeans = true;
   double MeanPrecision = 5e-3;
   int NumberOfThreads = 0;

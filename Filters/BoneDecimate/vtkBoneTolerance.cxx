@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBoneTolerance.h"
 
-#include "FeaturePoints.h"
+#include "Input/FeaturePoints.h"
 #include "PointChoice.h"
 #include "RejectedValues.h"
 #include "SurfaceConversion.h"
@@ -167,10 +167,10 @@ int vtkBoneTolerance::GetNumberOfLabels() const
   return static_cast<int>(this->Internal->Labels.size());
 }
 
-int vtkBoneTolerance::GetLabel(int place) const
+int vtkBoneTolerance::GetLabel(int index) const
 {
-  return place >= 0 && place < this->GetNumberOfLabels()
-    ? this->Internal->Labels[static_cast<std::size_t>(place)]
+  return index >= 0 && index < this->GetNumberOfLabels()
+    ? this->Internal->Labels[static_cast<std::size_t>(index)]
     : 0;
 }
 
@@ -283,7 +283,7 @@ bool vtkBoneTolerance::Choose(vtkPolyData* input, vtkDataObject* selection) cons
     case IMPLICIT_FUNCTION:
       return this->ChooseByFunction(input);
     case FOLDS:
-    case BORDERS:
+    case BOUNDARIES:
       this->ChooseLines(input);
       break;
     case UNLIMITED:
@@ -332,9 +332,9 @@ void vtkBoneTolerance::ChooseLines(vtkPolyData* input) const
 {
   const bonedecimate::ConvertedSurface converted = bonedecimate::ToSurface(input, 1);
   bonedecimate::PointChoice& chosen = this->Internal->Chosen;
-  chosen = this->Choice == BORDERS ? bonedecimate::PointsOnBorders(converted.Surface)
-                                   : bonedecimate::PointsOnFolds(converted.Surface,
-                                       std::cos(vtkMath::RadiansFromDegrees(this->FoldAngle)));
+  chosen = this->Choice == BOUNDARIES ? bonedecimate::PointsOnBoundaries(converted.Surface)
+                                      : bonedecimate::PointsOnFolds(converted.Surface,
+                                          std::cos(vtkMath::RadiansFromDegrees(this->FoldAngle)));
   if (this->Inverted)
   {
     chosen.flip();
@@ -362,8 +362,8 @@ void vtkBoneTolerance::Lower(vtkPolyData* output) const
     double tolerance = chosen[i] ? this->InsideTolerance : this->OutsideTolerance;
     if (!distances.empty())
     {
-      const double share = distances[i] / this->Feather;
-      tolerance = (1.0 - share) * this->InsideTolerance + share * this->OutsideTolerance;
+      const double ratio = distances[i] / this->Feather;
+      tolerance = (1.0 - ratio) * this->InsideTolerance + ratio * this->OutsideTolerance;
     }
     const auto id = static_cast<vtkIdType>(i);
     tolerances->SetValue(

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkBoneTolerance
- * @brief   turn a choice of points into a tolerance in millimetres for each point
+ * @brief   turn a choice of points into a tolerance in millimeters for each point
  *
  * Chooses points of a surface (by an array, a selection, an implicit function, the lines where it folds or ends) and
  * gives them one tolerance and all others another one, with a ring around in which it changes linearly. The result is
  * the input with a point array, double, that vtkBoneDecimate::SetToleranceArrayName and
- * vtkBoneSurfaceDistance::SetToleranceArrayName understand: 0 freezes a point with all triangles at it, a positive
- * number is a largest error there, negative is no limit. Coordinates are millimetres.
+ * vtkBoneSurfaceDistance::SetToleranceArrayName understand: 0 keeps a point and all its triangles unchanged, a positive
+ * number is a largest error there, negative is no limit. Coordinates are millimeters.
  *
  * Several in a row combine: where the array is there already it is lowered, never raised. "Joint 0.05, shaft 0.3,
  * everything else 0.1" is one filter for each, the last with UNLIMITED. Brush: choose what may change, InvertedOn,
@@ -49,7 +49,7 @@ public:
     SELECTION,         ///< Points, or points of cells, of the selection on input port 1.
     IMPLICIT_FUNCTION, ///< Points where the function is not positive.
     FOLDS,             ///< Points on edges with an angle between their two triangles.
-    BORDERS,           ///< Points on edges of one triangle.
+    BOUNDARIES,        ///< Points on edges of one triangle.
     UNLIMITED          ///< Points that have no tolerance yet: in the input's array, if it is there.
   };
 
@@ -65,7 +65,7 @@ public:
   void SetChoiceToSelection() { this->SetChoice(SELECTION); }
   void SetChoiceToImplicitFunction() { this->SetChoice(IMPLICIT_FUNCTION); }
   void SetChoiceToFolds() { this->SetChoice(FOLDS); }
-  void SetChoiceToBorders() { this->SetChoice(BORDERS); }
+  void SetChoiceToBoundaries() { this->SetChoice(BOUNDARIES); }
   void SetChoiceToUnlimited() { this->SetChoice(UNLIMITED); }
   ///@}
 
@@ -96,7 +96,7 @@ public:
   /**
    * A label, 0 to GetNumberOfLabels() - 1; 0 beyond that.
    */
-  int GetLabel(int place) const;
+  int GetLabel(int index) const;
 
   ///@{
   /**
@@ -127,7 +127,7 @@ public:
 
   ///@{
   /**
-   * Tolerance of the chosen points, mm. 0, the default, freezes them; negative is no limit; -1e30 to 1e30.
+   * Tolerance of the chosen points, mm. 0, the default, keeps them unchanged; negative is no limit; -1e30 to 1e30.
    */
   void SetInsideTolerance(double millimeters);
   vtkGetMacro(InsideTolerance, double);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "BoundaryStrips.h"
 #include "Plan.h"
-#include "SeamStrips.h"
 
 #include "vtkCellData.h"
 #include "vtkCommunicator.h"
@@ -16,18 +16,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string>
 
 namespace
 {
-const std::string ReportPrefix = "bonedecimate.";
-
 vtkDataArray* PointValues(vtkPolyData* surface, const std::string& name)
 {
   return surface->GetPointData()->GetArray(name.c_str());
 }
 
-/// How many triangles have a corner at one of the places.
-double TrianglesAt(vtkPolyData* surface, const bonedecimate::Places& places)
+/// Number of triangles with a corner at one of the positions.
+double TrianglesAt(vtkPolyData* surface, const bonedecimate::Positions& positions)
 {
   double count = 0.0;
   vtkNew<vtkIdList> corners;
@@ -37,18 +37,11 @@ double TrianglesAt(vtkPolyData* surface, const bonedecimate::Places& places)
   {
     surface->GetCellPoints(cell, corners);
     const bool isThere = std::any_of(corners->begin(), corners->end(),
-      [&](vtkIdType corner) { return bonedecimate::Contains(places, surface->GetPoint(corner)); });
+      [&](vtkIdType corner)
+      { return bonedecimate::Contains(positions, surface->GetPoint(corner)); });
     count += isThere ? 1.0 : 0.0;
   }
   return count;
-}
-
-void AddNumber(vtkPolyData* surface, const std::string& name, double value)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName((ReportPrefix + name).c_str());
-  array->InsertNextValue(value);
-  surface->GetFieldData()->AddArray(array);
 }
 
 void SetPointValues(
@@ -63,7 +56,7 @@ void SetPointValues(
   surface->GetPointData()->AddArray(array);
 }
 
-/// What each point of the result stands for: the sum of what the points stood for that became part of it.
+/// For each point of the result the sum of the counts of the points that became part of it.
 void SumCounts(
   vtkPolyData* before, vtkDataArray* became, vtkPolyData* after, const std::string& name)
 {
@@ -88,10 +81,10 @@ void SumCounts(
 /// mm; 0: none.
 double vtkPBoneDecimate::LargestError() const
 {
-  static const double shares[] = { 0.0, 0.25, 0.5, 1.0 }; // as in ErrorPresets
-  const double ofVoxel = shares[this->GetErrorPreset()] * this->GetVoxelSize();
-  const double asked = this->GetMaximumError();
-  return asked > 0.0 && ofVoxel > 0.0 ? std::min(asked, ofVoxel) : std::max(asked, ofVoxel);
+  static const double ratios[] = { 0.0, 0.25, 0.5, 1.0 }; // as in ErrorPresets
+  const double ofVoxel = ratios[this->GetErrorPreset()] * this->GetVoxelSize();
+  const double own = this->GetMaximumError();
+  return own > 0.0 && ofVoxel > 0.0 ? std::min(own, ofVoxel) : std::max(own, ofVoxel);
 }
 
 //------------------------------------------------------------------------------
@@ -114,8 +107,8 @@ double vtkPBoneDecimate::WholeDiagonal(vtkPolyData* input) const
 }
 
 //------------------------------------------------------------------------------
-/// As on one process: the default reduction steps back, the first stop reached counts.
-double vtkPBoneDecimate::TrianglesWanted(double total, bool isLimited) const
+/// As on one process: the default reduction is ignored beside other targets, and the first target that is reached ends the run.
+double vtkPBoneDecimate::TargetTriangles(double total, bool isLimited) const
 {
   const double number = this->GetTargetNumberOfTriangles();
   const bool anyOther = isLimited || number > 0.0 || this->LargestError() > 0.0;
@@ -127,9 +120,9 @@ double vtkPBoneDecimate::TrianglesWanted(double total, bool isLimited) const
 
 //------------------------------------------------------------------------------
 /// Whether every point of every process has a tolerance.
-bool vtkPBoneDecimate::IsLimitedEverywhere(vtkPolyData* input) const
+bool vtkPBoneDecimate::IsLimitedEverywhere(vtkPolyData* input)
 {
-  vtkDataArray* tolerances = PointValues(input, this->GetToleranceArrayName());
+  vtkDataArray* tolerances = this->GetPointTolerances(input);
   bool isLimited = tolerances != nullptr || input->GetNumberOfPoints() == 0;
   for (vtkIdType i = 0; tolerances && i < tolerances->GetNumberOfTuples(); ++i)
   {
@@ -139,25 +132,26 @@ bool vtkPBoneDecimate::IsLimitedEverywhere(vtkPolyData* input) const
 }
 
 //------------------------------------------------------------------------------
-vtkPBoneDecimate::Plan vtkPBoneDecimate::MakePlan(vtkPolyData* input, vtkPolyData* reference) const
+vtkPBoneDecimate::Plan vtkPBoneDecimate::MakePlan(vtkPolyData* input, vtkPolyData* reference)
 {
   Plan plan;
-  plan.Shared = bonedecimate::SharedPlaces(bonedecimate::BorderPlaces(input), this->Controller);
+  plan.Shared =
+    bonedecimate::SharedPositions(bonedecimate::BoundaryPositions(input), this->Controller);
   const double own = static_cast<double>(input->GetNumberOfPolys());
-  const double frozen = TrianglesAt(input, plan.Shared);
+  const double constrained = TrianglesAt(input, plan.Shared);
   plan.Total = this->OfAll(own, vtkCommunicator::SUM_OP);
-  const double allFrozen = this->OfAll(frozen, vtkCommunicator::SUM_OP);
-  plan.Wanted = this->TrianglesWanted(plan.Total, this->IsLimitedEverywhere(input));
+  const double allConstrained = this->OfAll(constrained, vtkCommunicator::SUM_OP);
+  plan.Target = this->TargetTriangles(plan.Total, this->IsLimitedEverywhere(input));
   plan.Error = this->LargestError();
   const bool hasReference = this->OfAll(reference ? 1.0 : 0.0, vtkCommunicator::MAX_OP) > 0.0;
-  plan.ReducesSeams = !plan.Shared.empty() && !hasReference &&
-    this->GetToleranceArrayName().empty() && !(this->GetMode() == THESIS && plan.Error > 0.0);
-  // Seams that will be reduced later count as they will be; seams that stay count as they are.
-  const double share = plan.ReducesSeams
-    ? plan.Wanted / std::max(plan.Total, 1.0)
-    : (plan.Wanted - allFrozen) / std::max(plan.Total - allFrozen, 1.0);
-  plan.WantedHere = plan.Wanted > 0.0
-    ? std::max(1.0, frozen + std::floor(std::max(share, 0.0) * (own - frozen) + 0.5))
+  plan.ReducesStrips = !plan.Shared.empty() && !hasReference &&
+    !this->HasInputArray(TOLERANCE_ARRAY) && !(this->GetMode() == THESIS && plan.Error > 0.0);
+  // Strips that are reduced later count with their target, all others as they are.
+  const double ratio = plan.ReducesStrips
+    ? plan.Target / std::max(plan.Total, 1.0)
+    : (plan.Target - allConstrained) / std::max(plan.Total - allConstrained, 1.0);
+  plan.TargetHere = plan.Target > 0.0
+    ? std::max(1.0, constrained + std::floor(std::max(ratio, 0.0) * (own - constrained) + 0.5))
     : 0.0;
   return plan;
 }
@@ -172,18 +166,17 @@ void vtkPBoneDecimate::Order(vtkPBoneDecimate* run, double triangles, double err
   run->SetMaximumError(error);
   run->SetErrorPreset(NO_PRESET);
   run->SetMakeMaps(false);
-  run->SetOutputPointsPrecision(DEFAULT_PRECISION); // frozen points stay bit for bit
+  run->SetOutputPointsPrecision(DEFAULT_PRECISION); // constrained points keep their bits
 }
 
 //------------------------------------------------------------------------------
-/// Phase 1. False if the part was refused.
+/// Phase 1. False if the part was rejected.
 bool vtkPBoneDecimate::ReducePart(
   vtkPBoneDecimate* run, vtkPolyData* input, vtkPolyData* reference, const Plan& plan)
 {
-  this->Order(run, plan.WantedHere, plan.Error * (plan.ReducesSeams ? Plan::ShareOfParts : 1.0));
-  const std::string& name = this->GetToleranceArrayName();
-  vtkDataArray* asked = PointValues(input, name);
-  if (!name.empty() && (!asked || asked->GetNumberOfComponents() != 1))
+  this->Order(run, plan.TargetHere, plan.Error * (plan.ReducesStrips ? Plan::RatioOfParts : 1.0));
+  vtkDataArray* array = this->GetPointTolerances(input);
+  if (this->HasInputArray(TOLERANCE_ARRAY) && (!array || array->GetNumberOfComponents() != 1))
   {
     return this->Run(run, input, reference); // which says what is wrong
   }
@@ -191,7 +184,7 @@ bool vtkPBoneDecimate::ReducePart(
   for (std::size_t i = 0; i < tolerances.size(); ++i)
   {
     const vtkIdType point = static_cast<vtkIdType>(i);
-    const double own = asked ? asked->GetComponent(point, 0) : -1.0;
+    const double own = array ? array->GetComponent(point, 0) : -1.0;
     tolerances[i] = bonedecimate::Contains(plan.Shared, input->GetPoint(point)) ? 0.0 : own;
   }
   vtkNew<vtkPolyData> marked;
@@ -202,19 +195,19 @@ bool vtkPBoneDecimate::ReducePart(
 }
 
 //------------------------------------------------------------------------------
-/// Phase 2: what the strips of all processes become is process 0's.
-void vtkPBoneDecimate::ReduceSeams(
+/// Phase 2: process 0 gets the result of the strips of all processes.
+void vtkPBoneDecimate::ReduceSharedStrips(
   vtkPolyData* input, Plan& plan, vtkPolyData* output, vtkPolyData* inputCopy)
 {
-  const bonedecimate::SeamParts parts = bonedecimate::CutSeams(output, plan.Shared);
+  const bonedecimate::StripParts parts = bonedecimate::CutStrips(output, plan.Shared);
   const double strip = static_cast<double>(parts.Strip->GetNumberOfPolys());
   const double rest = static_cast<double>(parts.Rest->GetNumberOfPolys());
-  plan.SeamsBefore = this->OfAll(strip, vtkCommunicator::SUM_OP);
-  const double left = plan.Wanted - this->OfAll(rest, vtkCommunicator::SUM_OP);
+  plan.StripsBefore = this->OfAll(strip, vtkCommunicator::SUM_OP);
+  const double left = plan.Target - this->OfAll(rest, vtkCommunicator::SUM_OP);
   std::vector<vtkSmartPointer<vtkDataObject>> received;
   this->Controller->Gather(parts.Strip, received, 0);
   const bool isFirst = this->Controller->GetLocalProcessId() == 0;
-  auto seams = vtkSmartPointer<vtkPolyData>::New();
+  auto reduced = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPBoneDecimate> run;
   if (isFirst)
   {
@@ -224,28 +217,28 @@ void vtkPBoneDecimate::ReduceSeams(
     {
       strips.emplace_back(vtkPolyData::SafeDownCast(one));
     }
-    seams = bonedecimate::Join(strips);
-    const double triangles = plan.Wanted > 0.0 ? std::max(left, 1.0) : 0.0;
-    if (this->ReduceStrips(run, seams, plan, triangles))
+    reduced = bonedecimate::Join(strips);
+    const double triangles = plan.Target > 0.0 ? std::max(left, 1.0) : 0.0;
+    if (this->ReduceStrips(run, reduced, plan, triangles))
     {
-      seams = run->GetOutput();
+      reduced = run->GetOutput();
     }
   }
-  this->Controller->Broadcast(seams, 0);
-  plan.SeamsAfter = static_cast<double>(seams->GetNumberOfPolys());
+  this->Controller->Broadcast(reduced, 0);
+  plan.StripsAfter = static_cast<double>(reduced->GetNumberOfPolys());
   plan.Proved += this->ProvedByAll(run);
-  this->MeasureAnew(input, parts.Rest, seams, inputCopy);
-  const auto whole = isFirst ? bonedecimate::Join({ parts.Rest, seams }) : parts.Rest;
+  this->MeasureAnew(input, parts.Rest, reduced, inputCopy);
+  const auto whole = isFirst ? bonedecimate::Join({ parts.Rest, reduced }) : parts.Rest;
   whole->GetFieldData()->ShallowCopy(output->GetFieldData());
   output->ShallowCopy(whole);
 }
 
 //------------------------------------------------------------------------------
-/// False if they were refused.
+/// False if they were rejected.
 bool vtkPBoneDecimate::ReduceStrips(
   vtkPBoneDecimate* run, vtkPolyData* strips, const Plan& plan, double triangles)
 {
-  this->Order(run, triangles, plan.Error * (1.0 - Plan::ShareOfParts));
+  this->Order(run, triangles, plan.Error * (1.0 - Plan::RatioOfParts));
   run->SetToleranceArrayName(bonedecimate::RimArrayName);
   run->SetMergePoints(true); // that is what joins them
   run->SetMakeMaps(true);
@@ -255,12 +248,12 @@ bool vtkPBoneDecimate::ReduceStrips(
   {
     return false;
   }
-  vtkPolyData* seams = run->GetOutput();
+  vtkPolyData* reduced = run->GetOutput();
   vtkPolyData* copy = vtkPolyData::SafeDownCast(run->GetOutputDataObject(1));
-  SumCounts(strips, PointValues(copy, "ResultPointIds"), seams, this->GetPointCountArrayName());
-  seams->GetPointData()->RemoveArray("OriginalPointIds");
-  seams->GetCellData()->RemoveArray("OriginalCellIds");
-  vtkDataArray* bounds = PointValues(seams, this->GetErrorBoundArrayName());
+  SumCounts(strips, PointValues(copy, "ResultPointIds"), reduced, this->GetPointCountArrayName());
+  reduced->GetPointData()->RemoveArray("OriginalPointIds");
+  reduced->GetCellData()->RemoveArray("OriginalCellIds");
+  vtkDataArray* bounds = PointValues(reduced, this->GetErrorBoundArrayName());
   for (vtkIdType i = 0; bounds && i < bounds->GetNumberOfTuples(); ++i)
   {
     bounds->SetComponent(i, 0, bounds->GetComponent(i, 0) + plan.Proved);
@@ -271,21 +264,21 @@ bool vtkPBoneDecimate::ReduceStrips(
 //------------------------------------------------------------------------------
 /// Distances that phase 2 changed, each to the surfaces of all processes or, of input points, to those at hand.
 void vtkPBoneDecimate::MeasureAnew(
-  vtkPolyData* input, vtkPolyData* rest, vtkPolyData* seams, vtkPolyData* inputCopy)
+  vtkPolyData* input, vtkPolyData* rest, vtkPolyData* reduced, vtkPolyData* inputCopy)
 {
   if (this->GetMeasureDistances() || this->GetMode() == THESIS)
   {
-    std::vector<double> own = bonedecimate::DistancesTo(input, seams->GetPoints());
+    std::vector<double> own = bonedecimate::DistancesTo(input, reduced->GetPoints());
     std::vector<double> least = own;
     this->Controller->AllReduce(
       own.data(), least.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::MIN_OP);
-    SetPointValues(seams, this->GetDistanceArrayName(), least);
-    SetPointValues(seams, this->GetRunningErrorArrayName(), least);
+    SetPointValues(reduced, this->GetDistanceArrayName(), least);
+    SetPointValues(reduced, this->GetRunningErrorArrayName(), least);
   }
   else
   {
     // Those of phase 2 are distances to what phase 1 left, not to the input.
-    for (vtkPolyData* surface : { rest, seams })
+    for (vtkPolyData* surface : { rest, reduced })
     {
       surface->GetPointData()->RemoveArray(this->GetDistanceArrayName().c_str());
       surface->GetPointData()->RemoveArray(this->GetRunningErrorArrayName().c_str());
@@ -294,8 +287,8 @@ void vtkPBoneDecimate::MeasureAnew(
   if (this->GetMeasureInputDistances())
   {
     std::vector<double> nearest = bonedecimate::DistancesTo(rest, input->GetPoints());
-    const std::vector<double> toSeams = bonedecimate::DistancesTo(seams, input->GetPoints());
-    std::transform(nearest.begin(), nearest.end(), toSeams.begin(), nearest.begin(),
+    const std::vector<double> toStrips = bonedecimate::DistancesTo(reduced, input->GetPoints());
+    std::transform(nearest.begin(), nearest.end(), toStrips.begin(), nearest.begin(),
       [](double a, double b) { return std::min(a, b); });
     SetPointValues(inputCopy, this->GetInputDistanceArrayName(), nearest);
     inputCopy->GetPointData()->RemoveArray(this->GetInputErrorBoundArrayName().c_str());
@@ -303,26 +296,19 @@ void vtkPBoneDecimate::MeasureAnew(
 }
 
 //------------------------------------------------------------------------------
-/// Of the whole surface, the same on every process; entries of a part would be taken for it.
-void vtkPBoneDecimate::Report(const Plan& plan, vtkPolyData* output) const
+/// Of the whole surface, the same on every process.
+void vtkPBoneDecimate::Report(const Plan& plan, vtkPolyData* output)
 {
-  vtkFieldData* entries = output->GetFieldData();
-  for (int i = entries->GetNumberOfArrays() - 1; i >= 0; --i)
-  {
-    if (std::string(entries->GetArrayName(i)).rfind(ReportPrefix, 0) == 0)
-    {
-      entries->RemoveArray(i);
-    }
-  }
   const double own = static_cast<double>(output->GetNumberOfPolys());
-  AddNumber(output, "input.faces", plan.Total);
-  AddNumber(output, "output.faces", this->OfAll(own, vtkCommunicator::SUM_OP));
+  std::map<std::string, double> entries = { { "input.triangles", plan.Total },
+    { "output.triangles", this->OfAll(own, vtkCommunicator::SUM_OP) },
+    { "parallel.processes", this->Controller->GetNumberOfProcesses() },
+    { "parallel.shared_points", static_cast<double>(plan.Shared.size()) },
+    { "parallel.strip_triangles_before", plan.StripsBefore },
+    { "parallel.strip_triangles_after", plan.StripsAfter } };
   if (!std::isnan(plan.Proved))
   {
-    AddNumber(output, "proof.upper", plan.Proved);
+    entries["proof.upper"] = plan.Proved;
   }
-  AddNumber(output, "parallel.processes", this->Controller->GetNumberOfProcesses());
-  AddNumber(output, "parallel.shared_points", static_cast<double>(plan.Shared.size()));
-  AddNumber(output, "parallel.seam_faces_before", plan.SeamsBefore);
-  AddNumber(output, "parallel.seam_faces_after", plan.SeamsAfter);
+  this->SetReportOfParts(entries, output);
 }

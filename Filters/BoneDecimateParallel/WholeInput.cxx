@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WholeInput.h"
 
-#include "SeamStrips.h"
+#include "BoundaryStrips.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -22,16 +22,16 @@ namespace
 vtkSmartPointer<vtkPolyData> AppendBlocks(vtkCompositeDataSet* composite)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> blocks;
-  auto place = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (place->InitTraversal(); !place->IsDoneWithTraversal(); place->GoToNextItem())
+  auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
-    vtkPolyData* block = vtkPolyData::SafeDownCast(place->GetCurrentDataObject());
+    vtkPolyData* block = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject());
     if (block && block->GetNumberOfCells() > 0)
     {
       vtkNew<vtkIntArray> index;
       index->SetName(BlockArrayName);
       index->SetNumberOfTuples(block->GetNumberOfCells());
-      index->Fill(place->GetCurrentFlatIndex());
+      index->Fill(iterator->GetCurrentFlatIndex());
       blocks.push_back(vtkSmartPointer<vtkPolyData>::New());
       blocks.back()->ShallowCopy(block);
       blocks.back()->GetCellData()->AddArray(index);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPBoneDecimate.h"
 
+#include "BoundaryStrips.h"
 #include "Plan.h"
-#include "SeamStrips.h"
 #include "WholeInput.h"
 
 #include "vtkCommand.h"
@@ -96,7 +96,7 @@ bool vtkPBoneDecimate::IsTrueAnywhere(bool own) const
 }
 
 //------------------------------------------------------------------------------
-/// False if the input was refused, which was said then.
+/// False if the input was rejected; the reason has been reported.
 bool vtkPBoneDecimate::Run(vtkPBoneDecimate* run, vtkPolyData* input, vtkPolyData* reference)
 {
   run->SetController(nullptr);
@@ -123,14 +123,15 @@ int vtkPBoneDecimate::RunAlone(
   vtkNew<vtkPBoneDecimate> run;
   run->CopyOptions(*this);
   const bool isDone = this->Run(run, input, reference);
+  this->TakeReport(*run);
   vtkPolyData::GetData(outputVector, 0)->ShallowCopy(run->GetOutput());
   vtkPolyData::GetData(outputVector, 1)->ShallowCopy(run->GetOutputDataObject(1));
   return isDone ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------
-/// What cannot be told from a part of a surface; null if nothing is asked for that cannot.
-const char* vtkPBoneDecimate::ProblemOfParts() const
+/// The option that needs the whole surface; null if there is none.
+const char* vtkPBoneDecimate::ProblemOfParts()
 {
   if (this->GetErrorPreset() != NO_PRESET && this->GetVoxelSize() == 0.0)
   {
@@ -141,7 +142,7 @@ const char* vtkPBoneDecimate::ProblemOfParts() const
   {
     return "components are pruned on one process alone: here may lie a small part of a large one";
   }
-  if (!this->GetLabelArrayName().empty())
+  if (this->HasInputArray(LABEL_ARRAY))
   {
     return "labels are for one process alone: their lines would not meet between the parts";
   }
@@ -158,8 +159,8 @@ const char* vtkPBoneDecimate::ProblemOfParts() const
     return "OutputPointsPrecision on several processes is that of the input: parts are joined "
            "where points are equal";
   }
-  return this->GetExamineInput()
-    ? "ExamineInput is for one process alone: what is odd about a part need not be so in the whole"
+  return this->GetDiagnoseInput()
+    ? "DiagnoseInput is for one process alone: what is odd about a part need not be so in the whole"
     : nullptr;
 }
 
@@ -185,7 +186,7 @@ int vtkPBoneDecimate::RunTogether(
   {
     if (isDone)
     {
-      vtkErrorMacro(<< "another process refused its part of the surface");
+      vtkErrorMacro(<< "another process rejected its part of the surface");
     }
     return 0;
   }
@@ -194,9 +195,9 @@ int vtkPBoneDecimate::RunTogether(
   output->ShallowCopy(run->GetOutput());
   inputCopy->ShallowCopy(run->GetOutputDataObject(1));
   plan.Proved = this->ProvedByAll(run);
-  if (plan.ReducesSeams)
+  if (plan.ReducesStrips)
   {
-    this->ReduceSeams(input, plan, output, inputCopy);
+    this->ReduceSharedStrips(input, plan, output, inputCopy);
   }
   for (vtkPolyData* surface : { output, inputCopy })
   {
@@ -208,10 +209,10 @@ int vtkPBoneDecimate::RunTogether(
 }
 
 //------------------------------------------------------------------------------
-/// mm; not a number if nobody proved anything. Who had no triangles does not count.
+/// mm; NaN if no process proved anything. Processes without triangles do not count.
 double vtkPBoneDecimate::ProvedByAll(vtkPBoneDecimate* run) const
 {
-  const double proved = run->GetReportValue("proof.upper");
+  const double proved = run->GetProvedError();
   const double most = this->OfAll(std::isnan(proved) ? -1.0 : proved, vtkCommunicator::MAX_OP);
   return most < 0.0 ? std::nan("") : most;
 }

@@ -4,26 +4,26 @@
  * @class   vtkPBoneDecimate
  * @brief   vtkBoneDecimate for a surface that lies on several processes, or in several blocks
  *
- * Every process has a part of the surface; where parts meet, their open borders have points with exactly equal coordinates.
+ * Every process has a part of the surface; where parts meet, their open boundaries have points with exactly equal coordinates.
  *
- *     shared  = points of open borders that more than one process has
- *     phase 1   each process decimates its part with the shared points frozen, towards its share of the triangles
+ *     shared  = points of open boundaries that more than one process has
+ *     phase 1   each process decimates its part with the shared points constrained, towards its part of the triangles
  *     phase 2   strips of a few rings around the shared points go to process 0, are joined there and decimated with their
- *               rims frozen; what they become stays there
+ *               rims constrained; the result stays there
  *
  * The result hangs together as the input did, wherever points are equal. TargetNumberOfTriangles and TargetReduction are meant of
  * the whole surface. MaximumError holds of the whole surface: phase 1 may use four fifths of it, phase 2 one fifth. The same
  * partition gives the same bytes. With an array of tolerances, with a reference, and in Thesis mode with MaximumError there is no
  * second phase: the triangles at the shared points stay as they are.
  *
- * The report in the field data is then that of the whole surface and short: input.faces, output.faces, proof.upper (mm), and
+ * The report in the field data is then that of the whole surface and short: input.triangles, output.triangles, proof.upper (mm), and
  * parallel.*; the getters keep that of the process's own part.
  *
  * On one process a vtkPolyData gives exactly what vtkBoneDecimate gives. The polydata in a composite data set are taken as one
  * surface, so that equal points of blocks hang together; the cell array BlockIndex says from which block a triangle is.
  *
- * Every process must update the filter, those without triangles, too. Refused on several: pruning, labels, MergePoints off, MakeMaps,
- * ExamineInput, an OutputPointsPrecision other than the default, and an ErrorPreset without VoxelSize. ErrorBoundToResult is left out.
+ * Every process must update the filter, those without triangles, too. Rejected on several: pruning, labels, MergePoints off, MakeMaps,
+ * DiagnoseInput, an OutputPointsPrecision other than the default, and an ErrorPreset without VoxelSize. ErrorBoundToResult is left out.
  */
 #ifndef vtkPBoneDecimate_h
 #define vtkPBoneDecimate_h
@@ -72,18 +72,19 @@ private:
 
   double LargestError() const;
   double WholeDiagonal(vtkPolyData* input) const;
-  double TrianglesWanted(double total, bool isLimited) const;
-  bool IsLimitedEverywhere(vtkPolyData* input) const;
-  const char* ProblemOfParts() const;
-  Plan MakePlan(vtkPolyData* input, vtkPolyData* reference) const;
+  double TargetTriangles(double total, bool isLimited) const;
+  bool IsLimitedEverywhere(vtkPolyData* input);
+  const char* ProblemOfParts();
+  Plan MakePlan(vtkPolyData* input, vtkPolyData* reference);
   void Order(vtkPBoneDecimate* run, double triangles, double error) const;
   bool ReducePart(
     vtkPBoneDecimate* run, vtkPolyData* input, vtkPolyData* reference, const Plan& plan);
-  void ReduceSeams(vtkPolyData* input, Plan& plan, vtkPolyData* output, vtkPolyData* inputCopy);
+  void ReduceSharedStrips(
+    vtkPolyData* input, Plan& plan, vtkPolyData* output, vtkPolyData* inputCopy);
   bool ReduceStrips(vtkPBoneDecimate* run, vtkPolyData* strips, const Plan& plan, double triangles);
   void MeasureAnew(
-    vtkPolyData* input, vtkPolyData* rest, vtkPolyData* seams, vtkPolyData* inputCopy);
-  void Report(const Plan& plan, vtkPolyData* output) const;
+    vtkPolyData* input, vtkPolyData* rest, vtkPolyData* reduced, vtkPolyData* inputCopy);
+  void Report(const Plan& plan, vtkPolyData* output);
 
   vtkMultiProcessController* Controller = nullptr;
 };

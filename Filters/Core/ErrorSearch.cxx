@@ -4,7 +4,7 @@
 
 #include "Certificate/Certificate.h"
 #include "Mesh/Cleaning.h"
-#include "ResultProof.h"
+#include "Output/ResultProof.h"
 #include "RunProgress.h"
 #include "StageClock.h"
 
@@ -16,45 +16,45 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the progress of a run without a largest error; its certificate has the rest.
-constexpr double ShareOfPlainRun = 0.9;
+/// Part of a run without a largest error in its progress; the rest is its certificate.
+constexpr double ProgressOfPlainRun = 0.9;
 
-/// Runs that share their input.
+/// Runs of the same input with different errors.
 class Trials
 {
 public:
   Trials(
     const Surface& input, const ErrorSearchOptions& options, const Monitor& monitor, bool isCurve)
     : Input(input)
-    , Asked(options)
+    , Requested(options)
     , IsCurve(isCurve)
     , Progress(monitor)
   {
-    this->Asked.Run.ProveResult = true;
-    this->Asked.Run.MeasureDistances = false;
-    this->Asked.Run.MeasureInputDistances = false;
+    this->Requested.Run.ProveResult = true;
+    this->Requested.Run.MeasureDistances = false;
+    this->Requested.Run.MeasureInputDistances = false;
   }
 
-  ErrorSearchResult& Answer() { return this->Found; }
+  ErrorSearchResult& Output() { return this->Found; }
 
   /// @param error mm; 0: none.
-  /// @returns Whether there was a result, which is the last trial then.
+  /// @returns Whether there is a result, which is then the last trial.
   bool Run(double error, std::int64_t mostTriangles, double from, double to)
   {
     const StageClock clock;
-    Options options = this->Asked.Run;
+    Options options = this->Requested.Run;
     options.MaximumError = error;
     Result result = error > 0.0 ? Decimate(this->Input, options, this->Progress.Stage(from, to),
-                                    { this->Asked.InputIsSingle })
+                                    { this->Requested.InputIsSingle })
                                 : this->PlainRun(options, from, to);
-    const bool isRefused = result.Report.Status != InputStatus::Good;
+    const bool isRejected = result.Report.Status != InputStatus::Good;
     const bool isWhole = result.Report.Status == InputStatus::Good && result.Report.Proof.WasMade;
     if (isWhole)
     {
       this->Add(error, mostTriangles, clock.Seconds(), result.Report);
     }
     this->Found.WasAborted = !this->Progress.GoesOn();
-    const bool endsCurve = isRefused && this->IsCurve;
+    const bool endsCurve = isRejected && this->IsCurve;
     if (isWhole ? this->IsBetter() : endsCurve || this->Found.Best < 0)
     {
       this->Found.Found = std::move(result);
@@ -67,9 +67,9 @@ public:
 private:
   Result PlainRun(const Options& options, double from, double to)
   {
-    const double runAt = from + ShareOfPlainRun * (to - from);
+    const double runAt = from + ProgressOfPlainRun * (to - from);
     Result result = Decimate(
-      this->Input, options, this->Progress.Stage(from, runAt), { this->Asked.InputIsSingle });
+      this->Input, options, this->Progress.Stage(from, runAt), { this->Requested.InputIsSingle });
     if (result.Report.Status == InputStatus::Good && this->Progress.GoesOn())
     {
       const CleanSurface cleaned = Clean(this->Input, options.MergePoints, options.NumberOfThreads);
@@ -81,12 +81,12 @@ private:
   void Add(double error, std::int64_t mostTriangles, double seconds, const Report& report)
   {
     const ErrorProof& proof = report.Proof;
-    const bool isProved = error == 0.0 || proof.Verdict == CertificateVerdict::Proved;
+    const bool isProved = error == 0.0 || proof.Status == ProofStatus::Proved;
     this->Found.Trials.push_back({ error, report.Output.Faces, proof.Upper(),
       isProved && report.Output.Faces <= mostTriangles, seconds });
   }
 
-  /// The last trial; and notes it.
+  /// Whether the last trial is better than the best one, which it then replaces.
   bool IsBetter()
   {
     const auto last = static_cast<int>(this->Found.Trials.size()) - 1;
@@ -98,8 +98,8 @@ private:
   }
 
   const Surface& Input;
-  ErrorSearchOptions Asked;
-  bool IsCurve; // an error that is refused was asked for: the answer is that it is refused
+  ErrorSearchOptions Requested;
+  bool IsCurve; // errors are those of the caller: a rejected one ends the curve
   RunProgress Progress;
   ErrorSearchResult Found;
 };
@@ -108,14 +108,15 @@ private:
 ErrorSearchResult FindSmallestError(
   const Surface& input, const ErrorSearchOptions& options, const Monitor& monitor)
 {
-  const std::int64_t wanted = options.Run.TargetNumberOfTriangles;
-  ErrorSearchOptions withAnyError = options; // its errors are measured, not asked for
+  const std::int64_t mostTriangles = options.Run.TargetNumberOfTriangles;
+  ErrorSearchOptions withAnyError =
+    options; // its errors are found by the search, so a large one is no mistake of the caller
   withAnyError.Run.AllowLargeError = true;
   Trials trials(input, withAnyError, monitor, false);
-  double done = 0.5; // each run has half of what is left of the progress
-  if (!trials.Run(0.0, wanted, 0.0, done) || !trials.Last().IsReached)
+  double done = 0.5; // each run takes half of the remaining progress
+  if (!trials.Run(0.0, mostTriangles, 0.0, done) || !trials.Last().IsReached)
   {
-    return std::move(trials.Answer());
+    return std::move(trials.Output());
   }
   double low = 0.0;                   // mm
   double high = trials.Last().Proved; // mm
@@ -124,7 +125,7 @@ ErrorSearchResult FindSmallestError(
        ++runs)
   {
     const double next = 0.5 * (1.0 + done);
-    if (!trials.Run(error, wanted, done, next))
+    if (!trials.Run(error, mostTriangles, done, next))
     {
       break;
     }
@@ -134,8 +135,8 @@ ErrorSearchResult FindSmallestError(
     low = isReached ? low : std::max(low, error);
     error = low > 0.0 ? std::sqrt(low * high) : 0.5 * high;
   }
-  trials.Answer().TriedInVain = low;
-  return std::move(trials.Answer());
+  trials.Output().TriedInVain = low;
+  return std::move(trials.Output());
 }
 
 ErrorSearchResult FindErrorCurve(const Surface& input, const std::vector<double>& errors,
@@ -154,6 +155,6 @@ ErrorSearchResult FindErrorCurve(const Surface& input, const std::vector<double>
       break;
     }
   }
-  return std::move(trials.Answer());
+  return std::move(trials.Output());
 }
 }

@@ -5,7 +5,7 @@
 #include "Levels/CarriedPoint.h"
 #include "Measure/SurfaceDistance.h"
 #include "Mesh/Checksum.h"
-#include "Mesh/Sheets.h"
+#include "Mesh/ManifoldPatches.h"
 #include "Mesh/SpatialOrder.h"
 #include "Mesh/SurfaceAssembly.h"
 #include "Parallel.h"
@@ -36,8 +36,8 @@ LogStatus Levels::Open(const Surface& input, EditLog log, int threads)
   {
     return LogStatus::OtherSurface;
   }
-  SortAlongCurve(clean, threads); // numbered as in the run, see Decimate.cxx
-  if (SplitSheets(clean, HalfEdgeMesh(clean.Surface, threads)))
+  SortAlongCurve(clean, threads); // the same numbers as in the run, see Decimate.cxx
+  if (SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface, threads)))
   {
     SortAlongCurve(clean, threads);
   }
@@ -55,7 +55,7 @@ LogStatus Levels::Open(const Surface& input, EditLog log, int threads)
   this->Edits = std::move(log);
   this->Threads = threads;
   this->InputPoint = std::move(clean.InputPoint);
-  this->Sites = std::move(clean.Sheets.Sites);
+  this->OriginalVertices = std::move(clean.ManifoldPatches.OriginalVertices);
   this->InputPoints = input.Points.size();
   this->Points = this->PointsOf(input);
   this->Triangles = std::move(clean.Surface.Triangles);
@@ -65,7 +65,7 @@ LogStatus Levels::Open(const Surface& input, EditLog log, int threads)
 }
 
 //------------------------------------------------------------------------------
-/// Of each vertex of the cleaned input.
+/// For each vertex of the cleaned input.
 std::vector<Vector3> Levels::PointsOf(const Surface& input) const
 {
   std::vector<Vector3> points(this->InputPoint.size());
@@ -187,9 +187,9 @@ Result RecordLevels(const Surface& input, const Options& options, const Monitor&
   whole.PruneSize = whole.PruneArea = whole.PruneVolume = 0.0;
   whole.PruneTriangles = 0;
   const Monitor all = [&monitor](double done) { return !monitor || monitor(done); };
-  Companions companions = { inputIsSingle };
-  companions.Log = &log;
-  Result run = Decimate(input, whole, PartOf(all, 0.0, runAt), companions);
+  RunInputs inputs = { inputIsSingle };
+  inputs.Log = &log;
+  Result run = Decimate(input, whole, PartOf(all, 0.0, runAt), inputs);
   levels = Levels();
   if (run.Report.Status == InputStatus::Good &&
     levels.Open(input, std::move(log), options.NumberOfThreads) == LogStatus::Good &&

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Levels.h
- * @brief Levels of detail: a run that is recorded once and of which every stage can be had again at once.
+ * @brief Levels of detail: a run is recorded once, and each of its intermediate surfaces can be extracted quickly.
  *
- *     Record:   Decimate with a log, Open, marks at every root of two of the number of triangles, and how far those
- *               levels are from the input
+ *     Record:   Decimate with a log, Open, mark levels whose numbers of triangles differ by a factor of sqrt(2), measure
+ *               their distance to the input
  *     Open:     clean and sort the input as the run did, replay the log once into a LevelStack
- *     At:       one level
- *     AtOn:     one level on a surface with other coordinates and the same triangles
+ *     At:       extract one level
+ *     AtOn:     extract one level on a surface with the same triangles and other coordinates
  *
- * Level n is what the first n collapses of the log made of the input. Documentation/levels.md says when a run that is asked
- * for fewer collapses ends there, too.
+ * Level n is the input after the first n collapses of the log. Documentation/levels.md says when a run that stops after n
+ * collapses has the same result.
  */
 #ifndef BoneDecimate_Core_Levels_h
 #define BoneDecimate_Core_Levels_h
@@ -27,27 +27,27 @@ class BoundingTree;
 class Levels
 {
 public:
-  /// @param input The very points and triangles that were recorded.
+  /// @param input The same points and triangles as recorded.
   LogStatus Open(const Surface& input, EditLog log, int threads);
   bool IsOpen() const { return this->Stack.has_value(); }
 
   Index NumberOfCollapses() const { return this->Stack->NumberOfCollapses(); }
   Index TrianglesAt(Index collapses) const { return this->Stack->TrianglesAt(collapses); }
 
-  /// The first level of no more triangles than that; the last one if there is none.
+  /// The first level with at most that many triangles; the last level if there is none.
   Index ByTriangles(Index triangles) const { return this->Stack->LevelOf(triangles); }
-  /// The coarsest mark that is no farther from the input than that, mm; level 0 if there is none.
+  /// The coarsest mark whose distance to the input does not exceed that, mm; level 0 if there is none.
   Index ByError(double error) const;
 
   Level At(Index collapses) const
   {
-    return this->Stack->At(collapses, this->Threads, this->Points, this->Sites);
+    return this->Stack->At(collapses, this->Threads, this->Points, this->OriginalVertices);
   }
-  /// Nothing if its triangles are not those of the input, or its points not usable (Surface.h). The same triangles as
-  /// At().
+  /// The triangles of At() with points of another surface. Empty if its triangles are not those of the input, or its points
+  /// are not usable (Surface.h).
   std::optional<Level> AtOn(const Surface& other, Index collapses) const;
 
-  /// Sets the marks, and measures them. False if the monitor said stop: then they are not measured.
+  /// Sets the marks and measures their distances. False after an abort: the distances are missing then.
   bool Mark(bool measure, const Monitor& monitor);
 
   const EditLog& Log() const { return this->Edits; }
@@ -61,16 +61,17 @@ private:
   std::vector<Vector3> Points;     // mm, of the cleaned input's vertices
   std::vector<Triangle> Triangles; // of the cleaned input
   std::vector<Index> InputPoint;   // of each vertex
-  std::vector<Index> Sites;        // of each vertex, see Sheets.h; empty: there is one sheet
-  std::size_t InputPoints = 0;     // how many
-  std::uint64_t Connectivity = 0;  // checksum of the input's triangles
+  std::vector<Index>
+    OriginalVertices;          // for each vertex, see ManifoldPatches.h; empty: nothing was split
+  std::size_t InputPoints = 0; // their number
+  std::uint64_t Connectivity = 0; // checksum of the input's triangles
   int Threads = 0;
 };
 
 /**
- * A run with its levels; both are empty if the input was refused. They are of all components: nothing is pruned.
- * @param levels Gets marks; with MeasureDistances they are measured.
- * @return The run, as Decimate() returns it.
+ * Runs Decimate() and records its levels; both are empty if the input is rejected. Nothing is pruned.
+ * @param levels Receives the levels and marks; with MeasureDistances the distances of the marks are measured.
+ * @return The result of Decimate().
  */
 Result RecordLevels(const Surface& input, const Options& options, const Monitor& monitor,
   bool inputIsSingle, Levels& levels);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Parallel.h
- * @brief Independent chunks of work over threads, with the same chunks whatever the number of threads.
+ * @brief Distributes independent chunks of work over threads. The chunks do not depend on the number of threads.
  */
 #ifndef BoneDecimate_Core_Parallel_h
 #define BoneDecimate_Core_Parallel_h
@@ -17,14 +17,14 @@
 
 namespace bonedecimate
 {
-/// 0 means one per processor.
-inline unsigned int ThreadsToUse(int asked)
+/// @param requested 0: one per processor.
+inline unsigned int ThreadsToUse(int requested)
 {
-  return asked > 0 ? static_cast<unsigned int>(asked)
-                   : std::max(1U, std::thread::hardware_concurrency());
+  return requested > 0 ? static_cast<unsigned int>(requested)
+                       : std::max(1U, std::thread::hardware_concurrency());
 }
 
-/// Small enough for progress in fine steps, whatever the amount of work.
+/// Number of items in a chunk, small enough for fine steps of progress.
 inline std::size_t ChunkSize(std::size_t count)
 {
   return std::clamp<std::size_t>(count / 512, 1, 512);
@@ -36,9 +36,9 @@ inline std::size_t NumberOfChunks(std::size_t count)
 }
 
 /**
- * Calls work(part) for every part of [0, parts), each exactly once, unless the monitor says stop or a part throws
- * (the first exception by arrival is rethrown here). The calling thread works along and alone calls the monitor.
- * Returns false if it was stopped.
+ * Calls work(part) once for every part of [0, parts), unless the monitor aborts or a part throws (the first exception to
+ * arrive is rethrown here). The calling thread also works, and only it calls the monitor.
+ * Returns false after an abort.
  */
 template <typename Work>
 bool ForEachPart(std::size_t parts, int threads, const Monitor& monitor, const Work& work)
@@ -104,7 +104,7 @@ bool ForEachChunk(std::size_t count, int threads, const Monitor& monitor, const 
     [&](std::size_t chunk) { work(chunk, chunk * size, std::min(count, (chunk + 1) * size)); });
 }
 
-/// For short uniform work that nobody waits for: so much of it is worth a thread.
+/// Block size for short uniform work: enough to be worth a thread.
 constexpr std::size_t BlockSize = 8192;
 
 inline std::size_t NumberOfBlocks(std::size_t count)
@@ -112,7 +112,7 @@ inline std::size_t NumberOfBlocks(std::size_t count)
   return (count + BlockSize - 1) / BlockSize;
 }
 
-/// Calls work(block, first, last) for every block of [0, count), each exactly once; cannot be stopped.
+/// Calls work(block, first, last) once for every block of [0, count); cannot be aborted.
 template <typename Work>
 void ForEachBlock(std::size_t count, int threads, const Work& work)
 {
@@ -121,7 +121,7 @@ void ForEachBlock(std::size_t count, int threads, const Work& work)
     { work(block, block * BlockSize, std::min(count, (block + 1) * BlockSize)); });
 }
 
-/// The sum of what part(first, last) returns for the blocks of [0, count), added up in their order.
+/// The sum of part(first, last) over the blocks of [0, count), added in their order.
 template <typename Part>
 auto SumOverBlocks(std::size_t count, int threads, const Part& part)
 {
@@ -151,7 +151,7 @@ void ForEachId(std::size_t count, int threads, const Work& work)
     });
 }
 
-/// Of each block how many ids before it are chosen, and at the end how many are: where blocks begin in a list of those.
+/// For each block the number of selected ids before it, and finally the number of all: offsets in the list of selected ids.
 template <typename IsChosen>
 std::vector<std::size_t> StartsOfBlocks(std::size_t count, int threads, const IsChosen& isChosen)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RunProgress.h
- * @brief The monitor of a run cut into stages; remembers whether somebody asked to stop.
+ * @brief Divides the progress of a run into stages and stores whether the run was aborted.
  */
 #ifndef BoneDecimate_Core_RunProgress_h
 #define BoneDecimate_Core_RunProgress_h
@@ -14,13 +14,13 @@ namespace bonedecimate
 class RunProgress
 {
 public:
-  /// @param outer Must stay; may be empty.
+  /// @param outer Must outlive this; may be empty.
   explicit RunProgress(const Monitor& outer)
     : Outer(outer)
   {
   }
 
-  /// A monitor for one stage, whose 0 to 1 is a part of the whole. Once it said stop, it says so for ever.
+  /// A monitor for one stage, whose progress 0 to 1 maps to from-to. After an abort it always returns false.
   Monitor Stage(double from, double to)
   {
     return [this, from, to](double fraction)
@@ -33,7 +33,7 @@ public:
   bool GoesOn() const { return this->Going; }
 
 private:
-  /// Stages may take a large step at once; who listens hears of every hundredth.
+  /// Calls the outer monitor for every hundredth even if a stage reports a larger step.
   void Tell(double fraction)
   {
     constexpr double hundredth = 0.01;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file StageClock.h
- * @brief How long a stage takes.
+ * @brief Measures the duration of a stage.
  */
 #ifndef BoneDecimate_Core_StageClock_h
 #define BoneDecimate_Core_StageClock_h
@@ -14,7 +14,7 @@ namespace bonedecimate
 class StageClock
 {
 public:
-  /// Since this was made.
+  /// Time since construction, s.
   double Seconds() const
   {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Surface.h
- * @brief A triangle surface as two flat arrays: what goes into the core and what comes out.
+ * @brief A triangle surface as two flat arrays: the input and the output of the core.
  */
 #ifndef BoneDecimate_Core_Surface_h
 #define BoneDecimate_Core_Surface_h
@@ -17,13 +17,13 @@
 
 namespace bonedecimate
 {
-/// A position or a direction; positions are in millimetres.
+/// A position or a direction; positions are in millimeters.
 using Vector3 = Eigen::Vector3d;
 
-/// mm, of each axis: products of areas do not overflow up to here.
+/// mm, along each axis; with larger coordinates products of areas overflow.
 constexpr double LargestCoordinate = 1e30;
 
-/// Finite and not beyond the largest coordinate.
+/// Whether all coordinates are finite and not beyond LargestCoordinate.
 inline bool IsUsable(const Vector3& point)
 {
   return std::abs(point[0]) <= LargestCoordinate && std::abs(point[1]) <= LargestCoordinate &&
@@ -34,7 +34,7 @@ inline bool IsUsable(const Vector3& point)
 using Index = std::int32_t;
 constexpr Index None = -1;
 
-/// Three point indices, counter-clockwise seen from outside the bone.
+/// Three point indices, counter-clockwise as seen from outside of the bone.
 using Triangle = std::array<Index, 3>;
 
 struct Surface

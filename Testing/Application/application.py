@@ -14,7 +14,7 @@ import unittest
 import vtk
 
 PROGRAM = os.environ["BONEDECIMATE_PROGRAM"]
-DONE, USAGE, REFUSED, NOT_WRITTEN, INTERRUPTED, NO_MEMORY = range(6)
+DONE, USAGE, REJECTED, NOT_WRITTEN, INTERRUPTED, NO_MEMORY = range(6)
 SURFACES = ("obj", "stl", "ply", "vtp", "vtk")
 TEMPORARY = ".bonedecimate-"
 
@@ -23,15 +23,15 @@ class ApplicationTest(unittest.TestCase):
     """A folder of its own for each test, and the program in it."""
 
     def setUp(self):
-        holder = tempfile.TemporaryDirectory(prefix="bonedecimate-test-")
-        self.addCleanup(holder.cleanup)
-        self.folder = pathlib.Path(holder.name)
+        temporary = tempfile.TemporaryDirectory(prefix="bonedecimate-test-")
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
 
     def path(self, name):
         return self.folder / name
 
     def run_program(self, *words, **keywords):
-        """Runs in the test's folder; the answer has returncode, stdout and stderr."""
+        """Runs in the test's folder; the completed process has returncode, stdout and stderr."""
         return subprocess.run(
             [PROGRAM, *map(str, words)],
             cwd=self.folder,
@@ -44,19 +44,19 @@ class ApplicationTest(unittest.TestCase):
 
     def succeed(self, *words, **keywords):
         """A success says nothing on the standard error."""
-        answer = self.run_program(*words, **keywords)
-        self.assertEqual((answer.returncode, answer.stderr), (DONE, ""), answer.stdout)
-        return answer
+        completed = self.run_program(*words, **keywords)
+        self.assertEqual((completed.returncode, completed.stderr), (DONE, ""), completed.stdout)
+        return completed
 
     def fail_with(self, code, *words, says="", **keywords):
         """A failure is one line on the standard error and leaves no file behind."""
         before = self.names()
-        answer = self.run_program(*words, **keywords)
-        self.assertEqual(answer.returncode, code, answer.stderr + answer.stdout)
-        self.assertRegex(answer.stderr, r"\Abonedecimate: [^\n]+\n\Z")
-        self.assertIn(says, answer.stderr)
+        completed = self.run_program(*words, **keywords)
+        self.assertEqual(completed.returncode, code, completed.stderr + completed.stdout)
+        self.assertRegex(completed.stderr, r"\Abonedecimate: [^\n]+\n\Z")
+        self.assertIn(says, completed.stderr)
         self.assertEqual(self.names(), before)
-        return answer
+        return completed
 
     def names(self):
         return sorted(str(p.relative_to(self.folder)) for p in self.folder.rglob("*"))
@@ -65,7 +65,7 @@ class ApplicationTest(unittest.TestCase):
         return json.loads(self.path(name).read_text(encoding="utf-8"))
 
 
-def torus(rings=40, sides=24, centre=0.0):
+def torus(rings=40, sides=24, center=0.0):
     """A closed surface of 2 rings sides triangles; coordinates in mm."""
     points = vtk.vtkPoints()
     triangles = vtk.vtkCellArray()
@@ -81,25 +81,25 @@ def torus(rings=40, sides=24, centre=0.0):
     surface = vtk.vtkPolyData()
     surface.SetPoints(points)
     surface.SetPolys(triangles)
-    return plain(surface, centre)
+    return plain(surface, center)
 
 
-def sphere(resolution=24, centre=0.0):
+def sphere(resolution=24, center=0.0):
     source = vtk.vtkSphereSource()
     source.SetRadius(10.0)
     source.SetThetaResolution(resolution)
     source.SetPhiResolution(resolution)
     source.GenerateNormalsOff()
     source.Update()
-    return plain(source.GetOutput(), centre)
+    return plain(source.GetOutput(), center)
 
 
-def plain(surface, centre):
+def plain(surface, center):
     """Points and triangles alone, single precision, moved along x."""
     points = vtk.vtkPoints()
     for i in range(surface.GetNumberOfPoints()):
         x, y, z = surface.GetPoint(i)
-        points.InsertNextPoint(x + centre, y, z)
+        points.InsertNextPoint(x + center, y, z)
     moved = vtk.vtkPolyData()
     moved.SetPoints(points)
     moved.SetPolys(surface.GetPolys())

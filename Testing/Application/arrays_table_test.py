@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The table of arrays in Documentation/data.md: the same file through the program and through two of VTK's filters.
 
-What a value should be is looked up here, with VTK's locators: the value at the nearest place on the input, or of the
-nearest input point, or of the cell at the middle of the triangle. `arrays_table_test.py --print` prints the table. The
-columns of VTK's filters are held against the page only by the version of VTK that the page names.
+The expected value comes from VTK's locators: interpolated at the closest position on the input, or that of the closest
+input point, or that of the cell closest to the centroid of the triangle. `arrays_table_test.py --print` prints the table. The
+columns of VTK's filters are compared with the page only by the version of VTK that the page names.
 """
 
 import math
@@ -22,7 +22,7 @@ WHOLE_TYPES = (
     vtk.VTK_SIGNED_CHAR, vtk.VTK_UNSIGNED_CHAR, vtk.VTK_SHORT, vtk.VTK_UNSIGNED_SHORT, vtk.VTK_INT,
     vtk.VTK_UNSIGNED_INT, vtk.VTK_LONG_LONG, vtk.VTK_UNSIGNED_LONG_LONG, vtk.VTK_ID_TYPE,
 )
-NEAR = 1e-4  # mm, and in the units of the values, which change by a few in a millimetre
+NEAR = 1e-4  # mm, and in the units of the values, which change by a few in a millimeter
 
 
 def field(point, component):
@@ -116,8 +116,8 @@ def with_filter(filter_, surface):
     return filter_.GetOutput()
 
 
-class Judge:
-    """What became of the arrays of one surface in another one."""
+class Comparison:
+    """The arrays of a surface beside those of a surface made from it."""
 
     def __init__(self, before, after):
         self.before, self.after = before, after
@@ -128,22 +128,22 @@ class Judge:
         self.points.SetDataSet(before)
         self.points.BuildLocator()
 
-    def nearest_place(self, point):
-        place, cell, sub, distance = [0.0] * 3, vtk.reference(0), vtk.reference(0), vtk.reference(0.0)
-        self.cells.FindClosestPoint(point, place, cell, sub, distance)
-        return place
+    def closest_position(self, point):
+        position, cell, sub, distance = [0.0] * 3, vtk.reference(0), vtk.reference(0), vtk.reference(0.0)
+        self.cells.FindClosestPoint(point, position, cell, sub, distance)
+        return position
 
-    def nearest_points(self, point):
+    def closest_points(self, point):
         """All that are as near as the nearest."""
         nearest = self.before.GetPoint(self.points.FindClosestPoint(point))
         found = vtk.vtkIdList()
         self.points.FindPointsWithinRadius(math.dist(point, nearest) + NEAR, point, found)
         return [found.GetId(i) for i in range(found.GetNumberOfIds())]
 
-    def nearest_cells(self, point):
-        place = self.nearest_place(point)
+    def closest_cells(self, point):
+        position = self.closest_position(point)
         found = vtk.vtkIdList()
-        self.cells.FindCellsWithinBounds([c + s * NEAR for c in place for s in (-1, 1)], found)
+        self.cells.FindCellsWithinBounds([c + s * NEAR for c in position for s in (-1, 1)], found)
         return [found.GetId(i) for i in range(found.GetNumberOfIds())]
 
     def arrays(self, name, cells=False):
@@ -156,24 +156,24 @@ class Judge:
             return "gone"
         worst = 0.0
         for number in range(self.after.GetNumberOfPoints()):
-            place = self.nearest_place(self.after.GetPoint(number))
+            position = self.closest_position(self.after.GetPoint(number))
             for component in range(before.GetNumberOfComponents()):
-                worst = max(worst, abs(after.GetComponent(number, component) - field(place, component)))
-        return self.kind(before, after) + ("as at the nearest place" if worst < NEAR else f"off by up to {worst:.2g}")
+                worst = max(worst, abs(after.GetComponent(number, component) - field(position, component)))
+        return self.kind(before, after) + ("interpolated at the closest position" if worst < NEAR else f"off by up to {worst:.2g}")
 
     def chosen(self, name, cells=False):
         before, after = self.arrays(name, cells)
         if not after:
             return "gone"
-        places = middles(self.after) if cells else points_of(self.after)
-        candidates = self.nearest_cells if cells else self.nearest_points
+        positions = middles(self.after) if cells else points_of(self.after)
+        candidates = self.closest_cells if cells else self.closest_points
         right = sum(
-            any(value(before, i) == value(after, number) for i in candidates(place))
-            for number, place in enumerate(places)
+            any(value(before, i) == value(after, number) for i in candidates(position))
+            for number, position in enumerate(positions)
         )
         whose = "cell" if cells else "point"
         return self.kind(before, after) + (
-            f"that of the nearest {whose}" if right == len(places) else f"right for {right} of {len(places)}"
+            f"that of the closest {whose}" if right == len(positions) else f"right for {right} of {len(positions)}"
         )
 
     def normals(self):
@@ -203,27 +203,27 @@ class Judge:
         return "" if same else f"as {after.GetDataTypeAsString()}: "
 
     def all_of(self, names, what):
-        """One answer, or each with how many arrays it is of."""
-        answers = [what(name) for name in names]
+        """One outcome, or each with how many arrays it is of."""
+        outcomes = [what(name) for name in names]
         return "; ".join(
-            answer if len(set(answers)) == 1 else f"{answers.count(answer)} {answer}"
-            for answer in dict.fromkeys(answers)
+            outcome if len(set(outcomes)) == 1 else f"{outcomes.count(outcome)} {outcome}"
+            for outcome in dict.fromkeys(outcomes)
         )
 
     def rows(self):
         labels = [f"label{number}" for number in range(len(WHOLE_TYPES))]
         yield "double scalars", self.blended("density")
-        yield "their component name", self.component_name()
+        yield "component name of the scalars", self.component_name()
         yield "float vectors", self.blended("drift")
         yield "tensors", self.blended("stress")
         yield "texture coordinates", self.blended("texture")
         yield "normals", self.normals()
-        yield f"whole numbers of {len(labels)} types", self.all_of(labels, self.chosen)
+        yield f"integers of {len(labels)} types", self.all_of(labels, self.chosen)
         yield "bits", self.chosen(f"label{len(labels)}")
         yield "text", self.chosen("name")
         yield "global ids", self.chosen("global")
         yield "active attributes", self.attributes()
-        yield "cells: whole numbers, bits, doubles, text", self.all_of(
+        yield "cell arrays: integers, bits, doubles, text", self.all_of(
             ("piece0", "piece1", "thickness", "region"), lambda name: self.chosen(name, cells=True)
         )
         yield "field data", self.field_data()
@@ -233,20 +233,20 @@ class ArraysTable(ApplicationTest):
     def columns(self):
         write(bone(), self.path("in.vtp"))
         before = read(self.path("in.vtp"))
-        self.succeed("in.vtp", "out.vtp", "--target-faces", TRIANGLES, "--quiet")
-        yield "vtkBoneDecimate", Judge(before, read(self.path("out.vtp")))
+        self.succeed("in.vtp", "out.vtp", "--target-triangles", TRIANGLES, "--quiet")
+        yield "vtkBoneDecimate", Comparison(before, read(self.path("out.vtp")))
         quadric = vtk.vtkQuadricDecimation()
         quadric.AttributeErrorMetricOn()
-        yield "vtkQuadricDecimation", Judge(before, with_filter(quadric, before))
+        yield "vtkQuadricDecimation", Comparison(before, with_filter(quadric, before))
         pro = vtk.vtkDecimatePro()
         pro.PreserveTopologyOn()
-        yield "vtkDecimatePro", Judge(before, with_filter(pro, before))
+        yield "vtkDecimatePro", Comparison(before, with_filter(pro, before))
 
     def table(self):
-        columns = {name: list(judge.rows()) for name, judge in self.columns()}
-        lines = ["| in | " + " | ".join(f"`{name}`" for name in columns) + " |", "|---|---|---|---|"]
+        columns = {name: list(comparison.rows()) for name, comparison in self.columns()}
+        lines = ["| array | " + " | ".join(f"`{name}`" for name in columns) + " |", "|---|---|---|---|"]
         for row in zip(*columns.values()):
-            lines.append(f"| {row[0][0]} | " + " | ".join(answer for _, answer in row) + " |")
+            lines.append(f"| {row[0][0]} | " + " | ".join(outcome for _, outcome in row) + " |")
         return lines
 
     def test_says_what_the_documentation_says(self):
@@ -254,7 +254,7 @@ class ArraysTable(ApplicationTest):
         if PRINTS:
             print("\n" + "\n".join(lines))
         page = PAGE.read_text(encoding="utf-8")
-        if f"VTK {vtk.VTK_VERSION} made" in page:
+        if f"made with VTK {vtk.VTK_VERSION}" in page:
             self.assertIn("\n".join(lines), page)
         for line in lines[2:]:
             self.assertIn(" | ".join(line.split(" | ")[:2]), page)

@@ -14,7 +14,7 @@ from application import (
     NO_MEMORY,
     NOT_WRITTEN,
     PROGRAM,
-    REFUSED,
+    REJECTED,
     TEMPORARY,
     USAGE,
     ApplicationTest,
@@ -52,7 +52,7 @@ class Batch(ApplicationTest):
         self.assertEqual(list(self.rows()), ["a", "b", "notes.txt"])
         row = self.rows()["b"]
         self.assertEqual((row["status"], row["exit_code"], row["message"]), ("done", "0", ""))
-        self.assertEqual((row["faces_in"], row["faces_out"]), ("1920", "960"))
+        self.assertEqual((row["triangles_in"], row["triangles_out"]), ("1920", "960"))
         self.assertEqual((row["components_in"], row["components_out"]), ("1", "1"))
         report = self.report("out/b.json")
         self.assertEqual(float(row["max_output_to_input_mm"]), report["distance"]["output_to_input"]["max"])
@@ -66,7 +66,7 @@ class Batch(ApplicationTest):
         (self.bones / "a").write_text("no bone")
         (self.bones / ".hidden.stl").write_text("no bone")
         (self.bones / "below.stl").mkdir()
-        text = self.succeed("bones", "bones/out", "--target-faces", 500).stdout
+        text = self.succeed("bones", "bones/out", "--target-triangles", 500).stdout
         shutil.move(self.bones / "out", self.path("out"))
         with open(self.path("out/summary.csv"), newline="", encoding="utf-8") as file:
             reasons = {row["input"]: (row["status"], row["exit_code"], row["message"]) for row in csv.DictReader(file)}
@@ -81,26 +81,26 @@ class Batch(ApplicationTest):
         self.assertIn("notes.txt: not a surface or volume: .txt\n", text)
         self.assertTrue(self.path("out/a.ply").exists())
 
-    def test_what_is_asked_for_and_not_done_ends_with_its_code(self):
+    def test_requested_work_that_fails_ends_with_its_code(self):
         (self.bones / "gone.stl").symlink_to("nowhere.stl")
-        answer = self.run_program("bones", "out", "--target-faces", 500)
-        self.assertEqual((answer.returncode, answer.stderr), (REFUSED, ""))
+        completed = self.run_program("bones", "out", "--target-triangles", 500)
+        self.assertEqual((completed.returncode, completed.stderr), (REJECTED, ""))
         self.assertEqual(self.statuses(), {"a": "done", "b": "done", "gone": "failed"})
         (self.bones / "gone.stl").unlink()
         (self.bones / "ct.nrrd").write_bytes(b"NRRD0004\n")
-        answer = self.run_program("bones", "out", "--target-faces", 500)
-        self.assertEqual((answer.returncode, answer.stderr), (REFUSED, ""))
+        completed = self.run_program("bones", "out", "--target-triangles", 500)
+        self.assertEqual((completed.returncode, completed.stderr), (REJECTED, ""))
         self.assertIn("--iso", self.rows()["ct.nrrd"]["message"])
         (self.bones / "notes.txt").write_text("no bone")
-        answer = self.run_program("bones/a.ply", "bones/notes.txt", "named")
-        self.assertEqual(answer.returncode, REFUSED)
+        completed = self.run_program("bones/a.ply", "bones/notes.txt", "named")
+        self.assertEqual(completed.returncode, REJECTED)
 
-    def test_table_has_the_proved_bound_and_the_verdict(self):
+    def test_table_has_the_proved_bound_and_the_status_of_the_proof(self):
         text = self.succeed("bones", "out", "--max-error", 0.2).stdout
         for name in ("a", "b"):
             proof = self.report("out/%s.json" % name)["proof"]
             self.assertEqual(float(self.rows()[name]["proved_mm"]), proof["upper"])
-            self.assertEqual(self.rows()[name]["verdict"], "proved")
+            self.assertEqual(self.rows()[name]["proof_status"], "proved")
             printed = re.search(r"(?m)^%s .* (0\.\d{6}) +proved$" % name, text)
             self.assertTrue(proof["upper"] <= float(printed[1]) <= 0.2)
 
@@ -108,18 +108,18 @@ class Batch(ApplicationTest):
         for name in ("extra.ply", "new.stl/", "report.json", "page.html", "ct.mha", "below/x.VTP"):
             self.fail_with(USAGE, "bones/a.ply", "bones/b.stl", name, says="named like a file")
             self.fail_with(USAGE, "bones", name, says="named like a file")
-        self.succeed("bones", "left.v2", "--target-faces", 500)
+        self.succeed("bones", "left.v2", "--target-triangles", 500)
         self.path("kept.ply").mkdir()
-        self.succeed("bones", "kept.ply", "--target-faces", 500)
+        self.succeed("bones", "kept.ply", "--target-triangles", 500)
 
     def test_misspelled_commands_are_no_inputs(self):
-        for meant in ("certify", "check", "Levels", "tolerance", "curve", "thesis"):
+        for meant in ("certify", "diagnose", "Levels", "tolerance", "curve", "thesis"):
             word, meant = meant[:3] + meant[4:], meant.lower()  # a letter is missing
             for words in (("bones/a.ply", "bones/b.stl"), ("bones/a.ply", "new"), ("bones/a.ply", "b", "--json", "c.json"),
                           ("bones/a.ply",), ()):
                 self.fail_with(USAGE, word, *words, says="'%s' is neither a command nor a file; did you mean %s?" % (word, meant))
             self.fail_with(USAGE, "--quiet", word, "bones/a.ply", "new", says="did you mean " + meant)
-        self.fail_with(USAGE, "shrink", "bones/a.ply", "new", says="the commands are certify, check, curve, levels, thesis")
+        self.fail_with(USAGE, "shrink", "bones/a.ply", "new", says="the commands are certify, curve, decimate, diagnose, levels, thesis")
 
     def test_iso_without_a_volume_is_wrong_usage(self):
         self.fail_with(USAGE, "bones", "out", "--iso", 226, says="none of the inputs is one")
@@ -135,24 +135,24 @@ class Batch(ApplicationTest):
         self.assertEqual(self.statuses(), {"a": "done"})
 
     def test_format_of_the_outputs(self):
-        self.succeed("bones", "out", "--format", "vtp", "--target-faces", 500)
+        self.succeed("bones", "out", "--format", "vtp", "--target-triangles", 500)
         for name in ("a", "b"):
             self.assertEqual(read(self.path("out") / (name + ".vtp")).GetNumberOfPolys(), 500)
 
     def test_failed_bone_does_not_stop_the_others(self):
         (self.bones / "aa.stl").write_bytes((self.bones / "b.stl").read_bytes()[:-10])
         (self.bones / "z.obj").write_text("")
-        answer = self.run_program("bones", "out")
-        self.assertEqual((answer.returncode, answer.stderr), (REFUSED, ""))
+        completed = self.run_program("bones", "out")
+        self.assertEqual((completed.returncode, completed.stderr), (REJECTED, ""))
         self.assertEqual(self.statuses(), {"a": "done", "aa": "failed", "b": "done", "z": "failed"})
         self.assertIn("announces", self.rows()["aa"]["message"])
         self.assertEqual(self.rows()["aa"]["exit_code"], "2")
-        self.assertIn("0 bytes", answer.stdout)
+        self.assertIn("0 bytes", completed.stdout)
         self.assertFalse(self.path("out/aa.stl").exists())
 
     def test_missing_file_among_several_is_a_failed_bone(self):
-        answer = self.run_program("bones/a.ply", "bones/nothing.ply", "out")
-        self.assertEqual(answer.returncode, REFUSED)
+        completed = self.run_program("bones/a.ply", "bones/nothing.ply", "out")
+        self.assertEqual(completed.returncode, REJECTED)
         self.assertEqual(self.statuses(), {"a": "done", "nothing": "failed"})
 
     def test_finished_bones_are_skipped(self):
@@ -162,7 +162,7 @@ class Batch(ApplicationTest):
         self.succeed("bones", "out", "--threads", 1)
         self.assertEqual(self.statuses(), {"a": "skipped", "b": "skipped"})
         self.assertEqual(self.path("out/a.ply").stat().st_mtime_ns, before)
-        self.assertEqual(self.rows()["a"]["faces_out"], table["a"]["faces_out"])
+        self.assertEqual(self.rows()["a"]["triangles_out"], table["a"]["triangles_out"])
         self.succeed("bones", "out", "--force")
         self.assertEqual(self.statuses(), {"a": "done", "b": "done"})
 
@@ -195,7 +195,7 @@ class Batch(ApplicationTest):
         write(torus(), self.bones / "a.obj")
         write(sphere(), other / "A.ply")
         write(sphere(), other / "b.ply")
-        self.succeed("bones", "other", "out", "--target-faces", 400)
+        self.succeed("bones", "other", "out", "--target-triangles", 400)
         self.assertEqual(len(self.rows()), 5)
         outputs = {p.name.lower() for p in self.path("out").iterdir()}
         self.assertEqual(len(outputs), 11)
@@ -218,9 +218,9 @@ class Batch(ApplicationTest):
         self.fail_with(USAGE, "bones", "out", "--format", "xyz", says="--format")
         self.fail_with(USAGE, "bones", "out", "--jobs", "0", says="--jobs")
 
-    def test_folder_without_bones_is_refused(self):
+    def test_folder_without_bones_is_rejected(self):
         self.path("nothing").mkdir()
-        self.fail_with(REFUSED, "nothing", "out", says="no surface")
+        self.fail_with(REJECTED, "nothing", "out", says="no surface")
 
     def test_output_folder_that_cannot_be_made(self):
         self.path("file").touch()
@@ -237,8 +237,8 @@ class Batch(ApplicationTest):
     def test_warnings_reach_the_table(self):
         text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3"
         (self.bones / "c.obj").write_text(text)
-        answer = self.succeed("bones", "out")
-        self.assertIn("c: warning: the last line", answer.stdout)
+        completed = self.succeed("bones", "out")
+        self.assertIn("c: warning: the last line", completed.stdout)
         self.assertIn("may be cut off", self.rows()["c"]["message"])
 
     def test_process_that_dies_does_not_stop_the_others(self):

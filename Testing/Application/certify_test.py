@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""bonedecimate certify REFERENCE RESULT: bounds, verdicts and exit codes."""
+"""bonedecimate certify REFERENCE RESULT: bounds, status and exit codes."""
 
 import vtk
 
-from application import NOT_WRITTEN, REFUSED, SURFACES, USAGE, ApplicationTest, main, torus, write
+from application import NOT_WRITTEN, REJECTED, SURFACES, USAGE, ApplicationTest, main, torus, write
 
 VIOLATED, UNDECIDED = 6, 7
 
@@ -38,21 +38,21 @@ class Certify(ApplicationTest):
         write(square(0.0), self.path("a.ply"))
         write(square(0.25), self.path("b.ply"))
 
-    def judge(self, *words):
-        answer = self.run_program("certify", "a.ply", "b.ply", *words)
-        self.assertEqual(answer.stderr, "")
-        return answer
+    def certify(self, *words):
+        completed = self.run_program("certify", "a.ply", "b.ply", *words)
+        self.assertEqual(completed.stderr, "")
+        return completed
 
     def test_without_a_tolerance_is_done_when_it_knows_the_bounds(self):
-        answer = self.succeed("certify", "a.ply", "b.ply")
-        self.assertIn("0.249999999 to 0.250000001 mm", answer.stdout)
+        completed = self.succeed("certify", "a.ply", "b.ply")
+        self.assertIn("0.249999999 to 0.250000001 mm", completed.stdout)
 
-    def test_ends_with_a_code_for_each_verdict(self):
+    def test_ends_with_a_code_for_each_status(self):
         for tolerance, code, word in ((0.26, 0, "proved"), (0.24, VIOLATED, "violated"), (0.25, UNDECIDED, "undecided")):
-            answer = self.judge("--tolerance", tolerance)
-            self.assertEqual(answer.returncode, code)
-            self.assertIn(word, answer.stdout)
-            self.assertEqual(self.judge("--tolerance", tolerance, "--first-proof").returncode, code)
+            completed = self.certify("--tolerance", tolerance)
+            self.assertEqual(completed.returncode, code)
+            self.assertIn(word, completed.stdout)
+            self.assertEqual(self.certify("--tolerance", tolerance, "--first-proof").returncode, code)
 
     def test_reads_every_format(self):
         for extension in SURFACES:
@@ -62,8 +62,8 @@ class Certify(ApplicationTest):
     def test_writes_all_it_found_as_json(self):
         self.succeed("certify", "a.ply", "b.ply", "--tolerance", 0.3, "--json", "c.json")
         found = self.report("c.json")
-        self.assertEqual((found["verdict"], found["borders"]), ("proved", "both"))
-        for direction in ("reference_to_result", "border_result_to_reference"):
+        self.assertEqual((found["status"], found["boundaries"]), ("proved", "both"))
+        for direction in ("reference_to_result", "boundary_result_to_reference"):
             self.assertLessEqual(found[direction]["lower"], 0.25)
             self.assertGreaterEqual(found[direction]["upper"], 0.25)
         self.assertAlmostEqual(found["reference_to_result"]["mean"], 0.25, 6)
@@ -75,24 +75,24 @@ class Certify(ApplicationTest):
         self.succeed("certify", "a.vtp", "b.ply", "--tolerance-array", "allowed")
         capped = self.run_program("certify", "a.vtp", "b.ply", "--tolerance-array", "allowed", "--tolerance", 0.1)
         self.assertEqual(capped.returncode, VIOLATED)
-        self.fail_with(REFUSED, "certify", "a.vtp", "b.ply", "--tolerance-array", "other", says="other")
+        self.fail_with(REJECTED, "certify", "a.vtp", "b.ply", "--tolerance-array", "other", says="other")
 
     def test_holds_a_decimation_to_its_report(self):
         write(torus(), self.path("bone.ply"))
-        self.succeed("bone.ply", "small.ply", "--target-faces", 500, "--report", "report.json", "--quiet")
+        self.succeed("bone.ply", "small.ply", "--target-triangles", 500, "--report", "report.json", "--quiet")
         self.succeed("certify", "bone.ply", "small.ply", "--json", "c.json", "--quiet")
         sampled = self.report()["distance"]["input_to_output"]["max"]
         proved = self.report("c.json")["reference_to_result"]["upper"]
         self.assertLessEqual(sampled, proved + 1e-5)  # the file is in single precision
 
-    def test_says_nothing_when_asked_to_be_quiet(self):
-        self.assertEqual(self.judge("--quiet").stdout, "")
+    def test_says_nothing_with_quiet(self):
+        self.assertEqual(self.certify("--quiet").stdout, "")
 
-    def test_refuses_what_it_cannot_read_or_write(self):
+    def test_rejects_what_it_cannot_read_or_write(self):
         for words in (("a.ply",), ("a.ply", "b.ply", "b.ply"), ("a.ply", "b.ply", "--tolerance", -1)):
             self.fail_with(USAGE, "certify", *words)
         self.fail_with(USAGE, "certify", "a.ply", "b.ply", "--json", "b.ply", says="not overwritten")
-        self.fail_with(REFUSED, "certify", "a.ply", "nothing.ply", says="no such file")
+        self.fail_with(REJECTED, "certify", "a.ply", "nothing.ply", says="no such file")
         self.fail_with(NOT_WRITTEN, "certify", "a.ply", "b.ply", "--json", "nowhere/c.json")
 
 

@@ -17,7 +17,7 @@ from combinations_inputs import METERS, isosurface, scaled
 
 ERROR = 0.3  # mm, of the features that bound it
 LARGE_ERROR = 40.0  # mm, more than a quarter of the diagonal
-FROZEN = (28.0, 0.0, 0.0, 9.0)  # center and radius of the frozen region, mm
+CONSTRAINED = (28.0, 0.0, 0.0, 9.0)  # center and radius of the constrained region, mm
 ARRAYS = ("vtp", "vtk")  # what holds them
 
 
@@ -28,7 +28,7 @@ class Feature:
     name: str
     words: tuple = ()
     problem: typing.Callable = lambda run: ""
-    refused_by: tuple = ()  # words of which a refusal has one
+    rejected_by: tuple = ()  # words of which a rejection has one
     goal: bool = False  # says where to stop
     input: str = ""  # a kind of input
     output: str = ""  # a format of the output
@@ -37,7 +37,7 @@ class Feature:
     def __post_init__(self):
         flags = [str(word) for word in self.words if str(word).startswith("--")]
         names = [word.lstrip("-").replace("-", " ") for word in flags]
-        self.refused_by = (*self.refused_by, *flags, *names, *filter(None, (self.command, self.name)))
+        self.rejected_by = (*self.rejected_by, *flags, *names, *filter(None, (self.command, self.name)))
 
     @property
     def shown(self):
@@ -165,14 +165,14 @@ def distance(a, b):
     locator = vtk.vtkStaticCellLocator()
     locator.SetDataSet(b)
     locator.BuildLocator()
-    place, cell, sub, squared = [0.0] * 3, vtk.reference(0), vtk.reference(0), vtk.reference(0.0)
+    position, cell, sub, squared = [0.0] * 3, vtk.reference(0), vtk.reference(0), vtk.reference(0.0)
     largest = 0.0
     centers = vtk.vtkCellCenters()
     centers.SetInputData(a)
     centers.Update()
     for surface in (a, centers.GetOutput()):
         for i in range(surface.GetNumberOfPoints()):
-            locator.FindClosestPoint(surface.GetPoint(i), place, cell, sub, squared)
+            locator.FindClosestPoint(surface.GetPoint(i), position, cell, sub, squared)
             largest = max(largest, float(squared))
     return math.sqrt(largest)
 
@@ -190,8 +190,8 @@ def shows(path, value):
 def stops_there(run):
     if run.command:
         return ""
-    faces, stop = run.report["output"]["faces"], run.report["stop_reason"]
-    limit = 300 if run.has_word("--target-faces") else 0.3 * run.report["input"]["faces"]
+    faces, stop = run.report["output"]["triangles"], run.report["stop_reason"]
+    limit = 300 if run.has_word("--target-triangles") else 0.3 * run.report["input"]["triangles"]
     return "" if faces <= limit + 1 or stop not in ("target_reached",) else f"{faces} triangles, {stop}"
 
 
@@ -206,7 +206,7 @@ def moves_at_most(run):
     proof = run.report.get("proof", {})
     if run.has("no proof"):
         return "a proof" if proof else ""
-    return "" if proof.get("verdict") == "proved" and proof["upper"] <= ERROR else f"proof: {proof}"
+    return "" if proof.get("status") == "proved" and proof["upper"] <= ERROR else f"proof: {proof}"
 
 
 def keeps_points(inside):
@@ -218,7 +218,7 @@ def keeps_points(inside):
         after = {rounded(run.result.GetPoint(i)) for i in range(run.result.GetNumberOfPoints())}
         gone = [p for i in range(run.bone.GetNumberOfPoints())
                 if inside(p := run.bone.GetPoint(i)) and rounded(p) not in after]
-        return f"{len(gone)} frozen points moved, the first {gone[0]}" if gone else ""
+        return f"{len(gone)} constrained points moved, the first {gone[0]}" if gone else ""
     return problem
 
 
@@ -236,14 +236,14 @@ def has_labels(run):
 
 
 def without_crumb(run):
-    if run.command or run.has("points apart"):  # its triangles are components of their own then, and open
+    if run.command or run.has("no merging of points"):  # its triangles are components of their own then, and open
         return ""
     return "" if run.report["pruned"]["components"] >= 1 and run.result.GetBounds()[1] < 32.0 else "the crumb is still there"
 
 
 def keeps_to_the_cap(run):
     proof = run.report.get("proof", {})
-    return "" if run.command or run.has_word("Thesis") or proof.get("verdict") == "proved" and proof["upper"] <= LARGE_ERROR else f"proof: {proof}"
+    return "" if run.command or run.has_word("Thesis") or proof.get("status") == "proved" and proof["upper"] <= LARGE_ERROR else f"proof: {proof}"
 
 
 def keeps_duplicates(run):
@@ -284,7 +284,7 @@ def wrote_surface(run):
         return ""
     paths = [run.output(), *("out." + extension for extension in run.formats[1:])]
     counts = {read(run.folder / path).GetNumberOfPolys() for path in paths}
-    return "" if counts == {run.report["output"]["faces"]} else f"{paths}: {counts} triangles"
+    return "" if counts == {run.report["output"]["triangles"]} else f"{paths}: {counts} triangles"
 
 
 def flags_of_the_table(program):
@@ -303,15 +303,15 @@ def switch(name, flag, value, option, problem=None):
 
 FEATURES = [
     mode("Thesis"), mode("Fast"), mode("Balanced"), mode("Accurate"),
-    Feature("triangles", ("--target-faces", 300), stops_there, goal=True),
+    Feature("triangles", ("--target-triangles", 300), stops_there, goal=True),
     Feature("reduction", ("--target-reduction", 0.7), stops_there, goal=True),
     Feature("largest error", ("--max-error", ERROR), moves_at_most, goal=True),
     Feature("preset", ("--preset", "HalfVoxel", "--voxel-size", 2 * ERROR), moves_at_most, goal=True),
-    Feature("gaps may close", ("--max-error", ERROR, "--keep-clearance", "off"), shows("options.KeepClearance", "off"), goal=True),
+    Feature("no intersection guard", ("--max-error", ERROR, "--intersection-guard", "off"), shows("options.IntersectionGuard", "off"), goal=True),
     Feature("no proof", ("--max-error", ERROR, "--prove", "off"), shows("options.ProveResult", "off"), goal=True),
     Feature("large error allowed", ("--max-error", LARGE_ERROR, "--allow-large-error", "on"), keeps_to_the_cap, goal=True),
-    Feature("region", ("--region", "sphere:{},{},{},{}=0".format(*FROZEN)),
-            keeps_points(lambda p: math.dist(p, FROZEN[:3]) <= FROZEN[3] - 1e-3), ("tolerance",)),
+    Feature("region", ("--region", "sphere:{},{},{},{}=0".format(*CONSTRAINED)),
+            keeps_points(lambda p: math.dist(p, CONSTRAINED[:3]) <= CONSTRAINED[3] - 1e-3), ("tolerance",)),
     Feature("tolerance array", ("--tolerance-array", "allowed"), keeps_points(lambda p: p[0] < -20.0), ("allowed", "tolerance")),
     Feature("labels", ("--labels", "Bone"), has_labels, ("Bone", "label")),
     Feature("prune", ("--prune-size", 6), without_crumb),
@@ -319,30 +319,30 @@ FEATURES = [
     Feature("prune by volume", ("--prune-volume", 60), without_crumb),
     Feature("prune by triangles", ("--prune-triangles", 200), without_crumb),
     Feature("reference", ("--max-error", ERROR, "--reference", "first.vtp"), lambda run: "" if run.command or "reference" in run.report else "none", goal=True),
-    switch("points apart", "--merge-points", "off", "MergePoints", keeps_duplicates),
+    switch("no merging of points", "--merge-points", "off", "MergePoints", keeps_duplicates),
     Feature("measured", ("--measure", "on"), lambda run: "" if run.command or "distance" in run.report else "no distance"),
     switch("double precision", "--precision", "Double", "OutputPointsPrecision", is_double),
     switch("no arrays", "--pass-arrays", "off", "PassArrays", lacks_arrays),
     switch("maps", "--maps", "on", "MakeMaps", has_point_array("OriginalPointIds")),
     switch("normals", "--recompute-normals", "on", "RecomputeNormals", has_point_array("Normals")),
     Feature("normal tolerance", ("--mode", "Thesis", "--normal-tolerance", 0.5), shows("normal_tolerance", 0.5)),
-    Feature("automatic normal tolerance", ("--mode", "Thesis", "--target-faces", 300, "--auto-normal-tolerance", "on"),
+    Feature("automatic normal tolerance", ("--mode", "Thesis", "--target-triangles", 300, "--auto-normal-tolerance", "on"),
             shows("options.AutomaticNormalTolerance", "on"), goal=True),
     Feature("threads", ("--threads", 2), shows("options.NumberOfThreads", "2")),
-    switch("examine", "--examine", "on", "ExamineInput", lambda run: "" if run.command or "findings" in run.report else "none"),
+    switch("diagnose", "--diagnose", "on", "DiagnoseInput", lambda run: "" if run.command or "diagnostics" in run.report else "none"),
     Feature("obj", output="obj", problem=wrote_surface), Feature("stl", output="stl", problem=wrote_surface),
     Feature("ply", output="ply", problem=wrote_surface), Feature("vtp", output="vtp", problem=wrote_surface),
     Feature("vtk", output="vtk", problem=wrote_surface),
     Feature("heat map", ("--heatmap", "map.vtp"), wrote("map.vtp", b"DistanceToResult")),
     Feature("picture", ("--picture", "picture.png"), wrote("picture.png", b"PNG")),
     Feature("page", ("--page", "page.html"), wrote("page.html", b"</html>")),
-    Feature("CT", ("--iso", 226), input="CT", refused_by=("volume",)),
+    Feature("CT", ("--iso", 226), input="CT", rejected_by=("volume",)),
     Feature("unit", ("--unit", "m"), shows("files.unit", "m"), input="unit"),
-    Feature("batch", input="batch", refused_by=("one bone", "folder", "output")),
-    Feature("thesis form", input="thesis form", refused_by=("not expected",)),
-    Feature("certify", command="certify", refused_by=("not expected",)),
-    Feature("check", command="check", refused_by=("not expected",)),
-    Feature("tolerance", ("--triangles", 300), command="tolerance", refused_by=("not expected",)),
-    Feature("curve", ("--errors", f"{ERROR}"), command="curve", refused_by=("not expected",)),
-    Feature("levels", ("--record", "run.levels"), command="levels", refused_by=("not expected",)),
+    Feature("batch", input="batch", rejected_by=("one bone", "folder", "output")),
+    Feature("thesis form", input="thesis form", rejected_by=("not expected",)),
+    Feature("certify", command="certify", rejected_by=("not expected",)),
+    Feature("diagnose command", command="diagnose", rejected_by=("not expected",)),
+    Feature("tolerance", ("--triangles", 300), command="tolerance", rejected_by=("not expected",)),
+    Feature("curve", ("--errors", f"{ERROR}"), command="curve", rejected_by=("not expected",)),
+    Feature("levels", ("--record", "run.levels"), command="levels", rejected_by=("not expected",)),
 ]

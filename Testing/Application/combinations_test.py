@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every pair of features of the program either works, which the outputs must show, or is refused with one sentence.
+"""Every pair of features of the program either works, which the outputs must show, or is rejected with one sentence.
 
-Each row of the table of options that has a flag must belong to a feature below. `combinations_test.py --print` prints the
-matrix of Documentation/combinations.md; the test fails if the page is not that one.
+Each flag of the table of options must belong to a feature. `combinations_test.py --print` prints the matrix of
+Documentation/combinations.md; the test fails if the page has another one.
 """
 
 import concurrent.futures
@@ -19,15 +19,15 @@ import unittest
 
 import combinations_features as features
 import combinations_inputs
-from application import DONE, PROGRAM, REFUSED, USAGE, main
+from application import DONE, PROGRAM, REJECTED, USAGE, main
 
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "combinations.md"
 BEGIN, END = "<!-- matrix: begin -->", "<!-- matrix: end -->"
-WORKS, WARNS, REFUSES = "+", "w", "-"
+WORKS, WARNS, REJECTS = "+", "w", "-"
 
 
 class Outcome:
-    """What a pair of features came to: a mark, the sentence of a refusal or a warning, and what is wrong with it."""
+    """The result of a pair of features: a mark, the sentence of a rejection or a warning, and the problem if there is one."""
 
     def __init__(self, mark, sentence="", problem=""):
         self.mark, self.sentence, self.problem = mark, sentence, problem
@@ -40,36 +40,36 @@ def outcome_of(run, inputs):
         for path in inputs.iterdir():
             (shutil.copytree if path.is_dir() else os.link)(path, folder / path.name)
         before = sorted(folder.rglob("*"))
-        answer = run.execute(folder)
-        if answer.returncode in (USAGE, REFUSED):
-            return refusal(run, answer, left=sorted(folder.rglob("*")) != before)
-        if answer.returncode != DONE:
-            return Outcome("?", problem=f"exit code {answer.returncode}: {answer.stderr}")
-        return success(run, answer)
+        completed = run.execute(folder)
+        if completed.returncode in (USAGE, REJECTED):
+            return rejection(run, completed, left=sorted(folder.rglob("*")) != before)
+        if completed.returncode != DONE:
+            return Outcome("?", problem=f"exit code {completed.returncode}: {completed.stderr}")
+        return success(run, completed)
 
 
-def refusal(run, answer, left):
-    sentence = answer.stderr.strip()
+def rejection(run, completed, left):
+    sentence = completed.stderr.strip()
     problem = ""
     if left:
-        problem = "refused, but something was written"
+        problem = "rejected, but something was written"
     elif not re.fullmatch(r"bonedecimate: [^\n]+", sentence):
-        problem = f"the refusal is not one line: {answer.stderr!r}"
-    elif not any(word.lower() in sentence.lower() for feature in run.pair for word in feature.refused_by):
-        problem = f"the refusal names neither feature: {sentence!r}"
-    return Outcome(REFUSES, shortened(sentence), problem)
+        problem = f"the rejection is not one line: {completed.stderr!r}"
+    elif not any(word.lower() in sentence.lower() for feature in run.pair for word in feature.rejected_by):
+        problem = f"the rejection names neither feature: {sentence!r}"
+    return Outcome(REJECTS, shortened(sentence), problem)
 
 
 def shortened(sentence):
-    """Without what differs between features that are refused alike."""
+    """Without what differs between features that are rejected alike."""
     text = sentence[len("bonedecimate: "):]
     text = re.sub(r"The following arguments? (was|were) not expected: .*", "The following argument was not expected: ...", text)
     return re.sub(r"; see bonedecimate.*--help", "", text)
 
 
-def success(run, answer):
-    if answer.stderr:
-        return Outcome(WORKS, problem=f"success, but it says {answer.stderr!r}")
+def success(run, completed):
+    if completed.stderr:
+        return Outcome(WORKS, problem=f"success, but it says {completed.stderr!r}")
     problems = [f"no sign of '{feature.name}': {problem}" for feature in run.pair if (problem := feature.problem_in(run))]
     warnings = run.warnings()
     return Outcome(WARNS if warnings else WORKS, "; ".join(warnings), "; ".join(problems))
@@ -95,10 +95,10 @@ def matrix(rows, outcomes):
 
 
 def page_text(rows, outcomes):
-    lines = ["| | feature | in the program |", "|---:|---|---|"]
+    lines = ["| | feature | command line |", "|---:|---|---|"]
     lines += [f"| {number} | {feature.name} | `{feature.shown}` |" for number, feature in enumerate(rows, 1)]
     lines += ["", "```text", *matrix(rows, outcomes), "```", ""]
-    for mark, title in ((REFUSES, "refused with"), (WARNS, "done with the warning")):
+    for mark, title in ((REJECTS, "message of the rejection"), (WARNS, "warning")):
         sentences = {}
         for pair, outcome in outcomes.items():
             if outcome.mark == mark:

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files that were cut off, corrupted or never were surfaces: refused in one line, never a crash."""
+"""Files that were cut off, corrupted or never were surfaces: rejected in one line, never a crash."""
 
 import random
 import re
 
-from application import DONE, REFUSED, SURFACES, ApplicationTest, main, torus, write
+from application import DONE, REJECTED, SURFACES, ApplicationTest, main, torus, write
 
 TETRAHEDRON_OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
 TETRAHEDRON_PLY = """ply
@@ -74,8 +74,8 @@ class DamagedFiles(ApplicationTest):
         self.path("in." + extension).write_text(text, encoding="ascii")
         return "in." + extension
 
-    def refuse(self, name, says="", **keywords):
-        self.fail_with(REFUSED, name, "out.vtp", says=says, **keywords)
+    def reject(self, name, says="", **keywords):
+        self.fail_with(REJECTED, name, "out.vtp", says=says, **keywords)
 
     def test_the_whole_files_are_accepted(self):
         for extension in TEXTS:
@@ -91,13 +91,13 @@ class DamagedFiles(ApplicationTest):
                         # An OBJ file announces nothing: one without its last faces is an OBJ file.
                         cut = int(len(whole) * (min(part, 0.5) if extension == "obj" else part))
                         path.write_bytes(whole[:cut])
-                        self.refuse(path.name)
+                        self.reject(path.name)
 
     def test_obj_file_that_ends_within_a_line(self):
         self.write_text("obj", ("4 3\n", "4 3"))
         self.assertIn("may be cut off", self.succeed("in.obj", "out.vtp").stdout)
-        self.refuse(self.write_text("obj", ("1 4 3\n", "1 4")), says="cut off")
-        self.refuse(self.write_text("obj", ("0 0 1\n", "0 0\n")), says="line 4")
+        self.reject(self.write_text("obj", ("1 4 3\n", "1 4")), says="cut off")
+        self.reject(self.write_text("obj", ("0 0 1\n", "0 0\n")), says="line 4")
 
     def test_text_in_place_of_numbers(self):
         for extension, old, says in (
@@ -114,13 +114,13 @@ class DamagedFiles(ApplicationTest):
         ):
             with self.subTest(extension=extension, old=old):
                 wrong = old[:-1] + "x"
-                self.refuse(self.write_text(extension, (old, wrong)), says=says)
+                self.reject(self.write_text(extension, (old, wrong)), says=says)
 
     def test_numbers_that_are_not_finite(self):
         for extension, old in (("obj", "v 1 0 0"), ("stl", "vertex 1 0 0"), ("ply", "1 0 0"), ("vtp", "1 0 0")):
             for word in ("nan", "inf"):
                 with self.subTest(extension=extension, word=word):
-                    self.refuse(self.write_text(extension, (old, old[:-1] + word)))
+                    self.reject(self.write_text(extension, (old, old[:-1] + word)))
 
     def test_indices_of_points_that_are_not_there(self):
         for extension, old, new in (
@@ -137,23 +137,23 @@ class DamagedFiles(ApplicationTest):
             ("vtp", ">0 2 1", ">0 2 -9"),
         ):
             with self.subTest(extension=extension, new=new):
-                self.refuse(self.write_text(extension, (old, new)))
+                self.reject(self.write_text(extension, (old, new)))
 
     def test_cells_that_run_out_of_their_arrays(self):
         for new in ("3 6 9 99", "9 6 3 12", "-3 6 9 12", "3 6 9"):
             with self.subTest(offsets=new):
-                self.refuse(self.write_text("vtp", ("3 6 9 12", new)))
+                self.reject(self.write_text("vtp", ("3 6 9 12", new)))
 
     def test_binary_stl_of_another_size_than_announced(self):
         whole = write(torus(20, 16), self.path("in.stl")).read_bytes()
         for bytes_of_file in (whole + b"x", whole[:-1], whole[:-50], whole[:80] + b"\xff\xff\xff\x7f" + whole[84:]):
             self.path("in.stl").write_bytes(bytes_of_file)
-            self.refuse("in.stl", says="announces")
+            self.reject("in.stl", says="announces")
 
     def test_binary_ply_that_holds_more_than_announced(self):
         whole = write(torus(20, 16), self.path("in.ply")).read_bytes()
         self.path("in.ply").write_bytes(whole + b"0123456789")
-        self.refuse("in.ply", says="more than")
+        self.reject("in.ply", says="more than")
 
     def test_other_kinds_of_data_under_the_name(self):
         for extension, old, new, says in (
@@ -162,17 +162,17 @@ class DamagedFiles(ApplicationTest):
             ("ply", "vertex_indices", "other_indices", "vertex_indices"),
         ):
             with self.subTest(extension=extension):
-                self.refuse(self.write_text(extension, (old, new)), says=says)
+                self.reject(self.write_text(extension, (old, new)), says=says)
         for extension in SURFACES:
             self.path("in." + extension).write_text("<html><body>not found</body></html>\n")
-            self.refuse("in." + extension)
+            self.reject("in." + extension)
 
     def test_surface_without_triangles(self):
         for extension, pattern in (("obj", r"(?m)^f .*\n"), ("vtk", r"(?s)POLYGONS.*")):
             self.path("in." + extension).write_text(re.sub(pattern, "", TEXTS[extension]))
-            self.refuse("in." + extension, says="no triangle")
+            self.reject("in." + extension, says="no triangle")
         self.path("in.obj").write_text("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")
-        self.refuse("in.obj", says="no triangle")
+        self.reject("in.obj", says="no triangle")
 
     def test_noise_never_crashes(self):
         generator = random.Random(1)
@@ -185,9 +185,9 @@ class DamagedFiles(ApplicationTest):
                     for _ in range(generator.choice((1, 3, 20))):
                         damaged[generator.randrange(len(damaged))] = generator.randrange(256)
                     path.write_bytes(damaged)
-                    answer = self.run_program(path.name, "out.vtp", "--measure", "off", "--quiet")
-                    self.assertIn(answer.returncode, (DONE, REFUSED), answer.stderr)
-                    self.assertLessEqual(answer.stderr.count("\n"), 1)
+                    completed = self.run_program(path.name, "out.vtp", "--measure", "off", "--quiet")
+                    self.assertIn(completed.returncode, (DONE, REJECTED), completed.stderr)
+                    self.assertLessEqual(completed.stderr.count("\n"), 1)
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@
 import csv
 import xml.etree.ElementTree as xml
 
-from application import REFUSED, USAGE, ApplicationTest, main, torus, write
+from application import REJECTED, USAGE, ApplicationTest, main, torus, write
 
 VIOLATED = 6
 
@@ -24,14 +24,14 @@ class ErrorCommands(ApplicationTest):
         best = [run for run in found["runs"] if run["reached"] and run["proved_mm"] == found["smallest_error_mm"]][0]
         self.assertLessEqual(best["triangles"], 500)
         words = ["--max-error", best["max_error_mm"]] if best["max_error_mm"] else []
-        self.succeed("in.ply", "out.ply", "--target-faces", 500, "--mode", "fast", "--quiet", *words)
+        self.succeed("in.ply", "out.ply", "--target-triangles", 500, "--mode", "fast", "--quiet", *words)
         bound = found["smallest_error_mm"] * (1 + 1e-3)
         self.succeed("certify", "in.ply", "out.ply", "--tolerance", bound, "--quiet")
 
     def test_tolerance_says_that_there_is_none(self):
-        answer = self.run_program("tolerance", "in.ply", "--triangles", 2, "--json", "t.json")
-        self.assertEqual(answer.returncode, VIOLATED)
-        self.assertIn("no surface of so few triangles", answer.stdout)
+        completed = self.run_program("tolerance", "in.ply", "--triangles", 2, "--json", "t.json")
+        self.assertEqual(completed.returncode, VIOLATED)
+        self.assertIn("no surface of so few triangles", completed.stdout)
         self.assertIsNone(self.report("t.json")["smallest_error_mm"])
 
     def test_curve_is_written_as_data_and_picture(self):
@@ -48,13 +48,13 @@ class ErrorCommands(ApplicationTest):
         circles = xml.parse(self.path("c.svg")).findall("{http://www.w3.org/2000/svg}circle")
         self.assertEqual(len(circles), 3)
 
-    def test_refuse_what_makes_no_sense(self):
+    def test_reject_what_makes_no_sense(self):
         self.fail_with(USAGE, "tolerance", "in.ply")
         self.fail_with(USAGE, "tolerance", "in.ply", "in.ply", "--triangles", 5, says="takes one INPUT")
         self.fail_with(USAGE, "curve", "in.ply", "--errors", "0.1,0")
         self.fail_with(USAGE, "curve", "in.ply", "--errors", "0.1", "--picture", "c.bmp", says="svg")
         self.fail_with(USAGE, "curve", "in.ply", "--errors", "0.1", "--json", "in.ply", says="not overwritten")
-        self.fail_with(REFUSED, "tolerance", "nothing.ply", "--triangles", 5, says="no such file")
+        self.fail_with(REJECTED, "tolerance", "nothing.ply", "--triangles", 5, says="no such file")
 
 
 if __name__ == "__main__":

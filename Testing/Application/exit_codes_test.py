@@ -9,7 +9,7 @@ from application import (
     DONE,
     NO_MEMORY,
     NOT_WRITTEN,
-    REFUSED,
+    REJECTED,
     USAGE,
     ApplicationTest,
     limit,
@@ -31,8 +31,8 @@ class ExitCodes(ApplicationTest):
             ("--max-error", "nan", "a number"),
             ("--max-error", "", "''"),
             ("--max-error", "1mm", "'1mm'"),
-            ("--target-faces", "1.5", "whole number"),
-            ("--target-faces", "2147483648", "0 to 2147483647"),
+            ("--target-triangles", "1.5", "whole number"),
+            ("--target-triangles", "2147483648", "0 to 2147483647"),
             ("--target-reduction", "1.1", "0 to 1"),
             ("--normal-tolerance", "2", "0 to 1"),
             ("--threads", "1025", "0 to 1024"),
@@ -41,8 +41,8 @@ class ExitCodes(ApplicationTest):
             ("--iso", "bone", "--iso"),
         ):
             with self.subTest(flag=flag, value=value):
-                answer = self.fail_with(USAGE, "in.ply", "out.vtp", flag, value, says=says)
-                self.assertIn(flag, answer.stderr)
+                completed = self.fail_with(USAGE, "in.ply", "out.vtp", flag, value, says=says)
+                self.assertIn(flag, completed.stderr)
 
     def test_wrong_command_lines_are_wrong_usage(self):
         for words, says in (
@@ -80,7 +80,7 @@ class ExitCodes(ApplicationTest):
                 self.fail_with(USAGE, *words)
         self.assertEqual(self.path("in.ply").read_bytes(), before)
 
-    def test_inputs_that_are_no_files_are_refused(self):
+    def test_inputs_that_are_no_files_are_rejected(self):
         self.path("folder.ply").mkdir()
         self.path("empty.ply").touch()
         os.mkfifo(self.path("pipe.ply"))
@@ -92,19 +92,19 @@ class ExitCodes(ApplicationTest):
             ("bone.xyz", "extension"),
         ):
             with self.subTest(name=name):
-                self.fail_with(REFUSED, name, "out.vtp", says=says)
-        self.fail_with(REFUSED, "thesis", "folder.ply", 100, 0.95, 0, says="folder")
+                self.fail_with(REJECTED, name, "out.vtp", says=says)
+        self.fail_with(REJECTED, "thesis", "folder.ply", 100, 0.95, 0, says="folder")
 
-    def test_unreadable_input_is_refused(self):
+    def test_unreadable_input_is_rejected(self):
         self.path("in.ply").chmod(0)
-        self.fail_with(REFUSED, "in.ply", "out.vtp", says="ermission", preexec_fn=without_root_powers)
+        self.fail_with(REJECTED, "in.ply", "out.vtp", says="ermission", preexec_fn=without_root_powers)
 
     def test_folder_that_takes_no_files(self):
         self.fail_with(NOT_WRITTEN, "in.ply", "nowhere/out.vtp", says="No such")
-        self.path("locked").mkdir()
-        self.path("locked").chmod(0o555)
+        self.path("read-only").mkdir()
+        self.path("read-only").chmod(0o555)
         self.fail_with(
-            NOT_WRITTEN, "in.ply", "locked/out.vtp", says="ermission", preexec_fn=without_root_powers
+            NOT_WRITTEN, "in.ply", "read-only/out.vtp", says="ermission", preexec_fn=without_root_powers
         )
 
     def test_devices_and_folders_are_not_overwritten(self):
@@ -114,9 +114,9 @@ class ExitCodes(ApplicationTest):
 
     def test_standard_output_that_cannot_be_written(self):
         with open("/dev/full", "w", encoding="ascii") as full:
-            answer = self.run_program("--options-markdown", stdout=full)
-        self.assertEqual(answer.returncode, NOT_WRITTEN)
-        self.assertIn("standard output", answer.stderr)
+            completed = self.run_program("--options-markdown", stdout=full)
+        self.assertEqual(completed.returncode, NOT_WRITTEN)
+        self.assertIn("standard output", completed.stderr)
 
     def test_too_little_memory(self):
         write(torus(600, 600), self.path("large.ply"))

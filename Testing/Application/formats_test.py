@@ -24,19 +24,19 @@ class Formats(ApplicationTest):
             write(torus(), self.path("in." + source))
             for target in SURFACES:
                 with self.subTest(source=source, target=target):
-                    self.succeed("in." + source, "out." + target, "--target-faces", 700, "--report", "report.json")
-                    self.assertEqual(self.report()["input"]["faces"], torus().GetNumberOfPolys())
+                    self.succeed("in." + source, "out." + target, "--target-triangles", 700, "--report", "report.json")
+                    self.assertEqual(self.report()["input"]["triangles"], torus().GetNumberOfPolys())
                     self.assertEqual(self.report()["input"]["points"], torus().GetNumberOfPoints())
                     result = read(self.path("out." + target))
-                    self.assertEqual(result.GetNumberOfPolys(), self.report()["output"]["faces"])
+                    self.assertEqual(result.GetNumberOfPolys(), self.report()["output"]["triangles"])
                     self.assertLessEqual(result.GetNumberOfPolys(), 700)
 
     def test_reads_the_text_form_of_every_format(self):
         for source in ("stl", "ply", "vtp", "vtk"):
             with self.subTest(source=source):
                 write(torus(), self.path("in." + source), ascii_text=True)
-                self.succeed("in." + source, "out.ply", "--target-faces", 700, "--report", "report.json")
-                self.assertEqual(self.report()["input"]["faces"], torus().GetNumberOfPolys())
+                self.succeed("in." + source, "out.ply", "--target-triangles", 700, "--report", "report.json")
+                self.assertEqual(self.report()["input"]["triangles"], torus().GetNumberOfPolys())
 
     def test_gives_the_same_points_in_every_format(self):
         write(torus(), self.path("in.ply"))
@@ -50,7 +50,7 @@ class Formats(ApplicationTest):
 
     def test_extension_in_capitals_is_the_same_format(self):
         write(torus(), self.path("in.STL"))
-        self.succeed("in.STL", "out.PLY", "--target-faces", 700)
+        self.succeed("in.STL", "out.PLY", "--target-triangles", 700)
         self.assertEqual(read(self.path("out.PLY")).GetNumberOfPolys(), 700)
 
     def test_names_with_blanks_and_letters_beyond_ascii(self):
@@ -63,7 +63,7 @@ class Formats(ApplicationTest):
 
     def test_names_that_begin_with_a_dash_or_look_like_a_list(self):
         write(torus(), self.path("-in.ply"))
-        self.succeed("--target-faces", 700, "--", "-in.ply", "out.ply")
+        self.succeed("--target-triangles", 700, "--", "-in.ply", "out.ply")
         self.path("[bones]").mkdir()
         write(torus(), self.path("[bones]") / "a.ply")
         self.succeed("[bones]", "out")
@@ -75,7 +75,7 @@ class Formats(ApplicationTest):
         for name in ("out.vtp", "out.vtk"):
             result = read(self.path(name))
             self.assertLessEqual({"Distance", "RunningError", "InputPointCount"}, array_names(result.GetPointData()))
-            self.assertIn("bonedecimate.output.faces", array_names(result.GetFieldData()))
+            self.assertIn("bonedecimate.output.triangles", array_names(result.GetFieldData()))
 
     def test_says_where_a_format_holds_no_arrays(self):
         write(torus(), self.path("in.ply"))
@@ -92,7 +92,7 @@ class Formats(ApplicationTest):
             self.assertNotIn("single precision", self.succeed("single.vtp", "out." + target).stdout)
 
     def test_doubles_keep_all_their_digits_where_the_format_does(self):
-        write(as_doubles(torus(centre=1.0 / 3.0)), self.path("in.vtp"))
+        write(as_doubles(torus(center=1.0 / 3.0)), self.path("in.vtp"))
         self.succeed("in.vtp", "out.vtp", "--also", "out.vtk")
         expected = read(self.path("out.vtp"))
         self.assertEqual(expected.GetPoints().GetDataType(), vtk.VTK_DOUBLE)

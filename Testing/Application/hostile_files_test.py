@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The table of files in Documentation/bad-input.md: what is wrong with a file, how the program ends, what it says.
+"""The table of files in Documentation/bad-input.md: problem of a file, exit code and message of the program.
 
-Each row is tried in every format that it names, with a limit of the memory that a process may have; what it says is of
-the first of them. `hostile_files_test.py --print` prints the table that the page must hold.
+Each row is tried in every format that it names, with a limit of the memory of the process. The message is that of the first
+format. `hostile_files_test.py --print` prints the table that the page must contain.
 """
 
 import os
@@ -15,7 +15,7 @@ import vtk
 
 from application import (
     NOT_WRITTEN,
-    REFUSED,
+    REJECTED,
     SURFACES,
     ApplicationTest,
     limit,
@@ -88,57 +88,57 @@ CLOSED = tuple(extension for extension in COUNTED if extension != "vti")  # whos
 # What is wrong, and how each of the formats is made to have it.
 INPUTS = (
     ("0 bytes", everywhere(lambda _: b"", *ALL)),
-    ("cut off in the first half", everywhere(cut(0.3), *ALL)),
-    ("cut off in the last tenth", everywhere(cut(0.95), *COUNTED)),
-    ("cut off before the last 20 bytes", everywhere(lambda extension: whole(extension)[:-20], *CLOSED)),
-    ("one point more announced than there is", {
+    ("truncated in the first half", everywhere(cut(0.3), *ALL)),
+    ("truncated in the last tenth", everywhere(cut(0.95), *COUNTED)),
+    ("truncated by the last 20 bytes", everywhere(lambda extension: whole(extension)[:-20], *CLOSED)),
+    ("header declares one point too many", {
         "ply": in_text("vertex 4", "vertex 5"), "vtk": in_text("POINTS 4", "POINTS 5"),
         "vtp": in_text('Points="4"', 'Points="5"')}),
-    ("one point less announced than there is", {
+    ("header declares one point too few", {
         "ply": in_text("vertex 4", "vertex 3"), "vtk": in_text("POINTS 4", "POINTS 3"),
         "vtp": in_text('Points="4"', 'Points="3"')}),
-    ("one triangle more announced than there is", {
+    ("header declares one triangle too many", {
         "ply": in_text("face 4", "face 5"), "vtk": in_text("POLYGONS 4 16", "POLYGONS 5 20"),
         "vtp": in_text('Polys="4"', 'Polys="5"'),
         "stl": lambda _: whole("stl")[:80] + b"\x81\x02\0\0" + whole("stl")[84:]}),
-    ("one triangle less announced than there is", {
+    ("header declares one triangle too few", {
         "ply": in_text("face 4", "face 3"), "vtk": in_text("POLYGONS 4 16", "POLYGONS 3 12"),
         "stl": lambda _: whole("stl")[:80] + b"\x7f\x02\0\0" + whole("stl")[84:]}),
-    ("a polygon of fewer corners than its count", {
+    ("a polygon with fewer vertices than its count", {
         "ply": in_text("3 0 2 1", "4 0 2 1"), "vtk": in_text("3 0 2 1", "4 0 2 1")}),
-    ("a polygon of more corners than its count", {
+    ("a polygon with more vertices than its count", {
         "ply": in_text("3 0 2 1", "3 0 2 1 3"), "vtk": in_text("3 0 2 1", "3 0 2 1 3")}),
-    ("text in place of a coordinate", {
+    ("text instead of a coordinate", {
         "obj": in_text("v 1 0 0", "v 1 0 x"), "stl": in_text("vertex 1 0 0", "vertex 1 0 x"),
         "ply": in_text("\n1 0 0", "\n1 0 x"), "vtk": in_text("1 0 0", "1 0 x"), "vtp": in_text("1 0 0", "1 0 x")}),
-    ("text in place of a corner", {
+    ("text instead of a vertex index", {
         "obj": in_text("f 1 3 2", "f 1 3 x"), "ply": in_text("3 0 2 1", "3 0 2 x"),
         "vtk": in_text("3 0 2 1", "3 0 2 x"), "vtp": in_text(">0 2 1", ">0 2 x")}),
-    ("text in place of a count", {
+    ("text instead of a count", {
         "ply": in_text("vertex 4", "vertex x"), "vtk": in_text("POINTS 4", "POINTS x"),
         "vtp": in_text('Points="4"', 'Points="x"'), "nrrd": in_volume("sizes: 24", "sizes: x"),
         "mha": in_volume("DimSize = 24", "DimSize = x")}),
-    ("NaN in place of a coordinate", {
+    ("NaN instead of a coordinate", {
         "obj": in_text("v 1 0 0", "v 1 0 nan"), "stl": in_text("vertex 1 0 0", "vertex 1 0 nan"),
         "ply": in_text("\n1 0 0", "\n1 0 nan"), "vtk": in_text("1 0 0", "1 0 nan"),
         "vtp": in_text("1 0 0", "1 0 nan")}),
-    ("a corner that is no point", {
+    ("a vertex index out of range", {
         "obj": in_text("f 1 3 2", "f 1 3 9"), "ply": in_text("3 0 2 1", "3 0 2 9"),
         "vtk": in_text("3 0 2 1", "3 0 2 9"), "vtp": in_text(">0 2 1", ">0 2 9")}),
-    ("10^9 points or voxels announced", {
+    ("header declares 10^9 points or voxels", {
         "ply": in_text("vertex 4", "vertex " + BILLION), "vtk": in_text("POINTS 4", "POINTS " + BILLION),
         "vtp": in_text('Points="4"', f'Points="{BILLION}"'),
         "nrrd": in_volume("sizes: 24 24 24", "sizes: 1000 1000 1000"),
         "mha": in_volume("DimSize = 24 24 24", "DimSize = 1000 1000 1000")}),
-    ("10^9 triangles announced", {
+    ("header declares 10^9 triangles", {
         "ply": in_text("face 4", "face " + BILLION), "vtk": in_text("POLYGONS 4 16", f"POLYGONS {BILLION} {BILLION}"),
         "vtp": in_text('Polys="4"', f'Polys="{BILLION}"'),
         "stl": lambda _: whole("stl")[:80] + b"\x00\xca\x9a\x3b" + whole("stl")[84:]}),
-    ("10^9 corners in one polygon", {
+    ("10^9 vertices in one polygon", {
         "ply": in_text("3 0 2 1", BILLION + " 0 2 1"), "vtk": in_text("3 0 2 1", BILLION + " 0 2 1")}),
-    ("another kind of data in the format", {
+    ("another type of data set", {
         "vtk": in_text("POLYDATA", "STRUCTURED_POINTS"), "vtp": in_text('type="PolyData"', 'type="UnstructuredGrid"')}),
-    ("a web page under the name", everywhere(lambda _: b"<html>not found</html>\n", *ALL)),
+    ("an HTML page with this extension", everywhere(lambda _: b"<html>not found</html>\n", *ALL)),
 )
 
 
@@ -157,17 +157,17 @@ class HostileFiles(ApplicationTest):
             return "levels", "first.ply", "--log", name
         return (name, "out.vtp", *(("--iso", 226) if name.endswith(VOLUMES) else ()))
 
-    def refusal(self, *words, **keywords):
+    def rejection(self, *words, **keywords):
         """What the program says, without its own name."""
         keywords.setdefault("preexec_fn", limit(resource.RLIMIT_DATA, MEMORY))
-        return self.fail_with(REFUSED, *words, **keywords).stderr.removeprefix("bonedecimate: ").strip()
+        return self.fail_with(REJECTED, *words, **keywords).stderr.removeprefix("bonedecimate: ").strip()
 
-    def refused_as_anything(self, name):
+    def rejected_as_anything(self, name):
         """Whatever it was to do with the surface."""
-        self.refusal("first.ply", "out.vtp", "--reference", name, "--max-error", 0.1)
-        self.refusal("certify", "first.ply", name)
-        self.refusal("check", name)
-        return self.refusal(name, "out.vtp")
+        self.rejection("first.ply", "out.vtp", "--reference", name, "--max-error", 0.1)
+        self.rejection("certify", "first.ply", name)
+        self.rejection("diagnose", name)
+        return self.rejection(name, "out.vtp")
 
     def input_rows(self):
         for what, ways in INPUTS:
@@ -176,41 +176,41 @@ class HostileFiles(ApplicationTest):
                 with self.subTest(what=what, extension=extension):
                     name = "in." + extension
                     self.path(name).write_bytes(make(extension))
-                    said.append(self.refusal(*self.words_for(name)))
+                    said.append(self.rejection(*self.words_for(name)))
                     self.path(name).unlink()
-            yield what, ", ".join(ways), REFUSED, said[0]
+            yield what, ", ".join(ways), REJECTED, said[0]
 
     def name_rows(self):
         self.path("folder.ply").mkdir()
         self.path("bone.xyz").write_text("1 2 3\n", encoding="ascii")
         os.mkfifo(self.path("pipe.ply"))
-        write(torus(), self.path("locked.ply")).chmod(0)
-        yield "no such file", "all", REFUSED, self.refused_as_anything("nothing.ply")
-        yield "a file in place of a folder in its name", "all", REFUSED, self.refused_as_anything("first.ply/in.ply")
-        yield "a folder", "all", REFUSED, self.refusal("certify", "first.ply", "folder.ply")
-        yield "a pipe", "all", REFUSED, self.refused_as_anything("pipe.ply")
-        yield "an unknown extension", "-", REFUSED, self.refused_as_anything("bone.xyz")
-        locked = self.refusal("locked.ply", "out.vtp", preexec_fn=without_root_powers)
-        yield "no permission", "all", REFUSED, locked
+        write(torus(), self.path("unreadable.ply")).chmod(0)
+        yield "no such file", "all", REJECTED, self.rejected_as_anything("nothing.ply")
+        yield "a file as a folder in the path", "all", REJECTED, self.rejected_as_anything("first.ply/in.ply")
+        yield "a folder", "all", REJECTED, self.rejection("certify", "first.ply", "folder.ply")
+        yield "a pipe", "all", REJECTED, self.rejected_as_anything("pipe.ply")
+        yield "an unknown extension", "-", REJECTED, self.rejected_as_anything("bone.xyz")
+        unreadable = self.rejection("unreadable.ply", "out.vtp", preexec_fn=without_root_powers)
+        yield "no read permission", "all", REJECTED, unreadable
 
     def output_rows(self):
         def said(*words, **keywords):
-            answer = self.fail_with(NOT_WRITTEN, "first.ply", *words, **keywords)
-            return answer.stderr.removeprefix("bonedecimate: ").strip()
+            completed = self.fail_with(NOT_WRITTEN, "first.ply", *words, **keywords)
+            return completed.stderr.removeprefix("bonedecimate: ").strip()
 
         full = {"preexec_fn": limit(resource.RLIMIT_FSIZE, 1000)}
         self.path("closed").mkdir(mode=0o555)
-        yield "an output folder that is not there", "all", NOT_WRITTEN, said("nowhere/out.ply")
-        yield "a file in place of the output folder", "all", NOT_WRITTEN, said("first.ply/out.ply")
-        yield "no permission for the output", "all", NOT_WRITTEN, said("closed/out.ply", preexec_fn=without_root_powers)
+        yield "a missing output folder", "all", NOT_WRITTEN, said("nowhere/out.ply")
+        yield "a file as the output folder", "all", NOT_WRITTEN, said("first.ply/out.ply")
+        yield "no write permission", "all", NOT_WRITTEN, said("closed/out.ply", preexec_fn=without_root_powers)
         yield "a full disk", ", ".join(SURFACES), NOT_WRITTEN, [said("out." + format, **full) for format in SURFACES][0]
-        yield "a full disk for the report", "json", NOT_WRITTEN, said(
-            "out.ply", "--target-faces", 8, "--report", "report.json", **full
+        yield "a full disk, writing the report", "json", NOT_WRITTEN, said(
+            "out.ply", "--target-triangles", 8, "--report", "report.json", **full
         )
-        yield "a device as a report", "json", NOT_WRITTEN, said("out.ply", "--report", "/dev/full")
+        yield "a device as the report", "json", NOT_WRITTEN, said("out.ply", "--report", "/dev/full")
 
     def table(self):
-        lines = ["| what is wrong | formats | exit code | what it says, of the first |", "|---|---|---:|---|"]
+        lines = ["| problem | formats | exit code | message for the first format |", "|---|---|---:|---|"]
         for rows in (self.input_rows(), self.name_rows(), self.output_rows()):
             lines += [f"| {what} | {formats} | {code} | {said} |" for what, formats, code, said in rows]
         return "\n".join(lines)
@@ -222,10 +222,10 @@ class HostileFiles(ApplicationTest):
         self.assertIn(table, PAGE.read_text(encoding="utf-8"))
         self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024, LARGEST)
 
-    def test_a_full_disk_leaves_neither_a_log_nor_findings_nor_a_certificate(self):
+    def test_a_full_disk_leaves_neither_a_log_nor_diagnostics_nor_a_certificate(self):
         full = {"preexec_fn": limit(resource.RLIMIT_FSIZE, 100)}
         self.fail_with(NOT_WRITTEN, "levels", "first.ply", "--record", "new.levels", "--no-errors", **full)
-        self.fail_with(NOT_WRITTEN, "check", "first.ply", "--json", "found.json", **full)
+        self.fail_with(NOT_WRITTEN, "diagnose", "first.ply", "--json", "found.json", **full)
         self.fail_with(NOT_WRITTEN, "certify", "first.ply", "first.ply", "--json", "proof.json", **full)
 
     def test_names_with_blanks_and_letters_beyond_ascii_are_good_and_shown(self):
@@ -235,7 +235,7 @@ class HostileFiles(ApplicationTest):
             self.succeed(name, "a \u00fc." + extension, "--reference", name, "--max-error", 0.5, "--quiet")
             self.assertTrue(self.path("a \u00fc." + extension).exists())
             self.path(name).write_bytes(b"")
-            self.assertIn(f"'{name}' was refused", self.refusal(name, "out.vtp"))
+            self.assertIn(f"'{name}' was rejected", self.rejection(name, "out.vtp"))
 
 
 if __name__ == "__main__":

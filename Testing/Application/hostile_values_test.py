@@ -4,7 +4,7 @@
 
 import re
 
-from application import REFUSED, USAGE, ApplicationTest, main
+from application import REJECTED, USAGE, ApplicationTest, main
 
 COMMANDS = {
     "": ("nothing.ply", "out.ply"),
@@ -13,9 +13,9 @@ COMMANDS = {
     "tolerance": ("nothing.ply", "--triangles", 5),
     "curve": ("nothing.ply", "--errors", 0.5),
     "levels": ("nothing.ply",),
-    "check": ("nothing.ply",),
+    "diagnose": ("nothing.ply",),
 }
-# What stands for the value of a flag that takes no number.
+# Placeholders of the values of flags that take no number.
 OTHER_VALUES = {"FILE", "NAME", "EXT", "NAME.EXT", "SHAPE=MM"}
 NO_NUMBERS = ("nan", "-inf", "1e400", "", "5mm")
 MORE_NO_NUMBERS = ("inf", "NaN", " 5", "5 ", "0x10", "five", "1'000", "--5", "\N{ARABIC-INDIC DIGIT FIVE}")
@@ -77,18 +77,18 @@ class HostileValues(ApplicationTest):
             del words[at : at + 2]
         return [*filter(None, (command,)), *words, flag, value]
 
-    def test_each_flag_refuses_what_is_no_number_in_its_range(self):
+    def test_each_flag_rejects_what_is_no_number_in_its_range(self):
         count = 0
         for command in COMMANDS:
             for at, flag in enumerate(self.flags(command)):
                 for value in flag.hostile(at == 0):
                     with self.subTest(command=command, flag=flag.name, value=value):
-                        answer = self.fail_with(USAGE, *self.words(command, flag.name, value), says=flag.name)
-                        self.assertIn("takes", answer.stderr)
-                        self.assertIn("from %s to " % flag.least_text, answer.stderr)
-                        self.assertIn(flag.unit, answer.stderr)
+                        completed = self.fail_with(USAGE, *self.words(command, flag.name, value), says=flag.name)
+                        self.assertIn("takes", completed.stderr)
+                        self.assertIn("from %s to " % flag.least_text, completed.stderr)
+                        self.assertIn(flag.unit, completed.stderr)
                         if not flag.is_list:
-                            self.assertIn("not '%s'" % value, answer.stderr)
+                            self.assertIn("not '%s'" % value, completed.stderr)
                         count += 1
         self.assertGreater(count, 200)
 
@@ -102,12 +102,12 @@ class HostileValues(ApplicationTest):
 
     def test_every_command_has_its_numbers(self):
         found = {command: {flag.name for flag in self.flags(command)} for command in COMMANDS}
-        self.assertLessEqual({"--max-error", "--target-faces", "--iso", "--jobs", "--threads"}, found[""])
+        self.assertLessEqual({"--max-error", "--target-triangles", "--iso", "--jobs", "--threads"}, found[""])
         self.assertEqual(found["certify"], {"--tolerance", "--gap", "--mean-precision", "--threads"})
         self.assertEqual(found["tolerance"], {"--triangles", "--precision", "--threads"})
         self.assertEqual(found["curve"], {"--errors", "--threads"})
         self.assertEqual(found["levels"], {"--coarsest", "--max-error", "--triangles", "--errors", "--threads"})
-        self.assertEqual(found["check"], {"--threads"})
+        self.assertEqual(found["diagnose"], {"--threads"})
 
     def test_numbers_of_the_thesis_are_read_in_the_same_way(self):
         for at, name in enumerate(("numbFaces", "tolerance", "errorThreshold"), 1):
@@ -118,7 +118,7 @@ class HostileValues(ApplicationTest):
                     words.insert(0, "--")
                 with self.subTest(name=name, value=value):
                     self.fail_with(USAGE, "thesis", *words, says=name + " takes a")
-        self.fail_with(REFUSED, "thesis", "nothing.obj", "7e2", "+.95", "0.0", says="no such file")
+        self.fail_with(REJECTED, "thesis", "nothing.obj", "7e2", "+.95", "0.0", says="no such file")
 
     def test_numbers_of_regions_are_read_in_the_same_way(self):
         for value in (*NO_NUMBERS, -1, 1e31):

@@ -56,10 +56,10 @@ class Interruption(ApplicationTest):
         process.kill()
         process.communicate()
         self.assertGreater(len(self.temporaries()), 0)
-        self.path("elsewhere").mkdir()
-        self.succeed("small.ply", "elsewhere/small.ply", "--quiet")
+        self.path("other").mkdir()
+        self.succeed("small.ply", "other/small.ply", "--quiet")
         self.assertGreater(len(self.temporaries()), 0, "only the folder that a run writes to is its business")
-        self.succeed("check", "small.ply", "--json", "found.json", "--quiet")
+        self.succeed("diagnose", "small.ply", "--json", "found.json", "--quiet")
         self.assertEqual(self.temporaries(), [])
         self.assertFalse(self.path("out.ply").exists())
 

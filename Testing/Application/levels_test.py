@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """bonedecimate levels: record, list, take levels out; damaged logs."""
 
-from application import NOT_WRITTEN, REFUSED, USAGE, ApplicationTest, main, torus, write
+from application import NOT_WRITTEN, REJECTED, USAGE, ApplicationTest, main, torus, write
 
 
 class Levels(ApplicationTest):
@@ -24,7 +24,7 @@ class Levels(ApplicationTest):
 
     def test_the_coarsest_level_is_the_result_of_a_decimation(self):
         self.record("--no-errors", "--mode", "fast", "--triangles", 200, "--output", "level.obj")
-        self.succeed("in.ply", "direct.obj", "--mode", "fast", "--target-faces", 200, "--quiet")
+        self.succeed("in.ply", "direct.obj", "--mode", "fast", "--target-triangles", 200, "--quiet")
 
         def data(name):
             lines = self.path(name).read_text(encoding="ascii").splitlines()
@@ -43,15 +43,15 @@ class Levels(ApplicationTest):
 
     def test_levels_go_onto_another_surface_of_the_same_triangles(self):
         self.record("--no-errors", "--quiet")
-        write(torus(centre=30.0), self.path("there.ply"))
+        write(torus(center=30.0), self.path("there.ply"))
         words = ("--log", "in.levels", "--triangles", 300, "--output", "on.ply", "--on")
         self.succeed("levels", "in.ply", *words, "there.ply")
         self.assertIn(b"element face 300\n", self.path("on-300.ply").read_bytes())
         write(torus(rings=41), self.path("other.ply"))
         self.path("on-300.ply").unlink()
-        self.fail_with(REFUSED, "levels", "in.ply", *words, "other.ply", says="other triangles than the first")
+        self.fail_with(REJECTED, "levels", "in.ply", *words, "other.ply", says="other triangles than the first")
 
-    def test_damaged_logs_are_refused(self):
+    def test_damaged_logs_are_rejected(self):
         self.record("--no-errors", "--quiet")
         log = self.path("in.levels").read_bytes()
         damaged = {
@@ -64,13 +64,13 @@ class Levels(ApplicationTest):
         }
         for name, (content, says) in damaged.items():
             self.path(name).write_bytes(content)
-            self.fail_with(REFUSED, "levels", "in.ply", "--log", name, says=says)
+            self.fail_with(REJECTED, "levels", "in.ply", "--log", name, says=says)
         write(torus(rings=41), self.path("other.ply"))
-        self.fail_with(REFUSED, "levels", "other.ply", "--log", "in.levels", says="another surface")
-        self.fail_with(REFUSED, "levels", "in.ply", "--log", "nothing", says="no such file")
-        self.fail_with(REFUSED, "levels", "in.ply", "--log", ".", says="folder")
+        self.fail_with(REJECTED, "levels", "other.ply", "--log", "in.levels", says="another surface")
+        self.fail_with(REJECTED, "levels", "in.ply", "--log", "nothing", says="no such file")
+        self.fail_with(REJECTED, "levels", "in.ply", "--log", ".", says="folder")
 
-    def test_refuses_what_makes_no_sense(self):
+    def test_rejects_what_makes_no_sense(self):
         self.fail_with(USAGE, "levels")
         self.fail_with(USAGE, "levels", "in.ply", "in.ply")
         self.fail_with(USAGE, "levels", "in.ply", "--triangles", 300, says="--output is needed")

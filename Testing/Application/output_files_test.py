@@ -29,43 +29,43 @@ class OutputFiles(ApplicationTest):
         for target in SURFACES:
             for size in (0, 4096, 20000):
                 with self.subTest(target=target, size=size):
-                    words = ("in.ply", "out." + target, "--target-faces", 1900)
+                    words = ("in.ply", "out." + target, "--target-triangles", 1900)
                     self.fail_with(NOT_WRITTEN, *words, says="out.", preexec_fn=limit(resource.RLIMIT_FSIZE, size))
 
     def test_full_disk_for_the_last_file_leaves_none_of_them(self):
-        words = ("in.ply", "out.stl", "--target-faces", 40, "--report", "report.json", "--heatmap", "heat.vtp")
+        words = ("in.ply", "out.stl", "--target-triangles", 40, "--report", "report.json", "--heatmap", "heat.vtp")
         self.fail_with(NOT_WRITTEN, *words, preexec_fn=limit(resource.RLIMIT_FSIZE, 15000))
 
     def test_small_file_system(self):
-        """A real one where one can be mounted; elsewhere the limit of a file's size stands for it."""
+        """A real one where one can be mounted, otherwise the limit of a file's size."""
         self.path("disk").mkdir()
-        run = '"$0" in.ply disk/out.vtk --target-faces 1900; code=$?; ls -A disk; exit $code'
+        run = '"$0" in.ply disk/out.vtk --target-triangles 1900; code=$?; ls -A disk; exit $code'
         mount = "mount -t tmpfs -o size=16k tmpfs disk && " + run
         small = ["unshare", "--mount", "--map-root-user", "sh", "-c", mount, PROGRAM]
         if subprocess.run(small[:3] + ["true"], stderr=subprocess.DEVNULL, check=False).returncode != 0:
             small = ["sh", "-c", "ulimit -f 32; " + run, PROGRAM]
-        answer = subprocess.run(small, cwd=self.folder, capture_output=True, encoding="utf-8", check=False)
-        self.assertEqual(answer.returncode, NOT_WRITTEN, answer.stderr)
-        self.assertEqual(answer.stdout, "")
-        self.assertRegex(answer.stderr, r"\Abonedecimate: could not write 'disk/out.vtk': [^\n]+\n\Z")
+        completed = subprocess.run(small, cwd=self.folder, capture_output=True, encoding="utf-8", check=False)
+        self.assertEqual(completed.returncode, NOT_WRITTEN, completed.stderr)
+        self.assertEqual(completed.stdout, "")
+        self.assertRegex(completed.stderr, r"\Abonedecimate: could not write 'disk/out.vtk': [^\n]+\n\Z")
 
     def test_failed_run_leaves_the_older_output(self):
         self.path("out.vtp").write_text("of yesterday")
         self.fail_with(
-            NOT_WRITTEN, "in.ply", "out.vtp", "--target-faces", 1900, preexec_fn=limit(resource.RLIMIT_FSIZE, 4096)
+            NOT_WRITTEN, "in.ply", "out.vtp", "--target-triangles", 1900, preexec_fn=limit(resource.RLIMIT_FSIZE, 4096)
         )
         self.assertEqual(self.path("out.vtp").read_text(), "of yesterday")
 
     def test_output_replaces_an_older_one(self):
         self.path("out.vtp").write_text("of yesterday")
-        self.succeed("in.ply", "out.vtp", "--target-faces", 700)
+        self.succeed("in.ply", "out.vtp", "--target-triangles", 700)
         self.assertEqual(read(self.path("out.vtp")).GetNumberOfPolys(), 700)
 
     def test_link_stays_a_link(self):
         self.path("store").mkdir()
         self.path("store/real.vtp").write_text("of yesterday")
         self.path("out.vtp").symlink_to("store/real.vtp")
-        self.succeed("in.ply", "out.vtp", "--target-faces", 700)
+        self.succeed("in.ply", "out.vtp", "--target-triangles", 700)
         self.assertTrue(self.path("out.vtp").is_symlink())
         self.assertEqual(read(self.path("store/real.vtp")).GetNumberOfPolys(), 700)
 
@@ -97,19 +97,19 @@ class OutputFiles(ApplicationTest):
     def test_without_any_display_everything_but_the_picture_is_written(self):
         nothing = {"PATH": str(self.folder), "HOME": str(self.folder)}
         program = shutil.which(PROGRAM) or PROGRAM
-        answer = subprocess.run(
+        completed = subprocess.run(
             [program, "in.ply", "out.vtp", "--page", "page.html"],
             cwd=self.folder, env=nothing, capture_output=True, encoding="utf-8", check=False,
         )
-        self.assertEqual((answer.returncode, answer.stderr), (0, ""))
-        self.assertIn("warning: the picture could not be drawn", answer.stdout)
+        self.assertEqual((completed.returncode, completed.stderr), (0, ""))
+        self.assertIn("warning: the picture could not be drawn", completed.stdout)
         self.assertNotIn("data:image/png", self.path("page.html").read_text(encoding="utf-8"))
-        answer = subprocess.run(
+        completed = subprocess.run(
             [program, "in.ply", "b.vtp", "--picture", "picture.png"],
             cwd=self.folder, env=nothing, capture_output=True, encoding="utf-8", check=False,
         )
-        self.assertEqual(answer.returncode, NOT_WRITTEN)
-        self.assertIn("everything else is written", answer.stderr)
+        self.assertEqual(completed.returncode, NOT_WRITTEN)
+        self.assertIn("everything else is written", completed.stderr)
         self.assertEqual(self.names(), ["b.vtp", "in.ply", "out.vtp", "page.html"])
 
 

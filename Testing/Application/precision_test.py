@@ -25,20 +25,20 @@ def arrays_of(surface):
     return points, vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
 
 
-def far_torus(centre):
+def far_torus(center):
     """Points and triangles of a torus of 12 mm in double precision, none of them single numbers."""
     points, triangles = arrays_of(torus(20, 12))
-    return points * 0.21 + centre + 0.123456789, triangles
+    return points * 0.21 + center + 0.123456789, triangles
 
 
-def far_sheet(centre):
-    """Points and triangles of a sheet of 12 mm with waves of .02 mm, as doubles that are no single numbers."""
+def far_surface(center):
+    """Points and triangles of a square of 12 mm with waves of .02 mm, as doubles that are no single numbers."""
     side = 14
-    places = np.stack(np.meshgrid(np.arange(side), np.arange(side), indexing="ij"), -1).reshape(-1, 2) * 0.7123456789
-    heights = 0.01 * np.sin(places[:, 0]) * np.cos(1.3 * places[:, 1])
+    positions = np.stack(np.meshgrid(np.arange(side), np.arange(side), indexing="ij"), -1).reshape(-1, 2) * 0.7123456789
+    heights = 0.01 * np.sin(positions[:, 0]) * np.cos(1.3 * positions[:, 1])
     corners = (np.arange(side - 1)[:, None] * side + np.arange(side - 1)).ravel()
     triangles = np.concatenate([corners[:, None] + (0, side, side + 1), corners[:, None] + (0, side + 1, 1)])
-    return np.column_stack([places, heights]) + centre + 0.123456789, triangles
+    return np.column_stack([positions, heights]) + center + 0.123456789, triangles
 
 
 def obj_of(points, triangles):
@@ -131,8 +131,8 @@ def distances(points, triangles):
     for u, v in ((a, b), (b, c), (c, a)):
         inside &= (np.cross(v - u, p - u) * normal).sum(-1) >= 0
         length = ((v - u) ** 2).sum(-1)
-        share = np.clip(((p - u) * (v - u)).sum(-1) / np.where(length > 0, length, 1), 0, 1)
-        best = np.minimum(best, np.linalg.norm(p - u - share[..., None] * (v - u), axis=-1))
+        fraction = np.clip(((p - u) * (v - u)).sum(-1) / np.where(length > 0, length, 1), 0, 1)
+        best = np.minimum(best, np.linalg.norm(p - u - fraction[..., None] * (v - u), axis=-1))
     area = np.linalg.norm(normal, axis=-1)
     plane = np.abs(((p - a) * normal).sum(-1)) / np.where(area > 0, area, 1)
     return np.where(inside & (area > 0), plane, best).min(1)
@@ -152,7 +152,7 @@ def true_distance(first, second):
 class Precision(ApplicationTest):
     def test_proof_holds_for_the_numbers_of_the_files(self):
         for far, error in FAR:
-            points, triangles = far_sheet(far)
+            points, triangles = far_surface(far)
             exact = points.astype(EXTENDED)[triangles]
             for name, form in FORMS.items():
                 with self.subTest(far=far, input=name):
@@ -162,7 +162,7 @@ class Precision(ApplicationTest):
                     printed = float(re.search(r"(?m)^proved +<= (\S+) mm", text).group(1))
                     for output in ("out.ply", "out.obj"):
                         self.assertLessEqual(true_distance(exact, corners_of(self.path(output))), printed)
-                    self.assertLess(self.report()["output"]["faces"], len(triangles))
+                    self.assertLess(self.report()["output"]["triangles"], len(triangles))
                     self.assertEqual(set(self.report()["proof"]["files"].values()), {"same_bits"})
 
     def test_certificate_is_of_the_numbers_of_the_files(self):
@@ -171,8 +171,8 @@ class Precision(ApplicationTest):
         true = true_distance(points.astype(EXTENDED)[triangles], moved.astype(EXTENDED)[triangles])
         for name, form in FORMS.items():
             with self.subTest(name=name):
-                for label, places in (("a." + name, points), ("b." + name, moved)):
-                    self.path(label).write_bytes(form(places, triangles))
+                for label, positions in (("a." + name, points), ("b." + name, moved)):
+                    self.path(label).write_bytes(form(positions, triangles))
                 text = self.succeed("certify", "a." + name, "b." + name, "--no-means").stdout
                 lower, upper = map(float, re.search(r"(?m)^distance +(\S+) to (\S+) mm", text).groups())
                 self.assertLessEqual(true, upper)
@@ -207,7 +207,7 @@ class Precision(ApplicationTest):
         self.assertEqual(self.path("out.ply").read_bytes(), self.path("vtk.ply").read_bytes())
 
     def test_double_coordinates_are_written_in_full_to_every_format_but_stl(self):
-        write(as_doubles(torus(centre=1e4 + 1.0 / 3.0)), self.path("in.vtp"))
+        write(as_doubles(torus(center=1e4 + 1.0 / 3.0)), self.path("in.vtp"))
         words = ("--also", "out.ply", "--also", "out.obj", "--also", "out.vtk", "--also", "out.stl")
         text = self.succeed("in.vtp", "out.vtp", *words, "--target-reduction", 0.5).stdout
         self.assertEqual(text.count("single precision"), 1)

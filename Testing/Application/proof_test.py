@@ -16,7 +16,7 @@ class Proof(ApplicationTest):
     def test_is_printed_rounded_up_and_reported(self):
         text = self.decimate("in.ply", "out.vtp")
         proof = self.report()["proof"]
-        self.assertEqual(proof["verdict"], "proved")
+        self.assertEqual(proof["status"], "proved")
         self.assertRegex(text, r"(?m)^proved +<= 0\.\d{6} mm in both directions$")
         printed = float(text.split("<= ")[1].split()[0])
         self.assertLessEqual(proof["upper"], printed)
@@ -26,7 +26,7 @@ class Proof(ApplicationTest):
         self.assertEqual(self.report()["units"]["proof.upper"], "mm")
 
     def test_is_that_of_every_file_as_it_was_read_back(self):
-        write(as_doubles(torus(centre=4000.0)), self.path("doubles.vtp"))
+        write(as_doubles(torus(center=4000.0)), self.path("doubles.vtp"))
         others = [word for name in SURFACES for word in ("--also", "also." + name)]
         for source in ("in.ply", "doubles.vtp"):
             self.decimate(source, "out.ply", *others)
@@ -57,7 +57,7 @@ class Proof(ApplicationTest):
             text = self.succeed("in.ply", "out.ply", "--report", "report.json", *words).stdout
             report = self.report()
             self.assertEqual(report["voxel"]["from"], source)
-            self.assertEqual(report["proof"]["verdict"], "proved")
+            self.assertEqual(report["proof"]["status"], "proved")
             self.assertEqual(report["proof"]["tolerance"], report["voxel"]["largest_error"])
             self.assertEqual(report["voxel"]["largest_error"], error or 0.25 * report["voxel"]["size"])
             self.assertIn("estimated" if source == "edges" else "0.5000 mm;", text)

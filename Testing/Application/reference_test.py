@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """--reference: a result goes in again, and the largest error holds against the first original."""
 
-from application import REFUSED, USAGE, ApplicationTest, main, torus, write
+from application import REJECTED, USAGE, ApplicationTest, main, torus, write
 
 VIOLATED = 6
 
@@ -24,9 +24,9 @@ class Reference(ApplicationTest):
         said = self.again("second.vtp", "third.vtp", *BELOW).stdout
         self.assertIn("to the reference", said)
         report = self.report()
-        self.assertEqual(report["proof"]["verdict"], "proved")
-        self.assertEqual(report["reference"]["faces"], torus(100, 60).GetNumberOfPolys())
-        self.assertLess(report["output"]["faces"], 0.7 * report["input"]["faces"])
+        self.assertEqual(report["proof"]["status"], "proved")
+        self.assertEqual(report["reference"]["triangles"], torus(100, 60).GetNumberOfPolys())
+        self.assertLess(report["output"]["triangles"], 0.7 * report["input"]["triangles"])
         self.again("third.vtp", "fourth.vtp", *ABOVE)
         self.succeed("certify", "first.vtp", "fourth.vtp", "--tolerance", 0.05, "--quiet")
 
@@ -35,18 +35,18 @@ class Reference(ApplicationTest):
         for run in range(4):
             self.succeed(source, f"{run}.vtp", *ERROR, "--quiet")
             source = f"{run}.vtp"
-        answer = self.run_program("certify", "first.vtp", source, "--tolerance", 0.05)
-        self.assertEqual(answer.returncode, VIOLATED, answer.stdout)
+        completed = self.run_program("certify", "first.vtp", source, "--tolerance", 0.05)
+        self.assertEqual(completed.returncode, VIOLATED, completed.stdout)
 
     def test_is_proved_of_files_of_single_precision(self):
         self.succeed("first.vtp", "second.stl", *ERROR, *ABOVE, "--quiet")
         self.again("second.stl", "third.ply", *BELOW)
         self.succeed("certify", "first.vtp", "third.ply", "--tolerance", 0.05, "--quiet")
 
-    def test_that_cannot_be_used_is_refused(self):
+    def test_that_cannot_be_used_is_rejected(self):
         write(torus(10, 8), self.path("coarse.vtp"))
-        self.fail_with(REFUSED, "coarse.vtp", "out.vtp", "--reference", "first.vtp", *ERROR, says="farther")
-        self.fail_with(REFUSED, "first.vtp", "out.vtp", "--reference", "nothing.vtp", *ERROR, says="no such file")
+        self.fail_with(REJECTED, "coarse.vtp", "out.vtp", "--reference", "first.vtp", *ERROR, says="farther")
+        self.fail_with(REJECTED, "first.vtp", "out.vtp", "--reference", "nothing.vtp", *ERROR, says="no such file")
         self.fail_with(USAGE, "first.vtp", "out.vtp", "--reference", "first.vtp", says="--max-error")
         self.fail_with(USAGE, "first.vtp", "out.vtp", "--reference", "out.vtp", *ERROR, says="not overwritten")
         self.fail_with(USAGE, "first.vtp", "folder/", "--reference", "first.vtp", *ERROR, says="one bone")

@@ -4,7 +4,7 @@
 
 import vtk
 
-from application import REFUSED, USAGE, ApplicationTest, main, torus, write
+from application import REJECTED, USAGE, ApplicationTest, main, torus, write
 
 
 def points(surface):
@@ -37,14 +37,14 @@ class Regions(ApplicationTest):
         self.succeed("bone.vtp", "small.vtp", "--report", "report.json", "--quiet", *words)
         return read(self.path("small.vtp"))
 
-    def test_of_zero_is_frozen_and_the_rest_is_not(self):
+    def test_of_zero_keeps_its_points_and_the_rest_does_not(self):
         small = self.decimate("--region", "box:0,99,-99,99,-99,99=0", "--target-reduction", 0.4)
         after = set(points(small))
         for point in points(self.bone):
             if point[0] >= 0:
                 self.assertIn(point, after)
         self.assertLess(small.GetNumberOfPolys(), self.bone.GetNumberOfPolys())
-        self.assertGreater(self.report()["input"]["frozen_points"], 400)
+        self.assertGreater(self.report()["input"]["constrained_points"], 400)
         self.assertEqual(self.report()["command_line"]["region"], "box:0,99,-99,99,-99,99=0")
 
     def test_may_be_many_of_which_the_smallest_counts_and_have_a_rest(self):
@@ -67,8 +67,8 @@ class Regions(ApplicationTest):
         more = self.decimate("--tolerance-array", "allowed", "--region", "box:0,99,-99,99,-99,99=0.01")
         self.assertLess(few, more.GetNumberOfPolys())
 
-    def test_array_that_is_not_there_is_refused(self):
-        self.fail_with(REFUSED, "bone.vtp", "small.vtp", "--tolerance-array", "other", says="other")
+    def test_array_that_is_not_there_is_rejected(self):
+        self.fail_with(REJECTED, "bone.vtp", "small.vtp", "--tolerance-array", "other", says="other")
 
     def test_that_make_no_sense_are_a_usage_error(self):
         for text in ("", "box", "box:1,2,3=0.1", "box:2,1,0,1,0,1=0.1", "ball:0,0,0,1=1", "sphere:0,0,0,1",
@@ -84,10 +84,10 @@ class Regions(ApplicationTest):
             "no point of the surface lies in sphere:999,0,0,5=0.1",
             "no point of the surface lies in box:8,9,0,1,500,600=0"])
 
-    def test_thesis_takes_only_frozen_ones(self):
-        mode = ("--mode", "Thesis", "--target-faces", 1500)
+    def test_thesis_takes_only_tolerances_of_zero(self):
+        mode = ("--mode", "Thesis", "--target-triangles", 1500)
         self.decimate(*mode, "--region", "box:0,99,-99,99,-99,99=0")
-        self.fail_with(REFUSED, "bone.vtp", "x.vtp", *mode, "--region", "rest=0.5", says="Thesis")
+        self.fail_with(REJECTED, "bone.vtp", "x.vtp", *mode, "--region", "rest=0.5", says="Thesis")
 
 
 if __name__ == "__main__":

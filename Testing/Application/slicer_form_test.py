@@ -17,7 +17,7 @@ class SlicerForm(ApplicationTest):
         return ElementTree.fromstring(self.succeed("--xml").stdout)
 
     def defaults(self):
-        """What a panel hands over that nobody touched."""
+        """What a panel passes with all its defaults."""
         words = []
         for group in self.description().iter("parameters"):
             for one in group:
@@ -49,7 +49,7 @@ class SlicerForm(ApplicationTest):
     def test_every_default_is_one_that_the_program_takes(self):
         self.call(*self.defaults())
         results = self.results()
-        self.assertEqual(results["verdict"], "proved")
+        self.assertEqual(results["proofStatus"], "proved")
         self.assertLessEqual(float(results["provedError"]), 0.2)
         self.assertEqual(int(results["outputTriangles"]), read(self.path("out.vtp")).GetNumberOfPolys())
         self.assertLess(int(results["outputTriangles"]), int(results["inputTriangles"]))
@@ -64,18 +64,18 @@ class SlicerForm(ApplicationTest):
         self.assertIn("</filter-end>", done.stdout)
 
     def test_only_the_region_of_interest_changes_and_what_is_kept_stays(self):
-        before = self.places("in.vtp")
-        right = {place for place in before if place[0] > 0.0}
+        before = self.positions("in.vtp")
+        right = {position for position in before if position[0] > 0.0}
         self.call("--max-error", 0.3, "--roi", "-50,0,0,50,99,99")
-        self.assertLessEqual(before - self.places("out.vtp"), before - right)
-        self.assertLess(len(self.places("out.vtp")), len(before))
+        self.assertLessEqual(before - self.positions("out.vtp"), before - right)
+        self.assertLess(len(self.positions("out.vtp")), len(before))
         kept = min(before)
-        near = {place for place in before if sum((a - b) ** 2 for a, b in zip(place, kept)) < 9.0}
+        near = {position for position in before if sum((a - b) ** 2 for a, b in zip(position, kept)) < 9.0}
         self.call("--max-error", 0.3, "--keep", ",".join(map(repr, kept)), "--keep-radius", 3)
-        self.assertLessEqual(near, self.places("out.vtp"))
+        self.assertLessEqual(near, self.positions("out.vtp"))
         self.assertGreater(len(near), 1)
 
-    def places(self, name):
+    def positions(self, name):
         surface = read(self.path(name))
         return {surface.GetPoint(i) for i in range(surface.GetNumberOfPoints())}
 

@@ -13,15 +13,15 @@ from application import DONE, PROGRAM, ApplicationTest, main, sphere, together, 
 class SummaryAndReport(ApplicationTest):
     def setUp(self):
         super().setUp()
-        write(together(torus(), sphere(centre=100.0)), self.path("in.ply"))
+        write(together(torus(), sphere(center=100.0)), self.path("in.ply"))
 
-    def test_report_has_the_promised_entries(self):
-        self.succeed("in.ply", "out.vtp", "--target-faces", 900, "--report", "report.json")
+    def test_report_has_its_documented_entries(self):
+        self.succeed("in.ply", "out.vtp", "--target-triangles", 900, "--report", "report.json")
         report = self.report()
         self.assertEqual(report["input"]["components"], 2)
         self.assertEqual(report["output"]["components"], 2)
-        self.assertEqual(report["input"]["faces"], 1920 + 2 * 24 * 22)
-        self.assertEqual(report["output"]["faces"], 900)
+        self.assertEqual(report["input"]["triangles"], 1920 + 2 * 24 * 22)
+        self.assertEqual(report["output"]["triangles"], 900)
         self.assertEqual(report["stop_reason"], "target_reached")
         for direction, names in (
             ("output_to_input", ("max", "second", "mean", "rms")),
@@ -37,7 +37,7 @@ class SummaryAndReport(ApplicationTest):
     def test_whole_numbers_stay_whole_and_units_are_named(self):
         self.succeed("in.ply", "out.vtp", "--report", "report.json")
         report = self.report()
-        self.assertIsInstance(report["output"]["faces"], int)
+        self.assertIsInstance(report["output"]["triangles"], int)
         self.assertIsInstance(report["input"]["area"], float)
         self.assertEqual(report["units"]["distance.output_to_input.max"], "mm")
 
@@ -51,7 +51,7 @@ class SummaryAndReport(ApplicationTest):
         self.assertNotIn(str(self.folder), self.path("report.json").read_text())
 
     def test_summary_tells_the_same_as_the_report(self):
-        text = self.succeed("in.ply", "out.vtp", "--report", "report.json", "--target-faces", 900).stdout
+        text = self.succeed("in.ply", "out.vtp", "--report", "report.json", "--target-triangles", 900).stdout
         report = self.report()
         self.assertRegex(text, r"triangles +2,976 -> 900\n")
         self.assertRegex(text, r"components +2 of 2 kept\n")
@@ -69,13 +69,13 @@ class SummaryAndReport(ApplicationTest):
 
     def test_number_or_error_alone_switches_the_default_reduction_off(self):
         faces = 2976
-        self.succeed("in.ply", "out.vtp", "--report", "report.json", "--target-faces", 2000)
-        self.assertEqual(self.report()["output"]["faces"], 2000)
+        self.succeed("in.ply", "out.vtp", "--report", "report.json", "--target-triangles", 2000)
+        self.assertEqual(self.report()["output"]["triangles"], 2000)
         self.succeed("in.ply", "out.vtp", "--report", "report.json", "--max-error", 1e-3)
         self.assertEqual(self.report()["stop_reason"], "error_reached")
-        self.assertGreater(self.report()["output"]["faces"], 0.5 * faces)
+        self.assertGreater(self.report()["output"]["triangles"], 0.5 * faces)
         self.succeed("in.ply", "out.vtp", "--report", "report.json", "--target-reduction", 0.5)
-        self.assertAlmostEqual(self.report()["output"]["faces"] / faces, 0.5, 2)
+        self.assertAlmostEqual(self.report()["output"]["triangles"] / faces, 0.5, 2)
 
     def test_quiet_says_nothing(self):
         self.assertEqual(self.succeed("in.ply", "out.stl", "--quiet").stdout, "")

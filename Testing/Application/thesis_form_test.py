@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The thesis's own command line: INPUT.obj numbFaces tolerance errorThreshold."""
 
-from application import REFUSED, USAGE, ApplicationTest, main, read, torus, write
+from application import REJECTED, USAGE, ApplicationTest, main, read, torus, write
 
 
 class ThesisForm(ApplicationTest):
@@ -22,7 +22,7 @@ class ThesisForm(ApplicationTest):
 
     def test_is_the_same_as_the_options(self):
         self.succeed("thesis", "bone.obj", 700, 0.9, 0, "a.obj")
-        self.succeed("bone.obj", "b.obj", "--mode", "thesis", "--target-faces", 700, "--normal-tolerance", 0.9)
+        self.succeed("bone.obj", "b.obj", "--mode", "thesis", "--target-triangles", 700, "--normal-tolerance", 0.9)
         self.assertEqual(self.path("a.obj").read_bytes(), self.path("b.obj").read_bytes())
 
     def test_tolerance_reaches_the_cost(self):
@@ -34,11 +34,11 @@ class ThesisForm(ApplicationTest):
         self.succeed("thesis", "bone.obj", 1900, 0.95, 0.5, "--report", "report.json")
         report = self.report()
         self.assertEqual(report["stop_reason"], "error_reached")
-        self.assertLess(report["output"]["faces"], 1900)
+        self.assertLess(report["output"]["triangles"], 1900)
 
     def test_takes_the_other_flags(self):
-        answer = self.succeed("thesis", "bone.obj", 700, 0.95, 0, "--quiet", "--also", "b.stl", "--threads", 1)
-        self.assertEqual(answer.stdout, "")
+        completed = self.succeed("thesis", "bone.obj", 700, 0.95, 0, "--quiet", "--also", "b.stl", "--threads", 1)
+        self.assertEqual(completed.stdout, "")
         self.assertEqual(self.names(), ["b.stl", "bone.obj", "bone_simplified.obj"])
 
     def test_wrong_words_are_wrong_usage(self):
@@ -51,8 +51,8 @@ class ThesisForm(ApplicationTest):
         ):
             self.fail_with(USAGE, "thesis", *words, says=says)
 
-    def test_missing_input_is_refused(self):
-        self.fail_with(REFUSED, "thesis", "nothing.obj", 700, 0.95, 0, says="no such file")
+    def test_missing_input_is_rejected(self):
+        self.fail_with(REJECTED, "thesis", "nothing.obj", 700, 0.95, 0, says="no such file")
 
 
 if __name__ == "__main__":

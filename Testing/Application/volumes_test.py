@@ -7,11 +7,11 @@ import random
 import vtk
 from vtk.util import numpy_support
 
-from application import REFUSED, USAGE, ApplicationTest, main, read
+from application import REJECTED, USAGE, ApplicationTest, main, read
 
 
 def ball(size=24):
-    """A ball of 1000 HU and radius 8 mm in air, its centre at x = 100 mm."""
+    """A ball of 1000 HU and radius 8 mm in air, its center at x = 100 mm."""
     image = vtk.vtkImageData()
     image.SetDimensions(size, size, size)
     image.SetOrigin(100.0 - (size - 1) / 2, 0.0, 0.0)
@@ -25,7 +25,7 @@ def ball(size=24):
     return image
 
 
-def labelled(labels, size=24, kind=vtk.VTK_UNSIGNED_CHAR, background=0):
+def labeled(labels, size=24, kind=vtk.VTK_UNSIGNED_CHAR, background=0):
     """Slabs of those labels side by side in a block within the background."""
     image = vtk.vtkImageData()
     image.SetDimensions(size, size, size)
@@ -54,7 +54,7 @@ def segmentation(segments, layers=1, size=24):
               "space origin: (0,0,0)\n")
     for i, label in enumerate(segments):
         header += f"Segment{i}_ID:=Segment_{i + 1}\nSegment{i}_LabelValue:={label}\nSegment{i}_Layer:=0\n"
-    voxels = bytes_of(labelled(segments, size))
+    voxels = bytes_of(labeled(segments, size))
     return header.encode() + b"\n" + voxels * layers
 
 
@@ -88,56 +88,56 @@ class Volumes(ApplicationTest):
         self.succeed("ct.vti", "out.vtp", *words)
         self.assertEqual(self.report()["voxel"]["from"], "given")
         self.assertEqual(self.report()["proof"]["tolerance"], 0.5)
-        self.assertEqual(self.report()["proof"]["verdict"], "proved")
+        self.assertEqual(self.report()["proof"]["status"], "proved")
 
     def test_volume_needs_a_value(self):
         self.fail_with(USAGE, "ct.vti", "out.vtp", says="--iso")
 
-    def test_value_beyond_the_volume_is_refused(self):
-        self.fail_with(REFUSED, "ct.vti", "out.vtp", "--iso", 5000)
+    def test_value_beyond_the_volume_is_rejected(self):
+        self.fail_with(REJECTED, "ct.vti", "out.vtp", "--iso", 5000)
 
-    def test_damaged_volume_is_refused(self):
+    def test_damaged_volume_is_rejected(self):
         for name in ("ct.vti", "ct.mha"):
             whole = self.path(name).read_bytes()
             self.path(name).write_bytes(whole[: len(whole) // 2])
-            self.fail_with(REFUSED, name, "out.vtp", "--iso", 226)
+            self.fail_with(REJECTED, name, "out.vtp", "--iso", 226)
 
-    def refuse_labels(self, name, says):
+    def reject_labels(self, name, says):
         for iso in (0.5, 1.5):
-            answer = self.fail_with(REFUSED, name, "out.vtp", "--iso", iso, says=says)
-            self.assertIn("label map", answer.stderr)
+            completed = self.fail_with(REJECTED, name, "out.vtp", "--iso", iso, says=says)
+            self.assertIn("label map", completed.stderr)
 
-    def test_label_maps_are_refused_with_the_way_to_go(self):
+    def test_label_maps_are_rejected_with_the_way_to_go(self):
         self.path("two.seg.nrrd").write_bytes(segmentation((1, 2)))
-        self.refuse_labels("two.seg.nrrd", "with the labels 1, 2,")
+        self.reject_labels("two.seg.nrrd", "with the labels 1, 2,")
         self.path("layers.seg.nrrd").write_bytes(segmentation((1, 1), layers=2))
-        self.refuse_labels("layers.seg.nrrd", "several layers")
+        self.reject_labels("layers.seg.nrrd", "several layers")
         for name in ("map.mha", "map.vti"):
             for kind in (vtk.VTK_UNSIGNED_CHAR, vtk.VTK_SHORT, vtk.VTK_FLOAT):
                 with self.subTest(name=name, kind=kind):
-                    self.write(labelled((3, 17, 4), kind=kind), self.path(name))
-                    self.refuse_labels(name, "with the labels 3, 4, 17,")
-        self.write(labelled((1, 2, 3, 4, 5, 6, 7, 8)), self.path("many.mha"))
-        self.refuse_labels("many.mha", "1, 2, 3, 4, 5 and 3 more")
-        self.fail_with(REFUSED, "many.mha", "out.vtp", "--iso", 0.5, says="--intensities on")
+                    self.write(labeled((3, 17, 4), kind=kind), self.path(name))
+                    self.reject_labels(name, "with the labels 3, 4, 17,")
+        self.write(labeled((1, 2, 3, 4, 5, 6, 7, 8)), self.path("many.mha"))
+        self.reject_labels("many.mha", "1, 2, 3, 4, 5 and 3 more")
+        self.fail_with(REJECTED, "many.mha", "out.vtp", "--iso", 0.5, says="--intensities on")
 
     def test_label_maps_can_be_taken_for_intensities_on_request(self):
-        self.write(labelled((1, 2)), self.path("map.mha"))
+        self.write(labeled((1, 2)), self.path("map.mha"))
         words = ("--iso", 0.5, "--intensities", "on", "--report", "report.json")
         self.succeed("map.mha", "out.vtp", *words)
         self.assertEqual(self.report()["command_line"]["intensities"], "on")
-        self.fail_with(REFUSED, "map.mha", "out.vtp", "--iso", 0.5, "--intensities", "off", says="label map")
+        self.fail_with(REJECTED, "map.mha", "out.vtp", "--iso", 0.5, "--intensities", "off", says="label map")
         self.fail_with(USAGE, "map.mha", "out.vtp", "--iso", 0.5, "--intensities", "yes", says="--intensities")
         self.fail_with(USAGE, "out.vtp", "again.vtp", "--intensities", "on", says="together with --iso")
         self.path("maps").mkdir()
-        self.write(labelled((1, 2)), self.path("maps/map.mha"))
+        self.write(labeled((1, 2)), self.path("maps/map.mha"))
         self.succeed("maps", "out", "--iso", 0.5, "--intensities", "on")
         self.assertTrue(self.path("out/map.vtp").exists())
 
     def test_masks_are_taken_with_a_note(self):
         for label, iso in ((1, 0.5), (255, 127.5)):
             for name in ("mask.mha", "mask.vti"):
-                self.write(labelled((label,)), self.path(name))
+                self.write(labeled((label,)), self.path(name))
                 text = self.succeed(name, "out.vtp", "--iso", iso).stdout
                 self.assertIn(f"its values are 0 and {label} alone: a mask", text)
         self.path("one.seg.nrrd").write_bytes(segmentation((1,)))
@@ -151,8 +151,8 @@ class Volumes(ApplicationTest):
             scalars = noisy.GetPointData().GetScalars()
             values = vtk.vtkUnsignedCharArray()
             for i in range(scalars.GetNumberOfTuples()):
-                share = (scalars.GetTuple1(i) + 1000.0) / 2000.0 + generator.gauss(0.0, 0.07)
-                values.InsertNextValue(int(max(0.0, min(1.0, share)) * window))
+                fraction = (scalars.GetTuple1(i) + 1000.0) / 2000.0 + generator.gauss(0.0, 0.07)
+                values.InsertNextValue(int(max(0.0, min(1.0, fraction)) * window))
             image = vtk.vtkImageData()
             image.SetDimensions(noisy.GetDimensions())
             image.GetPointData().SetScalars(values)
@@ -168,14 +168,14 @@ class Volumes(ApplicationTest):
             shifted.Update()
             self.write(shifted.GetOutput(), self.path("ct.mha"))
             self.assertNotIn("mask", self.succeed("ct.mha", "out.vtp", "--iso", 226 + shift).stdout)
-        tissues = labelled((40, 700), kind=vtk.VTK_SHORT, background=-1000)
+        tissues = labeled((40, 700), kind=vtk.VTK_SHORT, background=-1000)
         self.write(tissues, self.path("tissues.mha"))
         self.succeed("tissues.mha", "out.vtp", "--iso", 300)
 
-    def test_nifti_is_refused_by_its_name(self):
+    def test_nifti_is_rejected_by_its_name(self):
         for name in ("scan.nii", "scan.nii.gz"):
             self.path(name).write_bytes(b"\x5c\x01\0\0")
-            self.fail_with(REFUSED, name, "out.vtp", "--iso", 226, says="NIfTI is not read yet: save it as .nrrd or .mha")
+            self.fail_with(REJECTED, name, "out.vtp", "--iso", 226, says="NIfTI is not read yet: save it as .nrrd or .mha")
 
     def test_volumes_of_a_batch(self):
         self.path("scans").mkdir()
@@ -184,7 +184,7 @@ class Volumes(ApplicationTest):
         self.assertGreater(read(self.path("out/ct.vtp")).GetNumberOfPolys(), 4)
         self.assertIn("skipped", self.succeed("scans", "out", "--iso", 226).stdout)
         self.assertNotIn("skipped", self.succeed("scans", "out", "--iso", 300).stdout)
-        self.fail_with(REFUSED, "scans", "none", says="no surface")
+        self.fail_with(REJECTED, "scans", "none", says="no surface")
 
 
 if __name__ == "__main__":

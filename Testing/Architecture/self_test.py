@@ -1,75 +1,78 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plants one violation of each rule in a copy of the rooms' frame: each must be found, and nothing else."""
+"""Adds one violation of each rule to a copy of the tree's skeleton: each must be found, and nothing else."""
 import tempfile
 from pathlib import Path
 
-import rooms
+import modules
 
 PAGE = Path(__file__).resolve().parents[2] / "ARCHITECTURE.md"
 
-# file, line to plant, and what the finding must say; None: this include is allowed
-PLANTED = [
+# file, line to add, and what the finding must say; None: this include is allowed
+CASES = [
     ("Filters/Core/Geometry/A.h", "#include <vtkPolyData.h>", "may not include VTK"),
     ("Filters/Core/Mesh/A.h", "#include <iostream>", "may not include streams"),
     ("Filters/Core/Mesh/A.cxx", "#  include <fstream>", "may not include streams"),
     ("Filters/Core/Decimate.cxx", "#include <unistd.h>", "may not include system"),
     ("Filters/Core/Geometry/A.cxx", '#include "Mesh/HalfEdgeMesh.h"', "may not include Filters/Core/Mesh"),
-    ("Filters/Core/Geometry/B.cxx", '#include "Report.h"', "may not include Filters/Core"),
+    ("Filters/Core/Geometry/B.cxx", '#include "Report/Report.h"', "may not include Filters/Core/Report"),
     ("Filters/Core/Mesh/B.cxx", '#include "Cost/Cost.h"', "may not include Filters/Core/Cost"),
-    ("Filters/Core/Collapse/A.cxx", '#include "Measure/Measure.h"', "may not include Filters/Core/Measure"),
-    ("Filters/Core/Collapse/B.cxx", '#include "Decimate.h"', "may not include Filters/Core"),
+    ("Filters/Core/Edit/A.cxx", '#include "Measure/Measure.h"', "may not include Filters/Core/Measure"),
+    ("Filters/Core/Edit/B.cxx", '#include "Decimate.h"', "may not include Filters/Core"),
     ("Filters/BoneDecimate/A.cxx", '#include "Mesh/HalfEdgeMesh.h"', "may not include Filters/Core/Mesh"),
-    ("Filters/BoneDecimate/B.cxx", "#include <CGAL/AABB_tree.h>", "CGAL is nowhere"),
+    ("Filters/BoneDecimate/B.cxx", "#include <CGAL/AABB_tree.h>", "may not include CGAL"),
     ("Filters/BoneDecimateParallel/A.cxx", '#include "Decimate.h"', "may not include Filters/Core"),
-    ("Applications/CommandLine/A.cxx", '#include "Collapse/Editor.h"', "may not include Filters/Core/Collapse"),
+    ("Applications/CommandLine/A.cxx", '#include "Edit/Editor.h"', "may not include Filters/Core/Edit"),
     ("Applications/Volume/A.cxx", '#include "Decimate.h"', "may not include Filters/Core"),
-    ("Applications/Picture/A.cxx", "#include <CGAL/Origin.h>", "CGAL is nowhere"),
-    ("Elsewhere/A.cxx", "#include <vector>", None),
-    ("Applications/Unlisted/A.cxx", "#include <vector>", "no room of ARCHITECTURE.md"),
-    ("Filters/Core/Mesh/C.cxx", '#include "Report.h"', None),
-    ("Filters/Core/Collapse/C.cxx", '#include "Mesh/HalfEdgeMesh.h"', None),
+    ("Applications/Picture/A.cxx", "#include <CGAL/Origin.h>", "may not include CGAL"),
+    ("Other/A.cxx", "#include <vector>", None),
+    ("Applications/Unlisted/A.cxx", "#include <vector>", "no module of ARCHITECTURE.md"),
+    ("Filters/Core/Unlisted/A.cxx", "#include <vector>", "no module of ARCHITECTURE.md"),
+    ("Applications/CommandLine/Folder/A.cxx", '#include "Mesh/HalfEdgeMesh.h"', "may not include Filters/Core/Mesh"),
+    ("Applications/CommandLine/Folder/B.cxx", '#include "Decimate.h"', None),
+    ("Filters/Core/Mesh/C.cxx", '#include "Report/Report.h"', None),
+    ("Filters/Core/Edit/C.cxx", '#include "Mesh/HalfEdgeMesh.h"', None),
     ("Filters/Core/Geometry/C.cxx", "#include <Eigen/Core>", None),
     ("Applications/CommandLine/C.cxx", '#include "Decimate.h"', None),
     ("Applications/CommandLine/D.cxx", "#include <CLI/CLI.hpp>", None),
     ("Filters/BoneDecimate/C.cxx", "#include <vtkPolyData.h>", None),
-    ("Testing/Unit/A.cxx", '#include "Collapse/Editor.h"', None),
+    ("Testing/Unit/A.cxx", '#include "Edit/Editor.h"', None),
 ]
-FRAME = ["Filters/Core/Decimate.h", "Filters/Core/Report.h", "Filters/Core/Mesh/HalfEdgeMesh.h",
-         "Filters/Core/Cost/Cost.h", "Filters/Core/Measure/Measure.h", "Filters/Core/Collapse/Editor.h"]
+SKELETON = ["Filters/Core/Decimate.h", "Filters/Core/Report/Report.h", "Filters/Core/Mesh/HalfEdgeMesh.h",
+         "Filters/Core/Cost/Cost.h", "Filters/Core/Measure/Measure.h", "Filters/Core/Edit/Editor.h"]
 
 
 def found_with(file, line):
-    """What the check finds in a tree that has the frame and one planted line, on line 2."""
+    """What the check finds in a tree with the skeleton and one added line, on line 2."""
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder)
         page = PAGE.read_text(encoding="utf-8")
         (root / "ARCHITECTURE.md").write_text(page, encoding="utf-8")
-        for room in rooms.read_rooms(page)[0]:
-            (root / room).mkdir(parents=True, exist_ok=True)
-        for name in FRAME:
+        for module in modules.read_modules(page)[0]:
+            (root / module).mkdir(parents=True, exist_ok=True)
+        for name in SKELETON:
             (root / name).touch()
         (root / file).parent.mkdir(parents=True, exist_ok=True)
-        (root / file).write_text(f"// planted\n{line}\n", encoding="utf-8")
-        return rooms.check_tree(root)
+        (root / file).write_text(f"// added\n{line}\n", encoding="utf-8")
+        return modules.check_tree(root)
 
 
 def complaint(file, line, expected):
-    """Why a planted line was not judged as it should be, or None."""
+    """Why an added line has another result than expected, or None."""
     found = found_with(file, line)
     if expected is None:
         return None if not found else f"{file}: {line} is allowed, but: {found}"
     is_found = len(found) == 1 and expected in found[0] and found[0].startswith(f"{file}:")
-    if is_found and "no room" not in expected:
+    if is_found and "no module" not in expected:
         is_found = found[0].startswith(f"{file}:2:")
     return None if is_found else f"{file}: {line} should give '{expected}', but: {found}"
 
 
 def run():
-    complaints = [text for text in (complaint(*case) for case in PLANTED) if text]
-    if not rooms.read_rooms("## The rooms\n| `Filters/Core/` | job | moon |\n")[1]:
-        complaints.append("an unknown word in the table was not noticed")
+    complaints = [text for text in (complaint(*case) for case in CASES) if text]
+    if not modules.read_modules("## Modules\n| `Filters/Core/` | job | moon |\n")[1]:
+        complaints.append("an unknown word in the table was not found")
     for text in complaints:
         print(text)
-    print(f"{len(PLANTED) + 1} cases, {len(complaints)} judged wrongly")
+    print(f"{len(CASES) + 1} cases, {len(complaints)} with a wrong result")
     return 1 if complaints else 0

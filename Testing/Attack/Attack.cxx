@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Attack.cxx
- * @brief bonedecimate-attack: tries to break the promise of a largest error.
+ * @brief bonedecimate-attack: searches for a violation of the largest error.
  *
  *     bonedecimate-attack RUNS SEED [SURFACE.ply ...]
  *
- * Every run is a random surface, or a piece cut out of one of the files, with random options, at times a random map of
- * tolerances, at times so far from the origin that rounding counts, simplified and then judged by the certificate, which
- * knows nothing of how it was made. Ends with 1 at the first run that broke the promise, and names its seed: RUNS 1 with
- * that SEED does it again.
+ * Every run is a random surface, or a piece cut out of one of the files, with random options, sometimes with a random map of
+ * tolerances, sometimes so far from the origin that rounding matters. The certificate, which is independent of the run,
+ * then checks the error. Ends with 1 at the first violation and prints its seed: RUNS 1 with that SEED repeats it.
  */
 #include "BruteForce.h"
 #include "Certificate/Certificate.h"
@@ -38,20 +37,20 @@ constexpr long RunsBetweenWords = 1000; // some minutes
 struct Totals
 {
   std::int64_t Runs = 0;
-  std::int64_t Refused = 0; // no surface, or an error that the precision asked for cannot hold
+  std::int64_t Rejected = 0; // no surface, or an error below the requested precision
   std::int64_t TrianglesIn = 0;
   std::int64_t TrianglesOut = 0;
-  double LargestShare = 0.0; // of the error allowed
+  double LargestRatio = 0.0; // of the distance to the allowed error
 };
 
 struct Attack
 {
   Surface Victim;
-  Options Asked;
+  Options Requested;
   std::vector<double> Tolerances; // mm, of each point; empty: no map
 };
 
-/// Nothing may change in one ball, nothing is limited in another, in between the tolerance grows with the distance.
+/// The tolerance is 0 in one ball, there is none in another, and it grows with the distance in between.
 std::vector<double> AnyMap(Random& random, const Surface& surface, double error)
 {
   const auto anyPoint = [&]
@@ -59,21 +58,21 @@ std::vector<double> AnyMap(Random& random, const Surface& surface, double error)
     return surface
       .Points[static_cast<std::size_t>(random.Below(static_cast<Index>(surface.Points.size())))];
   };
-  const Vector3 frozen = anyPoint();
+  const Vector3 center = anyPoint();
   const Vector3 free = anyPoint();
   const double radius = MeanEdge(surface) * random.Between(0.0, 6.0);
   const double slope = random.Between(0.0, 0.5);
   std::vector<double> tolerances;
   for (const Vector3& p : surface.Points)
   {
-    const double distance = std::max(0.0, (p - frozen).norm() - radius);
+    const double distance = std::max(0.0, (p - center).norm() - radius);
     tolerances.push_back(
       (p - free).norm() < radius ? -1.0 : std::min(2.0 * error, slope * distance));
   }
   return tolerances;
 }
 
-/// So far from the origin that single precision moves points by some share of an edge, and an error of the same order:
+/// So far from the origin that single precision moves points by a fraction of an edge, and an error of the same order:
 /// points that never move are moved when they are written.
 void PutWhereRoundingCounts(Random& random, Attack& attack)
 {
@@ -81,7 +80,7 @@ void PutWhereRoundingCounts(Random& random, Attack& attack)
   attack.Victim =
     Moved(attack.Victim, { distance, distance * random.Uniform(), distance * random.Uniform() });
   const double unit = distance * std::numeric_limits<float>::epsilon();
-  attack.Asked.MaximumError = unit * std::pow(10.0, random.Between(0.0, 1.5));
+  attack.Requested.MaximumError = unit * std::pow(10.0, random.Between(0.0, 1.5));
 }
 
 Attack AnyAttack(std::uint64_t seed, const std::vector<Surface>& large)
@@ -89,7 +88,7 @@ Attack AnyAttack(std::uint64_t seed, const std::vector<Surface>& large)
   Random random(seed);
   Attack attack;
   attack.Victim = AnyVictim(random, large);
-  Options& options = attack.Asked;
+  Options& options = attack.Requested;
   options.Mode = static_cast<Mode>(1 + random.Below(3));
   options.MeasureDistances = false;
   options.MaximumError = MeanEdge(attack.Victim) * std::pow(10.0, random.Between(-2.0, 1.0));
@@ -104,8 +103,7 @@ Attack AnyAttack(std::uint64_t seed, const std::vector<Surface>& large)
   if (random.Below(3) == 0)
   {
     attack.Tolerances = AnyMap(random, attack.Victim, options.MaximumError);
-    options.OutputPointsPrecision =
-      PointsPrecision::Double; // a tolerance of 0 leaves no room for rounding
+    options.OutputPointsPrecision = PointsPrecision::Double; // a tolerance of 0 allows no rounding
   }
   if (options.OutputPointsPrecision == PointsPrecision::Single && random.Below(3) == 0)
   {
@@ -114,7 +112,7 @@ Attack AnyAttack(std::uint64_t seed, const std::vector<Surface>& large)
   return attack;
 }
 
-/// What decimation takes for the input: equal points are one, triangles without area are not there.
+/// The input of the decimation after cleaning: equal points merged, triangles without area dropped.
 CleanSurface Cleaned(const Surface& input)
 {
   CleanSurface clean = Clean(input, true);
@@ -125,7 +123,7 @@ CleanSurface Cleaned(const Surface& input)
   return clean;
 }
 
-/// With points of equal coordinates as one.
+/// Merges points of equal coordinates.
 Surface AsRead(Surface surface)
 {
   std::map<std::array<double, 3>, Index> first;
@@ -140,7 +138,7 @@ Surface AsRead(Surface surface)
   return surface;
 }
 
-/// The least of the points that are one now; -1 where none has a limit.
+/// The least tolerance of the merged points; -1 if none has a limit.
 std::vector<double> CleanedMap(const CleanSurface& clean, const std::vector<double>& tolerances)
 {
   std::vector<double> map(tolerances.empty() ? 0 : clean.Surface.Points.size(), -1.0);
@@ -156,14 +154,14 @@ std::vector<double> CleanedMap(const CleanSurface& clean, const std::vector<doub
   return map;
 }
 
-/// Empty if the topology is what it was.
+/// Empty if the topology is unchanged.
 const char* WhatTopologyLost(const Surface& before, const Surface& after)
 {
   const Topology was = CountTopology(before);
   const Topology is = CountTopology(after);
   return was.Components != is.Components                  ? "a component"
     : was.EulerNumber != is.EulerNumber                   ? "the Euler number"
-    : (was.BoundaryEdges == 0) != (is.BoundaryEdges == 0) ? "the borders"
+    : (was.BoundaryEdges == 0) != (is.BoundaryEdges == 0) ? "the boundaries"
     : is.NonManifoldEdges > was.NonManifoldEdges          ? "an edge that was manifold"
     : is.NonManifoldPoints > was.NonManifoldPoints        ? "a point that was manifold"
                                                           : "";
@@ -176,23 +174,23 @@ std::string WhatItSays(const Certificate& found)
   const DirectedCertificate& back = found.ResultToReference;
   std::snprintf(text, sizeof(text),
     "the certificate says %s: %.17g and %.17g mm, over the map %.3g to %.3g and %.3g to %.3g mm, "
-    "borders %s and %s",
-    VerdictWord(found.Verdict), there.Distance.Upper, back.Distance.Upper, there.Excess.Lower,
+    "boundaries %s and %s",
+    ProofStatusWord(found.Proof), there.Distance.Upper, back.Distance.Upper, there.Excess.Lower,
     there.Excess.Upper, back.Excess.Lower, back.Excess.Upper,
-    VerdictWord(found.BorderOfReferenceToResult.Verdict),
-    VerdictWord(found.BorderOfResultToReference.Verdict));
+    ProofStatusWord(found.BoundaryOfReferenceToResult.Proof),
+    ProofStatusWord(found.BoundaryOfResultToReference.Proof));
   return text;
 }
 
-/// Empty if everything was kept.
+/// Empty if there is no violation.
 std::string WhatBroke(const Attack& attack, Totals& totals)
 {
-  const Result result = Decimate(attack.Victim, attack.Asked, {},
+  const Result result = Decimate(attack.Victim, attack.Requested, {},
     { false, false, attack.Tolerances.empty() ? nullptr : &attack.Tolerances });
   ++totals.Runs;
   if (result.Report.Status != InputStatus::Good)
   {
-    ++totals.Refused;
+    ++totals.Rejected;
     return {};
   }
   const CleanSurface cleaned = Cleaned(attack.Victim);
@@ -201,15 +199,16 @@ std::string WhatBroke(const Attack& attack, Totals& totals)
   std::string lost = WhatTopologyLost(cleaned.Surface, result.Surface);
   lost = lost.empty() ? WhatTopologyLost(cleaned.Surface, AsRead(result.Surface)) : lost;
   CertificateOptions options;
-  options.Tolerance = attack.Asked.MaximumError;
+  options.Tolerance = attack.Requested.MaximumError;
   options.ToleranceMap = CleanedMap(cleaned, attack.Tolerances);
   options.TightBounds = false;
   options.NumberOfThreads = 1;
   const Certificate found = Certify(cleaned.Surface, result.Surface, options);
-  totals.LargestShare = std::max(totals.LargestShare, found.Upper() / attack.Asked.MaximumError);
-  return !lost.empty()                            ? "lost " + lost
-    : found.Verdict == CertificateVerdict::Proved ? std::string()
-                                                  : WhatItSays(found);
+  totals.LargestRatio =
+    std::max(totals.LargestRatio, found.Upper() / attack.Requested.MaximumError);
+  return !lost.empty()                   ? "lost " + lost
+    : found.Proof == ProofStatus::Proved ? std::string()
+                                         : WhatItSays(found);
 }
 
 std::vector<Surface> ReadAll(int count, char** paths)
@@ -233,9 +232,10 @@ void PrintFailure(std::uint64_t seed, const Attack& attack, const std::string& b
 {
   std::printf(
     "seed %llu: %s (mode %d, error %.17g mm, target %d, threads %d, %s map, %zu triangles)\n",
-    static_cast<unsigned long long>(seed), broke.c_str(), static_cast<int>(attack.Asked.Mode),
-    attack.Asked.MaximumError, attack.Asked.TargetNumberOfTriangles, attack.Asked.NumberOfThreads,
-    attack.Tolerances.empty() ? "no" : "a", attack.Victim.Triangles.size());
+    static_cast<unsigned long long>(seed), broke.c_str(), static_cast<int>(attack.Requested.Mode),
+    attack.Requested.MaximumError, attack.Requested.TargetNumberOfTriangles,
+    attack.Requested.NumberOfThreads, attack.Tolerances.empty() ? "no" : "a",
+    attack.Victim.Triangles.size());
 }
 
 int Run(long runs, std::uint64_t seed, const std::vector<Surface>& large)
@@ -255,12 +255,12 @@ int Run(long runs, std::uint64_t seed, const std::vector<Surface>& large)
       std::fprintf(stderr, "%ld runs\n", run + 1);
     }
   }
-  std::printf("%lld runs, %lld of them refused; %lld triangles became %lld; at most "
+  std::printf("%lld runs, %lld of them rejected; %lld triangles became %lld; at most "
               "%.4f of the error "
-              "was used; none broke the promise\n",
-    static_cast<long long>(totals.Runs), static_cast<long long>(totals.Refused),
+              "was used; no violation\n",
+    static_cast<long long>(totals.Runs), static_cast<long long>(totals.Rejected),
     static_cast<long long>(totals.TrianglesIn), static_cast<long long>(totals.TrianglesOut),
-    totals.LargestShare);
+    totals.LargestRatio);
   return EXIT_SUCCESS;
 }
 }

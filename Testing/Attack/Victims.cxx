@@ -15,7 +15,7 @@ namespace
 {
 constexpr Index LargestCut = 1500; // triangles
 
-/// Two walls that face each other across a narrow gap, and a waving sheet above them.
+/// Two walls that face each other across a narrow gap, and a wavy surface above them.
 Surface Walls(Random& random)
 {
   const Index cells = 5 + random.Below(12);
@@ -100,14 +100,14 @@ Surface NearWalls(Random& random)
   return NearSpheres(1 + random.Below(3), std::pow(10.0, random.Between(-5.0, -1.0)));
 }
 
-/// One of the shapes that every other test takes, too.
+/// One of the shapes of the other tests.
 Surface KnownShape(Random& random)
 {
   static const std::vector<NamedSurface> shapes = AllShapes();
   return shapes[static_cast<std::size_t>(random.Below(static_cast<Index>(shapes.size())))].Surface;
 }
 
-/// The triangles for which that is so, and the points that they use.
+/// The selected triangles with the points that they use.
 Surface Part(const Surface& surface, const std::function<bool(const Triangle&)>& isTaken)
 {
   Surface part;
@@ -134,7 +134,7 @@ Surface Part(const Surface& surface, const std::function<bool(const Triangle&)>&
   return part;
 }
 
-/// What lies in a ball about one of the points, as large as the most triangles allow.
+/// The part in a ball around a point, as large as the limit of triangles allows.
 Surface CutOut(Random& random, const Surface& large)
 {
   const Index middle = random.Below(static_cast<Index>(large.Points.size()));
@@ -152,7 +152,7 @@ Surface CutOut(Random& random, const Surface& large)
   return Part(large, [&](const Triangle& corners) { return distance2(corners) <= radius2; });
 }
 
-/// Points moved by up to a share of an edge, triangles torn out.
+/// Points moved by up to a fraction of an edge, triangles removed.
 Surface Damaged(Random& random, Surface surface)
 {
   if (random.Below(3) == 0)
@@ -165,8 +165,8 @@ Surface Damaged(Random& random, Surface surface)
   }
   if (random.Below(4) == 0)
   {
-    const double share = random.Between(0.0, 0.1);
-    surface = Part(surface, [&](const Triangle&) { return random.Uniform() >= share; });
+    const double fraction = random.Between(0.0, 0.1);
+    surface = Part(surface, [&](const Triangle&) { return random.Uniform() >= fraction; });
   }
   return surface;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Victims.h
- * @brief Random surfaces on which promises are tried to be broken: shapes, or pieces cut out of large surfaces, shaken and torn.
+ * @brief Random input surfaces of the attack: shapes or pieces of large surfaces, with noise and removed triangles.
  */
 #ifndef BoneDecimate_Testing_Victims_h
 #define BoneDecimate_Testing_Victims_h
@@ -18,8 +18,8 @@ namespace bonedecimate::testsupport
 double MeanEdge(const Surface& surface);
 
 /**
- * Some ten to two thousand triangles, at any scale and anywhere.
- * @param large Surfaces to cut pieces from, half of the time; may be empty.
+ * About ten to two thousand triangles, at random scale and position.
+ * @param large Surfaces from which half of the results are cut; may be empty.
  */
 Surface AnyVictim(Random& random, const std::vector<Surface>& large);
 }

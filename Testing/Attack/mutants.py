@@ -6,7 +6,7 @@
     mutants.py FOLDER [--only WORD] [--runs N] [SURFACE.ply ...]
 
 FOLDER holds a copy of the source and its build. Ends with 1 if a bug was not found in N runs (4000), or if the attack breaks
-the promise without any.
+the error bound without any.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ import time
 from typing import NamedTuple
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ROOM = "Filters/Core/Guarantee/"
+FOLDER = "Filters/Core/ErrorBound/"
 
 
 class Mutant(NamedTuple):
-    """A bug: in that file these words stand for those."""
+    """A bug: a replacement of text in a file."""
 
     name: str
     file: str
@@ -33,37 +33,37 @@ class Mutant(NamedTuple):
 
 
 MUTANTS = (
-    Mutant("a limit that is a twentieth too large", ROOM + "Limits.cxx", "promised * (1.0 - RelativeSlack) - slack",
-           "promised * 1.05 - slack"),
-    Mutant("no slack for points that are rounded when they are written", ROOM + "Limits.cxx",
+    Mutant("a limit that is a twentieth too large", FOLDER + "ErrorLimits.cxx", "error * (1.0 - RelativeSlack) - slack",
+           "error * 1.05 - slack"),
+    Mutant("no slack for points that are rounded when they are written", FOLDER + "ErrorLimits.cxx",
            "return AbsoluteSlack * size + rounding;", "return 0.0 * (size + rounding);"),
-    Mutant("the most tolerant corner of an original counts", ROOM + "Limits.h",
+    Mutant("the most tolerant corner of an original counts", FOLDER + "ErrorLimits.h",
            ": std::min({ this->Values[c[0]]", ": std::max({ this->Values[c[0]]"),
-    Mutant("originals are not asked", ROOM + "Prover.cxx", "&& this->OriginalsAreNear(mesh) &&", "&&"),
-    Mutant("new faces are not asked", ROOM + "Prover.cxx", "&& this->NewFacesAreNear();", ";"),
-    Mutant("borders are not asked", ROOM + "Prover.cxx", "this->BorderIsNear(mesh) &&", ""),
-    Mutant("two corners of an original are enough", ROOM + "Prover.cxx",
+    Mutant("originals are not checked", FOLDER + "Prover.cxx", "&& this->OriginalsAreNear(mesh) &&", "&&"),
+    Mutant("new faces are not checked", FOLDER + "Prover.cxx", "&& this->NewFacesAreNear();", ";"),
+    Mutant("boundaries are not checked", FOLDER + "Prover.cxx", "this->BoundaryIsNear(mesh) &&", ""),
+    Mutant("two corners of an original are enough", FOLDER + "Prover.cxx",
            "& this->Points[points[1]].Near & this->Points[points[2]].Near;", "& this->Points[points[1]].Near;"),
-    Mutant("two corners of a piece are enough", ROOM + "ShareProof.cxx",
+    Mutant("two corners of a piece are enough", FOLDER + "CommonFaceProof.cxx",
            "piece[0].Near & piece[1].Near & piece[2].Near;", "piece[0].Near & piece[1].Near;"),
-    Mutant("half of a piece is forgotten", ROOM + "ShareProof.cxx",
+    Mutant("half of a piece is forgotten", FOLDER + "CommonFaceProof.cxx",
            "  this->Open.push_back(piece);\n  this->Open.back()[edge] = middle;\n", ""),
-    Mutant("who proves an original is not written down", ROOM + "Prover.cxx",
-           "supports.Add(item.Id, holders[i]);", "(void)holders;"),
-    Mutant("an even number of layers is a cover", ROOM + "PlaneCover.h", "return this->IsOdd;", "return true;"),
-    Mutant("a sheet may end over the face", ROOM + "PlaneCover.cxx", "return twin != None;", "return true;"),
-    Mutant("a sheet may be as far from the face as it likes", ROOM + "PlaneCover.cxx",
+    Mutant("the faces that cover an original are not stored", FOLDER + "Prover.cxx",
+           "coverage.Add(item.Id, coverings[i]);", "(void)coverings;"),
+    Mutant("an even number of layers is a cover", FOLDER + "PlaneCover.h", "return this->IsOdd;", "return true;"),
+    Mutant("a boundary over the face is allowed", FOLDER + "PlaneCover.cxx", "return twin != None;", "return true;"),
+    Mutant("any distance from the face is allowed", FOLDER + "PlaneCover.cxx",
            "(farthest > limit * limit && !this->IsNearOver(shape, limit)) ||", "farthest < -limit ||"),
-    Mutant("one end of a border is enough", ROOM + "BorderProof.cxx", "isNear(this->Candidates[i], 0) &&",
+    Mutant("one end of a boundary is enough", FOLDER + "BoundaryProof.cxx", "isNear(this->Candidates[i], 0) &&",
            "isNear(this->Candidates[i], 0) ||"),
-    Mutant("half of a face is forgotten", ROOM + "FaceProof.cxx",
+    Mutant("half of a face is forgotten", FOLDER + "FaceProof.cxx",
            "  half.Corners[next] = piece.Corners[next];\n  half.Corners[edge] = middle;\n  this->Open.push_back(half);\n",
            ""),
 )
 
 
 def problems() -> list[str]:
-    """Mutants whose place is not there any more, or not alone."""
+    """Mutants whose text does not occur exactly once."""
     found = []
     for mutant in MUTANTS:
         count = (ROOT / mutant.file).read_text(encoding="utf-8").count(mutant.right)
@@ -73,18 +73,18 @@ def problems() -> list[str]:
 
 
 def copy_source(folder: pathlib.Path) -> pathlib.Path:
-    """What the core and the attack are made of."""
+    """Copies the sources of the core and of the attack."""
     source = folder / "source"
     if source.exists():
         shutil.rmtree(source)
     ignored = shutil.ignore_patterns("build", ".git", "images", "__pycache__")
-    # As new as now: with their own times the build would keep the bug that an earlier run left in it.
+    # With new times of modification, so that the build does not keep the bug of an earlier run.
     shutil.copytree(ROOT, source, ignore=ignored, copy_function=shutil.copyfile)
     return source
 
 
 def build(folder: pathlib.Path) -> None:
-    """The attack, as the source is now."""
+    """Builds the attack from the current source."""
     words = ["cmake", "--build", folder / "build", "--target", "bonedecimate-attack"]
     done = subprocess.run(words, capture_output=True, text=True, check=False)
     if done.returncode != 0:
@@ -92,14 +92,14 @@ def build(folder: pathlib.Path) -> None:
 
 
 def configure(folder: pathlib.Path) -> None:
-    """The core alone, optimised."""
+    """Configures an optimized build of the core alone."""
     words = ["cmake", "-S", folder / "source", "-B", folder / "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
              "-DBONEDECIMATE_CORE_ONLY=ON"]
     subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
 
 
 def attack(folder: pathlib.Path, runs: int, surfaces: list[pathlib.Path]) -> tuple[bool, str]:
-    """Whether a promise was broken, and what the attack says."""
+    """Whether the attack found a violation, and its output."""
     words = [folder / "build" / "bin" / "bonedecimate-attack", str(runs), "1", *surfaces]
     done = subprocess.run(words, capture_output=True, text=True, check=False)
     said = (done.stdout + done.stderr).strip()
@@ -109,7 +109,7 @@ def attack(folder: pathlib.Path, runs: int, surfaces: list[pathlib.Path]) -> tup
 
 
 def try_mutant(mutant: Mutant, folder: pathlib.Path, runs: int, surfaces: list[pathlib.Path]) -> bool:
-    """Whether it was found."""
+    """Whether the attack found the bug."""
     file = folder / "source" / mutant.file
     right = file.read_text(encoding="utf-8")
     file.write_text(right.replace(mutant.right, mutant.wrong), encoding="utf-8")
@@ -129,17 +129,17 @@ def main() -> int:
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--only", default="")
     parser.add_argument("--runs", type=int, default=4000)
-    asked = parser.parse_intermixed_args()  # options may stand between the folder and the surfaces
-    chosen = [mutant for mutant in MUTANTS if asked.only in mutant.name]
-    if asked.list or asked.folder is None or problems():
+    arguments = parser.parse_intermixed_args()  # options may be between the folder and the surfaces
+    chosen = [mutant for mutant in MUTANTS if arguments.only in mutant.name]
+    if arguments.list or arguments.folder is None or problems():
         print(*(problems() or [f"{mutant.name}: {mutant.file}" for mutant in chosen]), sep="\n")
         return 1 if problems() else 0
-    copy_source(asked.folder)
-    configure(asked.folder)
-    build(asked.folder)
-    broken, said = attack(asked.folder, asked.runs, asked.surfaces)
+    copy_source(arguments.folder)
+    configure(arguments.folder)
+    build(arguments.folder)
+    broken, said = attack(arguments.folder, arguments.runs, arguments.surfaces)
     print(f"without a bug: {said}", flush=True)
-    results = [try_mutant(mutant, asked.folder, asked.runs, asked.surfaces) for mutant in chosen]
+    results = [try_mutant(mutant, arguments.folder, arguments.runs, arguments.surfaces) for mutant in chosen]
     print(f"{sum(results)} of {len(results)} found")
     return 1 if broken or not all(results) else 0
 

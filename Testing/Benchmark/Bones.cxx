@@ -132,8 +132,8 @@ Triangles LargestIn(const std::string& volume, const Box& box)
   std::array<int, 6> extent{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const auto voxel = [&](double millimetres)
-    { return static_cast<int>(std::lround(millimetres / spacing[axis])); };
+    const auto voxel = [&](double millimeters)
+    { return static_cast<int>(std::lround(millimeters / spacing[axis])); };
     extent[2 * axis] = std::max(whole[2 * axis], voxel(box[2 * axis]));
     extent[2 * axis + 1] = std::min(whole[2 * axis + 1], voxel(box[2 * axis + 1]) - 1);
   }

@@ -7,8 +7,8 @@
  *     bonedecimate-cgal INPUT.ply OUTPUT.ply FACES
  *
  * Uses CGAL's Surface_mesh_simplification (GPL-3.0-or-later), which makes this program GPL: a contestant of the benchmark,
- * never installed. CGAL counts edges and a collapse takes three, or two at a border: it is stopped at the first edge count
- * that goes with the faces asked for on a surface without border, and ends somewhat lower on an open one.
+ * never installed. CGAL counts edges and a collapse takes three, or two at a boundary: it is stopped at the first edge count
+ * that goes with the requested faces on a closed surface, and ends somewhat lower on an open one.
  */
 #include "CgalMesh.h"
 #include "Meter.h"

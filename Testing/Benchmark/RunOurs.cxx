@@ -9,7 +9,7 @@
  *     bonedecimate-run --kernels
  *
  * THROUGH is core (the VTK-free call) or filter (vtkBoneDecimate, conversions included); MeasureDistances is off. NAME is
- * that of an option of the core. With an error, core has the result judged by the certificate, beyond the clock.
+ * that of an option of the core. With an error, core has the result checked by the certificate, outside of the measured time.
  * Prints JSON; --modes prints the modes that there are, --kernels the sets of kernels that this processor runs,
  * a line each.
  */
@@ -19,7 +19,7 @@
 #include "Certificate/Certificate.h"
 #include "Decimate.h"
 #include "Kernels/Kernels.h"
-#include "OptionTable.h"
+#include "Options/OptionTable.h"
 #include "vtkBoneDecimate.h"
 
 #include "vtkCellArray.h"
@@ -73,7 +73,7 @@ void Choose(const std::string& name)
   throw std::runtime_error("no such kernels here: " + name);
 }
 
-bonedecimate::Options Asked(int count, char** words)
+bonedecimate::Options Requested(int count, char** words)
 {
   bonedecimate::Options options;
   options.MeasureDistances = false;
@@ -102,10 +102,10 @@ void PrintCertificate(
   const bonedecimate::Surface& input, const bonedecimate::Surface& result, double ownSeconds)
 {
   const bonedecimate::Certificate found = bonedecimate::Certify(input, result);
-  const auto& there = found.BorderOfReferenceToResult.Distance;
-  const auto& back = found.BorderOfResultToReference.Distance;
+  const auto& there = found.BoundaryOfReferenceToResult.Distance;
+  const auto& back = found.BoundaryOfResultToReference.Distance;
   std::printf(
-    "\"proved\": {\"lower\": %.9g, \"upper\": %.9g, \"borders\": %.9g, \"own_seconds\": %.3f}, ",
+    "\"proved\": {\"lower\": %.9g, \"upper\": %.9g, \"boundaries\": %.9g, \"own_seconds\": %.3f}, ",
     found.Lower(), found.Upper(), std::max(there.Upper, back.Upper), ownSeconds);
 }
 
@@ -209,7 +209,7 @@ std::uint64_t Checksum(const Triangles& result)
 void Run(int count, char** words)
 {
   Meter meter;
-  const bonedecimate::Options options = Asked(count, words);
+  const bonedecimate::Options options = Requested(count, words);
   const bool isCore = std::strcmp(words[3], "core") == 0;
   std::printf("{");
   const Triangles result =

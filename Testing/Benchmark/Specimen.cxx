@@ -21,12 +21,12 @@ constexpr double Wall = 3.0;
 constexpr double BumpHeight = 2.5;
 constexpr double BumpSize = 22.0;
 constexpr double TrabeculaSize = 11.0;
-constexpr double TrabeculaLevel = 0.12; ///< Above it a place belongs to a trabecula.
+constexpr double TrabeculaLevel = 0.12; ///< Above it a position belongs to a trabecula.
 
 struct Bone
 {
-  Point Centre;   ///< In shares of the grid.
-  Point HalfAxes; ///< In shares of the grid.
+  Point Center;   ///< As fractions of the grid.
+  Point HalfAxes; ///< As fractions of the grid.
 };
 
 constexpr std::array<Bone, 5> Bones = { {
@@ -49,7 +49,7 @@ double SmoothBones(const Point& p, double size)
   for (const Bone& bone : Bones)
   {
     nearest = std::min(
-      nearest, phantom::Ellipsoid(p, Scaled(bone.Centre, size), Scaled(bone.HalfAxes, size)));
+      nearest, phantom::Ellipsoid(p, Scaled(bone.Center, size), Scaled(bone.HalfAxes, size)));
   }
   return nearest;
 }

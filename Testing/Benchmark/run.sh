@@ -11,7 +11,7 @@
 #
 # Builds the programs (preset release, or --build FOLDER), installs the peers of requirements.txt into FOLDER/benchmark/venv
 # and leaves figures, page and plots in FOLDER/benchmark/results. A peer that cannot be installed is left out, with a line
-# that says so. MeshLib only takes part with --with-meshlib: its licence is for non-commercial use.
+# that says so. MeshLib only takes part with --with-meshlib: its license is for non-commercial use.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../.." && pwd)

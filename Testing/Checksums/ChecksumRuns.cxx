@@ -201,7 +201,7 @@ std::vector<ChecksumCase> CasesOfShapes(const Surface& surface)
       With(Reduced(0.7), [](Options& o) { o.OutputPointsPrecision = PointsPrecision::Single; }) },
     { "error", bounded },
     { "error-small", Bounded(0.1 * error) },
-    { "error-unguarded", With(bounded, [](Options& o) { o.KeepClearance = false; }) },
+    { "error-unguarded", With(bounded, [](Options& o) { o.IntersectionGuard = false; }) },
     { "error-triangles", With(bounded, [](Options& o) { o.TargetNumberOfTriangles = 100; }) },
     { "error-single",
       With(bounded, [](Options& o) { o.OutputPointsPrecision = PointsPrecision::Single; }) },
@@ -242,7 +242,7 @@ std::uint64_t ChecksumOfRun(const Surface& surface, const ChecksumCase& one, Mod
   const std::vector<double> tolerances = TolerancesAlongX(surface, 0.01 * Box(surface).Diagonal());
   const Labels labels = HalvesAlongX(surface);
   EditLog log;
-  Companions inputs;
+  RunInputs inputs;
   inputs.WantsOrigins = one.Inputs == ChecksumInputs::Origins;
   inputs.Tolerances = one.Inputs == ChecksumInputs::Tolerances ? &tolerances : nullptr;
   inputs.Labels = one.Inputs == ChecksumInputs::Labels ? &labels : nullptr;

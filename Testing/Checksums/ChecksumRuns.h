@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Testing_ChecksumRuns_h
 #define BoneDecimate_Testing_ChecksumRuns_h
 
-#include "Options.h"
+#include "Options/Options.h"
 #include "Shapes.h"
 
 #include <cstdint>

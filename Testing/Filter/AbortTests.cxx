@@ -59,7 +59,7 @@ TEST_P(AbortAt, LeavesArraysAndReportThatFitTheSurface)
   run.AbortAt(GetParam());
   vtkPolyData* output = run.Output();
   const std::vector<double> distances = Values(output, "Distance");
-  EXPECT_EQ(distances.empty(), GetParam() < 0.7) << "whoever aborts does not wait for distances";
+  EXPECT_EQ(distances.empty(), GetParam() < 0.7) << "distances are skipped after an abort";
   const std::vector<double> expected =
     distances.empty() ? distances : LocatorDistances(output, input);
   ASSERT_EQ(distances.size(), expected.size());
@@ -68,8 +68,8 @@ TEST_P(AbortAt, LeavesArraysAndReportThatFitTheSurface)
     ASSERT_NEAR(distances[i], expected[i], 1e-5) << "point " << i;
   }
   EXPECT_EQ(Sum(Values(output, "InputPointCount")), input->GetNumberOfPoints());
-  EXPECT_EQ(run->GetReportValue("input.faces"), input->GetNumberOfPolys());
-  EXPECT_EQ(run->GetReportValue("output.faces"), output->GetNumberOfPolys());
+  EXPECT_EQ(run->GetReportValue("input.triangles"), input->GetNumberOfPolys());
+  EXPECT_EQ(run->GetReportValue("output.triangles"), output->GetNumberOfPolys());
 }
 
 TEST_P(AbortAt, IsHeardAtOnce)
@@ -82,7 +82,7 @@ TEST_P(AbortAt, IsHeardAtOnce)
   EXPECT_LE(std::count_if(run.Progress.begin(), run.Progress.end(),
               [&](double progress) { return progress >= fraction; }),
     2)
-    << "one that asks, and at most the executive's own at the end";
+    << "the one that aborts, and at most the executive's own at the end";
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -54,7 +54,7 @@ TEST(Arrays, HaveTheirNamesUnitsAndOneValueForEachPoint)
     vtkIntArray::SafeDownCast(output->GetPointData()->GetArray("InputPointCount")), nullptr);
 }
 
-TEST(Arrays, BearTheNamesThatWereAskedFor)
+TEST(Arrays, HaveTheRequestedNames)
 {
   FilterRun run(Bumps(3));
   run->SetDistanceArrayName("d");

@@ -30,8 +30,8 @@ vtkSmartPointer<vtkPolyData> WithCoordinates(double value)
   return PolyData(surface);
 }
 
-/// A refusal is one error, says so in the report, and leaves nothing on either port.
-void ExpectRefused(FilterRun& run, const std::vector<std::string>& words)
+/// A rejection is one error, says so in the report, and leaves nothing on either port.
+void ExpectRejected(FilterRun& run, const std::vector<std::string>& words)
 {
   vtkPolyData* output = run.Output();
   EXPECT_EQ(run.Errors.size(), 1U) << run.AllMessages();
@@ -83,24 +83,24 @@ TEST(BadInput, PointsWithoutCellsAreAWarning)
   EXPECT_EQ(run.Said("9 points, 0 triangles"), 1) << run.AllMessages();
 }
 
-TEST(BadInput, NotANumberIsRefusedWithCountAndFirstPoint)
+TEST(BadInput, NotANumberIsRejectedWithCountAndFirstPoint)
 {
   FilterRun run(WithCoordinates(std::nan("")));
-  ExpectRefused(run, { "3 points", "point 5" });
+  ExpectRejected(run, { "3 points", "point 5" });
 }
 
-TEST(BadInput, InfinityIsRefusedWithCountAndFirstPoint)
+TEST(BadInput, InfinityIsRejectedWithCountAndFirstPoint)
 {
   FilterRun plus(WithCoordinates(Infinity));
-  ExpectRefused(plus, { "3 points", "point 5" });
+  ExpectRejected(plus, { "3 points", "point 5" });
   FilterRun minus(WithCoordinates(-Infinity));
-  ExpectRefused(minus, { "3 points", "point 5" });
+  ExpectRejected(minus, { "3 points", "point 5" });
 }
 
-TEST(BadInput, HugeCoordinatesAreRefusedWithCountAndFirstPoint)
+TEST(BadInput, HugeCoordinatesAreRejectedWithCountAndFirstPoint)
 {
   FilterRun run(WithCoordinates(1e200));
-  ExpectRefused(run, { "1e30", "3 points", "point 5" });
+  ExpectRejected(run, { "1e30", "3 points", "point 5" });
 }
 
 TEST(BadInput, LargeCoordinatesBelowThatAreNot)
@@ -119,45 +119,45 @@ TEST(BadInput, TinyCoordinatesAreNot)
   EXPECT_EQ(WhatIsWrongWith(run.Output()), "");
 }
 
-TEST(BadInput, ATriangleOfAPointThatIsNotThereIsRefused)
+TEST(BadInput, ATriangleOfAPointThatIsNotThereIsRejected)
 {
   Surface surface = SurfaceOf(Bumps(2));
   surface.Triangles[7][1] = 162;
   surface.Triangles[30][0] = -4;
   FilterRun run(PolyData(surface));
-  ExpectRefused(run, { "2 triangles", "triangle 7 " });
+  ExpectRejected(run, { "2 triangles", "triangle 7 " });
 }
 
-TEST(BadInput, AHugeIdIsRefusedNotWrappedAround)
+TEST(BadInput, AHugeIdIsRejectedNotWrappedAround)
 {
   vtkSmartPointer<vtkPolyData> polyData = GridPoints();
   polyData->SetPolys(Cells({ { 0, 1, 3 }, { 0, 1, (vtkIdType(1) << 32) + 3 } }));
   FilterRun run(polyData);
-  ExpectRefused(run, { "1 triangles", "triangle 1 " });
+  ExpectRejected(run, { "1 triangles", "triangle 1 " });
 }
 
-TEST(BadInput, APolygonOfAPointThatIsNotThereIsRefusedWithItsNumber)
+TEST(BadInput, APolygonOfAPointThatIsNotThereIsRejectedWithItsNumber)
 {
   vtkSmartPointer<vtkPolyData> polyData = GridPoints();
   polyData->SetPolys(Cells({ { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 3, 4, 7, 99 }, { 4, 5, 8, -1 } }));
   FilterRun run(polyData);
-  ExpectRefused(run, { "2 ", " 2 (there are 9 points)" });
+  ExpectRejected(run, { "2 ", " 2 (there are 9 points)" });
 }
 
-TEST(BadInput, AStripOfAPointThatIsNotThereIsRefusedWithItsNumber)
+TEST(BadInput, AStripOfAPointThatIsNotThereIsRejectedWithItsNumber)
 {
   vtkSmartPointer<vtkPolyData> polyData = GridPoints();
   polyData->SetStrips(Cells({ { 0, 1, 3, 4 }, { 3, 4, 6, 9 } }));
   FilterRun run(polyData);
-  ExpectRefused(run, { "1 ", " 1 (there are 9 points)" });
+  ExpectRejected(run, { "1 ", " 1 (there are 9 points)" });
 }
 
-TEST(BadInput, CellsWithoutAnyPointsAreRefused)
+TEST(BadInput, CellsWithoutAnyPointsAreRejected)
 {
   vtkNew<vtkPolyData> polyData;
   polyData->SetPolys(Cells({ { 0, 1, 2 } }));
   FilterRun run(polyData);
-  ExpectRefused(run, { "1 triangles", "triangle 0", "0 points" });
+  ExpectRejected(run, { "1 triangles", "triangle 0", "0 points" });
 }
 
 TEST(BadInput, ALineOfAPointThatIsNotThereIsLeftOutAloud)
@@ -216,7 +216,7 @@ TEST(BadInput, OnlyTrianglesWithoutAreaAreAWarning)
   EXPECT_EQ(run.Said("9 points, 2 triangles"), 1) << run.AllMessages();
 }
 
-TEST(BadInput, AfterARefusalAGoodInputIsTaken)
+TEST(BadInput, AfterARejectionAGoodInputIsTaken)
 {
   FilterRun run(WithCoordinates(std::nan("")));
   run.Output();
@@ -226,11 +226,11 @@ TEST(BadInput, AfterARefusalAGoodInputIsTaken)
   EXPECT_EQ(run->GetReportText("input.problem"), "");
 }
 
-TEST(BadInput, AfterAGoodInputARefusalLeavesNothingOfItsResult)
+TEST(BadInput, AfterAGoodInputARejectionLeavesNothingOfItsResult)
 {
   FilterRun run(Bumps(2));
   run.Output();
   run->SetInputData(WithCoordinates(std::nan("")));
-  ExpectRefused(run, { "3 points" });
-  EXPECT_EQ(run->GetReportValue("output.faces"), 0);
+  ExpectRejected(run, { "3 points" });
+  EXPECT_EQ(run->GetReportValue("output.triangles"), 0);
 }

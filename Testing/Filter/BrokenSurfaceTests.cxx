@@ -19,7 +19,7 @@ namespace
 using Coordinates = std::array<double, 3>;
 using Segment = std::pair<Coordinates, Coordinates>;
 
-Coordinates Place(const Surface& surface, Index point)
+Coordinates PositionOf(const Surface& surface, Index point)
 {
   const Vector3& p = surface.Points[static_cast<std::size_t>(point)];
   return { p[0], p[1], p[2] };
@@ -33,8 +33,8 @@ std::map<Segment, int> NonManifoldEdges(const Surface& surface)
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const Coordinates a = Place(surface, corners[i]);
-      const Coordinates b = Place(surface, corners[(i + 1) % 3]);
+      const Coordinates a = PositionOf(surface, corners[i]);
+      const Coordinates b = PositionOf(surface, corners[(i + 1) % 3]);
       ++edges[{ std::min(a, b), std::max(a, b) }];
     }
   }
@@ -45,9 +45,9 @@ std::map<Segment, int> NonManifoldEdges(const Surface& surface)
   return edges;
 }
 
-int TimesThere(const Surface& surface, const Vector3& place)
+int TimesThere(const Surface& surface, const Vector3& position)
 {
-  return static_cast<int>(std::count(surface.Points.begin(), surface.Points.end(), place));
+  return static_cast<int>(std::count(surface.Points.begin(), surface.Points.end(), position));
 }
 
 class BrokenSurface : public EachShape
@@ -69,17 +69,19 @@ TEST_P(BrokenSurface, ComesOutValidWithItsComponentsAndItsBrokenEdges)
 TEST_P(BrokenSurface, IsSpokenOfWithTheNumberOfItsBrokenPointsAndTheFirst)
 {
   FilterRun run(PolyData(GetParam().Surface));
-  const std::string count = std::to_string(static_cast<int>(run.Value("input.locked_points")));
-  const std::string first = std::to_string(static_cast<int>(run.Value("input.first_locked_point")));
-  EXPECT_GT(run.Value("input.locked_points"), 0);
-  EXPECT_GE(run.Value("input.first_locked_point"), 0);
+  const std::string count =
+    std::to_string(static_cast<int>(run.Value("input.non_manifold_points")));
+  const std::string first =
+    std::to_string(static_cast<int>(run.Value("input.first_non_manifold_point")));
+  EXPECT_GT(run.Value("input.non_manifold_points"), 0);
+  EXPECT_GE(run.Value("input.first_non_manifold_point"), 0);
   EXPECT_EQ(run.Said(count + " points"), 1) << run.AllMessages();
   EXPECT_EQ(run.Said("point " + first), 1) << run.AllMessages();
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, BrokenSurface, testing::ValuesIn(BrokenShapes()), NameOf);
 
-TEST(NonManifold, EdgePointsKeepTheirPlacesBitForBit)
+TEST(NonManifold, EdgePointsKeepTheirPositionsBitForBit)
 {
   const Surface book = Moved(ThreeLeavedBook(8), { 0.1, 1e5 / 3, -7.7 });
   FilterRun run(PolyData(book));
@@ -93,7 +95,7 @@ TEST(NonManifold, EdgePointsKeepTheirPlacesBitForBit)
   EXPECT_EQ(NonManifoldEdges(output), NonManifoldEdges(book));
 }
 
-TEST(NonManifold, PinchedPointKeepsItsPlaceAndJoinsBothSides)
+TEST(NonManifold, PinchedPointKeepsItsPositionAndJoinsBothSides)
 {
   const Surface cones = Moved(PinchedVertex(12, 6), { 0.1, 1e5 / 3, -7.7 });
   FilterRun run(PolyData(cones));
@@ -122,8 +124,8 @@ TEST(ZeroArea, TrianglesAreDroppedWithCountAndFirst)
   FilterRun run(PolyData(surface));
   run->SetTargetReduction(0.0);
   EXPECT_EQ(run.Triangles(), 320);
-  EXPECT_EQ(run.Value("input.faces_read"), 322);
-  EXPECT_EQ(run.Value("input.faces"), 320);
+  EXPECT_EQ(run.Value("input.triangles_read"), 322);
+  EXPECT_EQ(run.Value("input.triangles"), 320);
   EXPECT_EQ(run.Value("input.dropped_triangles"), 2);
   EXPECT_EQ(run.Value("input.first_dropped_triangle"), 9);
   EXPECT_EQ(run.Value("output.boundary_edges"), 0);

@@ -91,7 +91,7 @@ TEST(Cells, StripsAreTakenAsTheirTriangles)
   FilterRun run(strips);
   run->SetTargetReduction(0.5);
   EXPECT_EQ(run.Triangles(), 640);
-  EXPECT_EQ(run.Value("input.faces"), 1280);
+  EXPECT_EQ(run.Value("input.triangles"), 1280);
   EXPECT_NEAR(run.Value("input.volume"), SignedVolume(SurfaceOf(input)), 1e-6);
   EXPECT_EQ(run.Value("output.boundary_edges"), 0);
   EXPECT_EQ(run.Output()->GetNumberOfStrips(), 0);
@@ -170,7 +170,7 @@ TEST(Cells, PointsOfVerticesAndLinesStandForThemselvesAtNoDistance)
   EXPECT_EQ(counts.back(), 1.0);
 }
 
-TEST(Cells, ALineAlongTheSurfaceKeepsItsPlaceWhileTheSurfaceMoves)
+TEST(Cells, ALineAlongTheSurfaceKeepsItsPositionWhileTheSurfaceMoves)
 {
   vtkSmartPointer<vtkPolyData> input = Bumps(3);
   vtkNew<vtkCellArray> lines;

@@ -3,7 +3,7 @@
 #include "Shapes.h"
 #include "VtkSurfaces.h"
 
-#include "vtkBoneCheck.h"
+#include "vtkBoneDiagnostics.h"
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -16,9 +16,9 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-int NumberOf(vtkBoneCheck* check, const std::string& word)
+int NumberOf(vtkBoneDiagnostics* check, const std::string& word)
 {
-  for (int i = 0; i < check->GetNumberOfFindings(); ++i)
+  for (int i = 0; i < check->GetNumberOfDiagnostics(); ++i)
   {
     if (check->GetWord(i) == word)
     {
@@ -32,12 +32,12 @@ int NumberOf(vtkBoneCheck* check, const std::string& word)
 TEST(Check, PassesTheSurfaceOnAndFindsNothingWrong)
 {
   const vtkSmartPointer<vtkPolyData> input = Sphere(3);
-  vtkNew<vtkBoneCheck> check;
+  vtkNew<vtkBoneDiagnostics> check;
   check->SetInputData(input);
   check->Update();
   EXPECT_EQ(check->GetOutput()->GetPoints(), input->GetPoints());
   EXPECT_TRUE(check->IsUsable());
-  ASSERT_EQ(check->GetNumberOfFindings(), 1);
+  ASSERT_EQ(check->GetNumberOfDiagnostics(), 1);
   EXPECT_EQ(check->GetWord(0), "components");
   EXPECT_EQ(check->GetSeverity(0), "note");
   EXPECT_EQ(check->GetCount(0), 1);
@@ -51,7 +51,7 @@ TEST(Check, NamesCellsAndNotTheTrianglesThatTheyWereCutInto)
   polygons->InsertNextCell({ 1, 2, 5, 4 });
   polygons->InsertNextCell({ 1, 2, 5, 4 });
   input->SetPolys(polygons);
-  vtkNew<vtkBoneCheck> check;
+  vtkNew<vtkBoneDiagnostics> check;
   check->SetInputData(input);
   check->Update();
   const int duplicates = NumberOf(check, "duplicates");
@@ -63,23 +63,23 @@ TEST(Check, NamesCellsAndNotTheTrianglesThatTheyWereCutInto)
   EXPECT_EQ(ids->GetId(0), 2);
 }
 
-TEST(Check, SaysWhatDecimationRefuses)
+TEST(Check, ReportsWhatDecimationRejects)
 {
   bonedecimate::Surface surface = Icosphere(2, 10.0);
   surface.Points[11][0] = NAN;
-  vtkNew<vtkBoneCheck> check;
+  vtkNew<vtkBoneDiagnostics> check;
   check->SetInputData(PolyData(surface));
   check->Update();
   EXPECT_FALSE(check->IsUsable());
   const int found = NumberOf(check, "non_finite_points");
   ASSERT_GE(found, 0);
-  EXPECT_EQ(check->GetSeverity(found), "refused");
+  EXPECT_EQ(check->GetSeverity(found), "rejected");
   EXPECT_TRUE(std::isnan(check->GetLength(found)));
 }
 
-TEST(Check, AnswersNothingForNumbersThatAreNotThere)
+TEST(Check, ReturnsNothingForNumbersOutOfRange)
 {
-  vtkNew<vtkBoneCheck> check;
+  vtkNew<vtkBoneDiagnostics> check;
   vtkNew<vtkIdList> ids;
   ids->InsertNextId(5);
   check->GetFirstIds(3, ids);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the input's arrays say reaches the output at the right place, against VTK's own locators.
+// What the input's arrays say reaches the output at the right position, against VTK's own locators.
 #include "FilterRun.h"
 #include "VtkSurfaces.h"
 
@@ -72,16 +72,16 @@ vtkNew<vtkCellLocator>& Build(vtkNew<vtkCellLocator>& locator, vtkPolyData* surf
 }
 
 /// Square of the distance to the nearest cell, and the cell.
-double NearestCell(vtkCellLocator* locator, const double* point, vtkIdType& cell, double* place)
+double NearestCell(vtkCellLocator* locator, const double* point, vtkIdType& cell, double* closest)
 {
   double distance2 = 0.0;
   int subId = 0;
-  locator->FindClosestPoint(point, place, cell, subId, distance2);
+  locator->FindClosestPoint(point, closest, cell, subId, distance2);
   return distance2;
 }
 }
 
-TEST(Data, FloatingValuesAreThoseOfTheNearestPlaceOnTheInput)
+TEST(Data, FloatingValuesAreThoseOfTheNearestPositionOnTheInput)
 {
   const vtkSmartPointer<vtkPolyData> input = Bumps(4);
   PointArray<vtkDoubleArray, double>(
@@ -95,10 +95,10 @@ TEST(Data, FloatingValuesAreThoseOfTheNearestPlaceOnTheInput)
   int moved = 0;
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
-    double place[3];
+    double closest[3];
     vtkIdType cell = -1;
-    moved += NearestCell(locator, output->GetPoint(i), cell, place) > 0.0 ? 1 : 0;
-    EXPECT_NEAR(values[i], Plane(place), 1e-6) << "point " << i;
+    moved += NearestCell(locator, output->GetPoint(i), cell, closest) > 0.0 ? 1 : 0;
+    EXPECT_NEAR(values[i], Plane(closest), 1e-6) << "point " << i;
   }
   EXPECT_GT(moved, output->GetNumberOfPoints() / 2);
 }
@@ -216,9 +216,9 @@ TEST(Data, CellArraysAreThoseOfTheCellNearestToTheCentroid)
   for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
   {
     const Vector3 center(centers->GetOutput()->GetPoint(i));
-    double place[3];
+    double closest[3];
     vtkIdType nearest = -1;
-    const double distance2 = NearestCell(locator, center.data(), nearest, place);
+    const double distance2 = NearestCell(locator, center.data(), nearest, closest);
     const auto cell = static_cast<vtkIdType>(cells->GetComponent(i, 0));
     double corner[3];
     double parameter[3];
@@ -299,7 +299,7 @@ TEST(Data, PointsThatNoTriangleUsesStandForNone)
   EXPECT_EQ(Values(run.InputCopy(), "ResultPointIds").back(), -1.0);
 }
 
-TEST(Data, NothingIsPassedOrLookedUpIfThatIsNotWished)
+TEST(Data, NothingIsPassedOrLookedUpIfSwitchedOff)
 {
   const vtkSmartPointer<vtkPolyData> input = Bumps(2);
   input->GetPointData()->AddArray(Numbers("Label", input->GetNumberOfPoints()));

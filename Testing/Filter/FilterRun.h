@@ -23,7 +23,7 @@ namespace bonedecimate::testsupport
  *     run->SetTargetReduction(0.5);
  *     vtkPolyData* output = run.Output();
  *
- * Distances are measured only if the test asks for it: that takes longer than all the rest. Fails
+ * Distances are measured only if the test requests it: that takes longer than all the rest. Fails
  * the test if anything of VTK reaches the output window (stderr) past the observers.
  */
 class FilterRun
@@ -49,7 +49,7 @@ public:
   /// Called at every progress, before an abort.
   std::function<void(double)> OnEachProgress = [](double) {};
 
-  /// Asks to abort at the first progress of at least that much.
+  /// Aborts at the first progress of at least that much.
   void AbortAt(double fraction) { this->AbortFraction = fraction; }
 
   /// How often one of the errors or warnings contains the text.

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkBoneDecimate takes labels from arrays of cells or points, and every output triangle has the label of its place.
+// vtkBoneDecimate takes labels from arrays of cells or points, and every output triangle has the label of its position.
 #include "FilterRun.h"
 #include "VtkSurfaces.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkIntArray.h"
@@ -99,6 +100,22 @@ TEST(LabelArray, OfCellsComesOutOnTheSideOfItsLines)
   EXPECT_NEAR((areas[{ 1, 5 }]), run.Value("labels.of_1_5.output_area"), 1e-3);
   EXPECT_NEAR((areas[{ 1, 0 }]), run.Value("labels.of_1_0.output_area"), 1e-3);
   EXPECT_NEAR((areas[{ 2, 0 }]), run.Value("labels.of_2_0.output_area"), 1e-3);
+}
+
+TEST(LabelArray, IsChosenByInputArrayToProcessUnlessThereIsAName)
+{
+  const auto input = Sphere(4);
+  AddCellLabels(input);
+  const auto labels = [&](const char* name, const char* processed)
+  {
+    FilterRun run(input);
+    run->SetLabelArrayName(name);
+    run->SetInputArrayToProcess(
+      vtkBoneDecimate::LABEL_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, processed);
+    return run.Value("labels.count");
+  };
+  EXPECT_EQ(labels("", "BoundaryLabels"), 3);
+  EXPECT_EQ(labels("BoundaryLabels", "Nothing"), 3);
 }
 
 TEST(LabelArray, OfPointsIsTakenByMajority)

@@ -30,8 +30,8 @@ public:
   explicit LevelsRun(vtkPolyData* surface)
   {
     this->Filter->SetInputData(surface);
-    this->Filter->MeasureErrorsOff();
-    this->Filter->SetCoarsestNumberOfTriangles(100);
+    this->Filter->MeasureDistancesOff();
+    this->Filter->SetTargetNumberOfTriangles(100);
     this->Filter->AddObserver(vtkCommand::ErrorEvent, this, &LevelsRun::OnError);
     this->Filter->AddObserver(vtkCommand::ProgressEvent, this, &LevelsRun::OnProgress);
     this->Filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this, &LevelsRun::OnNothing);
@@ -120,7 +120,7 @@ TEST(LevelsFilter, PrecisionIsThatOfTheInput)
 TEST(LevelsFilter, LevelsByErrorAndTheirMarks)
 {
   LevelsRun levels(Bumps(3));
-  levels->MeasureErrorsOn();
+  levels->MeasureDistancesOn();
   levels->Update();
   const int marks = levels->GetNumberOfMarks();
   ASSERT_GT(marks, 4);
@@ -196,9 +196,9 @@ TEST(LevelsFilter, EmptyAndBrokenInputs)
   EXPECT_EQ(empty->GetLog()->GetNumberOfValues(), 0);
   Surface broken = BumpySphere(3, 10.0, 0.05, 1);
   broken.Points[7][2] = std::nan("");
-  LevelsRun refused(PolyData(broken));
-  refused.Level(10);
-  EXPECT_EQ(refused.Errors, 1);
+  LevelsRun rejected(PolyData(broken));
+  rejected.Level(10);
+  EXPECT_EQ(rejected.Errors, 1);
 }
 
 TEST(LevelsFilter, PrintSelfNamesEveryProperty)
@@ -206,8 +206,9 @@ TEST(LevelsFilter, PrintSelfNamesEveryProperty)
   LevelsRun levels(Bumps(3));
   std::ostringstream text;
   levels->Print(text);
-  for (const char* name : { "Mode: 2", "CoarsestNumberOfTriangles: 100", "MaximumError: 0 mm",
-         "MeasureErrors: 0", "NumberOfThreads: 0", "NumberOfTriangles: 0", "LevelError: 0 mm" })
+  for (const char* name :
+    { "Mode: Balanced", "TargetNumberOfTriangles: 100", "MaximumError: 0 mm",
+      "MeasureDistances: off", "NumberOfThreads: 0", "NumberOfTriangles: 0", "LevelError: 0 mm" })
   {
     EXPECT_NE(text.str().find(name), std::string::npos) << name;
   }

@@ -121,7 +121,7 @@ TEST(Measurement, OverThePointsAgreesWithTheArraysInBothDirections)
     run, "distance.input_to_output", Values(run.InputCopy(), "DistanceToResult"));
 }
 
-TEST(Measurement, StatesHowManySamplesThereAreOnASquareMillimetre)
+TEST(Measurement, StatesHowManySamplesThereAreOnASquareMillimeter)
 {
   FilterRun run(Bumps(3));
   run->MeasureDistancesOn();
@@ -148,38 +148,38 @@ TEST(Measurement, OfASurfaceThatDidNotChangeIsZero)
   EXPECT_EQ(Largest(Values(run.InputCopy(), "DistanceToResult")), 0.0);
 }
 
-TEST(Measurement, OfOpenBordersIsProvedCurveToCurve)
+TEST(Measurement, OfOpenBoundariesIsProvedCurveToCurve)
 {
   const vtkSmartPointer<vtkPolyData> input = PolyData(HeightField(24, 1.0, 5));
   FilterRun run(input);
   run->MeasureDistancesOn();
   run->SetTargetReduction(0.8);
-  vtkNew<vtkBoneSurfaceDistance> judge;
-  judge->SetInputData(0, input);
-  judge->SetInputData(1, run.Output());
-  judge->Update();
+  vtkNew<vtkBoneSurfaceDistance> comparison;
+  comparison->SetInputData(0, input);
+  comparison->SetInputData(1, run.Output());
+  comparison->Update();
   const auto expectSame = [&](const std::string& reported, const std::string& certified)
   {
     for (const char* bound : { ".lower", ".upper" })
     {
-      EXPECT_NEAR(
-        run.Value("distance." + reported + bound), judge->GetReportValue(certified + bound), 1e-9);
+      EXPECT_NEAR(run.Value("distance." + reported + bound),
+        comparison->GetReportValue(certified + bound), 1e-9);
     }
     EXPECT_LE(
       run.Value("distance." + reported + ".lower"), run.Value("distance." + reported + ".upper"));
   };
-  expectSame("border_input_to_output", "border_reference_to_result");
-  expectSame("border_output_to_input", "border_result_to_reference");
+  expectSame("boundary_input_to_output", "boundary_reference_to_result");
+  expectSame("boundary_output_to_input", "boundary_result_to_reference");
 }
 
-TEST(Measurement, OfClosedSurfacesHasNoBorders)
+TEST(Measurement, OfClosedSurfacesHasNoBoundaries)
 {
   FilterRun run(Bumps(3));
   run->MeasureDistancesOn();
-  EXPECT_TRUE(std::isnan(run.Value("distance.border_input_to_output.upper")));
+  EXPECT_TRUE(std::isnan(run.Value("distance.boundary_input_to_output.upper")));
 }
 
-TEST(Measurement, IsInMillimetresWhateverTheSize)
+TEST(Measurement, IsInMillimetersWhateverTheSize)
 {
   FilterRun run(Bumps(3));
   run->MeasureDistancesOn();

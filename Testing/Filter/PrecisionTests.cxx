@@ -30,21 +30,20 @@ int TypeOfOutput(int inputType, int precision)
   return run.Output()->GetPoints()->GetDataType();
 }
 
-std::set<std::array<double, 3>> Places(const Surface& surface)
+std::set<std::array<double, 3>> PositionsOf(const Surface& surface)
 {
-  std::set<std::array<double, 3>> places;
+  std::set<std::array<double, 3>> positions;
   for (const Vector3& p : surface.Points)
   {
-    places.insert({ p[0], p[1], p[2] });
+    positions.insert({ p[0], p[1], p[2] });
   }
-  return places;
+  return positions;
 }
 
-/// How many points that stand for themselves alone are not, bit for bit, among the places; none may
-/// be.
+/// How many points that represent one input point are not, bit for bit, among its positions; none may be.
 int MovedAlone(vtkPolyData* output, const Surface& input)
 {
-  const std::set<std::array<double, 3>> places = Places(input);
+  const std::set<std::array<double, 3>> positions = PositionsOf(input);
   const Surface result = SurfaceOf(output);
   const std::vector<double> counts = Values(output, "InputPointCount");
   int moved = 0;
@@ -53,7 +52,7 @@ int MovedAlone(vtkPolyData* output, const Surface& input)
   {
     const Vector3& at = result.Points[p];
     alone += counts[p] == 1.0 ? 1 : 0;
-    moved += counts[p] == 1.0 && places.count({ at[0], at[1], at[2] }) == 0 ? 1 : 0;
+    moved += counts[p] == 1.0 && positions.count({ at[0], at[1], at[2] }) == 0 ? 1 : 0;
   }
   EXPECT_GT(alone, 0) << "the test proves nothing";
   return moved;
@@ -116,7 +115,7 @@ TEST(Precision, PointsOfSinglePrecisionThatNeverMovedKeepThemToo)
   EXPECT_EQ(MovedAlone(run.Output(), SurfaceOf(input)), 0);
 }
 
-TEST(Precision, AnOpenBorderThatIsStraightStaysStraight)
+TEST(Precision, AnOpenBoundaryThatIsStraightStaysStraight)
 {
   FilterRun run(PolyData(HeightField(16, 0.5, 9)));
   const Surface output = SurfaceOf(run.Output());

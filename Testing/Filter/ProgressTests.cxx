@@ -12,7 +12,7 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-/// What is asked of every run to its end.
+/// What holds for every run that is not aborted.
 void ExpectSteady(const FilterRun& run)
 {
   ASSERT_FALSE(run.Progress.empty());

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OptionTable.h"
+#include "Options/OptionTable.h"
 #include "RejectionWalk.h"
 #include "VtkSurfaces.h"
 
 #include "vtkBoneDecimate.h"
+#include "vtkBoneDecimateLevels.h"
+#include "vtkBoneErrorSearch.h"
 #include "vtkNew.h"
 
 #include <gtest/gtest.h>
@@ -41,14 +43,15 @@ const std::vector<Number>& Numbers()
 {
   static const std::vector<Number> numbers = { NUMBER_PROPERTY(Mode),
     NUMBER_PROPERTY(TargetNumberOfTriangles), NUMBER_PROPERTY(TargetReduction),
-    NUMBER_PROPERTY(MaximumError), NUMBER_PROPERTY(AllowLargeError), NUMBER_PROPERTY(KeepClearance),
-    NUMBER_PROPERTY(NormalTolerance), NUMBER_PROPERTY(AutomaticNormalTolerance),
-    NUMBER_PROPERTY(MergePoints), NUMBER_PROPERTY(MeasureDistances),
-    NUMBER_PROPERTY(MeasureInputDistances), NUMBER_PROPERTY(NumberOfThreads),
-    NUMBER_PROPERTY(OutputPointsPrecision), NUMBER_PROPERTY(PassArrays), NUMBER_PROPERTY(MakeMaps),
-    NUMBER_PROPERTY(RecomputeNormals), NUMBER_PROPERTY(ProveResult), NUMBER_PROPERTY(ErrorPreset),
-    NUMBER_PROPERTY(VoxelSize), NUMBER_PROPERTY(PruneSize), NUMBER_PROPERTY(PruneArea),
-    NUMBER_PROPERTY(PruneVolume), NUMBER_PROPERTY(PruneTriangles), NUMBER_PROPERTY(ExamineInput) };
+    NUMBER_PROPERTY(MaximumError), NUMBER_PROPERTY(AllowLargeError),
+    NUMBER_PROPERTY(IntersectionGuard), NUMBER_PROPERTY(NormalTolerance),
+    NUMBER_PROPERTY(AutomaticNormalTolerance), NUMBER_PROPERTY(MergePoints),
+    NUMBER_PROPERTY(MeasureDistances), NUMBER_PROPERTY(MeasureInputDistances),
+    NUMBER_PROPERTY(NumberOfThreads), NUMBER_PROPERTY(OutputPointsPrecision),
+    NUMBER_PROPERTY(PassArrays), NUMBER_PROPERTY(MakeMaps), NUMBER_PROPERTY(RecomputeNormals),
+    NUMBER_PROPERTY(ProveResult), NUMBER_PROPERTY(ErrorPreset), NUMBER_PROPERTY(VoxelSize),
+    NUMBER_PROPERTY(PruneSize), NUMBER_PROPERTY(PruneArea), NUMBER_PROPERTY(PruneVolume),
+    NUMBER_PROPERTY(PruneTriangles), NUMBER_PROPERTY(DiagnoseInput) };
   return numbers;
 }
 
@@ -133,6 +136,39 @@ TEST(Properties, AreThoseOfTheTableAndNoOthers)
   EXPECT_EQ(properties, rows);
 }
 
+TEST(Properties, AreReadAndSetByTheirNames)
+{
+  const vtkNew<vtkBoneDecimate> filter;
+  for (const OptionInfo& info : OptionTable())
+  {
+    ASSERT_TRUE(filter->HasOption(info.Name)) << info.Name;
+    EXPECT_EQ(filter->GetOptionAsText(info.Name), OptionText(Options{}, info)) << info.Name;
+  }
+  EXPECT_TRUE(filter->SetOptionFromText("MaximumError", "0.5"));
+  EXPECT_EQ(filter->GetMaximumError(), 0.5);
+  ErrorTexts errors(filter);
+  EXPECT_FALSE(filter->SetOptionFromText("MaximumError", "-1"));
+  EXPECT_EQ(filter->GetMaximumError(), 0.5);
+  EXPECT_FALSE(filter->SetOptionFromText("NoSuchOption", "1"));
+  EXPECT_EQ(errors.Texts.size(), 2U);
+}
+
+TEST(Properties, OfLevelsAndSearchesAreThoseThatTheyUse)
+{
+  const vtkNew<vtkBoneDecimateLevels> levels;
+  const vtkNew<vtkBoneErrorSearch> search;
+  for (const char* name : { "Mode", "TargetNumberOfTriangles", "IntersectionGuard" })
+  {
+    EXPECT_TRUE(levels->HasOption(name) && search->HasOption(name)) << name;
+  }
+  for (const char* name : { "PruneSize", "ToleranceArrayName", "MakeMaps" })
+  {
+    EXPECT_FALSE(levels->HasOption(name) || search->HasOption(name)) << name;
+  }
+  EXPECT_TRUE(levels->HasOption("MaximumError"));
+  EXPECT_FALSE(search->HasOption("MaximumError"));
+}
+
 TEST(Properties, HaveTheDefaultsOfTheTable)
 {
   vtkNew<vtkBoneDecimate> filter;
@@ -156,20 +192,20 @@ TEST(Properties, HaveTheDefaultsOfTheirDocumentation)
   EXPECT_EQ(filter->GetTargetReduction(), 0.9);
   EXPECT_EQ(filter->GetMaximumError(), 0.0);
   EXPECT_FALSE(filter->GetAllowLargeError());
-  EXPECT_TRUE(filter->GetKeepClearance());
+  EXPECT_TRUE(filter->GetIntersectionGuard());
   EXPECT_EQ(filter->GetNormalTolerance(), 0.95);
   EXPECT_TRUE(filter->GetMergePoints());
   EXPECT_TRUE(filter->GetMeasureDistances());
   EXPECT_FALSE(filter->GetMeasureInputDistances());
   EXPECT_TRUE(filter->GetProveResult());
-  EXPECT_FALSE(filter->GetExamineInput());
+  EXPECT_FALSE(filter->GetDiagnoseInput());
   EXPECT_EQ(filter->GetPruneSize() + filter->GetPruneArea() + filter->GetPruneVolume(), 0.0);
   EXPECT_EQ(filter->GetPruneTriangles(), 0);
   EXPECT_EQ(filter->GetNumberOfThreads(), 0);
   EXPECT_EQ(filter->GetOutputPointsPrecision(), vtkAlgorithm::DEFAULT_PRECISION);
 }
 
-TEST(Properties, KeepWhatTheyAreGiven)
+TEST(Properties, KeepTheirValues)
 {
   vtkNew<vtkBoneDecimate> filter;
   for (const Number& number : Numbers())
@@ -242,8 +278,7 @@ TEST(Properties, AnotherPropertyDoesNotMendARejectedOne)
 TEST(Properties, MarkTheFilterModifiedOnlyWhenTheyChange)
 {
   vtkNew<vtkBoneDecimate> filter;
-  // Said for the first time, the default reduction becomes one that was asked for, which is a
-  // change.
+  // Setting the default reduction makes it a requested one, which is a change.
   filter->SetTargetReduction(filter->GetTargetReduction());
   for (const Number& number : Numbers())
   {
@@ -268,10 +303,10 @@ TEST(Properties, MarkTheFilterModifiedOnlyWhenTheyChange)
 TEST(Properties, SwitchesHaveOnAndOff)
 {
   vtkNew<vtkBoneDecimate> filter;
-  filter->KeepClearanceOff();
-  EXPECT_FALSE(filter->GetKeepClearance());
-  filter->KeepClearanceOn();
-  EXPECT_TRUE(filter->GetKeepClearance());
+  filter->IntersectionGuardOff();
+  EXPECT_FALSE(filter->GetIntersectionGuard());
+  filter->IntersectionGuardOn();
+  EXPECT_TRUE(filter->GetIntersectionGuard());
   filter->MergePointsOff();
   filter->MeasureDistancesOff();
   filter->MeasureInputDistancesOn();
@@ -289,12 +324,12 @@ TEST(Properties, SwitchesHaveOnAndOff)
 TEST(PrintSelf, PrintsEveryRowOfTheTableWithItsValueAndUnit)
 {
   vtkNew<vtkBoneDecimate> filter;
-  Options asked;
+  Options requested;
   for (const Number& number : Numbers())
   {
     const OptionInfo& info = Row(number.Name);
     number.Set(filter, AnotherValue(info));
-    SetOptionFromText(asked, info,
+    SetOptionFromText(requested, info,
       IsSwitch(info)           ? (AnotherValue(info) > 0 ? "on" : "off")
         : info.Choices.empty() ? std::to_string(AnotherValue(info))
                                : info.Choices[static_cast<std::size_t>(AnotherValue(info))]);
@@ -302,7 +337,7 @@ TEST(PrintSelf, PrintsEveryRowOfTheTableWithItsValueAndUnit)
   for (const OptionInfo& info : OptionTable())
   {
     const std::string unit = info.Unit.empty() ? "" : " " + info.Unit;
-    const std::string line = info.Name + ": " + OptionText(asked, info) + unit + "\n";
+    const std::string line = info.Name + ": " + OptionText(requested, info) + unit + "\n";
     EXPECT_NE(Printed(filter).find(line), std::string::npos) << line << Printed(filter);
   }
 }

@@ -15,12 +15,12 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-constexpr double Promised = 0.3; // mm
+constexpr double Settings = 0.3; // mm
 
 vtkSmartPointer<vtkPolyData> Simplified(vtkPolyData* surface, vtkPolyData* reference)
 {
   FilterRun run(surface);
-  run->SetMaximumError(Promised);
+  run->SetMaximumError(Settings);
   run->SetReferenceData(reference);
   vtkSmartPointer<vtkPolyData> output = vtkSmartPointer<vtkPolyData>::New();
   output->ShallowCopy(run.Output());
@@ -38,14 +38,14 @@ double ProvedDistance(vtkPolyData* reference, vtkPolyData* result)
 }
 }
 
-TEST(Reference, OnPortOneIsWhatTheErrorIsPromisedAgainstRunAfterRun)
+TEST(Reference, OnPortOneIsWhatTheErrorIsBoundedAgainstRunAfterRun)
 {
   const vtkSmartPointer<vtkPolyData> first = Bumps(4);
   vtkSmartPointer<vtkPolyData> surface = first;
   for (int run = 0; run < 3; ++run)
   {
     surface = Simplified(surface, first);
-    EXPECT_LE(ProvedDistance(first, surface), Promised);
+    EXPECT_LE(ProvedDistance(first, surface), Settings);
   }
   EXPECT_LT(surface->GetNumberOfPolys(), first->GetNumberOfPolys());
 }
@@ -54,20 +54,20 @@ TEST(Reference, IsOptionalAndIsTakenAwayAgain)
 {
   const vtkSmartPointer<vtkPolyData> first = Bumps(3);
   FilterRun run(first);
-  run->SetMaximumError(Promised);
+  run->SetMaximumError(Settings);
   run->SetReferenceData(first);
   run.Output();
-  EXPECT_EQ(run.Value("reference.faces"), static_cast<double>(first->GetNumberOfPolys()));
+  EXPECT_EQ(run.Value("reference.triangles"), static_cast<double>(first->GetNumberOfPolys()));
   run->SetReferenceConnection(nullptr);
   run.Output();
-  EXPECT_EQ(run->GetReportText("reference.faces"), "");
+  EXPECT_EQ(run->GetReportText("reference.triangles"), "");
 }
 
 TEST(Reference, HasNoBoundsAtPointsOfTheInput)
 {
   const vtkSmartPointer<vtkPolyData> first = Bumps(3);
   FilterRun run(first);
-  run->SetMaximumError(Promised);
+  run->SetMaximumError(Settings);
   run->SetMeasureInputDistances(true);
   run->SetReferenceData(first);
   EXPECT_TRUE(run.InputCopy()->GetPointData()->HasArray("DistanceToResult"));
@@ -81,5 +81,5 @@ TEST(Reference, WithoutALargestErrorIsAnError)
   FilterRun run(first);
   run->SetReferenceData(first);
   EXPECT_EQ(run.Output()->GetNumberOfPoints(), 0);
-  EXPECT_EQ(run.Said("a reference is for a largest error"), 1);
+  EXPECT_EQ(run.Said("a reference needs a largest error"), 1);
 }

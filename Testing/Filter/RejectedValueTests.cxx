@@ -5,9 +5,9 @@
 #include "RejectionWalk.h"
 #include "VtkSurfaces.h"
 
-#include "vtkBoneCheck.h"
 #include "vtkBoneDecimate.h"
 #include "vtkBoneDecimateLevels.h"
+#include "vtkBoneDiagnostics.h"
 #include "vtkBoneErrorSearch.h"
 #include "vtkBoneSurfaceDistance.h"
 #include "vtkBoneTolerance.h"
@@ -66,7 +66,7 @@ TEST(RejectedValues, OfTheSurfaceDistance)
   {
     ExpectRejections(filter, property);
   }
-  EXPECT_EQ(filter->GetVerdict(), vtkBoneSurfaceDistance::PROVED);
+  EXPECT_EQ(filter->GetStatus(), vtkBoneSurfaceDistance::PROVED);
 }
 
 TEST(RejectedValues, RemovingTheToleranceIsNoValueOutsideItsRange)
@@ -81,7 +81,7 @@ TEST(RejectedValues, RemovingTheToleranceIsNoValueOutsideItsRange)
   filter->RemoveTolerance();
   filter->Update();
   EXPECT_EQ(errors.Texts.size(), 1U);
-  EXPECT_EQ(filter->GetVerdict(), vtkBoneSurfaceDistance::NOT_ASKED);
+  EXPECT_EQ(filter->GetStatus(), vtkBoneSurfaceDistance::NOT_ASKED);
   filter->SetToleranceOrNone(0.5);
   EXPECT_EQ(filter->GetTolerance(), 0.5);
   filter->SetToleranceOrNone(-1.0);
@@ -112,7 +112,7 @@ TEST(RejectedValues, OfTheTolerance)
   vtkBoneTolerance* filter = held;
   filter->SetInputData(Sphere(1));
   for (const CheckedProperty& property :
-    { CHECKED(filter, Choice, vtkBoneTolerance::BORDERS, IntegersOutside(0, 7)),
+    { CHECKED(filter, Choice, vtkBoneTolerance::BOUNDARIES, IntegersOutside(0, 7)),
       CHECKED(filter, FoldAngle, 45.0, NumbersOutside(0.0, 180.0)),
       CHECKED(filter, InsideTolerance, 0.25, NumbersOutside(-MostMillimeters, MostMillimeters)),
       CHECKED(filter, OutsideTolerance, 0.5, NumbersOutside(-MostMillimeters, MostMillimeters)),
@@ -148,7 +148,7 @@ TEST(RejectedValues, OfTheLevels)
   vtkBoneDecimateLevels* filter = held;
   filter->SetInputData(Sphere(1));
   for (const CheckedProperty& property : { CHECKED(filter, Mode, 1, IntegersOutside(0, 3)),
-         CHECKED(filter, CoarsestNumberOfTriangles, 20, IntegersOutside(0, most)),
+         CHECKED(filter, TargetNumberOfTriangles, 20, IntegersOutside(0, most)),
          CHECKED(filter, MaximumError, 2.0, NumbersOutside(0.0, MostMillimeters)),
          CHECKED(filter, NumberOfThreads, 1, IntegersOutside(0, 1024)),
          CHECKED(filter, NumberOfTriangles, 40, IntegersOutside(0, most)),
@@ -202,8 +202,8 @@ TEST(RejectedValues, CurvesNeverLackAnErrorSilently)
 
 TEST(RejectedValues, OfTheCheck)
 {
-  const vtkNew<vtkBoneCheck> held;
-  vtkBoneCheck* filter = held;
+  const vtkNew<vtkBoneDiagnostics> held;
+  vtkBoneDiagnostics* filter = held;
   filter->SetInputData(Sphere(1));
   ExpectRejections(filter, CHECKED(filter, NumberOfThreads, 1, IntegersOutside(0, 1024)));
 }
@@ -212,7 +212,7 @@ namespace
 {
 /// A filter with a largest error of 100 mm, for a ball with a bounding box of 20 mm.
 template <typename Filter>
-void ExpectRefusalUntilAllowed(Filter* filter)
+void ExpectRejectionUntilAllowed(Filter* filter)
 {
   ErrorTexts errors(filter);
   const vtkNew<vtkCallbackCommand> silent; // a warning about the error that is used instead
@@ -229,18 +229,18 @@ void ExpectRefusalUntilAllowed(Filter* filter)
 }
 }
 
-TEST(LargeErrors, AreRefusedByEveryFilterUntilTheyAreAllowed)
+TEST(LargeErrors, AreRejectedByEveryFilterUntilTheyAreAllowed)
 {
   const vtkNew<vtkBoneDecimate> decimate;
   decimate->SetMaximumError(100.0);
-  ExpectRefusalUntilAllowed(decimate.Get());
+  ExpectRejectionUntilAllowed(decimate.Get());
   const vtkNew<vtkBoneDecimateLevels> levels;
   levels->SetMaximumError(100.0);
-  ExpectRefusalUntilAllowed(levels.Get());
+  ExpectRejectionUntilAllowed(levels.Get());
   const vtkNew<vtkBoneErrorSearch> curve;
   curve->AddError(0.5);
   curve->AddError(100.0);
   curve->AddError(1.0);
-  ExpectRefusalUntilAllowed(curve.Get());
+  ExpectRejectionUntilAllowed(curve.Get());
   EXPECT_EQ(curve->GetTrials()->GetNumberOfRows(), 3);
 }

@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BruteForce.h"
 #include "FilterRun.h"
-#include "OptionTable.h"
+#include "Options/OptionTable.h"
+#include "Report/ReportFigures.h"
 #include "Shapes.h"
 #include "VtkSurfaces.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkMassProperties.h"
 #include "vtkStringArray.h"
+#include "vtkVariant.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +25,7 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-/// A closed piece, one with a border and one with edges of three triangles.
+/// A closed piece, one with a boundary and one with edges of three triangles.
 Surface Mixture()
 {
   Surface mixture =
@@ -33,7 +36,7 @@ Surface Mixture()
 void ExpectCounts(FilterRun& run, const std::string& side, vtkPolyData* polyData)
 {
   const VtkCounts counts = CountWithVtk(polyData);
-  EXPECT_EQ(run.Value(side + ".faces"), polyData->GetNumberOfPolys());
+  EXPECT_EQ(run.Value(side + ".triangles"), polyData->GetNumberOfPolys());
   EXPECT_EQ(run.Value(side + ".points"), polyData->GetNumberOfPoints());
   EXPECT_EQ(run.Value(side + ".components"), counts.Components);
   EXPECT_EQ(run.Value(side + ".boundary_edges"), counts.BoundaryEdges);
@@ -82,33 +85,71 @@ TEST(Report, GivesTheVolumeOfASurfaceTurnedInsideOutItsSign)
   EXPECT_LT(run.Value("output.volume"), 0.0);
 }
 
-TEST(Report, StandsInTheFieldDataAsInTheGetters)
+TEST(Report, IsOneTextInTheFieldDataBesideTheKeyFigures)
 {
   FilterRun run(Bumps(3));
   run->MeasureDistancesOn();
+  run->SetMaximumError(0.5);
   vtkFieldData* fieldData = run.Output()->GetFieldData();
-  EXPECT_EQ(fieldData->GetNumberOfArrays(), run->GetNumberOfReportEntries());
-  for (int i = 0; i < run->GetNumberOfReportEntries(); ++i)
+  auto* report = vtkStringArray::SafeDownCast(fieldData->GetAbstractArray("BoneDecimateReport"));
+  ASSERT_NE(report, nullptr);
+  ASSERT_EQ(report->GetNumberOfValues(), 1);
+  EXPECT_EQ(report->GetValue(0), run->GetReportAsJson());
+  EXPECT_EQ(fieldData->GetNumberOfArrays(), static_cast<int>(1 + KeyFigures().size()));
+  for (const std::string& name : KeyFigures())
   {
-    const std::string name = NameOf(run, i);
     vtkAbstractArray* array = fieldData->GetAbstractArray(("bonedecimate." + name).c_str());
     ASSERT_NE(array, nullptr) << name;
     EXPECT_EQ(array->GetNumberOfTuples(), 1) << name;
     const char* unit = array->GetComponentName(0);
     EXPECT_EQ(unit ? unit : "", run->GetReportEntryUnit(name)) << name;
-    if (auto* text = vtkStringArray::SafeDownCast(array))
-    {
-      EXPECT_EQ(text->GetValue(0), run->GetReportText(name)) << name;
-      EXPECT_TRUE(std::isnan(run->GetReportValue(name))) << name;
-    }
-    else
-    {
-      auto* numbers = vtkDataArray::SafeDownCast(array);
-      ASSERT_NE(numbers, nullptr) << name;
-      EXPECT_EQ(numbers->GetComponent(0, 0), run->GetReportValue(name)) << name;
-      EXPECT_EQ(std::stod(run->GetReportText(name)), run->GetReportValue(name)) << name;
-    }
+    EXPECT_EQ(array->GetVariantValue(0).ToString(),
+      vtkVariant(vtkStringArray::SafeDownCast(array) ? vtkVariant(run->GetReportText(name).c_str())
+          : vtkDoubleArray::SafeDownCast(array)
+          ? vtkVariant(run->GetReportValue(name))
+          : vtkVariant(static_cast<long long>(run->GetReportValue(name))))
+        .ToString())
+      << name;
   }
+}
+
+TEST(Report, OfAnEarlierRunIsReplaced)
+{
+  FilterRun first(Bumps(3));
+  first->SetMaximumError(0.5);
+  FilterRun second(first.Output());
+  vtkFieldData* fieldData = second.Output()->GetFieldData();
+  auto* report = vtkStringArray::SafeDownCast(fieldData->GetAbstractArray("BoneDecimateReport"));
+  ASSERT_NE(report, nullptr);
+  EXPECT_EQ(report->GetValue(0), second->GetReportAsJson());
+  EXPECT_EQ(fieldData->GetAbstractArray("bonedecimate.proof.upper"), nullptr);
+}
+
+TEST(Report, GettersHaveItsMainFigures)
+{
+  FilterRun run(Bumps(3));
+  run->MeasureDistancesOn();
+  EXPECT_TRUE(std::isnan(run->GetProvedError()));
+  EXPECT_TRUE(std::isnan(run->GetMeasuredError()));
+  EXPECT_EQ(run->GetProofStatus(), vtkBoneDecimate::NO_PROOF);
+  EXPECT_EQ(run->GetNumberOfInputTriangles() + run->GetNumberOfOutputTriangles(), 0);
+  run->SetMaximumError(0.5);
+  const vtkIdType triangles = run.Output()->GetNumberOfPolys();
+  EXPECT_EQ(run->GetProvedError(), run.Value("proof.upper"));
+  EXPECT_LE(run->GetMeasuredError(), run->GetProvedError());
+  EXPECT_EQ(run->GetProofStatus(), vtkBoneDecimate::PROVED);
+  EXPECT_EQ(run->GetProofStatusAsString(), "proved");
+  EXPECT_EQ(run->GetNumberOfInputTriangles(), 1280);
+  EXPECT_EQ(run->GetNumberOfOutputTriangles(), triangles);
+  double sum = 0.0;
+  for (std::size_t i = 1; i < NumberOfRejections; ++i)
+  {
+    const std::string reason = RejectionWord(static_cast<Rejection>(i));
+    EXPECT_EQ(run->GetNumberOfRejectedEdits(reason), run.Value("rejections." + reason)) << reason;
+    sum += run.Value("rejections." + reason);
+  }
+  EXPECT_EQ(run->GetNumberOfRejectedEdits(), sum);
+  EXPECT_EQ(run->GetNumberOfRejectedEdits("no such reason"), 0);
 }
 
 TEST(Report, HasEachEntryOnce)
@@ -135,10 +176,10 @@ TEST(Report, KnowsUnitsOfLengthsAreasVolumesAndTimes)
   EXPECT_EQ(run->GetReportEntryUnit("output.volume"), "mm3");
   EXPECT_EQ(run->GetReportEntryUnit("seconds.total"), "s");
   EXPECT_EQ(run->GetReportEntryUnit("options.MaximumError"), "mm");
-  EXPECT_EQ(run->GetReportEntryUnit("input.faces"), "");
+  EXPECT_EQ(run->GetReportEntryUnit("input.triangles"), "");
 }
 
-TEST(Report, AnswersUnknownNamesAndNumbersWithNothing)
+TEST(Report, ReturnsNothingForUnknownNamesAndNumbers)
 {
   FilterRun run(Bumps(2));
   run.Output();
@@ -199,12 +240,12 @@ TEST(Report, CountsCollapsesOfTwoTrianglesOnAClosedSurface)
   EXPECT_EQ(2 * run.Value("collapses"), 1280 - run.Triangles());
 }
 
-TEST(Report, CountsRefusalsByTheirCause)
+TEST(Report, CountsRejectionsByTheirReason)
 {
   FilterRun run(PolyData(HoledPlate(9)));
   run->SetTargetNumberOfTriangles(1);
-  EXPECT_GT(run.Value("refusals.link_condition") + run.Value("refusals.border"), 0);
-  EXPECT_EQ(run.Value("refusals.non_manifold"), 0);
+  EXPECT_GT(run.Value("rejections.link_condition") + run.Value("rejections.boundary"), 0);
+  EXPECT_EQ(run.Value("rejections.non_manifold"), 0);
 }
 
 TEST(Report, SecondsAreThereAndTheStagesDoNotExceedTheWhole)
@@ -223,5 +264,5 @@ TEST(Report, IsReadableBeforeAnyRun)
 {
   vtkNew<vtkBoneDecimate> filter;
   EXPECT_EQ(filter->GetReportText("stop_reason"), "not_run");
-  EXPECT_EQ(filter->GetReportValue("input.faces"), 0);
+  EXPECT_EQ(filter->GetReportValue("input.triangles"), 0);
 }

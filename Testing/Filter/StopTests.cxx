@@ -30,11 +30,11 @@ vtkIdType TrianglesAtReduction(double reduction)
 /// A run towards an error alone, mm.
 struct ErrorRun
 {
-  explicit ErrorRun(double millimetres, int mode = vtkBoneDecimate::BALANCED)
+  explicit ErrorRun(double millimeters, int mode = vtkBoneDecimate::BALANCED)
     : Run(Bumps(4))
   {
     this->Run->SetMode(mode);
-    this->Run->SetMaximumError(millimetres);
+    this->Run->SetMaximumError(millimeters);
     this->Run->MeasureDistancesOn();
     this->Distances = Values(this->Run.Output(), "Distance");
   }
@@ -108,7 +108,7 @@ TEST(Stops, ANumberAloneSwitchesTheDefaultReductionOff)
   ExpectReached(run.Triangles(), 60);
 }
 
-TEST(Stops, OfAnAskedReductionAndANumberTheFirstReachedStops)
+TEST(Stops, OfARequestedReductionAndANumberTheFirstReachedStops)
 {
   FilterRun byReduction(Bumps(3));
   byReduction->SetTargetReduction(0.5);
@@ -131,11 +131,11 @@ TEST(Stops, ALargerErrorLeavesFewerTriangles)
 
 TEST(Stops, NoOutputPointLiesBeyondTheErrorAndInThesisAtMostOneDoes)
 {
-  for (const double millimetres : { 0.02, 0.1, 0.5 })
+  for (const double millimeters : { 0.02, 0.1, 0.5 })
   {
-    ErrorRun error(millimetres);
-    ErrorRun thesis(millimetres, vtkBoneDecimate::THESIS);
-    const auto isBeyond = [&](double distance) { return distance > millimetres; };
+    ErrorRun error(millimeters);
+    ErrorRun thesis(millimeters, vtkBoneDecimate::THESIS);
+    const auto isBeyond = [&](double distance) { return distance > millimeters; };
     ASSERT_FALSE(error.Distances.empty());
     EXPECT_EQ(std::count_if(error.Distances.begin(), error.Distances.end(), isBeyond), 0);
     EXPECT_LE(std::count_if(thesis.Distances.begin(), thesis.Distances.end(), isBeyond), 1);
@@ -145,10 +145,10 @@ TEST(Stops, NoOutputPointLiesBeyondTheErrorAndInThesisAtMostOneDoes)
 
 TEST(Stops, ThesisGoesOnUntilTheErrorIsReached)
 {
-  for (const double millimetres : { 0.02, 0.1, 0.5 })
+  for (const double millimeters : { 0.02, 0.1, 0.5 })
   {
-    ErrorRun error(millimetres, vtkBoneDecimate::THESIS);
-    EXPECT_GE(error.Run.Value("running_error"), millimetres);
+    ErrorRun error(millimeters, vtkBoneDecimate::THESIS);
+    EXPECT_GE(error.Run.Value("running_error"), millimeters);
   }
 }
 
@@ -195,7 +195,7 @@ TEST(Stops, AnErrorThatIsNeverReachedEndsWhenNothingIsLeft)
   FilterRun run(Sphere(2));
   run->SetMaximumError(1000.0);
   run->SetAllowLargeError(true);
-  run->KeepClearanceOff(); // the sides of the sphere face each other
+  run->IntersectionGuardOff(); // the sides of the sphere face each other
   EXPECT_LT(run.Triangles(), 12);
   EXPECT_GE(run.Triangles(), 4);
   EXPECT_EQ(run->GetStopReason(), vtkBoneDecimate::NOTHING_LEFT);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Report/ReportFigures.h"
 #include "Shapes.h"
 #include "VtkSurfaces.h"
 
@@ -13,6 +14,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkVariant.h"
 
 #include <gtest/gtest.h>
 
@@ -84,9 +86,9 @@ TEST(SurfaceDistanceFilter, BoundsTheDistanceAndSaysWhere)
   EXPECT_LE(run->GetLowerBound(), 0.25);
   EXPECT_GE(run->GetUpperBound(), 0.25);
   EXPECT_NEAR(run->GetUpperBound(), run->GetLowerBound(), 1e-6);
-  EXPECT_EQ(run->GetVerdict(), vtkBoneSurfaceDistance::NOT_ASKED);
-  EXPECT_EQ(run->GetReportText("borders"), "both");
-  EXPECT_NEAR(run->GetReportValue("border_reference_to_result.upper"), 0.25, 1e-6);
+  EXPECT_EQ(run->GetStatus(), vtkBoneSurfaceDistance::NOT_ASKED);
+  EXPECT_EQ(run->GetReportText("boundaries"), "both");
+  EXPECT_NEAR(run->GetReportValue("boundary_reference_to_result.upper"), 0.25, 1e-6);
   EXPECT_EQ(run->GetReportEntryUnit("reference_to_result.upper"), "mm");
   EXPECT_GE(run->GetReportValue("reference_to_result.triangle"), 0.0);
   EXPECT_EQ(run.Errors + run.Warnings, 0);
@@ -114,31 +116,31 @@ TEST(SurfaceDistanceFilter, GivesEachPointItsSignedDistanceOnBothOutputs)
     run->GetOutput()->GetPointData()->GetArray("SignedDistance")->GetComponentName(0), "mm");
 }
 
-TEST(SurfaceDistanceFilter, JudgesATolerance)
+TEST(SurfaceDistanceFilter, ChecksATolerance)
 {
   DistanceRun run(Plate(0.0), Plate(0.25));
   run->SetTolerance(0.3);
   run->Update();
-  EXPECT_EQ(run->GetVerdict(), vtkBoneSurfaceDistance::PROVED);
+  EXPECT_EQ(run->GetStatus(), vtkBoneSurfaceDistance::PROVED);
   run->SetTolerance(0.2);
   run->Update();
-  EXPECT_EQ(run->GetVerdict(), vtkBoneSurfaceDistance::VIOLATED);
-  EXPECT_EQ(run->GetVerdictAsString(), "violated");
+  EXPECT_EQ(run->GetStatus(), vtkBoneSurfaceDistance::VIOLATED);
+  EXPECT_EQ(run->GetStatusAsString(), "violated");
 }
 
-TEST(SurfaceDistanceFilter, JudgesAToleranceOfEachPoint)
+TEST(SurfaceDistanceFilter, ChecksAToleranceOfEachPoint)
 {
   const vtkSmartPointer<vtkPolyData> plate = Plate(0.0);
   AddTolerance(plate, 0.3);
   DistanceRun run(plate, Plate(0.25));
   run->SetToleranceArrayName("tolerance");
   run->Update();
-  EXPECT_EQ(run->GetVerdict(), vtkBoneSurfaceDistance::PROVED);
+  EXPECT_EQ(run->GetStatus(), vtkBoneSurfaceDistance::PROVED);
   EXPECT_LE(run->GetReportValue("reference_to_result.excess.upper"), 0.0);
   AddTolerance(plate, 0.2);
   plate->Modified();
   run->Update();
-  EXPECT_EQ(run->GetVerdict(), vtkBoneSurfaceDistance::VIOLATED);
+  EXPECT_EQ(run->GetStatus(), vtkBoneSurfaceDistance::VIOLATED);
   run->SetToleranceArrayName("nothing");
   run->Update();
   EXPECT_EQ(run.Errors, 1);
@@ -148,11 +150,17 @@ TEST(SurfaceDistanceFilter, PutsTheReportIntoTheFieldData)
 {
   DistanceRun run(Plate(0.0), Plate(0.25));
   run->Update();
-  for (int i = 0; i < run->GetNumberOfReportEntries(); ++i)
+  for (const int port : { 0, 1 })
   {
-    const std::string name = "bonedecimate.certificate." + run->GetReportEntryName(i);
-    EXPECT_NE(run->GetOutput(0)->GetFieldData()->GetAbstractArray(name.c_str()), nullptr) << name;
-    EXPECT_NE(run->GetOutput(1)->GetFieldData()->GetAbstractArray(name.c_str()), nullptr) << name;
+    vtkFieldData* fieldData = run->GetOutput(port)->GetFieldData();
+    vtkAbstractArray* report = fieldData->GetAbstractArray("BoneDecimateCertificate");
+    ASSERT_NE(report, nullptr);
+    EXPECT_EQ(report->GetVariantValue(0).ToString(), run->GetReportAsJson());
+    for (const std::string& name : bonedecimate::CertificateKeyFigures())
+    {
+      EXPECT_NE(fieldData->GetAbstractArray(("bonedecimate.certificate." + name).c_str()), nullptr)
+        << name;
+    }
   }
 }
 
@@ -166,18 +174,18 @@ TEST(SurfaceDistanceFilter, TellsItsProgressToTheEnd)
   EXPECT_EQ(run.Progress.back(), 1.0);
 }
 
-TEST(SurfaceDistanceFilter, AbortedHasNoArraysAndNoVerdict)
+TEST(SurfaceDistanceFilter, AbortedHasNoArraysAndNoStatus)
 {
   DistanceRun run(Bumps(5), Sphere(4));
   run.AbortAt = 0.3;
   run->SetTolerance(5.0);
   run->Update();
   EXPECT_EQ(run->GetReportText("problem"), "aborted");
-  EXPECT_EQ(run->GetVerdict(), vtkBoneSurfaceDistance::NOT_ASKED);
+  EXPECT_EQ(run->GetStatus(), vtkBoneSurfaceDistance::NOT_ASKED);
   EXPECT_TRUE(Values(run->GetOutput(), "SignedDistance").empty());
 }
 
-TEST(SurfaceDistanceFilter, RefusesWhatIsNoSurface)
+TEST(SurfaceDistanceFilter, RejectsWhatIsNoSurface)
 {
   bonedecimate::Surface broken = Grid(3);
   broken.Points[3].x() = std::nan("");
@@ -199,8 +207,8 @@ TEST(SurfaceDistanceFilter, PrintsEveryProperty)
   std::ostringstream text;
   filter->Print(text);
   for (const char* name : { "Tolerance: ", "ToleranceArrayName: ", "TightBounds: ", "RelativeGap: ",
-         "MeasureBorders: ", "MeasureMeans: ", "MeanPrecision: ", "NumberOfThreads: ",
-         "SignedDistanceArrayName: ", "SideArrayName: ", "Verdict: " })
+         "MeasureBoundaries: ", "MeasureMeans: ", "MeanPrecision: ", "NumberOfThreads: ",
+         "SignedDistanceArrayName: ", "SideArrayName: ", "Status: " })
   {
     EXPECT_NE(text.str().find(name), std::string::npos) << name;
   }

@@ -57,7 +57,7 @@ TEST(NormalTolerance, ASmallerOneMakesFlatAreasDearer)
   EXPECT_GT(atHalf, 300);
 }
 
-TEST(MergePoints, OnMakesOneSurfaceOfTrianglesThatDoNotShareTheirPoints)
+TEST(MergePoints, OnMakesOneSurfaceOfTrianglesWithPointsOfTheirOwn)
 {
   FilterRun run(PolyData(Unwelded(Icosphere(2, 10.0))));
   run->SetTargetReduction(0.5);

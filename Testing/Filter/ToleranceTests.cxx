@@ -31,7 +31,7 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-/// The filter with a surface, its answer as numbers; counts its errors.
+/// The filter with a surface, its array as numbers; counts its errors.
 class ToleranceRun
 {
 public:
@@ -74,7 +74,7 @@ vtkSmartPointer<vtkSphere> Ball(double x, double y, double radius)
 }
 }
 
-TEST(BoneTolerance, FreezesEverythingByDefault)
+TEST(BoneTolerance, ConstrainsEverythingByDefault)
 {
   ToleranceRun run(Plate());
   EXPECT_EQ(run.Tolerances(), std::vector<double>(81, 0.0));
@@ -135,11 +135,11 @@ TEST(BoneTolerance, ChoosesByValueOrByLabel)
   std::vector<double> found = run.Tolerances();
   run->AddLabel(2);
   run->AddLabel(3);
-  const std::vector<double> labelled = run.Tolerances();
+  const std::vector<double> labeled = run.Tolerances();
   for (std::size_t i = 0; i < found.size(); ++i)
   {
     EXPECT_EQ(found[i], i % 5 != 0 ? 0.0 : -1.0);
-    EXPECT_EQ(labelled[i], i % 5 == 2 || i % 5 == 3 ? 0.0 : -1.0);
+    EXPECT_EQ(labeled[i], i % 5 == 2 || i % 5 == 3 ? 0.0 : -1.0);
   }
   EXPECT_EQ(run->GetNumberOfLabels(), 2);
   EXPECT_EQ(run->GetLabel(1), 3);
@@ -211,17 +211,17 @@ TEST(BoneTolerance, TakesSelectionsOfPointsAndOfCells)
   }
 }
 
-TEST(BoneTolerance, HoldsBordersAndFolds)
+TEST(BoneTolerance, HoldsBoundariesAndFolds)
 {
-  ToleranceRun borders(Plate());
-  borders->SetChoiceToBorders();
-  borders->SetInsideTolerance(0.05);
-  int onBorder = 0;
-  for (const double tolerance : borders.Tolerances())
+  ToleranceRun boundaries(Plate());
+  boundaries->SetChoiceToBoundaries();
+  boundaries->SetInsideTolerance(0.05);
+  int onBoundary = 0;
+  for (const double tolerance : boundaries.Tolerances())
   {
-    onBorder += tolerance == 0.05 ? 1 : 0;
+    onBoundary += tolerance == 0.05 ? 1 : 0;
   }
-  EXPECT_EQ(onBorder, 32);
+  EXPECT_EQ(onBoundary, 32);
   ToleranceRun folds(PolyData(Cube(4)));
   folds->SetChoiceToFolds();
   int onFold = 0;
@@ -234,7 +234,7 @@ TEST(BoneTolerance, HoldsBordersAndFolds)
   EXPECT_EQ(Largest(folds.Tolerances()), -1.0);
 }
 
-TEST(BoneTolerance, InARowTheSmallestCountsAndTheRestIsWhatNobodyChose)
+TEST(BoneTolerance, InARowTheSmallestCountsAndTheRestIsWhatNoFilterChose)
 {
   ToleranceRun wide(Plate());
   wide->SetChoiceToImplicitFunction();

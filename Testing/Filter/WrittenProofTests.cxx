@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A file that is not what was proved: the program's last look, with a surface that somebody changed in between.
+// A file that is not what was proved: the check after writing, with a surface that changed in between.
 #include "ExitCode.h"
 #include "FilterRun.h"
 #include "Shapes.h"

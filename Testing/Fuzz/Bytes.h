@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Bytes.h
- * @brief What a fuzzer made up, taken from its front; 0 when it is used up.
+ * @brief Reads the bytes of a fuzzer from the front; 0 after the end.
  */
 #ifndef BoneDecimate_Testing_Bytes_h
 #define BoneDecimate_Testing_Bytes_h
@@ -46,7 +46,7 @@ private:
 };
 }
 
-/// Ends the program at what must not be; returns 0.
+/// Ends the program if the condition does not hold.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 #endif

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FuzzCore.cxx
- * @brief Any soup of triangles, into the core with any options: what comes out must be a surface, and keep what is promised.
+ * @brief Fuzzes the core with any soup of triangles and any options: the result must be a surface within the error bound.
  *
- *     bytes:  options, a byte each; whether a map, a reference, labels, nonsense in coordinates and corners are wanted
+ *     bytes:  options, a byte each; whether there are a map, a reference, labels, invalid coordinates and corners
  *             number of points, three bytes each; then triangles, three bytes each
  */
 #include "Bytes.h"
 #include "Certificate/Certificate.h"
 #include "Decimate.h"
-#include "Doctor/Doctor.h"
-#include "Labels.h"
+#include "Diagnostics/Diagnostics.h"
+#include "Input/Labels.h"
 
 #include <cmath>
 #include <cstdio>
@@ -46,7 +46,7 @@ Question AnyQuestion(Bytes& bytes)
   options.NumberOfThreads = 1;
   options.OutputPointsPrecision = static_cast<PointsPrecision>(bytes.Below(3));
   options.MergePoints = bytes.Switch();
-  options.KeepClearance = bytes.Switch();
+  options.IntersectionGuard = bytes.Switch();
   options.ProveResult = bytes.Switch();
   options.MeasureInputDistances = bytes.Switch();
   options.MeasureDistances = bytes.Below(64) == 1; // a hundred thousand samples each time
@@ -116,7 +116,7 @@ std::vector<double> MapOf(const Surface& surface)
   return map;
 }
 
-/// In stripes of seven triangles: a soup's neighbours have one label or two.
+/// The labels of stripes of seven triangles: neighbors in a soup have one or two labels.
 Labels LabelsOf(const Surface& surface, int count)
 {
   Labels labels;
@@ -160,14 +160,15 @@ void DemandSurface(const Surface& surface)
 void DemandReport(const Report& report)
 {
   const bool isGood = report.Status == InputStatus::Good;
-  Demand(isGood == InputMessage(report).empty(), "a refusal says nothing, or a success something");
+  Demand(isGood == InputMessage(report).empty(),
+    "a rejection without a message, or a message without a rejection");
   if (isGood)
   {
     Demand(report.Output.Components == report.Input.Components, "a component is gone");
     Demand(report.Output.Faces <= report.Input.Faces, "there are more triangles than before");
     Demand(report.Output.NonManifoldEdges <= report.Input.NonManifoldEdges, "edges of three");
-    // Soups may lie in themselves so that nobody can tell what is nearest: then it is undecided, and said so.
-    Demand(report.Proof.Verdict != CertificateVerdict::Violated, "a promise is broken");
+    // Overlapping soups may have several nearest triangles: the proof is undecided then, and reported so.
+    Demand(report.Proof.Status != ProofStatus::Violated, "the error bound is violated");
   }
 }
 }
@@ -190,8 +191,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       question.HasReference ? &reference : nullptr, hasLabels ? &labels : nullptr });
   DemandSurface(result.Surface);
   DemandReport(result.Report);
-  const std::vector<Finding> findings = Examine(surface, 1);
-  Demand(findings.size() <= static_cast<std::size_t>(NumberOfFindingKinds), "findings of no kind");
+  const std::vector<Diagnostic> diagnostics = Diagnose(surface, 1);
+  Demand(diagnostics.size() <= static_cast<std::size_t>(NumberOfDiagnosticKinds),
+    "diagnostics of no kind");
   CertificateOptions options;
   options.NumberOfThreads = 1;
   options.RelativeGap = 0.01;

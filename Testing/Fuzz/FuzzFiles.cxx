@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FuzzFiles.cxx
- * @brief Any bytes, into everything of ours that reads files: they are refused in words or accepted, and nothing else.
+ * @brief Fuzzes all readers of files with any bytes: they must be accepted, or rejected with a message.
  *
- *     bytes:  one that chooses who reads, then the file
+ *     bytes:  one that selects the reader, then the file
  */
 #include "Bytes.h"
 #include "ExitCode.h"
@@ -34,7 +34,7 @@ using bonedecimate::testsupport::Bytes;
 
 namespace
 {
-/// A file of this process, which is written again and again.
+/// A file of this process, rewritten for each input.
 class Scratch
 {
 public:
@@ -79,7 +79,7 @@ void ReadVolume(const volume::VoxelLayout& layout)
 #endif
 
 #ifdef BONEDECIMATE_FUZZ_WITH_VTK
-/// Every corner of what was read is a point, and every array has a tuple for each.
+/// Every corner is a point, and every array has a tuple for each point or cell.
 void CheckSurface(vtkPolyData* surface)
 {
   vtkCellArray* polygons = surface->GetPolys();
@@ -141,9 +141,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   catch (const Failure& failure)
   {
-    if (failure.Code != ExitCode::InputRefused || std::string(failure.what()).empty())
+    if (failure.Code != ExitCode::InputRejected || std::string(failure.what()).empty())
     {
-      std::fprintf(stderr, "broken: refused as %d\n", static_cast<int>(failure.Code));
+      std::fprintf(stderr, "broken: rejected with code %d\n", static_cast<int>(failure.Code));
       std::abort();
     }
   }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FuzzLogs.cxx
- * @brief Any bytes as a log of levels, and recorded logs with any numbers in them: refused, or every level is a surface.
+ * @brief Fuzzes logs of levels, any bytes or recorded logs with any values: rejected, or every level is a surface.
  *
- *     bytes:  one that chooses the recording, one whether its checksum is made right, one what follows:
+ *     bytes:  one that selects the recording, one whether its checksum is corrected, one what follows:
  *             the whole file after its first eight bytes
- *             or changes of the recording, six bytes each: two for the place, four for what is put there
+ *             or changes of the recording, six bytes each: two for the offset, four for the value
  */
 #include "Bytes.h"
 #include "ForgedLog.h"
@@ -70,13 +70,13 @@ LogFile AnyFile(const Recording& recording, Bytes& bytes)
     while (bytes.Count() >= 6)
     {
       const int high = bytes.Next();
-      const auto place = static_cast<std::size_t>(256 * high + bytes.Next());
+      const auto offset = static_cast<std::size_t>(256 * high + bytes.Next());
       std::uint32_t value = 0;
       for (int k = 0; k < 4; ++k)
       {
         value = value * 256 + static_cast<std::uint32_t>(bytes.Next());
       }
-      PutIndex(file, MagicBytes + place % (file.size() - MagicBytes - 4), value);
+      PutIndex(file, MagicBytes + offset % (file.size() - MagicBytes - 4), value);
     }
   }
   return isForged ? Forged(std::move(file)) : file;
@@ -118,7 +118,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const LogFile file = AnyFile(recording, bytes);
   EditLog log;
   const LogStatus status = ReadLog(file.data(), file.size(), log);
-  Demand((status == LogStatus::Good) == LogMessage(status).empty(), "a refusal says nothing");
+  Demand(
+    (status == LogStatus::Good) == LogMessage(status).empty(), "a rejection without a message");
   Levels levels;
   if (status != LogStatus::Good ||
     levels.Open(recording.Surface, std::move(log), 1) != LogStatus::Good)

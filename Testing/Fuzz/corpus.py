@@ -66,8 +66,8 @@ def soup(generator):
 def core_input(surface, generator):
     points, faces = surface
     options = bytes(generator.randrange(256) for _ in range(OPTIONS))
-    places = bytes(max(0, min(249, round(c * 16) + 128)) for point in points for c in point)
-    return options + bytes([len(points)]) + places + bytes(corner for face in faces for corner in face)
+    coordinates = bytes(max(0, min(249, round(c * 16) + 128)) for point in points for c in point)
+    return options + bytes([len(points)]) + coordinates + bytes(corner for face in faces for corner in face)
 
 
 def core_inputs():

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Fuzzes the core, the readers and the replay of logs with clang's libFuzzer, address and undefined-behaviour sanitizers.
+# Fuzzes the core, the readers and the replay of logs with clang's libFuzzer, address and undefined-behavior sanitizers.
 #
 #   run.sh [RUNS [FOLDER]]     so many runs of each, by default 1000000; corpora and finds into FOLDER, by default build/fuzz
 #

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The HTML page of a run: what has to stand in it and what must not.
+// The content of the HTML page of a run.
 #include "NumberText.h"
+#include "Options/Text.h"
 #include "Page.h"
-#include "PageParts.h"
 
 #include "vtkBoneDecimate.h"
 #include "vtkNew.h"
@@ -58,8 +58,8 @@ TEST_F(Page, HoldsEveryCountOfBothSurfaces)
   const std::string page = this->Compose();
   for (const std::string side : { "input.", "output." })
   {
-    for (const char* name :
-      { "faces", "points", "components", "boundary_edges", "non_manifold_edges", "euler_number" })
+    for (const char* name : { "triangles", "points", "components", "boundary_edges",
+           "non_manifold_edges", "euler_number" })
     {
       const std::string text = GroupedText(this->Filter->GetReportValue(side + name));
       EXPECT_TRUE(Contains(page, "<td>" + text + "</td>")) << side << name << " " << text;
@@ -81,7 +81,8 @@ TEST_F(Page, HoldsTheDistancesOfBothDirections)
     {
       const double value = this->Filter->GetReportValue(side + name);
       EXPECT_GT(value, 0.0);
-      EXPECT_TRUE(Contains(page, "<td>" + Escape(MillimetreText(value)) + "</td>")) << side << name;
+      EXPECT_TRUE(Contains(page, "<td>" + EscapedXml(MillimeterText(value)) + "</td>"))
+        << side << name;
     }
     EXPECT_TRUE(
       Contains(page, GroupedText(this->Filter->GetReportValue(side + "samples")) + " samples"));
@@ -97,11 +98,11 @@ TEST_F(Page, TellsHowTheResultCameAbout)
   for (const char* name : { "version", "stop_sentence", "input.checksum", "options.Mode" })
   {
     EXPECT_FALSE(this->Filter->GetReportText(name).empty()) << name;
-    EXPECT_TRUE(Contains(page, Escape(this->Filter->GetReportText(name)))) << name;
+    EXPECT_TRUE(Contains(page, EscapedXml(this->Filter->GetReportText(name)))) << name;
   }
   EXPECT_TRUE(Contains(page, "TargetNumberOfTriangles: 1234"));
   EXPECT_TRUE(
-    Contains(page, "turn over: " + GroupedText(this->Filter->GetReportValue("refusals.flip"))));
+    Contains(page, "turn over: " + GroupedText(this->Filter->GetReportValue("rejections.flip"))));
   EXPECT_TRUE(Contains(
     page, GroupedText(this->Filter->GetReportValue("seconds.decimate"), 2) + " s to simplify"));
 }
@@ -109,8 +110,8 @@ TEST_F(Page, TellsHowTheResultCameAbout)
 TEST_F(Page, SumsUpInPlainWords)
 {
   const std::string page = this->Compose();
-  const std::string after = GroupedText(this->Filter->GetReportValue("output.faces"));
-  const std::string before = GroupedText(this->Filter->GetReportValue("input.faces"));
+  const std::string after = GroupedText(this->Filter->GetReportValue("output.triangles"));
+  const std::string before = GroupedText(this->Filter->GetReportValue("input.triangles"));
   EXPECT_TRUE(Contains(
     page, "The simplified surface has " + after + " triangles instead of " + before + "."));
   EXPECT_TRUE(Contains(page, "1 of 1 components kept."));
@@ -138,7 +139,7 @@ TEST_F(Page, EscapesNames)
   EXPECT_TRUE(Contains(page, "&lt;b&gt;&quot;O&#39;Hara&quot; &amp; sons"));
 }
 
-TEST_F(Page, DrawsTheShareOfPointsWithinADistance)
+TEST_F(Page, DrawsTheFractionOfPointsWithinADistance)
 {
   EXPECT_TRUE(Contains(this->Compose(), "<svg"));
   this->Subject.Before = nullptr;
@@ -199,10 +200,10 @@ TEST(NumberText, SetsThousandsApart)
 
 TEST(NumberText, NeverTurnsADistanceIntoNone)
 {
-  EXPECT_EQ(MillimetreText(0.0), "0.000");
-  EXPECT_EQ(MillimetreText(1e-9), "< 0.001");
-  EXPECT_EQ(MillimetreText(0.0005), "0.001");
-  EXPECT_EQ(MillimetreText(1.2345), "1.234");
+  EXPECT_EQ(MillimeterText(0.0), "0.000");
+  EXPECT_EQ(MillimeterText(1e-9), "< 0.001");
+  EXPECT_EQ(MillimeterText(0.0005), "0.001");
+  EXPECT_EQ(MillimeterText(1.2345), "1.234");
 }
 
 TEST(NumberText, RoundsUpToReadableNumbers)

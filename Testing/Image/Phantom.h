@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Phantom.h
- * @brief The phantom's bone, decimated, and its two pictures: what the image tests and their
- * baselines are made of.
+ * @brief The decimated bone of the phantom and its two pictures, for the image tests and their baselines.
  */
 #ifndef BoneDecimate_Testing_Phantom_h
 #define BoneDecimate_Testing_Phantom_h
@@ -22,7 +21,7 @@ namespace bonedecimate
 /// used.
 vtkSmartPointer<vtkBoneDecimate> DecimatePhantom(const std::string& volume);
 
-/// What ComposePicture shows of a run.
+/// The input of ComposePicture for a run.
 PictureSubject SubjectOf(vtkBoneDecimate* filter);
 
 struct PhantomPictures

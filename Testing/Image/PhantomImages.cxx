@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The phantom's pictures against their baselines, and wrong pictures, which must not pass for right
-// ones.
+// The pictures of the phantom compared with their baselines; wrong pictures must fail.
 #include "Display.h"
 #include "Phantom.h"
 
@@ -26,11 +25,11 @@ using namespace bonedecimate;
 
 // vtkTesting accepts what lies within two pixels or differs by less than a seventh of the range: a
 // picture without its triangles' edges, or with the input in place of the result, passes there. So
-// the difference is taken pixel by pixel, averaged over its neighbours because another Mesa moves
+// the difference is taken pixel by pixel, averaged over its neighbors because another Mesa moves
 // edges by less than a pixel.
 constexpr int PixelThreshold = 24; // of 3 * 255
 constexpr double Tolerance =
-  25.0; // another rasteriser: 4; a camera tilted by 1 degree: 640; colours reversed: 20,000
+  25.0; // another rasteriser: 4; a camera tilted by 1 degree: 640; colors reversed: 20,000
 
 /// As a file of the format STL holds it.
 vtkSmartPointer<vtkPolyData> WithPointsOfItsOwnForEachTriangle(vtkPolyData* surface)
@@ -69,7 +68,7 @@ protected:
     this->Subject = SubjectOf(this->Filter);
   }
 
-  /// How much an image differs from a baseline. It is left in the temporary folder.
+  /// Difference of an image from a baseline. The image stays in the temporary folder.
   static double Difference(vtkImageData* image, const std::string& name)
   {
     vtkNew<vtkPNGWriter> writer;
@@ -96,7 +95,7 @@ protected:
   PictureSubject Subject;
 };
 
-TEST_F(PhantomImages, ColouredByDistanceLooksAsItDid)
+TEST_F(PhantomImages, ColoredByDistanceLooksAsItDid)
 {
   EXPECT_LT(Difference(RenderPhantom(this->Subject).Distance, "PhantomDistance"), Tolerance);
 }
@@ -107,7 +106,7 @@ TEST_F(PhantomImages, BeforeAndAfterLookAsTheyDid)
     Difference(RenderPhantom(this->Subject).BeforeAndAfter, "PhantomBeforeAndAfter"), Tolerance);
 }
 
-TEST_F(PhantomImages, AnInputWhoseTrianglesShareNoPointsLooksTheSame)
+TEST_F(PhantomImages, AnUnweldedInputLooksTheSame)
 {
   const auto soup = WithPointsOfItsOwnForEachTriangle(this->Subject.Before);
   this->Subject.Before = soup;
@@ -135,7 +134,7 @@ TEST_F(PhantomImages, DistancesTurnedRoundAreSeen)
   EXPECT_GT(Difference(RenderPhantom(this->Subject).Distance, "PhantomDistance"), 10.0 * Tolerance);
 }
 
-TEST_F(PhantomImages, TheInputInPlaceOfTheResultIsSeen)
+TEST_F(PhantomImages, TheInputInsteadOfTheResultIsDetected)
 {
   this->Subject.After = this->Subject.Before;
   EXPECT_GT(Difference(RenderPhantom(this->Subject).BeforeAndAfter, "PhantomBeforeAndAfter"),

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// WritePicture: with and without a display, and what it says where it cannot.
+// WritePicture with and without a display, and its error messages.
 #include "Display.h"
 #include "Picture.h"
 
@@ -144,7 +144,7 @@ TEST_F(PictureFile, ShowsAResultWithoutTriangles)
   this->ExpectPicture(this->InFolder("picture.png"));
 }
 
-TEST_F(PictureFile, IsRefusedForAnInputWithoutTriangles)
+TEST_F(PictureFile, IsRejectedForAnInputWithoutTriangles)
 {
   vtkNew<vtkPolyData> nothing;
   this->Subject.Before = nothing;

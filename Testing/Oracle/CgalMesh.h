@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CgalMesh.h
- * @brief Triangles as a mesh of CGAL. Where they are not manifold their points are repeated, which moves nothing.
+ * @brief Converts triangles to a mesh of CGAL. Points of non-manifold parts are duplicated, which changes no position.
  *
  * Uses CGAL's Polygon_mesh_processing (GPL-3.0-or-later): only for programs that are never installed.
  */

@@ -47,7 +47,7 @@ double Uniform(std::uint64_t number)
   return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1.0p-53;
 }
 
-Point PlaceIn(const Kernel::Triangle_3& facet, double p, double q)
+Point PointIn(const Kernel::Triangle_3& facet, double p, double q)
 {
   if (p + q > 1.0)
   {
@@ -67,7 +67,7 @@ std::vector<Point> AreaSamples(const Facets& facets, std::size_t samples)
     area += std::sqrt(facet.squared_area());
     areaUpTo.push_back(area);
   }
-  std::vector<Point> places;
+  std::vector<Point> points;
   std::size_t facet = 0;
   for (std::size_t i = 0; i < samples; ++i)
   {
@@ -77,9 +77,9 @@ std::vector<Point> AreaSamples(const Facets& facets, std::size_t samples)
     {
       ++facet;
     }
-    places.push_back(PlaceIn(facets[facet], Uniform(3 * i + 1), Uniform(3 * i + 2)));
+    points.push_back(PointIn(facets[facet], Uniform(3 * i + 1), Uniform(3 * i + 2)));
   }
-  return places;
+  return points;
 }
 
 std::vector<Point> UsedPoints(const Triangles& triangles)
@@ -104,14 +104,14 @@ std::vector<Point> UsedPoints(const Triangles& triangles)
 }
 
 std::vector<double> DistancesTo(
-  const Tree& tree, const std::vector<Point>& places, unsigned threads)
+  const Tree& tree, const std::vector<Point>& points, unsigned threads)
 {
-  std::vector<double> distances(places.size());
+  std::vector<double> distances(points.size());
   const auto work = [&](std::size_t first)
   {
-    for (std::size_t i = first; i < places.size(); i += threads)
+    for (std::size_t i = first; i < points.size(); i += threads)
     {
-      distances[i] = std::sqrt(tree.squared_distance(places[i]));
+      distances[i] = std::sqrt(tree.squared_distance(points[i]));
     }
   };
   std::vector<std::thread> others;

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-/// All mm. The area's figures are over samples of equal weight; a sampled maximum is a lower bound of the true one.
+/// All in mm. Figures of the area are over samples of equal weight; a sampled maximum is a lower bound of the true one.
 struct Distances
 {
   double Average = 0.0;
@@ -21,12 +21,12 @@ struct Distances
   double PointAverage = 0.0;
   double PointRootMeanSquare = 0.0;
   double PointMaximum = 0.0;
-  double PointSecond = 0.0; ///< The largest but one.
+  double PointSecond = 0.0; ///< The second largest.
   /// Of the area samples: the distance that 0, 1, ... 100 % of the area do not exceed.
   std::vector<double> Percentiles;
 };
 
-/// One sample in each of `samples` strips of equal area; the same places for any number of threads.
+/// One sample in each of `samples` strips of equal area; the same samples for any number of threads.
 Distances MeasureDistances(
   const Triangles& from, const Triangles& to, std::size_t samples, unsigned threads);
 

@@ -6,7 +6,7 @@
  *
  *     bonedecimate-hausdorff REFERENCE.ply RESULT.ply [ERROR in mm, default 0.0001]
  *
- * Prints JSON. CGAL's figure is the distance in each direction but for the error. Both use one thread.
+ * Prints JSON. CGAL's figure is the distance in each direction within the error. Both use one thread.
  */
 #include "Certificate/Certificate.h"
 #include "CgalMesh.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Uses CGAL's Box_intersection_d (GPL-3.0-or-later), which makes the program built from it GPL: a tool of the tests,
-// never installed. CGAL::Polygon_mesh_processing::self_intersections wants a manifold surface; this takes triangles as they
-// come and decides each pair by the same rules.
+// never installed. CGAL::Polygon_mesh_processing::self_intersections requires a manifold surface; this accepts any triangles
+// and tests each pair by the same rules.
 #include "SelfIntersections.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -63,7 +63,7 @@ private:
     return { this->At(t[(k + 1) % 3]), this->At(t[(k + 2) % 3]) };
   }
 
-  /// Folded flat onto each other along the edge they share.
+  /// Whether they are folded flat onto each other along their common edge.
   bool OverlapBeyondEdge(
     const Corners& a, const Corners& b, const std::vector<std::int32_t>& edge) const
   {

@@ -128,7 +128,7 @@ void WalkPoints(
   shape.NonManifoldVertices = std::count(isNonManifold.begin(), isNonManifold.end(), 1);
 }
 
-/// 4 sqrt(3) area / (sum of squared edges); also says whether there is any area.
+/// 4 sqrt(3) area / (sum of squared edges), and whether the area is positive.
 double QualityOf(const Triangles& triangles, const Corners& corners, bool& isDegenerate)
 {
   std::array<std::array<double, 3>, 3> edge{};
@@ -191,7 +191,7 @@ Shape MeasureShape(const Triangles& welded)
     bool isDegenerate = false;
     const double quality = QualityOf(welded, corners, isDegenerate);
     shape.Quality += quality;
-    shape.BadShare += quality < 0.2 ? 1.0 : 0.0;
+    shape.BadFraction += quality < 0.2 ? 1.0 : 0.0;
     shape.Degenerate += isDegenerate ? 1 : 0;
     if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
     {
@@ -200,7 +200,7 @@ Shape MeasureShape(const Triangles& welded)
   }
   const auto count = static_cast<double>(std::max<std::size_t>(1, welded.Corners.size()));
   shape.Quality /= count;
-  shape.BadShare /= count;
+  shape.BadFraction /= count;
   shape.EulerNumber = static_cast<std::int64_t>(proper.size());
   Sets fans(3 * proper.size());
   std::vector<char> isNonManifold(welded.Points.size(), 0);

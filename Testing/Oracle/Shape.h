@@ -13,7 +13,7 @@
 
 struct Shape
 {
-  std::int64_t Components = 0;          ///< Connected by shared points.
+  std::int64_t Components = 0;          ///< Connected by common points.
   std::int64_t BoundaryEdges = 0;       ///< Edges of one triangle.
   std::int64_t NonManifoldEdges = 0;    ///< Edges of three or more triangles.
   std::int64_t NonManifoldVertices = 0; ///< Points whose triangles are not one fan.
@@ -21,10 +21,10 @@ struct Shape
   std::int64_t Degenerate = 0;          ///< Triangles below 1e-8 mm^2, or with two equal corners.
   double Quality =
     0.0; ///< Mean of 4 sqrt(3) area / (sum of squared edges), 1 for equilateral ones.
-  double BadShare = 0.0; ///< Share of the triangles whose quality is below 0.2.
+  double BadFraction = 0.0; ///< Fraction of the triangles whose quality is below 0.2.
 };
 
-/// The same surface with exactly equal points made one, so that a point written twice is not taken for a border.
+/// The same surface with exactly equal points made one, so that a repeated point does not make a boundary.
 Triangles Welded(const Triangles& triangles);
 
 /// @param welded Triangles with two equal corners count as degenerate and nowhere else.

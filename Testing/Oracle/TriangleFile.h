@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TriangleFile.h
- * @brief Plain triangles from and to binary PLY: what the programs of the benchmark hand to each other.
+ * @brief Reads and writes plain triangles as binary PLY, for the programs of the benchmark.
  *
- * Knows nothing of the core, so that the judge shares no code with what it judges.
+ * Independent of the core, so that the verifier has no code in common with it.
  */
 #ifndef BoneDecimate_Testing_TriangleFile_h
 #define BoneDecimate_Testing_TriangleFile_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Verify.cxx
- * @brief bonedecimate-verify: what lies between two surfaces, by a hand that knows nothing of how either was made.
+ * @brief bonedecimate-verify: measures two surfaces and their distances independently of the core.
  *
  *     bonedecimate-verify ORIGINAL.ply SIMPLIFIED.ply [--samples N] [--threads N] [--shape]
  *
@@ -81,12 +81,12 @@ void PrintShape(const Triangles& surface)
   const Shape shape = MeasureShape(welded);
   std::printf("{\"triangles\": %zu, \"components\": %lld, \"boundary_edges\": %lld, "
               "\"non_manifold_edges\": %lld, \"non_manifold_vertices\": %lld, \"euler\": %lld,\n "
-              "\"quality\": %.6f, \"bad_share\": %.6f, \"degenerate\": %lld, "
+              "\"quality\": %.6f, \"bad_fraction\": %.6f, \"degenerate\": %lld, "
               "\"self_intersections\": %lld",
     surface.Corners.size(), static_cast<long long>(shape.Components),
     static_cast<long long>(shape.BoundaryEdges), static_cast<long long>(shape.NonManifoldEdges),
     static_cast<long long>(shape.NonManifoldVertices), static_cast<long long>(shape.EulerNumber),
-    shape.Quality, shape.BadShare, static_cast<long long>(shape.Degenerate),
+    shape.Quality, shape.BadFraction, static_cast<long long>(shape.Degenerate),
     static_cast<long long>(CountSelfIntersections(welded)));
 }
 

@@ -22,8 +22,8 @@ def torus(around, across, bumps=0.0, seed=1):
         for j in range(across):
             u, v = 2 * math.pi * i / around, 2 * math.pi * j / across
             out = 10 + 3 * math.cos(v)
-            place = (out * math.cos(u), out * math.sin(u), 3 * math.sin(v))
-            points.append(tuple(x + chance.uniform(-bumps, bumps) for x in place))
+            position = (out * math.cos(u), out * math.sin(u), 3 * math.sin(v))
+            points.append(tuple(x + chance.uniform(-bumps, bumps) for x in position))
             a, b = i * across + j, (i + 1) % around * across + j
             c, d = (i + 1) % around * across + (j + 1) % across, i * across + (j + 1) % across
             triangles += [(a, b, c), (a, c, d)]
@@ -33,11 +33,11 @@ def torus(around, across, bumps=0.0, seed=1):
 class Hausdorff(WithFiles):
     def assert_agree(self, one, two, error):
         words = [PROGRAM, self.write("a.ply", one), self.write("b.ply", two), str(error)]
-        answer = json.loads(subprocess.run(words, capture_output=True, text=True, check=True).stdout)
+        result = json.loads(subprocess.run(words, capture_output=True, text=True, check=True).stdout)
         for way in ("reference_to_result", "result_to_reference"):
-            lower, upper = answer["ours"][way]
-            self.assertLessEqual(lower, answer["cgal"][way] + error)
-            self.assertGreaterEqual(upper, answer["cgal"][way] - error)
+            lower, upper = result["ours"][way]
+            self.assertLessEqual(lower, result["cgal"][way] + error)
+            self.assertGreaterEqual(upper, result["cgal"][way] - error)
 
     def test_squares_of_two_sizes(self):
         self.assert_agree(square(0.0, 20.0), square(1.0, 10.0), 1e-4)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The judge against surfaces whose distances, topology and intersections are known."""
+"""The verifier with surfaces whose distances, topology and intersections are known."""
 
 import json
 import os
@@ -38,17 +38,17 @@ class Verify(WithFiles):
         return self.ask(self.write("a.ply", original), self.write("b.ply", simplified), *words)
 
     def test_parallel_squares_are_as_far_apart_as_they_are(self):
-        answer = self.compare(square(0), square(0.25))
+        result = self.compare(square(0), square(0.25))
         for side in ("simplified_to_original", "original_to_simplified"):
             for figure in ("average", "rms", "maximum", "point_average", "point_maximum", "point_second"):
-                self.assertAlmostEqual(answer[side][figure], 0.25, 12)
-            self.assertEqual(set(answer[side]["percentiles"]), {0.25})
+                self.assertAlmostEqual(result[side][figure], 0.25, 12)
+            self.assertEqual(set(result[side]["percentiles"]), {0.25})
 
     def test_what_is_missing_shows_in_one_direction_alone(self):
-        answer = self.compare(square(0, 20.0), square(0, 10.0))
-        self.assertEqual(answer["simplified_to_original"]["maximum"], 0.0)
-        self.assertAlmostEqual(answer["original_to_simplified"]["maximum"], 200 ** 0.5, 6)
-        self.assertEqual(answer["hausdorff"], answer["original_to_simplified"]["maximum"])
+        result = self.compare(square(0, 20.0), square(0, 10.0))
+        self.assertEqual(result["simplified_to_original"]["maximum"], 0.0)
+        self.assertAlmostEqual(result["original_to_simplified"]["maximum"], 200 ** 0.5, 6)
+        self.assertEqual(result["hausdorff"], result["original_to_simplified"]["maximum"])
 
     def test_average_over_the_area_of_a_tilted_square(self):
         tilted = [(0, 0, 0), (10, 0, 1), (10, 10, 1), (0, 10, 0)], [(0, 1, 2), (0, 2, 3)]
@@ -93,9 +93,9 @@ class Verify(WithFiles):
         shape = self.shape(([(0, 0, 0), (1, 0, 0), (0.5, 0.75 ** 0.5, 0)], [(0, 1, 2)]))
         self.assertAlmostEqual(shape["quality"], 1.0, 6)
         needle = self.shape(([(0, 0, 0), (1, 0, 0), (0.5, 0.01, 0)], [(0, 1, 2)]))
-        self.assertEqual(needle["bad_share"], 1.0)
+        self.assertEqual(needle["bad_fraction"], 1.0)
 
-    def test_damaged_files_are_refused(self):
+    def test_damaged_files_are_rejected(self):
         path = self.write("cut.ply", square(0))
         path.write_bytes(path.read_bytes()[:-3])
         done = subprocess.run([PROGRAM, "--shape", path], capture_output=True, text=True, check=False)

@@ -53,16 +53,16 @@ inside dpkg-query -f '${Package} ${Version} ${Architecture}, ${Installed-Size} k
 echo "$(inside dpkg-query -f '.\n' -W | wc -l) packages in all"
 
 say "The program"
-# A wavy sheet of 3200 triangles.
+# A wavy patch of 3200 triangles.
 awk 'function corner(i, j) { printf "vertex %g %g %.9g\n", i, j, 2 * sin(i / 7) * cos(j / 5) }
   function triangle(a, b, c, d, e, f) {
     print "facet normal 0 0 0\nouter loop"; corner(a, b); corner(c, d); corner(e, f); print "endloop\nendfacet" }
-  BEGIN { print "solid sheet"
+  BEGIN { print "solid patch"
     for (i = 0; i < 40; ++i) for (j = 0; j < 40; ++j) {
       triangle(i, j, i + 1, j, i + 1, j + 1); triangle(i, j, i + 1, j + 1, i, j + 1) }
-    print "endsolid sheet" }' > "$work/sheet.stl"
+    print "endsolid patch" }' > "$work/patch.stl"
 inside bonedecimate --version
-inside bonedecimate $there/sheet.stl $there/small.stl --max-error 0.1
+inside bonedecimate $there/patch.stl $there/small.stl --max-error 0.1
 
 say "The Python package"
 add python3-vtk9
@@ -75,8 +75,8 @@ printed cpp > "$work/shrink.cxx"
 printed cmake > "$work/CMakeLists.txt"
 inside cmake -G Ninja -S $there -B $there/build > /dev/null
 inside cmake --build $there/build | tail -n 1
-inside $there/build/shrink $there/sheet.stl $there/shrunk.vtp
-inside bonedecimate check $there/shrunk.vtp
+inside $there/build/shrink $there/patch.stl $there/shrunk.vtp
+inside bonedecimate diagnose $there/shrunk.vtp
 
 say "Removed again"
 inside apt-get -q -y remove vtkbonedecimate > "$root/apt.log"

@@ -46,12 +46,12 @@ class DebianPackage(unittest.TestCase):
 
     def test_python_package_runs(self):
         packages = self.usr / "lib/python3/dist-packages"
-        printed = run(sys.executable, "-c", "import vtkbonedecimate as b; print(b.vtkBoneDecimate().GetClassName())",
+        printed = run(sys.executable, "-c", "import bonedecimate as b; print(b.vtkBoneDecimate().GetClassName())",
                       env=dict(os.environ, PYTHONPATH=str(packages)))
         self.assertEqual(printed.strip(), "vtkBoneDecimate")
 
     def test_takes_away_what_python_compiled_in_it(self):
-        compiled = self.usr / "lib/python3/dist-packages/vtkbonedecimate/__pycache__"
+        compiled = self.usr / "lib/python3/dist-packages/bonedecimate/__pycache__"
         compiled.mkdir()
         run("sh", "-c", run("dpkg-deb", "-I", self.file, "prerm").replace("/usr/", f"{self.usr}/"))
         self.assertFalse(compiled.exists())

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Surfaces on several ranks: how they are cut, and what is asked of the filter."""
+"""Surfaces on several ranks: how they are cut, and the properties of the filter."""
 
 import specimens
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkIntArray
@@ -15,19 +15,19 @@ OWNER = {
 def cases():
     """By name: surface, how it is cut, properties."""
     ring = specimens.torus(120, 40, bumps=0.4)
-    sheet = specimens.sheet(single=True)
+    patch = specimens.patch(single=True)
     return {
         "reduction": (ring, "slabs", {"TargetReduction": 0.8}),
         "error": (ring, "slabs", {"MaximumError": 0.1}),
         "fast": (ring, "slabs", {"TargetNumberOfTriangles": 1500, "Mode": "Fast"}),
         "crumbs": (ring, "crumbs", {"TargetReduction": 0.5}),
         "lopsided": (specimens.torus(), "lopsided", {"TargetReduction": 0.5}),
-        "open": (sheet, "slabs", {"MaximumError": 0.1}),
+        "open": (patch, "slabs", {"MaximumError": 0.1}),
         "blocks": (ring, "blocks", {"TargetReduction": 0.8}),
     }
 
 
-def labelled(surface):
+def labeled(surface):
     """With half of the triangles of one bone, half of another."""
     bone = vtkIntArray()
     bone.SetName("bone")
@@ -46,10 +46,10 @@ def with_tolerances(surface):
     return surface
 
 
-def refused():
-    """What one part of a surface cannot tell."""
+def rejected():
+    """Properties that need the whole surface."""
     ring = specimens.torus
-    return {name: (labelled(ring()), "slabs", properties) for name, properties in {
+    return {name: (labeled(ring()), "slabs", properties) for name, properties in {
         "PruneSize": {"PruneSize": 1.0},
         "PruneArea": {"PruneArea": 1.0},
         "PruneVolume": {"PruneVolume": 1.0},
@@ -58,7 +58,7 @@ def refused():
         "MergePoints": {"MergePoints": 0},
         "MakeMaps": {"MakeMaps": 1},
         "OutputPointsPrecision": {"OutputPointsPrecision": "Double"},
-        "ExamineInput": {"ExamineInput": 1},
+        "DiagnoseInput": {"DiagnoseInput": 1},
         "preset-alone": {"ErrorPreset": "HalfVoxel"},
     }.items()}
 
@@ -81,7 +81,7 @@ def entry(name, test):
 
 
 def fewer(part):
-    return entry("output.faces", lambda faces: faces < 1000)(part)
+    return entry("output.triangles", lambda faces: faces < 1000)(part)
 
 
 def proved(most):
@@ -94,11 +94,11 @@ def allowed():
     names = ("DistanceArrayName", "RunningErrorArrayName", "PointCountArrayName", "ErrorBoundArrayName")
     return {name: (with_tolerances(specimens.torus()), "slabs", properties, shows) for name, (properties, shows) in {
         "Mode": ({"Mode": "Fast", "TargetReduction": 0.5}, fewer),
-        "TargetNumberOfTriangles": ({"TargetNumberOfTriangles": 600}, entry("output.faces", lambda faces: faces <= 600)),
+        "TargetNumberOfTriangles": ({"TargetNumberOfTriangles": 600}, entry("output.triangles", lambda faces: faces <= 600)),
         "TargetReduction": ({"TargetReduction": 0.5}, fewer),
         "MaximumError": (error, proved(0.1)),
         "AllowLargeError": ({"MaximumError": 40.0, "AllowLargeError": 1}, proved(40.0)),
-        "KeepClearance": ({**error, "KeepClearance": 0}, proved(0.1)),
+        "IntersectionGuard": ({**error, "IntersectionGuard": 0}, proved(0.1)),
         "NormalTolerance": ({"Mode": "Thesis", "NormalTolerance": 0.5, "TargetReduction": 0.5}, fewer),
         "AutomaticNormalTolerance": ({"Mode": "Thesis", "AutomaticNormalTolerance": 1, "TargetReduction": 0.5}, fewer),
         "MeasureDistances": ({"MeasureDistances": 0}, lacks("Distance (mm)")),

@@ -15,7 +15,7 @@ EXAMPLE = pathlib.Path(os.environ["SOURCE_DIR"]) / "Applications" / "ParaView"
 FOLDER = pathlib.Path(os.environ["FOLDER"]) / "example"
 
 
-def colours_of(picture):
+def colors_of(picture):
     reader = vtkPNGReader()
     reader.SetFileName(str(picture))
     reader.Update()
@@ -33,7 +33,7 @@ class Example(unittest.TestCase):
         bone = simple.FindSource("Bone")
         triangles = bone.GetDataInformation().GetNumberOfCells()
         self.assertLess(triangles, 0.3 * bone.Input.GetDataInformation().GetNumberOfCells())
-        self.assertGreater(len(colours_of(FOLDER / "bone.png")), 300)
+        self.assertGreater(len(colors_of(FOLDER / "bone.png")), 300)
         self.assertTrue((FOLDER / "bone.vtp").is_file())
         for source in list(simple.GetSources().values()):
             simple.Delete(source)

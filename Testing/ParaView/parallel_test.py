@@ -2,17 +2,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One, two and four ranks of pvbatch: the result hangs together, reaches the number, keeps the error, and is repeatable.
 
-What the ranks wrote is joined and judged here, by the system's VTK and by the certificate, which knows no run.
+What the ranks wrote is joined and checked here, by the system's VTK and by the certificate, which knows no run.
 """
 
 import hashlib
+import json
 import os
 import pathlib
 import re
 import subprocess
 import unittest
 
-from vtkbonedecimate import vtkBoneSurfaceDistance
+from bonedecimate import vtkBoneSurfaceDistance
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkFeatureEdges
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
@@ -22,6 +23,10 @@ import specimens
 FOLDER = pathlib.Path(os.environ["FOLDER"]) / "parallel"
 WORKER = pathlib.Path(__file__).with_name("parallel_worker.py")
 RANKS = (1, 2, 4)
+
+
+def report_of(surface):
+    return json.loads(surface.GetFieldData().GetAbstractArray("BoneDecimateReport").GetValue(0))
 
 
 def run(ranks, folder, names):
@@ -55,12 +60,12 @@ def joined(surfaces):
     return clean.GetOutput()
 
 
-def bad_edges(surface, border):
+def bad_edges(surface, boundary):
     """How many edges are open, or of more than two triangles."""
     edges = vtkFeatureEdges()
     edges.SetInputData(surface)
-    edges.SetBoundaryEdges(border)
-    edges.SetNonManifoldEdges(not border)
+    edges.SetBoundaryEdges(boundary)
+    edges.SetNonManifoldEdges(not boundary)
     edges.FeatureEdgesOff()
     edges.ManifoldEdgesOff()
     edges.Update()
@@ -76,7 +81,7 @@ def comparison(before, after):
 
 
 def distance(before, after):
-    """mm, proved: no point of either is farther from the other, open borders curve to curve."""
+    """mm, proved: no point of either is farther from the other, open boundaries curve to curve."""
     compare = comparison(before, after)
     compare.SetRelativeGap(1e-3)
     compare.Update()
@@ -84,11 +89,11 @@ def distance(before, after):
 
 
 def is_proved(before, after, tolerance):
-    """Whether the certificate says so, both ways and of open borders."""
+    """Whether the certificate says so, both ways and of open boundaries."""
     compare = comparison(before, after)
     compare.SetTolerance(tolerance)
     compare.Update()
-    return compare.GetVerdictAsString() == "proved"
+    return compare.GetStatusAsString() == "proved"
 
 
 class Parallel(unittest.TestCase):
@@ -125,41 +130,41 @@ class Parallel(unittest.TestCase):
                 with self.subTest(name, ranks=ranks):
                     self.assertTrue(is_proved(self.cases[name][0], self.whole[name, ranks], 0.1))
 
-    def test_what_no_part_can_tell_is_refused(self):
-        run(2, FOLDER, cases.refused())
-        for name in cases.refused():
+    def test_what_needs_the_whole_surface_is_rejected(self):
+        run(2, FOLDER, cases.rejected())
+        for name in cases.rejected():
             with self.subTest(name):
                 self.assertEqual([part.GetNumberOfPolys() for part in parts(name, 2)], [0, 0])
 
-    def test_every_option_counts_or_is_refused(self):
+    def test_every_option_counts_or_is_rejected(self):
         table = subprocess.run([os.environ["PROGRAM"], "--options-markdown"], stdout=subprocess.PIPE, encoding="utf-8", check=True)
         options = set(re.findall(r"^\| `(\w+)` \|", table.stdout, re.MULTILINE))
         allowed = cases.allowed()
-        self.assertEqual(options - set(cases.refused()), set(allowed))
+        self.assertEqual(options - set(cases.rejected()), set(allowed))
         run(2, FOLDER, allowed)
         for name, (*_, shows) in allowed.items():
-            found = parts(name, 2)  # seams go to the first rank, so that the other one may have nothing left
+            found = parts(name, 2)  # strips go to the first rank, so that the other one may have nothing left
             with self.subTest(name):
                 self.assertGreater(sum(part.GetNumberOfPolys() for part in found), 0)
                 self.assertTrue(all(shows(part) for part in found if part.GetNumberOfPolys() > 0))
 
-    def test_seams_are_reduced(self):
+    def test_strips_are_reduced(self):
         for name in ("reduction", "error", "fast", "open"):
             for surface in parts(name, 4):
                 with self.subTest(name):
-                    before, after = (surface.GetFieldData().GetArray("bonedecimate.parallel.seam_faces_" + when).GetValue(0)
-                                     for when in ("before", "after"))
+                    parallel = report_of(surface)["parallel"]
+                    before, after = parallel["strip_triangles_before"], parallel["strip_triangles_after"]
                     self.assertGreater(before, 0)
                     self.assertLess(after, before)
 
     def test_the_report_is_that_of_the_whole_surface_on_every_rank(self):
         for surface in parts("error", 4):
-            entry = {name: surface.GetFieldData().GetArray("bonedecimate." + name).GetValue(0)
-                     for name in ("input.faces", "output.faces", "proof.upper", "parallel.processes")}
-            self.assertEqual(entry["input.faces"], 9600)
-            self.assertEqual(entry["output.faces"], self.whole["error", 4].GetNumberOfPolys())
-            self.assertLessEqual(entry["proof.upper"], 0.1)
-            self.assertEqual(entry["parallel.processes"], 4)
+            report = report_of(surface)
+            self.assertEqual(report["input"]["triangles"], 9600)
+            self.assertEqual(report["output"]["triangles"], self.whole["error", 4].GetNumberOfPolys())
+            self.assertLessEqual(report["proof"]["upper"], 0.1)
+            self.assertEqual(report["parallel"]["processes"], 4)
+            self.assertEqual(surface.GetFieldData().GetArray("bonedecimate.proof.upper").GetValue(0), report["proof"]["upper"])
 
     def test_bounds_and_distances_are_true_of_the_input(self):
         for name in ("error", "open"):
@@ -168,7 +173,7 @@ class Parallel(unittest.TestCase):
                 data = surface.GetPointData()
                 bounds, distances = (data.GetArray(array + " (mm)") for array in ("ErrorBound", "Distance"))
                 compare = comparison(before, surface)
-                compare.SetMeasureBorders(False)
+                compare.SetMeasureBoundaries(False)
                 compare.Update()
                 true = compare.GetOutputDataObject(1).GetPointData().GetArray("SignedDistance")
                 for i in range(surface.GetNumberOfPoints()):

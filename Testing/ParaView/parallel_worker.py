@@ -38,17 +38,17 @@ def blocks_of(surface, rank, ranks):
     """Two blocks on the first rank, one on the others: every rank must take part all the same."""
     parts = 2 * ranks
     cells = surface.GetNumberOfCells()
-    answer = vtkMultiBlockDataSet()
+    blocks = vtkMultiBlockDataSet()
     for block in range(2):
-        answer.SetBlock(block, part_of(surface, lambda number: number * parts // cells == 2 * rank + block))
-    return answer
+        blocks.SetBlock(block, part_of(surface, lambda number: number * parts // cells == 2 * rank + block))
+    return blocks
 
 
 def main(folder, *names):
     surfaces.load()
     module = vtkProcessModule.GetProcessModule()
     rank, ranks = module.GetPartitionId(), module.GetNumberOfLocalPartitions()
-    every = {**cases.cases(), **cases.refused(), **cases.allowed()}
+    every = {**cases.cases(), **cases.rejected(), **cases.allowed()}
     for name in names:
         surface, cut, properties, *_ = every[name]
         data = (blocks_of(surface, rank, ranks) if cut == "blocks" else

@@ -14,10 +14,10 @@ import specimens
 import surfaces
 
 REFERENCE = json.loads((pathlib.Path(os.environ["FOLDER"]) / "reference.json").read_text())["runs"]
-# ParaView says the unit in the names of arrays of millimetres; the filter does not.
+# ParaView says the unit in the names of arrays of millimeters; the filter does not.
 NAMES = {"DistanceArrayName": "Distance", "RunningErrorArrayName": "RunningError", "InputDistanceArrayName": "DistanceToResult",
          "ErrorBoundArrayName": "ErrorBound", "InputErrorBoundArrayName": "ErrorBoundToResult"}
-REFUSED = {"ReferenceTooFar", "NotANumber", "WrongIndex", "NoSuchTolerances", "BadTolerances"}
+REJECTED = {"ReferenceTooFar", "NotANumber", "WrongIndex", "NoSuchTolerances", "BadTolerances"}
 
 
 def filtered(surface, properties):
@@ -39,7 +39,7 @@ class Sameness(unittest.TestCase):
 
     def test_every_specimen_comes_out_with_the_same_bytes(self):
         for name, (surface, properties) in specimens.cases().items():
-            if name in REFUSED or name in specimens.DEPENDS_ON_VTK:
+            if name in REJECTED or name in specimens.DEPENDS_ON_VTK:
                 continue
             with self.subTest(name):
                 decimate = filtered(surface, properties)
@@ -47,8 +47,8 @@ class Sameness(unittest.TestCase):
                     portrait = json.loads(json.dumps(specimens.portrait(surfaces.output(decimate, port))))
                     self.assertEqual(portrait, REFERENCE[name][f"output {port}"])
 
-    def test_what_the_filter_refuses_is_empty(self):
-        for name in REFUSED:
+    def test_what_the_filter_rejects_is_empty(self):
+        for name in REJECTED:
             with self.subTest(name):
                 decimate = filtered(*specimens.cases()[name])
                 self.assertEqual(surfaces.output(decimate).GetNumberOfCells(), 0)

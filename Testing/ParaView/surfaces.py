@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests inside ParaView share: the plugin, and surfaces as sources."""
+"""What the tests inside ParaView have in common: the plugin, and surfaces as sources."""
 
 import os
 

@@ -7,7 +7,7 @@ import unittest
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from surfaces import POINTS, decimating, torus
-from vtkbonedecimate import vtkBoneSurfaceDistance
+from bonedecimate import vtkBoneSurfaceDistance
 
 
 class Distance(unittest.TestCase):
@@ -22,8 +22,8 @@ class Distance(unittest.TestCase):
         cls.distance.Update()
 
     def test_is_proved(self):
-        self.assertEqual(self.distance.GetVerdict(), vtkBoneSurfaceDistance.PROVED)
-        self.assertEqual(self.distance.GetVerdictAsString(), "proved")
+        self.assertEqual(self.distance.GetStatus(), vtkBoneSurfaceDistance.PROVED)
+        self.assertEqual(self.distance.GetStatusAsString(), "proved")
         self.assertGreater(self.distance.GetLowerBound(), 0)
         self.assertLessEqual(self.distance.GetLowerBound(), self.distance.GetUpperBound())
 
@@ -36,7 +36,7 @@ class Distance(unittest.TestCase):
     def test_has_a_report(self):
         names = [self.distance.GetReportEntryName(i) for i in range(self.distance.GetNumberOfReportEntries())]
         self.assertIn("reference_to_result.upper", names)
-        self.assertEqual(self.distance.GetReportText("borders"), "neither")
+        self.assertEqual(self.distance.GetReportText("boundaries"), "neither")
         self.assertEqual(self.distance.GetReportEntryUnit("upper"), "mm")
 
     def test_has_a_signed_distance_at_each_point(self):

@@ -5,18 +5,18 @@
 import unittest
 
 from surfaces import TRIANGLES, decimating, torus
-from vtkbonedecimate import error_curve, smallest_error, vtkBoneDecimate, vtkBoneSurfaceDistance
+from bonedecimate import error_curve, smallest_error, vtkBoneDecimate, vtkBoneSurfaceDistance
 
 
 class ErrorSearch(unittest.TestCase):
-    def test_finds_a_surface_that_another_judge_confirms(self):
+    def test_finds_a_surface_that_the_certificate_confirms(self):
         error, surface = smallest_error(torus(), 400, 0.1, vtkBoneDecimate.FAST)
         self.assertLessEqual(surface.GetNumberOfPolys(), 400)
-        judge = vtkBoneSurfaceDistance()
-        judge.SetInputData(0, torus())
-        judge.SetInputData(1, surface)
-        judge.Update()
-        self.assertLessEqual(judge.GetLowerBound(), error)
+        comparison = vtkBoneSurfaceDistance()
+        comparison.SetInputData(0, torus())
+        comparison.SetInputData(1, surface)
+        comparison.Update()
+        self.assertLessEqual(comparison.GetLowerBound(), error)
         self.assertEqual(surface.GetFieldData().GetArray("bonedecimate.proof.upper").GetValue(0), error)
 
     def test_knows_when_there_is_none(self):

@@ -6,7 +6,7 @@ import math
 import unittest
 
 from surfaces import TRIANGLES, Ear, decimating, torus
-from vtkbonedecimate import vtkBoneDecimate
+from bonedecimate import vtkBoneDecimate
 
 
 def run_with(decimate, on_progress):

@@ -5,7 +5,7 @@
 import pydoc
 import unittest
 
-from vtkbonedecimate import vtkBoneDecimate
+from bonedecimate import vtkBoneDecimate
 
 # VTK's wrapping gives the comment of a group to its first member only: the setter of a property, and not its getter.
 SETTERS = [name for name in vars(vtkBoneDecimate) if name.startswith("Set") and not name.startswith("SetModeTo")]
@@ -24,7 +24,7 @@ def sentences(name):
 class Help(unittest.TestCase):
     def test_of_the_class_tells_what_it_does_and_in_which_unit(self):
         text = " ".join(vtkBoneDecimate.__doc__.split())
-        for word in ("bone", "millimetres", "fragment", "port 1"):
+        for word in ("bone", "millimeters", "fragment", "port 1"):
             self.assertIn(word, text)
 
     def test_of_every_property_tells_its_meaning_and_default(self):

@@ -14,34 +14,49 @@ def run(program):
 
 class Import(unittest.TestCase):
     def assert_runs(self, program):
-        answer = run(program)
-        self.assertEqual((answer.returncode, answer.stderr), (0, ""))
+        completed = run(program)
+        self.assertEqual((completed.returncode, completed.stderr), (0, ""))
 
     def test_without_vtk_before(self):
-        self.assert_runs("from vtkbonedecimate import vtkBoneDecimate; vtkBoneDecimate().GetTargetReduction()")
+        self.assert_runs("from bonedecimate import vtkBoneDecimate; vtkBoneDecimate().GetTargetReduction()")
 
     def test_after_vtk(self):
-        self.assert_runs("import vtk; from vtkbonedecimate import vtkBoneDecimate; vtkBoneDecimate()")
+        self.assert_runs("import vtk; from bonedecimate import vtkBoneDecimate; vtkBoneDecimate()")
 
     def test_before_vtk(self):
         self.assert_runs(
-            "from vtkbonedecimate import vtkBoneDecimate; import vtk;"
+            "from bonedecimate import vtkBoneDecimate; import vtk;"
             "assert isinstance(vtkBoneDecimate(), vtk.vtkPolyDataAlgorithm)"
         )
 
     def test_of_the_whole_package(self):
-        self.assert_runs("import vtkbonedecimate; vtkbonedecimate.vtkBoneDecimate()")
+        self.assert_runs("import bonedecimate; bonedecimate.vtkBoneDecimate()")
 
     def test_with_a_star(self):
-        self.assert_runs("from vtkbonedecimate import *; vtkBoneDecimate()")
+        self.assert_runs("from bonedecimate import *; vtkBoneDecimate()")
 
     def test_does_not_bring_all_of_vtk(self):
-        self.assert_runs("import sys, vtkbonedecimate; assert 'vtkmodules.vtkRenderingCore' not in sys.modules")
+        self.assert_runs("import sys, bonedecimate; assert 'vtkmodules.vtkRenderingCore' not in sys.modules")
+
+    def test_by_its_former_name_warns(self):
+        found = run("import vtkbonedecimate, bonedecimate;"
+                    "from vtkbonedecimate.vtkFiltersBoneDecimate import vtkBoneDecimate;"
+                    "assert vtkbonedecimate.vtkBoneDecimate is bonedecimate.vtkBoneDecimate is vtkBoneDecimate;"
+                    "assert vtkbonedecimate.vtkBoneCheck is bonedecimate.vtkBoneDiagnostics")
+        self.assertEqual(found.returncode, 0, found.stderr)
+        self.assertIn("DeprecationWarning: the package vtkbonedecimate is deprecated; use bonedecimate", found.stderr)
+
+    def test_of_the_module_behind_it_gives_the_same_classes(self):
+        self.assert_runs("from bonedecimate.vtkFiltersBoneDecimate import vtkBoneDecimate; import bonedecimate;"
+                         "assert vtkBoneDecimate is bonedecimate.vtkBoneDecimate")
+
+    def test_of_names_of_the_wheel_says_so(self):
+        self.assertIn("is in the wheel", run("import bonedecimate; bonedecimate.decimate").stderr)
 
     def test_knows_its_superclass(self):
         self.assert_runs(
             "from vtkmodules.vtkCommonExecutionModel import vtkPolyDataAlgorithm;"
-            "from vtkbonedecimate import vtkBoneDecimate;"
+            "from bonedecimate import vtkBoneDecimate;"
             "assert isinstance(vtkBoneDecimate(), vtkPolyDataAlgorithm);"
             "assert vtkBoneDecimate().IsA('vtkPolyDataAlgorithm')"
         )

@@ -5,7 +5,7 @@
 import unittest
 
 from surfaces import torus
-from vtkbonedecimate import vtkBoneDecimate, vtkBoneDecimateLevels
+from bonedecimate import vtkBoneDecimate, vtkBoneDecimateLevels
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 
 
@@ -13,8 +13,8 @@ def recorded(log=None):
     levels = vtkBoneDecimateLevels()
     levels.SetInputData(torus())
     levels.SetMode(vtkBoneDecimate.FAST)
-    levels.SetCoarsestNumberOfTriangles(200)
-    levels.MeasureErrorsOff()
+    levels.SetTargetNumberOfTriangles(200)
+    levels.MeasureDistancesOff()
     levels.SetLog(log)
     return levels
 

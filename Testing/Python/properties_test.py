@@ -3,14 +3,15 @@
 """Every property of the filter, from Python."""
 
 import math
+import pathlib
 import re
 import unittest
 
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from surfaces import TRIANGLES, Ear, decimating, torus
-from vtkbonedecimate import (
-    error_curve, smallest_error, vtkBoneCheck, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance,
+from bonedecimate import (
+    error_curve, smallest_error, vtkBoneDiagnostics, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance,
     vtkBoneTolerance)
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 
@@ -31,9 +32,9 @@ NUMBERS = {
     "PruneTriangles": (0, 100, (-1, -2**31)),
     "OutputPointsPrecision": (vtkAlgorithm.DEFAULT_PRECISION, vtkAlgorithm.SINGLE_PRECISION, (-1, 3)),
 }
-SWITCHES = {"MergePoints": True, "AllowLargeError": False, "KeepClearance": True, "MeasureDistances": True, "MeasureInputDistances": False,
+SWITCHES = {"MergePoints": True, "AllowLargeError": False, "IntersectionGuard": True, "MeasureDistances": True, "MeasureInputDistances": False,
             "ProveResult": True, "PassArrays": True, "MakeMaps": False, "RecomputeNormals": False,
-            "AutomaticNormalTolerance": False, "ExamineInput": False}
+            "AutomaticNormalTolerance": False, "DiagnoseInput": False}
 TEXTS = {
     "DistanceArrayName": "Distance",
     "RunningErrorArrayName": "RunningError",
@@ -72,7 +73,7 @@ class Properties(unittest.TestCase):
         for name, default in {**SWITCHES, **TEXTS}.items():
             self.assertEqual(get(decimate, name), default, name)
 
-    def test_keep_what_they_are_given(self):
+    def test_keep_their_values(self):
         decimate = vtkBoneDecimate()
         for name, values in NUMBERS.items():
             put(decimate, name, values[1])
@@ -122,7 +123,7 @@ class Properties(unittest.TestCase):
             self.assertEqual(getattr(decimate, snake(name)), get(decimate, name))
 
     def test_unknown_attributes_are_errors(self):
-        for filter_class in (vtkBoneCheck, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance,
+        for filter_class in (vtkBoneDiagnostics, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance,
                              vtkBoneTolerance):
             with self.subTest(filter_class.__name__):
                 for name in ("max_error", "MaximumError", "SetNumberOfThreads", "Update", "GetOutput", "anything"):
@@ -131,15 +132,69 @@ class Properties(unittest.TestCase):
                 with self.assertRaises(AttributeError):
                     filter_class(anything=0.1)
 
+    def test_of_getters_are_read_only(self):
+        decimate = decimating(torus(), MaximumError=0.5)
+        self.assertTrue(math.isnan(decimate.proved_error))
+        self.assertEqual((decimate.stop_reason, decimate.proof_status), (vtkBoneDecimate.NOT_RUN, vtkBoneDecimate.NO_PROOF))
+        decimate.Update()
+        self.assertLessEqual(decimate.measured_error, decimate.proved_error)
+        self.assertLessEqual(decimate.proved_error, 0.5)
+        self.assertEqual(decimate.proof_status_as_string, "proved")
+        self.assertEqual(decimate.number_of_input_triangles, TRIANGLES)
+        self.assertEqual(decimate.number_of_output_triangles, decimate.GetOutput().GetNumberOfPolys())
+        self.assertGreaterEqual(decimate.number_of_rejected_edits, decimate.GetNumberOfRejectedEdits("error_bound"))
+        with self.assertRaises(AttributeError):
+            decimate.proved_error = 0.1
+
+    def test_by_their_former_names_warn(self):
+        for kind, old, new, value in (
+                (vtkBoneDecimate, "keep_clearance", "intersection_guard", False), (vtkBoneDecimate, "examine_input", "diagnose_input", True),
+                (vtkBoneDecimateLevels, "coarsest_number_of_triangles", "target_number_of_triangles", 7),
+                (vtkBoneDecimateLevels, "measure_errors", "measure_distances", False),
+                (vtkBoneSurfaceDistance, "measure_borders", "measure_boundaries", False)):
+            with self.subTest(old):
+                one = kind()
+                with self.assertWarnsRegex(DeprecationWarning, f"{old} is deprecated; use {new}"):
+                    setattr(one, old, value)
+                self.assertEqual(getattr(one, new), value)
+                with self.assertWarns(DeprecationWarning):
+                    self.assertEqual(getattr(one, old), value)
+        with self.assertWarnsRegex(DeprecationWarning, "SetKeepClearance is deprecated; use SetIntersectionGuard"):
+            vtkBoneDecimate().SetKeepClearance(False)
+        with self.assertWarns(DeprecationWarning):
+            vtkBoneSurfaceDistance().GetVerdict()
+        self.assertEqual(vtkBoneTolerance.BORDERS, vtkBoneTolerance.BOUNDARIES)
+
+    def test_are_set_by_name_from_text(self):
+        decimate = vtkBoneDecimate()
+        decimate.SetOptionFromText("MaximumError", "0.25")
+        self.assertEqual((decimate.maximum_error, decimate.GetOptionAsText("MaximumError")), (0.25, "0.25"))
+        with self.assertRaisesRegex(ValueError, "MaximumError takes "):
+            decimate.SetOptionFromText("MaximumError", "-1")
+        with self.assertRaises(AttributeError):
+            decimate.SetOptionFromText("MaxError", "1")
+
+    def test_have_the_documentation_of_the_table(self):
+        page = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "options.md"
+        rows = [[cell.strip() for cell in line.strip("|\n ").split("|")] for line in page.read_text(encoding="utf-8").splitlines()
+                if line.startswith("| `") and line.count("|") == 7]
+        self.assertEqual({row[0].strip("`") for row in rows}, {*NUMBERS, *SWITCHES, *TEXTS})
+        for option, _flag, values, _default, unit, meaning in rows:
+            name = option.strip("`")
+            for member in ("Set" + name, snake(name)):
+                text = " ".join((getattr(vtkBoneDecimate, member).__doc__ or "").split())
+                self.assertIn(meaning, text, member)
+                if re.fullmatch(r"\S+ to \S+", values):
+                    self.assertIn(f"Range: {values} {unit}".strip() + ";", text, member)
+
     def test_of_every_other_filter_reject_values_outside_their_range(self):
         outside = {"tolerance": (-1, *NO_NUMBERS), "relative_gap": (0, 2, *NO_NUMBERS), "mean_precision": (0, 2, *NO_NUMBERS),
                    "number_of_threads": (-1, 1025), "choice": (-1, 8), "fold_angle": (-1, 181, *NO_NUMBERS),
                    "feather": (-1, *NO_NUMBERS), "inside_tolerance": NO_NUMBERS, "outside_tolerance": NO_NUMBERS,
-                   "mode": (-1, 4), "relative_precision": (0, 0.6, *NO_NUMBERS), "target_number_of_triangles": (-1,),
-                   "coarsest_number_of_triangles": (-1,), "maximum_error": (-1, *NO_NUMBERS), "number_of_triangles": (-1,),
+                   "mode": (-1, 4), "relative_precision": (0, 0.6, *NO_NUMBERS), "target_number_of_triangles": (-1,), "maximum_error": (-1, *NO_NUMBERS), "number_of_triangles": (-1,),
                    "level_error": (-1, *NO_NUMBERS)}
         tried = set()
-        for filter_class in (vtkBoneCheck, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance, vtkBoneTolerance):
+        for filter_class in (vtkBoneDiagnostics, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance, vtkBoneTolerance):
             one = filter_class()
             for name, values in outside.items():
                 for value in values if hasattr(filter_class, name) else ():
@@ -182,7 +237,7 @@ class Properties(unittest.TestCase):
                 put(decimate, name, not expected)
                 self.assertIs(get(decimate, name), not expected, name)
 
-    def test_refuse_what_is_no_number(self):
+    def test_reject_what_is_no_number(self):
         with self.assertRaises(TypeError):
             vtkBoneDecimate().SetTargetReduction("much")
 

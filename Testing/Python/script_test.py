@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The filter in a script as short as people write it, and its report."""
 
+import json
 import math
 import unittest
 
 from surfaces import POINTS, TRIANGLES, decimating, torus
-from vtkbonedecimate import vtkBoneDecimate
+from bonedecimate import vtkBoneDecimate
 
 
 class Script(unittest.TestCase):
@@ -33,9 +34,9 @@ class Report(unittest.TestCase):
 
     def test_counts_both_surfaces(self):
         values = {
-            "input.faces": TRIANGLES,
+            "input.triangles": TRIANGLES,
             "input.points": POINTS,
-            "output.faces": TRIANGLES // 2,
+            "output.triangles": TRIANGLES // 2,
             "output.components": 1,
             "output.boundary_edges": 0,
             "output.euler_number": 0,
@@ -43,7 +44,7 @@ class Report(unittest.TestCase):
         for name, value in values.items():
             self.assertEqual(self.decimate.GetReportValue(name), value, name)
 
-    def test_has_distances_in_millimetres(self):
+    def test_has_distances_in_millimeters(self):
         for direction in ("output_to_input", "input_to_output"):
             path = "distance." + direction
             self.assertGreater(self.decimate.GetReportValue(path + ".max"), 0)
@@ -57,17 +58,23 @@ class Report(unittest.TestCase):
         self.assertEqual(self.decimate.GetReportText("stop_reason"), "target_reached")
         self.assertEqual(self.decimate.GetReportText("stop_sentence"), self.decimate.GetStopReasonAsString())
 
-    def test_is_the_field_data(self):
+    def test_is_one_text_of_the_field_data(self):
         field_data = self.decimate.GetOutput().GetFieldData()
+        text = field_data.GetAbstractArray("BoneDecimateReport").GetValue(0)
+        self.assertEqual(text, self.decimate.GetReportAsJson())
+        report = json.loads(text)
         for i in range(self.decimate.GetNumberOfReportEntries()):
             name = self.decimate.GetReportEntryName(i)
-            value = field_data.GetAbstractArray("bonedecimate." + name).GetVariantValue(0)
-            if value.IsString():
-                self.assertEqual(value.ToString(), self.decimate.GetReportText(name), name)
+            value = report
+            for word in name.split("."):
+                value = value[int(word)] if isinstance(value, list) else value[word]
+            if isinstance(value, str):
+                self.assertEqual(value, self.decimate.GetReportText(name), name)
             else:
-                self.assertEqual(value.ToDouble(), self.decimate.GetReportValue(name), name)
+                self.assertEqual(value, self.decimate.GetReportValue(name), name)
+            self.assertEqual(report["units"].get(name, ""), self.decimate.GetReportEntryUnit(name), name)
 
-    def test_answers_unknown_names_with_nothing(self):
+    def test_returns_nothing_for_unknown_names(self):
         self.assertTrue(math.isnan(self.decimate.GetReportValue("nonsense")))
         self.assertEqual(self.decimate.GetReportText("nonsense"), "")
 

@@ -7,7 +7,7 @@ import math
 from vtkmodules.vtkCommonCore import VTK_STRING, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from vtkbonedecimate import vtkBoneDecimate
+from bonedecimate import vtkBoneDecimate
 
 AROUND = 40
 ACROSS = 20

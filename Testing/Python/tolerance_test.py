@@ -1,17 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The brush from Python: choose, freeze the rest, simplify."""
+"""The brush from Python: choose, constrain the rest, simplify."""
 
 import unittest
 
 from vtkmodules.vtkCommonDataModel import vtkSphere
 
 from surfaces import decimating, torus
-from vtkbonedecimate import vtkBoneTolerance
+from bonedecimate import vtkBoneTolerance
 
 
 def brushed():
-    """The torus with everything frozen that lies outside of a ball."""
+    """The torus with all points outside of a ball constrained."""
     ball = vtkSphere()
     ball.SetCenter(10, 0, 0)
     ball.SetRadius(9)

@@ -1,10 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the README's programs as printed and compares the documentation with the program."""
+"""Runs the code blocks of the README as printed and compares the documentation with the program.
 
+The example for ParaView is run by Testing/ParaView/readme_test.py, that for 3D Slicer by Testing/Slicer/slicer_core_test.py.
+"""
+
+import json
 import os
 import pathlib
-import re
 import subprocess
 import sys
 import tempfile
@@ -14,15 +17,14 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
+from readme import block, blocks
+
 SOURCE = pathlib.Path(os.environ["SOURCE_DIR"])
 BINARY = os.environ["BINARY_DIR"]
 PROGRAM = os.environ["PROGRAM"]
-
-
-def block(language):
-    """The README's first block in that language."""
-    text = (SOURCE / "README.md").read_text(encoding="utf-8")
-    return re.search(rf"```{language}\n(.*?)```", text, re.DOTALL).group(1)
+PHANTOM = os.environ["PHANTOM"]
+TESTED = [("Two commands on Debian 12", "sh"), ("Program", "sh"), ("Python", "python"), ("ParaView", "python"), ("3D Slicer", "python"),
+          ("C++", "cpp"), ("C++", "cmake")]
 
 
 def run(*words, **keywords):
@@ -32,8 +34,30 @@ def run(*words, **keywords):
 
 
 class Readme(unittest.TestCase):
+    def test_every_block_is_run(self):
+        self.assertEqual([(section, language) for section, language, _ in blocks()], TESTED)
+
+    def test_two_commands_are_there(self):
+        for line in block("Two commands on Debian 12", "sh").splitlines():
+            self.assertTrue(os.access(SOURCE / line.split()[0], os.X_OK), line)
+
+    def test_commands_run_as_printed(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            self.write_sphere(folder / "skull.stl", 40.0, 160, 80)
+            (folder / "bones").mkdir()
+            for bone in ("left.stl", "right.stl"):
+                self.write_sphere(folder / "bones" / bone, 20.0, 60, 30)
+            run(PHANTOM, str(folder / "ct.mha"), "--size", "small")
+            path = os.pathsep.join([str(pathlib.Path(PROGRAM).parent), os.environ["PATH"]])
+            run("sh", "-e", "-c", block("Program", "sh"), cwd=name, env={**os.environ, "PATH": path})
+            report = json.loads((folder / "small.json").read_text(encoding="utf-8"))
+            self.assertEqual(report["output"]["triangles"], 20000)
+            for file in ("small.vtp", "small.html", "small.stl", "part.stl", "bone.vtp", "small/left.stl", "small/right.stl"):
+                self.assertTrue((folder / file).is_file(), file)
+
     def test_python_program_runs_as_printed(self):
-        printed = run(sys.executable, "-c", block("python"))
+        printed = run(sys.executable, "-c", block("Python", "python"))
         self.assertIn("2000 triangles", printed)
         self.assertLess(float(printed.splitlines()[1].split()[0]), 1.0)
 
@@ -41,8 +65,8 @@ class Readme(unittest.TestCase):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             run("cmake", "--install", BINARY, "--prefix", str(folder / "prefix"))
-            (folder / "shrink.cxx").write_text(block("cpp"), encoding="utf-8")
-            (folder / "CMakeLists.txt").write_text(block("cmake"), encoding="utf-8")
+            (folder / "shrink.cxx").write_text(block("C++", "cpp"), encoding="utf-8")
+            (folder / "CMakeLists.txt").write_text(block("C++", "cmake"), encoding="utf-8")
             run("cmake", "-G", "Ninja", "-S", name, "-B", str(folder / "build"),
                 f"-DCMAKE_PREFIX_PATH={folder / 'prefix'}")
             run("cmake", "--build", str(folder / "build"))
@@ -54,11 +78,13 @@ class Readme(unittest.TestCase):
             self.assertEqual(reader.GetOutput().GetNumberOfPolys(), 784 * 0.2 // 2 * 2)
 
     @staticmethod
-    def write_sphere(path):
+    def write_sphere(path, radius=0.5, theta=28, phi=16):
         sphere = vtkSphereSource()
-        sphere.SetThetaResolution(28)
-        sphere.SetPhiResolution(16)
+        sphere.SetRadius(radius)
+        sphere.SetThetaResolution(theta)
+        sphere.SetPhiResolution(phi)
         writer = vtkSTLWriter()
+        writer.SetFileTypeToBinary()
         writer.SetInputConnection(sphere.GetOutputPort())
         writer.SetFileName(str(path))
         writer.Write()

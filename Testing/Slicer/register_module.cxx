@@ -36,7 +36,7 @@ public:
 /// 0 if the parser has nothing against it.
 extern "C" int RegisterModule(const char* xml, const char* program)
 {
-  // Never destroyed: nobody knows their destructors.
+  // Never destroyed: their destructors are unknown here.
   ModuleDescription& description = *new ModuleDescription;
   const int problem = (new ModuleDescriptionParser)->Parse(xml, description);
   if (problem == 0)

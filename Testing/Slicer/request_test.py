@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scripted module's logic refuses values outside their range before it runs anything. Needs VTK, but no Slicer."""
+"""The scripted module's logic rejects values outside their range before it runs anything. Needs VTK, but no Slicer."""
 
 import math
 import pathlib
@@ -17,7 +17,7 @@ NO_NUMBERS = (math.nan, math.inf, -math.inf, "0.1", None, True)
 
 
 class Engine:
-    """Fails the test if it is asked for anything."""
+    """Fails the test at any use."""
 
     has_levels = True
 
@@ -28,49 +28,49 @@ class Engine:
 
 
 class Requests(unittest.TestCase):
-    def refuses(self, says, **request):
+    def rejects(self, says, **request):
         with self.subTest(**request):
             with self.assertRaisesRegex(DecimationError, says):
                 Request(**request).options()
             with self.assertRaisesRegex(DecimationError, says):
                 BoneDecimatorLogic(None, Engine()).decimate(None, Request(**request))
 
-    def test_outside_their_range_are_refused_with_a_sentence(self):
+    def test_outside_their_range_are_rejected_with_a_sentence(self):
         for value in (-1, -1e-300, 1.1e30, *NO_NUMBERS):
-            self.refuses("^The tolerance takes a number from 0 to 1e30 mm, not ", tolerance=value, triangles=100)
-            self.refuses("^The radius takes a number from 0 to 1e30 mm, not ", radius=value)
-            self.refuses("^The feather takes a number from 0 to 1e30 mm, not ", feather=value)
+            self.rejects("^The tolerance takes a number from 0 to 1e30 mm, not ", tolerance=value, triangles=100)
+            self.rejects("^The radius takes a number from 0 to 1e30 mm, not ", radius=value)
+            self.rejects("^The feather takes a number from 0 to 1e30 mm, not ", feather=value)
         for value in (-1, 0.5, 2**31, *NO_NUMBERS):
-            self.refuses("^The number of triangles takes a whole number from 0 to 2147483647, not ", triangles=value)
+            self.rejects("^The number of triangles takes a whole number from 0 to 2147483647, not ", triangles=value)
         for value in ("", "balanced", "Nonsense", None, 2):
-            self.refuses("^Mode takes one of Thesis, Fast, Balanced, Accurate, not ", mode=value)
+            self.rejects("^Mode takes one of Thesis, Fast, Balanced, Accurate, not ", mode=value)
 
-    def test_without_any_goal_are_refused(self):
-        self.refuses("^Give a tolerance or a number of triangles", tolerance=0.0, triangles=0)
-        self.refuses("^A brush needs a tolerance", tolerance=0.0, triangles=100, brush="Paint")
+    def test_without_any_goal_are_rejected(self):
+        self.rejects("^Give a tolerance or a number of triangles", tolerance=0.0, triangles=0)
+        self.rejects("^A brush needs a tolerance", tolerance=0.0, triangles=100, brush="Paint")
 
     def test_within_their_range_become_flags(self):
-        wanted = Request(tolerance=0.25, triangles=100, mode="Fast", keep_clearance=False).options()
-        self.assertEqual(wanted, {"mode": "Fast", "keep-clearance": False, "max-error": 0.25, "target-faces": 100})
+        wanted = Request(tolerance=0.25, triangles=100, mode="Fast", intersection_guard=False).options()
+        self.assertEqual(wanted, {"mode": "Fast", "intersection-guard": False, "max-error": 0.25, "target-triangles": 100})
 
-    def test_of_levels_are_refused(self):
+    def test_of_levels_are_rejected(self):
         logic = BoneDecimatorLogic(None, Engine())
         for value in (0, -0.1, 1.1, *NO_NUMBERS):
             with self.subTest(value=value), self.assertRaisesRegex(DecimationError, "^The ratio of triangles takes"):
-                logic.record_levels(None, share=value)
+                logic.record_levels(None, ratio=value)
         with self.assertRaisesRegex(DecimationError, "^Mode takes"):
             logic.record_levels(None, mode="Nonsense")
         for value in (0, -1, 0.5, *NO_NUMBERS):
             with self.subTest(value=value), self.assertRaisesRegex(DecimationError, "^The number of triangles takes"):
                 logic.show_level(None, value, None)
 
-    def test_of_presets_are_refused(self):
+    def test_of_presets_are_rejected(self):
         for value in (-1.0, *NO_NUMBERS):
             with self.subTest(value=value), self.assertRaisesRegex(DecimationError, "^The scan's spacing takes"):
                 presets((0.5, 0.5, value))
         self.assertEqual(presets((0.5, 1.0))["one voxel"], 0.5)
 
-    def test_more_flags_that_do_not_fit_are_refused(self):
+    def test_more_flags_that_do_not_fit_are_rejected(self):
         class Decimate:
             def SetMaximumError(self, value):
                 raise ValueError(f"MaximumError takes a number from 0 to 1e30 mm, not {value}")

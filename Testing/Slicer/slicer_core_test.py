@@ -11,6 +11,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
 
 import numpy as np
@@ -20,9 +21,11 @@ from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 PROGRAM = os.environ["BONEDECIMATE_PROGRAM"]
 sys.path.insert(0, os.environ["SLICER_MODULE"])
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Readme"))
 from BoneDecimatorLib import logic as module  # noqa: E402
-from BoneDecimatorLib.engines import Cancelled, DecimationError, ProgramEngine, WheelEngine  # noqa: E402
+from BoneDecimatorLib.engines import Canceled, DecimationError, ProgramEngine, WheelEngine  # noqa: E402
 from BoneDecimatorLib.logic import BoneDecimatorLogic, Request, surface_of  # noqa: E402
+import readme  # noqa: E402
 
 
 def ball(radius=20.0):
@@ -34,7 +37,7 @@ def ball(radius=20.0):
     return source.GetOutput()
 
 
-def places(surface):
+def positions(surface):
     return {tuple(point) for point in vtk_to_numpy(surface.GetPoints().GetData())}
 
 
@@ -93,10 +96,10 @@ class CommandLineModule(unittest.TestCase):
         self.assertEqual(storage.ReadData(target), 1)
         surface = target.GetPolyData()
         self.assertLess(surface.GetNumberOfPolys(), ball().GetNumberOfPolys())
-        # Without Slicer's thread nobody reads the results back: done here, by Slicer's own reader.
+        # Slicer's thread, which reads the results back, does not run: they are read here, by Slicer's own reader.
         node.ReadParameterFile(str(next(pathlib.Path(self.scratch.name).glob("*.params"))))
         self.assertEqual(int(node.GetParameterAsString("outputTriangles")), surface.GetNumberOfPolys())
-        self.assertEqual(node.GetParameterAsString("verdict"), "proved")
+        self.assertEqual(node.GetParameterAsString("proofStatus"), "proved")
         self.assertLessEqual(float(node.GetParameterAsString("provedError")), 0.1)
         self.assertIsNotNone(surface.GetPointData().GetArray("Distance"))
         bounds = np.array(surface.GetBounds())
@@ -123,9 +126,16 @@ class Logic(unittest.TestCase):
             target, lines = BoneDecimatorLogic(scene, engine).decimate(node, Request(tolerance=0.1))
             self.assertIn("proved", " ".join(lines))
             surface = target.GetPolyData()
-            found.append((places(surface), vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).tolist()))
+            found.append((positions(surface), vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).tolist()))
         self.assertEqual(*found)
         print("\n  " + "; ".join(lines))
+
+    def test_example_of_the_readme_runs_as_printed(self):
+        scene, node = scene_with_ball()
+        names = {"slicer": types.SimpleNamespace(mrmlScene=scene), "bone": node}
+        exec(compile(readme.block("3D Slicer", "python"), "README.md", "exec"), names)
+        self.assertLess(surface_of(names["small"]).GetNumberOfPolys(), ball().GetNumberOfPolys())
+        self.assertIn("proved", " ".join(names["lines"]))
 
     def test_a_brush_of_points_leaves_everything_else_bit_for_bit(self):
         for engine in self.engines():
@@ -134,8 +144,8 @@ class Logic(unittest.TestCase):
             brush.AddControlPoint(vtk.vtkVector3d(20.0, 0.0, 0.0))
             target, _ = BoneDecimatorLogic(scene, engine).decimate(
                 node, Request(tolerance=0.2, brush=brush, radius=12.0, feather=3.0))
-            kept = {place for place in places(ball()) if np.linalg.norm(np.array(place) - (20, 0, 0)) > 15.1}
-            self.assertLessEqual(kept, places(target.GetPolyData()))
+            kept = {position for position in positions(ball()) if np.linalg.norm(np.array(position) - (20, 0, 0)) > 15.1}
+            self.assertLessEqual(kept, positions(target.GetPolyData()))
             self.assertLess(target.GetPolyData().GetNumberOfPoints(), ball().GetNumberOfPoints())
 
     def test_what_a_region_of_interest_keeps_stays_also_under_a_transform(self):
@@ -150,8 +160,8 @@ class Logic(unittest.TestCase):
         region.SetSize(20.0, 100.0, 100.0)
         target, _ = BoneDecimatorLogic(scene, WheelEngine()).decimate(
             node, Request(tolerance=0.2, brush=region, keeps_brush=True, feather=0.0))
-        kept = {place for place in places(ball()) if place[0] > 10.0}
-        self.assertLessEqual(kept, places(target.GetPolyData()))
+        kept = {position for position in positions(ball()) if position[0] > 10.0}
+        self.assertLessEqual(kept, positions(target.GetPolyData()))
         self.assertLess(target.GetPolyData().GetNumberOfPoints(), ball().GetNumberOfPoints())
         self.assertEqual(target.GetTransformNodeID(), node.GetTransformNodeID())
 
@@ -163,7 +173,7 @@ class Logic(unittest.TestCase):
         node.GetPolyData().GetPointData().AddArray(painted)
         target, _ = BoneDecimatorLogic(scene, WheelEngine()).decimate(
             node, Request(tolerance=0.2, brush="SelectedPoints", feather=0.0))
-        self.assertLessEqual({p for p in places(ball()) if p[2] < 5.0}, places(target.GetPolyData()))
+        self.assertLessEqual({p for p in positions(ball()) if p[2] < 5.0}, positions(target.GetPolyData()))
 
     def test_a_segment_is_a_source(self):
         scene = slicer_core.vtkMRMLScene()
@@ -189,20 +199,20 @@ class Logic(unittest.TestCase):
     def test_levels_are_a_slider(self):
         scene, node = scene_with_ball()
         logic = BoneDecimatorLogic(scene, WheelEngine())
-        levels = logic.record_levels(node, share=0.1)
+        levels = logic.record_levels(node, ratio=0.1)
         for triangles in (4000, 1000):
             logic.show_level(levels, triangles, node)
             self.assertEqual(node.GetPolyData().GetNumberOfPolys(), triangles)
         with self.assertRaises(DecimationError):
             BoneDecimatorLogic(scene, ProgramEngine(PROGRAM)).record_levels(node)
 
-    def test_cancelling_changes_nothing(self):
+    def test_canceling_changes_nothing(self):
         for engine in self.engines():
             scene, node = scene_with_ball()
             logic = BoneDecimatorLogic(scene, engine)
-            with self.assertRaises(Cancelled):
+            with self.assertRaises(Canceled):
                 logic.decimate(node, Request(tolerance=0.1), target=node, progress=lambda fraction: fraction < 0.3)
-            self.assertEqual(places(node.GetPolyData()), places(ball()))
+            self.assertEqual(positions(node.GetPolyData()), positions(ball()))
             self.assertFalse(logic.can_undo())
 
     def test_what_makes_no_sense_is_said(self):
@@ -215,7 +225,7 @@ class Logic(unittest.TestCase):
             with self.assertRaises(DecimationError):
                 logic.decimate(source, request)
 
-    def test_presets_are_shares_of_the_least_side_of_a_voxel(self):
+    def test_presets_are_fractions_of_the_least_side_of_a_voxel(self):
         self.assertEqual(module.presets((0.5, 0.5, 0.625))["half a voxel"], 0.25)
 
 

@@ -14,8 +14,8 @@ namespace
 {
 constexpr double TwoPi = 6.283185307179586;
 
-/// An open cone from a tip at the origin towards z, whose rings come after the points that are
-/// there.
+/// An open cone from a tip at the origin towards z, whose rings are appended to the existing
+/// points.
 void AddCone(Surface& surface, Index tip, Index around, Index rings, double height)
 {
   const auto first = static_cast<Index>(surface.Points.size());
@@ -289,7 +289,7 @@ std::vector<NamedSurface> ClosedShapes()
     { "EnvelopeBesideSphere", Together(Envelope(), Moved(Icosphere(2, 5.0), { 20, 0, 0 })) },
     { "Box", Scaled(Cube(6), 3.5) }, { "Prism", Prism(5, 3, 4) },
     { "CappedCylinder", CappedCylinder(16, 4) }, { "VoxelEllipsoid", VoxelEllipsoid() },
-    { "HalfOfLabels", LabelledPart(1) }, { "CoreOfLabels", LabelledPart(3) },
+    { "HalfOfLabels", LabeledPart(1) }, { "CoreOfLabels", LabeledPart(3) },
     { "NearSpheres", NearSpheres(1, 0.001) } };
 }
 

@@ -343,20 +343,21 @@ std::string WhatIsWrong(const Surface& surface)
 
 bool SameInAnyOrder(const Surface& a, const Surface& b)
 {
-  using Place = std::array<std::uint64_t, 3>;
-  const auto placeOf = [](const Vector3& p)
+  using Coordinates = std::array<std::uint64_t, 3>;
+  const auto coordinatesOf = [](const Vector3& p)
   {
-    Place place;
-    std::memcpy(place.data(), p.data(), sizeof(place));
-    return place;
+    Coordinates coordinates;
+    std::memcpy(coordinates.data(), p.data(), sizeof(coordinates));
+    return coordinates;
   };
   const auto sorted = [&](const Surface& surface)
   {
-    std::vector<std::array<Place, 3>> triangles;
+    std::vector<std::array<Coordinates, 3>> triangles;
     for (const Triangle& t : surface.Triangles)
     {
       const std::vector<Vector3>& p = surface.Points;
-      triangles.push_back({ placeOf(p[t[0]]), placeOf(p[t[1]]), placeOf(p[t[2]]) });
+      triangles.push_back(
+        { coordinatesOf(p[t[0]]), coordinatesOf(p[t[1]]), coordinatesOf(p[t[2]]) });
     }
     std::sort(triangles.begin(), triangles.end());
     return triangles;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BruteForce.h
- * @brief Slow answers that are plainly right, to hold the core against. They share no code with it.
+ * @brief Brute-force reference implementations for tests of the core, without any of its code.
  */
 #ifndef BoneDecimate_Testing_BruteForce_h
 #define BoneDecimate_Testing_BruteForce_h
@@ -50,7 +50,7 @@ struct Topology
 
 Topology CountTopology(const Surface& surface);
 
-/// Component number of each triangle, numbered by first triangle; triangles that share a point
+/// Component number of each triangle, numbered by first triangle; triangles with a common point
 /// belong together.
 std::vector<Index> ComponentOfTriangles(const Surface& surface);
 
@@ -66,7 +66,7 @@ double TotalArea(const Surface& surface);
 /// Boundary edges in the direction of their triangle.
 std::vector<std::pair<Index, Index>> BoundaryEdges(const Surface& surface);
 
-/// Number of edges of each closed boundary loop; only for borders where each point has one way out.
+/// Number of edges of each closed boundary loop; only for boundaries where each point has one way out.
 std::vector<std::int64_t> BoundaryLoopLengths(const Surface& surface);
 
 /// Number of triangles that repeat another one of the same three points in whatever order.

@@ -27,9 +27,9 @@ public:
     {
       for (const Index step : { -1, 1 })
       {
-        Cell neighbour = cell;
-        neighbour[axis] += step;
-        if (!isSolid(neighbour))
+        Cell neighbor = cell;
+        neighbor[axis] += step;
+        if (!isSolid(neighbor))
         {
           this->AddSide(cell, axis, step > 0);
         }

@@ -34,7 +34,7 @@ int Side(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
   return SignOf(ad.dot(bd.cross(cd)), ad.norm() * bd.norm() * cd.norm());
 }
 
-/// A place of the plane that drops one axis.
+/// A point projected along one axis.
 using Flat = std::array<Real, 2>;
 
 int Side(const Flat& a, const Flat& b, const Flat& c)
@@ -116,12 +116,12 @@ bool Meet(const Corners& a, const Corners& b)
 }
 
 /// The triangle turned so that it begins with what both have.
-Triangle Turned(const Triangle& t, const Triangle& other, bool sharesTwo)
+Triangle Turned(const Triangle& t, const Triangle& other, bool hasTwoInCommon)
 {
   const auto isShared = [&](Index v)
   { return std::find(other.begin(), other.end(), v) != other.end(); };
   Triangle turned = t;
-  while (!isShared(turned[0]) || (sharesTwo && !isShared(turned[1])))
+  while (!isShared(turned[0]) || (hasTwoInCommon && !isShared(turned[1])))
   {
     std::rotate(turned.begin(), turned.begin() + 1, turned.end());
   }

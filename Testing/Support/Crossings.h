@@ -14,7 +14,7 @@
 
 namespace bonedecimate::testsupport
 {
-/// Pairs of triangles that have more in common than the corners or the edge that they share.
+/// Pairs of triangles that have more in common than common corners or a common edge.
 std::int64_t CountCrossings(const Surface& surface);
 bool Cross(const Surface& surface, const Triangle& a, const Triangle& b);
 

@@ -127,8 +127,8 @@ public:
       };
       for (Index part = 0; part < this->Parts; ++part)
       {
-        const double share = static_cast<double>(part) / this->Parts;
-        this->To.Points.push_back(corner(side) + share * (corner(side + 1) - corner(side)));
+        const double fraction = static_cast<double>(part) / this->Parts;
+        this->To.Points.push_back(corner(side) + fraction * (corner(side + 1) - corner(side)));
       }
     }
     return first;
@@ -242,7 +242,7 @@ Surface VoxelEllipsoid()
     [](const Voxel& voxel) { return LabelOfHalves(voxel) == 0 ? 0 : 1; }, 1);
 }
 
-Surface LabelledPart(int label)
+Surface LabeledPart(int label)
 {
   return LabelSurface({ 7, 7, 6 }, { 0.5, 0.5, 0.5 }, LabelOfHalves, label);
 }

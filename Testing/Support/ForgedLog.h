@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ForgedLog.h
- * @brief A log of levels with the checksum of its bytes, as Documentation/levels.md says, so that readers get to see what is
- * wrong before it.
+ * @brief A log of levels with the checksum of its bytes, as Documentation/levels.md says, so that readers reach the
+ * invalid content before it.
  */
 #ifndef BoneDecimate_Testing_ForgedLog_h
 #define BoneDecimate_Testing_ForgedLog_h
@@ -16,7 +16,7 @@
 
 namespace bonedecimate::testsupport
 {
-/// The last eight bytes, if there are so many, become those of the checksum.
+/// Replaces the last eight bytes, if there are as many, by the checksum.
 inline std::vector<unsigned char> Forged(std::vector<unsigned char> bytes)
 {
   if (bytes.size() < 8)

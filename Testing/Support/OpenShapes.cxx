@@ -14,16 +14,16 @@ namespace
 constexpr double TwoPi = 6.283185307179586;
 
 /// Triangles of a lattice of columns x rows points, point (i, j) = j * columns + i, where a cell is
-/// wanted.
+/// included.
 std::vector<Triangle> Lattice(Index columns, Index rows, bool closeColumns,
-  const std::function<bool(Index i, Index j)>& isWanted)
+  const std::function<bool(Index i, Index j)>& isIncluded)
 {
   std::vector<Triangle> triangles;
   for (Index j = 0; j + 1 < rows; ++j)
   {
     for (Index i = 0; i < (closeColumns ? columns : columns - 1); ++i)
     {
-      if (isWanted(i, j))
+      if (isIncluded(i, j))
       {
         const Index next = (i + 1) % columns;
         const Index a = j * columns + i;
@@ -102,10 +102,10 @@ Surface HeightField(Index cells, double amplitude, std::uint64_t seed)
 Surface HoledPlate(Index cells)
 {
   const Index third = cells / 3;
-  const auto isWanted = [=](Index i, Index j)
+  const auto isIncluded = [=](Index i, Index j)
   { return i < third || i >= 2 * third || j < third || j >= 2 * third; };
   return Compacted(
-    { PlanePoints(cells + 1, cells + 1), Lattice(cells + 1, cells + 1, false, isWanted) });
+    { PlanePoints(cells + 1, cells + 1), Lattice(cells + 1, cells + 1, false, isIncluded) });
 }
 
 Surface OpenCylinder(Index around, Index rings)

@@ -68,9 +68,9 @@ Surface LabelSurface(
 
 /// An ellipsoid in voxels, and one of its labels 1 to 3: two halves and a core, which touch each other.
 Surface VoxelEllipsoid();
-Surface LabelledPart(int label);
+Surface LabeledPart(int label);
 
-/// Two spheres, one in the other, that far apart: hardly an edit leaves them apart.
+/// Two spheres, one in the other, at that distance: most edits would make them intersect.
 Surface NearSpheres(int levels, double gap);
 
 // Open -----------------------------------------------------------------------
@@ -80,14 +80,14 @@ Surface SingleTriangle();
 /// cells x cells unit squares of two triangles in the plane z = 0.
 Surface Grid(Index cells);
 
-/// A grid whose inner points have random heights up to the amplitude; the border stays straight.
+/// A grid whose inner points have random heights up to the amplitude; the boundary stays straight.
 Surface HeightField(Index cells, double amplitude, std::uint64_t seed);
 
-/// A grid without the middle third of its cells: two straight-sided borders. Cells must be a
+/// A grid without the middle third of its cells: two straight-sided boundaries. Cells must be a
 /// multiple of 3.
 Surface HoledPlate(Index cells);
 
-/// Radius 5, open at both ends: two round borders.
+/// Radius 5, open at both ends: two round boundaries.
 Surface OpenCylinder(Index around, Index rings);
 
 /// Annulus of outer radius 10 and inner radius 4 in a plane.
@@ -101,11 +101,11 @@ Surface PinchedVertex(Index around, Index rings);
 /// Two closed cones of which the tips are one point.
 Surface PinchedSolids(Index around);
 
-/// Regular tetrahedra, of which each shares one corner with the next: in between, two corners are
-/// free.
+/// Regular tetrahedra, each with one corner in common with the next; inner ones have two
+/// other corners.
 Surface TetrahedronChain(Index count);
 
-/// Three half planes of cells x cells squares that share their edge.
+/// Three half planes of cells x cells squares with a common edge.
 Surface ThreeLeavedBook(Index cells);
 
 /// One-sided: along one row of edges both triangles run in the same direction.
@@ -117,11 +117,11 @@ Surface InconsistentGrid(Index cells);
 /// An icosphere of which the first triangles stand there twice.
 Surface DuplicateTriangles(int levels, Index copies);
 
-/// The ball of that radius in cells, cut by the plane x = 0 into two that share their wall: three sheets meet in its rim,
-/// and cells that touch along an edge or in a corner do the rest. Smoothed.
+/// The ball of that radius in cells, cut by the plane x = 0 into two with a common wall: three patches meet at its rim.
+/// Has cells that touch along an edge or in a corner. Smoothed.
 Surface HalvedBall(Index radius);
 
-/// Random triangles over few points: everything that can be wrong with edges.
+/// Random triangles over few points, with all kinds of non-manifold edges.
 Surface RandomSoup(Index points, Index triangles, std::uint64_t seed);
 
 // Changes of a surface -------------------------------------------------------
@@ -129,7 +129,7 @@ Surface RandomSoup(Index points, Index triangles, std::uint64_t seed);
 /// Every triangle with three points of its own, as in STL.
 Surface Unwelded(const Surface& surface);
 
-/// Every point halfway to the mean of its neighbours, so many times; all points must be used.
+/// Every point halfway to the mean of its neighbors, so many times; all points must be used.
 Surface Smoothed(Surface surface, int times);
 Surface Moved(Surface surface, const Vector3& offset);
 Surface Scaled(Surface surface, double factor);
@@ -148,7 +148,7 @@ struct NamedSurface
 
 /// Manifold and closed, some in several components.
 std::vector<NamedSurface> ClosedShapes();
-/// Manifold with borders.
+/// Manifold with boundaries.
 std::vector<NamedSurface> OpenShapes();
 /// Something is not manifold or not consistently oriented.
 std::vector<NamedSurface> BrokenShapes();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What every result keeps, whatever the shape and however much is removed.
+// Properties that every result keeps, for all shapes, modes and reductions.
 #include "BruteForce.h"
 #include "Mesh/Cleaning.h"
 #include "Mesh/HalfEdgeMesh.h"
@@ -21,9 +21,9 @@ namespace
 {
 constexpr double Rounding = 1e-12; // mm, on shapes of at most about 100 mm
 
-using Place = std::array<double, 3>;
+using Coordinates = std::array<double, 3>;
 
-Place PlaceOf(const Vector3& p)
+Coordinates CoordinatesOf(const Vector3& p)
 {
   return { p.x(), p.y(), p.z() };
 }
@@ -48,7 +48,7 @@ void ExpectSameTopology(const Surface& before, const Surface& after)
   }
 }
 
-/// Fragments that are closed and manifold. Which is which is not asked: they may come in another order.
+/// Counts of closed manifold fragments. Fragments are not identified, because their order may change.
 struct ClosedFragments
 {
   std::int64_t Outwards = 0; // positive volume
@@ -81,43 +81,47 @@ void ExpectFragmentsKept(const Surface& before, const Surface& after)
   EXPECT_EQ(found.Least, expected.Least);
 }
 
-/// Everything that is not manifold is found again, bit for bit.
-void ExpectLockedPartsKept(const Surface& input, const Surface& after)
+/// Non-manifold points and triangles are in the result bit for bit.
+void ExpectConstrainedPartsKept(const Surface& input, const Surface& after)
 {
   const CleanSurface clean = Clean(input, true);
   const HalfEdgeMesh mesh(clean.Surface);
-  std::multiset<Place> places;
-  std::multiset<std::array<Place, 3>> triangles;
+  std::multiset<Coordinates> positions;
+  std::multiset<std::array<Coordinates, 3>> triangles;
   for (const Vector3& p : after.Points)
   {
-    places.insert(PlaceOf(p));
+    positions.insert(CoordinatesOf(p));
   }
-  const auto placesOf = [](const Triangle& t, const auto& placeOf) {
-    return std::array<Place, 3>{ placeOf(t[0]), placeOf(t[1]), placeOf(t[2]) };
+  const auto positionsOf = [](const Triangle& t, const auto& coordinatesOf)
+  {
+    return std::array<Coordinates, 3>{ coordinatesOf(t[0]), coordinatesOf(t[1]),
+      coordinatesOf(t[2]) };
   };
   for (const Triangle& t : after.Triangles)
   {
-    triangles.insert(placesOf(t, [&](Index p) { return PlaceOf(after.Points[p]); }));
+    triangles.insert(positionsOf(t, [&](Index p) { return CoordinatesOf(after.Points[p]); }));
   }
-  const auto inputPlace = [&](Index v) { return PlaceOf(input.Points[clean.InputPoint[v]]); };
+  const auto inputPosition = [&](Index v)
+  { return CoordinatesOf(input.Points[clean.InputPoint[v]]); };
   for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
-    if (mesh.Kind(v) == VertexKind::Locked)
+    if (mesh.Constraint(v) == VertexConstraint::NonManifold)
     {
-      EXPECT_EQ(places.count(inputPlace(v)), 1U) << "point " << clean.InputPoint[v];
+      EXPECT_EQ(positions.count(inputPosition(v)), 1U) << "point " << clean.InputPoint[v];
     }
   }
   for (const Triangle& t : clean.Surface.Triangles)
   {
-    if (std::all_of(
-          t.begin(), t.end(), [&](Index v) { return mesh.Kind(v) == VertexKind::Locked; }))
+    if (std::all_of(t.begin(), t.end(),
+          [&](Index v) { return mesh.Constraint(v) == VertexConstraint::NonManifold; }))
     {
-      EXPECT_GE(triangles.count(placesOf(t, inputPlace)), 1U) << "a triangle of locked points";
+      EXPECT_GE(triangles.count(positionsOf(t, inputPosition)), 1U)
+        << "a triangle of constrained points";
     }
   }
 }
 
-void ExpectPlacesAreNearest(const Surface& input, const Result& result)
+void ExpectPositionsAreNearest(const Surface& input, const Result& result)
 {
   for (std::size_t i = 0; i < result.Surface.Points.size(); ++i)
   {
@@ -125,17 +129,17 @@ void ExpectPlacesAreNearest(const Surface& input, const Result& result)
     const Index triangle = result.Origins.NearestTriangle[i];
     ASSERT_GE(triangle, 0);
     ASSERT_LT(triangle, static_cast<Index>(input.Triangles.size()));
-    Vector3 place = Vector3::Zero();
+    Vector3 position = Vector3::Zero();
     double sum = 0.0;
     for (std::size_t k = 0; k < 3; ++k)
     {
       const double weight = result.Origins.Barycentric[i][k];
       EXPECT_GE(weight, -1e-15);
       sum += weight;
-      place += weight * input.Points[input.Triangles[triangle][k]];
+      position += weight * input.Points[input.Triangles[triangle][k]];
     }
     EXPECT_NEAR(sum, 1.0, 1e-14);
-    EXPECT_NEAR((place - p).norm(), result.Distance[i], Rounding) << "point " << i;
+    EXPECT_NEAR((position - p).norm(), result.Distance[i], Rounding) << "point " << i;
     EXPECT_NEAR(BruteNearest(input, p).Distance, result.Distance[i], Rounding) << "point " << i;
     const double toPoint = (input.Points[result.Origins.NearestPoint[i]] - p).norm();
     EXPECT_NEAR((input.Points[BruteNearestPoint(input, p)] - p).norm(), toPoint, Rounding);
@@ -160,7 +164,7 @@ void ExpectCentroidsAreNearest(const Surface& input, const Result& result)
   }
 }
 
-/// As often as the counts say; a point that stayed stands for itself.
+/// Each output point occurs as often as its count; unmoved points represent themselves.
 void ExpectOutputPointsAreCounted(const Surface& input, const Result& result)
 {
   ASSERT_EQ(result.Origins.OutputPoint.size(), input.Points.size());
@@ -245,7 +249,7 @@ public:
   }
 };
 
-TEST_P(AnyReduction, KeepsTopologyFragmentsLockedPartsAndTellsTheTruth)
+TEST_P(AnyReduction, KeepsTopologyFragmentsAndConstrainedPartsAndReportsThem)
 {
   const Surface& input = this->Shape();
   const Surface before = Clean(input, true).Surface;
@@ -255,16 +259,16 @@ TEST_P(AnyReduction, KeepsTopologyFragmentsLockedPartsAndTellsTheTruth)
     const Result result = Decimate(input, Reduced(fraction), {}, { false, true });
     ExpectSameTopology(before, result.Surface);
     ExpectFragmentsKept(before, result.Surface);
-    ExpectLockedPartsKept(input, result.Surface);
+    ExpectConstrainedPartsKept(input, result.Surface);
     ExpectMapsAreWhole(input, result);
-    ExpectPlacesAreNearest(input, result);
+    ExpectPositionsAreNearest(input, result);
     ExpectCentroidsAreNearest(input, result);
     ExpectOutputPointsAreCounted(input, result);
     ExpectReportIsTrue(before, result);
   }
 }
 
-TEST_P(AnyReduction, RemovesAsMuchAsAskedOrSaysThatNothingIsLeft)
+TEST_P(AnyReduction, RemovesTheRequestedFractionOrReportsNothingLeft)
 {
   const auto faces = static_cast<double>(this->Shape().Triangles.size());
   for (const double fraction : { 0.1, 0.5, 0.8, 0.95 })
@@ -313,19 +317,19 @@ TEST_P(AnyReduction, TranslationByRepresentableAmountsKeepsTheTopology)
   EXPECT_NEAR(plain.Report.RunningError, far.Report.RunningError, rounding);
 }
 
-TEST_P(AnyReduction, MillimetresOrMetresGiveTheSameNumberOfTriangles)
+TEST_P(AnyReduction, MillimetersOrMetersGiveTheSameNumberOfTriangles)
 {
   const Surface& input = this->Shape();
-  const std::size_t millimetres = Decimate(input, Reduced(0.8)).Surface.Triangles.size();
-  const std::size_t metres = Decimate(Scaled(input, 0.001), Reduced(0.8)).Surface.Triangles.size();
-  EXPECT_LE(std::max(millimetres, metres) - std::min(millimetres, metres), 1U);
+  const std::size_t millimeters = Decimate(input, Reduced(0.8)).Surface.Triangles.size();
+  const std::size_t meters = Decimate(Scaled(input, 0.001), Reduced(0.8)).Surface.Triangles.size();
+  EXPECT_LE(std::max(millimeters, meters) - std::min(millimeters, meters), 1U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, AnyReduction,
   testing::Combine(testing::ValuesIn(AllShapes()), testing::ValuesIn(AllModes())),
   AnyReduction::Name);
 
-TEST(AnyUnit, MillimetresOrMetresGiveTheSameDistances)
+TEST(AnyUnit, MillimetersOrMetersGiveTheSameDistances)
 {
   // Shapes without equal costs: rounding may decide between those.
   for (const Surface& input : { BumpySphere(3, 5.0, 0.1, 7), BumpySphere(4, 20.0, 0.02, 8) })
@@ -334,11 +338,11 @@ TEST(AnyUnit, MillimetresOrMetresGiveTheSameDistances)
     {
       Options options = InMode(mode, Reduction(0.8));
       options.MeasureDistances = true;
-      const Report millimetres = Decimate(input, options).Report;
-      const Report metres = Decimate(Scaled(input, 0.001), options).Report;
-      EXPECT_EQ(millimetres.Output.Faces, metres.Output.Faces);
-      const double error = millimetres.InputToOutput.RootMeanSquare;
-      EXPECT_NEAR(1000.0 * metres.InputToOutput.RootMeanSquare, error, 0.01 * error);
+      const Report millimeters = Decimate(input, options).Report;
+      const Report meters = Decimate(Scaled(input, 0.001), options).Report;
+      EXPECT_EQ(millimeters.Output.Faces, meters.Output.Faces);
+      const double error = millimeters.InputToOutput.RootMeanSquare;
+      EXPECT_NEAR(1000.0 * meters.InputToOutput.RootMeanSquare, error, 0.01 * error);
     }
   }
 }

@@ -41,12 +41,12 @@ void ExpectNearest(
   const BoundingTree::Nearest nearest = tree.FindNearest(p);
   const double size = 1.0 + p.norm();
   EXPECT_NEAR(
-    std::sqrt(nearest.Place.SquaredDistance), BruteNearest(surface, p).Distance, 1e-12 * size);
+    std::sqrt(nearest.Point.SquaredDistance), BruteNearest(surface, p).Distance, 1e-12 * size);
   EXPECT_EQ(nearest.Triangle, LeastTriangle(surface, p));
   EXPECT_EQ(tree.FindNearestPoint(p), BruteNearestPoint(surface, p));
   const Index hint = random.Below(static_cast<Index>(surface.Triangles.size()));
   EXPECT_EQ(tree.FindNearest(p, hint).Triangle, nearest.Triangle) << "hint " << hint;
-  EXPECT_EQ(tree.FindNearest(p, hint).Place.SquaredDistance, nearest.Place.SquaredDistance);
+  EXPECT_EQ(tree.FindNearest(p, hint).Point.SquaredDistance, nearest.Point.SquaredDistance);
   EXPECT_EQ(tree.FindNearestPoint(p, hint), tree.FindNearestPoint(p)) << "hint " << hint;
 }
 }
@@ -105,7 +105,7 @@ TEST(BoundingTree, PointsThatNoTriangleUsesAreNeverNearest)
   EXPECT_NE(BoundingTree(surface).FindNearestPoint({ 9, 9, 9 }), 3);
 }
 
-TEST(BoundingTree, DegenerateTrianglesAreWelcome)
+TEST(BoundingTree, AcceptsDegenerateTriangles)
 {
   Random random(8);
   Surface surface;
@@ -132,7 +132,7 @@ TEST(BoundingTree, FarPointsAgreeWithBruteForce)
   {
     const Vector3 p = 1e5 * random.InCube(1);
     const BoundingTree::Nearest nearest = tree.FindNearest(p);
-    EXPECT_NEAR(std::sqrt(nearest.Place.SquaredDistance), BruteNearest(surface, p).Distance,
+    EXPECT_NEAR(std::sqrt(nearest.Point.SquaredDistance), BruteNearest(surface, p).Distance,
       1e-12 * p.norm());
     EXPECT_EQ(nearest.Triangle, LeastTriangle(surface, p));
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CertificatePairs.h
- * @brief Pairs of surfaces and slow answers to hold certificates against.
+ * @brief Pairs of surfaces and brute-force distances to compare certificates with.
  */
 #ifndef BoneDecimate_Testing_CertificatePairs_h
 #define BoneDecimate_Testing_CertificatePairs_h
@@ -61,7 +61,7 @@ inline std::vector<NamedPair> SmallPairs()
   return pairs;
 }
 
-/// Calls visit(place, weights) for (n + 1)(n + 2) / 2 places spread over the triangle.
+/// Calls visit(position, weights) for (n + 1)(n + 2) / 2 positions spread over the triangle.
 inline void ForEachSample(const Surface& surface, const Triangle& corners, int n,
   const std::function<void(const Vector3&, const std::array<double, 3>&)>& visit)
 {
@@ -90,8 +90,8 @@ inline Sampled SampleDistance(const Surface& from, const Surface& to, int n)
   for (const Triangle& corners : from.Triangles)
   {
     ForEachSample(from, corners, n,
-      [&](const Vector3& place, const auto&)
-      { sampled.Largest = std::max(sampled.Largest, BruteNearest(to, place).Distance); });
+      [&](const Vector3& position, const auto&)
+      { sampled.Largest = std::max(sampled.Largest, BruteNearest(to, position).Distance); });
     for (int side = 0; side < 3; ++side)
     {
       const double length =

@@ -22,7 +22,7 @@ CertificateOptions WithEverything()
   return options;
 }
 
-/// Points of no triangle but one far away, to be asked about.
+/// Query points that belong to no triangle, or to one far away.
 Surface Cloud(int count, double half, std::uint64_t seed)
 {
   Surface cloud = Moved(Scaled(Tetrahedron(), 0.01), { 50.0, 50.0, 50.0 });
@@ -53,7 +53,7 @@ double WindingNumber(const Surface& surface, const Vector3& p)
 }
 }
 
-TEST(CertificatePoints, AreOnTheSideThatTheWindingNumberTells)
+TEST(CertificatePoints, HaveTheSideOfTheWindingNumber)
 {
   for (const Surface& solid :
     { Scaled(Moved(Cube(2), { -0.5, -0.5, -0.5 }), 8.0), BumpySphere(2, 5.0, 0.3, 4), Torus(9, 6),
@@ -71,12 +71,12 @@ TEST(CertificatePoints, AreOnTheSideThatTheWindingNumberTells)
   }
 }
 
-TEST(CertificatePoints, HaveNoSideOfABorder)
+TEST(CertificatePoints, HaveNoSideOfABoundary)
 {
   Surface cloud = Cloud(0, 1.0, 1);
   cloud.Points.emplace_back(1.5, 1.5, 0.25);  // above the plate
   cloud.Points.emplace_back(1.5, 1.5, -0.25); // below it
-  cloud.Points.emplace_back(-1.0, 1.5, 0.25); // beyond its border
+  cloud.Points.emplace_back(-1.0, 1.5, 0.25); // beyond its boundary
   cloud.Points.emplace_back(1.5, 1.5, 0.0);   // on it
   const Certificate found = Certify(cloud, Grid(3), WithEverything());
   const std::vector<signed char>& side = found.ReferenceToResult.Points.Side;
@@ -117,7 +117,7 @@ TEST(CertificateMeans, OfParallelPlatesAreTheirDistance)
   EXPECT_NEAR(found.ReferenceToResult.Mean.Area, 100.0, 1e-9);
 }
 
-TEST(CertificateMeans, AreThoseOfTheIntegralWithinTheErrorStated)
+TEST(CertificateMeans, EqualTheIntegralWithinTheReportedError)
 {
   // A plate above a tilted one: the distance rises linearly, d = h cos(angle).
   Surface tilted = Moved(Scaled(Grid(1), 40.0), { -15.0, -15.0, 0.0 });

@@ -22,16 +22,16 @@ bool GoOn(double)
   return true;
 }
 
-/// The place is on its triangle, and as far from the other surface as was said.
-void ExpectGoodPlace(const DistanceBounds& bounds, const Surface& from, const Surface& to)
+/// The position is on its triangle, and its distance to the other surface is within the bounds.
+void ExpectGoodPosition(const DistanceBounds& bounds, const Surface& from, const Surface& to)
 {
   ASSERT_NE(bounds.Triangle, None);
   const Triangle& corners = from.Triangles[bounds.Triangle];
-  EXPECT_LE(PointTriangleDistance(bounds.Place, from.Points[corners[0]], from.Points[corners[1]],
+  EXPECT_LE(PointTriangleDistance(bounds.Position, from.Points[corners[0]], from.Points[corners[1]],
               from.Points[corners[2]]),
     Tiny);
-  EXPECT_GE(BruteNearest(to, bounds.Place).Distance, bounds.Lower);
-  EXPECT_LE(BruteNearest(to, bounds.Place).Distance, bounds.Upper);
+  EXPECT_GE(BruteNearest(to, bounds.Position).Distance, bounds.Lower);
+  EXPECT_LE(BruteNearest(to, bounds.Position).Distance, bounds.Upper);
 }
 
 void ExpectBracket(const DistanceBounds& bounds, const Surface& from, const Surface& to)
@@ -41,7 +41,7 @@ void ExpectBracket(const DistanceBounds& bounds, const Surface& from, const Surf
   EXPECT_GE(sampled.Largest + sampled.Reach, bounds.Lower);
   EXPECT_LE(bounds.Lower, bounds.Upper);
   EXPECT_LE(bounds.Upper - bounds.Lower, 1e-6 * bounds.Upper + Tiny);
-  ExpectGoodPlace(bounds, from, to);
+  ExpectGoodPosition(bounds, from, to);
 }
 
 Certificate Compare(const Surface& reference, const Surface& result, int threads = 1)
@@ -55,7 +55,7 @@ void ExpectSame(const DistanceBounds& a, const DistanceBounds& b)
 {
   EXPECT_EQ(a.Lower, b.Lower);
   EXPECT_EQ(a.Upper, b.Upper);
-  EXPECT_EQ(a.Place, b.Place);
+  EXPECT_EQ(a.Position, b.Position);
   EXPECT_EQ(a.Triangle, b.Triangle);
   EXPECT_EQ(a.NearestTriangle, b.NearestTriangle);
   EXPECT_EQ(a.Cuts, b.Cuts);
@@ -71,7 +71,7 @@ void ExpectBoth(const Certificate& found, double distance)
 }
 }
 
-TEST(Certificate, BracketsWhatDenseSamplesFind)
+TEST(Certificate, BoundsContainTheMaximumOfDenseSamples)
 {
   for (const NamedPair& pair : SmallPairs())
   {
@@ -91,8 +91,8 @@ TEST(Certificate, OfASurfaceWithItselfIsExactlyZero)
     const Certificate found = Compare(shape.Surface, shape.Surface);
     EXPECT_EQ(found.Lower(), 0.0);
     EXPECT_EQ(found.Upper(), 0.0);
-    EXPECT_EQ(found.BorderOfReferenceToResult.Distance.Upper, 0.0);
-    EXPECT_EQ(found.BorderOfResultToReference.Distance.Upper, 0.0);
+    EXPECT_EQ(found.BoundaryOfReferenceToResult.Distance.Upper, 0.0);
+    EXPECT_EQ(found.BoundaryOfResultToReference.Distance.Upper, 0.0);
   }
 }
 
@@ -120,12 +120,12 @@ TEST(Certificate, OfCubesIsTheDistanceOfTheirCorners)
 
 TEST(Certificate, FindsTheMaximumInsideOfATriangleWhereNoPointIs)
 {
-  // Above the middle of the triangle the two sheets that hold it are equally far.
+  // Above the middle of the triangle both surfaces are equally far.
   Surface middle = SingleTriangle();
-  const Surface sheets = Together(
+  const Surface surfaces = Together(
     Moved(Scaled(Grid(1), 4.0), { -1.0, -1.0, 0.25 }), Moved(Scaled(Grid(1), 0.1), { 0, 0, 0 }));
-  const Certificate found = Compare(middle, sheets);
-  ExpectBracket(found.ReferenceToResult.Distance, middle, sheets);
+  const Certificate found = Compare(middle, surfaces);
+  ExpectBracket(found.ReferenceToResult.Distance, middle, surfaces);
   EXPECT_NEAR(found.ReferenceToResult.Distance.Lower, 0.25, 1e-6);
 }
 
@@ -158,7 +158,7 @@ TEST(Certificate, SwapsItsDirectionsWithTheSurfaces)
     ExpectSame(found.ReferenceToResult.Distance, swapped.ResultToReference.Distance);
     ExpectSame(found.ResultToReference.Distance, swapped.ReferenceToResult.Distance);
     ExpectSame(
-      found.BorderOfReferenceToResult.Distance, swapped.BorderOfResultToReference.Distance);
+      found.BoundaryOfReferenceToResult.Distance, swapped.BoundaryOfResultToReference.Distance);
   }
 }
 
@@ -172,8 +172,8 @@ TEST(Certificate, IsTheSameForAnyNumberOfThreads)
     const Certificate many = Compare(Together(reference, Grid(6)), result, threads);
     ExpectSame(one.ReferenceToResult.Distance, many.ReferenceToResult.Distance);
     ExpectSame(one.ResultToReference.Distance, many.ResultToReference.Distance);
-    ExpectSame(one.BorderOfReferenceToResult.Distance, many.BorderOfReferenceToResult.Distance);
-    ExpectSame(one.BorderOfResultToReference.Distance, many.BorderOfResultToReference.Distance);
+    ExpectSame(one.BoundaryOfReferenceToResult.Distance, many.BoundaryOfReferenceToResult.Distance);
+    ExpectSame(one.BoundaryOfResultToReference.Distance, many.BoundaryOfResultToReference.Distance);
   }
 }
 
@@ -207,11 +207,11 @@ TEST(Certificate, LosesNothingFarFromTheOrigin)
   EXPECT_LE(there.Slack, here.Slack);
   EXPECT_NEAR(there.Lower(), here.Lower(), 1e-6 * here.Lower());
   EXPECT_NEAR(there.Upper(), here.Upper(), 1e-6 * here.Upper());
-  const Vector3 moved = there.ReferenceToResult.Distance.Place - far;
-  EXPECT_LE((moved - here.ReferenceToResult.Distance.Place).norm(), 1e-3);
+  const Vector3 moved = there.ReferenceToResult.Distance.Position - far;
+  EXPECT_LE((moved - here.ReferenceToResult.Distance.Position).norm(), 1e-3);
 }
 
-TEST(Certificate, HoldsWhateverCandidatesTheSearchIsGiven)
+TEST(Certificate, HoldsForAnyCandidatesOfTheSearch)
 {
   for (const NamedPair& pair : SmallPairs())
   {
@@ -242,7 +242,7 @@ TEST(Certificate, HoldsWhateverCandidatesTheSearchIsGiven)
   }
 }
 
-TEST(Certificate, KeepsItsBoundsValidWhenItMayHardlyCut)
+TEST(Certificate, BoundsAreValidWithFewCuts)
 {
   const Surface reference = BumpySphere(3, 10.0, 0.1, 5);
   const Surface result = Icosphere(1, 10.0);
@@ -255,7 +255,7 @@ TEST(Certificate, KeepsItsBoundsValidWhenItMayHardlyCut)
   EXPECT_LT(few.Upper(), Infinity);
 }
 
-TEST(Certificate, SaysWhatItCannotCompare)
+TEST(Certificate, ReportsSurfacesThatCannotBeCompared)
 {
   const Surface good = Tetrahedron();
   Surface outside = good;
@@ -277,7 +277,7 @@ TEST(Certificate, SaysWhatItCannotCompare)
   EXPECT_EQ(Certify(good, good, options).Status, CertificateStatus::BadTolerance);
 }
 
-TEST(Certificate, EndsWhenTheMonitorSaysStop)
+TEST(Certificate, EndsOnAbort)
 {
   const Surface reference = BumpySphere(4, 10.0, 0.05, 3);
   const Surface result = Icosphere(3, 10.0);

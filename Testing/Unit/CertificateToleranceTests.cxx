@@ -71,9 +71,10 @@ double SampledExcess(
   for (const Triangle& c : reference.Triangles)
   {
     ForEachSample(reference, c, 10,
-      [&](const Vector3& place, const std::array<double, 3>& weights) {
+      [&](const Vector3& position, const std::array<double, 3>& weights)
+      {
         largest =
-          std::max(largest, BruteNearest(result, place).Distance - LimitAt(map, c, weights));
+          std::max(largest, BruteNearest(result, position).Distance - LimitAt(map, c, weights));
       });
   }
   return largest;
@@ -88,14 +89,15 @@ double SampledExcessBack(
   for (const Triangle& corners : result.Triangles)
   {
     ForEachSample(result, corners, 10,
-      [&](const Vector3& place, const auto&)
+      [&](const Vector3& position, const auto&)
       {
         double least = Infinity;
         for (const Triangle& c : reference.Triangles)
         {
           const double limit =
             std::min({ LimitOf(map[c[0]]), LimitOf(map[c[1]]), LimitOf(map[c[2]]) });
-          least = std::min(least, PointTriangleDistance(place, p[c[0]], p[c[1]], p[c[2]]) - limit);
+          least =
+            std::min(least, PointTriangleDistance(position, p[c[0]], p[c[1]], p[c[2]]) - limit);
         }
         largest = std::max(largest, least);
       });
@@ -110,20 +112,20 @@ TEST(CertificateTolerance, IsProvedAboveTheDistanceAndViolatedBelow)
   {
     SCOPED_TRACE(pair.Name);
     CertificateOptions bare;
-    bare.WithBorders = false;
+    bare.WithBoundaries = false;
     const Certificate known = Certify(pair.Reference, pair.Result, bare);
     for (const bool tight : { true, false })
     {
       bare.TightBounds = tight;
       bare.Tolerance = known.Upper() * (1.0 + 1e-9);
-      EXPECT_EQ(Certify(pair.Reference, pair.Result, bare).Verdict, CertificateVerdict::Proved);
+      EXPECT_EQ(Certify(pair.Reference, pair.Result, bare).Proof, ProofStatus::Proved);
       bare.Tolerance = known.Lower() * (1.0 - 1e-9);
-      EXPECT_EQ(Certify(pair.Reference, pair.Result, bare).Verdict, CertificateVerdict::Violated);
+      EXPECT_EQ(Certify(pair.Reference, pair.Result, bare).Proof, ProofStatus::Violated);
     }
   }
 }
 
-TEST(CertificateTolerance, WithinTheGapIsLookedAtAgain)
+TEST(CertificateTolerance, InsideOfTheGapIsRefinedFurther)
 {
   const Surface reference = BumpySphere(3, 10.0, 0.05, 3);
   const Surface result = Icosphere(2, 10.0);
@@ -131,28 +133,27 @@ TEST(CertificateTolerance, WithinTheGapIsLookedAtAgain)
   CertificateOptions coarse;
   coarse.RelativeGap = 0.5;
   coarse.Tolerance = known.Upper() * (1.0 + 1e-9);
-  EXPECT_EQ(Certify(reference, result, coarse).Verdict, CertificateVerdict::Proved);
+  EXPECT_EQ(Certify(reference, result, coarse).Proof, ProofStatus::Proved);
 }
 
 TEST(CertificateTolerance, OfZeroIsProvedOnlyForTheSameTriangles)
 {
   const Surface plate = HoledPlate(6);
-  EXPECT_EQ(Against(plate, plate, 0.0).Verdict, CertificateVerdict::Proved);
-  EXPECT_EQ(Against(plate, Unwelded(plate), 0.0).Verdict, CertificateVerdict::Proved);
-  EXPECT_EQ(
-    Against(plate, Moved(plate, { 0.0, 0.0, 1e-6 }), 0.0).Verdict, CertificateVerdict::Violated);
+  EXPECT_EQ(Against(plate, plate, 0.0).Proof, ProofStatus::Proved);
+  EXPECT_EQ(Against(plate, Unwelded(plate), 0.0).Proof, ProofStatus::Proved);
+  EXPECT_EQ(Against(plate, Moved(plate, { 0.0, 0.0, 1e-6 }), 0.0).Proof, ProofStatus::Violated);
 }
 
-TEST(CertificateTolerance, ThatRoundingCannotTellIsUndecided)
+TEST(CertificateTolerance, WithinRoundingIsUndecided)
 {
   const Surface plate = Grid(3);
   const Certificate found = Against(plate, Moved(plate, { 0.0, 0.0, 0.5 }), 0.5);
-  EXPECT_EQ(found.Verdict, CertificateVerdict::Undecided);
+  EXPECT_EQ(found.Proof, ProofStatus::Undecided);
   EXPECT_LE(found.Lower(), 0.5);
   EXPECT_GE(found.Upper(), 0.5);
 }
 
-TEST(CertificateTolerance, MapsBracketWhatDenseSamplesFind)
+TEST(CertificateTolerance, BoundsOfMapsContainTheMaximumOfDenseSamples)
 {
   for (const NamedPair& pair : SmallPairs())
   {
@@ -176,19 +177,19 @@ TEST(CertificateTolerance, AConstantMapIsASingleTolerance)
   {
     SCOPED_TRACE(pair.Name);
     const Certificate known = Certify(pair.Reference, pair.Result);
-    for (const double share : { 0.9, 1.1 })
+    for (const double fraction : { 0.9, 1.1 })
     {
-      const double tolerance = share * known.Upper();
+      const double tolerance = fraction * known.Upper();
       const std::vector<double> map(pair.Reference.Points.size(), tolerance);
-      EXPECT_EQ(AgainstMap(pair.Reference, pair.Result, map).Verdict,
-        Against(pair.Reference, pair.Result, tolerance).Verdict);
+      EXPECT_EQ(AgainstMap(pair.Reference, pair.Result, map).Proof,
+        Against(pair.Reference, pair.Result, tolerance).Proof);
     }
   }
 }
 
 TEST(CertificateTolerance, ARampAllowsWhatRisesWithIt)
 {
-  // Along x the plate rises by 0.1 mm each millimetre, and so does the tolerance.
+  // Along x the plate rises by 0.1 mm each millimeter, and so does the tolerance.
   const Surface plate = Grid(8);
   Surface raised = plate;
   std::vector<double> map;
@@ -198,15 +199,15 @@ TEST(CertificateTolerance, ARampAllowsWhatRisesWithIt)
     point.z() += 0.0999 * point.x();
   }
   const Certificate good = AgainstMap(plate, raised, map);
-  EXPECT_EQ(good.ReferenceToResult.Verdict, CertificateVerdict::Proved);
+  EXPECT_EQ(good.ReferenceToResult.Proof, ProofStatus::Proved);
   for (double& tolerance : map)
   {
     tolerance *= 0.9;
   }
-  EXPECT_EQ(AgainstMap(plate, raised, map).ReferenceToResult.Verdict, CertificateVerdict::Violated);
+  EXPECT_EQ(AgainstMap(plate, raised, map).ReferenceToResult.Proof, ProofStatus::Violated);
 }
 
-TEST(CertificateTolerance, OfZeroFreezesItsPointsAndLetsOthersMove)
+TEST(CertificateTolerance, OfZeroConstrainsItsPointsOnly)
 {
   const Surface sphere = Icosphere(3, 10.0);
   Surface result = sphere;
@@ -216,11 +217,11 @@ TEST(CertificateTolerance, OfZeroFreezesItsPointsAndLetsOthersMove)
     map[i] = sphere.Points[i].z() > 0.0 ? 0.0 : 0.5;
     result.Points[i] *= sphere.Points[i].z() < -4.0 ? 1.03 : 1.0;
   }
-  EXPECT_EQ(AgainstMap(sphere, result, map).Verdict, CertificateVerdict::Proved);
+  EXPECT_EQ(AgainstMap(sphere, result, map).Proof, ProofStatus::Proved);
   const auto top = std::max_element(result.Points.begin(), result.Points.end(),
     [](const Vector3& a, const Vector3& b) { return a.z() < b.z(); });
   top->z() += 1e-6;
-  EXPECT_EQ(AgainstMap(sphere, result, map).Verdict, CertificateVerdict::Violated);
+  EXPECT_EQ(AgainstMap(sphere, result, map).Proof, ProofStatus::Violated);
 }
 
 TEST(CertificateTolerance, OfZeroNextToNoLimitOrToARampIsDecided)
@@ -236,39 +237,39 @@ TEST(CertificateTolerance, OfZeroNextToNoLimitOrToARampIsDecided)
       map.push_back(z > 0.0 ? 0.0 : below < 0.0 ? NoLimit : -below * z);
       result.Points[i] *= z < -4.0 ? 1.01 : 1.0;
     }
-    EXPECT_EQ(AgainstMap(sphere, result, map).Verdict, CertificateVerdict::Proved) << below;
+    EXPECT_EQ(AgainstMap(sphere, result, map).Proof, ProofStatus::Proved) << below;
     result.Points[0] *= 1.0 + 1e-7;
     map[0] = 0.0;
-    EXPECT_EQ(AgainstMap(sphere, result, map).Verdict, CertificateVerdict::Violated) << below;
+    EXPECT_EQ(AgainstMap(sphere, result, map).Proof, ProofStatus::Violated) << below;
   }
 }
 
-TEST(CertificateTolerance, WhereNothingLimitsAnythingMayHappen)
+TEST(CertificateTolerance, MapWithoutLimitsIsAlwaysProved)
 {
   const Surface plate = Grid(4);
   const Surface away = Moved(plate, { 0.0, 0.0, 9.0 });
   const std::vector<double> none(plate.Points.size(), NoLimit);
-  EXPECT_EQ(AgainstMap(plate, away, none).Verdict, CertificateVerdict::Proved);
+  EXPECT_EQ(AgainstMap(plate, away, none).Proof, ProofStatus::Proved);
   const std::vector<double> unknown(plate.Points.size(), std::nan(""));
-  EXPECT_EQ(AgainstMap(plate, away, unknown).Verdict, CertificateVerdict::Proved);
-  EXPECT_EQ(AgainstMap(plate, away, none, 1.0).Verdict, CertificateVerdict::Violated);
-  EXPECT_EQ(AgainstMap(plate, away, none, 10.0).Verdict, CertificateVerdict::Proved);
+  EXPECT_EQ(AgainstMap(plate, away, unknown).Proof, ProofStatus::Proved);
+  EXPECT_EQ(AgainstMap(plate, away, none, 1.0).Proof, ProofStatus::Violated);
+  EXPECT_EQ(AgainstMap(plate, away, none, 10.0).Proof, ProofStatus::Proved);
 }
 
-TEST(CertificateTolerance, ASingleLimitedPointIsHeldAllTheSame)
+TEST(CertificateTolerance, ASingleLimitedPointIsChecked)
 {
   const Surface plate = Grid(4);
   Surface result = Moved(plate, { 0.0, 0.0, 9.0 });
   std::vector<double> map(plate.Points.size(), NoLimit);
   map[12] = 0.25;
-  EXPECT_EQ(AgainstMap(plate, result, map).ReferenceToResult.Verdict, CertificateVerdict::Violated);
+  EXPECT_EQ(AgainstMap(plate, result, map).ReferenceToResult.Proof, ProofStatus::Violated);
   result.Points[12].z() = 0.2;
-  EXPECT_EQ(AgainstMap(plate, result, map).Verdict, CertificateVerdict::Proved);
+  EXPECT_EQ(AgainstMap(plate, result, map).Proof, ProofStatus::Proved);
 }
 
-TEST(CertificateTolerance, AHugeMapDoesNotBlurTheSingleOne)
+TEST(CertificateTolerance, AHugeMapDoesNotAffectTheSingleTolerance)
 {
-  // Rounding is allowed for by what has to be kept, not by what nobody cares for.
+  // The slack depends on finite tolerances only.
   const Surface reference = Icosphere(2, 10.0);
   Surface result = reference;
   for (Vector3& point : result.Points)
@@ -278,15 +279,15 @@ TEST(CertificateTolerance, AHugeMapDoesNotBlurTheSingleOne)
   const std::vector<double> huge(reference.Points.size(), 1e9);
   const double above = 0.01 * (1.0 + 1e-5);
   const double below = 0.01 * (1.0 - 1e-5);
-  EXPECT_EQ(AgainstMap(reference, result, huge, above).Verdict, CertificateVerdict::Proved);
-  EXPECT_EQ(AgainstMap(reference, result, huge, below).Verdict, CertificateVerdict::Violated);
+  EXPECT_EQ(AgainstMap(reference, result, huge, above).Proof, ProofStatus::Proved);
+  EXPECT_EQ(AgainstMap(reference, result, huge, below).Proof, ProofStatus::Violated);
 }
 
-TEST(CertificateTolerance, TheSingleOneCapsTheMap)
+TEST(CertificateTolerance, TheSingleToleranceCapsTheMap)
 {
   const Surface plate = Grid(4);
   const Surface moved = Moved(plate, { 0.0, 0.0, 0.5 });
   const std::vector<double> generous(plate.Points.size(), 3.0);
-  EXPECT_EQ(AgainstMap(plate, moved, generous).Verdict, CertificateVerdict::Proved);
-  EXPECT_EQ(AgainstMap(plate, moved, generous, 0.4).Verdict, CertificateVerdict::Violated);
+  EXPECT_EQ(AgainstMap(plate, moved, generous).Proof, ProofStatus::Proved);
+  EXPECT_EQ(AgainstMap(plate, moved, generous, 0.4).Proof, ProofStatus::Violated);
 }

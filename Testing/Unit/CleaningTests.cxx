@@ -18,7 +18,7 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// What a cleaned surface promises of itself and of where it came from.
+/// The invariants of a cleaned surface and of its maps.
 void ExpectConsistent(const Surface& input, const CleanSurface& clean)
 {
   EXPECT_EQ(WhatIsWrong(clean.Surface), "");
@@ -76,7 +76,7 @@ TEST(Cleaning, NonFinitePointsAreCountedAndTheFirstIsNamed)
   }
 }
 
-TEST(Cleaning, HugeCoordinatesAreRefusedAndLargeOnesAreNot)
+TEST(Cleaning, RejectsHugeCoordinatesAndAcceptsLargeOnes)
 {
   Surface surface = Tetrahedron();
   surface.Points[1].x() = -1.1e30;
@@ -214,7 +214,7 @@ TEST(Cleaning, UnusedPointsAreLeftOutAndCounted)
   EXPECT_EQ(clean.Origin, Vector3(0, 0, 0)) << "the unused points do not count";
 }
 
-TEST(Cleaning, AFlatTriangleThatHoldsTheSurfaceTogetherStays)
+TEST(Cleaning, KeepsAFlatTriangleThatConnectsTheSurface)
 {
   // A square in which the middle of one side is a corner of one triangle only: the gap is a
   // triangle without area, and without it there would be a crack.
@@ -223,7 +223,7 @@ TEST(Cleaning, AFlatTriangleThatHoldsTheSurfaceTogetherStays)
   const CleanSurface clean = Clean(surface, true);
   EXPECT_EQ(clean.Statistics.DroppedTriangles, 0);
   EXPECT_EQ(clean.Surface.Triangles.size(), 4U);
-  // A flat triangle with one neighbour closes nothing.
+  // A flat triangle with one neighbor closes nothing.
   Surface flap = Grid(1);
   flap.Points.emplace_back(2.0, 0.0, 0.0);
   flap.Triangles.push_back({ 1, 0, 4 });

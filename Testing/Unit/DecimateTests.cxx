@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the driver does with each option, with bad inputs, threads and monitors.
+// The driver with each option, with invalid inputs, threads and monitors.
 #include "BruteForce.h"
 #include "Runs.h"
 
@@ -87,7 +87,7 @@ TEST(Decimate, ANumberAboveTheInputLeavesItAsItIs)
   EXPECT_EQ(result.Report.Stop, StopReason::AlreadySatisfied);
 }
 
-TEST(Decimate, TheDefaultReductionStepsBackForANumberOrAnError)
+TEST(Decimate, TheDefaultReductionIsIgnoredWithANumberOrAnError)
 {
   EXPECT_EQ(Faces(Decimate(Bone(), Triangles(100))), 100) << "a tenth would be 512";
   EXPECT_EQ(Faces(Decimate(Bone(), Triangles(4000))), 4000);
@@ -109,7 +109,7 @@ TEST(Decimate, AnExplicitReductionOfOneIsOff)
   options.TargetNumberOfTriangles = 3000;
   EXPECT_EQ(Faces(Decimate(Bone(), options)), 3000);
   EXPECT_EQ(Decimate(Bone(), Reduction(1.0)).Report.Stop, StopReason::NothingLeft)
-    << "nothing asked for stops it";
+    << "no stop was requested";
 }
 
 TEST(Decimate, ALargerErrorLeavesFewerTriangles)
@@ -160,7 +160,7 @@ TEST(Decimate, WithNumberAndErrorTheThesisGoesOnUntilBothAreReached)
   EXPECT_GE(further.Report.RunningError, 0.5);
 }
 
-TEST(Decimate, NormalToleranceOneEatsFlatAreasFirstAndZeroDoesNot)
+TEST(Decimate, NormalToleranceOneCollapsesFlatAreasFirstAndZeroDoesNot)
 {
   // Left half flat, right half rough.
   Surface plate = HeightField(24, 0.4, 6);
@@ -180,7 +180,7 @@ TEST(Decimate, NormalToleranceOneEatsFlatAreasFirstAndZeroDoesNot)
   EXPECT_LT(2 * leftOnes(1.0), leftOnes(0.0));
 }
 
-TEST(Decimate, ChoosesTheNormalToleranceByTheShareThatStays)
+TEST(Decimate, ChoosesTheNormalToleranceByTheRemainingFraction)
 {
   const Surface bone = BumpySphere(4, 20.0, 0.02, 3);
   const auto run = [&](Options options)
@@ -191,7 +191,7 @@ TEST(Decimate, ChoosesTheNormalToleranceByTheShareThatStays)
   EXPECT_EQ(run(Reduction(0.4)).Report.NormalTolerance, 0.95);
   EXPECT_NEAR(run(Reduction(0.7)).Report.NormalTolerance, 0.7125, 1e-9);
   EXPECT_EQ(run(Triangles(100)).Report.NormalTolerance, 0.0);
-  EXPECT_EQ(run(Error(0.05)).Report.NormalTolerance, 0.95) << "nobody knows how many will stay";
+  EXPECT_EQ(run(Error(0.05)).Report.NormalTolerance, 0.95) << "the remaining number is unknown";
   Options chosen = InMode(Mode::Thesis, Reduction(0.7));
   chosen.NormalTolerance = run(Reduction(0.7)).Report.NormalTolerance;
   EXPECT_TRUE(SameBytes(Decimate(bone, chosen).Surface, run(Reduction(0.7)).Surface));
@@ -211,7 +211,7 @@ TEST(Decimate, WithoutMergingASoupStaysASoup)
   EXPECT_EQ(apart.Report.Cleaning.MergedPoints, 0);
 }
 
-TEST(Decimate, DistancesAreMeasuredWhenAskedFor)
+TEST(Decimate, MeasuresDistancesOnRequest)
 {
   const Surface input = BumpySphere(3, 20.0, 0.05, 2);
   Options options = Reduction(0.8);
@@ -254,7 +254,7 @@ TEST(Decimate, InputDistancesVsBruteForceAndOnlyOnRequest)
   }
 }
 
-TEST(Decimate, PrecisionIsThatAskedForOrThatOfTheInput)
+TEST(Decimate, PrecisionIsTheRequestedOneOrThatOfTheInput)
 {
   const auto isSingle = [](PointsPrecision precision, bool inputIsSingle)
   {
@@ -280,7 +280,7 @@ TEST(Decimate, DistancesOfSinglePrecisionPointsAreThoseOfTheRoundedOnes)
   }
 }
 
-TEST(Decimate, LooksPointsUpOnlyIfSomebodyAsks)
+TEST(Decimate, LooksPointsUpOnlyOnRequest)
 {
   Options options = InMode(Mode::Thesis, Reduction(0.5));
   const Result thesis = Decimate(Bone(), options);
@@ -357,7 +357,7 @@ TEST(Decimate, SharpEdgesStayWhileFlatAreasCostNothing)
   }
 }
 
-TEST(Decimate, FlatOpenSurfacesKeepTheirBorderAndTheirArea)
+TEST(Decimate, FlatOpenSurfacesKeepTheirBoundaryAndTheirArea)
 {
   for (const Surface& input : { Grid(12), HoledPlate(12) })
   {
@@ -373,10 +373,10 @@ TEST(Decimate, FlatOpenSurfacesKeepTheirBorderAndTheirArea)
   }
 }
 
-TEST(Decimate, StraightBordersOfRoughSurfacesStayStraight)
+TEST(Decimate, StraightBoundariesOfRoughSurfacesStayStraight)
 {
   const Surface input = HeightField(16, 0.5, 9);
-  const std::vector<std::pair<Index, Index>> border = BoundaryEdges(input);
+  const std::vector<std::pair<Index, Index>> boundary = BoundaryEdges(input);
   for (const double fraction : { 0.2, 0.4, 0.6 })
   {
     const Result result = Decimate(input, Reduction(fraction));
@@ -384,12 +384,12 @@ TEST(Decimate, StraightBordersOfRoughSurfacesStayStraight)
     {
       double nearest = std::numeric_limits<double>::max();
       const Vector3& p = result.Surface.Points[from];
-      for (const auto& [a, b] : border)
+      for (const auto& [a, b] : boundary)
       {
         nearest = std::min(
           nearest, PointTriangleDistance(p, input.Points[a], input.Points[b], input.Points[a]));
       }
-      EXPECT_LT(nearest, 1e-9) << "border point " << from << " to " << to << " at " << fraction;
+      EXPECT_LT(nearest, 1e-9) << "boundary point " << from << " to " << to << " at " << fraction;
     }
   }
 }

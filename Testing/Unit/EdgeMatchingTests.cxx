@@ -38,7 +38,7 @@ struct BruteMatching
     for (const auto& [ends, group] : this->OnEdge)
     {
       ++this->Counts.Edges;
-      this->Counts.Border += group.size() == 1 ? 1 : 0;
+      this->Counts.Boundary += group.size() == 1 ? 1 : 0;
       this->Counts.NonManifold += group.size() > 2 ? 1 : 0;
       const bool isPair = group.size() == 2 && corner(group[0]) == target(group[1]) &&
         corner(group[0]) != target(group[0]);
@@ -81,24 +81,24 @@ bool IsOneFan(const std::vector<Triangle>& triangles, const std::vector<Index>& 
   return reached == faces;
 }
 
-VertexKind BruteKind(
+VertexConstraint BruteKind(
   const BruteMatching& brute, const std::vector<Triangle>& triangles, Index point)
 {
   bool odd = false;
-  bool border = false;
+  bool boundary = false;
   for (const auto& [ends, group] : brute.OnEdge)
   {
     if (ends.first == point || ends.second == point)
     {
       odd = odd || brute.Twins[group[0]] == OddEdge;
-      border = border || brute.Twins[group[0]] == None;
+      boundary = boundary || brute.Twins[group[0]] == None;
     }
   }
   if (odd || !IsOneFan(triangles, brute.Twins, point))
   {
-    return VertexKind::Locked;
+    return VertexConstraint::NonManifold;
   }
-  return border ? VertexKind::Border : VertexKind::Inside;
+  return boundary ? VertexConstraint::Boundary : VertexConstraint::Free;
 }
 
 void ExpectMatched(const Surface& surface)
@@ -110,7 +110,7 @@ void ExpectMatched(const Surface& surface)
     EXPECT_EQ(std::vector<Index>(matching.Twins().begin(), matching.Twins().end()), brute.Twins);
     const EdgeCounts counts = matching.CountEdges();
     EXPECT_EQ(counts.Edges, brute.Counts.Edges);
-    EXPECT_EQ(counts.Border, brute.Counts.Border);
+    EXPECT_EQ(counts.Boundary, brute.Counts.Boundary);
     EXPECT_EQ(counts.NonManifold, brute.Counts.NonManifold);
   }
 }
@@ -133,7 +133,7 @@ void ExpectRings(const Surface& surface)
   {
     if (outgoing[p] != None)
     {
-      EXPECT_EQ(rings.Kinds[p], BruteKind(brute, surface.Triangles, p)) << "point " << p;
+      EXPECT_EQ(rings.Constraints[p], BruteKind(brute, surface.Triangles, p)) << "point " << p;
     }
   }
 }
@@ -199,6 +199,6 @@ TEST(EdgeMatching, TrianglesWithRepeatedCornersAreCounted)
   const EdgeCounts counts = EdgeMatching(triangles, 3).CountEdges();
   const BruteMatching brute(triangles);
   EXPECT_EQ(counts.Edges, brute.Counts.Edges);
-  EXPECT_EQ(counts.Border, brute.Counts.Border);
+  EXPECT_EQ(counts.Boundary, brute.Counts.Boundary);
   EXPECT_EQ(counts.NonManifold, brute.Counts.NonManifold);
 }

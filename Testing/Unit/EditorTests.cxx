@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BruteForce.h"
-#include "Collapse/ThesisLoop.h"
 #include "Mesh/Invariants.h"
 #include "Mesh/MeanEdgeLength.h"
 #include "Runs.h"
+#include "Stages/ThesisCollapse.h"
 
 #include <gtest/gtest.h>
 
@@ -17,17 +17,17 @@ namespace
 {
 constexpr double Tolerance = 0.95;
 
-/// Runs the loop as far as it goes and calls check(editor, edit) after every collapse.
+/// Runs the loop to its end and calls check(editor, edit) after every collapse.
 StopReason RunToTheEnd(const Surface& surface, const Editor::Hook& check)
 {
   const CleanSurface cleaned = Clean(surface, true);
-  Editor editor(cleaned, Editor::Books());
+  Editor editor(cleaned, EditorSettings());
   editor.SetHook(check);
-  ThesisLoop loop(editor, Tolerance, { 0, 0.0 });
+  ThesisCollapse loop(editor, Tolerance, { 0, 0.0 });
   return loop.Run([](double) { return true; });
 }
 
-/// Holds one collapse against the mesh as it was before it.
+/// Compares one collapse with the mesh before it.
 class EditCheck
 {
 public:
@@ -39,29 +39,30 @@ public:
   void operator()(const Editor& editor, const Edit& edit)
   {
     const Index gone = this->Before.Across(edit.Edge, edit.Keep);
-    this->CheckPlace(edit, gone);
+    this->CheckNewPosition(edit, gone);
     this->CheckFaces(editor.Mesh(), edit.Keep, gone);
     this->Before = editor.Mesh();
   }
 
 private:
-  void CheckPlace(const Edit& edit, Index gone) const
+  void CheckNewPosition(const Edit& edit, Index gone) const
   {
-    const VertexKind keepKind = this->Before.Kind(edit.Keep);
-    const VertexKind goneKind = this->Before.Kind(gone);
-    EXPECT_NE(keepKind, VertexKind::Locked);
-    EXPECT_NE(goneKind, VertexKind::Locked);
+    const VertexConstraint keepKind = this->Before.Constraint(edit.Keep);
+    const VertexConstraint goneKind = this->Before.Constraint(gone);
+    EXPECT_NE(keepKind, VertexConstraint::NonManifold);
+    EXPECT_NE(goneKind, VertexConstraint::NonManifold);
     const Vector3& a = this->Before.Position(edit.Keep);
     const Vector3& b = this->Before.Position(gone);
     EXPECT_TRUE(!edit.KeepStays || edit.Position == a);
-    if (keepKind == VertexKind::Border && goneKind == VertexKind::Border)
+    if (keepKind == VertexConstraint::Boundary && goneKind == VertexConstraint::Boundary)
     {
-      EXPECT_EQ(this->Before.Twin(edit.Edge), None) << "an inside edge between border vertices";
-      EXPECT_LT(PointTriangleDistance(edit.Position, a, b, a), 1e-12) << "off the border edge";
+      EXPECT_EQ(this->Before.Twin(edit.Edge), None) << "an inside edge between boundary vertices";
+      EXPECT_LT(PointTriangleDistance(edit.Position, a, b, a), 1e-12) << "off the boundary edge";
     }
-    else if (keepKind == VertexKind::Border || goneKind == VertexKind::Border)
+    else if (keepKind == VertexConstraint::Boundary || goneKind == VertexConstraint::Boundary)
     {
-      EXPECT_EQ(edit.Position, keepKind == VertexKind::Border ? a : b) << "the border vertex moved";
+      EXPECT_EQ(edit.Position, keepKind == VertexConstraint::Boundary ? a : b)
+        << "the boundary vertex moved";
     }
   }
 
@@ -103,7 +104,7 @@ class EveryCollapse : public EachShape
 {
 };
 
-TEST_P(EveryCollapse, LeavesTheMeshAsItPromises)
+TEST_P(EveryCollapse, KeepsTheInvariantsOfTheMesh)
 {
   std::int64_t collapses = 0;
   RunToTheEnd(GetParam().Surface,
@@ -140,12 +141,12 @@ TEST_P(EveryCollapse, LeavesTheTopologyAsItWas)
     });
 }
 
-TEST_P(EveryCollapse, KeepsTheRulesOfBordersAndTurnsNoFaceOver)
+TEST_P(EveryCollapse, KeepsTheRulesOfBoundariesAndTurnsNoFaceOver)
 {
   RunToTheEnd(GetParam().Surface, EditCheck(GetParam().Surface));
 }
 
-TEST_P(EveryCollapse, KeepsTheBooksOfAreasAndPoints)
+TEST_P(EveryCollapse, KeepsAreasAndPointsUpToDate)
 {
   const Surface before = Clean(GetParam().Surface, true).Surface;
   Index collapses = 0;
@@ -172,41 +173,41 @@ TEST_P(EveryCollapse, KeepsTheBooksOfAreasAndPoints)
 
 INSTANTIATE_TEST_SUITE_P(Shapes, EveryCollapse, testing::ValuesIn(AllShapes()), NameOf);
 
-TEST(Editor, ARefusedEditChangesNothingAndIsCounted)
+TEST(Editor, ARejectedEditChangesNothingAndIsCounted)
 {
   const CleanSurface clean = Clean(Grid(4), true);
-  Editor editor(clean, Editor::Books());
+  Editor editor(clean, EditorSettings());
   std::int64_t calls = 0;
   editor.SetHook([&](const Editor&, const Edit&) { ++calls; });
   for (const Index h : HalfEdges(editor.Mesh()))
   {
-    EXPECT_NE(
-      editor.Apply({ h, editor.Mesh().Origin(h), { 9999, 9999, 9999 }, false }), Verdict::Allowed);
+    EXPECT_NE(editor.Collapse({ h, editor.Mesh().Origin(h), { 9999, 9999, 9999 }, false }),
+      Rejection::NotRejected);
   }
   EXPECT_EQ(calls, 0);
   EXPECT_EQ(editor.NumberOfEdits(), 0);
   EXPECT_TRUE(SameBytes(SurfaceOf(editor.Mesh()), clean.Surface));
-  std::int64_t refusals = 0;
-  for (const std::int64_t count : editor.Refusals())
+  std::int64_t rejections = 0;
+  for (const std::int64_t count : editor.Rejections())
   {
-    refusals += count;
+    rejections += count;
   }
-  EXPECT_EQ(refusals, 3 * editor.Mesh().NumberOfFaceSlots());
-  EXPECT_EQ(editor.Refusals()[static_cast<std::size_t>(Verdict::Allowed)], 0);
+  EXPECT_EQ(rejections, 3 * editor.Mesh().NumberOfFaceSlots());
+  EXPECT_EQ(editor.Rejections()[static_cast<std::size_t>(Rejection::NotRejected)], 0);
 }
 
-TEST(Editor, AnEditMayBeAppliedWithoutBeingExaminedFirst)
+TEST(Editor, AnEditCanBeAppliedWithoutValidationFirst)
 {
   const CleanSurface cleaned = Clean(Grid(4), true);
-  Editor editor(cleaned, Editor::Books());
+  Editor editor(cleaned, EditorSettings());
   const HalfEdgeMesh& mesh = editor.Mesh();
   for (const Index h : HalfEdges(mesh))
   {
-    if (mesh.Kind(mesh.Origin(h)) == VertexKind::Inside &&
-      mesh.Kind(mesh.Target(h)) == VertexKind::Inside)
+    if (mesh.Constraint(mesh.Origin(h)) == VertexConstraint::Free &&
+      mesh.Constraint(mesh.Target(h)) == VertexConstraint::Free)
     {
       const Vector3 middle = 0.5 * (mesh.Position(mesh.Origin(h)) + mesh.Position(mesh.Target(h)));
-      EXPECT_EQ(editor.Apply({ h, mesh.Target(h), middle, false }), Verdict::Allowed);
+      EXPECT_EQ(editor.Collapse({ h, mesh.Target(h), middle, false }), Rejection::NotRejected);
       break;
     }
   }
@@ -215,10 +216,10 @@ TEST(Editor, AnEditMayBeAppliedWithoutBeingExaminedFirst)
   EXPECT_EQ(BrokenInvariant(mesh), "");
 }
 
-TEST(ThesisLoop, TakesTheVertexOfLowestCostAndThenItsLowestEdge)
+TEST(ThesisCollapse, TakesTheVertexOfLowestCostAndThenItsLowestEdge)
 {
   // Checked against costs computed anew for the whole mesh before each of the first collapses, as
-  // long as the lowest edge of the lowest vertex is not refused.
+  // long as the lowest edge of the lowest vertex is not rejected.
   const Surface surface = BumpySphere(2, 5.0, 0.05, 21);
   HalfEdgeMesh before(Clean(surface, true).Surface);
   FaceAreas areas(before);
@@ -250,17 +251,17 @@ TEST(ThesisLoop, TakesTheVertexOfLowestCostAndThenItsLowestEdge)
   EXPECT_GT(lowest, 50) << "of 60";
 }
 
-TEST(ThesisLoop, AVertexWhoseEdgesAreAllRefusedIsTriedAgainWhenItsRingChanged)
+TEST(ThesisCollapse, AVertexWithRejectedEdgesIsTriedAgainAfterItsRingChanges)
 {
-  // Whatever is left when nothing more is allowed is refused when asked again.
+  // All remaining edges are rejected again after the loop has ended.
   for (const NamedSurface& shape : AllShapes())
   {
     const CleanSurface cleaned = Clean(shape.Surface, true);
-    Editor editor(cleaned, Editor::Books());
-    ThesisLoop loop(editor, Tolerance, { 0, 0.0 });
+    Editor editor(cleaned, EditorSettings());
+    ThesisCollapse loop(editor, Tolerance, { 0, 0.0 });
     EXPECT_EQ(loop.Run([](double) { return true; }), StopReason::NothingLeft) << shape.Name;
     const Index faces = editor.Mesh().NumberOfFaces();
-    ThesisLoop again(editor, Tolerance, { 0, 0.0 });
+    ThesisCollapse again(editor, Tolerance, { 0, 0.0 });
     again.Run([](double) { return true; });
     EXPECT_GT(editor.Mesh().NumberOfFaces(), 0) << shape.Name;
     EXPECT_GE(10 * editor.Mesh().NumberOfFaces(), 9 * faces) << shape.Name;

@@ -12,7 +12,7 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-ErrorSearchOptions Wanted(Mode mode, int triangles, double precision = 0.1)
+ErrorSearchOptions SearchFor(Mode mode, int triangles, double precision = 0.1)
 {
   ErrorSearchOptions options;
   options.Run = InMode(mode, Triangles(triangles));
@@ -31,12 +31,12 @@ TEST(ErrorSearch, FindsASurfaceOfThatManyTrianglesWithAProvedError)
   const Surface input = BumpySphere(4, 20.0, 0.1, 5);
   for (const Mode mode : { Mode::Fast, Mode::Balanced })
   {
-    const ErrorSearchResult found = FindSmallestError(input, Wanted(mode, 700));
+    const ErrorSearchResult found = FindSmallestError(input, SearchFor(mode, 700));
     ASSERT_GE(found.Best, 0) << WordOf(mode);
     EXPECT_LE(found.Found.Surface.Triangles.size(), 700U) << WordOf(mode);
     EXPECT_EQ(found.Found.Report.Proof.Upper(), BestOf(found).Proved) << WordOf(mode);
-    const Certificate judged = Certify(input, found.Found.Surface);
-    EXPECT_LE(judged.Lower(), BestOf(found).Proved) << WordOf(mode);
+    const Certificate certified = Certify(input, found.Found.Surface);
+    EXPECT_LE(certified.Lower(), BestOf(found).Proved) << WordOf(mode);
     for (const ErrorTrial& trial : found.Trials)
     {
       EXPECT_TRUE(!trial.IsReached || trial.Proved >= BestOf(found).Proved) << WordOf(mode);
@@ -44,10 +44,10 @@ TEST(ErrorSearch, FindsASurfaceOfThatManyTrianglesWithAProvedError)
   }
 }
 
-TEST(ErrorSearch, EndsWhenWhatFailedAndWhatWasFoundAreAsNearAsAskedFor)
+TEST(ErrorSearch, EndsAtTheRequestedPrecision)
 {
   const Surface input = BumpySphere(4, 20.0, 0.1, 5);
-  const ErrorSearchResult found = FindSmallestError(input, Wanted(Mode::Fast, 700, 0.03));
+  const ErrorSearchResult found = FindSmallestError(input, SearchFor(Mode::Fast, 700, 0.03));
   EXPECT_GE(found.TriedInVain, 0.97 * BestOf(found).Proved);
   Options failed = InMode(Mode::Fast, Triangles(700));
   failed.MaximumError = found.TriedInVain;
@@ -57,22 +57,22 @@ TEST(ErrorSearch, EndsWhenWhatFailedAndWhatWasFoundAreAsNearAsAskedFor)
 TEST(ErrorSearch, IsNeverWorseThanTheRunToThatManyTriangles)
 {
   const Surface input = Icosphere(4, 20.0);
-  const ErrorSearchResult found = FindSmallestError(input, Wanted(Mode::Balanced, 500));
+  const ErrorSearchResult found = FindSmallestError(input, SearchFor(Mode::Balanced, 500));
   EXPECT_EQ(found.Trials.front().MaximumError, 0.0);
   EXPECT_LE(BestOf(found).Proved, found.Trials.front().Proved);
 }
 
-TEST(ErrorSearch, SaysThatTopologyDoesNotAllowSoFew)
+TEST(ErrorSearch, ReportsWhenTopologyPreventsTheNumber)
 {
-  const ErrorSearchResult found = FindSmallestError(Icosphere(3, 20.0), Wanted(Mode::Fast, 2));
+  const ErrorSearchResult found = FindSmallestError(Icosphere(3, 20.0), SearchFor(Mode::Fast, 2));
   EXPECT_EQ(found.Best, -1);
   ASSERT_EQ(found.Trials.size(), 1U);
   EXPECT_GT(found.Trials[0].Triangles, 2);
 }
 
-TEST(ErrorSearch, OfASurfaceThatIsSmallEnoughIsZero)
+TEST(ErrorSearch, ErrorOfASmallEnoughSurfaceIsZero)
 {
-  const ErrorSearchResult found = FindSmallestError(Icosphere(2, 20.0), Wanted(Mode::Fast, 320));
+  const ErrorSearchResult found = FindSmallestError(Icosphere(2, 20.0), SearchFor(Mode::Fast, 320));
   ASSERT_EQ(found.Best, 0);
   EXPECT_EQ(BestOf(found).Proved, 0.0);
   EXPECT_EQ(found.Trials.size(), 1U);
@@ -81,7 +81,7 @@ TEST(ErrorSearch, OfASurfaceThatIsSmallEnoughIsZero)
 TEST(ErrorSearch, IsTheSameForAnyNumberOfThreads)
 {
   const Surface input = BumpySphere(3, 20.0, 0.1, 5);
-  ErrorSearchOptions options = Wanted(Mode::Balanced, 300);
+  ErrorSearchOptions options = SearchFor(Mode::Balanced, 300);
   const ErrorSearchResult one = FindSmallestError(input, options);
   options.Run.NumberOfThreads = 4;
   const ErrorSearchResult four = FindSmallestError(input, options);
@@ -90,11 +90,11 @@ TEST(ErrorSearch, IsTheSameForAnyNumberOfThreads)
   EXPECT_EQ(BestOf(one).Proved, BestOf(four).Proved);
 }
 
-TEST(ErrorSearch, HearsAMonitorAndKeepsWhatItHasFound)
+TEST(ErrorSearch, AnAbortKeepsEarlierResults)
 {
   const Surface input = BumpySphere(3, 20.0, 0.1, 5);
   double last = 0.0;
-  const ErrorSearchResult whole = FindSmallestError(input, Wanted(Mode::Fast, 300),
+  const ErrorSearchResult whole = FindSmallestError(input, SearchFor(Mode::Fast, 300),
     [&](double fraction)
     {
       EXPECT_GE(fraction, last);
@@ -103,16 +103,16 @@ TEST(ErrorSearch, HearsAMonitorAndKeepsWhatItHasFound)
     });
   EXPECT_LE(last, 1.0);
   const ErrorSearchResult stopped =
-    FindSmallestError(input, Wanted(Mode::Fast, 300), [](double done) { return done < 0.8; });
+    FindSmallestError(input, SearchFor(Mode::Fast, 300), [](double done) { return done < 0.8; });
   EXPECT_LT(stopped.Trials.size(), whole.Trials.size());
   EXPECT_TRUE(stopped.WasAborted);
   EXPECT_FALSE(whole.WasAborted);
   EXPECT_EQ(stopped.Found.Report.Proof.Upper(), BestOf(stopped).Proved);
 }
 
-TEST(ErrorSearch, RefusesWhatDecimationRefuses)
+TEST(ErrorSearch, RejectsTheSameInputsAsDecimation)
 {
-  const ErrorSearchResult found = FindSmallestError({}, Wanted(Mode::Fast, 300));
+  const ErrorSearchResult found = FindSmallestError({}, SearchFor(Mode::Fast, 300));
   EXPECT_EQ(found.Best, -1);
   EXPECT_EQ(found.Found.Report.Status, InputStatus::Empty);
 }
@@ -121,7 +121,7 @@ TEST(ErrorCurve, HasAProvedRunForEachErrorInTheirOrder)
 {
   const Surface input = BumpySphere(4, 20.0, 0.1, 5);
   const std::vector<double> errors = { 0.05, 0.2, 0.8 };
-  const ErrorSearchResult found = FindErrorCurve(input, errors, Wanted(Mode::Fast, 0));
+  const ErrorSearchResult found = FindErrorCurve(input, errors, SearchFor(Mode::Fast, 0));
   ASSERT_EQ(found.Trials.size(), errors.size());
   for (std::size_t i = 0; i < errors.size(); ++i)
   {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FeaturePoints.h"
+#include "Input/FeaturePoints.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
@@ -40,12 +40,12 @@ TEST(FeaturePoints, AreNoneWhereNothingFoldsSoFar)
   EXPECT_EQ(std::count(found.begin(), found.end(), true), 0);
 }
 
-TEST(FeaturePoints, OnBordersAreThoseOfTheHoleAndTheRim)
+TEST(FeaturePoints, OnBoundariesAreThoseOfTheHoleAndTheRim)
 {
   const Surface plate = HoledPlate(9);
   for (const Surface& surface : { plate, Unwelded(plate) })
   {
-    const std::vector<bool> found = PointsOnBorders(surface);
+    const std::vector<bool> found = PointsOnBoundaries(surface);
     for (std::size_t i = 0; i < found.size(); ++i)
     {
       const double x = surface.Points[i][0];
@@ -55,7 +55,7 @@ TEST(FeaturePoints, OnBordersAreThoseOfTheHoleAndTheRim)
       EXPECT_EQ(found[i], isOnRim || isOnHole) << x << " " << y;
     }
   }
-  const std::vector<bool> closed = PointsOnBorders(Icosphere(2, 1.0));
+  const std::vector<bool> closed = PointsOnBoundaries(Icosphere(2, 1.0));
   EXPECT_EQ(std::count(closed.begin(), closed.end(), true), 0);
 }
 
@@ -70,6 +70,6 @@ TEST(FeaturePoints, AreNoneOfWhatIsNoSurface)
 {
   Surface broken = Grid(2);
   broken.Triangles[0][0] = 999;
-  EXPECT_EQ(PointsOnBorders(broken), std::vector<bool>(broken.Points.size(), false));
+  EXPECT_EQ(PointsOnBoundaries(broken), std::vector<bool>(broken.Points.size(), false));
   EXPECT_TRUE(PointsOnFolds({}, 0.5).empty());
 }

@@ -18,12 +18,12 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-Index CountKind(const HalfEdgeMesh& mesh, VertexKind kind)
+Index CountKind(const HalfEdgeMesh& mesh, VertexConstraint kind)
 {
   Index count = 0;
   for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
-    count += mesh.Kind(v) == kind ? 1 : 0;
+    count += mesh.Constraint(v) == kind ? 1 : 0;
   }
   return count;
 }
@@ -44,12 +44,12 @@ std::set<Index> PointsToLock(const Surface& surface)
       fans[a].Triangles.push_back(t);
     }
   }
-  std::set<Index> locked;
+  std::set<Index> constrained;
   for (const auto& [ends, directions] : edges)
   {
     if (directions.size() > 2 || (directions.size() == 2 && directions[0] == directions[1]))
     {
-      locked.insert({ ends.first, ends.second });
+      constrained.insert({ ends.first, ends.second });
     }
   }
   for (auto& [point, fan] : fans)
@@ -63,14 +63,14 @@ std::set<Index> PointsToLock(const Surface& surface)
     }
     if (CountTopology(rest).Components > 1)
     {
-      locked.insert(point);
+      constrained.insert(point);
     }
   }
-  return locked;
+  return constrained;
 }
 }
 
-TEST(HalfEdgeMesh, KeepsItsPromisesOnAllShapes)
+TEST(HalfEdgeMesh, InvariantsHoldOnAllShapes)
 {
   for (const NamedSurface& shape : AllShapes())
   {
@@ -81,7 +81,7 @@ TEST(HalfEdgeMesh, KeepsItsPromisesOnAllShapes)
   }
 }
 
-TEST(HalfEdgeMesh, LocksExactlyWhatIsNotManifold)
+TEST(HalfEdgeMesh, ConstrainsExactlyTheNonManifoldVertices)
 {
   for (const NamedSurface& shape : AllShapes())
   {
@@ -92,7 +92,7 @@ TEST(HalfEdgeMesh, LocksExactlyWhatIsNotManifold)
     std::set<Index> found;
     for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
     {
-      if (mesh.Kind(v) == VertexKind::Locked)
+      if (mesh.Constraint(v) == VertexConstraint::NonManifold)
       {
         found.insert(v);
       }
@@ -101,35 +101,35 @@ TEST(HalfEdgeMesh, LocksExactlyWhatIsNotManifold)
   }
 }
 
-TEST(HalfEdgeMesh, ClosedShapesHaveNoBorderAndNothingLocked)
+TEST(HalfEdgeMesh, ClosedShapesHaveNoBoundaryAndNoConstraints)
 {
   for (const NamedSurface& shape : ClosedShapes())
   {
     const HalfEdgeMesh mesh(shape.Surface);
-    EXPECT_EQ(CountKind(mesh, VertexKind::Inside), mesh.NumberOfVertexSlots()) << shape.Name;
+    EXPECT_EQ(CountKind(mesh, VertexConstraint::Free), mesh.NumberOfVertexSlots()) << shape.Name;
   }
 }
 
-TEST(HalfEdgeMesh, BorderVerticesAreThoseOfBoundaryEdges)
+TEST(HalfEdgeMesh, BoundaryVerticesAreThoseOfBoundaryEdges)
 {
   for (const NamedSurface& shape : OpenShapes())
   {
     SCOPED_TRACE(shape.Name);
     const Surface surface = Clean(shape.Surface, true).Surface;
     const HalfEdgeMesh mesh(surface);
-    std::set<Index> border;
+    std::set<Index> boundary;
     for (const auto& [from, to] : BoundaryEdges(surface))
     {
-      border.insert({ from, to });
+      boundary.insert({ from, to });
     }
     for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
     {
-      EXPECT_EQ(mesh.Kind(v) == VertexKind::Border, border.count(v) == 1) << v;
+      EXPECT_EQ(mesh.Constraint(v) == VertexConstraint::Boundary, boundary.count(v) == 1) << v;
     }
   }
 }
 
-TEST(HalfEdgeMesh, RingsVisitEveryFaceAndEveryNeighbourOnce)
+TEST(HalfEdgeMesh, RingsVisitEveryFaceAndEveryNeighborOnce)
 {
   for (const NamedSurface& shape : AllShapes())
   {
@@ -137,18 +137,18 @@ TEST(HalfEdgeMesh, RingsVisitEveryFaceAndEveryNeighbourOnce)
     const Surface surface = Clean(shape.Surface, true).Surface;
     const HalfEdgeMesh mesh(surface);
     std::map<Index, std::multiset<Index>> faces;
-    std::map<Index, std::set<Index>> neighbours;
+    std::map<Index, std::set<Index>> neighbors;
     for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
     {
       for (const Index a : surface.Triangles[i])
       {
         faces[a].insert(static_cast<Index>(i));
-        neighbours[a].insert(surface.Triangles[i].begin(), surface.Triangles[i].end());
+        neighbors[a].insert(surface.Triangles[i].begin(), surface.Triangles[i].end());
       }
     }
     for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
     {
-      if (mesh.Kind(v) == VertexKind::Locked)
+      if (mesh.Constraint(v) == VertexConstraint::NonManifold)
       {
         continue;
       }
@@ -158,10 +158,10 @@ TEST(HalfEdgeMesh, RingsVisitEveryFaceAndEveryNeighbourOnce)
         EXPECT_EQ(mesh.Origin(h), v);
         foundFaces.insert(HalfEdgeMesh::Face(h));
       }
-      std::multiset<Index> foundNeighbours = { v };
-      mesh.VisitEdges(v, [&](Index h) { foundNeighbours.insert(mesh.Across(h, v)); });
+      std::multiset<Index> foundNeighbors = { v };
+      mesh.VisitEdges(v, [&](Index h) { foundNeighbors.insert(mesh.Across(h, v)); });
       EXPECT_EQ(foundFaces, faces[v]) << v;
-      EXPECT_EQ(foundNeighbours, std::multiset<Index>(neighbours[v].begin(), neighbours[v].end()))
+      EXPECT_EQ(foundNeighbors, std::multiset<Index>(neighbors[v].begin(), neighbors[v].end()))
         << v;
     }
   }

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "InputSize.h"
+#include "Input/InputSize.h"
 
 #include "Certificate/Certificate.h"
 #include "ErrorSearch.h"
-#include "OptionTable.h"
+#include "Options/OptionTable.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>
@@ -42,15 +42,15 @@ int Count(const std::vector<std::string>& sentences, const std::string& text)
 }
 }
 
-TEST(InputSize, ErrorsOfMoreThanAQuarterOfTheDiagonalAreRefusedInEveryMode)
+TEST(InputSize, RejectsErrorsAboveAQuarterOfTheDiagonalInEveryMode)
 {
   const double quarter = 0.25 * DiagonalOf(Ball());
   for (const Mode mode : { Mode::Thesis, Mode::Fast, Mode::Balanced, Mode::Accurate })
   {
-    const Result refused = Decimate(Ball(), InMode(mode, Error(quarter * 1.0001)));
-    EXPECT_EQ(refused.Report.Status, InputStatus::ErrorBeyondSize);
-    EXPECT_TRUE(refused.Surface.Triangles.empty());
-    EXPECT_EQ(refused.Report.Stop, StopReason::NotRun);
+    const Result rejected = Decimate(Ball(), InMode(mode, Error(quarter * 1.0001)));
+    EXPECT_EQ(rejected.Report.Status, InputStatus::ErrorBeyondSize);
+    EXPECT_TRUE(rejected.Surface.Triangles.empty());
+    EXPECT_EQ(rejected.Report.Stop, StopReason::NotRun);
     EXPECT_EQ(
       Decimate(Ball(), InMode(mode, Error(quarter * 0.9999))).Report.Status, InputStatus::Good);
   }
@@ -58,8 +58,8 @@ TEST(InputSize, ErrorsOfMoreThanAQuarterOfTheDiagonalAreRefusedInEveryMode)
 
 TEST(InputSize, TheMessageNamesErrorDiagonalAndUnit)
 {
-  const Report refused = Decimate(Scaled(Ball(), 0.001), Error(0.5)).Report; // a ball in meters
-  const std::string message = InputMessage(refused);
+  const Report rejected = Decimate(Scaled(Ball(), 0.001), Error(0.5)).Report; // a ball in meters
+  const std::string message = InputMessage(rejected);
   EXPECT_NE(message.find("0.5 mm"), std::string::npos) << message;
   EXPECT_NE(message.find("0.034"), std::string::npos) << message;
   EXPECT_NE(message.find("may not be in millimeters"), std::string::npos) << message;
@@ -79,20 +79,20 @@ TEST(InputSize, AllowedErrorsBeyondTheDiagonalCountAsTheDiagonalAndTheReportSays
       EXPECT_EQ(report.Size.LargestError, error);
       EXPECT_NEAR(report.Size.ErrorBound, DiagonalOf(Ball()), 1e-9);
       EXPECT_EQ(report.Proof.Tolerance, report.Size.ErrorBound);
-      EXPECT_EQ(report.Proof.Verdict, CertificateVerdict::Proved);
+      EXPECT_EQ(report.Proof.Status, ProofStatus::Proved);
       EXPECT_EQ(Count(InputWarnings(report), "was used"), 1) << error;
     }
   }
 }
 
-TEST(InputSize, ErrorsBelowAMillionthOfTheDiagonalAreRefusedIfTheyAreToBeProved)
+TEST(InputSize, RejectsErrorsBelowAMillionthOfTheDiagonalIfTheyHaveToBeProved)
 {
   const double millionth = 1e-6 * DiagonalOf(Ball());
   for (const Mode mode : { Mode::Fast, Mode::Balanced, Mode::Accurate })
   {
-    const Report refused = Decimate(Ball(), InMode(mode, Error(millionth * 0.999))).Report;
-    EXPECT_EQ(refused.Status, InputStatus::ErrorBelowSize);
-    EXPECT_NE(InputMessage(refused).find("less than a millionth"), std::string::npos);
+    const Report rejected = Decimate(Ball(), InMode(mode, Error(millionth * 0.999))).Report;
+    EXPECT_EQ(rejected.Status, InputStatus::ErrorBelowSize);
+    EXPECT_NE(InputMessage(rejected).find("less than a millionth"), std::string::npos);
     const double above = millionth * 1.001;
     EXPECT_EQ(CheckSize({ DiagonalOf(Ball()), above, -1, above }, InMode(mode, Error(above))),
       InputStatus::Good);
@@ -117,15 +117,15 @@ TEST(InputSize, TheLargestToleranceCountsOnlyIfItBinds)
   const auto run = [&](const Options& options) {
     return Decimate(Ball(), InMode(Mode::Fast, options), {}, { false, false, &tolerances }).Report;
   };
-  const Report refused = run(Unmeasured());
-  EXPECT_EQ(refused.Status, InputStatus::ErrorBeyondSize);
-  EXPECT_NE(InputMessage(refused).find("of point 7"), std::string::npos) << InputMessage(refused);
+  const Report rejected = run(Unmeasured());
+  EXPECT_EQ(rejected.Status, InputStatus::ErrorBeyondSize);
+  EXPECT_NE(InputMessage(rejected).find("of point 7"), std::string::npos) << InputMessage(rejected);
   EXPECT_EQ(run(Error(0.5)).Status, InputStatus::Good) << "the largest error caps it";
   Options allowed = Unmeasured();
   allowed.AllowLargeError = true;
   const Report report = run(allowed);
   EXPECT_EQ(report.Status, InputStatus::Good);
-  EXPECT_EQ(report.Proof.Verdict, CertificateVerdict::Proved);
+  EXPECT_EQ(report.Proof.Status, ProofStatus::Proved);
   EXPECT_EQ(Count(InputWarnings(report), "point 7"), 1);
   tolerances[7] = -1.0;
   EXPECT_EQ(run(Unmeasured()).Status, InputStatus::Good) << "no limit of its own";
@@ -159,17 +159,17 @@ TEST(InputSize, SearchesTryErrorsOfAnySizeAndCurvesNone)
   EXPECT_EQ(allowed.Found.Report.Status, InputStatus::Good);
 }
 
-TEST(Options, OutsideTheirRangeAreRefusedByTheRunItself)
+TEST(Options, OutsideOfTheirRangeAreRejectedByTheRun)
 {
   const Surface ball = Icosphere(1, 10.0);
   Options options;
   EXPECT_EQ(CheckOptions(options), "");
   options.MaximumError = std::nan("");
-  const Result refused = Decimate(ball, options);
-  EXPECT_EQ(refused.Report.Status, InputStatus::InvalidOption);
-  EXPECT_EQ(InputMessage(refused.Report), CheckOptions(options));
+  const Result rejected = Decimate(ball, options);
+  EXPECT_EQ(rejected.Report.Status, InputStatus::InvalidOption);
+  EXPECT_EQ(InputMessage(rejected.Report), CheckOptions(options));
   EXPECT_NE(CheckOptions(options).find("MaximumError takes a number from 0"), std::string::npos);
-  EXPECT_TRUE(refused.Surface.Triangles.empty());
+  EXPECT_TRUE(rejected.Surface.Triangles.empty());
   options = {};
   options.Mode = static_cast<Mode>(7);
   EXPECT_EQ(Decimate(ball, options).Report.Status, InputStatus::InvalidOption);

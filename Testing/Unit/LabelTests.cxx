@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines between labels are simplified along themselves, so that neighbours stay matched; every triangle keeps its label.
-#include "LabelledSurfaces.h"
-#include "Mesh/SeamLines.h"
-#include "Mesh/Sheets.h"
-#include "ReportTable.h"
+// Feature curves between labels are simplified along themselves, so neighbors stay matched; every triangle keeps its label.
+#include "LabeledSurfaces.h"
+#include "Mesh/ManifoldPatches.h"
+#include "Mesh/PatchBoundaries.h"
+#include "Report/ReportTable.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>
@@ -15,38 +15,38 @@
 using namespace bonedecimate;
 using namespace bonedecimate::testsupport;
 
-TEST(SeamLines, AreTheEdgesBetweenSheets)
+TEST(PatchBoundaries, AreTheEdgesBetweenPatches)
 {
   const Surface ball = HalvedBall(6);
   CleanSurface clean = Clean(ball, true);
-  SplitSheets(clean, HalfEdgeMesh(clean.Surface));
-  const HalfEdgeMesh mesh(clean.Surface, 1, clean.Sheets);
-  const SeamLines lines(mesh);
+  SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface));
+  const HalfEdgeMesh mesh(clean.Surface, 1, clean.ManifoldPatches);
+  const PatchBoundaries lines(mesh);
   EXPECT_EQ(lines.NumberOfEdges(), CountTopology(ball).NonManifoldEdges);
   Index rings = 0;
-  for (Index place = 0; place < lines.NumberOfPlaces(); ++place)
+  for (Index index = 0; index < lines.NumberOfPositions(); ++index)
   {
-    rings += lines.MayGo(place) ? 0 : 1;
-    EXPECT_TRUE(!lines.MayGo(place) || SeamRunsThrough(mesh, lines.Site(place)));
+    rings += lines.MayGo(index) ? 0 : 1;
+    EXPECT_TRUE(!lines.MayGo(index) || PatchBoundaryRunsThrough(mesh, lines.OriginalVertex(index)));
   }
   EXPECT_EQ(rings, 2) << "one ring, which starts and ends at one site";
 }
 
-TEST(SeamLines, DeviateByWhatWentTheFarthest)
+TEST(PatchBoundaries, DeviationIsThatOfTheFarthestRemovedVertex)
 {
   Surface book = ThreeLeavedBook(6); // its spine are points 0 to 6
   book.Points[2][0] += 0.25;
   CleanSurface clean = Clean(book, true);
-  SplitSheets(clean, HalfEdgeMesh(clean.Surface));
-  const HalfEdgeMesh mesh(clean.Surface, 1, clean.Sheets);
-  SeamLines lines(mesh);
+  SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface));
+  const HalfEdgeMesh mesh(clean.Surface, 1, clean.ManifoldPatches);
+  PatchBoundaries lines(mesh);
   const auto anything = [](Index) { return std::numeric_limits<double>::infinity(); };
   std::multiset<double> deviations;
-  for (Index place = 0; place < lines.NumberOfPlaces(); ++place)
+  for (Index index = 0; index < lines.NumberOfPositions(); ++index)
   {
-    if (lines.MayGo(place))
+    if (lines.MayGo(index))
     {
-      deviations.insert(std::round(1000.0 * lines.Deviation(mesh, place, anything)));
+      deviations.insert(std::round(1000.0 * lines.Deviation(mesh, index, anything)));
     }
   }
   EXPECT_EQ(deviations.size(), 5U);
@@ -59,7 +59,7 @@ class LabelsInMode : public testing::TestWithParam<Mode>
 {
 };
 
-TEST_P(LabelsInMode, LeaveLinesThatAreCoarserAndMatched)
+TEST_P(LabelsInMode, FeatureCurvesAreCoarserAndMatched)
 {
   const Surface input = Icosphere(4, 10.0);
   const Labels labels = ThreeParts(input);
@@ -73,10 +73,10 @@ TEST_P(LabelsInMode, LeaveLinesThatAreCoarserAndMatched)
   EXPECT_LT(lines.size(), before.size() / 2);
   EXPECT_GT(lines.size(), before.size() / 8);
   EXPECT_LT(LargestDistance(before, lines), 0.5);
-  const std::set<Place> places = EndsOf(before);
-  for (const Place& place : EndsOf(lines))
+  const std::set<Coordinates> positions = EndsOf(before);
+  for (const Coordinates& position : EndsOf(lines))
   {
-    EXPECT_EQ(places.count(place), 1U) << "a line left itself";
+    EXPECT_EQ(positions.count(position), 1U) << "a line left itself";
   }
   EXPECT_EQ(result.Report.Output.Points + result.Report.Collapses, result.Report.Input.Points);
   ASSERT_EQ(result.Report.Labels.size(), 3U);
@@ -86,7 +86,7 @@ TEST_P(LabelsInMode, LeaveLinesThatAreCoarserAndMatched)
 TEST_P(LabelsInMode, KeepWallsBetweenThemSharedAndTheirAreas)
 {
   const Surface input = HalvedBall(10);
-  const Labels labels = SheetsAsLabels(input);
+  const Labels labels = PatchesAsLabels(input);
   ASSERT_EQ(labels.Names.size(), 3U);
   const Result result = RunWith(labels, input, InMode(GetParam(), Reduction(0.8)));
   const Topology before = CountTopology(input);
@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, LabelsInMode, testing::ValuesIn(AllModes()),
 TEST(Labels, OpenNoGapsWhereBonesDecimatedOneByOneDo)
 {
   const Surface input = HalvedBall(12);
-  const Labels labels = SheetsAsLabels(input);
+  const Labels labels = PatchesAsLabels(input);
   std::array<double, 3> areas = {};
   for (std::size_t t = 0; t < input.Triangles.size(); ++t)
   {
@@ -132,9 +132,9 @@ TEST(Labels, OpenNoGapsWhereBonesDecimatedOneByOneDo)
   }
   const auto shared = [](const std::array<Surface, 2>& bones)
   {
-    const std::set<std::set<Place>> first = PlacesOfTriangles(bones[0]);
+    const std::set<std::set<Coordinates>> first = PositionsOfTriangles(bones[0]);
     std::size_t count = 0;
-    for (const std::set<Place>& triangle : PlacesOfTriangles(bones[1]))
+    for (const std::set<Coordinates>& triangle : PositionsOfTriangles(bones[1]))
     {
       count += first.count(triangle);
     }
@@ -148,13 +148,13 @@ TEST(Labels, OpenNoGapsWhereBonesDecimatedOneByOneDo)
   EXPECT_LT(LargestLabelChange(result.Report), 0.01);
 }
 
-TEST(Labels, KeepLinesWithinTheLargestErrorAndProveIt)
+TEST(Labels, FeatureCurvesStayWithinTheProvedError)
 {
   constexpr double error = 0.4; // mm
   const Surface ball = Icosphere(4, 10.0);
   const Surface halves = HalvedBall(6);
   for (const auto& [input, labels] : { std::pair<Surface, Labels>(ball, ThreeParts(ball)),
-         std::pair<Surface, Labels>(halves, SheetsAsLabels(halves)) })
+         std::pair<Surface, Labels>(halves, PatchesAsLabels(halves)) })
   {
     Options options = InMode(Mode::Fast, Error(error));
     options.MeasureDistances = true;
@@ -208,26 +208,26 @@ TEST(Labels, GoAsFarAsAnyOtherSurfaceAndNeverTearOrFlattenIt)
     EXPECT_EQ(after.BoundaryEdges + after.NonManifoldEdges, 0) << WordOf(mode);
     EXPECT_EQ(after.EulerNumber, 2) << WordOf(mode);
     const Surface ball = HalvedBall(4);
-    const Surface least = RunWith(SheetsAsLabels(ball), ball, InMode(mode, Triangles(1))).Surface;
-    EXPECT_EQ(PlacesOfTriangles(least).size(), least.Triangles.size()) << "one upon the other";
+    const Surface least = RunWith(PatchesAsLabels(ball), ball, InMode(mode, Triangles(1))).Surface;
+    EXPECT_EQ(PositionsOfTriangles(least).size(), least.Triangles.size()) << "one upon the other";
     EXPECT_EQ(CountTopology(least).EulerNumber, CountTopology(ball).EulerNumber) << WordOf(mode);
   }
 }
 
-TEST(Labels, StayWhereLinesAreFrozen)
+TEST(Labels, StayWhereFeatureCurvesAreConstrained)
 {
   const Surface input = Icosphere(4, 10.0);
   const Labels labels = ThreeParts(input);
   std::vector<double> tolerances(input.Points.size(), -1.0);
-  const std::set<Place> places = EndsOf(LinesOf(input, labels.OfTriangle));
+  const std::set<Coordinates> positions = EndsOf(LinesOf(input, labels.OfTriangle));
   for (std::size_t p = 0; p < tolerances.size(); ++p)
   {
     const Vector3& v = input.Points[p];
-    tolerances[p] = places.count({ v[0], v[1], v[2] }) > 0 ? 0.0 : -1.0;
+    tolerances[p] = positions.count({ v[0], v[1], v[2] }) > 0 ? 0.0 : -1.0;
   }
   const Result result = Decimate(
     input, InMode(Mode::Fast, Reduction(0.7)), {}, { false, true, &tolerances, nullptr, &labels });
-  EXPECT_EQ(EndsOf(LinesOf(result.Surface, LabelsAfter(labels, result))), places);
+  EXPECT_EQ(EndsOf(LinesOf(result.Surface, LabelsAfter(labels, result))), positions);
 }
 
 TEST(Labels, AreReportedWithTheirAreas)

@@ -46,13 +46,13 @@ TEST(LargeArray, LiesOnCacheLines)
   }
 }
 
-TEST(LargeArray, FillsWithWhatIsAskedForAndConstructsWhatHasConstructors)
+TEST(LargeArray, FillsWithTheRequestedValueAndCallsConstructors)
 {
   EXPECT_EQ(LargeArray<int>(3, -1), (LargeArray<int>{ -1, -1, -1 }));
   EXPECT_TRUE(LargeArray<std::vector<int>>(5)[4].empty());
 }
 
-TEST(LargeArray, RoomInAnOrdinaryVectorIsEmptyAtFirst)
+TEST(LargeArray, ReservingLeavesAnOrdinaryVectorEmpty)
 {
   for (const std::size_t size : Sizes)
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Levels against the run that recorded them, against its edits done one by one, and against runs that stop there.
-#include "Collapse/Editor.h"
+// Levels compared with the recorded run, with its edits applied one by one, and with runs that stop there.
+#include "Edit/Editor.h"
 #include "LevelRuns.h"
 #include "Measure/SurfaceDistance.h"
 #include "Mesh/SpatialOrder.h"
@@ -16,21 +16,21 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-/// The log's collapses, one by one, through gate and half-edges as in a run.
+/// Applies the collapses of the log one by one, with validity checks as in a run.
 class OneByOne
 {
 public:
   OneByOne(const Surface& input, const EditLog& log)
     : Cleaned(Sorted(input))
-    , Work(this->Cleaned, Editor::Books{ false, false, false })
+    , MeshEditor(this->Cleaned, EditorSettings{ false, false, false })
     , Log(log)
   {
   }
 
-  /// How many of them the gate refused.
+  /// Number of rejected collapses.
   int GoTo(Index collapses)
   {
-    int refused = 0;
+    int rejected = 0;
     for (; this->Done < collapses; ++this->Done)
     {
       const LoggedCollapse& next = this->Log.Collapses[static_cast<std::size_t>(this->Done)];
@@ -38,33 +38,33 @@ public:
       edit.Edge = next.HalfEdge;
       edit.Keep = next.Kept;
       edit.Position = next.Position;
-      edit.KeepStays = next.Position == this->Work.Mesh().Position(next.Kept);
-      refused += this->Work.Apply(edit) == Verdict::Allowed ? 0 : 1;
+      edit.KeepStays = next.Position == this->MeshEditor.Mesh().Position(next.Kept);
+      rejected += this->MeshEditor.Collapse(edit).IsAccepted() ? 0 : 1;
     }
-    return refused;
+    return rejected;
   }
 
   /// Of the mesh as it is, in its order.
   Surface Now() const
   {
-    const Surface all = SurfaceOf(this->Work.Mesh());
-    std::vector<Index> places(all.Points.size(), None);
+    const Surface all = SurfaceOf(this->MeshEditor.Mesh());
+    std::vector<Index> positions(all.Points.size(), None);
     for (const Triangle& corners : all.Triangles)
     {
-      std::for_each(corners.begin(), corners.end(), [&](Index v) { places[v] = 0; });
+      std::for_each(corners.begin(), corners.end(), [&](Index v) { positions[v] = 0; });
     }
     Surface now;
-    for (std::size_t v = 0; v < places.size(); ++v)
+    for (std::size_t v = 0; v < positions.size(); ++v)
     {
-      if (places[v] != None)
+      if (positions[v] != None)
       {
-        places[v] = static_cast<Index>(now.Points.size());
+        positions[v] = static_cast<Index>(now.Points.size());
         now.Points.push_back(all.Points[v]);
       }
     }
     for (const Triangle& c : all.Triangles)
     {
-      now.Triangles.push_back({ places[c[0]], places[c[1]], places[c[2]] });
+      now.Triangles.push_back({ positions[c[0]], positions[c[1]], positions[c[2]] });
     }
     return now;
   }
@@ -78,12 +78,12 @@ private:
   }
 
   CleanSurface Cleaned;
-  Editor Work;
+  Editor MeshEditor;
   const EditLog& Log;
   Index Done = 0;
 };
 
-/// Largest distance between points of the same place in both lists, mm.
+/// Largest distance between points of the same index in both lists, mm.
 double LargestMove(const Surface& a, const Surface& b)
 {
   double largest = 0.0;
@@ -169,7 +169,7 @@ TEST(Levels, LevelsBeforeTheRelaxationAreWhatTheEditsDoOneByOneToo)
   EXPECT_TRUE(SameBytes(recorded.Levels.At(before).Surface, oracle.Now()));
 }
 
-TEST(Levels, ThesisAndSmallFastRunsThatAreAskedForACountEndOnItsLevel)
+TEST(Levels, ThesisAndSmallFastRunsWithACountEndOnItsLevel)
 {
   for (const Mode mode : { Mode::Thesis, Mode::Fast })
   {
@@ -256,7 +256,7 @@ TEST(Levels, WithoutMeasuredMarksTheLevelOfAnErrorIsTheInput)
   EXPECT_EQ(levels.ByError(1000.0), 0);
 }
 
-TEST(Levels, AnInputThatIsRefusedHasNone)
+TEST(Levels, ARejectedInputHasNone)
 {
   Surface broken = SmallBone();
   broken.Points[3][0] = std::nan("");
@@ -298,7 +298,7 @@ TEST(Levels, OnABentBoneTheyStayAsNearToItAsOnTheRecordedOne)
     2.0 * LargestDistance(bone, recorded.Levels.At(last).Surface));
 }
 
-TEST(Levels, PointsThatNoEditPlacedAreThoseOfTheOtherSurfaceBitForBit)
+TEST(Levels, UnmovedPointsAreThoseOfTheOtherSurfaceBitForBit)
 {
   const Surface bone = SmallBone();
   const Recorded recorded = Record(bone, Triangles(300));
@@ -306,7 +306,7 @@ TEST(Levels, PointsThatNoEditPlacedAreThoseOfTheOtherSurfaceBitForBit)
   EXPECT_TRUE(SameInAnyOrder(recorded.Levels.AtOn(other, 0)->Surface, other));
 }
 
-TEST(Levels, OtherTrianglesAreRefused)
+TEST(Levels, RejectsOtherTriangles)
 {
   const Surface bone = SmallBone();
   const Recorded recorded = Record(bone, Triangles(300));
@@ -318,7 +318,7 @@ TEST(Levels, OtherTrianglesAreRefused)
   EXPECT_FALSE(recorded.Levels.AtOn(other, 10).has_value());
 }
 
-TEST(Levels, PlacesThatAreNoneAreRefused)
+TEST(Levels, RejectsUnusablePositions)
 {
   const Surface bone = SmallBone();
   const Recorded recorded = Record(bone, Triangles(300));

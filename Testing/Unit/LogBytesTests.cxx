@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The log as bytes: there and back, damaged, and forged.
+// The log as bytes: round trip, damaged and forged.
 #include "ForgedLog.h"
 #include "LevelRuns.h"
 #include "Random.h"
@@ -48,7 +48,7 @@ EditLog WithoutMarks(EditLog log)
   return log;
 }
 
-/// Refused, or good for levels whose triangles have points.
+/// Rejected, or good for levels whose triangles have points.
 void ExpectHarmless(const Bytes& bytes, const Surface& surface)
 {
   EditLog log;
@@ -97,7 +97,7 @@ TEST(LogBytes, OfACollapseThereAre24BytesInSinglePrecision)
   EXPECT_EQ(WriteLog(log).size(), 44 + 24 * log.Collapses.size() + 24 * log.Marks.size() + 8);
 }
 
-TEST(LogBytes, EveryBeginningOfAFileIsRefused)
+TEST(LogBytes, RejectsTruncatedFiles)
 {
   const Bytes bytes = WriteLog(Example().Levels.Log());
   for (std::size_t size = 0; size < bytes.size(); ++size)
@@ -144,7 +144,7 @@ TEST(LogBytes, CountsBeyondTheFileTakeNoMemory)
   }
 }
 
-TEST(LogBytes, ForgedNumbersAreRefusedOrHarmless)
+TEST(LogBytes, ForgedNumbersAreRejectedOrHarmless)
 {
   const Surface bone = HeightField(12, 0.3, 7);
   const Bytes bytes = WriteLog(Example().Levels.Log());
@@ -167,7 +167,7 @@ TEST(LogBytes, ForgedNumbersAreRefusedOrHarmless)
   }
 }
 
-TEST(LogBytes, ACollapseWhoseOtherFaceLiesAcrossAnotherEdgeIsRefused)
+TEST(LogBytes, RejectsACollapseWhoseOtherFaceLiesAcrossAnotherEdge)
 {
   const Surface bone = HeightField(12, 0.3, 7);
   EditLog log = WithoutMarks(Example(Mode::Fast).Levels.Log());
@@ -183,7 +183,7 @@ TEST(LogBytes, ACollapseWhoseOtherFaceLiesAcrossAnotherEdgeIsRefused)
   }
 }
 
-TEST(LogBytes, AnotherSurfaceIsRefused)
+TEST(LogBytes, RejectsAnotherSurface)
 {
   const EditLog log = Example().Levels.Log();
   Levels levels;
@@ -193,7 +193,7 @@ TEST(LogBytes, AnotherSurfaceIsRefused)
   EXPECT_FALSE(levels.IsOpen());
 }
 
-TEST(LogBytes, EditsThatNoRunCanHaveMadeAreRefused)
+TEST(LogBytes, RejectsEditsThatNoRunCanHaveMade)
 {
   const Surface bone = HeightField(12, 0.3, 7);
   const auto statusWith = [&](const auto& change)
@@ -224,7 +224,7 @@ TEST(LogBytes, EditsThatNoRunCanHaveMadeAreRefused)
     LogStatus::Contradictory);
 }
 
-TEST(LogBytes, EveryRefusalHasASentence)
+TEST(LogBytes, EveryRejectionHasASentence)
 {
   EXPECT_TRUE(LogMessage(LogStatus::Good).empty());
   for (const LogStatus status : { LogStatus::NotALog, LogStatus::UnknownVersion, LogStatus::Damaged,

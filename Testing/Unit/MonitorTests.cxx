@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Inputs that cannot be used, progress and abort.
+// Unusable inputs, progress and abort.
 #include "BruteForce.h"
 #include "Runs.h"
 
@@ -14,7 +14,7 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-void ExpectRefused(const Surface& input, InputStatus status)
+void ExpectRejected(const Surface& input, InputStatus status)
 {
   const Result result = Decimate(input, Options{});
   EXPECT_EQ(result.Report.Status, status);
@@ -27,7 +27,7 @@ void ExpectRefused(const Surface& input, InputStatus status)
   EXPECT_NE(InputMessage(result.Report), "");
 }
 
-/// Everything that the monitor heard.
+/// Records all calls of the monitor.
 std::vector<double> Heard(const Surface& input, const Options& options)
 {
   std::vector<double> heard;
@@ -41,22 +41,22 @@ std::vector<double> Heard(const Surface& input, const Options& options)
 }
 }
 
-TEST(DecimateRefusals, InputsThatCannotBeUsedGiveAnEmptySurfaceAndAReason)
+TEST(DecimateRejections, UnusableInputsGiveAnEmptySurfaceAndAReason)
 {
   Surface bad = Tetrahedron();
-  ExpectRefused({}, InputStatus::Empty);
-  ExpectRefused({ bad.Points, {} }, InputStatus::NoTriangles);
-  ExpectRefused({ bad.Points, { { 0, 0, 1 } } }, InputStatus::NoTriangles);
+  ExpectRejected({}, InputStatus::Empty);
+  ExpectRejected({ bad.Points, {} }, InputStatus::NoTriangles);
+  ExpectRejected({ bad.Points, { { 0, 0, 1 } } }, InputStatus::NoTriangles);
   bad.Triangles[1][2] = 4;
-  ExpectRefused(bad, InputStatus::IndexOutOfRange);
+  ExpectRejected(bad, InputStatus::IndexOutOfRange);
   bad = Tetrahedron();
   bad.Points[2].z() = std::numeric_limits<double>::quiet_NaN();
-  ExpectRefused(bad, InputStatus::NonFinitePoints);
+  ExpectRejected(bad, InputStatus::NonFinitePoints);
   bad.Points[2].z() = 1e31;
-  ExpectRefused(bad, InputStatus::HugeCoordinates);
+  ExpectRejected(bad, InputStatus::HugeCoordinates);
 }
 
-TEST(DecimateRefusals, ExtremeButFiniteCoordinatesGiveFiniteResults)
+TEST(DecimateRejections, ExtremeButFiniteCoordinatesGiveFiniteResults)
 {
   for (const double factor : { 1e29, 1e-100, 1e-140 })
   {
@@ -70,21 +70,21 @@ TEST(DecimateRefusals, ExtremeButFiniteCoordinatesGiveFiniteResults)
   }
 }
 
-TEST(DecimateRefusals, DroppedAndLockedPartsAreCountedAndTheFirstIsNamed)
+TEST(DecimateRejections, DroppedAndConstrainedPartsAreCountedAndTheFirstIsNamed)
 {
   Surface input = PinchedVertex(8, 3);
   input.Triangles.insert(input.Triangles.begin(), { 3, 3, 4 });
   const Result result = Decimate(input, Reduction(0.3));
   EXPECT_EQ(result.Report.Cleaning.DroppedTriangles, 1);
   EXPECT_EQ(result.Report.Cleaning.FirstDroppedTriangle, 0);
-  EXPECT_EQ(result.Report.Cleaning.LockedPoints, 1);
-  EXPECT_EQ(result.Report.Cleaning.FirstLockedPoint, 0);
+  EXPECT_EQ(result.Report.Cleaning.NonManifoldPoints, 1);
+  EXPECT_EQ(result.Report.Cleaning.FirstNonManifoldPoint, 0);
   const Result book = Decimate(ThreeLeavedBook(5), Reduction(0.3));
-  EXPECT_EQ(book.Report.Cleaning.LockedPoints, 6);
+  EXPECT_EQ(book.Report.Cleaning.NonManifoldPoints, 6);
   EXPECT_EQ(book.Report.Input.NonManifoldEdges, 5);
 }
 
-TEST(DecimateMonitor, HearsFractionsThatNeverFallFromZeroToOne)
+TEST(DecimateMonitor, ReceivesNondecreasingFractionsFromZeroToOne)
 {
   for (const NamedSurface& shape : AllShapes())
   {
@@ -102,7 +102,7 @@ TEST(DecimateMonitor, HearsFractionsThatNeverFallFromZeroToOne)
   }
 }
 
-TEST(DecimateMonitor, HearsAtLeastEveryHundredth)
+TEST(DecimateMonitor, IsCalledAtLeastEveryHundredth)
 {
   const Surface input = Icosphere(5, 20.0);
   Options plain = Reduction(0.9);
@@ -177,7 +177,7 @@ TEST(DecimateMonitor, AbortAtAnyTimeOfTheRelaxationLeavesAValidSurface)
   }
 }
 
-TEST(DecimateMonitor, AMonitorThatSaysNothingAgainstItChangesNothing)
+TEST(DecimateMonitor, AMonitorThatNeverAbortsChangesNothing)
 {
   const Surface input = BumpySphere(3, 20.0, 0.1, 5);
   const Result watched = Decimate(input, Reduction(0.9), [](double) { return true; });

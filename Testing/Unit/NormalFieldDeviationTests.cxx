@@ -52,7 +52,7 @@ TEST(NormalFieldDeviation, AFlatEdgeCostsNothingAtToleranceOneAndMoreTheSmallerI
   EXPECT_NEAR(HingeCost(flat, 0.0), 4.0, 1e-15);
 }
 
-TEST(NormalFieldDeviation, AFoldedEdgeGetsDearerWithTheTolerance)
+TEST(NormalFieldDeviation, CostOfAFoldedEdgeIncreasesWithTheTolerance)
 {
   const Vector3 folded(1, 0.8, 0.6);
   EXPECT_LT(HingeCost(folded, 0.0), HingeCost(folded, 1.0));
@@ -69,7 +69,7 @@ TEST(NormalFieldDeviation, BothHalvesOfAnEdgeCostTheSame)
   }
 }
 
-TEST(NormalFieldDeviation, ABorderEdgeHasATwinOfTheSameAreaAtRightAngles)
+TEST(NormalFieldDeviation, ABoundaryEdgeHasATwinOfTheSameAreaAtRightAngles)
 {
   const HalfEdgeMesh mesh(SingleTriangle());
   const FaceAreas areas(mesh);
@@ -106,9 +106,9 @@ TEST(NormalFieldDeviation, AFlatRingHasNoCurvature)
   EXPECT_NEAR(VertexCost(Grid(4), 12, 1.0), 0.0, 1e-14);
 }
 
-TEST(NormalFieldDeviation, ABorderVertexCountsItsBorderEdges)
+TEST(NormalFieldDeviation, ABoundaryVertexCountsItsBoundaryEdges)
 {
-  // Point 1 of the grid of one cell: corner of one triangle with two border edges of 1 mm.
+  // Point 1 of the grid of one cell: corner of one triangle with two boundary edges of 1 mm.
   EXPECT_NEAR(VertexCost(Grid(1), 1, 0.95), 2.0, 1e-15);
 }
 
@@ -121,7 +121,7 @@ TEST(NormalFieldDeviation, CostsGrowWithTheCubeOfTheScaleExactly)
   }
 }
 
-TEST(NormalFieldDeviation, FacesWithoutAreaCostNothingAndAreNoNumbersGoneWrong)
+TEST(NormalFieldDeviation, FacesWithoutAreaCostNothingAndGiveNoNaN)
 {
   const Surface surface = { { { 0, 0, 0 }, { 2, 0, 0 }, { 1, 0, 0 }, { 1, 2, 0 }, { 1, -2, 0 } },
     { { 0, 2, 3 }, { 2, 1, 3 }, { 1, 0, 4 }, { 0, 1, 2 } } };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OptionTable.h"
+#include "Options/OptionTable.h"
 
 #include <gtest/gtest.h>
 
@@ -63,10 +63,11 @@ std::vector<OptionValue> ValuesOutside(const OptionInfo& info)
                                                                        : OptionValue(true) };
   if (std::holds_alternative<double>(value))
   {
-    using Limits = std::numeric_limits<double>;
+    using ErrorLimits = std::numeric_limits<double>;
     bad.insert(bad.end(),
-      { Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), -Limits::max(), Limits::max(),
-        std::nextafter(info.Minimum, -1.0), std::nextafter(info.Maximum, Limits::infinity()) });
+      { ErrorLimits::quiet_NaN(), ErrorLimits::infinity(), -ErrorLimits::infinity(),
+        -ErrorLimits::max(), ErrorLimits::max(), std::nextafter(info.Minimum, -1.0),
+        std::nextafter(info.Maximum, ErrorLimits::infinity()) });
   }
   if (std::holds_alternative<int>(value))
   {
@@ -83,8 +84,8 @@ std::vector<OptionValue> ValuesOutside(const OptionInfo& info)
 
 TEST(OptionTable, HasEveryFieldOfOptionsExactlyOnce)
 {
-  // Setting any row changes what that row alone reads, so no two rows stand for one field; and the
-  // sizes add up to those of the struct, so that a new field without a row is noticed.
+  // Setting any row changes what that row alone reads, so no two rows set the same field; and the
+  // sizes add up to that of the struct, so a new field without a row is detected.
   std::size_t bytes = sizeof(bool); // TargetReductionIsExplicit, which is not an option
   for (const OptionInfo& info : OptionTable())
   {
@@ -128,7 +129,7 @@ TEST(OptionTable, DefaultsAreThoseOfTheStructAndWithinTheRange)
   EXPECT_EQ(std::get<double>(GetOption(Options{}, Row("MaximumError"))), 0.0);
   EXPECT_EQ(std::get<double>(GetOption(Options{}, Row("NormalTolerance"))), 0.95);
   EXPECT_TRUE(std::get<bool>(GetOption(Options{}, Row("MergePoints"))));
-  EXPECT_TRUE(std::get<bool>(GetOption(Options{}, Row("KeepClearance"))));
+  EXPECT_TRUE(std::get<bool>(GetOption(Options{}, Row("IntersectionGuard"))));
   EXPECT_TRUE(std::get<bool>(GetOption(Options{}, Row("MeasureDistances"))));
   EXPECT_FALSE(std::get<bool>(GetOption(Options{}, Row("MeasureInputDistances"))));
   for (const OptionInfo& info : OptionTable())
@@ -149,7 +150,7 @@ TEST(OptionTable, RangesAreFinite)
   }
 }
 
-TEST(OptionTable, ValuesOutsideTheirRangeAreRejectedAndTheValueBeforeStays)
+TEST(OptionTable, ValuesOutsideOfTheirRangeAreRejectedAndChangeNothing)
 {
   for (const OptionInfo& info : OptionTable())
   {
@@ -214,7 +215,7 @@ TEST(OptionTable, RejectionsAreOneSentenceWithRangeUnitAndValue)
     "MergePoints takes on or off, not 'maybe'");
 }
 
-TEST(OptionTable, ValuesSurviveTheWayThroughText)
+TEST(OptionTable, ValuesSurviveConversionToText)
 {
   for (const OptionInfo& info : OptionTable())
   {
@@ -241,7 +242,7 @@ TEST(OptionTable, DecimalsReadBackTheSameBitForBit)
   EXPECT_EQ(OptionText(options, Row("TargetReduction")), "0.9");
 }
 
-TEST(OptionTable, TextThatIsWrongIsRefusedWithTheNameAndChangesNothing)
+TEST(OptionTable, InvalidTextIsRejectedWithTheNameAndChangesNothing)
 {
   const std::vector<std::pair<std::string, std::string>> wrong = { { "MaximumError", "-1" },
     { "MaximumError", "nan" }, { "MaximumError", "inf" }, { "MaximumError", "" },

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BruteForce.h"
-#include "Collapse/Editor.h"
-#include "Collapse/Gate.h"
+#include "Edit/CollapseRules.h"
+#include "Edit/Editor.h"
 #include "Placement/PlaneQuadric.h"
 #include "Random.h"
 #include "Runs.h"
@@ -17,7 +17,7 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-/// A mesh with all that placement asks for.
+/// A mesh with the data that placement needs.
 struct Bench
 {
   explicit Bench(const Surface& surface)
@@ -39,33 +39,33 @@ struct Bench
     return None;
   }
 
-  Neighbourhood Around(Index edge)
+  EdgeNeighborhood Around(Index edge)
   {
-    Neighbourhood around;
+    EdgeNeighborhood around;
     around.Gather(this->Mesh, edge);
     return around;
   }
 
-  Proposals Propose(Index edge)
+  PositionCandidates Propose(Index edge)
   {
-    return ProposePlaces(this->Mesh, this->Areas, this->Around(edge));
+    return ProposePositions(this->Mesh, this->Areas, this->Around(edge));
   }
 
-  Proposals Propose(const Vector3& from, const Vector3& to)
+  PositionCandidates Propose(const Vector3& from, const Vector3& to)
   {
     return this->Propose(this->EdgeBetween(from, to));
   }
 
-  /// What the first proposal minimises: squared distances to the planes of both rings, and the
+  /// What the first proposal minimizes: squared distances to the planes of both rings, and the
   /// ridge.
   double SumOfSquares(
-    const Neighbourhood& around, const Vector3& place, const Vector3& middle) const
+    const EdgeNeighborhood& around, const Vector3& position, const Vector3& middle) const
   {
     double sum = 0.0;
     double planes = 0.0;
     const auto add = [&](Index face, Index vertex)
     {
-      sum += std::pow(this->Areas[face].Normal.dot(place - this->Mesh.Position(vertex)), 2);
+      sum += std::pow(this->Areas[face].Normal.dot(position - this->Mesh.Position(vertex)), 2);
       planes += 1.0; // the trace of each plane's matrix
     };
     for (const Index corner : around.Corners)
@@ -74,7 +74,7 @@ struct Bench
     }
     add(around.GoneFaces[0], around.Start);
     add(around.GoneFaces[1], around.Start);
-    return sum + 1e-3 * planes / 3.0 * (place - middle).squaredNorm();
+    return sum + 1e-3 * planes / 3.0 * (position - middle).squaredNorm();
   }
 
   HalfEdgeMesh Mesh;
@@ -87,15 +87,14 @@ Surface Box()
   return Scaled(Cube(4), 4.0);
 }
 
-/// The ridge pulls the minimum by up to this, at edges of 1 mm, from where exact planes would put
-/// it.
+/// The ridge moves the minimum by up to this from that of the exact planes, with edges of 1 mm.
 constexpr double RidgeTolerance = 0.01; // mm
 }
 
 TEST(PlaneQuadric, InAPlaneTheVertexStaysInThePlane)
 {
   Bench bench(Grid(5));
-  const Proposals proposals = bench.Propose(Vector3(2, 2, 0), Vector3(3, 2, 0));
+  const PositionCandidates proposals = bench.Propose(Vector3(2, 2, 0), Vector3(3, 2, 0));
   ASSERT_GT(proposals.Count, 0U);
   for (std::size_t i = 0; i < proposals.Count; ++i)
   {
@@ -108,17 +107,17 @@ TEST(PlaneQuadric, InAPlaneTheVertexStaysInThePlane)
 TEST(PlaneQuadric, AtASharpEdgeTheVertexStaysOnTheEdge)
 {
   Bench bench(Box());
-  const Vector3 place = bench.Propose(Vector3(2, 0, 0), Vector3(3, 0, 0)).Edits[0].Position;
-  EXPECT_NEAR(place.y(), 0.0, 1e-12);
-  EXPECT_NEAR(place.z(), 0.0, 1e-12);
+  const Vector3 position = bench.Propose(Vector3(2, 0, 0), Vector3(3, 0, 0)).Edits[0].Position;
+  EXPECT_NEAR(position.y(), 0.0, 1e-12);
+  EXPECT_NEAR(position.z(), 0.0, 1e-12);
 }
 
 TEST(PlaneQuadric, FromASideToASharpEdgeTheVertexGoesToTheEdge)
 {
   Bench bench(Box());
-  const Vector3 place = bench.Propose(Vector3(2, 1, 0), Vector3(2, 0, 0)).Edits[0].Position;
-  EXPECT_NEAR(place.y(), 0.0, RidgeTolerance);
-  EXPECT_NEAR(place.z(), 0.0, RidgeTolerance);
+  const Vector3 position = bench.Propose(Vector3(2, 1, 0), Vector3(2, 0, 0)).Edits[0].Position;
+  EXPECT_NEAR(position.y(), 0.0, RidgeTolerance);
+  EXPECT_NEAR(position.z(), 0.0, RidgeTolerance);
 }
 
 TEST(PlaneQuadric, AtACornerTheVertexGoesToTheCorner)
@@ -136,8 +135,8 @@ TEST(PlaneQuadric, TheFirstProposalIsTheMinimumOfTheQuadricWithItsRidge)
   Bench bench(BumpySphere(2, 5.0, 0.05, 3));
   for (const Index h : HalfEdges(bench.Mesh))
   {
-    const Neighbourhood around = bench.Around(h);
-    const Proposals proposals = ProposePlaces(bench.Mesh, bench.Areas, around);
+    const EdgeNeighborhood around = bench.Around(h);
+    const PositionCandidates proposals = ProposePositions(bench.Mesh, bench.Areas, around);
     const Vector3 middle =
       0.5 * (bench.Mesh.Position(around.Start) + bench.Mesh.Position(around.End));
     const double best = bench.SumOfSquares(around, proposals.Edits[0].Position, middle);
@@ -155,27 +154,27 @@ TEST(PlaneQuadric, TheFirstProposalIsTheMinimumOfTheQuadricWithItsRidge)
   }
 }
 
-TEST(PlaneQuadric, FromInsideToBorderOnlyTheBorderVertexIsProposed)
+TEST(PlaneQuadric, FromInsideToBoundaryOnlyTheBoundaryVertexIsProposed)
 {
   Bench bench(HeightField(4, 0.3, 1));
   for (const Index h : HalfEdges(bench.Mesh))
   {
     const Index from = bench.Mesh.Origin(h);
     const Index to = bench.Mesh.Target(h);
-    if (bench.Mesh.Kind(from) == bench.Mesh.Kind(to))
+    if (bench.Mesh.Constraint(from) == bench.Mesh.Constraint(to))
     {
       continue;
     }
-    const Index border = bench.Mesh.Kind(from) == VertexKind::Border ? from : to;
-    const Proposals proposals = bench.Propose(h);
+    const Index boundary = bench.Mesh.Constraint(from) == VertexConstraint::Boundary ? from : to;
+    const PositionCandidates proposals = bench.Propose(h);
     ASSERT_EQ(proposals.Count, 1U);
-    EXPECT_EQ(proposals.Edits[0].Keep, border);
-    EXPECT_EQ(proposals.Edits[0].Position, bench.Mesh.Position(border));
+    EXPECT_EQ(proposals.Edits[0].Keep, boundary);
+    EXPECT_EQ(proposals.Edits[0].Position, bench.Mesh.Position(boundary));
     EXPECT_TRUE(proposals.Edits[0].KeepStays);
   }
 }
 
-TEST(PlaneQuadric, ABorderEdgeProposesOnlyPlacesOnItself)
+TEST(PlaneQuadric, ABoundaryEdgeProposesOnlyPositionsOnItself)
 {
   Bench bench(HeightField(6, 0.5, 2));
   for (const Index h : HalfEdges(bench.Mesh))
@@ -186,7 +185,7 @@ TEST(PlaneQuadric, ABorderEdgeProposesOnlyPlacesOnItself)
     }
     const Vector3& a = bench.Mesh.Position(bench.Mesh.Origin(h));
     const Vector3& b = bench.Mesh.Position(bench.Mesh.Target(h));
-    const Proposals proposals = bench.Propose(h);
+    const PositionCandidates proposals = bench.Propose(h);
     ASSERT_GT(proposals.Count, 0U);
     for (std::size_t i = 0; i < proposals.Count; ++i)
     {
@@ -195,7 +194,7 @@ TEST(PlaneQuadric, ABorderEdgeProposesOnlyPlacesOnItself)
   }
 }
 
-TEST(PlaneQuadric, AtACornerOfAFlatBorderTheCornerIsKept)
+TEST(PlaneQuadric, AtACornerOfAFlatBoundaryTheCornerIsKept)
 {
   Bench bench(Grid(4));
   EXPECT_EQ(bench.Propose(Vector3(0, 0, 0), Vector3(1, 0, 0)).Edits[0].Position, Vector3(0, 0, 0));
@@ -204,39 +203,40 @@ TEST(PlaneQuadric, AtACornerOfAFlatBorderTheCornerIsKept)
 
 namespace
 {
-/// The gate's answer, and by how much the volume would change, mm^3.
-std::pair<Verdict, double> JudgeAt(
-  const Bench& bench, const Neighbourhood& around, const Vector3& place)
+/// The validity of the position, and the change of volume, mm^3.
+std::pair<Rejection, double> CheckAt(
+  const Bench& bench, const EdgeNeighborhood& around, const Vector3& position)
 {
   FanStorage storage;
   Fan& fan = storage.Reserve(static_cast<int>(around.Corners.size()));
   FillFan(bench.Mesh, around, fan);
   double change = 0.0;
-  const Verdict verdict =
-    JudgePlace(bench.Mesh, around, { around.Edge, around.Start, place, false }, fan, change);
-  return { verdict, change };
+  const Rejection rejection =
+    CheckPosition(bench.Mesh, around, { around.Edge, around.Start, position, false }, fan, change);
+  return { rejection, change };
 }
 }
 
-TEST(Gate, APlaceThatTurnsATriangleOverIsRefused)
+TEST(EditValidity, RejectsAPositionThatTurnsATriangleOver)
 {
   Bench bench(Grid(5));
-  const Neighbourhood around = bench.Around(bench.EdgeBetween({ 2, 2, 0 }, { 3, 2, 0 }));
-  const auto judge = [&](const Vector3& place) { return JudgeAt(bench, around, place).first; };
-  EXPECT_EQ(judge({ 2.5, 2, 0 }), Verdict::Allowed);
-  EXPECT_EQ(judge({ 9, 2, 0 }), Verdict::Flip);
-  EXPECT_EQ(judge({ 2.5, 2, 30 }), Verdict::Flip) << "all triangles upright";
+  const EdgeNeighborhood around = bench.Around(bench.EdgeBetween({ 2, 2, 0 }, { 3, 2, 0 }));
+  const auto check = [&](const Vector3& position)
+  { return CheckAt(bench, around, position).first; };
+  EXPECT_EQ(check({ 2.5, 2, 0 }), Rejection::NotRejected);
+  EXPECT_EQ(check({ 9, 2, 0 }), Rejection::Flip);
+  EXPECT_EQ(check({ 2.5, 2, 30 }), Rejection::Flip) << "all triangles upright";
 }
 
-TEST(Gate, APlaceThatLeavesNoAreaIsRefused)
+TEST(EditValidity, RejectsAPositionThatLeavesNoArea)
 {
   Bench bench(Grid(5));
-  const Neighbourhood around = bench.Around(bench.EdgeBetween({ 2, 2, 0 }, { 3, 2, 0 }));
+  const EdgeNeighborhood around = bench.Around(bench.EdgeBetween({ 2, 2, 0 }, { 3, 2, 0 }));
   // On the line of an edge of the ring.
-  EXPECT_NE(JudgeAt(bench, around, { 2.5, 3, 0 }).first, Verdict::Allowed);
+  EXPECT_NE(CheckAt(bench, around, { 2.5, 3, 0 }).first, Rejection::NotRejected);
 }
 
-TEST(Gate, VolumeChangeIsTheDifferenceOfTheVolumes)
+TEST(EditValidity, VolumeChangeIsTheDifferenceOfTheVolumes)
 {
   const Surface surface = BumpySphere(2, 5.0, 0.1, 9);
   Random random(10);
@@ -245,8 +245,8 @@ TEST(Gate, VolumeChangeIsTheDifferenceOfTheVolumes)
     Bench bench(surface);
     const Index h =
       HalfEdgeMesh::HalfEdge(random.Below(bench.Mesh.NumberOfFaceSlots()), random.Below(3));
-    const Neighbourhood around = bench.Around(h);
-    const Vector3 place = bench.Mesh.Position(around.Start) + random.InCube(1);
+    const EdgeNeighborhood around = bench.Around(h);
+    const Vector3 position = bench.Mesh.Position(around.Start) + random.InCube(1);
     Surface after = surface;
     for (Triangle& t : after.Triangles)
     {
@@ -255,8 +255,8 @@ TEST(Gate, VolumeChangeIsTheDifferenceOfTheVolumes)
         corner = corner == around.End ? around.Start : corner;
       }
     }
-    after.Points[around.Start] = place; // triangles with a repeated corner have no volume
-    const double change = JudgeAt(bench, around, place).second;
+    after.Points[around.Start] = position; // triangles with a repeated corner have no volume
+    const double change = CheckAt(bench, around, position).second;
     EXPECT_NEAR(change, SignedVolume(after) - SignedVolume(surface), 1e-10);
   }
 }

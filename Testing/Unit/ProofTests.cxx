@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The steps of the proof, attacked with random triangles: what they prove is so, point by point.
+// The steps of the proof with random triangles: every proved bound holds point by point.
 #include "BruteForce.h"
-#include "Guarantee/FaceProof.h"
-#include "Guarantee/Guarantee.h"
-#include "Guarantee/PlaneCover.h"
-#include "Guarantee/ShareProof.h"
+#include "ErrorBound/CommonFaceProof.h"
+#include "ErrorBound/ErrorBound.h"
+#include "ErrorBound/FaceProof.h"
+#include "ErrorBound/PlaneCover.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ std::array<Vector3, 3> AnyTriangle(std::mt19937& random, double size)
   return triangle;
 }
 
-Vector3 AnyPlace(std::mt19937& random, const std::array<Vector3, 3>& triangle)
+Vector3 AnyPoint(std::mt19937& random, const std::array<Vector3, 3>& triangle)
 {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   double b = uniform(random);
@@ -44,14 +44,14 @@ Vector3 AnyPlace(std::mt19937& random, const std::array<Vector3, 3>& triangle)
 }
 }
 
-TEST(ShareProof, ProvesNothingThatIsNotSo)
+TEST(CommonFaceProof, NeverProvesAFalseBound)
 {
   std::mt19937 random(7);
   int proved = 0;
   for (int round = 0; round < 2000; ++round)
   {
     Surface candidates;
-    ShareProof proof;
+    CommonFaceProof proof;
     for (Index i = 0; i < 4; ++i)
     {
       const std::array<Vector3, 3> triangle = AnyTriangle(random, 2.0);
@@ -61,18 +61,18 @@ TEST(ShareProof, ProvesNothingThatIsNotSo)
     }
     const std::array<Vector3, 3> triangle = AnyTriangle(random, 1.0);
     const double limit = 0.6;
-    ShareProof::Piece whole;
+    CommonFaceProof::Piece whole;
     for (std::size_t k = 0; k < 3; ++k)
     {
       whole[k] = { triangle[k], limit, proof.FacesNear(triangle[k], limit) };
     }
-    ShareProof::Faces used = 0;
-    if (proof.Prove(whole, used, 256) == ShareAnswer::Proved)
+    CommonFaceProof::Faces used = 0;
+    if (proof.Prove(whole, used, 256) == CommonFaceResult::Proved)
     {
       ++proved;
       for (int i = 0; i < 50; ++i)
       {
-        const Vector3 p = AnyPlace(random, triangle);
+        const Vector3 p = AnyPoint(random, triangle);
         EXPECT_LE(BruteNearest(candidates, p).Distance, limit * (1.0 + 1e-12));
       }
     }
@@ -80,7 +80,7 @@ TEST(ShareProof, ProvesNothingThatIsNotSo)
   EXPECT_GT(proved, 200);
 }
 
-TEST(PlaneCover, ProvesNothingThatIsNotSo)
+TEST(PlaneCover, NeverProvesAFalseBound)
 {
   const Surface surface = BumpySphere(3, 5.0, 0.2, 7);
   const HalfEdgeMesh mesh(surface);
@@ -103,29 +103,29 @@ TEST(PlaneCover, ProvesNothingThatIsNotSo)
       ++proved;
       for (int i = 0; i < 50; ++i)
       {
-        EXPECT_LE(BruteNearest(surface, AnyPlace(random, face)).Distance, limit * (1.0 + 1e-12));
+        EXPECT_LE(BruteNearest(surface, AnyPoint(random, face)).Distance, limit * (1.0 + 1e-12));
       }
     }
   }
   EXPECT_GT(proved, 50);
 }
 
-TEST(ShareProof, AsksNoCandidateBeyondItsOwnLimit)
+TEST(CommonFaceProof, EvaluatesNoCandidateBeyondItsLimit)
 {
   const std::array<Vector3, 3> face = { Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 4, 0) };
   for (const double most : { 0.2, 0.4 })
   {
-    ShareProof proof;
+    CommonFaceProof proof;
     proof.AddCandidate(face, most);
-    ShareProof::Piece whole;
+    CommonFaceProof::Piece whole;
     for (std::size_t k = 0; k < 3; ++k)
     {
       const Vector3 p = 0.5 * face[k] + Vector3(0.5, 0.5, 0.3);
       whole[k] = { p, 1.0, proof.FacesNear(p, 1.0) };
     }
-    ShareProof::Faces used = 0;
-    EXPECT_EQ(
-      proof.Prove(whole, used, 256), most > 0.3 ? ShareAnswer::Proved : ShareAnswer::TooFar);
+    CommonFaceProof::Faces used = 0;
+    EXPECT_EQ(proof.Prove(whole, used, 256),
+      most > 0.3 ? CommonFaceResult::Proved : CommonFaceResult::TooFar);
   }
 }
 
@@ -149,7 +149,7 @@ std::array<Vector3, 3> AnyFaceNear(const Surface& surface, std::mt19937& random,
   return face;
 }
 
-/// mm, of the farthest of many places of the face.
+/// mm, the largest distance of many points of the face.
 double FarthestSample(const Surface& surface, const std::array<Vector3, 3>& face)
 {
   constexpr int steps = 6;
@@ -166,23 +166,23 @@ double FarthestSample(const Surface& surface, const std::array<Vector3, 3>& face
   return farthest;
 }
 
-/// Closed and bumpy, with rims thinner than the limit, with a border.
+/// Closed and bumpy, with rims thinner than the limit, with a boundary.
 std::vector<Surface> SurfacesForFaces()
 {
   return { BumpySphere(3, 5.0, 0.2, 7), Scaled(FlatPlate(12), 0.2), HeightField(14, 0.3, 3) };
 }
 }
 
-TEST(FaceProof, ProvesNothingThatIsNotSoAndMostOfWhatIs)
+TEST(FaceProof, NeverProvesAFalseBoundAndProvesMostTrueOnes)
 {
   for (const Surface& surface : SurfacesForFaces())
   {
     const HalfEdgeMesh mesh(surface);
     const BoundingTree tree(surface);
     const double limit = 0.25;
-    Promise promise;
-    promise.Error = limit;
-    const Limits limits(mesh, promise);
+    ErrorBoundSettings settings;
+    settings.Error = limit;
+    const ErrorLimits limits(mesh, settings);
     const WalkedSurface target(mesh, tree, limits);
     FaceProof proof(mesh);
     std::mt19937 random(5);
@@ -204,14 +204,14 @@ TEST(FaceProof, ProvesNothingThatIsNotSoAndMostOfWhatIs)
   }
 }
 
-TEST(FaceProof, ProvesFacesThatReachBeyondABorder)
+TEST(FaceProof, ProvesFacesThatReachBeyondABoundary)
 {
   const Surface surface = Grid(4);
   const HalfEdgeMesh mesh(surface);
   const BoundingTree tree(surface);
-  Promise promise;
-  promise.Error = 0.3;
-  const Limits limits(mesh, promise);
+  ErrorBoundSettings settings;
+  settings.Error = 0.3;
+  const ErrorLimits limits(mesh, settings);
   FaceProof proof(mesh);
   for (const double beyond : { 0.0, 0.2, 0.4 })
   {
@@ -221,30 +221,30 @@ TEST(FaceProof, ProvesFacesThatReachBeyondABorder)
   }
 }
 
-TEST(Promise, RoundsToWhatSinglePrecisionHolds)
+TEST(ErrorBoundSettings, RoundsToWhatSinglePrecisionHolds)
 {
-  Promise promise;
-  promise.RoundsToSingle = true;
-  promise.Origin = Vector3(5000.1, -3000.2, 700.3);
+  ErrorBoundSettings settings;
+  settings.RoundsToSingle = true;
+  settings.Origin = Vector3(5000.1, -3000.2, 700.3);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(0.0, 40.0);
   for (int i = 0; i < 1000; ++i)
   {
     const Vector3 p(uniform(random), uniform(random), uniform(random));
-    const Vector3 written = promise.Rounded(p) + promise.Origin;
+    const Vector3 written = settings.Rounded(p) + settings.Origin;
     for (Eigen::Index axis = 0; axis < 3; ++axis)
     {
       const volatile float single = static_cast<float>(written[axis]);
       EXPECT_NEAR(written[axis], static_cast<double>(single), 1e-11);
     }
-    EXPECT_LT((promise.Rounded(p) - p).norm(), 1e-3);
+    EXPECT_LT((settings.Rounded(p) - p).norm(), 1e-3);
   }
 }
 
-TEST(ShareProof, ProvesATriangleOverManyFacesInFewPieces)
+TEST(CommonFaceProof, ProvesATriangleOverManyFacesInFewPieces)
 {
   constexpr double limit = 0.1; // much smaller than the faces
-  ShareProof proof;
+  CommonFaceProof proof;
   for (int i = 0; i < 7; ++i)
   {
     const auto rim = [](int at)
@@ -255,13 +255,13 @@ TEST(ShareProof, ProvesATriangleOverManyFacesInFewPieces)
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (int round = 0; round < 200; ++round)
   {
-    ShareProof::Piece whole;
-    for (ShareProof::Corner& corner : whole)
+    CommonFaceProof::Piece whole;
+    for (CommonFaceProof::Corner& corner : whole)
     {
       const Vector3 p(uniform(random), uniform(random), 0.0);
       corner = { p, limit, proof.FacesNear(p, limit) };
     }
-    ShareProof::Faces used = 0;
-    EXPECT_EQ(proof.Prove(whole, used, 256), ShareAnswer::Proved) << round;
+    CommonFaceProof::Faces used = 0;
+    EXPECT_EQ(proof.Prove(whole, used, 256), CommonFaceResult::Proved) << round;
   }
 }

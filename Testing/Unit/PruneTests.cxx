@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Decimate.h"
 #include "Levels.h"
-#include "ReportTable.h"
+#include "Report/ReportTable.h"
 #include "Runs.h"
 #include "Shapes.h"
 
@@ -55,18 +55,18 @@ std::string EntryText(const Report& report, const std::string& name)
 }
 }
 
-TEST(Prune, TakesNothingUnlessItIsAsked)
+TEST(Prune, RemovesNothingByDefault)
 {
   for (const Mode mode : AllModes())
   {
     const Report report = Decimate(BoneWithCrumbs(), InMode(mode, Reduction(0.9))).Report;
-    EXPECT_FALSE(report.Pruned.IsAsked);
+    EXPECT_FALSE(report.Pruned.IsRequested);
     EXPECT_EQ(report.Output.Components, 3) << WordOf(mode);
     EXPECT_EQ(EntryText(report, "pruned.components"), "missing");
   }
 }
 
-TEST(Prune, EachLimitTakesWhatIsBelowAndKeepsWhatReachesIt)
+TEST(Prune, EachLimitRemovesSmallerComponentsOnly)
 {
   const double above = std::nextafter(Side, 3.0);
   EXPECT_EQ(PrunedBy(Pruning(Side, 0, 0, 0)), 1U); // the triangle alone: its sides are 1 mm
@@ -77,7 +77,7 @@ TEST(Prune, EachLimitTakesWhatIsBelowAndKeepsWhatReachesIt)
   EXPECT_EQ(PrunedBy(Pruning(0, 0, 0, 13)), 2U);
 }
 
-TEST(Prune, AVolumeIsThatOfClosedComponentsWhicheverWayTheyLook)
+TEST(Prune, OnlyClosedComponentsHaveAVolumeWhateverTheirOrientation)
 {
   EXPECT_EQ(PrunedBy(Pruning(0, 0, Side * Side * Side - 1e-9, 0)), 0U);
   EXPECT_EQ(PrunedBy(Pruning(0, 0, Side * Side * Side + 1e-9, 0)), 1U); // not the open triangle
@@ -86,7 +86,7 @@ TEST(Prune, AVolumeIsThatOfClosedComponentsWhicheverWayTheyLook)
   EXPECT_EQ(report.Pruned.Components.size(), 1U);
 }
 
-TEST(Prune, ListsWhatWentLargestFirst)
+TEST(Prune, ListsRemovedComponentsLargestFirst)
 {
   const Report report = Decimate(BoneWithCrumbs(), Pruning(5.0, 0, 0, 0)).Report;
   const PruneFigures& pruned = report.Pruned;
@@ -97,7 +97,8 @@ TEST(Prune, ListsWhatWentLargestFirst)
   EXPECT_DOUBLE_EQ(cube.Size, Side);
   EXPECT_DOUBLE_EQ(cube.Area, 6 * Side * Side);
   EXPECT_NEAR(cube.Volume, Side * Side * Side, 1e-12);
-  EXPECT_NEAR((cube.Place - Vector3(30.0 + 0.5 * Side, 0.5 * Side, 0.5 * Side)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(
+    (cube.Center - Vector3(30.0 + 0.5 * Side, 0.5 * Side, 0.5 * Side)).norm(), 0.0, 1e-12);
   EXPECT_TRUE(std::isnan(pruned.Components[1].Volume));
   EXPECT_EQ(EntryText(report, "pruned.list.0.size"), std::to_string(Side));
   EXPECT_EQ(EntryText(report, "pruned.list.1.area"), std::to_string(0.5));
@@ -105,7 +106,7 @@ TEST(Prune, ListsWhatWentLargestFirst)
   EXPECT_EQ(report.Input.Components, 1);
 }
 
-TEST(Prune, LeavesTheBytesOfARunWithoutTheCrumbs)
+TEST(Prune, GivesTheBytesOfARunWithoutTheSmallComponents)
 {
   Surface alone = BoneWithCrumbs();
   alone.Triangles.resize(alone.Triangles.size() - 13);
@@ -118,20 +119,20 @@ TEST(Prune, LeavesTheBytesOfARunWithoutTheCrumbs)
   }
 }
 
-TEST(Prune, ProvesWhatIsLeft)
+TEST(Prune, ProvesTheRemainingComponents)
 {
   Options options = Pruning(5.0, 0, 0, 0);
   options.MaximumError = 0.3;
   options.MeasureInputDistances = true;
   const Surface input = BoneWithCrumbs();
   const Result result = Decimate(input, options);
-  EXPECT_STREQ(EntryText(result.Report, "proof.verdict").c_str(), "there");
+  EXPECT_STREQ(EntryText(result.Report, "proof.status").c_str(), "there");
   EXPECT_LE(result.Report.Proof.Upper(), options.MaximumError);
   EXPECT_GT(result.InputDistance.back(), 20.0); // the heat map shows what went
   EXPECT_TRUE(std::isnan(result.InputErrorBound.back()));
 }
 
-TEST(Prune, PointsOfWhatWentStandForNone)
+TEST(Prune, PointsOfRemovedComponentsMapToNone)
 {
   const Surface input = BoneWithCrumbs();
   const Result result = Decimate(input, Pruning(5.0, 0, 0, 0), {}, { false, true });
@@ -145,7 +146,7 @@ TEST(Prune, PointsOfWhatWentStandForNone)
   }
 }
 
-TEST(Prune, OfEverythingIsRefusedWithItsCount)
+TEST(Prune, RemovingEverythingIsRejectedWithTheCount)
 {
   const Result result = Decimate(BoneWithCrumbs(), Pruning(1000.0, 0, 0, 0));
   EXPECT_EQ(result.Report.Status, InputStatus::EverythingPruned);
@@ -153,7 +154,7 @@ TEST(Prune, OfEverythingIsRefusedWithItsCount)
   EXPECT_TRUE(result.Surface.Triangles.empty());
 }
 
-TEST(Prune, WorksOnWhatIsBrokenAndGivesTheSameBytesForAnyNumberOfThreads)
+TEST(Prune, AcceptsNonManifoldInputAndGivesTheSameBytesForAnyNumberOfThreads)
 {
   for (const NamedSurface& shape : AllShapes())
   {
@@ -173,34 +174,34 @@ TEST(Prune, LevelsAreOfAllComponents)
   EXPECT_GT(levels.NumberOfCollapses(), 0);
 }
 
-TEST(Examination, OfTheInputIsInTheReportOnRequestAlone)
+TEST(DiagnosticRun, OfTheInputIsInTheReportOnRequestAlone)
 {
   const Surface input = Together(Grid(3), Moved(Cube(1), { 10.0, 0.0, 0.0 }));
-  EXPECT_TRUE(Decimate(input, Reduction(0.5)).Report.Findings.empty());
+  EXPECT_TRUE(Decimate(input, Reduction(0.5)).Report.Diagnostics.empty());
   Options options = Reduction(0.5);
-  options.ExamineInput = true;
+  options.DiagnoseInput = true;
   const Report report = Decimate(input, options).Report;
-  const std::vector<Finding> expected = Examine(input);
-  ASSERT_EQ(report.Findings.size(), expected.size());
+  const std::vector<Diagnostic> expected = Diagnose(input);
+  ASSERT_EQ(report.Diagnostics.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i)
   {
-    EXPECT_EQ(report.Findings[i].Kind, expected[i].Kind);
-    EXPECT_EQ(report.Findings[i].Count, expected[i].Count);
-    EXPECT_EQ(report.Findings[i].First, expected[i].First);
-    EXPECT_EQ(EntryText(report, "findings." + std::to_string(i) + ".kind"), "there");
+    EXPECT_EQ(report.Diagnostics[i].Kind, expected[i].Kind);
+    EXPECT_EQ(report.Diagnostics[i].Count, expected[i].Count);
+    EXPECT_EQ(report.Diagnostics[i].First, expected[i].First);
+    EXPECT_EQ(EntryText(report, "diagnostics." + std::to_string(i) + ".kind"), "there");
   }
-  EXPECT_EQ(EntryText(report, "findings.0.first_triangles.0"), "there"); // the open border
+  EXPECT_EQ(EntryText(report, "diagnostics.0.first_triangles.0"), "there"); // the open boundary
 }
 
-TEST(Examination, StandsInTheReportOfARefusedInput)
+TEST(DiagnosticRun, IsInTheReportOfARejectedInput)
 {
   Surface input = Cube(1);
   input.Points[3][0] = std::nan("");
   Options options = Reduction(0.5);
-  options.ExamineInput = true;
+  options.DiagnoseInput = true;
   const Report report = Decimate(input, options).Report;
   EXPECT_EQ(report.Status, InputStatus::NonFinitePoints);
-  ASSERT_EQ(report.Findings.size(), 1U);
-  EXPECT_EQ(report.Findings[0].Kind, FindingKind::NonFinitePoints);
-  EXPECT_EQ(report.Findings[0].First, std::vector<Index>{ 3 });
+  ASSERT_EQ(report.Diagnostics.size(), 1U);
+  EXPECT_EQ(report.Diagnostics[0].Kind, DiagnosticKind::NonFinitePoints);
+  EXPECT_EQ(report.Diagnostics[0].First, std::vector<Index>{ 3 });
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A result that is fed in again keeps the largest error against the first original, by the judgement of the certificate.
+// The certificate confirms that a result used as input again keeps the largest error relative to the first original.
 #include "Certificate/Certificate.h"
-#include "ReferenceInput.h"
+#include "Input/ReferenceInput.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>
@@ -17,11 +17,11 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-constexpr double Promised = 0.4; // mm
+constexpr double Settings = 0.4; // mm
 
 using Map = std::vector<double>;
 
-/// No limit of their own above the plane x + y + z = 0, or below it; frozen on the other side.
+/// No tolerance above the plane x + y + z = 0, or below it; constrained on the other side.
 Map Brush(const Surface& surface, bool above)
 {
   Map map;
@@ -38,18 +38,18 @@ Result Again(
   return Decimate(input, options, {}, { false, false, map, &reference });
 }
 
-CertificateVerdict Judge(const Surface& reference, const Surface& result, double error)
+ProofStatus Evaluate(const Surface& reference, const Surface& result, double error)
 {
   CertificateOptions options;
   options.Tolerance = error;
   options.TightBounds = false;
   options.NumberOfThreads = 1;
-  return Certify(reference, result, options).Verdict;
+  return Certify(reference, result, options).Proof;
 }
 
 using Corners = std::array<double, 9>;
 
-std::multiset<Corners> FrozenTriangles(const Surface& surface, const Map& map)
+std::multiset<Corners> ConstrainedTriangles(const Surface& surface, const Map& map)
 {
   std::multiset<Corners> found;
   for (const Triangle& t : surface.Triangles)
@@ -67,7 +67,7 @@ std::multiset<Corners> FrozenTriangles(const Surface& surface, const Map& map)
   return found;
 }
 
-/// Pushed out of its place along z, with a wave.
+/// The surface displaced along z by a wave.
 Surface Wavy(Surface surface, double height)
 {
   for (Vector3& p : surface.Points)
@@ -85,7 +85,7 @@ class EachReference : public EachShape
 TEST_P(EachReference, IsKeptOverThreeBrushes)
 {
   const Surface& first = GetParam().Surface;
-  if (!CanBeJudged(first))
+  if (!CanBeCertified(first))
   {
     GTEST_SKIP() << "triangles are left out";
   }
@@ -93,12 +93,12 @@ TEST_P(EachReference, IsKeptOverThreeBrushes)
   for (const bool above : { true, false, true })
   {
     const Map map = Brush(surface, above);
-    const Result next = Again(surface, InMode(Mode::Fast, ErrorOfAnySize(Promised)), first, &map);
+    const Result next = Again(surface, InMode(Mode::Fast, ErrorOfAnySize(Settings)), first, &map);
     ASSERT_EQ(next.Report.Status, InputStatus::Good);
-    EXPECT_EQ(next.Report.Proof.Verdict, CertificateVerdict::Proved) << ProofMessage(next.Report);
-    EXPECT_EQ(Judge(first, next.Surface, Promised), CertificateVerdict::Proved);
-    const std::multiset<Corners> before = FrozenTriangles(surface, map);
-    const std::multiset<Corners> after = FrozenTriangles(next.Surface, {});
+    EXPECT_EQ(next.Report.Proof.Status, ProofStatus::Proved) << ProofMessage(next.Report);
+    EXPECT_EQ(Evaluate(first, next.Surface, Settings), ProofStatus::Proved);
+    const std::multiset<Corners> before = ConstrainedTriangles(surface, map);
+    const std::multiset<Corners> after = ConstrainedTriangles(next.Surface, {});
     EXPECT_TRUE(std::includes(after.begin(), after.end(), before.begin(), before.end()));
     surface = next.Surface;
   }
@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, EachReference, testing::ValuesIn(AllShapes()), 
 TEST(ReferenceInput, LetsAnotherBrushSimplifyWhatTheFirstLeftAlone)
 {
   const Surface first = BumpySphere(4, 20.0, 0.02, 3);
-  const Options options = InMode(Mode::Fast, Error(Promised));
+  const Options options = InMode(Mode::Fast, Error(Settings));
   const Map above = Brush(first, true);
   const Surface half = Again(first, options, first, &above).Surface;
   const Map below = Brush(half, false);
@@ -117,13 +117,13 @@ TEST(ReferenceInput, LetsAnotherBrushSimplifyWhatTheFirstLeftAlone)
   const std::size_t atOnce = Decimate(first, options).Surface.Triangles.size();
   EXPECT_LT(both.Surface.Triangles.size(), 2 * atOnce);
   EXPECT_LT(both.Surface.Triangles.size(), half.Triangles.size() / 2);
-  EXPECT_EQ(Judge(first, both.Surface, Promised), CertificateVerdict::Proved);
+  EXPECT_EQ(Evaluate(first, both.Surface, Settings), ProofStatus::Proved);
 }
 
 TEST(ReferenceInput, WithoutItErrorsAddUpAndWithItTheyDoNot)
 {
   const Surface first = BumpySphere(3, 20.0, 0.02, 3);
-  const Options options = InMode(Mode::Fast, Error(Promised));
+  const Options options = InMode(Mode::Fast, Error(Settings));
   Surface with = first;
   Surface without = first;
   for (int run = 0; run < 4; ++run)
@@ -131,21 +131,21 @@ TEST(ReferenceInput, WithoutItErrorsAddUpAndWithItTheyDoNot)
     with = Again(with, options, first).Surface;
     without = Decimate(without, options).Surface;
   }
-  EXPECT_EQ(Judge(first, without, Promised), CertificateVerdict::Violated);
-  EXPECT_EQ(Judge(first, with, Promised), CertificateVerdict::Proved);
+  EXPECT_EQ(Evaluate(first, without, Settings), ProofStatus::Violated);
+  EXPECT_EQ(Evaluate(first, with, Settings), ProofStatus::Proved);
 }
 
 TEST(ReferenceInput, OfItselfLeavesEverything)
 {
   const Surface first = BumpySphere(3, 20.0, 0.02, 3);
-  const Options options = InMode(Mode::Balanced, Error(Promised));
+  const Options options = InMode(Mode::Balanced, Error(Settings));
   const double alone = static_cast<double>(Decimate(first, options).Surface.Triangles.size());
   const double twice = static_cast<double>(Again(first, options, first).Surface.Triangles.size());
   EXPECT_NEAR(twice, alone, 0.03 * alone);
 }
 
-/// By brute force: a place of the reference is no farther than what is used up at the triangle nearest to it.
-TEST(ReferenceInput, LeavesNoPointMoreThanItsNeighboursOfTheReferenceAllow)
+/// By brute force: a point of the reference is no farther than the error used at the nearest triangle.
+TEST(ReferenceInput, LeavesNoPointMoreThanItsNeighborsOfTheReferenceAllow)
 {
   const Surface reference = Wavy(Grid(24), 0.0);
   const Surface input = Wavy(Grid(8), 0.2);
@@ -168,7 +168,7 @@ TEST(ReferenceInput, LeavesNoPointMoreThanItsNeighboursOfTheReferenceAllow)
   EXPECT_GT(*std::max_element(found.Left.begin(), found.Left.end()), 0.3);
 }
 
-TEST(ReferenceInput, TakesWhatItsBordersUseFromBorderPoints)
+TEST(ReferenceInput, TakesWhatItsBoundariesUseFromBoundaryPoints)
 {
   const Surface reference = Grid(8);
   const Surface input = Moved(Grid(8), Vector3(0.3, 0.0, 0.0)); // inside it lies on the reference
@@ -178,8 +178,8 @@ TEST(ReferenceInput, TakesWhatItsBordersUseFromBorderPoints)
   for (std::size_t v = 0; v < input.Points.size(); ++v)
   {
     const double y = input.Points[v][1];
-    const bool isAtBorder = y < 0.5 || y > 7.5;
-    if (isAtBorder)
+    const bool isAtBoundary = y < 0.5 || y > 7.5;
+    if (isAtBoundary)
     {
       EXPECT_LE(found.Left[v], 0.2 + 1e-9);
     }
@@ -190,23 +190,23 @@ TEST(ReferenceInput, TakesWhatItsBordersUseFromBorderPoints)
   }
 }
 
-TEST(ReferenceInput, IsRefusedWhereItCannotBeUsed)
+TEST(ReferenceInput, IsRejectedIfItCannotBeUsed)
 {
   const Surface first = Icosphere(3, 10.0);
   const Surface far = Icosphere(3, 11.0);
-  const Options error = InMode(Mode::Fast, Error(Promised));
+  const Options error = InMode(Mode::Fast, Error(Settings));
   const auto status = [&](const Options& options, const Surface& reference)
   {
-    const Result refused = Again(first, options, reference);
-    EXPECT_TRUE(refused.Surface.Triangles.empty());
-    EXPECT_NE(InputMessage(refused.Report), "");
-    return refused.Report.Status;
+    const Result rejected = Again(first, options, reference);
+    EXPECT_TRUE(rejected.Surface.Triangles.empty());
+    EXPECT_NE(InputMessage(rejected.Report), "");
+    return rejected.Report.Status;
   };
   EXPECT_EQ(status(error, far), InputStatus::FarFromReference);
   EXPECT_EQ(status(error, Surface()), InputStatus::BadReference);
   EXPECT_EQ(status(Reduction(0.5), first), InputStatus::ReferenceWithoutError);
   EXPECT_EQ(
-    status(InMode(Mode::Thesis, Error(Promised)), first), InputStatus::ReferenceWithoutError);
+    status(InMode(Mode::Thesis, Error(Settings)), first), InputStatus::ReferenceWithoutError);
   Surface broken = first;
   broken.Points[0][1] = std::nan("");
   EXPECT_EQ(status(error, broken), InputStatus::BadReference);
@@ -216,36 +216,36 @@ TEST(ReferenceInput, IsRefusedWhereItCannotBeUsed)
 TEST(ReferenceInput, IsWhatDistancesAreMeasuredTo)
 {
   const Surface first = BumpySphere(3, 20.0, 0.02, 3);
-  Options options = InMode(Mode::Fast, Error(Promised));
+  Options options = InMode(Mode::Fast, Error(Settings));
   const Surface once = Decimate(first, options).Surface;
   options.MeasureDistances = true;
-  const Map frozen(once.Points.size(), 0.0);
-  const Result same = Again(once, options, first, &frozen);
-  EXPECT_EQ(FrozenTriangles(same.Surface, {}), FrozenTriangles(once, {}));
+  const Map constrained(once.Points.size(), 0.0);
+  const Result same = Again(once, options, first, &constrained);
+  EXPECT_EQ(ConstrainedTriangles(same.Surface, {}), ConstrainedTriangles(once, {}));
   EXPECT_GT(same.Report.OutputToInput.Maximum, 0.1);
   EXPECT_GT(same.Report.InputToOutput.Maximum, 0.1);
   EXPECT_LE(same.Report.InputToOutput.Maximum, same.Report.Proof.Upper());
-  EXPECT_NEAR(same.Report.Reference.ToInput.Upper, same.Report.Proof.Upper(), 0.01 * Promised);
+  EXPECT_NEAR(same.Report.Reference.ToInput.Upper, same.Report.Proof.Upper(), 0.01 * Settings);
   EXPECT_EQ(same.Report.Reference.Faces, static_cast<std::int64_t>(first.Triangles.size()));
 }
 
 TEST(ReferenceInput, LeavesTolerancesWhatTheyAreAgainstTheInput)
 {
   const Surface first = BumpySphere(3, 20.0, 0.02, 3);
-  const Options options = InMode(Mode::Fast, Error(Promised));
+  const Options options = InMode(Mode::Fast, Error(Settings));
   const Map above = Brush(first, true);
   const Surface half = Decimate(first, options, {}, { false, false, &above }).Surface;
   const Map map(half.Points.size(), 0.05);
   const Result result = Again(half, options, first, &map);
-  EXPECT_EQ(result.Report.Proof.Verdict, CertificateVerdict::Proved);
-  EXPECT_EQ(Judge(half, result.Surface, 0.05), CertificateVerdict::Proved);
+  EXPECT_EQ(result.Report.Proof.Status, ProofStatus::Proved);
+  EXPECT_EQ(Evaluate(half, result.Surface, 0.05), ProofStatus::Proved);
   EXPECT_LT(result.Surface.Triangles.size(), half.Triangles.size());
 }
 
 TEST(ReferenceInput, GivesTheSameBytesForAnyNumberOfThreads)
 {
   const Surface first = BumpySphere(3, 20.0, 0.02, 3);
-  Options options = InMode(Mode::Balanced, Error(Promised));
+  Options options = InMode(Mode::Balanced, Error(Settings));
   const Map above = Brush(first, true);
   const Surface half = Decimate(first, options, {}, { false, false, &above }).Surface;
   const Surface expected = Again(half, options, first).Surface;
@@ -253,10 +253,10 @@ TEST(ReferenceInput, GivesTheSameBytesForAnyNumberOfThreads)
   EXPECT_TRUE(SameBytes(Again(half, options, first).Surface, expected));
 }
 
-TEST(ReferenceInput, StopsWhenSomebodyAborts)
+TEST(ReferenceInput, StopsOnAbort)
 {
   const Surface first = BumpySphere(3, 20.0, 0.02, 3);
-  const Result aborted = Decimate(first, InMode(Mode::Fast, Error(Promised)),
+  const Result aborted = Decimate(first, InMode(Mode::Fast, Error(Settings)),
     [](double fraction) { return fraction < 0.01; }, { false, false, nullptr, &first });
   EXPECT_EQ(aborted.Report.Stop, StopReason::Aborted);
   EXPECT_EQ(aborted.Surface.Triangles.size(), first.Triangles.size());

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The same surface with its points and triangles in another order: the same result, up to numbers. Equal points that are not
+// The same surface with its points and triangles in another order has the same result up to indices. Equal points that are not
 // merged, and equal triangles, keep the order of the input (SpatialOrder.h): these runs have none.
 #include "BruteForce.h"
 #include "Decimate.h"
@@ -40,33 +40,34 @@ Surface Renumbered(const Surface& surface, std::uint64_t seed)
   {
     renumbered.Points[static_cast<std::size_t>(newId[p])] = surface.Points[p];
   }
-  const std::vector<Index> place = Shuffled(surface.Triangles.size(), random);
-  for (std::size_t t = 0; t < place.size(); ++t)
+  const std::vector<Index> newIndex = Shuffled(surface.Triangles.size(), random);
+  for (std::size_t t = 0; t < newIndex.size(); ++t)
   {
-    Triangle& triangle = renumbered.Triangles[static_cast<std::size_t>(place[t])];
+    Triangle& triangle = renumbered.Triangles[static_cast<std::size_t>(newIndex[t])];
     std::transform(surface.Triangles[t].begin(), surface.Triangles[t].end(), triangle.begin(),
       [&](Index corner) { return newId[static_cast<std::size_t>(corner)]; });
   }
   return renumbered;
 }
 
-using Places = std::array<std::array<double, 3>, 3>;
+using CornerPositions = std::array<std::array<double, 3>, 3>;
 
-/// Triangles as the places of their corners, from the least one on, in order: no numbers are left.
-std::vector<Places> WithoutNumbers(const Surface& surface)
+/// Sorted triangles as the positions of their corners, from the least one on, without indices.
+std::vector<CornerPositions> WithoutNumbers(const Surface& surface)
 {
-  std::vector<Places> triangles;
+  std::vector<CornerPositions> triangles;
   for (const Triangle& corners : surface.Triangles)
   {
-    Places places;
-    std::transform(corners.begin(), corners.end(), places.begin(),
+    CornerPositions positions;
+    std::transform(corners.begin(), corners.end(), positions.begin(),
       [&](Index corner)
       {
         const Vector3& p = surface.Points[static_cast<std::size_t>(corner)];
         return std::array<double, 3>{ p[0], p[1], p[2] };
       });
-    std::rotate(places.begin(), std::min_element(places.begin(), places.end()), places.end());
-    triangles.push_back(places);
+    std::rotate(
+      positions.begin(), std::min_element(positions.begin(), positions.end()), positions.end());
+    triangles.push_back(positions);
   }
   std::sort(triangles.begin(), triangles.end());
   return triangles;
@@ -74,7 +75,7 @@ std::vector<Places> WithoutNumbers(const Surface& surface)
 
 void ExpectTheSameUpToNumbers(const Surface& surface, const Options& options)
 {
-  const std::vector<Places> expected = WithoutNumbers(Decimate(surface, options).Surface);
+  const std::vector<CornerPositions> expected = WithoutNumbers(Decimate(surface, options).Surface);
   for (const std::uint64_t seed : { 1U, 2U, 3U })
   {
     EXPECT_EQ(WithoutNumbers(Decimate(Renumbered(surface, seed), options).Surface), expected)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Certificate/Certificate.h"
-#include "OptionTable.h"
-#include "ReportTable.h"
+#include "Options/OptionTable.h"
+#include "Report/ReportTable.h"
 
 #include <gtest/gtest.h>
 
@@ -44,26 +44,26 @@ Report MeasuredReport()
   report.OutputToInput.Maximum = 0.5;
   report.OutputToInput.Second = 0.25;
   report.InputToOutput.Mean = 0.125;
-  report.BordersMeasured = true;
-  report.BorderInputToOutput = { 0.375, 0.4375 };
-  report.Refusals[static_cast<std::size_t>(Verdict::Flip)] = 17;
+  report.BoundariesMeasured = true;
+  report.BoundaryInputToOutput = { 0.375, 0.4375 };
+  report.Rejections[static_cast<std::size_t>(Rejection::Flip)] = 17;
   report.InputChecksum = 0xABCULL;
   return report;
 }
 }
 
-TEST(ReportTable, ValuesStandUnderTheirNames)
+TEST(ReportTable, ValuesHaveTheirNames)
 {
   const Report report = MeasuredReport();
-  EXPECT_EQ(Read<std::int64_t>(report, "input.faces"), 101);
-  EXPECT_EQ(Read<std::int64_t>(report, "output.faces"), 10);
+  EXPECT_EQ(Read<std::int64_t>(report, "input.triangles"), 101);
+  EXPECT_EQ(Read<std::int64_t>(report, "output.triangles"), 10);
   EXPECT_EQ(Read<double>(report, "output.volume"), -2.5);
   EXPECT_EQ(Read<double>(report, "distance.output_to_input.max"), 0.5);
   EXPECT_EQ(Read<double>(report, "distance.output_to_input.second"), 0.25);
   EXPECT_EQ(Read<double>(report, "distance.input_to_output.mean"), 0.125);
-  EXPECT_EQ(Read<double>(report, "distance.border_input_to_output.lower"), 0.375);
-  EXPECT_EQ(Read<double>(report, "distance.border_input_to_output.upper"), 0.4375);
-  EXPECT_EQ(Read<std::int64_t>(report, "refusals.flip"), 17);
+  EXPECT_EQ(Read<double>(report, "distance.boundary_input_to_output.lower"), 0.375);
+  EXPECT_EQ(Read<double>(report, "distance.boundary_input_to_output.upper"), 0.4375);
+  EXPECT_EQ(Read<std::int64_t>(report, "rejections.flip"), 17);
   EXPECT_EQ(Read<std::string>(report, "stop_reason"), "target_reached");
   EXPECT_EQ(Read<std::string>(report, "input.checksum"), "fnv1a64:0000000000000abc");
   EXPECT_EQ(Read<std::string>(report, "version"), Version());
@@ -83,7 +83,7 @@ TEST(ReportTable, DistancesAreLeftOutWhenNoneWereMeasuredAndNothingElseIs)
 {
   Report report = MeasuredReport();
   const std::size_t all = ReportEntries(report).size();
-  report.BordersMeasured = false;
+  report.BoundariesMeasured = false;
   EXPECT_EQ(ReportEntries(report).size(), all - 4);
   report.DistancesMeasured = false;
   const std::vector<ReportEntry> entries = ReportEntries(report);
@@ -99,35 +99,35 @@ TEST(ReportTable, ProofIsThereOnlyWhereOneWasMadeAndHasTheLargestOfAllDirections
   Report report = MeasuredReport();
   const std::size_t without = ReportEntries(report).size();
   report.Proof.WasMade = true;
-  report.Proof.Verdict = CertificateVerdict::Proved;
+  report.Proof.Status = ProofStatus::Proved;
   report.Proof.Tolerance = 0.5;
   report.Proof.InputToOutput = { 0.25, 0.375 };
   report.Proof.OutputToInput = { 0.125, 0.1875 };
-  EXPECT_EQ(Read<std::string>(report, "proof.borders"), "not_compared");
+  EXPECT_EQ(Read<std::string>(report, "proof.boundaries"), "not_compared");
   EXPECT_EQ(ReportEntries(report).size(), without + 10);
-  report.Proof.BordersCompared = true;
-  report.Proof.Borders = BorderPresence::Both;
-  report.Proof.BorderOutputToInput = { 0.4375, 0.46875 };
+  report.Proof.BoundariesCompared = true;
+  report.Proof.Boundaries = BoundaryPresence::Both;
+  report.Proof.BoundaryOutputToInput = { 0.4375, 0.46875 };
   EXPECT_EQ(ReportEntries(report).size(), without + 14);
-  EXPECT_EQ(Read<std::string>(report, "proof.verdict"), "proved");
+  EXPECT_EQ(Read<std::string>(report, "proof.status"), "proved");
   EXPECT_EQ(Read<double>(report, "proof.lower"), 0.4375);
   EXPECT_EQ(Read<double>(report, "proof.upper"), 0.46875);
   EXPECT_EQ(Read<double>(report, "proof.tolerance"), 0.5);
   EXPECT_EQ(Read<double>(report, "proof.input_to_output.upper"), 0.375);
-  EXPECT_EQ(Read<double>(report, "proof.border_output_to_input.lower"), 0.4375);
+  EXPECT_EQ(Read<double>(report, "proof.boundary_output_to_input.lower"), 0.4375);
 }
 
-TEST(ReportTable, ClearanceIsLeftOutWhereThereIsOneFragment)
+TEST(ReportTable, FragmentGapIsLeftOutWithOneFragment)
 {
   Report report = MeasuredReport();
-  EXPECT_EQ(Find(ReportEntries(report), "clearance.input"), nullptr);
-  report.ClearanceMeasured = true;
-  report.Clearance = { 0.75, 0.5 };
-  EXPECT_EQ(Read<double>(report, "clearance.input"), 0.75);
-  EXPECT_EQ(Read<double>(report, "clearance.output"), 0.5);
+  EXPECT_EQ(Find(ReportEntries(report), "fragment_gap.input"), nullptr);
+  report.FragmentGapMeasured = true;
+  report.Gap = { 0.75, 0.5 };
+  EXPECT_EQ(Read<double>(report, "fragment_gap.input"), 0.75);
+  EXPECT_EQ(Read<double>(report, "fragment_gap.output"), 0.5);
 }
 
-TEST(ReportTable, LengthsAreInMillimetresAndTimesInSeconds)
+TEST(ReportTable, LengthsAreInMillimetersAndTimesInSeconds)
 {
   for (const ReportEntry& entry : ReportEntries(MeasuredReport()))
   {
@@ -139,13 +139,13 @@ TEST(ReportTable, LengthsAreInMillimetresAndTimesInSeconds)
   }
 }
 
-TEST(ReportTable, EveryRefusalAndEveryOptionHasAnEntry)
+TEST(ReportTable, EveryRejectionReasonAndEveryOptionHasAnEntry)
 {
   const std::vector<ReportEntry> entries = ReportEntries(MeasuredReport());
-  for (std::size_t i = 1; i < NumberOfVerdicts; ++i)
+  for (std::size_t i = 1; i < NumberOfRejections; ++i)
   {
-    EXPECT_NE(
-      Find(entries, std::string("refusals.") + VerdictWord(static_cast<Verdict>(i))), nullptr);
+    EXPECT_NE(Find(entries, std::string("rejections.") + RejectionWord(static_cast<Rejection>(i))),
+      nullptr);
   }
   for (const OptionInfo& info : OptionTable())
   {
@@ -153,10 +153,10 @@ TEST(ReportTable, EveryRefusalAndEveryOptionHasAnEntry)
   }
 }
 
-TEST(ReportTable, OptionsAreThoseThatWereAsked)
+TEST(ReportTable, OptionsAreThoseOfTheRun)
 {
   Report report = MeasuredReport();
-  report.Asked.TargetReduction = 0.75;
+  report.Requested.TargetReduction = 0.75;
   EXPECT_EQ(Read<std::string>(report, "options.TargetReduction"), "0.75");
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The certificate of a run, and the bounds at points, by the judgement of places looked up one by one.
+// The certificate of a run and the bounds at points, compared with the distances of single points.
 #include "Certificate/Certificate.h"
-#include "ResultProof.h"
+#include "Output/ResultProof.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Result Proved(const Surface& input, Options options)
   return Decimate(input, options);
 }
 
-Vector3 AnyPlace(std::mt19937& random, const Surface& surface, const Triangle& triangle)
+Vector3 AnyPoint(std::mt19937& random, const Surface& surface, const Triangle& triangle)
 {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   double b = uniform(random);
@@ -39,7 +39,7 @@ Vector3 AnyPlace(std::mt19937& random, const Surface& surface, const Triangle& t
     c * (surface.Points[triangle[2]] - first);
 }
 
-/// No place of a triangle is farther away than the bound at any of its corners allows.
+/// No point of a triangle is farther than the bound at each of its corners.
 void ExpectBounds(const Surface& surface, const std::vector<double>& bounds, const Surface& other)
 {
   std::mt19937 random(5);
@@ -51,8 +51,8 @@ void ExpectBounds(const Surface& surface, const std::vector<double>& bounds, con
     const double bound = std::min({ bounds[corners[0]], bounds[corners[1]], bounds[corners[2]] });
     for (int i = 0; i < 6; ++i)
     {
-      const Vector3 place = AnyPlace(random, surface, corners);
-      EXPECT_LE(BruteNearest(other, place).Distance, bound + Rounding) << "triangle " << t;
+      const Vector3 position = AnyPoint(random, surface, corners);
+      EXPECT_LE(BruteNearest(other, position).Distance, bound + Rounding) << "triangle " << t;
     }
   }
 }
@@ -62,7 +62,7 @@ double Largest(const std::vector<double>& values)
   return *std::max_element(values.begin(), values.end());
 }
 
-/// Of the shape's own result after somebody laid hands on it.
+/// The proof of a result that was changed after the run.
 ErrorProof ProofOfAnother(const Surface& input, const Options& options, Result changed)
 {
   changed.Report.Proof = {};
@@ -75,7 +75,7 @@ class EachProof : public EachShape
 };
 }
 
-TEST_P(EachProof, HoldsAndItsBoundsAreAboveEveryPlace)
+TEST_P(EachProof, HoldsAndItsBoundsHoldAtEveryPoint)
 {
   const Surface& input = GetParam().Surface;
   for (const Mode mode : { Mode::Fast, Mode::Balanced })
@@ -83,7 +83,7 @@ TEST_P(EachProof, HoldsAndItsBoundsAreAboveEveryPlace)
     const Result result = Proved(input, InMode(mode, ErrorOfAnySize(0.4)));
     const ErrorProof& proof = result.Report.Proof;
     ASSERT_TRUE(proof.WasMade) << WordOf(mode);
-    EXPECT_EQ(proof.Verdict, CertificateVerdict::Proved) << WordOf(mode);
+    EXPECT_EQ(proof.Status, ProofStatus::Proved) << WordOf(mode);
     EXPECT_LE(proof.Lower(), proof.Upper()) << WordOf(mode);
     EXPECT_LE(proof.Upper(), 0.4) << WordOf(mode);
     EXPECT_EQ(ProofMessage(result.Report), "") << WordOf(mode);
@@ -121,29 +121,29 @@ TEST(ResultProof, IsThatOfTheRoundedSurfaceFarFromTheOrigin)
   Options options = InMode(Mode::Fast, Error(0.2));
   options.OutputPointsPrecision = PointsPrecision::Single;
   const Result result = Decimate(input, options);
-  EXPECT_EQ(result.Report.Proof.Verdict, CertificateVerdict::Proved);
+  EXPECT_EQ(result.Report.Proof.Status, ProofStatus::Proved);
   ExpectBounds(result.Surface, result.ErrorBound, input);
 }
 
-TEST(ResultProof, ContradictsAResultThatSomebodyMoved)
+TEST(ResultProof, ContradictsAResultThatWasMoved)
 {
   const Surface input = BumpySphere(3, 20.0, 0.1, 5);
   const Options options = InMode(Mode::Fast, Error(0.3));
   Result result = Decimate(input, options);
-  EXPECT_EQ(ProofOfAnother(input, options, result).Verdict, CertificateVerdict::Proved);
+  EXPECT_EQ(ProofOfAnother(input, options, result).Status, ProofStatus::Proved);
   result.Surface.Points[3] *= 1.1;
   result.Report.Proof = ProofOfAnother(input, options, result);
-  EXPECT_EQ(result.Report.Proof.Verdict, CertificateVerdict::Violated);
+  EXPECT_EQ(result.Report.Proof.Status, ProofStatus::Violated);
   EXPECT_NE(ProofMessage(result.Report).find("contradicts"), std::string::npos);
 }
 
-TEST(ResultProof, ContradictsAResultThatLostATriangleByItsBorder)
+TEST(ResultProof, ContradictsAResultThatLostATriangleByItsBoundary)
 {
   const Surface input = BumpySphere(3, 20.0, 0.1, 5);
   const Options options = InMode(Mode::Fast, Error(0.3));
   Result result = Decimate(input, options);
   result.Surface.Triangles.pop_back();
-  EXPECT_EQ(ProofOfAnother(input, options, result).Verdict, CertificateVerdict::Violated);
+  EXPECT_EQ(ProofOfAnother(input, options, result).Status, ProofStatus::Violated);
 }
 
 TEST(ResultProof, HoldsTheResultToATolerancePerPoint)
@@ -151,18 +151,17 @@ TEST(ResultProof, HoldsTheResultToATolerancePerPoint)
   const Surface input = BumpySphere(3, 20.0, 0.1, 5);
   const Options options = InMode(Mode::Fast, Error(0.3));
   const CleanSurface cleaned = Clean(input, true);
-  for (const auto& [tolerance, verdict] :
-    { std::pair(0.3, CertificateVerdict::Proved), std::pair(-1.0, CertificateVerdict::Proved),
-      std::pair(0.01, CertificateVerdict::Violated) })
+  for (const auto& [tolerance, status] : { std::pair(0.3, ProofStatus::Proved),
+         std::pair(-1.0, ProofStatus::Proved), std::pair(0.01, ProofStatus::Violated) })
   {
     Result result = Decimate(input, options);
     const std::vector<double> tolerances(input.Points.size(), tolerance);
     ProveResult(input, cleaned, options, {}, result, &tolerances);
-    EXPECT_EQ(result.Report.Proof.Verdict, verdict) << tolerance;
+    EXPECT_EQ(result.Report.Proof.Status, status) << tolerance;
   }
 }
 
-TEST(ResultProof, IsMadeOnlyWhereAnErrorIsPromised)
+TEST(ResultProof, IsMadeOnlyWithAnErrorOrTolerances)
 {
   const Surface input = BumpySphere(2, 20.0, 0.1, 5);
   Options off = Error(0.3);
@@ -185,31 +184,31 @@ TEST(ResultProof, LeavesOutTrianglesWithoutAreaAndCountsThem)
   input.Points.insert(input.Points.end(), { { 90, 0, 0 }, { 91, 0, 0 }, { 92, 0, 0 } });
   input.Triangles.insert(input.Triangles.begin(), { first, first + 1, first + 2 });
   const Result result = Proved(input, InMode(Mode::Fast, Error(0.3)));
-  EXPECT_EQ(result.Report.Proof.Verdict, CertificateVerdict::Proved);
+  EXPECT_EQ(result.Report.Proof.Status, ProofStatus::Proved);
   EXPECT_EQ(result.Report.Proof.TrianglesLeftOut, 1);
   EXPECT_TRUE(std::isnan(result.InputErrorBound[first]));
   EXPECT_LE(result.InputErrorBound[0], 0.3);
 }
 
-TEST(ResultProof, DoesNotCompareBordersWhereEqualPointsAreNotOne)
+TEST(ResultProof, DoesNotCompareBoundariesWithoutMergedPoints)
 {
   Options options = InMode(Mode::Fast, Error(0.3));
   options.MergePoints = false;
   const Result result = Decimate(HoledPlate(9), options);
-  EXPECT_EQ(result.Report.Proof.Verdict, CertificateVerdict::Proved);
-  EXPECT_FALSE(result.Report.Proof.BordersCompared);
+  EXPECT_EQ(result.Report.Proof.Status, ProofStatus::Proved);
+  EXPECT_FALSE(result.Report.Proof.BoundariesCompared);
 }
 
-TEST(ResultProof, GivesTheBordersToTheReport)
+TEST(ResultProof, GivesTheBoundariesToTheReport)
 {
   Options options = InMode(Mode::Fast, Error(0.3));
   options.MeasureDistances = true;
   const Report report = Decimate(HoledPlate(9), options).Report;
-  EXPECT_TRUE(report.BordersMeasured);
-  EXPECT_EQ(report.BorderInputToOutput.Upper, report.Proof.BorderInputToOutput.Upper);
+  EXPECT_TRUE(report.BoundariesMeasured);
+  EXPECT_EQ(report.BoundaryInputToOutput.Upper, report.Proof.BoundaryInputToOutput.Upper);
 }
 
-TEST(ResultProof, OfWhatTheCertificateCannotReadIsUndecidedAndBoundsNothing)
+TEST(ResultProof, OfUnreadableSurfacesIsUndecidedWithoutBounds)
 {
   const Surface input = BumpySphere(3, 20.0, 0.1, 5);
   const Options options = InMode(Mode::Fast, Error(0.3));
@@ -217,12 +216,12 @@ TEST(ResultProof, OfWhatTheCertificateCannotReadIsUndecidedAndBoundsNothing)
   broken.Surface.Points[3][1] = std::nan("");
   broken.Report.Proof = ProofOfAnother(input, options, broken);
   EXPECT_TRUE(broken.Report.Proof.WasMade);
-  EXPECT_EQ(broken.Report.Proof.Verdict, CertificateVerdict::Undecided);
+  EXPECT_EQ(broken.Report.Proof.Status, ProofStatus::Undecided);
   EXPECT_TRUE(std::isinf(broken.Report.Proof.Upper()));
   EXPECT_FALSE(ProofMessage(broken.Report).empty());
 }
 
-TEST(ResultProof, IsNotThereIfSomebodyStopsIt)
+TEST(ResultProof, IsMissingAfterAnAbort)
 {
   const Surface input = BumpySphere(4, 20.0, 0.1, 5);
   Options options = InMode(Mode::Fast, Error(0.1));
@@ -255,7 +254,7 @@ TEST(ResultProof, IsTheSameForAnyNumberOfThreads)
   }
 }
 
-TEST(ResultProof, BoundsOfTrianglesAreAsNearAsTheyWereAskedFor)
+TEST(ResultProof, BoundsOfTrianglesHaveTheRequestedGap)
 {
   const Surface input = BumpySphere(3, 20.0, 0.1, 5);
   const Surface result = Decimate(input, InMode(Mode::Fast, Triangles(200))).Surface;

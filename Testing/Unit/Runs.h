@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Runs.h
- * @brief Options as the tests need them again and again, and tests that run once for each shape.
+ * @brief Common options of tests, and tests that run once for each shape.
  */
 #ifndef BoneDecimate_Testing_Runs_h
 #define BoneDecimate_Testing_Runs_h
@@ -46,17 +46,17 @@ inline Options Triangles(int number)
   return options;
 }
 
-inline Options Error(double millimetres)
+inline Options Error(double millimeters)
 {
   Options options = Unmeasured();
-  options.MaximumError = millimetres;
+  options.MaximumError = millimeters;
   return options;
 }
 
 /// Some shapes are no larger than the errors that all of them are given.
-inline Options ErrorOfAnySize(double millimetres)
+inline Options ErrorOfAnySize(double millimeters)
 {
-  Options options = Error(millimetres);
+  Options options = Error(millimeters);
   options.AllowLargeError = true;
   return options;
 }
@@ -69,17 +69,21 @@ inline Options InMode(Mode mode, Options options)
 
 inline std::vector<Mode> AllModes()
 {
-  return { Mode::Thesis, Mode::Fast, Mode::Balanced, Mode::Accurate };
+  std::vector<Mode> modes;
+  for (const ModeInfo& mode : ModeTable())
+  {
+    modes.push_back(mode.Mode);
+  }
+  return modes;
 }
 
 inline std::string WordOf(Mode mode)
 {
-  return std::array<const char*, 4>{ "Thesis", "Fast", "Balanced", "Accurate" }.at(
-    static_cast<std::size_t>(mode));
+  return FindMode(mode).Name;
 }
 
-/// Without what decimation drops before it begins: what was dropped may be farther away than anything.
-inline bool CanBeJudged(const Surface& input)
+/// Whether cleaning drops no triangle: dropped ones may be at any distance.
+inline bool CanBeCertified(const Surface& input)
 {
   const Report report = Decimate(input, Triangles(std::numeric_limits<int>::max())).Report;
   return report.Status == InputStatus::Good && report.Cleaning.DroppedTriangles == 0;

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the current faces know of the original: nearest places, walks, samples.
+// Relations between the current faces and the original: nearest points, walks, samples.
 #include "BruteForce.h"
-#include "Collapse/Sweep.h"
 #include "Geometry/TriangleFrame.h"
 #include "Random.h"
 #include "Reference/BackHints.h"
 #include "Reference/Samples.h"
 #include "Runs.h"
+#include "Schedule/BucketSweep.h"
 
 #include <gtest/gtest.h>
 
@@ -20,20 +20,20 @@ namespace
 {
 const Monitor GoOn = [](double) { return true; };
 
-/// Of the frame's answer everything that can be known from outside. Lengths are of the order of size.
+/// Checks all members of the nearest point. Lengths are of the order of size.
 void ExpectNearest(const Vector3& p, const std::array<Vector3, 3>& t, double size)
 {
   const TriangleFrame frame(t[0], t[1], t[2]);
-  const TriangleFrame::Place place = frame.Nearest(p);
+  const TriangleFrame::Point point = frame.Nearest(p);
   const double tolerance = 1e-7 * size;
   EXPECT_NEAR(
-    std::sqrt(place.SquaredDistance), PointTriangleDistance(p, t[0], t[1], t[2]), tolerance);
-  EXPECT_NEAR((frame.At(place) - p).norm(), std::sqrt(place.SquaredDistance), tolerance);
-  const std::array<double, 3> weights = { 1.0 - place.B - place.C, place.B, place.C };
+    std::sqrt(point.SquaredDistance), PointTriangleDistance(p, t[0], t[1], t[2]), tolerance);
+  EXPECT_NEAR((frame.At(point) - p).norm(), std::sqrt(point.SquaredDistance), tolerance);
+  const std::array<double, 3> weights = { 1.0 - point.B - point.C, point.B, point.C };
   for (std::size_t i = 0; i < 3; ++i)
   {
     EXPECT_GE(weights[i], -1e-12);
-    EXPECT_TRUE((place.Clamped & (1 << i)) == 0 || std::abs(weights[i]) < 1e-12);
+    EXPECT_TRUE((point.Clamped & (1 << i)) == 0 || std::abs(weights[i]) < 1e-12);
   }
 }
 
@@ -80,7 +80,7 @@ TEST(TriangleFrame, NearestIsRightWhereATriangleHasNoArea)
   }
 }
 
-TEST(SurfaceWalk, FindsTheNearestPlaceOfAConvexSurfaceFromNearby)
+TEST(SurfaceWalk, FindsTheNearestPointOfAConvexSurfaceFromNearby)
 {
   const Surface sphere = Icosphere(3, 10.0);
   const HalfEdgeMesh mesh(sphere);
@@ -91,8 +91,8 @@ TEST(SurfaceWalk, FindsTheNearestPlaceOfAConvexSurfaceFromNearby)
     p *= random.Between(10.0, 14.0) / p.norm();
     const Index near = sphere.Triangles[BruteNearest(sphere, p).Triangle][0];
     const Index start = mesh.Target(mesh.Outgoing(mesh.Target(mesh.Outgoing(near))));
-    const PlaceOnMesh found = WalkFromVertex(mesh, p, start);
-    EXPECT_NEAR(std::sqrt(found.Place.SquaredDistance), BruteNearest(sphere, p).Distance, 1e-9);
+    const PointOnMesh found = WalkFromVertex(mesh, p, start);
+    EXPECT_NEAR(std::sqrt(found.Point.SquaredDistance), BruteNearest(sphere, p).Distance, 1e-9);
   }
 }
 
@@ -107,9 +107,9 @@ TEST(SurfaceWalk, NeverEndsFartherThanItBegan)
       const Index face = random.Below(mesh.NumberOfFaceSlots());
       const Vector3 p = random.InCube(20.0);
       const double began = FrameOf(mesh, face).Nearest(p).SquaredDistance;
-      const PlaceOnMesh found = WalkFrom(mesh, p, face);
-      EXPECT_LE(found.Place.SquaredDistance, began) << shape.Name;
-      EXPECT_EQ(found.Place.SquaredDistance, FrameOf(mesh, found.Face).Nearest(p).SquaredDistance);
+      const PointOnMesh found = WalkFrom(mesh, p, face);
+      EXPECT_LE(found.Point.SquaredDistance, began) << shape.Name;
+      EXPECT_EQ(found.Point.SquaredDistance, FrameOf(mesh, found.Face).Nearest(p).SquaredDistance);
     }
   }
 }
@@ -118,14 +118,14 @@ class EachSample : public EachShape
 {
 };
 
-TEST_P(EachSample, IsInTheListOfExactlyOneFaceAndAllStandForTheWholeArea)
+TEST_P(EachSample, IsInTheListOfExactlyOneFaceAndAllRepresentTheWholeArea)
 {
   const CleanSurface clean = Clean(GetParam().Surface, true);
   for (const Index divisor : { 2, 10 })
   {
-    Editor editor(clean, Editor::Books{ false, false, true });
+    Editor editor(clean, EditorSettings{ false, false, true });
     const HalfEdgeMesh original = editor.Mesh();
-    Sweep(editor, { original.NumberOfFaces() / divisor, 0.0 }, 1).Run(GoOn);
+    BucketSweep(editor, { original.NumberOfFaces() / divisor, 0.0 }, 1).Run(GoOn);
     Samples samples(original);
     ASSERT_TRUE(samples.Distribute(editor.Mesh(), editor.Reference(), 1, GoOn));
     const std::vector<int> one(static_cast<std::size_t>(samples.Count()), 1);
@@ -145,7 +145,7 @@ TEST_P(EachSample, IsInTheListOfExactlyOneFaceAndAllStandForTheWholeArea)
 TEST_P(EachSample, LiesOnTheOriginalBeforeAnythingIsCollapsed)
 {
   const CleanSurface clean = Clean(GetParam().Surface, true);
-  const Editor editor(clean, Editor::Books{ false, false, true });
+  const Editor editor(clean, EditorSettings{ false, false, true });
   const HalfEdgeMesh& mesh = editor.Mesh();
   Samples samples(mesh);
   ASSERT_TRUE(samples.Distribute(mesh, editor.Reference(), 1, GoOn));
@@ -162,12 +162,12 @@ TEST_P(EachSample, LiesOnTheOriginalBeforeAnythingIsCollapsed)
 
 INSTANTIATE_TEST_SUITE_P(Shapes, EachSample, testing::ValuesIn(AllShapes()), NameOf);
 
-TEST(Samples, AreWhereverAThreadFoundThemTheSame)
+TEST(Samples, AreTheSameForAnyNumberOfThreads)
 {
   const CleanSurface clean = Clean(BumpySphere(5, 20.0, 0.05, 8), true);
-  Editor editor(clean, Editor::Books{ false, false, true });
+  Editor editor(clean, EditorSettings{ false, false, true });
   const HalfEdgeMesh original = editor.Mesh();
-  Sweep(editor, { original.NumberOfFaces() / 8, 0.0 }, 1).Run(GoOn);
+  BucketSweep(editor, { original.NumberOfFaces() / 8, 0.0 }, 1).Run(GoOn);
   Samples one(original);
   one.Distribute(editor.Mesh(), editor.Reference(), 1, GoOn);
   Samples four(original);
@@ -175,17 +175,17 @@ TEST(Samples, AreWhereverAThreadFoundThemTheSame)
   ASSERT_EQ(one.Count(), four.Count());
   for (Index s = 0; s < one.Count(); ++s)
   {
-    EXPECT_EQ(one[s].Place, four[s].Place);
+    EXPECT_EQ(one[s].Position, four[s].Position);
     EXPECT_EQ(one[s].Next, four[s].Next);
   }
 }
 
-TEST(BackHints, LeadToTheNearestPlaceOfTheOriginalOnASmoothSurface)
+TEST(BackHints, LeadToTheNearestPointOfTheOriginalOnASmoothSurface)
 {
   const CleanSurface clean = Clean(BumpySphere(4, 20.0, 0.02, 8), true);
-  Editor editor(clean, Editor::Books{ false, false, true });
+  Editor editor(clean, EditorSettings{ false, false, true });
   const HalfEdgeMesh original = editor.Mesh();
-  Sweep(editor, { original.NumberOfFaces() / 8, 0.0 }, 1).Run(GoOn);
+  BucketSweep(editor, { original.NumberOfFaces() / 8, 0.0 }, 1).Run(GoOn);
   BackHints hints(original);
   ASSERT_TRUE(hints.Begin(editor.Mesh(), 1, GoOn));
   for (Index v = 0; v < editor.Mesh().NumberOfVertexSlots(); ++v)
@@ -193,7 +193,7 @@ TEST(BackHints, LeadToTheNearestPlaceOfTheOriginalOnASmoothSurface)
     if (editor.Mesh().Outgoing(v) != None)
     {
       const Vector3& p = editor.Mesh().Position(v);
-      EXPECT_NEAR(std::sqrt(hints.Find(p, v).Place.SquaredDistance),
+      EXPECT_NEAR(std::sqrt(hints.Find(p, v).Point.SquaredDistance),
         BruteNearest(clean.Surface, p).Distance, 1e-9);
     }
   }

@@ -28,23 +28,23 @@ std::vector<Index> BruteOrder(const std::vector<Vector3>& points)
     high = high.cwiseMax(p);
   }
   const double cells = 2038437.618033988 / std::max((high - low).maxCoeff(), 1e-290);
-  std::vector<std::vector<int>> places;
+  std::vector<std::vector<int>> positions;
   for (const Vector3& p : points)
   {
-    places.emplace_back();
+    positions.emplace_back();
     for (int bit = 20; bit >= 0; --bit)
     {
       for (Eigen::Index axis = 0; axis < 3; ++axis)
       {
         const double cell = std::floor(std::ldexp((p[axis] - low[axis]) * cells, -bit));
-        places.back().push_back(static_cast<int>(std::fmod(cell, 2.0)));
+        positions.back().push_back(static_cast<int>(std::fmod(cell, 2.0)));
       }
     }
   }
   std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), 0);
   const auto key = [&](Index p)
-  { return std::make_tuple(places[p], points[p][0], points[p][1], points[p][2]); };
+  { return std::make_tuple(positions[p], points[p][0], points[p][1], points[p][2]); };
   std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
   return order;
 }
@@ -91,9 +91,9 @@ TEST(SpatialOrder, EqualPointsAndPointsOnALineKeepTheirOrder)
   EXPECT_EQ(CurveOrder(line), expected);
 }
 
-TEST(SpatialOrder, MillimetresOrMetresGiveTheSameOrder)
+TEST(SpatialOrder, MillimetersOrMetersGiveTheSameOrder)
 {
-  // Random places, and regular rows whose coordinates are simple fractions of the box.
+  // Random positions, and regular rows whose coordinates are simple fractions of the box.
   for (std::vector<Vector3> points : { RandomPoints(3000, 6), Cube(16).Points, Grid(40).Points })
   {
     const std::vector<Index> expected = CurveOrder(points);
@@ -143,7 +143,8 @@ TEST(SpatialOrder, TheMapsGoAlongWithPointsAndTriangles)
     {
       EXPECT_EQ(after.PointOfInput[i] == None, before.PointOfInput[i] == None);
     }
-    std::vector<std::pair<Triangle, Index>> places; // corners from the least one on, then old place
+    std::vector<std::pair<Triangle, Index>>
+      positions; // corners from the least one on, then old index
     for (std::size_t t = 0; t < after.Surface.Triangles.size(); ++t)
     {
       const Triangle& corners = after.Surface.Triangles[t];
@@ -155,9 +156,9 @@ TEST(SpatialOrder, TheMapsGoAlongWithPointsAndTriangles)
       Triangle fromLeast = corners;
       std::rotate(
         fromLeast.begin(), std::min_element(fromLeast.begin(), fromLeast.end()), fromLeast.end());
-      places.emplace_back(fromLeast, after.InputTriangle[t]);
+      positions.emplace_back(fromLeast, after.InputTriangle[t]);
     }
-    EXPECT_EQ(places.size(), before.Surface.Triangles.size());
-    EXPECT_TRUE(std::is_sorted(places.begin(), places.end()));
+    EXPECT_EQ(positions.size(), before.Surface.Triangles.size());
+    EXPECT_TRUE(std::is_sorted(positions.begin(), positions.end()));
   }
 }

@@ -43,7 +43,7 @@ Surface UnevenStrip()
 }
 }
 
-TEST(SurfaceDistance, ParallelPlatesHalfAMillimetreApart)
+TEST(SurfaceDistance, ParallelPlatesHalfAMillimeterApart)
 {
   const DistanceStatistics found = Measure(Grid(10), Moved(Grid(10), { 0, 0, 0.5 }));
   for (const double value : { found.Maximum, found.Second, found.Mean, found.RootMeanSquare,
@@ -52,7 +52,7 @@ TEST(SurfaceDistance, ParallelPlatesHalfAMillimetreApart)
     EXPECT_NEAR(value, 0.5, 1e-14);
   }
   EXPECT_EQ(found.Samples, 20000);
-  EXPECT_NEAR(found.SamplesPerSquareMillimetre, 200.0, 1e-9);
+  EXPECT_NEAR(found.SamplesPerSquareMillimeter, 200.0, 1e-9);
 }
 
 TEST(SurfaceDistance, ConcentricSpheresAreTheirRadiiApart)
@@ -165,7 +165,7 @@ TEST(SurfaceDistance, IsTheSameWhateverTheThreads)
   }
 }
 
-TEST(SurfaceDistance, StopsWhenTheMonitorSaysSo)
+TEST(SurfaceDistance, StopsOnAbort)
 {
   const Surface surface = Icosphere(3, 5.0);
   const BoundingTree tree(surface);

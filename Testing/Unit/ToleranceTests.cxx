@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A tolerance at each point is kept, by the judgement of the certificate; what has none stays, bit for bit.
+// The certificate confirms that tolerances are kept; points with a tolerance of 0 do not change in any bit.
 #include "Certificate/Certificate.h"
-#include "Guarantee/Guarantee.h"
+#include "ErrorBound/ErrorBound.h"
 #include "Random.h"
 #include "Runs.h"
 
@@ -24,25 +24,25 @@ Result DecimateWith(const Surface& input, const Options& options, const Map& tol
   return Decimate(input, options, {}, { false, false, &tolerances });
 }
 
-/// Proved, or nearer to it than the certificate's own rounding, which is all it can say of a distance of 0 in a soup.
-CertificateVerdict JudgeMap(const Surface& input, const Surface& result, const Map& tolerances)
+/// Proved, or undecided within the slack of the certificate, which is the best possible for a distance of 0 in a soup.
+ProofStatus CheckMap(const Surface& input, const Surface& result, const Map& tolerances)
 {
   CertificateOptions options;
   options.ToleranceMap = tolerances;
   options.TightBounds = false;
   options.NumberOfThreads = 1;
   const Certificate found = Certify(input, result, options);
-  const double excess =
-    std::max({ found.ReferenceToResult.Excess.Upper, found.ResultToReference.Excess.Upper,
-      found.BorderOfReferenceToResult.Excess.Upper, found.BorderOfResultToReference.Excess.Upper });
-  return excess <= 2.0 * found.Slack ? CertificateVerdict::Proved : found.Verdict;
+  const double excess = std::max({ found.ReferenceToResult.Excess.Upper,
+    found.ResultToReference.Excess.Upper, found.BoundaryOfReferenceToResult.Excess.Upper,
+    found.BoundaryOfResultToReference.Excess.Upper });
+  return excess <= 2.0 * found.Slack ? ProofStatus::Proved : found.Proof;
 }
 
-/// A few frozen, a few without a limit, the rest anything up to that; smooth enough to leave room in between.
+/// A few constrained, a few without a limit, the rest anything up to that; smooth enough for values in between.
 Map RandomMap(const Surface& surface, double most, std::uint64_t seed)
 {
   Random random(seed);
-  const Vector3 frozen =
+  const Vector3 constrained =
     surface
       .Points[static_cast<std::size_t>(random.Below(static_cast<Index>(surface.Points.size())))];
   const Vector3 free =
@@ -52,14 +52,14 @@ Map RandomMap(const Surface& surface, double most, std::uint64_t seed)
   Map map;
   for (const Vector3& p : surface.Points)
   {
-    const double ramp = std::min(1.0, std::max(0.0, (p - frozen).norm() - reach) / 4.0);
+    const double ramp = std::min(1.0, std::max(0.0, (p - constrained).norm() - reach) / 4.0);
     const bool isFree = (p - free).norm() < 2.0 && ramp > 0.5;
     map.push_back(isFree ? -1.0 : most * ramp * random.Between(0.5, 1.0));
   }
   return map;
 }
 
-/// Above the plane z = 0 this, below it that.
+/// One tolerance above the plane z = 0, another below it.
 Map Halves(const Surface& surface, double above, double below)
 {
   Map map;
@@ -82,16 +82,16 @@ Corners CornersOf(const Surface& surface, const Triangle& t)
   return corners;
 }
 
-/// Every triangle of the input at a point of tolerance 0 is there as it was, as often as it was.
-void ExpectFrozen(const Surface& input, const Map& map, const Surface& result)
+/// Every input triangle at a point of tolerance 0 is in the result, and as often as in the input.
+void ExpectConstrained(const Surface& input, const Map& map, const Surface& result)
 {
   std::map<Corners, int> missing;
-  std::map<std::array<double, 3>, bool> frozen;
+  std::map<std::array<double, 3>, bool> constrained;
   for (std::size_t i = 0; i < map.size(); ++i)
   {
     const Vector3& p = input.Points[i];
-    bool& isFrozen = frozen[{ p[0], p[1], p[2] }];
-    isFrozen = isFrozen || map[i] == 0.0;
+    bool& isConstrained = constrained[{ p[0], p[1], p[2] }];
+    isConstrained = isConstrained || map[i] == 0.0;
   }
   for (const Triangle& t : input.Triangles)
   {
@@ -99,7 +99,7 @@ void ExpectFrozen(const Surface& input, const Map& map, const Surface& result)
       [&](Index v)
       {
         const Vector3& p = input.Points[v];
-        return frozen[{ p[0], p[1], p[2] }];
+        return constrained[{ p[0], p[1], p[2] }];
       });
     missing[CornersOf(input, t)] += stays ? 1 : 0;
   }
@@ -125,7 +125,7 @@ class EachTolerance : public EachShape
 TEST_P(EachTolerance, IsKeptWhateverTheShape)
 {
   const Surface& input = GetParam().Surface;
-  if (!CanBeJudged(input))
+  if (!CanBeCertified(input))
   {
     GTEST_SKIP() << "what cleaning drops from it may be farther away than anything";
   }
@@ -137,14 +137,14 @@ TEST_P(EachTolerance, IsKeptWhateverTheShape)
     Options options = InMode(mode, Unmeasured());
     options.MaximumError = mode == Mode::Balanced ? 0.7 * most : 0.0;
     const Result result = DecimateWith(input, options, map);
-    EXPECT_EQ(JudgeMap(input, result.Surface, map), CertificateVerdict::Proved)
+    EXPECT_EQ(CheckMap(input, result.Surface, map), ProofStatus::Proved)
       << WordOf(mode) << " " << most;
-    ExpectFrozen(input, map, result.Surface);
+    ExpectConstrained(input, map, result.Surface);
     most *= 3.0;
   }
 }
 
-TEST_P(EachTolerance, OfZeroFreezesInEveryMode)
+TEST_P(EachTolerance, OfZeroConstrainsInEveryMode)
 {
   const Surface& input = GetParam().Surface;
   Map map = RandomMap(input, 1.0, 5);
@@ -152,15 +152,16 @@ TEST_P(EachTolerance, OfZeroFreezesInEveryMode)
   {
     tolerance = tolerance == 0.0 ? 0.0 : -1.0;
   }
-  if (!CanBeJudged(input))
+  if (!CanBeCertified(input))
   {
     GTEST_SKIP() << "what cleaning drops from it may be farther away than anything";
   }
   for (const Mode mode : AllModes())
   {
     const Result result = DecimateWith(input, InMode(mode, Reduction(0.9)), map);
-    ExpectFrozen(input, map, result.Surface);
-    EXPECT_EQ(result.Report.Refusals[static_cast<std::size_t>(Verdict::TooFar)], 0) << WordOf(mode);
+    ExpectConstrained(input, map, result.Surface);
+    EXPECT_EQ(result.Report.Rejections[static_cast<std::size_t>(Rejection::ErrorBound)], 0)
+      << WordOf(mode);
   }
 }
 
@@ -175,7 +176,7 @@ TEST(Tolerance, OfZeroLeavesTheRestToBeSimplified)
     const Result result = DecimateWith(input, InMode(mode, Triangles(3000)), map);
     EXPECT_EQ(result.Surface.Triangles.size(), 3000U) << WordOf(mode);
     EXPECT_EQ(result.Report.Stop, StopReason::TargetReached) << WordOf(mode);
-    ExpectFrozen(input, map, result.Surface);
+    ExpectConstrained(input, map, result.Surface);
   }
 }
 
@@ -184,18 +185,19 @@ TEST(Tolerance, OfZeroEverywhereLeavesEverything)
   const Surface input = BumpySphere(3, 10.0, 0.1, 2);
   const Result result = DecimateWith(input, Unmeasured(), Map(input.Points.size(), 0.0));
   EXPECT_EQ(result.Surface.Triangles.size(), input.Triangles.size());
-  EXPECT_EQ(result.Report.Cleaning.FrozenPoints, static_cast<std::int64_t>(input.Points.size()));
+  EXPECT_EQ(
+    result.Report.Cleaning.ConstrainedPoints, static_cast<std::int64_t>(input.Points.size()));
 }
 
-TEST(Tolerance, CountsOnlyThePointsThatWereAskedToStay)
+TEST(Tolerance, CountsOnlyPointsWithAToleranceOfZero)
 {
   const Surface input = Icosphere(3, 10.0);
   Map map(input.Points.size(), -1.0);
   map[7] = 0.0;
   const Result result = DecimateWith(input, Reduction(0.5), map);
-  EXPECT_EQ(result.Report.Cleaning.FrozenPoints, 1);
-  EXPECT_EQ(result.Report.Cleaning.LockedPoints, 0);
-  ExpectFrozen(input, map, result.Surface);
+  EXPECT_EQ(result.Report.Cleaning.ConstrainedPoints, 1);
+  EXPECT_EQ(result.Report.Cleaning.NonManifoldPoints, 0);
+  ExpectConstrained(input, map, result.Surface);
 }
 
 TEST(Tolerance, AllowsFewerTrianglesTheLargerItIs)
@@ -208,12 +210,12 @@ TEST(Tolerance, AllowsFewerTrianglesTheLargerItIs)
     const Result result = DecimateWith(input, InMode(Mode::Fast, Unmeasured()), map);
     EXPECT_LT(2 * result.Surface.Triangles.size(), before) << tolerance;
     EXPECT_EQ(result.Report.Stop, StopReason::ErrorReached);
-    EXPECT_EQ(JudgeMap(input, result.Surface, map), CertificateVerdict::Proved);
+    EXPECT_EQ(CheckMap(input, result.Surface, map), ProofStatus::Proved);
     before = result.Surface.Triangles.size();
   }
 }
 
-TEST(Tolerance, IsSpentWhereItIsGiven)
+TEST(Tolerance, IsUsedWhereItIsPositive)
 {
   const Surface input = Icosphere(4, 20.0);
   const Result result =
@@ -245,11 +247,10 @@ TEST(Tolerance, IsCappedByTheLargestError)
   map[5] = -1.0;
   const Result result = DecimateWith(input, InMode(Mode::Fast, Error(0.4)), map);
   EXPECT_LT(result.Surface.Triangles.size(), input.Triangles.size() / 2);
-  EXPECT_EQ(
-    JudgeMap(input, result.Surface, Map(input.Points.size(), 0.4)), CertificateVerdict::Proved);
+  EXPECT_EQ(CheckMap(input, result.Surface, Map(input.Points.size(), 0.4)), ProofStatus::Proved);
 }
 
-TEST(Tolerance, OfNobodyChangesNothing)
+TEST(Tolerance, NegativeEverywhereChangesNothing)
 {
   const Surface input = BumpySphere(3, 20.0, 0.05, 8);
   const Map none(input.Points.size(), -1.0);
@@ -271,7 +272,7 @@ TEST(Tolerance, EndsAtTheNumberOfTrianglesIfThatComesFirst)
     const Result result = DecimateWith(input, InMode(mode, Triangles(2500)), map);
     EXPECT_EQ(result.Report.Stop, StopReason::TargetReached) << WordOf(mode);
     EXPECT_EQ(result.Surface.Triangles.size(), 2500U) << WordOf(mode);
-    EXPECT_EQ(JudgeMap(input, result.Surface, map), CertificateVerdict::Proved) << WordOf(mode);
+    EXPECT_EQ(CheckMap(input, result.Surface, map), ProofStatus::Proved) << WordOf(mode);
   }
 }
 
@@ -291,11 +292,11 @@ TEST(Tolerance, OfEqualPointsIsTheSmallest)
   Map map(input.Points.size(), -1.0);
   map[11] = 0.0;
   const Result result = DecimateWith(input, Reduction(0.9), map);
-  EXPECT_EQ(result.Report.Cleaning.FrozenPoints, 1);
-  ExpectFrozen(input, map, result.Surface);
+  EXPECT_EQ(result.Report.Cleaning.ConstrainedPoints, 1);
+  ExpectConstrained(input, map, result.Surface);
 }
 
-TEST(Tolerance, ThatIsNoNumberOrNotForEachPointIsRefused)
+TEST(Tolerance, IsRejectedIfItIsNaNOrMissingForAPoint)
 {
   const Surface input = Icosphere(2, 10.0);
   for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity(), 1e31 })
@@ -311,7 +312,7 @@ TEST(Tolerance, ThatIsNoNumberOrNotForEachPointIsRefused)
   EXPECT_FALSE(InputMessage(report).empty());
 }
 
-TEST(Tolerance, BetweenZeroAndNoneIsRefusedByThesis)
+TEST(Tolerance, ThatIsPositiveIsRejectedInThesisMode)
 {
   const Surface input = Icosphere(2, 10.0);
   const Options thesis = InMode(Mode::Thesis, Unmeasured());
@@ -351,7 +352,7 @@ TEST(Tolerance, DoesNotDependOnTheUnitOfLength)
   EXPECT_TRUE(SameBytes(Scaled(small, 4.0), large));
 }
 
-TEST(Limits, AreTheSmallerOfToleranceAndErrorAndLinearInBetween)
+TEST(ErrorLimits, AreTheSmallerOfToleranceAndErrorAndLinearInBetween)
 {
   const Surface grid = Grid(4);
   const HalfEdgeMesh mesh(grid);
@@ -359,10 +360,10 @@ TEST(Limits, AreTheSmallerOfToleranceAndErrorAndLinearInBetween)
   map[0] = 0.0;
   map[1] = 2.0;
   map[2] = -1.0;
-  Promise promise;
-  promise.Error = 1.0;
-  promise.Tolerances = &map;
-  const Limits limits(mesh, promise);
+  ErrorBoundSettings settings;
+  settings.Error = 1.0;
+  settings.Tolerances = &map;
+  const ErrorLimits limits(mesh, settings);
   EXPECT_TRUE(limits.Differ());
   EXPECT_EQ(limits.At(0), 0.0);
   EXPECT_NEAR(limits.At(1), 1.0, 3e-4);
@@ -377,8 +378,8 @@ TEST(Limits, AreTheSmallerOfToleranceAndErrorAndLinearInBetween)
     const Triangle c = mesh.Corners(face);
     EXPECT_EQ(limits.Over(face), std::min({ limits.At(c[0]), limits.At(c[1]), limits.At(c[2]) }));
   }
-  EXPECT_DOUBLE_EQ(Limits::Between(1.0, 3.0, 0.25), 1.5);
-  promise.Error = Promise().Error;
-  EXPECT_TRUE(std::isinf(Limits(mesh, promise).At(2)));
-  EXPECT_TRUE(std::isinf(Limits::Between(Promise().Error, 3.0, 0.5)));
+  EXPECT_DOUBLE_EQ(ErrorLimits::Between(1.0, 3.0, 0.25), 1.5);
+  settings.Error = ErrorBoundSettings().Error;
+  EXPECT_TRUE(std::isinf(ErrorLimits(mesh, settings).At(2)));
+  EXPECT_TRUE(std::isinf(ErrorLimits::Between(ErrorBoundSettings().Error, 3.0, 0.5)));
 }

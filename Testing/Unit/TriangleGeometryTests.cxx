@@ -15,23 +15,23 @@ namespace
 {
 using Corners = std::array<Vector3, 3>;
 
-/// Holds the answer against brute force and against what it says of itself. Lengths are of the
+/// Compares the nearest point with brute force and its members with each other. Lengths are of the
 /// order of size.
 void ExpectNearest(const Vector3& p, const Corners& t, double size)
 {
-  const TrianglePlace place = NearestOnTriangle(p, t[0], t[1], t[2]);
+  const PointOnTriangle point = NearestOnTriangle(p, t[0], t[1], t[2]);
   const double tolerance = 1e-12 * size;
   EXPECT_NEAR(
-    std::sqrt(place.SquaredDistance), PointTriangleDistance(p, t[0], t[1], t[2]), tolerance);
-  EXPECT_NEAR((place.Position - p).norm(), std::sqrt(place.SquaredDistance), tolerance);
-  EXPECT_NEAR(place.Weights[0] + place.Weights[1] + place.Weights[2], 1.0, 1e-14);
+    std::sqrt(point.SquaredDistance), PointTriangleDistance(p, t[0], t[1], t[2]), tolerance);
+  EXPECT_NEAR((point.Position - p).norm(), std::sqrt(point.SquaredDistance), tolerance);
+  EXPECT_NEAR(point.Weights[0] + point.Weights[1] + point.Weights[2], 1.0, 1e-14);
   Vector3 mixed = Vector3::Zero();
   for (std::size_t i = 0; i < 3; ++i)
   {
-    EXPECT_GE(place.Weights[i], -1e-15);
-    mixed += place.Weights[i] * t[i];
+    EXPECT_GE(point.Weights[i], -1e-15);
+    mixed += point.Weights[i] * t[i];
   }
-  EXPECT_LE((mixed - place.Position).norm(), tolerance);
+  EXPECT_LE((mixed - point.Position).norm(), tolerance);
 }
 }
 
@@ -41,7 +41,7 @@ TEST(TriangleGeometry, AreaVectorPointsOutwardsAndIsTheArea)
   EXPECT_EQ(area, Vector3(0, 0, 3));
 }
 
-TEST(TriangleGeometry, NearestPlaceOfRandomTrianglesAgreesWithBruteForce)
+TEST(TriangleGeometry, NearestPointOfRandomTrianglesAgreesWithBruteForce)
 {
   Random random(1);
   for (int i = 0; i < 20000; ++i)
@@ -51,7 +51,7 @@ TEST(TriangleGeometry, NearestPlaceOfRandomTrianglesAgreesWithBruteForce)
   }
 }
 
-TEST(TriangleGeometry, NearestPlaceOfPointsOnTheTriangleIsThePointItself)
+TEST(TriangleGeometry, NearestPointOfPointsOnTheTriangleIsThePointItself)
 {
   Random random(2);
   for (int i = 0; i < 2000; ++i)
@@ -68,7 +68,7 @@ TEST(TriangleGeometry, NearestPlaceOfPointsOnTheTriangleIsThePointItself)
   }
 }
 
-TEST(TriangleGeometry, NearestPlaceOfTrianglesWithoutAreaAgreesWithBruteForce)
+TEST(TriangleGeometry, NearestPointOfTrianglesWithoutAreaAgreesWithBruteForce)
 {
   Random random(3);
   for (int i = 0; i < 2000; ++i)
@@ -86,7 +86,7 @@ TEST(TriangleGeometry, NearestPlaceOfTrianglesWithoutAreaAgreesWithBruteForce)
   }
 }
 
-TEST(TriangleGeometry, NearestPlaceOfNeedlesAgreesWithBruteForce)
+TEST(TriangleGeometry, NearestPointOfNeedlesAgreesWithBruteForce)
 {
   Random random(4);
   for (int i = 0; i < 5000; ++i)
@@ -101,7 +101,7 @@ TEST(TriangleGeometry, NearestPlaceOfNeedlesAgreesWithBruteForce)
 
 TEST(TriangleGeometry, PointsOnNeedlesAreAtNoDistance)
 {
-  // 1 mm long and down to a nanometre wide, as marching cubes leaves them where a voxel has just
+  // 1 mm long and down to a nanometer wide, as marching cubes leaves them where a voxel has just
   // the iso-value.
   Random random(6);
   for (int i = 0; i < 5000; ++i)
@@ -115,7 +115,7 @@ TEST(TriangleGeometry, PointsOnNeedlesAreAtNoDistance)
   }
 }
 
-TEST(TriangleGeometry, NearestPlaceOfFarPointsKeepsItsDigits)
+TEST(TriangleGeometry, NearestPointOfFarPointsKeepsItsDigits)
 {
   Random random(5);
   for (int i = 0; i < 2000; ++i)

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether triangles meet, held against all edges tried in long double; cells and distances held against samples.
+// Intersection of triangles compared with tests of all edges in long double; cells and distances compared with samples.
 #include "BruteForce.h"
-#include "Clearance/FaceGrid.h"
-#include "Clearance/TrianglePair.h"
 #include "Crossings.h"
+#include "Intersections/FaceGrid.h"
+#include "Intersections/TrianglePair.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-/// Two triangles over seven places, which have the first `shared` corners in common.
+/// Two triangles over seven positions, which have the first `shared` corners in common.
 struct Pair
 {
   Surface Both;
@@ -37,23 +37,23 @@ struct Pair
   }
 };
 
-class Places
+class RandomPoints
 {
 public:
-  explicit Places(unsigned int seed)
+  explicit RandomPoints(unsigned int seed)
     : Random(seed)
   {
   }
   Vector3 Any() { return { this->One(), this->One(), this->One() }; }
   double One() { return this->Uniform(this->Random); }
 
-  template <typename Place>
-  Pair AnyPair(Index shared, const Place& place)
+  template <typename MakePoint>
+  Pair AnyPair(Index shared, const MakePoint& makePoint)
   {
     Pair pair;
     for (int i = 0; i < 6; ++i)
     {
-      pair.Both.Points.push_back(place());
+      pair.Both.Points.push_back(makePoint());
     }
     const Index second = shared > 0 ? 0 : 3;
     const Index third = shared > 1 ? 1 : 4;
@@ -80,7 +80,7 @@ bool LiesOnOneSide(const TriangleCorners& a, const TriangleCorners& b)
     std::max({ height(b[0]), height(b[1]), height(b[2]) }) <= 0.0;
 }
 
-/// Of a surface, which may share corners.
+/// Triangles of a surface, which may have common corners.
 bool NeighborsMeet(const Surface& surface, Triangle a, Triangle b)
 {
   const auto isIn = [](const Triangle& t)
@@ -99,13 +99,13 @@ bool NeighborsMeet(const Surface& surface, Triangle a, Triangle b)
 
 TEST(TrianglePair, MeetsWhereBruteForceFindsThatItDoes)
 {
-  Places places(3);
+  RandomPoints points(3);
   for (const Index shared : { 0, 1, 2 })
   {
     int met = 0;
     for (int round = 0; round < 20000; ++round)
     {
-      const Pair pair = places.AnyPair(shared, [&] { return places.Any(); });
+      const Pair pair = points.AnyPair(shared, [&] { return points.Any(); });
       ASSERT_EQ(pair.Meet(shared), pair.Cross()) << shared << " shared, round " << round;
       met += pair.Cross() ? 1 : 0;
     }
@@ -115,13 +115,13 @@ TEST(TrianglePair, MeetsWhereBruteForceFindsThatItDoes)
 
 TEST(TrianglePair, MeetsWhereBruteForceFindsThatItDoesInOnePlane)
 {
-  Places places(5);
+  RandomPoints points(5);
   for (const Index shared : { 0, 1, 2 })
   {
     for (int round = 0; round < 5000; ++round)
     {
       const Pair flat =
-        places.AnyPair(shared, [&] { return Vector3(places.One(), places.One(), 0.5); });
+        points.AnyPair(shared, [&] { return Vector3(points.One(), points.One(), 0.5); });
       ASSERT_EQ(flat.Meet(shared), flat.Cross()) << shared << " shared, round " << round;
     }
   }
@@ -131,10 +131,10 @@ TEST(TrianglePair, MeetsWhereBruteForceFindsThatItDoesInOnePlane)
 /// common. Brute force has no rounding there.
 TEST(TrianglePair, MeetsWhereBruteForceFindsThatItDoesOnALattice)
 {
-  Places places(7);
-  const auto place = [&]
+  RandomPoints points(7);
+  const auto makePoint = [&]
   {
-    const auto coordinate = [&] { return std::floor(1.5 + 1.5 * places.One()); };
+    const auto coordinate = [&] { return std::floor(1.5 + 1.5 * points.One()); };
     return Vector3(coordinate(), coordinate(), coordinate());
   };
   for (const Index shared : { 0, 1, 2 })
@@ -143,7 +143,7 @@ TEST(TrianglePair, MeetsWhereBruteForceFindsThatItDoesOnALattice)
     int touched = 0;
     for (int round = 0; round < 60000; ++round)
     {
-      const Pair pair = places.AnyPair(shared, place);
+      const Pair pair = points.AnyPair(shared, makePoint);
       if (HasArea(pair.A) && HasArea(pair.B))
       {
         ASSERT_EQ(pair.Meet(shared), pair.Cross()) << shared << " shared, round " << round;
@@ -159,7 +159,7 @@ TEST(TrianglePair, MeetsWhereBruteForceFindsThatItDoesOnALattice)
 /// The pair is known on a lattice, and stays what it is in a plane that is not along an axis, where nothing is rounded.
 TEST(TrianglePair, DecidesTheSameInEveryPlaneOfALattice)
 {
-  Places places(15);
+  RandomPoints points(15);
   const std::array<std::array<Vector3, 2>, 4> planes = { { { Vector3(1, 1, 0), Vector3(0, 0, 1) },
     { Vector3(1, 0, 1), Vector3(-1, 1, 0) }, { Vector3(3, 5, 7), Vector3(-2, 11, 1) },
     { Vector3(0, 0.95703125, 1.5), Vector3(1, 0, 0) } } };
@@ -167,8 +167,8 @@ TEST(TrianglePair, DecidesTheSameInEveryPlaneOfALattice)
   {
     for (int round = 0; round < 5000; ++round)
     {
-      const Pair flat = places.AnyPair(shared,
-        [&] { return Vector3(std::floor(4.0 * places.One()), std::floor(4.0 * places.One()), 0); });
+      const Pair flat = points.AnyPair(shared,
+        [&] { return Vector3(std::floor(4.0 * points.One()), std::floor(4.0 * points.One()), 0); });
       for (const auto& [u, v] : planes)
       {
         Pair tilted = flat;
@@ -226,12 +226,12 @@ TEST(TrianglePair, FoldedFlatOntoItsNeighborItMeetsIt)
   EXPECT_FALSE(MeetBeyondEdge(a, 2, Vector3(0.6, 0.5, 1e-300)));
 }
 
-TEST(TrianglePair, WayIsAsLongAsBruteForceFinds)
+TEST(TrianglePair, DistanceAgreesWithBruteForce)
 {
-  Places places(9);
+  RandomPoints points(9);
   for (int round = 0; round < 3000; ++round)
   {
-    const Pair pair = places.AnyPair(0, [&] { return places.Any(); });
+    const Pair pair = points.AnyPair(0, [&] { return points.Any(); });
     if (!pair.Cross())
     {
       const auto isFirst = [](const Triangle& t) { return t[0] == 0; };
@@ -250,34 +250,34 @@ TEST(TrianglePair, RaysHitWhatTheyGoThrough)
   const auto shoot = [&t](double x, double y, double from, double to) {
     return ShootRay({ x, y, from }, { x, y, to }, t);
   };
-  EXPECT_EQ(shoot(0.2, 0.2, -1.0, 9.0), RayAnswer::Hits);
-  EXPECT_EQ(shoot(0.2, 0.2, -1.0, -9.0), RayAnswer::Misses);
-  EXPECT_EQ(shoot(0.8, 0.8, -1.0, 9.0), RayAnswer::Misses);
-  EXPECT_EQ(shoot(0.5, 0.5, -1.0, 9.0), RayAnswer::Unclear);
-  EXPECT_EQ(shoot(0.2, 0.2, 0.0, 9.0), RayAnswer::Unclear);
-  EXPECT_EQ(shoot(0.8, 0.8, 0.0, 9.0), RayAnswer::Misses);
-  EXPECT_EQ(shoot(std::nextafter(0.5, 1.0), 0.5, -1.0, 9.0), RayAnswer::Misses);
-  EXPECT_EQ(shoot(std::nextafter(0.5, 0.0), 0.5, -1.0, 9.0), RayAnswer::Hits);
+  EXPECT_EQ(shoot(0.2, 0.2, -1.0, 9.0), RayResult::Hits);
+  EXPECT_EQ(shoot(0.2, 0.2, -1.0, -9.0), RayResult::Misses);
+  EXPECT_EQ(shoot(0.8, 0.8, -1.0, 9.0), RayResult::Misses);
+  EXPECT_EQ(shoot(0.5, 0.5, -1.0, 9.0), RayResult::Unclear);
+  EXPECT_EQ(shoot(0.2, 0.2, 0.0, 9.0), RayResult::Unclear);
+  EXPECT_EQ(shoot(0.8, 0.8, 0.0, 9.0), RayResult::Misses);
+  EXPECT_EQ(shoot(std::nextafter(0.5, 1.0), 0.5, -1.0, 9.0), RayResult::Misses);
+  EXPECT_EQ(shoot(std::nextafter(0.5, 0.0), 0.5, -1.0, 9.0), RayResult::Hits);
 }
 
 TEST(FaceGrid, LeavesNoCellOutThatATriangleReachesInto)
 {
   const FaceGrid grid(HalfEdgeMesh(Scaled(Icosphere(3, 1.0), 0.5)), 0.0);
-  Places places(13);
+  RandomPoints points(13);
   for (int round = 0; round < 2000; ++round)
   {
-    const TriangleCorners t = { places.Any(), places.Any(), places.Any() };
-    const double reach = 0.2 * (1.0 + places.One());
+    const TriangleCorners t = { points.Any(), points.Any(), points.Any() };
+    const double reach = 0.2 * (1.0 + points.One());
     std::vector<FaceGrid::Key> cells;
     grid.AddCells(t, reach, cells);
     std::sort(cells.begin(), cells.end());
     EXPECT_EQ(std::unique(cells.begin(), cells.end()), cells.end());
     for (int i = 0; i < 20; ++i)
     {
-      const double b = 0.5 * (1.0 + places.One());
-      const double c = 0.5 * (1.0 + places.One()) * (1.0 - b);
+      const double b = 0.5 * (1.0 + points.One());
+      const double c = 0.5 * (1.0 + points.One()) * (1.0 - b);
       const Vector3 p = t[0] + b * (t[1] - t[0]) + c * (t[2] - t[0]) +
-        reach * places.One() * places.Any().normalized();
+        reach * points.One() * points.Any().normalized();
       std::vector<FaceGrid::Key> own;
       grid.AddCells({ p, p, p }, 0.0, own);
       EXPECT_TRUE(std::any_of(own.begin(), own.end(),

@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// No triangle is turned over, not in one step nor in many: faces keep their ids, so that each can be held against what it
-// was.
-#include "Collapse/Sweep.h"
-#include "Collapse/ThesisLoop.h"
+// No triangle is turned over, in one step or in many: faces keep their ids, so each can be compared with its original.
 #include "Mesh/SpatialOrder.h"
-#include "Relax/RelaxedLoop.h"
 #include "Runs.h"
+#include "Stages/StageList.h"
 
 #include <gtest/gtest.h>
 
@@ -47,22 +44,9 @@ double LeastFacing(const HalfEdgeMesh& mesh, const Surface& original)
   return least;
 }
 
-void RunIn(Editor& editor, Mode mode, const Stops& stops)
+void RunIn(Editor& editor, Mode mode, const StopTargets& stops)
 {
-  const Monitor goOn = [](double) { return true; };
-  if (mode == Mode::Thesis)
-  {
-    ThesisLoop(editor, 0.95, stops).Run(goOn);
-  }
-  else if (mode == Mode::Fast)
-  {
-    Sweep(editor, stops, 1).Run(goOn);
-  }
-  else
-  {
-    RelaxedLoop(editor, mode == Mode::Balanced ? BalancedRecipe : AccurateRecipe, stops, 1)
-      .Run(goOn);
-  }
+  RunStages({ editor, FindMode(mode), stops, 0.95 }, [](double) { return true; });
 }
 
 /// Two triangles of a flat grid lie at the edge p-q, and v is the corner of one of them: where v goes if that triangle
@@ -84,17 +68,13 @@ struct Swing
   bool IsInside(const HalfEdgeMesh& mesh) const
   {
     return (this->Edge & 3) != 3 &&
-      mesh.Kind(mesh.Origin(HalfEdgeMesh::Previous(this->Edge))) == VertexKind::Inside;
+      mesh.Constraint(mesh.Origin(HalfEdgeMesh::Previous(this->Edge))) == VertexConstraint::Free;
   }
-  Edit By(double degrees) const
+  Vector3 By(double degrees) const
   {
     const double angle = degrees * std::acos(-1.0) / 180.0;
-    Edit edit;
-    edit.Kind = EditKind::Move;
-    edit.Keep = this->V;
-    edit.Position =
-      this->Foot + std::cos(angle) * this->Arm + std::sin(angle) * this->Along.cross(this->Arm);
-    return edit;
+    return this->Foot + std::cos(angle) * this->Arm +
+      std::sin(angle) * this->Along.cross(this->Arm);
   }
 
   Index Edge = 0;
@@ -107,14 +87,14 @@ class EveryFace : public testing::TestWithParam<std::tuple<NamedSurface, Mode>>
 {
 };
 
-TEST_P(EveryFace, LooksWhereItLookedAtFirst)
+TEST_P(EveryFace, KeepsTheSideOfItsOriginalNormal)
 {
   const auto& [shape, mode] = GetParam();
   for (const Index divisor : { 3, 12 })
   {
     CleanSurface cleaned = Clean(shape.Surface, true);
     SortAlongCurve(cleaned, 1);
-    Editor editor(cleaned, Editor::Books{ mode == Mode::Thesis, true, true });
+    Editor editor(cleaned, EditorSettings{ mode == Mode::Thesis, true, true, true });
     RunIn(editor, mode, { editor.Mesh().NumberOfFaces() / divisor, 0.0 });
     EXPECT_GE(LeastFacing(editor.Mesh(), cleaned.Surface), -Rounding) << "one in " << divisor;
   }
@@ -125,16 +105,17 @@ INSTANTIATE_TEST_SUITE_P(Shapes, EveryFace,
   [](const auto& parameters)
   { return std::get<0>(parameters.param).Name + WordOf(std::get<1>(parameters.param)); });
 
-TEST(Gate, SeveralSmallTurnsTurnNoFaceOver)
+TEST(EditValidity, SmallRotationsCannotAccumulate)
 {
   const CleanSurface cleaned = Clean(FlatPlate(6), true);
-  Editor editor(cleaned, Editor::Books{ false, false, false });
-  editor.ShareVolumes();
+  Editor editor(cleaned, EditorSettings{ false, false, false });
+  editor.DistributeVolumeBudget();
   Workspace work;
   const Swing swing(editor.Mesh());
-  EXPECT_EQ(editor.ApplySmall(swing.By(30.0), work, 1), Verdict::Allowed);
-  EXPECT_EQ(editor.ApplySmall(swing.By(60.0), work, 1), Verdict::Allowed);
-  EXPECT_EQ(editor.ApplySmall(swing.By(89.0), work, 1), Verdict::Allowed);
-  EXPECT_EQ(editor.ApplySmall(swing.By(91.0), work, 1), Verdict::Flip);
-  EXPECT_EQ(editor.ApplySmall(swing.By(60.0), work, 1), Verdict::Allowed) << "back it may go";
+  EXPECT_EQ(editor.Move(swing.V, swing.By(30.0), work, 1), Rejection::NotRejected);
+  EXPECT_EQ(editor.Move(swing.V, swing.By(60.0), work, 1), Rejection::NotRejected);
+  EXPECT_EQ(editor.Move(swing.V, swing.By(89.0), work, 1), Rejection::NotRejected);
+  EXPECT_EQ(editor.Move(swing.V, swing.By(91.0), work, 1), Rejection::Flip);
+  EXPECT_EQ(editor.Move(swing.V, swing.By(60.0), work, 1), Rejection::NotRejected)
+    << "back it may go";
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Collapse/VertexQueue.h"
 #include "Random.h"
+#include "Schedule/VertexQueue.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-/// The same promises, kept by a sorted set.
+/// The same interface implemented by a sorted set.
 class SlowQueue
 {
 public:

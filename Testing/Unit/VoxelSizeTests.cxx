@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Voxels from a surface, and what a preset makes of them.
+// The voxel size of a surface, and the error presets.
+#include "Input/VoxelSize.h"
 #include "Runs.h"
-#include "VoxelSize.h"
 
 #include <gtest/gtest.h>
 
@@ -39,8 +39,8 @@ Surface CutsOfAGrid(const Vector3& spacing, const Vector3& origin)
           const double t = value(a) / (value(a) - value(b));
           if (t >= 0.0 && t < 1.0)
           {
-            const Vector3 place = a + t * (b - a);
-            surface.Points.emplace_back(place.cast<float>().cast<double>());
+            const Vector3 position = a + t * (b - a);
+            surface.Points.emplace_back(position.cast<float>().cast<double>());
           }
         }
       }
@@ -67,7 +67,7 @@ TEST(VoxelSize, IsFoundAlongEachAxisInSinglePrecisionFarFromTheOrigin)
   }
 }
 
-TEST(VoxelSize, IsNotTakenForOneOfAGridWhereThereIsNone)
+TEST(VoxelSize, FindsNoGridWhereThereIsNone)
 {
   Surface turned = CutsOfAGrid({ 0.5, 0.5, 0.5 }, { -12.0, -12.0, -12.0 });
   const Eigen::AngleAxisd turn(0.3, Vector3(1.0, 2.0, 3.0).normalized());
@@ -97,7 +97,7 @@ TEST(VoxelSize, OfNothingIsNothing)
   EXPECT_TRUE(std::isfinite(EstimateVoxelSize(bad).Least()));
 }
 
-TEST(ErrorPreset, IsAShareOfTheVoxelAndProved)
+TEST(ErrorPreset, IsAFractionOfTheVoxelAndProved)
 {
   const Surface input = BumpySphere(4, 20.0, 0.1, 5);
   Options options = InMode(Mode::Fast, Unmeasured());
@@ -108,10 +108,10 @@ TEST(ErrorPreset, IsAShareOfTheVoxelAndProved)
   {
     options.ErrorPreset = preset;
     const Result result = Decimate(input, options);
-    EXPECT_EQ(result.Report.Voxel.From, VoxelFigures::Source::Given);
+    EXPECT_EQ(result.Report.Voxel.From, VoxelFigures::Source::Input);
     EXPECT_EQ(result.Report.Voxel.LargestError, error);
     EXPECT_EQ(result.Report.Proof.Tolerance, error);
-    EXPECT_EQ(result.Report.Asked.ErrorPreset, preset);
+    EXPECT_EQ(result.Report.Requested.ErrorPreset, preset);
     EXPECT_TRUE(
       SameBytes(result.Surface, Decimate(input, InMode(Mode::Fast, Error(error))).Surface));
     EXPECT_GT(error, before);
@@ -119,7 +119,7 @@ TEST(ErrorPreset, IsAShareOfTheVoxelAndProved)
   }
 }
 
-TEST(ErrorPreset, GivesWayToASmallerLargestError)
+TEST(ErrorPreset, IsIgnoredWithASmallerLargestError)
 {
   Options options = InMode(Mode::Fast, Error(0.1));
   options.VoxelSize = 1.0;
@@ -127,7 +127,7 @@ TEST(ErrorPreset, GivesWayToASmallerLargestError)
   EXPECT_EQ(Decimate(BumpySphere(2, 20.0, 0.1, 5), options).Report.Proof.Tolerance, 0.1);
 }
 
-TEST(ErrorPreset, SaysWhatItTookForAVoxelIfNobodyToldIt)
+TEST(ErrorPreset, ReportsTheEstimatedVoxelSize)
 {
   Options options = InMode(Mode::Fast, Unmeasured());
   options.ErrorPreset = ErrorPreset::HalfVoxel;

@@ -91,7 +91,7 @@ void SetGeometry(gdcm::DataSet& data, const VolumeGeometry& geometry, std::size_
 void SetPixels(
   gdcm::Image& image, const Scan& scan, const SeriesOptions& options, std::size_t slice)
 {
-  const bool isGrey = options.Colours == gdcm::PhotometricInterpretation::MONOCHROME2;
+  const bool isGrey = options.Colors == gdcm::PhotometricInterpretation::MONOCHROME2;
   const std::size_t count = scan.Size[0] * scan.Size[1];
   std::vector<short> stored(count);
   for (std::size_t i = 0; i < count; ++i)
@@ -106,11 +106,11 @@ void SetPixels(
                               : gdcm::PixelFormat(gdcm::PixelFormat::UINT8));
   if (!isGrey)
   {
-    gdcm::PixelFormat colours = gdcm::PixelFormat::UINT8;
-    colours.SetSamplesPerPixel(3);
-    image.SetPixelFormat(colours);
+    gdcm::PixelFormat colors = gdcm::PixelFormat::UINT8;
+    colors.SetSamplesPerPixel(3);
+    image.SetPixelFormat(colors);
   }
-  image.SetPhotometricInterpretation(options.Colours);
+  image.SetPhotometricInterpretation(options.Colors);
   image.SetTransferSyntax(gdcm::TransferSyntax::ExplicitVRLittleEndian);
   image.SetSlope(options.Slope);
   image.SetIntercept(options.Intercept);

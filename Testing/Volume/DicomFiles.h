@@ -27,10 +27,10 @@ struct SeriesOptions
   std::size_t Count = 1000; ///< at most so many.
   int Frames = 1;           ///< What the header says.
   gdcm::TransferSyntax::TSType Syntax = gdcm::TransferSyntax::ExplicitVRLittleEndian;
-  gdcm::PhotometricInterpretation::PIType Colours = gdcm::PhotometricInterpretation::MONOCHROME2;
+  gdcm::PhotometricInterpretation::PIType Colors = gdcm::PhotometricInterpretation::MONOCHROME2;
 };
 
-/// One file a slice. The names are no help in sorting them; the patient is called Secret^Patient.
+/// Writes one file for each slice. The order of names is not that of slices; the patient is called Secret^Patient.
 void WriteDicom(const std::string& folder, const Scan& scan, const SeriesOptions& options = {});
 }
 

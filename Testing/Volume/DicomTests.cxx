@@ -151,7 +151,7 @@ TEST_F(Dicom, NothingOfThePatientComesAlong)
   EXPECT_EQ(bone.Surface->GetCellData()->GetNumberOfArrays(), 0);
 }
 
-TEST_F(Dicom, RefusesAMissingSlice)
+TEST_F(Dicom, RejectsAMissingSlice)
 {
   SeriesOptions lower;
   lower.Count = 15;
@@ -159,34 +159,34 @@ TEST_F(Dicom, RefusesAMissingSlice)
   SeriesOptions upper;
   upper.First = 16;
   WriteDicom(this->Series, this->Tilted, upper);
-  ExpectRefusal(this->Series, "not evenly spaced");
+  ExpectRejection(this->Series, "not evenly spaced");
 }
 
-TEST_F(Dicom, RefusesASingleSlice)
+TEST_F(Dicom, RejectsASingleSlice)
 {
   SeriesOptions one;
   one.Count = 1;
   WriteDicom(this->Series, this->Tilted, one);
-  ExpectRefusal(this->Series, "one slice");
+  ExpectRejection(this->Series, "one slice");
 }
 
-TEST_F(Dicom, RefusesFilesOfSeveralFrames)
+TEST_F(Dicom, RejectsFilesOfSeveralFrames)
 {
   SeriesOptions frames;
   frames.Frames = 12;
   WriteDicom(this->Series, this->Tilted, frames);
-  ExpectRefusal(this->Series, "several frames");
+  ExpectRejection(this->Series, "several frames");
 }
 
-TEST_F(Dicom, RefusesColours)
+TEST_F(Dicom, RejectsColors)
 {
-  SeriesOptions colours;
-  colours.Colours = gdcm::PhotometricInterpretation::RGB;
-  WriteDicom(this->Series, this->Tilted, colours);
-  ExpectRefusal(this->Series, "more than one value");
+  SeriesOptions colors;
+  colors.Colors = gdcm::PhotometricInterpretation::RGB;
+  WriteDicom(this->Series, this->Tilted, colors);
+  ExpectRejection(this->Series, "more than one value");
 }
 
-TEST_F(Dicom, RefusesTruncatedSlices)
+TEST_F(Dicom, RejectsTruncatedSlices)
 {
   for (const auto syntax : { gdcm::TransferSyntax::ExplicitVRLittleEndian,
          gdcm::TransferSyntax::JPEGLosslessProcess14_1, gdcm::TransferSyntax::JPEGLSLossless,
@@ -198,11 +198,11 @@ TEST_F(Dicom, RefusesTruncatedSlices)
     WriteDicom(this->Series, this->Tilted, options);
     const std::string middle = this->Series + "/slice" + std::to_string(100 + 20 * 37 % 41);
     std::filesystem::resize_file(middle, std::filesystem::file_size(middle) - 200);
-    ExpectRefusal(this->Series, "");
+    ExpectRejection(this->Series, "");
   }
 }
 
-TEST_F(Dicom, RefusesDamagedFilesWithoutNamingThePatient)
+TEST_F(Dicom, RejectsDamagedFilesWithoutNamingThePatient)
 {
   WriteDicom(this->Series, this->Tilted);
   for (const auto& entry : std::filesystem::directory_iterator(this->Series))
@@ -211,17 +211,17 @@ TEST_F(Dicom, RefusesDamagedFilesWithoutNamingThePatient)
     bytes.resize(bytes.size() / 3);
     WriteBytes(entry.path().string(), bytes);
   }
-  ExpectRefusal(this->Series, "");
+  ExpectRejection(this->Series, "");
   EXPECT_EQ(this->Bone().Problem.find("Secret"), std::string::npos);
 }
 
 // Debian's GDCM aborts on such a file.
-TEST_F(Dicom, RefusesAFileThatEndsAfterItsMark)
+TEST_F(Dicom, RejectsAFileThatEndsAfterItsMark)
 {
   std::filesystem::create_directory(this->Series);
   WriteBytes(this->Series + "/a", std::string(128, '\0') + "DICM");
   EXPECT_TRUE(IsVolume(this->Series));
-  ExpectRefusal(this->Series, "damaged");
+  ExpectRejection(this->Series, "damaged");
 }
 }
 }

@@ -125,10 +125,10 @@ TEST_F(Storage, VoxelsAtTheEndOfAForeignFileAreFound)
 TEST_F(Storage, HeaderWithLineEndsOfWindowsIsTheSame)
 {
   std::string header = MetaHeader(this->Tilted) + "ElementDataFile = voxels.raw\n";
-  for (std::size_t place = header.find('\n'); place != std::string::npos;
-       place = header.find('\n', place + 2))
+  for (std::size_t position = header.find('\n'); position != std::string::npos;
+       position = header.find('\n', position + 2))
   {
-    header.replace(place, 1, "\r\n");
+    header.replace(position, 1, "\r\n");
   }
   WriteBytes(this->Folder.File("a.MHD"), header);
   WriteBytes(this->Folder.File("voxels.raw"), VoxelBytes(this->Tilted));

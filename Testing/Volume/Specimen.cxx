@@ -23,7 +23,7 @@ Vector3 Difference(const Vector3& a, const Vector3& b)
 }
 
 /// Such a grid that its middle is the middle of the specimen.
-Scan CentredScan(const std::array<Vector3, 3>& steps)
+Scan CenterdScan(const std::array<Vector3, 3>& steps)
 {
   const std::array<std::size_t, 3> size{ { 50, 52, 40 } };
   VolumeGeometry geometry;
@@ -106,19 +106,19 @@ Scan ScanOf(const std::array<std::size_t, 3>& size, const VolumeGeometry& geomet
 
 Scan UprightScan()
 {
-  return CentredScan({ { { { 0.8, 0.0, 0.0 } }, { { 0.0, 0.9, 0.0 } }, { { 0.0, 0.0, 1.3 } } } });
+  return CenterdScan({ { { { 0.8, 0.0, 0.0 } }, { { 0.0, 0.9, 0.0 } }, { { 0.0, 0.0, 1.3 } } } });
 }
 
 Scan TiltedScan()
 {
-  return CentredScan(TiltedSteps());
+  return CenterdScan(TiltedSteps());
 }
 
 Scan MirroredScan()
 {
   std::array<Vector3, 3> steps = TiltedSteps();
   steps[1] = Scaled(-1.0, steps[1]);
-  return CentredScan(steps);
+  return CenterdScan(steps);
 }
 
 Scan ShearedScan()
@@ -128,6 +128,6 @@ Scan ShearedScan()
   {
     steps[2][i] += 0.2 * steps[1][i];
   }
-  return CentredScan(steps);
+  return CenterdScan(steps);
 }
 }

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Specimen.h
- * @brief A shape fixed in the patient, scanned on any grid: wherever the voxels lie, the surface
- * must come out the same.
+ * @brief A shape in patient coordinates, scanned on any grid: the surface must not depend on the grid.
  */
 #ifndef BoneDecimate_Testing_Specimen_h
 #define BoneDecimate_Testing_Specimen_h

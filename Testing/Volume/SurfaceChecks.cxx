@@ -113,7 +113,7 @@ void ExpectEqual(vtkPolyData* a, vtkPolyData* b, double tolerance)
   }
 }
 
-void ExpectRefusal(const std::string& path, const std::string& words, double hounsfield)
+void ExpectRejection(const std::string& path, const std::string& words, double hounsfield)
 {
   ::testing::internal::CaptureStderr();
   ::testing::internal::CaptureStdout();

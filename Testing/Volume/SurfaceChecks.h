@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceChecks.h
- * @brief What is measured of a surface in the tests of volumes, and folders that go away with their
- * test.
+ * @brief Measurements of surfaces in the tests of volumes, and temporary folders.
  */
 #ifndef BoneDecimate_Testing_SurfaceChecks_h
 #define BoneDecimate_Testing_SurfaceChecks_h
@@ -14,7 +13,7 @@
 
 namespace bonedecimate::testing
 {
-/// Removed with all it holds at the end of its life.
+/// A folder that the destructor removes with its content.
 class TemporaryFolder
 {
 public:
@@ -37,15 +36,15 @@ double LargestDeviation(vtkPolyData* surface);
 
 int CountComponents(vtkPolyData* surface);
 
-/// Fails if the surface is not that of the specimen, where it lay, inside in.
+/// Fails if position or orientation of the surface differ from those of the specimen.
 void ExpectSpecimen(const BoneSurface& bone);
 
 /// Fails if there is a difference in points of more than so many mm, or any in triangles.
 void ExpectEqual(vtkPolyData* a, vtkPolyData* b, double tolerance);
 
-/// Fails if the file is read, if the reason does not hold these words, or if anything was written
+/// Fails if the file is read, if the message does not contain these words, or if anything was written
 /// to the terminal.
-void ExpectRefusal(const std::string& path, const std::string& words, double hounsfield = 226.0);
+void ExpectRejection(const std::string& path, const std::string& words, double hounsfield = 226.0);
 }
 
 #endif

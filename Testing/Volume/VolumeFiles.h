@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VolumeFiles.h
- * @brief Writes scans in the formats the tests read, written after the formats' descriptions and
- * not after our readers.
+ * @brief Writes scans in the formats of the tests, implemented from the format specifications and
+ * independent of the readers.
  */
 #ifndef BoneDecimate_Testing_VolumeFiles_h
 #define BoneDecimate_Testing_VolumeFiles_h

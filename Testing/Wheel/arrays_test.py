@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""numpy in, numpy out: what decimate() and certify() of the wheel promise. Needs no VTK."""
+"""numpy in, numpy out: what decimate() and certify() of the wheel guarantee. Needs no VTK."""
 
 import json
 import os
@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 import time
+import math
 import unittest
 import warnings
 
@@ -48,16 +49,16 @@ class Levels(unittest.TestCase):
     OPTIONS = {"mode": "Fast", "threads": 1}  # where a level is what a run of its own gives
 
     def test_are_what_runs_to_their_numbers_give(self):
-        levels = bonedecimate.record_levels(POINTS, TRIANGLES, target_faces=300, **self.OPTIONS)
+        levels = bonedecimate.record_levels(POINTS, TRIANGLES, target_triangles=300, **self.OPTIONS)
         self.assertEqual(len(levels.result.triangles), 300)
         for triangles in (3000, 1000, 300):
             points, corners = levels.at(triangles=triangles)
-            run = decimate(POINTS, TRIANGLES, target_faces=triangles, **self.OPTIONS)
+            run = decimate(POINTS, TRIANGLES, target_triangles=triangles, **self.OPTIONS)
             np.testing.assert_array_equal(points, run.points)
             np.testing.assert_array_equal(corners, run.triangles)
 
     def test_marks_are_measured_and_taken_by_their_distance(self):
-        levels = bonedecimate.record_levels(POINTS.astype(np.float32), TRIANGLES, target_faces=300)
+        levels = bonedecimate.record_levels(POINTS.astype(np.float32), TRIANGLES, target_triangles=300)
         self.assertTrue((np.diff(levels.marks[:, 0]) < 0).all())
         middle = levels.marks[len(levels.marks) // 2]
         points, corners = levels.at(error=middle[1])
@@ -72,7 +73,7 @@ class Levels(unittest.TestCase):
             bare.at(error=0.1)
 
     def test_open_again_from_their_log_and_go_onto_another_bone(self):
-        levels = bonedecimate.record_levels(POINTS, TRIANGLES, target_faces=300)
+        levels = bonedecimate.record_levels(POINTS, TRIANGLES, target_triangles=300)
         again = bonedecimate.open_levels(POINTS, TRIANGLES, levels.log)
         for one, other in zip(levels.at(triangles=800), again.at(triangles=800)):
             np.testing.assert_array_equal(one, other)
@@ -81,7 +82,7 @@ class Levels(unittest.TestCase):
         np.testing.assert_allclose(points, 2 * levels.at(triangles=800)[0], atol=1e-6)
 
     def test_of_what_makes_no_sense_there_are_none(self):
-        levels = bonedecimate.record_levels(POINTS, TRIANGLES, target_faces=300)
+        levels = bonedecimate.record_levels(POINTS, TRIANGLES, target_triangles=300)
         for wrong in ({}, {"triangles": 3, "error": 0.1}, {"triangles": 300, "on": (POINTS, TRIANGLES[::-1])}):
             with self.assertRaises(ValueError):
                 levels.at(**wrong)
@@ -93,20 +94,42 @@ class Levels(unittest.TestCase):
 
 
 class Decimate(unittest.TestCase):
+    def test_result_has_its_main_figures(self):
+        result = decimate(POINTS, TRIANGLES, max_error=0.2)
+        self.assertEqual(result.proved_error, result.report["proof.upper"])
+        self.assertLessEqual(result.measured_error, result.proved_error)
+        self.assertEqual(result.proof_status, "proved")
+        self.assertEqual(result.rejected_edits, sum(value for name, value in result.report.items() if name.startswith("rejections.")))
+        self.assertEqual(json.loads(result.report_as_json)["output"]["triangles"], len(result.triangles))
+        plain = decimate(POINTS, TRIANGLES, target_reduction=0.5, measure=False)
+        self.assertTrue(math.isnan(plain.proved_error) and math.isnan(plain.measured_error))
+        self.assertEqual(plain.proof_status, "not_requested")
+
+    def test_deprecated_keywords_warn(self):
+        with self.assertWarnsRegex(DeprecationWarning, "target_faces is deprecated; use target_triangles"):
+            result = decimate(POINTS, TRIANGLES, target_faces=500)
+        self.assertEqual(len(result.triangles), 500)
+        with self.assertRaises(TypeError), self.assertWarns(DeprecationWarning):
+            decimate(POINTS, TRIANGLES, target_faces=500, target_triangles=600)
+        with self.assertWarnsRegex(DeprecationWarning, "borders is deprecated; use boundaries"):
+            found = certify((POINTS, TRIANGLES), result, borders=False)
+        with self.assertWarnsRegex(DeprecationWarning, "verdict is deprecated; use status"):
+            self.assertEqual(found.verdict, found.status)
+
     def test_keeps_what_is_left_of_the_error_against_a_reference(self):
         first = decimate(POINTS, TRIANGLES, max_error=0.1)
         second = decimate(*first, max_error=0.2, reference=(POINTS, TRIANGLES))
         self.assertLess(len(second.triangles), len(first.triangles))
-        self.assertEqual(second.report["proof.verdict"], "proved")
-        self.assertLess(second.report["reference.to_input.upper"], 0.102)  # bounds near enough to share the error out
-        self.assertEqual(certify((POINTS, TRIANGLES), second, tolerance=0.2).verdict, "proved")
+        self.assertEqual(second.report["proof.status"], "proved")
+        self.assertLess(second.report["reference.to_input.upper"], 0.102)  # bounds tight enough to leave an error budget
+        self.assertEqual(certify((POINTS, TRIANGLES), second, tolerance=0.2).status, "proved")
         with self.assertRaisesRegex(ValueError, "reference"):
             decimate(*first, target_reduction=0.5, reference=(POINTS, TRIANGLES))
 
     def test_keeps_the_largest_error_and_proves_it(self):
         result = decimate(POINTS, TRIANGLES, max_error=0.2)
         self.assertLess(len(result.triangles), len(TRIANGLES) / 3)
-        self.assertEqual(result.report["proof.verdict"], "proved")
+        self.assertEqual(result.report["proof.status"], "proved")
         self.assertLessEqual(result.report["proof.upper"], 0.2)
         self.assertLess(farthest(POINTS[::97], result.points, result.triangles, 36), 0.21)
         self.assertLess(farthest(result.points[::16], POINTS, TRIANGLES, 12), 0.21)
@@ -127,7 +150,7 @@ class Decimate(unittest.TestCase):
         np.testing.assert_array_equal(np.bincount(result.output_point), result.point_count)
 
     def test_result_unpacks_and_outlives_what_made_it(self):
-        points, triangles = decimate(POINTS, TRIANGLES, target_faces=500)
+        points, triangles = decimate(POINTS, TRIANGLES, target_triangles=500)
         self.assertEqual((len(triangles), triangles.max()), (500, len(points) - 1))
 
     def test_does_not_change_its_input(self):
@@ -153,7 +176,7 @@ class Decimate(unittest.TestCase):
         np.testing.assert_array_equal(one.points, two.points)
         np.testing.assert_array_equal(one.triangles, two.triangles)
 
-    def test_tolerances_freeze_points(self):
+    def test_tolerances_constrain_points(self):
         tolerances = np.where(POINTS[:, 2] > 0, 0.0, -1.0)
         result = decimate(POINTS, TRIANGLES, tolerances=tolerances, target_reduction=0.4)
         kept = {tuple(point) for point in result.points}
@@ -175,7 +198,7 @@ class Decimate(unittest.TestCase):
     def test_report_is_what_json_takes(self):
         result = decimate(POINTS.astype(np.float32), TRIANGLES, max_error=0.2, examine=True, prune_triangles=1)
         certificate = certify((POINTS, TRIANGLES), result)
-        levels = bonedecimate.record_levels(POINTS, TRIANGLES, target_faces=300)
+        levels = bonedecimate.record_levels(POINTS, TRIANGLES, target_triangles=300)
         for report in (result.report, result.units, certificate.report, certificate.units, levels.result.report):
             self.assertEqual(json.loads(json.dumps(report)), report)
             self.assertLessEqual({type(value) for value in report.values()}, {int, float, str})
@@ -189,7 +212,7 @@ class Decimate(unittest.TestCase):
         self.assertEqual(result.report["options.MaximumError"], "0")
 
 
-class Refusals(unittest.TestCase):
+class Rejections(unittest.TestCase):
     def test_wrong_shapes_are_value_errors(self):
         for points, triangles in ((POINTS[:, :2], TRIANGLES), (POINTS, TRIANGLES.ravel()), (POINTS.ravel(), TRIANGLES)):
             with self.assertRaisesRegex(ValueError, "of shape"):
@@ -205,7 +228,7 @@ class Refusals(unittest.TestCase):
         far, broken = TRIANGLES.copy(), POINTS.copy()
         far[5, 1] = 2**40
         broken[3, 1] = np.nan
-        with self.assertRaisesRegex(ValueError, "not there, the first is triangle 5"):
+        with self.assertRaisesRegex(ValueError, "out of range, the first is triangle 5"):
             decimate(POINTS, far)
         with self.assertRaisesRegex(ValueError, "NaN or infinite coordinates, the first is point 3"):
             decimate(broken, TRIANGLES)
@@ -222,7 +245,7 @@ class Refusals(unittest.TestCase):
 
     def test_unknown_options_are_type_errors_that_name_those_there_are(self):
         for name in ("error", "distance_array_name", "pass_arrays", "tolerance_array"):
-            with self.assertRaisesRegex(TypeError, "there are: mode, target_faces"):
+            with self.assertRaisesRegex(TypeError, "there are: mode, target_triangles"):
                 decimate(POINTS, TRIANGLES, **{name: 1})
 
     def test_values_out_of_range_are_value_errors(self):
@@ -318,8 +341,8 @@ class Certify(unittest.TestCase):
         certificate = certify((POINTS, TRIANGLES), (1.1 * POINTS, TRIANGLES), tolerance=1.2)
         self.assertLessEqual(certificate.lower, 1.0 + 1e-9)
         self.assertAlmostEqual(certificate.upper, 1.0, delta=0.02)
-        self.assertEqual(certificate.verdict, "proved")
-        self.assertEqual(certify((POINTS, TRIANGLES), (1.1 * POINTS, TRIANGLES), tolerance=0.9).verdict, "violated")
+        self.assertEqual(certificate.status, "proved")
+        self.assertEqual(certify((POINTS, TRIANGLES), (1.1 * POINTS, TRIANGLES), tolerance=0.9).status, "violated")
 
     def test_signs_distances(self):
         certificate = certify((POINTS, TRIANGLES), (1.1 * POINTS, TRIANGLES))
@@ -336,10 +359,10 @@ class Certify(unittest.TestCase):
     def test_tolerances_of_points(self):
         shifted = POINTS + np.where(POINTS[:, 2:] > 5, [[0, 0, 0.5]], 0)
         loose = np.where(POINTS[:, 2] > 0, 0.6, 0.1)
-        self.assertEqual(certify((POINTS, TRIANGLES), (shifted, TRIANGLES), tolerances=loose).verdict, "proved")
-        self.assertEqual(certify((POINTS, TRIANGLES), (shifted, TRIANGLES), tolerances=0.1 + 0 * loose).verdict, "violated")
+        self.assertEqual(certify((POINTS, TRIANGLES), (shifted, TRIANGLES), tolerances=loose).status, "proved")
+        self.assertEqual(certify((POINTS, TRIANGLES), (shifted, TRIANGLES), tolerances=0.1 + 0 * loose).status, "violated")
 
-    def test_refuses_what_cannot_be_compared(self):
+    def test_rejects_what_cannot_be_compared(self):
         for other in ((POINTS, TRIANGLES[:0]), (POINTS * np.nan, TRIANGLES), (POINTS, TRIANGLES + 9999)):
             with self.assertRaises(ValueError):
                 certify((POINTS, TRIANGLES), other)

@@ -45,6 +45,45 @@ class Properties(unittest.TestCase):
         decimate.Update()
         self.assertEqual(decimate.GetStopReason(), vtkBoneDecimate.TARGET_REACHED)
 
+    def test_getters_are_read_only_properties(self):
+        decimate = decimating(MaximumError=0.3)
+        self.assertTrue(np.isnan(decimate.proved_error))
+        self.assertEqual((decimate.number_of_output_triangles, decimate.proof_status), (0, vtkBoneDecimate.NO_PROOF))
+        decimate.Update()
+        self.assertLessEqual(decimate.measured_error, decimate.proved_error)
+        self.assertEqual((decimate.proof_status, decimate.proof_status_as_string), (vtkBoneDecimate.PROVED, "proved"))
+        self.assertEqual(decimate.number_of_output_triangles, decimate.GetOutput().GetNumberOfPolys())
+        with self.assertRaises(AttributeError):
+            decimate.proved_error = 1
+
+    def test_by_their_former_names_warn(self):
+        decimate = vtkBoneDecimate()
+        with self.assertWarnsRegex(DeprecationWarning, "keep_clearance is deprecated; use intersection_guard"):
+            decimate.keep_clearance = False
+        self.assertFalse(decimate.intersection_guard)
+        with self.assertWarns(DeprecationWarning):
+            decimate.ExamineInputOn()
+        self.assertTrue(decimate.GetDiagnoseInput())
+
+    def test_array_to_process_counts_unless_there_is_a_name(self):
+        from vtkmodules.util.numpy_support import numpy_to_vtk
+        surface = specimens.torus(60, 40)
+        for name, value in (("Narrow", 0.01), ("Wide", 1.0)):
+            array = numpy_to_vtk(np.full(surface.GetNumberOfPoints(), value), deep=True)
+            array.SetName(name)
+            surface.GetPointData().AddArray(array)
+
+        def triangles(name, processed):
+            decimate = decimating(surface, ToleranceArrayName=name)
+            if processed:
+                decimate.SetInputArrayToProcess(vtkBoneDecimate.TOLERANCE_ARRAY, 0, 0, 0, processed)
+            decimate.Update()
+            return decimate.number_of_output_triangles
+
+        self.assertLess(triangles("Wide", None), triangles("Narrow", None))
+        self.assertEqual(triangles("", "Narrow"), triangles("Narrow", None))
+        self.assertEqual(triangles("Wide", "Narrow"), triangles("Wide", None))
+
     def test_switches_have_on_and_off(self):
         decimate = vtkBoneDecimate()
         for row in ROWS.values():
@@ -54,7 +93,7 @@ class Properties(unittest.TestCase):
                 getattr(decimate, row.name + "Off")()
                 self.assertIs(getattr(decimate, "Get" + row.name)(), False)
 
-    def test_refuse_what_is_of_another_type(self):
+    def test_reject_what_is_of_another_type(self):
         for value in ("much", None, [1]):
             with self.assertRaises(TypeError):
                 vtkBoneDecimate().SetTargetReduction(value)
@@ -180,7 +219,7 @@ class Events(unittest.TestCase):
         decimate = decimating(specimens.wrong_index())
         ear = specimens.Ear(decimate)
         decimate.Update()
-        self.assertRegex(ear.texts[0], "^ErrorEvent: 1 triangles name points that are not there, the first is triangle 96")
+        self.assertRegex(ear.texts[0], "^ErrorEvent: 1 triangles have point indices out of range, the first is triangle 96")
         self.assertEqual(decimate.GetOutput().GetNumberOfPoints(), 0)
 
     def test_ctrl_c_ends_update_with_keyboard_interrupt(self):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every option of the table through everything in the wheel that takes options: shown, honored, or refused with a sentence.
+"""Every option of the table through everything in the wheel that takes options: shown, honored, or rejected with a sentence.
 
 Where VTK or PyVista is not there, the table is walked without them.
 """
@@ -57,7 +57,7 @@ def good(row, by_number):
 
 
 class Adapter:
-    """Something that takes options: where an option may be asked for, and how."""
+    """Something that takes options: which options it takes, and how."""
 
     by_number = False
 
@@ -72,7 +72,7 @@ class Adapter:
 
 
 class Property(Adapter):
-    """Of the VTK filter: by SetName(), by assignment or by the constructor; a value that is refused must not stay."""
+    """Of the VTK filter: by SetName(), by assignment or by the constructor; a value that is rejected must not stay."""
 
     by_number = True
 
@@ -96,14 +96,14 @@ class Property(Adapter):
 def slicers_engine():
     """That of 3D Slicer's panel, which takes flags and says what is wrong by one kind of error."""
     sys.path.insert(0, os.path.join(os.environ["SOURCE_DIR"], "Applications", "Slicer", "BoneDecimator"))
-    from BoneDecimatorLib.engines import Cancelled, DecimationError, WheelEngine
+    from BoneDecimatorLib.engines import Canceled, DecimationError, WheelEngine
     surface = pyvista_tetrahedron()
 
     def call(**options):
         (key, value), = options.items()
         try:
             WheelEngine().decimate(surface, {ROWS[key].flag: value}, progress=run_stops)
-        except Cancelled:
+        except Canceled:
             pass
         except DecimationError as problem:
             raise ValueError(str(problem)) from problem
@@ -116,7 +116,7 @@ def pyvista_tetrahedron():
 
 
 def run_stops(fraction):
-    """Ends a run at once: only what it is asked for is looked at."""
+    """Ends a run at once: only its options are checked."""
     return False
 
 
@@ -143,31 +143,31 @@ def adapters():
 
 
 class Values(unittest.TestCase):
-    def test_of_every_option_are_honored_or_refused_by_everything_that_takes_options(self):
+    def test_of_every_option_are_honored_or_rejected_by_everything_that_takes_options(self):
         logging.disable()  # PyVista logs what VTK's executives say once more
         self.addCleanup(logging.disable, logging.NOTSET)
         sentences = {}
         for adapter in adapters():
-            counts = {"accepted": 0, "refused": 0, "silent": 0}
+            counts = {"accepted": 0, "rejected": 0, "silent": 0}
             for key in adapter.keys():
                 for value in hostile(ROWS[key], adapter.by_number):
                     if adapter.name == "mesh.bone.decimate" and key == "labels" and not isinstance(value, str):
                         continue  # arrays of labels are taken there: wrongarrays_test.py
-                    refusal = self.refusal(adapter, key, value)
-                    counts["refused" if refusal else "silent"] += 1
-                    self.assertIsNotNone(refusal, f"{adapter.name}: {key}={value!r} is taken without a word")
-                    if type(refusal) is ValueError and refusal.__cause__ is None and not ROWS[key].choices:
-                        self.assertRegex(str(refusal), f"^{ROWS[key].name} takes .*, not ")
-                        wanted = sentences.setdefault((key, repr(value)), str(refusal))
-                        self.assertEqual(str(refusal), wanted, adapter.name)
+                    rejection = self.rejection(adapter, key, value)
+                    counts["rejected" if rejection else "silent"] += 1
+                    self.assertIsNotNone(rejection, f"{adapter.name}: {key}={value!r} is taken without a word")
+                    if type(rejection) is ValueError and rejection.__cause__ is None and not ROWS[key].choices:
+                        self.assertRegex(str(rejection), f"^{ROWS[key].name} takes .*, not ")
+                        wanted = sentences.setdefault((key, repr(value)), str(rejection))
+                        self.assertEqual(str(rejection), wanted, adapter.name)
                 counts["accepted"] += self.accepted(adapter, key)
             print(f"{adapter.name}: {', '.join(f'{count} {what}' for what, count in counts.items())}")
 
-    def refusal(self, adapter, key, value):
+    def rejection(self, adapter, key, value):
         try:
             adapter.give(key, value)
-        except (ValueError, TypeError) as refusal:
-            return refusal
+        except (ValueError, TypeError) as rejection:
+            return rejection
         return None
 
     def accepted(self, adapter, key):
@@ -175,12 +175,12 @@ class Values(unittest.TestCase):
         for value in values:
             try:
                 adapter.give(key, value)
-            except ValueError as refusal:  # of a run that makes no sense, not of the value
-                self.assertNotRegex(str(refusal), f"^{ROWS[key].name} takes ", f"{adapter.name}: {key}={value!r}")
+            except ValueError as rejection:  # of a run that makes no sense, not of the value
+                self.assertNotRegex(str(rejection), f"^{ROWS[key].name} takes ", f"{adapter.name}: {key}={value!r}")
         return len(values)
 
-    def test_are_what_the_run_was_asked_for(self):
-        given = {"max_error": np.float32(0.25), "threads": np.int64(1), "target_faces": 4e2, "mode": "fast", "measure": 0,
+    def test_are_the_options_of_the_run(self):
+        given = {"max_error": np.float32(0.25), "threads": np.int64(1), "target_triangles": 4e2, "mode": "fast", "measure": 0,
                  "merge_points": np.bool_(True), "normal_tolerance": 1}
         report = decimate(POINTS, TRIANGLES, **given).report
         for name, text in {"MaximumError": "0.25", "NumberOfThreads": "1", "TargetNumberOfTriangles": "400", "Mode": "Fast",
@@ -225,8 +225,8 @@ class Names(unittest.TestCase):
     def test_are_found_by_completion_of_the_package(self):
         self.assertLessEqual(set(bonedecimate.__all__), set(dir(bonedecimate)))
 
-    def test_that_are_misspelled_are_answered_with_the_one_that_was_meant(self):
-        meant = {"max_eror": "max_error", "maximum_error": "max_error", "maxError": "max_error", "target_face": "target_faces",
+    def test_that_are_misspelled_name_the_one_that_was_meant(self):
+        meant = {"max_eror": "max_error", "maximum_error": "max_error", "maxError": "max_error", "target_face": "target_triangles",
                  "number_of_threads": "threads", "tolerancs": "tolerances", "reduction": "target_reduction"}
         for word, name in meant.items():
             with self.assertRaisesRegex(TypeError, f"no option '{word}' here .did you mean '{name}'"):

@@ -122,10 +122,10 @@ def main():
     if options.wheels is None:
         options.wheels = folder / "wheels"
         build_wheels(options.pythons, options.wheels)
-    places = list(itertools.product(options.pythons, options.vtk))
+    environments = list(itertools.product(options.pythons, options.vtk))
     with concurrent.futures.ThreadPoolExecutor(2) as pool:  # one downloads while the other computes
-        found = list(pool.map(lambda at: field(*at, options, folder / f"environment-{places.index(at)}"), places))
-    fields = {at: text for at, (text, _) in zip(places, found)}
+        found = list(pool.map(lambda at: field(*at, options, folder / f"environment-{environments.index(at)}"), environments))
+    fields = {at: text for at, (text, _) in zip(environments, found)}
     rows = [[version_of(python), *(fields[python, vtk] for vtk in options.vtk)] for python in options.pythons]
     for row in (["Python", *(f"VTK {vtk}" for vtk in options.vtk)], ["---"] * (len(options.vtk) + 1), *rows):
         print(f"| {' | '.join(row)} |")

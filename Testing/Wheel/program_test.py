@@ -51,10 +51,10 @@ class Program(unittest.TestCase):
                 out, _ = self.run_program(self.folder / "bone.stl", small, "--max-error", "0.2", "--report", report,
                                           without=without)
                 told = json.loads(report.read_text())
-                self.assertIn(f"{len(TRIANGLES)} -> {told['output.faces']} triangles", out)
+                self.assertIn(f"{len(TRIANGLES)} -> {told['output']['triangles']} triangles", out)
                 points, triangles = files._read_stl(small)
-                self.assertEqual(len(triangles), told["output.faces"])
-                certificate = certify((POINTS, TRIANGLES), (points, triangles), borders=False)
+                self.assertEqual(len(triangles), told["output"]["triangles"])
+                certificate = certify((POINTS, TRIANGLES), (points, triangles), boundaries=False)
                 self.assertLess(certificate.upper, 0.2 + 1e-5)  # single precision in the file
                 self.assertLess(len(triangles), len(TRIANGLES) / 3)
 
@@ -79,7 +79,7 @@ class Program(unittest.TestCase):
         self.assertEqual(bone.read_bytes(), before)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["bone.stl"])
 
-    def test_files_that_are_none_are_refused(self):
+    def test_files_that_are_none_are_rejected(self):
         (self.folder / "cut.stl").write_bytes((self.folder / "bone.stl").read_bytes()[:1000])
         for without in self.engines():
             for name in ("cut.stl", "absent.stl"):
@@ -107,12 +107,12 @@ class Program(unittest.TestCase):
 
     @unittest.skipUnless(REAL_HAS("vtkmodules"), "no VTK here")
     def test_arrays_come_along_where_vtk_reads_and_writes(self):
-        self.run_program(self.folder / "bone.stl", self.folder / "small.vtp", "--target-faces", "800", "--maps")
+        self.run_program(self.folder / "bone.stl", self.folder / "small.vtp", "--target-triangles", "800", "--maps")
         surface = files.read_vtk(self.folder / "small.vtp")
         self.assertEqual(surface.GetNumberOfPolys(), 800)
         for name in ("Distance", "InputPointCount", "OriginalPointIds"):
             self.assertIsNotNone(surface.GetPointData().GetArray(name), name)
-        self.assertIsNotNone(surface.GetFieldData().GetAbstractArray("bonedecimate.version"))
+        self.assertIsNotNone(surface.GetFieldData().GetAbstractArray("BoneDecimateReport"))
 
     @unittest.skipUnless(REAL_HAS("vtkmodules"), "no VTK here")
     def test_coordinates_in_double_precision_are_read_as_they_are(self):
@@ -128,7 +128,7 @@ class Program(unittest.TestCase):
                         + "endloop\nendfacet\n" for corners in TRIANGLES)
         for name, data in (
             ("plain.obj", "".join("v " + vertex for vertex in vertices) + faces),
-            ("seam.obj", "vt 0 0\n" + "".join("v " + vertex for vertex in vertices) + "".join(
+            ("texture.obj", "vt 0 0\n" + "".join("v " + vertex for vertex in vertices) + "".join(
                 "f %d/1 %d/1 %d/1\n" % tuple(corners + 1) for corners in TRIANGLES)),
             ("text.ply", "ply\nformat ascii 1.0\n" + header + "".join(vertices)
              + "".join("3 %d %d %d\n" % tuple(corners) for corners in TRIANGLES)),

@@ -32,7 +32,7 @@ def bone(resolution=80):
 
 class Accessor(unittest.TestCase):
     def test_levels_are_those_of_one_run(self):
-        levels = bone().bone.levels(target_faces=400)
+        levels = bone().bone.levels(target_triangles=400)
         self.assertEqual(levels.at(triangles=400).n_cells, 400)
         finer = levels.at(error=float(levels.marks[0, 1]))
         self.assertEqual(finer.n_cells, int(levels.marks[0, 0]))
@@ -42,7 +42,7 @@ class Accessor(unittest.TestCase):
         program = """
 import sys, pyvista
 assert not any(name.startswith("bonedecimate") for name in sys.modules)
-print(pyvista.Sphere().bone.decimate(target_faces=200).n_cells)
+print(pyvista.Sphere().bone.decimate(target_triangles=200).n_cells)
 """
         done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
         self.assertEqual(done.stdout, "200\n")
@@ -97,7 +97,7 @@ print(pyvista.Sphere().bone.decimate(target_faces=200).n_cells)
         for reference in (mesh, (points, triangles)):
             again = first.bone.decimate(max_error=0.3, reference=reference)
             self.assertLessEqual(again.bone.report["proof.upper"], 0.3)
-            self.assertEqual(again.bone.report["reference.faces"], mesh.n_cells)
+            self.assertEqual(again.bone.report["reference.triangles"], mesh.n_cells)
             numbers = bonedecimate.decimate(first.points, first.regular_faces, max_error=0.3, reference=reference)
             np.testing.assert_array_equal(again.points, numbers.points)
         mesh["Tolerance"] = tolerances
@@ -120,7 +120,7 @@ print(pyvista.Sphere().bone.decimate(target_faces=200).n_cells)
             mesh.bone.decimate(measure_input_distances=True)
 
     def test_levels_open_again_and_go_onto_another_bone(self):
-        levels = bone(40).bone.levels(target_faces=400)
+        levels = bone(40).bone.levels(target_triangles=400)
         again = bone(40).bone.open_levels(levels.log)
         np.testing.assert_array_equal(again.at(triangles=800).points, levels.at(triangles=800).points)
         other = bone(40)
@@ -150,14 +150,14 @@ print(pyvista.Sphere().bone.decimate(target_faces=200).n_cells)
         self.assertNotIn("SignedDistance", mesh.point_data)
         upper = measured.field_data["bonedecimate.certificate.upper"][0]
         self.assertLessEqual(np.abs(measured["SignedDistance"]).max(), upper)
-        self.assertEqual(mesh.bone.certify(small, tolerance=0.2).verdict, "proved")
+        self.assertEqual(mesh.bone.certify(small, tolerance=0.2).status, "proved")
 
     def test_plots_the_error(self):
         mesh = bone()
         picture = mesh.bone.plot_error(mesh.bone.decimate(max_error=0.5), screenshot=True, return_img=True)
         self.assertGreater(np.asarray(picture).std(), 10)
 
-    def test_draws_a_bar_when_asked(self):
+    def test_draws_a_bar_on_request(self):
         said = io.StringIO()
         with redirect_stderr(said):
             bone().bone.decimate(progress_bar=True)

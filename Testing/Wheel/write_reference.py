@@ -8,7 +8,7 @@
 import json
 import sys
 
-from vtkbonedecimate import vtkBoneDecimate
+from bonedecimate import vtkBoneDecimate
 from vtkmodules.vtkCommonCore import vtkVersion
 
 import specimens
@@ -23,12 +23,12 @@ def constants():
 
 def main(path):
     filters = {name: getattr(vtkBoneDecimate(), "Get" + name) for name in PROPERTIES if hasattr(vtkBoneDecimate, "Get" + name)}
-    answer = {"vtk": vtkVersion.GetVTKVersion(), "constants": constants(),
+    record = {"vtk": vtkVersion.GetVTKVersion(), "constants": constants(),
               "members": sorted(name for name in vars(vtkBoneDecimate) if not name.startswith("_")),
               "defaults": {name: get() for name, get in filters.items()},
               "runs": {name: specimens.run(vtkBoneDecimate, *case) for name, case in specimens.cases().items()}}
     with open(path, "w", encoding="utf-8") as file:
-        json.dump(answer, file, indent=1)
+        json.dump(record, file, indent=1)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Wheel_Arrays_h
 #define BoneDecimate_Wheel_Arrays_h
 
-#include "ReportTable.h"
+#include "Report/ReportTable.h"
 #include "Surface.h"
 
 #include <nanobind/nanobind.h>

@@ -3,8 +3,9 @@
 #include "Arrays.h"
 #include "Bindings.h"
 #include "Certificate/Certificate.h"
-#include "CertificateTable.h"
 #include "Listener.h"
+#include "Report/CertificateTable.h"
+#include "Report/ReportJson.h"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
@@ -15,17 +16,19 @@ namespace
 {
 nb::dict ToDict(Certificate&& certificate)
 {
-  nb::dict answer;
-  answer["entries"] = ToList(CertificateEntries(certificate));
-  answer["status"] = certificate.Status;
-  answer["problem"] = StatusSentence(certificate.Status);
+  nb::dict fields;
+  const std::vector<ReportEntry> entries = CertificateEntries(certificate);
+  fields["entries"] = ToList(entries);
+  fields["json"] = ReportJson(entries);
+  fields["status"] = certificate.Status;
+  fields["problem"] = StatusSentence(certificate.Status);
   SignedDistances& reference = certificate.ReferenceToResult.Points;
   SignedDistances& result = certificate.ResultToReference.Points;
-  answer["reference_distance"] = ToArray(std::move(reference.Distance));
-  answer["reference_side"] = ToArray(std::move(reference.Side));
-  answer["result_distance"] = ToArray(std::move(result.Distance));
-  answer["result_side"] = ToArray(std::move(result.Side));
-  return answer;
+  fields["reference_distance"] = ToArray(std::move(reference.Distance));
+  fields["reference_side"] = ToArray(std::move(reference.Side));
+  fields["result_distance"] = ToArray(std::move(result.Distance));
+  fields["result_side"] = ToArray(std::move(result.Side));
+  return fields;
 }
 
 nb::dict Run(const PointsIn& referencePoints, const TrianglesIn& referenceTriangles,
@@ -61,7 +64,7 @@ void BindCertify(nb::module_& module)
       nb::arg("tolerances"))
     .def_rw("tight_bounds", &CertificateOptions::TightBounds)
     .def_rw("relative_gap", &CertificateOptions::RelativeGap)
-    .def_rw("with_borders", &CertificateOptions::WithBorders)
+    .def_rw("with_boundaries", &CertificateOptions::WithBoundaries)
     .def_rw("with_means", &CertificateOptions::WithMeans)
     .def_rw("mean_precision", &CertificateOptions::MeanPrecision)
     .def_rw("with_point_distances", &CertificateOptions::WithPointDistances)

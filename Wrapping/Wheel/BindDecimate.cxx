@@ -5,8 +5,10 @@
 #include "Arrays.h"
 #include "Bindings.h"
 #include "Listener.h"
-#include "ReportCells.h"
-#include "ReportTable.h"
+#include "Report/ReportCells.h"
+#include "Report/ReportFigures.h"
+#include "Report/ReportJson.h"
+#include "Report/ReportTable.h"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
@@ -17,7 +19,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of each triangle a place in the list of names.
+/// For each triangle the index of its label in the list of names.
 using NamedLabels = std::pair<CellsIn, std::vector<std::string>>;
 
 std::optional<Labels> ToLabels(const std::optional<NamedLabels>& from)
@@ -28,19 +30,22 @@ std::optional<Labels> ToLabels(const std::optional<NamedLabels>& from)
   }
   Labels labels;
   labels.Names = from->second;
-  const CellsIn& places = from->first;
-  labels.OfTriangle.assign(places.data(), places.data() + places.shape(0));
+  const CellsIn& indices = from->first;
+  labels.OfTriangle.assign(indices.data(), indices.data() + indices.shape(0));
   return labels;
 }
 
-void AddReport(const Report& report, nb::dict& answer)
+void AddReport(const Report& report, nb::dict& fields)
 {
-  answer["entries"] = ToList(ReportEntries(report));
-  answer["status"] = report.Status;
-  answer["stop"] = report.Stop;
-  answer["problem"] = InputMessage(report);
-  answer["warnings"] = InputWarnings(report);
-  answer["contradiction"] = ProofMessage(report);
+  const std::vector<ReportEntry> entries = ReportEntries(report);
+  fields["entries"] = ToList(entries);
+  fields["json"] = ReportJson(entries);
+  fields["status"] = report.Status;
+  fields["stop"] = report.Stop;
+  fields["problem"] = InputMessage(report);
+  fields["warnings"] = InputWarnings(report);
+  fields["contradiction"] = ProofMessage(report);
+  fields["rejected_edits"] = RejectedEdits(report);
 }
 
 nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options& options,
@@ -53,13 +58,13 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
   const Surface surface = ToSurface(points, triangles);
   const Surface first = reference ? ToSurface(reference->first, reference->second) : Surface();
   const std::optional<std::vector<double>> numbers = ToNumbers(tolerances);
-  Companions companions = { single, origins };
-  companions.Tolerances = numbers ? &*numbers : nullptr;
-  companions.Reference = reference ? &first : nullptr;
-  companions.Labels = named ? &*named : nullptr;
-  Result result = Listener(std::move(progress))
-                    .Hear([&](const Monitor& monitor)
-                      { return Decimate(surface, options, monitor, companions); });
+  RunInputs inputs = { single, origins };
+  inputs.Tolerances = numbers ? &*numbers : nullptr;
+  inputs.Reference = reference ? &first : nullptr;
+  inputs.Labels = named ? &*named : nullptr;
+  Result result =
+    Listener(std::move(progress))
+      .Hear([&](const Monitor& monitor) { return Decimate(surface, options, monitor, inputs); });
   if (cells)
   {
     NameCells([&](std::size_t triangle) { return cells->data()[triangle]; }, result.Report);
@@ -71,23 +76,23 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
 //------------------------------------------------------------------------------
 nb::dict ToDict(Result&& result)
 {
-  nb::dict answer;
-  AddReport(result.Report, answer);
-  answer["points"] = ToRows<double>(std::move(result.Surface.Points));
-  answer["triangles"] = ToRows<Index>(std::move(result.Surface.Triangles));
-  answer["distance"] = ToArray(std::move(result.Distance));
-  answer["running_error"] = ToArray(std::move(result.RunningError));
-  answer["point_count"] = ToArray(std::move(result.PointCount));
-  answer["input_distance"] = ToArray(std::move(result.InputDistance));
-  answer["error_bound"] = ToArray(std::move(result.ErrorBound));
-  answer["input_error_bound"] = ToArray(std::move(result.InputErrorBound));
+  nb::dict fields;
+  AddReport(result.Report, fields);
+  fields["points"] = ToRows<double>(std::move(result.Surface.Points));
+  fields["triangles"] = ToRows<Index>(std::move(result.Surface.Triangles));
+  fields["distance"] = ToArray(std::move(result.Distance));
+  fields["running_error"] = ToArray(std::move(result.RunningError));
+  fields["point_count"] = ToArray(std::move(result.PointCount));
+  fields["input_distance"] = ToArray(std::move(result.InputDistance));
+  fields["error_bound"] = ToArray(std::move(result.ErrorBound));
+  fields["input_error_bound"] = ToArray(std::move(result.InputErrorBound));
   SurfaceOrigins& origins = result.Origins;
-  answer["nearest_triangle"] = ToArray(std::move(origins.NearestTriangle));
-  answer["barycentric"] = ToRows<double>(std::move(origins.Barycentric));
-  answer["nearest_point"] = ToArray(std::move(origins.NearestPoint));
-  answer["triangle_at_centroid"] = ToArray(std::move(origins.TriangleAtCentroid));
-  answer["output_point"] = ToArray(std::move(origins.OutputPoint));
-  return answer;
+  fields["nearest_triangle"] = ToArray(std::move(origins.NearestTriangle));
+  fields["barycentric"] = ToRows<double>(std::move(origins.Barycentric));
+  fields["nearest_point"] = ToArray(std::move(origins.NearestPoint));
+  fields["triangle_at_centroid"] = ToArray(std::move(origins.TriangleAtCentroid));
+  fields["output_point"] = ToArray(std::move(origins.OutputPoint));
+  return fields;
 }
 
 //------------------------------------------------------------------------------

@@ -20,7 +20,7 @@ nb::tuple ToTuple(Level&& level)
     ToRows<Index>(std::move(level.Surface.Triangles)));
 }
 
-/// Nothing was recorded of an input that was refused.
+/// Nothing is recorded for an input that is rejected.
 const Levels& Opened(const Levels& levels)
 {
   if (!levels.IsOpen())

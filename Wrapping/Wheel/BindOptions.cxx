@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arrays.h"
 #include "Bindings.h"
-#include "NumberRange.h"
-#include "OptionTable.h"
-#include "ReportTable.h"
+#include "Options/NumberRange.h"
+#include "Options/OptionTable.h"
+#include "Report/ReportFigures.h"
+#include "Report/ReportJson.h"
+#include "Report/ReportTable.h"
 
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/variant.h>
@@ -80,12 +82,13 @@ const char* KindWord(const OptionInfo& info)
 
 void BindEnums(nb::module_& module)
 {
-  nb::enum_<Mode>(module, "Mode", "How the result is found.")
-    .value("Thesis", Mode::Thesis)
-    .value("Fast", Mode::Fast)
-    .value("Balanced", Mode::Balanced)
-    .value("Accurate", Mode::Accurate);
-  nb::enum_<ErrorPreset>(module, "ErrorPreset", "A largest error as a share of the scan's voxels.")
+  nb::enum_<Mode> modes(module, "Mode", "How the result is found.");
+  for (const ModeInfo& mode : ModeTable())
+  {
+    modes.value(mode.Name, mode.Mode);
+  }
+  nb::enum_<ErrorPreset>(
+    module, "ErrorPreset", "A largest error as a fraction of the scan's voxels.")
     .value("NoPreset", ErrorPreset::NoPreset)
     .value("QuarterVoxel", ErrorPreset::QuarterVoxel)
     .value("HalfVoxel", ErrorPreset::HalfVoxel)
@@ -168,7 +171,16 @@ void BindOptions(nb::module_& module)
       nb::arg("name"));
   module.def(
     "empty_report", [] { return ToList(ReportEntries(Report())); },
-    "The entries of a run that has not been.");
+    "The entries before the first run.");
+  module.def(
+    "empty_json", [] { return ReportJson(ReportEntries(Report())); },
+    "The report before the first run.");
+  module.def(
+    "key_figures", [] { return KeyFigures(); },
+    "Names of the entries that the field data has as arrays of their own.");
+  module.def(
+    "certificate_key_figures", [] { return CertificateKeyFigures(); },
+    "The same of a certificate.");
   module.def("stop_sentence", &StopReasonSentence, nb::arg("reason"));
   module.attr("__version__") = Version();
 }

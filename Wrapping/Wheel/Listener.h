@@ -39,12 +39,12 @@ public:
       const nanobind::gil_scoped_release release;
       return run(Monitor([this](double fraction) { return this->GoesOn(fraction); }));
     };
-    auto answer = unlocked();
+    auto result = unlocked();
     if (this->Raised)
     {
       std::rethrow_exception(this->Raised);
     }
-    return answer;
+    return result;
   }
 
 private:

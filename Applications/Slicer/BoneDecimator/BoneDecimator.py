@@ -1,11 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The panel. What it does stands in BoneDecimatorLib, which needs no window."""
+"""The panel. BoneDecimatorLib has its logic, which needs no window."""
+
+import json
 
 import ctk
 import qt
 import slicer
-from BoneDecimatorLib.engines import Cancelled, DecimationError, NoEngine
+from BoneDecimatorLib.engines import Canceled, DecimationError, NoEngine
 from BoneDecimatorLib.logic import BoneDecimatorLogic, Request, presets, report
 from slicer.ScriptedLoadableModule import ScriptedLoadableModule, ScriptedLoadableModuleTest, ScriptedLoadableModuleWidget
 
@@ -50,7 +52,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         box.setMRMLScene(slicer.mrmlScene)
         return box
 
-    def _millimetres(self, value, largest):
+    def _millimeters(self, value, largest):
         box = ctk.ctkDoubleSpinBox()
         box.minimum, box.maximum, box.decimals, box.singleStep, box.suffix = 0.0, largest, 3, 0.05, " mm"
         box.value = value
@@ -76,7 +78,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
 
     def _addGoal(self):
         form = self._section("How small")
-        self.tolerance = self._millimetres(0.2, 100.0)
+        self.tolerance = self._millimeters(0.2, 100.0)
         self.tolerance.toolTip = "No point of either surface is farther from the other: proved. 0: no limit."
         self.volume = self._nodes(["vtkMRMLScalarVolumeNode"])
         buttons = qt.QHBoxLayout()
@@ -108,7 +110,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self.brush = self._nodes(["vtkMRMLMarkupsFiducialNode", "vtkMRMLMarkupsROINode"], may_be_new=True)
         self.paint = qt.QLineEdit()
         self.paint.placeholderText = "or a painted point array (Dynamic Modeler, Select by points)"
-        self.radius, self.feather = self._millimetres(10.0, 1000.0), self._millimetres(2.0, 100.0)
+        self.radius, self.feather = self._millimeters(10.0, 1000.0), self._millimeters(2.0, 100.0)
         for label, widget in (("Simplify", self.where), ("Points or region of interest", self.brush),
                               ("Point array", self.paint), ("Radius of a point", self.radius), ("Feather", self.feather)):
             form.addRow(label, widget)
@@ -145,13 +147,13 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
     def _try(self, action):
         try:
             action()
-        except Cancelled:
-            self.text.text = "Cancelled; nothing has changed."
+        except Canceled:
+            self.text.text = "Canceled; nothing has changed."
         except DecimationError as problem:
             self._offerWheel(problem)
 
     def _offerWheel(self, problem):
-        """The wheel comes from a file that the user has: there is none on a public index."""
+        """Installs the wheel from a file of the user: no public index has it."""
         if not isinstance(problem, NoEngine):
             slicer.util.errorDisplay(str(problem))
         elif slicer.util.confirmOkCancelDisplay(f"{problem}\n\nChoose the wheel now?"):
@@ -206,15 +208,15 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         if self.levels is None:
             with slicer.util.WaitCursor():
                 self.levels = self.logic.record_levels(source, segment=self.segment.currentSegmentID() or None)
-        self.logic.show_level(self.levels, int(percent / 100.0 * self.levels.result.report["input.faces"]), target)
+        self.logic.show_level(self.levels, int(percent / 100.0 * self.levels.result.report["input.triangles"]), target)
         self.text.text = f"{target.GetPolyData().GetNumberOfPolys():,} triangles"
 
     def _onReport(self):
         node = self.target.currentNode()
-        path = qt.QFileDialog.getSaveFileName(None, "Save report", "report.txt", "Text (*.txt)") if node else ""
+        path = qt.QFileDialog.getSaveFileName(None, "Save report", "report.json", "JSON (*.json)") if node else ""
         if path:
             with open(path, "w", encoding="utf-8") as file:
-                file.writelines(f"{name} = {value}\n" for name, value in report(node.GetPolyData()).items())
+                file.write(json.dumps(report(node.GetPolyData()), indent=2) + "\n")
 
 
 class BoneDecimatorTest(ScriptedLoadableModuleTest):

@@ -42,8 +42,8 @@ CertificateStatus Check(
   return goodMap && goodTolerance ? CertificateStatus::Good : CertificateStatus::BadTolerance;
 }
 
-/// mm, at each point; infinite where nothing limits. Empty without a map.
-std::vector<double> Limits(const CertificateOptions& options)
+/// mm, at each point; infinite where there is no limit. Empty without a map.
+std::vector<double> ErrorLimits(const CertificateOptions& options)
 {
   std::vector<double> limits = options.ToleranceMap;
   const double most = options.Tolerance.value_or(Infinity);
@@ -54,7 +54,7 @@ std::vector<double> Limits(const CertificateOptions& options)
   return limits;
 }
 
-/// mm, of those that are finite.
+/// mm, the largest finite limit.
 double Largest(const std::vector<double>& limits)
 {
   double largest = 0.0;
@@ -65,13 +65,13 @@ double Largest(const std::vector<double>& limits)
   return largest;
 }
 
-CertificateVerdict Worse(CertificateVerdict a, CertificateVerdict b)
+ProofStatus Worse(ProofStatus a, ProofStatus b)
 {
-  const bool isViolated = a == CertificateVerdict::Violated || b == CertificateVerdict::Violated;
-  return isViolated ? CertificateVerdict::Violated : std::max(a, b);
+  const bool isViolated = a == ProofStatus::Violated || b == ProofStatus::Violated;
+  return isViolated ? ProofStatus::Violated : std::max(a, b);
 }
 
-/// The certificates of surfaces and of borders, one after the other.
+/// Certifies the surfaces, then their boundaries.
 class Certifier
 {
 public:
@@ -80,81 +80,81 @@ public:
     : Reference(reference)
     , Result(result)
     , Options(options)
-    , Limit(Limits(options))
+    , Limit(ErrorLimits(options))
     , Progress(monitor)
   {
   }
 
   Certificate Run()
   {
-    this->Answer.Status = Check(this->Reference, this->Result, this->Options);
-    if (this->Answer.Status != CertificateStatus::Good)
+    this->Found.Status = Check(this->Reference, this->Result, this->Options);
+    if (this->Found.Status != CertificateStatus::Good)
     {
-      return this->Answer;
+      return this->Found;
     }
     const Frame frame = FindFrame(this->Reference, this->Result);
-    this->Answer.Slack = Slack(
+    this->Found.Slack = Slack(
       std::max({ frame.Extent, this->Options.Tolerance.value_or(0.0), Largest(this->Limit) }));
     if (this->Options.WithSurfaces)
     {
       this->CertifySurfaces(frame);
     }
-    if (this->Options.WithBorders && this->Progress.GoesOn())
+    if (this->Options.WithBoundaries && this->Progress.GoesOn())
     {
-      this->CertifyBorders(frame);
+      this->CertifyBoundaries(frame);
     }
     this->Progress.Finish();
     if (!this->Progress.GoesOn())
     {
-      this->Answer = Certificate();
-      this->Answer.Status = CertificateStatus::Aborted;
+      this->Found = Certificate();
+      this->Found.Status = CertificateStatus::Aborted;
     }
-    return this->Answer;
+    return this->Found;
   }
 
 private:
-  PairTask Task(bool ofSurfaces) const { return { this->Options, this->Answer.Slack, ofSurfaces }; }
+  PairTask Task(bool ofSurfaces) const { return { this->Options, this->Found.Slack, ofSurfaces }; }
 
   void CertifySurfaces(const Frame& frame)
   {
-    const double share = this->Options.WithBorders ? 0.9 : 1.0;
+    const double weight = this->Options.WithBoundaries ? 0.9 : 1.0;
     const PairCertificate pair = CertifyPair(WholeSurface(this->Reference, frame),
-      WholeSurface(this->Result, frame), this->Limit, this->Task(true), this->Progress, share);
-    this->Answer.ReferenceToResult = pair.ReferenceToResult;
-    this->Answer.ResultToReference = pair.ResultToReference;
-    this->Restore(frame, this->Answer.ReferenceToResult, this->Answer.ResultToReference);
-    this->Answer.Verdict = Worse(pair.ReferenceToResult.Verdict, pair.ResultToReference.Verdict);
+      WholeSurface(this->Result, frame), this->Limit, this->Task(true), this->Progress, weight);
+    this->Found.ReferenceToResult = pair.ReferenceToResult;
+    this->Found.ResultToReference = pair.ResultToReference;
+    this->Restore(frame, this->Found.ReferenceToResult, this->Found.ResultToReference);
+    this->Found.Proof = Worse(pair.ReferenceToResult.Proof, pair.ResultToReference.Proof);
   }
 
-  void CertifyBorders(const Frame& frame)
+  void CertifyBoundaries(const Frame& frame)
   {
-    const BorderSet reference = FindBorderSet(this->Reference, frame, this->Limit);
-    const BorderSet result = FindBorderSet(this->Result, frame, {});
+    const BoundarySet reference = FindBoundarySet(this->Reference, frame, this->Limit);
+    const BoundarySet result = FindBoundarySet(this->Result, frame, {});
     const bool ofReference = reference.Segments.Size() > 0;
     const bool ofResult = result.Segments.Size() > 0;
-    this->Answer.Borders = ofReference
-      ? (ofResult ? BorderPresence::Both : BorderPresence::ReferenceOnly)
-      : (ofResult ? BorderPresence::ResultOnly : BorderPresence::Neither);
+    this->Found.Boundaries = ofReference
+      ? (ofResult ? BoundaryPresence::Both : BoundaryPresence::ReferenceOnly)
+      : (ofResult ? BoundaryPresence::ResultOnly : BoundaryPresence::Neither);
     const PairCertificate pair = ofReference && ofResult
       ? CertifyPair(reference.Segments, result.Segments, reference.Limit, this->Task(false),
           this->Progress, this->Options.WithSurfaces ? 0.1 : 1.0)
       : WithoutPartner(reference, result, this->Task(false));
-    this->Answer.BorderOfReferenceToResult = pair.ReferenceToResult;
-    this->Answer.BorderOfResultToReference = pair.ResultToReference;
+    this->Found.BoundaryOfReferenceToResult = pair.ReferenceToResult;
+    this->Found.BoundaryOfResultToReference = pair.ResultToReference;
     this->Restore(
-      frame, this->Answer.BorderOfReferenceToResult, this->Answer.BorderOfResultToReference);
-    this->Answer.Verdict = Worse(
-      this->Answer.Verdict, Worse(pair.ReferenceToResult.Verdict, pair.ResultToReference.Verdict));
+      frame, this->Found.BoundaryOfReferenceToResult, this->Found.BoundaryOfResultToReference);
+    this->Found.Proof =
+      Worse(this->Found.Proof, Worse(pair.ReferenceToResult.Proof, pair.ResultToReference.Proof));
   }
 
-  /// Back from the local frame.
+  /// Converts positions from the local frame to input coordinates.
   void Restore(const Frame& frame, DirectedCertificate& a, DirectedCertificate& b) const
   {
     for (DistanceBounds* bounds : { &a.Distance, &a.Excess, &b.Distance, &b.Excess })
     {
       if (bounds->Triangle != None)
       {
-        bounds->Place += frame.Origin;
+        bounds->Position += frame.Origin;
       }
     }
   }
@@ -164,7 +164,7 @@ private:
   const CertificateOptions& Options;
   const std::vector<double> Limit; // mm, at each point of the reference; empty without a map
   Stages Progress;
-  Certificate Answer;
+  Certificate Found;
 };
 }
 }
@@ -183,23 +183,33 @@ Certificate Certify(const Surface& reference, const Surface& result,
   const CertificateOptions& options, const Monitor& monitor)
 {
   const auto start = std::chrono::steady_clock::now();
-  Certificate answer = certificate::Certifier(reference, result, options, monitor).Run();
-  answer.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return answer;
+  Certificate found = certificate::Certifier(reference, result, options, monitor).Run();
+  found.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return found;
 }
 
-const char* VerdictWord(CertificateVerdict verdict)
+const char* ProofStatusWord(ProofStatus status)
 {
-  static const char* const words[] = { "not_asked", "proved", "violated", "undecided" };
-  return words[static_cast<int>(verdict)];
+  switch (status)
+  {
+    case ProofStatus::NotRequested:
+      return "not_requested";
+    case ProofStatus::Proved:
+      return "proved";
+    case ProofStatus::Violated:
+      return "violated";
+    case ProofStatus::Undecided:
+      break;
+  }
+  return "undecided";
 }
 
 const char* StatusSentence(CertificateStatus status)
 {
   static const char* const sentences[] = { "", "the reference has no triangles",
     "the result has no triangles",
-    "the reference has a triangle with a point that is not there, not finite or beyond 1e30 mm",
-    "the result has a triangle with a point that is not there, not finite or beyond 1e30 mm",
+    "the reference has a triangle with a point that is missing, not finite or beyond 1e30 mm",
+    "the result has a triangle with a point that is missing, not finite or beyond 1e30 mm",
     "a tolerance is infinite or negative, or a map has not one for each point of the reference",
     "aborted" };
   return sentences[static_cast<int>(status)];

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Certificate.h
- * @brief How far two surfaces are from each other, proved: bounds of the two-sided Hausdorff distance, of the
- *        distance of their borders, and of both against a tolerance. Reads two surfaces and nothing else.
+ * @brief Proved bounds of the two-sided Hausdorff distance of two surfaces and of their boundaries, compared with a
+ *        tolerance. Reads two surfaces and nothing else.
  *
  *     reference, result    exact local frame, nothing merged, nothing dropped
- *     borders              edges of one triangle, where points of equal coordinates are one point
- *     both directions of surface and border:  Search.h
+ *     boundaries           edges of one triangle, after points of equal coordinates are merged
+ *     bounds               of both directions, for surfaces and boundaries: Search.h
  *
- * Every bound is widened by what rounding can do to it (Foot.h): they hold for the surfaces as they are stored.
- * Documentation/certificate.md has the proof step by step.
+ * Every bound is widened by its largest rounding error (Foot.h), so it holds for the surfaces as they are stored.
+ * Documentation/certificate.md gives the proof step by step.
  */
 #ifndef BoneDecimate_Core_Certificate_Certificate_h
 #define BoneDecimate_Core_Certificate_Certificate_h
@@ -31,18 +31,18 @@ enum class CertificateStatus : int
   Good = 0,
   EmptyReference, ///< No triangle.
   EmptyResult,
-  BadReference, ///< A triangle names a point that is not there, or one that is not finite or beyond 1e30 mm.
+  BadReference, ///< A triangle has a point index out of range, or a point that is not finite or beyond 1e30 mm.
   BadResult,
-  BadTolerance, ///< A map that has not one entry for each point of the reference, or an infinite or negative tolerance.
-  Aborted       ///< The monitor asked for it.
+  BadTolerance, ///< The map does not have one entry for each point of the reference, or a tolerance is infinite or negative.
+  Aborted       ///< By the monitor.
 };
 
-enum class CertificateVerdict : int
+enum class ProofStatus : int
 {
-  NotAsked = 0, ///< No tolerance was given.
-  Proved,       ///< No point is farther than its tolerance allows.
-  Violated,     ///< The place of the maximum is farther.
-  Undecided     ///< Neither, within the work allowed or the limits of rounding.
+  NotRequested = 0, ///< There is no tolerance.
+  Proved,           ///< The distance of every point is within its tolerance.
+  Violated,         ///< The distance of at least one point exceeds its tolerance.
+  Undecided         ///< Neither was shown within MostCuts or the limits of rounding.
 };
 
 /// The largest distance from one set to another, mm, or the largest excess of distance over tolerance.
@@ -50,14 +50,15 @@ struct DistanceBounds
 {
   double Lower = -std::numeric_limits<double>::infinity();
   double Upper = std::numeric_limits<double>::infinity();
-  Vector3 Place = Vector3::Zero(); ///< mm, where the distance is at least Lower
+  Vector3 Position = Vector3::Zero(); ///< mm, a point at which the distance is at least Lower
   Index Triangle =
-    None; ///< on which the place is; None: the set is empty, or nothing in it is limited
-  Index NearestTriangle = None; ///< of the other surface
-  std::int64_t Cuts = 0;        ///< how often a piece was cut
+    None; ///< that contains Position; None: the set is empty, or no point of it has a limit
+  Index NearestTriangle = None; ///< of the other surface, nearest to Position
+  std::int64_t Cuts = 0;        ///< number of cuts of pieces
 };
 
-/// Of the distance over the area of one surface, mm. Errors are two standard errors; see MeanDistance.h.
+/// Mean and root mean square of the distance over the area of one surface, mm. Errors are two standard errors; see
+/// MeanDistance.h.
 struct MeanDistance
 {
   double Mean = 0.0;
@@ -68,92 +69,93 @@ struct MeanDistance
   std::int64_t Samples = 0;
 };
 
-/// The distance of each point of one surface to the other, and on which side it is; see SideFinder.h.
+/// The distance of each point of one surface to the other, and the side of the other surface on which it lies; see SideFinder.h.
 struct SignedDistances
 {
   std::vector<double> Distance;  ///< mm; not a number for points beyond 1e30 mm or not finite
-  std::vector<signed char> Side; ///< 1: outside; -1: inside; 0: on it, or not to be told
+  std::vector<signed char> Side; ///< 1: outside; -1: inside; 0: on the surface, or unknown
 };
 
 /// The bounds of one direction.
 struct DirectedCertificate
 {
   DistanceBounds Distance;
-  MeanDistance Mean;      ///< only if asked for, and not of borders
-  SignedDistances Points; ///< only if asked for, and not of borders
-  /// mm, for each triangle no less than the distance of any of its points; only if asked for, and not of borders.
+  MeanDistance Mean;      ///< with WithMeans, and only of surfaces
+  SignedDistances Points; ///< with WithPointDistances, and only of surfaces
+  /// mm, for each triangle an upper bound of the distance of its points; with a triangle gap, and only of surfaces.
   std::vector<double> TriangleUpper;
-  DistanceBounds Excess; ///< over the tolerance map; only with one
-  CertificateVerdict Verdict = CertificateVerdict::NotAsked;
+  DistanceBounds Excess; ///< of the distance over the tolerance map, if there is one
+  ProofStatus Proof = ProofStatus::NotRequested;
 };
 
-enum class BorderPresence : int
+enum class BoundaryPresence : int
 {
-  Neither = 0,   ///< Both are closed: nothing is measured, any tolerance is kept.
-  ReferenceOnly, ///< Infinitely far: any tolerance is violated.
+  Neither = 0,   ///< Both surfaces are closed: nothing is measured and any tolerance is met.
+  ReferenceOnly, ///< The distance is infinite: any tolerance is violated.
   ResultOnly,
   Both
 };
 
 struct CertificateOptions
 {
-  /// mm; not negative. Of every point, in both directions.
+  /// mm; not negative. Holds for every point, in both directions.
   std::optional<double> Tolerance;
   /**
-   * mm, at each point of the reference, linear on its triangles; none if empty. Negative or not a number: no limit of its
-   * own but Tolerance, which caps the others, too. From the result to the reference, each triangle of the reference
-   * counts with the least tolerance of its corners, and each point of the result needs one triangle that explains
-   * it; a triangle without any limit explains all.
+   * mm, at each point of the reference, linear on its triangles; may be empty. Negative or NaN: no limit but Tolerance,
+   * which also caps all others. From the result to the reference, the tolerance of a reference triangle is the least of
+   * its corners, and each point of the result has to be within the tolerance of one triangle. A triangle without a limit
+   * accepts all points.
    */
   std::vector<double> ToleranceMap;
-  /// Refine up to the gap even where the tolerance is already proved. Without a tolerance that is always so.
+  /// Refine the bounds to the gap even where the tolerance is already proved. Without a tolerance they always are.
   bool TightBounds = true;
-  /// The bounds differ by at most this share of the upper one, by the least gap, or by a thousand-millionth of the largest
-  /// coordinate, unless MostCuts ends it before.
+  /// The bounds differ by at most this fraction of the upper one, by LeastGap, or by 1e-9 of the largest coordinate,
+  /// unless MostCuts ends the search first.
   double RelativeGap = 1e-6;
-  double LeastGap = 0.0; ///< mm; bounds that are nearer to each other are not sought.
-  /// How often pieces may be cut in each direction; 0: sixteen times for each triangle, and 2^26 times.
+  double LeastGap = 0.0; ///< mm; the search ends when the bounds are nearer to each other.
+  /// Largest number of cuts in each direction; 0: 2^26 and sixteen for each triangle.
   std::int64_t MostCuts = 0;
   bool WithSurfaces = true;
-  bool WithBorders = true;
-  bool WithMeans = false;      ///< Average and root mean square, too.
-  double MeanPrecision = 1e-3; ///< Share of them to which they are estimated, if 2^21 samples do.
-  bool WithPointDistances = false; ///< Distance and side of each point, too.
-  /// mm; above 0: an upper bound for each triangle, too, by at most so much above its largest distance, unless 4,096 cuts
-  /// of the triangle end it before.
+  bool WithBoundaries = true;
+  bool WithMeans = false;          ///< Also compute mean and root mean square.
+  double MeanPrecision = 1e-3;     ///< Relative; reached unless it takes more than 2^21 samples.
+  bool WithPointDistances = false; ///< Also compute distance and side of each point.
+  /// mm; above 0: also compute an upper bound for each triangle, which exceeds its largest distance by at most this gap
+  /// unless the search for the triangle ends after 4,096 cuts.
   double ReferenceTriangleGap = 0.0;
   double ResultTriangleGap = 0.0;
-  int NumberOfThreads = 0; ///< 0: one per processor; the answer is the same
+  int NumberOfThreads = 0; ///< 0: one per processor; the result does not depend on it
 };
 
 struct Certificate
 {
   CertificateStatus Status = CertificateStatus::Good;
-  CertificateVerdict Verdict = CertificateVerdict::NotAsked; ///< of all directions together
+  ProofStatus Proof = ProofStatus::NotRequested; ///< of all directions together
   DirectedCertificate ReferenceToResult;
   DirectedCertificate ResultToReference;
-  BorderPresence Borders = BorderPresence::Neither;
-  /// Curve to curve. All bounds are 0 without borders, and infinite if only one of the surfaces has some.
-  DirectedCertificate BorderOfReferenceToResult;
-  DirectedCertificate BorderOfResultToReference;
-  double Slack = 0.0; ///< mm, by which bounds are widened for rounding; inside of them
+  BoundaryPresence Boundaries = BoundaryPresence::Neither;
+  /// Curve to curve. All bounds are 0 if neither surface has boundaries, and infinite if only one has.
+  DirectedCertificate BoundaryOfReferenceToResult;
+  DirectedCertificate BoundaryOfResultToReference;
+  double Slack = 0.0; ///< mm, by which the bounds are widened for rounding; included in them
   double Seconds = 0.0;
 
-  double Lower() const; ///< mm, of the two-sided distance of the surfaces without their borders
+  double Lower()
+    const; ///< mm, of the two-sided distance of the surfaces; boundaries are not included
   double Upper() const;
 };
 
 /**
- * @param reference The first surface, which a tolerance map belongs to. Any triangles: without area, not manifold, with
- *        repeated points. Points that no triangle uses do not count.
+ * @param reference The surface to which a tolerance map belongs. Any triangles are allowed: without area, not manifold,
+ *        with repeated points. Points that no triangle uses are ignored.
  * @throws std::bad_alloc and nothing else.
  */
 Certificate Certify(const Surface& reference, const Surface& result,
   const CertificateOptions& options = {}, const Monitor& monitor = {});
 
 /// One word: "proved".
-const char* VerdictWord(CertificateVerdict verdict);
-/// What is wrong, for people; empty if nothing is.
+const char* ProofStatusWord(ProofStatus status);
+/// A sentence about the problem; empty if Good.
 const char* StatusSentence(CertificateStatus status);
 }
 

@@ -11,17 +11,17 @@ namespace bonedecimate::certificate
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-/// Of deep cuts every third halves the longest edge, so that pieces shrink wherever candidates lead.
+/// From this depth on, every third cut halves the longest edge, so that pieces shrink whatever the candidates are.
 constexpr int FirstHalving = 12;
-/// Of the longest edge, what a piece may be large after four cuts or so.
-constexpr double ShareAfterFewCuts = 0.15;
+/// Size of a piece after about four cuts, as a fraction of the longest edge.
+constexpr double LengthRatioAfterFewCuts = 0.15;
 constexpr int HalvingPeriod = 3;
-/// A vertex with a larger share of a corner is that corner.
+/// A vertex with a larger barycentric weight coincides with the corner.
 constexpr double MostWeight = 1.0 - 1e-6;
-/// A cut nearer to an end than this share of the edge makes slivers: the edge is halved instead.
+/// A cut nearer to an end than this fraction of the edge makes slivers: the edge is halved instead.
 constexpr double LeastFraction = 1.0 / 32.0;
 constexpr int MostSecants = 6;
-/// Candidates are equal if they differ by less than this share of what is left below the goal.
+/// Values of candidates are equal if they differ by less than this fraction of their distance to the closing bound.
 constexpr double EqualEnough = 0.05;
 
 }
@@ -51,7 +51,7 @@ CutChoice::Edge CutChoice::EdgeOf(const Piece& piece, int from)
   edge.From = from;
   edge.To = (from + 1) % piece.Count;
   edge.SquaredLength =
-    (piece.Corners[edge.To].Place - piece.Corners[edge.From].Place).squaredNorm();
+    (piece.Corners[edge.To].Position - piece.Corners[edge.From].Position).squaredNorm();
   return edge;
 }
 
@@ -68,7 +68,7 @@ CutChoice::Edge CutChoice::LongestEdge(const Piece& piece)
 }
 
 //------------------------------------------------------------------------------
-/// Whether a few cuts make pieces so small that it does not matter where they are cut.
+/// Whether a few cuts make the pieces so small that they are closed by their size, wherever they are cut.
 bool CutChoice::ClosesBySize(const Piece& piece, double longest) const
 {
   double most = -Infinity;
@@ -78,7 +78,7 @@ bool CutChoice::ClosesBySize(const Piece& piece, double longest) const
     most = std::max(most, piece.Corners[i].Value);
     leastTolerance = std::min(leastTolerance, piece.Corners[i].Tolerance);
   }
-  return most + ShareAfterFewCuts * longest - leastTolerance <= this->Goal;
+  return most + LengthRatioAfterFewCuts * longest - leastTolerance <= this->ClosingBound;
 }
 
 //------------------------------------------------------------------------------
@@ -121,7 +121,8 @@ std::optional<CutWeights> CutChoice::CommonVertex(const Piece& piece) const
       {
         continue;
       }
-      const CutWeights weights = NearestOnTriangle(ofOne[k], a.Place, b.Place, c.Place).Weights;
+      const CutWeights weights =
+        NearestOnTriangle(ofOne[k], a.Position, b.Position, c.Position).Weights;
       const auto [least, most] = std::minmax_element(weights.begin(), weights.end());
       if (*least > 0.0 && *most < MostWeight)
       {
@@ -133,7 +134,7 @@ std::optional<CutWeights> CutChoice::CommonVertex(const Piece& piece) const
 }
 
 //------------------------------------------------------------------------------
-/// Notes how far each end's candidate is from the other end.
+/// Also stores the value of each end to the candidate of the other end.
 bool CutChoice::IsUnshared(const Piece& piece, Edge& edge) const
 {
   const PieceCorner& from = piece.Corners[edge.From];
@@ -142,30 +143,31 @@ bool CutChoice::IsUnshared(const Piece& piece, Edge& edge) const
   {
     return false;
   }
-  edge.FromToOther = this->To.ValueTo(from.Place, to.Nearest);
-  edge.ToToOther = this->To.ValueTo(to.Place, from.Nearest);
-  const double goal = this->Goal - this->Slack;
+  edge.FromToOther = this->To.ValueTo(from.Position, to.Nearest);
+  edge.ToToOther = this->To.ValueTo(to.Position, from.Nearest);
+  const double goal = this->ClosingBound - this->Slack;
   return edge.FromToOther - from.Tolerance > goal && edge.ToToOther - to.Tolerance > goal;
 }
 
 //------------------------------------------------------------------------------
-/// By the Illinois rule for false positions.
+/// Regula falsi, Illinois variant.
 double CutChoice::EqualFraction(const Piece& piece, const Edge& edge) const
 {
   const PieceCorner& from = piece.Corners[edge.From];
   const PieceCorner& to = piece.Corners[edge.To];
   const auto difference = [&](double fraction)
   {
-    const Vector3 place = from.Place + fraction * (to.Place - from.Place);
-    return this->To.ValueTo(place, from.Nearest) - this->To.ValueTo(place, to.Nearest);
+    const Vector3 position = from.Position + fraction * (to.Position - from.Position);
+    return this->To.ValueTo(position, from.Nearest) - this->To.ValueTo(position, to.Nearest);
   };
-  const double enough = EqualEnough * (this->Goal - this->Slack - std::min(from.Value, to.Value));
+  const double enough =
+    EqualEnough * (this->ClosingBound - this->Slack - std::min(from.Value, to.Value));
   double low = 0.0;
   double high = 1.0;
   double atLow = from.Value - edge.FromToOther;
   double atHigh = edge.ToToOther - to.Value;
   double fraction = 0.5;
-  int side = 0; // of the place before
+  int side = 0; // sign at the previous fraction
   for (int i = 0; i < MostSecants && atLow < 0.0 && atHigh > 0.0; ++i)
   {
     fraction = low - atLow * (high - low) / (atHigh - atLow);

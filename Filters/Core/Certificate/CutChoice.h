@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CutChoice.h
- * @brief A piece of a simplex, and where to cut it so that its parts can be closed.
+ * @brief Chooses where to cut a piece of a simplex so that its parts can be closed.
  */
 #ifndef BoneDecimate_Core_Certificate_CutChoice_h
 #define BoneDecimate_Core_Certificate_CutChoice_h
@@ -16,14 +16,14 @@ namespace bonedecimate::certificate
 {
 struct PieceCorner
 {
-  Vector3 Place = Vector3::Zero(); // mm
-  double Tolerance = 0.0;          // mm
-  double Value = 0.0;              // mm, to the target
-  Index Nearest = None;            // of the target, the simplex with that value
-  bool IsGiven = false; // a corner of the simplex, with the coordinates as they are stored
+  Vector3 Position = Vector3::Zero(); // mm
+  double Tolerance = 0.0;             // mm
+  double Value = 0.0;                 // mm, to the target
+  Index Nearest = None;               // the simplex of the target with that value
+  bool IsStored = false; // a corner of the source simplex: its coordinates are not rounded
 };
 
-/// Of one, two or three corners.
+/// A part of a simplex with one, two or three corners.
 struct Piece
 {
   std::array<PieceCorner, 3> Corners;
@@ -32,25 +32,25 @@ struct Piece
   int Depth = 0;
 };
 
-/// Of the corners of a piece, sum 1; a piece becomes as many as there are positive ones.
+/// Barycentric weights of the new corner, sum 1; the piece is cut into one part for each positive weight.
 using CutWeights = std::array<double, 3>;
 
 class CutChoice
 {
 public:
-  /// @param goal mm; a piece is closed if its excess, widened by the slack, is proved to be at most this.
+  /// @param goal mm; a piece is closed if its excess, widened by the slack, is proved not to exceed this.
   CutChoice(const Target& target, double goal, double slack)
     : To(target)
-    , Goal(goal)
+    , ClosingBound(goal)
     , Slack(slack)
   {
   }
 
   /**
-   * In the middle of the longest edge while pieces can be closed by their size. Else at a vertex that lies under the
-   * piece and belongs to several candidates; or on the longest edge whose ends share no candidate, where both are
-   * equally far. Then the parts lie over one candidate each, and bounds become exact: after finitely many cuts where
-   * both surfaces are flat.
+   * Cuts the longest edge in the middle while pieces can be closed by their size. Otherwise cuts at a vertex that lies
+   * under the piece and belongs to several candidates, or on the longest edge whose ends have no common candidate, at
+   * the point where both candidates are equally far. Each part then lies over one candidate, and the bounds become
+   * exact, after finitely many cuts where both surfaces are flat.
    */
   CutWeights Choose(const Piece& piece) const;
 
@@ -60,7 +60,7 @@ private:
     int From = 0;
     int To = 0;
     double SquaredLength = -1.0; // mm^2
-    double FromToOther = 0.0;    // mm, value of the one end over the candidate of the other
+    double FromToOther = 0.0;    // mm, value of the end From to the candidate of the end To
     double ToToOther = 0.0;
   };
 
@@ -75,8 +75,8 @@ private:
   double EqualFraction(const Piece& piece, const Edge& edge) const;
 
   const Target& To;
-  double Goal;  // mm
-  double Slack; // mm
+  double ClosingBound; // mm
+  double Slack;        // mm
 };
 }
 

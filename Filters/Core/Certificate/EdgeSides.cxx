@@ -10,8 +10,8 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-/// Of each point the least id of those at the same place.
-std::vector<Index> OnePointAPlace(const std::vector<Vector3>& points)
+/// For each point the least id of the points with the same coordinates.
+std::vector<Index> FirstPointAtEachPosition(const std::vector<Vector3>& points)
 {
   std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), 0);
@@ -35,7 +35,7 @@ std::vector<Index> OnePointAPlace(const std::vector<Vector3>& points)
   return same;
 }
 
-/// Matches the sides of triangles along the edges between points, where point p goes by the name ids[p].
+/// Matches the sides of triangles along the edges between points, where point p has the id ids[p].
 class EdgeMatch
 {
 public:
@@ -63,11 +63,11 @@ public:
   }
 
 private:
-  /// A side of a triangle by the end of the higher name, listed with the one of the lower.
+  /// A side of a triangle, stored at its end of lower id.
   struct Half
   {
     Index High;
-    std::uint32_t Slot; // three a triangle
+    std::uint32_t Slot; // 3 * triangle + side
   };
   using Iterator = std::vector<Half>::iterator;
 
@@ -101,7 +101,7 @@ private:
       const std::uint32_t other = (end - 1)->Slot;
       if (end - first == 1)
       {
-        this->Found[one / 3][one % 3] = Border;
+        this->Found[one / 3][one % 3] = Boundary;
       }
       if (end - first == 2 && this->Begin(one) != this->Begin(other))
       {
@@ -112,21 +112,21 @@ private:
     }
   }
 
-  /// The name of the point at which the side begins.
+  /// The id of the point at which the side begins.
   Index Begin(std::uint32_t slot) const { return this->Ids[this->Triangles[slot / 3][slot % 3]]; }
 
   const std::vector<Triangle>& Triangles;
   const std::vector<Index>& Ids;
-  std::vector<std::uint32_t> Starts; // of each point its edges to points of higher names
+  std::vector<std::uint32_t> Starts; // for each point its first edge to points of higher ids
   std::vector<Half> Halves;
   EdgeSides Found;
 };
 
-bool HasBorders(const EdgeSides& sides)
+bool HasBoundaries(const EdgeSides& sides)
 {
   return std::any_of(sides.begin(), sides.end(),
     [](const std::array<Index, 3>& of)
-    { return std::find(of.begin(), of.end(), Border) != of.end(); });
+    { return std::find(of.begin(), of.end(), Boundary) != of.end(); });
 }
 }
 
@@ -135,29 +135,29 @@ EdgeSides FindEdgeSides(const std::vector<Vector3>& points, const std::vector<Tr
   std::vector<Index> ids(points.size());
   std::iota(ids.begin(), ids.end(), 0);
   EdgeSides sides = EdgeMatch(triangles, ids).Run();
-  if (HasBorders(sides)) // merging points can only take borders away
+  if (HasBoundaries(sides)) // merging points can only remove boundaries
   {
-    ids = OnePointAPlace(points);
+    ids = FirstPointAtEachPosition(points);
     sides = EdgeMatch(triangles, ids).Run();
   }
   return sides;
 }
 
-std::vector<BorderEdge> FindBorders(const Surface& surface)
+std::vector<BoundaryEdge> FindBoundaries(const Surface& surface)
 {
   const EdgeSides sides = FindEdgeSides(surface.Points, surface.Triangles);
-  std::vector<BorderEdge> borders;
+  std::vector<BoundaryEdge> boundaries;
   for (std::size_t t = 0; t < sides.size(); ++t)
   {
     const Triangle& corners = surface.Triangles[t];
     for (std::size_t side = 0; side < 3; ++side)
     {
-      if (sides[t][side] == Border)
+      if (sides[t][side] == Boundary)
       {
-        borders.push_back({ { corners[side], corners[(side + 1) % 3] }, static_cast<Index>(t) });
+        boundaries.push_back({ { corners[side], corners[(side + 1) % 3] }, static_cast<Index>(t) });
       }
     }
   }
-  return borders;
+  return boundaries;
 }
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EdgeSides.h
- * @brief What lies across each side of a triangle, and the open borders: edges of exactly one triangle. Points of equal
- *        coordinates are one point.
+ * @brief The neighbor across each side of a triangle, and the boundary edges, which have exactly one triangle. Points of
+ *        equal coordinates are merged.
  *
- * Triangles that name one point twice have no edges; those of three points in a line have three.
+ * Triangles that use a point twice have no edges; those of three collinear points have three.
  */
 #ifndef BoneDecimate_Core_Certificate_EdgeSides_h
 #define BoneDecimate_Core_Certificate_EdgeSides_h
@@ -17,22 +17,22 @@
 
 namespace bonedecimate::certificate
 {
-constexpr Index Border = None;   ///< Nothing lies across.
-constexpr Index NotRegular = -2; ///< Several triangles do, or one of the other orientation.
+constexpr Index Boundary = None; ///< There is no neighbor.
+constexpr Index NotRegular = -2; ///< There are several neighbors, or one of opposite orientation.
 
-/// Of each triangle the triangles across the sides from its corners to the next ones, or one of the above.
+/// For each triangle the neighbors across the sides from each corner to the next one, or one of the values above.
 using EdgeSides = std::vector<std::array<Index, 3>>;
 
 EdgeSides FindEdgeSides(const std::vector<Vector3>& points, const std::vector<Triangle>& triangles);
 
-struct BorderEdge
+struct BoundaryEdge
 {
-  std::array<Index, 2> Points; ///< as that triangle names them
+  std::array<Index, 2> Points; ///< in the order of the triangle
   Index Triangle = None;
 };
 
 /// In the order of the triangles.
-std::vector<BorderEdge> FindBorders(const Surface& surface);
+std::vector<BoundaryEdge> FindBoundaries(const Surface& surface);
 }
 
 #endif

@@ -8,9 +8,9 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-/// Bounds that agree to this share of the distance, or of the way to the farthest corner, need no refinement.
-constexpr double GoodShare = 1e-8;
-constexpr double GoodEnough = 1e-14;
+/// The foot is refined until the bounds agree to this fraction of the distance, or of the distance to the farthest corner.
+constexpr double RelativeTolerance = 1e-8;
+constexpr double ToleranceOfExtent = 1e-14;
 constexpr int MostRefinements = 4;
 
 /// Weights of the second and the third corner.
@@ -19,7 +19,7 @@ struct Weights
   double B, C;
 };
 
-/// The same place or, if rounding left the triangle, one in it.
+/// Moves a point that is outside of the triangle because of rounding into it.
 Weights Inside(Weights weights)
 {
   weights.B = std::max(0.0, weights.B);
@@ -28,15 +28,15 @@ Weights Inside(Weights weights)
   return sum > 1.0 ? Weights{ weights.B / sum, weights.C / sum } : weights;
 }
 
-/// A corner is met exactly.
+/// Returns the exact coordinates for the weights of a corner.
 Foot FootAt(const Vector3& p, const Corners& corners, const Weights& weights)
 {
   Foot foot;
-  foot.Place = weights.B == 1.0 ? corners[1]
-    : weights.C == 1.0          ? corners[2]
-                                : Vector3(corners[0] + weights.B * (corners[1] - corners[0]) +
-                                    weights.C * (corners[2] - corners[0]));
-  foot.Distance = (p - foot.Place).norm();
+  foot.Position = weights.B == 1.0 ? corners[1]
+    : weights.C == 1.0             ? corners[2]
+                                   : Vector3(corners[0] + weights.B * (corners[1] - corners[0]) +
+                                       weights.C * (corners[2] - corners[0]));
+  foot.Distance = (p - foot.Position).norm();
   return foot;
 }
 
@@ -51,7 +51,7 @@ void Try(
   }
 }
 
-/// One more step towards the projection onto the plane, from where rounding ended; the residual is known exactly enough.
+/// One step of iterative refinement towards the projection onto the plane. The residual is accurate enough for that.
 Weights Step(const Vector3& p, const Corners& corners, const Weights& weights, const Foot& foot)
 {
   const Vector3 ab = corners[1] - corners[0];
@@ -62,7 +62,7 @@ Weights Step(const Vector3& p, const Corners& corners, const Weights& weights, c
   {
     return weights;
   }
-  const Vector3 rest = p - foot.Place;
+  const Vector3 rest = p - foot.Position;
   return Inside({ weights.B + normal.dot(rest.cross(ac)) / squared,
     weights.C + normal.dot(ab.cross(rest)) / squared });
 }
@@ -77,7 +77,7 @@ void TryEdges(const Vector3& p, const Corners& corners, Weights& best, Foot& foo
   Try(p, corners, { 1.0 - bc, bc }, best, foot);
 }
 
-/// No point of the triangle is nearer along a direction than the nearest corner.
+/// A lower bound: along any direction, no point of the triangle is nearer than the nearest corner.
 double DistanceAlong(const Vector3& direction, const Vector3& p, const Corners& corners)
 {
   const double length = direction.norm();
@@ -95,7 +95,8 @@ bool IsGood(double below, const Vector3& p, const Corners& corners, const Foot& 
 {
   const double reach = std::max(
     { (p - corners[0]).lpNorm<1>(), (p - corners[1]).lpNorm<1>(), (p - corners[2]).lpNorm<1>() });
-  return foot.Distance - below <= std::max(GoodShare * foot.Distance, GoodEnough * reach);
+  return foot.Distance - below <=
+    std::max(RelativeTolerance * foot.Distance, ToleranceOfExtent * reach);
 }
 
 bool IsNearest(const Vector3& p, const Corners& corners, const Foot& foot)
@@ -106,8 +107,8 @@ bool IsNearest(const Vector3& p, const Corners& corners, const Foot& foot)
 
 Foot FindFoot(const Vector3& p, const Corners& corners)
 {
-  const TrianglePlace place = NearestOnTriangle(p, corners[0], corners[1], corners[2]);
-  Weights weights = Inside({ place.Weights[1], place.Weights[2] });
+  const PointOnTriangle nearest = NearestOnTriangle(p, corners[0], corners[1], corners[2]);
+  Weights weights = Inside({ nearest.Weights[1], nearest.Weights[2] });
   Foot foot = FootAt(p, corners, weights);
   if (!IsNearest(p, corners, foot))
   {
@@ -120,10 +121,11 @@ Foot FindFoot(const Vector3& p, const Corners& corners)
   return foot;
 }
 
-/// Near the triangle the direction from the foot is mostly rounding: at right angles to an edge or to all it is known better.
+/// Near the triangle the direction from the foot is mostly rounding error. Directions perpendicular to an edge or to the
+/// plane are more accurate.
 double DistanceFromBelow(const Vector3& p, const Corners& corners, const Foot& foot)
 {
-  const Vector3 rest = p - foot.Place;
+  const Vector3 rest = p - foot.Position;
   double below = std::max(0.0, DistanceAlong(rest, p, corners));
   if (IsGood(below, p, corners, foot))
   {

@@ -29,7 +29,7 @@ struct Box
   }
 };
 
-/// What can be subtracted from all coordinates between low and high without rounding.
+/// An offset that can be subtracted from all coordinates between low and high without rounding.
 double ExactOrigin(double low, double high)
 {
   if (low > 0.0 && high <= 2.0 * low)
@@ -108,12 +108,12 @@ Simplices LimitedPart(const Simplices& whole, const std::vector<double>& limit)
 }
 
 //------------------------------------------------------------------------------
-BorderSet FindBorderSet(
+BoundarySet FindBoundarySet(
   const Surface& surface, const Frame& frame, const std::vector<double>& limit)
 {
-  BorderSet set;
+  BoundarySet set;
   std::vector<Index> ids(surface.Points.size(), None);
-  for (const BorderEdge& edge : FindBorders(surface))
+  for (const BoundaryEdge& edge : FindBoundaries(surface))
   {
     for (const Index point : edge.Points)
     {

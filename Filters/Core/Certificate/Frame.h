@@ -6,7 +6,8 @@
  *
  * Along each axis the coordinate nearest to 0 is subtracted if all are of its sign and at most twice as far: the
  * difference is then exact (P. H. Sterbenz, Floating-point computation, 1974). Otherwise nothing is subtracted, and no
- * coordinate is farther from 0 than twice the size of the whole. Points equal before are so after, and the other way round.
+ * coordinate is farther from 0 than twice the size of both surfaces. Points are equal in the frame if and only if they are
+ * equal in the input.
  */
 #ifndef BoneDecimate_Core_Certificate_Frame_h
 #define BoneDecimate_Core_Certificate_Frame_h
@@ -16,7 +17,7 @@
 
 namespace bonedecimate::certificate
 {
-/// Whether all triangles have points that are there and usable.
+/// Whether the points of all triangles exist and are usable.
 bool HasUsableTriangles(const Surface& surface);
 
 struct Frame
@@ -29,17 +30,17 @@ Frame FindFrame(const Surface& reference, const Surface& result);
 
 Simplices WholeSurface(const Surface& surface, const Frame& frame);
 
-/// Only what is limited: of a triangle the corners that have a limit, and what lies between them.
+/// The part with a limit: of each simplex the corners with a finite limit, as a triangle, segment or point.
 Simplices LimitedPart(const Simplices& whole, const std::vector<double>& limit);
 
-struct BorderSet
+struct BoundarySet
 {
   Simplices Segments;
-  std::vector<double> Limit; ///< mm, at each of its points; empty without a map
+  std::vector<double> Limit; ///< mm, at each point; empty without a map
 };
 
 /// @param limit mm, at each point of the surface; may be empty.
-BorderSet FindBorderSet(
+BoundarySet FindBoundarySet(
   const Surface& surface, const Frame& frame, const std::vector<double>& limit);
 }
 

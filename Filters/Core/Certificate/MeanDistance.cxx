@@ -50,22 +50,22 @@ struct Sums
   }
 };
 
-/// What is likely to reach the precision; 0 if it is reached, or more may not be taken.
+/// The number of samples that is likely to reach the precision; 0 if it is reached, or the maximum was taken.
 std::size_t NextCount(std::size_t count, const MeanDistance& mean, double precision)
 {
-  const auto isReached = [&](double share)
+  const auto isReached = [&](double factor)
   {
-    return mean.MeanError <= share * precision * mean.Mean &&
-      mean.RootMeanSquareError <= share * precision * mean.RootMeanSquare;
+    return mean.MeanError <= factor * precision * mean.Mean &&
+      mean.RootMeanSquareError <= factor * precision * mean.RootMeanSquare;
   };
   if (isReached(1.0) || count >= MostSamples)
   {
     return 0;
   }
   count *= 2;
-  for (double share = 1.2; count < MostSamples && !isReached(share); share *= 1.4)
+  for (double factor = 1.2; count < MostSamples && !isReached(factor); factor *= 1.4)
   {
-    count *= 2; // errors fall with the square root
+    count *= 2; // errors are proportional to 1 / sqrt(count)
   }
   return count;
 }
@@ -99,7 +99,7 @@ public:
   }
 
 private:
-  /// The linear parts, triangle by triangle.
+  /// Integrates the linear part of each triangle.
   void Integrate()
   {
     double area = 0.0;
@@ -139,7 +139,7 @@ private:
     return { 1.0 - u - v, u, v };
   }
 
-  /// What the distance of sample i is more than the linear part.
+  /// The distance at a sample minus the linear part.
   Moments RestAt(std::size_t triangle, double number, Index& hint) const
   {
     const Triangle& corners = this->Source.Corners[triangle];

@@ -18,18 +18,18 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr std::int64_t LeastMostCuts = std::int64_t{ 1 } << 26;
 constexpr std::int64_t CutsASimplex = 16;
-/// The least gap that is looked for, 1e-9 of the extent, and the least that can be found: both bounds err by a slack.
+/// The least gap of the search, 1e-9 of the extent, and the least that can be reached: both bounds are widened by the slack.
 constexpr double SlacksOfGap = 2048.0;
 constexpr double FewestSlacks = 4.0;
 
-CertificateVerdict Judge(const DistanceBounds& bounds, double tolerance)
+ProofStatus Evaluate(const DistanceBounds& bounds, double tolerance)
 {
-  return bounds.Upper <= tolerance ? CertificateVerdict::Proved
-    : bounds.Lower > tolerance     ? CertificateVerdict::Violated
-                                   : CertificateVerdict::Undecided;
+  return bounds.Upper <= tolerance ? ProofStatus::Proved
+    : bounds.Lower > tolerance     ? ProofStatus::Violated
+                                   : ProofStatus::Undecided;
 }
 
-/// The best of two searches.
+/// Combines the bounds of two searches.
 void Tighten(DistanceBounds& bounds, const DistanceBounds& other)
 {
   const double upper = std::min(bounds.Upper, other.Upper);
@@ -42,116 +42,117 @@ void Tighten(DistanceBounds& bounds, const DistanceBounds& other)
   bounds.Cuts = cuts;
 }
 
-/// One direction; the target's tolerances are those of the excess.
+/// Certifies one direction. The excess is taken over the tolerances of the target.
 class Direction
 {
 public:
-  /// @param triangleGap mm, of the bounds of single triangles; 0: none are wanted.
+  /// @param triangleGap mm, of the bounds of single triangles; 0: they are not computed.
   Direction(const Simplices& source, const Target& target, const PairTask& task, double triangleGap)
     : Source(source)
     , To(target)
     , Task(task)
     , TriangleGap(task.OfSurfaces ? triangleGap : 0.0)
   {
-    const std::int64_t asked = task.Options.MostCuts;
-    this->Goal.MostCuts =
-      asked > 0 ? asked : LeastMostCuts + CutsASimplex * static_cast<std::int64_t>(source.Size());
+    const std::int64_t requested = task.Options.MostCuts;
+    this->Goal.MostCuts = requested > 0
+      ? requested
+      : LeastMostCuts + CutsASimplex * static_cast<std::int64_t>(source.Size());
     this->Goal.RelativeGap = task.Options.RelativeGap;
     this->Goal.Slack = task.Slack;
     this->Goal.LeastGap = std::max(SlacksOfGap * task.Slack, task.Options.LeastGap);
     this->Goal.NumberOfThreads = task.Options.NumberOfThreads;
   }
 
-  void FindDistance(DirectedCertificate& answer, Stages& progress, double share)
+  void FindDistance(DirectedCertificate& bounds, Stages& progress, double weight)
   {
     const std::optional<double>& tolerance = this->Task.Options.Tolerance;
     const bool stopAtTolerance = tolerance && !this->Task.Options.TightBounds;
     this->Goal.CloseBelow = stopAtTolerance ? *tolerance : -Infinity;
-    const PointValues values = this->Values(progress, 0.4 * share);
+    const PointValues values = this->Values(progress, 0.4 * weight);
     if (progress.GoesOn())
     {
-      answer.Distance = this->Find(values, progress.Next(0.4 * share));
+      bounds.Distance = this->Find(values, progress.Next(0.4 * weight));
     }
     if (tolerance && progress.GoesOn())
     {
-      this->Decide(*tolerance, values, answer, progress);
+      this->Decide(*tolerance, values, bounds, progress);
     }
     if (this->TriangleGap > 0.0 && progress.GoesOn())
     {
-      this->BoundTriangles(values, answer, progress.Next(0.1 * share));
+      this->BoundTriangles(values, bounds, progress.Next(0.1 * weight));
     }
     if (this->Task.OfSurfaces && progress.GoesOn())
     {
-      this->Describe(values, answer, progress.Next(0.1 * share));
+      this->Describe(values, bounds, progress.Next(0.1 * weight));
     }
   }
 
   void FindExcess(
-    DirectedCertificate& answer, double largestTolerance, Stages& progress, double share)
+    DirectedCertificate& bounds, double largestTolerance, Stages& progress, double weight)
   {
     this->Goal.CloseBelow = 0.0;
     this->Goal.Scale = largestTolerance;
-    const PointValues values = this->Values(progress, 0.5 * share);
+    const PointValues values = this->Values(progress, 0.5 * weight);
     if (progress.GoesOn())
     {
-      answer.Excess = this->Find(values, progress.Next(0.5 * share));
-      answer.Verdict = Judge(answer.Excess, 0.0);
+      bounds.Excess = this->Find(values, progress.Next(0.5 * weight));
+      bounds.Proof = Evaluate(bounds.Excess, 0.0);
     }
-    if (answer.Verdict == CertificateVerdict::Undecided && progress.GoesOn())
+    if (bounds.Proof == ProofStatus::Undecided && progress.GoesOn())
     {
-      // What did not move, with a tolerance of 0, has an excess of exactly 0: no gap is allowed above it.
+      // Unmoved parts with a tolerance of 0 have an excess of exactly 0: no gap is allowed above it.
       this->Goal.Decides = true;
-      Tighten(answer.Excess, this->Find(values, progress.Next(0.0)));
-      answer.Verdict = Judge(answer.Excess, 0.0);
+      Tighten(bounds.Excess, this->Find(values, progress.Next(0.0)));
+      bounds.Proof = Evaluate(bounds.Excess, 0.0);
     }
   }
 
 private:
-  PointValues Values(Stages& progress, double share) const
+  PointValues Values(Stages& progress, double weight) const
   {
     return FindPointValues(this->Source, this->To,
       this->Task.OfSurfaces && this->Task.Options.WithPointDistances, this->Goal.NumberOfThreads,
-      progress.Next(share));
+      progress.Next(weight));
   }
 
-  /// Once more, if the tolerance lies in the gap.
+  /// Repeats the search with a smaller gap if the tolerance lies between the bounds.
   void Decide(
-    double tolerance, const PointValues& values, DirectedCertificate& answer, Stages& progress)
+    double tolerance, const PointValues& values, DirectedCertificate& bounds, Stages& progress)
   {
-    answer.Verdict = Judge(answer.Distance, tolerance);
-    if (answer.Verdict == CertificateVerdict::Undecided)
+    bounds.Proof = Evaluate(bounds.Distance, tolerance);
+    if (bounds.Proof == ProofStatus::Undecided)
     {
       this->Goal.CloseBelow = tolerance;
       this->Goal.RelativeGap = 0.0;
       this->Goal.LeastGap = FewestSlacks * this->Goal.Slack;
-      Tighten(answer.Distance, this->Find(values, progress.Next(0.0)));
-      answer.Verdict = Judge(answer.Distance, tolerance);
+      Tighten(bounds.Distance, this->Find(values, progress.Next(0.0)));
+      bounds.Proof = Evaluate(bounds.Distance, tolerance);
     }
   }
 
   void BoundTriangles(
-    const PointValues& values, DirectedCertificate& answer, const Monitor& monitor) const
+    const PointValues& values, DirectedCertificate& bounds, const Monitor& monitor) const
   {
     SearchGoal goal = this->Goal;
     goal.CloseBelow = -Infinity;
     goal.RelativeGap = 0.0;
     goal.LeastGap = std::max(this->TriangleGap, FewestSlacks * goal.Slack);
-    answer.TriangleUpper =
-      FindTriangleBounds(this->Source, this->To, values, goal, answer.Distance.Upper, monitor);
+    bounds.TriangleUpper =
+      FindTriangleBounds(this->Source, this->To, values, goal, bounds.Distance.Upper, monitor);
   }
 
-  void Describe(const PointValues& values, DirectedCertificate& answer, const Monitor& monitor)
+  void Describe(const PointValues& values, DirectedCertificate& bounds, const Monitor& monitor)
   {
     const CertificateOptions& options = this->Task.Options;
     if (options.WithMeans)
     {
-      answer.Mean = FindMeanDistance(
+      bounds.Mean = FindMeanDistance(
         this->Source, this->To, values, options.MeanPrecision, this->Goal.NumberOfThreads, monitor);
     }
     if (options.WithPointDistances)
     {
-      answer.Points.Distance = values.Value;
-      answer.Points.Side =
+      bounds.Points.Distance = values.Value;
+      bounds.Points.Side =
         FindSides(this->Source.Points, values.Simplex, this->To.All(), this->Goal.NumberOfThreads);
     }
   }
@@ -168,7 +169,7 @@ private:
   SearchGoal Goal;
 };
 
-/// mm, the least of the corners of each simplex.
+/// mm, the least limit of the corners of each simplex.
 std::vector<double> LeastLimits(const Simplices& simplices, const std::vector<double>& limit)
 {
   std::vector<double> least;
@@ -201,14 +202,14 @@ void NameTriangles(DistanceBounds& bounds, const Simplices& source, const Simpli
   bounds.NearestTriangle = target.TriangleId(bounds.NearestTriangle);
 }
 
-/// Where nothing limits.
-void Allow(DirectedCertificate& answer)
+/// The bounds if there is no finite limit.
+void Allow(DirectedCertificate& bounds)
 {
-  answer.Excess.Upper = -Infinity;
-  answer.Verdict = CertificateVerdict::Proved;
+  bounds.Excess.Upper = -Infinity;
+  bounds.Proof = ProofStatus::Proved;
 }
 
-/// The pair, the limits and the shares of progress of one comparison.
+/// The surfaces, the limits and the progress of one comparison.
 struct Comparison
 {
   const Simplices& Reference;
@@ -216,98 +217,98 @@ struct Comparison
   const std::vector<double>& Limit;
   const PairTask& Task;
   Stages& Progress;
-  double Share; // of one search
+  double Weight; // of one search in the progress
 };
 
 DirectedCertificate Forward(const Comparison& both)
 {
-  DirectedCertificate answer;
+  DirectedCertificate bounds;
   const Monitor tell = both.Progress.Next(0.0);
   const Target target(both.Result, both.Task.Options.NumberOfThreads, [&] { tell(1.0); });
   Direction(both.Reference, target, both.Task, both.Task.Options.ReferenceTriangleGap)
-    .FindDistance(answer, both.Progress, both.Share);
-  NameTriangles(answer.Distance, both.Reference, both.Result);
+    .FindDistance(bounds, both.Progress, both.Weight);
+  NameTriangles(bounds.Distance, both.Reference, both.Result);
   if (both.Limit.empty() || !both.Progress.GoesOn())
   {
-    return answer;
+    return bounds;
   }
   const Simplices limited = LimitedPart(both.Reference, both.Limit);
   if (limited.Size() == 0)
   {
-    Allow(answer);
-    return answer;
+    Allow(bounds);
+    return bounds;
   }
   Direction(limited, target, both.Task, 0.0)
-    .FindExcess(answer, LargestFinite(both.Limit), both.Progress, both.Share);
-  NameTriangles(answer.Excess, limited, both.Result);
-  return answer;
+    .FindExcess(bounds, LargestFinite(both.Limit), both.Progress, both.Weight);
+  NameTriangles(bounds.Excess, limited, both.Result);
+  return bounds;
 }
 
 DirectedCertificate Backward(const Comparison& both)
 {
-  DirectedCertificate answer;
+  DirectedCertificate bounds;
   const Monitor tell = both.Progress.Next(0.0);
   Target target(both.Reference, both.Task.Options.NumberOfThreads, [&] { tell(1.0); });
   Direction(both.Result, target, both.Task, both.Task.Options.ResultTriangleGap)
-    .FindDistance(answer, both.Progress, both.Share);
-  NameTriangles(answer.Distance, both.Result, both.Reference);
+    .FindDistance(bounds, both.Progress, both.Weight);
+  NameTriangles(bounds.Distance, both.Result, both.Reference);
   if (both.Limit.empty() || !both.Progress.GoesOn())
   {
-    return answer;
+    return bounds;
   }
   std::vector<double> least = LeastLimits(both.Reference, both.Limit);
   const double largest = *std::max_element(least.begin(), least.end());
   if (!std::isfinite(largest))
   {
-    Allow(answer);
-    return answer;
+    Allow(bounds);
+    return bounds;
   }
   target.SetTolerances(std::move(least));
   Direction(both.Result, target, both.Task, 0.0)
-    .FindExcess(answer, largest, both.Progress, both.Share);
-  NameTriangles(answer.Excess, both.Result, both.Reference);
-  return answer;
+    .FindExcess(bounds, largest, both.Progress, both.Weight);
+  NameTriangles(bounds.Excess, both.Result, both.Reference);
+  return bounds;
 }
 
-DirectedCertificate Alone(const BorderSet& source, const PairTask& task)
+DirectedCertificate Alone(const BoundarySet& source, const PairTask& task)
 {
-  DirectedCertificate answer;
+  DirectedCertificate bounds;
   const bool isEmpty = source.Segments.Size() == 0;
-  answer.Distance.Lower = answer.Distance.Upper = isEmpty ? 0.0 : Infinity;
-  answer.Distance.Triangle = isEmpty ? None : source.Segments.TriangleId(0);
-  answer.Distance.Place = isEmpty ? Vector3::Zero() : source.Segments.Points[0];
+  bounds.Distance.Lower = bounds.Distance.Upper = isEmpty ? 0.0 : Infinity;
+  bounds.Distance.Triangle = isEmpty ? None : source.Segments.TriangleId(0);
+  bounds.Distance.Position = isEmpty ? Vector3::Zero() : source.Segments.Points[0];
   if (!task.Options.ToleranceMap.empty() || task.Options.Tolerance)
   {
     const bool isFree = isEmpty ||
       (!source.Limit.empty() &&
         std::none_of(source.Limit.begin(), source.Limit.end(),
           [](double limit) { return std::isfinite(limit); }));
-    answer.Excess = answer.Distance;
-    answer.Excess.Upper = answer.Excess.Lower = isFree ? -Infinity : Infinity;
-    answer.Verdict = isFree ? CertificateVerdict::Proved : CertificateVerdict::Violated;
+    bounds.Excess = bounds.Distance;
+    bounds.Excess.Upper = bounds.Excess.Lower = isFree ? -Infinity : Infinity;
+    bounds.Proof = isFree ? ProofStatus::Proved : ProofStatus::Violated;
   }
-  return answer;
+  return bounds;
 }
 }
 
 //------------------------------------------------------------------------------
 PairCertificate CertifyPair(const Simplices& reference, const Simplices& result,
-  const std::vector<double>& limit, const PairTask& task, Stages& progress, double share)
+  const std::vector<double>& limit, const PairTask& task, Stages& progress, double weight)
 {
-  const double part = limit.empty() ? 0.5 * share : 0.25 * share;
+  const double part = limit.empty() ? 0.5 * weight : 0.25 * weight;
   const Comparison both = { reference, result, limit, task, progress, part };
-  PairCertificate answer;
-  answer.ReferenceToResult = Forward(both);
+  PairCertificate pair;
+  pair.ReferenceToResult = Forward(both);
   if (progress.GoesOn())
   {
-    answer.ResultToReference = Backward(both);
+    pair.ResultToReference = Backward(both);
   }
-  return answer;
+  return pair;
 }
 
 //------------------------------------------------------------------------------
 PairCertificate WithoutPartner(
-  const BorderSet& reference, const BorderSet& result, const PairTask& task)
+  const BoundarySet& reference, const BoundarySet& result, const PairTask& task)
 {
   return { Alone(reference, task), Alone(result, task) };
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PairCertificate.h
- * @brief Both directions between two sets of triangles or of segments, by distance and against tolerances.
+ * @brief Certifies both directions between two sets of triangles or of segments: distances, and excess over tolerances.
  */
 #ifndef BoneDecimate_Core_Certificate_PairCertificate_h
 #define BoneDecimate_Core_Certificate_PairCertificate_h
@@ -20,7 +20,7 @@ struct PairTask
 {
   const CertificateOptions& Options;
   double Slack;           ///< mm
-  bool OfSurfaces = true; ///< not of borders
+  bool OfSurfaces = true; ///< false: of boundaries
 };
 
 struct PairCertificate
@@ -29,15 +29,15 @@ struct PairCertificate
 };
 
 /**
- * @param limit mm, at each point of the reference, infinite where nothing limits; empty without a map.
- * @param share Of the whole progress.
+ * @param limit mm, at each point of the reference, infinite where there is no limit; empty without a map.
+ * @param weight Of this call in the whole progress, 0 to 1.
  */
 PairCertificate CertifyPair(const Simplices& reference, const Simplices& result,
-  const std::vector<double>& limit, const PairTask& task, Stages& progress, double share);
+  const std::vector<double>& limit, const PairTask& task, Stages& progress, double weight);
 
-/// If one set at least is empty: 0 from an empty set, infinite to it.
+/// The bounds if at least one set is empty: 0 from an empty set, infinite to it.
 PairCertificate WithoutPartner(
-  const BorderSet& reference, const BorderSet& result, const PairTask& task);
+  const BoundarySet& reference, const BoundarySet& result, const PairTask& task);
 }
 
 #endif

@@ -10,8 +10,8 @@ namespace bonedecimate::certificate
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-/// How far a point of a triangle of this longest edge, or of such a segment, can be from all corners.
-double CoveringShare(int corners)
+/// Largest distance of a point of a triangle, or of a segment, to its nearest corner, divided by the longest edge.
+double CoveringRatio(int corners)
 {
   return corners == 3 ? 0.57735026918962584 : 0.5; // a little more than 1 / sqrt(3)
 }
@@ -23,22 +23,22 @@ PieceSearch::PieceSearch(const Simplices& source, const Target& target, const Po
   : Source(source)
   , To(target)
   , Values(values)
-  , Wanted(goal)
+  , Goal(goal)
   , Most(largest)
 {
 }
 
 //------------------------------------------------------------------------------
-double PieceSearch::Goal() const
+double PieceSearch::ClosingBound() const
 {
-  const double limit = this->Wanted.CloseBelow;
-  const double room = this->Wanted.Decides ? 0.0 : 2.0 * this->Wanted.Slack;
-  if (this->Most.Value + room <= limit)
+  const double limit = this->Goal.CloseBelow;
+  const double margin = this->Goal.Decides ? 0.0 : 2.0 * this->Goal.Slack;
+  if (this->Most.Value + margin <= limit)
   {
     return limit;
   }
-  const double gap = std::max(
-    this->Wanted.LeastGap, this->Wanted.RelativeGap * (this->Most.Value + this->Wanted.Scale));
+  const double gap =
+    std::max(this->Goal.LeastGap, this->Goal.RelativeGap * (this->Most.Value + this->Goal.Scale));
   return std::max(limit, this->Most.Value + gap);
 }
 
@@ -57,7 +57,7 @@ double PieceSearch::Explore(Index simplex, std::int64_t mostCuts)
   {
     const Piece piece = this->Stack.back();
     this->Stack.pop_back();
-    if (piece.Upper <= this->Goal() || piece.Depth == DeepestCut)
+    if (piece.Upper <= this->ClosingBound() || piece.Depth == DeepestCut)
     {
       this->MostClosed = std::max(this->MostClosed, piece.Upper);
     }
@@ -104,22 +104,22 @@ Piece PieceSearch::Whole(Index simplex) const
 }
 
 //------------------------------------------------------------------------------
-/// What stands in both sets with the same coordinates has no distance at all, and needs no slack.
+/// A simplex with the same coordinates in both sets has a distance of exactly 0, so no slack is added.
 bool PieceSearch::CloseAsSame(const Piece& whole)
 {
-  Corners places;
+  Corners positions;
   double leastTolerance = Infinity;
   for (int i = 0; i < whole.Count; ++i)
   {
     const PieceCorner& corner = whole.Corners[i];
     if (!this->To.HasTolerances() && corner.Value != 0.0)
     {
-      return false; // with tolerances the value is that of a simplex which need not be the same
+      return false; // with tolerances the least value may belong to another simplex
     }
-    places[i] = corner.Place;
+    positions[i] = corner.Position;
     leastTolerance = std::min(leastTolerance, corner.Tolerance);
   }
-  const Index same = this->To.FindSame(places, whole.Count);
+  const Index same = this->To.FindSame(positions, whole.Count);
   if (same == None)
   {
     return false;
@@ -140,11 +140,11 @@ void PieceSearch::Bound(Piece& piece, double parentUpper) const
     most = std::max(most, corner.Value);
     leastTolerance = std::min(leastTolerance, corner.Tolerance);
     const PieceCorner& next = piece.Corners[(i + 1) % piece.Count];
-    longest = std::max(longest, (next.Place - corner.Place).squaredNorm());
+    longest = std::max(longest, (next.Position - corner.Position).squaredNorm());
   }
   double upper =
-    most + CoveringShare(piece.Count) * std::sqrt(longest) - leastTolerance + this->Wanted.Slack;
-  const double goal = this->Goal();
+    most + CoveringRatio(piece.Count) * std::sqrt(longest) - leastTolerance + this->Goal.Slack;
+  const double goal = this->ClosingBound();
   for (int i = 0; i < piece.Count && upper > goal; ++i)
   {
     const Index candidate = piece.Corners[i].Nearest;
@@ -156,7 +156,7 @@ void PieceSearch::Bound(Piece& piece, double parentUpper) const
 }
 
 //------------------------------------------------------------------------------
-/// The largest excess over one simplex: it is at a corner.
+/// The largest excess over one simplex. It is reached at a corner because the distance is convex.
 double PieceSearch::UpperOver(const Piece& piece, Index simplex) const
 {
   double upper = -Infinity;
@@ -168,14 +168,14 @@ double PieceSearch::UpperOver(const Piece& piece, Index simplex) const
 }
 
 //------------------------------------------------------------------------------
-/// Widened by the slack, unless the corner is one of the simplex: nothing was computed then.
+/// Widened by the slack, unless the point is a corner of the simplex: then nothing is rounded.
 double PieceSearch::UpperAt(const PieceCorner& corner, Index simplex) const
 {
   const double value =
-    corner.Nearest == simplex ? corner.Value : this->To.ValueTo(corner.Place, simplex);
-  const bool isSame = corner.IsGiven && value == -this->To.Tolerance(simplex) &&
-    this->To.HasCorner(simplex, corner.Place);
-  return value - corner.Tolerance + (isSame ? 0.0 : this->Wanted.Slack);
+    corner.Nearest == simplex ? corner.Value : this->To.ValueTo(corner.Position, simplex);
+  const bool isSame = corner.IsStored && value == -this->To.Tolerance(simplex) &&
+    this->To.HasCorner(simplex, corner.Position);
+  return value - corner.Tolerance + (isSame ? 0.0 : this->Goal.Slack);
 }
 
 //------------------------------------------------------------------------------
@@ -184,7 +184,7 @@ void PieceSearch::Learn(const PieceCorner& corner, Index simplex)
   const double excess = corner.Value - corner.Tolerance;
   if (excess > this->Most.Value)
   {
-    this->Most = { excess, corner.Tolerance, corner.Place, simplex, corner.Nearest };
+    this->Most = { excess, corner.Tolerance, corner.Position, simplex, corner.Nearest };
   }
 }
 
@@ -193,15 +193,15 @@ PieceCorner PieceSearch::NewCorner(const Piece& piece, const CutWeights& weights
 {
   const PieceCorner& first = piece.Corners[0];
   PieceCorner corner = first;
-  corner.IsGiven = false;
+  corner.IsStored = false;
   for (int i = 1; i < piece.Count; ++i)
   {
-    corner.Place += weights[i] * (piece.Corners[i].Place - first.Place);
+    corner.Position += weights[i] * (piece.Corners[i].Position - first.Position);
     corner.Tolerance += weights[i] * (piece.Corners[i].Tolerance - first.Tolerance);
   }
   const auto nearest = std::max_element(weights.begin(), weights.end()) - weights.begin();
   corner.Nearest = piece.Corners[nearest].Nearest;
-  corner.Value = this->To.ValueTo(corner.Place, corner.Nearest);
+  corner.Value = this->To.ValueTo(corner.Position, corner.Nearest);
   return corner;
 }
 
@@ -226,16 +226,17 @@ PieceSearch::Parts PieceSearch::Divide(
 }
 
 //------------------------------------------------------------------------------
-/// First with what is known of a corner; the tree is asked only if that does not close all parts.
+/// Bounds the parts with the candidates known at the corners first. Queries the tree only if that does not close all parts.
 void PieceSearch::Cut(const Piece& piece, Index simplex)
 {
   ++this->CutsMade;
-  const CutWeights weights = CutChoice(this->To, this->Goal(), this->Wanted.Slack).Choose(piece);
+  const CutWeights weights =
+    CutChoice(this->To, this->ClosingBound(), this->Goal.Slack).Choose(piece);
   PieceCorner corner = this->NewCorner(piece, weights);
   Parts parts = this->Divide(piece, weights, corner);
-  if (parts.Upper > this->Goal())
+  if (parts.Upper > this->ClosingBound())
   {
-    const Target::Candidate found = this->To.FindLeast(corner.Place, corner.Nearest);
+    const Target::Candidate found = this->To.FindLeast(corner.Position, corner.Nearest);
     corner.Value = found.Value;
     corner.Nearest = found.Simplex;
     this->Learn(corner, simplex);
@@ -246,7 +247,7 @@ void PieceSearch::Cut(const Piece& piece, Index simplex)
   {
     worst = parts.Pieces[i].Upper > parts.Pieces[worst].Upper ? i : worst;
   }
-  std::swap(parts.Pieces[worst], parts.Pieces[parts.Count - 1]); // looked at first
+  std::swap(parts.Pieces[worst], parts.Pieces[parts.Count - 1]); // popped first
   this->Stack.insert(this->Stack.end(), parts.Pieces.begin(), parts.Pieces.begin() + parts.Count);
 }
 }

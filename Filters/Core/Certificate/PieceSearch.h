@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PieceSearch.h
- * @brief Branch and bound over the pieces of one simplex after the other; see Search.h.
+ * @brief Branch and bound over the pieces of one simplex; see Search.h.
  */
 #ifndef BoneDecimate_Core_Certificate_PieceSearch_h
 #define BoneDecimate_Core_Certificate_PieceSearch_h
@@ -15,12 +15,12 @@
 
 namespace bonedecimate::certificate
 {
-/// The corner of a piece with the largest excess found so far.
+/// The corner with the largest excess found so far.
 struct LargestExcess
 {
   double Value = -std::numeric_limits<double>::infinity(); // mm, excess
   double Tolerance = 0.0;                                  // mm
-  Vector3 Place = Vector3::Zero();                         // mm
+  Vector3 Position = Vector3::Zero();                      // mm
   Index Simplex = None;
   Index Nearest = None; // of the target
 };
@@ -31,16 +31,19 @@ public:
   PieceSearch(const Simplices& source, const Target& target, const PointValues& values,
     const SearchGoal& goal, const LargestExcess& largest);
 
-  /// Closes what can be closed of a simplex with so many cuts at most.
-  /// @return mm, an upper bound of the excess of what is left open; minus infinity if nothing is.
+  /// Closes pieces of a simplex with at most that many cuts.
+  /// @return mm, an upper bound of the excess of the open pieces; minus infinity if all are closed.
   double Explore(Index simplex, std::int64_t mostCuts);
 
-  /// Forgets all others.
-  /// @return mm, an upper bound of the excess of this simplex, within the gap if so many cuts are enough.
+  /// Searches one simplex independently of all others.
+  /// @return mm, an upper bound of the excess of this simplex, within the gap if that many cuts are enough.
   double UpperOf(Index simplex, std::int64_t mostCuts);
 
   const LargestExcess& Largest() const { return this->Most; }
-  double Closed() const { return this->MostClosed; } ///< mm, largest upper bound of what was closed
+  double Closed() const
+  {
+    return this->MostClosed;
+  } ///< mm, largest upper bound of the closed pieces
   std::int64_t Cuts() const { return this->CutsMade; }
 
 private:
@@ -51,7 +54,7 @@ private:
     double Upper = -std::numeric_limits<double>::infinity(); // mm, the largest of them
   };
 
-  double Goal() const;
+  double ClosingBound() const;
   Piece Whole(Index simplex) const;
   bool CloseAsSame(const Piece& whole);
   void Bound(Piece& piece, double parentUpper) const;
@@ -65,7 +68,7 @@ private:
   const Simplices& Source;
   const Target& To;
   const PointValues& Values;
-  const SearchGoal& Wanted;
+  const SearchGoal& Goal;
   LargestExcess Most;
   double MostClosed = -std::numeric_limits<double>::infinity(); // mm
   std::int64_t CutsMade = 0;

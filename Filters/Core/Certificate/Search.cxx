@@ -14,11 +14,11 @@ namespace bonedecimate::certificate
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-/// Cuts for each simplex in the first round, and how many times more in the next.
+/// Cuts for each simplex in the first round, and the factor from round to round.
 constexpr std::int64_t FirstCuts = 32;
 constexpr std::int64_t MoreCuts = 16;
-/// Shares of the progress of one search.
-constexpr double ShareOfFirstRound = 0.8;
+/// Part of the progress of one search.
+constexpr double ProgressOfFirstRound = 0.8;
 
 void Join(LargestExcess& largest, const LargestExcess& other)
 {
@@ -28,25 +28,25 @@ void Join(LargestExcess& largest, const LargestExcess& other)
   }
 }
 
-/// Of each point whether its value is asked for.
-std::vector<char> AskedPoints(const Simplices& source, bool ofAll)
+/// For each point whether its value is needed.
+std::vector<char> RequestedPoints(const Simplices& source, bool ofAll)
 {
-  std::vector<char> isAsked(source.Points.size(), 0);
+  std::vector<char> isRequested(source.Points.size(), 0);
   for (const Triangle& corners : source.Corners)
   {
     for (const Index corner : corners)
     {
       if (corner != None)
       {
-        isAsked[corner] = 1;
+        isRequested[corner] = 1;
       }
     }
   }
-  for (std::size_t point = 0; point < isAsked.size() && ofAll; ++point)
+  for (std::size_t point = 0; point < isRequested.size() && ofAll; ++point)
   {
-    isAsked[point] = IsUsable(source.Points[point]) ? 1 : 0;
+    isRequested[point] = IsUsable(source.Points[point]) ? 1 : 0;
   }
-  return isAsked;
+  return isRequested;
 }
 
 /// The rounds; see Search.h.
@@ -69,14 +69,14 @@ public:
     this->TakeCorners();
     bool goesOn = true;
     double from = 0.0;
-    double to = ShareOfFirstRound;
+    double to = ProgressOfFirstRound;
     for (std::int64_t cuts = FirstCuts; goesOn && this->MayCut(); cuts *= MoreCuts)
     {
       goesOn = this->Round(cuts, PartOf(monitor, from, to));
       from = to;
       to += 0.5 * (1.0 - to);
     }
-    return goesOn ? this->Answer() : DistanceBounds();
+    return goesOn ? this->Bounds() : DistanceBounds();
   }
 
 private:
@@ -108,11 +108,11 @@ private:
 
   bool MayCut() const { return !this->Open.empty() && this->Cuts < this->Goal.MostCuts; }
 
-  bool Round(std::int64_t wanted, const Monitor& monitor)
+  bool Round(std::int64_t mostCuts, const Monitor& monitor)
   {
-    const std::int64_t share = std::max<std::int64_t>(
+    const std::int64_t evenCuts = std::max<std::int64_t>(
       1, (this->Goal.MostCuts - this->Cuts) / static_cast<std::int64_t>(this->Open.size()));
-    const std::int64_t cuts = std::min(wanted, share);
+    const std::int64_t cuts = std::min(mostCuts, evenCuts);
     std::vector<Part> parts(NumberOfChunks(this->Open.size()));
     const bool goesOn = ForEachChunk(this->Open.size(), this->Goal.NumberOfThreads, monitor,
       [&](std::size_t chunk, std::size_t first, std::size_t last)
@@ -147,21 +147,21 @@ private:
     part.Cuts = search.Cuts();
   }
 
-  DistanceBounds Answer() const
+  DistanceBounds Bounds() const
   {
     DistanceBounds bounds;
     bounds.Upper = std::max(this->Closed, this->Left);
     bounds.Cuts = this->Cuts;
     if (this->Largest.Simplex == None)
     {
-      return bounds; // nothing to explain
+      return bounds; // the source is empty
     }
     const LargestExcess& found = this->Largest;
-    const double value = this->To.ValueFromBelow(found.Place, found.Value + found.Tolerance);
+    const double value = this->To.ValueFromBelow(found.Position, found.Value + found.Tolerance);
     const bool isDistance = this->Source.PointTolerance.empty() && !this->To.HasTolerances();
     bounds.Lower =
       std::max(value - found.Tolerance - this->Goal.Slack, isDistance ? 0.0 : -Infinity);
-    bounds.Place = found.Place;
+    bounds.Position = found.Position;
     bounds.Triangle = found.Simplex;
     bounds.NearestTriangle = found.Nearest;
     return bounds;
@@ -173,8 +173,8 @@ private:
   const SearchGoal& Goal;
   std::vector<Index> Open; // simplices with pieces that are not closed
   LargestExcess Largest;
-  double Closed = -Infinity; // mm, the largest upper bound of what is closed
-  double Left = -Infinity;   // mm, of what is open
+  double Closed = -Infinity; // mm, the largest upper bound of closed pieces
+  double Left = -Infinity;   // mm, the same of open pieces
   std::int64_t Cuts = 0;
 };
 }
@@ -186,14 +186,14 @@ PointValues FindPointValues(
   PointValues values;
   values.Value.assign(source.Points.size(), std::numeric_limits<double>::quiet_NaN());
   values.Simplex.assign(source.Points.size(), None);
-  const std::vector<char> isAsked = AskedPoints(source, ofAll);
+  const std::vector<char> isRequested = RequestedPoints(source, ofAll);
   ForEachChunk(source.Points.size(), threads, monitor,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       Index hint = None;
       for (std::size_t point = first; point < last; ++point)
       {
-        if (isAsked[point])
+        if (isRequested[point])
         {
           const Target::Candidate found = target.FindLeast(source.Points[point], hint);
           values.Value[point] = found.Value;

@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Search.h
- * @brief The largest distance of one set to another between a lower and an upper bound: branch and bound.
+ * @brief Lower and upper bound of the largest distance of one set to another by branch and bound.
  *
  *     value of every corner                                lower = largest excess of a corner
- *     round by round, with 16 times as many cuts for each simplex as in the round before:
- *       for each simplex that is not closed yet, depth first from the whole of it:
+ *     in rounds, each with 16 times as many cuts for each simplex as the previous one:
+ *       for each simplex that is not closed yet, depth first:
  *         upper = least of  a. for a simplex F found nearest to one of the corners: largest excess over F of a corner
  *                           b. largest excess of a corner + how far a point of the piece can be from the corners
  *         upper <= goal: closed;   else cut an edge, find what is nearest to the new corner
- *     lower again, by looking at every simplex of the other set
+ *     lower bound, again, by the distance to every simplex of the other set
  *
- * Excess: distance less what is tolerated, where 0 may be tolerated. Goal: the largest excess found so far and a little
- * more, or what somebody wants to know the excess to be below. Bound a holds because the distance to a convex set is a
- * convex function and tolerance is linear: where three corners keep it, every point between them does. It is exact as
- * soon as the corners have F in common, which is why edges are cut where two candidates are equally far. Bound b
- * holds because no distance changes by more than the way. Whoever finds the candidates can only make the search slow.
+ * Excess: distance minus tolerance, which may be 0. Goal: the largest excess found so far plus the gap, or the value
+ * CloseBelow below which the excess need not be known more precisely. Bound a holds because the distance to a convex set
+ * is a convex function and the tolerance is linear: if it holds at three corners, it holds between them. It is exact as
+ * soon as F is the nearest simplex of all corners, which is why edges are cut where two candidates are equally far.
+ * Bound b holds because the distance is 1-Lipschitz. Wrong candidates make the search slower, never wrong.
  *
  * H. Alt, P. Brass, M. Godau, C. Knauer, C. Wenk, Computing the Hausdorff distance of geometric patterns and shapes,
  * 2003: where maxima lie. M. Tang, M. Lee, Y. J. Kim, Interactive Hausdorff distance computation for general polygonal
@@ -37,30 +37,30 @@ namespace bonedecimate::certificate
 {
 struct SearchGoal
 {
-  double CloseBelow =
-    0.0; ///< mm; where the excess is proved to be at most this, nobody looks closer
+  double CloseBelow = 0.0; ///< mm; pieces whose excess is proved not to exceed this are not refined
   double RelativeGap = 0.0; ///< of upper and lower bound
-  double LeastGap = 0.0;    ///< mm; several slacks at least, or nothing is ever closed
+  double LeastGap = 0.0;    ///< mm; at least several slacks, or no piece is ever closed
   double Slack = 0.0;       ///< mm; see Slack()
-  double Scale = 0.0;       ///< mm; added to the bound of which the gap is a share
-  bool Decides = false; ///< Close nothing above CloseBelow as long as nothing was found above it.
+  double Scale = 0.0;       ///< mm; added to the bound to which RelativeGap applies
+  bool Decides =
+    false; ///< Close no piece above CloseBelow as long as no excess above it was found.
   std::int64_t MostCuts = 0;
   int NumberOfThreads = 0;
 };
 
-/// The value of a point to the target, and the simplex that has it.
+/// The value of each point to the target, and the simplex of that value.
 struct PointValues
 {
-  std::vector<double> Value;  ///< mm; not a number for points that were not looked at
-  std::vector<Index> Simplex; ///< None there
+  std::vector<double> Value;  ///< mm; NaN for points that were not evaluated
+  std::vector<Index> Simplex; ///< None for these points
 };
 
-/// @param ofAll Of all points that can be a corner, not only of those that are.
+/// @param ofAll Evaluate all usable points, not only corners.
 PointValues FindPointValues(
   const Simplices& source, const Target& target, bool ofAll, int threads, const Monitor& monitor);
 
 /// Bounds of the largest excess of the source over the target.
-/// @param monitor Not empty. If it stopped it, the upper bound is infinite.
+/// @param monitor Not empty. After an abort the upper bound is infinite.
 DistanceBounds FindLargestExcess(const Simplices& source, const Target& target,
   const PointValues& values, const SearchGoal& goal, const Monitor& monitor);
 }

@@ -59,10 +59,10 @@ Vector3 SideFinder::UnitNormal(Index triangle) const
 }
 
 //------------------------------------------------------------------------------
-int SideFinder::CornerAt(Index triangle, const Vector3& place) const
+int SideFinder::CornerAt(Index triangle, const Vector3& position) const
 {
   const std::array<Vector3, 3> corners = this->CornersOf(triangle);
-  return static_cast<int>(std::find(corners.begin(), corners.end(), place) - corners.begin());
+  return static_cast<int>(std::find(corners.begin(), corners.end(), position) - corners.begin());
 }
 
 //------------------------------------------------------------------------------
@@ -78,7 +78,7 @@ bool SideFinder::AddEdge(Index triangle, int side, Vector3& normal) const
 }
 
 //------------------------------------------------------------------------------
-/// Once around the corner, if the triangles close there.
+/// Sums up all triangles around the corner; false if they do not close.
 bool SideFinder::AddFan(Index triangle, int corner, Vector3& normal) const
 {
   const Vector3 tip = this->CornersOf(triangle)[corner];
@@ -103,8 +103,8 @@ bool SideFinder::AddFan(Index triangle, int corner, Vector3& normal) const
 int SideFinder::SideOf(const Vector3& p, Index nearestTriangle) const
 {
   const std::array<Vector3, 3> corners = this->CornersOf(nearestTriangle);
-  const TrianglePlace place = NearestOnTriangle(p, corners[0], corners[1], corners[2]);
-  const std::array<double, 3>& weights = place.Weights;
+  const PointOnTriangle nearest = NearestOnTriangle(p, corners[0], corners[1], corners[2]);
+  const std::array<double, 3>& weights = nearest.Weights;
   Vector3 normal = Vector3::Zero();
   bool isKnown = true;
   const auto one = std::find(weights.begin(), weights.end(), 1.0);
@@ -122,7 +122,7 @@ int SideFinder::SideOf(const Vector3& p, Index nearestTriangle) const
   {
     normal = this->UnitNormal(nearestTriangle);
   }
-  const double along = isKnown ? normal.dot(p - place.Position) : 0.0;
+  const double along = isKnown ? normal.dot(p - nearest.Position) : 0.0;
   return along > 0.0 ? 1 : along < 0.0 ? -1 : 0;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Simplices.h
- * @brief What distances are certified between: triangles, or the segments of borders, in a local frame.
+ * @brief The sets between which distances are certified: triangles, or segments of boundaries, in a local frame.
  */
 #ifndef BoneDecimate_Core_Certificate_Simplices_h
 #define BoneDecimate_Core_Certificate_Simplices_h
@@ -17,10 +17,11 @@ namespace bonedecimate::certificate
 /// A point set made of triangles, segments (third corner None) and points (second and third corner None).
 struct Simplices
 {
-  std::vector<Vector3> Points;        ///< mm, in the local frame; not each need be a corner
-  std::vector<Triangle> Corners;      ///< into Points
-  std::vector<Index> TriangleIds;     ///< of the surface they come from; empty: their own positions
-  std::vector<double> PointTolerance; ///< mm, at each point, and linear in between; empty: 0
+  std::vector<Vector3> Points; ///< mm, in the local frame; may contain points that are not corners
+  std::vector<Triangle> Corners; ///< indices into Points
+  std::vector<Index>
+    TriangleIds; ///< of the surface from which they come; empty: the index of the simplex
+  std::vector<double> PointTolerance; ///< mm, at each point, linear in between; empty: 0
 
   std::size_t Size() const { return this->Corners.size(); }
   int NumberOfCorners(std::size_t simplex) const

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Stages.h
- * @brief One monitor for stages of known shares, one after the other; once somebody said stop, so it stays.
+ * @brief Divides the progress of one monitor among consecutive stages. An abort ends all later stages, too.
  */
 #ifndef BoneDecimate_Core_Certificate_Stages_h
 #define BoneDecimate_Core_Certificate_Stages_h
@@ -21,15 +21,15 @@ public:
   {
   }
 
-  /// The monitor of the next stage, which takes this share of the whole.
-  Monitor Next(double share)
+  /// The monitor of the next stage.  @param weight Its part of the whole progress, 0 to 1.
+  Monitor Next(double weight)
   {
     const double from = this->Begun;
-    this->Begun += share;
-    return [this, from, share](double fraction) { return this->Tell(from + fraction * share); };
+    this->Begun += weight;
+    return [this, from, weight](double fraction) { return this->Tell(from + fraction * weight); };
   }
 
-  /// All is done.
+  /// Reports a progress of 1.
   void Finish() { this->Tell(1.0); }
 
   bool GoesOn() const { return this->Going; }

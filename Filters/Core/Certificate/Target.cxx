@@ -9,7 +9,7 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-/// Segments and points as triangles that repeat a corner.
+/// Represents segments and points by triangles that repeat a corner.
 Surface AsTriangles(const Simplices& simplices)
 {
   Surface surface{ simplices.Points, simplices.Corners };
@@ -21,7 +21,7 @@ Surface AsTriangles(const Simplices& simplices)
   return surface;
 }
 
-/// The longest way along an axis from p to the box about the corners, mm: none of them is nearer.
+/// The largest distance along an axis from p to the bounding box of the corners, mm: a lower bound of the distance.
 double DistanceToBox(const Vector3& p, const Corners& corners)
 {
   const Vector3 below = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]) - p;
@@ -67,7 +67,7 @@ Target::Candidate Target::FindLeast(const Vector3& p, Index hint) const
   {
     return best;
   }
-  // Farther than this, no tolerance makes up for the distance.
+  // A simplex farther than this cannot have a smaller value, whatever its tolerance.
   double reach = Squared(best.Value + this->LargestTolerance);
   this->Tree.VisitNear(p, reach,
     [&](Index simplex)
@@ -100,21 +100,21 @@ double Target::ValueFromBelow(const Vector3& p, double startValue) const
 }
 
 //------------------------------------------------------------------------------
-Index Target::FindSame(const Corners& places, int count) const
+Index Target::FindSame(const Corners& positions, int count) const
 {
-  Vector3 middle = places[0];
+  Vector3 middle = positions[0];
   for (int i = 1; i < count; ++i)
   {
-    middle += (places[i] - places[0]) / count;
+    middle += (positions[i] - positions[0]) / count;
   }
   Index same = None;
   this->Tree.VisitNear(middle, 0.0,
     [&](Index simplex)
     {
       const Corners corners = this->CornersOf(simplex);
-      const auto isCorner = [&](const Vector3& place)
-      { return std::find(corners.begin(), corners.end(), place) != corners.end(); };
-      const bool hasAll = std::all_of(places.begin(), places.begin() + count, isCorner);
+      const auto isCorner = [&](const Vector3& position)
+      { return std::find(corners.begin(), corners.end(), position) != corners.end(); };
+      const bool hasAll = std::all_of(positions.begin(), positions.begin() + count, isCorner);
       same = hasAll && (same == None || simplex < same) ? simplex : same;
     });
   return same;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Target.h
- * @brief The set to which distances are certified. What is called the value of a point is its distance to one simplex less
- *        that simplex's tolerance; the value to the set is the least of them, mm.
+ * @brief The set to which distances are certified. The value of a point to a simplex is its distance minus the tolerance of
+ *        the simplex; its value to the set is the least of these, mm.
  *
- * The tree only finds candidates. Values of candidates bound the value to the set from above whichever they are; the one
- * bound from below, for the place of the maximum, looks at every simplex and needs no tree.
+ * The tree only finds candidates. The value to any candidate is an upper bound of the value to the set. The lower bound at
+ * the maximum is computed from all simplices, without the tree.
  */
 #ifndef BoneDecimate_Core_Certificate_Target_h
 #define BoneDecimate_Core_Certificate_Target_h
@@ -23,10 +23,10 @@ namespace bonedecimate::certificate
 class Target
 {
 public:
-  /// Keeps a reference to the simplices, of which there must be one.
+  /// Keeps a reference to the simplices, which must not be empty.
   Target(const Simplices& simplices, int threads, const std::function<void()>& afterStep);
 
-  /// mm, of each simplex, from now on.
+  /// Sets the tolerance of each simplex, mm.
   void SetTolerances(std::vector<double> tolerances);
 
   struct Candidate
@@ -34,20 +34,20 @@ public:
     Index Simplex = None;
     double Value = 0.0; ///< mm
   };
-  /// The simplex of the least value, as far as the tree knows.
+  /// The simplex of least value among the candidates of the tree.
   Candidate FindLeast(const Vector3& p, Index hint) const;
 
-  /// Value to this simplex, mm: never below the true one but for rounding.
+  /// Value to this simplex, mm; an upper bound but for rounding.
   double ValueTo(const Vector3& p, Index simplex) const
   {
     return FindFoot(p, this->CornersOf(simplex)).Distance - this->Tolerance(simplex);
   }
 
-  /// A lower bound of the value to the set, mm, but for rounding.
+  /// Lower bound of the value to the set, mm, but for rounding.
   double ValueFromBelow(const Vector3& p, double startValue) const;
 
-  /// A simplex that has all these places among its corners; None if none was found.
-  Index FindSame(const Corners& places, int count) const;
+  /// A simplex whose corners include all these positions; None if the tree finds none.
+  Index FindSame(const Corners& positions, int count) const;
 
   bool HasTolerances() const { return !this->Tolerances.empty(); }
   double Tolerance(Index simplex) const
@@ -57,10 +57,10 @@ public:
 
   const certificate::Simplices& All() const { return this->Set; }
   Corners CornersOf(Index simplex) const;
-  bool HasCorner(Index simplex, const Vector3& place) const
+  bool HasCorner(Index simplex, const Vector3& position) const
   {
     const Corners corners = this->CornersOf(simplex);
-    return corners[0] == place || corners[1] == place || corners[2] == place;
+    return corners[0] == position || corners[1] == position || corners[2] == position;
   }
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TriangleBounds.h
- * @brief How far each triangle alone is from the other surface at most: the search of Search.h, one triangle at a time.
+ * @brief An upper bound of the distance of each triangle to the other surface, by the search of Search.h for one triangle.
  */
 #ifndef BoneDecimate_Core_Certificate_TriangleBounds_h
 #define BoneDecimate_Core_Certificate_TriangleBounds_h
@@ -14,9 +14,9 @@
 namespace bonedecimate::certificate
 {
 /**
- * @param goal Its gaps are those of each triangle to the largest distance of one of its points.
- * @param most mm, an upper bound of all that is known already; what the monitor stopped keeps it.
- * @return mm, of each simplex.
+ * @param goal Its gaps apply to each triangle.
+ * @param most mm, a known upper bound for all triangles; after an abort the remaining triangles keep it.
+ * @return mm, for each simplex.
  */
 std::vector<double> FindTriangleBounds(const Simplices& source, const Target& target,
   const PointValues& values, const SearchGoal& goal, double most, const Monitor& monitor);

@@ -13,8 +13,8 @@
  *
  * The thesis has no L: its second term is mm^2 beside mm^3, and the order then depends on the unit of length. Here L
  * is the mean edge length of the cleaned input, so that costs of a surface scaled by k are k^3 times the costs and the order
- * is the same in millimetres and in metres.
- * A border edge has one triangle; its missing twin counts as one of the same area at right angles: NFD = 2 D1.
+ * is the same in millimeters and in meters.
+ * A boundary edge has one triangle; its missing twin counts as one of the same area at right angles: NFD = 2 D1.
  *
  * M. Hussain, Efficient simplification methods for generating high quality LODs of 3D meshes, 2009: NFD.
  * H. Brandao, BSc thesis, Groningen 2018: the tolerance w and the vertex cost.
@@ -41,7 +41,7 @@ public:
   }
 
   double EdgeCost(Index h) const;   ///< mm^3
-  double VertexCost(Index v) const; ///< mm^3; v must not be locked.
+  double VertexCost(Index v) const; ///< mm^3; v must not be constrained.
 
 private:
   const HalfEdgeMesh& Mesh;

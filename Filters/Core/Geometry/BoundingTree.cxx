@@ -13,17 +13,17 @@ namespace bonedecimate
 namespace
 {
 constexpr Index Width = 4; // children of a node
-/// Ranges shrink to little more than a quarter from level to level, so that 2^31 triangles need 17 levels.
+/// A child has little more than a quarter of the triangles of its parent, so 2^31 triangles need 17 levels.
 constexpr std::size_t LargestStack = 128;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-/// Boxes grow by this share of the whole and of the coordinate: four times what single precision rounds.
+/// Boxes are enlarged by this fraction of the whole and of the coordinate: four times the rounding of single precision.
 constexpr double Growth = 1.0 / (1 << 22);
-/// A squared distance of boxes in single precision may be too large by less than this.
+/// A squared distance to a box in single precision is too large by less than this factor.
 constexpr double Slack = 1.0 + 1e-5;
-/// Farther away than this (in lengths of the whole) all boxes are about equally far; squares must stay finite.
+/// Coordinates are clamped to this, in lengths of the whole, so that squares stay finite; all boxes are equally far then.
 constexpr double Far = 1e12;
 constexpr double LargestSquare = 1e38;
-constexpr double LeastLength = 1e-290; // mm; with a shorter whole the scale would overflow
+constexpr double LeastLength = 1e-290; // mm; the scale of a smaller surface would overflow
 
 struct Range
 {
@@ -31,14 +31,14 @@ struct Range
   Index Count() const { return this->Last - this->First; }
 };
 
-/// The middle of a triangle.
+/// The centroid of a triangle.
 struct Middle
 {
   std::array<float, 3> At;
   Index Id;
 };
 
-/// Half of the range and, at its end, an empty one, if it fits into one node.
+/// The two halves of the range; the range and an empty one if it fits into one node.
 std::array<Range, 2> Halve(Middle* middles, const Range& range)
 {
   if (range.Count() <= Width)
@@ -66,16 +66,16 @@ std::array<Range, 2> Halve(Middle* middles, const Range& range)
   return { Range{ range.First, middle }, Range{ middle, range.Last } };
 }
 
-/// The place whose nearest triangle is asked for, in the tree's unit.
-struct Asked
+/// The query point in the unit of the tree.
+struct QueryPoint
 {
-  std::array<float, 3> Low, High; // it lies between them
+  std::array<float, 3> Low, High; // bounds of its coordinates
 };
 
-/// Squared distances to four boxes. Without maxima, which gcc 12 does not compute four at a time: x + |x| is twice the
-/// greater of x and 0, and of the distances below and above a box one at most is positive.
+/// Squared distances to four boxes. Uses x + |x|, twice the maximum of x and 0, because gcc 12 does not vectorize maxima;
+/// at most one of the distances below and above a box is positive.
 template <typename Boxes>
-std::array<float, 4> SquaredDistances(const Asked& asked, const Boxes& boxes)
+std::array<float, 4> SquaredDistances(const QueryPoint& query, const Boxes& boxes)
 {
   std::array<float, 4> sum = { 0.0F, 0.0F, 0.0F, 0.0F };
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -83,8 +83,8 @@ std::array<float, 4> SquaredDistances(const Asked& asked, const Boxes& boxes)
     std::array<float, 4> twice;
     for (std::size_t i = 0; i < 4; ++i)
     {
-      const float below = boxes.Low[axis][i] - asked.High[axis];
-      const float above = asked.Low[axis] - boxes.High[axis][i];
+      const float below = boxes.Low[axis][i] - query.High[axis];
+      const float above = query.Low[axis] - boxes.High[axis][i];
       twice[i] = (below + std::abs(below)) + (above + std::abs(above));
     }
     for (std::size_t i = 0; i < 4; ++i)
@@ -165,7 +165,7 @@ private:
     return halves;
   }
 
-  /// A node for each range; returns the ranges of the next level's nodes.
+  /// Adds a node for each range; returns the ranges of the nodes of the next level.
   std::vector<Range> AddLevel(const std::vector<Range>& ranges)
   {
     const std::vector<Range> quarters = this->HalveAll(this->HalveAll(ranges));
@@ -180,7 +180,7 @@ private:
         const Index slot = ranges[i].First + static_cast<Index>(child);
         const bool isLast = ranges[i].Count() <= Width;
         const bool isThere = isLast ? slot < ranges[i].Last : quarter.Count() > 0;
-        node.Children[child] = !isThere ? 0 // the root is nobody's child
+        node.Children[child] = !isThere ? 0 // the root, which is never a child
           : isLast                      ? ~slot
                                         : static_cast<Index>(nextLevel + next.size());
         if (isThere && !isLast)
@@ -241,7 +241,7 @@ void BoundingTree::SetUnit(const Surface& surface)
 }
 
 //------------------------------------------------------------------------------
-/// From mm to a coordinate in which all triangles lie between 0 and 1, safely below (side -1) or above (side 1).
+/// Converts mm to a unit in which all triangles lie between 0 and 1, rounded safely down (side -1) or up (side 1).
 float BoundingTree::ToUnit(double coordinate, Eigen::Index axis, double side) const
 {
   const double unit = std::clamp((coordinate - this->Low[axis]) * this->Scale, -Far, Far);
@@ -286,11 +286,11 @@ void BoundingTree::Walk(const Vector3& p, Limit limit, Visit visit) const
   };
   std::array<Waiting, LargestStack> stack;
   std::size_t size = 0;
-  Asked asked;
+  QueryPoint query;
   for (Eigen::Index axis = 0; axis < 3; ++axis)
   {
-    asked.Low[static_cast<std::size_t>(axis)] = this->ToUnit(p[axis], axis, -1.0);
-    asked.High[static_cast<std::size_t>(axis)] = this->ToUnit(p[axis], axis, 1.0);
+    query.Low[static_cast<std::size_t>(axis)] = this->ToUnit(p[axis], axis, -1.0);
+    query.High[static_cast<std::size_t>(axis)] = this->ToUnit(p[axis], axis, 1.0);
   }
   const auto farthest = [&]
   {
@@ -316,8 +316,8 @@ void BoundingTree::Walk(const Vector3& p, Limit limit, Visit visit) const
       continue;
     }
     const Node& node = this->Nodes[waiting.Child];
-    const std::array<float, 4> squares = SquaredDistances(asked, node);
-    const std::size_t base = size; // above it the nearest comes last
+    const std::array<float, 4> squares = SquaredDistances(query, node);
+    const std::size_t base = size; // children are inserted above it, the nearest last
     for (std::size_t child = 0; child < 4; ++child)
     {
       if (squares[child] <= most)
@@ -337,16 +337,16 @@ void BoundingTree::Walk(const Vector3& p, Limit limit, Visit visit) const
 BoundingTree::Nearest BoundingTree::FindNearest(const Vector3& p, Index hintTriangle) const
 {
   Nearest best;
-  best.Place.SquaredDistance = Infinity;
+  best.Point.SquaredDistance = Infinity;
   const auto visit = [&](const Slot& slot)
   {
-    const TrianglePlace place =
+    const PointOnTriangle point =
       NearestOnTriangle(p, slot.Corners[0], slot.Corners[1], slot.Corners[2]);
-    const double previous = best.Place.SquaredDistance;
-    if (place.SquaredDistance < previous ||
-      (place.SquaredDistance == previous && slot.Id < best.Triangle))
+    const double previous = best.Point.SquaredDistance;
+    if (point.SquaredDistance < previous ||
+      (point.SquaredDistance == previous && slot.Id < best.Triangle))
     {
-      best = { slot.Id, place };
+      best = { slot.Id, point };
     }
   };
   if (hintTriangle != None)
@@ -354,7 +354,7 @@ BoundingTree::Nearest BoundingTree::FindNearest(const Vector3& p, Index hintTria
     visit(this->Slots[this->SlotOfTriangle[hintTriangle]]);
   }
   this->Walk(
-    p, [&] { return best.Place.SquaredDistance; }, visit);
+    p, [&] { return best.Point.SquaredDistance; }, visit);
   return best;
 }
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Expansion.h
- * @brief A real number as a sum of doubles that do not overlap, smallest first, none of them zero: sums without rounding.
+ * @brief A real number as a sum of nonoverlapping nonzero doubles, smallest first, so that sums are exact.
  *
  *     a + b = sum + tail     both doubles, exact (Knuth)
  *     a * b = product + tail the same, by halves of 26 digits (Dekker, Veltkamp)
  *
- * The sign of the whole is the sign of the largest part.
+ * The sign of the number is the sign of its largest part.
  */
 #ifndef BoneDecimate_Core_Geometry_Expansion_h
 #define BoneDecimate_Core_Geometry_Expansion_h
@@ -17,7 +17,7 @@
 
 namespace bonedecimate
 {
-/// A rounded result and what rounding took from it.
+/// A rounded result and its rounding error.
 struct ExactPair
 {
   double Head;
@@ -53,12 +53,12 @@ inline ExactPair ExactProduct(double a, double b)
   return { product, x.Tail * y.Tail - missing };
 }
 
-/// @tparam Capacity The largest number of terms that are added.
+/// @tparam Capacity Largest number of terms.
 template <std::size_t Capacity>
 class Expansion
 {
 public:
-  /// Shewchuk's Grow-Expansion: one term through all parts from the smallest, zeros dropped.
+  /// Shewchuk's Grow-Expansion with elimination of zeros.
   void Add(double term)
   {
     double carried = term;

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TriangleFrame.h
- * @brief A triangle prepared for many questions: where on it is the place nearest to a point?
+ * @brief A triangle prepared for many nearest-point queries.
  *
- * Outside of the triangle the nearest place lies on an edge that the point sees, so that only edges opposite a
- * negative barycentric coordinate are asked. NearestOnTriangle gives the same answers more slowly, and with more digits
- * in needles.
+ * For a projection outside of the triangle the nearest point lies on an edge opposite a negative barycentric coordinate,
+ * so only these edges are evaluated. NearestOnTriangle computes the same, more slowly, and more accurately for needles.
  */
 #ifndef BoneDecimate_Core_Geometry_TriangleFrame_h
 #define BoneDecimate_Core_Geometry_TriangleFrame_h
@@ -23,13 +22,13 @@ namespace bonedecimate
 class TriangleFrame
 {
 public:
-  /// The corners A, B, C; a place is A + Weight of B * (B - A) + weight of C * (C - A).
-  struct Place
+  /// A point of the triangle with corners a, b, c: a + B (b - a) + C (c - a).
+  struct Point
   {
     double SquaredDistance = std::numeric_limits<double>::infinity(); // mm^2
     double B = 0.0;
     double C = 0.0;
-    /// Bit 0, 1, 2: the weight of corner A, B, C is zero because the place lies on the opposite edge.
+    /// Bit 0, 1, 2: the weight of corner a, b, c is zero because the point lies on the opposite edge.
     int Clamped = 0;
   };
 
@@ -45,7 +44,7 @@ public:
   {
     const double twiceArea = this->Normal.norm();
     this->Area = 0.5 * twiceArea;
-    // Narrower than 1e-9 of its length, a triangle's plane is rounding: its edges are near enough.
+    // The plane of a triangle narrower than 1e-9 of its length is rounding error: its edges are accurate enough.
     if (twiceArea * twiceArea > 1e-18 * this->Bb * this->Cc)
     {
       this->Normal /= twiceArea;
@@ -61,7 +60,7 @@ public:
   double SurfaceArea() const { return this->Area; }          ///< mm^2
   bool HasPlane() const { return this->Inverse > 0.0; }
 
-  /// The weights of B and C at the foot of p on the plane, inside or out; zero without a plane.
+  /// The weights of b and c at the projection of p onto the plane, also outside of the triangle; zero without a plane.
   std::array<double, 2> Coordinates(const Vector3& p) const
   {
     const Vector3 ap = p - this->A;
@@ -71,16 +70,16 @@ public:
       (this->Bb * pc - this->Bc * pb) * this->Inverse };
   }
 
-  /// mm^2, to a place that lies on the triangle even if rounding made it the wrong one: never too small by more than the
-  /// rounding of one subtraction.
+  /// Squared distance to a point of the triangle that is nearest but for rounding, mm^2: too small by at most the rounding
+  /// of one subtraction.
   double SquaredReach(const Vector3& p) const
   {
     return (p - this->At(this->Nearest(p))).squaredNorm();
   }
 
-  Vector3 At(const Place& place) const { return this->A + place.B * this->AB + place.C * this->AC; }
+  Vector3 At(const Point& point) const { return this->A + point.B * this->AB + point.C * this->AC; }
 
-  Place Nearest(const Vector3& p) const
+  Point Nearest(const Vector3& p) const
   {
     const Vector3 ap = p - this->A;
     const double pb = this->AB.dot(ap);
@@ -96,23 +95,23 @@ public:
   }
 
   /**
-   * Of a place inside the triangle: bit 0, 1, 2 is set if the edge opposite A, B, C is so near that a triangle across may
-   * rise towards the point. The others can be nearer only if they lean over by more than 150 degrees.
+   * For a point inside the triangle: bit 0, 1, 2 is set if the edge opposite a, b, c is so near that the triangle across it
+   * may be nearer. Triangles across the other edges can be nearer only at a dihedral angle below 30 degrees.
    */
-  int EdgesNearby(const Place& place) const
+  int EdgesNearby(const Point& point) const
   {
-    const double reach = 4.0 * place.SquaredDistance * this->Inverse; // (2 d / twice the area)^2
-    const double a = 1.0 - place.B - place.C;
+    const double reach = 4.0 * point.SquaredDistance * this->Inverse; // (2 d / twice the area)^2
+    const double a = 1.0 - point.B - point.C;
     const double oppositeA = this->Bb + this->Cc - 2.0 * this->Bc;
-    return (a * a < reach * oppositeA ? 1 : 0) | (place.B * place.B < reach * this->Cc ? 2 : 0) |
-      (place.C * place.C < reach * this->Bb ? 4 : 0);
+    return (a * a < reach * oppositeA ? 1 : 0) | (point.B * point.B < reach * this->Cc ? 2 : 0) |
+      (point.C * point.C < reach * this->Bb ? 4 : 0);
   }
 
 private:
-  Place NearestOnEdges(const Vector3& ap, double pb, double pc, double b, double c) const
+  Point NearestOnEdges(const Vector3& ap, double pb, double pc, double b, double c) const
   {
     const bool all = !this->HasPlane();
-    Place best;
+    Point best;
     if (all || c <= 0.0)
     {
       const double t = Fraction(pb, this->Bb);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TriangleGeometry.h
- * @brief One triangle: its area vector and the place on it nearest to a point. Degenerate ones are welcome.
+ * @brief The area vector of a triangle and its point nearest to another point. Handles degenerate triangles.
  */
 #ifndef BoneDecimate_Core_Geometry_TriangleGeometry_h
 #define BoneDecimate_Core_Geometry_TriangleGeometry_h
@@ -13,25 +13,25 @@
 
 namespace bonedecimate
 {
-/// Unit normal times area, mm^2; its direction is outwards for counter-clockwise corners.
+/// Unit normal times area, mm^2; points outwards if the corners are counter-clockwise.
 inline Vector3 AreaVector(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   return 0.5 * (b - a).cross(c - a);
 }
 
-/// A place on a triangle: where it is, its barycentric coordinates, and how far it is from what was asked.
-struct TrianglePlace
+/// A point on a triangle: position, barycentric coordinates, and distance to the query point.
+struct PointOnTriangle
 {
   Vector3 Position = Vector3::Zero();                // mm
   std::array<double, 3> Weights = { 1.0, 0.0, 0.0 }; // sum 1
   double SquaredDistance = 0.0;                      // mm^2
 };
 
-/// The place on the segment a-b nearest to p as a fraction of the way from a to b, 0 to 1.
+/// The point of the segment a-b nearest to p as a fraction of the way from a to b, 0 to 1.
 double NearestFraction(const Vector3& p, const Vector3& a, const Vector3& b);
 
-/// The place on triangle a b c nearest to p (regions as in Ericson, Real-Time Collision Detection, 2005, 5.1.5).
-TrianglePlace NearestOnTriangle(
+/// The point of triangle a b c nearest to p (regions as in Ericson, Real-Time Collision Detection, 2005, 5.1.5).
+PointOnTriangle NearestOnTriangle(
   const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c);
 }
 

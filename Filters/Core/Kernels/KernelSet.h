@@ -4,27 +4,18 @@
  * @file KernelSet.h
  * @brief The kernels themselves; compiled once for each kind of processor, see Kernels.h.
  *
- * **An edge** between v and w, in coordinates about its middle, e = (w - v) / 2, with M and G of both ends summed over
- * the triangles as they are now (RingQuadric):
+ *     EvaluateEdges    Placement/EdgeQuadric.h, Placement/VolumePreserving.h and Cost/QuadricDeviation.h, eight edges at a time
+ *     LeaveBehind      Cost/AccumulatedError.h, four triangles at a time
  *
- *     M = Mv + Mw      r = (Mw - Mv) e      g = Gv + Gw      d = (Gw - Gv) . e
- *     x0 = (M + 1e-5 tr M / 3 I)^-1 r                                    least squared distance to the planes
- *     y  = (M + 1e-5 tr M / 3 I)^-1 g,   x = x0 + y (d - g.x0) / (g.y)   the same, volume kept
- *     |x| > 2 lengths: x0; that too far as well: the middle
- *     Q = x.Mx - 2 r.x + e.Me,   S = tr M,   cost = S^(1/4) Q^(3/4) + 0.03 (S / 2) D^(3/2)
- *
- * The first term is about area times distance^(3/2), the deviation of the normals of the faces that stay, old against
- * new, weighted by area and height. D is the distance left behind by earlier collapses at either end. In flat places Q
- * is lifted to a rounding's worth of S length^2, so that shorter edges go first. On open borders M holds
- * 2 |b|^2 (I - bb^T/|b|^2) for each border edge b at both its ends.
- *
- * P. Lindstrom, G. Turk, Fast and memory efficient polygonal simplification, 1998: memoryless quadrics, volume kept.
+ * Those files have the formulas, their sources and a scalar reference, whose bits every set of kernels gives.
  */
+#include "Cost/QuadricDeviation.h"
 #include "FaceRules.h"
 #include "FanLanes.h"
 #include "Kernels.h"
 #include "LaneDistance.h"
 #include "Lanes.h"
+#include "Placement/VolumePreserving.h"
 #include "PlaneSums.h"
 #include "ReachKernel.h"
 
@@ -34,12 +25,7 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr float Ridge = 1e-5F; // of the mean eigenvalue of M
-constexpr float MemoryWeight = 0.03F;
-constexpr float FlatShare = 1e-8F;    // of S length^2
-constexpr float FarthestMove = 16.0F; // (2 lengths)^2 in squares of half a length
-
-/// Records of one vertex, side by side.
+/// The records of eight edges, one to a lane.
 struct Ends
 {
   Vectors<Floats> Half; // from First to Other, half of it, units
@@ -61,7 +47,7 @@ inline const double* CoordinatesOf(const VertexRecord* record)
   return reinterpret_cast<const double*>(record);
 }
 
-/// From one position to another, times the scale; the fourth is of no meaning.
+/// Scaled vector from one position to another; the fourth component is meaningless.
 inline FourFloats Arm(const VertexRecord* to, Doubles from, double scale)
 {
   return ToFloats((Load<Doubles>(CoordinatesOf(to)) - from) * scale);
@@ -101,10 +87,10 @@ struct EdgeSystem
   Floats D, Trace;
 };
 
-/// The place of least Q that keeps the volume, from the middle.
-inline Vectors<Floats> PlaceInSpace(const EdgeSystem& s, Floats halfSquared)
+/// The position of least Q that preserves the volume, relative to the middle.
+inline Vectors<Floats> PositionInSpace(const EdgeSystem& s, Floats halfSquared)
 {
-  const Floats ridge = s.Trace * (Ridge / 3.0F);
+  const Floats ridge = s.Trace * (QuadricRidge / 3.0F);
   const Symmetric<Floats> m = { s.M.XX + ridge, s.M.XY, s.M.XZ, s.M.YY + ridge, s.M.YZ,
     s.M.ZZ + ridge };
   const Symmetric<Floats> adjugate = m.Adjugate();
@@ -112,14 +98,14 @@ inline Vectors<Floats> PlaceInSpace(const EdgeSystem& s, Floats halfSquared)
   const Vectors<Floats> free = (adjugate * s.R) * perDeterminant;
   const Vectors<Floats> y = (adjugate * s.G) * perDeterminant;
   const Vectors<Floats> kept = free + y * ((s.D - s.G.Dot(free)) / s.G.Dot(y));
-  const Floats farthest = halfSquared * FarthestMove;
+  const Floats farthest = halfSquared * FarthestMoveSquared;
   const Vectors<Floats> middle = { farthest * 0.0F, farthest * 0.0F, farthest * 0.0F };
-  // What is not a number is not near either.
+  // NaN is treated as too far.
   const Vectors<Floats> fallback = Select(free.Dot(free) <= farthest, free, middle);
   return Select(kept.Dot(kept) <= farthest, kept, fallback);
 }
 
-inline Vectors<Floats> PlaceOnEdge(const EdgeSystem& s, const Vectors<Floats>& half)
+inline Vectors<Floats> PositionOnEdge(const EdgeSystem& s, const Vectors<Floats>& half)
 {
   const Floats curvature = half.Dot(s.M * half);
   Floats t = s.R.Dot(half) / curvature;
@@ -129,7 +115,7 @@ inline Vectors<Floats> PlaceOnEdge(const EdgeSystem& s, const Vectors<Floats>& h
   return half * Select(curvature > 0.0F, t, zero);
 }
 
-void JudgeEdges(const EdgeBatch& batch, EdgeAnswers& answers)
+void EvaluateEdges(const EdgeBatch& batch, EdgeResults& results)
 {
   const Ends ends = LoadEnds(batch);
   const float* q = QuadricOf(batch.First);
@@ -147,29 +133,29 @@ void JudgeEdges(const EdgeBatch& batch, EdgeAnswers& answers)
   s.Trace = s.M.XX + s.M.YY + s.M.ZZ;
 
   const FloatMask freedom = Load<FloatMask>(batch.Freedoms);
-  Vectors<Floats> x = PlaceInSpace(s, halfSquared);
+  Vectors<Floats> x = PositionInSpace(s, halfSquared);
   if (Any(freedom != static_cast<std::int32_t>(Freedom::Space)))
   {
-    x = Select(freedom == static_cast<std::int32_t>(Freedom::Edge), PlaceOnEdge(s, half), x);
+    x = Select(freedom == static_cast<std::int32_t>(Freedom::Edge), PositionOnEdge(s, half), x);
     x = Select(freedom == static_cast<std::int32_t>(Freedom::First), half * (zero - 1.0F), x);
     x = Select(freedom == static_cast<std::int32_t>(Freedom::Second), half, x);
   }
-  const Floats flat = s.Trace * halfSquared * FlatShare;
+  const Floats flat = s.Trace * halfSquared * FlatRatio;
   const Floats squares =
     Larger(x.Dot(s.M * x) - 2.0F * s.R.Dot(x) + half.Dot(s.M * half), zero) + flat;
-  const Floats memory = Load<Floats>(batch.Memories);
+  const Floats memory = Load<Floats>(batch.AccumulatedErrors);
   const Floats cost = (Root(Root(s.Trace) * squares * Root(squares)) +
-                        (0.5F * MemoryWeight) * s.Trace * memory * Root(memory)) *
+                        (0.5F * AccumulatedErrorWeight) * s.Trace * memory * Root(memory)) *
     batch.CostFactor;
   const float never = std::numeric_limits<float>::infinity();
   const FloatMask counts =
     (freedom != static_cast<std::int32_t>(Freedom::Nowhere)) & (cost < never);
   const Floats costs = Select(counts, cost, zero + never);
-  Store(costs, answers.Costs);
-  answers.Least = LeastOf(costs);
-  Store(half.X + x.X, answers.Moves[0]);
-  Store(half.Y + x.Y, answers.Moves[1]);
-  Store(half.Z + x.Z, answers.Moves[2]);
+  Store(costs, results.Costs);
+  results.Least = LeastOf(costs);
+  Store(half.X + x.X, results.Moves[0]);
+  Store(half.Y + x.Y, results.Moves[1]);
+  Store(half.Z + x.Z, results.Moves[2]);
 }
 
 //------------------------------------------------------------------------------
@@ -178,12 +164,12 @@ inline Doubles QualityOf(Doubles twiceArea, Doubles squares)
   return (0.5 * QualityOfEquilateral) * twiceArea / squares;
 }
 
-void JudgeFan(Fan& fan, FanVerdict& verdict)
+void CheckFan(Fan& fan, FanValidity& validity)
 {
   const Doubles zero = {};
   const Vectors<Doubles> end = All(fan.End);
   const Vectors<Doubles> start = { zero, zero, zero };
-  const Vectors<Doubles> place = All(fan.Place);
+  const Vectors<Doubles> position = All(fan.Position);
   Doubles volume = zero;
   DoubleMask degenerate = {};
   DoubleMask flip = {};
@@ -195,7 +181,7 @@ void JudgeFan(Fan& fan, FanVerdict& verdict)
     const Vectors<Doubles> corner = Select(Load<DoubleMask>(fan.AtEnd + i), end, start);
     const Vectors<Doubles> side = third - second;
     const Vectors<Doubles> oldArm = second - corner;
-    const Vectors<Doubles> newArm = second - place;
+    const Vectors<Doubles> newArm = second - position;
     const Vectors<Doubles> before = oldArm.Cross(side);
     const Vectors<Doubles> after = newArm.Cross(side);
     StoreVectors(before, fan.OldArea, i);
@@ -203,14 +189,14 @@ void JudgeFan(Fan& fan, FanVerdict& verdict)
     const Doubles areaBefore = Root(before.Dot(before));
     const Doubles areaAfter = Root(after.Dot(after));
     const Vectors<Doubles> oldThird = third - corner;
-    const Vectors<Doubles> newThird = third - place;
+    const Vectors<Doubles> newThird = third - position;
     const Doubles sideSquared = side.Dot(side);
     const Doubles qualityAfter =
       QualityOf(areaAfter, sideSquared + newArm.Dot(newArm) + newThird.Dot(newThird));
     const Doubles squaresBefore = sideSquared + oldArm.Dot(oldArm) + oldThird.Dot(oldThird);
     const Doubles qualityBefore =
       Select(squaresBefore > 0.0, QualityOf(areaBefore, squaresBefore), zero);
-    const DoubleMask hasArea = areaAfter > 0.0; // false for what is not a number, too
+    const DoubleMask hasArea = areaAfter > 0.0; // false for NaN, too
     degenerate |= isFace &
       (~hasArea | ((qualityAfter < LeastQualityOfCollapse) & (qualityAfter < qualityBefore)));
     flip |=
@@ -218,9 +204,9 @@ void JudgeFan(Fan& fan, FanVerdict& verdict)
     const Doubles change = (after - before).Dot(second);
     volume += Select(isFace, change, zero);
   }
-  verdict.Degenerate = Any(degenerate);
-  verdict.Flip = Any(flip);
-  verdict.VolumeChange = (volume[0] + volume[1] + volume[2] + volume[3]) / 6.0;
+  validity.Degenerate = Any(degenerate);
+  validity.Flip = Any(flip);
+  validity.VolumeChange = (volume[0] + volume[1] + volume[2] + volume[3]) / 6.0;
 }
 
 //------------------------------------------------------------------------------
@@ -228,33 +214,33 @@ void JudgeFan(Fan& fan, FanVerdict& verdict)
 inline double DistanceToNewFan(const Fan& fan, const double (&from)[3])
 {
   const Vectors<Doubles> point = All(from);
-  const Vectors<Doubles> place = All(fan.Place) - point;
+  const Vectors<Doubles> position = All(fan.Position) - point;
   const Doubles far = Doubles{} + std::numeric_limits<double>::infinity();
   Doubles least = far;
   for (int i = 0; i < fan.Faces; i += NumberOfDoubles)
   {
     const Doubles squared = SquaredDistanceToTriangle(
-      place, LoadVectors(fan.Ring, i) - point, LoadVectors(fan.Ring, i + 1) - point);
+      position, LoadVectors(fan.Ring, i) - point, LoadVectors(fan.Ring, i + 1) - point);
     least = Smaller(Select(IsFace(i, fan.Faces), squared, far), least);
   }
   return Root(LeastOfDoubles(least));
 }
 
-/// Distance of the future vertex to the faces at both ends as they are before the collapse, mm.
+/// Distance of the merged vertex to the faces at both ends before the collapse, mm.
 inline double DistanceToOldFan(const Fan& fan)
 {
-  const Vectors<Doubles> place = All(fan.Place);
-  const Vectors<Doubles> start = Vectors<Doubles>{} - place;
-  const Vectors<Doubles> end = All(fan.End) - place;
+  const Vectors<Doubles> position = All(fan.Position);
+  const Vectors<Doubles> start = Vectors<Doubles>{} - position;
+  const Vectors<Doubles> end = All(fan.End) - position;
   const Vectors<Doubles> apex = { Load<Doubles>(fan.Apexes[0]), Load<Doubles>(fan.Apexes[1]),
     Load<Doubles>(fan.Apexes[2]) };
   const Doubles far = Doubles{} + std::numeric_limits<double>::infinity();
-  Doubles least = SquaredDistanceToTriangle(start, end, apex - place);
+  Doubles least = SquaredDistanceToTriangle(start, end, apex - position);
   for (int i = 0; i < fan.Faces; i += NumberOfDoubles)
   {
     const Vectors<Doubles> corner = Select(Load<DoubleMask>(fan.AtEnd + i), end, start);
     const Doubles squared = SquaredDistanceToTriangle(
-      corner, LoadVectors(fan.Ring, i) - place, LoadVectors(fan.Ring, i + 1) - place);
+      corner, LoadVectors(fan.Ring, i) - position, LoadVectors(fan.Ring, i + 1) - position);
     least = Smaller(Select(IsFace(i, fan.Faces), squared, far), least);
   }
   return Root(LeastOfDoubles(least));
@@ -266,12 +252,12 @@ double LeaveBehind(const Fan& fan, double atStart, double atEnd)
   const double first = atStart + DistanceToNewFan(fan, start);
   const double second = atEnd + DistanceToNewFan(fan, fan.End);
   const double ends = first > second ? first : second;
-  const double place = (atStart > atEnd ? atStart : atEnd) + DistanceToOldFan(fan);
-  return ends > place ? ends : place;
+  const double atMerged = (atStart > atEnd ? atStart : atEnd) + DistanceToOldFan(fan);
+  return ends > atMerged ? ends : atMerged;
 }
 }
 
 extern const Kernels BONEDECIMATE_KERNELS;
-const Kernels BONEDECIMATE_KERNELS = { BONEDECIMATE_KERNELS_NAME, JudgeEdges, JudgeFan, LeaveBehind,
-  SumPlanes, ExchangePlanes, ReachTriangles };
+const Kernels BONEDECIMATE_KERNELS = { BONEDECIMATE_KERNELS_NAME, EvaluateEdges, CheckFan,
+  LeaveBehind, SumPlanes, ExchangePlanes, ReachTriangles };
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LaneDistance.h
- * @brief Distances of the origin to four segments or triangles side by side; in an anonymous namespace like Lanes.h.
+ * @brief Distances of the origin to four segments or triangles at once; in an anonymous namespace like Lanes.h.
  */
 #ifndef BoneDecimate_Core_Kernels_LaneDistance_h
 #define BoneDecimate_Core_Kernels_LaneDistance_h
@@ -13,7 +13,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Squared distance to a segment from `a` along `d`, both seen from the point.
+/// Squared distance to a segment from `a` along `d`, both relative to the point.
 inline Doubles SquaredDistanceToSegment(const Vectors<Doubles>& a, const Vectors<Doubles>& d)
 {
   const Doubles zero = {};
@@ -24,7 +24,7 @@ inline Doubles SquaredDistanceToSegment(const Vectors<Doubles>& a, const Vectors
   return nearest.Dot(nearest);
 }
 
-/// Squared distance of the origin to triangles a, b, c: over the face, or to the nearest side.
+/// Squared distance of the origin to triangles a, b, c: to the face, or to the nearest side.
 inline Doubles SquaredDistanceToTriangle(
   const Vectors<Doubles>& a, const Vectors<Doubles>& b, const Vectors<Doubles>& c)
 {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Lanes.h
- * @brief Eight floats or four doubles computed side by side, with the same bits on every processor.
+ * @brief Vectors of eight floats or four doubles, with the same bits on every processor.
  *
- * Only + - * / sqrt and comparisons, which IEEE 754 fixes to the last bit; nothing is fused (-ffp-contract=off).
- * Everything stands in an anonymous namespace: each file that includes this is compiled for another processor and must
- * not lend its code to the others.
+ * Only + - * / sqrt and comparisons, which IEEE 754 defines to the last bit; nothing is fused (-ffp-contract=off).
+ * Everything is in an anonymous namespace: each including file is compiled for another processor, and the linker must not
+ * merge their functions.
  */
 #ifndef BoneDecimate_Core_Kernels_Lanes_h
 #define BoneDecimate_Core_Kernels_Lanes_h
@@ -90,7 +90,7 @@ struct Symmetric
     return { XX * v.X + XY * v.Y + XZ * v.Z, XY * v.X + YY * v.Y + YZ * v.Z,
       XZ * v.X + YZ * v.Y + ZZ * v.Z };
   }
-  /// Determinant times the inverse.
+  /// The inverse times the determinant.
   Symmetric Adjugate() const
   {
     return { YY * ZZ - YZ * YZ, XZ * YZ - XY * ZZ, XY * YZ - XZ * YY, XX * ZZ - XZ * XZ,

@@ -163,7 +163,7 @@ inline Floats Join(const FourFloats& first, const FourFloats& second)
   }
   return joined;
 }
-/// Turns eight rows of eight floats into eight columns.
+/// Transposes eight rows of eight floats.
 inline void Transpose(Floats (&r)[8])
 {
   for (int i = 0; i < 8; ++i)
@@ -176,7 +176,7 @@ inline void Transpose(Floats (&r)[8])
     }
   }
 }
-/// Turns eight rows of four floats, the later four rows beside the earlier, into four columns of eight.
+/// Transposes eight rows of four floats into four columns of eight.
 inline void TransposeHalves(Floats (&r)[4])
 {
   Floats columns[4];

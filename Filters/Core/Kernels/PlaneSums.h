@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PlaneSums.h
- * @brief A part of KernelSet.h: the planes of a fan as quadrics of a vertex, afresh or what a collapse changes.
+ * @brief A part of KernelSet.h: quadrics of the planes of a fan, computed anew or updated after a collapse.
  */
 #ifndef BoneDecimate_Core_Kernels_PlaneSums_h
 #define BoneDecimate_Core_Kernels_PlaneSums_h
@@ -59,7 +59,7 @@ RingQuadric SumPlanes(const Fan& fan, double perArea)
   return SumOfLanes(sums);
 }
 
-/// What four faces change in the quadrics at their ends, a row for each face: eight numbers and the ninth.
+/// The change of the quadrics by four faces, a row for each face: eight numbers and the ninth.
 struct Changes
 {
   Floats Eight[NumberOfDoubles];
@@ -78,7 +78,7 @@ inline Changes RowsOf(const Doubles (&sums)[9])
   return rows;
 }
 
-/// A quadric on its way through the registers.
+/// A quadric in registers.
 struct NineFloats
 {
   Floats Eight;
@@ -98,7 +98,7 @@ inline void StoreQuadric(const NineFloats& quadric, VertexRecord& record)
   to[8] = quadric.Ninth;
 }
 
-/// Every vertex of the ring gets the change of the face before it and then that of the face behind it.
+/// Adds to each vertex of the ring the change of the previous face, then that of the next face.
 RingQuadric ExchangePlanes(
   const Fan& fan, VertexRecord* records, const Index* ring, bool closes, double perArea)
 {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ReachKernel.h
- * @brief A part of KernelSet.h: how far a point is from four triangles at a time.
+ * @brief A part of KernelSet.h: distances of a point to four triangles at once.
  *
- * The place is found by its weights, inside or on one of the sides, and the distance is measured to that very place:
- * weights that rounding made wrong give a place that is not quite the nearest, but lies on the triangle.
+ * Finds the weights of the nearest point, inside or on a side, and measures the distance to the point with these weights:
+ * whatever their rounding error, it lies on the triangle.
  */
 #ifndef BoneDecimate_Core_Kernels_ReachKernel_h
 #define BoneDecimate_Core_Kernels_ReachKernel_h

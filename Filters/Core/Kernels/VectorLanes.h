@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VectorLanes.h
- * @brief Lanes as GCC 12 and Clang know them: vector types, turned into whatever the file is compiled for.
+ * @brief Lanes as vector types of GCC and Clang.
  */
 #ifndef BoneDecimate_Core_Kernels_VectorLanes_h
 #define BoneDecimate_Core_Kernels_VectorLanes_h
@@ -59,7 +59,7 @@ inline Floats Least(Floats a, Floats b)
 {
   return a < b ? a : b;
 }
-/// Turns eight rows of eight floats into eight columns.
+/// Transposes eight rows of eight floats.
 inline void Transpose(Floats (&r)[8])
 {
   Floats a[8];
@@ -83,7 +83,7 @@ inline void Transpose(Floats (&r)[8])
   }
 }
 
-/// Turns eight rows of four floats, the later four rows beside the earlier, into four columns of eight.
+/// Transposes eight rows of four floats into four columns of eight.
 inline void TransposeHalves(Floats (&r)[4])
 {
   const Floats a = __builtin_shufflevector(r[0], r[1], 0, 8, 1, 9, 4, 12, 5, 13);

@@ -10,7 +10,7 @@ namespace
 {
 using Corners = std::array<Vector3, 3>;
 
-/// Right-handed: along the first edge, within the triangle, along its normal; of length 1. Zero without an area.
+/// Orthonormal and right-handed: along the first edge, in the plane, along the normal. Zero without area.
 Eigen::Matrix3d FrameOf(const Corners& c)
 {
   const Vector3 normal = AreaVector(c[0], c[1], c[2]).normalized();
@@ -28,10 +28,10 @@ double AreaOf(const Corners& c)
 
 Vector3 CarriedPoint(const Vector3& p, const Corners& from, const Corners& to)
 {
-  const TrianglePlace place = NearestOnTriangle(p, from[0], from[1], from[2]);
+  const PointOnTriangle nearest = NearestOnTriangle(p, from[0], from[1], from[2]);
   const Vector3 foot =
-    place.Weights[0] * to[0] + place.Weights[1] * to[1] + place.Weights[2] * to[2];
-  const Vector3 away = p - place.Position;
+    nearest.Weights[0] * to[0] + nearest.Weights[1] * to[1] + nearest.Weights[2] * to[2];
+  const Vector3 away = p - nearest.Position;
   const double areaBefore = AreaOf(from);
   const double areaAfter = AreaOf(to);
   if (!(areaBefore > 0.0 && areaAfter > 0.0))

@@ -11,7 +11,7 @@
 
 namespace bonedecimate
 {
-/// Replays the log. Whatever is read from it is looked at before it is used.
+/// Replays the log. Validates every value before it is used.
 class LevelStack::Builder
 {
 public:
@@ -57,7 +57,7 @@ public:
     return good && patch == this->Log.Patches.end();
   }
 
-  /// Placings by vertex: counted, then put behind each other.
+  /// Sorts the positions by vertex.
   void SortPlacings()
   {
     std::vector<Index>& first = this->Made.FirstPlacing;
@@ -88,7 +88,7 @@ private:
       this->Made.Lives[static_cast<std::size_t>(v)].End == Never;
   }
 
-  /// What the vertex has become; the way there is halved for those who come later.
+  /// The vertex into which the vertex was merged, with path halving.
   Index Now(Index v)
   {
     while (this->Current[static_cast<std::size_t>(v)] != v)
@@ -130,7 +130,7 @@ private:
     --this->Left;
     this->Made.Lives[static_cast<std::size_t>(gone)] = { time, collapse.Kept };
     this->Current[static_cast<std::size_t>(gone)] = collapse.Kept;
-    this->Place(collapse.Kept, collapse.Position, time);
+    this->SetPosition(collapse.Kept, collapse.Position, time);
     return true;
   }
 
@@ -173,19 +173,19 @@ private:
       {
         return false;
       }
-      this->Place(vertex.Id, vertex.Position, time);
+      this->SetPosition(vertex.Id, vertex.Position, time);
     }
     return true;
   }
 
-  void Place(Index vertex, const Vector3& position, Index time)
+  void SetPosition(Index vertex, const Vector3& position, Index time)
   {
     this->Made.Placings.push_back({ position, time, vertex });
   }
 
   const EditLog& Log;
   LevelStack& Made;
-  std::vector<Index> Current; // of each vertex: a later one on the way to what it has become
+  std::vector<Index> Current; // for each vertex: itself or a vertex into which it was merged
   Index Left;                 // faces
 };
 
@@ -231,7 +231,7 @@ Triangle LevelStack::CornersAt(Index face, Index time) const
 }
 
 //------------------------------------------------------------------------------
-const Vector3* LevelStack::PlaceAt(Index vertex, Index time) const
+const Vector3* LevelStack::PositionAt(Index vertex, Index time) const
 {
   const auto v = static_cast<std::size_t>(vertex);
   const Placing* first = this->Placings.data() + this->FirstPlacing[v];
@@ -261,9 +261,9 @@ Level LevelStack::At(Index collapses, int threads, const std::vector<Vector3>& p
     [&](std::size_t p)
     {
       const Index vertex = level.Vertices[p];
-      const Vector3* place = this->PlaceAt(vertex, collapses);
+      const Vector3* position = this->PositionAt(vertex, collapses);
       level.Surface.Points[p] =
-        place != nullptr ? *place : points[static_cast<std::size_t>(vertex)];
+        position != nullptr ? *position : points[static_cast<std::size_t>(vertex)];
     });
   return level;
 }

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LevelStack.h
- * @brief All levels of a recorded run in arrays from which each is read off, without its edits being replayed.
+ * @brief All levels of a recorded run in arrays from which each can be extracted without replaying its edits.
  *
- *     each face     when it went; the last time its corners were changed by flips, and from there the time before
- *     each vertex   when it went, and into which; all the times it was placed
+ *     each face     time of its removal; a linked list of the changes of its corners by flips, latest first
+ *     each vertex   time of its removal and the vertex into which it was merged; all its positions with times
  *
- *     level t:  the faces that went later, in their order
- *               corners: as they were changed last by then, each followed into what it had become by then
- *               points:  where they were placed last by then
+ *     level t:  the faces removed later, in their order
+ *               corners: after the last change up to t, each replaced by the vertex into which it was merged up to t
+ *               points:  the last position up to t
  *
  * Time counts collapses: collapse 0 happens at time 1, a patch at the number of collapses before it.
- * After H. Hoppe, Progressive meshes, SIGGRAPH 1996, with times in place of a sequence.
+ * After H. Hoppe, Progressive meshes, SIGGRAPH 1996, with times instead of a sequence.
  */
 #ifndef BoneDecimate_Core_Levels_LevelStack_h
 #define BoneDecimate_Core_Levels_LevelStack_h
@@ -28,31 +28,31 @@ namespace bonedecimate
 struct Level
 {
   bonedecimate::Surface Surface; ///< mm, in the input's frame.
-  std::vector<Index> Vertices;   ///< Of each point: its vertex of the cleaned input.
+  std::vector<Index> Vertices;   ///< For each point its vertex of the cleaned input.
 };
 
 class LevelStack
 {
 public:
   /**
-   * Replays the log once, trusting none of its numbers.
+   * Replays the log once and validates all its values.
    * @param triangles Of the cleaned and sorted input.
-   * @return Nothing if the log cannot have been recorded on that surface.
+   * @return Empty if the log cannot belong to that surface.
    */
   static std::optional<LevelStack> Build(
     const std::vector<Triangle>& triangles, const EditLog& log);
 
   Index NumberOfCollapses() const { return static_cast<Index>(this->FacesLeft.size()) - 1; }
-  /// Triangles of the level after so many collapses.
+  /// Number of triangles of the level after that many collapses.
   Index TrianglesAt(Index collapses) const
   {
     return this->FacesLeft[static_cast<std::size_t>(collapses)];
   }
-  /// The first level of no more triangles than that; the last one if there is none.
+  /// The first level with at most that many triangles; the last level if there is none.
   Index LevelOf(Index triangles) const;
 
-  /// @param points Of the cleaned input's vertices, mm, in the input's frame: of those that no edit placed.
-  /// @param sites Of each vertex, see Sheets.h; empty: there is one sheet.
+  /// @param points Of the cleaned input's vertices, mm, in the frame of the input, used for vertices that were never moved.
+  /// @param sites The original vertex of each vertex, see ManifoldPatches.h; empty: nothing was split.
   Level At(Index collapses, int threads, const std::vector<Vector3>& points,
     const std::vector<Index>& sites) const;
 
@@ -86,17 +86,17 @@ private:
     return vertex;
   }
   Triangle CornersAt(Index face, Index time) const;
-  /// Where an edit placed it last by then; null: none did.
-  const Vector3* PlaceAt(Index vertex, Index time) const;
+  /// The last position that an edit set up to that time; null: none.
+  const Vector3* PositionAt(Index vertex, Index time) const;
 
-  std::vector<Triangle> Corners; // of each face at first
+  std::vector<Triangle> Corners; // of each face in the input
   std::vector<Index> FaceEnds;   // time
   std::vector<Index> LastChange; // of each face
   std::vector<Change> Changes;
   LargeArray<Life> Lives;
-  std::vector<Placing> Placings;   // vertex after vertex, of each in the order of time
-  std::vector<Index> FirstPlacing; // of each vertex, and at the end how many there are
-  std::vector<Index> FacesLeft;    // of each time
+  std::vector<Placing> Placings;   // sorted by vertex, then by time
+  std::vector<Index> FirstPlacing; // for each vertex, and finally their number
+  std::vector<Index> FacesLeft;    // at each time
 };
 }
 

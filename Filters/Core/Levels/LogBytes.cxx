@@ -17,7 +17,7 @@ constexpr std::uint32_t SingleFlag = 1;
 constexpr std::uint32_t MergeFlag = 2;
 constexpr std::size_t BytesOfChecksum = 8;
 
-/// FNV-1a over words of eight bytes, the least first; the last word is filled up with zeros.
+/// FNV-1a over little-endian words of eight bytes; the last word is padded with zeros.
 std::uint64_t ChecksumOf(const unsigned char* bytes, std::size_t size)
 {
   std::uint64_t sum = 14695981039346656037ULL;
@@ -78,7 +78,7 @@ public:
   std::vector<unsigned char> Bytes;
 };
 
-/// Beyond the end there are zeros, and it is no longer good.
+/// Reads zeros beyond the end and stores the error.
 class Reader
 {
 public:
@@ -118,7 +118,7 @@ public:
     }
     return position;
   }
-  /// Makes room for what is still there at the most.
+  /// Reserves memory for at most as many entries as the remaining bytes can hold.
   template <typename T>
   void Resize(std::vector<T>& list, Index count, std::size_t bytesOfEach)
   {
@@ -177,7 +177,7 @@ void Get(Reader& from, LoggedPatch& patch, bool isSingle)
   }
 }
 
-/// Everything after the version and before the checksum.
+/// The content between version and checksum.
 void Get(Reader& from, EditLog& log)
 {
   const std::uint32_t flags = from.GetBits<std::uint32_t>();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LogBytes.h
- * @brief A log of edits as bytes, for a file, and back. Documentation/levels.md has the format.
+ * @brief Serializes and parses a log of edits. Documentation/levels.md describes the format.
  */
 #ifndef BoneDecimate_Core_Levels_LogBytes_h
 #define BoneDecimate_Core_Levels_LogBytes_h
@@ -19,19 +19,19 @@ enum class LogStatus : int
   Good = 0,
   NotALog,
   UnknownVersion,
-  Damaged,       ///< Cut off, longer than it says, or other bytes than were written.
-  Contradictory, ///< Numbers that no run can have written.
-  OtherSurface   ///< Recorded on another surface than the one given.
+  Damaged,       ///< Truncated, too long, or with a wrong checksum.
+  Contradictory, ///< Values that no run can have written.
+  OtherSurface   ///< Recorded on another surface.
 };
 
-/// For people; empty if it is good.
+/// A sentence about the problem; empty if Good.
 std::string LogMessage(LogStatus status);
 
 std::vector<unsigned char> WriteLog(const EditLog& log);
 
 /**
- * Takes no more memory than a few times the bytes, whatever they say. What ids mean is looked at by LevelStack.
- * @param log Changed only if the answer is Good.
+ * Uses memory of at most a few times the number of bytes, whatever they contain. LevelStack validates the ids.
+ * @param log Changed only if the result is Good.
  */
 LogStatus ReadLog(const unsigned char* bytes, std::size_t size, EditLog& log);
 }

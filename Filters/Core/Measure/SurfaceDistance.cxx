@@ -109,7 +109,7 @@ std::vector<double> PointDistances(
       for (std::size_t p = first; p < last; ++p)
       {
         const BoundingTree::Nearest nearest = to.FindNearest(points[p], hint);
-        distances[p] = std::sqrt(nearest.Place.SquaredDistance);
+        distances[p] = std::sqrt(nearest.Point.SquaredDistance);
         hint = nearest.Triangle;
       }
     });
@@ -138,7 +138,7 @@ DistanceStatistics MeasureDistance(const Surface& from, const std::vector<double
         const Triangle& corners = from.Triangles[static_cast<std::size_t>(at - areas.begin())];
         const BoundingTree::Nearest nearest =
           to.FindNearest(SampleIn(from, corners, static_cast<double>(i)), hint);
-        sums[chunk].Add(nearest.Place.SquaredDistance);
+        sums[chunk].Add(nearest.Point.SquaredDistance);
         hint = nearest.Triangle;
       }
     });
@@ -152,7 +152,7 @@ DistanceStatistics MeasureDistance(const Surface& from, const std::vector<double
     sum.Add(part);
   }
   statistics.Samples = static_cast<std::int64_t>(count);
-  statistics.SamplesPerSquareMillimetre = static_cast<double>(count) / area;
+  statistics.SamplesPerSquareMillimeter = static_cast<double>(count) / area;
   statistics.Mean = sum.Distance / static_cast<double>(count);
   statistics.RootMeanSquare = std::sqrt(sum.SquaredDistance / static_cast<double>(count));
   statistics.Maximum = std::max(statistics.Maximum, sum.Maximum);

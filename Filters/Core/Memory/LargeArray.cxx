@@ -16,7 +16,7 @@ namespace
 constexpr std::size_t LargePage = std::size_t(1) << 21U; // bytes
 constexpr std::size_t CacheLine = 64;                    // bytes
 
-/// The last large page is taken if more than half of it is needed.
+/// Rounds up to whole large pages if more than half of the last one is needed.
 std::size_t SizeToTake(std::size_t bytes)
 {
   return std::max(bytes, (bytes + LargePage / 2) / LargePage * LargePage);
@@ -31,7 +31,7 @@ std::align_val_t AlignmentOf(std::size_t bytes)
 void* AllocateLarge(std::size_t bytes)
 {
   void* memory = ::operator new(SizeToTake(bytes), AlignmentOf(bytes));
-  AskForLargePages(memory, SizeToTake(bytes));
+  RequestLargePages(memory, SizeToTake(bytes));
   return memory;
 }
 
@@ -42,7 +42,7 @@ void FreeLarge(void* memory, std::size_t bytes) noexcept
 }
 
 //------------------------------------------------------------------------------
-void AskForLargePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) noexcept
+void RequestLargePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) noexcept
 {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
   void* first = memory;

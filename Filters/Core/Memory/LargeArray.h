@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LargeArray.h
- * @brief Vectors for millions of records: in large pages where the system has them, and not filled before they are written.
+ * @brief Vectors for millions of records, in large pages where the system has them, and without initialization.
  *
- * Neighbours in a mesh lie in many small pages, more than the processor remembers the places of; and every small page
- * is fetched and cleared by the system one by one. `LargeArray<T>(n)` and `resize` leave records as they were found:
- * whoever makes one writes every record; those of types with constructors are constructed as always.
+ * Neighbors in a mesh lie in more small pages than the translation buffer of the processor holds, and the system maps and
+ * clears small pages one by one. `LargeArray<T>(n)` and `resize` leave trivial records uninitialized: the caller has to
+ * write every record. Types with constructors are constructed as usual.
  */
 #ifndef BoneDecimate_Core_Memory_LargeArray_h
 #define BoneDecimate_Core_Memory_LargeArray_h
@@ -38,14 +38,14 @@ public:
   void deallocate(T* memory, std::size_t count) noexcept { FreeLarge(memory, count * sizeof(T)); }
 
   template <typename Made>
-  void construct(Made* place) noexcept
+  void construct(Made* object) noexcept
   {
-    ::new (static_cast<void*>(place)) Made;
+    ::new (static_cast<void*>(object)) Made;
   }
   template <typename Made, typename... Arguments>
-  void construct(Made* place, Arguments&&... arguments)
+  void construct(Made* object, Arguments&&... arguments)
   {
-    ::new (static_cast<void*>(place)) Made(std::forward<Arguments>(arguments)...);
+    ::new (static_cast<void*>(object)) Made(std::forward<Arguments>(arguments)...);
   }
 
   friend bool operator==(const LargeAllocator&, const LargeAllocator&) { return true; }
@@ -55,15 +55,15 @@ public:
 template <typename T>
 using LargeArray = std::vector<T, LargeAllocator<T>>;
 
-/// Only a wish; of the pages that lie wholly within, before they are written.
-void AskForLargePages(void* memory, std::size_t bytes) noexcept;
+/// Requests large pages within the memory, before it is written; may have no effect.
+void RequestLargePages(void* memory, std::size_t bytes) noexcept;
 
-/// Room for so many in an ordinary vector that is empty, in large pages as far as they fit in.
+/// Reserves capacity in an ordinary, empty vector, in large pages as far as they fit.
 template <typename T>
 void ReserveLarge(std::vector<T>& values, std::size_t count)
 {
   values.reserve(count);
-  AskForLargePages(values.data(), count * sizeof(T));
+  RequestLargePages(values.data(), count * sizeof(T));
 }
 }
 

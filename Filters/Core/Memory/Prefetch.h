@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Prefetch.h
- * @brief Asks the processor for memory that is needed soon; never changes a result.
+ * @brief Hints to the processor which memory is needed soon; never changes a result.
  */
 #ifndef BoneDecimate_Core_Memory_Prefetch_h
 #define BoneDecimate_Core_Memory_Prefetch_h

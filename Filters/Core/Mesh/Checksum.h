@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Checksum.h
- * @brief A number that tells two inputs apart.
+ * @brief A checksum of the points and triangles of an input.
  *
- * FNV-1a over 64-bit words instead of bytes. Points and triangles are cut into blocks (Parallel.h), each with three sums
- * side by side, one for each coordinate or corner; the sums of all blocks are words of the final sum.
+ * FNV-1a over 64-bit words instead of bytes. Points and triangles are divided into blocks (Parallel.h), each with three
+ * sums, one for each coordinate or corner; the sums of all blocks are the words of the final sum.
  *
  * G. Fowler, L. C. Noll, K.-P. Vo: the hash.
  */

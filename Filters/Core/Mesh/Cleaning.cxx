@@ -18,7 +18,7 @@ namespace
 {
 constexpr std::size_t MostTriangles = std::numeric_limits<Index>::max() / 4;
 
-/// How many there are and which comes first.
+/// Count and first id.
 struct Tally
 {
   std::int64_t Count = 0;
@@ -30,7 +30,7 @@ struct Tally
   }
 };
 
-/// Of all ids below count those for which isBad(id) holds.
+/// Finds the ids below count for which isBad(id) holds.
 template <typename IsBad>
 Tally FindAll(std::size_t count, int threads, const IsBad& isBad)
 {
@@ -55,7 +55,7 @@ Tally FindAll(std::size_t count, int threads, const IsBad& isBad)
   return all;
 }
 
-/// Nothing can be told of triangles where points are bad: the first thing that is wrong decides.
+/// Stops at the first kind of defect: triangles with bad points cannot be checked further.
 InputStatus CheckPoints(const Surface& input, int threads, CleaningStatistics& found)
 {
   const auto isFinite = [](const Vector3& p)
@@ -81,7 +81,7 @@ InputStatus CheckTriangles(const Surface& input, int threads, CleaningStatistics
   const Tally outside = FindAll(input.Triangles.size(), threads,
     [&](std::size_t t)
     {
-      const Triangle& c = input.Triangles[t]; // negative numbers are huge without their sign
+      const Triangle& c = input.Triangles[t]; // negative indices become huge as unsigned numbers
       return static_cast<std::uint32_t>(c[0]) >= numberOfPoints ||
         static_cast<std::uint32_t>(c[1]) >= numberOfPoints ||
         static_cast<std::uint32_t>(c[2]) >= numberOfPoints;
@@ -91,7 +91,7 @@ InputStatus CheckTriangles(const Surface& input, int threads, CleaningStatistics
   return outside.Count > 0 ? InputStatus::IndexOutOfRange : InputStatus::Good;
 }
 
-/// The first thing that makes the input unusable.
+/// The first kind of defect that makes the input unusable.
 InputStatus Check(const Surface& input, int threads, CleaningStatistics& found)
 {
   found.PointsRead = static_cast<std::int64_t>(input.Points.size());
@@ -111,12 +111,12 @@ InputStatus Check(const Surface& input, int threads, CleaningStatistics& found)
   return status;
 }
 
-/// What becomes of a triangle.
+/// How cleaning treats a triangle.
 enum class Fate : std::uint8_t
 {
   Kept,
-  Repeated, ///< Two corners are one: dropped.
-  Flat      ///< No area: dropped unless it holds the surface together.
+  Repeated, ///< Two corners are equal: dropped.
+  Flat      ///< No area: dropped unless it connects the surface.
 };
 
 /// Cleans an input that passed the checks.
@@ -148,14 +148,14 @@ public:
   }
 
 private:
-  /// The corners by the points that stand for them.
+  /// The corners as representative points.
   Triangle Stands(std::size_t t) const
   {
     const Triangle& c = this->Input.Triangles[t];
     return { this->Stand[c[0]], this->Stand[c[1]], this->Stand[c[2]] };
   }
 
-  /// Of each input point whether one of the triangles that are not dropped has it as a corner.
+  /// For each input point whether a kept triangle uses it.
   std::vector<char> UsedPoints() const
   {
     std::vector<char> used(this->Stand.size(), 0);
@@ -210,7 +210,7 @@ private:
     return AreaVector(p[c[0]], p[c[1]], p[c[2]]).isZero(0.0) ? Fate::Flat : Fate::Kept;
   }
 
-  /// A flat triangle that shares two or three of its edges closes the gap between its neighbours.
+  /// A flat triangle with neighbors at two or three edges closes the gap between them.
   void KeepFlatOnesThatHoldTheSurface()
   {
     std::vector<Triangle> triangles;
@@ -233,7 +233,7 @@ private:
     }
   }
 
-  /// Numbers the points that stand for others or themselves in input order and counts them.
+  /// Numbers the representative points in input order and counts them.
   void NumberPoints()
   {
     CleaningStatistics& found = this->Clean.Statistics;
@@ -268,7 +268,7 @@ private:
     }
   }
 
-  /// Points stay if the point that stands for them is a corner of a kept triangle.
+  /// Points are kept if their representative is a corner of a kept triangle.
   void ForgetPointsOfDroppedTriangles()
   {
     std::vector<char> used(this->Stand.size(), 0);
@@ -303,15 +303,15 @@ private:
           if (this->Fates[t] == Fate::Kept)
           {
             const Triangle& c = this->Input.Triangles[t];
-            const std::size_t place = next[block]++;
-            this->Clean.InputTriangle[place] = static_cast<Index>(t);
-            this->Clean.Surface.Triangles[place] = { number[c[0]], number[c[1]], number[c[2]] };
+            const std::size_t index = next[block]++;
+            this->Clean.InputTriangle[index] = static_cast<Index>(t);
+            this->Clean.Surface.Triangles[index] = { number[c[0]], number[c[1]], number[c[2]] };
           }
         }
       });
   }
 
-  /// Relative to the least corner of their box.
+  /// Moves the origin to the least corner of the bounding box.
   void FillPoints()
   {
     const std::vector<Index>& ids = this->Clean.InputPoint;
@@ -341,8 +341,8 @@ private:
   const Surface& Input;
   int Threads;
   CleanSurface& Clean;
-  LargeArray<Index> Stand; // of each input point the one that stands for it; None if unused
-  LargeArray<Fate> Fates;  // of each input triangle
+  LargeArray<Index> Stand; // for each input point its representative; None if unused
+  LargeArray<Fate> Fates;  // for each input triangle
   std::int64_t MergedPoints = 0;
 };
 }

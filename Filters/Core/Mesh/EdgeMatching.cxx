@@ -12,7 +12,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// So many half-edges at one point are searched one by one; more are sorted by their target.
+/// Up to this number of half-edges at a point, search linearly; more are sorted by their target.
 constexpr Index LongList = 32;
 
 Index NextCorner(Index k)
@@ -43,7 +43,7 @@ EdgeMatching::EdgeMatching(
 //------------------------------------------------------------------------------
 void EdgeMatching::SortByOrigin()
 {
-  // Counted one place further on, so that filling turns the starts into what they shall be.
+  // Counts are stored one index further, so that filling leaves the correct starts.
   for (const Triangle& corners : this->Triangles)
   {
     for (const Index corner : corners)
@@ -105,24 +105,24 @@ EdgeMatching::Bundle EdgeMatching::Between(Index from, Index to) const
 }
 
 //------------------------------------------------------------------------------
-/// Remembers through which half-edges the neighbours of one point lead to it.
+/// Stores the half-edges from the neighbors of one point to it.
 class EdgeMatching::Marks
 {
 public:
-  /// False if the place is taken, by the same neighbour or by another one.
-  bool Set(Index point, Index neighbour, Index halfEdge)
+  /// False if the slot is occupied, by the same neighbor or by another one.
+  bool Set(Index point, Index neighbor, Index halfEdge)
   {
-    Mark& mark = this->At(neighbour);
+    Mark& mark = this->At(neighbor);
     const bool isFree = mark.Point != point;
-    mark = { point, neighbour, halfEdge };
+    mark = { point, neighbor, halfEdge };
     return isFree;
   }
 
-  /// The half-edge from the neighbour to the point; None if there is none or it was taken before.
-  Index Take(Index point, Index neighbour)
+  /// Removes the half-edge from the neighbor to the point; None if there is none or it was removed before.
+  Index Take(Index point, Index neighbor)
   {
-    Mark& mark = this->At(neighbour);
-    const bool isThere = mark.Point == point && mark.Neighbour == neighbour;
+    Mark& mark = this->At(neighbor);
+    const bool isThere = mark.Point == point && mark.Neighbor == neighbor;
     const Index halfEdge = isThere ? mark.HalfEdge : None;
     mark.HalfEdge = None;
     return halfEdge;
@@ -132,16 +132,16 @@ private:
   struct Mark
   {
     Index Point = None;
-    Index Neighbour = None;
+    Index Neighbor = None;
     Index HalfEdge = None;
   };
-  static constexpr std::size_t Size = 1024; // so that it stays in the nearest cache
-  Mark& At(Index neighbour) { return this->Table[static_cast<std::size_t>(neighbour) % Size]; }
+  static constexpr std::size_t Size = 1024; // fits into the first-level cache
+  Mark& At(Index neighbor) { return this->Table[static_cast<std::size_t>(neighbor) % Size]; }
   std::array<Mark, Size> Table;
 };
 
 //------------------------------------------------------------------------------
-/// Every half-edge is written by the block of its origin.
+/// Each half-edge is written only by the block of its origin.
 void EdgeMatching::MatchBlock(std::size_t firstPoint, std::size_t lastPoint)
 {
   Marks marks;
@@ -155,7 +155,7 @@ void EdgeMatching::MatchBlock(std::size_t firstPoint, std::size_t lastPoint)
 }
 
 //------------------------------------------------------------------------------
-/// Of each triangle at the point one half-edge leaves it and one arrives. False if these do not pair one to one.
+/// Each triangle at the point has one outgoing and one incoming half-edge. False if these do not pair one to one.
 bool EdgeMatching::MatchPairs(Index point, Marks& marks)
 {
   bool paired = true;
@@ -198,7 +198,7 @@ Index EdgeMatching::CountOnEdge(Index a, Index b) const
 }
 
 //------------------------------------------------------------------------------
-/// Whether no other half-edge of the same edge comes before this one: a group is counted once.
+/// Whether this is the first half-edge of its edge, so that each edge is counted once.
 bool EdgeMatching::IsFirstOnEdge(Index origin, const Spoke& spoke) const
 {
   const Index target = spoke.Target;
@@ -220,7 +220,7 @@ EdgeCounts EdgeMatching::CountEdges() const
       }
       return part;
     });
-  counts.Edges += counts.Border + counts.HalfPairs / 2;
+  counts.Edges += counts.Boundary + counts.HalfPairs / 2;
   return counts;
 }
 
@@ -232,7 +232,7 @@ void EdgeMatching::CountEdgesOf(Index triangle, EdgeCounts& counts) const
     const Index h = 4 * triangle + k;
     const Index twin = this->TwinOf[static_cast<std::size_t>(h)];
     counts.HalfPairs += twin >= 0 ? 1 : 0;
-    counts.Border += twin == None ? 1 : 0;
+    counts.Boundary += twin == None ? 1 : 0;
     const Triangle& c = this->Triangles[static_cast<std::size_t>(triangle)];
     const Spoke spoke = { c[static_cast<std::size_t>(NextCorner(k))], h };
     const Index origin = c[static_cast<std::size_t>(k)];
@@ -263,7 +263,7 @@ Rings EdgeMatching::FindRings() const
   const std::size_t numberOfPoints = this->Start.size() - 1;
   Rings rings;
   rings.Outgoing.resize(numberOfPoints);
-  rings.Kinds.resize(numberOfPoints);
+  rings.Constraints.resize(numberOfPoints);
   ForEachBlock(numberOfPoints, this->Threads,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
@@ -280,7 +280,7 @@ void EdgeMatching::FindRing(Index point, Rings& rings) const
 {
   Index least = None;
   Index alone = None;
-  Index worst = 0; // None is a border, OddEdge worse
+  Index worst = 0; // None is a boundary, OddEdge is worse
   for (Index i = this->Start[point]; i < this->Start[point + 1]; ++i)
   {
     const Index h = this->Spokes[i].HalfEdge;
@@ -289,7 +289,8 @@ void EdgeMatching::FindRing(Index point, Rings& rings) const
     worst = std::min({ worst, this->TwinOf[h], this->TwinOf[HalfEdgeMesh::Previous(h)] });
   }
   const Index start = alone == None ? least : alone;
-  Index found = 0; // rings end or come back to their start, since twins are paired one to one
+  Index found =
+    0; // terminates: twins are paired one to one, so a ring ends or returns to its start
   for (Index h = start; h >= 0;)
   {
     ++found;
@@ -298,8 +299,8 @@ void EdgeMatching::FindRing(Index point, Rings& rings) const
   }
   const bool isOneFan = found == this->Start[point + 1] - this->Start[point];
   rings.Outgoing[point] = start;
-  rings.Kinds[point] = worst == OddEdge || !isOneFan ? VertexKind::Locked
-    : worst == None                                  ? VertexKind::Border
-                                                     : VertexKind::Inside;
+  rings.Constraints[point] = worst == OddEdge || !isOneFan ? VertexConstraint::NonManifold
+    : worst == None                                        ? VertexConstraint::Boundary
+                                                           : VertexConstraint::Free;
 }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FaceAreas.h
- * @brief Area and unit normal of every face, kept beside the mesh so that costs need not compute them again.
+ * @brief Cached area and unit normal of every face for the costs.
  */
 #ifndef BoneDecimate_Core_Mesh_FaceAreas_h
 #define BoneDecimate_Core_Mesh_FaceAreas_h

@@ -3,7 +3,7 @@
 #include "HalfEdgeMesh.h"
 
 #include "EdgeMatching.h"
-#include "Neighbourhood.h"
+#include "EdgeNeighborhood.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of one edge of each triangle, mm.
+/// Mean length of one edge of each triangle, mm.
 double MeanLength(const Surface& surface, int threads)
 {
   const double sum = SumOverBlocks(surface.Triangles.size(), threads,
@@ -34,7 +34,7 @@ double MeanLength(const Surface& surface, int threads)
 }
 
 HalfEdgeMesh::HalfEdgeMesh(
-  const Surface& surface, int threads, const SheetMap& sheets, const std::vector<Index>& labels)
+  const Surface& surface, int threads, const PatchMap& patches, const std::vector<Index>& labels)
   : Vertices(surface.Points.size())
   , Faces(surface.Triangles.size())
   , LiveFaces(static_cast<Index>(surface.Triangles.size()))
@@ -48,7 +48,7 @@ HalfEdgeMesh::HalfEdgeMesh(
     edges.CutBetween(labels);
   }
   Rings rings = edges.FindRings();
-  this->Kinds = std::move(rings.Kinds);
+  this->Constraints = std::move(rings.Constraints);
   ForEachId(surface.Points.size(), threads,
     [&](std::size_t v) {
       this->Vertices[v] = { surface.Points[v], {}, rings.Outgoing[v] };
@@ -62,39 +62,39 @@ HalfEdgeMesh::HalfEdgeMesh(
       this->Faces[f].Twins = { std::max(None, twins[0]), std::max(None, twins[1]),
         std::max(None, twins[2]), None }; // odd edges have no twin
     });
-  if (!sheets.Sites.empty())
+  if (!patches.OriginalVertices.empty())
   {
-    this->LinkCopies(sheets);
+    this->LinkDuplicates(patches);
   }
 }
 
 //------------------------------------------------------------------------------
-void HalfEdgeMesh::LinkCopies(const SheetMap& sheets)
+void HalfEdgeMesh::LinkDuplicates(const PatchMap& patches)
 {
-  this->Counts = sheets.Edges;
-  this->Sites = sheets.Sites;
-  this->NextCopies = sheets.Sites;
+  this->Counts = patches.Edges;
+  this->OriginalVertices = patches.OriginalVertices;
+  this->NextDuplicates = patches.OriginalVertices;
   for (Index v = 0; v < this->NumberOfVertexSlots(); ++v)
   {
-    const Index site = this->Sites[v];
+    const Index site = this->OriginalVertices[v];
     if (v != site)
     {
-      this->NextCopies[v] = std::exchange(this->NextCopies[site], v);
+      this->NextDuplicates[v] = std::exchange(this->NextDuplicates[site], v);
     }
   }
   for (Index v = 0; v < this->NumberOfVertexSlots(); ++v)
   {
-    VertexKind& kind = this->Kinds[v];
-    const bool isAlone = this->NextCopies[v] == v;
-    kind = isAlone                 ? kind
-      : kind == VertexKind::Inside ? VertexKind::Pinned
-      : kind == VertexKind::Border ? VertexKind::PinnedBorder
-                                   : kind;
+    VertexConstraint& kind = this->Constraints[v];
+    const bool isAlone = this->NextDuplicates[v] == v;
+    kind = isAlone                         ? kind
+      : kind == VertexConstraint::Free     ? VertexConstraint::Stationary
+      : kind == VertexConstraint::Boundary ? VertexConstraint::StationaryBoundary
+                                           : kind;
   }
 }
 
 //------------------------------------------------------------------------------
-void HalfEdgeMesh::Collapse(const Neighbourhood& around, Index keep, const Vector3& position)
+void HalfEdgeMesh::Collapse(const EdgeNeighborhood& around, Index keep, const Vector3& position)
 {
   const Index gone = around.Start == keep ? around.End : around.Start;
   for (const Index out : around.Corners)
@@ -108,8 +108,8 @@ void HalfEdgeMesh::Collapse(const Neighbourhood& around, Index keep, const Vecto
     this->RemoveFace(twin);
   }
   this->Vertices[gone].Outgoing = None;
-  this->Vertices[keep].Outgoing = around.Corners.front(); // on a border the one without a twin
-  this->Kinds[keep] = std::max(this->Kinds[keep], this->Kinds[gone]);
+  this->Vertices[keep].Outgoing = around.Corners.front(); // on a boundary the one without a twin
+  this->Constraints[keep] = std::max(this->Constraints[keep], this->Constraints[gone]);
   this->Vertices[keep].Position = position;
 }
 
@@ -138,7 +138,7 @@ void HalfEdgeMesh::Pair(Index h, Index twin)
 }
 
 //------------------------------------------------------------------------------
-/// Faces a b c and b a d become a d c and b c d, each in its old slot.
+/// Replaces faces a b c and b a d by a d c and b c d, each in its old slot.
 void HalfEdgeMesh::Flip(Index h)
 {
   const Index t = this->Twin(h);
@@ -174,7 +174,7 @@ void HalfEdgeMesh::Flip(Index h)
 }
 
 //------------------------------------------------------------------------------
-/// Takes out the face of h, whose other two edges become one.
+/// Removes the face of h and merges its other two edges.
 void HalfEdgeMesh::RemoveFace(Index h)
 {
   const Index alongNext = this->Twin(Next(h));

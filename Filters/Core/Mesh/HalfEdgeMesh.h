@@ -2,22 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file HalfEdgeMesh.h
- * @brief A triangle mesh as half-edges in flat arrays, with whatever is not manifold locked.
+ * @brief A triangle mesh as half-edges in flat arrays, with constrained vertices where it is not manifold.
  *
  * Half-edge h = 4 f + k, k = 0, 1, 2, runs from corner k of face f to the next corner, the face on its left:
  *
  *              apex
- *             /    \            Next(h), Previous(h): the other two of the face
- *        Prev/      \Next       Twin(h): the other half of the edge, None on a border
- *           /   f    \          Outgoing(v): the half-edge from which the ring of v is walked
- *     Origin ---h---> Target      counter-clockwise; on a border vertex the one without a twin
+ *             /    \            Next(h), Previous(h): the other two in the face
+ *        Prev/      \Next       Twin(h): the other half of the edge, None on a boundary
+ *           /   f    \          Outgoing(v): the half-edge at which the ring of v starts
+ *     Origin ---h---> Target      counter-clockwise; at a boundary vertex the one without a twin
  *
- * Invariants (checked by Invariants.h): twins point at each other and run opposite ways; a face is alive or its
- * corners are None; the ring of a vertex that is not locked is one fan that holds all its faces; locked vertices
- * never move, never vanish, and their rings are not walked. Frozen ones are like locked ones whose rings are in order;
- * pinned ones stay, but their faces may change: what is collapsed at them ends in them.
+ * Invariants (checked by Invariants.h): twins refer to each other and have opposite directions; a face is alive or its
+ * corners are None; the ring of a vertex that is not NonManifold is one fan with all its faces. VertexConstraint.h says what
+ * edits may do to a vertex.
  *
- * A face is half a cache line, a vertex is one: an edge is judged from the two records of its ends.
+ * A face record is half a cache line, a vertex record is one: an edge is evaluated from the records of its ends.
  */
 #ifndef BoneDecimate_Core_Mesh_HalfEdgeMesh_h
 #define BoneDecimate_Core_Mesh_HalfEdgeMesh_h
@@ -25,32 +24,23 @@
 #include "EdgeMatching.h"
 #include "Memory/LargeArray.h"
 #include "Surface.h"
+#include "VertexConstraint.h"
 
 #include <array>
 
 namespace bonedecimate
 {
-enum class VertexKind : std::uint8_t
-{
-  Inside,       ///< Its faces close around it.
-  Border,       ///< On an open border, its faces are one fan.
-  Pinned,       ///< Its faces close around it, but other sheets meet there: it stays.
-  PinnedBorder, ///< On the border of a sheet where others meet it, its faces are one fan: it stays.
-  Locked,       ///< On a non-manifold edge, or where fans meet in one point, and not split.
-  Frozen        ///< Asked to stay, or a corner of a face that was; its ring can be walked.
-};
+struct EdgeNeighborhood;
 
-struct Neighbourhood;
-
-/// How a surface was split, see Sheets.h.
-struct SheetMap
+/// The splitting of a surface into manifold patches, see ManifoldPatches.h.
+struct PatchMap
 {
   std::vector<Index>
-    Sites;          ///< Of each point: the one that all its copies name. Empty: nothing was split.
-  EdgeCounts Edges; ///< Before.
+    OriginalVertices; ///< For each point the original vertex of all its duplicates. Empty: nothing was split.
+  EdgeCounts Edges; ///< Before splitting.
 };
 
-/// Sums over the triangles at a vertex, of area A and unit normal n: all planes pass through the vertex.
+/// Sums over the triangles at a vertex, with area A and unit normal n; all their planes pass through the vertex.
 struct RingQuadric
 {
   std::array<float, 6>
@@ -61,15 +51,15 @@ struct RingQuadric
 struct alignas(64) VertexRecord
 {
   Vector3 Position;    ///< mm from the local origin
-  RingQuadric Quadric; ///< Kept by whoever needs it.
+  RingQuadric Quadric; ///< Maintained by the modes that need it.
   Index Outgoing;
 };
 static_assert(sizeof(VertexRecord) == 64, "one cache line");
 
 struct alignas(32) FaceRecord
 {
-  std::array<Index, 4> Origins; ///< The fourth: FirstNormal, x and y.
-  std::array<Index, 4> Twins;   ///< The fourth: z, None: not kept yet.
+  std::array<Index, 4> Origins; ///< The fourth stores x and y of the original normal.
+  std::array<Index, 4> Twins; ///< The fourth stores z of the original normal; None: not stored yet.
 };
 static_assert(sizeof(FaceRecord) == 32, "half a cache line");
 
@@ -77,11 +67,11 @@ class HalfEdgeMesh
 {
 public:
   /// Every point must be used by a triangle, corners of a triangle must differ.
-  /// @param labels Of each triangle: edges between different ones are locked, for Sheets.h to split. Empty: there are none.
-  explicit HalfEdgeMesh(const Surface& surface, int threads = 1, const SheetMap& sheets = {},
+  /// @param labels Of each triangle: edges between different ones are odd, and ManifoldPatches.h splits them. Empty: no labels.
+  explicit HalfEdgeMesh(const Surface& surface, int threads = 1, const PatchMap& patches = {},
     const std::vector<Index>& labels = {});
 
-  // From the bits of the corner, since nobody can guess which corner it is: branches would be taken wrongly.
+  // From the bits of the corner: branches would be mispredicted.
   static Index Next(Index h) { return h + 1 - 3 * (h >> 1 & 1); }
   static Index Previous(Index h) { return h + 2 - 3 * ((h | h >> 1) & 1); }
   static Index Face(Index h) { return h >> 2; }
@@ -91,23 +81,16 @@ public:
   Index Target(Index h) const { return this->Origin(Next(h)); }
   Index Twin(Index h) const { return this->Faces[h >> 2].Twins[h & 3]; }
   Index Outgoing(Index v) const { return this->Vertices[v].Outgoing; }
-  VertexKind Kind(Index v) const { return this->Kinds[v]; }
-  /// Locked or frozen: it never moves and never vanishes. Nothing changes a face of three such corners.
-  bool IsFixed(Index v) const { return this->Kinds[v] >= VertexKind::Locked; }
-  /// It never moves and never vanishes, but may be collapsed onto.
-  bool IsPinned(Index v) const
-  {
-    return this->Kinds[v] == VertexKind::Pinned || this->Kinds[v] == VertexKind::PinnedBorder;
-  }
-  /// Its ring is open. Not to be asked of locked and frozen ones.
-  bool IsOnBorder(Index v) const
-  {
-    return this->Kinds[v] == VertexKind::Border || this->Kinds[v] == VertexKind::PinnedBorder;
-  }
+  VertexConstraint Constraint(Index v) const { return this->Constraints[v]; }
+  /// VertexConstraint.h says what these mean.
+  bool IsConstrained(Index v) const { return bonedecimate::IsConstrained(this->Constraints[v]); }
+  bool IsStationary(Index v) const { return bonedecimate::IsStationary(this->Constraints[v]); }
+  bool IsOnBoundary(Index v) const { return bonedecimate::IsOnBoundary(this->Constraints[v]); }
+  bool MovesFreely(Index v) const { return bonedecimate::MovesFreely(this->Constraints[v]); }
   const Vector3& Position(Index v) const { return this->Vertices[v].Position; }
   const VertexRecord& Record(Index v) const { return this->Vertices[v]; }
   RingQuadric& Quadric(Index v) { return this->Vertices[v].Quadric; }
-  VertexRecord* Records() { return this->Vertices.data(); } ///< To change quadrics, nothing else.
+  VertexRecord* Records() { return this->Vertices.data(); } ///< For changes of quadrics only.
   const FaceRecord* RecordOfFace(Index h) const { return &this->Faces[Face(h)]; }
   bool IsAlive(Index face) const { return this->Faces[face].Origins[0] != None; }
   Triangle Corners(Index face) const
@@ -117,44 +100,50 @@ public:
   }
 
   /**
-   * Whether a face of that area vector would look away from where it looked before its first change. False if it has not
-   * been changed yet: then nothing is known but what it is now.
+   * Whether a face with that area vector would point away from its original normal. False if the face was never changed and
+   * has no stored normal.
    */
   bool IsTurnedOver(Index face, const Vector3& area) const
   {
     return this->Faces[face].Twins[3] != None && area.dot(this->FirstNormal(face)) < 0.0;
   }
 
-  bool HasSheets() const { return !this->Sites.empty(); }
-  /// The same for all copies of a point in the sheets that meet there; v where there is one only.
-  Index Site(Index v) const { return this->Sites.empty() ? v : this->Sites[v]; }
-  /// Copy after copy, and back to the first.
-  Index NextCopy(Index v) const { return this->NextCopies.empty() ? v : this->NextCopies[v]; }
+  bool HasPatches() const { return !this->OriginalVertices.empty(); }
+  /// The original vertex: the same for all duplicates of a point; v if there are none.
+  Index OriginalVertex(Index v) const
+  {
+    return this->OriginalVertices.empty() ? v : this->OriginalVertices[v];
+  }
+  /// The next duplicate, in a cyclic list.
+  Index NextDuplicate(Index v) const
+  {
+    return this->NextDuplicates.empty() ? v : this->NextDuplicates[v];
+  }
 
   Index NumberOfVertexSlots() const { return static_cast<Index>(this->Vertices.size()); }
   Index NumberOfFaceSlots() const { return static_cast<Index>(this->Faces.size()); }
   Index NumberOfFaces() const { return this->LiveFaces; }
 
-  /// Mean length of the edges it was made with, one of each triangle, mm; 1 if there is no length.
+  /// Mean length of the original edges, one of each triangle, mm; 1 if that is 0.
   double LengthAtFirst() const { return this->Length; }
-  /// Sheets counted as joined.
+  /// Edge counts before splitting into patches.
   const EdgeCounts& EdgesAtFirst() const { return this->Counts; }
-  /// The power of two nearest below that length, mm.
+  /// The largest power of two not above that length, mm.
   double Unit() const { return this->LengthUnit; }
 
-  /// The half-edges that leave v, counter-clockwise, one for each of its faces. v must not be locked.
+  /// The half-edges that leave v, counter-clockwise, one for each of its faces. v must not be NonManifold.
   class OutgoingRange;
   OutgoingRange OutgoingOf(Index v) const;
 
-  /// Calls visit(h) for a half-edge of every edge at v, in ring order: outgoing ones, and on a border the last, incoming.
+  /// Calls visit(h) for a half-edge of every edge at v, in ring order: outgoing ones and, on a boundary, finally an incoming one.
   template <typename Visit>
   void VisitEdges(Index v, Visit visit) const
   {
-    this->VisitNeighbours(v, [&](Index h, Index) { visit(h); });
+    this->VisitNeighbors(v, [&](Index h, Index) { visit(h); });
   }
-  /// The same as visit(h, other end).
+  /// The same with visit(h, other end).
   template <typename Visit>
-  void VisitNeighbours(Index v, Visit visit) const;
+  void VisitNeighbors(Index v, Visit visit) const;
 
   /// The other end of the edge of half-edge h at v.
   Index Across(Index h, Index v) const
@@ -163,21 +152,23 @@ public:
   }
 
 private:
-  friend class Editor; // the one choke point: nobody else changes a mesh
+  friend class Editor; // the single mutation point
 
-  void LinkCopies(const SheetMap& sheets);
+  void LinkDuplicates(const PatchMap& patches);
 
-  /// Merges the ends of the edge into `keep` (one of them) at `position`. The caller has judged that this is allowed.
-  void Collapse(const Neighbourhood& around, Index keep, const Vector3& position);
-  /// Turns the edge of h, which has two faces, into that between their apexes. The caller has judged as above.
+  /// Merges the ends of the edge into `keep` (one of them) at `position`. The caller has checked that this is valid.
+  void Collapse(const EdgeNeighborhood& around, Index keep, const Vector3& position);
+  /// Replaces the edge of h, which has two faces, by the edge between their apexes. The caller has checked that this is valid.
   void Flip(Index h);
-  /// Before the first edit.
-  void Freeze(Index v)
+  /// Only before the first edit.
+  void Constrain(Index v)
   {
-    this->Kinds[v] = this->Kinds[v] == VertexKind::Locked ? VertexKind::Locked : VertexKind::Frozen;
+    this->Constraints[v] = this->Constraints[v] == VertexConstraint::NonManifold
+      ? VertexConstraint::NonManifold
+      : VertexConstraint::Constrained;
   }
   void Move(Index v, const Vector3& position) { this->Vertices[v].Position = position; }
-  /// Before the face changes: keeps its normal if that is the first time.  @param area A vector along it.
+  /// Must be called before the face changes: stores its normal the first time.  @param area A vector along the normal.
   void KeepFirstNormal(Index face, const Vector3& area)
   {
     if (this->Faces[face].Twins[3] == None)
@@ -186,7 +177,7 @@ private:
     }
   }
   static void PackFirstNormal(FaceRecord& record, const Vector3& area);
-  /// Three numbers of 16 bits, the largest 32767: within a hundredth of a degree.
+  /// Encodes the normal in three numbers of 16 bits, precise to 0.01 degrees.
   Vector3 FirstNormal(Index face) const
   {
     const std::int32_t xy = this->Faces[face].Origins[3];
@@ -197,14 +188,14 @@ private:
   }
   void Pair(Index h, Index twin);
   void RemoveFace(Index h);
-  /// Several workers remove faces at once; the count follows when they are done.
+  /// Sets the number of faces after parallel workers have removed some.
   void CountRemovedFaces(Index count) { this->LiveFaces -= count; }
 
   LargeArray<VertexRecord> Vertices;
   LargeArray<FaceRecord> Faces;
-  LargeArray<VertexKind> Kinds;
-  std::vector<Index> Sites;      // of each vertex; empty: there is one sheet
-  std::vector<Index> NextCopies; // of each vertex, if there are more
+  LargeArray<VertexConstraint> Constraints;
+  std::vector<Index> OriginalVertices; // for each vertex; empty: nothing was split
+  std::vector<Index> NextDuplicates;   // for each vertex, if there are duplicates
   Index LiveFaces = 0;
   EdgeCounts Counts;
   double Length = 1.0;     // mm
@@ -265,7 +256,7 @@ inline HalfEdgeMesh::OutgoingRange HalfEdgeMesh::OutgoingOf(Index v) const
 }
 
 template <typename Visit>
-void HalfEdgeMesh::VisitNeighbours(Index v, Visit visit) const
+void HalfEdgeMesh::VisitNeighbors(Index v, Visit visit) const
 {
   Index last = None;
   for (const Index h : this->OutgoingOf(v))

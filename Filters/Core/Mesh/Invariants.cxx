@@ -52,9 +52,9 @@ std::string BrokenRing(const HalfEdgeMesh& mesh, Index v, Index numberOfFaces)
       return At("ring of vertex", v);
     }
   }
-  const bool onBorder = mesh.Twin(start) == None;
-  const bool isFrozen = mesh.Kind(v) == VertexKind::Frozen;
-  if (found != numberOfFaces || (!isFrozen && onBorder != mesh.IsOnBorder(v)))
+  const bool onBoundary = mesh.Twin(start) == None;
+  const bool isConstrained = mesh.Constraint(v) == VertexConstraint::Constrained;
+  if (found != numberOfFaces || (!isConstrained && onBoundary != mesh.IsOnBoundary(v)))
   {
     return At("fan of vertex", v);
   }
@@ -89,7 +89,7 @@ std::string BrokenInvariant(const HalfEdgeMesh& mesh)
   }
   for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
-    if (numberOfFaces[v] > 0 && mesh.Kind(v) != VertexKind::Locked)
+    if (numberOfFaces[v] > 0 && mesh.Constraint(v) != VertexConstraint::NonManifold)
     {
       const std::string broken = BrokenRing(mesh, v, numberOfFaces[v]);
       if (!broken.empty())

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Invariants.h
- * @brief Checks everything HalfEdgeMesh promises; for tests and fuzzers, never inside the loop.
+ * @brief Checks the invariants of HalfEdgeMesh; for tests and fuzzers, never inside the loop.
  */
 #ifndef BoneDecimate_Core_Mesh_Invariants_h
 #define BoneDecimate_Core_Mesh_Invariants_h
@@ -13,7 +13,7 @@
 
 namespace bonedecimate
 {
-/// The first broken invariant with its index, or an empty string.
+/// Describes the first violated invariant with its index; empty if all hold.
 std::string BrokenInvariant(const HalfEdgeMesh& mesh);
 }
 

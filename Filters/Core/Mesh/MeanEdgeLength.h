@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeanEdgeLength.h
- * @brief The unit in which costs of different powers of length are made comparable.
+ * @brief The mean edge length, which makes costs of different powers of length comparable.
  */
 #ifndef BoneDecimate_Core_Mesh_MeanEdgeLength_h
 #define BoneDecimate_Core_Mesh_MeanEdgeLength_h
@@ -11,7 +11,7 @@
 
 namespace bonedecimate
 {
-/// Mean length of the edges, border edges counted like the others; mm.
+/// Mean length of all edges, mm.
 inline double MeanEdgeLength(const HalfEdgeMesh& mesh)
 {
   double sum = 0.0; // mm

@@ -15,7 +15,7 @@ namespace
 constexpr std::size_t PointsOfPart = 4096;
 constexpr std::size_t MostParts = 1024;
 
-/// Equal points have equal hashes; -0 and +0 are equal, so that zero is added.
+/// Adds zero because -0 and +0 are equal and need equal hashes.
 std::uint32_t HashOf(const Vector3& p)
 {
   constexpr std::uint64_t factors[3] = { 0x9e3779b97f4a7c15ULL, 0xc2b2ae3d27d4eb4fULL,
@@ -42,7 +42,7 @@ struct Entry
 struct Parts
 {
   LargeArray<Entry> Entries;
-  std::vector<std::size_t> Starts; // of each part, and one behind the last
+  std::vector<std::size_t> Starts; // for each part, and finally the end
 };
 
 std::size_t NumberOfParts(std::size_t points)
@@ -55,8 +55,8 @@ std::size_t NumberOfParts(std::size_t points)
   return parts;
 }
 
-/// Turns the counts of every block and part into the places at which they begin, parts before blocks.
-std::vector<std::size_t> PlaceBlocks(
+/// Converts the counts of all blocks and parts to offsets, parts first.
+std::vector<std::size_t> OffsetBlocks(
   std::vector<std::size_t>& counts, std::size_t blocks, std::size_t parts)
 {
   std::vector<std::size_t> starts(parts + 1, 0);
@@ -82,18 +82,18 @@ Parts Distribute(
   const std::size_t blocks = NumberOfBlocks(points.size());
   const auto partOf = [=](std::uint32_t hash) { return std::uint64_t(hash) * parts >> 32; };
   LargeArray<std::uint32_t> hashes(points.size());
-  std::vector<std::size_t> places(blocks * parts, 0);
+  std::vector<std::size_t> offsets(blocks * parts, 0);
   ForEachBlock(points.size(), threads,
     [&](std::size_t block, std::size_t first, std::size_t last)
     {
       for (std::size_t p = first; p < last; ++p)
       {
         hashes[p] = HashOf(points[p]);
-        places[block * parts + partOf(hashes[p])] += representative[p] != None ? 1 : 0;
+        offsets[block * parts + partOf(hashes[p])] += representative[p] != None ? 1 : 0;
       }
     });
   Parts result;
-  result.Starts = PlaceBlocks(places, blocks, parts);
+  result.Starts = OffsetBlocks(offsets, blocks, parts);
   result.Entries.resize(result.Starts.back());
   ForEachBlock(points.size(), threads,
     [&](std::size_t block, std::size_t first, std::size_t last)
@@ -102,7 +102,7 @@ Parts Distribute(
       {
         if (representative[p] != None)
         {
-          result.Entries[places[block * parts + partOf(hashes[p])]++] = { hashes[p],
+          result.Entries[offsets[block * parts + partOf(hashes[p])]++] = { hashes[p],
             static_cast<Index>(p) };
         }
       }
@@ -110,7 +110,7 @@ Parts Distribute(
   return result;
 }
 
-/// Open addressing, never more than half full; the table's place comes from the last bits of the hash.
+/// Open addressing, never more than half full; the index in the table comes from the last bits of the hash.
 std::int64_t MergePart(const std::vector<Vector3>& points, const Entry* first, const Entry* last,
   std::vector<Entry>& table, LargeArray<Index>& representative)
 {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PointMerging.h
- * @brief Which points have exactly the same coordinates; -0 equals +0.
+ * @brief Finds points with exactly the same coordinates; -0 equals +0.
  *
  *     hash every point, distribute them over parts by the first bits of their hash
- *     for each part: a table of its own that fits into the cache, points entered in ascending order
+ *     for each part: a separate table that fits into the cache, points entered in ascending order
  */
 #ifndef BoneDecimate_Core_Mesh_PointMerging_h
 #define BoneDecimate_Core_Mesh_PointMerging_h
@@ -18,9 +18,9 @@
 namespace bonedecimate
 {
 /**
- * @param representative Of each point to be compared itself, of the others None; becomes the least point with the same
- *   coordinates.
- * @return How many points are represented by another one.
+ * @param representative In: for each point to be compared its own index, for others None. Out: the least point with the
+ *   same coordinates.
+ * @return Number of points represented by another one.
  */
 std::int64_t MergeEqualPoints(
   const std::vector<Vector3>& points, LargeArray<Index>& representative, int threads = 1);

@@ -13,18 +13,18 @@ namespace bonedecimate
 namespace
 {
 constexpr int BitsOfAxis = 21;
-/// A little below 2^21. No simple fraction of it, so that points in regular rows seldom lie on the border of two cells,
-/// where another unit of length would round them to the other side.
+/// Slightly less than 2^21 and no simple fraction of it, so that points in regular rows seldom lie on the boundary of two
+/// cells, where another unit of length would round them to the other side.
 constexpr double CellsAcross = 2038437.618033988;
 constexpr double LeastLength =
-  1e-290; // mm; with shorter boxes the number of cells a mm would overflow
+  1e-290; // mm; the number of cells per mm would overflow for smaller boxes
 constexpr int BitsOfDigit = 11;
 constexpr std::size_t Digits = std::size_t(1) << BitsOfDigit;
 constexpr int BitsOfIndex = 31;
 /// Fewer points than this are sorted by comparison.
 constexpr std::size_t SmallBin = 512;
 
-/// Puts two zeros behind each of the lowest 21 bits.
+/// Inserts two zeros after each of the lowest 21 bits.
 std::uint64_t Spread(std::uint64_t x)
 {
   x = (x | x << 32) & 0x001f00000000ffffULL;
@@ -67,8 +67,8 @@ public:
     this->Scale = CellsAcross / std::max(LeastLength, (high - this->Low).maxCoeff());
   }
 
-  /// Place on the curve, 63 bits.
-  std::uint64_t Place(Index point) const
+  /// Position on the curve, 63 bits.
+  std::uint64_t Position(Index point) const
   {
     const Vector3 cell = (this->Points[point] - this->Low) * this->Scale;
     const auto along = [&](Eigen::Index axis)
@@ -78,12 +78,12 @@ public:
 
   bool IsBefore(Index a, Index b) const
   {
-    const std::uint64_t placeOfA = this->Place(a);
-    const std::uint64_t placeOfB = this->Place(b);
+    const std::uint64_t positionOfA = this->Position(a);
+    const std::uint64_t positionOfB = this->Position(b);
     const Vector3& p = this->Points[a];
     const Vector3& q = this->Points[b];
-    return placeOfA != placeOfB
-      ? placeOfA < placeOfB
+    return positionOfA != positionOfB
+      ? positionOfA < positionOfB
       : std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
   }
 
@@ -93,7 +93,7 @@ private:
   double Scale = 1.0; // cells per mm
 };
 
-/// The first 33 bits of a place on the curve and the number of the point: sorted by three digits.
+/// Entries with the first 33 bits of the position on the curve and the index of the point, sorted by three digits.
 using Entry = std::uint64_t;
 
 Index PointOf(Entry entry)
@@ -107,13 +107,13 @@ LargeArray<Entry> Entries(const Curve& curve, std::size_t count, int threads)
   ForEachId(count, threads,
     [&](std::size_t p)
     {
-      const std::uint64_t place = curve.Place(static_cast<Index>(p));
-      entries[p] = place >> (3 * BitsOfAxis - 3 * BitsOfDigit) << BitsOfIndex | p;
+      const std::uint64_t position = curve.Position(static_cast<Index>(p));
+      entries[p] = position >> (3 * BitsOfAxis - 3 * BitsOfDigit) << BitsOfIndex | p;
     });
   return entries;
 }
 
-/// One pass of radix sort; returns where each digit's entries begin, and one behind the last.
+/// One pass of radix sort; returns the first entry of each digit, and finally the end.
 std::vector<std::size_t> Distribute(const Entry* from, std::size_t count, int shift, Entry* to)
 {
   const auto digit = [=](Entry entry) { return (entry >> shift) & (Digits - 1); };
@@ -139,14 +139,14 @@ void SortBin(Entry* entries, Entry* spare, std::size_t count)
 {
   if (count < SmallBin)
   {
-    std::sort(entries, entries + count); // the number of the point makes them differ
+    std::sort(entries, entries + count); // no ties: the index of the point is included
     return;
   }
   Distribute(entries, count, BitsOfIndex, spare);
   Distribute(spare, count, BitsOfIndex + BitsOfDigit, entries);
 }
 
-/// Sorts the few entries that agree in 33 bits by all 63, those of one cell by their coordinates.
+/// Sorts the few entries with equal 33 bits by all 63 bits, those of one cell by their coordinates.
 void SortTies(const Curve& curve, Entry* entries, std::size_t count)
 {
   for (std::size_t first = 0; first < count;)
@@ -156,7 +156,7 @@ void SortTies(const Curve& curve, Entry* entries, std::size_t count)
     {
       ++last;
     }
-    if (last - first > 1) // the library asks for memory even to sort one
+    if (last - first > 1) // the library allocates memory even to sort one entry
     {
       std::stable_sort(entries + first, entries + last,
         [&](Entry a, Entry b) { return curve.IsBefore(PointOf(a), PointOf(b)); });
@@ -165,7 +165,7 @@ void SortTies(const Curve& curve, Entry* entries, std::size_t count)
   }
 }
 
-/// Of each new place the old one; of triangles sorted by their corners' new numbers from the least one on.
+/// For each new index the old one; triangles are sorted by the new indices of their corners from the least on.
 std::vector<Index> OrderByLeastPoint(
   const std::vector<Triangle>& triangles, std::size_t numberOfPoints)
 {
@@ -190,7 +190,7 @@ std::vector<Index> OrderByLeastPoint(
     std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
     return c;
   };
-  for (std::size_t p = 0; p < numberOfPoints; ++p) // by now each start is the end of its point
+  for (std::size_t p = 0; p < numberOfPoints; ++p) // each start is now the end of its point
   {
     std::sort(order.begin() + (p == 0 ? 0 : start[p - 1]), order.begin() + start[p],
       [&](Index a, Index b)
@@ -209,7 +209,7 @@ void Permute(std::vector<Value>& values, const std::vector<Index>& order, int th
   values = std::move(permuted);
 }
 
-/// The new number of each old one.
+/// For each old index the new one.
 std::vector<Index> Inverse(const std::vector<Index>& order, int threads)
 {
   std::vector<Index> inverse(order.size());
@@ -259,10 +259,10 @@ void SortAlongCurve(CleanSurface& clean, int threads)
       Index& point = clean.PointOfInput[p];
       point = point == None ? None : number[point];
     });
-  if (!clean.Sheets.Sites.empty())
+  if (!clean.ManifoldPatches.OriginalVertices.empty())
   {
-    Permute(clean.Sheets.Sites, order, threads);
-    for (Index& site : clean.Sheets.Sites)
+    Permute(clean.ManifoldPatches.OriginalVertices, order, threads);
+    for (Index& site : clean.ManifoldPatches.OriginalVertices)
     {
       site = number[site];
     }

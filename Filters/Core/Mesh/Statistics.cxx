@@ -104,7 +104,7 @@ SurfaceStatistics Describe(const Surface& surface, const SurfaceCounts& counts, 
   statistics.Faces = static_cast<std::int64_t>(surface.Triangles.size());
   statistics.Points = counts.Points;
   statistics.Components = counts.Components;
-  statistics.BoundaryEdges = counts.Edges.Border;
+  statistics.BoundaryEdges = counts.Edges.Boundary;
   statistics.NonManifoldEdges = counts.Edges.NonManifold;
   statistics.EulerNumber = counts.Points - counts.Edges.Edges + statistics.Faces;
   const Extent extent = SumOverBlocks(surface.Triangles.size(), threads,

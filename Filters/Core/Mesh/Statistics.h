@@ -8,7 +8,7 @@
 #define BoneDecimate_Core_Mesh_Statistics_h
 
 #include "EdgeMatching.h"
-#include "Report.h"
+#include "Report/Report.h"
 #include "Surface.h"
 
 #include <vector>
@@ -18,7 +18,7 @@ namespace bonedecimate
 /// Points may be unused; corners must be valid.
 SurfaceStatistics Describe(const Surface& surface, int threads = 1);
 
-/// What else is known of it already.
+/// Figures that are already known.
 struct SurfaceCounts
 {
   std::int64_t Points = 0; ///< That triangles use.

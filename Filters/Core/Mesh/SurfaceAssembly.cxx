@@ -6,7 +6,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Optimisers take the way to single precision and back for nothing (gcc 12 does at -O2): volatile makes it real.
+/// Volatile, because optimizers remove the conversion to single precision and back (gcc 12 does at -O2).
 double NearestSingle(double value)
 {
   const volatile float rounded = static_cast<float>(value);

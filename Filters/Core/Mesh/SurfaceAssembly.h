@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceAssembly.h
- * @brief From faces and vertices of which only some are alive to triangles and points without gaps, in the same order.
+ * @brief Compacts the faces and vertices that are alive to triangles and points, in the same order.
  *
- * The same result whatever the number of threads.
+ * The result does not depend on the number of threads.
  */
 #ifndef BoneDecimate_Core_Mesh_SurfaceAssembly_h
 #define BoneDecimate_Core_Mesh_SurfaceAssembly_h
@@ -15,7 +15,7 @@
 
 namespace bonedecimate
 {
-/// corners(face) of the faces for which isAlive(face).
+/// The corners(face) of all faces for which isAlive(face).
 template <typename IsAlive, typename Corners>
 std::vector<Triangle> LiveTriangles(
   std::size_t slots, int threads, const IsAlive& isAlive, const Corners& corners)
@@ -37,12 +37,12 @@ std::vector<Triangle> LiveTriangles(
   return triangles;
 }
 
-/// The vertices that are corners, ascending; the corners become places in this list.
+/// The vertices that are corners, ascending; replaces the corners by indices into this list.
 std::vector<Index> NumberVertices(
   std::size_t vertexSlots, std::vector<Triangle>& triangles, int threads);
 
-/// Where the vertex goes in the output, mm: what never moved is copied from the input, bit for bit.
-/// @param local Where it is now, mm from the local origin.
+/// Position of the vertex in the output, mm; copied from the input bit for bit if it never moved.
+/// @param local Current position, mm from the local origin.
 Vector3 OutputPosition(const Surface& input, const CleanSurface& clean, Index vertex,
   const Vector3& local, bool roundToSingle);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VertexRange.h
- * @brief Consecutive vertices: what one worker may read and write.
+ * @brief A range of consecutive vertices, which one worker may read and write.
  */
 #ifndef BoneDecimate_Core_Mesh_VertexRange_h
 #define BoneDecimate_Core_Mesh_VertexRange_h

@@ -16,7 +16,7 @@ constexpr double FarthestMove = 2.0; // edge lengths from the middle
 /// Calls visit(normal, corner) for the plane of every triangle of both rings, the two at the edge included.
 template <typename Visit>
 void VisitPlanes(
-  const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around, Visit visit)
+  const HalfEdgeMesh& mesh, const FaceAreas& areas, const EdgeNeighborhood& around, Visit visit)
 {
   for (Index i = 0; i < around.NumberOfGoneFaces; ++i)
   {
@@ -28,17 +28,18 @@ void VisitPlanes(
   }
 }
 
-void Add(Proposals& proposals, const Neighbourhood& around, const Vector3& position)
+void Add(PositionCandidates& proposals, const EdgeNeighborhood& around, const Vector3& position)
 {
   proposals.Edits[proposals.Count++] = { around.Edge, around.Start, position, false };
 }
 
-void AddEnd(Proposals& proposals, const HalfEdgeMesh& mesh, const Neighbourhood& around, Index end)
+void AddEnd(PositionCandidates& proposals, const HalfEdgeMesh& mesh, const EdgeNeighborhood& around,
+  Index end)
 {
   proposals.Edits[proposals.Count++] = { around.Edge, end, mesh.Position(end), true };
 }
 
-/// Minimises a sum of squares along the edge, each term given by how it changes and how large it is at Start.
+/// Minimizes a sum of squares along the edge, each term given by how it changes and how large it is at Start.
 class EdgeMinimum
 {
 public:
@@ -66,7 +67,7 @@ private:
 };
 
 EdgeMinimum PlanesAlongEdge(
-  const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around)
+  const HalfEdgeMesh& mesh, const FaceAreas& areas, const EdgeNeighborhood& around)
 {
   const Vector3& start = mesh.Position(around.Start);
   const Vector3 edge = mesh.Position(around.End) - start;
@@ -77,8 +78,8 @@ EdgeMinimum PlanesAlongEdge(
   return minimum;
 }
 
-void ProposeInside(const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around,
-  Proposals& proposals)
+void ProposeInside(const HalfEdgeMesh& mesh, const FaceAreas& areas, const EdgeNeighborhood& around,
+  PositionCandidates& proposals)
 {
   const Vector3& start = mesh.Position(around.Start);
   const Vector3& end = mesh.Position(around.End);
@@ -103,8 +104,8 @@ void ProposeInside(const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neigh
   AddEnd(proposals, mesh, around, around.End);
 }
 
-void ProposeAlongBorder(const HalfEdgeMesh& mesh, const FaceAreas& areas,
-  const Neighbourhood& around, Proposals& proposals)
+void ProposeAlongBoundary(const HalfEdgeMesh& mesh, const FaceAreas& areas,
+  const EdgeNeighborhood& around, PositionCandidates& proposals)
 {
   const Vector3& start = mesh.Position(around.Start);
   const Vector3 edge = mesh.Position(around.End) - start;
@@ -128,19 +129,19 @@ void ProposeAlongBorder(const HalfEdgeMesh& mesh, const FaceAreas& areas,
 }
 }
 
-Proposals ProposePlaces(
-  const HalfEdgeMesh& mesh, const FaceAreas& areas, const Neighbourhood& around)
+PositionCandidates ProposePositions(
+  const HalfEdgeMesh& mesh, const FaceAreas& areas, const EdgeNeighborhood& around)
 {
-  Proposals proposals;
-  const VertexKind start = mesh.Kind(around.Start);
-  const VertexKind end = mesh.Kind(around.End);
+  PositionCandidates proposals;
+  const VertexConstraint start = mesh.Constraint(around.Start);
+  const VertexConstraint end = mesh.Constraint(around.End);
   if (start != end)
   {
-    AddEnd(proposals, mesh, around, start > end ? around.Start : around.End);
+    AddEnd(proposals, mesh, around, Outranks(start, end) ? around.Start : around.End);
   }
-  else if (around.IsBorderEdge())
+  else if (around.IsBoundaryEdge())
   {
-    ProposeAlongBorder(mesh, areas, around, proposals);
+    ProposeAlongBoundary(mesh, areas, around, proposals);
   }
   else
   {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BackHints.h
- * @brief The way back: for the vertices of the current mesh the true original triangle near them.
+ * @brief For each vertex of the current mesh a nearby triangle of the original surface.
  *
- * Every vertex remembers the original triangle that was nearest to it when it was last asked. Walks start there, so
- * that they are short and stay on their sheet: the nearest sheet of all would let a thin bone fall onto its other side.
+ * Each vertex stores the original triangle that was nearest to it in its last query. Walks start there, so they are short
+ * and stay on the same side of a thin bone, which the globally nearest triangle would not.
  */
 #ifndef BoneDecimate_Core_Reference_BackHints_h
 #define BoneDecimate_Core_Reference_BackHints_h
@@ -20,36 +20,36 @@ namespace bonedecimate
 class BackHints
 {
 public:
-  /// @param original The mesh as it was at first, which must stay; ids of vertices are those of the current one.
+  /// @param original The mesh before the first edit; must outlive this. Its vertex ids are those of the current mesh.
   explicit BackHints(const HalfEdgeMesh& original)
     : Source(original)
     , OfVertex(static_cast<std::size_t>(original.NumberOfVertexSlots()), None)
   {
   }
 
-  /// Begins anew after collapses: each vertex at its own original place. False if the monitor said stop.
+  /// Restarts after collapses: each vertex at its own original point. False after an abort.
   bool Begin(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor);
 
-  PlaceOnMesh Find(const Vector3& p, Index vertex) const
+  PointOnMesh Find(const Vector3& p, Index vertex) const
   {
     return WalkFrom(this->Source, p, this->OfVertex[vertex]);
   }
-  /// What was found is near enough, or else the best that walks from other vertices find: their sheet is the same.
-  /// @param squaredReach What is near enough, mm^2.
+  /// The best of the point found and of walks from the hints of other vertices, which start nearby on the same surface.
+  /// @param squaredReach mm^2; a point within this distance is accepted without further walks.
   template <typename Vertices>
-  PlaceOnMesh FindBetter(
-    const Vector3& p, const PlaceOnMesh& found, double squaredReach, const Vertices& vertices) const
+  PointOnMesh FindBetter(
+    const Vector3& p, const PointOnMesh& found, double squaredReach, const Vertices& vertices) const
   {
-    PlaceOnMesh best = found;
+    PointOnMesh best = found;
     for (const Index v : vertices)
     {
-      if (best.Place.SquaredDistance <= squaredReach)
+      if (best.Point.SquaredDistance <= squaredReach)
       {
         break;
       }
       const bool isNew = this->OfVertex[v] != None && this->OfVertex[v] != best.Face;
-      const PlaceOnMesh other = isNew ? this->Find(p, v) : best;
-      best = other.Place.SquaredDistance < best.Place.SquaredDistance ? other : best;
+      const PointOnMesh other = isNew ? this->Find(p, v) : best;
+      best = other.Point.SquaredDistance < best.Point.SquaredDistance ? other : best;
     }
     return best;
   }

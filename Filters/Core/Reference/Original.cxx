@@ -64,7 +64,7 @@ void Original::LookUp(Index vertex, const Vector3& position)
   Index& triangle = this->Nearest[static_cast<std::size_t>(vertex)];
   double& error = this->Errors[static_cast<std::size_t>(vertex)];
   const BoundingTree::Nearest nearest = this->Tree().FindNearest(position, triangle);
-  const double distance = std::sqrt(nearest.Place.SquaredDistance);
+  const double distance = std::sqrt(nearest.Point.SquaredDistance);
   triangle = nearest.Triangle;
   error = std::max(error, distance);
   this->Largest = std::max(this->Largest, distance);
@@ -80,7 +80,7 @@ std::vector<Index> Original::CurrentVertices() const
     while (current[static_cast<std::size_t>(last)] != last)
     {
       Index& next = current[static_cast<std::size_t>(last)];
-      next = current[static_cast<std::size_t>(next)]; // half the way for those who come later
+      next = current[static_cast<std::size_t>(next)]; // path halving
       last = next;
     }
     current[v] = last;

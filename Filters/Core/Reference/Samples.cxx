@@ -12,12 +12,12 @@ namespace bonedecimate
 {
 namespace
 {
-/// Below this reduction, a triangle gets three samples inside: fewer than about eight to a face are overfitted.
+/// Below this reduction a triangle gets three samples inside: with fewer than about eight samples a face is overfitted.
 constexpr Index ManyTriangles = 12;
-/// Of the area of a triangle, how much the samples inside it stand for; its corners share the rest.
-constexpr double ShareOfOne = 0.75; // with the corners exact for quadratic functions
-constexpr double ShareOfThree = 0.9;
-/// Farther than that many times the root mean square, a sample may be on the wrong sheet.
+/// Fraction of the area of a triangle that its inner samples represent; its corners represent the rest.
+constexpr double AreaRatioOfOne = 0.75; // with the corners exact for quadratic functions
+constexpr double AreaRatioOfThree = 0.9;
+/// A sample farther than that many times the root mean square may be on the wrong side of a thin part.
 constexpr double FarAway = 2.0;
 
 std::array<float, 3> Single(const Vector3& p)
@@ -41,8 +41,8 @@ Samples::Samples(const HalfEdgeMesh& original, bool mayBeThree)
 }
 
 //------------------------------------------------------------------------------
-/// First the vertices, then those inside triangles: their middles, or three half way from it to the corners.
-Vector3 Samples::PlaceOf(Index id) const
+/// Vertices come first, then the samples inside triangles: the centroid, or three points half way from it to the corners.
+Vector3 Samples::PositionOf(Index id) const
 {
   if (id < this->Source.NumberOfVertexSlots())
   {
@@ -56,11 +56,11 @@ Vector3 Samples::PlaceOf(Index id) const
 }
 
 //------------------------------------------------------------------------------
-/// Of each sample, squares of the unit.  @param all Gets their sum.
+/// For each sample its area, squares of the unit.  @param all Receives the sum.
 std::vector<float> Samples::Weights(double& all) const
 {
   const Index vertices = this->Source.NumberOfVertexSlots();
-  const double inside = this->PerFace == 1 ? ShareOfOne : ShareOfThree;
+  const double inside = this->PerFace == 1 ? AreaRatioOfOne : AreaRatioOfThree;
   std::vector<float> weights(this->Faces.size(), 0.0F);
   all = 0.0;
   for (Index face = 0; face < this->Source.NumberOfFaceSlots(); ++face)
@@ -96,7 +96,7 @@ bool Samples::Distribute(
 }
 
 //------------------------------------------------------------------------------
-/// First for the vertices, then for those inside triangles, which start where a corner came to lie.
+/// Finds the faces of the vertices first: samples inside triangles start at the face of a corner.
 bool Samples::FindFaces(
   const HalfEdgeMesh& mesh, const CurrentVertices& current, int threads, const Monitor& monitor)
 {
@@ -117,9 +117,9 @@ bool Samples::FindFaces(
   };
   const auto find = [&](Index id)
   {
-    const PlaceOnMesh near = this->FindNear(mesh, current, id);
+    const PointOnMesh near = this->FindNear(mesh, current, id);
     this->Faces[id] = near.Face;
-    distances[id] = static_cast<float>(perSquare * near.Place.SquaredDistance);
+    distances[id] = static_cast<float>(perSquare * near.Point.SquaredDistance);
   };
   if (!forEach(0, current.size(), 0.0, verticesAt, find) ||
     !forEach(current.size(), this->Faces.size(), verticesAt, allAt, find))
@@ -134,38 +134,38 @@ bool Samples::FindFaces(
     {
       if (distances[id] > far)
       {
-        const PlaceOnMesh known = { this->Faces[id],
-          FrameOf(mesh, this->Faces[id]).Nearest(this->PlaceOf(id)) };
+        const PointOnMesh known = { this->Faces[id],
+          FrameOf(mesh, this->Faces[id]).Nearest(this->PositionOf(id)) };
         this->Faces[id] = this->FindFar(mesh, current, id, known).Face;
       }
     });
 }
 
 //------------------------------------------------------------------------------
-PlaceOnMesh Samples::FindNear(
+PointOnMesh Samples::FindNear(
   const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id) const
 {
   if (id < this->Source.NumberOfVertexSlots())
   {
-    return WalkFromVertex(mesh, this->PlaceOf(id), current[id]);
+    return WalkFromVertex(mesh, this->PositionOf(id), current[id]);
   }
   const Index triangle = this->TriangleOf(id);
   const Index start =
     mesh.IsAlive(triangle) ? triangle : this->Faces[this->Source.Corners(triangle)[0]];
-  return WalkFrom(mesh, this->PlaceOf(id), start);
+  return WalkFrom(mesh, this->PositionOf(id), start);
 }
 
 //------------------------------------------------------------------------------
-/// The best of what was found and the fans that neighbours and other corners were merged into.
-PlaceOnMesh Samples::FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id,
-  const PlaceOnMesh& found) const
+/// The best of the point found and of walks from the vertices into which neighbors or other corners were merged.
+PointOnMesh Samples::FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id,
+  const PointOnMesh& found) const
 {
-  const Vector3 p = this->PlaceOf(id);
-  PlaceOnMesh best = found;
+  const Vector3 p = this->PositionOf(id);
+  PointOnMesh best = found;
   const auto tryFan = [&](Index v)
   {
-    const PlaceOnMesh other = WalkFromVertex(mesh, p, current[v]);
-    best = other.Place.SquaredDistance < best.Place.SquaredDistance ? other : best;
+    const PointOnMesh other = WalkFromVertex(mesh, p, current[v]);
+    best = other.Point.SquaredDistance < best.Point.SquaredDistance ? other : best;
   };
   if (id >= this->Source.NumberOfVertexSlots())
   {
@@ -173,7 +173,7 @@ PlaceOnMesh Samples::FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& cu
     tryFan(corners[1]);
     tryFan(corners[2]);
   }
-  else if (this->Source.Kind(id) != VertexKind::Locked)
+  else if (this->Source.Constraint(id) != VertexConstraint::NonManifold)
   {
     this->Source.VisitEdges(id, [&](Index h) { tryFan(this->Source.Across(h, id)); });
   }
@@ -181,7 +181,7 @@ PlaceOnMesh Samples::FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& cu
 }
 
 //------------------------------------------------------------------------------
-/// Lays the samples down face by face.  @param faces How many share the area.
+/// Stores the samples sorted by face.  @param faces Their number.
 bool Samples::SortByFace(Index faces, int threads, const Monitor& monitor)
 {
   for (const Index face : this->Faces)
@@ -199,7 +199,7 @@ bool Samples::SortByFace(Index faces, int threads, const Monitor& monitor)
   }
   for (Index id = static_cast<Index>(this->Faces.size()); id-- > 0;)
   {
-    this->Faces[id] = --this->Firsts[this->Faces[id]]; // from now on where the sample goes
+    this->Faces[id] = --this->Firsts[this->Faces[id]]; // from here on the index of the sample
   }
   double area = 0.0;
   const std::vector<float> weights = this->Weights(area);
@@ -211,7 +211,7 @@ bool Samples::SortByFace(Index faces, int threads, const Monitor& monitor)
       for (Index id = static_cast<Index>(first); id < static_cast<Index>(last); ++id)
       {
         const Index at = this->Faces[id];
-        this->All[at] = { Single(this->PlaceOf(id) / this->Unit), weights[id], at + 1 };
+        this->All[at] = { Single(this->PositionOf(id) / this->Unit), weights[id], at + 1 };
       }
     });
   // The last of each list is the one before the next list begins.
@@ -245,9 +245,9 @@ bool Samples::Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monit
         for (Index s = this->Firsts[face]; s != None; s = this->All[s].Next)
         {
           const Vector3 p = this->SamplePosition(this->All[s]);
-          const TriangleFrame::Place place = frame.Nearest(p);
-          const bool stays = place.Clamped == 0 && frame.EdgesNearby(place) == 0;
-          this->Faces[s] = stays ? face : WalkOn(mesh, p, { face, place }).Face;
+          const TriangleFrame::Point point = frame.Nearest(p);
+          const bool stays = point.Clamped == 0 && frame.EdgesNearby(point) == 0;
+          this->Faces[s] = stays ? face : WalkOn(mesh, p, { face, point }).Face;
         }
       }
     });

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Samples.h
- * @brief Points of the original surface that travel with the faces of the current mesh.
+ * @brief Sample points of the original surface, assigned to the faces of the current mesh.
  *
- * Every face of the current mesh knows the samples that lie nearest to it as a list; nothing is kept up during the
- * collapse. Afterwards each sample starts in the fan of the vertex that a corner of its triangle was merged into, and
- * walks over neighbouring faces while its distance falls:
+ * Each face of the current mesh has a list of the samples nearest to it. The lists are not maintained during the collapse.
+ * Afterwards each sample starts in the fan of the vertex into which a corner of its triangle was merged, and walks over
+ * neighboring faces while its distance decreases:
  *
- *     Distribute     from nothing, after a collapse; those that end far away try the fans of other corners
+ *     Distribute     builds all lists after a collapse; samples that end far away try the fans of other corners
  *     Settle         every sample walks on from its face
- *     Take, Put      an edit reassigns the samples of the few faces it changed
+ *     Take, Put      an edit reassigns the samples of the faces it changed
  */
 #ifndef BoneDecimate_Core_Reference_Samples_h
 #define BoneDecimate_Core_Reference_Samples_h
@@ -30,16 +30,17 @@ public:
   struct Sample
   {
     std::array<float, 3>
-      Place;      ///< From the local origin, units of the mesh: no scale is too small or too large.
-    float Weight; ///< The area it stands for, squares of that unit.
+      Position; ///< From the local origin, units of the mesh, so that single precision suits any scale.
+    float Weight; ///< The area it represents, squares of that unit.
     Index Next;   ///< In the list of its face.
   };
 
-  /// @param original The mesh before the first collapse, which must stay.
-  /// @param mayBeThree Of each triangle, where many remain; else one: where every edit is proved they gain nothing.
+  /// @param original The mesh before the first collapse; must outlive this.
+  /// @param mayBeThree Take three samples in each triangle if many faces remain. False: always one, which suffices where
+  ///   every edit is proved.
   explicit Samples(const HalfEdgeMesh& original, bool mayBeThree = true);
 
-  /// Both return false if the monitor said stop; then there is nothing to go on with.
+  /// Both return false after an abort; the lists are unusable then.
   bool Distribute(
     const HalfEdgeMesh& mesh, const Original& merged, int threads, const Monitor& monitor);
   bool Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor);
@@ -49,10 +50,10 @@ public:
   /// mm from the local origin
   Vector3 SamplePosition(const Sample& sample) const
   {
-    return { this->Unit * sample.Place[0], this->Unit * sample.Place[1],
-      this->Unit * sample.Place[2] };
+    return { this->Unit * sample.Position[0], this->Unit * sample.Position[1],
+      this->Unit * sample.Position[2] };
   }
-  /// What is usual, after Distribute.
+  /// Averages, after Distribute.
   struct Usual
   {
     double Distance = 0.0; ///< Root mean square over the samples, mm.
@@ -62,7 +63,7 @@ public:
 
   Index Count() const { return static_cast<Index>(this->All.size()); }
 
-  /// Empties the list of the face and returns its first sample; whoever takes it puts each back somewhere.
+  /// Empties the list of the face and returns its first sample. The caller has to put each sample into a list again.
   Index Take(Index face)
   {
     const Index first = this->Firsts[face];
@@ -91,10 +92,10 @@ private:
   {
     return (id - this->Source.NumberOfVertexSlots()) / this->PerFace;
   }
-  Vector3 PlaceOf(Index id) const;
-  PlaceOnMesh FindNear(const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id) const;
-  PlaceOnMesh FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id,
-    const PlaceOnMesh& found) const;
+  Vector3 PositionOf(Index id) const;
+  PointOnMesh FindNear(const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id) const;
+  PointOnMesh FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id,
+    const PointOnMesh& found) const;
   bool FindFaces(
     const HalfEdgeMesh& mesh, const CurrentVertices& current, int threads, const Monitor& monitor);
   bool SortByFace(Index faces, int threads, const Monitor& monitor);

@@ -6,7 +6,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the three corners the half-edges that leave them.
+/// The half-edge of the face that leaves the corner.
 Index HalfEdgeAt(Index face, int corner)
 {
   const Index first = HalfEdgeMesh::HalfEdge(face, 0);
@@ -15,16 +15,16 @@ Index HalfEdgeAt(Index face, int corner)
                      : HalfEdgeMesh::Previous(first);
 }
 
-void Try(const HalfEdgeMesh& mesh, const Vector3& p, Index face, PlaceOnMesh& best)
+void Try(const HalfEdgeMesh& mesh, const Vector3& p, Index face, PointOnMesh& best)
 {
-  const TriangleFrame::Place place = FrameOf(mesh, face).Nearest(p);
-  if (place.SquaredDistance < best.Place.SquaredDistance)
+  const TriangleFrame::Point point = FrameOf(mesh, face).Nearest(p);
+  if (point.SquaredDistance < best.Point.SquaredDistance)
   {
-    best = { face, place };
+    best = { face, point };
   }
 }
 
-void TryAcross(const HalfEdgeMesh& mesh, const Vector3& p, Index h, PlaceOnMesh& best)
+void TryAcross(const HalfEdgeMesh& mesh, const Vector3& p, Index h, PointOnMesh& best)
 {
   const Index twin = mesh.Twin(h);
   if (twin != None)
@@ -33,10 +33,10 @@ void TryAcross(const HalfEdgeMesh& mesh, const Vector3& p, Index h, PlaceOnMesh&
   }
 }
 
-/// All faces around the origin of h but that of h.
-void TryAround(const HalfEdgeMesh& mesh, const Vector3& p, Index h, PlaceOnMesh& best)
+/// Tries all faces around the origin of h except that of h.
+void TryAround(const HalfEdgeMesh& mesh, const Vector3& p, Index h, PointOnMesh& best)
 {
-  if (mesh.Kind(mesh.Origin(h)) == VertexKind::Locked)
+  if (mesh.Constraint(mesh.Origin(h)) == VertexConstraint::NonManifold)
   {
     TryAcross(mesh, p, h, best);
     TryAcross(mesh, p, HalfEdgeMesh::Previous(h), best);
@@ -69,11 +69,11 @@ Index EdgeOf(Index face, int clamped)
   return HalfEdgeAt(face, clamped == 1 ? 1 : clamped == 2 ? 2 : 0);
 }
 
-/// From a place inside a face to those across its edges that may rise towards the point.
-void TryNearby(const HalfEdgeMesh& mesh, const Vector3& p, PlaceOnMesh& best)
+/// From a point inside a face, tries the faces across those edges where a nearer face is possible.
+void TryNearby(const HalfEdgeMesh& mesh, const Vector3& p, PointOnMesh& best)
 {
   const Index face = best.Face;
-  const int edges = FrameOf(mesh, face).EdgesNearby(best.Place);
+  const int edges = FrameOf(mesh, face).EdgesNearby(best.Point);
   for (const int edge : { 1, 2, 4 })
   {
     if ((edges & edge) != 0)
@@ -84,13 +84,13 @@ void TryNearby(const HalfEdgeMesh& mesh, const Vector3& p, PlaceOnMesh& best)
 }
 }
 
-PlaceOnMesh WalkOn(const HalfEdgeMesh& mesh, const Vector3& p, PlaceOnMesh from)
+PointOnMesh WalkOn(const HalfEdgeMesh& mesh, const Vector3& p, PointOnMesh from)
 {
   Index face = None;
-  while (face != from.Face && from.Place.SquaredDistance > 0.0)
+  while (face != from.Face && from.Point.SquaredDistance > 0.0)
   {
     face = from.Face;
-    const int clamped = from.Place.Clamped;
+    const int clamped = from.Point.Clamped;
     if (clamped == 0)
     {
       TryNearby(mesh, p, from);
@@ -108,12 +108,12 @@ PlaceOnMesh WalkOn(const HalfEdgeMesh& mesh, const Vector3& p, PlaceOnMesh from)
 }
 
 //------------------------------------------------------------------------------
-PlaceOnMesh WalkFromVertex(const HalfEdgeMesh& mesh, const Vector3& p, Index vertex)
+PointOnMesh WalkFromVertex(const HalfEdgeMesh& mesh, const Vector3& p, Index vertex)
 {
   const Index outgoing = mesh.Outgoing(vertex);
   const Index face = HalfEdgeMesh::Face(outgoing);
-  PlaceOnMesh best = { face, FrameOf(mesh, face).Nearest(p) };
-  if (best.Place.SquaredDistance > 0.0)
+  PointOnMesh best = { face, FrameOf(mesh, face).Nearest(p) };
+  if (best.Point.SquaredDistance > 0.0)
   {
     TryAround(mesh, p, outgoing, best);
   }

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceWalk.h
- * @brief From a face of a mesh to the face nearest to a point, over neighbouring faces while the distance falls.
+ * @brief Finds the face nearest to a point by walking over neighboring faces while the distance decreases.
  *
- *     the nearest place lies inside the face:   the end
- *     on an edge:                               try the face across
- *     on a corner:                              try all faces around it
+ *     the nearest point is inside the face:   stop
+ *     on an edge:                             try the face across it
+ *     on a corner:                            try all faces around it
  *
- * It finds the least distance nearby, which need not be the least of all: it never jumps from sheet to sheet.
+ * Finds a local minimum of the distance, which need not be the global one: the walk never leaves a connected part.
  */
 #ifndef BoneDecimate_Core_Reference_SurfaceWalk_h
 #define BoneDecimate_Core_Reference_SurfaceWalk_h
@@ -18,10 +18,10 @@
 
 namespace bonedecimate
 {
-struct PlaceOnMesh
+struct PointOnMesh
 {
   Index Face = None;
-  TriangleFrame::Place Place;
+  TriangleFrame::Point Point;
 };
 
 /// The frame of a face; its corners A, B, C are Corners(face).
@@ -31,13 +31,13 @@ inline TriangleFrame FrameOf(const HalfEdgeMesh& mesh, Index face)
   return { mesh.Position(corners[0]), mesh.Position(corners[1]), mesh.Position(corners[2]) };
 }
 
-/// Walks on from a place found on a face.
-PlaceOnMesh WalkOn(const HalfEdgeMesh& mesh, const Vector3& p, PlaceOnMesh from);
+/// Walks on from a point on a face.
+PointOnMesh WalkOn(const HalfEdgeMesh& mesh, const Vector3& p, PointOnMesh from);
 
-/// Walks from the best of the faces around a vertex.
-PlaceOnMesh WalkFromVertex(const HalfEdgeMesh& mesh, const Vector3& p, Index vertex);
+/// Walks from the nearest of the faces around a vertex.
+PointOnMesh WalkFromVertex(const HalfEdgeMesh& mesh, const Vector3& p, Index vertex);
 
-inline PlaceOnMesh WalkFrom(const HalfEdgeMesh& mesh, const Vector3& p, Index face)
+inline PointOnMesh WalkFrom(const HalfEdgeMesh& mesh, const Vector3& p, Index face)
 {
   return WalkOn(mesh, p, { face, FrameOf(mesh, face).Nearest(p) });
 }

@@ -10,14 +10,14 @@ import tarfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from .workers import Answer, Programs, ask
+from .workers import Outcome, Programs, call
 
 CRANIUM = Path("/usr/share/doc/invesalius-examples/examples/Cranium.inv3")
 
 
 @dataclass(frozen=True)
 class Bone:
-    """A surface and the numbers of triangles it is brought to: counts, or shares of its own below 1."""
+    """A surface and the numbers of triangles it is brought to: counts, or fractions of its own below 1."""
 
     name: str
     file: Path
@@ -58,9 +58,9 @@ class Workshop:
         target = self.folder / f"{name}.ply"
         if not target.is_file():
             partial = target.with_suffix(".partial")
-            answer: Answer = ask([self.programs.path("bone"), kind, source, partial])
-            if "failure" in answer:
-                self.complaints.append(f"{name} is left out: {answer['failure']}.")
+            outcome: Outcome = call([self.programs.path("bone"), kind, source, partial])
+            if "failure" in outcome:
+                self.complaints.append(f"{name} is left out: {outcome['failure']}.")
                 return None
             partial.rename(target)
         return Bone(name, target, count_triangles(target), goals)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A bone and a count: everybody in turn, round after round, and one judge for all results."""
+"""A bone and a number of triangles: all programs in turn, round after round, and one verifier for all results."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from typing import Any
 
 from .bones import Bone
 from .contestants import Contestant
-from .workers import Answer, Programs, ask
+from .workers import Outcome, Programs, call
 
 
 @dataclass
 class Entry:
-    """What one contestant did when asked for one number of triangles."""
+    """The runs of one program at one requested number of triangles."""
 
-    who: Contestant
-    asked: int
+    contestant: Contestant
+    requested: int
     triangles: int = 0
     version: str = ""
     seconds: list[float] = field(default_factory=list)  # of the decimation call alone, a value per round
@@ -27,37 +27,38 @@ class Entry:
     input_bytes: int = 0  # what holding the input in the contestant's own structure costs
     peak_bytes: int = 0  # the most beyond that, over the rounds
     checksums: list[str] = field(default_factory=list)
-    judged: dict[str, Any] = field(default_factory=dict)
+    measured: dict[str, Any] = field(default_factory=dict)
     failure: str = ""
 
-    def add(self, answer: Answer) -> None:
+    def add(self, outcome: Outcome) -> None:
         """Takes in one round."""
-        if "failure" in answer:
-            self.failure = answer["failure"]
+        if "failure" in outcome:
+            self.failure = outcome["failure"]
             return
-        self.triangles = answer["triangles"]
-        self.version = answer["version"]
-        self.seconds.append(answer["seconds"])
-        self.cpu_seconds.append(answer["cpu_seconds"])
-        self.input_bytes = max(self.input_bytes, answer["input_bytes"])
-        self.peak_bytes = max(self.peak_bytes, answer["peak_bytes"])
-        if "checksum" in answer and answer["checksum"] not in self.checksums:
-            self.checksums.append(answer["checksum"])
+        self.triangles = outcome["triangles"]
+        self.version = outcome["version"]
+        self.seconds.append(outcome["seconds"])
+        self.cpu_seconds.append(outcome["cpu_seconds"])
+        self.input_bytes = max(self.input_bytes, outcome["input_bytes"])
+        self.peak_bytes = max(self.peak_bytes, outcome["peak_bytes"])
+        if "checksum" in outcome and outcome["checksum"] not in self.checksums:
+            self.checksums.append(outcome["checksum"])
 
     def raw(self) -> dict[str, Any]:
         """For the JSON file."""
         return {
-            "who": self.who.key, "name": self.who.name, "ours": self.who.ours, "mode": self.who.mode,
-            "threads": self.who.threads, "through": self.who.through if self.who.ours else "", "asked": self.asked,
+            "key": self.contestant.key, "name": self.contestant.name, "ours": self.contestant.ours,
+            "mode": self.contestant.mode, "threads": self.contestant.threads,
+            "through": self.contestant.through if self.contestant.ours else "", "requested": self.requested,
             "triangles": self.triangles, "version": self.version, "seconds": self.seconds,
             "median_seconds": statistics.median(self.seconds) if self.seconds else None,
             "cpu_seconds": self.cpu_seconds, "input_bytes": self.input_bytes, "peak_bytes": self.peak_bytes,
-            "checksums": self.checksums, "judged": self.judged, "failure": self.failure}
+            "checksums": self.checksums, "measured": self.measured, "failure": self.failure}
 
 
 @dataclass(frozen=True)
-class Judge:
-    """bonedecimate-verify; where it was not built nothing is judged."""
+class Verifier:
+    """bonedecimate-verify; without it nothing is measured."""
 
     programs: Programs
     samples: int
@@ -66,23 +67,23 @@ class Judge:
         """Distances both ways, topology, quality, self-intersections of the result."""
         if not self.programs.has("verify"):
             return {}
-        answer = ask([self.programs.path("verify"), original, simplified, "--samples", self.samples])
-        return {} if "failure" in answer else answer
+        outcome = call([self.programs.path("verify"), original, simplified, "--samples", self.samples])
+        return {} if "failure" in outcome else outcome
 
     def describe(self, surface: Path) -> dict[str, Any]:
         """Topology, quality and self-intersections of one surface."""
         if not self.programs.has("verify"):
             return {}
-        answer = ask([self.programs.path("verify"), "--shape", surface])
-        return {} if "failure" in answer else answer
+        outcome = call([self.programs.path("verify"), "--shape", surface])
+        return {} if "failure" in outcome else outcome
 
 
 class Contest:
     """One row: our modes run at exactly the counts that the peers ended with."""
 
-    def __init__(self, programs: Programs, judge: Judge, folder: Path) -> None:
+    def __init__(self, programs: Programs, verifier: Verifier, folder: Path) -> None:
         self.programs = programs
-        self.judge = judge
+        self.verifier = verifier
         self.folder = folder
         self.entries: dict[tuple[str, int], Entry] = {}
 
@@ -100,28 +101,28 @@ class Contest:
             if not visited:
                 self._run_ours(bone, ours, count, first=True)
         entries = list(self.entries.values())
-        reference = next((entry.asked for entry in entries if entry.who.ours), count)
-        return {"bone": bone.name, "input": {"triangles": bone.triangles, **self.judge.describe(bone.file)},
-                "asked": count, "reference": reference, "entries": [entry.raw() for entry in entries]}
+        reference = next((entry.requested for entry in entries if entry.contestant.ours), count)
+        return {"bone": bone.name, "input": {"triangles": bone.triangles, **self.verifier.describe(bone.file)},
+                "requested": count, "reference": reference, "entries": [entry.raw() for entry in entries]}
 
     def _run_ours(self, bone: Bone, ours: list[Contestant], count: int, first: bool) -> None:
         for contestant in ours:
             if first or contestant.through == "core":  # the filter differs in seconds alone: once a round
                 self._run(bone, contestant, count)
 
-    def _run(self, bone: Bone, who: Contestant, count: int) -> Entry:
-        entry = self.entries.setdefault((who.key, count), Entry(who, count))
+    def _run(self, bone: Bone, contestant: Contestant, count: int) -> Entry:
+        entry = self.entries.setdefault((contestant.key, count), Entry(contestant, count))
         if entry.failure:
             return entry
         result = self.folder / "result.ply"
-        entry.add(who.run(self.programs, bone.file, result, count))
-        if not entry.failure and not entry.judged:
-            entry.judged = self._judged_before(entry) or self.judge.compare(bone.file, result)
+        entry.add(contestant.run(self.programs, bone.file, result, count))
+        if not entry.failure and not entry.measured:
+            entry.measured = self._measured_before(entry) or self.verifier.compare(bone.file, result)
         return entry
 
-    def _judged_before(self, entry: Entry) -> dict[str, Any]:
+    def _measured_before(self, entry: Entry) -> dict[str, Any]:
         """Of an equal result, as two threads and the filter make it."""
         for other in self.entries.values():
-            if other is not entry and other.judged and set(entry.checksums) & set(other.checksums):
-                return other.judged
+            if other is not entry and other.measured and set(entry.checksums) & set(other.checksums):
+                return other.measured
         return {}

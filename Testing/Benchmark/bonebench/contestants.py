@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Who takes part: the modes that our program knows, and the peers that are installed."""
+"""The participants: the modes of this project and the peers that are installed."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from .workers import Answer, Programs, ask
+from .workers import Outcome, Programs, call
 
 WORKER = Path(__file__).with_name("peer_worker.py")
 
@@ -27,15 +27,15 @@ class Contestant:
     through: str = "core"  # of ours: the VTK-free call, or "filter"
     kernels: str = ""  # of ours: "" for the best that the processor has
 
-    def run(self, programs: Programs, bone: Path, result: Path, faces: int) -> Answer:
+    def run(self, programs: Programs, bone: Path, result: Path, faces: int) -> Outcome:
         """One decimation in a process of its own."""
         if self.ours:
             kernels = ["--kernels", self.kernels] if self.kernels else []
-            return ask([programs.path("run"), bone, result, self.through, self.mode, self.threads,
+            return call([programs.path("run"), bone, result, self.through, self.mode, self.threads,
                         "--faces", faces, *kernels])
         if self.key == "cgal":
-            return ask([programs.path("cgal"), bone, result, faces])
-        return ask([sys.executable, "-B", WORKER, self.key, bone, result, faces])
+            return call([programs.path("cgal"), bone, result, faces])
+        return call([sys.executable, "-B", WORKER, self.key, bone, result, faces])
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ PEERS = (
     Peer("fast-simplification", "fast-simplification", "fast_simplification", "pip install fast-simplification"),
     Peer("pyfqmr", "pyfqmr", "pyfqmr", "pip install pyfqmr"),
     Peer("meshoptimizer", "meshoptimizer", "meshoptimizer", "pip install meshoptimizer"),
-    Peer("meshlib", "MeshLib", "meshlib", "run.sh --with-meshlib; its licence is non-commercial"),
+    Peer("meshlib", "MeshLib", "meshlib", "run.sh --with-meshlib; its license is non-commercial"),
 )
 
 

@@ -1,113 +1,177 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Puts tables and plots together: the full page, and the section of the README between its two marks."""
+"""Writes the page and the section of the README between its two marks, from the data files alone.
+
+    python3 -m bonebench.document    writes both again from Documentation/benchmark-data, without a run
+"""
 
 from __future__ import annotations
 
 from pathlib import Path
 from typing import Any
 
-from . import tables
+from . import records, tables
+from .records import Records
 
-Figures = dict[str, Any]
+ROOT = Path(__file__).resolve().parents[3]
 METHOD = Path(__file__).parents[1] / "method.md"
+DATA = "benchmark-data"
+PLOT_SUFFIXES = {"error": "RMS distance against the number of triangles", "time": "seconds against the number of triangles",
+                 "curve": "fraction of the input's surface within a distance"}
 BEGIN, END = "<!-- benchmark: begin, written by Testing/Benchmark/run.sh -->", "<!-- benchmark: end -->"
-LEGEND = """`s`: median seconds of the decimation call; `CPU s`: of all threads; `MB`: peak beyond the held input. `s>o`: the result's
-area to the original, `o>s`: the original's to the result; `H`: the largest of both. Distances in mm. In brackets: times
-CGAL Lindstrom-Turk's. Ours run at exactly the number of triangles with which the first peer ended. In the thesis's
-measure, points of the result to the original, meshoptimizer has nothing: it keeps points of the input.
+
+
+def conditions(run: dict[str, Any]) -> str:
+    """Machine, rounds, versions and what disturbed the run."""
+    machine = run["machine"]
+    lines = [f"* Machine: {machine['processor']}, {machine['cores']} cores, {machine['memory_gb']:.0f} GB; {machine['system']}.",
+             f"* Rounds: {run['rounds']}. Samples per direction: {run['samples']:,}."]
+    if run["runs"] > 1:
+        lines.append(f"* The figures come from {run['runs']} runs; machine and rounds are those of the first.")
+    if run["versions"]:
+        lines.append("* Versions: " + "; ".join(f"{name} {version}" for name, version in run["versions"].items()) + ".")
+    return "\n".join(lines + [f"* {note}" for note in run["notes"]]) + "\n"
+
+
+def main_goal(data: Records) -> tuple[str, str]:
+    """The bone and number of triangles of the summary: the cranium, or the first."""
+    goals = tables.goals(data["comparison"])
+    return next((goal for goal in goals if goal[0] == "cranium"), goals[0])
+
+
+def comparison(data: Records) -> list[str]:
+    """Distance, time, memory and topology at equal numbers of triangles."""
+    compared = data["comparison"]
+    bone, count = main_goal(data)
+    return [
+        "## How close is the result to the input?\n",
+        "RMS distance in mm at equal numbers of triangles. Modes of this project are bold.\n",
+        tables.by_method(compared, lambda r: tables.number(tables.worst(r, "rms"))),
+        "## How large is the largest distance?\n",
+        "Sampled Hausdorff distance in mm.\n",
+        tables.by_method(compared, lambda r: tables.number(r["hausdorff_mm"])),
+        "## How long does it take?\n",
+        "Seconds on one thread.\n",
+        tables.by_method(compared, lambda r: tables.number(r["seconds"])),
+        "The modes on one thread, on two, and through the VTK filter:\n",
+        tables.seconds_of_modes(compared),
+        "## One input with all figures\n",
+        f"`{bone}` with {int(count):,} requested triangles, closest first, one thread unless stated otherwise.\n",
+        tables.summary(compared, (bone, count), full=True),
+        "## Does the topology stay the same?\n",
+        f"Over the {len(tables.goals(compared))} lines of the tables above: how many results have the components and the Euler "
+        "number of the input and no new non-manifold edge.\n",
+        tables.topology(compared)]
+
+
+def proved(data: Records) -> list[str]:
+    """Runs with a proved largest error, beside the peers."""
+    return [
+        "## How many triangles does a largest error take?\n",
+        "The modes run with `MaximumError` and prove it for every point of both surfaces. The other programs prove nothing. "
+        "For them the table has the fewest triangles whose *sampled* Hausdorff distance stays within the error, found by trial "
+        "to within 5 %; a dash means that no trial stays within it.\n",
+        tables.proved_triangles(data["proved"], data["trials"]),
+        "Some programs have an option for an error, each in its own unit. Triangles and sampled Hausdorff distance with that "
+        "option:\n",
+        tables.errors_of_peers(data["trials"]),
+        "## What does the proof cost?\n",
+        "One run on two threads, with the certificate that ends each run. The last three columns are for `IntersectionGuard` off, "
+        "which lets triangles intersect and gaps close.\n",
+        tables.proved_cost(data["proved"])]
+
+
+def sections(data: Records) -> list[str]:
+    """Every question for which there are records."""
+    parts = comparison(data) if data["comparison"] else []
+    if data["proved"]:
+        parts += proved(data)
+    if data["growth"]:
+        parts += ["## How do time and memory grow?\n", "Generated specimens decimated to a fifth. Bytes are the peak during the "
+                  "run, input and output included, beyond the bare program.\n", tables.growth(data["growth"])]
+    if data["threads"]:
+        first = data["threads"][0]
+        parts += ["## What do threads and vector kernels bring?\n",
+                  f"`{first['bone']}` with {int(first['requested_triangles']):,} requested triangles. `best` is what a run uses by "
+                  "default; `plain` is C++ without vector instructions. The last column compares the result with that on one "
+                  "thread.\n",
+                  tables.threads(data["threads"])]
+    table = tables.thesis_counts(data["comparison"])
+    if table:
+        parts += ["## How does it compare with the figures of the thesis?\n",
+                  "Distance from the points of the result to the input: RMS, maximum, in mm. The thesis (H. Brandao, Groningen, "
+                  "2018) prints these figures for its own meshes of the same bones.\n", table]
+    if data["errors"]:
+        parts += ["The same measure with a largest error instead of a number of triangles:\n",
+                  tables.thesis_errors(data["errors"])]
+    return parts
+
+
+FILES = """| file | one line per | columns |
+|---|---|---|
+| [comparison.csv](benchmark-data/comparison.csv) | input, number of triangles, program | seconds, memory, distances in both directions, distances of points, topology |
+| [pairs.csv](benchmark-data/pairs.csv) | the same for each mode and each other program, at exactly the number of triangles of that program | ratios mode / program of time, RMS distances and Hausdorff distance |
+| [proved.csv](benchmark-data/proved.csv) | input, error, mode, intersection guard | triangles, proved bounds, seconds, memory |
+| [trials.csv](benchmark-data/trials.csv) | input, error, other program | result of its own option for an error; fewest triangles by trial |
+| [growth.csv](benchmark-data/growth.csv) | mode, threads, size | seconds, bytes |
+| [threads.csv](benchmark-data/threads.csv) | mode, threads, kernels | seconds, checksum of the result |
+| `errors.csv`, of full runs | input, error, mode | the thesis's measure with a largest error instead of a number of triangles |
+
+`to_original` is the distance from the result to the input, `to_result` the distance from the input to the result. Lengths are mm, memory is
+10^6 bytes. `run.json` has machine, versions and notes. `python3 -m bonebench.document` in `Testing/Benchmark` writes this page again from
+these files.
 """
 
 
-def introduction(figures: Figures) -> str:
-    """Where and with what it ran."""
-    machine = figures["machine"]
-    versions = {entry["name"]: entry["version"] for row in figures["rows"] for entry in row["entries"]
-                if not entry["ours"] and entry["version"]}
-    lines = [f"{machine['processor']}, {machine['cores']} cores, {machine['memory_gb']:.0f} GB; {machine['system']}. "
-             f"Rounds: {figures['rounds']}; samples a direction: {figures['samples']:,}."]
-    if figures.get("parts", 1) > 1:
-        lines.append(f"Put together from {figures['parts']} runs of the command, each of a part of it (`--from`); machine and "
-                     "rounds are those of the first.")
-    if versions:
-        lines.append("Peers: " + ", ".join(f"{name} {version}" for name, version in versions.items()) + ".")
-    return "\n".join(lines + figures["complaints"]) + "\n"
+def caption(name: str) -> str:
+    """What a plot shows, from its file name."""
+    if name == "benchmark-growth.png":
+        return "Time and memory against the number of input triangles"
+    bone, _, kind = name.removeprefix("benchmark-").removesuffix(".png").rpartition("-")
+    return f"{bone}: {PLOT_SUFFIXES.get(kind, kind)}"
 
 
-def row_section(row: dict[str, Any]) -> str:
-    """Everything about one bone at one count."""
-    parts = [f"### {row['bone']}: {row['input']['triangles']:,} triangles to {row['asked']:,}\n",
-             tables.distance_table(row), tables.shape_table(row)]
-    pairs = tables.pairs_table(row)
-    if pairs:
-        parts.append("Against each peer, ours run at exactly its count (another count reached is in brackets):\n\n" + pairs)
-    thesis = tables.thesis_table(row)
-    if thesis:
-        parts.append("The thesis's measure:\n\n" + thesis)
-    return "\n".join(parts)
+def page(data: Records, run: dict[str, Any], plots: list[str], images: str) -> str:
+    """The full page in Markdown. @param plots Names of the image files. @param images Their folder as seen from the page."""
+    parts = [METHOD.read_text(encoding="utf-8"), "## This run\n", conditions(run), *sections(data)]
+    if plots:
+        parts += ["## Plots\n", *(f"![{caption(name)}]({images}/{name})\n" for name in plots)]
+    return "\n".join([*parts, "## Data files\n", FILES])
 
 
-def page(figures: Figures, plots: list[tuple[str, str]], images: str) -> str:
-    """The full page in Markdown. @param images Folder of the plots as seen from the page."""
-    parts = [METHOD.read_text(encoding="utf-8"), "## This run\n", introduction(figures)]
-    if figures["rows"]:
-        parts += ["## Our modes, in ratios\n", "Times the peer's, at the peer's own count; below 1 is in our favour.\n",
-                  tables.targets_table(figures["rows"])]
-    parts += [f"![{caption}]({images}/{name})\n" for name, caption in plots]
-    if figures["growth"]:
-        runs = min(row["runs"] for row in figures["growth"])
-        parts += ["## Growth\n", f"Generated specimens brought to a fifth; runs of each: {runs}. Bytes: the most held while "
-                  "it ran, input and output included, beyond the bare program.\n", tables.growth_table(figures["growth"])]
-    if figures["threads"]:
-        first = figures["threads"][0]
-        parts += ["## Threads and kernels\n", f"{first['bone']} to {first['asked']:,}.\n", tables.threads_table(figures["threads"])]
-    if figures["rows"]:
-        parts += ["## Everybody\n", LEGEND, *(row_section(row) for row in figures["rows"])]
-    if figures.get("promises"):
-        beside = {row["bone"]: row["peer_faces"] for row in figures["promises"]}
-        parts += ["## A largest error that is proved\n", "Two threads, once, with the certificate that each run ends with; "
-                  "judged by another. "
-                  "CGAL's Lindstrom-Turk in the same run: "
-                  + ", ".join(f"{bone} to {faces:,}" for bone, faces in beside.items()) + ".\n",
-                  tables.promise_table([row for row in figures["promises"] if row["guard"] == "on"]),
-                  "With `KeepClearance` switched off, so that triangles may come to intersect and gaps to close:\n",
-                  tables.promise_table([row for row in figures["promises"] if row["guard"] == "off"])]
-    if figures.get("promises_of_peers"):
-        parts += ["The others: those that take an error asked for it, in whatever unit theirs has; then the fewest triangles at "
-                  "which they stay within it, found by trial, within 5 %. H is sampled, the largest distance at least that.\n",
-                  tables.peers_promise_table(figures["promises_of_peers"])]
-    if figures["errors"]:
-        parts += ["## Asked for a largest error\n", "One thread, once; points of the result to the original, mm, as the "
-                  "thesis measured; H both ways.\n", tables.error_table(figures["errors"])]
-    return "\n".join(parts)
-
-
-def readme_section(figures: Figures, plots: list[tuple[str, str]]) -> str:
-    """The main table, one plot and the command that makes them."""
-    rows = figures["rows"]
-    row = next((r for r in rows if r["bone"] == "cranium"), rows[0])
-    pieces = row["input"].get("components", 1)
-    text = [BEGIN, "## Beside the others\n",
-            f"The {row['bone']} of a CT, {row['input']['triangles']:,} triangles"
-            + (f" in {pieces} components" if pieces > 1 else "") + f", brought to {row['asked']:,}; closest first, ours in\n"
-            "bold, one thread unless said otherwise. Average and RMS: the larger of both directions; H: the largest of both.\n",
-            tables.summary_table(row)]
-    wanted = next((plot for plot in plots if plot[0] == "benchmark-maxilla-error.png"), None)
-    if wanted:
-        text.append(f"![{wanted[1]}](Documentation/images/{wanted[0]})\n")
-    text += [line + "\n" for line in figures["complaints"] if "do not quote" in line]
-    text += ["`Testing/Benchmark/run.sh` installs the others into its build folder, runs everybody in turn and writes this "
-             "section and\n[Documentation/benchmark.md](Documentation/benchmark.md).\n", END]
-    return "\n".join(text)
+def readme_section(data: Records, run: dict[str, Any]) -> str:
+    """The main table and the command that measures it."""
+    bone, count = main_goal(data)
+    source = next(record for record in data["comparison"] if (record["bone"], record["method"]) == (bone, "input"))
+    pieces = int(source["components"] or 1)
+    text = [BEGIN, "## Comparison\n",
+            f"The {bone} of a CT, {int(source['triangles']):,} triangles" + (f" in {pieces} components" if pieces > 1 else "")
+            + f", reduced to {int(count):,} on one thread; this project in bold. Average and RMS: the\n"
+            "larger of both directions. H: the largest distance of both. [All figures](Documentation/benchmark.md) "
+            "(`Testing/Benchmark/run.sh`).\n",
+            tables.summary(data["comparison"], (bone, count), full=False)]
+    text += [f"{note}\n" for note in run["notes"] if "do not quote" in note and bone not in note]
+    return "\n".join([*text, END])
 
 
 def write_readme(readme: Path, section: str) -> None:
-    """Replaces what lies between the marks; before "## What it does not do yet" if they are not there."""
+    """Replaces what lies between the marks; fails if the marks are not there."""
     text = readme.read_text(encoding="utf-8")
-    if BEGIN in text:
-        before, rest = text.split(BEGIN, 1)
-        text = before + section + rest.split(END, 1)[1]
-    else:
-        head, rest = text.split("## What it does not do yet", 1)
-        text = head + section + "\n\n## What it does not do yet" + rest
-    readme.write_text(text, encoding="utf-8")
+    if BEGIN not in text:
+        raise SystemExit(f"{readme} has no line {BEGIN}")
+    before, rest = text.split(BEGIN, 1)
+    readme.write_text(before + section + rest.split(END, 1)[1], encoding="utf-8")
+
+
+def write(root: Path) -> None:
+    """The page and the README's section from Documentation/benchmark-data."""
+    pages = root / "Documentation"
+    data, run = records.read(pages / DATA)
+    plots = sorted(path.name for path in (pages / "images").glob("benchmark-*.png"))
+    (pages / "benchmark.md").write_text(page(data, run, plots, "images"), encoding="utf-8")
+    if data["comparison"]:
+        write_readme(root / "README.md", readme_section(data, run))
+
+
+if __name__ == "__main__":
+    write(ROOT)

@@ -41,7 +41,7 @@ def _busy_seconds() -> float:
 
 def _own_seconds() -> float:
     """Of this program and of those it has run."""
-    used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    used = [resource.getrusage(kind) for kind in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
     return sum(one.ru_utime + one.ru_stime for one in used)
 
 
@@ -49,7 +49,7 @@ BUSY = "Other programs used"
 
 
 class Others:
-    """How much of the processor everybody else uses from now on."""
+    """How much of the processor other processes use from now on."""
 
     def __init__(self) -> None:
         self.since = time.monotonic(), _busy_seconds() - _own_seconds()

@@ -74,7 +74,7 @@ def prepare_vtk(points: Points, corners: Corners, faces: int, error: float | Non
 
 
 def prepare_meshlab(points: Points, corners: Corners, faces: int, topology: bool = False) -> Prepared:
-    """Quadric edge collapse with optimal placement and MeshLab's usual quality threshold, border kept."""
+    """Quadric edge collapse with optimal placement and MeshLab's usual quality threshold, boundary kept."""
     import pymeshlab
 
     meshes = pymeshlab.MeshSet()
@@ -113,7 +113,7 @@ def prepare_fast_simplification(points: Points, corners: Corners, faces: int) ->
 
 
 def prepare_pyfqmr(points: Points, corners: Corners, faces: int) -> Prepared:
-    """The same algorithm by another hand, border kept."""
+    """Another implementation of the same algorithm, boundary kept."""
     import pyfqmr
 
     mesh = pyfqmr.Simplify()
@@ -166,7 +166,7 @@ PREPARE: dict[str, tuple[str, Callable[[Points, Corners, int], Prepared]]] = {
     "meshoptimizer": ("meshoptimizer", prepare_meshoptimizer),
     "meshlib": ("meshlib", prepare_meshlib),
 }
-# Those that can be asked for a largest error.
+# Those that have an option for a largest error.
 TAKE_ERRORS = {"vtk": prepare_vtk, "meshoptimizer": prepare_meshoptimizer, "meshlib": prepare_meshlib}
 
 
@@ -199,7 +199,7 @@ def warm_up(prepare: Callable[[Points, Corners, int], Prepared]) -> None:
     corners = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], np.int32)
     try:
         prepare(points, corners, 4)[0]()
-    except Exception:  # a peer may refuse so small a thing; it is imported by then
+    except Exception:  # a peer may reject so small a mesh; it is imported by then
         pass
 
 

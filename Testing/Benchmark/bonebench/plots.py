@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The plots, from the raw figures, by matplotlib; readable at the width of a page and without colour vision."""
+"""The plots, from the raw figures, by matplotlib; readable at the width of a page and without color vision."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from matplotlib.axes import Axes  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
 
-from .tables import BACK, THERE, at_reference, find, judged  # noqa: E402
+from .records import BACK, THERE, at_reference, find, value_of  # noqa: E402
 
 Row = dict[str, Any]
 Entry = dict[str, Any]
-# Okabe and Ito's colours; peers stay grey, the one we are measured against darker.
+# Okabe and Ito's colors; peers stay gray, the one we are measured against darker.
 OURS = ("#D55E00", "#0072B2", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 PEER, RIVAL = "#9A9A9A", "#404040"
 MARKERS = "os^Dv"
@@ -30,17 +30,17 @@ STYLE: Any = {
 
 
 def look(entry: Entry, modes: Sequence[str]) -> dict[str, Any]:
-    """Colour, dash and weight of a contestant."""
+    """Color, dash and weight of a contestant."""
     if not entry["ours"]:
-        colour = RIVAL if entry["who"] == "cgal" else PEER
-        return {"color": colour, "linestyle": "-", "linewidth": 1.4, "marker": "o", "markersize": 3, "zorder": 2}
+        color = RIVAL if entry["key"] == "cgal" else PEER
+        return {"color": color, "linestyle": "-", "linewidth": 1.4, "marker": "o", "markersize": 3, "zorder": 2}
     index = modes.index(entry["mode"])
     return {"color": OURS[index % len(OURS)], "linestyle": "-" if entry["threads"] == 1 else (0, (3, 2)),
             "linewidth": 2.4, "marker": MARKERS[index % len(MARKERS)], "markersize": 6, "zorder": 3}
 
 
 def ink(style: dict[str, Any]) -> str:
-    """The colour of a name: a peer's is darker than its line, to be read."""
+    """The color of a name: a peer's is darker than its line, to be read."""
     return "#5E5E5E" if style["color"] == PEER else str(style["color"])
 
 
@@ -56,18 +56,18 @@ def label_ends(axes: Axes, ends: Sequence[tuple[float, float, str, dict[str, Any
     pixels = [(axes.transData.transform((x, y))[1], x, y, name, style) for x, y, name, style in ends]
     pixels.sort(key=lambda item: item[0])
     step = 1.28 * 9 * axes.figure.dpi / 72
-    places = [item[0] for item in pixels]
+    heights = [item[0] for item in pixels]
     for _ in range(200):
-        for i in range(1, len(places)):
-            overlap = step - (places[i] - places[i - 1])
+        for i in range(1, len(heights)):
+            overlap = step - (heights[i] - heights[i - 1])
             if overlap > 0.01:
-                places[i - 1] -= overlap / 2
-                places[i] += overlap / 2
+                heights[i - 1] -= overlap / 2
+                heights[i] += overlap / 2
         # The topmost may not run into the title.
-        places[-1] = min(places[-1], axes.transAxes.transform((0.0, 1.0))[1])
+        heights[-1] = min(heights[-1], axes.transAxes.transform((0.0, 1.0))[1])
     right = axes.transAxes.transform((1.0, 0.0))[0]
-    for (_, x, y, name, style), place in zip(pixels, places):
-        begin = tuple(axes.transData.inverted().transform((right + 0.10 * axes.figure.dpi, place)))
+    for (_, x, y, name, style), height in zip(pixels, heights):
+        begin = tuple(axes.transData.inverted().transform((right + 0.10 * axes.figure.dpi, height)))
         axes.annotate(name, xy=(x, y), xytext=begin, textcoords="data", fontsize=9, va="center", color=ink(style),
                       fontweight="bold" if style["zorder"] == 3 else "normal", annotation_clip=False,
                       arrowprops={"arrowstyle": "-", "color": style["color"], "linewidth": 0.6, "shrinkA": 1,
@@ -77,16 +77,16 @@ def label_ends(axes: Axes, ends: Sequence[tuple[float, float, str, dict[str, Any
 def series(rows: Sequence[Row], keep: Callable[[Entry], bool]) -> dict[str, list[tuple[Row, Entry]]]:
     """Contestant -> its entries over the rows of one bone, by falling number of triangles."""
     found: dict[str, list[tuple[Row, Entry]]] = {}
-    for row in sorted(rows, key=lambda r: -r["asked"]):
+    for row in sorted(rows, key=lambda r: -r["requested"]):
         for entry in at_reference(row):
             if entry["seconds"] and entry["through"] != "filter" and keep(entry):
-                found.setdefault(entry["who"], []).append((row, entry))
+                found.setdefault(entry["key"], []).append((row, entry))
     return found
 
 
 def count_axis(axes: Axes, rows: Sequence[Row], note: Callable[[Row], str] = lambda _: "") -> None:
-    """Triangles, from many to few, each asked count a tick with a note below it."""
-    notes = {row["asked"]: note(row) for row in rows}
+    """Triangles, from many to few, each requested count a tick with a note below it."""
+    notes = {row["requested"]: note(row) for row in rows}
     counts = sorted(notes)
     axes.set_xscale("log")
     # One that is near the next stands two lines lower, to be read beside it.
@@ -95,7 +95,7 @@ def count_axis(axes: Axes, rows: Sequence[Row], note: Callable[[Row], str] = lam
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.tick_params(axis="x", which="minor", length=0)
     axes.set_xlim(1.25 * counts[-1], counts[0] / 1.15)
-    axes.set_xlabel("triangles asked for")
+    axes.set_xlabel("requested triangles")
 
 
 def draw(axes: Axes, lines: dict[str, list[tuple[Row, Entry]]], modes: Sequence[str],
@@ -103,7 +103,7 @@ def draw(axes: Axes, lines: dict[str, list[tuple[Row, Entry]]], modes: Sequence[
     """A line a contestant, with its name at the end; axes must have their limits after this."""
     ends = []
     for points in lines.values():
-        known = [(row["asked"], y) for row, entry in points if (y := value(row, entry)) is not None]
+        known = [(row["requested"], y) for row, entry in points if (y := value(row, entry)) is not None]
         style = look(points[0][1], modes)
         if known:
             axes.plot(*zip(*known), **style)
@@ -122,7 +122,7 @@ def seconds_axis(axes: Axes) -> None:
 
 def worst_rms(entry: Entry | None) -> float | None:
     """The larger of the two directions."""
-    values = [value for side in (THERE, BACK) if (value := judged(entry, side, "rms")) is not None]
+    values = [value for side in (THERE, BACK) if (value := value_of(entry, side, "rms")) is not None]
     return max(values, default=None)
 
 
@@ -133,7 +133,7 @@ def error_plot(rows: Sequence[Row], modes: Sequence[str], target: Path) -> bool:
         return False
     figure, axes = plt.subplots(figsize=(7.2, 4.6))
     count_axis(axes, rows, lambda row: f"\n({worst_rms(find(row, 'cgal')):.2g} mm)")
-    axes.set_xlabel("triangles asked for (RMS distance of CGAL Lindstrom-Turk)")
+    axes.set_xlabel("requested triangles (RMS distance of CGAL Lindstrom-Turk)")
     top = 2.2
     axes.set_ylim(0.6, top)
 
@@ -168,24 +168,24 @@ def time_plot(rows: Sequence[Row], modes: Sequence[str], target: Path) -> bool:
 
 
 def curve_plot(row: Row, modes: Sequence[str], target: Path) -> bool:
-    """Which share of the original's surface lies within x mm of the result."""
+    """The fraction of the original's surface lies within x mm of the result."""
     entries = [entry for entry in at_reference(row) if entry["seconds"] and entry["threads"] == 1
-               and entry["through"] != "filter" and judged(entry, BACK, "percentiles")]
+               and entry["through"] != "filter" and value_of(entry, BACK, "percentiles")]
     if not entries:
         return False
     figure, axes = plt.subplots(figsize=(7.2, 4.6))
     ends = []
     for entry in entries:
         style = {**look(entry, modes), "marker": ""}
-        values = judged(entry, BACK, "percentiles")
+        values = value_of(entry, BACK, "percentiles")
         axes.plot([max(value, 1e-9) for value in values], range(len(values)), **style)
         ends.append((values[50], entry, style))
-    reach = sorted(judged(entry, BACK, "percentiles")[99] for entry in entries)
+    reach = sorted(value_of(entry, BACK, "percentiles")[99] for entry in entries)
     axes.set_xlim(0, 1.05 * reach[len(reach) // 2])
     axes.set_ylim(0, 101)
     axes.set_xlabel("mm from the original's surface to the result")
     axes.set_ylabel("% of the original's surface within that")
-    axes.set_title(f"{row['bone']}, {row['asked']:,} of {row['input']['triangles']:,} triangles", pad=12)
+    axes.set_title(f"{row['bone']}, {row['requested']:,} of {row['input']['triangles']:,} triangles", pad=12)
     order = sorted(ends, key=lambda item: item[0])
     handles = [Line2D([], [], **style, label=plain(entry["name"])) for _, entry, style in order]
     axes.legend(handles=handles, title="closest first (median)", alignment="left", loc="lower right", fontsize=9,
@@ -206,8 +206,8 @@ def growth_plot(rows: Sequence[Row], modes: Sequence[str], target: Path) -> bool
     for axes, (title, value) in zip(panels, views):
         ends = []
         axes.set_xscale("log")
-        for who in dict.fromkeys(row["who"] for row in rows):
-            points = sorted((row for row in rows if row["who"] == who), key=lambda row: row["triangles"])
+        for key in dict.fromkeys(row["key"] for row in rows):
+            points = sorted((row for row in rows if row["key"] == key), key=lambda row: row["triangles"])
             style = look({"ours": True, **points[0]}, modes)
             axes.plot([row["triangles"] for row in points], [value(row) for row in points], **style)
             name = points[0]["mode"] + (f", {points[0]['threads']} threads" if points[0]["threads"] > 1 else "")
@@ -245,7 +245,7 @@ def draw_all(figures: dict[str, Any], folder: Path) -> list[tuple[str, str]]:
                 mine, modes, folder / f"benchmark-{bone}-time.png")
         for bone in dict.fromkeys([*several, *filter(None, [largest])]):
             row = next(row for row in rows if row["bone"] == bone)
-            row = next((r for r in rows if r["bone"] == bone and r["asked"] == 10000), row)
+            row = next((r for r in rows if r["bone"] == bone and r["requested"] == 10000), row)
             made += [(f"benchmark-{bone}-curve.png", f"{bone}: cumulative error")] * curve_plot(
                 row, modes, folder / f"benchmark-{bone}-curve.png")
         made += [("benchmark-growth.png", "growth of time and memory")] * growth_plot(

@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Any, Iterator, Sequence
 
 from .bones import Bone, Workshop
-from .contest import Judge
+from .contest import Verifier
 from .contestants import our_contestants, our_kernels, ours
-from .workers import Programs, ask
+from .workers import Programs, call
 
 KEPT_IN_GROWTH = 0.2  # of the triangles
 GROWTH_SIZES = (100_000, 300_000, 1_000_000, 3_000_000, 10_000_000)
@@ -26,17 +26,17 @@ def growth(programs: Programs, workshop: Workshop, modes: Sequence[str], sizes: 
         bone = workshop.bone(f"specimen-{size}", (KEPT_IN_GROWTH,))
         if bone is None:
             continue
-        contestants = [who for who in our_contestants(list(modes)) if who.through == "core"]
-        runs: dict[str, list[dict[str, Any]]] = {who.key: [] for who in contestants}
+        contestants = [contestant for contestant in our_contestants(list(modes)) if contestant.through == "core"]
+        runs: dict[str, list[dict[str, Any]]] = {contestant.key: [] for contestant in contestants}
         for _ in range(rounds):
-            for who in contestants:
-                runs[who.key].append(who.run(programs, bone.file, folder / "result.ply", bone.counts()[0]))
-        for who in contestants:
-            good = [run for run in runs[who.key] if "failure" not in run]
+            for contestant in contestants:
+                runs[contestant.key].append(contestant.run(programs, bone.file, folder / "result.ply", bone.counts()[0]))
+        for contestant in contestants:
+            good = [run for run in runs[contestant.key] if "failure" not in run]
             if good:
                 yield {
-                    "bone": bone.name, "triangles": bone.triangles, "who": who.key, "mode": who.mode,
-                    "threads": who.threads, "kept": good[0]["triangles"], "runs": len(good),
+                    "bone": bone.name, "triangles": bone.triangles, "key": contestant.key, "mode": contestant.mode,
+                    "threads": contestant.threads, "kept": good[0]["triangles"], "runs": len(good),
                     "seconds": statistics.median(run["seconds"] for run in good),
                     "cpu_seconds": statistics.median(run["cpu_seconds"] for run in good),
                     "bytes": max(run["input_bytes"] + run["peak_bytes"] for run in good)}
@@ -44,28 +44,29 @@ def growth(programs: Programs, workshop: Workshop, modes: Sequence[str], sizes: 
 
 def threads(programs: Programs, bone: Bone, modes: Sequence[str], rounds: int, folder: Path) -> list[dict[str, Any]]:
     """The same job on 1, 2, 4 and 8 threads and with each set of kernels in turn; the bytes that come out must be equal."""
-    contestants = [who for mode in modes for who in
+    contestants = [contestant for mode in modes for contestant in
                    [ours(mode, count) for count in THREADS]
                    + [replace(ours(mode), key=f"{mode}-{name}", kernels=name) for name in our_kernels(programs)]]
-    runs: dict[str, list[dict[str, Any]]] = {who.key: [] for who in contestants}
+    runs: dict[str, list[dict[str, Any]]] = {contestant.key: [] for contestant in contestants}
     for _ in range(rounds):
-        for who in contestants:
-            runs[who.key].append(who.run(programs, bone.file, folder / "result.ply", bone.counts()[0]))
+        for contestant in contestants:
+            runs[contestant.key].append(contestant.run(programs, bone.file, folder / "result.ply", bone.counts()[0]))
     return [{
-        "bone": bone.name, "asked": bone.counts()[0], "mode": who.mode, "threads": who.threads, "kernels": who.kernels,
+        "bone": bone.name, "requested": bone.counts()[0], "mode": contestant.mode,
+        "threads": contestant.threads, "kernels": contestant.kernels,
         "seconds": statistics.median(run["seconds"] for run in good),
         "cpu_seconds": statistics.median(run["cpu_seconds"] for run in good),
         "checksums": sorted({run["checksum"] for run in good})}
-        for who in contestants if (good := [run for run in runs[who.key] if "failure" not in run])]
+        for contestant in contestants if (good := [run for run in runs[contestant.key] if "failure" not in run])]
 
 
-def error_mode(programs: Programs, judge: Judge, bone: Bone, modes: Sequence[str], errors: Sequence[float],
+def error_mode(programs: Programs, verifier: Verifier, bone: Bone, modes: Sequence[str], errors: Sequence[float],
                folder: Path) -> list[dict[str, Any]]:
-    """Each mode asked for a largest error in mm instead of a number of triangles, once: the thesis's second table."""
+    """Each mode with a largest error in mm instead of a number of triangles, once: the thesis's second table."""
     rows = []
     for error in errors:
         for mode in modes:
-            answer = ask([programs.path("run"), bone.file, folder / "result.ply", "core", mode, 1, "--error", error])
-            judged = {} if "failure" in answer else judge.compare(bone.file, folder / "result.ply")
-            rows.append({"bone": bone.name, "error": error, "mode": mode, "judged": judged, **answer})
+            outcome = call([programs.path("run"), bone.file, folder / "result.ply", "core", mode, 1, "--error", error])
+            measured = {} if "failure" in outcome else verifier.compare(bone.file, folder / "result.ply")
+            rows.append({"bone": bone.name, "error": error, "mode": mode, "measured": measured, **outcome})
     return rows

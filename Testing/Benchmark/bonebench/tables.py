@@ -1,32 +1,32 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Markdown from the raw figures: nothing here measures or runs anything."""
+"""Markdown tables from the records: one table per question."""
 
 from __future__ import annotations
 
-import statistics
-from typing import Any, Iterable, Sequence
+from typing import Callable, Iterable, Sequence
 
 from . import thesis
+from .records import Record
 
-Entry = dict[str, Any]
-Row = dict[str, Any]
-THERE, BACK = "simplified_to_original", "original_to_simplified"
-RATIO_COLUMNS = ((THERE, "average"), (THERE, "rms"), (BACK, "average"), (BACK, "rms"))
+MODES = ("Thesis", "Fast", "Balanced", "Accurate")
+Cell = Callable[[Record], str]
 
 
-def number(value: float | None, digits: int = 3) -> str:
+def number(value: str | float | None, digits: int = 3) -> str:
     """Plain decimals with that many significant digits; a dash for nothing."""
-    if value is None:
+    if value in (None, ""):
         return "-"
-    if value == 0:
+    figure = float(value)
+    if figure == 0:
         return "0"
-    decimals = max(0, digits - 1 - _exponent(abs(value)))
-    return f"{value:,.{decimals}f}"
+    decimals = max(0, digits - 1 - int(f"{abs(figure):e}".split("e")[1]))
+    return f"{figure:,.{decimals}f}"
 
 
-def _exponent(value: float) -> int:
-    return int(f"{value:e}".split("e")[1])
+def count(value: str | None) -> str:
+    """A whole number with separators; a dash for nothing."""
+    return f"{int(value):,}" if value else "-"
 
 
 def markdown(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
@@ -35,232 +35,196 @@ def markdown(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
 
 
-def ratio(value: float | None, base: float | None) -> str:
-    """How many times the other's; two decimals."""
-    return f"{value / base:.2f}" if value is not None and base else "-"
+def titled(name: str) -> str:
+    """The modes of this project in bold."""
+    return f"**{name}**" if name in MODES else name
 
 
-def judged(entry: Entry | None, *path: str) -> Any:
-    """A figure of the judge, or None."""
-    value: Any = entry["judged"] if entry else None
-    for key in path:
-        value = value.get(key) if value else None
-    return value
+def worst(record: Record, statistic: str) -> float | None:
+    """The larger of both directions."""
+    values = [record[f"{side}_{statistic}_mm"] for side in ("to_original", "to_result")]
+    return max((float(value) for value in values if value), default=None)
 
 
-def find(row: Row, who: str, asked: int | None = None) -> Entry | None:
-    """The entry of a contestant that came to an end, at a count if one is given."""
-    return next((entry for entry in row["entries"] if entry["who"] == who and entry["seconds"]
-                 and asked in (None, entry["asked"])), None)
+def methods(records: Sequence[Record]) -> list[str]:
+    """Modes first, then the other programs, as the files list them."""
+    names = list(dict.fromkeys(record["method"] for record in records if record["method"] != "input"))
+    return [name for name in MODES if name in names] + [name for name in names if name not in MODES]
 
 
-def at_reference(row: Row) -> list[Entry]:
-    """Peers, and ours at the count that the first peer ended with, or asked for if there is none."""
-    return [entry for entry in row["entries"] if not entry["ours"] or entry["asked"] == row["reference"]]
+def single_threaded(records: Sequence[Record]) -> list[Record]:
+    """One record per method: one thread, without the VTK filter."""
+    return [record for record in records if record["threads"] == "1" and record["adapter"] != "filter"]
 
 
-def in_core(row: Row) -> list[Entry]:
-    """Ours by the call without VTK."""
-    return [entry for entry in row["entries"] if entry["ours"] and entry["through"] == "core" and entry["seconds"]]
+def goals(records: Sequence[Record]) -> list[tuple[str, str]]:
+    """Each bone with each requested number of triangles."""
+    return list(dict.fromkeys((record["bone"], record["requested_triangles"]) for record in records))
 
 
-def beside(value: float | None, base: float | None) -> str:
-    """A figure, and in brackets how many times the base's it is."""
-    return number(value) + (f" ({value / base:.2f})" if value is not None and base else "")
+def of_goal(records: Sequence[Record], goal: tuple[str, str]) -> list[Record]:
+    """The records of one bone and one requested number of triangles."""
+    return [record for record in records if (record["bone"], record["requested_triangles"]) == goal]
 
 
-def distance_table(row: Row) -> str:
-    """Seconds, memory and distances of everybody; in brackets the ratios to CGAL's."""
-    base = find(row, "cgal")
-    head = ["", "triangles", "s", "CPU s", "MB", "s>o average", "s>o RMS", "o>s average", "o>s RMS", "s>o max",
-            "o>s max", "H"]
+def by_method(records: Sequence[Record], cell: Cell) -> str:
+    """One line per bone and number of triangles, one column per method."""
+    columns = methods(records)
     lines = []
-    for entry in at_reference(row):
-        if not entry["seconds"]:
-            lines.append([entry["name"], f"failed: {entry['failure']}"] + [""] * (len(head) - 2))
-            continue
-        cells = [entry["name"], f"{entry['triangles']:,}",
-                 beside(entry["median_seconds"], base["median_seconds"] if base else None),
-                 number(statistics.median(entry["cpu_seconds"])), f"{entry['peak_bytes'] / 1e6:.0f}"]
-        cells += [beside(judged(entry, *column), judged(base, *column)) for column in RATIO_COLUMNS]
-        cells += [number(judged(entry, side, "maximum")) for side in (THERE, BACK)]
-        lines.append(cells + [beside(judged(entry, "hausdorff"), judged(base, "hausdorff"))])
-    return markdown(head, lines)
+    for goal in goals(records):
+        found = {record["method"]: record for record in single_threaded(of_goal(records, goal))}
+        cells = [cell(found[name]) if name in found else "-" for name in columns]
+        lines.append([f"{goal[0]}, {count(goal[1])}", *cells])
+    return markdown(["input, triangles", *map(titled, columns)], lines)
 
 
-SHAPE = ("components", "boundary_edges", "non_manifold_edges", "non_manifold_vertices", "euler", "self_intersections",
-         "degenerate")
-
-
-def shape_table(row: Row) -> str:
-    """Topology and triangles of everybody below the input's own."""
-
-    def cells(name: str, shape: dict[str, Any]) -> list[str]:
-        counts = [f"{shape[key]:,}" if key in shape else "-" for key in SHAPE]
-        bad = f"{100 * shape['bad_share']:.1f}" if "bad_share" in shape else "-"
-        return [name, *counts, number(shape.get("quality")), bad]
-
-    head = ["", "components", "border edges", "non-manifold edges", "non-manifold vertices", "Euler",
-            "self-intersecting pairs", "degenerate", "quality", "bad %"]
-    entries = [entry for entry in at_reference(row) if entry["seconds"] and entry["judged"]
-               and entry["threads"] == 1 and entry["through"] != "filter"]
-    return markdown(head, [cells("the input", row["input"])] + [cells(e["name"], e["judged"]) for e in entries])
-
-
-def best_peer_h(row: Row) -> float | None:
-    """The least H of the peers that kept at least as many triangles as asked for, within 1 %."""
-    values = [judged(entry, "hausdorff") for entry in row["entries"] if not entry["ours"] and entry["seconds"]
-              and abs(entry["triangles"] - row["asked"]) <= max(4, 0.01 * row["asked"])]
-    return min((value for value in values if value), default=None)
-
-
-def targets_table(rows: Sequence[Row]) -> str:
-    """Our modes, a line per bone and count: every ratio that the targets speak of, each at that peer's own count."""
-    head = ["bone, asked for", "mode", "s>o avg", "s>o RMS", "o>s avg", "o>s RMS", "H / LT", "H / best peer", "time / LT",
-            "time / meshoptimizer", "time / MeshLib"]
+def seconds_of_modes(records: Sequence[Record]) -> str:
+    """The modes on one and more threads and through the VTK filter, one line per bone and number of triangles."""
+    kinds = list(dict.fromkeys((record["method"], record["threads"], record["adapter"]) for record in records
+                               if record["method"] in MODES))
     lines = []
-    for row in rows:
-        for entry in in_core(row):
-            if entry["asked"] != row["reference"]:
-                continue
-            base = find(row, "cgal")
-            cells = [f"{row['bone']} {row['asked']:,}", entry["name"]]
-            cells += [ratio(judged(entry, *column), judged(base, *column)) for column in RATIO_COLUMNS]
-            cells += [ratio(judged(entry, "hausdorff"), judged(base, "hausdorff")),
-                      ratio(judged(entry, "hausdorff"), best_peer_h(row))]
-            cells += [time_ratio(row, entry["who"], peer) for peer in ("cgal", "meshoptimizer", "meshlib")]
-            lines.append(cells)
-    return markdown(head, lines)
+    for goal in goals(records):
+        found = {(record["method"], record["threads"], record["adapter"]): record for record in of_goal(records, goal)}
+        cells = [number(found[kind]["seconds"]) if kind in found else "-" for kind in kinds]
+        lines.append([f"{goal[0]}, {count(goal[1])}", *cells])
+    head = [titled(mode) + (f", {threads} threads" if threads != "1" else "") + (", VTK filter" if adapter == "filter" else "")
+            for mode, threads, adapter in kinds]
+    return markdown(["input, triangles", *head], lines)
 
 
-def time_ratio(row: Row, who: str, peer: str) -> str:
-    """Our median seconds at the count the peer ended with, over the peer's."""
-    theirs = find(row, peer)
-    mine = find(row, who, theirs["triangles"]) if theirs else None
-    return ratio(mine["median_seconds"], theirs["median_seconds"]) if mine and theirs else "-"
-
-
-def pairs_table(row: Row) -> str:
-    """Each peer against each of our modes at exactly the peer's count: below 1 is in our favour."""
-    modes = list(dict.fromkeys((entry["who"], entry["name"]) for entry in in_core(row)))
-    head = ["time, s>o RMS, o>s RMS, H: ours / theirs", "triangles"] + [name for _, name in modes]
+def summary(records: Sequence[Record], goal: tuple[str, str], full: bool) -> str:
+    """All methods on one bone, closest first. @param full Adds more threads, triangles, self-intersections and quality."""
+    found = of_goal(records, goal) if full else single_threaded(of_goal(records, goal))
+    chosen = [record for record in found if record["method"] != "input" and record["adapter"] != "filter"]
+    chosen.sort(key=lambda record: float(record["to_result_rms_mm"] or 0))
+    head = ["", "s", "peak MB", "average mm", "RMS mm", "Hausdorff mm" if full else "H mm", "components",
+            "non-manifold edges"]
+    more = ["triangles", "self-intersecting pairs", "quality"]
     lines = []
-    for peer in row["entries"]:
-        if peer["ours"] or not peer["seconds"]:
-            continue
-        cells = [peer["name"], f"{peer['triangles']:,}"]
-        for who, _ in modes:
-            mine = find(row, who, peer["triangles"])
-            parts = [time_ratio(row, who, peer["who"])]
-            parts += [ratio(judged(mine, side, "rms"), judged(peer, side, "rms")) for side in (THERE, BACK)]
-            parts.append(ratio(judged(mine, "hausdorff"), judged(peer, "hausdorff")))
-            exact = mine is not None and mine["triangles"] == peer["triangles"]
-            cells.append(", ".join(parts) + ("" if exact or mine is None else f" ({mine['triangles']:,})"))
+    for record in chosen:
+        name = titled(record["method"]) + (f", {record['threads']} threads" if record["threads"] != "1" else "")
+        shape = next((r for r in chosen if r["method"] == record["method"] and r["components"]), record)
+        cells = [name, number(record["seconds"]), f"{float(record['peak_mb']):.0f}", number(worst(record, "average")),
+                 number(worst(record, "rms")), number(record["hausdorff_mm"]), count(shape["components"]),
+                 count(shape["non_manifold_edges"])]
+        if full:
+            cells += [count(record["triangles"]), count(shape["self_intersecting_pairs"]), number(shape["quality"])]
         lines.append(cells)
-    return markdown(head, lines) if lines else ""
+    return markdown(head + (more if full else []), lines)
 
 
-def summary_table(row: Row) -> str:
-    """The short table of the README: one bone, everybody."""
-    head = ["", "s", "peak MB", "average mm", "RMS mm", "H mm", "components", "non-manifold edges"]
+def topology(records: Sequence[Record]) -> str:
+    """How often each method keeps the topology of the input, over all lines of the comparison."""
     lines = []
-    for entry in sorted(at_reference(row), key=lambda e: judged(e, BACK, "rms") or 0.0):
-        if not entry["seconds"] or entry["through"] == "filter":
+    for name in methods(records):
+        pairs = []
+        for goal in goals(records):
+            found = {record["method"]: record for record in single_threaded(of_goal(records, goal))}
+            source = next((r for r in of_goal(records, goal) if r["method"] == "input"), None)
+            if source and name in found and found[name]["components"]:
+                pairs.append((source, found[name]))
+        if pairs:
+            lines.append([titled(name), *(kept(pairs, key) for key in ("components", "euler", "non_manifold_edges")),
+                          f"{sum(int(r['self_intersecting_pairs'] or 0) for _, r in pairs):,}",
+                          f"{sum(int(r['degenerate_triangles'] or 0) for _, r in pairs):,}",
+                          number(sum(float(r["quality"]) for _, r in pairs) / len(pairs))])
+    return markdown(["", "components kept", "Euler number kept", "no new non-manifold edge", "self-intersecting pairs, sum",
+                     "degenerate triangles, sum", "mean quality"], lines)
+
+
+def kept(pairs: Sequence[tuple[Record, Record]], key: str) -> str:
+    """In how many results a count equals that of the input; non-manifold edges may also become fewer."""
+    equal = [int(result[key]) <= int(source[key]) if key == "non_manifold_edges" else result[key] == source[key]
+             for source, result in pairs]
+    return f"{sum(equal)} of {len(pairs)}"
+
+
+def proved_triangles(proved: Sequence[Record], trials: Sequence[Record]) -> str:
+    """The modes with a proved largest error, the peers with the fewest triangles that trials found."""
+    modes = [mode for mode in MODES if any(record["mode"] == mode for record in proved)]
+    peers = list(dict.fromkeys(record["peer"] for record in trials))
+    lines = []
+    for bone, error in dict.fromkeys((record["bone"], record["error_mm"]) for record in proved):
+        mine = {r["mode"]: r for r in proved if (r["bone"], r["error_mm"], r["intersection_guard"]) == (bone, error, "on")}
+        others = {r["peer"]: r for r in trials if (r["bone"], r["error_mm"]) == (bone, error)}
+        lines.append([f"{bone}, {error} mm", *(count(mine.get(mode, {}).get("triangles")) for mode in modes),
+                      *(count(others.get(peer, {}).get("by_trial_triangles")) for peer in peers)])
+    return markdown(["input, error", *map(titled, modes), *peers], lines)
+
+
+def errors_of_peers(trials: Sequence[Record]) -> str:
+    """What a peer's own option for an error gives: triangles and the sampled Hausdorff distance in mm."""
+    outcomes = {(r["bone"], r["error_mm"], r["peer"]): f"{count(r['by_error_triangles'])}, {number(r['by_error_hausdorff_mm'])} mm"
+               for r in trials if r["by_error_triangles"]}
+    peers = list(dict.fromkeys(peer for _, _, peer in outcomes))
+    lines = [[f"{bone}, {error} mm", *(outcomes.get((bone, error, peer), "-") for peer in peers)]
+             for bone, error in dict.fromkeys((bone, error) for bone, error, _ in outcomes)]
+    return markdown(["input, error", *peers], lines)
+
+
+def proved_cost(proved: Sequence[Record]) -> str:
+    """Bound, seconds and memory with the intersection guard, and what changes without it."""
+    lines = []
+    for on in (record for record in proved if record["intersection_guard"] == "on"):
+        key = (on["bone"], on["error_mm"], on["mode"])
+        off = next((r for r in proved if (r["bone"], r["error_mm"], r["mode"]) == key and r["intersection_guard"] == "off"), {})
+        lines.append([f"{on['bone']}, {on['error_mm']} mm", titled(on["mode"]), on["proved_mm"], on["proved_boundary_mm"],
+                      number(on["seconds"]), number(on["certificate_seconds"]), on["bytes_per_triangle"],
+                      count(on["self_intersecting_pairs"]), count(off.get("triangles")), number(off.get("seconds")),
+                      count(off.get("self_intersecting_pairs"))])
+    return markdown(["input, error", "mode", "proved mm", "proved, boundaries mm", "s", "of these the certificate",
+                     "bytes per input triangle", "self-intersecting pairs", "without guard: triangles", "without guard: s",
+                     "without guard: self-intersecting pairs"], lines)
+
+
+def growth(records: Sequence[Record]) -> str:
+    """Seconds and bytes per input triangle."""
+    lines = []
+    for record in sorted(records, key=lambda r: (r["mode"], int(r["threads"]), int(r["input_triangles"]))):
+        per_triangle = 1e6 * float(record["seconds"]) / int(record["input_triangles"])
+        lines.append([titled(record["mode"]), record["threads"], count(record["input_triangles"]), number(record["seconds"]),
+                      number(per_triangle), record["bytes_per_triangle"]])
+    return markdown(["mode", "threads", "input triangles", "s", "us per input triangle", "bytes per input triangle"], lines)
+
+
+def threads(records: Sequence[Record]) -> str:
+    """Speed-up over one thread with the best kernels, and whether the result has the same bytes."""
+    lines = []
+    for record in records:
+        one = next(r for r in records if r["mode"] == record["mode"] and r["threads"] == "1" and r["kernels"] == "best")
+        same = "yes" if record["checksum"] == one["checksum"] and " " not in one["checksum"] else "NO"
+        lines.append([titled(record["mode"]), record["threads"], record["kernels"], number(record["seconds"]),
+                      number(record["cpu_seconds"]), f"{float(one['seconds']) / float(record['seconds']):.2f}", same])
+    return markdown(["mode", "threads", "kernels", "s", "CPU s", "speed-up", "same bytes"], lines)
+
+
+def point_cells(record: Record) -> str:
+    """RMS and largest distance of the points of a result to the original, mm."""
+    return f"{number(record['point_rms_mm'])}, {number(record['point_max_mm'])}" if record.get("point_rms_mm") else "-"
+
+
+def thesis_counts(records: Sequence[Record]) -> str:
+    """The thesis's measure at its own numbers of triangles."""
+    lines = []
+    for goal in goals(records):
+        printed = thesis.BY_COUNT.get(goal[0], {}).get(int(goal[1]))
+        if printed is None:
             continue
-        worst = [max(judged(entry, side, key) or 0 for side in (THERE, BACK)) for key in ("average", "rms")]
-        lines.append([entry["name"], number(entry["median_seconds"]), f"{entry['peak_bytes'] / 1e6:.0f}",
-                      *(number(value or None) for value in worst), number(judged(entry, "hausdorff")),
-                      str(judged(entry, "components") or "-"), str(judged(entry, "non_manifold_edges") or 0)])
-    return markdown(head, lines)
+        found = {record["method"]: record for record in single_threaded(of_goal(records, goal))}
+        lines.append([f"{goal[0]}, {count(goal[1])}", f"{number(printed[4])}, {number(printed[1])}",
+                      *(point_cells(found[mode]) if mode in found else "-" for mode in MODES)])
+    return markdown(["input, triangles", "printed in the thesis", *map(titled, MODES)], lines) if lines else ""
 
 
-def thesis_table(row: Row) -> str:
-    """The thesis's own measure, at its own counts, of everybody; its figures are for other meshes of the same bones."""
-    printed = thesis.BY_COUNT.get(row["bone"], {}).get(row["asked"])
-    if printed is None:
-        return ""
-    faces, largest, _, average, rms, seconds = printed
-    lines = [["the thesis, its own mesh", f"{faces:,}", number(largest), "-", number(average), number(rms),
-              number(seconds)]]
-    lines += [_thesis_cells(entry["name"], entry["triangles"], entry, entry["median_seconds"])
-              for entry in at_reference(row)
-              if entry["seconds"] and entry["threads"] == 1 and entry["through"] != "filter"]
-    return markdown(["points to the original", "triangles", "max", "second", "average", "RMS", "s"], lines)
-
-
-def _thesis_cells(name: str, triangles: int, entry: Entry, seconds: float | None) -> list[str]:
-    figures = [number(judged(entry, THERE, key)) for key in ("point_maximum", "point_second", "point_average", "point_rms")]
-    return [name, f"{triangles:,}", *figures, number(seconds)]
-
-
-def error_table(rows: Sequence[Row]) -> str:
-    """Asked for a largest error in mm: the thesis's figures and our modes, points to the original."""
-    lines, seen = [], set()
-    for row in rows:
-        printed = thesis.BY_ERROR.get(row["bone"], {}).get(row["error"])
-        asked = f"{row['bone']} {row['error']} mm"
-        if printed is not None and asked not in seen:
-            faces, largest, second, average, rms, _ = printed
-            lines.append([f"{asked}: the thesis, its own mesh", f"{faces:,}", number(largest), number(second),
-                          number(average), number(rms), "-", "-"])
-        seen.add(asked)
-        if "failure" not in row:
-            cells = _thesis_cells(f"{asked}: **{row['mode']}**", row["triangles"], row, row["seconds"])
-            lines.append(cells[:-1] + [number(judged(row, "hausdorff")), cells[-1]])
-    return markdown(["asked for", "triangles", "max", "second", "average", "RMS", "H", "s"], lines)
-
-
-def promise_table(rows: Sequence[Row]) -> str:
-    """Asked for a proved largest error: triangles, what the certificate proves of the result, and what that cost."""
-    head = ["bone, error", "mode", "triangles", "proved <= mm", "borders <= mm", "H, sampled", "self-intersecting pairs", "s",
-            "of these the certificate", "the rest / CGAL's", "bytes / triangle"]
+def thesis_errors(records: Sequence[Record]) -> str:
+    """The thesis's measure with a largest error instead of a number of triangles."""
     lines = []
-    for row in rows:
-        if "failure" in row:
-            continue
-        proved = row["proved"]
-        used = (row["input_bytes"] + row["peak_bytes"]) / row["input"]
-        lines.append([f"{row['bone']} {row['error']} mm", f"**{row['mode']}**", f"{row['triangles']:,}",
-                      f"{proved['upper']:.6f}", f"{proved['borders']:.6f}", number(judged(row, "hausdorff")),
-                      str(judged(row, "self_intersections")), number(row["seconds"]),
-                      number(proved["own_seconds"]), ratio(row["seconds"] - proved["own_seconds"], row["peer_seconds"]),
-                      f"{used:.0f}"])
-    return markdown(head, lines)
-
-
-def peers_promise_table(rows: Sequence[Row]) -> str:
-    """Asked for an error: what peers give that can be asked, and the fewest triangles by trial; sampled distances."""
-    lines = []
-    for row in rows:
-        asked, by_trial = row["asked"], row["by_trial"]
-        cells = [f"{row['bone']} {row['error']} mm", row["name"]]
-        for answer in (asked, by_trial):
-            there = "triangles" in answer
-            cells += [f"{answer['triangles']:,}" if there else "-", number(judged(answer, "hausdorff") if there else None)]
-        lines.append(cells + [number(by_trial.get("seconds"))])
-    return markdown(["bone, error", "", "asked for it: triangles", "H", "by trial: triangles", "H", "s, last trial"], lines)
-
-
-def growth_table(rows: Sequence[Row]) -> str:
-    """Seconds and bytes per input triangle, and their growth from the specimen next to a million triangles."""
-    head = ["mode", "input triangles", "s", "us / triangle", "bytes / triangle", "time per triangle / that at 1 million"]
-    lines = []
-    for row in sorted(rows, key=lambda r: (r["mode"], r["threads"])):
-        same = [r for r in rows if r["who"] == row["who"]]
-        base = min(same, key=lambda r: abs(r["triangles"] - 1_000_000))
-        name = f"**{row['mode']}**" + (f", {row['threads']} threads" if row["threads"] > 1 else "")
-        lines.append([name, f"{row['triangles']:,}", number(row["seconds"]),
-                      number(1e6 * row["seconds"] / row["triangles"]), f"{row['bytes'] / row['triangles']:.0f}",
-                      ratio(row["seconds"] / row["triangles"], base["seconds"] / base["triangles"])])
-    return markdown(head, lines)
-
-
-def threads_table(rows: Sequence[Row]) -> str:
-    """Speed-up over one thread with the best kernels, and whether the bytes are the same."""
-    lines = []
-    for row in rows:
-        one = next(r for r in rows if r["mode"] == row["mode"] and r["threads"] == 1)
-        same = "yes" if row["checksums"] == one["checksums"] and len(one["checksums"]) == 1 else "NO"
-        lines.append([f"**{row['mode']}**", str(row["threads"]), row["kernels"] or "best", number(row["seconds"]),
-                      number(row["cpu_seconds"]), ratio(one["seconds"], row["seconds"]), same, ", ".join(row["checksums"])])
-    return markdown(["mode", "threads", "kernels", "s", "CPU s", "times faster", "same bytes", "checksum"], lines)
+    for bone, error in dict.fromkeys((record["bone"], record["error_mm"]) for record in records):
+        printed = thesis.BY_ERROR.get(bone, {}).get(float(error))
+        if printed:
+            lines.append([f"{bone}, {error} mm", "printed in the thesis", f"{printed[0]:,}", number(printed[4]),
+                          number(printed[1]), "-"])
+        lines += [[f"{bone}, {error} mm", titled(r["mode"]), count(r["triangles"]), number(r["point_rms_mm"]),
+                   number(r["point_max_mm"]), number(r["seconds"])]
+                  for r in records if (r["bone"], r["error_mm"]) == (bone, error)]
+    return markdown(["input, error", "", "triangles", "RMS mm", "maximum mm", "s"], lines)

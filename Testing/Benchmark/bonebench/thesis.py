@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The figures that H. Brandao's thesis (Groningen 2018) prints, on a Core i7-4510U and its own two meshes.
 
-Triangles asked for or mm -> triangles, largest, largest but one, average and RMS distance of the simplified surface's
+Requested triangles or mm -> triangles, largest, largest but one, average and RMS distance of the simplified surface's
 points to the original in mm, seconds; None was not printed there.
 """
 

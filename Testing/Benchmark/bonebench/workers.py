@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, Sequence
 
 LONGEST_SECONDS = 1800.0
-Answer = dict[str, Any]
+Outcome = dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class Programs:
         return self.path(name).is_file()
 
 
-def ask(command: Sequence[object], seconds: float = LONGEST_SECONDS) -> Answer:
+def call(command: Sequence[object], seconds: float = LONGEST_SECONDS) -> Outcome:
     """Runs the command and returns the JSON it printed last, or {"failure": why}."""
     words = [str(word) for word in command]
     try:
@@ -43,7 +43,7 @@ def ask(command: Sequence[object], seconds: float = LONGEST_SECONDS) -> Answer:
         return {"failure": said[-1] if said else f"ended with code {done.returncode}"}
     begin = max(done.stdout.rfind("\n{"), 0 if done.stdout.startswith("{") else -1)
     try:
-        answer: Answer = json.loads(done.stdout[begin:])
+        outcome: Outcome = json.loads(done.stdout[begin:])
     except ValueError:
         return {"failure": "printed no JSON"}
-    return answer
+    return outcome

@@ -4,7 +4,7 @@
 
 >>> import bonedecimate
 >>> small = bonedecimate.decimate(points, triangles, max_error=0.2)
->>> small.points, small.triangles, small.report["proof.upper"]
+>>> small.points, small.triangles, small.proved_error
 
 Importing this needs numpy only. `bonedecimate.vtkBoneDecimate`, the same filter for VTK pipelines, imports the VTK that is
 there; PyVista finds `mesh.bone` by itself.
@@ -24,10 +24,12 @@ __all__ = ["Aborted", "Certificate", "Levels", "Result", "StopReason", "__versio
 
 
 def __getattr__(name: str):
-    """VTK is imported by those who ask for the filter."""
+    """Imports VTK at the first use of the filter."""
     if name == "vtkBoneDecimate":
         from .vtk_filter import vtkBoneDecimate
         return vtkBoneDecimate
+    if name in ("vtkBoneDecimateLevels", "vtkBoneDiagnostics", "vtkBoneErrorSearch", "vtkBoneSurfaceDistance", "vtkBoneTolerance"):
+        raise AttributeError(f"{name} is in the package bonedecimate that is built with VTK, not in the wheel")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 

@@ -20,13 +20,13 @@ from .arrays import decimate, raise_problems
 from .options import ROWS, WITHOUT_ARRAYS, keyword
 from .progress import listener
 
-DONE, USAGE, REFUSED, COULD_NOT_WRITE, INTERRUPTED, OUT_OF_MEMORY, VIOLATED = range(7)  # as the C++ program
+DONE, USAGE, REJECTED, COULD_NOT_WRITE, INTERRUPTED, OUT_OF_MEMORY, VIOLATED = range(7)  # as the C++ program
 
 
 def parser() -> argparse.ArgumentParser:
     made = argparse.ArgumentParser(prog="bonedecimate-py", description="Make a bone surface smaller; lengths are mm.",
-                                   epilog="Exit codes: 0 done, 1 usage, 2 input refused, 3 could not write, "
-                                          "4 interrupted, 5 out of memory, 6 the certificate contradicts the promise.")
+                                   epilog="Exit codes: 0 done, 1 usage, 2 input rejected, 3 could not write, "
+                                          "4 interrupted, 5 out of memory, 6 the certificate contradicts the largest error.")
     made.add_argument("input", type=pathlib.Path, help=".stl .obj .ply .vtp .vtk by VTK; what meshio reads; or binary STL")
     made.add_argument("output", type=pathlib.Path)
     made.add_argument("--report", type=pathlib.Path, metavar="FILE", help="the report as JSON")
@@ -58,6 +58,7 @@ def options_of(arguments: argparse.Namespace) -> _core.Options:
 
 class Run(NamedTuple):
     report: dict
+    json: str
     warnings: list[str]
     write: Callable[[], None]
 
@@ -67,14 +68,14 @@ def _with_vtk(arguments: argparse.Namespace, options: _core.Options, progress) -
 
     from .run import fill_output, run
     data = files.read_vtk(arguments.input)
-    answer, surface = run(data, options, progress)
-    raise_problems(answer)
+    outcome, surface = run(data, options, progress)
+    raise_problems(outcome)
 
     def write() -> None:
         output = vtkPolyData()
-        fill_output(answer, surface, options, data, output)
+        fill_output(outcome, surface, options, data, output)
         files.write_vtk(output, arguments.output)
-    return Run({name: value for name, _, value in answer["entries"]}, answer["warnings"], write)
+    return Run({name: value for name, _, value in outcome["entries"]}, outcome["json"], outcome["warnings"], write)
 
 
 def _without_vtk(arguments: argparse.Namespace, _options, progress) -> Run:
@@ -84,7 +85,7 @@ def _without_vtk(arguments: argparse.Namespace, _options, progress) -> Run:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # they are printed from the list
         result = decimate(*files.read(arguments.input), progress=progress, **given)
-    return Run(result.report, result.warnings, lambda: files.write(tuple(result), arguments.output))
+    return Run(result.report, result.report_as_json, result.warnings, lambda: files.write(tuple(result), arguments.output))
 
 
 def _value(row: _core.OptionInfo, text: str):
@@ -109,9 +110,9 @@ def _work(arguments: argparse.Namespace) -> int:
     engine = _with_vtk if files.has("vtkmodules.vtkIOGeometry") else _without_vtk
     try:
         with listener(_bar(arguments)) as heard:
-            report, found, write = engine(arguments, options, heard)
+            report, text, found, write = engine(arguments, options, heard)
     except (OSError, ValueError) as problem:
-        return _fail(REFUSED, problem)
+        return _fail(REJECTED, problem)
     except RuntimeError as problem:
         return _fail(VIOLATED, problem)
     for warning in found:
@@ -120,11 +121,11 @@ def _work(arguments: argparse.Namespace) -> int:
         write()
         if arguments.report:
             with files.whole(arguments.report) as made:
-                made.write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
+                made.write_text(json.dumps(json.loads(text), indent=2) + "\n", encoding="utf-8")
     except (OSError, ValueError) as problem:
         return _fail(COULD_NOT_WRITE, problem)
     if not arguments.quiet:
-        print(f"{report['input.faces']} -> {report['output.faces']} triangles: {report['stop_sentence']}")
+        print(f"{report['input.triangles']} -> {report['output.triangles']} triangles: {report['stop_sentence']}")
         if "proof.upper" in report:
             print(f"proved: no point is farther than {report['proof.upper']:.6g} mm from the other surface")
     return DONE

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -11,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from .options import WITHOUT_ARRAYS, number, read, switch, takes_options, thread_count
+from .options import WITHOUT_ARRAYS, deprecated, number, read, switch, takes_options, thread_count
 from .progress import Progress, listener
 from .surfaces import labels_from, points_from, surface_from, tolerances_from, triangles_from, warn
 
@@ -27,7 +28,7 @@ class Aborted(RuntimeError):
 
 
 class Result:
-    """What a run made of a surface. Lengths are millimetres, n points and m triangles are those of the result.
+    """What a run made of a surface. Lengths are millimeters, n points and m triangles are those of the result.
 
     Unpacks into its points and triangles: ``points, triangles = decimate(...)``.
     """
@@ -36,66 +37,93 @@ class Result:
     triangles: NDArray[np.int32]  #: (m, 3), counter-clockwise seen from outside
     distance: NDArray[np.float64]  #: (n,), of each point to the input surface; empty without `measure`
     running_error: NDArray[np.float64]  #: (n,), mm, the largest distance recorded along the collapses into it
-    point_count: NDArray[np.int32]  #: (n,), how many input points it stands for
+    point_count: NDArray[np.int32]  #: (n,), how many input points it represents
     error_bound: NDArray[np.float64]  #: (n,), proved around each point; empty without a proof
     input_distance: NDArray[np.float64]  #: of each input point to the result, with `measure_input_distances`
     input_error_bound: NDArray[np.float64]  #: the same of what is proved
     nearest_point: NDArray[np.int32]  #: (n,), input point nearest to each point; empty without `maps`
     nearest_triangle: NDArray[np.int32]  #: (n,), input triangle nearest to each point; empty without `maps`
-    barycentric: NDArray[np.float64]  #: (n, 3), of the nearest place in that triangle; empty without `maps`
+    barycentric: NDArray[np.float64]  #: (n, 3), of the nearest position in that triangle; empty without `maps`
     triangle_at_centroid: NDArray[np.int32]  #: (m,), input triangle nearest to each centroid; empty without `maps`
     output_point: NDArray[np.int32]  #: of each input point: the point it became part of, or -1; empty without `maps`
     labels: NDArray  #: (m,), of each triangle, of the type of those given; empty without `labels`
     stop_reason: _core.StopReason  #: why the run ended
-    warnings: list[str]  #: what was found in the input and dealt with, a sentence each
+    warnings: list[str]  #: defects of the input that were repaired, a sentence each
     report: dict[str, int | float | str]  #: the report by name, "distance.output_to_input.max"
     units: dict[str, str]  #: of each entry of the report that has one
+    report_as_json: str  #: the report as one text, as `Documentation/report.schema.json` describes it
+    rejected_edits: int  #: how many edits were rejected, for all reasons together
 
-    def __init__(self, answer: dict, single: bool) -> None:
+    def __init__(self, outcome: dict, single: bool) -> None:
         for name in ("distance", "running_error", "point_count", "error_bound", "input_distance", "input_error_bound",
                      "nearest_point", "nearest_triangle", "barycentric", "triangle_at_centroid", "output_point",
-                     "triangles", "warnings"):
-            setattr(self, name, answer[name])
+                     "triangles", "warnings", "rejected_edits"):
+            setattr(self, name, outcome[name])
         self.labels = np.empty(0, np.int64)
-        self.points = answer["points"].astype(np.float32) if single else answer["points"]
-        self.stop_reason = answer["stop"]
-        self.report, self.units = _named(answer["entries"])
+        self.points = outcome["points"].astype(np.float32) if single else outcome["points"]
+        self.stop_reason = outcome["stop"]
+        self.report, self.units = _named(outcome["entries"])
+        self.report_as_json = outcome["json"]
+
+    @property
+    def proved_error(self) -> float:
+        """Proved upper bound of the distance to the input (or the reference), both directions and boundaries, mm; NaN without a
+        proof."""
+        return self.report.get("proof.upper", math.nan)
+
+    @property
+    def measured_error(self) -> float:
+        """Largest distance by samples, both directions, mm: a lower bound of the true one; NaN without `measure`."""
+        return max(self.report.get(f"distance.{direction}.max", math.nan) for direction in ("output_to_input", "input_to_output"))
+
+    @property
+    def proof_status(self) -> str:
+        """Whether the largest error is proved: "not_requested", "proved", "violated" or "undecided"."""
+        return self.report.get("proof.status", "not_requested")
 
     def __iter__(self) -> Iterator[NDArray]:
         return iter((self.points, self.triangles))
 
     def __repr__(self) -> str:
-        return (f"<bonedecimate.Result: {len(self.triangles)} of {self.report['input.faces']} triangles, "
+        return (f"<bonedecimate.Result: {len(self.triangles)} of {self.report['input.triangles']} triangles, "
                 f"{self.stop_reason.name}>")
 
 
 class Certificate:
-    """How far two surfaces are from each other, proved. Lengths are millimetres.
+    """How far two surfaces are from each other, proved. Lengths are millimeters.
 
-    Bounds are of the largest distance of both directions, borders not included: those stand in `report`.
+    Bounds are of the largest distance of both directions, without boundaries, which are in `report`.
     """
 
-    verdict: str  #: "not_asked", "proved", "violated" or "undecided"
+    status: str  #: "not_requested", "proved", "violated" or "undecided"
     lower: float  #: no less far apart than that
     upper: float  #: no farther apart than that
     reference_distance: NDArray[np.float64]  #: of each point of the reference, negative inside of the other surface
     result_distance: NDArray[np.float64]  #: of each point of the other surface, negative inside of the reference
-    reference_side: NDArray[np.int8]  #: 1 outside, -1 inside, 0 on it or where there is no telling
+    reference_side: NDArray[np.int8]  #: 1 outside, -1 inside, 0 on it or undecided
     result_side: NDArray[np.int8]
     report: dict[str, int | float | str]  #: by name, "reference_to_result.upper"
     units: dict[str, str]
+    report_as_json: str  #: the same as one text, as `Documentation/certificate.schema.json` describes it
 
-    def __init__(self, answer: dict) -> None:
-        self.report, self.units = _named(answer["entries"])
-        self.verdict, self.lower, self.upper = (self.report[name] for name in ("verdict", "lower", "upper"))
+    def __init__(self, outcome: dict) -> None:
+        self.report, self.units = _named(outcome["entries"])
+        self.report_as_json = outcome["json"]
+        self.status, self.lower, self.upper = (self.report[name] for name in ("status", "lower", "upper"))
         for which in ("reference", "result"):
-            side = answer[which + "_side"]
-            distance = answer[which + "_distance"]
+            side = outcome[which + "_side"]
+            distance = outcome[which + "_distance"]
             setattr(self, which + "_side", side)
             setattr(self, which + "_distance", np.where(side < 0, -distance, distance))
 
+    @property
+    def verdict(self) -> str:
+        """Deprecated name of `status`."""
+        deprecated("verdict", "status")
+        return self.status
+
     def __repr__(self) -> str:
-        return f"<bonedecimate.Certificate: {self.lower:.6g} to {self.upper:.6g} mm, {self.verdict}>"
+        return f"<bonedecimate.Certificate: {self.lower:.6g} to {self.upper:.6g} mm, {self.status}>"
 
 
 @takes_options(WITHOUT_ARRAYS)
@@ -111,7 +139,7 @@ def decimate(
 ) -> Result:
     """A surface with fewer triangles, and what that cost in millimeters.
 
-    What is odd about the input and was dealt with is a Python warning each, and in ``warnings`` of the result.
+    Each defect of the input that was repaired is a Python warning, and in ``warnings`` of the result.
 
     Parameters
     ----------
@@ -120,11 +148,11 @@ def decimate(
     triangles : (m, 3) array of int
         Counter-clockwise seen from outside the bone.
     tolerances : (n,) array of float, mm, optional
-        How far the surface may move at each point: 0 freezes it, negative is no limit of its own.
+        How far the surface may move at each point: 0 keeps it unchanged, negative is no limit of its own.
     labels : (m,) array of whole numbers, optional
         Bone, fragment or segment of each triangle, kept by the result's: lines between them are simplified along themselves.
     reference : mesh, (points, triangles), or what `decimate` returned, optional
-        What this surface was made from by runs before; ``max_error``, which must be given, is proved against it.
+        The surface that this one was made from; ``max_error``, which must be given, is proved against it.
     progress : bool or function, optional
         True shows a bar (tqdm or rich). A function is called with the fraction done, 0 to 1; if it returns False, the run ends
         with the valid surface so far, and ``stop_reason`` says so.
@@ -138,24 +166,24 @@ def decimate(
         Arrays of a wrong shape, options out of range, surfaces that cannot be used: without triangles (an empty one, too),
         points that are not finite, indices out of range.
     RuntimeError
-        The certificate contradicts what was promised: a defect of this software.
+        The certificate contradicts the largest error: a defect of this software.
     KeyboardInterrupt
         Ctrl-C in the main thread ends the run within a hundredth of it.
 
     The bytes of the result are those of the C++ filter, for any number of threads. Other Python threads run meanwhile.
     """
     corners = triangles_from(triangles)
-    places, isSingle = points_from(points)
+    positions, isSingle = points_from(points)
     values = read(options, decimate)
     given, named = labels_from(labels, len(corners))
     first = None if reference is None else surface_from(reference, "reference")
-    needsOrigins = bool(values.get("MakeMaps")) or named is not None
-    limits = tolerances_from(tolerances, len(places))
+    withOrigins = bool(values.get("MakeMaps")) or named is not None
+    limits = tolerances_from(tolerances, len(positions))
     with listener(progress) as heard:
-        answer = _core.decimate(places, corners, values, isSingle, needsOrigins, limits, None, first and first[:2], heard, named)
-    answer["warnings"] = (first.warnings if first else []) + answer["warnings"]
-    check(answer, 2)
-    result = Result(answer, gives_single(values, isSingle))
+        outcome = _core.decimate(positions, corners, values, isSingle, withOrigins, limits, None, first and first[:2], heard, named)
+    outcome["warnings"] = (first.warnings if first else []) + outcome["warnings"]
+    check(outcome, 2)
+    result = Result(outcome, gives_single(values, isSingle))
     if given is not None:
         result.labels = given[result.triangle_at_centroid]
     return result
@@ -169,11 +197,12 @@ def certify(
     tolerances: ArrayLike | None = None,
     tight_bounds: bool = True,
     relative_gap: float = 1e-6,
-    borders: bool = True,
+    boundaries: bool = True,
     means: bool = True,
     mean_precision: float = 5e-3,
     threads: int = 0,
     progress: bool | Progress | None = None,
+    borders: bool | None = None,
 ) -> Certificate:
     """How far two surfaces are from each other, proved for every point of both and not sampled.
 
@@ -182,17 +211,19 @@ def certify(
     reference, result : mesh, (points, triangles), or what `decimate` returned
         Meshes are vtkPolyData or pyvista.PolyData; arrays are of shapes (n, 3), mm, and (m, 3), as `decimate` takes them.
     tolerance : float, mm, optional
-        How far any point of one may be from the other, 0 to 1e30; ``verdict`` says whether that is kept.
+        How far any point of one may be from the other, 0 to 1e30; ``status`` says whether that is proved.
     tolerances : (n,) array of float, mm, optional
         The same for each point of the reference, linear on its triangles; negative: no limit of its own.
     tight_bounds : bool
         Narrow the bounds to the gap even where the tolerance is proved already.
     relative_gap : float
-        By which share of the upper bound the lower one may be less, 1e-12 to 1.
-    borders, means : bool
-        Compare open borders curve to curve; estimate average and root mean square to the share `mean_precision`, 1e-4 to 1.
+        Largest difference of the bounds as a ratio to the upper bound, 1e-12 to 1.
+    boundaries, means : bool
+        Compare open boundaries curve to curve; estimate average and root mean square to the ratio `mean_precision`, 1e-4 to 1.
     threads, progress
         As `decimate` takes them.
+    borders : bool
+        Deprecated name of `boundaries`.
 
     Raises
     ------
@@ -203,24 +234,37 @@ def certify(
     Aborted
         The progress function returned False.
     """
+    if borders is not None:
+        deprecated("borders", "boundaries")
+        boundaries = borders
     first, second = surface_from(reference, "reference"), surface_from(result, "result")
     warn(first.warnings + second.warnings, 2)
-    options = _core.CertificateOptions()
-    if tolerance is not None:
-        options.tolerance = number("tolerance", tolerance, 0, 1e30, "mm")
-    if tolerances is not None:
-        options.set_tolerances(tolerances_from(tolerances, len(first.points)))
-    options.tight_bounds, options.with_borders = switch("tight_bounds", tight_bounds), switch("borders", borders)
+    options = _with_tolerances(tolerance, tolerances, len(first.points))
+    options.tight_bounds, options.with_boundaries = switch("tight_bounds", tight_bounds), switch("boundaries", boundaries)
     options.relative_gap = number("relative_gap", relative_gap, 1e-12, 1)
     options.with_means, options.mean_precision = switch("means", means), number("mean_precision", mean_precision, 1e-4, 1)
     options.threads, options.with_point_distances = thread_count(threads), True
     with listener(progress) as heard:
-        answer = _core.certify(*first[:2], *second[:2], options, heard)
-    if answer["status"] == _core.CertificateStatus.Aborted:
+        outcome = _core.certify(*first[:2], *second[:2], options, heard)
+    _raise_comparison_problems(outcome)
+    return Certificate(outcome)
+
+
+def _raise_comparison_problems(outcome: dict) -> None:
+    if outcome["status"] == _core.CertificateStatus.Aborted:
         raise Aborted("the comparison was stopped")
-    if answer["status"] != _core.CertificateStatus.Good:
-        raise ValueError(answer["problem"])
-    return Certificate(answer)
+    if outcome["status"] != _core.CertificateStatus.Good:
+        raise ValueError(outcome["problem"])
+
+
+def _with_tolerances(tolerance: float | None, tolerances: ArrayLike | None, count: int) -> _core.CertificateOptions:
+    """Options of a certificate with the tolerance of all points and those of each of the `count` points of the reference."""
+    options = _core.CertificateOptions()
+    if tolerance is not None:
+        options.tolerance = number("tolerance", tolerance, 0, 1e30, "mm")
+    if tolerances is not None:
+        options.set_tolerances(tolerances_from(tolerances, count))
+    return options
 
 
 def gives_single(values: _core.Options, isSingle: bool) -> bool:
@@ -229,20 +273,20 @@ def gives_single(values: _core.Options, isSingle: bool) -> bool:
     return precision == "Single" or (precision == "Default" and isSingle)
 
 
-def check(answer: dict, stacklevel: int) -> None:
-    """Raises what a run has to say against its input, or against itself; what it only mentions are warnings.
+def check(outcome: dict, stacklevel: int) -> None:
+    """Raises an error for a rejected input and for a contradicted result; emits all warnings.
 
     @param stacklevel As of warnings.warn in the calling function: 2 is its caller.
     """
-    raise_problems(answer)
-    warn(answer["warnings"], stacklevel + 1)
+    raise_problems(outcome)
+    warn(outcome["warnings"], stacklevel + 1)
 
 
-def raise_problems(answer: dict) -> None:
-    if answer["status"] != _core.InputStatus.Good:
-        raise ValueError(answer["problem"])
-    if answer["contradiction"]:
-        raise RuntimeError(answer["contradiction"])
+def raise_problems(outcome: dict) -> None:
+    if outcome["status"] != _core.InputStatus.Good:
+        raise ValueError(outcome["problem"])
+    if outcome["contradiction"]:
+        raise RuntimeError(outcome["contradiction"])
 
 
 def _named(entries: list[tuple[str, str, int | float | str]]) -> tuple[dict, dict]:

@@ -38,7 +38,7 @@ def has(module: str) -> bool:
 
 @contextlib.contextmanager
 def whole(path: pathlib.Path):
-    """A name beside the path; what is written there takes the path's place when all of it is."""
+    """A temporary file beside the path, which replaces the path when it is complete."""
     made = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
     try:
         yield made

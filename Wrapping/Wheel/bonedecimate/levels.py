@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class Levels:
-    """A recorded run. Lengths are millimetres."""
+    """A recorded run. Lengths are millimeters."""
 
     marks: NDArray[np.float64]  #: (k, 3), from fine to coarse: triangles, largest and mean distance (NaN: not measured)
     result: Result | None  #: of the run that was recorded; None if the levels were opened from a log
@@ -55,7 +55,7 @@ class Levels:
             triangles, points that are not finite.
         """
         if (triangles is None) == (error is None):
-            raise ValueError("a level is wanted by triangles or by error, one of them")
+            raise ValueError("a level is selected by triangles or by error, one of them")
         level = self._by_triangles(triangles) if error is None else self._by_error(error)
         if on is None:
             points, corners = self._core.at(level)
@@ -101,13 +101,13 @@ def record_levels(points: ArrayLike, triangles: ArrayLike, *, progress: bool | P
     **options
     """
     corners = triangles_from(triangles)
-    places, isSingle = points_from(points)
+    positions, isSingle = points_from(points)
     values = read(options, record_levels)
     single = gives_single(values, isSingle)
     with listener(progress) as heard:
-        answer, levels = _core.record_levels(places, corners, values, isSingle, heard)
-    check(answer, 2)
-    return Levels(levels, single, Result(answer, single))
+        outcome, levels = _core.record_levels(positions, corners, values, isSingle, heard)
+    check(outcome, 2)
+    return Levels(levels, single, Result(outcome, single))
 
 
 def open_levels(points: ArrayLike, triangles: ArrayLike, log: bytes, *, threads: int = 0) -> Levels:
@@ -117,5 +117,5 @@ def open_levels(points: ArrayLike, triangles: ArrayLike, log: bytes, *, threads:
     """
     if not isinstance(log, (bytes, bytearray, memoryview)):
         raise TypeError(f"log is bytes, not a {type(log).__name__}")
-    places, isSingle = points_from(points)
-    return Levels(_core.open_levels(places, triangles_from(triangles), bytes(log), thread_count(threads)), isSingle, None)
+    positions, isSingle = points_from(points)
+    return Levels(_core.open_levels(positions, triangles_from(triangles), bytes(log), thread_count(threads)), isSingle, None)

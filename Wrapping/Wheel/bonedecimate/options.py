@@ -13,6 +13,7 @@ import inspect
 import numbers
 import re
 import textwrap
+import warnings
 from collections.abc import Callable, Iterable, Mapping
 
 from . import _core
@@ -87,8 +88,22 @@ def takes_options(without: Mapping[str, str]):
     return decorate
 
 
+# Deprecated keywords and their new names; removed with the next release.
+DEPRECATED = {"target_faces": "target_triangles", "keep_clearance": "intersection_guard",
+              "examine": "diagnose"}
+
+
+def deprecated(old: str, new: str, stacklevel: int = 4) -> None:
+    """Warns of a name that is removed with the next release."""
+    warnings.warn(f"{old} is deprecated; use {new}", DeprecationWarning, stacklevel=stacklevel)
+
+
+def _old_name(new: str) -> str:
+    return next(old for old, name in DEPRECATED.items() if name == new)
+
+
 def nearest(word: str, names: Iterable[str]) -> str | None:
-    """The name that was probably meant, if there is one. Names of properties stand for their keywords, too."""
+    """The name that was probably meant, if there is one. Names of properties count as their keywords."""
     spellings = {name: name for name in names}
     for name in tuple(spellings):
         if name in ROWS:
@@ -105,6 +120,11 @@ def read(keywords: Mapping[str, object], function: Callable) -> _core.Options:
     options = _core.Options()
     known = inspect.signature(function).parameters
     for key, value in keywords.items():
+        if DEPRECATED.get(key) in known:
+            deprecated(key, DEPRECATED[key])
+            key = DEPRECATED[key]
+            if key in keywords:
+                raise TypeError(f"{key} is given twice: {_old_name(key)} is its deprecated name")
         if key not in known:
             raise TypeError(_unknown(key, [name for name in known if name != "self"], function._without))
         assign(options, key, value)

@@ -4,7 +4,7 @@
 
     triangles            as they are
     polygons, strips     triangulated by VTK, each triangle with the cell it came from
-    ids out of range     -1, which the core refuses with their number
+    ids out of range     -1, which the core rejects with their number
     vertices, lines      kept aside, with the points that they use
 
 The modules of VTK are those that the user has; nothing here depends on their version.
@@ -177,9 +177,9 @@ def passed(data: vtkPolyData, own: int) -> Passed:
                   cell_array(kept[0][0], new[:middle]), cell_array(kept[1][0], new[middle:]))
 
 
-def points_of(places: NDArray, single: bool) -> vtkPoints:
+def points_of(positions: NDArray, single: bool) -> vtkPoints:
     points = vtkPoints()
-    points.SetData(new_array(vtkFloatArray if single else vtkDoubleArray, places))
+    points.SetData(new_array(vtkFloatArray if single else vtkDoubleArray, positions))
     return points
 
 

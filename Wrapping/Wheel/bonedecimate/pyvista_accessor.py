@@ -1,23 +1,25 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""`mesh.bone` of PyVista, which finds this module by its entry point when somebody first asks for it."""
+"""`mesh.bone` of PyVista, which imports this module by its entry point at the first use."""
 
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
+import json
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
 import pyvista as pv
 from numpy.typing import ArrayLike
 
+from . import _core
 from .arrays import Certificate, certify, check
 from .levels import Levels, open_levels, record_levels
 from .options import WITHOUT_LEVELS, number, read, switch, takes_options
 from .polydata import surface_of
 from .progress import Progress, listener
-from .run import add_entries, fill_input_copy, fill_output, run
+from .run import fill_input_copy, fill_output, run, set_report
 from .surfaces import labels_from, tolerances_from, warn
 
 if TYPE_CHECKING:
@@ -34,7 +36,7 @@ LABELS = "Labels"
 
 
 class MeshLevels:
-    """`bonedecimate.Levels` with meshes in place of arrays; `levels` is what is behind it."""
+    """`bonedecimate.Levels` with meshes instead of arrays; `levels` are those of arrays."""
 
     def __init__(self, levels: Levels) -> None:
         self.levels = levels
@@ -53,6 +55,15 @@ class MeshLevels:
     def log(self) -> bytes:
         """For `mesh.bone.open_levels` of the same mesh."""
         return self.levels.log
+
+
+def _flat(path: str, value: object) -> Iterator[tuple[str, object]]:
+    """Each value of a report with the words of its name joined by dots."""
+    if not isinstance(value, (dict, list)):
+        yield path, value
+        return
+    for name, below in value.items() if isinstance(value, dict) else enumerate(value):
+        yield from _flat(f"{path}.{name}" if path else str(name), below)
 
 
 def _has_keywords_of(function: Callable):
@@ -87,18 +98,18 @@ class BoneAccessor:
     ) -> pv.PolyData | tuple[pv.PolyData, pv.PolyData]:
         """A smaller surface with the arrays of this one, its distance to this one, and the report as field data.
 
-        What is odd about the input and was dealt with is a Python warning each.
+        Each defect of the input that was repaired is a Python warning.
 
         Parameters
         ----------
         tolerances : (n_points,) array of float, mm, optional
-            How far the surface may move at each point: 0 freezes it, negative is no limit of its own. The result has them as
+            How far the surface may move at each point: 0 keeps it unchanged, negative is no limit of its own. The result has them as
             the point array Tolerances. An array that the mesh has is named by ``tolerance_array`` instead.
         labels : str or (n_cells,) array of whole numbers, optional
             Bone, fragment or segment of each cell, as the name of a cell or point array, or as an array that the result has as
             the cell array Labels: the lines between different ones are simplified only along themselves.
         reference : mesh, (points, triangles), or what `bonedecimate.decimate` returned, optional
-            What this surface was made from by runs before: ``max_error``, which must be given, is promised, proved and
+            The surface that this one was made from: ``max_error``, which must be given, is proved and
             measured against it.
         with_input : bool
             True returns a pair: the result, and a copy of this mesh with what ``measure_input_distances`` and ``maps`` find out
@@ -121,14 +132,14 @@ class BoneAccessor:
         if values.get("MeasureInputDistances") and not has_input:
             raise ValueError("measure_input_distances is about the points of the input, which with_input=True returns, too")
         with listener(progress_bar) as heard:
-            answer, surface = run(mesh, values, heard, reference)
-        check(answer, 2)
+            outcome, surface = run(mesh, values, heard, reference)
+        check(outcome, 2)
         output = pv.PolyData()
-        fill_output(answer, surface, values, mesh, output)
+        fill_output(outcome, surface, values, mesh, output)
         if not has_input:
             return output
         measured = pv.PolyData()
-        fill_input_copy(answer, values, mesh, measured)
+        fill_input_copy(outcome, values, mesh, measured)
         return output, measured
 
     def _with_arrays(self, values, tolerances: ArrayLike | None, labels: ArrayLike | None) -> pv.PolyData:
@@ -178,7 +189,7 @@ class BoneAccessor:
     def distance_to(self, other: SurfaceLike, **keywords) -> pv.PolyData:
         """A copy with the arrays SignedDistance (mm, negative inside of the other) and Side at each point.
 
-        Field data: the certificate, proved bounds of the largest distance in each direction and of the borders.
+        Field data: the certificate, proved bounds of the largest distance in each direction and of the boundaries.
         """
         certificate = self.certify(other, **keywords)
         copy = self._mesh.copy()
@@ -186,7 +197,8 @@ class BoneAccessor:
         copy.point_data[SIDE] = certificate.reference_side
         units = certificate.units
         entries = [(name, units.get(name, ""), value) for name, value in certificate.report.items()]
-        add_entries(entries, "bonedecimate.certificate.", copy)
+        set_report({"entries": entries, "json": certificate.report_as_json}, "BoneDecimateCertificate",
+                   "bonedecimate.certificate.", _core.certificate_key_figures(), copy)
         return copy
 
     def plot_error(self, other: SurfaceLike, *, largest: float | None = None, **keywords):
@@ -206,11 +218,10 @@ class BoneAccessor:
 
     @property
     def report(self) -> dict[str, int | float | str]:
-        """What the run that made this surface says of itself, by name; empty if none did."""
-        found = {}
-        for key in self._mesh.field_data.keys():
-            name = key.removeprefix("bonedecimate.")
-            if name != key and not name.startswith("certificate."):
-                value = self._mesh.field_data[key]
-                found[name] = value if isinstance(value, str) else value[0].item()
-        return found
+        """The report of the run that made this surface, by name ("output.triangles"); empty if there was none."""
+        array = self._mesh.GetFieldData().GetAbstractArray("BoneDecimateReport")
+        if array is None or not array.GetNumberOfValues():
+            return {}
+        report = json.loads(array.GetValue(0))
+        report.pop("units", None)
+        return dict(_flat("", report))

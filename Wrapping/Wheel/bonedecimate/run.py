@@ -4,16 +4,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkStringArray, vtkTypeInt64Array
+from vtkmodules.vtkCommonCore import vtkDataArray, vtkDoubleArray, vtkIntArray, vtkStringArray, vtkTypeInt64Array
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import _core
 from .arrays import gives_single
-from .labels import labels_of
+from .labels import labels_from_array, labels_of
 from .polydata import Passed, Surface, passed, points_of, set_triangles, surface_of
 from .progress import Progress
 from .surfaces import surface_from
@@ -25,70 +25,80 @@ if TYPE_CHECKING:
 ENTRY_ARRAYS = {int: vtkTypeInt64Array, float: vtkDoubleArray, str: vtkStringArray}
 
 
-def run(data: vtkPolyData, options: _core.Options, progress: Progress | None,
-        reference: SurfaceLike | None = None) -> tuple[dict, Surface]:
-    """What the core says of it, its warnings and ours together. Raises ValueError without the arrays that are named.
+class InputArrays(NamedTuple):
+    """Arrays of the input that are chosen without a name; a name among the options takes precedence."""
+    tolerances: vtkDataArray | None = None  # of points
+    labels: vtkDataArray | None = None
+    labels_are_of_cells: bool = False
 
-    @param reference What the input was made from, if the largest error is promised against that.
+
+def run(data: vtkPolyData, options: _core.Options, progress: Progress | None, reference: SurfaceLike | None = None,
+        arrays: InputArrays = InputArrays()) -> tuple[dict, Surface]:
+    """The result of the core, with the warnings of both. Raises ValueError if the input lacks an array that is named.
+
+    @param reference The surface that the input was made from, if the largest error is proved against it.
     """
+    is_filled = data.GetNumberOfPoints() > 0
     name = options.get("ToleranceArrayName")
-    tolerances = _point_values(data, name) if name and data.GetNumberOfPoints() else None
+    array = data.GetPointData().GetArray(name) if name else arrays.tolerances
+    tolerances = _values_of(array, name) if is_filled and (name or array is not None) else None
     surface = surface_of(data)
     name = options.get("LabelArrayName")
-    labels = labels_of(data, surface, name) if name and data.GetNumberOfPoints() else None
+    labels = None
+    if is_filled and name:
+        labels = labels_of(data, surface, name)
+    elif is_filled and arrays.labels is not None:
+        labels = labels_from_array(data, surface, arrays.labels, arrays.labels_are_of_cells)
     has_arrays = data.GetPointData().GetNumberOfArrays() + data.GetCellData().GetNumberOfArrays() > 0
     origins = options.get("MakeMaps") or (options.get("PassArrays") and has_arrays)
     first = None if reference is None else surface_from(reference, "reference")
-    answer = _core.decimate(surface.points, surface.triangles, options, surface.is_single, origins, tolerances,
-                            surface.cell_of_triangle, first and first[:2], progress, labels)
-    answer["warnings"] = surface.warnings + (first.warnings if first else []) + answer["warnings"]
-    return answer, surface
+    outcome = _core.decimate(surface.points, surface.triangles, options, surface.is_single, origins, tolerances,
+                             surface.cell_of_triangle, first and first[:2], progress, labels)
+    outcome["warnings"] = surface.warnings + (first.warnings if first else []) + outcome["warnings"]
+    return outcome, surface
 
 
-def fill_output(answer: dict, surface: Surface, options: _core.Options, data: vtkPolyData, output: vtkPolyData) -> None:
+def fill_output(outcome: dict, surface: Surface, options: _core.Options, data: vtkPolyData, output: vtkPolyData) -> None:
     single = gives_single(options, surface.is_single)
-    passing = passed(data, len(answer["points"]))
-    places = answer["points"]
+    passing = passed(data, len(outcome["points"]))
+    positions = outcome["points"]
     if len(passing.points):
-        places = np.concatenate([places, surface.points[passing.points]])
+        positions = np.concatenate([positions, surface.points[passing.points]])
     output.SetVerts(passing.verts)
     output.SetLines(passing.lines)
-    set_triangles(answer["triangles"], output)
-    output.SetPoints(points_of(places, single))
-    _add_input_arrays(answer, surface, options, passing, data, output)
-    _add_own_arrays(answer, options, output)
+    set_triangles(outcome["triangles"], output)
+    output.SetPoints(points_of(positions, single))
+    _add_input_arrays(outcome, surface, options, passing, data, output)
+    _add_own_arrays(outcome, options, output)
     output.GetFieldData().PassData(data.GetFieldData())
-    remove_entries("bonedecimate.", output)
-    add_entries(answer["entries"], "bonedecimate.", output)
+    set_report(outcome, "BoneDecimateReport", "bonedecimate.", _core.key_figures(), output)
 
 
-def fill_input_copy(answer: dict, options: _core.Options, data: vtkPolyData, output: vtkPolyData) -> None:
-    """The input with the distance of each of its points to the result, and the map, if they were asked for."""
+def fill_input_copy(outcome: dict, options: _core.Options, data: vtkPolyData, output: vtkPolyData) -> None:
+    """The input with the distance of each of its points to the result, and the map, if the options request them."""
     output.ShallowCopy(data)
     for key, name in (("input_distance", "InputDistanceArrayName"), ("input_error_bound", "InputErrorBoundArrayName")):
-        if len(answer[key]):
-            add_point_array(output, options.get(name), "mm", answer[key], vtkDoubleArray)
-    if options.get("MakeMaps") and len(answer["output_point"]):
-        add_input_map(answer, output)
+        if len(outcome[key]):
+            add_point_array(output, options.get(name), "mm", outcome[key], vtkDoubleArray)
+    if options.get("MakeMaps") and len(outcome["output_point"]):
+        add_input_map(outcome, output)
 
 
-def remove_entries(prefix: str, output: vtkPolyData) -> None:
-    """What an earlier run said of its result is not true of this one."""
+def set_report(outcome: dict, json_name: str, prefix: str, key_figures: list[str], output: vtkPolyData) -> None:
+    """The report as one JSON text of the field data, its key figures as arrays of their own; replaces those of earlier runs."""
     fields = output.GetFieldData()
     for i in reversed(range(fields.GetNumberOfArrays())):
-        if (fields.GetArrayName(i) or "").startswith(prefix):
+        name = fields.GetArrayName(i) or ""
+        if name.startswith(prefix) or name in (json_name, "BoneDecimateCertificate"):
             fields.RemoveArray(i)
-
-
-def add_entries(entries: list, prefix: str, output: vtkPolyData) -> None:
-    """One array of field data an entry of a report."""
-    for name, unit, value in entries:
+    figures = [entry for entry in outcome["entries"] if entry[0] in key_figures]
+    for name, unit, value in [(json_name, "", outcome["json"]), *((prefix + name, *rest) for name, *rest in figures)]:
         array = ENTRY_ARRAYS[type(value)]()
         array.InsertNextValue(value)
-        array.SetName(prefix + name)
+        array.SetName(name)
         if unit:
             array.SetComponentName(0, unit)
-        output.GetFieldData().AddArray(array)
+        fields.AddArray(array)
 
 
 def add_point_array(output: vtkPolyData, name: str, unit: str, values: NDArray, kind, rest: float = 0) -> None:
@@ -103,8 +113,7 @@ def add_point_array(output: vtkPolyData, name: str, unit: str, values: NDArray, 
     output.GetPointData().AddArray(array)
 
 
-def _point_values(data: vtkPolyData, name: str) -> NDArray[np.float64]:
-    array = data.GetPointData().GetArray(name)
+def _values_of(array: vtkDataArray | None, name: str) -> NDArray[np.float64]:
     if array is None or array.GetNumberOfComponents() != 1:
         raise ValueError(f"the input has no point array '{name}' of one component")
     values = vtkDoubleArray()
@@ -112,23 +121,23 @@ def _point_values(data: vtkPolyData, name: str) -> NDArray[np.float64]:
     return np.array(memoryview(values)) if values.GetNumberOfTuples() else np.empty(0)
 
 
-def _add_input_arrays(answer: dict, surface: Surface, options: _core.Options, passing: Passed, data: vtkPolyData,
+def _add_input_arrays(outcome: dict, surface: Surface, options: _core.Options, passing: Passed, data: vtkPolyData,
                       output: vtkPolyData) -> None:
     """What the input knew, carried over. Aborted runs do not know where their points lie."""
-    is_known = len(answer["nearest_point"]) == len(answer["points"])
+    is_known = len(outcome["nearest_point"]) == len(outcome["points"])
     if options.get("PassArrays") and is_known:
         own = {options.get(name + "ArrayName") for name in ("Distance", "RunningError", "PointCount", "ErrorBound")}
-        transfer_arrays(answer, surface, passing, own | {"OriginalPointIds", "OriginalCellIds"}, data, output)
+        transfer_arrays(outcome, surface, passing, own | {"OriginalPointIds", "OriginalCellIds"}, data, output)
     if options.get("MakeMaps") and is_known:
-        add_maps(answer, surface, passing, output)
+        add_maps(outcome, surface, passing, output)
     if options.get("RecomputeNormals"):
         recompute_normals(output)
 
 
-def _add_own_arrays(answer: dict, options: _core.Options, output: vtkPolyData) -> None:
-    if len(answer["distance"]) or not len(answer["points"]):
-        add_point_array(output, options.get("DistanceArrayName"), "mm", answer["distance"], vtkDoubleArray)
-        add_point_array(output, options.get("RunningErrorArrayName"), "mm", answer["running_error"], vtkDoubleArray)
-    add_point_array(output, options.get("PointCountArrayName"), "points", answer["point_count"], vtkIntArray, 1)
-    if len(answer["error_bound"]):
-        add_point_array(output, options.get("ErrorBoundArrayName"), "mm", answer["error_bound"], vtkDoubleArray)
+def _add_own_arrays(outcome: dict, options: _core.Options, output: vtkPolyData) -> None:
+    if len(outcome["distance"]) or not len(outcome["points"]):
+        add_point_array(output, options.get("DistanceArrayName"), "mm", outcome["distance"], vtkDoubleArray)
+        add_point_array(output, options.get("RunningErrorArrayName"), "mm", outcome["running_error"], vtkDoubleArray)
+    add_point_array(output, options.get("PointCountArrayName"), "points", outcome["point_count"], vtkIntArray, 1)
+    if len(outcome["error_bound"]):
+        add_point_array(output, options.get("ErrorBoundArrayName"), "mm", outcome["error_bound"], vtkDoubleArray)

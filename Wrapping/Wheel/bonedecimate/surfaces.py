@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from .arrays import Result
 
-    # What stands for a surface where a function takes one.
+    # Types that a function takes as a surface.
     SurfaceLike = Union[vtkPolyData, tuple[ArrayLike, ArrayLike], Result]
 
 LARGEST_LABEL = 2.0**53  # beyond, doubles leave whole numbers out
@@ -40,8 +40,8 @@ def surface_from(given: object, name: str) -> Surface:
     is_pair = isinstance(given, (tuple, list)) and len(given) == 2
     if is_pair or (hasattr(given, "points") and hasattr(given, "triangles")):
         points, triangles = given if is_pair else (given.points, given.triangles)
-        places, is_single = points_from(points, f"points of {name}")
-        return Surface(places, triangles_from(triangles, f"triangles of {name}"), is_single, [])
+        positions, is_single = points_from(points, f"points of {name}")
+        return Surface(positions, triangles_from(triangles, f"triangles of {name}"), is_single, [])
     kind = f"an array of shape {given.shape}" if isinstance(given, np.ndarray) else f"a {type(given).__name__}"
     raise TypeError(f"{name} is a mesh (vtkPolyData or pyvista.PolyData), a pair (points, triangles) of shapes (n, 3) and "
                     f"(m, 3), or what decimate returned, not {kind}")
@@ -63,7 +63,7 @@ def points_from(points: ArrayLike, name: str = "points") -> tuple[NDArray[np.flo
 
 
 def triangles_from(triangles: ArrayLike, name: str = "triangles") -> NDArray[np.int32]:
-    """Indices that do not fit become -1, which the core refuses with their number."""
+    """Indices that do not fit become -1, which the core rejects with their number."""
     array = _array(triangles, name)
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"{name} are of shape (m, 3), not {array.shape}")

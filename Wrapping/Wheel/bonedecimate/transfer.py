@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the input's arrays say of the places where the result's points and cells lie: DataTransfer on the side of C++.
+"""Arrays of the input at the positions of the result's points and cells, as DataTransfer does it in C++.
 
     point, not moved            the tuple of its input point
     point, floating values      blended in the nearest input triangle; normals get their length back
@@ -24,31 +24,31 @@ from .polydata import Passed, Surface, cell_array, new_array, numbers
 SHORTEST_NORMAL = 1e-6
 
 
-def transfer_arrays(answer: dict, surface: Surface, passing: Passed, without: set[str], data: vtkPolyData,
+def transfer_arrays(outcome: dict, surface: Surface, passing: Passed, without: set[str], data: vtkPolyData,
                     output: vtkPolyData) -> None:
     """Every array of points and cells, with its name, components, information and attribute, but those of the names."""
-    ids = id_list(np.concatenate([answer["nearest_point"], passing.points]))
+    ids = id_list(np.concatenate([outcome["nearest_point"], passing.points]))
     for index, source, target in _arrays(data.GetPointData(), output.GetPointData(), ids, without):
         if _is_blended(data.GetPointData(), source):
-            _blend(answer, surface, source, target, source is data.GetPointData().GetNormals())
+            _blend(outcome, surface, source, target, source is data.GetPointData().GetNormals())
         _add_like(data.GetPointData(), index, target, output.GetPointData())
-    cells = id_list(_cell_sources(answer, surface, passing))
+    cells = id_list(_cell_sources(outcome, surface, passing))
     for index, _, target in _arrays(data.GetCellData(), output.GetCellData(), cells, without):
         _add_like(data.GetCellData(), index, target, output.GetCellData())
 
 
-def add_maps(answer: dict, surface: Surface, passing: Passed, output: vtkPolyData) -> None:
-    points = np.concatenate([answer["nearest_point"], passing.points])
+def add_maps(outcome: dict, surface: Surface, passing: Passed, output: vtkPolyData) -> None:
+    points = np.concatenate([outcome["nearest_point"], passing.points])
     _add_ids("OriginalPointIds", points, output.GetPointData())
-    _add_ids("OriginalCellIds", _cell_sources(answer, surface, passing), output.GetCellData())
+    _add_ids("OriginalCellIds", _cell_sources(outcome, surface, passing), output.GetCellData())
 
 
-def add_input_map(answer: dict, copy: vtkPolyData) -> None:
-    _add_ids("ResultPointIds", answer["output_point"], copy.GetPointData())
+def add_input_map(outcome: dict, copy: vtkPolyData) -> None:
+    _add_ids("ResultPointIds", outcome["output_point"], copy.GetPointData())
 
 
 def recompute_normals(output: vtkPolyData) -> None:
-    """Point normals of the result as it is, in place of those the input had."""
+    """Point normals of the result as it is, in index_of_copy of those the input had."""
     surface = vtkPolyData()
     surface.SetPoints(output.GetPoints())
     surface.SetPolys(output.GetPolys())
@@ -67,9 +67,9 @@ def id_list(ids: NDArray) -> vtkIdList:
     return found
 
 
-def _cell_sources(answer: dict, surface: Surface, passing: Passed) -> NDArray:
-    """Of each output cell: the input cell that it stands for."""
-    return np.concatenate([passing.cells, surface.cell_of_triangle[answer["triangle_at_centroid"]]])
+def _cell_sources(outcome: dict, surface: Surface, passing: Passed) -> NDArray:
+    """Of each output cell: the input cell that it represents."""
+    return np.concatenate([passing.cells, surface.cell_of_triangle[outcome["triangle_at_centroid"]]])
 
 
 def _add_ids(name: str, ids: NDArray, data) -> None:
@@ -99,10 +99,10 @@ def _arrays(data, output, ids: vtkIdList, without: set[str]):
 
 def _add_like(data, index: int, array, output) -> None:
     """In the order of the input, active as what it was."""
-    place = output.AddArray(array)
+    index_of_copy = output.AddArray(array)
     attribute = data.IsArrayAnAttribute(index)
     if attribute >= 0:
-        output.SetActiveAttribute(place, attribute)
+        output.SetActiveAttribute(index_of_copy, attribute)
 
 
 def _is_blended(data, array) -> bool:
@@ -110,15 +110,15 @@ def _is_blended(data, array) -> bool:
             and array is not data.GetGlobalIds() and array is not data.GetPedigreeIds())
 
 
-def _blend(answer: dict, surface: Surface, source, target, is_normal: bool) -> None:
+def _blend(outcome: dict, surface: Surface, source, target, is_normal: bool) -> None:
     """Points that lie where their input point does keep its tuple."""
-    nearest = answer["nearest_point"]
-    moved = np.flatnonzero((answer["points"] != surface.points[nearest]).any(axis=1))
+    nearest = outcome["nearest_point"]
+    moved = np.flatnonzero((outcome["points"] != surface.points[nearest]).any(axis=1))
     if not len(moved):
         return
     given, rows = numbers(source), numbers(target)
-    corners = surface.triangles[answer["nearest_triangle"][moved]]
-    weights = answer["barycentric"][moved]
+    corners = surface.triangles[outcome["nearest_triangle"][moved]]
+    weights = outcome["barycentric"][moved]
     values = np.zeros((len(moved), given.shape[1]))
     with np.errstate(all="ignore"):
         for corner in range(3):
@@ -127,10 +127,10 @@ def _blend(answer: dict, surface: Surface, source, target, is_normal: bool) -> N
             values += np.where(weight == 0, 0.0, weight * given[corners[:, corner]].astype(np.float64))
         rows[moved] = values
         if is_normal:
-            _normalise(given, rows, moved, nearest)
+            _normalize(given, rows, moved, nearest)
 
 
-def _normalise(given: NDArray, rows: NDArray, moved: NDArray, nearest: NDArray) -> None:
+def _normalize(given: NDArray, rows: NDArray, moved: NDArray, nearest: NDArray) -> None:
     """Between opposite normals there is none: then that of the nearest point."""
     normals = rows[moved].astype(np.float64)
     x, y, z = normals.T

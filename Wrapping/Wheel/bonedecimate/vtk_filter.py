@@ -9,26 +9,33 @@ import math
 
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkOutputWindow
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import _core
-from .options import ROWS, assign, describe, nearest, words
-from .run import fill_input_copy, fill_output, run
+from .options import ROWS, assign, deprecated, describe, nearest, words
+from .run import InputArrays, fill_input_copy, fill_output, run
+
+PROOF_STATUSES = ("not_requested", "proved", "violated", "undecided")
+POINTS, CELLS = vtkDataObject.FIELD_ASSOCIATION_POINTS, vtkDataObject.FIELD_ASSOCIATION_CELLS
 
 
 class vtkBoneDecimate(VTKPythonAlgorithmBase):
     """Make a bone surface smaller, keep every fragment, report the error in millimeters.
 
-    Input port 0: vtkPolyData of triangles, strips or polygons, mm. Input port 1, optional: the reference, what that was made
-    from by runs before; with it MaximumError is promised, proved and measured against the reference. Output port 0: the smaller surface; point data: the
-    distance to the input, the error recorded along the collapses (mm) and how many input points each point stands for;
-    field data: the report, one array an entry ("bonedecimate." and its name). Vertices and lines pass through.
+    Input port 0: vtkPolyData of triangles, strips or polygons, mm. Input port 1, optional: the reference, the surface
+    that the input was made from; with it MaximumError is proved and measured against the reference. Output port 0: the smaller surface; point data: the
+    distance to the input, the error recorded along the collapses (mm) and how many input points each point represents;
+    field data: the report as one JSON text, BoneDecimateReport, and its main figures as arrays (bonedecimate.proof.upper, ...).
+    Vertices and lines pass through.
     Output port 1: the input, with the distance of each of its points to the result when MeasureInputDistances is on.
 
+    Tolerances and labels are arrays of the input, chosen by name or by SetInputArrayToProcess(TOLERANCE_ARRAY or LABEL_ARRAY, ...);
+    a name takes precedence.
+
     Every option is SetName() and GetName(), a Python property (name.maximum_error = 0.2), and a keyword of the constructor.
-    A value out of its range is a ValueError, one of a wrong type a TypeError, and the value before stays; a name that there
-    is not is an AttributeError. An input that cannot be used is an ErrorEvent with an empty output, as everywhere in VTK; an
+    A value out of its range is a ValueError, one of a wrong type a TypeError, and the value before stays; an unknown name
+    is an AttributeError. An input that cannot be used is an ErrorEvent with an empty output, as everywhere in VTK; an
     empty one gives an empty output. Ctrl-C in the main thread ends the run, and Update() raises KeyboardInterrupt.
     """
 
@@ -36,15 +43,17 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
         super().__init__(nInputPorts=2, inputType="vtkPolyData", nOutputPorts=2, outputType="vtkPolyData")
         self._options = _core.Options()
         self._entries = _core.empty_report()
+        self._json = _core.empty_json()
         self._stop = _core.StopReason.NotRun
+        self._rejected_edits = 0
         self._interrupted = False
         for name, value in properties.items():
-            if name not in PROPERTIES:
+            if name not in PROPERTIES and name not in DEPRECATED_PROPERTIES:
                 raise TypeError(f"vtkBoneDecimate has no property '{name}'{_meant(name)}")
             setattr(self, name, value)
 
     def __setattr__(self, name: str, value) -> None:
-        """Names that there are not are refused, since nothing would read them. Classes made of this one may have others."""
+        """Unknown names are errors, since nothing would read them. Derived classes may have others."""
         if not (name.startswith("_") or name in ("InputType", "OutputType") or _is_settable(type(self), name)):
             if type(self) is vtkBoneDecimate or hasattr(type(self), name) or nearest(name, PROPERTIES):
                 raise AttributeError(f"vtkBoneDecimate has no property '{name}'{_meant(name)}")
@@ -94,15 +103,68 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
         """Why the last run ended, as a sentence."""
         return _core.stop_sentence(self._stop)
 
+    def GetProvedError(self) -> float:
+        """Proved upper bound of the distance to the input (or the reference), both directions and boundaries, mm; NaN without a
+        proof and before the first update."""
+        return self.GetReportValue("proof.upper")
+
+    def GetProofStatus(self) -> int:
+        """Whether the largest error is proved: NO_PROOF, PROVED, VIOLATED or UNDECIDED."""
+        return PROOF_STATUSES.index(self.GetProofStatusAsString())
+
+    def GetProofStatusAsString(self) -> str:
+        """The same in one word: "not_requested", "proved", "violated" or "undecided"."""
+        return self.GetReportText("proof.status") or PROOF_STATUSES[0]
+
+    def GetMeasuredError(self) -> float:
+        """Largest distance by samples, both directions, mm; NaN without MeasureDistances and before the first update."""
+        return max(self.GetReportValue(f"distance.{direction}.max") for direction in ("output_to_input", "input_to_output"))
+
+    def GetNumberOfInputTriangles(self) -> int:
+        """Triangles of the input after cleaning and pruning; 0 before the first update."""
+        return int(self.GetReportValue("input.triangles"))
+
+    def GetNumberOfOutputTriangles(self) -> int:
+        """Triangles of the result; 0 before the first update."""
+        return int(self.GetReportValue("output.triangles"))
+
+    def GetNumberOfRejectedEdits(self, reason: str = "") -> int:
+        """Edits that were rejected, for all reasons or for one of the report ("error_bound"); 0 before the first update."""
+        if not reason:
+            return self._rejected_edits
+        value = self.GetReportValue("rejections." + reason)
+        return 0 if math.isnan(value) else int(value)
+
+    def HasOption(self, name: str) -> bool:
+        """Whether there is an option of that name ("MaximumError")."""
+        return any(row.name == name for row in ROWS.values())
+
+    def SetOptionFromText(self, name: str, text: str) -> bool:
+        """Sets an option by its name from text; raises AttributeError for an unknown name, ValueError for a value out of range."""
+        if not self.HasOption(name):
+            raise AttributeError(f"vtkBoneDecimate has no option '{name}'{_meant(name)}")
+        self._options.read(name, text)
+        self.Modified()
+        return True
+
+    def GetOptionAsText(self, name: str) -> str:
+        """Value of an option as SetOptionFromText() reads it; empty if there is no such option."""
+        return self._options.text(name) if self.HasOption(name) else ""
+
+    def GetReportAsJson(self) -> str:
+        """The report as JSON, objects within objects, as Documentation/report.schema.json describes it."""
+        return self._json
+
     def GetNumberOfReportEntries(self) -> int:
+        """Number of entries of the report as a flat list of named values."""
         return len(self._entries)
 
     def GetReportEntryName(self, entry: int) -> str:
-        """Empty beyond them."""
+        """Name of an entry, 0 to GetNumberOfReportEntries() - 1; empty for other numbers."""
         return self._entries[entry][0] if 0 <= entry < len(self._entries) else ""
 
     def GetReportEntryUnit(self, name: str) -> str:
-        """Empty where there is none."""
+        """Unit of the entry of that name; empty if it has none."""
         return self._entry(name)[1]
 
     def GetReportValue(self, name: str) -> float:
@@ -135,20 +197,45 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
             return 0
 
     def _run(self, data: vtkPolyData, reference: vtkPolyData | None, output: vtkPolyData, input_copy: vtkPolyData) -> int:
-        answer, surface = run(data, self._options, self._goes_on, reference)
-        self._entries, self._stop = answer["entries"], answer["stop"]
-        status = answer["status"]
+        outcome, surface = run(data, self._options, self._goes_on, reference, self._input_arrays(data))
+        self._entries, self._json, self._stop = outcome["entries"], outcome["json"], outcome["stop"]
+        self._rejected_edits = outcome["rejected_edits"]
+        status = outcome["status"]
         if status == _core.InputStatus.NoTriangles:
-            self._say("WarningEvent", answer["problem"])
+            self._say("WarningEvent", outcome["problem"])
         elif status not in (_core.InputStatus.Good, _core.InputStatus.Empty):
-            return self._fail(answer["problem"])
-        for warning in answer["warnings"]:
+            return self._fail(outcome["problem"])
+        for warning in outcome["warnings"]:
             self._say("WarningEvent", warning)
-        fill_output(answer, surface, self._options, data, output)
-        fill_input_copy(answer, self._options, data, input_copy)
-        if answer["contradiction"]:
-            self._say("ErrorEvent", answer["contradiction"])
+        fill_output(outcome, surface, self._options, data, output)
+        fill_input_copy(outcome, self._options, data, input_copy)
+        if outcome["contradiction"]:
+            self._say("ErrorEvent", outcome["contradiction"])
         return 1
+
+    def _input_arrays(self, data: vtkPolyData) -> InputArrays:
+        """Of SetInputArrayToProcess; a name among the options takes precedence and is read there."""
+        found = {}
+        for index, name in ((self.TOLERANCE_ARRAY, "ToleranceArrayName"), (self.LABEL_ARRAY, "LabelArrayName")):
+            chosen = self.GetInformation().Get(vtkAlgorithm.INPUT_ARRAYS_TO_PROCESS())
+            information = chosen.GetInformationObject(index) if chosen and index < chosen.GetNumberOfInformationObjects() else None
+            if self._options.get(name) or not information or not information.Has(vtkDataObject.FIELD_ASSOCIATION()):
+                continue
+            association = information.Get(vtkDataObject.FIELD_ASSOCIATION())
+            attributes = data.GetCellData() if association == CELLS else data.GetPointData()
+            # VTK 9.1 does not wrap GetInputArrayToProcess() for Python.
+            if information.Has(vtkDataObject.FIELD_NAME()):
+                array = attributes.GetArray(information.Get(vtkDataObject.FIELD_NAME()))
+            else:
+                array = attributes.GetAttribute(information.Get(vtkDataObject.FIELD_ATTRIBUTE_TYPE()))
+            is_label = index == self.LABEL_ARRAY
+            if array is None or not (association == POINTS or (is_label and association == CELLS)):
+                kind = "cell or point array" if is_label else "point array"
+                raise ValueError(f"the input has no {kind} for index {index}")
+            found["labels" if is_label else "tolerances"] = array
+            if is_label:
+                found["labels_are_of_cells"] = association == CELLS
+        return InputArrays(**found) if data.GetNumberOfPoints() else InputArrays()
 
     def _goes_on(self, fraction: float) -> bool:
         """An aborted run still has a valid surface. CheckAbort() would have the executive throw it away."""
@@ -160,7 +247,7 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
         return 0
 
     def _say(self, event: str, text: str) -> None:
-        """To observers, or where VTK prints what nobody observes, as the macros of C++ do."""
+        """To the observers, or to VTK's output window if there are none, as the macros of C++ do."""
         if not self.GetGlobalWarningDisplay():
             return
         if self.HasObserver(event):
@@ -214,6 +301,35 @@ def _named(function, name: str, text: str):
     return function
 
 
+def _add_getter(name: str) -> None:
+    """A property for a getter: GetProvedError() as proved_error."""
+    getter = getattr(vtkBoneDecimate, "Get" + name)
+    setattr(vtkBoneDecimate, words(name, "_"), property(lambda self: getter(self), doc=getter.__doc__))
+
+
+def _add_deprecated(old: str, new: str) -> None:
+    """Methods and property by the name of an option before it was renamed; they are removed with the next release."""
+    def renamed(old_name: str, new_name: str):
+        def call(self, *arguments):
+            deprecated(old_name, new_name, 3)
+            return getattr(self, new_name)(*arguments)
+        return _named(call, old_name, f"Deprecated name of {new_name}().")
+
+    def put(self, value) -> None:
+        deprecated(words(old, "_"), words(new, "_"), 3)
+        setattr(self, words(new, "_"), value)
+
+    def get(self):
+        deprecated(words(old, "_"), words(new, "_"), 3)
+        return getattr(self, words(new, "_"))
+
+    for form in ("Set{}", "Get{}", "{}On", "{}Off"):
+        setattr(vtkBoneDecimate, form.format(old), renamed(form.format(old), form.format(new)))
+    setattr(vtkBoneDecimate, words(old, "_"), property(get, put, doc=f"Deprecated name of {words(new, '_')}."))
+
+
+DEPRECATED_OPTIONS = {"KeepClearance": "IntersectionGuard", "ExamineInput": "DiagnoseInput"}
+DEPRECATED_PROPERTIES = {words(old, "_") for old in DEPRECATED_OPTIONS}
 PROPERTIES = {words(row.name, "_"): key for key, row in ROWS.items()}  # keyword of each property
 _parameters = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=ROWS[key].default,
                                  annotation="int" if ROWS[key].choices else ROWS[key].kind)
@@ -222,6 +338,15 @@ vtkBoneDecimate.__init__.__signature__ = inspect.Signature(
     [inspect.Parameter("self", inspect.Parameter.POSITIONAL_OR_KEYWORD), *_parameters])
 for _key, _row in ROWS.items():
     _add_property(_key, _row)
+for _name in ("ProvedError", "ProofStatus", "ProofStatusAsString", "MeasuredError", "NumberOfInputTriangles",
+              "NumberOfOutputTriangles", "NumberOfRejectedEdits", "ReportAsJson", "StopReason", "StopReasonAsString",
+              "NumberOfReportEntries"):
+    _add_getter(_name)
+for _old, _new in DEPRECATED_OPTIONS.items():
+    _add_deprecated(_old, _new)
+for _value, _name in enumerate(("NO_PROOF", "PROVED", "VIOLATED", "UNDECIDED")):
+    setattr(vtkBoneDecimate, _name, _value)
+vtkBoneDecimate.TOLERANCE_ARRAY, vtkBoneDecimate.LABEL_ARRAY = 0, 1
 for _enumeration in (_core.Mode, _core.ErrorPreset, _core.StopReason):
     for _member in _enumeration:
         setattr(vtkBoneDecimate, words(_member.name, "_").upper(), _member.value)

@@ -93,7 +93,7 @@ def function(node):
 
 
 def add(arguments, keyword_arguments):
-    """In place of **those."""
+    """Replaces the keywords."""
     arguments.kwarg = None
     for name, (annotation, default) in keyword_arguments.items():
         arguments.kwonlyargs.append(ast.arg(name, annotation))

@@ -1,3 +1,3 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the module does, without windows: engines run the decimation, places choose where, the logic joins them to a scene."""
+"""The module without its window: engines run the decimation, regions choose where, the logic connects them to a scene."""

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a user may ask for, checked before anything runs. Needs nothing but the standard library."""
+"""Checks of the user's values before a run. Needs the standard library only."""
 
 import math
 import numbers
@@ -11,7 +11,7 @@ MOST_TRIANGLES = 2**31 - 1
 
 
 class DecimationError(RuntimeError):
-    """What went wrong, in a sentence for the user."""
+    """What is wrong, in a sentence for the user."""
 
 
 def check_number(name, value, least, most, unit=""):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Who simplifies: the wheel `bonedecimate` in Slicer's own Python, or the program `bonedecimate` beside it."""
+"""What runs the decimation: the wheel `bonedecimate` in Slicer's own Python, or the program `bonedecimate` beside it."""
 
 import importlib.util
 import re
@@ -18,16 +18,16 @@ TOLERANCE = "Tolerance"  # mm, point array of what goes in
 
 
 class NoEngine(DecimationError):
-    """Neither the wheel nor the program is there."""
+    """Neither the wheel nor the program was found."""
 
 
-class Cancelled(DecimationError):
-    """The user asked for it; nothing has changed."""
+class Canceled(DecimationError):
+    """The user canceled the run; nothing has changed."""
 
 
 def find_engine(program=None):
     """The wheel if it is installed, else the program; raises NoEngine with what to do if there is neither."""
-    if importlib.util.find_spec("bonedecimate") is not None:
+    if importlib.util.find_spec("bonedecimate") is not None and importlib.util.find_spec("bonedecimate._core") is not None:
         return WheelEngine()
     program = program or shutil.which("bonedecimate")
     if program:
@@ -66,18 +66,18 @@ class WheelEngine:
             decimate.SetToleranceArrayName(TOLERANCE)
         problems = []
         decimate.AddObserver("ErrorEvent", _collector(problems))
-        cancelled = []
+        canceled = []
 
         def tell(caller, _event):
             if progress and progress(caller.GetProgress()) is False:
-                cancelled.append(True)
+                canceled.append(True)
                 caller.SetAbortExecute(1)
 
         decimate.AddObserver("ProgressEvent", tell)
         decimate.SetInputDataObject(0, with_tolerances(surface, tolerances))
         decimate.Update()
-        if cancelled:
-            raise Cancelled("Cancelled.")
+        if canceled:
+            raise Canceled("Canceled.")
         if problems:
             raise DecimationError(problems[0])
         return decimate.GetOutputDataObject(0)
@@ -147,7 +147,7 @@ class ProgramEngine:
                 found = re.match(r"<filter-progress>(.*)</filter-progress>", line)
                 if found and progress and progress(float(found[1])) is False:
                     process.kill()
-                    raise Cancelled("Cancelled.")
+                    raise Canceled("Canceled.")
             problem = process.stderr.read().strip()
         if process.returncode != 0:
             raise DecimationError(problem or f"The program ended with {process.returncode}.")

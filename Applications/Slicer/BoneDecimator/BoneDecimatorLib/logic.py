@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The module's logic on a MRML scene. Needs no window: what is asked for comes in a Request, nodes come from the caller."""
+"""The module's logic on a MRML scene. Needs no window: the values come in a Request, the nodes from the caller."""
 
+import json
 from dataclasses import dataclass, field
 
 import numpy as np
 import vtk
 
-from . import checks, places
+from . import checks, regions
 from .checks import DecimationError
 from .engines import find_engine
 
@@ -16,12 +17,12 @@ PRESETS = {"quarter of a voxel": 0.25, "half a voxel": 0.5, "one voxel": 1.0}
 
 @dataclass
 class Request:
-    """What the user asks for. Lengths are millimetres."""
+    """The values of the panel. Lengths are millimeters."""
 
     tolerance: float = 0.2  # proved; 0: none
     triangles: int = 0  # 0: as few as the tolerance allows
     mode: str = "Balanced"
-    keep_clearance: bool = True
+    intersection_guard: bool = True
     brush: object = None  # a markups node of points, a ROI node, or the name of a painted point array; None: everywhere
     keeps_brush: bool = False  # the brush says what stays, not what is simplified
     radius: float = 10.0  # round the points of a brush
@@ -43,21 +44,21 @@ class Request:
     def options(self):
         """Flags of the program without dashes."""
         self.check()
-        wanted = {"mode": self.mode}
+        options = {"mode": self.mode}
         if self.tolerance > 0.0:
-            wanted["max-error"] = self.tolerance
+            options["max-error"] = self.tolerance
             if self.mode != "Thesis":
-                wanted["keep-clearance"] = self.keep_clearance
+                options["intersection-guard"] = self.intersection_guard
         if self.triangles > 0:
-            wanted["target-faces"] = self.triangles
-        return {**wanted, **self.extra}
+            options["target-triangles"] = self.triangles
+        return {**options, **self.extra}
 
 
 def presets(spacing):
-    """Tolerances, mm, by name, from the scan's voxels: their least side counts."""
+    """Tolerances, mm, by name, from the scan's voxels: by their smallest side."""
     for side in spacing:
         checks.check_length("The scan's spacing", side)
-    return {name: share * min(spacing) for name, share in PRESETS.items()}
+    return {name: ratio * min(spacing) for name, ratio in PRESETS.items()}
 
 
 def surface_of(node, segment=None):
@@ -79,7 +80,7 @@ def surface_of(node, segment=None):
 
 
 def world_to_node(node):
-    """(4, 4): ROI and points stand in the world, the surface in its node."""
+    """(4, 4): from the world, in which ROI and points are, to the node of the surface."""
     matrix = vtk.vtkMatrix4x4()
     if node.GetParentTransformNode() is not None:
         node.GetParentTransformNode().GetMatrixTransformToWorld(matrix)
@@ -89,21 +90,21 @@ def world_to_node(node):
 
 def brush_distance(brush, surface, to_node, radius):
     """mm of each point beyond what the brush covers."""
-    points = places.points_of(surface)
+    points = regions.points_of(surface)
     if isinstance(brush, str):
         painted = surface.GetPointData().GetArray(brush)
         if painted is None:
             raise DecimationError(f"The surface has no point array {brush!r}.")
-        return places.outside_of_paint(points, places.vtk_to_numpy(painted))
+        return regions.outside_of_paint(points, regions.vtk_to_numpy(painted))
     if brush.IsA("vtkMRMLMarkupsROINode"):
         to_box = _array(brush.GetObjectToWorldMatrix())
         size = np.array(brush.GetSize())
         node_to_box = np.linalg.inv(to_box) @ np.linalg.inv(to_node)
-        return places.outside_of_box(points, node_to_box, size / 2)
+        return regions.outside_of_box(points, node_to_box, size / 2)
     marks = np.array([brush.GetNthControlPointPositionWorld(i) for i in range(brush.GetNumberOfControlPoints())])
     if len(marks) == 0:
         raise DecimationError("The brush has no points yet.")
-    return places.outside_of_markups(points, marks @ to_node[:3, :3].T + to_node[:3, 3], radius)
+    return regions.outside_of_markups(points, marks @ to_node[:3, :3].T + to_node[:3, 3], radius)
 
 
 def _array(matrix):
@@ -111,7 +112,7 @@ def _array(matrix):
 
 
 class BoneDecimatorLogic:
-    """Decimates nodes, remembers what they were."""
+    """Decimates nodes and keeps their former surfaces for undo()."""
 
     def __init__(self, scene, engine=None):
         self.scene, self._engine = scene, engine
@@ -128,7 +129,7 @@ class BoneDecimatorLogic:
             return None
         outside = brush_distance(request.brush, surface, world_to_node(node), request.radius)
         inner, outer = (0.0, request.tolerance) if request.keeps_brush else (request.tolerance, 0.0)
-        return places.tolerances(outside, inner, outer, request.feather)
+        return regions.tolerances(outside, inner, outer, request.feather)
 
     def decimate(self, source, request, target=None, segment=None, progress=None):
         """A new model node, or the target with what it was kept for undo(). Returns node and statistics."""
@@ -142,16 +143,16 @@ class BoneDecimatorLogic:
         self._put(target, result)
         return target, statistics(result)
 
-    def record_levels(self, source, mode="Fast", share=0.05, segment=None):
-        """For a slider: bonedecimate.Levels down to that share of the triangles."""
+    def record_levels(self, source, mode="Fast", ratio=0.05, segment=None):
+        """For a slider: bonedecimate.Levels down to that ratio of the triangles."""
         if not self.engine.has_levels:
             raise DecimationError("Levels need the Python package bonedecimate.")
         checks.check_mode(mode)
-        checks.check_ratio("The ratio of triangles", share)
-        return self.engine.record_levels(surface_of(source, segment), {"mode": mode, "target-reduction": 1.0 - share})
+        checks.check_ratio("The ratio of triangles", ratio)
+        return self.engine.record_levels(surface_of(source, segment), {"mode": mode, "target-reduction": 1.0 - ratio})
 
     def show_level(self, levels, triangles, target):
-        """Puts a level into a node: no undo, a slider is its own."""
+        """Puts a level into a node; there is no undo, because the slider goes back."""
         checks.check_whole("The number of triangles", triangles, 1, checks.MOST_TRIANGLES)
         points, corners = levels.at(triangles=triangles)
         target.SetAndObservePolyData(_polydata(points, corners))
@@ -167,7 +168,7 @@ class BoneDecimatorLogic:
         return bool(self._before)
 
     def undo(self):
-        """The last decimated node becomes what it was; an empty one was not there before and goes."""
+        """Restores the surface of the last decimated node; a node that was new is removed."""
         node, surface = self._before.pop()
         if surface.GetNumberOfPoints() == 0:
             self.scene.RemoveNode(node)
@@ -179,37 +180,32 @@ class BoneDecimatorLogic:
 def _polydata(points, corners):
     from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
     surface = vtk.vtkPolyData()
-    holder = vtk.vtkPoints()
-    holder.SetData(numpy_to_vtk(points, deep=True))
+    positions = vtk.vtkPoints()
+    positions.SetData(numpy_to_vtk(points, deep=True))
     cells = vtk.vtkCellArray()
     offsets = np.arange(0, 3 * len(corners) + 1, 3, dtype=np.int64)
     cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True),
                   numpy_to_vtkIdTypeArray(corners.astype(np.int64).ravel(), deep=True))
-    surface.SetPoints(holder)
+    surface.SetPoints(positions)
     surface.SetPolys(cells)
     return surface
 
 
 def report(surface):
-    """The run's report by name, out of the field data."""
-    data, found = surface.GetFieldData(), {}
-    for i in range(data.GetNumberOfArrays()):
-        array = data.GetAbstractArray(i)
-        name = (array.GetName() or "").removeprefix("bonedecimate.")
-        if name != array.GetName() and array.GetNumberOfValues() > 0:
-            value = array.GetVariantValue(0)
-            found[name] = value.ToString() if value.IsString() else value.ToDouble()
-    return found
+    """The report of the run as nested dictionaries, from the field data; empty if there is none."""
+    array = surface.GetFieldData().GetAbstractArray("BoneDecimateReport")
+    return json.loads(array.GetValue(0)) if array is not None and array.GetNumberOfValues() > 0 else {}
 
 
 def statistics(surface):
-    """Lines for people."""
+    """The statistics of a run as lines of text."""
     found = report(surface)
-    lines = [f"{found['input.faces']:,.0f} -> {found['output.faces']:,.0f} triangles",
-             f"{found['input.components']:,.0f} -> {found['output.components']:,.0f} fragments"]
-    if found.get("proof.verdict") == "proved":
-        # Rounded up, so that what is shown is proved.
-        lines.append(f"proved: no point is farther away than {np.ceil(found['proof.upper'] * 1e4) / 1e4:.4f} mm")
-    if "distance.input_to_output.mean" in found:
-        lines.append(f"average distance {found['distance.input_to_output.mean']:.4f} mm")
+    before, after, proof = found["input"], found["output"], found.get("proof", {})
+    lines = [f"{before['triangles']:,.0f} -> {after['triangles']:,.0f} triangles",
+             f"{before['components']:,.0f} -> {after['components']:,.0f} fragments"]
+    if proof.get("status") == "proved":
+        # Rounded up, so that the number shown is proved.
+        lines.append(f"proved: no point is farther away than {np.ceil(proof['upper'] * 1e4) / 1e4:.4f} mm")
+    if "distance" in found:
+        lines.append(f"average distance {found['distance']['input_to_output']['mean']:.4f} mm")
     return lines

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DecimateCommand.h"
+
+#include "Arguments.h"
+#include "Batch.h"
+#include "CommandLine.h"
+#include "CommonOptions.h"
+#include "HelpFormatter.h"
+#include "Report/Report.h"
+#include "RunOne.h"
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <utility>
+
+namespace bonedecimate
+{
+namespace
+{
+/// The three numbers of the thesis's program, in its order, as options of ours.
+const std::vector<std::pair<const char*, const char*>> ThesisNumbers = {
+  { "numbFaces", "TargetNumberOfTriangles" }, { "tolerance", "NormalTolerance" },
+  { "errorThreshold", "MaximumError" }
+};
+
+ExitCode Decimate(const Arguments& arguments, const std::string& self)
+{
+  CheckArguments(arguments);
+  if (IsBatch(arguments))
+  {
+    return RunBatch(arguments, self);
+  }
+  RunOne(arguments);
+  return ExitCode::Done;
+}
+
+void SetThesisWords(Arguments& arguments, const std::vector<std::string>& words)
+{
+  if (words.size() < 4 || words.size() > 5)
+  {
+    throw Failure(ExitCode::Usage,
+      "thesis takes INPUT.obj numbFaces tolerance errorThreshold [OUTPUT.obj]; there are " +
+        std::to_string(words.size()) + " words");
+  }
+  for (std::size_t i = 0; i < ThesisNumbers.size(); ++i)
+  {
+    const OptionInfo& info = *FindOption(ThesisNumbers[i].second);
+    ReadNumber(ThesisNumbers[i].first, words[i + 1], *RangeOf(info));
+    GiveOption(arguments, info, words[i + 1]);
+  }
+  if (arguments.Options.TargetNumberOfTriangles == 0 && arguments.Options.MaximumError == 0.0)
+  {
+    throw Failure(
+      ExitCode::Usage, "numbFaces and errorThreshold are both 0 (off): nothing would end the run");
+  }
+  GiveOption(arguments, *FindOption("Mode"), "Thesis");
+  const std::filesystem::path input(words[0]);
+  const std::string simplified = input.stem().string() + "_simplified.obj";
+  arguments.ThesisForm = true;
+  arguments.Inputs = { words[0],
+    words.size() == 5 ? words[4] : (input.parent_path() / simplified).string() };
+  TakeFiles(arguments);
+}
+}
+
+void AddDecimateCommand(CLI::App& program, const std::string& self, ExitCode& code)
+{
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = AddCommand(program, DefaultCommand,
+    { "INPUT OUTPUT [OPTIONS]", "INPUT... FOLDER [OPTIONS]" }, ProgramDescription());
+  command.footer(HelpFooter());
+  command.set_version_flag(
+    "--version", std::string("bonedecimate ") + Version(), "Print the version.");
+  AddDecimateOptions(command, *arguments);
+  command.add_flag_callback(
+    "--options-markdown",
+    []
+    {
+      std::cout << OptionTableMarkdown();
+      throw CLI::Success();
+    },
+    "Print the table of options as Markdown.");
+  command.final_callback(
+    [&program, self, arguments, &code]
+    {
+      TakeFiles(*arguments);
+      RequireCommandOrFile(program, arguments->Inputs[0]);
+      code = Decimate(*arguments, self);
+    });
+}
+
+void AddThesisCommand(CLI::App& program)
+{
+  const auto arguments = std::make_shared<Arguments>();
+  const auto words = std::make_shared<std::vector<std::string>>();
+  CLI::App& command = AddCommand(program, "thesis",
+    { "INPUT.obj numbFaces tolerance errorThreshold [OUTPUT.obj] [OPTIONS]" },
+    "The thesis's program: number of triangles (0: off), tolerance w, largest error in mm (0: "
+    "off).");
+  command.add_option("WORDS", *words, WrappedHelp("The default output is INPUT_simplified.obj."))
+    ->type_name("")
+    ->allow_extra_args();
+  AddThesisOptions(command, *arguments);
+  command.final_callback(
+    [arguments, words]
+    {
+      SetThesisWords(*arguments, *words);
+      CheckArguments(*arguments);
+      RunOne(*arguments);
+    });
+}
+}

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterRun.h"
+
+#include "Formats/FileChecks.h"
+#include "Interruption.h"
+#include "ProgressBar.h"
+
+#include "vtkCommand.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <iostream>
+#include <iterator>
+
+namespace bonedecimate
+{
+MillimeterSurface ReadInput(
+  const std::string& path, const LengthUnit& unit, std::vector<std::string>& warnings)
+{
+  MillimeterSurface loaded = ReadInMillimeters(path, unit);
+  warnings.insert(warnings.end(), loaded.Warnings.begin(), loaded.Warnings.end());
+  return loaded;
+}
+
+VtkMessages UpdateFilter(vtkAlgorithm* filter, Progress progress)
+{
+  vtkNew<ProgressBar> bar;
+  bar->SetShown(progress != Progress::Hidden);
+  bar->SetTags(progress == Progress::Tags);
+  const unsigned long observer = filter->AddObserver(vtkCommand::ProgressEvent, bar);
+  TakeVtkMessages();
+  filter->Update();
+  bar->Clear();
+  filter->RemoveObserver(observer);
+  StopIfInterrupted();
+  return TakeVtkMessages();
+}
+
+void AcceptMessages(
+  const VtkMessages& messages, const std::string& source, std::vector<std::string>& warnings)
+{
+  if (!messages.Errors.empty())
+  {
+    Reject(source, WithUnitHint(messages.Errors.front()));
+  }
+  std::transform(
+    messages.Warnings.begin(), messages.Warnings.end(), std::back_inserter(warnings), WithUnitHint);
+}
+
+void PrintWarnings(const std::vector<std::string>& warnings)
+{
+  for (const std::string& warning : warnings)
+  {
+    std::cout << "warning: " << warning << "\n";
+  }
+}
+}

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FilterRun.h
+ * @brief The steps that every command has in common: read, run a filter, collect messages, print warnings.
+ */
+#ifndef BoneDecimate_Applications_FilterRun_h
+#define BoneDecimate_Applications_FilterRun_h
+
+#include "LengthUnit.h"
+#include "VtkMessages.h"
+
+#include "vtkAlgorithm.h"
+
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+enum class Progress
+{
+  Hidden,
+  Bar, ///< On a terminal only.
+  Tags ///< Those of 3D Slicer.
+};
+
+/// Reads a surface and appends what the reader warns of. @throws Failure(ExitCode::InputRejected)
+MillimeterSurface ReadInput(
+  const std::string& path, const LengthUnit& unit, std::vector<std::string>& warnings);
+
+/**
+ * Updates a filter.
+ * @returns The messages of VTK during the update.
+ * @throws Failure(ExitCode::Interrupted)
+ */
+VtkMessages UpdateFilter(vtkAlgorithm* filter, Progress progress);
+
+/**
+ * Appends the warnings.
+ * @param source The file to name if there is an error.
+ * @throws Failure(ExitCode::InputRejected) with the first error.
+ */
+void AcceptMessages(
+  const VtkMessages& messages, const std::string& source, std::vector<std::string>& warnings);
+
+void PrintWarnings(const std::vector<std::string>& warnings);
+}
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LineReader.h
+ * @brief Lines and words of text files, with the number of the line for messages.
+ */
+#ifndef BoneDecimate_Applications_LineReader_h
+#define BoneDecimate_Applications_LineReader_h
+
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bonedecimate
+{
+class LineReader
+{
+public:
+  explicit LineReader(const std::string& path);
+
+  /// Goes on to the next line; false at the end of the file.
+  bool Next();
+
+  /// Puts the next line in place of the backslash at the end of this one; false at the end of the
+  /// file.
+  bool Continue();
+
+  const std::string& GetLine() const { return this->Line; }
+  std::int64_t GetNumber() const { return this->Number; }
+
+  /// Whether the last line read had an end of line: a file that was cut off has none.
+  bool IsEnded() const { return this->Ended; }
+
+  /// "line 12: "
+  std::string Prefix() const { return "line " + std::to_string(this->Number) + ": "; }
+
+  /// The words of the line, valid until the next line.
+  const std::vector<std::string_view>& GetWords();
+
+  /// For what follows the lines, in binary.
+  std::ifstream& GetStream() { return this->Stream; }
+
+private:
+  std::ifstream Stream;
+  std::string Line;
+  std::vector<std::string_view> Words;
+  bool IsSplit = false;
+  std::int64_t Number = 0;
+  bool Ended = true;
+};
+
+/// Adds what stands between blanks and line ends; valid as long as the text is.
+void SplitWords(std::string_view text, std::vector<std::string_view>& words);
+
+}
+
+#endif

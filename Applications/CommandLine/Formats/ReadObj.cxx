@@ -1,0 +1,292 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/// Wavefront OBJ has no counts to compare with, so every number and every index is checked.
+/// Not read by VTK, whose reader rounds coordinates to single precision.
+#include "FileChecks.h"
+#include "LineReader.h"
+#include "ObjCells.h"
+#include "Options/Text.h"
+#include "SurfaceReaders.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Points, texture coordinates and normals, in the order in which a corner "v/vt/vn" names them.
+constexpr std::size_t NumberOfKinds = 3;
+const std::array<const char*, NumberOfKinds> KindNames = { "vertex", "texture coordinate",
+  "normal" };
+
+/// A kind of cell.
+struct Kind
+{
+  std::size_t FewestCorners;
+  const char* TooFew;
+};
+constexpr Kind FaceKind = { 3, "a face of fewer than 3 corners; the file may be cut off" };
+constexpr Kind LineKind = { 2, "a line of fewer than 2 points; the file may be cut off" };
+constexpr Kind PointKind = { 1, "a point without a vertex; the file may be cut off" };
+
+class ObjReader
+{
+public:
+  explicit ObjReader(const std::string& path)
+    : Path(path)
+    , Lines(path)
+  {
+  }
+
+  vtkSmartPointer<vtkPolyData> Run(std::vector<std::string>& warnings)
+  {
+    while (this->Lines.Next())
+    {
+      this->ReadLine();
+    }
+    for (std::size_t kind = 0; kind < NumberOfKinds; ++kind)
+    {
+      if (this->Largest[kind] > this->CountOf(kind))
+      {
+        Reject(this->Path,
+          std::string("a face names ") + KindNames[kind] + " " +
+            std::to_string(this->Largest[kind]) + ", there are " +
+            std::to_string(this->CountOf(kind)) + "; the file may be cut off");
+      }
+    }
+    this->Warn(warnings);
+    return SurfaceOf(this->Content);
+  }
+
+private:
+  [[noreturn]] void RejectLine(const std::string& reason)
+  {
+    Reject(this->Path, this->Lines.Prefix() + reason);
+  }
+
+  void Warn(std::vector<std::string>& warnings) const
+  {
+    if (!this->Lines.IsEnded())
+    {
+      warnings.emplace_back("the last line of the input has no end; the file may be cut off");
+    }
+    if (this->NumbersLeftOut > 0)
+    {
+      warnings.push_back("the numbers behind x, y and z of " +
+        std::to_string(this->NumbersLeftOut) +
+        " vertices, such as colors or weights, are not read");
+    }
+  }
+
+  std::int64_t CountOf(std::size_t kind) const
+  {
+    const vtkIdType counts[] = { this->Content.Vertices.CountPoints(),
+      this->Content.TextureCoordinates->GetNumberOfTuples(),
+      this->Content.Normals->GetNumberOfTuples() };
+    return counts[kind];
+  }
+
+  /// The words of the line, with those of the lines that it goes on in.
+  const std::vector<std::string_view>& WholeLine()
+  {
+    while (this->Lines.GetWords().back().back() == '\\')
+    {
+      if (!this->Lines.Continue())
+      {
+        this->RejectLine("it goes on in a line that is not there; the file is cut off");
+      }
+    }
+    return this->Lines.GetWords();
+  }
+
+  void ReadLine()
+  {
+    if (this->Lines.GetWords().empty())
+    {
+      return;
+    }
+    const std::string word(this->Lines.GetWords()[0]);
+    if (word == "v")
+    {
+      this->ReadVertex(this->WholeLine());
+    }
+    else if (word == "vn" || word == "vt")
+    {
+      this->ReadTuple(this->WholeLine(),
+        word == "vn" ? this->Content.Normals.Get() : this->Content.TextureCoordinates.Get());
+    }
+    else if (word == "f")
+    {
+      this->ReadCell(this->WholeLine(), FaceKind, this->Content.Faces);
+    }
+    else if (word == "l")
+    {
+      this->ReadCell(this->WholeLine(), LineKind, this->Content.Lines);
+    }
+    else if (word == "p")
+    {
+      this->ReadCell(this->WholeLine(), PointKind, this->Content.Points);
+    }
+    else
+    {
+      this->ReadState(this->Lines.GetWords());
+    }
+  }
+
+  double NumberAt(
+    const std::vector<std::string_view>& words, std::size_t position, std::size_t least)
+  {
+    if (position >= words.size())
+    {
+      this->RejectLine("fewer than " + std::to_string(least) + " numbers; the file may be cut off");
+    }
+    const std::optional<double> value = ParseNumber<double>(words[position]);
+    // The words nan, inf and infinity have an n, no number has.
+    if (!value || words[position].find_first_of("nN") != std::string_view::npos)
+    {
+      this->RejectLine(
+        "'" + std::string(words[position].substr(0, 40)) + "' is not a finite number");
+    }
+    return *value;
+  }
+
+  void ReadVertex(const std::vector<std::string_view>& words)
+  {
+    std::array<double, 3> point{};
+    for (std::size_t i = 0; i < point.size(); ++i)
+    {
+      point[i] = this->NumberAt(words, i + 1, point.size());
+    }
+    for (const double coordinate : point)
+    {
+      this->Content.Vertices.Add(coordinate);
+    }
+    this->NumbersLeftOut += words.size() > 4 ? 1 : 0;
+  }
+
+  void ReadTuple(const std::vector<std::string_view>& words, vtkFloatArray* array)
+  {
+    const bool isNormal = array == this->Content.Normals.Get();
+    const std::size_t least = isNormal ? 3 : 1;
+    std::array<float, 3> tuple{};
+    for (std::size_t i = 0; i < (isNormal ? 3 : 2); ++i)
+    {
+      const bool isThere = i < least || i + 1 < words.size();
+      tuple[i] = isThere ? static_cast<float>(this->NumberAt(words, i + 1, least)) : 0.0F;
+    }
+    array->InsertNextTypedTuple(tuple.data());
+  }
+
+  void ReadCell(const std::vector<std::string_view>& words, const Kind& kind, ObjCells& cells)
+  {
+    if (words.size() <= kind.FewestCorners)
+    {
+      this->RejectLine(kind.TooFew);
+    }
+    this->Corners.clear();
+    for (std::size_t i = 1; i < words.size(); ++i)
+    {
+      this->Corners.push_back(this->CornerOf(words[i]));
+    }
+    for (const ObjCorner& corner : this->Corners)
+    {
+      const ObjCorner& first = this->Corners.front();
+      if ((corner[1] < 0) != (first[1] < 0) || (corner[2] < 0) != (first[2] < 0))
+      {
+        this->RejectLine("some corners have a texture coordinate or a normal, others have none");
+      }
+    }
+    cells.Add(this->Corners, this->State);
+  }
+
+  ObjCorner CornerOf(std::string_view word)
+  {
+    ObjCorner corner{ { -1, -1, -1 } };
+    std::string_view rest = word;
+    for (std::size_t kind = 0; kind < NumberOfKinds && !rest.empty(); ++kind)
+    {
+      const std::size_t slash = std::min(rest.find('/'), rest.size());
+      const std::string_view digits = rest.substr(0, slash);
+      rest.remove_prefix(std::min(slash + 1, rest.size()));
+      if (digits.empty() && kind == 1)
+      {
+        continue; // "3//7" has no texture coordinate
+      }
+      const std::int64_t index = ParseNumber<std::int64_t>(digits).value_or(0);
+      if (index == 0)
+      {
+        this->RejectLine("'" + std::string(word.substr(0, 40)) + "' is not a corner of a face");
+      }
+      corner[kind] = this->IndexOf(index, kind);
+    }
+    if (!rest.empty())
+    {
+      this->RejectLine("'" + std::string(word.substr(0, 40)) + "' is not a corner of a face");
+    }
+    return corner;
+  }
+
+  /// From 0; negative ones count back from the last that was read.
+  vtkIdType IndexOf(std::int64_t index, std::size_t kind)
+  {
+    const std::int64_t count = this->CountOf(kind);
+    if (index < -count)
+    {
+      this->RejectLine(
+        "index " + std::to_string(index) + " reaches before the first " + KindNames[kind]);
+    }
+    this->Largest[kind] = std::max(this->Largest[kind], index);
+    return index < 0 ? count + index : index - 1;
+  }
+
+  void ReadState(const std::vector<std::string_view>& words)
+  {
+    const std::string name = words.size() > 1 ? std::string(words[1]) : std::string();
+    if (words[0] == "g")
+    {
+      this->State.Group = this->HasGroup ? this->State.Group + 1 : this->GroupAfterNone();
+      this->HasGroup = true;
+    }
+    else if ((words[0] == "usemtl" || words[0] == "mtllib") && name.empty())
+    {
+      this->RejectLine("'" + std::string(words[0]) + "' without a name");
+    }
+    else if (words[0] == "mtllib")
+    {
+      this->Content.MaterialLibraries.push_back(name);
+    }
+    else if (words[0] == "usemtl")
+    {
+      std::vector<std::string>& names = this->Content.Materials;
+      const auto found = std::find(names.begin(), names.end(), name);
+      this->State.Material = static_cast<int>(found - names.begin());
+      if (found == names.end())
+      {
+        names.push_back(name);
+      }
+    }
+  }
+
+  /// Faces before the first group are one, too.
+  int GroupAfterNone() const
+  {
+    return this->Content.Faces.Vertices->GetNumberOfCells() > 0 ? 1 : 0;
+  }
+
+  const std::string& Path;
+  LineReader Lines;
+  ObjContent Content;
+  ObjState State;
+  bool HasGroup = false;
+  std::vector<ObjCorner> Corners; // of the cell that is read
+  std::array<std::int64_t, NumberOfKinds> Largest{};
+  std::int64_t NumbersLeftOut = 0; // vertices with more than three
+};
+}
+
+vtkSmartPointer<vtkPolyData> ReadObjFile(
+  const std::string& path, std::vector<std::string>& warnings)
+{
+  return ObjReader(path).Run(warnings);
+}
+}

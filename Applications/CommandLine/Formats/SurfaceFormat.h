@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfaceFormat.h
+ * @brief The table of surface formats: what each can hold, how it is read and written.
+ *
+ * A new format is a file NAMEFormat.cxx with its row and the name of that row in SurfaceFormat.cxx. Readers, writers, messages,
+ * the help, batches and the description for 3D Slicer take it from there.
+ */
+#ifndef BoneDecimate_Applications_SurfaceFormat_h
+#define BoneDecimate_Applications_SurfaceFormat_h
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+struct SurfaceFormat
+{
+  const char* Extension; ///< In lower case, without its dot.
+  bool HoldsArrays;      ///< Arrays (distances, report) beside points and triangles.
+  bool HoldsDoubles;     ///< Coordinates in double precision come back as they were.
+  bool SharesPoints;     ///< Triangles share points; otherwise each has three of its own.
+
+  /**
+   * Reads a file that is there and not empty. What it does not read becomes a warning or a message of VTK.
+   * @throws Failure(ExitCode::InputRejected)
+   */
+  vtkSmartPointer<vtkPolyData> (*Read)(const std::string& path, std::vector<std::string>& warnings);
+
+  /// @throws Failure(ExitCode::CouldNotWrite)
+  void (*Write)(vtkPolyData* surface, const std::string& path);
+};
+
+/// Every format once, those that hold most first.
+const std::vector<const SurfaceFormat*>& SurfaceFormats();
+
+/// The format of a file by its extension, whatever its case; null if there is none.
+const SurfaceFormat* FindFormat(const std::string& path);
+
+/// "vtp, vtk, ply, stl, obj"
+std::string SurfaceExtensions();
+
+/// "vtp and vtk": those for which a property holds, such as &SurfaceFormat::HoldsArrays.
+std::string ExtensionsThat(bool SurfaceFormat::*property);
+}
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FileChecks.h"
+#include "Formats/SurfaceFormat.h"
+#include "VtkReadersAndWriters.h"
+
+#include "vtkNew.h"
+#include "vtkPolyDataReader.h"
+#include "vtkPolyDataWriter.h"
+
+namespace bonedecimate
+{
+namespace
+{
+vtkSmartPointer<vtkPolyData> Read(const std::string& path, std::vector<std::string>&)
+{
+  CoordinateCollector textPoints;
+  CheckVtkFile(path, textPoints);
+  return ReadWith(vtkNew<vtkPolyDataReader>().Get(), path, textPoints);
+}
+
+void Write(vtkPolyData* surface, const std::string& path)
+{
+  vtkNew<vtkPolyDataWriter> writer;
+  writer->SetFileTypeToBinary();
+  WriteWith(writer.Get(), surface, path);
+}
+}
+
+extern const SurfaceFormat VtkFormat;
+const SurfaceFormat VtkFormat = { "vtk", true, true, true, Read, Write };
+}

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBoneDecimateAlgorithm.h"
+
+#include "Certificate/Certificate.h"
+#include "Report/ReportFigures.h"
+#include "Report/ReportJson.h"
+#include "RunState.h"
+
+//------------------------------------------------------------------------------
+vtkBoneDecimateAlgorithm::vtkBoneDecimateAlgorithm()
+  : State(new RunState)
+{
+}
+
+vtkBoneDecimateAlgorithm::~vtkBoneDecimateAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+bool vtkBoneDecimateAlgorithm::HasOption(const std::string&) const
+{
+  return false;
+}
+
+bool vtkBoneDecimateAlgorithm::SetOptionFromText(const std::string& name, const std::string& text)
+{
+  if (!this->HasOption(name))
+  {
+    vtkErrorMacro(<< "there is no option '" << name << "'");
+    return false;
+  }
+  this->State->SetFromText(this, name, text);
+  return this->GetRejectedValue(name).empty();
+}
+
+std::string vtkBoneDecimateAlgorithm::GetOptionAsText(const std::string& name) const
+{
+  return this->HasOption(name)
+    ? bonedecimate::OptionText(this->State->Options, *bonedecimate::FindOption(name))
+    : std::string();
+}
+
+//------------------------------------------------------------------------------
+int vtkBoneDecimateAlgorithm::GetStopReason() const
+{
+  return static_cast<int>(this->State->Report.Stop);
+}
+
+std::string vtkBoneDecimateAlgorithm::GetStopReasonAsString() const
+{
+  return bonedecimate::StopReasonSentence(this->State->Report.Stop);
+}
+
+double vtkBoneDecimateAlgorithm::GetProvedError() const
+{
+  return bonedecimate::ProvedError(this->State->Report);
+}
+
+int vtkBoneDecimateAlgorithm::GetProofStatus() const
+{
+  const bonedecimate::ErrorProof& proof = this->State->Report.Proof;
+  return proof.WasMade ? static_cast<int>(proof.Status) : NO_PROOF;
+}
+
+std::string vtkBoneDecimateAlgorithm::GetProofStatusAsString() const
+{
+  return bonedecimate::ProofStatusWord(
+    static_cast<bonedecimate::ProofStatus>(this->GetProofStatus()));
+}
+
+double vtkBoneDecimateAlgorithm::GetMeasuredError() const
+{
+  return bonedecimate::MeasuredError(this->State->Report);
+}
+
+vtkIdType vtkBoneDecimateAlgorithm::GetNumberOfInputTriangles() const
+{
+  return static_cast<vtkIdType>(this->State->Report.Input.Faces);
+}
+
+vtkIdType vtkBoneDecimateAlgorithm::GetNumberOfOutputTriangles() const
+{
+  return static_cast<vtkIdType>(this->State->Report.Output.Faces);
+}
+
+vtkIdType vtkBoneDecimateAlgorithm::GetNumberOfRejectedEdits() const
+{
+  return static_cast<vtkIdType>(bonedecimate::RejectedEdits(this->State->Report));
+}
+
+vtkIdType vtkBoneDecimateAlgorithm::GetNumberOfRejectedEdits(const std::string& reason) const
+{
+  return static_cast<vtkIdType>(bonedecimate::RejectedEdits(this->State->Report, reason));
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBoneDecimateAlgorithm::GetReportAsJson() const
+{
+  return bonedecimate::ReportJson(this->State->Entries.All());
+}
+
+int vtkBoneDecimateAlgorithm::GetNumberOfReportEntries() const
+{
+  return this->State->Entries.Count();
+}
+
+std::string vtkBoneDecimateAlgorithm::GetReportEntryName(int entry) const
+{
+  return this->State->Entries.Name(entry);
+}
+
+std::string vtkBoneDecimateAlgorithm::GetReportEntryUnit(const std::string& name) const
+{
+  return this->State->Entries.Unit(name);
+}
+
+double vtkBoneDecimateAlgorithm::GetReportValue(const std::string& name) const
+{
+  return this->State->Entries.Value(name);
+}
+
+std::string vtkBoneDecimateAlgorithm::GetReportText(const std::string& name) const
+{
+  return this->State->Entries.Text(name);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBoneDecimateAlgorithm::GetRejectedValue(const std::string& property) const
+{
+  return this->State->Rejected.Of(property);
+}
+
+vtkMTimeType vtkBoneDecimateAlgorithm::GetMTime()
+{
+  return this->State->Rejected.MTime(this->Superclass::GetMTime());
+}
+
+bool vtkBoneDecimateAlgorithm::ReportRejectedValues()
+{
+  return this->State->Rejected.Report(this);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBoneDecimateAlgorithm::OptionProblem(
+  const bonedecimate::Options&, const std::string&) const
+{
+  return {};
+}
+
+void vtkBoneDecimateAlgorithm::OptionChanged(const std::string&) {}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimateAlgorithm::Warn(const std::vector<std::string>& sentences)
+{
+  for (const std::string& sentence : sentences)
+  {
+    vtkWarningMacro(<< sentence);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimateAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "StopReason: " << this->GetStopReasonAsString() << "\n";
+  os << indent << "ProvedError: " << this->GetProvedError() << " mm\n";
+}

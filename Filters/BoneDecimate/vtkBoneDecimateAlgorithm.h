@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBoneDecimateAlgorithm
+ * @brief   superclass of the filters that run a decimation: the report of the last run
+ *
+ * The figures that are needed most have getters of their own. The whole report is one JSON text (GetReportAsJson()), which
+ * the output carries in its field data, and a flat list of named entries (GetReportValue()). Lengths are millimeters.
+ *
+ * @sa vtkBoneDecimate vtkBoneDecimateLevels vtkBoneErrorSearch
+ */
+#ifndef vtkBoneDecimateAlgorithm_h
+#define vtkBoneDecimateAlgorithm_h
+
+#include "vtkFiltersBoneDecimateModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for std::unique_ptr
+#include <string> // for texts
+#include <vector> // for warnings
+
+namespace bonedecimate
+{
+struct Options;
+}
+
+class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneDecimateAlgorithm : public vtkPolyDataAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkBoneDecimateAlgorithm, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
+
+  /// Why the last run ended.
+  enum StopReasons
+  {
+    NOT_RUN = 0,
+    TARGET_REACHED,
+    ERROR_REACHED,
+    ALREADY_SATISFIED,
+    NOTHING_LEFT,
+    ABORTED
+  };
+
+  /// What the certificate of the result says of the largest error.
+  enum ProofStatuses
+  {
+    NO_PROOF = 0,
+    PROVED,
+    VIOLATED,
+    UNDECIDED
+  };
+
+  /// Whether the filter has an option of that name ("MaximumError").
+  virtual bool HasOption(const std::string& name) const;
+
+  /// Sets an option by its name from text: a number, "on" or "off", the name of a choice. An unknown name and a value outside the
+  /// range are error events. @returns Whether the option has that value now.
+  bool SetOptionFromText(const std::string& name, const std::string& text);
+
+  /// Value of an option as SetOptionFromText() reads it; empty if the filter has no such option.
+  std::string GetOptionAsText(const std::string& name) const;
+
+  /// Why the last run ended: one of StopReasons; NOT_RUN before the first update.
+  int GetStopReason() const;
+
+  /// Why the last run ended, as a sentence.
+  std::string GetStopReasonAsString() const;
+
+  /// Proved upper bound of the distance between the input (or the reference) and the result, in both directions and between
+  /// open boundaries, mm. NaN if nothing was proved, and before the first update.
+  double GetProvedError() const;
+
+  /// Whether the largest error is proved: one of ProofStatuses; NO_PROOF if there is none, and before the first update.
+  int GetProofStatus() const;
+
+  /// The same in one word: "not_requested", "proved", "violated" or "undecided".
+  std::string GetProofStatusAsString() const;
+
+  /// Largest distance between the input and the result that was found by samples, in both directions, mm: a lower bound of the
+  /// true distance. NaN without MeasureDistances, and before the first update.
+  double GetMeasuredError() const;
+
+  /// Number of triangles of the input after cleaning and pruning; 0 before the first update.
+  vtkIdType GetNumberOfInputTriangles() const;
+
+  /// Number of triangles of the result of the last run; 0 before the first update.
+  vtkIdType GetNumberOfOutputTriangles() const;
+
+  /// Number of edits that the last run rejected, for all reasons together; 0 before the first update.
+  vtkIdType GetNumberOfRejectedEdits() const;
+
+  /// Number of edits that were rejected for one reason, named as in the report ("error_bound"); 0 if the reason is unknown.
+  vtkIdType GetNumberOfRejectedEdits(const std::string& reason) const;
+
+  /// The whole report as JSON, objects within objects, as Documentation/report.schema.json describes it.
+  std::string GetReportAsJson() const;
+
+  /// Number of entries of the report as a flat list of named values ("output.triangles", "distance.output_to_input.max", ...).
+  int GetNumberOfReportEntries() const;
+
+  /// Name of an entry, 0 to GetNumberOfReportEntries() - 1; empty for other numbers.
+  std::string GetReportEntryName(int entry) const;
+
+  /// Unit of the entry of that name ("mm", "mm2", "s", ...); empty if it has none.
+  std::string GetReportEntryUnit(const std::string& name) const;
+
+  /// Value of an entry that is a number; NaN if the name is unknown or the entry is a text.
+  double GetReportValue(const std::string& name) const;
+
+  /// Value of an entry as text, numbers with all their digits; empty if the name is unknown.
+  std::string GetReportText(const std::string& name) const;
+
+  /// What is wrong with the last value of an option or property ("MaximumError"), in one sentence; empty if it was valid.
+  std::string GetRejectedValue(const std::string& property) const;
+
+protected:
+  vtkBoneDecimateAlgorithm();
+  ~vtkBoneDecimateAlgorithm() override;
+
+  /// Reports an error event for each rejected value. @returns Whether there are any.
+  bool ReportRejectedValues();
+
+  /// Reports each sentence as a warning.
+  void Warn(const std::vector<std::string>& sentences);
+
+  /// What is wrong with a value that is in the range of its option, in one sentence; empty if nothing is.
+  virtual std::string OptionProblem(
+    const bonedecimate::Options& changed, const std::string& name) const;
+
+  /// An option has another value now.
+  virtual void OptionChanged(const std::string& name);
+
+  struct RunState;
+  std::unique_ptr<RunState> State;
+
+private:
+  vtkBoneDecimateAlgorithm(const vtkBoneDecimateAlgorithm&) = delete;
+  void operator=(const vtkBoneDecimateAlgorithm&) = delete;
+};
+
+#endif

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBoneDiagnostics.h"
+
+#include "Diagnostics/Diagnostics.h"
+#include "RejectedValues.h"
+#include "Report/ReportCells.h"
+#include "SurfaceConversion.h"
+
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+struct vtkBoneDiagnostics::Internals
+{
+  std::vector<bonedecimate::Diagnostic> Diagnostics;
+  bonedecimate::RejectedValues Rejected;
+
+  /// One that says nothing where there is no such number.
+  const bonedecimate::Diagnostic* At(int diagnostic) const
+  {
+    return diagnostic >= 0 && diagnostic < static_cast<int>(this->Diagnostics.size())
+      ? &this->Diagnostics[static_cast<std::size_t>(diagnostic)]
+      : nullptr;
+  }
+
+  const bonedecimate::DiagnosticInfo& InfoAt(int diagnostic) const
+  {
+    static const bonedecimate::DiagnosticInfo nothing = {};
+    const bonedecimate::Diagnostic* found = this->At(diagnostic);
+    return found ? bonedecimate::InfoOf(found->Kind) : nothing;
+  }
+};
+
+vtkStandardNewMacro(vtkBoneDiagnostics);
+
+vtkBoneDiagnostics::vtkBoneDiagnostics()
+  : Internal(std::make_unique<Internals>())
+{
+}
+
+vtkBoneDiagnostics::~vtkBoneDiagnostics() = default;
+
+//------------------------------------------------------------------------------
+int vtkBoneDiagnostics::GetNumberOfDiagnostics() const
+{
+  return static_cast<int>(this->Internal->Diagnostics.size());
+}
+
+bool vtkBoneDiagnostics::IsUsable() const
+{
+  return std::none_of(this->Internal->Diagnostics.begin(), this->Internal->Diagnostics.end(),
+    [](const bonedecimate::Diagnostic& diagnostic)
+    { return bonedecimate::InfoOf(diagnostic.Kind).Severity == bonedecimate::Severity::Rejected; });
+}
+
+std::string vtkBoneDiagnostics::GetWord(int diagnostic) const
+{
+  return this->Internal->InfoAt(diagnostic).Word;
+}
+
+std::string vtkBoneDiagnostics::GetSentence(int diagnostic) const
+{
+  return this->Internal->InfoAt(diagnostic).Sentence;
+}
+
+std::string vtkBoneDiagnostics::GetSeverity(int diagnostic) const
+{
+  return this->Internal->At(diagnostic)
+    ? bonedecimate::SeverityWord(this->Internal->InfoAt(diagnostic).Severity)
+    : "";
+}
+
+vtkIdType vtkBoneDiagnostics::GetCount(int diagnostic) const
+{
+  const bonedecimate::Diagnostic* found = this->Internal->At(diagnostic);
+  return found ? found->Count : 0;
+}
+
+double vtkBoneDiagnostics::GetLength(int diagnostic) const
+{
+  const bonedecimate::Diagnostic* found = this->Internal->At(diagnostic);
+  return found ? found->Length : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string vtkBoneDiagnostics::GetIdsOf(int diagnostic) const
+{
+  const std::string of = this->Internal->InfoAt(diagnostic).Of;
+  return of == "triangle" ? "cell" : of;
+}
+
+void vtkBoneDiagnostics::GetFirstIds(int diagnostic, vtkIdList* ids) const
+{
+  ids->Reset();
+  const bonedecimate::Diagnostic* found = this->Internal->At(diagnostic);
+  if (found)
+  {
+    std::for_each(found->First.begin(), found->First.end(),
+      [ids](bonedecimate::Index id) { ids->InsertNextId(id); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDiagnostics::SetNumberOfThreads(int threads)
+{
+  this->Internal->Rejected.SetOption(this, "NumberOfThreads", threads, this->NumberOfThreads);
+}
+
+std::string vtkBoneDiagnostics::GetRejectedValue(const std::string& property) const
+{
+  return this->Internal->Rejected.Of(property);
+}
+
+vtkMTimeType vtkBoneDiagnostics::GetMTime()
+{
+  return this->Internal->Rejected.MTime(this->Superclass::GetMTime());
+}
+
+//------------------------------------------------------------------------------
+int vtkBoneDiagnostics::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (this->Internal->Rejected.Report(this))
+  {
+    return 0;
+  }
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  const bonedecimate::ConvertedSurface converted =
+    bonedecimate::ToSurface(input, this->NumberOfThreads);
+  this->Internal->Diagnostics = bonedecimate::Diagnose(converted.Surface, this->NumberOfThreads);
+  for (bonedecimate::Diagnostic& diagnostic : this->Internal->Diagnostics)
+  {
+    bonedecimate::NameCells(converted, diagnostic);
+  }
+  vtkPolyData::GetData(outputVector)->ShallowCopy(input);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDiagnostics::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  for (int i = 0; i < this->GetNumberOfDiagnostics(); ++i)
+  {
+    os << indent << this->GetWord(i) << ": " << this->GetCount(i) << "\n";
+  }
+}

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Written by write_options.py from Documentation/options.md.
+#include "vtkBoneRunOptions.h"
+
+#include "RunState.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace
+{
+// clang-format off
+const char* const OptionNames[] = {
+  "Mode",
+  "TargetNumberOfTriangles",
+  "AllowLargeError",
+  "IntersectionGuard",
+  "MergePoints",
+  "NumberOfThreads",
+};
+// clang-format on
+}
+
+vtkBoneRunOptions::vtkBoneRunOptions() = default;
+
+vtkBoneRunOptions::~vtkBoneRunOptions() = default;
+
+void vtkBoneRunOptions::SetMode(int value)
+{
+  this->State->Set(this, "Mode", value);
+}
+
+int vtkBoneRunOptions::GetMode() const
+{
+  return static_cast<int>(this->State->Options.Mode);
+}
+
+void vtkBoneRunOptions::SetTargetNumberOfTriangles(int value)
+{
+  this->State->Set(this, "TargetNumberOfTriangles", value);
+}
+
+int vtkBoneRunOptions::GetTargetNumberOfTriangles() const
+{
+  return this->State->Options.TargetNumberOfTriangles;
+}
+
+void vtkBoneRunOptions::SetAllowLargeError(bool value)
+{
+  this->State->Set(this, "AllowLargeError", value);
+}
+
+bool vtkBoneRunOptions::GetAllowLargeError() const
+{
+  return this->State->Options.AllowLargeError;
+}
+
+void vtkBoneRunOptions::SetIntersectionGuard(bool value)
+{
+  this->State->Set(this, "IntersectionGuard", value);
+}
+
+bool vtkBoneRunOptions::GetIntersectionGuard() const
+{
+  return this->State->Options.IntersectionGuard;
+}
+
+void vtkBoneRunOptions::SetMergePoints(bool value)
+{
+  this->State->Set(this, "MergePoints", value);
+}
+
+bool vtkBoneRunOptions::GetMergePoints() const
+{
+  return this->State->Options.MergePoints;
+}
+
+void vtkBoneRunOptions::SetNumberOfThreads(int value)
+{
+  this->State->Set(this, "NumberOfThreads", value);
+}
+
+int vtkBoneRunOptions::GetNumberOfThreads() const
+{
+  return this->State->Options.NumberOfThreads;
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneRunOptions::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  for (const char* name : OptionNames)
+  {
+    this->State->PrintOption(os, indent, name);
+  }
+}
+
+bool vtkBoneRunOptions::HasOption(const std::string& name) const
+{
+  return std::find(std::begin(OptionNames), std::end(OptionNames), name) != std::end(OptionNames) ||
+    this->Superclass::HasOption(name);
+}

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBoneRunOptions
+ * @brief   options of every filter that runs a decimation
+ *
+ * Written by write_options.py from Documentation/options.md. A value outside its range is an error event, and so are NaN and
+ * infinity: the option keeps its value, and updates fail until it is set to a valid one.
+ *
+ * @sa vtkBoneDecimate
+ */
+#ifndef vtkBoneRunOptions_h
+#define vtkBoneRunOptions_h
+
+#include "vtkBoneDecimateAlgorithm.h"
+#include "vtkFiltersBoneDecimateModule.h" // for export macro
+
+#include <string> // for texts
+
+class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneRunOptions : public vtkBoneDecimateAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkBoneRunOptions, vtkBoneDecimateAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  bool HasOption(const std::string& name) const override;
+
+  /// Values of Mode.
+  enum Modes
+  {
+    THESIS = 0,
+    FAST = 1,
+    BALANCED = 2,
+    ACCURATE = 3
+  };
+
+  ///@{
+  /// Decimation mode. Thesis follows Brandao (2018). Fast orders edges by the change of the normals that a collapse causes, and
+  /// nearly preserves the volume. Balanced adds collapses ordered by sampled error, edge flips and vertex moves. Accurate does more
+  /// of these. Thesis continues until the number of triangles is reached and, with MaximumError, a new vertex lies beyond it; the
+  /// other modes stop at the first criterion that is met. One of Modes; default: BALANCED.
+  void SetMode(int value);
+  int GetMode() const;
+  void SetModeToThesis() { this->SetMode(THESIS); }
+  void SetModeToFast() { this->SetMode(FAST); }
+  void SetModeToBalanced() { this->SetMode(BALANCED); }
+  void SetModeToAccurate() { this->SetMode(ACCURATE); }
+  ///@}
+
+  ///@{
+  /// Number of triangles to reach. 0: off. Range: 0 to 2147483647 triangles; default: 0.
+  void SetTargetNumberOfTriangles(int value);
+  int GetTargetNumberOfTriangles() const;
+  ///@}
+
+  ///@{
+  /// Accept a largest error above a quarter of the diagonal of the input's bounding box. Without it such a run is rejected, because
+  /// the coordinates are probably not in millimeters. Default: off.
+  void SetAllowLargeError(bool value);
+  bool GetAllowLargeError() const;
+  vtkBooleanMacro(AllowLargeError, bool);
+  ///@}
+
+  ///@{
+  /// With MaximumError, except in Thesis mode: the number of intersecting pairs of triangles does not increase, and gaps between
+  /// fragments and between facing walls keep at least half of their width. Default: on.
+  void SetIntersectionGuard(bool value);
+  bool GetIntersectionGuard() const;
+  vtkBooleanMacro(IntersectionGuard, bool);
+  ///@}
+
+  ///@{
+  /// Merge points with exactly equal coordinates before the run. If off, triangles without common point ids belong to different
+  /// fragments. Default: on.
+  void SetMergePoints(bool value);
+  bool GetMergePoints() const;
+  vtkBooleanMacro(MergePoints, bool);
+  ///@}
+
+  ///@{
+  /// Number of threads. 0: one per processor. The result does not depend on it. Range: 0 to 1024 threads; default: 0.
+  void SetNumberOfThreads(int value);
+  int GetNumberOfThreads() const;
+  ///@}
+
+protected:
+  vtkBoneRunOptions();
+  ~vtkBoneRunOptions() override;
+
+private:
+  vtkBoneRunOptions(const vtkBoneRunOptions&) = delete;
+  void operator=(const vtkBoneRunOptions&) = delete;
+};
+
+#endif

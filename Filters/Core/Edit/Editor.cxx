@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editor.h"
+
+#include "Geometry/TriangleGeometry.h"
+#include "Intersections/IntersectionGuard.h"
+#include "Mesh/ManifoldPatches.h"
+#include "RingQuadrics.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+Editor::Editor(const CleanSurface& clean, const EditorSettings& settings)
+  : Editor(HalfEdgeMesh(clean.Surface, settings.Threads, clean.ManifoldPatches), clean, settings)
+{
+}
+
+//------------------------------------------------------------------------------
+Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSettings& settings,
+  const Monitor& monitor)
+  : Half(std::move(mesh))
+  , KeepsQuadrics(settings.KeepsQuadrics)
+  , Source(clean, settings.RecordsDistances)
+{
+  if (settings.KeepsAreas)
+  {
+    this->FaceGeometry.emplace(this->Half);
+  }
+  if (settings.KeepsQuadrics)
+  {
+    SumRingQuadrics(this->Half, settings.Threads);
+  }
+  const auto goesOn = [&monitor] { return !monitor || monitor(0.0); };
+  if (settings.RecordsDistances && goesOn())
+  {
+    this->Source.Tree(settings.Threads, goesOn);
+  }
+  if (settings.KeepsInitialMesh || settings.Bound)
+  {
+    this->First = std::make_unique<HalfEdgeMesh>(this->Half);
+  }
+  this->AddFilters(settings, monitor);
+  if (!settings.Tolerances.empty() && goesOn())
+  {
+    this->ConstrainedVertices = this->ConstrainVertices(settings.Tolerances);
+  }
+  if (settings.CollapsesFeatureCurves && goesOn())
+  {
+    this->Curves = std::make_unique<PatchBoundaries>(this->Half);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Filters read the mesh before vertices are constrained by tolerances.
+void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
+{
+  const int threads = settings.Threads;
+  const bool isAborted = monitor && !monitor(0.0);
+  this->Fragments = WithJoined(this->Source.AtFirst(),
+    [this](const Surface& joined) { return std::make_shared<FragmentGuard>(this->Half, joined); });
+  this->Filters.push_back(this->Fragments);
+  if (settings.Bound && !isAborted)
+  {
+    ErrorBoundSettings bound = *settings.Bound;
+    bound.Tolerances = settings.Tolerances.empty() ? nullptr : &settings.Tolerances;
+    this->Bound = std::make_shared<ErrorBound>(*this->First, this->Source.Tree(threads), bound);
+    this->Filters.push_back(this->Bound);
+  }
+  if (settings.Bound && settings.GuardsIntersections && !isAborted)
+  {
+    this->Filters.push_back(WithJoined(this->Source.AtFirst(),
+      [&](const Surface& joined)
+      {
+        return std::make_shared<IntersectionGuard>(
+          this->Half, joined, settings.Bound->Error, threads, monitor);
+      }));
+  }
+  this->Filters.insert(
+    this->Filters.end(), settings.MoreFilters.begin(), settings.MoreFilters.end());
+  if (settings.RecordsEdits)
+  {
+    this->Recorder = std::make_shared<EditRecorder>();
+    this->Filters.push_back(this->Recorder);
+  }
+  this->NeedsSurfaceChange = std::any_of(this->Filters.begin(), this->Filters.end(),
+    [](const std::shared_ptr<EditFilter>& filter) { return filter->NeedsSurfaceChange(); });
+}
+
+//------------------------------------------------------------------------------
+Index Editor::ConstrainVertices(const std::vector<double>& tolerances)
+{
+  const auto isConstrained = [&](Index v)
+  { return this->Bound ? !(this->Bound->LimitAt(v) > 0.0) : tolerances[v] == 0.0; };
+  for (Index face = 0; face < this->Half.NumberOfFaceSlots(); ++face)
+  {
+    const Triangle corners = this->Half.Corners(face);
+    if (std::any_of(corners.begin(), corners.end(), isConstrained))
+    {
+      std::for_each(corners.begin(), corners.end(), [this](Index v) { this->Half.Constrain(v); });
+    }
+  }
+  Index count = 0;
+  for (Index v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
+  {
+    count += isConstrained(v) && this->Half.OriginalVertex(v) == v ? 1 : 0;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+/// To where the point will be when it has been written; only then the error bound can be proved.
+Vector3 Editor::Rounded(const Vector3& position) const
+{
+  return this->Bound ? this->Bound->Rounded(position) : position;
+}
+
+//------------------------------------------------------------------------------
+/// Without its surface change.
+ProposedEdit& Editor::Propose(
+  const Edit& edit, Index vertex, double volumeChange, Workspace& work, int workers) const
+{
+  ProposedEdit& proposed = work.Proposed;
+  proposed.Requested = edit;
+  proposed.Vertex = vertex;
+  proposed.VolumeChange = volumeChange;
+  proposed.Range = work.Range;
+  proposed.Workers = workers;
+  proposed.Unsettled = &work.Counted.Volumes;
+  return proposed;
+}
+
+//------------------------------------------------------------------------------
+Decision Editor::RunFilters(Workspace& work) const
+{
+  if (work.Pending.empty())
+  {
+    for (const std::shared_ptr<EditFilter>& filter : this->Filters)
+    {
+      work.Pending.push_back(filter->MakePending());
+    }
+  }
+  Decision decision = Decision::Accept();
+  for (std::size_t i = 0; i < this->Filters.size() && decision.IsAccepted(); ++i)
+  {
+    decision = this->Filters[i]->Screen(this->Half, work.Proposed, *work.Pending[i]);
+  }
+  for (std::size_t i = 0; i < this->Filters.size() && decision.IsAccepted(); ++i)
+  {
+    decision = this->Filters[i]->Check(this->Half, work.Proposed, *work.Pending[i]);
+  }
+  return decision;
+}
+
+//------------------------------------------------------------------------------
+/// Of the edit that all filters accepted and that has been applied to the mesh.
+void Editor::Commit(Workspace& work)
+{
+  for (std::size_t i = 0; i < this->Filters.size(); ++i)
+  {
+    this->Filters[i]->Commit(this->Half, work.Proposed, *work.Pending[i], work.Counted);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Editor::KeepFirstNormal(Index face)
+{
+  const Triangle c = this->Half.Corners(face);
+  this->Half.KeepFirstNormal(face,
+    AreaVector(this->Half.Position(c[0]), this->Half.Position(c[1]), this->Half.Position(c[2])));
+}
+
+//------------------------------------------------------------------------------
+void Editor::Settle(Tally& tally)
+{
+  this->SettleAll(&tally, 1);
+}
+
+//------------------------------------------------------------------------------
+void Editor::Settle(std::vector<Tally>& tallies)
+{
+  this->SettleAll(tallies.data(), tallies.size());
+}
+
+//------------------------------------------------------------------------------
+/// Lists in a tally keep their memory.
+void Editor::SettleAll(Tally* tallies, std::size_t count)
+{
+  for (const std::shared_ptr<EditFilter>& filter : this->Filters)
+  {
+    filter->Settle(tallies, count);
+  }
+  for (Tally* tally = tallies; tally != tallies + count; ++tally)
+  {
+    this->Half.CountRemovedFaces(tally->RemovedFaces);
+    this->Edits += tally->Edits;
+    for (std::size_t i = 0; i < NumberOfRejections; ++i)
+    {
+      this->RejectionCounts[i] += tally->Rejections[i];
+    }
+    tally->Rejections.fill(0);
+    tally->Edits = 0;
+    tally->RemovedFaces = 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void Editor::BeginSmallEdits()
+{
+  if (this->Recorder)
+  {
+    this->Recorder->BeginPatch(this->Half);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Editor::EndSmallEdits()
+{
+  if (this->Recorder)
+  {
+    this->Recorder->EndPatch(this->Half);
+  }
+}
+}

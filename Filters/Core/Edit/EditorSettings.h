@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file EditorSettings.h
+ * @brief What an editor keeps, guarantees and leaves alone: all of it is set when the editor is constructed.
+ */
+#ifndef BoneDecimate_Core_Edit_EditorSettings_h
+#define BoneDecimate_Core_Edit_EditorSettings_h
+
+#include "EditFilters/EditFilter.h"
+#include "ErrorBound/ErrorBound.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace bonedecimate
+{
+struct EditorSettings
+{
+  /// Whether the distance of every new vertex to the original is recorded: the error of mode Thesis.
+  bool RecordsDistances = true;
+  bool KeepsAreas = true;     ///< Area and normal of each face.
+  bool KeepsQuadrics = false; ///< RingQuadrics.h: the Quadric of each vertex record.
+  bool KeepsInitialMesh =
+    false; ///< A copy of the mesh before the first edit; an error bound keeps one too.
+  bool RecordsEdits = false; ///< Editor::TakeLog. Not together with CollapsesFeatureCurves.
+  bool CollapsesFeatureCurves =
+    false; ///< Curves between manifold patches may be collapsed along themselves.
+  /// Whether edits are rejected that let triangles intersect or narrow a gap; only with a Bound of finite Error.
+  bool GuardsIntersections = false;
+  /// The error bound that every edit keeps; none: edits are not limited. Its Tolerances are those below.
+  std::optional<ErrorBoundSettings> Bound = {};
+  /// mm, of each vertex of the mesh; negative: none of its own. A vertex of tolerance 0, or of one too small to be proved, is
+  /// constrained, and so are the corners of its faces. Empty: no vertex has a tolerance.
+  std::vector<double> Tolerances = {};
+  /// Run after the editor's own filters.
+  std::vector<std::shared_ptr<EditFilter>> MoreFilters = {};
+  int Threads = 1; ///< For the construction.
+};
+}
+
+#endif

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PatchRules.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Whether isSo holds for the vertex or one of its duplicates.
+template <typename IsSo>
+bool IsAnyDuplicate(const HalfEdgeMesh& mesh, Index v, const IsSo& isSo)
+{
+  Index duplicate = v;
+  do
+  {
+    if (isSo(duplicate))
+    {
+      return true;
+    }
+    duplicate = mesh.NextDuplicate(duplicate);
+  } while (duplicate != v);
+  return false;
+}
+
+bool HasDuplicates(const HalfEdgeMesh& mesh, Index v)
+{
+  return mesh.NextDuplicate(v) != v;
+}
+
+/// Of a vertex with duplicates: only their rings are read here.
+bool IsOutOfRange(const HalfEdgeMesh& mesh, Index v, VertexRange range)
+{
+  return HasDuplicates(mesh, v) &&
+    IsAnyDuplicate(mesh, v, [&](Index duplicate) { return !range.Contains(duplicate); });
+}
+
+/// Whether an edge leads from a duplicate of a to a duplicate of b, or both are duplicates of one original vertex.
+bool AreJoined(const HalfEdgeMesh& mesh, Index a, Index b)
+{
+  const Index site = mesh.OriginalVertex(b);
+  return mesh.OriginalVertex(a) == site ||
+    IsAnyDuplicate(mesh, a,
+      [&](Index duplicate)
+      {
+        bool joined =
+          mesh.Constraint(duplicate) == VertexConstraint::NonManifold; // its ring cannot be walked
+        for (Index h = joined ? None : mesh.Outgoing(duplicate), first = h; h != None && !joined;)
+        {
+          const Index back = HalfEdgeMesh::Previous(h);
+          joined = mesh.OriginalVertex(mesh.Target(h)) == site ||
+            mesh.OriginalVertex(mesh.Origin(back)) == site;
+          h = mesh.Twin(back) == first ? None : mesh.Twin(back);
+        }
+        return joined;
+      });
+}
+
+/// Whether there is one face alone at it.
+bool IsEar(const HalfEdgeMesh& mesh, Index v)
+{
+  int edges = 0;
+  mesh.VisitEdges(v, [&edges](Index) { ++edges; });
+  return edges == 2;
+}
+
+/// Whether an end is stationary and the only face at it is removed: another of its open lines would be left without
+/// the edge that it
+/// has there, and with it what that edge proves.
+bool LosesEar(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around)
+{
+  const auto isEar = [&](Index v) { return mesh.IsStationary(v) && IsEar(mesh, v); };
+  return isEar(around.Start) || isEar(around.End);
+}
+
+/// The merged vertex gets the edges of both ends: whether any of those of one is there already, between other duplicates or
+/// from the other end to another duplicate.
+/// @param exempt An original vertex to which there is one that is removed; None: none.
+bool JoinsPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Index exempt)
+{
+  const auto endAt = [&](std::size_t i)
+  { return i < around.Corners.size() ? mesh.Origin(around.Corners[i]) : around.BoundaryEnds[1]; };
+  for (std::size_t i = 0; i < around.Ring.size(); ++i)
+  {
+    const Index v = around.Ring[i];
+    const Index end = endAt(i);
+    const Index other = end == around.Start ? around.End : around.Start;
+    const bool isKnown =
+      v == around.Apexes[0] || v == around.Apexes[1] || mesh.OriginalVertex(v) == exempt;
+    bool joins = HasDuplicates(mesh, other) && !isKnown && AreJoined(mesh, other, v);
+    for (std::size_t k = 0; k < i && HasDuplicates(mesh, v) && !joins; ++k)
+    {
+      const bool wereJoined = endAt(k) == end && HasDuplicates(mesh, end);
+      joins = mesh.OriginalVertex(around.Ring[k]) == mesh.OriginalVertex(v) && !wereJoined;
+    }
+    if (joins)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+//------------------------------------------------------------------------------
+Decision CheckPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, VertexRange range)
+{
+  const auto isOut = [&](Index v) { return IsOutOfRange(mesh, v, range); };
+  if (isOut(around.Start) || isOut(around.End) ||
+    std::any_of(around.Ring.begin(), around.Ring.end(), isOut))
+  {
+    return Decision::Defer();
+  }
+  return LosesEar(mesh, around)        ? Rejection::Boundary
+    : JoinsPatches(mesh, around, None) ? Rejection::LinkCondition
+                                       : Rejection::NotRejected;
+}
+
+//------------------------------------------------------------------------------
+/// A single face at the removed vertex, with two edges of the curve, is removed with it: its third edge joins the curve.
+Rejection CheckPatchBoundary(
+  const HalfEdgeMesh& mesh, const std::vector<const EdgeNeighborhood*>& patches, Index gone)
+{
+  Index third = None; // the original vertex at the end of such an edge
+  for (const EdgeNeighborhood* around : patches)
+  {
+    const bool startGoes = mesh.OriginalVertex(around->Start) == gone;
+    if (IsEar(mesh, startGoes ? around->End : around->Start))
+    {
+      return Rejection::Boundary;
+    }
+    third = IsEar(mesh, startGoes ? around->Start : around->End)
+      ? mesh.OriginalVertex(around->Apexes[0])
+      : third;
+  }
+  const bool joins = std::any_of(patches.begin(), patches.end(),
+    [&](const EdgeNeighborhood* around) { return JoinsPatches(mesh, *around, third); });
+  return joins ? Rejection::LinkCondition : Rejection::NotRejected;
+}
+
+//------------------------------------------------------------------------------
+Decision CheckNewEdge(const HalfEdgeMesh& mesh, Index a, Index b, VertexRange range)
+{
+  if (IsOutOfRange(mesh, a, range) || IsOutOfRange(mesh, b, range))
+  {
+    return Decision::Defer();
+  }
+  const bool areJoined = (HasDuplicates(mesh, a) && AreJoined(mesh, a, b)) ||
+    (HasDuplicates(mesh, b) && AreJoined(mesh, b, a));
+  return areJoined ? Rejection::LinkCondition : Rejection::NotRejected;
+}
+}

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file EditFilter.h
+ * @brief Decides whether an edit is applied, after the rules of its kind and before the mesh changes.
+ *
+ *     for each filter:   Screen    cheap
+ *     for each filter:   Check     costly
+ *     the first decision other than accepted ends this, and nothing has changed
+ *     the editor changes the mesh
+ *     for each filter:   Commit
+ *     later:             Settle    one worker's commits, or those of workers that worked at the same time
+ *
+ * The order of the filters is part of the result: an edit is rejected for the first reason found.
+ *
+ * Several workers call Screen, Check and Commit at the same time, each with a Pending of its own and on a part of the mesh of
+ * its own. A filter that would have to read another part defers the edit.
+ */
+#ifndef BoneDecimate_Core_EditFilters_EditFilter_h
+#define BoneDecimate_Core_EditFilters_EditFilter_h
+
+#include "Decision.h"
+#include "Mesh/HalfEdgeMesh.h"
+#include "ProposedEdit.h"
+
+#include <memory>
+
+namespace bonedecimate
+{
+class EditFilter
+{
+public:
+  /// What a filter found out about the edit that one worker proposed last: what Commit needs, and memory to work with.
+  class Pending
+  {
+  public:
+    virtual ~Pending() = default;
+  };
+
+  virtual ~EditFilter() = default;
+
+  /// For one worker; called by several threads.
+  virtual std::shared_ptr<Pending> MakePending() { return std::make_shared<Pending>(); }
+
+  /// Whether ProposedEdit::Change has to be filled.
+  virtual bool NeedsSurfaceChange() const { return false; }
+
+  /// What is decided at little cost.  @param mesh Before the edit.
+  virtual Decision Screen(
+    const HalfEdgeMesh& /*mesh*/, const ProposedEdit& /*edit*/, Pending& /*pending*/) const
+  {
+    return Decision::Accept();
+  }
+
+  /// What Screen does not decide.  @param mesh Before the edit.
+  virtual Decision Check(
+    const HalfEdgeMesh& /*mesh*/, const ProposedEdit& /*edit*/, Pending& /*pending*/) const
+  {
+    return Decision::Accept();
+  }
+
+  /// Takes over the edit that all filters accepted.  @param mesh After the edit.  @param tally Of the worker.
+  virtual void Commit(const HalfEdgeMesh& /*mesh*/, const ProposedEdit& /*edit*/,
+    Pending& /*pending*/, Tally& /*tally*/)
+  {
+  }
+
+  /// Takes over its part of the tallies, in an order that does not depend on the threads; no worker is active.
+  virtual void Settle(Tally* /*tallies*/, std::size_t /*count*/) {}
+};
+}
+
+#endif

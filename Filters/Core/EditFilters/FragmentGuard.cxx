@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FragmentGuard.h"
+
+#include "Geometry/TriangleGeometry.h"
+#include "Mesh/Statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bonedecimate
+{
+namespace
+{
+/// A closed fragment keeps at least this part of its volume.
+constexpr double LeastVolumeRatio = 0.25;
+/// A vertex is edited by its own move and by flips of its edges: about three edges a vertex, and a margin.
+constexpr double EditsOfVertex = 8.0;
+}
+
+FragmentGuard::FragmentGuard(const HalfEdgeMesh& mesh, const Surface& joined)
+{
+  Components components = FindComponents(joined);
+  this->OfVertex = std::move(components.OfPoint);
+  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    this->OfVertex[v] = this->OfVertex[mesh.OriginalVertex(v)];
+  }
+  this->Volumes.resize(static_cast<std::size_t>(components.Count));
+  const std::vector<double> volumes = this->Measure(mesh);
+  for (std::size_t i = 0; i < volumes.size(); ++i)
+  {
+    this->Volumes[i].AtFirst = volumes[i];
+    this->Volumes[i].Now = volumes[i];
+  }
+  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    if (!mesh.MovesFreely(v))
+    {
+      this->Volumes[this->OfVertex[v]].IsClosed = false;
+    }
+  }
+}
+
+/// Each about a point of its own, so that a small fragment far from the origin keeps its digits. mm^3
+std::vector<double> FragmentGuard::Measure(const HalfEdgeMesh& mesh) const
+{
+  std::vector<double> volumes(this->Volumes.size(), 0.0);
+  std::vector<Index> anchor(this->Volumes.size(), None);
+  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    if (!mesh.IsAlive(face))
+    {
+      continue;
+    }
+    const Triangle c = mesh.Corners(face);
+    const Index fragment = this->OfVertex[c[0]];
+    anchor[fragment] = anchor[fragment] == None ? c[0] : anchor[fragment];
+    const Vector3& corner = mesh.Position(c[0]);
+    volumes[fragment] += AreaVector(corner, mesh.Position(c[1]), mesh.Position(c[2]))
+                           .dot(corner - mesh.Position(anchor[fragment])) /
+      3.0;
+  }
+  return volumes;
+}
+
+//------------------------------------------------------------------------------
+void FragmentGuard::DistributeBudget(const HalfEdgeMesh& mesh)
+{
+  std::vector<Index> vertices(this->Volumes.size(), 0);
+  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    vertices[this->OfVertex[v]] += mesh.Outgoing(v) != None ? 1 : 0;
+  }
+  const std::vector<double> volumes = this->Measure(mesh);
+  for (std::size_t i = 0; i < volumes.size(); ++i)
+  {
+    Volume& volume = this->Volumes[i];
+    volume.Now = volumes[i];
+    const double left = std::abs(volume.Now) - LeastVolumeRatio * std::abs(volume.AtFirst);
+    volume.Budget = std::max(0.0, left) / (EditsOfVertex * std::max(1, vertices[i]));
+  }
+}
+
+//------------------------------------------------------------------------------
+bool FragmentGuard::BudgetAllows(const ProposedEdit& edit) const
+{
+  const Volume& volume = this->Volumes[this->OfVertex[edit.Vertex]];
+  const double gain = volume.AtFirst < 0.0 ? -edit.VolumeChange : edit.VolumeChange;
+  return !volume.IsClosed || volume.AtFirst == 0.0 || gain >= -volume.Budget;
+}
+
+//------------------------------------------------------------------------------
+/// What may still be lost is divided evenly among workers that do not know each other's changes.
+bool FragmentGuard::MayChange(const ProposedEdit& edit, int workers) const
+{
+  const Index component = this->OfVertex[edit.Vertex];
+  const Volume& volume = this->Volumes[component];
+  if (!volume.IsClosed || volume.AtFirst == 0.0)
+  {
+    return true;
+  }
+  const double change = edit.VolumeChange / volume.AtFirst;
+  if (change >= 0.0)
+  {
+    return true;
+  }
+  const double spare = (volume.Now / volume.AtFirst - LeastVolumeRatio) / workers;
+  return spare + edit.Unsettled->Of(component) / volume.AtFirst + change >= 0.0;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<EditFilter::Pending> FragmentGuard::MakePending()
+{
+  return std::make_shared<Pending>();
+}
+
+//------------------------------------------------------------------------------
+/// Half of what flips and moves may take away is in the budgets of the vertices.
+Decision FragmentGuard::Screen(
+  const HalfEdgeMesh&, const ProposedEdit& edit, EditFilter::Pending& pending) const
+{
+  const bool isCollapse = edit.Requested.Kind == EditKind::Collapse;
+  const bool exceeds = isCollapse || !this->BudgetAllows(edit);
+  static_cast<Pending&>(pending).ExceedsBudget = exceeds;
+  const int workers = isCollapse ? edit.Workers : 2 * edit.Workers;
+  return exceeds && !this->MayChange(edit, workers) ? Rejection::Fragment : Rejection::NotRejected;
+}
+
+//------------------------------------------------------------------------------
+void FragmentGuard::Commit(
+  const HalfEdgeMesh&, const ProposedEdit& edit, EditFilter::Pending& pending, Tally& tally)
+{
+  if (static_cast<Pending&>(pending).ExceedsBudget)
+  {
+    tally.Volumes.Add(this->OfVertex[edit.Vertex], edit.VolumeChange);
+  }
+}
+
+//------------------------------------------------------------------------------
+void FragmentGuard::Settle(Tally* tallies, std::size_t count)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    for (const FragmentVolumes::Change& change : tallies[i].Volumes.Changes())
+    {
+      this->Volumes[change.Component].Now += change.Volume;
+    }
+    tallies[i].Volumes.Clear();
+  }
+}
+}

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FragmentGuard.h
+ * @brief Keeps a quarter of the volume of every closed component, so that none is flattened or turned inside out.
+ *
+ *     collapse:       rejected if the component, with what the worker has not settled yet, would lose too much
+ *     flip, move:     allowed within the volume budget of the vertex, which needs no bookkeeping; beyond it as a collapse
+ */
+#ifndef BoneDecimate_Core_EditFilters_FragmentGuard_h
+#define BoneDecimate_Core_EditFilters_FragmentGuard_h
+
+#include "EditFilter.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+class FragmentGuard : public EditFilter
+{
+public:
+  /// @param joined The surface of the mesh, its manifold patches joined.
+  FragmentGuard(const HalfEdgeMesh& mesh, const Surface& joined);
+
+  std::shared_ptr<EditFilter::Pending> MakePending() override;
+  Decision Screen(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
+    EditFilter::Pending& pending) const override;
+  void Commit(const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending,
+    Tally& tally) override;
+  void Settle(Tally* tallies, std::size_t count) override;
+
+  /// The number of components.
+  Index Count() const { return static_cast<Index>(this->Volumes.size()); }
+
+  /// Measures all volumes and divides what closed components may still lose among their vertices, so that vertices may be
+  /// edited at the same time without the changes of other workers.
+  void DistributeBudget(const HalfEdgeMesh& mesh);
+
+private:
+  struct Pending : public EditFilter::Pending
+  {
+    bool ExceedsBudget = false;
+  };
+  struct Volume
+  {
+    double AtFirst = 0.0; // mm^3, signed
+    double Now = 0.0;
+    double Budget = 0.0; // mm^3, what an edit of one vertex may take away
+    bool IsClosed = true;
+  };
+  std::vector<double> Measure(const HalfEdgeMesh& mesh) const;
+  bool MayChange(const ProposedEdit& edit, int workers) const;
+  bool BudgetAllows(const ProposedEdit& edit) const;
+
+  std::vector<Index> OfVertex;
+  std::vector<Volume> Volumes;
+};
+}
+
+#endif

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceChange.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+void SurfaceChange::Clear()
+{
+  this->OldFaces.clear();
+  this->NewFaces.clear();
+  this->OldBoundary.clear();
+  this->NewBoundary.clear();
+  this->BoundaryStays = false;
+  this->Moved = None;
+}
+
+//------------------------------------------------------------------------------
+/// With its boundary edges at one of the two vertices.
+void SurfaceChange::AddOld(const HalfEdgeMesh& mesh, Index face, Index at, Index orAt)
+{
+  this->OldFaces.push_back(face);
+  for (Index corner = 0; corner < 3; ++corner)
+  {
+    const Index h = HalfEdgeMesh::HalfEdge(face, corner);
+    const Index from = mesh.Origin(h);
+    const Index to = mesh.Target(h);
+    if (mesh.Twin(h) == None && (from == at || from == orAt || to == at || to == orAt))
+    {
+      this->OldBoundary.push_back(h);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void SurfaceChange::FillCollapse(
+  const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit)
+{
+  this->Clear();
+  this->Ends = { around.Start, around.End };
+  this->Moved = edit.Keep;
+  this->Position = edit.Position;
+  this->AddCollapse(mesh, around, edit);
+}
+
+//------------------------------------------------------------------------------
+void SurfaceChange::AddCollapse(
+  const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit)
+{
+  const std::size_t count = around.Corners.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Index face = HalfEdgeMesh::Face(around.Corners[i]);
+    const Index second = around.Ring[i];
+    const Index third = around.Ring[(i + 1) % around.Ring.size()];
+    this->AddOld(mesh, face, around.Start, around.End);
+    this->NewFaces.push_back({ face, { edit.Keep, second, third },
+      { edit.Position, mesh.Position(second), mesh.Position(third) } });
+  }
+  for (Index i = 0; i < around.NumberOfGoneFaces; ++i)
+  {
+    this->AddOld(mesh, around.GoneFaces[i], around.Start, around.End);
+  }
+  if (around.IsOpen)
+  {
+    this->AddBoundary(mesh, around, edit);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Different curves may meet in a stationary vertex. There, an edge may only replace an edge of the same curve.
+void SurfaceChange::AddBoundary(
+  const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit)
+{
+  const bool keepIsStationary = mesh.IsStationary(edit.Keep);
+  const Index gone = edit.Keep == around.Start ? around.End : around.Start;
+  const auto onLine = [&](Index v) {
+    return !mesh.IsStationary(v) ? v : keepIsStationary ? gone : edit.Keep;
+  };
+  this->BoundaryStays = keepIsStationary && !around.IsBoundaryEdge();
+  std::array<BoundaryEdge, 2> edges;
+  edges[0] = { around.Corners.front(), { edit.Keep, around.Ring.front() },
+    { edit.Position, mesh.Position(around.Ring.front()) } };
+  edges[1] = { HalfEdgeMesh::Previous(around.Corners.back()), { around.Ring.back(), edit.Keep },
+    { mesh.Position(around.Ring.back()), edit.Position } };
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    BoundaryEdge& edge = edges[i];
+    edge.OnLine = { onLine(edge.Vertices[0]), onLine(edge.Vertices[1]) };
+    const auto old = std::find_if(this->OldBoundary.begin(), this->OldBoundary.end(),
+      [&](Index h) {
+        return i == 0 ? mesh.Target(h) == around.Ring.front()
+                      : mesh.Origin(h) == around.Ring.back();
+      });
+    if (this->BoundaryStays)
+    {
+      edge.Replaces = *old;
+    }
+    if (keepIsStationary && !this->BoundaryStays && around.BoundaryEnds[i] == edit.Keep)
+    {
+      this->OldBoundary.erase(old); // that of the stationary vertex's other line
+    }
+    else
+    {
+      this->NewBoundary.push_back(edge);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void SurfaceChange::FillMove(const HalfEdgeMesh& mesh, const Edit& edit)
+{
+  this->Clear();
+  this->Ends = { edit.Keep, edit.Keep };
+  this->Moved = edit.Keep;
+  this->Position = edit.Position;
+  for (const Index h : mesh.OutgoingOf(edit.Keep))
+  {
+    const Index face = HalfEdgeMesh::Face(h);
+    const Index second = mesh.Target(h);
+    const Index third = mesh.Origin(HalfEdgeMesh::Previous(h));
+    this->AddOld(mesh, face, edit.Keep, edit.Keep);
+    this->NewFaces.push_back({ face, { edit.Keep, second, third },
+      { edit.Position, mesh.Position(second), mesh.Position(third) } });
+  }
+  for (const Index h : this->OldBoundary)
+  {
+    const Index from = mesh.Origin(h);
+    const Index to = mesh.Target(h);
+    const auto onLine = [&](Index v) { return mesh.IsStationary(v) ? edit.Keep : v; };
+    const auto position = [&](Index v)
+    { return v == edit.Keep ? edit.Position : mesh.Position(v); };
+    this->NewBoundary.push_back(
+      { h, { from, to }, { position(from), position(to) }, None, { onLine(from), onLine(to) } });
+  }
+}
+
+//------------------------------------------------------------------------------
+void SurfaceChange::FillFlip(const HalfEdgeMesh& mesh, const Edit& edit)
+{
+  this->Clear();
+  const Index h = edit.Edge;
+  const Index twin = mesh.Twin(h);
+  const Index a = mesh.Origin(h);
+  const Index b = mesh.Origin(twin);
+  const Index c = mesh.Origin(HalfEdgeMesh::Previous(h));
+  const Index d = mesh.Origin(HalfEdgeMesh::Previous(twin));
+  this->Ends = { a, b };
+  this->AddOld(mesh, HalfEdgeMesh::Face(h), a, b);
+  this->AddOld(mesh, HalfEdgeMesh::Face(twin), a, b);
+  const auto add = [&](Index face, const Triangle& v)
+  {
+    this->NewFaces.push_back(
+      { face, v, { mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]) } });
+  };
+  add(HalfEdgeMesh::Face(h), { d, c, a });
+  add(HalfEdgeMesh::Face(twin), { c, d, b });
+  this->BoundaryStays = true;
+  const auto moveBoundary = [&](Index from, Index to)
+  {
+    if (mesh.Twin(from) == None)
+    {
+      const std::array<Index, 2> v = { mesh.Origin(from), mesh.Target(from) };
+      this->NewBoundary.push_back({ to, v, { mesh.Position(v[0]), mesh.Position(v[1]) }, from, v });
+    }
+  };
+  moveBoundary(HalfEdgeMesh::Next(h), HalfEdgeMesh::Previous(twin));
+  moveBoundary(HalfEdgeMesh::Previous(h), HalfEdgeMesh::Next(h));
+  moveBoundary(HalfEdgeMesh::Next(twin), HalfEdgeMesh::Previous(h));
+  moveBoundary(HalfEdgeMesh::Previous(twin), HalfEdgeMesh::Next(twin));
+}
+}

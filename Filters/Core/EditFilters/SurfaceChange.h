@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfaceChange.h
+ * @brief An edit as the faces and boundary edges that it removes and those that replace them.
+ */
+#ifndef BoneDecimate_Core_EditFilters_SurfaceChange_h
+#define BoneDecimate_Core_EditFilters_SurfaceChange_h
+
+#include "Mesh/EdgeNeighborhood.h"
+#include "Mesh/Edit.h"
+#include "Mesh/HalfEdgeMesh.h"
+
+#include <array>
+#include <vector>
+
+namespace bonedecimate
+{
+struct SurfaceChange
+{
+  struct Face
+  {
+    Index Id;
+    Triangle Vertices;
+    std::array<Vector3, 3> Corners; // mm from the local origin
+  };
+  struct BoundaryEdge
+  {
+    Index Id; // of its half-edge, after the edit
+    std::array<Index, 2> Vertices;
+    std::array<Vector3, 2> Ends;
+    Index Replaces = None; ///< If BoundaryStays: the old half-edge at the same position.
+    /// Vertices near the ends that lie on this line alone: stationary ones are replaced by one that is not.
+    std::array<Index, 2> OnLine = { None, None };
+  };
+
+  std::vector<Index> OldFaces;
+  std::vector<Face> NewFaces; // their ids are among the old ones
+  std::vector<Index> OldBoundary;
+  std::vector<BoundaryEdge> NewBoundary;
+  bool BoundaryStays = false; ///< The boundary's edges keep their positions and only change faces.
+  std::array<Index, 2> Ends = { None, None }; ///< Vertices whose faces change all.
+  Index Moved = None;                         ///< The vertex that is new or moves; None if none is.
+  Vector3 Position = Vector3::Zero();
+
+  /// @param around Of the edge to collapse.
+  void FillCollapse(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit);
+  /// The same edge in one more manifold patch: all of them end at one original vertex.
+  void AddCollapse(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit);
+  void FillMove(const HalfEdgeMesh& mesh, const Edit& edit);
+  /// The mesh must turn the edge as HalfEdgeMesh::Flip says.
+  void FillFlip(const HalfEdgeMesh& mesh, const Edit& edit);
+
+private:
+  void Clear();
+  void AddOld(const HalfEdgeMesh& mesh, Index face, Index at, Index orAt);
+  void AddBoundary(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit);
+};
+}
+
+#endif

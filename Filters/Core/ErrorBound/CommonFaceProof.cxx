@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CommonFaceProof.h"
+
+#include "ErrorLimits.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Of a triangle's angle: sharper ones have no plane worth the name, only sides.
+constexpr double LeastSquaredSine = 1e-18;
+/// Splits nearer to an end of the edge than this fraction gain too little.
+constexpr double LeastFraction = 0.02;
+
+/// Of a weight: nearer to zero, a point is on the side of the face.
+constexpr double OnSide = 1e-9;
+
+/// Where a weight that falls from the first to the second value reaches zero; 1 if it ends inside, wherever it began.
+double ZeroOf(double first, double second)
+{
+  return second >= -OnSide ? 1.0 : first > 0.0 ? first / (first - second) : 0.0;
+}
+}
+
+CommonFaceProof::CommonFaceProof()
+  : Compute(BestKernels())
+{
+}
+
+//------------------------------------------------------------------------------
+void CommonFaceProof::AddCandidate(const std::array<Vector3, 3>& corners, double most)
+{
+  const Vector3 ab = corners[1] - corners[0];
+  const Vector3 ac = corners[2] - corners[0];
+  const double bb = ab.squaredNorm();
+  const double bc = ab.dot(ac);
+  const double cc = ac.squaredNorm();
+  const double determinant = bb * cc - bc * bc;
+  const std::array<double, 3> squared = { bb, cc, bb + cc - 2.0 * bc };
+  TriangleBatch& batch = this->Candidates[this->Count / TriangleBatch::Size];
+  const std::size_t from = this->Count % TriangleBatch::Size;
+  for (std::size_t lane = from; lane < TriangleBatch::Size; ++lane) // the free ones repeat it
+  {
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+    {
+      batch.A[axis][lane] = corners[0][axis];
+      batch.AB[axis][lane] = ab[axis];
+      batch.AC[axis][lane] = ac[axis];
+      batch.PerSquared[axis][lane] = squared[axis] > 0.0 ? 1.0 / squared[axis] : 0.0;
+    }
+    batch.Bb[lane] = bb;
+    batch.Bc[lane] = bc;
+    batch.Cc[lane] = cc;
+    batch.PerDeterminant[lane] = determinant > LeastSquaredSine * bb * cc ? 1.0 / determinant : 0.0;
+  }
+  this->Most[this->Count++] = most;
+}
+
+//------------------------------------------------------------------------------
+CommonFaceProof::Faces CommonFaceProof::FacesNear(const Vector3& p, double limit)
+{
+  const std::size_t batches = (this->Count + TriangleBatch::Size - 1) / TriangleBatch::Size;
+  this->Compute.ReachTriangles(
+    this->Candidates.data(), static_cast<int>(batches), p.data(), this->Squared.data());
+  Faces near = 0;
+  for (std::size_t i = 0; i < this->Count; ++i)
+  {
+    const double most = std::min(limit, this->Most[i]);
+    near |= Faces(this->Squared[i] <= most * most ? 1 : 0) << i;
+  }
+  return near;
+}
+
+//------------------------------------------------------------------------------
+/// Of the foot of p on the plane, inside or out.
+std::array<double, 3> CommonFaceProof::Weights(std::size_t candidate, const Vector3& p) const
+{
+  const TriangleBatch& batch = this->Candidates[candidate / TriangleBatch::Size];
+  const std::size_t i = candidate % TriangleBatch::Size;
+  double pb = 0.0;
+  double pc = 0.0;
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+  {
+    pb += batch.AB[axis][i] * (p[axis] - batch.A[axis][i]);
+    pc += batch.AC[axis][i] * (p[axis] - batch.A[axis][i]);
+  }
+  const double b = (batch.Cc[i] * pb - batch.Bc[i] * pc) * batch.PerDeterminant[i];
+  const double c = (batch.Bb[i] * pc - batch.Bc[i] * pb) * batch.PerDeterminant[i];
+  return { 1.0 - b - c, b, c };
+}
+
+//------------------------------------------------------------------------------
+CommonFaceResult CommonFaceProof::Prove(const Piece& whole, Faces& used, std::size_t mostPieces)
+{
+  if (std::any_of(
+        whole.begin(), whole.end(), [this](const Corner& corner) { return this->IsFar(corner); }))
+  {
+    return CommonFaceResult::TooFar;
+  }
+  this->Open.assign(1, whole);
+  for (std::size_t at = 0; at < this->Open.size(); ++at)
+  {
+    const Piece piece = this->Open[at];
+    const Faces shared = piece[0].Near & piece[1].Near & piece[2].Near;
+    if (shared == 0 && this->Open.size() + 2 > mostPieces)
+    {
+      return CommonFaceResult::Unknown;
+    }
+    if (shared == 0 && !this->Split(piece))
+    {
+      return CommonFaceResult::TooFar;
+    }
+    if ((shared & used) == 0)
+    {
+      used |= shared & (~shared + 1); // the lowest, if any
+    }
+  }
+  return CommonFaceResult::Proved;
+}
+
+//------------------------------------------------------------------------------
+bool CommonFaceProof::IsFar(const Corner& corner)
+{
+  if (corner.Near == 0)
+  {
+    this->Far = corner.Position;
+  }
+  return corner.Near == 0;
+}
+
+//------------------------------------------------------------------------------
+/// Adds both halves to the open pieces; false if no candidate is near the point between them.
+bool CommonFaceProof::Split(const Piece& piece)
+{
+  std::size_t edge = 0;
+  bool edgeHasCommon = true;
+  double longest = -1.0; // mm^2, of the edges without a shared face, if there are any
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const Corner& from = piece[i];
+    const Corner& to = piece[(i + 1) % 3];
+    const bool hasCommon = (from.Near & to.Near) != 0;
+    const double length = (to.Position - from.Position).squaredNorm();
+    if ((edgeHasCommon && !hasCommon) || (hasCommon == edgeHasCommon && length > longest))
+    {
+      edge = i;
+      edgeHasCommon = hasCommon;
+      longest = length;
+    }
+  }
+  const double at = edgeHasCommon ? 0.5 : this->ExitFraction(piece[edge], piece[(edge + 1) % 3]);
+  const Corner middle = this->Between(piece[edge], piece[(edge + 1) % 3], at);
+  if (this->IsFar(middle))
+  {
+    return false;
+  }
+  this->Open.push_back(piece);
+  this->Open.back()[(edge + 1) % 3] = middle;
+  this->Open.push_back(piece);
+  this->Open.back()[edge] = middle;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+CommonFaceProof::Corner CommonFaceProof::Between(const Corner& from, const Corner& to, double t)
+{
+  Corner middle;
+  middle.Position = from.Position + t * (to.Position - from.Position);
+  middle.Limit = ErrorLimits::Between(from.Limit, to.Limit, t);
+  middle.Near = this->FacesNear(middle.Position, middle.Limit);
+  return middle;
+}
+
+//------------------------------------------------------------------------------
+/// The farthest that a face near the start lies below the edge; the middle if that is too near to an end.
+double CommonFaceProof::ExitFraction(const Corner& from, const Corner& to) const
+{
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < this->Count; ++i)
+  {
+    if ((from.Near >> i & 1) != 0)
+    {
+      const std::array<double, 3> start = this->Weights(i, from.Position);
+      const std::array<double, 3> end = this->Weights(i, to.Position);
+      farthest = std::max(farthest,
+        std::min({ ZeroOf(start[0], end[0]), ZeroOf(start[1], end[1]), ZeroOf(start[2], end[2]) }));
+    }
+  }
+  return farthest > LeastFraction && farthest < 1.0 - LeastFraction ? farthest : 0.5;
+}
+}

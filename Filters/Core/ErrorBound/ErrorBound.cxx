@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ErrorBound.h"
+
+#include "Mesh/SurfaceAssembly.h"
+#include "Prover.h"
+
+namespace bonedecimate
+{
+Vector3 ErrorBoundSettings::Rounded(const Vector3& position) const
+{
+  return this->RoundsToSingle ? Vector3(RoundedToSingle(position + this->Origin) - this->Origin)
+                              : position;
+}
+
+//------------------------------------------------------------------------------
+ErrorBound::ErrorBound(
+  const HalfEdgeMesh& atFirst, const BoundingTree& tree, const ErrorBoundSettings& settings)
+  : Source(atFirst)
+  , Tree(tree)
+  , Settings(settings)
+  , Allowed(atFirst, settings)
+  , ByFaces(atFirst.NumberOfFaceSlots(), atFirst.NumberOfFaceSlots())
+  , Boundaries(atFirst)
+  , ByBoundaries(this->Boundaries.Count(),
+      this->Boundaries.Count() == 0 ? 0 : HalfEdgeMesh::HalfEdge(atFirst.NumberOfFaceSlots(), 0))
+  , NearestBoundary(this->Boundaries.EdgesAtVertices())
+  , Nearest(static_cast<std::size_t>(atFirst.NumberOfVertexSlots()), None)
+  , Witnesses(this->Nearest.size(), { None, None, None, None })
+{
+  for (Index face = 0; face < atFirst.NumberOfFaceSlots(); ++face)
+  {
+    this->ByFaces.Add(face, face);
+    for (const Index v : atFirst.Corners(face))
+    {
+      const Index known = this->Nearest[v];
+      const bool allowsMore =
+        known == None || this->Allowed.Over(face) >= this->Allowed.Over(known);
+      this->Nearest[v] = allowsMore ? face : known;
+    }
+  }
+  for (Index edge = 0; edge < this->Boundaries.Count(); ++edge)
+  {
+    this->ByBoundaries.Add(edge, this->Boundaries.HalfEdge(edge));
+  }
+}
+
+ErrorBound::~ErrorBound() = default;
+
+//------------------------------------------------------------------------------
+std::shared_ptr<EditFilter::Pending> ErrorBound::MakePending()
+{
+  std::unique_ptr<Prover> prover;
+  {
+    const std::lock_guard<std::mutex> lock(this->Lending);
+    if (!this->Idle.empty())
+    {
+      prover = std::move(this->Idle.back());
+      this->Idle.pop_back();
+    }
+  }
+  if (!prover)
+  {
+    prover = std::make_unique<Prover>(*this);
+  }
+  return std::shared_ptr<Prover>(prover.release(),
+    [this](Prover* returned)
+    {
+      const std::lock_guard<std::mutex> lock(this->Lending);
+      this->Idle.emplace_back(returned);
+    });
+}
+
+//------------------------------------------------------------------------------
+Decision ErrorBound::Check(
+  const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending) const
+{
+  return static_cast<Prover&>(pending).Prove(mesh, edit.Change, edit.Range);
+}
+
+//------------------------------------------------------------------------------
+void ErrorBound::Commit(const HalfEdgeMesh&, const ProposedEdit& edit, Pending& pending, Tally&)
+{
+  static_cast<Prover&>(pending).Commit(edit.Change);
+}
+}

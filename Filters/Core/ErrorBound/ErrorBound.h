@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ErrorBound.h
+ * @brief No point of the original is farther than a limit from the result, and none of the result from the original.
+ *        The limit may differ from vertex to vertex: ErrorLimits.h.
+ *
+ *     Prove(edit):   the new vertex lies within the limit of the original
+ *                    every original that a changed face proved is proved again by the new faces   (CommonFaceProof)
+ *                    every new face is proved by the original                                     (FaceProof)
+ *                    the same for boundaries, curve to curve
+ *     Commit(edit):  which face covers which original
+ *
+ * All proofs are against the original itself, so that no error adds up. A search that misses a candidate rejects the edit.
+ */
+#ifndef BoneDecimate_Core_ErrorBound_ErrorBound_h
+#define BoneDecimate_Core_ErrorBound_ErrorBound_h
+
+#include "BoundaryCurves.h"
+#include "Coverage.h"
+#include "EditFilters/EditFilter.h"
+#include "ErrorLimits.h"
+#include "Mesh/HalfEdgeMesh.h"
+#include "Reference/Original.h"
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace bonedecimate
+{
+class Prover;
+
+/// The error that every edit keeps.
+struct ErrorBoundSettings
+{
+  /// mm, the limit everywhere
+  double Error = std::numeric_limits<double>::infinity();
+  bool RoundsToSingle = false;      ///< Whether the result will be written in single precision,
+  Vector3 Origin = Vector3::Zero(); ///< mm, relative to this position.
+  /// mm, of each vertex of the mesh at first; negative or not a number: none of its own. Null: Error everywhere. Read
+  /// only when the guarantee is made.
+  const std::vector<double>* Tolerances = nullptr;
+
+  /// Where the point will be when it has been written.
+  Vector3 Rounded(const Vector3& position) const;
+};
+
+class ErrorBound : public EditFilter
+{
+public:
+  /// @param atFirst The mesh before the first edit. It must not change and, like the tree of its triangles, must outlive this
+  /// object.
+  ErrorBound(
+    const HalfEdgeMesh& atFirst, const BoundingTree& tree, const ErrorBoundSettings& settings);
+  ~ErrorBound() override;
+
+  /// A prover for one worker, reused when it is released: its memory is in proportion to the mesh.
+  std::shared_ptr<Pending> MakePending() override;
+  bool NeedsSurfaceChange() const override { return true; }
+  Decision Check(
+    const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending) const override;
+  void Commit(
+    const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending, Tally& tally) override;
+
+  /// Where the point will be when it has been written.
+  Vector3 Rounded(const Vector3& position) const { return this->Settings.Rounded(position); }
+
+  /// mm, how far the result may be from an original vertex: slack taken off, never above that of
+  /// ErrorBoundSettings::Error, infinite
+  /// where nothing limits, 0 where nothing may change.
+  double LimitAt(Index vertex) const { return this->Allowed.At(vertex); }
+
+private:
+  friend class Prover;
+
+  const HalfEdgeMesh& Source;
+  const BoundingTree& Tree;
+  ErrorBoundSettings Settings;
+  ErrorLimits Allowed; // a little less than the error: for the rounding of the proof itself
+  Coverage ByFaces;
+  BoundaryCurves Boundaries;          // of the original: the items of ByBoundaries
+  Coverage ByBoundaries;              // covered by half-edges
+  std::vector<Index> NearestBoundary; // of each vertex: an original boundary edge near it
+  std::vector<Index> Nearest;         // of each vertex of the mesh: an original triangle near it
+  /// Originals that could not be proved, the last one first.
+  using Witness = std::array<Index, 4>;
+  std::vector<Witness> Witnesses; // of each vertex
+  std::mutex Lending;
+  std::vector<std::unique_ptr<Prover>> Idle;
+};
+}
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ErrorLimits.h"
+
+#include "ErrorBound.h"
+
+#include <cmath>
+#include <limits>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+/// Far more than the rounding of distances and of points between others needs: the certificate of the result then decides
+/// as soon as its bounds are that near to each other.
+constexpr double RelativeSlack = 2e-4;
+/// Of the largest coordinate, for the same.
+constexpr double AbsoluteSlack = 1e-14;
+
+/// mm: for rounding, and for what points that never move are moved by when they are written.
+double SlackOf(const HalfEdgeMesh& original, const ErrorBoundSettings& settings)
+{
+  double size = 0.0;
+  double rounding = 0.0;
+  for (Index v = 0; v < original.NumberOfVertexSlots(); ++v)
+  {
+    const Vector3& p = original.Position(v);
+    size = std::max(size, (p + settings.Origin).cwiseAbs().maxCoeff());
+    rounding = std::max(rounding, (settings.Rounded(p) - p).norm());
+  }
+  return AbsoluteSlack * size + rounding;
+}
+}
+
+ErrorLimits::ErrorLimits(const HalfEdgeMesh& original, const ErrorBoundSettings& settings)
+  : Original(original)
+{
+  const double slack = SlackOf(original, settings);
+  const auto withoutSlack = [slack](double error)
+  { return std::max(0.0, error * (1.0 - RelativeSlack) - slack); };
+  this->Everywhere = withoutSlack(settings.Error);
+  if (settings.Tolerances != nullptr)
+  {
+    this->Values.reserve(settings.Tolerances->size());
+    for (const double tolerance : *settings.Tolerances)
+    {
+      this->Values.push_back(
+        std::min(this->Everywhere, withoutSlack(tolerance >= 0.0 ? tolerance : Infinity)));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+double ErrorLimits::Between(double from, double to, double t)
+{
+  return std::isinf(from) || std::isinf(to) ? Infinity : from + t * (to - from);
+}
+}

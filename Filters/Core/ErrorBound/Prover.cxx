@@ -1,0 +1,398 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Prover.h"
+
+#include "WalkedTargets.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Of an original, before it is given up: with too few, good edits are rejected.
+constexpr std::size_t MostPieces = 256;
+
+/// ErrorLimits that the ends of an edge may be away from the new faces.
+constexpr double FarthestOfEnds = 1.5;
+
+/// Others may have to help.
+constexpr std::size_t MostNewFaces = CommonFaceProof::MostCandidates - Coverage::SlotsPerItem;
+
+bool FaceIsInRange(const HalfEdgeMesh& mesh, Index face, VertexRange range)
+{
+  const Triangle corners = mesh.Corners(face);
+  return range.Contains(corners[0]) && range.Contains(corners[1]) && range.Contains(corners[2]);
+}
+}
+
+Prover::Prover(ErrorBound& bound)
+  : Shared(bound)
+  , Items(bound.Source.NumberOfFaceSlots())
+  , BoundaryItems(static_cast<Index>(bound.Boundaries.Count()))
+  , Points(bound.Source.NumberOfVertexSlots())
+  , Back(bound.Source)
+{
+}
+
+//------------------------------------------------------------------------------
+Decision Prover::Prove(const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range)
+{
+  this->Change = &change;
+  if (change.NewFaces.size() > MostNewFaces || !this->MovedVertexIsNear())
+  {
+    return Rejection::ErrorBound;
+  }
+  this->Prepare();
+  if (!this->EndsAreNear(mesh) || !this->WitnessesAreNear(mesh))
+  {
+    return Rejection::ErrorBound;
+  }
+  Gather(this->Shared.ByFaces, change.OldFaces, this->Items);
+  Gather(this->Shared.ByBoundaries, change.OldBoundary, this->BoundaryItems);
+  if (!this->AreInRange(mesh, range))
+  {
+    return Decision::Defer();
+  }
+  const bool isProved =
+    this->BoundaryIsNear(mesh) && this->OriginalsAreNear(mesh) && this->NewFacesAreNear();
+  return isProved ? Rejection::NotRejected : Rejection::ErrorBound;
+}
+
+//------------------------------------------------------------------------------
+bool Prover::MovedVertexIsNear()
+{
+  const Index moved = this->Change->Moved;
+  if (moved == None)
+  {
+    return true;
+  }
+  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Shared.Allowed);
+  this->MovedCorner = original.Find(this->Change->Position, this->Shared.Nearest[moved]);
+  return this->MovedCorner.Distance <= original.Limit(this->MovedCorner.Nearest);
+}
+
+//------------------------------------------------------------------------------
+/// The items of covering elements that the edit changes.
+void Prover::Gather(const Coverage& coverage, const std::vector<Index>& old, SparseSet<Item>& items)
+{
+  items.Clear();
+  for (const Index covering : old)
+  {
+    coverage.VisitItems(covering,
+      [&items](Index item, int slot)
+      {
+        const Index known = items.Find(item);
+        items[known == None ? items.Insert({ item, 0 }) : known].Gone |= 1U << slot;
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Whether all other covering elements of the items are in range.
+template <typename IsInRange>
+bool Prover::AreInRange(
+  const Coverage& coverage, const SparseSet<Item>& items, const IsInRange& isInRange)
+{
+  return std::all_of(items.begin(), items.end(),
+    [&](const Item& item)
+    {
+      bool isInside = true;
+      for (int slot = 0; slot < Coverage::SlotsPerItem && isInside; ++slot)
+      {
+        const Index covering = coverage.CoveringElement(item.Id, slot);
+        isInside = covering == None || (item.Gone >> slot & 1) != 0 || isInRange(covering);
+      }
+      return isInside;
+    });
+}
+
+//------------------------------------------------------------------------------
+bool Prover::AreInRange(const HalfEdgeMesh& mesh, VertexRange range) const
+{
+  return AreInRange(this->Shared.ByFaces, this->Items,
+           [&](Index face) { return FaceIsInRange(mesh, face, range); }) &&
+    AreInRange(this->Shared.ByBoundaries, this->BoundaryItems,
+      [&](Index h) { return range.Contains(mesh.Origin(h)) && range.Contains(mesh.Target(h)); });
+}
+
+//------------------------------------------------------------------------------
+void Prover::Prepare()
+{
+  this->Points.Clear();
+  this->SquaredDistances.clear();
+  this->CommonFaces.Resize(0);
+  for (const SurfaceChange::Face& face : this->Change->NewFaces)
+  {
+    this->CommonFaces.AddCandidate(face.Corners);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// An early rejection: removed vertices lie within the limit of the original, which must lie within the limit of the new
+/// faces. If they are farther from the new faces than most of the sum of both limits, a proof hardly ever succeeds.
+bool Prover::EndsAreNear(const HalfEdgeMesh& mesh)
+{
+  if (this->Change->Moved == None)
+  {
+    return true;
+  }
+  const Triangle around = this->Shared.Source.Corners(this->MovedCorner.Nearest);
+  const double limit = std::max({ this->Shared.LimitAt(around[0]), this->Shared.LimitAt(around[1]),
+    this->Shared.LimitAt(around[2]) });
+  return std::all_of(this->Change->Ends.begin(), this->Change->Ends.end(),
+    [&](Index end)
+    { return this->CommonFaces.FacesNear(mesh.Position(end), FarthestOfEnds * limit) != 0; });
+}
+
+//------------------------------------------------------------------------------
+/// The items that caused the last rejections here are likely to cause the next one.
+bool Prover::WitnessesAreNear(const HalfEdgeMesh& mesh)
+{
+  for (const Index end : this->Change->Ends)
+  {
+    const ErrorBound::Witness& known = this->Shared.Witnesses[end];
+    for (const Index witness : known)
+    {
+      Item item = { witness, 0 };
+      if (witness != None && this->Depends(item) && !this->ProveItem(mesh, item))
+      {
+        this->Remember(witness);
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Whether faces that change prove the item; which of them, if so.
+bool Prover::Depends(Item& item) const
+{
+  const std::vector<Index>& old = this->Change->OldFaces;
+  for (int slot = 0; slot < Coverage::SlotsPerItem; ++slot)
+  {
+    const Index covering = this->Shared.ByFaces.CoveringElement(item.Id, slot);
+    if (covering != None && std::find(old.begin(), old.end(), covering) != old.end())
+    {
+      item.Gone |= 1U << slot;
+    }
+  }
+  return item.Gone != 0;
+}
+
+//------------------------------------------------------------------------------
+/// Corners first, because they cause most rejections; then items that must be split.
+bool Prover::OriginalsAreNear(const HalfEdgeMesh& mesh)
+{
+  this->Uncut.clear();
+  for (Item& item : this->Items)
+  {
+    const std::array<Index, 3> points = this->PointsOf(item.Id);
+    item.Used = this->Nearest(points);
+    const bool isAnyFar = std::any_of(
+      points.begin(), points.end(), [this](Index point) { return this->Points[point].Near == 0; });
+    if (isAnyFar && !this->ProveInPieces(mesh, item))
+    {
+      this->Remember(item.Id);
+      return false;
+    }
+    if (item.Used == 0 && !isAnyFar)
+    {
+      this->Uncut.push_back(item.Id);
+    }
+  }
+  for (const Index id : this->Uncut)
+  {
+    if (!this->ProveInPieces(mesh, this->Items[this->Items.Find(id)]))
+    {
+      this->Remember(id);
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Stores an item that could not be proved instead of the oldest one.
+void Prover::Remember(Index item)
+{
+  for (const Index end : this->Change->Ends)
+  {
+    if (end != None)
+    {
+      ErrorBound::Witness& known = this->Shared.Witnesses[end];
+      const auto position = std::find(known.begin(), known.end() - 1, item);
+      std::rotate(known.begin(), position, position + 1);
+      known.front() = item;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Prover::ProveItem(const HalfEdgeMesh& mesh, Item& item)
+{
+  item.Used = this->Nearest(this->PointsOf(item.Id));
+  return item.Used != 0 || this->ProveInPieces(mesh, item);
+}
+
+//------------------------------------------------------------------------------
+std::array<Index, 3> Prover::PointsOf(Index original)
+{
+  const Triangle corners = this->Shared.Source.Corners(original);
+  return { this->PointOf(corners[0]), this->PointOf(corners[1]), this->PointOf(corners[2]) };
+}
+
+//------------------------------------------------------------------------------
+/// The position of an original vertex among the points, with its distances to all new faces.
+Index Prover::PointOf(Index id)
+{
+  const Index known = this->Points.Find(id);
+  if (known != None)
+  {
+    return known;
+  }
+  const Vector3& p = this->Shared.Source.Position(id);
+  const Faces near = this->CommonFaces.FacesNear(p, this->Shared.LimitAt(id));
+  const Point point = { id, near, this->SquaredDistances.size() };
+  for (std::size_t i = 0; i < this->Change->NewFaces.size(); ++i)
+  {
+    this->SquaredDistances.push_back(static_cast<float>(this->CommonFaces.SquaredDistance(i)));
+  }
+  return this->Points.Insert(point);
+}
+
+//------------------------------------------------------------------------------
+/// Of the faces near all corners of an original the nearest, if there is any: its neighbors are those that may have to
+/// take over.
+Prover::Faces Prover::Nearest(const std::array<Index, 3>& points) const
+{
+  const Faces shared =
+    this->Points[points[0]].Near & this->Points[points[1]].Near & this->Points[points[2]].Near;
+  float least = std::numeric_limits<float>::infinity();
+  Faces nearest = shared & (~shared + 1);
+  for (std::size_t i = 0; i < this->Change->NewFaces.size(); ++i)
+  {
+    float sum = 0.0F;
+    for (const Index point : points)
+    {
+      sum += this->SquaredDistances[this->Points[point].Distances + i];
+    }
+    if ((shared >> i & 1) != 0 && sum < least)
+    {
+      least = sum;
+      nearest = Faces(1) << i;
+    }
+  }
+  return nearest;
+}
+
+//------------------------------------------------------------------------------
+/// Together with the remaining faces that prove a part of it now.
+bool Prover::ProveInPieces(const HalfEdgeMesh& mesh, Item& item)
+{
+  const Triangle corners = this->Shared.Source.Corners(item.Id);
+  const std::size_t newFaces = this->Change->NewFaces.size();
+  const std::size_t remaining = this->AddRemaining(mesh, item);
+  CommonFaceProof::Piece whole;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const Vector3& p = this->Shared.Source.Position(corners[i]);
+    const double limit = this->Shared.LimitAt(corners[i]);
+    whole[i] = { p, limit, this->CommonFaces.FacesNear(p, limit) };
+  }
+  item.Used = 0;
+  const bool proved =
+    this->CommonFaces.Prove(whole, item.Used, MostPieces) == CommonFaceResult::Proved;
+  item.Used &= (Faces(1) << newFaces) - 1;
+  this->CommonFaces.Resize(newFaces);
+  return proved && remaining + CountBits(item.Used) <= Coverage::SlotsPerItem;
+}
+
+//------------------------------------------------------------------------------
+/// Adds the remaining faces that prove the item as candidates after the new faces; returns their number.
+std::size_t Prover::AddRemaining(const HalfEdgeMesh& mesh, const Item& item)
+{
+  std::size_t remaining = 0;
+  for (int slot = 0; slot < Coverage::SlotsPerItem; ++slot)
+  {
+    const Index covering = this->Shared.ByFaces.CoveringElement(item.Id, slot);
+    if (covering != None && (item.Gone >> slot & 1) == 0)
+    {
+      const Triangle v = mesh.Corners(covering);
+      this->CommonFaces.AddCandidate(
+        { mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]) });
+      ++remaining;
+    }
+  }
+  return remaining;
+}
+
+//------------------------------------------------------------------------------
+bool Prover::NewFacesAreNear()
+{
+  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Shared.Allowed);
+  return std::all_of(this->Change->NewFaces.begin(), this->Change->NewFaces.end(),
+    [&](const SurfaceChange::Face& face)
+    {
+      const Index first = face.Vertices[0];
+      return this->Back.Prove(original, face.Corners,
+        first == this->Change->Moved ? this->MovedCorner.Nearest : this->Shared.Nearest[first]);
+    });
+}
+
+//------------------------------------------------------------------------------
+void Prover::Commit(const SurfaceChange& change)
+{
+  this->Change = &change;
+  if (this->Change->Moved != None)
+  {
+    this->Shared.Nearest[this->Change->Moved] = this->MovedCorner.Nearest;
+  }
+  this->NewElements.clear();
+  for (const SurfaceChange::Face& face : this->Change->NewFaces)
+  {
+    this->NewElements.push_back(face.Id);
+  }
+  Commit(this->Shared.ByFaces, this->Change->OldFaces, this->Items, this->NewElements);
+  if (!this->Change->NewBoundary.empty() && !this->Change->BoundaryStays &&
+    this->Change->Moved != None)
+  {
+    this->Shared.NearestBoundary[this->Change->Moved] = this->BoundaryHint;
+  }
+  this->NewElements.clear();
+  for (const SurfaceChange::BoundaryEdge& edge : this->Change->NewBoundary)
+  {
+    this->NewElements.push_back(edge.Id);
+  }
+  Commit(
+    this->Shared.ByBoundaries, this->Change->OldBoundary, this->BoundaryItems, this->NewElements);
+}
+
+//------------------------------------------------------------------------------
+void Prover::Commit(Coverage& coverage, const std::vector<Index>& gone, SparseSet<Item>& items,
+  const std::vector<Index>& coverings)
+{
+  for (const Index covering : gone)
+  {
+    coverage.Forget(covering);
+  }
+  for (const Item& item : items)
+  {
+    for (int slot = 0; slot < Coverage::SlotsPerItem; ++slot)
+    {
+      if ((item.Gone >> slot & 1) != 0)
+      {
+        coverage.Free(item.Id, slot);
+      }
+    }
+    for (std::size_t i = 0; i < coverings.size(); ++i)
+    {
+      if ((item.Used >> i & 1) != 0)
+      {
+        coverage.Add(item.Id, coverings[i]);
+      }
+    }
+  }
+}
+}

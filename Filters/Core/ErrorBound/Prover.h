@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Prover.h
+ * @brief Proves one edit after another for one worker: the steps of ErrorBound.h.
+ */
+#ifndef BoneDecimate_Core_ErrorBound_Prover_h
+#define BoneDecimate_Core_ErrorBound_Prover_h
+
+#include "BoundaryProof.h"
+#include "CommonFaceProof.h"
+#include "EditFilters/EditFilter.h"
+#include "ErrorBound.h"
+#include "FaceProof.h"
+#include "Mesh/VertexRange.h"
+#include "PieceCover.h"
+#include "SparseSet.h"
+
+namespace bonedecimate
+{
+/// Keeps the proof of the edit that was proved last until it is committed.
+class Prover : public EditFilter::Pending
+{
+public:
+  explicit Prover(ErrorBound& bound);
+
+  /// @param mesh Before the edit.  @param range What may be read and written. Deferred: what would have to be proved again is
+  /// proved outside of the range, too.
+  Decision Prove(const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range);
+  /// @param change The one proved last, which has been applied.
+  void Commit(const SurfaceChange& change);
+
+private:
+  using Faces = CommonFaceProof::Faces;
+  struct Item
+  {
+    Index Id;
+    std::uint32_t Gone; // bits of its slots whose covering elements change
+    Faces Used = 0;     // of the new faces, those that prove it
+  };
+  struct Point
+  {
+    Index Id;
+    Faces Near;
+    std::size_t Distances; // where they begin in SquaredDistances
+  };
+
+  static void Gather(
+    const Coverage& coverage, const std::vector<Index>& old, SparseSet<Item>& items);
+  template <typename IsInRange>
+  static bool AreInRange(
+    const Coverage& coverage, const SparseSet<Item>& items, const IsInRange& isInRange);
+  bool AreInRange(const HalfEdgeMesh& mesh, VertexRange range) const;
+  bool MovedVertexIsNear();
+  void Prepare();
+  bool EndsAreNear(const HalfEdgeMesh& mesh);
+  bool WitnessesAreNear(const HalfEdgeMesh& mesh);
+  bool Depends(Item& item) const;
+  bool OriginalsAreNear(const HalfEdgeMesh& mesh);
+  bool ProveItem(const HalfEdgeMesh& mesh, Item& item);
+  bool ProveInPieces(const HalfEdgeMesh& mesh, Item& item);
+  std::array<Index, 3> PointsOf(Index original);
+  void Remember(Index item);
+  std::size_t AddRemaining(const HalfEdgeMesh& mesh, const Item& item);
+  Index PointOf(Index id);
+  Faces Nearest(const std::array<Index, 3>& points) const;
+  bool NewFacesAreNear();
+  bool BoundaryIsNear(const HalfEdgeMesh& mesh);
+  bool ProveBoundaryItem(const HalfEdgeMesh& mesh, Item& item);
+  void HandOver(Item& item);
+  bool NewBoundaryIsNear();
+  static void Commit(Coverage& coverage, const std::vector<Index>& gone, SparseSet<Item>& items,
+    const std::vector<Index>& coverings);
+
+  ErrorBound& Shared;
+  const SurfaceChange* Change = nullptr; // of the edit
+  SparseSet<Item> Items;
+  SparseSet<Item> BoundaryItems;
+  SparseSet<Point> Points;
+  std::vector<float> SquaredDistances; // mm^2, of the points to the new faces
+  CommonFaceProof CommonFaces;
+  FaceProof Back;
+  PieceCover<2> BoundaryPieces;
+  BoundaryProof Boundary;
+  PieceCover<3>::Corner MovedCorner; // of the vertex that moves
+  Index BoundaryHint = None;         // an original boundary edge near the vertex that moves
+  std::vector<Index> Uncut;          // items of which no new face is near all corners
+  std::vector<Index> NewElements;
+};
+}
+
+#endif

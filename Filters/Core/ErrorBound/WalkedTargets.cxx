@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WalkedTargets.h"
+
+namespace bonedecimate
+{
+PieceCover<2>::Corner WalkedBoundary::Find(const Vector3& p, Index hint) const
+{
+  Index best = this->FeatureCurves.WalkFrom(p, hint);
+  double excess = this->Distance(p, best) - this->Limit(best); // mm
+  for (Index from = None; this->Allowed.Differ() && excess > 0.0 && from != best;)
+  {
+    from = best;
+    for (const Index next : this->FeatureCurves.NeighborsOf(from))
+    {
+      const double other =
+        next == None ? excess : this->Distance(p, next) - this->Limit(next); // mm
+      best = other < excess ? next : best;
+      excess = std::min(excess, other);
+    }
+  }
+  return { p, best, this->Distance(p, best) };
+}
+
+//------------------------------------------------------------------------------
+PieceCover<3>::Corner WalkedSurface::Find(const Vector3& p, Index hint) const
+{
+  PointOnMesh found = WalkFrom(this->Mesh, p, hint);
+  const double limit = this->Limit(found.Face);
+  if (found.Point.SquaredDistance > limit * limit)
+  {
+    found.Face = this->Tree.FindNearest(p, found.Face).Triangle;
+    found.Point = FrameOf(this->Mesh, found.Face).Nearest(p);
+  }
+  const double distance = (p - FrameOf(this->Mesh, found.Face).At(found.Point)).norm();
+  return this->FindBetter({ p, found.Face, distance });
+}
+
+//------------------------------------------------------------------------------
+/// As it is, unless it is too far and limits differ.
+PieceCover<3>::Corner WalkedSurface::FindBetter(const PieceCover<3>::Corner& from) const
+{
+  PieceCover<3>::Corner best = from;
+  double excess = best.Distance - this->Limit(best.Nearest); // mm
+  for (Index last = None; this->Allowed.Differ() && excess > 0.0 && last != best.Nearest;)
+  {
+    last = best.Nearest;
+    for (const Index corner : this->Mesh.Corners(last))
+    {
+      if (this->Mesh.Constraint(corner) == VertexConstraint::NonManifold)
+      {
+        continue; // rings of those are not walked
+      }
+      for (const Index h : this->Mesh.OutgoingOf(corner))
+      {
+        const Index face = HalfEdgeMesh::Face(h);
+        const double distance = this->Distance(from.Position, face);
+        if (distance - this->Limit(face) < excess)
+        {
+          best = { from.Position, face, distance };
+          excess = distance - this->Limit(face);
+        }
+      }
+    }
+  }
+  return best;
+}
+}

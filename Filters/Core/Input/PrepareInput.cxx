@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PrepareInput.h"
+
+#include "Diagnostics/Diagnostics.h"
+#include "Mesh/Checksum.h"
+#include "Mesh/ManifoldPatches.h"
+#include "Mesh/SpatialOrder.h"
+#include "Prune.h"
+#include "Tolerances.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+namespace
+{
+CleanSurface CleanAndPrune(const RunTask& task, Report& report)
+{
+  const Options& options = task.Effective;
+  CleanSurface cleaned = Clean(task.Input, options.MergePoints, options.NumberOfThreads);
+  report.Status = cleaned.Status;
+  report.Cleaning = cleaned.Statistics;
+  if (options.DiagnoseInput)
+  {
+    report.Diagnostics = Diagnose(task.Input, options.NumberOfThreads);
+  }
+  if (report.Status == InputStatus::Good)
+  {
+    report.Pruned = Prune(task.Input, options, cleaned);
+    report.Status = report.Pruned.TookAll ? InputStatus::EverythingPruned : InputStatus::Good;
+  }
+  return cleaned;
+}
+
+/// What the reference leaves of the largest error caps the tolerances.
+ReferenceInput ReadReference(
+  const RunTask& task, const PreparedInput& prepared, const Monitor& monitor, Report& report)
+{
+  ReferenceInput reference = CompareWithReference(
+    *task.Inputs.Reference, task.Input, prepared.Cleaned, task.Effective, monitor);
+  report.Status = reference.Status;
+  report.Reference = reference.Figures;
+  const std::vector<double>* requested = prepared.Tolerances.Requested();
+  for (std::size_t i = 0; requested != nullptr && i < reference.Left.size(); ++i)
+  {
+    const double tolerance = (*requested)[i];
+    double& left = reference.Left[i];
+    left = tolerance >= 0.0 ? std::min(left, tolerance) : left;
+  }
+  return reference;
+}
+
+/// Checks tolerances and largest error, and reads the reference.
+void PrepareErrors(RunTask& task, const Monitor& monitor, PreparedInput& prepared, Report& report)
+{
+  const std::vector<double>* tolerances = task.Inputs.Tolerances;
+  report.Status = CheckErrors(
+    task.Input, prepared.Cleaned, tolerances, task.RoundsToSingle, task.Effective, report);
+  if (report.Status == InputStatus::Good && tolerances != nullptr)
+  {
+    prepared.Tolerances.OfPoints = LimitedTolerances(*tolerances, report.Size.Diagonal);
+  }
+  if (report.Status == InputStatus::Good && task.Inputs.Reference != nullptr)
+  {
+    prepared.Tolerances.Reference = ReadReference(task, prepared, monitor, report);
+  }
+}
+
+void CountNonManifold(
+  const HalfEdgeMesh& mesh, const CleanSurface& cleaned, CleaningStatistics& found)
+{
+  for (Index v = mesh.NumberOfVertexSlots(); v-- > 0;)
+  {
+    if (mesh.Constraint(v) == VertexConstraint::NonManifold)
+    {
+      ++found.NonManifoldPoints;
+      found.FirstNonManifoldPoint = cleaned.InputPoint[v];
+    }
+  }
+}
+
+/// In short steps, each left out after an abort.
+HalfEdgeMesh BuildMesh(const RunTask& task, CleanSurface& cleaned, RunProgress& progress,
+  const Monitor& monitor, Report& report)
+{
+  const int threads = task.Effective.NumberOfThreads;
+  if (progress.GoesOn())
+  {
+    SortAlongCurve(cleaned, threads);
+  }
+  monitor(0.25);
+  HalfEdgeMesh mesh(cleaned.Surface, threads);
+  CountNonManifold(mesh, cleaned, report.Cleaning);
+  if (task.Inputs.Labels != nullptr)
+  {
+    mesh = HalfEdgeMesh(cleaned.Surface, threads, {}, LabelsOf(cleaned, *task.Inputs.Labels));
+  }
+  if (progress.GoesOn() && SplitIntoManifoldPatches(cleaned, mesh))
+  {
+    SortAlongCurve(cleaned, threads);
+    mesh = HalfEdgeMesh(cleaned.Surface, threads, cleaned.ManifoldPatches);
+  }
+  monitor(0.5);
+  return mesh;
+}
+}
+
+bool PreparedInput::IsLimitedEverywhere() const
+{
+  const std::vector<double>& tolerances = this->VertexTolerances;
+  return !tolerances.empty() &&
+    std::none_of(
+      tolerances.begin(), tolerances.end(), [](double tolerance) { return tolerance < 0.0; });
+}
+
+//------------------------------------------------------------------------------
+PreparedInput PrepareInput(
+  RunTask& task, double checkedAt, double builtAt, RunProgress& progress, Report& report)
+{
+  PreparedInput prepared;
+  prepared.Cleaned = CleanAndPrune(task, report);
+  progress.Stage(0.0, checkedAt)(1.0);
+  if (report.Status == InputStatus::Good)
+  {
+    PrepareErrors(task, progress.Stage(checkedAt, checkedAt), prepared, report);
+  }
+  if (report.Status == InputStatus::Good)
+  {
+    report.InputChecksum = Checksum(task.Input, task.Effective.NumberOfThreads);
+    prepared.Mesh =
+      BuildMesh(task, prepared.Cleaned, progress, progress.Stage(checkedAt, builtAt), report);
+    if (const std::vector<double>* tolerances = prepared.Tolerances.Capped())
+    {
+      prepared.VertexTolerances = TolerancesOf(prepared.Cleaned, *tolerances);
+    }
+  }
+  return prepared;
+}
+}

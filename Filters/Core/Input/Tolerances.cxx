@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Tolerances.h"
+
+#include "InputSize.h"
+#include "Mesh/SurfaceAssembly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr double NoLimit = -1.0;
+}
+
+InputStatus CheckTolerances(const std::vector<double>& given, std::size_t numberOfPoints,
+  bool provesError, CleaningStatistics& found)
+{
+  for (std::size_t i = 0; i < given.size(); ++i)
+  {
+    if (!(std::fabs(given[i]) <= LargestCoordinate) && found.BadTolerances++ == 0)
+    {
+      found.FirstBadTolerance = static_cast<std::int64_t>(i);
+    }
+  }
+  if (given.size() != numberOfPoints || found.BadTolerances > 0)
+  {
+    return InputStatus::BadTolerances;
+  }
+  const bool hasPositive =
+    std::any_of(given.begin(), given.end(), [](double t) { return t > 0.0; });
+  return hasPositive && !provesError ? InputStatus::TolerancesInThesis : InputStatus::Good;
+}
+
+//------------------------------------------------------------------------------
+InputStatus CheckRounding(const Surface& input, const CleanSurface& clean, double largestError,
+  const std::vector<double>* given, CleaningStatistics& found)
+{
+  const std::vector<double> tolerances =
+    given != nullptr ? TolerancesOf(clean, *given) : std::vector<double>();
+  for (std::size_t v = 0; v < clean.InputPoint.size(); ++v)
+  {
+    const Index id = clean.InputPoint[v];
+    const Vector3& point = input.Points[static_cast<std::size_t>(id)];
+    const bool isLimited = !tolerances.empty() && tolerances[v] >= 0.0;
+    const double rounding = (RoundedToSingle(point) - point).norm();
+    if (rounding > (isLimited ? std::min(tolerances[v], largestError) : largestError))
+    {
+      found.FirstCoarsePoint = found.CoarsePoints++ == 0 ? id : found.FirstCoarsePoint;
+      found.LargestRounding = std::max(found.LargestRounding, rounding);
+    }
+  }
+  return found.CoarsePoints > 0 ? InputStatus::SinglePrecisionTooCoarse : InputStatus::Good;
+}
+
+//------------------------------------------------------------------------------
+InputStatus CheckErrors(const Surface& input, const CleanSurface& clean,
+  const std::vector<double>* given, bool roundsToSingle, Options& options, Report& report)
+{
+  InputStatus status = InputStatus::Good;
+  report.HasTolerances = given != nullptr;
+  if (given != nullptr)
+  {
+    status = CheckTolerances(*given, input.Points.size(), options.ProvesError(), report.Cleaning);
+  }
+  if (status != InputStatus::Good)
+  {
+    return status;
+  }
+  report.Size = MeasureSize(clean, options, given);
+  if (roundsToSingle && options.ProvesError())
+  {
+    const double error =
+      options.BoundsError() ? options.MaximumError : std::numeric_limits<double>::infinity();
+    status = CheckRounding(input, clean, error, given, report.Cleaning);
+  }
+  status = status == InputStatus::Good ? CheckSize(report.Size, options) : status;
+  if (options.ProvesError())
+  {
+    options.MaximumError = std::min(options.MaximumError, report.Size.Diagonal);
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> LimitedTolerances(std::vector<double> given, double limit)
+{
+  for (double& tolerance : given)
+  {
+    tolerance = std::min(tolerance, limit);
+  }
+  return given;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> TolerancesOf(const CleanSurface& clean, const std::vector<double>& given)
+{
+  std::vector<double> tolerances(clean.Surface.Points.size(), NoLimit);
+  bool limits = false;
+  for (std::size_t i = 0; i < given.size(); ++i)
+  {
+    const Index point = clean.PointOfInput[i];
+    if (point != None && given[i] >= 0.0)
+    {
+      double& least = tolerances[static_cast<std::size_t>(point)];
+      least = least < 0.0 ? given[i] : std::min(least, given[i]);
+      limits = true;
+    }
+  }
+  const std::vector<Index>& sites = clean.ManifoldPatches.OriginalVertices;
+  for (std::size_t v = 0; v < sites.size(); ++v)
+  {
+    tolerances[v] = tolerances[static_cast<std::size_t>(sites[v])];
+  }
+  if (!limits)
+  {
+    tolerances.clear();
+  }
+  return tolerances;
+}
+}

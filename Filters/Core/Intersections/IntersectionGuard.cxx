@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "IntersectionGuard.h"
+
+#include "PartTree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Least ratio of a gap to its initial width.
+constexpr double LeastGapRatio = 0.5;
+/// Both sides may move by the error; a gap that many errors wide always keeps half of its width.
+constexpr double ErrorsOfGap = 4.0;
+
+/// mm, how far from a face its gaps have to be looked after.
+double ReachOf(const Gap& gap)
+{
+  double reach = 0.0;
+  for (const float width : { gap.ToOwn, gap.ToOther })
+  {
+    reach = std::isfinite(width) ? std::max<double>(reach, LeastGapRatio * width) : reach;
+  }
+  return reach;
+}
+
+double MostReach(const std::vector<Piece>& pieces) // mm
+{
+  double most = 0.0;
+  for (const Piece& piece : pieces)
+  {
+    most = std::max(most, piece.Reach);
+  }
+  return most;
+}
+}
+
+IntersectionGuard::IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& surface, double error,
+  int threads, const Monitor& monitor)
+  : Grid(mesh, error)
+  , Widths(surface, ErrorsOfGap * error, threads, monitor)
+{
+}
+
+//------------------------------------------------------------------------------
+/// A new vertex represents both vertices that were merged into it.
+Piece IntersectionGuard::PieceOf(const HalfEdgeMesh& mesh, const SurfaceChange& change,
+  const Triangle& vertices, const TriangleCorners& corners) const
+{
+  Piece piece(corners);
+  piece.Vertices = { mesh.OriginalVertex(vertices[0]), mesh.OriginalVertex(vertices[1]),
+    mesh.OriginalVertex(vertices[2]) };
+  piece.Low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
+  piece.High = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+  piece.Normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+  for (const Index site : piece.Vertices)
+  {
+    piece.LeastGap = piece.LeastGap.And(this->Widths.Of(site));
+    if (change.Moved != None && site == mesh.OriginalVertex(change.Moved))
+    {
+      piece.LeastGap = piece.LeastGap.And(this->Widths.Of(mesh.OriginalVertex(change.Ends[0])));
+      piece.LeastGap = piece.LeastGap.And(this->Widths.Of(mesh.OriginalVertex(change.Ends[1])));
+    }
+  }
+  piece.Reach = ReachOf(piece.LeastGap);
+  return piece;
+}
+
+//------------------------------------------------------------------------------
+void IntersectionGuard::FillPieces(
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const
+{
+  work.Old.clear();
+  work.New.clear();
+  for (const Index face : change.OldFaces)
+  {
+    const Triangle v = mesh.Corners(face);
+    work.Old.push_back(this->PieceOf(mesh, change, v, CornersOf(mesh, v)));
+  }
+  for (const SurfaceChange::Face& face : change.NewFaces)
+  {
+    work.New.push_back(this->PieceOf(mesh, change, face.Vertices, face.Corners));
+  }
+}
+
+//------------------------------------------------------------------------------
+void IntersectionGuard::FindCells(Pending& work) const
+{
+  work.OldCells.clear();
+  work.EndsOfOld.clear();
+  work.Cells.clear();
+  for (const Piece& piece : work.Old)
+  {
+    this->Grid.AddCells(piece.Corners, 0.0, work.OldCells);
+    work.EndsOfOld.push_back(work.OldCells.size());
+  }
+  for (const Piece& piece : work.New)
+  {
+    this->Grid.AddCells(piece.Corners, piece.Reach, work.Cells);
+  }
+  work.Cells.insert(work.Cells.end(), work.OldCells.begin(), work.OldCells.end());
+  std::sort(work.Cells.begin(), work.Cells.end());
+  work.Cells.erase(std::unique(work.Cells.begin(), work.Cells.end()), work.Cells.end());
+}
+
+//------------------------------------------------------------------------------
+/// Remaining faces whose box is within the reach of the gap rule or meets the box of a removed face.
+void IntersectionGuard::FindNear(
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const
+{
+  work.Faces.clear();
+  work.Near.clear();
+  this->Grid.AddFaces(work.Cells, work.Faces);
+  std::sort(work.Faces.begin(), work.Faces.end());
+  work.Faces.erase(std::unique(work.Faces.begin(), work.Faces.end()), work.Faces.end());
+  const std::vector<Index>& old = change.OldFaces;
+  const double reach = std::max(MostReach(work.New), MostReach(work.Old));
+  const Vector3 wholeLow = LeastOf(work.Old).cwiseMin(LeastOf(work.New)).array() - reach;
+  const Vector3 wholeHigh = MostOf(work.Old).cwiseMax(MostOf(work.New)).array() + reach;
+  for (const Index face : work.Faces)
+  {
+    const Triangle v = mesh.Corners(face);
+    const TriangleCorners corners = CornersOf(mesh, v);
+    const Vector3 low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
+    const Vector3 high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+    const bool mayBeNear =
+      (wholeHigh - low).minCoeff() >= 0.0 && (high - wholeLow).minCoeff() >= 0.0;
+    const auto isNear = [&](const Piece& piece)
+    {
+      return (piece.Low - high).cwiseMax(low - piece.High).cwiseMax(0.0).squaredNorm() <=
+        piece.Reach * piece.Reach;
+    };
+    if (mayBeNear &&
+      (std::any_of(work.New.begin(), work.New.end(), isNear) ||
+        std::any_of(work.Old.begin(), work.Old.end(), isNear)) &&
+      std::find(old.begin(), old.end(), face) == old.end())
+    {
+      work.Near.push_back(this->PieceOf(mesh, change, v, corners));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// mm, at first, where the two stand; infinite if there was none.
+double IntersectionGuard::GapOf(const Piece& a, const Piece& b) const
+{
+  const Gap both = a.LeastGap.And(b.LeastGap);
+  return this->Widths.PartOf(a.Vertices[0]) == this->Widths.PartOf(b.Vertices[0]) ? both.ToOwn
+                                                                                  : both.ToOther;
+}
+
+//------------------------------------------------------------------------------
+/// Nearer than the initial gap allows, and nearer than the faces that the piece replaces.
+bool IntersectionGuard::IsTooNear(
+  const Piece& piece, const Piece& near, const std::vector<Piece>& old) const
+{
+  const double gap = this->GapOf(piece, near);
+  const bool isOwn =
+    this->Widths.PartOf(piece.Vertices[0]) == this->Widths.PartOf(near.Vertices[0]);
+  const double squared = LeastGapRatio * LeastGapRatio * gap * gap; // mm^2
+  if (!std::isfinite(gap) || SquaredDistance(piece, near) >= squared ||
+    (isOwn && piece.Normal.dot(near.Normal) >= 0.0) || CountShared(piece, near) > 0)
+  {
+    return false;
+  }
+  const Way way = WayBetween(piece.Corners, near.Corners);
+  if (way.SquaredLength >= squared || (isOwn && !Face(piece.Normal, near.Normal, way.FromAToB)))
+  {
+    return false;
+  }
+  return std::all_of(old.begin(), old.end(),
+    [&](const Piece& gone)
+    {
+      return CountShared(gone, near) > 0 ||
+        WayBetween(gone.Corners, near.Corners).SquaredLength > way.SquaredLength;
+    });
+}
+
+//------------------------------------------------------------------------------
+bool IntersectionGuard::NarrowsGap(const Pending& work) const
+{
+  return std::any_of(work.New.begin(), work.New.end(),
+    [&](const Piece& piece)
+    {
+      return std::any_of(work.Near.begin(), work.Near.end(),
+        [&](const Piece& near) { return this->IsTooNear(piece, near, work.Old); });
+    });
+}
+
+//------------------------------------------------------------------------------
+bool IntersectionGuard::Owns(
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range, Pending& work) const
+{
+  work.KnowsCells = false;
+  if (this->Grid.HoldsAll(range))
+  {
+    return true;
+  }
+  // Corners alone tell most of what belongs to others, and soon.
+  const auto isOwned = [&](const SurfaceChange::Face& face)
+  {
+    return std::all_of(face.Corners.begin(), face.Corners.end(),
+      [&](const Vector3& corner) { return this->Grid.Owns(range, this->Grid.CellAt(corner)); });
+  };
+  if (!std::all_of(change.NewFaces.begin(), change.NewFaces.end(), isOwned))
+  {
+    return false;
+  }
+  work.KnowsCells = true;
+  this->FillPieces(mesh, change, work);
+  this->FindCells(work);
+  return std::all_of(work.Cells.begin(), work.Cells.end(),
+    [&](FaceGrid::Key cell) { return this->Grid.Owns(range, cell); });
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<EditFilter::Pending> IntersectionGuard::MakePending()
+{
+  return std::make_shared<Pending>();
+}
+
+//------------------------------------------------------------------------------
+Decision IntersectionGuard::Screen(
+  const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const
+{
+  const bool owns = this->Owns(mesh, edit.Change, edit.Range, static_cast<Pending&>(pending));
+  return owns ? Decision::Accept() : Decision::Defer();
+}
+
+//------------------------------------------------------------------------------
+Decision IntersectionGuard::Check(
+  const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const
+{
+  Pending& work = static_cast<Pending&>(pending);
+  if (!work.KnowsCells)
+  {
+    this->FillPieces(mesh, edit.Change, work);
+    this->FindCells(work);
+  }
+  this->FindNear(mesh, edit.Change, work);
+  const bool isAllowed = !MeetMore(work.Old, work.New, work.Near) && !this->NarrowsGap(work) &&
+    !JumpOver(work.Old, work.New, work.Near);
+  return isAllowed ? Rejection::NotRejected : Rejection::Intersection;
+}
+
+//------------------------------------------------------------------------------
+void IntersectionGuard::Commit(
+  const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending, Tally&)
+{
+  Pending& work = static_cast<Pending&>(pending);
+  const SurfaceChange& change = edit.Change;
+  std::size_t from = 0;
+  for (std::size_t i = 0; i < change.OldFaces.size(); ++i)
+  {
+    work.Cells.assign(work.OldCells.begin() + static_cast<std::ptrdiff_t>(from),
+      work.OldCells.begin() + static_cast<std::ptrdiff_t>(work.EndsOfOld[i]));
+    this->Grid.Remove(change.OldFaces[i], work.Cells);
+    from = work.EndsOfOld[i];
+  }
+  for (const SurfaceChange::Face& face : change.NewFaces)
+  {
+    work.Cells.clear();
+    this->Grid.AddCells(face.Corners, 0.0, work.Cells);
+    this->Grid.Insert(face.Id, face.Vertices, work.Cells);
+  }
+  if (change.Moved != None)
+  {
+    this->Widths.Set(mesh.OriginalVertex(change.Moved),
+      this->Widths.Of(mesh.OriginalVertex(change.Ends[0]))
+        .And(this->Widths.Of(mesh.OriginalVertex(change.Ends[1]))));
+  }
+}
+}

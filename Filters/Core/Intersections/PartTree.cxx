@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PartTree.h"
+
+#include "Geometry/TriangleFrame.h"
+#include "Geometry/TriangleGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr Index OfLeaf = 4; // triangles
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr float FloatInfinity = std::numeric_limits<float>::infinity();
+
+float Below(double x)
+{
+  return std::nextafter(static_cast<float>(x), -FloatInfinity);
+}
+float Above(double x)
+{
+  return std::nextafter(static_cast<float>(x), FloatInfinity);
+}
+
+double SquaredGap(double below, double above)
+{
+  const double gap = std::max({ below, above, 0.0 });
+  return gap * gap;
+}
+}
+
+PartTree::PartTree(const Surface& surface, const Components& parts)
+  : Source(surface)
+  , Parts(parts)
+  , Leaves(1)
+{
+  while (this->Leaves * OfLeaf < surface.Triangles.size())
+  {
+    this->Leaves *= 2;
+  }
+  this->Nodes.resize(2 * this->Leaves);
+  for (std::size_t leaf = 0; leaf < this->Leaves; ++leaf)
+  {
+    this->FillLeaf(leaf);
+  }
+  for (std::size_t node = this->Leaves; --node > 0;)
+  {
+    this->Join(node);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The triangles are distributed evenly over the leaves.
+Index PartTree::FirstOf(std::size_t leaf) const
+{
+  return static_cast<Index>(leaf * this->Source.Triangles.size() / this->Leaves);
+}
+
+//------------------------------------------------------------------------------
+Index PartTree::PartOf(Index triangle) const
+{
+  return this->Parts.OfPoint[this->Source.Triangles[triangle][0]];
+}
+
+//------------------------------------------------------------------------------
+TriangleCorners PartTree::CornersOf(Index triangle) const
+{
+  const Triangle& c = this->Source.Triangles[triangle];
+  return { this->Source.Points[c[0]], this->Source.Points[c[1]], this->Source.Points[c[2]] };
+}
+
+//------------------------------------------------------------------------------
+void PartTree::FillLeaf(std::size_t leaf)
+{
+  Node& node = this->Nodes[this->Leaves + leaf];
+  node.Low.fill(FloatInfinity);
+  node.High.fill(-FloatInfinity);
+  node.LeastNormal = node.Low;
+  node.MostNormal = node.High;
+  node.FirstPart = std::numeric_limits<Index>::max();
+  node.LastPart = None;
+  for (Index t = this->FirstOf(leaf); t < this->FirstOf(leaf + 1); ++t)
+  {
+    const TriangleCorners p = this->CornersOf(t);
+    const Vector3 normal = AreaVector(p[0], p[1], p[2]).normalized();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const auto at = static_cast<Eigen::Index>(axis);
+      node.Low[axis] = std::min(node.Low[axis], Below(std::min({ p[0][at], p[1][at], p[2][at] })));
+      node.High[axis] =
+        std::max(node.High[axis], Above(std::max({ p[0][at], p[1][at], p[2][at] })));
+      node.LeastNormal[axis] = std::min(node.LeastNormal[axis], Below(normal[at]));
+      node.MostNormal[axis] = std::max(node.MostNormal[axis], Above(normal[at]));
+    }
+    node.FirstPart = std::min(node.FirstPart, this->PartOf(t));
+    node.LastPart = std::max(node.LastPart, this->PartOf(t));
+  }
+}
+
+//------------------------------------------------------------------------------
+void PartTree::Join(std::size_t node)
+{
+  Node& both = this->Nodes[node];
+  const Node& a = this->Nodes[2 * node];
+  const Node& b = this->Nodes[2 * node + 1];
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    both.Low[axis] = std::min(a.Low[axis], b.Low[axis]);
+    both.High[axis] = std::max(a.High[axis], b.High[axis]);
+    both.LeastNormal[axis] = std::min(a.LeastNormal[axis], b.LeastNormal[axis]);
+    both.MostNormal[axis] = std::max(a.MostNormal[axis], b.MostNormal[axis]);
+  }
+  both.FirstPart = std::min(a.FirstPart, b.FirstPart);
+  both.LastPart = std::max(a.LastPart, b.LastPart);
+}
+
+//------------------------------------------------------------------------------
+double PartTree::SquaredDistance(const Node& node, const Vector3& p)
+{
+  double sum = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double at = p[static_cast<Eigen::Index>(axis)];
+    sum += SquaredGap(node.Low[axis] - at, at - node.High[axis]);
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+double PartTree::SquaredDistance(const Node& a, const Node& b)
+{
+  double sum = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    sum += SquaredGap(static_cast<double>(a.Low[axis]) - b.High[axis],
+      static_cast<double>(b.Low[axis]) - a.High[axis]);
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+/// Visits the triangles of all wanted leaves within the limit, which may fall meanwhile; near ones first.
+template <typename Wants, typename Visit>
+void PartTree::Walk(
+  const Vector3& p, const double& squaredLimit, const Wants& wants, const Visit& visit) const
+{
+  std::array<std::size_t, 64> stack;
+  std::size_t size = 0;
+  stack[size++] = 1;
+  while (size > 0)
+  {
+    const std::size_t at = stack[--size];
+    const Node& node = this->Nodes[at];
+    if (SquaredDistance(node, p) >= squaredLimit || !wants(node))
+    {
+      continue;
+    }
+    if (at < this->Leaves)
+    {
+      const bool isFirstNear =
+        SquaredDistance(this->Nodes[2 * at], p) <= SquaredDistance(this->Nodes[2 * at + 1], p);
+      stack[size++] = 2 * at + (isFirstNear ? 1 : 0);
+      stack[size++] = 2 * at + (isFirstNear ? 0 : 1);
+      continue;
+    }
+    for (Index t = this->FirstOf(at - this->Leaves); t < this->FirstOf(at - this->Leaves + 1); ++t)
+    {
+      visit(t);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+double PartTree::ToOtherPart(const Vector3& p, Index part, double limit) const
+{
+  double squared = limit * limit;
+  this->Walk(
+    p, squared,
+    [part](const Node& node) { return node.FirstPart != part || node.LastPart != part; },
+    [&](Index t)
+    {
+      if (this->PartOf(t) != part)
+      {
+        const TriangleCorners c = this->CornersOf(t);
+        squared = std::min(squared, TriangleFrame(c[0], c[1], c[2]).SquaredReach(p));
+      }
+    });
+  return std::sqrt(squared);
+}
+
+//------------------------------------------------------------------------------
+double PartTree::ToFacing(Index point, const Vector3& normal, double limit) const
+{
+  const Vector3& p = this->Source.Points[point];
+  const Index part = this->Parts.OfPoint[point];
+  double squared = limit * limit;
+  this->Walk(
+    p, squared,
+    [&normal, part](const Node& node)
+    {
+      double least = 0.0; // of the products of normals
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const double n = normal[static_cast<Eigen::Index>(axis)];
+        least += std::min(n * node.LeastNormal[axis], n * node.MostNormal[axis]);
+      }
+      return least < 0.0 && node.FirstPart <= part && node.LastPart >= part;
+    },
+    [&](Index t)
+    {
+      const Triangle& v = this->Source.Triangles[t];
+      const bool isOwn = v[0] == point || v[1] == point || v[2] == point;
+      if (isOwn || this->PartOf(t) != part)
+      {
+        return;
+      }
+      const TriangleFrame frame(
+        this->Source.Points[v[0]], this->Source.Points[v[1]], this->Source.Points[v[2]]);
+      if (frame.UnitNormal().dot(normal) < 0.0)
+      {
+        const Vector3 way = frame.At(frame.Nearest(p)) - p;
+        squared =
+          Face(normal, frame.UnitNormal(), way) ? std::min(squared, way.squaredNorm()) : squared;
+      }
+    });
+  return std::sqrt(squared);
+}
+
+//------------------------------------------------------------------------------
+double PartTree::LeastBetween(std::size_t leafA, std::size_t leafB, double squaredLimit) const
+{
+  for (Index a = this->FirstOf(leafA); a < this->FirstOf(leafA + 1); ++a)
+  {
+    for (Index b = this->FirstOf(leafB); b < this->FirstOf(leafB + 1); ++b)
+    {
+      if (this->PartOf(a) != this->PartOf(b))
+      {
+        const TriangleCorners cornersA = this->CornersOf(a);
+        const TriangleCorners cornersB = this->CornersOf(b);
+        const bool meet = Meet(PlaneTriangle(cornersA), PlaneTriangle(cornersB));
+        const double squared = meet ? 0.0 : WayBetween(cornersA, cornersB).SquaredLength;
+        squaredLimit = std::min(squaredLimit, squared);
+      }
+    }
+  }
+  return squaredLimit;
+}
+
+//------------------------------------------------------------------------------
+double PartTree::LeastFragmentGap() const
+{
+  double squared = Infinity;
+  std::vector<std::array<std::size_t, 2>> open = { { 1, 1 } };
+  while (!open.empty())
+  {
+    const auto [a, b] = open.back();
+    open.pop_back();
+    const Node& nodeA = this->Nodes[a];
+    const Node& nodeB = this->Nodes[b];
+    const bool isOnePart = nodeA.FirstPart == nodeB.LastPart && nodeA.LastPart == nodeB.FirstPart;
+    if (isOnePart || SquaredDistance(nodeA, nodeB) >= squared)
+    {
+      continue;
+    }
+    if (a >= this->Leaves)
+    {
+      squared = this->LeastBetween(a - this->Leaves, b - this->Leaves, squared);
+      continue;
+    }
+    std::array<std::array<std::size_t, 2>, 4> pairs = { { { 2 * a, 2 * b }, { 2 * a, 2 * b + 1 },
+      { 2 * a + 1, 2 * b + 1 }, { 2 * a + 1, 2 * b } } };
+    const std::size_t count = a == b ? 3 : 4; // of one node with itself each pair once
+    std::sort(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(count),
+      [this](const auto& p, const auto& q)
+      {
+        return SquaredDistance(this->Nodes[p[0]], this->Nodes[p[1]]) >
+          SquaredDistance(this->Nodes[q[0]], this->Nodes[q[1]]);
+      });
+    open.insert(open.end(), pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(count));
+  }
+  return std::sqrt(squared);
+}
+}

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Piece.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+namespace
+{
+bool BoxesMeet(const Piece& a, const Piece& b)
+{
+  return a.Low[0] <= b.High[0] && b.Low[0] <= a.High[0] && a.Low[1] <= b.High[1] &&
+    b.Low[1] <= a.High[1] && a.Low[2] <= b.High[2] && b.Low[2] <= a.High[2];
+}
+
+bool HasCorner(const Piece& piece, Index vertex)
+{
+  return std::find(piece.Vertices.begin(), piece.Vertices.end(), vertex) != piece.Vertices.end();
+}
+
+/// The number of the first corner for which that is so.
+std::size_t FindCorner(const Piece& piece, const Piece& other, bool isShared)
+{
+  std::size_t i = 0;
+  while (i < 2 && HasCorner(other, piece.Vertices[i]) != isShared)
+  {
+    ++i;
+  }
+  return i;
+}
+
+bool Meet(const Piece& a, const Piece& b)
+{
+  if (!BoxesMeet(a, b))
+  {
+    return false;
+  }
+  switch (CountShared(a, b))
+  {
+    case 0:
+      return bonedecimate::Meet(a, b);
+    case 1:
+      return MeetBeyondCorner(a, FindCorner(a, b, true), b, FindCorner(b, a, true));
+    case 2:
+      return MeetBeyondEdge(a, FindCorner(a, b, false), b.Corners[FindCorner(b, a, false)]);
+    default:
+      return true;
+  }
+}
+
+/// Pairs of a patch with what is near it, and within it, that meet.
+/// @param isEnough Requested after each with how many they are by then; true ends it.
+template <typename IsEnough>
+void CountMeetings(
+  const std::vector<Piece>& patch, const std::vector<Piece>& near, const IsEnough& isEnough)
+{
+  std::size_t count = 0;
+  for (auto piece = patch.begin(); piece != patch.end(); ++piece)
+  {
+    const auto endsIt = [&](const Piece& other)
+    { return Meet(*piece, other) && isEnough(++count); };
+    if (std::any_of(near.begin(), near.end(), endsIt) ||
+      std::any_of(piece + 1, patch.end(), endsIt))
+    {
+      return;
+    }
+  }
+}
+
+/// Where a point lies to the volume that two patches with one rim enclose.
+enum class Between
+{
+  No,
+  Yes,
+  Unclear
+};
+
+/// @param size mm, longer than the box around both.
+Between IsBetween(
+  const Vector3& p, double size, const std::vector<Piece>& a, const std::vector<Piece>& b)
+{
+  // Directions that no modeled geometry is aligned with.
+  for (const Vector3& direction : { Vector3(0.61, 0.53, 0.587), Vector3(-0.37, 0.71, -0.599) })
+  {
+    const Vector3 farPoint = p + 2.0 * size * direction;
+    bool isInside = false;
+    bool isClear = true;
+    for (const std::vector<Piece>* patch : { &a, &b })
+    {
+      for (const Piece& piece : *patch)
+      {
+        const RayResult result = ShootRay(p, farPoint, piece);
+        isInside = isInside != (result == RayResult::Hits);
+        isClear = isClear && result != RayResult::Unclear;
+      }
+    }
+    if (isClear)
+    {
+      return isInside ? Between::Yes : Between::No;
+    }
+  }
+  return Between::Unclear;
+}
+
+/// Exactly: then they enclose nothing.
+bool LieInOnePlane(const std::vector<Piece>& a, const std::vector<Piece>& b)
+{
+  const OrientedPlane& plane = a[0].Plane;
+  const auto isInPlane = [&plane](const Piece& piece)
+  {
+    return std::all_of(piece.Corners.begin(), piece.Corners.end(),
+      [&plane](const Vector3& p) { return plane.SideOf(p) == 0; });
+  };
+  return HasArea(a[0].Corners) && std::all_of(b.begin(), b.end(), isInPlane) &&
+    std::all_of(a.begin(), a.end(), isInPlane);
+}
+}
+
+/// mm^2, between the boxes.
+double SquaredDistance(const Piece& a, const Piece& b)
+{
+  return (a.Low - b.High).cwiseMax(b.Low - a.High).cwiseMax(0.0).squaredNorm();
+}
+
+//------------------------------------------------------------------------------
+int CountShared(const Piece& a, const Piece& b)
+{
+  return static_cast<int>(std::count_if(
+    a.Vertices.begin(), a.Vertices.end(), [&b](Index vertex) { return HasCorner(b, vertex); }));
+}
+
+//------------------------------------------------------------------------------
+Vector3 LeastOf(const std::vector<Piece>& pieces)
+{
+  Vector3 low = pieces[0].Low;
+  for (const Piece& piece : pieces)
+  {
+    low = low.cwiseMin(piece.Low);
+  }
+  return low;
+}
+//------------------------------------------------------------------------------
+Vector3 MostOf(const std::vector<Piece>& pieces)
+{
+  Vector3 high = pieces[0].High;
+  for (const Piece& piece : pieces)
+  {
+    high = high.cwiseMax(piece.High);
+  }
+  return high;
+}
+
+//------------------------------------------------------------------------------
+bool MeetMore(
+  const std::vector<Piece>& before, const std::vector<Piece>& after, const std::vector<Piece>& near)
+{
+  std::size_t allowed = 0;
+  bool isMore = false;
+  CountMeetings(after, near,
+    [&](std::size_t count)
+    {
+      if (count == 1) // most edits need not know
+      {
+        CountMeetings(before, near,
+          [&](std::size_t countBefore)
+          {
+            allowed = countBefore;
+            return false;
+          });
+      }
+      isMore = count > allowed;
+      return isMore;
+    });
+  return isMore;
+}
+
+//------------------------------------------------------------------------------
+/// What meets neither the faces that go nor the new ones lies between them as a whole or not at all: one corner that does not
+/// lie on them tells.
+bool JumpOver(
+  const std::vector<Piece>& before, const std::vector<Piece>& after, const std::vector<Piece>& near)
+{
+  const Vector3 low = LeastOf(before).cwiseMin(LeastOf(after));
+  const Vector3 high = MostOf(before).cwiseMax(MostOf(after));
+  const double size = (high - low).sum();
+  const auto isOfPatch = [&](Index vertex)
+  {
+    return std::any_of(
+      before.begin(), before.end(), [&](const Piece& old) { return HasCorner(old, vertex); });
+  };
+  const auto isBetween = [&](const Piece& piece)
+  {
+    Between found = Between::No;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const Vector3& p = piece.Corners[i];
+      if (!isOfPatch(piece.Vertices[i]))
+      {
+        const bool isInBox = (p - low).minCoeff() >= 0.0 && (high - p).minCoeff() >= 0.0;
+        found = isInBox ? IsBetween(p, size, before, after) : Between::No;
+        if (found != Between::Unclear)
+        {
+          break;
+        }
+      }
+    }
+    return found != Between::No;
+  };
+  return std::any_of(near.begin(), near.end(), isBetween) && !LieInOnePlane(before, after);
+}
+}

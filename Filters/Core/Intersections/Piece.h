@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Piece.h
+ * @brief Faces with precomputed data for pair tests, and the two rules that do not depend on gaps: whether a patch that
+ *        replaces another one intersects more of the faces nearby, and whether it jumps over something.
+ *
+ *     more:   pairs of the patch with what is near and within it that intersect (TrianglePair.h), after against before
+ *     jump:   a corner of what is near lies in the volume that both patches enclose; patches in one plane enclose none
+ */
+#ifndef BoneDecimate_Core_Intersections_Piece_h
+#define BoneDecimate_Core_Intersections_Piece_h
+
+#include "GapRule.h"
+#include "TrianglePair.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+struct Piece : PlaneTriangle
+{
+  using PlaneTriangle::PlaneTriangle;
+
+  Triangle Vertices; // their original vertices
+  Vector3 Low, High; // mm, its box
+  Vector3 Normal;
+  bonedecimate::Gap LeastGap; // of its corners
+  double Reach;               // mm, how far from it gaps have to be looked after
+};
+
+/// mm^2, between the boxes.
+double SquaredDistance(const Piece& a, const Piece& b);
+
+/// How many corners both have.
+int CountShared(const Piece& a, const Piece& b);
+
+/// mm, the corners of the box around all of them; there is one at least.
+Vector3 LeastOf(const std::vector<Piece>& pieces);
+Vector3 MostOf(const std::vector<Piece>& pieces);
+
+/// Whether more pairs intersect than with the faces that go.
+bool MeetMore(const std::vector<Piece>& before, const std::vector<Piece>& after,
+  const std::vector<Piece>& near);
+
+/// Whether something near lies between the faces that go and the new ones; in doubt it does.
+bool JumpOver(const std::vector<Piece>& before, const std::vector<Piece>& after,
+  const std::vector<Piece>& near);
+}
+
+#endif

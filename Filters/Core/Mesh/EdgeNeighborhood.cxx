@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EdgeNeighborhood.h"
+
+#include "Memory/Prefetch.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Collects the faces around the end of the edge while the ring of the start is walked.
+void FetchFacesOfEnd(const HalfEdgeMesh& mesh, Index edge, Index twin)
+{
+  constexpr int steps = 2;
+  Index left = mesh.Twin(HalfEdgeMesh::Next(edge));
+  Index right = twin == None ? None : mesh.Twin(HalfEdgeMesh::Previous(twin));
+  for (int i = 0; i < steps && left != None && right != None; ++i)
+  {
+    left = mesh.Twin(HalfEdgeMesh::Next(left));
+    right = mesh.Twin(HalfEdgeMesh::Previous(right));
+  }
+  Prefetch(mesh.RecordOfFace(std::max(0, left)));
+  Prefetch(mesh.RecordOfFace(std::max(0, right)));
+}
+}
+
+void EdgeNeighborhood::Gather(const HalfEdgeMesh& mesh, Index edge)
+{
+  const Index twin = mesh.Twin(edge);
+  this->Edge = edge;
+  this->Start = mesh.Origin(edge);
+  this->End = mesh.Target(edge);
+  this->NumberOfGoneFaces = twin == None ? 1 : 2;
+  this->GoneFaces = { HalfEdgeMesh::Face(edge), twin == None ? None : HalfEdgeMesh::Face(twin) };
+  this->Apexes = { mesh.Origin(HalfEdgeMesh::Previous(edge)),
+    twin == None ? None : mesh.Origin(HalfEdgeMesh::Previous(twin)) };
+  FetchFacesOfEnd(mesh, edge, twin);
+  this->Corners.clear();
+  this->Ring.clear();
+
+  const bool startOnBoundary = twin != None && mesh.IsOnBoundary(this->Start);
+  this->IsOpen = startOnBoundary || mesh.IsOnBoundary(this->End);
+  const Index first = !this->IsOpen ? mesh.Twin(HalfEdgeMesh::Previous(edge))
+    : startOnBoundary               ? mesh.Outgoing(this->Start)
+                                    : mesh.Outgoing(this->End);
+  Index out = first;
+  Index last = None; // on a boundary: the incoming half-edge at the end of the ring
+  do
+  {
+    const Index face = HalfEdgeMesh::Face(out);
+    if (face == this->GoneFaces[0] || face == this->GoneFaces[1])
+    {
+      last = HalfEdgeMesh::Next(out); // continue at the other end of the edge
+    }
+    else
+    {
+      this->Corners.push_back(out);
+      this->Ring.push_back(mesh.Target(out));
+      Prefetch(&mesh.Record(this->Ring.back())); // read next by the validity checks
+      last = HalfEdgeMesh::Previous(out);
+    }
+    out = mesh.Twin(last);
+  } while (out != None && out != first);
+  if (this->IsOpen)
+  {
+    this->Ring.push_back(mesh.Origin(last));
+    this->BoundaryEnds = { mesh.Origin(first), mesh.Target(last) };
+  }
+}
+
+//------------------------------------------------------------------------------
+bool EdgeNeighborhood::RingIsSimple() const
+{
+  // Nearly every ring is simple: comparing all pairs is faster than an early exit.
+  const Index* ring = this->Ring.data();
+  bool isMet = false;
+  for (std::size_t i = 0; i < this->Ring.size(); ++i)
+  {
+    isMet |= ring[i] == this->Start || ring[i] == this->End;
+    for (std::size_t k = 0; k < i; ++k)
+    {
+      isMet |= ring[k] == ring[i];
+    }
+  }
+  return !isMet;
+}
+}

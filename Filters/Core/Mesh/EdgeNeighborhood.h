@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file EdgeNeighborhood.h
+ * @brief The neighborhood of an edge, gathered once for the validity checks, the placement and the costs.
+ *
+ *          p1 ---- a0 ---- qn            Start, End   the ends of the edge
+ *         /  \    /  \    /  \           a0, a1       apexes of the removed faces (no a1 on a boundary)
+ *       p2 -- Start-->End -- q2          Corners      outgoing half-edges of Start or End in the remaining faces,
+ *         \  /    \  /    \  /                        counter-clockwise around the merged vertex
+ *          pn ---- a1 ---- q1            Ring         their targets and, on a boundary, also the last vertex:
+ *                                                     face i spans Ring[i] and Ring[i + 1]
+ */
+#ifndef BoneDecimate_Core_Mesh_EdgeNeighborhood_h
+#define BoneDecimate_Core_Mesh_EdgeNeighborhood_h
+
+#include "HalfEdgeMesh.h"
+
+#include <array>
+#include <vector>
+
+namespace bonedecimate
+{
+struct EdgeNeighborhood
+{
+  Index Edge = None; ///< The half-edge from Start to End.
+  Index Start = None;
+  Index End = None;
+  std::array<Index, 2> GoneFaces = { None, None };
+  std::array<Index, 2> Apexes = { None, None };
+  Index NumberOfGoneFaces = 0; ///< 1 on a boundary, else 2.
+  std::vector<Index> Corners;  ///< Half-edges of remaining faces whose origin is Start or End.
+  std::vector<Index> Ring;     ///< The link of the edge, in the same order.
+  bool IsOpen = false; ///< Whether the ring does not close because an end lies on a boundary.
+  /// On an open ring: the ends to which the boundary edges of its first and last vertex lead.
+  std::array<Index, 2> BoundaryEnds = { None, None };
+
+  bool IsBoundaryEdge() const { return this->NumberOfGoneFaces == 1; }
+
+  /// Replaces the content without allocating. No end may be NonManifold, and both may be on a boundary only if the edge is.
+  void Gather(const HalfEdgeMesh& mesh, Index edge);
+
+  /// The link condition: no vertex occurs twice on the ring, and no end lies on it.
+  bool RingIsSimple() const;
+};
+}
+
+#endif

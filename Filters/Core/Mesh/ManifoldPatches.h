@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ManifoldPatches.h
+ * @brief Splits a surface into manifold patches and joins them again.
+ *
+ *     odd edge:  an edge of three or more triangles, of inconsistent orientation, or between labels
+ *     each end of an odd edge, and each point where several fans meet:
+ *         every fan of triangles gets a duplicate of the point; all duplicates refer to one original vertex and are stationary
+ *
+ * Duplicates are never moved or removed, so patches are joined by replacing each duplicate by its original vertex.
+ * Edit/PatchRules.h prevents two patches from getting further edges in common.
+ *
+ * A. Gueziec, G. Taubin, F. Lazarus, B. Horn, Cutting and stitching: converting sets of polygons to manifold surfaces, 2001.
+ */
+#ifndef BoneDecimate_Core_Mesh_ManifoldPatches_h
+#define BoneDecimate_Core_Mesh_ManifoldPatches_h
+
+#include "Cleaning.h"
+#include "HalfEdgeMesh.h"
+
+namespace bonedecimate
+{
+/// Splits the surface and updates its maps. Duplicates are appended; each input point maps to the first of them.
+/// @param mesh Built from the surface.
+/// @return Whether anything was split: the mesh then has to be built again, with clean.ManifoldPatches.
+bool SplitIntoManifoldPatches(CleanSurface& clean, const HalfEdgeMesh& mesh);
+
+/// Number of points, duplicates not counted.
+std::int64_t NumberOfOriginalVertices(const CleanSurface& clean);
+
+/// Calls use(surface) with the patches joined.
+template <typename Use>
+auto WithJoined(const CleanSurface& clean, const Use& use)
+{
+  const std::vector<Index>& sites = clean.ManifoldPatches.OriginalVertices;
+  if (sites.empty())
+  {
+    return use(clean.Surface);
+  }
+  Surface joined = clean.Surface;
+  for (Triangle& c : joined.Triangles)
+  {
+    c = { sites[c[0]], sites[c[1]], sites[c[2]] };
+  }
+  return use(static_cast<const Surface&>(joined));
+}
+}
+
+#endif

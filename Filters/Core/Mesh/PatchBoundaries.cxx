@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PatchBoundaries.h"
+
+#include "Geometry/TriangleGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bonedecimate
+{
+namespace
+{
+using Ends = std::array<Index, 2>;
+
+/// The neighbors along a patch boundary; None where it does not continue.
+Ends NeighborsOnBoundary(const HalfEdgeMesh& mesh, Index v)
+{
+  const Ends beside = BesideOnBoundary(mesh, v);
+  bool runs = mesh.NextDuplicate(v) != v && beside[0] != beside[1];
+  for (Index copy = mesh.NextDuplicate(v); copy != v && runs; copy = mesh.NextDuplicate(copy))
+  {
+    runs = BesideOnBoundary(mesh, copy) == beside;
+  }
+  return runs ? beside : Ends{ None, None };
+}
+}
+
+std::array<Index, 2> BesideOnBoundary(const HalfEdgeMesh& mesh, Index v)
+{
+  if (mesh.IsConstrained(v) || !mesh.IsOnBoundary(v))
+  {
+    return { None, None };
+  }
+  Index last = None;
+  for (const Index h : mesh.OutgoingOf(v))
+  {
+    last = HalfEdgeMesh::Previous(h);
+  }
+  const Index before = mesh.OriginalVertex(mesh.Origin(last));
+  const Index after = mesh.OriginalVertex(mesh.Target(mesh.Outgoing(v)));
+  return { std::min(before, after), std::max(before, after) };
+}
+
+//------------------------------------------------------------------------------
+bool PatchBoundaryRunsThrough(const HalfEdgeMesh& mesh, Index v)
+{
+  return NeighborsOnBoundary(mesh, v)[0] != None;
+}
+
+//------------------------------------------------------------------------------
+PatchBoundaries::PatchBoundaries(const HalfEdgeMesh& mesh)
+{
+  const auto count = static_cast<std::size_t>(mesh.NumberOfVertexSlots());
+  std::vector<Ends> beside(count, { None, None });
+  std::vector<char> isOpen(count, 0); // an inner vertex of a curve that is not collected yet
+  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    beside[v] = mesh.OriginalVertex(v) == v ? NeighborsOnBoundary(mesh, v) : beside[v];
+    isOpen[v] = beside[v][0] != None ? 1 : 0;
+  }
+  for (Index site = 0; site < mesh.NumberOfVertexSlots(); ++site)
+  {
+    if (isOpen[site] == 0)
+    {
+      continue;
+    }
+    Index first = beside[site][0]; // back to the start of the curve
+    Index second = site;
+    while (first != site && beside[first][0] != None)
+    {
+      const Index next = beside[first][0] == second ? beside[first][1] : beside[first][0];
+      second = std::exchange(first, next);
+    }
+    this->AddLine(first, second, isOpen, beside);
+  }
+  this->EdgesAtFirst = this->Edges;
+}
+
+//------------------------------------------------------------------------------
+void PatchBoundaries::AddLine(
+  Index first, Index second, std::vector<char>& isOpen, const std::vector<Ends>& beside)
+{
+  const Index begin = this->NumberOfPositions();
+  this->OriginalVertices.push_back(first);
+  isOpen[first] = 0; // of a closed curve; ends are not marked
+  Index before = first;
+  Index at = second;
+  for (; isOpen[at] != 0; isOpen[before] = 0)
+  {
+    this->OriginalVertices.push_back(at);
+    const Index next = beside[at][0] == before ? beside[at][1] : beside[at][0];
+    before = std::exchange(at, next);
+  }
+  this->OriginalVertices.push_back(at);
+  for (Index index = begin; index < this->NumberOfPositions(); ++index)
+  {
+    const bool isEnd = index == begin || index + 1 == this->NumberOfPositions();
+    this->Neighbors.push_back(isEnd ? Ends{ None, None } : Ends{ index - 1, index + 1 });
+  }
+  this->Edges += this->NumberOfPositions() - begin - 1;
+}
+
+//------------------------------------------------------------------------------
+double PatchBoundaries::Distance(const HalfEdgeMesh& mesh, Index site, const Ends& segment) const
+{
+  const Vector3& a = mesh.Position(segment[0]);
+  const Vector3& b = mesh.Position(segment[1]);
+  const Vector3& p = mesh.Position(site);
+  return (a + NearestFraction(p, a, b) * (b - a) - p).norm();
+}
+
+//------------------------------------------------------------------------------
+void PatchBoundaries::Remove(Index index)
+{
+  const Ends beside = this->Neighbors[index];
+  this->Neighbors[index] = { None, None };
+  if (this->Neighbors[beside[0]][1] != None)
+  {
+    this->Neighbors[beside[0]][1] = beside[1];
+  }
+  if (this->Neighbors[beside[1]][0] != None)
+  {
+    this->Neighbors[beside[1]][0] = beside[0];
+  }
+  --this->Edges;
+}
+}

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PatchBoundaries.h
+ * @brief The curves along which manifold patches meet, as chains of original vertices; inner vertices can be removed.
+ *
+ *     inner vertex:   every duplicate lies on the boundary of its patch, and all have the same two neighbors along it
+ *     curve:          inner vertices between two ends that are not inner vertices
+ *     closed curve:   starts and ends at its least vertex
+ *
+ * The vertices never move, so removed vertices keep their position in the order between two remaining ones.
+ */
+#ifndef BoneDecimate_Core_Mesh_PatchBoundaries_h
+#define BoneDecimate_Core_Mesh_PatchBoundaries_h
+
+#include "HalfEdgeMesh.h"
+
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace bonedecimate
+{
+/// The original vertices next to v along the boundary of its patch, the lesser first; None if v is not on one.
+std::array<Index, 2> BesideOnBoundary(const HalfEdgeMesh& mesh, Index v);
+
+/// Whether v is an inner vertex of a curve: it has the same two neighbors in every patch.
+bool PatchBoundaryRunsThrough(const HalfEdgeMesh& mesh, Index v);
+
+class PatchBoundaries
+{
+public:
+  /// @param mesh Before the first edit; constrained vertices end a curve.
+  explicit PatchBoundaries(const HalfEdgeMesh& mesh);
+
+  /// Number of positions on curves; a common end of several curves counts several times.
+  Index NumberOfPositions() const { return static_cast<Index>(this->OriginalVertices.size()); }
+  Index NumberOfEdges() const { return this->Edges; }
+  Index NumberOfEdgesAtFirst() const { return this->EdgesAtFirst; }
+
+  Index OriginalVertex(Index index) const { return this->OriginalVertices[index]; }
+  Index Before(Index index) const { return this->Neighbors[index][0]; }
+  Index After(Index index) const { return this->Neighbors[index][1]; }
+  /// Whether it is an inner vertex and not removed.
+  bool MayGo(Index index) const
+  {
+    return this->Before(index) != None && this->After(index) != None;
+  }
+
+  /// mm, the largest distance of this vertex, and of those removed next to it, to the edge that would replace its two edges.
+  /// Infinite if that edge would have no length, or if a distance exceeds `limitOf(vertex)`, mm.
+  template <typename LimitOf>
+  double Deviation(const HalfEdgeMesh& mesh, Index index, const LimitOf& limitOf) const;
+
+  void Remove(Index index);
+
+private:
+  using Ends = std::array<Index, 2>;
+
+  void AddLine(
+    Index first, Index second, std::vector<char>& isOpen, const std::vector<Ends>& beside);
+  double Distance(const HalfEdgeMesh& mesh, Index site, const Ends& segment) const;
+
+  std::vector<Index> OriginalVertices; // for each position, curve by curve
+  std::vector<Ends> Neighbors;         // positions; None beyond ends and for removed vertices
+  Index Edges = 0;
+  Index EdgesAtFirst = 0;
+};
+
+template <typename LimitOf>
+double PatchBoundaries::Deviation(
+  const HalfEdgeMesh& mesh, Index index, const LimitOf& limitOf) const
+{
+  const Ends segment = { this->OriginalVertex(this->Before(index)),
+    this->OriginalVertex(this->After(index)) };
+  double most = segment[0] == segment[1] ? std::numeric_limits<double>::infinity() : 0.0;
+  for (Index between = this->Before(index) + 1; between < this->After(index); ++between)
+  {
+    const double distance = this->Distance(mesh, this->OriginalVertex(between), segment);
+    const bool isFar = distance > limitOf(this->OriginalVertex(between));
+    most = isFar ? std::numeric_limits<double>::infinity() : std::max(most, distance);
+  }
+  return most;
+}
+}
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file VertexConstraint.h
+ * @brief What edits may do to a vertex: one value per vertex, and predicates for its meaning.
+ *
+ *                          may move             may be removed   may be collapsed onto   ring
+ *     Free                 anywhere             yes              yes                     closed
+ *     Boundary             along the boundary   yes              yes                     open
+ *     Stationary           no                   no               yes                     closed
+ *     StationaryBoundary   no                   no               yes                     open
+ *     NonManifold          no                   no               no                      not one fan: never walked
+ *     Constrained          no                   no               no                      closed or open
+ *
+ * Stationary vertices of a feature curve may be removed with the same edge in all manifold patches (Editor::CollapseTogether).
+ */
+#ifndef BoneDecimate_Core_Mesh_VertexConstraint_h
+#define BoneDecimate_Core_Mesh_VertexConstraint_h
+
+#include <cstdint>
+
+namespace bonedecimate
+{
+/// In ascending rank, see Outranks.
+enum class VertexConstraint : std::uint8_t
+{
+  Free,               ///< Interior of a manifold patch.
+  Boundary,           ///< On an open boundary.
+  Stationary,         ///< Interior of its manifold patch, but other patches meet there.
+  StationaryBoundary, ///< On the boundary of its manifold patch, where other patches meet it.
+  NonManifold,        ///< On a non-manifold edge, or where fans meet in one point, and not split.
+  Constrained         ///< Has a tolerance of 0, or is a corner of a face with such a vertex.
+};
+
+/// It never moves, is never removed, and nothing is collapsed onto it. No edit changes a face with three such corners.
+constexpr bool IsConstrained(VertexConstraint constraint)
+{
+  return constraint == VertexConstraint::NonManifold || constraint == VertexConstraint::Constrained;
+}
+
+/// It never moves, but vertices may be collapsed onto it.
+constexpr bool IsStationary(VertexConstraint constraint)
+{
+  return constraint == VertexConstraint::Stationary ||
+    constraint == VertexConstraint::StationaryBoundary;
+}
+
+/// Its ring is open; false for constrained vertices, whatever their ring.
+constexpr bool IsOnBoundary(VertexConstraint constraint)
+{
+  return constraint == VertexConstraint::Boundary ||
+    constraint == VertexConstraint::StationaryBoundary;
+}
+
+/// It may move anywhere.
+constexpr bool MovesFreely(VertexConstraint constraint)
+{
+  return constraint == VertexConstraint::Free;
+}
+
+/// Of two ends of an edge that may be collapsed: whether the merged vertex takes the position of the first. If neither end
+/// outranks the other, it moves as both of them may.
+constexpr bool Outranks(VertexConstraint first, VertexConstraint second)
+{
+  return first > second;
+}
+
+/// Whether the collapse of an edge would move a vertex off the boundary or the feature curve that it lies on, or would pinch
+/// the surface: the edge is interior and neither end moves freely.
+constexpr bool LeavesBoundary(VertexConstraint first, VertexConstraint second, bool isBoundaryEdge)
+{
+  return !isBoundaryEdge && !MovesFreely(first) && !MovesFreely(second);
+}
+}
+
+#endif

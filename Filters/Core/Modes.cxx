@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Modes.h"
+
+#include "Placement/AlternatePositions.h"
+#include "Stages/CollapseStage.h"
+#include "Stages/RefineStage.h"
+
+namespace bonedecimate
+{
+const std::vector<ModeInfo>& ModeTable()
+{
+  using Cost = CostPolicy;
+  using Placement = PlacementPolicy;
+  using Schedule = SchedulePolicy;
+  using Error = ErrorPolicy;
+  static const std::vector<Stage> collapse = { { "collapse", CollapseStage, 1.0 } };
+  static const std::vector<Stage> collapseAndRefine = { { "collapse", CollapseStage, 0.3 },
+    { "refine", RefineStage, 1.0 } };
+  static const std::vector<ModeInfo> table = {
+    { Mode::Thesis, "Thesis", Cost::NormalFieldDeviation, Placement::PlaneQuadric,
+      Schedule::VertexQueue, Error::RunningStop, true, false, {}, {}, collapse },
+    { Mode::Fast, "Fast", Cost::QuadricDeviation, Placement::VolumePreserving,
+      Schedule::BucketSweep, Error::ProvedBound, false, false, { 0.3, 4 }, {}, collapse },
+    // Spikes weigh more than in Fast: refinement wins back the mean error that costs.
+    { Mode::Balanced, "Balanced", Cost::QuadricDeviation, Placement::VolumePreserving,
+      Schedule::BucketSweep, Error::ProvedBound, false, true, { 0.5, 8 },
+      { 0.2, 0.02, 4, 1, 1, 3, 1 }, collapseAndRefine },
+    { Mode::Accurate, "Accurate", Cost::QuadricDeviation, Placement::VolumePreserving,
+      Schedule::BucketSweep, Error::ProvedBound, false, true, { 0.5, MaximumPositions },
+      { 0.3, 0.06, 4, 1, 6, 8, 3 }, collapseAndRefine },
+  };
+  return table;
+}
+
+//------------------------------------------------------------------------------
+const ModeInfo& FindMode(Mode mode)
+{
+  const std::size_t row = static_cast<std::size_t>(mode);
+  const std::vector<ModeInfo>& table = ModeTable();
+  return table[row < table.size() ? row : static_cast<std::size_t>(Mode::Balanced)];
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> ModeNames()
+{
+  std::vector<std::string> names;
+  for (const ModeInfo& mode : ModeTable())
+  {
+    names.emplace_back(mode.Name);
+  }
+  return names;
+}
+}

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Modes.h
+ * @brief The table of modes. A mode is a row: its policies, its stages, their settings and what MaximumError means.
+ *
+ *     mode       cost                   placement           schedule       stages              MaximumError
+ *     Thesis     NormalFieldDeviation   PlaneQuadric        VertexQueue    collapse            stops the run
+ *     Fast       QuadricDeviation       VolumePreserving    BucketSweep    collapse            is proved
+ *     Balanced   QuadricDeviation       VolumePreserving    BucketSweep    collapse, refine    is proved
+ *     Accurate   QuadricDeviation       VolumePreserving    BucketSweep    collapse, refine    is proved
+ *
+ * A cost NAME is the formula in Cost/NAME.h, a placement NAME that in Placement/NAME.h, a schedule NAME the order of
+ * Schedule/NAME.h. Balanced and Accurate differ in the settings of their stages. The refine stage ends with collapses by
+ * Cost/SampledErrorCost.h.
+ *
+ * A new mode is an enumerator and a row of Modes.cxx. Its name is that of the option, the program and the report.
+ */
+#ifndef BoneDecimate_Core_Modes_h
+#define BoneDecimate_Core_Modes_h
+
+#include "Monitor.h"
+
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+enum class StopReason : int;
+struct StageInput;
+
+/// The values are those of vtkBoneDecimate::SetMode() and the indices of ModeTable().
+enum class Mode : int
+{
+  Thesis = 0,   ///< Vertex-driven collapse by normal field deviation (Brandao 2018).
+  Fast = 1,     ///< Collapse by quadrics of the current triangles, O(1) for an edge.
+  Balanced = 2, ///< As Fast nearly to the end, then fitted to samples of the original.
+  Accurate = 3  ///< As Balanced, with more collapses by sampled error and more sweeps.
+};
+
+enum class CostPolicy
+{
+  NormalFieldDeviation,
+  QuadricDeviation
+};
+
+enum class PlacementPolicy
+{
+  PlaneQuadric,
+  VolumePreserving
+};
+
+enum class SchedulePolicy
+{
+  VertexQueue, ///< One edge at a time: the vertex of lowest cost, then its edge of lowest cost.
+  BucketSweep  ///< Blocks of the mesh in parallel, edges by buckets of their cost.
+};
+
+/// What MaximumError and the tolerances of points mean.
+enum class ErrorPolicy
+{
+  RunningStop, ///< The run ends when the recorded distance of a new vertex reaches MaximumError; tolerances only constrain.
+  ProvedBound  ///< Every edit is proved to keep both surfaces within the error and the tolerances.
+};
+
+/// Of Schedule/BucketSweep.h.
+struct SweepSettings
+{
+  double SpikeWeight =
+    0.3; ///< Of Cost/SpikePenalty.h: more gives a larger mean error and a smaller maximum.
+  /// Positions tried for a merged vertex where edits are proved, at most MaximumPositions of
+  /// Placement/AlternatePositions.h: more of them give fewer triangles and take longer.
+  int PositionsTried = 4;
+};
+
+/// Of Stages/RefineStage.h. The defaults are those of a mode without that stage.
+struct RefineSettings
+{
+  double ExtraOfTarget =
+    0.0; ///< The sweep before stops early by this ratio of the target number of faces,
+  double ExtraOfOriginal = 0.0; ///< but by no more than this ratio of the original number.
+  int EdgesOfCollapse = 0;      ///< Edges evaluated for each of the last collapses.
+  int SweepsBefore = 0;         ///< Sweeps of flips and moves before the last collapses.
+  int SweepsAfter = 0;          ///< Sweeps after them,
+  int SweepsIfFew = 0;          ///< or, where few triangles remain and sweeps cost little, so many.
+  int ProvedRounds = 0; ///< How often sweeps and collapses alternate where edits are proved.
+};
+
+using StageFunction = StopReason (*)(const StageInput& input, const Monitor& monitor);
+
+/// A step of a run over the mesh editor, see Stages/StageList.h.
+struct Stage
+{
+  const char* Name;
+  StageFunction Run;
+  double End; ///< Fraction of the time of all stages at which this one ends.
+};
+
+struct ModeInfo
+{
+  bonedecimate::Mode Mode;
+  const char* Name;
+  CostPolicy Cost;
+  PlacementPolicy Placement;
+  SchedulePolicy Schedule;
+  ErrorPolicy MaximumError;
+  bool
+    RecordsDistances; ///< Whether the distance of every new vertex to the original is recorded along the collapses.
+  bool KeepsOriginalMesh; ///< Whether stages need the mesh as it was before the first edit.
+  SweepSettings Sweep;
+  RefineSettings Refine;
+  std::vector<Stage> Stages; ///< In order.
+
+  bool ProvesError() const { return this->MaximumError == ErrorPolicy::ProvedBound; }
+  /// Whether the option NormalTolerance, the w of the cost, has a meaning.
+  bool HasNormalTolerance() const { return this->Cost == CostPolicy::NormalFieldDeviation; }
+  /// Whether cost or placement read the area and the normal of each face.
+  bool NeedsFaceAreas() const
+  {
+    return this->Cost == CostPolicy::NormalFieldDeviation ||
+      this->Placement == PlacementPolicy::PlaneQuadric;
+  }
+  /// Whether cost or placement read the quadric of each vertex.
+  bool NeedsQuadrics() const
+  {
+    return this->Cost == CostPolicy::QuadricDeviation ||
+      this->Placement == PlacementPolicy::VolumePreserving;
+  }
+};
+
+/// Every mode once, in the order of the enumeration.
+const std::vector<ModeInfo>& ModeTable();
+
+/// The row of a mode; that of Balanced for a value that is no mode, which CheckOptions() rejects.
+const ModeInfo& FindMode(Mode mode);
+
+/// The names of all modes, in the order of the table.
+std::vector<std::string> ModeNames();
+
+/// "Fast, Balanced, Accurate": the names of the modes of which the predicate is true.
+template <typename Predicate>
+std::string ModeNamesWhere(const Predicate& predicate)
+{
+  std::string names;
+  for (const ModeInfo& mode : ModeTable())
+  {
+    if (predicate(mode))
+    {
+      names += (names.empty() ? "" : ", ") + std::string(mode.Name);
+    }
+  }
+  return names;
+}
+}
+
+#endif

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OptionTable.h"
+
+#include "InputOptionRows.h"
+#include "Modes.h"
+#include "NumberRange.h"
+
+#include <limits>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr double LargestInteger = std::numeric_limits<int>::max();
+
+/// What to reach, and how.
+std::vector<OptionInfo> GoalRows()
+{
+  return {
+    { "Mode", &Options::Mode, 0, static_cast<double>(ModeTable().size() - 1), "", "mode",
+      ModeNames(),
+      "Decimation mode. Thesis follows Brandao (2018). Fast orders edges by the change of the "
+      "normals that a collapse causes, and nearly preserves the volume. Balanced adds collapses "
+      "ordered by sampled error, edge flips and vertex moves. Accurate does more of these. Thesis "
+      "continues until the number of triangles is reached and, with MaximumError, a new vertex "
+      "lies beyond it; the other modes stop at the first criterion that is met." },
+    { "TargetNumberOfTriangles", &Options::TargetNumberOfTriangles, 0, LargestInteger, "triangles",
+      "target-triangles", {}, "Number of triangles to reach. 0: off." },
+    { "TargetReduction", &Options::TargetReduction, 0, 1, "", "target-reduction", {},
+      "Fraction of the triangles to remove. 0: remove none; 1: off. The default is ignored if a "
+      "number of triangles or a largest error is set, or if every point has a tolerance." },
+    { "MaximumError", &Options::MaximumError, 0, LargestNumber, "mm", "max-error", {},
+      "Largest distance between input and result, proved in both directions for every point of "
+      "both surfaces, and for open boundaries curve to curve. 0: off. In Thesis mode the run stops "
+      "at the first new vertex that is farther from the input: one vertex can exceed the value, "
+      "and points between vertices can, too." },
+    { "AllowLargeError", &Options::AllowLargeError, 0, 1, "", "allow-large-error", {},
+      "Accept a largest error above a quarter of the diagonal of the input's bounding box. Without "
+      "it such a run is rejected, because the coordinates are probably not in millimeters." },
+    { "IntersectionGuard", &Options::IntersectionGuard, 0, 1, "", "intersection-guard", {},
+      "With MaximumError, except in Thesis mode: the number of intersecting pairs of triangles "
+      "does not increase, and gaps between fragments and between facing walls keep at least half "
+      "of their width." },
+    { "NormalTolerance", &Options::NormalTolerance, 0, 1, "", "normal-tolerance", {},
+      "Thesis mode: tolerance w of the normal field deviation. Smaller values raise the cost of "
+      "flat regions. At 1 an edge between coplanar triangles costs nothing, whatever its length." },
+    { "AutomaticNormalTolerance", &Options::AutomaticNormalTolerance, 0, 1, "",
+      "auto-normal-tolerance", {},
+      "Thesis mode with a number of triangles or a reduction: choose NormalTolerance from the "
+      "fraction of triangles that remains, from 0.95 for one half or more to 0 for one tenth or "
+      "less. The report contains the value." },
+  };
+}
+
+/// What is done with the input, and what is measured.
+std::vector<OptionInfo> RunRows()
+{
+  return {
+    { "MergePoints", &Options::MergePoints, 0, 1, "", "merge-points", {},
+      "Merge points with exactly equal coordinates before the run. If off, triangles without "
+      "common point ids belong to different fragments." },
+    { "MeasureDistances", &Options::MeasureDistances, 0, 1, "", "measure", {},
+      "Measure the distances between input and result in both directions." },
+    { "MeasureInputDistances", &Options::MeasureInputDistances, 0, 1, "", "", {},
+      "Return the input on output port 1 with the distance of each point to the result." },
+    { "NumberOfThreads", &Options::NumberOfThreads, 0, 1024, "threads", "threads", {},
+      "Number of threads. 0: one per processor. The result does not depend on it." },
+    { "OutputPointsPrecision", &Options::OutputPointsPrecision, 0, 2, "", "precision",
+      { "Single", "Double", "Default" },
+      "Precision of the output points. Default: that of the input." },
+    { "PassArrays", &Options::PassArrays, 0, 1, "", "pass-arrays", {},
+      "Pass the point and cell arrays of the input to the result. Floating-point point data is "
+      "interpolated at the nearest position on the input. Everything else is copied from the "
+      "nearest point, or from the cell nearest to the centroid of the triangle." },
+    { "MakeMaps", &Options::MakeMaps, 0, 1, "", "maps", {},
+      "Add the arrays OriginalPointIds and OriginalCellIds to the result: the nearest point and "
+      "cell of the input. Add the array ResultPointIds to the input on output port 1: the output "
+      "point into which each input point was merged." },
+    { "RecomputeNormals", &Options::RecomputeNormals, 0, 1, "", "recompute-normals", {},
+      "Compute point normals from the triangles of the result instead of passing those of the "
+      "input." },
+  };
+}
+
+/// Names of arrays.
+std::vector<OptionInfo> ArrayRows()
+{
+  return {
+    { "DistanceArrayName", &Options::DistanceArrayName, 0, 0, "", "", {},
+      "Name of the point array with the distance of each output point to the input surface, in "
+      "mm." },
+    { "RunningErrorArrayName", &Options::RunningErrorArrayName, 0, 0, "", "", {},
+      "Name of the point array with the running error: the largest distance recorded along the "
+      "collapses into each output point, in mm." },
+    { "PointCountArrayName", &Options::PointCountArrayName, 0, 0, "", "", {},
+      "Name of the point array with the number of input points that each output point "
+      "represents." },
+    { "InputDistanceArrayName", &Options::InputDistanceArrayName, 0, 0, "", "", {},
+      "Name of the point array with the distance of each input point to the result, in mm." },
+  };
+}
+
+/// What is proved.
+std::vector<OptionInfo> ProofRows()
+{
+  return {
+    { "ToleranceArrayName", &Options::ToleranceArrayName, 0, 0, "", "tolerance-array", {},
+      "Name of a numeric point array of the input with the largest error at each point, in mm. 0 "
+      "keeps the point and its triangles unchanged. A negative value sets no limit. A positive "
+      "value is interpolated linearly on each triangle and proved like MaximumError, which is an "
+      "upper limit for all. Thesis mode accepts only 0 and negative values. Empty: none." },
+    { "LabelArrayName", &Options::LabelArrayName, 0, 0, "", "labels", {},
+      "Name of an integer cell or point array with the bone, fragment or segment of each triangle. "
+      "A cell array takes precedence; of a point array the majority of the three corners counts. "
+      "Curves between different labels are simplified only along themselves, and every triangle "
+      "keeps its label. Empty: none." },
+    { "ProveResult", &Options::ProveResult, 0, 1, "", "prove", {},
+      "With MaximumError, except in Thesis mode: certify the result as it is written, in both "
+      "directions and for open boundaries, and report the proved bounds." },
+    { "ErrorBoundArrayName", &Options::ErrorBoundArrayName, 0, 0, "", "", {},
+      "Name of the point array with the proved bound at each output point, in mm: no point of the "
+      "adjacent triangles is farther from the input. Needs ProveResult." },
+    { "InputErrorBoundArrayName", &Options::InputErrorBoundArrayName, 0, 0, "", "", {},
+      "Name of the point array with the proved bound at each input point, in mm: no point of the "
+      "adjacent triangles is farther from the result. Needs ProveResult and "
+      "MeasureInputDistances." },
+    { "ErrorPreset", &Options::ErrorPreset, 0, 3, "", "preset",
+      { "None", "QuarterVoxel", "HalfVoxel", "OneVoxel" },
+      "Largest error as a fraction of the smallest voxel spacing of the scan (VoxelSize). A "
+      "quarter is below the resolution of the scan, a half is about the uncertainty of a surface "
+      "from the scan, one voxel is for overviews. A smaller MaximumError takes precedence." },
+    { "VoxelSize", &Options::VoxelSize, 0, LargestNumber, "mm", "voxel-size", {},
+      "Smallest voxel spacing of the scan, for ErrorPreset. 0: estimated from the surface, which "
+      "must be unmodified output of marching cubes, and reported as an estimate." },
+  };
+}
+}
+
+const std::vector<OptionInfo>& OptionTable()
+{
+  static const std::vector<OptionInfo> table = []
+  {
+    std::vector<OptionInfo> rows;
+    for (const std::vector<OptionInfo>& group :
+      { GoalRows(), RunRows(), ArrayRows(), ProofRows(), InputOptionRows() })
+    {
+      rows.insert(rows.end(), group.begin(), group.end());
+    }
+    return rows;
+  }();
+  return table;
+}
+
+const OptionInfo* FindOption(const std::string& name)
+{
+  for (const OptionInfo& info : OptionTable())
+  {
+    if (info.Name == name)
+    {
+      return &info;
+    }
+  }
+  return nullptr;
+}
+}

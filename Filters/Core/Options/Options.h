@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Options.h
+ * @brief The options of a run. OptionTable.cxx documents meaning, range and unit of each.
+ */
+#ifndef BoneDecimate_Core_Options_Options_h
+#define BoneDecimate_Core_Options_Options_h
+
+#include "Modes.h"
+
+#include <string>
+
+namespace bonedecimate
+{
+/// The values are those of vtkAlgorithm::DesiredOutputPrecision.
+enum class PointsPrecision : int
+{
+  Single = 0,
+  Double = 1,
+  Default = 2 ///< That of the input points.
+};
+
+/// A largest error as a fraction of the voxel size.
+enum class ErrorPreset : int
+{
+  NoPreset = 0,
+  QuarterVoxel = 1,
+  HalfVoxel = 2,
+  OneVoxel = 3
+};
+
+/// Every field is one row of OptionTable(); the defaults are written here and nowhere else.
+struct Options
+{
+  bonedecimate::Mode Mode = bonedecimate::Mode::Balanced;
+  int TargetNumberOfTriangles = 0;
+  double TargetReduction = 0.9;
+  double MaximumError = 0.0; // mm
+  bool AllowLargeError = false;
+  bool IntersectionGuard = true;
+  double NormalTolerance = 0.95;
+  bool AutomaticNormalTolerance = false;
+  bool MergePoints = true;
+  bool MeasureDistances = true;
+  bool MeasureInputDistances = false;
+  int NumberOfThreads = 0;
+  PointsPrecision OutputPointsPrecision = PointsPrecision::Default;
+  bool PassArrays = true;
+  bool MakeMaps = false;
+  bool RecomputeNormals = false;
+  std::string DistanceArrayName = "Distance";
+  std::string RunningErrorArrayName = "RunningError";
+  std::string PointCountArrayName = "InputPointCount";
+  std::string InputDistanceArrayName = "DistanceToResult";
+  std::string ToleranceArrayName;
+  std::string LabelArrayName;
+  bool ProveResult = true;
+  std::string ErrorBoundArrayName = "ErrorBound";
+  std::string InputErrorBoundArrayName = "ErrorBoundToResult";
+  bonedecimate::ErrorPreset ErrorPreset = bonedecimate::ErrorPreset::NoPreset;
+  double VoxelSize = 0.0;   // mm
+  double PruneSize = 0.0;   // mm
+  double PruneArea = 0.0;   // mm^2
+  double PruneVolume = 0.0; // mm^3
+  int PruneTriangles = 0;
+  bool DiagnoseInput = false;
+
+  /// Must be set together with TargetReduction. While it is false, the default reduction is ignored if a number of
+  /// triangles or a largest error is given.
+  bool TargetReductionIsExplicit = false;
+
+  /// Whether small components are to go.
+  bool Prunes() const
+  {
+    return this->PruneSize > 0.0 || this->PruneArea > 0.0 || this->PruneVolume > 0.0 ||
+      this->PruneTriangles > 0;
+  }
+
+  /// Whether the mode proves every edit that a largest error or a tolerance limits.
+  bool ProvesError() const { return FindMode(this->Mode).ProvesError(); }
+
+  /// Whether MaximumError bounds the distance of every point of both surfaces.
+  bool BoundsError() const
+  {
+    return this->ProvesError() &&
+      (this->MaximumError > 0.0 || this->ErrorPreset != bonedecimate::ErrorPreset::NoPreset);
+  }
+};
+}
+
+#endif

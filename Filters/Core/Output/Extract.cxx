@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Extract.h"
+
+#include "Mesh/SurfaceAssembly.h"
+#include "Parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bonedecimate
+{
+namespace
+{
+/// For each vertex the number of input points merged into it.
+std::vector<Index> CountPoints(const CleanSurface& clean, const std::vector<Index>& current)
+{
+  std::vector<Index> counts(current.size(), 0);
+  for (std::size_t v = 0; v < current.size(); ++v)
+  {
+    counts[static_cast<std::size_t>(current[v])] += clean.InputPointCount[v];
+  }
+  return counts;
+}
+
+/// For each input point the index in the list of vertices of the one into which it was merged.
+std::vector<Index> OutputPointsOfInput(const CleanSurface& clean, const std::vector<Index>& current,
+  const std::vector<Index>& vertices, int threads)
+{
+  std::vector<Index> positions(current.size(), None);
+  for (std::size_t p = 0; p < vertices.size(); ++p)
+  {
+    positions[static_cast<std::size_t>(vertices[p])] = static_cast<Index>(p);
+  }
+  std::vector<Index> ofInput(clean.PointOfInput.size(), None);
+  ForEachId(ofInput.size(), threads,
+    [&](std::size_t p)
+    {
+      const Index point = clean.PointOfInput[p];
+      ofInput[p] = point == None ? None : positions[static_cast<std::size_t>(current[point])];
+    });
+  return ofInput;
+}
+
+/// The remaining vertices, and the original surface for look-ups.
+struct Remains
+{
+  const CleanSurface& Clean;
+  const Original& Source;
+  std::vector<Index> Near;     // of each vertex, a triangle of the original
+  std::vector<Index> Vertices; // of the mesh, a point of the result each
+  std::vector<Vector3> Points; // mm from the local origin
+};
+
+/// Calls work for each point or triangle; the monitor cannot abort it.
+template <typename LookUp>
+void LookUpEach(std::size_t count, int threads, const Monitor& monitor, const LookUp& lookUp)
+{
+  const Monitor hear = [&](double done)
+  {
+    monitor(done);
+    return true;
+  };
+  ForEachChunk(count, threads, hear,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        lookUp(i);
+      }
+    });
+}
+
+void LookUpPoints(
+  const Remains& remains, const ExtractOptions& options, const Monitor& monitor, Result& result)
+{
+  const BoundingTree& tree = remains.Source.Tree(options.Threads);
+  const std::size_t count = remains.Points.size();
+  const std::size_t origins = options.Origins ? count : 0;
+  result.Distance.resize(count);
+  result.RunningError.resize(count);
+  result.Origins.NearestTriangle.resize(origins);
+  result.Origins.Barycentric.resize(origins);
+  result.Origins.NearestPoint.resize(origins);
+  LookUpEach(count, options.Threads, monitor,
+    [&](std::size_t p)
+    {
+      const Index vertex = remains.Vertices[p];
+      const BoundingTree::Nearest nearest =
+        tree.FindNearest(remains.Points[p], remains.Near[vertex]);
+      result.Distance[p] = std::sqrt(nearest.Point.SquaredDistance);
+      result.RunningError[p] = remains.Source.RecordsDistances()
+        ? remains.Source.RunningError(vertex)
+        : result.Distance[p];
+      if (options.Origins)
+      {
+        result.Origins.NearestTriangle[p] = remains.Clean.InputTriangle[nearest.Triangle];
+        result.Origins.Barycentric[p] = nearest.Point.Weights;
+        result.Origins.NearestPoint[p] =
+          remains.Clean.InputPoint[tree.FindNearestPoint(remains.Points[p], nearest.Triangle)];
+      }
+    });
+}
+
+/// The triangle nearest to a centroid may have another label: the original triangle of the face is used then.
+void KeepLabels(
+  const HalfEdgeMesh& mesh, const CleanSurface& clean, const Labels& labels, Result& result)
+{
+  std::size_t next = 0;
+  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    if (mesh.IsAlive(face))
+    {
+      Index& triangle = result.Origins.TriangleAtCentroid[next++];
+      const Index own = clean.InputTriangle[face];
+      triangle = labels.OfTriangle[triangle] == labels.OfTriangle[own] ? triangle : own;
+    }
+  }
+}
+
+void LookUpCentroids(
+  const Remains& remains, const ExtractOptions& options, const Monitor& monitor, Result& result)
+{
+  const BoundingTree& tree = remains.Source.Tree(options.Threads);
+  const std::vector<Triangle>& triangles = result.Surface.Triangles;
+  result.Origins.TriangleAtCentroid.resize(triangles.size());
+  LookUpEach(triangles.size(), options.Threads, monitor,
+    [&](std::size_t t)
+    {
+      const Triangle& c = triangles[t];
+      const Vector3 centroid =
+        (remains.Points[c[0]] + remains.Points[c[1]] + remains.Points[c[2]]) / 3.0;
+      const Index triangle =
+        tree.FindNearest(centroid, remains.Near[remains.Vertices[c[0]]]).Triangle;
+      result.Origins.TriangleAtCentroid[t] = remains.Clean.InputTriangle[triangle];
+    });
+}
+}
+
+std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, const Editor& editor,
+  const ExtractOptions& options, const Monitor& monitor, Result& result)
+{
+  const HalfEdgeMesh& mesh = editor.Mesh();
+  result.Surface.Triangles = LiveTriangles(
+    static_cast<std::size_t>(mesh.NumberOfFaceSlots()), options.Threads,
+    [&](std::size_t face) { return mesh.IsAlive(static_cast<Index>(face)); },
+    [&](std::size_t face)
+    {
+      const Triangle c = mesh.Corners(static_cast<Index>(face));
+      return Triangle{ mesh.OriginalVertex(c[0]), mesh.OriginalVertex(c[1]),
+        mesh.OriginalVertex(c[2]) };
+    });
+  Remains remains = { clean, editor.Reference(), {},
+    NumberVertices(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), result.Surface.Triangles,
+      options.Threads),
+    {} };
+  const std::vector<Index>& vertices = remains.Vertices;
+  std::vector<Index> current = editor.Reference().CurrentVertices();
+  std::for_each(
+    current.begin(), current.end(), [&](Index& vertex) { vertex = mesh.OriginalVertex(vertex); });
+  const std::vector<Index> counts = CountPoints(clean, current);
+  remains.Points.resize(vertices.size());
+  result.Surface.Points.resize(vertices.size());
+  result.PointCount.resize(vertices.size());
+  ForEachId(vertices.size(), options.Threads,
+    [&](std::size_t p)
+    {
+      const Vector3 position = OutputPosition(
+        input, clean, vertices[p], mesh.Position(vertices[p]), options.RoundToSingle);
+      result.Surface.Points[p] = position;
+      remains.Points[p] = position - clean.Origin;
+      result.PointCount[p] = counts[static_cast<std::size_t>(vertices[p])];
+    });
+  constexpr double pointsLookedUp = 0.5;
+  if (options.Distances || options.Origins)
+  {
+    remains.Near = remains.Source.TrianglesAtPoints();
+    LookUpPoints(
+      remains, options, PartOf(monitor, 0.0, options.Origins ? pointsLookedUp : 1.0), result);
+  }
+  if (options.Origins)
+  {
+    LookUpCentroids(remains, options, PartOf(monitor, pointsLookedUp, 1.0), result);
+    if (options.InputLabels != nullptr)
+    {
+      KeepLabels(mesh, clean, *options.InputLabels, result);
+    }
+    result.Origins.OutputPoint = OutputPointsOfInput(clean, current, vertices, options.Threads);
+  }
+  return std::move(remains.Points);
+}
+}

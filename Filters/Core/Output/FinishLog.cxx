@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FinishLog.h"
+
+#include "Mesh/SurfaceAssembly.h"
+
+namespace bonedecimate
+{
+EditLog FinishLog(EditLog log, const RunTask& task, const CleanSurface& cleaned,
+  const HalfEdgeMesh& mesh, std::uint64_t inputChecksum)
+{
+  log.InputChecksum = inputChecksum;
+  log.Vertices = mesh.NumberOfVertexSlots();
+  log.Faces = mesh.NumberOfFaceSlots();
+  log.IsSingle = task.RoundsToSingle;
+  log.MergesPoints = task.Effective.MergePoints;
+  const auto write = [&](Index vertex, Vector3& position)
+  { position = OutputPosition(task.Input, cleaned, vertex, position, task.RoundsToSingle); };
+  for (LoggedCollapse& collapse : log.Collapses)
+  {
+    write(collapse.Kept, collapse.Position);
+  }
+  for (LoggedPatch& patch : log.Patches)
+  {
+    for (LoggedPatch::Vertex& vertex : patch.Vertices)
+    {
+      write(vertex.Id, vertex.Position);
+    }
+  }
+  return log;
+}
+}

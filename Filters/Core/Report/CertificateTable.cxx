@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CertificateTable.h"
+
+#include "Words.h"
+
+#include <cmath>
+
+namespace bonedecimate
+{
+namespace
+{
+using Entries = std::vector<ReportEntry>;
+
+void AddBounds(Entries& entries, const std::string& path, const DistanceBounds& bounds)
+{
+  entries.push_back({ path + ".lower", "mm", bounds.Lower });
+  entries.push_back({ path + ".upper", "mm", bounds.Upper });
+  entries.push_back({ path + ".x", "mm", bounds.Position.x() });
+  entries.push_back({ path + ".y", "mm", bounds.Position.y() });
+  entries.push_back({ path + ".z", "mm", bounds.Position.z() });
+  entries.push_back({ path + ".triangle", "", std::int64_t{ bounds.Triangle } });
+  entries.push_back({ path + ".nearest_triangle", "", std::int64_t{ bounds.NearestTriangle } });
+  entries.push_back({ path + ".cuts", "", bounds.Cuts });
+}
+
+void AddMean(Entries& entries, const std::string& path, const MeanDistance& mean)
+{
+  entries.push_back({ path + ".mean", "mm", mean.Mean });
+  entries.push_back({ path + ".mean_error", "mm", mean.MeanError });
+  entries.push_back({ path + ".rms", "mm", mean.RootMeanSquare });
+  entries.push_back({ path + ".rms_error", "mm", mean.RootMeanSquareError });
+  entries.push_back({ path + ".area", "mm2", mean.Area });
+  entries.push_back({ path + ".samples", "", mean.Samples });
+}
+
+void AddDirection(Entries& entries, const std::string& path, const DirectedCertificate& directed)
+{
+  entries.push_back({ path + ".status", "", std::string(ProofStatusWord(directed.Proof)) });
+  AddBounds(entries, path, directed.Distance);
+  const bool hasExcess = std::isfinite(directed.Excess.Lower) || directed.Excess.Upper < 0.0;
+  if (hasExcess)
+  {
+    AddBounds(entries, path + ".excess", directed.Excess);
+  }
+  if (directed.Mean.Samples > 0)
+  {
+    AddMean(entries, path, directed.Mean);
+  }
+}
+}
+
+const char* BoundaryPresenceWord(BoundaryPresence presence)
+{
+  static const char* const words[] = { "neither", "reference_only", "result_only", "both" };
+  return WordOf(words, presence);
+}
+
+std::vector<ReportEntry> CertificateEntries(const Certificate& certificate)
+{
+  Entries entries;
+  entries.push_back({ "version", "", std::string(Version()) });
+  entries.push_back({ "problem", "", std::string(StatusSentence(certificate.Status)) });
+  entries.push_back({ "status", "", std::string(ProofStatusWord(certificate.Proof)) });
+  if (certificate.Status != CertificateStatus::Good)
+  {
+    return entries;
+  }
+  entries.push_back({ "lower", "mm", certificate.Lower() });
+  entries.push_back({ "upper", "mm", certificate.Upper() });
+  entries.push_back({ "slack", "mm", certificate.Slack });
+  entries.push_back(
+    { "boundaries", "", std::string(BoundaryPresenceWord(certificate.Boundaries)) });
+  entries.push_back({ "seconds", "s", certificate.Seconds });
+  AddDirection(entries, "reference_to_result", certificate.ReferenceToResult);
+  AddDirection(entries, "result_to_reference", certificate.ResultToReference);
+  if (certificate.Boundaries != BoundaryPresence::Neither)
+  {
+    AddDirection(entries, "boundary_reference_to_result", certificate.BoundaryOfReferenceToResult);
+    AddDirection(entries, "boundary_result_to_reference", certificate.BoundaryOfResultToReference);
+  }
+  return entries;
+}
+}

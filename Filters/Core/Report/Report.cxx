@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Report.h"
+
+#include "Certificate/Certificate.h"
+#include "Input/InputSize.h"
+#include "Options/IneffectiveOptions.h"
+#include "Options/NumberRange.h"
+#include "Options/OptionTable.h"
+#include "Words.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr double LabelChangeToTell = 0.01;
+
+std::string Found(std::int64_t count, const char* what, const char* kind, std::int64_t first)
+{
+  return std::to_string(count) + " " + what + ", the first is " + kind + " " +
+    std::to_string(first);
+}
+
+/// Names of arrays that are not computed are ignored, because ParaView's panel sets all of them.
+std::vector<std::string> IdleWarnings(const Report& report)
+{
+  const std::string suffix = "ArrayName";
+  const auto isName = [&suffix](const std::string& option)
+  {
+    return option.size() > suffix.size() &&
+      option.compare(option.size() - suffix.size(), suffix.size(), suffix) == 0;
+  };
+  Options options = report.Requested;
+  std::vector<std::string> given = ChangedOptions(options);
+  given.erase(std::remove_if(given.begin(), given.end(), isName), given.end());
+  if (report.HasTolerances && options.ToleranceArrayName.empty())
+  {
+    options.ToleranceArrayName = "without a name";
+  }
+  return IneffectiveOptions(options, given);
+}
+
+std::string FarMessage(const ProvedDistance& distance)
+{
+  char text[160];
+  std::snprintf(text, sizeof(text),
+    "the input itself is farther from the reference than the largest error: between %.9g and %.9g "
+    "mm, or its open boundaries are",
+    distance.Lower, distance.Upper);
+  return text;
+}
+
+std::string CoarseMessage(const CleaningStatistics& found)
+{
+  char text[240];
+  if (found.MeetingPoints > 0)
+  {
+    std::snprintf(text, sizeof(text),
+      "single precision leaves %lld points of the result at the positions of others, the first is "
+      "point %lld of the input; double precision, or an origin near the surface, keeps them apart",
+      static_cast<long long>(found.MeetingPoints), static_cast<long long>(found.FirstCoarsePoint));
+    return text;
+  }
+  std::snprintf(text, sizeof(text),
+    "single precision alone moves %lld points farther than the largest error or their tolerances "
+    "allow, by up to %.3g mm, the first is point %lld; double precision, or an origin near the "
+    "surface, leaves them where they are",
+    static_cast<long long>(found.CoarsePoints), found.LargestRounding,
+    static_cast<long long>(found.FirstCoarsePoint));
+  return text;
+}
+}
+
+double ErrorProof::Lower() const
+{
+  return std::max({ this->InputToOutput.Lower, this->OutputToInput.Lower,
+    this->BoundaryInputToOutput.Lower, this->BoundaryOutputToInput.Lower });
+}
+
+double ErrorProof::Upper() const
+{
+  return std::max({ this->InputToOutput.Upper, this->OutputToInput.Upper,
+    this->BoundaryInputToOutput.Upper, this->BoundaryOutputToInput.Upper });
+}
+
+const char* StopReasonWord(StopReason reason)
+{
+  static const char* const words[] = { "not_run", "target_reached", "error_reached",
+    "already_satisfied", "nothing_left", "aborted" };
+  return WordOf(words, reason);
+}
+
+const char* StopReasonSentence(StopReason reason)
+{
+  static const char* const sentences[] = { "Nothing was run.",
+    "The requested number of triangles was reached.", "The requested largest error was reached.",
+    "The input already had no more triangles than requested.",
+    ("No further collapse is allowed: it would change the topology, a boundary, a fragment or "
+     "constrained vertices."),
+    "The run was aborted; the surface is valid but larger than requested." };
+  return WordOf(sentences, reason);
+}
+
+const char* RejectionWord(Rejection rejection)
+{
+  static const char* const words[] = { "not_rejected", "non_manifold", "boundary", "link_condition",
+    "fragment", "flip", "degenerate", "error_bound", "constrained", "intersection" };
+  return WordOf(words, rejection);
+}
+
+std::string InputMessage(const Report& report)
+{
+  const CleaningStatistics& found = report.Cleaning;
+  switch (report.Status)
+  {
+    case InputStatus::Good:
+      return {};
+    case InputStatus::Empty:
+      return "the input is empty: no points and no triangles";
+    case InputStatus::NoTriangles:
+      return "the input has no triangle with an area (" + std::to_string(found.PointsRead) +
+        " points, " + std::to_string(found.TrianglesRead) + " triangles)";
+    case InputStatus::NonFinitePoints:
+      return Found(found.NonFinitePoints, "points have NaN or infinite coordinates", "point",
+        found.FirstNonFinitePoint);
+    case InputStatus::HugeCoordinates:
+      return Found(
+        found.HugePoints, "points have coordinates beyond 1e30 mm", "point", found.FirstHugePoint);
+    case InputStatus::IndexOutOfRange:
+      return Found(found.TrianglesOutOfRange, "triangles have point indices out of range",
+               "triangle", found.FirstTriangleOutOfRange) +
+        " (there are " + std::to_string(found.PointsRead) + " points)";
+    case InputStatus::TooManyTriangles:
+      return "the input has " + std::to_string(found.TrianglesRead) +
+        " triangles; 536870911 is the most";
+    case InputStatus::BadTolerances:
+      return found.BadTolerances == 0
+        ? "there is not one tolerance for each point"
+        : Found(found.BadTolerances, "points have a tolerance that is NaN or beyond 1e30 mm",
+            "point", found.FirstBadTolerance);
+    case InputStatus::TolerancesInThesis:
+      return "Thesis mode proves no distances: its tolerances can only be 0 (no change) or "
+             "negative "
+             "(no limit)";
+    case InputStatus::ReferenceWithoutError:
+      return "a reference needs a largest error and a mode other than Thesis";
+    case InputStatus::BadReference:
+      return "the reference has no triangles, or points or triangles that no surface has";
+    case InputStatus::FarFromReference:
+      return FarMessage(report.Reference.ToInput);
+    case InputStatus::EverythingPruned:
+      return "each of the " + std::to_string(report.Pruned.Components.size()) +
+        " components is smaller than what was to be kept; nothing would be left";
+    case InputStatus::SinglePrecisionTooCoarse:
+      return CoarseMessage(found);
+    case InputStatus::ErrorBeyondSize:
+    case InputStatus::ErrorBelowSize:
+      return SizeMessage(report.Size, report.Status);
+    case InputStatus::InvalidOption:
+      return CheckOptions(report.Requested);
+  }
+  return {};
+}
+
+std::vector<std::string> InputWarnings(const Report& report)
+{
+  const CleaningStatistics& found = report.Cleaning;
+  std::vector<std::string> warnings = IdleWarnings(report);
+  const std::vector<std::string> ofSize = SizeWarnings(report.Size);
+  warnings.insert(warnings.end(), ofSize.begin(), ofSize.end());
+  if (found.DroppedTriangles > 0)
+  {
+    warnings.push_back(Found(found.DroppedTriangles, "triangles without area were left out",
+      "triangle", found.FirstDroppedTriangle));
+  }
+  if (found.NonManifoldPoints > 0)
+  {
+    warnings.push_back(Found(found.NonManifoldPoints,
+      "points stay where they are because the surface is not manifold there", "point",
+      found.FirstNonManifoldPoint));
+  }
+  const auto changed = [](const LabelArea& a) { return a.Change() > LabelChangeToTell; };
+  const auto most = std::max_element(report.Labels.begin(), report.Labels.end(),
+    [](const LabelArea& a, const LabelArea& b) { return a.Change() < b.Change(); });
+  if (most != report.Labels.end() && changed(*most))
+  {
+    const auto count = std::count_if(report.Labels.begin(), report.Labels.end(), changed);
+    char text[120];
+    std::snprintf(text, sizeof(text),
+      "the areas of %lld labels changed by more than 1 %%, most that of label ",
+      static_cast<long long>(count));
+    char change[40];
+    std::snprintf(change, sizeof(change), ": by %.3g %%", 100.0 * most->Change());
+    warnings.push_back(text + most->Name + change);
+  }
+  return warnings;
+}
+
+std::string ProofMessage(const Report& report)
+{
+  const ErrorProof& proof = report.Proof;
+  if (!proof.WasMade || proof.Status == ProofStatus::Proved ||
+    proof.Status == ProofStatus::NotRequested)
+  {
+    return {};
+  }
+  const std::string limit = proof.Tolerance > 0.0
+    ? "the largest error of " + SentenceNumber(proof.Tolerance) + " mm" +
+      (report.HasTolerances ? " and the tolerances of the points" : "")
+    : "the tolerances of the points";
+  char text[120];
+  std::snprintf(
+    text, sizeof(text), ": the distance is between %.9g and %.9g mm", proof.Lower(), proof.Upper());
+  return std::string("the certificate ") +
+    (proof.Status == ProofStatus::Violated ? "contradicts" : "cannot decide") +
+    " that the result keeps " + limit + text;
+}
+}

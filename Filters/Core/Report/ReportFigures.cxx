@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReportFigures.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace bonedecimate
+{
+double ProvedError(const Report& report)
+{
+  return report.Proof.WasMade ? report.Proof.Upper() : std::numeric_limits<double>::quiet_NaN();
+}
+
+double MeasuredError(const Report& report)
+{
+  return report.DistancesMeasured
+    ? std::max(report.OutputToInput.Maximum, report.InputToOutput.Maximum)
+    : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::int64_t RejectedEdits(const Report& report)
+{
+  return std::accumulate(report.Rejections.begin(), report.Rejections.end(), std::int64_t{ 0 });
+}
+
+std::int64_t RejectedEdits(const Report& report, const std::string& reason)
+{
+  for (std::size_t i = 1; i < NumberOfRejections; ++i)
+  {
+    if (reason == RejectionWord(static_cast<Rejection>(i)))
+    {
+      return report.Rejections[i];
+    }
+  }
+  return 0;
+}
+
+const std::vector<std::string>& KeyFigures()
+{
+  static const std::vector<std::string> names = { "stop_reason", "input.triangles",
+    "output.triangles", "output.components", "distance.output_to_input.max",
+    "distance.output_to_input.mean", "distance.input_to_output.max",
+    "distance.input_to_output.mean", "proof.status", "proof.upper" };
+  return names;
+}
+
+const std::vector<std::string>& CertificateKeyFigures()
+{
+  static const std::vector<std::string> names = { "status", "lower", "upper", "boundaries",
+    "reference_to_result.upper", "reference_to_result.mean", "result_to_reference.upper",
+    "result_to_reference.mean" };
+  return names;
+}
+}

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReportTable.h"
+
+#include "Certificate/Certificate.h"
+#include "CertificateTable.h"
+#include "Diagnostics/Diagnostics.h"
+#include "Input/Labels.h"
+#include "Options/OptionTable.h"
+#include "Words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace bonedecimate
+{
+namespace
+{
+using Entries = std::vector<ReportEntry>;
+
+void AddSurface(Entries& entries, const std::string& side, const SurfaceStatistics& surface)
+{
+  entries.push_back({ side + ".triangles", "", surface.Faces });
+  entries.push_back({ side + ".points", "", surface.Points });
+  entries.push_back({ side + ".components", "", surface.Components });
+  entries.push_back({ side + ".boundary_edges", "", surface.BoundaryEdges });
+  entries.push_back({ side + ".non_manifold_edges", "", surface.NonManifoldEdges });
+  entries.push_back({ side + ".euler_number", "", surface.EulerNumber });
+  entries.push_back({ side + ".area", "mm2", surface.Area });
+  entries.push_back({ side + ".volume", "mm3", surface.Volume });
+}
+
+std::string ChecksumText(std::uint64_t checksum)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "fnv1a64:%016llx", static_cast<unsigned long long>(checksum));
+  return text;
+}
+
+void AddCleaning(Entries& entries, const Report& report)
+{
+  const CleaningStatistics& found = report.Cleaning;
+  entries.push_back({ "input.triangles_read", "", found.TrianglesRead });
+  entries.push_back({ "input.points_read", "", found.PointsRead });
+  entries.push_back({ "input.merged_points", "", found.MergedPoints });
+  entries.push_back({ "input.unused_points", "", found.UnusedPoints });
+  entries.push_back({ "input.dropped_triangles", "", found.DroppedTriangles });
+  entries.push_back({ "input.first_dropped_triangle", "", found.FirstDroppedTriangle });
+  entries.push_back({ "input.non_manifold_points", "", found.NonManifoldPoints });
+  entries.push_back({ "input.first_non_manifold_point", "", found.FirstNonManifoldPoint });
+  entries.push_back({ "input.constrained_points", "", found.ConstrainedPoints });
+  entries.push_back({ "input.diagonal", "mm", report.Size.Diagonal });
+  entries.push_back({ "input.checksum", "", ChecksumText(report.InputChecksum) });
+}
+
+void AddDistance(Entries& entries, const std::string& direction, const DistanceStatistics& distance)
+{
+  const std::string path = "distance." + direction;
+  entries.push_back({ path + ".max", "mm", distance.Maximum });
+  entries.push_back({ path + ".second", "mm", distance.Second });
+  entries.push_back({ path + ".mean", "mm", distance.Mean });
+  entries.push_back({ path + ".rms", "mm", distance.RootMeanSquare });
+  entries.push_back({ path + ".point_max", "mm", distance.PointMaximum });
+  entries.push_back({ path + ".point_mean", "mm", distance.PointMean });
+  entries.push_back({ path + ".point_rms", "mm", distance.PointRootMeanSquare });
+  entries.push_back({ path + ".samples", "", distance.Samples });
+  entries.push_back({ path + ".samples_per_mm2", "1/mm2", distance.SamplesPerSquareMillimeter });
+}
+
+void AddBounds(Entries& entries, const std::string& path, const ProvedDistance& distance)
+{
+  entries.push_back({ path + ".lower", "mm", distance.Lower });
+  entries.push_back({ path + ".upper", "mm", distance.Upper });
+}
+
+void AddProof(Entries& entries, const ErrorProof& proof)
+{
+  entries.push_back({ "proof.status", "", std::string(ProofStatusWord(proof.Status)) });
+  entries.push_back({ "proof.tolerance", "mm", proof.Tolerance });
+  AddBounds(entries, "proof", { proof.Lower(), proof.Upper() });
+  AddBounds(entries, "proof.output_to_input", proof.OutputToInput);
+  AddBounds(entries, "proof.input_to_output", proof.InputToOutput);
+  const std::string boundaries =
+    proof.BoundariesCompared ? BoundaryPresenceWord(proof.Boundaries) : "not_compared";
+  entries.push_back({ "proof.boundaries", "", boundaries });
+  if (proof.BoundariesCompared && proof.Boundaries == BoundaryPresence::Both)
+  {
+    AddBounds(entries, "proof.boundary_output_to_input", proof.BoundaryOutputToInput);
+    AddBounds(entries, "proof.boundary_input_to_output", proof.BoundaryInputToOutput);
+  }
+  entries.push_back({ "proof.triangles_left_out", "", proof.TrianglesLeftOut });
+}
+
+void AddReference(Entries& entries, const ReferenceFigures& reference)
+{
+  entries.push_back({ "reference.triangles", "", reference.Faces });
+  entries.push_back({ "reference.checksum", "", ChecksumText(reference.Checksum) });
+  AddBounds(entries, "reference.to_input", reference.ToInput);
+}
+
+void AddLabels(Entries& entries, const Report& report)
+{
+  entries.push_back({ "labels.count", "", static_cast<std::int64_t>(report.Labels.size()) });
+  entries.push_back({ "labels.largest_change", "", LargestLabelChange(report) });
+  for (const LabelArea& area : report.Labels)
+  {
+    entries.push_back({ "labels.of_" + area.Name + ".input_area", "mm2", area.Input });
+    entries.push_back({ "labels.of_" + area.Name + ".output_area", "mm2", area.Output });
+  }
+}
+
+/// The diagnostics, a list of objects.
+void AddDiagnostics(Entries& entries, const std::vector<Diagnostic>& diagnostics)
+{
+  for (std::size_t i = 0; i < diagnostics.size(); ++i)
+  {
+    const Diagnostic& found = diagnostics[i];
+    const DiagnosticInfo& info = InfoOf(found.Kind);
+    const std::string path = "diagnostics." + std::to_string(i);
+    entries.push_back({ path + ".kind", "", info.Word });
+    entries.push_back({ path + ".severity", "", std::string(SeverityWord(info.Severity)) });
+    entries.push_back({ path + ".sentence", "", info.Sentence });
+    entries.push_back({ path + ".count", "", found.Count });
+    if (!std::isnan(found.Length))
+    {
+      entries.push_back({ path + ".length", "mm", found.Length });
+    }
+    for (std::size_t k = 0; k < found.First.size() && !info.Of.empty(); ++k)
+    {
+      entries.push_back({ path + ".first_" + info.Of + "s." + std::to_string(k), "",
+        static_cast<std::int64_t>(found.First[k]) });
+    }
+  }
+}
+
+/// The pruned components; only the largest are listed.
+void AddPruned(Entries& entries, const PruneFigures& pruned)
+{
+  constexpr std::size_t mostListed = 1000;
+  const std::vector<PrunedComponent>& all = pruned.Components;
+  entries.push_back({ "pruned.components", "", static_cast<std::int64_t>(all.size()) });
+  entries.push_back({ "pruned.triangles", "", pruned.Triangles });
+  for (std::size_t i = 0; i < std::min(all.size(), mostListed); ++i)
+  {
+    const std::string path = "pruned.list." + std::to_string(i);
+    entries.push_back({ path + ".triangles", "", all[i].Triangles });
+    entries.push_back({ path + ".size", "mm", all[i].Size });
+    entries.push_back({ path + ".area", "mm2", all[i].Area });
+    if (!std::isnan(all[i].Volume))
+    {
+      entries.push_back({ path + ".volume", "mm3", all[i].Volume });
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      entries.push_back({ path + ".center." + std::to_string(axis), "mm", all[i].Center[axis] });
+    }
+  }
+}
+
+void AddVoxel(Entries& entries, const VoxelFigures& voxel)
+{
+  static const char* const sources[] = { "not_requested", "given", "grid", "edges" };
+  entries.push_back({ "voxel.from", "", std::string(WordOf(sources, voxel.From)) });
+  entries.push_back({ "voxel.size", "mm", voxel.Size });
+  entries.push_back({ "voxel.error", "mm", voxel.Error });
+  entries.push_back({ "voxel.largest_error", "mm", voxel.LargestError });
+}
+
+void AddRun(Entries& entries, const Report& report)
+{
+  if (report.Size.LargestError > 0.0)
+  {
+    entries.push_back({ "error_bound", "mm", report.Size.ErrorBound });
+  }
+  if (!std::isnan(report.RunningError))
+  {
+    entries.push_back({ "running_error", "mm", report.RunningError });
+  }
+  if (FindMode(report.Requested.Mode).HasNormalTolerance())
+  {
+    entries.push_back({ "normal_tolerance", "", report.NormalTolerance });
+  }
+  entries.push_back({ "collapses", "", report.Collapses });
+  for (std::size_t i = 1; i < NumberOfRejections; ++i)
+  {
+    entries.push_back({ std::string("rejections.") + RejectionWord(static_cast<Rejection>(i)), "",
+      report.Rejections[i] });
+  }
+  entries.push_back({ "seconds.prepare", "s", report.Seconds.Prepare });
+  entries.push_back({ "seconds.collapse", "s", report.Seconds.Collapse });
+  entries.push_back({ "seconds.decimate", "s", report.Seconds.Decimate });
+  entries.push_back({ "seconds.measure", "s", report.Seconds.Measure });
+  entries.push_back({ "seconds.prove", "s", report.Seconds.Prove });
+  entries.push_back({ "seconds.total", "s", report.Seconds.Total });
+}
+}
+
+std::vector<ReportEntry> ReportEntries(const Report& report)
+{
+  Entries entries;
+  entries.push_back({ "version", "", std::string(Version()) });
+  entries.push_back({ "stop_reason", "", std::string(StopReasonWord(report.Stop)) });
+  entries.push_back({ "stop_sentence", "", std::string(StopReasonSentence(report.Stop)) });
+  AddSurface(entries, "input", report.Input);
+  AddCleaning(entries, report);
+  entries.push_back({ "input.problem", "", InputMessage(report) });
+  AddDiagnostics(entries, report.Diagnostics);
+  if (report.Pruned.IsRequested)
+  {
+    AddPruned(entries, report.Pruned);
+  }
+  AddSurface(entries, "output", report.Output);
+  if (report.DistancesMeasured)
+  {
+    AddDistance(entries, "output_to_input", report.OutputToInput);
+    AddDistance(entries, "input_to_output", report.InputToOutput);
+  }
+  if (report.BoundariesMeasured)
+  {
+    AddBounds(entries, "distance.boundary_output_to_input", report.BoundaryOutputToInput);
+    AddBounds(entries, "distance.boundary_input_to_output", report.BoundaryInputToOutput);
+  }
+  if (report.Voxel.From != VoxelFigures::Source::NotRequested)
+  {
+    AddVoxel(entries, report.Voxel);
+  }
+  if (report.Reference.IsPresent)
+  {
+    AddReference(entries, report.Reference);
+  }
+  if (report.Proof.WasMade)
+  {
+    AddProof(entries, report.Proof);
+  }
+  if (report.FragmentGapMeasured)
+  {
+    entries.push_back({ "fragment_gap.input", "mm", report.Gap.Input });
+    entries.push_back({ "fragment_gap.output", "mm", report.Gap.Output });
+  }
+  if (!report.Labels.empty())
+  {
+    AddLabels(entries, report);
+  }
+  AddRun(entries, report);
+  for (const OptionInfo& info : OptionTable())
+  {
+    entries.push_back({ "options." + info.Name, info.Unit, OptionText(report.Requested, info) });
+  }
+  return entries;
+}
+}

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file VertexEdges.h
+ * @brief The edges at one vertex, gathered first and evaluated later, so that their data is prefetched meanwhile.
+ */
+#ifndef BoneDecimate_Core_Schedule_VertexEdges_h
+#define BoneDecimate_Core_Schedule_VertexEdges_h
+
+#include "BucketLists.h"
+#include "Kernels/Kernels.h"
+#include "Mesh/HalfEdgeMesh.h"
+#include "Mesh/VertexRange.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+/// Data of a sweep for every vertex, beside the mesh.
+struct VertexBuckets
+{
+  std::vector<CostBucket>
+    Buckets; ///< NeverBucket: removed, constrained, or without an edge to collapse.
+  /// Accumulated error of the collapses into the vertex, units of the mesh.
+  std::vector<float> AccumulatedErrors;
+  float CostFactor = 1.0F; ///< CostNormalization() of Cost/QuadricDeviation.h.
+  /// Of Cost/SpikePenalty.h.
+  double SpikeFactor = 0.0;
+  /// Only if edits are proved: whether anything around a vertex has changed since its bucket was computed.
+  std::vector<std::uint8_t> Changed;
+
+  void NoteChange(const std::vector<Index>& vertices)
+  {
+    for (std::size_t i = 0; i < vertices.size() && !this->Changed.empty(); ++i)
+    {
+      this->Changed[vertices[i]] = 1;
+    }
+  }
+  /// Whether the vertex must be evaluated again; resets the flag.
+  bool TakeChange(Index vertex)
+  {
+    const bool changed = this->Changed.empty() || this->Changed[vertex] != 0;
+    if (!this->Changed.empty())
+    {
+      this->Changed[vertex] = 0;
+    }
+    return changed;
+  }
+};
+
+class VertexEdges
+{
+public:
+  struct Candidate
+  {
+    Index Edge = None;  ///< None: there is none.
+    float Move[3] = {}; ///< From the vertex, units.
+  };
+
+  void Gather(
+    const HalfEdgeMesh& mesh, const VertexBuckets& known, Index vertex, VertexRange block);
+  void Evaluate(const Kernels& kernels);
+
+  /// None after Forget.
+  Index Vertex() const { return this->Middle; }
+  void Forget() { this->Middle = None; }
+  /// Whether no edge leads out of the block.
+  bool AreInside() const { return this->Inside; }
+  /// Of the edges not taken yet; infinite if there is none.
+  float LeastCost() const;
+  Candidate TakeCheapest();
+
+private:
+  struct Batch
+  {
+    EdgeBatch Requested;
+    EdgeResults Results;
+    Index Edges[EdgeBatch::Size];
+  };
+  Batch& Begin(std::size_t batch, const HalfEdgeMesh& mesh, float costFactor);
+
+  Index Middle = None;
+  bool Inside = false;
+  std::size_t Used = 0;
+  std::vector<Batch> Batches;
+};
+}
+
+#endif

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ErrorQueue.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+ErrorQueue::ErrorQueue(Editor& editor, Samples& samples, BackHints& hints, SampledErrors& errors,
+  const ErrorBlock& block)
+  : MeshEditor(editor)
+  , Fit(samples)
+  , Back(hints)
+  , Errors(errors)
+  , Block(block)
+  , Costs(editor.Mesh(), samples, hints)
+{
+  this->Space.Range = { block.First, block.Last };
+}
+
+//------------------------------------------------------------------------------
+bool ErrorQueue::Evaluate(const RatedEdge& edge, EvaluatedEdge& evaluated)
+{
+  if (!this->MeshEditor.Validate(edge.Edge, this->Space).IsAccepted())
+  {
+    return false;
+  }
+  const EdgeNeighborhood& around = this->Space.Around;
+  const FanFit::Result result = this->Costs.Evaluate(around, edge.Position);
+  evaluated = { result.Error - this->Errors.Around(around), edge.Edge, around.Start, around.End,
+    this->Errors.StampOf(edge.Edge), result.Position };
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void ErrorQueue::Take(const EvaluatedEdge& edge)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  if (mesh.Origin(edge.Edge) != edge.Start || mesh.Target(edge.Edge) != edge.End)
+  {
+    return; // removed
+  }
+  if (edge.Stamp != this->Errors.StampOf(edge.Edge))
+  {
+    this->Push({ 0.0F, edge.Edge, edge.Position });
+  }
+  else if (this->Collapse(edge))
+  {
+    ++this->Collapses;
+  }
+}
+
+//------------------------------------------------------------------------------
+void ErrorQueue::Push(const RatedEdge& edge)
+{
+  EvaluatedEdge evaluated;
+  if (!this->Evaluate(edge, evaluated))
+  {
+    return;
+  }
+  if (evaluated.Cost > this->Block.Limit)
+  {
+    this->Left.push_back(evaluated);
+  }
+  else
+  {
+    this->Queue.push(evaluated);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool ErrorQueue::Collapse(const EvaluatedEdge& edge)
+{
+  if (!this->MeshEditor.Validate(edge.Edge, this->Space).IsAccepted())
+  {
+    return false;
+  }
+  const EdgeNeighborhood around = this->Space.Around;
+  if (!std::all_of(
+        around.Ring.begin(), around.Ring.end(), [this](Index v) { return this->Block.Holds(v); }))
+  {
+    this->Left.push_back(edge);
+    return false;
+  }
+  const FanFit::Result result = this->Costs.Evaluate(around, edge.Position);
+  Edit edit;
+  edit.Edge = edge.Edge;
+  edit.Keep = around.Start;
+  edit.Position = result.Position;
+  this->Space.Rank = static_cast<float>(edge.Cost);
+  const Decision decision = this->MeshEditor.Collapse(edit, this->Space, this->Block.Workers);
+  if (!decision.IsAccepted())
+  {
+    if (decision.IsDeferred())
+    {
+      this->Left.push_back(edge);
+    }
+    return false;
+  }
+  this->HandOver(around);
+  this->Back.Set(edit.Keep, result.Hint);
+  this->Errors.AfterCollapse(edit.Keep, result.VertexError);
+  this->Candidates.clear();
+  RateEdges(this->MeshEditor.Mesh(), edit.Keep, false, this->Candidates);
+  for (const RatedEdge& candidate : this->Candidates)
+  {
+    if (candidate.Cost <= this->Block.MostQuadricCost)
+    {
+      this->Push(candidate);
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Gives the samples of all faces that were at the edge to those of the fan.
+void ErrorQueue::HandOver(const EdgeNeighborhood& around)
+{
+  for (const Index corner : around.Corners)
+  {
+    this->Fit.Take(HalfEdgeMesh::Face(corner));
+  }
+  this->Fit.Take(around.GoneFaces[0]);
+  this->Fit.Take(around.GoneFaces[1]);
+  for (const FanFit::Member& member : this->Costs.Members())
+  {
+    this->Fit.Put(member.Sample, HalfEdgeMesh::Face(around.Corners[member.Slot]));
+  }
+}
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FaceError.h
+ * @brief How far the samples of a face lie from it, and how far it may turn away from the original.
+ */
+#ifndef BoneDecimate_Core_Stages_FaceError_h
+#define BoneDecimate_Core_Stages_FaceError_h
+
+#include "Cost/SampledErrorCost.h"
+#include "Reference/Samples.h"
+
+#include <array>
+
+namespace bonedecimate
+{
+/// Cosine between a face and the original (78 degrees) below which flips and moves may not turn it farther away.
+constexpr double LeastFacing = 0.2;
+
+/// Whether two faces fold by more than 90 degrees: there the edge between them may be a chord, which lies far from the
+/// original without any sample to see it.
+inline bool FoldSharply(const Vector3& oneNormal, const Vector3& otherNormal)
+{
+  return oneNormal.dot(otherNormal) < 0.0;
+}
+
+/// Points at which chords are measured, as fractions of the edge.
+constexpr std::array<double, 2> ChordFractions = { 1.0 / 3.0, 2.0 / 3.0 };
+
+/// The samples' part of the error of SampledErrorCost.h, squares of the mesh's unit.
+/// @param frame The face as it is, or as it would be.
+inline double ErrorOfFace(
+  const Samples& samples, const ErrorPenalty& penalty, Index face, const TriangleFrame& frame)
+{
+  double error = 0.0;
+  samples.VisitFace(face,
+    [&](const Samples::Sample& sample)
+    {
+      const Vector3 p = samples.SamplePosition(sample);
+      error += penalty.OfSample(sample.Weight, frame.Nearest(p).SquaredDistance);
+    });
+  return error;
+}
+}
+
+#endif

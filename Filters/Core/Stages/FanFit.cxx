@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FanFit.h"
+
+#include <algorithm>
+#include <array>
+
+namespace bonedecimate
+{
+FanFit::Result FanFit::Evaluate(const EdgeNeighborhood& around, const Vector3& position)
+{
+  this->Gather(around);
+  FitStep equations;
+  const Result first = this->EvaluateAt(around, position, &equations);
+  const Result second = this->EvaluateAt(around, position + equations.Solve(), nullptr);
+  return second.Error < first.Error ? second : first;
+}
+
+//------------------------------------------------------------------------------
+void FanFit::Gather(const EdgeNeighborhood& around)
+{
+  this->Gathered.clear();
+  for (std::size_t i = 0; i < around.Corners.size(); ++i)
+  {
+    this->GatherFace(HalfEdgeMesh::Face(around.Corners[i]), i);
+  }
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const auto apex = std::find(around.Ring.begin(), around.Ring.end(), around.Apexes[k]);
+    this->GatherFace(around.GoneFaces[k],
+      static_cast<std::size_t>(apex - around.Ring.begin()) % around.Corners.size());
+  }
+}
+
+//------------------------------------------------------------------------------
+void FanFit::GatherFace(Index face, std::size_t slot)
+{
+  for (Index s = this->Fit.First(face); s != None; s = this->Fit[s].Next)
+  {
+    this->Gathered.push_back({ s, slot });
+  }
+}
+
+//------------------------------------------------------------------------------
+void FanFit::Build(const EdgeNeighborhood& around, const Vector3& x)
+{
+  this->Frames.clear();
+  for (std::size_t i = 0; i < around.Corners.size(); ++i)
+  {
+    const Index next = around.Ring[(i + 1) % around.Ring.size()];
+    this->Frames.emplace_back(x, this->Mesh.Position(around.Ring[i]), this->Mesh.Position(next));
+  }
+}
+
+//------------------------------------------------------------------------------
+TriangleFrame::Point FanFit::FindInFan(const Vector3& p, std::size_t& slot) const
+{
+  constexpr int towardsPrevious = 4; // the weight of C is zero
+  constexpr int towardsNext = 2;     // that of B is
+  const std::size_t count = this->Frames.size();
+  TriangleFrame::Point best = this->Frames[slot].Nearest(p);
+  for (const int side : { towardsPrevious, towardsNext })
+  {
+    const std::size_t step = side == towardsPrevious ? count - 1 : 1;
+    for (std::size_t tries = 1; (best.Clamped & side) != 0 && tries < count; ++tries)
+    {
+      const std::size_t next = (slot + step) % count;
+      const TriangleFrame::Point position = this->Frames[next].Nearest(p);
+      if (!(position.SquaredDistance < best.SquaredDistance))
+      {
+        break;
+      }
+      best = position;
+      slot = next;
+    }
+  }
+  return best;
+}
+
+//------------------------------------------------------------------------------
+/// @param step Gets the normal equations if it is there.
+FanFit::Result FanFit::EvaluateAt(const EdgeNeighborhood& around, const Vector3& x, FitStep* step)
+{
+  this->Build(around, x);
+  Result result;
+  result.Position = x;
+  for (Member& member : this->Gathered)
+  {
+    const Samples::Sample& sample = this->Fit[member.Sample];
+    const Vector3 p = this->Fit.SamplePosition(sample);
+    const TriangleFrame::Point position = this->FindInFan(p, member.Slot);
+    const Penalty penalty = this->Weigh.FitOfSample(sample.Weight, position.SquaredDistance);
+    result.Error += penalty.Value;
+    if (step != nullptr)
+    {
+      step->AddSample(p, this->Frames[member.Slot], position, penalty.Weight);
+    }
+  }
+  this->AddVertex(around, result, step);
+  result.Error += this->ErrorOfChords(around, result);
+  return result;
+}
+
+//------------------------------------------------------------------------------
+/// Looked for near both ends.
+void FanFit::AddVertex(const EdgeNeighborhood& around, Result& result, FitStep* step) const
+{
+  const PointOnMesh atStart = this->Back.Find(result.Position, around.Start);
+  const PointOnMesh atEnd = this->Back.Find(result.Position, around.End);
+  const PointOnMesh& found =
+    atEnd.Point.SquaredDistance < atStart.Point.SquaredDistance ? atEnd : atStart;
+  double area = 0.0; // mm^2
+  for (const TriangleFrame& frame : this->Frames)
+  {
+    area += frame.SurfaceArea();
+  }
+  const double weight = BackWeightOfCollapse * CornerFraction * this->Weigh.InUnits(area);
+  result.Hint = found.Face;
+  const Penalty penalty = this->Weigh.FitOfVertex(weight, found.Point.SquaredDistance);
+  result.VertexError = penalty.Value;
+  result.Error += result.VertexError;
+  if (step != nullptr)
+  {
+    step->AddVertex(
+      result.Position, FrameOf(this->Back.Original(), found.Face), found.Point, penalty.Weight);
+  }
+}
+
+//------------------------------------------------------------------------------
+double FanFit::ErrorOfChords(const EdgeNeighborhood& around, const Result& result) const
+{
+  const FarPenalty& far = this->Weigh.OfChords();
+  const std::size_t count = this->Frames.size();
+  double error = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::size_t previous = (i + count - 1) % count;
+    if (FoldSharply(this->Frames[previous].UnitNormal(), this->Frames[i].UnitNormal()))
+    {
+      const std::array<Index, 5> others = { around.Ring[i], around.Ring[(i + 1) % count],
+        around.Ring[previous], around.Start, around.End };
+      for (const double fraction : ChordFractions)
+      {
+        const Vector3 p =
+          fraction * result.Position + (1.0 - fraction) * this->Mesh.Position(around.Ring[i]);
+        const PointOnMesh near = WalkFrom(this->Back.Original(), p, result.Hint);
+        error +=
+          far.Of(this->Back.FindBetter(p, near, far.SquaredLimit(), others).Point.SquaredDistance);
+      }
+    }
+  }
+  return error;
+}
+}

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FeatureCurveCollapse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr Index PassesForAll = 4;
+constexpr int MostPasses = 16;
+constexpr Index CandidatesBetweenWords = 256; // to the monitor
+
+/// The half-edge of the boundary of v's patch between v and a duplicate of the other original vertex; None if there is
+/// none.
+Index BoundaryEdgeTo(const HalfEdgeMesh& mesh, Index v, Index site)
+{
+  if (mesh.IsConstrained(v) || !mesh.IsOnBoundary(v))
+  {
+    return None;
+  }
+  Index last = None;
+  for (const Index h : mesh.OutgoingOf(v))
+  {
+    last = HalfEdgeMesh::Previous(h);
+  }
+  const Index first = mesh.Outgoing(v);
+  return mesh.OriginalVertex(mesh.Target(first)) == site ? first
+    : mesh.OriginalVertex(mesh.Origin(last)) == site     ? last
+                                                         : None;
+}
+
+/// The collapse onto the other original vertex in each patch at the removed one. Empty unless the two are joined by one
+/// edge in each patch.
+void FindEdits(const HalfEdgeMesh& mesh, Index gone, Index stays, std::vector<Edit>& edits)
+{
+  edits.clear();
+  Index copy = gone;
+  do
+  {
+    const Index edge = mesh.Outgoing(copy) == None ? None : BoundaryEdgeTo(mesh, copy, stays);
+    const Index keep = edge == None ? None : mesh.Across(edge, copy);
+    const bool isTaken = std::any_of(
+      edits.begin(), edits.end(), [keep](const Edit& edit) { return edit.Keep == keep; });
+    if (keep == None || isTaken || mesh.IsConstrained(keep))
+    {
+      edits.clear();
+      return;
+    }
+    edits.push_back({ edge, keep, mesh.Position(keep), true });
+    copy = mesh.NextDuplicate(copy);
+  } while (copy != gone);
+}
+
+/// The original vertices next to this one on patch boundaries.
+void FindBeside(const HalfEdgeMesh& mesh, Index site, std::vector<Index>& sites)
+{
+  sites.clear();
+  Index copy = site;
+  do
+  {
+    if (mesh.Outgoing(copy) != None)
+    {
+      const std::array<Index, 2> beside = BesideOnBoundary(mesh, copy);
+      sites.insert(sites.end(), beside.begin(), beside.end());
+    }
+    copy = mesh.NextDuplicate(copy);
+  } while (copy != site);
+}
+}
+
+/// Whether three curves would become a triangle. The patches between them could then degenerate to that triangle and
+/// coincide.
+bool FeatureCurveCollapse::MakesTriangle(Index position)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  FindBeside(mesh, this->FeatureCurves.OriginalVertex(this->FeatureCurves.Before(position)),
+    this->BesideBefore);
+  FindBeside(mesh, this->FeatureCurves.OriginalVertex(this->FeatureCurves.After(position)),
+    this->BesideAfter);
+  return std::any_of(this->BesideBefore.begin(), this->BesideBefore.end(),
+    [&](Index site)
+    {
+      return site != None && site != this->FeatureCurves.OriginalVertex(position) &&
+        std::find(this->BesideAfter.begin(), this->BesideAfter.end(), site) !=
+        this->BesideAfter.end();
+    });
+}
+
+//------------------------------------------------------------------------------
+FeatureCurveCollapse::Result FeatureCurveCollapse::Run(
+  const Targets& targets, const Monitor& monitor)
+{
+  Result result;
+  const Index most =
+    1 + std::max(0, this->FeatureCurves.NumberOfEdges() - targets.Edges) / PassesForAll;
+  const auto isFine = [&] { return this->FeatureCurves.NumberOfEdges() > targets.Edges; };
+  for (int pass = 0; pass < MostPasses && isFine(); ++pass)
+  {
+    const Index gone = this->Pass(targets, most, monitor, result);
+    result.Gone += gone;
+    if (gone == 0 || result.IsAborted)
+    {
+      break;
+    }
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+/// Cheapest first; of equal ones the shorter.
+void FeatureCurveCollapse::ListCandidates(double bound, Result& result)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  const auto limit = [this](Index site) { return this->MeshEditor.LimitAt(site); };
+  this->Candidates.clear();
+  result.IsBound = false;
+  for (Index position = 0; position < this->FeatureCurves.NumberOfPositions(); ++position)
+  {
+    if (!this->FeatureCurves.MayGo(position))
+    {
+      continue;
+    }
+    const double deviation = this->FeatureCurves.Deviation(mesh, position, limit);
+    if (deviation <= bound)
+    {
+      const Vector3& before =
+        mesh.Position(this->FeatureCurves.OriginalVertex(this->FeatureCurves.Before(position)));
+      const Vector3& after =
+        mesh.Position(this->FeatureCurves.OriginalVertex(this->FeatureCurves.After(position)));
+      this->Candidates.push_back({ deviation, (after - before).norm(), position });
+    }
+    result.IsBound |= deviation > bound && std::isfinite(deviation);
+  }
+  std::sort(this->Candidates.begin(), this->Candidates.end(),
+    [](const Candidate& a, const Candidate& b)
+    {
+      return std::tie(a.Deviation, a.Length, a.Position) <
+        std::tie(b.Deviation, b.Length, b.Position);
+    });
+}
+
+//------------------------------------------------------------------------------
+Index FeatureCurveCollapse::Pass(
+  const Targets& targets, Index most, const Monitor& monitor, Result& result)
+{
+  this->ListCandidates(targets.Bound, result);
+  this->WasTouched.assign(static_cast<std::size_t>(this->FeatureCurves.NumberOfPositions()), 0);
+  const Index allowed = std::min(most, this->FeatureCurves.NumberOfEdges() - targets.Edges);
+  Index gone = 0;
+  Index heard = 0;
+  for (const Candidate& candidate : this->Candidates)
+  {
+    if (++heard % CandidatesBetweenWords == 0 && !monitor(0.0))
+    {
+      result.IsAborted = true;
+      return gone;
+    }
+    if (gone < allowed && this->WasTouched[candidate.Position] == 0 &&
+      this->TryRemove(candidate.Position, targets.Faces))
+    {
+      ++gone;
+    }
+  }
+  return gone;
+}
+
+//------------------------------------------------------------------------------
+bool FeatureCurveCollapse::TryRemove(Index position, Index faces)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  const Index before = this->FeatureCurves.Before(position);
+  const Index after = this->FeatureCurves.After(position);
+  const Index site = this->FeatureCurves.OriginalVertex(position);
+  Index near = this->FeatureCurves.OriginalVertex(before);
+  Index far = this->FeatureCurves.OriginalVertex(after);
+  const Vector3& p = mesh.Position(site);
+  if ((mesh.Position(far) - p).squaredNorm() < (mesh.Position(near) - p).squaredNorm())
+  {
+    std::swap(near, far);
+  }
+  if (this->MakesTriangle(position) ||
+    (!this->CollapseOnto(site, near, faces) && !this->CollapseOnto(site, far, faces)))
+  {
+    return false;
+  }
+  this->FeatureCurves.Remove(position);
+  this->WasTouched[before] = this->WasTouched[after] = 1;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FeatureCurveCollapse::CollapseOnto(Index gone, Index stays, Index faces)
+{
+  FindEdits(this->MeshEditor.Mesh(), gone, stays, this->Edits);
+  const auto removed = static_cast<Index>(this->Edits.size()); // a face each
+  return removed > 0 && this->MeshEditor.Mesh().NumberOfFaces() - removed >= faces &&
+    this->MeshEditor.CollapseTogether(this->Edits).IsAccepted();
+}
+}

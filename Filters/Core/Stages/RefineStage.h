@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RefineStage.h
+ * @brief The second stage of Balanced and Accurate: fits what the sweep left to samples of the original.
+ *
+ *     give every face the samples of the original near it
+ *     flip edges and move vertices
+ *     collapse the rest by what that does to the sampled error               (Cost/SampledErrorCost.h)
+ *     flip edges and move vertices again
+ *
+ * Where every edit is proved, the last collapses are not known beforehand: then the rest is another sweep, and flips and
+ * moves, which are proved like collapses, let it go further. Both alternate as often as the settings of the mode say.
+ */
+#ifndef BoneDecimate_Core_Stages_RefineStage_h
+#define BoneDecimate_Core_Stages_RefineStage_h
+
+#include "StageList.h"
+
+namespace bonedecimate
+{
+StopReason RefineStage(const StageInput& input, const Monitor& monitor);
+}
+
+#endif

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Refinement.h"
+
+#include "EdgeFlipper.h"
+#include "ErrorCollapse.h"
+#include "VertexBlocks.h"
+#include "VertexMover.h"
+
+namespace bonedecimate
+{
+Refinement::Refinement(Editor& editor, const HalfEdgeMesh& original, int threads)
+  : MeshEditor(editor)
+  , Fit(original, !editor.HasErrorBound())
+  , Back(original)
+  , Threads(threads)
+{
+}
+
+//------------------------------------------------------------------------------
+bool Refinement::Begin(const Monitor& monitor)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  this->IsSettled = this->Back.Begin(mesh, this->Threads, PartOf(monitor, 0.0, 0.1)) &&
+    this->Fit.Distribute(
+      mesh, this->MeshEditor.Reference(), this->Threads, PartOf(monitor, 0.1, 1.0));
+  return this->IsSettled;
+}
+
+//------------------------------------------------------------------------------
+bool Refinement::Settle(const Monitor& monitor)
+{
+  this->IsSettled =
+    this->IsSettled || this->Fit.Settle(this->MeshEditor.Mesh(), this->Threads, monitor);
+  return this->IsSettled && monitor(1.0);
+}
+
+//------------------------------------------------------------------------------
+bool Refinement::Sweep(int times, const Monitor& monitor)
+{
+  constexpr double settledAt = 0.06;
+  constexpr double flippedAt = 0.45;
+  bool goesOn = true;
+  this->MeshEditor.BeginSmallEdits();
+  for (int i = 0; i < times && goesOn; ++i)
+  {
+    const Monitor sweep = PartOf(monitor, static_cast<double>(i) / times, (i + 1.0) / times);
+    goesOn = this->Settle(PartOf(sweep, 0.0, settledAt)) &&
+      this->FlipEdges(PartOf(sweep, settledAt, flippedAt)) &&
+      this->MoveVertices(PartOf(sweep, flippedAt, 1.0));
+  }
+  this->MeshEditor.EndSmallEdits();
+  return goesOn;
+}
+
+//------------------------------------------------------------------------------
+bool Refinement::FlipEdges(const Monitor& monitor)
+{
+  this->MeshEditor.DistributeVolumeBudget();
+  VertexBlocks blocks(this->MeshEditor.Mesh());
+  std::vector<float> faceErrors(
+    static_cast<std::size_t>(this->MeshEditor.Mesh().NumberOfFaceSlots()), -1.0F);
+  return blocks.ForEach(this->MeshEditor.Mesh(), this->EditThreads(), monitor,
+    [&](VertexRange range)
+    {
+      return [flipper = EdgeFlipper(this->MeshEditor, this->Fit, this->Back, faceErrors, range,
+                blocks.Count())](Index v) mutable { flipper.Improve(v); };
+    });
+}
+
+//------------------------------------------------------------------------------
+bool Refinement::MoveVertices(const Monitor& monitor)
+{
+  this->IsSettled = false;
+  this->MeshEditor.DistributeVolumeBudget();
+  VertexBlocks blocks(this->MeshEditor.Mesh());
+  return blocks.ForEach(this->MeshEditor.Mesh(), this->EditThreads(), monitor,
+    [&](VertexRange range)
+    {
+      return [mover = VertexMover(this->MeshEditor, this->Fit, this->Back, range, blocks.Count())](
+               Index v) mutable { mover.Improve(v); };
+    });
+}
+
+//------------------------------------------------------------------------------
+bool Refinement::CollapseTo(Index faces, int edgesOfCollapse, const Monitor& monitor)
+{
+  constexpr double settledAt = 0.1;
+  this->MeshEditor.DistributeVolumeBudget();
+  this->MeshEditor.RenewQuadrics(this->Threads);
+  return this->Settle(PartOf(monitor, 0.0, settledAt)) &&
+    ErrorCollapse(this->MeshEditor, this->Fit, this->Back, edgesOfCollapse, this->Threads)
+      .Run(faces, PartOf(monitor, settledAt, 1.0));
+}
+}

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StageList.h"
+
+namespace bonedecimate
+{
+StopReason RunStages(StageInput input, const Monitor& monitor)
+{
+  const StopCriterion stop(input.MeshEditor, input.Stops);
+  if (stop.IsReached())
+  {
+    return stop.Reason();
+  }
+  input.FacesAtStart = input.MeshEditor.Mesh().NumberOfFaces();
+  input.Original = input.Mode.KeepsOriginalMesh ? &input.MeshEditor.InitialMesh() : nullptr;
+  StopReason reason = StopReason::NotRun;
+  double begin = 0.0;
+  for (const Stage& stage : input.Mode.Stages)
+  {
+    reason = stage.Run(input, PartOf(monitor, begin, stage.End));
+    if (reason == StopReason::Aborted)
+    {
+      break;
+    }
+    begin = stage.End;
+  }
+  return reason;
+}
+}

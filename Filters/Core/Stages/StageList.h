@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file StageList.h
+ * @brief Runs the stages of a mode over one mesh editor, in order.
+ *
+ *     the targets hold already:   nothing
+ *     for each stage of the mode: run it; the reason why the last one ended is that of the run
+ *     aborted:                    no further stage
+ *
+ * A stage is a function of StageInput (Modes.h) in a file of its own. It leaves a valid mesh, aborted or not.
+ */
+#ifndef BoneDecimate_Core_Stages_StageList_h
+#define BoneDecimate_Core_Stages_StageList_h
+
+#include "Edit/Editor.h"
+#include "Modes.h"
+#include "Monitor.h"
+#include "Schedule/StopCriterion.h"
+
+namespace bonedecimate
+{
+/// What every stage of a run works on.
+struct StageInput
+{
+  Editor& MeshEditor; ///< With what ModeInfo::NeedsFaceAreas() and NeedsQuadrics() tell.
+  const ModeInfo& Mode;
+  StopTargets Stops;
+  double NormalTolerance = 0.0; ///< w of Cost/NormalFieldDeviation.h.
+  int Threads = 1;              ///< 0: as many as the processor has.
+  Index FacesAtStart = 0;       ///< Before the first stage; filled by RunStages().
+  const HalfEdgeMesh* Original =
+    nullptr; ///< Before the first edit, with ModeInfo::KeepsOriginalMesh; filled by RunStages().
+};
+
+/// @param monitor Fractions from 0 to 1; not empty.
+StopReason RunStages(StageInput input, const Monitor& monitor);
+}
+
+#endif

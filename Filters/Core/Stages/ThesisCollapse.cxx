@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ThesisCollapse.h"
+
+#include "Mesh/MeanEdgeLength.h"
+#include "Placement/PlaneQuadric.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+ThesisCollapse::ThesisCollapse(Editor& editor, double tolerance, const StopTargets& stops)
+  : MeshEditor(editor)
+  , End(editor, stops)
+  , Costs(editor.Mesh(), editor.Areas(), tolerance, MeanEdgeLength(editor.Mesh()))
+  , Queue(editor.Mesh().NumberOfVertexSlots())
+{
+}
+
+//------------------------------------------------------------------------------
+StopReason ThesisCollapse::Run(const Monitor& monitor)
+{
+  if (!this->End.IsReached())
+  {
+    for (Index v = 0; v < this->MeshEditor.Mesh().NumberOfVertexSlots(); ++v)
+    {
+      this->Recost(v);
+    }
+  }
+  while (!this->End.IsReached())
+  {
+    if (this->Queue.IsEmpty())
+    {
+      return StopReason::NothingLeft;
+    }
+    this->CollapseAt(this->Queue.PopLowest());
+    if (!this->End.Tell(monitor))
+    {
+      return StopReason::Aborted;
+    }
+  }
+  return this->End.Reason();
+}
+
+//------------------------------------------------------------------------------
+StopReason ThesisCollapse::RunTo(const StopTargets& stops, const Monitor& monitor)
+{
+  this->End.Set(stops);
+  return this->Run(monitor);
+}
+
+//------------------------------------------------------------------------------
+bool ThesisCollapse::CollapseAt(Index vertex)
+{
+  this->EdgesOfVertex.clear();
+  this->MeshEditor.Mesh().VisitEdges(vertex,
+    [&](Index h) {
+      this->EdgesOfVertex.push_back({ this->Costs.EdgeCost(h), h });
+    });
+  std::sort(this->EdgesOfVertex.begin(), this->EdgesOfVertex.end(),
+    [](const CostedEdge& a, const CostedEdge& b)
+    { return a.Cost != b.Cost ? a.Cost < b.Cost : a.Edge < b.Edge; });
+  return std::any_of(this->EdgesOfVertex.begin(), this->EdgesOfVertex.end(),
+    [this](const CostedEdge& candidate) { return this->CollapseEdge(candidate.Edge); });
+}
+
+//------------------------------------------------------------------------------
+bool ThesisCollapse::CollapseEdge(Index edge)
+{
+  if (!this->MeshEditor.Validate(edge).IsAccepted())
+  {
+    return false;
+  }
+  const PositionCandidates proposals =
+    ProposePositions(this->MeshEditor.Mesh(), this->MeshEditor.Areas(), this->MeshEditor.Around());
+  for (std::size_t i = 0; i < proposals.Count; ++i)
+  {
+    const Edit& edit = proposals.Edits[i];
+    const Index gone = this->MeshEditor.Mesh().Across(edge, edit.Keep);
+    if (this->MeshEditor.Collapse(edit).IsAccepted())
+    {
+      this->Queue.Remove(gone);
+      this->Recost(edit.Keep);
+      this->MeshEditor.Mesh().VisitEdges(
+        edit.Keep, [&](Index h) { this->Recost(this->MeshEditor.Mesh().Across(h, edit.Keep)); });
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void ThesisCollapse::Recost(Index vertex)
+{
+  if (this->MeshEditor.Mesh().Outgoing(vertex) == None)
+  {
+    this->Queue.Remove(vertex);
+  }
+  else if (!this->MeshEditor.Mesh().IsConstrained(vertex))
+  {
+    this->Queue.Set(vertex, this->Costs.VertexCost(vertex));
+  }
+}
+}

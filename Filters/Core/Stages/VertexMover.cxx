@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VertexMover.h"
+
+#include <array>
+#include <limits>
+
+namespace bonedecimate
+{
+namespace
+{
+/// A step that would lower the error by less than this fraction is not tried.
+constexpr double LeastGain = 3e-3;
+constexpr int Attempts = 3;
+}
+
+//------------------------------------------------------------------------------
+bool VertexMover::Improve(Index vertex)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  if (!mesh.MovesFreely(vertex))
+  {
+    return false;
+  }
+  this->Gather(vertex);
+  Vector3 step = this->Equations.Solve();
+  if (!(this->Equations.Gain(step) > LeastGain * this->Error))
+  {
+    return false;
+  }
+  for (int attempt = 0; attempt < Attempts; ++attempt, step *= 0.5)
+  {
+    const Vector3 position = mesh.Position(vertex) + step;
+    if (this->Lowers(vertex, position) &&
+      this->MeshEditor.Move(vertex, position, this->Space, this->Workers).IsAccepted())
+    {
+      this->Back.Set(vertex, this->Hint);
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void VertexMover::Gather(Index vertex)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  const Vector3& position = mesh.Position(vertex);
+  const PointOnMesh found = this->FindOriginal(vertex);
+  const TriangleFrame original = FrameOf(this->Back.Original(), found.Face);
+  this->OriginalNormal = original.UnitNormal();
+  this->SquaredDistance = found.Point.SquaredDistance;
+  this->Ring.clear();
+  this->Equations.Clear();
+  this->Error = 0.0;
+  double area = 0.0; // mm^2
+  for (const Index h : mesh.OutgoingOf(vertex))
+  {
+    const Index face = HalfEdgeMesh::Face(h);
+    const Index target = mesh.Target(h);
+    const Vector3& second = mesh.Position(target);
+    const Vector3& third = mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h)));
+    const TriangleFrame frame(position, second, third);
+    this->Error += this->AddSamples(frame, face);
+    this->Ring.push_back({ face, target, second, third, frame.UnitNormal(),
+      frame.UnitNormal().dot(this->OriginalNormal) });
+    area += frame.SurfaceArea();
+  }
+  this->Error += this->AddChords(position, found.Face, &this->Equations);
+  const double weight = BackWeight * CornerFraction * this->Weigh.InUnits(area);
+  const Penalty penalty = this->Weigh.FitOfVertex(weight, this->SquaredDistance);
+  this->Error += penalty.Value;
+  this->Equations.AddVertex(position, original, found.Point, penalty.Weight);
+}
+
+//------------------------------------------------------------------------------
+/// If that is far, the neighbors may know better.
+PointOnMesh VertexMover::FindOriginal(Index vertex)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  const Vector3& position = mesh.Position(vertex);
+  PointOnMesh found = this->Back.Find(position, vertex);
+  if (this->Weigh.OfFarVertices().IsFar(found.Point.SquaredDistance))
+  {
+    this->Neighbors.clear();
+    mesh.VisitEdges(vertex, [&](Index h) { this->Neighbors.push_back(mesh.Across(h, vertex)); });
+    found = this->Back.FindBetter(
+      position, found, this->Weigh.OfFarVertices().SquaredLimit(), this->Neighbors);
+    this->Back.Set(vertex, found.Face);
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+/// Of the sharp edges from the vertex, if it were there.  @param hint The original triangle near it.
+double VertexMover::AddChords(const Vector3& position, Index hint, FitStep* equations) const
+{
+  const FarPenalty& far = this->Weigh.OfChords();
+  const std::size_t count = this->Ring.size();
+  double error = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const RingFace& previous = this->Ring[(i + count - 1) % count];
+    const RingFace& ring = this->Ring[i];
+    if (!FoldSharply(previous.Normal, ring.Normal))
+    {
+      continue;
+    }
+    const std::array<Index, 3> others = { ring.Neighbor, this->Ring[(i + 1) % count].Neighbor,
+      previous.Neighbor };
+    for (const double fraction : ChordFractions)
+    {
+      const Vector3 p = fraction * position + (1.0 - fraction) * ring.Second;
+      const PointOnMesh near = WalkFrom(this->Back.Original(), p, hint);
+      const PointOnMesh found = this->Back.FindBetter(p, near, far.SquaredLimit(), others);
+      const Penalty penalty = far.WithWeight(found.Point.SquaredDistance);
+      error += penalty.Value;
+      if (equations != nullptr && penalty.Value > 0.0)
+      {
+        const TriangleFrame frame = FrameOf(this->Back.Original(), found.Face);
+        equations->AddOnEdge(p, frame, found.Point, fraction, penalty.Weight);
+      }
+    }
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
+double VertexMover::AddSamples(const TriangleFrame& frame, Index face)
+{
+  double error = 0.0;
+  this->Fit.VisitFace(face,
+    [&](const Samples::Sample& sample)
+    {
+      const Vector3 p = this->Fit.SamplePosition(sample);
+      const TriangleFrame::Point nearest = frame.Nearest(p);
+      const Penalty penalty = this->Weigh.FitOfSample(sample.Weight, nearest.SquaredDistance);
+      error += penalty.Value;
+      this->Equations.AddSample(p, frame, nearest, penalty.Weight);
+    });
+  return error;
+}
+
+//------------------------------------------------------------------------------
+/// The error of the face as it would be; infinite if it would turn away from the original.
+double VertexMover::ErrorIfAllowed(const RingFace& ring, const TriangleFrame& frame) const
+{
+  const double facing = frame.UnitNormal().dot(this->OriginalNormal);
+  return facing < LeastFacing && facing < ring.Facing
+    ? std::numeric_limits<double>::infinity()
+    : ErrorOfFace(this->Fit, this->Weigh, ring.Face, frame);
+}
+
+//------------------------------------------------------------------------------
+bool VertexMover::Lowers(Index vertex, const Vector3& position)
+{
+  const PointOnMesh found = this->Back.Find(position, vertex);
+  const double squared = found.Point.SquaredDistance;
+  this->Hint = found.Face;
+  double area = 0.0; // mm^2
+  double error = 0.0;
+  for (RingFace& ring : this->Ring)
+  {
+    const TriangleFrame frame(position, ring.Second, ring.Third);
+    ring.Normal = frame.UnitNormal();
+    area += frame.SurfaceArea();
+    error += this->ErrorIfAllowed(ring, frame);
+    if (!(error < this->Error))
+    {
+      return false;
+    }
+  }
+  error += this->Weigh.OfVertex(BackWeight * CornerFraction * this->Weigh.InUnits(area), squared);
+  return error < this->Error &&
+    error + this->AddChords(position, found.Face, nullptr) < this->Error;
+}
+}

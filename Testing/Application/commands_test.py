@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The subcommands: which there are, and what a command line without one is."""
+
+import re
+
+from application import DONE, SURFACES, USAGE, ApplicationTest, main, torus, write
+
+COMMANDS = ("thesis", "certify", "tolerance", "curve", "levels", "diagnose")
+
+
+class Commands(ApplicationTest):
+    def test_decimate_is_the_default(self):
+        write(torus(), self.path("in.ply"))
+        self.succeed("in.ply", "a.ply", "--target-triangles", 700)
+        self.succeed("decimate", "in.ply", "b.ply", "--target-triangles", 700)
+        self.assertEqual(self.path("a.ply").read_bytes(), self.path("b.ply").read_bytes())
+        self.assertEqual(self.succeed("--help").stdout, self.succeed("decimate", "--help").stdout)
+
+    def test_help_has_every_command_and_each_has_its_own(self):
+        usage = self.succeed("--help").stdout.split("\n\n")[0]
+        self.assertEqual(tuple(re.findall(r"bonedecimate ([a-z]+) ", usage)), COMMANDS)
+        for command in COMMANDS:
+            text = self.succeed(command, "--help").stdout
+            self.assertIn(f"Usage: bonedecimate {command} ", text)
+            self.assertIn("Exit codes:", text)
+            self.fail_with(USAGE, command, "--what", says=f"see bonedecimate {command} --help")
+
+    def test_names_of_commands_behind_the_first_word_are_files(self):
+        write(torus(), self.path("in.ply"))
+        self.path("curve").mkdir()
+        self.succeed("in.ply", "curve", "--target-triangles", 700)
+        self.assertIn("curve/in.ply", self.names())
+        self.succeed("diagnose", "in.ply", "--json", "levels")
+        self.assertIn("levels", self.names())
+
+    def test_help_and_slicer_have_the_formats_of_the_table(self):
+        listed = re.search(r"by extension: (.*)\.\n", self.succeed("--help").stdout)[1].split(", ")
+        self.assertEqual(sorted(listed), sorted(SURFACES))
+        first = re.search(r'fileExtensions="(.*?)"', self.succeed("--xml").stdout)[1]
+        self.assertEqual(first, ",".join("." + extension for extension in listed))
+
+    def test_texts_end_with_success(self):
+        for flag, says in (("--version", "bonedecimate "), ("--options-markdown", "| `Mode` |"), ("--help", "Usage:")):
+            completed = self.run_program(flag)
+            self.assertEqual((completed.returncode, completed.stderr), (DONE, ""))
+            self.assertIn(says, completed.stdout)
+
+
+if __name__ == "__main__":
+    main()

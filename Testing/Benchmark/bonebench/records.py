@@ -1,0 +1,207 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The figures of a run as flat records, one CSV file per kind. The page is written from these files alone."""
+
+from __future__ import annotations
+
+import csv
+import json
+import statistics
+from pathlib import Path
+from typing import Any, Iterable
+
+Figures = dict[str, Any]
+Record = dict[str, str]
+Records = dict[str, list[Record]]
+
+THERE, BACK = "simplified_to_original", "original_to_simplified"
+# Columns of <kind>.csv: column -> path of the value in an entry of the figures.
+DISTANCES = {f"{name}_{statistic}_mm": (side, key)
+             for name, side in (("to_original", THERE), ("to_result", BACK))
+             for statistic, key in (("average", "average"), ("rms", "rms"), ("max", "maximum"))}
+DISTANCES["hausdorff_mm"] = ("hausdorff",)
+POINTS = {f"point_{statistic}_mm": (THERE, f"point_{key}")
+          for statistic, key in (("max", "maximum"), ("second", "second"), ("average", "average"), ("rms", "rms"))}
+SHAPE = {"components": "components", "boundary_edges": "boundary_edges", "non_manifold_edges": "non_manifold_edges",
+         "non_manifold_vertices": "non_manifold_vertices", "euler": "euler",
+         "self_intersecting_pairs": "self_intersections", "degenerate_triangles": "degenerate", "quality": "quality"}
+COLUMNS = {
+    "comparison": ["bone", "input_triangles", "requested_triangles", "method", "threads", "adapter", "triangles", "seconds",
+                   "cpu_seconds", "peak_mb", *DISTANCES, *POINTS, *SHAPE, "poor_percent"],
+    "pairs": ["bone", "input_triangles", "requested_triangles", "peer", "peer_triangles", "method", "threads", "triangles",
+              "time_ratio", "to_original_rms_ratio", "to_result_rms_ratio", "hausdorff_ratio"],
+    "growth": ["mode", "threads", "input_triangles", "seconds", "bytes_per_triangle"],
+    "threads": ["bone", "requested_triangles", "mode", "threads", "kernels", "seconds", "cpu_seconds", "checksum"],
+    "proved": ["bone", "input_triangles", "error_mm", "mode", "intersection_guard", "triangles", "proved_mm",
+               "proved_boundary_mm", "hausdorff_mm", "self_intersecting_pairs", "seconds", "certificate_seconds",
+               "rest_over_cgal", "bytes_per_triangle"],
+    "trials": ["bone", "error_mm", "peer", "by_error_triangles", "by_error_hausdorff_mm", "by_trial_triangles",
+               "by_trial_hausdorff_mm", "last_trial_seconds"],
+    "errors": ["bone", "error_mm", "mode", "triangles", *POINTS, "hausdorff_mm", "seconds"],
+}
+
+
+def value_of(entry: dict[str, Any] | None, *path: str) -> Any:
+    """A measured value of an entry, or None."""
+    return at(entry["measured"], path) if entry else None
+
+
+def find(row: dict[str, Any], key: str, requested: int | None = None) -> dict[str, Any] | None:
+    """The entry of a program that ended successfully, at a number of triangles if one is given."""
+    return next((entry for entry in row["entries"] if entry["key"] == key and entry["seconds"]
+                 and requested in (None, entry["requested"])), None)
+
+
+def at_reference(row: dict[str, Any]) -> list[dict[str, Any]]:
+    """The peers, and the modes at the number of triangles with which the first peer ended."""
+    return [entry for entry in row["entries"] if not entry["ours"] or entry["requested"] == row["reference"]]
+
+
+def text(value: Any, digits: int = 6) -> str:
+    """A cell: six significant digits, empty for nothing."""
+    if value is None:
+        return ""
+    return f"{value:.{digits}g}" if isinstance(value, float) else str(value)
+
+
+def ratio(value: float | None, base: float | None) -> str:
+    """A quotient with three decimals; empty if one of both is missing."""
+    return f"{value / base:.3f}" if value is not None and base else ""
+
+
+def at(values: dict[str, Any] | None, path: Iterable[str]) -> Any:
+    """The value at a path of keys, or None."""
+    found: Any = values
+    for key in path:
+        found = found.get(key) if found else None
+    return found
+
+
+def distances(values: dict[str, Any], columns: dict[str, tuple[str, ...]]) -> Record:
+    """The named distances."""
+    return {name: text(at(values, path)) for name, path in columns.items()}
+
+
+def shape(values: dict[str, Any]) -> Record:
+    """Topology and quality of the triangles."""
+    cells = {name: text(values.get(key)) for name, key in SHAPE.items()}
+    return {**cells, "poor_percent": text(100 * values["bad_fraction"], 3) if "bad_fraction" in values else ""}
+
+
+def method(entry: dict[str, Any]) -> str:
+    """The name of a mode or of a peer."""
+    return entry["mode"] if entry["ours"] else entry["name"]
+
+
+def of_row(row: dict[str, Any]) -> Record:
+    """The columns that all records of one bone and one number of triangles have in common."""
+    return {"bone": row["bone"], "input_triangles": text(row["input"]["triangles"]), "requested_triangles": text(row["requested"])}
+
+
+def comparison(row: dict[str, Any]) -> list[Record]:
+    """The input, every peer, and the modes at the number of triangles with which the first peer ended."""
+    found = [{**of_row(row), "method": "input", "triangles": text(row["input"]["triangles"]), **shape(row["input"])}]
+    for entry in at_reference(row):
+        if not entry["seconds"]:
+            continue
+        found.append({
+            **of_row(row), "method": method(entry), "threads": text(entry["threads"]), "adapter": entry["through"],
+            "triangles": text(entry["triangles"]), "seconds": text(entry["median_seconds"]),
+            "cpu_seconds": text(statistics.median(entry["cpu_seconds"])), "peak_mb": text(entry["peak_bytes"] / 1e6, 4),
+            **distances(entry["measured"], DISTANCES), **distances(entry["measured"], POINTS), **shape(entry["measured"])})
+    return found
+
+
+def pairs(row: dict[str, Any]) -> list[Record]:
+    """Each mode divided by each peer, at exactly the number of triangles with which that peer ended."""
+    found = []
+    for peer in row["entries"]:
+        for mine in row["entries"]:
+            if peer["ours"] or not mine["ours"] or mine["through"] != "core" or mine["requested"] != peer["triangles"] \
+                    or not peer["seconds"] or not mine["seconds"]:
+                continue
+            ratios = {f"{name.removesuffix('_mm')}_ratio": ratio(at(mine["measured"], path), at(peer["measured"], path))
+                      for name, path in DISTANCES.items() if name.endswith("rms_mm") or name == "hausdorff_mm"}
+            found.append({
+                **of_row(row), "peer": peer["name"], "peer_triangles": text(peer["triangles"]), "method": mine["mode"],
+                "threads": text(mine["threads"]), "triangles": text(mine["triangles"]),
+                "time_ratio": ratio(mine["median_seconds"], peer["median_seconds"]), **ratios})
+    return found
+
+
+def proved(row: dict[str, Any]) -> Record:
+    """One run with a proved largest error."""
+    certificate = row["proved"]
+    return {"bone": row["bone"], "input_triangles": text(row["input"]), "error_mm": text(row["error"]), "mode": row["mode"],
+            "intersection_guard": row["guard"], "triangles": text(row["triangles"]),
+            "proved_mm": f"{certificate['upper']:.6f}", "proved_boundary_mm": f"{certificate['boundaries']:.6f}",
+            "hausdorff_mm": text(at(row["measured"], ["hausdorff"])),
+            "self_intersecting_pairs": text(at(row["measured"], ["self_intersections"])), "seconds": text(row["seconds"]),
+            "certificate_seconds": text(certificate["own_seconds"]),
+            "rest_over_cgal": ratio(row["seconds"] - certificate["own_seconds"], row["peer_seconds"]),
+            "bytes_per_triangle": f"{(row['input_bytes'] + row['peak_bytes']) / row['input']:.0f}"}
+
+
+def trial(row: dict[str, Any]) -> Record:
+    """A peer with a largest error: its own option for it, and the fewest triangles found by trial."""
+    outcomes = (("by_error", row["by_error"]), ("by_trial", row["by_trial"]))
+    return {"bone": row["bone"], "error_mm": text(row["error"]), "peer": row["name"],
+            **{f"{name}_triangles": text(outcome.get("triangles")) for name, outcome in outcomes},
+            **{f"{name}_hausdorff_mm": text(at(outcome, ["measured", "hausdorff"])) for name, outcome in outcomes},
+            "last_trial_seconds": text(row["by_trial"].get("seconds"))}
+
+
+def from_figures(figures: Figures) -> Records:
+    """All records of a run."""
+    return {
+        "comparison": [record for row in figures["rows"] for record in comparison(row)],
+        "pairs": [record for row in figures["rows"] for record in pairs(row)],
+        "growth": [{"mode": row["mode"], "threads": text(row["threads"]), "input_triangles": text(row["triangles"]),
+                    "seconds": text(row["seconds"]), "bytes_per_triangle": f"{row['bytes'] / row['triangles']:.0f}"}
+                   for row in figures["growth"]],
+        "threads": [{"bone": row["bone"], "requested_triangles": text(row["requested"]), "mode": row["mode"],
+                     "threads": text(row["threads"]), "kernels": row["kernels"] or "best", "seconds": text(row["seconds"]),
+                     "cpu_seconds": text(row["cpu_seconds"]), "checksum": " ".join(row["checksums"])}
+                    for row in figures["threads"]],
+        "proved": [proved(row) for row in figures["proved"] if "failure" not in row],
+        "trials": [trial(row) for row in figures["trials"]],
+        "errors": [{"bone": row["bone"], "error_mm": text(row["error"]), "mode": row["mode"],
+                    "triangles": text(row["triangles"]), **distances(row["measured"], POINTS),
+                    "hausdorff_mm": text(at(row["measured"], ["hausdorff"])), "seconds": text(row["seconds"])}
+                   for row in figures["errors"] if "failure" not in row],
+    }
+
+
+def conditions(figures: Figures) -> dict[str, Any]:
+    """What the figures were measured on and with."""
+    versions = {entry["name"]: entry["version"] for row in figures["rows"] for entry in row["entries"]
+                if not entry["ours"] and entry["version"]}
+    return {"machine": figures["machine"], "rounds": figures["rounds"], "samples": figures["samples"],
+            "runs": figures.get("parts", 1), "versions": versions, "notes": figures["complaints"]}
+
+
+def write(folder: Path, figures: Figures) -> None:
+    """One CSV file per kind that has records, and run.json."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for kind, records in from_figures(figures).items():
+        file = folder / f"{kind}.csv"
+        file.unlink(missing_ok=True)
+        if records:
+            with file.open("w", newline="", encoding="utf-8") as stream:
+                writer = csv.DictWriter(stream, COLUMNS[kind], restval="", lineterminator="\n")
+                writer.writeheader()
+                writer.writerows(records)
+    (folder / "run.json").write_text(json.dumps(conditions(figures), indent=1) + "\n", encoding="utf-8")
+
+
+def read(folder: Path) -> tuple[Records, dict[str, Any]]:
+    """The records of a folder and the conditions of the run."""
+    found: Records = {}
+    for kind in COLUMNS:
+        file = folder / f"{kind}.csv"
+        if file.is_file():
+            with file.open(newline="", encoding="utf-8") as stream:
+                found[kind] = list(csv.DictReader(stream))
+        else:
+            found[kind] = []
+    return found, json.loads((folder / "run.json").read_text(encoding="utf-8"))

@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkBoneDecimate for Python: ``from bonedecimate import vtkBoneDecimate``.
+
+Every option has both forms of VTK: ``decimate.SetMaximumError(0.1)`` and ``decimate.maximum_error = 0.1``; every getter without
+arguments is a property, too: ``decimate.proved_error``. A value outside its range is a ValueError, an unknown attribute an
+AttributeError.
+"""
+
+# The superclass must be known to Python before the wrapped class is loaded.
+import vtkmodules.vtkCommonExecutionModel  # noqa: F401
+
+from . import vtkFiltersBoneDecimate as _wrapped
+from ._checked import ErrorTexts, checked, warn
+
+vtkBoneDiagnostics = checked(_wrapped, "vtkBoneDiagnostics")
+vtkBoneDecimate = checked(_wrapped, "vtkBoneDecimate")
+vtkBoneDecimateLevels = checked(_wrapped, "vtkBoneDecimateLevels")
+vtkBoneErrorSearch = checked(_wrapped, "vtkBoneErrorSearch")
+vtkBoneSurfaceDistance = checked(_wrapped, "vtkBoneSurfaceDistance")
+vtkBoneTolerance = checked(_wrapped, "vtkBoneTolerance")
+
+__all__ = ["vtkBoneDiagnostics", "vtkBoneDecimate", "vtkBoneDecimateLevels", "vtkBoneErrorSearch", "vtkBoneSurfaceDistance",
+           "vtkBoneTolerance", "error_curve", "smallest_error"]
+
+
+def _update(search):
+    """Updates; what the filter says is wrong is a ValueError."""
+    with ErrorTexts(search, search.GetExecutive()) as errors:
+        search.Update()
+    if errors.texts:
+        raise ValueError(errors.texts[0])
+
+
+def smallest_error(surface, triangles, precision=0.02, mode=vtkBoneDecimate.BALANCED):
+    """The smallest largest distance (mm) that can be proved for that many triangles, and the surface that has it.
+
+    The distance is None if topology does not allow so few triangles. What cannot be searched raises ValueError.
+    """
+    search = vtkBoneErrorSearch()
+    search.SetInputData(surface)
+    search.SetMode(mode)
+    search.SetTargetNumberOfTriangles(triangles)
+    search.SetRelativePrecision(precision)
+    _update(search)
+    error = search.GetSmallestError()
+    return (None if error != error else error), search.GetOutput()
+
+
+def error_curve(surface, errors, mode=vtkBoneDecimate.BALANCED):
+    """For each largest distance (mm): it, the number of triangles and the distance that is proved (mm).
+
+    A distance that cannot be kept, and one that does not suit the size of the surface, raise ValueError.
+    """
+    search = vtkBoneErrorSearch()
+    search.SetInputData(surface)
+    search.SetMode(mode)
+    for error in errors:
+        search.AddError(error)
+    _update(search)
+    trials = search.GetTrials()
+    columns = [trials.GetColumnByName(name) for name in ("MaximumError", "Triangles", "ProvedError")]
+    return [tuple(column.GetValue(row) for column in columns) for row in range(trials.GetNumberOfRows())]
+
+
+def __getattr__(name):
+    """Former names, and those of the wheel."""
+    if name == "vtkBoneCheck":
+        warn(name, "vtkBoneDiagnostics")
+        return vtkBoneDiagnostics
+    if name in ("decimate", "certify", "record_levels", "open_levels"):
+        raise AttributeError(f"bonedecimate.{name} is in the wheel, not in the package that is built with VTK")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
