@@ -76,7 +76,7 @@ EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepar
   if (!isAborted)
   {
     settings.KeepsQuadrics = mode.NeedsQuadrics();
-    settings.KeepsInitialMesh = mode.KeepsOriginalMesh;
+    settings.KeepsInitialMesh = mode.KeepsInitialMesh;
     settings.CollapsesFeatureCurves = task.Inputs.Labels != nullptr;
     settings.Tolerances = prepared.VertexTolerances;
     settings.Bound = BoundSettings(task, prepared);
@@ -89,9 +89,9 @@ EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepar
 std::unique_ptr<Editor> MakeEditor(
   const RunTask& task, PreparedInput& prepared, RunProgress& progress, Report& report)
 {
-  const Monitor monitor = progress.Stage(CheckedAt, BuiltAt);
   auto editor = std::make_unique<Editor>(std::move(*prepared.Mesh), prepared.Cleaned,
-    SettingsOfEditor(task, prepared, !progress.GoesOn()), PartOf(monitor, 0.5, 1.0));
+    SettingsOfEditor(task, prepared, !progress.GoesOn()),
+    PartOf(progress.Stage(CheckedAt, BuiltAt), 0.5, 1.0));
   report.Cleaning.ConstrainedPoints = editor->NumberOfConstrainedVertices();
   return editor;
 }

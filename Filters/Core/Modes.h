@@ -106,7 +106,7 @@ struct ModeInfo
   ErrorPolicy MaximumError;
   bool
     RecordsDistances; ///< Whether the distance of every new vertex to the original is recorded along the collapses.
-  bool KeepsOriginalMesh; ///< Whether stages need the mesh as it was before the first edit.
+  bool KeepsInitialMesh; ///< Whether stages need the mesh as it was before the first edit.
   SweepSettings Sweep;
   RefineSettings Refine;
   std::vector<Stage> Stages; ///< In order.

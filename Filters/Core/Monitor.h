@@ -8,6 +8,7 @@
 #define BoneDecimate_Core_Monitor_h
 
 #include <functional>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -17,10 +18,11 @@ namespace bonedecimate
  */
 using Monitor = std::function<bool(double fraction)>;
 
-/// A monitor whose progress 0 to 1 maps to from-to of another one, which must outlive it and must not be empty.
-inline Monitor PartOf(const Monitor& monitor, double from, double to)
+/// A monitor whose progress 0 to 1 maps to from-to of another one, which must not be empty.
+inline Monitor PartOf(Monitor monitor, double from, double to)
 {
-  return [&monitor, from, to](double done) { return monitor(from + done * (to - from)); };
+  return [monitor = std::move(monitor), from, to](double done)
+  { return monitor(from + done * (to - from)); };
 }
 }
 

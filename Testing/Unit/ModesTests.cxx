@@ -65,7 +65,7 @@ TEST(Modes, BeginWithACollapseAndEndAtTheEnd)
       EXPECT_GT(stage.End, begin) << mode.Name << " " << stage.Name;
       begin = stage.End;
     }
-    EXPECT_EQ(mode.Stages.size() > 1, mode.KeepsOriginalMesh) << mode.Name;
+    EXPECT_EQ(mode.Stages.size() > 1, mode.KeepsInitialMesh) << mode.Name;
     EXPECT_GE(mode.Sweep.PositionsTried, 1) << mode.Name;
     EXPECT_LE(mode.Sweep.PositionsTried, MaximumPositions) << mode.Name;
   }
@@ -87,7 +87,7 @@ TEST(Stages, DoNothingWhereTheTargetIsReached)
   {
     Editor editor(cleaned,
       EditorSettings{ mode.RecordsDistances, mode.NeedsFaceAreas(), mode.NeedsQuadrics(),
-        mode.KeepsOriginalMesh });
+        mode.KeepsInitialMesh });
     const StopTargets stops = { editor.Mesh().NumberOfFaces(), 0.0 };
     EXPECT_EQ(
       RunStages({ editor, mode, stops }, [](double) { return true; }), StopReason::AlreadySatisfied)
@@ -103,7 +103,7 @@ TEST(Stages, EndWithTheFirstThatIsAborted)
   {
     Editor editor(cleaned,
       EditorSettings{ mode.RecordsDistances, mode.NeedsFaceAreas(), mode.NeedsQuadrics(),
-        mode.KeepsOriginalMesh });
+        mode.KeepsInitialMesh });
     const StopTargets stops = { editor.Mesh().NumberOfFaces() / 4, 0.0 };
     double last = 0.0;
     const auto abortAtOnce = [&](double done)

@@ -47,7 +47,7 @@ bool Refine(const StageInput& input, const Monitor& monitor)
   constexpr double roundsTo = 0.7;
   constexpr double sweptAt = 0.4; // of a round
   const RefineSettings& settings = input.Mode.Refine;
-  Refinement refinement(input.MeshEditor, *input.Original, input.Threads);
+  Refinement refinement(input.MeshEditor, *input.InitialMesh, input.Threads);
   const bool fewRemain = input.Stops.Faces < FewTriangles * input.FacesAtStart;
   const int rounds = input.MeshEditor.HasErrorBound() ? settings.ProvedRounds : 1;
   const Monitor tell = PartOf(monitor, roundsFrom, roundsTo);

@@ -12,7 +12,7 @@ StopReason RunStages(StageInput input, const Monitor& monitor)
     return stop.Reason();
   }
   input.FacesAtStart = input.MeshEditor.Mesh().NumberOfFaces();
-  input.Original = input.Mode.KeepsOriginalMesh ? &input.MeshEditor.InitialMesh() : nullptr;
+  input.InitialMesh = input.Mode.KeepsInitialMesh ? &input.MeshEditor.InitialMesh() : nullptr;
   StopReason reason = StopReason::NotRun;
   double begin = 0.0;
   for (const Stage& stage : input.Mode.Stages)

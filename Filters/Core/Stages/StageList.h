@@ -29,8 +29,8 @@ struct StageInput
   double NormalTolerance = 0.0; ///< w of Cost/NormalFieldDeviation.h.
   int Threads = 1;              ///< 0: as many as the processor has.
   Index FacesAtStart = 0;       ///< Before the first stage; filled by RunStages().
-  const HalfEdgeMesh* Original =
-    nullptr; ///< Before the first edit, with ModeInfo::KeepsOriginalMesh; filled by RunStages().
+  const HalfEdgeMesh* InitialMesh =
+    nullptr; ///< Before the first edit, with ModeInfo::KeepsInitialMesh; filled by RunStages().
 };
 
 /// @param monitor Fractions from 0 to 1; not empty.
