@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Modes.h"
 
+#include "Cost/NormalFieldDeviation.h"
+#include "Cost/QuadricDeviation.h"
 #include "Placement/AlternatePositions.h"
+#include "Placement/PlaneQuadric.h"
+#include "Placement/VolumePreserving.h"
 #include "Stages/CollapseStage.h"
 #include "Stages/RefineStage.h"
 
@@ -10,25 +14,23 @@ namespace bonedecimate
 {
 const std::vector<ModeInfo>& ModeTable()
 {
-  using Cost = CostPolicy;
-  using Placement = PlacementPolicy;
-  using Schedule = SchedulePolicy;
   using Error = ErrorPolicy;
+  constexpr QueuePolicies byNormalFieldDeviation = { MakeNormalFieldDeviation,
+    PlaneQuadricPositions };
+  constexpr SweepPolicies byQuadricDeviation = { QuadricDeviation, VolumePreservingPosition };
   static const std::vector<Stage> collapse = { { "collapse", CollapseStage, 1.0 } };
   static const std::vector<Stage> collapseAndRefine = { { "collapse", CollapseStage, 0.3 },
     { "refine", RefineStage, 1.0 } };
   static const std::vector<ModeInfo> table = {
-    { Mode::Thesis, "Thesis", Cost::NormalFieldDeviation, Placement::PlaneQuadric,
-      Schedule::VertexQueue, Error::RunningStop, true, false, {}, {}, collapse },
-    { Mode::Fast, "Fast", Cost::QuadricDeviation, Placement::VolumePreserving,
-      Schedule::BucketSweep, Error::ProvedBound, false, false, { 0.3, 4 }, {}, collapse },
+    { Mode::Thesis, "Thesis", byNormalFieldDeviation, Error::RunningStop, true, false, {}, {},
+      collapse },
+    { Mode::Fast, "Fast", byQuadricDeviation, Error::ProvedBound, false, false, { 0.3, 4 }, {},
+      collapse },
     // Spikes weigh more than in Fast: refinement wins back the mean error that costs.
-    { Mode::Balanced, "Balanced", Cost::QuadricDeviation, Placement::VolumePreserving,
-      Schedule::BucketSweep, Error::ProvedBound, false, true, { 0.5, 8 },
+    { Mode::Balanced, "Balanced", byQuadricDeviation, Error::ProvedBound, false, true, { 0.5, 8 },
       { 0.2, 0.02, 4, 1, 1, 3, 1 }, collapseAndRefine },
-    { Mode::Accurate, "Accurate", Cost::QuadricDeviation, Placement::VolumePreserving,
-      Schedule::BucketSweep, Error::ProvedBound, false, true, { 0.5, MaximumPositions },
-      { 0.3, 0.06, 4, 1, 6, 8, 3 }, collapseAndRefine },
+    { Mode::Accurate, "Accurate", byQuadricDeviation, Error::ProvedBound, false, true,
+      { 0.5, MaximumPositions }, { 0.3, 0.06, 4, 1, 6, 8, 3 }, collapseAndRefine },
   };
   return table;
 }

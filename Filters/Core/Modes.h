@@ -11,22 +11,33 @@
  *     Accurate   QuadricDeviation       VolumePreserving    BucketSweep    collapse, refine    is proved
  *
  * A cost NAME is the formula in Cost/NAME.h, a placement NAME that in Placement/NAME.h, a schedule NAME the order of
- * Schedule/NAME.h. Balanced and Accurate differ in the settings of their stages. The refine stage ends with collapses by
+ * Schedule/NAME.h, which fixes what a cost and a placement look like. Balanced and Accurate differ in the settings of their stages. The refine stage ends with collapses by
  * Cost/SampledErrorCost.h.
  *
- * A new mode is an enumerator and a row of Modes.cxx. Its name is that of the option, the program and the report.
+ * A new cost or placement is a function in a file of its own, named in a row. A new mode is an enumerator and a row of Modes.cxx. Its name is that of the option, the program and the report.
  */
 #ifndef BoneDecimate_Core_Modes_h
 #define BoneDecimate_Core_Modes_h
 
 #include "Monitor.h"
 
+#include <cstdint>
+#include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace bonedecimate
 {
+enum class Freedom : std::int32_t;
 enum class StopReason : int;
+class FaceAreas;
+class HalfEdgeMesh;
+class VertexCost;
+struct EdgeNeighborhood;
+struct EdgeQuadric;
+struct Float3;
+struct PositionCandidates;
 struct StageInput;
 
 /// The values are those of vtkBoneDecimate::SetMode() and the indices of ModeTable().
@@ -38,22 +49,23 @@ enum class Mode : int
   Accurate = 3  ///< As Balanced, with more collapses by sampled error and more sweeps.
 };
 
-enum class CostPolicy
+/// Of VertexQueue, one edge at a time: the vertex of lowest cost, then its edge of lowest cost.
+struct QueuePolicies
 {
-  NormalFieldDeviation,
-  QuadricDeviation
+  /// @param tolerance w of Cost/NormalFieldDeviation.h.  @param meanEdgeLength mm, before the first edit.
+  std::unique_ptr<VertexCost> (*Cost)(
+    const HalfEdgeMesh& mesh, const FaceAreas& areas, double tolerance, double meanEdgeLength);
+  PositionCandidates (*Placement)(
+    const HalfEdgeMesh& mesh, const FaceAreas& areas, const EdgeNeighborhood& around);
 };
 
-enum class PlacementPolicy
+/// Of BucketSweep, blocks of the mesh in parallel: edges by buckets of their cost. Functions for which Kernels/EdgeEvaluator.cxx
+/// knows no vector kernel are called for one edge after the other.
+struct SweepPolicies
 {
-  PlaneQuadric,
-  VolumePreserving
-};
-
-enum class SchedulePolicy
-{
-  VertexQueue, ///< One edge at a time: the vertex of lowest cost, then its edge of lowest cost.
-  BucketSweep  ///< Blocks of the mesh in parallel, edges by buckets of their cost.
+  float (*Cost)(const EdgeQuadric& quadric, const Float3& position, float accumulatedError,
+    float normalization);
+  Float3 (*Placement)(const EdgeQuadric& quadric, Freedom freedom);
 };
 
 /// What MaximumError and the tolerances of points mean.
@@ -100,9 +112,7 @@ struct ModeInfo
 {
   bonedecimate::Mode Mode;
   const char* Name;
-  CostPolicy Cost;
-  PlacementPolicy Placement;
-  SchedulePolicy Schedule;
+  std::variant<QueuePolicies, SweepPolicies> Schedule;
   ErrorPolicy MaximumError;
   bool
     RecordsDistances; ///< Whether the distance of every new vertex to the original is recorded along the collapses.
@@ -113,19 +123,11 @@ struct ModeInfo
 
   bool ProvesError() const { return this->MaximumError == ErrorPolicy::ProvedBound; }
   /// Whether the option NormalTolerance, the w of the cost, has a meaning.
-  bool HasNormalTolerance() const { return this->Cost == CostPolicy::NormalFieldDeviation; }
-  /// Whether cost or placement read the area and the normal of each face.
-  bool NeedsFaceAreas() const
-  {
-    return this->Cost == CostPolicy::NormalFieldDeviation ||
-      this->Placement == PlacementPolicy::PlaneQuadric;
-  }
-  /// Whether cost or placement read the quadric of each vertex.
-  bool NeedsQuadrics() const
-  {
-    return this->Cost == CostPolicy::QuadricDeviation ||
-      this->Placement == PlacementPolicy::VolumePreserving;
-  }
+  bool HasNormalTolerance() const { return this->NeedsFaceAreas(); }
+  /// Whether cost and placement read the area and the normal of each face.
+  bool NeedsFaceAreas() const { return std::holds_alternative<QueuePolicies>(this->Schedule); }
+  /// Whether cost and placement read the quadric of each vertex.
+  bool NeedsQuadrics() const { return std::holds_alternative<SweepPolicies>(this->Schedule); }
 };
 
 /// Every mode once, in the order of the enumeration.

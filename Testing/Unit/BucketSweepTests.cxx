@@ -197,6 +197,30 @@ TEST(Kernels, OfEachProcessorGiveTheSameBytesOfAWholeRun)
   ChooseKernels(nullptr);
 }
 
+namespace
+{
+float CostWithoutKernel(
+  const EdgeQuadric& quadric, const Float3& position, float accumulatedError, float normalization)
+{
+  return QuadricDeviation(quadric, position, accumulatedError, normalization);
+}
+}
+
+TEST(BucketSweep, GivesTheSameMeshWithoutAKernelForItsPolicies)
+{
+  const SweepPolicies policies = { CostWithoutKernel, VolumePreservingPosition };
+  ASSERT_FALSE(EdgeEvaluator(policies).HasKernel());
+  const CleanSurface cleaned = Clean(Bone(), true);
+  const EditorSettings settings = { false, false, true };
+  const auto goOn = [](double) { return true; };
+  Editor expected(cleaned, settings);
+  Editor found(cleaned, settings);
+  const StopTargets stops = { expected.Mesh().NumberOfFaces() / 8, 0.0 };
+  BucketSweep(expected, stops, 1).Run(goOn);
+  BucketSweep(found, stops, 1, {}, policies).Run(goOn);
+  EXPECT_TRUE(SameBytes(SurfaceOf(found.Mesh()), SurfaceOf(expected.Mesh())));
+}
+
 class RingQuadrics : public EachShape
 {
 };

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BruteForce.h"
+#include "Cost/NormalFieldDeviation.h"
 #include "Mesh/Invariants.h"
 #include "Mesh/MeanEdgeLength.h"
 #include "Runs.h"
@@ -17,13 +18,18 @@ namespace
 {
 constexpr double Tolerance = 0.95;
 
+QueuePolicies OfThesis()
+{
+  return std::get<QueuePolicies>(FindMode(Mode::Thesis).Schedule);
+}
+
 /// Runs the loop to its end and calls check(editor, edit) after every collapse.
 StopReason RunToTheEnd(const Surface& surface, const Editor::Hook& check)
 {
   const CleanSurface cleaned = Clean(surface, true);
   Editor editor(cleaned, EditorSettings());
   editor.SetHook(check);
-  ThesisCollapse loop(editor, Tolerance, { 0, 0.0 });
+  ThesisCollapse loop(editor, OfThesis(), Tolerance, { 0, 0.0 });
   return loop.Run([](double) { return true; });
 }
 
@@ -236,13 +242,11 @@ TEST(ThesisCollapse, TakesTheVertexOfLowestCostAndThenItsLowestEdge)
         for (Index v = 0; v < before.NumberOfVertexSlots(); ++v)
         {
           const bool isThere = before.Outgoing(v) != None;
-          best =
-            isThere && (best == None || costs.VertexCost(v) < costs.VertexCost(best)) ? v : best;
+          best = isThere && (best == None || costs.OfVertex(v) < costs.OfVertex(best)) ? v : best;
         }
         Index edge = None;
         before.VisitEdges(best,
-          [&](Index h)
-          { edge = edge == None || costs.EdgeCost(h) < costs.EdgeCost(edge) ? h : edge; });
+          [&](Index h) { edge = edge == None || costs.OfEdge(h) < costs.OfEdge(edge) ? h : edge; });
         lowest += edge == edit.Edge || edge == before.Twin(edit.Edge) ? 1 : 0;
       }
       before = editor.Mesh();
@@ -258,10 +262,10 @@ TEST(ThesisCollapse, AVertexWithRejectedEdgesIsTriedAgainAfterItsRingChanges)
   {
     const CleanSurface cleaned = Clean(shape.Surface, true);
     Editor editor(cleaned, EditorSettings());
-    ThesisCollapse loop(editor, Tolerance, { 0, 0.0 });
+    ThesisCollapse loop(editor, OfThesis(), Tolerance, { 0, 0.0 });
     EXPECT_EQ(loop.Run([](double) { return true; }), StopReason::NothingLeft) << shape.Name;
     const Index faces = editor.Mesh().NumberOfFaces();
-    ThesisCollapse again(editor, Tolerance, { 0, 0.0 });
+    ThesisCollapse again(editor, OfThesis(), Tolerance, { 0, 0.0 });
     again.Run([](double) { return true; });
     EXPECT_GT(editor.Mesh().NumberOfFaces(), 0) << shape.Name;
     EXPECT_GE(10 * editor.Mesh().NumberOfFaces(), 9 * faces) << shape.Name;

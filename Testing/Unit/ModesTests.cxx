@@ -3,6 +3,7 @@
 // The table of modes: rows that its parts can carry out, and names that options, report and messages take from it.
 #include "Modes.h"
 
+#include "Kernels/EdgeEvaluator.h"
 #include "Options/OptionTable.h"
 #include "Placement/AlternatePositions.h"
 #include "Runs.h"
@@ -30,16 +31,14 @@ TEST(Modes, StandInTheTableInTheOrderOfTheirNumbers)
   EXPECT_EQ(FindMode(static_cast<Mode>(7)).Mode, Mode::Balanced);
 }
 
-TEST(Modes, HaveTheCostAndThePlacementOfTheirSchedule)
+TEST(Modes, HaveAVectorKernelForTheirSweep)
 {
   for (const ModeInfo& mode : ModeTable())
   {
-    const bool isQueue = mode.Schedule == SchedulePolicy::VertexQueue;
-    EXPECT_EQ(mode.Cost, isQueue ? CostPolicy::NormalFieldDeviation : CostPolicy::QuadricDeviation)
-      << mode.Name;
-    EXPECT_EQ(
-      mode.Placement, isQueue ? PlacementPolicy::PlaneQuadric : PlacementPolicy::VolumePreserving)
-      << mode.Name;
+    if (const auto* sweep = std::get_if<SweepPolicies>(&mode.Schedule))
+    {
+      EXPECT_TRUE(EdgeEvaluator(*sweep).HasKernel()) << mode.Name;
+    }
     EXPECT_NE(mode.NeedsFaceAreas(), mode.NeedsQuadrics()) << mode.Name;
   }
 }

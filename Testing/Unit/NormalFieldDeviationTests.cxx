@@ -24,14 +24,14 @@ double HingeCost(const Vector3& apex, double tolerance)
 {
   const HalfEdgeMesh mesh(Hinge(apex));
   const FaceAreas areas(mesh);
-  return NormalFieldDeviation(mesh, areas, tolerance, MeanEdgeLength(mesh)).EdgeCost(0);
+  return NormalFieldDeviation(mesh, areas, tolerance, MeanEdgeLength(mesh)).OfEdge(0);
 }
 
-double VertexCost(const Surface& surface, Index vertex, double tolerance)
+double CostOfVertex(const Surface& surface, Index vertex, double tolerance)
 {
   const HalfEdgeMesh mesh(surface);
   const FaceAreas areas(mesh);
-  return NormalFieldDeviation(mesh, areas, tolerance, MeanEdgeLength(mesh)).VertexCost(vertex);
+  return NormalFieldDeviation(mesh, areas, tolerance, MeanEdgeLength(mesh)).OfVertex(vertex);
 }
 }
 
@@ -65,7 +65,7 @@ TEST(NormalFieldDeviation, BothHalvesOfAnEdgeCostTheSame)
   const NormalFieldDeviation costs(mesh, areas, 0.9, MeanEdgeLength(mesh));
   for (const Index h : HalfEdges(mesh))
   {
-    EXPECT_DOUBLE_EQ(costs.EdgeCost(h), costs.EdgeCost(mesh.Twin(h)));
+    EXPECT_DOUBLE_EQ(costs.OfEdge(h), costs.OfEdge(mesh.Twin(h)));
   }
 }
 
@@ -76,8 +76,8 @@ TEST(NormalFieldDeviation, ABoundaryEdgeHasATwinOfTheSameAreaAtRightAngles)
   for (const double tolerance : { 0.0, 0.95, 1.0 })
   {
     const NormalFieldDeviation costs(mesh, areas, tolerance, MeanEdgeLength(mesh));
-    EXPECT_NEAR(costs.EdgeCost(0), 2.0 * 0.5 * 1.0, 1e-15);
-    EXPECT_NEAR(costs.EdgeCost(1), 2.0 * 0.5 * std::sqrt(2.0), 1e-15);
+    EXPECT_NEAR(costs.OfEdge(0), 2.0 * 0.5 * 1.0, 1e-15);
+    EXPECT_NEAR(costs.OfEdge(1), 2.0 * 0.5 * std::sqrt(2.0), 1e-15);
   }
 }
 
@@ -94,22 +94,22 @@ TEST(NormalFieldDeviation, VertexCostOfARightAngledCornerIsThatComputedByHand)
   // Three edges of 1 mm between faces of 0.5 mm2 at right angles: 1 mm3 each whatever w.
   const double mean = (3.0 + 3.0 * std::sqrt(2.0)) / 6.0;
   const double expected = 3.0 + mean * (1.5 - 0.5 * std::sqrt(3.0));
-  EXPECT_NEAR(VertexCost(Tetrahedron(), 0, 0.95), expected, 1e-14);
-  EXPECT_NEAR(VertexCost(Tetrahedron(), 0, 0.3), expected, 1e-14);
+  EXPECT_NEAR(CostOfVertex(Tetrahedron(), 0, 0.95), expected, 1e-14);
+  EXPECT_NEAR(CostOfVertex(Tetrahedron(), 0, 0.3), expected, 1e-14);
 }
 
 TEST(NormalFieldDeviation, AFlatRingHasNoCurvature)
 {
   // Point 12 of the grid: six edges, each between faces of 0.5 mm2, two of them diagonals.
   const double edges = 0.05 * (4.0 + 2.0 * std::sqrt(2.0));
-  EXPECT_NEAR(VertexCost(Grid(4), 12, 0.95), edges, 1e-14);
-  EXPECT_NEAR(VertexCost(Grid(4), 12, 1.0), 0.0, 1e-14);
+  EXPECT_NEAR(CostOfVertex(Grid(4), 12, 0.95), edges, 1e-14);
+  EXPECT_NEAR(CostOfVertex(Grid(4), 12, 1.0), 0.0, 1e-14);
 }
 
 TEST(NormalFieldDeviation, ABoundaryVertexCountsItsBoundaryEdges)
 {
   // Point 1 of the grid of one cell: corner of one triangle with two boundary edges of 1 mm.
-  EXPECT_NEAR(VertexCost(Grid(1), 1, 0.95), 2.0, 1e-15);
+  EXPECT_NEAR(CostOfVertex(Grid(1), 1, 0.95), 2.0, 1e-15);
 }
 
 TEST(NormalFieldDeviation, CostsGrowWithTheCubeOfTheScaleExactly)
@@ -117,7 +117,8 @@ TEST(NormalFieldDeviation, CostsGrowWithTheCubeOfTheScaleExactly)
   const Surface surface = BumpySphere(2, 3.0, 0.2, 5);
   for (Index v = 0; v < static_cast<Index>(surface.Points.size()); ++v)
   {
-    EXPECT_EQ(VertexCost(Scaled(surface, 4.0), v, 0.95), 64.0 * VertexCost(surface, v, 0.95)) << v;
+    EXPECT_EQ(CostOfVertex(Scaled(surface, 4.0), v, 0.95), 64.0 * CostOfVertex(surface, v, 0.95))
+      << v;
   }
 }
 
@@ -127,6 +128,6 @@ TEST(NormalFieldDeviation, FacesWithoutAreaCostNothingAndGiveNoNaN)
     { { 0, 2, 3 }, { 2, 1, 3 }, { 1, 0, 4 }, { 0, 1, 2 } } };
   for (Index v = 0; v < 5; ++v)
   {
-    EXPECT_TRUE(std::isfinite(VertexCost(surface, v, 0.95))) << v;
+    EXPECT_TRUE(std::isfinite(CostOfVertex(surface, v, 0.95))) << v;
   }
 }

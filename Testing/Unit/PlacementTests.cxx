@@ -48,7 +48,7 @@ struct Bench
 
   PositionCandidates Propose(Index edge)
   {
-    return ProposePositions(this->Mesh, this->Areas, this->Around(edge));
+    return PlaneQuadricPositions(this->Mesh, this->Areas, this->Around(edge));
   }
 
   PositionCandidates Propose(const Vector3& from, const Vector3& to)
@@ -136,7 +136,7 @@ TEST(PlaneQuadric, TheFirstProposalIsTheMinimumOfTheQuadricWithItsRidge)
   for (const Index h : HalfEdges(bench.Mesh))
   {
     const EdgeNeighborhood around = bench.Around(h);
-    const PositionCandidates proposals = ProposePositions(bench.Mesh, bench.Areas, around);
+    const PositionCandidates proposals = PlaneQuadricPositions(bench.Mesh, bench.Areas, around);
     const Vector3 middle =
       0.5 * (bench.Mesh.Position(around.Start) + bench.Mesh.Position(around.End));
     const double best = bench.SumOfSquares(around, proposals.Edits[0].Position, middle);

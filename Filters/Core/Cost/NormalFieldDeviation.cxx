@@ -4,7 +4,7 @@
 
 namespace bonedecimate
 {
-double NormalFieldDeviation::EdgeCost(Index h) const
+double NormalFieldDeviation::OfEdge(Index h) const
 {
   const Index twin = this->Mesh.Twin(h);
   const FaceAreas::Face& face = this->Areas[HalfEdgeMesh::Face(h)];
@@ -18,7 +18,7 @@ double NormalFieldDeviation::EdgeCost(Index h) const
     (this->Mesh.Position(this->Mesh.Target(h)) - this->Mesh.Position(this->Mesh.Origin(h))).norm();
 }
 
-double NormalFieldDeviation::VertexCost(Index v) const
+double NormalFieldDeviation::OfVertex(Index v) const
 {
   double edges = 0.0;                   // mm^3
   double area = 0.0;                    // mm^2
@@ -26,7 +26,7 @@ double NormalFieldDeviation::VertexCost(Index v) const
   this->Mesh.VisitEdges(v,
     [&](Index h)
     {
-      edges += this->EdgeCost(h);
+      edges += this->OfEdge(h);
       if (this->Mesh.Origin(h) == v)
       {
         const FaceAreas::Face& face = this->Areas[HalfEdgeMesh::Face(h)];
@@ -35,5 +35,12 @@ double NormalFieldDeviation::VertexCost(Index v) const
       }
     });
   return edges + this->CurvatureLength * (area - areaVector.norm());
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<VertexCost> MakeNormalFieldDeviation(
+  const HalfEdgeMesh& mesh, const FaceAreas& areas, double tolerance, double meanEdgeLength)
+{
+  return std::make_unique<NormalFieldDeviation>(mesh, areas, tolerance, meanEdgeLength);
 }
 }

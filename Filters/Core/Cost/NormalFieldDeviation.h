@@ -24,10 +24,13 @@
 
 #include "Mesh/FaceAreas.h"
 #include "Mesh/HalfEdgeMesh.h"
+#include "VertexCost.h"
+
+#include <memory>
 
 namespace bonedecimate
 {
-class NormalFieldDeviation
+class NormalFieldDeviation : public VertexCost
 {
 public:
   /// @param tolerance w, 0 to 1.  @param meanEdgeLength L, mm.
@@ -40,8 +43,8 @@ public:
   {
   }
 
-  double EdgeCost(Index h) const;   ///< mm^3
-  double VertexCost(Index v) const; ///< mm^3; v must not be constrained.
+  double OfEdge(Index h) const override;   ///< mm^3
+  double OfVertex(Index v) const override; ///< mm^3
 
 private:
   const HalfEdgeMesh& Mesh;
@@ -49,6 +52,10 @@ private:
   double Tolerance;
   double CurvatureLength; // mm
 };
+
+/// For the table of modes.
+std::unique_ptr<VertexCost> MakeNormalFieldDeviation(
+  const HalfEdgeMesh& mesh, const FaceAreas& areas, double tolerance, double meanEdgeLength);
 }
 
 #endif

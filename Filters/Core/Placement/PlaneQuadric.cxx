@@ -129,7 +129,7 @@ void ProposeAlongBoundary(const HalfEdgeMesh& mesh, const FaceAreas& areas,
 }
 }
 
-PositionCandidates ProposePositions(
+PositionCandidates PlaneQuadricPositions(
   const HalfEdgeMesh& mesh, const FaceAreas& areas, const EdgeNeighborhood& around)
 {
   PositionCandidates proposals;

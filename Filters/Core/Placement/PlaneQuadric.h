@@ -35,7 +35,7 @@ struct PositionCandidates
   std::size_t Count = 0;
 };
 
-PositionCandidates ProposePositions(
+PositionCandidates PlaneQuadricPositions(
   const HalfEdgeMesh& mesh, const FaceAreas& areas, const EdgeNeighborhood& around);
 }
 

@@ -36,7 +36,7 @@ void BlockSweep::RenewAll(Index first, Index last)
 void BlockSweep::Renew(Index vertex)
 {
   this->Merged.Gather(this->MeshEditor.Mesh(), this->Known, vertex, this->Task.Vertices);
-  this->Merged.Evaluate(this->Compute);
+  this->Merged.Evaluate(this->Evaluate);
   this->SetBucket(vertex, BucketOf(this->Merged.LeastCost()));
 }
 
@@ -119,7 +119,7 @@ VertexEdges& BlockSweep::EdgesOfReady(std::size_t at, CostBucket highest)
   }
   if (edges.AreInside())
   {
-    edges.Evaluate(this->Compute);
+    edges.Evaluate(this->Evaluate);
   }
   return edges;
 }

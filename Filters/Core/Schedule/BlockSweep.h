@@ -45,8 +45,9 @@ struct BlockTask
 class BlockSweep
 {
 public:
-  BlockSweep(Editor& editor, VertexBuckets& buckets)
+  BlockSweep(Editor& editor, const EdgeEvaluator& evaluate, VertexBuckets& buckets)
     : MeshEditor(editor)
+    , Evaluate(evaluate)
     , Known(buckets)
     , Compute(BestKernels())
   {
@@ -90,6 +91,7 @@ private:
   void Restore();
 
   Editor& MeshEditor;
+  const EdgeEvaluator& Evaluate;
   VertexBuckets& Known;
   const Kernels& Compute;
   BlockTask Task;

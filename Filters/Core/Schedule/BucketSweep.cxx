@@ -41,14 +41,15 @@ CostBucket Raised(CostBucket limit, int step)
 }
 }
 
-BucketSweep::BucketSweep(
-  Editor& editor, const StopTargets& stops, int threads, const SweepSettings& settings)
+BucketSweep::BucketSweep(Editor& editor, const StopTargets& stops, int threads,
+  const SweepSettings& settings, const SweepPolicies& policies)
   : MeshEditor(editor)
   , Targets(stops)
   , End(editor, stops)
   , Threads(editor.HasHook() ? 1 : threads)
   , FacesAtFirst(editor.Mesh().NumberOfFaces())
   , PositionsTried(settings.PositionsTried)
+  , Evaluate(policies)
 {
   const std::size_t count = static_cast<std::size_t>(editor.Mesh().NumberOfVertexSlots());
   this->Known.Buckets.assign(count, NeverBucket);
@@ -187,7 +188,7 @@ bool BucketSweep::RenewAll(const Monitor& monitor)
     this->Known.Buckets.size(), this->Threads, [&](double) { return this->End.TellNow(monitor); },
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      BlockSweep(this->MeshEditor, this->Known)
+      BlockSweep(this->MeshEditor, this->Evaluate, this->Known)
         .RenewAll(static_cast<Index>(first), static_cast<Index>(last));
     });
 }
@@ -253,7 +254,7 @@ bool BucketSweep::SweepBlocks(CostBucket limit, BlockCut cut, const Monitor& mon
         const bool isTime = isSlow && ++looked % VerticesBetweenWords == 0;
         return !isTime || (tells ? tell() : goesOn.load());
       };
-      BlockSweep block(this->MeshEditor, this->Known);
+      BlockSweep block(this->MeshEditor, this->Evaluate, this->Known);
       block.Run(
         blocks[i], [] { return true; }, pulse);
       counted[i] = std::exchange(block.Counted(), {});
@@ -322,7 +323,7 @@ bool BucketSweep::Tail(const Monitor& monitor)
 /// The mesh as one block, down to so many faces. False if the monitor stopped it.
 bool BucketSweep::SweepWhole(CostBucket limit, Index faces, bool renewsRing, const Monitor& monitor)
 {
-  BlockSweep whole(this->MeshEditor, this->Known);
+  BlockSweep whole(this->MeshEditor, this->Evaluate, this->Known);
   BlockTask task;
   task.Vertices.Last = this->MeshEditor.Mesh().NumberOfVertexSlots();
   task.Limit = limit;

@@ -34,7 +34,10 @@
 #define BoneDecimate_Core_Schedule_BucketSweep_h
 
 #include "BlockSweep.h"
+#include "Cost/QuadricDeviation.h"
+#include "Kernels/EdgeEvaluator.h"
 #include "Modes.h"
+#include "Placement/VolumePreserving.h"
 
 namespace bonedecimate
 {
@@ -42,8 +45,9 @@ class BucketSweep
 {
 public:
   /// @param editor Must keep quadrics.
-  BucketSweep(
-    Editor& editor, const StopTargets& stops, int threads, const SweepSettings& settings = {});
+  BucketSweep(Editor& editor, const StopTargets& stops, int threads,
+    const SweepSettings& settings = {},
+    const SweepPolicies& policies = { QuadricDeviation, VolumePreservingPosition });
 
   /// @param monitor Receives fractions from 0 to 1.
   StopReason Run(const Monitor& monitor);
@@ -78,6 +82,7 @@ private:
   VertexBuckets Known;
   Index FacesAtFirst;
   int PositionsTried;
+  EdgeEvaluator Evaluate;
   bool TriesAll = false; // otherwise only the best position
 };
 }

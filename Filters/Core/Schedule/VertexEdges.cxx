@@ -70,11 +70,11 @@ VertexEdges::Batch& VertexEdges::Begin(
 }
 
 //------------------------------------------------------------------------------
-void VertexEdges::Evaluate(const Kernels& kernels)
+void VertexEdges::Evaluate(const EdgeEvaluator& evaluate)
 {
   for (std::size_t i = 0; i < this->Used; ++i)
   {
-    kernels.EvaluateEdges(this->Batches[i].Requested, this->Batches[i].Results);
+    evaluate(this->Batches[i].Requested, this->Batches[i].Results);
   }
 }
 

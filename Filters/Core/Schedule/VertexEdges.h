@@ -8,7 +8,7 @@
 #define BoneDecimate_Core_Schedule_VertexEdges_h
 
 #include "BucketLists.h"
-#include "Kernels/Kernels.h"
+#include "Kernels/EdgeEvaluator.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Mesh/VertexRange.h"
 
@@ -59,7 +59,7 @@ public:
 
   void Gather(
     const HalfEdgeMesh& mesh, const VertexBuckets& known, Index vertex, VertexRange block);
-  void Evaluate(const Kernels& kernels);
+  void Evaluate(const EdgeEvaluator& evaluate);
 
   /// None after Forget.
   Index Vertex() const { return this->Middle; }

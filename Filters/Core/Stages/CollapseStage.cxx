@@ -21,9 +21,10 @@ Index FacesOfSweep(const StageInput& input)
   return std::min(input.FacesAtStart, input.Stops.Faces + static_cast<Index>(extra));
 }
 
-StopReason CollapseByQueue(const StageInput& input, const Monitor& monitor)
+StopReason CollapseByQueue(
+  const StageInput& input, const QueuePolicies& policies, const Monitor& monitor)
 {
-  ThesisCollapse queue(input.MeshEditor, input.NormalTolerance, input.Stops);
+  ThesisCollapse queue(input.MeshEditor, policies, input.NormalTolerance, input.Stops);
   return RunInStages(input.MeshEditor, input.Stops, monitor,
     [&queue](const StopTargets& stage, const Monitor& tell) { return queue.RunTo(stage, tell); });
 }
@@ -31,9 +32,9 @@ StopReason CollapseByQueue(const StageInput& input, const Monitor& monitor)
 
 StopReason CollapseStage(const StageInput& input, const Monitor& monitor)
 {
-  return input.Mode.Schedule == SchedulePolicy::VertexQueue
-    ? CollapseByQueue(input, monitor)
-    : SweepTo(input, FacesOfSweep(input), monitor);
+  const auto* queue = std::get_if<QueuePolicies>(&input.Mode.Schedule);
+  return queue != nullptr ? CollapseByQueue(input, *queue, monitor)
+                          : SweepTo(input, FacesOfSweep(input), monitor);
 }
 
 //------------------------------------------------------------------------------
@@ -41,7 +42,8 @@ StopReason SweepTo(const StageInput& input, Index faces, const Monitor& monitor)
 {
   StopTargets stops = input.Stops;
   stops.Faces = faces;
-  BucketSweep sweep(input.MeshEditor, stops, input.Threads, input.Mode.Sweep);
+  BucketSweep sweep(input.MeshEditor, stops, input.Threads, input.Mode.Sweep,
+    std::get<SweepPolicies>(input.Mode.Schedule));
   return RunInStages(input.MeshEditor, stops, monitor,
     [&sweep](const StopTargets& stage, const Monitor& tell) { return sweep.RunTo(stage, tell); });
 }

@@ -9,10 +9,12 @@
 
 namespace bonedecimate
 {
-ThesisCollapse::ThesisCollapse(Editor& editor, double tolerance, const StopTargets& stops)
+ThesisCollapse::ThesisCollapse(
+  Editor& editor, const QueuePolicies& policies, double tolerance, const StopTargets& stops)
   : MeshEditor(editor)
   , End(editor, stops)
-  , Costs(editor.Mesh(), editor.Areas(), tolerance, MeanEdgeLength(editor.Mesh()))
+  , Policies(policies)
+  , Costs(policies.Cost(editor.Mesh(), editor.Areas(), tolerance, MeanEdgeLength(editor.Mesh())))
   , Queue(editor.Mesh().NumberOfVertexSlots())
 {
 }
@@ -55,7 +57,7 @@ bool ThesisCollapse::CollapseAt(Index vertex)
   this->EdgesOfVertex.clear();
   this->MeshEditor.Mesh().VisitEdges(vertex,
     [&](Index h) {
-      this->EdgesOfVertex.push_back({ this->Costs.EdgeCost(h), h });
+      this->EdgesOfVertex.push_back({ this->Costs->OfEdge(h), h });
     });
   std::sort(this->EdgesOfVertex.begin(), this->EdgesOfVertex.end(),
     [](const CostedEdge& a, const CostedEdge& b)
@@ -71,8 +73,8 @@ bool ThesisCollapse::CollapseEdge(Index edge)
   {
     return false;
   }
-  const PositionCandidates proposals =
-    ProposePositions(this->MeshEditor.Mesh(), this->MeshEditor.Areas(), this->MeshEditor.Around());
+  const PositionCandidates proposals = this->Policies.Placement(
+    this->MeshEditor.Mesh(), this->MeshEditor.Areas(), this->MeshEditor.Around());
   for (std::size_t i = 0; i < proposals.Count; ++i)
   {
     const Edit& edit = proposals.Edits[i];
@@ -98,7 +100,7 @@ void ThesisCollapse::Recost(Index vertex)
   }
   else if (!this->MeshEditor.Mesh().IsConstrained(vertex))
   {
-    this->Queue.Set(vertex, this->Costs.VertexCost(vertex));
+    this->Queue.Set(vertex, this->Costs->OfVertex(vertex));
   }
 }
 }

@@ -16,11 +16,13 @@
 #ifndef BoneDecimate_Core_Stages_ThesisCollapse_h
 #define BoneDecimate_Core_Stages_ThesisCollapse_h
 
-#include "Cost/NormalFieldDeviation.h"
+#include "Cost/VertexCost.h"
 #include "Edit/Editor.h"
+#include "Modes.h"
 #include "Schedule/StopCriterion.h"
 #include "Schedule/VertexQueue.h"
 
+#include <memory>
 #include <vector>
 
 namespace bonedecimate
@@ -29,7 +31,8 @@ class ThesisCollapse
 {
 public:
   /// @param tolerance The thesis's w.
-  ThesisCollapse(Editor& editor, double tolerance, const StopTargets& stops);
+  ThesisCollapse(
+    Editor& editor, const QueuePolicies& policies, double tolerance, const StopTargets& stops);
 
   /// @param monitor Receives fractions from 0 to 1.
   StopReason Run(const Monitor& monitor);
@@ -49,7 +52,8 @@ private:
 
   Editor& MeshEditor;
   StopCriterion End;
-  NormalFieldDeviation Costs;
+  QueuePolicies Policies;
+  std::unique_ptr<VertexCost> Costs;
   VertexQueue Queue;
   std::vector<CostedEdge> EdgesOfVertex;
 };
