@@ -46,7 +46,7 @@ RunTask TaskOf(
   return task;
 }
 
-/// Of the error bound; none if there is nothing to prove.
+/// Settings of the error bound; none if there is nothing to prove.
 std::optional<ErrorBoundSettings> BoundSettings(const RunTask& task, const PreparedInput& prepared)
 {
   const Options& options = task.Effective;
@@ -64,7 +64,7 @@ std::optional<ErrorBoundSettings> BoundSettings(const RunTask& task, const Prepa
   return settings;
 }
 
-/// After an abort, without what only edits need.
+/// After an abort, leaves out what only edits need.
 EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepared, bool isAborted)
 {
   const ModeInfo& mode = FindMode(task.Effective.Mode);
@@ -85,7 +85,7 @@ EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepar
   return settings;
 }
 
-/// @param prepared Gives its mesh to the editor, and has to outlive it.
+/// @param prepared Its mesh is moved into the editor; the rest has to outlive the editor.
 std::unique_ptr<Editor> MakeEditor(
   const RunTask& task, PreparedInput& prepared, RunProgress& progress, Report& report)
 {
@@ -121,7 +121,7 @@ void Collapse(const RunTask& task, const PreparedInput& prepared, Editor& editor
   report.Stop = RunStages(input, monitor);
 }
 
-/// Rounding to single precision could merge points of a proved result.
+/// Separates points of a proved result that rounding to single precision would merge.
 void SeparatePoints(
   const RunTask& task, const PreparedInput& prepared, Editor& editor, Report& report)
 {
@@ -143,7 +143,7 @@ double RunningErrorOf(const Editor& editor, const std::vector<double>& errors)
                         : *std::max_element(errors.begin(), errors.end());
 }
 
-/// Without distances and origins after an abort.
+/// After an abort, computes no distances and origins.
 /// @return The result's surface relative to the origin of the cleaned input, mm.
 Surface ExtractResult(const RunTask& task, const PreparedInput& prepared, const Editor& editor,
   bool isAborted, const Monitor& monitor, Result& result)
@@ -167,7 +167,7 @@ Surface ExtractResult(const RunTask& task, const PreparedInput& prepared, const 
 
 void ReportEdits(const RunTask& task, const PreparedInput& prepared, Editor& editor, Report& report)
 {
-  report.Collapses = editor.NumberOfEdits();
+  report.Collapses = editor.NumberOfCollapses();
   report.Rejections = editor.Rejections();
   if (task.Inputs.Log != nullptr)
   {
@@ -180,7 +180,7 @@ void ReportEdits(const RunTask& task, const PreparedInput& prepared, Editor& edi
   }
 }
 
-/// The stages and what needs their mesh. False if the result cannot be written in single precision.
+/// Runs the stages, and what needs their mesh. False if the result cannot be written in single precision.
 bool Simplify(const RunTask& task, PreparedInput& prepared, RunProgress& progress, Result& result)
 {
   Report& report = result.Report;
@@ -215,7 +215,7 @@ bool Simplify(const RunTask& task, PreparedInput& prepared, RunProgress& progres
   return true;
 }
 
-/// After the memory of the stages is given back: the proof needs the two surfaces alone.
+/// Called when the memory of the stages has been released, because the proof needs the two surfaces alone.
 void Prove(const RunTask& task, PreparedInput& prepared, RunProgress& progress, Result& result)
 {
   if (EndsWithProof(task) && progress.GoesOn())

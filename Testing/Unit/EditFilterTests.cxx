@@ -98,7 +98,7 @@ protected:
   void ExpectUnchanged() const
   {
     EXPECT_TRUE(SameBytes(SurfaceOf(this->MeshEditor->Mesh()), this->Cleaned.Surface));
-    EXPECT_EQ(this->MeshEditor->NumberOfEdits(), 0);
+    EXPECT_EQ(this->MeshEditor->NumberOfCollapses(), 0);
     EXPECT_TRUE(this->First->Committed.empty());
     EXPECT_TRUE(this->Second->Committed.empty());
   }
@@ -117,7 +117,7 @@ TEST_F(EditFilters, ScreenBeforeAnyChecksAndCommitWhenAllAccept)
   EXPECT_EQ(this->Calls,
     (std::vector<std::string>{ "first screen", "second screen", "first check", "second check",
       "first commit", "second commit" }));
-  EXPECT_EQ(this->MeshEditor->NumberOfEdits(), 1);
+  EXPECT_EQ(this->MeshEditor->NumberOfCollapses(), 1);
   EXPECT_EQ(this->Rejections(), 0);
   EXPECT_EQ(this->First->FacesAtScreen, this->MeshEditor->Mesh().NumberOfFaceSlots());
   EXPECT_GE(this->First->Settled, 1U);

@@ -118,7 +118,7 @@ TEST_P(EveryCollapse, KeepsTheInvariantsOfTheMesh)
     {
       ASSERT_EQ(BrokenInvariant(editor.Mesh()), "") << "collapse " << collapses;
       ++collapses;
-      ASSERT_EQ(editor.NumberOfEdits(), collapses);
+      ASSERT_EQ(editor.NumberOfCollapses(), collapses);
     });
 }
 
@@ -191,7 +191,7 @@ TEST(Editor, ARejectedEditChangesNothingAndIsCounted)
       Rejection::NotRejected);
   }
   EXPECT_EQ(calls, 0);
-  EXPECT_EQ(editor.NumberOfEdits(), 0);
+  EXPECT_EQ(editor.NumberOfCollapses(), 0);
   EXPECT_TRUE(SameBytes(SurfaceOf(editor.Mesh()), clean.Surface));
   std::int64_t rejections = 0;
   for (const std::int64_t count : editor.Rejections())
@@ -217,7 +217,7 @@ TEST(Editor, AnEditCanBeAppliedWithoutValidationFirst)
       break;
     }
   }
-  EXPECT_EQ(editor.NumberOfEdits(), 1);
+  EXPECT_EQ(editor.NumberOfCollapses(), 1);
   EXPECT_EQ(mesh.NumberOfFaces(), 30);
   EXPECT_EQ(BrokenInvariant(mesh), "");
 }

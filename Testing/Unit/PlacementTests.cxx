@@ -252,7 +252,7 @@ TEST(EditValidity, VolumeChangeIsTheDifferenceOfTheVolumes)
     {
       for (Index& corner : t)
       {
-        corner = corner == around.End ? around.Start : corner;
+        corner = corner == around.End ? static_cast<Index>(around.Start) : corner;
       }
     }
     after.Points[around.Start] = position; // triangles with a repeated corner have no volume

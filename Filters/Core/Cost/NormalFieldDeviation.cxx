@@ -4,9 +4,9 @@
 
 namespace bonedecimate
 {
-double NormalFieldDeviation::OfEdge(Index h) const
+double NormalFieldDeviation::OfEdge(HalfEdgeId h) const
 {
-  const Index twin = this->Mesh.Twin(h);
+  const HalfEdgeId twin = this->Mesh.Twin(h);
   const FaceAreas::Face& face = this->Areas[HalfEdgeMesh::Face(h)];
   double deviation = 2.0 * face.Area; // mm^2
   if (twin != None)
@@ -18,13 +18,13 @@ double NormalFieldDeviation::OfEdge(Index h) const
     (this->Mesh.Position(this->Mesh.Target(h)) - this->Mesh.Position(this->Mesh.Origin(h))).norm();
 }
 
-double NormalFieldDeviation::OfVertex(Index v) const
+double NormalFieldDeviation::OfVertex(VertexId v) const
 {
   double edges = 0.0;                   // mm^3
   double area = 0.0;                    // mm^2
   Vector3 areaVector = Vector3::Zero(); // mm^2
   this->Mesh.VisitEdges(v,
-    [&](Index h)
+    [&](HalfEdgeId h)
     {
       edges += this->OfEdge(h);
       if (this->Mesh.Origin(h) == v)

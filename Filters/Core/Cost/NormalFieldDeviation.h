@@ -43,8 +43,8 @@ public:
   {
   }
 
-  double OfEdge(Index h) const override;   ///< mm^3
-  double OfVertex(Index v) const override; ///< mm^3
+  double OfEdge(HalfEdgeId h) const override; ///< mm^3
+  double OfVertex(VertexId v) const override; ///< mm^3
 
 private:
   const HalfEdgeMesh& Mesh;

@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Core_Cost_VertexCost_h
 #define BoneDecimate_Core_Cost_VertexCost_h
 
-#include "Surface.h"
+#include "Mesh/Handles.h"
 
 namespace bonedecimate
 {
@@ -15,9 +15,9 @@ class VertexCost
 {
 public:
   virtual ~VertexCost() = default;
-  virtual double OfEdge(Index h) const = 0;
+  virtual double OfEdge(HalfEdgeId h) const = 0;
   /// @param v Not constrained.
-  virtual double OfVertex(Index v) const = 0;
+  virtual double OfVertex(VertexId v) const = 0;
 };
 }
 

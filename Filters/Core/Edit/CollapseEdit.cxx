@@ -20,7 +20,7 @@ Decision Count(Decision decision, Workspace& work)
 }
 }
 
-Decision Editor::CheckEdge(Index edge, Workspace& work) const
+Decision Editor::CheckEdge(HalfEdgeId edge, Workspace& work) const
 {
   const Rejection ends = CheckEnds(this->Half, edge);
   if (ends != Rejection::NotRejected)
@@ -44,7 +44,7 @@ Decision Editor::CheckEdge(Index edge, Workspace& work) const
 }
 
 //------------------------------------------------------------------------------
-Decision Editor::Validate(Index edge)
+Decision Editor::Validate(HalfEdgeId edge)
 {
   const Decision decision = this->Validate(edge, this->Own);
   this->Settle(this->Own.Counted);
@@ -52,7 +52,7 @@ Decision Editor::Validate(Index edge)
 }
 
 //------------------------------------------------------------------------------
-Decision Editor::Validate(Index edge, Workspace& work) const
+Decision Editor::Validate(HalfEdgeId edge, Workspace& work) const
 {
   return Count(this->CheckEdge(edge, work), work);
 }
@@ -97,7 +97,7 @@ Decision Editor::Collapse(const Edit& requested, Workspace& work, int workers)
   {
     return Count(decision, work);
   }
-  const Index gone = this->Half.Across(edit.Edge, edit.Keep);
+  const VertexId gone = this->Half.Across(edit.Edge, edit.Keep);
   const Vector3 origin = this->Half.Position(work.Around.Start);
   this->ChangeMesh(edit, work);
   this->Commit(work);
@@ -123,11 +123,11 @@ void Editor::ChangeMesh(const Edit& edit, Workspace& work)
 }
 
 //------------------------------------------------------------------------------
-void Editor::UpdateBookkeeping(const Edit& edit, Index gone, Workspace& work)
+void Editor::UpdateBookkeeping(const Edit& edit, VertexId gone, Workspace& work)
 {
   if (this->FaceGeometry)
   {
-    for (const Index h : work.Around.Corners)
+    for (const HalfEdgeId h : work.Around.Corners)
     {
       this->FaceGeometry->Update(this->Half, HalfEdgeMesh::Face(h));
     }

@@ -21,7 +21,7 @@ bool IsAnyTurnedOver(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, c
 }
 }
 
-Rejection CheckEnds(const HalfEdgeMesh& mesh, Index edge)
+Rejection CheckEnds(const HalfEdgeMesh& mesh, HalfEdgeId edge)
 {
   const VertexConstraint start = mesh.Constraint(mesh.Origin(edge));
   const VertexConstraint end = mesh.Constraint(mesh.Target(edge));
@@ -88,7 +88,7 @@ void FillFan(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Fan& fan)
   std::int64_t* const atEnd = fan.AtEnd;
   for (int i = 0; i < faces; ++i)
   {
-    const Index corner = mesh.Origin(around.Corners[static_cast<std::size_t>(i)]);
+    const VertexId corner = mesh.Origin(around.Corners[static_cast<std::size_t>(i)]);
     atEnd[i] = corner == around.End ? -1 : 0;
   }
 }

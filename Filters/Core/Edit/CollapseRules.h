@@ -17,7 +17,7 @@ namespace bonedecimate
 {
 /// Rejects edges with a constrained end, with two stationary ends, and interior edges of which neither end moves freely:
 /// their collapse would pinch the surface or move a vertex that must not move.
-Rejection CheckEnds(const HalfEdgeMesh& mesh, Index edge);
+Rejection CheckEnds(const HalfEdgeMesh& mesh, HalfEdgeId edge);
 
 /// Link condition and the least size of fragments.
 Rejection CheckTopology(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around);

@@ -32,7 +32,7 @@ Rejection Editor::CheckTogether(const std::vector<Edit>& edits)
     }
     around.push_back(&work.Around);
   }
-  const Index gone = this->Half.Across(edits[0].Edge, edits[0].Keep);
+  const VertexId gone = this->Half.Across(edits[0].Edge, edits[0].Keep);
   Rejection rejection = CheckPatchBoundary(this->Half, around, this->Half.OriginalVertex(gone));
   for (std::size_t i = 0; i < edits.size() && rejection == Rejection::NotRejected; ++i)
   {

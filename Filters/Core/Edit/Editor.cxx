@@ -90,18 +90,19 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
 //------------------------------------------------------------------------------
 Index Editor::ConstrainVertices(const std::vector<double>& tolerances)
 {
-  const auto isConstrained = [&](Index v)
+  const auto isConstrained = [&](VertexId v)
   { return this->Bound ? !(this->Bound->LimitAt(v) > 0.0) : tolerances[v] == 0.0; };
-  for (Index face = 0; face < this->Half.NumberOfFaceSlots(); ++face)
+  for (FaceId face = 0; face < this->Half.NumberOfFaceSlots(); ++face)
   {
     const Triangle corners = this->Half.Corners(face);
     if (std::any_of(corners.begin(), corners.end(), isConstrained))
     {
-      std::for_each(corners.begin(), corners.end(), [this](Index v) { this->Half.Constrain(v); });
+      std::for_each(
+        corners.begin(), corners.end(), [this](VertexId v) { this->Half.Constrain(v); });
     }
   }
   Index count = 0;
-  for (Index v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
+  for (VertexId v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
   {
     count += isConstrained(v) && this->Half.OriginalVertex(v) == v ? 1 : 0;
   }
@@ -118,7 +119,7 @@ Vector3 Editor::Rounded(const Vector3& position) const
 //------------------------------------------------------------------------------
 /// Without its surface change.
 ProposedEdit& Editor::Propose(
-  const Edit& edit, Index vertex, double volumeChange, Workspace& work, int workers) const
+  const Edit& edit, VertexId vertex, double volumeChange, Workspace& work, int workers) const
 {
   ProposedEdit& proposed = work.Proposed;
   proposed.Requested = edit;
@@ -163,7 +164,7 @@ void Editor::Commit(Workspace& work)
 }
 
 //------------------------------------------------------------------------------
-void Editor::KeepFirstNormal(Index face)
+void Editor::KeepFirstNormal(FaceId face)
 {
   const Triangle c = this->Half.Corners(face);
   this->Half.KeepFirstNormal(face,
@@ -205,7 +206,7 @@ void Editor::SettleAll(Tally* tallies, std::size_t count)
 }
 
 //------------------------------------------------------------------------------
-void Editor::BeginSmallEdits()
+void Editor::BeginFlipsAndMoves()
 {
   if (this->Recorder)
   {
@@ -214,7 +215,7 @@ void Editor::BeginSmallEdits()
 }
 
 //------------------------------------------------------------------------------
-void Editor::EndSmallEdits()
+void Editor::EndFlipsAndMoves()
 {
   if (this->Recorder)
   {

@@ -55,58 +55,59 @@ public:
     const Monitor& monitor = {});
   Editor(CleanSurface&&, const EditorSettings&) = delete;
 
-  /// The mesh before the first edit; only where the settings keep it.
+  /// The mesh before the first edit; only with KeepsInitialMesh or an error bound.
   const HalfEdgeMesh& InitialMesh() const { return *this->First; }
   /// How many vertices are constrained because of their own tolerance; duplicates count once.
   Index NumberOfConstrainedVertices() const { return this->ConstrainedVertices; }
   bool HasErrorBound() const { return this->Bound != nullptr; }
-  /// Whether an edit was rejected because it could not be proved to keep the error bound.
+  /// Whether a collapse was rejected because it could not be proved to keep the error bound.
   bool MetItsLimit() const
   {
     return this->RejectionCounts[static_cast<std::size_t>(Rejection::ErrorBound)] > 0;
   }
 
   /// Gathers what lies around the edge and checks the rules of a collapse that do not depend on the position.
-  Decision Validate(Index edge);
-  Decision Validate(Index edge, Workspace& work) const;
+  Decision Validate(HalfEdgeId edge);
+  Decision Validate(HalfEdgeId edge, Workspace& work) const;
 
   /// What Validate gathered last; valid until the next edit is applied.
   const EdgeNeighborhood& Around() const { return this->Own.Around; }
 
-  /// Applies the collapse if rules and filters accept it. Otherwise nothing changes; rejections are counted.
+  /// Applies the collapse of the edge that was validated last if rules and filters accept it. Otherwise nothing changes;
+  /// rejections are counted.
   Decision Collapse(const Edit& edit);
   Decision Collapse(const Edit& edit, Workspace& work, int workers);
 
-  /// The same edge in every manifold patch at it, onto one original vertex that does not move: all of them or none. No other
-  /// worker may be active.
+  /// Collapses one edge of a feature curve in all manifold patches at it, onto the end that does not move: all or none. No
+  /// other worker may be active.
   Decision CollapseTogether(const std::vector<Edit>& edits);
 
   /// Replaces the edge by the other diagonal of its two faces if rules and filters accept it. Neither flips nor their
   /// rejections are counted.
-  Decision Flip(Index edge, Workspace& work, int workers);
+  Decision Flip(HalfEdgeId edge, Workspace& work, int workers);
 
-  /// The same of a move.  @param position mm from the local origin.
-  Decision Move(Index vertex, const Vector3& position, Workspace& work, int workers);
+  /// Moves a vertex if rules and filters accept it; not counted either.  @param position mm from the local origin.
+  Decision Move(VertexId vertex, const Vector3& position, Workspace& work, int workers);
 
-  /// Null where no feature curve may be collapsed.
+  /// Feature curves between manifold patches; null if the settings do not allow their collapse.
   PatchBoundaries* FeatureCurves();
 
-  /// mm, how far the result may be from an original vertex; infinite without an error bound.
-  double LimitAt(Index vertex) const
+  /// mm, the largest distance that the result may have from this vertex of the input; infinite without an error bound.
+  double LimitAt(VertexId vertex) const
   {
     return this->Bound ? this->Bound->LimitAt(vertex) : std::numeric_limits<double>::infinity();
   }
 
-  /// Takes over what a worker counted.
+  /// Adds the counters of a worker to those of the editor and resets them.
   void Settle(Tally& tally);
-  /// Takes over what workers counted that worked side by side.
+  /// The same of workers that were active at the same time, in their order.
   void Settle(std::vector<Tally>& tallies);
 
   /// Once, after the last edit and only where edits are recorded; positions are in mm from the local origin.
   EditLog TakeLog() { return this->Recorder->Take(); }
   /// Before and after flips and moves, for the log.
-  void BeginSmallEdits();
-  void EndSmallEdits();
+  void BeginFlipsAndMoves();
+  void EndFlipsAndMoves();
 
   /// Before a pass of flips or moves, and after the last: measures the fragments and divides what they may lose.
   void DistributeVolumeBudget() { this->Fragments->DistributeBudget(this->Half); }
@@ -117,14 +118,14 @@ public:
   /// Called after every applied edit, for invariant checks and logs.
   using Hook = std::function<void(const Editor&, const Edit&)>;
   void SetHook(Hook hook) { this->AfterEdit = std::move(hook); }
-  /// Then only one worker may be active.
+  /// While a hook is set, only one worker may be active.
   bool HasHook() const { return static_cast<bool>(this->AfterEdit); }
 
   const HalfEdgeMesh& Mesh() const { return this->Half; }
   const FaceAreas& Areas() const { return *this->FaceGeometry; }
   const Original& Reference() const { return this->Source; }
   Index NumberOfFragments() const { return this->Fragments->Count(); }
-  std::int64_t NumberOfEdits() const { return this->Edits; }
+  std::int64_t NumberOfCollapses() const { return this->Edits; }
   const std::array<std::int64_t, NumberOfRejections>& Rejections() const
   {
     return this->RejectionCounts;
@@ -135,14 +136,14 @@ private:
   Index ConstrainVertices(const std::vector<double>& tolerances);
   Vector3 Rounded(const Vector3& position) const;
   ProposedEdit& Propose(
-    const Edit& edit, Index vertex, double volumeChange, Workspace& work, int workers) const;
+    const Edit& edit, VertexId vertex, double volumeChange, Workspace& work, int workers) const;
   Decision RunFilters(Workspace& work) const;
   void Commit(Workspace& work);
-  void KeepFirstNormal(Index face);
+  void KeepFirstNormal(FaceId face);
   void SettleAll(Tally* tallies, std::size_t count);
-  Decision CheckEdge(Index edge, Workspace& work) const;
+  Decision CheckEdge(HalfEdgeId edge, Workspace& work) const;
   void ChangeMesh(const Edit& edit, Workspace& work);
-  void UpdateBookkeeping(const Edit& edit, Index gone, Workspace& work);
+  void UpdateBookkeeping(const Edit& edit, VertexId gone, Workspace& work);
   /// Of one manifold patch of several.
   struct PatchEdit
   {

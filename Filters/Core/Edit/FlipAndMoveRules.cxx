@@ -59,14 +59,14 @@ Rejection CheckFlipTopology(const HalfEdgeMesh& mesh, const std::array<Index, 4>
   }
   bool joined = corners[2] == corners[3];
   mesh.VisitEdges(
-    corners[2], [&](Index h) { joined = joined || mesh.Across(h, corners[2]) == corners[3]; });
+    corners[2], [&](HalfEdgeId h) { joined = joined || mesh.Across(h, corners[2]) == corners[3]; });
   return joined ? Rejection::LinkCondition : Rejection::NotRejected;
 }
 }
 
-std::array<Index, 4> CornersAround(const HalfEdgeMesh& mesh, Index edge)
+std::array<Index, 4> CornersAround(const HalfEdgeMesh& mesh, HalfEdgeId edge)
 {
-  const Index twin = mesh.Twin(edge);
+  const HalfEdgeId twin = mesh.Twin(edge);
   return { mesh.Origin(edge), mesh.Origin(twin), mesh.Origin(HalfEdgeMesh::Previous(edge)),
     mesh.Origin(HalfEdgeMesh::Previous(twin)) };
 }
@@ -79,7 +79,7 @@ std::array<Vector3, 4> PositionsOf(const HalfEdgeMesh& mesh, const std::array<In
 }
 
 //------------------------------------------------------------------------------
-Rejection CheckFlip(const HalfEdgeMesh& mesh, Index edge, double& volumeChange)
+Rejection CheckFlip(const HalfEdgeMesh& mesh, HalfEdgeId edge, double& volumeChange)
 {
   if (mesh.Twin(edge) == None)
   {
@@ -116,7 +116,7 @@ Rejection CheckFlip(const HalfEdgeMesh& mesh, Index edge, double& volumeChange)
 
 //------------------------------------------------------------------------------
 Rejection CheckMove(
-  const HalfEdgeMesh& mesh, Index vertex, const Vector3& position, double& volumeChange)
+  const HalfEdgeMesh& mesh, VertexId vertex, const Vector3& position, double& volumeChange)
 {
   if (mesh.IsConstrained(vertex) || mesh.IsStationary(vertex))
   {
@@ -124,7 +124,7 @@ Rejection CheckMove(
                                       : Rejection::Boundary;
   }
   Vector3 ring = Vector3::Zero(); // mm^2
-  for (const Index h : mesh.OutgoingOf(vertex))
+  for (const HalfEdgeId h : mesh.OutgoingOf(vertex))
   {
     const Vector3& second = mesh.Position(mesh.Target(h));
     const Vector3& third = mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h)));

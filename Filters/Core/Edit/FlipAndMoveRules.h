@@ -18,14 +18,14 @@
 namespace bonedecimate
 {
 /// The corners around an inside edge a-b: a, b, c (apex of its face), d (apex of its twin's face).
-std::array<Index, 4> CornersAround(const HalfEdgeMesh& mesh, Index edge);
+std::array<Index, 4> CornersAround(const HalfEdgeMesh& mesh, HalfEdgeId edge);
 /// mm from the local origin
 std::array<Vector3, 4> PositionsOf(const HalfEdgeMesh& mesh, const std::array<Index, 4>& corners);
 
 /// @param volumeChange mm^3, returned if it is allowed.
-Rejection CheckFlip(const HalfEdgeMesh& mesh, Index edge, double& volumeChange);
+Rejection CheckFlip(const HalfEdgeMesh& mesh, HalfEdgeId edge, double& volumeChange);
 Rejection CheckMove(
-  const HalfEdgeMesh& mesh, Index vertex, const Vector3& position, double& volumeChange);
+  const HalfEdgeMesh& mesh, VertexId vertex, const Vector3& position, double& volumeChange);
 }
 
 #endif

@@ -7,7 +7,7 @@
 
 namespace bonedecimate
 {
-Decision Editor::Flip(Index edge, Workspace& work, int workers)
+Decision Editor::Flip(HalfEdgeId edge, Workspace& work, int workers)
 {
   double volumeChange = 0.0; // mm^3
   Decision decision = CheckFlip(this->Half, edge, volumeChange);

@@ -6,7 +6,7 @@
 
 namespace bonedecimate
 {
-Decision Editor::Move(Index vertex, const Vector3& position, Workspace& work, int workers)
+Decision Editor::Move(VertexId vertex, const Vector3& position, Workspace& work, int workers)
 {
   Edit edit;
   edit.Kind = EditKind::Move;
@@ -28,7 +28,7 @@ Decision Editor::Move(Index vertex, const Vector3& position, Workspace& work, in
   {
     return decision;
   }
-  for (const Index h : this->Half.OutgoingOf(vertex))
+  for (const HalfEdgeId h : this->Half.OutgoingOf(vertex))
   {
     this->KeepFirstNormal(HalfEdgeMesh::Face(h));
   }

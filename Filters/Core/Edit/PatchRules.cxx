@@ -10,7 +10,7 @@ namespace
 {
 /// Whether isSo holds for the vertex or one of its duplicates.
 template <typename IsSo>
-bool IsAnyDuplicate(const HalfEdgeMesh& mesh, Index v, const IsSo& isSo)
+bool IsAnyDuplicate(const HalfEdgeMesh& mesh, VertexId v, const IsSo& isSo)
 {
   Index duplicate = v;
   do
@@ -24,13 +24,13 @@ bool IsAnyDuplicate(const HalfEdgeMesh& mesh, Index v, const IsSo& isSo)
   return false;
 }
 
-bool HasDuplicates(const HalfEdgeMesh& mesh, Index v)
+bool HasDuplicates(const HalfEdgeMesh& mesh, VertexId v)
 {
   return mesh.NextDuplicate(v) != v;
 }
 
 /// Of a vertex with duplicates: only their rings are read here.
-bool IsOutOfRange(const HalfEdgeMesh& mesh, Index v, VertexRange range)
+bool IsOutOfRange(const HalfEdgeMesh& mesh, VertexId v, VertexRange range)
 {
   return HasDuplicates(mesh, v) &&
     IsAnyDuplicate(mesh, v, [&](Index duplicate) { return !range.Contains(duplicate); });
@@ -39,26 +39,27 @@ bool IsOutOfRange(const HalfEdgeMesh& mesh, Index v, VertexRange range)
 /// Whether an edge leads from a duplicate of a to a duplicate of b, or both are duplicates of one original vertex.
 bool AreJoined(const HalfEdgeMesh& mesh, Index a, Index b)
 {
-  const Index site = mesh.OriginalVertex(b);
+  const VertexId site = mesh.OriginalVertex(b);
   return mesh.OriginalVertex(a) == site ||
     IsAnyDuplicate(mesh, a,
       [&](Index duplicate)
       {
         bool joined =
           mesh.Constraint(duplicate) == VertexConstraint::NonManifold; // its ring cannot be walked
-        for (Index h = joined ? None : mesh.Outgoing(duplicate), first = h; h != None && !joined;)
+        for (HalfEdgeId h = joined ? HalfEdgeId() : mesh.Outgoing(duplicate), first = h;
+             h != None && !joined;)
         {
-          const Index back = HalfEdgeMesh::Previous(h);
+          const HalfEdgeId back = HalfEdgeMesh::Previous(h);
           joined = mesh.OriginalVertex(mesh.Target(h)) == site ||
             mesh.OriginalVertex(mesh.Origin(back)) == site;
-          h = mesh.Twin(back) == first ? None : mesh.Twin(back);
+          h = mesh.Twin(back) == first ? HalfEdgeId() : mesh.Twin(back);
         }
         return joined;
       });
 }
 
 /// Whether there is one face alone at it.
-bool IsEar(const HalfEdgeMesh& mesh, Index v)
+bool IsEar(const HalfEdgeMesh& mesh, VertexId v)
 {
   int edges = 0;
   mesh.VisitEdges(v, [&edges](Index) { ++edges; });
@@ -70,7 +71,7 @@ bool IsEar(const HalfEdgeMesh& mesh, Index v)
 /// has there, and with it what that edge proves.
 bool LosesEar(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around)
 {
-  const auto isEar = [&](Index v) { return mesh.IsStationary(v) && IsEar(mesh, v); };
+  const auto isEar = [&](VertexId v) { return mesh.IsStationary(v) && IsEar(mesh, v); };
   return isEar(around.Start) || isEar(around.End);
 }
 
@@ -83,7 +84,7 @@ bool JoinsPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Inde
   { return i < around.Corners.size() ? mesh.Origin(around.Corners[i]) : around.BoundaryEnds[1]; };
   for (std::size_t i = 0; i < around.Ring.size(); ++i)
   {
-    const Index v = around.Ring[i];
+    const VertexId v = around.Ring[i];
     const Index end = endAt(i);
     const Index other = end == around.Start ? around.End : around.Start;
     const bool isKnown =
@@ -106,7 +107,7 @@ bool JoinsPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Inde
 //------------------------------------------------------------------------------
 Decision CheckPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, VertexRange range)
 {
-  const auto isOut = [&](Index v) { return IsOutOfRange(mesh, v, range); };
+  const auto isOut = [&](VertexId v) { return IsOutOfRange(mesh, v, range); };
   if (isOut(around.Start) || isOut(around.End) ||
     std::any_of(around.Ring.begin(), around.Ring.end(), isOut))
   {
@@ -120,9 +121,9 @@ Decision CheckPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, 
 //------------------------------------------------------------------------------
 /// A single face at the removed vertex, with two edges of the curve, is removed with it: its third edge joins the curve.
 Rejection CheckPatchBoundary(
-  const HalfEdgeMesh& mesh, const std::vector<const EdgeNeighborhood*>& patches, Index gone)
+  const HalfEdgeMesh& mesh, const std::vector<const EdgeNeighborhood*>& patches, VertexId gone)
 {
-  Index third = None; // the original vertex at the end of such an edge
+  VertexId third; // the original vertex at the end of such an edge
   for (const EdgeNeighborhood* around : patches)
   {
     const bool startGoes = mesh.OriginalVertex(around->Start) == gone;
@@ -140,7 +141,7 @@ Rejection CheckPatchBoundary(
 }
 
 //------------------------------------------------------------------------------
-Decision CheckNewEdge(const HalfEdgeMesh& mesh, Index a, Index b, VertexRange range)
+Decision CheckNewEdge(const HalfEdgeMesh& mesh, VertexId a, VertexId b, VertexRange range)
 {
   if (IsOutOfRange(mesh, a, range) || IsOutOfRange(mesh, b, range))
   {

@@ -21,10 +21,10 @@ Decision CheckPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, 
 /// Of an edge of a feature curve, collapsed in all patches at it.
 /// @param patches The neighborhood of the edge in each patch.  @param gone The original vertex that is removed.
 Rejection CheckPatchBoundary(
-  const HalfEdgeMesh& mesh, const std::vector<const EdgeNeighborhood*>& patches, Index gone);
+  const HalfEdgeMesh& mesh, const std::vector<const EdgeNeighborhood*>& patches, VertexId gone);
 
 /// Of a flip that makes an edge from a to b.
-Decision CheckNewEdge(const HalfEdgeMesh& mesh, Index a, Index b, VertexRange range);
+Decision CheckNewEdge(const HalfEdgeMesh& mesh, VertexId a, VertexId b, VertexRange range);
 }
 
 #endif

@@ -76,7 +76,7 @@ public:
   {
   }
 
-  RingQuadric At(Index v)
+  RingQuadric At(VertexId v)
   {
     this->Ring.clear();
     this->Mesh.VisitNeighbors(v, [&](Index, Index other) { this->Ring.push_back(other); });
@@ -98,7 +98,7 @@ public:
   }
 
 private:
-  const Fan& Fill(Index v)
+  const Fan& Fill(VertexId v)
   {
     const Vector3 middle = this->Mesh.Position(v);
     const Fan& fan = this->Storage.Reserve(static_cast<int>(this->Ring.size()) - 1);
@@ -131,7 +131,7 @@ void TakeGonePlanes(
   }
 }
 
-void ExchangeBoundaryEdges(HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Index keep,
+void ExchangeBoundaryEdges(HalfEdgeMesh& mesh, const EdgeNeighborhood& around, VertexId keep,
   const Vector3& origin, const Vector3& end)
 {
   const std::array<Index, 2> others = { around.Ring.front(), around.Ring.back() };
@@ -155,7 +155,7 @@ void SumRingQuadrics(HalfEdgeMesh& mesh, int threads)
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       RingSum sum(mesh);
-      for (Index v = static_cast<Index>(first); v < static_cast<Index>(last); ++v)
+      for (VertexId v = static_cast<Index>(first); v < static_cast<Index>(last); ++v)
       {
         if (mesh.Outgoing(v) != None && !mesh.IsConstrained(v))
         {
@@ -166,7 +166,7 @@ void SumRingQuadrics(HalfEdgeMesh& mesh, int threads)
 }
 
 //------------------------------------------------------------------------------
-void ExchangeRingQuadrics(HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Index keep,
+void ExchangeRingQuadrics(HalfEdgeMesh& mesh, const EdgeNeighborhood& around, VertexId keep,
   const Vector3& origin, const Fan& fan)
 {
   const Vector3 end(fan.End[0], fan.End[1], fan.End[2]);

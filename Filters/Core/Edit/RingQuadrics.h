@@ -25,7 +25,7 @@ void SumRingQuadrics(HalfEdgeMesh& mesh, int threads);
  * @param origin Where Start was before, mm.
  * @param fan As CheckFan left it.
  */
-void ExchangeRingQuadrics(HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Index keep,
+void ExchangeRingQuadrics(HalfEdgeMesh& mesh, const EdgeNeighborhood& around, VertexId keep,
   const Vector3& origin, const Fan& fan);
 }
 

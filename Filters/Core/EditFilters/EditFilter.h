@@ -11,7 +11,8 @@
  *     for each filter:   Commit
  *     later:             Settle    one worker's commits, or those of workers that worked at the same time
  *
- * The order of the filters is part of the result: an edit is rejected for the first reason found.
+ * The order of the filters is part of the result: the reason of a rejection is the first one, first of all Screens, then of all
+ * Checks.
  *
  * Several workers call Screen, Check and Commit at the same time, each with a Pending of its own and on a part of the mesh of
  * its own. A filter that would have to read another part defers the edit.
@@ -30,7 +31,7 @@ namespace bonedecimate
 class EditFilter
 {
 public:
-  /// What a filter found out about the edit that one worker proposed last: what Commit needs, and memory to work with.
+  /// State of a filter for one worker: what it knows of the edit that was proposed last, for Commit, and memory to work with.
   class Pending
   {
   public:

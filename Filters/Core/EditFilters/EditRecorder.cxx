@@ -59,12 +59,12 @@ void EditRecorder::AddMerged(Tally* tallies, std::size_t count)
 void EditRecorder::BeginPatch(const HalfEdgeMesh& mesh)
 {
   this->CornersBefore.resize(static_cast<std::size_t>(mesh.NumberOfFaceSlots()));
-  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
     this->CornersBefore[static_cast<std::size_t>(face)] = mesh.Corners(face);
   }
   this->PositionsBefore.resize(static_cast<std::size_t>(mesh.NumberOfVertexSlots()));
-  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
     this->PositionsBefore[static_cast<std::size_t>(v)] = mesh.Position(v);
   }
@@ -75,7 +75,7 @@ void EditRecorder::EndPatch(const HalfEdgeMesh& mesh)
 {
   LoggedPatch patch;
   patch.Collapses = static_cast<Index>(this->Log.Collapses.size());
-  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
     const Triangle corners = mesh.Corners(face);
     if (corners != this->CornersBefore[static_cast<std::size_t>(face)])
@@ -83,7 +83,7 @@ void EditRecorder::EndPatch(const HalfEdgeMesh& mesh)
       patch.Faces.push_back({ face, corners });
     }
   }
-  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
     if (mesh.Position(v) != this->PositionsBefore[static_cast<std::size_t>(v)])
     {

@@ -22,7 +22,7 @@ FragmentGuard::FragmentGuard(const HalfEdgeMesh& mesh, const Surface& joined)
 {
   Components components = FindComponents(joined);
   this->OfVertex = std::move(components.OfPoint);
-  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
     this->OfVertex[v] = this->OfVertex[mesh.OriginalVertex(v)];
   }
@@ -33,7 +33,7 @@ FragmentGuard::FragmentGuard(const HalfEdgeMesh& mesh, const Surface& joined)
     this->Volumes[i].AtFirst = volumes[i];
     this->Volumes[i].Now = volumes[i];
   }
-  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
     if (!mesh.MovesFreely(v))
     {
@@ -47,7 +47,7 @@ std::vector<double> FragmentGuard::Measure(const HalfEdgeMesh& mesh) const
 {
   std::vector<double> volumes(this->Volumes.size(), 0.0);
   std::vector<Index> anchor(this->Volumes.size(), None);
-  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
     if (!mesh.IsAlive(face))
     {
@@ -68,7 +68,7 @@ std::vector<double> FragmentGuard::Measure(const HalfEdgeMesh& mesh) const
 void FragmentGuard::DistributeBudget(const HalfEdgeMesh& mesh)
 {
   std::vector<Index> vertices(this->Volumes.size(), 0);
-  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
     vertices[this->OfVertex[v]] += mesh.Outgoing(v) != None ? 1 : 0;
   }

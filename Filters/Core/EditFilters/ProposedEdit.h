@@ -33,12 +33,12 @@ struct ProposedEdit
 {
   /// Of the collapses of one edge in several manifold patches: the first.
   Edit Requested;
-  Index Vertex = None;        ///< A vertex of the component that changes.
-  double VolumeChange = 0.0;  ///< mm^3, of that component.
-  Index OtherGoneFace = None; ///< Of a collapse; None on a boundary.
-  float Rank = 0.0F;          ///< Of a collapse: its cost, for the log (EditRecorder.h).
-  VertexRange Range;          ///< What may be read and written.
-  int Workers = 1;            ///< How many edit the mesh at the same time.
+  VertexId Vertex;           ///< A vertex of the component that changes.
+  double VolumeChange = 0.0; ///< mm^3, of that component.
+  FaceId OtherGoneFace;      ///< Of a collapse; None on a boundary.
+  float Rank = 0.0F;         ///< Of a collapse: its cost, for the log (EditRecorder.h).
+  VertexRange Range;         ///< What may be read and written.
+  int Workers = 1;           ///< How many edit the mesh at the same time.
   const FragmentVolumes* Unsettled = nullptr; ///< Of the worker.
   SurfaceChange Change;                       ///< Filled only if a filter needs it.
 };

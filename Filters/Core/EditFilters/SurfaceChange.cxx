@@ -18,14 +18,14 @@ void SurfaceChange::Clear()
 
 //------------------------------------------------------------------------------
 /// With its boundary edges at one of the two vertices.
-void SurfaceChange::AddOld(const HalfEdgeMesh& mesh, Index face, Index at, Index orAt)
+void SurfaceChange::AddOld(const HalfEdgeMesh& mesh, FaceId face, Index at, Index orAt)
 {
   this->OldFaces.push_back(face);
   for (Index corner = 0; corner < 3; ++corner)
   {
-    const Index h = HalfEdgeMesh::HalfEdge(face, corner);
-    const Index from = mesh.Origin(h);
-    const Index to = mesh.Target(h);
+    const HalfEdgeId h = HalfEdgeMesh::HalfEdge(face, corner);
+    const VertexId from = mesh.Origin(h);
+    const VertexId to = mesh.Target(h);
     if (mesh.Twin(h) == None && (from == at || from == orAt || to == at || to == orAt))
     {
       this->OldBoundary.push_back(h);
@@ -51,7 +51,7 @@ void SurfaceChange::AddCollapse(
   const std::size_t count = around.Corners.size();
   for (std::size_t i = 0; i < count; ++i)
   {
-    const Index face = HalfEdgeMesh::Face(around.Corners[i]);
+    const FaceId face = HalfEdgeMesh::Face(around.Corners[i]);
     const Index second = around.Ring[i];
     const Index third = around.Ring[(i + 1) % around.Ring.size()];
     this->AddOld(mesh, face, around.Start, around.End);
@@ -74,8 +74,8 @@ void SurfaceChange::AddBoundary(
   const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit)
 {
   const bool keepIsStationary = mesh.IsStationary(edit.Keep);
-  const Index gone = edit.Keep == around.Start ? around.End : around.Start;
-  const auto onLine = [&](Index v) {
+  const VertexId gone = edit.Keep == around.Start ? around.End : around.Start;
+  const auto onLine = [&](VertexId v) {
     return !mesh.IsStationary(v) ? v : keepIsStationary ? gone : edit.Keep;
   };
   this->BoundaryStays = keepIsStationary && !around.IsBoundaryEdge();
@@ -89,7 +89,7 @@ void SurfaceChange::AddBoundary(
     BoundaryEdge& edge = edges[i];
     edge.OnLine = { onLine(edge.Vertices[0]), onLine(edge.Vertices[1]) };
     const auto old = std::find_if(this->OldBoundary.begin(), this->OldBoundary.end(),
-      [&](Index h) {
+      [&](HalfEdgeId h) {
         return i == 0 ? mesh.Target(h) == around.Ring.front()
                       : mesh.Origin(h) == around.Ring.back();
       });
@@ -115,21 +115,21 @@ void SurfaceChange::FillMove(const HalfEdgeMesh& mesh, const Edit& edit)
   this->Ends = { edit.Keep, edit.Keep };
   this->Moved = edit.Keep;
   this->Position = edit.Position;
-  for (const Index h : mesh.OutgoingOf(edit.Keep))
+  for (const HalfEdgeId h : mesh.OutgoingOf(edit.Keep))
   {
-    const Index face = HalfEdgeMesh::Face(h);
-    const Index second = mesh.Target(h);
-    const Index third = mesh.Origin(HalfEdgeMesh::Previous(h));
+    const FaceId face = HalfEdgeMesh::Face(h);
+    const VertexId second = mesh.Target(h);
+    const VertexId third = mesh.Origin(HalfEdgeMesh::Previous(h));
     this->AddOld(mesh, face, edit.Keep, edit.Keep);
     this->NewFaces.push_back({ face, { edit.Keep, second, third },
       { edit.Position, mesh.Position(second), mesh.Position(third) } });
   }
-  for (const Index h : this->OldBoundary)
+  for (const HalfEdgeId h : this->OldBoundary)
   {
-    const Index from = mesh.Origin(h);
-    const Index to = mesh.Target(h);
-    const auto onLine = [&](Index v) { return mesh.IsStationary(v) ? edit.Keep : v; };
-    const auto position = [&](Index v)
+    const VertexId from = mesh.Origin(h);
+    const VertexId to = mesh.Target(h);
+    const auto onLine = [&](VertexId v) { return mesh.IsStationary(v) ? edit.Keep : v; };
+    const auto position = [&](VertexId v)
     { return v == edit.Keep ? edit.Position : mesh.Position(v); };
     this->NewBoundary.push_back(
       { h, { from, to }, { position(from), position(to) }, None, { onLine(from), onLine(to) } });
@@ -140,16 +140,16 @@ void SurfaceChange::FillMove(const HalfEdgeMesh& mesh, const Edit& edit)
 void SurfaceChange::FillFlip(const HalfEdgeMesh& mesh, const Edit& edit)
 {
   this->Clear();
-  const Index h = edit.Edge;
-  const Index twin = mesh.Twin(h);
-  const Index a = mesh.Origin(h);
-  const Index b = mesh.Origin(twin);
-  const Index c = mesh.Origin(HalfEdgeMesh::Previous(h));
-  const Index d = mesh.Origin(HalfEdgeMesh::Previous(twin));
+  const HalfEdgeId h = edit.Edge;
+  const HalfEdgeId twin = mesh.Twin(h);
+  const VertexId a = mesh.Origin(h);
+  const VertexId b = mesh.Origin(twin);
+  const VertexId c = mesh.Origin(HalfEdgeMesh::Previous(h));
+  const VertexId d = mesh.Origin(HalfEdgeMesh::Previous(twin));
   this->Ends = { a, b };
   this->AddOld(mesh, HalfEdgeMesh::Face(h), a, b);
   this->AddOld(mesh, HalfEdgeMesh::Face(twin), a, b);
-  const auto add = [&](Index face, const Triangle& v)
+  const auto add = [&](FaceId face, const Triangle& v)
   {
     this->NewFaces.push_back(
       { face, v, { mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]) } });
@@ -161,7 +161,7 @@ void SurfaceChange::FillFlip(const HalfEdgeMesh& mesh, const Edit& edit)
   {
     if (mesh.Twin(from) == None)
     {
-      const std::array<Index, 2> v = { mesh.Origin(from), mesh.Target(from) };
+      const std::array<VertexId, 2> v = { mesh.Origin(from), mesh.Target(from) };
       this->NewBoundary.push_back({ to, v, { mesh.Position(v[0]), mesh.Position(v[1]) }, from, v });
     }
   };

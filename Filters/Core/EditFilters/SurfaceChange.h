@@ -20,18 +20,18 @@ struct SurfaceChange
 {
   struct Face
   {
-    Index Id;
+    FaceId Id;
     Triangle Vertices;
     std::array<Vector3, 3> Corners; // mm from the local origin
   };
   struct BoundaryEdge
   {
-    Index Id; // of its half-edge, after the edit
-    std::array<Index, 2> Vertices;
+    HalfEdgeId Id; // of its half-edge, after the edit
+    std::array<VertexId, 2> Vertices;
     std::array<Vector3, 2> Ends;
-    Index Replaces = None; ///< If BoundaryStays: the old half-edge at the same position.
+    HalfEdgeId Replaces = None; ///< If BoundaryStays: the old half-edge at the same position.
     /// Vertices near the ends that lie on this line alone: stationary ones are replaced by one that is not.
-    std::array<Index, 2> OnLine = { None, None };
+    std::array<VertexId, 2> OnLine = {};
   };
 
   std::vector<Index> OldFaces;
@@ -39,8 +39,8 @@ struct SurfaceChange
   std::vector<Index> OldBoundary;
   std::vector<BoundaryEdge> NewBoundary;
   bool BoundaryStays = false; ///< The boundary's edges keep their positions and only change faces.
-  std::array<Index, 2> Ends = { None, None }; ///< Vertices whose faces change all.
-  Index Moved = None;                         ///< The vertex that is new or moves; None if none is.
+  std::array<VertexId, 2> Ends; ///< Vertices whose faces change all.
+  VertexId Moved;               ///< The vertex that is new or moves; None if none is.
   Vector3 Position = Vector3::Zero();
 
   /// @param around Of the edge to collapse.
@@ -53,7 +53,7 @@ struct SurfaceChange
 
 private:
   void Clear();
-  void AddOld(const HalfEdgeMesh& mesh, Index face, Index at, Index orAt);
+  void AddOld(const HalfEdgeMesh& mesh, FaceId face, Index at, Index orAt);
   void AddBoundary(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit);
 };
 }

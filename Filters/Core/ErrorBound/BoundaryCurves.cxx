@@ -16,7 +16,7 @@ BoundaryCurves::BoundaryCurves(const HalfEdgeMesh& mesh)
   {
     for (Index corner = 0; corner < 3; ++corner)
     {
-      const Index h = HalfEdgeMesh::HalfEdge(face, corner);
+      const HalfEdgeId h = HalfEdgeMesh::HalfEdge(face, corner);
       if (mesh.Twin(h) == None)
       {
         leaving[mesh.Origin(h)] = this->Count();
@@ -27,7 +27,7 @@ BoundaryCurves::BoundaryCurves(const HalfEdgeMesh& mesh)
   this->Neighbors.resize(this->Edges.size(), { None, None });
   for (Index edge = 0; edge < this->Count(); ++edge)
   {
-    const Index at = mesh.Target(this->Edges[edge]);
+    const VertexId at = mesh.Target(this->Edges[edge]);
     if (mesh.Constraint(at) == VertexConstraint::Boundary || PatchBoundaryRunsThrough(mesh, at))
     {
       this->Neighbors[edge][1] = leaving[at];

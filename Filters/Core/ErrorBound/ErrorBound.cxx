@@ -23,20 +23,22 @@ ErrorBound::ErrorBound(
   , ByFaces(atFirst.NumberOfFaceSlots(), atFirst.NumberOfFaceSlots())
   , Boundaries(atFirst)
   , ByBoundaries(this->Boundaries.Count(),
-      this->Boundaries.Count() == 0 ? 0 : HalfEdgeMesh::HalfEdge(atFirst.NumberOfFaceSlots(), 0))
+      this->Boundaries.Count() == 0
+        ? 0
+        : static_cast<Index>(HalfEdgeMesh::HalfEdge(atFirst.NumberOfFaceSlots(), 0)))
   , NearestBoundary(this->Boundaries.EdgesAtVertices())
   , Nearest(static_cast<std::size_t>(atFirst.NumberOfVertexSlots()), None)
   , Witnesses(this->Nearest.size(), { None, None, None, None })
 {
-  for (Index face = 0; face < atFirst.NumberOfFaceSlots(); ++face)
+  for (FaceId face = 0; face < atFirst.NumberOfFaceSlots(); ++face)
   {
     this->ByFaces.Add(face, face);
-    for (const Index v : atFirst.Corners(face))
+    for (const VertexId v : atFirst.Corners(face))
     {
       const Index known = this->Nearest[v];
       const bool allowsMore =
         known == None || this->Allowed.Over(face) >= this->Allowed.Over(known);
-      this->Nearest[v] = allowsMore ? face : known;
+      this->Nearest[v] = allowsMore ? static_cast<Index>(face) : known;
     }
   }
   for (Index edge = 0; edge < this->Boundaries.Count(); ++edge)

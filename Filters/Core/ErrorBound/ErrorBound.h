@@ -71,7 +71,7 @@ public:
   /// mm, how far the result may be from an original vertex: slack taken off, never above that of
   /// ErrorBoundSettings::Error, infinite
   /// where nothing limits, 0 where nothing may change.
-  double LimitAt(Index vertex) const { return this->Allowed.At(vertex); }
+  double LimitAt(VertexId vertex) const { return this->Allowed.At(vertex); }
 
 private:
   friend class Prover;

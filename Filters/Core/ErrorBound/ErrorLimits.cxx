@@ -23,7 +23,7 @@ double SlackOf(const HalfEdgeMesh& original, const ErrorBoundSettings& settings)
 {
   double size = 0.0;
   double rounding = 0.0;
-  for (Index v = 0; v < original.NumberOfVertexSlots(); ++v)
+  for (VertexId v = 0; v < original.NumberOfVertexSlots(); ++v)
   {
     const Vector3& p = original.Position(v);
     size = std::max(size, (p + settings.Origin).cwiseAbs().maxCoeff());

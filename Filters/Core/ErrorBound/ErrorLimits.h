@@ -31,7 +31,7 @@ public:
   bool Differ() const { return !this->Values.empty(); }
 
   /// mm, at a vertex.
-  double At(Index vertex) const
+  double At(VertexId vertex) const
   {
     return this->Values.empty() ? this->Everywhere : this->Values[vertex];
   }
@@ -44,7 +44,7 @@ public:
       ? this->Everywhere
       : std::min({ this->Values[c[0]], this->Values[c[1]], this->Values[c[2]] });
   }
-  double OverEdge(Index halfEdge) const
+  double OverEdge(HalfEdgeId halfEdge) const
   {
     return std::min(
       this->At(this->Original.Origin(halfEdge)), this->At(this->Original.Target(halfEdge)));

@@ -8,11 +8,11 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of a face, before it is given up.
+/// Most pieces of a face.
 constexpr std::size_t MostPieces = 256;
-/// From then on, the originals around a piece are few enough for CommonFaceProof.
+/// From then on, few enough input triangles are around a piece for CommonFaceProof.
 constexpr int HalvingsBeforeCommonFaces = 2;
-/// Cuts of a piece among the originals around it.
+/// Most parts that CommonFaceProof may make of a piece.
 constexpr std::size_t MostParts = 128;
 constexpr Index MostAround = CommonFaceProof::MostCandidates;
 }
@@ -33,7 +33,7 @@ bool FaceProof::Prove(const WalkedSurface& target, const std::array<Vector3, 3>&
 }
 
 //------------------------------------------------------------------------------
-/// Or halves it; false if it cannot be proved.
+/// Proves the piece or queues its halves; false if a point is too far away.
 bool FaceProof::ProvePiece(const WalkedSurface& target, const Piece& piece)
 {
   const auto limit = [&target](Index id) { return target.Limit(id); };
@@ -47,7 +47,7 @@ bool FaceProof::ProvePiece(const WalkedSurface& target, const Piece& piece)
   {
     return false;
   }
-  // The distance to one original is a convex function.
+  // The distance to a triangle is a convex function.
   const auto isWithin = [&](const Vector3& corner)
   { return target.Distance(corner, nearest.Nearest) <= target.Limit(nearest.Nearest); };
   if (std::all_of(piece.Corners.begin(), piece.Corners.end(), isWithin) ||
@@ -118,8 +118,9 @@ bool FaceProof::GatherAround(const WalkedSurface& target, const Piece& piece, In
   {
     for (Index corner = 0; corner < 3; ++corner)
     {
-      const Index twin = this->Original.Twin(HalfEdgeMesh::HalfEdge(this->Around[at].Id, corner));
-      const Index face = twin == None ? None : HalfEdgeMesh::Face(twin);
+      const HalfEdgeId twin =
+        this->Original.Twin(HalfEdgeMesh::HalfEdge(this->Around[at].Id, corner));
+      const FaceId face = twin == None ? FaceId() : HalfEdgeMesh::Face(twin);
       if (face != None && this->Around.Find(face) == None &&
         this->BoxReaches(face, middle, target.Limit(face) + radius))
       {
@@ -135,8 +136,8 @@ bool FaceProof::GatherAround(const WalkedSurface& target, const Piece& piece, In
 }
 
 //------------------------------------------------------------------------------
-/// Whether the box about an original comes that near (mm).
-bool FaceProof::BoxReaches(Index face, const Vector3& p, double distance) const
+/// Whether the box about an input triangle comes that near (mm).
+bool FaceProof::BoxReaches(FaceId face, const Vector3& p, double distance) const
 {
   const Triangle v = this->Original.Corners(face);
   const Vector3& a = this->Original.Position(v[0]);

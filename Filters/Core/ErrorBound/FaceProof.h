@@ -2,18 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FaceProof.h
- * @brief Whether every point of a face lies within the limits of the original, proved.
+ * @brief Proves that every point of a face lies within the limits of the input.
  *
- *     the face, then its pieces, larger ones first:
- *         its middle is too far away:                                                       rejected
- *         one original is near enough to all three corners:                                 proved
- *         the projection of the original covers it (PlaneCover):                            proved
- *         the point where PlaneCover found the original too far away is too far away:       rejected
- *         small enough, and a few originals around it prove it together (CommonFaceProof):  proved
+ *     the projected input triangles cover the face (PlaneCover):                            proved
+ *     else the face, then its pieces, in the order of halving, at most 256:
+ *         its middle is too far from the input:                                             rejected
+ *         one input triangle is near enough to all three corners:                           proved
+ *         the projected input triangles cover it:                                           proved
+ *         PlaneCover found a point without a triangle, and that is too far from the input:  rejected
+ *         small enough, and a few triangles around it cover it (CommonFaceProof):           proved
  *         else halve its longest edge; both halves are pieces
  *
- * At boundaries and thin rims of the original, only the pieces at the rim are left to CommonFaceProof. Candidates are found
- * by walking over the original; a missed candidate can only cause a rejection.
+ * At boundaries and thin rims of the input, only the pieces at the rim are left to CommonFaceProof. Candidates are found
+ * by walking over the input; a missed candidate can only cause a rejection.
  */
 #ifndef BoneDecimate_Core_ErrorBound_FaceProof_h
 #define BoneDecimate_Core_ErrorBound_FaceProof_h
@@ -35,14 +36,14 @@ public:
   {
   }
 
-  /// @param hint An original triangle near the face.
+  /// False if no proof was found.  @param hint An input triangle near the face.
   bool Prove(const WalkedSurface& target, const std::array<Vector3, 3>& face, Index hint);
 
 private:
   struct Piece
   {
     std::array<Vector3, 3> Corners; // mm
-    Index Hint;                     // an original triangle near it
+    Index Hint;                     // an input triangle near it
     int Halvings;
   };
   struct Found
@@ -53,7 +54,7 @@ private:
   bool ProvePiece(const WalkedSurface& target, const Piece& piece);
   CommonFaceResult ProveTogether(const WalkedSurface& target, const Piece& piece, Index seed);
   bool GatherAround(const WalkedSurface& target, const Piece& piece, Index seed);
-  bool BoxReaches(Index face, const Vector3& p, double distance) const;
+  bool BoxReaches(FaceId face, const Vector3& p, double distance) const;
   void Halve(const Piece& piece, Index hint);
 
   const HalfEdgeMesh& Original;

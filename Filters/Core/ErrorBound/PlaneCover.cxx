@@ -87,7 +87,7 @@ bool PlaneCover::Begin(const std::array<Vector3, 3>& face)
 }
 
 //------------------------------------------------------------------------------
-const PlaneCover::Shadow& PlaneCover::ShadowOf(Index vertex)
+const PlaneCover::Shadow& PlaneCover::ShadowOf(VertexId vertex)
 {
   Index at = this->Shadows.Find(vertex);
   if (at == None)
@@ -108,8 +108,8 @@ bool PlaneCover::Visit(Index triangle, double limit)
 {
   const Triangle corners = this->Original.Corners(triangle);
   Shape shape;
-  std::transform(
-    corners.begin(), corners.end(), shape.begin(), [this](Index v) { return this->ShadowOf(v); });
+  std::transform(corners.begin(), corners.end(), shape.begin(),
+    [this](VertexId v) { return this->ShadowOf(v); });
   if ((shape[0].Beyond & shape[1].Beyond & shape[2].Beyond) != 0)
   {
     return true; // nowhere over the face
@@ -162,7 +162,7 @@ bool PlaneCover::Count(const Shape& shape)
 /// To the triangle across; false if there is none.
 bool PlaneCover::Cross(Index edge)
 {
-  const Index twin = this->Original.Twin(edge);
+  const HalfEdgeId twin = this->Original.Twin(edge);
   if (twin != None && this->Triangles.Find(HalfEdgeMesh::Face(twin)) == None)
   {
     this->Triangles.Insert({ HalfEdgeMesh::Face(twin) });

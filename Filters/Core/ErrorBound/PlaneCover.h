@@ -80,7 +80,7 @@ private:
   using Shape = std::array<Shadow, 3>;
 
   bool Begin(const std::array<Vector3, 3>& face);
-  const Shadow& ShadowOf(Index vertex);
+  const Shadow& ShadowOf(VertexId vertex);
   bool Visit(Index triangle, double limit);
   bool Count(const Shape& shape);
   bool Cross(Index edge);

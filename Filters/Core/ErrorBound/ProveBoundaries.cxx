@@ -72,7 +72,7 @@ bool Prover::ProveBoundaryItem(const HalfEdgeMesh& mesh, Item& item)
         { mesh.Position(mesh.Origin(h)), mesh.Position(mesh.Target(h)) });
     }
   }
-  const Index boundary = this->Shared.Boundaries.HalfEdge(item.Id);
+  const HalfEdgeId boundary = this->Shared.Boundaries.HalfEdge(item.Id);
   const BoundaryProof::Piece whole = { this->Shared.Boundaries.Ends(item.Id),
     { this->Shared.LimitAt(this->Shared.Source.Origin(boundary)),
       this->Shared.LimitAt(this->Shared.Source.Target(boundary)) } };

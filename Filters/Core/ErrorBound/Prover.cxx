@@ -19,7 +19,7 @@ constexpr double FarthestOfEnds = 1.5;
 /// Others may have to help.
 constexpr std::size_t MostNewFaces = CommonFaceProof::MostCandidates - Coverage::SlotsPerItem;
 
-bool FaceIsInRange(const HalfEdgeMesh& mesh, Index face, VertexRange range)
+bool FaceIsInRange(const HalfEdgeMesh& mesh, FaceId face, VertexRange range)
 {
   const Triangle corners = mesh.Corners(face);
   return range.Contains(corners[0]) && range.Contains(corners[1]) && range.Contains(corners[2]);
@@ -111,9 +111,10 @@ bool Prover::AreInRange(
 bool Prover::AreInRange(const HalfEdgeMesh& mesh, VertexRange range) const
 {
   return AreInRange(this->Shared.ByFaces, this->Items,
-           [&](Index face) { return FaceIsInRange(mesh, face, range); }) &&
+           [&](FaceId face) { return FaceIsInRange(mesh, face, range); }) &&
     AreInRange(this->Shared.ByBoundaries, this->BoundaryItems,
-      [&](Index h) { return range.Contains(mesh.Origin(h)) && range.Contains(mesh.Target(h)); });
+      [&](HalfEdgeId h)
+      { return range.Contains(mesh.Origin(h)) && range.Contains(mesh.Target(h)); });
 }
 
 //------------------------------------------------------------------------------
@@ -141,7 +142,7 @@ bool Prover::EndsAreNear(const HalfEdgeMesh& mesh)
   const double limit = std::max({ this->Shared.LimitAt(around[0]), this->Shared.LimitAt(around[1]),
     this->Shared.LimitAt(around[2]) });
   return std::all_of(this->Change->Ends.begin(), this->Change->Ends.end(),
-    [&](Index end)
+    [&](VertexId end)
     { return this->CommonFaces.FacesNear(mesh.Position(end), FarthestOfEnds * limit) != 0; });
 }
 
@@ -149,7 +150,7 @@ bool Prover::EndsAreNear(const HalfEdgeMesh& mesh)
 /// The items that caused the last rejections here are likely to cause the next one.
 bool Prover::WitnessesAreNear(const HalfEdgeMesh& mesh)
 {
-  for (const Index end : this->Change->Ends)
+  for (const VertexId end : this->Change->Ends)
   {
     const ErrorBound::Witness& known = this->Shared.Witnesses[end];
     for (const Index witness : known)
@@ -217,7 +218,7 @@ bool Prover::OriginalsAreNear(const HalfEdgeMesh& mesh)
 /// Stores an item that could not be proved instead of the oldest one.
 void Prover::Remember(Index item)
 {
-  for (const Index end : this->Change->Ends)
+  for (const VertexId end : this->Change->Ends)
   {
     if (end != None)
     {

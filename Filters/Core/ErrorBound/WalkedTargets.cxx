@@ -51,9 +51,9 @@ PieceCover<3>::Corner WalkedSurface::FindBetter(const PieceCover<3>::Corner& fro
       {
         continue; // rings of those are not walked
       }
-      for (const Index h : this->Mesh.OutgoingOf(corner))
+      for (const HalfEdgeId h : this->Mesh.OutgoingOf(corner))
       {
-        const Index face = HalfEdgeMesh::Face(h);
+        const FaceId face = HalfEdgeMesh::Face(h);
         const double distance = this->Distance(from.Position, face);
         if (distance - this->Limit(face) < excess)
         {

@@ -53,11 +53,11 @@ public:
   {
   }
   PieceCover<3>::Corner Find(const Vector3& p, Index hint) const;
-  double Distance(const Vector3& p, Index face) const
+  double Distance(const Vector3& p, FaceId face) const
   {
     return std::sqrt(FrameOf(this->Mesh, face).SquaredReach(p));
   }
-  double Limit(Index face) const { return this->Allowed.Over(face); }
+  double Limit(FaceId face) const { return this->Allowed.Over(face); }
   bool IsWithin(const PieceCover<3>::Corner& corner) const
   {
     return corner.Distance <= this->Limit(corner.Nearest);

@@ -110,7 +110,7 @@ class EdgeMatching::Marks
 {
 public:
   /// False if the slot is occupied, by the same neighbor or by another one.
-  bool Set(Index point, Index neighbor, Index halfEdge)
+  bool Set(Index point, Index neighbor, HalfEdgeId halfEdge)
   {
     Mark& mark = this->At(neighbor);
     const bool isFree = mark.Point != point;
@@ -163,7 +163,7 @@ bool EdgeMatching::MatchPairs(Index point, Marks& marks)
   const Spoke* last = this->Spokes.data() + this->Start[point + 1];
   for (const Spoke* spoke = first; spoke != last; ++spoke)
   {
-    const Index arriving = HalfEdgeMesh::Previous(spoke->HalfEdge);
+    const HalfEdgeId arriving = HalfEdgeMesh::Previous(spoke->HalfEdge);
     const Index origin = this->Triangles[arriving >> 2][arriving & 3];
     paired = marks.Set(point, origin, arriving) && paired;
   }

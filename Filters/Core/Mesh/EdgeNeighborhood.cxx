@@ -11,31 +11,32 @@ namespace bonedecimate
 namespace
 {
 /// Collects the faces around the end of the edge while the ring of the start is walked.
-void FetchFacesOfEnd(const HalfEdgeMesh& mesh, Index edge, Index twin)
+void FetchFacesOfEnd(const HalfEdgeMesh& mesh, HalfEdgeId edge, HalfEdgeId twin)
 {
   constexpr int steps = 2;
-  Index left = mesh.Twin(HalfEdgeMesh::Next(edge));
-  Index right = twin == None ? None : mesh.Twin(HalfEdgeMesh::Previous(twin));
+  HalfEdgeId left = mesh.Twin(HalfEdgeMesh::Next(edge));
+  HalfEdgeId right = twin == None ? HalfEdgeId() : mesh.Twin(HalfEdgeMesh::Previous(twin));
   for (int i = 0; i < steps && left != None && right != None; ++i)
   {
     left = mesh.Twin(HalfEdgeMesh::Next(left));
     right = mesh.Twin(HalfEdgeMesh::Previous(right));
   }
-  Prefetch(mesh.RecordOfFace(std::max(0, left)));
-  Prefetch(mesh.RecordOfFace(std::max(0, right)));
+  Prefetch(mesh.RecordOfFace(left == None ? HalfEdgeId(0) : left));
+  Prefetch(mesh.RecordOfFace(right == None ? HalfEdgeId(0) : right));
 }
 }
 
-void EdgeNeighborhood::Gather(const HalfEdgeMesh& mesh, Index edge)
+void EdgeNeighborhood::Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge)
 {
-  const Index twin = mesh.Twin(edge);
+  const HalfEdgeId twin = mesh.Twin(edge);
   this->Edge = edge;
   this->Start = mesh.Origin(edge);
   this->End = mesh.Target(edge);
   this->NumberOfGoneFaces = twin == None ? 1 : 2;
-  this->GoneFaces = { HalfEdgeMesh::Face(edge), twin == None ? None : HalfEdgeMesh::Face(twin) };
+  this->GoneFaces = { HalfEdgeMesh::Face(edge),
+    twin == None ? FaceId() : HalfEdgeMesh::Face(twin) };
   this->Apexes = { mesh.Origin(HalfEdgeMesh::Previous(edge)),
-    twin == None ? None : mesh.Origin(HalfEdgeMesh::Previous(twin)) };
+    twin == None ? VertexId() : mesh.Origin(HalfEdgeMesh::Previous(twin)) };
   FetchFacesOfEnd(mesh, edge, twin);
   this->Corners.clear();
   this->Ring.clear();
@@ -49,7 +50,7 @@ void EdgeNeighborhood::Gather(const HalfEdgeMesh& mesh, Index edge)
   Index last = None; // on a boundary: the incoming half-edge at the end of the ring
   do
   {
-    const Index face = HalfEdgeMesh::Face(out);
+    const FaceId face = HalfEdgeMesh::Face(out);
     if (face == this->GoneFaces[0] || face == this->GoneFaces[1])
     {
       last = HalfEdgeMesh::Next(out); // continue at the other end of the edge

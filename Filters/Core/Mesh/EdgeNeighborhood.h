@@ -23,22 +23,22 @@ namespace bonedecimate
 {
 struct EdgeNeighborhood
 {
-  Index Edge = None; ///< The half-edge from Start to End.
-  Index Start = None;
-  Index End = None;
-  std::array<Index, 2> GoneFaces = { None, None };
-  std::array<Index, 2> Apexes = { None, None };
+  HalfEdgeId Edge; ///< The half-edge from Start to End.
+  VertexId Start;
+  VertexId End;
+  std::array<FaceId, 2> GoneFaces;
+  std::array<VertexId, 2> Apexes;
   Index NumberOfGoneFaces = 0; ///< 1 on a boundary, else 2.
   std::vector<Index> Corners;  ///< Half-edges of remaining faces whose origin is Start or End.
   std::vector<Index> Ring;     ///< The link of the edge, in the same order.
   bool IsOpen = false; ///< Whether the ring does not close because an end lies on a boundary.
   /// On an open ring: the ends to which the boundary edges of its first and last vertex lead.
-  std::array<Index, 2> BoundaryEnds = { None, None };
+  std::array<VertexId, 2> BoundaryEnds;
 
   bool IsBoundaryEdge() const { return this->NumberOfGoneFaces == 1; }
 
   /// Replaces the content without allocating. No end may be NonManifold, and both may be on a boundary only if the edge is.
-  void Gather(const HalfEdgeMesh& mesh, Index edge);
+  void Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge);
 
   /// The link condition: no vertex occurs twice on the ring, and no end lies on it.
   bool RingIsSimple() const;

@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Core_Mesh_Edit_h
 #define BoneDecimate_Core_Mesh_Edit_h
 
-#include "Surface.h"
+#include "Handles.h"
 
 namespace bonedecimate
 {
@@ -20,8 +20,8 @@ enum class EditKind : std::uint8_t
 
 struct Edit
 {
-  Index Edge = None;                  ///< The half-edge to collapse or flip.
-  Index Keep = None;                  ///< The end whose id is kept, or the vertex to move.
+  HalfEdgeId Edge;                    ///< The half-edge to collapse or flip.
+  VertexId Keep;                      ///< The end whose id is kept, or the vertex to move.
   Vector3 Position = Vector3::Zero(); ///< Of the merged or moved vertex, mm from the local origin.
   bool KeepStays = false;             ///< Whether Position is that of Keep, bit for bit.
   EditKind Kind = EditKind::Collapse;

@@ -26,13 +26,13 @@ public:
   explicit FaceAreas(const HalfEdgeMesh& mesh)
     : Faces(static_cast<std::size_t>(mesh.NumberOfFaceSlots()))
   {
-    for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+    for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
     {
       this->Update(mesh, face);
     }
   }
 
-  void Update(const HalfEdgeMesh& mesh, Index face)
+  void Update(const HalfEdgeMesh& mesh, FaceId face)
   {
     const Triangle c = mesh.Corners(face);
     const Vector3 vector =
@@ -41,7 +41,7 @@ public:
     this->Faces[face] = { area > 0.0 ? Vector3(vector / area) : Vector3(Vector3::Zero()), area };
   }
 
-  const Face& operator[](Index face) const { return this->Faces[face]; }
+  const Face& operator[](FaceId face) const { return this->Faces[face]; }
 
 private:
   std::vector<Face> Faces;

@@ -74,7 +74,7 @@ void HalfEdgeMesh::LinkDuplicates(const PatchMap& patches)
   this->Counts = patches.Edges;
   this->OriginalVertices = patches.OriginalVertices;
   this->NextDuplicates = patches.OriginalVertices;
-  for (Index v = 0; v < this->NumberOfVertexSlots(); ++v)
+  for (VertexId v = 0; v < this->NumberOfVertexSlots(); ++v)
   {
     const Index site = this->OriginalVertices[v];
     if (v != site)
@@ -82,7 +82,7 @@ void HalfEdgeMesh::LinkDuplicates(const PatchMap& patches)
       this->NextDuplicates[v] = std::exchange(this->NextDuplicates[site], v);
     }
   }
-  for (Index v = 0; v < this->NumberOfVertexSlots(); ++v)
+  for (VertexId v = 0; v < this->NumberOfVertexSlots(); ++v)
   {
     VertexConstraint& kind = this->Constraints[v];
     const bool isAlone = this->NextDuplicates[v] == v;
@@ -94,14 +94,14 @@ void HalfEdgeMesh::LinkDuplicates(const PatchMap& patches)
 }
 
 //------------------------------------------------------------------------------
-void HalfEdgeMesh::Collapse(const EdgeNeighborhood& around, Index keep, const Vector3& position)
+void HalfEdgeMesh::Collapse(const EdgeNeighborhood& around, VertexId keep, const Vector3& position)
 {
-  const Index gone = around.Start == keep ? around.End : around.Start;
+  const VertexId gone = around.Start == keep ? around.End : around.Start;
   for (const Index out : around.Corners)
   {
     this->Faces[Face(out)].Origins[out & 3] = keep;
   }
-  const Index twin = this->Twin(around.Edge);
+  const HalfEdgeId twin = this->Twin(around.Edge);
   this->RemoveFace(around.Edge);
   if (twin != None)
   {
@@ -128,7 +128,7 @@ void HalfEdgeMesh::PackFirstNormal(FaceRecord& record, const Vector3& area)
 }
 
 //------------------------------------------------------------------------------
-void HalfEdgeMesh::Pair(Index h, Index twin)
+void HalfEdgeMesh::Pair(HalfEdgeId h, HalfEdgeId twin)
 {
   this->Faces[h >> 2].Twins[h & 3] = twin;
   if (twin != None)
@@ -139,18 +139,18 @@ void HalfEdgeMesh::Pair(Index h, Index twin)
 
 //------------------------------------------------------------------------------
 /// Replaces faces a b c and b a d by a d c and b c d, each in its old slot.
-void HalfEdgeMesh::Flip(Index h)
+void HalfEdgeMesh::Flip(HalfEdgeId h)
 {
-  const Index t = this->Twin(h);
+  const HalfEdgeId t = this->Twin(h);
   const std::array<Index, 3> f = { h, Next(h), Previous(h) };
   const std::array<Index, 3> g = { t, Next(t), Previous(t) };
   const std::array<Index, 4> outer = { this->Twin(f[1]), this->Twin(f[2]), this->Twin(g[1]),
     this->Twin(g[2]) }; // across b c, c a, a d, d b
-  const Index a = this->Origin(h);
-  const Index b = this->Origin(t);
-  const Index c = this->Origin(f[2]);
-  const Index d = this->Origin(g[2]);
-  const auto turn = [this](Index v, Index from, Index other, Index to)
+  const VertexId a = this->Origin(h);
+  const VertexId b = this->Origin(t);
+  const VertexId c = this->Origin(f[2]);
+  const VertexId d = this->Origin(g[2]);
+  const auto turn = [this](VertexId v, Index from, Index other, Index to)
   {
     Index& outgoing = this->Vertices[v].Outgoing;
     outgoing = outgoing == from || outgoing == other ? to : outgoing;
@@ -159,7 +159,7 @@ void HalfEdgeMesh::Flip(Index h)
   turn(b, t, f[1], g[2]);
   turn(c, f[2], None, f[1]);
   turn(d, g[2], None, g[1]);
-  const auto setOrigin = [this](Index half, Index v)
+  const auto setOrigin = [this](Index half, VertexId v)
   { this->Faces[half >> 2].Origins[half & 3] = v; };
   setOrigin(f[0], d);
   setOrigin(f[1], c);
@@ -175,10 +175,10 @@ void HalfEdgeMesh::Flip(Index h)
 
 //------------------------------------------------------------------------------
 /// Removes the face of h and merges its other two edges.
-void HalfEdgeMesh::RemoveFace(Index h)
+void HalfEdgeMesh::RemoveFace(HalfEdgeId h)
 {
-  const Index alongNext = this->Twin(Next(h));
-  const Index alongPrevious = this->Twin(Previous(h));
+  const HalfEdgeId alongNext = this->Twin(Next(h));
+  const HalfEdgeId alongPrevious = this->Twin(Previous(h));
   if (alongNext != None)
   {
     this->Faces[Face(alongNext)].Twins[alongNext & 3] = alongPrevious;
@@ -187,7 +187,7 @@ void HalfEdgeMesh::RemoveFace(Index h)
   {
     this->Faces[Face(alongPrevious)].Twins[alongPrevious & 3] = alongNext;
   }
-  const Index apex = this->Origin(Previous(h));
+  const VertexId apex = this->Origin(Previous(h));
   if (this->Outgoing(apex) == Previous(h))
   {
     this->Vertices[apex].Outgoing = alongNext;

@@ -22,6 +22,7 @@
 #define BoneDecimate_Core_Mesh_HalfEdgeMesh_h
 
 #include "EdgeMatching.h"
+#include "Handles.h"
 #include "Memory/LargeArray.h"
 #include "Surface.h"
 #include "VertexConstraint.h"
@@ -72,28 +73,28 @@ public:
     const std::vector<Index>& labels = {});
 
   // From the bits of the corner: branches would be mispredicted.
-  static Index Next(Index h) { return h + 1 - 3 * (h >> 1 & 1); }
-  static Index Previous(Index h) { return h + 2 - 3 * ((h | h >> 1) & 1); }
-  static Index Face(Index h) { return h >> 2; }
-  static Index HalfEdge(Index face, Index corner) { return 4 * face + corner; }
+  static HalfEdgeId Next(HalfEdgeId h) { return h + 1 - 3 * (h >> 1 & 1); }
+  static HalfEdgeId Previous(HalfEdgeId h) { return h + 2 - 3 * ((h | h >> 1) & 1); }
+  static FaceId Face(HalfEdgeId h) { return h >> 2; }
+  static HalfEdgeId HalfEdge(FaceId face, Index corner) { return 4 * face + corner; }
 
-  Index Origin(Index h) const { return this->Faces[h >> 2].Origins[h & 3]; }
-  Index Target(Index h) const { return this->Origin(Next(h)); }
-  Index Twin(Index h) const { return this->Faces[h >> 2].Twins[h & 3]; }
-  Index Outgoing(Index v) const { return this->Vertices[v].Outgoing; }
-  VertexConstraint Constraint(Index v) const { return this->Constraints[v]; }
+  VertexId Origin(HalfEdgeId h) const { return this->Faces[h >> 2].Origins[h & 3]; }
+  VertexId Target(HalfEdgeId h) const { return this->Origin(Next(h)); }
+  HalfEdgeId Twin(HalfEdgeId h) const { return this->Faces[h >> 2].Twins[h & 3]; }
+  HalfEdgeId Outgoing(VertexId v) const { return this->Vertices[v].Outgoing; }
+  VertexConstraint Constraint(VertexId v) const { return this->Constraints[v]; }
   /// VertexConstraint.h says what these mean.
-  bool IsConstrained(Index v) const { return bonedecimate::IsConstrained(this->Constraints[v]); }
-  bool IsStationary(Index v) const { return bonedecimate::IsStationary(this->Constraints[v]); }
-  bool IsOnBoundary(Index v) const { return bonedecimate::IsOnBoundary(this->Constraints[v]); }
-  bool MovesFreely(Index v) const { return bonedecimate::MovesFreely(this->Constraints[v]); }
-  const Vector3& Position(Index v) const { return this->Vertices[v].Position; }
-  const VertexRecord& Record(Index v) const { return this->Vertices[v]; }
-  RingQuadric& Quadric(Index v) { return this->Vertices[v].Quadric; }
+  bool IsConstrained(VertexId v) const { return bonedecimate::IsConstrained(this->Constraints[v]); }
+  bool IsStationary(VertexId v) const { return bonedecimate::IsStationary(this->Constraints[v]); }
+  bool IsOnBoundary(VertexId v) const { return bonedecimate::IsOnBoundary(this->Constraints[v]); }
+  bool MovesFreely(VertexId v) const { return bonedecimate::MovesFreely(this->Constraints[v]); }
+  const Vector3& Position(VertexId v) const { return this->Vertices[v].Position; }
+  const VertexRecord& Record(VertexId v) const { return this->Vertices[v]; }
+  RingQuadric& Quadric(VertexId v) { return this->Vertices[v].Quadric; }
   VertexRecord* Records() { return this->Vertices.data(); } ///< For changes of quadrics only.
-  const FaceRecord* RecordOfFace(Index h) const { return &this->Faces[Face(h)]; }
-  bool IsAlive(Index face) const { return this->Faces[face].Origins[0] != None; }
-  Triangle Corners(Index face) const
+  const FaceRecord* RecordOfFace(HalfEdgeId h) const { return &this->Faces[Face(h)]; }
+  bool IsAlive(FaceId face) const { return this->Faces[face].Origins[0] != None; }
+  Triangle Corners(FaceId face) const
   {
     const std::array<Index, 4>& corners = this->Faces[face].Origins;
     return { corners[0], corners[1], corners[2] };
@@ -103,21 +104,21 @@ public:
    * Whether a face with that area vector would point away from its original normal. False if the face was never changed and
    * has no stored normal.
    */
-  bool IsTurnedOver(Index face, const Vector3& area) const
+  bool IsTurnedOver(FaceId face, const Vector3& area) const
   {
     return this->Faces[face].Twins[3] != None && area.dot(this->FirstNormal(face)) < 0.0;
   }
 
   bool HasPatches() const { return !this->OriginalVertices.empty(); }
   /// The original vertex: the same for all duplicates of a point; v if there are none.
-  Index OriginalVertex(Index v) const
+  VertexId OriginalVertex(VertexId v) const
   {
-    return this->OriginalVertices.empty() ? v : this->OriginalVertices[v];
+    return this->OriginalVertices.empty() ? v : VertexId(this->OriginalVertices[v]);
   }
   /// The next duplicate, in a cyclic list.
-  Index NextDuplicate(Index v) const
+  VertexId NextDuplicate(VertexId v) const
   {
-    return this->NextDuplicates.empty() ? v : this->NextDuplicates[v];
+    return this->NextDuplicates.empty() ? v : VertexId(this->NextDuplicates[v]);
   }
 
   Index NumberOfVertexSlots() const { return static_cast<Index>(this->Vertices.size()); }
@@ -133,20 +134,20 @@ public:
 
   /// The half-edges that leave v, counter-clockwise, one for each of its faces. v must not be NonManifold.
   class OutgoingRange;
-  OutgoingRange OutgoingOf(Index v) const;
+  OutgoingRange OutgoingOf(VertexId v) const;
 
   /// Calls visit(h) for a half-edge of every edge at v, in ring order: outgoing ones and, on a boundary, finally an incoming one.
   template <typename Visit>
-  void VisitEdges(Index v, Visit visit) const
+  void VisitEdges(VertexId v, Visit visit) const
   {
-    this->VisitNeighbors(v, [&](Index h, Index) { visit(h); });
+    this->VisitNeighbors(v, [&](HalfEdgeId h, Index) { visit(h); });
   }
   /// The same with visit(h, other end).
   template <typename Visit>
-  void VisitNeighbors(Index v, Visit visit) const;
+  void VisitNeighbors(VertexId v, Visit visit) const;
 
   /// The other end of the edge of half-edge h at v.
-  Index Across(Index h, Index v) const
+  VertexId Across(HalfEdgeId h, VertexId v) const
   {
     return this->Origin(h) == v ? this->Target(h) : this->Origin(h);
   }
@@ -157,19 +158,19 @@ private:
   void LinkDuplicates(const PatchMap& patches);
 
   /// Merges the ends of the edge into `keep` (one of them) at `position`. The caller has checked that this is valid.
-  void Collapse(const EdgeNeighborhood& around, Index keep, const Vector3& position);
+  void Collapse(const EdgeNeighborhood& around, VertexId keep, const Vector3& position);
   /// Replaces the edge of h, which has two faces, by the edge between their apexes. The caller has checked that this is valid.
-  void Flip(Index h);
+  void Flip(HalfEdgeId h);
   /// Only before the first edit.
-  void Constrain(Index v)
+  void Constrain(VertexId v)
   {
     this->Constraints[v] = this->Constraints[v] == VertexConstraint::NonManifold
       ? VertexConstraint::NonManifold
       : VertexConstraint::Constrained;
   }
-  void Move(Index v, const Vector3& position) { this->Vertices[v].Position = position; }
+  void Move(VertexId v, const Vector3& position) { this->Vertices[v].Position = position; }
   /// Must be called before the face changes: stores its normal the first time.  @param area A vector along the normal.
-  void KeepFirstNormal(Index face, const Vector3& area)
+  void KeepFirstNormal(FaceId face, const Vector3& area)
   {
     if (this->Faces[face].Twins[3] == None)
     {
@@ -178,7 +179,7 @@ private:
   }
   static void PackFirstNormal(FaceRecord& record, const Vector3& area);
   /// Encodes the normal in three numbers of 16 bits, precise to 0.01 degrees.
-  Vector3 FirstNormal(Index face) const
+  Vector3 FirstNormal(FaceId face) const
   {
     const std::int32_t xy = this->Faces[face].Origins[3];
     const std::int32_t z = this->Faces[face].Twins[3];
@@ -186,8 +187,8 @@ private:
       static_cast<double>(static_cast<std::int16_t>(xy & 0xFFFF)),
       static_cast<double>(static_cast<std::int16_t>(z)) };
   }
-  void Pair(Index h, Index twin);
-  void RemoveFace(Index h);
+  void Pair(HalfEdgeId h, HalfEdgeId twin);
+  void RemoveFace(HalfEdgeId h);
   /// Sets the number of faces after parallel workers have removed some.
   void CountRemovedFaces(Index count) { this->LiveFaces -= count; }
 
@@ -208,27 +209,27 @@ public:
   class Iterator
   {
   public:
-    Iterator(const HalfEdgeMesh* mesh, Index start, Index at)
+    Iterator(const HalfEdgeMesh* mesh, HalfEdgeId start, HalfEdgeId at)
       : Mesh(mesh)
       , Start(start)
       , At(at)
     {
     }
-    Index operator*() const { return this->At; }
+    HalfEdgeId operator*() const { return this->At; }
     bool operator!=(const Iterator& other) const { return this->At != other.At; }
     Iterator& operator++()
     {
-      const Index next = this->Mesh->Twin(Previous(this->At));
-      this->At = next == this->Start ? None : next;
+      const HalfEdgeId next = this->Mesh->Twin(Previous(this->At));
+      this->At = next == this->Start ? HalfEdgeId() : next;
       return *this;
     }
 
   private:
     const HalfEdgeMesh* Mesh;
-    Index Start;
-    Index At;
+    HalfEdgeId Start;
+    HalfEdgeId At;
   };
-  OutgoingRange(const HalfEdgeMesh* mesh, Index start)
+  OutgoingRange(const HalfEdgeMesh* mesh, HalfEdgeId start)
     : Mesh(mesh)
     , Start(start)
   {
@@ -247,19 +248,19 @@ public:
 
 private:
   const HalfEdgeMesh* Mesh;
-  Index Start;
+  HalfEdgeId Start;
 };
 
-inline HalfEdgeMesh::OutgoingRange HalfEdgeMesh::OutgoingOf(Index v) const
+inline HalfEdgeMesh::OutgoingRange HalfEdgeMesh::OutgoingOf(VertexId v) const
 {
   return { this, this->Outgoing(v) };
 }
 
 template <typename Visit>
-void HalfEdgeMesh::VisitNeighbors(Index v, Visit visit) const
+void HalfEdgeMesh::VisitNeighbors(VertexId v, Visit visit) const
 {
-  Index last = None;
-  for (const Index h : this->OutgoingOf(v))
+  HalfEdgeId last;
+  for (const HalfEdgeId h : this->OutgoingOf(v))
   {
     visit(h, this->Target(h));
     last = Previous(h);

@@ -11,16 +11,16 @@ std::string At(const char* what, Index index)
   return std::string(what) + " " + std::to_string(index);
 }
 
-std::string BrokenFace(const HalfEdgeMesh& mesh, Index face)
+std::string BrokenFace(const HalfEdgeMesh& mesh, FaceId face)
 {
   const Triangle c = mesh.Corners(face);
   if (c[1] == None || c[2] == None || c[0] == c[1] || c[1] == c[2] || c[2] == c[0])
   {
     return At("corners of face", face);
   }
-  for (Index h = HalfEdgeMesh::HalfEdge(face, 0); h < HalfEdgeMesh::HalfEdge(face, 3); ++h)
+  for (HalfEdgeId h = HalfEdgeMesh::HalfEdge(face, 0); h < HalfEdgeMesh::HalfEdge(face, 3); ++h)
   {
-    const Index twin = mesh.Twin(h);
+    const HalfEdgeId twin = mesh.Twin(h);
     if (twin == None)
     {
       continue;
@@ -37,15 +37,15 @@ std::string BrokenFace(const HalfEdgeMesh& mesh, Index face)
   return {};
 }
 
-std::string BrokenRing(const HalfEdgeMesh& mesh, Index v, Index numberOfFaces)
+std::string BrokenRing(const HalfEdgeMesh& mesh, VertexId v, Index numberOfFaces)
 {
-  const Index start = mesh.Outgoing(v);
+  const HalfEdgeId start = mesh.Outgoing(v);
   if (start == None || !mesh.IsAlive(HalfEdgeMesh::Face(start)))
   {
     return At("outgoing half-edge of vertex", v);
   }
   Index found = 0;
-  for (const Index h : mesh.OutgoingOf(v))
+  for (const HalfEdgeId h : mesh.OutgoingOf(v))
   {
     if (mesh.Origin(h) != v || ++found > numberOfFaces)
     {
@@ -66,7 +66,7 @@ std::string BrokenInvariant(const HalfEdgeMesh& mesh)
 {
   std::vector<Index> numberOfFaces(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), 0);
   Index liveFaces = 0;
-  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
     if (!mesh.IsAlive(face))
     {
@@ -87,7 +87,7 @@ std::string BrokenInvariant(const HalfEdgeMesh& mesh)
   {
     return At("number of faces", mesh.NumberOfFaces());
   }
-  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
     if (numberOfFaces[v] > 0 && mesh.Constraint(v) != VertexConstraint::NonManifold)
     {

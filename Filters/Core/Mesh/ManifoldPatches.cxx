@@ -45,7 +45,7 @@ private:
   void FindPoints()
   {
     this->Indices.assign(this->Clean.Surface.Points.size(), None);
-    for (Index v = 0; v < this->Mesh.NumberOfVertexSlots(); ++v)
+    for (VertexId v = 0; v < this->Mesh.NumberOfVertexSlots(); ++v)
     {
       if (this->Mesh.Constraint(v) == VertexConstraint::NonManifold)
       {
@@ -61,11 +61,11 @@ private:
     this->Starts.assign(this->Points.size() + 1, 0);
     const auto visitCorners = [this](const auto& visit)
     {
-      for (Index face = 0; face < this->Mesh.NumberOfFaceSlots(); ++face)
+      for (FaceId face = 0; face < this->Mesh.NumberOfFaceSlots(); ++face)
       {
         for (Index k = 0; k < 3; ++k)
         {
-          const Index h = HalfEdgeMesh::HalfEdge(face, k);
+          const HalfEdgeId h = HalfEdgeMesh::HalfEdge(face, k);
           const Index index = this->Indices[this->Mesh.Origin(h)];
           if (index != None)
           {
@@ -78,7 +78,7 @@ private:
     std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
     this->Corners.resize(static_cast<std::size_t>(this->Starts.back()));
     std::vector<Index> next(this->Starts.begin(), this->Starts.end() - 1);
-    visitCorners([&](Index h, Index index) { this->Corners[next[index]++] = h; });
+    visitCorners([&](HalfEdgeId h, Index index) { this->Corners[next[index]++] = h; });
   }
 
   using Iterator = std::vector<Index>::iterator;
@@ -100,24 +100,24 @@ private:
   /// Collects a fan from one corner in both directions around the point.
   void NameFan(Index corner, Index name)
   {
-    const auto isNew = [this](Index h) { return h != None && !this->IsCollected[h]; };
-    const auto give = [this, name](Index h)
+    const auto isNew = [this](HalfEdgeId h) { return h != None && !this->IsCollected[h]; };
+    const auto give = [this, name](HalfEdgeId h)
     {
       this->IsCollected[h] = true;
       this->Clean.Surface.Triangles[h >> 2][h & 3] = name;
     };
-    const auto before = [this](Index h) { return this->Mesh.Twin(HalfEdgeMesh::Previous(h)); };
-    const auto after = [this](Index h)
+    const auto before = [this](HalfEdgeId h) { return this->Mesh.Twin(HalfEdgeMesh::Previous(h)); };
+    const auto after = [this](HalfEdgeId h)
     {
-      const Index twin = this->Mesh.Twin(h);
-      return twin == None ? None : HalfEdgeMesh::Next(twin);
+      const HalfEdgeId twin = this->Mesh.Twin(h);
+      return twin == None ? HalfEdgeId() : HalfEdgeMesh::Next(twin);
     };
     give(corner);
-    for (Index h = before(corner); isNew(h); h = before(h))
+    for (HalfEdgeId h = before(corner); isNew(h); h = before(h))
     {
       give(h);
     }
-    for (Index h = after(corner); isNew(h); h = after(h))
+    for (HalfEdgeId h = after(corner); isNew(h); h = after(h))
     {
       give(h);
     }

@@ -16,12 +16,12 @@ inline double MeanEdgeLength(const HalfEdgeMesh& mesh)
 {
   double sum = 0.0; // mm
   Index edges = 0;
-  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
-    for (Index h = HalfEdgeMesh::HalfEdge(face, 0);
+    for (HalfEdgeId h = HalfEdgeMesh::HalfEdge(face, 0);
          mesh.IsAlive(face) && h < HalfEdgeMesh::HalfEdge(face, 3); ++h)
     {
-      const Index twin = mesh.Twin(h);
+      const HalfEdgeId twin = mesh.Twin(h);
       if (twin == None || h < twin)
       {
         sum += (mesh.Position(mesh.Target(h)) - mesh.Position(mesh.Origin(h))).norm();

@@ -14,11 +14,11 @@ namespace
 using Ends = std::array<Index, 2>;
 
 /// The neighbors along a patch boundary; None where it does not continue.
-Ends NeighborsOnBoundary(const HalfEdgeMesh& mesh, Index v)
+Ends NeighborsOnBoundary(const HalfEdgeMesh& mesh, VertexId v)
 {
   const Ends beside = BesideOnBoundary(mesh, v);
   bool runs = mesh.NextDuplicate(v) != v && beside[0] != beside[1];
-  for (Index copy = mesh.NextDuplicate(v); copy != v && runs; copy = mesh.NextDuplicate(copy))
+  for (VertexId copy = mesh.NextDuplicate(v); copy != v && runs; copy = mesh.NextDuplicate(copy))
   {
     runs = BesideOnBoundary(mesh, copy) == beside;
   }
@@ -26,24 +26,24 @@ Ends NeighborsOnBoundary(const HalfEdgeMesh& mesh, Index v)
 }
 }
 
-std::array<Index, 2> BesideOnBoundary(const HalfEdgeMesh& mesh, Index v)
+std::array<Index, 2> BesideOnBoundary(const HalfEdgeMesh& mesh, VertexId v)
 {
   if (mesh.IsConstrained(v) || !mesh.IsOnBoundary(v))
   {
     return { None, None };
   }
   Index last = None;
-  for (const Index h : mesh.OutgoingOf(v))
+  for (const HalfEdgeId h : mesh.OutgoingOf(v))
   {
     last = HalfEdgeMesh::Previous(h);
   }
-  const Index before = mesh.OriginalVertex(mesh.Origin(last));
-  const Index after = mesh.OriginalVertex(mesh.Target(mesh.Outgoing(v)));
+  const VertexId before = mesh.OriginalVertex(mesh.Origin(last));
+  const VertexId after = mesh.OriginalVertex(mesh.Target(mesh.Outgoing(v)));
   return { std::min(before, after), std::max(before, after) };
 }
 
 //------------------------------------------------------------------------------
-bool PatchBoundaryRunsThrough(const HalfEdgeMesh& mesh, Index v)
+bool PatchBoundaryRunsThrough(const HalfEdgeMesh& mesh, VertexId v)
 {
   return NeighborsOnBoundary(mesh, v)[0] != None;
 }

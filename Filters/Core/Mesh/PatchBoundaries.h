@@ -22,10 +22,10 @@
 namespace bonedecimate
 {
 /// The original vertices next to v along the boundary of its patch, the lesser first; None if v is not on one.
-std::array<Index, 2> BesideOnBoundary(const HalfEdgeMesh& mesh, Index v);
+std::array<Index, 2> BesideOnBoundary(const HalfEdgeMesh& mesh, VertexId v);
 
 /// Whether v is an inner vertex of a curve: it has the same two neighbors in every patch.
-bool PatchBoundaryRunsThrough(const HalfEdgeMesh& mesh, Index v);
+bool PatchBoundaryRunsThrough(const HalfEdgeMesh& mesh, VertexId v);
 
 class PatchBoundaries
 {

@@ -48,7 +48,7 @@ Vector3 RoundedToSingle(const Vector3& position)
 }
 
 //------------------------------------------------------------------------------
-Vector3 OutputPosition(const Surface& input, const CleanSurface& clean, Index vertex,
+Vector3 OutputPosition(const Surface& input, const CleanSurface& clean, VertexId vertex,
   const Vector3& local, bool roundToSingle)
 {
   const auto v = static_cast<std::size_t>(vertex);

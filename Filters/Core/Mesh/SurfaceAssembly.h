@@ -43,7 +43,7 @@ std::vector<Index> NumberVertices(
 
 /// Position of the vertex in the output, mm; copied from the input bit for bit if it never moved.
 /// @param local Current position, mm from the local origin.
-Vector3 OutputPosition(const Surface& input, const CleanSurface& clean, Index vertex,
+Vector3 OutputPosition(const Surface& input, const CleanSurface& clean, VertexId vertex,
   const Vector3& local, bool roundToSingle);
 
 Vector3 RoundedToSingle(const Vector3& position);

@@ -18,7 +18,7 @@ struct VertexRange
 {
   Index First = 0;
   Index Last = std::numeric_limits<Index>::max(); ///< One past the end.
-  bool Contains(Index v) const
+  bool Contains(VertexId v) const
   {
     return static_cast<std::uint32_t>(v - this->First) <
       static_cast<std::uint32_t>(this->Last - this->First);

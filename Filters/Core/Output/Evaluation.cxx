@@ -42,8 +42,9 @@ public:
     Report& report = this->Output.Report;
     report.Input = Describe(this->Run.Cleaned.Surface, counts, threads);
     // Without a collapse the counts of the input hold: flips and moves change none of them.
-    report.Output = editor.NumberOfEdits() == 0 ? Describe(this->Run.LocalResult, counts, threads)
-                                                : Describe(this->Run.LocalResult, threads);
+    report.Output = editor.NumberOfCollapses() == 0
+      ? Describe(this->Run.LocalResult, counts, threads)
+      : Describe(this->Run.LocalResult, threads);
   }
 
   void MeasureDistances()

@@ -14,7 +14,7 @@ EditLog FinishLog(EditLog log, const RunTask& task, const CleanSurface& cleaned,
   log.Faces = mesh.NumberOfFaceSlots();
   log.IsSingle = task.RoundsToSingle;
   log.MergesPoints = task.Effective.MergePoints;
-  const auto write = [&](Index vertex, Vector3& position)
+  const auto write = [&](VertexId vertex, Vector3& position)
   { position = OutputPosition(task.Input, cleaned, vertex, position, task.RoundsToSingle); };
   for (LoggedCollapse& collapse : log.Collapses)
   {

@@ -22,7 +22,7 @@ void VisitPlanes(
   {
     visit(areas[around.GoneFaces[i]].Normal, mesh.Position(around.Start));
   }
-  for (const Index h : around.Corners)
+  for (const HalfEdgeId h : around.Corners)
   {
     visit(areas[HalfEdgeMesh::Face(h)].Normal, mesh.Position(mesh.Origin(h)));
   }
@@ -110,12 +110,12 @@ void ProposeAlongBoundary(const HalfEdgeMesh& mesh, const FaceAreas& areas,
   const Vector3& start = mesh.Position(around.Start);
   const Vector3 edge = mesh.Position(around.End) - start;
   EdgeMinimum minimum = PlanesAlongEdge(mesh, areas, around);
-  for (const Index end : { around.Start, around.End })
+  for (const VertexId end : { around.Start, around.End })
   {
     mesh.VisitEdges(end,
-      [&](Index h)
+      [&](HalfEdgeId h)
       {
-        const Index other = mesh.Across(h, end);
+        const VertexId other = mesh.Across(h, end);
         if (mesh.Twin(h) == None && other != around.Start && other != around.End)
         {
           const Vector3 direction = (mesh.Position(other) - mesh.Position(end)).stableNormalized();

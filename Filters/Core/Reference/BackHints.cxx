@@ -11,11 +11,11 @@ bool BackHints::Begin(const HalfEdgeMesh& mesh, int threads, const Monitor& moni
   return ForEachChunk(this->OfVertex.size(), threads, monitor,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      for (Index v = static_cast<Index>(first); v < static_cast<Index>(last); ++v)
+      for (VertexId v = static_cast<Index>(first); v < static_cast<Index>(last); ++v)
       {
         if (mesh.Outgoing(v) != None)
         {
-          const Index start = HalfEdgeMesh::Face(this->Source.Outgoing(v));
+          const FaceId start = HalfEdgeMesh::Face(this->Source.Outgoing(v));
           this->OfVertex[v] = WalkFrom(this->Source, mesh.Position(v), start).Face;
         }
       }

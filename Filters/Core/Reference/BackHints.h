@@ -30,7 +30,7 @@ public:
   /// Restarts after collapses: each vertex at its own original point. False after an abort.
   bool Begin(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor);
 
-  PointOnMesh Find(const Vector3& p, Index vertex) const
+  PointOnMesh Find(const Vector3& p, VertexId vertex) const
   {
     return WalkFrom(this->Source, p, this->OfVertex[vertex]);
   }
@@ -41,7 +41,7 @@ public:
     const Vector3& p, const PointOnMesh& found, double squaredReach, const Vertices& vertices) const
   {
     PointOnMesh best = found;
-    for (const Index v : vertices)
+    for (const VertexId v : vertices)
     {
       if (best.Point.SquaredDistance <= squaredReach)
       {
@@ -53,8 +53,8 @@ public:
     }
     return best;
   }
-  void Set(Index vertex, Index triangle) { this->OfVertex[vertex] = triangle; }
-  Index Of(Index vertex) const { return this->OfVertex[vertex]; }
+  void Set(VertexId vertex, Index triangle) { this->OfVertex[vertex] = triangle; }
+  Index Of(VertexId vertex) const { return this->OfVertex[vertex]; }
   const HalfEdgeMesh& Original() const { return this->Source; }
 
 private:

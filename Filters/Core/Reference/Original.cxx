@@ -43,7 +43,7 @@ std::vector<Index> Original::TrianglesAtPoints() const
 }
 
 //------------------------------------------------------------------------------
-void Original::Merge(Index keep, Index gone, const Vector3& position)
+void Original::Merge(VertexId keep, VertexId gone, const Vector3& position)
 {
   this->MergedInto[static_cast<std::size_t>(gone)] = keep;
   if (this->RecordsDistances())
@@ -55,7 +55,7 @@ void Original::Merge(Index keep, Index gone, const Vector3& position)
 }
 
 //------------------------------------------------------------------------------
-void Original::LookUp(Index vertex, const Vector3& position)
+void Original::LookUp(VertexId vertex, const Vector3& position)
 {
   if (!this->HasMoved(vertex, position))
   {

@@ -28,10 +28,10 @@ public:
   Original(CleanSurface&&, bool) = delete;
 
   /// Records that two vertices became one. Measures its distance if distances are recorded and it has moved.
-  void Merge(Index keep, Index gone, const Vector3& position);
+  void Merge(VertexId keep, VertexId gone, const Vector3& position);
 
   /// Whether the position differs from that of the input point in any bit.
-  bool HasMoved(Index vertex, const Vector3& position) const
+  bool HasMoved(VertexId vertex, const Vector3& position) const
   {
     return position != this->Clean.Surface.Points[static_cast<std::size_t>(vertex)];
   }
@@ -43,7 +43,10 @@ public:
 
   bool RecordsDistances() const { return !this->Errors.empty(); }
   /// mm, the largest distance recorded along the collapses into the vertex; only where distances are recorded.
-  double RunningError(Index vertex) const { return this->Errors[static_cast<std::size_t>(vertex)]; }
+  double RunningError(VertexId vertex) const
+  {
+    return this->Errors[static_cast<std::size_t>(vertex)];
+  }
   double LargestError() const { return this->Largest; } ///< mm; maxError of the thesis.
 
   /// For each point of the original surface a triangle at it.
@@ -53,7 +56,7 @@ public:
   const BoundingTree& Tree(int threads = 1, const std::function<void()>& afterStep = {}) const;
 
 private:
-  void LookUp(Index vertex, const Vector3& position);
+  void LookUp(VertexId vertex, const Vector3& position);
 
   const CleanSurface& Clean;
   mutable std::once_flag TreeIsBuilt;

@@ -25,7 +25,7 @@ std::array<float, 3> Single(const Vector3& p)
   return { static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()) };
 }
 
-double AreaOf(const HalfEdgeMesh& mesh, Index face)
+double AreaOf(const HalfEdgeMesh& mesh, FaceId face)
 {
   const Triangle c = mesh.Corners(face);
   return AreaVector(mesh.Position(c[0]), mesh.Position(c[1]), mesh.Position(c[2])).norm();
@@ -162,7 +162,7 @@ PointOnMesh Samples::FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& cu
 {
   const Vector3 p = this->PositionOf(id);
   PointOnMesh best = found;
-  const auto tryFan = [&](Index v)
+  const auto tryFan = [&](VertexId v)
   {
     const PointOnMesh other = WalkFromVertex(mesh, p, current[v]);
     best = other.Point.SquaredDistance < best.Point.SquaredDistance ? other : best;
@@ -175,7 +175,7 @@ PointOnMesh Samples::FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& cu
   }
   else if (this->Source.Constraint(id) != VertexConstraint::NonManifold)
   {
-    this->Source.VisitEdges(id, [&](Index h) { tryFan(this->Source.Across(h, id)); });
+    this->Source.VisitEdges(id, [&](HalfEdgeId h) { tryFan(this->Source.Across(h, id)); });
   }
   return best;
 }

@@ -45,7 +45,7 @@ public:
     const HalfEdgeMesh& mesh, const Original& merged, int threads, const Monitor& monitor);
   bool Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor);
 
-  Index First(Index face) const { return this->Firsts[face]; }
+  Index First(FaceId face) const { return this->Firsts[face]; }
   const Sample& operator[](Index sample) const { return this->All[sample]; }
   /// mm from the local origin
   Vector3 SamplePosition(const Sample& sample) const
@@ -64,20 +64,20 @@ public:
   Index Count() const { return static_cast<Index>(this->All.size()); }
 
   /// Empties the list of the face and returns its first sample. The caller has to put each sample into a list again.
-  Index Take(Index face)
+  Index Take(FaceId face)
   {
     const Index first = this->Firsts[face];
     this->Firsts[face] = None;
     return first;
   }
-  void Put(Index sample, Index face)
+  void Put(Index sample, FaceId face)
   {
     this->All[sample].Next = this->Firsts[face];
     this->Firsts[face] = sample;
   }
 
   template <typename Visit>
-  void VisitFace(Index face, Visit visit) const
+  void VisitFace(FaceId face, Visit visit) const
   {
     for (Index s = this->Firsts[face]; s != None; s = this->All[s].Next)
     {

@@ -7,15 +7,15 @@ namespace bonedecimate
 namespace
 {
 /// The half-edge of the face that leaves the corner.
-Index HalfEdgeAt(Index face, int corner)
+Index HalfEdgeAt(FaceId face, int corner)
 {
-  const Index first = HalfEdgeMesh::HalfEdge(face, 0);
+  const HalfEdgeId first = HalfEdgeMesh::HalfEdge(face, 0);
   return corner == 0 ? first
     : corner == 1    ? HalfEdgeMesh::Next(first)
                      : HalfEdgeMesh::Previous(first);
 }
 
-void Try(const HalfEdgeMesh& mesh, const Vector3& p, Index face, PointOnMesh& best)
+void Try(const HalfEdgeMesh& mesh, const Vector3& p, FaceId face, PointOnMesh& best)
 {
   const TriangleFrame::Point point = FrameOf(mesh, face).Nearest(p);
   if (point.SquaredDistance < best.Point.SquaredDistance)
@@ -24,9 +24,9 @@ void Try(const HalfEdgeMesh& mesh, const Vector3& p, Index face, PointOnMesh& be
   }
 }
 
-void TryAcross(const HalfEdgeMesh& mesh, const Vector3& p, Index h, PointOnMesh& best)
+void TryAcross(const HalfEdgeMesh& mesh, const Vector3& p, HalfEdgeId h, PointOnMesh& best)
 {
-  const Index twin = mesh.Twin(h);
+  const HalfEdgeId twin = mesh.Twin(h);
   if (twin != None)
   {
     Try(mesh, p, HalfEdgeMesh::Face(twin), best);
@@ -34,7 +34,7 @@ void TryAcross(const HalfEdgeMesh& mesh, const Vector3& p, Index h, PointOnMesh&
 }
 
 /// Tries all faces around the origin of h except that of h.
-void TryAround(const HalfEdgeMesh& mesh, const Vector3& p, Index h, PointOnMesh& best)
+void TryAround(const HalfEdgeMesh& mesh, const Vector3& p, HalfEdgeId h, PointOnMesh& best)
 {
   if (mesh.Constraint(mesh.Origin(h)) == VertexConstraint::NonManifold)
   {
@@ -42,7 +42,7 @@ void TryAround(const HalfEdgeMesh& mesh, const Vector3& p, Index h, PointOnMesh&
     TryAcross(mesh, p, HalfEdgeMesh::Previous(h), best);
     return;
   }
-  const Index face = HalfEdgeMesh::Face(h);
+  const FaceId face = HalfEdgeMesh::Face(h);
   for (const Index out : mesh.OutgoingOf(mesh.Origin(h)))
   {
     if (HalfEdgeMesh::Face(out) != face)
@@ -64,7 +64,7 @@ bool IsCorner(int clamped)
 }
 
 /// The half-edge opposite the only corner whose weight is zero.
-Index EdgeOf(Index face, int clamped)
+Index EdgeOf(FaceId face, int clamped)
 {
   return HalfEdgeAt(face, clamped == 1 ? 1 : clamped == 2 ? 2 : 0);
 }
@@ -108,10 +108,10 @@ PointOnMesh WalkOn(const HalfEdgeMesh& mesh, const Vector3& p, PointOnMesh from)
 }
 
 //------------------------------------------------------------------------------
-PointOnMesh WalkFromVertex(const HalfEdgeMesh& mesh, const Vector3& p, Index vertex)
+PointOnMesh WalkFromVertex(const HalfEdgeMesh& mesh, const Vector3& p, VertexId vertex)
 {
-  const Index outgoing = mesh.Outgoing(vertex);
-  const Index face = HalfEdgeMesh::Face(outgoing);
+  const HalfEdgeId outgoing = mesh.Outgoing(vertex);
+  const FaceId face = HalfEdgeMesh::Face(outgoing);
   PointOnMesh best = { face, FrameOf(mesh, face).Nearest(p) };
   if (best.Point.SquaredDistance > 0.0)
   {

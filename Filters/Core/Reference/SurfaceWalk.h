@@ -25,7 +25,7 @@ struct PointOnMesh
 };
 
 /// The frame of a face; its corners A, B, C are Corners(face).
-inline TriangleFrame FrameOf(const HalfEdgeMesh& mesh, Index face)
+inline TriangleFrame FrameOf(const HalfEdgeMesh& mesh, FaceId face)
 {
   const Triangle corners = mesh.Corners(face);
   return { mesh.Position(corners[0]), mesh.Position(corners[1]), mesh.Position(corners[2]) };
@@ -35,9 +35,9 @@ inline TriangleFrame FrameOf(const HalfEdgeMesh& mesh, Index face)
 PointOnMesh WalkOn(const HalfEdgeMesh& mesh, const Vector3& p, PointOnMesh from);
 
 /// Walks from the nearest of the faces around a vertex.
-PointOnMesh WalkFromVertex(const HalfEdgeMesh& mesh, const Vector3& p, Index vertex);
+PointOnMesh WalkFromVertex(const HalfEdgeMesh& mesh, const Vector3& p, VertexId vertex);
 
-inline PointOnMesh WalkFrom(const HalfEdgeMesh& mesh, const Vector3& p, Index face)
+inline PointOnMesh WalkFrom(const HalfEdgeMesh& mesh, const Vector3& p, FaceId face)
 {
   return WalkOn(mesh, p, { face, FrameOf(mesh, face).Nearest(p) });
 }

@@ -22,7 +22,7 @@ void BlockSweep::RenewAll(Index first, Index last)
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   this->Task = {};
   this->Task.Vertices.Last = mesh.NumberOfVertexSlots();
-  for (Index v = first; v < last; ++v)
+  for (VertexId v = first; v < last; ++v)
   {
     if (mesh.Outgoing(v) != None && !mesh.IsConstrained(v) && this->Known.TakeChange(v))
     {
@@ -33,7 +33,7 @@ void BlockSweep::RenewAll(Index first, Index last)
 
 //------------------------------------------------------------------------------
 /// Sets the bucket of the vertex to that of its cheapest edge.
-void BlockSweep::Renew(Index vertex)
+void BlockSweep::Renew(VertexId vertex)
 {
   this->Merged.Gather(this->MeshEditor.Mesh(), this->Known, vertex, this->Task.Vertices);
   this->Merged.Evaluate(this->Evaluate);
@@ -44,7 +44,8 @@ void BlockSweep::Renew(Index vertex)
 /// The last vertex first, since lists are read backwards.
 void BlockSweep::ListVertices()
 {
-  constexpr Index step = 32; // looked at together: later rounds find few
+  constexpr Index step =
+    32; // counted together: in later rounds most have no vertex below the limit
   this->Lists.Clear();
   const CostBucket* buckets = this->Known.Buckets.data();
   const CostBucket limit = this->Task.Limit;
@@ -92,7 +93,7 @@ void BlockSweep::LookAhead(std::size_t at)
 }
 
 //------------------------------------------------------------------------------
-void BlockSweep::SetBucket(Index vertex, CostBucket bucket)
+void BlockSweep::SetBucket(VertexId vertex, CostBucket bucket)
 {
   this->Known.Buckets[vertex] = bucket;
   if (bucket <= this->Task.Limit)
@@ -127,7 +128,7 @@ VertexEdges& BlockSweep::EdgesOfReady(std::size_t at, CostBucket highest)
 //------------------------------------------------------------------------------
 BlockSweep::Outcome BlockSweep::CollapseAt(VertexEdges& edges, CostBucket highest)
 {
-  const Index vertex = edges.Vertex();
+  const VertexId vertex = edges.Vertex();
   edges.Forget();
   if (!edges.AreInside())
   {
@@ -165,16 +166,17 @@ BlockSweep::Outcome BlockSweep::CollapseAt(VertexEdges& edges, CostBucket highes
 
 //------------------------------------------------------------------------------
 /// Whether all edges of the vertex were tried with all positions, and nothing has changed since.
-bool BlockSweep::WasTried(Index vertex) const
+bool BlockSweep::WasTried(VertexId vertex) const
 {
   return this->Task.TriesAll() && this->Known.Buckets[vertex] == NeverBucket &&
     !this->Known.Changed[vertex];
 }
 
 //------------------------------------------------------------------------------
-/// TooCostly: rejected, or the spike penalty is above the current bucket. Crossing: rejected because of an intersection.
+/// TooFar: not proved, or rejected while all positions are tried. Crossing: rejected because of an intersection. TooCostly:
+/// rejected for another reason, or the spike penalty is above the current bucket.
 BlockSweep::Outcome BlockSweep::TryEdge(
-  Index vertex, const VertexEdges::Candidate& candidate, float mostCost)
+  VertexId vertex, const VertexEdges::Candidate& candidate, float mostCost)
 {
   if (this->WasTried(this->MeshEditor.Mesh().Across(candidate.Edge, vertex)))
   {
@@ -187,7 +189,7 @@ BlockSweep::Outcome BlockSweep::TryEdge(
   }
   const std::vector<Index>& ring = this->Space.Around.Ring;
   if (decision.IsDeferred() ||
-    !std::all_of(ring.begin(), ring.end(), [this](Index v) { return this->IsInside(v); }))
+    !std::all_of(ring.begin(), ring.end(), [this](VertexId v) { return this->IsInside(v); }))
   {
     this->Defer(vertex);
     return Outcome::Deferred;
@@ -205,7 +207,7 @@ BlockSweep::Outcome BlockSweep::TryEdge(
 BlockSweep::Outcome BlockSweep::ApplyAtPositions(const Edit& best, float mostCost)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  const Index other = mesh.Across(best.Edge, best.Keep);
+  const VertexId other = mesh.Across(best.Edge, best.Keep);
   const Vector3 start = mesh.Position(best.Keep);
   const Vector3 end = mesh.Position(other);
   const int count = best.KeepStays ? 1 : this->Task.PositionsTried;
@@ -215,15 +217,15 @@ BlockSweep::Outcome BlockSweep::ApplyAtPositions(const Edit& best, float mostCos
     Edit edit = best;
     edit.Position =
       i == 0 ? best.Position : AlternatePositions[i - 1].Of(best.Position, start, end);
-    const double left = this->LeaveBehind(edit);
-    if (SpikePenalty(this->Known.SpikeFactor, mesh.NumberOfFaces(), left) > mostCost)
+    const double accumulated = this->AccumulatedErrorAfter(edit);
+    if (SpikePenalty(this->Known.SpikeFactor, mesh.NumberOfFaces(), accumulated) > mostCost)
     {
       return Outcome::TooCostly;
     }
     decision = this->MeshEditor.Collapse(edit, this->Space, this->Task.Workers);
     if (decision.IsAccepted())
     {
-      this->Known.AccumulatedErrors[edit.Keep] = static_cast<float>(left);
+      this->Known.AccumulatedErrors[edit.Keep] = static_cast<float>(accumulated);
       this->AfterCollapse(edit, other);
       return Outcome::Collapsed;
     }
@@ -236,7 +238,7 @@ BlockSweep::Outcome BlockSweep::ApplyAtPositions(const Edit& best, float mostCos
 
 //------------------------------------------------------------------------------
 /// The accumulated error after the edit, units.
-double BlockSweep::LeaveBehind(const Edit& edit)
+double BlockSweep::AccumulatedErrorAfter(const Edit& edit)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   const EdgeNeighborhood& around = this->Space.Around;
@@ -254,13 +256,14 @@ double BlockSweep::LeaveBehind(const Edit& edit)
 
 //------------------------------------------------------------------------------
 /// To the best position, or onto the vertex with the higher constraint if the constraints of the ends differ.
-Edit BlockSweep::EditOf(Index vertex, const VertexEdges::Candidate& candidate) const
+Edit BlockSweep::EditOf(VertexId vertex, const VertexEdges::Candidate& candidate) const
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  const Index other = mesh.Across(candidate.Edge, vertex);
+  const VertexId other = mesh.Across(candidate.Edge, vertex);
   if (mesh.Constraint(vertex) != mesh.Constraint(other))
   {
-    const Index stays = Outranks(mesh.Constraint(vertex), mesh.Constraint(other)) ? vertex : other;
+    const VertexId stays =
+      Outranks(mesh.Constraint(vertex), mesh.Constraint(other)) ? vertex : other;
     return { candidate.Edge, stays, mesh.Position(stays), true };
   }
   const Vector3 move(candidate.Move[0], candidate.Move[1], candidate.Move[2]);
@@ -268,7 +271,7 @@ Edit BlockSweep::EditOf(Index vertex, const VertexEdges::Candidate& candidate) c
 }
 
 //------------------------------------------------------------------------------
-void BlockSweep::AfterCollapse(const Edit& edit, Index gone)
+void BlockSweep::AfterCollapse(const Edit& edit, VertexId gone)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   this->Known.Buckets[gone] = NeverBucket;
@@ -278,9 +281,9 @@ void BlockSweep::AfterCollapse(const Edit& edit, Index gone)
   if (this->Task.RenewsRing)
   {
     mesh.VisitEdges(edit.Keep,
-      [&](Index h)
+      [&](HalfEdgeId h)
       {
-        const Index other = mesh.Across(h, edit.Keep);
+        const VertexId other = mesh.Across(h, edit.Keep);
         if (!mesh.IsConstrained(other))
         {
           this->Renew(other);
@@ -296,7 +299,7 @@ void BlockSweep::ForgetChanged()
   const EdgeNeighborhood& around = this->Space.Around;
   for (VertexEdges& edges : this->Gathered)
   {
-    const Index v = edges.Vertex();
+    const VertexId v = edges.Vertex();
     if (v == around.Start || v == around.End ||
       std::find(around.Ring.begin(), around.Ring.end(), v) != around.Ring.end())
     {
@@ -306,7 +309,7 @@ void BlockSweep::ForgetChanged()
 }
 
 //------------------------------------------------------------------------------
-void BlockSweep::Defer(Index vertex)
+void BlockSweep::Defer(VertexId vertex)
 {
   this->Postponed.push_back({ vertex, this->Known.Buckets[vertex] });
   this->Known.Buckets[vertex] = NeverBucket;

@@ -12,10 +12,11 @@
  *             ring leaves the block:      defer to the next pass, which has other blocks
  *             spike penalty above list:   as if rejected
  *             rejected:                   the next edge; after the last, raise the bucket by a factor of 16 in cost
+ *             not proved, or intersects:  after the last edge that is tried, wait for the next pass
  *             else collapse; compute the bucket of the merged vertex, and add it to its list
  *
- * Neighbors keep their buckets although their costs changed, because they are evaluated again when they are processed. In
- * small meshes that loses accuracy, so their buckets are computed at once. No vertex outside the block is read or written,
+ * Neighbors keep their buckets although their costs changed, because they are evaluated again when they are processed. When
+ * few faces remain, that loses accuracy, so RenewsRing computes their buckets at once. No vertex outside the block is read or written,
  * so that blocks may be swept in parallel.
  */
 #ifndef BoneDecimate_Core_Schedule_BlockSweep_h
@@ -56,8 +57,8 @@ public:
   /// Computes the buckets of the vertices from first to last, whatever block their neighbors lie in.
   void RenewAll(Index first, Index last);
 
-  /// @param goOn Requested after every collapse.
-  /// @param pulse Requested before every vertex that is looked at.
+  /// @param goOn Called after every collapse.
+  /// @param pulse Called before every vertex; both return whether the sweep continues.
   template <typename GoOn, typename Pulse>
   void Run(const BlockTask& task, const GoOn& goOn, const Pulse& pulse);
 
@@ -68,26 +69,26 @@ private:
   enum class Outcome
   {
     TooCostly,
-    Crossing, ///< Until something near it changes.
-    TooFar,   ///< Until something around it changes.
+    Crossing, ///< Rejected by the intersection guard; waits for the next pass.
+    TooFar,   ///< Not proved; waits until something around it changes.
     Collapsed,
     Deferred
   };
-  void Renew(Index vertex);
+  void Renew(VertexId vertex);
   VertexEdges& EdgesOfReady(std::size_t at, CostBucket highest);
   Outcome CollapseAt(VertexEdges& edges, CostBucket highest);
-  bool WasTried(Index vertex) const;
-  Outcome TryEdge(Index vertex, const VertexEdges::Candidate& candidate, float mostCost);
-  double LeaveBehind(const Edit& edit);
-  Edit EditOf(Index vertex, const VertexEdges::Candidate& candidate) const;
+  bool WasTried(VertexId vertex) const;
+  Outcome TryEdge(VertexId vertex, const VertexEdges::Candidate& candidate, float mostCost);
+  double AccumulatedErrorAfter(const Edit& edit);
+  Edit EditOf(VertexId vertex, const VertexEdges::Candidate& candidate) const;
   Outcome ApplyAtPositions(const Edit& best, float mostCost);
-  void AfterCollapse(const Edit& edit, Index gone);
+  void AfterCollapse(const Edit& edit, VertexId gone);
   void ForgetChanged();
-  bool IsInside(Index v) const { return this->Task.Vertices.Contains(v); }
+  bool IsInside(VertexId v) const { return this->Task.Vertices.Contains(v); }
   void LookAhead(std::size_t at);
   void ListVertices();
-  void SetBucket(Index vertex, CostBucket bucket);
-  void Defer(Index vertex);
+  void SetBucket(VertexId vertex, CostBucket bucket);
+  void Defer(VertexId vertex);
   void Restore();
 
   Editor& MeshEditor;

@@ -72,11 +72,11 @@ StopReason BucketSweep::Run(const Monitor& monitor)
   std::int64_t editsWhenRenewed = -1;
   while (!this->End.IsReached())
   {
-    if (this->MeshEditor.NumberOfEdits() == editsWhenRenewed)
+    if (this->MeshEditor.NumberOfCollapses() == editsWhenRenewed)
     {
       return StopReason::NothingLeft;
     }
-    editsWhenRenewed = this->MeshEditor.NumberOfEdits();
+    editsWhenRenewed = this->MeshEditor.NumberOfCollapses();
     if (!this->RenewAll(monitor))
     {
       return StopReason::Aborted;
@@ -94,7 +94,7 @@ StopReason BucketSweep::RunTo(const StopTargets& stops, const Monitor& monitor)
 {
   this->Targets = stops;
   this->End.Set(stops);
-  for (Index v = 0; v < this->MeshEditor.Mesh().NumberOfVertexSlots(); ++v)
+  for (VertexId v = 0; v < this->MeshEditor.Mesh().NumberOfVertexSlots(); ++v)
   {
     this->Known.Buckets[v] =
       this->MeshEditor.Mesh().Outgoing(v) == None ? NeverBucket : this->Known.Buckets[v];

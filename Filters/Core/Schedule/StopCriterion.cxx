@@ -61,7 +61,7 @@ bool StopCriterion::IsReached() const
 //------------------------------------------------------------------------------
 StopReason StopCriterion::Reason() const
 {
-  if (this->MeshEditor.NumberOfEdits() == 0)
+  if (this->MeshEditor.NumberOfCollapses() == 0)
   {
     return StopReason::AlreadySatisfied;
   }

@@ -16,7 +16,7 @@ constexpr float Never = std::numeric_limits<float>::infinity();
 
 //------------------------------------------------------------------------------
 void VertexEdges::Gather(
-  const HalfEdgeMesh& mesh, const VertexBuckets& known, Index vertex, VertexRange block)
+  const HalfEdgeMesh& mesh, const VertexBuckets& known, VertexId vertex, VertexRange block)
 {
   const VertexConstraint kind = mesh.Constraint(vertex);
   const float* errors = known.AccumulatedErrors.data();
@@ -27,7 +27,7 @@ void VertexEdges::Gather(
   Batch* batch = nullptr;
   int at = EdgeBatch::Size;
   mesh.VisitNeighbors(vertex,
-    [&](Index h, Index other)
+    [&](HalfEdgeId h, Index other)
     {
       inside = inside && block.Contains(other);
       if (!inside)

@@ -37,7 +37,7 @@ struct VertexBuckets
     }
   }
   /// Whether the vertex must be evaluated again; resets the flag.
-  bool TakeChange(Index vertex)
+  bool TakeChange(VertexId vertex)
   {
     const bool changed = this->Changed.empty() || this->Changed[vertex] != 0;
     if (!this->Changed.empty())
@@ -58,7 +58,7 @@ public:
   };
 
   void Gather(
-    const HalfEdgeMesh& mesh, const VertexBuckets& known, Index vertex, VertexRange block);
+    const HalfEdgeMesh& mesh, const VertexBuckets& known, VertexId vertex, VertexRange block);
   void Evaluate(const EdgeEvaluator& evaluate);
 
   /// None after Forget.

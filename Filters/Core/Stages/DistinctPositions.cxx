@@ -49,11 +49,11 @@ public:
     if (!later.empty())
     {
       this->MeshEditor.DistributeVolumeBudget();
-      this->MeshEditor.BeginSmallEdits();
-      later.erase(
-        std::remove_if(later.begin(), later.end(), [this](Index v) { return this->Separate(v); }),
+      this->MeshEditor.BeginFlipsAndMoves();
+      later.erase(std::remove_if(
+                    later.begin(), later.end(), [this](VertexId v) { return this->Separate(v); }),
         later.end());
-      this->MeshEditor.EndSmallEdits();
+      this->MeshEditor.EndFlipsAndMoves();
       this->MeshEditor.DistributeVolumeBudget();
     }
     return later;
@@ -67,7 +67,7 @@ private:
     std::vector<Index> later;
     for (const bool stays : { true, false })
     {
-      for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+      for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
       {
         if (mesh.Outgoing(v) != None && (mesh.IsConstrained(v) || mesh.IsStationary(v)) == stays)
         {
@@ -83,7 +83,7 @@ private:
   }
 
   /// The position as it is written.
-  RoundedPosition RoundedPositionOf(Index v) const
+  RoundedPosition RoundedPositionOf(VertexId v) const
   {
     const Vector3 p =
       OutputPosition(this->Input, this->Clean, v, this->MeshEditor.Mesh().Position(v), true);
@@ -91,9 +91,9 @@ private:
   }
 
   /// Moves the vertex or, if that is rejected, the vertex that took the position first.
-  bool Separate(Index v)
+  bool Separate(VertexId v)
   {
-    Index& owner = this->Taken.find(this->RoundedPositionOf(v))->second;
+    VertexId& owner = this->Taken.find(this->RoundedPositionOf(v))->second;
     if (this->MoveAway(v))
     {
       return true;
@@ -103,7 +103,7 @@ private:
     return moved;
   }
 
-  bool MoveAway(Index v)
+  bool MoveAway(VertexId v)
   {
     static const std::vector<std::array<int, 3>> steps = StepsAround();
     const RoundedPosition from = this->RoundedPositionOf(v);
@@ -121,7 +121,7 @@ private:
       });
   }
 
-  bool Move(Index v, const RoundedPosition& to)
+  bool Move(VertexId v, const RoundedPosition& to)
   {
     const Vector3 position = Vector3(to[0], to[1], to[2]) - this->Clean.Origin;
     return this->MeshEditor.Move(v, position, this->Space, 1).IsAccepted();
@@ -130,7 +130,7 @@ private:
   Editor& MeshEditor;
   const Surface& Input;
   const CleanSurface& Clean;
-  std::map<RoundedPosition, Index> Taken; // by the first vertex there
+  std::map<RoundedPosition, VertexId> Taken; // by the first vertex there
   Workspace Space;
 };
 }

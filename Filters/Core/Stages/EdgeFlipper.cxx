@@ -14,15 +14,15 @@ constexpr float Unknown = -1.0F;
 }
 
 //------------------------------------------------------------------------------
-Index EdgeFlipper::Improve(Index vertex)
+Index EdgeFlipper::Improve(VertexId vertex)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   Index left = mesh.OutgoingOf(vertex).Count();
   // Walked by hand: a flip takes its edge out of the ring and renames the one before.
   Index flips = 0;
-  for (Index h = mesh.Outgoing(vertex); left > 0 && h != None; --left)
+  for (HalfEdgeId h = mesh.Outgoing(vertex); left > 0 && h != None; --left)
   {
-    const Index next = mesh.Twin(HalfEdgeMesh::Previous(h));
+    const HalfEdgeId next = mesh.Twin(HalfEdgeMesh::Previous(h));
     if (mesh.Twin(h) != None && vertex < mesh.Target(h) && this->TryFlip(h))
     {
       ++flips;
@@ -33,7 +33,7 @@ Index EdgeFlipper::Improve(Index vertex)
 }
 
 //------------------------------------------------------------------------------
-double EdgeFlipper::ErrorBefore(const HalfEdgeMesh& mesh, Index face)
+double EdgeFlipper::ErrorBefore(const HalfEdgeMesh& mesh, FaceId face)
 {
   float& known = this->FaceErrors[static_cast<std::size_t>(face)];
   if (known < 0.0F)
@@ -48,7 +48,7 @@ double EdgeFlipper::ErrorBefore(const HalfEdgeMesh& mesh, Index face)
 double EdgeFlipper::ErrorAfter(const Pair& after, double enough) const
 {
   double error = 0.0;
-  for (const Index face : after.Faces)
+  for (const FaceId face : after.Faces)
   {
     for (Index s = this->Fit.First(face); s != None && error < enough; s = this->Fit[s].Next)
     {
@@ -103,7 +103,7 @@ bool EdgeFlipper::TurnsAway(
 }
 
 //------------------------------------------------------------------------------
-bool EdgeFlipper::TryFlip(Index edge)
+bool EdgeFlipper::TryFlip(HalfEdgeId edge)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   const std::array<Index, 2> faces = { HalfEdgeMesh::Face(edge),
@@ -149,7 +149,7 @@ void EdgeFlipper::HandOver(const Pair& after)
       s = next;
     }
   }
-  for (const Index face : after.Faces)
+  for (const FaceId face : after.Faces)
   {
     this->FaceErrors[static_cast<std::size_t>(face)] = Unknown;
   }

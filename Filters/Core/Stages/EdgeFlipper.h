@@ -44,7 +44,7 @@ public:
   }
 
   /// Flips edges at the vertex; returns how many.
-  Index Improve(Index vertex);
+  Index Improve(VertexId vertex);
 
 private:
   /// Two adjacent faces.
@@ -53,8 +53,8 @@ private:
     std::array<Index, 2> Faces;
     std::array<TriangleFrame, 2> Frames;
   };
-  bool TryFlip(Index edge);
-  double ErrorBefore(const HalfEdgeMesh& mesh, Index face);
+  bool TryFlip(HalfEdgeId edge);
+  double ErrorBefore(const HalfEdgeMesh& mesh, FaceId face);
   double ErrorAfter(const Pair& after, double enough) const;
   double ErrorOfChord(
     const Pair& pair, const std::array<Index, 4>& corners, std::size_t from, std::size_t to) const;

@@ -11,13 +11,13 @@ namespace bonedecimate
 {
 namespace
 {
-bool MayRate(const HalfEdgeMesh& mesh, Index vertex)
+bool MayRate(const HalfEdgeMesh& mesh, VertexId vertex)
 {
   return mesh.Outgoing(vertex) != None && mesh.MovesFreely(vertex);
 }
 
 /// Evaluates the edges of the batch and empties it.
-void Evaluate(const HalfEdgeMesh& mesh, Index vertex, EdgeBatch& batch, const Index* halfEdges,
+void Evaluate(const HalfEdgeMesh& mesh, VertexId vertex, EdgeBatch& batch, const Index* halfEdges,
   std::vector<RatedEdge>& edges)
 {
   EdgeResults results;
@@ -35,15 +35,16 @@ void Evaluate(const HalfEdgeMesh& mesh, Index vertex, EdgeBatch& batch, const In
 }
 }
 
-void RateEdges(const HalfEdgeMesh& mesh, Index vertex, bool isOneWay, std::vector<RatedEdge>& edges)
+void RateEdges(
+  const HalfEdgeMesh& mesh, VertexId vertex, bool isOneWay, std::vector<RatedEdge>& edges)
 {
   EdgeBatch batch;
   std::array<Index, EdgeBatch::Size> halfEdges{};
   batch.First = &mesh.Record(vertex);
   batch.PerUnit = 1.0 / mesh.Unit();
-  for (const Index h : mesh.OutgoingOf(vertex))
+  for (const HalfEdgeId h : mesh.OutgoingOf(vertex))
   {
-    const Index other = mesh.Target(h);
+    const VertexId other = mesh.Target(h);
     if (!MayRate(mesh, other) || (isOneWay && other < vertex))
     {
       continue;
@@ -71,7 +72,7 @@ bool FindCheapest(const HalfEdgeMesh& mesh, std::size_t count, int threads, cons
   const bool done = ForEachChunk(vertices, threads, monitor,
     [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
-      for (Index v = static_cast<Index>(first); v < static_cast<Index>(last); ++v)
+      for (VertexId v = static_cast<Index>(first); v < static_cast<Index>(last); ++v)
       {
         if (MayRate(mesh, v))
         {

@@ -29,7 +29,7 @@ struct RatedEdge
 /// Appends the edges from an inside vertex to inside vertices, rated. Quadrics must be kept.
 /// @param isOneWay Leave out edges to vertices with smaller ids.
 void RateEdges(
-  const HalfEdgeMesh& mesh, Index vertex, bool isOneWay, std::vector<RatedEdge>& edges);
+  const HalfEdgeMesh& mesh, VertexId vertex, bool isOneWay, std::vector<RatedEdge>& edges);
 
 /// The cheapest of the whole mesh, in an order that depends on it alone. False if the monitor requests a stop.
 bool FindCheapest(const HalfEdgeMesh& mesh, std::size_t count, int threads, const Monitor& monitor,

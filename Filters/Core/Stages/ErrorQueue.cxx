@@ -76,8 +76,8 @@ bool ErrorQueue::Collapse(const EvaluatedEdge& edge)
     return false;
   }
   const EdgeNeighborhood around = this->Space.Around;
-  if (!std::all_of(
-        around.Ring.begin(), around.Ring.end(), [this](Index v) { return this->Block.Holds(v); }))
+  if (!std::all_of(around.Ring.begin(), around.Ring.end(),
+        [this](VertexId v) { return this->Block.Holds(v); }))
   {
     this->Left.push_back(edge);
     return false;

@@ -51,7 +51,7 @@ struct ErrorBlock
   float MostQuadricCost = 0.0F; // by quadrics; edges above it are not evaluated
   int Workers = 1;              // that work at the same time
 
-  bool Holds(Index v) const { return v >= this->First && v < this->Last; }
+  bool Holds(VertexId v) const { return v >= this->First && v < this->Last; }
 };
 
 class ErrorQueue

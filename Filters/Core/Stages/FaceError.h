@@ -30,7 +30,7 @@ constexpr std::array<double, 2> ChordFractions = { 1.0 / 3.0, 2.0 / 3.0 };
 /// The samples' part of the error of SampledErrorCost.h, squares of the mesh's unit.
 /// @param frame The face as it is, or as it would be.
 inline double ErrorOfFace(
-  const Samples& samples, const ErrorPenalty& penalty, Index face, const TriangleFrame& frame)
+  const Samples& samples, const ErrorPenalty& penalty, FaceId face, const TriangleFrame& frame)
 {
   double error = 0.0;
   samples.VisitFace(face,

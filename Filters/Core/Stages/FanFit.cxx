@@ -33,7 +33,7 @@ void FanFit::Gather(const EdgeNeighborhood& around)
 }
 
 //------------------------------------------------------------------------------
-void FanFit::GatherFace(Index face, std::size_t slot)
+void FanFit::GatherFace(FaceId face, std::size_t slot)
 {
   for (Index s = this->Fit.First(face); s != None; s = this->Fit[s].Next)
   {

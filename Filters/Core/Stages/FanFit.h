@@ -56,7 +56,7 @@ public:
 
 private:
   void Gather(const EdgeNeighborhood& around);
-  void GatherFace(Index face, std::size_t slot);
+  void GatherFace(FaceId face, std::size_t slot);
   void Build(const EdgeNeighborhood& around, const Vector3& x);
   TriangleFrame::Point FindInFan(const Vector3& p, std::size_t& slot) const;
   Result EvaluateAt(const EdgeNeighborhood& around, const Vector3& x, FitStep* step);

@@ -16,33 +16,34 @@ constexpr Index CandidatesBetweenWords = 256; // to the monitor
 
 /// The half-edge of the boundary of v's patch between v and a duplicate of the other original vertex; None if there is
 /// none.
-Index BoundaryEdgeTo(const HalfEdgeMesh& mesh, Index v, Index site)
+HalfEdgeId BoundaryEdgeTo(const HalfEdgeMesh& mesh, VertexId v, VertexId site)
 {
   if (mesh.IsConstrained(v) || !mesh.IsOnBoundary(v))
   {
     return None;
   }
-  Index last = None;
-  for (const Index h : mesh.OutgoingOf(v))
+  HalfEdgeId last;
+  for (const HalfEdgeId h : mesh.OutgoingOf(v))
   {
     last = HalfEdgeMesh::Previous(h);
   }
-  const Index first = mesh.Outgoing(v);
+  const HalfEdgeId first = mesh.Outgoing(v);
   return mesh.OriginalVertex(mesh.Target(first)) == site ? first
     : mesh.OriginalVertex(mesh.Origin(last)) == site     ? last
-                                                         : None;
+                                                         : HalfEdgeId();
 }
 
 /// The collapse onto the other original vertex in each patch at the removed one. Empty unless the two are joined by one
 /// edge in each patch.
-void FindEdits(const HalfEdgeMesh& mesh, Index gone, Index stays, std::vector<Edit>& edits)
+void FindEdits(const HalfEdgeMesh& mesh, VertexId gone, VertexId stays, std::vector<Edit>& edits)
 {
   edits.clear();
   Index copy = gone;
   do
   {
-    const Index edge = mesh.Outgoing(copy) == None ? None : BoundaryEdgeTo(mesh, copy, stays);
-    const Index keep = edge == None ? None : mesh.Across(edge, copy);
+    const HalfEdgeId edge =
+      mesh.Outgoing(copy) == None ? HalfEdgeId() : BoundaryEdgeTo(mesh, copy, stays);
+    const VertexId keep = edge == None ? VertexId() : mesh.Across(edge, copy);
     const bool isTaken = std::any_of(
       edits.begin(), edits.end(), [keep](const Edit& edit) { return edit.Keep == keep; });
     if (keep == None || isTaken || mesh.IsConstrained(keep))
@@ -174,9 +175,9 @@ bool FeatureCurveCollapse::TryRemove(Index position, Index faces)
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   const Index before = this->FeatureCurves.Before(position);
   const Index after = this->FeatureCurves.After(position);
-  const Index site = this->FeatureCurves.OriginalVertex(position);
-  Index near = this->FeatureCurves.OriginalVertex(before);
-  Index far = this->FeatureCurves.OriginalVertex(after);
+  const VertexId site = this->FeatureCurves.OriginalVertex(position);
+  VertexId near = this->FeatureCurves.OriginalVertex(before);
+  VertexId far = this->FeatureCurves.OriginalVertex(after);
   const Vector3& p = mesh.Position(site);
   if ((mesh.Position(far) - p).squaredNorm() < (mesh.Position(near) - p).squaredNorm())
   {
@@ -193,7 +194,7 @@ bool FeatureCurveCollapse::TryRemove(Index position, Index faces)
 }
 
 //------------------------------------------------------------------------------
-bool FeatureCurveCollapse::CollapseOnto(Index gone, Index stays, Index faces)
+bool FeatureCurveCollapse::CollapseOnto(VertexId gone, VertexId stays, Index faces)
 {
   FindEdits(this->MeshEditor.Mesh(), gone, stays, this->Edits);
   const auto removed = static_cast<Index>(this->Edits.size()); // a face each

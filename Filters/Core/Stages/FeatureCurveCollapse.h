@@ -57,7 +57,7 @@ private:
   Index Pass(const Targets& targets, Index most, const Monitor& monitor, Result& result);
   bool MakesTriangle(Index position);
   bool TryRemove(Index position, Index faces);
-  bool CollapseOnto(Index gone, Index stays, Index faces);
+  bool CollapseOnto(VertexId gone, VertexId stays, Index faces);
 
   Editor& MeshEditor;
   PatchBoundaries& FeatureCurves;

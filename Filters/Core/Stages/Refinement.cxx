@@ -41,7 +41,7 @@ bool Refinement::Sweep(int times, const Monitor& monitor)
   constexpr double settledAt = 0.06;
   constexpr double flippedAt = 0.45;
   bool goesOn = true;
-  this->MeshEditor.BeginSmallEdits();
+  this->MeshEditor.BeginFlipsAndMoves();
   for (int i = 0; i < times && goesOn; ++i)
   {
     const Monitor sweep = PartOf(monitor, static_cast<double>(i) / times, (i + 1.0) / times);
@@ -49,7 +49,7 @@ bool Refinement::Sweep(int times, const Monitor& monitor)
       this->FlipEdges(PartOf(sweep, settledAt, flippedAt)) &&
       this->MoveVertices(PartOf(sweep, flippedAt, 1.0));
   }
-  this->MeshEditor.EndSmallEdits();
+  this->MeshEditor.EndFlipsAndMoves();
   return goesOn;
 }
 
@@ -64,7 +64,7 @@ bool Refinement::FlipEdges(const Monitor& monitor)
     [&](VertexRange range)
     {
       return [flipper = EdgeFlipper(this->MeshEditor, this->Fit, this->Back, faceErrors, range,
-                blocks.Count())](Index v) mutable { flipper.Improve(v); };
+                blocks.Count())](VertexId v) mutable { flipper.Improve(v); };
     });
 }
 
@@ -78,7 +78,7 @@ bool Refinement::MoveVertices(const Monitor& monitor)
     [&](VertexRange range)
     {
       return [mover = VertexMover(this->MeshEditor, this->Fit, this->Back, range, blocks.Count())](
-               Index v) mutable { mover.Improve(v); };
+               VertexId v) mutable { mover.Improve(v); };
     });
 }
 

@@ -19,16 +19,16 @@ SampledErrors::SampledErrors(
 }
 
 //------------------------------------------------------------------------------
-double SampledErrors::OfFace(Index face) const
+double SampledErrors::OfFace(FaceId face) const
 {
   return ErrorOfFace(this->Fit, this->Weigh, face, FrameOf(this->Mesh, face));
 }
 
 //------------------------------------------------------------------------------
-double SampledErrors::OfVertex(Index vertex) const
+double SampledErrors::OfVertex(VertexId vertex) const
 {
   double area = 0.0; // mm^2
-  for (const Index h : this->Mesh.OutgoingOf(vertex))
+  for (const HalfEdgeId h : this->Mesh.OutgoingOf(vertex))
   {
     area += FrameOf(this->Mesh, HalfEdgeMesh::Face(h)).SurfaceArea();
   }
@@ -44,7 +44,7 @@ bool SampledErrors::MeasureAll(int threads, const Monitor& monitor)
   {
     for (std::size_t i = first; i < last; ++i)
     {
-      const Index face = static_cast<Index>(i);
+      const FaceId face = static_cast<Index>(i);
       this->Faces[i] = this->Mesh.IsAlive(face) ? static_cast<float>(this->OfFace(face)) : 0.0F;
     }
   };
@@ -52,7 +52,7 @@ bool SampledErrors::MeasureAll(int threads, const Monitor& monitor)
   {
     for (std::size_t i = first; i < last; ++i)
     {
-      const Index v = static_cast<Index>(i);
+      const VertexId v = static_cast<Index>(i);
       const bool counts = this->Mesh.Outgoing(v) != None && this->Mesh.MovesFreely(v);
       this->Vertices[i] = counts ? static_cast<float>(this->OfVertex(v)) : 0.0F;
     }
@@ -74,13 +74,13 @@ double SampledErrors::Around(const EdgeNeighborhood& around) const
 }
 
 //------------------------------------------------------------------------------
-void SampledErrors::AfterCollapse(Index vertex, double vertexError)
+void SampledErrors::AfterCollapse(VertexId vertex, double vertexError)
 {
   this->Vertices[vertex] = static_cast<float>(vertexError);
   ++this->Stamps[vertex];
-  for (const Index h : this->Mesh.OutgoingOf(vertex))
+  for (const HalfEdgeId h : this->Mesh.OutgoingOf(vertex))
   {
-    const Index face = HalfEdgeMesh::Face(h);
+    const FaceId face = HalfEdgeMesh::Face(h);
     this->Faces[face] = static_cast<float>(this->OfFace(face));
     ++this->Stamps[this->Mesh.Target(h)];
   }

@@ -29,18 +29,18 @@ public:
   double Around(const EdgeNeighborhood& around) const;
 
   /// Raised whenever something around either end has changed.
-  std::uint32_t StampOf(Index edge) const
+  std::uint32_t StampOf(HalfEdgeId edge) const
   {
     return this->Stamps[this->Mesh.Origin(edge)] + this->Stamps[this->Mesh.Target(edge)];
   }
 
   /// After a collapse into the vertex: measures its faces, raises stamps.
   /// @param vertexError Its own, squares of the mesh's unit.
-  void AfterCollapse(Index vertex, double vertexError);
+  void AfterCollapse(VertexId vertex, double vertexError);
 
 private:
-  double OfFace(Index face) const;
-  double OfVertex(Index vertex) const;
+  double OfFace(FaceId face) const;
+  double OfVertex(VertexId vertex) const;
 
   const HalfEdgeMesh& Mesh;
   const Samples& Fit;

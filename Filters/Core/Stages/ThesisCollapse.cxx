@@ -24,7 +24,7 @@ StopReason ThesisCollapse::Run(const Monitor& monitor)
 {
   if (!this->End.IsReached())
   {
-    for (Index v = 0; v < this->MeshEditor.Mesh().NumberOfVertexSlots(); ++v)
+    for (VertexId v = 0; v < this->MeshEditor.Mesh().NumberOfVertexSlots(); ++v)
     {
       this->Recost(v);
     }
@@ -52,11 +52,11 @@ StopReason ThesisCollapse::RunTo(const StopTargets& stops, const Monitor& monito
 }
 
 //------------------------------------------------------------------------------
-bool ThesisCollapse::CollapseAt(Index vertex)
+bool ThesisCollapse::CollapseAt(VertexId vertex)
 {
   this->EdgesOfVertex.clear();
   this->MeshEditor.Mesh().VisitEdges(vertex,
-    [&](Index h) {
+    [&](HalfEdgeId h) {
       this->EdgesOfVertex.push_back({ this->Costs->OfEdge(h), h });
     });
   std::sort(this->EdgesOfVertex.begin(), this->EdgesOfVertex.end(),
@@ -67,7 +67,7 @@ bool ThesisCollapse::CollapseAt(Index vertex)
 }
 
 //------------------------------------------------------------------------------
-bool ThesisCollapse::CollapseEdge(Index edge)
+bool ThesisCollapse::CollapseEdge(HalfEdgeId edge)
 {
   if (!this->MeshEditor.Validate(edge).IsAccepted())
   {
@@ -78,13 +78,13 @@ bool ThesisCollapse::CollapseEdge(Index edge)
   for (std::size_t i = 0; i < proposals.Count; ++i)
   {
     const Edit& edit = proposals.Edits[i];
-    const Index gone = this->MeshEditor.Mesh().Across(edge, edit.Keep);
+    const VertexId gone = this->MeshEditor.Mesh().Across(edge, edit.Keep);
     if (this->MeshEditor.Collapse(edit).IsAccepted())
     {
       this->Queue.Remove(gone);
       this->Recost(edit.Keep);
-      this->MeshEditor.Mesh().VisitEdges(
-        edit.Keep, [&](Index h) { this->Recost(this->MeshEditor.Mesh().Across(h, edit.Keep)); });
+      this->MeshEditor.Mesh().VisitEdges(edit.Keep,
+        [&](HalfEdgeId h) { this->Recost(this->MeshEditor.Mesh().Across(h, edit.Keep)); });
       return true;
     }
   }
@@ -92,7 +92,7 @@ bool ThesisCollapse::CollapseEdge(Index edge)
 }
 
 //------------------------------------------------------------------------------
-void ThesisCollapse::Recost(Index vertex)
+void ThesisCollapse::Recost(VertexId vertex)
 {
   if (this->MeshEditor.Mesh().Outgoing(vertex) == None)
   {

@@ -40,9 +40,9 @@ public:
   StopReason RunTo(const StopTargets& stops, const Monitor& monitor);
 
 private:
-  bool CollapseAt(Index vertex);
-  bool CollapseEdge(Index edge);
-  void Recost(Index vertex);
+  bool CollapseAt(VertexId vertex);
+  bool CollapseEdge(HalfEdgeId edge);
+  void Recost(VertexId vertex);
 
   struct CostedEdge
   {

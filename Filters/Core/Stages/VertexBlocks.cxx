@@ -17,7 +17,7 @@ constexpr Index LargestBlock = 8192;
 VertexBlocks::VertexBlocks(const HalfEdgeMesh& mesh)
   : Ranks(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), None)
 {
-  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
     if (mesh.Outgoing(v) != None && !mesh.IsConstrained(v))
     {
@@ -41,14 +41,14 @@ VertexRange VertexBlocks::RangeOf(Index first, Index last) const
 }
 
 //------------------------------------------------------------------------------
-bool VertexBlocks::IsInside(const HalfEdgeMesh& mesh, Index v, const Cut& cut) const
+bool VertexBlocks::IsInside(const HalfEdgeMesh& mesh, VertexId v, const Cut& cut) const
 {
   const Index block = cut.BlockOf(this->Ranks[v]);
   bool inside = true;
   mesh.VisitEdges(v,
-    [&](Index h)
+    [&](HalfEdgeId h)
     {
-      const Index other = mesh.Across(h, v);
+      const VertexId other = mesh.Across(h, v);
       inside = inside && (this->Ranks[other] == None || cut.BlockOf(this->Ranks[other]) == block);
     });
   return inside;

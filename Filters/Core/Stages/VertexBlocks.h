@@ -55,7 +55,7 @@ private:
 
   /// The vertices at these positions of the order; the first and the last range also include the ids outside of the order.
   VertexRange RangeOf(Index first, Index last) const;
-  bool IsInside(const HalfEdgeMesh& mesh, Index v, const Cut& cut) const;
+  bool IsInside(const HalfEdgeMesh& mesh, VertexId v, const Cut& cut) const;
 
   Index BlockSize = 0;      // vertices
   std::vector<Index> Order; // live vertices that may move

@@ -15,7 +15,7 @@ constexpr int Attempts = 3;
 }
 
 //------------------------------------------------------------------------------
-bool VertexMover::Improve(Index vertex)
+bool VertexMover::Improve(VertexId vertex)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   if (!mesh.MovesFreely(vertex))
@@ -42,7 +42,7 @@ bool VertexMover::Improve(Index vertex)
 }
 
 //------------------------------------------------------------------------------
-void VertexMover::Gather(Index vertex)
+void VertexMover::Gather(VertexId vertex)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   const Vector3& position = mesh.Position(vertex);
@@ -54,10 +54,10 @@ void VertexMover::Gather(Index vertex)
   this->Equations.Clear();
   this->Error = 0.0;
   double area = 0.0; // mm^2
-  for (const Index h : mesh.OutgoingOf(vertex))
+  for (const HalfEdgeId h : mesh.OutgoingOf(vertex))
   {
-    const Index face = HalfEdgeMesh::Face(h);
-    const Index target = mesh.Target(h);
+    const FaceId face = HalfEdgeMesh::Face(h);
+    const VertexId target = mesh.Target(h);
     const Vector3& second = mesh.Position(target);
     const Vector3& third = mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h)));
     const TriangleFrame frame(position, second, third);
@@ -75,7 +75,7 @@ void VertexMover::Gather(Index vertex)
 
 //------------------------------------------------------------------------------
 /// If that is far, the neighbors may know better.
-PointOnMesh VertexMover::FindOriginal(Index vertex)
+PointOnMesh VertexMover::FindOriginal(VertexId vertex)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   const Vector3& position = mesh.Position(vertex);
@@ -83,7 +83,8 @@ PointOnMesh VertexMover::FindOriginal(Index vertex)
   if (this->Weigh.OfFarVertices().IsFar(found.Point.SquaredDistance))
   {
     this->Neighbors.clear();
-    mesh.VisitEdges(vertex, [&](Index h) { this->Neighbors.push_back(mesh.Across(h, vertex)); });
+    mesh.VisitEdges(
+      vertex, [&](HalfEdgeId h) { this->Neighbors.push_back(mesh.Across(h, vertex)); });
     found = this->Back.FindBetter(
       position, found, this->Weigh.OfFarVertices().SquaredLimit(), this->Neighbors);
     this->Back.Set(vertex, found.Face);
@@ -126,7 +127,7 @@ double VertexMover::AddChords(const Vector3& position, Index hint, FitStep* equa
 }
 
 //------------------------------------------------------------------------------
-double VertexMover::AddSamples(const TriangleFrame& frame, Index face)
+double VertexMover::AddSamples(const TriangleFrame& frame, FaceId face)
 {
   double error = 0.0;
   this->Fit.VisitFace(face,
@@ -152,7 +153,7 @@ double VertexMover::ErrorIfAllowed(const RingFace& ring, const TriangleFrame& fr
 }
 
 //------------------------------------------------------------------------------
-bool VertexMover::Lowers(Index vertex, const Vector3& position)
+bool VertexMover::Lowers(VertexId vertex, const Vector3& position)
 {
   const PointOnMesh found = this->Back.Find(position, vertex);
   const double squared = found.Point.SquaredDistance;

@@ -38,7 +38,7 @@ public:
   }
 
   /// True if the vertex moved.
-  bool Improve(Index vertex);
+  bool Improve(VertexId vertex);
 
 private:
   struct RingFace
@@ -49,11 +49,11 @@ private:
     Vector3 Normal;
     double Facing; // cosine between face and original, before the step
   };
-  void Gather(Index vertex);
-  PointOnMesh FindOriginal(Index vertex);
+  void Gather(VertexId vertex);
+  PointOnMesh FindOriginal(VertexId vertex);
   double AddChords(const Vector3& position, Index hint, FitStep* equations) const;
-  double AddSamples(const TriangleFrame& frame, Index face);
-  bool Lowers(Index vertex, const Vector3& position);
+  double AddSamples(const TriangleFrame& frame, FaceId face);
+  bool Lowers(VertexId vertex, const Vector3& position);
   double ErrorIfAllowed(const RingFace& ring, const TriangleFrame& frame) const;
 
   Editor& MeshEditor;
