@@ -331,3 +331,43 @@ TEST(LabelSurfaces, HaveAPointOnEachGridEdgeWithDifferentEnds)
   }
   EXPECT_EQ(edges, expected);
 }
+
+TEST(LabelSurfaces, HaveFacePointsAtTheMeanOfTheMiddlesOfEdgesWithDifferentEnds)
+{
+  const LabelMap map = NoiseLabels({ 6, 5, 7 }, 4, 15);
+  LabelSurfaceOptions open;
+  open.Closed = false;
+  const LabelSurfaces surfaces = Extract(map, open);
+  const auto labelAt = [&](const Vector3& x)
+  { return map.Labels[static_cast<std::size_t>(x[0] + 6 * (x[1] + 5 * x[2]))]; };
+  std::size_t facePoints = 0;
+  for (std::size_t p = 0; p < surfaces.Source.OfPoint.size(); ++p)
+  {
+    const GridPoint& at = surfaces.Source.OfPoint[p];
+    if (at[0] % 2 + at[1] % 2 + at[2] % 2 != 2)
+    {
+      continue;
+    }
+    ++facePoints;
+    const Index normal = at[0] % 2 == 0 ? 0 : at[1] % 2 == 0 ? 1 : 2;
+    const Vector3 u = 0.5 * Vector3::Unit((normal + 1) % 3);
+    const Vector3 v = 0.5 * Vector3::Unit((normal + 2) % 3);
+    const Vector3 center = 0.5 * Vector3(at[0], at[1], at[2]);
+    const std::array<Vector3, 4> corners = { center - u - v, center + u - v, center + u + v,
+      center - u + v };
+    Vector3 sum = Vector3::Zero();
+    int middles = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      const Vector3& a = corners[k];
+      const Vector3& b = corners[(k + 1) % 4];
+      if (labelAt(a) != labelAt(b))
+      {
+        sum += 0.5 * (a + b);
+        ++middles;
+      }
+    }
+    EXPECT_LT((surfaces.Surface.Points[p] - sum / middles).norm(), 1e-14);
+  }
+  EXPECT_GT(facePoints, 100U);
+}
