@@ -12,6 +12,7 @@
 #include "Surface.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -25,6 +26,11 @@ struct VoxelGrid
     Eigen::Matrix3d::Identity();                 ///< Columns: unit vectors of the axes, orthogonal.
   std::array<Index, 3> Dimensions = { 0, 0, 0 }; ///< Number of voxels; 0: not known.
 
+  std::size_t NumberOfVoxels() const
+  {
+    return static_cast<std::size_t>(this->Dimensions[0]) *
+      static_cast<std::size_t>(this->Dimensions[1]) * static_cast<std::size_t>(this->Dimensions[2]);
+  }
   Vector3 ToMillimeters(const Vector3& voxels) const
   {
     return this->Origin + this->Direction * this->Spacing.cwiseProduct(voxels);
@@ -44,16 +50,21 @@ struct VoxelGrid
  */
 using GridPoint = std::array<std::int32_t, 3>;
 
-/// Labels on the two sides of a triangle. The normal points from the first to the second. The first is less than the second,
-/// unless the second is the background, so that normals point out of the bone.
+/// Labels on the two sides of a triangle, as indices into LabelMapSource::Values. The normal points from the first to the
+/// second, and the first index is less than the second. The background has the largest index, so normals point out of the bone.
 using BoundaryLabels = std::array<Index, 2>;
 
 /// What is known of the label map from which a surface was extracted.
 struct LabelMapSource
 {
   VoxelGrid Grid;
+  /// The labels of the image, ascending, and at the end the background, which may be less than they are.
+  std::vector<std::int64_t> Values;
   std::vector<BoundaryLabels> OfTriangle; ///< Empty: one label.
   std::vector<GridPoint> OfPoint;         ///< Where each point was extracted. Empty: not known.
+
+  /// The index of the background.
+  Index Background() const { return static_cast<Index>(this->Values.size()) - 1; }
 };
 }
 
