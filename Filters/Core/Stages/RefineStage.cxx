@@ -35,6 +35,8 @@ bool CollapseLast(const StageInput& input, Refinement& refinement, const Monitor
   {
     return monitor(1.0);
   }
+  input.MeshEditor.DistributeVolumeBudget();
+  input.MeshEditor.RenewQuadrics(input.Threads);
   const Monitor last = PartOf(monitor, sweepFrom, 1.0);
   const Monitor still = [&last](double) { return last(0.0); };
   return SweepTo(input, input.Stops.Faces, still) != StopReason::Aborted && refinement.Begin(last);
