@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LabelMapArrays.h"
 
+#include "Parallel.h"
+
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -54,7 +56,7 @@ void AddGrid(const VoxelGrid& grid, vtkPolyData* output)
 }
 
 template <typename Array>
-void AddLabels(const LabelMapSource& source, vtkPolyData* output)
+void AddLabels(const LabelMapSource& source, int threads, vtkPolyData* output)
 {
   using Value = typename Array::ValueType;
   std::vector<Value> values;
@@ -67,12 +69,14 @@ void AddLabels(const LabelMapSource& source, vtkPolyData* output)
   labels->SetName(BoundaryLabelsName);
   labels->SetNumberOfComponents(2);
   labels->SetNumberOfTuples(static_cast<vtkIdType>(source.OfTriangle.size()));
-  Value* next = labels->GetPointer(0);
-  for (const BoundaryLabels& both : source.OfTriangle)
-  {
-    *next++ = values[static_cast<std::size_t>(both[0])];
-    *next++ = values[static_cast<std::size_t>(both[1])];
-  }
+  Value* to = labels->GetPointer(0);
+  ForEachId(source.OfTriangle.size(), threads,
+    [&](std::size_t triangle)
+    {
+      const BoundaryLabels& both = source.OfTriangle[triangle];
+      to[2 * triangle] = values[static_cast<std::size_t>(both[0])];
+      to[2 * triangle + 1] = values[static_cast<std::size_t>(both[1])];
+    });
   output->GetCellData()->AddArray(labels);
 }
 
@@ -320,26 +324,25 @@ private:
 }
 
 //------------------------------------------------------------------------------
-void AddLabelMapArrays(const LabelMapSource& source, vtkPolyData* output)
+void AddLabelMapArrays(const LabelMapSource& source, int threads, vtkPolyData* output)
 {
   AddGrid(source.Grid, output);
   if (FitInt(source.Values))
   {
-    AddLabels<vtkIntArray>(source, output);
+    AddLabels<vtkIntArray>(source, threads, output);
   }
   else
   {
-    AddLabels<vtkTypeInt64Array>(source, output);
+    AddLabels<vtkTypeInt64Array>(source, threads, output);
   }
   vtkNew<vtkIntArray> points;
   points->SetName(GridPointName);
   points->SetNumberOfComponents(3);
   points->SetNumberOfTuples(static_cast<vtkIdType>(source.OfPoint.size()));
-  int* next = points->GetPointer(0);
-  for (const GridPoint& point : source.OfPoint)
-  {
-    next = std::copy(point.begin(), point.end(), next);
-  }
+  int* to = points->GetPointer(0);
+  ForEachId(source.OfPoint.size(), threads,
+    [&](std::size_t point)
+    { std::copy(source.OfPoint[point].begin(), source.OfPoint[point].end(), to + 3 * point); });
   output->GetPointData()->AddArray(points);
 }
 

@@ -34,7 +34,7 @@ constexpr const char* GridPointName = "GridPoint";
 constexpr const char* LabelValuesName = "LabelValues";
 
 /// Adds the arrays but those of names and colors.
-void AddLabelMapArrays(const LabelMapSource& source, vtkPolyData* output);
+void AddLabelMapArrays(const LabelMapSource& source, int threads, vtkPolyData* output);
 
 /// Brings LabelNames and LabelColors of the image, which are in the order of its LabelValues, into the order of the source's values.
 /// Rows of values that the image does not name are empty or 0. Without LabelValues in the image they are not changed.

@@ -182,7 +182,7 @@ bool vtkBoneSurfaces::Extract(vtkImageData* image, vtkPolyData* output)
   output->SetPoints(
     bonedecimate::ToPoints(surfaces.Surface.Points, isSingle, this->NumberOfThreads));
   output->SetPolys(bonedecimate::ToCells(surfaces.Surface.Triangles, this->NumberOfThreads));
-  bonedecimate::AddLabelMapArrays(surfaces.Source, output);
+  bonedecimate::AddLabelMapArrays(surfaces.Source, this->NumberOfThreads, output);
   bonedecimate::OrderLabelFields(image->GetFieldData(), surfaces.Source, output->GetFieldData());
   return true;
 }

@@ -107,6 +107,10 @@ SegmentParts::SegmentParts(const Segments& segments)
     const int b = this->RootOf(segment.Second);
     this->Parents[static_cast<std::size_t>(std::min(a, b))] = std::max(a, b);
   }
+  for (std::size_t point = this->Parents.size(); point-- > 0;)
+  {
+    this->Parents[point] = this->RootOf(static_cast<int>(point)); // a single step from now on
+  }
   for (const Segment& segment : segments)
   {
     ++this->Sizes[static_cast<std::size_t>(this->RootOf(segment.First))];
