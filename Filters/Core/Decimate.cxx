@@ -105,7 +105,7 @@ double NormalToleranceOf(const Options& options, const StopTargets& stops, Index
 }
 
 /// Runs the stages of the mode.
-void Collapse(const RunTask& task, const PreparedInput& prepared, Editor& editor,
+void RunModeStages(const RunTask& task, const PreparedInput& prepared, Editor& editor,
   const Monitor& monitor, Report& report)
 {
   const Options& options = task.Effective;
@@ -195,7 +195,7 @@ bool Simplify(const RunTask& task, PreparedInput& prepared, RunProgress& progres
   report.Stop = StopReason::Aborted;
   if (progress.GoesOn())
   {
-    Collapse(task, prepared, *editor, progress.Stage(BuiltAt, collapsedAt), report);
+    RunModeStages(task, prepared, *editor, progress.Stage(BuiltAt, collapsedAt), report);
     SeparatePoints(task, prepared, *editor, report);
   }
   if (report.Status != InputStatus::Good)

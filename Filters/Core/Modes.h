@@ -10,8 +10,9 @@
  *     Balanced   QuadricDeviation       VolumePreserving    BucketSweep    collapse, refine    is proved
  *     Accurate   QuadricDeviation       VolumePreserving    BucketSweep    collapse, refine    is proved
  *
- * A cost NAME is the formula in Cost/NAME.h, a placement NAME that in Placement/NAME.h, a schedule NAME the order of
- * Schedule/NAME.h, which fixes what a cost and a placement look like. Balanced and Accurate differ in the settings of their stages. The refine stage ends with collapses by
+ * NAME in the table refers to Cost/NAME.h, Placement/NAME.h and Schedule/NAME.h. The schedule determines the signatures of the
+ * cost and placement functions. Balanced and Accurate differ in the settings of their stages. The refine stage improves the mesh by
+ * flips and moves, collapses to the target, and improves it again. Without an error bound these collapses are ordered by
  * Cost/SampledErrorCost.h.
  *
  * A new cost or placement is a function in a file of its own, named in a row. A new mode is an enumerator and a row of Modes.cxx. Its name is that of the option, the program and the report.
@@ -49,7 +50,7 @@ enum class Mode : int
   Accurate = 3  ///< As Balanced, with more collapses by sampled error and more sweeps.
 };
 
-/// Of VertexQueue, one edge at a time: the vertex of lowest cost, then its edge of lowest cost.
+/// Policies of VertexQueue, which collapses one edge at a time: at the vertex of lowest cost, its edge of lowest cost.
 struct QueuePolicies
 {
   /// @param tolerance w of Cost/NormalFieldDeviation.h.  @param meanEdgeLength mm, before the first edit.
@@ -59,7 +60,7 @@ struct QueuePolicies
     const HalfEdgeMesh& mesh, const FaceAreas& areas, const EdgeNeighborhood& around);
 };
 
-/// Of BucketSweep, blocks of the mesh in parallel: edges by buckets of their cost. Functions for which Kernels/EdgeEvaluator.cxx
+/// Policies of BucketSweep, which collapses edges by buckets of their cost, in blocks of the mesh in parallel. Functions for which Kernels/EdgeEvaluator.cxx
 /// knows no vector kernel are called for one edge after the other.
 struct SweepPolicies
 {
@@ -71,11 +72,13 @@ struct SweepPolicies
 /// What MaximumError and the tolerances of points mean.
 enum class ErrorPolicy
 {
-  RunningStop, ///< The run ends when the recorded distance of a new vertex reaches MaximumError; tolerances only constrain.
-  ProvedBound  ///< Every edit is proved to keep both surfaces within the error and the tolerances.
+  /// The run ends when the recorded distance of a new vertex reaches MaximumError and the number of triangles, if there is one, is
+  /// reached. Tolerances of 0 constrain points; positive ones are rejected.
+  RunningStop,
+  ProvedBound ///< Every edit is proved to keep both surfaces within the error and the tolerances.
 };
 
-/// Of Schedule/BucketSweep.h.
+/// Settings of Schedule/BucketSweep.h.
 struct SweepSettings
 {
   double SpikeWeight =
@@ -85,7 +88,7 @@ struct SweepSettings
   int PositionsTried = 4;
 };
 
-/// Of Stages/RefineStage.h. The defaults are those of a mode without that stage.
+/// Settings of Stages/RefineStage.h. The defaults are those of a mode without that stage.
 struct RefineSettings
 {
   double ExtraOfTarget =
@@ -113,7 +116,7 @@ struct ModeInfo
   bonedecimate::Mode Mode;
   const char* Name;
   std::variant<QueuePolicies, SweepPolicies> Schedule;
-  ErrorPolicy MaximumError;
+  ErrorPolicy ErrorMeaning;
   bool
     RecordsDistances; ///< Whether the distance of every new vertex to the original is recorded along the collapses.
   bool KeepsInitialMesh; ///< Whether stages need the mesh as it was before the first edit.
@@ -121,7 +124,7 @@ struct ModeInfo
   RefineSettings Refine;
   std::vector<Stage> Stages; ///< In order.
 
-  bool ProvesError() const { return this->MaximumError == ErrorPolicy::ProvedBound; }
+  bool ProvesError() const { return this->ErrorMeaning == ErrorPolicy::ProvedBound; }
   /// Whether the option NormalTolerance, the w of the cost, has a meaning.
   bool HasNormalTolerance() const { return this->NeedsFaceAreas(); }
   /// Whether cost and placement read the area and the normal of each face.

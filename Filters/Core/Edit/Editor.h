@@ -6,16 +6,16 @@
  *
  *     Collapse:           rules (CollapseRules.h)  ->  filters  ->  mesh  ->  filters commit
  *                         ->  areas, quadrics, origins, counts, hook                               (CollapseEdit.cxx)
- *     CollapseTogether:   the same of one edge in all manifold patches at it, as one edit          (EditTogether.cxx)
+ *     CollapseTogether:   the same for one edge of a feature curve in all patches there            (EditTogether.cxx)
  *     Flip, Move:         rules (FlipAndMoveRules.h)  ->  filters  ->  mesh  ->  filters commit
  *                         ->  hook                                                   (FlipEdit.cxx, MoveEdit.cxx)
  *
  * Filters (EditFilter.h), in this order: fragments, error bound, intersections, those of the settings, the recorder of the log.
  * EditorSettings.h says which of them there are.
  *
- * Rules and bookkeeping of a kind of edit are the same in every mode. Flips and moves remove nothing: they have rules of
+ * The rules of a kind of edit are the same in every mode; EditorSettings.h says which bookkeeping is done. Flips and moves remove nothing: they have rules of
  * their own and leave areas, quadrics, origins and counts as they are. Workers with a workspace each may apply edits at
- * the same time as long as their neighborhoods have no vertex in common; Settle takes over what they counted, in an
+ * the same time as long as their neighborhoods have no vertex in common; Settle adds their counts to those of the editor, in an
  * order that does not depend on the threads.
  */
 #ifndef BoneDecimate_Core_Edit_Editor_h
@@ -49,8 +49,8 @@ class Editor
 public:
   /// @param clean Must live as long as this.
   Editor(const CleanSurface& clean, const EditorSettings& settings);
-  /// @param mesh Made of the surface.  @param monitor If it says stop, what the settings limit is left out, and no edit may
-  /// follow.
+  /// @param mesh Made of the surface.  @param monitor If it requests a stop, error bound, guards, constraints and
+  /// feature curves are not set up, and no edit may follow.
   Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSettings& settings,
     const Monitor& monitor = {});
   Editor(CleanSurface&&, const EditorSettings&) = delete;
@@ -109,13 +109,14 @@ public:
   void BeginFlipsAndMoves();
   void EndFlipsAndMoves();
 
-  /// Before a pass of flips or moves, and after the last: measures the fragments and divides what they may lose.
+  /// Before a pass of flips or moves, and after the last: measures the volumes of the fragments and distributes among blocks the
+  /// volume that each may still lose.
   void DistributeVolumeBudget() { this->Fragments->DistributeBudget(this->Half); }
 
-  /// After flips and moves, which leave the quadrics of the vertex records as they were: all of them afresh.
+  /// Recomputes the quadrics of all vertex records. Needed after flips and moves, which do not update them.
   void RenewQuadrics(int threads) { SumRingQuadrics(this->Half, threads); }
 
-  /// Called after every applied edit, for invariant checks and logs.
+  /// Called after every applied edit, and once for each patch by CollapseTogether; for invariant checks and logs.
   using Hook = std::function<void(const Editor&, const Edit&)>;
   void SetHook(Hook hook) { this->AfterEdit = std::move(hook); }
   /// While a hook is set, only one worker may be active.
@@ -144,7 +145,7 @@ private:
   Decision CheckEdge(HalfEdgeId edge, Workspace& work) const;
   void ChangeMesh(const Edit& edit, Workspace& work);
   void UpdateBookkeeping(const Edit& edit, VertexId gone, Workspace& work);
-  /// Of one manifold patch of several.
+  /// Data of one of the patches of CollapseTogether.
   struct PatchEdit
   {
     Workspace Space;
@@ -165,7 +166,7 @@ private:
   std::vector<std::shared_ptr<EditFilter>> Filters; // in order
   bool NeedsSurfaceChange = false;                  // whether any filter does
   Workspace Own;
-  std::vector<PatchEdit> ManifoldPatches; // of CollapseTogether; their memory stays
+  std::vector<PatchEdit> ManifoldPatches; // of CollapseTogether, kept for their memory
   std::unique_ptr<PatchBoundaries> Curves;
   Hook AfterEdit;
   Index ConstrainedVertices = 0;

@@ -11,8 +11,8 @@
  *     for each filter:   Commit
  *     later:             Settle    one worker's commits, or those of workers that worked at the same time
  *
- * The order of the filters is part of the result: the reason of a rejection is the first one, first of all Screens, then of all
- * Checks.
+ * The order of the filters is part of the result: an edit is rejected for the first reason found, and every Screen runs before any
+ * Check.
  *
  * Several workers call Screen, Check and Commit at the same time, each with a Pending of its own and on a part of the mesh of
  * its own. A filter that would have to read another part defers the edit.
@@ -60,13 +60,13 @@ public:
     return Decision::Accept();
   }
 
-  /// Takes over the edit that all filters accepted.  @param mesh After the edit.  @param tally Of the worker.
+  /// Records the edit that all filters accepted.  @param mesh After the edit.  @param tally Of the worker.
   virtual void Commit(const HalfEdgeMesh& /*mesh*/, const ProposedEdit& /*edit*/,
     Pending& /*pending*/, Tally& /*tally*/)
   {
   }
 
-  /// Takes over its part of the tallies, in an order that does not depend on the threads; no worker is active.
+  /// Adds its part of the tallies to its own state, in an order that does not depend on the threads; no worker is active.
   virtual void Settle(Tally* /*tallies*/, std::size_t /*count*/) {}
 };
 }

@@ -8,13 +8,13 @@ namespace bonedecimate
 {
 namespace
 {
-/// Most pieces of a face.
-constexpr std::size_t MostPieces = 256;
-/// From then on, few enough input triangles are around a piece for CommonFaceProof.
+/// Of one face.
+constexpr std::size_t MaximumPieces = 256;
+/// After so many halvings a piece usually has few enough input triangles around it for CommonFaceProof.
 constexpr int HalvingsBeforeCommonFaces = 2;
-/// Most parts that CommonFaceProof may make of a piece.
-constexpr std::size_t MostParts = 128;
-constexpr Index MostAround = CommonFaceProof::MostCandidates;
+/// Parts that CommonFaceProof may make of a piece.
+constexpr std::size_t MaximumParts = 128;
+constexpr Index MaximumAround = CommonFaceProof::MostCandidates;
 }
 
 //------------------------------------------------------------------------------
@@ -24,7 +24,7 @@ bool FaceProof::Prove(const WalkedSurface& target, const std::array<Vector3, 3>&
   for (std::size_t at = 0; at < this->Open.size(); ++at)
   {
     const Piece piece = this->Open[at];
-    if (at >= MostPieces || !this->ProvePiece(target, piece))
+    if (at >= MaximumPieces || !this->ProvePiece(target, piece))
     {
       return false;
     }
@@ -99,11 +99,12 @@ CommonFaceResult FaceProof::ProveTogether(
       return CommonFaceProof::Corner{ p, any, this->CommonFaces.FacesNear(p, any) };
     });
   CommonFaceProof::Faces used = 0;
-  return this->CommonFaces.Prove(whole, used, MostParts);
+  return this->CommonFaces.Prove(whole, used, MaximumParts);
 }
 
 //------------------------------------------------------------------------------
-/// Those connected to the seed that may be within their limit of the piece; false if they are too many.
+/// Fills Around with the input triangles that are connected to the seed and may be within their limit of the piece; false if there
+/// are too many.
 bool FaceProof::GatherAround(const WalkedSurface& target, const Piece& piece, Index seed)
 {
   const Vector3 middle = (piece.Corners[0] + piece.Corners[1] + piece.Corners[2]) / 3.0;
@@ -127,7 +128,7 @@ bool FaceProof::GatherAround(const WalkedSurface& target, const Piece& piece, In
         this->Around.Insert({ face });
       }
     }
-    if (this->Around.Size() > MostAround)
+    if (this->Around.Size() > MaximumAround)
     {
       return false;
     }
