@@ -205,8 +205,8 @@ TEST(OptionTable, RejectionsAreOneSentenceWithRangeUnitAndValue)
     "TargetReduction takes a number from 0 to 1, not -infinity");
   EXPECT_EQ(SetOption(options, Row("NumberOfThreads"), 1025),
     "NumberOfThreads takes a whole number from 0 to 1024 threads, not 1025");
-  EXPECT_EQ(SetOption(options, Row("Mode"), 7),
-    "Mode takes one of Thesis, Fast, Balanced, Accurate, not 7");
+  EXPECT_EQ(SetOption(options, Row("Mode"), 99),
+    "Mode takes one of " + ModeNamesWhere([](const ModeInfo&) { return true; }) + ", not 99");
   EXPECT_EQ(SetOptionFromText(options, Row("MaximumError"), "-1"),
     "MaximumError takes a number from 0 to 1e30 mm, not -1");
   EXPECT_EQ(SetOptionFromText(options, Row("MaximumError"), "much"),
