@@ -199,7 +199,7 @@ class Package(unittest.TestCase):
         folder = pathlib.Path(bonedecimate.__file__).parent
         self.assertTrue((folder / "py.typed").exists())
         stubs = {path.stem: path.read_text(encoding="utf-8") for path in folder.glob("*.pyi")}
-        self.assertEqual(set(stubs), {"_core", "_keywords", "arrays", "levels", "pyvista_accessor", "vtk_filter"})
+        self.assertEqual(set(stubs), {"_core", "_keywords", "arrays", "label_maps", "levels", "pyvista_accessor", "vtk_filter"})
         for name, text in stubs.items():
             compile(text, name + ".pyi", "exec")
         for key, row in ROWS.items():
