@@ -83,13 +83,11 @@ def extract_surfaces(
         The order of the indices: ``label_map[z, y, x]`` as of ``SimpleITK.GetArrayFromImage``, or ``label_map[x, y, z]`` as of
         nibabel's ``image.dataobj``. All parameters below and all results are in the order x, y, z in both cases.
     spacing : three numbers, mm
-        Of the voxels along x, y, z: ``image.GetSpacing()`` of SimpleITK.
-    origin : three numbers, mm
-        Center of the first voxel: ``image.GetOrigin()``.
-    direction : (3, 3) array, or nine numbers row by row
-        The columns are the axes: ``image.GetDirection()``. Left-handed ones are allowed.
+        Of the voxels along x, y, z: ``GetSpacing()`` of SimpleITK.
+    origin, direction : three numbers, mm; (3, 3) array, or nine numbers row by row
+        Center of the first voxel, and the axes as columns: ``GetOrigin()`` and ``GetDirection()``.
     affine : (4, 4) array, optional
-        From voxels x, y, z to mm instead of the three parameters before: nibabel's ``image.affine``. Without shear.
+        From voxels x, y, z to mm instead of these three: nibabel's ``image.affine``. Without shear.
     labels : whole numbers, optional
         The labels to extract; all others count as background. Default: all.
     background : int
@@ -110,15 +108,8 @@ def extract_surfaces(
         The progress function returned False.
     """
     volume = _volume_from(label_map, axes)
-    if affine is not None:
-        if not (spacing == (1, 1, 1) and origin == (0, 0, 0) and direction is IDENTITY):
-            raise ValueError("affine replaces spacing, origin and direction: not both")
-        spacing, origin, direction = _decomposed(affine)
-    grid = [_numbers(name, values, count) for name, values, count in
-             (("origin", origin, 3), ("spacing", spacing, 3), ("direction", direction, 9))]
-    chosen = [] if labels is None else [_label("labels", each) for each in labels]
-    if labels is not None and not chosen:
-        raise ValueError("labels are None for all, or at least one label")
+    grid = _grid_from(spacing, origin, direction, affine)
+    chosen = _labels_from(labels)
     with listener(progress) as heard:
         outcome = _core.extract_surfaces(volume, *(each.tolist() for each in grid), chosen, _label("background", background),
                                          switch("closed", closed), thread_count(threads), heard)
@@ -171,6 +162,24 @@ def _volume_from(label_map: ArrayLike, axes: str) -> NDArray[np.integer]:
         volume = volume.astype(np.int64)
     kind = np.uint8 if volume.dtype.kind == "b" else volume.dtype.newbyteorder("=")
     return np.ascontiguousarray(volume, dtype=kind)
+
+
+def _grid_from(spacing, origin, direction, affine) -> list[NDArray[np.float64]]:
+    """Origin, spacing and direction."""
+    if affine is not None:
+        if tuple(spacing) != (1, 1, 1) or tuple(origin) != (0, 0, 0) or direction is not IDENTITY:
+            raise ValueError("affine replaces spacing, origin and direction: not both")
+        spacing, origin, direction = _decomposed(affine)
+    return [_numbers(name, values, count) for name, values, count in
+            (("origin", origin, 3), ("spacing", spacing, 3), ("direction", direction, 9))]
+
+
+def _labels_from(labels: Iterable[int] | None) -> list[int]:
+    """None of them is all."""
+    chosen = [] if labels is None else [_label("labels", each) for each in labels]
+    if labels is not None and not chosen:
+        raise ValueError("labels are None for all, or at least one label")
+    return chosen
 
 
 def _numbers(name: str, values: ArrayLike, count: int) -> NDArray[np.float64]:
