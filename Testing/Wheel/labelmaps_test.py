@@ -59,7 +59,7 @@ class Surfaces(unittest.TestCase):
     def test_stay_closed_label_by_label_through_decimation(self):
         found = extract_surfaces(halves(), spacing=SPACING)
         pairs, rows = found.walls
-        small = bonedecimate.decimate(*found, labels=rows, reduction=0.5)
+        small = bonedecimate.decimate(*found, labels=rows, target_reduction=0.5)
         self.assertLess(len(small.triangles), 0.7 * len(found.triangles))
         for label in (2, 7):
             _points, triangles = extract_label(small.points, small.triangles, pairs[small.labels], label)

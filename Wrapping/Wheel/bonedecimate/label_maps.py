@@ -71,9 +71,7 @@ def extract_surfaces(
     threads: int = 0,
     progress: bool | Progress | None = None,
 ) -> LabelSurfaces:
-    """The surfaces of all labels of a segmentation; a wall between two labels is there once.
-
-    Voxelized again, every voxel has the label it had.
+    """The surfaces of all labels of a segmentation, with walls once. Voxelized again, every voxel has the label it had.
 
     Parameters
     ----------
