@@ -60,6 +60,7 @@ void AddLabels(const LabelMapSource& source, int threads, vtkPolyData* output)
 {
   using Value = typename Array::ValueType;
   std::vector<Value> values;
+  values.reserve(source.Values.size());
   for (const std::int64_t value : source.Values)
   {
     values.push_back(static_cast<Value>(value));

@@ -192,6 +192,46 @@ class Documentation(unittest.TestCase):
         self.assertLessEqual(names["small"].report["proof.upper"], 0.2)
 
 
+class LabelMaps(unittest.TestCase):
+    def image(self):
+        """Labels 2 and 7: the halves of a ball, turned, with an extent that does not begin at 0."""
+        z, y, x = np.indices((12, 12, 12))
+        labels = np.where((x - 5.5) ** 2 + (y - 5.5) ** 2 + (z - 5.5) ** 2 < 20, np.where(x < 6, 2, 7), 0)
+        image = pv.ImageData(spacing=(0.5, 0.5, 1.0), origin=(10, 20, 30))
+        image.extent = (3, 14, 0, 11, -2, 9)
+        image.direction_matrix = np.array([[0, 1, 0], [1, 0, 0], [0, 0, 1]])
+        image.point_data["segments"] = labels.astype(np.uint8).ravel()
+        return image
+
+    def test_become_a_mesh_with_common_walls(self):
+        mesh = self.image().bone.surfaces()
+        self.assertEqual({tuple(pair) for pair in mesh.cell_data["BoundaryLabels"].tolist()}, {(2, 0), (7, 0), (2, 7)})
+        self.assertEqual(mesh.field_data["LabelValues"].tolist(), [2, 7, 0])
+        # With both halves in one label, their common wall is gone, and the mesh is where the image has it.
+        image = self.image()
+        image.point_data["bone"] = (image.point_data["segments"] > 0).astype(np.uint8)
+        whole = image.bone.surfaces("bone")
+        voxels = image.points[image.point_data["bone"] > 0]
+        self.assertTrue(whole.is_manifold)
+        self.assertGreater(whole.volume, 0)
+        half = image.direction_matrix @ np.array(image.spacing) / 2
+        np.testing.assert_allclose(whole.points.min(axis=0), voxels.min(axis=0) - half)
+        np.testing.assert_allclose(whole.points.max(axis=0), voxels.max(axis=0) + half)
+
+    def test_are_decimated_with_their_walls(self):
+        mesh = self.image().bone.surfaces(threads=1)
+        small = mesh.bone.decimate(target_reduction=0.4, labels="BoundaryLabels")
+        self.assertEqual({tuple(pair) for pair in small.cell_data["BoundaryLabels"].tolist()}, {(2, 0), (7, 0), (2, 7)})
+        for label in (2, 7):
+            points, triangles = bonedecimate.extract_label(
+                small.points, small.regular_faces, small.cell_data["BoundaryLabels"], label)
+            self.assertTrue(pv.PolyData.from_regular_faces(points, triangles).is_manifold)
+
+    def test_need_an_array(self):
+        with self.assertRaisesRegex(ValueError, "has no labels"):
+            self.image().bone.surfaces("other")
+
+
 class Package(unittest.TestCase):
     def test_is_typed_and_its_stubs_know_every_option(self):
         from bonedecimate import levels
@@ -199,7 +239,7 @@ class Package(unittest.TestCase):
         folder = pathlib.Path(bonedecimate.__file__).parent
         self.assertTrue((folder / "py.typed").exists())
         stubs = {path.stem: path.read_text(encoding="utf-8") for path in folder.glob("*.pyi")}
-        self.assertEqual(set(stubs), {"_core", "_keywords", "arrays", "levels", "pyvista_accessor", "vtk_filter"})
+        self.assertEqual(set(stubs), {"_core", "_keywords", "arrays", "label_maps", "levels", "pyvista_accessor", "vtk_filter"})
         for name, text in stubs.items():
             compile(text, name + ".pyi", "exec")
         for key, row in ROWS.items():

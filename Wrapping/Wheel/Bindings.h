@@ -20,6 +20,9 @@ void BindDecimate(nanobind::module_& module);
 /// The certificate of two surfaces.
 void BindCertify(nanobind::module_& module);
 
+/// Surfaces of label maps, and of one label.
+void BindLabelMaps(nanobind::module_& module);
+
 /// A recorded run and every level of detail of it.
 void BindLevels(nanobind::module_& module);
 }

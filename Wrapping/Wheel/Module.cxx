@@ -10,5 +10,6 @@ NB_MODULE(_core, module)
   bonedecimate::BindOptions(module);
   bonedecimate::BindDecimate(module);
   bonedecimate::BindCertify(module);
+  bonedecimate::BindLabelMaps(module);
   bonedecimate::BindLevels(module);
 }

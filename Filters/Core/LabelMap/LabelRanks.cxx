@@ -166,7 +166,7 @@ void LabelRanks::ConvertValues(const Scalar* values, std::size_t count, Index* r
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    const auto value = static_cast<std::int64_t>(values[i]);
+    const auto value = static_cast<std::int64_t>(static_cast<std::uint64_t>(values[i]));
     const bool fits = !isUnsigned || value >= 0;
     ranks[i] = i > 0 && values[i] == values[i - 1] ? ranks[i - 1] : fits ? this->Find(value) : 0;
   }

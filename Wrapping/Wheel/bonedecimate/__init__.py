@@ -14,13 +14,14 @@ from typing import TYPE_CHECKING
 
 from ._core import StopReason, __version__
 from .arrays import Aborted, Certificate, Result, certify, decimate
+from .label_maps import LabelSurfaces, extract_label, extract_surfaces
 from .levels import Levels, open_levels, record_levels
 
 if TYPE_CHECKING:
     from .vtk_filter import vtkBoneDecimate
 
-__all__ = ["Aborted", "Certificate", "Levels", "Result", "StopReason", "__version__", "certify", "decimate",
-           "open_levels", "record_levels", "vtkBoneDecimate"]
+__all__ = ["Aborted", "Certificate", "LabelSurfaces", "Levels", "Result", "StopReason", "__version__", "certify", "decimate",
+           "extract_label", "extract_surfaces", "open_levels", "record_levels", "vtkBoneDecimate"]
 
 
 def __getattr__(name: str):
@@ -28,7 +29,8 @@ def __getattr__(name: str):
     if name == "vtkBoneDecimate":
         from .vtk_filter import vtkBoneDecimate
         return vtkBoneDecimate
-    if name in ("vtkBoneDecimateLevels", "vtkBoneDiagnostics", "vtkBoneErrorSearch", "vtkBoneSurfaceDistance", "vtkBoneTolerance"):
+    if name in ("vtkBoneDecimateLevels", "vtkBoneDiagnostics", "vtkBoneErrorSearch", "vtkBoneSurfaceDistance", "vtkBoneSurfaces",
+                "vtkBoneTolerance"):
         raise AttributeError(f"{name} is in the package bonedecimate that is built with VTK, not in the wheel")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import inspect
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from .arrays import Certificate, certify, check
+from .label_maps import LabelSurfaces, extract_surfaces
 from .levels import Levels, open_levels, record_levels
 from .options import WITHOUT_LEVELS, number, read, switch, takes_options
 from .polydata import surface_of
@@ -225,3 +226,58 @@ class BoneAccessor:
         report = json.loads(array.GetValue(0))
         report.pop("units", None)
         return dict(_flat("", report))
+
+
+@pv.register_dataset_accessor("bone", pv.ImageData)
+class BoneImageAccessor:
+    """A segmentation: an image with a whole number for each of its points."""
+
+    def __init__(self, image: pv.ImageData) -> None:
+        self._image = image
+
+    def surfaces(
+        self,
+        scalars: str | None = None,
+        *,
+        labels: Iterable[int] | None = None,
+        background: int = 0,
+        closed: bool = True,
+        threads: int = 0,
+        progress_bar: bool | Progress = False,
+    ) -> pv.PolyData:
+        """The surfaces of all labels as one mesh, with walls between labels once; `bonedecimate.extract_surfaces` has the rest.
+
+        The mesh has the cell array BoundaryLabels (the labels on both sides), the point array GridPoint and, as field data,
+        LabelValues, VoxelGridOrigin, VoxelGridSpacing, VoxelGridDirection and VoxelGridDimensions. ``bone.decimate`` simplifies it
+        with ``labels="BoundaryLabels"``.
+
+        Parameters
+        ----------
+        scalars : str, optional
+            Name of the point array of labels; by default the active scalars.
+        labels, background, closed, threads, progress_bar
+            As `bonedecimate.extract_surfaces` takes them.
+        """
+        image = self._image
+        name = image.point_data.active_scalars_name if scalars is None else scalars
+        if name is None or name not in image.point_data:
+            raise ValueError("the image has no labels: neither active scalars of points nor the array that was named")
+        direction = np.asarray(image.direction_matrix, dtype=np.float64)
+        first = np.asarray(image.extent[::2], dtype=np.float64)
+        found = extract_surfaces(
+            np.asarray(image.point_data[name]).reshape(image.dimensions[::-1]), spacing=image.spacing,
+            origin=np.asarray(image.origin) + direction @ (np.asarray(image.spacing) * first), direction=direction, labels=labels,
+            background=background, closed=closed, threads=threads, progress=progress_bar)
+        return _mesh_of(found, image.dimensions)
+
+
+def _mesh_of(found: LabelSurfaces, dimensions: tuple[int, int, int]) -> pv.PolyData:
+    mesh = pv.PolyData.from_regular_faces(found.points, found.triangles)
+    mesh.cell_data["BoundaryLabels"] = found.boundary_labels
+    mesh.point_data["GridPoint"] = found.grid_points
+    mesh.field_data["LabelValues"] = found.label_values
+    mesh.field_data["VoxelGridOrigin"] = found.origin.reshape(1, 3)
+    mesh.field_data["VoxelGridSpacing"] = found.spacing.reshape(1, 3)
+    mesh.field_data["VoxelGridDirection"] = found.direction.reshape(1, 9)
+    mesh.field_data["VoxelGridDimensions"] = np.asarray(dimensions, dtype=np.int32).reshape(1, 3)
+    return mesh

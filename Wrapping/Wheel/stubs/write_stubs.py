@@ -4,7 +4,8 @@
 
     _keywords.pyi                                   the options as TypedDicts
     vtk_filter.pyi                                  the filter with a property for each
-    arrays.pyi, levels.pyi, pyvista_accessor.pyi    the modules of these names, with each option as a parameter
+    arrays.pyi, label_maps.pyi, levels.pyi, pyvista_accessor.pyi
+                                                    the modules of these names, with each option as a parameter
 
     write_stubs.py FOLDER        with the module and its options on the path
 """
@@ -20,7 +21,7 @@ from bonedecimate.options import ROWS, WITHOUT_ARRAYS, WITHOUT_LEVELS, default_o
 HERE = pathlib.Path(__file__).resolve().parent
 SOURCES = HERE.parent / "bonedecimate"
 HEAD = "# Written at build time from the table of options.\n"
-MODULES = ("arrays", "levels", "pyvista_accessor")
+MODULES = ("arrays", "label_maps", "levels", "pyvista_accessor")
 # Of the module that the others import: the functions whose keywords they pass on.
 FUNCTIONS = {node.name: node for node in ast.parse((SOURCES / "arrays.py").read_text(encoding="utf-8")).body
              if isinstance(node, ast.FunctionDef)}

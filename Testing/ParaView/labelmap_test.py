@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Surfaces of label maps inside ParaView: the panel's properties reach the filter."""
+
+import unittest
+
+from paraview import simple
+from vtkmodules.vtkCommonCore import VTK_SHORT
+from vtkmodules.vtkCommonDataModel import vtkImageData
+
+import surfaces
+
+SIZE = 10
+
+
+def image():
+    """Two bars that touch, labels 4 and 9; each touches an end of the image."""
+    labels = vtkImageData()
+    labels.SetDimensions(SIZE, SIZE, SIZE)
+    labels.AllocateScalars(VTK_SHORT, 1)
+    labels.GetPointData().GetScalars().SetName("Segments")
+    for z in range(SIZE):
+        for y in range(SIZE):
+            for x in range(SIZE):
+                inside = 3 < y < 7 and 3 < z < 7
+                labels.SetScalarComponentFromDouble(x, y, z, 0, 0 if not inside else 4 if x < 5 else 9)
+    return labels
+
+
+def walls(output):
+    array = output.GetCellData().GetArray("BoundaryLabels")
+    return {array.GetTuple(cell) for cell in range(output.GetNumberOfCells())}
+
+
+class LabelMap(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        surfaces.load()
+        cls.image = surfaces.source(image())
+
+    def test_surfaces_have_common_walls(self):
+        extracted = simple.BoneSurfaces(Input=self.image, LabelArray=["POINTS", "Segments"])
+        self.assertEqual(walls(surfaces.output(extracted)), {(4, 0), (9, 0), (4, 9)})
+
+    def test_labels_can_be_chosen(self):
+        extracted = simple.BoneSurfaces(Input=self.image, LabelArray=["POINTS", "Segments"], Labels=[9])
+        self.assertEqual(walls(surfaces.output(extracted)), {(9, 0)})
+        extracted.Labels = []
+        extracted.BackgroundLabel = 4
+        self.assertEqual(walls(surfaces.output(extracted)), {(0, 4), (9, 4), (0, 9)})
+
+    def test_surfaces_can_be_open(self):
+        extracted = simple.BoneSurfaces(Input=self.image, LabelArray=["POINTS", "Segments"])
+        closed = surfaces.output(extracted).GetNumberOfCells()
+        extracted.Closed = 0
+        self.assertLess(surfaces.output(extracted).GetNumberOfCells(), closed)
+
+
+if __name__ == "__main__":
+    unittest.main()

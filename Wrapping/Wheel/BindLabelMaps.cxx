@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Arrays.h"
+#include "Bindings.h"
+#include "LabelMap/LabelSurfaces.h"
+#include "LabelMap/SingleLabel.h"
+#include "Listener.h"
+
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <array>
+#include <string>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Indices z, y, x.
+using VolumeIn = nb::ndarray<nb::ro, nb::ndim<3>, nb::c_contig, nb::device::cpu>;
+using PairsIn = ArrayIn<std::int64_t, nb::shape<-1, 2>>;
+
+/// Integers only; the package around this converts all others.
+LabelType TypeOf(const nb::dlpack::dtype& type)
+{
+  const bool isUnsigned = type.code == static_cast<std::uint8_t>(nb::dlpack::dtype_code::UInt);
+  const bool isSigned = type.code == static_cast<std::uint8_t>(nb::dlpack::dtype_code::Int);
+  if (!isUnsigned && !isSigned)
+  {
+    throw nb::type_error("a label map has integers");
+  }
+  int size = 0;
+  while ((8 << size) < type.bits)
+  {
+    ++size;
+  }
+  return static_cast<LabelType>(2 * size + (isUnsigned ? 1 : 0));
+}
+
+VoxelGrid GridOf(const VolumeIn& volume, const std::array<double, 3>& origin,
+  const std::array<double, 3>& spacing, const std::array<double, 9>& direction)
+{
+  VoxelGrid grid;
+  for (Index axis = 0; axis < 3; ++axis)
+  {
+    const auto k = static_cast<std::size_t>(axis);
+    grid.Dimensions[k] = static_cast<Index>(volume.shape(2 - k));
+    grid.Origin[axis] = origin[k];
+    grid.Spacing[axis] = spacing[k];
+    for (Index column = 0; column < 3; ++column)
+    {
+      grid.Direction(axis, column) = direction[3 * k + static_cast<std::size_t>(column)];
+    }
+  }
+  return grid;
+}
+
+std::vector<std::array<std::int64_t, 2>> ValuesOf(const LabelMapSource& source)
+{
+  std::vector<std::array<std::int64_t, 2>> values;
+  values.reserve(source.OfTriangle.size());
+  for (const BoundaryLabels& both : source.OfTriangle)
+  {
+    values.push_back({ source.Values[static_cast<std::size_t>(both[0])],
+      source.Values[static_cast<std::size_t>(both[1])] });
+  }
+  return values;
+}
+
+std::vector<double> DirectionOf(const VoxelGrid& grid)
+{
+  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = grid.Direction;
+  return std::vector<double>(rows.data(), rows.data() + 9);
+}
+
+nb::dict ToDict(LabelSurfaces&& surfaces)
+{
+  nb::dict fields;
+  fields["aborted"] = surfaces.Status == LabelSurfaceStatus::Aborted;
+  fields["problem"] = std::string(LabelSurfaceMessage(surfaces.Status));
+  auto pairs = ValuesOf(surfaces.Source);
+  const std::size_t triangles = pairs.size();
+  fields["boundary_labels"] =
+    ToArray<std::int64_t, std::array<std::int64_t, 2>>(std::move(pairs), { triangles, 2 });
+  fields["points"] = ToRows<double>(std::move(surfaces.Surface.Points));
+  fields["triangles"] = ToRows<Index>(std::move(surfaces.Surface.Triangles));
+  fields["grid_points"] = ToRows<std::int32_t>(std::move(surfaces.Source.OfPoint));
+  fields["label_values"] = ToArray(std::move(surfaces.Source.Values));
+  fields["direction"] = ToArray<double, double>(DirectionOf(surfaces.Source.Grid), { 3, 3 });
+  return fields;
+}
+
+nb::dict Extract(const VolumeIn& labels, const std::array<double, 3>& origin,
+  const std::array<double, 3>& spacing, const std::array<double, 9>& direction,
+  const std::vector<std::int64_t>& chosen, std::int64_t background, bool closed, int threads,
+  nb::object progress)
+{
+  const LabelImage image = { labels.data(), TypeOf(labels.dtype()),
+    GridOf(labels, origin, spacing, direction) };
+  const LabelSurfaceOptions options = { chosen, background, closed, threads };
+  return ToDict(
+    Listener(std::move(progress))
+      .Hear([&](const Monitor& monitor) { return ExtractLabelSurfaces(image, options, monitor); }));
+}
+
+nb::tuple Single(const PointsIn& points, const TrianglesIn& triangles,
+  const PairsIn& boundaryLabels, std::int64_t label)
+{
+  const Surface surface = ToSurface(points, triangles);
+  std::vector<BoundaryLabels> sides(triangles.shape(0));
+  const std::int64_t* values = boundaryLabels.data();
+  for (std::size_t t = 0; t < sides.size(); ++t)
+  {
+    sides[t] = { values[2 * t] == label ? 1 : 0, values[2 * t + 1] == label ? 1 : 0 };
+  }
+  SingleLabelSurface single = ExtractLabel(surface, sides, 1);
+  return nb::make_tuple(ToRows<double>(std::move(single.Surface.Points)),
+    ToRows<Index>(std::move(single.Surface.Triangles)), ToArray(std::move(single.OriginalPoint)),
+    ToArray(std::move(single.OriginalTriangle)));
+}
+}
+
+//------------------------------------------------------------------------------
+void BindLabelMaps(nb::module_& module)
+{
+  module.def("extract_surfaces", &Extract, nb::arg("labels"), nb::arg("origin"), nb::arg("spacing"),
+    nb::arg("direction"), nb::arg("chosen"), nb::arg("background"), nb::arg("closed"),
+    nb::arg("threads"), nb::arg("progress").none(),
+    "The surfaces of a label map with indices z, y, x; the direction is row by row.");
+  module.def("extract_label", &Single, nb::arg("points"), nb::arg("triangles"),
+    nb::arg("boundary_labels"), nb::arg("label"),
+    "Points, triangles, original points and original triangles of one label.");
+}
+}
