@@ -288,6 +288,7 @@ struct Report
   ReferenceFigures Reference;
   VoxelFigures Voxel;
   SizeFigures Size;
+  SmoothingFigures Smoothing;
   /// mm, maxError of the thesis: the largest distance of a new vertex to the input, after each collapse in mode Thesis and
   /// at the end in other modes. NaN if not measured (other modes without MeasureDistances and origins); tables omit it then.
   double RunningError = 0.0;
