@@ -21,7 +21,7 @@
 namespace bonedecimate
 {
 /// @param settings Bound and tolerances of the editor.
-/// @param figures Filled if the task asks for smoothing.
+/// @param figures Filled if smoothing is requested.
 /// @return mm from the local origin, of each vertex of the mesh. Empty if nothing is smoothed, or after an abort.
 std::vector<Vector3> SmoothInput(const RunTask& task, const PreparedInput& prepared,
   const EditorSettings& settings, const Monitor& monitor, SmoothingFigures& figures);

@@ -328,7 +328,7 @@ TEST(AutomaticSmoothing, OfThickSlicesIsInVoxels)
   EXPECT_NEAR(bounded.Report.Smoothing.Bound, 0.25, 1e-6);
 }
 
-TEST(AutomaticSmoothing, UsesALabelMapThatIsGiven)
+TEST(AutomaticSmoothing, UsesTheLabelMapOfTheInput)
 {
   // Turned, so that no grid can be found in the points.
   BinarySurface turned = TestTorus();

@@ -28,7 +28,8 @@ def __getattr__(name: str):
     if name == "vtkBoneDecimate":
         from .vtk_filter import vtkBoneDecimate
         return vtkBoneDecimate
-    if name in ("vtkBoneDecimateLevels", "vtkBoneDiagnostics", "vtkBoneErrorSearch", "vtkBoneSurfaceDistance", "vtkBoneTolerance"):
+    if name in ("vtkBoneDecimateLevels", "vtkBoneDiagnostics", "vtkBoneErrorSearch", "vtkBoneSmooth", "vtkBoneSurfaceDistance",
+                "vtkBoneTolerance"):
         raise AttributeError(f"{name} is in the package bonedecimate that is built with VTK, not in the wheel")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
