@@ -72,8 +72,7 @@ int vtkBoneSmooth::RequestData(vtkInformation* vtkNotUsed(request),
   std::optional<Labels> labels;
   if (!options.ToleranceArrayName.empty() && input->GetNumberOfPoints() > 0)
   {
-    tolerances =
-      ReadNumbers(input->GetPointData()->GetArray(options.ToleranceArrayName.c_str()));
+    tolerances = ReadNumbers(input->GetPointData()->GetArray(options.ToleranceArrayName.c_str()));
     if (!tolerances)
     {
       vtkErrorMacro(<< "the input has no point array '" << options.ToleranceArrayName

@@ -13,14 +13,14 @@ there; PyVista finds `mesh.bone` by itself.
 from typing import TYPE_CHECKING
 
 from ._core import StopReason, __version__
-from .arrays import Aborted, Certificate, Result, certify, decimate
+from .arrays import Aborted, Certificate, Result, certify, decimate, smooth
 from .levels import Levels, open_levels, record_levels
 
 if TYPE_CHECKING:
     from .vtk_filter import vtkBoneDecimate
 
 __all__ = ["Aborted", "Certificate", "Levels", "Result", "StopReason", "__version__", "certify", "decimate",
-           "open_levels", "record_levels", "vtkBoneDecimate"]
+           "open_levels", "record_levels", "smooth", "vtkBoneDecimate"]
 
 
 def __getattr__(name: str):
