@@ -13,6 +13,8 @@ namespace
 {
 /// From this ratio of the largest to the smallest spacing on slices are thick.
 constexpr double ThickSlices = 2.0;
+/// Spacings are estimates, and limits lack the slack of the error bound: an error of one voxel is none below it.
+constexpr double RelativeAccuracy = 1e-3;
 
 void FindSource(const Surface& input, const LabelMapSource* labelMap, SmoothingPlan& plan)
 {
@@ -38,7 +40,7 @@ void PlanByVoxels(const Vector3& spacing, const Options& options, SmoothingPlan&
   const double error = options.MaximumError;
   plan.InVoxels = most >= ThickSlices * least && (error == 0.0 || error >= most);
   plan.Radius = 0.5 * (plan.InVoxels ? most : least);
-  plan.SmallBelow = least;
+  plan.SmallBelow = (1.0 - RelativeAccuracy) * least;
   if (error > 0.0)
   {
     plan.Radius = std::min(plan.Radius, plan.PartOf(error));
