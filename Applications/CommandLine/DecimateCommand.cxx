@@ -103,10 +103,10 @@ void AddSmoothCommand(CLI::App& program)
   command.final_callback(
     [arguments]
     {
-      const bool isGiven = arguments->Options.Smooths();
+      const bool isRequested = arguments->Options.Smooths();
       GiveOption(*arguments, *FindOption("Mode"), "Fast");
       GiveOption(*arguments, *FindOption("TargetReduction"), "0");
-      if (!isGiven)
+      if (!isRequested)
       {
         GiveOption(*arguments, *FindOption("AutomaticSmoothing"), "on");
       }

@@ -56,66 +56,98 @@ vtkBoneSmooth::vtkBoneSmooth() = default;
 
 vtkBoneSmooth::~vtkBoneSmooth() = default;
 
-//------------------------------------------------------------------------------
-int vtkBoneSmooth::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+/// The surface and what the named arrays say of it.
+struct vtkBoneSmooth::InputArrays
 {
-  if (this->ReportRejectedValues())
+  ConvertedSurface Converted;
+  std::optional<std::vector<double>> Tolerances;
+  std::optional<bonedecimate::Labels> Labels;
+};
+
+//------------------------------------------------------------------------------
+/// False if the input lacks an array that is named.
+bool vtkBoneSmooth::ReadArrays(vtkPolyData* input, InputArrays& arrays)
+{
+  const Options& options = this->State->Options;
+  arrays.Converted = ToSurface(input, options.NumberOfThreads);
+  if (input->GetNumberOfPoints() == 0)
   {
-    return 0;
+    return true;
   }
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  const Options options = OptionsOfRun(this->State->Options);
-  const ConvertedSurface converted = ToSurface(input, options.NumberOfThreads);
-  RunInputs inputs = { converted.IsSingle, NeedsOrigins(input, options) };
-  std::optional<std::vector<double>> tolerances;
-  std::optional<Labels> labels;
-  if (!options.ToleranceArrayName.empty() && input->GetNumberOfPoints() > 0)
+  if (!options.ToleranceArrayName.empty())
   {
-    tolerances = ReadNumbers(input->GetPointData()->GetArray(options.ToleranceArrayName.c_str()));
-    if (!tolerances)
+    arrays.Tolerances =
+      ReadNumbers(input->GetPointData()->GetArray(options.ToleranceArrayName.c_str()));
+    if (!arrays.Tolerances)
     {
       vtkErrorMacro(<< "the input has no point array '" << options.ToleranceArrayName
                     << "' of one component");
-      return 0;
+      return false;
     }
-    inputs.Tolerances = &*tolerances;
   }
-  if (!options.LabelArrayName.empty() && input->GetNumberOfPoints() > 0)
+  if (!options.LabelArrayName.empty())
   {
-    labels = LabelsNamed(options.LabelArrayName, input, converted);
-    if (!labels)
+    arrays.Labels = LabelsNamed(options.LabelArrayName, input, arrays.Converted);
+    if (!arrays.Labels)
     {
       vtkErrorMacro(<< "the input has no cell or point array '" << options.LabelArrayName
                     << "' of whole numbers");
-      return 0;
+      return false;
     }
-    inputs.Labels = &*labels;
   }
-  const Result result = Decimate(
-    converted.Surface, options,
-    [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); }, inputs);
-  this->State->Keep(result.Report);
-  const InputStatus status = result.Report.Status;
-  const std::string problem = InputMessage(result.Report);
-  if (status == InputStatus::NoTriangles)
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// False if the input was rejected.
+bool vtkBoneSmooth::Accept(const std::vector<std::string>& conversionWarnings)
+{
+  const Report& report = this->State->Report;
+  const std::string problem = InputMessage(report);
+  if (report.Status == InputStatus::NoTriangles)
   {
     vtkWarningMacro(<< problem);
   }
-  else if (status != InputStatus::Good && status != InputStatus::Empty)
+  else if (report.Status != InputStatus::Good && report.Status != InputStatus::Empty)
   {
     vtkErrorMacro(<< problem);
-    return 0;
+    return false;
   }
-  this->Warn(converted.Warnings);
-  this->Warn(InputWarnings(result.Report));
-  FillOutput(result, converted, options, WritesSingle(options, converted.IsSingle), input,
-    vtkPolyData::GetData(outputVector, 0));
-  const std::string contradiction = ProofMessage(result.Report);
+  this->Warn(conversionWarnings);
+  this->Warn(InputWarnings(report));
+  const std::string contradiction = ProofMessage(report);
   if (!contradiction.empty())
   {
     vtkErrorMacro(<< contradiction);
   }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkBoneSmooth::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  InputArrays arrays;
+  if (this->ReportRejectedValues() || !this->ReadArrays(input, arrays))
+  {
+    return 0;
+  }
+  const Options options = OptionsOfRun(this->State->Options);
+  const ConvertedSurface& converted = arrays.Converted;
+  RunInputs inputs = { converted.IsSingle, NeedsOrigins(input, options) };
+  inputs.Tolerances = arrays.Tolerances ? &*arrays.Tolerances : nullptr;
+  inputs.Labels = arrays.Labels ? &*arrays.Labels : nullptr;
+  const Result result = Decimate(
+    converted.Surface, options,
+    [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); }, inputs);
+  this->State->Keep(result.Report);
+  if (!this->Accept(converted.Warnings))
+  {
+    return 0;
+  }
+  FillOutput(result, converted, options, WritesSingle(options, converted.IsSingle), input,
+    vtkPolyData::GetData(outputVector, 0));
   return 1;
 }
 

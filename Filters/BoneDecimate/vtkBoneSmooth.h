@@ -27,6 +27,11 @@
 #include "vtkBoneSmoothOptions.h"
 #include "vtkFiltersBoneDecimateModule.h" // for export macro
 
+#include <string> // for warnings
+#include <vector> // for warnings
+
+class vtkPolyData;
+
 class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneSmooth : public vtkBoneSmoothOptions
 {
 public:
@@ -43,6 +48,10 @@ protected:
 private:
   vtkBoneSmooth(const vtkBoneSmooth&) = delete;
   void operator=(const vtkBoneSmooth&) = delete;
+
+  struct InputArrays;
+  bool ReadArrays(vtkPolyData* input, InputArrays& arrays);
+  bool Accept(const std::vector<std::string>& conversionWarnings);
 };
 
 #endif
