@@ -48,6 +48,7 @@ RunTask TaskOf(
   if (options.KeepsAllTriangles() && options.ProvesError() && task.Effective.MaximumError == 0.0)
   {
     task.Effective.MaximumError = task.Smoothing.Radius; // smoothing alone is proved, too
+    task.Smoothing.SmallBelow = 0.0;                     // and leaves nothing for edits
   }
   return task;
 }

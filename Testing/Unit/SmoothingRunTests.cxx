@@ -285,6 +285,14 @@ TEST(AutomaticSmoothing, TakesAThirdOfASmallErrorAndHalfAVoxelWithinOne)
   }
 }
 
+TEST(AutomaticSmoothing, AloneUsesHalfAVoxel)
+{
+  const Result result = Decimate(TestTorus().Surface, Automatic(Reduction(0.0)));
+  EXPECT_EQ(result.Report.Proof.Status, ProofStatus::Proved);
+  EXPECT_NEAR(result.Report.Smoothing.Bound, 0.25, 1e-6);
+  EXPECT_GT(result.Report.Smoothing.LargestDisplacement, 0.16);
+}
+
 TEST(AutomaticSmoothing, LeavesOtherSurfacesAloneAndSaysSo)
 {
   Surface gray = TestTorus().Surface;
