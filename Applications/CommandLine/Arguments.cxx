@@ -25,6 +25,40 @@ void AddTableOption(CLI::App& app, Arguments& arguments, const OptionInfo& info)
     ->check(ValueOf(info));
 }
 
+/// A number, or "auto" for the option AutomaticSmoothing.
+void AddSmoothing(CLI::App& app, Arguments& arguments)
+{
+  const OptionInfo& info = *FindOption("Smoothing");
+  const CLI::Validator isNumber = ValueOf(info);
+  app
+    .add_option_function<std::string>(
+      "--" + info.Flag,
+      [&arguments, &info](const std::string& text)
+      {
+        const bool isAutomatic = text == "auto";
+        GiveOption(arguments, isAutomatic ? *FindOption("AutomaticSmoothing") : info,
+          isAutomatic ? "on" : text);
+      },
+      WrappedHelp(OptionHelp(info) + " auto is --auto-smooth on."))
+    ->type_name("MM|auto")
+    ->check(CLI::Validator([isNumber](std::string& text)
+      { return text == "auto" ? std::string() : isNumber(text); },
+      ""));
+}
+
+/// The option of the table, with its own form if it has one.
+void AddOptionOfTable(CLI::App& app, Arguments& arguments, const OptionInfo& info)
+{
+  if (info.Name == "Smoothing")
+  {
+    AddSmoothing(app, arguments);
+  }
+  else
+  {
+    AddTableOption(app, arguments, info);
+  }
+}
+
 void AddIso(CLI::App& app, Arguments& arguments)
 {
   AddNumber(app,
@@ -142,7 +176,7 @@ void AddDecimateOptions(CLI::App& app, Arguments& arguments)
   {
     if (!info.Flag.empty())
     {
-      AddTableOption(app, arguments, info);
+      AddOptionOfTable(app, arguments, info);
     }
   }
   AddIso(app, arguments);
@@ -150,6 +184,19 @@ void AddDecimateOptions(CLI::App& app, Arguments& arguments)
   AddRegions(app, arguments);
   AddCommonFlags(app, arguments);
   AddBatchFlags(app, arguments);
+}
+
+void AddSmoothOptions(CLI::App& app, Arguments& arguments)
+{
+  app.add_option("FILES", arguments.Inputs, "INPUT OUTPUT")->type_name("")->allow_extra_args();
+  for (const char* name : { "Smoothing", "MaximumError", "AllowLargeError", "ToleranceArrayName",
+         "LabelArrayName", "MergePoints", "MeasureDistances", "ProveResult", "NumberOfThreads",
+         "OutputPointsPrecision", "PassArrays", "RecomputeNormals" })
+  {
+    AddOptionOfTable(app, arguments, *FindOption(name));
+  }
+  AddRegions(app, arguments);
+  AddCommonFlags(app, arguments);
 }
 
 void AddThesisOptions(CLI::App& app, Arguments& arguments)

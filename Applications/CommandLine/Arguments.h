@@ -55,6 +55,9 @@ struct Arguments
 /// Adds the options of a decimation and its positional files.
 void AddDecimateOptions(CLI::App& app, Arguments& arguments);
 
+/// Adds those options of a decimation that smoothing alone has, and its positional files.
+void AddSmoothOptions(CLI::App& app, Arguments& arguments);
+
 /// Adds those options of a decimation that the form of the thesis has, too.
 void AddThesisOptions(CLI::App& app, Arguments& arguments);
 

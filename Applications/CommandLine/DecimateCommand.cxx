@@ -91,6 +91,31 @@ void AddDecimateCommand(CLI::App& program, const std::string& self, ExitCode& co
     });
 }
 
+void AddSmoothCommand(CLI::App& program)
+{
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = AddCommand(program, "smooth", { "INPUT OUTPUT [OPTIONS]" },
+    "Smooths a bone surface within a bound that is proved, and keeps all triangles. Without "
+    "--smooth "
+    "the bound is half of the smallest voxel spacing, found in the surface of a binary "
+    "segmentation.");
+  AddSmoothOptions(command, *arguments);
+  command.final_callback(
+    [arguments]
+    {
+      const bool isRequested = arguments->Options.Smooths();
+      GiveOption(*arguments, *FindOption("Mode"), "Fast");
+      GiveOption(*arguments, *FindOption("TargetReduction"), "0");
+      if (!isRequested)
+      {
+        GiveOption(*arguments, *FindOption("AutomaticSmoothing"), "on");
+      }
+      TakeFiles(*arguments);
+      CheckArguments(*arguments);
+      RunOne(*arguments);
+    });
+}
+
 void AddThesisCommand(CLI::App& program)
 {
   const auto arguments = std::make_shared<Arguments>();

@@ -19,6 +19,9 @@ namespace bonedecimate
 void AddDecimateCommand(CLI::App& program, const std::string& self, ExitCode& code);
 
 void AddThesisCommand(CLI::App& program);
+
+/// Smoothing alone: a run that removes no triangles.
+void AddSmoothCommand(CLI::App& program);
 }
 
 #endif

@@ -35,7 +35,7 @@ Options OptionsForFiles(const Arguments& arguments)
   const auto isSingle = [](const std::string& path) { return !FindFormat(path)->HoldsDoubles; };
   const bool isLimited =
     (!options.ToleranceArrayName.empty() || !arguments.Regions.empty()) && options.ProvesError();
-  if ((options.BoundsError() || isLimited) &&
+  if ((options.BoundsError() || isLimited || options.Smooths()) &&
     (isSingle(arguments.Output) ||
       std::any_of(arguments.Also.begin(), arguments.Also.end(), isSingle)))
   {

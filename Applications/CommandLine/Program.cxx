@@ -49,6 +49,7 @@ ExitCode Run(int argc, char* argv[])
   program.require_subcommand(1);
   AddDecimateCommand(program, argc > 0 ? argv[0] : "", code);
   AddThesisCommand(program);
+  AddSmoothCommand(program);
   AddCertifyCommand(program, code);
   AddToleranceCommand(program, code);
   AddCurveCommand(program, code);

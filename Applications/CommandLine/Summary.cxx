@@ -58,6 +58,19 @@ void PrintVoxel(const ReportFields& report)
   }
 }
 
+void PrintSmoothing(const ReportFields& report)
+{
+  const std::optional<double> largest = report.Number("smoothing.largest_displacement");
+  if (largest)
+  {
+    std::cout << "smoothed        by up to " << MillimeterText(*largest) << ", RMS "
+              << MillimeterText(report.Number("smoothing.rms_displacement").value_or(0.0))
+              << " mm; mean angle between neighbors "
+              << FixedText(report.Number("smoothing.angle_before").value_or(0.0), 1) << " -> "
+              << FixedText(report.Number("smoothing.angle_after").value_or(0.0), 1) << " degrees\n";
+  }
+}
+
 /// The components left out on request, the largest first.
 void PrintPruned(const ReportFields& report)
 {
@@ -134,6 +147,7 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
             << Count(report, "input.components") << " kept\n";
   PrintPruned(report);
   PrintDiagnostics(report);
+  PrintSmoothing(report);
   if (report.Number("reference.triangles"))
   {
     std::cout << "reference       " << Count(report, "reference.triangles")

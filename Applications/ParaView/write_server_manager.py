@@ -22,6 +22,7 @@ PANEL = pathlib.Path(__file__).resolve().parent / "Plugin" / "BoneDecimate.xml"
 GROUPS = [
     ("Targets (lengths in mm)", ["Mode", "TargetNumberOfTriangles", "TargetReduction", "MaximumError", "ErrorPreset", "VoxelSize",
                  "ToleranceArrayName", "LabelArrayName"]),
+    ("Smoothing (lengths in mm)", ["Smoothing", "AutomaticSmoothing"]),
     ("Proof", ["IntersectionGuard", "ProveResult"]),
     ("Output", ["MeasureDistances", "MeasureInputDistances", "PassArrays", "MakeMaps", "RecomputeNormals",
                         "OutputPointsPrecision"]),
@@ -41,6 +42,7 @@ APPLIES = {
     "NormalTolerance": [[THESIS], [("AutomaticNormalTolerance", "0", False)]],
     "AutomaticNormalTolerance": [[THESIS]],
     "VoxelSize": [[("ErrorPreset", "0", True)]],
+    "AutomaticSmoothing": [[("Smoothing", "0", False)]],
     "DistanceArrayName": [[THESIS, ("MeasureDistances", "1", False)]],
     "RunningErrorArrayName": [[THESIS, ("MeasureDistances", "1", False)]],
     "InputDistanceArrayName": [[("MeasureInputDistances", "1", False)]],

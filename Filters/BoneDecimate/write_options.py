@@ -9,6 +9,7 @@ and descriptions are written nowhere else. Each class adds options to its superc
     vtkBoneRunOptions       the options of every filter that runs a decimation
     vtkBoneGoalOptions      where a run ends, and what is measured and proved: vtkBoneDecimate and vtkBoneDecimateLevels
     vtkBoneOutputOptions    all others: vtkBoneDecimate
+    vtkBoneSmoothOptions    those of vtkBoneSmooth
 
     write_options.py            write them
     write_options.py --check    fail if they are not what would be written
@@ -30,11 +31,17 @@ CLASSES = {
         ["Mode", "TargetNumberOfTriangles", "AllowLargeError", "IntersectionGuard", "MergePoints", "NumberOfThreads"]),
     "vtkBoneGoalOptions": (
         "vtkBoneRunOptions", "options of where a run ends, and of what is measured and proved",
-        ["TargetReduction", "MaximumError", "ErrorPreset", "VoxelSize", "NormalTolerance", "AutomaticNormalTolerance",
-         "MeasureDistances", "ProveResult"]),
+        ["TargetReduction", "MaximumError", "ErrorPreset", "VoxelSize", "Smoothing", "AutomaticSmoothing", "NormalTolerance",
+         "AutomaticNormalTolerance", "MeasureDistances", "ProveResult"]),
     "vtkBoneOutputOptions": (
         "vtkBoneGoalOptions", "options of the arrays, of the output and of what is left out of the input", None),
+    "vtkBoneSmoothOptions": (
+        "vtkBoneDecimateAlgorithm", "options of a run that smooths and removes no triangles",
+        ["Smoothing", "MaximumError", "ToleranceArrayName", "LabelArrayName", "MergePoints", "MeasureDistances", "ProveResult",
+         "PassArrays", "OutputPointsPrecision", "RecomputeNormals", "AllowLargeError", "NumberOfThreads"]),
 }
+# Classes beside those of vtkBoneDecimate: their options are options of others, too.
+BESIDE = {"vtkBoneSmoothOptions"}
 # Enumerations of choices; the values of OutputPointsPrecision are those of vtkAlgorithm.
 ENUMERATIONS = {"Mode": "Modes", "ErrorPreset": "ErrorPresets"}
 TYPES = {"bool": ("bool", "bool"), "int": ("int", "int"), "double": ("double", "double"),
@@ -187,7 +194,7 @@ def functions(class_name, name, row):
 def write_classes():
     """{file name: text}"""
     rows = read_table()
-    taken = {name for _, _, names in CLASSES.values() for name in names or ()}
+    taken = {name for key, (_, _, names) in CLASSES.items() if key not in BESIDE for name in names or ()}
     texts = {}
     for class_name, (superclass, brief, names) in CLASSES.items():
         names = names or [name for name in rows if name not in taken]

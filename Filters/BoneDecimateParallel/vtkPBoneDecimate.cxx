@@ -137,6 +137,11 @@ const char* vtkPBoneDecimate::ProblemOfParts()
   {
     return "ErrorPreset on several processes needs VoxelSize: a part tells too little";
   }
+  if (this->GetSmoothing() > 0.0 || this->GetAutomaticSmoothing())
+  {
+    return "smoothing is for one process alone: parts would be smoothed again where they are "
+           "joined";
+  }
   if (this->GetPruneSize() > 0.0 || this->GetPruneArea() > 0.0 || this->GetPruneVolume() > 0.0 ||
     this->GetPruneTriangles() > 0)
   {

@@ -11,6 +11,7 @@
 #include "Output/FinishLog.h"
 #include "Output/ResultProof.h"
 #include "RunProgress.h"
+#include "SmoothInput.h"
 #include "StageClock.h"
 #include "Stages/DistinctPositions.h"
 #include "Stages/StageList.h"
@@ -43,6 +44,12 @@ RunTask TaskOf(
     ApplyPreset(inputs.Reference != nullptr ? *inputs.Reference : input, task.Effective);
   task.RoundsToSingle = options.OutputPointsPrecision == PointsPrecision::Single ||
     (options.OutputPointsPrecision == PointsPrecision::Default && inputs.InputIsSingle);
+  task.Smoothing = PlanSmoothing(input, task.Effective, inputs.LabelMap);
+  if (options.KeepsAllTriangles() && options.ProvesError() && task.Effective.MaximumError == 0.0)
+  {
+    task.Effective.MaximumError = task.Smoothing.Radius; // smoothing alone is proved, too
+    task.Smoothing.SmallBelow = 0.0;                     // and leaves nothing for edits
+  }
   return task;
 }
 
@@ -89,9 +96,17 @@ EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepar
 std::unique_ptr<Editor> MakeEditor(
   const RunTask& task, PreparedInput& prepared, RunProgress& progress, Report& report)
 {
+  const Monitor building = progress.Stage(CheckedAt, BuiltAt);
+  EditorSettings settings = SettingsOfEditor(task, prepared, !progress.GoesOn());
+  if (progress.GoesOn())
+  {
+    settings.SmoothedPositions =
+      SmoothInput(task, prepared, settings, PartOf(building, 0.5, 0.75), report.Smoothing);
+  }
+  const bool isAborted = !progress.GoesOn();
   auto editor = std::make_unique<Editor>(std::move(*prepared.Mesh), prepared.Cleaned,
-    SettingsOfEditor(task, prepared, !progress.GoesOn()),
-    PartOf(progress.Stage(CheckedAt, BuiltAt), 0.5, 1.0));
+    isAborted ? SettingsOfEditor(task, prepared, isAborted) : settings,
+    PartOf(building, 0.75, 1.0));
   report.Cleaning.ConstrainedPoints = editor->NumberOfConstrainedVertices();
   return editor;
 }

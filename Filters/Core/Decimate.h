@@ -5,6 +5,7 @@
  * @brief Simplifies a surface; the result comes with its error in millimeters.
  *
  *     prepared = PrepareInput(input)           clean, prune, check the errors, build the half-edge mesh
+ *     smoothed = SmoothInput(prepared)         positions within a bound, if smoothing is on; proved by their displacement
  *     editor   = MakeEditor(prepared)          the mesh with all that is kept beside it; proves edits if there is a bound
  *     RunStages(editor)                        the stages of the mode (Modes.h), until a target is reached
  *     SeparatePoints(editor)                   points of a proved result that single precision would merge
@@ -18,6 +19,7 @@
 #define BoneDecimate_Core_Decimate_h
 
 #include "Input/Labels.h"
+#include "LabelMap/VoxelGrid.h"
 #include "Levels/EditLog.h"
 #include "Monitor.h"
 #include "Options/Options.h"
@@ -80,6 +82,9 @@ struct RunInputs
   const bonedecimate::Labels* Labels = nullptr;
   /// Receives the record of the run, see Levels.h; not changed if the input was rejected.
   EditLog* Log = nullptr;
+  /// The label map that the input was extracted from: grid points of the input points, labels of the input triangles. Null:
+  /// not known; the grid of a binary surface is found in its points.
+  const LabelMapSource* LabelMap = nullptr;
 };
 
 /**

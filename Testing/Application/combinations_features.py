@@ -328,6 +328,8 @@ FEATURES = [
     Feature("normal tolerance", ("--mode", "Thesis", "--normal-tolerance", 0.5), shows("normal_tolerance", 0.5)),
     Feature("automatic normal tolerance", ("--mode", "Thesis", "--target-triangles", 300, "--auto-normal-tolerance", "on"),
             shows("options.AutomaticNormalTolerance", "on"), goal=True),
+    Feature("smoothing", ("--smooth", 0.2), lambda run: "" if run.command or "smoothing" in run.report else "not smoothed"),
+    switch("automatic smoothing", "--auto-smooth", "on", "AutomaticSmoothing", lambda run: ""),
     Feature("threads", ("--threads", 2), shows("options.NumberOfThreads", "2")),
     switch("diagnose", "--diagnose", "on", "DiagnoseInput", lambda run: "" if run.command or "diagnostics" in run.report else "none"),
     Feature("obj", output="obj", problem=wrote_surface), Feature("stl", output="stl", problem=wrote_surface),

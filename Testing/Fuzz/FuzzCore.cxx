@@ -67,6 +67,8 @@ Question AnyQuestion(Bytes& bytes)
   question.HasNonsense = bytes.Below(4) == 1;
   question.IsSingle = bytes.Switch();
   question.WantsOrigins = bytes.Switch();
+  options.Smoothing = bytes.Below(4) == 1 ? bytes.Below(32) / 16.0 : 0.0; // mm
+  options.AutomaticSmoothing = bytes.Below(4) == 1;
   return question;
 }
 

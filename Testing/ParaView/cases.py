@@ -57,6 +57,8 @@ def rejected():
         "LabelArrayName": {"LabelArrayName": "bone"},
         "MergePoints": {"MergePoints": 0},
         "MakeMaps": {"MakeMaps": 1},
+        "Smoothing": {"Smoothing": 0.1},
+        "AutomaticSmoothing": {"AutomaticSmoothing": 1},
         "OutputPointsPrecision": {"OutputPointsPrecision": "Double"},
         "DiagnoseInput": {"DiagnoseInput": 1},
         "preset-alone": {"ErrorPreset": "HalfVoxel"},

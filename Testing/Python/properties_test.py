@@ -22,6 +22,7 @@ NUMBERS = {
     "TargetNumberOfTriangles": (0, 500, (-1, -2**31)),
     "TargetReduction": (0.9, 0.5, (-0.1, 1.5, *NO_NUMBERS)),
     "MaximumError": (0.0, 0.25, (-1.0, 1.1e30, *NO_NUMBERS)),
+    "Smoothing": (0.0, 0.25, (-1.0, 1.1e30, *NO_NUMBERS)),
     "NormalTolerance": (0.95, 0.5, (-0.1, 2.0, *NO_NUMBERS)),
     "NumberOfThreads": (0, 2, (-1, 1025)),
     "ErrorPreset": (vtkBoneDecimate.NO_PRESET, vtkBoneDecimate.HALF_VOXEL, (-1, 4)),
@@ -34,7 +35,7 @@ NUMBERS = {
 }
 SWITCHES = {"MergePoints": True, "AllowLargeError": False, "IntersectionGuard": True, "MeasureDistances": True, "MeasureInputDistances": False,
             "ProveResult": True, "PassArrays": True, "MakeMaps": False, "RecomputeNormals": False,
-            "AutomaticNormalTolerance": False, "DiagnoseInput": False}
+            "AutomaticNormalTolerance": False, "AutomaticSmoothing": False, "DiagnoseInput": False}
 TEXTS = {
     "DistanceArrayName": "Distance",
     "RunningErrorArrayName": "RunningError",

@@ -45,6 +45,33 @@ def farthest(points, others, triangles, parts):
     return max(np.sqrt(((samples - point) ** 2).sum(axis=1).min()) for point in points)
 
 
+class Smoothing(unittest.TestCase):
+    def test_keeps_all_triangles_and_its_distance(self):
+        noise = np.random.default_rng(3).uniform(-0.1, 0.1, POINTS.shape)
+        points, corners = bonedecimate.smooth(POINTS + noise, TRIANGLES, 0.1)
+        self.assertEqual(len(corners), len(TRIANGLES))
+        result = bonedecimate.smooth(POINTS + noise, TRIANGLES, 0.1, measure=False)
+        self.assertLessEqual(result.proved_error, 0.1)
+        self.assertEqual(result.proof_status, "proved")
+        self.assertLess(result.report["smoothing.angle_after"], result.report["smoothing.angle_before"])
+        np.testing.assert_array_equal(points, result.points)
+
+    def test_leaves_alone_what_is_no_segmentation_and_says_so(self):
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            result = bonedecimate.smooth(POINTS, TRIANGLES)
+        self.assertTrue(any("was not smoothed" in str(one.message) for one in told))
+        self.assertEqual(result.report["smoothing.bound"], 0)
+
+    def test_takes_nothing_that_removes_triangles(self):
+        for option in ({"target_reduction": 0.5}, {"mode": "Fast"}, {"smooth": 0.1}, {"prune_size": 1.0}):
+            with self.assertRaises(TypeError):
+                bonedecimate.smooth(POINTS, TRIANGLES, 0.1, **option)
+        for distance in (-1.0, math.nan, math.inf):
+            with self.assertRaises(ValueError):
+                bonedecimate.smooth(POINTS, TRIANGLES, distance)
+
+
 class Levels(unittest.TestCase):
     OPTIONS = {"mode": "Fast", "threads": 1}  # where a level is what a run of its own gives
 

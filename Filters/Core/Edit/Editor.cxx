@@ -11,6 +11,30 @@
 
 namespace bonedecimate
 {
+namespace
+{
+/// WithJoined at the positions of the mesh.
+template <typename Use>
+auto WithJoined(
+  const CleanSurface& clean, const HalfEdgeMesh& mesh, bool isSmoothed, const Use& use)
+{
+  return bonedecimate::WithJoined(clean,
+    [&](const Surface& joined)
+    {
+      if (!isSmoothed)
+      {
+        return use(joined);
+      }
+      Surface smoothed = joined;
+      for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+      {
+        smoothed.Points[v] = mesh.Position(v);
+      }
+      return use(static_cast<const Surface&>(smoothed));
+    });
+}
+}
+
 Editor::Editor(const CleanSurface& clean, const EditorSettings& settings)
   : Editor(HalfEdgeMesh(clean.Surface, settings.Threads, clean.ManifoldPatches), clean, settings)
 {
@@ -23,6 +47,10 @@ Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSetting
   , KeepsQuadrics(settings.KeepsQuadrics)
   , Source(clean, settings.RecordsDistances)
 {
+  if (!settings.SmoothedPositions.empty())
+  {
+    this->TakeSmoothedPositions(settings.SmoothedPositions);
+  }
   if (settings.KeepsAreas)
   {
     this->FaceGeometry.emplace(this->Half);
@@ -52,29 +80,42 @@ Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSetting
 }
 
 //------------------------------------------------------------------------------
+void Editor::TakeSmoothedPositions(const std::vector<Vector3>& positions)
+{
+  this->Unsmoothed = std::make_unique<HalfEdgeMesh>(this->Half);
+  for (Index v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
+  {
+    this->Half.Move(v, positions[v]);
+  }
+  this->Source.RecordDisplacements(positions);
+}
+
+//------------------------------------------------------------------------------
 /// Filters read the mesh before vertices are constrained by tolerances.
 void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
 {
   const int threads = settings.Threads;
   const bool isAborted = monitor && !monitor(0.0);
-  this->Fragments = WithJoined(this->Source.AtFirst(),
+  this->Fragments = WithJoined(this->Source.AtFirst(), this->Half, this->Unsmoothed != nullptr,
     [this](const Surface& joined) { return std::make_shared<FragmentGuard>(this->Half, joined); });
   this->Filters.push_back(this->Fragments);
   if (settings.Bound && !isAborted)
   {
     ErrorBoundSettings bound = *settings.Bound;
     bound.Tolerances = settings.Tolerances.empty() ? nullptr : &settings.Tolerances;
-    this->Bound = std::make_shared<ErrorBound>(*this->First, this->Source.Tree(threads), bound);
+    this->Bound = std::make_shared<ErrorBound>(
+      this->Unsmoothed ? *this->Unsmoothed : *this->First, this->Source.Tree(threads), bound);
     this->Filters.push_back(this->Bound);
   }
   if (settings.Bound && settings.GuardsIntersections && !isAborted)
   {
-    this->Filters.push_back(WithJoined(this->Source.AtFirst(),
-      [&](const Surface& joined)
-      {
-        return std::make_shared<IntersectionGuard>(
-          this->Half, joined, settings.Bound->Error, threads, monitor);
-      }));
+    this->Filters.push_back(
+      WithJoined(this->Source.AtFirst(), this->Half, this->Unsmoothed != nullptr,
+        [&](const Surface& joined)
+        {
+          return std::make_shared<IntersectionGuard>(
+            this->Half, joined, settings.Bound->Error, threads, monitor);
+        }));
   }
   this->Filters.insert(
     this->Filters.end(), settings.MoreFilters.begin(), settings.MoreFilters.end());
@@ -82,6 +123,11 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   {
     this->Recorder = std::make_shared<EditRecorder>();
     this->Filters.push_back(this->Recorder);
+    if (this->Unsmoothed)
+    {
+      this->Recorder->BeginPatch(*this->Unsmoothed);
+      this->Recorder->EndPatch(this->Half);
+    }
   }
   this->NeedsSurfaceChange = std::any_of(this->Filters.begin(), this->Filters.end(),
     [](const std::shared_ptr<EditFilter>& filter) { return filter->NeedsSurfaceChange(); });

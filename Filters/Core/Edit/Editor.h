@@ -55,7 +55,7 @@ public:
     const Monitor& monitor = {});
   Editor(CleanSurface&&, const EditorSettings&) = delete;
 
-  /// The mesh before the first edit; only with KeepsInitialMesh or an error bound.
+  /// The mesh before the first edit, smoothed; only with KeepsInitialMesh or an error bound.
   const HalfEdgeMesh& InitialMesh() const { return *this->First; }
   /// How many vertices are constrained because of their own tolerance; duplicates count once.
   Index NumberOfConstrainedVertices() const { return this->ConstrainedVertices; }
@@ -134,6 +134,7 @@ public:
 
 private:
   void AddFilters(const EditorSettings& settings, const Monitor& monitor);
+  void TakeSmoothedPositions(const std::vector<Vector3>& positions);
   Index ConstrainVertices(const std::vector<double>& tolerances);
   Vector3 Rounded(const Vector3& position) const;
   ProposedEdit& Propose(
@@ -157,6 +158,7 @@ private:
 
   HalfEdgeMesh Half;
   std::unique_ptr<const HalfEdgeMesh> First;
+  std::unique_ptr<const HalfEdgeMesh> Unsmoothed; // for the error bound; null: First
   std::optional<FaceAreas> FaceGeometry;
   bool KeepsQuadrics;
   Original Source;

@@ -21,6 +21,7 @@
 #include "Mesh/HalfEdgeMesh.h"
 #include "ReferenceInput.h"
 #include "RunProgress.h"
+#include "SmoothingPlan.h"
 
 #include <optional>
 
@@ -34,6 +35,7 @@ struct RunTask
   Options
     Effective; ///< With the largest error that is used: that of the preset, and none above the diagonal.
   bool RoundsToSingle = false; ///< Whether the result is written in single precision.
+  SmoothingPlan Smoothing = {};
 };
 
 /// mm, tolerances of the points of the input.

@@ -66,6 +66,7 @@ std::vector<Need> MakeNeeds()
       "MaximumError, ErrorPreset or ToleranceArrayName, and " + provingMode },
     { "VoxelSize", [](const Options& o) { return o.ErrorPreset != ErrorPreset::NoPreset; },
       "ErrorPreset" },
+    { "AutomaticSmoothing", [](const Options& o) { return o.Smoothing == 0.0; }, "Smoothing 0" },
     { "NormalTolerance", HasNormalTolerance, toleranceMode },
     { "NormalTolerance",
       [](const Options& o)

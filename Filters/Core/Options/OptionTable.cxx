@@ -42,6 +42,18 @@ std::vector<OptionInfo> GoalRows()
       "With MaximumError, except in Thesis mode: the number of intersecting pairs of triangles "
       "does not increase, and gaps between fragments and between facing walls keep at least half "
       "of their width." },
+    { "Smoothing", &Options::Smoothing, 0, LargestNumber, "mm", "smooth", {},
+      "Smooth the surface before the first edit: no point moves by more than this, nor by more "
+      "than "
+      "MaximumError and its tolerance allow. Both steps together keep MaximumError relative to the "
+      "input. Of the surface of a binary segmentation every voxel keeps its label in this step. "
+      "0: off." },
+    { "AutomaticSmoothing", &Options::AutomaticSmoothing, 0, 1, "", "auto-smooth", {},
+      "Smooth the surface of a binary segmentation by its voxel size, if Smoothing is 0: by half "
+      "of "
+      "the smallest voxel spacing, or by a third of a MaximumError or tolerance below that "
+      "spacing. "
+      "The voxel grid is found in the surface; any other surface is left as it is." },
     { "NormalTolerance", &Options::NormalTolerance, 0, 1, "", "normal-tolerance", {},
       "Thesis mode: tolerance w of the normal field deviation. Smaller values raise the cost of "
       "flat regions. At 1 an edge between coplanar triangles costs nothing, whatever its length." },

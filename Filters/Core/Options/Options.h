@@ -39,6 +39,8 @@ struct Options
   double MaximumError = 0.0; // mm
   bool AllowLargeError = false;
   bool IntersectionGuard = true;
+  double Smoothing = 0.0; // mm
+  bool AutomaticSmoothing = false;
   double NormalTolerance = 0.95;
   bool AutomaticNormalTolerance = false;
   bool MergePoints = true;
@@ -69,6 +71,16 @@ struct Options
   /// Must be set together with TargetReduction. While it is false, the default reduction is ignored if a number of
   /// triangles or a largest error is given.
   bool TargetReductionIsExplicit = false;
+
+  /// Whether the surface is smoothed before the first edit, if there is something to smooth.
+  bool Smooths() const { return this->Smoothing > 0.0 || this->AutomaticSmoothing; }
+
+  /// Whether no triangle is to be removed.
+  bool KeepsAllTriangles() const
+  {
+    return this->TargetNumberOfTriangles == 0 && this->TargetReductionIsExplicit &&
+      this->TargetReduction == 0.0;
+  }
 
   /// Whether small components are to go.
   bool Prunes() const

@@ -55,6 +55,15 @@ void Original::Merge(VertexId keep, VertexId gone, const Vector3& position)
 }
 
 //------------------------------------------------------------------------------
+void Original::RecordDisplacements(const std::vector<Vector3>& positions)
+{
+  for (std::size_t v = 0; this->RecordsDistances() && v < positions.size(); ++v)
+  {
+    this->LookUp(static_cast<Index>(v), positions[v]);
+  }
+}
+
+//------------------------------------------------------------------------------
 void Original::LookUp(VertexId vertex, const Vector3& position)
 {
   if (!this->HasMoved(vertex, position))

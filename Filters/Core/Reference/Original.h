@@ -30,6 +30,9 @@ public:
   /// Records that two vertices became one. Measures its distance if distances are recorded and it has moved.
   void Merge(VertexId keep, VertexId gone, const Vector3& position);
 
+  /// Measures the distances of moved vertices if distances are recorded.
+  void RecordDisplacements(const std::vector<Vector3>& positions);
+
   /// Whether the position differs from that of the input point in any bit.
   bool HasMoved(VertexId vertex, const Vector3& position) const
   {

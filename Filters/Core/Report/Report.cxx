@@ -10,6 +10,7 @@
 #include "Words.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace bonedecimate
@@ -17,6 +18,8 @@ namespace bonedecimate
 namespace
 {
 constexpr double LabelChangeToTell = 0.01;
+/// Of the volume of a closed component, by smoothing.
+constexpr double VolumeChangeToTell = 0.1;
 
 std::string Found(std::int64_t count, const char* what, const char* kind, std::int64_t first)
 {
@@ -41,6 +44,32 @@ std::vector<std::string> IdleWarnings(const Report& report)
     options.ToleranceArrayName = "without a name";
   }
   return IneffectiveOptions(options, given);
+}
+
+/// Nothing was smoothed, or something lost or gained much.
+std::vector<std::string> SmoothingWarnings(const SmoothingFigures& smoothing)
+{
+  using Source = SmoothingFigures::Source;
+  std::vector<std::string> warnings;
+  if (smoothing.From != Source::NotRequested && !smoothing.HasRun())
+  {
+    warnings.emplace_back(smoothing.From == Source::GrayLevel
+        ? "the surface was not smoothed: it is that of a gray-level volume, which holds more "
+          "detail "
+          "than its voxels (Smoothing smooths it anyway)"
+        : "the surface was not smoothed: it is not the unmodified surface of a binary segmentation "
+          "(Smoothing smooths it anyway)");
+  }
+  if (std::abs(smoothing.LargestVolumeChange) > VolumeChangeToTell)
+  {
+    char text[160];
+    std::snprintf(text, sizeof(text),
+      "smoothing changed the volume of a component by %.3g %%: parts that are two voxels thin or "
+      "less lose most",
+      100.0 * smoothing.LargestVolumeChange);
+    warnings.emplace_back(text);
+  }
+  return warnings;
 }
 
 std::string FarMessage(const ProvedDistance& distance)
@@ -171,6 +200,8 @@ std::vector<std::string> InputWarnings(const Report& report)
   std::vector<std::string> warnings = IdleWarnings(report);
   const std::vector<std::string> ofSize = SizeWarnings(report.Size);
   warnings.insert(warnings.end(), ofSize.begin(), ofSize.end());
+  const std::vector<std::string> ofSmoothing = SmoothingWarnings(report.Smoothing);
+  warnings.insert(warnings.end(), ofSmoothing.begin(), ofSmoothing.end());
   if (found.DroppedTriangles > 0)
   {
     warnings.push_back(Found(found.DroppedTriangles, "triangles without area were left out",

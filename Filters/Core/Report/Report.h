@@ -189,6 +189,39 @@ struct SizeFigures
   double ErrorBound = 0.0;   ///< mm, the error used by the run: at most Diagonal.
 };
 
+/// The smoothing before the first edit.
+struct SmoothingFigures
+{
+  /// What is known of the segmentation that the surface comes from.
+  enum class Source : int
+  {
+    NotRequested = 0,
+    LabelMap, ///< A label map, named with the surface.
+    Binary,   ///< Its points are the middles of grid edges: the surface of a binary segmentation.
+    GrayLevel, ///< Its points lie on the edges of a grid, interpolated: left alone by the automatic smoothing.
+    Unknown ///< No grid was found.
+  };
+  Source From = Source::NotRequested; ///< If NotRequested, all other members are meaningless.
+  double Bound = 0.0;           ///< mm, the largest displacement allowed; 0: nothing was smoothed.
+  bool IsInVoxels = false;      ///< Thick slices: smoothed in voxel units, within octahedra.
+  double Strength = 0.0;        ///< lambda of Smoothing/BoundedSolver.h
+  double RmsDisplacement = 0.0; ///< mm
+  double LargestDisplacement = 0.0; ///< mm
+  double AngleBefore = 0.0;         ///< Degrees, mean angle between the normals of neighbors.
+  double AngleAfter = 0.0;
+  double AreaBefore = 0.0; ///< mm^2
+  double AreaAfter = 0.0;
+  double VolumeBefore = 0.0; ///< mm^3, of all closed components.
+  double VolumeAfter = 0.0;
+  double LargestVolumeChange =
+    0.0; ///< Of a closed component, as a fraction of its volume, with its sign.
+  std::int64_t LimitedPoints =
+    0; ///< Whose bound was lowered, because triangles would intersect or turn over.
+  std::int64_t Rounds = 0; ///< Of lowering bounds.
+
+  bool HasRun() const { return this->Bound > 0.0; }
+};
+
 /// The voxels of a run with an ErrorPreset.
 struct VoxelFigures
 {
@@ -255,6 +288,7 @@ struct Report
   ReferenceFigures Reference;
   VoxelFigures Voxel;
   SizeFigures Size;
+  SmoothingFigures Smoothing;
   /// mm, maxError of the thesis: the largest distance of a new vertex to the input, after each collapse in mode Thesis and
   /// at the end in other modes. NaN if not measured (other modes without MeasureDistances and origins); tables omit it then.
   double RunningError = 0.0;

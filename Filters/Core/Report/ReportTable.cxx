@@ -167,6 +167,31 @@ void AddVoxel(Entries& entries, const VoxelFigures& voxel)
   entries.push_back({ "voxel.largest_error", "mm", voxel.LargestError });
 }
 
+void AddSmoothing(Entries& entries, const SmoothingFigures& smoothing)
+{
+  static const char* const sources[] = { "not_requested", "label_map", "binary", "gray_level",
+    "unknown" };
+  entries.push_back({ "smoothing.surface", "", std::string(WordOf(sources, smoothing.From)) });
+  entries.push_back({ "smoothing.bound", "mm", smoothing.Bound });
+  if (!smoothing.HasRun())
+  {
+    return;
+  }
+  entries.push_back({ "smoothing.in_voxels", "", std::int64_t(smoothing.IsInVoxels ? 1 : 0) });
+  entries.push_back({ "smoothing.strength", "", smoothing.Strength });
+  entries.push_back({ "smoothing.rms_displacement", "mm", smoothing.RmsDisplacement });
+  entries.push_back({ "smoothing.largest_displacement", "mm", smoothing.LargestDisplacement });
+  entries.push_back({ "smoothing.angle_before", "degrees", smoothing.AngleBefore });
+  entries.push_back({ "smoothing.angle_after", "degrees", smoothing.AngleAfter });
+  entries.push_back({ "smoothing.area_before", "mm2", smoothing.AreaBefore });
+  entries.push_back({ "smoothing.area_after", "mm2", smoothing.AreaAfter });
+  entries.push_back({ "smoothing.volume_before", "mm3", smoothing.VolumeBefore });
+  entries.push_back({ "smoothing.volume_after", "mm3", smoothing.VolumeAfter });
+  entries.push_back({ "smoothing.largest_volume_change", "", smoothing.LargestVolumeChange });
+  entries.push_back({ "smoothing.limited_points", "", smoothing.LimitedPoints });
+  entries.push_back({ "smoothing.rounds", "", smoothing.Rounds });
+}
+
 void AddRun(Entries& entries, const Report& report)
 {
   if (report.Size.LargestError > 0.0)
@@ -224,6 +249,10 @@ std::vector<ReportEntry> ReportEntries(const Report& report)
   if (report.Voxel.From != VoxelFigures::Source::NotRequested)
   {
     AddVoxel(entries, report.Voxel);
+  }
+  if (report.Smoothing.From != SmoothingFigures::Source::NotRequested)
+  {
+    AddSmoothing(entries, report.Smoothing);
   }
   if (report.Reference.IsPresent)
   {

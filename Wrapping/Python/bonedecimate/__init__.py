@@ -17,12 +17,13 @@ vtkBoneDiagnostics = checked(_wrapped, "vtkBoneDiagnostics")
 vtkBoneDecimate = checked(_wrapped, "vtkBoneDecimate")
 vtkBoneDecimateLevels = checked(_wrapped, "vtkBoneDecimateLevels")
 vtkBoneErrorSearch = checked(_wrapped, "vtkBoneErrorSearch")
+vtkBoneSmooth = checked(_wrapped, "vtkBoneSmooth")
 vtkBoneSurfaceDistance = checked(_wrapped, "vtkBoneSurfaceDistance")
 vtkBoneSurfaces = checked(_wrapped, "vtkBoneSurfaces")
 vtkBoneTolerance = checked(_wrapped, "vtkBoneTolerance")
 
-__all__ = ["vtkBoneDiagnostics", "vtkBoneDecimate", "vtkBoneDecimateLevels", "vtkBoneErrorSearch", "vtkBoneSurfaceDistance",
-           "vtkBoneSurfaces", "vtkBoneTolerance", "error_curve", "smallest_error"]
+__all__ = ["vtkBoneDiagnostics", "vtkBoneDecimate", "vtkBoneDecimateLevels", "vtkBoneErrorSearch", "vtkBoneSmooth",
+           "vtkBoneSurfaceDistance", "vtkBoneSurfaces", "vtkBoneTolerance", "error_curve", "smallest_error"]
 
 
 def _update(search):
@@ -69,6 +70,6 @@ def __getattr__(name):
     if name == "vtkBoneCheck":
         warn(name, "vtkBoneDiagnostics")
         return vtkBoneDiagnostics
-    if name in ("decimate", "certify", "record_levels", "open_levels"):
+    if name in ("decimate", "smooth", "certify", "record_levels", "open_levels"):
         raise AttributeError(f"bonedecimate.{name} is in the wheel, not in the package that is built with VTK")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -13,7 +13,7 @@ there; PyVista finds `mesh.bone` by itself.
 from typing import TYPE_CHECKING
 
 from ._core import StopReason, __version__
-from .arrays import Aborted, Certificate, Result, certify, decimate
+from .arrays import Aborted, Certificate, Result, certify, decimate, smooth
 from .label_maps import LabelSurfaces, extract_label, extract_surfaces
 from .levels import Levels, open_levels, record_levels
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from .vtk_filter import vtkBoneDecimate
 
 __all__ = ["Aborted", "Certificate", "LabelSurfaces", "Levels", "Result", "StopReason", "__version__", "certify", "decimate",
-           "extract_label", "extract_surfaces", "open_levels", "record_levels", "vtkBoneDecimate"]
+           "extract_label", "extract_surfaces", "open_levels", "record_levels", "smooth", "vtkBoneDecimate"]
 
 
 def __getattr__(name: str):
@@ -29,7 +29,8 @@ def __getattr__(name: str):
     if name == "vtkBoneDecimate":
         from .vtk_filter import vtkBoneDecimate
         return vtkBoneDecimate
-    if name in ("vtkBoneDecimateLevels", "vtkBoneDiagnostics", "vtkBoneErrorSearch", "vtkBoneSurfaceDistance", "vtkBoneSurfaces",
+    if name in ("vtkBoneDecimateLevels", "vtkBoneDiagnostics", "vtkBoneErrorSearch", "vtkBoneSmooth", "vtkBoneSurfaceDistance",
+                "vtkBoneSurfaces",
                 "vtkBoneTolerance"):
         raise AttributeError(f"{name} is in the package bonedecimate that is built with VTK, not in the wheel")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -12,14 +12,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from .options import WITHOUT_ARRAYS, deprecated, number, read, switch, takes_options, thread_count
+from .options import WITHOUT_ARRAYS, WITHOUT_GOALS, deprecated, number, read, switch, takes_options, thread_count
 from .progress import Progress, listener
 from .surfaces import labels_from, points_from, surface_from, tolerances_from, triangles_from, warn
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._keywords import ArrayOptions
+    from ._keywords import ArrayOptions, SmoothOptions
     from .surfaces import SurfaceLike
 
 
@@ -187,6 +187,47 @@ def decimate(
     if given is not None:
         result.labels = given[result.triangle_at_centroid]
     return result
+
+
+@takes_options(WITHOUT_GOALS)
+def smooth(
+    points: ArrayLike,
+    triangles: ArrayLike,
+    distance: float | None = None,
+    *,
+    tolerances: ArrayLike | None = None,
+    labels: ArrayLike | None = None,
+    reference: SurfaceLike | None = None,
+    progress: bool | Progress | None = None,
+    **options: Unpack[SmoothOptions],
+) -> Result:
+    """The surface without the staircase of a segmentation: the same triangles, no point moved farther than a proved distance.
+
+    Parameters
+    ----------
+    points, triangles, tolerances, labels, reference, progress
+        As `decimate` takes them.
+    distance : float, mm, optional
+        How far points may move. None: half of the smallest voxel spacing, which is found in the surface of a binary
+        segmentation, or a third of a smaller ``max_error``; any other surface is left as it is, with a warning.
+    **options
+
+    Raises
+    ------
+    TypeError, ValueError, RuntimeError, KeyboardInterrupt
+        As `decimate` does.
+    """
+    read(options, smooth)
+    bound = smoothing_of(distance)
+    return decimate(points, triangles, tolerances=tolerances, labels=labels, reference=reference, progress=progress,
+                    mode="Fast", target_reduction=0.0, **bound, **options)
+
+
+def smoothing_of(distance: float | None) -> dict[str, float | bool]:
+    """The options of smoothing for a distance, mm; None: automatic."""
+    if distance is None:
+        return {"auto_smooth": True}
+    return {"smooth": number("distance", distance, 0, 1e30, "mm")}
 
 
 def certify(

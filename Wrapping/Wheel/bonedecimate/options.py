@@ -42,6 +42,14 @@ WITHOUT_LEVELS = WITHOUT_ARRAYS | {key: "levels are of all components and have n
                                    if row.name.startswith("Prune") or row.name == "MakeMaps"}
 
 
+# Smoothing removes no triangles, and has a parameter of its own for the distance.
+WITHOUT_GOALS = WITHOUT_ARRAYS | {key: "smoothing removes no triangles" for key, row in ROWS.items()
+                                  if row.name in ("Mode", "TargetNumberOfTriangles", "TargetReduction", "IntersectionGuard",
+                                                  "NormalTolerance", "AutomaticNormalTolerance", "MakeMaps")
+                                  or row.name.startswith("Prune")} | {
+    key: "distance says how far points may move" for key, row in ROWS.items() if row.name.endswith("Smoothing")}
+
+
 def type_of(row: _core.OptionInfo) -> str:
     """As an annotation."""
     return "Literal[" + ", ".join(f'"{choice}"' for choice in row.choices) + "]" if row.choices else row.kind

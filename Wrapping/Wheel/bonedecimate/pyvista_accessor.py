@@ -14,7 +14,7 @@ import pyvista as pv
 from numpy.typing import ArrayLike
 
 from . import _core
-from .arrays import Certificate, certify, check
+from .arrays import Certificate, certify, check, smoothing_of
 from .label_maps import LabelSurfaces, extract_surfaces
 from .levels import Levels, open_levels, record_levels
 from .options import WITHOUT_LEVELS, number, read, switch, takes_options
@@ -142,6 +142,24 @@ class BoneAccessor:
         measured = pv.PolyData()
         fill_input_copy(outcome, values, mesh, measured)
         return output, measured
+
+    def smooth(self, distance: float | None = None, **options) -> pv.PolyData:
+        """The surface without the staircase of a segmentation, as `bonedecimate.smooth`: the same triangles, with the arrays of
+        this one and the report as field data.
+
+        >>> mesh.bone.smooth().plot()
+
+        Parameters
+        ----------
+        distance : float, mm, optional
+            How far points may move; None: by the voxel grid, which is found in the surface of a binary segmentation.
+        **options
+            As `decimate` takes them, without those that say how many triangles to remove.
+        """
+        taken = [key for key in ("mode", "target_reduction", "target_triangles", "smooth", "auto_smooth") if key in options]
+        if taken:
+            raise TypeError(f"smooth takes no {taken[0]}: it removes no triangles, and distance says how far points may move")
+        return self.decimate(mode="Fast", target_reduction=0.0, **smoothing_of(distance), **options)
 
     def _with_arrays(self, values, tolerances: ArrayLike | None, labels: ArrayLike | None) -> pv.PolyData:
         """The mesh, or a copy with the arrays that were given; the options then name them."""

@@ -16,7 +16,8 @@ import sys
 import textwrap
 
 from bonedecimate import _core, options
-from bonedecimate.options import ROWS, WITHOUT_ARRAYS, WITHOUT_LEVELS, default_of, describe, options_but, type_of, words
+from bonedecimate.options import (
+    ROWS, WITHOUT_ARRAYS, WITHOUT_GOALS, WITHOUT_LEVELS, default_of, describe, options_but, type_of, words)
 
 HERE = pathlib.Path(__file__).resolve().parent
 SOURCES = HERE.parent / "bonedecimate"
@@ -33,7 +34,8 @@ def document(row, indent):
 
 def keywords():
     text = HEAD + "from typing import Literal, TypedDict\n"
-    for name, without in (("ArrayOptions", WITHOUT_ARRAYS), ("LevelOptions", WITHOUT_LEVELS), ("MeshOptions", ["labels"])):
+    for name, without in (("ArrayOptions", WITHOUT_ARRAYS), ("SmoothOptions", WITHOUT_GOALS), ("LevelOptions", WITHOUT_LEVELS),
+                          ("MeshOptions", ["labels"])):
         text += f"\nclass {name}(TypedDict, total=False):\n"
         for key, row in options_but(without).items():
             text += f"    {key}: {type_of(row)}\n" + document(row, "    ")

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DisplacementSets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr double Slack = 4e-3; // half voxels
+
+int NumberOfOdd(const GridPoint& point)
+{
+  return static_cast<int>(
+    std::count_if(point.begin(), point.end(), [](std::int32_t i) { return i % 2 != 0; }));
+}
+
+/// The nearest point of the octahedron sum w |x| <= radius to p, by the threshold t of x = p shortened by t w along each axis.
+Vector3 NearestInOctahedron(const Vector3& p, const Vector3& w, double radius)
+{
+  const Vector3 lengths = p.cwiseAbs();
+  if (w.dot(lengths) <= radius)
+  {
+    return p;
+  }
+  std::array<bool, 3> isActive = { true, true, true };
+  double threshold = 0.0;
+  // An axis whose length falls below 0 is 0 in the nearest point; the threshold only grows then.
+  for (bool isDone = false; !isDone;)
+  {
+    double sum = -radius;
+    double squares = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      sum += isActive[k] ? w[k] * lengths[k] : 0.0;
+      squares += isActive[k] ? w[k] * w[k] : 0.0;
+    }
+    threshold = sum / squares;
+    isDone = true;
+    for (int k = 0; k < 3; ++k)
+    {
+      if (isActive[k] && lengths[k] < threshold * w[k])
+      {
+        isActive[k] = false;
+        isDone = false;
+      }
+    }
+  }
+  Vector3 nearest;
+  for (int k = 0; k < 3; ++k)
+  {
+    nearest[k] =
+      isActive[k] ? std::copysign(std::max(0.0, lengths[k] - threshold * w[k]), p[k]) : 0.0;
+  }
+  return nearest;
+}
+}
+
+DisplacementSets::DisplacementSets(const std::vector<Vector3>& points, std::vector<double> radii,
+  const LabelMapSource* source, bool inVoxels)
+  : InVoxels(inVoxels)
+  , Radii(std::move(radii))
+{
+  if (source != nullptr && !source->OfPoint.empty())
+  {
+    this->Axes = source->Grid.Direction;
+    this->Unit = inVoxels ? Vector3(0.5 * source->Grid.Spacing) : Vector3(Vector3::Ones());
+    this->HalfVoxelsPerUnit = this->Unit.cwiseQuotient(0.5 * source->Grid.Spacing);
+    this->AddOctahedra(points, *source);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// A point that lies outside of its octahedron was not extracted there: it does not move.
+void DisplacementSets::AddOctahedra(
+  const std::vector<Vector3>& points, const LabelMapSource& source)
+{
+  this->Octahedra.reserve(points.size());
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    const GridPoint& center = source.OfPoint[p];
+    const Vector3 voxels = source.Grid.ToVoxels(points[p]);
+    const Octahedron octahedron = { 2.0 * voxels - Vector3(center[0], center[1], center[2]),
+      NumberOfOdd(center) - Slack };
+    this->Octahedra.push_back(octahedron);
+    if (!(octahedron.FromCenter.cwiseAbs().sum() <= octahedron.Radius))
+    {
+      this->Radii[p] = 0.0;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+Vector3 DisplacementSets::Project(Index point, const Vector3& displacement) const
+{
+  if (this->Octahedra.empty())
+  {
+    return this->ShortenedToBall(point, displacement);
+  }
+  return this->InVoxels ? this->ShortenedToBall(point, this->OntoOctahedron(point, displacement))
+                        : this->OntoOctahedron(point, this->ShortenedToBall(point, displacement));
+}
+
+//------------------------------------------------------------------------------
+Vector3 DisplacementSets::ShortenedToBall(Index point, const Vector3& displacement) const
+{
+  const double radius = this->Radii[point];
+  const double squared = this->Unit.cwiseProduct(displacement).squaredNorm();
+  if (!(radius > 0.0))
+  {
+    return Vector3::Zero();
+  }
+  return squared <= radius * radius ? displacement
+                                    : Vector3(radius / std::sqrt(squared) * displacement);
+}
+
+//------------------------------------------------------------------------------
+Vector3 DisplacementSets::OntoOctahedron(Index point, const Vector3& displacement) const
+{
+  const Octahedron& octahedron = this->Octahedra[point];
+  const Vector3 center = octahedron.FromCenter.cwiseQuotient(this->HalfVoxelsPerUnit);
+  const Vector3 from = center + displacement;
+  if (this->HalfVoxelsPerUnit.dot(from.cwiseAbs()) <= octahedron.Radius)
+  {
+    return displacement; // bit for bit
+  }
+  if (this->Radii[point] == 0.0)
+  {
+    return Vector3::Zero();
+  }
+  return NearestInOctahedron(from, this->HalfVoxelsPerUnit, octahedron.Radius) - center;
+}
+
+//------------------------------------------------------------------------------
+bool DisplacementSets::KeepsToOctahedron(Index point, const Vector3& millimeters) const
+{
+  if (this->Octahedra.empty())
+  {
+    return true;
+  }
+  const Octahedron& octahedron = this->Octahedra[point];
+  const Vector3 halfVoxels =
+    this->FromMillimeters(millimeters).cwiseProduct(this->HalfVoxelsPerUnit);
+  return (octahedron.FromCenter + halfVoxels).cwiseAbs().sum() <= octahedron.Radius + 0.5 * Slack;
+}
+}

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file DisplacementSets.h
+ * @brief For each point the convex set of displacements that it may take: a ball, and an octahedron if its grid point is known.
+ *
+ *     ball:        |d| <= r
+ *     octahedron:  sum of |x0 + d - c| / h over the axes <= n - slack     h: half the side of a voxel, n: odd coordinates
+ *
+ * VoxelGrid.h says why points in octahedra keep the label of every voxel. The slack keeps triangles away from voxel centers:
+ * at 4e-3 half voxels by 1.1e-3 voxels.
+ *
+ * Displacements are along the axes of the grid, in units of the set: millimeters, or half voxels for thick slices, where
+ * the octahedron alone limits points that have one.
+ *
+ * The sets contain 0. A projection onto a convex set never leads away from its points: in millimeters the octahedron after
+ * the ball keeps to the ball; in half voxels the ball shortens, which keeps to the octahedron.
+ */
+#ifndef BoneDecimate_Core_Smoothing_DisplacementSets_h
+#define BoneDecimate_Core_Smoothing_DisplacementSets_h
+
+#include "LabelMap/VoxelGrid.h"
+#include "Surface.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+class DisplacementSets
+{
+public:
+  /// @param points mm.  @param radii mm, of each point; 0: it does not move.
+  /// @param source With OfPoint: octahedra; null or without: balls alone. Its grid has the points' origin.
+  /// @param inVoxels Units of half voxels along each axis. Only with a source.
+  DisplacementSets(const std::vector<Vector3>& points, std::vector<double> radii,
+    const LabelMapSource* source, bool inVoxels);
+
+  Vector3 Project(Index point, const Vector3& displacement) const;
+
+  /// Whether a displacement in mm keeps to the octahedron, with half of its slack for rounding; true without octahedra.
+  bool KeepsToOctahedron(Index point, const Vector3& millimeters) const;
+
+  Vector3 ToMillimeters(const Vector3& displacement) const
+  {
+    return this->Axes * this->Unit.cwiseProduct(displacement);
+  }
+  Vector3 FromMillimeters(const Vector3& millimeters) const
+  {
+    return (this->Axes.transpose() * millimeters).cwiseQuotient(this->Unit);
+  }
+
+  double Radius(Index point) const { return this->Radii[point]; } ///< mm
+  void SetRadius(Index point, double millimeters) { this->Radii[point] = millimeters; }
+  /// mm along each axis of one unit.
+  const Vector3& UnitLengths() const { return this->Unit; }
+
+private:
+  struct Octahedron
+  {
+    Vector3 FromCenter; // of the point, half voxels
+    double Radius;      // half voxels, without slack
+  };
+  void AddOctahedra(const std::vector<Vector3>& points, const LabelMapSource& source);
+  Vector3 ShortenedToBall(Index point, const Vector3& displacement) const;
+  Vector3 OntoOctahedron(Index point, const Vector3& displacement) const;
+
+  Eigen::Matrix3d Axes = Eigen::Matrix3d::Identity();
+  Vector3 Unit = Vector3::Ones();              // mm
+  Vector3 HalfVoxelsPerUnit = Vector3::Zero(); // with octahedra
+  bool InVoxels = false;
+  std::vector<double> Radii; // mm
+  std::vector<Octahedron> Octahedra;
+};
+}
+
+#endif

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NewCrossings.h"
+
+#include "Intersections/TrianglePair.h"
+#include "Parallel.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr std::size_t LeafSize = 8;       // triangles
+constexpr std::size_t LeavesOfBlock = 64; // of work
+
+PlaneTriangle PlaneTriangleOf(const std::vector<Vector3>& points, const Triangle& c)
+{
+  return PlaneTriangle({ points[c[0]], points[c[1]], points[c[2]] });
+}
+
+/// Corners that two triangles have in common, by their numbers in each.
+struct CommonCorners
+{
+  CommonCorners(const Triangle& a, const Triangle& b)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      for (std::size_t j = 0; j < 3; ++j)
+      {
+        if (a[i] == b[j])
+        {
+          ++this->Count;
+          this->SumA += i;
+          this->SumB += j;
+        }
+      }
+    }
+  }
+  std::size_t Count = 0;
+  std::size_t SumA = 0, SumB = 0; // of one: its number; of two: 3 less that of the third corner
+};
+
+bool Intersect(const std::vector<Vector3>& points, const Triangle& a, const Triangle& b)
+{
+  const CommonCorners common(a, b);
+  if (common.Count == 3)
+  {
+    return false;
+  }
+  const PlaneTriangle first = PlaneTriangleOf(points, a);
+  if (common.Count == 2)
+  {
+    return MeetBeyondEdge(first, 3 - common.SumA, points[b[3 - common.SumB]]);
+  }
+  const PlaneTriangle second = PlaneTriangleOf(points, b);
+  return common.Count == 1 ? MeetBeyondCorner(first, common.SumA, second, common.SumB)
+                           : Meet(first, second);
+}
+}
+
+NewCrossings::NewCrossings(const Surface& before, int threads)
+  : Before(before)
+  , Threads(threads)
+  , Leaves(1)
+{
+  while (this->Leaves * LeafSize < before.Triangles.size())
+  {
+    this->Leaves *= 2;
+  }
+}
+
+//------------------------------------------------------------------------------
+NewCrossings::Box NewCrossings::BoxOf(
+  const std::vector<Vector3>& points, std::size_t triangle) const
+{
+  const Triangle& c = this->Before.Triangles[triangle];
+  return { points[c[0]].cwiseMin(points[c[1]]).cwiseMin(points[c[2]]),
+    points[c[0]].cwiseMax(points[c[1]]).cwiseMax(points[c[2]]) };
+}
+
+//------------------------------------------------------------------------------
+void NewCrossings::FillTree(const std::vector<Vector3>& points)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Box empty = { Vector3::Constant(infinity), Vector3::Constant(-infinity) };
+  this->Boxes.assign(2 * this->Leaves, empty);
+  const auto join = [](Box& box, const Box& other)
+  {
+    box.Low = box.Low.cwiseMin(other.Low);
+    box.High = box.High.cwiseMax(other.High);
+  };
+  const std::size_t count = this->Before.Triangles.size();
+  ForEachId((count + LeafSize - 1) / LeafSize, this->Threads,
+    [&](std::size_t leaf)
+    {
+      Box& box = this->Boxes[this->Leaves + leaf];
+      for (std::size_t t = LeafSize * leaf; t < std::min(count, LeafSize * (leaf + 1)); ++t)
+      {
+        join(box, this->BoxOf(points, t));
+      }
+    });
+  for (std::size_t node = this->Leaves; node-- > 1;)
+  {
+    join(this->Boxes[node], this->Boxes[2 * node]);
+    join(this->Boxes[node], this->Boxes[2 * node + 1]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void NewCrossings::FindNear(const Box& box, std::vector<std::size_t>& leaves) const
+{
+  leaves.clear();
+  std::array<std::size_t, 128> stack; // never more than twice the depth of the tree
+  std::size_t size = 0;
+  stack[size++] = 1;
+  while (size > 0)
+  {
+    const std::size_t node = stack[--size];
+    if (!this->Boxes[node].Overlaps(box))
+    {
+      continue;
+    }
+    if (node >= this->Leaves)
+    {
+      leaves.push_back(node - this->Leaves);
+    }
+    else
+    {
+      stack[size++] = 2 * node + 1;
+      stack[size++] = 2 * node;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool NewCrossings::IsTurnedOver(const std::vector<Vector3>& points, const Triangle& c) const
+{
+  const auto areaOf = [&c](const std::vector<Vector3>& at)
+  { return Vector3((at[c[1]] - at[c[0]]).cross(at[c[2]] - at[c[0]])); };
+  const Vector3 before = areaOf(this->Before.Points);
+  return before.squaredNorm() > 0.0 && !(before.dot(areaOf(points)) > 0.0);
+}
+
+//------------------------------------------------------------------------------
+bool NewCrossings::IsNew(const std::vector<Vector3>& points, std::size_t a, std::size_t b) const
+{
+  const Triangle& first = this->Before.Triangles[a];
+  const Triangle& second = this->Before.Triangles[b];
+  return Intersect(points, first, second) && !Intersect(this->Before.Points, first, second);
+}
+
+//------------------------------------------------------------------------------
+/// Pairs of a moved triangle of the leaf; of two moved ones the pair with the lesser in this leaf.
+void NewCrossings::FindOfLeaf(std::size_t leaf, const std::vector<Vector3>& points,
+  const std::vector<char>& isMoved, std::vector<Index>& found) const
+{
+  const std::size_t count = this->Before.Triangles.size();
+  const std::size_t first = LeafSize * leaf;
+  const std::size_t last = std::min(count, first + LeafSize);
+  if (std::none_of(isMoved.begin() + static_cast<std::ptrdiff_t>(first),
+        isMoved.begin() + static_cast<std::ptrdiff_t>(last), [](char moved) { return moved != 0; }))
+  {
+    return;
+  }
+  std::vector<std::size_t> leaves;
+  this->FindNear(this->Boxes[this->Leaves + leaf], leaves);
+  std::array<Box, LeafSize> boxes;
+  for (std::size_t t = first; t < last; ++t)
+  {
+    boxes[t - first] = this->BoxOf(points, t);
+    if (isMoved[t] != 0 && this->IsTurnedOver(points, this->Before.Triangles[t]))
+    {
+      found.push_back(static_cast<Index>(t));
+    }
+  }
+  for (const std::size_t near : leaves)
+  {
+    for (std::size_t u = LeafSize * near; u < std::min(count, LeafSize * (near + 1)); ++u)
+    {
+      const Box box = this->BoxOf(points, u);
+      for (std::size_t t = first; t < last; ++t)
+      {
+        const bool isOfThisLeaf = isMoved[t] != 0 && (isMoved[u] == 0 || t < u);
+        if (isOfThisLeaf && boxes[t - first].Overlaps(box) && this->IsNew(points, t, u))
+        {
+          found.push_back(static_cast<Index>(t));
+          found.push_back(static_cast<Index>(u));
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<Index> NewCrossings::Find(
+  const std::vector<Vector3>& points, const std::vector<char>& isMoved, const Monitor& monitor)
+{
+  this->FillTree(points);
+  const std::size_t leaves = (this->Before.Triangles.size() + LeafSize - 1) / LeafSize;
+  std::vector<std::vector<Index>> parts((leaves + LeavesOfBlock - 1) / LeavesOfBlock);
+  ForEachPart(parts.size(), this->Threads, monitor,
+    [&](std::size_t part)
+    {
+      const std::size_t end = std::min(leaves, (part + 1) * LeavesOfBlock);
+      for (std::size_t leaf = part * LeavesOfBlock; leaf < end; ++leaf)
+      {
+        this->FindOfLeaf(leaf, points, isMoved, parts[part]);
+      }
+    });
+  std::vector<Index> found;
+  for (const std::vector<Index>& part : parts)
+  {
+    found.insert(found.end(), part.begin(), part.end());
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+}

@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Smoothing.h"
+
+#include "BoundedSolver.h"
+#include "Mesh/SurfaceAssembly.h"
+#include "NewCrossings.h"
+#include "Parallel.h"
+#include "SmoothingStrength.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Of the radius: what rounding to the precision of the output may add is left free.
+constexpr double RadiusOfSolver = 0.999;
+/// Radii are halved that often, then set to 0.
+constexpr int MostHalvings = 6;
+/// Rings of points around an intersection that are solved again.
+constexpr int RingsAround = 4;
+/// Fractions of the progress.
+constexpr double GraphAt = 0.15;
+constexpr double StrengthAt = 0.5;
+constexpr double SolvedAt = 0.8;
+
+/// mm: the least limit of a point and of its neighbors, and the radius.
+std::vector<double> RadiiOf(
+  const SmoothingInput& input, const SmoothingGraph& graph, const SmoothingSettings& settings)
+{
+  std::vector<double> radii(input.Surface.Points.size(), settings.Radius);
+  if (input.Limits != nullptr)
+  {
+    ForEachId(radii.size(), settings.Threads,
+      [&](std::size_t p)
+      {
+        double least = std::min(settings.Radius, (*input.Limits)[p]);
+        graph.VisitNeighbors(static_cast<Index>(p),
+          [&](Index neighbor) { least = std::min(least, (*input.Limits)[neighbor]); });
+        radii[p] = std::max(0.0, least);
+      });
+  }
+  return radii;
+}
+
+std::vector<double> Scaled(std::vector<double> radii, double factor)
+{
+  for (double& radius : radii)
+  {
+    radius *= factor;
+  }
+  return radii;
+}
+
+/// Lengths of edges are measured in the units in which displacements are.
+Eigen::Matrix3d ToUnits(const SmoothingInput& input, const SmoothingSettings& settings)
+{
+  if (!settings.InVoxels || input.Source == nullptr)
+  {
+    return Eigen::Matrix3d::Identity();
+  }
+  const VoxelGrid& grid = input.Source->Grid;
+  const Vector3 unitsOfMillimeter = (0.5 * grid.Spacing).cwiseInverse();
+  return unitsOfMillimeter.asDiagonal() * grid.Direction.transpose();
+}
+
+class Smoother
+{
+public:
+  Smoother(const SmoothingInput& input, const SmoothingSettings& settings)
+    : Input(input)
+    , Settings(settings)
+    , Points(input.Surface.Points)
+    , Graph(input.Surface,
+        input.Source != nullptr ? input.Source->OfTriangle : std::vector<BoundaryLabels>(),
+        ToUnits(input, settings), settings.Threads)
+    , Radii(RadiiOf(input, this->Graph, settings))
+    , Sets(this->Points, Scaled(this->Radii, RadiusOfSolver), input.Source, settings.InVoxels)
+    , Solver(this->Graph, this->Sets, this->Points, settings.Threads)
+    , Displacements(this->Points.size(), Vector3::Zero())
+    , Moved(this->Points)
+  {
+  }
+
+  /// False after an abort.
+  bool Run(const Monitor& monitor)
+  {
+    bool goesOn = true;
+    const Monitor watched = [&](double done)
+    {
+      goesOn = goesOn && (!monitor || monitor(done));
+      return goesOn;
+    };
+    watched(GraphAt);
+    this->Strength = this->Settings.Strength;
+    if (goesOn && this->Strength == 0.0)
+    {
+      this->Strength = this->AutomaticStrength(PartOf(watched, GraphAt, StrengthAt));
+    }
+    goesOn = goesOn &&
+      this->Solver.Run(this->Strength, this->Solver.IterationsOf(this->Strength),
+        PartOf(watched, StrengthAt, SolvedAt), this->Displacements);
+    if (goesOn)
+    {
+      ForEachId(this->Points.size(), this->Settings.Threads,
+        [&](std::size_t p) { this->MovePoint(static_cast<Index>(p)); });
+      this->RemoveCrossings(PartOf(watched, SolvedAt, 1.0), goesOn);
+    }
+    return goesOn;
+  }
+
+  SmoothedSurface Take()
+  {
+    SmoothedSurface smoothed;
+    smoothed.Figures = CompareSmoothed(
+      this->Input.Surface, this->Moved, this->Graph.SmoothEdges(), this->Settings.Threads);
+    smoothed.Figures.Bound = this->Settings.Radius;
+    smoothed.Figures.IsInVoxels = this->Settings.InVoxels;
+    smoothed.Figures.Strength = this->Strength;
+    smoothed.Figures.LimitedPoints =
+      std::count_if(this->Halvings.begin(), this->Halvings.end(), [](int n) { return n > 0; });
+    smoothed.Figures.Rounds = this->Rounds;
+    smoothed.Points = std::move(this->Moved);
+    return smoothed;
+  }
+
+private:
+  double AutomaticStrength(const Monitor& monitor)
+  {
+    if (this->Input.Source == nullptr || this->Input.Source->OfPoint.empty())
+    {
+      return DefaultStrength;
+    }
+    return ChooseStrength(
+      { this->Input.Surface, this->Graph, this->Sets, *this->Input.Source, this->Settings.Threads },
+      this->Solver, monitor, this->Displacements);
+  }
+
+  /// Where the point will be when it has been written.
+  Vector3 Rounded(const Vector3& position) const
+  {
+    return this->Settings.RoundsToSingle
+      ? Vector3(RoundedToSingle(position + this->Settings.Origin) - this->Settings.Origin)
+      : position;
+  }
+
+  /// Puts a point where its displacement leads, rounded, and within its bound.
+  void MovePoint(Index point)
+  {
+    constexpr int mostHalvings = 8;
+    const Vector3& from = this->Points[point];
+    Vector3 displacement = this->Sets.ToMillimeters(this->Displacements[point]);
+    this->Moved[point] = from;
+    for (int i = 0; i < mostHalvings && displacement != Vector3::Zero(); ++i)
+    {
+      const Vector3 to = this->Rounded(from + displacement);
+      const Vector3 moved = to - from;
+      if (moved.norm() <= this->Radii[point] && this->Sets.KeepsToOctahedron(point, moved))
+      {
+        this->Moved[point] = to;
+        return;
+      }
+      displacement *= 0.5;
+    }
+  }
+
+  void RemoveCrossings(const Monitor& monitor, const bool& goesOn)
+  {
+    NewCrossings crossings(this->Input.Surface, this->Settings.Threads);
+    std::vector<char> isMoved(this->Input.Surface.Triangles.size(), 1);
+    std::vector<Index> found = crossings.Find(this->Moved, isMoved, monitor);
+    while (goesOn && !found.empty())
+    {
+      ++this->Rounds;
+      const std::vector<Index> around = this->LowerRadii(found);
+      this->Solver.RunSome(this->Strength, around, this->Displacements);
+      for (const Index point : around)
+      {
+        this->MovePoint(point);
+      }
+      this->MarkTriangles(around, isMoved);
+      found = crossings.Find(this->Moved, isMoved, [&monitor](double) { return monitor(1.0); });
+    }
+  }
+
+  /// Halves the radii of the corners of triangles.
+  /// @return The points around them, ascending.
+  std::vector<Index> LowerRadii(const std::vector<Index>& triangles)
+  {
+    this->Halvings.resize(this->Points.size(), 0);
+    std::vector<Index> corners;
+    for (const Index t : triangles)
+    {
+      const Triangle& c = this->Input.Surface.Triangles[t];
+      corners.insert(corners.end(), c.begin(), c.end());
+    }
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    for (const Index point : corners)
+    {
+      const double factor = this->Halvings[point]++ < MostHalvings ? 0.5 : 0.0;
+      this->Radii[point] *= factor;
+      this->Sets.SetRadius(point, RadiusOfSolver * this->Radii[point]);
+    }
+    return this->WithRings(std::move(corners));
+  }
+
+  std::vector<Index> WithRings(std::vector<Index> points) const
+  {
+    for (int ring = 0; ring < RingsAround; ++ring)
+    {
+      for (std::size_t i = 0, end = points.size(); i < end; ++i)
+      {
+        this->Graph.VisitNeighbors(points[i], [&](Index neighbor) { points.push_back(neighbor); });
+      }
+      std::sort(points.begin(), points.end());
+      points.erase(std::unique(points.begin(), points.end()), points.end());
+    }
+    return points;
+  }
+
+  void MarkTriangles(const std::vector<Index>& points, std::vector<char>& isMoved) const
+  {
+    ForEachId(isMoved.size(), this->Settings.Threads,
+      [&](std::size_t t)
+      {
+        const Triangle& c = this->Input.Surface.Triangles[t];
+        isMoved[t] =
+          std::any_of(c.begin(), c.end(),
+            [&](Index corner) { return std::binary_search(points.begin(), points.end(), corner); })
+          ? 1
+          : 0;
+      });
+  }
+
+  const SmoothingInput& Input;
+  const SmoothingSettings& Settings;
+  const std::vector<Vector3>& Points;
+  SmoothingGraph Graph;
+  std::vector<double> Radii; // mm
+  DisplacementSets Sets;
+  BoundedSolver Solver;
+  std::vector<Vector3> Displacements; // in units of the sets
+  std::vector<Vector3> Moved;         // mm
+  std::vector<int> Halvings;          // of each point; empty: none
+  double Strength = 0.0;
+  int Rounds = 0;
+};
+}
+
+SmoothedSurface Smooth(
+  const SmoothingInput& input, const SmoothingSettings& settings, const Monitor& monitor)
+{
+  Smoother smoother(input, settings);
+  if (smoother.Run(monitor))
+  {
+    return smoother.Take();
+  }
+  SmoothedSurface aborted;
+  aborted.Points = input.Surface.Points;
+  aborted.IsAborted = true;
+  return aborted;
+}
+}

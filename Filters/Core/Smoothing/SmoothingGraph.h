@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SmoothingGraph.h
+ * @brief The Laplacian L of a surface as a sparse matrix: what a point differs from the weighted mean of its neighbors.
+ *
+ *     (L x)_i = x_i - sum_j a_ij x_j          a_ij = w_ij m_i / sum of them over j: rows have the sum 0
+ *     w_ij    = 1 / max(|e|, 0.6 median |e|)^2       |e|: length of the edge in units of the displacements
+ *     m_i     = 1
+ *               boundary point:  0 along edges that are not of the boundary or of a junction
+ *               junction point:  0.1 along edges that are not of the junction
+ *
+ * An edge of one triangle is a boundary edge. An edge of three or more triangles, or of two with different labels, is a
+ * junction edge. So boundaries and junction curves are smoothed along themselves. With the factor 0 at junctions, walls
+ * intersect each other there.
+ */
+#ifndef BoneDecimate_Core_Smoothing_SmoothingGraph_h
+#define BoneDecimate_Core_Smoothing_SmoothingGraph_h
+
+#include "LabelMap/VoxelGrid.h"
+#include "Surface.h"
+
+#include <array>
+#include <vector>
+
+namespace bonedecimate
+{
+enum class CurveKind : std::uint8_t
+{
+  Interior, ///< Inside of a surface.
+  Boundary, ///< On an open boundary.
+  Junction  ///< On a curve where three walls or two labels meet.
+};
+
+class SmoothingGraph
+{
+public:
+  /// @param surface Its corners must be valid and different. Points without triangles have no neighbors.
+  /// @param labels Of each triangle; empty: none.  @param toUnits From millimeters.
+  SmoothingGraph(const Surface& surface, const std::vector<BoundaryLabels>& labels,
+    const Eigen::Matrix3d& toUnits, int threads);
+
+  Index NumberOfPoints() const { return static_cast<Index>(this->Kinds.size()); }
+  CurveKind Kind(Index point) const { return this->Kinds[point]; }
+
+  /// The neighbors in ascending order, those too that the row does not count.
+  template <typename Visit>
+  void VisitNeighbors(Index point, const Visit& visit) const
+  {
+    for (std::size_t k = this->Starts[point]; k < this->Starts[point + 1]; ++k)
+    {
+      visit(this->Neighbors[k]);
+    }
+  }
+
+  /// Row `point` of L x.
+  Vector3 Row(Index point, const std::vector<Vector3>& x) const
+  {
+    return this->Apply(this->Weights, point, x);
+  }
+  /// Row `point` of the transpose of L times z.
+  Vector3 TransposedRow(Index point, const std::vector<Vector3>& z) const
+  {
+    return this->Apply(this->TransposedWeights, point, z);
+  }
+  /// Row `point` of L x by differences of neighbors: without cancellation far from the origin.
+  Vector3 RowOfDifferences(Index point, const std::vector<Vector3>& x) const;
+
+  /// An upper bound of row `point` of the absolute values of L^T L: twice the absolute sum of a column of L.
+  double ColumnBound(Index point) const;
+
+  /// The two triangles of each edge that is neither a boundary nor a junction.
+  const std::vector<std::array<Index, 2>>& SmoothEdges() const { return this->TrianglesOfEdges; }
+
+private:
+  struct Incidence
+  {
+    Index Neighbor;
+    Index Triangle;
+  };
+  void FindNeighbors(const Surface& surface, const std::vector<BoundaryLabels>& labels);
+  void ReadNeighbors(const std::vector<Incidence>& sorted, const std::vector<std::size_t>& starts,
+    const std::vector<BoundaryLabels>& labels);
+  void WeighEdges(const std::vector<Vector3>& points, const Eigen::Matrix3d& toUnits);
+  void Normalize();
+  double Factor(Index point, CurveKind edge) const;
+  Vector3 Apply(
+    const std::vector<double>& weights, Index point, const std::vector<Vector3>& x) const
+  {
+    Vector3 sum = this->HasRow[point] != 0 ? x[point] : Vector3(Vector3::Zero());
+    for (std::size_t k = this->Starts[point]; k < this->Starts[point + 1]; ++k)
+    {
+      sum -= weights[k] * x[this->Neighbors[k]];
+    }
+    return sum;
+  }
+
+  int Threads;
+  std::vector<CurveKind> Kinds;
+  std::vector<char> HasRow;              // of each point; 0: it has no neighbors that count
+  std::vector<std::size_t> Starts;       // of each point in the lists below, and the end
+  std::vector<Index> Neighbors;          // ascending
+  std::vector<CurveKind> EdgeKinds;      // only while it is built
+  std::vector<double> Weights;           // a_ij
+  std::vector<double> TransposedWeights; // a_ji
+  std::vector<std::array<Index, 2>> TrianglesOfEdges;
+};
+}
+
+#endif

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SmoothingStrength.h"
+
+#include "Parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr double Target = 0.7;
+constexpr double Accuracy = 0.04;
+constexpr double FirstStrength = 5.0;
+constexpr int MostSolves = 3;
+constexpr int IterationsOfSolve = 10;
+/// The exponent by which the displacement grows with lambda: at first, and its range.
+constexpr double FirstExponent = 0.35;
+constexpr double LeastExponent = 0.1;
+constexpr double LeastChange = 1.001;
+
+/// The natural logarithm by its series: the same bits everywhere. x > 0.
+double Logarithm(double x)
+{
+  int exponent = 0;
+  double mantissa = std::frexp(x, &exponent); // 0.5 to 1
+  const double t = (mantissa - 0.75) / (mantissa + 0.75);
+  double sum = 0.0;
+  for (int power = 25; power > 0; power -= 2)
+  {
+    sum = 1.0 / power + t * t * sum;
+  }
+  constexpr double logarithmOf2 = 0.69314718055994530942;
+  constexpr double logarithmOf3Quarters = -0.28768207245178092744;
+  return exponent * logarithmOf2 + logarithmOf3Quarters + 2.0 * t * sum;
+}
+
+/// The same of the exponential function.
+double Exponential(double x)
+{
+  constexpr int halvings = 10;
+  const double small = std::ldexp(x, -halvings);
+  double sum = 1.0;
+  for (int i = 12; i > 0; --i)
+  {
+    sum = 1.0 + small * sum / i;
+  }
+  for (int i = 0; i < halvings; ++i)
+  {
+    sum *= sum;
+  }
+  return sum;
+}
+
+std::vector<Vector3> AreaNormals(const std::vector<Vector3>& points, const Surface& surface)
+{
+  std::vector<Vector3> normals(points.size(), Vector3::Zero());
+  for (const Triangle& c : surface.Triangles)
+  {
+    const Vector3 area = (points[c[1]] - points[c[0]]).cross(points[c[2]] - points[c[0]]);
+    normals[c[0]] += area;
+    normals[c[1]] += area;
+    normals[c[2]] += area;
+  }
+  return normals;
+}
+
+int OddAxisOfEdge(const GridPoint& point) // -1: not on a grid edge
+{
+  int axis = -1;
+  int count = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const bool isOdd = point[k] % 2 != 0;
+    axis = isOdd ? k : axis;
+    count += isOdd ? 1 : 0;
+  }
+  return count == 1 ? axis : -1;
+}
+
+struct Squares
+{
+  double Displacement = 0.0; // mm^2, along the normal
+  double Rounding = 0.0;     // mm^2, expected
+
+  Squares& operator+=(const Squares& other)
+  {
+    this->Displacement += other.Displacement;
+    this->Rounding += other.Rounding;
+    return *this;
+  }
+};
+
+/// RMS of the displacement along the normal as a ratio to that of the rounding; 0 if nothing tells.
+double RatioToRounding(const StrengthProblem& problem, const std::vector<Vector3>& displacements)
+{
+  const std::vector<Vector3>& points = problem.Surface.Points;
+  std::vector<Vector3> moved(points.size());
+  ForEachId(points.size(), problem.Threads,
+    [&](std::size_t p) { moved[p] = points[p] + problem.Sets.ToMillimeters(displacements[p]); });
+  const std::vector<Vector3> normals = AreaNormals(moved, problem.Surface);
+  const VoxelGrid& grid = problem.Source.Grid;
+  const Squares sum = SumOverBlocks(points.size(), problem.Threads,
+    [&](std::size_t first, std::size_t last)
+    {
+      Squares squares;
+      for (std::size_t p = first; p < last; ++p)
+      {
+        const int axis = OddAxisOfEdge(problem.Source.OfPoint[p]);
+        const double length = normals[p].norm();
+        const auto point = static_cast<Index>(p);
+        if (axis >= 0 && length > 0.0 && problem.Sets.Radius(point) > 0.0 &&
+          problem.Graph.Kind(point) == CurveKind::Interior)
+        {
+          const Vector3 n = normals[p] / length;
+          const double along = n.dot(moved[p] - points[p]);
+          const double edge = 0.5 * grid.Spacing[axis] * n.dot(grid.Direction.col(axis));
+          squares += { along * along, edge * edge / 3.0 };
+        }
+      }
+      return squares;
+    });
+  return sum.Rounding > 0.0 ? std::sqrt(sum.Displacement / sum.Rounding) : 0.0;
+}
+
+struct Trial
+{
+  double LogStrength = 0.0;
+  double LogRatio = 0.0;
+};
+
+/// Of the displacement as a power of lambda.
+double ExponentOf(const std::vector<Trial>& trials)
+{
+  if (trials.size() < 2)
+  {
+    return FirstExponent;
+  }
+  const Trial& last = trials.back();
+  const Trial& before = trials[trials.size() - 2];
+  const double rise = last.LogRatio - before.LogRatio;
+  const double run = last.LogStrength - before.LogStrength;
+  return std::abs(rise) <= LeastChange - 1.0 || run == 0.0
+    ? FirstExponent
+    : std::clamp(rise / run, LeastExponent, 1.0);
+}
+}
+
+double ChooseStrength(const StrengthProblem& problem, BoundedSolver& solver, const Monitor& monitor,
+  std::vector<Vector3>& displacements)
+{
+  double strength = FirstStrength;
+  std::vector<Trial> trials;
+  bool isGood = false;
+  for (int i = 0; i < MostSolves && !isGood; ++i)
+  {
+    const Monitor part = monitor
+      ? PartOf(monitor, static_cast<double>(i) / MostSolves, (i + 1.0) / MostSolves)
+      : Monitor();
+    if (!solver.Run(strength, IterationsOfSolve, part, displacements))
+    {
+      return strength;
+    }
+    const double ratio = RatioToRounding(problem, displacements);
+    if (ratio == 0.0)
+    {
+      return DefaultStrength;
+    }
+    isGood = std::abs(ratio / Target - 1.0) < Accuracy;
+    if (!isGood)
+    {
+      trials.push_back({ Logarithm(strength), Logarithm(ratio) });
+      const double step = (Logarithm(Target) - trials.back().LogRatio) / ExponentOf(trials);
+      const double most = Logarithm(MostStrength / LeastStrength);
+      strength = std::clamp(
+        strength * Exponential(std::clamp(step, -most, most)), LeastStrength, MostStrength);
+    }
+  }
+  return strength;
+}
+}
