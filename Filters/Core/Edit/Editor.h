@@ -10,8 +10,8 @@
  *     Flip, Move:         rules (FlipAndMoveRules.h)  ->  filters  ->  mesh  ->  filters commit
  *                         ->  hook                                                   (FlipEdit.cxx, MoveEdit.cxx)
  *
- * Filters (EditFilter.h), in this order: fragments, error bound, intersections, those of the settings, the recorder of the log.
- * EditorSettings.h says which of them there are.
+ * Filters (EditFilter.h), in this order: fragments, error bound, voxels, intersections, those of the settings, the recorder of
+ * the log. Voxels come before an error bound that allows large edits. EditorSettings.h says which of them there are.
  *
  * Rules and bookkeeping of a kind of edit are the same in every mode. Flips and moves remove nothing: they have rules of
  * their own and leave areas, quadrics, origins and counts as they are. Workers with a workspace each may apply edits at
@@ -60,6 +60,8 @@ public:
   /// How many vertices are constrained because of their own tolerance; duplicates count once.
   Index NumberOfConstrainedVertices() const { return this->ConstrainedVertices; }
   bool HasErrorBound() const { return this->Bound != nullptr; }
+  /// Whether an error bound or the voxels end the run, so that the final number of triangles is not known in advance.
+  bool LimitsEdits() const { return this->HasErrorBound() || this->GuardsVoxels; }
   /// Whether an edit was rejected because it could not be proved to keep the error bound.
   bool MetItsLimit() const
   {
@@ -132,6 +134,7 @@ public:
 
 private:
   void AddFilters(const EditorSettings& settings, const Monitor& monitor);
+  void AddErrorBound(const EditorSettings& settings);
   Index ConstrainVertices(const std::vector<double>& tolerances);
   Vector3 Rounded(const Vector3& position) const;
   ProposedEdit& Propose(
@@ -160,6 +163,7 @@ private:
   Original Source;
   std::shared_ptr<FragmentGuard> Fragments;
   std::shared_ptr<ErrorBound> Bound;
+  bool GuardsVoxels = false;
   std::shared_ptr<EditRecorder> Recorder;
   std::vector<std::shared_ptr<EditFilter>> Filters; // in order
   bool NeedsSurfaceChange = false;                  // whether any filter does

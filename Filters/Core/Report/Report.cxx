@@ -107,7 +107,7 @@ const char* StopReasonSentence(StopReason reason)
 const char* RejectionWord(Rejection rejection)
 {
   static const char* const words[] = { "not_rejected", "non_manifold", "boundary", "link_condition",
-    "fragment", "flip", "degenerate", "error_bound", "constrained", "intersection" };
+    "fragment", "flip", "degenerate", "error_bound", "constrained", "intersection", "voxel_label" };
   return WordOf(words, rejection);
 }
 

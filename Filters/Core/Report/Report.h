@@ -68,8 +68,9 @@ enum class Rejection : int
   ErrorBound,    ///< No proof was found that the surface stays within the largest error.
   Constrained, ///< An end or corner is constrained because its tolerance, or that of a neighbor, is 0.
   Intersection, ///< Triangles would intersect, or a gap would become narrower than half of what it was.
+  VoxelLabel,   ///< A voxel center would change sides, or a triangle would come too near to one.
 };
-constexpr std::size_t NumberOfRejections = 10; ///< Number of counted reasons.
+constexpr std::size_t NumberOfRejections = 11; ///< Number of counted reasons.
 
 struct SurfaceStatistics
 {
