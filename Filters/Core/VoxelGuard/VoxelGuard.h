@@ -8,7 +8,7 @@
  *                    no voxel center lies between the old and the new triangles     VoxelPatch.h, exact
  *                    none is nearer to a new triangle than the margin
  *
- * The margin leaves room for the rounding of programs that voxelize the result. Triangles that are never changed may be
+ * The margin exceeds the rounding of programs that voxelize the result. Triangles that are never changed may be
  * nearer. Edits larger than LargestPatch (1024 voxels) are rejected. Only the edit itself is read, so none is deferred, and
  * nothing has to be committed.
  */
