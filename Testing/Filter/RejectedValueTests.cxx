@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A value outside its range is an error event when it is set; the value before stays, and updates fail with the same sentence
 // until that property gets a valid value. PropertyTests.cxx does the same for vtkBoneDecimate.
+#include "LabelImages.h"
 #include "RejectionWalk.h"
 #include "VtkSurfaces.h"
 
@@ -10,6 +11,7 @@
 #include "vtkBoneDiagnostics.h"
 #include "vtkBoneErrorSearch.h"
 #include "vtkBoneSurfaceDistance.h"
+#include "vtkBoneSurfaces.h"
 #include "vtkBoneTolerance.h"
 #include "vtkCallbackCommand.h"
 #include "vtkDoubleArray.h"
@@ -197,6 +199,19 @@ TEST(RejectedValues, CurvesNeverLackAnErrorSilently)
     filter->Update();
     EXPECT_TRUE(errors.Texts.empty());
     EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
+  }
+}
+
+TEST(RejectedValues, OfTheSurfaces)
+{
+  const vtkNew<vtkBoneSurfaces> held;
+  vtkBoneSurfaces* filter = held;
+  filter->SetInputData(ImageOf(EllipsoidLabels({ 6, 7, 8 })));
+  for (const CheckedProperty& property :
+    { CHECKED(filter, OutputPointsPrecision, 1, IntegersOutside(0, 2)),
+      CHECKED(filter, NumberOfThreads, 1, IntegersOutside(0, 1024)) })
+  {
+    ExpectRejections(filter, property);
   }
 }
 

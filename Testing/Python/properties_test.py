@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from surfaces import TRIANGLES, Ear, decimating, torus
 from bonedecimate import (
     error_curve, smallest_error, vtkBoneDiagnostics, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance,
-    vtkBoneTolerance)
+    vtkBoneSurfaces, vtkBoneTolerance)
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 
 NO_NUMBERS = (math.nan, math.inf, -math.inf)
@@ -124,7 +124,7 @@ class Properties(unittest.TestCase):
 
     def test_unknown_attributes_are_errors(self):
         for filter_class in (vtkBoneDiagnostics, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance,
-                             vtkBoneTolerance):
+                             vtkBoneSurfaces, vtkBoneTolerance):
             with self.subTest(filter_class.__name__):
                 for name in ("max_error", "MaximumError", "SetNumberOfThreads", "Update", "GetOutput", "anything"):
                     with self.assertRaises(AttributeError):
@@ -192,9 +192,10 @@ class Properties(unittest.TestCase):
                    "number_of_threads": (-1, 1025), "choice": (-1, 8), "fold_angle": (-1, 181, *NO_NUMBERS),
                    "feather": (-1, *NO_NUMBERS), "inside_tolerance": NO_NUMBERS, "outside_tolerance": NO_NUMBERS,
                    "mode": (-1, 4), "relative_precision": (0, 0.6, *NO_NUMBERS), "target_number_of_triangles": (-1,), "maximum_error": (-1, *NO_NUMBERS), "number_of_triangles": (-1,),
-                   "level_error": (-1, *NO_NUMBERS)}
+                   "level_error": (-1, *NO_NUMBERS), "output_points_precision": (-1, 3)}
         tried = set()
-        for filter_class in (vtkBoneDiagnostics, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance, vtkBoneTolerance):
+        for filter_class in (vtkBoneDiagnostics, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance, vtkBoneSurfaces,
+                             vtkBoneTolerance):
             one = filter_class()
             for name, values in outside.items():
                 for value in values if hasattr(filter_class, name) else ():

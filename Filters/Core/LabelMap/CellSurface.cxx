@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellSurface.h"
 
+#include "CellSegments.h"
 #include "LoopTriangulation.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace bonedecimate
 {
@@ -40,115 +40,7 @@ void CellSurface::SetFacePoint(int point, const Vector3& position)
 
 namespace
 {
-/// On a face of the cell; the labels are those on its left and right seen from outside.
-struct Segment
-{
-  int First;
-  int Second;
-  Index Left;
-  Index Right;
-
-  bool Has(int point) const { return this->First == point || this->Second == point; }
-  int OtherEnd(int point) const { return this->First == point ? this->Second : this->First; }
-};
-
-/// The segments of a cell, or connected ones of it.
-struct Segments
-{
-  std::array<Segment, 24> All = {};
-  std::size_t Count = 0;
-
-  void Add(const Segment& segment) { this->All[this->Count++] = segment; }
-  const Segment* begin() const { return this->All.data(); }
-  const Segment* end() const { return this->All.data() + this->Count; }
-  bool IsEmpty() const { return this->Count == 0; }
-  auto Degree(int point) const
-  {
-    return std::count_if(
-      this->begin(), this->end(), [&](const Segment& segment) { return segment.Has(point); });
-  }
-};
-
-//------------------------------------------------------------------------------
-// The segments of one face.
-
-class FaceSegments
-{
-public:
-  FaceSegments(const CellLabels& labels, int face, CellSurface& surface, Segments& segments)
-    : Face(face)
-    , Edges(FaceEdges[static_cast<std::size_t>(face)])
-    , Surface(surface)
-    , Result(segments)
-  {
-    const auto& corners = FaceCorners[static_cast<std::size_t>(face)];
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-      this->Around[k] = labels[static_cast<std::size_t>(corners[k])];
-    }
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-      if (this->Around[k] != this->Around[(k + 1) % 4])
-      {
-        this->Changes[this->Count++] = k;
-      }
-    }
-  }
-
-  void Add()
-  {
-    const auto& [a, b, c, d] = this->Around;
-    if (this->Count == 2)
-    {
-      const auto [first, second, unused, none] = this->Changes;
-      this->Result.Add(
-        { this->Edges[first], this->Edges[second], this->Around[first], this->Around[second] });
-    }
-    else if (HasFacePoint(a, b, c, d))
-    {
-      this->AddFacePoint();
-    }
-    else if (this->Count == 4)
-    {
-      const bool cutsOddCorners = a == c && (b != d || b > a);
-      this->CutOff(cutsOddCorners ? 1 : 0);
-      this->CutOff(cutsOddCorners ? 3 : 2);
-    }
-  }
-
-private:
-  void CutOff(std::size_t corner)
-  {
-    this->Result.Add({ this->Edges[(corner + 3) % 4], this->Edges[corner],
-      this->Around[(corner + 1) % 4], this->Around[corner] });
-  }
-
-  void AddFacePoint()
-  {
-    Vector3 mean = Vector3::Zero();
-    for (std::size_t i = 0; i < this->Count; ++i)
-    {
-      const std::size_t k = this->Changes[i];
-      const int edge = this->Edges[k];
-      mean += MiddleOfEdge(edge) / static_cast<double>(this->Count);
-      this->Result.Add(
-        { FirstFacePoint + this->Face, edge, this->Around[(k + 1) % 4], this->Around[k] });
-    }
-    this->Surface.SetFacePoint(FirstFacePoint + this->Face, mean);
-  }
-
-  int Face;
-  const std::array<int, 4>& Edges;
-  CellSurface& Surface;
-  Segments& Result;
-  std::array<Index, 4> Around = {};
-  std::array<std::size_t, 4> Changes = {}; ///< Edges whose ends have different labels.
-  std::size_t Count = 0;
-};
-
-//------------------------------------------------------------------------------
-// The surface that connected segments bound.
-
+/// Adds the surface that connected segments bound.
 class SurfacePart
 {
 public:
@@ -271,49 +163,6 @@ private:
   std::size_t Count = 0;
 };
 
-//------------------------------------------------------------------------------
-// Which points are connected by segments.
-
-class Connectivity
-{
-public:
-  explicit Connectivity(const Segments& segments)
-  {
-    std::iota(this->Parents.begin(), this->Parents.end(), 0);
-    for (const Segment& segment : segments)
-    {
-      const int a = this->RootOf(segment.First);
-      const int b = this->RootOf(segment.Second);
-      this->Parents[static_cast<std::size_t>(std::min(a, b))] = std::max(a, b);
-    }
-  }
-
-  int RootOf(int point) const
-  {
-    while (this->Parents[static_cast<std::size_t>(point)] != point)
-    {
-      point = this->Parents[static_cast<std::size_t>(point)];
-    }
-    return point;
-  }
-
-private:
-  std::array<int, FirstInnerPoint> Parents = {};
-};
-
-Segments SegmentsOf(const Segments& segments, const Connectivity& connectivity, int root)
-{
-  Segments part;
-  for (const Segment& segment : segments)
-  {
-    if (connectivity.RootOf(segment.First) == root)
-    {
-      part.Add(segment);
-    }
-  }
-  return part;
-}
-
 Diagonals BestDiagonals(const CellLabels& labels)
 {
   const auto [least, largest] = std::minmax_element(labels.begin(), labels.end());
@@ -343,18 +192,14 @@ std::array<CellSurface, 256> MakeTwoLabelSurfaces()
 void BuildCellSurface(const CellLabels& labels, CellSurface& surface)
 {
   surface.Clear();
-  Segments segments;
-  for (int face = 0; face < NumberOfCellFaces; ++face)
-  {
-    FaceSegments(labels, face, surface, segments).Add();
-  }
-  const Connectivity connectivity(segments);
+  const Segments segments = FindSegments(labels, surface);
+  const SegmentParts parts(segments);
   const Diagonals best = BestDiagonals(labels);
-  for (int root = 0; root < FirstInnerPoint; ++root)
+  for (int point = 0; point < FirstInnerPoint; ++point)
   {
-    const Segments part = SegmentsOf(segments, connectivity, root);
-    if (!part.IsEmpty())
+    if (parts.HasPart(point))
     {
+      const Segments part = parts.PartOf(point);
       SurfacePart(part, best, surface).Add();
     }
   }

@@ -25,6 +25,10 @@ public:
   /// Costs of the polygons first to last, the shorter ones before the longer.
   void Solve()
   {
+    for (std::size_t first = 0; first + 1 < this->Loop.Size(); ++first)
+    {
+      this->Costs[first][first + 1] = 0.0; // an edge of the polygon
+    }
     for (std::size_t length = 2; length < this->Loop.Size(); ++length)
     {
       for (std::size_t first = 0; first + length < this->Loop.Size(); ++first)
@@ -84,8 +88,9 @@ private:
   const CellLoop& Loop;
   Diagonals Best;
   CellSurface& Surface;
-  Table<double> Costs = {};
-  Table<std::size_t> Apex = {};
+  // Written before they are read; initialization would take half of the time.
+  Table<double> Costs;
+  Table<std::size_t> Apex;
 };
 }
 

@@ -18,10 +18,11 @@ vtkBoneDecimate = checked(_wrapped, "vtkBoneDecimate")
 vtkBoneDecimateLevels = checked(_wrapped, "vtkBoneDecimateLevels")
 vtkBoneErrorSearch = checked(_wrapped, "vtkBoneErrorSearch")
 vtkBoneSurfaceDistance = checked(_wrapped, "vtkBoneSurfaceDistance")
+vtkBoneSurfaces = checked(_wrapped, "vtkBoneSurfaces")
 vtkBoneTolerance = checked(_wrapped, "vtkBoneTolerance")
 
 __all__ = ["vtkBoneDiagnostics", "vtkBoneDecimate", "vtkBoneDecimateLevels", "vtkBoneErrorSearch", "vtkBoneSurfaceDistance",
-           "vtkBoneTolerance", "error_curve", "smallest_error"]
+           "vtkBoneSurfaces", "vtkBoneTolerance", "error_curve", "smallest_error"]
 
 
 def _update(search):

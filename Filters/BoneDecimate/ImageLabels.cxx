@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ImageLabels.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkTypeInt64Array.h"
+
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+namespace bonedecimate
+{
+namespace
+{
+/// The voxels are the points of the image, or its cells.
+VoxelGrid GridOf(vtkImageData* image, bool ofCells)
+{
+  VoxelGrid grid;
+  const int* extent = image->GetExtent();
+  const double shift = ofCells ? 0.5 : 0.0;
+  Vector3 first;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    first[axis] = extent[2 * axis] + shift;
+    grid.Dimensions[static_cast<std::size_t>(axis)] =
+      extent[2 * axis + 1] - extent[2 * axis] + (ofCells ? 0 : 1);
+    for (int k = 0; k < 3; ++k)
+    {
+      grid.Direction(axis, k) = image->GetDirectionMatrix()->GetElement(axis, k);
+    }
+  }
+  grid.Spacing = Vector3(image->GetSpacing());
+  grid.Origin = Vector3(image->GetOrigin());
+  grid.Origin = grid.ToMillimeters(first);
+  return grid;
+}
+
+/// Whether each number is one of the labels that doubles hold exactly; if not, which is the first.
+vtkIdType FirstThatIsNoLabel(vtkDataArray* array)
+{
+  constexpr double largest = 9007199254740992.0;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    const double value = array->GetComponent(i, 0);
+    if (!(std::abs(value) <= largest) || std::floor(value) != value)
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+
+/// In one block of memory, of integers.
+vtkSmartPointer<vtkDataArray> AsIntegers(vtkDataArray* array)
+{
+  const int type = array->GetDataType();
+  const bool isReal = type == VTK_FLOAT || type == VTK_DOUBLE;
+  if (array->HasStandardMemoryLayout() && type != VTK_BIT && !isReal)
+  {
+    return array;
+  }
+  const auto copy = vtkSmartPointer<vtkDataArray>::Take(
+    vtkDataArray::CreateDataArray(type == VTK_BIT ? VTK_UNSIGNED_CHAR
+        : isReal                                  ? VTK_TYPE_INT64
+                                                  : type));
+  copy->DeepCopy(array);
+  return copy;
+}
+
+template <typename Scalar>
+LabelImage ImageOf(const Scalar* labels, const VoxelGrid& grid)
+{
+  if constexpr (std::is_integral_v<Scalar>)
+  {
+    return MakeLabelImage(labels, grid);
+  }
+  else
+  {
+    return {};
+  }
+}
+
+std::string ProblemOf(vtkDataArray* array, vtkIdType voxels)
+{
+  if (!array)
+  {
+    return "the image has no labels: neither active scalars nor the array that was chosen";
+  }
+  const std::string name = array->GetName() ? array->GetName() : "without a name";
+  if (array->GetNumberOfComponents() != 1)
+  {
+    return "the array " + name + " has several components; labels have one";
+  }
+  if (array->GetNumberOfTuples() != voxels)
+  {
+    return "the array " + name + " does not have one label for each voxel";
+  }
+  const bool isReal = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+  const vtkIdType wrong = isReal ? FirstThatIsNoLabel(array) : -1;
+  return wrong < 0 ? std::string()
+                   : "the array " + name +
+      " has values that are not whole numbers, the first is that of voxel " + std::to_string(wrong);
+}
+}
+
+//------------------------------------------------------------------------------
+ImageLabels ReadImageLabels(vtkImageData* image, vtkDataArray* array, int association)
+{
+  ImageLabels result;
+  const VoxelGrid grid = GridOf(image, association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  result.Problem = ProblemOf(array, static_cast<vtkIdType>(grid.NumberOfVoxels()));
+  if (!result.Problem.empty())
+  {
+    return result;
+  }
+  result.Array = AsIntegers(array);
+  switch (result.Array->GetDataType())
+  {
+    vtkTemplateMacro(
+      result.Image = ImageOf(static_cast<const VTK_TT*>(result.Array->GetVoidPointer(0)), grid));
+    default:
+      result.Problem = "the array has a type that is not supported";
+  }
+  return result;
+}
+}

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ImageLabels.h
+ * @brief The labels of a vtkImageData in the core's form.
+ */
+#ifndef ImageLabels_h
+#define ImageLabels_h
+
+#include "LabelMap/LabelImage.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkDataArray;
+class vtkImageData;
+
+namespace bonedecimate
+{
+struct ImageLabels
+{
+  LabelImage Image;
+  vtkSmartPointer<vtkDataArray>
+    Array;             ///< Holds the labels: the image's array, or its values as integers.
+  std::string Problem; ///< One sentence; empty if the image has labels.
+};
+
+/// @param array Of the image; may be null. @param association Of vtkDataObject::FieldAssociations: points or cells.
+ImageLabels ReadImageLabels(vtkImageData* image, vtkDataArray* array, int association);
+}
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LabelMapArrays.h
+ * @brief The arrays in which a vtkPolyData keeps from which label map it was extracted.
+ *
+ *     cell array    BoundaryLabels       values of the labels on both sides, two components
+ *     point array   GridPoint            int, three components, twice the voxel coordinates of a center
+ *     field arrays  VoxelGridOrigin      mm, the center of the first voxel, three components
+ *                   VoxelGridSpacing     mm, three components
+ *                   VoxelGridDirection   row by row, nine components; the columns are the axes
+ *                   VoxelGridDimensions  int, number of voxels, three components
+ *                   LabelValues          the labels, ascending, and at the end the background
+ *                   LabelNames           texts, in the order of LabelValues; if the image had them
+ *                   LabelColors          in the order of LabelValues; if the image had them
+ *
+ * VoxelGrid.h describes them.
+ */
+#ifndef LabelMapArrays_h
+#define LabelMapArrays_h
+
+#include "LabelMap/VoxelGrid.h"
+#include "SurfaceConversion.h"
+
+#include <string>
+
+class vtkFieldData;
+class vtkPolyData;
+
+namespace bonedecimate
+{
+constexpr const char* BoundaryLabelsName = "BoundaryLabels";
+constexpr const char* GridPointName = "GridPoint";
+constexpr const char* LabelValuesName = "LabelValues";
+
+/// Adds the arrays but those of names and colors.
+void AddLabelMapArrays(const LabelMapSource& source, int threads, vtkPolyData* output);
+
+/// Brings LabelNames and LabelColors of the image, which are in the order of its LabelValues, into the order of the source's values.
+/// Rows of values that the image does not name are empty or 0. Without LabelValues in the image they are not changed.
+void OrderLabelFields(vtkFieldData* image, const LabelMapSource& source, vtkFieldData* output);
+
+struct ReadLabelMap
+{
+  LabelMapSource Source;
+  std::string Problem; ///< One sentence; empty if all arrays are valid. Then the source is empty.
+};
+
+/**
+ * Reads the arrays back. Those that are not there are empty, without a grid its dimensions are 0. Without LabelValues the values are
+ * those of BoundaryLabels, ascending, with 0 as background.
+ *
+ * @param converted The same surface in the core's form; says of which cell each triangle is.
+ */
+ReadLabelMap ReadLabelMapArrays(vtkPolyData* input, const ConvertedSurface& converted);
+}
+
+#endif
