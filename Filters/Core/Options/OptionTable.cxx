@@ -29,7 +29,8 @@ std::vector<OptionInfo> GoalRows()
       "target-triangles", {}, "Number of triangles to reach. 0: off." },
     { "TargetReduction", &Options::TargetReduction, 0, 1, "", "target-reduction", {},
       "Fraction of the triangles to remove. 0: remove none; 1: off. The default is ignored if a "
-      "number of triangles or a largest error is set, or if every point has a tolerance." },
+      "number of triangles or a largest error is set, if every point has a tolerance, or if "
+      "KeepVoxels is On." },
     { "MaximumError", &Options::MaximumError, 0, LargestNumber, "mm", "max-error", {},
       "Largest distance between input and result, proved in both directions for every point of "
       "both surfaces, and for open boundaries curve to curve. 0: off. In Thesis mode the run stops "
@@ -42,6 +43,12 @@ std::vector<OptionInfo> GoalRows()
       "With MaximumError, except in Thesis mode: the number of intersecting pairs of triangles "
       "does not increase, and gaps between fragments and between facing walls keep at least half "
       "of their width." },
+    { "KeepVoxels", &Options::KeepVoxels, 0, 2, "", "keep-voxels", { "Off", "On", "Auto" },
+      "For surfaces of label maps: reject every edit that lets a voxel center change sides, so "
+      "that "
+      "the result, voxelized again, gives every voxel the label it had. Auto: on without a largest "
+      "error or with one of at most half a voxel. On alone, without a target or a largest error, "
+      "continues until no edit is possible. Needs the voxel grid of the surface." },
     { "NormalTolerance", &Options::NormalTolerance, 0, 1, "", "normal-tolerance", {},
       "Thesis mode: tolerance w of the normal field deviation. Smaller values raise the cost of "
       "flat regions. At 1 an edge between coplanar triangles costs nothing, whatever its length." },
