@@ -113,6 +113,7 @@ VoxelRows::VoxelRows(
   : Triangles(surface.Surface.Triangles)
   , Labels(surface.Labels)
   , Background(background)
+  , IsMirrored(grid.Direction.determinant() < 0.0)
   , Points(surface.Surface.Points.size())
 {
   ForEachId(this->Points.size(), threads,
@@ -216,10 +217,11 @@ void VoxelRows::Slice::Cross(Index triangle, std::int64_t z)
       WindingOf(corners[1], corners[2], p) + WindingOf(corners[2], corners[0], p);
     if (winding != 0)
     {
+      const bool isForward = (winding > 0) != this->Rows.IsMirrored;
       const std::int64_t above = FirstAbove(corners, p, winding) - this->Box.First[0];
       this->Crossings.push_back(
         { y - this->Box.First[1], std::clamp<std::int64_t>(above, 0, this->Box.Count[0]),
-          { labels[winding > 0 ? 0 : 1], labels[winding > 0 ? 1 : 0] } });
+          { labels[isForward ? 0 : 1], labels[isForward ? 1 : 0] } });
     }
   }
 }

@@ -88,6 +88,7 @@ private:
   const std::vector<Triangle>& Triangles;
   const std::vector<BoundaryLabels>& Labels;
   Index Background;
+  bool IsMirrored; // voxel coordinates are left-handed, so normals point to the first label there
   std::vector<Vector3> Points; // voxels
   std::array<std::int64_t, 3> Low{};
   std::array<std::int64_t, 3> High{};
