@@ -242,6 +242,12 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
     this->RejectArray(!tolerances ? TOLERANCE_ARRAY : LABEL_ARRAY);
     return 0;
   }
+  const bonedecimate::ReadLabelMap map = bonedecimate::ReadLabelMapArrays(input, converted);
+  if (!map.Problem.empty())
+  {
+    vtkErrorMacro(<< map.Problem);
+    return 0;
+  }
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
   const bonedecimate::ConvertedSurface first = reference != nullptr
     ? bonedecimate::ToSurface(reference, options.NumberOfThreads)
@@ -251,6 +257,7 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   inputs.Tolerances = hasTolerances ? &*tolerances : nullptr;
   inputs.Reference = reference != nullptr ? &first.Surface : nullptr;
   inputs.Labels = hasLabels ? &*labels : nullptr;
+  inputs.LabelMap = map.Source.Grid.Dimensions[0] > 0 ? &map.Source : nullptr;
   bonedecimate::Result result = bonedecimate::Decimate(
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); }, inputs);
   bonedecimate::NameCells(converted, result.Report);

@@ -3,6 +3,7 @@
 #include "Decimate.h"
 
 #include "Cost/AutomaticTolerance.h"
+#include "Input/LabelMapInput.h"
 #include "Input/PrepareInput.h"
 #include "Input/VoxelSize.h"
 #include "Options/OptionTable.h"
@@ -71,6 +72,21 @@ std::optional<ErrorBoundSettings> BoundSettings(const RunTask& task, const Prepa
   return settings;
 }
 
+/// Of the voxel guard; none if voxels may change.
+std::optional<VoxelGuardSettings> VoxelSettings(const RunTask& task, const PreparedInput& prepared)
+{
+  if (!task.GuardsVoxels)
+  {
+    return {};
+  }
+  VoxelGuardSettings settings;
+  settings.Grid = task.Inputs.LabelMap->Grid;
+  settings.OfFace = BoundaryLabelsOf(prepared.Cleaned, *task.Inputs.LabelMap);
+  settings.RoundsToSingle = task.RoundsToSingle;
+  settings.Origin = prepared.Cleaned.Origin;
+  return settings;
+}
+
 /// After an abort, leaves out what only edits need.
 EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepared, bool isAborted)
 {
@@ -84,7 +100,9 @@ EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepar
   {
     settings.KeepsQuadrics = mode.NeedsQuadrics();
     settings.KeepsInitialMesh = mode.KeepsInitialMesh;
-    settings.CollapsesFeatureCurves = task.Inputs.Labels != nullptr;
+    settings.CollapsesFeatureCurves = task.Inputs.Labels != nullptr ||
+      (task.Inputs.Log == nullptr && HasSeveralPairs(task.Inputs.LabelMap));
+    settings.Voxels = VoxelSettings(task, prepared);
     settings.Tolerances = prepared.VertexTolerances;
     settings.Bound = BoundSettings(task, prepared);
     settings.GuardsIntersections = task.Effective.BoundsError() && task.Effective.IntersectionGuard;
@@ -167,7 +185,7 @@ Surface ExtractResult(const RunTask& task, const PreparedInput& prepared, const 
   const Original& original = editor.Reference();
   const bool measures = task.Effective.MeasureDistances || original.RecordsDistances();
   const ExtractOptions options = { task.RoundsToSingle, !isAborted && measures,
-    !isAborted && task.Inputs.WantsOrigins, threads, task.Inputs.Labels };
+    !isAborted && task.Inputs.WantsOrigins, threads, task.Inputs.Labels, task.Inputs.LabelMap };
   if (options.Distances || options.Origins)
   {
     original.Tree(threads, [&] { monitor(0.0); });
@@ -230,6 +248,19 @@ bool Simplify(const RunTask& task, PreparedInput& prepared, RunProgress& progres
   return true;
 }
 
+/// Code of its own voxelizes input and result, whether the voxels were guarded or not.
+void CheckVoxels(const RunTask& task, RunProgress& progress, Result& result)
+{
+  const LabelMapSource* map = task.Inputs.LabelMap;
+  if (map != nullptr && map->Grid.Dimensions[0] > 0 && progress.GoesOn())
+  {
+    const double at = MeasuredTo(EndsWithProof(task));
+    result.Report.Voxels = CompareWithInput(task.Input, result.Surface, result.BoundaryLabels, *map,
+      task.Effective.NumberOfThreads, progress.Stage(at, at));
+    result.Report.Voxels.WereGuarded = task.GuardsVoxels;
+  }
+}
+
 /// Called when the memory of the stages has been released, because the proof needs the two surfaces alone.
 void Prove(const RunTask& task, PreparedInput& prepared, RunProgress& progress, Result& result)
 {
@@ -260,6 +291,7 @@ Result Decimate(
   report.Seconds.Prepare = clock.Seconds();
   if (report.Status == InputStatus::Good && Simplify(task, prepared, progress, result))
   {
+    CheckVoxels(task, progress, result);
     Prove(task, prepared, progress, result);
     report.Stop = progress.GoesOn() ? report.Stop : StopReason::Aborted;
   }

@@ -54,6 +54,8 @@ struct Result
   std::vector<double> Distance;
   /// mm, largest distance recorded along the collapses into each output point, or Distance if none are; filled with it.
   std::vector<double> RunningError;
+  /// Of each output triangle; filled if the label map has them.
+  std::vector<bonedecimate::BoundaryLabels> BoundaryLabels;
   std::vector<Index> PointCount; ///< Number of input points that each output point represents.
   std::vector<double>
     InputDistance; ///< mm, of each input point to the result; only with MeasureInputDistances.
@@ -80,6 +82,10 @@ struct RunInputs
   /// Of the input triangles: lines between different ones are collapsed along themselves alone, and every triangle keeps
   /// its own. Not together with a log.
   const bonedecimate::Labels* Labels = nullptr;
+  /// The label map from which the input was extracted; null: not known. With a grid its voxels are guarded (KeepVoxels), and
+  /// those of the result are compared with those of the input. Where pairs of labels differ, curves between them are collapsed
+  /// along themselves alone, as between labels.
+  const LabelMapSource* LabelMap = nullptr;
   /// Receives the record of the run, see Levels.h; not changed if the input was rejected.
   EditLog* Log = nullptr;
   /// The label map that the input was extracted from: grid points of the input points, labels of the input triangles. Null:

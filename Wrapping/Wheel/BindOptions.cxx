@@ -117,6 +117,8 @@ void BindEnums(nb::module_& module)
     .value("SinglePrecisionTooCoarse", InputStatus::SinglePrecisionTooCoarse)
     .value("ErrorBeyondSize", InputStatus::ErrorBeyondSize)
     .value("ErrorBelowSize", InputStatus::ErrorBelowSize)
+    .value("BadLabelMap", InputStatus::BadLabelMap)
+    .value("NoVoxelGrid", InputStatus::NoVoxelGrid)
     .value("InvalidOption", InputStatus::InvalidOption);
 }
 

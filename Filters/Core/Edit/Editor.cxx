@@ -96,16 +96,24 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
 {
   const int threads = settings.Threads;
   const bool isAborted = monitor && !monitor(0.0);
+  this->GuardsVoxels = settings.Voxels && !isAborted;
+  const bool voxelsFirst = this->GuardsVoxels &&
+    (!settings.Bound ||
+      VoxelGuard::ChecksBeforeBound(settings.Voxels->Grid, settings.Bound->Error));
   this->Fragments = WithJoined(this->Source.AtFirst(), this->Half, this->Unsmoothed != nullptr,
     [this](const Surface& joined) { return std::make_shared<FragmentGuard>(this->Half, joined); });
   this->Filters.push_back(this->Fragments);
+  if (voxelsFirst)
+  {
+    this->Filters.push_back(std::make_shared<VoxelGuard>(*settings.Voxels));
+  }
   if (settings.Bound && !isAborted)
   {
-    ErrorBoundSettings bound = *settings.Bound;
-    bound.Tolerances = settings.Tolerances.empty() ? nullptr : &settings.Tolerances;
-    this->Bound = std::make_shared<ErrorBound>(
-      this->Unsmoothed ? *this->Unsmoothed : *this->First, this->Source.Tree(threads), bound);
-    this->Filters.push_back(this->Bound);
+    this->AddErrorBound(settings);
+  }
+  if (this->GuardsVoxels && !voxelsFirst)
+  {
+    this->Filters.push_back(std::make_shared<VoxelGuard>(*settings.Voxels));
   }
   if (settings.Bound && settings.GuardsIntersections && !isAborted)
   {
@@ -131,6 +139,16 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   }
   this->NeedsSurfaceChange = std::any_of(this->Filters.begin(), this->Filters.end(),
     [](const std::shared_ptr<EditFilter>& filter) { return filter->NeedsSurfaceChange(); });
+}
+
+//------------------------------------------------------------------------------
+void Editor::AddErrorBound(const EditorSettings& settings)
+{
+  ErrorBoundSettings bound = *settings.Bound;
+  bound.Tolerances = settings.Tolerances.empty() ? nullptr : &settings.Tolerances;
+  this->Bound = std::make_shared<ErrorBound>(this->Unsmoothed ? *this->Unsmoothed : *this->First,
+    this->Source.Tree(settings.Threads), bound);
+  this->Filters.push_back(this->Bound);
 }
 
 //------------------------------------------------------------------------------

@@ -10,10 +10,11 @@
  *     Flip, Move:         rules (FlipAndMoveRules.h)  ->  filters  ->  mesh  ->  filters commit
  *                         ->  hook                                                   (FlipEdit.cxx, MoveEdit.cxx)
  *
- * Filters (EditFilter.h), in this order: fragments, error bound, intersections, those of the settings, the recorder of the log.
- * EditorSettings.h says which of them there are.
+ * Filters (EditFilter.h), in this order: fragments, error bound, voxels, intersections, those of the settings, the recorder of
+ * the log. Voxels come before an error bound that allows large edits. EditorSettings.h says which of them there are.
  *
- * The rules of a kind of edit are the same in every mode; EditorSettings.h says which bookkeeping is done. Flips and moves remove nothing: they have rules of
+ * The rules of a kind of edit are the same in every mode; EditorSettings.h says which bookkeeping is done. Flips and moves remove
+ * nothing: they have rules of
  * their own and leave areas, quadrics, origins and counts as they are. Workers with a workspace each may apply edits at
  * the same time as long as their neighborhoods have no vertex in common; Settle adds their counts to those of the editor, in an
  * order that does not depend on the threads.
@@ -60,6 +61,8 @@ public:
   /// How many vertices are constrained because of their own tolerance; duplicates count once.
   Index NumberOfConstrainedVertices() const { return this->ConstrainedVertices; }
   bool HasErrorBound() const { return this->Bound != nullptr; }
+  /// Whether an error bound or the voxels end the run, so that the final number of triangles is not known in advance.
+  bool LimitsEdits() const { return this->HasErrorBound() || this->GuardsVoxels; }
   /// Whether a collapse was rejected because it could not be proved to keep the error bound.
   bool MetItsLimit() const
   {
@@ -135,6 +138,7 @@ public:
 private:
   void AddFilters(const EditorSettings& settings, const Monitor& monitor);
   void TakeSmoothedPositions(const std::vector<Vector3>& positions);
+  void AddErrorBound(const EditorSettings& settings);
   Index ConstrainVertices(const std::vector<double>& tolerances);
   Vector3 Rounded(const Vector3& position) const;
   ProposedEdit& Propose(
@@ -164,6 +168,7 @@ private:
   Original Source;
   std::shared_ptr<FragmentGuard> Fragments;
   std::shared_ptr<ErrorBound> Bound;
+  bool GuardsVoxels = false;
   std::shared_ptr<EditRecorder> Recorder;
   std::vector<std::shared_ptr<EditFilter>> Filters; // in order
   bool NeedsSurfaceChange = false;                  // whether any filter does

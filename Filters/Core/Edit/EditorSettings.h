@@ -9,6 +9,7 @@
 
 #include "EditFilters/EditFilter.h"
 #include "ErrorBound/ErrorBound.h"
+#include "VoxelGuard/VoxelGuard.h"
 
 #include <memory>
 #include <optional>
@@ -31,6 +32,8 @@ struct EditorSettings
   bool GuardsIntersections = false;
   /// The error bound that every edit keeps; none: edits are not limited. Its Tolerances are those below.
   std::optional<ErrorBoundSettings> Bound = {};
+  /// Whether edits are rejected that let a voxel center change sides; none: no voxel is guarded.
+  std::optional<VoxelGuardSettings> Voxels = {};
   /// mm, of each vertex of the mesh; negative: none of its own. A vertex of tolerance 0, or of one too small to be proved, is
   /// constrained, and so are the corners of its faces. Empty: no vertex has a tolerance.
   std::vector<double> Tolerances = {};

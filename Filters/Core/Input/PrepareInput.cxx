@@ -3,6 +3,7 @@
 #include "PrepareInput.h"
 
 #include "Diagnostics/Diagnostics.h"
+#include "LabelMapInput.h"
 #include "Mesh/Checksum.h"
 #include "Mesh/ManifoldPatches.h"
 #include "Mesh/SpatialOrder.h"
@@ -92,9 +93,10 @@ HalfEdgeMesh BuildMesh(const RunTask& task, CleanSurface& cleaned, RunProgress& 
   monitor(0.25);
   HalfEdgeMesh mesh(cleaned.Surface, threads);
   CountNonManifold(mesh, cleaned, report.Cleaning);
-  if (task.Inputs.Labels != nullptr)
+  const std::vector<Index> labels = PatchLabels(cleaned, task.Inputs.Labels, task.Inputs.LabelMap);
+  if (!labels.empty())
   {
-    mesh = HalfEdgeMesh(cleaned.Surface, threads, {}, LabelsOf(cleaned, *task.Inputs.Labels));
+    mesh = HalfEdgeMesh(cleaned.Surface, threads, {}, labels);
   }
   if (progress.GoesOn() && SplitIntoManifoldPatches(cleaned, mesh))
   {
@@ -121,6 +123,11 @@ PreparedInput PrepareInput(
   PreparedInput prepared;
   prepared.Cleaned = CleanAndPrune(task, report);
   progress.Stage(0.0, checkedAt)(1.0);
+  if (report.Status == InputStatus::Good)
+  {
+    report.Status = CheckLabelMap(task.Inputs.LabelMap, task.Input, task.Effective);
+    task.GuardsVoxels = GuardsVoxels(task.Inputs.LabelMap, task.Effective);
+  }
   if (report.Status == InputStatus::Good)
   {
     PrepareErrors(task, progress.Stage(checkedAt, checkedAt), prepared, report);

@@ -7,6 +7,7 @@
  *     Clean(input)                     reject, merge, drop, count
  *     Diagnose(input)                  on request
  *     Prune(cleaned)                   components that are too small, on request
+ *     CheckLabelMap(source)            whether the voxel grid and its labels suit the input
  *     CheckErrors(tolerances)          whether tolerances and largest error suit mode, precision and size
  *     CompareWithReference(input)      what is left of the largest error, if the input is itself a result
  *     SortAlongCurve(cleaned)          neighbors in space become neighbors in memory
@@ -34,6 +35,7 @@ struct RunTask
   const RunInputs& Inputs;
   Options
     Effective; ///< With the largest error that is used: that of the preset, and none above the diagonal.
+  bool GuardsVoxels = false;   ///< Whether edits may not let a voxel center change sides.
   bool RoundsToSingle = false; ///< Whether the result is written in single precision.
   SmoothingPlan Smoothing = {};
 };

@@ -29,7 +29,8 @@ std::vector<OptionInfo> GoalRows()
       "target-triangles", {}, "Number of triangles to reach. 0: off." },
     { "TargetReduction", &Options::TargetReduction, 0, 1, "", "target-reduction", {},
       "Fraction of the triangles to remove. 0: remove none; 1: off. The default is ignored if a "
-      "number of triangles or a largest error is set, or if every point has a tolerance." },
+      "number of triangles or a largest error is set, if every point has a tolerance, or if "
+      "KeepVoxels is On." },
     { "MaximumError", &Options::MaximumError, 0, LargestNumber, "mm", "max-error", {},
       "Largest distance between input and result, proved in both directions for every point of "
       "both surfaces, and for open boundaries curve to curve. 0: off. In Thesis mode the run stops "
@@ -44,8 +45,8 @@ std::vector<OptionInfo> GoalRows()
       "of their width." },
     { "Smoothing", &Options::Smoothing, 0, LargestNumber, "mm", "smooth", {},
       "Smooth the surface before the first edit: no point moves by more than this, nor by more "
-      "than "
-      "MaximumError and its tolerance allow. Both steps together keep MaximumError relative to the "
+      "than MaximumError and its tolerance allow. Both steps together keep MaximumError relative "
+      "to the "
       "input. Of the surface of a binary segmentation every voxel keeps its label in this step. "
       "0: off." },
     { "AutomaticSmoothing", &Options::AutomaticSmoothing, 0, 1, "", "auto-smooth", {},
@@ -54,6 +55,12 @@ std::vector<OptionInfo> GoalRows()
       "the smallest voxel spacing, or by a third of a MaximumError or tolerance below that "
       "spacing. "
       "The voxel grid is found in the surface; any other surface is left as it is." },
+    { "KeepVoxels", &Options::KeepVoxels, 0, 2, "", "keep-voxels", { "Off", "On", "Auto" },
+      "For surfaces of label maps: reject every edit that lets a voxel center change sides, so "
+      "that "
+      "the result, voxelized again, gives every voxel the label it had. Auto: on without a largest "
+      "error or with one of at most half a voxel. On alone, without a target or a largest error, "
+      "continues until no edit is possible. Needs the voxel grid of the surface." },
     { "NormalTolerance", &Options::NormalTolerance, 0, 1, "", "normal-tolerance", {},
       "Thesis mode: tolerance w of the normal field deviation. Smaller values raise the cost of "
       "flat regions. At 1 an edge between coplanar triangles costs nothing, whatever its length." },

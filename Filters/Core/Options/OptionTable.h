@@ -18,8 +18,9 @@
 namespace bonedecimate
 {
 /// The field of Options that a row describes; its alternative is the kind of the option.
-using OptionField = std::variant<bool Options::*, int Options::*, double Options::*,
-  std::string Options::*, Mode Options::*, PointsPrecision Options::*, ErrorPreset Options::*>;
+using OptionField =
+  std::variant<bool Options::*, int Options::*, double Options::*, std::string Options::*,
+    Mode Options::*, PointsPrecision Options::*, ErrorPreset Options::*, KeepVoxels Options::*>;
 
 /// Switches are bool, choices are their number as int.
 using OptionValue = std::variant<bool, int, double, std::string>;

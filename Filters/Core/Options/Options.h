@@ -30,6 +30,15 @@ enum class ErrorPreset : int
   OneVoxel = 3
 };
 
+/// Whether edits are rejected that let a voxel center change sides.
+enum class KeepVoxels : int
+{
+  Off = 0,
+  On = 1,
+  Automatic =
+    2 ///< If the grid is known, and there is no largest error or one of at most half a voxel.
+};
+
 /// Every field is one row of OptionTable(); the defaults are written here and nowhere else.
 struct Options
 {
@@ -41,6 +50,7 @@ struct Options
   bool IntersectionGuard = true;
   double Smoothing = 0.0; // mm
   bool AutomaticSmoothing = false;
+  bonedecimate::KeepVoxels KeepVoxels = bonedecimate::KeepVoxels::Automatic;
   double NormalTolerance = 0.95;
   bool AutomaticNormalTolerance = false;
   bool MergePoints = true;

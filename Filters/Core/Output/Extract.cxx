@@ -102,9 +102,19 @@ void LookUpPoints(
     });
 }
 
+/// Whether two input triangles have the same label, and the same labels on both sides.
+bool HaveSameLabels(const ExtractOptions& options, std::size_t a, std::size_t b)
+{
+  const bool same = options.InputLabels == nullptr ||
+    options.InputLabels->OfTriangle[a] == options.InputLabels->OfTriangle[b];
+  return same &&
+    (options.LabelMap == nullptr || options.LabelMap->OfTriangle.empty() ||
+      options.LabelMap->OfTriangle[a] == options.LabelMap->OfTriangle[b]);
+}
+
 /// The triangle nearest to a centroid may have another label: the original triangle of the face is used then.
-void KeepLabels(
-  const HalfEdgeMesh& mesh, const CleanSurface& clean, const Labels& labels, Result& result)
+void KeepLabels(const HalfEdgeMesh& mesh, const CleanSurface& clean, const ExtractOptions& options,
+  Result& result)
 {
   std::size_t next = 0;
   for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
@@ -113,7 +123,24 @@ void KeepLabels(
     {
       Index& triangle = result.Origins.TriangleAtCentroid[next++];
       const Index own = clean.InputTriangle[face];
-      triangle = labels.OfTriangle[triangle] == labels.OfTriangle[own] ? triangle : own;
+      triangle =
+        HaveSameLabels(options, static_cast<std::size_t>(triangle), static_cast<std::size_t>(own))
+        ? triangle
+        : own;
+    }
+  }
+}
+
+/// Faces keep their labels.
+void CopyBoundaryLabels(
+  const HalfEdgeMesh& mesh, const CleanSurface& clean, const LabelMapSource& source, Result& result)
+{
+  for (Index face = 0; face < mesh.NumberOfFaceSlots() && !source.OfTriangle.empty(); ++face)
+  {
+    if (mesh.IsAlive(face))
+    {
+      const Index triangle = clean.InputTriangle[face];
+      result.BoundaryLabels.push_back(source.OfTriangle[static_cast<std::size_t>(triangle)]);
     }
   }
 }
@@ -150,6 +177,10 @@ std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, co
       return Triangle{ mesh.OriginalVertex(c[0]), mesh.OriginalVertex(c[1]),
         mesh.OriginalVertex(c[2]) };
     });
+  if (options.LabelMap != nullptr)
+  {
+    CopyBoundaryLabels(mesh, clean, *options.LabelMap, result);
+  }
   Remains remains = { clean, editor.Reference(), {},
     NumberVertices(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), result.Surface.Triangles,
       options.Threads),
@@ -181,10 +212,7 @@ std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, co
   if (options.Origins)
   {
     LookUpCentroids(remains, options, PartOf(monitor, pointsLookedUp, 1.0), result);
-    if (options.InputLabels != nullptr)
-    {
-      KeepLabels(mesh, clean, *options.InputLabels, result);
-    }
+    KeepLabels(mesh, clean, options, result);
     result.Origins.OutputPoint = OutputPointsOfInput(clean, current, vertices, options.Threads);
   }
   return std::move(remains.Points);

@@ -27,7 +27,8 @@ struct ExtractOptions
   bool Distances = false;
   bool Origins = false;
   int Threads = 1;
-  const Labels* InputLabels = nullptr; ///< Of the input triangles; null: none.
+  const Labels* InputLabels = nullptr;      ///< Of the input triangles; null: none.
+  const LabelMapSource* LabelMap = nullptr; ///< Of the input; null: not known.
 };
 
 /**

@@ -136,7 +136,7 @@ const char* StopReasonSentence(StopReason reason)
 const char* RejectionWord(Rejection rejection)
 {
   static const char* const words[] = { "not_rejected", "non_manifold", "boundary", "link_condition",
-    "fragment", "flip", "degenerate", "error_bound", "constrained", "intersection" };
+    "fragment", "flip", "degenerate", "error_bound", "constrained", "intersection", "voxel_label" };
   return WordOf(words, rejection);
 }
 
@@ -188,6 +188,12 @@ std::string InputMessage(const Report& report)
     case InputStatus::ErrorBeyondSize:
     case InputStatus::ErrorBelowSize:
       return SizeMessage(report.Size, report.Status);
+    case InputStatus::BadLabelMap:
+      return "the voxel grid is not valid, its labels are not one pair for each triangle, or the "
+             "surface is farther than 65536 voxels from the grid";
+    case InputStatus::NoVoxelGrid:
+      return "KeepVoxels is on, but the surface has no voxel grid: extract it with "
+             "vtkBoneSurfaces, which stores the grid, or set KeepVoxels to Auto or Off";
     case InputStatus::InvalidOption:
       return CheckOptions(report.Requested);
   }

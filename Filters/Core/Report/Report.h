@@ -8,6 +8,7 @@
 #define BoneDecimate_Core_Report_Report_h
 
 #include "Diagnostics/Diagnostics.h"
+#include "LabelMap/VoxelCheck.h"
 #include "Options/Options.h"
 #include "Surface.h"
 
@@ -41,6 +42,8 @@ enum class InputStatus : int
   SinglePrecisionTooCoarse, ///< Rounding moves points farther than the error or tolerances allow, or onto other points.
   ErrorBeyondSize, ///< The largest error is more than a quarter of the diagonal, and AllowLargeError is off.
   ErrorBelowSize, ///< The largest error is less than a millionth of the diagonal: rounding alone exceeds it.
+  BadLabelMap, ///< A grid that is not valid, labels that are not one pair for each triangle, or a surface far from the grid.
+  NoVoxelGrid, ///< KeepVoxels is On and no grid is known.
   InvalidOption ///< A value is outside of the range of its option.
 };
 
@@ -68,8 +71,9 @@ enum class Rejection : int
   ErrorBound,    ///< No proof was found that the surface stays within the largest error.
   Constrained, ///< An end or corner is constrained because its tolerance, or that of a neighbor, is 0.
   Intersection, ///< Triangles would intersect, or a gap would become narrower than half of what it was.
+  VoxelLabel, ///< A voxel center would change sides, or a triangle would come too near to one.
 };
-constexpr std::size_t NumberOfRejections = 10; ///< Number of counted reasons.
+constexpr std::size_t NumberOfRejections = 11; ///< Number of counted reasons.
 
 struct SurfaceStatistics
 {
@@ -255,6 +259,15 @@ struct LabelArea
   double Change() const { return Input > 0.0 ? std::abs(Output - Input) / Input : 0.0; }
 };
 
+/// The voxels of the label map: those of the result compared with those of the input.
+struct VoxelReport
+{
+  bool WereGuarded = false; ///< Whether edits that change one were rejected.
+  bool WasChecked = false;  ///< If false, what follows is meaningless.
+  VoxelChanges Changes;
+  std::vector<std::int64_t> Values; ///< Of the labels, by index; the background is the last.
+};
+
 struct StageSeconds
 {
   double Prepare = 0.0;  ///< Cleaning and building the half-edge mesh.
@@ -287,6 +300,7 @@ struct Report
   ErrorProof Proof;              ///< Relative to the reference, if there is one.
   ReferenceFigures Reference;
   VoxelFigures Voxel;
+  VoxelReport Voxels; ///< Of an input with a voxel grid.
   SizeFigures Size;
   SmoothingFigures Smoothing;
   /// mm, maxError of the thesis: the largest distance of a new vertex to the input, after each collapse in mode Thesis and

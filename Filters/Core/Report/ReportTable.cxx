@@ -192,6 +192,26 @@ void AddSmoothing(Entries& entries, const SmoothingFigures& smoothing)
   entries.push_back({ "smoothing.rounds", "", smoothing.Rounds });
 }
 
+void AddVoxels(Entries& entries, const VoxelReport& voxels)
+{
+  const VoxelChanges& changes = voxels.Changes;
+  entries.push_back({ "voxels.guard", "", std::string(voxels.WereGuarded ? "on" : "off") });
+  entries.push_back({ "voxels.compared", "", changes.Compared });
+  entries.push_back({ "voxels.changed", "", changes.Changed });
+  for (std::size_t axis = 0; axis < 3 && changes.Changed > 0; ++axis)
+  {
+    entries.push_back(
+      { "voxels.first_changed." + std::to_string(axis), "", changes.FirstChanged[axis] });
+  }
+  for (std::size_t i = 0; i < changes.OfLabel.size() && i < voxels.Values.size(); ++i)
+  {
+    const std::string path = "voxels.of_" + std::to_string(voxels.Values[i]);
+    entries.push_back({ path + ".voxels", "", changes.OfLabel[i].Voxels });
+    entries.push_back({ path + ".lost", "", changes.OfLabel[i].Lost });
+    entries.push_back({ path + ".gained", "", changes.OfLabel[i].Gained });
+  }
+}
+
 void AddRun(Entries& entries, const Report& report)
 {
   if (report.Size.LargestError > 0.0)
@@ -253,6 +273,10 @@ std::vector<ReportEntry> ReportEntries(const Report& report)
   if (report.Smoothing.From != SmoothingFigures::Source::NotRequested)
   {
     AddSmoothing(entries, report.Smoothing);
+  }
+  if (report.Voxels.WasChecked)
+  {
+    AddVoxels(entries, report.Voxels);
   }
   if (report.Reference.IsPresent)
   {

@@ -42,6 +42,8 @@ struct ReportEntry
  *                .{max, second, mean, rms, point_max, point_mean, point_rms, samples, samples_per_mm2}
  *              .{boundary_output_to_input, boundary_input_to_output}.{lower, upper}
  *     voxel    .{from, size, error, largest_error}
+ *     voxels   .{guard, compared, changed, first_changed.{0, 1, 2}}, if the input has a voxel grid
+ *              .of_LABEL.{voxels, lost, gained}
  *     reference.{faces, checksum, to_input.{lower, upper}}
  *     proof    .{status, tolerance, lower, upper, boundaries, triangles_left_out}
  *              .{output_to_input, input_to_output, boundary_...}.{lower, upper}

@@ -230,10 +230,12 @@ BlockSweep::Outcome BlockSweep::ApplyAtPositions(const Edit& best, float mostCos
       return Outcome::Collapsed;
     }
   }
-  return decision.IsDeferred()                                            ? Outcome::Deferred
-    : decision.Reason() == Rejection::ErrorBound || this->Task.TriesAll() ? Outcome::TooFar
-    : decision.Reason() == Rejection::Intersection                        ? Outcome::Crossing
-                                                                          : Outcome::TooCostly;
+  const Rejection reason = decision.Reason();
+  const bool isTooFar = reason == Rejection::ErrorBound || reason == Rejection::VoxelLabel;
+  return decision.IsDeferred()          ? Outcome::Deferred
+    : isTooFar || this->Task.TriesAll() ? Outcome::TooFar
+    : reason == Rejection::Intersection ? Outcome::Crossing
+                                        : Outcome::TooCostly;
 }
 
 //------------------------------------------------------------------------------

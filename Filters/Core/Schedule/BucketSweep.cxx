@@ -65,7 +65,7 @@ BucketSweep::BucketSweep(Editor& editor, const StopTargets& stops, int threads,
 //------------------------------------------------------------------------------
 StopReason BucketSweep::Run(const Monitor& monitor)
 {
-  if (this->MeshEditor.HasErrorBound())
+  if (this->MeshEditor.LimitsEdits())
   {
     return this->RunProved(monitor);
   }
@@ -224,7 +224,7 @@ bool BucketSweep::Round(CostBucket limit, const Monitor& monitor)
 {
   return this->SweepBlocks(limit, { this->BlockSize(), false }, monitor) &&
     this->SweepBlocks(limit, { this->BlockSize(), true }, monitor) &&
-    (!this->MeshEditor.HasErrorBound() || this->SweepBlocks(limit, this->LargeBlocks(), monitor)) &&
+    (!this->MeshEditor.LimitsEdits() || this->SweepBlocks(limit, this->LargeBlocks(), monitor)) &&
     this->SweepWhole(limit, this->Targets.Faces, false, monitor);
 }
 
@@ -241,7 +241,7 @@ bool BucketSweep::SweepBlocks(CostBucket limit, BlockCut cut, const Monitor& mon
     goesOn = goesOn && this->End.TellNow(monitor, removed);
     return goesOn.load();
   };
-  const bool isSlow = this->MeshEditor.HasErrorBound();
+  const bool isSlow = this->MeshEditor.LimitsEdits();
   const std::thread::id teller = std::this_thread::get_id();
   const bool done = ForEachPart(
     blocks.size(), this->Threads, [&](double) { return tell(); },
@@ -270,7 +270,7 @@ Index BucketSweep::BlockSize() const
 {
   const Index slots = this->MeshEditor.Mesh().NumberOfVertexSlots();
   const Index live = std::max(1, this->MeshEditor.Mesh().NumberOfFaces() / 2);
-  const Index least = this->MeshEditor.HasErrorBound() ? LeastOfProvedBlock : LeastOfBlock;
+  const Index least = this->MeshEditor.LimitsEdits() ? LeastOfProvedBlock : LeastOfBlock;
   const std::int64_t wanted = std::clamp(live / 16, least, MostOfBlock);
   return static_cast<Index>(std::min<std::int64_t>(slots, wanted * slots / live));
 }
@@ -340,7 +340,7 @@ bool BucketSweep::SweepWhole(CostBucket limit, Index faces, bool renewsRing, con
     goesOn = isTime ? this->End.TellNow(monitor) : this->End.Tell(monitor);
     return goesOn && !this->End.IsReached() && this->MeshEditor.Mesh().NumberOfFaces() > faces;
   };
-  const bool isSlow = this->MeshEditor.HasErrorBound();
+  const bool isSlow = this->MeshEditor.LimitsEdits();
   const auto pulse = [&]
   {
     const bool isTime = isSlow && ++looked % VerticesBetweenWords == 0;

@@ -25,7 +25,7 @@ bool CollapseLast(const StageInput& input, Refinement& refinement, const Monitor
   {
     return true;
   }
-  if (!input.MeshEditor.HasErrorBound() &&
+  if (!input.MeshEditor.LimitsEdits() &&
     !refinement.CollapseTo(
       input.Stops.Faces, input.Mode.Refine.EdgesOfCollapse, PartOf(monitor, 0.0, sweepFrom)))
   {
@@ -51,7 +51,7 @@ bool Refine(const StageInput& input, const Monitor& monitor)
   const RefineSettings& settings = input.Mode.Refine;
   Refinement refinement(input.MeshEditor, *input.InitialMesh, input.Threads);
   const bool fewRemain = input.Stops.Faces < FewTriangles * input.FacesAtStart;
-  const int rounds = input.MeshEditor.HasErrorBound() ? settings.ProvedRounds : 1;
+  const int rounds = input.MeshEditor.LimitsEdits() ? settings.ProvedRounds : 1;
   const Monitor tell = PartOf(monitor, roundsFrom, roundsTo);
   bool goesOn = refinement.Begin(PartOf(monitor, 0.0, roundsFrom));
   for (int i = 0; i < rounds && goesOn; ++i)

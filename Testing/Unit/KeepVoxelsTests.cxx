@@ -1,0 +1,434 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whole runs on surfaces of label maps: no voxel changes where voxels are guarded, and the check sees it where they are not.
+#include "BruteForce.h"
+#include "LabelMap/LabelSurfaces.h"
+#include "LabelMap/VoxelCheck.h"
+#include "LabelMaps.h"
+#include "Random.h"
+#include "Runs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+using namespace bonedecimate;
+using namespace bonedecimate::testsupport;
+
+namespace
+{
+struct Map
+{
+  std::string Name;
+  LabelMap Voxels;
+};
+
+/// A ball in a shell and a plate across both, with noise at the boundary.
+LabelMap NoisyBones(const VoxelGrid& grid, double noise)
+{
+  Random random(7);
+  LabelMap map = MakeLabelMap(grid.Dimensions,
+    [&](const std::array<Index, 3>& voxel) -> int
+    {
+      const Vector3 p(voxel[0] - 7.0, voxel[1] - 6.0, voxel[2] - 6.0);
+      const double r = p.norm() + noise * random.Between(-1.0, 1.0);
+      return std::abs(p[2]) < 1.2 && r < 6.5 ? 7 : r < 2.6 ? 5 : r > 4.4 && r < 6.0 ? 2 : 0;
+    });
+  map.Grid = grid;
+  return map;
+}
+
+VoxelGrid UnitGrid(const std::array<Index, 3>& size)
+{
+  VoxelGrid grid;
+  grid.Dimensions = size;
+  return grid;
+}
+
+LabelMap Binary(LabelMap map)
+{
+  for (std::int32_t& label : map.Labels)
+  {
+    label = label != 0 ? 1 : 0;
+  }
+  return map;
+}
+
+const std::array<Index, 3> Size = { 15, 14, 13 };
+
+std::vector<Map> Maps()
+{
+  return { { "Labels", NoisyBones(UnitGrid(Size), 0.0) },
+    { "NoisyLabels", NoisyBones(UnitGrid(Size), 1.5) },
+    { "ObliqueLabels", NoisyBones(ObliqueGrid(Size, false), 0.6) },
+    { "MirroredBinary", Binary(NoisyBones(ObliqueGrid(Size, true), 0.6)) },
+    { "Binary", Binary(NoisyBones(UnitGrid(Size), 0.4)) },
+    { "RandomLabels", NoiseLabels({ 6, 5, 6 }, 4, 3) } };
+}
+
+LabelSurfaces Extracted(const LabelMap& map, bool isClosed = true)
+{
+  LabelSurfaceOptions options;
+  options.Closed = isClosed;
+  return ExtractLabelSurfaces(MakeLabelImage(map.Labels.data(), map.Grid), options);
+}
+
+RunInputs With(const LabelSurfaces& surfaces)
+{
+  RunInputs inputs;
+  inputs.LabelMap = &surfaces.Source;
+  return inputs;
+}
+
+Options Keeping(Options options)
+{
+  options.KeepVoxels = KeepVoxels::On;
+  return options;
+}
+
+Options Free(Options options)
+{
+  options.KeepVoxels = KeepVoxels::Off;
+  return options;
+}
+
+double Spacing(const LabelMap& map)
+{
+  return map.Grid.Spacing.minCoeff();
+}
+
+/// By the voxelizer of the tests, along three axes.
+std::int64_t WrongVoxels(const LabelMap& map, const LabelSurfaces& surfaces, const Result& result)
+{
+  std::int64_t wrong = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::vector<Index> labels = VoxelizeLabels(result.Surface, result.BoundaryLabels,
+      surfaces.Source.Grid, surfaces.Source.Background(), axis);
+    for (std::size_t i = 0; i < labels.size(); ++i)
+    {
+      const bool isRight = labels[i] != NoLabel &&
+        surfaces.Source.Values[static_cast<std::size_t>(labels[i])] == map.Labels[i];
+      wrong += isRight ? 0 : 1;
+    }
+  }
+  return wrong;
+}
+
+class EachMap : public testing::TestWithParam<Map>
+{
+protected:
+  const LabelMap& Voxels = GetParam().Voxels;
+  LabelSurfaces Surfaces = Extracted(this->Voxels);
+
+  Result Run(const Options& options) const
+  {
+    Result result = Decimate(this->Surfaces.Surface, options, {}, With(this->Surfaces));
+    EXPECT_EQ(result.Report.Status, InputStatus::Good) << InputMessage(result.Report);
+    return result;
+  }
+  void ExpectAllKept(const Options& options) const
+  {
+    const Result result = this->Run(options);
+    EXPECT_LT(result.Surface.Triangles.size(), this->Surfaces.Surface.Triangles.size());
+    EXPECT_TRUE(result.Report.Voxels.WereGuarded);
+    EXPECT_TRUE(result.Report.Voxels.WasChecked);
+    EXPECT_EQ(result.Report.Voxels.Changes.Changed, 0) << WordOf(options.Mode);
+    EXPECT_EQ(WrongVoxels(this->Voxels, this->Surfaces, result), 0) << WordOf(options.Mode);
+    const VoxelChanges byMap =
+      CompareVoxels(MakeLabelImage(this->Voxels.Labels.data(), this->Voxels.Grid),
+        this->Surfaces.Source.Values, { result.Surface, result.BoundaryLabels },
+        { {}, static_cast<Index>(this->Surfaces.Source.Values.size()), 1 });
+    EXPECT_TRUE(byMap.IsDone);
+    EXPECT_EQ(byMap.Changed, 0) << WordOf(options.Mode);
+  }
+};
+
+std::string NameOfMap(const testing::TestParamInfo<Map>& info)
+{
+  return info.param.Name;
+}
+}
+
+TEST_P(EachMap, KeepsEveryVoxelInEveryModeWithABound)
+{
+  for (const Mode mode : AllModes())
+  {
+    this->ExpectAllKept(InMode(mode, Keeping(ErrorOfAnySize(0.5 * Spacing(this->Voxels)))));
+  }
+  for (const double voxels : { 0.25, 1.0 })
+  {
+    this->ExpectAllKept(
+      InMode(Mode::Fast, Keeping(ErrorOfAnySize(voxels * Spacing(this->Voxels)))));
+  }
+}
+
+TEST_P(EachMap, KeepsEveryVoxelInEveryModeWithoutABound)
+{
+  for (const Mode mode : AllModes())
+  {
+    this->ExpectAllKept(InMode(mode, Keeping(Unmeasured())));
+    this->ExpectAllKept(InMode(mode, Keeping(Reduction(0.5))));
+  }
+}
+
+TEST_P(EachMap, KeepsEveryVoxelInSinglePrecision)
+{
+  Options options = Keeping(Unmeasured());
+  options.OutputPointsPrecision = PointsPrecision::Single;
+  this->ExpectAllKept(options);
+}
+
+TEST_P(EachMap, HasTheSameBytesForAnyNumberOfThreads)
+{
+  Options options = Keeping(ErrorOfAnySize(0.5 * Spacing(this->Voxels)));
+  const Result expected = this->Run(options);
+  for (const int threads : { 2, 3 })
+  {
+    options.NumberOfThreads = threads;
+    const Result result = this->Run(options);
+    EXPECT_TRUE(SameBytes(result.Surface, expected.Surface));
+    EXPECT_EQ(result.BoundaryLabels, expected.BoundaryLabels);
+    EXPECT_EQ(result.Report.Voxels.Changes.Compared, expected.Report.Voxels.Changes.Compared);
+  }
+}
+
+/// Without the guard, or with another map's grid, voxels change, and the check counts them as the voxelizer of the tests does.
+TEST_P(EachMap, ChangesVoxelsWithoutTheGuardAndTheCheckSeesThem)
+{
+  const Result result = this->Run(Free(Reduction(0.9)));
+  const VoxelReport& voxels = result.Report.Voxels;
+  EXPECT_FALSE(voxels.WereGuarded);
+  EXPECT_GT(voxels.Changes.Changed, 0);
+  EXPECT_GT(WrongVoxels(this->Voxels, this->Surfaces, result), 0);
+  std::int64_t lost = 0;
+  for (const LabelChanges& label : voxels.Changes.OfLabel)
+  {
+    lost += label.Lost;
+  }
+  EXPECT_EQ(lost, voxels.Changes.Changed) << "every voxel of the input has a label";
+}
+
+INSTANTIATE_TEST_SUITE_P(Voxels, EachMap, testing::ValuesIn(Maps()), NameOfMap);
+
+namespace
+{
+class KeepVoxelsOption : public testing::Test
+{
+protected:
+  LabelMap Voxels = NoisyBones(UnitGrid(Size), 0.5);
+  LabelSurfaces Surfaces = Extracted(this->Voxels);
+
+  Result Run(const Options& options) const
+  {
+    return Decimate(this->Surfaces.Surface, options, {}, With(this->Surfaces));
+  }
+};
+}
+
+TEST_F(KeepVoxelsOption, IsOnByDefaultUpToHalfAVoxelAndWithoutABound)
+{
+  EXPECT_TRUE(this->Run(Unmeasured()).Report.Voxels.WereGuarded);
+  EXPECT_TRUE(this->Run(Error(0.5)).Report.Voxels.WereGuarded);
+  EXPECT_FALSE(this->Run(Error(0.6)).Report.Voxels.WereGuarded);
+  EXPECT_TRUE(this->Run(Keeping(Error(0.6))).Report.Voxels.WereGuarded);
+  EXPECT_FALSE(this->Run(Free(Error(0.5))).Report.Voxels.WereGuarded);
+}
+
+TEST_F(KeepVoxelsOption, AloneRunsUntilNoEditIsPossible)
+{
+  const Result reduced = this->Run(Unmeasured());
+  const Result alone = this->Run(Keeping(Unmeasured()));
+  EXPECT_EQ(alone.Report.Stop, StopReason::NothingLeft);
+  EXPECT_LE(alone.Surface.Triangles.size(), reduced.Surface.Triangles.size());
+  EXPECT_GT(alone.Report.Rejections[static_cast<std::size_t>(Rejection::VoxelLabel)], 0);
+}
+
+TEST_F(KeepVoxelsOption, NeedsAGridIfItIsOn)
+{
+  const Result result = Decimate(this->Surfaces.Surface, Keeping(Unmeasured()));
+  EXPECT_EQ(result.Report.Status, InputStatus::NoVoxelGrid);
+  EXPECT_NE(InputMessage(result.Report).find("no voxel grid"), std::string::npos);
+  EXPECT_EQ(Decimate(this->Surfaces.Surface, Unmeasured()).Report.Status, InputStatus::Good);
+}
+
+TEST_F(KeepVoxelsOption, RejectsGridsAndLabelsThatDoNotFit)
+{
+  const auto statusOf = [&](const auto& spoil)
+  {
+    LabelSurfaces spoiled = this->Surfaces;
+    spoil(spoiled.Source);
+    return Decimate(spoiled.Surface, Unmeasured(), {}, With(spoiled)).Report.Status;
+  };
+  using Source = LabelMapSource;
+  EXPECT_EQ(statusOf([](Source& s) { s.Grid.Spacing[1] = 0.0; }), InputStatus::BadLabelMap);
+  EXPECT_EQ(statusOf([](Source& s) { s.Grid.Spacing[1] = 1e-9; }), InputStatus::BadLabelMap);
+  EXPECT_EQ(statusOf([](Source& s) { s.Grid.Origin[2] = std::nan(""); }), InputStatus::BadLabelMap);
+  EXPECT_EQ(statusOf([](Source& s) { s.Grid.Direction(0, 1) = 0.1; }), InputStatus::BadLabelMap);
+  EXPECT_EQ(statusOf([](Source& s) { s.OfTriangle.pop_back(); }), InputStatus::BadLabelMap);
+  EXPECT_EQ(statusOf([](Source& s) { s.OfTriangle[3][0] = 99; }), InputStatus::BadLabelMap);
+}
+
+TEST_F(KeepVoxelsOption, KeepsTheLabelsOfEveryTriangleAndTheirWalls)
+{
+  const Result result = this->Run(Keeping(Unmeasured()));
+  ASSERT_EQ(result.BoundaryLabels.size(), result.Surface.Triangles.size());
+  const std::vector<BoundaryLabels>& before = this->Surfaces.Source.OfTriangle;
+  const std::set<BoundaryLabels> pairsBefore(before.begin(), before.end());
+  const std::set<BoundaryLabels> pairsAfter(
+    result.BoundaryLabels.begin(), result.BoundaryLabels.end());
+  EXPECT_EQ(pairsAfter, pairsBefore);
+}
+
+TEST_F(KeepVoxelsOption, HoldsWithTolerances)
+{
+  std::vector<double> tolerances(this->Surfaces.Surface.Points.size(), -1.0);
+  for (std::size_t p = 0; p < tolerances.size(); ++p)
+  {
+    const double x = this->Surfaces.Surface.Points[p][0];
+    tolerances[p] = x < 4.0 ? 0.0 : x < 9.0 ? 0.4 : -1.0;
+  }
+  RunInputs inputs = With(this->Surfaces);
+  inputs.Tolerances = &tolerances;
+  const Result result = Decimate(this->Surfaces.Surface, Keeping(Unmeasured()), {}, inputs);
+  EXPECT_EQ(result.Report.Status, InputStatus::Good);
+  EXPECT_EQ(result.Report.Voxels.Changes.Changed, 0);
+  EXPECT_EQ(WrongVoxels(this->Voxels, this->Surfaces, result), 0);
+}
+
+TEST_F(KeepVoxelsOption, HoldsOnOpenSurfaces)
+{
+  LabelMap cut = this->Voxels;
+  for (std::size_t i = 0; i < cut.Labels.size(); ++i)
+  {
+    const std::size_t x = i % static_cast<std::size_t>(Size[0]);
+    cut.Labels[i] = x < 2 || x > 12 ? cut.Labels[i] + 1 : cut.Labels[i];
+  }
+  const LabelSurfaces open = Extracted(cut, false);
+  ASSERT_TRUE(HasBoundary(open.Surface));
+  const Result result = Decimate(open.Surface, Keeping(Unmeasured()), {}, With(open));
+  EXPECT_LT(result.Surface.Triangles.size(), open.Surface.Triangles.size());
+  EXPECT_EQ(result.Report.Voxels.Changes.Changed, 0);
+  const VoxelChanges byMap = CompareVoxels(MakeLabelImage(cut.Labels.data(), cut.Grid),
+    open.Source.Values, { result.Surface, result.BoundaryLabels },
+    { {}, static_cast<Index>(open.Source.Values.size()), 1 });
+  EXPECT_EQ(byMap.Changed, 0);
+}
+
+/// Every level of detail.
+TEST_F(KeepVoxelsOption, HoldsInEveryLevelOfALog)
+{
+  EditLog log;
+  RunInputs inputs = With(this->Surfaces);
+  inputs.Log = &log;
+  const Result result = Decimate(this->Surfaces.Surface, Keeping(Reduction(0.8)), {}, inputs);
+  EXPECT_EQ(result.Report.Status, InputStatus::Good);
+  EXPECT_EQ(result.Report.Voxels.Changes.Changed, 0);
+}
+
+namespace
+{
+/// One label, a box of voxels from 2 to 4 along each axis.
+LabelMap Box()
+{
+  return MakeLabelMap({ 7, 7, 7 },
+    [](const std::array<Index, 3>& voxel) -> int
+    {
+      const auto isIn = [](Index i) { return i >= 2 && i <= 4; };
+      return isIn(voxel[0]) && isIn(voxel[1]) && isIn(voxel[2]) ? 3 : 0;
+    });
+}
+
+VoxelChanges Check(const LabelMap& map, const LabelSurfaces& surfaces, int threads = 1)
+{
+  return CompareVoxels(MakeLabelImage(map.Labels.data(), map.Grid), surfaces.Source.Values,
+    { surfaces.Surface, surfaces.Source.OfTriangle },
+    { {}, static_cast<Index>(surfaces.Source.Values.size()), threads });
+}
+}
+
+TEST(VoxelChecks, CountNoChangeOnExtractedSurfaces)
+{
+  for (const Map& map : Maps())
+  {
+    const VoxelChanges changes = Check(map.Voxels, Extracted(map.Voxels));
+    EXPECT_TRUE(changes.IsDone);
+    EXPECT_EQ(changes.Changed, 0) << map.Name;
+    EXPECT_GE(changes.Compared, static_cast<std::int64_t>(map.Voxels.Labels.size()));
+  }
+}
+
+TEST(VoxelChecks, CountTheVoxelsOfALabelThatAreLostAndGained)
+{
+  LabelMap map = Box();
+  const LabelSurfaces surfaces = Extracted(map);
+  map.Labels[2 + 7 * (3 + 7 * 4)] = 0;
+  map.Labels[6 + 7 * (6 + 7 * 6)] = 3;
+  map.Labels[0] = 8; // not a label of the surface: background
+  const VoxelChanges changes = Check(map, surfaces);
+  EXPECT_EQ(changes.Changed, 2);
+  EXPECT_EQ(changes.FirstChanged, (std::array<std::int64_t, 3>{ 2, 3, 4 }));
+  ASSERT_EQ(changes.OfLabel.size(), 2U);
+  EXPECT_EQ(changes.OfLabel[0].Voxels, 27);
+  EXPECT_EQ(changes.OfLabel[0].Lost, 1);
+  EXPECT_EQ(changes.OfLabel[0].Gained, 1);
+  EXPECT_EQ(changes.OfLabel[1].Lost, 1);
+  EXPECT_EQ(changes.OfLabel[1].Gained, 1);
+}
+
+TEST(VoxelChecks, SeeAMissingSurfaceAndOneOutsideOfTheImage)
+{
+  const LabelMap map = Box();
+  LabelSurfaces surfaces = Extracted(map);
+  LabelSurfaces empty = surfaces;
+  empty.Surface.Triangles.clear();
+  empty.Source.OfTriangle.clear();
+  EXPECT_EQ(Check(map, empty).Changed, 27);
+  for (Vector3& point : surfaces.Surface.Points)
+  {
+    point[1] += 40.0;
+  }
+  EXPECT_EQ(Check(map, surfaces).Changed, 54);
+}
+
+/// Every voxel center on the surface: all triangles must agree on which side it is.
+TEST(VoxelChecks, AreConsistentWhereCentersLieOnTheSurface)
+{
+  const LabelMap map = Box();
+  LabelSurfaces surfaces = Extracted(map);
+  for (Vector3& point : surfaces.Surface.Points)
+  {
+    point = point.array().round(); // to voxel centers
+  }
+  const VoxelRows rows({ surfaces.Surface, surfaces.Source.OfTriangle }, map.Grid, 1, 1);
+  const VoxelBox box = { { 0, 0, 0 }, { 7, 7, 7 } };
+  VoxelRows::Slice slice(rows, box);
+  std::vector<Index> labels;
+  for (std::int64_t z = 0; z < 7; ++z)
+  {
+    slice.Begin(z);
+    for (std::int64_t y = 0; y < 7; ++y)
+    {
+      slice.Row(y, false, labels);
+      EXPECT_EQ(std::count(labels.begin(), labels.end(), Ambiguous), 0);
+      EXPECT_TRUE(labels.back() == None || labels.back() == 1);
+    }
+  }
+}
+
+TEST(VoxelChecks, AreTheSameOnAnyNumberOfThreads)
+{
+  const LabelMap map = NoisyBones(UnitGrid(Size), 1.0);
+  LabelSurfaces surfaces = Extracted(map);
+  for (Vector3& point : surfaces.Surface.Points)
+  {
+    point[0] += 0.7;
+  }
+  const VoxelChanges expected = Check(map, surfaces);
+  EXPECT_GT(expected.Changed, 100);
+  const VoxelChanges changes = Check(map, surfaces, 4);
+  EXPECT_EQ(changes.Changed, expected.Changed);
+  EXPECT_EQ(changes.FirstChanged, expected.FirstChanged);
+}
