@@ -84,13 +84,11 @@ struct RunInputs
   const bonedecimate::Labels* Labels = nullptr;
   /// The label map from which the input was extracted; null: not known. With a grid its voxels are guarded (KeepVoxels), and
   /// those of the result are compared with those of the input. Where pairs of labels differ, curves between them are collapsed
-  /// along themselves alone, as between labels.
+  /// along themselves alone, as between labels. Smoothing uses the grid points; without them it looks for the grid of a binary
+  /// surface in its points.
   const LabelMapSource* LabelMap = nullptr;
   /// Receives the record of the run, see Levels.h; not changed if the input was rejected.
   EditLog* Log = nullptr;
-  /// The label map that the input was extracted from: grid points of the input points, labels of the input triangles. Null:
-  /// not known; the grid of a binary surface is found in its points.
-  const LabelMapSource* LabelMap = nullptr;
 };
 
 /**
