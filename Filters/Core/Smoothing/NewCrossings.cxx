@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NewCrossings.h"
 
-#include "Intersections/TrianglePair.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -42,21 +41,19 @@ struct CommonCorners
   std::size_t SumA = 0, SumB = 0; // of one: its number; of two: 3 less that of the third corner
 };
 
-bool Intersect(const std::vector<Vector3>& points, const Triangle& a, const Triangle& b)
+bool Intersect(const PlaneTriangle& first, const PlaneTriangle& second, const CommonCorners& common)
 {
-  const CommonCorners common(a, b);
-  if (common.Count == 3)
+  switch (common.Count)
   {
-    return false;
+    case 0:
+      return Meet(first, second);
+    case 1:
+      return MeetBeyondCorner(first, common.SumA, second, common.SumB);
+    case 2:
+      return MeetBeyondEdge(first, 3 - common.SumA, second.Corners[3 - common.SumB]);
+    default:
+      return false;
   }
-  const PlaneTriangle first = PlaneTriangleOf(points, a);
-  if (common.Count == 2)
-  {
-    return MeetBeyondEdge(first, 3 - common.SumA, points[b[3 - common.SumB]]);
-  }
-  const PlaneTriangle second = PlaneTriangleOf(points, b);
-  return common.Count == 1 ? MeetBeyondCorner(first, common.SumA, second, common.SumB)
-                           : Meet(first, second);
 }
 }
 
@@ -143,12 +140,15 @@ bool NewCrossings::IsTurnedOver(const std::vector<Vector3>& points, const Triang
   return before.squaredNorm() > 0.0 && !(before.dot(areaOf(points)) > 0.0);
 }
 
-//------------------------------------------------------------------------------
-bool NewCrossings::IsNew(const std::vector<Vector3>& points, std::size_t a, std::size_t b) const
+/// Of two triangles that intersect now or not: whether they do, and did not before.
+bool NewCrossings::IsNew(const Pair& now, std::size_t a, std::size_t b) const
 {
   const Triangle& first = this->Before.Triangles[a];
   const Triangle& second = this->Before.Triangles[b];
-  return Intersect(points, first, second) && !Intersect(this->Before.Points, first, second);
+  const CommonCorners common(first, second);
+  return Intersect(now.First, now.Second, common) &&
+    !Intersect(PlaneTriangleOf(this->Before.Points, first),
+      PlaneTriangleOf(this->Before.Points, second), common);
 }
 
 //------------------------------------------------------------------------------
@@ -166,10 +166,13 @@ void NewCrossings::FindOfLeaf(std::size_t leaf, const std::vector<Vector3>& poin
   }
   std::vector<std::size_t> leaves;
   this->FindNear(this->Boxes[this->Leaves + leaf], leaves);
+  const Box whole = this->Boxes[this->Leaves + leaf];
   std::array<Box, LeafSize> boxes;
+  std::array<PlaneTriangle, LeafSize> own;
   for (std::size_t t = first; t < last; ++t)
   {
     boxes[t - first] = this->BoxOf(points, t);
+    own[t - first] = PlaneTriangleOf(points, this->Before.Triangles[t]);
     if (isMoved[t] != 0 && this->IsTurnedOver(points, this->Before.Triangles[t]))
     {
       found.push_back(static_cast<Index>(t));
@@ -180,10 +183,16 @@ void NewCrossings::FindOfLeaf(std::size_t leaf, const std::vector<Vector3>& poin
     for (std::size_t u = LeafSize * near; u < std::min(count, LeafSize * (near + 1)); ++u)
     {
       const Box box = this->BoxOf(points, u);
+      if (!whole.Overlaps(box))
+      {
+        continue;
+      }
+      const PlaneTriangle other = PlaneTriangleOf(points, this->Before.Triangles[u]);
       for (std::size_t t = first; t < last; ++t)
       {
         const bool isOfThisLeaf = isMoved[t] != 0 && (isMoved[u] == 0 || t < u);
-        if (isOfThisLeaf && boxes[t - first].Overlaps(box) && this->IsNew(points, t, u))
+        if (isOfThisLeaf && boxes[t - first].Overlaps(box) &&
+          this->IsNew({ own[t - first], other }, t, u))
         {
           found.push_back(static_cast<Index>(t));
           found.push_back(static_cast<Index>(u));

@@ -13,6 +13,7 @@
 #ifndef BoneDecimate_Core_Smoothing_NewCrossings_h
 #define BoneDecimate_Core_Smoothing_NewCrossings_h
 
+#include "Intersections/TrianglePair.h"
 #include "Monitor.h"
 #include "Surface.h"
 
@@ -51,7 +52,13 @@ private:
   void FindOfLeaf(std::size_t leaf, const std::vector<Vector3>& points,
     const std::vector<char>& isMoved, std::vector<Index>& found) const;
   bool IsTurnedOver(const std::vector<Vector3>& points, const Triangle& corners) const;
-  bool IsNew(const std::vector<Vector3>& points, std::size_t a, std::size_t b) const;
+  /// Two triangles where they are now.
+  struct Pair
+  {
+    const PlaneTriangle& First;
+    const PlaneTriangle& Second;
+  };
+  bool IsNew(const Pair& now, std::size_t a, std::size_t b) const;
 
   const Surface& Before;
   int Threads;
