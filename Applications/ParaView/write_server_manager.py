@@ -22,7 +22,7 @@ PANEL = pathlib.Path(__file__).resolve().parent / "Plugin" / "BoneDecimate.xml"
 GROUPS = [
     ("Targets (lengths in mm)", ["Mode", "TargetNumberOfTriangles", "TargetReduction", "MaximumError", "ErrorPreset", "VoxelSize",
                  "ToleranceArrayName", "LabelArrayName"]),
-    ("Proof", ["IntersectionGuard", "ProveResult"]),
+    ("Proof", ["IntersectionGuard", "KeepVoxels", "ProveResult"]),
     ("Output", ["MeasureDistances", "MeasureInputDistances", "PassArrays", "MakeMaps", "RecomputeNormals",
                         "OutputPointsPrecision"]),
 ]
