@@ -23,7 +23,7 @@ GROUPS = [
     ("Targets (lengths in mm)", ["Mode", "TargetNumberOfTriangles", "TargetReduction", "MaximumError", "ErrorPreset", "VoxelSize",
                  "ToleranceArrayName", "LabelArrayName"]),
     ("Smoothing (lengths in mm)", ["Smoothing", "AutomaticSmoothing"]),
-    ("Proof", ["IntersectionGuard", "ProveResult"]),
+    ("Proof", ["IntersectionGuard", "KeepVoxels", "ProveResult"]),
     ("Output", ["MeasureDistances", "MeasureInputDistances", "PassArrays", "MakeMaps", "RecomputeNormals",
                         "OutputPointsPrecision"]),
 ]

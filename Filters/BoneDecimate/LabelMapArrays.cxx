@@ -366,6 +366,33 @@ void OrderLabelFields(vtkFieldData* image, const LabelMapSource& source, vtkFiel
 }
 
 //------------------------------------------------------------------------------
+void PassLabelMapArrays(
+  const LabelMapSource& source, const std::vector<BoundaryLabels>& ofTriangle, vtkPolyData* output)
+{
+  output->GetPointData()->RemoveArray(GridPointName);
+  if (ofTriangle.empty() || output->GetCellData()->HasArray(BoundaryLabelsName))
+  {
+    return;
+  }
+  vtkNew<vtkTypeInt64Array> labels;
+  labels->SetName(BoundaryLabelsName);
+  labels->SetNumberOfComponents(2);
+  labels->SetNumberOfTuples(output->GetNumberOfCells());
+  labels->Fill(0.0);
+  const vtkIdType first = output->GetNumberOfCells() - output->GetNumberOfPolys();
+  for (std::size_t triangle = 0; triangle < ofTriangle.size(); ++triangle)
+  {
+    for (int side = 0; side < 2; ++side)
+    {
+      const Index label = ofTriangle[triangle][static_cast<std::size_t>(side)];
+      labels->SetTypedComponent(first + static_cast<vtkIdType>(triangle), side,
+        source.Values[static_cast<std::size_t>(label)]);
+    }
+  }
+  output->GetCellData()->AddArray(labels);
+}
+
+//------------------------------------------------------------------------------
 ReadLabelMap ReadLabelMapArrays(vtkPolyData* input, const ConvertedSurface& converted)
 {
   return LabelMapReader(input, converted).Go();

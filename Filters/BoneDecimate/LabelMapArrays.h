@@ -23,6 +23,7 @@
 #include "SurfaceConversion.h"
 
 #include <string>
+#include <vector>
 
 class vtkFieldData;
 class vtkPolyData;
@@ -39,6 +40,11 @@ void AddLabelMapArrays(const LabelMapSource& source, int threads, vtkPolyData* o
 /// Brings LabelNames and LabelColors of the image, which are in the order of its LabelValues, into the order of the source's values.
 /// Rows of values that the image does not name are empty or 0. Without LabelValues in the image they are not changed.
 void OrderLabelFields(vtkFieldData* image, const LabelMapSource& source, vtkFieldData* output);
+
+/// Of a result: its own BoundaryLabels if the input's were not passed (vertices and lines get two zeros), and no GridPoint, because
+/// points of a result are not where they were extracted. Field arrays are passed with all others.
+void PassLabelMapArrays(const LabelMapSource& source, const std::vector<BoundaryLabels>& ofTriangle,
+  vtkPolyData* output);
 
 struct ReadLabelMap
 {

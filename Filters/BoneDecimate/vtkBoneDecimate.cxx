@@ -6,6 +6,7 @@
 #include "FilterProgress.h"
 #include "Input/InputSize.h"
 #include "LabelArrays.h"
+#include "LabelMapArrays.h"
 #include "Report/ReportCells.h"
 #include "RunState.h"
 #include "SurfaceConversion.h"
@@ -271,6 +272,11 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   const bool single = WritesSingle(options, converted.IsSingle);
   bonedecimate::FillOutput(
     result, converted, options, single, input, vtkPolyData::GetData(outputVector, 0));
+  if (inputs.LabelMap != nullptr)
+  {
+    bonedecimate::PassLabelMapArrays(
+      map.Source, result.BoundaryLabels, vtkPolyData::GetData(outputVector, 0));
+  }
   bonedecimate::FillInputCopy(result, options, input, vtkPolyData::GetData(outputVector, 1));
   const std::string contradiction = bonedecimate::ProofMessage(result.Report);
   if (!contradiction.empty())

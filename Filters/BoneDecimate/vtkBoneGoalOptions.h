@@ -26,7 +26,7 @@ public:
 
   ///@{
   /// Fraction of the triangles to remove. 0: remove none; 1: off. The default is ignored if a number of triangles or a largest
-  /// error is set, or if every point has a tolerance. Range: 0 to 1; default: 0.9.
+  /// error is set, if every point has a tolerance, or if KeepVoxels is On. Range: 0 to 1; default: 0.9.
   void SetTargetReduction(double value);
   double GetTargetReduction() const;
   ///@}

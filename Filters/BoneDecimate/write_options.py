@@ -43,7 +43,7 @@ CLASSES = {
 # Classes beside those of vtkBoneDecimate: their options are options of others, too.
 BESIDE = {"vtkBoneSmoothOptions"}
 # Enumerations of choices; the values of OutputPointsPrecision are those of vtkAlgorithm.
-ENUMERATIONS = {"Mode": "Modes", "ErrorPreset": "ErrorPresets"}
+ENUMERATIONS = {"Mode": "Modes", "ErrorPreset": "ErrorPresets", "KeepVoxels": "KeepVoxelsChoices"}
 TYPES = {"bool": ("bool", "bool"), "int": ("int", "int"), "double": ("double", "double"),
          "text": ("const std::string&", "std::string")}
 
@@ -143,8 +143,10 @@ def kind_of(values, default):
 
 
 def constant(option, choice):
-    """HALF_VOXEL; NO_PRESET for None, which is a word of Python."""
+    """HALF_VOXEL; NO_PRESET for None, which is a word of Python; KEEP_VOXELS_ON, because ON alone says too little."""
     words = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", choice).upper()
+    if option == "KeepVoxels":
+        return "KEEP_VOXELS_" + words
     return "NO_" + re.findall("[A-Z][a-z]+", option)[-1].upper() if words == "NONE" else words
 
 

@@ -41,6 +41,11 @@ RunTask TaskOf(
   const Surface& input, const Options& options, const RunInputs& inputs, Report& report)
 {
   RunTask task = { input, inputs, options };
+  if (inputs.LabelMap != nullptr && inputs.LabelMap->Grid.Dimensions[0] > 0 &&
+    options.VoxelSize == 0.0)
+  {
+    task.Effective.VoxelSize = inputs.LabelMap->Grid.Spacing.minCoeff();
+  }
   report.Voxel =
     ApplyPreset(inputs.Reference != nullptr ? *inputs.Reference : input, task.Effective);
   task.RoundsToSingle = options.OutputPointsPrecision == PointsPrecision::Single ||

@@ -306,6 +306,7 @@ FEATURES = [
     Feature("triangles", ("--target-triangles", 300), stops_there, goal=True),
     Feature("reduction", ("--target-reduction", 0.7), stops_there, goal=True),
     Feature("largest error", ("--max-error", ERROR), moves_at_most, goal=True),
+    switch("voxels may change", "--keep-voxels", "Off", "KeepVoxels"),
     Feature("preset", ("--preset", "HalfVoxel", "--voxel-size", 2 * ERROR), moves_at_most, goal=True),
     Feature("no intersection guard", ("--max-error", ERROR, "--intersection-guard", "off"), shows("options.IntersectionGuard", "off"), goal=True),
     Feature("no proof", ("--max-error", ERROR, "--prove", "off"), shows("options.ProveResult", "off"), goal=True),

@@ -26,6 +26,7 @@ NUMBERS = {
     "NormalTolerance": (0.95, 0.5, (-0.1, 2.0, *NO_NUMBERS)),
     "NumberOfThreads": (0, 2, (-1, 1025)),
     "ErrorPreset": (vtkBoneDecimate.NO_PRESET, vtkBoneDecimate.HALF_VOXEL, (-1, 4)),
+    "KeepVoxels": (vtkBoneDecimate.KEEP_VOXELS_AUTO, vtkBoneDecimate.KEEP_VOXELS_OFF, (-1, 3)),
     "VoxelSize": (0.0, 0.5, (-1.0, 1.1e30, *NO_NUMBERS)),
     "PruneSize": (0.0, 2.0, (-1.0, 1.1e30, *NO_NUMBERS)),
     "PruneArea": (0.0, 20.0, (-1.0, 1.1e30, *NO_NUMBERS)),

@@ -93,6 +93,10 @@ void BindEnums(nb::module_& module)
     .value("QuarterVoxel", ErrorPreset::QuarterVoxel)
     .value("HalfVoxel", ErrorPreset::HalfVoxel)
     .value("OneVoxel", ErrorPreset::OneVoxel);
+  nb::enum_<KeepVoxels>(module, "KeepVoxels", "Whether edits may let a voxel center change sides.")
+    .value("KeepVoxelsOff", KeepVoxels::Off)
+    .value("KeepVoxelsOn", KeepVoxels::On)
+    .value("KeepVoxelsAuto", KeepVoxels::Automatic);
   nb::enum_<StopReason>(module, "StopReason", "Why a run ended.")
     .value("NotRun", StopReason::NotRun)
     .value("TargetReached", StopReason::TargetReached)

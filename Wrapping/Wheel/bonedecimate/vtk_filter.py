@@ -347,6 +347,6 @@ for _old, _new in DEPRECATED_OPTIONS.items():
 for _value, _name in enumerate(("NO_PROOF", "PROVED", "VIOLATED", "UNDECIDED")):
     setattr(vtkBoneDecimate, _name, _value)
 vtkBoneDecimate.TOLERANCE_ARRAY, vtkBoneDecimate.LABEL_ARRAY = 0, 1
-for _enumeration in (_core.Mode, _core.ErrorPreset, _core.StopReason):
+for _enumeration in (_core.Mode, _core.ErrorPreset, _core.KeepVoxels, _core.StopReason):
     for _member in _enumeration:
         setattr(vtkBoneDecimate, words(_member.name, "_").upper(), _member.value)
