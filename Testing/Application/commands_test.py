@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The subcommands: which there are, and what a command line without one is."""
 
+import json
 import re
 
 from application import DONE, SURFACES, USAGE, ApplicationTest, main, torus, write
 
-COMMANDS = ("thesis", "certify", "tolerance", "curve", "levels", "diagnose")
+COMMANDS = ("thesis", "smooth", "certify", "tolerance", "curve", "levels", "diagnose")
 
 
 class Commands(ApplicationTest):
@@ -25,6 +26,18 @@ class Commands(ApplicationTest):
             self.assertIn(f"Usage: bonedecimate {command} ", text)
             self.assertIn("Exit codes:", text)
             self.fail_with(USAGE, command, "--what", says=f"see bonedecimate {command} --help")
+
+    def test_smooth_keeps_all_triangles_within_its_bound(self):
+        write(torus(), self.path("in.ply"))
+        self.succeed("smooth", "in.ply", "out.ply", "--smooth", 0.1, "--report", "report.json")
+        report = json.loads(self.path("report.json").read_text(encoding="utf-8"))
+        self.assertEqual(report["output"]["triangles"], report["input"]["triangles"])
+        self.assertLessEqual(report["proof"]["upper"], 0.1)
+        self.assertGreater(report["smoothing"]["largest_displacement"], 0)
+        self.assertIn("was not smoothed", self.succeed("smooth", "in.ply", "same.ply").stdout)
+        self.succeed("in.ply", "a.ply", "--smooth", "auto", "--target-triangles", 700)
+        self.fail_with(USAGE, "in.ply", "b.ply", "--smooth", "automatic", says="--smooth takes a number")
+        self.fail_with(USAGE, "smooth", "in.ply", "b.ply", "--target-triangles", 700, says="not expected")
 
     def test_names_of_commands_behind_the_first_word_are_files(self):
         write(torus(), self.path("in.ply"))
