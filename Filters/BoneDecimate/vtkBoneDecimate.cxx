@@ -269,9 +269,8 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
     ? bonedecimate::ToSurface(reference, options.NumberOfThreads)
     : bonedecimate::ConvertedSurface();
   bonedecimate::RunInputs inputs = { converted.IsSingle, bonedecimate::NeedsOrigins(input, options),
-    hasTolerances ? &*tolerances : nullptr };
-  inputs.Reference = reference != nullptr ? &first.Surface : nullptr;
-  inputs.Labels = hasLabels ? &*labels : nullptr;
+    hasTolerances ? &*tolerances : nullptr, reference != nullptr ? &first.Surface : nullptr,
+    hasLabels ? &*labels : nullptr };
   inputs.LabelMap = map.Source.Grid.Dimensions[0] > 0 ? &map.Source : nullptr;
   bonedecimate::Result result = bonedecimate::Decimate(
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); }, inputs);
