@@ -36,6 +36,21 @@ bool WritesSingle(const bonedecimate::Options& options, bool inputIsSingle)
   return precision == Precision::Single || (precision == Precision::Default && inputIsSingle);
 }
 
+/// Both outputs.  @param map Of the input; null: not known.
+void FillOutputs(const bonedecimate::Result& result,
+  const bonedecimate::ConvertedSurface& converted, const bonedecimate::Options& options,
+  const bonedecimate::LabelMapSource* map, vtkPolyData* input, vtkInformationVector* outputs)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  bonedecimate::FillOutput(
+    result, converted, options, WritesSingle(options, converted.IsSingle), input, output);
+  if (map != nullptr)
+  {
+    bonedecimate::PassLabelMapArrays(*map, result.BoundaryLabels, output);
+  }
+  bonedecimate::FillInputCopy(result, options, input, vtkPolyData::GetData(outputs, 1));
+}
+
 /// What a report of a part says: its size and its options are made from those of the whole.
 bonedecimate::Report ReportOfPart(bonedecimate::Report report)
 {
@@ -253,11 +268,9 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   const bonedecimate::ConvertedSurface first = reference != nullptr
     ? bonedecimate::ToSurface(reference, options.NumberOfThreads)
     : bonedecimate::ConvertedSurface();
-  bonedecimate::RunInputs inputs = { converted.IsSingle,
-    bonedecimate::NeedsOrigins(input, options) };
-  inputs.Tolerances = hasTolerances ? &*tolerances : nullptr;
-  inputs.Reference = reference != nullptr ? &first.Surface : nullptr;
-  inputs.Labels = hasLabels ? &*labels : nullptr;
+  bonedecimate::RunInputs inputs = { converted.IsSingle, bonedecimate::NeedsOrigins(input, options),
+    hasTolerances ? &*tolerances : nullptr, reference != nullptr ? &first.Surface : nullptr,
+    hasLabels ? &*labels : nullptr };
   inputs.LabelMap = map.Source.Grid.Dimensions[0] > 0 ? &map.Source : nullptr;
   bonedecimate::Result result = bonedecimate::Decimate(
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); }, inputs);
@@ -269,17 +282,9 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   }
   this->Warn(converted.Warnings);
   this->Warn(bonedecimate::InputWarnings(this->State->Report));
-  const bool single = WritesSingle(options, converted.IsSingle);
-  bonedecimate::FillOutput(
-    result, converted, options, single, input, vtkPolyData::GetData(outputVector, 0));
-  if (inputs.LabelMap != nullptr)
-  {
-    bonedecimate::PassLabelMapArrays(
-      map.Source, result.BoundaryLabels, vtkPolyData::GetData(outputVector, 0));
-  }
-  bonedecimate::FillInputCopy(result, options, input, vtkPolyData::GetData(outputVector, 1));
-  const std::string contradiction = bonedecimate::ProofMessage(result.Report);
-  if (!contradiction.empty())
+  FillOutputs(result, converted, options, inputs.LabelMap, input, outputVector);
+  if (const std::string contradiction = bonedecimate::ProofMessage(result.Report);
+      !contradiction.empty())
   {
     vtkErrorMacro(<< contradiction);
   }

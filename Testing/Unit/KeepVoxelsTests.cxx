@@ -5,7 +5,7 @@
 #include "LabelMap/LabelSurfaces.h"
 #include "LabelMap/VoxelCheck.h"
 #include "LabelMaps.h"
-#include "Random.h"
+#include "NoisyBones.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>
@@ -19,62 +19,6 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-struct Map
-{
-  std::string Name;
-  LabelMap Voxels;
-};
-
-/// A ball in a shell and a plate across both, with noise at the boundary.
-LabelMap NoisyBones(const VoxelGrid& grid, double noise)
-{
-  Random random(7);
-  LabelMap map = MakeLabelMap(grid.Dimensions,
-    [&](const std::array<Index, 3>& voxel) -> int
-    {
-      const Vector3 p(voxel[0] - 7.0, voxel[1] - 6.0, voxel[2] - 6.0);
-      const double r = p.norm() + noise * random.Between(-1.0, 1.0);
-      return std::abs(p[2]) < 1.2 && r < 6.5 ? 7 : r < 2.6 ? 5 : r > 4.4 && r < 6.0 ? 2 : 0;
-    });
-  map.Grid = grid;
-  return map;
-}
-
-VoxelGrid UnitGrid(const std::array<Index, 3>& size)
-{
-  VoxelGrid grid;
-  grid.Dimensions = size;
-  return grid;
-}
-
-LabelMap Binary(LabelMap map)
-{
-  for (std::int32_t& label : map.Labels)
-  {
-    label = label != 0 ? 1 : 0;
-  }
-  return map;
-}
-
-const std::array<Index, 3> Size = { 15, 14, 13 };
-
-std::vector<Map> Maps()
-{
-  return { { "Labels", NoisyBones(UnitGrid(Size), 0.0) },
-    { "NoisyLabels", NoisyBones(UnitGrid(Size), 1.5) },
-    { "ObliqueLabels", NoisyBones(ObliqueGrid(Size, false), 0.6) },
-    { "MirroredBinary", Binary(NoisyBones(ObliqueGrid(Size, true), 0.6)) },
-    { "Binary", Binary(NoisyBones(UnitGrid(Size), 0.4)) },
-    { "RandomLabels", NoiseLabels({ 6, 5, 6 }, 4, 3) } };
-}
-
-LabelSurfaces Extracted(const LabelMap& map, bool isClosed = true)
-{
-  LabelSurfaceOptions options;
-  options.Closed = isClosed;
-  return ExtractLabelSurfaces(MakeLabelImage(map.Labels.data(), map.Grid), options);
-}
-
 RunInputs With(const LabelSurfaces& surfaces)
 {
   RunInputs inputs;
@@ -326,109 +270,4 @@ TEST_F(KeepVoxelsOption, HoldsInEveryLevelOfALog)
   const Result result = Decimate(this->Surfaces.Surface, Keeping(Reduction(0.8)), {}, inputs);
   EXPECT_EQ(result.Report.Status, InputStatus::Good);
   EXPECT_EQ(result.Report.Voxels.Changes.Changed, 0);
-}
-
-namespace
-{
-/// One label, a box of voxels from 2 to 4 along each axis.
-LabelMap Box()
-{
-  return MakeLabelMap({ 7, 7, 7 },
-    [](const std::array<Index, 3>& voxel) -> int
-    {
-      const auto isIn = [](Index i) { return i >= 2 && i <= 4; };
-      return isIn(voxel[0]) && isIn(voxel[1]) && isIn(voxel[2]) ? 3 : 0;
-    });
-}
-
-VoxelChanges Check(const LabelMap& map, const LabelSurfaces& surfaces, int threads = 1)
-{
-  return CompareVoxels(MakeLabelImage(map.Labels.data(), map.Grid), surfaces.Source.Values,
-    { surfaces.Surface, surfaces.Source.OfTriangle },
-    { {}, static_cast<Index>(surfaces.Source.Values.size()), threads });
-}
-}
-
-TEST(VoxelChecks, CountNoChangeOnExtractedSurfaces)
-{
-  for (const Map& map : Maps())
-  {
-    const VoxelChanges changes = Check(map.Voxels, Extracted(map.Voxels));
-    EXPECT_TRUE(changes.IsDone);
-    EXPECT_EQ(changes.Changed, 0) << map.Name;
-    EXPECT_GE(changes.Compared, static_cast<std::int64_t>(map.Voxels.Labels.size()));
-  }
-}
-
-TEST(VoxelChecks, CountTheVoxelsOfALabelThatAreLostAndGained)
-{
-  LabelMap map = Box();
-  const LabelSurfaces surfaces = Extracted(map);
-  map.Labels[2 + 7 * (3 + 7 * 4)] = 0;
-  map.Labels[6 + 7 * (6 + 7 * 6)] = 3;
-  map.Labels[0] = 8; // not a label of the surface: background
-  const VoxelChanges changes = Check(map, surfaces);
-  EXPECT_EQ(changes.Changed, 2);
-  EXPECT_EQ(changes.FirstChanged, (std::array<std::int64_t, 3>{ 2, 3, 4 }));
-  ASSERT_EQ(changes.OfLabel.size(), 2U);
-  EXPECT_EQ(changes.OfLabel[0].Voxels, 27);
-  EXPECT_EQ(changes.OfLabel[0].Lost, 1);
-  EXPECT_EQ(changes.OfLabel[0].Gained, 1);
-  EXPECT_EQ(changes.OfLabel[1].Lost, 1);
-  EXPECT_EQ(changes.OfLabel[1].Gained, 1);
-}
-
-TEST(VoxelChecks, SeeAMissingSurfaceAndOneOutsideOfTheImage)
-{
-  const LabelMap map = Box();
-  LabelSurfaces surfaces = Extracted(map);
-  LabelSurfaces empty = surfaces;
-  empty.Surface.Triangles.clear();
-  empty.Source.OfTriangle.clear();
-  EXPECT_EQ(Check(map, empty).Changed, 27);
-  for (Vector3& point : surfaces.Surface.Points)
-  {
-    point[1] += 40.0;
-  }
-  EXPECT_EQ(Check(map, surfaces).Changed, 54);
-}
-
-/// Every voxel center on the surface: all triangles must agree on which side it is.
-TEST(VoxelChecks, AreConsistentWhereCentersLieOnTheSurface)
-{
-  const LabelMap map = Box();
-  LabelSurfaces surfaces = Extracted(map);
-  for (Vector3& point : surfaces.Surface.Points)
-  {
-    point = point.array().round(); // to voxel centers
-  }
-  const VoxelRows rows({ surfaces.Surface, surfaces.Source.OfTriangle }, map.Grid, 1, 1);
-  const VoxelBox box = { { 0, 0, 0 }, { 7, 7, 7 } };
-  VoxelRows::Slice slice(rows, box);
-  std::vector<Index> labels;
-  for (std::int64_t z = 0; z < 7; ++z)
-  {
-    slice.Begin(z);
-    for (std::int64_t y = 0; y < 7; ++y)
-    {
-      slice.Row(y, false, labels);
-      EXPECT_EQ(std::count(labels.begin(), labels.end(), Ambiguous), 0);
-      EXPECT_TRUE(labels.back() == None || labels.back() == 1);
-    }
-  }
-}
-
-TEST(VoxelChecks, AreTheSameOnAnyNumberOfThreads)
-{
-  const LabelMap map = NoisyBones(UnitGrid(Size), 1.0);
-  LabelSurfaces surfaces = Extracted(map);
-  for (Vector3& point : surfaces.Surface.Points)
-  {
-    point[0] += 0.7;
-  }
-  const VoxelChanges expected = Check(map, surfaces);
-  EXPECT_GT(expected.Changed, 100);
-  const VoxelChanges changes = Check(map, surfaces, 4);
-  EXPECT_EQ(changes.Changed, expected.Changed);
-  EXPECT_EQ(changes.FirstChanged, expected.FirstChanged);
 }

@@ -5,7 +5,7 @@
  * @brief Counts the voxels whose label a surface changes: compared with the label map, or with another surface.
  *
  * The surface is voxelized (VoxelRows.h) with exact ties. Nothing here knows how the surface was made; extraction, smoothing and
- * VoxelGuard have no code in common with it. Open surfaces have no inside at the border of the grid: there, the outermost voxels
+ * VoxelGuard have no code in common with it. Open surfaces have no inside at the ends of the grid: there, the outermost voxels
  * are not compared.
  */
 #ifndef BoneDecimate_Core_LabelMap_VoxelCheck_h

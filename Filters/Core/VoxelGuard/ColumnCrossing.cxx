@@ -52,8 +52,8 @@ public:
     const FixedPoint& a, const FixedPoint& b, const FixedPoint& c, const FixedPoint& p, int side)
     : U{ b[0] - a[0], b[1] - a[1], b[2] - a[2] }
     , V{ c[0] - a[0], c[1] - a[1], c[2] - a[2] }
-    , FromS(p[1] - a[1])
-    , FromT(p[2] - a[2])
+    , AlongS(p[1] - a[1])
+    , AlongT(p[2] - a[2])
     , Base(a[0])
     , Side(side)
   {
@@ -64,8 +64,8 @@ public:
       this->Normal[k] = first - second;
       this->Magnitude[k] = std::abs(first) + std::abs(second);
     }
-    const double s = static_cast<double>(this->FromS);
-    const double t = static_cast<double>(this->FromT);
+    const double s = static_cast<double>(this->AlongS);
+    const double t = static_cast<double>(this->AlongT);
     this->Rest = this->Normal[1] * s + this->Normal[2] * t;
     this->RestMagnitude = this->Magnitude[1] * std::abs(s) + this->Magnitude[2] * std::abs(t);
   }
@@ -106,12 +106,12 @@ private:
     const WideInteger r = this->ExactNormal(0);
     const WideInteger s = this->ExactNormal(1);
     const WideInteger t = this->ExactNormal(2);
-    const int sign = SignOf(r * fromR + s * this->FromS + t * this->FromT);
+    const int sign = SignOf(r * fromR + s * this->AlongS + t * this->AlongT);
     return sign != 0 ? sign : s != 0 ? SignOf(s) : t != 0 ? SignOf(t) : SignOf(r);
   }
 
   FixedPoint U, V;
-  std::int64_t FromS, FromT, Base;
+  std::int64_t AlongS, AlongT, Base;
   int Side;
   std::array<double, 3> Normal{};
   std::array<double, 3> Magnitude{};
