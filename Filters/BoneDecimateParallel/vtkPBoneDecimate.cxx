@@ -6,6 +6,7 @@
 #include "Plan.h"
 #include "WholeInput.h"
 
+#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
@@ -18,6 +19,14 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
+
+namespace
+{
+constexpr const char* LabelMapProblem = "surfaces of label maps and KeepVoxels are for one process "
+                                        "alone: curves between labels would not "
+                                        "meet between the parts; without the array BoundaryLabels "
+                                        "the surface is reduced as one of one label";
+}
 
 vtkStandardNewMacro(vtkPBoneDecimate);
 vtkCxxSetObjectMacro(vtkPBoneDecimate, Controller, vtkMultiProcessController);
@@ -142,6 +151,10 @@ const char* vtkPBoneDecimate::ProblemOfParts()
     return "smoothing is for one process alone: parts would be smoothed again where they are "
            "joined";
   }
+  if (this->GetKeepVoxels() == KEEP_VOXELS_ON)
+  {
+    return LabelMapProblem;
+  }
   if (this->GetPruneSize() > 0.0 || this->GetPruneArea() > 0.0 || this->GetPruneVolume() > 0.0 ||
     this->GetPruneTriangles() > 0)
   {
@@ -173,7 +186,9 @@ const char* vtkPBoneDecimate::ProblemOfParts()
 int vtkPBoneDecimate::RunTogether(
   vtkPolyData* input, vtkPolyData* reference, vtkInformationVector* outputVector)
 {
-  const char* problem = this->ProblemOfParts();
+  const bool hasLabelMap =
+    this->IsTrueAnywhere(input->GetCellData()->HasArray("BoundaryLabels") != 0);
+  const char* problem = hasLabelMap ? LabelMapProblem : this->ProblemOfParts();
   if (problem != nullptr)
   {
     vtkErrorMacro(<< problem);

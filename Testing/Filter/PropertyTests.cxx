@@ -44,15 +44,15 @@ const std::vector<Number>& Numbers()
   static const std::vector<Number> numbers = { NUMBER_PROPERTY(Mode),
     NUMBER_PROPERTY(TargetNumberOfTriangles), NUMBER_PROPERTY(TargetReduction),
     NUMBER_PROPERTY(MaximumError), NUMBER_PROPERTY(AllowLargeError),
-    NUMBER_PROPERTY(IntersectionGuard), NUMBER_PROPERTY(NormalTolerance),
-    NUMBER_PROPERTY(Smoothing), NUMBER_PROPERTY(AutomaticSmoothing),
-    NUMBER_PROPERTY(AutomaticNormalTolerance), NUMBER_PROPERTY(MergePoints),
-    NUMBER_PROPERTY(MeasureDistances), NUMBER_PROPERTY(MeasureInputDistances),
-    NUMBER_PROPERTY(NumberOfThreads), NUMBER_PROPERTY(OutputPointsPrecision),
-    NUMBER_PROPERTY(PassArrays), NUMBER_PROPERTY(MakeMaps), NUMBER_PROPERTY(RecomputeNormals),
-    NUMBER_PROPERTY(ProveResult), NUMBER_PROPERTY(ErrorPreset), NUMBER_PROPERTY(VoxelSize),
-    NUMBER_PROPERTY(PruneSize), NUMBER_PROPERTY(PruneArea), NUMBER_PROPERTY(PruneVolume),
-    NUMBER_PROPERTY(PruneTriangles), NUMBER_PROPERTY(DiagnoseInput) };
+    NUMBER_PROPERTY(IntersectionGuard), NUMBER_PROPERTY(KeepVoxels),
+    NUMBER_PROPERTY(NormalTolerance), NUMBER_PROPERTY(Smoothing),
+    NUMBER_PROPERTY(AutomaticSmoothing), NUMBER_PROPERTY(AutomaticNormalTolerance),
+    NUMBER_PROPERTY(MergePoints), NUMBER_PROPERTY(MeasureDistances),
+    NUMBER_PROPERTY(MeasureInputDistances), NUMBER_PROPERTY(NumberOfThreads),
+    NUMBER_PROPERTY(OutputPointsPrecision), NUMBER_PROPERTY(PassArrays), NUMBER_PROPERTY(MakeMaps),
+    NUMBER_PROPERTY(RecomputeNormals), NUMBER_PROPERTY(ProveResult), NUMBER_PROPERTY(ErrorPreset),
+    NUMBER_PROPERTY(VoxelSize), NUMBER_PROPERTY(PruneSize), NUMBER_PROPERTY(PruneArea),
+    NUMBER_PROPERTY(PruneVolume), NUMBER_PROPERTY(PruneTriangles), NUMBER_PROPERTY(DiagnoseInput) };
   return numbers;
 }
 
@@ -104,6 +104,10 @@ double DefaultOf(const OptionInfo& info)
 /// Within the range and not the default; the default itself where there is no other.
 double AnotherValue(const OptionInfo& info)
 {
+  if (std::string(info.Name) == "KeepVoxels")
+  {
+    return 0.0; // On needs the grid of a label map
+  }
   const double value = DefaultOf(info);
   const double less =
     std::holds_alternative<double>(GetOption(Options{}, info)) ? value / 2 : value - 1;

@@ -61,6 +61,7 @@ def rejected():
         "AutomaticSmoothing": {"AutomaticSmoothing": 1},
         "OutputPointsPrecision": {"OutputPointsPrecision": "Double"},
         "DiagnoseInput": {"DiagnoseInput": 1},
+        "KeepVoxels": {"KeepVoxels": "On"},
         "preset-alone": {"ErrorPreset": "HalfVoxel"},
     }.items()}
 

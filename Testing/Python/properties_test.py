@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from surfaces import TRIANGLES, Ear, decimating, torus
 from bonedecimate import (
     error_curve, smallest_error, vtkBoneDiagnostics, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance,
-    vtkBoneSurfaces, vtkBoneTolerance)
+    vtkBoneSurfaces, vtkBoneTolerance, vtkBoneVoxelCheck)
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 
 NO_NUMBERS = (math.nan, math.inf, -math.inf)
@@ -126,7 +126,7 @@ class Properties(unittest.TestCase):
 
     def test_unknown_attributes_are_errors(self):
         for filter_class in (vtkBoneDiagnostics, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance,
-                             vtkBoneSurfaces, vtkBoneTolerance):
+                             vtkBoneSurfaces, vtkBoneTolerance, vtkBoneVoxelCheck):
             with self.subTest(filter_class.__name__):
                 for name in ("max_error", "MaximumError", "SetNumberOfThreads", "Update", "GetOutput", "anything"):
                     with self.assertRaises(AttributeError):
@@ -197,7 +197,7 @@ class Properties(unittest.TestCase):
                    "level_error": (-1, *NO_NUMBERS), "output_points_precision": (-1, 3)}
         tried = set()
         for filter_class in (vtkBoneDiagnostics, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance, vtkBoneSurfaces,
-                             vtkBoneTolerance):
+                             vtkBoneTolerance, vtkBoneVoxelCheck):
             one = filter_class()
             for name, values in outside.items():
                 for value in values if hasattr(filter_class, name) else ():

@@ -7,11 +7,12 @@ import os
 import pathlib
 import unittest
 
-from bonedecimate import vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance
+from bonedecimate import vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance, vtkBoneSurfaces
 from json_schema import problems
 from surfaces import decimating, torus
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkImagingSources import vtkImageEllipsoidSource
 
 FOLDER = pathlib.Path(os.environ.get("SCHEMAS", pathlib.Path(__file__).resolve().parents[2] / "Documentation"))
 REPORT, CERTIFICATE = (json.loads((FOLDER / f"{name}.schema.json").read_text(encoding="utf-8")) for name in ("report", "certificate"))
@@ -43,6 +44,19 @@ def tolerant():
     return marked(surface, vtkDoubleArray, "Tolerance", surface.GetPointData(), lambda i: i % 3 / 2)
 
 
+def segmented():
+    ellipsoid = vtkImageEllipsoidSource()
+    ellipsoid.SetWholeExtent(0, 30, 0, 30, 0, 30)
+    ellipsoid.SetCenter(15.2, 14.9, 15.1)
+    ellipsoid.SetRadius(11, 9, 12)
+    ellipsoid.SetInValue(1)
+    ellipsoid.SetOutValue(0)
+    surfaces = vtkBoneSurfaces()
+    surfaces.SetInputConnection(ellipsoid.GetOutputPort())
+    surfaces.Update()
+    return surfaces.GetOutput()
+
+
 # Surface and options of each run.
 RUNS = {
     "reduction": (torus, {"TargetReduction": 0.5}),
@@ -55,6 +69,8 @@ RUNS = {
     "voxels": (torus, {"ErrorPreset": vtkBoneDecimate.ONE_VOXEL, "VoxelSize": 0.5}),
     "diagnostics": (plate, {"DiagnoseInput": True}),
     "pruned": (torus, {"PruneTriangles": 3}),
+    "smoothed": (segmented, {"AutomaticSmoothing": True, "MaximumError": 0.5}),
+    "voxels-changed": (segmented, {"KeepVoxels": vtkBoneDecimate.KEEP_VOXELS_OFF, "TargetReduction": 0.98}),
 }
 
 

@@ -21,9 +21,11 @@ vtkBoneSmooth = checked(_wrapped, "vtkBoneSmooth")
 vtkBoneSurfaceDistance = checked(_wrapped, "vtkBoneSurfaceDistance")
 vtkBoneSurfaces = checked(_wrapped, "vtkBoneSurfaces")
 vtkBoneTolerance = checked(_wrapped, "vtkBoneTolerance")
+vtkBoneVoxelCheck = checked(_wrapped, "vtkBoneVoxelCheck")
 
 __all__ = ["vtkBoneDiagnostics", "vtkBoneDecimate", "vtkBoneDecimateLevels", "vtkBoneErrorSearch", "vtkBoneSmooth",
-           "vtkBoneSurfaceDistance", "vtkBoneSurfaces", "vtkBoneTolerance", "error_curve", "smallest_error"]
+           "vtkBoneSurfaceDistance", "vtkBoneSurfaces", "vtkBoneTolerance", "vtkBoneVoxelCheck", "error_curve",
+           "smallest_error"]
 
 
 def _update(search):

@@ -30,8 +30,7 @@ def __getattr__(name: str):
         from .vtk_filter import vtkBoneDecimate
         return vtkBoneDecimate
     if name in ("vtkBoneDecimateLevels", "vtkBoneDiagnostics", "vtkBoneErrorSearch", "vtkBoneSmooth", "vtkBoneSurfaceDistance",
-                "vtkBoneSurfaces",
-                "vtkBoneTolerance"):
+                "vtkBoneSurfaces", "vtkBoneTolerance", "vtkBoneVoxelCheck"):
         raise AttributeError(f"{name} is in the package bonedecimate that is built with VTK, not in the wheel")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 

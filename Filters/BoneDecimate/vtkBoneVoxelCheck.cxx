@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBoneVoxelCheck.h"
+
+#include "FilterProgress.h"
+#include "ImageLabels.h"
+#include "LabelMap/VoxelCheck.h"
+#include "LabelMapArrays.h"
+#include "RejectedValues.h"
+#include "SurfaceConversion.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <vector>
+
+struct vtkBoneVoxelCheck::Internals
+{
+  bonedecimate::RejectedValues Rejected;
+  bonedecimate::VoxelChanges Changes;
+  std::vector<std::int64_t> Values;
+
+  bonedecimate::LabelChanges Of(int index) const
+  {
+    return index >= 0 && static_cast<std::size_t>(index) < this->Changes.OfLabel.size()
+      ? this->Changes.OfLabel[static_cast<std::size_t>(index)]
+      : bonedecimate::LabelChanges();
+  }
+};
+
+vtkStandardNewMacro(vtkBoneVoxelCheck);
+
+vtkBoneVoxelCheck::vtkBoneVoxelCheck()
+  : Internal(std::make_unique<Internals>())
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetInputArrayToProcess(
+    0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::SCALARS);
+}
+
+vtkBoneVoxelCheck::~vtkBoneVoxelCheck() = default;
+
+//------------------------------------------------------------------------------
+void vtkBoneVoxelCheck::SetNumberOfThreads(int threads)
+{
+  this->Internal->Rejected.SetOption(this, "NumberOfThreads", threads, this->NumberOfThreads);
+}
+
+std::string vtkBoneVoxelCheck::GetRejectedValue(const std::string& property) const
+{
+  return this->Internal->Rejected.Of(property);
+}
+
+vtkMTimeType vtkBoneVoxelCheck::GetMTime()
+{
+  return this->Internal->Rejected.MTime(this->Superclass::GetMTime());
+}
+
+//------------------------------------------------------------------------------
+vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfComparedVoxels() const
+{
+  return this->Internal->Changes.Compared;
+}
+
+vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfChangedVoxels() const
+{
+  return this->Internal->Changes.Changed;
+}
+
+void vtkBoneVoxelCheck::GetFirstChangedVoxel(int voxel[3]) const
+{
+  const std::array<std::int64_t, 3>& first = this->Internal->Changes.FirstChanged;
+  std::transform(
+    first.begin(), first.end(), voxel, [](std::int64_t i) { return static_cast<int>(i); });
+}
+
+int vtkBoneVoxelCheck::GetNumberOfLabels() const
+{
+  return static_cast<int>(this->Internal->Values.size());
+}
+
+vtkTypeInt64 vtkBoneVoxelCheck::GetLabelValue(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfLabels()
+    ? this->Internal->Values[static_cast<std::size_t>(index)]
+    : 0;
+}
+
+vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfVoxels(int index) const
+{
+  return this->Internal->Of(index).Voxels;
+}
+
+vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfLostVoxels(int index) const
+{
+  return this->Internal->Of(index).Lost;
+}
+
+vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfGainedVoxels(int index) const
+{
+  return this->Internal->Of(index).Gained;
+}
+
+//------------------------------------------------------------------------------
+int vtkBoneVoxelCheck::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBoneVoxelCheck::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+{
+  vtkInformation* image = inputVector[1]->GetInformationObject(0);
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  image->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  image->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBoneVoxelCheck::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Internal->Changes = {};
+  this->Internal->Values.clear();
+  if (this->Internal->Rejected.Report(this))
+  {
+    return 0;
+  }
+  vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData::GetData(outputVector)->ShallowCopy(surface);
+  const std::string problem = this->Compare(surface, vtkImageData::GetData(inputVector[1]));
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return 0;
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+/// What is wrong with the inputs, in one sentence.
+std::string vtkBoneVoxelCheck::Compare(vtkPolyData* surface, vtkImageData* image)
+{
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* array = this->GetInputArrayToProcess(0, image, association);
+  const bonedecimate::ImageLabels labels = bonedecimate::ReadImageLabels(image, array, association);
+  if (!labels.Problem.empty())
+  {
+    return labels.Problem;
+  }
+  const bonedecimate::ConvertedSurface converted =
+    bonedecimate::ToSurface(surface, this->NumberOfThreads);
+  bonedecimate::ReadLabelMap map = bonedecimate::ReadLabelMapArrays(surface, converted);
+  if (!map.Problem.empty())
+  {
+    return map.Problem;
+  }
+  if (map.Source.OfTriangle.empty())
+  {
+    map.Source.Values = { this->Label, this->BackgroundLabel };
+  }
+  this->Internal->Values = map.Source.Values;
+  bonedecimate::VoxelCheckSettings settings;
+  settings.Grid = labels.Image.Grid;
+  settings.NumberOfLabels = static_cast<bonedecimate::Index>(map.Source.Values.size());
+  settings.Threads = this->NumberOfThreads;
+  this->Internal->Changes = bonedecimate::CompareVoxels(labels.Image, map.Source.Values,
+    { converted.Surface, map.Source.OfTriangle }, settings,
+    [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); });
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneVoxelCheck::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Label: " << this->Label << "\n";
+  os << indent << "BackgroundLabel: " << this->BackgroundLabel << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "NumberOfComparedVoxels: " << this->GetNumberOfComparedVoxels() << "\n";
+  os << indent << "NumberOfChangedVoxels: " << this->GetNumberOfChangedVoxels() << "\n";
+}

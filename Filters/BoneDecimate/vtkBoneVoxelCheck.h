@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBoneVoxelCheck
+ * @brief   count the voxels of a label map whose label a surface changes
+ *
+ * Input port 0 is a surface, input port 1 the label map (vtkImageData). The surface is voxelized on the grid of the image, and each
+ * voxel is compared with the image. A surface of several labels needs the arrays of vtkBoneSurfaces (BoundaryLabels, LabelValues); a
+ * surface without them is that of one label, Label. Labels of the image that the surface does not have count as background.
+ *
+ * The array of labels is chosen by SetInputArrayToProcess with port 1, by default the active scalars. The output is the surface,
+ * unchanged. The check has no code in common with the filters that make surfaces.
+ *
+ * @sa vtkBoneSurfaces vtkBoneDecimate
+ */
+#ifndef vtkBoneVoxelCheck_h
+#define vtkBoneVoxelCheck_h
+
+#include "vtkFiltersBoneDecimateModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for std::unique_ptr
+#include <string> // for GetRejectedValue
+
+class vtkImageData;
+
+class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneVoxelCheck : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkBoneVoxelCheck* New();
+  vtkTypeMacro(vtkBoneVoxelCheck, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
+
+  ///@{
+  /**
+   * The label inside of a surface that has no array BoundaryLabels, default 1.
+   */
+  vtkSetMacro(Label, vtkTypeInt64);
+  vtkGetMacro(Label, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /**
+   * The label of voxels that belong to nothing, for a surface that has no array LabelValues, default 0.
+   */
+  vtkSetMacro(BackgroundLabel, vtkTypeInt64);
+  vtkGetMacro(BackgroundLabel, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /**
+   * Threads to use, 0 to 1024; 0, the default, is one per processor. The counts do not depend on it.
+   */
+  void SetNumberOfThreads(int threads);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  /**
+   * How many voxels the last update compared; 0 before the first one and after an error. The outermost voxels of an open surface are
+   * not compared.
+   */
+  vtkTypeInt64 GetNumberOfComparedVoxels() const;
+
+  /**
+   * How many voxels have another label in the surface than in the image.
+   */
+  vtkTypeInt64 GetNumberOfChangedVoxels() const;
+
+  /**
+   * Indices of the first changed voxel along x, y and z, counted from the first voxel of the image; meaningless if none is changed.
+   */
+  void GetFirstChangedVoxel(int voxel[3]) const;
+
+  /**
+   * Number of labels of the surface, the background last.
+   */
+  int GetNumberOfLabels() const;
+
+  /**
+   * A label, 0 to GetNumberOfLabels() - 1; 0 beyond that.
+   */
+  vtkTypeInt64 GetLabelValue(int index) const;
+
+  ///@{
+  /**
+   * Voxels of a label by its index: in the image; in the image but not in the surface; the reverse. 0 for other indices.
+   */
+  vtkTypeInt64 GetNumberOfVoxels(int index) const;
+  vtkTypeInt64 GetNumberOfLostVoxels(int index) const;
+  vtkTypeInt64 GetNumberOfGainedVoxels(int index) const;
+  ///@}
+
+  /**
+   * What is wrong with the last value of a property ("NumberOfThreads"), in one sentence; empty if it was valid.
+   */
+  std::string GetRejectedValue(const std::string& property) const;
+
+protected:
+  vtkBoneVoxelCheck();
+  ~vtkBoneVoxelCheck() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkBoneVoxelCheck(const vtkBoneVoxelCheck&) = delete;
+  void operator=(const vtkBoneVoxelCheck&) = delete;
+
+  struct Internals;
+
+  std::string Compare(vtkPolyData* surface, vtkImageData* image);
+
+  vtkTypeInt64 Label = 1;
+  vtkTypeInt64 BackgroundLabel = 0;
+  int NumberOfThreads = 0;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkBoneVoxelCheck: surfaces that keep all voxels, and surfaces that do not.
+#include "LabelImages.h"
+#include "RejectionWalk.h"
+
+#include "vtkBoneDecimate.h"
+#include "vtkBoneVoxelCheck.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+using namespace bonedecimate;
+using namespace bonedecimate::testsupport;
+
+namespace
+{
+vtkSmartPointer<vtkBoneVoxelCheck> Check(vtkPolyData* surface, vtkImageData* image)
+{
+  auto check = vtkSmartPointer<vtkBoneVoxelCheck>::New();
+  check->SetInputData(0, surface);
+  check->SetInputData(1, image);
+  check->Update();
+  return check;
+}
+
+vtkSmartPointer<vtkPolyData> Decimated(vtkPolyData* surface, int keepVoxels)
+{
+  vtkNew<vtkBoneDecimate> decimate;
+  decimate->SetInputData(surface);
+  decimate->SetTargetReduction(0.95);
+  decimate->SetKeepVoxels(keepVoxels);
+  decimate->Update();
+  return decimate->GetOutput();
+}
+
+int Voxels(const LabelMap& map)
+{
+  return static_cast<int>(map.Labels.size());
+}
+}
+
+TEST(BoneVoxelCheck, FindsNoChangeInExtractedSurfaces)
+{
+  for (const bool isMirrored : { false, true })
+  {
+    const LabelMap map = ObliqueEllipsoid(isMirrored);
+    const vtkSmartPointer<vtkImageData> image = ImageOf(map, VTK_SHORT, { -3, 5, 2 });
+    const auto check = Check(Extracted(image), image);
+    EXPECT_EQ(check->GetNumberOfComparedVoxels(), Voxels(map));
+    EXPECT_EQ(check->GetNumberOfChangedVoxels(), 0);
+    vtkTypeInt64 sum = 0;
+    for (int i = 0; i < check->GetNumberOfLabels(); ++i)
+    {
+      sum += check->GetNumberOfVoxels(i);
+      EXPECT_EQ(check->GetNumberOfLostVoxels(i) + check->GetNumberOfGainedVoxels(i), 0);
+    }
+    EXPECT_EQ(sum, Voxels(map));
+    EXPECT_EQ(check->GetLabelValue(check->GetNumberOfLabels() - 1), 0);
+  }
+}
+
+TEST(BoneVoxelCheck, CountsWhatDecimationChangesUnlessVoxelsAreKept)
+{
+  const LabelMap map = EllipsoidLabels({ 25, 22, 20 });
+  const vtkSmartPointer<vtkImageData> image = ImageOf(map);
+  const vtkSmartPointer<vtkPolyData> surface = Extracted(image);
+  const auto changed = Check(Decimated(surface, 0), image);
+  EXPECT_GT(changed->GetNumberOfChangedVoxels(), 0);
+  vtkTypeInt64 lost = 0;
+  vtkTypeInt64 gained = 0;
+  for (int i = 0; i < changed->GetNumberOfLabels(); ++i)
+  {
+    lost += changed->GetNumberOfLostVoxels(i);
+    gained += changed->GetNumberOfGainedVoxels(i);
+  }
+  EXPECT_EQ(lost, changed->GetNumberOfChangedVoxels());
+  EXPECT_LE(gained, lost);
+  EXPECT_EQ(Check(Decimated(surface, 1), image)->GetNumberOfChangedVoxels(), 0);
+}
+
+TEST(BoneVoxelCheck, TakesASurfaceWithoutArraysForOneLabel)
+{
+  LabelMap map = EllipsoidLabels({ 15, 13, 12 });
+  for (std::int32_t& label : map.Labels)
+  {
+    label = label != 0 ? 7 : 0;
+  }
+  const vtkSmartPointer<vtkImageData> image = ImageOf(map);
+  vtkNew<vtkPolyData> bare;
+  const vtkSmartPointer<vtkPolyData> surface = Extracted(image);
+  bare->SetPoints(surface->GetPoints());
+  bare->SetPolys(surface->GetPolys());
+  EXPECT_GT(Check(bare, image)->GetNumberOfChangedVoxels(), 0) << "the label inside is 1";
+  vtkNew<vtkBoneVoxelCheck> check;
+  check->SetInputData(0, bare);
+  check->SetInputData(1, image);
+  check->SetLabel(7);
+  check->Update();
+  EXPECT_EQ(check->GetNumberOfChangedVoxels(), 0);
+  EXPECT_EQ(check->GetNumberOfComparedVoxels(), Voxels(map));
+}
+
+TEST(BoneVoxelCheck, TellsTheFirstChangedVoxel)
+{
+  LabelMap map = EllipsoidLabels({ 15, 13, 12 });
+  const vtkSmartPointer<vtkPolyData> surface = Extracted(ImageOf(map));
+  map.Labels[static_cast<std::size_t>(4 + 15 * (5 + 13 * 6))] += 1;
+  const auto check = Check(surface, ImageOf(map));
+  int voxel[3] = {};
+  check->GetFirstChangedVoxel(voxel);
+  EXPECT_EQ(check->GetNumberOfChangedVoxels(), 1);
+  EXPECT_EQ(voxel[0], 4);
+  EXPECT_EQ(voxel[1], 5);
+  EXPECT_EQ(voxel[2], 6);
+}
