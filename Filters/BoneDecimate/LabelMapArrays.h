@@ -43,8 +43,8 @@ void OrderLabelFields(vtkFieldData* image, const LabelMapSource& source, vtkFiel
 
 /// Of a result: its own BoundaryLabels if the input's were not passed (vertices and lines get two zeros), and no GridPoint, because
 /// points of a result are not where they were extracted. Field arrays are passed with all others.
-void PassLabelMapArrays(const LabelMapSource& source, const std::vector<BoundaryLabels>& ofTriangle,
-  vtkPolyData* output);
+void PassLabelMapArrays(
+  const LabelMapSource& source, const std::vector<BoundaryLabels>& ofTriangle, vtkPolyData* output);
 
 struct ReadLabelMap
 {

@@ -239,6 +239,23 @@ void AddRun(Entries& entries, const Report& report)
   entries.push_back({ "seconds.prove", "s", report.Seconds.Prove });
   entries.push_back({ "seconds.total", "s", report.Seconds.Total });
 }
+
+/// What refers to voxels.
+void AddSegmentation(Entries& entries, const Report& report)
+{
+  if (report.Voxel.From != VoxelFigures::Source::NotRequested)
+  {
+    AddVoxel(entries, report.Voxel);
+  }
+  if (report.Smoothing.From != SmoothingFigures::Source::NotRequested)
+  {
+    AddSmoothing(entries, report.Smoothing);
+  }
+  if (report.Voxels.WasChecked)
+  {
+    AddVoxels(entries, report.Voxels);
+  }
+}
 }
 
 std::vector<ReportEntry> ReportEntries(const Report& report)
@@ -266,18 +283,7 @@ std::vector<ReportEntry> ReportEntries(const Report& report)
     AddBounds(entries, "distance.boundary_output_to_input", report.BoundaryOutputToInput);
     AddBounds(entries, "distance.boundary_input_to_output", report.BoundaryInputToOutput);
   }
-  if (report.Voxel.From != VoxelFigures::Source::NotRequested)
-  {
-    AddVoxel(entries, report.Voxel);
-  }
-  if (report.Smoothing.From != SmoothingFigures::Source::NotRequested)
-  {
-    AddSmoothing(entries, report.Smoothing);
-  }
-  if (report.Voxels.WasChecked)
-  {
-    AddVoxels(entries, report.Voxels);
-  }
+  AddSegmentation(entries, report);
   if (report.Reference.IsPresent)
   {
     AddReference(entries, report.Reference);
