@@ -220,7 +220,7 @@ TEST(Certificate, HoldsForAnyCandidatesOfTheSearch)
     const Frame frame = FindFrame(pair.Reference, pair.Result);
     const Simplices source = WholeSurface(pair.Reference, frame);
     const Simplices other = WholeSurface(pair.Result, frame);
-    const Target target(other, 1, [] {});
+    const Target target(other, 1, true, [] {});
     PointValues values = FindPointValues(source, target, false, 1, GoOn);
     Random random(17);
     for (std::size_t point = 0; point < source.Points.size(); ++point)
@@ -235,7 +235,7 @@ TEST(Certificate, HoldsForAnyCandidatesOfTheSearch)
     goal.LeastGap = 4.0 * goal.Slack;
     goal.MostCuts = 1000;
     goal.NumberOfThreads = 1;
-    const DistanceBounds found = FindLargestExcess(source, target, values, goal, GoOn);
+    const DistanceBounds found = FindLargestExcess(source, target, values, goal, {}, GoOn);
     const Sampled sampled = SampleDistance(pair.Reference, pair.Result, 8);
     EXPECT_LE(sampled.Largest, found.Upper);
     EXPECT_GE(sampled.Largest + sampled.Reach, found.Lower);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bonedecimate::certificate
 {
@@ -69,18 +70,24 @@ public:
     const bool stopAtTolerance = tolerance && !this->Task.Options.TightBounds;
     this->Goal.CloseBelow = stopAtTolerance ? *tolerance : -Infinity;
     const PointValues values = this->Values(progress, 0.4 * weight);
+    KnownBounds known;
+    if (this->TriangleGap > 0.0 && progress.GoesOn())
+    {
+      known = this->BoundTriangles(values, progress.Next(0.2 * weight));
+    }
     if (progress.GoesOn())
     {
-      bounds.Distance = this->Find(values, progress.Next(0.4 * weight));
+      bounds.Distance = this->Find(values, known, progress.Next(0.3 * weight));
     }
     if (tolerance && progress.GoesOn())
     {
       this->Decide(*tolerance, values, bounds, progress);
     }
-    if (this->TriangleGap > 0.0 && progress.GoesOn())
+    for (double& upper : known.Upper)
     {
-      this->BoundTriangles(values, bounds, progress.Next(0.1 * weight));
+      upper = std::min(upper, bounds.Distance.Upper);
     }
+    bounds.TriangleUpper = std::move(known.Upper);
     if (this->Task.OfSurfaces && progress.GoesOn())
     {
       this->Describe(values, bounds, progress.Next(0.1 * weight));
@@ -95,14 +102,14 @@ public:
     const PointValues values = this->Values(progress, 0.5 * weight);
     if (progress.GoesOn())
     {
-      bounds.Excess = this->Find(values, progress.Next(0.5 * weight));
+      bounds.Excess = this->Find(values, {}, progress.Next(0.5 * weight));
       bounds.Proof = Evaluate(bounds.Excess, 0.0);
     }
     if (bounds.Proof == ProofStatus::Undecided && progress.GoesOn())
     {
       // Unmoved parts with a tolerance of 0 have an excess of exactly 0: no gap is allowed above it.
       this->Goal.Decides = true;
-      Tighten(bounds.Excess, this->Find(values, progress.Next(0.0)));
+      Tighten(bounds.Excess, this->Find(values, {}, progress.Next(0.0)));
       bounds.Proof = Evaluate(bounds.Excess, 0.0);
     }
   }
@@ -125,20 +132,21 @@ private:
       this->Goal.CloseBelow = tolerance;
       this->Goal.RelativeGap = 0.0;
       this->Goal.LeastGap = FewestSlacks * this->Goal.Slack;
-      Tighten(bounds.Distance, this->Find(values, progress.Next(0.0)));
+      Tighten(bounds.Distance, this->Find(values, {}, progress.Next(0.0)));
       bounds.Proof = Evaluate(bounds.Distance, tolerance);
     }
   }
 
-  void BoundTriangles(
-    const PointValues& values, DirectedCertificate& bounds, const Monitor& monitor) const
+  KnownBounds BoundTriangles(const PointValues& values, const Monitor& monitor) const
   {
     SearchGoal goal = this->Goal;
     goal.CloseBelow = -Infinity;
     goal.RelativeGap = 0.0;
     goal.LeastGap = std::max(this->TriangleGap, FewestSlacks * goal.Slack);
-    bounds.TriangleUpper =
-      FindTriangleBounds(this->Source, this->To, values, goal, bounds.Distance.Upper, monitor);
+    KnownBounds known;
+    known.Upper =
+      FindTriangleBounds(this->Source, this->To, values, goal, known.Largest, monitor);
+    return known;
   }
 
   void Describe(const PointValues& values, DirectedCertificate& bounds, const Monitor& monitor)
@@ -157,9 +165,10 @@ private:
     }
   }
 
-  DistanceBounds Find(const PointValues& values, const Monitor& monitor) const
+  DistanceBounds Find(
+    const PointValues& values, const KnownBounds& known, const Monitor& monitor) const
   {
-    return FindLargestExcess(this->Source, this->To, values, this->Goal, monitor);
+    return FindLargestExcess(this->Source, this->To, values, this->Goal, known, monitor);
   }
 
   const Simplices& Source;
@@ -218,13 +227,18 @@ struct Comparison
   const PairTask& Task;
   Stages& Progress;
   double Weight; // of one search in the progress
+
+  Target TargetOf(const Simplices& simplices) const
+  {
+    const Monitor tell = this->Progress.Next(0.0);
+    return Target(simplices, this->Task.Options.NumberOfThreads, this->Task.OfSurfaces, [&] { tell(1.0); });
+  }
 };
 
 DirectedCertificate Forward(const Comparison& both)
 {
   DirectedCertificate bounds;
-  const Monitor tell = both.Progress.Next(0.0);
-  const Target target(both.Result, both.Task.Options.NumberOfThreads, [&] { tell(1.0); });
+  const Target target = both.TargetOf(both.Result);
   Direction(both.Reference, target, both.Task, both.Task.Options.ReferenceTriangleGap)
     .FindDistance(bounds, both.Progress, both.Weight);
   NameTriangles(bounds.Distance, both.Reference, both.Result);
@@ -247,8 +261,7 @@ DirectedCertificate Forward(const Comparison& both)
 DirectedCertificate Backward(const Comparison& both)
 {
   DirectedCertificate bounds;
-  const Monitor tell = both.Progress.Next(0.0);
-  Target target(both.Reference, both.Task.Options.NumberOfThreads, [&] { tell(1.0); });
+  Target target = both.TargetOf(both.Reference);
   Direction(both.Result, target, both.Task, both.Task.Options.ResultTriangleGap)
     .FindDistance(bounds, both.Progress, both.Weight);
   NameTriangles(bounds.Distance, both.Result, both.Reference);

@@ -10,6 +10,9 @@ namespace bonedecimate::certificate
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
+/// Pieces of every other depth up to the first are bounded by a cover: deeper ones are so small that few triangles are over them.
+constexpr int DeepestCover = 8;
+constexpr int CoverPeriod = 2;
 /// Largest distance of a point of a triangle, or of a segment, to its nearest corner, divided by the longest edge.
 double CoveringRatio(int corners)
 {
@@ -25,6 +28,7 @@ PieceSearch::PieceSearch(const Simplices& source, const Target& target, const Po
   , Values(values)
   , Goal(goal)
   , Most(largest)
+  , Cover(source.PointTolerance.empty() ? target.BorrowCover() : nullptr)
 {
 }
 
@@ -55,8 +59,13 @@ double PieceSearch::Explore(Index simplex, std::int64_t mostCuts)
   const std::int64_t end = this->CutsMade + mostCuts;
   while (!this->Stack.empty() && this->CutsMade < end)
   {
-    const Piece piece = this->Stack.back();
+    Piece piece = this->Stack.back();
     this->Stack.pop_back();
+    if (this->Cover != nullptr && piece.Count == 3 && piece.Depth <= DeepestCover &&
+      piece.Depth % CoverPeriod == 0 && piece.Upper > this->ClosingBound())
+    {
+      this->BoundByCover(piece, simplex);
+    }
     if (piece.Upper <= this->ClosingBound() || piece.Depth == DeepestCut)
     {
       this->MostClosed = std::max(this->MostClosed, piece.Upper);
@@ -185,6 +194,35 @@ void PieceSearch::Learn(const PieceCorner& corner, Index simplex)
   if (excess > this->Most.Value)
   {
     this->Most = { excess, corner.Tolerance, corner.Position, simplex, corner.Nearest };
+  }
+}
+
+//------------------------------------------------------------------------------
+/// A position of the piece with what is nearest to it, from the tree.
+PieceCorner PieceSearch::NearestAt(const Vector3& position, Index hint, Index simplex)
+{
+  PieceCorner corner;
+  corner.Position = position;
+  const Target::Candidate found = this->To.FindLeast(position, hint);
+  corner.Value = found.Value;
+  corner.Nearest = found.Simplex;
+  this->Learn(corner, simplex);
+  return corner;
+}
+
+//------------------------------------------------------------------------------
+/// Lowers the bound of the piece, and learns the distance where the cover is farthest.
+void PieceSearch::BoundByCover(Piece& piece, Index simplex)
+{
+  const Corners corners = { piece.Corners[0].Position, piece.Corners[1].Position,
+    piece.Corners[2].Position };
+  const Vector3 middle = corners[0] + ((corners[1] - corners[0]) + (corners[2] - corners[0])) / 3.0;
+  const PieceCorner seed = this->NearestAt(middle, piece.Corners[0].Nearest, simplex);
+  const OverlayCover::Bound over = this->Cover->Find(corners, seed.Nearest);
+  piece.Upper = std::min(piece.Upper, over.Upper + this->Goal.Slack);
+  if (over.Nearest != None && piece.Upper > this->ClosingBound())
+  {
+    this->NearestAt(over.Position, over.Nearest, simplex);
   }
 }
 

@@ -12,19 +12,10 @@
 
 #include <array>
 #include <limits>
+#include <memory>
 
 namespace bonedecimate::certificate
 {
-/// The corner with the largest excess found so far.
-struct LargestExcess
-{
-  double Value = -std::numeric_limits<double>::infinity(); // mm, excess
-  double Tolerance = 0.0;                                  // mm
-  Vector3 Position = Vector3::Zero();                      // mm
-  Index Simplex = None;
-  Index Nearest = None; // of the target
-};
-
 class PieceSearch
 {
 public:
@@ -40,6 +31,8 @@ public:
   double UpperOf(Index simplex, std::int64_t mostCuts);
 
   const LargestExcess& Largest() const { return this->Most; }
+  /// mm; pieces are closed if their upper bound does not exceed this.
+  double ClosingBound() const;
   double Closed() const
   {
     return this->MostClosed;
@@ -54,7 +47,6 @@ private:
     double Upper = -std::numeric_limits<double>::infinity(); // mm, the largest of them
   };
 
-  double ClosingBound() const;
   Piece Whole(Index simplex) const;
   bool CloseAsSame(const Piece& whole);
   void Bound(Piece& piece, double parentUpper) const;
@@ -64,6 +56,8 @@ private:
   PieceCorner NewCorner(const Piece& piece, const CutWeights& weights) const;
   Parts Divide(const Piece& piece, const CutWeights& weights, const PieceCorner& corner) const;
   void Cut(const Piece& piece, Index simplex);
+  void BoundByCover(Piece& piece, Index simplex);
+  PieceCorner NearestAt(const Vector3& position, Index hint, Index simplex);
 
   const Simplices& Source;
   const Target& To;
@@ -73,6 +67,7 @@ private:
   double MostClosed = -std::numeric_limits<double>::infinity(); // mm
   std::int64_t CutsMade = 0;
   std::vector<Piece> Stack;
+  std::shared_ptr<OverlayCover> Cover; // null: pieces are not bounded by covers
 };
 }
 

@@ -20,14 +20,6 @@ constexpr std::int64_t MoreCuts = 16;
 /// Part of the progress of one search.
 constexpr double ProgressOfFirstRound = 0.8;
 
-void Join(LargestExcess& largest, const LargestExcess& other)
-{
-  if (other.Value > largest.Value)
-  {
-    largest = other;
-  }
-}
-
 /// For each point whether its value is needed.
 std::vector<char> RequestedPoints(const Simplices& source, bool ofAll)
 {
@@ -64,9 +56,10 @@ public:
     std::iota(this->Open.begin(), this->Open.end(), 0);
   }
 
-  DistanceBounds Run(const Monitor& monitor)
+  DistanceBounds Run(const KnownBounds& known, const Monitor& monitor)
   {
     this->TakeCorners();
+    this->TakeKnown(known);
     bool goesOn = true;
     double from = 0.0;
     double to = ProgressOfFirstRound;
@@ -99,11 +92,31 @@ private:
         const Index point = this->Source.Corners[simplex][i];
         const double tolerance =
           this->Source.PointTolerance.empty() ? 0.0 : this->Source.PointTolerance[point];
-        Join(this->Largest,
+        this->Largest.Join(
           { this->Values.Value[point] - tolerance, tolerance, this->Source.Points[point],
             static_cast<Index>(simplex), this->Values.Simplex[point] });
       }
     }
+  }
+
+  /// Closes simplices that are known to lie below what is known to be reached.
+  void TakeKnown(const KnownBounds& known)
+  {
+    this->Largest.Join(known.Largest);
+    if (known.Upper.empty())
+    {
+      return;
+    }
+    const PieceSearch search(this->Source, this->To, this->Values, this->Goal, this->Largest);
+    const double goal = search.ClosingBound();
+    const auto isClosed = [&](Index simplex) { return known.Upper[simplex] <= goal; };
+    for (const Index simplex : this->Open)
+    {
+      this->Closed =
+        isClosed(simplex) ? std::max(this->Closed, known.Upper[simplex]) : this->Closed;
+    }
+    this->Open.erase(
+      std::remove_if(this->Open.begin(), this->Open.end(), isClosed), this->Open.end());
   }
 
   bool MayCut() const { return !this->Open.empty() && this->Cuts < this->Goal.MostCuts; }
@@ -121,7 +134,7 @@ private:
     this->Left = -Infinity;
     for (const Part& part : parts)
     {
-      Join(this->Largest, part.Largest);
+      this->Largest.Join(part.Largest);
       this->Closed = std::max(this->Closed, part.Closed);
       this->Left = std::max(this->Left, part.Left);
       this->Cuts += part.Cuts;
@@ -206,8 +219,9 @@ PointValues FindPointValues(
 
 //------------------------------------------------------------------------------
 DistanceBounds FindLargestExcess(const Simplices& source, const Target& target,
-  const PointValues& values, const SearchGoal& goal, const Monitor& monitor)
+  const PointValues& values, const SearchGoal& goal, const KnownBounds& known,
+  const Monitor& monitor)
 {
-  return Rounds(source, target, values, goal).Run(monitor);
+  return Rounds(source, target, values, goal).Run(known, monitor);
 }
 }

@@ -31,6 +31,7 @@
 #include "Target.h"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace bonedecimate::certificate
@@ -55,14 +56,41 @@ struct PointValues
   std::vector<Index> Simplex; ///< None for these points
 };
 
+/// The position with the largest excess found so far.
+struct LargestExcess
+{
+  double Value = -std::numeric_limits<double>::infinity(); // mm, excess
+  double Tolerance = 0.0;                                  // mm
+  Vector3 Position = Vector3::Zero();                      // mm
+  Index Simplex = None;
+  Index Nearest = None; // of the target
+
+  void Join(const LargestExcess& other)
+  {
+    if (other.Value > this->Value)
+    {
+      *this = other;
+    }
+  }
+};
+
+/// What is known before a search.
+struct KnownBounds
+{
+  std::vector<double> Upper; ///< mm, of the excess of each simplex; empty: unknown
+  LargestExcess Largest;
+};
+
 /// @param ofAll Evaluate all usable points, not only corners.
 PointValues FindPointValues(
   const Simplices& source, const Target& target, bool ofAll, int threads, const Monitor& monitor);
 
 /// Bounds of the largest excess of the source over the target.
+/// @param known Simplices whose upper bound is small enough are not searched.
 /// @param monitor Not empty. After an abort the upper bound is infinite.
 DistanceBounds FindLargestExcess(const Simplices& source, const Target& target,
-  const PointValues& values, const SearchGoal& goal, const Monitor& monitor);
+  const PointValues& values, const SearchGoal& goal, const KnownBounds& known,
+  const Monitor& monitor);
 }
 
 #endif

@@ -36,9 +36,11 @@ double Squared(double length)
 }
 
 //------------------------------------------------------------------------------
-Target::Target(const Simplices& simplices, int threads, const std::function<void()>& afterStep)
+Target::Target(const Simplices& simplices, int threads, bool lendsCovers,
+  const std::function<void()>& afterStep)
   : Set(simplices)
   , Tree(AsTriangles(simplices), threads, afterStep)
+  , Sides(lendsCovers ? FindEdgeSides(simplices.Points, simplices.Corners) : EdgeSides())
 {
 }
 
@@ -47,6 +49,17 @@ void Target::SetTolerances(std::vector<double> tolerances)
 {
   this->Tolerances = std::move(tolerances);
   this->LargestTolerance = *std::max_element(this->Tolerances.begin(), this->Tolerances.end());
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<OverlayCover> Target::BorrowCover() const
+{
+  if (this->Sides.empty() || this->HasTolerances())
+  {
+    return nullptr;
+  }
+  return this->Covers.Borrow(
+    [this] { return std::make_unique<OverlayCover>(this->Set, this->Sides); });
 }
 
 //------------------------------------------------------------------------------

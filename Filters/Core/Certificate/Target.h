@@ -11,9 +11,12 @@
 #ifndef BoneDecimate_Core_Certificate_Target_h
 #define BoneDecimate_Core_Certificate_Target_h
 
+#include "EdgeSides.h"
 #include "Foot.h"
 #include "Geometry/BoundingTree.h"
+#include "OverlayCover.h"
 #include "Simplices.h"
+#include "WorkspacePool.h"
 
 #include <functional>
 #include <vector>
@@ -23,11 +26,15 @@ namespace bonedecimate::certificate
 class Target
 {
 public:
-  /// Keeps a reference to the simplices, which must not be empty.
-  Target(const Simplices& simplices, int threads, const std::function<void()>& afterStep);
+  /// Keeps a reference to the simplices, which must not be empty.  @param lendsCovers Whether they are triangles to be covered.
+  Target(const Simplices& simplices, int threads, bool lendsCovers,
+    const std::function<void()>& afterStep);
 
   /// Sets the tolerance of each simplex, mm.
   void SetTolerances(std::vector<double> tolerances);
+
+  /// For one worker; null if none are lent, and with tolerances, because the cover knows distances alone.
+  std::shared_ptr<OverlayCover> BorrowCover() const;
 
   struct Candidate
   {
@@ -68,6 +75,8 @@ private:
   BoundingTree Tree;
   std::vector<double> Tolerances; // mm; empty: 0
   double LargestTolerance = 0.0;  // mm
+  EdgeSides Sides;                // empty if no covers are lent
+  mutable WorkspacePool<OverlayCover> Covers;
 };
 }
 

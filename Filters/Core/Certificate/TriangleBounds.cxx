@@ -3,9 +3,8 @@
 #include "TriangleBounds.h"
 
 #include "Parallel.h"
-#include "PieceSearch.h"
 
-#include <algorithm>
+#include <limits>
 
 namespace bonedecimate::certificate
 {
@@ -15,19 +14,24 @@ constexpr std::int64_t MostCutsOfOne = 4096;
 }
 
 std::vector<double> FindTriangleBounds(const Simplices& source, const Target& target,
-  const PointValues& values, const SearchGoal& goal, double most, const Monitor& monitor)
+  const PointValues& values, const SearchGoal& goal, LargestExcess& largest, const Monitor& monitor)
 {
-  std::vector<double> bounds(source.Size(), most);
+  std::vector<double> bounds(source.Size(), std::numeric_limits<double>::infinity());
+  std::vector<LargestExcess> parts(NumberOfChunks(source.Size()));
   ForEachChunk(source.Size(), goal.NumberOfThreads, monitor,
-    [&](std::size_t, std::size_t first, std::size_t last)
+    [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
       PieceSearch search(source, target, values, goal, LargestExcess());
       for (std::size_t simplex = first; simplex < last; ++simplex)
       {
-        bounds[simplex] =
-          std::min(most, search.UpperOf(static_cast<Index>(simplex), MostCutsOfOne));
+        bounds[simplex] = search.UpperOf(static_cast<Index>(simplex), MostCutsOfOne);
+        parts[chunk].Join(search.Largest());
       }
     });
+  for (const LargestExcess& part : parts)
+  {
+    largest.Join(part);
+  }
   return bounds;
 }
 }

@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Core_Certificate_TriangleBounds_h
 #define BoneDecimate_Core_Certificate_TriangleBounds_h
 
-#include "Search.h"
+#include "PieceSearch.h"
 
 #include <vector>
 
@@ -15,11 +15,12 @@ namespace bonedecimate::certificate
 {
 /**
  * @param goal Its gaps apply to each triangle.
- * @param most mm, a known upper bound for all triangles; after an abort the remaining triangles keep it.
- * @return mm, for each simplex.
+ * @param largest Receives the largest distance that was found.
+ * @return mm, for each simplex; after an abort the remaining ones are infinite.
  */
 std::vector<double> FindTriangleBounds(const Simplices& source, const Target& target,
-  const PointValues& values, const SearchGoal& goal, double most, const Monitor& monitor);
+  const PointValues& values, const SearchGoal& goal, LargestExcess& largest,
+  const Monitor& monitor);
 }
 
 #endif

@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OverlayCover.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bonedecimate::certificate
+{
+namespace
+{
+/// Of the angle at the first corner of T.
+constexpr double LeastSine = 1e-2;
+/// More triangles over T take longer than cutting T.
+constexpr std::size_t MostTriangles = 4096;
+/// Relative error of a predicate and of the clipped coordinates, about 90 u.
+constexpr double PredicateError = 1e-14;
+constexpr double ClipMargin = 1e-14;
+/// The position in T at which layers are counted; any position off the images of the edges is valid.
+constexpr double CountedB = 0.3279;
+constexpr double CountedC = 0.3391;
+
+/// Signed area coordinate of the image that is negative beyond a side of T.
+template <typename Coordinates>
+double Inside(const Coordinates& at, int side)
+{
+  return side == 0 ? at.B : side == 1 ? at.C : 1.0 - at.B - at.C;
+}
+
+struct Position2
+{
+  double B, C;
+};
+
+/// 1: p, q, r turn counterclockwise; -1: clockwise; 0: unknown because of rounding.
+template <typename P, typename Q>
+int Orientation(const P& p, const Q& q, Position2 r)
+{
+  const double left = (q.B - p.B) * (r.C - p.C);
+  const double right = (q.C - p.C) * (r.B - p.B);
+  const double error = PredicateError *
+    ((std::abs(q.B) + std::abs(p.B)) * (std::abs(r.C) + std::abs(p.C)) +
+      (std::abs(q.C) + std::abs(p.C)) * (std::abs(r.B) + std::abs(p.B)));
+  return left - right > error ? 1 : left - right < -error ? -1 : 0;
+}
+
+/// Whether the line through both images may pass T.
+template <typename P>
+bool PassesTriangle(const P& p, const P& q)
+{
+  const int first = Orientation(p, q, { 0.0, 0.0 });
+  return first == 0 || Orientation(p, q, { 1.0, 0.0 }) != first ||
+    Orientation(p, q, { 0.0, 1.0 }) != first;
+}
+}
+
+//------------------------------------------------------------------------------
+OverlayCover::OverlayCover(const Simplices& surface, const EdgeSides& sides)
+  : Surface(surface)
+  , Sides(sides)
+  , TriangleStamps(surface.Size(), 0)
+  , PointStamps(surface.Points.size(), 0)
+  , ImageIndices(surface.Points.size(), 0)
+{
+}
+
+//------------------------------------------------------------------------------
+OverlayCover::Bound OverlayCover::Find(const Corners& triangle, Index seed)
+{
+  Bound bound;
+  if (!this->Begin(triangle))
+  {
+    return bound;
+  }
+  bound.Upper = 0.0;
+  this->Visited.assign(1, seed);
+  this->TriangleStamps[seed] = this->Stamp;
+  for (std::size_t at = 0; at < this->Visited.size(); ++at)
+  {
+    if (at == MostTriangles || !this->Visit(this->Visited[at], bound))
+    {
+      return {};
+    }
+  }
+  return this->IsOdd ? bound : Bound();
+}
+
+//------------------------------------------------------------------------------
+/// False if the triangle is a needle.
+bool OverlayCover::Begin(const Corners& triangle)
+{
+  if (++this->Stamp == 0)
+  {
+    std::fill(this->TriangleStamps.begin(), this->TriangleStamps.end(), 0);
+    std::fill(this->PointStamps.begin(), this->PointStamps.end(), 0);
+    this->Stamp = 1;
+  }
+  this->Images.clear();
+  this->IsOdd = false;
+  this->A = triangle[0];
+  this->AB = triangle[1] - triangle[0];
+  this->AC = triangle[2] - triangle[0];
+  const double bb = this->AB.squaredNorm();
+  const double bc = this->AB.dot(this->AC);
+  const double cc = this->AC.squaredNorm();
+  const double determinant = bb * cc - bc * bc;
+  if (!(determinant > LeastSine * LeastSine * bb * cc))
+  {
+    return false;
+  }
+  this->TowardB = (cc * this->AB - bc * this->AC) / determinant;
+  this->TowardC = (bb * this->AC - bc * this->AB) / determinant;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Its index in Images.
+Index OverlayCover::ImageOf(Index point)
+{
+  if (this->PointStamps[point] != this->Stamp)
+  {
+    KnownImage image;
+    image.At.Point = this->Surface.Points[point];
+    image.At.B = this->TowardB.dot(image.At.Point - this->A);
+    image.At.C = this->TowardC.dot(image.At.Point - this->A);
+    const double error = PredicateError * (1.0 + std::abs(image.At.B) + std::abs(image.At.C));
+    image.Beyond =
+      static_cast<std::uint8_t>((image.At.B < 0.0 ? 1 : 0) | (image.At.C < 0.0 ? 2 : 0) |
+        (Inside(image.At, 2) < -error ? 4 : 0));
+    this->PointStamps[point] = this->Stamp;
+    this->ImageIndices[point] = static_cast<Index>(this->Images.size());
+    this->Images.push_back(image);
+  }
+  return this->ImageIndices[point];
+}
+
+//------------------------------------------------------------------------------
+/// False if the surface may end over T.
+bool OverlayCover::Visit(Index triangle, Bound& bound)
+{
+  const Triangle& corners = this->Surface.Corners[triangle];
+  const Triangle images = { this->ImageOf(corners[0]), this->ImageOf(corners[1]),
+    this->ImageOf(corners[2]) };
+  const Shape shape = { &this->Images[images[0]], &this->Images[images[1]],
+    &this->Images[images[2]] };
+  if ((shape[0]->Beyond & shape[1]->Beyond & shape[2]->Beyond) != 0)
+  {
+    return true; // its image does not meet T
+  }
+  this->Measure(shape, triangle, bound);
+  return this->CountLayer(shape) && this->CrossEdges(shape, triangle);
+}
+
+//------------------------------------------------------------------------------
+/// Counts the image if it contains the test position. False if that cannot be decided.
+bool OverlayCover::CountLayer(const Shape& shape)
+{
+  const auto& [p, q, r] = shape;
+  const auto [lowB, highB] = std::minmax({ p->At.B, q->At.B, r->At.B });
+  const auto [lowC, highC] = std::minmax({ p->At.C, q->At.C, r->At.C });
+  if (lowB > CountedB || highB < CountedB || lowC > CountedC || highC < CountedC)
+  {
+    return true;
+  }
+  int turns = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const int turn = Orientation(shape[k]->At, shape[(k + 1) % 3]->At, { CountedB, CountedC });
+    if (turn == 0)
+    {
+      return false;
+    }
+    turns += turn;
+  }
+  this->IsOdd = this->IsOdd != (std::abs(turns) == 3);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Adds the neighbors over T to the list. False if there is not exactly one neighbor.
+bool OverlayCover::CrossEdges(const Shape& shape, Index triangle)
+{
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const KnownImage& p = *shape[k];
+    const KnownImage& q = *shape[(k + 1) % 3];
+    const bool meets = (p.Beyond & q.Beyond) == 0 &&
+      (p.Beyond == 0 || q.Beyond == 0 || PassesTriangle(p.At, q.At));
+    if (!meets)
+    {
+      continue;
+    }
+    const Index next = this->Sides[triangle][k];
+    if (next < 0)
+    {
+      return false;
+    }
+    if (this->TriangleStamps[next] != this->Stamp)
+    {
+      this->TriangleStamps[next] = this->Stamp;
+      this->Visited.push_back(next);
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// The part of a polygon on the inner side of a side of T, widened by the margin.
+OverlayCover::Polygon OverlayCover::Clip(const Polygon& polygon, int side, double margin)
+{
+  Polygon kept;
+  for (std::size_t i = 0; i < polygon.Count; ++i)
+  {
+    const Image& p = polygon.Corners[i];
+    const Image& q = polygon.Corners[(i + 1) % polygon.Count];
+    const double ofP = Inside(p, side) + margin;
+    const double ofQ = Inside(q, side) + margin;
+    if (ofP >= 0.0)
+    {
+      kept.Corners[kept.Count++] = p;
+    }
+    if ((ofP >= 0.0) != (ofQ >= 0.0))
+    {
+      const double t = ofP / (ofP - ofQ);
+      kept.Corners[kept.Count++] = { p.Point + t * (q.Point - p.Point), p.B + t * (q.B - p.B),
+        p.C + t * (q.C - p.C) };
+    }
+  }
+  return kept;
+}
+
+//------------------------------------------------------------------------------
+/// Raises the bound to the largest distance at a corner of the overlay.
+void OverlayCover::Measure(const Shape& shape, Index triangle, Bound& bound) const
+{
+  Polygon polygon;
+  double largest = 1.0;
+  for (const KnownImage* corner : shape)
+  {
+    polygon.Corners[polygon.Count++] = corner->At;
+    largest = std::max({ largest, std::abs(corner->At.B), std::abs(corner->At.C) });
+  }
+  const int beyond = shape[0]->Beyond | shape[1]->Beyond | shape[2]->Beyond;
+  for (int side = 0; side < 3; ++side)
+  {
+    polygon = (beyond & (1 << side)) != 0 ? Clip(polygon, side, ClipMargin * largest) : polygon;
+  }
+  for (std::size_t i = 0; i < polygon.Count; ++i)
+  {
+    const Image& at = polygon.Corners[i];
+    const Vector3 position = this->A + at.B * this->AB + at.C * this->AC;
+    const double distance = (position - at.Point).norm();
+    if (distance > bound.Upper || bound.Nearest == None)
+    {
+      bound = { std::max(distance, bound.Upper), position, triangle };
+    }
+  }
+}
+}
