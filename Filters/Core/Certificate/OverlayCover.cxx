@@ -124,9 +124,8 @@ Index OverlayCover::ImageOf(Index point)
     image.At.B = this->TowardB.dot(image.At.Point - this->A);
     image.At.C = this->TowardC.dot(image.At.Point - this->A);
     const double error = PredicateError * (1.0 + std::abs(image.At.B) + std::abs(image.At.C));
-    image.Beyond =
-      static_cast<std::uint8_t>((image.At.B < 0.0 ? 1 : 0) | (image.At.C < 0.0 ? 2 : 0) |
-        (Inside(image.At, 2) < -error ? 4 : 0));
+    image.Beyond = static_cast<std::uint8_t>((image.At.B < 0.0 ? 1 : 0) |
+      (image.At.C < 0.0 ? 2 : 0) | (Inside(image.At, 2) < -error ? 4 : 0));
     this->PointStamps[point] = this->Stamp;
     this->ImageIndices[point] = static_cast<Index>(this->Images.size());
     this->Images.push_back(image);
@@ -184,8 +183,8 @@ bool OverlayCover::CrossEdges(const Shape& shape, Index triangle)
   {
     const KnownImage& p = *shape[k];
     const KnownImage& q = *shape[(k + 1) % 3];
-    const bool meets = (p.Beyond & q.Beyond) == 0 &&
-      (p.Beyond == 0 || q.Beyond == 0 || PassesTriangle(p.At, q.At));
+    const bool meets =
+      (p.Beyond & q.Beyond) == 0 && (p.Beyond == 0 || q.Beyond == 0 || PassesTriangle(p.At, q.At));
     if (!meets)
     {
       continue;

@@ -45,8 +45,8 @@ public:
   struct Bound
   {
     double Upper = std::numeric_limits<double>::infinity(); ///< mm; infinite: T is not covered
-    Vector3 Position = Vector3::Zero(); ///< mm, where in T the bound is taken
-    Index Nearest = None;               ///< the triangle of the surface there
+    Vector3 Position = Vector3::Zero();                     ///< mm, where in T the bound is taken
+    Index Nearest = None;                                   ///< the triangle of the surface there
   };
 
   /// @param seed A triangle of the surface whose image meets T. With another one there is no bound.
@@ -83,9 +83,9 @@ private:
 
   const Simplices& Surface;
   const EdgeSides& Sides;
-  Vector3 A, AB, AC;       // mm, of T
+  Vector3 A, AB, AC;        // mm, of T
   Vector3 TowardB, TowardC; // 1/mm, gradients of the coordinates
-  std::uint32_t Stamp = 0; // of the current triangle T
+  std::uint32_t Stamp = 0;  // of the current triangle T
   std::vector<std::uint32_t> TriangleStamps, PointStamps;
   std::vector<Index> ImageIndices; // of each point with the current stamp, in Images
   std::vector<KnownImage> Images;

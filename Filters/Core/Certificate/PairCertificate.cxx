@@ -144,8 +144,7 @@ private:
     goal.RelativeGap = 0.0;
     goal.LeastGap = std::max(this->TriangleGap, FewestSlacks * goal.Slack);
     KnownBounds known;
-    known.Upper =
-      FindTriangleBounds(this->Source, this->To, values, goal, known.Largest, monitor);
+    known.Upper = FindTriangleBounds(this->Source, this->To, values, goal, known.Largest, monitor);
     return known;
   }
 
@@ -231,7 +230,8 @@ struct Comparison
   Target TargetOf(const Simplices& simplices) const
   {
     const Monitor tell = this->Progress.Next(0.0);
-    return Target(simplices, this->Task.Options.NumberOfThreads, this->Task.OfSurfaces, [&] { tell(1.0); });
+    return Target(
+      simplices, this->Task.Options.NumberOfThreads, this->Task.OfSurfaces, [&] { tell(1.0); });
   }
 };
 

@@ -92,9 +92,8 @@ private:
         const Index point = this->Source.Corners[simplex][i];
         const double tolerance =
           this->Source.PointTolerance.empty() ? 0.0 : this->Source.PointTolerance[point];
-        this->Largest.Join(
-          { this->Values.Value[point] - tolerance, tolerance, this->Source.Points[point],
-            static_cast<Index>(simplex), this->Values.Simplex[point] });
+        this->Largest.Join({ this->Values.Value[point] - tolerance, tolerance,
+          this->Source.Points[point], static_cast<Index>(simplex), this->Values.Simplex[point] });
       }
     }
   }

@@ -36,8 +36,8 @@ double Squared(double length)
 }
 
 //------------------------------------------------------------------------------
-Target::Target(const Simplices& simplices, int threads, bool lendsCovers,
-  const std::function<void()>& afterStep)
+Target::Target(
+  const Simplices& simplices, int threads, bool lendsCovers, const std::function<void()>& afterStep)
   : Set(simplices)
   , Tree(AsTriangles(simplices), threads, afterStep)
   , Sides(lendsCovers ? FindEdgeSides(simplices.Points, simplices.Corners) : EdgeSides())

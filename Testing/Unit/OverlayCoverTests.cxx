@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Certificate/OverlayCover.h"
+#include "CertificatePairs.h"
+
+#include <gtest/gtest.h>
+
+namespace bonedecimate::testsupport
+{
+namespace
+{
+using certificate::Corners;
+using certificate::EdgeSides;
+using certificate::OverlayCover;
+using certificate::Simplices;
+
+/// A surface and the cover of triangles by it.
+struct Sheet
+{
+  explicit Sheet(const Surface& surface)
+    : Whole(surface)
+  {
+    this->Set.Points = surface.Points;
+    this->Set.Corners = surface.Triangles;
+    this->Sides = certificate::FindEdgeSides(surface.Points, surface.Triangles);
+  }
+
+  OverlayCover::Bound Find(const Corners& triangle) const
+  {
+    const Vector3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+    OverlayCover cover(this->Set, this->Sides);
+    return cover.Find(triangle, BruteNearest(this->Whole, middle).Triangle);
+  }
+
+  Surface Whole;
+  Simplices Set;
+  EdgeSides Sides;
+};
+
+bool IsBounded(const OverlayCover::Bound& bound)
+{
+  return bound.Upper < std::numeric_limits<double>::infinity();
+}
+
+double LargestSampled(const Corners& triangle, const Surface& surface)
+{
+  const Surface one = { { triangle[0], triangle[1], triangle[2] }, { { 0, 1, 2 } } };
+  return SampleDistance(one, surface, 12).Largest;
+}
+
+/// Within a grid of ten cells, in the plane z = 0, with no side parallel to an edge.
+const Corners OverTheGrid = { Vector3{ 1.1, 1.3, 0.0 }, { 8.2, 2.1, 0.0 }, { 3.3, 7.9, 0.0 } };
+
+/// A grid of ten cells of which one triangle is left out.
+Surface GridWithout(Index triangle)
+{
+  Surface grid = Grid(10);
+  grid.Triangles.erase(grid.Triangles.begin() + triangle);
+  return grid;
+}
+
+Index TriangleAt(const Surface& surface, const Vector3& position)
+{
+  return BruteNearest(surface, position).Triangle;
+}
+}
+
+TEST(OverlayCover, IsAnUpperBoundOfTheDistance)
+{
+  Random random(3);
+  int bounded = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed)
+  {
+    // Moved along the plane, too, so that some surfaces fold over.
+    const Surface surface =
+      Shaken(HeightField(10, 1.5, seed), random.Between(0.0, 0.8), seed + 100);
+    const Sheet sheet(surface);
+    const Corners triangle = { Vector3{ 1.0, 1.0, 0.0 } + random.InCube(1.0),
+      Vector3{ 8.0, 2.0, 0.0 } + random.InCube(1.0),
+      Vector3{ 4.0, 8.0, 0.0 } + random.InCube(1.0) };
+    const OverlayCover::Bound bound = sheet.Find(triangle);
+    bounded += IsBounded(bound) ? 1 : 0;
+    EXPECT_GE(bound.Upper * (1.0 + 1e-12), LargestSampled(triangle, surface)) << seed;
+  }
+  EXPECT_GT(bounded, 30);
+}
+
+TEST(OverlayCover, IsExactOverAHeightField)
+{
+  Surface surface = Grid(10);
+  for (Vector3& point : surface.Points)
+  {
+    point.z() = point.x() == 4.0 && point.y() == 4.0 ? 0.75 : 0.25;
+  }
+  const OverlayCover::Bound bound = Sheet(surface).Find(OverTheGrid);
+  EXPECT_NEAR(bound.Upper, 0.75, 1e-14);
+  EXPECT_LT((bound.Position - Vector3(4.0, 4.0, 0.0)).norm(), 1e-13);
+  const Triangle& corners = surface.Triangles[bound.Nearest];
+  EXPECT_TRUE(std::any_of(corners.begin(), corners.end(),
+    [&](Index corner) { return surface.Points[corner].z() == 0.75; }));
+}
+
+TEST(OverlayCover, IgnoresTheSurfaceBesideTheTriangle)
+{
+  Surface surface = Grid(10);
+  for (Vector3& point : surface.Points)
+  {
+    point.z() = point.x() >= 9.0 ? 50.0 : 0.25; // the triangle ends at 8.2
+  }
+  EXPECT_NEAR(Sheet(surface).Find(OverTheGrid).Upper, 0.25 + 0.2 * 49.75, 1e-10)
+    << "of the slope from 8 to 9 only the part over the triangle counts";
+}
+
+TEST(OverlayCover, HasNoBoundOverAHole)
+{
+  const Surface grid = Grid(10);
+  EXPECT_FALSE(
+    IsBounded(Sheet(GridWithout(TriangleAt(grid, { 3.6, 4.3, 0.0 }))).Find(OverTheGrid)));
+  EXPECT_TRUE(IsBounded(Sheet(GridWithout(TriangleAt(grid, { 8.6, 8.3, 0.0 }))).Find(OverTheGrid)))
+    << "the hole is beside the triangle";
+}
+
+TEST(OverlayCover, HasNoBoundWhereASideLeavesTheSurface)
+{
+  const Surface grid = Grid(10);
+  Corners triangle = OverTheGrid;
+  EXPECT_TRUE(IsBounded(Sheet(grid).Find(triangle)));
+  triangle[1].x() = 10.1;
+  EXPECT_FALSE(IsBounded(Sheet(grid).Find(triangle)));
+}
+
+TEST(OverlayCover, HasNoBoundUnderTwoLayers)
+{
+  const Surface plate = FlatPlate(3);
+  const Corners larger = { Vector3{ -9.0, -9.0, 0.5 }, { 15.0, -9.0, 0.5 }, { 1.0, 20.0, 0.5 } };
+  EXPECT_FALSE(IsBounded(Sheet(plate).Find(larger)))
+    << "the closed surface does not cover the triangle, and its edges all have two triangles";
+}
+
+TEST(OverlayCover, CountsLayersOfAFold)
+{
+  // One strip folded twice: three layers over the middle.
+  Surface fold;
+  const std::array<Vector3, 4> profile = { Vector3{ 0.0, 0.0, 0.0 }, { 6.0, 0.0, 0.5 },
+    { 4.0, 0.0, 1.0 }, { 10.0, 0.0, 1.5 } };
+  for (const Vector3& at : profile)
+  {
+    fold.Points.push_back(at);
+    fold.Points.push_back(at + Vector3(0.0, 10.0, 0.0));
+  }
+  for (Index i = 0; i < 6; i += 2)
+  {
+    fold.Triangles.push_back({ i, i + 2, i + 3 });
+    fold.Triangles.push_back({ i, i + 3, i + 1 });
+  }
+  const Corners over = { Vector3{ 3.0, 1.0, 0.7 }, { 8.0, 2.0, 0.7 }, { 5.0, 8.0, 0.7 } };
+  const OverlayCover::Bound bound = Sheet(fold).Find(over);
+  ASSERT_TRUE(IsBounded(bound));
+  EXPECT_GE(bound.Upper, LargestSampled(over, fold));
+  // Without the last layer the middle has two and the right part none.
+  fold.Triangles.resize(4);
+  EXPECT_FALSE(IsBounded(Sheet(fold).Find(over)));
+}
+
+TEST(OverlayCover, JoinsTrianglesWithPointsOfTheirOwn)
+{
+  const Surface surface = HeightField(10, 0.5, 7);
+  const OverlayCover::Bound joined = Sheet(surface).Find(OverTheGrid);
+  const OverlayCover::Bound apart = Sheet(Unwelded(surface)).Find(OverTheGrid);
+  ASSERT_TRUE(IsBounded(joined));
+  EXPECT_EQ(joined.Upper, apart.Upper);
+}
+
+TEST(OverlayCover, HasNoBoundOverANonManifoldEdge)
+{
+  Surface surface = Grid(10);
+  const Triangle over = surface.Triangles[TriangleAt(surface, { 3.6, 4.3, 0.0 })];
+  surface.Points.emplace_back(3.6, 4.3, 2.0);
+  surface.Triangles.push_back({ over[0], over[1], static_cast<Index>(surface.Points.size()) - 1 });
+  EXPECT_FALSE(IsBounded(Sheet(surface).Find(OverTheGrid)));
+}
+
+TEST(OverlayCover, HasNoBoundForNeedles)
+{
+  const Corners needle = { Vector3{ 1.0, 1.0, 0.0 }, { 8.0, 1.0, 0.0 }, { 8.0, 1.0 + 1e-3, 0.0 } };
+  EXPECT_FALSE(IsBounded(Sheet(Grid(10)).Find(needle)));
+}
+
+TEST(OverlayCover, HasNoBoundFromATriangleElsewhere)
+{
+  const Surface grid = Grid(10);
+  const Sheet sheet(grid);
+  OverlayCover cover(sheet.Set, sheet.Sides);
+  EXPECT_FALSE(IsBounded(cover.Find(OverTheGrid, TriangleAt(grid, { 9.5, 9.5, 0.0 }))));
+  EXPECT_TRUE(IsBounded(cover.Find(OverTheGrid, TriangleAt(grid, { 4.5, 3.5, 0.0 }))))
+    << "the same workspace afterwards";
+}
+}
