@@ -15,9 +15,9 @@ using certificate::OverlayCover;
 using certificate::Simplices;
 
 /// A surface and the cover of triangles by it.
-struct Sheet
+struct CoveringSurface
 {
-  explicit Sheet(const Surface& surface)
+  explicit CoveringSurface(const Surface& surface)
     : Whole(surface)
   {
     this->Set.Points = surface.Points;
@@ -74,11 +74,11 @@ TEST(OverlayCover, IsAnUpperBoundOfTheDistance)
     // Moved along the plane, too, so that some surfaces fold over.
     const Surface surface =
       Shaken(HeightField(10, 1.5, seed), random.Between(0.0, 0.8), seed + 100);
-    const Sheet sheet(surface);
+    const CoveringSurface covering(surface);
     const Corners triangle = { Vector3{ 1.0, 1.0, 0.0 } + random.InCube(1.0),
       Vector3{ 8.0, 2.0, 0.0 } + random.InCube(1.0),
       Vector3{ 4.0, 8.0, 0.0 } + random.InCube(1.0) };
-    const OverlayCover::Bound bound = sheet.Find(triangle);
+    const OverlayCover::Bound bound = covering.Find(triangle);
     bounded += IsBounded(bound) ? 1 : 0;
     EXPECT_GE(bound.Upper * (1.0 + 1e-12), LargestSampled(triangle, surface)) << seed;
   }
@@ -92,7 +92,7 @@ TEST(OverlayCover, IsExactOverAHeightField)
   {
     point.z() = point.x() == 4.0 && point.y() == 4.0 ? 0.75 : 0.25;
   }
-  const OverlayCover::Bound bound = Sheet(surface).Find(OverTheGrid);
+  const OverlayCover::Bound bound = CoveringSurface(surface).Find(OverTheGrid);
   EXPECT_NEAR(bound.Upper, 0.75, 1e-14);
   EXPECT_LT((bound.Position - Vector3(4.0, 4.0, 0.0)).norm(), 1e-13);
   const Triangle& corners = surface.Triangles[bound.Nearest];
@@ -107,7 +107,7 @@ TEST(OverlayCover, IgnoresTheSurfaceBesideTheTriangle)
   {
     point.z() = point.x() >= 9.0 ? 50.0 : 0.25; // the triangle ends at 8.2
   }
-  EXPECT_NEAR(Sheet(surface).Find(OverTheGrid).Upper, 0.25 + 0.2 * 49.75, 1e-10)
+  EXPECT_NEAR(CoveringSurface(surface).Find(OverTheGrid).Upper, 0.25 + 0.2 * 49.75, 1e-10)
     << "of the slope from 8 to 9 only the part over the triangle counts";
 }
 
@@ -115,8 +115,9 @@ TEST(OverlayCover, HasNoBoundOverAHole)
 {
   const Surface grid = Grid(10);
   EXPECT_FALSE(
-    IsBounded(Sheet(GridWithout(TriangleAt(grid, { 3.6, 4.3, 0.0 }))).Find(OverTheGrid)));
-  EXPECT_TRUE(IsBounded(Sheet(GridWithout(TriangleAt(grid, { 8.6, 8.3, 0.0 }))).Find(OverTheGrid)))
+    IsBounded(CoveringSurface(GridWithout(TriangleAt(grid, { 3.6, 4.3, 0.0 }))).Find(OverTheGrid)));
+  EXPECT_TRUE(
+    IsBounded(CoveringSurface(GridWithout(TriangleAt(grid, { 8.6, 8.3, 0.0 }))).Find(OverTheGrid)))
     << "the hole is beside the triangle";
 }
 
@@ -124,16 +125,16 @@ TEST(OverlayCover, HasNoBoundWhereASideLeavesTheSurface)
 {
   const Surface grid = Grid(10);
   Corners triangle = OverTheGrid;
-  EXPECT_TRUE(IsBounded(Sheet(grid).Find(triangle)));
+  EXPECT_TRUE(IsBounded(CoveringSurface(grid).Find(triangle)));
   triangle[1].x() = 10.1;
-  EXPECT_FALSE(IsBounded(Sheet(grid).Find(triangle)));
+  EXPECT_FALSE(IsBounded(CoveringSurface(grid).Find(triangle)));
 }
 
 TEST(OverlayCover, HasNoBoundUnderTwoLayers)
 {
   const Surface plate = FlatPlate(3);
   const Corners larger = { Vector3{ -9.0, -9.0, 0.5 }, { 15.0, -9.0, 0.5 }, { 1.0, 20.0, 0.5 } };
-  EXPECT_FALSE(IsBounded(Sheet(plate).Find(larger)))
+  EXPECT_FALSE(IsBounded(CoveringSurface(plate).Find(larger)))
     << "the closed surface does not cover the triangle, and its edges all have two triangles";
 }
 
@@ -154,19 +155,19 @@ TEST(OverlayCover, CountsLayersOfAFold)
     fold.Triangles.push_back({ i, i + 3, i + 1 });
   }
   const Corners over = { Vector3{ 3.0, 1.0, 0.7 }, { 8.0, 2.0, 0.7 }, { 5.0, 8.0, 0.7 } };
-  const OverlayCover::Bound bound = Sheet(fold).Find(over);
+  const OverlayCover::Bound bound = CoveringSurface(fold).Find(over);
   ASSERT_TRUE(IsBounded(bound));
   EXPECT_GE(bound.Upper, LargestSampled(over, fold));
   // Without the last layer the middle has two and the right part none.
   fold.Triangles.resize(4);
-  EXPECT_FALSE(IsBounded(Sheet(fold).Find(over)));
+  EXPECT_FALSE(IsBounded(CoveringSurface(fold).Find(over)));
 }
 
 TEST(OverlayCover, JoinsTrianglesWithPointsOfTheirOwn)
 {
   const Surface surface = HeightField(10, 0.5, 7);
-  const OverlayCover::Bound joined = Sheet(surface).Find(OverTheGrid);
-  const OverlayCover::Bound apart = Sheet(Unwelded(surface)).Find(OverTheGrid);
+  const OverlayCover::Bound joined = CoveringSurface(surface).Find(OverTheGrid);
+  const OverlayCover::Bound apart = CoveringSurface(Unwelded(surface)).Find(OverTheGrid);
   ASSERT_TRUE(IsBounded(joined));
   EXPECT_EQ(joined.Upper, apart.Upper);
 }
@@ -177,20 +178,20 @@ TEST(OverlayCover, HasNoBoundOverANonManifoldEdge)
   const Triangle over = surface.Triangles[TriangleAt(surface, { 3.6, 4.3, 0.0 })];
   surface.Points.emplace_back(3.6, 4.3, 2.0);
   surface.Triangles.push_back({ over[0], over[1], static_cast<Index>(surface.Points.size()) - 1 });
-  EXPECT_FALSE(IsBounded(Sheet(surface).Find(OverTheGrid)));
+  EXPECT_FALSE(IsBounded(CoveringSurface(surface).Find(OverTheGrid)));
 }
 
 TEST(OverlayCover, HasNoBoundForNeedles)
 {
   const Corners needle = { Vector3{ 1.0, 1.0, 0.0 }, { 8.0, 1.0, 0.0 }, { 8.0, 1.0 + 1e-3, 0.0 } };
-  EXPECT_FALSE(IsBounded(Sheet(Grid(10)).Find(needle)));
+  EXPECT_FALSE(IsBounded(CoveringSurface(Grid(10)).Find(needle)));
 }
 
-TEST(OverlayCover, HasNoBoundFromATriangleElsewhere)
+TEST(OverlayCover, HasNoBoundFromATriangleBeside)
 {
   const Surface grid = Grid(10);
-  const Sheet sheet(grid);
-  OverlayCover cover(sheet.Set, sheet.Sides);
+  const CoveringSurface covering(grid);
+  OverlayCover cover(covering.Set, covering.Sides);
   EXPECT_FALSE(IsBounded(cover.Find(OverTheGrid, TriangleAt(grid, { 9.5, 9.5, 0.0 }))));
   EXPECT_TRUE(IsBounded(cover.Find(OverTheGrid, TriangleAt(grid, { 4.5, 3.5, 0.0 }))))
     << "the same workspace afterwards";
