@@ -190,9 +190,10 @@ class Values(unittest.TestCase):
 
 class Names(unittest.TestCase):
     def test_in_signatures_are_those_of_the_table(self):
-        own = {"decimate": ["points", "triangles", "tolerances", "labels", "reference", "progress"],
+        own = {"decimate": ["points", "triangles", "tolerances", "labels", "label_map", "boundary_labels", "reference", "progress"],
                "record_levels": ["points", "triangles", "progress"],
-               "mesh.bone.decimate": ["self", "tolerances", "labels", "reference", "with_input", "progress_bar"],
+               "mesh.bone.decimate": ["self", "tolerances", "labels", "label_map", "boundary_labels", "reference", "with_input",
+                                      "progress_bar"],
                "mesh.bone.levels": ["self", "progress_bar"]}
         for adapter in adapters():
             if adapter.function is None:

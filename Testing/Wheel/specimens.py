@@ -135,7 +135,7 @@ def polygons():
     return with_arrays(surface)
 
 
-def boxes():
+def boxes(has_lines=False):
     """Labels 3 and 5 side by side, as the faces of their voxels with one wall, and the arrays of a label map."""
     def label(x, y, z):
         return 0 if not (0 <= x < 8 and 0 <= y < 4 and 0 <= z < 4) else 3 if x < 4 else 5
@@ -157,7 +157,8 @@ def boxes():
         for corners in ((a, b, c), (a, c, d)):
             triangles.InsertNextCell(3, corners)
             pairs += (below, above) if is_upward else (above, below)
-    return with_label_map(polydata(points, triangles), pairs)
+    surface = polydata(points, triangles)
+    return with_label_map(with_lines(surface), [0, 0] * 3 + pairs) if has_lines else with_label_map(surface, pairs)
 
 
 def with_label_map(surface, pairs, labels=(3, 5, 0)):
@@ -212,7 +213,8 @@ def cases():
         "Preset": (patch(False), {"ErrorPreset": 2, "VoxelSize": 0.5, "IntersectionGuard": False}),
         "Reference": (torus(bumps=0.3), {"MaximumError": 0.2, "ReferenceData": torus(bumps=0.31)}),
         "ReferenceTooFar": (torus(bumps=0.3), {"MaximumError": 0.001, "ReferenceData": torus()}),
-        "LabelMap": (with_lines(boxes()), {"KeepVoxels": 1}),
+        "LabelMap": (boxes(has_lines=True), {"KeepVoxels": 1}),
+        "LabelMapOfOtherPoints": (with_lines(boxes()), {}),
         "LabelMapWithoutArrays": (boxes(), {**half, "PassArrays": False, "Smoothing": 0.2}),
         "LabelMapOff": (boxes(), {**half, "KeepVoxels": 0, "MakeMaps": True}),
         "LabelMapOfAnotherLabel": (with_label_map(torus(), [3, 4] * 1600), {}),

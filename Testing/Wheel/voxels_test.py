@@ -18,20 +18,21 @@ ONE = LabelMap(halves() > 0, spacing=SPACING, origin=ORIGIN, direction=TURN)
 COARSE = {"target_reduction": 0.9, "keep_voxels": "Off"}
 
 
-def centers():
-    """Of all voxels, mm, in the order of the array."""
-    z, y, x = np.indices(halves().shape)
-    return ORIGIN + (TURN @ (np.stack([x, y, z], axis=-1).reshape(-1, 3) * SPACING).T).T
-
-
 def is_inside(surface):
-    """Of each voxel, by the solid angle of the surface around its center."""
+    """Of each voxel: how often the surface winds around its row, a little beside the center, from there on."""
     points, triangles = surface
-    a, b, c = (points[triangles[:, k]].astype(float)[None] - centers()[:, None] for k in range(3))
-    la, lb, lc = (np.linalg.norm(each, axis=2) for each in (a, b, c))
-    volume = np.einsum("ijk,ijk->ij", a, np.cross(b, c))
-    base = la * lb * lc + sum(np.einsum("ijk,ijk->ij", u, v) * lw for u, v, lw in ((a, b, lc), (b, c, la), (c, a, lb)))
-    return np.arctan2(volume, base).sum(axis=1) > np.pi  # half of 2 pi
+    corners = ((points - ORIGIN) @ TURN / SPACING)[triangles]  # voxels
+    z, y = np.indices(halves().shape[:2]).reshape(2, -1, 1) + np.array([1.4e-5, 1.7e-5])[:, None, None]
+
+    def side(k):
+        (_, uy, uz), (_, vy, vz) = corners[:, k].T, corners[:, (k + 1) % 3].T
+        return (vy - uy) * (z - uz) - (vz - uz) * (y - uy)
+    sides = np.stack([side(1), side(2), side(0)])
+    area = sides.sum(axis=0)
+    is_crossed = (sides > 0).all(axis=0) | (sides < 0).all(axis=0)
+    position = np.einsum("krt,tk->rt", sides, corners[:, :, 0]) / np.where(area == 0, 1, area)
+    is_ahead = position[:, None] > np.arange(halves().shape[2])[:, None]
+    return ((is_ahead & is_crossed[:, None]) * np.sign(area)[:, None]).sum(axis=2).reshape(-1) == 1
 
 
 def labels_by_winding(result):
@@ -190,7 +191,7 @@ class Grids(unittest.TestCase):
         affine = np.eye(4)
         affine[:3, :3], affine[:3, 3] = TURN * SPACING, ORIGIN
         self.assertTrue(VoxelGrid((14, 11, 9), affine=affine).is_same_as(MAP.grid))
-        np.testing.assert_allclose(grid.to_voxels(centers()), np.argwhere(np.ones_like(halves()))[:, ::-1], atol=1e-12)
+        np.testing.assert_allclose(grid.to_voxels(ORIGIN + np.array([-1.5, 1.0, 4.5])), (2, 2, 3))
         rounded = VoxelGrid((1, 1, 1), direction=np.round(np.linalg.qr(np.arange(9).reshape(3, 3) ** 2 + 1.0)[0], 5)).direction
         np.testing.assert_allclose(rounded @ rounded.T, np.eye(3), atol=1e-15)
 

@@ -26,16 +26,16 @@ def surface_with_source(data: vtkPolyData) -> Surface:
 
 def _source_of(data: vtkPolyData, surface: Surface) -> SurfaceSource | None:
     """None without a grid. Raises ValueError if an array does not have the shape or the values it needs."""
-    grid = _grid_of(data.GetFieldData())
-    values = _find(data.GetFieldData(), LABEL_VALUES, 1, None)
+    centers = _find(data.GetPointData(), GRID_POINT, 3, data.GetNumberOfPoints())  # in this order, as the last problem counts in C++
     pairs = _find(data.GetCellData(), BOUNDARY_LABELS, 2, data.GetNumberOfCells())
-    centers = _find(data.GetPointData(), GRID_POINT, 3, data.GetNumberOfPoints())
+    values = _find(data.GetFieldData(), LABEL_VALUES, 1, None)
     values = np.empty(0, np.int64) if values is None else values[:, 0].astype(np.int64)
     indices = None
     if pairs is not None:
         pairs = pairs.astype(np.int64)
         values = values if len(values) else values_in(pairs, 0)
         indices = indices_of(pairs[surface.cell_of_triangle], values, (BOUNDARY_LABELS, LABEL_VALUES), "the array ")
+    grid = _grid_of(data.GetFieldData())
     if grid is None:
         return None
     return SurfaceSource(grid, values, indices, None if centers is None else np.ascontiguousarray(centers, dtype=np.int32))
