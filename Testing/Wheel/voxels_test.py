@@ -120,8 +120,9 @@ class Runs(unittest.TestCase):
                 (ValueError, "need a voxel grid", surfaces, {"boundary_labels": pairs}),
                 (ValueError, "of shape", surfaces, {"boundary_labels": pairs[1:], "label_map": MAP}),
                 (TypeError, "numbers, not float64", surfaces, {"boundary_labels": pairs + 0.5, "label_map": MAP}),
-                (TypeError, "without triangles", [surfaces.points], {}), (ValueError, "dimensions", surfaces, {"label_map": MAP.labels})):
-            with self.subTest(words), self.assertRaisesRegex(error, words if words != "dimensions" else "array alone"):
+                (ValueError, "does not say which of them", surfaces, {"label_map": MAP}),
+                (TypeError, r"not an array of shape \(\d+, 3\)", [surfaces.points], {})):
+            with self.subTest(words), self.assertRaisesRegex(error, words):
                 decimate(*arguments, **keywords)
         surfaces.boundary_labels = pairs + 1
         with self.assertRaisesRegex(ValueError, "a label that is not one of label_values"):
@@ -150,11 +151,14 @@ class Checks(unittest.TestCase):
         seven = extract_surfaces(MAP).label(7)
         self.assertEqual(check_voxels(seven, MAP, label=7).changed, 0)
         self.assertEqual(check_voxels(seven, MAP, label=2).of_label[2].lost, np.count_nonzero(halves() == 2))
-        changes = check_voxels(seven, MAP)  # the others are missing
-        self.assertEqual(changes.of_label, {1: (np.count_nonzero(halves()), np.count_nonzero(halves() == 2), 0),
-                                            0: (changes.compared - np.count_nonzero(halves()), 0, np.count_nonzero(halves() == 2))})
+        self.assertEqual(check_voxels(seven, MAP, label=7).left_out, [2])
+        with self.assertRaisesRegex(ValueError, "the labels 2, 7, and the surface does not say which"):
+            check_voxels(seven, MAP)
         other = LabelMap(np.where(halves() == 7, 255, 3), spacing=SPACING, origin=ORIGIN, direction=TURN)
-        self.assertEqual(check_voxels(seven, other, background=3).changed, 0)
+        changes = check_voxels(seven, other, background=3)
+        self.assertEqual(changes.of_label, {255: (np.count_nonzero(halves() == 7), 0, 0),
+                                            3: (changes.compared - np.count_nonzero(halves() == 7), 0, 0)})
+        self.assertEqual(changes.left_out, [])
 
     def test_are_part_of_certificates(self):
         surfaces = extract_surfaces(MAP)
@@ -179,8 +183,8 @@ class Checks(unittest.TestCase):
                 ("the background 0, not 5", extract_surfaces(MAP), {"background": 5}),
                 ("of shape", (points, triangles), {"boundary_labels": [[1, 0]]})):
             with self.subTest(words), self.assertRaisesRegex(ValueError, words):
-                check_voxels(surface, MAP, **keywords)
-        with self.assertRaisesRegex(TypeError, "without triangles|mesh"):
+                check_voxels(surface, ONE, **keywords)
+        with self.assertRaisesRegex(TypeError, "surface is a mesh"):
             check_voxels(points, MAP)
 
 

@@ -105,6 +105,7 @@ void BindDecimate(nb::module_& module)
   module.def("decimate", &Run, nb::arg("points"), nb::arg("triangles"), nb::arg("options"),
     nb::arg("single"), nb::arg("origins"), nb::arg("tolerances").none(), nb::arg("cells").none(),
     nb::arg("reference").none(), nb::arg("progress").none(), nb::arg("labels").none() = nb::none(),
-    nb::arg("label_map").none() = nb::none(), "One run; the keys of what it returns are those of Decimate.h.");
+    nb::arg("label_map").none() = nb::none(),
+    "One run; the keys of what it returns are those of Decimate.h.");
 }
 }

@@ -167,8 +167,8 @@ nb::dict Check(const VolumeIn& labels, const LabelMapSource& source, const Point
                   .Hear(
                     [&](const Monitor& monitor)
                     {
-                      return CompareVoxels(image, source.Values, { surface, source.OfTriangle },
-                        settings, monitor);
+                      return CompareVoxels(
+                        image, source.Values, { surface, source.OfTriangle }, settings, monitor);
                     }));
 }
 }

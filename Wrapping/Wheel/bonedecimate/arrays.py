@@ -16,8 +16,8 @@ from .options import WITHOUT_ARRAYS, WITHOUT_GOALS, deprecated, number, read, sw
 from .label_maps import extract_label
 from .progress import Aborted, Progress, listener
 from .report import Report
-from .surfaces import input_from, labels_from, source_from, surface_from, tolerances_from, warn
-from .voxel_check import VoxelChanges, changes_from, differences
+from .surfaces import Surface, input_from, labels_from, surface_from, tolerances_from, warn
+from .voxel_check import Comparison, VoxelChanges, with_label_map
 from .voxels import SurfaceSource, VoxelGrid
 
 if TYPE_CHECKING:
@@ -120,8 +120,9 @@ class Certificate:
 
     def __init__(self, outcome: dict, voxels: VoxelChanges | None = None) -> None:
         self.voxels = voxels
-        self.report, self.units = _named(outcome["entries"])
-        self.report_as_json = outcome["json"]
+        entries = outcome["entries"] + (voxels.entries() if voxels else [])
+        self.report, self.units = _named(entries)
+        self.report_as_json = _core.report_json(entries)
         self.status, self.lower, self.upper = (self.report[name] for name in ("status", "lower", "upper"))
         for which in ("reference", "result"):
             side = outcome[which + "_side"]
@@ -168,12 +169,10 @@ def decimate(
     labels : (m,) array of whole numbers, optional
         Bone, fragment or segment of each triangle, kept by the result's: lines between them are simplified along themselves.
     label_map : `LabelMap`, vtkImageData, `VoxelGrid`, or (nz, ny, nx) array of whole numbers, optional
-        The segmentation that the surface was extracted from, or its grid: `keep_voxels` needs it, and changed voxels are counted
-        in the report. Surfaces of `extract_surfaces` know their grid. A warning says in how many voxels a map differs from the
-        surface; without boundary labels, every label but 0 counts as inside.
+        The segmentation of the surface, or its grid, which surfaces of `extract_surfaces` know: for `keep_voxels`, and to count
+        changed voxels in the report. A warning says in how many voxels a map differs from the surface.
     boundary_labels : (m, 2) array of whole numbers, optional
-        The labels on both sides of each triangle, the normal points from the first to the second; 0 is the background. Needs a
-        grid. Surfaces of `extract_surfaces` know theirs.
+        The labels on both sides of each triangle, the normal points to the second; 0 is the background. Needs a grid.
     reference : mesh, (points, triangles), or what `decimate` returned, optional
         The surface that this one was made from; ``max_error``, which must be given, is proved against it.
     progress : bool or function, optional
@@ -195,9 +194,16 @@ def decimate(
 
     The bytes of the result are those of the C++ filter, for any number of threads. Other Python threads run meanwhile.
     """
-    surface = input_from(points, triangles)
     values = read(options, decimate)
-    source, voxels = source_from(surface, boundary_labels, label_map)
+    return _run(input_from(points, triangles), values, tolerances, labels, label_map, boundary_labels, reference, progress)
+
+
+def _run(surface: Surface, values: _core.Options, tolerances: ArrayLike | None, labels: ArrayLike | None,
+         label_map: LabelMapLike | VoxelGrid | None, boundary_labels: ArrayLike | None, reference: SurfaceLike | None,
+         progress: bool | Progress | None) -> Result:
+    """The warnings name the caller of the caller."""
+    surface, voxels = with_label_map(surface, boundary_labels, label_map)
+    source = surface.source
     given, named = labels_from(labels, len(surface.triangles))
     first = None if reference is None else surface_from(reference, "reference")
     withOrigins = bool(values.get("MakeMaps")) or named is not None
@@ -208,8 +214,8 @@ def decimate(
     outcome["warnings"] = surface.warnings + (first.warnings if first else []) + outcome["warnings"]
     raise_problems(outcome)
     if voxels is not None:
-        outcome["warnings"] += differences(surface._replace(source=source), voxels, values.get("NumberOfThreads"))
-    warn(outcome["warnings"], 2)
+        outcome["warnings"] += voxels.differences(values.get("NumberOfThreads"))
+    warn(outcome["warnings"], 3)
     result = Result(outcome, gives_single(values, surface.is_single), source)
     if given is not None:
         result.labels = given[result.triangle_at_centroid]
@@ -238,7 +244,8 @@ def smooth(
         As `decimate` takes them.
     distance : float, mm, optional
         How far points may move. None: half of the smallest voxel spacing, which surfaces of `extract_surfaces` know, and which is
-        found in the surface of a binary segmentation, or a third of a smaller ``max_error``; any other surface is left as it is, with a warning.
+        found in the surface of a binary segmentation, or a third of a smaller ``max_error``; any other surface is left as it is,
+        with a warning.
     **options
 
     Raises
@@ -247,9 +254,8 @@ def smooth(
         As `decimate` does.
     """
     read(options, smooth)
-    bound = smoothing_of(distance)
-    return decimate(points, triangles, tolerances=tolerances, labels=labels, label_map=label_map, boundary_labels=boundary_labels,
-                    reference=reference, progress=progress, mode="Fast", target_reduction=0.0, **bound, **options)
+    values = read({"mode": "Fast", "target_reduction": 0.0, **smoothing_of(distance), **options}, decimate)
+    return _run(input_from(points, triangles), values, tolerances, labels, label_map, boundary_labels, reference, progress)
 
 
 def smoothing_of(distance: float | None) -> dict[str, float | bool]:
@@ -287,10 +293,8 @@ def certify(
         The same for each point of the reference, linear on its triangles; negative: no limit of its own.
     label_map : optional
         As `check_voxels` takes it: the result is voxelized and compared with it, ``voxels`` and the report have the counts.
-    tight_bounds : bool
-        Narrow the bounds to the gap even where the tolerance is proved already.
-    relative_gap : float
-        Largest difference of the bounds as a ratio to the upper bound, 1e-12 to 1.
+    tight_bounds, relative_gap : bool, float
+        Narrow the bounds even where the tolerance is proved, to that largest difference as a ratio to the upper one, 1e-12 to 1.
     boundaries, means : bool
         Compare open boundaries curve to curve; estimate average and root mean square to the ratio `mean_precision`, 1e-4 to 1.
     threads, progress
@@ -312,18 +316,14 @@ def certify(
         boundaries = borders
     first, second = surface_from(reference, "reference"), surface_from(result, "result", label_map is not None)
     warn(first.warnings + second.warnings, 2)
-    options = _with_tolerances(tolerance, tolerances, len(first.points))
+    options = _with_tolerances(tolerance, tolerances, len(first.points), thread_count(threads))
     options.tight_bounds, options.with_boundaries = switch("tight_bounds", tight_bounds), switch("boundaries", boundaries)
     options.relative_gap = number("relative_gap", relative_gap, 1e-12, 1)
     options.with_means, options.mean_precision = switch("means", means), number("mean_precision", mean_precision, 1e-4, 1)
-    options.threads, options.with_point_distances = thread_count(threads), True
-    voxels = None if label_map is None else changes_from(second, label_map, options.threads)
+    voxels = None if label_map is None else Comparison(second, label_map).changes(options.threads)
     with listener(progress) as heard:
         outcome = _core.certify(*first[:2], *second[:2], options, heard)
     _raise_comparison_problems(outcome)
-    if voxels is not None:
-        outcome["entries"] += voxels.entries()
-        outcome["json"] = _core.report_json(outcome["entries"])
     return Certificate(outcome, voxels)
 
 
@@ -334,9 +334,11 @@ def _raise_comparison_problems(outcome: dict) -> None:
         raise ValueError(outcome["problem"])
 
 
-def _with_tolerances(tolerance: float | None, tolerances: ArrayLike | None, count: int) -> _core.CertificateOptions:
+def _with_tolerances(tolerance: float | None, tolerances: ArrayLike | None, count: int,
+                     threads: int) -> _core.CertificateOptions:
     """Options of a certificate with the tolerance of all points and those of each of the `count` points of the reference."""
     options = _core.CertificateOptions()
+    options.threads, options.with_point_distances = threads, True
     if tolerance is not None:
         options.tolerance = number("tolerance", tolerance, 0, 1e30, "mm")
     if tolerances is not None:

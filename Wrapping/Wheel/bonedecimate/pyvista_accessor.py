@@ -24,8 +24,8 @@ from .polydata import surface_of
 from .progress import Progress, listener
 from .report import Report
 from .run import fill_input_copy, fill_output, run, set_report
-from .surfaces import NO_GRID, labels_from, source_from, surface_from, tolerances_from, warn
-from .voxel_check import VoxelChanges, check_voxels, differences
+from .surfaces import labels_from, surface_from, tolerances_from, warn
+from .voxel_check import NO_GRID, Comparison, VoxelChanges, check_voxels, source_with
 from .voxels import pairs_from
 
 if TYPE_CHECKING:
@@ -117,15 +117,10 @@ class BoneAccessor:
         labels : str or (n_cells,) array of whole numbers, optional
             Bone, fragment or segment of each cell, as the name of a cell or point array, or as an array that the result has as
             the cell array Labels: the lines between different ones are simplified only along themselves.
-        label_map : pyvista.ImageData, `bonedecimate.LabelMap`, `bonedecimate.VoxelGrid` or array, optional
-            The segmentation that the surface was extracted from, as `bonedecimate.decimate` takes it. Meshes of
-            ``image.bone.surfaces()`` know their grid by their field data, which the result has as well.
-        boundary_labels : (n_cells, 2) array of whole numbers, optional
-            The labels on both sides of each cell, as the cell array BoundaryLabels of ``image.bone.surfaces()``, which is the
-            default.
+        label_map, boundary_labels : optional
+            As `bonedecimate.decimate` takes them, pairs of labels for each cell. Meshes of ``image.bone.surfaces()`` know both.
         reference : mesh, (points, triangles), or what `bonedecimate.decimate` returned, optional
-            The surface that this one was made from: ``max_error``, which must be given, is proved and
-            measured against it.
+            The surface that this one was made from: ``max_error``, which must be given, is proved and measured against it.
         with_input : bool
             True returns a pair: the result, and a copy of this mesh with what ``measure_input_distances`` and ``maps`` find out
             about its points. ``measure_input_distances`` needs it.
@@ -142,15 +137,15 @@ class BoneAccessor:
             options = {**options, "labels": labels}
             labels = None
         values = read(options, BoneAccessor.decimate)
-        mesh = self._with_arrays(values, tolerances, labels)
-        mesh, differences = _with_label_map(mesh, label_map, boundary_labels, values.get("NumberOfThreads"))
+        mesh, voxels = _with_label_map(self._with_arrays(values, tolerances, labels), label_map, boundary_labels)
         has_input = switch("with_input", with_input)
         if values.get("MeasureInputDistances") and not has_input:
             raise ValueError("measure_input_distances is about the points of the input, which with_input=True returns, too")
         with listener(progress_bar) as heard:
             outcome, surface = run(mesh, values, heard, reference)
-        outcome["warnings"] += differences
         check(outcome, 2)
+        if voxels is not None:
+            warn(voxels.differences(values.get("NumberOfThreads")), 2)
         output = pv.PolyData()
         fill_output(outcome, surface, values, mesh, output)
         if not has_input:
@@ -316,18 +311,17 @@ def _mesh_of(found: LabelSurfaces) -> pv.PolyData:
     return mesh
 
 
-def _with_label_map(mesh: pv.PolyData, label_map: LabelMapLike | VoxelGrid | None, boundary_labels: ArrayLike | None,
-                    threads: int) -> tuple[pv.PolyData, list[str]]:
-    """The mesh, or a copy with the arrays of a label map, and in which voxels they differ."""
+def _with_label_map(mesh: pv.PolyData, label_map: LabelMapLike | VoxelGrid | None,
+                    boundary_labels: ArrayLike | None) -> tuple[pv.PolyData, Comparison | None]:
+    """The mesh, or a copy with the arrays of a label map, and its comparison with the map if that is given."""
     if label_map is None and boundary_labels is None:
-        return mesh, []
+        return mesh, None
     mesh = mesh.copy(deep=False)
     if boundary_labels is not None:
         mesh.cell_data[BOUNDARY_LABELS] = pairs_from(boundary_labels, mesh.n_cells)
         mesh.field_data.pop(LABEL_VALUES, None)
-    surface = surface_from(mesh, "the mesh", with_source=True)
-    source, voxels = source_from(surface, None, label_map)
+    source, labels = source_with(surface_from(mesh, "mesh", with_source=True), label_map)
     if source is None:
         raise ValueError(NO_GRID)
     add_grid(source.grid, mesh)
-    return mesh, [] if voxels is None else differences(surface_from(mesh, "the mesh", with_source=True), voxels, threads)
+    return mesh, None if labels is None else Comparison(surface_from(mesh, "mesh", with_source=True), labels)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .checks import numeric_array
-from .voxels import LabelMap, LabelMapLike, SurfaceSource, VoxelGrid, label_map_from, source_of, with_boundary_labels
+from .voxels import SurfaceSource, source_of
 
 if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     # Types that a function takes as a surface.
     SurfaceLike = Union[vtkPolyData, tuple[ArrayLike, ArrayLike], Result, LabelSurfaces]
 
-NO_GRID = "boundary_labels need a voxel grid, which label_map gives; labels need none"
 LARGEST_LABEL = 2.0**53  # beyond, doubles leave whole numbers out
 
 
@@ -37,7 +36,7 @@ class Surface(NamedTuple):
 def input_from(points: ArrayLike | SurfaceLike, triangles: ArrayLike | None) -> Surface:
     """Of two arrays, or of a surface alone."""
     if triangles is None:
-        return surface_from(points, "the surface (without triangles)", with_source=True)
+        return surface_from(points, "surface", with_source=True)
     corners = triangles_from(triangles)
     positions, is_single = points_from(points)
     return Surface(positions, corners, is_single, [])
@@ -64,23 +63,6 @@ def surface_from(given: object, name: str, with_source: bool = False) -> Surface
     kind = f"an array of shape {given.shape}" if isinstance(given, np.ndarray) else f"a {type(given).__name__}"
     raise TypeError(f"{name} is a mesh (vtkPolyData or pyvista.PolyData), a pair (points, triangles) of shapes (n, 3) and "
                     f"(m, 3), or what decimate or extract_surfaces returned, not {kind}")
-
-
-def source_from(surface: Surface, boundary_labels: ArrayLike | None,
-                label_map: LabelMapLike | VoxelGrid | None) -> tuple[SurfaceSource | None, LabelMap | None]:
-    """What is known of the label map of a surface, by itself or by what is given with it, and the map if there is one."""
-    source, labels = surface.source, None
-    if label_map is not None:
-        labels = None if isinstance(label_map, VoxelGrid) else label_map_from(label_map, source and source.grid)
-        grid = label_map if labels is None else labels.grid
-        if source is not None and not source.grid.is_same_as(grid):
-            raise ValueError(f"label_map has another voxel grid than the surface: {grid!r}, {source.grid!r}")
-        source = source or SurfaceSource(grid, np.empty(0, np.int64))
-    if boundary_labels is not None:
-        if source is None:
-            raise ValueError(NO_GRID)
-        source = with_boundary_labels(source, boundary_labels, len(surface.triangles))
-    return source, labels
 
 
 def warn(texts: list[str], stacklevel: int) -> None:

@@ -14,12 +14,13 @@ from .checks import label_value
 from .options import thread_count
 from .progress import Aborted, Progress, listener
 from .surfaces import Surface, surface_from, warn
-from .voxels import LabelMap, SurfaceSource, label_map_from, pairs_from, values_in, with_boundary_labels
+from .voxels import LabelMap, SurfaceSource, VoxelGrid, label_map_from, pairs_from, values_in, with_boundary_labels
 
 if TYPE_CHECKING:
     from .surfaces import SurfaceLike
     from .voxels import LabelMapLike
 
+NO_GRID = "boundary_labels need a voxel grid, which label_map gives; labels need none"
 LARGEST_EXTENT = 65536  # voxels; a surface beyond that belongs to another grid
 
 
@@ -38,8 +39,10 @@ class VoxelChanges:
     changed: int
     first_changed: tuple[int, int, int] | None  #: indices x, y, z of the first one along z, y, x; None if none is changed
     of_label: dict[int, LabelChanges]  #: by label, the background last
+    left_out: list[int]  #: labels of the map that the surface does not have; their voxels count as background
 
-    def __init__(self, outcome: dict, values: NDArray[np.int64]) -> None:
+    def __init__(self, outcome: dict, values: NDArray[np.int64], left_out: NDArray[np.int64]) -> None:
+        self.left_out = left_out.tolist()
         self.compared, self.changed = outcome["compared"], outcome["changed"]
         self.first_changed = tuple(outcome["first_changed"]) if self.changed else None
         self.of_label = {value: LabelChanges(*row) for value, row in zip(values.tolist(), outcome["of_label"].tolist())}
@@ -77,8 +80,7 @@ def check_voxels(
     boundary_labels : (m, 2) array of whole numbers, optional
         The labels on both sides of each triangle; the normal points from the first to the second. Default: those of the surface.
     label : whole number, optional
-        The label inside of a surface without boundary labels. Default: every label but the background, counted as label 1, and
-        the background as 0.
+        The label inside of a surface without boundary labels. Default: the only one that the label map has beside the background.
     background : whole number, optional
         The label of voxels that belong to nothing. Default: that of the surface, or 0.
     threads, progress
@@ -89,63 +91,93 @@ def check_voxels(
     TypeError
         Something that is no surface, labels that are no whole numbers.
     ValueError
-        Shapes, points that are not finite or more than 65536 voxels away from the first voxel, indices out of range.
+        Shapes, points that are not finite or more than 65536 voxels away from the first voxel, indices out of range, a label map
+        of several labels without the labels of the surface.
     Aborted
         The progress function returned False.
     """
     found = surface_from(surface, "surface", with_source=True)
     warn(found.warnings, 2)
-    volume, source = _compared(found, label_map, boundary_labels, label, background)
+    comparison = Comparison(found, label_map, boundary_labels, label, background)
     with listener(progress) as heard:
-        return _changes_of(found, volume, source, thread_count(threads), heard)
+        return comparison.changes(thread_count(threads), heard)
 
 
-def differences(found: Surface, label_map: LabelMap, threads: int) -> list[str]:
-    """Between an input with its label map, in a sentence; empty if there are none."""
-    changes = changes_from(found, label_map, threads)
-    if not changes.changed:
-        return []
-    return [f"label_map and the surface differ in {changes.changed} of {changes.compared} voxels, the first is "
-            f"{changes.first_changed} (x, y, z); the labels of the surface count"]
-
-
-def changes_from(found: Surface, label_map: LabelMapLike, threads: int) -> VoxelChanges:
-    """Without boundary labels, every label but 0 is inside."""
-    return _changes_of(found, *_compared(found, label_map, None, None, None), threads, None)
-
-
-def _changes_of(found: Surface, volume: NDArray[np.integer], source: SurfaceSource, threads: int,
-               heard: Progress | None) -> VoxelChanges:
-    _raise_unusable(found, source)
-    outcome = _core.check_voxels(volume, source.to_core(), found.points, found.triangles, threads, heard)
-    if outcome["aborted"]:
-        raise Aborted("the check was stopped")
-    return VoxelChanges(outcome, source.label_values)
-
-
-def _compared(found: Surface, label_map: LabelMapLike, boundary_labels: ArrayLike | None, label: int | None,
-              background: int | None) -> tuple[NDArray[np.integer], SurfaceSource]:
-    """The voxels, and the labels of the surface on their grid."""
-    known = found.source
-    labels = label_map_from(label_map, known and known.grid)
-    source = SurfaceSource(labels.grid, np.empty(0, np.int64))
-    nothing = 0 if background is None else label_value("background", background)
+def with_label_map(surface: Surface, boundary_labels: ArrayLike | None,
+                   label_map: LabelMapLike | VoxelGrid | None) -> tuple[Surface, Comparison | None]:
+    """The surface with what it and the parameters know of the label map, and its comparison with the map if that is given."""
+    source, labels = source_with(surface, label_map)
     if boundary_labels is not None:
-        pairs = pairs_from(boundary_labels, len(found.triangles))
-        source = with_boundary_labels(source, pairs, len(pairs), values_in(pairs, nothing))
-    elif known is not None and known.boundary_labels is not None:
-        if background not in (None, known.label_values[-1]):
-            raise ValueError(f"the surface has the background {known.label_values[-1]}, not {background}")
-        source = known._replace(grid=labels.grid, grid_points=None)
-    if source.boundary_labels is not None:
+        if source is None:
+            raise ValueError(NO_GRID)
+        source = with_boundary_labels(source, boundary_labels, len(surface.triangles))
+    found = surface._replace(source=source)
+    return found, None if labels is None else Comparison(found, labels)
+
+
+def source_with(surface: Surface, label_map: LabelMapLike | VoxelGrid | None) -> tuple[SurfaceSource | None, LabelMap | None]:
+    """What is known of the label map of a surface, by itself or by a parameter, and the map if it is given."""
+    known = surface.source
+    if label_map is None:
+        return known, None
+    labels = None if isinstance(label_map, VoxelGrid) else label_map_from(label_map, known and known.grid)
+    grid = label_map if labels is None else labels.grid
+    if known is not None and not known.grid.is_same_as(grid):
+        raise ValueError(f"label_map has another voxel grid than the surface: {grid!r}, {known.grid!r}")
+    return known or SurfaceSource(grid, np.empty(0, np.int64)), labels
+
+
+class Comparison:
+    """A surface and the labels that it has on the grid of a label map."""
+
+    def __init__(self, surface: Surface, label_map: LabelMapLike, boundary_labels: ArrayLike | None = None,
+                 label: int | None = None, background: int | None = None) -> None:
+        known = surface.source
+        self.surface, self.map = surface, label_map_from(label_map, known and known.grid)
+        self.values = np.unique(self.map.labels).astype(np.int64)  # of the map
+        nothing = 0 if background is None else label_value("background", background)
+        source = SurfaceSource(self.map.grid, np.empty(0, np.int64))
+        if boundary_labels is not None:
+            pairs = pairs_from(boundary_labels, len(surface.triangles))
+            source = with_boundary_labels(source, pairs, len(pairs), values_in(pairs, nothing))
+        elif known is not None and known.boundary_labels is not None:
+            if background not in (None, known.label_values[-1]):
+                raise ValueError(f"the surface has the background {known.label_values[-1]}, not {background}")
+            source = source._replace(label_values=known.label_values, boundary_labels=known.boundary_labels)
+        else:
+            source = source._replace(label_values=np.array([self._enclosed(label, nothing), nothing]))
+            label = None
         if label is not None:
             raise ValueError("label is for a surface without boundary labels")
-        return labels.labels, source
-    if label is None:
-        return (labels.labels != nothing).astype(np.uint8), source._replace(label_values=np.array([1, 0]))
-    if label_value("label", label) == nothing:
-        raise ValueError(f"label and background are both {nothing}")
-    return labels.labels, source._replace(label_values=np.array([label, nothing]))
+        self.source = source
+
+    def changes(self, threads: int, heard: Progress | None = None) -> VoxelChanges:
+        _raise_unusable(self.surface, self.source)
+        outcome = _core.check_voxels(self.map.labels, self.source.to_core(), *self.surface[:2], threads, heard)
+        if outcome["aborted"]:
+            raise Aborted("the check was stopped")
+        return VoxelChanges(outcome, self.source.label_values, np.setdiff1d(self.values, self.source.label_values))
+
+    def differences(self, threads: int) -> list[str]:
+        """In a sentence; empty if there are none."""
+        changes = self.changes(threads)
+        if not changes.changed:
+            return []
+        return [f"label_map and the surface differ in {changes.changed} of {changes.compared} voxels, the first is "
+                f"{changes.first_changed} (x, y, z); the labels of the surface count"]
+
+    def _enclosed(self, label: int | None, background: int) -> int:
+        """The label inside of a surface without boundary labels."""
+        others = self.values[self.values != background].tolist()
+        if label is not None:
+            if label_value("label", label) == background:
+                raise ValueError(f"label and background are both {background}")
+            return label
+        if len(others) > 1:
+            first = ", ".join(map(str, others[:10])) + (", ..." if len(others) > 10 else "")
+            raise ValueError(f"label_map has the labels {first}, and the surface does not say which of them it encloses: give "
+                             "boundary_labels, or a LabelMap of one label (labels == 3)")
+        return others[0] if others else background + 1
 
 
 def _raise_unusable(found: Surface, source: SurfaceSource) -> None:
