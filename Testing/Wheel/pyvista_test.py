@@ -232,8 +232,9 @@ class LabelMaps(unittest.TestCase):
         small = mesh.bone.decimate(target_reduction=0.9)
         self.assertEqual((small.bone.report["voxels.guard"], small.bone.report["voxels.changed"]), ("on", 0))
         numbers = bonedecimate.decimate(bonedecimate.extract_surfaces(image), target_reduction=0.9)
-        np.testing.assert_array_equal(small.points, numbers.points)
-        np.testing.assert_array_equal(small.cell_data["BoundaryLabels"], numbers.boundary_labels)
+        for other in (numbers, bonedecimate.decimate(mesh, target_reduction=0.9)):
+            np.testing.assert_array_equal(small.points, other.points)
+            np.testing.assert_array_equal(small.cell_data["BoundaryLabels"], other.boundary_labels)
         self.assertNotIn("GridPoint", small.point_data)
         smoothed = mesh.bone.smooth()
         self.assertEqual((smoothed.bone.report["smoothing.in_voxels"], smoothed.bone.report["voxels.changed"]), (1, 0))
