@@ -265,6 +265,20 @@ class LabelMaps(unittest.TestCase):
         small = mesh.bone.decimate(boundary_labels=pairs, label_map=bonedecimate.extract_surfaces(image).grid)
         self.assertEqual(set(map(tuple, small.cell_data["BoundaryLabels"].tolist())), {(4, 0)})
 
+    def test_without_a_grid_give_it_by_the_image(self):
+        mesh = self.image().bone.surfaces()
+        small = mesh.bone.decimate(target_reduction=0.9)
+        for name in list(mesh.field_data):
+            mesh.field_data.remove(name)
+        mesh.point_data.remove("GridPoint")
+        self.assertEqual(mesh.bone.check_voxels(self.image()).of_label, small.bone.check_voxels(self.image()).of_label)
+        again = mesh.bone.decimate(label_map=self.image(), target_reduction=0.9)
+        np.testing.assert_array_equal(again.points, small.points)
+        numbers = bonedecimate.decimate(mesh, label_map=self.image(), target_reduction=0.9)
+        np.testing.assert_array_equal(numbers.boundary_labels, small.cell_data["BoundaryLabels"])
+        self.assertNotIn("voxels.changed", mesh.bone.decimate().bone.report)
+        self.assertIsNone(bonedecimate.decimate(mesh).grid)
+
     def test_with_wrong_arrays_are_value_errors(self):
         for data, name, values, words in (
                 ("field_data", "VoxelGridSpacing", [[1.0, 0, 1]], "not positive"),

@@ -25,7 +25,7 @@ def surface_with_source(data: vtkPolyData) -> Surface:
 
 
 def _source_of(data: vtkPolyData, surface: Surface) -> SurfaceSource | None:
-    """None without a grid. Raises ValueError if an array does not have the shape or the values it needs."""
+    """None without a grid and boundary labels. Raises ValueError if an array does not have the shape or the values it needs."""
     centers = _find(data.GetPointData(), GRID_POINT, 3, data.GetNumberOfPoints())  # in this order, as the last problem counts in C++
     pairs = _find(data.GetCellData(), BOUNDARY_LABELS, 2, data.GetNumberOfCells())
     values = _find(data.GetFieldData(), LABEL_VALUES, 1, None)
@@ -36,7 +36,7 @@ def _source_of(data: vtkPolyData, surface: Surface) -> SurfaceSource | None:
         values = values if len(values) else values_in(pairs, 0)
         indices = indices_of(pairs[surface.cell_of_triangle], values, (BOUNDARY_LABELS, LABEL_VALUES), "the array ")
     grid = _grid_of(data.GetFieldData())
-    if grid is None:
+    if grid is None and indices is None:
         return None
     return SurfaceSource(grid, values, indices, None if centers is None else np.ascontiguousarray(centers, dtype=np.int32))
 

@@ -113,7 +113,7 @@ def record_levels(points: ArrayLike | SurfaceLike, triangles: ArrayLike | None =
 
 
 def _reject_label_map(surface: Surface, values: _core.Options) -> None:
-    if surface.source is not None and values.text("KeepVoxels") != "Off":
+    if surface.source is not None and surface.source.grid is not None and values.text("KeepVoxels") != "Off":
         raise ValueError("levels do not keep voxels; keep_voxels=\"Off\" records this surface without its label map")
 
 

@@ -321,7 +321,7 @@ def _with_label_map(mesh: pv.PolyData, label_map: LabelMapLike | VoxelGrid | Non
         mesh.cell_data[BOUNDARY_LABELS] = pairs_from(boundary_labels, mesh.n_cells)
         mesh.field_data.pop(LABEL_VALUES, None)
     source, labels = source_with(surface_from(mesh, "mesh", with_source=True), label_map)
-    if source is None:
+    if source is None or source.grid is None:
         raise ValueError(NO_GRID)
     add_grid(source.grid, mesh)
     return mesh, None if labels is None else Comparison(surface_from(mesh, "mesh", with_source=True), labels)

@@ -44,6 +44,8 @@ def run(data: vtkPolyData, options: _core.Options, progress: Progress | None, re
     array = data.GetPointData().GetArray(name) if name else arrays.tolerances
     tolerances = _values_of(array, name) if is_filled and (name or array is not None) else None
     surface = surface_with_source(data)
+    if surface.source is not None and surface.source.grid is None:
+        surface.source = None
     name = options.get("LabelArrayName")
     labels = None
     if is_filled and name:

@@ -107,6 +107,8 @@ def with_label_map(surface: Surface, boundary_labels: ArrayLike | None,
                    label_map: LabelMapLike | VoxelGrid | None) -> tuple[Surface, Comparison | None]:
     """The surface with what it and the parameters know of the label map, and its comparison with the map if that is given."""
     source, labels = source_with(surface, label_map)
+    if source is not None and source.grid is None:
+        source = None
     if boundary_labels is not None:
         if source is None:
             raise ValueError(NO_GRID)
@@ -122,9 +124,11 @@ def source_with(surface: Surface, label_map: LabelMapLike | VoxelGrid | None) ->
         return known, None
     labels = None if isinstance(label_map, VoxelGrid) else label_map_from(label_map, known and known.grid)
     grid = label_map if labels is None else labels.grid
-    if known is not None and not known.grid.is_same_as(grid):
+    if known is None:
+        return SurfaceSource(grid, np.empty(0, np.int64)), labels
+    if known.grid is not None and not known.grid.is_same_as(grid):
         raise ValueError(f"label_map has another voxel grid than the surface: {grid!r}, {known.grid!r}")
-    return known or SurfaceSource(grid, np.empty(0, np.int64)), labels
+    return known._replace(grid=known.grid or grid), labels
 
 
 class Comparison:

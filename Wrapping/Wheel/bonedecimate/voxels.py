@@ -152,7 +152,7 @@ def label_map_from(label_map: LabelMapLike, grid: VoxelGrid | None) -> LabelMap:
 class SurfaceSource(NamedTuple):
     """What is known of the label map of a surface, as the core takes it."""
 
-    grid: VoxelGrid
+    grid: VoxelGrid | None  # None: only the boundary labels are known
     label_values: NDArray[np.int64]  # ascending, and at the end the background; empty: one label
     boundary_labels: NDArray[np.int64] | None = None  # of each triangle, indices into the values
     grid_points: NDArray[np.int32] | None = None  # of each point
