@@ -190,9 +190,10 @@ class Values(unittest.TestCase):
 
 class Names(unittest.TestCase):
     def test_in_signatures_are_those_of_the_table(self):
-        own = {"decimate": ["points", "triangles", "tolerances", "labels", "reference", "progress"],
+        own = {"decimate": ["points", "triangles", "tolerances", "labels", "label_map", "boundary_labels", "reference", "progress"],
                "record_levels": ["points", "triangles", "progress"],
-               "mesh.bone.decimate": ["self", "tolerances", "labels", "reference", "with_input", "progress_bar"],
+               "mesh.bone.decimate": ["self", "tolerances", "labels", "label_map", "boundary_labels", "reference", "with_input",
+                                      "progress_bar"],
                "mesh.bone.levels": ["self", "progress_bar"]}
         for adapter in adapters():
             if adapter.function is None:
@@ -224,6 +225,12 @@ class Names(unittest.TestCase):
 
     def test_are_found_by_completion_of_the_package(self):
         self.assertLessEqual(set(bonedecimate.__all__), set(dir(bonedecimate)))
+
+    def test_of_the_package_that_is_built_with_vtk_say_so(self):
+        with self.assertRaisesRegex(ImportError, "vtkBoneVoxelCheck is in the package .* built with VTK.*check_voxels does the same"):
+            from bonedecimate import vtkBoneVoxelCheck  # noqa: F401
+        with self.assertRaises(AttributeError):
+            _ = bonedecimate.vtkBoneNonsense
 
     def test_that_are_misspelled_name_the_one_that_was_meant(self):
         meant = {"max_eror": "max_error", "maximum_error": "max_error", "maxError": "max_error", "target_face": "target_triangles",

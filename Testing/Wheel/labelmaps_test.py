@@ -86,7 +86,7 @@ class Surfaces(unittest.TestCase):
         expected = extract_surfaces(halves(), spacing=SPACING, origin=ORIGIN, direction=turn)
         np.testing.assert_allclose(found.points, expected.points, atol=1e-12)
         self.assertGreater(volume(*found.label(2)), 0)
-        np.testing.assert_array_equal(found.direction, turn)
+        np.testing.assert_array_equal(found.grid.direction, turn)
 
     def test_are_those_of_chosen_labels(self):
         found = extract_surfaces(halves(), labels=[7])

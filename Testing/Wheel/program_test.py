@@ -58,6 +58,17 @@ class Program(unittest.TestCase):
                 self.assertLess(certificate.upper, 0.2 + 1e-5)  # single precision in the file
                 self.assertLess(len(triangles), len(TRIANGLES) / 3)
 
+    @unittest.skipUnless(REAL_HAS("vtkmodules"), "no VTK here")
+    def test_keeps_the_voxels_of_a_file_that_has_their_grid(self):
+        from specimens import boxes
+        files.write_vtk(boxes(), self.folder / "boxes.vtp")
+        for choice, words in (("on", r"voxels: 0 of \d+ changed"), ("off", r"voxels: \d+ of \d+ changed")):
+            out, _ = self.run_program(self.folder / "boxes.vtp", self.folder / "small.vtp", "--keep-voxels", choice)
+            self.assertRegex(out, words)
+        self.assertTrue(files.read_vtk(self.folder / "small.vtp").GetCellData().HasArray("BoundaryLabels"))
+        _, err = self.run_program(self.folder / "bone.stl", self.folder / "small.stl", "--keep-voxels", "on", code=2)
+        self.assertIn("no voxel grid", err)
+
     def test_warns_of_what_was_dealt_with(self):
         """A third triangle at an edge: its points stay."""
         triangles = np.vstack([TRIANGLES, [[*TRIANGLES[0][:2], len(POINTS)]]])

@@ -227,9 +227,80 @@ class LabelMaps(unittest.TestCase):
                 small.points, small.regular_faces, small.cell_data["BoundaryLabels"], label)
             self.assertTrue(pv.PolyData.from_regular_faces(points, triangles).is_manifold)
 
+    def test_are_kept_voxel_by_voxel(self):
+        image, mesh = self.image(), self.image().bone.surfaces()
+        small = mesh.bone.decimate(target_reduction=0.9)
+        self.assertEqual((small.bone.report["voxels.guard"], small.bone.report["voxels.changed"]), ("on", 0))
+        numbers = bonedecimate.decimate(bonedecimate.extract_surfaces(image), target_reduction=0.9)
+        for other in (numbers, bonedecimate.decimate(mesh, target_reduction=0.9)):
+            np.testing.assert_array_equal(small.points, other.points)
+            np.testing.assert_array_equal(small.cell_data["BoundaryLabels"], other.boundary_labels)
+        self.assertNotIn("GridPoint", small.point_data)
+        smoothed = mesh.bone.smooth()
+        self.assertEqual((smoothed.bone.report["smoothing.in_voxels"], smoothed.bone.report["voxels.changed"]), (1, 0))
+        again = smoothed.bone.decimate(keep_voxels="On")
+        self.assertEqual([each.bone.check_voxels(image).changed for each in (mesh, small, smoothed, again)], [0, 0, 0, 0])
+        coarse = mesh.bone.decimate(target_reduction=0.9, keep_voxels="Off")
+        changes = coarse.bone.check_voxels(image)
+        self.assertGreater(changes.changed, 0)
+        self.assertEqual(changes.changed, coarse.bone.report["voxels.changed"])
+        self.assertEqual(mesh.bone.certify(coarse, label_map=image).voxels.of_label, changes.of_label)
+        with self.assertRaisesRegex(ValueError, "levels do not keep voxels"):
+            mesh.bone.levels()
+
+    def test_are_kept_by_meshes_of_other_filters(self):
+        image = pv.ImageData(dimensions=(12, 12, 12), spacing=(0.5, 0.5, 1.0), origin=(10, 20, 30))
+        image.point_data["bone"] = (self.image().point_data["segments"] > 0).astype(np.uint8)
+        image.set_active_scalars("bone")
+        mesh = image.contour([0.5], scalars="bone")
+        self.assertEqual(mesh.bone.check_voxels(image).changed, 0)
+        small = mesh.bone.decimate(label_map=image, target_reduction=0.9)
+        self.assertEqual((small.bone.report["voxels.guard"], small.bone.check_voxels(image).changed), ("on", 0))
+        self.assertNotIn("VoxelGridOrigin", mesh.field_data)
+        with self.assertWarnsRegex(UserWarning, "differ in"):
+            mesh.translate((1, 0, 0)).bone.decimate(label_map=image)
+        with self.assertRaisesRegex(ValueError, "need a voxel grid"):
+            mesh.bone.decimate(boundary_labels=np.tile([1, 0], (mesh.n_cells, 1)))
+        pairs = np.tile([4, 0], (mesh.n_cells, 1))
+        small = mesh.bone.decimate(boundary_labels=pairs, label_map=bonedecimate.extract_surfaces(image).grid)
+        self.assertEqual(set(map(tuple, small.cell_data["BoundaryLabels"].tolist())), {(4, 0)})
+
+    def test_without_a_grid_give_it_by_the_image(self):
+        mesh = self.image().bone.surfaces()
+        small = mesh.bone.decimate(target_reduction=0.9)
+        for name in list(mesh.field_data):
+            mesh.field_data.remove(name)
+        mesh.point_data.remove("GridPoint")
+        self.assertEqual(mesh.bone.check_voxels(self.image()).of_label, small.bone.check_voxels(self.image()).of_label)
+        again = mesh.bone.decimate(label_map=self.image(), target_reduction=0.9)
+        np.testing.assert_array_equal(again.points, small.points)
+        numbers = bonedecimate.decimate(mesh, label_map=self.image(), target_reduction=0.9)
+        np.testing.assert_array_equal(numbers.boundary_labels, small.cell_data["BoundaryLabels"])
+        self.assertNotIn("voxels.changed", mesh.bone.decimate().bone.report)
+        self.assertIsNone(bonedecimate.decimate(mesh).grid)
+
+    def test_with_wrong_arrays_are_value_errors(self):
+        for data, name, values, words in (
+                ("field_data", "VoxelGridSpacing", [[1.0, 0, 1]], "not positive"),
+                ("field_data", "VoxelGridOrigin", [[1.0, np.nan, 1]], "not finite"),
+                ("field_data", "VoxelGridDirection", [[1.0] * 9], "perpendicular"),
+                ("field_data", "VoxelGridDimensions", [[1, 2]], "number of components"),
+                ("field_data", "LabelValues", [7, 2, 0], "ascending order"),
+                ("field_data", "LabelValues", [2, 0], "not one of LabelValues")):
+            mesh = self.image().bone.surfaces()
+            getattr(mesh, data)[name] = values
+            for run in (mesh.bone.decimate, mesh.bone.smooth, lambda: mesh.bone.check_voxels(self.image())):
+                with self.subTest(name), self.assertRaisesRegex(ValueError, words):
+                    run()
+        mesh = self.image().bone.surfaces()
+        mesh.cell_data["BoundaryLabels"] = mesh.cell_data["BoundaryLabels"][:, 0].copy()
+        with self.assertRaisesRegex(ValueError, "BoundaryLabels does not have the number of components"):
+            mesh.bone.decimate()
+
     def test_need_an_array(self):
-        with self.assertRaisesRegex(ValueError, "has no labels"):
-            self.image().bone.surfaces("other")
+        for image, name in ((self.image(), "other"), (pv.ImageData(dimensions=(3, 3, 3)), None)):
+            with self.assertRaisesRegex(ValueError, "has no labels"):
+                image.bone.surfaces(name)
 
 
 class Package(unittest.TestCase):

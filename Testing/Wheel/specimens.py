@@ -3,6 +3,7 @@
 """Runs that both filters make, the C++ one and that of the wheel, and what there is to compare of their outputs."""
 
 import hashlib
+import itertools
 import math
 import re
 
@@ -134,6 +135,44 @@ def polygons():
     return with_arrays(surface)
 
 
+def boxes(has_lines=False):
+    """Labels 3 and 5 side by side, as the faces of their voxels with one wall, and the arrays of a label map."""
+    def label(x, y, z):
+        return 0 if not (0 <= x < 8 and 0 <= y < 4 and 0 <= z < 4) else 3 if x < 4 else 5
+
+    points, triangles, ids, pairs = vtkPoints(), vtkCellArray(), {}, []
+    for voxel, axis in itertools.product(itertools.product(range(-1, 9), range(-1, 5), range(-1, 5)), range(3)):
+        below, above = label(*voxel), label(*(voxel[k] + (k == axis) for k in range(3)))
+        if below == above:
+            continue
+        square = []
+        for u, v in ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)):
+            shift = {axis: 0.5, (axis + 1) % 3: u, (axis + 2) % 3: v}
+            corner = tuple(voxel[k] + shift[k] for k in range(3))
+            if corner not in ids:
+                ids[corner] = points.InsertNextPoint(corner)
+            square.append(ids[corner])
+        is_upward = above == 0 or 0 < below < above
+        a, b, c, d = square if is_upward else reversed(square)
+        for corners in ((a, b, c), (a, c, d)):
+            triangles.InsertNextCell(3, corners)
+            pairs += (below, above) if is_upward else (above, below)
+    surface = polydata(points, triangles)
+    return with_label_map(with_lines(surface), [0, 0] * 3 + pairs) if has_lines else with_label_map(surface, pairs)
+
+
+def with_label_map(surface, pairs, labels=(3, 5, 0)):
+    fields = surface.GetFieldData()
+    add(surface.GetCellData(), vtkIntArray, "BoundaryLabels", len(pairs) // 2, lambda i: pairs[i], 2)
+    add(surface.GetPointData(), vtkIntArray, "GridPoint", surface.GetNumberOfPoints(), lambda i: 1, 3)
+    add(fields, vtkIntArray, "LabelValues", len(labels), lambda i: labels[i])
+    add(fields, vtkDoubleArray, "VoxelGridOrigin", 1, lambda i: 0.0, 3)
+    add(fields, vtkDoubleArray, "VoxelGridSpacing", 1, lambda i: 1.0, 3)
+    add(fields, vtkDoubleArray, "VoxelGridDirection", 1, lambda i: float(i % 4 == 0), 9)
+    add(fields, vtkIntArray, "VoxelGridDimensions", 1, lambda i: 8, 3)
+    return surface
+
+
 def tolerant(surface, value, kind=vtkDoubleArray):
     add(surface.GetPointData(), kind, "Tolerance", surface.GetNumberOfPoints(), value)
     return surface
@@ -174,6 +213,12 @@ def cases():
         "Preset": (patch(False), {"ErrorPreset": 2, "VoxelSize": 0.5, "IntersectionGuard": False}),
         "Reference": (torus(bumps=0.3), {"MaximumError": 0.2, "ReferenceData": torus(bumps=0.31)}),
         "ReferenceTooFar": (torus(bumps=0.3), {"MaximumError": 0.001, "ReferenceData": torus()}),
+        "LabelMap": (boxes(has_lines=True), {"KeepVoxels": 1}),
+        "LabelMapOfOtherPoints": (with_lines(boxes()), {}),
+        "LabelMapWithoutArrays": (boxes(), {**half, "PassArrays": False, "Smoothing": 0.2}),
+        "LabelMapOff": (boxes(), {**half, "KeepVoxels": 0, "MakeMaps": True}),
+        "LabelMapOfAnotherLabel": (with_label_map(torus(), [3, 4] * 1600), {}),
+        "KeepVoxelsWithoutGrid": (torus(), {"KeepVoxels": 1}),
         "Empty": (vtkPolyData(), {}),
         "PointsAlone": (polydata(torus(6, 5).GetPoints(), vtkCellArray()), {}),
         "NotANumber": (spoilt(torus(), (math.nan, 0, 0)), {}),

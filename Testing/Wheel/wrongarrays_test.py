@@ -9,10 +9,11 @@ from importlib.util import find_spec
 import numpy as np
 
 from arrays_test import POINTS, TRIANGLES, ball
-from bonedecimate import certify, decimate, open_levels, record_levels
+from bonedecimate import LabelMap, VoxelGrid, certify, decimate, open_levels, record_levels
 
 HAS_PYVISTA = find_spec("pyvista") is not None
 SURFACE = POINTS, TRIANGLES
+GRID = VoxelGrid((60, 60, 60), origin=(-30, -30, -30))
 LABELS, TOLERANCES = np.zeros(len(TRIANGLES), int), np.full(len(POINTS), 0.2)
 NO_NUMBERS = {"complex": lambda array: array.astype(complex), "text": lambda array: array.astype(str),
               "bytes": lambda array: array.astype(bytes), "objects": lambda array: array.astype(object),
@@ -36,8 +37,13 @@ class Arrays(unittest.TestCase):
                 self.rejects(TypeError, words, decimate, *SURFACE, tolerances=wrong(TOLERANCES))
                 self.rejects(TypeError, words, certify, SURFACE, SURFACE, tolerances=wrong(TOLERANCES))
                 self.rejects(TypeError, words, decimate, *SURFACE, max_error=0.2, reference=(wrong(POINTS), TRIANGLES))
+                pairs = np.stack([LABELS + 1, LABELS], axis=1)
+                self.rejects(TypeError, words, decimate, *SURFACE, boundary_labels=wrong(pairs), label_map=GRID)
+                self.rejects(TypeError, words, VoxelGrid, wrong(np.full(3, 60)))
+                self.rejects(TypeError, words, VoxelGrid, (60, 60, 60), direction=wrong(np.eye(3)))
                 if name != "truths":
                     self.rejects(TypeError, words, decimate, *SURFACE, labels=wrong(LABELS))
+                    self.rejects(TypeError, words, LabelMap, wrong(np.zeros((3, 3, 3))))
 
     def test_of_a_wrong_shape_are_value_errors(self):
         for points in (POINTS[:, :2], POINTS.ravel(), POINTS[None], [[0, 0, 0], [1, 0]], np.array(1.0), []):

@@ -52,7 +52,7 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
   bool single, bool origins, const std::optional<NumbersIn>& tolerances,
   const std::optional<CellsIn>& cells,
   const std::optional<std::pair<PointsIn, TrianglesIn>>& reference, nb::object progress,
-  const std::optional<NamedLabels>& labels)
+  const std::optional<NamedLabels>& labels, const LabelMapSource* labelMap)
 {
   const std::optional<Labels> named = ToLabels(labels);
   const Surface surface = ToSurface(points, triangles);
@@ -62,6 +62,7 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
   inputs.Tolerances = numbers ? &*numbers : nullptr;
   inputs.Reference = reference ? &first : nullptr;
   inputs.Labels = named ? &*named : nullptr;
+  inputs.LabelMap = labelMap;
   Result result =
     Listener(std::move(progress))
       .Hear([&](const Monitor& monitor) { return Decimate(surface, options, monitor, inputs); });
@@ -92,6 +93,9 @@ nb::dict ToDict(Result&& result)
   fields["nearest_point"] = ToArray(std::move(origins.NearestPoint));
   fields["triangle_at_centroid"] = ToArray(std::move(origins.TriangleAtCentroid));
   fields["output_point"] = ToArray(std::move(origins.OutputPoint));
+  const std::size_t pairs = result.BoundaryLabels.size();
+  fields["boundary_labels"] =
+    ToArray<Index, BoundaryLabels>(std::move(result.BoundaryLabels), { pairs, 2 });
   return fields;
 }
 
@@ -101,6 +105,7 @@ void BindDecimate(nb::module_& module)
   module.def("decimate", &Run, nb::arg("points"), nb::arg("triangles"), nb::arg("options"),
     nb::arg("single"), nb::arg("origins"), nb::arg("tolerances").none(), nb::arg("cells").none(),
     nb::arg("reference").none(), nb::arg("progress").none(), nb::arg("labels").none() = nb::none(),
+    nb::arg("label_map").none() = nb::none(),
     "One run; the keys of what it returns are those of Decimate.h.");
 }
 }

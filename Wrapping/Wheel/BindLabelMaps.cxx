@@ -4,9 +4,11 @@
 #include "Bindings.h"
 #include "LabelMap/LabelSurfaces.h"
 #include "LabelMap/SingleLabel.h"
+#include "LabelMap/VoxelCheck.h"
 #include "Listener.h"
 
 #include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -20,6 +22,7 @@ namespace
 /// Indices z, y, x.
 using VolumeIn = nb::ndarray<nb::ro, nb::ndim<3>, nb::c_contig, nb::device::cpu>;
 using PairsIn = ArrayIn<std::int64_t, nb::shape<-1, 2>>;
+using GridPointsIn = ArrayIn<std::int32_t, nb::shape<-1, 3>>;
 
 /// Integers only; the package around this converts all others.
 LabelType TypeOf(const nb::dlpack::dtype& type)
@@ -38,22 +41,21 @@ LabelType TypeOf(const nb::dlpack::dtype& type)
   return static_cast<LabelType>(2 * size + (isUnsigned ? 1 : 0));
 }
 
-VoxelGrid GridOf(const VolumeIn& volume, const std::array<double, 3>& origin,
-  const std::array<double, 3>& spacing, const std::array<double, 9>& direction)
+VoxelGrid GridOf(const std::array<double, 3>& origin, const std::array<double, 3>& spacing,
+  const std::array<double, 9>& direction, const std::array<Index, 3>& dimensions)
 {
   VoxelGrid grid;
-  for (Index axis = 0; axis < 3; ++axis)
-  {
-    const auto k = static_cast<std::size_t>(axis);
-    grid.Dimensions[k] = static_cast<Index>(volume.shape(2 - k));
-    grid.Origin[axis] = origin[k];
-    grid.Spacing[axis] = spacing[k];
-    for (Index column = 0; column < 3; ++column)
-    {
-      grid.Direction(axis, column) = direction[3 * k + static_cast<std::size_t>(column)];
-    }
-  }
+  grid.Origin = Vector3(origin.data());
+  grid.Spacing = Vector3(spacing.data());
+  grid.Direction = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(direction.data());
+  grid.Dimensions = dimensions;
   return grid;
+}
+
+std::array<Index, 3> DimensionsOf(const VolumeIn& volume)
+{
+  return { static_cast<Index>(volume.shape(2)), static_cast<Index>(volume.shape(1)),
+    static_cast<Index>(volume.shape(0)) };
 }
 
 std::vector<std::array<std::int64_t, 2>> ValuesOf(const LabelMapSource& source)
@@ -97,7 +99,7 @@ nb::dict Extract(const VolumeIn& labels, const std::array<double, 3>& origin,
   nb::object progress)
 {
   const LabelImage image = { labels.data(), TypeOf(labels.dtype()),
-    GridOf(labels, origin, spacing, direction) };
+    GridOf(origin, spacing, direction, DimensionsOf(labels)) };
   const LabelSurfaceOptions options = { chosen, background, closed, threads };
   return ToDict(
     Listener(std::move(progress))
@@ -119,6 +121,56 @@ nb::tuple Single(const PointsIn& points, const TrianglesIn& triangles,
     ToRows<Index>(std::move(single.Surface.Triangles)), ToArray(std::move(single.OriginalPoint)),
     ToArray(std::move(single.OriginalTriangle)));
 }
+
+void MakeSource(LabelMapSource* source, const std::array<double, 3>& origin,
+  const std::array<double, 3>& spacing, const std::array<double, 9>& direction,
+  const std::array<Index, 3>& dimensions, std::vector<std::int64_t> values,
+  const std::optional<PairsIn>& boundaryLabels, const std::optional<GridPointsIn>& gridPoints)
+{
+  new (source) LabelMapSource{ GridOf(origin, spacing, direction, dimensions), std::move(values) };
+  for (std::size_t t = 0; boundaryLabels && t < boundaryLabels->shape(0); ++t)
+  {
+    const std::int64_t* pair = boundaryLabels->data() + 2 * t;
+    source->OfTriangle.push_back({ static_cast<Index>(pair[0]), static_cast<Index>(pair[1]) });
+  }
+  for (std::size_t p = 0; gridPoints && p < gridPoints->shape(0); ++p)
+  {
+    const std::int32_t* center = gridPoints->data() + 3 * p;
+    source->OfPoint.push_back({ center[0], center[1], center[2] });
+  }
+}
+
+nb::dict ToDict(const VoxelChanges& changes)
+{
+  std::vector<std::array<std::int64_t, 3>> ofLabel;
+  for (const LabelChanges& label : changes.OfLabel)
+  {
+    ofLabel.push_back({ label.Voxels, label.Lost, label.Gained });
+  }
+  nb::dict fields;
+  fields["aborted"] = !changes.IsDone;
+  fields["compared"] = changes.Compared;
+  fields["changed"] = changes.Changed;
+  fields["first_changed"] = changes.FirstChanged;
+  fields["of_label"] = ToRows<std::int64_t>(std::move(ofLabel));
+  return fields;
+}
+
+nb::dict Check(const VolumeIn& labels, const LabelMapSource& source, const PointsIn& points,
+  const TrianglesIn& triangles, int threads, nb::object progress)
+{
+  const LabelImage image = { labels.data(), TypeOf(labels.dtype()), source.Grid };
+  const Surface surface = ToSurface(points, triangles);
+  const VoxelCheckSettings settings = { source.Grid, static_cast<Index>(source.Values.size()),
+    threads };
+  return ToDict(Listener(std::move(progress))
+                  .Hear(
+                    [&](const Monitor& monitor)
+                    {
+                      return CompareVoxels(
+                        image, source.Values, { surface, source.OfTriangle }, settings, monitor);
+                    }));
+}
 }
 
 //------------------------------------------------------------------------------
@@ -131,5 +183,14 @@ void BindLabelMaps(nb::module_& module)
   module.def("extract_label", &Single, nb::arg("points"), nb::arg("triangles"),
     nb::arg("boundary_labels"), nb::arg("label"),
     "Points, triangles, original points and original triangles of one label.");
+  nb::class_<LabelMapSource>(module, "LabelMapSource",
+    "What is known of the label map of a surface; the boundary labels are indices into the values.")
+    .def("__init__", &MakeSource, nb::arg("origin"), nb::arg("spacing"), nb::arg("direction"),
+      nb::arg("dimensions"), nb::arg("values"), nb::arg("boundary_labels").none(),
+      nb::arg("grid_points").none());
+  module.def("check_voxels", &Check, nb::arg("labels"), nb::arg("source"), nb::arg("points"),
+    nb::arg("triangles"), nb::arg("threads"), nb::arg("progress").none(),
+    "Compares a label map with indices z, y, x, on the grid of the source, with a surface whose "
+    "points and indices are valid.");
 }
 }

@@ -9,10 +9,12 @@
 #include "Report/ReportTable.h"
 
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
 
 #include <stdexcept>
+#include <tuple>
 #include <type_traits>
 
 namespace bonedecimate
@@ -78,6 +80,17 @@ const char* KindWord(const OptionInfo& info)
 {
   static const char* const words[] = { "bool", "int", "float", "str" };
   return words[GetOption(Options(), info).index()];
+}
+
+/// As ToList() gives them to Python.
+std::string JsonOf(const std::vector<std::tuple<std::string, std::string, ReportValue>>& entries)
+{
+  std::vector<ReportEntry> list;
+  for (const auto& [name, unit, value] : entries)
+  {
+    list.push_back({ name, unit, value });
+  }
+  return ReportJson(list);
 }
 
 void BindEnums(nb::module_& module)
@@ -181,6 +194,8 @@ void BindOptions(nb::module_& module)
   module.def(
     "empty_json", [] { return ReportJson(ReportEntries(Report())); },
     "The report before the first run.");
+  module.def("report_json", &JsonOf, nb::arg("entries"),
+    "The JSON text of a list of entries (name, unit, value).");
   module.def(
     "key_figures", [] { return KeyFigures(); },
     "Names of the entries that the field data has as arrays of their own.");

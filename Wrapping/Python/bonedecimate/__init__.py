@@ -72,6 +72,8 @@ def __getattr__(name):
     if name == "vtkBoneCheck":
         warn(name, "vtkBoneDiagnostics")
         return vtkBoneDiagnostics
-    if name in ("decimate", "smooth", "certify", "record_levels", "open_levels"):
-        raise AttributeError(f"bonedecimate.{name} is in the wheel, not in the package that is built with VTK")
+    if name in ("decimate", "smooth", "certify", "check_voxels", "extract_label", "extract_surfaces", "open_levels", "record_levels",
+                "LabelMap"):  # an AttributeError would lose its text in "from bonedecimate import ..."
+        raise ImportError(f"bonedecimate.{name} is in the wheel, and this is the package that is built with VTK, in {__path__[0]}: "
+                          "install one of them in an environment")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -16,12 +16,21 @@ from ._core import StopReason, __version__
 from .arrays import Aborted, Certificate, Result, certify, decimate, smooth
 from .label_maps import LabelSurfaces, extract_label, extract_surfaces
 from .levels import Levels, open_levels, record_levels
+from .voxel_check import LabelChanges, VoxelChanges, check_voxels
+from .voxels import LabelMap, VoxelGrid
 
 if TYPE_CHECKING:
     from .vtk_filter import vtkBoneDecimate
 
-__all__ = ["Aborted", "Certificate", "LabelSurfaces", "Levels", "Result", "StopReason", "__version__", "certify", "decimate",
-           "extract_label", "extract_surfaces", "open_levels", "record_levels", "smooth", "vtkBoneDecimate"]
+__all__ = ["Aborted", "Certificate", "LabelChanges", "LabelMap", "LabelSurfaces", "Levels", "Result", "StopReason", "VoxelChanges",
+           "VoxelGrid", "__version__", "certify", "check_voxels", "decimate", "extract_label", "extract_surfaces", "open_levels",
+           "record_levels", "smooth", "vtkBoneDecimate"]
+
+# Classes of the package that is built with VTK, and what does the same here.
+_BUILT_WITH_VTK = {
+    "vtkBoneDecimateLevels": "record_levels", "vtkBoneDiagnostics": "decimate(diagnose=True)", "vtkBoneErrorSearch": None,
+    "vtkBoneSmooth": "smooth", "vtkBoneSurfaceDistance": "certify", "vtkBoneSurfaces": "extract_surfaces",
+    "vtkBoneTolerance": None, "vtkBoneVoxelCheck": "check_voxels"}
 
 
 def __getattr__(name: str):
@@ -29,9 +38,11 @@ def __getattr__(name: str):
     if name == "vtkBoneDecimate":
         from .vtk_filter import vtkBoneDecimate
         return vtkBoneDecimate
-    if name in ("vtkBoneDecimateLevels", "vtkBoneDiagnostics", "vtkBoneErrorSearch", "vtkBoneSmooth", "vtkBoneSurfaceDistance",
-                "vtkBoneSurfaces", "vtkBoneTolerance", "vtkBoneVoxelCheck"):
-        raise AttributeError(f"{name} is in the package bonedecimate that is built with VTK, not in the wheel")
+    if name in _BUILT_WITH_VTK:  # an AttributeError would lose its text in "from bonedecimate import ..."
+        same = _BUILT_WITH_VTK[name]
+        hint = f"; bonedecimate.{same} does the same here" if same else ""
+        raise ImportError(f"{name} is in the package bonedecimate that is built with VTK, and this is the wheel, in "
+                          f"{__path__[0]}: install one of them in an environment{hint}")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 

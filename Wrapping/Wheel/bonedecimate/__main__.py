@@ -128,6 +128,8 @@ def _work(arguments: argparse.Namespace) -> int:
         print(f"{report['input.triangles']} -> {report['output.triangles']} triangles: {report['stop_sentence']}")
         if "proof.upper" in report:
             print(f"proved: no point is farther than {report['proof.upper']:.6g} mm from the other surface")
+        if "voxels.changed" in report:
+            print(f"voxels: {report['voxels.changed']} of {report['voxels.compared']} changed their label")
     return DONE
 
 

@@ -13,18 +13,19 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from .options import WITHOUT_ARRAYS, WITHOUT_GOALS, deprecated, number, read, switch, takes_options, thread_count
-from .progress import Progress, listener
-from .surfaces import labels_from, points_from, surface_from, tolerances_from, triangles_from, warn
+from .label_maps import extract_label
+from .progress import Aborted, Progress, listener
+from .report import Report
+from .surfaces import Surface, input_from, labels_from, surface_from, tolerances_from, warn
+from .voxel_check import Comparison, VoxelChanges, with_label_map
+from .voxels import SurfaceSource, VoxelGrid
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._keywords import ArrayOptions, SmoothOptions
     from .surfaces import SurfaceLike
-
-
-class Aborted(RuntimeError):
-    """The progress function returned False, and there is no result without the whole run."""
+    from .voxels import LabelMapLike
 
 
 class Result:
@@ -47,6 +48,9 @@ class Result:
     triangle_at_centroid: NDArray[np.int32]  #: (m,), input triangle nearest to each centroid; empty without `maps`
     output_point: NDArray[np.int32]  #: of each input point: the point it became part of, or -1; empty without `maps`
     labels: NDArray  #: (m,), of each triangle, of the type of those given; empty without `labels`
+    boundary_labels: NDArray[np.int64]  #: (m, 2), as of `LabelSurfaces`; empty if the input had none
+    label_values: NDArray[np.int64]  #: those of boundary labels, ascending, and at the end the background; empty without
+    grid: VoxelGrid | None  #: of the label map; None if it is not known
     stop_reason: _core.StopReason  #: why the run ended
     warnings: list[str]  #: defects of the input that were repaired, a sentence each
     report: dict[str, int | float | str]  #: the report by name, "distance.output_to_input.max"
@@ -54,7 +58,7 @@ class Result:
     report_as_json: str  #: the report as one text, as `Documentation/report.schema.json` describes it
     rejected_edits: int  #: how many edits were rejected, for all reasons together
 
-    def __init__(self, outcome: dict, single: bool) -> None:
+    def __init__(self, outcome: dict, single: bool, source: SurfaceSource | None = None) -> None:
         for name in ("distance", "running_error", "point_count", "error_bound", "input_distance", "input_error_bound",
                      "nearest_point", "nearest_triangle", "barycentric", "triangle_at_centroid", "output_point",
                      "triangles", "warnings", "rejected_edits"):
@@ -64,6 +68,13 @@ class Result:
         self.stop_reason = outcome["stop"]
         self.report, self.units = _named(outcome["entries"])
         self.report_as_json = outcome["json"]
+        self.grid = source and source.grid
+        self.label_values = source.label_values if source else np.empty(0, np.int64)
+        self.boundary_labels = source.values_of(outcome["boundary_labels"]) if source else np.empty((0, 2), np.int64)
+
+    def label(self, value: int) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
+        """Points and triangles of the closed surface of one label, as `extract_label` gives them. Needs boundary labels."""
+        return extract_label(self.points, self.triangles, self.boundary_labels, value)
 
     @property
     def proved_error(self) -> float:
@@ -105,10 +116,13 @@ class Certificate:
     report: dict[str, int | float | str]  #: by name, "reference_to_result.upper"
     units: dict[str, str]
     report_as_json: str  #: the same as one text, as `Documentation/certificate.schema.json` describes it
+    voxels: VoxelChanges | None  #: voxels of the label map to which the other surface gives another label; None without `label_map`
 
-    def __init__(self, outcome: dict) -> None:
-        self.report, self.units = _named(outcome["entries"])
-        self.report_as_json = outcome["json"]
+    def __init__(self, outcome: dict, voxels: VoxelChanges | None = None) -> None:
+        self.voxels = voxels
+        entries = outcome["entries"] + (voxels.entries() if voxels else [])
+        self.report, self.units = _named(entries)
+        self.report_as_json = _core.report_json(entries)
         self.status, self.lower, self.upper = (self.report[name] for name in ("status", "lower", "upper"))
         for which in ("reference", "result"):
             side = outcome[which + "_side"]
@@ -128,11 +142,13 @@ class Certificate:
 
 @takes_options(WITHOUT_ARRAYS)
 def decimate(
-    points: ArrayLike,
-    triangles: ArrayLike,
+    points: ArrayLike | SurfaceLike,
+    triangles: ArrayLike | None = None,
     *,
     tolerances: ArrayLike | None = None,
     labels: ArrayLike | None = None,
+    label_map: LabelMapLike | VoxelGrid | None = None,
+    boundary_labels: ArrayLike | None = None,
     reference: SurfaceLike | None = None,
     progress: bool | Progress | None = None,
     **options: Unpack[ArrayOptions],
@@ -143,14 +159,20 @@ def decimate(
 
     Parameters
     ----------
-    points : (n, 3) array of float, mm
-        float32 points give float32 points (`precision`); everything is computed in float64.
+    points : (n, 3) array of float, mm; or a surface
+        float32 points give float32 points (`precision`); everything is computed in float64. A surface, instead of points and
+        triangles, is what `extract_surfaces`, `decimate` or `smooth` returned, a mesh, or a pair (points, triangles).
     triangles : (m, 3) array of int
         Counter-clockwise seen from outside the bone.
     tolerances : (n,) array of float, mm, optional
         How far the surface may move at each point: 0 keeps it unchanged, negative is no limit of its own.
     labels : (m,) array of whole numbers, optional
         Bone, fragment or segment of each triangle, kept by the result's: lines between them are simplified along themselves.
+    label_map : `LabelMap`, vtkImageData, `VoxelGrid`, or (nz, ny, nx) array of whole numbers, optional
+        The segmentation of the surface, or its grid, which surfaces of `extract_surfaces` know: for `keep_voxels`, and to count
+        changed voxels in the report. A warning says in how many voxels a map differs from the surface.
+    boundary_labels : (m, 2) array of whole numbers, optional
+        The labels on both sides of each triangle, the normal points to the second; 0 is the background. Needs a grid.
     reference : mesh, (points, triangles), or what `decimate` returned, optional
         The surface that this one was made from; ``max_error``, which must be given, is proved against it.
     progress : bool or function, optional
@@ -172,18 +194,29 @@ def decimate(
 
     The bytes of the result are those of the C++ filter, for any number of threads. Other Python threads run meanwhile.
     """
-    corners = triangles_from(triangles)
-    positions, isSingle = points_from(points)
     values = read(options, decimate)
-    given, named = labels_from(labels, len(corners))
+    return _run(input_from(points, triangles), values, tolerances, labels, label_map, boundary_labels, reference, progress)
+
+
+def _run(surface: Surface, values: _core.Options, tolerances: ArrayLike | None, labels: ArrayLike | None,
+         label_map: LabelMapLike | VoxelGrid | None, boundary_labels: ArrayLike | None, reference: SurfaceLike | None,
+         progress: bool | Progress | None) -> Result:
+    """The warnings name the caller of the caller."""
+    surface, voxels = with_label_map(surface, boundary_labels, label_map)
+    source = surface.source
+    given, named = labels_from(labels, len(surface.triangles))
     first = None if reference is None else surface_from(reference, "reference")
     withOrigins = bool(values.get("MakeMaps")) or named is not None
-    limits = tolerances_from(tolerances, len(positions))
+    limits = tolerances_from(tolerances, len(surface.points))
     with listener(progress) as heard:
-        outcome = _core.decimate(positions, corners, values, isSingle, withOrigins, limits, None, first and first[:2], heard, named)
-    outcome["warnings"] = (first.warnings if first else []) + outcome["warnings"]
-    check(outcome, 2)
-    result = Result(outcome, gives_single(values, isSingle))
+        outcome = _core.decimate(*surface[:2], values, surface.is_single, withOrigins, limits, None, first and first[:2], heard,
+                                 named, source and source.to_core())
+    outcome["warnings"] = surface.warnings + (first.warnings if first else []) + outcome["warnings"]
+    raise_problems(outcome)
+    if voxels is not None:
+        outcome["warnings"] += voxels.differences(values.get("NumberOfThreads"))
+    warn(outcome["warnings"], 3)
+    result = Result(outcome, gives_single(values, surface.is_single), source)
     if given is not None:
         result.labels = given[result.triangle_at_centroid]
     return result
@@ -191,12 +224,14 @@ def decimate(
 
 @takes_options(WITHOUT_GOALS)
 def smooth(
-    points: ArrayLike,
-    triangles: ArrayLike,
+    points: ArrayLike | SurfaceLike,
+    triangles: ArrayLike | None = None,
     distance: float | None = None,
     *,
     tolerances: ArrayLike | None = None,
     labels: ArrayLike | None = None,
+    label_map: LabelMapLike | VoxelGrid | None = None,
+    boundary_labels: ArrayLike | None = None,
     reference: SurfaceLike | None = None,
     progress: bool | Progress | None = None,
     **options: Unpack[SmoothOptions],
@@ -205,11 +240,12 @@ def smooth(
 
     Parameters
     ----------
-    points, triangles, tolerances, labels, reference, progress
+    points, triangles, tolerances, labels, label_map, boundary_labels, reference, progress
         As `decimate` takes them.
     distance : float, mm, optional
-        How far points may move. None: half of the smallest voxel spacing, which is found in the surface of a binary
-        segmentation, or a third of a smaller ``max_error``; any other surface is left as it is, with a warning.
+        How far points may move. None: half of the smallest voxel spacing, which surfaces of `extract_surfaces` know, and which is
+        found in the surface of a binary segmentation, or a third of a smaller ``max_error``; any other surface is left as it is,
+        with a warning.
     **options
 
     Raises
@@ -218,9 +254,8 @@ def smooth(
         As `decimate` does.
     """
     read(options, smooth)
-    bound = smoothing_of(distance)
-    return decimate(points, triangles, tolerances=tolerances, labels=labels, reference=reference, progress=progress,
-                    mode="Fast", target_reduction=0.0, **bound, **options)
+    values = read({"mode": "Fast", "target_reduction": 0.0, **smoothing_of(distance), **options}, decimate)
+    return _run(input_from(points, triangles), values, tolerances, labels, label_map, boundary_labels, reference, progress)
 
 
 def smoothing_of(distance: float | None) -> dict[str, float | bool]:
@@ -236,6 +271,7 @@ def certify(
     *,
     tolerance: float | None = None,
     tolerances: ArrayLike | None = None,
+    label_map: LabelMapLike | None = None,
     tight_bounds: bool = True,
     relative_gap: float = 1e-6,
     boundaries: bool = True,
@@ -249,16 +285,16 @@ def certify(
 
     Parameters
     ----------
-    reference, result : mesh, (points, triangles), or what `decimate` returned
+    reference, result : mesh, (points, triangles), or what `decimate` or `extract_surfaces` returned
         Meshes are vtkPolyData or pyvista.PolyData; arrays are of shapes (n, 3), mm, and (m, 3), as `decimate` takes them.
     tolerance : float, mm, optional
         How far any point of one may be from the other, 0 to 1e30; ``status`` says whether that is proved.
     tolerances : (n,) array of float, mm, optional
         The same for each point of the reference, linear on its triangles; negative: no limit of its own.
-    tight_bounds : bool
-        Narrow the bounds to the gap even where the tolerance is proved already.
-    relative_gap : float
-        Largest difference of the bounds as a ratio to the upper bound, 1e-12 to 1.
+    label_map : optional
+        As `check_voxels` takes it: the result is voxelized and compared with it, ``voxels`` and the report have the counts.
+    tight_bounds, relative_gap : bool, float
+        Narrow the bounds even where the tolerance is proved, to that largest difference as a ratio to the upper one, 1e-12 to 1.
     boundaries, means : bool
         Compare open boundaries curve to curve; estimate average and root mean square to the ratio `mean_precision`, 1e-4 to 1.
     threads, progress
@@ -278,17 +314,17 @@ def certify(
     if borders is not None:
         deprecated("borders", "boundaries")
         boundaries = borders
-    first, second = surface_from(reference, "reference"), surface_from(result, "result")
+    first, second = surface_from(reference, "reference"), surface_from(result, "result", label_map is not None)
     warn(first.warnings + second.warnings, 2)
-    options = _with_tolerances(tolerance, tolerances, len(first.points))
+    options = _with_tolerances(tolerance, tolerances, len(first.points), thread_count(threads))
     options.tight_bounds, options.with_boundaries = switch("tight_bounds", tight_bounds), switch("boundaries", boundaries)
     options.relative_gap = number("relative_gap", relative_gap, 1e-12, 1)
     options.with_means, options.mean_precision = switch("means", means), number("mean_precision", mean_precision, 1e-4, 1)
-    options.threads, options.with_point_distances = thread_count(threads), True
+    voxels = None if label_map is None else Comparison(second, label_map).changes(options.threads)
     with listener(progress) as heard:
         outcome = _core.certify(*first[:2], *second[:2], options, heard)
     _raise_comparison_problems(outcome)
-    return Certificate(outcome)
+    return Certificate(outcome, voxels)
 
 
 def _raise_comparison_problems(outcome: dict) -> None:
@@ -298,9 +334,11 @@ def _raise_comparison_problems(outcome: dict) -> None:
         raise ValueError(outcome["problem"])
 
 
-def _with_tolerances(tolerance: float | None, tolerances: ArrayLike | None, count: int) -> _core.CertificateOptions:
+def _with_tolerances(tolerance: float | None, tolerances: ArrayLike | None, count: int,
+                     threads: int) -> _core.CertificateOptions:
     """Options of a certificate with the tolerance of all points and those of each of the `count` points of the reference."""
     options = _core.CertificateOptions()
+    options.threads, options.with_point_distances = threads, True
     if tolerance is not None:
         options.tolerance = number("tolerance", tolerance, 0, 1e30, "mm")
     if tolerances is not None:
@@ -330,5 +368,5 @@ def raise_problems(outcome: dict) -> None:
         raise RuntimeError(outcome["contradiction"])
 
 
-def _named(entries: list[tuple[str, str, int | float | str]]) -> tuple[dict, dict]:
-    return {name: value for name, _, value in entries}, {name: unit for name, unit, _ in entries if unit}
+def _named(entries: list[tuple[str, str, int | float | str]]) -> tuple[Report, dict]:
+    return Report({name: value for name, _, value in entries}), {name: unit for name, unit, _ in entries if unit}

@@ -5,25 +5,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from operator import index
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from .arrays import Aborted
+from .checks import label_value
 from .options import switch, thread_count
-from .progress import Progress, listener
+from .progress import Aborted, Progress, listener
 from .surfaces import points_from, triangles_from
+from .voxels import IDENTITY, LabelMap, VoxelGrid, has_grid, is_default, label_map_from, pairs_from
 
-IDENTITY = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+if TYPE_CHECKING:
+    from .voxels import LabelMapLike
 
 
 class LabelSurfaces:
     """The surfaces of all labels of a label map as one set of n points and m triangles.
 
-    Unpacks into its points and triangles: ``points, triangles = extract_surfaces(...)``.
+    `decimate`, `smooth`, `certify` and `check_voxels` take it as a surface, with what it knows of the label map. Unpacks into its
+    points and triangles, which know nothing of it: ``points, triangles = extract_surfaces(...)``.
     """
 
     points: NDArray[np.float64]  #: (n, 3), mm
@@ -31,14 +33,12 @@ class LabelSurfaces:
     boundary_labels: NDArray[np.int64]  #: (m, 2), the labels on both sides: the smaller first, the background second
     grid_points: NDArray[np.int32]  #: (n, 3), x, y, z: twice the voxel coordinates of the middle of a grid edge, face or cell
     label_values: NDArray[np.int64]  #: the labels, ascending, and at the end the background
-    origin: NDArray[np.float64]  #: (3,), mm, x, y, z
-    spacing: NDArray[np.float64]  #: (3,), mm, x, y, z
-    direction: NDArray[np.float64]  #: (3, 3), the columns are the axes
+    grid: VoxelGrid  #: of the label map
 
-    def __init__(self, outcome: dict, origin: NDArray[np.float64], spacing: NDArray[np.float64]) -> None:
-        for name in ("points", "triangles", "boundary_labels", "grid_points", "label_values", "direction"):
+    def __init__(self, outcome: dict, grid: VoxelGrid) -> None:
+        for name in ("points", "triangles", "boundary_labels", "grid_points", "label_values"):
             setattr(self, name, outcome[name])
-        self.origin, self.spacing = origin, spacing
+        self.grid = grid
 
     @property
     def walls(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
@@ -58,7 +58,7 @@ class LabelSurfaces:
 
 
 def extract_surfaces(
-    label_map: ArrayLike,
+    label_map: LabelMapLike,
     *,
     axes: Literal["zyx", "xyz"] = "zyx",
     spacing: Sequence[float] = (1, 1, 1),
@@ -75,17 +75,10 @@ def extract_surfaces(
 
     Parameters
     ----------
-    label_map : (nz, ny, nx) array of whole numbers
-        Of any type; bool is one label, floating-point numbers must have no fraction.
-    axes : "zyx" or "xyz"
-        The order of the indices: ``label_map[z, y, x]`` as of ``SimpleITK.GetArrayFromImage``, or ``label_map[x, y, z]`` as of
-        nibabel's ``image.dataobj``. All parameters below and all results are in the order x, y, z in both cases.
-    spacing : three numbers, mm
-        Of the voxels along x, y, z: ``GetSpacing()`` of SimpleITK.
-    origin, direction : three numbers, mm; (3, 3) array, or nine numbers row by row
-        Center of the first voxel, and the axes as columns: ``GetOrigin()`` and ``GetDirection()``.
-    affine : (4, 4) array, optional
-        From voxels x, y, z to mm instead of these three: nibabel's ``image.affine``. Without shear.
+    label_map : `LabelMap`, vtkImageData, or (nz, ny, nx) array of whole numbers
+        An array is made a `LabelMap` with axes, spacing, origin, direction and affine.
+    axes, spacing, origin, direction, affine
+        As `LabelMap` takes them: the order of the indices, and where the voxels are, mm. Of an array only.
     labels : whole numbers, optional
         The labels to extract; all others count as background. Default: all.
     background : int
@@ -105,17 +98,21 @@ def extract_surfaces(
     Aborted
         The progress function returned False.
     """
-    volume = _volume_from(label_map, axes)
-    grid = _grid_from(spacing, origin, direction, affine)
-    chosen = _labels_from(labels)
+    if not has_grid(label_map):
+        label_map = LabelMap(label_map, axes=axes, spacing=spacing, origin=origin, direction=direction, affine=affine)
+    elif axes != "zyx" or affine is not None or not is_default(spacing, origin, direction):
+        raise ValueError("a LabelMap and an image have their own axes, spacing, origin and direction")
+    label_map = label_map_from(label_map, None)
+    chosen, grid = _labels_from(labels), label_map.grid
     with listener(progress) as heard:
-        outcome = _core.extract_surfaces(volume, *(each.tolist() for each in grid), chosen, _label("background", background),
-                                         switch("closed", closed), thread_count(threads), heard)
+        outcome = _core.extract_surfaces(
+            label_map.labels, grid.origin.tolist(), grid.spacing.tolist(), grid.direction.reshape(-1).tolist(), chosen,
+            label_value("background", background), switch("closed", closed), thread_count(threads), heard)
     if outcome["aborted"]:
         raise Aborted("the extraction was stopped")
     if outcome["problem"]:
         raise ValueError(outcome["problem"])
-    return LabelSurfaces(outcome, *grid[:2])
+    return LabelSurfaces(outcome, grid)
 
 
 def extract_label(
@@ -134,72 +131,15 @@ def extract_label(
     label : int
     """
     corners, (positions, _single) = triangles_from(triangles), points_from(points)
-    pairs = np.ascontiguousarray(boundary_labels, dtype=np.int64)
-    if pairs.shape != (len(corners), 2):
-        raise ValueError(f"boundary_labels have the shape ({len(corners)}, 2), not {pairs.shape}")
+    pairs = pairs_from(boundary_labels, len(corners))
     if len(corners) and not (0 <= corners.min() and corners.max() < len(positions)):
         raise ValueError("a triangle has an index of a point that is not there")
-    return _core.extract_label(positions, corners, pairs, _label("label", label))[:2]
-
-
-def _volume_from(label_map: ArrayLike, axes: str) -> NDArray[np.integer]:
-    """Integers with indices z, y, x, one after the other."""
-    volume = np.asarray(label_map)
-    if axes not in ("zyx", "xyz"):
-        raise ValueError(f"axes are 'zyx' or 'xyz', not {axes!r}")
-    if volume.ndim != 3:
-        raise ValueError(f"a label map has three dimensions, not {volume.ndim}")
-    if volume.dtype.kind not in "biuf":
-        raise TypeError(f"a label map has whole numbers, not {volume.dtype}")
-    if axes == "xyz":
-        volume = volume.transpose()
-    if volume.dtype.kind == "f":
-        whole = np.isfinite(volume) & (volume == np.floor(volume)) & (np.abs(volume) <= 2**53)
-        if not whole.all():
-            raise ValueError("a label map has whole numbers; some have a fraction, or are not finite")
-        volume = volume.astype(np.int64)
-    kind = np.uint8 if volume.dtype.kind == "b" else volume.dtype.newbyteorder("=")
-    return np.ascontiguousarray(volume, dtype=kind)
-
-
-def _grid_from(spacing, origin, direction, affine) -> list[NDArray[np.float64]]:
-    """Origin, spacing and direction."""
-    if affine is not None:
-        if tuple(spacing) != (1, 1, 1) or tuple(origin) != (0, 0, 0) or direction is not IDENTITY:
-            raise ValueError("affine replaces spacing, origin and direction: not both")
-        spacing, origin, direction = _decomposed(affine)
-    return [_numbers(name, values, count) for name, values, count in
-            (("origin", origin, 3), ("spacing", spacing, 3), ("direction", direction, 9))]
+    return _core.extract_label(positions, corners, pairs, label_value("label", label))[:2]
 
 
 def _labels_from(labels: Iterable[int] | None) -> list[int]:
     """None of them is all."""
-    chosen = [] if labels is None else [_label("labels", each) for each in labels]
+    chosen = [] if labels is None else [label_value("labels", each) for each in labels]
     if labels is not None and not chosen:
         raise ValueError("labels are None for all, or at least one label")
     return chosen
-
-
-def _numbers(name: str, values: ArrayLike, count: int) -> NDArray[np.float64]:
-    numbers = np.asarray(values, dtype=np.float64)
-    if numbers.size != count or numbers.shape not in ((count,), (3, count // 3)):
-        raise ValueError(f"{name} has {count} numbers, not the shape {numbers.shape}")
-    return numbers.reshape(-1)
-
-
-def _label(name: str, value: int) -> int:
-    number = index(value)
-    if not -2**63 <= number < 2**63:
-        raise ValueError(f"{name} takes whole numbers from -2^63 to 2^63 - 1, not {number}")
-    return number
-
-
-def _decomposed(affine: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Spacing, origin and direction."""
-    matrix = np.asarray(affine, dtype=np.float64)
-    if matrix.shape != (4, 4):
-        raise ValueError(f"affine has the shape (4, 4), not {matrix.shape}")
-    spacing = np.sqrt((matrix[:3, :3] ** 2).sum(axis=0))
-    if not (np.isfinite(spacing).all() and (spacing > 0).all()):
-        raise ValueError("affine has an axis without length")
-    return spacing, matrix[:3, 3], matrix[:3, :3] / spacing

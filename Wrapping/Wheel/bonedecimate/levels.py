@@ -13,7 +13,7 @@ from . import _core
 from .arrays import Result, check, gives_single
 from .options import WITHOUT_LEVELS, number, read, takes_options, thread_count
 from .progress import Progress, listener
-from .surfaces import points_from, surface_from, triangles_from, warn
+from .surfaces import Surface, input_from, surface_from, warn
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -90,24 +90,31 @@ class Levels:
 
 
 @takes_options(WITHOUT_LEVELS)
-def record_levels(points: ArrayLike, triangles: ArrayLike, *, progress: bool | Progress | None = None,
+def record_levels(points: ArrayLike | SurfaceLike, triangles: ArrayLike | None = None, *, progress: bool | Progress | None = None,
                   **options: Unpack[LevelOptions]) -> Levels:
     """Runs once and keeps every stage of it.
 
     Parameters
     ----------
     points, triangles, progress
-        As `decimate` takes them; so are the options, of the coarsest level, and what is raised.
+        As `decimate` takes them; so are the options, of the coarsest level, and what is raised. Levels do not keep voxels: a
+        surface that knows its label map is rejected unless `keep_voxels` is "Off", and is then recorded without it.
     **options
     """
-    corners = triangles_from(triangles)
-    positions, isSingle = points_from(points)
+    surface = input_from(points, triangles)
     values = read(options, record_levels)
-    single = gives_single(values, isSingle)
+    _reject_label_map(surface, values)
+    single = gives_single(values, surface.is_single)
     with listener(progress) as heard:
-        outcome, levels = _core.record_levels(positions, corners, values, isSingle, heard)
+        outcome, levels = _core.record_levels(*surface[:2], values, surface.is_single, heard)
+    outcome["warnings"] = surface.warnings + outcome["warnings"]
     check(outcome, 2)
     return Levels(levels, single, Result(outcome, single))
+
+
+def _reject_label_map(surface: Surface, values: _core.Options) -> None:
+    if surface.source is not None and surface.source.grid is not None and values.text("KeepVoxels") != "Off":
+        raise ValueError("levels do not keep voxels; keep_voxels=\"Off\" records this surface without its label map")
 
 
 def open_levels(points: ArrayLike, triangles: ArrayLike, log: bytes, *, threads: int = 0) -> Levels:
@@ -117,5 +124,5 @@ def open_levels(points: ArrayLike, triangles: ArrayLike, log: bytes, *, threads:
     """
     if not isinstance(log, (bytes, bytearray, memoryview)):
         raise TypeError(f"log is bytes, not a {type(log).__name__}")
-    positions, isSingle = points_from(points)
-    return Levels(_core.open_levels(positions, triangles_from(triangles), bytes(log), thread_count(threads)), isSingle, None)
+    surface = input_from(points, triangles)
+    return Levels(_core.open_levels(*surface[:2], bytes(log), thread_count(threads)), surface.is_single, None)

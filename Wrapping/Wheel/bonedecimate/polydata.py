@@ -21,6 +21,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
 from .surfaces import indices
+from .voxels import SurfaceSource
 
 CELL = "bonedecimate.cell"
 
@@ -90,6 +91,7 @@ class Surface:
     triangles: NDArray[np.int32] = field(default_factory=lambda: np.empty((0, 3), np.int32))
     cell_of_triangle: NDArray[np.int64] = field(default_factory=lambda: np.empty(0, np.int64))
     warnings: list[str] = field(default_factory=list)
+    source: SurfaceSource | None = None  # what is known of its label map
 
 
 def surface_of(data: vtkPolyData) -> Surface:

@@ -10,6 +10,10 @@ from contextlib import contextmanager
 Progress = Callable[[float], object]
 
 
+class Aborted(RuntimeError):
+    """The progress function returned False, and there is no result without the whole run."""
+
+
 @contextmanager
 def listener(progress: bool | Progress | None):
     """What the core calls with the fraction done: the function given, that of a bar for True, or None."""

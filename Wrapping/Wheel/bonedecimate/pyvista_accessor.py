@@ -15,19 +15,25 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from .arrays import Certificate, certify, check, smoothing_of
+from .images import label_map_of
+from .label_arrays import BOUNDARY_LABELS, GRID_POINT, LABEL_VALUES, add_grid
 from .label_maps import LabelSurfaces, extract_surfaces
 from .levels import Levels, open_levels, record_levels
 from .options import WITHOUT_LEVELS, number, read, switch, takes_options
 from .polydata import surface_of
 from .progress import Progress, listener
+from .report import Report
 from .run import fill_input_copy, fill_output, run, set_report
-from .surfaces import labels_from, tolerances_from, warn
+from .surfaces import labels_from, surface_from, tolerances_from, warn
+from .voxel_check import NO_GRID, Comparison, VoxelChanges, check_voxels, source_with
+from .voxels import pairs_from
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._keywords import LevelOptions, MeshOptions
     from .surfaces import SurfaceLike
+    from .voxels import LabelMapLike, VoxelGrid
 
 ERROR = "SignedDistance"
 SIDE = "Side"
@@ -92,6 +98,8 @@ class BoneAccessor:
         *,
         tolerances: ArrayLike | None = None,
         labels: str | ArrayLike | None = None,
+        label_map: LabelMapLike | VoxelGrid | None = None,
+        boundary_labels: ArrayLike | None = None,
         reference: SurfaceLike | None = None,
         with_input: bool = False,
         progress_bar: bool | Progress = False,
@@ -109,9 +117,10 @@ class BoneAccessor:
         labels : str or (n_cells,) array of whole numbers, optional
             Bone, fragment or segment of each cell, as the name of a cell or point array, or as an array that the result has as
             the cell array Labels: the lines between different ones are simplified only along themselves.
+        label_map, boundary_labels : optional
+            As `bonedecimate.decimate` takes them, pairs of labels for each cell. Meshes of ``image.bone.surfaces()`` know both.
         reference : mesh, (points, triangles), or what `bonedecimate.decimate` returned, optional
-            The surface that this one was made from: ``max_error``, which must be given, is proved and
-            measured against it.
+            The surface that this one was made from: ``max_error``, which must be given, is proved and measured against it.
         with_input : bool
             True returns a pair: the result, and a copy of this mesh with what ``measure_input_distances`` and ``maps`` find out
             about its points. ``measure_input_distances`` needs it.
@@ -128,13 +137,15 @@ class BoneAccessor:
             options = {**options, "labels": labels}
             labels = None
         values = read(options, BoneAccessor.decimate)
-        mesh = self._with_arrays(values, tolerances, labels)
+        mesh, voxels = _with_label_map(self._with_arrays(values, tolerances, labels), label_map, boundary_labels)
         has_input = switch("with_input", with_input)
         if values.get("MeasureInputDistances") and not has_input:
             raise ValueError("measure_input_distances is about the points of the input, which with_input=True returns, too")
         with listener(progress_bar) as heard:
             outcome, surface = run(mesh, values, heard, reference)
         check(outcome, 2)
+        if voxels is not None:
+            warn(voxels.differences(values.get("NumberOfThreads")), 2)
         output = pv.PolyData()
         fill_output(outcome, surface, values, mesh, output)
         if not has_input:
@@ -152,7 +163,8 @@ class BoneAccessor:
         Parameters
         ----------
         distance : float, mm, optional
-            How far points may move; None: by the voxel grid, which is found in the surface of a binary segmentation.
+            How far points may move; None: by the voxel grid, which meshes of ``image.bone.surfaces()`` know, and which is found in
+            the surface of a binary segmentation.
         **options
             As `decimate` takes them, without those that say how many triangles to remove.
         """
@@ -188,7 +200,7 @@ class BoneAccessor:
         **options
         """
         read(options, BoneAccessor.levels)
-        return MeshLevels(record_levels(*self._arrays(), progress=progress_bar, **options))
+        return MeshLevels(record_levels(self._mesh, progress=progress_bar, **options))
 
     def open_levels(self, log: bytes, *, threads: int = 0) -> MeshLevels:
         """The levels of a log again, with the very mesh that was recorded, as `bonedecimate.open_levels`."""
@@ -203,6 +215,15 @@ class BoneAccessor:
     def certify(self, other: SurfaceLike, **keywords) -> Certificate:
         """How far this one (the reference) and another are from each other: `bonedecimate.certify` has the keywords."""
         return certify(self._mesh, other, **keywords)
+
+    @_has_keywords_of(check_voxels)
+    def check_voxels(self, label_map: LabelMapLike, **keywords) -> VoxelChanges:
+        """Counts the voxels to which this surface gives another label than an image does: `bonedecimate.check_voxels` has the
+        keywords.
+
+        >>> mesh.bone.check_voxels(image).changed
+        """
+        return check_voxels(self._mesh, label_map, **keywords)
 
     @_has_keywords_of(certify)
     def distance_to(self, other: SurfaceLike, **keywords) -> pv.PolyData:
@@ -243,7 +264,7 @@ class BoneAccessor:
             return {}
         report = json.loads(array.GetValue(0))
         report.pop("units", None)
-        return dict(_flat("", report))
+        return Report(dict(_flat("", report)))
 
 
 @pv.register_dataset_accessor("bone", pv.ImageData)
@@ -276,26 +297,31 @@ class BoneImageAccessor:
         labels, background, closed, threads, progress_bar
             As `bonedecimate.extract_surfaces` takes them.
         """
-        image = self._image
-        name = image.point_data.active_scalars_name if scalars is None else scalars
-        if name is None or name not in image.point_data:
-            raise ValueError("the image has no labels: neither active scalars of points nor the array that was named")
-        direction = np.asarray(image.direction_matrix, dtype=np.float64)
-        first = np.asarray(image.extent[::2], dtype=np.float64)
-        found = extract_surfaces(
-            np.asarray(image.point_data[name]).reshape(image.dimensions[::-1]), spacing=image.spacing,
-            origin=np.asarray(image.origin) + direction @ (np.asarray(image.spacing) * first), direction=direction, labels=labels,
-            background=background, closed=closed, threads=threads, progress=progress_bar)
-        return _mesh_of(found, image.dimensions)
+        labels_of_voxels = label_map_of(self._image, scalars)
+        return _mesh_of(extract_surfaces(labels_of_voxels, labels=labels, background=background, closed=closed, threads=threads,
+                                         progress=progress_bar))
 
 
-def _mesh_of(found: LabelSurfaces, dimensions: tuple[int, int, int]) -> pv.PolyData:
+def _mesh_of(found: LabelSurfaces) -> pv.PolyData:
     mesh = pv.PolyData.from_regular_faces(found.points, found.triangles)
-    mesh.cell_data["BoundaryLabels"] = found.boundary_labels
-    mesh.point_data["GridPoint"] = found.grid_points
-    mesh.field_data["LabelValues"] = found.label_values
-    mesh.field_data["VoxelGridOrigin"] = found.origin.reshape(1, 3)
-    mesh.field_data["VoxelGridSpacing"] = found.spacing.reshape(1, 3)
-    mesh.field_data["VoxelGridDirection"] = found.direction.reshape(1, 9)
-    mesh.field_data["VoxelGridDimensions"] = np.asarray(dimensions, dtype=np.int32).reshape(1, 3)
+    mesh.cell_data[BOUNDARY_LABELS] = found.boundary_labels
+    mesh.point_data[GRID_POINT] = found.grid_points
+    mesh.field_data[LABEL_VALUES] = found.label_values
+    add_grid(found.grid, mesh)
     return mesh
+
+
+def _with_label_map(mesh: pv.PolyData, label_map: LabelMapLike | VoxelGrid | None,
+                    boundary_labels: ArrayLike | None) -> tuple[pv.PolyData, Comparison | None]:
+    """The mesh, or a copy with the arrays of a label map, and its comparison with the map if that is given."""
+    if label_map is None and boundary_labels is None:
+        return mesh, None
+    mesh = mesh.copy(deep=False)
+    if boundary_labels is not None:
+        mesh.cell_data[BOUNDARY_LABELS] = pairs_from(boundary_labels, mesh.n_cells)
+        mesh.field_data.pop(LABEL_VALUES, None)
+    source, labels = source_with(surface_from(mesh, "mesh", with_source=True), label_map)
+    if source is None or source.grid is None:
+        raise ValueError(NO_GRID)
+    add_grid(source.grid, mesh)
+    return mesh, None if labels is None else Comparison(surface_from(mesh, "mesh", with_source=True), labels)

@@ -13,8 +13,9 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import _core
 from .arrays import gives_single
+from .label_arrays import pass_label_arrays, surface_with_source
 from .labels import labels_from_array, labels_of
-from .polydata import Passed, Surface, passed, points_of, set_triangles, surface_of
+from .polydata import Passed, Surface, passed, points_of, set_triangles
 from .progress import Progress
 from .surfaces import surface_from
 from .transfer import add_input_map, add_maps, recompute_normals, transfer_arrays
@@ -42,7 +43,9 @@ def run(data: vtkPolyData, options: _core.Options, progress: Progress | None, re
     name = options.get("ToleranceArrayName")
     array = data.GetPointData().GetArray(name) if name else arrays.tolerances
     tolerances = _values_of(array, name) if is_filled and (name or array is not None) else None
-    surface = surface_of(data)
+    surface = surface_with_source(data)
+    if surface.source is not None and surface.source.grid is None:
+        surface.source = None
     name = options.get("LabelArrayName")
     labels = None
     if is_filled and name:
@@ -53,7 +56,8 @@ def run(data: vtkPolyData, options: _core.Options, progress: Progress | None, re
     origins = options.get("MakeMaps") or (options.get("PassArrays") and has_arrays)
     first = None if reference is None else surface_from(reference, "reference")
     outcome = _core.decimate(surface.points, surface.triangles, options, surface.is_single, origins, tolerances,
-                             surface.cell_of_triangle, first and first[:2], progress, labels)
+                             surface.cell_of_triangle, first and first[:2], progress, labels,
+                             surface.source and surface.source.to_core())
     outcome["warnings"] = surface.warnings + (first.warnings if first else []) + outcome["warnings"]
     return outcome, surface
 
@@ -70,6 +74,8 @@ def fill_output(outcome: dict, surface: Surface, options: _core.Options, data: v
     output.SetPoints(points_of(positions, single))
     _add_input_arrays(outcome, surface, options, passing, data, output)
     _add_own_arrays(outcome, options, output)
+    if surface.source is not None:
+        pass_label_arrays(surface.source, outcome["boundary_labels"], output)
     output.GetFieldData().PassData(data.GetFieldData())
     set_report(outcome, "BoneDecimateReport", "bonedecimate.", _core.key_figures(), output)
 

@@ -10,13 +10,17 @@ from typing import TYPE_CHECKING, NamedTuple, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .checks import numeric_array
+from .voxels import SurfaceSource, source_of
+
 if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkPolyData
 
     from .arrays import Result
+    from .label_maps import LabelSurfaces
 
     # Types that a function takes as a surface.
-    SurfaceLike = Union[vtkPolyData, tuple[ArrayLike, ArrayLike], Result]
+    SurfaceLike = Union[vtkPolyData, tuple[ArrayLike, ArrayLike], Result, LabelSurfaces]
 
 LARGEST_LABEL = 2.0**53  # beyond, doubles leave whole numbers out
 
@@ -26,25 +30,39 @@ class Surface(NamedTuple):
     triangles: NDArray[np.int32]  # (m, 3)
     is_single: bool  # whether the points were single precision
     warnings: list[str]  # what was left out of a mesh
+    source: SurfaceSource | None = None  # what is known of its label map
 
 
-def surface_from(given: object, name: str) -> Surface:
-    """Of a mesh (vtkPolyData, PyVista), a pair (points, triangles), or what decimate returned.
+def input_from(points: ArrayLike | SurfaceLike, triangles: ArrayLike | None) -> Surface:
+    """Of two arrays, or of a surface alone."""
+    if triangles is None:
+        return surface_from(points, "surface", with_source=True)
+    corners = triangles_from(triangles)
+    positions, is_single = points_from(points)
+    return Surface(positions, corners, is_single, [])
+
+
+def surface_from(given: object, name: str, with_source: bool = False) -> Surface:
+    """Of a mesh (vtkPolyData, PyVista), a pair (points, triangles), or what decimate or extract_surfaces returned.
 
     @param name Of the argument, for messages.
     """
     if hasattr(given, "GetPolys") and hasattr(given, "GetStrips"):
-        from .polydata import surface_of  # imports VTK, which is there
-        found = surface_of(given)
-        return Surface(found.points, found.triangles, found.is_single, [f"{name}: {text}" for text in found.warnings])
+        from .label_arrays import surface_with_source  # imports VTK, which is there
+        from .polydata import surface_of
+        found = surface_with_source(given) if with_source else surface_of(given)
+        return Surface(found.points, found.triangles, found.is_single, [f"{name}: {text}" for text in found.warnings],
+                       found.source)
     is_pair = isinstance(given, (tuple, list)) and len(given) == 2
     if is_pair or (hasattr(given, "points") and hasattr(given, "triangles")):
         points, triangles = given if is_pair else (given.points, given.triangles)
         positions, is_single = points_from(points, f"points of {name}")
-        return Surface(positions, triangles_from(triangles, f"triangles of {name}"), is_single, [])
+        corners = triangles_from(triangles, f"triangles of {name}")
+        source = source_of(given, len(positions), len(corners)) if with_source else None
+        return Surface(positions, corners, is_single, [], source)
     kind = f"an array of shape {given.shape}" if isinstance(given, np.ndarray) else f"a {type(given).__name__}"
     raise TypeError(f"{name} is a mesh (vtkPolyData or pyvista.PolyData), a pair (points, triangles) of shapes (n, 3) and "
-                    f"(m, 3), or what decimate returned, not {kind}")
+                    f"(m, 3), or what decimate or extract_surfaces returned, not {kind}")
 
 
 def warn(texts: list[str], stacklevel: int) -> None:
@@ -55,7 +73,7 @@ def warn(texts: list[str], stacklevel: int) -> None:
 
 def points_from(points: ArrayLike, name: str = "points") -> tuple[NDArray[np.float64], bool]:
     """The points in double precision, and whether they were single."""
-    array = _array(points, name)
+    array = numeric_array(points, name)
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"{name} are of shape (n, 3), not {array.shape}")
     is_single = array.dtype.kind == "f" and array.dtype.itemsize == 4
@@ -64,7 +82,7 @@ def points_from(points: ArrayLike, name: str = "points") -> tuple[NDArray[np.flo
 
 def triangles_from(triangles: ArrayLike, name: str = "triangles") -> NDArray[np.int32]:
     """Indices that do not fit become -1, which the core rejects with their number."""
-    array = _array(triangles, name)
+    array = numeric_array(triangles, name)
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"{name} are of shape (m, 3), not {array.shape}")
     if array.size and array.dtype.kind not in "iu":
@@ -84,7 +102,7 @@ def tolerances_from(tolerances: ArrayLike | None, count: int, name: str = "toler
     """One finite number, mm, for each of the points."""
     if tolerances is None:
         return None
-    array = _array(tolerances, name)
+    array = numeric_array(tolerances, name)
     if array.shape != (count,):
         raise ValueError(f"{name} are one for each of {count} points, not of shape {array.shape}")
     wrong = np.flatnonzero(~np.isfinite(array))
@@ -100,7 +118,7 @@ def labels_from(labels: ArrayLike | None, count: int, what: str = "triangles") -
     """One whole number for each of the triangles (or cells): as they were given, and as `named_labels` has them."""
     if labels is None:
         return None, None
-    array = _array(labels, "labels", "biuf")
+    array = numeric_array(labels, "labels", "biuf")
     if array.shape != (count,):
         raise ValueError(f"labels are one for each of {count} {what}, not of shape {array.shape}")
     named = named_labels(array[:, None])
@@ -118,15 +136,3 @@ def named_labels(rows: NDArray) -> NamedLabels | None:
     names = ["_".join(str(value) for value in row) for row in tuples.tolist()]
     return np.ascontiguousarray(ids.reshape(-1), dtype=np.int64), names
 
-
-def _array(values: ArrayLike, name: str, kinds: str = "iuf") -> NDArray:
-    """Never converts what is not a number: numpy takes text for numbers and drops imaginary parts and masks."""
-    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
-        raise TypeError(f"{name} have masked values; fill them or take them out")
-    try:
-        array = np.asarray(values)
-    except ValueError as problem:  # rows of different lengths
-        raise ValueError(f"{name} are not an array: {problem}") from None
-    if array.dtype.kind not in kinds:
-        raise TypeError(f"{name} are numbers, not {array.dtype}")
-    return array

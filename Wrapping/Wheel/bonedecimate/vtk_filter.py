@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import _core
 from .options import ROWS, assign, deprecated, describe, nearest, words
+from .report import current_name
 from .run import InputArrays, fill_input_copy, fill_output, run
 
 PROOF_STATUSES = ("not_requested", "proved", "violated", "undecided")
@@ -31,7 +32,8 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
     Output port 1: the input, with the distance of each of its points to the result when MeasureInputDistances is on.
 
     Tolerances and labels are arrays of the input, chosen by name or by SetInputArrayToProcess(TOLERANCE_ARRAY or LABEL_ARRAY, ...);
-    a name takes precedence.
+    a name takes precedence. The arrays of vtkBoneSurfaces and of image.bone.surfaces() say from which label map the input was made:
+    KeepVoxels and AutomaticSmoothing use them, and the result has its own BoundaryLabels.
 
     Every option is SetName() and GetName(), a Python property (name.maximum_error = 0.2), and a keyword of the constructor.
     A value out of its range is a ValueError, one of a wrong type a TypeError, and the value before stays; an unknown name
@@ -178,7 +180,12 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
         return f"{value:.17g}" if isinstance(value, float) else str(value)
 
     def _entry(self, name: str) -> tuple[str, str, int | float | str]:
-        return next((entry for entry in self._entries if entry[0] == name), (name, "", ""))
+        found = next((entry for entry in self._entries if entry[0] == name), None)
+        current = name if found else current_name(name)
+        if current != name:
+            deprecated(name, current, 4)
+            return self._entry(current)
+        return found or (name, "", "")
 
     def Update(self, *arguments) -> None:
         super().Update(*arguments)

@@ -23,9 +23,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 SOURCES = HERE.parent / "bonedecimate"
 HEAD = "# Written at build time from the table of options.\n"
 MODULES = ("arrays", "label_maps", "levels", "pyvista_accessor")
-# Of the module that the others import: the functions whose keywords they pass on.
-FUNCTIONS = {node.name: node for node in ast.parse((SOURCES / "arrays.py").read_text(encoding="utf-8")).body
-             if isinstance(node, ast.FunctionDef)}
+# Of the modules that the others import: the functions whose keywords they pass on.
+FUNCTIONS = {node.name: node for name in ("arrays", "voxel_check")
+             for node in ast.parse((SOURCES / f"{name}.py").read_text(encoding="utf-8")).body if isinstance(node, ast.FunctionDef)}
 
 
 def document(row, indent):

@@ -1,0 +1,26 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkImageData as a label map: what ImageLabels does on the side of C++."""
+
+from __future__ import annotations
+
+import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkImageData
+
+from .polydata import numbers
+from .voxels import LabelMap
+
+
+def label_map_of(image: vtkImageData, name: str | None = None) -> LabelMap:
+    """@param name Of a point array; None: the active scalars of the points."""
+    data = image.GetPointData()
+    array = data.GetScalars() if name is None else data.GetArray(name)
+    if array is None:
+        raise ValueError("the image has no labels: neither active scalars of points nor the array that was named")
+    if array.GetNumberOfComponents() != 1:
+        raise ValueError(f"the array {array.GetName()} has several components; labels have one")
+    matrix = image.GetDirectionMatrix()
+    direction = np.array([[matrix.GetElement(row, column) for column in range(3)] for row in range(3)])
+    spacing = np.array(image.GetSpacing())
+    origin = np.array(image.GetOrigin()) + direction @ (spacing * image.GetExtent()[::2])
+    return LabelMap(numbers(array).reshape(image.GetDimensions()[::-1]), spacing=spacing, origin=origin, direction=direction)

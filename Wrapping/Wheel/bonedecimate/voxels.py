@@ -1,0 +1,261 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Label maps, their voxel grids, and what a surface knows of the label map it was extracted from. Needs no VTK."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Literal, NamedTuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from .checks import numbers_of, numeric_array
+
+if TYPE_CHECKING:
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+
+IDENTITY = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+ORTHOGONAL, ORTHOGONAL_BUT_FOR_ROUNDING = 1e-14, 1e-4
+LARGEST_COORDINATE = 1e30  # mm, of the core
+LARGEST_DIMENSION = 2**30 - 2  # voxels
+
+
+class VoxelGrid:
+    """Where the voxels of a label map are. Everything is in the order x, y, z."""
+
+    dimensions: tuple[int, int, int]  #: number of voxels
+    spacing: NDArray[np.float64]  #: (3,), mm
+    origin: NDArray[np.float64]  #: (3,), mm, the center of the first voxel
+    direction: NDArray[np.float64]  #: (3, 3), the columns are the axes
+
+    def __init__(self, dimensions: Sequence[int], *, spacing: Sequence[float] = (1, 1, 1), origin: Sequence[float] = (0, 0, 0),
+                 direction: ArrayLike = IDENTITY, affine: ArrayLike | None = None) -> None:
+        """
+        Parameters
+        ----------
+        dimensions : three whole numbers
+            Number of voxels along x, y, z.
+        spacing, origin, direction, affine
+            As `LabelMap` takes them.
+
+        Raises
+        ------
+        TypeError, ValueError
+            As of `LabelMap`.
+        """
+        if affine is not None:
+            if not is_default(spacing, origin, direction):
+                raise ValueError("affine replaces spacing, origin and direction: not both")
+            spacing, origin, direction = _decomposed(affine)
+        sizes = numbers_of("dimensions", dimensions, 3)
+        if not ((sizes == np.floor(sizes)) & (sizes >= 1) & (sizes <= LARGEST_DIMENSION)).all():
+            raise ValueError(f"dimensions are whole numbers of voxels from 1 to 2^30 - 2, not {tuple(sizes.tolist())}")
+        self.dimensions = tuple(int(size) for size in sizes)
+        self.spacing, self.origin = numbers_of("spacing", spacing, 3), numbers_of("origin", origin, 3)
+        if not ((self.spacing > 0) & (self.spacing <= LARGEST_COORDINATE)).all():
+            raise ValueError("spacing has a number that is not positive, not finite or beyond 1e30 mm")
+        if not (np.abs(self.origin) <= LARGEST_COORDINATE).all():
+            raise ValueError("origin has a number that is not finite or beyond 1e30 mm")
+        self.direction = _orthogonal(numbers_of("direction", direction, 9).reshape(3, 3))
+
+    def is_same_as(self, other: VoxelGrid) -> bool:
+        """But for rounding."""
+        return self.dimensions == other.dimensions and all(
+            np.allclose(one, two, rtol=1e-6, atol=1e-6 * self.spacing.min()) for one, two in
+            ((self.spacing, other.spacing), (self.origin, other.origin), (self.direction, other.direction)))
+
+    def to_voxels(self, points: NDArray) -> NDArray[np.float64]:
+        """Voxel coordinates of positions in mm."""
+        return (points - self.origin) @ self.direction / self.spacing
+
+    def __repr__(self) -> str:
+        size, spacing = (" x ".join(f"{value:g}" for value in values) for values in (self.dimensions, self.spacing))
+        return f"<bonedecimate.VoxelGrid: {size} voxels of {spacing} mm>"
+
+
+class LabelMap:
+    """A segmentation: a label for each voxel, and where the voxels are."""
+
+    labels: NDArray[np.integer]  #: (nz, ny, nx)
+    grid: VoxelGrid
+
+    def __init__(self, labels: ArrayLike, *, axes: Literal["zyx", "xyz"] = "zyx", spacing: Sequence[float] = (1, 1, 1),
+                 origin: Sequence[float] = (0, 0, 0), direction: ArrayLike = IDENTITY, affine: ArrayLike | None = None) -> None:
+        """
+        Parameters
+        ----------
+        labels : (nz, ny, nx) array of whole numbers
+            Of any type; bool is one label, floating-point numbers must have no fraction. Not copied if that is not necessary.
+        axes : "zyx" or "xyz"
+            The order of the indices: ``labels[z, y, x]`` as of ``SimpleITK.GetArrayFromImage``, or ``labels[x, y, z]`` as of
+            nibabel's ``image.dataobj``. All other parameters are in the order x, y, z in both cases.
+        spacing : three numbers, mm
+            Of the voxels along x, y, z: ``GetSpacing()`` of SimpleITK.
+        origin, direction : three numbers, mm; (3, 3) array, or nine numbers row by row
+            Center of the first voxel, and the axes as columns: ``GetOrigin()`` and ``GetDirection()``.
+        affine : (4, 4) array, optional
+            From voxels x, y, z to mm instead of these three: nibabel's ``image.affine``. Without shear.
+
+        Raises
+        ------
+        TypeError
+            Labels that are no numbers.
+        ValueError
+            Shapes, labels with a fraction, spacings that are not positive, axes that are not perpendicular.
+        """
+        self.labels = volume_from(labels, axes)
+        self.grid = VoxelGrid(self.labels.shape[::-1], spacing=spacing, origin=origin, direction=direction, affine=affine)
+
+    @classmethod
+    def on(cls, grid: VoxelGrid, labels: ArrayLike) -> LabelMap:
+        """Labels with the indices z, y, x on a grid of the same dimensions."""
+        made = cls(labels)
+        if made.grid.dimensions != grid.dimensions:
+            raise ValueError(f"label_map has the shape {made.labels.shape}, and the voxel grid of the surface has "
+                             f"{grid.dimensions[::-1]} voxels (z, y, x); give bonedecimate.LabelMap(label_map, ...)")
+        made.grid = grid
+        return made
+
+    def __repr__(self) -> str:
+        return f"<bonedecimate.LabelMap: {self.labels.dtype} on {self.grid!r}>"
+
+
+def is_default(spacing: Sequence[float], origin: Sequence[float], direction: ArrayLike) -> bool:
+    """Whether nothing says where the voxels are."""
+    return tuple(spacing) == (1, 1, 1) and tuple(origin) == (0, 0, 0) and direction is IDENTITY
+
+
+# Types that a function takes as a label map.
+LabelMapLike = Union["LabelMap", "vtkImageData", ArrayLike]
+
+
+def has_grid(label_map: LabelMapLike) -> bool:
+    """Whether it is more than an array."""
+    return isinstance(label_map, LabelMap) or hasattr(label_map, "GetDirectionMatrix")
+
+
+def label_map_from(label_map: LabelMapLike, grid: VoxelGrid | None) -> LabelMap:
+    """Of a LabelMap, a vtkImageData, or an array on the grid of the surface."""
+    if isinstance(label_map, LabelMap):
+        return label_map
+    if has_grid(label_map):
+        from .images import label_map_of  # imports VTK, which is there
+        return label_map_of(label_map)
+    if grid is None:
+        raise ValueError("label_map is bonedecimate.LabelMap(array, spacing=...) or a vtkImageData; an array alone is enough "
+                         "only with a surface of extract_surfaces, or a result that was made of one")
+    return LabelMap.on(grid, label_map)
+
+
+class SurfaceSource(NamedTuple):
+    """What is known of the label map of a surface, as the core takes it."""
+
+    grid: VoxelGrid | None  # None: only the boundary labels are known
+    label_values: NDArray[np.int64]  # ascending, and at the end the background; empty: one label
+    boundary_labels: NDArray[np.int64] | None = None  # of each triangle, indices into the values
+    grid_points: NDArray[np.int32] | None = None  # of each point
+
+    def to_core(self) -> _core.LabelMapSource:
+        grid = self.grid
+        return _core.LabelMapSource(grid.origin.tolist(), grid.spacing.tolist(), grid.direction.reshape(-1).tolist(),
+                                    grid.dimensions, self.label_values.tolist(), self.boundary_labels, self.grid_points)
+
+    def values_of(self, indices: NDArray) -> NDArray[np.int64]:
+        """Labels, (m, 2), of what the core returns."""
+        return self.label_values[indices] if len(indices) else np.empty((0, 2), np.int64)
+
+
+def source_of(surface: object, points: int, triangles: int) -> SurfaceSource | None:
+    """Of what extract_surfaces, decimate or smooth returned; None without a grid."""
+    grid = getattr(surface, "grid", None)
+    if not isinstance(grid, VoxelGrid):
+        return None
+    source = SurfaceSource(grid, np.asarray(surface.label_values, dtype=np.int64))
+    if len(surface.boundary_labels):
+        source = with_boundary_labels(source, surface.boundary_labels, triangles, source.label_values)
+    centers = getattr(surface, "grid_points", None)
+    if centers is not None:
+        if np.shape(centers) != (points, 3):
+            raise ValueError(f"grid_points are of shape ({points}, 3), not {np.shape(centers)}")
+        source = source._replace(grid_points=np.ascontiguousarray(centers, dtype=np.int32))
+    return source
+
+
+def with_boundary_labels(source: SurfaceSource, boundary_labels: ArrayLike, triangles: int,
+                         values: NDArray[np.int64] | None = None) -> SurfaceSource:
+    """@param values Of the labels, the background last; None: those that there are, and 0 as background."""
+    pairs = pairs_from(boundary_labels, triangles)
+    if values is None or not len(values):
+        values = values_in(pairs, 0)
+    return source._replace(label_values=values, boundary_labels=indices_of(pairs, values))
+
+
+def indices_of(pairs: NDArray[np.int64], values: NDArray[np.int64], names: tuple[str, str] = ("boundary_labels", "label_values"),
+               kind: str = "") -> NDArray[np.int64]:
+    """Of labels their indices into the values, of which the background is the last.
+
+    @param names Of both, for messages.
+    """
+    if (np.diff(values[:-1]) < 0).any():
+        raise ValueError(f"{kind}{names[1]} is not in ascending order")
+    found = np.searchsorted(values[:-1], pairs)
+    found[pairs == values[-1]] = len(values) - 1
+    if not np.array_equal(values[found], pairs):
+        raise ValueError(f"{kind}{names[0]} has a label that is not one of {names[1]}")
+    return np.ascontiguousarray(found, dtype=np.int64)
+
+
+def values_in(pairs: NDArray[np.int64], background: int) -> NDArray[np.int64]:
+    """Ascending, and at the end the background."""
+    values = np.unique(pairs)
+    return np.append(values[values != background], background).astype(np.int64)
+
+
+def pairs_from(boundary_labels: ArrayLike, triangles: int) -> NDArray[np.int64]:
+    """The labels on both sides of each of the triangles (or cells)."""
+    pairs = numeric_array(boundary_labels, "boundary_labels", "iu")
+    if pairs.shape != (triangles, 2):
+        raise ValueError(f"boundary_labels are of shape ({triangles}, 2), not {pairs.shape}")
+    return np.ascontiguousarray(pairs, dtype=np.int64)
+
+
+def volume_from(labels: ArrayLike, axes: str) -> NDArray[np.integer]:
+    """Integers with indices z, y, x, one after the other."""
+    if axes not in ("zyx", "xyz"):
+        raise ValueError(f"axes are 'zyx' or 'xyz', not {axes!r}")
+    volume = numeric_array(labels, "labels of voxels", "biuf")
+    if volume.ndim != 3:
+        raise ValueError(f"a label map has three dimensions, not {volume.ndim}")
+    if axes == "xyz":
+        volume = volume.transpose()
+    if volume.dtype.kind == "f":
+        is_whole = np.isfinite(volume) & (volume == np.floor(volume)) & (np.abs(volume) <= 2**53)
+        if not is_whole.all():
+            raise ValueError("a label map has whole numbers; some have a fraction, or are not finite")
+        volume = volume.astype(np.int64)
+    kind = np.uint8 if volume.dtype.kind == "b" else volume.dtype.newbyteorder("=")
+    return np.ascontiguousarray(volume, dtype=kind)
+
+
+def _orthogonal(direction: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The nearest orthogonal matrix; itself if it is orthogonal."""
+    deviation = np.abs(direction.T @ direction - np.eye(3)).max()
+    if not deviation <= ORTHOGONAL_BUT_FOR_ROUNDING:
+        raise ValueError("direction has no perpendicular unit vectors as columns")
+    if deviation <= ORTHOGONAL:
+        return direction
+    left, _stretch, right = np.linalg.svd(direction)
+    return left @ right
+
+
+def _decomposed(affine: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Spacing, origin and direction."""
+    matrix = np.asarray(affine, dtype=np.float64)
+    if matrix.shape != (4, 4):
+        raise ValueError(f"affine has the shape (4, 4), not {matrix.shape}")
+    spacing = np.sqrt((matrix[:3, :3] ** 2).sum(axis=0))
+    if not (np.isfinite(spacing).all() and (spacing > 0).all()):
+        raise ValueError("affine has an axis without length")
+    return spacing, matrix[:3, 3], matrix[:3, :3] / spacing
