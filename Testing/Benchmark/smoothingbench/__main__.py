@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The benchmark of label maps and smoothing. Testing/Benchmark/smoothing.sh runs it with all peers.
 
-    python -m smoothingbench --programs build/release/bin --python PATH:PROGRAM --work FOLDER [--compare] [--growth] [--threads] [--pictures]
-                             [--write-docs] [NAME ...]
+    python -m smoothingbench --programs build/release/bin --python PATH:PROGRAM --work FOLDER [--compare] [--simplify] [--growth] [--threads]
+                             [--pictures] [--write-docs] [NAME ...]
 
-Without a section all of them run. NAME selects label maps of --compare and --threads. Figures are CSV files in FOLDER; --write-docs copies them, the page that
+Without a section all of them run. NAME selects label maps of --compare, --simplify and --threads. Figures are CSV files in FOLDER; --write-docs copies them, the page that
 is generated from them, and the pictures into Documentation.
 """
 
@@ -22,9 +22,9 @@ from typing import Any
 from bonebench import machine
 
 from . import cases, compare, document, growth
-from .methods import all_methods
+from .methods import Method, all_methods, whole_runs
 
-SECTIONS = ("compare", "growth", "threads", "pictures")
+SECTIONS = ("compare", "simplify", "growth", "threads", "pictures")
 
 
 def parsed() -> argparse.Namespace:
@@ -36,6 +36,7 @@ def parsed() -> argparse.Namespace:
     parser.add_argument("--samples", type=int, default=40000, help="of each direction")
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--sizes", type=float, nargs="+", default=[1e5, 3e5, 1e6, 3e6, 1e7], help="triangles, of --growth")
+    parser.add_argument("--steps", nargs="+", choices=growth.LIMITS, default=[], help="of --growth; default: all")
     parser.add_argument("--thread-sizes", type=float, nargs="*", default=[1e5, 1e6], help="triangles, of --threads")
     parser.add_argument("--thread-counts", type=int, nargs="+", default=[1, 2, 4, 8], help="of --threads")
     parser.add_argument("--with-meshlib", action="store_true", help="its license is for non-commercial use")
@@ -58,11 +59,10 @@ def write_rows(path: Path, columns: Iterable[str], rows: Iterable[dict[str, Any]
             print(", ".join(f"{key} {value}" for key, value in shown.items() if value not in (None, "")), flush=True)
 
 
-def compared(options: argparse.Namespace) -> Iterable[dict[str, Any]]:
-    methods = all_methods(options.python, options.with_meshlib)
+def compared(options: argparse.Namespace, methods: dict[str, Method], names: list[str]) -> Iterable[dict[str, Any]]:
     print("methods: " + ", ".join(methods))
     for name, make in cases.all_cases(options.ct, options.programs / "bonedecimate-phantom"):
-        if not options.names or name in options.names:
+        if not names or name in names:
             yield from compare.rows_of(make, methods, options.programs / "bonedecimate-verify", options.samples, options.rounds)
 
 
@@ -70,10 +70,14 @@ def run(section: str, options: argparse.Namespace) -> None:
     target, maps = options.work / f"smoothing-{section}.csv", options.work / "maps"
     maps.mkdir(parents=True, exist_ok=True)
     if section == "compare":
-        write_rows(target, compare.COLUMNS, compared(options))
+        write_rows(target, compare.COLUMNS, compared(options, all_methods(options.python, options.with_meshlib), options.names))
+    elif section == "simplify":
+        names = options.names or ["phantom", *cases.CROPS]
+        write_rows(target, compare.COLUMNS, compared(options, whole_runs(options.python), names))
     elif section == "growth":
         write_rows(target, growth.GROWTH_COLUMNS,
-                   growth.growth(options.ct, maps, options.python, sys.executable, options.sizes, options.rounds))
+                   growth.growth(options.ct, maps, options.python, sys.executable, options.sizes, options.steps,
+                                 options.rounds))
     elif section == "threads":
         write_rows(target, growth.THREAD_COLUMNS,
                    growth.bytes_over_threads(options.ct, maps, options.python, options.thread_sizes, options.thread_counts,
@@ -84,18 +88,19 @@ def run(section: str, options: argparse.Namespace) -> None:
 
 
 def main() -> None:
-    options, others = parsed(), machine.Others()
+    options = parsed()
     for section in SECTIONS:
         if getattr(options, section) or not any(getattr(options, each) for each in SECTIONS):
+            others = machine.Others()
             run(section, options)
-    document.write_conditions(options.work, options.rounds, options.samples, others.complaint())
+            document.write_conditions(options.work, section, options.rounds, options.samples, others.complaint())
     document.write_page(options.work, options.work / "smoothing-benchmark.md")
     if options.write_docs:
         for file in options.work.glob("smoothing-*.csv"):
             shutil.copy(file, document.DOCUMENTATION / "benchmark-data")
         for file in options.work.glob("smoothing-*.png"):
             shutil.copy(file, document.DOCUMENTATION / "images")
-        shutil.copy(options.work / "smoothing-run.json", document.DOCUMENTATION / "benchmark-data")
+        shutil.copy(options.work / document.RUN, document.DOCUMENTATION / "benchmark-data")
         shutil.copy(options.work / "smoothing-benchmark.md", document.DOCUMENTATION)
 
 

@@ -20,6 +20,7 @@ from . import OURS
 
 DOCUMENTATION = Path(__file__).resolve().parents[3] / "Documentation"
 TEMPLATE = Path(__file__).with_name("page.md")
+RUN = "smoothing-run.json"
 PACKAGES = ("vtk", "pymeshlab", "meshlib", "numpy")
 Row = dict[str, str]
 Rows = list[Row]
@@ -84,6 +85,16 @@ def of_labels(rows: Rows) -> str:
                   for row in rows if row["kind"] == "labels"]).replace("|---|---:|", "|---|---|", 1)
 
 
+def of_whole_runs(rows: Rows) -> str:
+    """A line for each shape and method."""
+    columns = {"triangles": one("triangles", 0), "RMS mm / degrees": pair("rms_mm", 3, "normal_degrees", 1),
+               "voxels changed, %": changed_percent, "intersecting pairs": one("intersecting_pairs", 0),
+               "components": one("components", 0), "processor s": one("cpu_seconds", 2)}
+    return table(["label map", "method"] + list(columns),
+                 [[row["shape"], row["method"]] + [cell(row) for cell in columns.values()] for row in rows]
+                 ).replace("|---|---:|", "|---|---|", 1)
+
+
 def of_growth(rows: Rows) -> str:
     """Per million triangles of the extracted surface."""
     lines = []
@@ -108,30 +119,34 @@ def of_threads(rows: Rows) -> str:
     return table(["label map", "step", "triangles of the result", "threads", "bytes"], lines)
 
 
-def write_conditions(work: Path, rounds: int, samples: int, note: str) -> None:
-    """What a run was made on; of the last run into the folder."""
-    versions = {}
+def write_conditions(work: Path, section: str, rounds: int, samples: int, note: str) -> None:
+    """What a section was run on; the other sections keep their entries."""
+    versions, path = {}, work / RUN
     for package in PACKAGES:
         try:
             versions[package] = importlib.metadata.version(package)
         except importlib.metadata.PackageNotFoundError:
             pass
-    run = {"machine": machine.describe(), "rounds": rounds, "samples": samples, "versions": versions, "note": note}
-    (work / "smoothing-run.json").write_text(json.dumps(run, indent=2) + "\n", encoding="utf-8")
+    run = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {"sections": {}}
+    run |= {"machine": machine.describe(), "versions": run.get("versions", {}) | versions}
+    run["sections"][section] = {"rounds": rounds, "samples": samples, "note": note}
+    path.write_text(json.dumps(run, indent=2) + "\n", encoding="utf-8")
 
 
 def conditions(run: dict) -> str:
-    described = run["machine"]
+    described, sections = run["machine"], run["sections"].values()
+    rounds, samples = ({section[key] for section in sections} for key in ("rounds", "samples"))
     lines = [f"* Machine: {described['processor']}, {described['cores']} cores, {described['memory_gb']:.0f} GB; {described['system']}.",
-             f"* Rounds: {run['rounds']}. Samples per direction: {run['samples']:,}.",
-             "* Versions: " + ", ".join(f"{name} {version}" for name, version in run["versions"].items()) + "."]
-    return "\n".join(lines + ([f"* {run['note']}"] if run["note"] else [])) + "\n"
+             f"* Rounds: {', '.join(map(str, sorted(rounds)))}. Samples per direction: {max(samples):,}.",
+             "* Versions: " + ", ".join(f"{name} {version}" for name, version in run["versions"].items())
+             + ". `vtkBoneSurfaces` and `vtkBoneDecimate` are built with Debian's VTK 9.1."]
+    return "\n".join(lines + [f"* {name}: {section['note']}" for name, section in run["sections"].items() if section["note"]]) + "\n"
 
 
 def tables(folder: Path) -> dict[str, str]:
     compared, bone = read(folder / "smoothing-compare.csv"), ("CT", "phantom")
     every = bone + ("analytic",)
-    run = json.loads((folder / "smoothing-run.json").read_text(encoding="utf-8"))
+    run = json.loads((folder / RUN).read_text(encoding="utf-8"))
     return {
         "accuracy": by_shape(compared, bone, pair("rms_mm", 3, "normal_degrees", 1)),
         "finer": by_shape(compared, bone, pair("finer_rms_mm", 3, "finer_normal_degrees", 1)),
@@ -144,6 +159,7 @@ def tables(folder: Path) -> dict[str, str]:
         "thickness": by_shape(compared, ("analytic",), pair("least_thickness_mm", 2, "mean_thickness_mm", 2)),
         "seconds": by_shape(compared, bone, one("cpu_seconds", 2)),
         "labels": of_labels(compared),
+        "simplified": of_whole_runs(read(folder / "smoothing-simplify.csv")),
         "growth": of_growth(read(folder / "smoothing-growth.csv")),
         "threads": of_threads(read(folder / "smoothing-threads.csv")),
         "conditions": conditions(run),

@@ -54,11 +54,12 @@ def steps_of(size: float) -> list[str]:
 
 def repeated(python: str, step: str, source: Path, threads: int, rounds: int) -> Row:
     """Medians of the times and the memory."""
-    runs = [run_worker(python, step, source, threads) for _ in range(rounds)]
+    runs = [run_worker(python, step, source, [threads])[0] for _ in range(rounds)]
     return runs[0] | {key: statistics.median(run[key] for run in runs) for key in ("seconds", "cpu_seconds", "peak_bytes")}
 
 
-def growth(ct: Path, folder: Path, ours: str, peers: str, sizes: list[float], rounds: int) -> Iterator[Row]:
+def growth(ct: Path, folder: Path, ours: str, peers: str, sizes: list[float], steps: list[str],
+           rounds: int) -> Iterator[Row]:
     """All steps on one size of the map, one after the other, then the next size."""
     values, threads = ct_values(ct), os.cpu_count() or 1
     for size in sizes:
@@ -66,7 +67,7 @@ def growth(ct: Path, folder: Path, ours: str, peers: str, sizes: list[float], ro
         with np.load(source) as file:
             voxels = file["labels"].size
         map_triangles = 0
-        for step in steps_of(size):
+        for step in (step for step in steps_of(size) if not steps or step in steps):
             figures = repeated(python_of(step, ours, peers), step, source, threads, rounds)
             map_triangles = map_triangles or figures["triangles"]
             yield {"step": step, "map_triangles": map_triangles, "voxels": voxels, "threads": threads, "rounds": rounds,
@@ -82,6 +83,5 @@ def bytes_over_threads(ct: Path, folder: Path, ours: str, sizes: list[float], co
         maps |= {f"CT, {size:,.0f} triangles": write_map(values, size, folder) for size in sizes}
     for name, source in ((name, source) for name, source in maps.items() if not names or name in names):
         for step in (step for step in OURS if step != "extract and smooth"):
-            for threads in counts:
-                figures = run_worker(ours, step, source, threads)
-                yield {"map": name, "step": step, "threads": threads, **{key: figures[key] for key in THREAD_COLUMNS if key in figures}}
+            for figures in run_worker(ours, step, source, counts):
+                yield {"map": name, "step": step, **{key: figures[key] for key in THREAD_COLUMNS if key in figures}}

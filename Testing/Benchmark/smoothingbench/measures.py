@@ -158,17 +158,19 @@ ASIDE = np.array([0.031, 0.043, 0.017])
 
 
 def gaps_and_overlaps(case: Case, surfaces: dict[int, Surface]) -> tuple[float, float]:
-    """Volumes, mm^3, by eight points per voxel: in no label although no voxel around is background, and in two labels."""
+    """Volumes, mm^3, by eight points per voxel: in no label although the voxels around have two labels or more and none is
+    background, and in two labels."""
     shape = tuple(2 * count for count in case.labels.shape)
     count = np.zeros(shape, np.uint8)
     for surface in surfaces.values():
         count += voxelized(surface, shape, 0.5 * case.spacing, case.origin + (ASIDE - 0.25) * case.spacing, 0.0)
-    filled = np.pad(case.labels > 0, 1)
-    for axis in range(3):  # cells of eight voxels, all of them with a label
-        filled = filled & np.roll(filled, -1, axis)
+    least = most = np.pad(case.labels, 1)
+    for axis in range(3):  # of the eight voxels of a cell
+        least, most = np.minimum(least, np.roll(least, -1, axis)), np.maximum(most, np.roll(most, -1, axis))
+    between = (least > 0) & (most > least)
     cells = np.ix_(*((np.arange(n) + 1) // 2 for n in shape))
     volume = case.spacing.prod() / 8.0
-    return float(((count == 0) & filled[cells]).sum() * volume), float(np.maximum(count.astype(int) - 1, 0).sum() * volume)
+    return float(((count == 0) & between[cells]).sum() * volume), float(np.maximum(count.astype(int) - 1, 0).sum() * volume)
 
 
 def thickness(case: Case, surface: Surface) -> tuple[float, float]:

@@ -23,7 +23,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from . import NOT_SMOOTHED, OURS
 from .cases import Case
 from .surfaces import Surface, arrays_of, image_of, isosurface
-from .worker import sinc_of, surface_nets
+from .worker import WHOLE, sinc_of, surface_nets
 
 HERE = Path(__file__).resolve().parents[1]
 
@@ -47,15 +47,15 @@ def timed(case: Case, call: Callable[[Case], dict[int, Surface]]) -> Result:
     return Result(surfaces, time.perf_counter() - wall, time.process_time() - cpu)
 
 
-def run_worker(python: str, step: str, source: Path, threads: int, target: Path | None = None) -> dict[str, Any]:
-    """What the worker prints; `python` may begin with a path of modules: PATH:PROGRAM."""
+def run_worker(python: str, step: str, source: Path, threads: list[int], target: Path | None = None) -> list[dict[str, Any]]:
+    """What the worker prints for each number of threads; `python` may begin with a path of modules: PATH:PROGRAM."""
     modules, _, program = python.rpartition(":")
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, [modules, str(HERE)])), "PYTHONDONTWRITEBYTECODE": "1"}
-    words = [program, "-m", "smoothingbench.worker", step, source, str(threads)] + ([target] if target else [])
+    words = [program, "-m", "smoothingbench.worker", step, source, ",".join(map(str, threads))] + ([target] if target else [])
     done = subprocess.run(words, env=environment, capture_output=True, text=True, check=False)
     if done.returncode:
         raise RuntimeError(f"{step}: {done.stderr[-2000:]}")
-    return json.loads(done.stdout.splitlines()[-1])
+    return [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
 
 
 def save_map(case: Case, path: Path) -> None:
@@ -68,7 +68,7 @@ def ours(python: str, step: str) -> Method:
         with tempfile.TemporaryDirectory() as folder:
             source, target = Path(folder) / "map.npz", Path(folder) / "surfaces.npz"
             save_map(case, source)
-            figures = run_worker(python, step, source, 1, target)
+            (figures,) = run_worker(python, step, source, [1], target)
             with np.load(target) as file:
                 surfaces = {value: Surface(file[f"points {value}"], file[f"triangles {value}"]) for value in case.values()}
         return Result(surfaces, figures["seconds"], figures["cpu_seconds"], figures)
@@ -154,3 +154,8 @@ def all_methods(python: str, with_meshlib: bool) -> dict[str, Method]:
     if with_meshlib:
         methods["MeshLib, volume kept"] = each_label(meshlib)
     return methods
+
+
+def whole_runs(python: str) -> dict[str, Method]:
+    """From the label map to a simplified surface, and the first of the methods above for comparison."""
+    return {NOT_SMOOTHED: ours(python, "extract")} | {step: ours(python, step) for step in WHOLE}

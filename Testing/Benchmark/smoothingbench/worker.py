@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""One step on a label map, in a process of its own: python -m smoothingbench.worker STEP MAP.npz THREADS [RESULT.npz]
+"""One step on a label map, in a process of its own: python -m smoothingbench.worker STEP MAP.npz THREADS[,...] [RESULT.npz]
 
-Prints JSON: seconds and processor seconds (all threads) of the step alone, its memory, the number of triangles and a hash of
+Prints a line of JSON for each number of threads: seconds and processor seconds (all threads) of the step alone, its memory, the number of triangles and a hash of
 the result. RESULT.npz gets the surface of each label. The steps of this project need the package `bonedecimate` that is built with VTK;
 the others run with any VTK that has the filter.
 """
@@ -46,10 +46,10 @@ def extraction(threads: int) -> Any:
     return vtkBoneSurfaces(number_of_threads=threads)
 
 
-def run(threads: int, **options: Any) -> Any:
+def run(threads: int, mode: str = "FAST", **options: Any) -> Any:
     from bonedecimate import vtkBoneDecimate
-    return vtkBoneDecimate(number_of_threads=threads, measure_distances=False, mode=vtkBoneDecimate.FAST, automatic_smoothing=True,
-                           label_array_name="BoundaryLabels", **options)
+    return vtkBoneDecimate(number_of_threads=threads, measure_distances=False, mode=getattr(vtkBoneDecimate, mode),
+                           automatic_smoothing=True, label_array_name="BoundaryLabels", **options)
 
 
 def smoothing(threads: int) -> Any:
@@ -84,6 +84,11 @@ def proved(image: vtkImageData, threads: int) -> list[Any]:
 def keep_voxels(image: vtkImageData, threads: int) -> list[Any]:
     """The same, and every voxel keeps its label."""
     return chained(extracted(image, threads), [run(threads, maximum_error=ERROR, keep_voxels=1)])
+
+
+def simplified(keep: int) -> Step:
+    """From the label map to the simplified surface, mode Balanced."""
+    return lambda image, threads: chained(image, [extraction(threads), run(threads, "BALANCED", maximum_error=ERROR, keep_voxels=keep)])
 
 
 def flying_edges(image: vtkImageData, _threads: int) -> list[Any]:
@@ -122,7 +127,8 @@ def windowed_sinc(image: vtkImageData, _threads: int) -> list[Any]:
 
 OURS: dict[str, Step] = {"extract": extract, "smooth": smooth, "extract and smooth": extract_and_smooth, "proved": proved,
                          "keep voxels": keep_voxels}
-STEPS = OURS | {"vtkFlyingEdges3D": flying_edges, "vtkSurfaceNets3D": surface_nets, "windowed sinc": windowed_sinc}
+WHOLE: dict[str, Step] = {"within 0.5 mm": simplified(0), "within 0.5 mm, KeepVoxels": simplified(1)}
+STEPS = OURS | WHOLE | {"vtkFlyingEdges3D": flying_edges, "vtkSurfaceNets3D": surface_nets, "windowed sinc": windowed_sinc}
 
 
 def digest(surface: vtkPolyData) -> str:
@@ -170,24 +176,31 @@ def warm_up(step: Step) -> None:
     step(image_of(cube, (1.0, 1.0, 1.0)), 1)[-1].Update()
 
 
+def figures_of(step: Step, image: vtkImageData, threads: int) -> tuple[vtkPolyData, dict[str, Any]]:
+    """The result, and what is printed of it."""
+    vtkSMPTools.Initialize(threads)
+    filters = step(image, threads)
+    source = filters[0].GetInputDataObject(0, 0)
+    surface, figures = measured(filters)
+    report = report_of(surface)
+    return surface, figures | {
+        "threads": threads, "triangles": surface.GetNumberOfPolys(), "sha256": digest(surface), "vtk": vtkVersion.GetVTKVersion(),
+        "input_triangles": source.GetNumberOfPolys() if isinstance(source, vtkPolyData) else 0,
+        "smoothing": report.get("smoothing", {}), "voxel_check": report.get("voxels", {}), "proof": report.get("proof", {})}
+
+
 def main(name: str, source: str, threads: str, target: str | None = None) -> None:
     step = STEPS[name]
-    vtkSMPTools.Initialize(int(threads))
     warm_up(step)
     with np.load(source) as file:
         labels = file["labels"]
         image = image_of(labels, file["spacing"], file["origin"])
         values = np.unique(labels[labels > 0])
-    filters = step(image, int(threads))
-    input_triangles = filters[0].GetInputDataObject(0, 0)
-    surface, figures = measured(filters)
-    report = report_of(surface)
-    figures |= {"triangles": surface.GetNumberOfPolys(), "sha256": digest(surface), "vtk": vtkVersion.GetVTKVersion(),
-                "input_triangles": input_triangles.GetNumberOfPolys() if isinstance(input_triangles, vtkPolyData) else 0,
-                "smoothing": report.get("smoothing", {}), "voxel_check": report.get("voxels", {}), "proof": report.get("proof", {})}
+    for count in threads.split(","):
+        surface, figures = figures_of(step, image, int(count))
+        print("\n" + json.dumps(figures), flush=True)
     if target:
         np.savez(target, **label_surfaces(surface, values))
-    print("\n" + json.dumps(figures))
 
 
 if __name__ == "__main__":
