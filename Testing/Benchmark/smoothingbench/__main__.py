@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import argparse
 import csv
-import shutil
 import sys
 from collections.abc import Iterable
 from pathlib import Path
@@ -96,12 +95,7 @@ def main() -> None:
             document.write_conditions(options.work, section, options.rounds, options.samples, others.complaint())
     document.write_page(options.work, options.work / "smoothing-benchmark.md")
     if options.write_docs:
-        for file in options.work.glob("smoothing-*.csv"):
-            shutil.copy(file, document.DOCUMENTATION / "benchmark-data")
-        for file in options.work.glob("smoothing-*.png"):
-            shutil.copy(file, document.DOCUMENTATION / "images")
-        shutil.copy(options.work / document.RUN, document.DOCUMENTATION / "benchmark-data")
-        shutil.copy(options.work / "smoothing-benchmark.md", document.DOCUMENTATION)
+        document.publish(options.work)
 
 
 if __name__ == "__main__":

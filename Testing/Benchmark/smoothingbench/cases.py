@@ -158,7 +158,7 @@ def gap(*coordinates: np.ndarray) -> np.ndarray:
 
 def probes(outward: bool) -> np.ndarray:
     """Segments normal to the plate, from outside inward, or from the middle of the gap outward."""
-    x, y = (c.ravel() for c in np.meshgrid(np.arange(-6.0, 6.05, 0.1), np.arange(-6.0, 6.05, 0.1)))
+    x, y = (c.ravel() for c in np.meshgrid(np.arange(-6.0, 6.1, 0.2), np.arange(-6.0, 6.1, 0.2)))
     ends = [[np.stack([x, y, np.full_like(x, z)], -1) for z in segment]
             for segment in (((0.0, 4.0), (0.0, -4.0)) if outward else ((4.0, -4.0), (-4.0, 4.0)))]
     return untilted(np.array(ends).transpose(2, 0, 1, 3))

@@ -11,6 +11,7 @@ import csv
 import importlib.metadata
 import json
 import re
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 
@@ -56,8 +57,9 @@ def changed_percent(row: Row) -> str:
     return f"{percent:.2f}" if percent >= 0.005 or not changed else "< 0.01"
 
 
-def table(head: list[str], lines: list[list[str]]) -> str:
-    text = ["| " + " | ".join(head) + " |", "|---|" + "---:|" * (len(head) - 1)]
+def table(head: list[str], lines: list[list[str]], words: int = 1) -> str:
+    """The first columns are words, the others numbers."""
+    text = ["| " + " | ".join(head) + " |", "|" + "---|" * words + "---:|" * (len(head) - words)]
     return "\n".join(text + ["| " + " | ".join(line) + " |" for line in lines]) + "\n"
 
 
@@ -82,7 +84,7 @@ def of_labels(rows: Rows) -> str:
                "processor s": one("cpu_seconds", 2)}
     return table(["label map", "method"] + list(columns),
                  [[row["shape"], bold(row["method"])] + [cell(row) for cell in columns.values()]
-                  for row in rows if row["kind"] == "labels"]).replace("|---|---:|", "|---|---|", 1)
+                  for row in rows if row["kind"] == "labels"], 2)
 
 
 def of_whole_runs(rows: Rows) -> str:
@@ -91,8 +93,7 @@ def of_whole_runs(rows: Rows) -> str:
                "voxels changed, %": changed_percent, "intersecting pairs": one("intersecting_pairs", 0),
                "components": one("components", 0), "processor s": one("cpu_seconds", 2)}
     return table(["label map", "method"] + list(columns),
-                 [[row["shape"], row["method"]] + [cell(row) for cell in columns.values()] for row in rows]
-                 ).replace("|---|---:|", "|---|---|", 1)
+                 [[row["shape"], row["method"]] + [cell(row) for cell in columns.values()] for row in rows], 2)
 
 
 def of_growth(rows: Rows) -> str:
@@ -110,13 +111,12 @@ def of_growth(rows: Rows) -> str:
 def of_threads(rows: Rows) -> str:
     """A line for each map and step: the beginnings of the hashes, and whether they are equal."""
     lines = []
-    for name in unique(rows, "map"):
-        for step in unique(rows, "step"):
-            runs = [row for row in rows if row["map"] == name and row["step"] == step]
-            sums = {row["sha256"] for row in runs}
-            lines.append([name, step, number(runs[0]["triangles"], 0), ", ".join(row["threads"] for row in runs),
-                          f"equal ({sums.pop()[:12]})" if len(sums) == 1 else "**different**"])
-    return table(["label map", "step", "triangles of the result", "threads", "bytes"], lines)
+    for name, step in dict.fromkeys((row["map"], row["step"]) for row in rows):
+        runs = [row for row in rows if (row["map"], row["step"]) == (name, step)]
+        sums = {row["sha256"] for row in runs}
+        lines.append([name, step, number(runs[0]["triangles"], 0), ", ".join(row["threads"] for row in runs),
+                      f"equal ({sums.pop()[:12]})" if len(sums) == 1 else "**different**"])
+    return table(["label map", "step", "triangles of the result", "threads", "bytes"], lines, 2)
 
 
 def write_conditions(work: Path, section: str, rounds: int, samples: int, note: str) -> None:
@@ -170,6 +170,19 @@ def write_page(folder: Path, target: Path) -> None:
     made = tables(folder)
     text = re.sub(r"<!-- (\w+) -->\n", lambda match: made[match[1]], TEMPLATE.read_text(encoding="utf-8"))
     target.write_text(text, encoding="utf-8")
+
+
+def publish(work: Path) -> None:
+    """Figures and pictures of a run go to Documentation; those of sections that did not run stay. Then the page is written."""
+    data = DOCUMENTATION / "benchmark-data"
+    for pattern, folder in (("smoothing-*.csv", data), ("smoothing-*.png", DOCUMENTATION / "images")):
+        for file in work.glob(pattern):
+            shutil.copy(file, folder)
+    run, before = json.loads((work / RUN).read_text(encoding="utf-8")), data / RUN
+    if before.exists():
+        run["sections"] = json.loads(before.read_text(encoding="utf-8"))["sections"] | run["sections"]
+    before.write_text(json.dumps(run, indent=2) + "\n", encoding="utf-8")
+    write_page(data, DOCUMENTATION / "smoothing-benchmark.md")
 
 
 if __name__ == "__main__":

@@ -18,21 +18,28 @@ from .methods import run_worker, save_map
 from .worker import OURS
 
 Row = dict[str, Any]
-TRIANGLES_PER_LAYER = 2600  # of the CT, per voxel along x, on average
 # The largest number of triangles of each step.
 LIMITS = {"extract": 1e7, "vtkFlyingEdges3D": 1e7, "vtkSurfaceNets3D": 1e7, "smooth": 1e7, "windowed sinc": 1e7, "proved": 1e6,
           "keep voxels": 1e6}
+WITH_PROOF, SMALL = ("proved", "keep voxels"), 3e5  # the bytes of these steps are compared on maps up to so many triangles
 GROWTH_COLUMNS = ("step", "map_triangles", "input_triangles", "triangles", "voxels", "cpu_seconds", "seconds", "held_bytes",
                   "peak_bytes", "threads", "rounds", "vtk")
 THREAD_COLUMNS = ("map", "step", "threads", "triangles", "cpu_seconds", "seconds", "sha256")
 
 
+def triangles_of_layers(bone: np.ndarray) -> np.ndarray:
+    """Of marching cubes, for each layer along x: a surface has about twice as many triangles as points."""
+    points = sum((np.diff(bone, axis=axis, append=np.take(bone, [0], axis)) != 0).sum((0, 1)) for axis in range(3))
+    return 2 * points
+
+
 def tiled(values: np.ndarray, triangles: float) -> np.ndarray:
-    """Bone of the CT, side by side along x until there are about so many triangles, or a part of it from its middle."""
-    bone = np.pad((values >= HU).astype(np.uint8), 1)
-    count = round(triangles / TRIANGLES_PER_LAYER)
-    first = max(0, (bone.shape[2] - count) // 2)
-    return np.concatenate([bone] * (1 + count // bone.shape[2]), axis=2)[:, :, first:first + count]
+    """Bone of the CT, from its middle on and then repeated along x, so much of it that there are about so many triangles."""
+    bone = np.roll(np.pad((values >= HU).astype(np.uint8), 1), -values.shape[2] // 2, axis=2)
+    layers = triangles_of_layers(bone)
+    copies = 1 + int(triangles / layers.sum())
+    count = int(np.searchsorted(np.cumsum(np.tile(layers, copies)), triangles)) + 1
+    return np.tile(bone, (1, 1, copies))[:, :, :count]
 
 
 def write_map(values: np.ndarray, triangles: float, folder: Path) -> Path:
@@ -75,13 +82,14 @@ def growth(ct: Path, folder: Path, ours: str, peers: str, sizes: list[float], st
 
 
 def bytes_over_threads(ct: Path, folder: Path, ours: str, sizes: list[float], counts: list[int], names: list[str]) -> Iterator[Row]:
-    """Every step of this project on parts of the CT, and on a map of five labels."""
+    """Every step of this project on a map of five labels and on parts of the CT; steps with a proof on small ones."""
     maps = {"ball of five labels": folder / "ball.npz"}
     save_map(ball_of_five_parts(), maps["ball of five labels"])
     if ct.exists():
         values = ct_values(ct)
         maps |= {f"CT, {size:,.0f} triangles": write_map(values, size, folder) for size in sizes}
+    large = [write_map(values, size, folder) for size in sizes if size > SMALL] if ct.exists() else []
     for name, source in ((name, source) for name, source in maps.items() if not names or name in names):
-        for step in (step for step in OURS if step != "extract and smooth"):
+        for step in (step for step in OURS if step in LIMITS and not (source in large and step in WITH_PROOF)):
             for figures in run_worker(ours, step, source, counts):
                 yield {"map": name, "step": step, **{key: figures[key] for key in THREAD_COLUMNS if key in figures}}

@@ -178,6 +178,8 @@ def warm_up(step: Step) -> None:
 
 def figures_of(step: Step, image: vtkImageData, threads: int) -> tuple[vtkPolyData, dict[str, Any]]:
     """The result, and what is printed of it."""
+    if threads > 1 and vtkSMPTools.GetBackend() == "Sequential":  # of the VTK of PyPI
+        vtkSMPTools.SetBackend("STDThread")
     vtkSMPTools.Initialize(threads)
     filters = step(image, threads)
     source = filters[0].GetInputDataObject(0, 0)
