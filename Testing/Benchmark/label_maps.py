@@ -9,42 +9,31 @@ Runs with every VTK that Python finds and leaves out the filters that it does no
 are the CT of Debian's package invesalius-examples at 226 HU, the same bone in four parts, and random labels.
 """
 import argparse
-import tarfile
 import time
 from pathlib import Path
 
 import numpy as np
+from smoothingbench.cases import CRANIUM, CT_SPACING, HU, ct_values
+from smoothingbench.surfaces import image_of
 from vtkmodules import vtkFiltersCore, vtkFiltersGeneral
-from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkSMPTools, vtkVersion
-from vtkmodules.vtkCommonDataModel import vtkImageData
 
 try:
     from bonedecimate import vtkBoneSurfaces
 except ImportError:
     vtkBoneSurfaces = None
 
-CRANIUM = Path("/usr/share/doc/invesalius-examples/examples/Cranium.inv3")
-
 
 def ct_labels(path):
     """The bone of the CT, and the same bone in four parts."""
-    with tarfile.open(path) as archive:
-        matrix = next(member for member in archive if member.name.endswith("matrix.dat"))
-        values = np.frombuffer(archive.extractfile(matrix).read(), dtype=np.int16).reshape(108, 256, 256)
-    bone = (values >= 226).astype(np.uint8)
+    bone = (ct_values(path) >= HU).astype(np.uint8)
     _z, y, x = np.ogrid[:108, :256, :256]
     return bone, (bone * (1 + (x > 128) + 2 * (y > 120))).astype(np.uint8)
 
 
 def padded_image(labels):
     """With a voxel of background on all sides, so that all filters give closed surfaces."""
-    labels = np.pad(labels, 1)
-    image = vtkImageData()
-    image.SetDimensions(*labels.shape[::-1])
-    image.SetSpacing(0.957, 0.957, 1.5)
-    image.GetPointData().SetScalars(numpy_to_vtk(labels.ravel(), deep=True))
-    return image
+    return image_of(np.pad(labels, 1), CT_SPACING)
 
 
 def filters(values):
