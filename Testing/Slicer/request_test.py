@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scripted module's logic rejects values outside their range before it runs anything. Needs VTK, but no Slicer."""
+"""The scripted module's logic rejects values outside their range before it runs anything, and runs previews when it should.
+
+Needs VTK, but no Slicer.
+"""
 
 import math
 import pathlib
@@ -8,10 +11,15 @@ import sys
 import types
 import unittest
 
+import numpy as np
+import vtk
+
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Applications" / "Slicer" / "BoneDecimator"))
 from BoneDecimatorLib.checks import DecimationError  # noqa: E402
-from BoneDecimatorLib.engines import WheelEngine, _set_option  # noqa: E402
-from BoneDecimatorLib.logic import BoneDecimatorLogic, Request, presets  # noqa: E402
+from BoneDecimatorLib.engines import Canceled, WheelEngine, _set_option  # noqa: E402
+from BoneDecimatorLib.logic import SMOOTHINGS, BoneDecimatorLogic, Request, presets, smoothing_of, statistics  # noqa: E402
+from BoneDecimatorLib.preview import QUIET, Preview, part_of_label_map, part_of_surface  # noqa: E402
+from BoneDecimatorLib.segmentation import LabelMap  # noqa: E402
 
 NO_NUMBERS = (math.nan, math.inf, -math.inf, "0.1", None, True)
 
@@ -38,20 +46,40 @@ class Requests(unittest.TestCase):
     def test_outside_their_range_are_rejected_with_a_sentence(self):
         for value in (-1, -1e-300, 1.1e30, *NO_NUMBERS):
             self.rejects("^The tolerance takes a number from 0 to 1e30 mm, not ", tolerance=value, triangles=100)
+            self.rejects("^The smoothing, if it is not 'automatic', takes a number from 0 to 1e30 mm, not ", smoothing=value)
             self.rejects("^The radius takes a number from 0 to 1e30 mm, not ", radius=value)
             self.rejects("^The feather takes a number from 0 to 1e30 mm, not ", feather=value)
         for value in (-1, 0.5, 2**31, *NO_NUMBERS):
             self.rejects("^The number of triangles takes a whole number from 0 to 2147483647, not ", triangles=value)
+        for value in ("", "on", "Nonsense", None, True):
+            self.rejects("^Keep voxels takes one of Off, On, Auto, not ", keep_voxels=value)
         for value in ("", "balanced", "Nonsense", None, 2):
             self.rejects("^Mode takes one of Thesis, Fast, Balanced, Accurate", mode=value)
 
     def test_without_any_goal_are_rejected(self):
-        self.rejects("^Give a tolerance or a number of triangles", tolerance=0.0, triangles=0)
+        self.rejects("^Give a tolerance, a number of triangles or a smoothing", tolerance=0.0, triangles=0)
+        self.rejects("^Give a tolerance, a number of triangles or a smoothing", tolerance=0.0, keep_voxels="Off")
         self.rejects("^A brush needs a tolerance", tolerance=0.0, triangles=100, brush="Paint")
 
     def test_within_their_range_become_flags(self):
         wanted = Request(tolerance=0.25, triangles=100, mode="Fast", intersection_guard=False).options()
         self.assertEqual(wanted, {"mode": "Fast", "intersection-guard": False, "max-error": 0.25, "target-triangles": 100})
+
+    def test_smoothing_and_voxels_become_flags(self):
+        fast = {"mode": "Fast"}
+        for request, wanted in (({"smoothing": 0.2}, {"smooth": 0.2, "target-reduction": 0.0}),
+                                ({"smoothing": "automatic"}, {"auto-smooth": True, "target-reduction": 0.0}),
+                                ({"smoothing": "automatic", "triangles": 9}, {"auto-smooth": True, "target-triangles": 9}),
+                                ({"keep_voxels": "On"}, {"keep-voxels": "On"}),
+                                ({"keep_voxels": "Off", "triangles": 9}, {"keep-voxels": "Off", "target-triangles": 9}),
+                                ({"triangles": 9}, {"target-triangles": 9})):
+            with self.subTest(**request):
+                self.assertEqual(Request(tolerance=0.0, mode="Fast", **request).options(), {**fast, **wanted})
+
+    def test_presets_of_smoothing_are_fractions_of_the_least_side_of_a_voxel(self):
+        found = {each: smoothing_of(each, (0.8, 0.4, 1.0), own=0.3) for each in SMOOTHINGS}
+        self.assertEqual(found, {"none": 0.0, "automatic": "automatic", "quarter of a voxel": 0.1, "half a voxel": 0.2,
+                                 "one voxel": 0.4, "own distance": 0.3})
 
     def test_of_levels_are_rejected(self):
         logic = BoneDecimatorLogic(None, Engine())
@@ -82,6 +110,133 @@ class Requests(unittest.TestCase):
             with self.assertRaisesRegex(DecimationError, says):
                 _set_option(Decimate(), rows, flag, value)
         self.assertTrue(WheelEngine.has_levels)
+
+
+class Statistics(unittest.TestCase):
+    def test_name_segments_and_round_what_is_proved_up(self):
+        report = {"input": {"triangles": 5000, "components": 2}, "output": {"triangles": 800, "components": 2},
+                  "proof": {"status": "proved", "upper": 0.20001}, "distance": {"input_to_output": {"mean": 0.05}},
+                  "smoothing": {"largest_displacement": 0.15, "rms_displacement": 0.1},
+                  "voxels": {"guard": "off", "changed": 3, "of_1": {"voxels": 70, "lost": 2, "gained": 1},
+                             "of_2": {"voxels": 80, "lost": 1, "gained": 0}, "of_0": {"voxels": 9, "lost": 0, "gained": 2}}}
+        text = "\n".join(statistics(report, ["tibia", "fibula"]))
+        for line in ("5,000 -> 800 triangles", "proved: no point is farther away than 0.2001 mm",
+                     "smoothing moved points by 0.1500 mm at most, 0.1000 mm RMS", "3 voxels changed (voxels not kept)",
+                     "tibia: 2 voxels lost, 1 gained, of 70", "fibula: 1 voxels lost, 0 gained, of 80"):
+            self.assertIn(line, text)
+        self.assertNotIn("proved", "\n".join(statistics({**report, "proof": {"status": "undecided"}})))
+
+
+class Previews(unittest.TestCase):
+    """With a clock of the test's own."""
+
+    def setUp(self):
+        self.now, self.runs, self.told, self.during = 0.0, 0, [], None
+        self.preview = Preview(self.run_once, self.told.append, self.listen, lambda: self.now)
+
+    def run_once(self, progress):
+        self.runs += 1
+        if progress(0.5) is False:
+            raise Canceled("Canceled.")
+
+    def listen(self):
+        during, self.during = self.during, None
+        if during:
+            during()
+
+    def tick_after(self, seconds):
+        self.now += seconds
+        return self.preview.tick()
+
+    def test_changes_in_short_order_are_one_run(self):
+        self.preview.start()
+        for _ in range(5):
+            self.assertFalse(self.tick_after(0.9 * QUIET))
+            self.preview.changed()
+        self.assertTrue(self.tick_after(1.1 * QUIET))
+        self.assertFalse(self.tick_after(10.0), "nothing has changed since")
+        self.assertEqual(self.runs, 1)
+
+    def test_a_change_during_a_run_cancels_it_and_runs_again(self):
+        self.preview.start()
+        self.during = self.preview.changed
+        self.assertFalse(self.tick_after(1.1 * QUIET), "canceled")
+        self.assertFalse(self.tick_after(0.5 * QUIET), "not quiet yet")
+        self.assertTrue(self.tick_after(0.6 * QUIET))
+        self.assertEqual(self.runs, 2)
+
+    def test_a_tick_during_a_run_does_not_start_another(self):
+        self.preview.start()
+        self.during = lambda: self.assertFalse(self.tick_after(10.0))
+        self.assertTrue(self.tick_after(1.1 * QUIET))
+        self.assertEqual(self.runs, 1)
+
+    def test_stopping_cancels_a_run_and_ignores_changes(self):
+        self.preview.start()
+        self.during = self.preview.stop
+        self.assertFalse(self.tick_after(1.1 * QUIET))
+        self.preview.changed()
+        self.assertFalse(self.tick_after(10.0))
+        self.assertEqual(self.runs, 1)
+
+    def test_problems_are_told_once(self):
+        def fail(_progress):
+            raise DecimationError("Choose a model.")
+
+        preview = Preview(fail, self.told.append, clock=lambda: self.now)
+        preview.start()
+        self.now += 1.1 * QUIET
+        preview.tick()
+        preview.tick()
+        self.assertEqual(self.told, ["Choose a model."])
+
+
+class Parts(unittest.TestCase):
+    """Of a ball of radius 30 voxels, of 0.5 x 0.5 x 1 mm, at an offset and turned."""
+
+    def setUp(self):
+        z, y, x = np.ogrid[-30:31, -30:31, -30:31]
+        self.to_node = np.array([[0.0, -0.5, 0.0, 7.0], [0.5, 0.0, 0.0, -3.0], [0.0, 0.0, 1.0, 11.0], [0.0, 0.0, 0.0, 1.0]])
+        self.ball = LabelMap((x * x + y * y + z * z <= 900).astype(np.uint16), ["ball"], self.to_node)
+
+    def place_in_whole(self, part):
+        """The index x, y, z of the part's first voxel in the ball's array."""
+        shift = np.linalg.inv(self.to_node) @ part.to_node
+        np.testing.assert_allclose(shift[:3, :3], np.eye(3), atol=1e-12)
+        return np.rint(shift[:3, 3]).astype(int)
+
+    def test_of_a_small_label_map_is_all_of_it(self):
+        part, ratio = part_of_label_map(self.ball, 10**6)
+        self.assertIs(part, self.ball)
+        self.assertEqual(ratio, 1.0)
+
+    def test_of_a_large_label_map_is_an_open_box_in_the_same_place(self):
+        for center in (None, self.to_node[:3] @ (30.0, 30.0, 60.0, 1.0), self.to_node[:3] @ (0.0, 30.0, 30.0, 1.0)):
+            part, ratio = part_of_label_map(self.ball, 4000, center)
+            self.assertFalse(part.closed)
+            faces = sum(np.count_nonzero(np.diff(part.voxels.astype(int), axis=axis)) for axis in range(3))
+            self.assertTrue(1000 < faces < 3000, faces)
+            self.assertTrue(0.0 < ratio < 0.3, ratio)
+            whole = np.pad(self.ball.voxels, 1)
+            x, y, z = self.place_in_whole(part) + 1
+            nz, ny, nx = part.voxels.shape
+            np.testing.assert_array_equal(part.voxels, whole[z:z + nz, y:y + ny, x:x + nx])
+            if center is not None:
+                local = np.linalg.inv(part.to_node) @ (*center, 1.0)
+                self.assertTrue((local[:3] >= -1.0).all() and (local[:3] <= part.voxels.shape[::-1]).all())
+
+    def test_of_a_surface_are_the_cells_about_a_point_with_their_arrays(self):
+        source = vtk.vtkSphereSource()
+        source.SetRadius(20.0)
+        source.SetThetaResolution(60)
+        source.SetPhiResolution(60)
+        source.Update()
+        part, ratio = part_of_surface(source.GetOutput(), 700, (20.0, 0.0, 0.0))
+        self.assertEqual(part.GetNumberOfCells(), 700)
+        self.assertAlmostEqual(ratio, 700 / source.GetOutput().GetNumberOfCells())
+        self.assertGreater(part.GetBounds()[0], 0.0)
+        self.assertTrue(part.GetPointData().HasArray("Normals"))
+        self.assertIs(part_of_surface(source.GetOutput(), 10**6)[0], source.GetOutput())
 
 
 if __name__ == "__main__":

@@ -110,7 +110,7 @@ class CommandLineModule(unittest.TestCase):
     def test_a_failure_is_shown_as_one(self):
         _, node, _ = self.run_module(MaximumError=0, TargetReduction=1, TargetNumberOfTriangles=0, Mode="Nonsense")
         self.assertIn("errors", node.GetStatusString())
-        self.assertIn("Mode", node.GetErrorText())
+        self.assertIn("--mode takes one of", node.GetErrorText())
 
 
 class Logic(unittest.TestCase):

@@ -7,11 +7,18 @@ import json
 import ctk
 import qt
 import slicer
+import vtk
+from BoneDecimatorLib.checks import AUTOMATIC, KEEP_VOXELS
 from BoneDecimatorLib.engines import Canceled, DecimationError, NoEngine
-from BoneDecimatorLib.logic import BoneDecimatorLogic, Request, presets, report
+from BoneDecimatorLib.logic import (NO_SMOOTHING, OWN_DISTANCE, SMOOTHINGS, BoneDecimatorLogic, Request, presets, smoothing_of,
+                                    spacing_of)
+from BoneDecimatorLib.preview import Preview
+from BoneDecimatorLib.segmentation import has_label_map
+from BoneDecimatorLib.surfaces import DISTANCE, report_of
 from slicer.ScriptedLoadableModule import ScriptedLoadableModule, ScriptedLoadableModuleTest, ScriptedLoadableModuleWidget
 
 MODES = ("Balanced", "Fast", "Accurate")
+MODELS, CLOSED_SURFACES = "models in a folder", "closed surfaces of the segmentation"
 EVERYWHERE, ONLY_THERE, KEEP = "everywhere", "only where the brush is", "everywhere but there"
 
 
@@ -21,8 +28,9 @@ class BoneDecimator(ScriptedLoadableModule):
         parent.title = "Bone Decimator"
         parent.categories = ["Surface Models"]
         parent.contributors = ["vtkBoneDecimate contributors"]
-        parent.helpText = ("Makes a surface of bone smaller and proves, in mm, how far the result is from it. "
-                           "Not a medical device.")
+        parent.helpText = ("Makes surfaces of bone smaller and proves, in mm, how far the results are from them. The segments of a "
+                           "segmentation are extracted with walls in common, smoothed and simplified together, and every voxel "
+                           "can keep its segment. Not a medical device.")
         parent.acknowledgementText = "After H. Brandao's thesis on normal field deviation, 2018."
 
 
@@ -31,11 +39,20 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         ScriptedLoadableModuleWidget.setup(self)
         self.logic = BoneDecimatorLogic(slicer.mrmlScene)
         self.levels = None
+        self.results = []  # model nodes of the last run
         self._addSource()
+        self._addSmoothing()
         self._addGoal()
         self._addBrush()
         self._addActions()
+        self._addPreview()
         self.layout.addStretch(1)
+
+    def cleanup(self):
+        self.live.checked = False
+
+    def exit(self):
+        self.live.checked = False
 
     # --- the panel, part by part
 
@@ -61,25 +78,50 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
     def _addSource(self):
         form = self._section("Bone")
         self.source = self._nodes(["vtkMRMLModelNode", "vtkMRMLSegmentationNode"])
-        self.segment = slicer.qMRMLSegmentSelectorWidget()
-        self.segment.setMRMLScene(slicer.mrmlScene)
-        self.segment.segmentationNodeSelectorVisible = False
+        self.segments = slicer.qMRMLSegmentsTableView()
+        self.segments.toolTip = "The selected segments; if none is selected, those that are visible."
         self.target = self._nodes(["vtkMRMLModelNode"], may_be_new=True)
+        self.kind = qt.QComboBox()
+        self.kind.addItems([MODELS, CLOSED_SURFACES])
+        self.kind.toolTip = "Slicer makes closed surfaces again, with its own smoothing, when the voxels change."
         self.source.currentNodeChanged.connect(self._onSource)
         form.addRow("Model or segmentation", self.source)
-        form.addRow("Segment", self.segment)
-        form.addRow("Result (none: a new model)", self.target)
+        form.addRow("Segments", self.segments)
+        form.addRow("Result of a model (none: a new model)", self.target)
+        form.addRow("Result of segments", self.kind)
+        self._onSource(None)
 
     def _onSource(self, node):
         is_segmentation = node is not None and node.IsA("vtkMRMLSegmentationNode")
-        self.segment.enabled = is_segmentation
-        self.segment.setCurrentNode(node if is_segmentation else None)
+        self.segments.visible = is_segmentation
+        self.segments.setSegmentationNode(node if is_segmentation else None)
+        self.kind.enabled, self.target.enabled = has_label_map(node), not has_label_map(node)
         self.levels = None
+
+    def _chosenSegments(self):
+        """Their IDs; None: those that are visible."""
+        node = self.source.currentNode()
+        if node is None or not node.IsA("vtkMRMLSegmentationNode"):
+            return None
+        return list(self.segments.selectedSegmentIDs()) or None
+
+    def _addSmoothing(self):
+        form = self._section("Smoothing")
+        self.smoothing = qt.QComboBox()
+        self.smoothing.addItems(SMOOTHINGS)
+        self.smoothing.toolTip = ("Removes the steps of the voxels first. No point moves farther than this, nor than the tolerance. "
+                                  "Automatic: a third of the tolerance, or half a voxel. Surfaces of gray values need none.")
+        self.ownSmoothing = self._millimeters(0.2, 100.0)
+        self.ownSmoothing.enabled = False
+        self.smoothing.currentTextChanged.connect(lambda text: setattr(self.ownSmoothing, "enabled", text == OWN_DISTANCE))
+        form.addRow("Smoothing", self.smoothing)
+        form.addRow("Own distance", self.ownSmoothing)
 
     def _addGoal(self):
         form = self._section("How small")
         self.tolerance = self._millimeters(0.2, 100.0)
-        self.tolerance.toolTip = "No point of either surface is farther from the other: proved. 0: no limit."
+        self.tolerance.toolTip = ("No point of either surface is farther from the other, smoothing included: proved. 0: no limit; "
+                                  "smoothing alone keeps all triangles.")
         self.volume = self._nodes(["vtkMRMLScalarVolumeNode"])
         buttons = qt.QHBoxLayout()
         for name in presets((1.0,)):
@@ -91,17 +133,20 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self.triangles.specialValueText = "as few as the tolerance allows"
         self.mode = qt.QComboBox()
         self.mode.addItems(MODES)
+        self.keepVoxels = qt.QComboBox()
+        self.keepVoxels.addItems(KEEP_VOXELS)
+        self.keepVoxels.currentText = "Auto"
+        self.keepVoxels.toolTip = ("On: voxelized again, every voxel is in the segment it was in. Auto: on up to a tolerance of half "
+                                   "a voxel, where it costs few triangles. For segments.")
         form.addRow("Tolerance", self.tolerance)
-        form.addRow("Scan, for presets", self.volume)
+        form.addRow("Scan, for presets of a model", self.volume)
         form.addRow("", buttons)
         form.addRow("Triangles", self.triangles)
+        form.addRow("Keep voxels", self.keepVoxels)
         form.addRow("Mode", self.mode)
 
     def _onPreset(self, name):
-        if self.volume.currentNode() is None:
-            slicer.util.warningDisplay("Choose the scan first: its voxels say how large the tolerance is.")
-            return
-        self.tolerance.value = presets(self.volume.currentNode().GetSpacing())[name]
+        self.tolerance.value = presets(spacing_of(self.source.currentNode(), self.volume.currentNode()))[name]
 
     def _addBrush(self):
         form = self._section("Where", collapsed=True)
@@ -133,6 +178,39 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         form.addRow("Levels of detail", self.slider)
         form.addRow(self.text)
 
+    def _addPreview(self):
+        form = self._section("Live preview")
+        self.live = qt.QCheckBox("Show the result while values change")
+        self.live.toolTip = "Of a large bone a part is shown. Distances are not proved in a preview."
+        self.live.toggled.connect(self._onLive)
+        self.previewText = qt.QLabel()
+        self.previewText.wordWrap = True
+        self.preview = Preview(self._runPreview, lambda text: setattr(self.previewText, "text", text), slicer.app.processEvents)
+        self.timer = qt.QTimer()
+        self.timer.interval = 100
+        self.timer.timeout.connect(self.preview.tick)
+        form.addRow(self.live)
+        form.addRow(self.previewText)
+        for signal in (self.source.currentNodeChanged, self.segments.selectionChanged, self.smoothing.currentTextChanged,
+                       self.ownSmoothing.valueChanged, self.tolerance.valueChanged, self.triangles.valueChanged,
+                       self.mode.currentTextChanged, self.keepVoxels.currentTextChanged, self.where.currentTextChanged,
+                       self.brush.currentNodeChanged, self.paint.textChanged, self.radius.valueChanged, self.feather.valueChanged):
+            signal.connect(lambda *_values: self.preview.changed())
+
+    def _onLive(self, on):
+        self.previewText.text = ""
+        if on:
+            self.preview.start()
+            self.timer.start()
+        else:
+            self.timer.stop()
+            self.preview.stop()
+            self.logic.remove_preview()
+
+    def _runPreview(self, progress):
+        lines = self.logic.preview(self.source.currentNode(), self.request(), self._chosenSegments(), progress=progress)
+        self.previewText.text = "\n".join(lines)
+
     # --- what the buttons do
 
     def request(self):
@@ -141,7 +219,11 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
             brush = self.paint.text.strip() or self.brush.currentNode()
             if not brush:
                 raise DecimationError("Choose points, a region of interest or a point array under 'Where'.")
+        choice = self.smoothing.currentText
+        needs_spacing = choice not in (NO_SMOOTHING, AUTOMATIC, OWN_DISTANCE)
+        spacing = spacing_of(self.source.currentNode(), self.volume.currentNode()) if needs_spacing else None
         return Request(tolerance=self.tolerance.value, triangles=self.triangles.value, mode=self.mode.currentText,
+                       smoothing=smoothing_of(choice, spacing, self.ownSmoothing.value), keep_voxels=self.keepVoxels.currentText,
                        brush=brush, keeps_brush=where == KEEP, radius=self.radius.value, feather=self.feather.value)
 
     def _try(self, action):
@@ -162,6 +244,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
                 slicer.util.pip_install(f'"{wheel}"')
 
     def _onSimplify(self):
+        self.live.checked = False
         dialog = slicer.util.createProgressDialog(labelText="Simplifying", maximum=100, windowModality=qt.Qt.WindowModal)
 
         def tell(fraction):
@@ -170,35 +253,51 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
             return not dialog.wasCanceled
 
         try:
-            node, lines = self.logic.decimate(self.source.currentNode(), self.request(), self.target.currentNode(),
-                                              self.segment.currentSegmentID() or None, tell)
+            lines = self._simplify(tell)
         finally:
             dialog.close()
+        self.text.text = "\n".join(lines)
+
+    def _simplify(self, tell):
+        source, segments = self.source.currentNode(), self._chosenSegments()
+        if has_label_map(source):
+            as_models = self.kind.currentText == MODELS
+            nodes, lines = self.logic.decimate_segments(source, self.request(), segments, as_models, tell)
+            self.results = nodes if as_models else []
+            return lines
+        segment = segments[0] if segments and len(segments) == 1 else None
+        node, lines = self.logic.decimate(source, self.request(), self.target.currentNode(), segment, tell)
         node.CreateDefaultDisplayNodes()
         self.target.setCurrentNode(node)
-        self.text.text = "\n".join(lines)
+        self.results = [node]
+        return lines
 
     def _onUndo(self):
         if self.logic.can_undo():
-            self.target.setCurrentNode(self.logic.undo())
+            node = self.logic.undo()
+            self.results = [node] if node is not None else []
+            self.target.setCurrentNode(node)
             self.text.text = ""
 
     def _onToggle(self):
-        before, after = self.source.currentNode(), self.target.currentNode()
-        if before and after and before.GetDisplayNode() and after.GetDisplayNode():
-            shown = after.GetDisplayNode().GetVisibility()
-            after.GetDisplayNode().SetVisibility(not shown)
+        before = self.source.currentNode()
+        after = [node for node in self.results if node.GetDisplayNode()]
+        if before and after and before.GetDisplayNode():
+            shown = after[0].GetDisplayNode().GetVisibility()
+            for node in after:
+                node.GetDisplayNode().SetVisibility(not shown)
             before.GetDisplayNode().SetVisibility(shown)
 
     def _onHeatMap(self):
-        node = self.target.currentNode()
-        if node is None or node.GetPolyData().GetPointData().GetArray("Distance") is None:
+        nodes = [node for node in self.results if node.GetPolyData().GetPointData().GetArray(DISTANCE) is not None]
+        if not nodes:
             raise DecimationError("Simplify first: there is no distance to show.")
-        display = node.GetDisplayNode()
-        display.SetActiveScalar("Distance", 0)
-        display.SetAndObserveColorNodeID("vtkMRMLColorTableNodeFileViridis.txt")
-        display.SetScalarVisibility(True)
-        legend = slicer.modules.colors.logic().AddDefaultColorLegendDisplayNode(node)
+        for node in nodes:
+            display = node.GetDisplayNode()
+            display.SetActiveScalar(DISTANCE, vtk.vtkAssignAttribute.POINT_DATA)
+            display.SetAndObserveColorNodeID("vtkMRMLColorTableNodeFileViridis.txt")
+            display.SetScalarVisibility(True)
+        legend = slicer.modules.colors.logic().AddDefaultColorLegendDisplayNode(nodes[0])
         legend.SetTitleText("distance to the original, mm")
 
     def _onLevel(self, percent):
@@ -207,21 +306,22 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
             return
         if self.levels is None:
             with slicer.util.WaitCursor():
-                self.levels = self.logic.record_levels(source, segment=self.segment.currentSegmentID() or None)
+                self.levels = self.logic.record_levels(source, segment=(self._chosenSegments() or [None])[0])
         self.logic.show_level(self.levels, int(percent / 100.0 * self.levels.result.report["input.triangles"]), target)
         self.text.text = f"{target.GetPolyData().GetNumberOfPolys():,} triangles"
 
     def _onReport(self):
-        node = self.target.currentNode()
-        path = qt.QFileDialog.getSaveFileName(None, "Save report", "report.json", "JSON (*.json)") if node else ""
+        found = report_of(self.results[0].GetPolyData()) if self.results else {}
+        if not found:
+            raise DecimationError("Simplify a model, or segments into models, first: there is no report.")
+        path = qt.QFileDialog.getSaveFileName(None, "Save report", "report.json", "JSON (*.json)")
         if path:
             with open(path, "w", encoding="utf-8") as file:
-                file.write(json.dumps(report(node.GetPolyData()), indent=2) + "\n")
+                file.write(json.dumps(found, indent=2) + "\n")
 
 
 class BoneDecimatorTest(ScriptedLoadableModuleTest):
     def runTest(self):
-        import vtk
         source = vtk.vtkSphereSource()
         source.SetRadius(20.0)
         source.SetThetaResolution(60)

@@ -6,6 +6,8 @@ import math
 import numbers
 
 MODES = ["Thesis", "Fast", "Balanced", "Accurate"]
+KEEP_VOXELS = ["Off", "On", "Auto"]
+AUTOMATIC = "automatic"  # the smoothing that voxels and tolerance suggest
 LARGEST = 1e30  # mm, as in the program's table of options
 MOST_TRIANGLES = 2**31 - 1
 
@@ -36,6 +38,16 @@ def check_length(name, value):
 def check_mode(mode):
     if mode not in MODES:
         raise DecimationError(f"Mode takes one of {', '.join(MODES)}, not {mode!r}.")
+
+
+def check_keep_voxels(choice):
+    if choice not in KEEP_VOXELS:
+        raise DecimationError(f"Keep voxels takes one of {', '.join(KEEP_VOXELS)}, not {choice!r}.")
+
+
+def check_smoothing(smoothing):
+    if smoothing != AUTOMATIC:
+        check_length(f"The smoothing, if it is not {AUTOMATIC!r},", smoothing)
 
 
 def check_ratio(name, value):

@@ -3,12 +3,16 @@
 """What runs the decimation: the wheel `bonedecimate` in Slicer's own Python, or the program `bonedecimate` beside it."""
 
 import importlib.util
+import json
 import re
 import shutil
 import subprocess
 import tempfile
+import warnings
+from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk
 
@@ -23,6 +27,26 @@ class NoEngine(DecimationError):
 
 class Canceled(DecimationError):
     """The user canceled the run; nothing has changed."""
+
+
+@dataclass
+class SharedSurfaces:
+    """The surfaces of all segments of a label map, simplified together; a wall between two of them is there once."""
+
+    points: np.ndarray  # (n, 3), mm
+    triangles: np.ndarray  # (m, 3)
+    sides: np.ndarray  # (m, 2), values of the label map on both sides; normals point from the first to the second
+    distance: np.ndarray  # (n,), mm, to the surfaces of the voxels; empty if it was not measured
+    report: dict  # nested
+    warnings: list
+
+    def segment(self, value):
+        """Points and triangles of the closed surface of one value, and for each point its index in `points`."""
+        from bonedecimate import extract_label
+        points, triangles = extract_label(self.points, self.triangles, self.sides, value)
+        all_rows, rows = (np.ascontiguousarray(each, float).view([("", float)] * 3).ravel() for each in (self.points, points))
+        order = np.argsort(all_rows)
+        return points, triangles, order[np.searchsorted(all_rows, rows, sorter=order)]
 
 
 def find_engine(program=None):
@@ -51,6 +75,33 @@ class WheelEngine:
     """In this process."""
 
     has_levels = True
+
+    def decimate_segments(self, label_map, options, tolerances=None, progress=None):
+        """SharedSurfaces of a LabelMap.
+
+        @param options, progress As of decimate().
+        @param tolerances Function from points (n, 3), mm, to mm at each of them.
+        """
+        import bonedecimate
+        keywords = {flag.replace("-", "_"): value for flag, value in options.items()}
+        goes_on = _Progress(progress)
+        try:
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                found = bonedecimate.extract_surfaces(label_map.voxels, spacing=label_map.spacing, closed=label_map.closed,
+                                                      progress=goes_on)
+                pairs, walls = found.walls
+                to_node = np.column_stack([label_map.direction, label_map.origin])
+                limits = None if tolerances is None else tolerances(_moved(found.points, to_node))
+                small = bonedecimate.decimate(*found, labels=walls, tolerances=limits, progress=goes_on, **keywords)
+        except bonedecimate.Aborted as problem:
+            raise Canceled("Canceled.") from problem
+        except (OverflowError, TypeError, ValueError) as problem:
+            raise DecimationError(str(problem)) from problem
+        if goes_on.was_stopped:
+            raise Canceled("Canceled.")
+        return SharedSurfaces(_moved(small.points, to_node), small.triangles, pairs[small.labels], small.distance,
+                              json.loads(small.report_as_json), [str(each.message) for each in caught])
 
     def decimate(self, surface, options, tolerances=None, progress=None):
         """@param options Flags of the program without dashes and their values: {"max-error": 0.2}.
@@ -92,6 +143,22 @@ class WheelEngine:
         return bonedecimate.record_levels(points, found.triangles, **keywords)
 
 
+class _Progress:
+    """Tells the fraction done, and remembers whether the run was stopped."""
+
+    def __init__(self, function):
+        self.function, self.was_stopped = function, False
+
+    def __call__(self, fraction):
+        self.was_stopped = self.was_stopped or (self.function is not None and self.function(fraction) is False)
+        return not self.was_stopped
+
+
+def _moved(points, matrix):
+    """@param matrix (3, 4), rotation and translation."""
+    return points @ matrix[:, :3].T + matrix[:, 3]
+
+
 def _set_option(decimate, rows, flag, value):
     """An option by its flag; unknown ones and values outside the range are a DecimationError."""
     row = rows.get(flag)
@@ -120,6 +187,9 @@ class ProgramEngine:
 
     def __init__(self, program):
         self.program = str(program)
+
+    def decimate_segments(self, *_arguments, **_keywords):
+        raise DecimationError("Segments need the Python package bonedecimate in Slicer's Python.")
 
     def decimate(self, surface, options, tolerances=None, progress=None):
         with tempfile.TemporaryDirectory(prefix="bonedecimate-") as folder:

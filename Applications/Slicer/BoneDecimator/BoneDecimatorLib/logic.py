@@ -2,17 +2,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The module's logic on a MRML scene. Needs no window: the values come in a Request, the nodes from the caller."""
 
-import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import vtk
 
-from . import checks, regions
-from .checks import DecimationError
+from . import checks, preview, regions, segmentation
+from .checks import AUTOMATIC, DecimationError
 from .engines import find_engine
+from .surfaces import COLORS, polydata_of, report_of, set_colors, set_distance, set_report
 
 PRESETS = {"quarter of a voxel": 0.25, "half a voxel": 0.5, "one voxel": 1.0}
+NO_SMOOTHING, OWN_DISTANCE = "none", "own distance"
+SMOOTHINGS = (NO_SMOOTHING, AUTOMATIC, *PRESETS, OWN_DISTANCE)
 
 
 @dataclass
@@ -21,6 +23,8 @@ class Request:
 
     tolerance: float = 0.2  # proved; 0: none
     triangles: int = 0  # 0: as few as the tolerance allows
+    smoothing: object = 0.0  # the largest displacement of a point before the first edit; "automatic": by voxels and tolerance
+    keep_voxels: str = "Auto"  # or On or Off: whether edits may change which segment a voxel belongs to
     mode: str = "Balanced"
     intersection_guard: bool = True
     brush: object = None  # a markups node of points, a ROI node, or the name of a painted point array; None: everywhere
@@ -34,17 +38,36 @@ class Request:
         checks.check_length("The tolerance", self.tolerance)
         checks.check_whole("The number of triangles", self.triangles, 0, checks.MOST_TRIANGLES)
         checks.check_mode(self.mode)
+        checks.check_keep_voxels(self.keep_voxels)
+        checks.check_smoothing(self.smoothing)
         checks.check_length("The radius", self.radius)
         checks.check_length("The feather", self.feather)
-        if self.tolerance <= 0.0 and self.triangles <= 0:
-            raise DecimationError("Give a tolerance or a number of triangles.")
+        if not self.has_goal and not self.is_smooth:
+            raise DecimationError("Give a tolerance, a number of triangles or a smoothing.")
         if self.brush is not None and self.tolerance <= 0.0:
             raise DecimationError("A brush needs a tolerance.")
+
+    @property
+    def has_goal(self):
+        """Without one, every triangle stays."""
+        return self.tolerance > 0.0 or self.triangles > 0 or self.keep_voxels == "On"
+
+    @property
+    def is_smooth(self):
+        return self.smoothing == AUTOMATIC or self.smoothing > 0.0
 
     def options(self):
         """Flags of the program without dashes."""
         self.check()
         options = {"mode": self.mode}
+        if self.smoothing == AUTOMATIC:
+            options["auto-smooth"] = True
+        elif self.is_smooth:
+            options["smooth"] = self.smoothing
+        if self.keep_voxels != "Auto":
+            options["keep-voxels"] = self.keep_voxels
+        if not self.has_goal:
+            options["target-reduction"] = 0.0
         if self.tolerance > 0.0:
             options["max-error"] = self.tolerance
             if self.mode != "Thesis":
@@ -61,17 +84,41 @@ def presets(spacing):
     return {name: ratio * min(spacing) for name, ratio in PRESETS.items()}
 
 
+def smoothing_of(choice, spacing, own=0.0):
+    """What a Request takes, for one of SMOOTHINGS.
+
+    @param spacing mm, of the voxels; only presets need it.
+    @param own mm, for OWN_DISTANCE.
+    """
+    if choice in PRESETS:
+        return presets(spacing)[choice]
+    return {NO_SMOOTHING: 0.0, AUTOMATIC: AUTOMATIC, OWN_DISTANCE: own}[choice]
+
+
+def spacing_of(source, volume=None):
+    """mm, of the voxels of a segmentation, else of the scan."""
+    if segmentation.has_label_map(source):
+        return segmentation.spacing_of(source)
+    if volume is None:
+        raise DecimationError("Choose the scan first: its voxels say how large the presets are.")
+    return volume.GetSpacing()
+
+
 def surface_of(node, segment=None):
-    """The polydata of a model node, or of a segment of a segmentation node."""
+    """The polydata of a model node, or of a segment of a segmentation node that was imported from surfaces."""
     if node is None:
-        raise DecimationError("Choose a model or a segment.")
+        raise DecimationError("Choose a model or a segmentation.")
+    if segmentation.has_label_map(node):
+        raise DecimationError("This segmentation has voxels: simplify its segments with decimate_segments(), then take their models.")
     if node.IsA("vtkMRMLSegmentationNode"):
         surface = vtk.vtkPolyData()
-        segmentation = node.GetSegmentation()
-        if segment is None and segmentation.GetNumberOfSegments() == 1:
-            segment = segmentation.GetNthSegmentID(0)
+        segments = node.GetSegmentation()
+        if segment is None and segments.GetNumberOfSegments() == 1:
+            segment = segments.GetNthSegmentID(0)
+        if segment is None:
+            raise DecimationError("Choose one segment: this segmentation was imported from surfaces, which have no walls in common.")
         node.CreateClosedSurfaceRepresentation()
-        node.GetClosedSurfaceRepresentation(segment or "", surface)
+        node.GetClosedSurfaceRepresentation(segment, surface)
     else:
         surface = node.GetPolyData()
     if surface is None or surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
@@ -88,14 +135,16 @@ def world_to_node(node):
     return _array(matrix)
 
 
-def brush_distance(brush, surface, to_node, radius):
-    """mm of each point beyond what the brush covers."""
-    points = regions.points_of(surface)
-    if isinstance(brush, str):
-        painted = surface.GetPointData().GetArray(brush)
-        if painted is None:
-            raise DecimationError(f"The surface has no point array {brush!r}.")
-        return regions.outside_of_paint(points, regions.vtk_to_numpy(painted))
+def paint_distance(name, surface):
+    """mm of each point beyond the painted points."""
+    painted = surface.GetPointData().GetArray(name)
+    if painted is None:
+        raise DecimationError(f"The surface has no point array {name!r}.")
+    return regions.outside_of_paint(regions.points_of(surface), regions.vtk_to_numpy(painted))
+
+
+def brush_distance(brush, points, to_node, radius):
+    """mm of each point beyond what a region of interest or a list of points covers."""
     if brush.IsA("vtkMRMLMarkupsROINode"):
         to_box = _array(brush.GetObjectToWorldMatrix())
         size = np.array(brush.GetSize())
@@ -112,11 +161,12 @@ def _array(matrix):
 
 
 class BoneDecimatorLogic:
-    """Decimates nodes and keeps their former surfaces for undo()."""
+    """Decimates nodes, and remembers how to undo it."""
 
     def __init__(self, scene, engine=None):
         self.scene, self._engine = scene, engine
-        self._before = []  # (node, polydata) to go back to
+        self._undo_steps = []  # functions that return the node that is there afterwards, or None
+        self._preview_id = None
 
     @property
     def engine(self):
@@ -125,11 +175,20 @@ class BoneDecimatorLogic:
 
     def tolerances(self, request, node, surface):
         """mm at each point, or None without a brush."""
+        if not isinstance(request.brush, str):
+            at = self._tolerances_at(request, node)
+            return None if at is None else at(regions.points_of(surface))
+        return _by_distance(paint_distance(request.brush, surface), request)
+
+    @staticmethod
+    def _tolerances_at(request, node):
+        """The same as a function of points (n, 3), for surfaces that are not there yet."""
         if request.brush is None:
             return None
-        outside = brush_distance(request.brush, surface, world_to_node(node), request.radius)
-        inner, outer = (0.0, request.tolerance) if request.keeps_brush else (request.tolerance, 0.0)
-        return regions.tolerances(outside, inner, outer, request.feather)
+        if isinstance(request.brush, str):
+            raise DecimationError("Segments have no painted points: choose points or a region of interest.")
+        to_node = world_to_node(node)
+        return lambda points: _by_distance(brush_distance(request.brush, points, to_node, request.radius), request)
 
     def decimate(self, source, request, target=None, segment=None, progress=None):
         """A new model node, or the target with what it was kept for undo(). Returns node and statistics."""
@@ -141,7 +200,81 @@ class BoneDecimatorLogic:
             if source.GetParentTransformNode() is not None:
                 target.SetAndObserveTransformNodeID(source.GetTransformNodeID())
         self._put(target, result)
-        return target, statistics(result)
+        return target, statistics(report_of(result))
+
+    def decimate_segments(self, source, request, segments=None, as_models=True, progress=None):
+        """Segments of a segmentation node, extracted from their voxels with walls in common and simplified together.
+
+        @param segments IDs; None: those that are visible.
+        @param as_models Makes a model of each segment, in a folder. False: the surfaces become the closed surface
+               representation of the segmentation, until its voxels change.
+        @return The model nodes, or the segmentation alone, and the statistics as lines of text.
+        """
+        request.check()
+        found = segmentation.label_maps_of(source, segments)
+        surfaces, lines = [], list(found.notes)
+        for label_map in found.maps:
+            run = self.engine.decimate_segments(label_map, request.options(), self._tolerances_at(request, source), progress)
+            names = [segment.name for segment in label_map.segments]
+            if len(found.maps) > 1:
+                lines.append(", ".join(names) + ":")
+            lines += run.warnings + statistics(run.report, names)
+            surfaces += [(segment, _segment_surface(run, value)) for value, segment in enumerate(label_map.segments, 1)]
+        nodes = [source]
+        if as_models:
+            nodes, undo = segmentation.add_models(self.scene, source, surfaces)
+        else:
+            undo = segmentation.put_closed_surfaces(source, surfaces)
+        self._undo_steps.append(undo)
+        return nodes, lines
+
+    def preview(self, source, request, segments=None, center=None, progress=None):
+        """Shows the result for the whole bone, or for a part of a large one, as a temporary model.
+
+        @param center mm in the coordinates of the source, of the part; None: chosen.
+        @return Lines of text. Nothing is proved or measured.
+        """
+        request.check()
+        options = {"prove": False, "measure": False}
+        if not segmentation.has_label_map(source):
+            part, ratio = preview.part_of_surface(surface_of(source, (segments or [None])[0]), center=center)
+            request = _for_part(request, ratio)
+            result = self.engine.decimate(part, {**request.options(), **options}, self.tolerances(request, source, part), progress)
+            lines = statistics(report_of(result))
+        else:
+            found = segmentation.label_maps_of(source, segments)
+            part, ratio = preview.part_of_label_map(found.maps[0], center=center)  # of those that overlap, the first
+            request = _for_part(request, ratio)
+            run = self.engine.decimate_segments(part, {**request.options(), **options}, self._tolerances_at(request, source),
+                                                progress)
+            result = polydata_of(run.points, run.triangles)
+            set_colors(result, np.array([segment.color for segment in part.segments])[run.sides[:, 0] - 1])
+            lines = found.notes + run.warnings + statistics(run.report, [segment.name for segment in part.segments])
+        self._show_preview(source, result)
+        return [f"Preview of {100.0 * ratio:.0f} % of the surface:" if ratio < 1.0 else "Preview:", *lines]
+
+    def _show_preview(self, source, surface):
+        node = self.scene.GetNodeByID(self._preview_id) if self._preview_id else None
+        if node is None:
+            node = self.scene.AddNewNodeByClass("vtkMRMLModelNode", "Bone Decimator preview")
+            node.SaveWithSceneOff()
+            node.CreateDefaultDisplayNodes()
+            node.GetDisplayNode().SaveWithSceneOff()
+            self._preview_id = node.GetID()
+        node.SetAndObserveTransformNodeID(source.GetTransformNodeID())
+        node.SetAndObservePolyData(surface)
+        display, has_colors = node.GetDisplayNode(), surface.GetCellData().HasArray(COLORS)
+        if has_colors:
+            display.SetActiveScalar(COLORS, vtk.vtkAssignAttribute.CELL_DATA)
+            display.SetScalarRangeFlag(display.UseDirectMapping)
+        display.SetScalarVisibility(bool(has_colors))
+
+    def remove_preview(self):
+        node = self.scene.GetNodeByID(self._preview_id) if self._preview_id else None
+        if node is not None:
+            self.scene.RemoveNode(node.GetDisplayNode())
+            self.scene.RemoveNode(node)
+        self._preview_id = None
 
     def record_levels(self, source, mode="Fast", ratio=0.05, segment=None):
         """For a slider: bonedecimate.Levels down to that ratio of the triangles."""
@@ -155,57 +288,72 @@ class BoneDecimatorLogic:
         """Puts a level into a node; there is no undo, because the slider goes back."""
         checks.check_whole("The number of triangles", triangles, 1, checks.MOST_TRIANGLES)
         points, corners = levels.at(triangles=triangles)
-        target.SetAndObservePolyData(_polydata(points, corners))
+        target.SetAndObservePolyData(polydata_of(points, corners))
 
     def _put(self, node, surface):
         old = vtk.vtkPolyData()
         if node.GetPolyData() is not None:
             old.ShallowCopy(node.GetPolyData())
-        self._before.append((node, old))
+
+        def restore():
+            if old.GetNumberOfPoints() == 0:
+                self.scene.RemoveNode(node)
+                return None
+            node.SetAndObservePolyData(old)
+            return node
+
+        self._undo_steps.append(restore)
         node.SetAndObservePolyData(surface)
 
     def can_undo(self):
-        return bool(self._before)
+        return bool(self._undo_steps)
 
     def undo(self):
-        """Restores the surface of the last decimated node; a node that was new is removed."""
-        node, surface = self._before.pop()
-        if surface.GetNumberOfPoints() == 0:
-            self.scene.RemoveNode(node)
-            return None
-        node.SetAndObservePolyData(surface)
-        return node
+        """Takes the last result back. Returns the node of the former surface; None if the nodes were new and are removed."""
+        return self._undo_steps.pop()()
 
 
-def _polydata(points, corners):
-    from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-    surface = vtk.vtkPolyData()
-    positions = vtk.vtkPoints()
-    positions.SetData(numpy_to_vtk(points, deep=True))
-    cells = vtk.vtkCellArray()
-    offsets = np.arange(0, 3 * len(corners) + 1, 3, dtype=np.int64)
-    cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True),
-                  numpy_to_vtkIdTypeArray(corners.astype(np.int64).ravel(), deep=True))
-    surface.SetPoints(positions)
-    surface.SetPolys(cells)
+def _by_distance(outside, request):
+    inner, outer = (0.0, request.tolerance) if request.keeps_brush else (request.tolerance, 0.0)
+    return regions.tolerances(outside, inner, outer, request.feather)
+
+
+def _for_part(request, ratio):
+    return replace(request, triangles=max(4, int(ratio * request.triangles)) if request.triangles else 0)
+
+
+def _segment_surface(run, value):
+    points, triangles, origins = run.segment(value)
+    surface = polydata_of(points, triangles)
+    if len(run.distance):
+        set_distance(surface, run.distance[origins])
+    set_report(surface, run.report)
     return surface
 
 
-def report(surface):
-    """The report of the run as nested dictionaries, from the field data; empty if there is none."""
-    array = surface.GetFieldData().GetAbstractArray("BoneDecimateReport")
-    return json.loads(array.GetValue(0)) if array is not None and array.GetNumberOfValues() > 0 else {}
+def statistics(found, names=()):
+    """The statistics of a run as lines of text.
 
-
-def statistics(surface):
-    """The statistics of a run as lines of text."""
-    found = report(surface)
+    @param found Its report.
+    @param names Of the segments with the values 1, 2, ... of the label map.
+    """
     before, after, proof = found["input"], found["output"], found.get("proof", {})
     lines = [f"{before['triangles']:,.0f} -> {after['triangles']:,.0f} triangles",
              f"{before['components']:,.0f} -> {after['components']:,.0f} fragments"]
+    if "largest_displacement" in found.get("smoothing", {}):
+        moved = found["smoothing"]
+        lines.append(f"smoothing moved points by {moved['largest_displacement']:.4f} mm at most, {moved['rms_displacement']:.4f} mm RMS")
     if proof.get("status") == "proved":
         # Rounded up, so that the number shown is proved.
         lines.append(f"proved: no point is farther away than {np.ceil(proof['upper'] * 1e4) / 1e4:.4f} mm")
     if "distance" in found:
         lines.append(f"average distance {found['distance']['input_to_output']['mean']:.4f} mm")
-    return lines
+    return lines + _voxel_lines(found.get("voxels"), names)
+
+
+def _voxel_lines(voxels, names):
+    if voxels is None:
+        return []
+    counts = [(name, voxels[f"of_{value}"]) for value, name in enumerate(names, 1) if f"of_{value}" in voxels]
+    return [f"{voxels['changed']:,} voxels changed (voxels {'kept' if voxels['guard'] == 'on' else 'not kept'})",
+            *(f"{name}: {of['lost']:,} voxels lost, {of['gained']:,} gained, of {of['voxels']:,}" for name, of in counts)]
