@@ -199,7 +199,7 @@ class Parts(unittest.TestCase):
         self.to_node = np.array([[0.0, -0.5, 0.0, 7.0], [0.5, 0.0, 0.0, -3.0], [0.0, 0.0, 1.0, 11.0], [0.0, 0.0, 0.0, 1.0]])
         self.ball = LabelMap((x * x + y * y + z * z <= 900).astype(np.uint16), ["ball"], self.to_node)
 
-    def place_in_whole(self, part):
+    def position_in_whole(self, part):
         """The index x, y, z of the part's first voxel in the ball's array."""
         shift = np.linalg.inv(self.to_node) @ part.to_node
         np.testing.assert_allclose(shift[:3, :3], np.eye(3), atol=1e-12)
@@ -210,7 +210,7 @@ class Parts(unittest.TestCase):
         self.assertIs(part, self.ball)
         self.assertEqual(ratio, 1.0)
 
-    def test_of_a_large_label_map_is_an_open_box_in_the_same_place(self):
+    def test_of_a_large_label_map_is_an_open_box_in_the_same_position(self):
         for center in (None, self.to_node[:3] @ (30.0, 30.0, 60.0, 1.0), self.to_node[:3] @ (0.0, 30.0, 30.0, 1.0)):
             part, ratio = part_of_label_map(self.ball, 4000, center)
             self.assertFalse(part.closed)
@@ -218,7 +218,7 @@ class Parts(unittest.TestCase):
             self.assertTrue(1000 < faces < 3000, faces)
             self.assertTrue(0.0 < ratio < 0.3, ratio)
             whole = np.pad(self.ball.voxels, 1)
-            x, y, z = self.place_in_whole(part) + 1
+            x, y, z = self.position_in_whole(part) + 1
             nz, ny, nx = part.voxels.shape
             np.testing.assert_array_equal(part.voxels, whole[z:z + nz, y:y + ny, x:x + nx])
             if center is not None:
