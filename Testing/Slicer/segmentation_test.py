@@ -176,6 +176,22 @@ class Segments(unittest.TestCase):
         self.assertLess(reports[0.2]["angle_after"], reports[0.05]["angle_after"])
         self.assertLess(reports[0.05]["angle_after"], reports[0.05]["angle_before"])
 
+    def test_voxels_are_kept_on_request_and_counted_by_segment(self):
+        changed = {}
+        for choice in ("On", "Off", "Auto"):
+            found, lines = self.run_segments(Request(tolerance=0.5, keep_voxels=choice))
+            voxels = report_of(found["left"])["voxels"]
+            changed[choice] = voxels["changed"]
+            self.assertEqual(voxels["of_1"]["voxels"], np.count_nonzero(halves()["left"]))
+            self.assertIn(f"left: {voxels['of_1']['lost']:,} voxels lost, ", lines)
+            self.assertIn(f"right: {voxels['of_2']['lost']:,} voxels lost, ", lines)
+        self.assertEqual(changed["On"], 0)
+        self.assertGreater(changed["Off"], 0)
+        self.assertEqual(changed["Auto"], changed["Off"], "a voxel is more than half a voxel")
+        found, lines = self.run_segments(Request(tolerance=0.0, keep_voxels="On", smoothing="automatic"))
+        self.assertIn("0 voxels changed (voxels kept)", lines)
+        self.assertLess(found["left"].GetNumberOfPolys(), 600)
+
     def test_visible_segments_are_taken_without_a_choice(self):
         _, node, ids = scene_with(**halves())
         node.GetDisplayNode().SetSegmentVisibility(ids["left"], False)

@@ -88,19 +88,18 @@ class WheelEngine:
         try:
             with warnings.catch_warnings(record=True) as caught:
                 warnings.simplefilter("always")
-                found = bonedecimate.extract_surfaces(label_map.voxels, spacing=label_map.spacing, closed=label_map.closed,
-                                                      progress=goes_on)
-                pairs, walls = found.walls
-                to_node = np.column_stack([label_map.direction, label_map.origin])
-                limits = None if tolerances is None else tolerances(_moved(found.points, to_node))
-                small = bonedecimate.decimate(*found, labels=walls, tolerances=limits, progress=goes_on, **keywords)
+                found = bonedecimate.extract_surfaces(
+                    label_map.voxels, spacing=label_map.spacing, origin=label_map.origin, direction=label_map.direction,
+                    progress=goes_on)
+                limits = None if tolerances is None else tolerances(found.points)
+                small = bonedecimate.decimate(found, tolerances=limits, progress=goes_on, **keywords)
         except bonedecimate.Aborted as problem:
             raise Canceled("Canceled.") from problem
         except (OverflowError, TypeError, ValueError) as problem:
             raise DecimationError(str(problem)) from problem
         if goes_on.was_stopped:
             raise Canceled("Canceled.")
-        return SharedSurfaces(_moved(small.points, to_node), small.triangles, pairs[small.labels], small.distance,
+        return SharedSurfaces(small.points, small.triangles, small.boundary_labels, small.distance,
                               json.loads(small.report_as_json), [str(each.message) for each in caught])
 
     def decimate(self, surface, options, tolerances=None, progress=None):
@@ -152,11 +151,6 @@ class _Progress:
     def __call__(self, fraction):
         self.was_stopped = self.was_stopped or (self.function is not None and self.function(fraction) is False)
         return not self.was_stopped
-
-
-def _moved(points, matrix):
-    """@param matrix (3, 4), rotation and translation."""
-    return points @ matrix[:, :3].T + matrix[:, 3]
 
 
 def _set_option(decimate, rows, flag, value):

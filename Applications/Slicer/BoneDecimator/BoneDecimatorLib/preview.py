@@ -65,37 +65,30 @@ class Preview:
 
 
 def part_of_label_map(label_map, most=MOST_TRIANGLES, center=None):
-    """A box of the label map whose surfaces have about `most` triangles, open where it was cut; all of it if there are fewer.
+    """A box of the label map whose surfaces have about `most` triangles, or all of it. Surfaces are closed where it was cut.
 
     @param center mm in the coordinates of the map; None: where the surface is nearest to its center.
     @return The part, and its ratio of all triangles.
     """
-    if not label_map.closed:
-        raise ValueError("the part of a part")
-    voxels = np.pad(label_map.voxels, 1)
-    faces = _boundary_faces(voxels)
-    total = len(faces)
-    if 2 * total <= most:
+    faces = _boundary_faces(label_map.voxels)
+    if 2 * len(faces) <= most:
         return label_map, 1.0
     spacing = label_map.spacing
     if center is None:
         middle = faces[np.argmin(np.linalg.norm((faces - faces.mean(axis=0)) * spacing, axis=1))]
     else:
-        middle = np.linalg.inv(label_map.to_node)[:3] @ np.append(center, 1.0) + 1.0
+        middle = np.linalg.inv(label_map.to_node)[:3] @ np.append(center, 1.0)
     reach = np.sort((np.abs(faces - middle) * spacing).max(axis=1))[most // 2]
-    size = np.array(voxels.shape[::-1])
-    first = np.clip(np.floor(middle - reach / spacing).astype(int), 0, size - 2)
-    last = np.clip(np.ceil(middle + reach / spacing).astype(int) + 1, first + 2, size)
-    padded = type(label_map)(voxels, label_map.segments, label_map.to_node.copy(), closed=False)
-    padded.to_node[:3, 3] -= label_map.to_node[:3, :3].sum(axis=1)
-    part = padded.part(first, last)
-    return part, len(_boundary_faces(part.voxels)) / total
+    size = np.array(label_map.voxels.shape[::-1])
+    first = np.clip(np.floor(middle - reach / spacing).astype(int), 0, size - 1)
+    last = np.clip(np.ceil(middle + reach / spacing).astype(int) + 1, first + 1, size)
+    return label_map.part(first, last), most / (2 * len(faces))
 
 
 def _boundary_faces(voxels):
-    """(n, 3), x, y, z in voxels: the lower voxel of each pair of neighbors with different labels."""
-    found = [np.argwhere(np.diff(voxels.astype(np.int32), axis=axis)) for axis in range(3)]
-    return np.concatenate(found)[:, ::-1]
+    """(n, 3), x, y, z in voxels: the lower voxel of each pair of neighbors with different labels; outside is background."""
+    found = [np.argwhere(np.diff(np.pad(voxels, 1).astype(np.int32), axis=axis)) for axis in range(3)]
+    return np.concatenate(found)[:, ::-1] - 1
 
 
 def part_of_surface(surface, most=MOST_TRIANGLES, center=None):

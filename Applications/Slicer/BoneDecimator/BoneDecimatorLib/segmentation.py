@@ -28,7 +28,6 @@ class LabelMap:
     voxels: np.ndarray  # (nz, ny, nx); 0 is the background, i + 1 is segments[i]
     segments: list
     to_node: np.ndarray  # (4, 4), from the voxel x, y, z to mm in the coordinates of the segmentation node
-    closed: bool = True  # labels are closed where they touch the end of the array
 
     @property
     def spacing(self):
@@ -45,7 +44,7 @@ class LabelMap:
     def part(self, first, last):
         """The voxels from `first` up to but without `last`, both x, y, z."""
         slices = tuple(slice(a, b) for a, b in zip(first[::-1], last[::-1]))
-        return LabelMap(self.voxels[slices], self.segments, _shifted(self.to_node, first), self.closed)
+        return LabelMap(self.voxels[slices], self.segments, _shifted(self.to_node, first))
 
 
 @dataclass
