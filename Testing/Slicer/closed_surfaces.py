@@ -3,10 +3,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Surfaces of a segmentation node by the panel's logic and by Slicer's own conversion: the table of Documentation/slicer.md.
 
-    closed_surfaces.py [--verify PROGRAM] [--save FOLDER] [NAME ...]
+    closed_surfaces.py [--picture FILE.png] [NAME ...]
 
-The segmentations are parts of the CT of Debian's package invesalius-examples at 226 HU, as one segment and cut into four.
-NAME selects some of them. Needs the wheels slicer-core and bonedecimate; run.sh installs them.
+The segmentations are the phantom of Data (small) and parts of the CT of Debian's package invesalius-examples, at 226 HU, as one
+segment and cut into four. NAME selects some of them. Needs the wheels slicer-core and bonedecimate, which run.sh installs, and
+the programs bonedecimate-phantom and bonedecimate-verify beside BONEDECIMATE_PROGRAM.
 """
 import argparse
 import json
@@ -23,32 +24,33 @@ import vtk
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 sys.path.insert(0, os.environ["SLICER_MODULE"])
+from BoneDecimatorLib.checks import AUTOMATIC  # noqa: E402
 from BoneDecimatorLib.engines import WheelEngine  # noqa: E402
 from BoneDecimatorLib.logic import BoneDecimatorLogic, Request  # noqa: E402
+from BoneDecimatorLib.surfaces import report_of  # noqa: E402
 from segmentation_test import image_of, scene_with, slicers_surface  # noqa: E402
 
+PROGRAM = os.environ["BONEDECIMATE_PROGRAM"]
 CRANIUM = Path("/usr/share/doc/invesalius-examples/examples/Cranium.inv3")
 HU = 226
-SPACING = np.array((0.9570312, 0.9570312, 1.5))
-TO_RAS = np.diag((-SPACING[0], -SPACING[1], SPACING[2], 1.0))  # as of a scan in LPS
 CROPS = {"vault": ((150, 230), (60, 140), (50, 105)), "thin bone": ((70, 150), (110, 190), (10, 60))}  # voxels x, y, z
 SAMPLES = 20000
-MARGIN = 3  # voxels, at the ends of a crop and at walls, where the CT has no surface that could be compared
-HALF, WHOLE = 0.5 * SPACING[0], SPACING[0]
-REQUESTS = {
-    "Bone Decimator, smoothing half a voxel, all triangles": Request(tolerance=0.0, smoothing=HALF),
-    "Bone Decimator, automatic smoothing, half a voxel": Request(tolerance=HALF, smoothing="automatic"),
-    "Bone Decimator, automatic smoothing, one voxel": Request(tolerance=WHOLE, smoothing="automatic"),
-}
+MARGIN = 3  # voxels, at the ends of a volume and at walls, where the CT has no surface that could be compared
+# By fractions of a voxel: largest error, smoothing.
+RUNS = {"smoothing half a voxel, all triangles": (0.0, 0.5), "automatic smoothing, half a voxel": (0.5, AUTOMATIC),
+        "automatic smoothing, one voxel": (1.0, AUTOMATIC)}
+COLORS = ((0.95, 0.85, 0.65), (0.55, 0.75, 0.95), (0.65, 0.9, 0.6), (0.95, 0.6, 0.55))
 
 
 class Case:
     """Labels (z, y, x), the surface of the CT in RAS, and a segmentation node."""
 
-    def __init__(self, values, parts):
+    def __init__(self, values, spacing, parts):
+        self.spacing = np.array(spacing)
+        to_ras = np.diag((-spacing[0], -spacing[1], spacing[2], 1.0))  # as of a scan in LPS
         self.labels = np.where(values >= HU, part_numbers(values.shape) if parts > 1 else 1, 0).astype(np.uint8)
-        self.truth = true_surface(values)
-        segments = {f"part {k}": image_of(self.labels == k, TO_RAS) for k in range(1, parts + 1)}
+        self.truth = true_surface(values, spacing)
+        segments = {f"part {k}": image_of(self.labels == k, to_ras) for k in range(1, parts + 1)}
         self.scene, self.node, self.ids = scene_with(**segments)
         neighbors = sum(dilated(self.labels == k, 1).astype(int) for k in range(1, parts + 1))
         self.excluded = dilated(neighbors > 1, MARGIN)
@@ -63,11 +65,11 @@ def part_numbers(shape):
     return 1 + (x + 0.3 * y + 0.4 * z > 0) + 2 * (0.3 * x - y + 0.2 * z > 0)
 
 
-def true_surface(values):
+def true_surface(values, spacing):
     """Of the CT resampled to a third of its voxel size."""
     image = vtk.vtkImageData()
     image.SetDimensions(*values.shape[::-1])
-    image.SetSpacing(*SPACING)
+    image.SetSpacing(*spacing)
     image.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(values, np.float32).ravel(), deep=True))
     finer = vtk.vtkImageResample()
     finer.SetInputData(image)
@@ -78,11 +80,17 @@ def true_surface(values):
     contour.SetInputConnection(finer.GetOutputPort())
     contour.SetValue(0, HU)
     contour.ComputeNormalsOff()
-    to_ras = vtk.vtkTransform()
-    to_ras.Scale(-1.0, -1.0, 1.0)
+    contour.Update()
+    return turned(contour.GetOutput())
+
+
+def turned(surface):
+    """From LPS to RAS, or back."""
+    half_turn = vtk.vtkTransform()
+    half_turn.Scale(-1.0, -1.0, 1.0)
     moved = vtk.vtkTransformPolyDataFilter()
-    moved.SetTransform(to_ras)
-    moved.SetInputConnection(contour.GetOutputPort())
+    moved.SetTransform(half_turn)
+    moved.SetInputData(surface)
     moved.Update()
     return moved.GetOutput()
 
@@ -127,7 +135,7 @@ def samples_of(surface, case, seed):
     u[u.sum(1) > 1] = 1 - u[u.sum(1) > 1]
     a, b, c = (points[triangles[chosen, k]] for k in range(3))
     found = a + u[:, :1] * (b - a) + u[:, 1:] * (c - a)
-    voxels = np.rint(found / np.diag(TO_RAS)[:3]).astype(int)
+    voxels = np.rint(found * (-1.0, -1.0, 1.0) / case.spacing).astype(int)
     size = np.array(case.labels.shape[::-1])
     is_in = ((voxels >= 0) & (voxels < size)).all(axis=1)
     x, y, z = np.clip(voxels, 0, size - 1).T
@@ -162,18 +170,13 @@ def distance_and_angle(surfaces, case):
     return np.sqrt(np.concatenate([there, back]).mean()), min(angles.mean(), 180.0 - angles.mean())
 
 
-def inside(surface, shape, finer=1):
+def inside(surface, case, finer=1):
     """Voxels (z, y, x) within a closed surface, of a grid `finer` times as fine."""
-    flipped = vtk.vtkTransform()
-    flipped.Scale(-1.0, -1.0, 1.0)
-    moved = vtk.vtkTransformPolyDataFilter()
-    moved.SetTransform(flipped)
-    moved.SetInputData(surface)
     stencil = vtk.vtkPolyDataToImageStencil()
-    stencil.SetInputConnection(moved.GetOutputPort())
-    stencil.SetOutputSpacing(*(SPACING / finer))
-    stencil.SetOutputOrigin(*(-0.5 * (finer - 1) / finer * SPACING))
-    size = finer * np.array(shape[::-1])
+    stencil.SetInputData(turned(surface))
+    stencil.SetOutputSpacing(*(case.spacing / finer))
+    stencil.SetOutputOrigin(*(-0.5 * (finer - 1) / finer * case.spacing))
+    size = finer * np.array(case.labels.shape[::-1])
     stencil.SetOutputWholeExtent(0, size[0] - 1, 0, size[1] - 1, 0, size[2] - 1)
     to_image = vtk.vtkImageStencilToImage()
     to_image.SetInputConnection(stencil.GetOutputPort())
@@ -186,7 +189,7 @@ def inside(surface, shape, finer=1):
 
 def changed_voxels(surfaces, case):
     """How many are not in their segment, or in two."""
-    found = [inside(surface, case.labels.shape) > 0 for surface in surfaces]
+    found = [inside(surface, case) > 0 for surface in surfaces]
     wrong = [mask != (case.labels == k) for k, mask in enumerate(found, 1)]
     return np.count_nonzero(np.logical_or.reduce(wrong))
 
@@ -194,19 +197,17 @@ def changed_voxels(surfaces, case):
 def gap_and_overlap(surfaces, case):
     """mm^3 within no segment, and within two, where all 26 neighbors of a voxel belong to segments."""
     finer = 3
-    count = sum(inside(surface, case.labels.shape, finer).astype(int) for surface in surfaces)
+    count = sum(inside(surface, case, finer).astype(int) for surface in surfaces)
     background = np.pad(case.labels == 0, 1, constant_values=True)
     for axis in range(3):
         background = background | np.roll(background, 1, axis) | np.roll(background, -1, axis)
     deep = np.kron(~background[1:-1, 1:-1, 1:-1], np.ones((finer, finer, finer), bool))
-    volume = SPACING.prod() / finer**3
+    volume = case.spacing.prod() / finer**3
     return np.count_nonzero(deep & (count == 0)) * volume, np.count_nonzero(deep & (count > 1)) * volume
 
 
-def intersections(surfaces, verify):
-    """Intersecting pairs of triangles within each surface; not a number without the program."""
-    if not verify.exists():
-        return float("nan")
+def intersections(surfaces):
+    """Intersecting pairs of triangles within each surface."""
     total = 0
     for surface in surfaces:
         with tempfile.TemporaryDirectory() as folder:
@@ -214,7 +215,8 @@ def intersections(surfaces, verify):
             writer.SetFileName(folder + "/surface.ply")
             writer.SetInputData(surface)
             writer.Write()
-            shape = subprocess.run([verify, "--shape", folder + "/surface.ply"], capture_output=True, text=True, check=True)
+            shape = subprocess.run([PROGRAM + "-verify", "--shape", folder + "/surface.ply"], capture_output=True, text=True,
+                                   check=True)
         total += json.loads(shape.stdout)["self_intersections"]
     return total
 
@@ -229,9 +231,11 @@ def slicers(case, factor):
     return surfaces, "none"
 
 
-def ours(case, request):
+def ours(case, largest, smoothing):
+    voxel = case.spacing.min()
+    request = Request(tolerance=largest * voxel, smoothing=smoothing if smoothing == AUTOMATIC else smoothing * voxel)
     models, _ = BoneDecimatorLogic(case.scene, WheelEngine()).decimate_segments(case.node, request)
-    report = json.loads(models[0].GetPolyData().GetFieldData().GetAbstractArray("BoneDecimateReport").GetValue(0))
+    report = report_of(models[0].GetPolyData())
     proved = report["proof"]["upper"] if "proof" in report else report["smoothing"]["largest_displacement"]
     return [model.GetPolyData() for model in models], f"{np.ceil(1e3 * proved) / 1e3:.3f}"
 
@@ -239,50 +243,109 @@ def ours(case, request):
 def methods():
     yield "Slicer, not smoothed (factor 0)", lambda case: slicers(case, 0.0)
     yield "Slicer, default smoothing (factor 0.5)", lambda case: slicers(case, 0.5)
-    for name, request in REQUESTS.items():
-        yield name, lambda case, request=request: ours(case, request)
+    for name, numbers in RUNS.items():
+        yield f"Bone Decimator, {name}", lambda case, numbers=numbers: ours(case, *numbers)
 
 
-def save(surfaces, folder, name):
-    folder.mkdir(parents=True, exist_ok=True)
-    for i, surface in enumerate(surfaces, 1):
-        writer = vtk.vtkXMLPolyDataWriter()
-        writer.SetFileName(str(folder / f"{name}, {i}.vtp"))
-        writer.SetInputData(surface)
-        writer.Write()
+def volumes():
+    """Name, values, spacing."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = folder + "/phantom.mha"
+        subprocess.run([PROGRAM + "-phantom", path, "--size", "small"], check=True)
+        reader = vtk.vtkMetaImageReader()
+        reader.SetFileName(path)
+        reader.Update()
+    image = reader.GetOutput()
+    values = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(image.GetDimensions()[::-1])
+    yield "phantom", values, image.GetSpacing()
+    with tarfile.open(CRANIUM) as archive:
+        matrix = next(member for member in archive if member.name.endswith("matrix.dat"))
+        values = np.frombuffer(archive.extractfile(matrix).read(), dtype=np.int16).reshape(108, 256, 256)
+    for name, ((x0, x1), (y0, y1), (z0, z1)) in CROPS.items():
+        yield name, values[z0:z1, y0:y1, x0:x1], (0.9570312, 0.9570312, 1.5)
+
+
+def draw(results, path):
+    """Three in a row, flat shaded. @param results Surfaces by title."""
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    rows = (len(results) + 2) // 3
+    window.SetSize(3 * 400, rows * 460)
+    window.SetMultiSamples(8)
+    backdrop = vtk.vtkRenderer()
+    backdrop.SetBackground(1.0, 1.0, 1.0)
+    window.AddRenderer(backdrop)
+    camera = None
+    for k, (title, surfaces) in enumerate(results.items()):
+        renderer = vtk.vtkRenderer()
+        left, bottom = k % 3 / 3, 1.0 - (k // 3 + 1) / rows
+        renderer.SetViewport(left, bottom, left + 1 / 3, bottom + 1 / rows)
+        renderer.SetBackground(1.0, 1.0, 1.0)
+        window.AddRenderer(renderer)
+        for surface, color in zip(surfaces, COLORS):
+            flat = vtk.vtkPolyData()
+            flat.SetPoints(surface.GetPoints())
+            flat.SetPolys(surface.GetPolys())
+            mapper = vtk.vtkPolyDataMapper()
+            mapper.SetInputData(flat)
+            actor = vtk.vtkActor()
+            actor.SetMapper(mapper)
+            actor.GetProperty().SetColor(*color)
+            actor.GetProperty().SetInterpolationToFlat()
+            renderer.AddActor(actor)
+        text = vtk.vtkTextActor()
+        text.SetInput(f"{title}\n{sum(surface.GetNumberOfPolys() for surface in surfaces):,} triangles")
+        text.GetTextProperty().SetColor(0.0, 0.0, 0.0)
+        text.GetTextProperty().SetFontSize(14)
+        text.SetPosition(8, 424)
+        renderer.AddViewProp(text)
+        if camera is None:
+            camera = renderer.GetActiveCamera()
+            camera.SetPosition(0.6, 1.0, 0.3)
+            camera.SetFocalPoint(0.0, 0.0, 0.0)
+            camera.SetViewUp(0.0, 0.0, 1.0)
+            renderer.ResetCamera()
+            camera.Zoom(1.3)
+        renderer.SetActiveCamera(camera)
+    window.Render()
+    shot = vtk.vtkWindowToImageFilter()
+    shot.SetInput(window)
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputConnection(shot.GetOutputPort())
+    writer.Write()
+
+
+def row(title, label, case, method):
+    """Prints it, and returns the surfaces."""
+    start = time.process_time()
+    surfaces, proved = method(case)
+    seconds = time.process_time() - start
+    rms, angle = distance_and_angle(surfaces, case)
+    gap, overlap = gap_and_overlap(surfaces, case)
+    triangles = sum(surface.GetNumberOfPolys() for surface in surfaces)
+    print(f"| {title} | {label} | {triangles:,} | {rms:.3f} | {angle:.1f} | {proved} | {changed_voxels(surfaces, case):,} | "
+          f"{gap:.1f} | {overlap:.1f} | {intersections(surfaces):,} | {seconds:.2f} |", flush=True)
+    return surfaces
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
-    parser.add_argument("--ct", type=Path, default=CRANIUM)
-    parser.add_argument("--verify", type=Path, default=Path(os.environ.get("BONEDECIMATE_PROGRAM", "none") + "-verify"))
-    parser.add_argument("--save", type=Path, help="write the surfaces here, as .vtp")
+    parser.add_argument("--picture", type=Path, help="draw the last segmentation here")
     parser.add_argument("names", nargs="*")
     arguments = parser.parse_args()
-    with tarfile.open(arguments.ct) as archive:
-        matrix = next(member for member in archive if member.name.endswith("matrix.dat"))
-        values = np.frombuffer(archive.extractfile(matrix).read(), dtype=np.int16).reshape(108, 256, 256)
     print("| segmentation | surfaces | triangles | RMS, mm | normals, degrees | proved, mm | voxels changed | gap, mm^3 | "
           "overlap, mm^3 | intersecting pairs | CPU s |")
     print("|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|")
-    for name, ((x0, x1), (y0, y1), (z0, z1)) in CROPS.items():
+    results = {}
+    for name, values, spacing in volumes():
         for parts in (1, 4):
             title = f"{name}, {parts} segment{'s' * (parts > 1)}"
-            if arguments.names and not any(each in title for each in arguments.names):
-                continue
-            case = Case(values[z0:z1, y0:y1, x0:x1], parts)
-            for label, method in methods():
-                start = time.process_time()
-                surfaces, proved = method(case)
-                seconds = time.process_time() - start
-                rms, angle = distance_and_angle(surfaces, case)
-                gap, overlap = gap_and_overlap(surfaces, case)
-                triangles = sum(surface.GetNumberOfPolys() for surface in surfaces)
-                print(f"| {title} | {label} | {triangles:,} | {rms:.3f} | {angle:.1f} | {proved} | "
-                      f"{changed_voxels(surfaces, case):,} | {gap:.1f} | {overlap:.1f} | "
-                      f"{intersections(surfaces, arguments.verify):,} | {seconds:.2f} |", flush=True)
-                if arguments.save:
-                    save(surfaces, arguments.save, f"{title}, {label}")
+            if not arguments.names or any(each in title for each in arguments.names):
+                case = Case(values, spacing, parts)
+                results = {label: row(title, label, case, method) for label, method in methods()}
+    if arguments.picture and results:
+        draw(results, arguments.picture)
 
 
 if __name__ == "__main__":

@@ -4,7 +4,9 @@
 #
 # Slicer's core from PyPI runs the program and the scripted module's logic.
 #
-#   Testing/Slicer/run.sh [BUILD]      with the program of BUILD, by default build/release; environment in BUILD/slicer
+#   Testing/Slicer/run.sh [BUILD]      with the programs of BUILD, by default build/release; environment in BUILD/slicer
+#   TABLE=1 Testing/Slicer/run.sh      prints the table of Documentation/slicer.md and draws its picture, too (the CT is in
+#                                      Debian's invesalius-examples)
 #
 # Takes about 500 MB and some minutes the first time; not part of the test suite.
 set -euo pipefail
@@ -30,3 +32,7 @@ export SLICER_MODULE=$root/Applications/Slicer/BoneDecimator
 for name in slicer_core segmentation panel; do
   "$folder/bin/python" -B "$here/${name}_test.py"
 done
+if [ -n "${TABLE:-}" ]; then
+  "$folder/bin/python" -B "$here/closed_surfaces.py"
+  "$folder/bin/python" -B "$here/closed_surfaces.py" --picture "$root/Documentation/images/slicer-segments.png" "phantom, 4"
+fi

@@ -24,6 +24,8 @@ SPACING = (0.5, 0.5, 0.625)
 # The axes of a scan in RAS: turned about z, x and y to the right and to the front.
 TO_RAS = np.array([[-0.4, 0.3, 0.0, 31.0], [-0.3, -0.4, 0.0, 12.0], [0.0, 0.0, 0.625, -7.0], [0.0, 0.0, 0.0, 1.0]])
 
+PROGRAM = os.environ["BONEDECIMATE_PROGRAM"]
+
 slicer_core.vtkSegmentationConverterFactoryInitialize()
 for rule in (slicer_core.vtkBinaryLabelmapToClosedSurfaceConversionRule,
              slicer_core.vtkClosedSurfaceToBinaryLabelmapConversionRule):
@@ -321,6 +323,19 @@ class Previews(unittest.TestCase):
         whole = np.array(slicers_surface(node, node.GetSegmentation().GetNthSegmentID(0), 0.0).GetBounds()).reshape(3, 2).T
         self.assertTrue((low > whole[0] - 0.6).all() and (high < whole[1] + 0.6).all())
         self.assertLess(np.prod(high - low), 0.5 * np.prod(whole[1] - whole[0]))
+
+    def test_works_with_every_goal_and_both_engines(self):
+        scene, node, _ = scene_with(ball=ball())
+        (model,), _ = BoneDecimatorLogic(scene, WheelEngine()).decimate_segments(node, Request(tolerance=0.1))
+        for request in (Request(tolerance=0.0, triangles=200), Request(tolerance=0.0, triangles=200, mode="Thesis"),
+                        Request(tolerance=0.0, smoothing=0.1), Request(tolerance=0.3, mode="Thesis", triangles=200),
+                        Request(tolerance=0.3, mode="Fast", keep_voxels="Off")):
+            for engine, source in ((WheelEngine(), node), (WheelEngine(), model), (ProgramEngine(PROGRAM), model)):
+                with self.subTest(request=request, engine=type(engine).__name__):
+                    lines = BoneDecimatorLogic(scene, engine).preview(source, request)
+                    self.assertIn("triangles", lines[1])
+                    if request.tolerance:
+                        self.assertNotIn("proved", "".join(lines))
 
     def test_of_a_model_is_one_too_and_canceling_leaves_the_last(self):
         scene, node, _ = scene_with(ball=ball())

@@ -79,6 +79,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         form = self._section("Bone")
         self.source = self._nodes(["vtkMRMLModelNode", "vtkMRMLSegmentationNode"])
         self.segments = slicer.qMRMLSegmentsTableView()
+        self.segments.setMRMLScene(slicer.mrmlScene)
         self.segments.toolTip = "The selected segments; if none is selected, those that are visible."
         self.target = self._nodes(["vtkMRMLModelNode"], may_be_new=True)
         self.kind = qt.QComboBox()

@@ -232,21 +232,19 @@ class BoneDecimatorLogic:
         """Shows the result for the whole bone, or for a part of a large one, as a temporary model.
 
         @param center mm in the coordinates of the source, of the part; None: chosen.
-        @return Lines of text. Nothing is proved or measured.
+        @return Lines of text. The tolerance is not proved, and nothing is measured.
         """
         request.check()
-        options = {"prove": False, "measure": False}
         if not segmentation.has_label_map(source):
             part, ratio = preview.part_of_surface(surface_of(source, (segments or [None])[0]), center=center)
-            request = _for_part(request, ratio)
-            result = self.engine.decimate(part, {**request.options(), **options}, self.tolerances(request, source, part), progress)
+            options = _preview_options(request, ratio)
+            result = self.engine.decimate(part, options, self.tolerances(request, source, part), progress)
             lines = statistics(report_of(result))
         else:
             found = segmentation.label_maps_of(source, segments)
             part, ratio = preview.part_of_label_map(found.maps[0], center=center)  # of those that overlap, the first
-            request = _for_part(request, ratio)
-            run = self.engine.decimate_segments(part, {**request.options(), **options}, self._tolerances_at(request, source),
-                                                progress)
+            options = _preview_options(request, ratio)
+            run = self.engine.decimate_segments(part, options, self._tolerances_at(request, source), progress)
             result = polydata_of(run.points, run.triangles)
             set_colors(result, np.array([segment.color for segment in part.segments])[run.sides[:, 0] - 1])
             lines = found.notes + run.warnings + statistics(run.report, [segment.name for segment in part.segments])
@@ -318,8 +316,13 @@ def _by_distance(outside, request):
     return regions.tolerances(outside, inner, outer, request.feather)
 
 
-def _for_part(request, ratio):
-    return replace(request, triangles=max(4, int(ratio * request.triangles)) if request.triangles else 0)
+def _preview_options(request, ratio):
+    """For that ratio of the surface: the tolerance is not proved, and nothing is measured."""
+    part = replace(request, triangles=max(4, int(ratio * request.triangles)) if request.triangles else 0)
+    options = {**part.options(), "measure": False}
+    if "intersection-guard" in options:  # where there is a proof
+        options["prove"] = False
+    return options
 
 
 def _segment_surface(run, value):
