@@ -18,7 +18,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Applicatio
 from BoneDecimatorLib.checks import DecimationError  # noqa: E402
 from BoneDecimatorLib.engines import Canceled, WheelEngine, _set_option  # noqa: E402
 from BoneDecimatorLib.logic import SMOOTHINGS, BoneDecimatorLogic, Request, presets, smoothing_of, statistics  # noqa: E402
-from BoneDecimatorLib.preview import QUIET, Preview, part_of_label_map, part_of_surface  # noqa: E402
+from BoneDecimatorLib.preview import PAUSE, QUIET, Preview, part_of_label_map, part_of_surface  # noqa: E402
 from BoneDecimatorLib.segmentation import LabelMap  # noqa: E402
 
 NO_NUMBERS = (math.nan, math.inf, -math.inf, "0.1", None, True)
@@ -178,6 +178,20 @@ class Previews(unittest.TestCase):
         self.preview.changed()
         self.assertFalse(self.tick_after(10.0))
         self.assertEqual(self.runs, 1)
+
+    def test_looks_for_changes_now_and_then(self):
+        looks = []
+
+        def run(progress):
+            for step in range(100):
+                self.now += 0.1 * PAUSE
+                progress(0.01 * step)
+
+        preview = Preview(run, self.told.append, lambda: looks.append(self.now), lambda: self.now)
+        preview.start()
+        self.now += 1.1 * QUIET
+        self.assertTrue(preview.tick())
+        self.assertTrue(5 <= len(looks) <= 11, looks)
 
     def test_problems_are_told_once(self):
         def fail(_progress):

@@ -11,8 +11,9 @@ from vtk.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
 from .checks import DecimationError
 from .engines import Canceled
 
-MOST_TRIANGLES = 20_000  # of the input of a preview: about a second
+MOST_TRIANGLES = 10_000  # of the input of a preview: two seconds or so
 QUIET = 0.4  # s without a change before a run
+PAUSE = 0.05  # s between two looks for changes during a run
 
 
 class Preview:
@@ -29,6 +30,7 @@ class Preview:
         """
         self._run, self._tell, self._listen, self._clock = run, tell, listen, clock
         self._due = None  # when the next run starts; None: nothing has changed
+        self._next_look = 0.0  # by the clock
         self._is_running = self._is_on = False
 
     def start(self):
@@ -59,8 +61,9 @@ class Preview:
         return True
 
     def _goes_on(self, _fraction):
-        if self._listen:
+        if self._listen and self._clock() >= self._next_look:
             self._listen()
+            self._next_look = self._clock() + PAUSE
         return self._is_on and self._due is None
 
 
