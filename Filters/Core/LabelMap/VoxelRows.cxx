@@ -260,6 +260,28 @@ Index VoxelRows::Slice::Current() const
 }
 
 //------------------------------------------------------------------------------
+/// Crossings between the same two voxels have no order; the first ones that do not cancel lead out of the first label.
+Index VoxelRows::Slice::FirstLabel()
+{
+  const std::vector<Crossing>& all = this->Crossings;
+  this->Counts.clear();
+  for (std::size_t i = this->Next; i < all.size() && all[i].Row == all[this->Next].Row; ++i)
+  {
+    this->Add(all[i].Labels[0], 1);
+    this->Add(all[i].Labels[1], -1);
+    const bool isLast = i + 1 == all.size() || all[i + 1].Row != all[i].Row ||
+      all[i + 1].Above != all[i].Above;
+    const auto first = std::find_if(this->Counts.begin(), this->Counts.end(),
+      [](const Count& count) { return count.Number > 0; });
+    if (isLast && first != this->Counts.end())
+    {
+      return first->Label;
+    }
+  }
+  return None;
+}
+
+//------------------------------------------------------------------------------
 void VoxelRows::Slice::Row(std::int64_t y, bool isOpen, std::vector<Index>& labels)
 {
   labels.assign(static_cast<std::size_t>(this->Box.Count[0]), None);
@@ -272,8 +294,13 @@ void VoxelRows::Slice::Row(std::int64_t y, bool isOpen, std::vector<Index>& labe
   {
     return;
   }
+  const Index before = isOpen ? this->FirstLabel() : this->Rows.Background;
+  if (before == None)
+  {
+    return;
+  }
   this->Counts.clear();
-  this->Add(isOpen ? all[this->Next].Labels[0] : this->Rows.Background, 1);
+  this->Add(before, 1);
   std::size_t x = 0;
   for (; this->Next < all.size() && all[this->Next].Row == y; ++this->Next)
   {
