@@ -3,7 +3,6 @@
 #include "LabelAttack.h"
 
 #include "BruteForce.h"
-#include "Crossings.h"
 #include "LabelMap/LabelSurfaces.h"
 #include "LabelVictims.h"
 #include "Victims.h"
@@ -206,8 +205,8 @@ std::string WhatCrosses(const LabelAttack& attack, const Result& result)
   {
     return "";
   }
-  const std::int64_t after = CountCrossings(result.Surface);
-  const std::int64_t before = after > 0 ? CountCrossings(attack.Run.Victim) : 0;
+  const std::int64_t after = CountIntersections(result.Surface);
+  const std::int64_t before = after > 0 ? CountIntersections(attack.Run.Victim) : 0;
   return after > before
     ? std::to_string(after) + " pairs of triangles intersect, " + std::to_string(before) + " before"
     : "";

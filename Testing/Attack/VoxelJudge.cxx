@@ -3,6 +3,7 @@
 #include "VoxelJudge.h"
 
 #include "BruteForce.h"
+#include "Crossings.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -94,6 +95,12 @@ int CrossingAbove(const std::array<const BigPoint*, 3>& corners, const BigPoint&
   const BigPoint w = Minus(p, *corners[0]);
   const Big height = Cross(u, v, 0) * w[0] + Cross(u, v, 1) * w[1] + Cross(u, v, 2) * w[2];
   return height.sign() * winding < 0 ? winding : 0;
+}
+
+bool HaveEdgeInCommon(const Triangle& a, const Triangle& b)
+{
+  return std::count_if(b.begin(), b.end(),
+           [&a](Index p) { return std::find(a.begin(), a.end(), p) != a.end(); }) == 2;
 }
 
 class ExactCounter
@@ -202,6 +209,22 @@ std::int64_t CountNearCenters(const Surface& surface, const VoxelGrid& grid, dou
           count += PointTriangleDistance({ x, y, z }, c[0], c[1], c[2]) < voxels ? 1 : 0;
         }
       }
+    }
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+std::int64_t CountIntersections(const Surface& surface)
+{
+  std::int64_t count = CountCrossings(surface);
+  for (std::size_t i = 0; i < surface.Triangles.size() && count > 0; ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const Triangle& a = surface.Triangles[i];
+      const Triangle& b = surface.Triangles[j];
+      count -= HaveEdgeInCommon(a, b) && Cross(surface, a, b) ? 1 : 0;
     }
   }
   return count;

@@ -32,6 +32,10 @@ std::int64_t CountWrongExactly(const LabeledTriangles& surface, const VoxelGrid&
 /// Pairs of a triangle and a voxel center nearer to it than that many voxels. Centers outside of the image count, too.
 std::int64_t CountNearCenters(const Surface& surface, const VoxelGrid& grid, double voxels);
 
+/// Pairs of triangles that intersect (Crossings.h) and have no edge in common: whether two triangles with a common edge lie flat on
+/// each other is decided by the rounding of positions to those of the output.
+std::int64_t CountIntersections(const Surface& surface);
+
 /// Whether the triangles around each label are a closed surface: walls are shared, and nothing is open.
 bool AreWallsShared(const LabeledTriangles& surface, Index numberOfLabels);
 

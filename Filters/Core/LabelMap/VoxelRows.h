@@ -74,7 +74,6 @@ public:
     void Cross(Index triangle, std::int64_t z);
     void Add(Index label, int number);
     Index Current() const;
-    Index FirstLabel();
 
     const VoxelRows& Rows;
     VoxelBox Box;
