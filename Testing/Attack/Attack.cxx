@@ -141,8 +141,8 @@ void Print(const Totals& totals)
 }
 
 /// @param attack Returns what broke in the run of a seed.
-int Run(long runs, std::uint64_t seed,
-  const std::function<std::string(std::uint64_t, Totals&)>& attack)
+int Run(
+  long runs, std::uint64_t seed, const std::function<std::string(std::uint64_t, Totals&)>& attack)
 {
   Totals totals;
   for (long run = 0; run < runs; ++run)
@@ -180,9 +180,10 @@ int main(int argumentCount, char** words)
     const long runs = std::atol(words[first]);
     const std::uint64_t seed = std::strtoull(words[first + 1], nullptr, 10);
     const std::vector<Surface> large = ReadAll(argumentCount - first - 2, words + first + 2);
-    return hasLabels ? Run(runs, seed, AttackLabels)
-                     : Run(runs, seed, [&large](std::uint64_t at, Totals& totals)
-                         { return AttackOnce(at, large, totals); });
+    return hasLabels
+      ? Run(runs, seed, AttackLabels)
+      : Run(runs, seed,
+          [&large](std::uint64_t at, Totals& totals) { return AttackOnce(at, large, totals); });
   }
   catch (const std::exception& failure)
   {

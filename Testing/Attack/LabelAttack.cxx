@@ -85,7 +85,8 @@ void ChooseEnd(Random& random, LabelAttack& attack)
   attack.SmoothsOnly = random.Below(6) == 0;
   if (attack.SmoothsOnly)
   {
-    options.MaximumError = options.ProvesError() ? options.MaximumError : 0.0; // where mode Thesis ends
+    options.MaximumError =
+      options.ProvesError() ? options.MaximumError : 0.0; // where mode Thesis ends
     options.TargetNumberOfTriangles = 0;
     options.TargetReduction = 0.0;
     options.TargetReductionIsExplicit = true;
@@ -199,8 +200,7 @@ std::string WhatLabelsLost(const LabelAttack& attack, const Result& result)
 std::string WhatCrosses(const LabelAttack& attack, const Result& result)
 {
   const Options& options = attack.Run.Requested;
-  const bool isGuarded =
-    attack.SmoothsOnly || (options.IntersectionGuard && options.BoundsError());
+  const bool isGuarded = attack.SmoothsOnly || (options.IntersectionGuard && options.BoundsError());
   if (!isGuarded || attack.Run.Victim.Triangles.size() > MostOfPairs)
   {
     return "";
@@ -216,8 +216,7 @@ bool KeepsVoxels(const LabelAttack& attack)
 {
   const Options& options = attack.Run.Requested;
   return options.KeepVoxels == KeepVoxels::On ||
-    (options.KeepVoxels == KeepVoxels::Automatic &&
-      options.MaximumError <= 0.5 * attack.Spacing());
+    (options.KeepVoxels == KeepVoxels::Automatic && options.MaximumError <= 0.5 * attack.Spacing());
 }
 
 /// Where no voxel may change.
@@ -275,10 +274,9 @@ std::string WhatReportMissed(const LabelAttack& attack, const Result& result)
   }
   const std::int64_t reported = result.Report.Voxels.Changes.Changed;
   const std::int64_t unclear = CountNearCenters(result.Surface, attack.Source.Grid, Accuracy);
-  return reported < changed - unclear || reported > changed + unclear
-    ? std::to_string(reported) + " voxels changed by the report, " + std::to_string(changed) +
-      " are counted"
-    : "";
+  return reported < changed - unclear || reported > changed + unclear ? std::to_string(reported) +
+      " voxels changed by the report, " + std::to_string(changed) + " are counted"
+                                                                      : "";
 }
 
 std::string WhatVoxelsBroke(const LabelAttack& attack, const Result& result, Totals& totals)

@@ -38,8 +38,8 @@ LabelMap Noise(Random& random)
 {
   const Index labels = 1 + random.Below(MostLabels);
   const double share = random.Between(0.05, 0.95); // of the background
-  return MakeLabelMap(AnySize(random, MostSizeOfNoise), [&](const Voxel&)
-    { return random.Uniform() < share ? 0 : 1 + random.Below(labels); });
+  return MakeLabelMap(AnySize(random, MostSizeOfNoise),
+    [&](const Voxel&) { return random.Uniform() < share ? 0 : 1 + random.Below(labels); });
 }
 
 /// Plates of one or two voxels along an axis or tilted, with gaps of one or two voxels or none.
@@ -113,7 +113,8 @@ LabelMap Slits(Random& random)
   return MakeLabelMap(size,
     [&](const Voxel& voxel)
     {
-      const bool isFrame = std::any_of(voxel.begin(), voxel.end(), [&](Index i) { return i < frame; });
+      const bool isFrame =
+        std::any_of(voxel.begin(), voxel.end(), [&](Index i) { return i < frame; });
       return isFrame                                     ? 0
         : voxel[axis] == slit && voxel[other] < end      ? inSlit
         : voxel[axis] == slit + 2 && voxel[other] >= end ? 0
@@ -173,7 +174,8 @@ LabelMap AnyLabelMap(Random& random)
 {
   static const std::array<LabelMap (*)(Random&), 5> makers = { Noise, Plates, Touching, Shells,
     Slits };
-  LabelMap map = makers[static_cast<std::size_t>(random.Below(static_cast<Index>(makers.size())))](random);
+  LabelMap map =
+    makers[static_cast<std::size_t>(random.Below(static_cast<Index>(makers.size())))](random);
   if (random.Below(2) == 0)
   {
     AddNoise(random, map);

@@ -97,10 +97,42 @@ int CrossingAbove(const std::array<const BigPoint*, 3>& corners, const BigPoint&
   return height.sign() * winding < 0 ? winding : 0;
 }
 
-bool HaveEdgeInCommon(const Triangle& a, const Triangle& b)
+using BigTriangle = std::array<BigPoint, 3>;
+
+int Side(const BigPoint& a, const BigPoint& b, const BigPoint& c, const BigPoint& d)
 {
-  return std::count_if(b.begin(), b.end(),
-           [&a](Index p) { return std::find(a.begin(), a.end(), p) != a.end(); }) == 2;
+  const BigPoint u = Minus(b, a);
+  const BigPoint v = Minus(c, a);
+  const BigPoint w = Minus(d, a);
+  return Big(Cross(u, v, 0) * w[0] + Cross(u, v, 1) * w[1] + Cross(u, v, 2) * w[2]).sign();
+}
+
+/// Whether the inside of an edge meets the inside of a triangle in one point.
+bool Pierces(const BigPoint& p, const BigPoint& q, const BigTriangle& t)
+{
+  if (Side(t[0], t[1], t[2], p) * Side(t[0], t[1], t[2], q) >= 0)
+  {
+    return false;
+  }
+  const int first = Side(p, q, t[0], t[1]);
+  return first != 0 && Side(p, q, t[1], t[2]) == first && Side(p, q, t[2], t[0]) == first;
+}
+
+bool Pierce(const Surface& surface, const Triangle& a, const Triangle& b)
+{
+  BigTriangle p;
+  BigTriangle q;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    p[k] = Exact(surface.Points[static_cast<std::size_t>(a[k])]);
+    q[k] = Exact(surface.Points[static_cast<std::size_t>(b[k])]);
+  }
+  bool pierces = false;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    pierces = pierces || Pierces(p[k], p[(k + 1) % 3], q) || Pierces(q[k], q[(k + 1) % 3], p);
+  }
+  return pierces;
 }
 
 class ExactCounter
@@ -121,8 +153,8 @@ public:
   bool IsIn(Index label, const std::array<Index, 3>& voxel) const
   {
     const BigPoint center = CenterOf(this->Grid, voxel);
-    const Vector3 about = this->Grid.ToMillimeters(
-      { static_cast<double>(voxel[0]), static_cast<double>(voxel[1]), static_cast<double>(voxel[2]) });
+    const Vector3 about = this->Grid.ToMillimeters({ static_cast<double>(voxel[0]),
+      static_cast<double>(voxel[1]), static_cast<double>(voxel[2]) });
     std::vector<int> winding(static_cast<std::size_t>(this->Background) + 1, 0);
     winding.back() = 1; // outside of everything
     for (std::size_t t = 0; t < this->Labeled.Labels.size(); ++t)
@@ -217,14 +249,15 @@ std::int64_t CountNearCenters(const Surface& surface, const VoxelGrid& grid, dou
 //------------------------------------------------------------------------------
 std::int64_t CountIntersections(const Surface& surface)
 {
-  std::int64_t count = CountCrossings(surface);
-  for (std::size_t i = 0; i < surface.Triangles.size() && count > 0; ++i)
+  std::int64_t count = 0;
+  const bool mayIntersect = CountCrossings(surface) > 0;
+  for (std::size_t i = 0; mayIntersect && i < surface.Triangles.size(); ++i)
   {
     for (std::size_t j = 0; j < i; ++j)
     {
       const Triangle& a = surface.Triangles[i];
       const Triangle& b = surface.Triangles[j];
-      count -= HaveEdgeInCommon(a, b) && Cross(surface, a, b) ? 1 : 0;
+      count += Cross(surface, a, b) && Pierce(surface, a, b) ? 1 : 0;
     }
   }
   return count;

@@ -32,8 +32,8 @@ std::int64_t CountWrongExactly(const LabeledTriangles& surface, const VoxelGrid&
 /// Pairs of a triangle and a voxel center nearer to it than that many voxels. Centers outside of the image count, too.
 std::int64_t CountNearCenters(const Surface& surface, const VoxelGrid& grid, double voxels);
 
-/// Pairs of triangles that intersect (Crossings.h) and have no edge in common: whether two triangles with a common edge lie flat on
-/// each other is decided by the rounding of positions to those of the output.
+/// Pairs of triangles of which an edge of one pierces the other, by integers of any size. Triangles that only touch do not count:
+/// the rounding of positions to those of the output decides whether they do.
 std::int64_t CountIntersections(const Surface& surface);
 
 /// Whether the triangles around each label are a closed surface: walls are shared, and nothing is open.

@@ -77,9 +77,9 @@ MUTANTS = (
            "1.2 * NumberOfOdd(center) }", SMOOTHING_TESTS),
     Mutant("edits are proved against the smoothed positions", "Filters/Core/Edit/Editor.cxx",
            "this->Unsmoothed ? *this->Unsmoothed : *this->First", "*this->First", SMOOTHING_TESTS),
-    Mutant("a frozen point is smoothed", SMOOTHING + "Smoothing.cxx", "radii[p] = std::max(0.0, least);",
+    Mutant("a constrained point is smoothed", SMOOTHING + "Smoothing.cxx", "radii[p] = std::max(0.0, least);",
            "radii[p] = std::max(1e-3 * settings.Radius, least);", SMOOTHING_TESTS),
-    Mutant("neighbors of a frozen point are smoothed", SMOOTHING + "Smoothing.cxx",
+    Mutant("neighbors of a constrained point are smoothed", SMOOTHING + "Smoothing.cxx",
            "least = std::min(least, (*input.Limits)[neighbor]);", "least = std::min(least, settings.Radius + neighbor);",
            SMOOTHING_TESTS),
     Mutant("boundary points are smoothed off their boundary", SMOOTHING + "SmoothingGraph.cxx",
@@ -107,7 +107,7 @@ MUTANTS = (
            GUARD_TESTS),
     Mutant("crossings of different labels cancel", GUARD + "VoxelPatch.cxx", "sum.Below == below && sum.Label == label",
            "sum.Below == below", GUARD_TESTS),
-    Mutant("a collapse of a seam is checked over one sheet", GUARD + "VoxelGuard.cxx", "for (const Index face : change.OldFaces)\n  {\n",
+    Mutant("a collapse of a curve between labels is checked on one wall alone", GUARD + "VoxelGuard.cxx", "for (const Index face : change.OldFaces)\n  {\n",
            "for (const Index face : change.OldFaces)\n  {\n    if (this->LabelsOf(face) != this->LabelsOf(change.OldFaces.front()))\n"
            "    {\n      continue;\n    }\n", GUARD_TESTS),
     Mutant("positions are guarded as they are before rounding", GUARD + "VoxelGuard.cxx",
@@ -122,6 +122,10 @@ MUTANTS = (
            "1;\n    SliceSum", CHECK_TESTS),
     Mutant("the check begins open rows in the background", LABELS + "VoxelRows.cxx",
            "isOpen ? FirstLabel(all, this->Next) : this->Rows.Background", "this->Rows.Background", CHECK_TESTS),
+    Mutant("the check takes the first crossing in the list for the first on the row", LABELS + "VoxelRows.cxx",
+           "isOpen ? FirstLabel(all, this->Next)", "isOpen ? all[this->Next].Labels[0]", CHECK_TESTS),
+    Mutant("rounding decides which voxels of an open surface are outermost", LABELS + "VoxelCheck.cxx",
+           "endsAtImage ? Intersection(both, BoxOf(settings.Grid)) : both;", "endsAtImage ? both : both;", CHECK_TESTS),
 )
 
 

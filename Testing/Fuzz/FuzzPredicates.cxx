@@ -5,8 +5,8 @@
  * @brief Fuzzes the exact predicates: they must agree with rational numbers.
  *
  *     bytes:  which predicate; for floating-point numbers a scale, an offset, and coordinates on a small lattice; then whether
- *             points are combinations of others, so that they are collinear or coplanar, and by how many units in the last place
- *             they are moved
+ *             points are combinations of others, so that they are collinear or coplanar, and how many
+ *             floating-point numbers farther they are moved
  *             for fixed-point numbers voxels and fractions of which most are 0, a half or a unit away from them
  */
 #include "Bytes.h"
@@ -68,7 +68,7 @@ RationalPoint Normal(const RationalPoint& a, const RationalPoint& b, const Ratio
   return { Cross(u, v, 0), Cross(u, v, 1), Cross(u, v, 2) };
 }
 
-/// Moves a number by up to three units in the last place; one in two stays.
+/// Moves a number to one of its neighbors, up to the third; one in two stays.
 double Nudged(double x, int byte)
 {
   const int steps = byte < 128 ? 0 : byte % 7 - 3;
@@ -238,7 +238,7 @@ void FuzzColumns(Bytes& bytes)
   }
 }
 
-/// A position in fixed point is nearest to the position, but for rounding of sums and products.
+/// The integers are nearest to the position, but for rounding of sums and products.
 void FuzzConversion(Bytes& bytes)
 {
   VoxelGrid grid;
@@ -258,7 +258,8 @@ void FuzzConversion(Bytes& bytes)
       (Rational(position[i]) - Rational(grid.Origin[i])) / Rational(grid.Spacing[i]) * OneVoxel;
     const Rational error = abs(Rational(fixed[k]) - exact);
     const bool isFar = abs(exact) > Rational(OneVoxel) * OneVoxel * 2;
-    Demand(isFar || error <= Rational(1, 2) + abs(exact) * Rational(rounding), "a fixed point");
+    Demand(
+      isFar || error <= Rational(1, 2) + abs(exact) * Rational(rounding), "a position as integers");
     const std::int64_t above = CenterAtOrAbove(fixed[k]);
     const std::int64_t below = CenterAtOrBelow(fixed[k]);
     const Rational voxels(fixed[k], OneVoxel);
