@@ -11,7 +11,7 @@
  * tolerances, sometimes so far from the origin that rounding matters. The certificate, which is independent of the run,
  * then checks the error. Ends with 1 at the first violation and prints its seed: RUNS 1 with that SEED repeats it.
  */
-#include "Judge.h"
+#include "AttackChecks.h"
 #include "LabelAttack.h"
 #include "Shapes.h"
 #include "TriangleFile.h"

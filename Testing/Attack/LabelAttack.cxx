@@ -3,10 +3,11 @@
 #include "LabelAttack.h"
 
 #include "BruteForce.h"
+#include "Crossings.h"
 #include "LabelMap/LabelSurfaces.h"
 #include "LabelVictims.h"
 #include "Victims.h"
-#include "VoxelJudge.h"
+#include "VoxelOracle.h"
 
 #include <algorithm>
 #include <array>
@@ -150,22 +151,22 @@ std::set<std::array<Corner, 3>> PositionsOf(const Surface& surface)
   return all;
 }
 
-std::string WhatFrozenLost(const LabelAttack& attack, const Surface& result)
+std::string WhatConstraintsLost(const LabelAttack& attack, const Surface& result)
 {
   const std::vector<double>& tolerances = attack.Run.Tolerances;
-  Surface frozen;
-  frozen.Points = attack.Run.Victim.Points;
+  Surface constrained;
+  constrained.Points = attack.Run.Victim.Points;
   for (const Triangle& t : attack.Run.Victim.Triangles)
   {
-    const bool isFrozen = !tolerances.empty() &&
+    const bool isConstrained = !tolerances.empty() &&
       std::any_of(t.begin(), t.end(),
         [&](Index p) { return tolerances[static_cast<std::size_t>(p)] == 0.0; });
-    if (isFrozen)
+    if (isConstrained)
     {
-      frozen.Triangles.push_back(t);
+      constrained.Triangles.push_back(t);
     }
   }
-  const auto before = PositionsOf(frozen);
+  const auto before = PositionsOf(constrained);
   const auto after = PositionsOf(result);
   return std::includes(after.begin(), after.end(), before.begin(), before.end())
     ? ""
@@ -206,7 +207,7 @@ std::string WhatCrosses(const LabelAttack& attack, const Result& result)
     return "";
   }
   const std::int64_t after = CountIntersections(result.Surface);
-  const std::int64_t before = after > 0 ? CountIntersections(attack.Run.Victim) : 0;
+  const std::int64_t before = after > 0 ? CountCrossings(attack.Run.Victim) : 0; // or touch
   return after > before
     ? std::to_string(after) + " pairs of triangles intersect, " + std::to_string(before) + " before"
     : "";
@@ -340,7 +341,7 @@ std::string WhatBroke(const LabelAttack& attack, Totals& totals)
   {
     broke = WhatBoundBroke(attack.Run, Cleaned(attack.Run.Victim), result.Surface, totals);
   }
-  broke = broke.empty() ? WhatFrozenLost(attack, result.Surface) : broke;
+  broke = broke.empty() ? WhatConstraintsLost(attack, result.Surface) : broke;
   broke = broke.empty() ? WhatCrosses(attack, result) : broke;
   broke = broke.empty() ? WhatVoxelsBroke(attack, result, totals) : broke;
   return broke.empty() ? WhatThreadsChanged(attack, result) : broke;

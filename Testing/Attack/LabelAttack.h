@@ -11,14 +11,14 @@
  *     points of tolerance 0 and their triangles are there bit for bit
  *     no component, hole or wall is lost, label by label
  *     no new intersection with the guard, none by smoothing
- *     guarded, or only smoothed: no voxel changes (VoxelJudge.h, LabelMaps.h), none is nearer than the margin
+ *     guarded, or only smoothed: no voxel changes (VoxelOracle.h, LabelMaps.h), none is nearer than the margin
  *     not guarded: VoxelCheck reports as many changed voxels as are counted here
  *     the same bytes with another number of threads
  */
 #ifndef BoneDecimate_Testing_LabelAttack_h
 #define BoneDecimate_Testing_LabelAttack_h
 
-#include "Judge.h"
+#include "AttackChecks.h"
 
 #include <cstdint>
 #include <string>

@@ -37,9 +37,9 @@ Vector3 PositionOf(const Voxel& voxel)
 LabelMap Noise(Random& random)
 {
   const Index labels = 1 + random.Below(MostLabels);
-  const double share = random.Between(0.05, 0.95); // of the background
+  const double fraction = random.Between(0.05, 0.95); // of the background
   return MakeLabelMap(AnySize(random, MostSizeOfNoise),
-    [&](const Voxel&) { return random.Uniform() < share ? 0 : 1 + random.Below(labels); });
+    [&](const Voxel&) { return random.Uniform() < fraction ? 0 : 1 + random.Below(labels); });
 }
 
 /// Plates of one or two voxels along an axis or tilted, with gaps of one or two voxels or none.
@@ -84,7 +84,7 @@ LabelMap Touching(Random& random)
     });
 }
 
-/// Balls in shells: sheets at one voxel's distance.
+/// Balls in shells: walls at one voxel's distance.
 LabelMap Shells(Random& random)
 {
   const Voxel size = AnySize(random, MostSize);
@@ -124,11 +124,11 @@ LabelMap Slits(Random& random)
 
 void AddNoise(Random& random, LabelMap& map)
 {
-  const double share = random.Between(0.0, 0.15);
+  const double fraction = random.Between(0.0, 0.15);
   const Index labels = *std::max_element(map.Labels.begin(), map.Labels.end()) + 1;
   for (std::int32_t& label : map.Labels)
   {
-    label = random.Uniform() < share ? random.Below(labels) : label;
+    label = random.Uniform() < fraction ? random.Below(labels) : label;
   }
 }
 

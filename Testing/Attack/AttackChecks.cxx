@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Judge.h"
+#include "AttackChecks.h"
 
 #include "BruteForce.h"
 #include "Certificate/Certificate.h"

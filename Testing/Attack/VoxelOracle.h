@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file VoxelJudge.h
- * @brief What a surface does to the voxels of a label map, by code that shares nothing with the core.
+ * @file VoxelOracle.h
+ * @brief What a surface does to the voxels of a label map, without code of the core.
  */
-#ifndef BoneDecimate_Testing_VoxelJudge_h
-#define BoneDecimate_Testing_VoxelJudge_h
+#ifndef BoneDecimate_Testing_VoxelOracle_h
+#define BoneDecimate_Testing_VoxelOracle_h
 
 #include "LabelMap/VoxelGrid.h"
 #include "Surface.h"

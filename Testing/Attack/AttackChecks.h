@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Judge.h
+ * @file AttackChecks.h
  * @brief What an attack runs, and whether the result keeps to the error bound and to the topology of the input.
  */
-#ifndef BoneDecimate_Testing_Judge_h
-#define BoneDecimate_Testing_Judge_h
+#ifndef BoneDecimate_Testing_AttackChecks_h
+#define BoneDecimate_Testing_AttackChecks_h
 
 #include "Decimate.h"
 #include "Mesh/Cleaning.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VoxelJudge.h"
+#include "VoxelOracle.h"
 
 #include "BruteForce.h"
 #include "Crossings.h"
