@@ -184,6 +184,29 @@ double MeanEdge(const Surface& surface)
   return sum / std::max<double>(1.0, static_cast<double>(surface.Triangles.size()));
 }
 
+//------------------------------------------------------------------------------
+std::vector<double> AnyMap(Random& random, const Surface& surface, double error)
+{
+  const auto anyPoint = [&]
+  {
+    return surface
+      .Points[static_cast<std::size_t>(random.Below(static_cast<Index>(surface.Points.size())))];
+  };
+  const Vector3 center = anyPoint();
+  const Vector3 free = anyPoint();
+  const double radius = MeanEdge(surface) * random.Between(0.0, 6.0);
+  const double slope = random.Between(0.0, 0.5);
+  std::vector<double> tolerances;
+  for (const Vector3& p : surface.Points)
+  {
+    const double distance = std::max(0.0, (p - center).norm() - radius);
+    tolerances.push_back(
+      (p - free).norm() < radius ? -1.0 : std::min(2.0 * error, slope * distance));
+  }
+  return tolerances;
+}
+
+//------------------------------------------------------------------------------
 Surface AnyVictim(Random& random, const std::vector<Surface>& large)
 {
   static const std::array<Surface (*)(Random&), 8> makers = { Walls, WavingGrid, Bumps, Shell,

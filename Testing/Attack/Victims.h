@@ -17,6 +17,10 @@ namespace bonedecimate::testsupport
 /// mm
 double MeanEdge(const Surface& surface);
 
+/// mm, a tolerance of each point: 0 in one ball, none in another; in between it grows with the distance.
+/// @param error mm, half of the largest tolerance.
+std::vector<double> AnyMap(Random& random, const Surface& surface, double error);
+
 /**
  * About ten to two thousand triangles, at random scale and position.
  * @param large Surfaces from which half of the results are cut; may be empty.

@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Puts deliberate bugs into the guarantee, one after the other, and sees whether the attack finds them.
+"""Puts deliberate bugs into the proofs of error and voxels, one after the other, and sees what finds them.
 
     mutants.py --list                 what is changed, and that it is still there to be changed
     mutants.py FOLDER [--only WORD] [--runs N] [SURFACE.ply ...]
 
-FOLDER holds a copy of the source and its build. Ends with 1 if a bug was not found in N runs (4000), or if the attack breaks
-the error bound without any.
+FOLDER holds a copy of the source and its build. Bugs in the error bound are looked for by the attack on surfaces, all others by
+the attack on label maps and by unit tests. Ends with 1 if neither finds a bug in N runs (4000), or if an attack finds a violation
+without any.
 """
 
 from __future__ import annotations
@@ -21,6 +22,9 @@ from typing import NamedTuple
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = "Filters/Core/ErrorBound/"
+SMOOTHING = "Filters/Core/Smoothing/"
+LABELS = "Filters/Core/LabelMap/"
+GUARD = "Filters/Core/VoxelGuard/"
 
 
 class Mutant(NamedTuple):
@@ -30,7 +34,13 @@ class Mutant(NamedTuple):
     file: str
     right: str
     wrong: str
+    tests: str = ""  # GoogleTest's filter of the unit tests of label maps and smoothing; none: the attack on surfaces
 
+
+SMOOTHING_TESTS = "Smoothing*:AutomaticSmoothing*"
+EXTRACTION_TESTS = "*LabelSurfaces*:*NoiseSurfaces*:*Cells*:SingleLabel*"
+GUARD_TESTS = "VoxelPatches*:ColumnCrossings*:FixedPoints*:*EachMap*:KeepVoxelsOption*"
+CHECK_TESTS = "VoxelChecks*:*EachMap*:KeepVoxelsOption*"
 
 MUTANTS = (
     Mutant("a limit that is a twentieth too large", FOLDER + "ErrorLimits.cxx", "error * (1.0 - RelativeSlack) - slack",
@@ -59,6 +69,63 @@ MUTANTS = (
     Mutant("half of a face is forgotten", FOLDER + "FaceProof.cxx",
            "  half.Corners[next] = piece.Corners[next];\n  half.Corners[edge] = middle;\n  this->Open.push_back(half);\n",
            ""),
+    Mutant("points are smoothed too far", SMOOTHING + "Smoothing.cxx", "radii[p] = std::max(0.0, least);",
+           "radii[p] = 1.5 * std::max(0.0, least);", SMOOTHING_TESTS),
+    Mutant("octahedra without their margin", SMOOTHING + "DisplacementSets.cxx", "constexpr double Slack = 4e-3;",
+           "constexpr double Slack = 0.0;", SMOOTHING_TESTS),
+    Mutant("octahedra that are too large", SMOOTHING + "DisplacementSets.cxx", "NumberOfOdd(center) - Slack }",
+           "1.2 * NumberOfOdd(center) }", SMOOTHING_TESTS),
+    Mutant("edits are proved against the smoothed positions", "Filters/Core/Edit/Editor.cxx",
+           "this->Unsmoothed ? *this->Unsmoothed : *this->First", "*this->First", SMOOTHING_TESTS),
+    Mutant("a constrained point is smoothed", SMOOTHING + "Smoothing.cxx", "radii[p] = std::max(0.0, least);",
+           "radii[p] = std::max(1e-3 * settings.Radius, least);", SMOOTHING_TESTS),
+    Mutant("neighbors of a constrained point are smoothed", SMOOTHING + "Smoothing.cxx",
+           "least = std::min(least, (*input.Limits)[neighbor]);", "least = std::min(least, settings.Radius + neighbor);",
+           SMOOTHING_TESTS),
+    Mutant("boundary points are smoothed off their boundary", SMOOTHING + "SmoothingGraph.cxx",
+           "kind == CurveKind::Boundary ? 0.0", "kind == CurveKind::Boundary ? 1.0", SMOOTHING_TESTS),
+    Mutant("smoothing makes intersections", SMOOTHING + "Smoothing.cxx", "while (goesOn && !found.empty())",
+           "while (goesOn && found.empty() && !found.empty())", SMOOTHING_TESTS),
+    Mutant("the rule of a face differs between its cells", LABELS + "CellSegments.cxx", "a == c && (b != d || b > a)",
+           "a == c && (b != d || this->Face % 2 == 0)", EXTRACTION_TESTS),
+    Mutant("normals of mirrored grids are turned", LABELS + "LayerSweep.cxx", "(labels[0] > labels[1]) != this->IsMirrored",
+           "labels[0] > labels[1]", EXTRACTION_TESTS),
+    Mutant("the labels of a wall are not in order", LABELS + "LayerSweep.cxx", "    std::swap(labels[0], labels[1]);\n", "",
+           EXTRACTION_TESTS),
+    Mutant("closed surfaces lack a cap", LABELS + "VoxelLayers.cxx",
+           "  std::fill_n(row, padding * (width + 2 * padding), 0);\n}", "  std::fill_n(row, padding * (width + 2 * padding), 1);\n}",
+           EXTRACTION_TESTS),
+    Mutant("open surfaces are guarded along one axis", GUARD + "VoxelPatch.cxx",
+           "this->KeepsAlong(0, mirrored) && this->KeepsAlong(1, mirrored) &&\n      this->KeepsAlong(2, mirrored);",
+           "this->KeepsAlong(0, mirrored);", GUARD_TESTS),
+    Mutant("columns across the wrong axes", GUARD + "VoxelPatch.cxx", "this->KeepsColumn({ axis, firstS + at % across,",
+           "this->KeepsColumn({ s, firstS + at % across,", GUARD_TESTS),
+    Mutant("ties are not antisymmetric", GUARD + "ColumnCrossing.cxx", "dt != 0 ? -SignOfNumber(dt) : SignOfNumber(ds)",
+           "dt != 0 ? 1 : SignOfNumber(ds)", GUARD_TESTS),
+    Mutant("heights are not exact", GUARD + "ColumnCrossing.cxx", ": this->ExactSign(fromR);", ": this->Side;", GUARD_TESTS),
+    Mutant("the margin is not kept", GUARD + "VoxelGuard.cxx", " && !patch.IsNearCenter(this->Settings.Margin);", ";",
+           GUARD_TESTS),
+    Mutant("crossings of different labels cancel", GUARD + "VoxelPatch.cxx", "sum.Below == below && sum.Label == label",
+           "sum.Below == below", GUARD_TESTS),
+    Mutant("a collapse of a curve between labels is checked on one wall alone", GUARD + "VoxelGuard.cxx", "for (const Index face : change.OldFaces)\n  {\n",
+           "for (const Index face : change.OldFaces)\n  {\n    if (this->LabelsOf(face) != this->LabelsOf(change.OldFaces.front()))\n"
+           "    {\n      continue;\n    }\n", GUARD_TESTS),
+    Mutant("positions are guarded as they are before rounding", GUARD + "VoxelGuard.cxx",
+           "this->Settings.RoundsToSingle ? RoundedToSingle(absolute) : absolute", "absolute", GUARD_TESTS),
+    Mutant("the check voxelizes mirrored grids the wrong way around", LABELS + "VoxelRows.cxx",
+           "(winding > 0) != this->Rows.IsMirrored", "(winding > 0)", CHECK_TESTS),
+    Mutant("the check counts an end of an edge twice", LABELS + "VoxelRows.cxx", "b[2] <= p[2] && p[2] < a[2]",
+           "b[2] <= p[2] && p[2] <= a[2]", CHECK_TESTS),
+    Mutant("the check does not see a voxel without a label", LABELS + "VoxelCheck.cxx", "if (before[i] != after[i])",
+           "if (before[i] != after[i] && after[i] >= 0)", CHECK_TESTS),
+    Mutant("the check leaves out the outermost voxels", LABELS + "VoxelCheck.cxx", "this->IsOpen ? 1 : 0;\n    SliceSum",
+           "1;\n    SliceSum", CHECK_TESTS),
+    Mutant("the check begins open rows in the background", LABELS + "VoxelRows.cxx",
+           "isOpen ? FirstLabel(all, this->Next) : this->Rows.Background", "this->Rows.Background", CHECK_TESTS),
+    Mutant("the check takes the first crossing in the list for the first on the row", LABELS + "VoxelRows.cxx",
+           "isOpen ? FirstLabel(all, this->Next)", "isOpen ? all[this->Next].Labels[0]", CHECK_TESTS),
+    Mutant("rounding decides which voxels of an open surface are outermost", LABELS + "VoxelCheck.cxx",
+           "endsAtImage ? Intersection(both, BoxOf(settings.Grid)) : both;", "endsAtImage ? both : both;", CHECK_TESTS),
 )
 
 
@@ -83,9 +150,9 @@ def copy_source(folder: pathlib.Path) -> pathlib.Path:
     return source
 
 
-def build(folder: pathlib.Path) -> None:
-    """Builds the attack from the current source."""
-    words = ["cmake", "--build", folder / "build", "--target", "bonedecimate-attack"]
+def build(folder: pathlib.Path, target: str = "bonedecimate-attack") -> None:
+    """Builds a program from the current source."""
+    words = ["cmake", "--build", folder / "build", "--target", target]
     done = subprocess.run(words, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         sys.exit(done.stdout[-4000:] + done.stderr[-4000:])
@@ -98,26 +165,52 @@ def configure(folder: pathlib.Path) -> None:
     subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
 
 
-def attack(folder: pathlib.Path, runs: int, surfaces: list[pathlib.Path]) -> tuple[bool, str]:
-    """Whether the attack found a violation, and its output."""
-    words = [folder / "build" / "bin" / "bonedecimate-attack", str(runs), "1", *surfaces]
-    done = subprocess.run(words, capture_output=True, text=True, check=False)
+def run(words: list) -> tuple[bool, str]:
+    """Whether a program failed, and its output."""
+    try:
+        done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=1800)
+    except subprocess.TimeoutExpired:
+        return True, "does not end"
     said = (done.stdout + done.stderr).strip()
     if done.returncode not in (0, 1):
         said = f"ended with {done.returncode} {said}"
     return done.returncode != 0, said
 
 
+def attack(folder: pathlib.Path, runs: int, surfaces: list[pathlib.Path]) -> tuple[bool, str]:
+    """Whether the attack on surfaces found a violation, and its output."""
+    return run([folder / "build" / "bin" / "bonedecimate-attack", str(runs), "1", *surfaces])
+
+
+def attack_labels(folder: pathlib.Path, runs: int) -> tuple[bool, str]:
+    """The same of the attack on label maps."""
+    return run([folder / "build" / "bin" / "bonedecimate-attack", "--labels", str(runs), "1"])
+
+
+def unit_tests(folder: pathlib.Path, chosen: str) -> tuple[bool, str]:
+    """Whether unit tests failed, and how many."""
+    build(folder, "BoneDecimateCoreTests")
+    failed, said = run([folder / "build" / "bin" / "BoneDecimateCoreTests", f"--gtest_filter={chosen}", "--gtest_brief=1"])
+    names = [line.split("]", 1)[1].strip().split(" (")[0].split(",")[0]
+             for line in said.splitlines() if line.startswith("[  FAILED  ]")]
+    return failed, f"{len(names)} unit tests fail: {', '.join(names[:3])}" if failed else "no unit test fails"
+
+
 def try_mutant(mutant: Mutant, folder: pathlib.Path, runs: int, surfaces: list[pathlib.Path]) -> bool:
-    """Whether the attack found the bug."""
+    """Whether the bug was found."""
     file = folder / "source" / mutant.file
     right = file.read_text(encoding="utf-8")
     file.write_text(right.replace(mutant.right, mutant.wrong), encoding="utf-8")
     build(folder)
     start = time.monotonic()
-    found, said = attack(folder, runs, surfaces)
+    found, said = attack_labels(folder, runs) if mutant.tests else attack(folder, runs, surfaces)
+    print(f"{'found' if found else 'NOT FOUND'} by the attack in {time.monotonic() - start:.1f} s: {mutant.name}: {said}",
+          flush=True)
+    if mutant.tests:
+        failed, said = unit_tests(folder, mutant.tests)
+        print(f"    {said}", flush=True)
+        found = found or failed
     file.write_text(right, encoding="utf-8")
-    print(f"{'found' if found else 'NOT FOUND'} in {time.monotonic() - start:.1f} s: {mutant.name}: {said}", flush=True)
     return found
 
 
@@ -138,10 +231,11 @@ def main() -> int:
     configure(arguments.folder)
     build(arguments.folder)
     broken, said = attack(arguments.folder, arguments.runs, arguments.surfaces)
-    print(f"without a bug: {said}", flush=True)
+    broken_labels, said_of_labels = attack_labels(arguments.folder, arguments.runs)
+    print(f"without a bug: {said}\n{said_of_labels}", flush=True)
     results = [try_mutant(mutant, arguments.folder, arguments.runs, arguments.surfaces) for mutant in chosen]
     print(f"{sum(results)} of {len(results)} found")
-    return 1 if broken or not all(results) else 0
+    return 1 if broken or broken_labels or not all(results) else 0
 
 
 if __name__ == "__main__":

@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Inputs for the fuzzers: made here, or found by them, kept as texts with one input a line in hexadecimal.
 
-    corpus.py make core|files|logs FOLDER    the first inputs, a file each
-    corpus.py unpack TEXT FOLDER        what is kept, a file each
-    corpus.py pack FOLDER TEXT          a folder's files (let the fuzzer merge them before), the longest of them left out
+    corpus.py make core|files|logs|predicates FOLDER    the first inputs, a file each
+    corpus.py unpack TEXT FOLDER                       what is kept, a file each
+    corpus.py pack FOLDER TEXT                         a folder's files (let the fuzzer merge them before), the longest of them left out
 """
 
 from __future__ import annotations
@@ -130,6 +130,13 @@ def log_inputs():
         yield bytes([0, 1, 1]) + version + bytes(generator.randrange(3) for _ in range(length))
 
 
+def predicate_inputs():
+    """Bytes of which many are in the middle, where coordinates are 0."""
+    generator = random.Random(4)
+    for number in range(100):
+        yield bytes([number % 5]) + bytes(generator.choice((128, generator.randrange(256))) for _ in range(60))
+
+
 def write(folder, inputs):
     folder.mkdir(parents=True, exist_ok=True)
     for number, data in enumerate(inputs):
@@ -140,7 +147,8 @@ def main():
     verb, what, where = sys.argv[1:4]
     if verb == "make":
         files = (bytes([kind]) + text.encode("latin-1") for kind, text in file_inputs())
-        write(pathlib.Path(where), {"core": core_inputs(), "files": files, "logs": log_inputs()}[what])
+        inputs = {"core": core_inputs(), "files": files, "logs": log_inputs(), "predicates": predicate_inputs()}
+        write(pathlib.Path(where), inputs[what])
     elif verb == "unpack":
         write(pathlib.Path(where), map(bytes.fromhex, pathlib.Path(what).read_text(encoding="ascii").split()))
     else:

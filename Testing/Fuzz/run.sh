@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Fuzzes the core, the readers and the replay of logs with clang's libFuzzer, address and undefined-behavior sanitizers.
+# Fuzzes the core, the readers, the replay of logs and the exact predicates with clang's libFuzzer, address and undefined-behavior sanitizers.
 #
 #   run.sh [RUNS [FOLDER]]     so many runs of each, by default 1000000; corpora and finds into FOLDER, by default build/fuzz
 #
@@ -14,11 +14,11 @@ folder=$(realpath -m "${2:-$root/build/fuzz}")
 
 cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_CXX_COMPILER="${CXX:-clang++-14}" -DCMAKE_BUILD_TYPE=RelWithDebInfo \
   -DBONEDECIMATE_CORE_ONLY=ON -DBONEDECIMATE_FUZZ=ON -DBONEDECIMATE_SANITIZE=address,undefined,fuzzer-no-link
-for name in core files logs; do
+for name in core files logs predicates; do
   cmake --build "$folder" --target "bonedecimate-fuzz-$name"
 done
 status=0
-for name in core files logs; do
+for name in core files logs predicates; do
   inputs="$folder/corpus-$name"
   python3 "$root/Testing/Fuzz/corpus.py" unpack "$root/Testing/Fuzz/corpus/$name.txt" "$inputs"
   echo "$name: $runs runs"

@@ -121,6 +121,20 @@ public:
     return result;
   }
 
+  std::int64_t WrongEdges(const VoxelLabels& voxels)
+  {
+    std::int64_t wrong = 0;
+    const Index side = voxels.IsOpen ? 1 : 0;
+    for (Index v = side; v < this->Size(2) - side; ++v)
+    {
+      for (Index u = side; u < this->Size(1) - side; ++u)
+      {
+        wrong += this->WrongEdgesOf(u, v, voxels);
+      }
+    }
+    return wrong;
+  }
+
 private:
   static constexpr double ShiftU = 1e-7; // so that lines meet no vertex and no edge
   static constexpr double ShiftV = 0.37e-7;
@@ -198,6 +212,33 @@ private:
     }
   }
 
+  std::int64_t WrongEdgesOf(Index u, Index v, const VoxelLabels& voxels)
+  {
+    const std::vector<Crossing>& column = this->Column(u, v);
+    const Index outside = voxels.IsOpen ? 1 : 0; // edges that leave the image
+    std::int64_t wrong = 0;
+    for (Index h = outside; h <= this->Size(0) - outside; ++h) // the edge from h - 1 to h
+    {
+      std::vector<int> sums(static_cast<std::size_t>(this->Background) + 1, 0);
+      for (const Crossing& crossing : column)
+      {
+        const bool isOnEdge = (h == outside || crossing.Height >= h - 1) &&
+          (h == this->Size(0) - outside || crossing.Height < h);
+        sums[static_cast<std::size_t>(crossing.From)] -= isOnEdge ? 1 : 0;
+        sums[static_cast<std::size_t>(crossing.To)] += isOnEdge ? 1 : 0;
+      }
+      const auto labelAt = [&](Index at)
+      {
+        return at < 0 || at == this->Size(0) ? voxels.Background
+                                             : voxels.OfVoxel[this->VoxelAt(at, u, v)];
+      };
+      ++sums[static_cast<std::size_t>(labelAt(h - 1))];
+      --sums[static_cast<std::size_t>(labelAt(h))];
+      wrong += std::all_of(sums.begin(), sums.end(), [](int sum) { return sum == 0; }) ? 0 : 1;
+    }
+    return wrong;
+  }
+
   static Index OnlyLabel(const std::vector<int>& inside)
   {
     const auto label = std::find(inside.begin(), inside.end(), 1);
@@ -233,5 +274,14 @@ std::vector<Index> VoxelizeLabels(const Surface& surface, const std::vector<Boun
   LabelVoxelizer voxelizer(grid, background, axis);
   voxelizer.Add(surface, labels);
   return voxelizer.Labels();
+}
+
+//------------------------------------------------------------------------------
+std::int64_t CountWrongGridEdges(const Surface& surface, const std::vector<BoundaryLabels>& labels,
+  const VoxelGrid& grid, const VoxelLabels& voxels, std::size_t axis)
+{
+  LabelVoxelizer voxelizer(grid, voxels.Background, axis);
+  voxelizer.Add(surface, labels);
+  return voxelizer.WrongEdges(voxels);
 }
 }

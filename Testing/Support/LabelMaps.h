@@ -45,6 +45,22 @@ constexpr Index NoLabel = -1;
  */
 std::vector<Index> VoxelizeLabels(const Surface& surface, const std::vector<BoundaryLabels>& labels,
   const VoxelGrid& grid, Index background, std::size_t axis);
+
+/// The labels of the voxels of a grid.
+struct VoxelLabels
+{
+  const std::vector<Index>& OfVoxel; ///< x fastest.
+  Index Background;
+  bool IsOpen = false; ///< The surface ends at the outermost voxel centers.
+};
+
+/**
+ * Edges between neighboring voxel centers along the axis that do not cross the surface as the labels of their ends demand: once
+ * more from the first to the second label than back, and all other labels as often in as out. Edges from the image to the outside
+ * count. Of an open surface only those that do not lie on its sides count.
+ */
+std::int64_t CountWrongGridEdges(const Surface& surface, const std::vector<BoundaryLabels>& labels,
+  const VoxelGrid& grid, const VoxelLabels& voxels, std::size_t axis);
 }
 
 #endif

@@ -115,3 +115,53 @@ TEST(VoxelChecks, AreTheSameOnAnyNumberOfThreads)
   EXPECT_EQ(changes.Changed, expected.Changed);
   EXPECT_EQ(changes.FirstChanged, expected.FirstChanged);
 }
+
+namespace
+{
+/// A square across rows along the first axis. Forward: from label 0 to the background.
+void AddSquare(Surface& surface, double x, double low, double high, bool isForward)
+{
+  const auto first = static_cast<Index>(surface.Points.size());
+  surface.Points.emplace_back(x, low, low);
+  surface.Points.emplace_back(x, high, low);
+  surface.Points.emplace_back(x, high, high);
+  surface.Points.emplace_back(x, low, high);
+  const Index second = first + (isForward ? 1 : 3);
+  const Index last = first + (isForward ? 3 : 1);
+  surface.Triangles.push_back({ first, second, first + 2 });
+  surface.Triangles.push_back({ first, first + 2, last });
+}
+}
+
+/// Two of three squares lie between the same voxels, so that their crossings have no order there.
+TEST(VoxelChecks, FindTheFirstLabelOfOpenSurfacesWhereTwoWallsLieBetweenTheSameVoxels)
+{
+  VoxelCheckSettings settings;
+  settings.Threads = 1;
+  for (const bool isForward : { false, true })
+  {
+    Surface reference;
+    AddSquare(reference, 2.5, -1.0, 4.0, false);
+    Surface result = reference;
+    AddSquare(result, 1.25, -1.0, 4.0, isForward);
+    AddSquare(result, 1.75, -1.0, 4.0, !isForward);
+    const VoxelChanges changes = CompareVoxels({ reference, {} }, { result, {} }, settings);
+    EXPECT_GT(changes.Compared, 0);
+    EXPECT_EQ(changes.Changed, 0) << isForward;
+  }
+}
+
+/// Rounding puts the boundary of an open surface to either side of the outermost voxel centers.
+TEST(VoxelChecks, LeaveOutTheOutermostVoxelsOfOpenSurfacesWhateverTheRounding)
+{
+  VoxelCheckSettings settings;
+  settings.Grid.Dimensions = { 4, 4, 4 };
+  settings.Threads = 1;
+  Surface reference;
+  Surface result;
+  AddSquare(reference, 1.5, -1e-15, 3.0 + 1e-15, true);
+  AddSquare(result, 1.5, 1e-15, 3.0 - 1e-15, true);
+  EXPECT_EQ(CompareVoxels({ reference, {} }, { result, {} }, settings).Changed, 0);
+  result.Points.front()[0] = 3.5;
+  EXPECT_GT(CompareVoxels({ reference, {} }, { result, {} }, settings).Changed, 0);
+}

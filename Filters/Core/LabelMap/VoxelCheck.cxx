@@ -21,6 +21,24 @@ VoxelBox Union(const VoxelBox& a, const VoxelBox& b)
   return box;
 }
 
+VoxelBox Intersection(const VoxelBox& a, const VoxelBox& b)
+{
+  VoxelBox box;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    box.First[k] = std::max(a.First[k], b.First[k]);
+    box.Count[k] = std::max<std::int64_t>(
+      0, std::min(a.First[k] + a.Count[k], b.First[k] + b.Count[k]) - box.First[k]);
+  }
+  return box;
+}
+
+VoxelBox BoxOf(const VoxelGrid& grid)
+{
+  const std::array<Index, 3>& size = grid.Dimensions;
+  return { { 0, 0, 0 }, { size[0], size[1], size[2] } };
+}
+
 /// The rows of an image as indices of labels.
 class ImageRows
 {
@@ -249,9 +267,12 @@ VoxelChanges CompareVoxels(const LabeledSurface& reference, const LabeledSurface
   const Index background = settings.NumberOfLabels - 1;
   const VoxelRows before(reference, settings.Grid, background, settings.Threads);
   const VoxelRows after(result, settings.Grid, background, settings.Threads);
-  const VoxelBox box =
+  const VoxelBox both =
     result.Surface.Triangles.empty() ? before.Bounds() : Union(before.Bounds(), after.Bounds());
   const bool isOpen = HasBoundary(reference.Surface);
+  // An open surface ends at the outermost voxel centers, which rounding must not make inner ones.
+  const bool endsAtImage = isOpen && settings.Grid.Dimensions[0] > 0;
+  const VoxelBox box = endsAtImage ? Intersection(both, BoxOf(settings.Grid)) : both;
   const Comparison comparison = { after, box, isOpen, settings };
   return comparison.Run([&] { return SurfaceReference(before, box, isOpen); }, monitor);
 }
@@ -262,8 +283,7 @@ VoxelChanges CompareVoxels(const LabelImage& image, const std::vector<std::int64
 {
   const Index background = settings.NumberOfLabels - 1;
   const VoxelRows after(result, image.Grid, background, settings.Threads);
-  const std::array<Index, 3>& size = image.Grid.Dimensions;
-  const VoxelBox whole = { { 0, 0, 0 }, { size[0], size[1], size[2] } };
+  const VoxelBox whole = BoxOf(image.Grid);
   const bool isOpen = HasBoundary(result.Surface);
   const VoxelBox box =
     result.Surface.Triangles.empty() || isOpen ? whole : Union(whole, after.Bounds());

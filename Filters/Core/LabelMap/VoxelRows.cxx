@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <tuple>
 
@@ -77,6 +78,28 @@ std::vector<Index> NumbersOfPositions(const std::vector<Vector3>& points)
       numbers[order[i - 1]] + (Less(points[order[i - 1]], points[order[i]]) ? 1 : 0);
   }
   return numbers;
+}
+
+/// The label before the first crossing of a row; None if all of them cancel. Crossings between the same two voxels have no order:
+/// the first ones that do not cancel lead out of that label.
+template <typename Crossing>
+Index FirstLabel(const std::vector<Crossing>& all, std::size_t first)
+{
+  std::map<Index, int> sums; // out of each label
+  for (std::size_t i = first; i < all.size() && all[i].Row == all[first].Row; ++i)
+  {
+    ++sums[all[i].Labels[0]];
+    --sums[all[i].Labels[1]];
+    const bool hasMore = i + 1 < all.size() &&
+      std::tie(all[i].Row, all[i].Above) == std::tie(all[i + 1].Row, all[i + 1].Above);
+    const auto out =
+      std::find_if(sums.begin(), sums.end(), [](const auto& sum) { return sum.second > 0; });
+    if (!hasMore && out != sums.end())
+    {
+      return out->first;
+    }
+  }
+  return None;
 }
 }
 
@@ -272,8 +295,13 @@ void VoxelRows::Slice::Row(std::int64_t y, bool isOpen, std::vector<Index>& labe
   {
     return;
   }
+  const Index before = isOpen ? FirstLabel(all, this->Next) : this->Rows.Background;
+  if (before == None)
+  {
+    return;
+  }
   this->Counts.clear();
-  this->Add(isOpen ? all[this->Next].Labels[0] : this->Rows.Background, 1);
+  this->Add(before, 1);
   std::size_t x = 0;
   for (; this->Next < all.size() && all[this->Next].Row == y; ++this->Next)
   {

@@ -55,7 +55,7 @@ public:
 
     /// @param z Index in the box.
     void Begin(std::int64_t z);
-    /// The labels along the row at y (index in the box): None if no triangle is crossed.
+    /// The labels along the row at y (index in the box): None if no triangle is crossed, or the crossings cancel and isOpen.
     /// @param isOpen Begins with the label before the first crossing, else with the background.
     void Row(std::int64_t y, bool isOpen, std::vector<Index>& labels);
 

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AttackChecks.h"
+
+#include "BruteForce.h"
+#include "Certificate/Certificate.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+
+namespace bonedecimate::testsupport
+{
+namespace
+{
+std::string WhatItSays(const Certificate& found)
+{
+  char text[400];
+  const DirectedCertificate& there = found.ReferenceToResult;
+  const DirectedCertificate& back = found.ResultToReference;
+  std::snprintf(text, sizeof(text),
+    "the certificate says %s: %.17g and %.17g mm, over the map %.3g to %.3g and %.3g to %.3g mm, "
+    "boundaries %s and %s",
+    ProofStatusWord(found.Proof), there.Distance.Upper, back.Distance.Upper, there.Excess.Lower,
+    there.Excess.Upper, back.Excess.Lower, back.Excess.Upper,
+    ProofStatusWord(found.BoundaryOfReferenceToResult.Proof),
+    ProofStatusWord(found.BoundaryOfResultToReference.Proof));
+  return text;
+}
+}
+
+CleanSurface Cleaned(const Surface& input)
+{
+  CleanSurface clean = Clean(input, true);
+  for (std::size_t p = 0; p < clean.Surface.Points.size(); ++p)
+  {
+    clean.Surface.Points[p] = input.Points[clean.InputPoint[p]]; // bit for bit
+  }
+  return clean;
+}
+
+//------------------------------------------------------------------------------
+Surface AsRead(Surface surface)
+{
+  std::map<std::array<double, 3>, Index> first;
+  for (Triangle& corners : surface.Triangles)
+  {
+    for (Index& corner : corners)
+    {
+      const Vector3& p = surface.Points[static_cast<std::size_t>(corner)];
+      corner = first.emplace(std::array<double, 3>{ p[0], p[1], p[2] }, corner).first->second;
+    }
+  }
+  return surface;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> CleanedMap(const CleanSurface& clean, const std::vector<double>& tolerances)
+{
+  std::vector<double> map(tolerances.empty() ? 0 : clean.Surface.Points.size(), -1.0);
+  for (std::size_t p = 0; p < tolerances.size(); ++p)
+  {
+    const Index point = clean.PointOfInput[p];
+    if (point != None && tolerances[p] >= 0.0)
+    {
+      double& least = map[static_cast<std::size_t>(point)];
+      least = least < 0.0 ? tolerances[p] : std::min(least, tolerances[p]);
+    }
+  }
+  return map;
+}
+
+//------------------------------------------------------------------------------
+std::string WhatTopologyLost(const Surface& before, const Surface& after)
+{
+  const Topology was = CountTopology(before);
+  const Topology is = CountTopology(after);
+  return was.Components != is.Components                  ? "lost a component"
+    : was.EulerNumber != is.EulerNumber                   ? "lost the Euler number"
+    : (was.BoundaryEdges == 0) != (is.BoundaryEdges == 0) ? "lost the boundaries"
+    : is.NonManifoldEdges > was.NonManifoldEdges          ? "lost an edge that was manifold"
+    : is.NonManifoldPoints > was.NonManifoldPoints        ? "lost a point that was manifold"
+                                                          : "";
+}
+
+//------------------------------------------------------------------------------
+std::string WhatBoundBroke(
+  const Attack& attack, const CleanSurface& cleaned, const Surface& result, Totals& totals)
+{
+  const double error = attack.Requested.MaximumError;
+  CertificateOptions options;
+  if (error > 0.0)
+  {
+    options.Tolerance = error;
+  }
+  options.ToleranceMap = CleanedMap(cleaned, attack.Tolerances);
+  options.TightBounds = false;
+  options.NumberOfThreads = 1;
+  const Certificate found = Certify(cleaned.Surface, result, options);
+  totals.LargestRatio =
+    error > 0.0 ? std::max(totals.LargestRatio, found.Upper() / error) : totals.LargestRatio;
+  return found.Proof == ProofStatus::Proved ? std::string() : WhatItSays(found);
+}
+
+//------------------------------------------------------------------------------
+std::string Described(const Attack& attack)
+{
+  const Options& options = attack.Requested;
+  char text[400];
+  std::snprintf(text, sizeof(text),
+    "mode %d, error %.17g mm, smoothing %.17g mm%s, target %d, threads %d, %s precision, %s map, "
+    "%zu triangles",
+    static_cast<int>(options.Mode), options.MaximumError, options.Smoothing,
+    options.AutomaticSmoothing ? " or automatic" : "", options.TargetNumberOfTriangles,
+    options.NumberOfThreads,
+    options.OutputPointsPrecision == PointsPrecision::Single ? "single" : "double",
+    attack.Tolerances.empty() ? "no" : "a", attack.Victim.Triangles.size());
+  return text;
+}
+}

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file AttackChecks.h
+ * @brief What an attack runs, and whether the result keeps to the error bound and to the topology of the input.
+ */
+#ifndef BoneDecimate_Testing_AttackChecks_h
+#define BoneDecimate_Testing_AttackChecks_h
+
+#include "Decimate.h"
+#include "Mesh/Cleaning.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace bonedecimate::testsupport
+{
+struct Attack
+{
+  Surface Victim;
+  Options Requested;
+  std::vector<double> Tolerances; // mm, of each point; empty: no map
+};
+
+struct Totals
+{
+  std::int64_t Runs = 0;
+  std::int64_t Rejected = 0; // no surface, or an error below the requested precision
+  std::int64_t TrianglesIn = 0;
+  std::int64_t TrianglesOut = 0;
+  double LargestRatio = 0.0; // of the distance to the allowed error
+  // Of runs on label maps:
+  std::int64_t Smoothed = 0;
+  std::int64_t Guarded = 0;
+  std::int64_t ChangedVoxels = 0; // in runs without the guard
+  std::int64_t ExactlyCounted = 0;
+};
+
+/// The input of the decimation after cleaning: equal points merged, triangles without area dropped.
+CleanSurface Cleaned(const Surface& input);
+
+/// Merges points of equal coordinates.
+Surface AsRead(Surface surface);
+
+/// The least tolerance of the merged points; -1 if none has a limit.
+std::vector<double> CleanedMap(const CleanSurface& clean, const std::vector<double>& tolerances);
+
+/// Empty if the topology is unchanged.
+std::string WhatTopologyLost(const Surface& before, const Surface& after);
+
+/// Empty if the certificate proves the result within the error and the map, relative to the input.
+std::string WhatBoundBroke(
+  const Attack& attack, const CleanSurface& cleaned, const Surface& result, Totals& totals);
+
+std::string Described(const Attack& attack);
+}
+
+#endif
