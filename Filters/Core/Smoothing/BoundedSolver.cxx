@@ -54,9 +54,10 @@ Vector3 BoundedSolver::Strengths(double lambda) const
 }
 
 //------------------------------------------------------------------------------
-int BoundedSolver::IterationsOf(double lambda) const
+int BoundedSolver::IterationsOf(double lambda, bool isNear) const
 {
-  return static_cast<int>(std::ceil(4.0 * std::sqrt(ConditionOf(this->Strengths(lambda)))));
+  const double root = std::sqrt(ConditionOf(this->Strengths(lambda)));
+  return static_cast<int>(std::ceil((isNear ? 2.0 : 4.0) * root));
 }
 
 //------------------------------------------------------------------------------
@@ -114,7 +115,7 @@ void BoundedSolver::RunSome(
   this->Extrapolated = displacements;
   const Vector3 strengths = this->Strengths(lambda);
   const double momentum = MomentumOf(strengths);
-  for (int i = this->IterationsOf(lambda); i > 0; --i)
+  for (int i = this->IterationsOf(lambda, false); i > 0; --i)
   {
     for (const Index row : rows)
     {

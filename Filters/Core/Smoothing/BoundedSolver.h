@@ -12,7 +12,7 @@
  *     y' = d' + beta (d' - d)                                         beta = (sqrt k - 1) / (sqrt k + 1), k = 1 + 4 lambda
  *
  * D bounds the largest eigenvalue of L^T L scaled by it, so the step is always safe. After ceil(4 sqrt k) iterations the
- * error is a few micrometers. Double precision; the result does not depend on the number of threads.
+ * error is a few micrometers; after half of them if they start near the minimum. Double precision; the result does not depend on the number of threads.
  *
  * Y. Nesterov, Introductory Lectures on Convex Optimization, 2004, 2.2: constant step, strongly convex.
  */
@@ -35,7 +35,8 @@ public:
     const std::vector<Vector3>& points, int threads);
 
   /// Number of iterations after which displacements are accurate to a few micrometers.
-  int IterationsOf(double lambda) const;
+  /// @param isNear Whether they start at the result of a few iterations with a similar lambda.
+  int IterationsOf(double lambda, bool isNear) const;
 
   /// Moves the displacements, in units of the sets, towards the minimum from where they are.
   /// @param monitor May be empty.  @return False after an abort; the displacements are then still within the sets.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DisplacementSets.h"
 
+#include "Parallel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -60,7 +62,7 @@ Vector3 NearestInOctahedron(const Vector3& p, const Vector3& w, double radius)
 }
 
 DisplacementSets::DisplacementSets(const std::vector<Vector3>& points, std::vector<double> radii,
-  const LabelMapSource* source, bool inVoxels)
+  const LabelMapSource* source, bool inVoxels, int threads)
   : InVoxels(inVoxels)
   , Radii(std::move(radii))
 {
@@ -69,69 +71,36 @@ DisplacementSets::DisplacementSets(const std::vector<Vector3>& points, std::vect
     this->Axes = source->Grid.Direction;
     this->Unit = inVoxels ? Vector3(0.5 * source->Grid.Spacing) : Vector3(Vector3::Ones());
     this->HalfVoxelsPerUnit = this->Unit.cwiseQuotient(0.5 * source->Grid.Spacing);
-    this->AddOctahedra(points, *source);
+    this->AddOctahedra(points, *source, threads);
   }
 }
 
 //------------------------------------------------------------------------------
 /// A point that lies outside of its octahedron was not extracted there: it does not move.
 void DisplacementSets::AddOctahedra(
-  const std::vector<Vector3>& points, const LabelMapSource& source)
+  const std::vector<Vector3>& points, const LabelMapSource& source, int threads)
 {
-  this->Octahedra.reserve(points.size());
-  for (std::size_t p = 0; p < points.size(); ++p)
-  {
-    const GridPoint& center = source.OfPoint[p];
-    const Vector3 voxels = source.Grid.ToVoxels(points[p]);
-    const Octahedron octahedron = { 2.0 * voxels - Vector3(center[0], center[1], center[2]),
-      NumberOfOdd(center) - Slack };
-    this->Octahedra.push_back(octahedron);
-    if (!(octahedron.FromCenter.cwiseAbs().sum() <= octahedron.Radius))
+  this->Octahedra.resize(points.size());
+  ForEachId(points.size(), threads,
+    [&](std::size_t p)
     {
-      this->Radii[p] = 0.0;
-    }
-  }
+      const GridPoint& center = source.OfPoint[p];
+      const Vector3 voxels = source.Grid.ToVoxels(points[p]);
+      const Vector3 halfVoxels = 2.0 * voxels - Vector3(center[0], center[1], center[2]);
+      this->Octahedra[p] = { halfVoxels.cwiseQuotient(this->HalfVoxelsPerUnit),
+        NumberOfOdd(center) - Slack };
+      if (!(halfVoxels.cwiseAbs().sum() <= this->Octahedra[p].Radius))
+      {
+        this->Radii[p] = 0.0;
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
-Vector3 DisplacementSets::Project(Index point, const Vector3& displacement) const
+Vector3 DisplacementSets::OntoFace(const Octahedron& octahedron, const Vector3& from) const
 {
-  if (this->Octahedra.empty())
-  {
-    return this->ShortenedToBall(point, displacement);
-  }
-  return this->InVoxels ? this->ShortenedToBall(point, this->OntoOctahedron(point, displacement))
-                        : this->OntoOctahedron(point, this->ShortenedToBall(point, displacement));
-}
-
-//------------------------------------------------------------------------------
-Vector3 DisplacementSets::ShortenedToBall(Index point, const Vector3& displacement) const
-{
-  const double radius = this->Radii[point];
-  const double squared = this->Unit.cwiseProduct(displacement).squaredNorm();
-  if (!(radius > 0.0))
-  {
-    return Vector3::Zero();
-  }
-  return squared <= radius * radius ? displacement
-                                    : Vector3(radius / std::sqrt(squared) * displacement);
-}
-
-//------------------------------------------------------------------------------
-Vector3 DisplacementSets::OntoOctahedron(Index point, const Vector3& displacement) const
-{
-  const Octahedron& octahedron = this->Octahedra[point];
-  const Vector3 center = octahedron.FromCenter.cwiseQuotient(this->HalfVoxelsPerUnit);
-  const Vector3 from = center + displacement;
-  if (this->HalfVoxelsPerUnit.dot(from.cwiseAbs()) <= octahedron.Radius)
-  {
-    return displacement; // bit for bit
-  }
-  if (this->Radii[point] == 0.0)
-  {
-    return Vector3::Zero();
-  }
-  return NearestInOctahedron(from, this->HalfVoxelsPerUnit, octahedron.Radius) - center;
+  return NearestInOctahedron(from, this->HalfVoxelsPerUnit, octahedron.Radius) -
+    octahedron.FromCenter;
 }
 
 //------------------------------------------------------------------------------
@@ -142,8 +111,7 @@ bool DisplacementSets::KeepsToOctahedron(Index point, const Vector3& millimeters
     return true;
   }
   const Octahedron& octahedron = this->Octahedra[point];
-  const Vector3 halfVoxels =
-    this->FromMillimeters(millimeters).cwiseProduct(this->HalfVoxelsPerUnit);
-  return (octahedron.FromCenter + halfVoxels).cwiseAbs().sum() <= octahedron.Radius + 0.5 * Slack;
+  const Vector3 from = octahedron.FromCenter + this->FromMillimeters(millimeters);
+  return this->HalfVoxelsPerUnit.dot(from.cwiseAbs()) <= octahedron.Radius + 0.5 * Slack;
 }
 }

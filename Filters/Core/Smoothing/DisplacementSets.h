@@ -22,6 +22,7 @@
 #include "LabelMap/VoxelGrid.h"
 #include "Surface.h"
 
+#include <cmath>
 #include <vector>
 
 namespace bonedecimate
@@ -33,9 +34,21 @@ public:
   /// @param source With OfPoint: octahedra; null or without: balls alone. Its grid has the points' origin.
   /// @param inVoxels Units of half voxels along each axis. Only with a source.
   DisplacementSets(const std::vector<Vector3>& points, std::vector<double> radii,
-    const LabelMapSource* source, bool inVoxels);
+    const LabelMapSource* source, bool inVoxels, int threads);
 
-  Vector3 Project(Index point, const Vector3& displacement) const;
+  Vector3 Project(Index point, const Vector3& displacement) const
+  {
+    if (!(this->Radii[point] > 0.0))
+    {
+      return Vector3::Zero();
+    }
+    if (this->Octahedra.empty())
+    {
+      return this->ShortenedToBall(point, displacement);
+    }
+    return this->InVoxels ? this->ShortenedToBall(point, this->OntoOctahedron(point, displacement))
+                          : this->OntoOctahedron(point, this->ShortenedToBall(point, displacement));
+  }
 
   /// Whether a displacement in mm keeps to the octahedron, with half of its slack for rounding; true without octahedra.
   bool KeepsToOctahedron(Index point, const Vector3& millimeters) const;
@@ -57,12 +70,28 @@ public:
 private:
   struct Octahedron
   {
-    Vector3 FromCenter; // of the point, half voxels
+    Vector3 FromCenter; // of the point, units
     double Radius;      // half voxels, without slack
   };
-  void AddOctahedra(const std::vector<Vector3>& points, const LabelMapSource& source);
-  Vector3 ShortenedToBall(Index point, const Vector3& displacement) const;
-  Vector3 OntoOctahedron(Index point, const Vector3& displacement) const;
+  void AddOctahedra(
+    const std::vector<Vector3>& points, const LabelMapSource& source, int threads);
+  Vector3 ShortenedToBall(Index point, const Vector3& displacement) const
+  {
+    const double radius = this->Radii[point];
+    const double squared = this->Unit.cwiseProduct(displacement).squaredNorm();
+    return squared <= radius * radius ? displacement
+                                      : Vector3(radius / std::sqrt(squared) * displacement);
+  }
+  Vector3 OntoOctahedron(Index point, const Vector3& displacement) const
+  {
+    const Octahedron& octahedron = this->Octahedra[point];
+    const Vector3 from = octahedron.FromCenter + displacement;
+    return this->HalfVoxelsPerUnit.dot(from.cwiseAbs()) <= octahedron.Radius
+      ? displacement // bit for bit
+      : this->OntoFace(octahedron, from);
+  }
+  /// Of a position outside of the octahedron, from its center.
+  Vector3 OntoFace(const Octahedron& octahedron, const Vector3& from) const;
 
   Eigen::Matrix3d Axes = Eigen::Matrix3d::Identity();
   Vector3 Unit = Vector3::Ones();              // mm

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace bonedecimate
 {
@@ -57,6 +58,14 @@ bool Intersect(const PlaneTriangle& first, const PlaneTriangle& second, const Co
 }
 }
 
+/// Triangles where they are now.
+struct NewCrossings::Leaf
+{
+  std::size_t First = 0;
+  std::size_t Last = 0;
+  std::array<PlaneTriangle, LeafSize> Triangles;
+};
+
 NewCrossings::NewCrossings(const Surface& before, int threads)
   : Before(before)
   , Threads(threads)
@@ -69,20 +78,12 @@ NewCrossings::NewCrossings(const Surface& before, int threads)
 }
 
 //------------------------------------------------------------------------------
-NewCrossings::Box NewCrossings::BoxOf(
-  const std::vector<Vector3>& points, std::size_t triangle) const
-{
-  const Triangle& c = this->Before.Triangles[triangle];
-  return { points[c[0]].cwiseMin(points[c[1]]).cwiseMin(points[c[2]]),
-    points[c[0]].cwiseMax(points[c[1]]).cwiseMax(points[c[2]]) };
-}
-
-//------------------------------------------------------------------------------
 void NewCrossings::FillTree(const std::vector<Vector3>& points)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const Box empty = { Vector3::Constant(infinity), Vector3::Constant(-infinity) };
   this->Boxes.assign(2 * this->Leaves, empty);
+  this->TriangleBoxes.resize(this->Before.Triangles.size());
   const auto join = [](Box& box, const Box& other)
   {
     box.Low = box.Low.cwiseMin(other.Low);
@@ -95,7 +96,10 @@ void NewCrossings::FillTree(const std::vector<Vector3>& points)
       Box& box = this->Boxes[this->Leaves + leaf];
       for (std::size_t t = LeafSize * leaf; t < std::min(count, LeafSize * (leaf + 1)); ++t)
       {
-        join(box, this->BoxOf(points, t));
+        const Triangle& c = this->Before.Triangles[t];
+        this->TriangleBoxes[t] = { points[c[0]].cwiseMin(points[c[1]]).cwiseMin(points[c[2]]),
+          points[c[0]].cwiseMax(points[c[1]]).cwiseMax(points[c[2]]) };
+        join(box, this->TriangleBoxes[t]);
       }
     });
   for (std::size_t node = this->Leaves; node-- > 1;)
@@ -106,12 +110,32 @@ void NewCrossings::FillTree(const std::vector<Vector3>& points)
 }
 
 //------------------------------------------------------------------------------
-void NewCrossings::FindNear(const Box& box, std::vector<std::size_t>& leaves) const
+/// The leaf itself and those whose boxes overlap its box: the later ones, or all.
+void NewCrossings::FindNear(
+  std::size_t leaf, bool withEarlier, std::vector<std::size_t>& leaves) const
 {
-  leaves.clear();
+  const Box& box = this->Boxes[this->Leaves + leaf];
+  leaves.assign(1, leaf);
+  for (std::size_t node = this->Leaves + leaf; node > 1; node /= 2)
+  {
+    if (node % 2 == 0)
+    {
+      this->FindBelow(node + 1, box, leaves);
+    }
+    else if (withEarlier)
+    {
+      this->FindBelow(node - 1, box, leaves);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void NewCrossings::FindBelow(
+  std::size_t root, const Box& box, std::vector<std::size_t>& leaves) const
+{
   std::array<std::size_t, 128> stack; // never more than twice the depth of the tree
   std::size_t size = 0;
-  stack[size++] = 1;
+  stack[size++] = root;
   while (size > 0)
   {
     const std::size_t node = stack[--size];
@@ -153,50 +177,60 @@ bool NewCrossings::IsNew(const Pair& now, std::size_t a, std::size_t b) const
 
 //------------------------------------------------------------------------------
 /// Pairs of a moved triangle of the leaf; of two moved ones the pair with the lesser in this leaf.
-void NewCrossings::FindOfLeaf(std::size_t leaf, const std::vector<Vector3>& points,
-  const std::vector<char>& isMoved, std::vector<Index>& found) const
+void NewCrossings::FindOfLeaf(
+  std::size_t leaf, const Query& query, std::vector<Index>& found) const
 {
-  const std::size_t count = this->Before.Triangles.size();
   const std::size_t first = LeafSize * leaf;
-  const std::size_t last = std::min(count, first + LeafSize);
-  if (std::none_of(isMoved.begin() + static_cast<std::ptrdiff_t>(first),
-        isMoved.begin() + static_cast<std::ptrdiff_t>(last), [](char moved) { return moved != 0; }))
+  const std::size_t last = std::min(this->Before.Triangles.size(), first + LeafSize);
+  if (std::none_of(query.IsMoved.begin() + static_cast<std::ptrdiff_t>(first),
+        query.IsMoved.begin() + static_cast<std::ptrdiff_t>(last),
+        [](char moved) { return moved != 0; }))
   {
     return;
   }
   std::vector<std::size_t> leaves;
-  this->FindNear(this->Boxes[this->Leaves + leaf], leaves);
-  const Box whole = this->Boxes[this->Leaves + leaf];
-  std::array<Box, LeafSize> boxes;
-  std::array<PlaneTriangle, LeafSize> own;
+  this->FindNear(leaf, !query.AreAllMoved, leaves);
+  Leaf own = { first, last, {} };
   for (std::size_t t = first; t < last; ++t)
   {
-    boxes[t - first] = this->BoxOf(points, t);
-    own[t - first] = PlaneTriangleOf(points, this->Before.Triangles[t]);
-    if (isMoved[t] != 0 && this->IsTurnedOver(points, this->Before.Triangles[t]))
+    own.Triangles[t - first] = PlaneTriangleOf(query.Points, this->Before.Triangles[t]);
+    if (query.IsMoved[t] != 0 && this->IsTurnedOver(query.Points, this->Before.Triangles[t]))
     {
       found.push_back(static_cast<Index>(t));
     }
   }
   for (const std::size_t near : leaves)
   {
-    for (std::size_t u = LeafSize * near; u < std::min(count, LeafSize * (near + 1)); ++u)
+    const std::size_t end = std::min(this->Before.Triangles.size(), LeafSize * (near + 1));
+    for (std::size_t u = LeafSize * near; u < end; ++u)
     {
-      const Box box = this->BoxOf(points, u);
-      if (!whole.Overlaps(box))
+      if (this->Boxes[this->Leaves + leaf].Overlaps(this->TriangleBoxes[u]))
       {
-        continue;
+        this->FindOfTriangle(u, own, query, found);
       }
-      const PlaneTriangle other = PlaneTriangleOf(points, this->Before.Triangles[u]);
-      for (std::size_t t = first; t < last; ++t)
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Pairs of a triangle and moved triangles of the leaf.
+void NewCrossings::FindOfTriangle(
+  std::size_t u, const Leaf& leaf, const Query& query, std::vector<Index>& found) const
+{
+  std::optional<PlaneTriangle> other;
+  for (std::size_t t = leaf.First; t < leaf.Last; ++t)
+  {
+    const bool isOfThisLeaf = query.IsMoved[t] != 0 && (query.IsMoved[u] == 0 || t < u);
+    if (isOfThisLeaf && this->TriangleBoxes[t].Overlaps(this->TriangleBoxes[u]))
+    {
+      if (!other)
       {
-        const bool isOfThisLeaf = isMoved[t] != 0 && (isMoved[u] == 0 || t < u);
-        if (isOfThisLeaf && boxes[t - first].Overlaps(box) &&
-          this->IsNew({ own[t - first], other }, t, u))
-        {
-          found.push_back(static_cast<Index>(t));
-          found.push_back(static_cast<Index>(u));
-        }
+        other = PlaneTriangleOf(query.Points, this->Before.Triangles[u]);
+      }
+      if (this->IsNew({ leaf.Triangles[t - leaf.First], *other }, t, u))
+      {
+        found.push_back(static_cast<Index>(t));
+        found.push_back(static_cast<Index>(u));
       }
     }
   }
@@ -207,6 +241,8 @@ std::vector<Index> NewCrossings::Find(
   const std::vector<Vector3>& points, const std::vector<char>& isMoved, const Monitor& monitor)
 {
   this->FillTree(points);
+  const Query query = { points, isMoved,
+    std::all_of(isMoved.begin(), isMoved.end(), [](char moved) { return moved != 0; }) };
   const std::size_t leaves = (this->Before.Triangles.size() + LeafSize - 1) / LeafSize;
   std::vector<std::vector<Index>> parts((leaves + LeavesOfBlock - 1) / LeavesOfBlock);
   ForEachPart(parts.size(), this->Threads, monitor,
@@ -215,7 +251,7 @@ std::vector<Index> NewCrossings::Find(
       const std::size_t end = std::min(leaves, (part + 1) * LeavesOfBlock);
       for (std::size_t leaf = part * LeavesOfBlock; leaf < end; ++leaf)
       {
-        this->FindOfLeaf(leaf, points, isMoved, parts[part]);
+        this->FindOfLeaf(leaf, query, parts[part]);
       }
     });
   std::vector<Index> found;

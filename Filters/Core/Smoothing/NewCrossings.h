@@ -42,15 +42,24 @@ private:
     Vector3 Low, High; // mm
     bool Overlaps(const Box& other) const
     {
-      return (other.High - this->Low).minCoeff() >= 0.0 &&
-        (this->High - other.Low).minCoeff() >= 0.0;
+      return other.High[0] >= this->Low[0] && this->High[0] >= other.Low[0] &&
+        other.High[1] >= this->Low[1] && this->High[1] >= other.Low[1] &&
+        other.High[2] >= this->Low[2] && this->High[2] >= other.Low[2];
     }
   };
-  Box BoxOf(const std::vector<Vector3>& points, std::size_t triangle) const;
+  struct Query
+  {
+    const std::vector<Vector3>& Points;
+    const std::vector<char>& IsMoved;
+    bool AreAllMoved; ///< Then the first leaf of a pair finds it.
+  };
   void FillTree(const std::vector<Vector3>& points);
-  void FindNear(const Box& box, std::vector<std::size_t>& leaves) const;
-  void FindOfLeaf(std::size_t leaf, const std::vector<Vector3>& points,
-    const std::vector<char>& isMoved, std::vector<Index>& found) const;
+  void FindNear(std::size_t leaf, bool withEarlier, std::vector<std::size_t>& leaves) const;
+  void FindBelow(std::size_t node, const Box& box, std::vector<std::size_t>& leaves) const;
+  void FindOfLeaf(std::size_t leaf, const Query& query, std::vector<Index>& found) const;
+  struct Leaf;
+  void FindOfTriangle(
+    std::size_t triangle, const Leaf& leaf, const Query& query, std::vector<Index>& found) const;
   bool IsTurnedOver(const std::vector<Vector3>& points, const Triangle& corners) const;
   /// Two triangles where they are now.
   struct Pair
@@ -64,6 +73,7 @@ private:
   int Threads;
   std::size_t Leaves;     // a power of two
   std::vector<Box> Boxes; // children of i: 2 i and 2 i + 1; the root is 1
+  std::vector<Box> TriangleBoxes;
 };
 }
 

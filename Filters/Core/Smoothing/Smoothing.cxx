@@ -77,7 +77,8 @@ public:
         input.Source != nullptr ? input.Source->OfTriangle : std::vector<BoundaryLabels>(),
         ToUnits(input, settings), settings.Threads)
     , Radii(RadiiOf(input, this->Graph, settings))
-    , Sets(this->Points, Scaled(this->Radii, RadiusOfSolver), input.Source, settings.InVoxels)
+    , Sets(this->Points, Scaled(this->Radii, RadiusOfSolver), input.Source, settings.InVoxels,
+        settings.Threads)
     , Solver(this->Graph, this->Sets, this->Points, settings.Threads)
     , Displacements(this->Points.size(), Vector3::Zero())
     , Moved(this->Points)
@@ -95,12 +96,14 @@ public:
     };
     watched(GraphAt);
     this->Strength = this->Settings.Strength;
+    bool isNear = false;
     if (goesOn && this->Strength == 0.0)
     {
       this->Strength = this->AutomaticStrength(PartOf(watched, GraphAt, StrengthAt));
+      isNear = this->HasGridPoints();
     }
     goesOn = goesOn &&
-      this->Solver.Run(this->Strength, this->Solver.IterationsOf(this->Strength),
+      this->Solver.Run(this->Strength, this->Solver.IterationsOf(this->Strength, isNear),
         PartOf(watched, StrengthAt, SolvedAt), this->Displacements);
     if (goesOn)
     {
@@ -127,9 +130,15 @@ public:
   }
 
 private:
+  bool HasGridPoints() const
+  {
+    return this->Input.Source != nullptr && !this->Input.Source->OfPoint.empty();
+  }
+
+  /// With grid points the displacements are then near the minimum.
   double AutomaticStrength(const Monitor& monitor)
   {
-    if (this->Input.Source == nullptr || this->Input.Source->OfPoint.empty())
+    if (!this->HasGridPoints())
     {
       return DefaultStrength;
     }
