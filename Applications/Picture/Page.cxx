@@ -8,6 +8,7 @@
 #include "PageTemplate.h"
 #include "ReportFields.h"
 #include "SurfaceDistances.h"
+#include "VoxelSection.h"
 
 #include <algorithm>
 #include <array>
@@ -223,13 +224,17 @@ std::string Pruned(const ReportFields& report)
 
 std::string RejectionText(const std::string& cause)
 {
-  static const std::array<std::pair<const char*, const char*>, 6> sentences = { {
+  static const std::array<std::pair<const char*, const char*>, 10> sentences = { {
     { "non_manifold", "the surface is not manifold there and stays as it is" },
     { "boundary", "an open boundary would leave its curve, or the surface be pinched" },
     { "link_condition", "the topology would change" },
     { "fragment", "a fragment would become too small, vanish or turn inside out" },
     { "flip", "a triangle would turn over" },
     { "degenerate", "a triangle would have no area left" },
+    { "error_bound", "it was not proved that the surfaces stay within the largest error" },
+    { "constrained", "a point may not move, because its tolerance or that of a neighbor is 0" },
+    { "intersection", "triangles would intersect, or a gap become narrower than half its width" },
+    { "voxel_label", "a voxel of the label map would get another label" },
   } };
   const auto known = std::find_if(sentences.begin(), sentences.end(),
     [&cause](const auto& sentence) { return cause == sentence.first; });
@@ -284,9 +289,12 @@ std::string ComposePage(const PageSubject& subject)
   const ReportFields report(subject.Result);
   const auto count = [&report](const char* name) { return CountText(report.Number(name)); };
   return PageBlock("page",
-    { { "name", EscapedXml(subject.Name) }, { "triangles", count("output.triangles") },
-      { "input triangles", count("input.triangles") }, { "percentage", PercentageText(report) },
-      { "largest distance", LargestDistanceText(report) },
+    { { "head",
+        PageBlock(
+          "head", { { "title", "Simplified bone surface: " + EscapedXml(subject.Name) } }) },
+      { "name", EscapedXml(subject.Name) }, { "voxels", VoxelSection(report) },
+      { "triangles", count("output.triangles") }, { "input triangles", count("input.triangles") },
+      { "percentage", PercentageText(report) }, { "largest distance", LargestDistanceText(report) },
       { "components", count("output.components") },
       { "input components", count("input.components") },
       { "distance sentence", DistanceSentence(report) }, { "picture", Picture(subject) },
