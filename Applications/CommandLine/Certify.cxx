@@ -14,6 +14,7 @@
 #include "JsonReport.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"
+#include "VoxelCertificate.h"
 
 #include "vtkBoneSurfaceDistance.h"
 #include "vtkNew.h"
@@ -37,13 +38,9 @@ void AddOptions(CLI::App& app, CertifyArguments& arguments)
       WrappedHelp("A point array of the reference with a tolerance for each point in "
                   "mm; negative: none of its own. --tolerance caps it."))
     ->type_name("NAME");
-  app
-    .add_option("--labels,--label-map", arguments.Voxels.Map,
-      WrappedHelp(
-        "A label map (.vti, .mha, .mhd, .nrrd, .nhdr): count the voxels that have another "
-        "label in RESULT. REFERENCE may be left out then."))
-    ->type_name("MAP");
-  AddLabel(app, arguments.Voxels.Label);
+  AddLabelMap(app, arguments.Map, "--labels,--label-map",
+    "A label map (.vti, .mha, .mhd, .nrrd, .nhdr): count the voxels that have another label in "
+    "RESULT. REFERENCE may be left out then.");
   AddFile(app, "--json", arguments.Json, "Write everything found as JSON.");
   AddFile(app, "--page", arguments.Page, "Write a self-contained HTML page for people.");
   AddNumber(app,
@@ -90,12 +87,11 @@ public:
 
   void CompareVoxels()
   {
-    const VoxelRequest& request = this->Requested.Voxels;
-    if (!request.Map.empty())
+    if (!this->Requested.Map.Path.empty())
     {
       this->Voxels.emplace();
-      this->Voxels->Compare(
-        this->Result, this->Requested.Result(), request, this->Requested.Threads, this->Warnings);
+      this->Voxels->Compare(this->Result, this->Requested.Result(), this->Requested.Map,
+        this->Requested.Threads, this->Warnings);
     }
   }
 
@@ -132,7 +128,7 @@ public:
   {
     const CertificateSubject subject = { this->Requested.HasReference() ? this->Requested.Files[0]
                                                                         : std::string(),
-      this->Requested.Result(), this->Requested.Voxels.Map, this->Requested.Unit.Name,
+      this->Requested.Result(), this->Requested.Map.Path, this->Requested.Unit.Name,
       this->Voxels ? this->Voxels->Json() : nlohmann::ordered_json(), this->Warnings };
     const std::string json = ComposeJsonCertificate(
       this->Requested.HasReference() ? this->Filter->GetOutput() : nullptr, subject);
@@ -274,10 +270,7 @@ void CheckTogether(const CLI::App& app, const CertifyArguments& arguments)
         std::string(flag) + " has no effect without a REFERENCE, to which distances are measured");
     }
   }
-  if (arguments.Voxels.Label && arguments.Voxels.Map.empty())
-  {
-    throw Failure(ExitCode::Usage, "--label has no effect; it needs --labels MAP");
-  }
+  CheckLabel(arguments.Map, "--labels");
   const bool hasTolerance = arguments.Tolerance || !arguments.ToleranceArray.empty();
   if (arguments.FirstProof && !hasTolerance)
   {
@@ -292,13 +285,13 @@ void CheckTogether(const CLI::App& app, const CertifyArguments& arguments)
 
 void Check(const CLI::App& command, const CertifyArguments& arguments)
 {
-  const bool isAlone = !arguments.Voxels.Map.empty() && arguments.Files.size() == 1;
+  const bool isAlone = !arguments.Map.Path.empty() && arguments.Files.size() == 1;
   RequireFiles(command, arguments.Files, isAlone ? 1 : 2,
-    arguments.Voxels.Map.empty() ? "REFERENCE RESULT, or a RESULT and --labels MAP"
-                                 : "a RESULT, or REFERENCE RESULT");
+    arguments.Map.Path.empty() ? "REFERENCE RESULT, or a RESULT and --labels MAP"
+                               : "a RESULT, or REFERENCE RESULT");
   CheckTogether(command, arguments);
   std::vector<std::string> read = arguments.Files;
-  read.push_back(arguments.Voxels.Map);
+  read.push_back(arguments.Map.Path);
   RequireNotInput(arguments.Json, read);
   RequireNotInput(arguments.Page, read);
   if (!arguments.Page.empty() && arguments.Page == arguments.Json)

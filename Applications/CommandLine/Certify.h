@@ -8,8 +8,8 @@
 #define BoneDecimate_Applications_Certify_h
 
 #include "ExitCode.h"
+#include "LabelMapArguments.h"
 #include "LengthUnit.h"
-#include "VoxelCertificate.h"
 
 #include <CLI/CLI.hpp>
 
@@ -24,7 +24,7 @@ struct CertifyArguments
   std::vector<std::string> Files;  ///< Reference and result; the result alone with a label map.
   std::optional<double> Tolerance; ///< mm
   std::string ToleranceArray;      ///< A point array of the reference, mm; empty: none.
-  VoxelRequest Voxels;             ///< Without a map the voxels are not compared.
+  LabelMapFile Map;                ///< Without a map the voxels are not compared.
   std::string Json;                ///< A file; empty: none.
   std::string Page;                ///< A file; empty: none.
   LengthUnit Unit;                 ///< Of the coordinates in both files.

@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VoxelCertificate.h"
 
-#include "CommonOptions.h"
-#include "FileNames.h"
 #include "FilterRun.h"
-#include "Formats/FileChecks.h"
-#include "LabelVolume.h"
 #include "NumberText.h"
 
 #include "vtkBoneVoxelCheck.h"
@@ -21,8 +17,6 @@ namespace bonedecimate
 namespace
 {
 using Json = nlohmann::ordered_json;
-
-const NumberRange LabelRange = { -9007199254740992.0, 9007199254740992.0, true, "" };
 
 std::string NameOf(vtkBoneVoxelCheck* check, int label)
 {
@@ -44,31 +38,6 @@ std::string LeftOutText(vtkBoneVoxelCheck* check)
 }
 }
 
-void AddLabel(CLI::App& app, std::optional<double>& label)
-{
-  AddNumber(app,
-    { "--label", "N", LabelRange,
-      "The label of the label map that a surface without the array BoundaryLabels encloses; "
-      "default "
-      "the only one that is not 0." },
-    [&label](double value) { label = value; });
-}
-
-vtkSmartPointer<vtkImageData> ReadLabels(
-  const std::string& path, std::vector<std::string>& warnings)
-{
-  const LabelVolume labels = ReadLabelVolume(path);
-  if (!labels.Image)
-  {
-    Reject(path, labels.Problem);
-  }
-  if (!labels.Note.empty())
-  {
-    warnings.push_back(labels.Note);
-  }
-  return labels.Image;
-}
-
 VoxelCertificate::VoxelCertificate()
   : Check(vtkSmartPointer<vtkBoneVoxelCheck>::New())
 {
@@ -77,11 +46,11 @@ VoxelCertificate::VoxelCertificate()
 VoxelCertificate::~VoxelCertificate() = default;
 
 void VoxelCertificate::Compare(vtkPolyData* surface, const std::string& file,
-  const VoxelRequest& request, int threads, std::vector<std::string>& warnings)
+  const LabelMapFile& map, int threads, std::vector<std::string>& warnings)
 {
   this->Check->SetInputData(0, surface);
-  this->Check->SetInputData(1, ReadLabels(request.Map, warnings));
-  this->Check->SetLabel(static_cast<vtkTypeInt64>(request.Label.value_or(0.0)));
+  this->Check->SetInputData(1, ReadLabels(map.Path, warnings));
+  this->Check->SetLabel(map.Label);
   this->Check->SetNumberOfThreads(threads);
   AcceptMessages(UpdateFilter(this->Check, Progress::Hidden), file, warnings);
   const std::string leftOut = LeftOutText(this->Check);

@@ -7,36 +7,19 @@
 #ifndef BoneDecimate_Applications_VoxelCertificate_h
 #define BoneDecimate_Applications_VoxelCertificate_h
 
+#include "LabelMapArguments.h"
+
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <CLI/CLI.hpp>
-
-#include <memory>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
 class vtkBoneVoxelCheck;
-class vtkImageData;
 
 namespace bonedecimate
 {
-struct VoxelRequest
-{
-  std::string Map; ///< A file; empty: no voxels are compared.
-  std::optional<double>
-    Label; ///< What a surface without labels encloses; none: the only label of the map.
-};
-
-/// Adds --label.
-void AddLabel(CLI::App& app, std::optional<double>& label);
-
-/// Reads a label map. @throws Failure(ExitCode::InputRejected)
-vtkSmartPointer<vtkImageData> ReadLabels(
-  const std::string& path, std::vector<std::string>& warnings);
-
 class VoxelCertificate
 {
 public:
@@ -44,8 +27,8 @@ public:
   ~VoxelCertificate();
 
   /// @param file That of the surface, for messages. @throws Failure(ExitCode::InputRejected)
-  void Compare(vtkPolyData* surface, const std::string& file, const VoxelRequest& request,
-    int threads, std::vector<std::string>& warnings);
+  void Compare(vtkPolyData* surface, const std::string& file, const LabelMapFile& map, int threads,
+    std::vector<std::string>& warnings);
 
   bool IsViolated() const;
   /// As the report of a decimation has it.

@@ -222,6 +222,31 @@ std::string Pruned(const ReportFields& report)
                : std::string();
 }
 
+/// Empty unless the surface was smoothed.
+std::string Smoothing(const ReportFields& report)
+{
+  if (!report.Number("smoothing.largest_displacement"))
+  {
+    return {};
+  }
+  const auto text = [&report](const char* name, int decimals)
+  {
+    const Value value = report.Number(std::string("smoothing.") + name);
+    return value ? GroupedText(*value, decimals) : Unknown;
+  };
+  const Rows rows = { { "", "before", "after" },
+    { "Mean angle between neighboring triangles, degrees", text("angle_before", 1),
+      text("angle_after", 1) },
+    { "Area, mm&sup2;", text("area_before", 1), text("area_after", 1) },
+    { "Volume of closed components, mm&sup3;", text("volume_before", 1),
+      text("volume_after", 1) } };
+  return PageBlock("smoothing",
+    { { "largest", LengthText(report.Number("smoothing.largest_displacement")) },
+      { "bound", LengthText(report.Number("smoothing.bound")) },
+      { "rms", LengthText(report.Number("smoothing.rms_displacement")) },
+      { "table", Table(rows) } });
+}
+
 std::string RejectionText(const std::string& cause)
 {
   static const std::array<std::pair<const char*, const char*>, 10> sentences = { {
@@ -292,9 +317,10 @@ std::string ComposePage(const PageSubject& subject)
     { { "head",
         PageBlock(
           "head", { { "title", "Simplified bone surface: " + EscapedXml(subject.Name) } }) },
-      { "name", EscapedXml(subject.Name) }, { "voxels", VoxelSection(report) },
-      { "triangles", count("output.triangles") }, { "input triangles", count("input.triangles") },
-      { "percentage", PercentageText(report) }, { "largest distance", LargestDistanceText(report) },
+      { "name", EscapedXml(subject.Name) }, { "smoothing", Smoothing(report) },
+      { "voxels", VoxelSection(report) }, { "triangles", count("output.triangles") },
+      { "input triangles", count("input.triangles") }, { "percentage", PercentageText(report) },
+      { "largest distance", LargestDistanceText(report) },
       { "components", count("output.components") },
       { "input components", count("input.components") },
       { "distance sentence", DistanceSentence(report) }, { "picture", Picture(subject) },

@@ -393,6 +393,20 @@ void PassLabelMapArrays(
 }
 
 //------------------------------------------------------------------------------
+void CopyLabelMapFields(vtkPolyData* input, vtkPolyData* output)
+{
+  for (const char* name : { OriginName, SpacingName, DirectionName, DimensionsName, LabelValuesName,
+         "LabelNames", "LabelColors" })
+  {
+    vtkAbstractArray* array = input->GetFieldData()->GetAbstractArray(name);
+    if (array)
+    {
+      output->GetFieldData()->AddArray(array);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 ReadLabelMap ReadLabelMapArrays(vtkPolyData* input, const ConvertedSurface& converted)
 {
   return LabelMapReader(input, converted).Go();

@@ -46,6 +46,9 @@ void OrderLabelFields(vtkFieldData* image, const LabelMapSource& source, vtkFiel
 void PassLabelMapArrays(
   const LabelMapSource& source, const std::vector<BoundaryLabels>& ofTriangle, vtkPolyData* output);
 
+/// The field arrays of the grid and the labels.
+void CopyLabelMapFields(vtkPolyData* input, vtkPolyData* output);
+
 struct ReadLabelMap
 {
   LabelMapSource Source;

@@ -7,6 +7,7 @@
 #include "Input/InputSize.h"
 #include "LabelArrays.h"
 #include "LabelMapArrays.h"
+#include "LabelMapOfRun.h"
 #include "Report/ReportCells.h"
 #include "RunState.h"
 #include "SurfaceConversion.h"
@@ -63,6 +64,7 @@ bonedecimate::Report ReportOfPart(bonedecimate::Report report)
 vtkBoneDecimate::vtkBoneDecimate()
 {
   this->SetNumberOfInputPorts(2);
+  this->AddLabelMapPort();
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -258,7 +260,8 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
     this->RejectArray(!tolerances ? TOLERANCE_ARRAY : LABEL_ARRAY);
     return 0;
   }
-  const bonedecimate::ReadLabelMap map = bonedecimate::ReadLabelMapArrays(input, converted);
+  const bonedecimate::LabelMapOfRun map = bonedecimate::ReadLabelMapOfRun(
+    input, converted, this->GetLabelMapRequest(inputVector), options);
   if (!map.Problem.empty())
   {
     vtkErrorMacro(<< map.Problem);
@@ -271,9 +274,10 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   bonedecimate::RunInputs inputs = { converted.IsSingle, bonedecimate::NeedsOrigins(input, options),
     hasTolerances ? &*tolerances : nullptr, reference != nullptr ? &first.Surface : nullptr,
     hasLabels ? &*labels : nullptr };
-  inputs.LabelMap = map.Source.Grid.Dimensions[0] > 0 ? &map.Source : nullptr;
+  inputs.LabelMap = map.Known();
   bonedecimate::Result result = bonedecimate::Decimate(
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); }, inputs);
+  const std::vector<std::string> ofMap = map.CompareWithMap(converted.Surface, options, result);
   bonedecimate::NameCells(converted, result.Report);
   this->State->Keep(this->IsPart ? ReportOfPart(result.Report) : result.Report);
   if (!this->Accept(bonedecimate::InputMessage(result.Report)))
@@ -281,6 +285,7 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   }
   this->Warn(converted.Warnings);
+  this->Warn(ofMap);
   this->Warn(bonedecimate::InputWarnings(this->State->Report));
   FillOutputs(result, converted, options, inputs.LabelMap, input, outputVector);
   if (const std::string contradiction = bonedecimate::ProofMessage(result.Report);

@@ -150,7 +150,7 @@ class CertifyVoxels(ApplicationTest):
     def test_rejects_what_cannot_be_compared(self):
         self.fail_with(USAGE, "certify", "a.stl", says="--labels MAP")
         self.fail_with(USAGE, "certify", "a.stl", "--labels", "one.mha", "--tolerance", 1, says="--tolerance has no effect")
-        self.fail_with(USAGE, "certify", "a.stl", "a.stl", "--label", 5, says="--labels MAP")
+        self.fail_with(USAGE, "certify", "a.stl", "a.stl", "--label", 5, says="--labels FILE")
         self.fail_with(USAGE, "certify", "a.stl", "--labels", "one.mha", "--json", "one.mha", says="one.mha")
         self.fail_with(REJECTED, "certify", "a.stl", "--labels", "none.mha", says="none.mha")
         self.fail_with(REJECTED, "certify", "a.stl", "--labels", "a.stl", says="no volume")

@@ -27,6 +27,17 @@ def blocks(*labels):
     return image
 
 
+def ball():
+    """Label 1 within 5 voxels of the middle."""
+    image = blocks(1)
+    for z in range(SIZE):
+        for y in range(SIZE):
+            for x in range(SIZE):
+                inside = sum((i - 0.5 * (SIZE - 1)) ** 2 for i in (x, y, z)) < 25.0
+                image.SetScalarComponentFromDouble(x, y, z, 0, 1 if inside else 0)
+    return image
+
+
 def surface_of(image, label):
     """By VTK's own marching cubes, in double precision."""
     contour = vtk.vtkDiscreteMarchingCubes()

@@ -193,7 +193,9 @@ std::string InputMessage(const Report& report)
              "surface is farther than 65536 voxels from the grid";
     case InputStatus::NoVoxelGrid:
       return "KeepVoxels is on, but the surface has no voxel grid: extract it with "
-             "vtkBoneSurfaces, which stores the grid, or set KeepVoxels to Auto or Off";
+             "vtkBoneSurfaces, which stores the grid, give its label map, or set KeepVoxels to "
+             "Auto "
+             "or Off";
     case InputStatus::InvalidOption:
       return CheckOptions(report.Requested);
   }
