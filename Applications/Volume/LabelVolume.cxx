@@ -31,7 +31,7 @@ bool ArePerpendicular(const VolumeGeometry& geometry)
   return true;
 }
 
-void Place(vtkImageData* image, const VolumeGeometry& geometry)
+void SetGeometry(vtkImageData* image, const VolumeGeometry& geometry)
 {
   double spacing[3];
   double direction[9];
@@ -62,7 +62,7 @@ LabelVolume ReadLabelVolume(const std::string& path)
   if (labels.Problem.empty())
   {
     labels.Image = volume.Image;
-    Place(labels.Image, volume.Geometry);
+    SetGeometry(labels.Image, volume.Geometry);
   }
   return labels;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LabelVolume.h
- * @brief A label map in, an image with its place in the patient out.
+ * @brief A label map in, an image with its position in the patient out.
  */
 #ifndef BoneDecimate_Applications_LabelVolume_h
 #define BoneDecimate_Applications_LabelVolume_h

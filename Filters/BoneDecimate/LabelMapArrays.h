@@ -30,6 +30,10 @@ class vtkPolyData;
 
 namespace bonedecimate
 {
+constexpr const char* GridOriginName = "VoxelGridOrigin";
+constexpr const char* GridSpacingName = "VoxelGridSpacing";
+constexpr const char* GridDirectionName = "VoxelGridDirection";
+constexpr const char* GridDimensionsName = "VoxelGridDimensions";
 constexpr const char* BoundaryLabelsName = "BoundaryLabels";
 constexpr const char* GridPointName = "GridPoint";
 constexpr const char* LabelValuesName = "LabelValues";
@@ -45,9 +49,6 @@ void OrderLabelFields(vtkFieldData* image, const LabelMapSource& source, vtkFiel
 /// points of a result are not where they were extracted. Field arrays are passed with all others.
 void PassLabelMapArrays(
   const LabelMapSource& source, const std::vector<BoundaryLabels>& ofTriangle, vtkPolyData* output);
-
-/// The field arrays of the grid and the labels.
-void CopyLabelMapFields(vtkPolyData* input, vtkPolyData* output);
 
 struct ReadLabelMap
 {

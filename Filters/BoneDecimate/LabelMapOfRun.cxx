@@ -11,6 +11,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -144,7 +145,7 @@ private:
     source.Values = { enclosed.Label, 0 };
   }
 
-  /// Points whose place in the grid is not known would change voxels.
+  /// Smoothing would change voxels at points whose position in the grid is not known.
   void CheckSmoothing(bool hasMap)
   {
     const Options& options = this->Requested;
@@ -197,5 +198,19 @@ LabelMapOfRun ReadLabelMapOfRun(vtkPolyData* input, const ConvertedSurface& conv
   const LabelMapRequest& request, const Options& options)
 {
   return LabelMapReading(converted, options).Go(input, request);
+}
+
+//------------------------------------------------------------------------------
+void CopyLabelMapFields(vtkPolyData* input, vtkPolyData* output)
+{
+  for (const char* name : { GridOriginName, GridSpacingName, GridDirectionName, GridDimensionsName,
+         LabelValuesName, "LabelNames", "LabelColors" })
+  {
+    vtkAbstractArray* array = input->GetFieldData()->GetAbstractArray(name);
+    if (array)
+    {
+      output->GetFieldData()->AddArray(array);
+    }
+  }
 }
 }

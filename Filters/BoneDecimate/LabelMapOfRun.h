@@ -52,6 +52,9 @@ struct LabelMapRequest
 /// @param options Of the run.
 LabelMapOfRun ReadLabelMapOfRun(vtkPolyData* input, const ConvertedSurface& converted,
   const LabelMapRequest& request, const Options& options);
+
+/// Copies the field arrays of the grid and of the labels.
+void CopyLabelMapFields(vtkPolyData* input, vtkPolyData* output);
 }
 
 #endif

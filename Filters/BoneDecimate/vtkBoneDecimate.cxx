@@ -52,6 +52,13 @@ void FillOutputs(const bonedecimate::Result& result,
   bonedecimate::FillInputCopy(result, options, input, vtkPolyData::GetData(outputs, 1));
 }
 
+/// Empty if there is none.
+bonedecimate::ConvertedSurface ConvertReference(vtkPolyData* reference, int threads)
+{
+  return reference != nullptr ? bonedecimate::ToSurface(reference, threads)
+                              : bonedecimate::ConvertedSurface();
+}
+
 /// What a report of a part says: its size and its options are made from those of the whole.
 bonedecimate::Report ReportOfPart(bonedecimate::Report report)
 {
@@ -268,16 +275,13 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   }
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
-  const bonedecimate::ConvertedSurface first = reference != nullptr
-    ? bonedecimate::ToSurface(reference, options.NumberOfThreads)
-    : bonedecimate::ConvertedSurface();
-  bonedecimate::RunInputs inputs = { converted.IsSingle, bonedecimate::NeedsOrigins(input, options),
-    hasTolerances ? &*tolerances : nullptr, reference != nullptr ? &first.Surface : nullptr,
-    hasLabels ? &*labels : nullptr };
-  inputs.LabelMap = map.Known();
+  const bonedecimate::ConvertedSurface first = ConvertReference(reference, options.NumberOfThreads);
+  const bonedecimate::RunInputs inputs = { converted.IsSingle,
+    bonedecimate::NeedsOrigins(input, options), hasTolerances ? &*tolerances : nullptr,
+    reference != nullptr ? &first.Surface : nullptr, hasLabels ? &*labels : nullptr, map.Known() };
   bonedecimate::Result result = bonedecimate::Decimate(
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); }, inputs);
-  const std::vector<std::string> ofMap = map.CompareWithMap(converted.Surface, options, result);
+  this->Warn(map.CompareWithMap(converted.Surface, options, result));
   bonedecimate::NameCells(converted, result.Report);
   this->State->Keep(this->IsPart ? ReportOfPart(result.Report) : result.Report);
   if (!this->Accept(bonedecimate::InputMessage(result.Report)))
@@ -285,7 +289,6 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   }
   this->Warn(converted.Warnings);
-  this->Warn(ofMap);
   this->Warn(bonedecimate::InputWarnings(this->State->Report));
   FillOutputs(result, converted, options, inputs.LabelMap, input, outputVector);
   if (const std::string contradiction = bonedecimate::ProofMessage(result.Report);
