@@ -4,6 +4,7 @@
 
 #include "CommonOptions.h"
 #include "ExitCode.h"
+#include "FileNames.h"
 #include "HelpFormatter.h"
 #include "Options/OptionTable.h"
 
@@ -14,30 +15,28 @@ namespace bonedecimate
 {
 namespace
 {
-void AddTableOption(CLI::App& app, Arguments& arguments, const OptionInfo& info)
+void AddTableOption(CLI::App& app, const OptionInfo& info, const OptionReceiver& give)
 {
   app
     .add_option_function<std::string>(
-      "--" + info.Flag,
-      [&arguments, &info](const std::string& text) { GiveOption(arguments, info, text); },
+      "--" + info.Flag, [give, &info](const std::string& text) { give(info, text); },
       OptionHelp(info))
     ->type_name(OptionValueName(info))
     ->check(ValueOf(info));
 }
 
 /// A number, or "auto" for the option AutomaticSmoothing.
-void AddSmoothing(CLI::App& app, Arguments& arguments)
+void AddSmoothing(CLI::App& app, const OptionReceiver& give)
 {
   const OptionInfo& info = *FindOption("Smoothing");
   const CLI::Validator isNumber = ValueOf(info);
   app
     .add_option_function<std::string>(
       "--" + info.Flag,
-      [&arguments, &info](const std::string& text)
+      [give, &info](const std::string& text)
       {
         const bool isAutomatic = text == "auto";
-        GiveOption(arguments, isAutomatic ? *FindOption("AutomaticSmoothing") : info,
-          isAutomatic ? "on" : text);
+        give(isAutomatic ? *FindOption("AutomaticSmoothing") : info, isAutomatic ? "on" : text);
       },
       WrappedHelp(OptionHelp(info) + " auto is --auto-smooth on."))
     ->type_name("MM|auto")
@@ -46,17 +45,10 @@ void AddSmoothing(CLI::App& app, Arguments& arguments)
       ""));
 }
 
-/// The option of the table, with its own form if it has one.
-void AddOptionOfTable(CLI::App& app, Arguments& arguments, const OptionInfo& info)
+OptionReceiver ReceiverOf(Arguments& arguments)
 {
-  if (info.Name == "Smoothing")
-  {
-    AddSmoothing(app, arguments);
-  }
-  else
-  {
-    AddTableOption(app, arguments, info);
-  }
+  return [&arguments](const OptionInfo& info, const std::string& text)
+  { GiveOption(arguments, info, text); };
 }
 
 void AddIso(CLI::App& app, Arguments& arguments)
@@ -129,6 +121,9 @@ void AddCommonFlags(CLI::App& app, Arguments& arguments)
   AddFile(app, "--reference", arguments.Reference,
     "The surface from which INPUT was made by runs before: --max-error is proved "
     "against it, and distances are measured to it.");
+  AddLabelMap(app, arguments.LabelMap, "--label-map",
+    "The label map (.vti, .mha, .mhd, .nrrd, .nhdr) from which INPUT was extracted: its voxels are "
+    "those of --keep-voxels and --smooth, and the result is compared with it.");
   AddUnit(app, arguments.Unit);
   AddFile(app, "--report", arguments.Report, "Write the report as JSON.");
   AddFile(app, "--page", arguments.Page,
@@ -159,6 +154,18 @@ void AddBatchFlags(CLI::App& app, Arguments& arguments)
 }
 }
 
+void AddOptionOfTable(CLI::App& app, const OptionInfo& info, const OptionReceiver& give)
+{
+  if (info.Name == "Smoothing")
+  {
+    AddSmoothing(app, give);
+  }
+  else
+  {
+    AddTableOption(app, info, give);
+  }
+}
+
 void GiveOption(Arguments& arguments, const OptionInfo& info, const std::string& text)
 {
   SetOptionFromText(arguments.Options, info, text);
@@ -176,7 +183,7 @@ void AddDecimateOptions(CLI::App& app, Arguments& arguments)
   {
     if (!info.Flag.empty())
     {
-      AddOptionOfTable(app, arguments, info);
+      AddOptionOfTable(app, info, ReceiverOf(arguments));
     }
   }
   AddIso(app, arguments);
@@ -193,7 +200,7 @@ void AddSmoothOptions(CLI::App& app, Arguments& arguments)
          "LabelArrayName", "MergePoints", "MeasureDistances", "ProveResult", "NumberOfThreads",
          "OutputPointsPrecision", "PassArrays", "RecomputeNormals" })
   {
-    AddOptionOfTable(app, arguments, *FindOption(name));
+    AddOptionOfTable(app, *FindOption(name), ReceiverOf(arguments));
   }
   AddRegions(app, arguments);
   AddCommonFlags(app, arguments);
@@ -201,7 +208,7 @@ void AddSmoothOptions(CLI::App& app, Arguments& arguments)
 
 void AddThesisOptions(CLI::App& app, Arguments& arguments)
 {
-  AddTableOption(app, arguments, *FindOption("NumberOfThreads"));
+  AddOptionOfTable(app, *FindOption("NumberOfThreads"), ReceiverOf(arguments));
   AddIso(app, arguments);
   AddIntensities(app, arguments);
   AddCommonFlags(app, arguments);
@@ -218,6 +225,14 @@ void TakeFiles(Arguments& arguments)
   if (!arguments.Unit.IsMillimeter())
   {
     arguments.Given["unit"] = arguments.Unit.Name;
+  }
+  if (!arguments.LabelMap.Path.empty())
+  {
+    arguments.Given["label-map"] = BaseName(arguments.LabelMap.Path);
+  }
+  if (arguments.LabelMap.Label != 0)
+  {
+    arguments.Given["label"] = std::to_string(arguments.LabelMap.Label);
   }
 }
 }

@@ -7,12 +7,14 @@
 #ifndef BoneDecimate_Applications_Arguments_h
 #define BoneDecimate_Applications_Arguments_h
 
+#include "LabelMapArguments.h"
 #include "LengthUnit.h"
 #include "Options/OptionTable.h"
 #include "Regions.h"
 
 #include <CLI/CLI.hpp>
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -35,6 +37,7 @@ struct Arguments
   /// @name One bone only. @{
   std::vector<std::string> Also;
   std::string Reference; ///< What the input was made from; empty: nothing.
+  LabelMapFile LabelMap;
   std::string Report;
   std::string Page;
   std::string Heatmap;
@@ -60,6 +63,12 @@ void AddSmoothOptions(CLI::App& app, Arguments& arguments);
 
 /// Adds those options of a decimation that the form of the thesis has, too.
 void AddThesisOptions(CLI::App& app, Arguments& arguments);
+
+/// Receives an option of the table and its text, which was validated.
+using OptionReceiver = std::function<void(const OptionInfo& info, const std::string& text)>;
+
+/// Adds the flag of an option of the table, in its own form if it has one.
+void AddOptionOfTable(CLI::App& app, const OptionInfo& info, const OptionReceiver& give);
 
 /// Sets an option of the table from a text that was validated, and notes that it was given.
 void GiveOption(Arguments& arguments, const OptionInfo& info, const std::string& text);

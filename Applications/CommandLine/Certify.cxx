@@ -3,6 +3,7 @@
 #include "Certify.h"
 
 #include "BoundText.h"
+#include "CertificatePage.h"
 #include "CommandLine.h"
 #include "CommonOptions.h"
 #include "FileNames.h"
@@ -13,6 +14,7 @@
 #include "JsonReport.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"
+#include "VoxelCertificate.h"
 
 #include "vtkBoneSurfaceDistance.h"
 #include "vtkNew.h"
@@ -36,7 +38,11 @@ void AddOptions(CLI::App& app, CertifyArguments& arguments)
       WrappedHelp("A point array of the reference with a tolerance for each point in "
                   "mm; negative: none of its own. --tolerance caps it."))
     ->type_name("NAME");
+  AddLabelMap(app, arguments.Map, "--labels,--label-map",
+    "A label map (.vti, .mha, .mhd, .nrrd, .nhdr): count the voxels that have another label in "
+    "RESULT. REFERENCE may be left out then.");
   AddFile(app, "--json", arguments.Json, "Write everything found as JSON.");
+  AddFile(app, "--page", arguments.Page, "Write a self-contained HTML page for people.");
   AddNumber(app,
     { "--gap", "RATIO", { 1e-12, 1.0, false, "" },
       "By which ratio of the upper bound the lower may be less; default 1e-6." },
@@ -69,20 +75,32 @@ public:
 
   void Read()
   {
-    const std::vector<std::string>& files = this->Requested.Files;
-    const MillimeterSurface reference = ReadInput(files[0], this->Requested.Unit, this->Warnings);
-    const MillimeterSurface result = ReadInput(files[1], this->Requested.Unit, this->Warnings);
-    if (!this->Requested.ToleranceArray.empty() &&
-      !reference.Surface->GetPointData()->GetArray(this->Requested.ToleranceArray.c_str()))
+    if (this->Requested.HasReference())
     {
-      Reject(files[0], "it has no point array '" + this->Requested.ToleranceArray + "'");
+      this->ReadReference();
     }
-    this->Filter->SetInputData(0, reference.Surface);
-    this->Filter->SetInputData(1, result.Surface);
+    const MillimeterSurface result =
+      ReadInput(this->Requested.Result(), this->Requested.Unit, this->Warnings);
+    this->Result = result.Surface;
+    this->Filter->SetInputData(1, this->Result);
+  }
+
+  void CompareVoxels()
+  {
+    if (!this->Requested.Map.Path.empty())
+    {
+      this->Voxels.emplace();
+      this->Voxels->Compare(this->Result, this->Requested.Result(), this->Requested.Map,
+        this->Requested.Threads, this->Warnings);
+    }
   }
 
   void Compare()
   {
+    if (!this->Requested.HasReference())
+    {
+      return;
+    }
     if (this->Requested.Tolerance)
     {
       this->Filter->SetTolerance(*this->Requested.Tolerance);
@@ -106,13 +124,21 @@ public:
     AcceptMessages(messages, this->Requested.Files[1], this->Warnings);
   }
 
-  void Write()
+  void Write() const
   {
+    const CertificateSubject subject = { this->Requested.HasReference() ? this->Requested.Files[0]
+                                                                        : std::string(),
+      this->Requested.Result(), this->Requested.Map.Path, this->Requested.Unit.Name,
+      this->Voxels ? this->Voxels->Json() : nlohmann::ordered_json(), this->Warnings };
+    const std::string json = ComposeJsonCertificate(
+      this->Requested.HasReference() ? this->Filter->GetOutput() : nullptr, subject);
     if (!this->Requested.Json.empty())
     {
-      WriteTextFile(this->Requested.Json,
-        ComposeJsonCertificate(this->Filter->GetOutput(), this->Requested.Files,
-          this->Requested.Unit.Name, this->Warnings));
+      WriteTextFile(this->Requested.Json, json);
+    }
+    if (!this->Requested.Page.empty())
+    {
+      WriteTextFile(this->Requested.Page, ComposeCertificatePage(json));
     }
   }
 
@@ -122,6 +148,37 @@ public:
     {
       return;
     }
+    if (this->Requested.HasReference())
+    {
+      this->TellDistance();
+    }
+    if (this->Voxels)
+    {
+      this->Voxels->Print();
+    }
+    PrintWarnings(this->Warnings);
+  }
+
+  ExitCode Code() const
+  {
+    if (this->Voxels && this->Voxels->IsViolated())
+    {
+      return ExitCode::Violated;
+    }
+    switch (this->Filter->GetStatus())
+    {
+      case vtkBoneSurfaceDistance::VIOLATED:
+        return ExitCode::Violated;
+      case vtkBoneSurfaceDistance::UNDECIDED:
+        return ExitCode::Undecided;
+      default:
+        return ExitCode::Done;
+    }
+  }
+
+private:
+  void TellDistance() const
+  {
     std::cout << "distance             "
               << LowerBoundText(this->Filter->GetLowerBound(), BoundDecimals) << " to "
               << UpperBoundText(this->Filter->GetUpperBound(), BoundDecimals) << " mm, two-sided\n";
@@ -136,24 +193,21 @@ public:
                 << (boundaries == "result_only" ? "result" : "reference") << " has some\n";
     }
     this->TellStatus();
-    PrintWarnings(this->Warnings);
     std::cout << "seconds              " << FixedText(this->Value("seconds"), 2) << "\n";
   }
 
-  ExitCode Code() const
+  void ReadReference()
   {
-    switch (this->Filter->GetStatus())
+    const std::string& file = this->Requested.Files[0];
+    const MillimeterSurface reference = ReadInput(file, this->Requested.Unit, this->Warnings);
+    if (!this->Requested.ToleranceArray.empty() &&
+      !reference.Surface->GetPointData()->GetArray(this->Requested.ToleranceArray.c_str()))
     {
-      case vtkBoneSurfaceDistance::VIOLATED:
-        return ExitCode::Violated;
-      case vtkBoneSurfaceDistance::UNDECIDED:
-        return ExitCode::Undecided;
-      default:
-        return ExitCode::Done;
+      Reject(file, "it has no point array '" + this->Requested.ToleranceArray + "'");
     }
+    this->Filter->SetInputData(0, reference.Surface);
   }
 
-private:
   double Value(const std::string& name) const { return this->Filter->GetReportValue(name); }
 
   void TellDirection(const std::string& path, const std::string& words) const
@@ -199,12 +253,24 @@ private:
 
   const CertifyArguments& Requested;
   std::vector<std::string> Warnings;
+  vtkSmartPointer<vtkPolyData> Result;
   vtkNew<vtkBoneSurfaceDistance> Filter;
+  std::optional<VoxelCertificate> Voxels;
 };
 
 /// Options that would have no effect.
 void CheckTogether(const CLI::App& app, const CertifyArguments& arguments)
 {
+  for (const char* flag : { "--tolerance", "--tolerance-array", "--gap", "--mean-precision",
+         "--first-proof", "--no-means", "--no-boundaries" })
+  {
+    if (!arguments.HasReference() && app.count(flag) > 0)
+    {
+      throw Failure(ExitCode::Usage,
+        std::string(flag) + " has no effect without a REFERENCE, to which distances are measured");
+    }
+  }
+  CheckLabel(arguments.Map, "--labels");
   const bool hasTolerance = arguments.Tolerance || !arguments.ToleranceArray.empty();
   if (arguments.FirstProof && !hasTolerance)
   {
@@ -219,9 +285,19 @@ void CheckTogether(const CLI::App& app, const CertifyArguments& arguments)
 
 void Check(const CLI::App& command, const CertifyArguments& arguments)
 {
-  RequireFiles(command, arguments.Files, 2, "REFERENCE RESULT");
+  const bool isAlone = !arguments.Map.Path.empty() && arguments.Files.size() == 1;
+  RequireFiles(command, arguments.Files, isAlone ? 1 : 2,
+    arguments.Map.Path.empty() ? "REFERENCE RESULT, or a RESULT and --labels MAP"
+                               : "a RESULT, or REFERENCE RESULT");
   CheckTogether(command, arguments);
-  RequireNotInput(arguments.Json, arguments.Files);
+  std::vector<std::string> read = arguments.Files;
+  read.push_back(arguments.Map.Path);
+  RequireNotInput(arguments.Json, read);
+  RequireNotInput(arguments.Page, read);
+  if (!arguments.Page.empty() && arguments.Page == arguments.Json)
+  {
+    throw Failure(ExitCode::Usage, "'" + arguments.Page + "' would be written twice");
+  }
 }
 
 ExitCode Run(const CertifyArguments& arguments)
@@ -229,6 +305,7 @@ ExitCode Run(const CertifyArguments& arguments)
   CertifyRun run(arguments);
   run.Read();
   StopIfInterrupted();
+  run.CompareVoxels();
   run.Compare();
   run.Write();
   run.Tell();
@@ -239,10 +316,11 @@ ExitCode Run(const CertifyArguments& arguments)
 void AddCertifyCommand(CLI::App& program, ExitCode& code)
 {
   const auto arguments = std::make_shared<CertifyArguments>();
-  CLI::App& command = AddCommand(program, "certify", { "REFERENCE RESULT [OPTIONS]" },
+  CLI::App& command = AddCommand(program, "certify", { "[REFERENCE] RESULT [OPTIONS]" },
     "Proves how far two surfaces are from each other: bounds of the largest distance in both "
-    "directions, of surfaces and of open boundaries, and where it is.");
-  AddSurfaces(command, arguments->Files, "Two surfaces");
+    "directions, of surfaces and of open boundaries, and where it is. With a label map it counts "
+    "the voxels that have another label in RESULT.");
+  AddSurfaces(command, arguments->Files, "Two surfaces, or one with --labels");
   AddOptions(command, *arguments);
   command.final_callback(
     [&command, arguments, &code]

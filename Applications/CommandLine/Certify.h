@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Certify.h
- * @brief bonedecimate certify: proved bounds of the distance of two surfaces.
+ * @brief bonedecimate certify: proved bounds of the distance of two surfaces, and the voxels of a label map that one changes.
  */
 #ifndef BoneDecimate_Applications_Certify_h
 #define BoneDecimate_Applications_Certify_h
 
 #include "ExitCode.h"
+#include "LabelMapArguments.h"
 #include "LengthUnit.h"
 
 #include <CLI/CLI.hpp>
@@ -20,10 +21,12 @@ namespace bonedecimate
 {
 struct CertifyArguments
 {
-  std::vector<std::string> Files;  ///< Reference and result.
+  std::vector<std::string> Files;  ///< Reference and result; the result alone with a label map.
   std::optional<double> Tolerance; ///< mm
   std::string ToleranceArray;      ///< A point array of the reference, mm; empty: none.
+  LabelMapFile Map;                ///< Without a map the voxels are not compared.
   std::string Json;                ///< A file; empty: none.
+  std::string Page;                ///< A file; empty: none.
   LengthUnit Unit;                 ///< Of the coordinates in both files.
   double Gap = 1e-6;
   double Precision = 5e-3; ///< Of means.
@@ -32,10 +35,14 @@ struct CertifyArguments
   bool WithoutMeans = false;
   bool WithoutBoundaries = false;
   bool Quiet = false;
+
+  const std::string& Result() const { return this->Files.back(); }
+  bool HasReference() const { return this->Files.size() == 2; }
 };
 
 /**
- * Adds the command. Its code is Done if the tolerance is proved to be kept or none was given, Violated, or Undecided.
+ * Adds the command. Its code is Done if the tolerance is proved to be kept or none was given, and if no voxel has another label;
+ * else Violated or Undecided.
  * It throws Failure and std::bad_alloc.
  */
 void AddCertifyCommand(CLI::App& program, ExitCode& code);

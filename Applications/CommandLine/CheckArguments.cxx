@@ -65,6 +65,8 @@ void CheckOverwriting(const Arguments& arguments)
       "'" + *output + "' is the input; it is not overwritten");
     Require(arguments.Reference.empty() || !IsSame(*output, arguments.Reference),
       "'" + *output + "' is the reference; it is not overwritten");
+    Require(arguments.LabelMap.Path.empty() || !IsSame(*output, arguments.LabelMap.Path),
+      "'" + *output + "' is the label map; it is not overwritten");
     const bool twice = std::any_of(output + 1, outputs.end(),
       [output](const std::string& other) { return IsSame(*output, other); });
     Require(!twice, "'" + *output + "' would be written twice");
@@ -170,6 +172,7 @@ void CheckBatch(const Arguments& arguments)
   Require(!single,
     "--also, --report, --page, --heatmap and --picture are for one bone; many get a report each");
   Require(arguments.Reference.empty(), "--reference is for one bone");
+  Require(arguments.LabelMap.Path.empty(), "--label-map is for one bone");
   Require(arguments.Iso || arguments.Given.count("intensities") == 0,
     "--intensities is for volumes, together with --iso");
   Require(arguments.Format.empty() || FindFormat("x." + arguments.Format) != nullptr,
@@ -207,6 +210,7 @@ void CheckArguments(const Arguments& arguments)
   Require(!arguments.Iso || arguments.Unit.IsMillimeter(),
     "--unit is for surfaces; a volume for --iso is in millimeters by its header");
   CheckIneffectiveOptions(arguments);
+  CheckLabel(arguments.LabelMap, "--label-map");
   if (IsBatch(arguments))
   {
     CheckBatch(arguments);

@@ -58,13 +58,15 @@ nlohmann::ordered_json Compose(vtkBoneDiagnostics* filter, const DiagnoseArgumen
 /// "rejected   3 points are not finite: 5, 7, 19"
 void Tell(vtkBoneDiagnostics* filter, int diagnostic)
 {
-  std::printf("%-9s %lld %s", filter->GetSeverity(diagnostic).c_str(),
-    static_cast<long long>(filter->GetCount(diagnostic)), filter->GetSentence(diagnostic).c_str());
+  const bool isCounted = filter->GetWord(diagnostic) != "odd_size";
+  std::printf("%-9s %s%s", filter->GetSeverity(diagnostic).c_str(),
+    isCounted ? (std::to_string(filter->GetCount(diagnostic)) + " ").c_str() : "",
+    filter->GetSentence(diagnostic).c_str());
   if (!std::isnan(filter->GetLength(diagnostic)))
   {
     std::printf(" (%.6g mm)", filter->GetLength(diagnostic));
   }
-  if (filter->GetWord(diagnostic) == "odd_size")
+  if (!isCounted)
   {
     std::printf("; --unit tells another unit of the coordinates");
   }

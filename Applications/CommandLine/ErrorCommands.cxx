@@ -59,6 +59,7 @@ void AddOptions(CLI::App& app, ErrorArguments& arguments, bool isCurve)
       [&arguments](double value) { arguments.Precision = value; });
   }
   AddFile(app, "--json", arguments.Json, "Write all runs as JSON.");
+  AddVoxelArguments(app, arguments.Voxels);
   AddMode(app, arguments.Mode, "Fast|Balanced|Accurate", "Default Balanced.");
   AddThreads(app, arguments.Threads);
   AddUnit(app, arguments.Unit);
@@ -78,6 +79,7 @@ public:
   {
     this->Filter->SetInputData(
       ReadInput(this->Requested.Files[0], this->Requested.Unit, this->Warnings).Surface);
+    ApplyVoxelArguments(this->Requested.Voxels, this->Filter, this->Warnings);
   }
 
   void Search()
@@ -145,6 +147,10 @@ public:
 
 private:
   vtkIdType Rows() const { return this->Filter->GetTrials()->GetNumberOfRows(); }
+  bool HasVoxels() const
+  {
+    return this->Filter->GetTrials()->GetColumnByName("ChangedVoxels") != nullptr;
+  }
   double Value(vtkIdType row, const char* column) const
   {
     return this->Filter->GetTrials()->GetValueByName(row, column).ToDouble();
@@ -157,7 +163,13 @@ private:
                               : "by number alone    ")
               << "  " << GroupedText(this->Value(row, "Triangles")) << " triangles, proved <= "
               << UpperBoundText(this->Value(row, "ProvedError"), BoundDecimals) << " mm, "
-              << GroupedText(this->Value(row, "Seconds"), 1) << " s\n";
+              << GroupedText(this->Value(row, "Seconds"), 1) << " s";
+    if (this->HasVoxels())
+    {
+      std::cout << ", " << GroupedText(this->Value(row, "ChangedVoxels"))
+                << " voxels have another label";
+    }
+    std::cout << "\n";
   }
 
   void TellResult() const
@@ -202,6 +214,11 @@ private:
         { "proved_mm", this->Value(row, "ProvedError") },
         { "reached", this->Value(row, "Reached") != 0.0 },
         { "seconds", this->Value(row, "Seconds") } });
+      if (this->HasVoxels())
+      {
+        report["runs"].back()["changed_voxels"] =
+          static_cast<std::int64_t>(this->Value(row, "ChangedVoxels"));
+      }
     }
     report["warnings"] = this->Warnings;
     return report;
@@ -243,9 +260,10 @@ void Check(const CLI::App& command, const ErrorArguments& arguments)
   {
     throw Failure(ExitCode::Usage, "--picture '" + arguments.Picture + "' needs the extension svg");
   }
+  CheckLabel(arguments.Voxels.Map, "--label-map");
   for (const std::string& file : { arguments.Json, arguments.Csv, arguments.Picture })
   {
-    RequireNotInput(file, arguments.Files);
+    RequireNotInput(file, { arguments.Files[0], arguments.Voxels.Map.Path });
   }
 }
 

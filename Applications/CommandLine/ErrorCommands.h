@@ -9,6 +9,7 @@
 #define BoneDecimate_Applications_ErrorCommands_h
 
 #include "ExitCode.h"
+#include "LabelMapArguments.h"
 #include "LengthUnit.h"
 
 #include <CLI/CLI.hpp>
@@ -27,8 +28,9 @@ struct ErrorArguments
   std::string Mode = "Balanced";
   int Threads = 0;
   bool AllowLargeError = false; ///< curve only
-  LengthUnit Unit;              ///< Of the coordinates in the file.
-  std::string Json;             ///< Files; empty: none.
+  VoxelArguments Voxels;
+  LengthUnit Unit;  ///< Of the coordinates in the file.
+  std::string Json; ///< Files; empty: none.
   std::string Csv;
   std::string Picture;
   bool Quiet = false;

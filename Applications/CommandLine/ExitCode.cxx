@@ -18,7 +18,8 @@ std::string ExitCodesText()
     { ExitCode::Interrupted, "interrupted, nothing was written" },
     { ExitCode::OutOfMemory, "out of memory, nothing was written" },
     { ExitCode::Violated,
-      "certify: the tolerance is not kept; 0 means that it is proved to be. tolerance: no surface "
+      "certify: the tolerance is not kept, or a voxel has another label; 0 means that it is proved "
+      "to be kept and that no voxel changed. tolerance: no surface "
       "has so few triangles. Otherwise: the certificate contradicts the requested largest error, a "
       "defect" },
     { ExitCode::Undecided, "neither could be proved" },

@@ -67,14 +67,25 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
   return JsonText(report);
 }
 
-std::string ComposeJsonCertificate(vtkPolyData* output, const std::vector<std::string>& files,
-  const std::string& unit, const std::vector<std::string>& warnings)
+std::string ComposeJsonCertificate(vtkPolyData* output, const CertificateSubject& subject)
 {
-  Json report = Json::parse(ReportJsonOf(output, "BoneDecimateCertificate"));
-  report["files"]["reference"] = BaseName(files[0]);
-  report["files"]["result"] = BaseName(files[1]);
-  report["files"]["unit"] = unit;
-  report["warnings"] = warnings;
+  Json report = output != nullptr ? Json::parse(ReportJsonOf(output, "BoneDecimateCertificate"))
+                                  : Json({ { "version", Version() }, { "problem", "" },
+                                      { "status", "not_requested" }, { "units", Json::object() } });
+  if (!subject.Voxels.is_null())
+  {
+    report["voxels"] = subject.Voxels;
+  }
+  for (const auto& [name, file] : { std::pair("reference", &subject.Reference),
+         std::pair("result", &subject.Result), std::pair("label_map", &subject.LabelMap) })
+  {
+    if (!file->empty())
+    {
+      report["files"][name] = BaseName(*file);
+    }
+  }
+  report["files"]["unit"] = subject.Unit;
+  report["warnings"] = subject.Warnings;
   AddDeprecatedKeys(report);
   return JsonText(report);
 }

@@ -13,7 +13,7 @@
 #include "vtkPolyData.h"
 
 #include <map>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -47,11 +47,20 @@ ReportSubject SubjectOf(
  */
 std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject);
 
-/// A certificate in the field data of an output of vtkBoneSurfaceDistance in the same way, with the names as "files".
-/// @param unit Of the coordinates in both files.
-/// @param files Reference and result.
-std::string ComposeJsonCertificate(vtkPolyData* output, const std::vector<std::string>& files,
-  const std::string& unit, const std::vector<std::string>& warnings);
+/// What a certificate of the program is of. Files are named without their folder.
+struct CertificateSubject
+{
+  std::string Reference; ///< Empty: none.
+  std::string Result;
+  std::string LabelMap;          ///< Empty: none.
+  std::string Unit;              ///< Of the coordinates in the files of surfaces.
+  nlohmann::ordered_json Voxels; ///< "voxels"; null: not compared.
+  std::vector<std::string> Warnings;
+};
+
+/// A certificate in the field data of an output of vtkBoneSurfaceDistance in the same way.
+/// @param output Null: distances were not proved.
+std::string ComposeJsonCertificate(vtkPolyData* output, const CertificateSubject& subject);
 
 /// As a file has it; a name that is not UTF-8 is no reason to have no report.
 std::string JsonText(const nlohmann::ordered_json& json);

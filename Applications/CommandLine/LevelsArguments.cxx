@@ -29,6 +29,7 @@ void AddRunOptions(CLI::App& app, LevelsArguments& arguments)
       "Largest distance that the run may cause; every level keeps it." },
     [&arguments](double value) { arguments.MaximumError = value; });
   AddAllowLargeError(app, arguments.AllowLargeError);
+  AddVoxelArguments(app, arguments.Voxels);
   app.add_flag("--no-errors", arguments.WithoutErrors,
     WrappedHelp("Do not measure how far levels are from the input."));
 }
@@ -55,7 +56,8 @@ void AddLevelOptions(CLI::App& app, LevelsArguments& arguments)
 
 void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
 {
-  for (const char* flag : { "--record", "--coarsest", "--mode", "--max-error", "--no-errors" })
+  for (const char* flag : { "--record", "--coarsest", "--mode", "--max-error", "--no-errors",
+         "--smooth", "--keep-voxels" })
   {
     if (!arguments.Log.empty() && app.count(flag) > 0)
     {
@@ -63,6 +65,7 @@ void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
         ExitCode::Usage, std::string(flag) + " is for a run, and --log takes its place");
     }
   }
+  CheckLabel(arguments.Voxels.Map, "--label-map");
   const bool wantsLevels = !arguments.Triangles.empty() || !arguments.Errors.empty();
   if (wantsLevels == arguments.Output.empty())
   {
@@ -115,6 +118,6 @@ void AddLevelsCommand(CLI::App& program)
 
 void KeepSurfaces(const LevelsArguments& arguments, const std::string& output)
 {
-  RequireNotInput(output, { arguments.Files[0], arguments.On });
+  RequireNotInput(output, { arguments.Files[0], arguments.On, arguments.Voxels.Map.Path });
 }
 }

@@ -73,6 +73,7 @@ public:
   void Read()
   {
     this->Filter->SetInputData(this->ReadOne(this->Requested.Files[0]));
+    ApplyVoxelArguments(this->Requested.Voxels, this->Filter, this->Warnings);
     if (this->Requested.MaximumError > 0.0)
     {
       this->Filter->SetMaximumError(this->ErrorOfRun());
@@ -149,7 +150,11 @@ public:
                   << " mm, mean "
                   << FixedText(this->Filter->GetMarkMeanDistance(mark), DistanceDecimals) << " mm";
       }
-      std::cout << "\n";
+      const vtkTypeInt64 changed = this->Filter->GetMarkChangedVoxels(mark);
+      std::cout << (changed < 0 ? ""
+                                : ", " + GroupedText(static_cast<double>(changed)) +
+                         " voxels have another label")
+                << "\n";
     }
     for (const std::string& name : this->Written)
     {

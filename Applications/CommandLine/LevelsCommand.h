@@ -9,6 +9,7 @@
 #define BoneDecimate_Applications_LevelsCommand_h
 
 #include "ExitCode.h"
+#include "LabelMapArguments.h"
 #include "LengthUnit.h"
 
 #include <CLI/CLI.hpp>
@@ -29,6 +30,7 @@ struct LevelsArguments
   double MaximumError = 0.0; ///< mm
   bool AllowLargeError = false;
   bool WithoutErrors = false;
+  VoxelArguments Voxels;
   std::string Record; ///< Where its log goes; empty: nowhere.
   /// @}
 

@@ -81,6 +81,7 @@ public:
       this->Reference = ReadInMillimeters(this->Requested.Reference, this->Requested.Unit).Surface;
       this->Filter->SetReferenceData(this->Reference);
     }
+    ApplyLabelMap(this->Requested.LabelMap, this->Filter, this->Subject.Warnings);
     this->Subject.SecondsRead = watch.Seconds();
   }
 

@@ -71,6 +71,16 @@ void PrintSmoothing(const ReportFields& report)
   }
 }
 
+void PrintVoxels(const ReportFields& report)
+{
+  if (report.Number("voxels.changed"))
+  {
+    std::cout << "voxels          " << Count(report, "voxels.changed") << " of "
+              << Count(report, "voxels.compared") << " have another label"
+              << (report.Text("voxels.guard") == "on" ? "; edits may not change any" : "") << "\n";
+  }
+}
+
 /// The components left out on request, the largest first.
 void PrintPruned(const ReportFields& report)
 {
@@ -157,6 +167,7 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
   PrintDistances(report, "input_to_output", "input to result ");
   PrintBoundaries(report);
   PrintVoxel(report);
+  PrintVoxels(report);
   PrintProof(report);
   std::cout << "stop            " << report.Text("stop_sentence") << "\n"
             << "seconds         read " << GroupedText(subject.SecondsRead, 2) << ", decimate "

@@ -55,10 +55,15 @@ vtkSmartPointer<vtkActor> MakeBone(vtkPolyData* surface)
   return bone;
 }
 
+void ShadeFlat(vtkActor* bone)
+{
+  bone->GetProperty()->SetInterpolationToFlat();
+}
+
 void ShowTriangles(vtkActor* bone, double lineWidth)
 {
+  ShadeFlat(bone);
   vtkProperty* property = bone->GetProperty();
-  property->SetInterpolationToFlat();
   property->EdgeVisibilityOn();
   property->SetEdgeColor(0.42, 0.34, 0.26);
   property->SetLineWidth(static_cast<float>(lineWidth));

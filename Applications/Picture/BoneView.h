@@ -35,6 +35,9 @@ vtkSmartPointer<vtkPolyData> TrianglesWithNormals(vtkPolyData* surface);
 /// Shaded smoothly, in the color of bone.
 vtkSmartPointer<vtkActor> MakeBone(vtkPolyData* surface);
 
+/// Each triangle in one shade: the staircase of a segmentation is seen, which shading across edges hides.
+void ShadeFlat(vtkActor* bone);
+
 /// Flat triangles with their edges. @param lineWidth Pixels.
 void ShowTriangles(vtkActor* bone, double lineWidth);
 

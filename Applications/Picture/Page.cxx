@@ -8,6 +8,7 @@
 #include "PageTemplate.h"
 #include "ReportFields.h"
 #include "SurfaceDistances.h"
+#include "VoxelSection.h"
 
 #include <algorithm>
 #include <array>
@@ -221,15 +222,44 @@ std::string Pruned(const ReportFields& report)
                : std::string();
 }
 
+/// Empty unless the surface was smoothed.
+std::string Smoothing(const ReportFields& report)
+{
+  if (!report.Number("smoothing.largest_displacement"))
+  {
+    return {};
+  }
+  const auto text = [&report](const char* name, int decimals)
+  {
+    const Value value = report.Number(std::string("smoothing.") + name);
+    return value ? GroupedText(*value, decimals) : Unknown;
+  };
+  const Rows rows = { { "", "before", "after" },
+    { "Mean angle between neighboring triangles, degrees", text("angle_before", 1),
+      text("angle_after", 1) },
+    { "Area, mm&sup2;", text("area_before", 1), text("area_after", 1) },
+    { "Volume of closed components, mm&sup3;", text("volume_before", 1),
+      text("volume_after", 1) } };
+  return PageBlock("smoothing",
+    { { "largest", LengthText(report.Number("smoothing.largest_displacement")) },
+      { "bound", LengthText(report.Number("smoothing.bound")) },
+      { "rms", LengthText(report.Number("smoothing.rms_displacement")) },
+      { "table", Table(rows) } });
+}
+
 std::string RejectionText(const std::string& cause)
 {
-  static const std::array<std::pair<const char*, const char*>, 6> sentences = { {
+  static const std::array<std::pair<const char*, const char*>, 10> sentences = { {
     { "non_manifold", "the surface is not manifold there and stays as it is" },
     { "boundary", "an open boundary would leave its curve, or the surface be pinched" },
     { "link_condition", "the topology would change" },
     { "fragment", "a fragment would become too small, vanish or turn inside out" },
     { "flip", "a triangle would turn over" },
     { "degenerate", "a triangle would have no area left" },
+    { "error_bound", "it was not proved that the surfaces stay within the largest error" },
+    { "constrained", "a point may not move, because its tolerance or that of a neighbor is 0" },
+    { "intersection", "triangles would intersect, or a gap become narrower than half its width" },
+    { "voxel_label", "a voxel of the label map would get another label" },
   } };
   const auto known = std::find_if(sentences.begin(), sentences.end(),
     [&cause](const auto& sentence) { return cause == sentence.first; });
@@ -284,7 +314,11 @@ std::string ComposePage(const PageSubject& subject)
   const ReportFields report(subject.Result);
   const auto count = [&report](const char* name) { return CountText(report.Number(name)); };
   return PageBlock("page",
-    { { "name", EscapedXml(subject.Name) }, { "triangles", count("output.triangles") },
+    { { "head",
+        PageBlock(
+          "head", { { "title", "Simplified bone surface: " + EscapedXml(subject.Name) } }) },
+      { "name", EscapedXml(subject.Name) }, { "smoothing", Smoothing(report) },
+      { "voxels", VoxelSection(report) }, { "triangles", count("output.triangles") },
       { "input triangles", count("input.triangles") }, { "percentage", PercentageText(report) },
       { "largest distance", LargestDistanceText(report) },
       { "components", count("output.components") },

@@ -188,11 +188,17 @@ std::string DistanceCaption(const Distances& distances)
                          : "Distance not measured";
 }
 
+bool WasSmoothed(vtkPolyData* after)
+{
+  return ReportFields(after).Number("smoothing.largest_displacement").has_value();
+}
+
 void AddViews(vtkRenderWindow* window, vtkPolyData* before, vtkPolyData* after, const Rows& rows,
   const Distances& distances, const PictureSubject& subject)
 {
   const bool hasTitle = !subject.Title.empty();
   const double lineWidth = std::max(1.0, window->GetSize()[1] / 1400.0);
+  const bool isSmoothed = WasSmoothed(subject.After);
   for (int column = 0; column < Columns; ++column)
   {
     vtkPolyData* surface = column == 1 ? after : before;
@@ -200,6 +206,10 @@ void AddViews(vtkRenderWindow* window, vtkPolyData* before, vtkPolyData* after, 
     const auto closeUp = MakeBone(surface);
     if (column < 2)
     {
+      if (isSmoothed)
+      {
+        ShadeFlat(bone);
+      }
       ShowTriangles(closeUp, lineWidth);
     }
     else if (distances.Array)

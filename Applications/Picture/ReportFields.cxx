@@ -47,8 +47,13 @@ std::string ReportJsonOf(vtkPolyData* result, const char* arrayName)
 }
 
 ReportFields::ReportFields(vtkPolyData* result)
+  : ReportFields(ReportJsonOf(result))
 {
-  Json report = Json::parse(ReportJsonOf(result), nullptr, false);
+}
+
+ReportFields::ReportFields(const std::string& json)
+{
+  Json report = Json::parse(json, nullptr, false);
   if (report.is_object())
   {
     report.erase("units");

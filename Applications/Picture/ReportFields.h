@@ -25,6 +25,9 @@ public:
   /// @param result Output port 0 of vtkBoneDecimate; may be null or carry no report at all.
   explicit ReportFields(vtkPolyData* result);
 
+  /// @param json A report or a certificate; anything else has no entries.
+  explicit ReportFields(const std::string& json);
+
   std::optional<double> Number(const std::string& name) const;
 
   /// The value as text, numbers included; empty where the entry is missing.

@@ -25,11 +25,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr const char* OriginName = "VoxelGridOrigin";
-constexpr const char* SpacingName = "VoxelGridSpacing";
-constexpr const char* DirectionName = "VoxelGridDirection";
-constexpr const char* DimensionsName = "VoxelGridDimensions";
-
 template <typename Array, typename Values>
 void AddField(vtkPolyData* output, const char* name, const Values& values, int components)
 {
@@ -47,12 +42,12 @@ void AddGrid(const VoxelGrid& grid, vtkPolyData* output)
 {
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = grid.Direction;
   AddField<vtkDoubleArray>(
-    output, OriginName, std::vector<double>(grid.Origin.data(), grid.Origin.data() + 3), 3);
+    output, GridOriginName, std::vector<double>(grid.Origin.data(), grid.Origin.data() + 3), 3);
   AddField<vtkDoubleArray>(
-    output, SpacingName, std::vector<double>(grid.Spacing.data(), grid.Spacing.data() + 3), 3);
+    output, GridSpacingName, std::vector<double>(grid.Spacing.data(), grid.Spacing.data() + 3), 3);
   AddField<vtkDoubleArray>(
-    output, DirectionName, std::vector<double>(rows.data(), rows.data() + 9), 9);
-  AddField<vtkIntArray>(output, DimensionsName, grid.Dimensions, 3);
+    output, GridDirectionName, std::vector<double>(rows.data(), rows.data() + 9), 9);
+  AddField<vtkIntArray>(output, GridDimensionsName, grid.Dimensions, 3);
 }
 
 template <typename Array>
@@ -194,10 +189,10 @@ private:
   void ReadGrid()
   {
     vtkFieldData* fields = this->Input->GetFieldData();
-    vtkDataArray* origin = this->Find(fields, OriginName, 3, 1);
-    vtkDataArray* spacing = this->Find(fields, SpacingName, 3, 1);
-    vtkDataArray* direction = this->Find(fields, DirectionName, 9, 1);
-    vtkDataArray* dimensions = this->Find(fields, DimensionsName, 3, 1);
+    vtkDataArray* origin = this->Find(fields, GridOriginName, 3, 1);
+    vtkDataArray* spacing = this->Find(fields, GridSpacingName, 3, 1);
+    vtkDataArray* direction = this->Find(fields, GridDirectionName, 9, 1);
+    vtkDataArray* dimensions = this->Find(fields, GridDimensionsName, 3, 1);
     if (!origin || !spacing || !direction || !dimensions)
     {
       return;
@@ -222,16 +217,16 @@ private:
     const VoxelGrid& grid = this->Source.Grid;
     if (*std::min_element(grid.Dimensions.begin(), grid.Dimensions.end()) < 1)
     {
-      this->Reject(DimensionsName, "has a number that is not positive");
+      this->Reject(GridDimensionsName, "has a number that is not positive");
     }
     if (!(grid.Spacing.minCoeff() > 0.0))
     {
-      this->Reject(SpacingName, "has a number that is not positive");
+      this->Reject(GridSpacingName, "has a number that is not positive");
     }
     const Eigen::Matrix3d product = grid.Direction.transpose() * grid.Direction;
     if (!((product - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= 1e-6))
     {
-      this->Reject(DirectionName, "does not have perpendicular unit vectors as columns");
+      this->Reject(GridDirectionName, "does not have perpendicular unit vectors as columns");
     }
   }
 

@@ -30,6 +30,10 @@ class vtkPolyData;
 
 namespace bonedecimate
 {
+constexpr const char* GridOriginName = "VoxelGridOrigin";
+constexpr const char* GridSpacingName = "VoxelGridSpacing";
+constexpr const char* GridDirectionName = "VoxelGridDirection";
+constexpr const char* GridDimensionsName = "VoxelGridDimensions";
 constexpr const char* BoundaryLabelsName = "BoundaryLabels";
 constexpr const char* GridPointName = "GridPoint";
 constexpr const char* LabelValuesName = "LabelValues";

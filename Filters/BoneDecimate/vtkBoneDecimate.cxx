@@ -7,6 +7,7 @@
 #include "Input/InputSize.h"
 #include "LabelArrays.h"
 #include "LabelMapArrays.h"
+#include "LabelMapOfRun.h"
 #include "Report/ReportCells.h"
 #include "RunState.h"
 #include "SurfaceConversion.h"
@@ -51,6 +52,13 @@ void FillOutputs(const bonedecimate::Result& result,
   bonedecimate::FillInputCopy(result, options, input, vtkPolyData::GetData(outputs, 1));
 }
 
+/// Empty if there is none.
+bonedecimate::ConvertedSurface ConvertReference(vtkPolyData* reference, int threads)
+{
+  return reference != nullptr ? bonedecimate::ToSurface(reference, threads)
+                              : bonedecimate::ConvertedSurface();
+}
+
 /// What a report of a part says: its size and its options are made from those of the whole.
 bonedecimate::Report ReportOfPart(bonedecimate::Report report)
 {
@@ -63,6 +71,7 @@ bonedecimate::Report ReportOfPart(bonedecimate::Report report)
 vtkBoneDecimate::vtkBoneDecimate()
 {
   this->SetNumberOfInputPorts(2);
+  this->AddLabelMapPort();
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -258,22 +267,21 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
     this->RejectArray(!tolerances ? TOLERANCE_ARRAY : LABEL_ARRAY);
     return 0;
   }
-  const bonedecimate::ReadLabelMap map = bonedecimate::ReadLabelMapArrays(input, converted);
+  const bonedecimate::LabelMapOfRun map = bonedecimate::ReadLabelMapOfRun(
+    input, converted, this->GetLabelMapRequest(inputVector), options);
   if (!map.Problem.empty())
   {
     vtkErrorMacro(<< map.Problem);
     return 0;
   }
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
-  const bonedecimate::ConvertedSurface first = reference != nullptr
-    ? bonedecimate::ToSurface(reference, options.NumberOfThreads)
-    : bonedecimate::ConvertedSurface();
-  bonedecimate::RunInputs inputs = { converted.IsSingle, bonedecimate::NeedsOrigins(input, options),
-    hasTolerances ? &*tolerances : nullptr, reference != nullptr ? &first.Surface : nullptr,
-    hasLabels ? &*labels : nullptr };
-  inputs.LabelMap = map.Source.Grid.Dimensions[0] > 0 ? &map.Source : nullptr;
+  const bonedecimate::ConvertedSurface first = ConvertReference(reference, options.NumberOfThreads);
+  const bonedecimate::RunInputs inputs = { converted.IsSingle,
+    bonedecimate::NeedsOrigins(input, options), hasTolerances ? &*tolerances : nullptr,
+    reference != nullptr ? &first.Surface : nullptr, hasLabels ? &*labels : nullptr, map.Known() };
   bonedecimate::Result result = bonedecimate::Decimate(
     converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); }, inputs);
+  this->Warn(map.CompareWithMap(converted.Surface, options, result));
   bonedecimate::NameCells(converted, result.Report);
   this->State->Keep(this->IsPart ? ReportOfPart(result.Report) : result.Report);
   if (!this->Accept(bonedecimate::InputMessage(result.Report)))

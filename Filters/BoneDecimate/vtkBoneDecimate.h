@@ -10,7 +10,8 @@
  * vertices that are not manifold stay as they are.
  *
  * Input port 0: the surface. Input port 1, optional: the reference, the surface that the input was made from. With it
- * MaximumError is proved and measured against the reference, also over several runs one after the other.
+ * MaximumError is proved and measured against the reference, also over several runs one after the other. Input port 2, optional: the
+ * label map, from which the surface was extracted (SetLabelMapData()).
  *
  * Output port 0: the smaller surface. Point data: the distance to the input surface, the error recorded along the
  * collapses (both mm) and how many input points each point represents. Field data: the report as

@@ -3,9 +3,15 @@
 #include "vtkBoneDecimateAlgorithm.h"
 
 #include "Certificate/Certificate.h"
+#include "LabelMapOfRun.h"
 #include "Report/ReportFigures.h"
 #include "Report/ReportJson.h"
 #include "RunState.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 //------------------------------------------------------------------------------
 vtkBoneDecimateAlgorithm::vtkBoneDecimateAlgorithm()
@@ -37,6 +43,67 @@ std::string vtkBoneDecimateAlgorithm::GetOptionAsText(const std::string& name) c
   return this->HasOption(name)
     ? bonedecimate::OptionText(this->State->Options, *bonedecimate::FindOption(name))
     : std::string();
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimateAlgorithm::SetLabelMapData(vtkImageData* map)
+{
+  this->SetInputData(this->LabelMapPort, map);
+}
+
+void vtkBoneDecimateAlgorithm::SetLabelMapConnection(vtkAlgorithmOutput* map)
+{
+  this->SetInputConnection(this->LabelMapPort, map);
+}
+
+void vtkBoneDecimateAlgorithm::SetLabel(vtkTypeInt64 label)
+{
+  if (this->Label != label)
+  {
+    this->Label = label;
+    this->Modified();
+    this->OptionChanged("Label");
+  }
+}
+
+void vtkBoneDecimateAlgorithm::AddLabelMapPort()
+{
+  this->LabelMapPort = this->GetNumberOfInputPorts();
+  this->SetNumberOfInputPorts(this->LabelMapPort + 1);
+}
+
+bonedecimate::LabelMapRequest vtkBoneDecimateAlgorithm::GetLabelMapRequest(
+  vtkInformationVector** inputs) const
+{
+  return { this->LabelMapPort < 0 ? nullptr : vtkImageData::GetData(inputs[this->LabelMapPort]),
+    this->Label };
+}
+
+int vtkBoneDecimateAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port != this->LabelMapPort)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+/// The whole map.
+int vtkBoneDecimateAlgorithm::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  const int result = this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+  vtkInformation* map =
+    this->LabelMapPort < 0 ? nullptr : inputs[this->LabelMapPort]->GetInformationObject(0);
+  if (map != nullptr)
+  {
+    int extent[6] = { 0, -1, 0, -1, 0, -1 };
+    map->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+    map->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  }
+  return result;
 }
 
 //------------------------------------------------------------------------------
@@ -161,6 +228,7 @@ void vtkBoneDecimateAlgorithm::Warn(const std::vector<std::string>& sentences)
 void vtkBoneDecimateAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Label: " << this->Label << "\n";
   os << indent << "StopReason: " << this->GetStopReasonAsString() << "\n";
   os << indent << "ProvedError: " << this->GetProvedError() << " mm\n";
 }

@@ -19,8 +19,12 @@
 #include <string> // for texts
 #include <vector> // for warnings
 
+class vtkAlgorithmOutput;
+class vtkImageData;
+
 namespace bonedecimate
 {
+struct LabelMapRequest;
 struct Options;
 }
 
@@ -60,6 +64,21 @@ public:
 
   /// Value of an option as SetOptionFromText() reads it; empty if the filter has no such option.
   std::string GetOptionAsText(const std::string& name) const;
+
+  ///@{
+  /// The label map from which the input was extracted: its active scalars are the labels of voxels, as points or cells. A surface
+  /// that does not carry its voxel grid, such as that of another program, gets the grid of the map, for KeepVoxels and smoothing.
+  /// The voxels of the result are compared with those of the map. A surface with another grid is an error. Default none.
+  void SetLabelMapData(vtkImageData* map);
+  void SetLabelMapConnection(vtkAlgorithmOutput* map);
+  ///@}
+
+  ///@{
+  /// The label of the label map that a surface without the array BoundaryLabels encloses. 0: the only label of the map that is not 0; a
+  /// map with several is then an error. Default 0.
+  void SetLabel(vtkTypeInt64 label);
+  vtkGetMacro(Label, vtkTypeInt64);
+  ///@}
 
   /// Why the last run ended: one of StopReasons; NOT_RUN before the first update.
   int GetStopReason() const;
@@ -131,12 +150,23 @@ protected:
   /// An option has another value now.
   virtual void OptionChanged(const std::string& name);
 
+  /// The input port of the label map, the last one. Called by constructors after they have set the number of the others.
+  void AddLabelMapPort();
+
+  bonedecimate::LabelMapRequest GetLabelMapRequest(vtkInformationVector** inputs) const;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
   struct RunState;
   std::unique_ptr<RunState> State;
 
 private:
   vtkBoneDecimateAlgorithm(const vtkBoneDecimateAlgorithm&) = delete;
   void operator=(const vtkBoneDecimateAlgorithm&) = delete;
+
+  vtkTypeInt64 Label = 0;
+  int LabelMapPort = -1;
 };
 
 #endif

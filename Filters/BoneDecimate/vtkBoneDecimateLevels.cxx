@@ -3,12 +3,16 @@
 #include "vtkBoneDecimateLevels.h"
 
 #include "FilterProgress.h"
+#include "Input/LabelMapInput.h"
+#include "LabelMapArrays.h"
+#include "LabelMapOfRun.h"
 #include "Levels.h"
 #include "RunState.h"
 #include "SurfaceArrays.h"
 #include "SurfaceConversion.h"
 
 #include "vtkCellArray.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -29,6 +33,10 @@ struct vtkBoneDecimateLevels::Internals
   bonedecimate::Levels Levels;
   vtkWeakPointer<vtkPolyData> Input; // what they are of, as it was then
   vtkMTimeType InputTime = 0;
+  vtkWeakPointer<vtkImageData> Map; // null: none
+  vtkMTimeType MapTime = 0;
+  bonedecimate::ConvertedSurface Converted; // the input, until the levels are there
+  bonedecimate::LabelMapOfRun LabelMap;
   vtkSmartPointer<vtkUnsignedCharArray> InputLog; // null: a run
   vtkSmartPointer<vtkUnsignedCharArray> Written;
 
@@ -52,6 +60,7 @@ vtkBoneDecimateLevels::vtkBoneDecimateLevels()
   : Internal(new Internals)
 {
   this->SetNumberOfInputPorts(2);
+  this->AddLabelMapPort();
 }
 
 vtkBoneDecimateLevels::~vtkBoneDecimateLevels() = default;
@@ -140,6 +149,14 @@ double vtkBoneDecimateLevels::GetMarkMeanDistance(int mark) const
 }
 
 //------------------------------------------------------------------------------
+vtkTypeInt64 vtkBoneDecimateLevels::GetMarkChangedVoxels(int mark) const
+{
+  const std::vector<std::int64_t>& changed = this->Internal->Levels.ChangedVoxels();
+  const bool isThere = mark >= 0 && mark < static_cast<int>(changed.size());
+  return isThere ? changed[static_cast<std::size_t>(mark)] : -1;
+}
+
+//------------------------------------------------------------------------------
 int vtkBoneDecimateLevels::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 1)
@@ -155,22 +172,26 @@ int vtkBoneDecimateLevels::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  if (this->State->Rejected.Report(this) || !this->Prepare(input))
+  if (this->State->Rejected.Report(this) ||
+    !this->Prepare(input, this->GetLabelMapRequest(inputVector)))
   {
     return 0;
   }
   return !this->Internal->Levels.IsOpen() ||
-      this->Fill(vtkPolyData::GetData(inputVector[1]), output)
+      this->Fill(input, vtkPolyData::GetData(inputVector[1]), output)
     ? 1
     : 0;
 }
 
 //------------------------------------------------------------------------------
 /// Makes the levels of the input; there are none if it has no triangles. False if the input or the log was rejected.
-bool vtkBoneDecimateLevels::Prepare(vtkPolyData* input)
+bool vtkBoneDecimateLevels::Prepare(
+  vtkPolyData* input, const bonedecimate::LabelMapRequest& request)
 {
   Internals& mine = *this->Internal;
-  if (mine.Levels.IsOpen() && mine.Input == input && mine.InputTime == input->GetMTime())
+  const vtkMTimeType mapTime = request.Map != nullptr ? request.Map->GetMTime() : 0;
+  if (mine.Levels.IsOpen() && mine.Input == input && mine.InputTime == input->GetMTime() &&
+    mine.Map == request.Map && mine.MapTime == mapTime)
   {
     return true;
   }
@@ -179,11 +200,38 @@ bool vtkBoneDecimateLevels::Prepare(vtkPolyData* input)
   this->State->Keep(bonedecimate::Report());
   mine.Input = input;
   mine.InputTime = input->GetMTime();
-  return mine.InputLog ? this->OpenLog(input) : this->Record(input);
+  mine.Map = request.Map;
+  mine.MapTime = mapTime;
+  const bool isPrepared =
+    this->ReadMap(input, request) && (mine.InputLog ? this->OpenLog() : this->Record());
+  mine.Converted = {};
+  return isPrepared;
 }
 
 //------------------------------------------------------------------------------
-bool vtkBoneDecimateLevels::OpenLog(vtkPolyData* input)
+/// Reads the surface and its label map. False if they do not suit each other.
+bool vtkBoneDecimateLevels::ReadMap(
+  vtkPolyData* input, const bonedecimate::LabelMapRequest& request)
+{
+  Internals& mine = *this->Internal;
+  mine.Converted = bonedecimate::ToSurface(input, this->GetNumberOfThreads());
+  mine.LabelMap =
+    bonedecimate::ReadLabelMapOfRun(input, mine.Converted, request, this->State->Options);
+  if (!mine.LabelMap.Problem.empty())
+  {
+    vtkErrorMacro(<< mine.LabelMap.Problem);
+    return false;
+  }
+  if (!mine.InputLog && bonedecimate::HasSeveralPairs(mine.LabelMap.Known()))
+  {
+    vtkWarningMacro(<< "curves between labels do not change in a recorded run: levels have more "
+                       "triangles than results of vtkBoneDecimate");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBoneDecimateLevels::OpenLog()
 {
   bonedecimate::EditLog log;
   vtkUnsignedCharArray* bytes = this->Internal->InputLog;
@@ -191,9 +239,15 @@ bool vtkBoneDecimateLevels::OpenLog(vtkPolyData* input)
     bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()), log);
   if (status == bonedecimate::LogStatus::Good)
   {
-    status = this->Internal->Levels.Open(
-      bonedecimate::ToSurface(input, this->GetNumberOfThreads()).Surface, std::move(log),
-      this->GetNumberOfThreads());
+    Internals& mine = *this->Internal;
+    const bonedecimate::Surface& surface = mine.Converted.Surface;
+    status =
+      mine.Levels.Open(surface, std::move(log), this->GetNumberOfThreads(), mine.LabelMap.Known());
+    if (status == bonedecimate::LogStatus::Good)
+    {
+      mine.Levels.CompareVoxels(
+        surface, [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); });
+    }
   }
   if (status != bonedecimate::LogStatus::Good)
   {
@@ -203,15 +257,17 @@ bool vtkBoneDecimateLevels::OpenLog(vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
-bool vtkBoneDecimateLevels::Record(vtkPolyData* input)
+bool vtkBoneDecimateLevels::Record()
 {
-  const bonedecimate::ConvertedSurface converted =
-    bonedecimate::ToSurface(input, this->GetNumberOfThreads());
+  Internals& mine = *this->Internal;
+  const bonedecimate::ConvertedSurface& converted = mine.Converted;
   this->Warn(converted.Warnings);
-  const bonedecimate::Result run = bonedecimate::RecordLevels(
+  bonedecimate::RunInputs inputs = { converted.IsSingle };
+  inputs.LabelMap = mine.LabelMap.Known();
+  bonedecimate::Result run = bonedecimate::RecordLevels(
     converted.Surface, this->State->Options,
-    [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); }, converted.IsSingle,
-    this->Internal->Levels);
+    [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); }, inputs, mine.Levels);
+  this->Warn(mine.LabelMap.CompareWithMap(converted.Surface, this->State->Options, run));
   this->State->Keep(run.Report);
   const bonedecimate::InputStatus status = run.Report.Status;
   if (status == bonedecimate::InputStatus::NoTriangles)
@@ -254,7 +310,7 @@ int vtkBoneDecimateLevels::SelectedLevel() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkBoneDecimateLevels::Fill(vtkPolyData* other, vtkPolyData* output)
+bool vtkBoneDecimateLevels::Fill(vtkPolyData* input, vtkPolyData* other, vtkPolyData* output)
 {
   const bonedecimate::Levels& levels = this->Internal->Levels;
   const int level = this->SelectedLevel();
@@ -270,6 +326,12 @@ bool vtkBoneDecimateLevels::Fill(vtkPolyData* other, vtkPolyData* output)
   output->SetPoints(bonedecimate::ToPoints(
     found->Surface.Points, levels.Log().IsSingle, this->GetNumberOfThreads()));
   output->SetPolys(bonedecimate::ToCells(found->Surface.Triangles, this->GetNumberOfThreads()));
+  const bonedecimate::LabelMapSource* map = this->Internal->LabelMap.Known();
+  if (map != nullptr && !other)
+  {
+    bonedecimate::CopyLabelMapFields(input, output);
+    bonedecimate::PassLabelMapArrays(*map, levels.BoundaryLabelsAt(level), output);
+  }
   return true;
 }
 

@@ -13,8 +13,10 @@
  * LevelError selects the input. The report and the getters are about the coarsest level; they are empty for a log.
  *
  * Input port 0: the surface. Input port 1, optional: a surface with the same triangles and other points, such as a bone
- * registered to the first: the level is put on it, with the same triangles as on the first.
- * Output: points and triangles of the level; lines, vertices and arrays of the input do not come along.
+ * registered to the first: the level is put on it, with the same triangles as on the first. Input port 2, optional: the label map
+ * (SetLabelMapData()). With a voxel grid every marked level is compared voxel by voxel with the input, and KeepVoxels holds for all
+ * levels. Curves between labels do not change.
+ * Output: points and triangles of the level, with the arrays of its label map; lines, vertices and other arrays do not come along.
  *
  * A value outside its range is an error event when it is set: the property keeps its value, and updates fail until it gets a
  * valid one.
@@ -79,6 +81,11 @@ public:
   ///@}
 
   /**
+   * How many voxels have another label at a mark than in the input; -1 if no voxel grid is known.
+   */
+  vtkTypeInt64 GetMarkChangedVoxels(int mark) const;
+
+  /**
    * The log of the run as bytes; no bytes before the first update. It belongs to the filter and does not change later.
    */
   vtkUnsignedCharArray* GetLog();
@@ -102,11 +109,12 @@ private:
   void operator=(const vtkBoneDecimateLevels&) = delete;
 
   void Forget();
-  bool Prepare(vtkPolyData* input);
-  bool OpenLog(vtkPolyData* input);
-  bool Record(vtkPolyData* input);
+  bool Prepare(vtkPolyData* input, const bonedecimate::LabelMapRequest& request);
+  bool ReadMap(vtkPolyData* input, const bonedecimate::LabelMapRequest& request);
+  bool OpenLog();
+  bool Record();
   int SelectedLevel() const;
-  bool Fill(vtkPolyData* other, vtkPolyData* output);
+  bool Fill(vtkPolyData* input, vtkPolyData* other, vtkPolyData* output);
 
   int NumberOfTriangles = 0;
   double LevelError = 0.0; // mm

@@ -65,7 +65,8 @@ std::string vtkBoneDiagnostics::GetWord(int diagnostic) const
 
 std::string vtkBoneDiagnostics::GetSentence(int diagnostic) const
 {
-  return this->Internal->InfoAt(diagnostic).Sentence;
+  const bonedecimate::Diagnostic* found = this->Internal->At(diagnostic);
+  return found ? bonedecimate::DiagnosticSentence(*found) : std::string();
 }
 
 std::string vtkBoneDiagnostics::GetSeverity(int diagnostic) const

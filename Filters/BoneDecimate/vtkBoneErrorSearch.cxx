@@ -4,6 +4,8 @@
 
 #include "ErrorSearch.h"
 #include "FilterProgress.h"
+#include "LabelMapArrays.h"
+#include "LabelMapOfRun.h"
 #include "RunState.h"
 #include "SurfaceConversion.h"
 
@@ -49,6 +51,11 @@ void FillTable(const std::vector<bonedecimate::ErrorTrial>& trials, vtkTable* ta
     table, "Reached", "", trials, [](const Trial& t) { return t.IsReached ? 1 : 0; });
   AddColumn<vtkDoubleArray>(
     table, "Seconds", "s", trials, [](const Trial& t) { return t.Seconds; });
+  if (!trials.empty() && trials.front().ChangedVoxels >= 0)
+  {
+    AddColumn<vtkTypeInt64Array>(
+      table, "ChangedVoxels", "voxels", trials, [](const Trial& t) { return t.ChangedVoxels; });
+  }
 }
 }
 
@@ -56,6 +63,7 @@ void FillTable(const std::vector<bonedecimate::ErrorTrial>& trials, vtkTable* ta
 vtkBoneErrorSearch::vtkBoneErrorSearch()
   : SmallestError(std::numeric_limits<double>::quiet_NaN())
 {
+  this->AddLabelMapPort();
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -139,11 +147,21 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   bonedecimate::ErrorSearchOptions options;
   options.Run = this->State->Options;
   options.RelativePrecision = this->RelativePrecision;
-  options.InputIsSingle = converted.IsSingle;
+  const bonedecimate::LabelMapOfRun map = bonedecimate::ReadLabelMapOfRun(
+    input, converted, this->GetLabelMapRequest(inputVector), options.Run);
+  if (!map.Problem.empty())
+  {
+    vtkErrorMacro(<< map.Problem);
+    return 0;
+  }
+  options.Inputs.InputIsSingle = converted.IsSingle;
+  options.Inputs.LabelMap = map.Known();
   const auto monitor = [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); };
-  const bonedecimate::ErrorSearchResult found = this->Errors.empty()
+  bonedecimate::ErrorSearchResult found = this->Errors.empty()
     ? bonedecimate::FindSmallestError(converted.Surface, options, monitor)
     : bonedecimate::FindErrorCurve(converted.Surface, this->Errors, options, monitor);
+  const std::vector<std::string> ofMap =
+    map.CompareWithMap(converted.Surface, options.Run, found.Found);
   this->State->Keep(found.Found.Report);
   const std::string problem = bonedecimate::InputMessage(found.Found.Report);
   if (!problem.empty())
@@ -151,12 +169,18 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
     vtkErrorMacro(<< problem);
     return 0;
   }
+  this->Warn(ofMap);
   this->Warn(bonedecimate::InputWarnings(found.Found.Report));
   this->SmallestError = found.Best < 0 ? std::numeric_limits<double>::quiet_NaN()
                                        : found.Trials[static_cast<std::size_t>(found.Best)].Proved;
   this->ErrorTriedInVain = found.TriedInVain;
   bonedecimate::FillOutput(found.Found, converted, options.Run, converted.IsSingle, input,
     vtkPolyData::GetData(outputVector, 0));
+  if (map.Known() != nullptr)
+  {
+    bonedecimate::PassLabelMapArrays(
+      map.Source, found.Found.BoundaryLabels, vtkPolyData::GetData(outputVector, 0));
+  }
   FillTable(found.Trials, vtkTable::GetData(outputVector, 1));
   return 1;
 }

@@ -13,9 +13,12 @@
  * A value outside its range is an error event when it is set: the property keeps its value, and updates fail until it gets a
  * valid one.
  *
+ * Input port 0: the surface. Input port 1, optional: the label map (SetLabelMapData()).
+ *
  * Output port 0: the surface of the best run (of the last error for a curve) with its report.
  * Output port 1: a table with a row for each run: MaximumError (mm; 0: none), Triangles, ProvedError (mm, both
- * ways and open boundaries), Reached (whether it is proved and has no more triangles than requested) and Seconds.
+ * ways and open boundaries), Reached (whether it is proved and has no more triangles than requested) and Seconds; with a voxel grid
+ * ChangedVoxels (with another label than in the input).
  *
  * @sa vtkBoneDecimate vtkBoneSurfaceDistance
  */

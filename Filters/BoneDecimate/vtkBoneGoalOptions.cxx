@@ -16,8 +16,6 @@ const char* const OptionNames[] = {
   "MaximumError",
   "ErrorPreset",
   "VoxelSize",
-  "Smoothing",
-  "AutomaticSmoothing",
   "NormalTolerance",
   "AutomaticNormalTolerance",
   "MeasureDistances",
@@ -68,26 +66,6 @@ void vtkBoneGoalOptions::SetVoxelSize(double value)
 double vtkBoneGoalOptions::GetVoxelSize() const
 {
   return this->State->Options.VoxelSize;
-}
-
-void vtkBoneGoalOptions::SetSmoothing(double value)
-{
-  this->State->Set(this, "Smoothing", value);
-}
-
-double vtkBoneGoalOptions::GetSmoothing() const
-{
-  return this->State->Options.Smoothing;
-}
-
-void vtkBoneGoalOptions::SetAutomaticSmoothing(bool value)
-{
-  this->State->Set(this, "AutomaticSmoothing", value);
-}
-
-bool vtkBoneGoalOptions::GetAutomaticSmoothing() const
-{
-  return this->State->Options.AutomaticSmoothing;
 }
 
 void vtkBoneGoalOptions::SetNormalTolerance(double value)

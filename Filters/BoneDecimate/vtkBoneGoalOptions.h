@@ -64,23 +64,6 @@ public:
   ///@}
 
   ///@{
-  /// Smooth the surface before the first edit: no point moves by more than this, nor by more than MaximumError and its tolerance
-  /// allow. Both steps together keep MaximumError relative to the input. Of the surface of a binary segmentation every voxel keeps
-  /// its label in this step. 0: off. Range: 0 to 1e30 mm; default: 0.
-  void SetSmoothing(double value);
-  double GetSmoothing() const;
-  ///@}
-
-  ///@{
-  /// Smooth the surface of a binary segmentation by its voxel size, if Smoothing is 0: by half of the smallest voxel spacing, or by
-  /// a third of a MaximumError or tolerance below that spacing. The voxel grid is found in the surface; any other surface is left
-  /// as it is. Default: off.
-  void SetAutomaticSmoothing(bool value);
-  bool GetAutomaticSmoothing() const;
-  vtkBooleanMacro(AutomaticSmoothing, bool);
-  ///@}
-
-  ///@{
   /// Thesis mode: tolerance w of the normal field deviation. Smaller values raise the cost of flat regions. At 1 an edge between
   /// coplanar triangles costs nothing, whatever its length. Range: 0 to 1; default: 0.95.
   void SetNormalTolerance(double value);

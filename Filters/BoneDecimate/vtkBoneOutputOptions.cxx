@@ -12,7 +12,6 @@ namespace
 {
 // clang-format off
 const char* const OptionNames[] = {
-  "KeepVoxels",
   "MeasureInputDistances",
   "OutputPointsPrecision",
   "PassArrays",
@@ -38,16 +37,6 @@ const char* const OptionNames[] = {
 vtkBoneOutputOptions::vtkBoneOutputOptions() = default;
 
 vtkBoneOutputOptions::~vtkBoneOutputOptions() = default;
-
-void vtkBoneOutputOptions::SetKeepVoxels(int value)
-{
-  this->State->Set(this, "KeepVoxels", value);
-}
-
-int vtkBoneOutputOptions::GetKeepVoxels() const
-{
-  return static_cast<int>(this->State->Options.KeepVoxels);
-}
 
 void vtkBoneOutputOptions::SetMeasureInputDistances(bool value)
 {

@@ -24,23 +24,6 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
   bool HasOption(const std::string& name) const override;
 
-  /// Values of KeepVoxels.
-  enum KeepVoxelsChoices
-  {
-    KEEP_VOXELS_OFF = 0,
-    KEEP_VOXELS_ON = 1,
-    KEEP_VOXELS_AUTO = 2
-  };
-
-  ///@{
-  /// For surfaces of label maps: reject every edit that lets a voxel center change sides, so that the result, voxelized again,
-  /// gives every voxel the label it had. Auto: on without a largest error or with one of at most half a voxel. On alone, without a
-  /// target or a largest error, continues until no edit is possible. Needs the voxel grid of the surface. One of KeepVoxelsChoices;
-  /// default: KEEP_VOXELS_AUTO.
-  void SetKeepVoxels(int value);
-  int GetKeepVoxels() const;
-  ///@}
-
   ///@{
   /// Return the input on output port 1 with the distance of each point to the result. Default: off.
   void SetMeasureInputDistances(bool value);

@@ -14,6 +14,9 @@ namespace
 const char* const OptionNames[] = {
   "Mode",
   "TargetNumberOfTriangles",
+  "Smoothing",
+  "AutomaticSmoothing",
+  "KeepVoxels",
   "AllowLargeError",
   "IntersectionGuard",
   "MergePoints",
@@ -44,6 +47,36 @@ void vtkBoneRunOptions::SetTargetNumberOfTriangles(int value)
 int vtkBoneRunOptions::GetTargetNumberOfTriangles() const
 {
   return this->State->Options.TargetNumberOfTriangles;
+}
+
+void vtkBoneRunOptions::SetSmoothing(double value)
+{
+  this->State->Set(this, "Smoothing", value);
+}
+
+double vtkBoneRunOptions::GetSmoothing() const
+{
+  return this->State->Options.Smoothing;
+}
+
+void vtkBoneRunOptions::SetAutomaticSmoothing(bool value)
+{
+  this->State->Set(this, "AutomaticSmoothing", value);
+}
+
+bool vtkBoneRunOptions::GetAutomaticSmoothing() const
+{
+  return this->State->Options.AutomaticSmoothing;
+}
+
+void vtkBoneRunOptions::SetKeepVoxels(int value)
+{
+  this->State->Set(this, "KeepVoxels", value);
+}
+
+int vtkBoneRunOptions::GetKeepVoxels() const
+{
+  return static_cast<int>(this->State->Options.KeepVoxels);
 }
 
 void vtkBoneRunOptions::SetAllowLargeError(bool value)

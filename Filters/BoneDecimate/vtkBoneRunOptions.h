@@ -53,6 +53,40 @@ public:
   ///@}
 
   ///@{
+  /// Smooth the surface before the first edit: no point moves by more than this, nor by more than MaximumError and its tolerance
+  /// allow. Both steps together keep MaximumError relative to the input. Of the surface of a binary segmentation every voxel keeps
+  /// its label in this step. 0: off. Range: 0 to 1e30 mm; default: 0.
+  void SetSmoothing(double value);
+  double GetSmoothing() const;
+  ///@}
+
+  ///@{
+  /// Smooth the surface of a binary segmentation by its voxel size, if Smoothing is 0: by half of the smallest voxel spacing, or by
+  /// a third of a MaximumError or tolerance below that spacing. The voxel grid is found in the surface; any other surface is left
+  /// as it is. Default: off.
+  void SetAutomaticSmoothing(bool value);
+  bool GetAutomaticSmoothing() const;
+  vtkBooleanMacro(AutomaticSmoothing, bool);
+  ///@}
+
+  /// Values of KeepVoxels.
+  enum KeepVoxelsChoices
+  {
+    KEEP_VOXELS_OFF = 0,
+    KEEP_VOXELS_ON = 1,
+    KEEP_VOXELS_AUTO = 2
+  };
+
+  ///@{
+  /// For surfaces of label maps: reject every edit that lets a voxel center change sides, so that the result, voxelized again,
+  /// gives every voxel the label it had. Auto: on without a largest error or with one of at most half a voxel. On alone, without a
+  /// target or a largest error, continues until no edit is possible. Needs the voxel grid of the surface. One of KeepVoxelsChoices;
+  /// default: KEEP_VOXELS_AUTO.
+  void SetKeepVoxels(int value);
+  int GetKeepVoxels() const;
+  ///@}
+
+  ///@{
   /// Accept a largest error above a quarter of the diagonal of the input's bounding box. Without it such a run is rejected, because
   /// the coordinates are probably not in millimeters. Default: off.
   void SetAllowLargeError(bool value);

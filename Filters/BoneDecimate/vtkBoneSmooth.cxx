@@ -4,6 +4,8 @@
 
 #include "FilterProgress.h"
 #include "LabelArrays.h"
+#include "LabelMapArrays.h"
+#include "LabelMapOfRun.h"
 #include "RunState.h"
 #include "SurfaceConversion.h"
 
@@ -52,7 +54,10 @@ std::optional<Labels> LabelsNamed(
 }
 }
 
-vtkBoneSmooth::vtkBoneSmooth() = default;
+vtkBoneSmooth::vtkBoneSmooth()
+{
+  this->AddLabelMapPort();
+}
 
 vtkBoneSmooth::~vtkBoneSmooth() = default;
 
@@ -100,7 +105,7 @@ bool vtkBoneSmooth::ReadArrays(vtkPolyData* input, InputArrays& arrays)
 
 //------------------------------------------------------------------------------
 /// False if the input was rejected.
-bool vtkBoneSmooth::Accept(const std::vector<std::string>& conversionWarnings)
+bool vtkBoneSmooth::Accept(const std::vector<std::string>& warnings)
 {
   const Report& report = this->State->Report;
   const std::string problem = InputMessage(report);
@@ -113,7 +118,7 @@ bool vtkBoneSmooth::Accept(const std::vector<std::string>& conversionWarnings)
     vtkErrorMacro(<< problem);
     return false;
   }
-  this->Warn(conversionWarnings);
+  this->Warn(warnings);
   this->Warn(InputWarnings(report));
   const std::string contradiction = ProofMessage(report);
   if (!contradiction.empty())
@@ -135,19 +140,33 @@ int vtkBoneSmooth::RequestData(vtkInformation* vtkNotUsed(request),
   }
   const Options options = OptionsOfRun(this->State->Options);
   const ConvertedSurface& converted = arrays.Converted;
+  const LabelMapOfRun map =
+    ReadLabelMapOfRun(input, converted, this->GetLabelMapRequest(inputVector), options);
+  if (!map.Problem.empty())
+  {
+    vtkErrorMacro(<< map.Problem);
+    return 0;
+  }
   RunInputs inputs = { converted.IsSingle, NeedsOrigins(input, options) };
+  inputs.LabelMap = map.Known();
   inputs.Tolerances = arrays.Tolerances ? &*arrays.Tolerances : nullptr;
   inputs.Labels = arrays.Labels ? &*arrays.Labels : nullptr;
-  const Result result = Decimate(
+  Result result = Decimate(
     converted.Surface, options,
     [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); }, inputs);
+  std::vector<std::string> warnings = map.CompareWithMap(converted.Surface, options, result);
+  warnings.insert(warnings.end(), converted.Warnings.begin(), converted.Warnings.end());
   this->State->Keep(result.Report);
-  if (!this->Accept(converted.Warnings))
+  if (!this->Accept(warnings))
   {
     return 0;
   }
   FillOutput(result, converted, options, WritesSingle(options, converted.IsSingle), input,
     vtkPolyData::GetData(outputVector, 0));
+  if (map.Known() != nullptr)
+  {
+    PassLabelMapArrays(map.Source, result.BoundaryLabels, vtkPolyData::GetData(outputVector, 0));
+  }
   return 1;
 }
 

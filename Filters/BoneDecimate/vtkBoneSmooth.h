@@ -12,7 +12,8 @@
  *
  * A point with the tolerance 0 and its triangles do not change. Points where surfaces or labels meet move as one.
  *
- * Input: the surface. Output: the same triangles with the arrays of the input, and the report in the field data.
+ * Input port 0: the surface; with the arrays of vtkBoneSurfaces the grid is known from them. Input port 1, optional: the label map
+ * from which another program extracted it (SetLabelMapData()). Output: the same triangles with the arrays of the input, and the report in the field data.
  *
  * A value outside its range is an error event when it is set: the property keeps its value, and updates fail until it gets a
  * valid one.
@@ -51,7 +52,7 @@ private:
 
   struct InputArrays;
   bool ReadArrays(vtkPolyData* input, InputArrays& arrays);
-  bool Accept(const std::vector<std::string>& conversionWarnings);
+  bool Accept(const std::vector<std::string>& warnings);
 };
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "FilterProgress.h"
 #include "ImageLabels.h"
+#include "LabelMap/EnclosedLabel.h"
+#include "LabelMap/LabelRanks.h"
 #include "LabelMap/VoxelCheck.h"
 #include "LabelMapArrays.h"
 #include "RejectedValues.h"
@@ -20,6 +22,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 struct vtkBoneVoxelCheck::Internals
@@ -27,6 +30,7 @@ struct vtkBoneVoxelCheck::Internals
   bonedecimate::RejectedValues Rejected;
   bonedecimate::VoxelChanges Changes;
   std::vector<std::int64_t> Values;
+  std::vector<std::int64_t> LeftOut;
 
   bonedecimate::LabelChanges Of(int index) const
   {
@@ -94,6 +98,18 @@ vtkTypeInt64 vtkBoneVoxelCheck::GetLabelValue(int index) const
     : 0;
 }
 
+int vtkBoneVoxelCheck::GetNumberOfLabelsLeftOut() const
+{
+  return static_cast<int>(this->Internal->LeftOut.size());
+}
+
+vtkTypeInt64 vtkBoneVoxelCheck::GetLabelLeftOut(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfLabelsLeftOut()
+    ? this->Internal->LeftOut[static_cast<std::size_t>(index)]
+    : 0;
+}
+
 vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfVoxels(int index) const
 {
   return this->Internal->Of(index).Voxels;
@@ -133,6 +149,7 @@ int vtkBoneVoxelCheck::RequestData(vtkInformation* vtkNotUsed(request),
 {
   this->Internal->Changes = {};
   this->Internal->Values.clear();
+  this->Internal->LeftOut.clear();
   if (this->Internal->Rejected.Report(this))
   {
     return 0;
@@ -166,11 +183,23 @@ std::string vtkBoneVoxelCheck::Compare(vtkPolyData* surface, vtkImageData* image
   {
     return map.Problem;
   }
+  const std::vector<std::int64_t> inImage =
+    bonedecimate::FindLabelValues(labels.Image, this->NumberOfThreads, {}).Values;
   if (map.Source.OfTriangle.empty())
   {
-    map.Source.Values = { this->Label, this->BackgroundLabel };
+    const bonedecimate::EnclosedLabel enclosed =
+      bonedecimate::FindEnclosedLabel(inImage, this->Label, this->BackgroundLabel);
+    if (!enclosed.Problem.empty())
+    {
+      return enclosed.Problem;
+    }
+    map.Source.Values = { enclosed.Label, this->BackgroundLabel };
   }
-  this->Internal->Values = map.Source.Values;
+  const std::vector<std::int64_t>& values = map.Source.Values;
+  std::copy_if(inImage.begin(), inImage.end(), std::back_inserter(this->Internal->LeftOut),
+    [&values](std::int64_t value)
+    { return std::find(values.begin(), values.end(), value) == values.end(); });
+  this->Internal->Values = values;
   bonedecimate::VoxelCheckSettings settings;
   settings.Grid = labels.Image.Grid;
   settings.NumberOfLabels = static_cast<bonedecimate::Index>(map.Source.Values.size());
@@ -190,4 +219,5 @@ void vtkBoneVoxelCheck::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "NumberOfComparedVoxels: " << this->GetNumberOfComparedVoxels() << "\n";
   os << indent << "NumberOfChangedVoxels: " << this->GetNumberOfChangedVoxels() << "\n";
+  os << indent << "NumberOfLabelsLeftOut: " << this->GetNumberOfLabelsLeftOut() << "\n";
 }

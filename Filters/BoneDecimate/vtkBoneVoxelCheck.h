@@ -6,7 +6,8 @@
  *
  * Input port 0 is a surface, input port 1 the label map (vtkImageData). The surface is voxelized on the grid of the image, and each
  * voxel is compared with the image. A surface of several labels needs the arrays of vtkBoneSurfaces (BoundaryLabels, LabelValues); a
- * surface without them is that of one label, Label. Labels of the image that the surface does not have count as background.
+ * surface without them is that of one label, Label. Labels of the image that the surface does not have count as background;
+ * GetNumberOfLabelsLeftOut() says how many these are.
  *
  * The array of labels is chosen by SetInputArrayToProcess with port 1, by default the active scalars. The output is the surface,
  * unchanged. The check has no code in common with the filters that make surfaces.
@@ -34,7 +35,8 @@ public:
 
   ///@{
   /**
-   * The label inside of a surface that has no array BoundaryLabels, default 1.
+   * The label inside of a surface that has no array BoundaryLabels. The background, 0 by default: the only other label of the image; an
+   * image with several is then an error.
    */
   vtkSetMacro(Label, vtkTypeInt64);
   vtkGetMacro(Label, vtkTypeInt64);
@@ -82,6 +84,16 @@ public:
    */
   vtkTypeInt64 GetLabelValue(int index) const;
 
+  /**
+   * Number of labels of the image that the surface does not have: their voxels count as background.
+   */
+  int GetNumberOfLabelsLeftOut() const;
+
+  /**
+   * A label that was left out, 0 to GetNumberOfLabelsLeftOut() - 1; 0 beyond that.
+   */
+  vtkTypeInt64 GetLabelLeftOut(int index) const;
+
   ///@{
   /**
    * Voxels of a label by its index: in the image; in the image but not in the surface; the reverse. 0 for other indices.
@@ -112,7 +124,7 @@ private:
 
   std::string Compare(vtkPolyData* surface, vtkImageData* image);
 
-  vtkTypeInt64 Label = 1;
+  vtkTypeInt64 Label = 0;
   vtkTypeInt64 BackgroundLabel = 0;
   int NumberOfThreads = 0;
   std::unique_ptr<Internals> Internal;

@@ -28,11 +28,12 @@ TABLE = ROOT / "Documentation" / "options.md"
 CLASSES = {
     "vtkBoneRunOptions": (
         "vtkBoneDecimateAlgorithm", "options of every filter that runs a decimation",
-        ["Mode", "TargetNumberOfTriangles", "AllowLargeError", "IntersectionGuard", "MergePoints", "NumberOfThreads"]),
+        ["Mode", "TargetNumberOfTriangles", "Smoothing", "AutomaticSmoothing", "KeepVoxels", "AllowLargeError",
+         "IntersectionGuard", "MergePoints", "NumberOfThreads"]),
     "vtkBoneGoalOptions": (
         "vtkBoneRunOptions", "options of where a run ends, and of what is measured and proved",
-        ["TargetReduction", "MaximumError", "ErrorPreset", "VoxelSize", "Smoothing", "AutomaticSmoothing", "NormalTolerance",
-         "AutomaticNormalTolerance", "MeasureDistances", "ProveResult"]),
+        ["TargetReduction", "MaximumError", "ErrorPreset", "VoxelSize", "NormalTolerance", "AutomaticNormalTolerance",
+         "MeasureDistances", "ProveResult"]),
     "vtkBoneOutputOptions": (
         "vtkBoneGoalOptions", "options of the arrays, of the output and of what is left out of the input", None),
     "vtkBoneSmoothOptions": (

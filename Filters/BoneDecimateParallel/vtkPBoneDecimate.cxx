@@ -22,6 +22,7 @@
 
 namespace
 {
+constexpr int PortOfLabelMap = 2;
 constexpr const char* LabelMapProblem = "surfaces of label maps and KeepVoxels are for one process "
                                         "alone: curves between labels would not "
                                         "meet between the parts; without the array BoundaryLabels "
@@ -76,6 +77,11 @@ int vtkPBoneDecimate::RequestData(
   if (!this->HasProcesses() && vtkPolyData::SafeDownCast(input))
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
+  }
+  if (this->IsTrueAnywhere(this->GetNumberOfInputConnections(PortOfLabelMap) > 0))
+  {
+    vtkErrorMacro(<< "a label map is for one surface on one process alone");
+    return 0;
   }
   const vtkSmartPointer<vtkPolyData> whole = bonedecimate::WholeInput(input);
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);

@@ -44,9 +44,9 @@ public:
     const StageClock clock;
     Options options = this->Requested.Run;
     options.MaximumError = error;
-    Result result = error > 0.0 ? Decimate(this->Input, options, this->Progress.Stage(from, to),
-                                    { this->Requested.InputIsSingle })
-                                : this->PlainRun(options, from, to);
+    Result result = error > 0.0
+      ? Decimate(this->Input, options, this->Progress.Stage(from, to), this->Requested.Inputs)
+      : this->PlainRun(options, from, to);
     const bool isRejected = result.Report.Status != InputStatus::Good;
     const bool isWhole = result.Report.Status == InputStatus::Good && result.Report.Proof.WasMade;
     if (isWhole)
@@ -68,8 +68,8 @@ private:
   Result PlainRun(const Options& options, double from, double to)
   {
     const double runAt = from + ProgressOfPlainRun * (to - from);
-    Result result = Decimate(
-      this->Input, options, this->Progress.Stage(from, runAt), { this->Requested.InputIsSingle });
+    Result result =
+      Decimate(this->Input, options, this->Progress.Stage(from, runAt), this->Requested.Inputs);
     if (result.Report.Status == InputStatus::Good && this->Progress.GoesOn())
     {
       const CleanSurface cleaned = Clean(this->Input, options.MergePoints, options.NumberOfThreads);
@@ -82,8 +82,9 @@ private:
   {
     const ErrorProof& proof = report.Proof;
     const bool isProved = error == 0.0 || proof.Status == ProofStatus::Proved;
-    this->Found.Trials.push_back({ error, report.Output.Faces, proof.Upper(),
-      isProved && report.Output.Faces <= mostTriangles, seconds });
+    this->Found.Trials.push_back(
+      { error, report.Output.Faces, proof.Upper(), isProved && report.Output.Faces <= mostTriangles,
+        seconds, report.Voxels.WasChecked ? report.Voxels.Changes.Changed : -1 });
   }
 
   /// Whether the last trial is better than the best one, which it then replaces.

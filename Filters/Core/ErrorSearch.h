@@ -33,6 +33,8 @@ struct ErrorTrial
   double Proved = 0.0;    ///< mm, upper bound of the distance, both ways and of open boundaries.
   bool IsReached = false; ///< The error is proved, and the number of triangles is reached.
   double Seconds = 0.0;
+  std::int64_t ChangedVoxels =
+    -1; ///< With another label than in the input; -1: no voxel grid is known.
 };
 
 struct ErrorSearchOptions
@@ -42,7 +44,7 @@ struct ErrorSearchOptions
   double RelativePrecision =
     0.02; ///< Above 0: the search ends when low and high differ by no more.
   int MostRuns = 40;
-  bool InputIsSingle = false; ///< See Decimate().
+  RunInputs Inputs; ///< Of every run; without a log.
 };
 
 struct ErrorSearchResult

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Levels.h"
 
+#include "Input/LabelMapInput.h"
+#include "LabelMap/VoxelCheck.h"
 #include "Levels/CarriedPoint.h"
 #include "Measure/SurfaceDistance.h"
 #include "Mesh/Checksum.h"
@@ -28,7 +30,7 @@ std::uint64_t ConnectivityOf(const Surface& surface, int threads)
 }
 }
 
-LogStatus Levels::Open(const Surface& input, EditLog log, int threads)
+LogStatus Levels::Open(const Surface& input, EditLog log, int threads, const LabelMapSource* map)
 {
   this->Stack.reset();
   CleanSurface clean = Clean(input, log.MergesPoints, threads);
@@ -37,7 +39,8 @@ LogStatus Levels::Open(const Surface& input, EditLog log, int threads)
     return LogStatus::OtherSurface;
   }
   SortAlongCurve(clean, threads); // the same numbers as in the run, see Decimate.cxx
-  if (SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface, threads)))
+  const std::vector<Index> patches = PatchLabels(clean, nullptr, map);
+  if (SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface, threads, {}, patches)))
   {
     SortAlongCurve(clean, threads);
   }
@@ -52,6 +55,15 @@ LogStatus Levels::Open(const Surface& input, EditLog log, int threads)
   {
     return LogStatus::Contradictory;
   }
+  this->Map = LabelMapSource();
+  if (map != nullptr)
+  {
+    this->Map.Grid = map->Grid;
+    this->Map.Values = map->Values;
+    this->Map.OfTriangle = BoundaryLabelsOf(clean, *map);
+    this->InputPairs = map->OfTriangle;
+  }
+  this->Changed.clear();
   this->Edits = std::move(log);
   this->Threads = threads;
   this->InputPoint = std::move(clean.InputPoint);
@@ -163,6 +175,49 @@ bool Levels::Mark(bool measure, const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
+std::vector<BoundaryLabels> Levels::BoundaryLabelsAt(Index collapses) const
+{
+  std::vector<BoundaryLabels> pairs;
+  if (!this->Map.OfTriangle.empty())
+  {
+    for (const Index face : this->Stack->FacesAt(collapses))
+    {
+      pairs.push_back(this->Map.OfTriangle[static_cast<std::size_t>(face)]);
+    }
+  }
+  return pairs;
+}
+
+//------------------------------------------------------------------------------
+bool Levels::CompareVoxels(const Surface& input, const Monitor& monitor)
+{
+  this->Changed.clear();
+  if (this->Map.Grid.Dimensions[0] == 0)
+  {
+    return true;
+  }
+  VoxelCheckSettings settings;
+  settings.Grid = this->Map.Grid;
+  settings.NumberOfLabels =
+    this->Map.OfTriangle.empty() ? 2 : static_cast<Index>(this->Map.Values.size());
+  settings.Threads = this->Threads;
+  for (const LevelMark& mark : this->Edits.Marks)
+  {
+    const Surface level = this->At(mark.Collapses).Surface;
+    const std::vector<BoundaryLabels> pairs = this->BoundaryLabelsAt(mark.Collapses);
+    const VoxelChanges changes =
+      bonedecimate::CompareVoxels({ input, this->InputPairs }, { level, pairs }, settings, monitor);
+    if (!changes.IsDone)
+    {
+      this->Changed.clear();
+      return false;
+    }
+    this->Changed.push_back(changes.Changed);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void Levels::MeasureMark(const BoundingTree& input, LevelMark& mark) const
 {
   const std::int64_t samples =
@@ -179,21 +234,24 @@ void Levels::MeasureMark(const BoundingTree& input, LevelMark& mark) const
 
 //------------------------------------------------------------------------------
 Result RecordLevels(const Surface& input, const Options& options, const Monitor& monitor,
-  bool inputIsSingle, Levels& levels)
+  const RunInputs& inputs, Levels& levels)
 {
   constexpr double runAt = 0.5;
+  constexpr double markedAt = 0.9;
   EditLog log;
   Options whole = options;
   whole.PruneSize = whole.PruneArea = whole.PruneVolume = 0.0;
   whole.PruneTriangles = 0;
   const Monitor all = [&monitor](double done) { return !monitor || monitor(done); };
-  RunInputs inputs = { inputIsSingle };
-  inputs.Log = &log;
-  Result run = Decimate(input, whole, PartOf(all, 0.0, runAt), inputs);
+  RunInputs recorded = inputs;
+  recorded.Log = &log;
+  Result run = Decimate(input, whole, PartOf(all, 0.0, runAt), recorded);
   levels = Levels();
   if (run.Report.Status == InputStatus::Good &&
-    levels.Open(input, std::move(log), options.NumberOfThreads) == LogStatus::Good &&
-    !levels.Mark(options.MeasureDistances, PartOf(all, runAt, 1.0)))
+    levels.Open(input, std::move(log), options.NumberOfThreads, inputs.LabelMap) ==
+      LogStatus::Good &&
+    !(levels.Mark(options.MeasureDistances, PartOf(all, runAt, markedAt)) &&
+      levels.CompareVoxels(input, PartOf(all, markedAt, 1.0))))
   {
     run.Report.Stop = StopReason::Aborted;
   }

@@ -28,7 +28,9 @@ class Levels
 {
 public:
   /// @param input The same points and triangles as recorded.
-  LogStatus Open(const Surface& input, EditLog log, int threads);
+  /// @param map The label map with which the run was recorded; null: not known.
+  LogStatus Open(
+    const Surface& input, EditLog log, int threads, const LabelMapSource* map = nullptr);
   bool IsOpen() const { return this->Stack.has_value(); }
 
   Index NumberOfCollapses() const { return this->Stack->NumberOfCollapses(); }
@@ -43,12 +45,19 @@ public:
   {
     return this->Stack->At(collapses, this->Threads, this->Points, this->OriginalVertices);
   }
+  /// Of the triangles of At(); empty if the label map has none.
+  std::vector<BoundaryLabels> BoundaryLabelsAt(Index collapses) const;
   /// The triangles of At() with points of another surface. Empty if its triangles are not those of the input, or its points
   /// are not usable (Surface.h).
   std::optional<Level> AtOn(const Surface& other, Index collapses) const;
 
   /// Sets the marks and measures their distances. False after an abort: the distances are missing then.
   bool Mark(bool measure, const Monitor& monitor);
+
+  /// Compares the voxels of each mark with those of the input, if the grid is known. False after an abort.
+  bool CompareVoxels(const Surface& input, const Monitor& monitor);
+  /// How many voxels have another label at each mark than in the input; empty if they were not compared.
+  const std::vector<std::int64_t>& ChangedVoxels() const { return this->Changed; }
 
   const EditLog& Log() const { return this->Edits; }
 
@@ -62,19 +71,24 @@ private:
   std::vector<Triangle> Triangles; // of the cleaned input
   std::vector<Index> InputPoint;   // of each vertex
   std::vector<Index>
-    OriginalVertices;          // for each vertex, see ManifoldPatches.h; empty: nothing was split
-  std::size_t InputPoints = 0; // their number
+    OriginalVertices; // for each vertex, see ManifoldPatches.h; empty: nothing was split
+  LabelMapSource Map; // with the pairs of labels of the cleaned input's triangles
+  std::vector<BoundaryLabels> InputPairs; // of the input's triangles
+  std::vector<std::int64_t> Changed;
+  std::size_t InputPoints = 0;    // their number
   std::uint64_t Connectivity = 0; // checksum of the input's triangles
   int Threads = 0;
 };
 
 /**
  * Runs Decimate() and records its levels; both are empty if the input is rejected. Nothing is pruned.
- * @param levels Receives the levels and marks; with MeasureDistances the distances of the marks are measured.
+ * @param inputs Without Labels. Curves between pairs of labels of a label map do not change, because a log has no edits of them.
+ * @param levels Receives the levels and marks; with MeasureDistances the distances of the marks are measured, with a voxel grid
+ * their voxels are compared.
  * @return The result of Decimate().
  */
 Result RecordLevels(const Surface& input, const Options& options, const Monitor& monitor,
-  bool inputIsSingle, Levels& levels);
+  const RunInputs& inputs, Levels& levels);
 }
 
 #endif

@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""bonedecimate certify REFERENCE RESULT: bounds, status and exit codes."""
+"""bonedecimate certify REFERENCE RESULT: bounds, status and exit codes; certify RESULT --labels MAP: voxels."""
 
 import vtk
 
 from application import NOT_WRITTEN, REJECTED, SURFACES, USAGE, ApplicationTest, main, torus, write
+from label_maps import blocks, bounded, smoothed, surface_of, write_map
 
 VIOLATED, UNDECIDED = 6, 7
 
@@ -94,6 +95,65 @@ class Certify(ApplicationTest):
         self.fail_with(USAGE, "certify", "a.ply", "b.ply", "--json", "b.ply", says="not overwritten")
         self.fail_with(REJECTED, "certify", "a.ply", "nothing.ply", says="no such file")
         self.fail_with(NOT_WRITTEN, "certify", "a.ply", "b.ply", "--json", "nowhere/c.json")
+
+
+class CertifyVoxels(ApplicationTest):
+    """A block of label 5, alone or with two voxels of label 7."""
+
+    def setUp(self):
+        super().setUp()
+        write_map(blocks(5), self.path("one.mha"))
+        write_map(blocks(5, 7), self.path("two.mha"))
+        write(surface_of(blocks(5), 5), self.path("a.stl"))
+        write(smoothed(surface_of(blocks(5), 5)), self.path("s.stl"))
+
+    def test_tells_that_no_voxel_changed(self):
+        for extension in ("vti", "mha", "mhd", "nrrd"):
+            write_map(blocks(5), self.path("map." + extension))
+            completed = self.succeed("certify", "a.stl", "--labels", "map." + extension, "--json", "c.json")
+            self.assertIn("0 of 2,744 have another label", completed.stdout)
+            found = self.report("c.json")
+            self.assertEqual(found["status"], "not_requested")
+            self.assertEqual(found["voxels"]["of_5"], {"voxels": 216, "lost": 0, "gained": 0})
+            self.assertEqual(found["files"], {"result": "a.stl", "label_map": "map." + extension, "unit": "mm"})
+
+    def test_counts_voxels_that_changed(self):
+        completed = self.run_program(
+            "certify", "s.stl", "--labels", "one.mha", "--json", "c.json", "--page", "c.html")
+        self.assertEqual((completed.returncode, completed.stderr), (VIOLATED, ""))
+        voxels = self.report("c.json")["voxels"]
+        self.assertGreater(voxels["changed"], 0)
+        self.assertEqual(voxels["changed"], voxels["of_5"]["lost"] + voxels["of_5"]["gained"])
+        self.assertEqual(len(voxels["first_changed"]), 3)
+        self.assertIn(f"{voxels['changed']} of 2,744 have another label", completed.stdout)
+        page = self.path("c.html").read_text(encoding="utf-8")
+        self.assertIn(f"{voxels['changed']} of 2,744 voxels have another label", page)
+        self.assertIn("0 (background)", page)
+
+    def test_compares_with_a_reference_and_a_map_in_one_run(self):
+        self.succeed("certify", "a.stl", "a.stl", "--labels", "one.mha", "--tolerance", 0.1, "--json", "c.json")
+        found = self.report("c.json")
+        self.assertEqual((found["status"], found["voxels"]["changed"]), ("proved", 0))
+        completed = self.run_program("certify", "a.stl", "s.stl", "--labels", "one.mha", "--tolerance", 9, "--page", "c.html")
+        self.assertEqual(completed.returncode, VIOLATED)
+        page = self.path("c.html").read_text(encoding="utf-8")
+        self.assertIn("The tolerance is proved.", page)
+
+    def test_has_to_know_which_label_a_surface_encloses(self):
+        self.fail_with(REJECTED, "certify", "a.stl", "--labels", "two.mha", says="5, 7")
+        self.fail_with(REJECTED, "certify", "a.stl", "--labels", "two.mha", "--label", 6, says="label 6")
+        completed = self.succeed("certify", "a.stl", "--labels", "two.mha", "--label", 5)
+        self.assertIn("warning: labels of the map that the surface does not have count as background: 7", completed.stdout)
+        write(bounded(surface_of(blocks(5), 5), 5), self.path("b.vtp"))
+        self.succeed("certify", "b.vtp", "--labels", "two.mha", "--quiet")
+
+    def test_rejects_what_cannot_be_compared(self):
+        self.fail_with(USAGE, "certify", "a.stl", says="--labels MAP")
+        self.fail_with(USAGE, "certify", "a.stl", "--labels", "one.mha", "--tolerance", 1, says="--tolerance has no effect")
+        self.fail_with(USAGE, "certify", "a.stl", "a.stl", "--label", 5, says="--labels FILE")
+        self.fail_with(USAGE, "certify", "a.stl", "--labels", "one.mha", "--json", "one.mha", says="one.mha")
+        self.fail_with(REJECTED, "certify", "a.stl", "--labels", "none.mha", says="none.mha")
+        self.fail_with(REJECTED, "certify", "a.stl", "--labels", "a.stl", says="no volume")
 
 
 if __name__ == "__main__":

@@ -75,6 +75,24 @@ def volume():
     return image
 
 
+def label_map(surface):
+    """Label 1 inside of the surface; no voxel center lies on it."""
+    bounds = surface.GetBounds()
+    stencil = vtk.vtkPolyDataToImageStencil()
+    stencil.SetInputData(surface)
+    stencil.SetOutputOrigin([bounds[2 * axis] - 1.37 for axis in range(3)])
+    stencil.SetOutputSpacing(1.0, 1.0, 1.0)
+    stencil.SetOutputWholeExtent([round(bounds[i] - bounds[i - 1]) + 3 if i % 2 else 0 for i in range(6)])
+    stencil.SetTolerance(0.0)
+    image = vtk.vtkImageStencilToImage()
+    image.SetInputConnection(stencil.GetOutputPort())
+    image.SetInsideValue(1)
+    image.SetOutsideValue(0)
+    image.SetOutputScalarTypeToUnsignedChar()
+    image.Update()
+    return image.GetOutput()
+
+
 def isosurface(path):
     reader = vtk.vtkMetaImageReader()
     reader.SetFileName(str(path))
@@ -97,8 +115,8 @@ def write_inputs(folder):
         (folder / name).mkdir()
     write(surface, folder / "bones" / "bone.vtp")
     write(meters, folder / "meters" / "bone.vtp")
-    for target in (folder / "bone.mha", folder / "volumes" / "bone.mha"):
+    for image, target in ((volume(), "bone.mha"), (volume(), "volumes/bone.mha"), (label_map(surface), "bone_map.mha")):
         writer = vtk.vtkMetaImageWriter()
-        writer.SetFileName(str(target))
-        writer.SetInputData(volume())
+        writer.SetFileName(str(folder / target))
+        writer.SetInputData(image)
         writer.Write()

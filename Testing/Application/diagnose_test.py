@@ -12,7 +12,7 @@ class Diagnose(ApplicationTest):
         for extension in SURFACES:
             write(torus(), self.path("bone." + extension))
             completed = self.succeed("diagnose", "bone." + extension)
-            self.assertIn("1 connected parts", completed.stdout)
+            self.assertIn("1 connected part\n", completed.stdout)
             self.assertIn("It can be decimated.", completed.stdout)
 
     def test_json_has_every_diagnostic_with_count_and_first_ids(self):

@@ -35,6 +35,17 @@ vtkSmartPointer<vtkPolyData> Decimated(vtkPolyData* surface, int keepVoxels)
   return decimate->GetOutput();
 }
 
+std::string ErrorOf(vtkPolyData* surface, vtkImageData* image, int label)
+{
+  vtkNew<vtkBoneVoxelCheck> check;
+  ErrorTexts errors(check);
+  check->SetInputData(0, surface);
+  check->SetInputData(1, image);
+  check->SetLabel(label);
+  check->Update();
+  return errors.Texts.empty() ? std::string() : errors.Texts.front();
+}
+
 int Voxels(const LabelMap& map)
 {
   return static_cast<int>(map.Labels.size());
@@ -92,14 +103,37 @@ TEST(BoneVoxelCheck, TakesASurfaceWithoutArraysForOneLabel)
   const vtkSmartPointer<vtkPolyData> surface = Extracted(image);
   bare->SetPoints(surface->GetPoints());
   bare->SetPolys(surface->GetPolys());
-  EXPECT_GT(Check(bare, image)->GetNumberOfChangedVoxels(), 0) << "the label inside is 1";
+  const auto check = Check(bare, image);
+  EXPECT_EQ(check->GetLabelValue(0), 7) << "the only one";
+  EXPECT_EQ(check->GetNumberOfChangedVoxels(), 0);
+  EXPECT_EQ(check->GetNumberOfComparedVoxels(), Voxels(map));
+  EXPECT_EQ(check->GetNumberOfLabelsLeftOut(), 0);
+}
+
+TEST(BoneVoxelCheck, HasToBeToldTheLabelOfASurfaceWithoutArraysIfThereAreSeveral)
+{
+  LabelMap map = EllipsoidLabels({ 15, 13, 12 });
+  for (std::int32_t& label : map.Labels)
+  {
+    label = label != 0 ? 7 : 0;
+  }
+  const vtkSmartPointer<vtkPolyData> surface = Extracted(ImageOf(map));
+  map.Labels.front() = 3;
+  const vtkSmartPointer<vtkImageData> image = ImageOf(map);
+  vtkNew<vtkPolyData> bare;
+  bare->SetPoints(surface->GetPoints());
+  bare->SetPolys(surface->GetPolys());
+  EXPECT_NE(ErrorOf(bare, image, 0).find("3, 7"), std::string::npos);
+  EXPECT_NE(ErrorOf(bare, image, 9).find("label 9"), std::string::npos);
+  EXPECT_EQ(ErrorOf(bare, image, 7), "");
   vtkNew<vtkBoneVoxelCheck> check;
   check->SetInputData(0, bare);
   check->SetInputData(1, image);
   check->SetLabel(7);
   check->Update();
-  EXPECT_EQ(check->GetNumberOfChangedVoxels(), 0);
-  EXPECT_EQ(check->GetNumberOfComparedVoxels(), Voxels(map));
+  EXPECT_EQ(check->GetNumberOfChangedVoxels(), 0) << "the voxel of label 3 counts as background";
+  ASSERT_EQ(check->GetNumberOfLabelsLeftOut(), 1);
+  EXPECT_EQ(check->GetLabelLeftOut(0), 3);
 }
 
 TEST(BoneVoxelCheck, TellsTheFirstChangedVoxel)

@@ -40,7 +40,7 @@ Recording Record(const Surface& surface, Mode mode, bool isSingle)
   options.NumberOfThreads = 1;
   options.TargetNumberOfTriangles = 1;
   Levels levels;
-  RecordLevels(surface, options, {}, isSingle, levels);
+  RecordLevels(surface, options, {}, { isSingle }, levels);
   return { surface, WriteLog(levels.Log()) };
 }
 

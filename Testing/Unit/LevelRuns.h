@@ -21,7 +21,7 @@ struct Recorded
 inline Recorded Record(const Surface& input, const Options& options, bool inputIsSingle = false)
 {
   Recorded recorded;
-  recorded.Run = RecordLevels(input, options, {}, inputIsSingle, recorded.Levels);
+  recorded.Run = RecordLevels(input, options, {}, { inputIsSingle }, recorded.Levels);
   return recorded;
 }
 

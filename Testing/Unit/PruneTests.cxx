@@ -169,7 +169,7 @@ TEST(Prune, AcceptsNonManifoldInputAndGivesTheSameBytesForAnyNumberOfThreads)
 TEST(Prune, LevelsAreOfAllComponents)
 {
   Levels levels;
-  const Result run = RecordLevels(BoneWithCrumbs(), Pruning(5.0, 0, 0, 0), {}, false, levels);
+  const Result run = RecordLevels(BoneWithCrumbs(), Pruning(5.0, 0, 0, 0), {}, {}, levels);
   EXPECT_EQ(run.Report.Output.Components, 3);
   EXPECT_GT(levels.NumberOfCollapses(), 0);
 }

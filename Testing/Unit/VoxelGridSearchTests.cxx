@@ -55,6 +55,37 @@ TEST(VoxelGridSearch, FindsTheGridOfABinarySurface)
   }
 }
 
+TEST(VoxelGridSearch, FindsARotatedGrid)
+{
+  const Eigen::Matrix3d rotation =
+    (Eigen::AngleAxisd(0.3, Vector3::UnitX()) * Eigen::AngleAxisd(-0.7, Vector3::UnitY()) *
+      Eigen::AngleAxisd(0.25 * std::acos(-1.0), Vector3::UnitZ()))
+      .toRotationMatrix();
+  for (const Vector3& spacing : { Vector3(0.5, 0.5, 0.5), Vector3(0.9570312, 0.9570312, 1.5) })
+  {
+    for (const IsInsideOf& shape : { BallShape(7.0), BoxShape({ 6.0, 2.0, 1.0 }) })
+    {
+      Surface turned = MarchedShape(Oblique(shape), 8.0, spacing).Surface;
+      for (Vector3& p : turned.Points)
+      {
+        p = rotation * p;
+      }
+      const Surface written = InSinglePrecision(turned, Vector3(-103.7, 211.3, 17.9));
+      const std::optional<LabelMapSource> found = FindVoxelGrid(written);
+      ASSERT_TRUE(found);
+      EXPECT_NEAR(found->Grid.Spacing.prod(), spacing.prod(), 1e-4 * spacing.prod());
+      EXPECT_NEAR(found->Grid.Direction.determinant(), 1.0, 1e-9);
+      for (std::size_t p = 0; p < written.Points.size(); ++p)
+      {
+        const GridPoint& at = found->OfPoint[p];
+        ASSERT_EQ(std::abs(at[0] % 2) + std::abs(at[1] % 2) + std::abs(at[2] % 2), 1);
+        const Vector3 middle = found->Grid.ToMillimeters(0.5 * Vector3(at[0], at[1], at[2]));
+        ASSERT_LT((middle - written.Points[p]).norm(), 2e-3);
+      }
+    }
+  }
+}
+
 TEST(VoxelGridSearch, TakesNoOtherSurfaceForABinaryOne)
 {
   const BinarySurface ball = MarchedShape(Oblique(BallShape(7.0)), 8.0, { 0.5, 0.5, 0.5 });

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoneVolume.h"
+#include "LabelVolume.h"
 #include "Specimen.h"
 #include "SurfaceChecks.h"
 #include "VolumeFiles.h"
@@ -73,6 +74,34 @@ TEST_P(WhereThePatientLay, TheSameFromEveryFormat)
   // Single precision at 400 mm resolves 0.00003 mm.
   ExpectEqual(meta.Surface, nrrd.Surface, 1e-4);
   ExpectEqual(meta.Surface, vti.Surface, 1e-4);
+}
+
+TEST_P(WhereThePatientLay, LabelsOfEveryFormatButThoseOfShearedGrids)
+{
+  const Scan scan = GetParam().Scanned();
+  WriteMeta(this->Folder.File("a.mha"), scan);
+  WriteNrrd(this->Folder.File("a.nrrd"), scan);
+  WriteVti(this->Folder.File("a.vti"), scan);
+  for (const char* name : { "a.mha", "a.nrrd", "a.vti" })
+  {
+    const LabelVolume labels = ReadLabelVolume(this->Folder.File(name));
+    if (std::string(GetParam().Name) == "Sheared")
+    {
+      EXPECT_NE(labels.Problem.find("perpendicular"), std::string::npos) << labels.Problem;
+      continue;
+    }
+    ASSERT_TRUE(labels.Image) << labels.Problem;
+    const double index[3] = { 3.0, 5.0, 2.0 };
+    double position[3];
+    labels.Image->TransformContinuousIndexToPhysicalPoint(index, position);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const auto& steps = scan.Geometry.Steps;
+      const double expected =
+        scan.Geometry.Origin[i] + 3.0 * steps[0][i] + 5.0 * steps[1][i] + 2.0 * steps[2][i];
+      EXPECT_NEAR(position[i], expected, 1e-9);
+    }
+  }
 }
 
 class Storage : public ::testing::Test

@@ -46,7 +46,7 @@ nb::tuple Record(const PointsIn& points, const TrianglesIn& triangles, const Opt
   auto levels = std::make_unique<Levels>();
   Result run = Listener(std::move(progress))
                  .Hear([&](const Monitor& monitor)
-                   { return RecordLevels(surface, options, monitor, single, *levels); });
+                   { return RecordLevels(surface, options, monitor, { single }, *levels); });
   return nb::make_tuple(ToDict(std::move(run)), std::move(levels));
 }
 

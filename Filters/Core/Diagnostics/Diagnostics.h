@@ -66,12 +66,16 @@ enum class Severity : int
 /// Describes a kind; one row of a table.
 struct DiagnosticInfo
 {
-  std::string Word; ///< "non_manifold_edges"
-  std::string Sentence;
+  std::string Word;     ///< "non_manifold_edges"
+  std::string Plural;   ///< What follows the count: "points are not finite".
+  std::string Singular; ///< The same after the count 1.
   std::string Of; ///< What the ids of Diagnostic::First identify: "point", "triangle" or empty.
   bonedecimate::Severity Severity = Severity::Note;
 };
 const DiagnosticInfo& InfoOf(DiagnosticKind kind);
+
+/// Without the count.
+const std::string& DiagnosticSentence(const Diagnostic& diagnostic);
 
 /// One word: "rejected".
 const char* SeverityWord(Severity severity);

@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VoxelGridSearch.h"
 
+#include "GridDirection.h"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bonedecimate
 {
 namespace
 {
-/// Largest difference of equal coordinates as a fraction of the largest coordinate: four times the rounding of single
-/// precision, for programs that transform points.
-constexpr double SameValue = 0x1p-21;
+/// Largest difference of equal coordinates as a fraction of the largest coordinate: eight times the rounding of single
+/// precision, for programs that transform points and for axes that are found in edges.
+constexpr double SameValue = 0x1p-20;
 /// Largest deviation from a multiple of the step.
 constexpr double Deviation = 0.01;
 constexpr double MostSteps = 1e6;
@@ -104,64 +107,104 @@ bool HasSmallTriangles(const std::vector<GridPoint>& points, const std::vector<T
     });
 }
 
-/// What to add to the numbers of steps so that exactly one coordinate of every point is odd; nothing if that is impossible.
-std::optional<GridPoint> FindParity(const std::vector<GridPoint>& points)
+/// Nothing if the position is not the middle of a grid edge.
+std::optional<GridPoint> FindGridPoint(const Vector3& position, const VoxelGrid& grid)
 {
-  for (int parity = 0; parity < 8; ++parity)
+  const Vector3 halves = 2.0 * grid.ToVoxels(position);
+  const Vector3 whole = halves.array().round();
+  if (!(whole.cwiseAbs().maxCoeff() <= MostSteps) ||
+    !((halves - whole).cwiseAbs().maxCoeff() <= Deviation))
   {
-    const GridPoint offset = { parity & 1, parity >> 1 & 1, parity >> 2 & 1 };
-    const auto isMiddleOfEdge = [&offset](const GridPoint& p)
-    { return (p[0] + offset[0]) % 2 + (p[1] + offset[1]) % 2 + (p[2] + offset[2]) % 2 == 1; };
-    if (std::all_of(points.begin(), points.end(), isMiddleOfEdge))
-    {
-      return offset;
-    }
+    return {};
   }
-  return {};
+  GridPoint point;
+  int odd = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    point[axis] = static_cast<std::int32_t>(whole[axis]);
+    odd += point[axis] % 2 != 0 ? 1 : 0;
+  }
+  return odd == 1 ? std::optional<GridPoint>(point) : std::nullopt;
 }
 }
 
-std::optional<LabelMapSource> FindVoxelGrid(const Surface& surface)
+std::optional<std::vector<GridPoint>> FindGridPoints(const Surface& surface, const VoxelGrid& grid)
 {
   if (!AreUsable(surface))
   {
     return {};
   }
+  std::vector<GridPoint> points;
+  points.reserve(surface.Points.size());
+  for (const Vector3& position : surface.Points)
+  {
+    const std::optional<GridPoint> point = FindGridPoint(position, grid);
+    if (!point)
+    {
+      return {};
+    }
+    points.push_back(*point);
+  }
+  return HasSmallTriangles(points, surface.Triangles) ? std::optional(std::move(points))
+                                                      : std::nullopt;
+}
+
+namespace
+{
+/// @param direction Columns: the axes.
+std::optional<LabelMapSource> FindGridAlong(
+  const Surface& surface, const Eigen::Matrix3d& direction)
+{
+  std::vector<Vector3> points;
+  points.reserve(surface.Points.size());
+  for (const Vector3& point : surface.Points)
+  {
+    points.emplace_back(direction.transpose() * point);
+  }
   std::array<AxisSteps, 3> steps;
   for (int axis = 0; axis < 3; ++axis)
   {
-    steps[axis] = FindSteps(surface.Points, axis);
+    steps[axis] = FindSteps(points, axis);
     if (steps[axis].Length == 0.0)
     {
       return {};
     }
   }
   LabelMapSource source;
-  for (const Vector3& p : surface.Points)
+  source.Grid.Direction = direction;
+  for (int parity = 0; parity < 8; ++parity)
   {
-    GridPoint at;
+    Vector3 origin;
     for (int axis = 0; axis < 3; ++axis)
     {
-      at[axis] = static_cast<std::int32_t>(std::round(steps[axis].Of(p[axis])));
+      const int offset = parity >> axis & 1;
+      source.Grid.Spacing[axis] = 2.0 * steps[axis].Length;
+      origin[axis] = steps[axis].First - offset * steps[axis].Length;
     }
-    source.OfPoint.push_back(at);
+    source.Grid.Origin = direction * origin;
+    if (auto found = FindGridPoints(surface, source.Grid))
+    {
+      source.OfPoint = std::move(*found);
+      return source;
+    }
   }
-  const std::optional<GridPoint> offset = FindParity(source.OfPoint);
-  if (!offset || !HasSmallTriangles(source.OfPoint, surface.Triangles))
+  return {};
+}
+}
+
+//------------------------------------------------------------------------------
+std::optional<LabelMapSource> FindVoxelGrid(const Surface& surface)
+{
+  if (!AreUsable(surface))
   {
     return {};
   }
-  for (GridPoint& point : source.OfPoint)
+  std::optional<LabelMapSource> source = FindGridAlong(surface, Eigen::Matrix3d::Identity());
+  const std::vector<Eigen::Matrix3d> directions =
+    source ? std::vector<Eigen::Matrix3d>() : FindGridDirections(surface);
+  for (auto direction = directions.begin(); direction != directions.end() && !source; ++direction)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      point[axis] += (*offset)[axis];
-    }
-  }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    source.Grid.Spacing[axis] = 2.0 * steps[axis].Length;
-    source.Grid.Origin[axis] = steps[axis].First - (*offset)[axis] * steps[axis].Length;
+    source = FindGridAlong(surface, *direction);
   }
   return source;
 }

@@ -218,6 +218,21 @@ Index LevelStack::LevelOf(Index triangles) const
 }
 
 //------------------------------------------------------------------------------
+std::vector<Index> LevelStack::FacesAt(Index collapses) const
+{
+  std::vector<Index> faces;
+  faces.reserve(static_cast<std::size_t>(this->TrianglesAt(collapses)));
+  for (std::size_t face = 0; face < this->FaceEnds.size(); ++face)
+  {
+    if (this->FaceEnds[face] > collapses)
+    {
+      faces.push_back(static_cast<Index>(face));
+    }
+  }
+  return faces;
+}
+
+//------------------------------------------------------------------------------
 Triangle LevelStack::CornersAt(Index face, Index time) const
 {
   Index change = this->LastChange[static_cast<std::size_t>(face)];

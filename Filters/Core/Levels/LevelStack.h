@@ -50,6 +50,8 @@ public:
   }
   /// The first level with at most that many triangles; the last level if there is none.
   Index LevelOf(Index triangles) const;
+  /// The triangle of the cleaned input of which each triangle of At() is what is left.
+  std::vector<Index> FacesAt(Index collapses) const;
 
   /// @param points Of the cleaned input's vertices, mm, in the frame of the input, used for vertices that were never moved.
   /// @param sites The original vertex of each vertex, see ManifoldPatches.h; empty: nothing was split.

@@ -192,8 +192,8 @@ std::string InputMessage(const Report& report)
       return "the voxel grid is not valid, its labels are not one pair for each triangle, or the "
              "surface is farther than 65536 voxels from the grid";
     case InputStatus::NoVoxelGrid:
-      return "KeepVoxels is on, but the surface has no voxel grid: extract it with "
-             "vtkBoneSurfaces, which stores the grid, or set KeepVoxels to Auto or Off";
+      return "KeepVoxels is on, but the surface has no voxel grid: give its label map, extract it "
+             "with vtkBoneSurfaces, which stores the grid, or set KeepVoxels to Auto or Off";
     case InputStatus::InvalidOption:
       return CheckOptions(report.Requested);
   }

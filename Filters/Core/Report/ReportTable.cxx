@@ -120,7 +120,7 @@ void AddDiagnostics(Entries& entries, const std::vector<Diagnostic>& diagnostics
     const std::string path = "diagnostics." + std::to_string(i);
     entries.push_back({ path + ".kind", "", info.Word });
     entries.push_back({ path + ".severity", "", std::string(SeverityWord(info.Severity)) });
-    entries.push_back({ path + ".sentence", "", info.Sentence });
+    entries.push_back({ path + ".sentence", "", DiagnosticSentence(found) });
     entries.push_back({ path + ".count", "", found.Count });
     if (!std::isnan(found.Length))
     {

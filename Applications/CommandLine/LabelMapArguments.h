@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LabelMapArguments.h
+ * @brief A label map on the command line, and the options of smoothing and voxels for commands whose options are not those of the table.
+ */
+#ifndef BoneDecimate_Applications_LabelMapArguments_h
+#define BoneDecimate_Applications_LabelMapArguments_h
+
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkBoneDecimateAlgorithm;
+
+namespace bonedecimate
+{
+struct LabelMapFile
+{
+  std::string Path; ///< Empty: none.
+  std::int64_t Label =
+    0; ///< What a surface without labels encloses; 0: the only label of the map that is not 0.
+};
+
+/// Adds an option that takes a label map, and --label. @param flags Of the map.
+void AddLabelMap(CLI::App& app, LabelMapFile& map, const char* flags, const char* help);
+
+/// Requires that --label is given only with a map. @param flag Of the map. @throws Failure(ExitCode::Usage)
+void CheckLabel(const LabelMapFile& map, const std::string& flag);
+
+/// Reads a label map. @throws Failure(ExitCode::InputRejected)
+vtkSmartPointer<vtkImageData> ReadLabels(
+  const std::string& path, std::vector<std::string>& warnings);
+
+/// Gives a filter its label map, if there is one. @throws Failure(ExitCode::InputRejected)
+void ApplyLabelMap(
+  const LabelMapFile& map, vtkBoneDecimateAlgorithm* filter, std::vector<std::string>& warnings);
+
+struct VoxelArguments
+{
+  std::vector<std::pair<std::string, std::string>>
+    Options; ///< Names and texts of options of the table.
+  LabelMapFile Map;
+};
+
+/// Adds --smooth, --keep-voxels, --label-map and --label.
+void AddVoxelArguments(CLI::App& app, VoxelArguments& arguments);
+
+void ApplyVoxelArguments(const VoxelArguments& arguments, vtkBoneDecimateAlgorithm* filter,
+  std::vector<std::string>& warnings);
+}
+
+#endif

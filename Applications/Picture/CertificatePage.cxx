@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CertificatePage.h"
+
+#include "NumberText.h"
+#include "Options/Text.h"
+#include "PageParts.h"
+#include "PageTemplate.h"
+#include "ReportFields.h"
+#include "VoxelSection.h"
+
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr int Decimals = 6;
+
+/// A lower bound is rounded down, an upper one up.
+std::string BoundText(const ReportFields& report, const std::string& name, double direction)
+{
+  const std::optional<double> bound = report.Number(name);
+  return bound ? GroupedText(*bound + direction * 0.5e-6, Decimals) : "not known";
+}
+
+std::string BoundsText(const ReportFields& report, const std::string& path)
+{
+  return BoundText(report, path + "lower", -1.0) + " to " + BoundText(report, path + "upper", 1.0);
+}
+
+std::string DistanceSection(const ReportFields& report)
+{
+  if (!report.Number("upper"))
+  {
+    return {};
+  }
+  std::vector<std::vector<std::string>> rows = { { "", "largest distance, mm", "mean, mm" },
+    { "both directions", BoundsText(report, ""), "" } };
+  const std::array<std::pair<const char*, const char*>, 4> directions = { {
+    { "reference_to_result.", "reference to result" },
+    { "result_to_reference.", "result to reference" },
+    { "boundary_reference_to_result.", "open boundaries, reference to result" },
+    { "boundary_result_to_reference.", "open boundaries, result to reference" },
+  } };
+  for (const auto& [path, words] : directions)
+  {
+    if (report.Number(path + std::string("upper")))
+    {
+      const std::optional<double> mean = report.Number(path + std::string("mean"));
+      rows.push_back({ words, BoundsText(report, path), mean ? GroupedText(*mean, Decimals) : "" });
+    }
+  }
+  const std::string status = report.Text("status");
+  return PageBlock("certified distances",
+    { { "table", Table(rows) },
+      { "status",
+        status == "not_requested" ? "No tolerance was given."
+                                  : "The tolerance is " + status + "." } });
+}
+
+std::string Warnings(const ReportFields& report)
+{
+  std::string items;
+  for (const std::string& name : report.NamesBelow("warnings."))
+  {
+    items += "<li>" + EscapedXml(report.Text(name)) + "</li>";
+  }
+  return items.empty() ? items : "<ul>" + items + "</ul>";
+}
+}
+
+std::string ComposeCertificatePage(const std::string& certificate)
+{
+  const ReportFields report(certificate);
+  const std::string name = EscapedXml(report.Text("files.result"));
+  const std::string reference = EscapedXml(report.Text("files.reference"));
+  const std::string map = EscapedXml(report.Text("files.label_map"));
+  return PageBlock("certificate",
+    { { "head", PageBlock("head", { { "title", "Certificate of a bone surface: " + name } }) },
+      { "name", name }, { "reference", reference.empty() ? "none" : reference },
+      { "label map", map.empty() ? "none" : map },
+      { "version", EscapedXml(report.Text("version")) }, { "distances", DistanceSection(report) },
+      { "voxels", VoxelSection(report) }, { "warnings", Warnings(report) } });
+}
+}

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CertificatePage.h
+ * @brief One self-contained HTML page about a certificate.
+ */
+#ifndef BoneDecimate_Applications_CertificatePage_h
+#define BoneDecimate_Applications_CertificatePage_h
+
+#include <string>
+
+namespace bonedecimate
+{
+/// @param certificate As the program writes it (Documentation/certificate.schema.json). @returns The page as HTML text.
+std::string ComposeCertificatePage(const std::string& certificate);
+}
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LabelVolume.h
+ * @brief A label map in, an image with its position in the patient out.
+ */
+#ifndef BoneDecimate_Applications_LabelVolume_h
+#define BoneDecimate_Applications_LabelVolume_h
+
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+namespace bonedecimate
+{
+struct LabelVolume
+{
+  vtkSmartPointer<vtkImageData>
+    Image; ///< One label a voxel; origin, spacing and direction in mm (LPS). Null if rejected.
+  std::string Problem; ///< Why it was rejected; empty if it was not.
+  std::string Note;    ///< What of the input was left aside, for the user; may be empty.
+};
+
+/// Reads every format that ExtractBoneSurface() reads. A volume whose axes are not perpendicular is rejected.
+LabelVolume ReadLabelVolume(const std::string& path);
+}
+
+#endif

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file VolumeFile.h
+ * @brief A volume from a file of any format that is read, or from a folder of DICOM files.
+ */
+#ifndef BoneDecimate_Applications_VolumeFile_h
+#define BoneDecimate_Applications_VolumeFile_h
+
+#include "Volume.h"
+
+#include <string>
+
+namespace bonedecimate::volume
+{
+/// The reader goes by the extension.
+Volume ReadVolume(const std::string& path);
+}
+
+#endif
