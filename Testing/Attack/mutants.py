@@ -107,9 +107,8 @@ MUTANTS = (
            GUARD_TESTS),
     Mutant("crossings of different labels cancel", GUARD + "VoxelPatch.cxx", "sum.Below == below && sum.Label == label",
            "sum.Below == below", GUARD_TESTS),
-    Mutant("a collapse of a curve between labels is checked on one wall alone", GUARD + "VoxelGuard.cxx", "for (const Index face : change.OldFaces)\n  {\n",
-           "for (const Index face : change.OldFaces)\n  {\n    if (this->LabelsOf(face) != this->LabelsOf(change.OldFaces.front()))\n"
-           "    {\n      continue;\n    }\n", GUARD_TESTS),
+    Mutant("a collapse of a curve between labels is checked on one wall alone", GUARD + "VoxelPatch.cxx",
+           "if (crossing.Sign != 0)", "if (crossing.Sign != 0 && face.Labels == this->Faces.front().Labels)", GUARD_TESTS),
     Mutant("positions are guarded as they are before rounding", GUARD + "VoxelGuard.cxx",
            "this->Settings.RoundsToSingle ? RoundedToSingle(absolute) : absolute", "absolute", GUARD_TESTS),
     Mutant("the check voxelizes mirrored grids the wrong way around", LABELS + "VoxelRows.cxx",
