@@ -107,9 +107,8 @@ MUTANTS = (
            GUARD_TESTS),
     Mutant("crossings of different labels cancel", GUARD + "VoxelPatch.cxx", "sum.Below == below && sum.Label == label",
            "sum.Below == below", GUARD_TESTS),
-    Mutant("a collapse of a curve between labels is checked on one wall alone", GUARD + "VoxelGuard.cxx", "for (const Index face : change.OldFaces)\n  {\n",
-           "for (const Index face : change.OldFaces)\n  {\n    if (this->LabelsOf(face) != this->LabelsOf(change.OldFaces.front()))\n"
-           "    {\n      continue;\n    }\n", GUARD_TESTS),
+    Mutant("a collapse of a curve between labels is checked on one wall alone", GUARD + "VoxelPatch.cxx",
+           "if (crossing.Sign != 0)", "if (crossing.Sign != 0 && face.Labels == this->Faces.front().Labels)", GUARD_TESTS),
     Mutant("positions are guarded as they are before rounding", GUARD + "VoxelGuard.cxx",
            "this->Settings.RoundsToSingle ? RoundedToSingle(absolute) : absolute", "absolute", GUARD_TESTS),
     Mutant("the check voxelizes mirrored grids the wrong way around", LABELS + "VoxelRows.cxx",
@@ -121,11 +120,12 @@ MUTANTS = (
     Mutant("the check leaves out the outermost voxels", LABELS + "VoxelCheck.cxx", "this->IsOpen ? 1 : 0;\n    SliceSum",
            "1;\n    SliceSum", CHECK_TESTS),
     Mutant("the check begins open rows in the background", LABELS + "VoxelRows.cxx",
-           "isOpen ? FirstLabel(all, this->Next) : this->Rows.Background", "this->Rows.Background", CHECK_TESTS),
+           "isOpen ? FirstLabel(all, this->Next) : this->Rows.Background",
+           "isOpen ? this->Rows.Background : this->Rows.Background", CHECK_TESTS),
     Mutant("the check takes the first crossing in the list for the first on the row", LABELS + "VoxelRows.cxx",
            "isOpen ? FirstLabel(all, this->Next)", "isOpen ? all[this->Next].Labels[0]", CHECK_TESTS),
     Mutant("rounding decides which voxels of an open surface are outermost", LABELS + "VoxelCheck.cxx",
-           "endsAtImage ? Intersection(both, BoxOf(settings.Grid)) : both;", "endsAtImage ? both : both;", CHECK_TESTS),
+           "endsAtImage ? Intersection(both, BoxOf(settings.Grid)) : both;", "endsAtImage && both.Count[0] < 0 ? Intersection(both, BoxOf(settings.Grid)) : both;", CHECK_TESTS),
 )
 
 
