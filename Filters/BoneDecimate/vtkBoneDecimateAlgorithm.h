@@ -65,13 +65,13 @@ public:
   /// Value of an option as SetOptionFromText() reads it; empty if the filter has no such option.
   std::string GetOptionAsText(const std::string& name) const;
 
-  ///@{
   /// The label map from which the input was extracted: its active scalars are the labels of voxels, as points or cells. A surface
   /// that does not carry its voxel grid, such as that of another program, gets the grid of the map, for KeepVoxels and smoothing.
   /// The voxels of the result are compared with those of the map. A surface with another grid is an error. Default none.
   void SetLabelMapData(vtkImageData* map);
+
+  /// The same as a connection, to the last input port. Default none.
   void SetLabelMapConnection(vtkAlgorithmOutput* map);
-  ///@}
 
   ///@{
   /// The label of the label map that a surface without the array BoundaryLabels encloses. 0: the only label of the map that is not 0; a
