@@ -4,6 +4,7 @@
 
 #include "FilterProgress.h"
 #include "LabelArrays.h"
+#include "Pieces.h"
 #include "RunState.h"
 #include "SurfaceConversion.h"
 
@@ -127,6 +128,12 @@ bool vtkBoneSmooth::Accept(const std::vector<std::string>& conversionWarnings)
 int vtkBoneSmooth::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (RequestedPiece(outputVector).Pieces > 1)
+  {
+    vtkErrorMacro(<< "vtkBoneSmooth is for one process alone: vtkPBoneDecimate with Smoothing and "
+                     "TargetReduction 0 smooths the parts of a surface together");
+    return 0;
+  }
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   InputArrays arrays;
   if (this->ReportRejectedValues() || !this->ReadArrays(input, arrays))
