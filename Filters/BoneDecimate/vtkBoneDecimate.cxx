@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBoneDecimate.h"
 
-#include "Decimate.h"
 #include "FilterProgress.h"
-#include "Input/InputSize.h"
 #include "LabelArrays.h"
 #include "LabelMapArrays.h"
 #include "LabelMapOfRun.h"
 #include "Report/ReportCells.h"
+#include "RunInput.h"
 #include "RunState.h"
-#include "SurfaceConversion.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -21,10 +19,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkVersionMacros.h"
-
-#include <algorithm>
-#include <optional>
-#include <utility>
 
 vtkStandardNewMacro(vtkBoneDecimate);
 
@@ -50,13 +44,6 @@ void FillOutputs(const bonedecimate::Result& result,
     bonedecimate::PassLabelMapArrays(*map, result.BoundaryLabels, output);
   }
   bonedecimate::FillInputCopy(result, options, input, vtkPolyData::GetData(outputs, 1));
-}
-
-/// Empty if there is none.
-bonedecimate::ConvertedSurface ConvertReference(vtkPolyData* reference, int threads)
-{
-  return reference != nullptr ? bonedecimate::ToSurface(reference, threads)
-                              : bonedecimate::ConvertedSurface();
 }
 
 /// What a report of a part says: its size and its options are made from those of the whole.
@@ -97,11 +84,10 @@ bool vtkBoneDecimate::IsTargetReductionSet() const
 }
 
 //------------------------------------------------------------------------------
-void vtkBoneDecimate::CopyOptions(const vtkBoneDecimate& from, bool isPart)
+void vtkBoneDecimate::CopyOptions(const vtkBoneDecimate& from)
 {
   this->State->Options = from.State->Options;
   this->State->Rejected = from.State->Rejected;
-  this->IsPart = isPart;
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): VTK's getter is not const
   auto& source = const_cast<vtkBoneDecimate&>(from);
   vtkInformation* arrays = source.GetInformation();
@@ -113,7 +99,6 @@ void vtkBoneDecimate::CopyOptions(const vtkBoneDecimate& from, bool isPart)
   {
     this->GetInformation()->Remove(INPUT_ARRAYS_TO_PROCESS());
   }
-  this->State->Options.AllowLargeError |= isPart;
   this->Modified();
 }
 
@@ -156,53 +141,6 @@ vtkDataArray* vtkBoneDecimate::GetPointTolerances(vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
-bool vtkBoneDecimate::AcceptSize(double diagonal, double largestError)
-{
-  const bonedecimate::SizeFigures size = { diagonal, largestError, -1,
-    std::min(diagonal, largestError) };
-  const bonedecimate::InputStatus status = bonedecimate::CheckSize(size, this->State->Options);
-  if (status != bonedecimate::InputStatus::Good)
-  {
-    vtkErrorMacro(<< bonedecimate::SizeMessage(size, status));
-    return false;
-  }
-  this->Warn(bonedecimate::SizeWarnings(size));
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkBoneDecimate::TakeReport(const vtkBoneDecimate& from)
-{
-  this->State->Keep(from.State->Report);
-}
-
-//------------------------------------------------------------------------------
-void vtkBoneDecimate::SetReportOfParts(
-  const std::map<std::string, double>& entries, vtkPolyData* output)
-{
-  std::vector<bonedecimate::ReportEntry> list;
-  for (const auto& [name, value] : entries)
-  {
-    const bool isError = name == "proof.upper";
-    list.push_back({ name, isError ? "mm" : "",
-      isError ? bonedecimate::ReportValue(value) : static_cast<std::int64_t>(value) });
-  }
-  const auto of = [&entries](const char* name)
-  {
-    const auto found = entries.find(name);
-    return found == entries.end() ? 0.0 : found->second;
-  };
-  bonedecimate::Report report;
-  report.Input.Faces = static_cast<std::int64_t>(of("input.triangles"));
-  report.Output.Faces = static_cast<std::int64_t>(of("output.triangles"));
-  report.Proof.WasMade = entries.count("proof.upper") > 0;
-  report.Proof.OutputToInput.Upper = of("proof.upper");
-  this->State->Report = std::move(report);
-  this->State->Entries = bonedecimate::NamedEntries(list);
-  bonedecimate::SetReport(list, bonedecimate::ArraysOfReport(), output->GetFieldData());
-}
-
-//------------------------------------------------------------------------------
 void vtkBoneDecimate::SetReferenceData(vtkPolyData* reference)
 {
   this->SetInputData(1, reference);
@@ -239,58 +177,74 @@ void vtkBoneDecimate::RejectArray(int index)
 }
 
 //------------------------------------------------------------------------------
-int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+/// False if an array does not suit; the reason has been reported.
+bool vtkBoneDecimate::ReadInput(vtkPolyData* input, vtkPolyData* reference,
+  const bonedecimate::LabelMapRequest& map, RunInput& read)
 {
-  if (this->ReportRejectedValues())
-  {
-    return 0;
-  }
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   const bonedecimate::Options& options = this->State->Options;
   const bool isFilled = input->GetNumberOfPoints() > 0;
   const bool hasTolerances = isFilled && this->HasInputArray(TOLERANCE_ARRAY);
-  const std::optional<std::vector<double>> tolerances = hasTolerances
-    ? bonedecimate::ReadNumbers(this->GetPointTolerances(input))
-    : std::vector<double>();
-  const bonedecimate::ConvertedSurface converted =
-    bonedecimate::ToSurface(input, options.NumberOfThreads);
   const bool hasLabels = isFilled && this->HasInputArray(LABEL_ARRAY);
-  int association = -1;
-  vtkDataArray* labelArray =
-    hasLabels ? this->GetInputArray(LABEL_ARRAY, input, association) : nullptr;
-  const std::optional<bonedecimate::Labels> labels = hasLabels
-    ? bonedecimate::ReadLabels(input, converted, labelArray, association)
-    : bonedecimate::Labels();
-  if (!tolerances || !labels)
+  read.Converted = bonedecimate::ToSurface(input, options.NumberOfThreads);
+  if (hasTolerances)
   {
-    this->RejectArray(!tolerances ? TOLERANCE_ARRAY : LABEL_ARRAY);
+    read.Tolerances = bonedecimate::ReadNumbers(this->GetPointTolerances(input));
+  }
+  if (hasLabels)
+  {
+    int association = -1;
+    vtkDataArray* array = this->GetInputArray(LABEL_ARRAY, input, association);
+    read.Labels = bonedecimate::ReadLabels(input, read.Converted, array, association);
+  }
+  if ((hasTolerances && !read.Tolerances) || (hasLabels && !read.Labels))
+  {
+    this->RejectArray(hasTolerances && !read.Tolerances ? TOLERANCE_ARRAY : LABEL_ARRAY);
+    return false;
+  }
+  read.Map = bonedecimate::ReadLabelMapOfRun(input, read.Converted, map, options);
+  if (!read.Map.Problem.empty())
+  {
+    vtkErrorMacro(<< read.Map.Problem);
+    return false;
+  }
+  if (reference != nullptr)
+  {
+    read.Reference = bonedecimate::ToSurface(reference, options.NumberOfThreads);
+  }
+  read.Inputs = { read.Converted.IsSingle, bonedecimate::NeedsOrigins(input, options),
+    hasTolerances ? &*read.Tolerances : nullptr,
+    reference != nullptr ? &read.Reference.Surface : nullptr, hasLabels ? &*read.Labels : nullptr };
+  read.Inputs.LabelMap = read.Map.Known();
+  read.Inputs.Part = this->Part ? &this->Part->Part : nullptr;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  RunInput read;
+  if (this->ReportRejectedValues() ||
+    !this->ReadInput(input, vtkPolyData::GetData(inputVector[1]),
+      this->GetLabelMapRequest(inputVector), read))
+  {
     return 0;
   }
-  const bonedecimate::LabelMapOfRun map = bonedecimate::ReadLabelMapOfRun(
-    input, converted, this->GetLabelMapRequest(inputVector), options);
-  if (!map.Problem.empty())
-  {
-    vtkErrorMacro(<< map.Problem);
-    return 0;
-  }
-  vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
-  const bonedecimate::ConvertedSurface first = ConvertReference(reference, options.NumberOfThreads);
-  const bonedecimate::RunInputs inputs = { converted.IsSingle,
-    bonedecimate::NeedsOrigins(input, options), hasTolerances ? &*tolerances : nullptr,
-    reference != nullptr ? &first.Surface : nullptr, hasLabels ? &*labels : nullptr, map.Known() };
+  const bonedecimate::Options& options = this->State->Options;
   bonedecimate::Result result = bonedecimate::Decimate(
-    converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); }, inputs);
-  this->Warn(map.CompareWithMap(converted.Surface, options, result));
-  bonedecimate::NameCells(converted, result.Report);
-  this->State->Keep(this->IsPart ? ReportOfPart(result.Report) : result.Report);
+    read.Converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
+    read.Inputs);
+  this->Warn(read.Map.CompareWithMap(read.Converted.Surface, options, result));
+  bonedecimate::NameCells(read.Converted, result.Report);
+  this->State->Keep(this->Part ? ReportOfPart(result.Report) : result.Report);
   if (!this->Accept(bonedecimate::InputMessage(result.Report)))
   {
     return 0;
   }
-  this->Warn(converted.Warnings);
+  this->Warn(read.Converted.Warnings);
   this->Warn(bonedecimate::InputWarnings(this->State->Report));
-  FillOutputs(result, converted, options, inputs.LabelMap, input, outputVector);
+  FillOutputs(result, read.Converted, options, read.Inputs.LabelMap, input, outputVector);
   if (const std::string contradiction = bonedecimate::ProofMessage(result.Report);
       !contradiction.empty())
   {

@@ -40,7 +40,9 @@
 #include "vtkFiltersBoneDecimateModule.h" // for export macro
 
 #include <map>    // for entries
+#include <memory> // for std::unique_ptr
 #include <string> // for names
+#include <vector> // for points
 
 class vtkDataArray;
 
@@ -86,15 +88,43 @@ protected:
   /// Whether TargetReduction was set and so counts beside every other stop.
   bool IsTargetReductionSet() const;
 
-  /// Every property of the other one. The input may be a part of a surface whose size AcceptSize() was told.
-  void CopyOptions(const vtkBoneDecimate& from, bool isPart = false);
-  bool AcceptSize(double diagonal, double largestError);
+  /// Every property of the other one.
+  void CopyOptions(const vtkBoneDecimate& from);
 
   /// The report of the last run of another filter becomes that of this one.
   void TakeReport(const vtkBoneDecimate& from);
 
-  /// The report of a run on several parts: entries that are numbers, by name; the figures of the getters are among them.
+  ///@{
+  /**
+   * For classes that simplify a surface in parts, with a run of its own for each.
+   */
+  /// Whether the size of the whole surface suits the largest error; if not, the reason has been reported.
+  bool AcceptSize(double diagonal, double largestError);
+
+  /// Where the smoothing of the whole surface, which the options describe, puts its points: mm, three numbers of each.
+  /// @param largestSmoothing mm, lowers Smoothing.  @return Empty if the input was rejected; the reason has been reported.
+  std::vector<double> SmoothPoints(vtkPolyData* whole, double largestSmoothing);
+
+  /// The input is from now on a part of a surface whose size has been accepted. Its options must not smooth.
+  /// @param isShared Of each point: whether other parts have it, too; it and the corners of its triangles are not edited.
+  /// @param smoothedPoints Of the points of the part, as SmoothPoints() returns them; empty: nothing was smoothed.
+  void SetPart(const std::vector<char>& isShared, const std::vector<double>& smoothedPoints);
+
+  /// Whether edits of a surface with this label map may not change voxels.
+  /// @param largestError mm; 0: none.
+  bool GuardsVoxels(vtkPolyData* input, double largestError);
+
+  /// Compares the voxels of the result with those of the whole surface, for SetReportOfParts().
+  void CompareVoxels(vtkPolyData* whole, vtkPolyData* result, bool wereGuarded);
+
+  /// What SmoothPoints() and CompareVoxels() found, to be sent to another process of this program.
+  std::vector<char> FiguresOfSegmentation() const;
+  void TakeFiguresOfSegmentation(const std::vector<char>& bytes);
+
+  /// The report of the whole surface: entries that are numbers, by name, among them the figures of the getters, and what
+  /// SmoothPoints() and CompareVoxels() found.
   void SetReportOfParts(const std::map<std::string, double>& entries, vtkPolyData* output);
+  ///@}
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -103,11 +133,16 @@ private:
   vtkBoneDecimate(const vtkBoneDecimate&) = delete;
   void operator=(const vtkBoneDecimate&) = delete;
 
+  struct RunInput;
+  struct PartOfSurface;
+
   bool Accept(const std::string& problem);
+  bool ReadInput(vtkPolyData* input, vtkPolyData* reference,
+    const bonedecimate::LabelMapRequest& map, RunInput& read);
   void RejectArray(int index);
   bool GoesOn(double fraction);
 
-  bool IsPart = false; // of a surface whose size is another one
+  std::unique_ptr<PartOfSurface> Part; // null: the input is the whole surface
 };
 
 #endif

@@ -6,6 +6,7 @@
 #include "LabelArrays.h"
 #include "LabelMapArrays.h"
 #include "LabelMapOfRun.h"
+#include "Pieces.h"
 #include "RunState.h"
 #include "SurfaceConversion.h"
 
@@ -132,6 +133,12 @@ bool vtkBoneSmooth::Accept(const std::vector<std::string>& warnings)
 int vtkBoneSmooth::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (RequestedPiece(outputVector).Pieces > 1)
+  {
+    vtkErrorMacro(<< "vtkBoneSmooth is for one process alone: vtkPBoneDecimate with Smoothing and "
+                     "TargetReduction 0 smooths the parts of a surface together");
+    return 0;
+  }
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   InputArrays arrays;
   if (this->ReportRejectedValues() || !this->ReadArrays(input, arrays))

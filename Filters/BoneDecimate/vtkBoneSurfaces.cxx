@@ -7,6 +7,7 @@
 #include "LabelMap/LabelSurfaces.h"
 #include "LabelMap/SingleLabel.h"
 #include "LabelMapArrays.h"
+#include "Pieces.h"
 #include "RejectedValues.h"
 #include "SurfaceArrays.h"
 #include "SurfaceConversion.h"
@@ -16,7 +17,6 @@
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -38,12 +38,55 @@ namespace
 {
 constexpr std::size_t UnusualNumberOfLabels = 1000;
 
-/// The first piece is the whole output, so that several processes do not repeat it.
-bool IsFirstPiece(vtkInformationVector* outputVector)
+/// Keeps an equal part of the triangles, which are in order of the layers of the image, and the points they use.
+void KeepPiece(const bonedecimate::PieceOfOutput& piece, bonedecimate::LabelSurfaces& surfaces)
 {
-  vtkInformation* output = outputVector->GetInformationObject(0);
-  vtkInformationIntegerKey* piece = vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER();
-  return !output->Has(piece) || output->Get(piece) == 0;
+  std::vector<bonedecimate::Triangle>& triangles = surfaces.Surface.Triangles;
+  std::vector<bonedecimate::BoundaryLabels>& labels = surfaces.Source.OfTriangle;
+  const auto at = [&](int number)
+  {
+    return static_cast<std::ptrdiff_t>(
+      triangles.size() * static_cast<std::size_t>(number) / static_cast<std::size_t>(piece.Pieces));
+  };
+  const std::ptrdiff_t first = at(piece.Number);
+  const std::ptrdiff_t end = at(piece.Number + 1);
+  triangles = { triangles.begin() + first, triangles.begin() + end };
+  labels = { labels.begin() + first, labels.begin() + end };
+  std::vector<bonedecimate::Index> ids(surfaces.Surface.Points.size(), bonedecimate::None);
+  for (const bonedecimate::Triangle& corners : triangles)
+  {
+    for (const bonedecimate::Index corner : corners)
+    {
+      ids[static_cast<std::size_t>(corner)] = 0;
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t point = 0; point < ids.size(); ++point)
+  {
+    if (ids[point] != bonedecimate::None)
+    {
+      surfaces.Surface.Points[kept] = surfaces.Surface.Points[point];
+      surfaces.Source.OfPoint[kept] = surfaces.Source.OfPoint[point];
+      ids[point] = static_cast<bonedecimate::Index>(kept++);
+    }
+  }
+  surfaces.Surface.Points.resize(kept);
+  surfaces.Source.OfPoint.resize(kept);
+  for (bonedecimate::Triangle& corners : triangles)
+  {
+    for (bonedecimate::Index& corner : corners)
+    {
+      corner = ids[static_cast<std::size_t>(corner)];
+    }
+  }
+}
+
+/// Whether the pipeline has all of the image.
+bool IsWhole(vtkImageData* image, vtkInformation* input)
+{
+  int whole[6] = { 0, -1, 0, -1, 0, -1 };
+  input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+  return std::equal(whole, whole + 6, image->GetExtent());
 }
 
 /// Copies the values of the original points or cells.
@@ -146,12 +189,20 @@ int vtkBoneSurfaces::RequestData(vtkInformation* vtkNotUsed(request),
   {
     return 0;
   }
-  return !IsFirstPiece(outputVector) ||
-    this->Extract(vtkImageData::GetData(inputVector[0]), vtkPolyData::GetData(outputVector));
+  vtkImageData* image = vtkImageData::GetData(inputVector[0]);
+  if (!IsWhole(image, inputVector[0]->GetInformationObject(0)))
+  {
+    vtkErrorMacro(
+      << "the image is one of several pieces; surfaces are extracted from whole images, "
+         "so that labels do not end where pieces do");
+    return 0;
+  }
+  return this->Extract(image, vtkPolyData::GetData(outputVector), outputVector) ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------
-bool vtkBoneSurfaces::Extract(vtkImageData* image, vtkPolyData* output)
+bool vtkBoneSurfaces::Extract(
+  vtkImageData* image, vtkPolyData* output, vtkInformationVector* outputVector)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* array = this->GetInputArrayToProcess(0, image, association);
@@ -161,7 +212,7 @@ bool vtkBoneSurfaces::Extract(vtkImageData* image, vtkPolyData* output)
     vtkErrorMacro(<< labels.Problem);
     return false;
   }
-  const bonedecimate::LabelSurfaces surfaces = bonedecimate::ExtractLabelSurfaces(labels.Image,
+  bonedecimate::LabelSurfaces surfaces = bonedecimate::ExtractLabelSurfaces(labels.Image,
     { this->Internal->Labels, this->BackgroundLabel, this->Closed, this->NumberOfThreads },
     [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); });
   if (surfaces.Status == bonedecimate::LabelSurfaceStatus::Aborted)
@@ -177,6 +228,11 @@ bool vtkBoneSurfaces::Extract(vtkImageData* image, vtkPolyData* output)
   {
     vtkWarningMacro(<< "the image has " << surfaces.Source.Values.size()
                     << " different values; gray values have to be segmented first");
+  }
+  if (const bonedecimate::PieceOfOutput piece = bonedecimate::RequestedPiece(outputVector);
+      piece.Pieces > 1)
+  {
+    KeepPiece(piece, surfaces);
   }
   const bool isSingle = this->OutputPointsPrecision != DOUBLE_PRECISION;
   output->SetPoints(

@@ -18,7 +18,10 @@
  *   image that has a LabelValues of its own are brought into this order. All other field data passes.
  *
  * SetInputArrayToProcess chooses the labels, by default the active scalars of points or else of cells; with those of cells, the
- * voxels are the cells. The image is always processed as a whole.
+ * voxels are the cells.
+ *
+ * The image is always processed as a whole; one that comes in pieces is an error. If several pieces of the output are requested, as on
+ * several processes, each has an equal part of the triangles, and points where they meet have equal coordinates.
  *
  * A value outside its range is an error event when it is set: the property keeps its value, and updates fail until it gets a valid
  * one. An image without such an array, with several components or with fractions: an error, and no output.
@@ -127,7 +130,7 @@ private:
 
   struct Internals;
 
-  bool Extract(vtkImageData* image, vtkPolyData* output);
+  bool Extract(vtkImageData* image, vtkPolyData* output, vtkInformationVector* outputVector);
 
   vtkTypeInt64 BackgroundLabel = 0;
   bool Closed = true;

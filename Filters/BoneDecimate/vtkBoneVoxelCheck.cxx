@@ -8,6 +8,7 @@
 #include "LabelMap/LabelRanks.h"
 #include "LabelMap/VoxelCheck.h"
 #include "LabelMapArrays.h"
+#include "Pieces.h"
 #include "RejectedValues.h"
 #include "SurfaceConversion.h"
 
@@ -152,6 +153,12 @@ int vtkBoneVoxelCheck::RequestData(vtkInformation* vtkNotUsed(request),
   this->Internal->LeftOut.clear();
   if (this->Internal->Rejected.Report(this))
   {
+    return 0;
+  }
+  if (bonedecimate::RequestedPiece(outputVector).Pieces > 1)
+  {
+    vtkErrorMacro(<< "vtkBoneVoxelCheck is for one process alone: a part of a surface encloses "
+                     "nothing; the report of vtkPBoneDecimate counts the voxels of all parts");
     return 0;
   }
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);

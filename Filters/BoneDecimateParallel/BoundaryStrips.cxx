@@ -4,22 +4,25 @@
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
+#include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace bonedecimate
 {
-const char* const RimArrayName = "bonedecimate.rim";
-
 namespace
 {
+/// Point array of a strip: 1 where it is connected to the rest and must not change, 0 at other points.
+constexpr const char* RimArrayName = "bonedecimate.rim";
+
 /// Rings around the shared positions: the first is constrained and fine, the last is coarse and becomes constrained, as a rim.
 constexpr int Rings = 4;
 
@@ -78,16 +81,17 @@ vtkSmartPointer<vtkPolyData> Part(vtkPolyData* surface, const std::vector<bool>&
   part->GetPointData()->CopyAllocate(surface->GetPointData());
   part->GetCellData()->CopyAllocate(surface->GetCellData());
   part->CopyCells(surface, ids);
+  part->GetFieldData()->ShallowCopy(surface->GetFieldData());
   return part;
 }
 
-/// 0 at each point of a marked cell that another cell has, too; -1 at other points.
+/// Of points of marked cells that another cell has, too.
 void MarkRim(vtkPolyData* surface, const std::vector<bool>& marks)
 {
-  vtkNew<vtkDoubleArray> rim;
+  vtkNew<vtkUnsignedCharArray> rim;
   rim->SetName(RimArrayName);
   rim->SetNumberOfTuples(surface->GetNumberOfPoints());
-  rim->Fill(-1.0);
+  rim->Fill(0);
   vtkNew<vtkIdList> corners;
   for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
   {
@@ -96,7 +100,7 @@ void MarkRim(vtkPolyData* surface, const std::vector<bool>& marks)
       surface->GetCellPoints(cell, corners);
       for (const vtkIdType corner : *corners)
       {
-        rim->SetValue(corner, 0.0);
+        rim->SetValue(corner, 1);
       }
     }
   }
@@ -122,6 +126,19 @@ StripParts CutStrips(vtkPolyData* surface, const Positions& shared)
 }
 
 //------------------------------------------------------------------------------
+std::vector<char> TakeRim(vtkPolyData* strips)
+{
+  std::vector<char> isOnRim;
+  const vtkSmartPointer<vtkDataArray> rim = strips->GetPointData()->GetArray(RimArrayName);
+  for (vtkIdType point = 0; rim && point < rim->GetNumberOfTuples(); ++point)
+  {
+    isOnRim.push_back(rim->GetComponent(point, 0) != 0.0 ? 1 : 0);
+  }
+  strips->GetPointData()->RemoveArray(RimArrayName);
+  return isOnRim;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkSmartPointer<vtkPolyData>>& parts)
 {
   vtkNew<vtkAppendPolyData> append;
@@ -132,6 +149,12 @@ vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkSmartPointer<vtkPolyData>
     append->AddInputData(part);
   }
   append->Update();
+  const auto filled = std::find_if(
+    parts.begin(), parts.end(), [](vtkPolyData* part) { return part->GetNumberOfPoints() > 0; });
+  if (filled != parts.end())
+  {
+    append->GetOutput()->GetFieldData()->ShallowCopy((*filled)->GetFieldData());
+  }
   return append->GetOutput();
 }
 

@@ -16,18 +16,19 @@ class vtkPolyData;
 
 namespace bonedecimate
 {
-/// Point array of a strip: 0 where it is connected to the rest and must not change, -1 at other points.
-extern const char* const RimArrayName;
-
 struct StripParts
 {
-  vtkSmartPointer<vtkPolyData> Strip; ///< The triangles a few rings around the shared positions.
-  vtkSmartPointer<vtkPolyData> Rest;  ///< Everything else. Both have the arrays of the surface.
+  vtkSmartPointer<vtkPolyData>
+    Strip; ///< The triangles a few rings around the shared positions, with a mark of its rim.
+  vtkSmartPointer<vtkPolyData> Rest; ///< Everything else. Both have the arrays of the surface.
 };
 
 StripParts CutStrips(vtkPolyData* surface, const Positions& shared);
 
-/// One after the other. Points are not merged.
+/// Removes the mark of the rim: of each point of joined strips, whether they are connected to the rest there.
+std::vector<char> TakeRim(vtkPolyData* strips);
+
+/// One after the other, with the field data of the first that has points. Points are not merged.
 vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkSmartPointer<vtkPolyData>>& parts);
 
 /// mm, of each point to the nearest position of the surface; infinity if it has no cells.

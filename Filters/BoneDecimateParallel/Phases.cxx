@@ -79,10 +79,11 @@ void SumCounts(
 
 //------------------------------------------------------------------------------
 /// mm; 0: none.
-double vtkPBoneDecimate::LargestError() const
+double vtkPBoneDecimate::LargestError(double voxelSize) const
 {
   static const double ratios[] = { 0.0, 0.25, 0.5, 1.0 }; // as in ErrorPresets
-  const double ofVoxel = ratios[this->GetErrorPreset()] * this->GetVoxelSize();
+  const double size = this->GetVoxelSize() > 0.0 ? this->GetVoxelSize() : voxelSize;
+  const double ofVoxel = ratios[this->GetErrorPreset()] * size;
   const double own = this->GetMaximumError();
   return own > 0.0 && ofVoxel > 0.0 ? std::min(own, ofVoxel) : std::max(own, ofVoxel);
 }
@@ -108,10 +109,11 @@ double vtkPBoneDecimate::WholeDiagonal(vtkPolyData* input) const
 
 //------------------------------------------------------------------------------
 /// As on one process: the default reduction is ignored beside other targets, and the first target that is reached ends the run.
-double vtkPBoneDecimate::TargetTriangles(double total, bool isLimited) const
+double vtkPBoneDecimate::TargetTriangles(double total, double error, bool isLimited) const
 {
   const double number = this->GetTargetNumberOfTriangles();
-  const bool anyOther = isLimited || number > 0.0 || this->LargestError() > 0.0;
+  const bool anyOther =
+    isLimited || number > 0.0 || error > 0.0 || this->GetKeepVoxels() == KEEP_VOXELS_ON;
   const bool reduces =
     this->GetTargetReduction() < 1.0 && (this->IsTargetReductionSet() || !anyOther);
   return std::max(
@@ -132,19 +134,26 @@ bool vtkPBoneDecimate::IsLimitedEverywhere(vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
-vtkPBoneDecimate::Plan vtkPBoneDecimate::MakePlan(vtkPolyData* input, vtkPolyData* reference)
+vtkPBoneDecimate::Plan vtkPBoneDecimate::MakePlan(
+  vtkPolyData* input, vtkPolyData* reference, double voxelSize)
 {
   Plan plan;
-  plan.Shared =
-    bonedecimate::SharedPositions(bonedecimate::BoundaryPositions(input), this->Controller);
+  plan.VoxelSize = voxelSize;
+  plan.Error = this->LargestError(voxelSize);
+  plan.GuardsVoxels = this->IsTrueAnywhere(this->GuardsVoxels(input, plan.Error));
+  plan.Shared = bonedecimate::SharedPositions(input, this->Controller);
+  plan.SharedPoints = static_cast<double>(plan.Shared.size());
+  for (vtkIdType point = 0; point < input->GetNumberOfPoints(); ++point)
+  {
+    plan.IsShared.push_back(bonedecimate::Contains(plan.Shared, input->GetPoint(point)) ? 1 : 0);
+  }
   const double own = static_cast<double>(input->GetNumberOfPolys());
   const double constrained = TrianglesAt(input, plan.Shared);
   plan.Total = this->OfAll(own, vtkCommunicator::SUM_OP);
   const double allConstrained = this->OfAll(constrained, vtkCommunicator::SUM_OP);
-  plan.Target = this->TargetTriangles(plan.Total, this->IsLimitedEverywhere(input));
-  plan.Error = this->LargestError();
-  const bool hasReference = this->OfAll(reference ? 1.0 : 0.0, vtkCommunicator::MAX_OP) > 0.0;
-  plan.ReducesStrips = !plan.Shared.empty() && !hasReference &&
+  plan.Target = this->TargetTriangles(plan.Total, plan.Error, this->IsLimitedEverywhere(input));
+  const bool hasReference = this->IsTrueAnywhere(reference != nullptr);
+  plan.ReducesStrips = !plan.Shared.empty() && plan.Target < plan.Total && !hasReference &&
     !this->HasInputArray(TOLERANCE_ARRAY) && !(this->GetMode() == THESIS && plan.Error > 0.0);
   // Strips that are reduced later count with their target, all others as they are.
   const double ratio = plan.ReducesStrips
@@ -157,14 +166,18 @@ vtkPBoneDecimate::Plan vtkPBoneDecimate::MakePlan(vtkPolyData* input, vtkPolyDat
 }
 
 //------------------------------------------------------------------------------
-void vtkPBoneDecimate::Order(vtkPBoneDecimate* run, double triangles, double error) const
+void vtkPBoneDecimate::Order(
+  vtkPBoneDecimate* run, double triangles, double error, const Plan& plan) const
 {
-  run->CopyOptions(*this, true);
+  run->CopyOptions(*this);
   run->SetTargetNumberOfTriangles(
     static_cast<int>(std::min<double>(triangles, std::numeric_limits<int>::max())));
   run->SetTargetReduction(1.0); // is in the number
   run->SetMaximumError(error);
   run->SetErrorPreset(NO_PRESET);
+  run->SetSmoothing(0.0); // is done for all parts together
+  run->SetAutomaticSmoothing(false);
+  run->SetKeepVoxels(plan.GuardsVoxels ? KEEP_VOXELS_ON : KEEP_VOXELS_OFF);
   run->SetMakeMaps(false);
   run->SetOutputPointsPrecision(DEFAULT_PRECISION); // constrained points keep their bits
 }
@@ -174,24 +187,9 @@ void vtkPBoneDecimate::Order(vtkPBoneDecimate* run, double triangles, double err
 bool vtkPBoneDecimate::ReducePart(
   vtkPBoneDecimate* run, vtkPolyData* input, vtkPolyData* reference, const Plan& plan)
 {
-  this->Order(run, plan.TargetHere, plan.Error * (plan.ReducesStrips ? Plan::RatioOfParts : 1.0));
-  vtkDataArray* array = this->GetPointTolerances(input);
-  if (this->HasInputArray(TOLERANCE_ARRAY) && (!array || array->GetNumberOfComponents() != 1))
-  {
-    return this->Run(run, input, reference); // which says what is wrong
-  }
-  std::vector<double> tolerances(static_cast<std::size_t>(input->GetNumberOfPoints()), -1.0);
-  for (std::size_t i = 0; i < tolerances.size(); ++i)
-  {
-    const vtkIdType point = static_cast<vtkIdType>(i);
-    const double own = array ? array->GetComponent(point, 0) : -1.0;
-    tolerances[i] = bonedecimate::Contains(plan.Shared, input->GetPoint(point)) ? 0.0 : own;
-  }
-  vtkNew<vtkPolyData> marked;
-  marked->ShallowCopy(input);
-  SetPointValues(marked, Plan::ToleranceName, tolerances);
-  run->SetToleranceArrayName(Plan::ToleranceName);
-  return this->Run(run, marked, reference);
+  this->Order(run, plan.TargetHere, plan.ErrorOfParts(), plan);
+  run->SetPart(plan.IsShared, plan.SmoothedPoints);
+  return this->Run(run, input, reference);
 }
 
 //------------------------------------------------------------------------------
@@ -219,7 +217,7 @@ void vtkPBoneDecimate::ReduceSharedStrips(
     }
     reduced = bonedecimate::Join(strips);
     const double triangles = plan.Target > 0.0 ? std::max(left, 1.0) : 0.0;
-    if (this->ReduceStrips(run, reduced, plan, triangles))
+    if (reduced->GetNumberOfPolys() > 0 && this->ReduceStrips(run, reduced, plan, triangles))
     {
       reduced = run->GetOutput();
     }
@@ -238,8 +236,8 @@ void vtkPBoneDecimate::ReduceSharedStrips(
 bool vtkPBoneDecimate::ReduceStrips(
   vtkPBoneDecimate* run, vtkPolyData* strips, const Plan& plan, double triangles)
 {
-  this->Order(run, triangles, plan.Error * (1.0 - Plan::RatioOfParts));
-  run->SetToleranceArrayName(bonedecimate::RimArrayName);
+  this->Order(run, triangles, plan.Error - plan.ErrorOfParts(), plan);
+  run->SetPart(bonedecimate::TakeRim(strips), {});
   run->SetMergePoints(true); // that is what joins them
   run->SetMakeMaps(true);
   run->SetMeasureDistances(false);
@@ -303,7 +301,7 @@ void vtkPBoneDecimate::Report(const Plan& plan, vtkPolyData* output)
   std::map<std::string, double> entries = { { "input.triangles", plan.Total },
     { "output.triangles", this->OfAll(own, vtkCommunicator::SUM_OP) },
     { "parallel.processes", this->Controller->GetNumberOfProcesses() },
-    { "parallel.shared_points", static_cast<double>(plan.Shared.size()) },
+    { "parallel.shared_points", plan.SharedPoints },
     { "parallel.strip_triangles_before", plan.StripsBefore },
     { "parallel.strip_triangles_after", plan.StripsAfter } };
   if (!std::isnan(plan.Proved))

@@ -2,59 +2,72 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SharedPositions.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
 #include "vtkCleanPolyData.h"
-#include "vtkFeatureEdges.h"
+#include "vtkCommunicator.h"
+#include "vtkDataArray.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 namespace bonedecimate
 {
 namespace
 {
-/// Zero has two signs, which compare equal but are not the same bytes.
-Position PositionOf(const double point[3])
+struct EdgeOfCell
 {
-  return { point[0] + 0.0, point[1] + 0.0, point[2] + 0.0 };
-}
+  vtkIdType Low; // point ids
+  vtkIdType High;
+  vtkIdType Cell;
 
-void SortOnce(Positions& positions)
-{
-  std::sort(positions.begin(), positions.end());
-  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
-}
-}
-
-//------------------------------------------------------------------------------
-Positions BoundaryPositions(vtkPolyData* surface)
-{
-  vtkNew<vtkCleanPolyData> merge;
-  merge->SetInputData(surface);
-  merge->SetTolerance(0.0);
-  merge->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
-  vtkNew<vtkFeatureEdges> boundaries;
-  boundaries->SetInputConnection(merge->GetOutputPort());
-  boundaries->BoundaryEdgesOn();
-  boundaries->FeatureEdgesOff();
-  boundaries->NonManifoldEdgesOff();
-  boundaries->ManifoldEdgesOff();
-  boundaries->ColoringOff();
-  boundaries->Update();
-  vtkPolyData* found = boundaries->GetOutput();
-  Positions positions;
-  for (vtkIdType i = 0; i < found->GetNumberOfPoints(); ++i)
+  bool IsSameEdge(const EdgeOfCell& other) const
   {
-    positions.push_back(PositionOf(found->GetPoint(i)));
+    return this->Low == other.Low && this->High == other.High;
   }
-  SortOnce(positions);
-  return positions;
+  bool operator<(const EdgeOfCell& other) const
+  {
+    return std::tie(this->Low, this->High, this->Cell) <
+      std::tie(other.Low, other.High, other.Cell);
+  }
+};
+
+/// Those of an edge follow each other.
+std::vector<EdgeOfCell> EdgesOf(vtkPolyData* surface)
+{
+  std::vector<EdgeOfCell> edges;
+  vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+  const auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell(), ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    cells->GetCurrentCell(size, corners);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      const vtkIdType from = corners[i];
+      const vtkIdType to = corners[(i + 1) % size];
+      edges.push_back({ std::min(from, to), std::max(from, to), cell });
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
 }
 
-//------------------------------------------------------------------------------
-Positions SharedPositions(const Positions& own, vtkMultiProcessController* controller)
+bool HaveSameLabels(vtkDataArray* labels, vtkIdType first, vtkIdType second)
+{
+  return !labels ||
+    (labels->GetComponent(first, 0) == labels->GetComponent(second, 0) &&
+      labels->GetComponent(first, 1) == labels->GetComponent(second, 1));
+}
+
+/// The positions of all processes.
+Positions GatherAll(const Positions& own, vtkMultiProcessController* controller)
 {
   const std::size_t processes = static_cast<std::size_t>(controller->GetNumberOfProcesses());
   const vtkIdType length = 3 * static_cast<vtkIdType>(own.size());
@@ -75,17 +88,91 @@ Positions SharedPositions(const Positions& own, vtkMultiProcessController* contr
   {
     all[i] = { received[3 * i], received[3 * i + 1], received[3 * i + 2] };
   }
-  // Each process sent each of its positions once: what is there twice is shared.
-  std::sort(all.begin(), all.end());
-  Positions shared;
-  for (std::size_t i = 1; i < all.size(); ++i)
+  SortOnce(all);
+  return all;
+}
+}
+
+//------------------------------------------------------------------------------
+Position PositionOf(const double point[3])
+{
+  return { point[0] + 0.0, point[1] + 0.0, point[2] + 0.0 };
+}
+
+void SortOnce(Positions& positions)
+{
+  std::sort(positions.begin(), positions.end());
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+}
+
+//------------------------------------------------------------------------------
+Positions PositionsOf(vtkPolyData* surface)
+{
+  Positions positions;
+  const auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
   {
-    if (all[i] == all[i - 1])
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    cells->GetCurrentCell(size, corners);
+    for (vtkIdType i = 0; i < size; ++i)
     {
-      shared.push_back(all[i]);
+      positions.push_back(PositionOf(surface->GetPoint(corners[i])));
     }
   }
-  SortOnce(shared);
+  SortOnce(positions);
+  return positions;
+}
+
+//------------------------------------------------------------------------------
+Positions CurvePositions(vtkPolyData* surface)
+{
+  vtkNew<vtkCleanPolyData> merge;
+  merge->SetInputData(surface);
+  merge->SetTolerance(0.0);
+  merge->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
+  merge->Update();
+  vtkPolyData* merged = merge->GetOutput();
+  vtkDataArray* labels = merged->GetCellData()->GetArray("BoundaryLabels");
+  const std::vector<EdgeOfCell> edges = EdgesOf(merged);
+  Positions positions;
+  for (std::size_t first = 0, next = 0; first < edges.size(); first = next)
+  {
+    while (next < edges.size() && edges[next].IsSameEdge(edges[first]))
+    {
+      ++next;
+    }
+    if (next - first != 2 || !HaveSameLabels(labels, edges[first].Cell, edges[first + 1].Cell))
+    {
+      positions.push_back(PositionOf(merged->GetPoint(edges[first].Low)));
+      positions.push_back(PositionOf(merged->GetPoint(edges[first].High)));
+    }
+  }
+  SortOnce(positions);
+  return positions;
+}
+
+//------------------------------------------------------------------------------
+Positions SharedPositions(vtkPolyData* surface, vtkMultiProcessController* controller)
+{
+  const Positions curves = GatherAll(CurvePositions(surface), controller);
+  const Positions own = PositionsOf(surface);
+  std::vector<int> isHere(curves.size() + 1, 0); // one more, so that there is an address
+  for (std::size_t i = 0; i < curves.size(); ++i)
+  {
+    isHere[i] = std::binary_search(own.begin(), own.end(), curves[i]) ? 1 : 0;
+  }
+  std::vector<int> processes = isHere;
+  controller->AllReduce(isHere.data(), processes.data(), static_cast<vtkIdType>(isHere.size()),
+    vtkCommunicator::SUM_OP);
+  Positions shared;
+  for (std::size_t i = 0; i < curves.size(); ++i)
+  {
+    if (processes[i] > 1)
+    {
+      shared.push_back(curves[i]);
+    }
+  }
   return shared;
 }
 

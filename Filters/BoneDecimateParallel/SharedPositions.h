@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SharedPositions.h
- * @brief Where surfaces of different processes meet: points of open boundaries with exactly equal coordinates.
+ * @brief Where surfaces of different processes meet: points with exactly equal coordinates.
  */
 #ifndef SharedPositions_h
 #define SharedPositions_h
@@ -21,13 +21,25 @@ using Position = std::array<double, 3>;
 /// In ascending order, each once.
 using Positions = std::vector<Position>;
 
-/// The points of edges with one triangle, after equal points were merged.
-Positions BoundaryPositions(vtkPolyData* surface);
+/// The corners of the triangles.
+Positions PositionsOf(vtkPolyData* surface);
 
-/// The positions that more than one process has. Every process must call this, and all get the same result.
-Positions SharedPositions(const Positions& own, vtkMultiProcessController* controller);
+/// The ends of edges where a part of a surface may end: of edges that have other than two triangles, or two between
+/// different pairs of labels (cell array BoundaryLabels), after equal points were merged. Every edge of a whole surface whose
+/// triangles are on several processes is among them on one of these processes.
+Positions CurvePositions(vtkPolyData* surface);
+
+/// The curve positions of any process that triangles of more than one process have. Every process must call this, and all
+/// get the same result.
+Positions SharedPositions(vtkPolyData* surface, vtkMultiProcessController* controller);
 
 bool Contains(const Positions& positions, const double point[3]);
+
+/// Zero has two signs, which compare equal but are not the same bytes.
+Position PositionOf(const double point[3]);
+
+/// Brings them into order.
+void SortOnce(Positions& positions);
 }
 
 #endif

@@ -19,26 +19,53 @@ const char* const BlockArrayName = "BlockIndex";
 
 namespace
 {
-vtkSmartPointer<vtkPolyData> AppendBlocks(vtkCompositeDataSet* composite)
+/// Calls visit(block, flat index) for polydata with cells.
+template <typename Visit>
+void ForEachBlock(vtkCompositeDataSet* composite, const Visit& visit)
 {
-  std::vector<vtkSmartPointer<vtkPolyData>> blocks;
   auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
     vtkPolyData* block = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject());
     if (block && block->GetNumberOfCells() > 0)
     {
+      visit(block, static_cast<int>(iterator->GetCurrentFlatIndex()));
+    }
+  }
+}
+
+vtkSmartPointer<vtkPolyData> AppendBlocks(vtkCompositeDataSet* composite)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> blocks;
+  ForEachBlock(composite,
+    [&](vtkPolyData* block, int number)
+    {
       vtkNew<vtkIntArray> index;
       index->SetName(BlockArrayName);
       index->SetNumberOfTuples(block->GetNumberOfCells());
-      index->Fill(iterator->GetCurrentFlatIndex());
+      index->Fill(number);
       blocks.push_back(vtkSmartPointer<vtkPolyData>::New());
       blocks.back()->ShallowCopy(block);
       blocks.back()->GetCellData()->AddArray(index);
-    }
-  }
+    });
   return Join(blocks);
 }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkPolyData*> FilledParts(vtkDataObject* input)
+{
+  std::vector<vtkPolyData*> parts;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    ForEachBlock(composite, [&](vtkPolyData* block, int) { parts.push_back(block); });
+  }
+  else if (auto* surface = vtkPolyData::SafeDownCast(input);
+           surface && surface->GetNumberOfCells() > 0)
+  {
+    parts.push_back(surface);
+  }
+  return parts;
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <vector>
+
 class vtkDataObject;
 class vtkPolyData;
 
@@ -22,6 +24,9 @@ extern const char* const BlockArrayName;
  * have, and with polygons and strips as triangles if there are any.
  */
 vtkSmartPointer<vtkPolyData> WholeInput(vtkDataObject* input);
+
+/// The polydata, or those in a composite data set, that have cells.
+std::vector<vtkPolyData*> FilledParts(vtkDataObject* input);
 }
 
 #endif

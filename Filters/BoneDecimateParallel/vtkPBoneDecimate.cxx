@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPBoneDecimate.h"
 
-#include "BoundaryStrips.h"
+#include "LabelMapParts.h"
 #include "Plan.h"
 #include "WholeInput.h"
 
-#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
@@ -15,7 +14,6 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <cmath>
@@ -23,10 +21,6 @@
 namespace
 {
 constexpr int PortOfLabelMap = 2;
-constexpr const char* LabelMapProblem = "surfaces of label maps and KeepVoxels are for one process "
-                                        "alone: curves between labels would not "
-                                        "meet between the parts; without the array BoundaryLabels "
-                                        "the surface is reduced as one of one label";
 }
 
 vtkStandardNewMacro(vtkPBoneDecimate);
@@ -83,9 +77,17 @@ int vtkPBoneDecimate::RequestData(
     vtkErrorMacro(<< "a label map is for one surface on one process alone");
     return 0;
   }
+  const bonedecimate::LabelMapOfParts map =
+    bonedecimate::CompareLabelMaps(input, this->HasProcesses() ? this->Controller : nullptr);
+  if (!map.IsOne)
+  {
+    vtkErrorMacro(<< "the parts of the surface differ in the voxel grid, in LabelValues, or in "
+                     "having the arrays BoundaryLabels and GridPoint");
+    return 0;
+  }
   const vtkSmartPointer<vtkPolyData> whole = bonedecimate::WholeInput(input);
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
-  return this->HasProcesses() ? this->RunTogether(whole, reference, outputVector)
+  return this->HasProcesses() ? this->RunTogether(whole, reference, map.VoxelSize, outputVector)
                               : this->RunAlone(whole, reference, outputVector);
 }
 
@@ -146,20 +148,28 @@ int vtkPBoneDecimate::RunAlone(
 
 //------------------------------------------------------------------------------
 /// The option that needs the whole surface; null if there is none.
-const char* vtkPBoneDecimate::ProblemOfParts()
+const char* vtkPBoneDecimate::ProblemOfParts(
+  vtkPolyData* input, vtkPolyData* reference, double voxelSize)
 {
-  if (this->GetErrorPreset() != NO_PRESET && this->GetVoxelSize() == 0.0)
+  if (this->GetErrorPreset() != NO_PRESET && this->GetVoxelSize() == 0.0 && voxelSize == 0.0)
   {
     return "ErrorPreset on several processes needs VoxelSize: a part tells too little";
   }
-  if (this->GetSmoothing() > 0.0 || this->GetAutomaticSmoothing())
+  if (this->GetKeepVoxels() == KEEP_VOXELS_ON && voxelSize == 0.0)
   {
-    return "smoothing is for one process alone: parts would be smoothed again where they are "
-           "joined";
+    return "KeepVoxels needs the voxel grid of the label map, and no process has one";
   }
-  if (this->GetKeepVoxels() == KEEP_VOXELS_ON)
+  const bool smooths = this->GetSmoothing() > 0.0 || this->GetAutomaticSmoothing();
+  if (smooths && this->IsTrueAnywhere(reference != nullptr))
   {
-    return LabelMapProblem;
+    return "smoothing with a reference is for one process alone: a process may have a part of it";
+  }
+  const bool isSingle =
+    input->GetNumberOfPoints() > 0 && input->GetPoints()->GetDataType() != VTK_DOUBLE;
+  const bool isDouble = input->GetNumberOfPoints() > 0 && !isSingle;
+  if (smooths && this->IsTrueAnywhere(isSingle) && this->IsTrueAnywhere(isDouble))
+  {
+    return "smoothing on several processes needs points of one precision on all of them";
   }
   if (this->GetPruneSize() > 0.0 || this->GetPruneArea() > 0.0 || this->GetPruneVolume() > 0.0 ||
     this->GetPruneTriangles() > 0)
@@ -190,22 +200,24 @@ const char* vtkPBoneDecimate::ProblemOfParts()
 
 //------------------------------------------------------------------------------
 int vtkPBoneDecimate::RunTogether(
-  vtkPolyData* input, vtkPolyData* reference, vtkInformationVector* outputVector)
+  vtkPolyData* input, vtkPolyData* reference, double voxelSize, vtkInformationVector* outputVector)
 {
-  const bool hasLabelMap =
-    this->IsTrueAnywhere(input->GetCellData()->HasArray("BoundaryLabels") != 0);
-  const char* problem = hasLabelMap ? LabelMapProblem : this->ProblemOfParts();
-  if (problem != nullptr)
+  this->TakeReport(*vtkSmartPointer<vtkPBoneDecimate>::New()); // forgets that of an earlier run
+  if (const char* problem = this->ProblemOfParts(input, reference, voxelSize))
   {
     vtkErrorMacro(<< problem);
     return 0;
   }
   const double diagonal = this->WholeDiagonal(input);
-  if (std::isfinite(diagonal) && !this->AcceptSize(diagonal, this->LargestError()))
+  if (std::isfinite(diagonal) && !this->AcceptSize(diagonal, this->LargestError(voxelSize)))
   {
     return 0;
   }
-  Plan plan = this->MakePlan(input, reference);
+  Plan plan = this->MakePlan(input, reference, voxelSize);
+  if (!this->SmoothTogether(input, plan))
+  {
+    return 0;
+  }
   vtkNew<vtkPBoneDecimate> run;
   const bool isDone = this->ReducePart(run, input, reference, plan);
   if (this->OfAll(isDone ? 1.0 : 0.0, vtkCommunicator::MIN_OP) == 0.0)
@@ -225,11 +237,7 @@ int vtkPBoneDecimate::RunTogether(
   {
     this->ReduceSharedStrips(input, plan, output, inputCopy);
   }
-  for (vtkPolyData* surface : { output, inputCopy })
-  {
-    surface->GetPointData()->RemoveArray(Plan::ToleranceName);
-    surface->GetPointData()->RemoveArray(bonedecimate::RimArrayName);
-  }
+  this->CompareVoxelsTogether(input, output, plan);
   this->Report(plan, output);
   return 1;
 }

@@ -4,26 +4,34 @@
  * @class   vtkPBoneDecimate
  * @brief   vtkBoneDecimate for a surface that lies on several processes, or in several blocks
  *
- * Every process has a part of the surface; where parts meet, their open boundaries have points with exactly equal coordinates.
+ * Every process has a part of the surface; where parts meet, points have exactly equal coordinates.
  *
- *     shared  = points of open boundaries that more than one process has
- *     phase 1   each process decimates its part with the shared points constrained, towards its part of the triangles
+ *     shared    points of open boundaries and of curves between labels that more than one process has
+ *     smoothing process 0 smooths the whole surface and hands each process its points
+ *     phase 1   each process decimates its part, towards its part of the triangles; shared points and the corners of their
+ *               triangles are constrained
  *     phase 2   strips of a few rings around the shared points go to process 0, are joined there and decimated with their
  *               rims constrained; the result stays there
+ *     voxels    process 0 compares the voxels of the whole input and of the whole result
  *
  * The result hangs together as the input did, wherever points are equal. TargetNumberOfTriangles and TargetReduction are meant of
- * the whole surface. MaximumError holds of the whole surface: phase 1 may use four fifths of it, phase 2 one fifth. The same
- * partition gives the same bytes. With an array of tolerances, with a reference, and in Thesis mode with MaximumError there is no
- * second phase: the triangles at the shared points stay as they are.
+ * the whole surface. MaximumError holds of the whole surface, relative to the input before smoothing: phase 1 may use four fifths
+ * of it, phase 2 one fifth. The same partition gives the same bytes. With an array of tolerances, with a reference, and in Thesis
+ * mode with MaximumError there is no second phase: the triangles at the shared points stay as they are.
  *
- * The report in the field data is then that of the whole surface and short: input.triangles, output.triangles, proof.upper (mm), and
- * parallel.*; the getters keep that of the process's own part.
+ * The smoothed surface is that of one process, bit for bit. Smoothing in mm is lowered to the error of phase 1. KeepVoxels is
+ * decided for the whole surface. Only smoothing and the comparison of voxels need the memory of the whole surface on process 0.
+ *
+ * The report in the field data is then that of the whole surface and short: input.triangles, output.triangles, proof.upper (mm),
+ * smoothing.*, voxels.* and parallel.*; the getters have the same.
  *
  * On one process a vtkPolyData gives exactly what vtkBoneDecimate gives. The polydata in a composite data set are taken as one
  * surface, so that equal points of blocks hang together; the cell array BlockIndex says from which block a triangle is.
  *
- * Every process must update the filter, those without triangles, too. Rejected on several: pruning, labels, MergePoints off, MakeMaps,
- * DiagnoseInput, an OutputPointsPrecision other than the default, and an ErrorPreset without VoxelSize. ErrorBoundToResult is left out.
+ * Every process must update the filter, those without triangles, too. Rejected on several: pruning, LabelArrayName, MergePoints off,
+ * MakeMaps, DiagnoseInput, an OutputPointsPrecision other than the default, smoothing with a reference or of parts in different
+ * precision, and an ErrorPreset without VoxelSize or a voxel grid. Parts and blocks of different label maps are always rejected.
+ * ErrorBoundToResult is left out.
  */
 #ifndef vtkPBoneDecimate_h
 #define vtkPBoneDecimate_h
@@ -67,16 +75,20 @@ private:
   bool Run(vtkPBoneDecimate* run, vtkPolyData* input, vtkPolyData* reference);
   void PassProgress(vtkObject* caller, unsigned long event, void* data);
   int RunAlone(vtkPolyData* input, vtkPolyData* reference, vtkInformationVector* outputVector);
-  int RunTogether(vtkPolyData* input, vtkPolyData* reference, vtkInformationVector* outputVector);
+  int RunTogether(vtkPolyData* input, vtkPolyData* reference, double voxelSize,
+    vtkInformationVector* outputVector);
   double ProvedByAll(vtkPBoneDecimate* run) const;
 
-  double LargestError() const;
+  double LargestError(double voxelSize) const;
   double WholeDiagonal(vtkPolyData* input) const;
-  double TargetTriangles(double total, bool isLimited) const;
+  double TargetTriangles(double total, double error, bool isLimited) const;
   bool IsLimitedEverywhere(vtkPolyData* input);
-  const char* ProblemOfParts();
-  Plan MakePlan(vtkPolyData* input, vtkPolyData* reference);
-  void Order(vtkPBoneDecimate* run, double triangles, double error) const;
+  const char* ProblemOfParts(vtkPolyData* input, vtkPolyData* reference, double voxelSize);
+  Plan MakePlan(vtkPolyData* input, vtkPolyData* reference, double voxelSize);
+  void GatherWhole(vtkPolyData* input, Plan& plan);
+  bool SmoothTogether(vtkPolyData* input, Plan& plan);
+  void CompareVoxelsTogether(vtkPolyData* input, vtkPolyData* output, Plan& plan);
+  void Order(vtkPBoneDecimate* run, double triangles, double error, const Plan& plan) const;
   bool ReducePart(
     vtkPBoneDecimate* run, vtkPolyData* input, vtkPolyData* reference, const Plan& plan);
   void ReduceSharedStrips(

@@ -6,6 +6,7 @@
 #include "Input/LabelMapInput.h"
 #include "Input/PrepareInput.h"
 #include "Input/VoxelSize.h"
+#include "Mesh/SurfaceAssembly.h"
 #include "Options/OptionTable.h"
 #include "Output/Evaluation.h"
 #include "Output/Extract.h"
@@ -92,6 +93,32 @@ std::optional<VoxelGuardSettings> VoxelSettings(const RunTask& task, const Prepa
   return settings;
 }
 
+/// Of each vertex of the mesh: whether other parts have it, too. Empty: none.
+std::vector<char> SharedVertices(const RunTask& task, const CleanSurface& clean)
+{
+  std::vector<char> isShared;
+  const SurfacePart* part = task.Inputs.Part;
+  if (part == nullptr || part->IsShared.empty())
+  {
+    return isShared;
+  }
+  isShared.resize(clean.Surface.Points.size(), 0);
+  for (std::size_t i = 0; i < part->IsShared.size(); ++i)
+  {
+    const Index point = clean.PointOfInput[i];
+    if (point != None && part->IsShared[i] != 0)
+    {
+      isShared[static_cast<std::size_t>(point)] = 1;
+    }
+  }
+  const std::vector<Index>& originals = clean.ManifoldPatches.OriginalVertices;
+  for (std::size_t v = 0; v < originals.size(); ++v)
+  {
+    isShared[v] = isShared[static_cast<std::size_t>(originals[v])];
+  }
+  return isShared;
+}
+
 /// After an abort, leaves out what only edits need.
 EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepared, bool isAborted)
 {
@@ -109,6 +136,7 @@ EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepar
       (task.Inputs.Log == nullptr && HasSeveralPairs(task.Inputs.LabelMap));
     settings.Voxels = VoxelSettings(task, prepared);
     settings.Tolerances = prepared.VertexTolerances;
+    settings.IsConstrained = SharedVertices(task, prepared.Cleaned);
     settings.Bound = BoundSettings(task, prepared);
     settings.GuardsIntersections = task.Effective.BoundsError() && task.Effective.IntersectionGuard;
   }
@@ -257,7 +285,8 @@ bool Simplify(const RunTask& task, PreparedInput& prepared, RunProgress& progres
 void CheckVoxels(const RunTask& task, RunProgress& progress, Result& result)
 {
   const LabelMapSource* map = task.Inputs.LabelMap;
-  if (map != nullptr && map->Grid.Dimensions[0] > 0 && progress.GoesOn())
+  const bool isWhole = task.Inputs.Part == nullptr;
+  if (isWhole && map != nullptr && map->Grid.Dimensions[0] > 0 && progress.GoesOn())
   {
     const double at = MeasuredTo(EndsWithProof(task));
     result.Report.Voxels = CompareWithInput(task.Input, result.Surface, result.BoundaryLabels, *map,
@@ -301,6 +330,34 @@ Result Decimate(
     report.Stop = progress.GoesOn() ? report.Stop : StopReason::Aborted;
   }
   report.Seconds.Total = clock.Seconds();
+  return result;
+}
+
+//------------------------------------------------------------------------------
+SmoothedInput SmoothOnly(
+  const Surface& input, const Options& options, const Monitor& monitor, const RunInputs& inputs)
+{
+  RunProgress progress(monitor);
+  SmoothedInput result{ input.Points, {} };
+  Report& report = result.Report;
+  RunTask task = TaskOf(input, options, inputs, report);
+  const PreparedInput prepared = PrepareInput(task, CheckedAt, BuiltAt, progress, report);
+  if (report.Status != InputStatus::Good || !progress.GoesOn())
+  {
+    return result;
+  }
+  const std::vector<Vector3> smoothed = SmoothInput(task, prepared,
+    SettingsOfEditor(task, prepared, false), progress.Stage(BuiltAt, 1.0), report.Smoothing);
+  const CleanSurface& clean = prepared.Cleaned;
+  for (std::size_t i = 0; i < result.Points.size() && !smoothed.empty(); ++i)
+  {
+    const Index point = clean.PointOfInput[i];
+    if (point != None && smoothed[point] != clean.Surface.Points[point]) // others keep their bits
+    {
+      const Vector3 position = smoothed[point] + clean.Origin;
+      result.Points[i] = task.RoundsToSingle ? RoundedToSingle(position) : position;
+    }
+  }
   return result;
 }
 }

@@ -67,6 +67,17 @@ struct Result
   bonedecimate::Report Report;
 };
 
+/// What a run knows if its input is a part of a larger surface, and other runs have the other parts.
+struct SurfacePart
+{
+  /// Of each input point: whether other parts have it, too. It and the corners of its triangles are constrained, but by no
+  /// tolerance: they may have been smoothed. Empty: none.
+  std::vector<char> IsShared;
+  /// mm, of each input point: where SmoothOnly has put it, of the whole surface. Edits start there and are proved against the
+  /// input. Empty: nowhere. Otherwise the options must not smooth.
+  std::vector<Vector3> SmoothedPoints;
+};
+
 /// What belongs to the input, and what is wanted beside the surface; none of it has to be there.
 struct RunInputs
 {
@@ -89,6 +100,8 @@ struct RunInputs
   const LabelMapSource* LabelMap = nullptr;
   /// Receives the record of the run, see Levels.h; not changed if the input was rejected.
   EditLog* Log = nullptr;
+  /// Null: the input is the whole surface. Voxels of a part are not compared.
+  const SurfacePart* Part = nullptr;
 };
 
 /**
@@ -96,6 +109,18 @@ struct RunInputs
  * @throws std::bad_alloc and nothing else.
  */
 Result Decimate(const Surface& input, const Options& options, const Monitor& monitor = {},
+  const RunInputs& inputs = {});
+
+/// The points of the input as the first edit of Decimate would find them.
+struct SmoothedInput
+{
+  std::vector<Vector3>
+    Points; ///< mm, of each input point. Those of the input if it was rejected or nothing is smoothed.
+  bonedecimate::Report Report; ///< Status and smoothing alone.
+};
+
+/// @param inputs As those of Decimate.
+SmoothedInput SmoothOnly(const Surface& input, const Options& options, const Monitor& monitor = {},
   const RunInputs& inputs = {});
 }
 

@@ -75,6 +75,19 @@ LabelMapSource SourceOf(const RunTask& task, const CleanSurface& clean)
   return source;
 }
 
+/// mm from the local origin, of each vertex of the mesh.
+std::vector<Vector3> PositionsOfPart(const SurfacePart& part, const PreparedInput& prepared)
+{
+  const CleanSurface& clean = prepared.Cleaned;
+  std::vector<Vector3> positions;
+  for (Index v = 0; v < prepared.Mesh->NumberOfVertexSlots(); ++v)
+  {
+    const Index point = clean.InputPoint[prepared.Mesh->OriginalVertex(v)];
+    positions.emplace_back(part.SmoothedPoints[point] - clean.Origin);
+  }
+  return positions;
+}
+
 SmoothingSettings SettingsOf(const RunTask& task, const CleanSurface& clean)
 {
   SmoothingSettings settings;
@@ -91,6 +104,10 @@ std::vector<Vector3> SmoothInput(const RunTask& task, const PreparedInput& prepa
   const EditorSettings& settings, const Monitor& monitor, SmoothingFigures& figures)
 {
   figures.From = task.Smoothing.From;
+  if (const SurfacePart* part = task.Inputs.Part; part && !part->SmoothedPoints.empty())
+  {
+    return PositionsOfPart(*part, prepared);
+  }
   if (!(task.Smoothing.Radius > 0.0))
   {
     return {};

@@ -7,6 +7,8 @@
  *     limits      of each point, as those of edits: largest error, tolerance, what the reference leaves; 0: constrained
  *     Smooth      the manifold patches joined, so that duplicates of a point move as one        (Smoothing/Smoothing.h)
  *
+ * A part of a larger surface takes the positions that its smoothing as a whole has given.
+ *
  * The connectivity stays, so the displacement of a point proves its distance to the input. Edits are proved against the
  * input, too, so that errors do not add up.
  */

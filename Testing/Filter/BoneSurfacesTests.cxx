@@ -188,10 +188,64 @@ TEST(BoneSurfaces, AreThoseOfTheWholeImageInAPipeline)
   part->SetVOI(0, 15, 0, 13, 0, 11);
   vtkNew<vtkBoneSurfaces> filter;
   filter->SetInputConnection(part->GetOutputPort());
-  filter->UpdatePiece(0, 4, 0);
+  filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), Extracted(image)->GetNumberOfCells());
-  filter->UpdatePiece(1, 4, 0);
+}
+
+TEST(BoneSurfaces, ComeInPiecesThatFitTogether)
+{
+  const auto image = ImageOf(EllipsoidLabels({ 16, 14, 12 }));
+  const auto whole = Extracted(image);
+  vtkDataArray* labels = whole->GetCellData()->GetArray("BoundaryLabels");
+  vtkNew<vtkBoneSurfaces> filter;
+  filter->SetInputData(image);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  vtkIdType cell = 0;
+  for (int piece = 0; piece < 3; ++piece)
+  {
+    filter->UpdatePiece(piece, 3, 0);
+    vtkPolyData* part = filter->GetOutput();
+    EXPECT_NEAR(part->GetNumberOfCells(), whole->GetNumberOfCells() / 3.0, 1.0);
+    std::set<vtkIdType> used;
+    for (vtkIdType i = 0; i < part->GetNumberOfCells(); ++i, ++cell)
+    {
+      const double* pair = part->GetCellData()->GetArray("BoundaryLabels")->GetTuple(i);
+      EXPECT_EQ(pair[0], labels->GetComponent(cell, 0));
+      EXPECT_EQ(pair[1], labels->GetComponent(cell, 1));
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const vtkIdType id = part->GetCell(i)->GetPointId(corner);
+        const vtkIdType idOfWhole = whole->GetCell(cell)->GetPointId(corner);
+        used.insert(id);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          EXPECT_EQ(part->GetPoint(id)[axis], whole->GetPoint(idOfWhole)[axis]);
+          EXPECT_EQ(part->GetPointData()->GetArray("GridPoint")->GetComponent(id, axis),
+            whole->GetPointData()->GetArray("GridPoint")->GetComponent(idOfWhole, axis));
+        }
+      }
+    }
+    EXPECT_EQ(static_cast<vtkIdType>(used.size()), part->GetNumberOfPoints());
+  }
+  EXPECT_EQ(cell, whole->GetNumberOfCells());
+}
+
+TEST(BoneSurfaces, RejectsAnImageThatIsAPiece)
+{
+  const auto image = ImageOf(EllipsoidLabels({ 16, 14, 12 }));
+  vtkNew<vtkImageData> piece;
+  piece->DeepCopy(image);
+  const int extent[6] = { 0, 15, 0, 13, 0, 6 };
+  piece->Crop(extent);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(piece);
+  producer->SetWholeExtent(image->GetExtent());
+  vtkNew<vtkBoneSurfaces> filter;
+  filter->SetInputConnection(producer->GetOutputPort());
+  ErrorTexts errors(filter);
+  filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(errors.Count("one of several pieces"), 1);
 }
 
 TEST(BoneSurfaces, CanBeDecimatedWithTheirLabels)

@@ -149,3 +149,14 @@ TEST(BoneVoxelCheck, TellsTheFirstChangedVoxel)
   EXPECT_EQ(voxel[1], 5);
   EXPECT_EQ(voxel[2], 6);
 }
+
+TEST(BoneVoxelCheck, RejectsAPieceOfASurface)
+{
+  const vtkSmartPointer<vtkImageData> image = ImageOf(EllipsoidLabels({ 15, 13, 12 }));
+  const auto check = Check(Extracted(image), image);
+  EXPECT_GT(check->GetNumberOfComparedVoxels(), 0);
+  ErrorTexts errors(check);
+  check->UpdatePiece(0, 2, 0);
+  EXPECT_EQ(check->GetNumberOfComparedVoxels(), 0);
+  EXPECT_EQ(errors.Count("one process alone"), 1);
+}

@@ -2,13 +2,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Surfaces on several ranks: how they are cut, and the properties of the filter."""
 
+import json
+
+import label_images
 import specimens
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkIntArray
+
+ERROR = 0.5  # mm, of segmentations
+TOLERANCE = 0.1  # mm
 
 OWNER = {
     "slabs": lambda number, count, ranks: number * ranks // count,
     "crumbs": lambda number, count, ranks: number // 7 % ranks,
     "lopsided": lambda number, count, ranks: 0,  # the other ranks have nothing
+    "tail": lambda number, count, ranks: min(ranks - 1, 1 + number * max(1, ranks - 1) // count),  # the first has nothing
 }
 
 
@@ -27,6 +34,22 @@ def cases():
     }
 
 
+def label_cases():
+    """By name: segmentation, how its surface is cut, properties. "pieces": as Bone Surfaces hands it to the ranks."""
+    smoothed = {"AutomaticSmoothing": 1}
+    return {name: (label_images.image(), cut, properties) for name, cut, properties in (
+        ("label-smoothed", "pieces", {**smoothed, "TargetReduction": 0.0}),
+        ("label-error", "pieces", {**smoothed, "MaximumError": ERROR, "KeepVoxels": "On"}),
+        ("label-crumbs", "crumbs", {**smoothed, "MaximumError": ERROR, "KeepVoxels": "On"}),
+        ("label-free", "slabs", {**smoothed, "MaximumError": ERROR, "KeepVoxels": "Off"}),
+        ("label-kept", "slabs", {"KeepVoxels": "On"}),
+        ("label-preset", "tail", {**smoothed, "ErrorPreset": "HalfVoxel"}),
+        ("label-tolerance", "slabs", {**smoothed, "ToleranceArrayName": "allowed", "MaximumError": ERROR}),
+        ("label-thesis", "lopsided", {**smoothed, "Mode": "Thesis", "TargetReduction": 0.6}),
+        ("label-millimeters", "slabs", {"Smoothing": 0.3, "MaximumError": 0.3, "Mode": "Fast"}),
+    )}
+
+
 def labeled(surface):
     """With half of the triangles of one bone, half of another."""
     bone = vtkIntArray()
@@ -41,7 +64,7 @@ def with_tolerances(surface):
     tolerances = vtkFloatArray()
     tolerances.SetName("allowed")
     for _ in range(surface.GetNumberOfPoints()):
-        tolerances.InsertNextValue(0.1)
+        tolerances.InsertNextValue(TOLERANCE)
     surface.GetPointData().AddArray(tolerances)
     return surface
 
@@ -57,13 +80,14 @@ def rejected():
         "LabelArrayName": {"LabelArrayName": "bone"},
         "MergePoints": {"MergePoints": 0},
         "MakeMaps": {"MakeMaps": 1},
-        "Smoothing": {"Smoothing": 0.1},
-        "AutomaticSmoothing": {"AutomaticSmoothing": 1},
         "OutputPointsPrecision": {"OutputPointsPrecision": "Double"},
         "DiagnoseInput": {"DiagnoseInput": 1},
-        "KeepVoxels": {"KeepVoxels": "On"},
+        "no-grid": {"KeepVoxels": "On"},
         "preset-alone": {"ErrorPreset": "HalfVoxel"},
-    }.items()}
+    }.items()} | {
+        "grids-differ": (label_images.image(), "grids", {"TargetReduction": 0.5}),
+        "part-of-an-image": (label_images.image(), "image", {"TargetReduction": 0.5}),
+    }
 
 
 def has(*arrays):
@@ -80,6 +104,14 @@ def entry(name, test):
     def holds(part):
         array = part.GetFieldData().GetArray("bonedecimate." + name)
         return test(array.GetValue(0) if array else None)
+    return holds
+
+
+def reported(group, name, test):
+    """Of the whole report, which is longer than the arrays of the field data."""
+    def holds(part):
+        report = json.loads(part.GetFieldData().GetAbstractArray("BoneDecimateReport").GetValue(0))
+        return test(report[group][name])
     return holds
 
 
@@ -116,4 +148,10 @@ def allowed():
         "ProveResult": ({**error, "ProveResult": 0}, entry("proof.upper", lambda upper: upper is None)),
         "ErrorPreset": ({"ErrorPreset": "HalfVoxel", "VoxelSize": 0.2}, proved(0.1)),
         "VoxelSize": ({"ErrorPreset": "OneVoxel", "VoxelSize": 0.1}, proved(0.1)),
+        "Smoothing": ({"Smoothing": 0.05, "TargetReduction": 0.0},
+                      reported("smoothing", "largest_displacement", lambda most: 0.01 < most <= 0.05)),
+    }.items()} | {name: (label_images.image(), "pieces", properties, shows) for name, (properties, shows) in {
+        "AutomaticSmoothing": ({"AutomaticSmoothing": 1, "TargetReduction": 0.0},
+                               reported("smoothing", "surface", lambda surface: surface == "label_map")),
+        "KeepVoxels": ({"KeepVoxels": "On", "TargetReduction": 0.5}, reported("voxels", "guard", lambda guard: guard == "on")),
     }.items()}

@@ -6,102 +6,20 @@ What the ranks wrote is joined and checked here, by the system's VTK and by the 
 """
 
 import hashlib
-import json
 import os
-import pathlib
 import re
 import subprocess
 import unittest
 
-from bonedecimate import vtkBoneSurfaceDistance
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkFeatureEdges
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
-
 import cases
 import specimens
-
-FOLDER = pathlib.Path(os.environ["FOLDER"]) / "parallel"
-WORKER = pathlib.Path(__file__).with_name("parallel_worker.py")
-RANKS = (1, 2, 4)
-
-
-def report_of(surface):
-    return json.loads(surface.GetFieldData().GetAbstractArray("BoneDecimateReport").GetValue(0))
-
-
-def run(ranks, folder, names):
-    folder.mkdir(parents=True, exist_ok=True)
-    environment = {**os.environ, "OMPI_MCA_mpi_yield_when_idle": "1", "LD_LIBRARY_PATH": os.environ["PARAVIEW_LIBRARIES"],
-                   "PYTHONPATH": os.pathsep.join([os.environ["WHEEL_TESTS"], str(WORKER.parent)])}
-    subprocess.run([os.environ["MPIEXEC"], "-n", str(ranks), os.environ["PVBATCH"], "--sym", str(WORKER), str(folder), *names],
-                   env=environment, check=True, timeout=240)
-
-
-def read(path):
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    return reader.GetOutput()
-
-
-def parts(name, ranks, folder=FOLDER):
-    return [read(folder / f"{name}-{ranks}-{rank}.vtp") for rank in range(ranks)]
-
-
-def joined(surfaces):
-    """One surface, equal points merged."""
-    append = vtkAppendPolyData()
-    for surface in surfaces:
-        append.AddInputData(surface)
-    clean = vtkCleanPolyData()
-    clean.SetInputConnection(append.GetOutputPort())
-    clean.SetTolerance(0.0)
-    clean.Update()
-    return clean.GetOutput()
-
-
-def bad_edges(surface, boundary):
-    """How many edges are open, or of more than two triangles."""
-    edges = vtkFeatureEdges()
-    edges.SetInputData(surface)
-    edges.SetBoundaryEdges(boundary)
-    edges.SetNonManifoldEdges(not boundary)
-    edges.FeatureEdgesOff()
-    edges.ManifoldEdgesOff()
-    edges.Update()
-    return edges.GetOutput().GetNumberOfCells()
-
-
-def comparison(before, after):
-    compare = vtkBoneSurfaceDistance()
-    compare.SetInputData(0, before)
-    compare.SetInputData(1, after)
-    compare.SetMeasureMeans(False)
-    return compare
-
-
-def distance(before, after):
-    """mm, proved: no point of either is farther from the other, open boundaries curve to curve."""
-    compare = comparison(before, after)
-    compare.SetRelativeGap(1e-3)
-    compare.Update()
-    return compare.GetUpperBound()
-
-
-def is_proved(before, after, tolerance):
-    """Whether the certificate says so, both ways and of open boundaries."""
-    compare = comparison(before, after)
-    compare.SetTolerance(tolerance)
-    compare.Update()
-    return compare.GetStatusAsString() == "proved"
+from parallel_runs import (FOLDER, RANKS, bad_edges, comparison, distance, is_proved, joined, parts, report_of, run)
 
 
 class Parallel(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.cases = cases.cases()
-        for ranks in RANKS:
-            run(ranks, FOLDER, cls.cases)
         cls.whole = {(name, ranks): joined(parts(name, ranks)) for name in cls.cases for ranks in RANKS}
         for (name, ranks), surface in cls.whole.items():
             print(f"{name:10} {ranks} ranks: {surface.GetNumberOfPolys():6} triangles, {bad_edges(surface, True):4} open edges, "
@@ -131,7 +49,6 @@ class Parallel(unittest.TestCase):
                     self.assertTrue(is_proved(self.cases[name][0], self.whole[name, ranks], 0.1))
 
     def test_what_needs_the_whole_surface_is_rejected(self):
-        run(2, FOLDER, cases.rejected())
         for name in cases.rejected():
             with self.subTest(name):
                 self.assertEqual([part.GetNumberOfPolys() for part in parts(name, 2)], [0, 0])
@@ -141,7 +58,6 @@ class Parallel(unittest.TestCase):
         options = set(re.findall(r"^\| `(\w+)` \|", table.stdout, re.MULTILINE))
         allowed = cases.allowed()
         self.assertEqual(options - set(cases.rejected()), set(allowed))
-        run(2, FOLDER, allowed)
         for name, (*_, shows) in allowed.items():
             found = parts(name, 2)  # strips go to the first rank, so that the other one may have nothing left
             with self.subTest(name):

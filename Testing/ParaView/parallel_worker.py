@@ -9,11 +9,12 @@ import sys
 
 from paraview import simple
 from paraview.servermanager import vtkProcessModule
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkMultiBlockDataSet
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 import cases
+import label_images
 import specimens
 import surfaces
 
@@ -44,16 +45,54 @@ def blocks_of(surface, rank, ranks):
     return blocks
 
 
+def surface_of(image, cut, rank, ranks):
+    """A source of the surface of a segmentation, or of this rank's part of it."""
+    extract = simple.BoneSurfaces(Input=image_source(image, cut, rank, ranks), LabelArray=["POINTS", label_images.ARRAY])
+    if cut in ("pieces", "image"):
+        return extract
+    algorithm = extract.GetClientSideObject()
+    extract.UpdatePipeline()
+    algorithm.UpdatePiece(0, 1, 0)
+    whole = cases.with_tolerances(algorithm.GetOutput())
+    owner = cases.OWNER["slabs" if cut == "grids" else cut]
+    part = part_of(whole, lambda number: owner(number, whole.GetNumberOfCells(), ranks) == rank)
+    part.GetFieldData().DeepCopy(whole.GetFieldData())
+    if cut == "grids":
+        part.GetFieldData().GetArray("VoxelGridOrigin").SetValue(0, rank)
+    return surfaces.source(part)
+
+
+def image_source(image, cut, rank, ranks):
+    """The whole image on every rank, or, for the cut "image", a few of its slices."""
+    producer = simple.TrivialProducer()
+    if cut == "image":
+        whole = image.GetExtent()
+        part = vtkImageData()
+        part.DeepCopy(image)
+        last = whole[5]
+        part.Crop((*whole[:4], rank * last // ranks, (rank + 1) * last // ranks))
+        producer.GetClientSideObject().SetWholeExtent(whole)
+        image = part
+    producer.GetClientSideObject().SetOutput(image)
+    producer.UpdatePipeline()
+    return producer
+
+
 def main(folder, *names):
     surfaces.load()
     module = vtkProcessModule.GetProcessModule()
     rank, ranks = module.GetPartitionId(), module.GetNumberOfLocalPartitions()
-    every = {**cases.cases(), **cases.rejected(), **cases.allowed()}
+    every = {**cases.cases(), **cases.label_cases(), **cases.rejected(), **cases.allowed()}
     for name in names:
         surface, cut, properties, *_ = every[name]
-        data = (blocks_of(surface, rank, ranks) if cut == "blocks" else
+        if surface.IsA("vtkImageData"):
+            data = surface_of(surface, cut, rank, ranks)
+        elif cut == "blocks":
+            data = surfaces.source(blocks_of(surface, rank, ranks))
+        else:
+            data = surfaces.source(
                 part_of(surface, lambda number: cases.OWNER[cut](number, surface.GetNumberOfCells(), ranks) == rank))
-        decimate = simple.BoneDecimate(Input=surfaces.source(data), **properties)
+        decimate = simple.BoneDecimate(Input=data, **properties)
         writer = vtkXMLPolyDataWriter()
         writer.SetFileName(f"{folder}/{name}-{ranks}-{rank}.vtp")
         writer.SetInputData(surfaces.output(decimate))

@@ -69,9 +69,10 @@ Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSetting
     this->First = std::make_unique<HalfEdgeMesh>(this->Half);
   }
   this->AddFilters(settings, monitor);
-  if (!settings.Tolerances.empty() && goesOn())
+  if (!(settings.Tolerances.empty() && settings.IsConstrained.empty()) && goesOn())
   {
-    this->ConstrainedVertices = this->ConstrainVertices(settings.Tolerances);
+    this->ConstrainedVertices =
+      this->ConstrainVertices(settings.Tolerances, settings.IsConstrained);
   }
   if (settings.CollapsesFeatureCurves && goesOn())
   {
@@ -152,10 +153,15 @@ void Editor::AddErrorBound(const EditorSettings& settings)
 }
 
 //------------------------------------------------------------------------------
-Index Editor::ConstrainVertices(const std::vector<double>& tolerances)
+Index Editor::ConstrainVertices(
+  const std::vector<double>& tolerances, const std::vector<char>& others)
 {
   const auto isConstrained = [&](VertexId v)
-  { return this->Bound ? !(this->Bound->LimitAt(v) > 0.0) : tolerances[v] == 0.0; };
+  {
+    const bool isLimited = !tolerances.empty() &&
+      (this->Bound ? !(this->Bound->LimitAt(v) > 0.0) : tolerances[v] == 0.0);
+    return isLimited || (!others.empty() && others[v] != 0);
+  };
   for (FaceId face = 0; face < this->Half.NumberOfFaceSlots(); ++face)
   {
     const Triangle corners = this->Half.Corners(face);

@@ -139,7 +139,7 @@ private:
   void AddFilters(const EditorSettings& settings, const Monitor& monitor);
   void TakeSmoothedPositions(const std::vector<Vector3>& positions);
   void AddErrorBound(const EditorSettings& settings);
-  Index ConstrainVertices(const std::vector<double>& tolerances);
+  Index ConstrainVertices(const std::vector<double>& tolerances, const std::vector<char>& others);
   Vector3 Rounded(const Vector3& position) const;
   ProposedEdit& Propose(
     const Edit& edit, VertexId vertex, double volumeChange, Workspace& work, int workers) const;

@@ -37,6 +37,8 @@ struct EditorSettings
   /// mm, of each vertex of the mesh; negative: none of its own. A vertex of tolerance 0, or of one too small to be proved, is
   /// constrained, and so are the corners of its faces. Empty: no vertex has a tolerance.
   std::vector<double> Tolerances = {};
+  /// Of each vertex of the mesh: whether it is constrained, and the corners of its faces, whatever its tolerance. Empty: none.
+  std::vector<char> IsConstrained = {};
   /// mm from the local origin, of each vertex of the mesh: where edits start from. The error bound and the distances recorded
   /// refer to the mesh as it was made; everything else sees these positions. Empty: vertices are where the mesh has them.
   std::vector<Vector3> SmoothedPositions = {};

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PartsOfSurface.cxx
+ * @brief What vtkBoneDecimate offers to classes that simplify a surface in parts.
+ */
+#include "Input/InputSize.h"
+#include "Input/LabelMapInput.h"
+#include "RunInput.h"
+#include "RunState.h"
+
+#include "vtkFieldData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace
+{
+using namespace bonedecimate;
+
+/// Whether the name is that of an entry of smoothing or of voxels.
+bool IsOfSegmentation(const std::string& name)
+{
+  return name.rfind("smoothing.", 0) == 0 || name.rfind("voxels.", 0) == 0;
+}
+
+template <typename Value>
+void Append(std::vector<char>& bytes, const Value* values, std::size_t count)
+{
+  static_assert(std::is_trivially_copyable_v<Value>);
+  const char* first = reinterpret_cast<const char*>(values); // NOLINT: bytes of plain values
+  bytes.insert(bytes.end(), first, first + count * sizeof(Value));
+}
+
+/// Reads what Append wrote, in the same order.
+class ByteReader
+{
+public:
+  explicit ByteReader(const std::vector<char>& bytes)
+    : Next(bytes.data())
+  {
+  }
+
+  template <typename Value>
+  void Read(Value* values, std::size_t count)
+  {
+    const std::size_t size = count * sizeof(Value);
+    std::copy(this->Next, this->Next + size, reinterpret_cast<char*>(values)); // NOLINT: the same
+    this->Next += size;
+  }
+
+private:
+  const char* Next;
+};
+
+/// The numbers of a comparison of voxels that have no list.
+struct VoxelCounts
+{
+  std::int64_t WereGuarded = 0;
+  std::int64_t WasChecked = 0;
+  std::int64_t Compared = 0;
+  std::int64_t Changed = 0;
+  std::array<std::int64_t, 3> FirstChanged = { 0, 0, 0 };
+  std::int64_t Labels = 0;
+};
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimate::SetPart(
+  const std::vector<char>& isShared, const std::vector<double>& smoothedPoints)
+{
+  this->Part = std::make_unique<PartOfSurface>();
+  SurfacePart& part = this->Part->Part;
+  part.IsShared = isShared;
+  for (std::size_t i = 0; i + 2 < smoothedPoints.size(); i += 3)
+  {
+    part.SmoothedPoints.emplace_back(
+      smoothedPoints[i], smoothedPoints[i + 1], smoothedPoints[i + 2]);
+  }
+  this->State->Options.AllowLargeError = true; // the size of the whole has been accepted
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkBoneDecimate::SmoothPoints(vtkPolyData* whole, double largestSmoothing)
+{
+  RunInput read;
+  if (!this->ReadInput(whole, nullptr, {}, read))
+  {
+    return {};
+  }
+  Options options = this->State->Options;
+  options.Smoothing = std::min(options.Smoothing, largestSmoothing);
+  const SmoothedInput smoothed = SmoothOnly(
+    read.Converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
+    read.Inputs);
+  this->State->Report.Smoothing = smoothed.Report.Smoothing;
+  const std::string problem = InputMessage(smoothed.Report);
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return {};
+  }
+  Report figures;
+  figures.Smoothing = smoothed.Report.Smoothing;
+  this->Warn(InputWarnings(figures));
+  std::vector<double> points;
+  points.reserve(3 * smoothed.Points.size());
+  for (const Vector3& point : smoothed.Points)
+  {
+    points.insert(points.end(), point.begin(), point.end());
+  }
+  return points;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBoneDecimate::GuardsVoxels(vtkPolyData* input, double largestError)
+{
+  const ConvertedSurface converted = ToSurface(input, this->State->Options.NumberOfThreads);
+  const ReadLabelMap map = ReadLabelMapArrays(input, converted);
+  Options options = this->State->Options;
+  options.MaximumError = largestError;
+  return map.Problem.empty() && bonedecimate::GuardsVoxels(&map.Source, options);
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimate::CompareVoxels(vtkPolyData* whole, vtkPolyData* result, bool wereGuarded)
+{
+  const int threads = this->State->Options.NumberOfThreads;
+  const ConvertedSurface before = ToSurface(whole, threads);
+  const ConvertedSurface after = ToSurface(result, threads);
+  const ReadLabelMap map = ReadLabelMapArrays(whole, before);
+  result->GetFieldData()->ShallowCopy(
+    whole->GetFieldData()); // so that labels have the same indices
+  const ReadLabelMap ofResult = ReadLabelMapArrays(result, after);
+  if (map.Problem.empty() && ofResult.Problem.empty())
+  {
+    this->State->Report.Voxels = CompareWithInput(
+      before.Surface, after.Surface, ofResult.Source.OfTriangle, map.Source, threads, {});
+    this->State->Report.Voxels.WereGuarded = wereGuarded;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<char> vtkBoneDecimate::FiguresOfSegmentation() const
+{
+  const VoxelReport& voxels = this->State->Report.Voxels;
+  const VoxelChanges& changes = voxels.Changes;
+  const VoxelCounts counts = { voxels.WereGuarded, voxels.WasChecked, changes.Compared,
+    changes.Changed, changes.FirstChanged, static_cast<std::int64_t>(voxels.Values.size()) };
+  std::vector<char> bytes;
+  Append(bytes, &this->State->Report.Smoothing, 1);
+  Append(bytes, &counts, 1);
+  Append(bytes, voxels.Values.data(), voxels.Values.size());
+  Append(bytes, changes.OfLabel.data(), changes.OfLabel.size());
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimate::TakeFiguresOfSegmentation(const std::vector<char>& bytes)
+{
+  ByteReader reader(bytes);
+  VoxelReport voxels;
+  VoxelCounts counts;
+  reader.Read(&this->State->Report.Smoothing, 1);
+  reader.Read(&counts, 1);
+  voxels.WereGuarded = counts.WereGuarded != 0;
+  voxels.WasChecked = counts.WasChecked != 0;
+  voxels.Changes.Compared = counts.Compared;
+  voxels.Changes.Changed = counts.Changed;
+  voxels.Changes.FirstChanged = counts.FirstChanged;
+  voxels.Values.resize(static_cast<std::size_t>(counts.Labels));
+  voxels.Changes.OfLabel.resize(voxels.Values.size());
+  reader.Read(voxels.Values.data(), voxels.Values.size());
+  reader.Read(voxels.Changes.OfLabel.data(), voxels.Changes.OfLabel.size());
+  this->State->Report.Voxels = voxels;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBoneDecimate::AcceptSize(double diagonal, double largestError)
+{
+  const SizeFigures size = { diagonal, largestError, -1, std::min(diagonal, largestError) };
+  const InputStatus status = CheckSize(size, this->State->Options);
+  if (status != InputStatus::Good)
+  {
+    vtkErrorMacro(<< SizeMessage(size, status));
+    return false;
+  }
+  this->Warn(SizeWarnings(size));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimate::TakeReport(const vtkBoneDecimate& from)
+{
+  this->State->Keep(from.State->Report);
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimate::SetReportOfParts(
+  const std::map<std::string, double>& entries, vtkPolyData* output)
+{
+  std::vector<ReportEntry> list;
+  for (const auto& [name, value] : entries)
+  {
+    const bool isError = name == "proof.upper";
+    list.push_back({ name, isError ? "mm" : "",
+      isError ? ReportValue(value) : static_cast<std::int64_t>(value) });
+  }
+  const auto of = [&entries](const char* name)
+  {
+    const auto found = entries.find(name);
+    return found == entries.end() ? 0.0 : found->second;
+  };
+  Report report;
+  report.Input.Faces = static_cast<std::int64_t>(of("input.triangles"));
+  report.Output.Faces = static_cast<std::int64_t>(of("output.triangles"));
+  report.Proof.WasMade = entries.count("proof.upper") > 0;
+  report.Proof.OutputToInput.Upper = of("proof.upper");
+  report.Smoothing = this->State->Report.Smoothing;
+  report.Voxels = this->State->Report.Voxels;
+  for (const ReportEntry& entry : ReportEntries(report))
+  {
+    if (IsOfSegmentation(entry.Name))
+    {
+      list.push_back(entry);
+    }
+  }
+  this->State->Report = std::move(report);
+  this->State->Entries = NamedEntries(list);
+  SetReport(list, ArraysOfReport(), output->GetFieldData());
+}

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RunInput.h
+ * @brief The input of a run of vtkBoneDecimate as the core takes it.
+ */
+#ifndef RunInput_h
+#define RunInput_h
+
+#include "Decimate.h"
+#include "LabelMapOfRun.h"
+#include "SurfaceConversion.h"
+#include "vtkBoneDecimate.h"
+
+#include <optional>
+#include <vector>
+
+/// Must not be copied: Inputs refers to the other members.
+struct vtkBoneDecimate::RunInput
+{
+  bonedecimate::ConvertedSurface Converted;
+  bonedecimate::ConvertedSurface Reference;
+  std::optional<std::vector<double>>
+    Tolerances; ///< mm, of each point; nothing: the array does not suit.
+  std::optional<bonedecimate::Labels>
+    Labels; ///< Of each triangle; nothing: the array does not suit.
+  bonedecimate::LabelMapOfRun Map;
+  bonedecimate::RunInputs Inputs;
+};
+
+struct vtkBoneDecimate::PartOfSurface
+{
+  bonedecimate::SurfacePart Part;
+};
+
+#endif
