@@ -73,8 +73,7 @@ private:
     Vector3 FromCenter; // of the point, units
     double Radius;      // half voxels, without slack
   };
-  void AddOctahedra(
-    const std::vector<Vector3>& points, const LabelMapSource& source, int threads);
+  void AddOctahedra(const std::vector<Vector3>& points, const LabelMapSource& source, int threads);
   Vector3 ShortenedToBall(Index point, const Vector3& displacement) const
   {
     const double radius = this->Radii[point];

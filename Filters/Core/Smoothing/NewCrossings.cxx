@@ -177,8 +177,7 @@ bool NewCrossings::IsNew(const Pair& now, std::size_t a, std::size_t b) const
 
 //------------------------------------------------------------------------------
 /// Pairs of a moved triangle of the leaf; of two moved ones the pair with the lesser in this leaf.
-void NewCrossings::FindOfLeaf(
-  std::size_t leaf, const Query& query, std::vector<Index>& found) const
+void NewCrossings::FindOfLeaf(std::size_t leaf, const Query& query, std::vector<Index>& found) const
 {
   const std::size_t first = LeafSize * leaf;
   const std::size_t last = std::min(this->Before.Triangles.size(), first + LeafSize);
