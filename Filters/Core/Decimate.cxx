@@ -235,6 +235,7 @@ void ReportEdits(const RunTask& task, const PreparedInput& prepared, Editor& edi
 {
   report.Collapses = editor.NumberOfCollapses();
   report.Rejections = editor.Rejections();
+  report.Draft = editor.DraftReport();
   if (task.Inputs.Log != nullptr)
   {
     *task.Inputs.Log =

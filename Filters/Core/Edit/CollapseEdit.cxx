@@ -88,6 +88,7 @@ Decision Editor::Collapse(const Edit& requested, Workspace& work, int workers)
   ProposedEdit& proposed = this->Propose(edit, edit.Keep, volumeChange, work, workers);
   proposed.OtherGoneFace = work.Around.GoneFaces[1];
   proposed.Rank = work.Rank;
+  proposed.AccumulatedError = work.AccumulatedError;
   if (this->NeedsSurfaceChange)
   {
     proposed.Change.FillCollapse(this->Half, work.Around, edit);

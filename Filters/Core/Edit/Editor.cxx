@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editor.h"
 
+#include "Draft.h"
 #include "Geometry/TriangleGeometry.h"
 #include "Intersections/IntersectionGuard.h"
 #include "Mesh/ManifoldPatches.h"
@@ -80,6 +81,8 @@ Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSetting
   }
 }
 
+Editor::~Editor() = default;
+
 //------------------------------------------------------------------------------
 void Editor::TakeSmoothedPositions(const std::vector<Vector3>& positions)
 {
@@ -118,13 +121,13 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   }
   if (settings.Bound && settings.GuardsIntersections && !isAborted)
   {
-    this->Filters.push_back(
-      WithJoined(this->Source.AtFirst(), this->Half, this->Unsmoothed != nullptr,
-        [&](const Surface& joined)
-        {
-          return std::make_shared<IntersectionGuard>(
-            this->Half, joined, settings.Bound->Error, threads, monitor);
-        }));
+    this->Guard = WithJoined(this->Source.AtFirst(), this->Half, this->Unsmoothed != nullptr,
+      [&](const Surface& joined)
+      {
+        return std::make_shared<IntersectionGuard>(
+          this->Half, joined, settings.Bound->Error, threads, monitor);
+      });
+    this->Filters.push_back(this->Guard);
   }
   this->Filters.insert(
     this->Filters.end(), settings.MoreFilters.begin(), settings.MoreFilters.end());
@@ -137,6 +140,12 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
       this->Recorder->BeginPatch(*this->Unsmoothed);
       this->Recorder->EndPatch(this->Half);
     }
+  }
+  if (this->Bound)
+  {
+    this->DraftFound.Status = settings.RecordsEdits ? DraftStatus::EditsAreRecorded
+      : settings.MoreFilters.empty()                ? DraftStatus::NotUsed
+                                                    : DraftStatus::MoreFilters;
   }
   this->NeedsSurfaceChange = std::any_of(this->Filters.begin(), this->Filters.end(),
     [](const std::shared_ptr<EditFilter>& filter) { return filter->NeedsSurfaceChange(); });

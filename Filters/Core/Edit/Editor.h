@@ -45,6 +45,10 @@
 
 namespace bonedecimate
 {
+class BulkProof;
+class IntersectionGuard;
+struct Draft;
+
 class Editor
 {
 public:
@@ -55,6 +59,7 @@ public:
   Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSettings& settings,
     const Monitor& monitor = {});
   Editor(CleanSurface&&, const EditorSettings&) = delete;
+  ~Editor();
 
   /// The mesh before the first edit, smoothed; only with KeepsInitialMesh or an error bound.
   const HalfEdgeMesh& InitialMesh() const { return *this->First; }
@@ -91,6 +96,15 @@ public:
 
   /// Moves a vertex if rules and filters accept it; not counted either.  @param position mm from the local origin.
   Decision Move(VertexId vertex, const Vector3& position, Workspace& work, int workers);
+
+  /// Collapses that follow are a draft until EndDraft or UndoDraft (Draft.h). False, and nothing changes, if there can be none
+  /// or there was one: an editor drafts once.
+  bool BeginDraft(int threads);
+  /// Proves the draft and undoes what is not proved. False if the monitor requested a stop; then all of it is undone.
+  bool EndDraft(int threads, const Monitor& monitor);
+  /// Undoes all of it.
+  void UndoDraft(int threads);
+  const DraftFigures& DraftReport() const { return this->DraftFound; }
 
   /// Feature curves between manifold patches; null if the settings do not allow their collapse.
   PatchBoundaries* FeatureCurves();
@@ -157,6 +171,12 @@ private:
     Vector3 Origin;      // of its fan, mm
     double VolumeChange; // mm^3
   };
+  void ForgetPending();
+  std::vector<Index> FindRejectedEdits(BulkProof& proof, int threads);
+  void Undo(const std::vector<Index>& edits, int more);
+  void UndoWithDependents(Index edit);
+  void UndoOne(Index edit);
+  void FinishDraft(int threads);
   Rejection CheckTogether(const std::vector<Edit>& edits);
   Decision FilterTogether(const std::vector<Edit>& edits);
 
@@ -168,6 +188,7 @@ private:
   Original Source;
   std::shared_ptr<FragmentGuard> Fragments;
   std::shared_ptr<ErrorBound> Bound;
+  std::shared_ptr<IntersectionGuard> Guard;
   bool GuardsVoxels = false;
   std::shared_ptr<EditRecorder> Recorder;
   std::vector<std::shared_ptr<EditFilter>> Filters; // in order
@@ -175,6 +196,8 @@ private:
   Workspace Own;
   std::vector<PatchEdit> ManifoldPatches; // of CollapseTogether, kept for their memory
   std::unique_ptr<PatchBoundaries> Curves;
+  std::unique_ptr<Draft> Drafted; // while there is one
+  DraftFigures DraftFound;
   Hook AfterEdit;
   Index ConstrainedVertices = 0;
   std::int64_t Edits = 0;

@@ -65,6 +65,22 @@ std::vector<double> FragmentGuard::Measure(const HalfEdgeMesh& mesh) const
 }
 
 //------------------------------------------------------------------------------
+std::vector<char> FragmentGuard::FindTooSmall(const HalfEdgeMesh& mesh) const
+{
+  const std::vector<double> volumes = this->Measure(mesh);
+  std::vector<char> isTooSmall(volumes.size(), 0);
+  for (std::size_t i = 0; i < volumes.size(); ++i)
+  {
+    const Volume& volume = this->Volumes[i];
+    isTooSmall[i] = volume.IsClosed && volume.AtFirst != 0.0 &&
+        volumes[i] / volume.AtFirst < LeastVolumeRatio
+      ? 1
+      : 0;
+  }
+  return isTooSmall;
+}
+
+//------------------------------------------------------------------------------
 void FragmentGuard::DistributeBudget(const HalfEdgeMesh& mesh)
 {
   std::vector<Index> vertices(this->Volumes.size(), 0);

@@ -32,6 +32,10 @@ public:
   /// The number of components.
   Index Count() const { return static_cast<Index>(this->Volumes.size()); }
 
+  Index ComponentOf(VertexId vertex) const { return this->OfVertex[vertex]; }
+  /// For each component whether it is closed and has less than the volume that it has to keep, measured afresh.
+  std::vector<char> FindTooSmall(const HalfEdgeMesh& mesh) const;
+
   /// Measures all volumes and divides what closed components may still lose among their vertices, so that vertices may be
   /// edited at the same time without the changes of other workers.
   void DistributeBudget(const HalfEdgeMesh& mesh);

@@ -8,6 +8,7 @@
 #define BoneDecimate_Core_EditFilters_ProposedEdit_h
 
 #include "FragmentVolumes.h"
+#include "JournalEntry.h"
 #include "Levels/EditLog.h"
 #include "Mesh/Edit.h"
 #include "Mesh/VertexRange.h"
@@ -27,6 +28,7 @@ struct Tally
   std::int64_t Edits = 0;
   Index RemovedFaces = 0;
   std::vector<LoggedCollapse> Log; ///< Only where the run is recorded.
+  JournalPart Journal;             ///< Only in a draft.
 };
 
 struct ProposedEdit
@@ -37,6 +39,7 @@ struct ProposedEdit
   double VolumeChange = 0.0; ///< mm^3, of that component.
   FaceId OtherGoneFace;      ///< Of a collapse; None on a boundary.
   float Rank = 0.0F;         ///< Of a collapse: its cost, for the log (EditRecorder.h).
+  double AccumulatedError = 0.0; ///< mm, of a collapse: the estimate of its schedule.
   VertexRange Range;         ///< What may be read and written.
   int Workers = 1;           ///< How many edit the mesh at the same time.
   const FragmentVolumes* Unsettled = nullptr; ///< Of the worker.

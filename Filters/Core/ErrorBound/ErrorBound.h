@@ -31,6 +31,8 @@
 
 namespace bonedecimate
 {
+class BulkProof;
+class DraftFilter;
 class Prover;
 
 /// The error that every edit keeps.
@@ -74,6 +76,8 @@ public:
   double LimitAt(VertexId vertex) const { return this->Allowed.At(vertex); }
 
 private:
+  friend class BulkProof;
+  friend class DraftFilter;
   friend class Prover;
 
   const HalfEdgeMesh& Source;

@@ -31,6 +31,8 @@ public:
   void Commit(const SurfaceChange& change);
 
 private:
+  friend class BulkProof;
+
   using Faces = CommonFaceProof::Faces;
   struct Item
   {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IntersectionGuard.h"
 
+#include "EditReplay.h"
+#include "GapPairs.h"
 #include "PartTree.h"
 
 #include <algorithm>
@@ -11,21 +13,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Least ratio of a gap to its initial width.
-constexpr double LeastGapRatio = 0.5;
 /// Both sides may move by the error; a gap that many errors wide always keeps half of its width.
 constexpr double ErrorsOfGap = 4.0;
-
-/// mm, how far from a face its gaps have to be looked after.
-double ReachOf(const Gap& gap)
-{
-  double reach = 0.0;
-  for (const float width : { gap.ToOwn, gap.ToOther })
-  {
-    reach = std::isfinite(width) ? std::max<double>(reach, LeastGapRatio * width) : reach;
-  }
-  return reach;
-}
 
 double MostReach(const std::vector<Piece>& pieces) // mm
 {
@@ -40,7 +29,8 @@ double MostReach(const std::vector<Piece>& pieces) // mm
 
 IntersectionGuard::IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& surface, double error,
   int threads, const Monitor& monitor)
-  : Grid(mesh, error)
+  : Mesh(mesh)
+  , LeastCell(error)
   , Widths(surface, ErrorsOfGap * error, threads, monitor)
 {
 }
@@ -50,15 +40,9 @@ IntersectionGuard::IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& su
 Piece IntersectionGuard::PieceOf(const HalfEdgeMesh& mesh, const SurfaceChange& change,
   const Triangle& vertices, const TriangleCorners& corners) const
 {
-  Piece piece(corners);
-  piece.Vertices = { mesh.OriginalVertex(vertices[0]), mesh.OriginalVertex(vertices[1]),
-    mesh.OriginalVertex(vertices[2]) };
-  piece.Low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
-  piece.High = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
-  piece.Normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+  Piece piece = PieceWithGap(mesh, this->Widths, vertices, corners);
   for (const Index site : piece.Vertices)
   {
-    piece.LeastGap = piece.LeastGap.And(this->Widths.Of(site));
     if (change.Moved != None && site == mesh.OriginalVertex(change.Moved))
     {
       piece.LeastGap = piece.LeastGap.And(this->Widths.Of(mesh.OriginalVertex(change.Ends[0])));
@@ -94,12 +78,12 @@ void IntersectionGuard::FindCells(Pending& work) const
   work.Cells.clear();
   for (const Piece& piece : work.Old)
   {
-    this->Grid.AddCells(piece.Corners, 0.0, work.OldCells);
+    this->Grid->AddCells(piece.Corners, 0.0, work.OldCells);
     work.EndsOfOld.push_back(work.OldCells.size());
   }
   for (const Piece& piece : work.New)
   {
-    this->Grid.AddCells(piece.Corners, piece.Reach, work.Cells);
+    this->Grid->AddCells(piece.Corners, piece.Reach, work.Cells);
   }
   work.Cells.insert(work.Cells.end(), work.OldCells.begin(), work.OldCells.end());
   std::sort(work.Cells.begin(), work.Cells.end());
@@ -113,7 +97,7 @@ void IntersectionGuard::FindNear(
 {
   work.Faces.clear();
   work.Near.clear();
-  this->Grid.AddFaces(work.Cells, work.Faces);
+  this->Grid->AddFaces(work.Cells, work.Faces);
   std::sort(work.Faces.begin(), work.Faces.end());
   work.Faces.erase(std::unique(work.Faces.begin(), work.Faces.end()), work.Faces.end());
   const std::vector<Index>& old = change.OldFaces;
@@ -144,49 +128,13 @@ void IntersectionGuard::FindNear(
 }
 
 //------------------------------------------------------------------------------
-/// mm, at first, where the two stand; infinite if there was none.
-double IntersectionGuard::GapOf(const Piece& a, const Piece& b) const
-{
-  const Gap both = a.LeastGap.And(b.LeastGap);
-  return this->Widths.PartOf(a.Vertices[0]) == this->Widths.PartOf(b.Vertices[0]) ? both.ToOwn
-                                                                                  : both.ToOther;
-}
-
-//------------------------------------------------------------------------------
-/// Nearer than the initial gap allows, and nearer than the faces that the piece replaces.
-bool IntersectionGuard::IsTooNear(
-  const Piece& piece, const Piece& near, const std::vector<Piece>& old) const
-{
-  const double gap = this->GapOf(piece, near);
-  const bool isOwn =
-    this->Widths.PartOf(piece.Vertices[0]) == this->Widths.PartOf(near.Vertices[0]);
-  const double squared = LeastGapRatio * LeastGapRatio * gap * gap; // mm^2
-  if (!std::isfinite(gap) || SquaredDistance(piece, near) >= squared ||
-    (isOwn && piece.Normal.dot(near.Normal) >= 0.0) || CountShared(piece, near) > 0)
-  {
-    return false;
-  }
-  const Way way = WayBetween(piece.Corners, near.Corners);
-  if (way.SquaredLength >= squared || (isOwn && !Face(piece.Normal, near.Normal, way.FromAToB)))
-  {
-    return false;
-  }
-  return std::all_of(old.begin(), old.end(),
-    [&](const Piece& gone)
-    {
-      return CountShared(gone, near) > 0 ||
-        WayBetween(gone.Corners, near.Corners).SquaredLength > way.SquaredLength;
-    });
-}
-
-//------------------------------------------------------------------------------
 bool IntersectionGuard::NarrowsGap(const Pending& work) const
 {
   return std::any_of(work.New.begin(), work.New.end(),
     [&](const Piece& piece)
     {
       return std::any_of(work.Near.begin(), work.Near.end(),
-        [&](const Piece& near) { return this->IsTooNear(piece, near, work.Old); });
+        [&](const Piece& near) { return IsTooNear(this->Widths, piece, near, work.Old); });
     });
 }
 
@@ -195,7 +143,7 @@ bool IntersectionGuard::Owns(
   const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range, Pending& work) const
 {
   work.KnowsCells = false;
-  if (this->Grid.HoldsAll(range))
+  if (this->Grid->HoldsAll(range))
   {
     return true;
   }
@@ -203,7 +151,7 @@ bool IntersectionGuard::Owns(
   const auto isOwned = [&](const SurfaceChange::Face& face)
   {
     return std::all_of(face.Corners.begin(), face.Corners.end(),
-      [&](const Vector3& corner) { return this->Grid.Owns(range, this->Grid.CellAt(corner)); });
+      [&](const Vector3& corner) { return this->Grid->Owns(range, this->Grid->CellAt(corner)); });
   };
   if (!std::all_of(change.NewFaces.begin(), change.NewFaces.end(), isOwned))
   {
@@ -213,13 +161,44 @@ bool IntersectionGuard::Owns(
   this->FillPieces(mesh, change, work);
   this->FindCells(work);
   return std::all_of(work.Cells.begin(), work.Cells.end(),
-    [&](FaceGrid::Key cell) { return this->Grid.Owns(range, cell); });
+    [&](FaceGrid::Key cell) { return this->Grid->Owns(range, cell); });
 }
 
 //------------------------------------------------------------------------------
 std::shared_ptr<EditFilter::Pending> IntersectionGuard::MakePending()
 {
+  this->BuildGrid();
   return std::make_shared<Pending>();
+}
+
+//------------------------------------------------------------------------------
+/// The first worker builds it. No edit is applied before: every worker needs a Pending for its first one.
+void IntersectionGuard::BuildGrid()
+{
+  const std::lock_guard<std::mutex> lock(this->Building);
+  if (!this->Grid)
+  {
+    this->Grid = std::make_unique<FaceGrid>(this->Mesh, this->LeastCell);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<Index> IntersectionGuard::FindRejected(
+  const EditJournal& journal, EditReplay& replay, int threads) const
+{
+  const FaceHistory history(this->Mesh, journal);
+  std::vector<Index> edits = replay.FindRejected(history, threads);
+  const std::vector<Index> narrowed =
+    FindNarrowedGaps(this->Mesh, this->Widths, journal, history, threads);
+  edits.insert(edits.end(), narrowed.begin(), narrowed.end());
+  return edits;
+}
+
+//------------------------------------------------------------------------------
+void IntersectionGuard::TakeDraft(const EditJournal& journal)
+{
+  MergeGaps(journal, this->Mesh, this->Widths);
+  this->Grid.reset();
 }
 
 //------------------------------------------------------------------------------
@@ -257,14 +236,14 @@ void IntersectionGuard::Commit(
   {
     work.Cells.assign(work.OldCells.begin() + static_cast<std::ptrdiff_t>(from),
       work.OldCells.begin() + static_cast<std::ptrdiff_t>(work.EndsOfOld[i]));
-    this->Grid.Remove(change.OldFaces[i], work.Cells);
+    this->Grid->Remove(change.OldFaces[i], work.Cells);
     from = work.EndsOfOld[i];
   }
   for (const SurfaceChange::Face& face : change.NewFaces)
   {
     work.Cells.clear();
-    this->Grid.AddCells(face.Corners, 0.0, work.Cells);
-    this->Grid.Insert(face.Id, face.Vertices, work.Cells);
+    this->Grid->AddCells(face.Corners, 0.0, work.Cells);
+    this->Grid->Insert(face.Id, face.Vertices, work.Cells);
   }
   if (change.Moved != None)
   {

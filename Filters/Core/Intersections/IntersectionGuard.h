@@ -11,20 +11,29 @@
  *               rejected if it is nearer than half the initial gap at its corners                     (GapRule)
  *               and nearer than the faces that go were
  *     jump:     rejected if a corner of what is near lies between the faces that go and the new ones  (Piece)
+ *
+ * The edits of a draft are checked together when it is made: meet and jump by EditReplay.h, gaps in the mesh that is left.
  */
 #ifndef BoneDecimate_Core_Intersections_IntersectionGuard_h
 #define BoneDecimate_Core_Intersections_IntersectionGuard_h
 
-#include "EditFilters/EditFilter.h"
+#include "EditFilters/EditJournal.h"
 #include "FaceGrid.h"
 #include "GapRule.h"
 #include "Piece.h"
 
+#include <memory>
+#include <mutex>
+#include <vector>
+
 namespace bonedecimate
 {
+class EditReplay;
+
 class IntersectionGuard : public EditFilter
 {
 public:
+  /// @param mesh Must outlive this object; its faces are sorted into the grid before the first edit.
   /// @param surface Of which the mesh was made, its manifold patches joined.  @param error mm, how far the surface may move.
   IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& surface, double error, int threads,
     const Monitor& monitor);
@@ -39,6 +48,14 @@ public:
   void Commit(const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending,
     Tally& tally) override;
 
+  /// For each edit of a draft that one of the rules rejects, and each pair of faces that the edits left too near to each other, the
+  /// edit to undo. A gap that is narrow from the beginning counts only if an edit has changed one of its faces.
+  /// @param replay Of the journal, the same in all calls.
+  std::vector<Index> FindRejected(
+    const EditJournal& journal, EditReplay& replay, int threads) const;
+  /// Continues with the mesh that the edits of the draft left.
+  void TakeDraft(const EditJournal& journal);
+
 private:
   struct Pending : public EditFilter::Pending
   {
@@ -50,16 +67,18 @@ private:
   };
   bool Owns(
     const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range, Pending& work) const;
+  void BuildGrid();
   Piece PieceOf(const HalfEdgeMesh& mesh, const SurfaceChange& change, const Triangle& vertices,
     const TriangleCorners& corners) const;
   void FillPieces(const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const;
   void FindCells(Pending& work) const;
   void FindNear(const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const;
-  double GapOf(const Piece& a, const Piece& b) const;
-  bool IsTooNear(const Piece& piece, const Piece& near, const std::vector<Piece>& old) const;
   bool NarrowsGap(const Pending& work) const;
 
-  FaceGrid Grid;
+  const HalfEdgeMesh& Mesh;
+  double LeastCell; // mm, of the grid
+  std::unique_ptr<FaceGrid> Grid;
+  std::mutex Building; // of the grid
   GapRule Widths;
 };
 }

@@ -117,6 +117,18 @@ bool LieInOnePlane(const std::vector<Piece>& a, const std::vector<Piece>& b)
 }
 }
 
+Piece::Piece(
+  const HalfEdgeMesh& mesh, const Triangle& vertices, const TriangleCorners& corners)
+  : PlaneTriangle(corners)
+  , Vertices{ mesh.OriginalVertex(vertices[0]), mesh.OriginalVertex(vertices[1]),
+    mesh.OriginalVertex(vertices[2]) }
+  , Low(corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]))
+  , High(corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]))
+  , Normal((corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized())
+{
+}
+
+//------------------------------------------------------------------------------
 /// mm^2, between the boxes.
 double SquaredDistance(const Piece& a, const Piece& b)
 {

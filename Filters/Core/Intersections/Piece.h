@@ -12,6 +12,7 @@
 #define BoneDecimate_Core_Intersections_Piece_h
 
 #include "GapRule.h"
+#include "Mesh/HalfEdgeMesh.h"
 #include "TrianglePair.h"
 
 #include <vector>
@@ -20,13 +21,15 @@ namespace bonedecimate
 {
 struct Piece : PlaneTriangle
 {
-  using PlaneTriangle::PlaneTriangle;
+  Piece() = default;
+  /// Without its gap.
+  Piece(const HalfEdgeMesh& mesh, const Triangle& vertices, const TriangleCorners& corners);
 
   Triangle Vertices; // their original vertices
   Vector3 Low, High; // mm, its box
   Vector3 Normal;
   bonedecimate::Gap LeastGap; // of its corners
-  double Reach;               // mm, how far from it gaps have to be looked after
+  double Reach = 0.0;         // mm, how far from it gaps have to be looked after
 };
 
 /// mm^2, between the boxes.

@@ -187,6 +187,17 @@ private:
       static_cast<double>(static_cast<std::int16_t>(xy & 0xFFFF)),
       static_cast<double>(static_cast<std::int16_t>(z)) };
   }
+  /// To undo a collapse: the record of a face before it, of each of its faces.
+  void Restore(
+    FaceId face, const std::array<Index, 4>& origins, const std::array<Index, 4>& twins)
+  {
+    this->Faces[face] = { origins, twins };
+  }
+  /// Unless another edit has removed that half-edge: then the present one stays.
+  void RestoreOutgoing(VertexId v, HalfEdgeId h)
+  {
+    this->Vertices[v].Outgoing = this->Origin(h) == v ? h : this->Outgoing(v);
+  }
   void Pair(HalfEdgeId h, HalfEdgeId twin);
   void RemoveFace(HalfEdgeId h);
   /// Sets the number of faces after parallel workers have removed some.

@@ -30,6 +30,9 @@ public:
   /// Records that two vertices became one. Measures its distance if distances are recorded and it has moved.
   void Merge(VertexId keep, VertexId gone, const Vector3& position);
 
+  /// Takes back the last merge into the other vertex; not where distances are recorded.
+  void Unmerge(VertexId gone) { this->MergedInto[static_cast<std::size_t>(gone)] = gone; }
+
   /// Measures the distances of moved vertices if distances are recorded.
   void RecordDisplacements(const std::vector<Vector3>& positions);
 

@@ -140,6 +140,13 @@ const char* RejectionWord(Rejection rejection)
   return WordOf(words, rejection);
 }
 
+const char* DraftStatusWord(DraftStatus status)
+{
+  static const char* const words[] = { "no_bound", "not_used", "used", "undone",
+    "edits_are_recorded", "more_filters" };
+  return WordOf(words, status);
+}
+
 std::string InputMessage(const Report& report)
 {
   const CleaningStatistics& found = report.Cleaning;

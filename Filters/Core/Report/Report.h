@@ -268,6 +268,24 @@ struct VoxelReport
   std::vector<std::int64_t> Values; ///< Of the labels, by index; the background is the last.
 };
 
+/// What came of drafting the first collapses of a proved run.
+enum class DraftStatus : int
+{
+  NoBound = 0,      ///< Edits are not limited by an error.
+  NotUsed,          ///< No collapse was needed.
+  Used,             ///< Collapses were drafted and proved together; those that could not be proved were undone.
+  Undone,           ///< All drafted collapses were undone, and the run went on edit by edit.
+  EditsAreRecorded, ///< Not possible, because every level of detail has to be proved.
+  MoreFilters       ///< Not possible with filters of the caller.
+};
+
+struct DraftFigures
+{
+  DraftStatus Status = DraftStatus::NoBound;
+  std::int64_t Collapses = 0; ///< That were drafted.
+  std::int64_t Undone = 0;    ///< Of them.
+};
+
 struct StageSeconds
 {
   double Prepare = 0.0;  ///< Cleaning and building the half-edge mesh.
@@ -310,6 +328,7 @@ struct Report
   std::int64_t Collapses = 0;
   std::array<std::int64_t, NumberOfRejections>
     Rejections{}; ///< By Rejection; [NotRejected] is always 0.
+  DraftFigures Draft;
   StageSeconds Seconds;
   std::uint64_t InputChecksum = 0; ///< Mesh/Checksum.h.
   Options Requested;
@@ -321,6 +340,7 @@ const char* StopReasonWord(StopReason reason);
 /// A sentence that explains the reason.
 const char* StopReasonSentence(StopReason reason);
 const char* RejectionWord(Rejection rejection);
+const char* DraftStatusWord(DraftStatus status);
 /// Why the input was rejected, with counts and first ids; empty if it is good.
 std::string InputMessage(const Report& report);
 /// Warnings about a good input, one sentence each, with counts and first ids.

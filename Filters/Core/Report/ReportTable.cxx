@@ -232,6 +232,12 @@ void AddRun(Entries& entries, const Report& report)
     entries.push_back({ std::string("rejections.") + RejectionWord(static_cast<Rejection>(i)), "",
       report.Rejections[i] });
   }
+  if (report.Draft.Status != DraftStatus::NoBound)
+  {
+    entries.push_back({ "draft.status", "", std::string(DraftStatusWord(report.Draft.Status)) });
+    entries.push_back({ "draft.collapses", "", report.Draft.Collapses });
+    entries.push_back({ "draft.undone", "", report.Draft.Undone });
+  }
   entries.push_back({ "seconds.prepare", "s", report.Seconds.Prepare });
   entries.push_back({ "seconds.collapse", "s", report.Seconds.Collapse });
   entries.push_back({ "seconds.decimate", "s", report.Seconds.Decimate });

@@ -222,6 +222,7 @@ BlockSweep::Outcome BlockSweep::ApplyAtPositions(const Edit& best, float mostCos
     {
       return Outcome::TooCostly;
     }
+    this->Space.AccumulatedError = accumulated * mesh.Unit();
     decision = this->MeshEditor.Collapse(edit, this->Space, this->Task.Workers);
     if (decision.IsAccepted())
     {

@@ -107,6 +107,10 @@ StopReason BucketSweep::RunTo(const StopTargets& stops, const Monitor& monitor)
 StopReason BucketSweep::RunProved(const Monitor& monitor)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  if (!this->MakeDraft(monitor))
+  {
+    return StopReason::Aborted;
+  }
   Index facesBefore = 0;
   for (int pass = 0; !this->End.IsReached(); ++pass)
   {
@@ -126,6 +130,25 @@ StopReason BucketSweep::RunProved(const Monitor& monitor)
     }
   }
   return this->End.Reason();
+}
+
+//------------------------------------------------------------------------------
+/// False if the monitor stopped it: then nothing is left of the draft.
+bool BucketSweep::MakeDraft(const Monitor& monitor)
+{
+  if (this->End.IsReached() || !this->MeshEditor.BeginDraft(this->Threads))
+  {
+    return true;
+  }
+  this->TriesAll = false;
+  this->Known.Changed.assign(this->Known.Buckets.size(), 1);
+  if (!this->RenewAll(monitor) || !this->ProvedPass(monitor))
+  {
+    this->MeshEditor.UndoDraft(this->Threads);
+    return false;
+  }
+  return this->MeshEditor.EndDraft(
+    this->Threads, [&](double) { return this->End.TellNow(monitor); });
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,7 @@
  *
  * If every edit is proved (ErrorBound), the final number of faces is not known in advance:
  *
+ *     draft:    as pass 0, with edits that are proved together at its end (Edit/Draft.h); once for an editor
  *     pass 0:   the limit starts at half of the vertices and rises by a factor of 16 in cost:  a round each, as above
  *               one edge of a vertex, best position only; edges that cannot be proved wait for the next pass
  *               between shifted blocks and the whole mesh, three large blocks
@@ -58,6 +59,7 @@ private:
   bool RenewAll(const Monitor& monitor);
   Index RemainingCollapses() const;
   StopReason RunProved(const Monitor& monitor);
+  bool MakeDraft(const Monitor& monitor);
   bool ProvedPass(const Monitor& monitor);
   bool HasRounds() const;
   bool RunRounds(const Monitor& monitor);

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// What an Editor does to make a draft, to prove it and to undo parts of it.
+#include "Draft.h"
+#include "Editor.h"
+#include "ErrorBound/BulkProof.h"
+#include "ErrorBound/DraftFilter.h"
+#include "Intersections/IntersectionGuard.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Turns that undo what is rejected alone. From then on, one more of the last edits of its faces each.
+constexpr int TurnsWithoutMore = 4;
+/// After so many turns the draft is undone as a whole.
+constexpr int MostTurns = 40;
+}
+
+bool Editor::BeginDraft(int threads)
+{
+  const bool canDraft = this->DraftFound.Status == DraftStatus::NotUsed && !this->AfterEdit;
+  if (!canDraft)
+  {
+    return false;
+  }
+  this->DraftFound.Status = DraftStatus::Used;
+  this->Drafted = std::make_unique<Draft>(this->Half);
+  this->Drafted->ExactFilters = this->Filters;
+  this->Drafted->Rejections = this->RejectionCounts;
+  this->Filters.clear();
+  for (const std::shared_ptr<EditFilter>& filter : this->Drafted->ExactFilters)
+  {
+    if (filter == this->Bound)
+    {
+      this->Filters.push_back(std::make_shared<DraftFilter>(
+        *this->Bound, this->Half, this->Source.CurrentVertices(), threads));
+    }
+    else if (filter != this->Guard)
+    {
+      this->Filters.push_back(filter);
+    }
+  }
+  this->Filters.push_back(this->Drafted->Journal);
+  this->ForgetPending();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// What workspaces hold for the filters that there were.
+void Editor::ForgetPending()
+{
+  this->Own.Pending.clear();
+  this->ManifoldPatches.clear();
+}
+
+//------------------------------------------------------------------------------
+bool Editor::EndDraft(int threads, const Monitor& monitor)
+{
+  BulkProof proof(*this->Bound, this->Half, *this->Drafted->Journal, threads);
+  for (int turn = 0; turn < MostTurns; ++turn)
+  {
+    if (!monitor(static_cast<double>(turn) / MostTurns))
+    {
+      this->UndoDraft(threads);
+      return false;
+    }
+    const std::vector<Index> edits = this->FindRejectedEdits(proof, threads);
+    if (edits.empty())
+    {
+      proof.WriteCoverage();
+      this->FinishDraft(threads);
+      return true;
+    }
+    this->Undo(edits, std::max(0, turn - TurnsWithoutMore));
+  }
+  this->DraftFound.Status = DraftStatus::Undone;
+  this->UndoDraft(threads);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// The cheaper checks first: there is less left to check then.
+std::vector<Index> Editor::FindRejectedEdits(BulkProof& proof, int threads)
+{
+  const EditJournal& journal = *this->Drafted->Journal;
+  std::vector<Index> edits = proof.FindFailures(this->Source.CurrentVertices());
+  if (edits.empty() && this->Guard)
+  {
+    edits = this->Guard->FindRejected(journal, this->Drafted->Replay, threads);
+  }
+  if (edits.empty())
+  {
+    const std::vector<char> isTooSmall = this->Fragments->FindTooSmall(this->Half);
+    for (Index edit = 0; edit < journal.Count(); ++edit)
+    {
+      const JournalEntry& entry = journal.Entry(edit);
+      if (!entry.IsUndone && isTooSmall[this->Fragments->ComponentOf(entry.Keep)] != 0)
+      {
+        edits.push_back(edit);
+      }
+    }
+  }
+  std::sort(edits.begin(), edits.end(), std::greater<>());
+  edits.erase(std::unique(edits.begin(), edits.end()), edits.end());
+  return edits;
+}
+
+//------------------------------------------------------------------------------
+/// @param more How many of the last edits at their faces are undone besides.
+void Editor::Undo(const std::vector<Index>& edits, int more)
+{
+  const EditJournal& journal = *this->Drafted->Journal;
+  for (const Index edit : edits)
+  {
+    this->UndoWithDependents(edit);
+    for (int k = 0; k < more; ++k)
+    {
+      Index last = None;
+      for (Index i = 0; i < journal.Entry(edit).NumberOfFaces; ++i)
+      {
+        last = std::max(last, journal.LastOfFace(journal.FaceOf(edit, i).Id));
+      }
+      if (last != None)
+      {
+        this->UndoWithDependents(last);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Editor::UndoWithDependents(Index edit)
+{
+  if (!this->Drafted->Journal->Entry(edit).IsUndone)
+  {
+    for (const Index dependent : this->Drafted->Journal->DependentsOf(edit))
+    {
+      this->UndoOne(dependent);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Nothing that is left depends on it.
+void Editor::UndoOne(Index edit)
+{
+  EditJournal& journal = *this->Drafted->Journal;
+  const JournalEntry& entry = journal.Entry(edit);
+  for (Index i = 0; i < entry.NumberOfFaces; ++i)
+  {
+    const JournalFace& face = journal.FaceOf(edit, i);
+    this->Half.Restore(face.Id, face.Origins, face.Twins);
+  }
+  const std::array<VertexId, 4> vertices = { entry.Keep, entry.Gone, entry.Apexes[0],
+    entry.Apexes[1] };
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    this->Half.RestoreOutgoing(vertices[i], entry.Outgoing[i]);
+  }
+  this->Half.Move(entry.Keep, entry.OldPosition);
+  this->Half.CountRemovedFaces(-static_cast<Index>(entry.NumberOfGoneFaces));
+  this->Source.Unmerge(entry.Gone);
+  --this->Edits;
+  journal.Remove(edit);
+}
+
+//------------------------------------------------------------------------------
+void Editor::UndoDraft(int threads)
+{
+  for (Index edit = this->Drafted->Journal->Count(); edit-- > 0;)
+  {
+    this->UndoWithDependents(edit);
+  }
+  this->FinishDraft(threads);
+}
+
+//------------------------------------------------------------------------------
+void Editor::FinishDraft(int threads)
+{
+  const EditJournal& journal = *this->Drafted->Journal;
+  this->DraftFound.Collapses = journal.Count();
+  this->DraftFound.Undone = journal.NumberOfUndone();
+  if (this->Guard)
+  {
+    this->Guard->TakeDraft(journal);
+  }
+  this->Filters = this->Drafted->ExactFilters;
+  this->RejectionCounts = this->Drafted->Rejections;
+  this->Drafted.reset();
+  this->ForgetPending();
+  this->RenewQuadrics(threads);
+  this->DistributeVolumeBudget();
+}
+}

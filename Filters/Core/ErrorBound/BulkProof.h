@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BulkProof.h
+ * @brief Proves a mesh that was made by unproved edits of a journal, all at once, by the provers of ErrorBound.
+ *
+ *     face:      as it was before the first edit of the journal, or proved by FaceProof
+ *     original:  its covering faces before the first edit are all as they were, or
+ *                one face is within the limit of all of its corners, or
+ *                the faces near its corners and their neighbors cover it together                       (CommonFaceProof)
+ *     again:     after edits were undone, only faces that are not those proved, and originals that such a face covers
+ *
+ * A face is the one that was proved if its last edit in the journal is the same.
+ */
+#ifndef BoneDecimate_Core_ErrorBound_BulkProof_h
+#define BoneDecimate_Core_ErrorBound_BulkProof_h
+
+#include "CommonFaceProof.h"
+#include "EditFilters/EditJournal.h"
+#include "ErrorBound.h"
+#include "StartOfWalk.h"
+
+#include <array>
+#include <vector>
+
+namespace bonedecimate
+{
+class BulkProof
+{
+public:
+  /// @param bound Its coverage is that of the mesh before the first edit of the journal.
+  BulkProof(ErrorBound& bound, const HalfEdgeMesh& mesh, const EditJournal& journal, int threads);
+
+  /// Proves what has changed since the last call. For each face and original that is not proved, the last edit to undo.
+  /// @param current Of each original vertex the vertex of the mesh into which it was merged.
+  std::vector<Index> FindFailures(const std::vector<Index>& current);
+
+  /// Makes the proofs the coverage of the bound. There must be no failures.
+  void WriteCoverage();
+
+private:
+  static constexpr int MostNear = 12;
+  /// Faces within the limit of an original vertex, the nearest first.
+  struct NearFaces
+  {
+    std::array<Index, MostNear> Faces;
+    std::array<float, MostNear> Squared; // mm^2
+    int Count = 0;
+
+    void Insert(Index face, float squared);
+    int Find(Index face) const;
+  };
+  struct Covering
+  {
+    std::array<Index, Coverage::SlotsPerItem> Faces;
+    int Count = 0;
+    bool IsProved = true;
+  };
+  struct Candidates
+  {
+    std::array<Index, CommonFaceProof::MostCandidates> Faces;
+    std::size_t Count = 0;
+
+    void Add(Index face);
+  };
+
+  void FindChanged();
+  void ProveFaces();
+  std::vector<char> OriginalsToProve() const;
+  void FindNear(const std::vector<char>& originals, const std::vector<Index>& current);
+  NearFaces NearTo(VertexId original, const StartOfWalk& starts, VertexId vertex) const;
+  Covering CoveringAtFirst(Index original) const;
+  bool IsAsAtFirst(const Covering& covering) const;
+  Covering Prove(Index original, CommonFaceProof& proof) const;
+  Index NearestToAll(const std::array<const NearFaces*, 3>& near) const;
+  Covering ProveTogether(
+    Index original, const std::array<const NearFaces*, 3>& near, CommonFaceProof& proof) const;
+  Candidates CandidatesOf(Index original, const std::array<const NearFaces*, 3>& near) const;
+  Index LastEditAt(Index original, const std::vector<Index>& current) const;
+
+  ErrorBound& Shared;
+  const HalfEdgeMesh& Mesh;
+  const EditJournal& Journal;
+  int Threads;
+  std::vector<Covering> Coverings;  // of each original
+  std::vector<NearFaces> Near;      // of each original vertex
+  std::vector<Index> ProvedVersion; // of each face, its last edit when it was proved
+  std::vector<char> IsChanged;      // of each face, since then
+  std::vector<char> IsFaceProved;
+};
+}
+
+#endif

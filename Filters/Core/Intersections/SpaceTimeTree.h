@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SpaceTimeTree.h
+ * @brief Finds boxes that exist between two edits of a journal by box and time.
+ *
+ * A binary tree over the boxes as they come, which should lie near each other in that order.
+ */
+#ifndef BoneDecimate_Core_Intersections_SpaceTimeTree_h
+#define BoneDecimate_Core_Intersections_SpaceTimeTree_h
+
+#include "TrianglePair.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace bonedecimate
+{
+/// mm, a little too large.
+struct FloatBox
+{
+  std::array<float, 3> Low, High;
+
+  /// Empty.
+  FloatBox();
+  /// @param reach mm, by which the box is larger.
+  explicit FloatBox(const TriangleCorners& corners, double reach = 0.0);
+  void Add(const FloatBox& other);
+  bool Meets(const FloatBox& other) const
+  {
+    return this->Low[0] <= other.High[0] && other.Low[0] <= this->High[0] &&
+      this->Low[1] <= other.High[1] && other.Low[1] <= this->High[1] &&
+      this->Low[2] <= other.High[2] && other.Low[2] <= this->High[2];
+  }
+};
+
+/// It exists after the edit Made and before the edit Replaced.
+struct TimedBox
+{
+  FloatBox Box;
+  Index Made;
+  Index Replaced;
+
+  bool Holds(const FloatBox& box, Index edit) const
+  {
+    return this->Made < edit && this->Replaced > edit && this->Box.Meets(box);
+  }
+};
+
+class SpaceTimeTree
+{
+public:
+  static constexpr Index Never = std::numeric_limits<Index>::max();
+
+  explicit SpaceTimeTree(std::vector<TimedBox> boxes);
+
+  /// Calls visit(position) for each box that meets the given one, was made before the edit and is replaced after it.
+  template <typename Visit>
+  void VisitAt(const FloatBox& box, Index edit, const Visit& visit) const
+  {
+    std::array<std::size_t, 64> stack;
+    std::size_t size = 0;
+    stack[size++] = 1;
+    while (size > 0)
+    {
+      const std::size_t at = stack[--size];
+      if (!this->Nodes[at].Holds(box, edit))
+      {
+        continue;
+      }
+      if (at < this->Leaves)
+      {
+        stack[size++] = 2 * at + 1;
+        stack[size++] = 2 * at;
+        continue;
+      }
+      const std::size_t first = (at - this->Leaves) * OfLeaf;
+      for (std::size_t i = first; i < std::min(this->Boxes.size(), first + OfLeaf); ++i)
+      {
+        if (this->Boxes[i].Holds(box, edit))
+        {
+          visit(i);
+        }
+      }
+    }
+  }
+
+private:
+  static constexpr std::size_t OfLeaf = 4; // boxes
+
+  std::vector<TimedBox> Boxes;
+  std::size_t Leaves = 1;      // a power of two
+  std::vector<TimedBox> Nodes; // children of i: 2 i and 2 i + 1; the root is 1
+};
+}
+
+#endif

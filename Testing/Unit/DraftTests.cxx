@@ -1,0 +1,363 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Collapses that are drafted, proved together and undone: compared with the mesh as it was, edit by edit, and by brute force.
+#include "Certificate/Certificate.h"
+#include "Crossings.h"
+#include "Edit/Editor.h"
+#include "EditFilters/EditJournal.h"
+#include "Intersections/FaceHistory.h"
+#include "Levels.h"
+#include "Mesh/Invariants.h"
+#include "Runs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+using namespace bonedecimate;
+using namespace bonedecimate::testsupport;
+
+namespace
+{
+const Monitor Never = [](double) { return true; };
+
+EditorSettings Proving(double error, bool hasGuard = true)
+{
+  EditorSettings settings;
+  settings.RecordsDistances = false;
+  settings.KeepsAreas = false;
+  settings.KeepsQuadrics = true;
+  settings.GuardsIntersections = hasGuard;
+  settings.Bound = ErrorBoundSettings{ error };
+  return settings;
+}
+
+/// All there is to a mesh but its quadrics.
+std::vector<double> StateOf(const HalfEdgeMesh& mesh)
+{
+  std::vector<double> state = { static_cast<double>(mesh.NumberOfFaces()) };
+  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    const FaceRecord& record = *mesh.RecordOfFace(HalfEdgeMesh::HalfEdge(face, 0));
+    state.insert(state.end(), record.Origins.begin(), record.Origins.end());
+    state.insert(state.end(), record.Twins.begin(), record.Twins.end());
+  }
+  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    state.push_back(static_cast<Index>(mesh.Outgoing(v)));
+    state.push_back(static_cast<double>(mesh.Constraint(v)));
+    state.insert(state.end(), mesh.Position(v).data(), mesh.Position(v).data() + 3);
+  }
+  return state;
+}
+
+/// Into the middle of the edge, if it is allowed.
+bool CollapseEdge(Editor& editor, HalfEdgeId h)
+{
+  const HalfEdgeMesh& mesh = editor.Mesh();
+  if (!mesh.IsAlive(HalfEdgeMesh::Face(h)) || !editor.Validate(h).IsAccepted())
+  {
+    return false;
+  }
+  const Vector3 middle = 0.5 * (mesh.Position(mesh.Origin(h)) + mesh.Position(mesh.Target(h)));
+  return editor.Collapse({ h, mesh.Origin(h), middle, false }).IsAccepted();
+}
+
+Index CollapseMany(Editor& editor, Index step, Index most = 1 << 30)
+{
+  Index count = 0;
+  for (const Index h : HalfEdges(editor.Mesh(), step))
+  {
+    count += count < most && CollapseEdge(editor, h) ? 1 : 0;
+  }
+  return count;
+}
+
+VertexId VertexAt(const HalfEdgeMesh& mesh, const CleanSurface& clean, const Vector3& p)
+{
+  VertexId v = 0;
+  while (v < mesh.NumberOfVertexSlots() && (mesh.Position(v) + clean.Origin - p).norm() > 1e-9)
+  {
+    ++v;
+  }
+  return v;
+}
+
+HalfEdgeId EdgeBetween(const HalfEdgeMesh& mesh, VertexId from, VertexId to)
+{
+  HalfEdgeId edge;
+  for (const HalfEdgeId h : mesh.OutgoingOf(from))
+  {
+    edge = mesh.Target(h) == to ? h : edge;
+  }
+  return edge;
+}
+
+using Corners = std::set<std::vector<double>>;
+
+std::vector<double> NumbersOf(const TriangleCorners& corners)
+{
+  std::vector<std::array<double, 3>> points;
+  for (const Vector3& p : corners)
+  {
+    points.push_back({ p[0], p[1], p[2] });
+  }
+  std::sort(points.begin(), points.end());
+  std::vector<double> numbers;
+  for (const std::array<double, 3>& p : points)
+  {
+    numbers.insert(numbers.end(), p.begin(), p.end());
+  }
+  return numbers;
+}
+
+Corners FacesOf(const HalfEdgeMesh& mesh)
+{
+  Corners faces;
+  const Surface surface = SurfaceOf(mesh);
+  for (const Triangle& t : surface.Triangles)
+  {
+    faces.insert(NumbersOf({ surface.Points[t[0]], surface.Points[t[1]], surface.Points[t[2]] }));
+  }
+  return faces;
+}
+
+/// A plate with a tip in the middle and, under the tip, a tetrahedron or none.
+Surface TippedPlate(bool hasTetrahedron)
+{
+  Surface plate = Grid(8);
+  Vector3 low = plate.Points[0];
+  Vector3 high = low;
+  for (const Vector3& p : plate.Points)
+  {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  for (Vector3& p : plate.Points)
+  {
+    p = 8.0 * (p - low) / (high - low).maxCoeff();
+    p[2] = (p - Vector3(4.0, 4.0, p[2])).norm() < 1e-6 ? 0.4 : 0.0;
+  }
+  if (!hasTetrahedron)
+  {
+    return plate;
+  }
+  Surface inside = Tetrahedron();
+  Vector3 middle = Vector3::Zero();
+  for (const Vector3& p : inside.Points)
+  {
+    middle += p / 4.0;
+  }
+  double radius = 0.0;
+  for (const Vector3& p : inside.Points)
+  {
+    radius = std::max(radius, (p - middle).norm());
+  }
+  for (Vector3& p : inside.Points)
+  {
+    p = Vector3(4.03, 4.02, 0.2) + 0.03 * (p - middle) / radius;
+  }
+  return Together(plate, inside);
+}
+
+/// Flattens the tip in a draft, and returns how many of the edits are left.
+std::int64_t CollapsesLeftOfTip(bool hasTetrahedron)
+{
+  const Surface input = TippedPlate(hasTetrahedron);
+  const CleanSurface clean = Clean(input, true);
+  Editor editor(clean, Proving(0.8));
+  const HalfEdgeMesh& mesh = editor.Mesh();
+  const VertexId tip = VertexAt(mesh, clean, Vector3(4.0, 4.0, 0.4));
+  const VertexId next = VertexAt(mesh, clean, Vector3(5.0, 4.0, 0.0));
+  EXPECT_TRUE(editor.BeginDraft(1));
+  const HalfEdgeId edge = EdgeBetween(mesh, tip, next);
+  EXPECT_TRUE(editor.Validate(edge).IsAccepted());
+  EXPECT_TRUE(editor.Collapse({ edge, next, mesh.Position(next), false }).IsAccepted());
+  EXPECT_TRUE(editor.EndDraft(1, Never));
+  EXPECT_EQ(editor.DraftReport().Collapses, 1);
+  return editor.NumberOfCollapses();
+}
+}
+
+TEST(Draft, UndoRestoresTheMeshBitForBit)
+{
+  for (const Surface& input : { BumpySphere(3, 10.0, 0.3, 5), HeightField(12, 0.4, 3), Torus(24, 12) })
+  {
+    const CleanSurface clean = Clean(input, true);
+    Editor editor(clean, Proving(2.0));
+    const std::vector<double> before = StateOf(editor.Mesh());
+    ASSERT_TRUE(editor.BeginDraft(1));
+    ASSERT_GT(CollapseMany(editor, 1), 20);
+    ASSERT_NE(StateOf(editor.Mesh()), before);
+    editor.UndoDraft(1);
+    EXPECT_EQ(StateOf(editor.Mesh()), before);
+    EXPECT_EQ(editor.NumberOfCollapses(), 0);
+    const std::vector<Index> current = editor.Reference().CurrentVertices();
+    for (std::size_t v = 0; v < current.size(); ++v)
+    {
+      ASSERT_EQ(current[v], static_cast<Index>(v));
+    }
+  }
+}
+
+TEST(Draft, IsMadeOnceAndOnlyWithABound)
+{
+  const CleanSurface clean = Clean(Icosphere(2, 10.0), true);
+  EditorSettings settings = Proving(1.0);
+  settings.Bound.reset();
+  EXPECT_FALSE(Editor(clean, settings).BeginDraft(1));
+  settings = Proving(1.0);
+  settings.RecordsEdits = true;
+  Editor recording(clean, settings);
+  EXPECT_FALSE(recording.BeginDraft(1));
+  EXPECT_EQ(recording.DraftReport().Status, DraftStatus::EditsAreRecorded);
+  Editor editor(clean, Proving(1.0));
+  EXPECT_TRUE(editor.BeginDraft(1));
+  EXPECT_TRUE(editor.EndDraft(1, Never));
+  EXPECT_FALSE(editor.BeginDraft(1));
+}
+
+TEST(Draft, KeepsOnlyWhatIsProved)
+{
+  for (const double error : { 0.02, 0.2, 1.0 })
+  {
+    const Surface input = BumpySphere(4, 10.0, 0.3, 7);
+    const CleanSurface clean = Clean(input, true);
+    Editor editor(clean, Proving(error));
+    ASSERT_TRUE(editor.BeginDraft(1));
+    CollapseMany(editor, 1);
+    ASSERT_TRUE(editor.EndDraft(1, Never));
+    EXPECT_EQ(BrokenInvariant(editor.Mesh()), "");
+    Surface result = SurfaceOf(editor.Mesh());
+    for (Vector3& p : result.Points)
+    {
+      p += clean.Origin;
+    }
+    CertificateOptions options;
+    options.Tolerance = error;
+    EXPECT_EQ(Certify(input, result, options).Proof, ProofStatus::Proved) << error;
+    // Its coverage serves the edits that follow.
+    CollapseMany(editor, 5);
+    result = SurfaceOf(editor.Mesh());
+    for (Vector3& p : result.Points)
+    {
+      p += clean.Origin;
+    }
+    EXPECT_EQ(Certify(input, result, options).Proof, ProofStatus::Proved) << error;
+  }
+}
+
+TEST(Draft, UndoesWhatJumpsOverSomething)
+{
+  EXPECT_EQ(CollapsesLeftOfTip(false), 1);
+  EXPECT_EQ(CollapsesLeftOfTip(true), 0);
+}
+
+TEST(Draft, AbortUndoesAllOfIt)
+{
+  const Surface input = Icosphere(4, 10.0);
+  const CleanSurface clean = Clean(input, true);
+  Editor editor(clean, Proving(0.5));
+  const std::vector<double> before = StateOf(editor.Mesh());
+  ASSERT_TRUE(editor.BeginDraft(1));
+  ASSERT_GT(CollapseMany(editor, 1), 20);
+  EXPECT_FALSE(editor.EndDraft(1, [](double) { return false; }));
+  EXPECT_EQ(StateOf(editor.Mesh()), before);
+}
+
+TEST(Draft, IsReportedWithAReason)
+{
+  const Surface input = Icosphere(4, 10.0);
+  const Report report = Decimate(input, InMode(Mode::Fast, Error(0.1))).Report;
+  EXPECT_EQ(report.Draft.Status, DraftStatus::Used);
+  EXPECT_GT(report.Draft.Collapses, report.Draft.Undone);
+  EXPECT_EQ(Decimate(input, Triangles(1000)).Report.Draft.Status, DraftStatus::NoBound);
+  EXPECT_EQ(Decimate(input, InMode(Mode::Thesis, Error(0.1))).Report.Draft.Status,
+    DraftStatus::NoBound);
+}
+
+TEST(Draft, ReachesATargetWithinTheBound)
+{
+  const Surface input = Icosphere(4, 10.0);
+  Options options = InMode(Mode::Fast, Error(0.5));
+  options.TargetNumberOfTriangles = 2000;
+  const Result result = Decimate(input, options);
+  EXPECT_EQ(result.Report.Stop, StopReason::TargetReached);
+  EXPECT_EQ(result.Surface.Triangles.size(), 2000U);
+  EXPECT_EQ(result.Report.Proof.Status, ProofStatus::Proved);
+}
+
+TEST(EditJournal, UndoesWhatDependsOnAnEditAndNothingElse)
+{
+  const CleanSurface clean = Clean(Icosphere(3, 10.0), true);
+  EditorSettings settings;
+  const auto recorder = [&](const HalfEdgeMesh& mesh) { return std::make_shared<EditJournal>(mesh); };
+  HalfEdgeMesh mesh(clean.Surface);
+  const std::shared_ptr<EditJournal> journal = recorder(mesh);
+  settings.MoreFilters = { journal };
+  settings.KeepsAreas = false;
+  settings.RecordsDistances = false;
+  Editor editor(clean, settings);
+  ASSERT_GT(CollapseMany(editor, 3), 100);
+  for (Index edit = 0; edit < journal->Count(); edit += 7)
+  {
+    // By definition: an edit depends on it if it has a face in common with it or with one that depends on it, and is later.
+    std::set<Index> touched;
+    std::vector<Index> expected;
+    for (Index later = edit; later < journal->Count(); ++later)
+    {
+      bool depends = later == edit;
+      for (Index i = 0; i < journal->Entry(later).NumberOfFaces; ++i)
+      {
+        depends = depends || touched.count(journal->FaceOf(later, i).Id) > 0;
+      }
+      for (Index i = 0; depends && i < journal->Entry(later).NumberOfFaces; ++i)
+      {
+        touched.insert(journal->FaceOf(later, i).Id);
+      }
+      if (depends)
+      {
+        expected.push_back(later);
+      }
+    }
+    std::reverse(expected.begin(), expected.end());
+    EXPECT_EQ(journal->DependentsOf(edit), expected);
+  }
+}
+
+TEST(FaceHistory, KnowsTheFacesBeforeEveryEdit)
+{
+  const CleanSurface clean = Clean(BumpySphere(2, 10.0, 0.3, 5), true);
+  EditorSettings settings;
+  const HalfEdgeMesh first(clean.Surface);
+  const auto journal = std::make_shared<EditJournal>(first);
+  settings.MoreFilters = { journal };
+  settings.KeepsAreas = false;
+  settings.RecordsDistances = false;
+  Editor editor(clean, settings);
+  std::vector<Corners> before = { FacesOf(editor.Mesh()) };
+  for (const Index h : HalfEdges(editor.Mesh(), 2))
+  {
+    if (CollapseEdge(editor, h))
+    {
+      before.push_back(FacesOf(editor.Mesh()));
+    }
+  }
+  ASSERT_GT(journal->Count(), 30);
+  const FaceHistory history(editor.Mesh(), *journal);
+  const FloatBox everywhere({ Vector3::Constant(-1e3), Vector3::Constant(1e3), Vector3::Zero() });
+  for (Index edit = 0; edit <= journal->Count(); ++edit)
+  {
+    Corners found;
+    history.VisitAt(everywhere, edit,
+      [&](const FaceHistory::Version& version)
+      { found.insert(NumbersOf(history.CornersOf(version))); });
+    for (Index i = 0; edit < journal->Count() && i < journal->Entry(edit).NumberOfFaces; ++i)
+    {
+      found.insert(NumbersOf(history.CornersOf(history.OldFace(edit, i))));
+    }
+    EXPECT_EQ(found, before[static_cast<std::size_t>(edit)]) << edit;
+  }
+}
