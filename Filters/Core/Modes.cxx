@@ -24,13 +24,14 @@ const std::vector<ModeInfo>& ModeTable()
   static const std::vector<ModeInfo> table = {
     { Mode::Thesis, "Thesis", byNormalFieldDeviation, Error::RunningStop, true, false, {}, {},
       collapse },
-    { Mode::Fast, "Fast", byQuadricDeviation, Error::ProvedBound, false, false, { 0.3, 4 }, {},
+    { Mode::Fast, "Fast", byQuadricDeviation, Error::ProvedBound, false, false, { 0.3, 4, 4 }, {},
       collapse },
     // Spikes weigh more than in Fast: refinement wins back the mean error that costs.
-    { Mode::Balanced, "Balanced", byQuadricDeviation, Error::ProvedBound, false, true, { 0.5, 8 },
-      { 0.2, 0.02, 4, 1, 1, 3, 1 }, collapseAndRefine },
+    { Mode::Balanced, "Balanced", byQuadricDeviation, Error::ProvedBound, false, true,
+      { 0.5, 8, MaximumPositions }, { 0.2, 0.02, 4, 1, 1, 3, 1, 2 }, collapseAndRefine },
     { Mode::Accurate, "Accurate", byQuadricDeviation, Error::ProvedBound, false, true,
-      { 0.5, MaximumPositions }, { 0.3, 0.06, 4, 1, 6, 8, 3 }, collapseAndRefine },
+      { 0.5, MaximumPositions, MaximumPositions }, { 0.3, 0.06, 4, 1, 6, 8, 3, 3 },
+      collapseAndRefine },
   };
   return table;
 }

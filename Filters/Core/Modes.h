@@ -86,6 +86,8 @@ struct SweepSettings
   /// Positions tried for a merged vertex where edits are proved, at most MaximumPositions of
   /// Placement/AlternatePositions.h: more of them give fewer triangles and take longer.
   int PositionsTried = 4;
+  /// The same where voxels alone limit edits: such runs are short.
+  int PositionsTriedForVoxels = 4;
 };
 
 /// Settings of Stages/RefineStage.h. The defaults are those of a mode without that stage.
@@ -98,7 +100,8 @@ struct RefineSettings
   int SweepsBefore = 0;         ///< Sweeps of flips and moves before the last collapses.
   int SweepsAfter = 0;          ///< Sweeps after them,
   int SweepsIfFew = 0;          ///< or, where few triangles remain and sweeps cost little, so many.
-  int ProvedRounds = 0; ///< How often sweeps and collapses alternate where edits are proved.
+  int ProvedRounds = 0; ///< How often sweeps and collapses alternate where edits are proved,
+  int VoxelRounds = 0;  ///< or where voxels alone limit them.
 };
 
 using StageFunction = StopReason (*)(const StageInput& input, const Monitor& monitor);

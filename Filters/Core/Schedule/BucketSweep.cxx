@@ -48,7 +48,8 @@ BucketSweep::BucketSweep(Editor& editor, const StopTargets& stops, int threads,
   , End(editor, stops)
   , Threads(editor.HasHook() ? 1 : threads)
   , FacesAtFirst(editor.Mesh().NumberOfFaces())
-  , PositionsTried(settings.PositionsTried)
+  , PositionsTried(
+      editor.HasErrorBound() ? settings.PositionsTried : settings.PositionsTriedForVoxels)
   , Evaluate(policies)
 {
   const std::size_t count = static_cast<std::size_t>(editor.Mesh().NumberOfVertexSlots());

@@ -42,6 +42,14 @@ bool CollapseLast(const StageInput& input, Refinement& refinement, const Monitor
   return SweepTo(input, input.Stops.Faces, still) != StopReason::Aborted && refinement.Begin(last);
 }
 
+int RoundsOf(const StageInput& input)
+{
+  const RefineSettings& settings = input.Mode.Refine;
+  const int limited =
+    input.MeshEditor.HasErrorBound() ? settings.ProvedRounds : settings.VoxelRounds;
+  return input.MeshEditor.LimitsEdits() ? limited : 1;
+}
+
 /// False if the monitor stopped it.
 bool Refine(const StageInput& input, const Monitor& monitor)
 {
@@ -51,7 +59,7 @@ bool Refine(const StageInput& input, const Monitor& monitor)
   const RefineSettings& settings = input.Mode.Refine;
   Refinement refinement(input.MeshEditor, *input.InitialMesh, input.Threads);
   const bool fewRemain = input.Stops.Faces < FewTriangles * input.FacesAtStart;
-  const int rounds = input.MeshEditor.LimitsEdits() ? settings.ProvedRounds : 1;
+  const int rounds = RoundsOf(input);
   const Monitor tell = PartOf(monitor, roundsFrom, roundsTo);
   bool goesOn = refinement.Begin(PartOf(monitor, 0.0, roundsFrom));
   for (int i = 0; i < rounds && goesOn; ++i)
