@@ -86,7 +86,7 @@ def rejected():
         "preset-alone": {"ErrorPreset": "HalfVoxel"},
     }.items()} | {
         "grids-differ": (label_images.image(), "grids", {"TargetReduction": 0.5}),
-        "part-of-an-image": (label_images.image(), "image", {"TargetReduction": 0.5}),
+        **{f"cut-{cut}": (label_images.image(), cut, {"TargetReduction": 0.5}) for cut in ("image", "images")},
     }
 
 

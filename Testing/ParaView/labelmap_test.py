@@ -55,6 +55,17 @@ class LabelMap(unittest.TestCase):
         extracted.Closed = 0
         self.assertLess(surfaces.output(extracted).GetNumberOfCells(), closed)
 
+    def test_changed_voxels_are_counted(self):
+        extracted = simple.BoneSurfaces(Input=self.image, LabelArray=["POINTS", "Segments"])
+        decimated = simple.BoneDecimate(Input=extracted, TargetReduction=0.97, KeepVoxels="Off")
+        for surface, is_changed in ((extracted, False), (decimated, True)):
+            check = simple.BoneVoxelCheck(Input=surface, Segmentation=self.image, LabelArray=["POINTS", "Segments"])
+            check.UpdatePipeline()
+            check.UpdatePropertyInformation()
+            compared, changed = (check.SMProxy.GetProperty(f"NumberOf{name}Voxels").GetElement(0) for name in ("Compared", "Changed"))
+            self.assertGreaterEqual(compared, SIZE ** 3)  # and those outside that the surface touches
+            self.assertEqual(changed > 0, is_changed)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -48,7 +48,7 @@ def blocks_of(surface, rank, ranks):
 def surface_of(image, cut, rank, ranks):
     """A source of the surface of a segmentation, or of this rank's part of it."""
     extract = simple.BoneSurfaces(Input=image_source(image, cut, rank, ranks), LabelArray=["POINTS", label_images.ARRAY])
-    if cut in ("pieces", "image"):
+    if cut in ("pieces", "image", "images"):
         return extract
     algorithm = extract.GetClientSideObject()
     extract.UpdatePipeline()
@@ -63,16 +63,16 @@ def surface_of(image, cut, rank, ranks):
 
 
 def image_source(image, cut, rank, ranks):
-    """The whole image on every rank, or, for the cut "image", a few of its slices."""
+    """The whole image on every rank, or a few of its slices: for the cut "image" ranks know the whole, for "images" they do not."""
     producer = simple.TrivialProducer()
-    if cut == "image":
+    if cut in ("image", "images"):
         whole = image.GetExtent()
         part = vtkImageData()
         part.DeepCopy(image)
         last = whole[5]
         part.Crop((*whole[:4], rank * last // ranks, (rank + 1) * last // ranks))
-        producer.GetClientSideObject().SetWholeExtent(whole)
         image = part
+        producer.GetClientSideObject().SetWholeExtent(whole if cut == "image" else image.GetExtent())
     producer.GetClientSideObject().SetOutput(image)
     producer.UpdatePipeline()
     return producer
