@@ -6,6 +6,7 @@
  */
 #include "Input/InputSize.h"
 #include "Input/LabelMapInput.h"
+#include "LabelMapArrays.h"
 #include "RunInput.h"
 #include "RunState.h"
 
