@@ -4,9 +4,9 @@
  * @class   vtkPBoneSurfaces
  * @brief   vtkBoneSurfaces on several processes
  *
- * Every process needs the whole image and gets an equal part of the triangles; points where parts meet have equal coordinates, as
- * vtkPBoneDecimate needs them. If the processes have different images, as of a distributed image whose pieces do not know the
- * whole, that is an error on all of them.
+ * Every process gets an equal part of the triangles; points where parts meet have equal coordinates, as vtkPBoneDecimate needs
+ * them. The image may be whole on every process, or in pieces, which are sent to all: labels do not end where pieces do. Images that
+ * differ in origin, spacing, direction or type, or that leave voxels of their common extent out, are an error on all processes.
  *
  * Every process must update the filter.
  */
@@ -15,6 +15,8 @@
 
 #include "vtkBoneSurfaces.h"
 #include "vtkFiltersBoneDecimateParallelModule.h" // for export macro
+
+#include <vector> // for values
 
 class vtkMultiProcessController;
 
@@ -40,6 +42,8 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
+  bool IsCommon(std::vector<double>& values, bool areThere);
+
   vtkPBoneSurfaces(const vtkPBoneSurfaces&) = delete;
   void operator=(const vtkPBoneSurfaces&) = delete;
 

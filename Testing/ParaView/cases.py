@@ -39,6 +39,8 @@ def label_cases():
     smoothed = {"AutomaticSmoothing": 1}
     return {name: (label_images.image(), cut, properties) for name, cut, properties in (
         ("label-smoothed", "pieces", {**smoothed, "TargetReduction": 0.0}),
+        ("label-image", "image", {**smoothed, "TargetReduction": 0.0}),
+        ("label-images", "images", {**smoothed, "TargetReduction": 0.0}),
         ("label-error", "pieces", {**smoothed, "MaximumError": ERROR, "KeepVoxels": "On"}),
         ("label-crumbs", "crumbs", {**smoothed, "MaximumError": ERROR, "KeepVoxels": "On"}),
         ("label-free", "slabs", {**smoothed, "MaximumError": ERROR, "KeepVoxels": "Off"}),
@@ -86,7 +88,6 @@ def rejected():
         "preset-alone": {"ErrorPreset": "HalfVoxel"},
     }.items()} | {
         "grids-differ": (label_images.image(), "grids", {"TargetReduction": 0.5}),
-        **{f"cut-{cut}": (label_images.image(), cut, {"TargetReduction": 0.5}) for cut in ("image", "images")},
     }
 
 

@@ -6,7 +6,7 @@ from vtkmodules.vtkCommonCore import VTK_SHORT
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 SIZE = (22, 20, 18)
-SPACING = (0.8, 0.8, 1.0)  # mm
+SPACING = (0.8, 0.8, 0.957)  # mm
 LABELS = (2, 5, 9)
 ARRAY = "Segments"
 

@@ -17,7 +17,7 @@ import label_images
 import specimens
 from parallel_runs import RANKS, bad_edges, distance, is_proved, joined, parts, report_of
 
-GUARDED = ("label-smoothed", "label-error", "label-crumbs", "label-kept", "label-preset",
+GUARDED = ("label-smoothed", "label-image", "label-images", "label-error", "label-crumbs", "label-kept", "label-preset",
            "label-thesis", "label-millimeters")
 
 
@@ -104,8 +104,9 @@ class ParallelLabels(unittest.TestCase):
     def test_smoothing_is_that_of_one_process_bit_for_bit(self):
         alone = corners_of(self.whole["label-smoothed", 1])
         self.assertNotEqual(alone, corners_of(self.before))
-        for ranks in RANKS[1:]:
-            self.assertEqual(corners_of(self.whole["label-smoothed", ranks]), alone)
+        for name in ("label-smoothed", "label-image", "label-images"):
+            for ranks in RANKS[1:]:
+                self.assertEqual(corners_of(self.whole[name, ranks]), alone)
 
     def test_every_voxel_keeps_its_label(self):
         for name in GUARDED:
