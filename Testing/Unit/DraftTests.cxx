@@ -183,7 +183,8 @@ std::int64_t CollapsesLeftOfTip(bool hasTetrahedron)
 
 TEST(Draft, UndoRestoresTheMeshBitForBit)
 {
-  for (const Surface& input : { BumpySphere(3, 10.0, 0.3, 5), HeightField(12, 0.4, 3), Torus(24, 12) })
+  for (const Surface& input :
+    { BumpySphere(3, 10.0, 0.3, 5), HeightField(12, 0.4, 3), Torus(24, 12) })
   {
     const CleanSurface clean = Clean(input, true);
     Editor editor(clean, Proving(2.0));
@@ -274,8 +275,8 @@ TEST(Draft, IsReportedWithAReason)
   EXPECT_EQ(report.Draft.Status, DraftStatus::Used);
   EXPECT_GT(report.Draft.Collapses, report.Draft.Undone);
   EXPECT_EQ(Decimate(input, Triangles(1000)).Report.Draft.Status, DraftStatus::NoBound);
-  EXPECT_EQ(Decimate(input, InMode(Mode::Thesis, Error(0.1))).Report.Draft.Status,
-    DraftStatus::NoBound);
+  EXPECT_EQ(
+    Decimate(input, InMode(Mode::Thesis, Error(0.1))).Report.Draft.Status, DraftStatus::NoBound);
 }
 
 TEST(Draft, ReachesATargetWithinTheBound)
@@ -293,7 +294,8 @@ TEST(EditJournal, UndoesWhatDependsOnAnEditAndNothingElse)
 {
   const CleanSurface clean = Clean(Icosphere(3, 10.0), true);
   EditorSettings settings;
-  const auto recorder = [&](const HalfEdgeMesh& mesh) { return std::make_shared<EditJournal>(mesh); };
+  const auto recorder = [&](const HalfEdgeMesh& mesh)
+  { return std::make_shared<EditJournal>(mesh); };
   HalfEdgeMesh mesh(clean.Surface);
   const std::shared_ptr<EditJournal> journal = recorder(mesh);
   settings.MoreFilters = { journal };

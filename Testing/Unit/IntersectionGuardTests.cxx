@@ -250,7 +250,7 @@ TEST(IntersectionGuard, AThinPlateKeepsHalfOfItsThickness)
 
 TEST(IntersectionGuard, FoldsDoNotCutThroughThemselves)
 {
-  const Surface input = BumpySphere(4, 10.0, 0.3, 3);
+  const Surface input = BumpySphere(4, 10.0, 0.3, 2);
   ASSERT_EQ(CountCrossings(input), 0);
   const Surface without = Decimate(input, Guarded(Mode::Balanced, 0.8, false)).Surface;
   const Surface with = Decimate(input, Guarded(Mode::Balanced, 0.8)).Surface;

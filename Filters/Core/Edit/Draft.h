@@ -41,8 +41,10 @@ struct Draft
 
   std::shared_ptr<EditJournal> Journal;
   EditReplay Replay;
-  std::vector<std::shared_ptr<EditFilter>> ExactFilters; ///< Of the editor, while the draft has its own.
-  std::array<std::int64_t, NumberOfRejections> Rejections{}; ///< Before the draft: its own are not counted.
+  std::vector<std::shared_ptr<EditFilter>>
+    ExactFilters; ///< Of the editor, while the draft has its own.
+  std::array<std::int64_t, NumberOfRejections>
+    Rejections{}; ///< Before the draft: its own are not counted.
 };
 }
 

@@ -139,8 +139,9 @@ std::vector<Index> EditJournal::DependentsOf(Index edit) const
         const JournalEntry& entry = this->Entries[later];
         const JournalFace* faces = this->Faces.data() + entry.FirstFace;
         later = std::find_if(faces, faces + entry.NumberOfFaces,
-          [&](const JournalFace& face) { return face.Id == this->FaceOf(at, i).Id; })
-                  ->Before;
+          [&](const JournalFace& face) {
+            return face.Id == this->FaceOf(at, i).Id;
+          })->Before;
       }
     }
   }

@@ -72,8 +72,8 @@ std::vector<char> FragmentGuard::FindTooSmall(const HalfEdgeMesh& mesh) const
   for (std::size_t i = 0; i < volumes.size(); ++i)
   {
     const Volume& volume = this->Volumes[i];
-    isTooSmall[i] = volume.IsClosed && volume.AtFirst != 0.0 &&
-        volumes[i] / volume.AtFirst < LeastVolumeRatio
+    isTooSmall[i] =
+      volume.IsClosed && volume.AtFirst != 0.0 && volumes[i] / volume.AtFirst < LeastVolumeRatio
       ? 1
       : 0;
   }

@@ -68,8 +68,8 @@ void DraftFilter::AddEdges()
       ErrorLimits::Between(this->Shared.LimitAt(from), this->Shared.LimitAt(to), 0.5);
     if (original.Twin(h) < h && limit < small)
     {
-      this->Samples.push_back({ 0.5 * (original.Position(from) + original.Position(to)),
-        RatioOfLimit * limit, None });
+      this->Samples.push_back(
+        { 0.5 * (original.Position(from) + original.Position(to)), RatioOfLimit * limit, None });
       this->At.push_back(from);
     }
   }
@@ -83,9 +83,8 @@ void DraftFilter::Distribute(
   const StartOfWalk starts(mesh);
   std::vector<Index> faces(this->Samples.size());
   ForEachId(faces.size(), threads,
-    [&](std::size_t i) {
-      faces[i] = starts.FindNear(this->Samples[i].Position, current[this->At[i]]).Face;
-    });
+    [&](std::size_t i)
+    { faces[i] = starts.FindNear(this->Samples[i].Position, current[this->At[i]]).Face; });
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     this->Samples[i].Next = std::exchange(this->FirstOfFaces[faces[i]], static_cast<Index>(i));

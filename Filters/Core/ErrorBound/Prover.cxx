@@ -44,7 +44,7 @@ Decision Prover::Prove(const HalfEdgeMesh& mesh, const SurfaceChange& change, Ve
     return Rejection::ErrorBound;
   }
   this->Prepare();
-  if (!this->EndsAreNear(mesh) || !this->WitnessesAreNear(mesh))
+  if (!this->EndsAreNear(mesh) || !this->WitnessesAreNear(mesh, range))
   {
     return Rejection::ErrorBound;
   }
@@ -89,22 +89,27 @@ void Prover::Gather(const Coverage& coverage, const std::vector<Index>& old, Spa
 }
 
 //------------------------------------------------------------------------------
-/// Whether all other covering elements of the items are in range.
-template <typename IsInRange>
+/// Whether all other covering elements of the item are in range.
+template <typename IsElementInRange>
+bool Prover::IsInRange(
+  const Coverage& coverage, const Item& item, const IsElementInRange& isElementInRange)
+{
+  bool isInside = true;
+  for (int slot = 0; slot < Coverage::SlotsPerItem && isInside; ++slot)
+  {
+    const Index covering = coverage.CoveringElement(item.Id, slot);
+    isInside = covering == None || (item.Gone >> slot & 1) != 0 || isElementInRange(covering);
+  }
+  return isInside;
+}
+
+//------------------------------------------------------------------------------
+template <typename IsElementInRange>
 bool Prover::AreInRange(
-  const Coverage& coverage, const SparseSet<Item>& items, const IsInRange& isInRange)
+  const Coverage& coverage, const SparseSet<Item>& items, const IsElementInRange& isElementInRange)
 {
   return std::all_of(items.begin(), items.end(),
-    [&](const Item& item)
-    {
-      bool isInside = true;
-      for (int slot = 0; slot < Coverage::SlotsPerItem && isInside; ++slot)
-      {
-        const Index covering = coverage.CoveringElement(item.Id, slot);
-        isInside = covering == None || (item.Gone >> slot & 1) != 0 || isInRange(covering);
-      }
-      return isInside;
-    });
+    [&](const Item& item) { return IsInRange(coverage, item, isElementInRange); });
 }
 
 //------------------------------------------------------------------------------
@@ -147,16 +152,19 @@ bool Prover::EndsAreNear(const HalfEdgeMesh& mesh)
 }
 
 //------------------------------------------------------------------------------
-/// The items that caused the last rejections here are likely to cause the next one.
-bool Prover::WitnessesAreNear(const HalfEdgeMesh& mesh)
+/// The items that caused the last rejections here are likely to cause the next one. Those with a covering face out of range are
+/// skipped: another worker may be changing that face.
+bool Prover::WitnessesAreNear(const HalfEdgeMesh& mesh, VertexRange range)
 {
+  const auto isInRange = [&](FaceId face) { return FaceIsInRange(mesh, face, range); };
   for (const VertexId end : this->Change->Ends)
   {
     const ErrorBound::Witness& known = this->Shared.Witnesses[end];
     for (const Index witness : known)
     {
       Item item = { witness, 0 };
-      if (witness != None && this->Depends(item) && !this->ProveItem(mesh, item))
+      if (witness != None && this->Depends(item) &&
+        IsInRange(this->Shared.ByFaces, item, isInRange) && !this->ProveItem(mesh, item))
       {
         this->Remember(witness);
         return false;

@@ -49,14 +49,17 @@ private:
 
   static void Gather(
     const Coverage& coverage, const std::vector<Index>& old, SparseSet<Item>& items);
-  template <typename IsInRange>
-  static bool AreInRange(
-    const Coverage& coverage, const SparseSet<Item>& items, const IsInRange& isInRange);
+  template <typename IsElementInRange>
+  static bool IsInRange(
+    const Coverage& coverage, const Item& item, const IsElementInRange& isElementInRange);
+  template <typename IsElementInRange>
+  static bool AreInRange(const Coverage& coverage, const SparseSet<Item>& items,
+    const IsElementInRange& isElementInRange);
   bool AreInRange(const HalfEdgeMesh& mesh, VertexRange range) const;
   bool MovedVertexIsNear();
   void Prepare();
   bool EndsAreNear(const HalfEdgeMesh& mesh);
-  bool WitnessesAreNear(const HalfEdgeMesh& mesh);
+  bool WitnessesAreNear(const HalfEdgeMesh& mesh, VertexRange range);
   bool Depends(Item& item) const;
   bool OriginalsAreNear(const HalfEdgeMesh& mesh);
   bool ProveItem(const HalfEdgeMesh& mesh, Item& item);

@@ -22,11 +22,11 @@ FloatBox BoxAround(const std::vector<Piece>& old, const std::vector<Piece>& made
 }
 }
 
-std::vector<Index> EditReplay::FindRejected(const FaceHistory& history, int threads)
+std::vector<Index> EditReplay::FindRejected(int threads)
 {
   this->Boxes.resize(static_cast<std::size_t>(this->Journal.Count()));
   this->States.resize(this->Boxes.size(), State::Unchecked);
-  const SpaceTimeTree undone = this->NewlyUndone();
+  const SpaceTimeTree undone = this->TakeUndone();
   ForEachChunk(this->Boxes.size(), threads, {},
     [&](std::size_t, std::size_t first, std::size_t last)
     {
@@ -34,19 +34,17 @@ std::vector<Index> EditReplay::FindRejected(const FaceHistory& history, int thre
       for (std::size_t i = first; i < last; ++i)
       {
         const Index edit = static_cast<Index>(i);
-        if (this->Journal.Entry(edit).IsUndone)
+        if (this->States[i] == State::Undone)
         {
-          this->States[i] = State::Undone;
           continue;
         }
         bool isToCheck = this->States[i] != State::Accepted;
         undone.VisitAt(this->Boxes[i], edit, [&](std::size_t) { isToCheck = true; });
         if (isToCheck)
         {
-          this->FillPatches(history, edit, work);
+          this->FillPatches(edit, work);
           this->Boxes[i] = BoxAround(work.Old, work.New);
-          this->States[i] =
-            this->IsRejected(history, edit, work) ? State::Rejected : State::Accepted;
+          this->States[i] = this->IsRejected(edit, work) ? State::Rejected : State::Accepted;
         }
       }
     });
@@ -62,46 +60,55 @@ std::vector<Index> EditReplay::FindRejected(const FaceHistory& history, int thre
 }
 
 //------------------------------------------------------------------------------
-/// Edits that have been undone since the last check.
-SpaceTimeTree EditReplay::NewlyUndone() const
+/// Takes what has been undone since the last check out of the history, later edits first. Where it was, and when.
+SpaceTimeTree EditReplay::TakeUndone()
 {
-  std::vector<TimedBox> boxes;
-  for (Index edit = 0; edit < this->Journal.Count(); ++edit)
+  if (!this->Faces)
   {
-    if (this->Journal.Entry(edit).IsUndone &&
-      (this->States[edit] == State::Accepted || this->States[edit] == State::Rejected))
+    this->Faces.emplace(this->Mesh, this->Journal);
+  }
+  std::vector<TimedBox> boxes;
+  for (Index edit = this->Journal.Count(); edit-- > 0;)
+  {
+    State& state = this->States[edit];
+    if (this->Journal.Entry(edit).IsUndone && state != State::Undone)
     {
-      boxes.push_back({ this->Boxes[edit], edit, SpaceTimeTree::Never });
+      if (state != State::Unchecked)
+      {
+        this->Faces->Undo(edit);
+        boxes.push_back({ this->Boxes[edit], edit, SpaceTimeTree::Never });
+      }
+      state = State::Undone;
     }
   }
   return SpaceTimeTree(std::move(boxes));
 }
 
 //------------------------------------------------------------------------------
-void EditReplay::FillPatches(const FaceHistory& history, Index edit, Workspace& work) const
+void EditReplay::FillPatches(Index edit, Workspace& work) const
 {
   work.Old.clear();
   work.New.clear();
   const JournalEntry& entry = this->Journal.Entry(edit);
   for (Index i = 0; i < entry.NumberOfFaces; ++i)
   {
-    const FaceHistory::Version& old = history.OldFace(edit, i);
-    work.Old.emplace_back(this->Mesh, old.Vertices, history.CornersOf(old));
+    const FaceHistory::Version& old = this->Faces->OldFace(edit, i);
+    work.Old.emplace_back(this->Mesh, old.Vertices, this->Faces->CornersOf(old));
     if (i >= entry.NumberOfGoneFaces)
     {
-      const FaceHistory::Version& made = history.NewFace(edit, i);
-      work.New.emplace_back(this->Mesh, made.Vertices, history.CornersOf(made));
+      const FaceHistory::Version& made = this->Faces->NewFace(edit, i);
+      work.New.emplace_back(this->Mesh, made.Vertices, this->Faces->CornersOf(made));
     }
   }
 }
 
 //------------------------------------------------------------------------------
-bool EditReplay::IsRejected(const FaceHistory& history, Index edit, Workspace& work) const
+bool EditReplay::IsRejected(Index edit, Workspace& work) const
 {
   work.Near.clear();
-  history.VisitAt(this->Boxes[edit], edit,
+  this->Faces->VisitAt(this->Boxes[edit], edit,
     [&](const FaceHistory::Version& version)
-    { work.Near.emplace_back(this->Mesh, version.Vertices, history.CornersOf(version)); });
+    { work.Near.emplace_back(this->Mesh, version.Vertices, this->Faces->CornersOf(version)); });
   return MeetMore(work.Old, work.New, work.Near) || JumpOver(work.Old, work.New, work.Near);
 }
 }

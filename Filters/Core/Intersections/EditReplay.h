@@ -17,6 +17,7 @@
 #include "FaceHistory.h"
 #include "Piece.h"
 
+#include <optional>
 #include <vector>
 
 namespace bonedecimate
@@ -33,17 +34,18 @@ public:
 
   /// In ascending order; edits that are undone are left out. After the first call only edits near those that were undone
   /// since, and later than these, are checked again: nothing else has changed what they find.
-  /// @param history Of the journal as it is now.
-  std::vector<Index> FindRejected(const FaceHistory& history, int threads);
+  std::vector<Index> FindRejected(int threads);
+  /// Of the journal at the last call; there must have been one.
+  const FaceHistory& History() const { return *this->Faces; }
 
 private:
   struct Workspace
   {
     std::vector<Piece> Old, New, Near;
   };
-  SpaceTimeTree NewlyUndone() const;
-  bool IsRejected(const FaceHistory& history, Index edit, Workspace& work) const;
-  void FillPatches(const FaceHistory& history, Index edit, Workspace& work) const;
+  SpaceTimeTree TakeUndone();
+  bool IsRejected(Index edit, Workspace& work) const;
+  void FillPatches(Index edit, Workspace& work) const;
 
   const HalfEdgeMesh& Mesh;
   const EditJournal& Journal;
@@ -54,6 +56,7 @@ private:
     Rejected,
     Undone
   };
+  std::optional<FaceHistory> Faces;
   std::vector<FloatBox> Boxes; // of each edit that was checked, around its old and new faces
   std::vector<State> States;   // of each edit, when they were checked last
 };

@@ -120,6 +120,10 @@ FaceGrid::FaceGrid(const HalfEdgeMesh& mesh, double leastCell)
   std::vector<Key> cells;
   for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
+    if (!mesh.IsAlive(face))
+    {
+      continue;
+    }
     const Triangle v = mesh.Corners(face);
     const TriangleCorners corners = CornersOf(mesh, v);
     cells.clear();
@@ -144,12 +148,16 @@ double FaceGrid::CellFor(const HalfEdgeMesh& mesh, double least) const
   double areas = 0.0;   // mm^2
   for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
+    if (!mesh.IsAlive(face))
+    {
+      continue;
+    }
     const TriangleCorners p = CornersOf(mesh, mesh.Corners(face));
     const Vector3 size = p[0].cwiseMax(p[1]).cwiseMax(p[2]) - p[0].cwiseMin(p[1]).cwiseMin(p[2]);
     lengths += size.maxCoeff();
     areas += size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
   }
-  const double faces = std::max(1, mesh.NumberOfFaceSlots());
+  const double faces = std::max(1, mesh.NumberOfFaces());
   return FacesOfSide * std::max({ least, 1.25 * lengths / faces, std::sqrt(areas / faces), 1e-30 });
 }
 

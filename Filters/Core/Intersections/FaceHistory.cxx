@@ -119,25 +119,48 @@ void FaceHistory::Replace(Index edit)
 //------------------------------------------------------------------------------
 void FaceHistory::SortBySize()
 {
+  std::vector<Index> byFace(this->Versions.size());
+  std::iota(byFace.begin(), byFace.end(), 0);
+  std::stable_sort(byFace.begin(), byFace.end(),
+    [this](Index a, Index b) { return this->Versions[a].Face < this->Versions[b].Face; });
   std::array<std::size_t, Sizes + 1> starts{};
   for (const TimedBox& box : this->Boxes)
   {
     ++starts[SizeOf(box.Box) + 1];
   }
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  std::vector<Index> byFace(this->Versions.size());
-  std::iota(byFace.begin(), byFace.end(), 0);
-  std::stable_sort(byFace.begin(), byFace.end(),
-    [this](Index a, Index b) { return this->Versions[a].Face < this->Versions[b].Face; });
-  this->Sorted.resize(byFace.size());
-  std::vector<TimedBox> boxes(byFace.size());
+  std::vector<Index> positions(this->Versions.size());
+  std::vector<Version> versions(this->Versions.size());
+  std::vector<TimedBox> boxes(this->Versions.size());
   for (const Index version : byFace)
   {
     const std::size_t position = starts[SizeOf(this->Boxes[version].Box)]++;
-    this->Sorted[position] = version;
+    positions[version] = static_cast<Index>(position);
+    versions[position] = this->Versions[version];
     boxes[position] = this->Boxes[version];
   }
+  for (std::vector<Index>* of : { &this->OldVersions, &this->NewVersions })
+  {
+    std::transform(of->begin(), of->end(), of->begin(),
+      [&](Index version) { return version == None ? None : positions[version]; });
+  }
+  this->Versions = std::move(versions);
   this->Boxes = {};
   this->Tree.emplace(std::move(boxes));
+}
+
+//------------------------------------------------------------------------------
+void FaceHistory::Undo(Index edit)
+{
+  const JournalEntry& entry = this->Journal.Entry(edit);
+  for (Index i = 0; i < entry.NumberOfFaces; ++i)
+  {
+    this->Tree->SetReplaced(static_cast<std::size_t>(this->OldVersions[entry.FirstFace + i]), true);
+    if (i >= entry.NumberOfGoneFaces)
+    {
+      this->Tree->SetReplaced(
+        static_cast<std::size_t>(this->NewVersions[entry.FirstFace + i]), false);
+    }
+  }
 }
 }

@@ -33,7 +33,7 @@ public:
     std::array<Index, 3> Positions; ///< Of the corners, for CornersOf.
   };
 
-  /// @param mesh After the edits of the journal that are not undone. The journal must outlive this object.
+  /// @param mesh After the edits of the journal that are not undone. The journal must outlive this object and get no more edits.
   FaceHistory(const HalfEdgeMesh& mesh, const EditJournal& journal);
 
   /// The faces that an edit replaced, removed ones first, and those that it made.
@@ -48,13 +48,15 @@ public:
   }
   TriangleCorners CornersOf(const Version& version) const; ///< mm
 
+  /// That the edit, on which no other one depends any more, never happened.
+  void Undo(Index edit);
+
   /// Calls visit(version) for each face that meets the box, was there before the edit and is not replaced by it. Number of
   /// edits: after the last one.
   template <typename Visit>
   void VisitAt(const FloatBox& box, Index edit, const Visit& visit) const
   {
-    this->Tree->VisitAt(
-      box, edit, [&](std::size_t position) { visit(this->Versions[this->Sorted[position]]); });
+    this->Tree->VisitAt(box, edit, [&](std::size_t position) { visit(this->Versions[position]); });
   }
 
 private:
@@ -66,12 +68,11 @@ private:
   const EditJournal& Journal;
   std::vector<Vector3> FirstPositions; // mm, of each vertex
   std::vector<Version> Versions;
-  std::vector<TimedBox> Boxes;                // of the versions, until they are sorted
-  std::vector<Index> Current;                 // version of each face, while they are added
-  std::vector<Index> CurrentPositions;        // of each vertex, likewise
+  std::vector<TimedBox> Boxes;                 // of the versions, while they are added
+  std::vector<Index> Current;                  // version of each face, likewise
+  std::vector<Index> CurrentPositions;         // of each vertex, likewise
   std::vector<Index> OldVersions, NewVersions; // of each face of the journal
-  std::vector<Index> Sorted;                  // versions by size
-  std::optional<SpaceTimeTree> Tree;          // of the versions, sorted
+  std::optional<SpaceTimeTree> Tree;           // of the versions
 };
 }
 

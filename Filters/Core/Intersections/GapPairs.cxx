@@ -101,8 +101,8 @@ std::vector<Index> FindNarrowedGaps(const HalfEdgeMesh& mesh, const GapRule& wid
     history.VisitAt(FloatBox(piece.Corners, piece.Reach), journal.Count(),
       [&](const FaceHistory::Version& version)
       {
-        const Piece near = PieceWithGap(
-          mesh, merged, version.Vertices, CornersOf(mesh, version.Vertices));
+        const Piece near =
+          PieceWithGap(mesh, merged, version.Vertices, CornersOf(mesh, version.Vertices));
         if (version.Face != face && IsTooNear(merged, piece, near, {}))
         {
           found.push_back(std::max(journal.LastOfFace(face), journal.LastOfFace(version.Face)));

@@ -186,10 +186,9 @@ void IntersectionGuard::BuildGrid()
 std::vector<Index> IntersectionGuard::FindRejected(
   const EditJournal& journal, EditReplay& replay, int threads) const
 {
-  const FaceHistory history(this->Mesh, journal);
-  std::vector<Index> edits = replay.FindRejected(history, threads);
+  std::vector<Index> edits = replay.FindRejected(threads);
   const std::vector<Index> narrowed =
-    FindNarrowedGaps(this->Mesh, this->Widths, journal, history, threads);
+    FindNarrowedGaps(this->Mesh, this->Widths, journal, replay.History(), threads);
   edits.insert(edits.end(), narrowed.begin(), narrowed.end());
   return edits;
 }

@@ -117,8 +117,7 @@ bool LieInOnePlane(const std::vector<Piece>& a, const std::vector<Piece>& b)
 }
 }
 
-Piece::Piece(
-  const HalfEdgeMesh& mesh, const Triangle& vertices, const TriangleCorners& corners)
+Piece::Piece(const HalfEdgeMesh& mesh, const Triangle& vertices, const TriangleCorners& corners)
   : PlaneTriangle(corners)
   , Vertices{ mesh.OriginalVertex(vertices[0]), mesh.OriginalVertex(vertices[1]),
     mesh.OriginalVertex(vertices[2]) }

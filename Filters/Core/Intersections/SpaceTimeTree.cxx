@@ -66,4 +66,15 @@ SpaceTimeTree::SpaceTimeTree(std::vector<TimedBox> boxes)
     Extend(this->Nodes[i], this->Nodes[2 * i + 1]);
   }
 }
+
+//------------------------------------------------------------------------------
+/// Nodes may hold too long a time.
+void SpaceTimeTree::SetReplaced(std::size_t position, bool isThere)
+{
+  this->Boxes[position].Replaced = isThere ? Never : None;
+  for (std::size_t at = this->Leaves + position / OfLeaf; isThere && at > 0; at /= 2)
+  {
+    this->Nodes[at].Replaced = Never;
+  }
+}
 }

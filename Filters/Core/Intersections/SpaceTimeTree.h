@@ -45,7 +45,7 @@ struct TimedBox
 
   bool Holds(const FloatBox& box, Index edit) const
   {
-    return this->Made < edit && this->Replaced > edit && this->Box.Meets(box);
+    return this->Made<edit&& this->Replaced> edit && this->Box.Meets(box);
   }
 };
 
@@ -86,6 +86,9 @@ public:
       }
     }
   }
+
+  /// The box is replaced by no edit, or never was there.
+  void SetReplaced(std::size_t position, bool isThere);
 
 private:
   static constexpr std::size_t OfLeaf = 4; // boxes

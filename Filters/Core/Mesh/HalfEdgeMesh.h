@@ -188,8 +188,7 @@ private:
       static_cast<double>(static_cast<std::int16_t>(z)) };
   }
   /// To undo a collapse: the record of a face before it, of each of its faces.
-  void Restore(
-    FaceId face, const std::array<Index, 4>& origins, const std::array<Index, 4>& twins)
+  void Restore(FaceId face, const std::array<Index, 4>& origins, const std::array<Index, 4>& twins)
   {
     this->Faces[face] = { origins, twins };
   }

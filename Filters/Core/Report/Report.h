@@ -271,9 +271,9 @@ struct VoxelReport
 /// What came of drafting the first collapses of a proved run.
 enum class DraftStatus : int
 {
-  NoBound = 0,      ///< Edits are not limited by an error.
-  NotUsed,          ///< No collapse was needed.
-  Used,             ///< Collapses were drafted and proved together; those that could not be proved were undone.
+  NoBound = 0, ///< Edits are not limited by an error.
+  NotUsed,     ///< No collapse was needed.
+  Used, ///< Collapses were drafted and proved together; those that could not be proved were undone.
   Undone,           ///< All drafted collapses were undone, and the run went on edit by edit.
   EditsAreRecorded, ///< Not possible, because every level of detail has to be proved.
   MoreFilters       ///< Not possible with filters of the caller.
