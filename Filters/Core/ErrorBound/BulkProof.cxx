@@ -359,8 +359,7 @@ BulkProof::Covering BulkProof::ProveTogether(
 }
 
 //------------------------------------------------------------------------------
-/// The last edit around the vertices into which its corners were merged. That is a better choice than the last edit of the
-/// vertices, on which more edits depend.
+/// The last edit around the vertices into which its corners were merged; on the last edit of these more edits depend.
 Index BulkProof::LastEditAt(Index original, const std::vector<Index>& current) const
 {
   Index last = None;

@@ -26,7 +26,7 @@ bool IsTooNear(
   const GapRule& widths, const Piece& piece, const Piece& near, const std::vector<Piece>& old);
 
 /// For each pair of faces that are too near to each other, one of which the edits of the journal have changed, the later edit of
-/// both. That an input may have been as near is not asked: it only means that more is undone.
+/// both. Whether they were as near in the input makes no difference: more is undone then.
 /// @param widths Of the vertices of the mesh before the first edit of the journal.
 std::vector<Index> FindNarrowedGaps(const HalfEdgeMesh& mesh, const GapRule& widths,
   const EditJournal& journal, const FaceHistory& history, int threads);
