@@ -58,7 +58,7 @@ MUTANTS = (
            "piece[0].Near & piece[1].Near & piece[2].Near;", "piece[0].Near & piece[1].Near;"),
     Mutant("half of a piece is forgotten", FOLDER + "CommonFaceProof.cxx",
            "  this->Open.push_back(piece);\n  this->Open.back()[edge] = middle;\n", ""),
-    Mutant("the faces that cover an original are not stored", FOLDER + "Prover.cxx",
+    Mutant("the faces that cover an original are not stored", FOLDER + "CommitProof.cxx",
            "coverage.Add(item.Id, coverings[i]);", "(void)coverings;"),
     Mutant("an even number of layers is a cover", FOLDER + "PlaneCover.h", "return this->IsOdd;", "return true;"),
     Mutant("a boundary over the face is allowed", FOLDER + "PlaneCover.cxx", "return twin != None;", "return true;"),

@@ -338,7 +338,6 @@ TEST(AutomaticSmoothing, OfThickSlicesIsInVoxels)
 
 TEST(AutomaticSmoothing, UsesTheLabelMapOfTheInput)
 {
-  // Turned, so that no grid can be found in the points.
   BinarySurface turned = TestTorus();
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(0.4, Vector3(1.0, 1.0, 2.0).normalized()).toRotationMatrix();
@@ -348,9 +347,12 @@ TEST(AutomaticSmoothing, UsesTheLabelMapOfTheInput)
   {
     p = turn * p;
   }
+  // One point off the grid, so that no grid is found in the points.
+  turned.Surface.Points[0] += Vector3(0.01, 0.0, 0.0);
   const Options options = Automatic(Reduction(0.0));
   EXPECT_EQ(
     Decimate(turned.Surface, options).Report.Smoothing.From, SmoothingFigures::Source::Unknown);
+  turned.Surface.Points[0] -= Vector3(0.01, 0.0, 0.0);
   RunInputs inputs;
   inputs.LabelMap = &turned.Source;
   const Result result = Decimate(turned.Surface, options, {}, inputs);

@@ -9,13 +9,16 @@ import math
 
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkOutputWindow
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import _core
+from .label_arrays import add_grid
 from .options import ROWS, assign, deprecated, describe, nearest, words
 from .report import current_name
 from .run import InputArrays, fill_input_copy, fill_output, run
+from .surfaces import surface_from
+from .voxel_check import Comparison, source_with
 
 PROOF_STATUSES = ("not_requested", "proved", "violated", "undecided")
 POINTS, CELLS = vtkDataObject.FIELD_ASSOCIATION_POINTS, vtkDataObject.FIELD_ASSOCIATION_CELLS
@@ -25,7 +28,8 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
     """Make a bone surface smaller, keep every fragment, report the error in millimeters.
 
     Input port 0: vtkPolyData of triangles, strips or polygons, mm. Input port 1, optional: the reference, the surface
-    that the input was made from; with it MaximumError is proved and measured against the reference. Output port 0: the smaller surface; point data: the
+    that the input was made from; with it MaximumError is proved and measured against the reference. Input port 2, optional: the label
+    map, vtkImageData, that another program extracted the input from; KeepVoxels and AutomaticSmoothing use its grid. Output port 0: the smaller surface; point data: the
     distance to the input, the error recorded along the collapses (mm) and how many input points each point represents;
     field data: the report as one JSON text, BoneDecimateReport, and its main figures as arrays (bonedecimate.proof.upper, ...).
     Vertices and lines pass through.
@@ -42,13 +46,14 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
     """
 
     def __init__(self, **properties) -> None:
-        super().__init__(nInputPorts=2, inputType="vtkPolyData", nOutputPorts=2, outputType="vtkPolyData")
+        super().__init__(nInputPorts=3, inputType="vtkPolyData", nOutputPorts=2, outputType="vtkPolyData")
         self._options = _core.Options()
         self._entries = _core.empty_report()
         self._json = _core.empty_json()
         self._stop = _core.StopReason.NotRun
         self._rejected_edits = 0
         self._interrupted = False
+        self._label = 0
         for name, value in properties.items():
             if name not in PROPERTIES and name not in DEPRECATED_PROPERTIES:
                 raise TypeError(f"vtkBoneDecimate has no property '{name}'{_meant(name)}")
@@ -70,10 +75,31 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
     def SetReferenceConnection(self, reference) -> None:
         self.SetInputConnection(1, reference)
 
+    def SetLabelMapData(self, label_map: vtkImageData) -> None:
+        """The label map that the input was extracted from, if the input does not carry its grid."""
+        self.SetInputDataObject(2, label_map)
+
+    def SetLabelMapConnection(self, label_map) -> None:
+        self.SetInputConnection(2, label_map)
+
+    def SetLabel(self, label: int) -> None:
+        """The label that the input encloses, of a label map with several; 0, the default: the only one."""
+        if int(label) != self._label:
+            self._label = int(label)
+            self.Modified()
+
+    def GetLabel(self) -> int:
+        return self._label
+
+    label = property(GetLabel, SetLabel, doc="The label that the input encloses, of a label map with several; 0: the only one.")
+
     def FillInputPortInformation(self, port: int, info) -> int:
-        if port == 1:
+        if port > 0:
             info.Set(vtkAlgorithm.INPUT_IS_OPTIONAL(), 1)
-        return super().FillInputPortInformation(port, info)
+        known = super().FillInputPortInformation(port, info)
+        if port == 2:
+            info.Set(vtkAlgorithm.INPUT_REQUIRED_DATA_TYPE(), "vtkImageData")
+        return known
 
     def GetInput(self) -> vtkPolyData:
         return self.GetInputDataObject(0, 0)
@@ -196,12 +222,28 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
     def RequestData(self, _request, inInfo, outInfo) -> int:
         outputs = [vtkPolyData.GetData(outInfo, port) for port in range(2)]
         try:
-            return self._run(vtkPolyData.GetData(inInfo[0]), vtkPolyData.GetData(inInfo[1]), *outputs)
+            data = self._with_label_map(vtkPolyData.GetData(inInfo[0]), vtkImageData.GetData(inInfo[2]))
+            return self._run(data, vtkPolyData.GetData(inInfo[1]), *outputs)
         except (ValueError, MemoryError) as problem:
             return self._fail(str(problem) or "out of memory")
         except KeyboardInterrupt:  # VTK would print it and go on
             self._interrupted = True
             return 0
+
+    def _with_label_map(self, data: vtkPolyData, label_map: vtkImageData | None) -> vtkPolyData:
+        """The input, or a copy with the grid of the label map. Warns of voxels in which both differ."""
+        if label_map is None and self._label != 0:
+            raise ValueError("Label has no effect without a label map")
+        if label_map is None or data.GetNumberOfPoints() == 0:
+            return data
+        surface = surface_from(data, "input", with_source=True)
+        source, labels = source_with(surface, label_map)
+        for sentence in Comparison(surface, labels, label=self._label or None).differences(self._options.get("NumberOfThreads")):
+            self._say("WarningEvent", sentence)
+        copy = vtkPolyData()
+        copy.ShallowCopy(data)
+        add_grid(source.grid, copy)
+        return copy
 
     def _run(self, data: vtkPolyData, reference: vtkPolyData | None, output: vtkPolyData, input_copy: vtkPolyData) -> int:
         outcome, surface = run(data, self._options, self._goes_on, reference, self._input_arrays(data))
