@@ -84,9 +84,8 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
 
     def SetLabel(self, label: int) -> None:
         """The label that the input encloses, of a label map with several; 0, the default: the only one."""
-        if int(label) != self._label:
-            self._label = int(label)
-            self.Modified()
+        self._label = int(label)
+        self.Modified()
 
     def GetLabel(self) -> int:
         return self._label
