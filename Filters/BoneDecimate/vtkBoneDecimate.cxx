@@ -226,8 +226,8 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   RunInput read;
   if (this->ReportRejectedValues() ||
-    !this->ReadInput(input, vtkPolyData::GetData(inputVector[1]),
-      this->GetLabelMapRequest(inputVector), read))
+    !this->ReadInput(
+      input, vtkPolyData::GetData(inputVector[1]), this->GetLabelMapRequest(inputVector), read))
   {
     return 0;
   }
