@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 
 namespace
 {
@@ -175,7 +176,7 @@ void vtkBoneDecimate::TakeFiguresOfSegmentation(const std::vector<char>& bytes)
   voxels.Changes.OfLabel.resize(voxels.Values.size());
   reader.Read(voxels.Values.data(), voxels.Values.size());
   reader.Read(voxels.Changes.OfLabel.data(), voxels.Changes.OfLabel.size());
-  this->State->Report.Voxels = voxels;
+  this->State->Report.Voxels = std::move(voxels);
 }
 
 //------------------------------------------------------------------------------

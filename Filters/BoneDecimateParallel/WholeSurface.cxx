@@ -26,6 +26,7 @@ vtkSmartPointer<vtkPolyData> Gathered(vtkPolyData* part, vtkMultiProcessControll
     return nullptr;
   }
   std::vector<vtkSmartPointer<vtkPolyData>> parts;
+  parts.reserve(received.size());
   for (vtkDataObject* one : received)
   {
     parts.emplace_back(vtkPolyData::SafeDownCast(one));

@@ -238,7 +238,7 @@ def has_labels(run):
 def without_crumb(run):
     if run.command or run.has("no merging of points"):  # its triangles are components of their own then, and open
         return ""
-    return "" if run.report["pruned"]["components"] >= 1 and run.result.GetBounds()[1] < 32.0 else "the crumb is still there"
+    return "" if run.report["pruned"]["components"] >= 1 and run.result.GetBounds()[1] < 50.0 else "the crumb is still there"
 
 
 def keeps_to_the_cap(run):

@@ -210,7 +210,7 @@ void FuzzColumns(Bytes& bytes)
   std::array<std::int64_t, 3> offset{};
   for (std::int64_t& voxel : offset)
   {
-    voxel = bytes.Switch() ? bytes.Next() - 128 : (std::int64_t(bytes.Next()) - 128) << 20;
+    voxel = bytes.Switch() ? bytes.Next() - 128 : (std::int64_t(bytes.Next()) - 128) * (1 << 20);
   }
   FixedTriangle corners;
   for (FixedPoint& corner : corners)
