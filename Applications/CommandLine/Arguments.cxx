@@ -8,6 +8,8 @@
 #include "HelpFormatter.h"
 #include "Options/OptionTable.h"
 
+#include <CLI/CLI.hpp>
+
 #include <iomanip>
 #include <sstream>
 

@@ -7,12 +7,11 @@
 #ifndef BoneDecimate_Applications_Arguments_h
 #define BoneDecimate_Applications_Arguments_h
 
+#include "CliForward.h"
 #include "LabelMapArguments.h"
 #include "LengthUnit.h"
 #include "Options/OptionTable.h"
 #include "Regions.h"
-
-#include <CLI/CLI.hpp>
 
 #include <functional>
 #include <map>

@@ -20,6 +20,8 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cmath>
 #include <iostream>
 #include <memory>

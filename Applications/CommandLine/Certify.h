@@ -7,11 +7,10 @@
 #ifndef BoneDecimate_Applications_Certify_h
 #define BoneDecimate_Applications_Certify_h
 
+#include "CliForward.h"
 #include "ExitCode.h"
 #include "LabelMapArguments.h"
 #include "LengthUnit.h"
-
-#include <CLI/CLI.hpp>
 
 #include <optional>
 #include <string>

@@ -6,6 +6,8 @@
 #include "HelpFormatter.h"
 #include "Options/Text.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <iostream>

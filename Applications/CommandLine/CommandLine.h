@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Applications_CommandLine_h
 #define BoneDecimate_Applications_CommandLine_h
 
-#include <CLI/CLI.hpp>
+#include "CliForward.h"
 
 #include <string>
 #include <vector>

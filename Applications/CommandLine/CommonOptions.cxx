@@ -7,6 +7,8 @@
 #include "HelpFormatter.h"
 #include "Options/Text.h"
 
+#include <CLI/CLI.hpp>
+
 namespace bonedecimate
 {
 namespace

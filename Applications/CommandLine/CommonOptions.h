@@ -7,10 +7,9 @@
 #ifndef BoneDecimate_Applications_CommonOptions_h
 #define BoneDecimate_Applications_CommonOptions_h
 
+#include "CliForward.h"
 #include "Options/NumberRange.h"
 #include "Options/OptionTable.h"
-
-#include <CLI/CLI.hpp>
 
 #include <functional>
 #include <string>

@@ -10,6 +10,8 @@
 #include "Report/Report.h"
 #include "RunOne.h"
 
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
 #include <iostream>
 #include <memory>

@@ -7,9 +7,8 @@
 #ifndef BoneDecimate_Applications_DecimateCommand_h
 #define BoneDecimate_Applications_DecimateCommand_h
 
+#include "CliForward.h"
 #include "ExitCode.h"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 

@@ -14,6 +14,7 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>

@@ -7,10 +7,9 @@
 #ifndef BoneDecimate_Applications_Diagnose_h
 #define BoneDecimate_Applications_Diagnose_h
 
+#include "CliForward.h"
 #include "ExitCode.h"
 #include "LengthUnit.h"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 #include <vector>

@@ -8,11 +8,10 @@
 #ifndef BoneDecimate_Applications_ErrorCommands_h
 #define BoneDecimate_Applications_ErrorCommands_h
 
+#include "CliForward.h"
 #include "ExitCode.h"
 #include "LabelMapArguments.h"
 #include "LengthUnit.h"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 #include <vector>

@@ -10,6 +10,8 @@
 
 #include "vtkBoneDecimateAlgorithm.h"
 
+#include <CLI/CLI.hpp>
+
 namespace bonedecimate
 {
 namespace

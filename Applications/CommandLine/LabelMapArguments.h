@@ -7,10 +7,9 @@
 #ifndef BoneDecimate_Applications_LabelMapArguments_h
 #define BoneDecimate_Applications_LabelMapArguments_h
 
+#include "CliForward.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cstdint>
 #include <string>

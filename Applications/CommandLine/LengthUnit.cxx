@@ -9,6 +9,8 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

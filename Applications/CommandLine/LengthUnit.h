@@ -10,10 +10,9 @@
 #ifndef BoneDecimate_Applications_LengthUnit_h
 #define BoneDecimate_Applications_LengthUnit_h
 
+#include "CliForward.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 #include <vector>

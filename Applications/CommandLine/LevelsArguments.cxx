@@ -7,6 +7,8 @@
 #include "CommonOptions.h"
 #include "HelpFormatter.h"
 
+#include <CLI/CLI.hpp>
+
 #include <memory>
 
 namespace bonedecimate

@@ -8,11 +8,10 @@
 #ifndef BoneDecimate_Applications_LevelsCommand_h
 #define BoneDecimate_Applications_LevelsCommand_h
 
+#include "CliForward.h"
 #include "ExitCode.h"
 #include "LabelMapArguments.h"
 #include "LengthUnit.h"
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 #include <vector>

@@ -14,6 +14,8 @@
 #include "SlicerModule.h"
 #include "VtkMessages.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cstdio>
 #include <iostream>

@@ -12,6 +12,8 @@
 #include "SlicerXml.h"
 #include "StagedFile.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <iostream>
 #include <string>
