@@ -20,10 +20,10 @@
 #include "vtkNew.h"
 #include "vtkTable.h"
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
 #include <memory>
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 namespace bonedecimate
