@@ -19,6 +19,8 @@
 # sanitize      builds the core's tests with the address and undefined-behavior sanitizers and runs those that together reach
 #               99 % of the basic blocks that all reach (select_sanitized_tests.py), the fuzzers' corpora and a few attacks
 # sanitize_whole  all tests of the core with sanitizers: far longer, and only if it is named
+# thread        the core's tests of several threads with the thread sanitizer: proved runs with their draft, the certificate,
+#               smoothing, labels, on 1 to 8 threads; only if it is named
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 
@@ -176,6 +178,13 @@ check_sanitize()
 }
 
 check_sanitize_whole() { build_sanitized && quietly ctest --preset sanitize --parallel "$jobs"; }
+
+check_thread()
+{
+  quietly cmake --preset thread && quietly cmake --build --preset thread --parallel "$jobs" --target BoneDecimateCoreTests &&
+    quietly build/thread/bin/BoneDecimateCoreTests --gtest_brief=1 \
+      --gtest_filter='Draft.*:*NumberOfThreads*:*WhateverTheThreads*-Shapes/*'
+}
 
 main()
 {

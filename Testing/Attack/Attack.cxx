@@ -75,7 +75,19 @@ Attack AnyAttack(std::uint64_t seed, const std::vector<Surface>& large)
   {
     options.Smoothing = options.MaximumError * std::pow(10.0, random.Between(-1.5, 0.3));
   }
+  attack.IsRounded =
+    options.OutputPointsPrecision == PointsPrecision::Single && random.Below(2) == 0;
+  if (attack.IsRounded)
+  {
+    RoundToSingle(attack.Victim);
+  }
   return attack;
+}
+
+/// Whether writing moves points that the guard does not check again.
+bool IsMovedByWriting(const Attack& attack)
+{
+  return attack.Requested.OutputPointsPrecision == PointsPrecision::Single && !attack.IsRounded;
 }
 
 /// Empty if there is no violation.
@@ -94,9 +106,17 @@ std::string WhatBroke(const Attack& attack, Totals& totals)
   totals.TrianglesOut += static_cast<std::int64_t>(result.Surface.Triangles.size());
   const std::string lost = WhatTopologyLost(cleaned.Surface, result.Surface);
   const std::string read = WhatTopologyLost(cleaned.Surface, AsRead(result.Surface));
-  return !lost.empty() ? lost
-    : !read.empty()    ? read
-                       : WhatBoundBroke(attack, cleaned, result.Surface, totals);
+  std::string broke = !lost.empty() ? lost : read;
+  broke =
+    broke.empty() ? WhatBoundBroke(attack, cleaned, result.Surface, totals) : std::move(broke);
+  if (broke.empty() && !IsMovedByWriting(attack))
+  {
+    broke = WhatPierces(attack, cleaned.Surface, result.Surface);
+    const bool isSmoothed = attack.Requested.Smoothing > 0.0; // that moves all points at once
+    broke =
+      broke.empty() && !isSmoothed ? WhatJumped(cleaned.Surface, result.Surface) : std::move(broke);
+  }
+  return broke;
 }
 
 std::vector<Surface> ReadAll(int count, char** paths)

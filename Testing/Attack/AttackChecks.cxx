@@ -4,11 +4,15 @@
 
 #include "BruteForce.h"
 #include "Certificate/Certificate.h"
+#include "Crossings.h"
+#include "VoxelOracle.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <map>
+#include <vector>
 
 namespace bonedecimate::testsupport
 {
@@ -27,6 +31,56 @@ std::string WhatItSays(const Certificate& found)
     ProofStatusWord(found.BoundaryOfReferenceToResult.Proof),
     ProofStatusWord(found.BoundaryOfResultToReference.Proof));
   return text;
+}
+
+constexpr std::size_t MostOfPairs = 3000;  // triangles of which all pairs are tested
+constexpr std::size_t MostComponents = 12; // of which all pairs are tested
+
+/// Steradians, seen from a point (A. van Oosterom, J. Strackee, The solid angle of a plane triangle, 1983).
+double SolidAngle(const Vector3& from, const Surface& surface, const Triangle& t)
+{
+  const Vector3 a = surface.Points[static_cast<std::size_t>(t[0])] - from;
+  const Vector3 b = surface.Points[static_cast<std::size_t>(t[1])] - from;
+  const Vector3 c = surface.Points[static_cast<std::size_t>(t[2])] - from;
+  const double x = a.norm();
+  const double y = b.norm();
+  const double z = c.norm();
+  return 2.0 *
+    std::atan2(a.dot(b.cross(c)), x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y);
+}
+
+bool IsInside(const Vector3& p, const Surface& closed)
+{
+  double angle = 0.0;
+  for (const Triangle& t : closed.Triangles)
+  {
+    angle += SolidAngle(p, closed, t);
+  }
+  return std::abs(angle) > 2.0 * 3.14159265358979323846;
+}
+
+/// Pairs of closed components of which one lies in the other, where they do not intersect; -1 if there are too many.
+int CountNested(const Surface& surface)
+{
+  std::vector<Surface> closed;
+  for (Surface& part : SplitComponents(surface))
+  {
+    if (CountTopology(part).BoundaryEdges == 0)
+    {
+      closed.push_back(std::move(part));
+    }
+  }
+  int count = closed.size() > MostComponents ? -1 : 0;
+  for (std::size_t i = 0; count >= 0 && i < closed.size(); ++i)
+  {
+    const Index point = closed[i].Triangles[0][0];
+    for (std::size_t j = 0; j < closed.size(); ++j)
+    {
+      count +=
+        i != j && IsInside(closed[i].Points[static_cast<std::size_t>(point)], closed[j]) ? 1 : 0;
+    }
+  }
+  return count;
 }
 }
 
@@ -82,6 +136,41 @@ std::string WhatTopologyLost(const Surface& before, const Surface& after)
     : is.NonManifoldEdges > was.NonManifoldEdges          ? "lost an edge that was manifold"
     : is.NonManifoldPoints > was.NonManifoldPoints        ? "lost a point that was manifold"
                                                           : "";
+}
+
+//------------------------------------------------------------------------------
+void RoundToSingle(Surface& surface)
+{
+  for (Vector3& p : surface.Points)
+  {
+    p = p.cast<float>().cast<double>();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string WhatPierces(const Attack& attack, const Surface& before, const Surface& after)
+{
+  if (before.Triangles.size() > MostOfPairs)
+  {
+    return {};
+  }
+  const std::int64_t pairs = CountIntersections(after);
+  const std::int64_t pairsBefore = pairs == 0 ? 0
+    : attack.IsRounded                        ? CountIntersections(before)
+                                              : CountCrossings(before);
+  return pairs > pairsBefore ? std::to_string(pairs) + " pairs of triangles pierce each other, " +
+      std::to_string(pairsBefore) + " before"
+                             : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string WhatJumped(const Surface& before, const Surface& after)
+{
+  const bool isClear = before.Triangles.size() <= MostOfPairs && CountCrossings(before) == 0 &&
+    CountCrossings(after) == 0;
+  return isClear && CountNested(before) != CountNested(after)
+    ? "a component went through another one"
+    : std::string();
 }
 
 //------------------------------------------------------------------------------

@@ -21,6 +21,8 @@ struct Attack
   Surface Victim;
   Options Requested;
   std::vector<double> Tolerances; // mm, of each point; empty: no map
+  bool IsRounded =
+    false; // coordinates are those of single precision, so that writing moves no point
 };
 
 struct Totals
@@ -48,6 +50,15 @@ std::vector<double> CleanedMap(const CleanSurface& clean, const std::vector<doub
 
 /// Empty if the topology is unchanged.
 std::string WhatTopologyLost(const Surface& before, const Surface& after);
+
+/// Coordinates in single precision.
+void RoundToSingle(Surface& surface);
+
+/// Empty if no more pairs of triangles pierce each other. Where writing moves points, pairs that only touched may do so.
+std::string WhatPierces(const Attack& attack, const Surface& before, const Surface& after);
+
+/// Empty if no closed component went into another one or came out of it. Surfaces that intersect are not tested.
+std::string WhatJumped(const Surface& before, const Surface& after);
 
 /// Empty if the certificate proves the result within the error and the map, relative to the input.
 std::string WhatBoundBroke(

@@ -3,7 +3,6 @@
 #include "LabelAttack.h"
 
 #include "BruteForce.h"
-#include "Crossings.h"
 #include "LabelMap/LabelSurfaces.h"
 #include "LabelVictims.h"
 #include "Victims.h"
@@ -18,10 +17,9 @@ namespace bonedecimate::testsupport
 {
 namespace
 {
-constexpr double Margin = 1e-3;           // voxels
-constexpr double Accuracy = 1e-6;         // voxels, of positions in voxels
-constexpr std::size_t MostVoxels = 300;   // that are counted exactly
-constexpr std::size_t MostOfPairs = 3000; // triangles of which all pairs are tested
+constexpr double Margin = 1e-3;         // voxels
+constexpr double Accuracy = 1e-6;       // voxels, of positions in voxels
+constexpr std::size_t MostVoxels = 300; // that are counted exactly
 
 struct LabelAttack
 {
@@ -118,6 +116,12 @@ LabelAttack AnyAttack(std::uint64_t seed)
   }
   attack.CountsExactly = random.Below(4) == 0;
   attack.OtherThreads = random.Below(3) == 0 ? 1 + options.NumberOfThreads % 3 : 0;
+  attack.Run.IsRounded =
+    options.OutputPointsPrecision == PointsPrecision::Single && random.Below(2) == 0;
+  if (attack.Run.IsRounded)
+  {
+    RoundToSingle(attack.Run.Victim);
+  }
   return attack;
 }
 
@@ -202,15 +206,7 @@ std::string WhatCrosses(const LabelAttack& attack, const Result& result)
 {
   const Options& options = attack.Run.Requested;
   const bool isGuarded = attack.SmoothsOnly || (options.IntersectionGuard && options.BoundsError());
-  if (!isGuarded || attack.Run.Victim.Triangles.size() > MostOfPairs)
-  {
-    return "";
-  }
-  const std::int64_t after = CountIntersections(result.Surface);
-  const std::int64_t before = after > 0 ? CountCrossings(attack.Run.Victim) : 0; // or touch
-  return after > before
-    ? std::to_string(after) + " pairs of triangles intersect, " + std::to_string(before) + " before"
-    : "";
+  return isGuarded ? WhatPierces(attack.Run, attack.Run.Victim, result.Surface) : "";
 }
 
 bool KeepsVoxels(const LabelAttack& attack)

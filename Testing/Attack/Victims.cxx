@@ -25,9 +25,9 @@ Surface Walls(Random& random)
   return random.Below(2) == 0 ? walls : Together(walls, Moved(wall, { 0.3, 0.2, 3.0 * gap }));
 }
 
-Surface WavingGrid(Random& random)
+Surface WavingGridOf(Random& random, Index cells)
 {
-  Surface surface = Grid(5 + random.Below(20));
+  Surface surface = Grid(cells);
   const double height = random.Between(0.0, 2.0);
   const double alongX = random.Between(0.05, 1.5);
   const double alongY = random.Between(0.05, 1.5);
@@ -36,6 +36,11 @@ Surface WavingGrid(Random& random)
     p[2] += height * std::sin(alongX * p[0]) * std::cos(alongY * p[1]);
   }
   return surface;
+}
+
+Surface WavingGrid(Random& random)
+{
+  return WavingGridOf(random, 5 + random.Below(20));
 }
 
 Surface Bumps(Random& random)
@@ -98,6 +103,51 @@ Surface LabelMapPart(Random& random)
 Surface NearWalls(Random& random)
 {
   return NearSpheres(1 + random.Below(3), std::pow(10.0, random.Between(-5.0, -1.0)));
+}
+
+/// A bumpy ball and specks so near to it, inside or outside, that it could jump over them.
+Surface Specks(Random& random)
+{
+  const Surface ball = BumpySphere(2 + random.Below(2), 10.0, random.Between(0.0, 0.3),
+    static_cast<std::uint64_t>(random.Below(1000)));
+  Surface all = ball;
+  for (Index left = 1 + random.Below(6); left > 0; --left)
+  {
+    const Vector3& near =
+      ball.Points[static_cast<std::size_t>(random.Below(static_cast<Index>(ball.Points.size())))];
+    const double depth = std::pow(10.0, random.Between(-2.5, -0.5)); // of the radius
+    const double size = 10.0 * depth * random.Between(0.05, 0.5);
+    const double side = random.Below(2) == 0 ? 1.0 : -1.0;
+    all = Together(all,
+      Moved(
+        Scaled(Tetrahedron(), size), near * (1.0 + side * depth) - Vector3::Constant(0.25 * size)));
+  }
+  return all;
+}
+
+/// A grid cut along a part of a row, far less than an edge apart: in single precision the cut may close.
+Surface Slit(Random& random)
+{
+  const Index cells = 6 + 2 * random.Below(6);
+  Surface surface = WavingGridOf(random, cells);
+  const double gap = std::pow(10.0, random.Between(-12.0, -2.0));
+  const Index length = 1 + random.Below(cells - 2);
+  const Index row = cells / 2;
+  for (Index i = 0; i < length; ++i)
+  {
+    // The triangles above the row get points of their own.
+    const Index point = row * (cells + 1) + i;
+    const Index copy = static_cast<Index>(surface.Points.size());
+    surface.Points.push_back(
+      surface.Points[static_cast<std::size_t>(point)] + Vector3(0.0, gap, 0.0));
+    for (Triangle& t : surface.Triangles)
+    {
+      const bool isAbove = std::any_of(t.begin(), t.end(),
+        [&](Index corner) { return corner < copy - i && corner >= (row + 1) * (cells + 1); });
+      std::replace(t.begin(), t.end(), point, isAbove ? copy : point);
+    }
+  }
+  return surface;
 }
 
 /// One of the shapes of the other tests.
@@ -209,8 +259,8 @@ std::vector<double> AnyMap(Random& random, const Surface& surface, double error)
 //------------------------------------------------------------------------------
 Surface AnyVictim(Random& random, const std::vector<Surface>& large)
 {
-  static const std::array<Surface (*)(Random&), 8> makers = { Walls, WavingGrid, Bumps, Shell,
-    KnownShape, FlatSides, LabelMapPart, NearWalls };
+  static const std::array<Surface (*)(Random&), 10> makers = { Walls, WavingGrid, Bumps, Shell,
+    KnownShape, FlatSides, LabelMapPart, NearWalls, Specks, Slit };
   const bool cuts = !large.empty() && random.Below(2) == 0;
   Surface surface = cuts
     ? CutOut(

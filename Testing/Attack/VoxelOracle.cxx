@@ -7,6 +7,8 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -249,15 +251,24 @@ std::int64_t CountNearCenters(const Surface& surface, const VoxelGrid& grid, dou
 //------------------------------------------------------------------------------
 std::int64_t CountIntersections(const Surface& surface)
 {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const Triangle& t : surface.Triangles)
+  {
+    boxes.emplace_back();
+    for (const Index corner : t)
+    {
+      boxes.back().extend(surface.Points[static_cast<std::size_t>(corner)]);
+    }
+  }
   std::int64_t count = 0;
-  const bool mayIntersect = CountCrossings(surface) > 0;
-  for (std::size_t i = 0; mayIntersect && i < surface.Triangles.size(); ++i)
+  for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
   {
     for (std::size_t j = 0; j < i; ++j)
     {
       const Triangle& a = surface.Triangles[i];
       const Triangle& b = surface.Triangles[j];
-      count += Cross(surface, a, b) && Pierce(surface, a, b) ? 1 : 0;
+      const bool mayPierce = boxes[i].intersects(boxes[j]) && Cross(surface, a, b);
+      count += mayPierce && Pierce(surface, a, b) ? 1 : 0;
     }
   }
   return count;

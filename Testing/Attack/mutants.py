@@ -5,8 +5,8 @@
     mutants.py --list                 what is changed, and that it is still there to be changed
     mutants.py FOLDER [--only WORD] [--runs N] [SURFACE.ply ...]
 
-FOLDER holds a copy of the source and its build. Bugs in the error bound are looked for by the attack on surfaces, all others by
-the attack on label maps and by unit tests. Ends with 1 if neither finds a bug in N runs (4000), or if an attack finds a violation
+FOLDER holds a copy of the source and its build. Bugs in the error bound are looked for by the attack on surfaces, those in the draft and
+in the certificate by it and by unit tests, all others by the attack on label maps and by unit tests. Ends with 1 if neither finds a bug in N runs (4000), or if an attack finds a violation
 without any.
 """
 
@@ -25,6 +25,10 @@ FOLDER = "Filters/Core/ErrorBound/"
 SMOOTHING = "Filters/Core/Smoothing/"
 LABELS = "Filters/Core/LabelMap/"
 GUARD = "Filters/Core/VoxelGuard/"
+INTERSECTIONS = "Filters/Core/Intersections/"
+REPLAY = INTERSECTIONS + "EditReplay.cxx"
+BULK = FOLDER + "BulkProof.cxx"
+OVERLAY = "Filters/Core/Certificate/OverlayCover.cxx"
 
 
 class Mutant(NamedTuple):
@@ -34,13 +38,24 @@ class Mutant(NamedTuple):
     file: str
     right: str
     wrong: str
-    tests: str = ""  # GoogleTest's filter of the unit tests of label maps and smoothing; none: the attack on surfaces
+    tests: str = ""  # GoogleTest's filter of the unit tests that look for it, too
+    of_labels: bool = True  # whether the attack on label maps looks for it, if there are unit tests, or that on surfaces
 
 
 SMOOTHING_TESTS = "Smoothing*:AutomaticSmoothing*"
 EXTRACTION_TESTS = "*LabelSurfaces*:*NoiseSurfaces*:*Cells*:SingleLabel*"
 GUARD_TESTS = "VoxelPatches*:ColumnCrossings*:FixedPoints*:*EachMap*:KeepVoxelsOption*"
 CHECK_TESTS = "VoxelChecks*:*EachMap*:KeepVoxelsOption*"
+
+DRAFT_TESTS = "Draft*:EditJournal*:FaceHistory*:EditReplay*:BulkProof*"
+REPLAY_TESTS = DRAFT_TESTS + ":*IntersectionGuard*"
+CERTIFICATE_TESTS = "OverlayCover*:Certificate*:ResultProof*"
+
+
+def of_draft(name: str, file: str, right: str, wrong: str, tests: str = DRAFT_TESTS) -> Mutant:
+    """A bug that the attack on surfaces and unit tests look for."""
+    return Mutant(name, file, right, wrong, tests, False)
+
 
 MUTANTS = (
     Mutant("a limit that is a twentieth too large", FOLDER + "ErrorLimits.cxx", "error * (1.0 - RelativeSlack) - slack",
@@ -69,6 +84,60 @@ MUTANTS = (
     Mutant("half of a face is forgotten", FOLDER + "FaceProof.cxx",
            "  half.Corners[next] = piece.Corners[next];\n  half.Corners[edge] = middle;\n  this->Open.push_back(half);\n",
            ""),
+    Mutant("points that become one in single precision stay where they are", "Filters/Core/Stages/DistinctPositions.cxx",
+           "            later.push_back(v);\n", "            (void)v;\n"),
+    of_draft("an edit of a draft is undone without those that depend on it", "Filters/Core/EditFilters/EditJournal.cxx",
+             "          open.push_back(later);\n", ""),
+    of_draft("an edit of a draft is undone without those that depend on it through others",
+             "Filters/Core/EditFilters/EditJournal.cxx", "        if (position == seen.end() || *position != later)",
+             "        if (at == edit && (position == seen.end() || *position != later))"),
+    of_draft("an undone edit stays the last one of its faces", "Filters/Core/EditFilters/EditJournal.cxx",
+             "    this->OfFace[face.Id] = face.Before;\n", "    (void)face;\n"),
+    of_draft("an undone edit leaves the vertex where it was moved", "Filters/Core/Edit/EditorDraft.cxx",
+             "  this->Half.Move(entry.Keep, entry.OldPosition);\n", ""),
+    of_draft("faces of a draft are not proved", BULK, "                this->Shared.Nearest[this->Mesh.Corners(face)[0]])\n",
+             "                this->Shared.Nearest[this->Mesh.Corners(face)[0]]) || true\n"),
+    of_draft("originals of a draft are not proved", BULK, "    if (!this->Coverings[i].IsProved)\n",
+             "    if (!this->Coverings[i].IsProved && this->Coverings[i].Count > 99)\n"),
+    of_draft("a face that an undone edit restored counts as proved", BULK,
+             "this->Journal.LastOfFace(face) != this->ProvedVersion[face] ? 1 : 0",
+             "this->Journal.LastOfFace(face) > this->ProvedVersion[face] ? 1 : 0"),
+    of_draft("originals keep their covering faces when these change", BULK,
+             "originals[i] = hasChanged || !covering.IsProved ? 1 : 0;",
+             "originals[i] = (hasChanged && covering.Count == 0) || !covering.IsProved ? 1 : 0;"),
+    of_draft("an original that was covered at first counts as covered", BULK,
+             "    [this](Index face) { return this->Journal.IsChanged(face); });",
+             "    [this](Index face) { return !this->Mesh.IsAlive(FaceId(face)); });"),
+    of_draft("two corners of an original of a draft are enough", BULK, "    if (second != None && third != None)\n",
+             "    if (second != None)\n"),
+    of_draft("one covering face is written of each original", BULK,
+             "    for (int i = 0; i < covering.Count; ++i)\n    {\n      this->Shared",
+             "    for (int i = 0; i < std::min(covering.Count, 1); ++i)\n    {\n      this->Shared"),
+    of_draft("the intersections of a draft are not checked", REPLAY, "MeetMore(work.Old, work.New, work.Near) ||", "",
+             REPLAY_TESTS),
+    of_draft("a draft may jump over something", REPLAY, " || JumpOver(work.Old, work.New, work.Near)", "", REPLAY_TESTS),
+    of_draft("an edit may jump over something", INTERSECTIONS + "IntersectionGuard.cxx",
+             " &&\n    !JumpOver(work.Old, work.New, work.Near);", ";", REPLAY_TESTS),
+    of_draft("what is near undone edits is not checked again", REPLAY,
+             "[&](std::size_t) { isToCheck = true; }", "[&](std::size_t) { isToCheck = isToCheck; }", REPLAY_TESTS),
+    of_draft("undone edits stay in the history", REPLAY, "        this->Faces->Undo(edit);\n", "", REPLAY_TESTS),
+    of_draft("one intersection before allows any number", INTERSECTIONS + "Piece.cxx",
+             "count.All > allowed.All ||", "(count.All > 0 && allowed.All == 0) ||", REPLAY_TESTS),
+    of_draft("pairs that touch may pierce each other", INTERSECTIONS + "Piece.cxx",
+             " || count.Piercing > allowed.Piercing;", ";", REPLAY_TESTS),
+    of_draft("gaps of a draft are not checked", INTERSECTIONS + "GapPairs.cxx",
+             "if (version.Face != face && IsTooNear(merged, piece, near, {}))",
+             "if (version.Face == face && IsTooNear(merged, piece, near, {}))", REPLAY_TESTS),
+    of_draft("a merged vertex of a draft keeps its own gap", INTERSECTIONS + "GapPairs.cxx",
+             "widths.Of(keep).And(widths.Of(mesh.OriginalVertex(entry.Gone)))", "widths.Of(keep)", REPLAY_TESTS),
+    of_draft("a layer is counted once too often", OVERLAY, "this->IsOdd = this->IsOdd != (std::abs(turns) == 3);",
+             "this->IsOdd = this->IsOdd || std::abs(turns) == 3;", CERTIFICATE_TESTS),
+    of_draft("a distance of the overlay is skipped", OVERLAY, "for (std::size_t i = 0; i < polygon.Count; ++i)\n  {\n    const Image& at",
+             "for (std::size_t i = 1; i < polygon.Count; ++i)\n  {\n    const Image& at", CERTIFICATE_TESTS),
+    of_draft("the overlay ends at a hole", OVERLAY, "    if (next < 0)\n    {\n      return false;\n    }\n",
+             "    if (next < 0)\n    {\n      continue;\n    }\n", CERTIFICATE_TESTS),
+    of_draft("an overlay that is clipped at one side too many", OVERLAY, "(beyond & (1 << side)) != 0 ? Clip(polygon, side, ClipMargin * largest)",
+             "(beyond & (1 << side)) != 0 ? Clip(polygon, side, -0.1 * largest)", CERTIFICATE_TESTS),
     Mutant("points are smoothed too far", SMOOTHING + "Smoothing.cxx", "radii[p] = std::max(0.0, least);",
            "radii[p] = 1.5 * std::max(0.0, least);", SMOOTHING_TESTS),
     Mutant("octahedra without their margin", SMOOTHING + "DisplacementSets.cxx", "constexpr double Slack = 4e-3;",
@@ -203,7 +272,8 @@ def try_mutant(mutant: Mutant, folder: pathlib.Path, runs: int, surfaces: list[p
     file.write_text(right.replace(mutant.right, mutant.wrong), encoding="utf-8")
     build(folder)
     start = time.monotonic()
-    found, said = attack_labels(folder, runs) if mutant.tests else attack(folder, runs, surfaces)
+    is_of_labels = mutant.tests and mutant.of_labels
+    found, said = attack_labels(folder, runs) if is_of_labels else attack(folder, runs, surfaces)
     print(f"{'found' if found else 'NOT FOUND'} by the attack in {time.monotonic() - start:.1f} s: {mutant.name}: {said}",
           flush=True)
     if mutant.tests:

@@ -3,11 +3,13 @@
 // The intersection guard where triangles lie in one plane, touch, or are very near: it neither hinders nor lets through.
 #include "BruteForce.h"
 #include "Crossings.h"
+#include "Edit/Editor.h"
 #include "Runs.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 using namespace bonedecimate;
@@ -73,4 +75,34 @@ TEST(FlatIntersectionGuard, NearWallsAreNotTriedOverAndOver)
   const std::size_t crossing = static_cast<std::size_t>(Rejection::Intersection);
   EXPECT_LT(
     result.Report.Rejections[crossing], static_cast<std::int64_t>(30 * spheres.Triangles.size()));
+}
+
+/// A cone whose tip touches a plate from below. As many pairs intersect when the tip goes through the plate.
+TEST(FlatIntersectionGuard, ATipThatTouchesAPlateDoesNotGoThroughIt)
+{
+  constexpr Index around = 8;
+  Surface cone;
+  cone.Points = { Vector3(0.25, 0.25, 0.0), Vector3(0.25, 0.25, -3.0) };
+  for (Index i = 0; i < around; ++i)
+  {
+    const double angle = 2.0 * 3.14159265358979323846 * i / around;
+    cone.Points.emplace_back(0.25 + std::cos(angle), 0.25 + std::sin(angle), -3.0);
+    const Index here = 2 + i;
+    const Index next = 2 + (i + 1) % around;
+    cone.Triangles.push_back({ 0, here, next });
+    cone.Triangles.push_back({ 1, next, here });
+  }
+  Surface plate;
+  plate.Points = { Vector3(-4.0, -4.0, 0.0), Vector3(4.0, -4.0, 0.0), Vector3(0.0, 4.0, 0.0) };
+  plate.Triangles = { { 0, 1, 2 } };
+  const CleanSurface clean = Clean(Together(cone, plate), true);
+  EditorSettings settings;
+  settings.GuardsIntersections = true;
+  settings.Bound = ErrorBoundSettings{ 0.5 };
+  Editor editor(clean, settings);
+  const Vector3 tip = editor.Mesh().Position(0);
+  ASSERT_EQ(tip + clean.Origin, cone.Points[0]);
+  Workspace work;
+  EXPECT_EQ(editor.Move(0, tip + Vector3(0.0, 0.0, 0.1), work, 1), Rejection::Intersection);
+  EXPECT_TRUE(editor.Move(0, tip - Vector3(0.0, 0.0, 0.1), work, 1).IsAccepted());
 }

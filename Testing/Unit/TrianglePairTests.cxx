@@ -80,6 +80,30 @@ bool LiesOnOneSide(const TriangleCorners& a, const TriangleCorners& b)
     std::max({ height(b[0]), height(b[1]), height(b[2]) }) <= 0.0;
 }
 
+/// Whether an edge of a goes through the inside of b, where corners on a lattice let nothing be rounded.
+bool EdgeGoesThrough(const TriangleCorners& a, const TriangleCorners& b)
+{
+  const Vector3 normal = (b[1] - b[0]).cross(b[2] - b[0]);
+  bool goesThrough = false;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const Vector3& p = a[i];
+    const Vector3& q = a[(i + 1) % 3];
+    const double height = normal.dot(p - b[0]);
+    const double depth = normal.dot(b[0] - q);
+    const Vector3 where = depth * p + height * q; // height + depth times the point in the plane
+    const auto isInside = [&](const Vector3& from, const Vector3& to)
+    {
+      const double side = normal.dot((to - from).cross(where - (height + depth) * from));
+      return height > 0.0 ? side > 0.0 : side < 0.0;
+    };
+    goesThrough = goesThrough ||
+      (height * depth > 0.0 && isInside(b[0], b[1]) && isInside(b[1], b[2]) &&
+        isInside(b[2], b[0]));
+  }
+  return goesThrough;
+}
+
 /// Triangles of a surface, which may have common corners.
 bool NeighborsMeet(const Surface& surface, Triangle a, Triangle b)
 {
@@ -153,6 +177,32 @@ TEST(TrianglePair, MeetsWhereBruteForceFindsThatItDoesOnALattice)
     }
     EXPECT_GT(met, 500) << shared << " shared";
     EXPECT_GT(touched, 500) << shared << " shared";
+  }
+}
+
+TEST(TrianglePair, PiercesWhereAnEdgeGoesThroughTheInside)
+{
+  RandomPoints points(9);
+  const auto makePoint = [&]
+  {
+    const auto coordinate = [&] { return std::floor(2.5 + 2.5 * points.One()); };
+    return Vector3(coordinate(), coordinate(), coordinate());
+  };
+  for (const Index shared : { 0, 1, 2 })
+  {
+    int pierced = 0;
+    int touched = 0;
+    for (int round = 0; round < 20000; ++round)
+    {
+      const Pair pair = points.AnyPair(shared, makePoint);
+      const bool expected = EdgeGoesThrough(pair.A, pair.B) || EdgeGoesThrough(pair.B, pair.A);
+      ASSERT_EQ(Pierce(PlaneTriangle(pair.A), PlaneTriangle(pair.B)), expected)
+        << shared << " shared, round " << round;
+      pierced += expected ? 1 : 0;
+      touched += pair.Meet(shared) && !expected ? 1 : 0;
+    }
+    EXPECT_EQ(pierced > 100, shared < 2);
+    EXPECT_GT(touched, 100);
   }
 }
 

@@ -49,17 +49,32 @@ bool Meet(const Piece& a, const Piece& b)
   }
 }
 
+/// Pairs that meet.
+struct Meetings
+{
+  std::size_t All = 0;
+  std::size_t Piercing = 0;
+};
+
 /// Pairs of a patch with what is near it, and within it, that meet.
 /// @param isEnough Requested after each with how many they are by then; true ends it.
 template <typename IsEnough>
 void CountMeetings(
   const std::vector<Piece>& patch, const std::vector<Piece>& near, const IsEnough& isEnough)
 {
-  std::size_t count = 0;
+  Meetings count;
   for (auto piece = patch.begin(); piece != patch.end(); ++piece)
   {
     const auto endsIt = [&](const Piece& other)
-    { return Meet(*piece, other) && isEnough(++count); };
+    {
+      if (!Meet(*piece, other))
+      {
+        return false;
+      }
+      ++count.All;
+      count.Piercing += Pierce(*piece, other) ? 1 : 0;
+      return isEnough(count);
+    };
     if (std::any_of(near.begin(), near.end(), endsIt) ||
       std::any_of(piece + 1, patch.end(), endsIt))
     {
@@ -166,21 +181,21 @@ Vector3 MostOf(const std::vector<Piece>& pieces)
 bool MeetMore(
   const std::vector<Piece>& before, const std::vector<Piece>& after, const std::vector<Piece>& near)
 {
-  std::size_t allowed = 0;
+  Meetings allowed;
   bool isMore = false;
   CountMeetings(after, near,
-    [&](std::size_t count)
+    [&](const Meetings& count)
     {
-      if (count == 1) // most edits need not know
+      if (count.All == 1) // most edits need not know
       {
         CountMeetings(before, near,
-          [&](std::size_t countBefore)
+          [&](const Meetings& countBefore)
           {
             allowed = countBefore;
             return false;
           });
       }
-      isMore = count > allowed;
+      isMore = count.All > allowed.All || count.Piercing > allowed.Piercing;
       return isMore;
     });
   return isMore;

@@ -5,7 +5,8 @@
  * @brief Faces with precomputed data for pair tests, and the two rules that do not depend on gaps: whether a patch that
  *        replaces another one intersects more of the faces nearby, and whether it jumps over something.
  *
- *     more:   pairs of the patch with what is near and within it that intersect (TrianglePair.h), after against before
+ *     more:   pairs of the patch with what is near and within it that intersect (TrianglePair.h), after against before;
+ *            those that pierce each other are counted by themselves, too, so that none becomes one that only touched
  *     jump:   a corner of what is near lies in the volume that both patches enclose; patches in one plane enclose none
  */
 #ifndef BoneDecimate_Core_Intersections_Piece_h
@@ -42,7 +43,7 @@ int CountShared(const Piece& a, const Piece& b);
 Vector3 LeastOf(const std::vector<Piece>& pieces);
 Vector3 MostOf(const std::vector<Piece>& pieces);
 
-/// Whether more pairs intersect than with the faces that go.
+/// Whether more pairs intersect, or more pairs pierce each other, than with the faces that go.
 bool MeetMore(const std::vector<Piece>& before, const std::vector<Piece>& after,
   const std::vector<Piece>& near);
 

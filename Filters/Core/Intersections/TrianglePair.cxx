@@ -169,6 +169,28 @@ bool IntervalsOverlap(
   }
   return Orientation(p[0], p[1], q[0], q[1]) <= 0 && Orientation(p[0], p[2], q[2], q[0]) <= 0;
 }
+
+/// Whether an edge of a has its ends on both sides of b and passes all sides of b alike.
+bool AnyEdgePierces(const PlaneTriangle& a, const PlaneTriangle& b)
+{
+  const TriangleCorners& p = a.Corners;
+  const TriangleCorners& q = b.Corners;
+  const Sides sides = SidesOf(b.Plane, p);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const std::size_t next = (i + 1) % 3;
+    if (sides[i] * sides[next] < 0)
+    {
+      const int first = Orientation(p[i], p[next], q[0], q[1]);
+      if (first != 0 && Orientation(p[i], p[next], q[1], q[2]) == first &&
+        Orientation(p[i], p[next], q[2], q[0]) == first)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
 }
 
 bool HasArea(const TriangleCorners& corners)
@@ -236,6 +258,12 @@ bool MeetBeyondEdge(const PlaneTriangle& a, std::size_t thirdOfA, const Vector3&
   const TriangleCorners p = Turned(a.Corners, thirdOfA);
   const Projection projection(p);
   return projection.Sign == 0 || projection.Of(p[1], p[2], thirdOfB) >= 0;
+}
+
+//------------------------------------------------------------------------------
+bool Pierce(const PlaneTriangle& a, const PlaneTriangle& b)
+{
+  return AnyEdgePierces(a, b) || AnyEdgePierces(b, a);
 }
 
 //------------------------------------------------------------------------------

@@ -51,6 +51,9 @@ bool MeetBeyondCorner(
 /// Both have an edge in common, and each a third corner beside it, that of a named by its number.
 bool MeetBeyondEdge(const PlaneTriangle& a, std::size_t thirdOfA, const Vector3& thirdOfB);
 
+/// Whether the inside of an edge of one goes through the inside of the other, so that a small motion does not part them.
+bool Pierce(const PlaneTriangle& a, const PlaneTriangle& b);
+
 enum class RayResult
 {
   Misses,
