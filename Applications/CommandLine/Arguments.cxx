@@ -198,9 +198,9 @@ void AddDecimateOptions(CLI::App& app, Arguments& arguments)
 void AddSmoothOptions(CLI::App& app, Arguments& arguments)
 {
   app.add_option("FILES", arguments.Inputs, "INPUT OUTPUT")->type_name("")->allow_extra_args();
-  for (const char* name : { "Smoothing", "MaximumError", "AllowLargeError", "ToleranceArrayName",
-         "LabelArrayName", "MergePoints", "MeasureDistances", "ProveResult", "NumberOfThreads",
-         "OutputPointsPrecision", "PassArrays", "RecomputeNormals" })
+  for (const char* name : { "Smoothing", "FeatureAngle", "MaximumError", "AllowLargeError",
+         "ToleranceArrayName", "LabelArrayName", "MergePoints", "MeasureDistances", "ProveResult",
+         "NumberOfThreads", "OutputPointsPrecision", "PassArrays", "RecomputeNormals" })
   {
     AddOptionOfTable(app, *FindOption(name), ReceiverOf(arguments));
   }

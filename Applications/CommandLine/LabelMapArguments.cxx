@@ -65,7 +65,7 @@ void ApplyLabelMap(
 
 void AddVoxelArguments(CLI::App& app, VoxelArguments& arguments)
 {
-  for (const char* name : { "Smoothing", "KeepVoxels" })
+  for (const char* name : { "Smoothing", "FeatureAngle", "KeepVoxels" })
   {
     AddOptionOfTable(app, *FindOption(name),
       [&arguments](const OptionInfo& info, const std::string& text)

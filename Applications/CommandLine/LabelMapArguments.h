@@ -48,7 +48,7 @@ struct VoxelArguments
   LabelMapFile Map;
 };
 
-/// Adds --smooth, --keep-voxels, --label-map and --label.
+/// Adds --smooth, --feature-angle, --keep-voxels, --label-map and --label.
 void AddVoxelArguments(CLI::App& app, VoxelArguments& arguments);
 
 void ApplyVoxelArguments(const VoxelArguments& arguments, vtkBoneDecimateAlgorithm* filter,

@@ -59,7 +59,7 @@ void AddLevelOptions(CLI::App& app, LevelsArguments& arguments)
 void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
 {
   for (const char* flag : { "--record", "--coarsest", "--mode", "--max-error", "--no-errors",
-         "--smooth", "--keep-voxels" })
+         "--smooth", "--feature-angle", "--keep-voxels" })
   {
     if (!arguments.Log.empty() && app.count(flag) > 0)
     {

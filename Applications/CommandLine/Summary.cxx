@@ -67,7 +67,11 @@ void PrintSmoothing(const ReportFields& report)
               << MillimeterText(report.Number("smoothing.rms_displacement").value_or(0.0))
               << " mm; mean angle between neighbors "
               << FixedText(report.Number("smoothing.angle_before").value_or(0.0), 1) << " -> "
-              << FixedText(report.Number("smoothing.angle_after").value_or(0.0), 1) << " degrees\n";
+              << FixedText(report.Number("smoothing.angle_after").value_or(0.0), 1) << " degrees"
+              << (report.Number("smoothing.sharp_points").value_or(0.0) > 0.0
+                     ? "; " + Count(report, "smoothing.sharp_points") + " points on sharp edges"
+                     : "")
+              << "\n";
   }
 }
 

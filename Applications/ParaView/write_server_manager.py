@@ -22,7 +22,7 @@ PANEL = pathlib.Path(__file__).resolve().parent / "Plugin" / "BoneDecimate.xml"
 GROUPS = [
     ("Targets (lengths in mm)", ["Mode", "TargetNumberOfTriangles", "TargetReduction", "MaximumError", "ErrorPreset", "VoxelSize",
                  "ToleranceArrayName", "LabelArrayName"]),
-    ("Smoothing (lengths in mm)", ["Smoothing", "AutomaticSmoothing"]),
+    ("Smoothing (lengths in mm)", ["Smoothing", "AutomaticSmoothing", "FeatureAngle"]),
     ("Proof", ["IntersectionGuard", "KeepVoxels", "ProveResult"]),
     ("Output", ["MeasureDistances", "MeasureInputDistances", "PassArrays", "MakeMaps", "RecomputeNormals",
                         "OutputPointsPrecision"]),
@@ -43,6 +43,7 @@ APPLIES = {
     "AutomaticNormalTolerance": [[THESIS]],
     "VoxelSize": [[("ErrorPreset", "0", True)]],
     "AutomaticSmoothing": [[("Smoothing", "0", False)]],
+    "FeatureAngle": [[("Smoothing", "0", True), ("AutomaticSmoothing", "1", False)]],
     "DistanceArrayName": [[THESIS, ("MeasureDistances", "1", False)]],
     "RunningErrorArrayName": [[THESIS, ("MeasureDistances", "1", False)]],
     "InputDistanceArrayName": [[("MeasureInputDistances", "1", False)]],

@@ -244,7 +244,7 @@ std::string Smoothing(const ReportFields& report)
     { { "largest", LengthText(report.Number("smoothing.largest_displacement")) },
       { "bound", LengthText(report.Number("smoothing.bound")) },
       { "rms", LengthText(report.Number("smoothing.rms_displacement")) },
-      { "table", Table(rows) } });
+      { "sharp", text("sharp_points", 0) }, { "table", Table(rows) } });
 }
 
 std::string RejectionText(const std::string& cause)

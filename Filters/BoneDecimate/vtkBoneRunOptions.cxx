@@ -16,6 +16,7 @@ const char* const OptionNames[] = {
   "TargetNumberOfTriangles",
   "Smoothing",
   "AutomaticSmoothing",
+  "FeatureAngle",
   "KeepVoxels",
   "AllowLargeError",
   "IntersectionGuard",
@@ -67,6 +68,16 @@ void vtkBoneRunOptions::SetAutomaticSmoothing(bool value)
 bool vtkBoneRunOptions::GetAutomaticSmoothing() const
 {
   return this->State->Options.AutomaticSmoothing;
+}
+
+void vtkBoneRunOptions::SetFeatureAngle(double value)
+{
+  this->State->Set(this, "FeatureAngle", value);
+}
+
+double vtkBoneRunOptions::GetFeatureAngle() const
+{
+  return this->State->Options.FeatureAngle;
 }
 
 void vtkBoneRunOptions::SetKeepVoxels(int value)

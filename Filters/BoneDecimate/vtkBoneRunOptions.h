@@ -69,6 +69,13 @@ public:
   vtkBooleanMacro(AutomaticSmoothing, bool);
   ///@}
 
+  ///@{
+  /// Smoothing keeps an edge sharp if the normals on its two sides, each averaged over about two voxels, differ by more than this.
+  /// 180: off; 45 suits cuts, implants and fractures. Range: 0 to 180 degrees; default: 180.
+  void SetFeatureAngle(double value);
+  double GetFeatureAngle() const;
+  ///@}
+
   /// Values of KeepVoxels.
   enum KeepVoxelsChoices
   {

@@ -13,6 +13,7 @@ namespace
 // clang-format off
 const char* const OptionNames[] = {
   "Smoothing",
+  "FeatureAngle",
   "MaximumError",
   "ToleranceArrayName",
   "LabelArrayName",
@@ -40,6 +41,16 @@ void vtkBoneSmoothOptions::SetSmoothing(double value)
 double vtkBoneSmoothOptions::GetSmoothing() const
 {
   return this->State->Options.Smoothing;
+}
+
+void vtkBoneSmoothOptions::SetFeatureAngle(double value)
+{
+  this->State->Set(this, "FeatureAngle", value);
+}
+
+double vtkBoneSmoothOptions::GetFeatureAngle() const
+{
+  return this->State->Options.FeatureAngle;
 }
 
 void vtkBoneSmoothOptions::SetMaximumError(double value)

@@ -33,6 +33,13 @@ public:
   ///@}
 
   ///@{
+  /// Smoothing keeps an edge sharp if the normals on its two sides, each averaged over about two voxels, differ by more than this.
+  /// 180: off; 45 suits cuts, implants and fractures. Range: 0 to 180 degrees; default: 180.
+  void SetFeatureAngle(double value);
+  double GetFeatureAngle() const;
+  ///@}
+
+  ///@{
   /// Largest distance between input and result, proved in both directions for every point of both surfaces, and for open boundaries
   /// curve to curve. 0: off. In Thesis mode the run stops at the first new vertex that is farther from the input: one vertex can
   /// exceed the value, and points between vertices can, too. Range: 0 to 1e30 mm; default: 0.

@@ -28,8 +28,8 @@ TABLE = ROOT / "Documentation" / "options.md"
 CLASSES = {
     "vtkBoneRunOptions": (
         "vtkBoneDecimateAlgorithm", "options of every filter that runs a decimation",
-        ["Mode", "TargetNumberOfTriangles", "Smoothing", "AutomaticSmoothing", "KeepVoxels", "AllowLargeError",
-         "IntersectionGuard", "MergePoints", "NumberOfThreads"]),
+        ["Mode", "TargetNumberOfTriangles", "Smoothing", "AutomaticSmoothing", "FeatureAngle", "KeepVoxels",
+         "AllowLargeError", "IntersectionGuard", "MergePoints", "NumberOfThreads"]),
     "vtkBoneGoalOptions": (
         "vtkBoneRunOptions", "options of where a run ends, and of what is measured and proved",
         ["TargetReduction", "MaximumError", "ErrorPreset", "VoxelSize", "NormalTolerance", "AutomaticNormalTolerance",
@@ -38,8 +38,8 @@ CLASSES = {
         "vtkBoneGoalOptions", "options of the arrays, of the output and of what is left out of the input", None),
     "vtkBoneSmoothOptions": (
         "vtkBoneDecimateAlgorithm", "options of a run that smooths and removes no triangles",
-        ["Smoothing", "MaximumError", "ToleranceArrayName", "LabelArrayName", "MergePoints", "MeasureDistances", "ProveResult",
-         "PassArrays", "OutputPointsPrecision", "RecomputeNormals", "AllowLargeError", "NumberOfThreads"]),
+        ["Smoothing", "FeatureAngle", "MaximumError", "ToleranceArrayName", "LabelArrayName", "MergePoints", "MeasureDistances",
+         "ProveResult", "PassArrays", "OutputPointsPrecision", "RecomputeNormals", "AllowLargeError", "NumberOfThreads"]),
 }
 # Classes beside those of vtkBoneDecimate: their options are options of others, too.
 BESIDE = {"vtkBoneSmoothOptions"}

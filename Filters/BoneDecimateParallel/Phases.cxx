@@ -177,6 +177,7 @@ void vtkPBoneDecimate::Order(
   run->SetErrorPreset(NO_PRESET);
   run->SetSmoothing(0.0); // is done for all parts together
   run->SetAutomaticSmoothing(false);
+  run->SetFeatureAngle(180.0);
   run->SetKeepVoxels(plan.GuardsVoxels ? KEEP_VOXELS_ON : KEEP_VOXELS_OFF);
   run->SetMakeMaps(false);
   run->SetOutputPointsPrecision(DEFAULT_PRECISION); // constrained points keep their bits

@@ -93,6 +93,7 @@ SmoothingSettings SettingsOf(const RunTask& task, const CleanSurface& clean)
   SmoothingSettings settings;
   settings.Radius = task.Smoothing.Radius;
   settings.InVoxels = task.Smoothing.InVoxels;
+  settings.FeatureAngle = task.Effective.FeatureAngle;
   settings.RoundsToSingle = task.RoundsToSingle;
   settings.Origin = clean.Origin;
   settings.Threads = task.Effective.NumberOfThreads;

@@ -335,6 +335,7 @@ FEATURES = [
     Feature("automatic normal tolerance", ("--mode", "Thesis", "--target-triangles", 300, "--auto-normal-tolerance", "on"),
             shows("options.AutomaticNormalTolerance", "on"), goal=True),
     Feature("smoothing", ("--smooth", 0.2), lambda run: "" if run.command or "smoothing" in run.report else "not smoothed"),
+    Feature("kept edges", ("--smooth", 0.2, "--feature-angle", 45), shows("options.FeatureAngle", "45")),
     Feature("label map", ("--label-map", "bone_map.mha", "--keep-voxels", "Off"), has_voxels, ("map", "smoothing can keep voxels")),
     switch("automatic smoothing", "--auto-smooth", "on", "AutomaticSmoothing", lambda run: ""),
     Feature("threads", ("--threads", 2), shows("options.NumberOfThreads", "2")),

@@ -36,6 +36,8 @@ class Commands(ApplicationTest):
         self.assertGreater(report["smoothing"]["largest_displacement"], 0)
         self.assertIn("was not smoothed", self.succeed("smooth", "in.ply", "same.ply").stdout)
         self.succeed("in.ply", "a.ply", "--smooth", "auto", "--target-triangles", 700)
+        self.succeed("smooth", "in.ply", "kept.ply", "--smooth", 0.1, "--feature-angle", 10, "--report", "report.json")
+        self.assertIn("sharp_points", json.loads(self.path("report.json").read_text(encoding="utf-8"))["smoothing"])
         self.fail_with(USAGE, "in.ply", "b.ply", "--smooth", "automatic", says="--smooth takes a number")
         self.fail_with(USAGE, "smooth", "in.ply", "b.ply", "--target-triangles", 700, says="not expected")
 

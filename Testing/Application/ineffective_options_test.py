@@ -24,6 +24,7 @@ class IneffectiveOptions(ApplicationTest):
             (("--intersection-guard", "off"), "--intersection-guard has no effect; it needs --max-error or --preset"),
             (("--intersection-guard", "off", "--region", "rest=0.2"), "--intersection-guard has no effect"),
             (("--intersection-guard", "on", *thesis, *error, *number), "another --mode than Thesis"),
+            (("--feature-angle", 45), "--feature-angle has no effect; it needs --smooth or --auto-smooth"),
             (("--prove", "on"), "--prove has no effect; it needs --max-error, --preset or --tolerance-array"),
             (("--prove", "on", *thesis, *number), "--prove has no effect"),
             (("--allow-large-error", "on"), "--allow-large-error has no effect"),

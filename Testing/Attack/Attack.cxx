@@ -74,6 +74,7 @@ Attack AnyAttack(std::uint64_t seed, const std::vector<Surface>& large)
   if (random.Below(4) == 0)
   {
     options.Smoothing = options.MaximumError * std::pow(10.0, random.Between(-1.5, 0.3));
+    options.FeatureAngle = random.Between(0.0, 180.0);
   }
   attack.IsRounded =
     options.OutputPointsPrecision == PointsPrecision::Single && random.Below(2) == 0;

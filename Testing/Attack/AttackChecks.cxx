@@ -198,11 +198,12 @@ std::string Described(const Attack& attack)
   const Options& options = attack.Requested;
   char text[400];
   std::snprintf(text, sizeof(text),
-    "mode %d, error %.17g mm, smoothing %.17g mm%s, target %d, threads %d, %s precision, %s map, "
+    "mode %d, error %.17g mm, smoothing %.17g mm%s, feature angle %.17g, target %d, threads %d, %s "
+    "precision, %s map, "
     "%zu triangles",
     static_cast<int>(options.Mode), options.MaximumError, options.Smoothing,
-    options.AutomaticSmoothing ? " or automatic" : "", options.TargetNumberOfTriangles,
-    options.NumberOfThreads,
+    options.AutomaticSmoothing ? " or automatic" : "", options.FeatureAngle,
+    options.TargetNumberOfTriangles, options.NumberOfThreads,
     options.OutputPointsPrecision == PointsPrecision::Single ? "single" : "double",
     attack.Tolerances.empty() ? "no" : "a", attack.Victim.Triangles.size());
   return text;

@@ -122,6 +122,7 @@ LabelAttack AnyAttack(std::uint64_t seed)
   {
     RoundToSingle(attack.Run.Victim);
   }
+  options.FeatureAngle = options.Smooths() ? random.Between(0.0, 180.0) : options.FeatureAngle;
   return attack;
 }
 

@@ -117,6 +117,20 @@ TEST(BoneSmooth, GivesWhatARunWithoutReductionGives)
   }
 }
 
+TEST(BoneSmooth, KeepsSharpEdgesByTheirAngle)
+{
+  const BinarySurface cube =
+    MarchedShape(Oblique(BoxShape({ 3.5, 3.5, 3.5 })), 6.5, { 0.5, 0.5, 0.5 });
+  vtkNew<vtkBoneSmooth> smooth;
+  smooth->SetInputData(PolyData(cube.Surface, VTK_FLOAT));
+  smooth->Update();
+  EXPECT_EQ(smooth->GetReportValue("smoothing.sharp_points"), 0.0);
+  smooth->SetFeatureAngle(45.0);
+  smooth->Update();
+  EXPECT_GT(smooth->GetReportValue("smoothing.sharp_points"), 100.0);
+  EXPECT_LE(smooth->GetProvedError(), 0.25 + 1e-6);
+}
+
 TEST(BoneSmooth, RejectsValuesOutOfRange)
 {
   vtkNew<vtkBoneSmooth> smooth;

@@ -46,13 +46,14 @@ const std::vector<Number>& Numbers()
     NUMBER_PROPERTY(MaximumError), NUMBER_PROPERTY(AllowLargeError),
     NUMBER_PROPERTY(IntersectionGuard), NUMBER_PROPERTY(KeepVoxels),
     NUMBER_PROPERTY(NormalTolerance), NUMBER_PROPERTY(Smoothing),
-    NUMBER_PROPERTY(AutomaticSmoothing), NUMBER_PROPERTY(AutomaticNormalTolerance),
-    NUMBER_PROPERTY(MergePoints), NUMBER_PROPERTY(MeasureDistances),
-    NUMBER_PROPERTY(MeasureInputDistances), NUMBER_PROPERTY(NumberOfThreads),
-    NUMBER_PROPERTY(OutputPointsPrecision), NUMBER_PROPERTY(PassArrays), NUMBER_PROPERTY(MakeMaps),
-    NUMBER_PROPERTY(RecomputeNormals), NUMBER_PROPERTY(ProveResult), NUMBER_PROPERTY(ErrorPreset),
-    NUMBER_PROPERTY(VoxelSize), NUMBER_PROPERTY(PruneSize), NUMBER_PROPERTY(PruneArea),
-    NUMBER_PROPERTY(PruneVolume), NUMBER_PROPERTY(PruneTriangles), NUMBER_PROPERTY(DiagnoseInput) };
+    NUMBER_PROPERTY(AutomaticSmoothing), NUMBER_PROPERTY(FeatureAngle),
+    NUMBER_PROPERTY(AutomaticNormalTolerance), NUMBER_PROPERTY(MergePoints),
+    NUMBER_PROPERTY(MeasureDistances), NUMBER_PROPERTY(MeasureInputDistances),
+    NUMBER_PROPERTY(NumberOfThreads), NUMBER_PROPERTY(OutputPointsPrecision),
+    NUMBER_PROPERTY(PassArrays), NUMBER_PROPERTY(MakeMaps), NUMBER_PROPERTY(RecomputeNormals),
+    NUMBER_PROPERTY(ProveResult), NUMBER_PROPERTY(ErrorPreset), NUMBER_PROPERTY(VoxelSize),
+    NUMBER_PROPERTY(PruneSize), NUMBER_PROPERTY(PruneArea), NUMBER_PROPERTY(PruneVolume),
+    NUMBER_PROPERTY(PruneTriangles), NUMBER_PROPERTY(DiagnoseInput) };
   return numbers;
 }
 

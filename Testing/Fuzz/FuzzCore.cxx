@@ -69,6 +69,7 @@ Question AnyQuestion(Bytes& bytes)
   question.WantsOrigins = bytes.Switch();
   options.Smoothing = bytes.Below(4) == 1 ? bytes.Below(32) / 16.0 : 0.0; // mm
   options.AutomaticSmoothing = bytes.Below(4) == 1;
+  options.FeatureAngle = bytes.Below(2) == 1 ? bytes.Below(181) : 180.0; // degrees
   return question;
 }
 

@@ -23,6 +23,7 @@ NUMBERS = {
     "TargetReduction": (0.9, 0.5, (-0.1, 1.5, *NO_NUMBERS)),
     "MaximumError": (0.0, 0.25, (-1.0, 1.1e30, *NO_NUMBERS)),
     "Smoothing": (0.0, 0.25, (-1.0, 1.1e30, *NO_NUMBERS)),
+    "FeatureAngle": (180.0, 45.0, (-1.0, 180.5, *NO_NUMBERS)),
     "NormalTolerance": (0.95, 0.5, (-0.1, 2.0, *NO_NUMBERS)),
     "NumberOfThreads": (0, 2, (-1, 1025)),
     "ErrorPreset": (vtkBoneDecimate.NO_PRESET, vtkBoneDecimate.HALF_VOXEL, (-1, 4)),

@@ -54,7 +54,8 @@ class Panel(unittest.TestCase):
         for name, value in (("source", self.node), ("volume", None), ("target", None), ("brush", None)):
             getattr(self.panel, name).currentNode.return_value = value
         self.panel.segments.selectedSegmentIDs.return_value = ()
-        for name, value in (("tolerance", 0.2), ("triangles", 0), ("ownSmoothing", 0.15), ("radius", 10.0), ("feather", 2.0)):
+        for name, value in (("tolerance", 0.2), ("triangles", 0), ("ownSmoothing", 0.15), ("featureAngle", 180.0), ("radius", 10.0),
+                            ("feather", 2.0)):
             getattr(self.panel, name).value = value
         for name, text in (("smoothing", "none"), ("keepVoxels", "Auto"), ("mode", "Balanced"), ("kind", MODULE.MODELS),
                            ("where", MODULE.EVERYWHERE)):
@@ -88,6 +89,10 @@ class Panel(unittest.TestCase):
             self.panel.smoothing.currentText = text
             found = self.panel.request().smoothing
             self.assertEqual(found if isinstance(found, str) else round(found, 9), wanted)
+
+    def test_the_angle_of_kept_edges_is_requested(self):
+        self.panel.featureAngle.value = 45.0
+        self.assertEqual(self.panel.request().feature_angle, 45.0)
 
     def test_a_model_becomes_a_new_one(self):
         self.press(self.panel._onSimplify)

@@ -49,6 +49,8 @@ class Requests(unittest.TestCase):
             self.rejects("^The smoothing, if it is not 'automatic', takes a number from 0 to 1e30 mm, not ", smoothing=value)
             self.rejects("^The radius takes a number from 0 to 1e30 mm, not ", radius=value)
             self.rejects("^The feather takes a number from 0 to 1e30 mm, not ", feather=value)
+        for value in (-1, 180.5, *NO_NUMBERS):
+            self.rejects("^The angle of kept edges takes a number from 0 to 180 degrees, not ", feature_angle=value)
         for value in (-1, 0.5, 2**31, *NO_NUMBERS):
             self.rejects("^The number of triangles takes a whole number from 0 to 2147483647, not ", triangles=value)
         for value in ("", "on", "Nonsense", None, True):
@@ -69,6 +71,9 @@ class Requests(unittest.TestCase):
         fast = {"mode": "Fast"}
         for request, wanted in (({"smoothing": 0.2}, {"smooth": 0.2, "target-reduction": 0.0}),
                                 ({"smoothing": "automatic"}, {"auto-smooth": True, "target-reduction": 0.0}),
+                                ({"smoothing": 0.2, "feature_angle": 45.0},
+                                 {"smooth": 0.2, "feature-angle": 45.0, "target-reduction": 0.0}),
+                                ({"feature_angle": 45.0, "triangles": 9}, {"target-triangles": 9}),
                                 ({"smoothing": "automatic", "triangles": 9}, {"auto-smooth": True, "target-triangles": 9}),
                                 ({"keep_voxels": "On"}, {"keep-voxels": "On"}),
                                 ({"keep_voxels": "Off", "triangles": 9}, {"keep-voxels": "Off", "target-triangles": 9}),
@@ -116,12 +121,13 @@ class Statistics(unittest.TestCase):
     def test_name_segments_and_round_what_is_proved_up(self):
         report = {"input": {"triangles": 5000, "components": 2}, "output": {"triangles": 800, "components": 2},
                   "proof": {"status": "proved", "upper": 0.20001}, "distance": {"input_to_output": {"mean": 0.05}},
-                  "smoothing": {"largest_displacement": 0.15, "rms_displacement": 0.1},
+                  "smoothing": {"largest_displacement": 0.15, "rms_displacement": 0.1, "sharp_points": 7},
                   "voxels": {"guard": "off", "changed": 3, "of_1": {"voxels": 70, "lost": 2, "gained": 1},
                              "of_2": {"voxels": 80, "lost": 1, "gained": 0}, "of_0": {"voxels": 9, "lost": 0, "gained": 2}}}
         text = "\n".join(statistics(report, ["tibia", "fibula"]))
         for line in ("5,000 -> 800 triangles", "proved: no point is farther away than 0.2001 mm",
                      "smoothing moved points by 0.1500 mm at most, 0.1000 mm RMS", "3 voxels changed (voxels not kept)",
+                     "7 points on edges that were kept sharp",
                      "tibia: 2 voxels lost, 1 gained, of 70", "fibula: 1 voxels lost, 0 gained, of 80"):
             self.assertIn(line, text)
         self.assertNotIn("proved", "\n".join(statistics({**report, "proof": {"status": "undecided"}})))

@@ -74,6 +74,13 @@ class Runs(unittest.TestCase):
             self.assertEqual(unmatched_edges(small.label(label)[1]), [])
         self.assertEqual(certify(surfaces, decimate(surfaces, auto_smooth=True, max_error=0.4), tolerance=0.4).status, "proved")
 
+    def test_keep_sharp_edges_by_their_angle(self):
+        block = extract_surfaces(np.pad(np.ones((9, 9, 9), np.int16), 2))
+        for angle, is_kept in ((45, True), (120, False)):
+            report = smooth(block, feature_angle=angle).report
+            self.assertEqual(report["smoothing.sharp_points"] > 0, is_kept)
+            self.assertEqual(report["voxels.changed"], 0)
+
     def test_take_label_maps_of_surfaces_that_others_made(self):
         # As skimage.measure.marching_cubes has vertices: single precision, z, y, x in voxels.
         z_y_x = extract_surfaces(halves() > 0).points[:, ::-1].astype(np.float32)

@@ -115,8 +115,13 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self.ownSmoothing = self._millimeters(0.2, 100.0)
         self.ownSmoothing.enabled = False
         self.smoothing.currentTextChanged.connect(lambda text: setattr(self.ownSmoothing, "enabled", text == OWN_DISTANCE))
+        self.featureAngle = qt.QDoubleSpinBox()
+        self.featureAngle.maximum, self.featureAngle.value, self.featureAngle.suffix = 180.0, 180.0, " degrees"
+        self.featureAngle.toolTip = ("Edges of cuts, implants and fractures stay sharp if the normals beside them differ by more than "
+                                     "this: 45 is a good value. 180: none.")
         form.addRow("Smoothing", self.smoothing)
         form.addRow("Own distance", self.ownSmoothing)
+        form.addRow("Keep edges sharper than", self.featureAngle)
 
     def _addGoal(self):
         form = self._section("How small")
@@ -193,7 +198,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         form.addRow(self.live)
         form.addRow(self.previewText)
         for signal in (self.source.currentNodeChanged, self.segments.selectionChanged, self.smoothing.currentTextChanged,
-                       self.ownSmoothing.valueChanged, self.tolerance.valueChanged, self.triangles.valueChanged,
+                       self.ownSmoothing.valueChanged, self.featureAngle.valueChanged, self.tolerance.valueChanged, self.triangles.valueChanged,
                        self.mode.currentTextChanged, self.keepVoxels.currentTextChanged, self.where.currentTextChanged,
                        self.brush.currentNodeChanged, self.paint.textChanged, self.radius.valueChanged, self.feather.valueChanged):
             signal.connect(lambda *_values: self.preview.changed())
@@ -224,7 +229,8 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         needs_spacing = choice not in (NO_SMOOTHING, AUTOMATIC, OWN_DISTANCE)
         spacing = spacing_of(self.source.currentNode(), self.volume.currentNode()) if needs_spacing else None
         return Request(tolerance=self.tolerance.value, triangles=self.triangles.value, mode=self.mode.currentText,
-                       smoothing=smoothing_of(choice, spacing, self.ownSmoothing.value), keep_voxels=self.keepVoxels.currentText,
+                       smoothing=smoothing_of(choice, spacing, self.ownSmoothing.value),
+                       feature_angle=self.featureAngle.value, keep_voxels=self.keepVoxels.currentText,
                        brush=brush, keeps_brush=where == KEEP, radius=self.radius.value, feather=self.feather.value)
 
     def _try(self, action):

@@ -68,6 +68,8 @@ std::vector<Need> MakeNeeds()
     { "VoxelSize", [](const Options& o) { return o.ErrorPreset != ErrorPreset::NoPreset; },
       "ErrorPreset" },
     { "AutomaticSmoothing", [](const Options& o) { return o.Smoothing == 0.0; }, "Smoothing 0" },
+    { "FeatureAngle", [](const Options& o) { return o.Smooths(); },
+      "Smoothing or AutomaticSmoothing" },
     { "NormalTolerance", HasNormalTolerance, toleranceMode },
     { "NormalTolerance",
       [](const Options& o)

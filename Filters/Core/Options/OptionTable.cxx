@@ -55,6 +55,9 @@ std::vector<OptionInfo> GoalRows()
       "the smallest voxel spacing, or by a third of a MaximumError or tolerance below that "
       "spacing. "
       "The voxel grid is found in the surface; any other surface is left as it is." },
+    { "FeatureAngle", &Options::FeatureAngle, 0, 180, "degrees", "feature-angle", {},
+      "Smoothing keeps an edge sharp if the normals on its two sides, each averaged over about two "
+      "voxels, differ by more than this. 180: off; 45 suits cuts, implants and fractures." },
     { "KeepVoxels", &Options::KeepVoxels, 0, 2, "", "keep-voxels", { "Off", "On", "Auto" },
       "For surfaces of label maps: reject every edit that lets a voxel center change sides, so "
       "that "

@@ -50,6 +50,7 @@ struct Options
   bool IntersectionGuard = true;
   double Smoothing = 0.0; // mm
   bool AutomaticSmoothing = false;
+  double FeatureAngle = 180.0; // degrees
   bonedecimate::KeepVoxels KeepVoxels = bonedecimate::KeepVoxels::Automatic;
   double NormalTolerance = 0.95;
   bool AutomaticNormalTolerance = false;

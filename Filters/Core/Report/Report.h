@@ -219,6 +219,7 @@ struct SmoothingFigures
   double VolumeAfter = 0.0;
   double LargestVolumeChange =
     0.0; ///< Of a closed component, as a fraction of its volume, with its sign.
+  std::int64_t SharpPoints = 0; ///< On edges that were kept because of FeatureAngle.
   std::int64_t LimitedPoints =
     0; ///< Whose bound was lowered, because triangles would intersect or turn over.
   std::int64_t Rounds = 0; ///< Of lowering bounds.

@@ -188,6 +188,7 @@ void AddSmoothing(Entries& entries, const SmoothingFigures& smoothing)
   entries.push_back({ "smoothing.volume_before", "mm3", smoothing.VolumeBefore });
   entries.push_back({ "smoothing.volume_after", "mm3", smoothing.VolumeAfter });
   entries.push_back({ "smoothing.largest_volume_change", "", smoothing.LargestVolumeChange });
+  entries.push_back({ "smoothing.sharp_points", "", smoothing.SharpPoints });
   entries.push_back({ "smoothing.limited_points", "", smoothing.LimitedPoints });
   entries.push_back({ "smoothing.rounds", "", smoothing.Rounds });
 }

@@ -36,13 +36,18 @@ BoundedSolver::BoundedSolver(const SmoothingGraph& graph, const DisplacementSets
   , Rows(points.size())
   , ColumnBounds(points.size())
 {
+  this->ReadRows(points);
   ForEachId(points.size(), threads,
+    [&](std::size_t p) { this->ColumnBounds[p] = graph.ColumnBound(static_cast<Index>(p)); });
+}
+
+//------------------------------------------------------------------------------
+void BoundedSolver::ReadRows(const std::vector<Vector3>& points)
+{
+  const auto toUnits = [this](const Vector3& d) { return this->Sets.FromMillimeters(d); };
+  ForEachId(points.size(), this->Threads,
     [&](std::size_t p)
-    {
-      this->RowsAtFirst[p] =
-        sets.FromMillimeters(graph.RowOfDifferences(static_cast<Index>(p), points));
-      this->ColumnBounds[p] = graph.ColumnBound(static_cast<Index>(p));
-    });
+    { this->RowsAtFirst[p] = this->Graph.RowOfPositions(static_cast<Index>(p), points, toUnits); });
 }
 
 //------------------------------------------------------------------------------

@@ -34,6 +34,9 @@ public:
   BoundedSolver(const SmoothingGraph& graph, const DisplacementSets& sets,
     const std::vector<Vector3>& points, int threads);
 
+  /// Reads the graph again after its rows have changed.  @param points mm, as in the constructor.
+  void ReadRows(const std::vector<Vector3>& points);
+
   /// Number of iterations after which displacements are accurate to a few micrometers.
   /// @param isNear Whether they start at the result of a few iterations with a similar lambda.
   int IterationsOf(double lambda, bool isNear) const;

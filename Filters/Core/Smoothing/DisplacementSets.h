@@ -61,6 +61,11 @@ public:
   {
     return (this->Axes.transpose() * millimeters).cwiseQuotient(this->Unit);
   }
+  /// FromMillimeters as a matrix.
+  Eigen::Matrix3d UnitsOfMillimeters() const
+  {
+    return this->Unit.cwiseInverse().asDiagonal() * this->Axes.transpose();
+  }
 
   double Radius(Index point) const { return this->Radii[point]; } ///< mm
   void SetRadius(Index point, double millimeters) { this->Radii[point] = millimeters; }

@@ -6,6 +6,7 @@
 #include "Mesh/SurfaceAssembly.h"
 #include "NewCrossings.h"
 #include "Parallel.h"
+#include "SharpEdges.h"
 #include "SmoothingStrength.h"
 
 #include <algorithm>
@@ -24,7 +25,10 @@ constexpr int RingsAround = 4;
 /// Fractions of the progress.
 constexpr double GraphAt = 0.15;
 constexpr double StrengthAt = 0.5;
+constexpr double SolvedOnceAt = 0.65;
 constexpr double SolvedAt = 0.8;
+/// Of the median length of the edges: about two voxels for marching cubes of a binary volume.
+constexpr double ScaleOfSharpEdges = 2.3;
 
 /// mm: the least limit of a point and of its neighbors, and the radius.
 std::vector<double> RadiiOf(
@@ -102,9 +106,11 @@ public:
       this->Strength = this->AutomaticStrength(PartOf(watched, GraphAt, StrengthAt));
       isNear = this->HasGridPoints();
     }
-    goesOn = goesOn &&
-      this->Solver.Run(this->Strength, this->Solver.IterationsOf(this->Strength, isNear),
-        PartOf(watched, StrengthAt, SolvedAt), this->Displacements);
+    goesOn = goesOn && this->Solve(isNear, PartOf(watched, StrengthAt, SolvedOnceAt));
+    if (goesOn && this->FindSharp())
+    {
+      goesOn = this->Solve(false, PartOf(watched, SolvedOnceAt, SolvedAt));
+    }
     if (goesOn)
     {
       ForEachId(this->Points.size(), this->Settings.Threads,
@@ -122,6 +128,7 @@ public:
     smoothed.Figures.Bound = this->Settings.Radius;
     smoothed.Figures.IsInVoxels = this->Settings.InVoxels;
     smoothed.Figures.Strength = this->Strength;
+    smoothed.Figures.SharpPoints = this->Graph.NumberOfSharpPoints();
     smoothed.Figures.LimitedPoints =
       std::count_if(this->Halvings.begin(), this->Halvings.end(), [](int n) { return n > 0; });
     smoothed.Figures.Rounds = this->Rounds;
@@ -145,6 +152,38 @@ private:
     return ChooseStrength(
       { this->Input.Surface, this->Graph, this->Sets, *this->Input.Source, this->Settings.Threads },
       this->Solver, monitor, this->Displacements);
+  }
+
+  /// False after an abort.
+  bool Solve(bool isNear, const Monitor& monitor)
+  {
+    return this->Solver.Run(this->Strength, this->Solver.IterationsOf(this->Strength, isNear),
+      monitor, this->Displacements);
+  }
+
+  /// Gives the points on sharp edges rows of their own.  @return Whether there are any.
+  bool FindSharp()
+  {
+    if (!(this->Settings.FeatureAngle < 180.0))
+    {
+      return false;
+    }
+    std::vector<Vector3> solved(this->Points.size());
+    ForEachId(solved.size(), this->Settings.Threads,
+      [&](std::size_t p)
+      { solved[p] = this->Points[p] + this->Sets.ToMillimeters(this->Displacements[p]); });
+    const Eigen::Matrix3d toUnits = this->Sets.UnitsOfMillimeters();
+    const SharpEdges sharp =
+      FindSharpEdges(solved, this->Input.Surface.Triangles, this->Graph.SmoothEdges(),
+        { this->Settings.FeatureAngle, ScaleOfSharpEdges * this->Graph.MedianLength(), toUnits,
+          this->Settings.Threads });
+    if (std::find(sharp.IsSharp.begin(), sharp.IsSharp.end(), 1) == sharp.IsSharp.end())
+    {
+      return false;
+    }
+    this->Graph.KeepSharp(this->Input.Surface, sharp, toUnits);
+    this->Solver.ReadRows(this->Points);
+    return true;
   }
 
   /// Where the point will be when it has been written.

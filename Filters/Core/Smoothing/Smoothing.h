@@ -7,6 +7,7 @@
  *     radii       the largest displacement, and what tolerances leave of it             DisplacementSets.h
  *     strength    by the discrepancy principle if the grid is known                     SmoothingStrength.h
  *     solve       bounded regularized least squares                                     BoundedSolver.h
+ *     edges       sharp ones are found in the result; if there are any, solve again with their rows      SharpEdges.h
  *     round       to the precision of the output, within the bound
  *     check       no new intersection, no triangle turned over                          NewCrossings.h
  *                 otherwise half the radius there, solve again around it
@@ -43,8 +44,9 @@ struct SmoothingInput
 
 struct SmoothingSettings
 {
-  double Radius = 0.0;   ///< mm, the largest displacement.
-  double Strength = 0.0; ///< lambda; 0: automatic.
+  double Radius = 0.0;         ///< mm, the largest displacement.
+  double Strength = 0.0;       ///< lambda; 0: automatic.
+  double FeatureAngle = 180.0; ///< Degrees: edges that are sharper are kept; 180: none.
   /// For thick slices: in units of voxels, octahedra alone, and stronger along longer sides. Only with points of a grid.
   bool InVoxels = false;
   bool RoundsToSingle = false;      ///< Whether the result will be written in single precision,

@@ -123,7 +123,8 @@ void SmoothingGraph::WeighEdges(const std::vector<Vector3>& points, const Eigen:
   std::vector<double> lengths = this->Weights; // every edge twice
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
-  const double shortest = lengths.empty() ? 0.0 : ShortestEdge * *middle;
+  this->Median = lengths.empty() ? 0.0 : *middle;
+  const double shortest = ShortestEdge * this->Median;
   ForEachId(this->Weights.size(), this->Threads,
     [&](std::size_t k)
     {
@@ -172,17 +173,6 @@ void SmoothingGraph::Normalize()
         this->Weights[k] = factor(p, k) * perSum[p];
       }
     });
-}
-
-//------------------------------------------------------------------------------
-Vector3 SmoothingGraph::RowOfDifferences(Index point, const std::vector<Vector3>& x) const
-{
-  Vector3 sum = Vector3::Zero();
-  for (std::size_t k = this->Starts[point]; k < this->Starts[point + 1]; ++k)
-  {
-    sum += this->Weights[k] * (x[point] - x[this->Neighbors[k]]);
-  }
-  return sum;
 }
 
 //------------------------------------------------------------------------------

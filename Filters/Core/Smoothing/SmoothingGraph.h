@@ -10,6 +10,11 @@
  *               boundary point:  0 along edges that are not of the boundary or of a junction
  *               junction point:  0.1 along edges that are not of the junction
  *
+ * A point on a sharp edge (SharpEdges.h) counts of each difference the parts along the normals of the triangles at that
+ * edge, so that it lies on the surfaces on both sides; along the sharp edge it counts the whole if it is not a corner:
+ *
+ *     (L x)_i = sum_j a_ij N_ij (x_i - x_j)      N_ij = mean of n n^T
+ *
  * An edge of one triangle is a boundary edge. An edge of three or more triangles, or of two with different labels, is a
  * junction edge. So boundaries and junction curves are smoothed along themselves. With the factor 0 at junctions, walls
  * intersect each other there.
@@ -18,6 +23,7 @@
 #define BoneDecimate_Core_Smoothing_SmoothingGraph_h
 
 #include "LabelMap/VoxelGrid.h"
+#include "SharpEdges.h"
 #include "Surface.h"
 
 #include <array>
@@ -56,15 +62,41 @@ public:
   /// Row `point` of L x.
   Vector3 Row(Index point, const std::vector<Vector3>& x) const
   {
-    return this->Apply(this->Weights, point, x);
+    return this->IsSharp(point)
+      ? this->SharpRow(point, [&](Index neighbor) { return Vector3(x[point] - x[neighbor]); })
+      : this->Apply(this->Weights, point, x);
   }
   /// Row `point` of the transpose of L times z.
   Vector3 TransposedRow(Index point, const std::vector<Vector3>& z) const
   {
-    return this->Apply(this->TransposedWeights, point, z);
+    return this->IsNearSharp(point) ? this->TransposedRowNearSharp(point, z)
+                                    : this->Apply(this->TransposedWeights, point, z);
   }
-  /// Row `point` of L x by differences of neighbors: without cancellation far from the origin.
-  Vector3 RowOfDifferences(Index point, const std::vector<Vector3>& x) const;
+  /// Row `point` of L x in units by differences of neighbors: without cancellation far from the origin.
+  /// @param x mm  @param toUnits Converts a displacement.
+  template <typename ToUnits>
+  Vector3 RowOfPositions(Index point, const std::vector<Vector3>& x, const ToUnits& toUnits) const
+  {
+    if (this->IsSharp(point))
+    {
+      return this->SharpRow(point, [&](Index neighbor) { return toUnits(x[point] - x[neighbor]); });
+    }
+    Vector3 sum = Vector3::Zero();
+    for (std::size_t k = this->Starts[point]; k < this->Starts[point + 1]; ++k)
+    {
+      sum += this->Weights[k] * (x[point] - x[this->Neighbors[k]]);
+    }
+    return toUnits(sum);
+  }
+
+  /// From now on the rows of points on sharp edges are those of sharp edges.
+  /// @param sharp Of SmoothEdges() and the triangles of the surface.
+  /// @param toUnits From millimeters, to the axes of the displacements.
+  void KeepSharp(const Surface& surface, const SharpEdges& sharp, const Eigen::Matrix3d& toUnits);
+  std::int64_t NumberOfSharpPoints() const;
+
+  /// Median length of the edges, in units.
+  double MedianLength() const { return this->Median; }
 
   /// An upper bound of row `point` of the absolute values of L^T L: twice the absolute sum of a column of L.
   double ColumnBound(Index point) const;
@@ -84,6 +116,34 @@ private:
   void WeighEdges(const std::vector<Vector3>& points, const Eigen::Matrix3d& toUnits);
   void Normalize();
   double Factor(Index point, CurveKind edge) const;
+  std::size_t Find(Index point, Index neighbor) const;
+  bool IsSharp(Index point) const
+  {
+    return !this->SharpStarts.empty() && this->SharpStarts[point] != None;
+  }
+  bool IsNearSharp(Index point) const
+  {
+    return !this->NearSharp.empty() && this->NearSharp[point] != 0;
+  }
+  void MarkSharp(const Surface& surface, const std::vector<char>& isSharp);
+  void AddProjections(
+    const Surface& surface, const SharpEdges& sharp, const Eigen::Matrix3d& toUnits);
+  void CountWholeAlong(const Surface& surface, const std::vector<char>& isSharp);
+  template <typename Difference>
+  Vector3 SharpRow(Index point, const Difference& toNeighbor) const
+  {
+    Vector3 sum = Vector3::Zero();
+    for (std::size_t k = this->Starts[point]; k < this->Starts[point + 1]; ++k)
+    {
+      sum += this->Weights[k] * (this->Projection(point, k) * toNeighbor(this->Neighbors[k]));
+    }
+    return sum;
+  }
+  const Eigen::Matrix3d& Projection(Index point, std::size_t k) const
+  {
+    return this->Projections[this->SharpStarts[point] + (k - this->Starts[point])];
+  }
+  Vector3 TransposedRowNearSharp(Index point, const std::vector<Vector3>& z) const;
   Vector3 Apply(
     const std::vector<double>& weights, Index point, const std::vector<Vector3>& x) const
   {
@@ -104,6 +164,11 @@ private:
   std::vector<double> Weights;           // a_ij
   std::vector<double> TransposedWeights; // a_ji
   std::vector<std::array<Index, 2>> TrianglesOfEdges;
+  double Median = 0.0;
+  // Empty without sharp edges.
+  std::vector<Index> SharpStarts; // of each point in Projections; None: not on a sharp edge
+  std::vector<char> NearSharp;    // of each point: it or a neighbor is on one
+  std::vector<Eigen::Matrix3d> Projections; // N of each neighbor of each point on a sharp edge
 };
 }
 

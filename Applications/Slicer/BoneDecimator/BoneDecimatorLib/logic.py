@@ -24,6 +24,7 @@ class Request:
     tolerance: float = 0.2  # proved; 0: none
     triangles: int = 0  # 0: as few as the tolerance allows
     smoothing: object = 0.0  # the largest displacement of a point before the first edit; "automatic": by voxels and tolerance
+    feature_angle: float = 180.0  # degrees: smoothing keeps edges sharper than this; 180: none
     keep_voxels: str = "Auto"  # or On or Off: whether edits may change which segment a voxel belongs to
     mode: str = "Balanced"
     intersection_guard: bool = True
@@ -40,6 +41,7 @@ class Request:
         checks.check_mode(self.mode)
         checks.check_keep_voxels(self.keep_voxels)
         checks.check_smoothing(self.smoothing)
+        checks.check_number("The angle of kept edges", self.feature_angle, 0, 180, "degrees")
         checks.check_length("The radius", self.radius)
         checks.check_length("The feather", self.feather)
         if not self.has_goal and not self.is_smooth:
@@ -64,6 +66,8 @@ class Request:
             options["auto-smooth"] = True
         elif self.is_smooth:
             options["smooth"] = self.smoothing
+        if self.is_smooth and self.feature_angle < 180.0:
+            options["feature-angle"] = self.feature_angle
         if self.keep_voxels != "Auto":
             options["keep-voxels"] = self.keep_voxels
         if not self.has_goal:
@@ -346,6 +350,8 @@ def statistics(found, names=()):
     if "largest_displacement" in found.get("smoothing", {}):
         moved = found["smoothing"]
         lines.append(f"smoothing moved points by {moved['largest_displacement']:.4f} mm at most, {moved['rms_displacement']:.4f} mm RMS")
+        if moved.get("sharp_points", 0) > 0:
+            lines.append(f"{moved['sharp_points']:,.0f} points on edges that were kept sharp")
     if proof.get("status") == "proved":
         # Rounded up, so that the number shown is proved.
         lines.append(f"proved: no point is farther away than {np.ceil(proof['upper'] * 1e4) / 1e4:.4f} mm")

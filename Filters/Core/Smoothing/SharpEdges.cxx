@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SharpEdges.h"
+
+#include "Geometry/Angle.h"
+#include "Geometry/TriangleGeometry.h"
+#include "Parallel.h"
+#include "WorkspacePool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr double DegreesOfRadian = 57.29577951308232;
+/// Of the sum of the bends of two patches: what curvature alone explains is at most 1.5 times the sum.
+constexpr double MostOfBends = 2.0;
+
+/// Neighbors of each triangle over edges that may be sharp, ascending by edge.
+class Neighbors
+{
+public:
+  Neighbors(std::size_t triangles, const std::vector<std::array<Index, 2>>& edges)
+    : Starts(triangles + 1, 0)
+    , All(2 * edges.size())
+  {
+    for (const auto& [a, b] : edges)
+    {
+      ++this->Starts[static_cast<std::size_t>(a) + 1];
+      ++this->Starts[static_cast<std::size_t>(b) + 1];
+    }
+    std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
+    std::vector<std::size_t> next(this->Starts.begin(), this->Starts.end() - 1);
+    for (const auto& [a, b] : edges)
+    {
+      this->All[next[a]++] = b;
+      this->All[next[b]++] = a;
+    }
+  }
+
+  template <typename Visit>
+  void VisitEach(Index triangle, const Visit& visit) const
+  {
+    for (std::size_t k = this->Starts[triangle]; k < this->Starts[triangle + 1]; ++k)
+    {
+      visit(this->All[k]);
+    }
+  }
+
+private:
+  std::vector<std::size_t> Starts;
+  std::vector<Index> All;
+};
+
+/// Collects patches; one for each worker.
+class Collector
+{
+public:
+  explicit Collector(std::size_t triangles)
+    : Seen(triangles, 0)
+  {
+  }
+
+  /// The triangles connected to one, itself first.
+  const std::vector<Index>& Collect(
+    Index center, double radius, const std::vector<Vector3>& centroids, const Neighbors& neighbors)
+  {
+    ++this->Patch;
+    this->Members.assign(1, center);
+    this->Seen[center] = this->Patch;
+    for (std::size_t i = 0; i < this->Members.size(); ++i)
+    {
+      neighbors.VisitEach(this->Members[i],
+        [&](Index next)
+        {
+          if (this->Seen[next] != this->Patch &&
+            (centroids[next] - centroids[center]).squaredNorm() <= radius * radius)
+          {
+            this->Seen[next] = this->Patch;
+            this->Members.push_back(next);
+          }
+        });
+    }
+    return this->Members;
+  }
+
+private:
+  std::vector<std::uint32_t> Seen; // the last patch of each triangle
+  std::uint32_t Patch = 0;
+  std::vector<Index> Members;
+};
+
+/// Radians: of the cap of a sphere that has this spread.
+double BendOf(double spread)
+{
+  const double cosine = 1.0 - 2.0 * spread;
+  const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+  return AngleBetween({ 1.0, 0.0, 0.0 }, { cosine, sine, 0.0 });
+}
+
+class NormalField
+{
+public:
+  NormalField(const std::vector<Vector3>& points, const std::vector<Triangle>& triangles,
+    const std::vector<std::array<Index, 2>>& edges, const SharpEdgeSettings& settings)
+    : Settings(settings)
+    , Adjacent(triangles.size(), edges)
+    , Centroids(triangles.size())
+    , AreaVectors(triangles.size())
+    , Means(triangles.size())
+    , Spreads(triangles.size())
+    , Best(triangles.size())
+  {
+    ForEachId(triangles.size(), settings.Threads,
+      [&](std::size_t t)
+      {
+        const auto& [a, b, c] = triangles[t];
+        this->Centroids[t] = settings.ToUnits * (points[a] + points[b] + points[c]) / 3.0;
+        this->AreaVectors[t] = AreaVector(points[a], points[b], points[c]);
+      });
+    this->ForEachPatch(
+      [this](Index t, const std::vector<Index>& patch) { this->Summarize(t, patch); });
+    this->ForEachPatch(
+      [this](Index t, const std::vector<Index>& patch) { this->Best[t] = this->Flattest(patch); });
+  }
+
+  bool IsSharp(const std::array<Index, 2>& edge) const
+  {
+    const Index a = this->Best[edge[0]];
+    const Index b = this->Best[edge[1]];
+    const double angle = AngleBetween(this->Means[a], this->Means[b]);
+    return DegreesOfRadian * angle > this->Settings.Angle &&
+      angle > MostOfBends * (BendOf(this->Spreads[a]) + BendOf(this->Spreads[b]));
+  }
+
+  const Vector3& Normal(Index triangle) const { return this->Means[this->Best[triangle]]; }
+
+private:
+  template <typename Work>
+  void ForEachPatch(const Work& work)
+  {
+    ForEachBlock(this->Centroids.size(), this->Settings.Threads,
+      [&](std::size_t, std::size_t first, std::size_t last)
+      {
+        const std::shared_ptr<Collector> collector = this->Collectors.Borrow(
+          [this] { return std::make_unique<Collector>(this->Centroids.size()); });
+        for (std::size_t t = first; t < last; ++t)
+        {
+          const auto triangle = static_cast<Index>(t);
+          work(triangle,
+            collector->Collect(triangle, this->Settings.Scale, this->Centroids, this->Adjacent));
+        }
+      });
+  }
+
+  void Summarize(Index triangle, const std::vector<Index>& patch)
+  {
+    Vector3 sum = Vector3::Zero();
+    double area = 0.0;
+    for (const Index member : patch)
+    {
+      sum += this->AreaVectors[member];
+      area += this->AreaVectors[member].norm();
+    }
+    const double length = sum.norm();
+    this->Means[triangle] = length > 0.0 ? Vector3(sum / length) : sum;
+    this->Spreads[triangle] = area > 0.0 ? std::clamp(1.0 - length / area, 0.0, 1.0) : 1.0;
+  }
+
+  Index Flattest(const std::vector<Index>& patch) const
+  {
+    return *std::min_element(patch.begin(), patch.end(),
+      [this](Index a, Index b) {
+        return this->Spreads[a] != this->Spreads[b] ? this->Spreads[a] < this->Spreads[b] : a < b;
+      });
+  }
+
+  const SharpEdgeSettings& Settings;
+  Neighbors Adjacent;
+  WorkspacePool<Collector> Collectors;
+  std::vector<Vector3> Centroids;
+  std::vector<Vector3> AreaVectors;
+  std::vector<Vector3> Means;  // of the patch of each triangle
+  std::vector<double> Spreads; // of the patch of each triangle
+  std::vector<Index> Best;     // whose patch gives the normal of each triangle
+};
+}
+
+SharpEdges FindSharpEdges(const std::vector<Vector3>& points,
+  const std::vector<Triangle>& triangles, const std::vector<std::array<Index, 2>>& edges,
+  const SharpEdgeSettings& settings)
+{
+  const NormalField field(points, triangles, edges, settings);
+  SharpEdges found;
+  found.IsSharp.resize(edges.size());
+  ForEachId(edges.size(), settings.Threads,
+    [&](std::size_t e) { found.IsSharp[e] = field.IsSharp(edges[e]) ? 1 : 0; });
+  found.Normals.resize(triangles.size());
+  ForEachId(triangles.size(), settings.Threads,
+    [&](std::size_t t) { found.Normals[t] = field.Normal(static_cast<Index>(t)); });
+  return found;
+}
+}
