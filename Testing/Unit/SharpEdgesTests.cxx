@@ -161,6 +161,19 @@ TEST(SharpEdges, AreNoneOnCurvedSurfaces)
   }
 }
 
+TEST(SharpEdges, AreNoneWhereOnlyOrientationsContradict)
+{
+  BinarySurface ball = MarchedShape(Oblique(BallShape(6.0)), 7.0, Cubic);
+  for (Triangle& c : ball.Surface.Triangles)
+  {
+    if (ball.Surface.Points[c[0]][0] > 0.3)
+    {
+      std::swap(c[1], c[2]);
+    }
+  }
+  EXPECT_EQ(Smooth({ ball.Surface }, Keeping(45.0)).Figures.SharpPoints, 0);
+}
+
 TEST(SharpEdges, AreNearerToTheTruthWhenTheyAreKept)
 {
   const Accuracy rounded =

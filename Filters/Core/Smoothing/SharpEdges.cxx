@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <numeric>
 
@@ -20,22 +21,42 @@ constexpr double DegreesOfRadian = 57.29577951308232;
 /// Of the sum of the bends of two patches: what curvature alone explains is at most 1.5 times the sum.
 constexpr double MostOfBends = 2.0;
 
-/// Neighbors of each triangle over edges that may be sharp, ascending by edge.
+/// Whether two triangles at an edge have their normals on the same side of the surface.
+bool HaveEqualOrientation(const Triangle& one, const Triangle& other)
+{
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      if (one[i] == other[(j + 1) % 3] && one[(i + 1) % 3] == other[j])
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Neighbors of each triangle over edges that may be sharp, if their orientations agree; ascending by edge.
 class Neighbors
 {
 public:
-  Neighbors(std::size_t triangles, const std::vector<std::array<Index, 2>>& edges)
-    : Starts(triangles + 1, 0)
-    , All(2 * edges.size())
+  Neighbors(const std::vector<Triangle>& triangles, const std::vector<std::array<Index, 2>>& edges)
+    : Starts(triangles.size() + 1, 0)
   {
-    for (const auto& [a, b] : edges)
+    std::vector<std::array<Index, 2>> oriented;
+    std::copy_if(edges.begin(), edges.end(), std::back_inserter(oriented),
+      [&](const std::array<Index, 2>& edge)
+      { return HaveEqualOrientation(triangles[edge[0]], triangles[edge[1]]); });
+    for (const auto& [a, b] : oriented)
     {
       ++this->Starts[static_cast<std::size_t>(a) + 1];
       ++this->Starts[static_cast<std::size_t>(b) + 1];
     }
     std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
     std::vector<std::size_t> next(this->Starts.begin(), this->Starts.end() - 1);
-    for (const auto& [a, b] : edges)
+    this->All.resize(2 * oriented.size());
+    for (const auto& [a, b] : oriented)
     {
       this->All[next[a]++] = b;
       this->All[next[b]++] = a;
@@ -108,7 +129,7 @@ public:
   NormalField(const std::vector<Vector3>& points, const std::vector<Triangle>& triangles,
     const std::vector<std::array<Index, 2>>& edges, const SharpEdgeSettings& settings)
     : Settings(settings)
-    , Adjacent(triangles.size(), edges)
+    , Adjacent(triangles, edges)
     , Centroids(triangles.size())
     , AreaVectors(triangles.size())
     , Means(triangles.size())
@@ -198,7 +219,11 @@ SharpEdges FindSharpEdges(const std::vector<Vector3>& points,
   SharpEdges found;
   found.IsSharp.resize(edges.size());
   ForEachId(edges.size(), settings.Threads,
-    [&](std::size_t e) { found.IsSharp[e] = field.IsSharp(edges[e]) ? 1 : 0; });
+    [&](std::size_t e)
+    {
+      const bool isOriented = HaveEqualOrientation(triangles[edges[e][0]], triangles[edges[e][1]]);
+      found.IsSharp[e] = isOriented && field.IsSharp(edges[e]) ? 1 : 0;
+    });
   found.Normals.resize(triangles.size());
   ForEachId(triangles.size(), settings.Threads,
     [&](std::size_t t) { found.Normals[t] = field.Normal(static_cast<Index>(t)); });

@@ -10,7 +10,7 @@
  *     spread of a patch      1 - |sum of area vectors| / sum of areas = (1 - cos b) / 2 of a cap of a sphere; b: its bend
  *     normal of a triangle   the mean normal of the patch of least spread among those whose center is within the scale
  *     sharp edge             its two triangles have normals that differ by more than the angle, and by more than twice the
- *                            sum of the bends of their patches
+ *                            sum of the bends of their patches; never where their orientations contradict
  *
  * The flattest patches lie beside an edge, so normals are constant up to it and differ by its whole angle there, also if it
  * is rounded. On a sphere they differ by no more than the sum of the bends, on a cylinder by no more than 1.5 times that.
@@ -42,7 +42,8 @@ struct SharpEdges
 };
 
 /// @param points mm, smoothed, so that the spread of a patch is its curvature and not its staircase.
-/// @param edges The two triangles of each edge that may be sharp; patches do not extend over other edges.
+/// @param edges The two triangles of each edge that may be sharp; patches do not extend over other edges, nor
+/// over those where orientations contradict.
 SharpEdges FindSharpEdges(const std::vector<Vector3>& points,
   const std::vector<Triangle>& triangles, const std::vector<std::array<Index, 2>>& edges,
   const SharpEdgeSettings& settings);
