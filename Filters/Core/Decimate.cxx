@@ -132,8 +132,7 @@ EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepar
   {
     settings.KeepsQuadrics = mode.NeedsQuadrics();
     settings.KeepsInitialMesh = mode.KeepsInitialMesh;
-    settings.CollapsesFeatureCurves = task.Inputs.Labels != nullptr ||
-      (task.Inputs.Log == nullptr && HasSeveralPairs(task.Inputs.LabelMap));
+    settings.CollapsesFeatureCurves = CollapsesFeatureCurves(task.Inputs);
     settings.Voxels = VoxelSettings(task, prepared);
     settings.Tolerances = prepared.VertexTolerances;
     settings.IsConstrained = SharedVertices(task, prepared.Cleaned);

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Feature curves between labels are simplified along themselves, so neighbors stay matched; every triangle keeps its label.
+#include "LabelMaps.h"
 #include "LabeledSurfaces.h"
 #include "Mesh/ManifoldPatches.h"
 #include "Mesh/PatchBoundaries.h"
+#include "NoisyBones.h"
 #include "Report/ReportTable.h"
 #include "Runs.h"
 
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 using namespace bonedecimate;
 using namespace bonedecimate::testsupport;
@@ -258,4 +261,50 @@ TEST(Labels, AreReportedWithTheirAreas)
   result.Report.Labels[1].Output = 1.02 * result.Report.Labels[1].Input;
   ASSERT_EQ(InputWarnings(result.Report).size(), warnings + 1);
   EXPECT_NE(InputWarnings(result.Report).back().find("right: by 2 %"), std::string::npos);
+}
+
+namespace
+{
+/// Points where edges of three or more triangles end or meet: all others of these edges have two of them.
+std::int64_t EndsOfCurves(const Surface& surface)
+{
+  std::map<Index, int> edgesAt;
+  for (const auto& [edge, triangles] : EdgesOf(surface))
+  {
+    if (triangles.size() > 2)
+    {
+      ++edgesAt[edge.first];
+      ++edgesAt[edge.second];
+    }
+  }
+  return std::count_if(
+    edgesAt.begin(), edgesAt.end(), [](const auto& point) { return point.second != 2; });
+}
+}
+
+TEST(LabelMapCurves, ThatAreCollapsedDoNotCountAsPointsThatStay)
+{
+  const LabelSurfaces surfaces = Extracted(EllipsoidLabels({ 25, 22, 20 }));
+  RunInputs inputs;
+  inputs.LabelMap = &surfaces.Source;
+  const Result result = Decimate(surfaces.Surface, Reduction(0.8), {}, inputs);
+  const Topology before = CountTopology(surfaces.Surface);
+  EXPECT_LT(CountTopology(result.Surface).NonManifoldPoints, before.NonManifoldPoints / 2);
+  const CleaningStatistics& found = result.Report.Cleaning;
+  EXPECT_EQ(found.NonManifoldPoints, EndsOfCurves(surfaces.Surface));
+  EXPECT_LT(found.NonManifoldPoints, before.NonManifoldPoints / 4);
+  // A log does not record the collapse of curves: all of their points stay.
+  EditLog log;
+  inputs.Log = &log;
+  const Result logged = Decimate(surfaces.Surface, Reduction(0.8), {}, inputs);
+  EXPECT_EQ(logged.Report.Cleaning.NonManifoldPoints, before.NonManifoldPoints);
+  EXPECT_EQ(CountTopology(logged.Surface).NonManifoldPoints, before.NonManifoldPoints);
+}
+
+TEST(LabelMapCurves, BetweenLabelsOfAManifoldSurfaceHaveNoPointThatStaysForTheTopology)
+{
+  const Surface input = Icosphere(3, 10.0);
+  const Result result = RunWith(ThreeParts(input), input, Reduction(0.5));
+  EXPECT_EQ(result.Report.Cleaning.NonManifoldPoints, 0);
+  EXPECT_EQ(result.Report.Cleaning.FirstNonManifoldPoint, -1);
 }

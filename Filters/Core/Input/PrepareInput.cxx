@@ -6,11 +6,13 @@
 #include "LabelMapInput.h"
 #include "Mesh/Checksum.h"
 #include "Mesh/ManifoldPatches.h"
+#include "Mesh/PatchBoundaries.h"
 #include "Mesh/SpatialOrder.h"
 #include "Prune.h"
 #include "Tolerances.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace bonedecimate
 {
@@ -68,17 +70,45 @@ void PrepareErrors(RunTask& task, const Monitor& monitor, PreparedInput& prepare
   }
 }
 
-void CountNonManifold(
-  const HalfEdgeMesh& mesh, const CleanSurface& cleaned, CleaningStatistics& found)
+/// Input points at which the mesh is not manifold, ascending.
+std::vector<Index> NonManifoldPoints(const HalfEdgeMesh& mesh, const CleanSurface& cleaned)
 {
-  for (Index v = mesh.NumberOfVertexSlots(); v-- > 0;)
+  std::vector<Index> points;
+  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
     if (mesh.Constraint(v) == VertexConstraint::NonManifold)
     {
-      ++found.NonManifoldPoints;
-      found.FirstNonManifoldPoint = cleaned.InputPoint[v];
+      points.push_back(cleaned.InputPoint[v]);
     }
   }
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+/// Of these points, those that no feature curve passes: inner vertices of a curve can be removed.
+std::vector<Index> WithoutCurves(
+  const std::vector<Index>& points, const HalfEdgeMesh& mesh, const CleanSurface& cleaned)
+{
+  std::vector<Index> onCurves;
+  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    if (mesh.NextDuplicate(v) != v && mesh.OriginalVertex(v) == v &&
+      PatchBoundaryRunsThrough(mesh, v))
+    {
+      onCurves.push_back(cleaned.InputPoint[v]);
+    }
+  }
+  std::sort(onCurves.begin(), onCurves.end());
+  std::vector<Index> left;
+  std::set_difference(
+    points.begin(), points.end(), onCurves.begin(), onCurves.end(), std::back_inserter(left));
+  return left;
+}
+
+void CountNonManifold(const std::vector<Index>& points, CleaningStatistics& found)
+{
+  found.NonManifoldPoints = static_cast<std::int64_t>(points.size());
+  found.FirstNonManifoldPoint = points.empty() ? -1 : points.front();
 }
 
 /// In short steps, each left out after an abort.
@@ -92,7 +122,7 @@ HalfEdgeMesh BuildMesh(const RunTask& task, CleanSurface& cleaned, RunProgress& 
   }
   monitor(0.25);
   HalfEdgeMesh mesh(cleaned.Surface, threads);
-  CountNonManifold(mesh, cleaned, report.Cleaning);
+  std::vector<Index> stay = NonManifoldPoints(mesh, cleaned);
   const std::vector<Index> labels = PatchLabels(cleaned, task.Inputs.Labels, task.Inputs.LabelMap);
   if (!labels.empty())
   {
@@ -102,7 +132,9 @@ HalfEdgeMesh BuildMesh(const RunTask& task, CleanSurface& cleaned, RunProgress& 
   {
     SortAlongCurve(cleaned, threads);
     mesh = HalfEdgeMesh(cleaned.Surface, threads, cleaned.ManifoldPatches);
+    stay = CollapsesFeatureCurves(task.Inputs) ? WithoutCurves(stay, mesh, cleaned) : stay;
   }
+  CountNonManifold(stay, report.Cleaning);
   monitor(0.5);
   return mesh;
 }
@@ -114,6 +146,12 @@ bool PreparedInput::IsLimitedEverywhere() const
   return !tolerances.empty() &&
     std::none_of(
       tolerances.begin(), tolerances.end(), [](double tolerance) { return tolerance < 0.0; });
+}
+
+//------------------------------------------------------------------------------
+bool CollapsesFeatureCurves(const RunInputs& inputs)
+{
+  return inputs.Labels != nullptr || (inputs.Log == nullptr && HasSeveralPairs(inputs.LabelMap));
 }
 
 //------------------------------------------------------------------------------
