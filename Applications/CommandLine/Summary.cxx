@@ -4,6 +4,7 @@
 
 #include "BoundText.h"
 #include "NumberText.h"
+#include "PartSection.h"
 #include "ReportFields.h"
 
 #include <algorithm>
@@ -72,6 +73,34 @@ void PrintSmoothing(const ReportFields& report)
                      ? "; " + Count(report, "smoothing.sharp_points") + " points on sharp edges"
                      : "")
               << "\n";
+  }
+}
+
+/// Area, volume and thickness of the largest.
+void PrintParts(const ReportFields& report)
+{
+  constexpr int mostPrinted = 5;
+  if (!report.Number("parts.count"))
+  {
+    return;
+  }
+  std::cout << "parts           " << Count(report, "parts.count") << " "
+            << report.Text("parts.kind") << ", before -> after, the largest first\n";
+  for (int i = 0; i < mostPrinted; ++i)
+  {
+    if (!report.Number("parts.list." + std::to_string(i) + ".triangles"))
+    {
+      return;
+    }
+    const auto change = [&](const char* words, const char* figure, const char* unit)
+    {
+      const std::string text = PartChange(report, i, figure, " -> ");
+      return text.empty() ? text : words + text + unit;
+    };
+    std::cout << "  " << PartName(report, i) << change(": area ", "area", " mm2")
+              << change(", volume ", "volume", " mm3")
+              << change(", thickness ", "thickness_median", " mm")
+              << change(", 5 % below ", "thickness_percentile_5", " mm") << "\n";
   }
 }
 
@@ -171,6 +200,7 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
   PrintDistances(report, "input_to_output", "input to result ");
   PrintBoundaries(report);
   PrintVoxel(report);
+  PrintParts(report);
   PrintVoxels(report);
   PrintProof(report);
   std::cout << "stop            " << report.Text("stop_sentence") << "\n"

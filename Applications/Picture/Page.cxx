@@ -6,6 +6,7 @@
 #include "Options/Text.h"
 #include "PageParts.h"
 #include "PageTemplate.h"
+#include "PartSection.h"
 #include "ReportFields.h"
 #include "SurfaceDistances.h"
 #include "VoxelSection.h"
@@ -318,9 +319,9 @@ std::string ComposePage(const PageSubject& subject)
         PageBlock(
           "head", { { "title", "Simplified bone surface: " + EscapedXml(subject.Name) } }) },
       { "name", EscapedXml(subject.Name) }, { "smoothing", Smoothing(report) },
-      { "voxels", VoxelSection(report) }, { "triangles", count("output.triangles") },
-      { "input triangles", count("input.triangles") }, { "percentage", PercentageText(report) },
-      { "largest distance", LargestDistanceText(report) },
+      { "parts", PartSection(report) }, { "voxels", VoxelSection(report) },
+      { "triangles", count("output.triangles") }, { "input triangles", count("input.triangles") },
+      { "percentage", PercentageText(report) }, { "largest distance", LargestDistanceText(report) },
       { "components", count("output.components") },
       { "input components", count("input.components") },
       { "distance sentence", DistanceSentence(report) }, { "picture", Picture(subject) },

@@ -106,6 +106,7 @@ std::vector<double> vtkBoneDecimate::SmoothPoints(vtkPolyData* whole, double lar
   }
   Report figures;
   figures.Smoothing = smoothed.Report.Smoothing;
+  figures.Parts = smoothed.Report.Parts;
   this->Warn(InputWarnings(figures));
   std::vector<double> points;
   points.reserve(3 * smoothed.Points.size());

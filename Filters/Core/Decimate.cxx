@@ -11,6 +11,7 @@
 #include "Output/Evaluation.h"
 #include "Output/Extract.h"
 #include "Output/FinishLog.h"
+#include "Output/PartComparison.h"
 #include "Output/ResultProof.h"
 #include "RunProgress.h"
 #include "SmoothInput.h"
@@ -246,6 +247,20 @@ void ReportEdits(const RunTask& task, const PreparedInput& prepared, Editor& edi
   }
 }
 
+/// mm^3, of 27 voxels: of the grid, or of twice the bound where none is known. 0 unless a whole surface was smoothed.
+double SmallestPart(const RunTask& task, const SmoothingFigures& smoothing)
+{
+  if (!smoothing.HasRun() || task.Inputs.Part != nullptr)
+  {
+    return 0.0;
+  }
+  const LabelMapSource* map = task.Inputs.LabelMap;
+  const LabelMapSource* source =
+    map != nullptr && map->Grid.Dimensions[0] > 0 ? map : task.Smoothing.Source();
+  const double side = 2.0 * smoothing.Bound;
+  return 27.0 * (source != nullptr ? source->Grid.Spacing.prod() : side * side * side);
+}
+
 /// Runs the stages, and what needs their mesh. False if the result cannot be written in single precision.
 bool Simplify(const RunTask& task, PreparedInput& prepared, RunProgress& progress, Result& result)
 {
@@ -276,7 +291,8 @@ bool Simplify(const RunTask& task, PreparedInput& prepared, RunProgress& progres
 
   const KeptSurface* reference = prepared.Tolerances.ReferenceSurface();
   const EvaluatedRun run = { task.Input, prepared.Cleaned, *editor, local,
-    reference != nullptr ? &reference->Surface : nullptr, EndsWithProof(task) };
+    reference != nullptr ? &reference->Surface : nullptr, EndsWithProof(task), task.Inputs,
+    SmallestPart(task, report.Smoothing) };
   Evaluate(run, task.Effective, progress, result);
   return true;
 }
@@ -349,6 +365,12 @@ SmoothedInput SmoothOnly(
   const std::vector<Vector3> smoothed = SmoothInput(task, prepared,
     SettingsOfEditor(task, prepared, false), progress.Stage(BuiltAt, 1.0), report.Smoothing);
   const CleanSurface& clean = prepared.Cleaned;
+  if (!smoothed.empty())
+  {
+    report.Parts = PartComparer(clean, inputs)
+                     .Compare(*prepared.Mesh, { smoothed, clean.Surface.Triangles },
+                       SmallestPart(task, report.Smoothing));
+  }
   for (std::size_t i = 0; i < result.Points.size() && !smoothed.empty(); ++i)
   {
     const Index point = clean.PointOfInput[i];

@@ -116,7 +116,7 @@ struct SmoothedInput
 {
   std::vector<Vector3>
     Points; ///< mm, of each input point. Those of the input if it was rejected or nothing is smoothed.
-  bonedecimate::Report Report; ///< Status and smoothing alone.
+  bonedecimate::Report Report; ///< Status, smoothing and parts alone.
 };
 
 /// @param inputs As those of Decimate.

@@ -137,3 +137,67 @@ TEST(BoundingTree, FarPointsAgreeWithBruteForce)
     EXPECT_EQ(nearest.Triangle, LeastTriangle(surface, p));
   }
 }
+
+namespace
+{
+/// Whether a ray of that length meets a triangle well inside of it.
+bool Meets(const Surface& surface, const Triangle& c, const Vector3& from, const Vector3& to)
+{
+  const auto volume = [](const Vector3& a, const Vector3& b, const Vector3& p, const Vector3& q)
+  { return (b - a).cross(p - a).dot(q - a); };
+  const auto& [a, b, d] =
+    std::array<Vector3, 3>{ surface.Points[c[0]], surface.Points[c[1]], surface.Points[c[2]] };
+  const double sides[] = { volume(from, to, a, b), volume(from, to, b, d), volume(from, to, d, a) };
+  const bool isBetween = volume(a, b, d, from) * volume(a, b, d, to) < 0.0;
+  const bool isThrough = (sides[0] > 0.0 && sides[1] > 0.0 && sides[2] > 0.0) ||
+    (sides[0] < 0.0 && sides[1] < 0.0 && sides[2] < 0.0);
+  return isBetween && isThrough;
+}
+}
+
+TEST(BoundingTree, VisitsEveryTriangleThatARayMeets)
+{
+  Random random(5);
+  const auto coordinate = [&] { return 0.1 * (random.Below(401) - 200); };
+  for (const NamedSurface& shape : AllShapes())
+  {
+    const BoundingTree tree(shape.Surface);
+    for (int i = 0; i < 40; ++i)
+    {
+      const Vector3 from(coordinate(), coordinate(), coordinate());
+      Vector3 to(coordinate(), coordinate(), coordinate());
+      to[i % 3] = i % 2 == 0 ? from[i % 3] : to[i % 3]; // also along planes of the axes
+      const double length = (to - from).norm();
+      if (length == 0.0)
+      {
+        continue;
+      }
+      std::vector<char> isVisited(shape.Surface.Triangles.size(), 0);
+      tree.VisitAlong(from, (to - from) / length, length,
+        [&](Index triangle) { isVisited[static_cast<std::size_t>(triangle)] = 1; });
+      for (std::size_t t = 0; t < isVisited.size(); ++t)
+      {
+        if (Meets(shape.Surface, shape.Surface.Triangles[t], from, to))
+        {
+          EXPECT_EQ(isVisited[t], 1) << shape.Name << " " << t;
+        }
+      }
+    }
+  }
+}
+
+TEST(BoundingTree, VisitsFewTrianglesAlongARay)
+{
+  const Surface sphere = Icosphere(5, 10.0);
+  const BoundingTree tree(sphere);
+  const auto count = [&](const Vector3& from, const Vector3& direction, double length)
+  {
+    int visits = 0;
+    tree.VisitAlong(from, direction, length, [&](Index) { ++visits; });
+    return visits;
+  };
+  EXPECT_GE(count({ 0.1, 0.2, 0.0 }, { 0, 0, 1 }, 100.0), 1);
+  EXPECT_LE(count({ 0.1, 0.2, 0.0 }, { 0, 0, 1 }, 100.0), 40);
+  EXPECT_EQ(count({ 0.1, 0.2, 0.0 }, { 0, 0, 1 }, 5.0), 0) << "too short";
+  EXPECT_EQ(count({ 0.1, 0.2, 11.0 }, { 0, 0, 1 }, 100.0), 0) << "the other way";
+}

@@ -23,12 +23,6 @@ const BinarySurface& TestTorus()
   return torus;
 }
 
-Options Smoothed(double millimeters, Options options)
-{
-  options.Smoothing = millimeters;
-  return options;
-}
-
 Options Automatic(Options options)
 {
   options.AutomaticSmoothing = true;
@@ -359,17 +353,4 @@ TEST(AutomaticSmoothing, UsesTheLabelMapOfTheInput)
   EXPECT_EQ(result.Report.Smoothing.From, SmoothingFigures::Source::LabelMap);
   EXPECT_NEAR(result.Report.Smoothing.Bound, 0.25, 1e-12);
   EXPECT_EQ(CountChangedVoxels(turned, result.Surface), 0);
-}
-
-TEST(AutomaticSmoothing, WarnsWhereThinPartsLose)
-{
-  // A needle two voxels thick.
-  const BinarySurface needle = MarchedShape(BoxShape({ 0.5, 0.5, 5.0 }), 6.0, { 0.55, 0.55, 0.55 });
-  const Result result = Decimate(needle.Surface, Smoothed(0.5, Reduction(0.0)));
-  ASSERT_EQ(result.Report.Status, InputStatus::Good);
-  EXPECT_LT(result.Report.Smoothing.LargestVolumeChange, -0.1);
-  const std::vector<std::string> warnings = InputWarnings(result.Report);
-  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
-    [](const std::string& warning)
-    { return warning.find("changed the volume") != std::string::npos; }));
 }

@@ -19,6 +19,13 @@ namespace bonedecimate::testsupport
 {
 inline const Vector3 Cubic(0.5, 0.5, 0.5);
 
+/// A run that smooths first.
+inline Options Smoothed(double millimeters, Options options)
+{
+  options.Smoothing = millimeters;
+  return options;
+}
+
 inline SmoothingSettings Within(double radius)
 {
   SmoothingSettings settings;

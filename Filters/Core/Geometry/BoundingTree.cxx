@@ -13,16 +13,10 @@ namespace bonedecimate
 namespace
 {
 constexpr Index Width = 4; // children of a node
-/// A child has little more than a quarter of the triangles of its parent, so 2^31 triangles need 17 levels.
-constexpr std::size_t LargestStack = 128;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// Boxes are enlarged by this fraction of the whole and of the coordinate: four times the rounding of single precision.
 constexpr double Growth = 1.0 / (1 << 22);
-/// A squared distance to a box in single precision is too large by less than this factor.
-constexpr double Slack = 1.0 + 1e-5;
 /// Coordinates are clamped to this, in lengths of the whole, so that squares stay finite; all boxes are equally far then.
 constexpr double Far = 1e12;
-constexpr double LargestSquare = 1e38;
 constexpr double LeastLength = 1e-290; // mm; the scale of a smaller surface would overflow
 
 struct Range
@@ -64,35 +58,6 @@ std::array<Range, 2> Halve(Middle* middles, const Range& range)
     [axis](const Middle& a, const Middle& b)
     { return a.At[axis] != b.At[axis] ? a.At[axis] < b.At[axis] : a.Id < b.Id; });
   return { Range{ range.First, middle }, Range{ middle, range.Last } };
-}
-
-/// The query point in the unit of the tree.
-struct QueryPoint
-{
-  std::array<float, 3> Low, High; // bounds of its coordinates
-};
-
-/// Squared distances to four boxes. Uses x + |x|, twice the maximum of x and 0, because gcc 12 does not vectorize maxima;
-/// at most one of the distances below and above a box is positive.
-template <typename Boxes>
-std::array<float, 4> SquaredDistances(const QueryPoint& query, const Boxes& boxes)
-{
-  std::array<float, 4> sum = { 0.0F, 0.0F, 0.0F, 0.0F };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    std::array<float, 4> twice;
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      const float below = boxes.Low[axis][i] - query.High[axis];
-      const float above = query.Low[axis] - boxes.High[axis][i];
-      twice[i] = (below + std::abs(below)) + (above + std::abs(above));
-    }
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      sum[i] += 0.25F * twice[i] * twice[i];
-    }
-  }
-  return sum;
 }
 }
 
@@ -273,122 +238,5 @@ void BoundingTree::Bound(Node& node) const
       }
     }
   }
-}
-
-//------------------------------------------------------------------------------
-template <typename Limit, typename Visit>
-void BoundingTree::Walk(const Vector3& p, Limit limit, Visit visit) const
-{
-  struct Waiting
-  {
-    float Square;
-    Index Child;
-  };
-  std::array<Waiting, LargestStack> stack;
-  std::size_t size = 0;
-  QueryPoint query;
-  for (Eigen::Index axis = 0; axis < 3; ++axis)
-  {
-    query.Low[static_cast<std::size_t>(axis)] = this->ToUnit(p[axis], axis, -1.0);
-    query.High[static_cast<std::size_t>(axis)] = this->ToUnit(p[axis], axis, 1.0);
-  }
-  const auto farthest = [&]
-  {
-    const double square = limit() * this->Scale * this->Scale * Slack;
-    return static_cast<float>(std::min(square, LargestSquare));
-  };
-  float most = farthest();
-  if (!this->Nodes.empty())
-  {
-    stack[size++] = { 0.0F, 0 };
-  }
-  while (size > 0)
-  {
-    const Waiting waiting = stack[--size];
-    if (waiting.Square > most)
-    {
-      continue;
-    }
-    if (waiting.Child < 0)
-    {
-      visit(this->Slots[~waiting.Child]);
-      most = farthest();
-      continue;
-    }
-    const Node& node = this->Nodes[waiting.Child];
-    const std::array<float, 4> squares = SquaredDistances(query, node);
-    const std::size_t base = size; // children are inserted above it, the nearest last
-    for (std::size_t child = 0; child < 4; ++child)
-    {
-      if (squares[child] <= most)
-      {
-        std::size_t at = size++;
-        for (; at > base && stack[at - 1].Square < squares[child]; --at)
-        {
-          stack[at] = stack[at - 1];
-        }
-        stack[at] = { squares[child], node.Children[child] };
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-BoundingTree::Nearest BoundingTree::FindNearest(const Vector3& p, Index hintTriangle) const
-{
-  Nearest best;
-  best.Point.SquaredDistance = Infinity;
-  const auto visit = [&](const Slot& slot)
-  {
-    const PointOnTriangle point =
-      NearestOnTriangle(p, slot.Corners[0], slot.Corners[1], slot.Corners[2]);
-    const double previous = best.Point.SquaredDistance;
-    if (point.SquaredDistance < previous ||
-      (point.SquaredDistance == previous && slot.Id < best.Triangle))
-    {
-      best = { slot.Id, point };
-    }
-  };
-  if (hintTriangle != None)
-  {
-    visit(this->Slots[this->SlotOfTriangle[hintTriangle]]);
-  }
-  this->Walk(
-    p, [&] { return best.Point.SquaredDistance; }, visit);
-  return best;
-}
-
-//------------------------------------------------------------------------------
-Index BoundingTree::FindNearestPoint(const Vector3& p, Index hintTriangle) const
-{
-  Index best = None;
-  double squaredDistance = Infinity;
-  const auto visit = [&](const Slot& slot)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const double distance = (p - slot.Corners[i]).squaredNorm();
-      if (distance < squaredDistance || (distance == squaredDistance && slot.Points[i] < best))
-      {
-        best = slot.Points[i];
-        squaredDistance = distance;
-      }
-    }
-  };
-  if (hintTriangle != None)
-  {
-    visit(this->Slots[this->SlotOfTriangle[hintTriangle]]);
-  }
-  this->Walk(
-    p, [&] { return squaredDistance; }, visit);
-  return best;
-}
-
-//------------------------------------------------------------------------------
-void BoundingTree::VisitNear(
-  const Vector3& p, const double& squaredDistance, const std::function<void(Index)>& visit) const
-{
-  this->Walk(
-    p, [&] { return squaredDistance; }, [&](const Slot& slot) { visit(slot.Id); });
 }
 }

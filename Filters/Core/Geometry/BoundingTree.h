@@ -51,6 +51,11 @@ public:
   void VisitNear(
     const Vector3& p, const double& squaredDistance, const std::function<void(Index)>& visit) const;
 
+  /// Calls visit(triangle) for every triangle whose box the ray meets within the length, nearer boxes first.
+  /// @param direction Of length 1.  @param length mm; visit may decrease it.
+  void VisitAlong(const Vector3& from, const Vector3& direction, const double& length,
+    const std::function<void(Index)>& visit) const;
+
 private:
   /// Four children with their boxes, in the unit of the tree (see ToUnit) and slightly enlarged.
   struct Node
@@ -69,6 +74,11 @@ private:
   void SetUnit(const Surface& surface);
   float ToUnit(double coordinate, Eigen::Index axis, double side) const;
   void Bound(Node& node) const;
+
+  /// Visits the slots whose boxes are not farther than `farthest()`, nearer boxes first.
+  /// @param distancesTo Four distances to the children of a node, each at most too large by Slack.
+  template <typename Distances, typename Farthest, typename Visit>
+  void Descend(Distances distancesTo, Farthest farthest, Visit visit) const;
 
   /// Visits the slots whose boxes are not farther than `limit()` (squared, mm^2), nearer boxes first.
   template <typename Limit, typename Visit>

@@ -7,8 +7,10 @@
 #include "Measure/SurfaceDistance.h"
 #include "Mesh/ManifoldPatches.h"
 #include "Mesh/Statistics.h"
+#include "PartComparison.h"
 #include "StageClock.h"
 
+#include <optional>
 #include <utility>
 
 namespace bonedecimate
@@ -45,6 +47,12 @@ public:
     report.Output = editor.NumberOfCollapses() == 0
       ? Describe(this->Run.LocalResult, counts, threads)
       : Describe(this->Run.LocalResult, threads);
+    if (this->Run.SmallestPart > 0.0)
+    {
+      this->Parts.emplace(this->Run.Cleaned, this->Run.Inputs);
+      report.Parts =
+        this->Parts->Compare(editor.Mesh(), this->Run.LocalResult, this->Run.SmallestPart);
+    }
   }
 
   void MeasureDistances()
@@ -71,6 +79,7 @@ public:
     if (this->Requested.MeasureDistances)
     {
       this->MeasureBack(original, tree, samples, backFrom, inputFrom);
+      this->MeasureThickness(tree);
     }
     if (this->Requested.MeasureInputDistances)
     {
@@ -142,6 +151,16 @@ private:
     this->Output.Report.DistancesMeasured = this->Progress.GoesOn();
   }
 
+  void MeasureThickness(const BoundingTree& tree)
+  {
+    const int threads = this->Requested.NumberOfThreads;
+    if (this->Parts && this->Progress.GoesOn())
+    {
+      this->Parts->MeasureThickness(this->Run.MeshEditor.Reference().Tree(threads), tree,
+        this->Run.LocalResult, threads, this->Output.Report.Parts);
+    }
+  }
+
   /// Curve to curve. Skipped without MergePoints, where every triangle has a boundary of its own.
   void MeasureBoundaries(double from, double to)
   {
@@ -180,6 +199,7 @@ private:
   RunProgress& Progress;
   Result& Output;
   Surface LocalReference;
+  std::optional<PartComparer> Parts;
   double MeasuredAt; // progress at its end, 0 to 1
 };
 }

@@ -6,6 +6,8 @@
  *        the reference, if there is one.
  *
  *     Describe(input), Describe(result)      counts, area, volume
+ *     PartComparer                           the same of each component or label, if the surface was smoothed; thickness, too,
+ *                                            if distances are measured
  *     Certify(input, result)                 open boundaries, curve to curve, unless a certificate follows
  *     MeasureDistance                        both directions, by samples
  *     PointDistances                         of each point of the input
@@ -29,6 +31,8 @@ struct EvaluatedRun
   const Surface& LocalResult; ///< mm, relative to Cleaned.Origin
   const Surface* Reference;   ///< mm, as stored; distances are measured to it; null: to the input.
   bool IsProvedNext;          ///< whether a certificate of surfaces and boundaries follows
+  const RunInputs& Inputs;
+  double SmallestPart; ///< mm^3, PartComparison::SmallestVolume; 0: parts are not compared.
 };
 
 /// Progress at which the evaluation begins and ends, 0 to 1.

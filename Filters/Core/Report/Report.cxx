@@ -18,8 +18,6 @@ namespace bonedecimate
 namespace
 {
 constexpr double LabelChangeToTell = 0.01;
-/// Of the volume of a closed component, by smoothing.
-constexpr double VolumeChangeToTell = 0.1;
 
 std::string Found(std::int64_t count, const char* what, const char* kind, std::int64_t first)
 {
@@ -46,7 +44,7 @@ std::vector<std::string> IdleWarnings(const Report& report)
   return IneffectiveOptions(options, given);
 }
 
-/// Nothing was smoothed, or something lost or gained much.
+/// Nothing was smoothed.
 std::vector<std::string> SmoothingWarnings(const SmoothingFigures& smoothing)
 {
   using Source = SmoothingFigures::Source;
@@ -59,15 +57,6 @@ std::vector<std::string> SmoothingWarnings(const SmoothingFigures& smoothing)
           "than its voxels (Smoothing smooths it anyway)"
         : "the surface was not smoothed: it is not the unmodified surface of a binary segmentation "
           "(Smoothing smooths it anyway)");
-  }
-  if (std::abs(smoothing.LargestVolumeChange) > VolumeChangeToTell)
-  {
-    char text[160];
-    std::snprintf(text, sizeof(text),
-      "smoothing changed the volume of a component by %.3g %%: parts that are two voxels thin or "
-      "less lose most",
-      100.0 * smoothing.LargestVolumeChange);
-    warnings.emplace_back(text);
   }
   return warnings;
 }
@@ -215,6 +204,8 @@ std::vector<std::string> InputWarnings(const Report& report)
   warnings.insert(warnings.end(), ofSize.begin(), ofSize.end());
   const std::vector<std::string> ofSmoothing = SmoothingWarnings(report.Smoothing);
   warnings.insert(warnings.end(), ofSmoothing.begin(), ofSmoothing.end());
+  const std::vector<std::string> ofParts = PartWarnings(report.Parts);
+  warnings.insert(warnings.end(), ofParts.begin(), ofParts.end());
   if (found.DroppedTriangles > 0)
   {
     warnings.push_back(Found(found.DroppedTriangles, "triangles without area were left out",

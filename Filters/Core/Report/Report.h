@@ -10,6 +10,7 @@
 #include "Diagnostics/Diagnostics.h"
 #include "LabelMap/VoxelCheck.h"
 #include "Options/Options.h"
+#include "PartFigures.h"
 #include "Surface.h"
 
 #include <array>
@@ -217,8 +218,6 @@ struct SmoothingFigures
   double AreaAfter = 0.0;
   double VolumeBefore = 0.0; ///< mm^3, of all closed components.
   double VolumeAfter = 0.0;
-  double LargestVolumeChange =
-    0.0; ///< Of a closed component, as a fraction of its volume, with its sign.
   std::int64_t SharpPoints = 0; ///< On edges that were kept because of FeatureAngle.
   std::int64_t LimitedPoints =
     0; ///< Whose bound was lowered, because triangles would intersect or turn over.
@@ -322,6 +321,7 @@ struct Report
   VoxelReport Voxels; ///< Of an input with a voxel grid.
   SizeFigures Size;
   SmoothingFigures Smoothing;
+  PartComparison Parts; ///< Of a surface that was smoothed as a whole: input and result.
   /// mm, maxError of the thesis: the largest distance of a new vertex to the input, after each collapse in mode Thesis and
   /// at the end in other modes. NaN if not measured (other modes without MeasureDistances and origins); tables omit it then.
   double RunningError = 0.0;

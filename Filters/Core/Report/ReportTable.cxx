@@ -110,6 +110,23 @@ void AddLabels(Entries& entries, const Report& report)
   }
 }
 
+/// None if it is not a number.
+void AddIfKnown(Entries& entries, const std::string& name, const std::string& unit, double value)
+{
+  if (!std::isnan(value))
+  {
+    entries.push_back({ name, unit, value });
+  }
+}
+
+void AddPosition(Entries& entries, const std::string& path, const Vector3& position)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    entries.push_back({ path + "." + std::to_string(axis), "mm", position[axis] });
+  }
+}
+
 /// The diagnostics, a list of objects.
 void AddDiagnostics(Entries& entries, const std::vector<Diagnostic>& diagnostics)
 {
@@ -122,10 +139,7 @@ void AddDiagnostics(Entries& entries, const std::vector<Diagnostic>& diagnostics
     entries.push_back({ path + ".severity", "", std::string(SeverityWord(info.Severity)) });
     entries.push_back({ path + ".sentence", "", DiagnosticSentence(found) });
     entries.push_back({ path + ".count", "", found.Count });
-    if (!std::isnan(found.Length))
-    {
-      entries.push_back({ path + ".length", "mm", found.Length });
-    }
+    AddIfKnown(entries, path + ".length", "mm", found.Length);
     for (std::size_t k = 0; k < found.First.size() && !info.Of.empty(); ++k)
     {
       entries.push_back({ path + ".first_" + info.Of + "s." + std::to_string(k), "",
@@ -147,14 +161,8 @@ void AddPruned(Entries& entries, const PruneFigures& pruned)
     entries.push_back({ path + ".triangles", "", all[i].Triangles });
     entries.push_back({ path + ".size", "mm", all[i].Size });
     entries.push_back({ path + ".area", "mm2", all[i].Area });
-    if (!std::isnan(all[i].Volume))
-    {
-      entries.push_back({ path + ".volume", "mm3", all[i].Volume });
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      entries.push_back({ path + ".center." + std::to_string(axis), "mm", all[i].Center[axis] });
-    }
+    AddIfKnown(entries, path + ".volume", "mm3", all[i].Volume);
+    AddPosition(entries, path + ".center", all[i].Center);
   }
 }
 
@@ -187,10 +195,42 @@ void AddSmoothing(Entries& entries, const SmoothingFigures& smoothing)
   entries.push_back({ "smoothing.area_after", "mm2", smoothing.AreaAfter });
   entries.push_back({ "smoothing.volume_before", "mm3", smoothing.VolumeBefore });
   entries.push_back({ "smoothing.volume_after", "mm3", smoothing.VolumeAfter });
-  entries.push_back({ "smoothing.largest_volume_change", "", smoothing.LargestVolumeChange });
   entries.push_back({ "smoothing.sharp_points", "", smoothing.SharpPoints });
   entries.push_back({ "smoothing.limited_points", "", smoothing.LimitedPoints });
   entries.push_back({ "smoothing.rounds", "", smoothing.Rounds });
+}
+
+void AddPart(Entries& entries, const std::string& path, const PartFigures& part)
+{
+  if (!part.Label.empty())
+  {
+    entries.push_back({ path + ".label", "", part.Label });
+  }
+  entries.push_back({ path + ".triangles", "", part.Triangles });
+  AddPosition(entries, path + ".center", part.Center);
+  for (const auto& [side, measures] :
+    { std::pair(".input", &part.Input), std::pair(".output", &part.Output) })
+  {
+    entries.push_back({ path + side + ".area", "mm2", measures->Area });
+    AddIfKnown(entries, path + side + ".volume", "mm3", measures->Volume);
+    AddIfKnown(entries, path + side + ".thickness_median", "mm", measures->Thickness.Median);
+    AddIfKnown(
+      entries, path + side + ".thickness_percentile_5", "mm", measures->Thickness.Percentile5);
+  }
+}
+
+/// Only the largest are listed.
+void AddParts(Entries& entries, const PartComparison& compared)
+{
+  static const char* const kinds[] = { "not_compared", "components", "labels" };
+  entries.push_back({ "parts.kind", "", std::string(WordOf(kinds, compared.Of)) });
+  entries.push_back({ "parts.count", "", static_cast<std::int64_t>(compared.Parts.size()) });
+  entries.push_back({ "parts.smallest_volume", "mm3", compared.SmallestVolume });
+  const std::size_t listed = std::min(compared.Parts.size(), PartComparison::MostListed);
+  for (std::size_t i = 0; i < listed; ++i)
+  {
+    AddPart(entries, "parts.list." + std::to_string(i), compared.Parts[i]);
+  }
 }
 
 void AddVoxels(Entries& entries, const VoxelReport& voxels)
@@ -219,10 +259,7 @@ void AddRun(Entries& entries, const Report& report)
   {
     entries.push_back({ "error_bound", "mm", report.Size.ErrorBound });
   }
-  if (!std::isnan(report.RunningError))
-  {
-    entries.push_back({ "running_error", "mm", report.RunningError });
-  }
+  AddIfKnown(entries, "running_error", "mm", report.RunningError);
   if (FindMode(report.Requested.Mode).HasNormalTolerance())
   {
     entries.push_back({ "normal_tolerance", "", report.NormalTolerance });
@@ -257,6 +294,10 @@ void AddSegmentation(Entries& entries, const Report& report)
   if (report.Smoothing.From != SmoothingFigures::Source::NotRequested)
   {
     AddSmoothing(entries, report.Smoothing);
+  }
+  if (report.Parts.Of != PartComparison::Kind::NotCompared)
+  {
+    AddParts(entries, report.Parts);
   }
   if (report.Voxels.WasChecked)
   {

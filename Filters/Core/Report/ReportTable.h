@@ -42,6 +42,10 @@ struct ReportEntry
  *                .{max, second, mean, rms, point_max, point_mean, point_rms, samples, samples_per_mm2}
  *              .{boundary_output_to_input, boundary_input_to_output}.{lower, upper}
  *     voxel    .{from, size, error, largest_error}
+ *     smoothing.{surface, bound, ..., rounds}
+ *     parts    .{kind, count, smallest_volume}, if the surface was smoothed
+ *              .list.N.{label, triangles, center.{0, 1, 2}} of the largest
+ *              .list.N.{input, output}.{area, volume, thickness_median, thickness_percentile_5}
  *     voxels   .{guard, compared, changed, first_changed.{0, 1, 2}}, if the input has a voxel grid
  *              .of_LABEL.{voxels, lost, gained}
  *     reference.{faces, checksum, to_input.{lower, upper}}

@@ -4,8 +4,7 @@
 
 #include "Geometry/Angle.h"
 #include "Geometry/TriangleGeometry.h"
-#include "Mesh/EdgeMatching.h"
-#include "Mesh/Statistics.h"
+#include "Mesh/SurfaceParts.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -90,68 +89,17 @@ double TotalOf(const std::vector<Vector3>& areas, int threads)
     });
 }
 
-/// The closed components of a surface, and a point of each.
-class ClosedComponents
-{
-public:
-  ClosedComponents(const Surface& surface, int threads)
-    : Parts(FindComponents(surface))
-    , First(static_cast<std::size_t>(this->Parts.Count), None)
-    , IsClosed(static_cast<std::size_t>(this->Parts.Count), true)
-  {
-    const EdgeMatching matching(surface.Triangles, surface.Points.size(), threads);
-    for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
-    {
-      const Index part = this->Of(surface.Triangles[t]);
-      this->First[part] = this->First[part] == None ? surface.Triangles[t][0] : this->First[part];
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        this->IsClosed[part] = this->IsClosed[part] && matching.Twins()[4 * t + k] >= 0;
-      }
-    }
-  }
-
-  /// mm^3, of each component; 0 of those that are not closed.
-  std::vector<double> Volumes(
-    const std::vector<Vector3>& points, const std::vector<Triangle>& triangles) const
-  {
-    std::vector<double> volumes(this->First.size(), 0.0);
-    for (const Triangle& c : triangles)
-    {
-      const Index part = this->Of(c);
-      if (this->IsClosed[part])
-      {
-        const Vector3& from = points[this->First[part]];
-        volumes[part] +=
-          (points[c[0]] - from).dot((points[c[1]] - from).cross(points[c[2]] - from)) / 6.0;
-      }
-    }
-    return volumes;
-  }
-
-private:
-  Index Of(const Triangle& corners) const { return this->Parts.OfPoint[corners[0]]; }
-
-  Components Parts;
-  std::vector<Index> First;
-  std::vector<bool> IsClosed;
-};
-
+/// Sums over the closed components.
 void CompareVolumes(
-  const Surface& before, const std::vector<Vector3>& after, int threads, SmoothingFigures& figures)
+  const Surface& before, const std::vector<Vector3>& after, SmoothingFigures& figures)
 {
-  const ClosedComponents parts(before, threads);
-  const std::vector<double> volumesBefore = parts.Volumes(before.Points, before.Triangles);
-  const std::vector<double> volumesAfter = parts.Volumes(after, before.Triangles);
-  for (std::size_t i = 0; i < volumesBefore.size(); ++i)
+  const SurfaceParts parts = ComponentsAsParts(before);
+  const std::vector<PartExtent> first = MeasureParts(before.Points, before.Triangles, parts);
+  const std::vector<PartExtent> last = MeasureParts(after, before.Triangles, parts);
+  for (std::size_t i = 0; i < first.size(); ++i)
   {
-    figures.VolumeBefore += volumesBefore[i];
-    figures.VolumeAfter += volumesAfter[i];
-    const double change = volumesBefore[i] != 0.0 ? volumesAfter[i] / volumesBefore[i] - 1.0 : 0.0;
-    if (std::abs(change) > std::abs(figures.LargestVolumeChange))
-    {
-      figures.LargestVolumeChange = change;
-    }
+    figures.VolumeBefore += first[i].IsClosed ? first[i].Volume : 0.0;
+    figures.VolumeAfter += first[i].IsClosed ? last[i].Volume : 0.0;
   }
 }
 }
@@ -170,7 +118,7 @@ SmoothingFigures CompareSmoothed(const Surface& before, const std::vector<Vector
   areas = AreaVectors(after, before.Triangles, threads);
   figures.AreaAfter = TotalOf(areas, threads);
   figures.AngleAfter = MeanAngle(areas, smoothEdges, threads);
-  CompareVolumes(before, after, threads, figures);
+  CompareVolumes(before, after, figures);
   return figures;
 }
 }
