@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whole runs on surfaces of label maps: no voxel changes where voxels are guarded, and the check sees it where they are not.
 #include "BruteForce.h"
+#include "Certificate/Certificate.h"
 #include "LabelMap/LabelSurfaces.h"
 #include "LabelMap/VoxelCheck.h"
 #include "LabelMaps.h"
@@ -73,7 +74,7 @@ protected:
     EXPECT_EQ(result.Report.Status, InputStatus::Good) << InputMessage(result.Report);
     return result;
   }
-  void ExpectAllKept(const Options& options) const
+  Result ExpectAllKept(const Options& options) const
   {
     const Result result = this->Run(options);
     EXPECT_LT(result.Surface.Triangles.size(), this->Surfaces.Surface.Triangles.size());
@@ -87,6 +88,7 @@ protected:
         { {}, static_cast<Index>(this->Surfaces.Source.Values.size()), 1 });
     EXPECT_TRUE(byMap.IsDone);
     EXPECT_EQ(byMap.Changed, 0) << WordOf(options.Mode);
+    return result;
   }
 };
 
@@ -115,6 +117,33 @@ TEST_P(EachMap, KeepsEveryVoxelInEveryModeWithoutABound)
   {
     this->ExpectAllKept(InMode(mode, Keeping(Unmeasured())));
     this->ExpectAllKept(InMode(mode, Keeping(Reduction(0.5))));
+  }
+}
+
+class SomeMap : public EachMap // smoothed runs take longer
+{
+};
+
+TEST_P(SomeMap, KeepsEveryVoxelAndTheBoundInEveryModeThatSmoothsFirst)
+{
+  const double spacing = Spacing(this->Voxels);
+  const double error = 0.4 * spacing;
+  for (const Mode mode : AllModes())
+  {
+    const bool isProved = FindMode(mode).ProvesError();
+    Options options = InMode(mode, Keeping(isProved ? ErrorOfAnySize(error) : Reduction(0.5)));
+    options.Smoothing = 0.3 * spacing;
+    options.ProveResult = false; // the certificate is called here
+    const Result result = this->ExpectAllKept(options);
+    EXPECT_GT(result.Report.Smoothing.LargestDisplacement, 0.1 * spacing);
+    EXPECT_LT(result.Report.Smoothing.AngleAfter, result.Report.Smoothing.AngleBefore);
+    CertificateOptions certified;
+    certified.Tolerance = error;
+    certified.NumberOfThreads = 1;
+    certified.TightBounds = false;
+    certified.WithMeans = false;
+    EXPECT_TRUE(!isProved ||
+      Certify(this->Surfaces.Surface, result.Surface, certified).Proof == ProofStatus::Proved);
   }
 }
 
@@ -156,6 +185,8 @@ TEST_P(EachMap, ChangesVoxelsWithoutTheGuardAndTheCheckSeesThem)
 }
 
 INSTANTIATE_TEST_SUITE_P(Voxels, EachMap, testing::ValuesIn(Maps()), NameOfMap);
+INSTANTIATE_TEST_SUITE_P(
+  Voxels, SomeMap, testing::Values(Maps().front(), Maps()[4], Maps().back()), NameOfMap);
 
 namespace
 {

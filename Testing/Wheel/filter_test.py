@@ -11,13 +11,14 @@ import threading
 import unittest
 
 import numpy as np
-from vtkmodules.vtkCommonCore import vtkLogger
+from vtkmodules.vtkCommonCore import vtkLogger, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 import specimens
+from bonedecimate import check_voxels, extract_surfaces, vtkBoneDecimate
 from bonedecimate import decimate as decimate_arrays
-from bonedecimate import vtkBoneDecimate
 from bonedecimate.options import ROWS
 from bonedecimate.polydata import numbers, surface_of
 
@@ -241,6 +242,72 @@ except KeyboardInterrupt:
         done = subprocess.run([sys.executable, "-B", "-c", program], cwd=here, capture_output=True, text=True, timeout=60,
                               preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler))
         self.assertEqual(done.stdout, "interrupted\n", done.stderr)
+
+
+def ball_and_cube():
+    """A label map: a ball of label 3 and a cube of label 5."""
+    z, y, x = np.indices((22, 20, 36))
+    labels = np.where((x - 9.6) ** 2 + (y - 9.3) ** 2 + (z - 10.4) ** 2 < 60, 3, 0)
+    labels[6:14, 6:14, 24:32] = 5
+    return labels.astype(np.int16)
+
+
+class LabelMaps(unittest.TestCase):
+    """A surface that does not show its grid, because its points were moved a little."""
+
+    def setUp(self):
+        from vtkmodules.util.numpy_support import numpy_to_vtk
+        labels = ball_and_cube()
+        self.image = vtkImageData()
+        self.image.SetDimensions(labels.shape[::-1])
+        self.image.SetSpacing(0.5, 0.5, 0.5)
+        self.image.GetPointData().SetScalars(numpy_to_vtk(labels.ravel(), deep=True))
+        found = extract_surfaces(labels == 3, spacing=(0.5, 0.5, 0.5))
+        moved = found.points + np.random.default_rng(1).uniform(-0.01, 0.01, found.points.shape)
+        points = vtkPoints()
+        points.SetData(numpy_to_vtk(moved, deep=True))
+        triangles = vtkCellArray()
+        for corners in found.triangles.tolist():
+            triangles.InsertNextCell(3, corners)
+        self.surface = specimens.polydata(points, triangles)
+
+    def decimated(self, **properties):
+        decimate = decimating(self.surface, TargetReduction=0.95, **properties)
+        decimate.SetLabelMapData(self.image)
+        decimate.Update()
+        return decimate
+
+    def test_tell_which_voxels_to_keep(self):
+        kept = self.decimated(Label=3, KeepVoxels=1)
+        self.assertEqual(kept.GetReportText("voxels.guard"), "on")
+        self.assertEqual(kept.GetReportValue("voxels.changed"), 0)
+        changes = check_voxels(kept.GetOutput(), self.image, label=3)
+        self.assertEqual(changes.changed, 0)
+        self.assertEqual(changes.of_label[3].voxels, np.count_nonzero(ball_and_cube() == 3))
+        self.assertLess(kept.GetNumberOfOutputTriangles(), self.surface.GetNumberOfPolys() / 2)
+
+    def test_count_changed_voxels_where_none_is_kept(self):
+        free = self.decimated(Label=3, KeepVoxels=0)
+        self.assertEqual(free.GetReportText("voxels.guard"), "off")
+        changes = check_voxels(free.GetOutput(), self.image, label=3)
+        self.assertGreater(changes.changed, 0)
+        self.assertEqual(free.GetReportValue("voxels.changed"), changes.changed)
+
+    def test_are_needed_to_keep_voxels(self):
+        decimate = decimating(self.surface, KeepVoxels=1)
+        ear = specimens.Ear(decimate)
+        decimate.Update()
+        self.assertRegex(ear.texts[0], "^ErrorEvent: KeepVoxels is on, but the surface has no voxel grid")
+
+    def test_need_the_label_of_the_surface(self):
+        decimate = decimating(self.surface)
+        decimate.SetLabelMapData(self.image)
+        ear = specimens.Ear(decimate)
+        decimate.Update()
+        self.assertRegex(ear.texts[0], "^ErrorEvent: .*labels 3, 5")
+        decimate.SetLabel(5)  # another one than that of the surface
+        decimate.Update()
+        self.assertRegex(ear.texts[1], "^WarningEvent: label_map and the surface differ in")
 
 
 if __name__ == "__main__":
