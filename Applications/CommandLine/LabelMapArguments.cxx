@@ -27,7 +27,14 @@ void AddLabelMap(CLI::App& app, LabelMapFile& map, const char* flags, const char
       "The label of the label map that a surface without the array BoundaryLabels encloses; "
       "default "
       "the only one that is not 0." },
-    [&map](double value) { map.Label = static_cast<std::int64_t>(value); });
+    [&map](double value)
+    {
+      if (value == 0.0)
+      {
+        throw Failure(ExitCode::Usage, "--label 0 is the background, which no surface encloses");
+      }
+      map.Label = static_cast<std::int64_t>(value);
+    });
 }
 
 void CheckLabel(const LabelMapFile& map, const std::string& flag)

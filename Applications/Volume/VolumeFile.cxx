@@ -90,7 +90,7 @@ Volume ReadVolume(const std::string& path)
   std::error_code error;
   if (!fs::exists(path, error))
   {
-    return RejectedVolume("it does not exist");
+    return RejectedVolume("there is no such file");
   }
   if (kind == VolumeKind::None)
   {

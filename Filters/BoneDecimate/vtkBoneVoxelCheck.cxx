@@ -4,12 +4,14 @@
 
 #include "FilterProgress.h"
 #include "ImageLabels.h"
+#include "Input/LabelMapInput.h"
 #include "LabelMap/EnclosedLabel.h"
 #include "LabelMap/LabelRanks.h"
 #include "LabelMap/VoxelCheck.h"
 #include "LabelMapArrays.h"
 #include "Pieces.h"
 #include "RejectedValues.h"
+#include "Report/Report.h"
 #include "SurfaceConversion.h"
 
 #include "vtkDataArray.h"
@@ -189,6 +191,18 @@ std::string vtkBoneVoxelCheck::Compare(vtkPolyData* surface, vtkImageData* image
   if (!map.Problem.empty())
   {
     return map.Problem;
+  }
+  bonedecimate::Report found;
+  found.Status = bonedecimate::CheckForVoxels(
+    converted.Surface, labels.Image.Grid, this->NumberOfThreads, found.Cleaning);
+  if (found.Status != bonedecimate::InputStatus::Good)
+  {
+    return bonedecimate::InputMessage(found);
+  }
+  if (!map.Source.OfTriangle.empty() && this->Label != this->BackgroundLabel)
+  {
+    return "Label has no effect on a surface with the array " +
+      std::string(bonedecimate::BoundaryLabelsName);
   }
   const std::vector<std::int64_t> inImage =
     bonedecimate::FindLabelValues(labels.Image, this->NumberOfThreads, {}).Values;

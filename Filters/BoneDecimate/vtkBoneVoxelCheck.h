@@ -36,7 +36,7 @@ public:
   ///@{
   /**
    * The label inside of a surface that has no array BoundaryLabels. The background, 0 by default: the only other label of the image; an
-   * image with several is then an error.
+   * image with several is then an error. So is another label for a surface that has the array.
    */
   vtkSetMacro(Label, vtkTypeInt64);
   vtkGetMacro(Label, vtkTypeInt64);

@@ -146,13 +146,16 @@ class CertifyVoxels(ApplicationTest):
         self.assertIn("warning: labels of the map that the surface does not have count as background: 7", completed.stdout)
         write(bounded(surface_of(blocks(5), 5), 5), self.path("b.vtp"))
         self.succeed("certify", "b.vtp", "--labels", "two.mha", "--quiet")
+        self.fail_with(REJECTED, "certify", "b.vtp", "--labels", "two.mha", "--label", 5, says="BoundaryLabels")
+        self.fail_with(USAGE, "certify", "a.stl", "--labels", "two.mha", "--label", 0, says="--label 0 is the background")
 
     def test_rejects_what_cannot_be_compared(self):
         self.fail_with(USAGE, "certify", "a.stl", says="--labels MAP")
         self.fail_with(USAGE, "certify", "a.stl", "--labels", "one.mha", "--tolerance", 1, says="--tolerance has no effect")
         self.fail_with(USAGE, "certify", "a.stl", "a.stl", "--label", 5, says="--labels FILE")
         self.fail_with(USAGE, "certify", "a.stl", "--labels", "one.mha", "--json", "one.mha", says="one.mha")
-        self.fail_with(REJECTED, "certify", "a.stl", "--labels", "none.mha", says="none.mha")
+        self.fail_with(REJECTED, "certify", "a.stl", "--labels", "none.mha", says="'none.mha' was rejected: there is no such file")
+        self.fail_with(REJECTED, "certify", "a.stl", "--labels", "Bone", says="'Bone' was rejected: there is no such file")
         self.fail_with(REJECTED, "certify", "a.stl", "--labels", "a.stl", says="no volume")
 
 

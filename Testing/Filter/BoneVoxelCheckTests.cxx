@@ -6,9 +6,12 @@
 
 #include "vtkBoneDecimate.h"
 #include "vtkBoneVoxelCheck.h"
+#include "vtkCellArray.h"
+#include "vtkPoints.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 using namespace bonedecimate;
@@ -159,4 +162,45 @@ TEST(BoneVoxelCheck, RejectsAPieceOfASurface)
   check->UpdatePiece(0, 2, 0);
   EXPECT_EQ(check->GetNumberOfComparedVoxels(), 0);
   EXPECT_EQ(errors.Count("one process alone"), 1);
+}
+
+TEST(BoneVoxelCheck, RejectsALabelWhereTheSurfaceSaysWhatItEncloses)
+{
+  const vtkSmartPointer<vtkImageData> image = ImageOf(EllipsoidLabels({ 15, 13, 12 }));
+  const vtkSmartPointer<vtkPolyData> surface = Extracted(image);
+  EXPECT_NE(ErrorOf(surface, image, 2).find("BoundaryLabels"), std::string::npos);
+  EXPECT_EQ(ErrorOf(surface, image, 0), "");
+}
+
+TEST(BoneVoxelCheck, RejectsPointsAndTrianglesThatCannotBeVoxelized)
+{
+  LabelMap map = EllipsoidLabels({ 15, 13, 12 });
+  for (std::int32_t& label : map.Labels)
+  {
+    label = label != 0 ? 7 : 0;
+  }
+  const vtkSmartPointer<vtkImageData> image = ImageOf(map);
+  const vtkSmartPointer<vtkPolyData> good = Extracted(image);
+  const auto errorOf = [&](double coordinate, vtkIdType corner)
+  {
+    vtkNew<vtkPolyData> surface;
+    vtkNew<vtkPoints> points;
+    points->DeepCopy(good->GetPoints());
+    vtkNew<vtkCellArray> triangles;
+    triangles->DeepCopy(good->GetPolys());
+    const double moved[3] = { coordinate, 1.0, 1.0 };
+    points->InsertNextPoint(moved);
+    const vtkIdType corners[3] = { 0, 1, corner < 0 ? points->GetNumberOfPoints() - 1 : corner };
+    triangles->InsertNextCell(3, corners);
+    surface->SetPoints(points);
+    surface->SetPolys(triangles);
+    return ErrorOf(surface, image, 0);
+  };
+  EXPECT_EQ(errorOf(1.0, -1), "");
+  EXPECT_NE(
+    errorOf(1.0, 1000000).find("1 triangles have point indices out of range"), std::string::npos);
+  EXPECT_NE(
+    errorOf(std::nan(""), -1).find("1 points have NaN or infinite coordinates"), std::string::npos);
+  EXPECT_NE(errorOf(1e31, -1).find("beyond 1e30"), std::string::npos);
+  EXPECT_NE(errorOf(1e6, -1).find("farther than 65536 voxels"), std::string::npos);
 }

@@ -62,7 +62,7 @@ TEST_F(VolumeRejects, MissingFile)
 {
   for (const char* name : { "no.vti", "no.mha", "no.nrrd", "no" })
   {
-    ExpectRejection(this->Folder.File(name), "does not exist");
+    ExpectRejection(this->Folder.File(name), "there is no such file");
   }
 }
 

@@ -69,6 +69,18 @@ InputStatus CheckLabelMap(
 }
 
 //------------------------------------------------------------------------------
+InputStatus CheckForVoxels(
+  const Surface& surface, const VoxelGrid& grid, int threads, CleaningStatistics& found)
+{
+  const InputStatus status = CheckSurface(surface, threads, found);
+  const bool isUsable = status == InputStatus::Good || status == InputStatus::Empty ||
+    status == InputStatus::NoTriangles;
+  return !isUsable              ? status
+    : IsNearGrid(surface, grid) ? InputStatus::Good
+                                : InputStatus::BadLabelMap;
+}
+
+//------------------------------------------------------------------------------
 bool GuardsVoxels(const LabelMapSource* source, const Options& options)
 {
   if (!HasGrid(source) || options.KeepVoxels == KeepVoxels::Off)

@@ -90,9 +90,9 @@ InputStatus CheckTriangles(const Surface& input, int threads, CleaningStatistics
   found.FirstTriangleOutOfRange = outside.First;
   return outside.Count > 0 ? InputStatus::IndexOutOfRange : InputStatus::Good;
 }
+}
 
-/// The first kind of defect that makes the input unusable.
-InputStatus Check(const Surface& input, int threads, CleaningStatistics& found)
+InputStatus CheckSurface(const Surface& input, int threads, CleaningStatistics& found)
 {
   found.PointsRead = static_cast<std::int64_t>(input.Points.size());
   found.TrianglesRead = static_cast<std::int64_t>(input.Triangles.size());
@@ -111,6 +111,8 @@ InputStatus Check(const Surface& input, int threads, CleaningStatistics& found)
   return status;
 }
 
+namespace
+{
 /// How cleaning treats a triangle.
 enum class Fate : std::uint8_t
 {
@@ -350,7 +352,7 @@ private:
 CleanSurface Clean(const Surface& input, bool mergePoints, int threads)
 {
   CleanSurface clean;
-  clean.Status = Check(input, threads, clean.Statistics);
+  clean.Status = CheckSurface(input, threads, clean.Statistics);
   if (clean.Status == InputStatus::Good && !Cleaner(input, threads, clean).Run(mergePoints))
   {
     clean.Status = InputStatus::NoTriangles;

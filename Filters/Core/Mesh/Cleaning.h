@@ -37,6 +37,9 @@ struct CleanSurface
   PatchMap ManifoldPatches; ///< Empty until it is split.
 };
 
+/// The first kind of defect that makes the input unusable; Good if there is none.
+InputStatus CheckSurface(const Surface& input, int threads, CleaningStatistics& found);
+
 /**
  * Triangles with a repeated corner are dropped. A triangle of zero area with three different corners is dropped
  * only if it has neighbors at no more than one edge: otherwise dropping it would open a crack.
