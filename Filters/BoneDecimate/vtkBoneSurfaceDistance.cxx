@@ -5,6 +5,7 @@
 #include "FilterProgress.h"
 #include "Input/Tolerances.h"
 #include "NamedEntries.h"
+#include "Pieces.h"
 #include "RejectedValues.h"
 #include "Report/CertificateTable.h"
 #include "Report/ReportJson.h"
@@ -186,6 +187,14 @@ std::string vtkBoneSurfaceDistance::GetReportText(const std::string& name) const
 int vtkBoneSurfaceDistance::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  this->Internal->Result = {};
+  this->Internal->Entries = bonedecimate::NamedEntries({});
+  if (bonedecimate::RequestedPiece(inputVector[0]).Pieces > 1)
+  {
+    vtkErrorMacro(<< "vtkBoneSurfaceDistance is for one process alone: what is nearest to a point "
+                     "of a part may lie in another; gather both surfaces first");
+    return 0;
+  }
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* result = vtkPolyData::GetData(inputVector[1]);
   if (this->Internal->Rejected.Report(this) || !this->TakeTolerances(reference) ||

@@ -20,6 +20,7 @@
  *
  * A surface that cannot be used (NaN in a triangle, an index out of range) is an error with empty outputs. If one has no
  * triangles, both pass through without arrays, with a warning.
+ * Pieces of a surface on several processes are rejected.
  *
  * @sa vtkBoneDecimate vtkHausdorffDistancePointSetFilter vtkDistancePolyDataFilter
  */

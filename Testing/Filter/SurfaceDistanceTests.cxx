@@ -11,9 +11,12 @@
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVariant.h"
 
 #include <gtest/gtest.h>
@@ -199,6 +202,26 @@ TEST(SurfaceDistanceFilter, RejectsWhatIsNoSurface)
   EXPECT_EQ(empty.Errors, 0);
   EXPECT_EQ(empty.Warnings, 1);
   EXPECT_TRUE(std::isnan(empty->GetUpperBound()));
+}
+
+TEST(SurfaceDistanceFilter, RejectsAPieceOfASurface)
+{
+  for (const int port : { 0, 1 })
+  {
+    DistanceRun run(Plate(0.0), Plate(0.25));
+    run->SetTolerance(0.5);
+    run->Update();
+    EXPECT_EQ(run->GetStatus(), vtkBoneSurfaceDistance::PROVED);
+    vtkNew<vtkInformationVector> requests;
+    requests->SetNumberOfInformationObjects(2);
+    vtkInformation* request = requests->GetInformationObject(port);
+    request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+    request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 2);
+    EXPECT_FALSE(run->Update(port, requests));
+    EXPECT_EQ(run.Errors, 1) << port;
+    EXPECT_EQ(run->GetStatus(), vtkBoneSurfaceDistance::NOT_ASKED);
+    EXPECT_TRUE(std::isnan(run->GetUpperBound()));
+  }
 }
 
 TEST(SurfaceDistanceFilter, PrintsEveryProperty)
