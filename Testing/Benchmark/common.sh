@@ -1,9 +1,24 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What the benchmarks have in common: programs and peers. To be sourced, with $here, $root, $build and $with_meshlib set.
+# What the benchmarks have in common: arguments, programs and peers. To be sourced, with $here and $root set.
 
-venv=$build/benchmark/venv
+# Sets $build, $venv, $with_meshlib and $arguments, those of the Python program.
+read_arguments()
+{
+  build=$root/build/release
+  with_meshlib=no
+  arguments=()
+  while [ $# -gt 0 ]; do
+    case $1 in
+      --build) build=$(cd "$2" && pwd); shift ;;
+      --with-meshlib) with_meshlib=yes; arguments+=("$1") ;;
+      *) arguments+=("$1") ;;
+    esac
+    shift
+  done
+  venv=$build/benchmark/venv
+}
 
 build_programs()
 {

@@ -15,20 +15,10 @@
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../.." && pwd)
-build=$root/build/release
-with_meshlib=no
-arguments=()
-while [ $# -gt 0 ]; do
-  case $1 in
-    --build) build=$(cd "$2" && pwd); shift ;;
-    --with-meshlib) with_meshlib=yes; arguments+=("$1") ;;
-    *) arguments+=("$1") ;;
-  esac
-  shift
-done
 # shellcheck source=common.sh
 . "$here/common.sh"
 
+read_arguments "$@"
 build_programs
 prepare_python
 own=$(sed -n 's/^_Python3_EXECUTABLE:INTERNAL=//p' "$build/CMakeCache.txt") # that the package is built for

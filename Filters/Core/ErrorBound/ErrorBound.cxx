@@ -52,25 +52,7 @@ ErrorBound::~ErrorBound() = default;
 //------------------------------------------------------------------------------
 std::shared_ptr<EditFilter::Pending> ErrorBound::MakePending()
 {
-  std::unique_ptr<Prover> prover;
-  {
-    const std::lock_guard<std::mutex> lock(this->Lending);
-    if (!this->Idle.empty())
-    {
-      prover = std::move(this->Idle.back());
-      this->Idle.pop_back();
-    }
-  }
-  if (!prover)
-  {
-    prover = std::make_unique<Prover>(*this);
-  }
-  return std::shared_ptr<Prover>(prover.release(),
-    [this](Prover* returned)
-    {
-      const std::lock_guard<std::mutex> lock(this->Lending);
-      this->Idle.emplace_back(returned);
-    });
+  return this->Provers.Borrow([this] { return std::make_unique<Prover>(*this); });
 }
 
 //------------------------------------------------------------------------------

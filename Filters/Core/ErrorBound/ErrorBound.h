@@ -22,11 +22,11 @@
 #include "ErrorLimits.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Reference/Original.h"
+#include "WorkspacePool.h"
 
 #include <array>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 namespace bonedecimate
@@ -92,8 +92,7 @@ private:
   /// Originals that could not be proved, the last one first.
   using Witness = std::array<Index, 4>;
   std::vector<Witness> Witnesses; // of each vertex
-  std::mutex Lending;
-  std::vector<std::unique_ptr<Prover>> Idle;
+  WorkspacePool<Prover> Provers;
 };
 }
 
