@@ -8,6 +8,7 @@ import re
 import subprocess
 
 from application import DONE, PROGRAM, ApplicationTest, main, sphere, together, torus, write
+from label_maps import ball, surface_of
 
 
 class SummaryAndReport(ApplicationTest):
@@ -61,6 +62,24 @@ class SummaryAndReport(ApplicationTest):
         self.assertRegex(text, r"written +out.vtp\n")
         self.assertRegex(text, r"written +report.json\n")
         self.assertLess(text.count("\n"), 12)
+
+    def test_parts_of_a_smoothed_surface_have_area_volume_and_thickness(self):
+        write(surface_of(ball(), 1), self.path("ball.ply"))
+        text = self.succeed("ball.ply", "out.vtp", "--smooth", 0.3, "--target-reduction", 0.3,
+                            "--report", "report.json", "--page", "page.html").stdout
+        parts = self.report()["parts"]
+        self.assertEqual((parts["kind"], parts["count"], len(parts["list"])), ("components", 1, 1))
+        before, after = parts["list"][0]["input"], parts["list"][0]["output"]
+        self.assertAlmostEqual(after["volume"] / before["volume"], 1, delta=0.1)
+        self.assertLess(after["area"], before["area"])
+        self.assertRegex(text, r"parts +1 components, before -> after")
+        cells = [f"{before[name]:.{decimals}f} -> {after[name]:.{decimals}f}" for name, decimals in (
+            ("area", 1), ("volume", 1), ("thickness_median", 3), ("thickness_percentile_5", 3))]
+        page = self.path("page.html").read_text(encoding="utf-8")
+        self.assertIn("Area, volume and thickness", page)
+        for cell in cells:
+            self.assertIn(cell, text)
+            self.assertIn(cell.replace("->", "&rarr;"), page)
 
     def test_no_distances_where_none_are_measured(self):
         text = self.succeed("in.ply", "out.vtp", "--measure", "off", "--report", "report.json").stdout
