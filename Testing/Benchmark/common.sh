@@ -1,7 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What the benchmarks have in common: arguments, programs and peers. To be sourced, with $here and $root set.
+# What the benchmarks have in common: arguments, programs and peers. To be sourced, with $here set to this folder.
+
+root=$(cd "$here/../.." && pwd)
 
 # Sets $build, $venv, $with_meshlib and $arguments, those of the Python program.
 read_arguments()
@@ -55,4 +57,12 @@ prepare_python()
     [ $with_meshlib = no ] || install_peers "$here/requirements-meshlib.txt"
     python=$venv/bin/python
   fi
+}
+
+# Reads the arguments of the script, builds, and sets what the functions above set.
+prepare()
+{
+  read_arguments "$@"
+  build_programs
+  prepare_python
 }

@@ -14,12 +14,9 @@
 # that says so. MeshLib only takes part with --with-meshlib: its license is for non-commercial use.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-root=$(cd "$here/../.." && pwd)
 # shellcheck source=common.sh
 . "$here/common.sh"
 
-read_arguments "$@"
-build_programs
-prepare_python
+prepare "$@"
 export PYTHONPATH=$here PYTHONDONTWRITEBYTECODE=1
 exec "$python" -m bonebench --programs "$build/bin" --work "$build/benchmark" ${arguments[@]+"${arguments[@]}"}

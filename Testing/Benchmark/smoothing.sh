@@ -14,13 +14,10 @@
 # out. MeshLib only takes part with --with-meshlib: its license is for non-commercial use.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-root=$(cd "$here/../.." && pwd)
 # shellcheck source=common.sh
 . "$here/common.sh"
 
-read_arguments "$@"
-build_programs
-prepare_python
+prepare "$@"
 own=$(sed -n 's/^_Python3_EXECUTABLE:INTERNAL=//p' "$build/CMakeCache.txt") # that the package is built for
 "$python" -c 'import vtkmodules' 2> /dev/null || python=$own
 export PYTHONPATH=$here PYTHONDONTWRITEBYTECODE=1

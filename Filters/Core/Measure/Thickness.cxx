@@ -108,8 +108,7 @@ private:
 /// The value that this fraction of the values is below.
 double QuantileOf(std::vector<double>& values, double fraction)
 {
-  const auto at = values.begin() +
-    static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1) + 0.5);
+  const auto at = values.begin() + std::lround(fraction * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
