@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FaceGrid.h"
 
+#include "Memory/Prefetch.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -167,9 +169,14 @@ void FaceGrid::AddCells(const TriangleCorners& corners, double reach, std::vecto
   const double perSide = 1.0 / this->Side;
   TriangleCorners p = { corners[0] * perSide, corners[1] * perSide, corners[2] * perSide };
   // In whatever order they come: what is inserted has to be found when it is removed.
-  std::sort(p.begin(), p.end(),
-    [](const Vector3& a, const Vector3& b)
-    { return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3); });
+  for (const std::size_t i : { 0U, 1U, 0U })
+  {
+    if (std::lexicographical_compare(
+          p[i + 1].data(), p[i + 1].data() + 3, p[i].data(), p[i].data() + 3))
+    {
+      std::swap(p[i], p[i + 1]);
+    }
+  }
   const Columns columns(p, reach * perSide + Rounding);
   const Eigen::Index u = (columns.Along + 1) % 3;
   const Eigen::Index v = (columns.Along + 2) % 3;
@@ -192,7 +199,7 @@ void FaceGrid::AddCells(const TriangleCorners& corners, double reach, std::vecto
 std::size_t FaceGrid::SlotOf(Key cell) const
 {
   const std::size_t mask = this->Cells.size() - 1;
-  std::size_t slot = static_cast<std::size_t>((cell * 0x9E3779B97F4A7C15ULL) >> 20U) & mask;
+  std::size_t slot = this->FirstSlotOf(cell);
   while (this->Cells[slot].Name != cell && this->Cells[slot].Name != Free)
   {
     slot = (slot + 1) & mask;
@@ -246,6 +253,16 @@ FaceGrid::Key FaceGrid::CellAt(const Vector3& corner) const
 {
   const Vector3 p = corner * (1.0 / this->Side);
   return NameOf(Floor(p[0]), Floor(p[1]), Floor(p[2]));
+}
+
+//------------------------------------------------------------------------------
+bool FaceGrid::OwnsAll(VertexRange range, const std::vector<Key>& cells) const
+{
+  for (const Key cell : cells)
+  {
+    Prefetch(&this->Cells[this->FirstSlotOf(cell)]);
+  }
+  return std::all_of(cells.begin(), cells.end(), [&](Key cell) { return this->Owns(range, cell); });
 }
 
 //------------------------------------------------------------------------------

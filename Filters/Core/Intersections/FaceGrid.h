@@ -50,6 +50,7 @@ public:
 
   /// Whether the range, which does not hold all, may look into the cell.
   bool Owns(VertexRange range, Key cell) const;
+  bool OwnsAll(VertexRange range, const std::vector<Key>& cells) const;
 
   /// Adds the faces in the cells, each as often as it is met.
   void AddFaces(const std::vector<Key>& cells, std::vector<Index>& faces) const;
@@ -91,6 +92,12 @@ private:
   static constexpr Key Free = ~Key(0);
 
   double CellFor(const HalfEdgeMesh& mesh, double least) const;
+  /// Where the search for a cell begins.
+  std::size_t FirstSlotOf(Key cell) const
+  {
+    return static_cast<std::size_t>((cell * 0x9E3779B97F4A7C15ULL) >> 20U) &
+      (this->Cells.size() - 1);
+  }
   std::size_t SlotOf(Key cell) const;
   Cell& FindOrAdd(Key cell);
   void Grow();

@@ -42,9 +42,9 @@ FaceHistory::FaceHistory(const HalfEdgeMesh& mesh, const EditJournal& journal)
       this->Replace(edit);
     }
   }
+  this->SortBySize();
   this->Current = {};
   this->CurrentPositions = {};
-  this->SortBySize();
 }
 
 //------------------------------------------------------------------------------
@@ -91,7 +91,8 @@ void FaceHistory::Add(FaceId face, const Triangle& vertices, Index made)
   this->Current[face] = static_cast<Index>(this->Versions.size());
   this->Versions.push_back({ face, vertices,
     { this->CurrentPositions[vertices[0]], this->CurrentPositions[vertices[1]],
-      this->CurrentPositions[vertices[2]] } });
+      this->CurrentPositions[vertices[2]] },
+    made });
   this->Boxes.push_back(
     { FloatBox(this->CornersOf(this->Versions.back())), made, SpaceTimeTree::Never });
 }
@@ -119,10 +120,17 @@ void FaceHistory::Replace(Index edit)
 //------------------------------------------------------------------------------
 void FaceHistory::SortBySize()
 {
+  std::vector<Index> startOfFaces(this->Current.size() + 1, 0);
+  for (const Version& version : this->Versions)
+  {
+    ++startOfFaces[version.Face + 1];
+  }
+  std::partial_sum(startOfFaces.begin(), startOfFaces.end(), startOfFaces.begin());
   std::vector<Index> byFace(this->Versions.size());
-  std::iota(byFace.begin(), byFace.end(), 0);
-  std::stable_sort(byFace.begin(), byFace.end(),
-    [this](Index a, Index b) { return this->Versions[a].Face < this->Versions[b].Face; });
+  for (std::size_t i = 0; i < this->Versions.size(); ++i)
+  {
+    byFace[startOfFaces[this->Versions[i].Face]++] = static_cast<Index>(i);
+  }
   std::array<std::size_t, Sizes + 1> starts{};
   for (const TimedBox& box : this->Boxes)
   {

@@ -31,6 +31,7 @@ public:
     FaceId Face;
     Triangle Vertices;
     std::array<Index, 3> Positions; ///< Of the corners, for CornersOf.
+    Index Made;                     ///< The edit that made it; None: it was there before.
   };
 
   /// @param mesh After the edits of the journal that are not undone. The journal must outlive this object and get no more edits.

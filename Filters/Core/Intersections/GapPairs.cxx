@@ -55,12 +55,18 @@ bool IsTooNear(
   const bool isOwn = widths.PartOf(piece.Vertices[0]) == widths.PartOf(near.Vertices[0]);
   const double squared = LeastGapRatio * LeastGapRatio * gap * gap; // mm^2
   if (!std::isfinite(gap) || SquaredDistance(piece, near) >= squared ||
-    (isOwn && piece.Normal.dot(near.Normal) >= 0.0) || CountShared(piece, near) > 0)
+    CountShared(piece, near) > 0)
+  {
+    return false;
+  }
+  const Vector3 normal = isOwn ? piece.Normal() : Vector3::Zero();
+  const Vector3 normalOfNear = isOwn ? near.Normal() : Vector3::Zero();
+  if (isOwn && normal.dot(normalOfNear) >= 0.0)
   {
     return false;
   }
   const Way way = WayBetween(piece.Corners, near.Corners);
-  if (way.SquaredLength >= squared || (isOwn && !Face(piece.Normal, near.Normal, way.FromAToB)))
+  if (way.SquaredLength >= squared || (isOwn && !Face(normal, normalOfNear, way.FromAToB)))
   {
     return false;
   }
@@ -87,28 +93,120 @@ void MergeGaps(const EditJournal& journal, const HalfEdgeMesh& mesh, GapRule& wi
 }
 
 //------------------------------------------------------------------------------
+namespace
+{
+/// The pairs of faces of a drafted mesh that are too near.
+class NarrowedGaps
+{
+public:
+  NarrowedGaps(const HalfEdgeMesh& mesh, const GapRule& widths, const EditJournal& journal,
+    const FaceHistory& history)
+    : Mesh(mesh)
+    , Widths(widths)
+    , Journal(journal)
+    , History(history)
+  {
+    MergeGaps(journal, mesh, this->Widths);
+  }
+
+  /// Adds the later edit of each pair of this face.
+  void Look(FaceId face, std::vector<Index>& edits) const
+  {
+    const Triangle v = this->Mesh.Corners(face);
+    const Piece piece = PieceWithGap(this->Mesh, this->Widths, v, CornersOf(this->Mesh, v));
+    this->History.VisitAt(FloatBox(piece.Corners, piece.Reach), this->Journal.Count(),
+      [&](const FaceHistory::Version& version)
+      {
+        if (version.Face == face || !this->MayBeTooNear(piece, version.Vertices))
+        {
+          return;
+        }
+        const Piece near = PieceWithGap(
+          this->Mesh, this->Widths, version.Vertices, CornersOf(this->Mesh, version.Vertices));
+        const FaceHistory::Version* own =
+          IsTooNear(this->Widths, piece, near, {}) ? &this->VersionOf(face) : nullptr;
+        int left = MostSteps;
+        if (own != nullptr && !this->WasAsNear(*own, version, left))
+        {
+          edits.push_back(std::max(own->Made, version.Made));
+        }
+      });
+  }
+
+private:
+  static constexpr int MostSteps = 1000;
+
+  /// By what costs little.
+  bool MayBeTooNear(const Piece& piece, const Triangle& vertices) const
+  {
+    Gap gap = piece.LeastGap;
+    bool isApart = true;
+    Index last = None;
+    for (const VertexId vertex : vertices)
+    {
+      last = this->Mesh.OriginalVertex(vertex);
+      gap = gap.And(this->Widths.Of(last));
+      isApart = isApart &&
+        std::find(piece.Vertices.begin(), piece.Vertices.end(), last) == piece.Vertices.end();
+    }
+    const bool isOwn = this->Widths.PartOf(piece.Vertices[0]) == this->Widths.PartOf(last);
+    return isApart && std::isfinite(isOwn ? gap.ToOwn : gap.ToOther);
+  }
+
+  /// Of a changed face at the end.
+  const FaceHistory::Version& VersionOf(FaceId face) const
+  {
+    const Index edit = this->Journal.LastOfFace(face);
+    Index i = 0;
+    while (this->Journal.FaceOf(edit, i).Id != face)
+    {
+      ++i;
+    }
+    return this->History.NewFace(edit, i);
+  }
+
+  /// Whether the pair goes back to one of the input that was as near, over pairs that were as near: from each edit to a face that
+  /// it replaced. So no edit has made such a gap narrower than it was, which is the rule of single edits.
+  bool WasAsNear(
+    const FaceHistory::Version& one, const FaceHistory::Version& other, int& left) const
+  {
+    const bool isOneLater = one.Made > other.Made;
+    const FaceHistory::Version& later = isOneLater ? one : other;
+    const FaceHistory::Version& near = isOneLater ? other : one;
+    if (later.Made == None)
+    {
+      return true;
+    }
+    const Piece nearPiece(this->Mesh, near.Vertices, this->History.CornersOf(near));
+    const double now =
+      WayBetween(this->History.CornersOf(later), nearPiece.Corners).SquaredLength; // mm^2
+    for (Index i = 0; i < this->Journal.Entry(later.Made).NumberOfFaces && --left > 0; ++i)
+    {
+      const FaceHistory::Version& old = this->History.OldFace(later.Made, i);
+      const Piece oldPiece(this->Mesh, old.Vertices, this->History.CornersOf(old));
+      if (CountShared(oldPiece, nearPiece) == 0 &&
+        WayBetween(oldPiece.Corners, nearPiece.Corners).SquaredLength <= now &&
+        this->WasAsNear(old, near, left))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const HalfEdgeMesh& Mesh;
+  GapRule Widths;
+  const EditJournal& Journal;
+  const FaceHistory& History;
+};
+}
+
 std::vector<Index> FindNarrowedGaps(const HalfEdgeMesh& mesh, const GapRule& widths,
   const EditJournal& journal, const FaceHistory& history, int threads)
 {
-  GapRule merged = widths;
-  MergeGaps(journal, mesh, merged);
+  const NarrowedGaps gaps(mesh, widths, journal, history);
   const std::size_t count = static_cast<std::size_t>(mesh.NumberOfFaceSlots());
   std::vector<std::vector<Index>> edits(NumberOfChunks(count));
-  const auto look = [&](FaceId face, std::vector<Index>& found)
-  {
-    const Triangle v = mesh.Corners(face);
-    const Piece piece = PieceWithGap(mesh, merged, v, CornersOf(mesh, v));
-    history.VisitAt(FloatBox(piece.Corners, piece.Reach), journal.Count(),
-      [&](const FaceHistory::Version& version)
-      {
-        const Piece near =
-          PieceWithGap(mesh, merged, version.Vertices, CornersOf(mesh, version.Vertices));
-        if (version.Face != face && IsTooNear(merged, piece, near, {}))
-        {
-          found.push_back(std::max(journal.LastOfFace(face), journal.LastOfFace(version.Face)));
-        }
-      });
-  };
   ForEachChunk(count, threads, {},
     [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
@@ -117,7 +215,7 @@ std::vector<Index> FindNarrowedGaps(const HalfEdgeMesh& mesh, const GapRule& wid
         const FaceId face = static_cast<Index>(i);
         if (mesh.IsAlive(face) && journal.IsChanged(face))
         {
-          look(face, edits[chunk]);
+          gaps.Look(face, edits[chunk]);
         }
       }
     });

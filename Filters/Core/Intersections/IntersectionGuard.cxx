@@ -160,8 +160,7 @@ bool IntersectionGuard::Owns(
   work.KnowsCells = true;
   this->FillPieces(mesh, change, work);
   this->FindCells(work);
-  return std::all_of(work.Cells.begin(), work.Cells.end(),
-    [&](FaceGrid::Key cell) { return this->Grid->Owns(range, cell); });
+  return this->Grid->OwnsAll(range, work.Cells);
 }
 
 //------------------------------------------------------------------------------

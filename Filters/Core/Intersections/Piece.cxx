@@ -138,7 +138,6 @@ Piece::Piece(const HalfEdgeMesh& mesh, const Triangle& vertices, const TriangleC
     mesh.OriginalVertex(vertices[2]) }
   , Low(corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]))
   , High(corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]))
-  , Normal((corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized())
 {
 }
 

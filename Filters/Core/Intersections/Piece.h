@@ -26,11 +26,17 @@ struct Piece : PlaneTriangle
   /// Without its gap.
   Piece(const HalfEdgeMesh& mesh, const Triangle& vertices, const TriangleCorners& corners);
 
-  Triangle Vertices; // their original vertices
-  Vector3 Low, High; // mm, its box
-  Vector3 Normal;
+  Triangle Vertices;          // their original vertices
+  Vector3 Low, High;          // mm, its box
   bonedecimate::Gap LeastGap; // of its corners
   double Reach = 0.0;         // mm, how far from it gaps have to be looked after
+
+  Vector3 Normal() const
+  {
+    return (this->Corners[1] - this->Corners[0])
+      .cross(this->Corners[2] - this->Corners[0])
+      .normalized();
+  }
 };
 
 /// mm^2, between the boxes.
