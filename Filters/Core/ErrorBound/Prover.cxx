@@ -338,15 +338,32 @@ std::size_t Prover::AddRemaining(const HalfEdgeMesh& mesh, const Item& item)
 }
 
 //------------------------------------------------------------------------------
+/// First their centroids and the middles of their new edges: hardly any face that cannot be proved passes.
 bool Prover::NewFacesAreNear()
 {
   const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Shared.Allowed);
-  return std::all_of(this->Change->NewFaces.begin(), this->Change->NewFaces.end(),
-    [&](const SurfaceChange::Face& face)
+  this->Centroids.clear();
+  for (const SurfaceChange::Face& face : this->Change->NewFaces)
+  {
+    const std::array<Vector3, 3>& p = face.Corners;
+    const Index first = face.Vertices[0];
+    const Index hint =
+      first == this->Change->Moved ? this->MovedCorner.Nearest : this->Shared.Nearest[first];
+    const PieceCover<3>::Corner centroid = original.Find((p[0] + p[1] + p[2]) / 3.0, hint);
+    if (!original.IsWithin(centroid) ||
+      !original.IsWithin(original.Find(0.5 * (p[0] + p[1]), centroid.Nearest)))
     {
-      const Index first = face.Vertices[0];
-      return this->Back.Prove(original, face.Corners,
-        first == this->Change->Moved ? this->MovedCorner.Nearest : this->Shared.Nearest[first]);
-    });
+      return false;
+    }
+    this->Centroids.push_back(centroid.Nearest);
+  }
+  for (std::size_t i = 0; i < this->Centroids.size(); ++i)
+  {
+    if (!this->Back.Prove(original, this->Change->NewFaces[i].Corners, this->Centroids[i]))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 }

@@ -90,6 +90,7 @@ private:
   PieceCover<3>::Corner MovedCorner; // of the vertex that moves
   Index BoundaryHint = None;         // an original boundary edge near the vertex that moves
   std::vector<Index> Uncut;          // items of which no new face is near all corners
+  std::vector<Index> Centroids;      // of each new face, the original triangle near its centroid
   std::vector<Index> NewElements;
 };
 }
