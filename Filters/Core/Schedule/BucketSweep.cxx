@@ -21,7 +21,7 @@ constexpr Index MostOfBlock = 16384;
 /// Proofs are worth more blocks.
 constexpr Index LeastOfProvedBlock = 512;
 constexpr Index RenewBelowDivisor = 50;
-constexpr Index LeastForRounds = 8 * LeastOfBlock; // vertices
+constexpr Index BlocksForRounds = 8; // that are worth it
 /// Fraction of the remaining collapses that a round aims at, to stay below the final limit.
 constexpr double RoundFraction = 0.7;
 constexpr int FirstStep = 2 * BucketsPerDoubling; // by which the limit is raised
@@ -171,7 +171,8 @@ bool BucketSweep::ProvedPass(const Monitor& monitor)
 //------------------------------------------------------------------------------
 bool BucketSweep::HasRounds() const
 {
-  return this->MeshEditor.Mesh().NumberOfVertexSlots() >= LeastForRounds;
+  const Index least = this->MeshEditor.LimitsEdits() ? LeastOfProvedBlock : LeastOfBlock;
+  return this->MeshEditor.Mesh().NumberOfVertexSlots() >= BlocksForRounds * least;
 }
 
 //------------------------------------------------------------------------------
