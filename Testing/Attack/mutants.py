@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import argparse
 import pathlib
+import resource
 import shutil
 import subprocess
 import sys
@@ -21,6 +22,7 @@ import time
 from typing import NamedTuple
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+MOST_MEMORY = 4 << 30  # bytes
 FOLDER = "Filters/Core/ErrorBound/"
 SMOOTHING = "Filters/Core/Smoothing/"
 LABELS = "Filters/Core/LabelMap/"
@@ -237,10 +239,15 @@ def configure(folder: pathlib.Path) -> None:
     subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
 
 
+def limit_memory() -> None:
+    """A bug can make lists that grow without end."""
+    resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
+
+
 def run(words: list) -> tuple[bool, str]:
     """Whether a program failed, and its output."""
     try:
-        done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=1800)
+        done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=1800, preexec_fn=limit_memory)
     except subprocess.TimeoutExpired:
         return True, "does not end"
     said = (done.stdout + done.stderr).strip()
