@@ -18,13 +18,16 @@ namespace
 {
 /// First normals are kept within a hundredth of a degree.
 constexpr double Rounding = 2e-4;
+/// First areas are kept within a hundredth.
+constexpr double LeastGrowth = 0.99 * HalfEdgeMesh::GrowthOfFreeFace;
 
-Vector3 NormalOf(const std::vector<Vector3>& points, const Triangle& t)
+/// Along the normal.
+Vector3 AreaOf(const std::vector<Vector3>& points, const Triangle& t)
 {
-  return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).normalized();
+  return 0.5 * (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
 }
 
-/// Cosine of the most by which any face has turned since the beginning.
+/// Cosine of the most by which any face has turned since the beginning that has not outgrown its original normal.
 double LeastFacing(const HalfEdgeMesh& mesh, const Surface& original)
 {
   std::vector<Vector3> points;
@@ -37,8 +40,10 @@ double LeastFacing(const HalfEdgeMesh& mesh, const Surface& original)
   {
     if (mesh.IsAlive(face))
     {
-      const Vector3 before = NormalOf(original.Points, original.Triangles[face]);
-      least = std::min(least, before.dot(NormalOf(points, mesh.Corners(face))));
+      const Vector3 before = AreaOf(original.Points, original.Triangles[face]);
+      const Vector3 after = AreaOf(points, mesh.Corners(face));
+      const bool isFree = after.norm() > LeastGrowth * before.norm();
+      least = isFree ? least : std::min(least, before.normalized().dot(after.normalized()));
     }
   }
   return least;
@@ -118,4 +123,21 @@ TEST(EditValidity, SmallRotationsCannotAccumulate)
   EXPECT_EQ(editor.Move(swing.V, swing.By(91.0), work, 1), Rejection::Flip);
   EXPECT_EQ(editor.Move(swing.V, swing.By(60.0), work, 1), Rejection::NotRejected)
     << "back it may go";
+}
+
+TEST(EditValidity, TriangleThatHasGrownMayTurnFarther)
+{
+  const CleanSurface cleaned = Clean(FlatPlate(6), true);
+  Editor editor(cleaned, EditorSettings{ false, false, false });
+  editor.DistributeVolumeBudget();
+  Workspace work;
+  const Swing swing(editor.Mesh());
+  const FaceId face = HalfEdgeMesh::Face(swing.Edge);
+  const Vector3 area = AreaOf(cleaned.Surface.Points, editor.Mesh().Corners(face));
+  EXPECT_FALSE(editor.Mesh().IsTurnedOver(face, -area)) << "not changed yet";
+  ASSERT_EQ(editor.Move(swing.V, swing.By(30.0), work, 1), Rejection::NotRejected);
+  EXPECT_TRUE(editor.Mesh().IsTurnedOver(face, -area));
+  EXPECT_TRUE(editor.Mesh().IsTurnedOver(face, -7.9 * area));
+  EXPECT_FALSE(editor.Mesh().IsTurnedOver(face, -8.1 * area));
+  EXPECT_FALSE(editor.Mesh().IsTurnedOver(face, 7.9 * area));
 }

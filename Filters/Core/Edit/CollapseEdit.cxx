@@ -117,8 +117,8 @@ void Editor::ChangeMesh(const Edit& edit, Workspace& work)
   const Fan& fan = work.Faces.Current();
   for (std::size_t i = 0; i < work.Around.Corners.size(); ++i)
   {
-    this->Half.KeepFirstNormal(HalfEdgeMesh::Face(work.Around.Corners[i]),
-      { fan.OldArea[0][i], fan.OldArea[1][i], fan.OldArea[2][i] });
+    const Vector3 twice(fan.OldArea[0][i], fan.OldArea[1][i], fan.OldArea[2][i]); // mm^2
+    this->Half.KeepFirstNormal(HalfEdgeMesh::Face(work.Around.Corners[i]), 0.5 * twice);
   }
   this->Half.Collapse(work.Around, edit.Keep, edit.Position);
 }

@@ -11,8 +11,8 @@ bool IsAnyTurnedOver(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, c
 {
   for (std::size_t i = 0; i < around.Corners.size(); ++i)
   {
-    const Vector3 area(fan.NewArea[0][i], fan.NewArea[1][i], fan.NewArea[2][i]);
-    if (mesh.IsTurnedOver(HalfEdgeMesh::Face(around.Corners[i]), area))
+    const Vector3 twice(fan.NewArea[0][i], fan.NewArea[1][i], fan.NewArea[2][i]); // mm^2
+    if (mesh.IsTurnedOver(HalfEdgeMesh::Face(around.Corners[i]), 0.5 * twice))
     {
       return true;
     }

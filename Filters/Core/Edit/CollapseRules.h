@@ -26,7 +26,7 @@ Rejection CheckTopology(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around
 void FillFan(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Fan& fan);
 
 /// Rejects faces without area, new slivers, and faces that turn by more than 78 degrees, or by more than 90 degrees from their
-/// original normal, so that small rotations cannot accumulate.
+/// original normal (HalfEdgeMesh::IsTurnedOver), so that small rotations cannot accumulate.
 /// @param fan Filled; its position and areas are set here.  @param volumeChange mm^3, returned.
 Rejection CheckPosition(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit,
   Fan& fan, double& volumeChange);

@@ -8,12 +8,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace bonedecimate
 {
 namespace
 {
+/// Of the word with the area and z of a face's original normal: the upper half of a positive float, so never None.
+constexpr std::uint32_t AreaBits = 0xFFFF0000U;
+
 /// Mean length of one edge of each triangle, mm.
 double MeanLength(const Surface& surface, int threads)
 {
@@ -124,7 +128,19 @@ void HalfEdgeMesh::PackFirstNormal(FaceRecord& record, const Vector3& area)
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(part)) & 0xFFFFU;
   };
   record.Origins[3] = static_cast<Index>(pack(0) << 16U | pack(1));
-  record.Twins[3] = static_cast<Index>(pack(2));
+  const float size = static_cast<float>(area.norm());
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &size, sizeof(bits));
+  record.Twins[3] = static_cast<Index>((bits & AreaBits) | pack(2));
+}
+
+//------------------------------------------------------------------------------
+double HalfEdgeMesh::FirstArea(FaceId face) const
+{
+  const std::uint32_t bits = static_cast<std::uint32_t>(this->Faces[face].Twins[3]) & AreaBits;
+  float size = 0.0F;
+  std::memcpy(&size, &bits, sizeof(size));
+  return static_cast<double>(size);
 }
 
 //------------------------------------------------------------------------------

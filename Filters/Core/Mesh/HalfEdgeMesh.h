@@ -60,7 +60,8 @@ static_assert(sizeof(VertexRecord) == 64, "one cache line");
 struct alignas(32) FaceRecord
 {
   std::array<Index, 4> Origins; ///< The fourth stores x and y of the original normal.
-  std::array<Index, 4> Twins; ///< The fourth stores z of the original normal; None: not stored yet.
+  std::array<Index, 4> Twins;   ///< The fourth stores the original area and z of the original normal;
+                                ///< None: not stored yet.
 };
 static_assert(sizeof(FaceRecord) == 32, "half a cache line");
 
@@ -100,13 +101,19 @@ public:
     return { corners[0], corners[1], corners[2] };
   }
 
+  /// A face of more than this many times its original area replaces so many faces that its own original normal says nothing
+  /// about them any more.
+  static constexpr double GrowthOfFreeFace = 8.0;
+
   /**
    * Whether a face with that area vector would point away from its original normal. False if the face was never changed and
-   * has no stored normal.
+   * has no stored normal, and for an area of more than GrowthOfFreeFace times the original one.
+   * @param area Along the normal, mm^2.
    */
   bool IsTurnedOver(FaceId face, const Vector3& area) const
   {
-    return this->Faces[face].Twins[3] != None && area.dot(this->FirstNormal(face)) < 0.0;
+    return this->Faces[face].Twins[3] != None && area.dot(this->FirstNormal(face)) < 0.0 &&
+      !(area.norm() > GrowthOfFreeFace * this->FirstArea(face));
   }
 
   bool HasPatches() const { return !this->OriginalVertices.empty(); }
@@ -169,7 +176,8 @@ private:
       : VertexConstraint::Constrained;
   }
   void Move(VertexId v, const Vector3& position) { this->Vertices[v].Position = position; }
-  /// Must be called before the face changes: stores its normal the first time.  @param area A vector along the normal.
+  /// Must be called before the face changes: stores its normal and area the first time.
+  /// @param area Along the normal, mm^2.
   void KeepFirstNormal(FaceId face, const Vector3& area)
   {
     if (this->Faces[face].Twins[3] == None)
@@ -178,7 +186,7 @@ private:
     }
   }
   static void PackFirstNormal(FaceRecord& record, const Vector3& area);
-  /// Encodes the normal in three numbers of 16 bits, precise to 0.01 degrees.
+  /// Encodes the normal in three numbers of 16 bits, precise to 0.01 degrees, and the area in 16, precise to 1 percent.
   Vector3 FirstNormal(FaceId face) const
   {
     const std::int32_t xy = this->Faces[face].Origins[3];
@@ -187,6 +195,8 @@ private:
       static_cast<double>(static_cast<std::int16_t>(xy & 0xFFFF)),
       static_cast<double>(static_cast<std::int16_t>(z)) };
   }
+  /// The original area, mm^2.
+  double FirstArea(FaceId face) const;
   /// To undo a collapse: the record of a face before it, of each of its faces.
   void Restore(FaceId face, const std::array<Index, 4>& origins, const std::array<Index, 4>& twins)
   {
