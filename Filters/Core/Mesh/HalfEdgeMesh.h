@@ -60,8 +60,8 @@ static_assert(sizeof(VertexRecord) == 64, "one cache line");
 struct alignas(32) FaceRecord
 {
   std::array<Index, 4> Origins; ///< The fourth stores x and y of the original normal.
-  std::array<Index, 4> Twins;   ///< The fourth stores the original area and z of the original normal;
-                                ///< None: not stored yet.
+  std::array<Index, 4> Twins; ///< The fourth stores the original area and z of the original normal;
+                              ///< None: not stored yet.
 };
 static_assert(sizeof(FaceRecord) == 32, "half a cache line");
 
