@@ -6,6 +6,7 @@
 #include "ExitCode.h"
 #include "FileNames.h"
 #include "HelpFormatter.h"
+#include "InputArguments.h"
 #include "Options/OptionTable.h"
 
 #include <CLI/CLI.hpp>
@@ -79,36 +80,6 @@ void AddIntensities(CLI::App& app, Arguments& arguments)
     },
     "Take the values of a volume for intensities even where they look like the labels of a "
     "segmentation, which is rejected otherwise; default off.");
-}
-
-void AddRegions(CLI::App& app, Arguments& arguments)
-{
-  app
-    .add_option_function<std::vector<std::string>>(
-      "--region",
-      [&arguments](const std::vector<std::string>& texts)
-      {
-        std::string all;
-        for (const std::string& text : texts)
-        {
-          const std::string problem = ReadRegions(text, arguments.Regions);
-          if (!problem.empty())
-          {
-            throw Failure(ExitCode::Usage, "--region " + problem);
-          }
-          all += (all.empty() ? "" : ";") + text;
-        }
-        arguments.Given["region"] = all;
-      },
-      WrappedHelp(
-        "How far the surface may move in a part of it, in mm: box:x0,x1,y0,y1,z0,z1=MM, "
-        "sphere:x,y,z,radius=MM, rest=MM for what is in none of them. 0 keeps it unchanged; "
-        "where parts overlap the smallest counts, and --max-error caps all. May be "
-        "repeated."))
-    ->type_name("SHAPE=MM")
-    ->expected(1)
-    ->take_all()
-    ->allow_extra_args(false);
 }
 
 void AddCommonFlags(CLI::App& app, Arguments& arguments)
@@ -190,7 +161,8 @@ void AddDecimateOptions(CLI::App& app, Arguments& arguments)
   }
   AddIso(app, arguments);
   AddIntensities(app, arguments);
-  AddRegions(app, arguments);
+  AddRegions(app, arguments.Regions,
+    [&arguments](const std::string& all) { arguments.Given["region"] = all; });
   AddCommonFlags(app, arguments);
   AddBatchFlags(app, arguments);
 }
@@ -204,7 +176,8 @@ void AddSmoothOptions(CLI::App& app, Arguments& arguments)
   {
     AddOptionOfTable(app, *FindOption(name), ReceiverOf(arguments));
   }
-  AddRegions(app, arguments);
+  AddRegions(app, arguments.Regions,
+    [&arguments](const std::string& all) { arguments.Given["region"] = all; });
   AddCommonFlags(app, arguments);
 }
 

@@ -61,6 +61,7 @@ void AddOptions(CLI::App& app, ErrorArguments& arguments, bool isCurve)
   }
   AddFile(app, "--json", arguments.Json, "Write all runs as JSON.");
   AddVoxelArguments(app, arguments.Voxels);
+  AddInputArguments(app, arguments.Input);
   AddMode(app, arguments.Mode, "Fast|Balanced|Accurate", "Default Balanced.");
   AddThreads(app, arguments.Threads);
   AddUnit(app, arguments.Unit);
@@ -78,8 +79,11 @@ public:
 
   void Read()
   {
-    this->Filter->SetInputData(
-      ReadInput(this->Requested.Files[0], this->Requested.Unit, this->Warnings).Surface);
+    const std::string& path = this->Requested.Files[0];
+    const MillimeterSurface loaded = ReadInput(path, this->Requested.Unit, this->Warnings);
+    this->Filter->SetInputData(ApplyInputArguments(
+      this->Requested.Input, path, loaded.Surface, this->Filter, this->Warnings));
+    this->Filter->SetReferenceData(ReadReference(this->Requested.Input, this->Requested.Unit));
     ApplyVoxelArguments(this->Requested.Voxels, this->Filter, this->Warnings);
   }
 
@@ -264,7 +268,8 @@ void Check(const CLI::App& command, const ErrorArguments& arguments)
   CheckLabel(arguments.Voxels.Map, "--label-map");
   for (const std::string& file : { arguments.Json, arguments.Csv, arguments.Picture })
   {
-    RequireNotInput(file, { arguments.Files[0], arguments.Voxels.Map.Path });
+    RequireNotInput(
+      file, { arguments.Files[0], arguments.Voxels.Map.Path, arguments.Input.Reference });
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "CliForward.h"
 #include "ExitCode.h"
+#include "InputArguments.h"
 #include "LabelMapArguments.h"
 #include "LengthUnit.h"
 
@@ -28,6 +29,7 @@ struct ErrorArguments
   int Threads = 0;
   bool AllowLargeError = false; ///< curve only
   VoxelArguments Voxels;
+  InputArguments Input;
   LengthUnit Unit;  ///< Of the coordinates in the file.
   std::string Json; ///< Files; empty: none.
   std::string Csv;

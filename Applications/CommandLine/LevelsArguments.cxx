@@ -32,6 +32,7 @@ void AddRunOptions(CLI::App& app, LevelsArguments& arguments)
     [&arguments](double value) { arguments.MaximumError = value; });
   AddAllowLargeError(app, arguments.AllowLargeError);
   AddVoxelArguments(app, arguments.Voxels);
+  AddInputArguments(app, arguments.Input);
   app.add_flag("--no-errors", arguments.WithoutErrors,
     WrappedHelp("Do not measure how far levels are from the input."));
 }
@@ -59,7 +60,8 @@ void AddLevelOptions(CLI::App& app, LevelsArguments& arguments)
 void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
 {
   for (const char* flag : { "--record", "--coarsest", "--mode", "--max-error", "--no-errors",
-         "--smooth", "--feature-angle", "--keep-voxels" })
+         "--smooth", "--feature-angle", "--keep-voxels", "--region", "--tolerance-array",
+         "--reference" })
   {
     if (!arguments.Log.empty() && app.count(flag) > 0)
     {
@@ -68,6 +70,11 @@ void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
     }
   }
   CheckLabel(arguments.Voxels.Map, "--label-map");
+  if (arguments.Input.HasTolerances() && !arguments.Unit.IsMillimeter())
+  {
+    throw Failure(ExitCode::Usage,
+      "--region and --tolerance-array need --unit mm, because another unit rounds levels again");
+  }
   const bool wantsLevels = !arguments.Triangles.empty() || !arguments.Errors.empty();
   if (wantsLevels == arguments.Output.empty())
   {
@@ -120,6 +127,7 @@ void AddLevelsCommand(CLI::App& program)
 
 void KeepSurfaces(const LevelsArguments& arguments, const std::string& output)
 {
-  RequireNotInput(output, { arguments.Files[0], arguments.On, arguments.Voxels.Map.Path });
+  RequireNotInput(output,
+    { arguments.Files[0], arguments.On, arguments.Voxels.Map.Path, arguments.Input.Reference });
 }
 }

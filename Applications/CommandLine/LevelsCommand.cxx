@@ -72,7 +72,9 @@ public:
 
   void Read()
   {
-    this->Filter->SetInputData(this->ReadOne(this->Requested.Files[0]));
+    this->Filter->SetInputData(ApplyInputArguments(this->Requested.Input, this->Requested.Files[0],
+      this->ReadOne(this->Requested.Files[0]), this->Filter, this->Warnings));
+    this->Filter->SetReferenceData(ReadReference(this->Requested.Input, this->Requested.Unit));
     ApplyVoxelArguments(this->Requested.Voxels, this->Filter, this->Warnings);
     if (this->Requested.MaximumError > 0.0)
     {

@@ -10,6 +10,7 @@
 
 #include "CliForward.h"
 #include "ExitCode.h"
+#include "InputArguments.h"
 #include "LabelMapArguments.h"
 #include "LengthUnit.h"
 
@@ -30,7 +31,8 @@ struct LevelsArguments
   bool AllowLargeError = false;
   bool WithoutErrors = false;
   VoxelArguments Voxels;
-  std::string Record; ///< Where its log goes; empty: nowhere.
+  InputArguments Input; ///< Labels also with a log.
+  std::string Record;   ///< Where its log goes; empty: nowhere.
   /// @}
 
   /// @name Levels. @{

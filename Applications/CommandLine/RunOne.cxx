@@ -11,6 +11,7 @@
 #include "FilterRun.h"
 #include "Formats/FileChecks.h"
 #include "Formats/SurfaceFormat.h"
+#include "InputArguments.h"
 #include "Interruption.h"
 #include "JsonReport.h"
 #include "OutputFiles.h"
@@ -94,7 +95,8 @@ public:
     }
     this->ReserveRounding(options);
     ApplyOptions(options, this->Filter);
-    this->TakeRegions();
+    this->Input = ApplyRegions(this->Requested.Regions, this->Requested.Options.ToleranceArrayName,
+      this->Path, this->Input, this->Filter, this->Subject.Warnings);
     this->Filter->SetMeasureInputDistances(this->WantsDistances());
     this->Filter->SetInputData(this->InputBeforeRounding());
     const VtkMessages messages = UpdateFilter(this->Filter,
@@ -306,34 +308,6 @@ private:
       }
     }
     this->Subject.ProvedFiles[BaseName(target)] = ProveWritten(run, readBack, target);
-  }
-
-  /// An array of tolerances from the regions, if there are any.
-  void TakeRegions()
-  {
-    std::string name = this->Requested.Options.ToleranceArrayName;
-    if (!name.empty() && !this->Input->GetPointData()->HasArray(name.c_str()))
-    {
-      Reject(this->Path, "it has no point array '" + name + "'");
-    }
-    if (!this->Requested.Regions.empty())
-    {
-      if (name.empty())
-      {
-        name = "Tolerance";
-        // A result of an earlier run still has that run's.
-        vtkNew<vtkPolyData> without;
-        without->ShallowCopy(this->Input);
-        without->GetPointData()->RemoveArray(name.c_str());
-        this->Input = without;
-      }
-      for (const std::string& region : RegionsWithoutPoints(this->Input, this->Requested.Regions))
-      {
-        this->Subject.Warnings.push_back("no point of the surface lies in " + region);
-      }
-      this->Input = WithTolerances(this->Input, this->Requested.Regions, name);
-      this->Filter->SetToleranceArrayName(name);
-    }
   }
 
   void RequireTriangles(const VtkMessages& messages) const

@@ -7,6 +7,7 @@
 #include "LabelMapArrays.h"
 #include "LabelMapOfRun.h"
 #include "Levels.h"
+#include "NamedArrays.h"
 #include "RunState.h"
 #include "SurfaceArrays.h"
 #include "SurfaceConversion.h"
@@ -35,10 +36,22 @@ struct vtkBoneDecimateLevels::Internals
   vtkMTimeType InputTime = 0;
   vtkWeakPointer<vtkImageData> Map; // null: none
   vtkMTimeType MapTime = 0;
-  bonedecimate::ConvertedSurface Converted; // the input, until the levels are there
+  vtkWeakPointer<vtkPolyData> Reference; // null: none
+  vtkMTimeType ReferenceTime = 0;
+  bonedecimate::NamedArrays Arrays;                // the input, until the levels are there
+  bonedecimate::ConvertedSurface ReferenceSurface; // the same
+  bonedecimate::CellLabels Labels;
   bonedecimate::LabelMapOfRun LabelMap;
   vtkSmartPointer<vtkUnsignedCharArray> InputLog; // null: a run
   vtkSmartPointer<vtkUnsignedCharArray> Written;
+
+  bonedecimate::RunInputs Inputs() const
+  {
+    bonedecimate::RunInputs inputs = this->Arrays.Inputs();
+    inputs.LabelMap = this->LabelMap.Known();
+    inputs.Reference = this->Reference != nullptr ? &this->ReferenceSurface.Surface : nullptr;
+    return inputs;
+  }
 
   const bonedecimate::LevelMark* Mark(int mark) const
   {
@@ -59,7 +72,7 @@ bonedecimate::NumberRange TriangleRange()
 vtkBoneDecimateLevels::vtkBoneDecimateLevels()
   : Internal(new Internals)
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
   this->AddLabelMapPort();
 }
 
@@ -157,9 +170,21 @@ vtkTypeInt64 vtkBoneDecimateLevels::GetMarkChangedVoxels(int mark) const
 }
 
 //------------------------------------------------------------------------------
+void vtkBoneDecimateLevels::SetReferenceData(vtkPolyData* reference)
+{
+  this->SetInputData(2, reference);
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimateLevels::SetReferenceConnection(vtkAlgorithmOutput* reference)
+{
+  this->SetInputConnection(2, reference);
+}
+
+//------------------------------------------------------------------------------
 int vtkBoneDecimateLevels::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 1)
+  if (port == 1 || port == 2)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
@@ -173,7 +198,8 @@ int vtkBoneDecimateLevels::RequestData(vtkInformation* vtkNotUsed(request),
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   if (this->State->Rejected.Report(this) ||
-    !this->Prepare(input, this->GetLabelMapRequest(inputVector)))
+    !this->Prepare(
+      input, vtkPolyData::GetData(inputVector[2]), this->GetLabelMapRequest(inputVector)))
   {
     return 0;
   }
@@ -186,12 +212,14 @@ int vtkBoneDecimateLevels::RequestData(vtkInformation* vtkNotUsed(request),
 //------------------------------------------------------------------------------
 /// Makes the levels of the input; there are none if it has no triangles. False if the input or the log was rejected.
 bool vtkBoneDecimateLevels::Prepare(
-  vtkPolyData* input, const bonedecimate::LabelMapRequest& request)
+  vtkPolyData* input, vtkPolyData* reference, const bonedecimate::LabelMapRequest& request)
 {
   Internals& mine = *this->Internal;
   const vtkMTimeType mapTime = request.Map != nullptr ? request.Map->GetMTime() : 0;
+  const vtkMTimeType referenceTime = reference != nullptr ? reference->GetMTime() : 0;
   if (mine.Levels.IsOpen() && mine.Input == input && mine.InputTime == input->GetMTime() &&
-    mine.Map == request.Map && mine.MapTime == mapTime)
+    mine.Map == request.Map && mine.MapTime == mapTime && mine.Reference == reference &&
+    mine.ReferenceTime == referenceTime)
   {
     return true;
   }
@@ -202,27 +230,39 @@ bool vtkBoneDecimateLevels::Prepare(
   mine.InputTime = input->GetMTime();
   mine.Map = request.Map;
   mine.MapTime = mapTime;
-  const bool isPrepared =
-    this->ReadMap(input, request) && (mine.InputLog ? this->OpenLog() : this->Record());
-  mine.Converted = {};
+  mine.Reference = reference;
+  mine.ReferenceTime = referenceTime;
+  const bool isPrepared = this->ReadArrays(input, reference, request) &&
+    (mine.InputLog ? this->OpenLog() : this->Record());
+  mine.Arrays = {};
+  mine.ReferenceSurface = {};
   return isPrepared;
 }
 
 //------------------------------------------------------------------------------
-/// Reads the surface and its label map. False if they do not suit each other.
-bool vtkBoneDecimateLevels::ReadMap(
-  vtkPolyData* input, const bonedecimate::LabelMapRequest& request)
+/// Reads the surface, its arrays, its label map and the reference. False if they do not suit each other.
+bool vtkBoneDecimateLevels::ReadArrays(
+  vtkPolyData* input, vtkPolyData* reference, const bonedecimate::LabelMapRequest& request)
 {
   Internals& mine = *this->Internal;
-  mine.Converted = bonedecimate::ToSurface(input, this->GetNumberOfThreads());
-  mine.LabelMap =
-    bonedecimate::ReadLabelMapOfRun(input, mine.Converted, request, this->State->Options);
-  if (!mine.LabelMap.Problem.empty())
+  const bonedecimate::Options& options = this->State->Options;
+  mine.Arrays = bonedecimate::ReadNamedArrays(input, options);
+  mine.LabelMap = bonedecimate::ReadLabelMapOfRun(input, mine.Arrays.Converted, request, options);
+  const std::string& problem =
+    mine.Arrays.Problem.empty() ? mine.LabelMap.Problem : mine.Arrays.Problem;
+  if (!problem.empty())
   {
-    vtkErrorMacro(<< mine.LabelMap.Problem);
+    vtkErrorMacro(<< problem);
     return false;
   }
-  if (!mine.InputLog && bonedecimate::HasSeveralPairs(mine.LabelMap.Known()))
+  mine.Labels = mine.Arrays.LabelsToCopy();
+  if (reference != nullptr)
+  {
+    mine.ReferenceSurface = bonedecimate::ToSurface(reference, options.NumberOfThreads);
+  }
+  const bool hasCurves =
+    mine.Arrays.Labels.has_value() || bonedecimate::HasSeveralPairs(mine.LabelMap.Known());
+  if (!mine.InputLog && hasCurves)
   {
     vtkWarningMacro(<< "curves between labels do not change in a recorded run: levels have more "
                        "triangles than results of vtkBoneDecimate");
@@ -240,9 +280,8 @@ bool vtkBoneDecimateLevels::OpenLog()
   if (status == bonedecimate::LogStatus::Good)
   {
     Internals& mine = *this->Internal;
-    const bonedecimate::Surface& surface = mine.Converted.Surface;
-    status =
-      mine.Levels.Open(surface, std::move(log), this->GetNumberOfThreads(), mine.LabelMap.Known());
+    const bonedecimate::Surface& surface = mine.Arrays.Converted.Surface;
+    status = mine.Levels.Open(surface, std::move(log), this->GetNumberOfThreads(), mine.Inputs());
     if (status == bonedecimate::LogStatus::Good)
     {
       mine.Levels.CompareVoxels(
@@ -260,13 +299,12 @@ bool vtkBoneDecimateLevels::OpenLog()
 bool vtkBoneDecimateLevels::Record()
 {
   Internals& mine = *this->Internal;
-  const bonedecimate::ConvertedSurface& converted = mine.Converted;
+  const bonedecimate::ConvertedSurface& converted = mine.Arrays.Converted;
   this->Warn(converted.Warnings);
-  bonedecimate::RunInputs inputs = { converted.IsSingle };
-  inputs.LabelMap = mine.LabelMap.Known();
   bonedecimate::Result run = bonedecimate::RecordLevels(
     converted.Surface, this->State->Options,
-    [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); }, inputs, mine.Levels);
+    [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); }, mine.Inputs(),
+    mine.Levels);
   this->Warn(mine.LabelMap.CompareWithMap(converted.Surface, this->State->Options, run));
   this->State->Keep(run.Report);
   const bonedecimate::InputStatus status = run.Report.Status;
@@ -332,6 +370,7 @@ bool vtkBoneDecimateLevels::Fill(vtkPolyData* input, vtkPolyData* other, vtkPoly
     bonedecimate::CopyLabelMapFields(input, output);
     bonedecimate::PassLabelMapArrays(*map, levels.BoundaryLabelsAt(level), output);
   }
+  this->Internal->Labels.Fill(levels.InputTrianglesAt(level), output);
   return true;
 }
 

@@ -12,11 +12,15 @@
  * coarsest level is, and every level keeps MaximumError. Without MeasureDistances the levels have no measured distance, and
  * LevelError selects the input. The report and the getters are about the coarsest level; they are empty for a log.
  *
+ * Tolerances of points (ToleranceArrayName) hold for all levels. Of labels (LabelArrayName) every triangle of a level keeps its own, and
+ * curves between them do not change; a log of such a run needs them again.
+ *
  * Input port 0: the surface. Input port 1, optional: a surface with the same triangles and other points, such as a bone
- * registered to the first: the level is put on it, with the same triangles as on the first. Input port 2, optional: the label map
- * (SetLabelMapData()). With a voxel grid every marked level is compared voxel by voxel with the input, and KeepVoxels holds for all
- * levels. Curves between labels do not change.
- * Output: points and triangles of the level, with the arrays of its label map; lines, vertices and other arrays do not come along.
+ * registered to the first: the level is put on it, with the same triangles as on the first. Input port 2, optional: the reference
+ * (SetReferenceData()). Input port 3, optional: the label map (SetLabelMapData()). With a voxel grid every marked level is compared voxel by voxel with the input, and KeepVoxels holds for all
+ * levels.
+ * Output: points and triangles of the level, with the arrays of its label map and the cell array of its labels; lines, vertices and
+ * other arrays do not come along.
  *
  * A value outside its range is an error event when it is set: the property keeps its value, and updates fail until it gets a
  * valid one.
@@ -60,6 +64,15 @@ public:
   void SetLevelError(double millimeters);
   vtkGetMacro(LevelError, double);
   ///@}
+
+  /**
+   * The first surface, if the input is itself a result: MaximumError, which must be set, is then proved against it, tolerances of
+   * points against the input. Measured distances are those to the input. Default none.
+   */
+  void SetReferenceData(vtkPolyData* reference);
+
+  /// The same as a connection, to the input port 2. Default none.
+  void SetReferenceConnection(vtkAlgorithmOutput* reference);
 
   /**
    * How many levels are marked, from fine to coarse; 0 before the first update.
@@ -109,8 +122,10 @@ private:
   void operator=(const vtkBoneDecimateLevels&) = delete;
 
   void Forget();
-  bool Prepare(vtkPolyData* input, const bonedecimate::LabelMapRequest& request);
-  bool ReadMap(vtkPolyData* input, const bonedecimate::LabelMapRequest& request);
+  bool Prepare(
+    vtkPolyData* input, vtkPolyData* reference, const bonedecimate::LabelMapRequest& request);
+  bool ReadArrays(
+    vtkPolyData* input, vtkPolyData* reference, const bonedecimate::LabelMapRequest& request);
   bool OpenLog();
   bool Record();
   int SelectedLevel() const;

@@ -6,6 +6,7 @@
 #include "FilterProgress.h"
 #include "LabelMapArrays.h"
 #include "LabelMapOfRun.h"
+#include "NamedArrays.h"
 #include "RunState.h"
 #include "SurfaceConversion.h"
 
@@ -38,6 +39,12 @@ void AddColumn(vtkTable* table, const char* name, const char* unit,
   table->AddColumn(column);
 }
 
+/// Empty if it is null.
+bonedecimate::Surface SurfaceOf(vtkPolyData* data)
+{
+  return data != nullptr ? bonedecimate::ToSurface(data, 0).Surface : bonedecimate::Surface();
+}
+
 void FillTable(const std::vector<bonedecimate::ErrorTrial>& trials, vtkTable* table)
 {
   using Trial = bonedecimate::ErrorTrial;
@@ -63,6 +70,7 @@ void FillTable(const std::vector<bonedecimate::ErrorTrial>& trials, vtkTable* ta
 vtkBoneErrorSearch::vtkBoneErrorSearch()
   : SmallestError(std::numeric_limits<double>::quiet_NaN())
 {
+  this->SetNumberOfInputPorts(2);
   this->AddLabelMapPort();
   this->SetNumberOfOutputPorts(2);
 }
@@ -116,6 +124,28 @@ void vtkBoneErrorSearch::RemoveAllErrors()
 }
 
 //------------------------------------------------------------------------------
+void vtkBoneErrorSearch::SetReferenceData(vtkPolyData* reference)
+{
+  this->SetInputData(1, reference);
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneErrorSearch::SetReferenceConnection(vtkAlgorithmOutput* reference)
+{
+  this->SetInputConnection(1, reference);
+}
+
+//------------------------------------------------------------------------------
+int vtkBoneErrorSearch::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+//------------------------------------------------------------------------------
 vtkTable* vtkBoneErrorSearch::GetTrials()
 {
   return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
@@ -142,20 +172,23 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   }
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  const bonedecimate::ConvertedSurface converted =
-    bonedecimate::ToSurface(input, this->GetNumberOfThreads());
   bonedecimate::ErrorSearchOptions options;
   options.Run = this->State->Options;
   options.RelativePrecision = this->RelativePrecision;
+  const bonedecimate::NamedArrays arrays = bonedecimate::ReadNamedArrays(input, options.Run);
+  const bonedecimate::ConvertedSurface& converted = arrays.Converted;
   const bonedecimate::LabelMapOfRun map = bonedecimate::ReadLabelMapOfRun(
     input, converted, this->GetLabelMapRequest(inputVector), options.Run);
-  if (!map.Problem.empty())
+  if (!arrays.Problem.empty() || !map.Problem.empty())
   {
-    vtkErrorMacro(<< map.Problem);
+    vtkErrorMacro(<< (arrays.Problem.empty() ? map.Problem : arrays.Problem));
     return 0;
   }
-  options.Inputs.InputIsSingle = converted.IsSingle;
+  options.Inputs = arrays.Inputs();
+  options.Inputs.WantsOrigins = arrays.Labels.has_value();
   options.Inputs.LabelMap = map.Known();
+  const bonedecimate::Surface reference = SurfaceOf(vtkPolyData::GetData(inputVector[1]));
+  options.Inputs.Reference = vtkPolyData::GetData(inputVector[1]) ? &reference : nullptr;
   const auto monitor = [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); };
   bonedecimate::ErrorSearchResult found = this->Errors.empty()
     ? bonedecimate::FindSmallestError(converted.Surface, options, monitor)

@@ -13,9 +13,14 @@
  * A value outside its range is an error event when it is set: the property keeps its value, and updates fail until it gets a
  * valid one.
  *
- * Input port 0: the surface. Input port 1, optional: the label map (SetLabelMapData()).
+ * Tolerances of points (ToleranceArrayName) and labels of triangles (LabelArrayName) hold in every run. A result is reached only if
+ * its tolerances are proved, too.
  *
- * Output port 0: the surface of the best run (of the last error for a curve) with its report.
+ * Input port 0: the surface. Input port 1, optional: the reference (SetReferenceData()): the first surface of which the input is a
+ * result; all errors are those to it. Input port 2, optional: the label map (SetLabelMapData()).
+ *
+ * Output port 0: the surface of the best run (of the last error for a curve) with its report; with labels, which it keeps, also with
+ * the arrays of the input.
  * Output port 1: a table with a row for each run: MaximumError (mm; 0: none), Triangles, ProvedError (mm, both
  * ways and open boundaries), Reached (whether it is proved and has no more triangles than requested) and Seconds; with a voxel grid
  * ChangedVoxels (with another label than in the input).
@@ -60,6 +65,15 @@ public:
   ///@}
 
   /**
+   * The first surface, if the input is itself a result: errors are proved against it, tolerances of points against the input. A curve
+   * ends with an error if the input is farther from it than one of its errors. Default none.
+   */
+  void SetReferenceData(vtkPolyData* reference);
+
+  /// The same as a connection, to the input port 1. Default none.
+  void SetReferenceConnection(vtkAlgorithmOutput* reference);
+
+  /**
    * The smallest error that is proved, mm; NaN if no run had so few triangles.
    */
   double GetSmallestError() const { return this->SmallestError; }
@@ -80,6 +94,7 @@ protected:
 
   std::string OptionProblem(
     const bonedecimate::Options& changed, const std::string& name) const override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

@@ -21,8 +21,6 @@ const char* const OptionNames[] = {
   "RunningErrorArrayName",
   "PointCountArrayName",
   "InputDistanceArrayName",
-  "ToleranceArrayName",
-  "LabelArrayName",
   "ErrorBoundArrayName",
   "InputErrorBoundArrayName",
   "PruneSize",
@@ -126,26 +124,6 @@ void vtkBoneOutputOptions::SetInputDistanceArrayName(const std::string& value)
 std::string vtkBoneOutputOptions::GetInputDistanceArrayName() const
 {
   return this->State->Options.InputDistanceArrayName;
-}
-
-void vtkBoneOutputOptions::SetToleranceArrayName(const std::string& value)
-{
-  this->State->Set(this, "ToleranceArrayName", value);
-}
-
-std::string vtkBoneOutputOptions::GetToleranceArrayName() const
-{
-  return this->State->Options.ToleranceArrayName;
-}
-
-void vtkBoneOutputOptions::SetLabelArrayName(const std::string& value)
-{
-  this->State->Set(this, "LabelArrayName", value);
-}
-
-std::string vtkBoneOutputOptions::GetLabelArrayName() const
-{
-  return this->State->Options.LabelArrayName;
 }
 
 void vtkBoneOutputOptions::SetErrorBoundArrayName(const std::string& value)

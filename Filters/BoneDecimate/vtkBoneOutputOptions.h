@@ -88,22 +88,6 @@ public:
   ///@}
 
   ///@{
-  /// Name of a numeric point array of the input with the largest error at each point, in mm. 0 keeps the point and its triangles
-  /// unchanged. A negative value sets no limit. A positive value is interpolated linearly on each triangle and proved like
-  /// MaximumError, which is an upper limit for all. Thesis mode accepts only 0 and negative values. Empty: none. Default: none.
-  void SetToleranceArrayName(const std::string& value);
-  std::string GetToleranceArrayName() const;
-  ///@}
-
-  ///@{
-  /// Name of an integer cell or point array with the bone, fragment or segment of each triangle. A cell array takes precedence; of
-  /// a point array the majority of the three corners counts. Curves between different labels are simplified only along themselves,
-  /// and every triangle keeps its label. Empty: none. Default: none.
-  void SetLabelArrayName(const std::string& value);
-  std::string GetLabelArrayName() const;
-  ///@}
-
-  ///@{
   /// Name of the point array with the proved bound at each output point, in mm: no point of the adjacent triangles is farther from
   /// the input. Needs ProveResult. Default: "ErrorBound".
   void SetErrorBoundArrayName(const std::string& value);

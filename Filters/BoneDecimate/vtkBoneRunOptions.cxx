@@ -18,6 +18,8 @@ const char* const OptionNames[] = {
   "AutomaticSmoothing",
   "FeatureAngle",
   "KeepVoxels",
+  "ToleranceArrayName",
+  "LabelArrayName",
   "AllowLargeError",
   "IntersectionGuard",
   "MergePoints",
@@ -88,6 +90,26 @@ void vtkBoneRunOptions::SetKeepVoxels(int value)
 int vtkBoneRunOptions::GetKeepVoxels() const
 {
   return static_cast<int>(this->State->Options.KeepVoxels);
+}
+
+void vtkBoneRunOptions::SetToleranceArrayName(const std::string& value)
+{
+  this->State->Set(this, "ToleranceArrayName", value);
+}
+
+std::string vtkBoneRunOptions::GetToleranceArrayName() const
+{
+  return this->State->Options.ToleranceArrayName;
+}
+
+void vtkBoneRunOptions::SetLabelArrayName(const std::string& value)
+{
+  this->State->Set(this, "LabelArrayName", value);
+}
+
+std::string vtkBoneRunOptions::GetLabelArrayName() const
+{
+  return this->State->Options.LabelArrayName;
 }
 
 void vtkBoneRunOptions::SetAllowLargeError(bool value)

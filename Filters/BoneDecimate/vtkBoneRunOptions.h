@@ -94,6 +94,22 @@ public:
   ///@}
 
   ///@{
+  /// Name of a numeric point array of the input with the largest error at each point, in mm. 0 keeps the point and its triangles
+  /// unchanged. A negative value sets no limit. A positive value is interpolated linearly on each triangle and proved like
+  /// MaximumError, which is an upper limit for all. Thesis mode accepts only 0 and negative values. Empty: none. Default: none.
+  void SetToleranceArrayName(const std::string& value);
+  std::string GetToleranceArrayName() const;
+  ///@}
+
+  ///@{
+  /// Name of an integer cell or point array with the bone, fragment or segment of each triangle. A cell array takes precedence; of
+  /// a point array the majority of the three corners counts. Curves between different labels are simplified only along themselves,
+  /// and every triangle keeps its label. Empty: none. Default: none.
+  void SetLabelArrayName(const std::string& value);
+  std::string GetLabelArrayName() const;
+  ///@}
+
+  ///@{
   /// Accept a largest error above a quarter of the diagonal of the input's bounding box. Without it such a run is rejected, because
   /// the coordinates are probably not in millimeters. Default: off.
   void SetAllowLargeError(bool value);

@@ -3,9 +3,9 @@
 #include "vtkBoneSmooth.h"
 
 #include "FilterProgress.h"
-#include "LabelArrays.h"
 #include "LabelMapArrays.h"
 #include "LabelMapOfRun.h"
+#include "NamedArrays.h"
 #include "Pieces.h"
 #include "RunState.h"
 #include "SurfaceConversion.h"
@@ -43,16 +43,6 @@ bool WritesSingle(const Options& options, bool inputIsSingle)
   return precision == PointsPrecision::Single ||
     (precision == PointsPrecision::Default && inputIsSingle);
 }
-
-/// Nothing if the array of that name does not suit.
-std::optional<Labels> LabelsNamed(
-  const std::string& name, vtkPolyData* input, const ConvertedSurface& converted)
-{
-  vtkDataArray* cells = input->GetCellData()->GetArray(name.c_str());
-  vtkDataArray* array = cells ? cells : input->GetPointData()->GetArray(name.c_str());
-  return ReadLabels(input, converted, array,
-    cells ? vtkDataObject::FIELD_ASSOCIATION_CELLS : vtkDataObject::FIELD_ASSOCIATION_POINTS);
-}
 }
 
 vtkBoneSmooth::vtkBoneSmooth()
@@ -61,48 +51,6 @@ vtkBoneSmooth::vtkBoneSmooth()
 }
 
 vtkBoneSmooth::~vtkBoneSmooth() = default;
-
-/// The surface and what the named arrays say of it.
-struct vtkBoneSmooth::InputArrays
-{
-  ConvertedSurface Converted;
-  std::optional<std::vector<double>> Tolerances;
-  std::optional<bonedecimate::Labels> Labels;
-};
-
-//------------------------------------------------------------------------------
-/// False if the input lacks an array that is named.
-bool vtkBoneSmooth::ReadArrays(vtkPolyData* input, InputArrays& arrays)
-{
-  const Options& options = this->State->Options;
-  arrays.Converted = ToSurface(input, options.NumberOfThreads);
-  if (input->GetNumberOfPoints() == 0)
-  {
-    return true;
-  }
-  if (!options.ToleranceArrayName.empty())
-  {
-    arrays.Tolerances =
-      ReadNumbers(input->GetPointData()->GetArray(options.ToleranceArrayName.c_str()));
-    if (!arrays.Tolerances)
-    {
-      vtkErrorMacro(<< "the input has no point array '" << options.ToleranceArrayName
-                    << "' of one component");
-      return false;
-    }
-  }
-  if (!options.LabelArrayName.empty())
-  {
-    arrays.Labels = LabelsNamed(options.LabelArrayName, input, arrays.Converted);
-    if (!arrays.Labels)
-    {
-      vtkErrorMacro(<< "the input has no cell or point array '" << options.LabelArrayName
-                    << "' of whole numbers");
-      return false;
-    }
-  }
-  return true;
-}
 
 //------------------------------------------------------------------------------
 /// False if the input was rejected.
@@ -140,9 +88,14 @@ int vtkBoneSmooth::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   }
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  InputArrays arrays;
-  if (this->ReportRejectedValues() || !this->ReadArrays(input, arrays))
+  if (this->ReportRejectedValues())
   {
+    return 0;
+  }
+  const NamedArrays arrays = ReadNamedArrays(input, this->State->Options);
+  if (!arrays.Problem.empty())
+  {
+    vtkErrorMacro(<< arrays.Problem);
     return 0;
   }
   const Options options = OptionsOfRun(this->State->Options);
@@ -154,10 +107,9 @@ int vtkBoneSmooth::RequestData(vtkInformation* vtkNotUsed(request),
     vtkErrorMacro(<< map.Problem);
     return 0;
   }
-  RunInputs inputs = { converted.IsSingle, NeedsOrigins(input, options) };
+  RunInputs inputs = arrays.Inputs();
+  inputs.WantsOrigins = NeedsOrigins(input, options);
   inputs.LabelMap = map.Known();
-  inputs.Tolerances = arrays.Tolerances ? &*arrays.Tolerances : nullptr;
-  inputs.Labels = arrays.Labels ? &*arrays.Labels : nullptr;
   Result result = Decimate(
     converted.Surface, options,
     [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); }, inputs);

@@ -50,8 +50,6 @@ private:
   vtkBoneSmooth(const vtkBoneSmooth&) = delete;
   void operator=(const vtkBoneSmooth&) = delete;
 
-  struct InputArrays;
-  bool ReadArrays(vtkPolyData* input, InputArrays& arrays);
   bool Accept(const std::vector<std::string>& warnings);
 };
 

@@ -28,8 +28,8 @@ TABLE = ROOT / "Documentation" / "options.md"
 CLASSES = {
     "vtkBoneRunOptions": (
         "vtkBoneDecimateAlgorithm", "options of every filter that runs a decimation",
-        ["Mode", "TargetNumberOfTriangles", "Smoothing", "AutomaticSmoothing", "FeatureAngle", "KeepVoxels",
-         "AllowLargeError", "IntersectionGuard", "MergePoints", "NumberOfThreads"]),
+        ["Mode", "TargetNumberOfTriangles", "Smoothing", "AutomaticSmoothing", "FeatureAngle", "KeepVoxels", "ToleranceArrayName",
+         "LabelArrayName", "AllowLargeError", "IntersectionGuard", "MergePoints", "NumberOfThreads"]),
     "vtkBoneGoalOptions": (
         "vtkBoneRunOptions", "options of where a run ends, and of what is measured and proved",
         ["TargetReduction", "MaximumError", "ErrorPreset", "VoxelSize", "NormalTolerance", "AutomaticNormalTolerance",

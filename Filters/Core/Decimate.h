@@ -91,7 +91,7 @@ struct RunInputs
   /// (ReferenceInput.h). Tolerances still refer to the input.
   const Surface* Reference = nullptr;
   /// Of the input triangles: lines between different ones are collapsed along themselves alone, and every triangle keeps
-  /// its own. Not together with a log.
+  /// its own. With a log these lines do not change, because a log has no edits of several manifold patches at once.
   const bonedecimate::Labels* Labels = nullptr;
   /// The label map from which the input was extracted; null: not known. With a grid its voxels are guarded (KeepVoxels), and
   /// those of the result are compared with those of the input. Where pairs of labels differ, curves between them are collapsed

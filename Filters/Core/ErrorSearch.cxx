@@ -47,8 +47,9 @@ public:
     Result result = error > 0.0
       ? Decimate(this->Input, options, this->Progress.Stage(from, to), this->Requested.Inputs)
       : this->PlainRun(options, from, to);
-    const bool isRejected = result.Report.Status != InputStatus::Good;
-    const bool isWhole = result.Report.Status == InputStatus::Good && result.Report.Proof.WasMade;
+    this->Status = result.Report.Status;
+    const bool isRejected = this->Status != InputStatus::Good;
+    const bool isWhole = !isRejected && result.Report.Proof.WasMade;
     if (isWhole)
     {
       this->Add(error, mostTriangles, clock.Seconds(), result.Report);
@@ -64,24 +65,50 @@ public:
 
   const ErrorTrial& Last() const { return this->Found.Trials.back(); }
 
+  /// Whether the last run was rejected because the input itself is farther from the reference than the largest error.
+  bool IsFarFromReference() const { return this->Status == InputStatus::FarFromReference; }
+
 private:
+  /// Certified afterwards, against the reference if there is one.
   Result PlainRun(const Options& options, double from, double to)
   {
     const double runAt = from + ProgressOfPlainRun * (to - from);
-    Result result =
-      Decimate(this->Input, options, this->Progress.Stage(from, runAt), this->Requested.Inputs);
+    RunInputs inputs = this->Requested.Inputs;
+    inputs.Reference = nullptr; // a run takes it with a largest error only
+    Result result = Decimate(this->Input, options, this->Progress.Stage(from, runAt), inputs);
     if (result.Report.Status == InputStatus::Good && this->Progress.GoesOn())
     {
-      const CleanSurface cleaned = Clean(this->Input, options.MergePoints, options.NumberOfThreads);
-      ProveResult(this->Input, cleaned, options, this->Progress.Stage(runAt, to), result);
+      this->ProvePlainRun(options, this->Progress.Stage(runAt, to), result);
     }
     return result;
+  }
+
+  void ProvePlainRun(const Options& options, const Monitor& monitor, Result& result) const
+  {
+    const Surface* reference = this->Requested.Inputs.Reference;
+    KeptSurface kept;
+    if (reference != nullptr)
+    {
+      const CleanSurface cleaned = Clean(*reference, options.MergePoints, options.NumberOfThreads);
+      if (cleaned.Status != InputStatus::Good)
+      {
+        Result rejected;
+        rejected.Report.Status = InputStatus::BadReference;
+        result = std::move(rejected);
+        return;
+      }
+      kept = KeptPart(*reference, cleaned);
+    }
+    const CleanSurface cleaned = Clean(this->Input, options.MergePoints, options.NumberOfThreads);
+    ProveResult(this->Input, cleaned, options, monitor, result, this->Requested.Inputs.Tolerances,
+      reference != nullptr ? &kept : nullptr);
   }
 
   void Add(double error, std::int64_t mostTriangles, double seconds, const Report& report)
   {
     const ErrorProof& proof = report.Proof;
-    const bool isProved = error == 0.0 || proof.Status == ProofStatus::Proved;
+    const bool hasNoLimit = error == 0.0 && this->Requested.Inputs.Tolerances == nullptr;
+    const bool isProved = hasNoLimit || proof.Status == ProofStatus::Proved;
     this->Found.Trials.push_back(
       { error, report.Output.Faces, proof.Upper(), isProved && report.Output.Faces <= mostTriangles,
         seconds, report.Voxels.WasChecked ? report.Voxels.Changes.Changed : -1 });
@@ -102,6 +129,7 @@ private:
   ErrorSearchOptions Requested;
   bool IsCurve; // errors are those of the caller: a rejected one ends the curve
   RunProgress Progress;
+  InputStatus Status = InputStatus::Good; // of the last run
   ErrorSearchResult Found;
 };
 }
@@ -126,12 +154,13 @@ ErrorSearchResult FindSmallestError(
        ++runs)
   {
     const double next = 0.5 * (1.0 + done);
-    if (!trials.Run(error, mostTriangles, done, next))
+    const bool isWhole = trials.Run(error, mostTriangles, done, next);
+    if (!isWhole && !trials.IsFarFromReference())
     {
       break;
     }
     done = next;
-    const bool isReached = trials.Last().IsReached;
+    const bool isReached = isWhole && trials.Last().IsReached;
     high = isReached ? std::min(high, trials.Last().Proved) : high;
     low = isReached ? low : std::max(low, error);
     error = low > 0.0 ? std::sqrt(low * high) : 0.5 * high;

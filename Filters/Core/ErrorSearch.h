@@ -10,7 +10,7 @@
  *       until low >= high (1 - precision):
  *         decimate to N with MaximumError = e
  *         reaches N:  best = it, high = upper bound of its distance, which is at most e
- *         else:       low = e
+ *         else:       low = e, also if the input itself is farther than e from the reference
  *         e = high / 2 while low is 0, then sqrt(low high)
  *
  * Each error depends only on the results of earlier runs, so the search is the same on every system. A larger error
@@ -44,7 +44,8 @@ struct ErrorSearchOptions
   double RelativePrecision =
     0.02; ///< Above 0: the search ends when low and high differ by no more.
   int MostRuns = 40;
-  RunInputs Inputs; ///< Of every run; without a log.
+  RunInputs
+    Inputs; ///< Of every run; without a log. Errors are those to the reference if there is one.
 };
 
 struct ErrorSearchResult

@@ -30,8 +30,9 @@ std::uint64_t ConnectivityOf(const Surface& surface, int threads)
 }
 }
 
-LogStatus Levels::Open(const Surface& input, EditLog log, int threads, const LabelMapSource* map)
+LogStatus Levels::Open(const Surface& input, EditLog log, int threads, const RunInputs& inputs)
 {
+  const LabelMapSource* map = inputs.LabelMap;
   this->Stack.reset();
   CleanSurface clean = Clean(input, log.MergesPoints, threads);
   if (clean.Status != InputStatus::Good || Checksum(input, threads) != log.InputChecksum)
@@ -39,7 +40,7 @@ LogStatus Levels::Open(const Surface& input, EditLog log, int threads, const Lab
     return LogStatus::OtherSurface;
   }
   SortAlongCurve(clean, threads); // the same numbers as in the run, see Decimate.cxx
-  const std::vector<Index> patches = PatchLabels(clean, nullptr, map);
+  const std::vector<Index> patches = PatchLabels(clean, inputs.Labels, map);
   if (SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface, threads, {}, patches)))
   {
     SortAlongCurve(clean, threads);
@@ -67,6 +68,7 @@ LogStatus Levels::Open(const Surface& input, EditLog log, int threads, const Lab
   this->Edits = std::move(log);
   this->Threads = threads;
   this->InputPoint = std::move(clean.InputPoint);
+  this->InputTriangle = std::move(clean.InputTriangle);
   this->OriginalVertices = std::move(clean.ManifoldPatches.OriginalVertices);
   this->InputPoints = input.Points.size();
   this->Points = this->PointsOf(input);
@@ -189,6 +191,17 @@ std::vector<BoundaryLabels> Levels::BoundaryLabelsAt(Index collapses) const
 }
 
 //------------------------------------------------------------------------------
+std::vector<Index> Levels::InputTrianglesAt(Index collapses) const
+{
+  std::vector<Index> triangles = this->Stack->FacesAt(collapses);
+  for (Index& triangle : triangles)
+  {
+    triangle = this->InputTriangle[static_cast<std::size_t>(triangle)];
+  }
+  return triangles;
+}
+
+//------------------------------------------------------------------------------
 bool Levels::CompareVoxels(const Surface& input, const Monitor& monitor)
 {
   this->Changed.clear();
@@ -248,8 +261,7 @@ Result RecordLevels(const Surface& input, const Options& options, const Monitor&
   Result run = Decimate(input, whole, PartOf(all, 0.0, runAt), recorded);
   levels = Levels();
   if (run.Report.Status == InputStatus::Good &&
-    levels.Open(input, std::move(log), options.NumberOfThreads, inputs.LabelMap) ==
-      LogStatus::Good &&
+    levels.Open(input, std::move(log), options.NumberOfThreads, inputs) == LogStatus::Good &&
     !(levels.Mark(options.MeasureDistances, PartOf(all, runAt, markedAt)) &&
       levels.CompareVoxels(input, PartOf(all, markedAt, 1.0))))
   {

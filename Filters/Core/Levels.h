@@ -28,9 +28,8 @@ class Levels
 {
 public:
   /// @param input The same points and triangles as recorded.
-  /// @param map The label map with which the run was recorded; null: not known.
-  LogStatus Open(
-    const Surface& input, EditLog log, int threads, const LabelMapSource* map = nullptr);
+  /// @param inputs The label map and the labels with which the run was recorded; its other members are not used.
+  LogStatus Open(const Surface& input, EditLog log, int threads, const RunInputs& inputs = {});
   bool IsOpen() const { return this->Stack.has_value(); }
 
   Index NumberOfCollapses() const { return this->Stack->NumberOfCollapses(); }
@@ -47,6 +46,8 @@ public:
   }
   /// Of the triangles of At(); empty if the label map has none.
   std::vector<BoundaryLabels> BoundaryLabelsAt(Index collapses) const;
+  /// For each triangle of At() the input triangle of which it is what is left, and whose label it has.
+  std::vector<Index> InputTrianglesAt(Index collapses) const;
   /// The triangles of At() with points of another surface. Empty if its triangles are not those of the input, or its points
   /// are not usable (Surface.h).
   std::optional<Level> AtOn(const Surface& other, Index collapses) const;
@@ -67,9 +68,10 @@ private:
 
   EditLog Edits;
   std::optional<LevelStack> Stack;
-  std::vector<Vector3> Points;     // mm, of the cleaned input's vertices
-  std::vector<Triangle> Triangles; // of the cleaned input
-  std::vector<Index> InputPoint;   // of each vertex
+  std::vector<Vector3> Points;      // mm, of the cleaned input's vertices
+  std::vector<Triangle> Triangles;  // of the cleaned input
+  std::vector<Index> InputPoint;    // of each vertex
+  std::vector<Index> InputTriangle; // of each triangle of the cleaned input
   std::vector<Index>
     OriginalVertices; // for each vertex, see ManifoldPatches.h; empty: nothing was split
   LabelMapSource Map; // with the pairs of labels of the cleaned input's triangles
@@ -82,7 +84,8 @@ private:
 
 /**
  * Runs Decimate() and records its levels; both are empty if the input is rejected. Nothing is pruned.
- * @param inputs Without Labels. Curves between pairs of labels of a label map do not change, because a log has no edits of them.
+ * @param inputs Curves between labels, and between pairs of labels of a label map, do not change, because a log has no edits of
+ * them. Without a part. The distances of marks are those to the input, also with a reference.
  * @param levels Receives the levels and marks; with MeasureDistances the distances of the marks are measured, with a voxel grid
  * their voxels are compared.
  * @return The result of Decimate().

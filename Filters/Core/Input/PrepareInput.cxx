@@ -151,7 +151,7 @@ bool PreparedInput::IsLimitedEverywhere() const
 //------------------------------------------------------------------------------
 bool CollapsesFeatureCurves(const RunInputs& inputs)
 {
-  return inputs.Labels != nullptr || (inputs.Log == nullptr && HasSeveralPairs(inputs.LabelMap));
+  return inputs.Log == nullptr && (inputs.Labels != nullptr || HasSeveralPairs(inputs.LabelMap));
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NamedArrays.h"
+
+#include "LabelArrays.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+namespace bonedecimate
+{
+namespace
+{
+void ReadLabelsNamed(const std::string& name, vtkPolyData* input, NamedArrays& arrays)
+{
+  arrays.LabelsOfCells = input->GetCellData()->GetArray(name.c_str());
+  arrays.Labels = arrays.LabelsOfCells != nullptr
+    ? ReadLabels(
+        input, arrays.Converted, arrays.LabelsOfCells, vtkDataObject::FIELD_ASSOCIATION_CELLS)
+    : ReadLabels(input, arrays.Converted, input->GetPointData()->GetArray(name.c_str()),
+        vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  if (!arrays.Labels)
+  {
+    arrays.Problem = "the input has no cell or point array '" + name + "' of whole numbers";
+  }
+}
+}
+
+RunInputs NamedArrays::Inputs() const
+{
+  RunInputs inputs;
+  inputs.InputIsSingle = this->Converted.IsSingle;
+  inputs.Tolerances = this->Tolerances ? &*this->Tolerances : nullptr;
+  inputs.Labels = this->Labels ? &*this->Labels : nullptr;
+  return inputs;
+}
+
+//------------------------------------------------------------------------------
+CellLabels NamedArrays::LabelsToCopy() const
+{
+  return this->LabelsOfCells != nullptr
+    ? CellLabels{ this->LabelsOfCells, this->Converted.CellOfTriangle }
+    : CellLabels();
+}
+
+//------------------------------------------------------------------------------
+void CellLabels::Fill(const std::vector<Index>& triangles, vtkPolyData* surface) const
+{
+  if (!this->Array)
+  {
+    return;
+  }
+  const auto labels = vtkSmartPointer<vtkDataArray>::Take(this->Array->NewInstance());
+  labels->SetName(this->Array->GetName());
+  labels->SetNumberOfComponents(this->Array->GetNumberOfComponents());
+  labels->SetNumberOfTuples(static_cast<vtkIdType>(triangles.size()));
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    const auto triangle = static_cast<std::size_t>(triangles[i]);
+    labels->SetTuple(static_cast<vtkIdType>(i), this->CellOfTriangle[triangle], this->Array);
+  }
+  surface->GetCellData()->AddArray(labels);
+}
+
+//------------------------------------------------------------------------------
+NamedArrays ReadNamedArrays(vtkPolyData* input, const Options& options)
+{
+  NamedArrays arrays;
+  arrays.Converted = ToSurface(input, options.NumberOfThreads);
+  if (input->GetNumberOfPoints() == 0)
+  {
+    return arrays;
+  }
+  const std::string& tolerances = options.ToleranceArrayName;
+  if (!tolerances.empty())
+  {
+    arrays.Tolerances = ReadNumbers(input->GetPointData()->GetArray(tolerances.c_str()));
+    if (!arrays.Tolerances)
+    {
+      arrays.Problem = "the input has no point array '" + tolerances + "' of one component";
+    }
+  }
+  if (arrays.Problem.empty() && !options.LabelArrayName.empty())
+  {
+    ReadLabelsNamed(options.LabelArrayName, input, arrays);
+  }
+  return arrays;
+}
+}

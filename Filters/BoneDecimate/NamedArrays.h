@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file NamedArrays.h
+ * @brief The surface of a run, and what the arrays that its options name say of it: tolerances of points and labels of triangles.
+ */
+#ifndef NamedArrays_h
+#define NamedArrays_h
+
+#include "Input/Labels.h"
+#include "Options/Options.h"
+#include "SurfaceConversion.h"
+
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace bonedecimate
+{
+/// Labels of triangles as the cell array of the input; without an array: none are known.
+struct CellLabels
+{
+  vtkSmartPointer<vtkDataArray> Array;
+  std::vector<vtkIdType> CellOfTriangle; ///< Of the input.
+
+  /// Adds the labels to a surface. @param triangles For each of its triangles one of the input.
+  void Fill(const std::vector<Index>& triangles, vtkPolyData* surface) const;
+};
+
+struct NamedArrays
+{
+  ConvertedSurface Converted;
+  std::optional<std::vector<double>> Tolerances; ///< mm, of each point; nothing: none is named.
+  std::optional<bonedecimate::Labels> Labels;    ///< Of each triangle; nothing: none is named.
+  vtkDataArray* LabelsOfCells =
+    nullptr;           ///< The array of the labels if it belongs to cells, or null.
+  std::string Problem; ///< One sentence; empty if the input has what is named.
+
+  /// With these arrays; it refers to this object.
+  RunInputs Inputs() const;
+
+  CellLabels LabelsToCopy() const;
+};
+
+/// @param options ToleranceArrayName and LabelArrayName.
+NamedArrays ReadNamedArrays(vtkPolyData* input, const Options& options);
+}
+
+#endif
