@@ -163,11 +163,11 @@ TEST(Properties, OfLevelsAndSearchesAreThoseThatTheyUse)
 {
   const vtkNew<vtkBoneDecimateLevels> levels;
   const vtkNew<vtkBoneErrorSearch> search;
-  for (const char* name : { "Mode", "TargetNumberOfTriangles", "IntersectionGuard" })
+  for (const char* name : { "Mode", "TargetNumberOfTriangles", "ToleranceArrayName", "LabelArrayName" })
   {
     EXPECT_TRUE(levels->HasOption(name) && search->HasOption(name)) << name;
   }
-  for (const char* name : { "PruneSize", "ToleranceArrayName", "MakeMaps" })
+  for (const char* name : { "PruneSize", "MakeMaps" })
   {
     EXPECT_FALSE(levels->HasOption(name) || search->HasOption(name)) << name;
   }
