@@ -163,7 +163,8 @@ TEST(Properties, OfLevelsAndSearchesAreThoseThatTheyUse)
 {
   const vtkNew<vtkBoneDecimateLevels> levels;
   const vtkNew<vtkBoneErrorSearch> search;
-  for (const char* name : { "Mode", "TargetNumberOfTriangles", "ToleranceArrayName", "LabelArrayName" })
+  for (const char* name :
+    { "Mode", "TargetNumberOfTriangles", "ToleranceArrayName", "LabelArrayName" })
   {
     EXPECT_TRUE(levels->HasOption(name) && search->HasOption(name)) << name;
   }
