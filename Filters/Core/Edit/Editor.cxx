@@ -156,8 +156,7 @@ void Editor::AddErrorBound(const EditorSettings& settings)
 {
   ErrorBoundSettings bound = *settings.Bound;
   bound.Tolerances = settings.Tolerances.empty() ? nullptr : &settings.Tolerances;
-  this->Bound = std::make_shared<ErrorBound>(this->Unsmoothed ? *this->Unsmoothed : *this->First,
-    this->Source.Tree(settings.Threads), bound);
+  this->Bound = std::make_shared<ErrorBound>(this->BoundedMesh(), this->Source.Tree(settings.Threads), bound);
   this->Filters.push_back(this->Bound);
 }
 

@@ -7,6 +7,7 @@
  *     Collapse:           rules (CollapseRules.h)  ->  filters  ->  mesh  ->  filters commit
  *                         ->  areas, quadrics, origins, counts, hook                               (CollapseEdit.cxx)
  *     CollapseTogether:   the same for one edge of a feature curve in all patches there            (EditTogether.cxx)
+ *     CollapseAndMove:    a collapse and moves near it as one edit                                  (CollapseAndMove.cxx)
  *     Flip, Move:         rules (FlipAndMoveRules.h)  ->  filters  ->  mesh  ->  filters commit
  *                         ->  hook                                                   (FlipEdit.cxx, MoveEdit.cxx)
  *
@@ -63,6 +64,11 @@ public:
 
   /// The mesh before the first edit, smoothed; only with KeepsInitialMesh or an error bound.
   const HalfEdgeMesh& InitialMesh() const { return *this->First; }
+  /// The mesh that the error bound refers to: the one before the first edit, not smoothed; only with an error bound.
+  const HalfEdgeMesh& BoundedMesh() const
+  {
+    return this->Unsmoothed ? *this->Unsmoothed : *this->First;
+  }
   /// How many vertices are constrained because of their own tolerance; duplicates count once.
   Index NumberOfConstrainedVertices() const { return this->ConstrainedVertices; }
   bool HasErrorBound() const { return this->Bound != nullptr; }
@@ -89,6 +95,12 @@ public:
   /// Collapses one edge of a feature curve in all manifold patches at it, onto the end that does not move: all or none. No
   /// other worker may be active.
   Decision CollapseTogether(const std::vector<Edit>& edits);
+
+  /// Collapses an inside edge and moves vertices near it, as one edit: all or nothing. The states between, which may exceed the
+  /// error bound, are never in the mesh. Not where edits are recorded. Quadrics are not updated.
+  Decision CollapseAndMove(
+    const Edit& edit, const std::vector<VertexMove>& moves, Workspace& work, int workers);
+  bool RecordsEdits() const { return this->Recorder != nullptr; }
 
   /// Replaces the edge by the other diagonal of its two faces if rules and filters accept it. Neither flips nor their
   /// rejections are counted.

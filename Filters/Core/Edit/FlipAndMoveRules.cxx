@@ -143,4 +143,36 @@ Rejection CheckMove(
   volumeChange = ring.dot(position - mesh.Position(vertex)) / 3.0;
   return Rejection::NotRejected;
 }
+
+//------------------------------------------------------------------------------
+Rejection CheckNewFaces(
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, double& volumeChange)
+{
+  const Vector3 origin = change.Position;
+  const auto volume = [&origin](const Vector3& a, const Vector3& b, const Vector3& c)
+  { return (a - origin).dot((b - origin).cross(c - origin)) / 6.0; };
+  volumeChange = 0.0;
+  for (const Index old : change.OldFaces)
+  {
+    const Triangle v = mesh.Corners(old);
+    volumeChange -= volume(mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]));
+  }
+  for (const SurfaceChange::Face& face : change.NewFaces)
+  {
+    const auto& [a, b, c] = face.Corners;
+    const Triangle v = mesh.Corners(face.Id);
+    const Face before(mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]));
+    const Face after(a, b, c);
+    if (IsNeedle(after, before.Quality))
+    {
+      return Rejection::Degenerate;
+    }
+    if (IsTurned(before, after) || mesh.IsTurnedOver(face.Id, after.Vector))
+    {
+      return Rejection::Flip;
+    }
+    volumeChange += volume(a, b, c);
+  }
+  return Rejection::NotRejected;
+}
 }

@@ -10,6 +10,7 @@
 #ifndef BoneDecimate_Core_Edit_FlipAndMoveRules_h
 #define BoneDecimate_Core_Edit_FlipAndMoveRules_h
 
+#include "EditFilters/SurfaceChange.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Report/Report.h"
 
@@ -26,6 +27,9 @@ std::array<Vector3, 4> PositionsOf(const HalfEdgeMesh& mesh, const std::array<In
 Rejection CheckFlip(const HalfEdgeMesh& mesh, HalfEdgeId edge, double& volumeChange);
 Rejection CheckMove(
   const HalfEdgeMesh& mesh, VertexId vertex, const Vector3& position, double& volumeChange);
+/// Of a collapse together with moves: the rules of a move for each new face against the face that it replaces.
+Rejection CheckNewFaces(
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, double& volumeChange);
 }
 
 #endif

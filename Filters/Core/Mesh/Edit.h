@@ -26,6 +26,13 @@ struct Edit
   bool KeepStays = false;             ///< Whether Position is that of Keep, bit for bit.
   EditKind Kind = EditKind::Collapse;
 };
+
+/// A vertex that moves together with an edit.
+struct VertexMove
+{
+  VertexId Vertex;
+  Vector3 Position; ///< mm from the local origin
+};
 }
 
 #endif

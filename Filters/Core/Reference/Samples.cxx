@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -32,10 +34,11 @@ double AreaOf(const HalfEdgeMesh& mesh, FaceId face)
 }
 }
 
-Samples::Samples(const HalfEdgeMesh& original, bool mayBeThree)
+Samples::Samples(const HalfEdgeMesh& original, bool mayBeThree, std::vector<float> limits)
   : Source(original)
   , Unit(original.Unit())
   , MayBeThree(mayBeThree)
+  , Limits(std::move(limits))
   , Firsts(static_cast<std::size_t>(original.NumberOfFaceSlots()), None)
 {
 }
@@ -53,6 +56,24 @@ Vector3 Samples::PositionOf(Index id) const
     (this->Source.Position(c[0]) + this->Source.Position(c[1]) + this->Source.Position(c[2])) / 3.0;
   const Index which = (id - this->Source.NumberOfVertexSlots()) % this->PerFace;
   return this->PerFace == 1 ? middle : Vector3(0.5 * (middle + this->Source.Position(c[which])));
+}
+
+//------------------------------------------------------------------------------
+/// Linear on each triangle.
+float Samples::LimitOf(Index id) const
+{
+  if (this->Limits.empty())
+  {
+    return std::numeric_limits<float>::infinity();
+  }
+  if (id < this->Source.NumberOfVertexSlots())
+  {
+    return this->Limits[id];
+  }
+  const Triangle c = this->Source.Corners(this->TriangleOf(id));
+  const Index which = (id - this->Source.NumberOfVertexSlots()) % this->PerFace;
+  const float middle = (this->Limits[c[0]] + this->Limits[c[1]] + this->Limits[c[2]]) / 3.0F;
+  return this->PerFace == 1 ? middle : 0.5F * (middle + this->Limits[c[which]]);
 }
 
 //------------------------------------------------------------------------------
@@ -211,7 +232,8 @@ bool Samples::SortByFace(Index faces, int threads, const Monitor& monitor)
       for (Index id = static_cast<Index>(first); id < static_cast<Index>(last); ++id)
       {
         const Index at = this->Faces[id];
-        this->All[at] = { Single(this->PositionOf(id) / this->Unit), weights[id], at + 1 };
+        this->All[at] = { Single(this->PositionOf(id) / this->Unit), weights[id],
+          this->LimitOf(id), at + 1 };
       }
     });
   // The last of each list is the one before the next list begins.

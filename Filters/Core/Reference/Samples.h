@@ -32,13 +32,16 @@ public:
     std::array<float, 3>
       Position; ///< From the local origin, units of the mesh, so that single precision suits any scale.
     float Weight; ///< The area it represents, squares of that unit.
+    float Limit;  ///< mm, how far the result may be from it; infinite without an error bound.
     Index Next;   ///< In the list of its face.
   };
 
   /// @param original The mesh before the first collapse; must outlive this.
   /// @param mayBeThree Take three samples in each triangle if many faces remain. False: always one, which suffices where
   ///   every edit is proved.
-  explicit Samples(const HalfEdgeMesh& original, bool mayBeThree = true);
+  /// @param limits mm, of each vertex: how far the result may be from it. Empty: infinite.
+  explicit Samples(
+    const HalfEdgeMesh& original, bool mayBeThree = true, std::vector<float> limits = {});
 
   /// Both return false after an abort; the lists are unusable then.
   bool Distribute(
@@ -93,6 +96,7 @@ private:
     return (id - this->Source.NumberOfVertexSlots()) / this->PerFace;
   }
   Vector3 PositionOf(Index id) const;
+  float LimitOf(Index id) const;
   PointOnMesh FindNear(const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id) const;
   PointOnMesh FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id,
     const PointOnMesh& found) const;
@@ -105,6 +109,7 @@ private:
   double Unit; // mm
   Usual Measured;
   bool MayBeThree;
+  std::vector<float> Limits; // mm, of each vertex
   Index PerFace = 1; // samples inside each original triangle
   std::vector<Sample> All;
   std::vector<Index> Faces;  // of each sample; valid only within Distribute and Settle

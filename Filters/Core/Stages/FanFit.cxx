@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FanFit.h"
 
+#include "FanSearch.h"
+
 #include <algorithm>
 #include <array>
 
@@ -53,31 +55,6 @@ void FanFit::Build(const EdgeNeighborhood& around, const Vector3& x)
 }
 
 //------------------------------------------------------------------------------
-TriangleFrame::Point FanFit::FindInFan(const Vector3& p, std::size_t& slot) const
-{
-  constexpr int towardsPrevious = 4; // the weight of C is zero
-  constexpr int towardsNext = 2;     // that of B is
-  const std::size_t count = this->Frames.size();
-  TriangleFrame::Point best = this->Frames[slot].Nearest(p);
-  for (const int side : { towardsPrevious, towardsNext })
-  {
-    const std::size_t step = side == towardsPrevious ? count - 1 : 1;
-    for (std::size_t tries = 1; (best.Clamped & side) != 0 && tries < count; ++tries)
-    {
-      const std::size_t next = (slot + step) % count;
-      const TriangleFrame::Point position = this->Frames[next].Nearest(p);
-      if (!(position.SquaredDistance < best.SquaredDistance))
-      {
-        break;
-      }
-      best = position;
-      slot = next;
-    }
-  }
-  return best;
-}
-
-//------------------------------------------------------------------------------
 /// @param step Gets the normal equations if it is there.
 FanFit::Result FanFit::EvaluateAt(const EdgeNeighborhood& around, const Vector3& x, FitStep* step)
 {
@@ -88,7 +65,7 @@ FanFit::Result FanFit::EvaluateAt(const EdgeNeighborhood& around, const Vector3&
   {
     const Samples::Sample& sample = this->Fit[member.Sample];
     const Vector3 p = this->Fit.SamplePosition(sample);
-    const TriangleFrame::Point position = this->FindInFan(p, member.Slot);
+    const TriangleFrame::Point position = FindInFan(this->Frames, p, member.Slot);
     const Penalty penalty = this->Weigh.FitOfSample(sample.Weight, position.SquaredDistance);
     result.Error += penalty.Value;
     if (step != nullptr)

@@ -58,7 +58,6 @@ private:
   void Gather(const EdgeNeighborhood& around);
   void GatherFace(FaceId face, std::size_t slot);
   void Build(const EdgeNeighborhood& around, const Vector3& x);
-  TriangleFrame::Point FindInFan(const Vector3& p, std::size_t& slot) const;
   Result EvaluateAt(const EdgeNeighborhood& around, const Vector3& x, FitStep* step);
   double ErrorOfChords(const EdgeNeighborhood& around, const Result& result) const;
   void AddVertex(const EdgeNeighborhood& around, Result& result, FitStep* step) const;

@@ -9,8 +9,9 @@
  *     collapse the rest by what that does to the sampled error               (Cost/SampledErrorCost.h)
  *     flip edges and move vertices again
  *
- * Where every edit is proved, the last collapses are not known beforehand: then the rest is another sweep, and flips and
- * moves, which are proved like collapses, let it go further. Both alternate as often as the settings of the mode say.
+ * Where every edit is proved, the number of the last collapses is not known beforehand. Then moves by the largest distance leave
+ * more of the error bound, and collapses use it (SlackRefinement.h); both alternate as often as the settings of the mode say.
+ * Where voxels alone limit edits, the last collapses are another sweep.
  */
 #ifndef BoneDecimate_Core_Stages_RefineStage_h
 #define BoneDecimate_Core_Stages_RefineStage_h

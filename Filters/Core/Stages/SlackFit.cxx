@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SlackFit.h"
+
+#include "FanSearch.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Points on the edges of the fan are that far from each other, in mean edges of the original.
+constexpr double SpacingInEdges = 0.35;
+constexpr int MostPoints = 10; // on an edge of the fan, and one
+/// The longest step, in mean edges at the vertex.
+constexpr double LongestStep = 0.4;
+/// Attempts to lower the error by a step, each that part of the one before.
+constexpr int Attempts = 3;
+constexpr double NextAttempt = 0.35;
+/// By which the error must fall.
+constexpr double LeastGain = 1e-4;
+/// Rows below this part of the largest ratio hardly matter to the step.
+constexpr double LeastRatio = 0.4;
+constexpr int StepsOfExponent = 4;
+
+double SixteenthPower(double ratio)
+{
+  const double square = ratio * ratio;
+  const double fourth = square * square;
+  return fourth * fourth * fourth * fourth;
+}
+}
+
+SlackFit::SlackFit(const Editor& editor, const Samples& samples, const BackHints& hints)
+  : MeshEditor(editor)
+  , Fit(samples)
+  , Back(hints)
+  , Tree(editor.Reference().Tree())
+  , Spacing(SpacingInEdges * editor.Mesh().LengthAtFirst())
+{
+}
+
+//------------------------------------------------------------------------------
+void SlackFit::Clear()
+{
+  this->Spokes.clear();
+  this->Gathered.clear();
+}
+
+//------------------------------------------------------------------------------
+void SlackFit::AddFace(const Vector3& second, const Vector3& third)
+{
+  this->Spokes.push_back({ second, third });
+}
+
+//------------------------------------------------------------------------------
+void SlackFit::AddSamples(FaceId face, std::size_t slot)
+{
+  const TriangleFrame frame = FrameOf(this->MeshEditor.Mesh(), face);
+  for (Index s = this->Fit.First(face); s != None; s = this->Fit[s].Next)
+  {
+    const double limit = this->Fit[s].Limit;
+    const double squared = frame.Nearest(this->Fit.SamplePosition(this->Fit[s])).SquaredDistance;
+    this->Gathered.push_back({ s, slot, squared <= limit * limit });
+  }
+}
+
+//------------------------------------------------------------------------------
+void SlackFit::Build(const Vector3& x)
+{
+  this->Frames.clear();
+  double length = 0.0;
+  for (const Spoke& spoke : this->Spokes)
+  {
+    this->Frames.emplace_back(x, spoke.Second, spoke.Third);
+    length += (spoke.Second - x).norm();
+  }
+  this->Radius = LongestStep * length / static_cast<double>(this->Spokes.size());
+}
+
+//------------------------------------------------------------------------------
+/// @param perDistance By how much the distance changes for a step of the vertex.
+void SlackFit::AddRow(
+  double weight, double distance, double limit, const Vector3& perDistance)
+{
+  if (distance > 0.0 || limit > 0.0)
+  {
+    const double ratio = distance / limit;
+    this->Current.Error += weight * SixteenthPower(ratio);
+    this->Current.Largest = std::max(this->Current.Largest, ratio);
+    if (limit > 0.0)
+    {
+      this->Rows.push_back({ weight, ratio, perDistance / limit });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SlackFit::AddSampleRows(double enough)
+{
+  for (Member& member : this->Gathered)
+  {
+    const Samples::Sample& sample = this->Fit[member.Sample];
+    const Vector3 p = this->Fit.SamplePosition(sample);
+    const TriangleFrame::Point nearest = FindInFan(this->Frames, p, member.Slot);
+    if (!member.Counts)
+    {
+      continue;
+    }
+    const TriangleFrame& frame = this->Frames[member.Slot];
+    const double distance = std::sqrt(nearest.SquaredDistance);
+    const Vector3 way = p - frame.At(nearest);
+    const double fraction = 1.0 - nearest.B - nearest.C;
+    const Vector3 direction = distance > 0.0 ? Vector3(way / distance) : frame.UnitNormal();
+    this->AddRow(sample.Weight, distance, sample.Limit, -fraction * direction);
+    if (!(this->Current.Error < enough))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+double SlackFit::LimitOver(Index triangle) const
+{
+  const Triangle c = this->Back.Original().Corners(triangle);
+  return std::min({ this->MeshEditor.LimitAt(c[0]), this->MeshEditor.LimitAt(c[1]),
+    this->MeshEditor.LimitAt(c[2]) });
+}
+
+//------------------------------------------------------------------------------
+/// @param fraction Of the vertex, in the point.
+PointOnMesh SlackFit::AddPointRow(const Vector3& p, Index hint, double fraction, double weight)
+{
+  PointOnMesh found = WalkFrom(this->Back.Original(), p, hint);
+  TriangleFrame frame = FrameOf(this->Back.Original(), found.Face);
+  const double limit = this->LimitOver(found.Face);
+  if (found.Point.SquaredDistance > limit * limit) // the walk may have stopped on another sheet
+  {
+    found.Face = this->Tree.FindNearest(p, found.Face).Triangle;
+    frame = FrameOf(this->Back.Original(), found.Face);
+    found.Point = frame.Nearest(p);
+  }
+  const double distance = std::sqrt(found.Point.SquaredDistance);
+  const Vector3 direction =
+    distance > 0.0 ? Vector3((p - frame.At(found.Point)) / distance) : frame.UnitNormal();
+  this->AddRow(weight, distance, this->LimitOver(found.Face), fraction * direction);
+  return found;
+}
+
+//------------------------------------------------------------------------------
+/// Of points on the edges of the vertex, which is where faces are farthest from the original between its vertices, and of a few inside
+/// the faces.
+bool SlackFit::AddFaceRows(const Vector3& x, double enough)
+{
+  constexpr double third = 1.0 / 3.0;
+  const double unit = this->MeshEditor.Mesh().Unit();
+  const Index atVertex = this->Current.Hint;
+  for (std::size_t face = 0; face < this->Spokes.size() && this->Current.Error < enough; ++face)
+  {
+    const Spoke& spoke = this->Spokes[face];
+    const double weight = this->Frames[face].SurfaceArea() / (unit * unit);
+    const int count = static_cast<int>(std::clamp(
+      std::ceil((spoke.Second - x).norm() / this->Spacing), 2.0, static_cast<double>(MostPoints)));
+    Index hint = atVertex;
+    for (int i = count - 1; i > 0; --i)
+    {
+      const double fraction = static_cast<double>(i) / count;
+      const Vector3 p = fraction * x + (1.0 - fraction) * spoke.Second;
+      hint = this->AddPointRow(p, hint, fraction, weight / count).Face;
+    }
+    this->AddPointRow(third * (x + spoke.Second + spoke.Third), atVertex, third, third * weight);
+  }
+  return this->Current.Error < enough;
+}
+
+//------------------------------------------------------------------------------
+SlackFit::Value SlackFit::Evaluate(const Vector3& x, Index hint, double enough)
+{
+  this->Build(x);
+  this->Rows.clear();
+  this->Current = { 0.0, 0.0, hint };
+  if (!this->AddSampleRows(enough))
+  {
+    return {};
+  }
+  if (this->Part == Of::Both)
+  {
+    this->Current.Hint = this->AddPointRow(x, hint, 1.0, 0.0).Face;
+    if (!this->AddFaceRows(x, enough))
+    {
+      return {};
+    }
+  }
+  return this->Current;
+}
+
+//------------------------------------------------------------------------------
+double SlackFit::LargestOfSamples(const Vector3& x, double most)
+{
+  this->Build(x);
+  double largest = 0.0; // squared
+  for (Member& member : this->Gathered)
+  {
+    const Samples::Sample& sample = this->Fit[member.Sample];
+    const double squared =
+      FindInFan(this->Frames, this->Fit.SamplePosition(sample), member.Slot).SquaredDistance;
+    const double limit = sample.Limit;
+    if (!member.Counts)
+    {
+      continue;
+    }
+    largest = squared > 0.0 ? std::max(largest, squared / (limit * limit)) : largest;
+    if (largest > most * most)
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+  }
+  return std::sqrt(largest);
+}
+
+//------------------------------------------------------------------------------
+/// Ratios are divided by the largest, so that powers stay in range.
+Vector3 SlackFit::Step() const
+{
+  std::vector<Row> active;
+  const double largest = this->Current.Largest;
+  for (const Row& row : this->Rows)
+  {
+    if (row.Ratio > LeastRatio * largest)
+    {
+      active.push_back({ row.Weight, row.Ratio / largest, row.Gradient / largest });
+    }
+  }
+  Vector3 x = Vector3::Zero();
+  for (const int exponent : { 4, 8, 16 })
+  {
+    for (int i = 0; i < StepsOfExponent; ++i)
+    {
+      x += this->NewtonStep(active, x, exponent);
+      const double length = x.norm();
+      x *= length > this->Radius ? this->Radius / length : 1.0;
+    }
+  }
+  return x;
+}
+
+//------------------------------------------------------------------------------
+Vector3 SlackFit::NewtonStep(const std::vector<Row>& rows, const Vector3& x, int exponent) const
+{
+  constexpr double damping = 1e-3; // of the trace
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  Vector3 first = Vector3::Zero();
+  for (const Row& row : rows)
+  {
+    const double ratio = row.Ratio + row.Gradient.dot(x);
+    const double square = ratio * ratio;
+    double power = square; // ratio^(exponent - 2)
+    if (exponent > 4)
+    {
+      const double fourth = square * square;
+      power *= exponent == 8 ? fourth : fourth * fourth * fourth;
+    }
+    const Vector3 scaled = row.Weight * power * row.Gradient;
+    first += ratio * scaled;
+    second += (exponent - 1) * scaled * row.Gradient.transpose();
+  }
+  const double trace = second.trace();
+  if (!(trace > 0.0))
+  {
+    return Vector3::Zero();
+  }
+  second += damping * trace * Eigen::Matrix3d::Identity();
+  return -(second.inverse() * first);
+}
+
+//------------------------------------------------------------------------------
+SlackFit::Value SlackFit::Improve(Vector3& x, Index hint, int times)
+{
+  Value best = this->Evaluate(x, hint);
+  for (int i = 0; i < times && best.Largest > 0.0; ++i)
+  {
+    Vector3 step = this->Step();
+    Value next;
+    for (int attempt = 0; attempt < Attempts; ++attempt, step *= NextAttempt)
+    {
+      next = this->Evaluate(x + step, best.Hint, (1.0 - LeastGain) * best.Error);
+      if (next.Error < best.Error)
+      {
+        break;
+      }
+    }
+    if (!(next.Error < best.Error))
+    {
+      break;
+    }
+    x += step;
+    best = next;
+  }
+  return best;
+}
+}

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SlackMover.h"
+
+namespace bonedecimate
+{
+namespace
+{
+/// A vertex whose faces use less of the bound does not limit anything.
+constexpr double LeastRatio = 0.5;
+constexpr double LeastGain = 1e-4;
+constexpr int Attempts = 3;
+constexpr double NextAttempt = 0.35;
+}
+
+SlackMover::Proposal SlackMover::Evaluate(VertexId vertex)
+{
+  const SlackFit::Value before = this->Gather(vertex);
+  if (!(before.Largest > LeastRatio))
+  {
+    return {};
+  }
+  const Vector3& position = this->MeshEditor.Mesh().Position(vertex);
+  const double enough = (1.0 - LeastGain) * before.Error;
+  Vector3 step = this->Slack.Step();
+  for (int attempt = 0; attempt < Attempts; ++attempt, step *= NextAttempt)
+  {
+    const SlackFit::Value after = this->Slack.Evaluate(position + step, before.Hint, enough);
+    if (after.Error < enough)
+    {
+      return { vertex, position + step, after.Hint, this->Ring, this->Slack.Members() };
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+bool SlackMover::Apply(const Proposal& proposal, Workspace& work) const
+{
+  if (!this->MeshEditor.Move(proposal.Vertex, proposal.Position, work, 1).IsAccepted())
+  {
+    return false;
+  }
+  this->Back.Set(proposal.Vertex, proposal.Hint);
+  for (const Index face : proposal.Ring)
+  {
+    this->Fit.Take(face);
+  }
+  for (const SlackFit::Member& member : proposal.Samples)
+  {
+    this->Fit.Put(member.Sample, proposal.Ring[member.Slot]);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+SlackFit::Value SlackMover::Gather(VertexId vertex)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  this->Slack.Clear();
+  this->Ring.clear();
+  for (const HalfEdgeId h : mesh.OutgoingOf(vertex))
+  {
+    const FaceId face = HalfEdgeMesh::Face(h);
+    this->Slack.AddSamples(face, this->Ring.size());
+    this->Slack.AddFace(
+      mesh.Position(mesh.Target(h)), mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h))));
+    this->Ring.push_back(face);
+  }
+  return this->Slack.Evaluate(mesh.Position(vertex), this->Back.Of(vertex));
+}
+}
