@@ -100,9 +100,10 @@ struct RefineSettings
   int SweepsBefore = 0;         ///< Sweeps of flips and moves before the last collapses.
   int SweepsAfter = 0;          ///< Sweeps after them,
   int SweepsIfFew = 0;          ///< or, where few triangles remain and sweeps cost little, so many.
-  int ProvedRounds = 0; ///< How often sweeps and collapses by slack alternate where edits are proved.
-  int ProvedSweeps = 0; ///< Sweeps by slack in each of these rounds.
-  int ProvedSweepsAfter = 0; ///< Sweeps of flips and moves after them.
+  int ProvedRounds =
+    0; ///< How often sweeps and collapses by slack alternate where edits are proved.
+  int ProvedSweeps = 0;         ///< Sweeps by slack in each of these rounds.
+  int ProvedSweepsAfter = 0;    ///< Sweeps of flips and moves after them.
   bool ForcesCollapses = false; ///< Whether collapses by slack may need moves around them.
   int VoxelRounds = 0; ///< How often sweeps and collapses alternate where voxels alone limit edits.
 };

@@ -20,13 +20,14 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
+constexpr double Limit = 0.3; // mm
 const Monitor Always = [](double) { return true; };
 
 /// A sphere of 10 mm that the sweep has simplified as far as the error allows.
 struct Bench
 {
-  explicit Bench(double error = 0.1)
-    : Cleaned(Clean(Icosphere(4, 10.0), true))
+  explicit Bench(double error = Limit, const Surface& surface = Icosphere(3, 10.0))
+    : Cleaned(Clean(surface, true))
     , MeshEditor(this->Cleaned, Settings(error))
     , Fit(this->MeshEditor.BoundedMesh(), false, Limits(error))
     , Back(this->MeshEditor.BoundedMesh())
@@ -50,8 +51,7 @@ struct Bench
   }
   std::vector<float> Limits(double error) const
   {
-    return std::vector<float>(
-      this->Cleaned.Surface.Points.size(), static_cast<float>(error));
+    return std::vector<float>(this->Cleaned.Surface.Points.size(), static_cast<float>(error));
   }
 
   const HalfEdgeMesh& Mesh() const { return this->MeshEditor.Mesh(); }
@@ -152,7 +152,7 @@ TEST(SlackFit, MeasuresSamplesAsBruteForceDoes)
   SlackFit slack(bench.MeshEditor, bench.Fit, bench.Back);
   const VertexId vertex = bench.FirstVertex();
   const std::vector<FaceId> faces = bench.Gather(vertex, slack);
-  const Vector3 position = 0.99 * bench.Mesh().Position(vertex);
+  const Vector3 position = 0.95 * bench.Mesh().Position(vertex);
   const double found = slack.LargestOfSamples(position, 1e9);
   double expected = 0.0; // limits
   for (const FaceId face : faces)
@@ -165,8 +165,8 @@ TEST(SlackFit, MeasuresSamplesAsBruteForceDoes)
         {
           const TriangleFrame frame(position, bench.Mesh().Position(bench.Mesh().Target(h)),
             bench.Mesh().Position(bench.Mesh().Origin(HalfEdgeMesh::Previous(h))));
-          least = std::min(least,
-            std::sqrt(frame.Nearest(bench.Fit.SamplePosition(sample)).SquaredDistance));
+          least = std::min(
+            least, std::sqrt(frame.Nearest(bench.Fit.SamplePosition(sample)).SquaredDistance));
         }
         expected = std::max(expected, least / sample.Limit);
       });
@@ -181,7 +181,7 @@ TEST(SlackFit, StepsLowerTheLargestDistance)
   SlackFit slack(bench.MeshEditor, bench.Fit, bench.Back);
   const VertexId vertex = bench.FirstVertex();
   bench.Gather(vertex, slack);
-  Vector3 position = 1.02 * bench.Mesh().Position(vertex);
+  Vector3 position = 1.06 * bench.Mesh().Position(vertex);
   const double before = slack.Evaluate(position, bench.Back.Of(vertex)).Largest;
   EXPECT_GT(before, 1.9); // the vertex itself
   const SlackFit::Value after = slack.Improve(position, bench.Back.Of(vertex), 8);
@@ -211,7 +211,7 @@ TEST(SlackRefinement, CollapsesMoreAfterSweepsAndKeepsTheBound)
     EXPECT_TRUE(slack.Begin(Always) && slack.Sweep(sweeps, Always) && slack.Collapse(0, Always));
     faces[sweeps > 0 ? 1 : 0] = bench.Mesh().NumberOfFaces();
     EXPECT_EQ(BrokenInvariant(bench.Mesh()), "");
-    EXPECT_EQ(bench.Certified(0.1), ProofStatus::Proved);
+    EXPECT_EQ(bench.Certified(Limit), ProofStatus::Proved);
   }
   EXPECT_LT(faces[1], faces[0]);
 }
@@ -227,21 +227,20 @@ TEST(SlackRefinement, StopsAtTheNumberOfFaces)
 
 TEST(CollapseAndMove, IsProvedAsAWhole)
 {
-  Bench bench;
+  Bench bench(Limit, BumpySphere(4, 10.0, 0.2, 7));
   int applied = 0;
   ForEachFound(bench, 1.4,
     [&](const SlackCandidate& candidate, const PatchFit::Result& found)
     {
       Workspace work;
       const Index faces = bench.Mesh().NumberOfFaces();
-      if (bench.MeshEditor
-            .CollapseAndMove(EditOf(candidate, found.Position), found.Moves, work, 1)
+      if (bench.MeshEditor.CollapseAndMove(EditOf(candidate, found.Position), found.Moves, work, 1)
             .IsAccepted())
       {
         bench.MeshEditor.Settle(work.Counted);
         EXPECT_EQ(bench.Mesh().NumberOfFaces(), faces - 2);
         EXPECT_EQ(BrokenInvariant(bench.Mesh()), "");
-        EXPECT_EQ(bench.Certified(0.1), ProofStatus::Proved);
+        EXPECT_EQ(bench.Certified(Limit), ProofStatus::Proved);
         ++applied;
       }
       return applied == 0;
@@ -251,7 +250,7 @@ TEST(CollapseAndMove, IsProvedAsAWhole)
 
 TEST(CollapseAndMove, LeavesEveryByteIfItIsRejected)
 {
-  Bench bench;
+  Bench bench(Limit, BumpySphere(4, 10.0, 0.2, 7));
   const std::vector<double> before = StateOf(bench.Mesh());
   int rejected = 0;
   ForEachFound(bench, 1.4,
@@ -259,7 +258,7 @@ TEST(CollapseAndMove, LeavesEveryByteIfItIsRejected)
     {
       Workspace work;
       std::vector<VertexMove> moves = found.Moves;
-      moves.back().Position *= 1.011; // more than the limit away
+      moves.back().Position *= 1.05; // more than the limit away
       const Decision farMove =
         bench.MeshEditor.CollapseAndMove(EditOf(candidate, found.Position), moves, work, 1);
       const Decision withoutMoves =
@@ -275,14 +274,15 @@ TEST(CollapseAndMove, LeavesEveryByteIfItIsRejected)
 
 TEST(ForcedCollapse, RemovesMoreTheFartherItMayBegin)
 {
-  Index before = Bench().Mesh().NumberOfFaces();
-  for (const double farthest : { 1.1, 1.5 })
+  const Surface bumpy = BumpySphere(4, 10.0, 0.2, 7);
+  Index before = Bench(Limit, bumpy).Mesh().NumberOfFaces();
+  for (const double farthest : { 1.05, 1.5 })
   {
-    Bench bench;
+    Bench bench(Limit, bumpy);
     SlackRefinement slack(bench.MeshEditor, 1);
     EXPECT_TRUE(slack.Begin(Always) && slack.Force(0, farthest, Always));
     EXPECT_LT(bench.Mesh().NumberOfFaces(), before) << farthest;
-    EXPECT_EQ(bench.Certified(0.1), ProofStatus::Proved);
+    EXPECT_EQ(bench.Certified(Limit), ProofStatus::Proved);
     before = bench.Mesh().NumberOfFaces();
   }
 }
@@ -290,7 +290,7 @@ TEST(ForcedCollapse, RemovesMoreTheFartherItMayBegin)
 TEST(ForcedCollapse, LeavesTheMeshWhereEditsAreRecorded)
 {
   const CleanSurface clean = Clean(Icosphere(3, 10.0), true);
-  EditorSettings settings = Bench::Settings(0.3);
+  EditorSettings settings = Bench::Settings(Limit);
   settings.RecordsEdits = true;
   Editor editor(clean, settings);
   BucketSweep(editor, { 0, 0.0 }, 1).Run(Always);
@@ -302,13 +302,13 @@ TEST(ForcedCollapse, LeavesTheMeshWhereEditsAreRecorded)
 
 TEST(ErrorBoundModes, NeedFewerTrianglesTheLongerTheyTake)
 {
-  const Surface input = BumpySphere(4, 10.0, 0.5, 7);
+  const Surface input = BumpySphere(4, 10.0, 0.2, 7);
   std::size_t before = input.Triangles.size();
   double volume = 0.0; // mm^3, of Fast
   for (const Mode mode : { Mode::Fast, Mode::Balanced, Mode::Accurate })
   {
-    const Result result = Decimate(input, InMode(mode, Error(0.1)));
-    EXPECT_LT(result.Surface.Triangles.size(), 0.97 * before) << WordOf(mode);
+    const Result result = Decimate(input, InMode(mode, Error(Limit)));
+    EXPECT_LT(result.Surface.Triangles.size(), before) << WordOf(mode);
     before = result.Surface.Triangles.size();
     double now = 0.0; // mm^3
     for (const Triangle& t : result.Surface.Triangles)
@@ -317,7 +317,7 @@ TEST(ErrorBoundModes, NeedFewerTrianglesTheLongerTheyTake)
       now += p[t[0]].dot(p[t[1]].cross(p[t[2]])) / 6.0;
     }
     volume = mode == Mode::Fast ? now : volume;
-    EXPECT_NEAR(now, volume, 0.005 * volume) << WordOf(mode);
+    EXPECT_NEAR(now, volume, 0.02 * volume) << WordOf(mode);
   }
 }
 
@@ -325,7 +325,6 @@ TEST(ErrorBoundModes, GiveTheSameBytesForAnyNumberOfThreads)
 {
   for (const Mode mode : { Mode::Balanced, Mode::Accurate })
   {
-    ExpectTheSameBytesForAnyNumberOfThreads(
-      BumpySphere(4, 10.0, 0.5, 7), InMode(mode, Error(0.1)));
+    ExpectTheSameBytesForAnyNumberOfThreads(BumpySphere(3, 10.0, 0.2, 7), InMode(mode, Error(0.3)));
   }
 }

@@ -8,8 +8,8 @@
 
 namespace bonedecimate
 {
-Decision Editor::CollapseAndMove(
-  const Edit& requested, const std::vector<VertexMove>& requestedMoves, Workspace& work, int workers)
+Decision Editor::CollapseAndMove(const Edit& requested,
+  const std::vector<VertexMove>& requestedMoves, Workspace& work, int workers)
 {
   Edit edit = requested;
   edit.Position = this->Rounded(edit.Position);
@@ -20,8 +20,8 @@ Decision Editor::CollapseAndMove(
   }
   const auto movesFreely = [this](VertexId v) { return this->Half.MovesFreely(v); };
   if (!movesFreely(this->Half.Origin(edit.Edge)) || !movesFreely(this->Half.Target(edit.Edge)) ||
-    !std::all_of(moves.begin(), moves.end(),
-      [&](const VertexMove& move) { return movesFreely(move.Vertex); }))
+    !std::all_of(
+      moves.begin(), moves.end(), [&](const VertexMove& move) { return movesFreely(move.Vertex); }))
   {
     return Rejection::Boundary;
   }

@@ -156,7 +156,8 @@ void Editor::AddErrorBound(const EditorSettings& settings)
 {
   ErrorBoundSettings bound = *settings.Bound;
   bound.Tolerances = settings.Tolerances.empty() ? nullptr : &settings.Tolerances;
-  this->Bound = std::make_shared<ErrorBound>(this->BoundedMesh(), this->Source.Tree(settings.Threads), bound);
+  this->Bound =
+    std::make_shared<ErrorBound>(this->BoundedMesh(), this->Source.Tree(settings.Threads), bound);
   this->Filters.push_back(this->Bound);
 }
 

@@ -145,8 +145,7 @@ Rejection CheckMove(
 }
 
 //------------------------------------------------------------------------------
-Rejection CheckNewFaces(
-  const HalfEdgeMesh& mesh, const SurfaceChange& change, double& volumeChange)
+Rejection CheckNewFaces(const HalfEdgeMesh& mesh, const SurfaceChange& change, double& volumeChange)
 {
   const Vector3 origin = change.Position;
   const auto volume = [&origin](const Vector3& a, const Vector3& b, const Vector3& c)

@@ -232,8 +232,8 @@ bool Samples::SortByFace(Index faces, int threads, const Monitor& monitor)
       for (Index id = static_cast<Index>(first); id < static_cast<Index>(last); ++id)
       {
         const Index at = this->Faces[id];
-        this->All[at] = { Single(this->PositionOf(id) / this->Unit), weights[id],
-          this->LimitOf(id), at + 1 };
+        this->All[at] = { Single(this->PositionOf(id) / this->Unit), weights[id], this->LimitOf(id),
+          at + 1 };
       }
     });
   // The last of each list is the one before the next list begins.

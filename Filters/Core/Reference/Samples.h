@@ -110,7 +110,7 @@ private:
   Usual Measured;
   bool MayBeThree;
   std::vector<float> Limits; // mm, of each vertex
-  Index PerFace = 1; // samples inside each original triangle
+  Index PerFace = 1;         // samples inside each original triangle
   std::vector<Sample> All;
   std::vector<Index> Faces;  // of each sample; valid only within Distribute and Settle
   std::vector<Index> Firsts; // of each face

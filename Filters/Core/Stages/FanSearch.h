@@ -38,6 +38,23 @@ inline TriangleFrame::Point FindInFan(
   }
   return best;
 }
+
+/// The same, and among all faces where that ends at the vertex, at which all faces are equally near.
+inline TriangleFrame::Point FindInWholeFan(
+  const std::vector<TriangleFrame>& frames, const Vector3& p, std::size_t& slot)
+{
+  constexpr int atVertex = 6; // the weights of B and C are zero
+  TriangleFrame::Point best = FindInFan(frames, p, slot);
+  for (std::size_t i = 0; i < frames.size() && (best.Clamped & atVertex) == atVertex; ++i)
+  {
+    const TriangleFrame::Point point = frames[i].Nearest(p);
+    if (point.SquaredDistance < best.SquaredDistance)
+    {
+      best = FindInFan(frames, p, slot = i);
+    }
+  }
+  return best;
+}
 }
 
 #endif

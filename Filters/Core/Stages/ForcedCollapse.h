@@ -28,8 +28,7 @@ class ForcedCollapse
 public:
   /// @param editor Must keep quadrics, and they must be right; must not record edits.
   /// @param farthest The largest ratio of a candidate.
-  ForcedCollapse(
-    Editor& editor, Samples& samples, BackHints& hints, double farthest, int threads);
+  ForcedCollapse(Editor& editor, Samples& samples, BackHints& hints, double farthest, int threads);
 
   /// Down to that many faces at most. False if the monitor requests a stop.
   bool Run(Index faces, const Monitor& monitor);

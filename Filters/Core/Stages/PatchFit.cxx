@@ -141,11 +141,26 @@ SlackFit::Value PatchFit::Evaluate(const Vertex& vertex, const Vector3& position
 }
 
 //------------------------------------------------------------------------------
+/// Gives the samples to the faces where the last evaluation found them: those of the merged vertex have other faces than before.
+void PatchFit::HandOver(const Vertex& vertex)
+{
+  for (const Corner& corner : vertex.Fan)
+  {
+    this->Faces[corner.Face].Members.clear();
+  }
+  for (const SlackFit::Member& member : this->Slack.Members())
+  {
+    this->Faces[vertex.Fan[member.Slot].Face].Members.push_back(member);
+  }
+}
+
+//------------------------------------------------------------------------------
 /// Moves the vertex if that helps.  @return The largest ratio of its faces.
 double PatchFit::Improve(Vertex& vertex)
 {
   const SlackFit::Value before =
     this->Evaluate(vertex, vertex.Position, std::numeric_limits<double>::infinity());
+  this->HandOver(vertex);
   if (!(before.Largest > RatioToMove))
   {
     return before.Largest;
@@ -154,21 +169,13 @@ double PatchFit::Improve(Vertex& vertex)
   Vector3 step = this->Slack.Step();
   for (int attempt = 0; attempt < Attempts; ++attempt, step *= NextAttempt)
   {
-    const SlackFit::Value after =
-      this->Slack.Evaluate(vertex.Position + step, before.Hint, enough);
+    const SlackFit::Value after = this->Slack.Evaluate(vertex.Position + step, before.Hint, enough);
     if (after.Error < enough)
     {
       vertex.Position += step;
       vertex.Hint = after.Hint;
       vertex.HasMoved = true;
-      for (const Corner& corner : vertex.Fan)
-      {
-        this->Faces[corner.Face].Members.clear();
-      }
-      for (const SlackFit::Member& member : this->Slack.Members())
-      {
-        this->Faces[vertex.Fan[member.Slot].Face].Members.push_back(member);
-      }
+      this->HandOver(vertex);
       return after.Largest;
     }
   }
@@ -204,8 +211,7 @@ bool PatchFit::SweepUntilWithin()
     }
     const double gain = before - largest;
     const int left = MostSweeps - 1 - sweep;
-    if (!(gain > LeastGain * largest) ||
-      (sweep > 0 && largest - Within > MostHope * gain * left))
+    if (!(gain > LeastGain * largest) || (sweep > 0 && largest - Within > MostHope * gain * left))
     {
       return false;
     }

@@ -77,6 +77,7 @@ private:
   std::size_t FaceOf(Index id);
   const Vector3& PositionOf(Index vertex) const;
   SlackFit::Value Evaluate(const Vertex& vertex, const Vector3& position, double enough);
+  void HandOver(const Vertex& vertex);
   double Improve(Vertex& vertex);
   double LargestRatio();
   bool SweepUntilWithin();

@@ -114,8 +114,7 @@ bool SlackCandidates::EvaluateEdge(
   }
   const Index hint = this->Back.Of(around.Start);
   slack.Use(SlackFit::Of::Samples);
-  const bool isNear =
-    slack.Improve(candidate.Position, hint, MovesOfCandidate).Largest <
+  const bool isNear = slack.Improve(candidate.Position, hint, MovesOfCandidate).Largest <
     FarthestOfSamples * this->Farthest;
   slack.Use(SlackFit::Of::Both);
   if (!isNear)
@@ -138,8 +137,8 @@ void SlackCandidates::Gather(
   slack.Clear();
   for (std::size_t i = 0; i < around.Corners.size(); ++i)
   {
-    slack.AddFace(mesh.Position(around.Ring[i]),
-      mesh.Position(around.Ring[(i + 1) % around.Ring.size()]));
+    slack.AddFace(
+      mesh.Position(around.Ring[i]), mesh.Position(around.Ring[(i + 1) % around.Ring.size()]));
     slack.AddSamples(HalfEdgeMesh::Face(around.Corners[i]), i);
   }
   for (std::size_t k = 0; k < 2; ++k)

@@ -60,10 +60,8 @@ private:
     Workspace Space;
     std::vector<RatedEdge> Edges;
   };
-  void EvaluateAt(
-    VertexId vertex, Evaluator& evaluator, std::vector<SlackCandidate>& found) const;
-  bool EvaluateEdge(
-    const RatedEdge& edge, Evaluator& evaluator, SlackCandidate& candidate) const;
+  void EvaluateAt(VertexId vertex, Evaluator& evaluator, std::vector<SlackCandidate>& found) const;
+  bool EvaluateEdge(const RatedEdge& edge, Evaluator& evaluator, SlackCandidate& candidate) const;
 
   const Editor& MeshEditor;
   const Samples& Fit;

@@ -58,8 +58,8 @@ bool SlackCollapse::Run(Index faces, const Monitor& monitor)
 bool SlackCollapse::IsTouched(const EdgeNeighborhood& around) const
 {
   return this->Touched[around.Start] || this->Touched[around.End] ||
-    std::any_of(around.Ring.begin(), around.Ring.end(),
-      [this](VertexId v) { return this->Touched[v] != 0; });
+    std::any_of(
+      around.Ring.begin(), around.Ring.end(), [this](VertexId v) { return this->Touched[v] != 0; });
 }
 
 //------------------------------------------------------------------------------

@@ -84,8 +84,7 @@ void SlackFit::Build(const Vector3& x)
 
 //------------------------------------------------------------------------------
 /// @param perDistance By how much the distance changes for a step of the vertex.
-void SlackFit::AddRow(
-  double weight, double distance, double limit, const Vector3& perDistance)
+void SlackFit::AddRow(double weight, double distance, double limit, const Vector3& perDistance)
 {
   if (distance > 0.0 || limit > 0.0)
   {
@@ -106,7 +105,7 @@ bool SlackFit::AddSampleRows(double enough)
   {
     const Samples::Sample& sample = this->Fit[member.Sample];
     const Vector3 p = this->Fit.SamplePosition(sample);
-    const TriangleFrame::Point nearest = FindInFan(this->Frames, p, member.Slot);
+    const TriangleFrame::Point nearest = FindInWholeFan(this->Frames, p, member.Slot);
     if (!member.Counts)
     {
       continue;
@@ -209,7 +208,7 @@ double SlackFit::LargestOfSamples(const Vector3& x, double most)
   {
     const Samples::Sample& sample = this->Fit[member.Sample];
     const double squared =
-      FindInFan(this->Frames, this->Fit.SamplePosition(sample), member.Slot).SquaredDistance;
+      FindInWholeFan(this->Frames, this->Fit.SamplePosition(sample), member.Slot).SquaredDistance;
     const double limit = sample.Limit;
     if (!member.Counts)
     {

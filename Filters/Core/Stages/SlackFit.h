@@ -31,7 +31,7 @@ public:
 
   struct Value
   {
-    double Error = std::numeric_limits<double>::infinity(); ///< Squares of the mesh's unit.
+    double Error = std::numeric_limits<double>::infinity();   ///< Squares of the mesh's unit.
     double Largest = std::numeric_limits<double>::infinity(); ///< Of all ratios.
     Index Hint = None; ///< The original triangle near the vertex.
   };
@@ -63,8 +63,8 @@ public:
   void AddMember(const Member& member) { this->Gathered.push_back(member); }
   /// With the vertex at x.  @param hint An original triangle near x.  @param enough An error at which the evaluation ends; the
   /// value is infinite then.
-  Value Evaluate(const Vector3& x, Index hint,
-    double enough = std::numeric_limits<double>::infinity());
+  Value Evaluate(
+    const Vector3& x, Index hint, double enough = std::numeric_limits<double>::infinity());
   /// Of the samples of the original alone; infinite above that ratio.
   double LargestOfSamples(const Vector3& x, double most);
 
@@ -102,7 +102,7 @@ private:
   const BoundingTree& Tree; // of the original
   double Spacing;           // mm, of the points on the fan
   Of Part = Of::Both;
-  double Radius = 0.0;      // mm, the longest step
+  double Radius = 0.0; // mm, the longest step
   std::vector<Spoke> Spokes;
   std::vector<TriangleFrame> Frames;
   std::vector<Member> Gathered;

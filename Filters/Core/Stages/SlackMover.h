@@ -27,10 +27,10 @@ public:
 
   struct Proposal
   {
-    Index Vertex = None; ///< None: it does not move.
-    Vector3 Position = Vector3::Zero(); ///< mm from the local origin
-    Index Hint = None;                  ///< The original triangle near it.
-    std::vector<Index> Ring = {};       ///< The faces of the vertex,
+    Index Vertex = None;                        ///< None: it does not move.
+    Vector3 Position = Vector3::Zero();         ///< mm from the local origin
+    Index Hint = None;                          ///< The original triangle near it.
+    std::vector<Index> Ring = {};               ///< The faces of the vertex,
     std::vector<SlackFit::Member> Samples = {}; ///< and which sample is in which of them.
   };
   /// Reads the faces of the vertex only, so that vertices without a common face may be evaluated at the same time.
