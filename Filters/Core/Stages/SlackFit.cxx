@@ -139,7 +139,7 @@ PointOnMesh SlackFit::AddPointRow(const Vector3& p, Index hint, double fraction,
   PointOnMesh found = WalkFrom(this->Back.Original(), p, hint);
   TriangleFrame frame = FrameOf(this->Back.Original(), found.Face);
   const double limit = this->LimitOver(found.Face);
-  if (found.Point.SquaredDistance > limit * limit) // the walk may have stopped on another sheet
+  if (found.Point.SquaredDistance > limit * limit) // the walk may have stopped on another part
   {
     found.Face = this->Tree.FindNearest(p, found.Face).Triangle;
     frame = FrameOf(this->Back.Original(), found.Face);
@@ -229,6 +229,10 @@ Vector3 SlackFit::Step() const
 {
   std::vector<Row> active;
   const double largest = this->Current.Largest;
+  if (!(largest > 0.0 && largest < std::numeric_limits<double>::infinity()))
+  {
+    return Vector3::Zero(); // infinite where the limit is 0
+  }
   for (const Row& row : this->Rows)
   {
     if (row.Ratio > LeastRatio * largest)
