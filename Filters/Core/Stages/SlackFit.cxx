@@ -250,7 +250,7 @@ Vector3 SlackFit::Step() const
       x *= length > this->Radius ? this->Radius / length : 1.0;
     }
   }
-  return x;
+  return x.allFinite() ? x : Vector3(Vector3::Zero());
 }
 
 //------------------------------------------------------------------------------
