@@ -59,9 +59,9 @@ void AddLevelOptions(CLI::App& app, LevelsArguments& arguments)
 
 void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
 {
-  for (const char* flag : { "--record", "--coarsest", "--mode", "--max-error", "--no-errors",
-         "--smooth", "--feature-angle", "--keep-voxels", "--region", "--tolerance-array",
-         "--reference" })
+  for (const char* flag :
+    { "--record", "--coarsest", "--mode", "--max-error", "--no-errors", "--smooth",
+      "--feature-angle", "--keep-voxels", "--region", "--tolerance-array", "--reference" })
   {
     if (!arguments.Log.empty() && app.count(flag) > 0)
     {

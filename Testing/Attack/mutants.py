@@ -149,7 +149,7 @@ MUTANTS = (
            "constexpr double Slack = 0.0;", SMOOTHING_TESTS),
     Mutant("octahedra that are too large", SMOOTHING + "DisplacementSets.cxx", "NumberOfOdd(center) - Slack }",
            "1.2 * NumberOfOdd(center) }", SMOOTHING_TESTS),
-    Mutant("edits are proved against the smoothed positions", "Filters/Core/Edit/Editor.cxx",
+    Mutant("edits are proved against the smoothed positions", "Filters/Core/Edit/Editor.h",
            "this->Unsmoothed ? *this->Unsmoothed : *this->First", "*this->First", SMOOTHING_TESTS),
     Mutant("a constrained point is smoothed", SMOOTHING + "Smoothing.cxx", "radii[p] = std::max(0.0, least);",
            "radii[p] = std::max(1e-3 * settings.Radius, least);", SMOOTHING_TESTS),

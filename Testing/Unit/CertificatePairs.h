@@ -58,6 +58,15 @@ inline std::vector<NamedPair> SmallPairs()
   flat.Triangles.push_back({ 4, 4, 4 });
   flat.Points.emplace_back(100.0, 0.0, 0.0); // of no triangle
   pairs.push_back({ "flat", flat, Moved(Grid(1), { 0.5, 0.25, 0.125 }) });
+  Surface segment; // pieces of it have sides as short as rounding makes them
+  segment.Points = { { -0.25, 1.0, -0.1875 }, { 2.5, 2.9375, 2.1875 } };
+  segment.Triangles = { { 0, 1, 0 } };
+  Surface near;
+  near.Points = { { -0.3125, 0.375, -0.625 }, { 2.5, 2.9375, 2.1875 }, { -2.5, -1.625, -0.4375 },
+    { -1.125, -1.1875, -1.75 }, { 2.3125, 1.4375, -0.8125 }, { -0.25, 1.0, -0.1875 },
+    { -0.125, -1.3125, -1.75 }, { -1.6875, 2.0, -0.0625 } };
+  near.Triangles = { { 0, 1, 2 }, { 3, 4, 5 }, { 6, 7, 1 } };
+  pairs.push_back({ "segment", segment, near });
   return pairs;
 }
 

@@ -9,8 +9,8 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-/// Of the angle at the first corner of T.
-constexpr double LeastSine = 1e-2;
+/// Of the height of T over the longer one of its sides at the first corner, in parts of that side.
+constexpr double LeastHeight = 1e-2;
 /// More triangles over T take longer than cutting T.
 constexpr std::size_t MostTriangles = 4096;
 /// Relative error of a predicate and of the clipped coordinates, about 90 u.
@@ -104,7 +104,8 @@ bool OverlayCover::Begin(const Corners& triangle)
   const double bc = this->AB.dot(this->AC);
   const double cc = this->AC.squaredNorm();
   const double determinant = bb * cc - bc * bc;
-  if (!(determinant > LeastSine * LeastSine * bb * cc))
+  const double longer = std::max(bb, cc); // squared
+  if (!(determinant > LeastHeight * LeastHeight * longer * longer))
   {
     return false;
   }
@@ -229,6 +230,16 @@ OverlayCover::Polygon OverlayCover::Clip(const Polygon& polygon, int side, doubl
 }
 
 //------------------------------------------------------------------------------
+/// Images are clipped at a widened T, so their corners may lie outside of it.
+Vector3 OverlayCover::InTriangle(double b, double c) const
+{
+  b = std::max(0.0, b);
+  c = std::max(0.0, c);
+  const double sum = std::max(1.0, b + c);
+  return this->A + b / sum * this->AB + c / sum * this->AC;
+}
+
+//------------------------------------------------------------------------------
 /// Raises the bound to the largest distance at a corner of the overlay.
 void OverlayCover::Measure(const Shape& shape, Index triangle, Bound& bound) const
 {
@@ -251,7 +262,7 @@ void OverlayCover::Measure(const Shape& shape, Index triangle, Bound& bound) con
     const double distance = (position - at.Point).norm();
     if (distance > bound.Upper || bound.Nearest == None)
     {
-      bound = { std::max(distance, bound.Upper), position, triangle };
+      bound = { std::max(distance, bound.Upper), this->InTriangle(at.B, at.C), triangle };
     }
   }
 }

@@ -19,7 +19,7 @@
  * Rounding. The map is defined by the computed coordinates of the points and is linear on each triangle; the proof does not need
  * x - t to be normal to T. Predicates are exact comparisons of these coordinates or have an error bound, and in doubt an edge meets T. An
  * image is clipped at T widened by ClipMargin, so that the polygon contains the exact one; its corners carry coordinates and
- * positions. T must not be thinner than LeastSine, so the rounding error of a corner is below 1000 u of the extent (Foot.h).
+ * positions. T must not be thinner than LeastHeight, so the rounding error of a corner is below 1000 u of the extent (Foot.h).
  */
 #ifndef BoneDecimate_Core_Certificate_OverlayCover_h
 #define BoneDecimate_Core_Certificate_OverlayCover_h
@@ -80,6 +80,7 @@ private:
   void Measure(const Shape& shape, Index triangle, Bound& bound) const;
   bool CrossEdges(const Shape& shape, Index triangle);
   static Polygon Clip(const Polygon& polygon, int side, double margin);
+  Vector3 InTriangle(double b, double c) const;
 
   const Simplices& Surface;
   const EdgeSides& Sides;

@@ -26,6 +26,7 @@ constexpr double LeastGain = 1e-4;
 /// Rows below this part of the largest ratio hardly matter to the step.
 constexpr double LeastRatio = 0.4;
 constexpr int StepsOfExponent = 4;
+constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 double SixteenthPower(double ratio)
 {
@@ -184,16 +185,17 @@ SlackFit::Value SlackFit::Evaluate(const Vector3& x, Index hint, double enough)
   this->Build(x);
   this->Rows.clear();
   this->Current = { 0.0, 0.0, hint };
+  const Value ended{ Infinity, Infinity, hint };
   if (!this->AddSampleRows(enough))
   {
-    return {};
+    return ended;
   }
   if (this->Part == Of::Both)
   {
     this->Current.Hint = this->AddPointRow(x, hint, 1.0, 0.0).Face;
     if (!this->AddFaceRows(x, enough))
     {
-      return {};
+      return ended;
     }
   }
   return this->Current;
@@ -217,7 +219,7 @@ double SlackFit::LargestOfSamples(const Vector3& x, double most)
     largest = squared > 0.0 ? std::max(largest, squared / (limit * limit)) : largest;
     if (largest > most * most)
     {
-      return std::numeric_limits<double>::infinity();
+      return Infinity;
     }
   }
   return std::sqrt(largest);
@@ -229,7 +231,7 @@ Vector3 SlackFit::Step() const
 {
   std::vector<Row> active;
   const double largest = this->Current.Largest;
-  if (!(largest > 0.0 && largest < std::numeric_limits<double>::infinity()))
+  if (!(largest > 0.0 && largest < Infinity))
   {
     return Vector3::Zero(); // infinite where the limit is 0
   }
@@ -286,7 +288,7 @@ Vector3 SlackFit::NewtonStep(const std::vector<Row>& rows, const Vector3& x, int
 SlackFit::Value SlackFit::Improve(Vector3& x, Index hint, int times)
 {
   Value best = this->Evaluate(x, hint);
-  for (int i = 0; i < times && best.Largest > 0.0; ++i)
+  for (int i = 0; i < times && best.Largest > 0.0 && best.Largest < Infinity; ++i)
   {
     Vector3 step = this->Step();
     Value next;
