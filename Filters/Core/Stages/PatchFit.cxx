@@ -169,10 +169,11 @@ double PatchFit::Improve(Vertex& vertex)
   Vector3 step = this->Slack.Step();
   for (int attempt = 0; attempt < Attempts; ++attempt, step *= NextAttempt)
   {
-    const SlackFit::Value after = this->Slack.Evaluate(vertex.Position + step, before.Hint, enough);
+    const Vector3 moved = this->Slack.OnGrid(vertex.Position + step);
+    const SlackFit::Value after = this->Slack.Evaluate(moved, before.Hint, enough);
     if (after.Error < enough)
     {
-      vertex.Position += step;
+      vertex.Position = moved;
       vertex.Hint = after.Hint;
       vertex.HasMoved = true;
       this->HandOver(vertex);

@@ -15,6 +15,8 @@ namespace
 {
 /// Points on the edges of the fan are that far from each other, in mean edges of the original.
 constexpr double SpacingInEdges = 0.35;
+/// Moved vertices are on a grid of a mean edge divided by that power of two.
+constexpr double GridBits = 20.0;
 constexpr int MostPoints = 10; // on an edge of the fan, and one
 /// The longest step, in mean edges at the vertex.
 constexpr double LongestStep = 0.4;
@@ -42,6 +44,7 @@ SlackFit::SlackFit(const Editor& editor, const Samples& samples, const BackHints
   , Back(hints)
   , Tree(editor.Reference().Tree())
   , Spacing(SpacingInEdges * editor.Mesh().LengthAtFirst())
+  , Grid(std::exp2(std::floor(std::log2(editor.Mesh().LengthAtFirst())) - GridBits))
 {
 }
 
@@ -285,16 +288,24 @@ Vector3 SlackFit::NewtonStep(const std::vector<Row>& rows, const Vector3& x, int
 }
 
 //------------------------------------------------------------------------------
+Vector3 SlackFit::OnGrid(const Vector3& x) const
+{
+  return this->Grid > 0.0 ? Vector3((x / this->Grid).array().round() * this->Grid) : x;
+}
+
+//------------------------------------------------------------------------------
 SlackFit::Value SlackFit::Improve(Vector3& x, Index hint, int times)
 {
   Value best = this->Evaluate(x, hint);
   for (int i = 0; i < times && best.Largest > 0.0 && best.Largest < Infinity; ++i)
   {
     Vector3 step = this->Step();
+    Vector3 moved = x;
     Value next;
     for (int attempt = 0; attempt < Attempts; ++attempt, step *= NextAttempt)
     {
-      next = this->Evaluate(x + step, best.Hint, (1.0 - LeastGain) * best.Error);
+      moved = this->OnGrid(x + step);
+      next = this->Evaluate(moved, best.Hint, (1.0 - LeastGain) * best.Error);
       if (next.Error < best.Error)
       {
         break;
@@ -304,7 +315,7 @@ SlackFit::Value SlackFit::Improve(Vector3& x, Index hint, int times)
     {
       break;
     }
-    x += step;
+    x = moved;
     best = next;
   }
   return best;

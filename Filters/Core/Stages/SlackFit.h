@@ -71,6 +71,10 @@ public:
   /// From the vertex of the last evaluation, which was not ended, mm.
   Vector3 Step() const;
 
+  /// The nearest position of a fine grid. One step after the other would amplify the rounding of coordinates, which is another one at
+  /// another distance from the origin.
+  Vector3 OnGrid(const Vector3& x) const;
+
   /// Moves x as long as that lowers the error by more than a little, that often at most.
   Value Improve(Vector3& x, Index hint, int times);
 
@@ -101,6 +105,7 @@ private:
   const BackHints& Back;
   const BoundingTree& Tree; // of the original
   double Spacing;           // mm, of the points on the fan
+  double Grid;              // mm
   Of Part = Of::Both;
   double Radius = 0.0; // mm, the longest step
   std::vector<Spoke> Spokes;

@@ -25,10 +25,11 @@ SlackMover::Proposal SlackMover::Evaluate(VertexId vertex)
   Vector3 step = this->Slack.Step();
   for (int attempt = 0; attempt < Attempts; ++attempt, step *= NextAttempt)
   {
-    const SlackFit::Value after = this->Slack.Evaluate(position + step, before.Hint, enough);
+    const Vector3 moved = this->Slack.OnGrid(position + step);
+    const SlackFit::Value after = this->Slack.Evaluate(moved, before.Hint, enough);
     if (after.Error < enough)
     {
-      return { vertex, position + step, after.Hint, this->Ring, this->Slack.Members() };
+      return { vertex, moved, after.Hint, this->Ring, this->Slack.Members() };
     }
   }
   return {};
