@@ -13,6 +13,8 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
+#include <utility>
+
 namespace bonedecimate
 {
 void AddRegions(
@@ -98,7 +100,8 @@ vtkSmartPointer<vtkPolyData> ApplyInputArguments(const InputArguments& arguments
 {
   filter->SetOptionFromText("ToleranceArrayName", arguments.ToleranceArray);
   filter->SetOptionFromText("LabelArrayName", arguments.LabelArray);
-  return ApplyRegions(arguments.Regions, arguments.ToleranceArray, path, surface, filter, warnings);
+  return ApplyRegions(
+    arguments.Regions, arguments.ToleranceArray, path, std::move(surface), filter, warnings);
 }
 
 //------------------------------------------------------------------------------

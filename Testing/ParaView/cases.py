@@ -154,7 +154,7 @@ def allowed():
     }.items()} | {name: (label_images.image(), "pieces", properties, shows) for name, (properties, shows) in {
         "AutomaticSmoothing": ({"AutomaticSmoothing": 1, "TargetReduction": 0.0},
                                reported("smoothing", "surface", lambda surface: surface == "label_map")),
-        "FeatureAngle": ({"AutomaticSmoothing": 1, "FeatureAngle": 30, "TargetReduction": 0.0},
-                         reported("smoothing", "sharp_points", lambda count: count > 0)),
         "KeepVoxels": ({"KeepVoxels": "On", "TargetReduction": 0.5}, reported("voxels", "guard", lambda guard: guard == "on")),
-    }.items()}
+    }.items()} | {"FeatureAngle": (label_images.image(label_images.block_at), "pieces",
+                                   {"AutomaticSmoothing": 1, "FeatureAngle": 45, "TargetReduction": 0.0},
+                                   reported("smoothing", "sharp_points", lambda count: count > 0))}

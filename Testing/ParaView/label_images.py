@@ -20,7 +20,11 @@ def label_at(x, y, z):
     return LABELS[0] if x + 0.3 * z < 12 else LABELS[1]
 
 
-def image():
+def block_at(x, y, z):
+    return LABELS[0] if all(4 <= i < n - 4 for i, n in zip((x, y, z), SIZE)) else 0
+
+
+def image(label=label_at):
     labels = vtkImageData()
     labels.SetDimensions(*SIZE)
     labels.SetSpacing(*SPACING)
@@ -30,5 +34,5 @@ def image():
     for z in range(SIZE[2]):
         for y in range(SIZE[1]):
             for x in range(SIZE[0]):
-                labels.SetScalarComponentFromDouble(x, y, z, 0, label_at(x, y, z))
+                labels.SetScalarComponentFromDouble(x, y, z, 0, label(x, y, z))
     return labels
