@@ -5,6 +5,7 @@
 #include "Parallel.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -97,9 +98,9 @@ std::vector<ForcedCollapse::Trial> ForcedCollapse::Choose()
     {
       this->Taken[v] = 1;
     }
-    trials.push_back(trial);
+    trials.push_back(std::move(trial));
   }
-  this->Waiting = left;
+  this->Waiting = std::move(left);
   return trials;
 }
 

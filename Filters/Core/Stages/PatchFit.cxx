@@ -24,7 +24,6 @@ constexpr double LeastFall = 1e-4;
 
 PatchFit::PatchFit(const Editor& editor, const Samples& samples, const BackHints& hints)
   : Mesh(editor.Mesh())
-  , Given(samples)
   , Back(hints)
   , Slack(editor, samples, hints)
 {

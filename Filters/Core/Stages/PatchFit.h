@@ -84,7 +84,6 @@ private:
   Result Found(const EdgeNeighborhood& around) const;
 
   const HalfEdgeMesh& Mesh;
-  const Samples& Given;
   const BackHints& Back;
   SlackFit Slack;
   std::vector<Vertex> Vertices; // that may move: the merged one first
