@@ -83,6 +83,7 @@ bool SlackCollapse::Collapse(const SlackCandidate& candidate)
   edit.Keep = candidate.Start;
   edit.Position = candidate.Position;
   work.Rank = static_cast<float>(candidate.Ratio);
+  SlackCandidates::Gather(mesh, around, this->Slack); // while the faces are there
   if (!this->MeshEditor.Collapse(edit, work, 1).IsAccepted())
   {
     return false;
@@ -99,13 +100,12 @@ bool SlackCollapse::Collapse(const SlackCandidate& candidate)
 }
 
 //------------------------------------------------------------------------------
-/// Gives the samples of all faces that were at the edge to those of the fan.
+/// Gives the samples of all faces that were at the edge, which are gathered, to those of the fan.
 void SlackCollapse::HandOver(const EdgeNeighborhood& around)
 {
-  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   SlackFit& slack = this->Slack;
-  SlackCandidates::Gather(mesh, around, slack);
-  slack.LargestOfSamples(mesh.Position(around.Start), std::numeric_limits<double>::infinity());
+  slack.LargestOfSamples(
+    this->MeshEditor.Mesh().Position(around.Start), std::numeric_limits<double>::infinity());
   for (const Index corner : around.Corners)
   {
     this->Fit.Take(HalfEdgeMesh::Face(corner));
