@@ -8,6 +8,7 @@
 #include "Intersections/FaceHistory.h"
 #include "Levels.h"
 #include "Mesh/Invariants.h"
+#include "MeshState.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>
@@ -32,25 +33,6 @@ EditorSettings Proving(double error, bool hasGuard = true)
   settings.GuardsIntersections = hasGuard;
   settings.Bound = ErrorBoundSettings{ error };
   return settings;
-}
-
-/// All there is to a mesh but its quadrics.
-std::vector<double> StateOf(const HalfEdgeMesh& mesh)
-{
-  std::vector<double> state = { static_cast<double>(mesh.NumberOfFaces()) };
-  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
-  {
-    const FaceRecord& record = *mesh.RecordOfFace(HalfEdgeMesh::HalfEdge(face, 0));
-    state.insert(state.end(), record.Origins.begin(), record.Origins.end());
-    state.insert(state.end(), record.Twins.begin(), record.Twins.end());
-  }
-  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
-  {
-    state.push_back(static_cast<Index>(mesh.Outgoing(v)));
-    state.push_back(static_cast<double>(mesh.Constraint(v)));
-    state.insert(state.end(), mesh.Position(v).data(), mesh.Position(v).data() + 3);
-  }
-  return state;
 }
 
 /// Into the middle of the edge, if it is allowed.

@@ -4,6 +4,7 @@
 #include "Certificate/Certificate.h"
 #include "Edit/Editor.h"
 #include "Mesh/Invariants.h"
+#include "MeshState.h"
 #include "Runs.h"
 #include "Schedule/BucketSweep.h"
 #include "Stages/PatchFit.h"
@@ -95,24 +96,6 @@ struct Bench
   Samples Fit;
   BackHints Back;
 };
-
-/// Everything but quadrics.
-std::vector<double> StateOf(const HalfEdgeMesh& mesh)
-{
-  std::vector<double> state = { static_cast<double>(mesh.NumberOfFaces()) };
-  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
-  {
-    const FaceRecord& record = *mesh.RecordOfFace(HalfEdgeMesh::HalfEdge(face, 0));
-    state.insert(state.end(), record.Origins.begin(), record.Origins.end());
-    state.insert(state.end(), record.Twins.begin(), record.Twins.end());
-  }
-  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
-  {
-    state.push_back(static_cast<Index>(mesh.Outgoing(v)));
-    state.insert(state.end(), mesh.Position(v).data(), mesh.Position(v).data() + 3);
-  }
-  return state;
-}
 
 /// What a collapse with moves needs, for each edge of which one is found.
 template <typename Use>

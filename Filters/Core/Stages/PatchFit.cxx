@@ -17,9 +17,6 @@ constexpr double Within = 0.99;
 /// A sweep must gain that much of the largest ratio, and the rest must be within reach of the sweeps that are left.
 constexpr double LeastGain = 0.002;
 constexpr double MostHope = 1.2;
-constexpr int Attempts = 3;
-constexpr double NextAttempt = 0.35;
-constexpr double LeastFall = 1e-4;
 }
 
 PatchFit::PatchFit(const Editor& editor, const Samples& samples, const BackHints& hints)
@@ -94,9 +91,7 @@ void PatchFit::CopySamples(const EdgeNeighborhood& around)
   }
   for (std::size_t k = 0; k < 2; ++k)
   {
-    const auto apex = std::find(around.Ring.begin(), around.Ring.end(), around.Apexes[k]);
-    const std::size_t slot =
-      static_cast<std::size_t>(apex - around.Ring.begin()) % around.Corners.size();
+    const std::size_t slot = SlackCandidates::SlotOfGone(around, k);
     copy(around.GoneFaces[k], this->Vertices[0].Fan[slot].Face);
   }
 }
@@ -164,22 +159,15 @@ double PatchFit::Improve(Vertex& vertex)
   {
     return before.Largest;
   }
-  const double enough = (1.0 - LeastFall) * before.Error;
-  Vector3 step = this->Slack.Step();
-  for (int attempt = 0; attempt < Attempts; ++attempt, step *= NextAttempt)
+  const SlackFit::Value after = this->Slack.TryStep(vertex.Position, before);
+  if (!(after.Error < before.Error))
   {
-    const Vector3 moved = this->Slack.OnGrid(vertex.Position + step);
-    const SlackFit::Value after = this->Slack.Evaluate(moved, before.Hint, enough);
-    if (after.Error < enough)
-    {
-      vertex.Position = moved;
-      vertex.Hint = after.Hint;
-      vertex.HasMoved = true;
-      this->HandOver(vertex);
-      return after.Largest;
-    }
+    return before.Largest;
   }
-  return before.Largest;
+  vertex.Hint = after.Hint;
+  vertex.HasMoved = true;
+  this->HandOver(vertex);
+  return after.Largest;
 }
 
 //------------------------------------------------------------------------------

@@ -131,6 +131,13 @@ bool SlackCandidates::EvaluateEdge(
 }
 
 //------------------------------------------------------------------------------
+std::size_t SlackCandidates::SlotOfGone(const EdgeNeighborhood& around, std::size_t k)
+{
+  const auto apex = std::find(around.Ring.begin(), around.Ring.end(), around.Apexes[k]);
+  return static_cast<std::size_t>(apex - around.Ring.begin()) % around.Corners.size();
+}
+
+//------------------------------------------------------------------------------
 void SlackCandidates::Gather(
   const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, SlackFit& slack)
 {
@@ -143,9 +150,7 @@ void SlackCandidates::Gather(
   }
   for (std::size_t k = 0; k < 2; ++k)
   {
-    const auto apex = std::find(around.Ring.begin(), around.Ring.end(), around.Apexes[k]);
-    slack.AddSamples(around.GoneFaces[k],
-      static_cast<std::size_t>(apex - around.Ring.begin()) % around.Corners.size());
+    slack.AddSamples(around.GoneFaces[k], SlotOfGone(around, k));
   }
 }
 }

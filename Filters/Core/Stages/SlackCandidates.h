@@ -49,6 +49,8 @@ public:
   void NoteChange(VertexId vertex) { this->Changed[vertex] = 1; }
   bool IsChanged(VertexId vertex) const { return this->Changed[vertex] != 0; }
 
+  /// The face of that fan nearest to the k-th face that the collapse removes.
+  static std::size_t SlotOfGone(const EdgeNeighborhood& around, std::size_t k);
   /// The fan that the collapse of the edge makes, with the samples of all faces that were at the edge.
   static void Gather(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, SlackFit& slack);
 

@@ -104,6 +104,7 @@ bool SlackCollapse::Collapse(const SlackCandidate& candidate)
 void SlackCollapse::HandOver(const EdgeNeighborhood& around)
 {
   SlackFit& slack = this->Slack;
+  // Finds the face of each sample.
   slack.LargestOfSamples(
     this->MeshEditor.Mesh().Position(around.Start), std::numeric_limits<double>::infinity());
   for (const Index corner : around.Corners)

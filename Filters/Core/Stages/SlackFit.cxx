@@ -294,28 +294,34 @@ Vector3 SlackFit::OnGrid(const Vector3& x) const
 }
 
 //------------------------------------------------------------------------------
+SlackFit::Value SlackFit::TryStep(Vector3& x, const Value& before)
+{
+  const double enough = (1.0 - LeastGain) * before.Error;
+  Vector3 step = this->Step();
+  for (int attempt = 0; attempt < Attempts; ++attempt, step *= NextAttempt)
+  {
+    const Vector3 moved = this->OnGrid(x + step);
+    const Value after = this->Evaluate(moved, before.Hint, enough);
+    if (after.Error < enough)
+    {
+      x = moved;
+      return after;
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
 SlackFit::Value SlackFit::Improve(Vector3& x, Index hint, int times)
 {
   Value best = this->Evaluate(x, hint);
   for (int i = 0; i < times && best.Largest > 0.0 && best.Largest < Infinity; ++i)
   {
-    Vector3 step = this->Step();
-    Vector3 moved = x;
-    Value next;
-    for (int attempt = 0; attempt < Attempts; ++attempt, step *= NextAttempt)
-    {
-      moved = this->OnGrid(x + step);
-      next = this->Evaluate(moved, best.Hint, (1.0 - LeastGain) * best.Error);
-      if (next.Error < best.Error)
-      {
-        break;
-      }
-    }
+    const Value next = this->TryStep(x, best);
     if (!(next.Error < best.Error))
     {
       break;
     }
-    x = moved;
     best = next;
   }
   return best;

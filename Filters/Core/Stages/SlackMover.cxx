@@ -8,9 +8,6 @@ namespace
 {
 /// A vertex whose faces use less of the bound does not limit anything.
 constexpr double LeastRatio = 0.5;
-constexpr double LeastGain = 1e-4;
-constexpr int Attempts = 3;
-constexpr double NextAttempt = 0.35;
 }
 
 SlackMover::Proposal SlackMover::Evaluate(VertexId vertex)
@@ -20,19 +17,11 @@ SlackMover::Proposal SlackMover::Evaluate(VertexId vertex)
   {
     return {};
   }
-  const Vector3& position = this->MeshEditor.Mesh().Position(vertex);
-  const double enough = (1.0 - LeastGain) * before.Error;
-  Vector3 step = this->Slack.Step();
-  for (int attempt = 0; attempt < Attempts; ++attempt, step *= NextAttempt)
-  {
-    const Vector3 moved = this->Slack.OnGrid(position + step);
-    const SlackFit::Value after = this->Slack.Evaluate(moved, before.Hint, enough);
-    if (after.Error < enough)
-    {
-      return { vertex, moved, after.Hint, this->Ring, this->Slack.Members() };
-    }
-  }
-  return {};
+  Vector3 position = this->MeshEditor.Mesh().Position(vertex);
+  const SlackFit::Value after = this->Slack.TryStep(position, before);
+  return after.Error < before.Error
+    ? Proposal{ vertex, position, after.Hint, this->Ring, this->Slack.Members() }
+    : Proposal();
 }
 
 //------------------------------------------------------------------------------
