@@ -291,7 +291,8 @@ TEST(ErrorBoundModes, NeedFewerTrianglesTheLongerTheyTake)
   for (const Mode mode : { Mode::Fast, Mode::Balanced, Mode::Accurate })
   {
     const Result result = Decimate(input, InMode(mode, Error(Limit)));
-    EXPECT_LT(result.Surface.Triangles.size(), before) << WordOf(mode);
+    const double most = mode == Mode::Fast ? 1.0 : mode == Mode::Balanced ? 0.97 : 0.98;
+    EXPECT_LT(result.Surface.Triangles.size(), most * before) << WordOf(mode);
     before = result.Surface.Triangles.size();
     double now = 0.0; // mm^3
     for (const Triangle& t : result.Surface.Triangles)
@@ -300,7 +301,7 @@ TEST(ErrorBoundModes, NeedFewerTrianglesTheLongerTheyTake)
       now += p[t[0]].dot(p[t[1]].cross(p[t[2]])) / 6.0;
     }
     volume = mode == Mode::Fast ? now : volume;
-    EXPECT_NEAR(now, volume, 0.02 * volume) << WordOf(mode);
+    EXPECT_NEAR(now, volume, 0.005 * volume) << WordOf(mode);
   }
 }
 
