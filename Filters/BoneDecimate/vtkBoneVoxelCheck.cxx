@@ -199,6 +199,13 @@ std::string vtkBoneVoxelCheck::Compare(vtkPolyData* surface, vtkImageData* image
   {
     return bonedecimate::InputMessage(found);
   }
+  if (!map.Source.OfTriangle.empty() && this->BackgroundLabel != 0 &&
+    this->BackgroundLabel != map.Source.Values.back())
+  {
+    return "BackgroundLabel is " + std::to_string(this->BackgroundLabel) +
+      ", but the background of the surface, the last of LabelValues, is " +
+      std::to_string(map.Source.Values.back());
+  }
   if (!map.Source.OfTriangle.empty() && this->Label != this->BackgroundLabel)
   {
     return "Label has no effect on a surface with the array " +

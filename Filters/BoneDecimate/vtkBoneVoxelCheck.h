@@ -44,7 +44,8 @@ public:
 
   ///@{
   /**
-   * The label of voxels that belong to nothing, for a surface that has no array LabelValues, default 0.
+   * The label of voxels that belong to nothing, default 0. For a surface with the array LabelValues, whose last value is the
+   * background, another label than that or 0 is an error.
    */
   vtkSetMacro(BackgroundLabel, vtkTypeInt64);
   vtkGetMacro(BackgroundLabel, vtkTypeInt64);

@@ -50,6 +50,11 @@ class IneffectiveOptions(ApplicationTest):
             with self.subTest(words=words):
                 self.succeed("in.ply", "out.vtp", *words)
 
+    def test_smoothing_alone_has_an_error_to_prove(self):
+        smooth = ("smooth", "in.ply", "out.vtp", "--smooth", 0.1)
+        self.assertIn("proved", self.succeed(*smooth, "--prove", "on").stdout)
+        self.assertNotIn("proved", self.succeed(*smooth, "--prove", "off").stdout)
+
     def test_of_slicer_count_if_they_do_not_have_their_default(self):
         run = ("--returnparameterfile", "r.txt", "in.ply", "out.ply", "--target-triangles", 900)
         self.fail_with(USAGE, *run, "--voxel_size", 0.5, says="--voxel-size has no effect")

@@ -139,6 +139,19 @@ TEST(BoneVoxelCheck, HasToBeToldTheLabelOfASurfaceWithoutArraysIfThereAreSeveral
   EXPECT_EQ(check->GetLabelLeftOut(0), 3);
 }
 
+TEST(BoneVoxelCheck, TakesNoOtherBackgroundThanThatOfTheSurface)
+{
+  const LabelMap map = EllipsoidLabels({ 15, 13, 12 });
+  const vtkSmartPointer<vtkPolyData> surface = Extracted(ImageOf(map));
+  const auto check = Check(surface, ImageOf(map));
+  ErrorTexts errors(check);
+  check->SetBackgroundLabel(1);
+  check->Update();
+  ASSERT_FALSE(errors.Texts.empty());
+  EXPECT_NE(errors.Texts.front().find("BackgroundLabel is 1"), std::string::npos);
+  EXPECT_EQ(check->GetNumberOfComparedVoxels(), 0);
+}
+
 TEST(BoneVoxelCheck, TellsTheFirstChangedVoxel)
 {
   LabelMap map = EllipsoidLabels({ 15, 13, 12 });

@@ -25,9 +25,16 @@ bool IsLimited(const Options& options)
   return HasError(options) || !options.ToleranceArrayName.empty();
 }
 
+/// Whether there is an error to prove; smoothing alone has one, too.
+bool HasProvableError(const Options& options)
+{
+  return options.ProvesError() &&
+    (IsLimited(options) || (options.Smooths() && options.KeepsAllTriangles()));
+}
+
 bool IsProved(const Options& options)
 {
-  return options.ProveResult && IsLimited(options) && options.ProvesError();
+  return options.ProveResult && HasProvableError(options);
 }
 
 /// Whether the run ends at a number of triangles; the default reduction is ignored if there is an error.
@@ -63,7 +70,7 @@ std::vector<Need> MakeNeeds()
     { "AllowLargeError", IsLimited, "MaximumError, ErrorPreset or ToleranceArrayName" },
     { "IntersectionGuard", [](const Options& o) { return o.BoundsError(); },
       "MaximumError or ErrorPreset, and " + provingMode },
-    { "ProveResult", [](const Options& o) { return IsLimited(o) && o.ProvesError(); },
+    { "ProveResult", HasProvableError,
       "MaximumError, ErrorPreset or ToleranceArrayName, and " + provingMode },
     { "VoxelSize", [](const Options& o) { return o.ErrorPreset != ErrorPreset::NoPreset; },
       "ErrorPreset" },

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NewCrossings.h"
 
+#include "Motion.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -66,8 +67,9 @@ struct NewCrossings::Leaf
   std::array<PlaneTriangle, LeafSize> Triangles;
 };
 
-NewCrossings::NewCrossings(const Surface& before, int threads)
+NewCrossings::NewCrossings(const Surface& before, Times times, int threads)
   : Before(before)
+  , Checked(times)
   , Threads(threads)
   , Leaves(1)
 {
@@ -84,6 +86,11 @@ void NewCrossings::FillTree(const std::vector<Vector3>& points)
   const Box empty = { Vector3::Constant(infinity), Vector3::Constant(-infinity) };
   this->Boxes.assign(2 * this->Leaves, empty);
   this->TriangleBoxes.resize(this->Before.Triangles.size());
+  const auto boxOf = [](const std::vector<Vector3>& at, const Triangle& c)
+  {
+    return Box{ at[c[0]].cwiseMin(at[c[1]]).cwiseMin(at[c[2]]),
+      at[c[0]].cwiseMax(at[c[1]]).cwiseMax(at[c[2]]) };
+  };
   const auto join = [](Box& box, const Box& other)
   {
     box.Low = box.Low.cwiseMin(other.Low);
@@ -97,8 +104,11 @@ void NewCrossings::FillTree(const std::vector<Vector3>& points)
       for (std::size_t t = LeafSize * leaf; t < std::min(count, LeafSize * (leaf + 1)); ++t)
       {
         const Triangle& c = this->Before.Triangles[t];
-        this->TriangleBoxes[t] = { points[c[0]].cwiseMin(points[c[1]]).cwiseMin(points[c[2]]),
-          points[c[0]].cwiseMax(points[c[1]]).cwiseMax(points[c[2]]) };
+        this->TriangleBoxes[t] = boxOf(points, c);
+        if (this->Checked == Times::All)
+        {
+          join(this->TriangleBoxes[t], boxOf(this->Before.Points, c));
+        }
         join(box, this->TriangleBoxes[t]);
       }
     });
@@ -164,15 +174,24 @@ bool NewCrossings::IsTurnedOver(const std::vector<Vector3>& points, const Triang
   return before.squaredNorm() > 0.0 && !(before.dot(areaOf(points)) > 0.0);
 }
 
-/// Of two triangles that intersect now or not: whether they do, and did not before.
+/// Of two triangles that intersect now or have passed through each other: whether they did not intersect before.
 bool NewCrossings::IsNew(const Pair& now, std::size_t a, std::size_t b) const
 {
   const Triangle& first = this->Before.Triangles[a];
   const Triangle& second = this->Before.Triangles[b];
   const CommonCorners common(first, second);
-  return Intersect(now.First, now.Second, common) &&
-    !Intersect(PlaneTriangleOf(this->Before.Points, first),
-      PlaneTriangleOf(this->Before.Points, second), common);
+  const bool isWatched = this->Checked == Times::All && common.Count == 0;
+  const bool intersect = Intersect(now.First, now.Second, common);
+  if (!intersect && !isWatched)
+  {
+    return false;
+  }
+  const PlaneTriangle firstBefore = PlaneTriangleOf(this->Before.Points, first);
+  const PlaneTriangle secondBefore = PlaneTriangleOf(this->Before.Points, second);
+  return !Intersect(firstBefore, secondBefore, common) &&
+    (intersect ||
+      !StayApart({ firstBefore.Corners, secondBefore.Corners },
+        { now.First.Corners, now.Second.Corners }));
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
  *
  *     pairs:   triangles whose boxes overlap, from a binary tree of boxes over the triangles as they come, which lie along a
  *              curve that fills space; pairs that intersect (Intersections/TrianglePair.h) and did not before
+ *     passed:  on request, pairs without a common corner that pass through each other on the way (Motion.h)
  *     turned:  triangles whose normal has turned by 90 degrees or more, or that have lost their area
  *
  * The result does not depend on the number of threads.
@@ -24,8 +25,13 @@ namespace bonedecimate
 class NewCrossings
 {
 public:
+  enum class Times
+  {
+    End,
+    All ///< Also pairs that pass through each other.
+  };
   /// @param before Must outlive this.
-  NewCrossings(const Surface& before, int threads);
+  NewCrossings(const Surface& before, Times times, int threads);
 
   /**
    * @param points Where the points of the surface are now, mm.
@@ -70,6 +76,7 @@ private:
   bool IsNew(const Pair& now, std::size_t a, std::size_t b) const;
 
   const Surface& Before;
+  Times Checked;
   int Threads;
   std::size_t Leaves;     // a power of two
   std::vector<Box> Boxes; // children of i: 2 i and 2 i + 1; the root is 1

@@ -216,7 +216,10 @@ private:
 
   void RemoveCrossings(const Monitor& monitor, const bool& goesOn)
   {
-    NewCrossings crossings(this->Input.Surface, this->Settings.Threads);
+    // In octahedra every voxel keeps its label, so nothing can pass through a wall.
+    NewCrossings crossings(this->Input.Surface,
+      this->HasGridPoints() ? NewCrossings::Times::End : NewCrossings::Times::All,
+      this->Settings.Threads);
     std::vector<char> isMoved(this->Input.Surface.Triangles.size(), 1);
     std::vector<Index> found = crossings.Find(this->Moved, isMoved, monitor);
     while (goesOn && !found.empty())

@@ -119,7 +119,7 @@ def run_proved_errors(options: argparse.Namespace, workshop: Workshop, verifier:
         bone = workshop.bone(name, (count,)) if not options.rows or re.search(options.rows, f"{name} {count}") else None
         if bone is None:
             continue
-        for row in proved_errors.with_error(programs, verifier, bone, proving, scratch):
+        for row in proved_errors.with_error(programs, verifier, bone, proving, figures["rounds"], scratch):
             figures["proved"].append(row)
             save(options, figures)
             print(f"  {name} {row['error']} mm {row['mode']}, guard {row['guard']}: {row.get('triangles')}", flush=True)

@@ -6,6 +6,7 @@ which a peer stays within it, found by trial."""
 from __future__ import annotations
 
 import itertools
+import statistics
 import sys
 from pathlib import Path
 from typing import Any, Iterator, Sequence
@@ -22,17 +23,30 @@ CLOSE_ENOUGH = 1.05  # triangles between the trial that stays within the error a
 FEWEST = 0.003  # of the triangles: where trials begin
 
 
-def with_error(programs: Programs, verifier: Verifier, bone: Bone, modes: Sequence[str],
+def with_error(programs: Programs, verifier: Verifier, bone: Bone, modes: Sequence[str], rounds: int,
                folder: Path) -> Iterator[dict[str, Any]]:
-    """Each mode with each proved largest error, on two threads, with and without the intersection guard, beside CGAL's
-    Lindstrom-Turk in the same run."""
-    beside = call([programs.path("cgal"), bone.file, folder / "peer.ply", bone.counts()[0]]) if programs.has("cgal") else {}
+    """Each mode with each proved largest error, on two threads: in turn with CGAL's Lindstrom-Turk without an error, round after
+    round, and once without the intersection guard."""
+    result = folder / "result.ply"
     for guard, error, mode in itertools.product(("on", "off"), ERRORS, modes):
-        outcome = call([programs.path("run"), bone.file, folder / "result.ply", "core", mode, 2, "--error", error,
-                        "--IntersectionGuard", guard])
-        measured = {} if "failure" in outcome else verifier.compare(bone.file, folder / "result.ply")
-        yield {"bone": bone.name, "input": bone.triangles, "error": error, "mode": mode, "guard": guard, "measured": measured,
-               "peer_faces": bone.counts()[0], "peer_seconds": beside.get("seconds"), **outcome}
+        runs, beside = [], []
+        for _ in range(rounds if guard == "on" else 1):
+            if programs.has("cgal"):
+                beside.append(call([programs.path("cgal"), bone.file, folder / "peer.ply", bone.counts()[0]]))
+            runs.append(call([programs.path("run"), bone.file, result, "core", mode, 2, "--error", error,
+                              "--IntersectionGuard", guard]))
+        failed = next((run for run in runs if "failure" in run), None)
+        outcome = failed or {**runs[-1], "seconds": median(runs, "seconds"), "cpu_seconds": median(runs, "cpu_seconds"),
+                             "certificate_seconds": statistics.median(run["proved"]["own_seconds"] for run in runs),
+                             "runs": len(runs), "measured": verifier.compare(bone.file, result)}
+        yield {"bone": bone.name, "input": bone.triangles, "error": error, "mode": mode, "guard": guard, "measured": {},
+               "peer_faces": bone.counts()[0], "peer_seconds": median(beside, "seconds"), **outcome}
+
+
+def median(outcomes: Sequence[Outcome], key: str) -> float | None:
+    """Of the outcomes that have it; None if none has."""
+    values = [outcome[key] for outcome in outcomes if key in outcome]
+    return statistics.median(values) if values else None
 
 
 class Trials:

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Triangles that pass through each other while points move, intersecting neither before nor after.
+#include "Smoothing/Motion.h"
+
+#include "Random.h"
+#include "SmoothingRuns.h"
+
+#include <gtest/gtest.h>
+
+using namespace bonedecimate;
+using namespace bonedecimate::testsupport;
+
+namespace
+{
+constexpr Index Peak = 40; // the middle point of the grid
+
+/// A flat grid of 8 by 8 unit cells with one point raised.
+Surface SheetWithPeak(double height)
+{
+  Surface sheet = Grid(8);
+  sheet.Points[Peak][2] += height;
+  return sheet;
+}
+
+/// Below the peak.
+Surface Speck(const Surface& sheet, double depth)
+{
+  const Surface small = Scaled(Tetrahedron(), 0.01);
+  return Moved(small, sheet.Points[Peak] - Vector3(0.0, 0.0, depth) - small.Points[0]);
+}
+
+TriangleCorners At(const TriangleCorners& corners, const Vector3& offset)
+{
+  return { corners[0] + offset, corners[1] + offset, corners[2] + offset };
+}
+}
+
+TEST(Motion, KnowsTrianglesThatPass)
+{
+  const TriangleCorners wall = { Vector3(-1, -1, 0), Vector3(2, -1, 0), Vector3(-1, 2, 0) };
+  const TriangleCorners speck = { Vector3(0, 0, 0), Vector3(0.1, 0, 0), Vector3(0, 0.1, 0.05) };
+  const Vector3 below(0, 0, -0.5), above(0, 0, 0.5), aside(5, 0, 0.5), farBelow(0, 0, -3);
+  EXPECT_FALSE(StayApart({ wall, At(speck, below) }, { wall, At(speck, above) }));
+  EXPECT_FALSE(StayApart({ wall, At(speck, above) }, { wall, At(speck, below) }));
+  EXPECT_FALSE(StayApart({ At(wall, above), speck }, { At(wall, below), speck }));
+  EXPECT_TRUE(StayApart({ wall, At(speck, below) }, { wall, At(speck, farBelow) }));
+  EXPECT_TRUE(StayApart({ wall, At(speck, below) }, { At(wall, above), At(speck, above * 0.5) }));
+  EXPECT_TRUE(StayApart({ wall, At(speck, aside + below) }, { wall, At(speck, aside + above) }));
+}
+
+TEST(Motion, IsNeverProvedWhereTrianglesMeetOnTheWay)
+{
+  Random random(5);
+  const auto triangle = [&]
+  {
+    TriangleCorners corners;
+    for (Vector3& corner : corners)
+    {
+      corner = { random.Between(-1, 1), random.Between(-1, 1), random.Between(-1, 1) };
+    }
+    return corners;
+  };
+  int passing = 0, apart = 0;
+  for (int run = 0; run < 4000; ++run)
+  {
+    const TrianglesInTime before = { triangle(), At(triangle(), { 0, 0, 1 }) };
+    const TrianglesInTime after = { triangle(), At(triangle(), { 0, 0, 1 }) };
+    bool meetsAtEnds = false, meets = false;
+    constexpr int steps = 64;
+    for (int step = 0; step <= steps; ++step)
+    {
+      const double time = static_cast<double>(step) / steps;
+      TrianglesInTime at;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        at.First[i] = (1.0 - time) * before.First[i] + time * after.First[i];
+        at.Second[i] = (1.0 - time) * before.Second[i] + time * after.Second[i];
+      }
+      const bool now = Meet(PlaneTriangle(at.First), PlaneTriangle(at.Second));
+      meets = meets || now;
+      meetsAtEnds = meetsAtEnds || (now && (step == 0 || step == steps));
+    }
+    if (meetsAtEnds)
+    {
+      continue;
+    }
+    const bool isProved = StayApart(before, after);
+    ASSERT_FALSE(isProved && meets) << run;
+    passing += meets ? 1 : 0;
+    apart += isProved ? 1 : 0;
+  }
+  EXPECT_GT(passing, 200);
+  EXPECT_GT(apart, 500);
+}
+
+TEST(Motion, OfSmoothingPassesNoSpeck)
+{
+  const Surface sheet = SheetWithPeak(1.0);
+  const Surface speck = Speck(sheet, 0.3);
+  const Surface both = Together(sheet, speck);
+  SmoothingSettings settings = Within(2.0);
+  settings.Strength = 10.0;
+  // Alone the peak sinks below where the speck is.
+  const double low = speck.Points[0][2];
+  ASSERT_LT(Smooth({ sheet }, settings).Points[Peak][2], low);
+  const std::vector<Vector3> after = Smooth({ both }, settings).Points;
+  const double speckHigh = after[sheet.Points.size()][2];
+  EXPECT_GT(after[Peak][2], speckHigh);
+  EXPECT_LT(after[Peak][2], sheet.Points[Peak][2]);
+}
