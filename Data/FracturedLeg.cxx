@@ -110,13 +110,30 @@ double SoftValue(const Point& p)
   const double inside = muscle + (20.0 - muscle) * (1.0 - InsideFraction(skin + 1.5));
   return AirValue + (inside - AirValue) * InsideFraction(skin);
 }
+
+bool IsNearBone(const Point& p)
+{
+  return Ellipsoid(p, { 2.0, 2.0, -70.0 }, { 50.0, 45.0, 600.0 }) < 0.0;
+}
+}
+
+int LegLabel(const Point& p)
+{
+  if (!IsNearBone(p))
+  {
+    return 0;
+  }
+  if (Tibia(p) < 0.0)
+  {
+    return p.Z > -40.0 || AboveFracture(p) < 0.0 ? 1 : 2;
+  }
+  return Fibula(p) < 0.0 ? 3 : 0;
 }
 
 double LegValue(const Point& p)
 {
   Sample nearest;
-  const bool isNearBone = Ellipsoid(p, { 2.0, 2.0, -70.0 }, { 50.0, 45.0, 600.0 }) < 0.0;
-  if (isNearBone)
+  if (IsNearBone(p))
   {
     if (p.Z > -125.0)
     {

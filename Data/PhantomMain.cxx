@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PhantomMain.cxx
- * @brief bonedecimate-phantom: writes a synthetic CT of a broken leg.
+ * @brief bonedecimate-phantom: writes a synthetic CT of a broken leg, or a label map of its bones.
  */
 #include "FracturedLeg.h"
 
@@ -20,11 +20,13 @@ struct Scan
   std::array<int, 3> Size;
   phantom::Point Spacing; ///< mm
   phantom::Point Origin;  ///< mm, LPS
+  int Decimals;           ///< Of the spacing in the header.
 };
 
-/// The whole of the bone, or the fracture alone on a coarser grid.
-const Scan NormalScan{ { { 192, 192, 152 } }, { 0.6, 0.6, 1.0 }, { -54.3, -49.3, -141.0 } };
-const Scan SmallScan{ { { 84, 84, 48 } }, { 0.9, 0.9, 1.5 }, { -34.0, -35.0, -120.0 } };
+/// The whole of the bone, also on a grid as fine as that of a clinical CT, or the fracture alone on a coarser grid.
+const Scan NormalScan{ { { 192, 192, 152 } }, { 0.6, 0.6, 1.0 }, { -54.3, -49.3, -141.0 }, 1 };
+const Scan LargeScan{ { { 512, 512, 274 } }, { 0.225, 0.225, 0.555 }, { -54.3, -49.3, -141.0 }, 3 };
+const Scan SmallScan{ { { 84, 84, 48 } }, { 0.9, 0.9, 1.5 }, { -34.0, -35.0, -120.0 }, 1 };
 
 enum ExitCode
 {
@@ -44,8 +46,25 @@ double ScannerNoise(int i, int j, int k)
   return 16.0 * sum;
 }
 
-/// Little-endian 16-bit values, the first axis runs fastest.
-std::vector<char> Voxels(const Scan& scan)
+enum class Content
+{
+  Intensities,
+  Labels
+};
+
+/// HU with noise.
+void AddIntensity(const phantom::Point& p, const std::array<int, 3>& at, std::vector<char>& bytes)
+{
+  const double value =
+    phantom::Clamped(phantom::LegValue(p) + ScannerNoise(at[0], at[1], at[2]), -1024.0, 3071.0);
+  // Shifted to be positive, so that cutting off the fraction rounds to the nearest.
+  const int rounded = static_cast<int>(value + 1024.5) - 1024;
+  bytes.push_back(static_cast<char>(rounded & 0xff));
+  bytes.push_back(static_cast<char>((rounded >> 8) & 0xff));
+}
+
+/// Intensities as little-endian 16-bit values, labels as bytes; the first axis runs fastest.
+std::vector<char> Voxels(const Scan& scan, Content content)
 {
   std::vector<char> bytes;
   for (int k = 0; k < scan.Size[2]; ++k)
@@ -56,38 +75,41 @@ std::vector<char> Voxels(const Scan& scan)
       {
         const phantom::Point p{ scan.Origin.X + i * scan.Spacing.X,
           scan.Origin.Y + j * scan.Spacing.Y, scan.Origin.Z + k * scan.Spacing.Z };
-        const double value =
-          phantom::Clamped(phantom::LegValue(p) + ScannerNoise(i, j, k), -1024.0, 3071.0);
-        // Shifted to be positive, so that cutting off the fraction rounds to the nearest.
-        const int rounded = static_cast<int>(value + 1024.5) - 1024;
-        bytes.push_back(static_cast<char>(rounded & 0xff));
-        bytes.push_back(static_cast<char>((rounded >> 8) & 0xff));
+        if (content == Content::Labels)
+        {
+          bytes.push_back(static_cast<char>(phantom::LegLabel(p)));
+        }
+        else
+        {
+          AddIntensity(p, { { i, j, k } }, bytes);
+        }
       }
     }
   }
   return bytes;
 }
 
-std::string Header(const Scan& scan)
+std::string Header(const Scan& scan, Content content)
 {
   char text[512];
   const int length = std::snprintf(text, sizeof(text),
     "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
     "CompressedData = False\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = %.1f %.1f %.1f\n"
-    "ElementSpacing = %.1f %.1f %.1f\nDimSize = %d %d %d\nElementType = MET_SHORT\n"
+    "ElementSpacing = %.*f %.*f %.*f\nDimSize = %d %d %d\nElementType = %s\n"
     "ElementDataFile = LOCAL\n",
-    scan.Origin.X, scan.Origin.Y, scan.Origin.Z, scan.Spacing.X, scan.Spacing.Y, scan.Spacing.Z,
-    scan.Size[0], scan.Size[1], scan.Size[2]);
+    scan.Origin.X, scan.Origin.Y, scan.Origin.Z, scan.Decimals, scan.Spacing.X, scan.Decimals,
+    scan.Spacing.Y, scan.Decimals, scan.Spacing.Z, scan.Size[0], scan.Size[1], scan.Size[2],
+    content == Content::Labels ? "MET_UCHAR" : "MET_SHORT");
   return std::string(text, static_cast<std::size_t>(length));
 }
 
 /// Whole or not at all.
-bool Write(const std::string& path, const Scan& scan)
+bool Write(const std::string& path, const Scan& scan, Content content)
 {
   const std::string partial = path + ".partial";
   std::ofstream file(partial, std::ios::binary);
-  const std::string header = Header(scan);
-  const std::vector<char> voxels = Voxels(scan);
+  const std::string header = Header(scan, content);
+  const std::vector<char> voxels = Voxels(scan, content);
   file.write(header.data(), static_cast<std::streamsize>(header.size()));
   file.write(voxels.data(), static_cast<std::streamsize>(voxels.size()));
   file.close();
@@ -98,20 +120,34 @@ bool Write(const std::string& path, const Scan& scan)
   }
   return isWritten;
 }
+const Scan* FindScan(const std::string& size)
+{
+  return size == "small" ? &SmallScan
+    : size == "normal"   ? &NormalScan
+    : size == "large"    ? &LargeScan
+                         : nullptr;
+}
 }
 
 int main(int argumentCount, char** arguments)
 {
-  const std::vector<std::string> words(arguments + 1, arguments + argumentCount);
+  std::vector<std::string> words(arguments + 1, arguments + argumentCount);
+  const auto labels = std::find(words.begin(), words.end(), "--labels");
+  const Content content = labels == words.end() ? Content::Intensities : Content::Labels;
+  if (labels != words.end())
+  {
+    words.erase(labels);
+  }
   const bool isSized = words.size() == 3 && words[1] == "--size";
-  const std::string size = isSized ? words[2] : "normal";
-  const bool isUnderstood = (words.size() == 1 || isSized) && (size == "small" || size == "normal");
+  const Scan* const scan = FindScan(isSized ? words[2] : "normal");
+  const bool isUnderstood = (words.size() == 1 || isSized) && scan != nullptr;
   if (!isUnderstood || words[0].empty() || words[0][0] == '-')
   {
-    std::fputs("Usage: bonedecimate-phantom OUTPUT.mha [--size small|normal]\n", stderr);
+    std::fputs(
+      "Usage: bonedecimate-phantom OUTPUT.mha [--size small|normal|large] [--labels]\n", stderr);
     return Usage;
   }
-  if (!Write(words[0], size == "small" ? SmallScan : NormalScan))
+  if (!Write(words[0], *scan, content))
   {
     std::fprintf(stderr, "%s could not be written.\n", words[0].c_str());
     return CouldNotWrite;

@@ -8,16 +8,22 @@
 #include "HelpFormatter.h"
 #include "InputArguments.h"
 #include "Options/OptionTable.h"
+#include "Options/Text.h"
 
 #include <CLI/CLI.hpp>
 
 #include <iomanip>
+#include <map>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 namespace bonedecimate
 {
 namespace
 {
+constexpr double BoneValue = 226.0; // HU, a common threshold of bone in CT
+
 void AddTableOption(CLI::App& app, const OptionInfo& info, const OptionReceiver& give)
 {
   app
@@ -28,23 +34,55 @@ void AddTableOption(CLI::App& app, const OptionInfo& info, const OptionReceiver&
     ->check(ValueOf(info));
 }
 
-/// A number, or "auto" for the option AutomaticSmoothing.
-void AddSmoothing(CLI::App& app, const OptionReceiver& give)
+/// A number, or a word for an option of the table with a value.
+struct NumberOrWord
 {
-  const OptionInfo& info = *FindOption("Smoothing");
+  const char* Option;
+  const char* ValueName;
+  const char* Help; ///< Behind that of the option.
+  std::map<std::string, std::pair<const char*, const char*>> Words;
+  const char* Accepted; ///< "auto".
+};
+
+const NumberOrWord SmoothingForm = { "Smoothing", "MM|auto", " auto is --auto-smooth on.",
+  { { "auto", { "AutomaticSmoothing", "on" } } }, "auto" };
+
+const NumberOrWord ErrorForm = { "MaximumError", "MM|halfvoxel",
+  " quartervoxel, halfvoxel and voxel, or 0.25voxel, 0.5voxel and 1voxel, are the values of "
+  "--preset.",
+  { { "quartervoxel", { "ErrorPreset", "QuarterVoxel" } },
+    { "0.25voxel", { "ErrorPreset", "QuarterVoxel" } },
+    { "halfvoxel", { "ErrorPreset", "HalfVoxel" } }, { "0.5voxel", { "ErrorPreset", "HalfVoxel" } },
+    { "voxel", { "ErrorPreset", "OneVoxel" } }, { "onevoxel", { "ErrorPreset", "OneVoxel" } },
+    { "1voxel", { "ErrorPreset", "OneVoxel" } } },
+  "quartervoxel, halfvoxel or voxel" };
+
+void AddNumberOrWord(CLI::App& app, const NumberOrWord& form, const OptionReceiver& give)
+{
+  const OptionInfo& info = *FindOption(form.Option);
   const CLI::Validator isNumber = ValueOf(info);
   app
     .add_option_function<std::string>(
       "--" + info.Flag,
-      [give, &info](const std::string& text)
+      [give, &info, &form](const std::string& text)
       {
-        const bool isAutomatic = text == "auto";
-        give(isAutomatic ? *FindOption("AutomaticSmoothing") : info, isAutomatic ? "on" : text);
+        const auto word = form.Words.find(LowerCase(text));
+        const bool isNumberText = word == form.Words.end();
+        give(isNumberText ? info : *FindOption(word->second.first),
+          isNumberText ? text : word->second.second);
       },
-      WrappedHelp(OptionHelp(info) + " auto is --auto-smooth on."))
-    ->type_name("MM|auto")
-    ->check(CLI::Validator([isNumber](std::string& text)
-      { return text == "auto" ? std::string() : isNumber(text); },
+      WrappedHelp(OptionHelp(info) + form.Help))
+    ->type_name(form.ValueName)
+    ->check(CLI::Validator(
+      [isNumber, &form](std::string& text)
+      {
+        const std::string problem =
+          form.Words.count(LowerCase(text)) > 0 ? std::string() : isNumber(text);
+        const std::size_t end = problem.rfind(", not '");
+        return problem.empty() || end == std::string::npos
+          ? problem
+          : problem.substr(0, end) + ", or " + form.Accepted + problem.substr(end);
+      },
       ""));
 }
 
@@ -56,17 +94,31 @@ OptionReceiver ReceiverOf(Arguments& arguments)
 
 void AddIso(CLI::App& app, Arguments& arguments)
 {
-  AddNumber(app,
-    { "--iso", "HU", HounsfieldRange,
-      "The input is a CT volume (.vti, .mha, .mhd, .nrrd, .nhdr, a DICOM folder): take the bone "
-      "surface at this Hounsfield value, for example 226." },
-    [&arguments](double hounsfield)
-    {
-      arguments.Iso = hounsfield;
-      std::ostringstream text;
-      text << std::setprecision(17) << hounsfield;
-      arguments.Given["iso"] = text.str();
-    });
+  const auto number = [](const std::string& text)
+  { return LowerCase(text) == "bone" ? std::optional<double>(BoneValue) : ParseFinite(text); };
+  app
+    .add_option_function<std::string>(
+      "--iso",
+      [&arguments, number](const std::string& text)
+      {
+        arguments.Iso = number(text);
+        std::ostringstream given;
+        given << std::setprecision(17) << *arguments.Iso;
+        arguments.Given["iso"] = given.str();
+      },
+      WrappedHelp("The input is a CT volume (.vti, .mha, .mhd, .nrrd, .nhdr, a DICOM folder): take "
+                  "the bone surface at this Hounsfield value. Takes " +
+        RangeText(HounsfieldRange) + ", or bone, which is 226 HU."))
+    ->type_name("HU|bone")
+    ->check(CLI::Validator(
+      [number](std::string& text)
+      {
+        const std::optional<double> value = number(text);
+        return value && IsInRange(HounsfieldRange, *value)
+          ? std::string()
+          : "takes " + RangeText(HounsfieldRange) + ", or bone, not '" + text + "'";
+      },
+      ""));
 }
 
 void AddIntensities(CLI::App& app, Arguments& arguments)
@@ -121,17 +173,21 @@ void AddBatchFlags(CLI::App& app, Arguments& arguments)
     WrappedHelp("Many bones: do those again that are finished already."));
   app
     .add_option("--format", arguments.Format,
-      WrappedHelp("Many bones: format of the outputs by its extension; default that of each input, "
-                  "vtp for volumes."))
+      WrappedHelp("Outputs in a folder: their format by its extension; default that of each "
+                  "input, vtp for volumes and segments."))
     ->type_name("EXT");
 }
 }
 
 void AddOptionOfTable(CLI::App& app, const OptionInfo& info, const OptionReceiver& give)
 {
-  if (info.Name == "Smoothing")
+  if (info.Name == SmoothingForm.Option)
   {
-    AddSmoothing(app, give);
+    AddNumberOrWord(app, SmoothingForm, give);
+  }
+  else if (info.Name == ErrorForm.Option)
+  {
+    AddNumberOrWord(app, ErrorForm, give);
   }
   else
   {
@@ -141,7 +197,13 @@ void AddOptionOfTable(CLI::App& app, const OptionInfo& info, const OptionReceive
 
 void GiveOption(Arguments& arguments, const OptionInfo& info, const std::string& text)
 {
+  const auto given = arguments.Given.find(info.Flag);
+  const std::string before = given == arguments.Given.end() ? std::string() : given->second;
   SetOptionFromText(arguments.Options, info, text);
+  if (!before.empty() && before != OptionText(arguments.Options, info))
+  {
+    throw Failure(ExitCode::Usage, "--" + info.Flag + " is both " + before + " and " + text);
+  }
   arguments.Given[info.Flag] = OptionText(arguments.Options, info);
 }
 
@@ -160,6 +222,9 @@ void AddDecimateOptions(CLI::App& app, Arguments& arguments)
     }
   }
   AddIso(app, arguments);
+  AddSegments(app, arguments.Segments,
+    [&arguments](const std::string& flag, const std::string& text)
+    { arguments.Given[flag] = text; });
   AddIntensities(app, arguments);
   AddRegions(app, arguments.Regions,
     [&arguments](const std::string& all) { arguments.Given["region"] = all; });
@@ -204,6 +269,11 @@ void TakeFiles(Arguments& arguments)
   if (!arguments.LabelMap.Path.empty())
   {
     arguments.Given["label-map"] = BaseName(arguments.LabelMap.Path);
+  }
+  if (!arguments.Format.empty() && arguments.Segments.IsRequested())
+  {
+    arguments.Given["format"] =
+      LowerCase(arguments.Format); // of files whose names are not those of the command line
   }
   if (arguments.LabelMap.Label != 0)
   {

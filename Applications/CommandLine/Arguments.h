@@ -12,6 +12,7 @@
 #include "LengthUnit.h"
 #include "Options/OptionTable.h"
 #include "Regions.h"
+#include "SegmentArguments.h"
 
 #include <functional>
 #include <map>
@@ -29,7 +30,8 @@ struct Arguments
   std::map<std::string, std::string>
     Given;                   ///< Options of the command line: flag without dashes and value.
   std::optional<double> Iso; ///< Hounsfield value of the surface of a volume.
-  bool TakesLabels = false;  ///< Also values that look like labels, as intensities.
+  SegmentArguments Segments;
+  bool TakesLabels = false; ///< Also values that look like labels, as intensities.
   std::vector<Region> Regions;
   LengthUnit Unit; ///< Of the coordinates in files of surfaces.
 
@@ -41,11 +43,14 @@ struct Arguments
   std::string Page;
   std::string Heatmap;
   std::string Picture;
+  bool PictureIsRequired = true; ///< If it cannot be drawn, that is an error and not a warning.
   /// @}
 
+  std::string
+    Format; ///< Extension of outputs in a folder; empty: that of each input, vtp for volumes.
+
   /// @name Many bones only. @{
-  std::string Format; ///< Extension of the outputs; empty: that of each input.
-  int Jobs = 0;       ///< 0: not given.
+  int Jobs = 0; ///< 0: not given.
   bool Force = false;
   /// @}
 
@@ -75,8 +80,11 @@ void GiveOption(Arguments& arguments, const OptionInfo& info, const std::string&
 /// Completes the arguments after parsing: the last file is the output. @throws Failure(ExitCode::Usage)
 void TakeFiles(Arguments& arguments);
 
-/// Whether the output is a folder of many bones.
+/// Whether there are many bones, and the output is a folder for them.
 bool IsBatch(const Arguments& arguments);
+
+/// By an extension that this program reads or writes.
+bool IsNamedLikeFile(std::string path);
 
 /**
  * What the parser cannot see: extensions, files that would overwrite each other, options of the

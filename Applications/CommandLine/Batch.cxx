@@ -22,6 +22,17 @@ namespace bonedecimate
 {
 namespace
 {
+/// What a process that died left of a folder of segments, if the output is one.
+void RemoveSegmentFolder(int process, const std::string& output)
+{
+  std::error_code ignored;
+  if (std::filesystem::is_directory(output, ignored))
+  {
+    RemoveStagedFilesOf(process, output);
+    std::filesystem::remove(output, ignored); // only if it is empty
+  }
+}
+
 class Batch
 {
 public:
@@ -168,7 +179,9 @@ private:
   {
     if (job.Child.HasDied())
     {
+      const BatchBone& bone = this->Bones[job.Bone];
       RemoveStagedFilesOf(job.Child.GetProcess(), this->Requested.Output);
+      RemoveSegmentFolder(job.Child.GetProcess(), bone.Output);
     }
     BatchRow& row = this->Rows[job.Bone];
     row.Code = job.Child.GetCode();

@@ -20,17 +20,22 @@ namespace bonedecimate
 {
 namespace
 {
+bool TakesVolumes(const Arguments& arguments)
+{
+  return arguments.Iso || arguments.Segments.IsRequested();
+}
+
 /// An entry of a folder that was scanned, with the reason if it is no bone.
-BatchBone BoneOf(const fs::path& path, bool hasIso)
+BatchBone BoneOf(const fs::path& path, bool takesVolumes)
 {
   std::error_code error;
   BatchBone bone;
   bone.Input = path.string();
   const bool isFolder = fs::is_directory(path, error);
   bone.Volume = IsVolume(bone.Input);
-  if (bone.Volume && !hasIso)
+  if (bone.Volume && !takesVolumes)
   {
-    bone.WhyNot = "a volume: --iso HU says which surface to take";
+    bone.WhyNot = "a volume: --iso HU or, of a label map, --segments says which surface to take";
     bone.CodeIfNot = ExitCode::InputRejected;
   }
   else if (!bone.Volume && isFolder)
@@ -63,7 +68,7 @@ void AddFolder(std::vector<BatchBone>& bones, const std::string& folder, const A
     const bool isHidden = path.filename().string()[0] == '.';
     if (!isHidden && !fs::equivalent(path, arguments.Output, error))
     {
-      bones.push_back(BoneOf(path, arguments.Iso.has_value()));
+      bones.push_back(BoneOf(path, TakesVolumes(arguments)));
     }
   }
 }
@@ -72,7 +77,8 @@ void AddFolder(std::vector<BatchBone>& bones, const std::string& folder, const A
 std::string NameOf(const fs::path& input, int detail)
 {
   const fs::path file = input.has_filename() ? input : input.parent_path();
-  std::string name = file.stem().string();
+  const bool isCompressed = file.extension() == ".gz"; // NAME.nii.gz
+  std::string name = (isCompressed ? file.stem() : file).stem().string();
   if (detail > 0)
   {
     name += "_" + ExtensionOf(file.string());
@@ -144,12 +150,16 @@ void CheckThatThereAreBones(const std::vector<BatchBone>& bones, const Arguments
   {
     throw Failure(ExitCode::InputRejected,
       "'" + arguments.Inputs[0] + "' was rejected: no surface file is in it" +
-        (arguments.Iso ? " and no volume" : ", and volumes need --iso HU"));
+        (TakesVolumes(arguments) ? " and no volume" : ", and volumes need --iso HU or --segments"));
   }
   const auto isVolume = [](const BatchBone& bone) { return bone.Volume; };
   if (arguments.Iso && std::none_of(bones.begin(), bones.end(), isVolume))
   {
     throw Failure(ExitCode::Usage, "--iso is for volumes; none of the inputs is one");
+  }
+  if (arguments.Segments.IsRequested() && std::none_of(bones.begin(), bones.end(), isVolume))
+  {
+    throw Failure(ExitCode::Usage, "--segments is for label maps; none of the inputs is one");
   }
 }
 
@@ -198,7 +208,12 @@ std::vector<BatchBone> PlanBatch(const Arguments& arguments)
   for (BatchBone& bone : bones)
   {
     const fs::path folder(arguments.Output);
-    if (bone.IsBone())
+    if (bone.IsBone() && bone.Volume && arguments.Segments.IsRequested())
+    {
+      bone.Output = (folder / bone.Name / "").string();
+      bone.Report = (folder / bone.Name / "report.json").string();
+    }
+    else if (bone.IsBone())
     {
       bone.Output = (folder / (bone.Name + "." + OutputExtension(bone, arguments))).string();
       bone.Report = (folder / (bone.Name + ".json")).string();
@@ -213,8 +228,10 @@ std::map<std::string, std::string> OptionsFor(const BatchBone& bone, const Argum
   std::map<std::string, std::string> given = arguments.Given;
   if (!bone.Volume)
   {
-    given.erase("iso");
-    given.erase("intensities");
+    for (const char* ofVolumes : { "iso", "intensities", "segments", "label-names", "format" })
+    {
+      given.erase(ofVolumes);
+    }
   }
   return given;
 }

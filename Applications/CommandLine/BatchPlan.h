@@ -32,13 +32,13 @@ struct BatchBone
 /**
  * Files in the order given, those of a folder sorted by name: every file and folder in it but hidden ones and the output
  * folder. What is neither a surface nor a volume has a reason instead of outputs and counts as Done, because the command line did not name it;
- * a volume without --iso counts as InputRejected.
+ * a volume without --iso and --segments counts as InputRejected.
  * @throws Failure(ExitCode::InputRejected) if there is no bone, Failure(ExitCode::Usage) if an output
  * is an input, or if --iso is given and there is no volume.
  */
 std::vector<BatchBone> PlanBatch(const Arguments& arguments);
 
-/// The options that hold for one of them: --iso only for volumes.
+/// The options that hold for one of them: --iso and --segments only for volumes.
 std::map<std::string, std::string> OptionsFor(const BatchBone& bone, const Arguments& arguments);
 
 /// The words that make this program do one of them.

@@ -8,6 +8,7 @@
 #include "ExitCode.h"
 #include "Options/IneffectiveOptions.h"
 #include "Options/OptionTable.h"
+#include "SegmentOutput.h"
 
 #include <algorithm>
 #include <cctype>
@@ -116,20 +117,25 @@ void CheckPrecision(const Arguments& arguments)
   const bool isProved = arguments.Options.ProvesError() &&
     (arguments.Options.BoundsError() || !arguments.Options.ToleranceArrayName.empty() ||
       !arguments.Regions.empty());
-  std::vector<std::string> surfaces = arguments.Also;
-  surfaces.push_back(arguments.Output);
-  for (const std::string& surface : surfaces)
+  for (const SurfaceFormat* format : FormatsOfSurfaces(arguments))
   {
     Require(!isProved || arguments.Options.OutputPointsPrecision != PointsPrecision::Double ||
-        FindFormat(surface)->HoldsDoubles,
-      "--precision Double has no effect with a largest error; '" + surface +
-        "' holds single precision");
+        format->HoldsDoubles,
+      std::string("--precision Double has no effect with a largest error; ") + format->Extension +
+        " holds single precision");
   }
 }
 
 void CheckOneBone(const Arguments& arguments)
 {
-  RequireSurfaceFormat("the output", arguments.Output);
+  if (!WritesSegments(arguments))
+  {
+    Require(!IsBlockFile(arguments.Output),
+      "'" + arguments.Output + "' has a block for each segment of a label map; it needs --segments");
+    RequireSurfaceFormat("the output", arguments.Output);
+  }
+  Require(arguments.Format.empty() || FindFormat("x." + arguments.Format) != nullptr,
+    "--format '" + arguments.Format + "' is none of " + SurfaceExtensions());
   for (const std::string& file : arguments.Also)
   {
     RequireSurfaceFormat("--also", file);
@@ -143,26 +149,18 @@ void CheckOneBone(const Arguments& arguments)
   Require(arguments.Reference.empty() || arguments.Options.BoundsError(),
     "--reference needs --max-error or --preset, in every mode but Thesis");
   const bool volume = IsVolume(arguments.Inputs[0]);
-  Require(!volume || arguments.Iso,
-    "'" + arguments.Inputs[0] + "' is a volume: --iso HU says which surface to take");
+  Require(!volume || arguments.Iso || arguments.Segments.IsRequested(),
+    "'" + arguments.Inputs[0] +
+      "' is a volume: --iso HU or, of a label map, --segments says which surface to take");
   Require(volume || !arguments.Iso || !fs::exists(arguments.Inputs[0]),
     "--iso is for volumes; '" + arguments.Inputs[0] + "' is none");
   Require(arguments.Iso || arguments.Given.count("intensities") == 0,
     "--intensities is for volumes, together with --iso");
-  Require(arguments.Jobs == 0 && !arguments.Force && arguments.Format.empty(),
+  Require(arguments.Jobs == 0 && !arguments.Force &&
+      (arguments.Format.empty() || arguments.Segments.IsRequested()),
     "--jobs, --force and --format are for many bones and an output folder");
   CheckPrecision(arguments);
   CheckOverwriting(arguments);
-}
-
-/// By an extension that this program reads or writes.
-bool IsNamedLikeFile(std::string path)
-{
-  path.erase(path.find_last_not_of('/') + 1);
-  const std::string extension = ExtensionOf(path);
-  const auto others = { "json", "html", "png", "svg", "csv" };
-  return FindFormat(path) != nullptr || IsVolumeFile(path) ||
-    std::find(others.begin(), others.end(), extension) != others.end();
 }
 
 void CheckBatch(const Arguments& arguments)
@@ -189,6 +187,15 @@ void CheckBatch(const Arguments& arguments)
 }
 }
 
+bool IsNamedLikeFile(std::string path)
+{
+  path.erase(path.find_last_not_of('/') + 1);
+  const std::string extension = ExtensionOf(path);
+  const auto others = { "json", "html", "png", "svg", "csv" };
+  return FindFormat(path) != nullptr || IsVolumeFile(path) ||
+    std::find(others.begin(), others.end(), extension) != others.end();
+}
+
 bool IsBatch(const Arguments& arguments)
 {
   std::error_code error;
@@ -196,6 +203,10 @@ bool IsBatch(const Arguments& arguments)
   if (arguments.ThesisForm)
   {
     return false;
+  }
+  if (arguments.Segments.IsRequested() && arguments.Inputs.size() == 1 && IsVolume(input))
+  {
+    return false; // a folder is for the segments
   }
   return arguments.Inputs.size() > 1 || (fs::is_directory(input, error) && !IsVolume(input)) ||
     fs::is_directory(arguments.Output, error) || arguments.Output.back() == '/';
@@ -210,6 +221,7 @@ void CheckArguments(const Arguments& arguments)
   Require(!arguments.Iso || arguments.Unit.IsMillimeter(),
     "--unit is for surfaces; a volume for --iso is in millimeters by its header");
   CheckIneffectiveOptions(arguments);
+  CheckSegments(arguments);
   CheckLabel(arguments.LabelMap, "--label-map");
   if (IsBatch(arguments))
   {

@@ -9,6 +9,7 @@
 #include "HelpFormatter.h"
 #include "Report/Report.h"
 #include "RunOne.h"
+#include "SegmentOutput.h"
 
 #include <CLI/CLI.hpp>
 
@@ -71,7 +72,9 @@ void AddDecimateCommand(CLI::App& program, const std::string& self, ExitCode& co
 {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& command = AddCommand(program, DefaultCommand,
-    { "INPUT OUTPUT [OPTIONS]", "INPUT... FOLDER [OPTIONS]" }, ProgramDescription());
+    { "INPUT OUTPUT [OPTIONS]", "INPUT... FOLDER [OPTIONS]",
+      "LABELMAP FOLDER --segments all [OPTIONS]" },
+    ProgramDescription());
   command.footer(HelpFooter());
   command.set_version_flag(
     "--version", std::string("bonedecimate ") + Version(), "Print the version.");
@@ -89,6 +92,7 @@ void AddDecimateCommand(CLI::App& program, const std::string& self, ExitCode& co
     {
       TakeFiles(*arguments);
       RequireCommandOrFile(program, arguments->Inputs[0]);
+      NameFilesOfFolder(*arguments);
       code = Decimate(*arguments, self);
     });
 }

@@ -4,6 +4,7 @@
 
 #include "Formats/SurfaceFormat.h"
 #include "Options/OptionTable.h"
+#include "SegmentOutput.h"
 
 #include <algorithm>
 
@@ -32,12 +33,12 @@ int ModeNumber(const std::string& name)
 Options OptionsForFiles(const Arguments& arguments)
 {
   Options options = arguments.Options;
-  const auto isSingle = [](const std::string& path) { return !FindFormat(path)->HoldsDoubles; };
+  const std::vector<const SurfaceFormat*> formats = FormatsOfSurfaces(arguments);
+  const auto isSingle = [](const SurfaceFormat* format) { return !format->HoldsDoubles; };
   const bool isLimited =
     (!options.ToleranceArrayName.empty() || !arguments.Regions.empty()) && options.ProvesError();
   if ((options.BoundsError() || isLimited || options.Smooths()) &&
-    (isSingle(arguments.Output) ||
-      std::any_of(arguments.Also.begin(), arguments.Also.end(), isSingle)))
+    std::any_of(formats.begin(), formats.end(), isSingle))
   {
     options.OutputPointsPrecision = PointsPrecision::Single;
   }

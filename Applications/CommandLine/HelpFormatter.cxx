@@ -76,14 +76,15 @@ std::string HelpFooter()
     ExtensionsThat(&SurfaceFormat::HoldsArrays) +
     " hold arrays. Every file is written whole or not at all.\n"
     "Lengths are millimeters.\n\n"
-    "Many bones: the output folder gets NAME.EXT and NAME.json for each, and summary.csv.\n"
+    "Many bones: the output folder gets NAME.EXT and NAME.json for each, of a label map a folder\n"
+    "NAME, and summary.csv.\n"
     "NAME is the input's, with its extension, its folder or a number added where two inputs\n"
     "would get the same. One that fails does not stop the others. Files of a folder that are\n"
     "no surfaces or volumes are skipped, each with a row in summary.csv. Run again, a bone is\n"
     "skipped if its report names the same version, options, input size and time of change,\n"
     "and its output has the size it was written with. The program ends with the highest\n"
-    "code of them; a bone whose process died counts as 5, a volume in a folder without --iso\n"
-    "as 2, a file of another kind that was not named itself as 0.\n\n" +
+    "code of them; a bone whose process died counts as 5, a volume in a folder without --iso and\n"
+    "--segments as 2, a file of another kind that was not named itself as 0.\n\n" +
     ExitCodesText() + "\nThis software is not a medical device.\n";
 }
 

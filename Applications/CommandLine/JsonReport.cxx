@@ -7,10 +7,13 @@
 #include "Report/Report.h"
 #include "ReportFields.h"
 #include "StagedFile.h"
+#include "VoxelSection.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace bonedecimate
 {
@@ -30,6 +33,68 @@ Json CommandLineOf(const ReportSubject& subject)
     }
   }
   return given;
+}
+
+/// Null for what is not known.
+template <typename Value>
+Json ValueOrNull(const std::optional<Value>& value)
+{
+  return value ? Json(*value) : Json();
+}
+
+Json JsonOf(const SegmentRecord& segment)
+{
+  Json json = { { "label", segment.Label.Value }, { "name", segment.Label.Name },
+    { "color", ValueOrNull(segment.Label.Color) }, { "triangles", segment.Triangles },
+    { "components", segment.Volumes.size() } };
+  constexpr std::size_t mostListed = 32;
+  json["volumes"] = std::vector<double>(segment.Volumes.begin(),
+    segment.Volumes.begin() +
+      static_cast<std::ptrdiff_t>(std::min(segment.Volumes.size(), mostListed)));
+  if (!segment.File.empty())
+  {
+    json["file"] = segment.File;
+    json["bytes"] = segment.Bytes;
+  }
+  return json;
+}
+
+Json JsonOf(const std::vector<SegmentRecord>& segments, vtkPolyData* result)
+{
+  const ReportFields fields(result);
+  Json json = { { "bound_in_voxels", ValueOrNull(BoundInVoxels(fields)) },
+    { "kept_voxels", ValueOrNull(KeptVoxels(fields)) }, { "list", Json::array() } };
+  for (const SegmentRecord& segment : segments)
+  {
+    json["list"].push_back(JsonOf(segment));
+  }
+  return json;
+}
+
+/// The size of an output file; of a folder, the files of its segments together. None if one of them is missing.
+std::optional<std::uintmax_t> BytesOf(const std::string& output, const Json& report)
+{
+  std::error_code error;
+  if (!std::filesystem::is_directory(output, error))
+  {
+    const std::uintmax_t bytes = std::filesystem::file_size(output, error);
+    return error ? std::nullopt : std::optional<std::uintmax_t>(bytes);
+  }
+  std::uintmax_t bytes = 0;
+  const Json::json_pointer list("/segments/list");
+  for (const Json& segment : report.contains(list) ? report[list] : Json::array())
+  {
+    const bool hasFile =
+      segment.is_object() && segment.contains("file") && segment["file"].is_string();
+    bytes += hasFile ? std::filesystem::file_size(
+                         std::filesystem::path(output) / segment["file"].get<std::string>(), error)
+                     : 0;
+    if (error)
+    {
+      return std::nullopt;
+    }
+  }
+  return bytes;
 }
 }
 
@@ -60,6 +125,10 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
   if (!subject.ProvedFiles.empty())
   {
     report["proof"]["files"] = subject.ProvedFiles;
+  }
+  if (!subject.Segments.empty())
+  {
+    report["segments"] = JsonOf(subject.Segments, result);
   }
   report["command_line"] = CommandLineOf(subject);
   report["warnings"] = subject.Warnings;
@@ -105,17 +174,16 @@ bool ReportMatches(
 {
   std::ifstream stream(reportFile, std::ios::binary);
   const Json report = Json::parse(stream, nullptr, false);
-  std::error_code error;
-  const std::uintmax_t bytes = std::filesystem::file_size(outputFile, error);
+  const std::optional<std::uintmax_t> bytes =
+    report.is_object() ? BytesOf(outputFile, report) : std::nullopt;
   const auto at = [&report](const char* pointer)
   {
     const Json::json_pointer position(pointer);
     return report.contains(position) ? report[position] : Json();
   };
-  return !error && report.is_object() && at("/version") == Version() &&
-    at("/command_line") == CommandLineOf(subject) && at("/files/input") == subject.Input &&
-    at("/files/input_bytes") == subject.InputStamp.Bytes &&
+  return bytes && at("/version") == Version() && at("/command_line") == CommandLineOf(subject) &&
+    at("/files/input") == subject.Input && at("/files/input_bytes") == subject.InputStamp.Bytes &&
     at("/files/input_modified") == subject.InputStamp.Modified &&
-    at("/files/output_bytes") == bytes;
+    at("/files/output_bytes") == *bytes;
 }
 }

@@ -9,6 +9,7 @@
 
 #include "Arguments.h"
 #include "FileStamp.h"
+#include "SegmentRecord.h"
 
 #include "vtkPolyData.h"
 
@@ -31,6 +32,7 @@ struct ReportSubject
   std::vector<std::string> Warnings;
   /// Of each surface that was written after it had been proved: see ProveWritten().
   std::map<std::string, std::string> ProvedFiles;
+  std::vector<SegmentRecord> Segments; ///< Of a label map.
   double SecondsRead = 0.0;
   double SecondsWrite = 0.0;
   double SecondsTotal = 0.0; ///< From the start to the written surface.
@@ -70,8 +72,8 @@ void WriteJsonFile(const std::string& path, const nlohmann::ordered_json& json);
 
 /**
  * Whether a report on disk is of this version, the same input and the same options (threads do not
- * matter), and the output still has the size it was written with. A report that cannot be read
- * matches nothing.
+ * matter), and the output still has the size it was written with; that of a folder are the files of its segments. A report that
+ * cannot be read matches nothing.
  */
 bool ReportMatches(
   const std::string& reportFile, const std::string& outputFile, const ReportSubject& subject);

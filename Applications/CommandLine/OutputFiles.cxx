@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OutputFiles.h"
 
+#include "ExitCode.h"
+#include "SegmentOutput.h"
+
+#include <filesystem>
+
 namespace bonedecimate
 {
 OutputFiles::OutputFiles(const Arguments& arguments)
@@ -14,7 +19,15 @@ OutputFiles::OutputFiles(const Arguments& arguments)
       file.emplace(name);
     }
   };
-  this->Surfaces.emplace_back(arguments.Output);
+  if (WritesSegments(arguments))
+  {
+    this->Folder.emplace(FolderOfSegments(arguments));
+    reserve(this->Blocks, IsBlockFile(arguments.Output) ? arguments.Output : std::string());
+  }
+  else
+  {
+    this->Surfaces.emplace_back(arguments.Output);
+  }
   for (const std::string& also : arguments.Also)
   {
     this->Surfaces.emplace_back(also);
@@ -26,12 +39,28 @@ OutputFiles::OutputFiles(const Arguments& arguments)
   reserve(this->Report, arguments.Report);
 }
 
+StagedFile& OutputFiles::AddSegment(const std::string& target)
+{
+  for (const StagedFile& surface : this->Surfaces)
+  {
+    if (std::filesystem::absolute(surface.GetTarget()).lexically_normal() ==
+      std::filesystem::absolute(target).lexically_normal())
+    {
+      throw Failure(ExitCode::Usage, "'" + target + "' would be written twice");
+    }
+  }
+  return this->Segments.emplace_back(target);
+}
+
 std::vector<std::string> OutputFiles::Commit()
 {
   std::vector<StagedFile*> files;
-  for (StagedFile& surface : this->Surfaces)
+  for (std::list<StagedFile>* surfaces : { &this->Segments, &this->Surfaces })
   {
-    files.push_back(&surface);
+    for (StagedFile& surface : *surfaces)
+    {
+      files.push_back(&surface);
+    }
   }
   if (!this->KeepsPicture)
   {
@@ -39,7 +68,7 @@ std::vector<std::string> OutputFiles::Commit()
   }
   // The report comes last: where it lies, the others lie already.
   for (std::optional<StagedFile>* file :
-    { &this->Heatmap, &this->Picture, &this->Page, &this->Report })
+    { &this->Blocks, &this->Heatmap, &this->Picture, &this->Page, &this->Report })
   {
     if (file->has_value())
     {

@@ -9,6 +9,7 @@
 
 #include "Arguments.h"
 #include "StagedFile.h"
+#include "StagedFolder.h"
 
 #include "vtkPolyData.h"
 
@@ -24,8 +25,14 @@ struct OutputFiles
   /// Reserves every file, so that a folder that takes none is found out before the work.
   explicit OutputFiles(const Arguments& arguments);
 
-  /// The output first, then those of --also.
+  /// Adds a file for the surface of a segment. @throws Failure(ExitCode::Usage) if one of that name is written already.
+  StagedFile& AddSegment(const std::string& target);
+
+  std::optional<StagedFolder> Folder; ///< Of the segments; goes after its files.
+  /// The output first, unless segments have files of their own, then those of --also.
   std::list<StagedFile> Surfaces;
+  std::list<StagedFile> Segments;
+  std::optional<StagedFile> Blocks; ///< The .vtm file.
   std::optional<StagedFile> Heatmap;
   std::optional<StagedFile>
     Picture; ///< Also without --picture if a page wants to embed one; see KeepsPicture.

@@ -18,6 +18,9 @@
 #include "Page.h"
 #include "Picture.h"
 #include "ReportFields.h"
+#include "SegmentFiles.h"
+#include "SegmentOutput.h"
+#include "SegmentSurfaces.h"
 #include "StageClock.h"
 #include "Summary.h"
 #include "SurfaceFiles.h"
@@ -54,7 +57,13 @@ public:
   void Read()
   {
     const StageClock watch;
-    if (this->Volume)
+    if (this->Requested.Segments.IsRequested())
+    {
+      const SegmentSurfaces segments = ExtractSegments(this->Requested, this->Subject.Warnings);
+      this->Input = segments.Surface;
+      this->Filter->SetLabelMapData(segments.Map);
+    }
+    else if (this->Volume)
     {
       const BoneSurface bone = ExtractBoneSurface(this->Path, *this->Requested.Iso,
         this->Requested.TakesLabels ? LabelPolicy::AsIntensities : LabelPolicy::Reject);
@@ -93,6 +102,10 @@ public:
     {
       options.VoxelSize = this->VoxelSize;
     }
+    if (this->Requested.Segments.IsRequested())
+    {
+      options.LabelArrayName = SegmentArray;
+    }
     this->ReserveRounding(options);
     ApplyOptions(options, this->Filter);
     this->Input = ApplyRegions(this->Requested.Regions, this->Requested.Options.ToleranceArrayName,
@@ -117,7 +130,19 @@ public:
       const vtkSmartPointer<vtkPolyData> readBack =
         WriteSurface(this->InFile, file.GetTemporary(), file.GetTarget());
       this->ProveFile(ToMillimeters(readBack, this->Requested.Unit), file.GetTarget());
-      const std::string loss = LossText(this->InFile, file.GetTarget());
+      if (!WritesSegments(this->Requested) && &file == &files.Surfaces.front())
+      {
+        this->Subject.OutputBytes =
+          static_cast<std::int64_t>(std::filesystem::file_size(file.GetTemporary()));
+      }
+    }
+    if (this->Requested.Segments.IsRequested())
+    {
+      WriteSegments(this->Result, this->Requested, files, this->Subject);
+    }
+    for (const SurfaceFormat* format : FormatsOfSurfaces(this->Requested))
+    {
+      const std::string loss = LossText(this->InFile, *format);
       if (!loss.empty())
       {
         this->Notes.push_back(loss);
@@ -128,8 +153,6 @@ public:
       WriteSurface(
         this->HeatmapInFile(), files.Heatmap->GetTemporary(), files.Heatmap->GetTarget());
     }
-    this->Subject.OutputBytes =
-      static_cast<std::int64_t>(std::filesystem::file_size(files.Surfaces.front().GetTemporary()));
     this->Subject.SecondsWrite = watch.Seconds();
     this->Subject.SecondsTotal = this->Whole.Seconds();
   }
@@ -180,7 +203,8 @@ public:
     {
       PrintSummary(this->Result, this->Subject, this->Notes, written);
     }
-    if (!this->Requested.Picture.empty() && !this->PictureProblem.empty())
+    if (this->Requested.PictureIsRequired && !this->Requested.Picture.empty() &&
+      !this->PictureProblem.empty())
     {
       throw Failure(ExitCode::CouldNotWrite,
         "could not draw '" + this->Requested.Picture + "': " + this->PictureProblem +
@@ -235,6 +259,10 @@ private:
   {
     const LengthUnit& unit = this->Requested.Unit;
     this->Result = this->Filter->GetOutput();
+    if (this->Requested.Segments.IsRequested())
+    {
+      this->Result = WithColorArray(this->Result);
+    }
     this->InFile = FromMillimeters(this->Result, unit, this->WritesSingle, this->InputInFile);
     if (this->Rounding == 0.0)
     {

@@ -6,6 +6,7 @@
 #include "NumberText.h"
 #include "PartSection.h"
 #include "ReportFields.h"
+#include "VoxelSection.h"
 
 #include <algorithm>
 #include <iostream>
@@ -110,7 +111,30 @@ void PrintVoxels(const ReportFields& report)
   {
     std::cout << "voxels          " << Count(report, "voxels.changed") << " of "
               << Count(report, "voxels.compared") << " have another label"
-              << (report.Text("voxels.guard") == "on" ? "; edits may not change any" : "") << "\n";
+              << (report.Text("voxels.guard") == "on" ? "; edits may not change any" : "");
+    const std::optional<double> bound = BoundInVoxels(report);
+    std::cout << (bound ? "; the largest error is " + ShortText(*bound) + " voxels" : "") << "\n";
+  }
+}
+
+/// The segments of a label map, with the files that they have.
+void PrintSegments(const std::vector<SegmentRecord>& segments)
+{
+  for (const SegmentRecord& segment : segments)
+  {
+    constexpr std::size_t mostPrinted = 3;
+    std::cout << "segment         " << LabelText(segment.Label) << ": "
+              << GroupedText(static_cast<double>(segment.Triangles)) << " triangles, "
+              << segment.Volumes.size()
+              << (segment.Volumes.size() == 1 ? " component" : " components");
+    for (std::size_t i = 0; i < std::min(segment.Volumes.size(), mostPrinted); ++i)
+    {
+      std::cout << (i == 0 ? " of " : ", ") << GroupedText(segment.Volumes[i], 1);
+    }
+    std::cout << (segment.Volumes.size() > mostPrinted ? ", ..." : "")
+              << (segment.Volumes.empty() ? "" : " mm3")
+              << (segment.File.empty() ? "" : ", " + segment.File)
+              << "\n";
   }
 }
 
@@ -200,6 +224,7 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
   PrintDistances(report, "input_to_output", "input to result ");
   PrintBoundaries(report);
   PrintVoxel(report);
+  PrintSegments(subject.Segments);
   PrintParts(report);
   PrintVoxels(report);
   PrintProof(report);

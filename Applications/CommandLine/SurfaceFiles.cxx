@@ -119,9 +119,8 @@ vtkSmartPointer<vtkPolyData> WriteSurface(
   }
 }
 
-std::string LossText(vtkPolyData* surface, const std::string& path)
+std::string LossText(vtkPolyData* surface, const SurfaceFormat& format)
 {
-  const SurfaceFormat& format = *FindFormat(path);
   const int arrays = surface->GetPointData()->GetNumberOfArrays() +
     surface->GetCellData()->GetNumberOfArrays() + surface->GetFieldData()->GetNumberOfArrays();
   std::string text;

@@ -15,6 +15,8 @@
 
 namespace bonedecimate
 {
+struct SurfaceFormat;
+
 struct LoadedSurface
 {
   vtkSmartPointer<vtkPolyData>
@@ -34,7 +36,7 @@ vtkSmartPointer<vtkPolyData> WriteSurface(
   vtkPolyData* surface, const std::string& path, const std::string& target);
 
 /// What this format cannot hold of the surface, for people; empty if it holds all of it.
-std::string LossText(vtkPolyData* surface, const std::string& path);
+std::string LossText(vtkPolyData* surface, const SurfaceFormat& format);
 }
 
 #endif

@@ -28,32 +28,6 @@ std::array<double, 3> PositionOf(vtkPolyData* surface, vtkIdType point)
   return position;
 }
 
-/// Equal positions in the same order; points may have other numbers, as in STL files.
-bool IsSame(vtkPolyData* a, vtkPolyData* b)
-{
-  const auto cellsA = vtk::TakeSmartPointer(a->GetPolys()->NewIterator());
-  const auto cellsB = vtk::TakeSmartPointer(b->GetPolys()->NewIterator());
-  for (cellsA->GoToFirstCell(), cellsB->GoToFirstCell();
-       !cellsA->IsDoneWithTraversal() && !cellsB->IsDoneWithTraversal();
-       cellsA->GoToNextCell(), cellsB->GoToNextCell())
-  {
-    vtkIdType sizeA = 0;
-    vtkIdType sizeB = 0;
-    const vtkIdType* cornersA = nullptr;
-    const vtkIdType* cornersB = nullptr;
-    cellsA->GetCurrentCell(sizeA, cornersA);
-    cellsB->GetCurrentCell(sizeB, cornersB);
-    const bool isSame = sizeA == sizeB &&
-      std::equal(cornersA, cornersA + sizeA, cornersB,
-        [a, b](vtkIdType p, vtkIdType q) { return PositionOf(a, p) == PositionOf(b, q); });
-    if (!isSame)
-    {
-      return false;
-    }
-  }
-  return cellsA->IsDoneWithTraversal() && cellsB->IsDoneWithTraversal();
-}
-
 void Certify(const ProvedRun& run, vtkPolyData* readBack, const std::string& target)
 {
   vtkNew<vtkBoneSurfaceDistance> distance;
@@ -83,9 +57,34 @@ void Certify(const ProvedRun& run, vtkPolyData* readBack, const std::string& tar
 }
 }
 
+bool HasSameTriangles(vtkPolyData* a, vtkPolyData* b)
+{
+  const auto cellsA = vtk::TakeSmartPointer(a->GetPolys()->NewIterator());
+  const auto cellsB = vtk::TakeSmartPointer(b->GetPolys()->NewIterator());
+  for (cellsA->GoToFirstCell(), cellsB->GoToFirstCell();
+       !cellsA->IsDoneWithTraversal() && !cellsB->IsDoneWithTraversal();
+       cellsA->GoToNextCell(), cellsB->GoToNextCell())
+  {
+    vtkIdType sizeA = 0;
+    vtkIdType sizeB = 0;
+    const vtkIdType* cornersA = nullptr;
+    const vtkIdType* cornersB = nullptr;
+    cellsA->GetCurrentCell(sizeA, cornersA);
+    cellsB->GetCurrentCell(sizeB, cornersB);
+    const bool isSame = sizeA == sizeB &&
+      std::equal(cornersA, cornersA + sizeA, cornersB,
+        [a, b](vtkIdType p, vtkIdType q) { return PositionOf(a, p) == PositionOf(b, q); });
+    if (!isSame)
+    {
+      return false;
+    }
+  }
+  return cellsA->IsDoneWithTraversal() && cellsB->IsDoneWithTraversal();
+}
+
 std::string ProveWritten(const ProvedRun& run, vtkPolyData* readBack, const std::string& target)
 {
-  if (IsSame(run.Output, readBack))
+  if (HasSameTriangles(run.Output, readBack))
   {
     return "same_bits";
   }

@@ -16,6 +16,9 @@
 
 namespace bonedecimate
 {
+/// Equal positions in the same order; points may have other numbers, as in STL files.
+bool HasSameTriangles(vtkPolyData* a, vtkPolyData* b);
+
 /// A run whose result is proved.
 struct ProvedRun
 {

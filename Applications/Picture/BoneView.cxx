@@ -5,6 +5,7 @@
 #include "DistanceColors.h"
 #include "SurfaceDistances.h"
 
+#include "vtkCellData.h"
 #include "vtkCleanPolyData.h"
 #include "vtkLightKit.h"
 #include "vtkNew.h"
@@ -83,6 +84,28 @@ void ColorByDistance(vtkActor* bone, const std::string& arrayName, double range)
   property->SetAmbient(0.3);
   property->SetDiffuse(0.75);
   property->SetSpecular(0.0);
+}
+
+void ColorByLabel(vtkActor* bone, const std::vector<NamedLabel>& labels)
+{
+  if (labels.empty() || (labels.size() == 1 && !labels[0].Color))
+  {
+    return;
+  }
+  auto* const mapper = vtkPolyDataMapper::SafeDownCast(bone->GetMapper());
+  const auto colors = ColorsOfTriangles(mapper->GetInput(), WithColors(labels));
+  if (!colors)
+  {
+    return;
+  }
+  vtkNew<vtkPolyData> colored;
+  colored->ShallowCopy(mapper->GetInput());
+  colored->GetCellData()->AddArray(colors);
+  mapper->SetInputData(colored);
+  mapper->SetScalarModeToUseCellFieldData();
+  mapper->SelectColorArray(colors->GetName());
+  mapper->SetColorModeToDirectScalars();
+  mapper->ScalarVisibilityOn();
 }
 
 void AddBackdrop(vtkRenderWindow* window)

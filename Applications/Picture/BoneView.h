@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Applications_BoneView_h
 #define BoneDecimate_Applications_BoneView_h
 
+#include "NamedLabels.h"
 #include "Overlay.h"
 #include "Viewpoint.h"
 
@@ -16,6 +17,7 @@
 #include "vtkSmartPointer.h"
 
 #include <string>
+#include <vector>
 
 namespace bonedecimate
 {
@@ -43,6 +45,9 @@ void ShowTriangles(vtkActor* bone, double lineWidth);
 
 /// Colors from 0 to range (mm) by an array of the points.
 void ColorByDistance(vtkActor* bone, const std::string& arrayName, double range);
+
+/// Each triangle in the color of the first of its labels, if there are several labels or one with a color.
+void ColorByLabel(vtkActor* bone, const std::vector<NamedLabel>& labels);
 
 /// White behind everything that no view covers; has to come before the views.
 void AddBackdrop(vtkRenderWindow* window);

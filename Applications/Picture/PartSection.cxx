@@ -5,6 +5,7 @@
 #include "NumberText.h"
 #include "PageParts.h"
 #include "PageTemplate.h"
+#include "VoxelSection.h"
 
 #include "Options/Text.h"
 
@@ -31,7 +32,7 @@ std::string PartName(const ReportFields& report, int part)
   const std::string label = report.Text(path + ".label");
   if (!label.empty())
   {
-    return "label " + label;
+    return "label " + NameOfLabel(report, label);
   }
   const auto along = [&](const char* axis)
   { return GroupedText(report.Number(path + ".center." + axis).value_or(0.0), 1); };

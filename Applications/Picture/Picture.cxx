@@ -4,6 +4,7 @@
 
 #include "BoneView.h"
 #include "DistanceColors.h"
+#include "NamedLabels.h"
 #include "NumberText.h"
 #include "Overlay.h"
 #include "ReportFields.h"
@@ -199,6 +200,7 @@ void AddViews(vtkRenderWindow* window, vtkPolyData* before, vtkPolyData* after, 
   const bool hasTitle = !subject.Title.empty();
   const double lineWidth = std::max(1.0, window->GetSize()[1] / 1400.0);
   const bool isSmoothed = WasSmoothed(subject.After);
+  const std::vector<NamedLabel> labels = LabelsOf(subject.After);
   for (int column = 0; column < Columns; ++column)
   {
     vtkPolyData* surface = column == 1 ? after : before;
@@ -206,6 +208,8 @@ void AddViews(vtkRenderWindow* window, vtkPolyData* before, vtkPolyData* after, 
     const auto closeUp = MakeBone(surface);
     if (column < 2)
     {
+      ColorByLabel(bone, labels);
+      ColorByLabel(closeUp, labels);
       if (isSmoothed)
       {
         ShadeFlat(bone);

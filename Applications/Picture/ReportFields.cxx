@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReportFields.h"
 
+#include "NamedLabels.h"
+
+#include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkStringArray.h"
 
@@ -49,6 +52,28 @@ std::string ReportJsonOf(vtkPolyData* result, const char* arrayName)
 ReportFields::ReportFields(vtkPolyData* result)
   : ReportFields(ReportJsonOf(result))
 {
+  if (result)
+  {
+    this->AddLabelMap(result);
+  }
+}
+
+void ReportFields::AddLabelMap(vtkPolyData* result)
+{
+  for (const NamedLabel& label : LabelsOf(result))
+  {
+    if (!label.Name.empty())
+    {
+      this->Fields.push_back({ "label_names." + std::to_string(label.Value), {}, label.Name });
+    }
+  }
+  vtkDataArray* const spacing = result->GetFieldData()->GetArray("VoxelGridSpacing");
+  if (spacing && spacing->GetNumberOfComponents() == 3 && spacing->GetNumberOfTuples() == 1)
+  {
+    const double* const sides = spacing->GetTuple(0);
+    const double least = std::min({ sides[0], sides[1], sides[2] });
+    this->Fields.push_back({ "voxel_grid.smallest_spacing", least, std::to_string(least) });
+  }
 }
 
 ReportFields::ReportFields(const std::string& json)

@@ -18,7 +18,10 @@ namespace bonedecimate
 /// The JSON in the field data of an output: a report or, by that name, a certificate. "{}" if there is none.
 std::string ReportJsonOf(vtkPolyData* result, const char* arrayName = "BoneDecimateReport");
 
-/// Names are those of ReportTable.h.
+/**
+ * Names are those of ReportTable.h. Of a surface with a label map there are also label_names.3, the name of label 3, for each label
+ * that has one, and voxel_grid.smallest_spacing (mm).
+ */
 class ReportFields
 {
 public:
@@ -37,6 +40,8 @@ public:
   std::vector<std::string> NamesBelow(const std::string& beginning) const;
 
 private:
+  void AddLabelMap(vtkPolyData* result);
+
   struct Field
   {
     std::string Name;

@@ -3,6 +3,7 @@
 #include "SurfaceDistances.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCleanPolyData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
@@ -20,10 +21,20 @@ namespace bonedecimate
 {
 namespace
 {
+constexpr const char* LabelsName = "BoundaryLabels"; // of cells, for their colors
+
 /// The same points with the triangles that have an area; the filter leaves the others out, too.
 vtkSmartPointer<vtkPolyData> WithArea(vtkPolyData* triangles)
 {
   vtkNew<vtkCellArray> kept;
+  vtkDataArray* const labels = triangles->GetCellData()->GetArray(LabelsName);
+  const auto keptLabels =
+    vtkSmartPointer<vtkDataArray>::Take(labels ? labels->NewInstance() : nullptr);
+  if (labels)
+  {
+    keptLabels->SetName(LabelsName);
+    keptLabels->SetNumberOfComponents(labels->GetNumberOfComponents());
+  }
   vtkNew<vtkIdList> corners;
   for (vtkIdType cell = 0; cell < triangles->GetNumberOfPolys(); ++cell)
   {
@@ -37,12 +48,20 @@ vtkSmartPointer<vtkPolyData> WithArea(vtkPolyData* triangles)
       0.0)
     {
       kept->InsertNextCell(corners);
+      if (labels)
+      {
+        keptLabels->InsertNextTuple(cell, labels);
+      }
     }
   }
   auto result = vtkSmartPointer<vtkPolyData>::New();
   result->SetPoints(triangles->GetPoints());
   result->SetPolys(kept);
   result->GetPointData()->ShallowCopy(triangles->GetPointData());
+  if (labels)
+  {
+    result->GetCellData()->AddArray(keptLabels);
+  }
   return result;
 }
 }

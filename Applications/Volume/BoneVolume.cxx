@@ -6,6 +6,7 @@
 #include "VolumeFile.h"
 #include "VoxelValues.h"
 
+#include "vtkFieldData.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -96,6 +97,7 @@ BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield, Label
   }
   if (bone.Problem.empty())
   {
+    volume.Image->GetFieldData()->Initialize(); // names of labels are none of the surface's
     bone.Surface = OutwardContour(volume, hounsfield);
     const double* const spacing = volume.Image->GetSpacing();
     bone.VoxelSize = std::min({ spacing[0], spacing[1], spacing[2] });

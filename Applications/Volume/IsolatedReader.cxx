@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IsolatedReader.h"
 
+#include "LabelFields.h"
 #include "Pipe.h"
 
 #include <cerrno>
@@ -46,6 +47,7 @@ void Send(const Volume& volume, Pipe& pipe)
     pipe.Send(&volume.Geometry, sizeof(volume.Geometry));
     pipe.Send(&shape, sizeof(shape));
     pipe.Send(volume.Image->GetScalarPointer(), BytesOf(volume.Image));
+    SendLabelFields(volume.Image->GetFieldData(), pipe);
   }
 }
 
@@ -67,7 +69,8 @@ bool Receive(Pipe& pipe, Volume& volume)
     return false;
   }
   volume.Image = AllocateImage(shape.Size, shape.ScalarType);
-  return pipe.Receive(volume.Image->GetScalarPointer(), BytesOf(volume.Image));
+  return pipe.Receive(volume.Image->GetScalarPointer(), BytesOf(volume.Image)) &&
+    ReceiveLabelFields(pipe, volume.Image->GetFieldData());
 }
 
 /// The life of the child.

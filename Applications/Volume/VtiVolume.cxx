@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VtiVolume.h"
 
+#include "LabelFields.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
@@ -123,6 +125,7 @@ Volume ReadVti(const std::string& path)
   volume.Image = vtkSmartPointer<vtkImageData>::New();
   volume.Image->SetDimensions(image->GetDimensions());
   volume.Image->GetPointData()->SetScalars(scalars);
+  CopyLabelFields(image->GetFieldData(), volume.Image->GetFieldData());
   return volume;
 }
 }

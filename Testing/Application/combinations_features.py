@@ -13,7 +13,7 @@ import typing
 import vtk
 
 from application import array_names, read
-from combinations_inputs import METERS, isosurface, scaled
+from combinations_inputs import METERS, isosurface, label_surface, scaled
 
 ERROR = 0.3  # mm, of the features that bound it
 LARGE_ERROR = 40.0  # mm, more than a quarter of the diagonal
@@ -111,20 +111,23 @@ class Run:
 
     def input(self):
         if "batch" in self.kinds:
-            return "volumes" if "CT" in self.kinds else "meters" if "unit" in self.kinds else "bones"
+            return "maps" if "segments" in self.kinds else "volumes" if "CT" in self.kinds else "meters" if "unit" in self.kinds else "bones"
+        if "segments" in self.kinds:
+            return "bone_map.mha"
         return "bone.mha" if "CT" in self.kinds else self.source("bone", "vtp")
 
     def output_words(self):
         return "small" if "batch" in self.kinds else self.output()
 
     def output(self):
-        return ("small/bone." if "batch" in self.kinds else "out.") + self.formats[0]
+        batch = "small/bone/label_1." if "segments" in self.kinds else "small/bone."
+        return (batch if "batch" in self.kinds else "out.") + self.formats[0]
 
     # What the run wrote.
 
     @functools.cached_property
     def report(self):
-        name = "small/bone.json" if "batch" in self.kinds else "report.json"
+        name = ("small/bone/report.json" if "segments" in self.kinds else "small/bone.json") if "batch" in self.kinds else "report.json"
         path = self.folder / name
         return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
 
@@ -135,6 +138,8 @@ class Run:
     @functools.cached_property
     def bone(self):
         """The surface that went in, or of the volume the one that the program extracted."""
+        if "segments" in self.kinds:
+            return label_surface(self.folder / "bone_map.mha")
         if "CT" in self.kinds:
             return isosurface(self.folder / "bone.mha")
         return in_millimeters(read(self.folder / self.source("bone", "vtp")), self)
@@ -268,6 +273,14 @@ def has_point_array(name):
     return problem
 
 
+def has_segments(run):
+    if run.command:
+        return ""
+    segments = run.report.get("segments", {}).get("list", [])
+    found = [(segment["label"], segment["triangles"] > 0) for segment in segments]
+    return "" if found == [(1, True)] else f"segments: {segments}"
+
+
 def has_voxels(run):
     voxels = run.report.get("voxels", {})
     return "" if run.command or voxels.get("of_1", {}).get("voxels", 0) > 100 else f"voxels: {voxels}"
@@ -347,6 +360,7 @@ FEATURES = [
     Feature("picture", ("--picture", "picture.png"), wrote("picture.png", b"PNG")),
     Feature("page", ("--page", "page.html"), wrote("page.html", b"</html>")),
     Feature("CT", ("--iso", 226), input="CT", rejected_by=("volume",)),
+    Feature("segments", ("--segments", "all"), has_segments, input="segments", rejected_by=("label map",)),
     Feature("unit", ("--unit", "m"), shows("files.unit", "m"), input="unit"),
     Feature("batch", input="batch", rejected_by=("one bone", "folder", "output")),
     Feature("thesis form", input="thesis form", rejected_by=("not expected",)),

@@ -93,14 +93,23 @@ def label_map(surface):
     return image.GetOutput()
 
 
-def isosurface(path):
+def contour_of(path, value):
     reader = vtk.vtkMetaImageReader()
     reader.SetFileName(str(path))
     contour = vtk.vtkFlyingEdges3D()
     contour.SetInputConnection(reader.GetOutputPort())
-    contour.SetValue(0, 226)
+    contour.SetValue(0, value)
     contour.Update()
     return contour.GetOutput()
+
+
+def isosurface(path):
+    return contour_of(path, 226)
+
+
+def label_surface(path):
+    """Of label 1."""
+    return contour_of(path, 0.5)
 
 
 def write_inputs(folder):
@@ -111,11 +120,12 @@ def write_inputs(folder):
             write(written, folder / f"{name}.{extension}")
     write(surface, folder / "first.vtp")
     write(meters, folder / "first_m.vtp")
-    for name in ("bones", "meters", "volumes"):
+    for name in ("bones", "meters", "volumes", "maps"):
         (folder / name).mkdir()
     write(surface, folder / "bones" / "bone.vtp")
     write(meters, folder / "meters" / "bone.vtp")
-    for image, target in ((volume(), "bone.mha"), (volume(), "volumes/bone.mha"), (label_map(surface), "bone_map.mha")):
+    for image, target in ((volume(), "bone.mha"), (volume(), "volumes/bone.mha"), (label_map(surface), "bone_map.mha"),
+                          (label_map(surface), "maps/bone.mha")):
         writer = vtk.vtkMetaImageWriter()
         writer.SetFileName(str(folder / target))
         writer.SetInputData(image)

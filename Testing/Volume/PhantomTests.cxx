@@ -1,14 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoneVolume.h"
+#include "LabelVolume.h"
 #include "Specimen.h"
 #include "SurfaceChecks.h"
 #include "VolumeFiles.h"
 
 #include <gtest/gtest.h>
 
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <sys/wait.h>
 #include <zlib.h>
 
@@ -65,6 +70,29 @@ TEST(Phantom, IsTheSameEveryTime)
   ASSERT_EQ(RunPhantom(folder.File("b.mha") + " --size small"), 0);
   EXPECT_EQ(ReadBytes(folder.File("a.mha")), ReadBytes(folder.File("b.mha")));
   EXPECT_EQ(Checksum(folder.File("a.mha")), 0x5cd9bc84UL);
+}
+
+TEST(Phantom, LabelMapHasThreeBonesOfWhichTwoTouch)
+{
+  const TemporaryFolder folder;
+  ASSERT_EQ(RunPhantom(folder.File("a.mha") + " --size small --labels"), 0);
+  const LabelVolume labels = ReadLabelVolume(folder.File("a.mha"));
+  ASSERT_EQ(labels.Problem, "");
+  vtkDataArray* voxels = labels.Image->GetPointData()->GetScalars();
+  const vtkIdType layer = 84 * 84;
+  std::map<double, int> counts;
+  int touching = 0;
+  for (vtkIdType i = 0; i < voxels->GetNumberOfTuples(); ++i)
+  {
+    const double label = voxels->GetComponent(i, 0);
+    ++counts[label];
+    touching += i >= layer && label == 1.0 && voxels->GetComponent(i - layer, 0) == 2.0 ? 1 : 0;
+  }
+  ASSERT_EQ(counts.size(), 4U);
+  EXPECT_GT(counts[1], 1000);
+  EXPECT_GT(counts[2], 1000);
+  EXPECT_GT(counts[3], 1000);
+  EXPECT_GT(touching, 100);
 }
 
 TEST(Phantom, SaysHowItIsUsed)

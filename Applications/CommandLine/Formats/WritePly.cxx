@@ -3,11 +3,14 @@
 #include "WritePly.h"
 
 #include "ExitCode.h"
+#include "NamedLabels.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <cstdint>
 #include <cstring>
@@ -27,6 +30,7 @@ public:
     , Stream(path, std::ios::binary | std::ios::trunc)
     , Coordinates(surface->GetPoints()->GetData())
     , Texture(surface->GetPointData()->GetTCoords())
+    , Colors(ColorsOf(surface))
   {
     if (this->Texture && this->Texture->GetNumberOfComponents() != 2)
     {
@@ -54,6 +58,14 @@ public:
   }
 
 private:
+  /// Three bytes for each cell, which begin with vertices and lines; null if there are none.
+  static vtkUnsignedCharArray* ColorsOf(vtkPolyData* surface)
+  {
+    auto* const colors =
+      vtkUnsignedCharArray::SafeDownCast(surface->GetCellData()->GetArray(ColorArray));
+    return colors && colors->GetNumberOfComponents() == 3 ? colors : nullptr;
+  }
+
   static bool IsDouble(vtkDataArray* array) { return array->GetDataType() == VTK_DOUBLE; }
 
   void WriteProperties(vtkDataArray* array, const char* const* names)
@@ -77,7 +89,11 @@ private:
       this->WriteProperties(this->Texture, texture);
     }
     this->Stream << "element face " << std::to_string(this->Surface->GetPolys()->GetNumberOfCells())
-                 << "\nproperty list uchar int vertex_indices\nend_header\n";
+                 << "\nproperty list uchar int vertex_indices\n"
+                 << (this->Colors
+                        ? "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                        : "")
+                 << "end_header\n";
   }
 
   void WriteTuple(vtkDataArray* array, vtkIdType tuple)
@@ -97,6 +113,7 @@ private:
 
   void WriteFaces()
   {
+    vtkIdType cell = this->Surface->GetNumberOfVerts() + this->Surface->GetNumberOfLines();
     const auto face = vtk::TakeSmartPointer(this->Surface->GetPolys()->NewIterator());
     for (face->GoToFirstCell(); !face->IsDoneWithTraversal(); face->GoToNextCell())
     {
@@ -112,6 +129,11 @@ private:
       {
         this->WriteBits(static_cast<std::uint64_t>(corners[i]), 4);
       }
+      for (int i = 0; this->Colors && i < 3; ++i)
+      {
+        this->WriteBits(this->Colors->GetTypedComponent(cell, i), 1);
+      }
+      ++cell;
     }
   }
 
@@ -130,6 +152,7 @@ private:
   std::ofstream Stream;
   vtkDataArray* Coordinates;
   vtkDataArray* Texture;
+  vtkUnsignedCharArray* Colors;
 };
 }
 

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SegmentArguments.h"
+
+#include "Arguments.h"
+#include "BoneVolume.h"
+#include "ExitCode.h"
+#include "Formats/SurfaceFormat.h"
+#include "HelpFormatter.h"
+#include "SegmentOutput.h"
+
+#include <CLI/CLI.hpp>
+
+#include <utility>
+
+namespace bonedecimate
+{
+namespace
+{
+/// The sentence if an option was given that surfaces have and label maps do not.
+std::string Contradiction(const Arguments& arguments)
+{
+  const std::pair<bool, const char*> contradictions[] = {
+    { arguments.Iso.has_value(),
+      "--segments takes the labels of a label map, --iso a gray value; they exclude each other" },
+    { !arguments.LabelMap.Path.empty(),
+      "--label-map is for surfaces; with --segments the input is the label map" },
+    { !arguments.Options.LabelArrayName.empty(),
+      "--labels names an array of a surface; with --segments the labels are those of the map" },
+    { !arguments.Options.ToleranceArrayName.empty(),
+      "--tolerance-array names an array of a surface; with --segments use --region" },
+    { !arguments.Unit.IsMillimeter(),
+      "--unit is for surfaces; a label map for --segments is in millimeters by its header" },
+  };
+  for (const auto& [isRequested, sentence] : contradictions)
+  {
+    if (isRequested)
+    {
+      return sentence;
+    }
+  }
+  return {};
+}
+
+void Require(bool isRight, const std::string& sentence)
+{
+  if (!isRight)
+  {
+    throw Failure(ExitCode::Usage, sentence);
+  }
+}
+}
+
+void AddSegments(CLI::App& app, SegmentArguments& segments,
+  const std::function<void(const std::string& flag, const std::string& text)>& given)
+{
+  app
+    .add_option_function<std::string>(
+      "--segments",
+      [&segments, given](const std::string& text)
+      {
+        segments.Choice = text;
+        given("segments", text);
+      },
+      WrappedHelp("The input is a label map: take the surfaces of its segments, with the walls "
+                  "between them in common. all, or labels and names with commas in between; with "
+                  "--label-names also bones. The output is a surface, a .vtm file, or a folder "
+                  "with a file for each segment, report, page and picture."))
+    ->type_name("all|LABELS|NAMES")
+    ->check(CLI::Validator([](std::string& text)
+      { return text.empty() ? "takes all, or labels and names, not ''" : std::string(); },
+      ""));
+  app
+    .add_option_function<std::string>(
+      "--label-names",
+      [&segments, given](const std::string& text)
+      {
+        segments.HasTotalSegmentatorNames = true;
+        given("label-names", text);
+      },
+      WrappedHelp("With --segments: the names of the bones of TotalSegmentator v2, task total, "
+                  "instead of those of the label map."))
+    ->type_name("totalsegmentator")
+    ->check(CLI::IsMember({ "totalsegmentator" }).description(""));
+}
+
+void CheckSegments(const Arguments& arguments)
+{
+  Require(arguments.Segments.IsRequested() || !arguments.Segments.HasTotalSegmentatorNames,
+    "--label-names has no effect; it needs --segments");
+  if (arguments.Segments.IsRequested())
+  {
+    const std::string contradiction = Contradiction(arguments);
+    Require(contradiction.empty(), contradiction);
+  }
+  if (!arguments.Segments.IsRequested() || IsBatch(arguments))
+  {
+    return;
+  }
+  Require(IsVolume(arguments.Inputs[0]),
+    "--segments is for label maps; '" + arguments.Inputs[0] + "' is none");
+  const bool isFile = FindFormat(arguments.Output) != nullptr;
+  Require(isFile || !IsNamedLikeFile(arguments.Output),
+    "the output '" + arguments.Output + "' needs one of the extensions " + SurfaceExtensions() +
+      ", vtm, or none to become a folder");
+  Require(arguments.Format.empty() || IsSegmentFolder(arguments),
+    "--format is for output folders; '" + arguments.Output + "' has that of its extension");
+}
+}

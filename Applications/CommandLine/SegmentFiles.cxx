@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SegmentFiles.h"
+
+#include "CommandLine.h"
+#include "ExitCode.h"
+#include "FileNames.h"
+#include "Interruption.h"
+#include "NamedLabels.h"
+#include "Options/Text.h"
+#include "ReportFields.h"
+#include "SegmentOutput.h"
+#include "SurfaceFiles.h"
+#include "WrittenProof.h"
+
+#include "vtkBoneSurfaces.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace bonedecimate
+{
+namespace
+{
+using Position = std::array<double, 3>;
+
+Position PositionOf(vtkPolyData* surface, vtkIdType point)
+{
+  Position position = {};
+  surface->GetPoint(point, position.data());
+  return position;
+}
+
+/// Six times the signed volume between the triangle and the origin.
+double Determinant(const Position& a, const Position& b, const Position& c)
+{
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+    a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/// The points of a surface in sets that grow together.
+class PointSets
+{
+public:
+  explicit PointSets(vtkIdType points)
+    : Parents(static_cast<std::size_t>(points))
+  {
+    std::iota(this->Parents.begin(), this->Parents.end(), vtkIdType(0));
+  }
+
+  vtkIdType Find(vtkIdType point)
+  {
+    const auto parent = [this](vtkIdType of) -> vtkIdType&
+    { return this->Parents[static_cast<std::size_t>(of)]; };
+    while (parent(point) != point)
+    {
+      parent(point) = parent(parent(point));
+      point = parent(point);
+    }
+    return point;
+  }
+
+  void Join(vtkIdType a, vtkIdType b)
+  {
+    const vtkIdType first = this->Find(a);
+    this->Parents[static_cast<std::size_t>(this->Find(b))] = first;
+  }
+
+private:
+  std::vector<vtkIdType> Parents;
+};
+
+/// Calls visit with the three corners of each triangle.
+template <typename Visit>
+void ForEachTriangle(vtkPolyData* surface, const Visit& visit)
+{
+  const auto cell = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    cell->GetCurrentCell(size, corners);
+    visit(corners);
+  }
+}
+
+/// mm3, of each component, the largest first.
+std::vector<double> VolumesOfComponents(vtkPolyData* surface)
+{
+  PointSets sets(surface->GetNumberOfPoints());
+  ForEachTriangle(surface,
+    [&](const vtkIdType* corners)
+    {
+      sets.Join(corners[0], corners[1]);
+      sets.Join(corners[0], corners[2]);
+    });
+  const Position origin = surface->GetNumberOfPoints() > 0 ? PositionOf(surface, 0) : Position{};
+  const auto offset = [&](vtkIdType point)
+  {
+    Position position = PositionOf(surface, point);
+    std::transform(
+      position.begin(), position.end(), origin.begin(), position.begin(), std::minus<>());
+    return position;
+  };
+  std::map<vtkIdType, double> volumes;
+  ForEachTriangle(surface,
+    [&](const vtkIdType* corners)
+    {
+      volumes[sets.Find(corners[0])] +=
+        Determinant(offset(corners[0]), offset(corners[1]), offset(corners[2])) / 6.0;
+    });
+  std::vector<double> sorted;
+  for (const auto& [set, volume] : volumes)
+  {
+    sorted.push_back(volume);
+  }
+  std::sort(
+    sorted.begin(), sorted.end(), [](double a, double b) { return std::abs(a) > std::abs(b); });
+  return sorted;
+}
+
+/// A name as a file may have it: without what separates folders, what shells and other systems take for something else, and blanks.
+std::string NameInFolder(const NamedLabel& label)
+{
+  std::string name = label.Name;
+  for (char& c : name)
+  {
+    const bool isControl = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    if (isControl || std::string(" /\\:*?\"<>|&'`$;").find(c) != std::string::npos)
+    {
+      c = '_';
+    }
+  }
+  constexpr std::size_t longest = 100;
+  const bool isUsable = !name.empty() && name.size() <= longest && name[0] != '.' && name[0] != '-';
+  return isUsable ? name : "label_" + std::to_string(label.Value);
+}
+
+/// The names of the files without extension; those that would be the same get their labels, too.
+std::vector<std::string> NamesInFolder(const std::vector<NamedLabel>& labels)
+{
+  std::multiset<std::string> all;
+  for (const NamedLabel& label : labels)
+  {
+    all.insert(LowerCase(NameInFolder(label)));
+  }
+  std::vector<std::string> names;
+  std::set<std::string> taken;
+  for (const NamedLabel& label : labels)
+  {
+    const std::string number = "_" + std::to_string(label.Value);
+    std::string name = NameInFolder(label);
+    name += all.count(LowerCase(name)) > 1 ? number : std::string();
+    while (!taken.insert(LowerCase(name)).second)
+    {
+      name += number;
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+/// The file that has a block for each of the others.
+std::string BlockFileText(const std::string& folder, const std::vector<SegmentRecord>& segments)
+{
+  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" "
+                     "version=\"1.0\" byte_order=\"LittleEndian\">\n  <vtkMultiBlockDataSet>\n";
+  int index = 0;
+  for (const SegmentRecord& segment : segments)
+  {
+    if (!segment.File.empty())
+    {
+      const std::string name =
+        segment.Label.Name.empty() ? std::to_string(segment.Label.Value) : segment.Label.Name;
+      text += "    <DataSet index=\"" + std::to_string(index) + "\" name=\"" + EscapedXml(name) +
+        "\" file=\"" + EscapedXml(folder + "/" + segment.File) + "\"/>\n";
+      ++index;
+    }
+  }
+  return text + "  </vtkMultiBlockDataSet>\n</VTKFile>\n";
+}
+
+/// The triangles of one label have its color on both sides of a wall.
+void PaintTriangles(vtkPolyData* surface, const std::optional<LabelColor>& color)
+{
+  if (!color)
+  {
+    return;
+  }
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName(ColorArray);
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    colors->InsertNextTypedTuple(color->data());
+  }
+  surface->GetCellData()->AddArray(colors);
+}
+
+/// Writes the files of the segments.
+class SegmentWriter
+{
+public:
+  SegmentWriter(const Arguments& arguments, OutputFiles& files, ReportSubject& subject)
+    : Requested(arguments)
+    , Files(files)
+    , Subject(subject)
+  {
+  }
+
+  void Write(vtkPolyData* surface, const std::string& name, SegmentRecord& record)
+  {
+    record.File = name + "." + ExtensionOfSegments(this->Requested);
+    const std::string target = (fs::path(FolderOfSegments(this->Requested)) / record.File).string();
+    RequireNotInput(target, { this->Requested.Inputs[0], this->Requested.Reference });
+    StagedFile& file = this->Files.AddSegment(target);
+    const auto readBack = WriteSurface(surface, file.GetTemporary(), target);
+    if (!ReportFields(surface).Text("proof.status").empty())
+    {
+      RequireProvedTriangles(surface, readBack, target);
+      this->Subject.ProvedFiles[record.File] = "same_bits";
+    }
+    record.Bytes = static_cast<std::int64_t>(fs::file_size(file.GetTemporary()));
+    this->Subject.OutputBytes += record.Bytes;
+  }
+
+private:
+  static void RequireProvedTriangles(
+    vtkPolyData* surface, vtkPolyData* readBack, const std::string& target)
+  {
+    if (!HasSameTriangles(surface, readBack))
+    {
+      throw Failure(ExitCode::CouldNotWrite,
+        "'" + BaseName(target) +
+          "' does not have the coordinates that were proved; nothing was written");
+    }
+  }
+
+  const Arguments& Requested;
+  OutputFiles& Files;
+  ReportSubject& Subject;
+};
+}
+
+void WriteSegments(
+  vtkPolyData* result, const Arguments& arguments, OutputFiles& files, ReportSubject& subject)
+{
+  const std::vector<NamedLabel> labels = LabelsOf(result);
+  const std::vector<std::string> names = NamesInFolder(labels);
+  SegmentWriter writer(arguments, files, subject);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+  {
+    StopIfInterrupted();
+    SegmentRecord record;
+    record.Label = labels[i];
+    vtkNew<vtkPolyData> surface;
+    vtkBoneSurfaces::ExtractLabel(result, labels[i].Value, surface);
+    record.Triangles = surface->GetNumberOfPolys();
+    record.Volumes = VolumesOfComponents(surface);
+    if (record.Triangles == 0)
+    {
+      subject.Warnings.push_back("nothing is left of segment " + LabelText(labels[i]));
+    }
+    else if (WritesSegments(arguments))
+    {
+      PaintTriangles(surface, labels[i].Color);
+      writer.Write(surface, names[i], record);
+    }
+    subject.Segments.push_back(record);
+  }
+  if (files.Blocks)
+  {
+    files.Blocks->WriteText(BlockFileText(BaseName(FolderOfSegments(arguments)), subject.Segments));
+  }
+}
+}

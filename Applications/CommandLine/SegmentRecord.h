@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SegmentRecord.h
+ * @brief What a run made of a segment of a label map.
+ */
+#ifndef BoneDecimate_Applications_SegmentRecord_h
+#define BoneDecimate_Applications_SegmentRecord_h
+
+#include "NamedLabels.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+struct SegmentRecord
+{
+  NamedLabel Label;
+  std::int64_t Triangles = 0;
+  std::vector<double>
+    Volumes;        ///< mm3, of each component, the largest first; cavities are negative.
+  std::string File; ///< Of its own, without folder; empty: none.
+  std::int64_t Bytes = 0;
+};
+}
+
+#endif

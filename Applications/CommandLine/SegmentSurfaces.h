@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SegmentSurfaces.h
+ * @brief A label map in, the surfaces of its segments out.
+ */
+#ifndef BoneDecimate_Applications_SegmentSurfaces_h
+#define BoneDecimate_Applications_SegmentSurfaces_h
+
+#include "Arguments.h"
+
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+/// The cell array with the labels on both sides of a triangle.
+constexpr const char* SegmentArray = "BoundaryLabels";
+
+struct SegmentSurfaces
+{
+  vtkSmartPointer<vtkPolyData> Surface; ///< Of all segments together, by vtkBoneSurfaces.
+  vtkSmartPointer<vtkImageData> Map;
+};
+
+/// Reads the label map and extracts the segments that the arguments choose. @throws Failure(ExitCode::InputRejected)
+SegmentSurfaces ExtractSegments(const Arguments& arguments, std::vector<std::string>& warnings);
+
+/// The surface with the colors of its labels as the cell array Color, which formats with colors write; the same without colors.
+vtkSmartPointer<vtkPolyData> WithColorArray(vtkPolyData* surface);
+}
+
+#endif

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LabelFields.h
+ * @brief The field arrays LabelValues, LabelNames and LabelColors of a label map, from one process to another.
+ */
+#ifndef BoneDecimate_Applications_LabelFields_h
+#define BoneDecimate_Applications_LabelFields_h
+
+#include "Pipe.h"
+
+#include "vtkFieldData.h"
+
+namespace bonedecimate::volume
+{
+/// Adds those of the three that there are.
+void CopyLabelFields(vtkFieldData* from, vtkFieldData* to);
+
+void SendLabelFields(vtkFieldData* fields, Pipe& pipe);
+
+/// False if the sender ended before it had sent all.
+bool ReceiveLabelFields(Pipe& pipe, vtkFieldData* fields);
+}
+
+#endif

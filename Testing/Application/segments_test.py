@@ -1,0 +1,266 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""--segments: from a label map to the surfaces of its segments."""
+
+import csv
+import os
+import resource
+
+import numpy
+import vtk
+from vtk.util import numpy_support
+
+from application import NOT_WRITTEN, REJECTED, USAGE, ApplicationTest, limit, main, read, without_root_powers
+from label_maps import write_map
+
+SIZE = (22, 18, 16)
+SPACING = (0.5, 0.5, 0.75)
+ORIGIN = (-20.0, 7.0, 100.0)
+NAMES = {1: "Femur", 2: "knee / cap", 7: ""}
+COLORS = {1: (230, 200, 150), 2: (100, 150, 200), 7: (10, 250, 30)}
+ISLAND = (19, 14, 13)  # a voxel of label 7
+
+
+def voxels():
+    """Two halves of an ellipsoid, 1 and 2, that touch, a block of 7 beside them, and a voxel of 7 apart from it."""
+    x, y, z = numpy.meshgrid(*(numpy.arange(n) for n in SIZE), indexing="ij")
+    inside = ((x - 7.2) / 5.5) ** 2 + ((y - 8.1) / 6.0) ** 2 + ((z - 7.4) / 5.8) ** 2 < 1
+    labels = numpy.where(inside, numpy.where(x + 0.3 * y < 10, 1, 2), 0).astype(numpy.uint8)
+    labels[15:19, 4:9, 4:10] = 7
+    labels[ISLAND] = 7
+    return labels
+
+
+def label_map(labels=None, with_names=True, order=(7, 2, 1)):
+    labels = voxels() if labels is None else labels
+    image = vtk.vtkImageData()
+    image.SetDimensions(labels.shape)
+    image.SetSpacing(SPACING)
+    image.SetOrigin(ORIGIN)
+    array = numpy_support.numpy_to_vtk(labels.ravel(order="F"), deep=True)
+    array.SetName("labels")
+    image.GetPointData().SetScalars(array)
+    if with_names:
+        add_names(image.GetFieldData(), order)
+    return image
+
+
+def add_names(fields, order):
+    values, names, colors = vtk.vtkIntArray(), vtk.vtkStringArray(), vtk.vtkUnsignedCharArray()
+    colors.SetNumberOfComponents(3)
+    for array, name in ((values, "LabelValues"), (names, "LabelNames"), (colors, "LabelColors")):
+        array.SetName(name)
+        fields.AddArray(array)
+    for label in order:
+        values.InsertNextValue(label)
+        names.InsertNextValue(NAMES[label])
+        colors.InsertNextTuple3(*COLORS[label])
+
+
+def edges(surface, boundary):
+    """Boundary edges, or else those of more than two triangles."""
+    features = vtk.vtkFeatureEdges()
+    features.SetInputData(surface)
+    features.SetBoundaryEdges(boundary)
+    features.SetNonManifoldEdges(not boundary)
+    features.FeatureEdgesOff()
+    features.ManifoldEdgesOff()
+    features.Update()
+    return features.GetOutput().GetNumberOfCells()
+
+
+def triangles(surface, pair=None):
+    """The sets of their corners; only those with that pair of labels."""
+    labels = surface.GetCellData().GetArray("BoundaryLabels")
+    found = set()
+    for cell in range(surface.GetNumberOfCells()):
+        if pair is None or labels.GetTuple(cell) == pair:
+            points = surface.GetCell(cell).GetPoints()
+            found.add(frozenset(points.GetPoint(k) for k in range(3)))
+    return found
+
+
+def voxels_inside(surface):
+    stencil = vtk.vtkPolyDataToImageStencil()
+    stencil.SetInputData(surface)
+    stencil.SetOutputOrigin(ORIGIN)
+    stencil.SetOutputSpacing(SPACING)
+    stencil.SetOutputWholeExtent([size for n in SIZE for size in (0, n - 1)])
+    image = vtk.vtkImageStencilToImage()
+    image.SetInputConnection(stencil.GetOutputPort())
+    image.SetInsideValue(1)
+    image.SetOutsideValue(0)
+    image.SetOutputScalarTypeToUnsignedChar()
+    image.Update()
+    array = numpy_support.vtk_to_numpy(image.GetOutput().GetPointData().GetScalars())
+    return array.reshape(SIZE, order="F")
+
+
+class Segments(ApplicationTest):
+    def setUp(self):
+        super().setUp()
+        write_map(label_map(), self.path("map.vti"))
+        write_map(label_map(), self.path("plain.mha"))
+
+    def fields(self, surface):
+        fields = surface.GetFieldData()
+        values, names, colors = (fields.GetAbstractArray(name) for name in ("LabelValues", "LabelNames", "LabelColors"))
+        return {values.GetTuple1(i): (names.GetValue(i), colors.GetTuple(i)) for i in range(values.GetNumberOfTuples())}
+
+    def test_one_command_gives_a_folder_of_proved_bones(self):
+        text = self.succeed("map.vti", "out/bones/", "--segments", "all", "--max-error", "halfvoxel", "--smooth", "auto").stdout
+        self.assertEqual(
+            [name for name in self.names() if name.startswith("out/bones/")],
+            ["out/bones/" + name for name in
+             ("Femur.vtp", "index.html", "knee___cap.vtp", "label_7.vtp", "picture.png", "report.json")])
+        surfaces = {label: read(self.path(f"out/bones/{name}.vtp")) for label, name in ((1, "Femur"), (2, "knee___cap"), (7, "label_7"))}
+        for label, surface in surfaces.items():
+            self.assertEqual((edges(surface, True), edges(surface, False)), (0, 0))
+            self.assertTrue((voxels_inside(surface) == (voxels() == label)).all(), label)
+        wall = triangles(surfaces[1], (1, 2))
+        self.assertGreater(len(wall), 5)
+        self.assertEqual(triangles(surfaces[2], (1, 2)), wall)
+        self.check_report(self.report("out/bones/report.json"), surfaces)
+        self.assertIn("segment         1 (Femur): ", text)
+        page = self.path("out/bones/index.html").read_text(encoding="utf-8")
+        for words in ("label 2 (knee / cap)", "<td>0</td><td>100 %</td>", "Of the voxels of all labels 100 % keep theirs. The largest error is "
+                      "0.5 of the smallest voxel spacing, 0.5 mm.", "data:image/png"):
+            self.assertIn(words, page)
+
+    def check_report(self, report, surfaces):
+        self.assertEqual((report["proof"]["status"], report["proof"]["tolerance"]), ("proved", 0.25))
+        self.assertEqual(set(report["proof"]["files"].values()), {"same_bits"})
+        self.assertEqual((report["voxels"]["guard"], report["voxels"]["changed"]), ("on", 0))
+        self.assertGreater(report["smoothing"]["largest_displacement"], 0.05)
+        segments = report["segments"]
+        self.assertEqual((segments["bound_in_voxels"], segments["kept_voxels"]), (0.5, 1.0))
+        for segment in segments["list"]:
+            label = segment["label"]
+            self.assertEqual((segment["name"], tuple(segment["color"])), (NAMES[label], COLORS[label]))
+            self.assertEqual(segment["triangles"], surfaces[label].GetNumberOfPolys())
+            self.assertEqual(segment["components"], 2 if label == 7 else 1)
+            mass = vtk.vtkMassProperties()
+            mass.SetInputData(surfaces[label])
+            self.assertAlmostEqual(sum(segment["volumes"]), mass.GetVolume(), delta=1e-3)
+
+    def test_one_file_has_all_segments_and_is_certified(self):
+        self.succeed("map.vti", "raw.vtp", "--segments", "all", "--target-reduction", 0, "--measure", "off")
+        self.succeed("map.vti", "out.vtp", "--also", "out.ply", "--segments", "all", "--max-error", "0.5voxel", "--smooth", "auto",
+                     "--measure", "off", "--report", "report.json")
+        self.succeed("certify", "raw.vtp", "out.vtp", "--tolerance", 0.25, "--quiet")
+        self.succeed("certify", "out.vtp", "--labels", "plain.mha", "--quiet")
+        surface = read(self.path("out.vtp"))
+        self.assertLess(surface.GetNumberOfPolys(), read(self.path("raw.vtp")).GetNumberOfPolys())
+        labels = surface.GetCellData().GetArray("BoundaryLabels")
+        self.assertEqual({labels.GetTuple(i) for i in range(labels.GetNumberOfTuples())}, {(1, 0), (2, 0), (7, 0), (1, 2)})
+        self.assertEqual({label: self.fields(surface)[label] for label in NAMES}, {label: (NAMES[label], COLORS[label]) for label in NAMES})
+        colors = read(self.path("out.ply")).GetCellData().GetArray("RGB")
+        for cell in range(surface.GetNumberOfCells()):
+            self.assertEqual(colors.GetTuple(cell), COLORS[labels.GetTuple(cell)[0]])
+        self.assertNotIn("file", self.report()["segments"]["list"][0])
+
+    def test_blocks_have_names(self):
+        self.succeed("map.vti", "bones.vtm", "--segments", "all", "--target-reduction", 0.5, "--measure", "off")
+        self.assertEqual([name for name in self.names() if name.startswith("bones")],
+                         ["bones", "bones.vtm", "bones/Femur.vtp", "bones/knee___cap.vtp", "bones/label_7.vtp"])
+        reader = vtk.vtkXMLMultiBlockDataReader()
+        reader.SetFileName(str(self.path("bones.vtm")))
+        reader.Update()
+        blocks = reader.GetOutput()
+        names = [blocks.GetMetaData(i).Get(vtk.vtkCompositeDataSet.NAME()) for i in range(blocks.GetNumberOfBlocks())]
+        self.assertEqual(names, ["Femur", "knee / cap", "7"])
+        self.assertEqual(edges(blocks.GetBlock(1), True), 0)
+        self.assertTrue(triangles(blocks.GetBlock(0), (1, 2)))
+
+    def test_segments_are_chosen_by_label_or_name(self):
+        for choice, labels in (("femur,7", {1, 7}), ("2", {2}), ("Knee / Cap, 1", {1, 2})):
+            self.succeed("map.vti", "out.vtp", "--segments", choice, "--target-reduction", 0.3, "--measure", "off", "--report", "report.json")
+            self.assertEqual({segment["label"] for segment in self.report()["segments"]["list"]}, labels)
+            self.assertEqual(self.report()["voxels"]["changed"] if choice == "2" else 0, 0)
+        self.succeed("plain.mha", "out.stl", "--segments", "1,7", "--target-reduction", 0.3, "--measure", "off")
+
+    def test_segments_that_are_not_there_are_rejected_with_those_that_are(self):
+        for name, there in (("map.vti", "1 (Femur), 2 (knee / cap), 7"), ("plain.mha", "1, 2, 7")):
+            self.fail_with(REJECTED, name, "new/folder", "--segments", "1,rib", says=f"it has no segment 'rib'; its segments are {there}")
+        write_map(label_map(numpy.zeros(SIZE, numpy.uint8)), self.path("empty.mha"))
+        self.fail_with(REJECTED, "empty.mha", "out", "--segments", "all", says="none of its voxels has a label")
+        gray = numpy.arange(numpy.prod(SIZE), dtype=numpy.int16).reshape(SIZE)
+        write_map(label_map(gray), self.path("gray.mha"))
+        self.fail_with(REJECTED, "gray.mha", "out", "--segments", "all", says="more than 1000 different values")
+
+    def test_names_of_totalsegmentator(self):
+        labels = voxels()
+        for old, new in ((1, 25), (2, 92), (7, 5)):
+            labels[labels == old] = new
+        write_map(label_map(labels, with_names=False), self.path("total.mha"))
+        words = ("--label-names", "totalsegmentator", "--target-reduction", 0.5, "--measure", "off")
+        self.succeed("total.mha", "out.vtm", "--segments", "bones", *words)
+        self.assertEqual(sorted(p.name for p in self.path("out").iterdir()), ["rib_left_1.vtp", "sacrum.vtp"])
+        self.succeed("total.mha", "all", "--segments", "all", "--format", "STL", *words)
+        self.assertEqual(sorted(p.name for p in self.path("all").iterdir()), ["index.html", "label_5.stl", "picture.png", "report.json", "rib_left_1.stl", "sacrum.stl"])
+        self.fail_with(REJECTED, "total.mha", "no", "--segments", "bones", says="no segment 'bones'; its segments are 5, 25, 92")
+        self.fail_with(REJECTED, "plain.mha", "no", "--segments", "bones", *words, says="none of its labels is that of a bone")
+
+    def test_islands_are_removed_on_request(self):
+        self.succeed("map.vti", "out.vtp", "--segments", "all", "--prune-triangles", 30, "--max-error", "halfvoxel", "--measure", "off",
+                     "--report", "report.json")
+        report = self.report()
+        self.assertEqual(report["pruned"]["components"], 1)
+        self.assertEqual([segment["components"] for segment in report["segments"]["list"]], [1, 1, 1])
+        self.assertEqual((report["voxels"]["changed"], report["voxels"]["of_7"]["lost"]), (1, 1))
+
+    def test_nothing_is_left_of_a_run_that_fails(self):
+        words = ("--segments", "all", "--target-reduction", 0.5, "--measure", "off")
+        self.path("file").write_text("no folder", encoding="utf-8")
+        self.fail_with(NOT_WRITTEN, "map.vti", "file/bones/", *words, says="could not make")
+        self.fail_with(NOT_WRITTEN, "map.vti", "new/bones", "--also", "nowhere/all.vtp", *words, says="nowhere")
+        self.fail_with(NOT_WRITTEN, "map.vti", "new/bones", *words, preexec_fn=limit(resource.RLIMIT_FSIZE, 3000))
+        self.path("closed").mkdir(mode=0o500)
+        self.fail_with(NOT_WRITTEN, "map.vti", "closed/bones", *words, preexec_fn=without_root_powers)
+
+    def test_a_batch_makes_a_folder_for_each_map_and_goes_on_where_it_ended(self):
+        maps = self.path("maps")
+        maps.mkdir()
+        for name in ("a.mha", "b.mha"):
+            os.link(self.path("plain.mha"), maps / name)
+        words = ("maps", "out", "--segments", "1,7", "--max-error", "halfvoxel", "--format", "ply", "--measure", "off")
+        self.succeed(*words)
+        folder = ["index.html", "label_1.ply", "label_7.ply", "picture.png", "report.json"]
+        for name in "ab":
+            self.assertEqual(sorted(p.name for p in self.path(f"out/{name}").iterdir()), folder)
+        self.assertEqual(self.statuses(), ["done", "done"])
+        self.path("out/b/label_7.ply").unlink()
+        self.succeed(*words)
+        self.assertEqual(self.statuses(), ["skipped", "done"])
+        self.assertTrue(self.path("out/b/label_7.ply").exists())
+
+    def statuses(self):
+        with open(self.path("out/summary.csv"), newline="", encoding="utf-8") as file:
+            return [row["status"] for row in csv.DictReader(file)]
+
+    def test_contradictions_are_rejected(self):
+        self.succeed("map.vti", "bone.vtp", "--segments", "1", "--target-reduction", 0.3, "--measure", "off")
+        for words, says in (
+            (("map.vti", "out.vtp"), "--segments"),
+            (("map.vti", "out.vtp", "--segments", "all", "--iso", 5), "exclude each other"),
+            (("map.vti", "out.vtp", "--segments", "all", "--label-map", "plain.mha"), "the input is the label map"),
+            (("map.vti", "out.vtp", "--segments", "all", "--labels", "BoundaryLabels"), "--labels names an array"),
+            (("map.vti", "out.vtp", "--segments", "all", "--tolerance-array", "t"), "use --region"),
+            (("map.vti", "out.vtp", "--segments", "all", "--unit", "m"), "--unit"),
+            (("map.vti", "out.vtp", "--segments", "all", "--format", "stl"), "--format"),
+            (("map.vti", "out.vtm", "--segments", "all", "--format", "stl"), "--format"),
+            (("map.vti", "out.json", "--segments", "all"), "vtm"),
+            (("map.vti", "out.vtp", "--segments", ""), "--segments takes all"),
+            (("map.vti", "out.vtp", "--label-names", "totalsegmentator", "--iso", 1), "--label-names has no effect"),
+            (("map.vti", "out.vtp", "--segments", "all", "--label-names", "mine"), "--label-names"),
+            (("bone.vtp", "out.vtp", "--segments", "all"), "is none"),
+            (("map.vti", "out.vtm"), "--segments"),
+            (("map.vti", "out", "--segments", "all", "--preset", "OneVoxel", "--max-error", "halfvoxel"), "--preset is both"),
+            (("map.vti", "out", "--segments", "all", "--max-error", "third"), "quartervoxel, halfvoxel or voxel, not 'third'"),
+        ):
+            with self.subTest(words=words):
+                self.fail_with(USAGE, *words, says=says)
+
+
+if __name__ == "__main__":
+    main()
