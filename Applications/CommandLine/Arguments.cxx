@@ -108,7 +108,7 @@ void AddIso(CLI::App& app, Arguments& arguments)
       },
       WrappedHelp("The input is a CT volume (.vti, .mha, .mhd, .nrrd, .nhdr, a DICOM folder): take "
                   "the bone surface at this Hounsfield value. Takes " +
-        RangeText(HounsfieldRange) + ", or bone, which is 226 HU."))
+        RangeText(HounsfieldRange) + "; bone is 226 HU."))
     ->type_name("HU|bone")
     ->check(CLI::Validator(
       [number](std::string& text)

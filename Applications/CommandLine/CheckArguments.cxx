@@ -131,7 +131,8 @@ void CheckOneBone(const Arguments& arguments)
   if (!WritesSegments(arguments))
   {
     Require(!IsBlockFile(arguments.Output),
-      "'" + arguments.Output + "' has a block for each segment of a label map; it needs --segments");
+      "'" + arguments.Output +
+        "' has a block for each segment of a label map; it needs --segments");
     RequireSurfaceFormat("the output", arguments.Output);
   }
   Require(arguments.Format.empty() || FindFormat("x." + arguments.Format) != nullptr,

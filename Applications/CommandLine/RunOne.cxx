@@ -102,10 +102,6 @@ public:
     {
       options.VoxelSize = this->VoxelSize;
     }
-    if (this->Requested.Segments.IsRequested())
-    {
-      options.LabelArrayName = SegmentArray;
-    }
     this->ReserveRounding(options);
     ApplyOptions(options, this->Filter);
     this->Input = ApplyRegions(this->Requested.Regions, this->Requested.Options.ToleranceArrayName,

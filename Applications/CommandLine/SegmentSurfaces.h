@@ -18,9 +18,6 @@
 
 namespace bonedecimate
 {
-/// The cell array with the labels on both sides of a triangle.
-constexpr const char* SegmentArray = "BoundaryLabels";
-
 struct SegmentSurfaces
 {
   vtkSmartPointer<vtkPolyData> Surface; ///< Of all segments together, by vtkBoneSurfaces.

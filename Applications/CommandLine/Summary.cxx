@@ -133,8 +133,7 @@ void PrintSegments(const std::vector<SegmentRecord>& segments)
     }
     std::cout << (segment.Volumes.size() > mostPrinted ? ", ..." : "")
               << (segment.Volumes.empty() ? "" : " mm3")
-              << (segment.File.empty() ? "" : ", " + segment.File)
-              << "\n";
+              << (segment.File.empty() ? "" : ", " + segment.File) << "\n";
   }
 }
 
