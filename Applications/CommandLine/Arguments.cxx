@@ -106,8 +106,8 @@ void AddIso(CLI::App& app, Arguments& arguments)
         given << std::setprecision(17) << *arguments.Iso;
         arguments.Given["iso"] = given.str();
       },
-      WrappedHelp("The input is a CT volume (.vti, .mha, .mhd, .nrrd, .nhdr, a DICOM folder): take "
-                  "the bone surface at this Hounsfield value. Takes " +
+      WrappedHelp("The input is a CT volume (.nii, .nrrd, .mha, .tif, .vti ..., a folder of DICOM files "
+                  "or TIFF slices): take the bone surface at this Hounsfield value. Takes " +
         RangeText(HounsfieldRange) + "; bone is 226 HU."))
     ->type_name("HU|bone")
     ->check(CLI::Validator(
@@ -119,6 +119,18 @@ void AddIso(CLI::App& app, Arguments& arguments)
           : "takes " + RangeText(HounsfieldRange) + ", or bone, not '" + text + "'";
       },
       ""));
+}
+
+/// "0.5,0.5,1"
+std::string NumberListText(const std::vector<double>& numbers)
+{
+  std::ostringstream text;
+  text << std::setprecision(17);
+  for (const double number : numbers)
+  {
+    text << (text.tellp() > 0 ? "," : "") << number;
+  }
+  return text.str();
 }
 
 void AddIntensities(CLI::App& app, Arguments& arguments)
@@ -147,7 +159,8 @@ void AddCommonFlags(CLI::App& app, Arguments& arguments)
     "The surface from which INPUT was made by runs before: --max-error is proved "
     "against it, and distances are measured to it.");
   AddLabelMap(app, arguments.LabelMap, "--label-map",
-    "The label map (.vti, .mha, .mhd, .nrrd, .nhdr) from which INPUT was extracted: its voxels are "
+    "The label map (.nii, .nrrd, .mha, .tif, .vti ...) from which INPUT was extracted: its voxels "
+    "are "
     "those of --keep-voxels and --smooth, and the result is compared with it.");
   AddUnit(app, arguments.Unit);
   AddFile(app, "--report", arguments.Report, "Write the report as JSON.");
@@ -278,6 +291,10 @@ void TakeFiles(Arguments& arguments)
   if (arguments.LabelMap.Label != 0)
   {
     arguments.Given["label"] = std::to_string(arguments.LabelMap.Label);
+  }
+  if (!arguments.LabelMap.Spacing.empty())
+  {
+    arguments.Given["spacing"] = NumberListText(arguments.LabelMap.Spacing);
   }
 }
 }

@@ -77,8 +77,9 @@ void AddFolder(std::vector<BatchBone>& bones, const std::string& folder, const A
 std::string NameOf(const fs::path& input, int detail)
 {
   const fs::path file = input.has_filename() ? input : input.parent_path();
-  const bool isCompressed = file.extension() == ".gz"; // NAME.nii.gz
-  std::string name = (isCompressed ? file.stem() : file).stem().string();
+  // "ct.nii.gz" is "ct".
+  std::string name = file.stem().string();
+  name = ExtensionOf(file.string()) == "gz" ? fs::path(name).stem().string() : name;
   if (detail > 0)
   {
     name += "_" + ExtensionOf(file.string());
@@ -232,6 +233,10 @@ std::map<std::string, std::string> OptionsFor(const BatchBone& bone, const Argum
     {
       given.erase(ofVolumes);
     }
+  }
+  if (!NeedsSpacing(bone.Input))
+  {
+    given.erase("spacing");
   }
   return given;
 }

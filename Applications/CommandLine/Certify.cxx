@@ -41,7 +41,7 @@ void AddOptions(CLI::App& app, CertifyArguments& arguments)
                   "mm; negative: none of its own. --tolerance caps it."))
     ->type_name("NAME");
   AddLabelMap(app, arguments.Map, "--labels,--label-map",
-    "A label map (.vti, .mha, .mhd, .nrrd, .nhdr): count the voxels that have another label in "
+    "A label map (.nii, .nrrd, .mha, .tif, .vti ...): count the voxels that have another label in "
     "RESULT. REFERENCE may be left out then.");
   AddFile(app, "--json", arguments.Json, "Write everything found as JSON.");
   AddFile(app, "--page", arguments.Page, "Write a self-contained HTML page for people.");
@@ -273,6 +273,7 @@ void CheckTogether(const CLI::App& app, const CertifyArguments& arguments)
     }
   }
   CheckLabel(arguments.Map, "--labels");
+  CheckSpacing(arguments.Map);
   const bool hasTolerance = arguments.Tolerance || !arguments.ToleranceArray.empty();
   if (arguments.FirstProof && !hasTolerance)
   {

@@ -186,6 +186,21 @@ void CheckBatch(const Arguments& arguments)
     Require(!IsSame(input, arguments.Output), "'" + input + "' is input and output folder at once");
   }
 }
+
+/// The inputs, and what is in the folders of a batch.
+std::vector<std::string> FilesOf(const Arguments& arguments)
+{
+  std::vector<std::string> files = arguments.Inputs;
+  for (const std::string& input : arguments.Inputs)
+  {
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(input, error))
+    {
+      files.push_back(entry.path().string());
+    }
+  }
+  return files;
+}
 }
 
 bool IsNamedLikeFile(std::string path)
@@ -224,6 +239,7 @@ void CheckArguments(const Arguments& arguments)
   CheckIneffectiveOptions(arguments);
   CheckSegments(arguments);
   CheckLabel(arguments.LabelMap, "--label-map");
+  CheckSpacing(arguments.LabelMap, FilesOf(arguments));
   if (IsBatch(arguments))
   {
     CheckBatch(arguments);

@@ -266,6 +266,7 @@ void Check(const CLI::App& command, const ErrorArguments& arguments)
     throw Failure(ExitCode::Usage, "--picture '" + arguments.Picture + "' needs the extension svg");
   }
   CheckLabel(arguments.Voxels.Map, "--label-map");
+  CheckSpacing(arguments.Voxels.Map);
   for (const std::string& file : { arguments.Json, arguments.Csv, arguments.Picture })
   {
     RequireNotInput(

@@ -122,6 +122,10 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
   report["files"]["output"] = subject.Output;
   report["files"]["output_bytes"] = subject.OutputBytes;
   report["files"]["unit"] = subject.Unit;
+  if (!subject.CoordinateSystem.empty())
+  {
+    report["files"]["coordinate_system"] = subject.CoordinateSystem;
+  }
   if (!subject.ProvedFiles.empty())
   {
     report["proof"]["files"] = subject.ProvedFiles;

@@ -25,8 +25,9 @@ struct ReportSubject
 {
   std::string Input;
   std::string Output;
-  std::string Unit;     ///< Of the coordinates in both.
-  FileStamp InputStamp; ///< From before the input was read.
+  std::string Unit;             ///< Of the coordinates in both.
+  std::string CoordinateSystem; ///< Of the surface of a volume: "LPS"; empty: that of the input.
+  FileStamp InputStamp;         ///< From before the input was read.
   std::int64_t OutputBytes = 0;
   std::map<std::string, std::string> Given; ///< The options of the command line, by flag.
   std::vector<std::string> Warnings;

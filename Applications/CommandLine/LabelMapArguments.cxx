@@ -12,6 +12,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+
 namespace bonedecimate
 {
 namespace
@@ -35,6 +37,36 @@ void AddLabelMap(CLI::App& app, LabelMapFile& map, const char* flags, const char
       }
       map.Label = static_cast<std::int64_t>(value);
     });
+  AddNumberList(app,
+    { "--spacing", "X,Y,Z", PositiveLengthRange,
+      "The distance of voxels along x, y and z, in mm, of TIFF files and folders of TIFF slices, "
+      "which "
+      "have none; one number if all are equal." },
+    [&map](double value) { map.Spacing.push_back(value); });
+}
+
+VoxelSpacing LabelMapFile::GetSpacing() const
+{
+  const std::vector<double>& spacing = this->Spacing;
+  return spacing.empty()
+    ? VoxelSpacing()
+    : VoxelSpacing({ { spacing[0], spacing[spacing.size() / 2], spacing.back() } });
+}
+
+void CheckSpacing(const LabelMapFile& map, const std::vector<std::string>& inputs)
+{
+  const std::size_t count = map.Spacing.size();
+  if (count != 0 && count != 1 && count != 3)
+  {
+    throw Failure(
+      ExitCode::Usage, "--spacing takes one or three numbers, not " + std::to_string(count));
+  }
+  const bool isNeeded =
+    NeedsSpacing(map.Path) || std::any_of(inputs.begin(), inputs.end(), NeedsSpacing);
+  if (count != 0 && !isNeeded)
+  {
+    throw Failure(ExitCode::Usage, "--spacing has no effect; it is for volumes of TIFF files");
+  }
 }
 
 void CheckLabel(const LabelMapFile& map, const std::string& flag)
@@ -46,9 +78,9 @@ void CheckLabel(const LabelMapFile& map, const std::string& flag)
 }
 
 vtkSmartPointer<vtkImageData> ReadLabels(
-  const std::string& path, std::vector<std::string>& warnings)
+  const std::string& path, std::vector<std::string>& warnings, const VoxelSpacing& spacing)
 {
-  const LabelVolume labels = ReadLabelVolume(path);
+  const LabelVolume labels = ReadLabelVolume(path, spacing);
   if (!labels.Image)
   {
     Reject(path, labels.Problem);
@@ -65,7 +97,7 @@ void ApplyLabelMap(
 {
   if (!map.Path.empty())
   {
-    filter->SetLabelMapData(ReadLabels(map.Path, warnings));
+    filter->SetLabelMapData(ReadLabels(map.Path, warnings, map.GetSpacing()));
     filter->SetLabel(map.Label);
   }
 }
@@ -79,7 +111,8 @@ void AddVoxelArguments(CLI::App& app, VoxelArguments& arguments)
       { arguments.Options.emplace_back(info.Name, text); });
   }
   AddLabelMap(app, arguments.Map, "--label-map",
-    "The label map (.vti, .mha, .mhd, .nrrd, .nhdr) from which INPUT was extracted: its voxels are "
+    "The label map (.nii, .nrrd, .mha, .tif, .vti ...) from which INPUT was extracted: its voxels "
+    "are "
     "those of --keep-voxels and --smooth, and results are compared with it.");
 }
 

@@ -8,6 +8,8 @@
 #define BoneDecimate_Applications_LabelMapArguments_h
 
 #include "CliForward.h"
+#include "VoxelSpacing.h"
+
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
@@ -25,17 +27,24 @@ struct LabelMapFile
   std::string Path; ///< Empty: none.
   std::int64_t Label =
     0; ///< What a surface without labels encloses; 0: the only label of the map that is not 0.
+  std::vector<double> Spacing; ///< mm, of TIFF files; empty, one or three numbers.
+
+  VoxelSpacing GetSpacing() const;
 };
 
-/// Adds an option that takes a label map, and --label. @param flags Of the map.
+/// Adds an option that takes a label map, --label and --spacing. @param flags Of the map.
 void AddLabelMap(CLI::App& app, LabelMapFile& map, const char* flags, const char* help);
 
 /// Requires that --label is given only with a map. @param flag Of the map. @throws Failure(ExitCode::Usage)
 void CheckLabel(const LabelMapFile& map, const std::string& flag);
 
+/// Requires that --spacing is given only with a map or input that needs it. @param inputs That are read with it, too.
+/// @throws Failure(ExitCode::Usage)
+void CheckSpacing(const LabelMapFile& map, const std::vector<std::string>& inputs = {});
+
 /// Reads a label map. @throws Failure(ExitCode::InputRejected)
 vtkSmartPointer<vtkImageData> ReadLabels(
-  const std::string& path, std::vector<std::string>& warnings);
+  const std::string& path, std::vector<std::string>& warnings, const VoxelSpacing& spacing = {});
 
 /// Gives a filter its label map, if there is one. @throws Failure(ExitCode::InputRejected)
 void ApplyLabelMap(

@@ -66,7 +66,9 @@ public:
     else if (this->Volume)
     {
       const BoneSurface bone = ExtractBoneSurface(this->Path, *this->Requested.Iso,
-        this->Requested.TakesLabels ? LabelPolicy::AsIntensities : LabelPolicy::Reject);
+        this->Requested.TakesLabels ? LabelPolicy::AsIntensities : LabelPolicy::Reject,
+        this->Requested.LabelMap.GetSpacing());
+      this->Subject.CoordinateSystem = "LPS";
       if (!bone.Surface)
       {
         Reject(this->Path, bone.Problem);

@@ -232,6 +232,11 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
             << seconds("seconds.decimate") << ", measure " << seconds("seconds.measure")
             << ", prove " << seconds("seconds.prove") << ", write "
             << GroupedText(subject.SecondsWrite, 2) << "\n";
+  if (!subject.CoordinateSystem.empty())
+  {
+    std::cout << "coordinates     " << subject.CoordinateSystem
+              << " (x to the left, y to the back, z to the head), mm\n";
+  }
   for (const std::string& file : written)
   {
     std::cout << "written         " << file << "\n";

@@ -49,7 +49,7 @@ void VoxelCertificate::Compare(vtkPolyData* surface, const std::string& file,
   const LabelMapFile& map, int threads, std::vector<std::string>& warnings)
 {
   this->Check->SetInputData(0, surface);
-  this->Check->SetInputData(1, ReadLabels(map.Path, warnings));
+  this->Check->SetInputData(1, ReadLabels(map.Path, warnings, map.GetSpacing()));
   this->Check->SetLabel(map.Label);
   this->Check->SetNumberOfThreads(threads);
   AcceptMessages(UpdateFilter(this->Check, Progress::Hidden), file, warnings);

@@ -80,7 +80,8 @@ std::string ValuesProblem(vtkImageData* image, double hounsfield)
 }
 }
 
-BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield, LabelPolicy policy)
+BoneSurface ExtractBoneSurface(
+  const std::string& path, double hounsfield, LabelPolicy policy, const VoxelSpacing& spacing)
 {
   BoneSurface bone;
   if (!std::isfinite(hounsfield))
@@ -88,7 +89,7 @@ BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield, Label
     bone.Problem = "the Hounsfield value is not a finite number";
     return bone;
   }
-  const Volume volume = ReadVolume(path);
+  const Volume volume = ReadVolume(path, spacing);
   bone.Note = volume.Note;
   bone.Problem = volume.Problem.empty() ? ValuesProblem(volume.Image, hounsfield) : volume.Problem;
   if (bone.Problem.empty())
@@ -99,8 +100,8 @@ BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield, Label
   {
     volume.Image->GetFieldData()->Initialize(); // names of labels are none of the surface's
     bone.Surface = OutwardContour(volume, hounsfield);
-    const double* const spacing = volume.Image->GetSpacing();
-    bone.VoxelSize = std::min({ spacing[0], spacing[1], spacing[2] });
+    const auto& steps = volume.Geometry.Steps;
+    bone.VoxelSize = std::min({ Length(steps[0]), Length(steps[1]), Length(steps[2]) });
   }
   return bone;
 }

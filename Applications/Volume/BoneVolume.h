@@ -7,6 +7,8 @@
 #ifndef BoneDecimate_Applications_BoneVolume_h
 #define BoneDecimate_Applications_BoneVolume_h
 
+#include "VoxelSpacing.h"
+
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -14,8 +16,8 @@
 
 namespace bonedecimate
 {
-/// True for .vti, .mha, .mhd, .nrrd, .nhdr files and for folders that hold DICOM files; and for
-/// NIfTI (.nii, .nii.gz), which is a volume, but rejected with that reason.
+/// True for .vti, .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz files, for TIFF files of several pages and
+/// for folders that hold DICOM files or TIFF slices; and for one DICOM file (.dcm), which is rejected.
 bool IsVolume(const std::string& path);
 
 /// The same by the extension alone: for files that need not be there.
@@ -42,8 +44,8 @@ enum class LabelPolicy
  * outwards, transformed by the volume's origin, spacing and direction. Nothing of the header but
  * its geometry and its values reaches the surface.
  */
-BoneSurface ExtractBoneSurface(
-  const std::string& path, double hounsfield, LabelPolicy policy = LabelPolicy::Reject);
+BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield,
+  LabelPolicy policy = LabelPolicy::Reject, const VoxelSpacing& spacing = {});
 }
 
 #endif

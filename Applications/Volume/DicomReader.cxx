@@ -3,7 +3,7 @@
 #include "DicomFolder.h"
 
 #include "DicomSeries.h"
-#include "HeaderText.h"
+#include "TextNumbers.h"
 
 #include <gdcmImageReader.h>
 #include <gdcmRescaler.h>
@@ -60,10 +60,9 @@ std::optional<DicomSlice> ReadSlice(const gdcm::Scanner& scanner, const std::str
   const auto position = Numbers(scanner, file, Position, 3);
   const auto orientation = Numbers(scanner, file, Orientation, 6);
   const auto spacing = Numbers(scanner, file, PixelSpacing, 2);
-  const auto rows = ParseWholeNumbers(Text(scanner, file, Rows));
-  const auto columns = ParseWholeNumbers(Text(scanner, file, Columns));
-  const bool hasSize = rows && rows->size() == 1 && columns && columns->size() == 1;
-  if (!position || !orientation || !spacing || !hasSize)
+  const auto rows = ParseWholeNumber(Text(scanner, file, Rows));
+  const auto columns = ParseWholeNumber(Text(scanner, file, Columns));
+  if (!position || !orientation || !spacing || !rows || !columns)
   {
     return std::nullopt;
   }
@@ -73,8 +72,8 @@ std::optional<DicomSlice> ReadSlice(const gdcm::Scanner& scanner, const std::str
   slice.Instance = Text(scanner, file, Instance);
   slice.IsTomography = Text(scanner, file, Modality) == "CT";
   slice.Frames = static_cast<std::int64_t>(NumberOr(1.0, scanner, file, Frames));
-  slice.Rows = rows->front();
-  slice.Columns = columns->front();
+  slice.Rows = *rows;
+  slice.Columns = *columns;
   std::copy_n(position->begin(), 3, slice.Position.begin());
   std::copy_n(orientation->begin(), 3, slice.AlongRow.begin());
   std::copy_n(orientation->begin() + 3, 3, slice.AlongColumn.begin());
@@ -134,7 +133,15 @@ DicomSeries ScanFiles(const std::vector<std::string>& files)
       slices.push_back(*slice);
     }
   }
+  const bool isSegmentation = std::any_of(files.begin(), files.end(),
+    [&scanner](const std::string& file) { return Text(scanner, file, Modality) == "SEG"; });
   DicomSeries series = LargestSeries(slices);
+  if (slices.empty() && isSegmentation)
+  {
+    series.Problem =
+      "it holds a DICOM segmentation (SEG), which is not read: save it as .nrrd, for "
+      "example with 3D Slicer";
+  }
   const std::size_t others = files.size() - slices.size();
   if (others > 0)
   {

@@ -36,6 +36,33 @@ std::size_t BytesOf(vtkImageData* image)
     static_cast<std::size_t>(image->GetScalarSize());
 }
 
+void SendSegments(const std::vector<Segment>& segments, Pipe& pipe)
+{
+  const std::size_t count = segments.size();
+  pipe.Send(&count, sizeof(count));
+  for (const Segment& segment : segments)
+  {
+    pipe.SendText(segment.Name);
+    pipe.Send(&segment.Label, sizeof(segment.Label));
+    pipe.Send(segment.Color.data(), sizeof(segment.Color));
+  }
+}
+
+bool ReceiveSegments(Pipe& pipe, std::vector<Segment>& segments)
+{
+  std::size_t count = 0;
+  bool isComplete = pipe.Receive(&count, sizeof(count));
+  for (std::size_t i = 0; isComplete && i < count; ++i)
+  {
+    Segment segment;
+    isComplete = pipe.ReceiveText(segment.Name) &&
+      pipe.Receive(&segment.Label, sizeof(segment.Label)) &&
+      pipe.Receive(segment.Color.data(), sizeof(segment.Color));
+    segments.push_back(segment);
+  }
+  return isComplete;
+}
+
 void Send(const Volume& volume, Pipe& pipe)
 {
   pipe.SendText(volume.Problem);
@@ -46,6 +73,7 @@ void Send(const Volume& volume, Pipe& pipe)
     const Shape shape{ { { size[0], size[1], size[2] } }, volume.Image->GetScalarType() };
     pipe.Send(&volume.Geometry, sizeof(volume.Geometry));
     pipe.Send(&shape, sizeof(shape));
+    SendSegments(volume.Segments, pipe);
     pipe.Send(volume.Image->GetScalarPointer(), BytesOf(volume.Image));
     SendLabelFields(volume.Image->GetFieldData(), pipe);
   }
@@ -64,7 +92,7 @@ bool Receive(Pipe& pipe, Volume& volume)
   }
   Shape shape;
   if (!pipe.Receive(&volume.Geometry, sizeof(volume.Geometry)) ||
-    !pipe.Receive(&shape, sizeof(shape)))
+    !pipe.Receive(&shape, sizeof(shape)) || !ReceiveSegments(pipe, volume.Segments))
   {
     return false;
   }
@@ -74,7 +102,7 @@ bool Receive(Pipe& pipe, Volume& volume)
 }
 
 /// The life of the child.
-[[noreturn]] void RunChild(Reader reader, const std::string& path, Pipe& pipe)
+[[noreturn]] void RunChild(const std::function<Volume()>& read, Pipe& pipe)
 {
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   dup2(nowhere, STDOUT_FILENO);
@@ -84,7 +112,7 @@ bool Receive(Pipe& pipe, Volume& volume)
   ChildStatus status = Done;
   try
   {
-    Send(reader(path), pipe);
+    Send(read(), pipe);
   }
   catch (const std::bad_alloc&)
   {
@@ -107,7 +135,7 @@ int WaitFor(pid_t child)
 }
 }
 
-Volume ReadIsolated(Reader reader, const std::string& path)
+Volume ReadIsolated(const std::function<Volume()>& read)
 {
   Pipe pipe;
   const pid_t child = pipe.IsOpen() ? fork() : -1;
@@ -118,7 +146,7 @@ Volume ReadIsolated(Reader reader, const std::string& path)
   if (child == 0)
   {
     pipe.CloseReceiver();
-    RunChild(reader, path, pipe);
+    RunChild(read, pipe);
   }
   pipe.CloseSender();
   Volume volume;

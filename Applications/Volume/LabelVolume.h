@@ -7,6 +7,8 @@
 #ifndef BoneDecimate_Applications_LabelVolume_h
 #define BoneDecimate_Applications_LabelVolume_h
 
+#include "VoxelSpacing.h"
+
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
@@ -16,14 +18,18 @@ namespace bonedecimate
 {
 struct LabelVolume
 {
-  vtkSmartPointer<vtkImageData>
-    Image; ///< One label a voxel; origin, spacing and direction in mm (LPS). Null if rejected.
+  /**
+   * One label a voxel; origin, spacing and direction in mm (LPS). Of a segmentation it has the field
+   * arrays LabelValues, LabelNames and LabelColors (red, green and blue, 0 to 1), as vtkBoneSurfaces
+   * takes them. Null if rejected.
+   */
+  vtkSmartPointer<vtkImageData> Image;
   std::string Problem; ///< Why it was rejected; empty if it was not.
   std::string Note;    ///< What of the input was left aside, for the user; may be empty.
 };
 
 /// Reads every format that ExtractBoneSurface() reads. A volume whose axes are not perpendicular is rejected.
-LabelVolume ReadLabelVolume(const std::string& path);
+LabelVolume ReadLabelVolume(const std::string& path, const VoxelSpacing& spacing = {});
 }
 
 #endif

@@ -87,12 +87,13 @@ std::string SizeProblem(const std::array<std::int64_t, 3>& size, int bytesPerVox
   return std::string();
 }
 
-vtkSmartPointer<vtkImageData> AllocateImage(const std::array<std::int64_t, 3>& size, int scalarType)
+vtkSmartPointer<vtkImageData> AllocateImage(
+  const std::array<std::int64_t, 3>& size, int scalarType, int components)
 {
   const auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(
     static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]));
-  image->AllocateScalars(scalarType, 1);
+  image->AllocateScalars(scalarType, components);
   return image;
 }
 }

@@ -4,12 +4,10 @@
 
 #include "BoneVolume.h"
 #include "DicomFolder.h"
-#include "HeaderText.h"
+#include "ImageFiles.h"
 #include "IsolatedReader.h"
-#include "MetaImageHeader.h"
-#include "NrrdHeader.h"
 #include "Options/Text.h"
-#include "RawVoxels.h"
+#include "TiffFolder.h"
 #include "VtiVolume.h"
 
 #include <filesystem>
@@ -30,6 +28,9 @@ enum class VolumeKind
   MetaImage,
   Nrrd,
   Nifti,
+  Tiff,
+  TiffFolder,
+  DicomFile,
   DicomFolder
 };
 
@@ -49,7 +50,15 @@ VolumeKind KindByExtension(const fs::path& name)
   {
     return VolumeKind::MetaImage;
   }
-  return extension == ".nrrd" || extension == ".nhdr" ? VolumeKind::Nrrd : VolumeKind::None;
+  if (extension == ".nrrd" || extension == ".nhdr")
+  {
+    return VolumeKind::Nrrd;
+  }
+  if (IsNamedLikeTiff(name.string()))
+  {
+    return VolumeKind::Tiff;
+  }
+  return extension == ".dcm" ? VolumeKind::DicomFile : VolumeKind::None;
 }
 
 VolumeKind KindOf(const std::string& path)
@@ -57,14 +66,44 @@ VolumeKind KindOf(const std::string& path)
   std::error_code error;
   if (fs::is_directory(path, error))
   {
-    return HoldsDicom(path) ? VolumeKind::DicomFolder : VolumeKind::None;
+    return HoldsDicom(path)   ? VolumeKind::DicomFolder
+      : HoldsTiffSlices(path) ? VolumeKind::TiffFolder
+                              : VolumeKind::None;
   }
-  return KindByExtension(path);
+  const VolumeKind kind = KindByExtension(path);
+  // A TIFF of one page is a picture.
+  return kind == VolumeKind::Tiff && IsTiffPicture(path) ? VolumeKind::None : kind;
 }
 
-Volume ReadLayout(const VoxelLayout& layout)
+/// Why it is rejected without a look into it; empty if it is not.
+std::string Unreadable(const std::string& path, VolumeKind kind, const VoxelSpacing& spacing)
 {
-  return layout.Problem.empty() ? ReadVoxels(layout) : RejectedVolume(layout.Problem);
+  std::error_code error;
+  if (!fs::exists(path, error))
+  {
+    return "there is no such file";
+  }
+  if (kind == VolumeKind::DicomFile)
+  {
+    return "it is one DICOM file: give the folder of its series; a segmentation (SEG) is not read, "
+           "save it as .nrrd, for example with 3D Slicer";
+  }
+  const bool isFolder = fs::is_directory(path, error);
+  if (!isFolder && (fs::file_size(path, error) == 0 || error))
+  {
+    return "it is empty or cannot be read";
+  }
+  if (kind == VolumeKind::None)
+  {
+    return "it is no volume: .vti, .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz, a .tif of several "
+           "pages "
+           "or a folder of DICOM files or TIFF slices";
+  }
+  if ((kind == VolumeKind::Tiff || kind == VolumeKind::TiffFolder) && !spacing)
+  {
+    return "TIFF has no distance between slices: give --spacing X,Y,Z in mm";
+  }
+  return std::string();
 }
 }
 
@@ -78,40 +117,43 @@ bool IsVolumeFile(const std::string& path)
   return KindByExtension(path) != VolumeKind::None;
 }
 
-namespace volume
-{
-Volume ReadVolume(const std::string& path)
+bool NeedsSpacing(const std::string& path)
 {
   const VolumeKind kind = KindOf(path);
-  if (kind == VolumeKind::DicomFolder)
+  return kind == VolumeKind::Tiff || kind == VolumeKind::TiffFolder;
+}
+
+namespace volume
+{
+Volume ReadVolume(const std::string& path, const VoxelSpacing& spacing)
+{
+  const VolumeKind kind = KindOf(path);
+  const std::string problem = Unreadable(path, kind, spacing);
+  if (!problem.empty())
   {
-    return ReadIsolated(ReadDicomFolder, path);
+    return RejectedVolume(problem);
   }
-  std::error_code error;
-  if (!fs::exists(path, error))
-  {
-    return RejectedVolume("there is no such file");
-  }
-  if (kind == VolumeKind::None)
-  {
-    return RejectedVolume(
-      "it is no volume: .vti, .mha, .mhd, .nrrd, .nhdr or a folder of DICOM files");
-  }
-  if (kind == VolumeKind::Nifti)
-  {
-    return RejectedVolume("NIfTI is not read yet: save it as .nrrd or .mha, for example with 3D "
-                          "Slicer or ITK-SNAP");
-  }
-  if (fs::file_size(path, error) == 0 || error)
-  {
-    return RejectedVolume("it is empty or cannot be read");
-  }
-  if (kind == VolumeKind::Vti)
-  {
-    return ReadIsolated(ReadVti, path);
-  }
-  return ReadLayout(
-    kind == VolumeKind::MetaImage ? ReadMetaImageHeader(path) : ReadNrrdHeader(path));
+  return ReadIsolated(
+    [&]
+    {
+      switch (kind)
+      {
+        case VolumeKind::Vti:
+          return ReadVti(path);
+        case VolumeKind::MetaImage:
+          return ReadMetaImage(path);
+        case VolumeKind::Nrrd:
+          return ReadNrrd(path);
+        case VolumeKind::Nifti:
+          return ReadNifti(path);
+        case VolumeKind::Tiff:
+          return ReadTiff(path, *spacing);
+        case VolumeKind::TiffFolder:
+          return ReadTiffSlices(path, *spacing);
+        default:
+          return ReadDicomFolder(path);
+      }
+    });
 }
 }
 }

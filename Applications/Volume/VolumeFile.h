@@ -2,19 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VolumeFile.h
- * @brief A volume from a file of any format that is read, or from a folder of DICOM files.
+ * @brief A volume from a file of any format that is read, or from a folder of DICOM files or TIFF slices.
  */
 #ifndef BoneDecimate_Applications_VolumeFile_h
 #define BoneDecimate_Applications_VolumeFile_h
 
 #include "Volume.h"
+#include "VoxelSpacing.h"
 
 #include <string>
 
 namespace bonedecimate::volume
 {
-/// The reader goes by the extension.
-Volume ReadVolume(const std::string& path);
+/// The reader goes by the extension. @param spacing Of files without one.
+Volume ReadVolume(const std::string& path, const VoxelSpacing& spacing = {});
 }
 
 #endif

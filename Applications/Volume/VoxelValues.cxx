@@ -146,7 +146,7 @@ ValueSurvey SurveyAs(const Value* values, const Volume& volume)
   {
     result.Kind = ValueKind::Mask;
   }
-  else if (!result.Labels.empty() && (volume.IsSegmentation || survey.HasRegions(result.Labels)))
+  else if (!result.Labels.empty() && (!volume.Segments.empty() || survey.HasRegions(result.Labels)))
   {
     result.Kind = ValueKind::Labels;
   }

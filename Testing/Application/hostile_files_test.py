@@ -6,9 +6,11 @@ Each row is tried in every format that it names, with a limit of the memory of t
 format. `hostile_files_test.py --print` prints the table that the page must contain.
 """
 
+import gzip
 import os
 import pathlib
 import resource
+import struct
 import sys
 
 import vtk
@@ -32,7 +34,7 @@ MEMORY = 1 << 29  # bytes of data that a process may have; 10^9 of anything are 
 LARGEST = 1 << 28  # bytes that the largest of the processes was resident with, at most
 BILLION = "1000000000"
 PRINTS = False
-VOLUMES = ("mha", "nrrd", "vti")
+VOLUMES = ("mha", "nrrd", "nii", "nii.gz", "tif", "vti")
 NRRD = "NRRD0004\ntype: short\ndimension: 3\nsizes: 24 24 24\nspacings: 1 1 1\nendian: little\nencoding: raw\n\n"
 
 
@@ -42,15 +44,26 @@ def whole_surface(extension):
 
 
 def whole_volume(extension):
+    if extension.startswith("nii"):
+        return nifti() if extension == "nii" else gzip.compress(nifti())
     if extension == "nrrd":
         return NRRD.encode() + bytes(24**3 * 2)
-    writer = vtk.vtkXMLImageDataWriter() if extension == "vti" else vtk.vtkMetaImageWriter()
+    writer = {"vti": vtk.vtkXMLImageDataWriter, "tif": vtk.vtkTIFFWriter, "mha": vtk.vtkMetaImageWriter}[extension]()
+    if extension == "tif":
+        writer.SetFileDimensionality(3)
     writer.SetFileName(f"whole.{extension}")
     writer.SetInputData(ball())
     if extension == "mha":
         writer.SetCompression(False)
     writer.Write()
     return pathlib.Path(f"whole.{extension}").read_bytes()
+
+
+def nifti():
+    """With a position by an sform, which is that of the scanner."""
+    header = struct.pack("<i36x8h14x2h2x8f3f3xB", 348, 3, 24, 24, 24, 1, 1, 1, 1, 4, 16, *(1.0,) * 8, 352.0, 1.0, 0.0, 2)
+    header = header.ljust(254, b"\0") + struct.pack("<h24x12f", 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)
+    return header.ljust(344, b"\0") + b"n+1\0" + bytes(4 + 24**3 * 2)
 
 
 def whole(extension):
@@ -82,7 +95,7 @@ def everywhere(make, *extensions):
 
 
 ALL = (*SURFACES, *VOLUMES, "levels")
-COUNTED = ("stl", "ply", "vtp", "vtk", "mha", "nrrd", "vti", "levels")  # OBJ announces nothing
+COUNTED = ("stl", "ply", "vtp", "vtk", *VOLUMES, "levels")  # OBJ announces nothing
 CLOSED = tuple(extension for extension in COUNTED if extension != "vti")  # whose last bytes are not closing tags alone
 
 # What is wrong, and how each of the formats is made to have it.
@@ -155,7 +168,8 @@ class HostileFiles(ApplicationTest):
         """What reads a file of that format."""
         if name.endswith(".levels"):
             return "levels", "first.ply", "--log", name
-        return (name, "out.vtp", *(("--iso", 226) if name.endswith(VOLUMES) else ()))
+        spacing = ("--spacing", 1) if name.endswith("tif") else ()
+        return (name, "out.vtp", *spacing, *(("--iso", 226) if name.endswith(VOLUMES) else ()))
 
     def rejection(self, *words, **keywords):
         """What the program says, without its own name."""

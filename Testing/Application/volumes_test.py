@@ -53,9 +53,13 @@ def segmentation(segments, layers=1, size=24):
               f"space directions: {none}(1,0,0) (0,1,0) (0,0,1)\nkinds: {kinds}\nendian: little\nencoding: raw\n"
               "space origin: (0,0,0)\n")
     for i, label in enumerate(segments):
-        header += f"Segment{i}_ID:=Segment_{i + 1}\nSegment{i}_LabelValue:={label}\nSegment{i}_Layer:=0\n"
-    voxels = bytes_of(labeled(segments, size))
-    return header.encode() + b"\n" + voxels * layers
+        header += (f"Segment{i}_ID:=Segment_{i + 1}\nSegment{i}_LabelValue:={label}\n"
+                   f"Segment{i}_Layer:={i if layers > 1 else 0}\n")
+    if layers == 1:
+        return header.encode() + b"\n" + bytes_of(labeled(segments, size))
+    which = bytes_of(labeled(range(1, layers + 1), size))
+    voxels = (label if value == i + 1 else 0 for value in which for i, label in enumerate(segments))
+    return header.encode() + b"\n" + bytes(voxels)
 
 
 class Volumes(ApplicationTest):
@@ -111,7 +115,7 @@ class Volumes(ApplicationTest):
         self.path("two.seg.nrrd").write_bytes(segmentation((1, 2)))
         self.reject_labels("two.seg.nrrd", "with the labels 1, 2,")
         self.path("layers.seg.nrrd").write_bytes(segmentation((1, 1), layers=2))
-        self.reject_labels("layers.seg.nrrd", "several layers")
+        self.reject_labels("layers.seg.nrrd", "with the labels 1, 2,")
         for name in ("map.mha", "map.vti"):
             for kind in (vtk.VTK_UNSIGNED_CHAR, vtk.VTK_SHORT, vtk.VTK_FLOAT):
                 with self.subTest(name=name, kind=kind):
@@ -172,10 +176,52 @@ class Volumes(ApplicationTest):
         self.write(tissues, self.path("tissues.mha"))
         self.succeed("tissues.mha", "out.vtp", "--iso", 300)
 
-    def test_nifti_is_rejected_by_its_name(self):
+    def test_nifti_that_is_none_is_rejected(self):
         for name in ("scan.nii", "scan.nii.gz"):
             self.path(name).write_bytes(b"\x5c\x01\0\0")
-            self.fail_with(REJECTED, name, "out.vtp", "--iso", 226, says="NIfTI is not read yet: save it as .nrrd or .mha")
+            self.fail_with(REJECTED, name, "out.vtp", "--iso", 226, says="it is not a NIfTI-1 file")
+
+    def write_tiff(self):
+        writer = vtk.vtkTIFFWriter()
+        writer.SetFileDimensionality(3)
+        writer.SetFileName(str(self.path("ct.tif")))
+        shifted = vtk.vtkImageShiftScale()
+        shifted.SetInputData(ball())
+        shifted.SetShift(1000)
+        shifted.SetOutputScalarTypeToUnsignedShort()
+        writer.SetInputConnection(shifted.GetOutputPort())
+        writer.Write()
+
+    def test_tiff_has_the_requested_spacing(self):
+        self.write_tiff()
+        self.fail_with(REJECTED, "ct.tif", "out.vtp", "--iso", 1226, says="give --spacing X,Y,Z in mm")
+        for words, heights in (("0.5", 7.5), ("0.5,0.5,2", 30)):
+            self.succeed("ct.tif", "out.vtp", "--iso", 1226, "--spacing", words, "--report", "report.json")
+            bounds = read(self.path("out.vtp")).GetBounds()
+            self.assertAlmostEqual(bounds[1] - bounds[0], 7.5, 0)
+            self.assertAlmostEqual(bounds[5] - bounds[4], heights, 0)
+            self.assertEqual(self.report()["command_line"]["spacing"], words)
+        self.path("scans").mkdir()
+        self.write_ball(self.path("scans/ct.mha"))
+        self.path("ct.tif").rename(self.path("scans/micro.tif"))
+        self.succeed("scans", "out", "--iso", 1226 - 1000, "--spacing", 0.5)
+        self.assertTrue(self.path("out/micro.vtp").exists())
+
+    def test_spacing_is_rejected_where_it_has_no_effect(self):
+        self.write_tiff()
+        self.path("scans").mkdir()
+        self.write_ball(self.path("scans/ct.mha"))
+        for words in (("ct.mha", "out.vtp", "--iso", 226), ("scans", "out", "--iso", 226)):
+            self.fail_with(USAGE, *words, "--spacing", 0.5, says="--spacing has no effect")
+        self.fail_with(USAGE, "ct.tif", "out.vtp", "--iso", 226, "--spacing", "1,2", says="one or three numbers")
+        self.fail_with(USAGE, "ct.tif", "out.vtp", "--iso", 226, "--spacing", 0, says="--spacing")
+
+    def test_output_says_its_coordinate_system(self):
+        text = self.succeed("ct.mha", "out.vtp", "--iso", 226, "--report", "report.json").stdout
+        self.assertIn("coordinates     LPS", text)
+        self.assertEqual(self.report()["files"]["coordinate_system"], "LPS")
+        self.succeed("out.vtp", "again.vtp", "--report", "report.json")
+        self.assertNotIn("coordinate_system", self.report()["files"])
 
     def test_volumes_of_a_batch(self):
         self.path("scans").mkdir()

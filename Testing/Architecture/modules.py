@@ -48,6 +48,7 @@ KINDS = [
     (re.compile(r"^Eigen/"), "Eigen"),
     (re.compile(r"^(vtk\w+\.h$|vtk_)"), "VTK"),
     (re.compile(r"^gdcm\w*\.h"), "GDCM"),
+    (re.compile(r"^(itk\w+\.h|NrrdIO\.h)$"), "ITK"),
     (re.compile(r"^CLI/"), "CLI11"),
     (re.compile(r"^nlohmann/"), "JSON"),
     (re.compile(r"^nanobind/"), "nanobind"),
@@ -94,7 +95,7 @@ def allow(module, word, core_modules, above):
         module.headers |= {f"{CORE}/Report/Report.h", f"{CORE}/Report/ReportTable.h"}
     elif word.startswith("`") and word.endswith("`"):
         module.headers.add(f"{CORE}/" + word.strip("`"))
-    elif word in ("VTK", "GDCM"):
+    elif word in ("VTK", "GDCM", "ITK"):
         module.libraries |= {word, "streams"}
     elif word == "anything":
         module.free = True

@@ -105,13 +105,6 @@ def file_inputs():
         '<Piece NumberOfPoints="4" NumberOfPolys="4"><Points><DataArray type="Float32" NumberOfComponents="3" '
         'format="ascii">0 0 0</DataArray></Points></Piece></PolyData></VTKFile>\n'
     )
-    meta = "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementType = MET_SHORT\nElementSpacing = 1 1 1\n"
-    yield 5, meta + "TransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = 0 0 0\nElementDataFile = LOCAL\n" + "\0" * 16
-    yield 5, meta + "CompressedData = True\nElementDataFile = LOCAL\nx"
-    nrrd = "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nendian: little\nencoding: %s\n"
-    yield 6, nrrd % "raw" + "space: left-posterior-superior\nspace directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\n\n" + "\0" * 16
-    yield 6, nrrd % "gzip" + "spacings: 1 1 1\n\nx"
-    yield 7, meta + nrrd
 
 
 def log_inputs():

@@ -38,6 +38,7 @@ class DebianPackage(unittest.TestCase):
         field = {name: run("dpkg-deb", "-f", self.file, name).strip() for name in ("Package", "Version", "Depends")}
         self.assertEqual((field["Package"], field["Version"]), ("vtkbonedecimate", VERSION))
         self.assertRegex(field["Depends"], r"\blibvtk9")
+        self.assertRegex(field["Depends"], r"\blibinsighttoolkit5")
         self.assertRegex(field["Depends"], r"\blibc6 ")
         self.assertIn("BSD 3-Clause", (self.usr / "share/doc/vtkbonedecimate/copyright").read_text(encoding="utf-8"))
 

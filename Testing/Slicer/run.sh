@@ -27,9 +27,10 @@ libraries=$("$folder/bin/python" -c 'import pathlib, slicer_core; print(pathlib.
 g++ -std=c++17 -D_GLIBCXX_USE_CXX11_ABI=0 -O1 -shared -fPIC "$here/register_module.cxx" -o "$folder/register_module.so" \
   -L"$libraries" -lMRMLCLI -L"$libraries/third_party.libs" -lModuleDescriptionParser \
   -Wl,-rpath,"$libraries:$libraries/third_party.libs" -Wl,--allow-shlib-undefined
-export BONEDECIMATE_PROGRAM=$build/bin/bonedecimate REGISTER_MODULE=$folder/register_module.so
+export DUMP_VOLUME=$build/bin/bonedecimate-dump-volume BONEDECIMATE_PROGRAM=$build/bin/bonedecimate
+export REGISTER_MODULE=$folder/register_module.so
 export SLICER_MODULE=$root/Applications/Slicer/BoneDecimator
-for name in slicer_core segmentation panel; do
+for name in slicer_core segmentation panel volume; do
   "$folder/bin/python" -B "$here/${name}_test.py"
 done
 if [ -n "${TABLE:-}" ]; then

@@ -41,7 +41,9 @@ INSTANTIATE_TEST_SUITE_P(Grids, WhereThePatientLay,
 TEST_P(WhereThePatientLay, MetaImage)
 {
   WriteMeta(this->Folder.File("a.mha"), GetParam().Scanned());
-  ExpectSpecimen(ExtractBoneSurface(this->Folder.File("a.mha"), SurfaceValue));
+  const BoneSurface bone = ExtractBoneSurface(this->Folder.File("a.mha"), SurfaceValue);
+  ExpectSpecimen(bone);
+  EXPECT_NEAR(bone.VoxelSize, 0.8, 1e-9);
 }
 
 TEST_P(WhereThePatientLay, NrrdInEverySpace)
@@ -129,9 +131,7 @@ protected:
 
 TEST_F(Storage, CompressedMetaImageIsTheSame)
 {
-  WriteBytes(this->Folder.File("a.mha"),
-    MetaHeader(this->Tilted, "CompressedData = True\n") + "ElementDataFile = LOCAL\n" +
-      Deflated(VoxelBytes(this->Tilted)));
+  WriteCompressedMeta(this->Folder.File("a.mha"), this->Tilted, Deflated(VoxelBytes(this->Tilted)));
   this->ExpectTheSame("a.mha");
 }
 
@@ -188,6 +188,10 @@ TEST(IsVolume, KnowsFilesByTheirExtension)
   EXPECT_TRUE(IsVolume("a.mhd"));
   EXPECT_TRUE(IsVolume("a.nrrd"));
   EXPECT_TRUE(IsVolume("a.nhdr"));
+  EXPECT_TRUE(IsVolume("a.nii"));
+  EXPECT_TRUE(IsVolume("a.NII.gz"));
+  EXPECT_TRUE(IsVolume("a.tif"));
+  EXPECT_FALSE(IsVolume("a.gz"));
   EXPECT_FALSE(IsVolume("a.stl"));
   EXPECT_FALSE(IsVolume("vti"));
 }

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 namespace bonedecimate::testing
 {
@@ -68,7 +69,8 @@ TEST_F(VolumeRejects, MissingFile)
 
 TEST_F(VolumeRejects, EmptyFile)
 {
-  for (const char* name : { "a.vti", "a.mha", "a.mhd", "a.nrrd", "a.nhdr" })
+  for (const char* name :
+    { "a.vti", "a.mha", "a.mhd", "a.nrrd", "a.nhdr", "a.nii", "a.nii.gz", "a.tif" })
   {
     this->Expect(name, "", "is empty");
   }
@@ -86,10 +88,12 @@ TEST_F(VolumeRejects, BytesThatAreNoVolume)
   const char bytes[] = "\x7f\x01\xfe garbage \x00\xff without end";
   const std::string noise(bytes, sizeof(bytes) - 1);
   this->Expect("a.vti", noise, "not a VTK image");
-  this->Expect("a.mha", noise, "no end");
-  this->Expect("a.nrrd", noise, "does not begin");
-  this->Expect("b.mha", std::string(std::size_t(5) << 20, 'x'), "no end");
-  this->Expect("b.nrrd", "NRRD0004\n" + std::string(std::size_t(5) << 20, 'x'), "no end");
+  this->Expect("a.mha", noise, "no header");
+  this->Expect("a.nrrd", noise, "header is damaged");
+  this->Expect("a.nii", noise, "not a NIfTI-1 file");
+  this->Expect("a.tif", noise, "--spacing");
+  this->Expect("b.mha", std::string(std::size_t(5) << 20, 'x'), "no header");
+  this->Expect("b.nrrd", "NRRD0004\n" + std::string(std::size_t(5) << 20, 'x'), "is damaged");
 }
 
 TEST_F(VolumeRejects, SurfaceThatCallsItselfVolume)
@@ -105,22 +109,35 @@ TEST_F(VolumeRejects, TruncatedVoxels)
   const std::string nrrd = this->Nrrd("type", "type");
   this->Expect("a.mha", meta.substr(0, meta.size() - 1), "truncated");
   this->Expect("a.nrrd", nrrd.substr(0, nrrd.size() - 1), "truncated");
-  this->Expect("b.nrrd", nrrd.substr(0, 100), "encoding");
+  this->Expect("b.nrrd", nrrd.substr(0, 100), "header is damaged");
   const std::string vti = this->Vti();
   this->Expect("a.vti", vti.substr(0, vti.size() / 2), "truncated or damaged");
 }
 
 TEST_F(VolumeRejects, DamagedCompressedVoxels)
 {
-  const std::string header =
-    MetaHeader(this->Upright, "CompressedData = True\n") + "ElementDataFile = LOCAL\n";
-  const std::string packed = Deflated(VoxelBytes(this->Upright));
-  this->Expect("a.mha", header + packed.substr(0, packed.size() / 2), "truncated or damaged");
-  std::string flipped = packed;
-  flipped[packed.size() - 2] ^= 0x10; // in the checksum
-  this->Expect("b.mha", header + flipped, "truncated or damaged");
-  const std::string longer = Deflated(VoxelBytes(this->Upright) + "more");
-  this->Expect("c.mha", header + longer, "truncated or damaged");
+  const std::string voxels = VoxelBytes(this->Upright);
+  std::string flipped = Deflated(voxels);
+  flipped[flipped.size() - 2] ^= 0x10; // in the checksum
+  std::string gzipFlipped = Gzipped(voxels);
+  gzipFlipped[gzipFlipped.size() - 6] ^= 0x10;
+  const std::string nrrd = NrrdHeader(this->Upright, "left-posterior-superior", "gzip") + "\n";
+  for (const auto& [deflated, gzipped] : { std::pair(flipped, gzipFlipped),
+         std::pair(Deflated(voxels).substr(0, 9000), Gzipped(voxels).substr(0, 9000)),
+         std::pair(Deflated(voxels + "more"), Gzipped(voxels + "more")) })
+  {
+    WriteCompressedMeta(this->Folder.File("a.mha"), this->Upright, deflated);
+    ExpectRejection(this->Folder.File("a.mha"), "truncated or damaged");
+    this->Expect("a.nrrd", nrrd + gzipped, "truncated or damaged");
+  }
+  this->Expect("b.mha",
+    MetaHeader(this->Upright, "CompressedData = True\n") + "ElementDataFile = LOCAL\n" +
+      Deflated(voxels),
+    "how many bytes");
+  this->Expect("c.mha",
+    MetaHeader(this->Upright, "CompressedData = True\nCompressedDataSize = 9000\n") +
+      "ElementDataFile = LOCAL\n" + Deflated(voxels),
+    "truncated or damaged");
 }
 
 TEST_F(VolumeRejects, HugeSizesWithoutAskingForTheMemory)
@@ -129,11 +146,12 @@ TEST_F(VolumeRejects, HugeSizesWithoutAskingForTheMemory)
   this->Expect(
     "a.mha", this->Meta("DimSize = " + size, "DimSize = 100000 100000 100000"), "cannot hold");
   this->Expect("b.mha", this->Meta("DimSize = " + size, "DimSize = 99999999999 2 2"), "announces");
-  this->Expect(
-    "c.mha", this->Meta("DimSize = " + size, "DimSize = 99999999999999999999 2 2"), "DimSize");
+  this->Expect("c.mha", this->Meta("DimSize = " + size, "DimSize = 99999999999999999999 2 2"), "");
   this->Expect("a.nrrd", this->Nrrd("sizes: " + size, "sizes: 2000000000 2000000000 2000000000"),
-    "cannot hold");
-  const std::string packed = MetaHeader(this->Upright, "CompressedData = True\n");
+    "header is damaged");
+  this->Expect("b.nrrd", this->Nrrd("sizes: " + size, "sizes: 20000 20000 20000"), "cannot hold");
+  const std::string packed =
+    MetaHeader(this->Upright, "CompressedData = True\nCompressedDataSize = 5000\n");
   this->Expect("d.mha",
     Replaced(packed, size, "90000 90000 90000") + "ElementDataFile = LOCAL\n" +
       Deflated(VoxelBytes(this->Upright)),
@@ -157,7 +175,7 @@ TEST_F(VolumeRejects, MoreThanOneValueAVoxel)
 {
   this->Expect(
     "a.mha", this->Meta("NDims = 3", "NDims = 3\nElementNumberOfChannels = 3"), "3 values");
-  this->Expect("a.nrrd", this->Nrrd("dimension: 3", "dimension: 4"), "dimension 4");
+  this->Expect("a.nrrd", this->Nrrd("dimension: 3", "dimension: 4"), "header is damaged");
   vtkNew<vtkImageData> image;
   image->SetDimensions(4, 4, 4);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
@@ -174,30 +192,35 @@ TEST_F(VolumeRejects, GeometryThatIsNone)
   this->Expect(
     "a.mha", this->Meta("TransformMatrix = 1 0 0", "TransformMatrix = 0 1 0"), "in one plane");
   this->Expect("b.mha", this->Meta("TransformMatrix = 1 0 0 ", "TransformMatrix = 1 0 0 0 "),
-    "TransformMatrix");
+    "TransformMatrix is not 9 numbers");
+  this->Expect("c.mha", this->Meta("ElementSpacing = ", "ElementSpacing = nan nan nan\nx = "), "");
   this->Expect(
-    "c.mha", this->Meta("ElementSpacing = ", "ElementSpacing = nan nan nan\nx = "), "finite");
-  this->Expect("d.mha", this->Meta("ElementSpacing = ", "ElementSpacing = 0 1 1\nx = "), "spacing");
+    "d.mha", this->Meta("ElementSpacing = ", "ElementSpacing = 0 1 1\nx = "), "spacing is zero");
+  this->Expect(
+    "f.mha", this->Meta("ElementSpacing = ", "ElementSpacing = -1 1 1\nx = "), "negative");
+  this->Expect("g.mha", this->Meta("NDims = 3", "NDims = 3\nDistanceUnits = um"), "um, not mm");
   this->Expect("e.mha", this->Meta("Offset = ", "Offset = here there\nx = "), "Offset");
   this->Expect(
-    "a.nrrd", this->Nrrd("space directions: (", "space directions: none ("), "space directions");
+    "a.nrrd", this->Nrrd("space directions: (", "space directions: none ("), "header is damaged");
+  this->Expect("b.nrrd", this->Nrrd("left-posterior-superior", "left-posterior-superior-time"),
+    "header is damaged");
   this->Expect(
-    "b.nrrd", this->Nrrd("left-posterior-superior", "left-posterior-superior-time"), "space");
-  this->Expect(
-    "c.nrrd", this->Nrrd("type: short", "type: short\nspace units: \"m\" \"m\" \"m\""), "mm");
+    "c.nrrd", this->Nrrd("endian: little", "endian: little\nspace units: \"m\" \"m\" \"m\""), "mm");
 }
 
 TEST_F(VolumeRejects, WhatTheFormatsCanAndWeDoNot)
 {
   this->Expect("a.mha", this->Meta("BinaryData = True", "BinaryData = False"), "text");
-  this->Expect("b.mha", this->Meta("MET_SHORT", "MET_STRING"), "ElementType");
-  this->Expect("c.mha", this->Meta("NDims = 3", "NDims = 2"), "NDims = 2");
+  this->Expect("b.mha", this->Meta("MET_SHORT", "MET_OTHER"), "");
+  this->Expect("c.mha", this->Meta("NDims = 3", "NDims = 2"), "");
   this->Expect("a.mhd", MetaHeader(this->Upright) + "ElementDataFile = LIST\n", "several files");
   this->Expect(
     "b.mhd", MetaHeader(this->Upright) + "ElementDataFile = s%03d.raw 1 9 1\n", "several files");
   this->Expect("c.mhd", MetaHeader(this->Upright) + "ElementDataFile = gone.raw\n", "gone.raw");
-  this->Expect("a.nrrd", this->Nrrd("encoding: raw", "encoding: bzip2"), "bzip2");
-  this->Expect("b.nrrd", this->Nrrd("type: short", "type: block"), "type");
+  this->Expect("a.nrrd", this->Nrrd("encoding: raw", "encoding: bzip2"), "damaged");
+  this->Expect("c.nrrd", this->Nrrd("encoding: raw", "encoding: ascii"), "text");
+  this->Expect("a.nhdr", this->Nrrd("encoding: raw", "encoding: raw\ndata file: gone.raw"), "");
+  this->Expect("b.nrrd", this->Nrrd("type: short", "type: block"), "header is damaged");
 }
 
 TEST_F(VolumeRejects, ValueThatNoVoxelOrEveryVoxelReaches)

@@ -121,6 +121,7 @@ void ExpectRejection(const std::string& path, const std::string& words, double h
   EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
   EXPECT_EQ(bone.Surface, nullptr);
-  EXPECT_NE(bone.Problem.find(words), std::string::npos) << "It says: " << bone.Problem;
+  EXPECT_NE(bone.Problem.find(words), std::string::npos)
+    << path << " should say: " << words << "\nIt says: " << bone.Problem;
 }
 }

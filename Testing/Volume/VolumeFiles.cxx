@@ -10,6 +10,8 @@
 #include "vtkXMLImageDataWriter.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <iomanip>
 #include <iterator>
@@ -37,6 +39,24 @@ std::string Packed(const std::string& bytes, int windowBits)
   packed.resize(stream.total_out);
   deflateEnd(&stream);
   return packed;
+}
+
+/// Puts a number into a header, little-endian.
+template <typename Number>
+void Put(std::string& header, std::size_t position, Number number)
+{
+  std::memcpy(header.data() + position, &number, sizeof(number));
+}
+
+/// An entry of a directory of TIFF: tag, type, count and value.
+std::string TiffEntry(std::uint16_t tag, std::uint32_t value)
+{
+  std::string entry(12, '\0');
+  Put<std::uint16_t>(entry, 0, tag);
+  Put<std::uint16_t>(entry, 2, 4); // a 32-bit number
+  Put<std::uint32_t>(entry, 4, 1);
+  Put<std::uint32_t>(entry, 8, value);
+  return entry;
 }
 
 std::ostringstream ExactStream()
@@ -106,6 +126,13 @@ void WriteMeta(const std::string& path, const Scan& scan)
   WriteBytes(path, MetaHeader(scan) + "ElementDataFile = LOCAL\n" + VoxelBytes(scan));
 }
 
+void WriteCompressedMeta(const std::string& path, const Scan& scan, const std::string& packed)
+{
+  const std::string lines =
+    "CompressedData = True\nCompressedDataSize = " + std::to_string(packed.size()) + "\n";
+  WriteBytes(path, MetaHeader(scan, lines) + "ElementDataFile = LOCAL\n" + packed);
+}
+
 std::string NrrdHeader(const Scan& scan, const std::string& space, const std::string& encoding)
 {
   const double signOfX = space == "right-anterior-superior" ? -1.0 : 1.0;
@@ -130,6 +157,84 @@ std::string NrrdHeader(const Scan& scan, const std::string& space, const std::st
 void WriteNrrd(const std::string& path, const Scan& scan)
 {
   WriteBytes(path, NrrdHeader(scan, "left-posterior-superior", "raw") + "\n" + VoxelBytes(scan));
+}
+
+std::string NiftiHeader(const Scan& scan)
+{
+  std::string header(352, '\0');
+  Put<std::int32_t>(header, 0, 348);
+  Put<std::int16_t>(header, 40, 3);
+  Put<std::int16_t>(header, 70, 4); // 16-bit integers
+  Put<std::int16_t>(header, 72, 16);
+  Put<float>(header, 76, 1.0F);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    Put(header, 42 + 2 * axis, static_cast<std::int16_t>(scan.Size[axis]));
+    Put(header, 80 + 4 * axis, static_cast<float>(Length(scan.Geometry.Steps[axis])));
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+      const double sign = row < 2 ? -1.0 : 1.0;
+      Put(header, 280 + 16 * row + 4 * axis,
+        static_cast<float>(sign * scan.Geometry.Steps[axis][row]));
+      Put(header, 292 + 16 * row, static_cast<float>(sign * scan.Geometry.Origin[row]));
+    }
+  }
+  for (std::size_t axis = 3; axis < 7; ++axis)
+  {
+    Put<std::int16_t>(header, 42 + 2 * axis, 1);
+  }
+  Put<float>(header, 108, 352.0F);   // where the voxels begin
+  Put<float>(header, 112, 1.0F);     // slope
+  header[123] = 2;                   // mm
+  Put<std::int16_t>(header, 254, 1); // the sform is that of the scanner
+  header.replace(344, 3, "n+1");
+  return header;
+}
+
+void WriteNifti(const std::string& path, const Scan& scan)
+{
+  const std::string bytes = NiftiHeader(scan) + VoxelBytes(scan);
+  WriteBytes(path, path.substr(path.size() - 3) == ".gz" ? Gzipped(bytes) : bytes);
+}
+
+std::string TiffBytes(const Scan& scan, std::size_t firstPage, std::size_t pages)
+{
+  const std::string voxels = VoxelBytes(scan);
+  const std::size_t pageBytes = 2 * scan.Size[0] * scan.Size[1];
+  std::string file = std::string("II*\0\x08\0\0\0", 8);
+  for (std::size_t page = 0; page < pages; ++page)
+  {
+    const auto columns = static_cast<std::uint32_t>(scan.Size[0]);
+    const auto rows = static_cast<std::uint32_t>(scan.Size[1]);
+    const std::size_t directory = 2 + 10 * 12 + 4;
+    const auto strip = static_cast<std::uint32_t>(file.size() + directory);
+    std::string next(4, '\0');
+    if (page + 1 < pages)
+    {
+      Put(next, 0, static_cast<std::uint32_t>(file.size() + directory + pageBytes));
+    }
+    file += std::string("\x0a\0", 2) + TiffEntry(256, columns) + TiffEntry(257, rows) +
+      TiffEntry(258, 16) + TiffEntry(259, 1) + TiffEntry(262, 1) + TiffEntry(273, strip) +
+      TiffEntry(277, 1) + TiffEntry(278, rows) +
+      TiffEntry(279, static_cast<std::uint32_t>(pageBytes)) + TiffEntry(339, 2) + next +
+      voxels.substr((firstPage + page) * pageBytes, pageBytes);
+  }
+  return file;
+}
+
+std::string SegmentationBytes(const std::array<std::size_t, 3>& size, std::size_t layers,
+  const std::string& segments, const std::string& voxels)
+{
+  const bool hasLayers = layers > 1;
+  std::ostringstream text;
+  text << "NRRD0004\ntype: unsigned char\ndimension: " << (hasLayers ? 4 : 3)
+       << "\nspace: left-posterior-superior\nsizes: "
+       << (hasLayers ? std::to_string(layers) + " " : "") << size[0] << ' ' << size[1] << ' '
+       << size[2] << "\nspace directions: " << (hasLayers ? "none " : "")
+       << "(1,0,0) (0,1,0) (0,0,1)\nkinds: " << (hasLayers ? "list " : "")
+       << "domain domain domain\nencoding: raw\nspace origin: (0,0,0)\n"
+       << segments << "\n";
+  return text.str() + voxels;
 }
 
 void WriteVti(const std::string& path, const Scan& scan)

@@ -168,7 +168,7 @@ def decimate(
         How far the surface may move at each point: 0 keeps it unchanged, negative is no limit of its own.
     labels : (m,) array of whole numbers, optional
         Bone, fragment or segment of each triangle, kept by the result's: lines between them are simplified along themselves.
-    label_map : `LabelMap`, vtkImageData, `VoxelGrid`, or (nz, ny, nx) array of whole numbers, optional
+    label_map : `LabelMap`, image of VTK, SimpleITK or nibabel, `VoxelGrid`, or (nz, ny, nx) array of whole numbers, optional
         The segmentation of the surface, or its grid, which surfaces of `extract_surfaces` know: for `keep_voxels`, and to count
         changed voxels in the report. A warning says in how many voxels a map differs from the surface.
     boundary_labels : (m, 2) array of whole numbers, optional

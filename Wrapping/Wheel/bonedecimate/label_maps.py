@@ -75,8 +75,8 @@ def extract_surfaces(
 
     Parameters
     ----------
-    label_map : `LabelMap`, vtkImageData, or (nz, ny, nx) array of whole numbers
-        An array is made a `LabelMap` with axes, spacing, origin, direction and affine.
+    label_map : `LabelMap`, image of VTK, SimpleITK or nibabel, or (nz, ny, nx) array of whole numbers
+        An image is where it says, in LPS: see `LabelMap.from_image`. An array is made a `LabelMap` with axes, spacing, origin, direction and affine.
     axes, spacing, origin, direction, affine
         As `LabelMap` takes them: the order of the indices, and where the voxels are, mm. Of an array only.
     labels : whole numbers, optional

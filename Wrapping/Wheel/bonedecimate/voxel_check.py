@@ -74,7 +74,7 @@ def check_voxels(
     ----------
     surface : what `extract_surfaces`, `decimate` or `smooth` returned, mesh, or (points, triangles)
         Of an open surface the outermost voxels are not compared.
-    label_map : `LabelMap`, vtkImageData, or (nz, ny, nx) array of whole numbers
+    label_map : `LabelMap`, image of VTK, SimpleITK or nibabel, or (nz, ny, nx) array of whole numbers
         An array is on the grid of the surface, which a pair (points, triangles) does not have. Labels that the surface does not
         have count as background.
     boundary_labels : (m, 2) array of whole numbers, optional

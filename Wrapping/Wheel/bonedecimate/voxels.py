@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from .checks import numbers_of, numeric_array
+from .scans import NibabelImage, SimpleItkImage, is_nibabel, is_simpleitk, scan_of
 
 if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -109,6 +110,25 @@ class LabelMap:
         self.grid = VoxelGrid(self.labels.shape[::-1], spacing=spacing, origin=origin, direction=direction, affine=affine)
 
     @classmethod
+    def from_image(cls, image: vtkImageData | SimpleItkImage | NibabelImage) -> LabelMap:
+        """Of an image of VTK, SimpleITK or nibabel, where it says that its voxels are, mm.
+
+        Coordinates are LPS, as of DICOM, ITK and 3D Slicer's files: those of nibabel are turned from RAS into LPS.
+
+        Raises
+        ------
+        TypeError, ValueError
+            As of `LabelMap`; several values a voxel, another unit than mm.
+        """
+        if hasattr(image, "GetDirectionMatrix"):
+            from .images import label_map_of  # imports VTK, which is there
+            return label_map_of(image)
+        if not (is_simpleitk(image) or is_nibabel(image)):
+            raise TypeError(f"an image is one of VTK, SimpleITK or nibabel, not {type(image).__name__}")
+        labels, axes, where = scan_of(image)
+        return cls(labels, axes=axes, **where)
+
+    @classmethod
     def on(cls, grid: VoxelGrid, labels: ArrayLike) -> LabelMap:
         """Labels with the indices z, y, x on a grid of the same dimensions."""
         made = cls(labels)
@@ -128,23 +148,23 @@ def is_default(spacing: Sequence[float], origin: Sequence[float], direction: Arr
 
 
 # Types that a function takes as a label map.
-LabelMapLike = Union["LabelMap", "vtkImageData", ArrayLike]
+LabelMapLike = Union["LabelMap", "vtkImageData", SimpleItkImage, NibabelImage, ArrayLike]
 
 
 def has_grid(label_map: LabelMapLike) -> bool:
     """Whether it is more than an array."""
-    return isinstance(label_map, LabelMap) or hasattr(label_map, "GetDirectionMatrix")
+    return (isinstance(label_map, LabelMap) or hasattr(label_map, "GetDirectionMatrix")
+            or is_simpleitk(label_map) or is_nibabel(label_map))
 
 
 def label_map_from(label_map: LabelMapLike, grid: VoxelGrid | None) -> LabelMap:
-    """Of a LabelMap, a vtkImageData, or an array on the grid of the surface."""
+    """Of a LabelMap, an image, or an array on the grid of the surface."""
     if isinstance(label_map, LabelMap):
         return label_map
     if has_grid(label_map):
-        from .images import label_map_of  # imports VTK, which is there
-        return label_map_of(label_map)
+        return LabelMap.from_image(label_map)
     if grid is None:
-        raise ValueError("label_map is bonedecimate.LabelMap(array, spacing=...) or a vtkImageData; an array alone is enough "
+        raise ValueError("label_map is bonedecimate.LabelMap(array, spacing=...) or an image; an array alone is enough "
                          "only with a surface of extract_surfaces, or a result that was made of one")
     return LabelMap.on(grid, label_map)
 

@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ImageFiles.h"
+
+#include "DataFile.h"
+#include "DeflatedStream.h"
+#include "ItkImage.h"
+#include "Options/Text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <iterator>
+#include <locale>
+#include <map>
+#include <sstream>
+#include <vector>
+#include <zlib.h>
+
+namespace bonedecimate::volume
+{
+namespace
+{
+/// Reads a file as niftilib does, compressed or not.
+class NiftiBytes
+{
+public:
+  explicit NiftiBytes(const std::string& path)
+    : File(gzopen(path.c_str(), "rb"))
+  {
+  }
+  ~NiftiBytes() { gzclose(this->File); }
+  NiftiBytes(const NiftiBytes&) = delete;
+  NiftiBytes& operator=(const NiftiBytes&) = delete;
+
+  /// From there on; fewer where the file ends.
+  const std::vector<unsigned char>& Read(std::uint64_t count)
+  {
+    this->Bytes.resize(count);
+    const int done = gzread(this->File, this->Bytes.data(), static_cast<unsigned int>(count));
+    this->Bytes.resize(static_cast<std::size_t>(std::max(done, 0)));
+    return this->Bytes;
+  }
+
+  bool GoTo(std::uint64_t position)
+  {
+    return gzseek(this->File, static_cast<z_off_t>(position), SEEK_SET) >= 0;
+  }
+
+  static constexpr std::uint64_t Piece = std::uint64_t(1) << 18;
+
+private:
+  gzFile File;
+  std::vector<unsigned char> Bytes;
+};
+
+/// The first bytes as they are in the file: niftilib replaces what it does not understand.
+class NiftiHeader
+{
+public:
+  explicit NiftiHeader(const std::string& path)
+    : Bytes(NiftiBytes(path).Read(Size))
+  {
+    this->IsSwapped = this->Bytes.size() == Size && this->At<std::int32_t>(0) != Size;
+  }
+
+  bool IsWhole() const { return this->Bytes.size() == Size && this->At<std::int32_t>(0) == Size; }
+
+  template <typename Number>
+  Number At(std::size_t position) const
+  {
+    unsigned char bytes[sizeof(Number)];
+    std::copy_n(this->Bytes.data() + position, sizeof(Number), bytes);
+    if (this->IsSwapped)
+    {
+      std::reverse(std::begin(bytes), std::end(bytes));
+    }
+    Number number;
+    std::memcpy(&number, bytes, sizeof(Number));
+    return number;
+  }
+
+  /// What is wrong with it, or an empty text.
+  std::string Problem() const
+  {
+    if (!this->IsWhole())
+    {
+      return "it is not a NIfTI-1 file";
+    }
+    for (const std::size_t position : { 80, 84, 88 })
+    {
+      const float spacing = this->At<float>(position);
+      if (!(spacing > 0.0F) || std::isinf(spacing))
+      {
+        return "its spacing is zero, negative or not a finite number";
+      }
+    }
+    // The unit of length is in the lowest three bits; 0 is unknown, 2 is mm.
+    const int unit = this->At<unsigned char>(123) & 7;
+    return unit == 0 || unit == 2 ? std::string() : "its unit is not mm";
+  }
+
+  std::uint64_t BeginOfVoxels() const
+  {
+    const float offset = this->At<float>(108);
+    return offset > Size && offset < 1e9F ? static_cast<std::uint64_t>(offset) : Size;
+  }
+
+private:
+  static constexpr int Size = 348;
+
+  std::vector<unsigned char> Bytes;
+  bool IsSwapped = false;
+};
+
+/// How far the first and the last voxel are from where the sform of the header has them, mm; 0 without one.
+double DistanceToSform(const NiftiHeader& header, const ItkHeader& read)
+{
+  double largest = 0.0;
+  for (std::size_t row = 0; header.At<std::int16_t>(254) > 0 && row < 3; ++row)
+  {
+    const double sign = row < 2 ? -1.0 : 1.0; // RAS to LPS
+    const auto sform = [&](std::size_t column)
+    { return sign * double(header.At<float>(280 + 16 * row + 4 * column)); };
+    double apart = sform(3) - read.Geometry.Origin[row];
+    double farther = apart;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double step = sform(axis) - read.Geometry.Steps[axis][row];
+      const double along = static_cast<double>(read.Size[axis] - 1) * step;
+      apart += std::min(along, 0.0);
+      farther += std::max(along, 0.0);
+    }
+    largest = std::max({ largest, std::abs(apart), std::abs(farther) });
+  }
+  return largest;
+}
+
+std::string PositionNote(const NiftiHeader& header, const ItkHeader& read)
+{
+  const auto& steps = read.Geometry.Steps;
+  const double spacing = std::min({ Length(steps[0]), Length(steps[1]), Length(steps[2]) });
+  const double distance = DistanceToSform(header, read);
+  if (distance <= 0.1 * spacing)
+  {
+    return std::string();
+  }
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "its sform and qform are up to " << distance
+       << " mm apart; positions are those of its qform";
+  return text.str();
+}
+
+/// How the voxels are stored, which is not always how they are read.
+struct StoredType
+{
+  std::size_t Bytes = 0;
+  bool IsFloatingPoint = false;
+};
+
+/// Of the types that the format numbers so and ITK reads.
+StoredType TypeOf(std::int64_t datatype)
+{
+  static const std::map<std::int64_t, StoredType> types{ { 2, { 1, false } }, { 4, { 2, false } },
+    { 8, { 4, false } }, { 16, { 4, true } }, { 64, { 8, true } }, { 256, { 1, false } },
+    { 512, { 2, false } }, { 768, { 4, false } }, { 1024, { 8, false } }, { 1280, { 8, false } } };
+  const auto found = types.find(datatype);
+  return found == types.end() ? StoredType() : found->second;
+}
+
+/// Whether all bits of the exponent are set.
+bool IsNotFinite(const unsigned char* number, std::size_t bytes, bool isBigEndian)
+{
+  const unsigned int high = number[isBigEndian ? 0 : bytes - 1];
+  const unsigned int low = number[isBigEndian ? 1 : bytes - 2];
+  const unsigned int exponent = bytes == 4 ? 0x7f80 : 0x7ff0;
+  return ((high << 8 | low) & exponent) == exponent;
+}
+
+/// Counts voxels that are no finite numbers, which niftilib takes for zeros.
+std::uint64_t CountNotFinite(
+  const std::string& path, std::uint64_t begin, std::uint64_t voxels, const StoredType& type)
+{
+  NiftiBytes file(path);
+  const bool isBigEndian = file.Read(1) == std::vector<unsigned char>{ 0 }; // of 348
+  std::uint64_t rest = file.GoTo(begin) ? voxels * type.Bytes : 0;
+  std::uint64_t count = 0;
+  while (rest > 0)
+  {
+    const std::vector<unsigned char>& bytes = file.Read(std::min(rest, NiftiBytes::Piece));
+    for (std::size_t i = 0; i + type.Bytes <= bytes.size(); i += type.Bytes)
+    {
+      count += IsNotFinite(bytes.data() + i, type.Bytes, isBigEndian) ? 1 : 0;
+    }
+    rest = bytes.empty() ? 0 : rest - bytes.size();
+  }
+  return count;
+}
+
+std::string VoxelsProblem(const NiftiHeader& header, const ItkHeader& read, const std::string& path)
+{
+  const StoredType type = TypeOf(header.At<std::int16_t>(70));
+  if (type.Bytes == 0)
+  {
+    return "the type of its voxels cannot be read";
+  }
+  const bool isCompressed = LowerCase(std::filesystem::path(path).extension().string()) == ".gz";
+  const std::uint64_t begin = header.BeginOfVoxels();
+  const std::uint64_t bytes = SizeOfFile(path);
+  const std::string problem = SizeProblem(read.Size, static_cast<int>(type.Bytes),
+    isCompressed ? bytes : bytes - std::min(bytes, begin), isCompressed);
+  const auto voxels = static_cast<std::uint64_t>(read.Size[0] * read.Size[1] * read.Size[2]);
+  if (problem.empty() && isCompressed &&
+    InflatedSize(path, 0, bytes).value_or(0) < begin + voxels * type.Bytes)
+  {
+    return DamagedVoxels;
+  }
+  const std::uint64_t notFinite =
+    problem.empty() && type.IsFloatingPoint ? CountNotFinite(path, begin, voxels, type) : 0;
+  return notFinite == 0 ? problem
+                        : std::to_string(notFinite) + " of its voxels are not finite numbers";
+}
+}
+
+Volume ReadNifti(const std::string& path)
+{
+  const NiftiHeader header(path);
+  const std::string inFile = header.Problem();
+  if (!inFile.empty())
+  {
+    return RejectedVolume(inFile);
+  }
+  ItkImage image(ItkImage::Format::Nifti, path);
+  const ItkHeader& read = image.GetHeader();
+  const std::string problem = FirstOf({ read.Problem, ComponentsProblem(read) });
+  const std::string ofVoxels = problem.empty() ? VoxelsProblem(header, read, path) : problem;
+  if (!ofVoxels.empty())
+  {
+    return RejectedVolume(ofVoxels);
+  }
+  Volume volume = image.ReadVolume();
+  volume.Note = PositionNote(header, read);
+  return volume;
+}
+}

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ImageFiles.h"
+
+#include "DataFile.h"
+#include "ItkImage.h"
+#include "Options/Text.h"
+#include "Segmentation.h"
+
+#include <NrrdIO.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+namespace bonedecimate::volume
+{
+namespace
+{
+/// A header with its data file open.
+class NrrdHeader
+{
+public:
+  explicit NrrdHeader(const std::string& path)
+  {
+    nrrdIoStateSet(this->State, nrrdIoStateSkipData, 1);
+    nrrdIoStateSet(this->State, nrrdIoStateKeepNrrdDataFileOpen, 1);
+    this->IsLoaded = nrrdLoad(this->Header, path.c_str(), this->State) == 0;
+    if (!this->IsLoaded)
+    {
+      std::free(biffGetDone(NRRD));
+    }
+  }
+
+  ~NrrdHeader()
+  {
+    if (this->State->dataFile)
+    {
+      std::fclose(this->State->dataFile);
+    }
+    nrrdIoStateNix(this->State);
+    nrrdNix(this->Header);
+  }
+
+  NrrdHeader(const NrrdHeader&) = delete;
+  NrrdHeader& operator=(const NrrdHeader&) = delete;
+
+  /// What of the format is not read, in words; empty if all is.
+  std::string Problem() const
+  {
+    if (!this->IsLoaded)
+    {
+      return "its header is damaged, or the file of its voxels is not there";
+    }
+    if (!this->State->dataFile)
+    {
+      return "its voxels lie in several files; save it as one .nrrd";
+    }
+    const auto spaces = { nrrdSpaceUnknown, nrrdSpaceRightAnteriorSuperior,
+      nrrdSpaceLeftAnteriorSuperior, nrrdSpaceLeftPosteriorSuperior, nrrdSpaceScannerXYZ,
+      nrrdSpace3DRightHanded };
+    const bool isKnown =
+      std::find(spaces.begin(), spaces.end(), this->Header->space) != spaces.end();
+    return isKnown && this->IsInMillimeters() ? std::string()
+                                              : "its space is not RAS, LAS or LPS in mm";
+  }
+
+  /// Of a header without a problem.
+  DataFile Data(const std::string& path) const
+  {
+    const std::string name = this->State->dataFNArr->len == 0
+      ? std::filesystem::path(path).filename().string()
+      : this->State->dataFN[0];
+    const long begin = std::max(std::ftell(this->State->dataFile), 0L);
+    return DataFileBeside(
+      path, name, static_cast<std::uint64_t>(begin), this->State->encoding->isCompression != 0);
+  }
+
+  /// ITK mirrors x of a file in LAS instead of y.
+  void CorrectSpace(VolumeGeometry& geometry) const
+  {
+    if (this->Header->space == nrrdSpaceLeftAnteriorSuperior)
+    {
+      for (Vector3* vector :
+        { &geometry.Origin, &geometry.Steps[0], &geometry.Steps[1], &geometry.Steps[2] })
+      {
+        (*vector)[0] = -(*vector)[0];
+        (*vector)[1] = -(*vector)[1];
+      }
+    }
+  }
+
+private:
+  bool IsInMillimeters() const
+  {
+    bool isMillimeter = true;
+    for (unsigned int i = 0; i < this->Header->spaceDim; ++i)
+    {
+      const char* const unit = this->Header->spaceUnits[i];
+      const std::string text = LowerCase(unit ? unit : "");
+      isMillimeter = isMillimeter &&
+        (text.empty() || text == "mm" || text == "millimeter" || text == "millimeters");
+    }
+    return isMillimeter;
+  }
+
+  Nrrd* Header = nrrdNew();
+  NrrdIoState* State = nrrdIoStateNew();
+  bool IsLoaded = false;
+};
+}
+
+Volume ReadNrrd(const std::string& path)
+{
+  const NrrdHeader nrrd(path);
+  if (!nrrd.Problem().empty())
+  {
+    return RejectedVolume(nrrd.Problem());
+  }
+  ItkImage image(ItkImage::Format::Nrrd, path);
+  const ItkHeader& header = image.GetHeader();
+  const std::vector<Segment> segments =
+    ReadSegments([&image](const std::string& key) { return image.GetText(key); });
+  const bool hasLayers = !segments.empty() && header.HasLayers;
+  const std::string problem =
+    FirstOf({ header.Problem, hasLayers ? std::string() : ComponentsProblem(header) });
+  const std::string dataProblem = problem.empty() ? DataProblem(header, nrrd.Data(path)) : problem;
+  if (!dataProblem.empty())
+  {
+    return RejectedVolume(dataProblem);
+  }
+  Volume volume = image.ReadVolume();
+  nrrd.CorrectSpace(volume.Geometry);
+  volume.Segments = segments;
+  return volume.Image && hasLayers ? CombinedLayers(volume) : volume;
+}
+}

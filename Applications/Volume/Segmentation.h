@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Segmentation.h
+ * @brief What a .seg.nrrd of 3D Slicer says about its segments, and overlapping segments as one label map.
+ */
+#ifndef BoneDecimate_Applications_Segmentation_h
+#define BoneDecimate_Applications_Segmentation_h
+
+#include "Volume.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace bonedecimate::volume
+{
+/// @param textOf The text of a key of the header, empty if it is not there: "Segment0_Name" and so on.
+std::vector<Segment> ReadSegments(const std::function<std::string(const std::string&)>& textOf);
+
+/**
+ * Makes one label map of a volume whose voxels have a value for each layer. Of several segments the last one
+ * counts, as when 3D Slicer exports them to a label map. If labels repeat, the segments get the
+ * labels from 1 on. A note says both.
+ */
+Volume CombinedLayers(const Volume& layers);
+}
+
+#endif

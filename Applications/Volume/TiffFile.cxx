@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ImageFiles.h"
+
+#include "DataFile.h"
+#include "ItkImage.h"
+#include "TiffFolder.h"
+
+#include "vtkDataArray.h"
+
+#include <cstdarg>
+#include <cstdint>
+#include <filesystem>
+#include <tiffio.h>
+
+namespace bonedecimate::volume
+{
+namespace
+{
+/// Notes errors of libtiff, after which ITK may go on with fewer pages or rows.
+class TiffErrors
+{
+public:
+  TiffErrors()
+  {
+    HasError = false;
+    TIFFSetWarningHandler(nullptr);
+    TIFFSetErrorHandler(&TiffErrors::Note);
+  }
+
+  static bool HasError;
+
+private:
+  static void Note(const char*, const char*, va_list) { HasError = true; }
+};
+
+bool TiffErrors::HasError = false;
+
+/// ITK reads all pages with the size of the first one.
+std::string PagesProblem(const std::string& path)
+{
+  TIFF* const file = TIFFOpen(path.c_str(), "r");
+  if (!file)
+  {
+    return "it is not a TIFF file";
+  }
+  std::array<std::uint32_t, 2> first{};
+  bool isEven = true;
+  int page = 0;
+  do
+  {
+    std::array<std::uint32_t, 2> size{};
+    TIFFGetField(file, TIFFTAG_IMAGEWIDTH, &size[0]);
+    TIFFGetField(file, TIFFTAG_IMAGELENGTH, &size[1]);
+    first = page++ == 0 ? size : first;
+    isEven = isEven && size == first;
+  } while (TIFFReadDirectory(file));
+  TIFFClose(file);
+  return TiffErrors::HasError ? "it is truncated or damaged"
+    : isEven                  ? std::string()
+                              : "its pages are not all of one size";
+}
+
+VolumeGeometry GeometryOf(const Vector3& spacing)
+{
+  VolumeGeometry geometry;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    geometry.Steps[axis][axis] = spacing[axis];
+  }
+  return geometry;
+}
+
+/// Appends the voxels of a slice. Returns what went wrong, or an empty text.
+std::string ReadSlice(const std::string& path, const ItkHeader& first, char* values)
+{
+  const std::string pages = PagesProblem(path);
+  ItkImage slice(ItkImage::Format::Tiff, path, 2);
+  const ItkHeader& header = slice.GetHeader();
+  const std::string problem = pages.empty() ? header.Problem : pages;
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  if (header.Size != first.Size || header.ScalarType != first.ScalarType ||
+    header.Components != first.Components)
+  {
+    return "its size or type of voxels is not that of the first slice";
+  }
+  return slice.ReadVoxels(values) && !TiffErrors::HasError ? std::string() : DamagedVoxels;
+}
+}
+
+Volume ReadTiff(const std::string& path, const Vector3& spacing)
+{
+  const TiffErrors errors;
+  const std::string pages = PagesProblem(path);
+  ItkImage image(ItkImage::Format::Tiff, path);
+  const ItkHeader& header = image.GetHeader();
+  const std::string problem = FirstOf({ pages, header.Problem, ComponentsProblem(header) });
+  const std::string size =
+    problem.empty() ? SizeProblem(header.Size, 1, SizeOfFile(path), true) : problem;
+  if (!size.empty())
+  {
+    return RejectedVolume(size);
+  }
+  Volume volume = image.ReadVolume();
+  volume.Geometry = GeometryOf(spacing);
+  return TiffErrors::HasError ? RejectedVolume(DamagedVoxels) : volume;
+}
+
+Volume ReadTiffSlices(const std::string& folder, const Vector3& spacing)
+{
+  const TiffErrors errors;
+  const TiffSlices slices = FindTiffSlices(folder);
+  if (!slices.Problem.empty())
+  {
+    return RejectedVolume(slices.Problem);
+  }
+  const ItkHeader first = ItkImage(ItkImage::Format::Tiff, slices.Files.front(), 2).GetHeader();
+  std::array<std::int64_t, 3> size = first.Size;
+  size[2] = static_cast<std::int64_t>(slices.Files.size());
+  std::uint64_t bytes = 0;
+  for (const std::string& file : slices.Files)
+  {
+    bytes += SizeOfFile(file);
+  }
+  const std::string problem = FirstOf({ first.Problem, ComponentsProblem(first) });
+  const std::string sizeProblem = problem.empty() ? SizeProblem(size, 1, bytes, true) : problem;
+  if (!sizeProblem.empty())
+  {
+    return RejectedVolume(sizeProblem);
+  }
+  Volume volume;
+  volume.Geometry = GeometryOf(spacing);
+  volume.Image = AllocateImage(size, first.ScalarType);
+  char* values = static_cast<char*>(volume.Image->GetScalarPointer());
+  for (const std::string& file : slices.Files)
+  {
+    const std::string damage = ReadSlice(file, first, values);
+    if (!damage.empty())
+    {
+      return RejectedVolume(std::filesystem::path(file).filename().string() + ": " + damage);
+    }
+    values += size[0] * size[1] * volume.Image->GetScalarSize();
+  }
+  return volume;
+}
+}

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TiffFolder.h"
+
+#include "Options/Text.h"
+#include "TextNumbers.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+namespace bonedecimate::volume
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/// Reads numbers of a TIFF file in its byte order; 0 beyond its end.
+class TiffNumbers
+{
+public:
+  explicit TiffNumbers(const std::string& path)
+    : File(path, std::ios::binary)
+  {
+    char order = 0;
+    this->File.get(order);
+    this->IsBigEndian = order == 'M';
+  }
+
+  std::uint64_t At(std::uint64_t position, int bytes)
+  {
+    std::uint64_t number = 0;
+    this->File.clear();
+    this->File.seekg(static_cast<std::streamoff>(position));
+    for (int i = 0; i < bytes; ++i)
+    {
+      const int byte = this->File.get();
+      this->IsTruncated = this->IsTruncated || byte < 0;
+      const auto part = static_cast<std::uint64_t>(byte < 0 ? 0 : byte);
+      number = this->IsBigEndian ? number << 8 | part : number | part << 8 * i;
+    }
+    return number;
+  }
+
+  bool IsTruncated = false; ///< A number was beyond the end.
+
+private:
+  std::ifstream File;
+  bool IsBigEndian = false;
+};
+
+std::vector<fs::path> VisibleFiles(const std::string& folder)
+{
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+  {
+    if (entry.is_regular_file(error) && entry.path().filename().string()[0] != '.')
+    {
+      files.push_back(entry.path());
+    }
+  }
+  // The system lists files in any order.
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<fs::path> TiffFiles(const std::string& folder)
+{
+  std::vector<fs::path> files = VisibleFiles(folder);
+  files.erase(std::remove_if(files.begin(), files.end(),
+                [](const fs::path& file) { return !IsNamedLikeTiff(file.string()); }),
+    files.end());
+  return files;
+}
+
+/// How many characters all names have in common at their beginning.
+std::size_t CommonBeginning(const std::vector<std::string>& names)
+{
+  std::size_t common = names.front().size();
+  for (const std::string& name : names)
+  {
+    const auto end = std::mismatch(name.begin(),
+      name.begin() + static_cast<std::ptrdiff_t>(std::min(common, name.size())),
+      names.front().begin());
+    common = static_cast<std::size_t>(end.first - name.begin());
+  }
+  return common;
+}
+
+/// What differs between the names, as numbers; nothing where it is none.
+std::vector<std::optional<std::int64_t>> NumbersOf(std::vector<std::string> names)
+{
+  const std::size_t beginning = CommonBeginning(names);
+  for (std::string& name : names)
+  {
+    name.erase(0, beginning);
+    std::reverse(name.begin(), name.end());
+  }
+  const std::size_t end = CommonBeginning(names);
+  std::vector<std::optional<std::int64_t>> numbers;
+  for (std::string& name : names)
+  {
+    name.erase(0, end);
+    std::reverse(name.begin(), name.end());
+    numbers.push_back(ParseWholeNumber(name));
+  }
+  return numbers;
+}
+}
+
+bool IsNamedLikeTiff(const std::string& path)
+{
+  const std::string extension = LowerCase(fs::path(path).extension().string());
+  return extension == ".tif" || extension == ".tiff";
+}
+
+bool IsTiffPicture(const std::string& path)
+{
+  TiffNumbers numbers(path);
+  const bool isBig = numbers.At(2, 2) == 43;
+  if (!isBig && numbers.At(2, 2) != 42)
+  {
+    return false;
+  }
+  // The first directory: a count, its entries, and the position of the next directory.
+  const std::uint64_t directory = isBig ? numbers.At(8, 8) : numbers.At(4, 4);
+  const std::uint64_t entries = numbers.At(directory, isBig ? 8 : 2);
+  const std::uint64_t next = isBig ? directory + 8 + 20 * entries : directory + 2 + 12 * entries;
+  return numbers.At(next, isBig ? 8 : 4) == 0 && !numbers.IsTruncated;
+}
+
+bool HoldsTiffSlices(const std::string& folder)
+{
+  const std::vector<fs::path> files = TiffFiles(folder);
+  return files.size() >= 2 && 2 * files.size() > VisibleFiles(folder).size() &&
+    IsTiffPicture(files.front().string());
+}
+
+TiffSlices FindTiffSlices(const std::string& folder)
+{
+  const std::vector<fs::path> files = TiffFiles(folder);
+  std::vector<std::string> names;
+  for (const fs::path& file : files)
+  {
+    names.push_back(file.filename().string());
+  }
+  const auto numbers = NumbersOf(names);
+  std::vector<std::pair<std::int64_t, std::string>> ordered;
+  TiffSlices slices;
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    if (!numbers[i])
+    {
+      slices.Problem = "the order of its slices is not known, because the name " + names[i] +
+        " differs from the others by more than a number";
+      return slices;
+    }
+    ordered.emplace_back(*numbers[i], files[i].string());
+  }
+  std::sort(ordered.begin(), ordered.end());
+  for (std::size_t i = 0; i < ordered.size(); ++i)
+  {
+    slices.Files.push_back(ordered[i].second);
+    const bool isNext =
+      i < 2 || ordered[i].first - ordered[i - 1].first == ordered[1].first - ordered[0].first;
+    if (!isNext || (i > 0 && ordered[i].first == ordered[i - 1].first))
+    {
+      slices.Problem = "the numbers in the names of its slices are not evenly spaced: one before " +
+        fs::path(ordered[i].second).filename().string() + " is missing or there twice";
+    }
+  }
+  return slices;
+}
+}
