@@ -49,6 +49,8 @@ EXTRACTION_TESTS = "*LabelSurfaces*:*NoiseSurfaces*:*Cells*:SingleLabel*"
 GUARD_TESTS = "VoxelPatches*:ColumnCrossings*:FixedPoints*:*EachMap*:KeepVoxelsOption*"
 CHECK_TESTS = "VoxelChecks*:*EachMap*:KeepVoxelsOption*"
 
+BATCH = "Filters/Core/Schedule/BatchSweep.cxx"
+BATCH_TESTS = "BatchSweep*"
 DRAFT_TESTS = "Draft*:EditJournal*:FaceHistory*:EditReplay*:BulkProof*"
 REPLAY_TESTS = DRAFT_TESTS + ":*IntersectionGuard*"
 CERTIFICATE_TESTS = "OverlayCover*:Certificate*:ResultProof*"
@@ -76,7 +78,7 @@ MUTANTS = (
     Mutant("half of a piece is forgotten", FOLDER + "CommonFaceProof.cxx",
            "  this->Open.push_back(piece);\n  this->Open.back()[edge] = middle;\n", ""),
     Mutant("the faces that cover an original are not stored", FOLDER + "CommitProof.cxx",
-           "coverage.Add(item.Id, coverings[i]);", "(void)coverings;"),
+           "coverage.Add(item.Id, newElements[i]);", "(void)newElements;"),
     Mutant("an even number of layers is a cover", FOLDER + "PlaneCover.h", "return this->IsOdd;", "return true;"),
     Mutant("a boundary over the face is allowed", FOLDER + "PlaneCover.cxx", "return twin != None;", "return true;"),
     Mutant("any distance from the face is allowed", FOLDER + "PlaneCover.cxx",
@@ -88,6 +90,21 @@ MUTANTS = (
            ""),
     Mutant("points that become one in single precision stay where they are", "Filters/Core/Stages/DistinctPositions.cxx",
            "            later.push_back(v);\n", "            (void)v;\n"),
+    of_draft("overlapping edits of a batch are applied", BATCH,
+             "return std::all_of(this->Changed.begin(), this->Changed.end(), isApart) &&\n    this->MeshEditor", "return this->MeshEditor",
+             BATCH_TESTS),
+    of_draft("edits of a batch are applied within the reach of others", BATCH, "this->MeshEditor.Reach(candidate.Space)", "0.0",
+             BATCH_TESTS),
+    of_draft("filters are not asked again when an edit of a batch is applied", BATCH, " &&\n    this->MeshEditor.StillAccepts(candidate.Space);",
+             ";", BATCH_TESTS),
+    of_draft("the coverage that an edit of a batch read may have changed", FOLDER + "CommitProof.cxx",
+             "coverage.VersionOf(item.Id) == item.Version;", "coverage.VersionOf(item.Id) != item.Version + 99;", BATCH_TESTS),
+    of_draft("the versions of a coverage do not count what is added", FOLDER + "Coverage.h",
+             "store(covering, std::memory_order_relaxed);\n    ++this->Versions[item];", "store(covering, std::memory_order_relaxed);\n    --this->Versions[item];",
+             BATCH_TESTS),
+    of_draft("fragments lose the volume of each edit of a batch alone", "Filters/Core/EditFilters/FragmentGuard.cxx",
+             "return this->Screen(mesh, edit, pending).IsAccepted();", "return this->Screen(mesh, edit, pending).IsAccepted() || edit.Workers == 1;",
+             BATCH_TESTS),
     of_draft("an edit of a draft is undone without those that depend on it", "Filters/Core/EditFilters/EditJournal.cxx",
              "          open.push_back(later);\n", ""),
     of_draft("an edit of a draft is undone without those that depend on it through others",

@@ -6,6 +6,8 @@
 #include "PatchRules.h"
 #include "RingQuadrics.h"
 
+#include <algorithm>
+
 namespace bonedecimate
 {
 namespace
@@ -66,7 +68,18 @@ Decision Editor::Collapse(const Edit& edit)
 }
 
 //------------------------------------------------------------------------------
-Decision Editor::Collapse(const Edit& requested, Workspace& work, int workers)
+Decision Editor::Collapse(const Edit& edit, Workspace& work, int workers)
+{
+  const Decision decision = this->CheckCollapse(edit, work, workers);
+  if (decision.IsAccepted())
+  {
+    this->ApplyCollapse(work);
+  }
+  return decision;
+}
+
+//------------------------------------------------------------------------------
+Decision Editor::CheckCollapse(const Edit& requested, Workspace& work, int workers) const
 {
   Edit edit = requested;
   edit.Position = edit.KeepStays ? edit.Position : this->Rounded(edit.Position);
@@ -93,11 +106,13 @@ Decision Editor::Collapse(const Edit& requested, Workspace& work, int workers)
   {
     proposed.Change.FillCollapse(this->Half, work.Around, edit);
   }
-  const Decision decision = this->RunFilters(work);
-  if (!decision.IsAccepted())
-  {
-    return Count(decision, work);
-  }
+  return Count(this->RunFilters(work), work);
+}
+
+//------------------------------------------------------------------------------
+void Editor::ApplyCollapse(Workspace& work)
+{
+  const Edit edit = work.Proposed.Requested;
   const VertexId gone = this->Half.Across(edit.Edge, edit.Keep);
   const Vector3 origin = this->Half.Position(work.Around.Start);
   this->ChangeMesh(edit, work);
@@ -107,7 +122,28 @@ Decision Editor::Collapse(const Edit& requested, Workspace& work, int workers)
     ExchangeRingQuadrics(this->Half, work.Around, edit.Keep, origin, work.Faces.Current());
   }
   this->UpdateBookkeeping(edit, gone, work);
-  return Decision::Accept();
+}
+
+//------------------------------------------------------------------------------
+double Editor::Reach(const Workspace& work) const
+{
+  double reach = 0.0;
+  for (std::size_t i = 0; i < this->Filters.size(); ++i)
+  {
+    reach = std::max(reach, this->Filters[i]->Reach(*work.Pending[i]));
+  }
+  return reach;
+}
+
+//------------------------------------------------------------------------------
+bool Editor::StillAccepts(Workspace& work) const
+{
+  bool accepts = true;
+  for (std::size_t i = 0; i < this->Filters.size() && accepts; ++i)
+  {
+    accepts = this->Filters[i]->StillAccepts(this->Half, work.Proposed, *work.Pending[i]);
+  }
+  return accepts;
 }
 
 //------------------------------------------------------------------------------

@@ -17,8 +17,8 @@
  * The rules of a kind of edit are the same in every mode; EditorSettings.h says which bookkeeping is done. Flips and moves remove
  * nothing: they have rules of
  * their own and leave areas, quadrics, origins and counts as they are. Workers with a workspace each may apply edits at
- * the same time as long as their neighborhoods have no vertex in common; Settle adds their counts to those of the editor, in an
- * order that does not depend on the threads.
+ * the same time as long as their neighborhoods have no vertex in common, or check edits at the same time that one of them
+ * applies afterwards. Settle adds their counts to those of the editor, in an order that does not depend on the threads.
  */
 #ifndef BoneDecimate_Core_Edit_Editor_h
 #define BoneDecimate_Core_Edit_Editor_h
@@ -91,6 +91,15 @@ public:
   /// rejections are counted.
   Decision Collapse(const Edit& edit);
   Decision Collapse(const Edit& edit, Workspace& work, int workers);
+
+  /// The two halves of Collapse: rules and filters, which change nothing but the workspace, and then the change. Several edits may be
+  /// checked at the same time if no vertex is an end of two of them, and applied one after the other: an accepted one if
+  /// no face within Reach has changed since, and StillAccepts.
+  Decision CheckCollapse(const Edit& edit, Workspace& work, int workers) const;
+  void ApplyCollapse(Workspace& work);
+  /// mm, around the faces that the edit checked last changes.
+  double Reach(const Workspace& work) const;
+  bool StillAccepts(Workspace& work) const;
 
   /// Collapses one edge of a feature curve in all manifold patches at it, onto the end that does not move: all or none. No
   /// other worker may be active.

@@ -7,6 +7,8 @@
  *     for each filter:   Screen    cheap
  *     for each filter:   Check     costly
  *     the first decision other than accepted ends this, and nothing has changed
+ *     if other edits were committed meanwhile, none of them within Reach:
+ *     for each filter:   StillAccepts
  *     the editor changes the mesh
  *     for each filter:   Commit
  *     later:             Settle    one worker's commits, or those of workers that worked at the same time
@@ -15,7 +17,8 @@
  * Check.
  *
  * Several workers call Screen, Check and Commit at the same time, each with a Pending of its own and on a part of the mesh of
- * its own. A filter that would have to read another part defers the edit.
+ * its own. A filter that would have to read another part defers the edit. Or several edits are checked at the same time, each with a
+ * Pending of its own and the whole mesh as its part, and committed afterwards, one after the other: Schedule/BatchSweep.h.
  */
 #ifndef BoneDecimate_Core_EditFilters_EditFilter_h
 #define BoneDecimate_Core_EditFilters_EditFilter_h
@@ -58,6 +61,16 @@ public:
     const HalfEdgeMesh& /*mesh*/, const ProposedEdit& /*edit*/, Pending& /*pending*/) const
   {
     return Decision::Accept();
+  }
+
+  /// mm, after Check: what lies farther away from the faces that the edit changes has no influence on the decision.
+  virtual double Reach(const Pending& /*pending*/) const { return 0.0; }
+
+  /// Whether the edit that was checked last is still accepted after others were committed that changed no face within Reach.
+  virtual bool StillAccepts(
+    const HalfEdgeMesh& /*mesh*/, const ProposedEdit& /*edit*/, Pending& /*pending*/) const
+  {
+    return true;
   }
 
   /// Records the edit that all filters accepted.  @param mesh After the edit.  @param tally Of the worker.

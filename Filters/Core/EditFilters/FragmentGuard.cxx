@@ -144,6 +144,13 @@ Decision FragmentGuard::Screen(
 }
 
 //------------------------------------------------------------------------------
+bool FragmentGuard::StillAccepts(
+  const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const
+{
+  return this->Screen(mesh, edit, pending).IsAccepted();
+}
+
+//------------------------------------------------------------------------------
 void FragmentGuard::Commit(
   const HalfEdgeMesh&, const ProposedEdit& edit, EditFilter::Pending& pending, Tally& tally)
 {

@@ -25,6 +25,9 @@ public:
   std::shared_ptr<EditFilter::Pending> MakePending() override;
   Decision Screen(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
     EditFilter::Pending& pending) const override;
+  /// With the volume that the other edits left.
+  bool StillAccepts(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
+    EditFilter::Pending& pending) const override;
   void Commit(const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending,
     Tally& tally) override;
   void Settle(Tally* tallies, std::size_t count) override;

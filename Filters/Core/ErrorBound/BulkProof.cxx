@@ -131,8 +131,8 @@ void BulkProof::ProveFaces()
   ForEachChunk(this->IsChanged.size(), this->Threads, {},
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      const std::shared_ptr<EditFilter::Pending> prover = this->Shared.MakePending();
-      FaceProof& proof = static_cast<Prover&>(*prover).Back;
+      const std::shared_ptr<Prover> prover = this->Shared.BorrowProver();
+      FaceProof& proof = prover->Back;
       for (std::size_t i = first; i < last; ++i)
       {
         const FaceId face = static_cast<Index>(i);

@@ -1,46 +1,30 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a Prover records when the edit that it proved last has been applied.
-#include "Prover.h"
+// What an ErrorBound records when an edit that it proved has been applied.
+#include "EditProof.h"
+#include "ErrorBound.h"
+
+#include <algorithm>
 
 namespace bonedecimate
 {
-void Prover::Commit(const SurfaceChange& change)
+namespace
 {
-  this->Change = &change;
-  if (this->Change->Moved != None)
-  {
-    this->Shared.Nearest[this->Change->Moved] = this->MovedCorner.Nearest;
-  }
-  this->NewElements.clear();
-  for (const SurfaceChange::Face& face : this->Change->NewFaces)
-  {
-    this->NewElements.push_back(face.Id);
-  }
-  Commit(this->Shared.ByFaces, this->Change->OldFaces, this->Items, this->NewElements);
-  if (!this->Change->NewBoundary.empty() && !this->Change->BoundaryStays &&
-    this->Change->Moved != None)
-  {
-    this->Shared.NearestBoundary[this->Change->Moved] = this->BoundaryHint;
-  }
-  this->NewElements.clear();
-  for (const SurfaceChange::BoundaryEdge& edge : this->Change->NewBoundary)
-  {
-    this->NewElements.push_back(edge.Id);
-  }
-  Commit(
-    this->Shared.ByBoundaries, this->Change->OldBoundary, this->BoundaryItems, this->NewElements);
+bool IsAsProved(const Coverage& coverage, const std::vector<CoveredItem>& items)
+{
+  return std::all_of(items.begin(), items.end(),
+    [&](const CoveredItem& item) { return coverage.VersionOf(item.Id) == item.Version; });
 }
 
-//------------------------------------------------------------------------------
-void Prover::Commit(Coverage& coverage, const std::vector<Index>& gone, SparseSet<Item>& items,
-  const std::vector<Index>& coverings)
+/// @param gone Covering elements that are replaced by the new ones.
+void Replace(Coverage& coverage, const std::vector<Index>& gone,
+  const std::vector<CoveredItem>& items, const std::vector<Index>& newElements)
 {
   for (const Index covering : gone)
   {
     coverage.Forget(covering);
   }
-  for (const Item& item : items)
+  for (const CoveredItem& item : items)
   {
     for (int slot = 0; slot < Coverage::SlotsPerItem; ++slot)
     {
@@ -49,13 +33,51 @@ void Prover::Commit(Coverage& coverage, const std::vector<Index>& gone, SparseSe
         coverage.Free(item.Id, slot);
       }
     }
-    for (std::size_t i = 0; i < coverings.size(); ++i)
+    for (std::size_t i = 0; i < newElements.size(); ++i)
     {
       if ((item.Used >> i & 1) != 0)
       {
-        coverage.Add(item.Id, coverings[i]);
+        coverage.Add(item.Id, newElements[i]);
       }
     }
   }
+}
+}
+
+//------------------------------------------------------------------------------
+bool ErrorBound::StillAccepts(
+  const HalfEdgeMesh&, const ProposedEdit&, EditFilter::Pending& pending) const
+{
+  const EditProof& proof = static_cast<const EditProof&>(pending);
+  return IsAsProved(this->ByFaces, proof.Items) &&
+    IsAsProved(this->ByBoundaries, proof.BoundaryItems);
+}
+
+//------------------------------------------------------------------------------
+void ErrorBound::Commit(
+  const HalfEdgeMesh&, const ProposedEdit& edit, EditFilter::Pending& pending, Tally&)
+{
+  EditProof& proof = static_cast<EditProof&>(pending);
+  const SurfaceChange& change = edit.Change;
+  if (change.Moved != None)
+  {
+    this->Nearest[change.Moved] = proof.Nearest;
+  }
+  proof.NewElements.clear();
+  for (const SurfaceChange::Face& face : change.NewFaces)
+  {
+    proof.NewElements.push_back(face.Id);
+  }
+  Replace(this->ByFaces, change.OldFaces, proof.Items, proof.NewElements);
+  if (!change.NewBoundary.empty() && !change.BoundaryStays && change.Moved != None)
+  {
+    this->NearestBoundary[change.Moved] = proof.NearestBoundary;
+  }
+  proof.NewElements.clear();
+  for (const SurfaceChange::BoundaryEdge& edge : change.NewBoundary)
+  {
+    proof.NewElements.push_back(edge.Id);
+  }
+  Replace(this->ByBoundaries, change.OldBoundary, proof.BoundaryItems, proof.NewElements);
 }
 }

@@ -7,7 +7,7 @@
  * An item is an original triangle, a covering element a current face that proves a part of it; the same class stores
  * boundary edges of both meshes. An item has eight slots, one cache line. The slots of one covering element form a linked
  * list. A worker may change an item only if its range contains all covering elements of the item, so it never changes the
- * list of another worker.
+ * list of another worker. The version of an item tells whether its slots have changed since it was read.
  */
 #ifndef BoneDecimate_Core_ErrorBound_Coverage_h
 #define BoneDecimate_Core_ErrorBound_Coverage_h
@@ -26,10 +26,13 @@ class Coverage
 {
 public:
   static constexpr int SlotsPerItem = 8;
+  /// Counts changes. An edit changes an item at most 16 times, and a version is compared before the next edit of that item.
+  using Version = std::uint8_t;
 
   /// Initially, no item is covered.
   Coverage(Index items, Index coverings)
     : Items(static_cast<std::size_t>(items))
+    , Versions(Items.size(), 0)
     , Firsts(static_cast<std::size_t>(coverings), NoSlot)
   {
   }
@@ -50,11 +53,15 @@ public:
     return this->Items[item][slot].CoveringElement.load(std::memory_order_relaxed);
   }
 
+  /// Read only by the worker that may change the item.
+  Version VersionOf(Index item) const { return this->Versions[item]; }
+
   /// Clears the list of the covering element; the caller must call Free for its items.
   void Forget(Index covering) { this->Firsts[covering] = NoSlot; }
   void Free(Index item, int slot)
   {
     this->Items[item][slot].CoveringElement.store(None, std::memory_order_relaxed);
+    ++this->Versions[item];
   }
 
   /// There must be a free slot.
@@ -66,6 +73,7 @@ public:
       ++slot;
     }
     this->Items[item][slot].CoveringElement.store(covering, std::memory_order_relaxed);
+    ++this->Versions[item];
     this->Items[item][slot].Next = this->Firsts[covering];
     this->Firsts[covering] = static_cast<SlotId>(item) * SlotsPerItem + static_cast<SlotId>(slot);
   }
@@ -82,6 +90,7 @@ private:
   const Entry& Slot(SlotId s) const { return this->Items[s / SlotsPerItem][s % SlotsPerItem]; }
 
   std::vector<std::array<Entry, SlotsPerItem>> Items;
+  std::vector<Version> Versions; // of each item
   std::vector<SlotId> Firsts; // of each covering element
 };
 }

@@ -50,21 +50,22 @@ ErrorBound::ErrorBound(
 ErrorBound::~ErrorBound() = default;
 
 //------------------------------------------------------------------------------
-std::shared_ptr<EditFilter::Pending> ErrorBound::MakePending()
+std::shared_ptr<Prover> ErrorBound::BorrowProver() const
 {
   return this->Provers.Borrow([this] { return std::make_unique<Prover>(*this); });
 }
 
 //------------------------------------------------------------------------------
-Decision ErrorBound::Check(
-  const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending) const
+std::shared_ptr<EditFilter::Pending> ErrorBound::MakePending()
 {
-  return static_cast<Prover&>(pending).Prove(mesh, edit.Change, edit.Range);
+  return std::make_shared<EditProof>();
 }
 
 //------------------------------------------------------------------------------
-void ErrorBound::Commit(const HalfEdgeMesh&, const ProposedEdit& edit, Pending& pending, Tally&)
+Decision ErrorBound::Check(
+  const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const
 {
-  static_cast<Prover&>(pending).Commit(edit.Change);
+  return this->BorrowProver()->Prove(
+    mesh, edit.Change, edit.Range, static_cast<EditProof&>(pending));
 }
 }

@@ -59,10 +59,12 @@ public:
     const HalfEdgeMesh& atFirst, const BoundingTree& tree, const ErrorBoundSettings& settings);
   ~ErrorBound() override;
 
-  /// A prover for one worker, reused when it is released: its memory is in proportion to the mesh.
   std::shared_ptr<Pending> MakePending() override;
   bool NeedsSurfaceChange() const override { return true; }
   Decision Check(
+    const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending) const override;
+  /// Whether the coverage of all items is that of the proof.
+  bool StillAccepts(
     const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending) const override;
   void Commit(
     const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending, Tally& tally) override;
@@ -80,6 +82,9 @@ private:
   friend class DraftFilter;
   friend class Prover;
 
+  /// For one worker; its memory is in proportion to the mesh.
+  std::shared_ptr<Prover> BorrowProver() const;
+
   const HalfEdgeMesh& Source;
   const BoundingTree& Tree;
   ErrorBoundSettings Settings;
@@ -91,8 +96,8 @@ private:
   std::vector<Index> Nearest;         // of each vertex of the mesh: an original triangle near it
   /// Originals that could not be proved, the last one first.
   using Witness = std::array<Index, 4>;
-  std::vector<Witness> Witnesses; // of each vertex
-  WorkspacePool<Prover> Provers;
+  mutable std::vector<Witness> Witnesses; // of each vertex; checks write those of the ends of their edit
+  mutable WorkspacePool<Prover> Provers;
 };
 }
 

@@ -26,7 +26,7 @@ bool FaceIsInRange(const HalfEdgeMesh& mesh, FaceId face, VertexRange range)
 }
 }
 
-Prover::Prover(ErrorBound& bound)
+Prover::Prover(const ErrorBound& bound)
   : Shared(bound)
   , Items(bound.Source.NumberOfFaceSlots())
   , BoundaryItems(static_cast<Index>(bound.Boundaries.Count()))
@@ -36,7 +36,8 @@ Prover::Prover(ErrorBound& bound)
 }
 
 //------------------------------------------------------------------------------
-Decision Prover::Prove(const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range)
+Decision Prover::Prove(
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range, EditProof& proof)
 {
   this->Change = &change;
   if (change.NewFaces.size() > MostNewFaces || !this->MovedVertexIsNear())
@@ -56,7 +57,26 @@ Decision Prover::Prove(const HalfEdgeMesh& mesh, const SurfaceChange& change, Ve
   }
   const bool isProved =
     this->BoundaryIsNear(mesh) && this->OriginalsAreNear(mesh) && this->NewFacesAreNear();
-  return isProved ? Rejection::NotRejected : Rejection::ErrorBound;
+  if (!isProved)
+  {
+    return Rejection::ErrorBound;
+  }
+  Copy(this->Shared.ByFaces, this->Items, proof.Items);
+  Copy(this->Shared.ByBoundaries, this->BoundaryItems, proof.BoundaryItems);
+  proof.Nearest = this->MovedCorner.Nearest;
+  proof.NearestBoundary = this->BoundaryHint;
+  return Decision::Accept();
+}
+
+//------------------------------------------------------------------------------
+void Prover::Copy(
+  const Coverage& coverage, const SparseSet<Item>& items, std::vector<Item>& copies)
+{
+  copies.assign(items.begin(), items.end());
+  for (Item& item : copies)
+  {
+    item.Version = coverage.VersionOf(item.Id);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -115,6 +135,10 @@ bool Prover::AreInRange(
 //------------------------------------------------------------------------------
 bool Prover::AreInRange(const HalfEdgeMesh& mesh, VertexRange range) const
 {
+  if (range.HasAll(mesh.NumberOfVertexSlots()))
+  {
+    return true;
+  }
   return AreInRange(this->Shared.ByFaces, this->Items,
            [&](FaceId face) { return FaceIsInRange(mesh, face, range); }) &&
     AreInRange(this->Shared.ByBoundaries, this->BoundaryItems,

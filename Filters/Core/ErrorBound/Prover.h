@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Prover.h
- * @brief Proves one edit after another for one worker: the steps of ErrorBound.h.
+ * @brief Proves one edit after another for one worker: the steps of ErrorBound.h. Changes nothing but the witnesses of the ends.
  */
 #ifndef BoneDecimate_Core_ErrorBound_Prover_h
 #define BoneDecimate_Core_ErrorBound_Prover_h
 
 #include "BoundaryProof.h"
 #include "CommonFaceProof.h"
-#include "EditFilters/EditFilter.h"
+#include "EditProof.h"
 #include "ErrorBound.h"
 #include "FaceProof.h"
 #include "Mesh/VertexRange.h"
@@ -18,28 +18,21 @@
 
 namespace bonedecimate
 {
-/// Keeps the proof of the edit that was proved last until it is committed.
-class Prover : public EditFilter::Pending
+class Prover
 {
 public:
-  explicit Prover(ErrorBound& bound);
+  explicit Prover(const ErrorBound& bound);
 
   /// @param mesh Before the edit.  @param range What may be read and written. Deferred: what would have to be proved again is
-  /// proved outside of the range, too.
-  Decision Prove(const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range);
-  /// @param change The one proved last, which has been applied.
-  void Commit(const SurfaceChange& change);
+  /// proved outside of the range, too.  @param proof Of an accepted edit.
+  Decision Prove(
+    const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range, EditProof& proof);
 
 private:
   friend class BulkProof;
 
   using Faces = CommonFaceProof::Faces;
-  struct Item
-  {
-    Index Id;
-    std::uint32_t Gone; // bits of its slots whose covering elements change
-    Faces Used = 0;     // of the new faces, those that prove it
-  };
+  using Item = CoveredItem;
   struct Point
   {
     Index Id;
@@ -74,10 +67,10 @@ private:
   bool ProveBoundaryItem(const HalfEdgeMesh& mesh, Item& item);
   void HandOver(Item& item);
   bool NewBoundaryIsNear();
-  static void Commit(Coverage& coverage, const std::vector<Index>& gone, SparseSet<Item>& items,
-    const std::vector<Index>& coverings);
+  static void Copy(
+    const Coverage& coverage, const SparseSet<Item>& items, std::vector<Item>& copies);
 
-  ErrorBound& Shared;
+  const ErrorBound& Shared;
   const SurfaceChange* Change = nullptr; // of the edit
   SparseSet<Item> Items;
   SparseSet<Item> BoundaryItems;
@@ -91,7 +84,6 @@ private:
   Index BoundaryHint = None;         // an original boundary edge near the vertex that moves
   std::vector<Index> Uncut;          // items of which no new face is near all corners
   std::vector<Index> Centroids;      // of each new face, the original triangle near its centroid
-  std::vector<Index> NewElements;
 };
 }
 

@@ -138,7 +138,7 @@ FaceGrid::FaceGrid(const HalfEdgeMesh& mesh, double leastCell)
     }
     cells.clear();
     this->AddCells(corners, 0.0, cells);
-    this->Insert(face, v, cells);
+    this->Insert(face, v, corners, cells);
   }
 }
 
@@ -275,27 +275,33 @@ bool FaceGrid::Owns(VertexRange range, Key name) const
 }
 
 //------------------------------------------------------------------------------
-void FaceGrid::AddFaces(const std::vector<Key>& cells, std::vector<Index>& faces) const
+void FaceGrid::AddFaces(
+  const std::vector<Key>& cells, const FloatBox& box, std::vector<Index>& faces) const
 {
   for (const Key name : cells)
   {
     for (Index node = this->Cells[this->SlotOf(name)].First; node != None;
          node = this->Entries[node].Next)
     {
-      faces.push_back(this->Entries[node].Face);
+      if (this->Entries[node].Box.Meets(box))
+      {
+        faces.push_back(this->Entries[node].Face);
+      }
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void FaceGrid::Insert(Index face, const Triangle& vertices, const std::vector<Key>& cells)
+void FaceGrid::Insert(Index face, const Triangle& vertices, const TriangleCorners& corners,
+  const std::vector<Key>& cells)
 {
+  const FloatBox box(corners);
   const auto [low, high] = std::minmax({ vertices[0], vertices[1], vertices[2] });
   for (const Key name : cells)
   {
     Cell& cell = this->FindOrAdd(name);
     const Index node = this->Entries.Take();
-    this->Entries[node] = { face, cell.First };
+    this->Entries[node] = { face, cell.First, box };
     cell.First = node;
     cell.Low.store(
       std::min(cell.Low.load(std::memory_order_relaxed), low), std::memory_order_relaxed);

@@ -17,7 +17,7 @@
 
 #include "Mesh/HalfEdgeMesh.h"
 #include "Mesh/VertexRange.h"
-#include "TrianglePair.h"
+#include "FloatBox.h"
 
 #include <atomic>
 #include <memory>
@@ -52,11 +52,13 @@ public:
   bool Owns(VertexRange range, Key cell) const;
   bool OwnsAll(VertexRange range, const std::vector<Key>& cells) const;
 
-  /// Adds the faces in the cells, each as often as it is met.
-  void AddFaces(const std::vector<Key>& cells, std::vector<Index>& faces) const;
+  /// Adds the faces in the cells that may meet the box, each as often as it is met.
+  void AddFaces(
+    const std::vector<Key>& cells, const FloatBox& box, std::vector<Index>& faces) const;
 
   /// The cells must be those of reach 0 and be owned.
-  void Insert(Index face, const Triangle& vertices, const std::vector<Key>& cells);
+  void Insert(Index face, const Triangle& vertices, const TriangleCorners& corners,
+    const std::vector<Key>& cells);
   void Remove(Index face, const std::vector<Key>& cells);
 
 private:
@@ -71,6 +73,7 @@ private:
   {
     Index Face;
     Index Next;
+    FloatBox Box; // of the face
   };
   /// Nodes never move, so that others may work while more are made.
   class Nodes

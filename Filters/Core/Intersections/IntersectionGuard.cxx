@@ -97,13 +97,15 @@ void IntersectionGuard::FindNear(
 {
   work.Faces.clear();
   work.Near.clear();
-  this->Grid->AddFaces(work.Cells, work.Faces);
-  std::sort(work.Faces.begin(), work.Faces.end());
-  work.Faces.erase(std::unique(work.Faces.begin(), work.Faces.end()), work.Faces.end());
   const std::vector<Index>& old = change.OldFaces;
   const double reach = std::max(MostReach(work.New), MostReach(work.Old));
+  work.Reach = reach;
   const Vector3 wholeLow = LeastOf(work.Old).cwiseMin(LeastOf(work.New)).array() - reach;
   const Vector3 wholeHigh = MostOf(work.Old).cwiseMax(MostOf(work.New)).array() + reach;
+  this->Grid->AddFaces(
+    work.Cells, FloatBox(TriangleCorners{ wholeLow, wholeHigh, wholeHigh }), work.Faces);
+  std::sort(work.Faces.begin(), work.Faces.end());
+  work.Faces.erase(std::unique(work.Faces.begin(), work.Faces.end()), work.Faces.end());
   for (const Index face : work.Faces)
   {
     const Triangle v = mesh.Corners(face);
@@ -224,6 +226,12 @@ Decision IntersectionGuard::Check(
 }
 
 //------------------------------------------------------------------------------
+double IntersectionGuard::Reach(const EditFilter::Pending& pending) const
+{
+  return static_cast<const Pending&>(pending).Reach;
+}
+
+//------------------------------------------------------------------------------
 void IntersectionGuard::Commit(
   const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending, Tally&)
 {
@@ -241,7 +249,7 @@ void IntersectionGuard::Commit(
   {
     work.Cells.clear();
     this->Grid->AddCells(face.Corners, 0.0, work.Cells);
-    this->Grid->Insert(face.Id, face.Vertices, work.Cells);
+    this->Grid->Insert(face.Id, face.Vertices, face.Corners, work.Cells);
   }
   if (change.Moved != None)
   {

@@ -45,6 +45,7 @@ public:
     EditFilter::Pending& pending) const override;
   Decision Check(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
     EditFilter::Pending& pending) const override;
+  double Reach(const EditFilter::Pending& pending) const override;
   void Commit(const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending,
     Tally& tally) override;
 
@@ -63,6 +64,7 @@ private:
     std::vector<std::size_t> EndsOfOld; // in OldCells, of each removed face
     std::vector<Index> Faces;
     std::vector<Piece> Old, New, Near;
+    double Reach = 0.0;      // mm, of the gap rule around these
     bool KnowsCells = false; // of this edit
   };
   bool Owns(

@@ -14,6 +14,8 @@ namespace bonedecimate
 namespace
 {
 constexpr Index OfLeaf = 4; // triangles
+/// A little less than that of the largest angle across a gap.
+constexpr double SquaredCosine = 0.99 * LeastFacingCosine * LeastFacingCosine;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr float FloatInfinity = std::numeric_limits<float>::infinity();
 
@@ -148,23 +150,28 @@ template <typename Wants, typename Visit>
 void PartTree::Walk(
   const Vector3& p, const double& squaredLimit, const Wants& wants, const Visit& visit) const
 {
-  std::array<std::size_t, 64> stack;
+  struct Open
+  {
+    std::size_t Node;
+    double Squared; // mm^2, from p
+  };
+  std::array<Open, 64> stack;
   std::size_t size = 0;
-  stack[size++] = 1;
+  stack[size++] = { 1, SquaredDistance(this->Nodes[1], p) };
   while (size > 0)
   {
-    const std::size_t at = stack[--size];
-    const Node& node = this->Nodes[at];
-    if (SquaredDistance(node, p) >= squaredLimit || !wants(node))
+    const auto [at, squared] = stack[--size];
+    if (squared >= squaredLimit || !wants(this->Nodes[at], squared))
     {
       continue;
     }
     if (at < this->Leaves)
     {
-      const bool isFirstNear =
-        SquaredDistance(this->Nodes[2 * at], p) <= SquaredDistance(this->Nodes[2 * at + 1], p);
-      stack[size++] = 2 * at + (isFirstNear ? 1 : 0);
-      stack[size++] = 2 * at + (isFirstNear ? 0 : 1);
+      const Open first = { 2 * at, SquaredDistance(this->Nodes[2 * at], p) };
+      const Open second = { 2 * at + 1, SquaredDistance(this->Nodes[2 * at + 1], p) };
+      const bool isFirstNear = first.Squared <= second.Squared;
+      stack[size++] = isFirstNear ? second : first;
+      stack[size++] = isFirstNear ? first : second;
       continue;
     }
     for (Index t = this->FirstOf(at - this->Leaves); t < this->FirstOf(at - this->Leaves + 1); ++t)
@@ -180,7 +187,7 @@ double PartTree::ToOtherPart(const Vector3& p, Index part, double limit) const
   double squared = limit * limit;
   this->Walk(
     p, squared,
-    [part](const Node& node) { return node.FirstPart != part || node.LastPart != part; },
+    [part](const Node& node, double) { return node.FirstPart != part || node.LastPart != part; },
     [&](Index t)
     {
       if (this->PartOf(t) != part)
@@ -193,6 +200,27 @@ double PartTree::ToOtherPart(const Vector3& p, Index part, double limit) const
 }
 
 //------------------------------------------------------------------------------
+/// Whether a triangle in the box may have a normal opposed to that of the point, and lie in the double cone around it.
+/// @param squaredDistance mm^2, from the point to the box.
+bool PartTree::MayFace(
+  const Node& node, double squaredDistance, const Vector3& p, const Vector3& normal)
+{
+  double leastProduct = 0.0;    // of the normals
+  double least = 0.0, most = 0.0; // mm, from the point along its normal
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double n = normal[static_cast<Eigen::Index>(axis)];
+    const double low = n * (node.Low[axis] - p[static_cast<Eigen::Index>(axis)]);
+    const double high = n * (node.High[axis] - p[static_cast<Eigen::Index>(axis)]);
+    leastProduct += std::min(n * node.LeastNormal[axis], n * node.MostNormal[axis]);
+    least += std::min(low, high);
+    most += std::max(low, high);
+  }
+  const double farthest = std::max(-least, most);
+  return leastProduct < 0.0 && farthest * farthest >= SquaredCosine * squaredDistance;
+}
+
+//------------------------------------------------------------------------------
 double PartTree::ToFacing(Index point, const Vector3& normal, double limit) const
 {
   const Vector3& p = this->Source.Points[point];
@@ -200,26 +228,21 @@ double PartTree::ToFacing(Index point, const Vector3& normal, double limit) cons
   double squared = limit * limit;
   this->Walk(
     p, squared,
-    [&normal, part](const Node& node)
+    [&](const Node& node, double squaredDistance)
     {
-      double least = 0.0; // of the products of normals
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        const double n = normal[static_cast<Eigen::Index>(axis)];
-        least += std::min(n * node.LeastNormal[axis], n * node.MostNormal[axis]);
-      }
-      return least < 0.0 && node.FirstPart <= part && node.LastPart >= part;
+      return node.FirstPart <= part && node.LastPart >= part &&
+        MayFace(node, squaredDistance, p, normal);
     },
     [&](Index t)
     {
       const Triangle& v = this->Source.Triangles[t];
       const bool isOwn = v[0] == point || v[1] == point || v[2] == point;
-      if (isOwn || this->PartOf(t) != part)
+      const auto& [a, b, c] = this->CornersOf(t);
+      if (isOwn || this->PartOf(t) != part || AreaVector(a, b, c).dot(normal) > 0.0)
       {
         return;
       }
-      const TriangleFrame frame(
-        this->Source.Points[v[0]], this->Source.Points[v[1]], this->Source.Points[v[2]]);
+      const TriangleFrame frame(a, b, c);
       if (frame.UnitNormal().dot(normal) < 0.0)
       {
         const Vector3 way = frame.At(frame.Nearest(p)) - p;

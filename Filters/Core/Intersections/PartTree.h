@@ -8,7 +8,7 @@
  *              within 45 degrees: across empty space or across bone
  *     node:    a box, a box of the normals, and the least and the greatest number of a fragment
  *     skip:    what is farther than the best so far; other fragments: nodes of the point's own fragment;
- *              facing: nodes without a normal opposed to that of the point
+ *              facing: nodes without a normal opposed to that of the point, and nodes outside of the double cone around it
  *
  * A binary tree over the triangles as they come, which lie along a curve that fills space.
  */
@@ -67,6 +67,8 @@ private:
   TriangleCorners CornersOf(Index triangle) const;
   static double SquaredDistance(const Node& node, const Vector3& p);
   static double SquaredDistance(const Node& a, const Node& b);
+  static bool MayFace(
+    const Node& node, double squaredDistance, const Vector3& p, const Vector3& normal);
   template <typename Wants, typename Visit>
   void Walk(
     const Vector3& p, const double& squaredLimit, const Wants& wants, const Visit& visit) const;

@@ -9,7 +9,7 @@
 #ifndef BoneDecimate_Core_Intersections_SpaceTimeTree_h
 #define BoneDecimate_Core_Intersections_SpaceTimeTree_h
 
-#include "TrianglePair.h"
+#include "FloatBox.h"
 
 #include <algorithm>
 #include <array>
@@ -18,24 +18,6 @@
 
 namespace bonedecimate
 {
-/// mm, a little too large.
-struct FloatBox
-{
-  std::array<float, 3> Low, High;
-
-  /// Empty.
-  FloatBox();
-  /// @param reach mm, by which the box is larger.
-  explicit FloatBox(const TriangleCorners& corners, double reach = 0.0);
-  void Add(const FloatBox& other);
-  bool Meets(const FloatBox& other) const
-  {
-    return this->Low[0] <= other.High[0] && other.Low[0] <= this->High[0] &&
-      this->Low[1] <= other.High[1] && other.Low[1] <= this->High[1] &&
-      this->Low[2] <= other.High[2] && other.Low[2] <= this->High[2];
-  }
-};
-
 /// It exists after the edit Made and before the edit Replaced.
 struct TimedBox
 {

@@ -18,6 +18,8 @@ struct VertexRange
 {
   Index First = 0;
   Index Last = std::numeric_limits<Index>::max(); ///< One past the end.
+  /// Whether it has all of that many vertices.
+  bool HasAll(Index count) const { return this->First <= 0 && this->Last >= count; }
   bool Contains(VertexId v) const
   {
     return static_cast<std::uint32_t>(v - this->First) <

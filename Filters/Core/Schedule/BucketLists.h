@@ -23,6 +23,7 @@ namespace bonedecimate
 /// The upper 16 bits below the sign of a cost: ordered like costs, 256 buckets per factor of two.
 using CostBucket = std::uint16_t;
 constexpr CostBucket NeverBucket = 0xFFFF;
+constexpr CostBucket LastBucket = NeverBucket - 1; ///< Of the vertices with an edge to collapse.
 constexpr int BucketsPerDoubling = 256;
 constexpr int BucketsPerList = BucketsPerDoubling / 8;
 
@@ -33,6 +34,12 @@ inline CostBucket BucketOf(float cost)
   std::memcpy(&bits, &cost, sizeof(bits));
   return cost < std::numeric_limits<float>::infinity() ? static_cast<CostBucket>(bits >> 15U)
                                                        : NeverBucket;
+}
+
+/// That many buckets higher, but not above the last one.
+inline CostBucket Raised(CostBucket bucket, int step)
+{
+  return static_cast<CostBucket>(std::min<int>(bucket + step, LastBucket));
 }
 
 /// The highest cost in the bucket; not finite if there is none.

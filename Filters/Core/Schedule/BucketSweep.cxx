@@ -25,20 +25,10 @@ constexpr Index BlocksForRounds = 8; // that are worth it
 /// Fraction of the remaining collapses that a round aims at, to stay below the final limit.
 constexpr double RoundFraction = 0.7;
 constexpr int FirstStep = 2 * BucketsPerDoubling; // by which the limit is raised
-constexpr int LargestStep = 4 * BucketsPerDoubling;
 /// To the monitor, of a sweep of the whole mesh: some milliseconds.
 constexpr Index CollapsesBetweenWords = 1024;
 /// The same where edits are proved, in vertices that are looked at.
 constexpr Index VerticesBetweenWords = 64;
-
-constexpr CostBucket LastBucket = NeverBucket - 1;
-/// If edits are proved: no further pass after one that removes less than one face in this many.
-constexpr Index LeastOfPass = 128;
-
-CostBucket Raised(CostBucket limit, int step)
-{
-  return static_cast<CostBucket>(std::min<int>(limit + step, LastBucket));
-}
 }
 
 BucketSweep::BucketSweep(Editor& editor, const StopTargets& stops, int threads,
@@ -101,71 +91,6 @@ StopReason BucketSweep::RunTo(const StopTargets& stops, const Monitor& monitor)
       this->MeshEditor.Mesh().Outgoing(v) == None ? NeverBucket : this->Known.Buckets[v];
   }
   return this->Run(monitor);
-}
-
-//------------------------------------------------------------------------------
-/// The final number of faces is not known. Rejected edges wait for the next pass, which tries all positions.
-StopReason BucketSweep::RunProved(const Monitor& monitor)
-{
-  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  if (!this->MakeDraft(monitor))
-  {
-    return StopReason::Aborted;
-  }
-  Index facesBefore = 0;
-  for (int pass = 0; !this->End.IsReached(); ++pass)
-  {
-    if (pass > 1 && facesBefore - mesh.NumberOfFaces() <= facesBefore / LeastOfPass)
-    {
-      return this->MeshEditor.MetItsLimit() ? StopReason::ErrorReached : StopReason::NothingLeft;
-    }
-    facesBefore = mesh.NumberOfFaces();
-    this->TriesAll = pass > 0;
-    if (pass < 2)
-    {
-      this->Known.Changed.assign(this->Known.Buckets.size(), 1);
-    }
-    if (!this->RenewAll(monitor) || !this->ProvedPass(monitor))
-    {
-      return StopReason::Aborted;
-    }
-  }
-  return this->End.Reason();
-}
-
-//------------------------------------------------------------------------------
-/// False if the monitor stopped it: then nothing is left of the draft.
-bool BucketSweep::MakeDraft(const Monitor& monitor)
-{
-  if (this->End.IsReached() || !this->MeshEditor.BeginDraft(this->Threads))
-  {
-    return true;
-  }
-  this->TriesAll = false;
-  this->Known.Changed.assign(this->Known.Buckets.size(), 1);
-  if (!this->RenewAll(monitor) || !this->ProvedPass(monitor))
-  {
-    this->MeshEditor.UndoDraft(this->Threads);
-    return false;
-  }
-  return this->MeshEditor.EndDraft(
-    this->Threads, [&](double) { return this->End.TellNow(monitor); });
-}
-
-//------------------------------------------------------------------------------
-/// False if the monitor stopped it.
-bool BucketSweep::ProvedPass(const Monitor& monitor)
-{
-  const Index half = this->MeshEditor.Mesh().NumberOfFaces() / 4; // of the vertices
-  CostBucket limit = this->HasRounds() && !this->TriesAll ? this->FirstLimit(half) : LastBucket;
-  bool goesOn = !this->HasRounds() || this->Round(limit, monitor);
-  while (goesOn && limit < LastBucket && !this->End.IsReached())
-  {
-    limit = Raised(limit, LargestStep);
-    goesOn = this->Round(limit, monitor);
-  }
-  return goesOn &&
-    (this->End.IsReached() || this->SweepWhole(LastBucket, this->Targets.Faces, false, monitor));
 }
 
 //------------------------------------------------------------------------------
@@ -336,6 +261,18 @@ std::vector<BlockTask> BucketSweep::Blocks(CostBucket limit, BlockCut cut) const
 }
 
 //------------------------------------------------------------------------------
+/// The mesh as one block, down to so many faces.
+BlockTask BucketSweep::WholeTask(CostBucket limit, Index faces) const
+{
+  BlockTask task;
+  task.Vertices.Last = this->MeshEditor.Mesh().NumberOfVertexSlots();
+  task.Limit = limit;
+  task.PositionsTried = this->TriesAll ? this->PositionsTried : 1;
+  task.Collapses = std::max(0, this->MeshEditor.Mesh().NumberOfFaces() - faces);
+  return task;
+}
+
+//------------------------------------------------------------------------------
 /// False if the monitor stopped it.
 bool BucketSweep::Tail(const Monitor& monitor)
 {
@@ -349,12 +286,8 @@ bool BucketSweep::Tail(const Monitor& monitor)
 bool BucketSweep::SweepWhole(CostBucket limit, Index faces, bool renewsRing, const Monitor& monitor)
 {
   BlockSweep whole(this->MeshEditor, this->Evaluate, this->Known);
-  BlockTask task;
-  task.Vertices.Last = this->MeshEditor.Mesh().NumberOfVertexSlots();
-  task.Limit = limit;
+  BlockTask task = this->WholeTask(limit, faces);
   task.RenewsRing = renewsRing;
-  task.PositionsTried = this->TriesAll ? this->PositionsTried : 1;
-  task.Collapses = std::max(0, this->MeshEditor.Mesh().NumberOfFaces() - faces);
   bool goesOn = true;
   Index collapses = 0;
   Index looked = 0;

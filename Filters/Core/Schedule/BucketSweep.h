@@ -18,13 +18,15 @@
  * If every edit is proved (ErrorBound), the final number of faces is not known in advance:
  *
  *     draft:    as pass 0, with edits that are proved together at its end (Edit/Draft.h); once for an editor
- *     pass 0:   the limit starts at half of the vertices and rises by a factor of 16 in cost:  a round each, as above
+ *               the limit starts at half of the vertices and rises by a factor of 16 in cost:  a round each, as above
+ *               between shifted blocks and the whole mesh, three large blocks; then the rest as one block
+ *     pass 0:   sweep the whole mesh in batches (BatchSweep), because a proof takes longer than anything else
  *               one edge of a vertex, best position only; edges that cannot be proved wait for the next pass
- *               between shifted blocks and the whole mesh, three large blocks
- *     pass 1 and later:  such a round without a limit
+ *     pass 1 and later:  such a sweep; buckets are computed only near changes
  *               all edges of a vertex, each with the best position, its middle, its ends, and others near the best
- *     after each pass, sweep the rest as one block, and compute buckets only near changes
  *     end:      a pass removes less than one face in 128 (LeastOfPass), or the target is reached
+ *
+ * Where only voxels limit the edits, the passes are rounds as those of the draft, because these checks are short.
  *
  * Limits, blocks and allowances are set before a pass over the blocks and depend on the mesh alone, so that the number of
  * threads does not change the result. No round aims beyond the final limit: that would be faster but cost several percent
@@ -39,6 +41,7 @@
 #include "Kernels/EdgeEvaluator.h"
 #include "Modes.h"
 #include "Placement/VolumePreserving.h"
+#include "StopCriterion.h"
 
 namespace bonedecimate
 {
@@ -56,11 +59,14 @@ public:
   StopReason RunTo(const StopTargets& stops, const Monitor& monitor);
 
 private:
+  static constexpr int LargestStep = 4 * BucketsPerDoubling; ///< By which a limit is raised.
+
   bool RenewAll(const Monitor& monitor);
   Index RemainingCollapses() const;
   StopReason RunProved(const Monitor& monitor);
   bool MakeDraft(const Monitor& monitor);
-  bool ProvedPass(const Monitor& monitor);
+  bool PassInBatches(const Monitor& monitor);
+  bool PassInRounds(const Monitor& monitor);
   bool HasRounds() const;
   bool RunRounds(const Monitor& monitor);
   CostBucket FirstLimit(Index collapses) const;
@@ -74,6 +80,7 @@ private:
   Index BlockSize() const;
   BlockCut LargeBlocks() const;
   std::vector<BlockTask> Blocks(CostBucket limit, BlockCut cut) const;
+  BlockTask WholeTask(CostBucket limit, Index faces) const;
   bool Tail(const Monitor& monitor);
   bool SweepWhole(CostBucket limit, Index faces, bool renewsRing, const Monitor& monitor);
 

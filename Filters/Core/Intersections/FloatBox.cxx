@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FloatBox.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr float Infinity = std::numeric_limits<float>::infinity();
+}
+
+FloatBox::FloatBox()
+{
+  this->Low.fill(Infinity);
+  this->High.fill(-Infinity);
+}
+
+FloatBox::FloatBox(const TriangleCorners& corners, double reach)
+{
+  const Vector3 low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]).array() - reach;
+  const Vector3 high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]).array() + reach;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto at = static_cast<Eigen::Index>(axis);
+    this->Low[axis] = std::nextafter(static_cast<float>(low[at]), -Infinity);
+    this->High[axis] = std::nextafter(static_cast<float>(high[at]), Infinity);
+  }
+}
+
+//------------------------------------------------------------------------------
+void FloatBox::Add(const FloatBox& other)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    this->Low[axis] = std::min(this->Low[axis], other.Low[axis]);
+    this->High[axis] = std::max(this->High[axis], other.High[axis]);
+  }
+}
+}

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BatchSweep.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Vertices of a batch.
+constexpr std::size_t LeastBatch = 8;
+constexpr std::size_t FirstBatch = 32;
+constexpr std::size_t MostBatch = 128;
+/// A batch shrinks if more than one collapse in this many was found in vain, and grows if less than one in four times as many.
+constexpr std::size_t CollapsesForOneInVain = 8;
+/// Vertices that wait, in batches: no list is read while there are more.
+constexpr std::size_t BatchesThatWait = 4;
+}
+
+BatchSweep::BatchSweep(
+  Editor& editor, const EdgeEvaluator& evaluate, VertexBuckets& buckets, int threads)
+  : MeshEditor(editor)
+  , Evaluate(evaluate)
+  , Known(buckets)
+  , Lists(editor.Mesh(), evaluate, buckets)
+  , Team(threads)
+  , Candidates(MostBatch)
+  , MostInBatch(FirstBatch)
+  , ReservedBy(buckets.Buckets.size(), 0)
+{
+}
+
+//------------------------------------------------------------------------------
+void BatchSweep::Run(
+  const BlockTask& task, const std::function<bool()>& goOn, const std::function<bool()>& pulse)
+{
+  this->Task = task;
+  this->Lists.Fill(task);
+  Index left = task.Collapses;
+  while (left > 0 && pulse())
+  {
+    this->FillBatch();
+    if (this->Size == 0)
+    {
+      return;
+    }
+    this->Team.Run(
+      this->Size, [this](std::size_t i) { this->SearchAt(this->Candidates[i]); });
+    this->Changed.clear();
+    const std::size_t waiting = this->Waiting.size();
+    for (std::size_t i = 0; i < this->Size && left > 0; ++i)
+    {
+      if (this->Commit(this->Candidates[i]))
+      {
+        left = goOn() ? left - 1 : 0;
+      }
+    }
+    this->ChangeBatchSize(this->Changed.size(), this->Waiting.size() - waiting);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Those that waited first.
+void BatchSweep::FillBatch()
+{
+  this->Size = 0;
+  ++this->Batch;
+  this->Retried.swap(this->Waiting);
+  this->Waiting.clear();
+  for (const Listed& listed : this->Retried)
+  {
+    this->Take(listed);
+  }
+  while (this->Size < this->MostInBatch &&
+    this->Waiting.size() < BatchesThatWait * this->MostInBatch)
+  {
+    if (this->NextReady == this->Ready.size())
+    {
+      this->HighestOfReady = this->Lists.TakeLowest(this->Ready);
+      this->NextReady = 0;
+    }
+    if (this->Ready.empty())
+    {
+      return;
+    }
+    this->Take({ this->Ready[this->NextReady++], this->HighestOfReady });
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Adds the vertex to the batch or to those that wait, unless its bucket has risen since it was listed.
+void BatchSweep::Take(const Listed& listed)
+{
+  if (this->Known.Buckets[listed.Vertex] > listed.Highest)
+  {
+    return;
+  }
+  if (this->Size == this->MostInBatch || !this->ReserveRing(listed.Vertex))
+  {
+    this->Waiting.push_back(listed);
+    return;
+  }
+  this->Candidates[this->Size++].At = listed;
+}
+
+//------------------------------------------------------------------------------
+/// False if the batch has a vertex of the closed ring already.
+bool BatchSweep::ReserveRing(VertexId vertex)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  bool isFree = this->ReservedBy[vertex] != this->Batch;
+  mesh.VisitNeighbors(vertex,
+    [&](HalfEdgeId, Index other) { isFree = isFree && this->ReservedBy[other] != this->Batch; });
+  if (isFree)
+  {
+    this->ReservedBy[vertex] = this->Batch;
+    mesh.VisitNeighbors(
+      vertex, [this](HalfEdgeId, Index other) { this->ReservedBy[other] = this->Batch; });
+  }
+  return isFree;
+}
+
+//------------------------------------------------------------------------------
+/// Called at the same time for all candidates of a batch.
+void BatchSweep::SearchAt(Candidate& candidate) const
+{
+  candidate.Space.Rank = candidate.At.Highest;
+  candidate.Space.Range = this->Task.Vertices;
+  candidate.Edges.Gather(
+    this->MeshEditor.Mesh(), this->Known, candidate.At.Vertex, this->Task.Vertices);
+  candidate.Edges.Evaluate(this->Evaluate);
+  candidate.Found = CollapseSearch(this->MeshEditor, this->Known)
+                      .Find(candidate.Edges, candidate.At.Highest, this->Task, candidate.Space);
+  if (candidate.Found.Of == CollapseSearch::Outcome::Accepted)
+  {
+    this->FindBox(candidate);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// All faces that change have their corners on the ring or at the ends.
+void BatchSweep::FindBox(Candidate& candidate) const
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  const EdgeNeighborhood& around = candidate.Space.Around;
+  Box& box = candidate.Changes;
+  box.Low = box.High = candidate.Space.Proposed.Requested.Position;
+  const auto add = [&](VertexId v)
+  {
+    box.Low = box.Low.cwiseMin(mesh.Position(v));
+    box.High = box.High.cwiseMax(mesh.Position(v));
+  };
+  add(around.Start);
+  add(around.End);
+  std::for_each(around.Ring.begin(), around.Ring.end(), add);
+  candidate.Reach = this->MeshEditor.Reach(candidate.Space);
+}
+
+//------------------------------------------------------------------------------
+/// Whether what the search read is as it was.
+bool BatchSweep::IsUpToDate(Candidate& candidate) const
+{
+  const Box& own = candidate.Changes;
+  const auto isApart = [&](const Box& other)
+  {
+    return (other.Low - own.High).maxCoeff() > candidate.Reach ||
+      (own.Low - other.High).maxCoeff() > candidate.Reach;
+  };
+  return std::all_of(this->Changed.begin(), this->Changed.end(), isApart) &&
+    this->MeshEditor.StillAccepts(candidate.Space);
+}
+
+//------------------------------------------------------------------------------
+/// Whether an edge was collapsed.
+bool BatchSweep::Commit(Candidate& candidate)
+{
+  const bool isAccepted = candidate.Found.Of == CollapseSearch::Outcome::Accepted;
+  const bool isCollapsed = isAccepted && this->IsUpToDate(candidate);
+  if (isCollapsed)
+  {
+    this->Collapse(candidate);
+  }
+  else if (isAccepted)
+  {
+    this->Waiting.push_back(candidate.At);
+  }
+  else
+  {
+    this->Lists.SetBucket(candidate.At.Vertex, candidate.Found.Bucket);
+  }
+  this->MeshEditor.Settle(candidate.Space.Counted);
+  return isCollapsed;
+}
+
+//------------------------------------------------------------------------------
+void BatchSweep::Collapse(Candidate& candidate)
+{
+  const Edit edit = candidate.Space.Proposed.Requested;
+  const VertexId gone = this->MeshEditor.Mesh().Across(edit.Edge, edit.Keep);
+  this->MeshEditor.ApplyCollapse(candidate.Space);
+  this->Lists.Update(edit, gone, candidate.Found.AccumulatedError, candidate.Space.Around);
+  this->Changed.push_back(candidate.Changes);
+}
+
+//------------------------------------------------------------------------------
+void BatchSweep::ChangeBatchSize(std::size_t collapses, std::size_t inVain)
+{
+  if (inVain * CollapsesForOneInVain > collapses)
+  {
+    this->MostInBatch = std::max(LeastBatch, this->MostInBatch / 2);
+  }
+  else if (inVain * 4 * CollapsesForOneInVain <= collapses)
+  {
+    this->MostInBatch = std::min(MostBatch, this->MostInBatch + this->MostInBatch / 4);
+  }
+}
+}

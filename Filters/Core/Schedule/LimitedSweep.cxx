@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a BucketSweep does where an error bound or voxels limit the edits.
+#include "BatchSweep.h"
+#include "BucketSweep.h"
+
+namespace bonedecimate
+{
+namespace
+{
+/// No further pass after one that removes less than one face in this many.
+constexpr Index LeastOfPass = 128;
+}
+
+/// The final number of faces is not known. Rejected edges wait for the next pass, which tries all positions.
+StopReason BucketSweep::RunProved(const Monitor& monitor)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  if (!this->MakeDraft(monitor))
+  {
+    return StopReason::Aborted;
+  }
+  Index facesBefore = 0;
+  for (int pass = 0; !this->End.IsReached(); ++pass)
+  {
+    if (pass > 1 && facesBefore - mesh.NumberOfFaces() <= facesBefore / LeastOfPass)
+    {
+      return this->MeshEditor.MetItsLimit() ? StopReason::ErrorReached : StopReason::NothingLeft;
+    }
+    facesBefore = mesh.NumberOfFaces();
+    this->TriesAll = pass > 0;
+    if (pass < 2)
+    {
+      this->Known.Changed.assign(this->Known.Buckets.size(), 1);
+    }
+    const bool isDone = this->RenewAll(monitor) &&
+      (this->MeshEditor.HasErrorBound() ? this->PassInBatches(monitor)
+                                        : this->PassInRounds(monitor));
+    if (!isDone)
+    {
+      return StopReason::Aborted;
+    }
+  }
+  return this->End.Reason();
+}
+
+//------------------------------------------------------------------------------
+/// False if the monitor stopped it: then nothing is left of the draft.
+bool BucketSweep::MakeDraft(const Monitor& monitor)
+{
+  if (this->End.IsReached() || !this->MeshEditor.BeginDraft(this->Threads))
+  {
+    return true;
+  }
+  this->TriesAll = false;
+  this->Known.Changed.assign(this->Known.Buckets.size(), 1);
+  if (!this->RenewAll(monitor) || !this->PassInRounds(monitor))
+  {
+    this->MeshEditor.UndoDraft(this->Threads);
+    return false;
+  }
+  return this->MeshEditor.EndDraft(
+    this->Threads, [&](double) { return this->End.TellNow(monitor); });
+}
+
+//------------------------------------------------------------------------------
+/// False if the monitor stopped it.
+bool BucketSweep::PassInBatches(const Monitor& monitor)
+{
+  bool goesOn = true;
+  const auto goOn = [&]
+  {
+    goesOn = this->End.Tell(monitor);
+    return goesOn && !this->End.IsReached();
+  };
+  const auto pulse = [&]
+  {
+    goesOn = goesOn && this->End.TellNow(monitor);
+    return goesOn && !this->End.IsReached();
+  };
+  BatchSweep(this->MeshEditor, this->Evaluate, this->Known, this->Threads)
+    .Run(this->WholeTask(LastBucket, this->Targets.Faces), goOn, pulse);
+  return goesOn;
+}
+
+//------------------------------------------------------------------------------
+/// False if the monitor stopped it.
+bool BucketSweep::PassInRounds(const Monitor& monitor)
+{
+  const Index half = this->MeshEditor.Mesh().NumberOfFaces() / 4; // of the vertices
+  CostBucket limit = this->HasRounds() && !this->TriesAll ? this->FirstLimit(half) : LastBucket;
+  bool goesOn = !this->HasRounds() || this->Round(limit, monitor);
+  while (goesOn && limit < LastBucket && !this->End.IsReached())
+  {
+    limit = Raised(limit, LargestStep);
+    goesOn = this->Round(limit, monitor);
+  }
+  return goesOn &&
+    (this->End.IsReached() || this->SweepWhole(LastBucket, this->Targets.Faces, false, monitor));
+}
+}

@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Edits that are checked at the same time and applied one after the other: what the check of each read has not changed.
+#include "BruteForce.h"
+#include "Edit/Editor.h"
+#include "Runs.h"
+#include "Schedule/BucketSweep.h"
+#include "WorkerTeam.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <set>
+#include <stdexcept>
+
+using namespace bonedecimate;
+using namespace bonedecimate::testsupport;
+
+namespace
+{
+const Monitor Always = [](double) { return true; };
+
+EditorSettings Proving(std::shared_ptr<EditFilter> filter = nullptr)
+{
+  EditorSettings settings{ false, false, true };
+  settings.GuardsIntersections = true;
+  settings.Bound = ErrorBoundSettings{ 0.3 };
+  if (filter)
+  {
+    settings.MoreFilters = { std::move(filter) };
+  }
+  return settings;
+}
+
+/// Id and corners.
+using FoundFace = std::pair<Index, std::array<Vector3, 3>>;
+
+std::array<Vector3, 3> PositionsOf(const HalfEdgeMesh& mesh, Index face)
+{
+  const Triangle c = mesh.Corners(face);
+  return { mesh.Position(c[0]), mesh.Position(c[1]), mesh.Position(c[2]) };
+}
+
+/// Compares the faces near an edit when it is checked with those when it is committed.
+class NearFacesFilter : public EditFilter
+{
+public:
+  explicit NearFacesFilter(double reach)
+    : Distance(reach)
+  {
+  }
+  bool NeedsSurfaceChange() const override { return true; }
+  std::shared_ptr<EditFilter::Pending> MakePending() override { return std::make_shared<Seen>(); }
+  Decision Check(
+    const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const override
+  {
+    Seen& seen = static_cast<Seen&>(pending);
+    seen.Faces = this->FacesNear(mesh, edit.Change);
+    seen.IsCompared = false;
+    ++this->Checked;
+    return Decision::Accept();
+  }
+  double Reach(const EditFilter::Pending&) const override { return this->Distance; }
+  bool StillAccepts(
+    const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const override
+  {
+    Seen& seen = static_cast<Seen&>(pending);
+    this->Stale += seen.Faces == this->FacesNear(mesh, edit.Change) ? 0 : 1;
+    seen.IsCompared = true;
+    return true;
+  }
+  void Commit(
+    const HalfEdgeMesh&, const ProposedEdit&, EditFilter::Pending& pending, Tally&) override
+  {
+    this->NotCompared += static_cast<Seen&>(pending).IsCompared ? 0 : 1;
+    ++this->Committed;
+  }
+
+  mutable std::atomic<int> Checked{ 0 };
+  mutable int Stale = 0;
+  int NotCompared = 0;
+  int Committed = 0;
+
+private:
+  struct Seen : public EditFilter::Pending
+  {
+    std::vector<FoundFace> Faces;
+    bool IsCompared = false;
+  };
+
+  /// Whose box is within the distance, along each axis, of the box around the faces that change.
+  std::vector<FoundFace> FacesNear(const HalfEdgeMesh& mesh, const SurfaceChange& change) const
+  {
+    std::vector<FoundFace> near;
+    Vector3 low = change.NewFaces[0].Corners[0];
+    Vector3 high = low;
+    const auto add = [&](const std::array<Vector3, 3>& corners)
+    {
+      for (const Vector3& p : corners)
+      {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      }
+    };
+    for (const Index face : change.OldFaces)
+    {
+      add(PositionsOf(mesh, face));
+    }
+    for (const SurfaceChange::Face& face : change.NewFaces)
+    {
+      add(face.Corners);
+    }
+    for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+    {
+      if (!mesh.IsAlive(face))
+      {
+        continue;
+      }
+      const std::array<Vector3, 3> p = PositionsOf(mesh, face);
+      const Vector3 below = low - p[0].cwiseMax(p[1]).cwiseMax(p[2]);
+      const Vector3 above = p[0].cwiseMin(p[1]).cwiseMin(p[2]) - high;
+      if (below.cwiseMax(above).maxCoeff() <= this->Distance)
+      {
+        near.emplace_back(face, p);
+      }
+    }
+    return near;
+  }
+
+  double Distance; // mm
+};
+
+/// Declines each edge once.
+class ChangesItsMindFilter : public EditFilter
+{
+public:
+  bool StillAccepts(
+    const HalfEdgeMesh&, const ProposedEdit& edit, EditFilter::Pending&) const override
+  {
+    this->Accepts = !this->Declined.insert(edit.Requested.Edge).second;
+    return this->Accepts;
+  }
+  void Commit(const HalfEdgeMesh&, const ProposedEdit&, EditFilter::Pending&, Tally&) override
+  {
+    EXPECT_TRUE(this->Accepts);
+    ++this->Committed;
+  }
+
+  int Committed = 0;
+
+private:
+  mutable bool Accepts = false;
+  mutable std::set<Index> Declined;
+};
+
+/// Into the middle of the edge.
+bool Check(const Editor& editor, HalfEdgeId h, Workspace& space)
+{
+  const HalfEdgeMesh& mesh = editor.Mesh();
+  const Vector3 middle = 0.5 * (mesh.Position(mesh.Origin(h)) + mesh.Position(mesh.Target(h)));
+  return editor.Validate(h, space).IsAccepted() &&
+    editor.CheckCollapse({ h, mesh.Origin(h), middle, false }, space, 1).IsAccepted();
+}
+}
+
+TEST(BatchSweep, AppliesNoEditNearWhichTheMeshHasChangedSinceItsCheck)
+{
+  const CleanSurface cleaned = Clean(BumpySphere(3, 10.0, 0.1, 7), true);
+  for (const int threads : { 1, 3 })
+  {
+    const auto filter = std::make_shared<NearFacesFilter>(1.0);
+    Editor editor(cleaned, Proving(filter));
+    BucketSweep(editor, { 0, 0.0 }, threads).Run(Always);
+    EXPECT_EQ(filter->Stale, 0);
+    EXPECT_EQ(filter->NotCompared, 0);
+    EXPECT_GT(filter->Committed, 100);
+    EXPECT_GT(filter->Checked, filter->Committed) << "no two edits of a batch were near each other";
+  }
+}
+
+TEST(BatchSweep, TriesAnEditAgainThatIsNoLongerAccepted)
+{
+  const CleanSurface cleaned = Clean(BumpySphere(2, 10.0, 0.1, 7), true);
+  const auto filter = std::make_shared<ChangesItsMindFilter>();
+  Editor editor(cleaned, Proving(filter));
+  BucketSweep(editor, { 0, 0.0 }, 1).Run(Always);
+  EXPECT_GT(filter->Committed, 50);
+  EXPECT_EQ(filter->Committed, editor.NumberOfCollapses());
+}
+
+TEST(BatchSweep, ErrorBoundAcceptsNoEditOfWhichAnotherOneHasChangedTheCoverage)
+{
+  const CleanSurface cleaned = Clean(BumpySphere(2, 10.0, 0.1, 7), true);
+  int shared = 0;
+  int apart = 0;
+  for (const HalfEdgeId h : HalfEdges(Editor(cleaned, Proving()).Mesh(), 5))
+  {
+    Editor editor(cleaned, Proving());
+    Workspace first;
+    Workspace second;
+    if (!Check(editor, 0, first) || !Check(editor, h, second))
+    {
+      continue;
+    }
+    // On the mesh as it was at first every face covers itself.
+    const std::vector<Index>& faces = second.Proposed.Change.OldFaces;
+    const bool haveCommon = std::any_of(faces.begin(), faces.end(),
+      [&](Index face)
+      {
+        const std::vector<Index>& others = first.Proposed.Change.OldFaces;
+        return std::find(others.begin(), others.end(), face) != others.end();
+      });
+    editor.ApplyCollapse(first);
+    EXPECT_EQ(editor.StillAccepts(second), !haveCommon) << h;
+    ++(haveCommon ? shared : apart);
+  }
+  EXPECT_GT(shared, 2);
+  EXPECT_GT(apart, 20);
+}
+
+TEST(BatchSweep, FragmentGuardAcceptsNoEditForWhichAnotherOneHasLeftNoVolume)
+{
+  const Surface sphere = Icosphere(2, 10.0);
+  const HalfEdgeMesh mesh(sphere, 1);
+  FragmentGuard guard(mesh, sphere);
+  const FragmentVolumes none;
+  ProposedEdit edit;
+  edit.Vertex = 0;
+  edit.VolumeChange = -0.4 * 4.0 / 3.0 * 3.14 * 1000.0; // two of them leave too little
+  edit.Unsettled = &none;
+  const std::shared_ptr<EditFilter::Pending> first = guard.MakePending();
+  const std::shared_ptr<EditFilter::Pending> second = guard.MakePending();
+  ASSERT_TRUE(guard.Screen(mesh, edit, *first).IsAccepted());
+  ASSERT_TRUE(guard.Screen(mesh, edit, *second).IsAccepted());
+  EXPECT_TRUE(guard.StillAccepts(mesh, edit, *second));
+  Tally tally;
+  guard.Commit(mesh, edit, *first, tally);
+  guard.Settle(&tally, 1);
+  EXPECT_FALSE(guard.StillAccepts(mesh, edit, *second));
+}
+
+TEST(WorkerTeam, CallsEachPartOnceInEveryRun)
+{
+  for (const int threads : { 1, 4 })
+  {
+    WorkerTeam team(threads);
+    std::vector<std::atomic<int>> calls(50);
+    for (std::size_t run = 0; run < 200; ++run)
+    {
+      team.Run(run % 50, [&](std::size_t part) { ++calls[part]; });
+    }
+    for (std::size_t part = 0; part < 50; ++part)
+    {
+      EXPECT_EQ(calls[part], 4 * static_cast<int>(49 - part)) << part;
+    }
+  }
+}
+
+TEST(WorkerTeam, RethrowsWhatAPartThrowsAndGoesOn)
+{
+  WorkerTeam team(2);
+  const auto fail = [](std::size_t part)
+  {
+    if (part == 7)
+    {
+      throw std::runtime_error("seven");
+    }
+  };
+  EXPECT_THROW(team.Run(20, fail), std::runtime_error);
+  std::atomic<int> calls{ 0 };
+  team.Run(20, [&](std::size_t) { ++calls; });
+  EXPECT_EQ(calls, 20);
+}
