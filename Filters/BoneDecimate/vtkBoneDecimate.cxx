@@ -6,6 +6,7 @@
 #include "LabelArrays.h"
 #include "LabelMapArrays.h"
 #include "LabelMapOfRun.h"
+#include "Regions/RegionCache.h"
 #include "Report/ReportCells.h"
 #include "RunInput.h"
 #include "RunState.h"
@@ -56,6 +57,7 @@ bonedecimate::Report ReportOfPart(bonedecimate::Report report)
 }
 
 vtkBoneDecimate::vtkBoneDecimate()
+  : Prepared(new bonedecimate::RegionCache)
 {
   this->SetNumberOfInputPorts(2);
   this->AddLabelMapPort();
@@ -99,6 +101,7 @@ void vtkBoneDecimate::CopyOptions(const vtkBoneDecimate& from)
   {
     this->GetInformation()->Remove(INPUT_ARRAYS_TO_PROCESS());
   }
+  this->SetKeepPrepared(from.GetKeepPrepared());
   this->Modified();
 }
 
@@ -138,6 +141,34 @@ vtkDataArray* vtkBoneDecimate::GetPointTolerances(vtkPolyData* input)
   int association = -1;
   vtkDataArray* array = this->GetInputArray(TOLERANCE_ARRAY, input, association);
   return association == vtkDataObject::FIELD_ASSOCIATION_POINTS ? array : nullptr;
+}
+
+//------------------------------------------------------------------------------
+/// Results do not depend on it, so the filter is not modified.
+void vtkBoneDecimate::SetKeepPrepared(bool keep)
+{
+  if (keep != this->GetKeepPrepared())
+  {
+    this->Prepared.reset(keep ? new bonedecimate::RegionCache : nullptr);
+  }
+}
+
+bool vtkBoneDecimate::GetKeepPrepared() const
+{
+  return this->Prepared != nullptr;
+}
+
+void vtkBoneDecimate::ReleasePrepared()
+{
+  if (this->Prepared)
+  {
+    this->Prepared->Release();
+  }
+}
+
+vtkTypeInt64 vtkBoneDecimate::GetPreparedMemory() const
+{
+  return this->Prepared ? static_cast<vtkTypeInt64>(this->Prepared->Bytes()) : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -216,6 +247,7 @@ bool vtkBoneDecimate::ReadInput(vtkPolyData* input, vtkPolyData* reference,
     reference != nullptr ? &read.Reference.Surface : nullptr, hasLabels ? &*read.Labels : nullptr };
   read.Inputs.LabelMap = read.Map.Known();
   read.Inputs.Part = this->Part ? &this->Part->Part : nullptr;
+  read.Inputs.Regions = this->Prepared.get();
   return true;
 }
 
@@ -288,4 +320,6 @@ bool vtkBoneDecimate::GoesOn(double fraction)
 void vtkBoneDecimate::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "KeepPrepared: " << (this->GetKeepPrepared() ? "On" : "Off") << "\n";
+  os << indent << "PreparedMemory: " << this->GetPreparedMemory() << " bytes\n";
 }

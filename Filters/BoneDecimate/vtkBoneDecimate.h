@@ -46,6 +46,11 @@
 
 class vtkDataArray;
 
+namespace bonedecimate
+{
+class RegionCache;
+}
+
 class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneDecimate : public vtkBoneOutputOptions
 {
 public:
@@ -68,6 +73,24 @@ public:
 
   /// The same as a connection, to the input port 1. Default none.
   void SetReferenceConnection(vtkAlgorithmOutput* reference);
+
+  ///@{
+  /**
+   * Whether the filter keeps what it prepared of its input and the results of regions, so that the next update with other
+   * tolerances runs only the regions that are new. Only updates that run regions keep anything (Documentation/tolerance.md).
+   * No result depends on it. Off releases the memory. Default on.
+   */
+  void SetKeepPrepared(bool keep);
+  bool GetKeepPrepared() const;
+  void KeepPreparedOn() { this->SetKeepPrepared(true); }
+  void KeepPreparedOff() { this->SetKeepPrepared(false); }
+  ///@}
+
+  /// Releases what is kept, until the next update.
+  void ReleasePrepared();
+
+  /// Approximate memory of what is kept, bytes.
+  vtkTypeInt64 GetPreparedMemory() const;
 
 protected:
   vtkBoneDecimate();
@@ -142,7 +165,8 @@ private:
   void RejectArray(int index);
   bool GoesOn(double fraction);
 
-  std::unique_ptr<PartOfSurface> Part; // null: the input is the whole surface
+  std::unique_ptr<PartOfSurface> Part;                 // null: the input is the whole surface
+  std::unique_ptr<bonedecimate::RegionCache> Prepared; // null: nothing is to be kept
 };
 
 #endif

@@ -13,6 +13,7 @@
 #include "Output/FinishLog.h"
 #include "Output/PartComparison.h"
 #include "Output/ResultProof.h"
+#include "Regions/RegionRun.h"
 #include "RunProgress.h"
 #include "SmoothInput.h"
 #include "StageClock.h"
@@ -50,8 +51,7 @@ RunTask TaskOf(
   }
   report.Voxel =
     ApplyPreset(inputs.Reference != nullptr ? *inputs.Reference : input, task.Effective);
-  task.RoundsToSingle = options.OutputPointsPrecision == PointsPrecision::Single ||
-    (options.OutputPointsPrecision == PointsPrecision::Default && inputs.InputIsSingle);
+  task.RoundsToSingle = RoundsToSingle(options, inputs.InputIsSingle);
   task.Smoothing = PlanSmoothing(input, task.Effective, inputs.LabelMap);
   if (options.KeepsAllTriangles() && options.ProvesError() && task.Effective.MaximumError == 0.0)
   {
@@ -321,9 +321,9 @@ void Prove(const RunTask& task, PreparedInput& prepared, RunProgress& progress, 
       result, prepared.Tolerances.Requested(), prepared.Tolerances.ReferenceSurface());
   }
 }
-}
 
-Result Decimate(
+/// The run of all triangles, whatever may change.
+Result DecimateWhole(
   const Surface& input, const Options& options, const Monitor& monitor, const RunInputs& inputs)
 {
   const StageClock clock;
@@ -331,11 +331,6 @@ Result Decimate(
   Result result;
   Report& report = result.Report;
   report.Requested = options;
-  if (!CheckOptions(options).empty())
-  {
-    report.Status = InputStatus::InvalidOption;
-    return result;
-  }
   RunTask task = TaskOf(input, options, inputs, report);
   PreparedInput prepared = PrepareInput(task, CheckedAt, BuiltAt, progress, report);
   report.Seconds.Prepare = clock.Seconds();
@@ -347,6 +342,20 @@ Result Decimate(
   }
   report.Seconds.Total = clock.Seconds();
   return result;
+}
+}
+
+Result Decimate(
+  const Surface& input, const Options& options, const Monitor& monitor, const RunInputs& inputs)
+{
+  if (!CheckOptions(options).empty())
+  {
+    Result result;
+    result.Report.Requested = options;
+    result.Report.Status = InputStatus::InvalidOption;
+    return result;
+  }
+  return DecimateRegions(input, options, monitor, inputs, DecimateWhole);
 }
 
 //------------------------------------------------------------------------------

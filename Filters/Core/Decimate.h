@@ -45,7 +45,8 @@ struct SurfaceOrigins
 
 struct Result
 {
-  /// Empty if the input was rejected. Points and triangles come in the order of SpatialOrder.h.
+  /// Empty if the input was rejected. Points and triangles come in the order of SpatialOrder.h; if only regions were run, in
+  /// that of Regions/JoinRegions.h.
   bonedecimate::Surface Surface;
   SurfaceOrigins Origins;
   /// mm, of each output point to the input surface, or to the reference if distances are measured; filled with
@@ -78,6 +79,8 @@ struct SurfacePart
   std::vector<Vector3> SmoothedPoints;
 };
 
+class RegionCache;
+
 /// What belongs to the input, and what is wanted beside the surface; none of it has to be there.
 struct RunInputs
 {
@@ -102,9 +105,12 @@ struct RunInputs
   EditLog* Log = nullptr;
   /// Null: the input is the whole surface. Voxels of a part are not compared.
   const SurfacePart* Part = nullptr;
+  /// Keeps what runs over regions of the same surface have in common (Regions/RegionCache.h). Null: nothing is kept.
+  RegionCache* Regions = nullptr;
 };
 
 /**
+ * Where most points have a tolerance of 0, only the regions around the others are run (Regions/RegionRun.h).
  * @param input Points in mm and triangles; nothing is changed. Anything may be wrong with it: see InputStatus.
  * @throws std::bad_alloc and nothing else.
  */

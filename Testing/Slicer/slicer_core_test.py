@@ -25,6 +25,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Readme"))
 from BoneDecimatorLib import logic as module  # noqa: E402
 from BoneDecimatorLib.engines import Canceled, DecimationError, ProgramEngine, WheelEngine  # noqa: E402
 from BoneDecimatorLib.logic import BoneDecimatorLogic, Request, surface_of  # noqa: E402
+from BoneDecimatorLib.surfaces import report_of  # noqa: E402
 import readme  # noqa: E402
 
 
@@ -147,6 +148,26 @@ class Logic(unittest.TestCase):
             kept = {position for position in positions(ball()) if np.linalg.norm(np.array(position) - (20, 0, 0)) > 15.1}
             self.assertLessEqual(kept, positions(target.GetPolyData()))
             self.assertLess(target.GetPolyData().GetNumberOfPoints(), ball().GetNumberOfPoints())
+
+    def test_further_strokes_run_only_what_is_new_and_leave_earlier_results(self):
+        scene, node = scene_with_ball()
+        brush = scene.AddNewNodeByClass("vtkMRMLMarkupsFiducialNode")
+        logic, request = BoneDecimatorLogic(scene, WheelEngine()), Request(tolerance=0.05, brush=brush, radius=4.0, feather=0.0)
+        counts, targets = [], []
+        for x in (20.0, -20.0):
+            brush.AddControlPoint(vtk.vtkVector3d(x, 0.0, 0.0))
+            target, _ = logic.decimate(node, request)
+            counts.append([report_of(target.GetPolyData())["regions"][name] for name in ("kept", "count")])
+            targets.append((target, positions(target.GetPolyData())))
+        self.assertEqual(counts, [[0, 1], [1, 2]])
+        self.assertEqual(positions(targets[0][0].GetPolyData()), targets[0][1])
+        logic.undo()
+        brush.RemoveNthControlPoint(1)
+        again, _ = logic.decimate(node, request)
+        self.assertEqual(positions(again.GetPolyData()), targets[0][1])
+        self.assertEqual(report_of(again.GetPolyData())["regions"]["kept"], 1)
+        logic.release_memory()
+        self.assertEqual(report_of(logic.decimate(node, request)[0].GetPolyData())["regions"]["kept"], 0)
 
     def test_what_a_region_of_interest_keeps_stays_also_under_a_transform(self):
         scene, node = scene_with_ball()

@@ -11,16 +11,16 @@ import threading
 import unittest
 
 import numpy as np
-from vtkmodules.vtkCommonCore import vtkLogger, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkLogger, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 import specimens
-from bonedecimate import check_voxels, extract_surfaces, vtkBoneDecimate
+from bonedecimate import PreparedSurface, check_voxels, extract_surfaces, vtkBoneDecimate
 from bonedecimate import decimate as decimate_arrays
 from bonedecimate.options import ROWS
-from bonedecimate.polydata import numbers, surface_of
+from bonedecimate.polydata import new_array, numbers, surface_of
 
 vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
 
@@ -308,6 +308,59 @@ class LabelMaps(unittest.TestCase):
         decimate.SetLabel(5)  # another one than that of the surface
         decimate.Update()
         self.assertRegex(ear.texts[1], "^WarningEvent: label_map and the surface differ in")
+
+
+class Strokes(unittest.TestCase):
+    """Of a brush: what is kept between runs changes nothing."""
+
+    def setUp(self):
+        self.surface = specimens.torus(120, 60)
+        points = numbers(self.surface.GetPoints().GetData())
+        self.maps = [np.where(np.linalg.norm(points - center, axis=1) < 3, 0.05, 0.0) for center in ((13, 0, 0), (-13, 0, 0))]
+        self.maps = [self.maps[0], np.maximum(*self.maps), self.maps[0]]
+        self.options = {"Mode": vtkBoneDecimate.FAST, "MaximumError": 0.05, "ToleranceArrayName": "Tolerance"}
+
+    def stroke(self, decimate, tolerances):
+        surface = vtkPolyData()
+        surface.ShallowCopy(self.surface)
+        array = new_array(vtkDoubleArray, tolerances)
+        array.SetName("Tolerance")
+        surface.GetPointData().AddArray(array)
+        decimate.SetInputData(surface)
+        decimate.Update()
+        return surface_of(decimate.GetOutput())
+
+    def test_after_the_first_one_run_only_what_is_new(self):
+        decimate = decimating(self.surface, **self.options)
+        for tolerances, kept, count in zip(self.maps, (0, 1, 1), (1, 2, 1)):
+            found = self.stroke(decimate, tolerances)
+            fresh = self.stroke(decimating(self.surface, **self.options), tolerances)
+            self.assertTrue(np.array_equal(found.points, fresh.points) and np.array_equal(found.triangles, fresh.triangles))
+            self.assertEqual([decimate.GetReportValue(f"regions.{name}") for name in ("kept", "count")], [kept, count])
+            self.assertLess(len(found.triangles), self.surface.GetNumberOfPolys())
+
+    def test_are_released_on_request(self):
+        decimate = decimating(self.surface, **self.options)
+        self.stroke(decimate, self.maps[0])
+        self.assertGreater(decimate.GetPreparedMemory(), 10 * self.surface.GetNumberOfPolys())
+        decimate.ReleasePrepared()
+        self.assertEqual(decimate.GetPreparedMemory(), 0)
+        decimate.keep_prepared = False
+        self.stroke(decimate, self.maps[1])
+        self.assertEqual((decimate.GetPreparedMemory(), decimate.GetReportValue("regions.kept")), (0, 0))
+
+    def test_of_arrays_share_a_prepared_surface(self):
+        kept, whole = PreparedSurface(), surface_of(self.surface)
+        for tolerances, count in zip(self.maps, (0, 1, 1)):
+            found, fresh = (decimate_arrays(whole.points, whole.triangles, mode="Fast", max_error=0.05, tolerances=tolerances,
+                                            prepared=prepared) for prepared in (kept, None))
+            self.assertTrue(np.array_equal(found.points, fresh.points) and np.array_equal(found.triangles, fresh.triangles))
+            self.assertEqual(found.report["regions.kept"], count)
+        self.assertGreater(kept.memory, 0)
+        kept.release()
+        self.assertEqual(kept.memory, 0)
+        with self.assertRaisesRegex(TypeError, "prepared takes a PreparedSurface, not int"):
+            decimate_arrays(whole.points, whole.triangles, prepared=1)
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@
 #include "Arrays.h"
 #include "Bindings.h"
 #include "Listener.h"
+#include "Regions/RegionCache.h"
 #include "Report/ReportCells.h"
 #include "Report/ReportFigures.h"
 #include "Report/ReportJson.h"
@@ -52,7 +53,7 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
   bool single, bool origins, const std::optional<NumbersIn>& tolerances,
   const std::optional<CellsIn>& cells,
   const std::optional<std::pair<PointsIn, TrianglesIn>>& reference, nb::object progress,
-  const std::optional<NamedLabels>& labels, const LabelMapSource* labelMap)
+  const std::optional<NamedLabels>& labels, const LabelMapSource* labelMap, RegionCache* prepared)
 {
   const std::optional<Labels> named = ToLabels(labels);
   const Surface surface = ToSurface(points, triangles);
@@ -63,6 +64,7 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
   inputs.Reference = reference ? &first : nullptr;
   inputs.Labels = named ? &*named : nullptr;
   inputs.LabelMap = labelMap;
+  inputs.Regions = prepared;
   Result result =
     Listener(std::move(progress))
       .Hear([&](const Monitor& monitor) { return Decimate(surface, options, monitor, inputs); });
@@ -102,10 +104,17 @@ nb::dict ToDict(Result&& result)
 //------------------------------------------------------------------------------
 void BindDecimate(nb::module_& module)
 {
+  nb::class_<RegionCache>(module, "PreparedSurface",
+    "What runs with tolerances of 0 keep of their surface, so that the next one runs only the "
+    "regions that are new.")
+    .def(nb::init<>())
+    .def(
+      "release", &RegionCache::Release, "Frees the memory; a run that uses it frees it at its end.")
+    .def_prop_ro("memory", &RegionCache::Bytes, "Approximate memory in use, bytes.");
   module.def("decimate", &Run, nb::arg("points"), nb::arg("triangles"), nb::arg("options"),
     nb::arg("single"), nb::arg("origins"), nb::arg("tolerances").none(), nb::arg("cells").none(),
     nb::arg("reference").none(), nb::arg("progress").none(), nb::arg("labels").none() = nb::none(),
-    nb::arg("label_map").none() = nb::none(),
+    nb::arg("label_map").none() = nb::none(), nb::arg("prepared").none() = nb::none(),
     "One run; the keys of what it returns are those of Decimate.h.");
 }
 }

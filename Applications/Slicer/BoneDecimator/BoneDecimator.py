@@ -50,6 +50,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
 
     def cleanup(self):
         self.live.checked = False
+        self.logic.release_memory()
 
     def exit(self):
         self.live.checked = False
@@ -98,6 +99,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self.segments.setSegmentationNode(node if is_segmentation else None)
         self.kind.enabled, self.target.enabled = has_label_map(node), not has_label_map(node)
         self.levels = None
+        self.logic.release_memory()
 
     def _chosenSegments(self):
         """Their IDs; None: those that are visible."""

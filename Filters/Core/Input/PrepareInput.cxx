@@ -149,6 +149,13 @@ bool PreparedInput::IsLimitedEverywhere() const
 }
 
 //------------------------------------------------------------------------------
+bool RoundsToSingle(const Options& options, bool inputIsSingle)
+{
+  return options.OutputPointsPrecision == PointsPrecision::Single ||
+    (options.OutputPointsPrecision == PointsPrecision::Default && inputIsSingle);
+}
+
+//------------------------------------------------------------------------------
 bool CollapsesFeatureCurves(const RunInputs& inputs)
 {
   return inputs.Log == nullptr && (inputs.Labels != nullptr || HasSeveralPairs(inputs.LabelMap));

@@ -40,6 +40,9 @@ struct RunTask
   SmoothingPlan Smoothing = {};
 };
 
+/// Whether the result of an input of that precision is written in single precision.
+bool RoundsToSingle(const Options& options, bool inputIsSingle);
+
 /// mm, tolerances of the points of the input.
 struct PointTolerances
 {

@@ -136,6 +136,13 @@ const char* DraftStatusWord(DraftStatus status)
   return WordOf(words, status);
 }
 
+const char* RegionStatusWord(RegionStatus status)
+{
+  static const char* const words[] = { "not_requested", "used", "other_options", "too_large",
+    "not_proved" };
+  return WordOf(words, status);
+}
+
 std::string InputMessage(const Report& report)
 {
   const CleaningStatistics& found = report.Cleaning;

@@ -286,6 +286,24 @@ struct DraftFigures
   std::int64_t Undone = 0;    ///< Of them.
 };
 
+/// Whether a run read only the regions that may change, and their surroundings.
+enum class RegionStatus : int
+{
+  NotRequested = 0, ///< No point has a tolerance of 0.
+  Used,
+  OtherOptions, ///< Not possible with another option or input: the whole surface was read.
+  TooLarge,     ///< Regions and surroundings are more than half of the surface.
+  NotProved ///< The result of a region could not be joined to the rest or proved; the whole surface was run.
+};
+
+struct RegionFigures
+{
+  RegionStatus Status = RegionStatus::NotRequested;
+  std::int64_t Count = 0;     ///< Regions.
+  std::int64_t Triangles = 0; ///< Of them and their surroundings.
+  std::int64_t Kept = 0;      ///< Regions whose results were kept from earlier runs.
+};
+
 struct StageSeconds
 {
   double Prepare = 0.0;  ///< Cleaning and building the half-edge mesh.
@@ -330,6 +348,7 @@ struct Report
   std::array<std::int64_t, NumberOfRejections>
     Rejections{}; ///< By Rejection; [NotRejected] is always 0.
   DraftFigures Draft;
+  RegionFigures Regions;
   StageSeconds Seconds;
   std::uint64_t InputChecksum = 0; ///< Mesh/Checksum.h.
   Options Requested;
@@ -342,6 +361,7 @@ const char* StopReasonWord(StopReason reason);
 const char* StopReasonSentence(StopReason reason);
 const char* RejectionWord(Rejection rejection);
 const char* DraftStatusWord(DraftStatus status);
+const char* RegionStatusWord(RegionStatus status);
 /// Why the input was rejected, with counts and first ids; empty if it is good.
 std::string InputMessage(const Report& report);
 /// Warnings about a good input, one sentence each, with counts and first ids.

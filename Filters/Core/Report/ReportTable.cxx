@@ -276,6 +276,14 @@ void AddRun(Entries& entries, const Report& report)
     entries.push_back({ "draft.collapses", "", report.Draft.Collapses });
     entries.push_back({ "draft.undone", "", report.Draft.Undone });
   }
+  if (report.Regions.Status != RegionStatus::NotRequested)
+  {
+    const RegionFigures& regions = report.Regions;
+    entries.push_back({ "regions.status", "", std::string(RegionStatusWord(regions.Status)) });
+    entries.push_back({ "regions.count", "", regions.Count });
+    entries.push_back({ "regions.triangles", "", regions.Triangles });
+    entries.push_back({ "regions.kept", "", regions.Kept });
+  }
   entries.push_back({ "seconds.prepare", "s", report.Seconds.Prepare });
   entries.push_back({ "seconds.collapse", "s", report.Seconds.Collapse });
   entries.push_back({ "seconds.decimate", "s", report.Seconds.Decimate });

@@ -12,7 +12,7 @@ there; PyVista finds `mesh.bone` by itself.
 
 from typing import TYPE_CHECKING
 
-from ._core import StopReason, __version__
+from ._core import PreparedSurface, StopReason, __version__
 from .arrays import Aborted, Certificate, Result, certify, decimate, smooth
 from .label_maps import LabelSurfaces, extract_label, extract_surfaces
 from .levels import Levels, open_levels, record_levels
@@ -22,8 +22,8 @@ from .voxels import LabelMap, VoxelGrid
 if TYPE_CHECKING:
     from .vtk_filter import vtkBoneDecimate
 
-__all__ = ["Aborted", "Certificate", "LabelChanges", "LabelMap", "LabelSurfaces", "Levels", "Result", "StopReason", "VoxelChanges",
-           "VoxelGrid", "__version__", "certify", "check_voxels", "decimate", "extract_label", "extract_surfaces", "open_levels",
+__all__ = ["Aborted", "Certificate", "LabelChanges", "LabelMap", "LabelSurfaces", "Levels", "PreparedSurface", "Result",
+           "StopReason", "VoxelChanges", "VoxelGrid", "__version__", "certify", "check_voxels", "decimate", "extract_label", "extract_surfaces", "open_levels",
            "record_levels", "smooth", "vtkBoneDecimate"]
 
 # Classes of the package that is built with VTK, and what does the same here.

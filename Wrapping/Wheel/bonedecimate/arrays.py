@@ -150,6 +150,7 @@ def decimate(
     label_map: LabelMapLike | VoxelGrid | None = None,
     boundary_labels: ArrayLike | None = None,
     reference: SurfaceLike | None = None,
+    prepared: _core.PreparedSurface | None = None,
     progress: bool | Progress | None = None,
     **options: Unpack[ArrayOptions],
 ) -> Result:
@@ -175,6 +176,9 @@ def decimate(
         The labels on both sides of each triangle, the normal points to the second; 0 is the background. Needs a grid.
     reference : mesh, (points, triangles), or what `decimate` returned, optional
         The surface that this one was made from; ``max_error``, which must be given, is proved against it.
+    prepared : `PreparedSurface`, optional
+        Keeps what runs with tolerances of 0 prepare, for the next runs on the same surface: they run only regions that are new.
+        The result does not depend on it.
     progress : bool or function, optional
         True shows a bar (tqdm or rich). A function is called with the fraction done, 0 to 1; if it returns False, the run ends
         with the valid surface so far, and ``stop_reason`` says so.
@@ -195,12 +199,15 @@ def decimate(
     The bytes of the result are those of the C++ filter, for any number of threads. Other Python threads run meanwhile.
     """
     values = read(options, decimate)
-    return _run(input_from(points, triangles), values, tolerances, labels, label_map, boundary_labels, reference, progress)
+    if prepared is not None and not isinstance(prepared, _core.PreparedSurface):
+        raise TypeError(f"prepared takes a PreparedSurface, not {type(prepared).__name__}")
+    return _run(input_from(points, triangles), values, tolerances, labels, label_map, boundary_labels, reference, progress,
+                prepared)
 
 
 def _run(surface: Surface, values: _core.Options, tolerances: ArrayLike | None, labels: ArrayLike | None,
          label_map: LabelMapLike | VoxelGrid | None, boundary_labels: ArrayLike | None, reference: SurfaceLike | None,
-         progress: bool | Progress | None) -> Result:
+         progress: bool | Progress | None, prepared: _core.PreparedSurface | None = None) -> Result:
     """The warnings name the caller of the caller."""
     surface, voxels = with_label_map(surface, boundary_labels, label_map)
     source = surface.source
@@ -210,7 +217,7 @@ def _run(surface: Surface, values: _core.Options, tolerances: ArrayLike | None, 
     limits = tolerances_from(tolerances, len(surface.points))
     with listener(progress) as heard:
         outcome = _core.decimate(*surface[:2], values, surface.is_single, withOrigins, limits, None, first and first[:2], heard,
-                                 named, source and source.to_core())
+                                 named, source and source.to_core(), prepared)
     outcome["warnings"] = surface.warnings + (first.warnings if first else []) + outcome["warnings"]
     raise_problems(outcome)
     if voxels is not None:

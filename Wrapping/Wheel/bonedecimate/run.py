@@ -34,10 +34,11 @@ class InputArrays(NamedTuple):
 
 
 def run(data: vtkPolyData, options: _core.Options, progress: Progress | None, reference: SurfaceLike | None = None,
-        arrays: InputArrays = InputArrays()) -> tuple[dict, Surface]:
+        arrays: InputArrays = InputArrays(), prepared: _core.PreparedSurface | None = None) -> tuple[dict, Surface]:
     """The result of the core, with the warnings of both. Raises ValueError if the input lacks an array that is named.
 
     @param reference The surface that the input was made from, if the largest error is proved against it.
+    @param prepared Keeps what runs over regions of the same surface have in common.
     """
     is_filled = data.GetNumberOfPoints() > 0
     name = options.get("ToleranceArrayName")
@@ -57,7 +58,7 @@ def run(data: vtkPolyData, options: _core.Options, progress: Progress | None, re
     first = None if reference is None else surface_from(reference, "reference")
     outcome = _core.decimate(surface.points, surface.triangles, options, surface.is_single, origins, tolerances,
                              surface.cell_of_triangle, first and first[:2], progress, labels,
-                             surface.source and surface.source.to_core())
+                             surface.source and surface.source.to_core(), prepared)
     outcome["warnings"] = surface.warnings + (first.warnings if first else []) + outcome["warnings"]
     return outcome, surface
 

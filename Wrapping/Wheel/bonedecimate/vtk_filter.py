@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import _core
 from .label_arrays import add_grid
+from .kept import KeepsPrepared
 from .options import ROWS, assign, deprecated, describe, nearest, words
 from .report import current_name
 from .run import InputArrays, fill_input_copy, fill_output, run
@@ -24,7 +25,7 @@ PROOF_STATUSES = ("not_requested", "proved", "violated", "undecided")
 POINTS, CELLS = vtkDataObject.FIELD_ASSOCIATION_POINTS, vtkDataObject.FIELD_ASSOCIATION_CELLS
 
 
-class vtkBoneDecimate(VTKPythonAlgorithmBase):
+class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
     """Make a bone surface smaller, keep every fragment, report the error in millimeters.
 
     Input port 0: vtkPolyData of triangles, strips or polygons, mm. Input port 1, optional: the reference, the surface
@@ -245,7 +246,7 @@ class vtkBoneDecimate(VTKPythonAlgorithmBase):
         return copy
 
     def _run(self, data: vtkPolyData, reference: vtkPolyData | None, output: vtkPolyData, input_copy: vtkPolyData) -> int:
-        outcome, surface = run(data, self._options, self._goes_on, reference, self._input_arrays(data))
+        outcome, surface = run(data, self._options, self._goes_on, reference, self._input_arrays(data), self._kept())
         self._entries, self._json, self._stop = outcome["entries"], outcome["json"], outcome["stop"]
         self._rejected_edits = outcome["rejected_edits"]
         status = outcome["status"]

@@ -76,6 +76,27 @@ class WheelEngine:
 
     has_levels = True
 
+    def __init__(self):
+        self._kept = None  # options and filter of the last run
+
+    def release(self):
+        """Frees what was kept for further strokes of a brush."""
+        self._kept = None
+
+    def _filter_of(self, options, keep):
+        """The filter of the last run if it has these options: it runs only those regions of the same surface that are new."""
+        from bonedecimate import options as table
+        from bonedecimate import vtkBoneDecimate
+        if self._kept is not None and self._kept[0] == options:
+            return self._kept[1]
+        decimate = vtkBoneDecimate()
+        rows = {row.flag: row for row in table.ROWS.values()}
+        for flag, value in options.items():
+            _set_option(decimate, rows, flag, value)
+        if keep:
+            self._kept = dict(options), decimate
+        return decimate
+
     def decimate_segments(self, label_map, options, tolerances=None, progress=None):
         """SharedSurfaces of a LabelMap.
 
@@ -102,35 +123,33 @@ class WheelEngine:
         return SharedSurfaces(small.points, small.triangles, small.boundary_labels, small.distance,
                               json.loads(small.report_as_json), [str(each.message) for each in caught])
 
-    def decimate(self, surface, options, tolerances=None, progress=None):
+    def decimate(self, surface, options, tolerances=None, progress=None, keep=True):
         """@param options Flags of the program without dashes and their values: {"max-error": 0.2}.
         @param progress Called with the fraction done; returns False to cancel.
+        @param keep Whether the next run of the same surface runs only the regions of a brush that are new.
         """
-        from bonedecimate import options as table
-        from bonedecimate import vtkBoneDecimate
-        decimate = vtkBoneDecimate()
-        rows = {row.flag: row for row in table.ROWS.values()}
-        for flag, value in options.items():
-            _set_option(decimate, rows, flag, value)
-        if tolerances is not None:
-            decimate.SetToleranceArrayName(TOLERANCE)
-        problems = []
-        decimate.AddObserver("ErrorEvent", _collector(problems))
-        canceled = []
+        decimate = self._filter_of(options, keep)
+        decimate.SetToleranceArrayName("" if tolerances is None else TOLERANCE)
+        problems, canceled = [], []
 
         def tell(caller, _event):
             if progress and progress(caller.GetProgress()) is False:
                 canceled.append(True)
                 caller.SetAbortExecute(1)
 
-        decimate.AddObserver("ProgressEvent", tell)
+        observers = [decimate.AddObserver("ErrorEvent", _collector(problems)), decimate.AddObserver("ProgressEvent", tell)]
+        decimate.SetAbortExecute(0)
         decimate.SetInputDataObject(0, with_tolerances(surface, tolerances))
         decimate.Update()
+        for observer in observers:
+            decimate.RemoveObserver(observer)
         if canceled:
             raise Canceled("Canceled.")
         if problems:
             raise DecimationError(problems[0])
-        return decimate.GetOutputDataObject(0)
+        result = vtk.vtkPolyData()  # the filter fills its own output again
+        result.ShallowCopy(decimate.GetOutputDataObject(0))
+        return result
 
     def record_levels(self, surface, options):
         """bonedecimate.Levels of the surface's triangles."""
@@ -182,10 +201,13 @@ class ProgramEngine:
     def __init__(self, program):
         self.program = str(program)
 
+    def release(self):
+        """Nothing is kept between runs."""
+
     def decimate_segments(self, *_arguments, **_keywords):
         raise DecimationError("Segments need the Python package bonedecimate in Slicer's Python.")
 
-    def decimate(self, surface, options, tolerances=None, progress=None):
+    def decimate(self, surface, options, tolerances=None, progress=None, keep=True):
         with tempfile.TemporaryDirectory(prefix="bonedecimate-") as folder:
             source, target = Path(folder, "input.vtp"), Path(folder, "output.vtp")
             writer = vtk.vtkXMLPolyDataWriter()

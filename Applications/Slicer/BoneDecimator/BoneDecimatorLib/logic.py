@@ -242,7 +242,7 @@ class BoneDecimatorLogic:
         if not segmentation.has_label_map(source):
             part, ratio = preview.part_of_surface(surface_of(source, (segments or [None])[0]), center=center)
             options = _preview_options(request, ratio)
-            result = self.engine.decimate(part, options, self.tolerances(request, source, part), progress)
+            result = self.engine.decimate(part, options, self.tolerances(request, source, part), progress, keep=False)
             lines = statistics(report_of(result))
         else:
             found = segmentation.label_maps_of(source, segments)
@@ -306,6 +306,11 @@ class BoneDecimatorLogic:
 
         self._undo_steps.append(restore)
         node.SetAndObservePolyData(surface)
+
+    def release_memory(self):
+        """Frees what was kept for further strokes of a brush; the next one takes as long as the first."""
+        if self._engine is not None:
+            self._engine.release()
 
     def can_undo(self):
         return bool(self._undo_steps)

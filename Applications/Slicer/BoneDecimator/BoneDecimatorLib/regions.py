@@ -12,8 +12,13 @@ def points_of(surface):
     return vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
 
 
+FEW = 32  # centers for which trying all of them is faster than a search
+
+
 def distance_to_points(points, centers):
     """mm, of each point to the nearest center."""
+    if len(centers) <= FEW:
+        return np.min([np.linalg.norm(points - center, axis=1) for center in np.asarray(centers, dtype=float)], axis=0)
     kept = vtk.vtkPoints()
     kept.SetData(numpy_to_vtk(np.ascontiguousarray(centers, dtype=float), deep=True))
     locator = vtk.vtkStaticPointLocator()
