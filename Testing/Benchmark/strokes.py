@@ -5,7 +5,7 @@
 
     strokes.py SURFACE [--strokes 10] [--radius 12.5] [--error 0.2] [--mode Fast] [--threads 2] [--repeats 3] [--whole]
 
-Each stroke adds a ball to what may be simplified; balls lie far from each other. The last line of strokes is the undo of the last
+Each stroke adds a ball to what may be simplified, around a random point; balls do not overlap. The last line of strokes is the undo of the last
 one: the tolerances before it. Times are those of the update alone, medians of so many repetitions with a new filter each, wall and
 processor seconds; the load of the machine is printed, too. With --whole the same tolerances run with a filter that runs the whole
 surface, which gives the number of triangles to compare with.
@@ -39,14 +39,13 @@ def read(path):
     return surface
 
 
-def far_points(points, count):
-    """Each as far as possible from those before it."""
-    chosen = [int(points[:, 0].argmin())]
-    distance = np.full(len(points), np.inf)
-    while len(chosen) < count:
-        distance = np.minimum(distance, np.linalg.norm(points - points[chosen[-1]], axis=1))
-        chosen.append(int(distance.argmax()))
-    return points[chosen]
+def centers_on(points, count, apart):
+    """Random points of the surface, so far apart, mm, that their regions are separate."""
+    chosen = []
+    for point in points[np.random.default_rng(1).permutation(len(points))]:
+        if len(chosen) < count and all(np.linalg.norm(point - other) > apart for other in chosen):
+            chosen.append(point)
+    return chosen
 
 
 def tolerances_of(points, centers, options):
@@ -66,6 +65,7 @@ def filter_of(options):
     decimate.SetNumberOfThreads(options.threads)
     decimate.SetMeasureDistances(False)
     decimate.SetToleranceArrayName(TOLERANCE)
+    decimate.AddObserver("WarningEvent", lambda *_: None)
     return decimate
 
 
@@ -103,7 +103,7 @@ def main():
 
     surface = read(options.surface)
     points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
-    maps = tolerances_of(points, far_points(points, options.strokes), options)
+    maps = tolerances_of(points, centers_on(points, options.strokes, 2 * options.radius + 10 * options.error), options)
     print(f"{options.surface.name}: {surface.GetNumberOfPolys():,} triangles, {options.mode}, {options.error} mm, brush of radius "
           f"{options.radius} mm, {options.threads} threads, load {os.getloadavg()[0]:.1f}")
     print("stroke  wall s   cpu s triangles   of run regions  kept    status upper mm  kept MB")

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ResultProof.h"
 
-#include "Certificate/Certificate.h"
 #include "StageClock.h"
 
 #include <algorithm>
@@ -20,7 +19,9 @@ namespace
 constexpr double WholeGap = 1e-4;
 constexpr double TriangleGap = 0.02;
 
-CertificateOptions QuestionOf(const Options& options, const std::vector<double>* tolerances)
+}
+
+CertificateOptions ProofOptions(const Options& options, const std::vector<double>* tolerances)
 {
   CertificateOptions question;
   double largest = 0.0; // mm
@@ -45,6 +46,26 @@ CertificateOptions QuestionOf(const Options& options, const std::vector<double>*
   return question;
 }
 
+std::vector<double> BoundsAtPoints(
+  const Surface& surface, const std::vector<double>& triangleBounds)
+{
+  if (triangleBounds.empty())
+  {
+    return {};
+  }
+  std::vector<double> bounds(surface.Points.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t t = 0; t < triangleBounds.size(); ++t)
+  {
+    for (const Index corner : surface.Triangles[t])
+    {
+      bounds[corner] = std::fmax(bounds[corner], triangleBounds[t]);
+    }
+  }
+  return bounds;
+}
+
+namespace
+{
 ProvedDistance BoundsOf(const DirectedCertificate& directed)
 {
   return { directed.Distance.Lower, directed.Distance.Upper };
@@ -66,25 +87,6 @@ ErrorProof ProofOf(const Certificate& found, const CertificateOptions& question)
     proof.BoundaryOutputToInput = BoundsOf(found.BoundaryOfResultToReference);
   }
   return proof;
-}
-
-/// mm, for each point; empty if there are no bounds of triangles.
-std::vector<double> BoundsAtPoints(
-  const Surface& surface, const std::vector<double>& triangleBounds)
-{
-  if (triangleBounds.empty())
-  {
-    return {};
-  }
-  std::vector<double> bounds(surface.Points.size(), std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t t = 0; t < triangleBounds.size(); ++t)
-  {
-    for (const Index corner : surface.Triangles[t])
-    {
-      bounds[corner] = std::fmax(bounds[corner], triangleBounds[t]);
-    }
-  }
-  return bounds;
 }
 
 void ProveAgainst(const Surface& reference, const CertificateOptions& question,
@@ -161,7 +163,7 @@ void ProveResult(const Surface& input, const CleanSurface& cleaned, const Option
     Options question = options;
     question.MeasureInputDistances = false; // points of the reference are not points of the input
     const double half = tolerances != nullptr ? 0.5 : 1.0;
-    ProveAgainst(*reference, QuestionOf(question, nullptr), PartOf(monitor, 0.0, half), output);
+    ProveAgainst(*reference, ProofOptions(question, nullptr), PartOf(monitor, 0.0, half), output);
     if (tolerances != nullptr && output.Report.Proof.WasMade)
     {
       AddMapStatus(
@@ -170,7 +172,7 @@ void ProveResult(const Surface& input, const CleanSurface& cleaned, const Option
   }
   else
   {
-    const CertificateOptions question = QuestionOf(options, tolerances);
+    const CertificateOptions question = ProofOptions(options, tolerances);
     if (cleaned.InputTriangle.size() < input.Triangles.size())
     {
       ProveAgainst(KeptPart(input, cleaned), question, monitor, output);

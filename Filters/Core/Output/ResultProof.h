@@ -14,11 +14,19 @@
 #ifndef BoneDecimate_Core_Output_ResultProof_h
 #define BoneDecimate_Core_Output_ResultProof_h
 
+#include "Certificate/Certificate.h"
 #include "Decimate.h"
 #include "Input/ReferenceInput.h"
 
 namespace bonedecimate
 {
+/// What a run has to prove.  @param tolerances mm, for each point of the input; null: none.
+CertificateOptions ProofOptions(const Options& options, const std::vector<double>* tolerances);
+
+/// mm, for each point the largest bound of the triangles around it; empty if there are no bounds of triangles.
+std::vector<double> BoundsAtPoints(
+  const Surface& surface, const std::vector<double>& triangleBounds);
+
 /// Whether a run ends with its proof.
 bool WantsProof(const Options& options, bool hasTolerances);
 

@@ -51,11 +51,6 @@ void MarkCorners(
   }
 }
 
-bool AreNear(const Region& a, const Region& b, double reach)
-{
-  return (a.High - b.Low).minCoeff() >= -reach && (b.High - a.Low).minCoeff() >= -reach;
-}
-
 void Append(std::vector<Index>& all, const std::vector<Index>& more)
 {
   const auto middle = static_cast<std::ptrdiff_t>(all.size());
@@ -67,8 +62,7 @@ void Absorb(Region& region, const Region& other)
 {
   Append(region.Triangles, other.Triangles);
   Append(region.Points, other.Points);
-  region.Low = region.Low.cwiseMin(other.Low);
-  region.High = region.High.cwiseMax(other.High);
+  region.Bound.Add(other.Bound);
 }
 
 void MergeNear(std::vector<Region>& regions, double reach)
@@ -80,7 +74,7 @@ void MergeNear(std::vector<Region>& regions, double reach)
     {
       for (std::size_t j = regions.size(); j-- > i + 1;)
       {
-        if (AreNear(regions[i], regions[j], reach))
+        if (regions[i].Bound.MayBeNear(regions[j].Bound, reach))
         {
           Absorb(regions[i], regions[j]);
           regions.erase(regions.begin() + static_cast<std::ptrdiff_t>(j));
@@ -113,9 +107,7 @@ std::vector<Region> PiecesOf(const Surface& clean, const std::vector<Index>& tri
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     Region& region = regions[static_cast<std::size_t>(pieces.OfPoint[i])];
-    const Vector3& p = clean.Points[points[i]];
-    region.Low = region.Points.empty() ? p : Vector3(region.Low.cwiseMin(p));
-    region.High = region.Points.empty() ? p : Vector3(region.High.cwiseMax(p));
+    region.Bound.Add(clean.Points[points[i]]);
     region.Points.push_back(points[i]);
   }
   for (std::size_t i = 0; i < triangles.size(); ++i)
@@ -130,24 +122,23 @@ std::vector<Region> PiecesOf(const Surface& clean, const std::vector<Index>& tri
 std::vector<Index> SelectTriangles(const Surface& clean, const Region& region, int threads)
 {
   const std::vector<Triangle>& all = clean.Triangles;
-  const Vector3 low = region.Low.array() - region.Reach;
-  const Vector3 high = region.High.array() + region.Reach;
   std::vector<char> isNear(clean.Points.size(), 0); // corners of the region, then of the first ring
   MarkCorners(clean, region.Triangles, isNear);
   const std::vector<Index> ring =
     IdsWhere(all.size(), threads, [&](std::size_t t) { return HasCorner(all[t], isNear); });
   MarkCorners(clean, ring, isNear);
-  return IdsWhere(all.size(), threads,
+  std::vector<char> isSelected(all.size());
+  ForEachId(all.size(), threads,
     [&](std::size_t t)
     {
       const Triangle& c = all[t];
-      const Vector3& p = clean.Points[c[0]];
-      const Vector3& q = clean.Points[c[1]];
-      const Vector3& r = clean.Points[c[2]];
-      return HasCorner(c, isNear) ||
-        ((p.cwiseMin(q).cwiseMin(r) - high).maxCoeff() <= 0.0 &&
-          (low - p.cwiseMax(q).cwiseMax(r)).maxCoeff() <= 0.0);
+      isSelected[t] = HasCorner(c, isNear) ||
+          region.Bound.MayBeNear(
+            { clean.Points[c[0]], clean.Points[c[1]], clean.Points[c[2]] }, region.Reach)
+        ? 1
+        : 0;
     });
+  return IdsWhere(all.size(), threads, [&](std::size_t t) { return isSelected[t] != 0; });
 }
 }
 

@@ -5,7 +5,7 @@
  * @brief Finds the regions in which a surface may change, and cuts each out with its surroundings.
  *
  *     regions         connected by common points; those that are within reach of each other are one
- *     surroundings    triangles within reach of the box of the region, and two rings around it
+ *     surroundings    triangles within reach of the convex bound of the region (Slabs.h), and two rings around it
  *
  * Nothing depends on the number of threads.
  */

@@ -12,6 +12,7 @@
 #define BoneDecimate_Core_Regions_RegionPart_h
 
 #include "Decimate.h"
+#include "Slabs.h"
 
 #include <vector>
 
@@ -24,7 +25,7 @@ struct Region
   std::vector<Index> Points;      ///< Their corners. No other region has one of them.
   std::vector<double> Tolerances; ///< mm, of these points; negative: none.
   double Reach = 0.0;             ///< mm, within which triangles are surroundings.
-  Vector3 Low, High;              ///< mm, relative to the local origin: the box of these points.
+  Slabs Bound;                    ///< Of these points, mm relative to the local origin.
 
   bool operator==(const Region& other) const
   {

@@ -8,6 +8,7 @@
 #include "Output/ResultProof.h"
 #include "RegionCut.h"
 #include "RegionMatch.h"
+#include "RegionProof.h"
 #include "RegionReport.h"
 #include "RunProgress.h"
 #include "StageClock.h"
@@ -203,18 +204,30 @@ private:
 
   bool RunPart(RegionPart& part, const Monitor& monitor)
   {
+    constexpr double provedFrom = 0.8;
+    Options options = this->OptionsOfPart();
+    options.ProveResult = false;
     RunInputs inputs = { this->Inputs.InputIsSingle, true, &part.Tolerances };
     inputs.Labels = this->Inputs.Labels != nullptr ? &part.Labels : nullptr;
-    part.Result = this->Run(part.Surface, this->OptionsOfPart(), monitor, inputs);
+    part.Result = this->Run(part.Surface, options, PartOf(monitor, 0.0, provedFrom), inputs);
     const Report& report = part.Result.Report;
+    if (this->Progress.GoesOn() &&
+      (report.Status != InputStatus::Good || report.Cleaning.DroppedTriangles > 0 ||
+        !MatchUnchanged(part)))
+    {
+      return false;
+    }
+    if (this->WantsProof && this->Progress.GoesOn())
+    {
+      ProvePart(this->Effective, this->Prepared->Statistics.BoundaryEdges > 0,
+        PartOf(monitor, provedFrom, 1.0), part);
+    }
     StageSeconds& seconds = this->Made.Report.Seconds;
     seconds.Prepare += report.Seconds.Prepare;
     seconds.Collapse += report.Seconds.Collapse;
     seconds.Measure += report.Seconds.Measure;
     seconds.Prove += report.Seconds.Prove;
-    return !this->Progress.GoesOn() ||
-      (report.Status == InputStatus::Good && report.Cleaning.DroppedTriangles == 0 &&
-        MatchUnchanged(part));
+    return true;
   }
 
   bool Join()
