@@ -139,6 +139,8 @@ EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepar
     settings.IsConstrained = SharedVertices(task, prepared.Cleaned);
     settings.Bound = BoundSettings(task, prepared);
     settings.GuardsIntersections = task.Effective.BoundsError() && task.Effective.IntersectionGuard;
+    // Otherwise points that rounding would merge are separated, by no more than rounding.
+    settings.GuardsGaps = !task.Effective.KeepsAllTriangles();
   }
   return settings;
 }

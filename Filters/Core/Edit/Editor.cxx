@@ -125,7 +125,7 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
       [&](const Surface& joined)
       {
         return std::make_shared<IntersectionGuard>(
-          this->Half, joined, settings.Bound->Error, threads, monitor);
+          this->Half, joined, settings.Bound->Error, settings.GuardsGaps, threads, monitor);
       });
     this->Filters.push_back(this->Guard);
   }

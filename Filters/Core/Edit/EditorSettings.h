@@ -30,6 +30,8 @@ struct EditorSettings
     false; ///< Curves between manifold patches may be collapsed along themselves.
   /// Whether edits are rejected that let triangles intersect or narrow a gap; only with a Bound of finite Error.
   bool GuardsIntersections = false;
+  /// Of GuardsIntersections: whether gaps are measured first, so that no edit narrows one.
+  bool GuardsGaps = true;
   /// The error bound that every edit keeps; none: edits are not limited. Its Tolerances are those below.
   std::optional<ErrorBoundSettings> Bound = {};
   /// Whether edits are rejected that let a voxel center change sides; none: no voxel is guarded.

@@ -36,6 +36,10 @@ GapRule::GapRule(const Surface& surface, double limit, int threads, const Monito
   : Parts(FindComponents(surface))
   , Widths(surface.Points.size())
 {
+  if (!(limit > 0.0))
+  {
+    return;
+  }
   const PartTree tree(surface, this->Parts);
   const std::vector<Vector3> normals = NormalsOf(surface);
   const auto measure = [&](Index point)

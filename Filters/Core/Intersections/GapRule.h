@@ -34,7 +34,7 @@ struct Gap
 class GapRule
 {
 public:
-  /// @param limit mm; wider gaps count as none.
+  /// @param limit mm; wider gaps count as none. 0: no gap is measured.
   /// @param monitor If it says stop, what is there must not be used.
   GapRule(const Surface& surface, double limit, int threads, const Monitor& monitor = {});
 

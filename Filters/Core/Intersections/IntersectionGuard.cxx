@@ -28,10 +28,10 @@ double MostReach(const std::vector<Piece>& pieces) // mm
 }
 
 IntersectionGuard::IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& surface, double error,
-  int threads, const Monitor& monitor)
+  bool guardsGaps, int threads, const Monitor& monitor)
   : Mesh(mesh)
   , LeastCell(error)
-  , Widths(surface, ErrorsOfGap * error, threads, monitor)
+  , Widths(surface, guardsGaps ? ErrorsOfGap * error : 0.0, threads, monitor)
 {
 }
 

@@ -35,8 +35,9 @@ class IntersectionGuard : public EditFilter
 public:
   /// @param mesh Must outlive this object; its faces are sorted into the grid before the first edit.
   /// @param surface Of which the mesh was made, its manifold patches joined.  @param error mm, how far the surface may move.
-  IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& surface, double error, int threads,
-    const Monitor& monitor);
+  /// @param guardsGaps Whether gaps are measured; otherwise only intersections are rejected.
+  IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& surface, double error, bool guardsGaps,
+    int threads, const Monitor& monitor);
 
   std::shared_ptr<EditFilter::Pending> MakePending() override;
   bool NeedsSurfaceChange() const override { return true; }
