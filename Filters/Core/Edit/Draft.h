@@ -41,6 +41,7 @@ struct Draft
 
   std::shared_ptr<EditJournal> Journal;
   EditReplay Replay;
+  std::vector<Index> CheckedFaces; ///< IntersectionGuard::FindRejected.
   std::vector<std::shared_ptr<EditFilter>>
     ExactFilters; ///< Of the editor, while the draft has its own.
   std::array<std::int64_t, NumberOfRejections>

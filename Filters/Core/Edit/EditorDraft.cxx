@@ -90,7 +90,8 @@ std::vector<Index> Editor::FindRejectedEdits(BulkProof& proof, int threads)
   std::vector<Index> edits = proof.FindFailures(this->Source.CurrentVertices());
   if (edits.empty() && this->Guard)
   {
-    edits = this->Guard->FindRejected(journal, this->Drafted->Replay, threads);
+    edits = this->Guard->FindRejected(
+      journal, this->Drafted->Replay, this->Drafted->CheckedFaces, threads);
   }
   if (edits.empty())
   {

@@ -29,7 +29,10 @@ PieceCover<3>::Corner WalkedSurface::Find(const Vector3& p, Index hint) const
   const double limit = this->Limit(found.Face);
   if (found.Point.SquaredDistance > limit * limit)
   {
-    found.Face = this->Tree.FindNearest(p, found.Face).Triangle;
+    const Index nearest = this->Allowed.Differ()
+      ? this->Tree.FindNearest(p, found.Face).Triangle
+      : this->Tree.FindNearestWithin(p, limit * limit).Triangle;
+    found.Face = nearest != None ? nearest : found.Face;
     found.Point = FrameOf(this->Mesh, found.Face).Nearest(p);
   }
   const double distance = (p - FrameOf(this->Mesh, found.Face).At(found.Point)).norm();

@@ -43,6 +43,9 @@ public:
   /// The nearest point on any triangle; Triangle is None only if there are no triangles.
   Nearest FindNearest(const Vector3& p, Index hintTriangle = None) const;
 
+  /// The same; Triangle is None if none is nearer than that.
+  Nearest FindNearestWithin(const Vector3& p, double squaredDistance) const;
+
   /// The nearest corner of any triangle, as a point id; None only if there are no triangles.
   Index FindNearestPoint(const Vector3& p, Index hintTriangle = None) const;
 
@@ -79,6 +82,9 @@ private:
   /// @param distancesTo Four distances to the children of a node, each at most too large by Slack.
   template <typename Distances, typename Farthest, typename Visit>
   void Descend(Distances distancesTo, Farthest farthest, Visit visit) const;
+
+  void Improve(const Vector3& p, Nearest& best) const;
+  static void Improve(const Vector3& p, const Slot& slot, Nearest& best);
 
   /// Visits the slots whose boxes are not farther than `limit()` (squared, mm^2), nearer boxes first.
   template <typename Limit, typename Visit>

@@ -156,24 +156,42 @@ BoundingTree::Nearest BoundingTree::FindNearest(const Vector3& p, Index hintTria
 {
   Nearest best;
   best.Point.SquaredDistance = Infinity;
-  const auto visit = [&](const Slot& slot)
-  {
-    const PointOnTriangle point =
-      NearestOnTriangle(p, slot.Corners[0], slot.Corners[1], slot.Corners[2]);
-    const double previous = best.Point.SquaredDistance;
-    if (point.SquaredDistance < previous ||
-      (point.SquaredDistance == previous && slot.Id < best.Triangle))
-    {
-      best = { slot.Id, point };
-    }
-  };
   if (hintTriangle != None)
   {
-    visit(this->Slots[this->SlotOfTriangle[hintTriangle]]);
+    Improve(p, this->Slots[this->SlotOfTriangle[hintTriangle]], best);
   }
-  this->Walk(
-    p, [&] { return best.Point.SquaredDistance; }, visit);
+  this->Improve(p, best);
   return best;
+}
+
+//------------------------------------------------------------------------------
+BoundingTree::Nearest BoundingTree::FindNearestWithin(const Vector3& p, double squaredDistance) const
+{
+  Nearest best;
+  best.Point.SquaredDistance = squaredDistance;
+  this->Improve(p, best);
+  return best;
+}
+
+//------------------------------------------------------------------------------
+void BoundingTree::Improve(const Vector3& p, Nearest& best) const
+{
+  this->Walk(
+    p, [&best] { return best.Point.SquaredDistance; },
+    [&](const Slot& slot) { Improve(p, slot, best); });
+}
+
+//------------------------------------------------------------------------------
+void BoundingTree::Improve(const Vector3& p, const Slot& slot, Nearest& best)
+{
+  const PointOnTriangle point =
+    NearestOnTriangle(p, slot.Corners[0], slot.Corners[1], slot.Corners[2]);
+  const double previous = best.Point.SquaredDistance;
+  if (point.SquaredDistance < previous ||
+    (point.SquaredDistance == previous && slot.Id < best.Triangle))
+  {
+    best = { slot.Id, point };
+  }
 }
 
 //------------------------------------------------------------------------------

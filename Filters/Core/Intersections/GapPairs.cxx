@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -133,6 +134,19 @@ public:
       });
   }
 
+  /// Marks the changed faces that such a pair with this face could have.
+  void MarkNear(FaceId face, std::vector<char>& marks) const
+  {
+    const Triangle v = this->Mesh.Corners(face);
+    const Piece piece = PieceWithGap(this->Mesh, this->Widths, v, CornersOf(this->Mesh, v));
+    this->History.VisitAt(FloatBox(piece.Corners, piece.Reach), this->Journal.Count(),
+      [&](const FaceHistory::Version& version)
+      {
+        const bool isChanged = this->Journal.IsChanged(version.Face);
+        marks[version.Face] = isChanged ? 1 : marks[version.Face];
+      });
+  }
+
 private:
   static constexpr int MostSteps = 1000;
 
@@ -201,21 +215,49 @@ private:
 };
 }
 
+namespace
+{
+/// Changed faces that may be in a pair that was not checked yet: those that were not there before, and those near a face that
+/// is again as it was at first.
+std::vector<char> FacesToLookAt(const HalfEdgeMesh& mesh, const EditJournal& journal,
+  const NarrowedGaps& gaps, std::vector<Index>& checked)
+{
+  constexpr Index never = None - 1;
+  const bool isFirst = checked.empty();
+  checked.resize(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), never);
+  std::vector<char> marks(checked.size(), 0);
+  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    const Index version = mesh.IsAlive(face) ? journal.LastOfFace(face) : never;
+    const bool isNew = std::exchange(checked[face], version) != version && version != never;
+    if (isNew && journal.IsChanged(face))
+    {
+      marks[face] = 1;
+    }
+    else if (isNew && !isFirst)
+    {
+      gaps.MarkNear(face, marks);
+    }
+  }
+  return marks;
+}
+}
+
 std::vector<Index> FindNarrowedGaps(const HalfEdgeMesh& mesh, const GapRule& widths,
-  const EditJournal& journal, const FaceHistory& history, int threads)
+  const EditJournal& journal, const FaceHistory& history, std::vector<Index>& checked, int threads)
 {
   const NarrowedGaps gaps(mesh, widths, journal, history);
-  const std::size_t count = static_cast<std::size_t>(mesh.NumberOfFaceSlots());
+  const std::vector<char> isToLookAt = FacesToLookAt(mesh, journal, gaps, checked);
+  const std::size_t count = isToLookAt.size();
   std::vector<std::vector<Index>> edits(NumberOfChunks(count));
   ForEachChunk(count, threads, {},
     [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        const FaceId face = static_cast<Index>(i);
-        if (mesh.IsAlive(face) && journal.IsChanged(face))
+        if (isToLookAt[i] != 0)
         {
-          gaps.Look(face, edits[chunk]);
+          gaps.Look(static_cast<Index>(i), edits[chunk]);
         }
       }
     });

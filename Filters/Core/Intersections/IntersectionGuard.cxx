@@ -184,12 +184,12 @@ void IntersectionGuard::BuildGrid()
 }
 
 //------------------------------------------------------------------------------
-std::vector<Index> IntersectionGuard::FindRejected(
-  const EditJournal& journal, EditReplay& replay, int threads) const
+std::vector<Index> IntersectionGuard::FindRejected(const EditJournal& journal, EditReplay& replay,
+  std::vector<Index>& checkedFaces, int threads) const
 {
   std::vector<Index> edits = replay.FindRejected(threads);
   const std::vector<Index> narrowed =
-    FindNarrowedGaps(this->Mesh, this->Widths, journal, replay.History(), threads);
+    FindNarrowedGaps(this->Mesh, this->Widths, journal, replay.History(), checkedFaces, threads);
   edits.insert(edits.end(), narrowed.begin(), narrowed.end());
   return edits;
 }

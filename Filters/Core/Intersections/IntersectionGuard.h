@@ -52,9 +52,9 @@ public:
 
   /// For each edit of a draft that one of the rules rejects, and each pair of faces that the edits left too near to each other, the
   /// edit to undo. A gap that is narrow from the beginning counts only if an edit has changed one of its faces.
-  /// @param replay Of the journal, the same in all calls.
-  std::vector<Index> FindRejected(
-    const EditJournal& journal, EditReplay& replay, int threads) const;
+  /// @param replay Of the journal.  @param checkedFaces Empty at first; both the same in all calls.
+  std::vector<Index> FindRejected(const EditJournal& journal, EditReplay& replay,
+    std::vector<Index>& checkedFaces, int threads) const;
   /// Continues with the mesh that the edits of the draft left.
   void TakeDraft(const EditJournal& journal);
 

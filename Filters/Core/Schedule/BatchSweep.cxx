@@ -188,7 +188,7 @@ bool BatchSweep::Commit(Candidate& candidate)
   }
   else
   {
-    this->Lists.SetBucket(candidate.At.Vertex, candidate.Found.Bucket);
+    this->Lists.Reject(candidate.At.Vertex, candidate.Found.Bucket);
   }
   this->MeshEditor.Settle(candidate.Space.Counted);
   return isCollapsed;

@@ -92,7 +92,7 @@ bool BlockSweep::CollapseAt(VertexEdges& edges, CostBucket highest)
   }
   else
   {
-    this->Lists.SetBucket(vertex, found.Bucket);
+    this->Lists.Reject(vertex, found.Bucket);
   }
   return found.Of == CollapseSearch::Outcome::Accepted;
 }

@@ -29,6 +29,11 @@ CollapseSearch::Result CollapseSearch::Find(
   CostBucket rejectedUntil = NeverBucket;
   bool crosses = false;
   CostBucket bucket = BucketOf(edges.LeastCost());
+  for (; this->Known.IsRejected(vertex) && bucket < this->Known.Buckets[vertex];
+       bucket = BucketOf(edges.LeastCost()))
+  {
+    edges.TakeCheapest();
+  }
   for (; bucket <= highest; bucket = BucketOf(edges.LeastCost()))
   {
     const Trial trial = this->TryEdge(vertex, edges.TakeCheapest(), CostOf(highest));
@@ -57,7 +62,7 @@ CollapseSearch::Result CollapseSearch::Find(
 bool CollapseSearch::WasTried(VertexId vertex) const
 {
   return this->Task->TriesAll() && this->Known.Buckets[vertex] == NeverBucket &&
-    !this->Known.Changed[vertex];
+    this->Known.IsRejected(vertex);
 }
 
 //------------------------------------------------------------------------------

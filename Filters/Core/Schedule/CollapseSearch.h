@@ -4,7 +4,7 @@
  * @file CollapseSearch.h
  * @brief The cheapest collapse at a vertex that rules and filters accept. The search changes neither the mesh nor the buckets.
  *
- *     for every edge of the vertex up to the highest cost, cheapest first:
+ *     for every edge of the vertex up to the highest cost, cheapest first, without those rejected before if nothing has changed:
  *         an edge leads out of the block:      deferred
  *         spike penalty above the highest:     as if rejected
  *         rejected:                            the next edge; after the last, raise the bucket by a factor of 16 in cost

@@ -26,15 +26,29 @@ struct VertexBuckets
   float CostFactor = 1.0F; ///< CostNormalization() of Cost/QuadricDeviation.h.
   /// Of Cost/SpikePenalty.h.
   double SpikeFactor = 0.0;
-  /// Only if edits are proved: whether anything around a vertex has changed since its bucket was computed.
+  /// Only if edits are limited: whether anything around a vertex has changed since its bucket was computed for this pass (bit 0),
+  /// and since no collapse was found there (bit 1).
   std::vector<std::uint8_t> Changed;
 
   void NoteChange(const std::vector<Index>& vertices)
   {
     for (std::size_t i = 0; i < vertices.size() && !this->Changed.empty(); ++i)
     {
-      this->Changed[vertices[i]] = 1;
+      this->Changed[vertices[i]] = 3;
     }
+  }
+  /// No edge of the vertex with a cost below its bucket may be collapsed.
+  void NoteRejection(VertexId vertex)
+  {
+    if (!this->Changed.empty())
+    {
+      this->Changed[vertex] &= 1;
+    }
+  }
+  /// Whether nothing has changed since: then edges below its bucket need not be tried again.
+  bool IsRejected(VertexId vertex) const
+  {
+    return !this->Changed.empty() && (this->Changed[vertex] & 2) == 0;
   }
   /// Whether the vertex must be evaluated again; resets the flag.
   bool TakeChange(VertexId vertex)

@@ -27,6 +27,13 @@ void VertexLists::Fill(const BlockTask& task)
 }
 
 //------------------------------------------------------------------------------
+void VertexLists::Reject(VertexId vertex, CostBucket bucket)
+{
+  this->Known.NoteRejection(vertex);
+  this->SetBucket(vertex, bucket);
+}
+
+//------------------------------------------------------------------------------
 void VertexLists::SetBucket(VertexId vertex, CostBucket bucket)
 {
   this->Known.Buckets[vertex] = bucket;

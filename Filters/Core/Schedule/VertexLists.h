@@ -12,6 +12,7 @@
 
 #include "CollapseSearch.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace bonedecimate
@@ -35,7 +36,8 @@ public:
     return std::min(this->Lists.TakeLowest(vertices), this->Task.Limit);
   }
 
-  void SetBucket(VertexId vertex, CostBucket bucket);
+  /// No collapse was found at the vertex.  @param bucket Of the edges that are left to try.
+  void Reject(VertexId vertex, CostBucket bucket);
   /// Computes the bucket of a vertex, that of its cheapest edge.  @param within Vertices that may be read.
   void Renew(VertexId vertex, VertexRange within);
   /// After the collapse.  @param around Of the edge that was collapsed.
@@ -43,6 +45,8 @@ public:
     const EdgeNeighborhood& around);
 
 private:
+  void SetBucket(VertexId vertex, CostBucket bucket);
+
   const HalfEdgeMesh& Mesh;
   const EdgeEvaluator& Evaluate;
   VertexBuckets& Known;
