@@ -86,7 +86,7 @@ TEST(Strokes, AfterTheFirstOnesRunOnlyWhatIsNew)
   EXPECT_TRUE(run.SaidNothing()) << run.AllMessages();
 }
 
-TEST(Strokes, NoticeAnInputThatChangedInPlace)
+TEST(Strokes, NoticeAnInputThatWasModifiedSilently)
 {
   const vtkSmartPointer<vtkPolyData> surface = Bumps(5);
   Brush brush(surface);
@@ -97,7 +97,7 @@ TEST(Strokes, NoticeAnInputThatChangedInPlace)
   double position[3];
   surface->GetPoint(0, position);
   surface->GetPoints()->SetPoint(0, 1.01 * position[0], 1.01 * position[1], 1.01 * position[2]);
-  brush.MoveTo(9.9); // nobody said that the points were modified
+  brush.MoveTo(9.9); // without vtkPoints::Modified()
   EXPECT_EQ(run.Value("regions.kept"), 0.0);
   ExpectAsFresh(run, brush);
 }

@@ -250,13 +250,13 @@ TEST(Region, KnowsWhereItsPointsAndTrianglesComeFrom)
   }
 }
 
-TEST(Region, DoesNotPierceASheetNextToIt)
+TEST(Region, DoesNotPierceASurfaceNextToIt)
 {
-  const Surface sheet = HeightField(24, 0.3, 5);
-  const Surface input = Together(sheet, Moved(sheet, Vector3(0.0, 0.0, 0.1)));
-  const auto first = static_cast<std::ptrdiff_t>(sheet.Points.size());
+  const Surface lower = HeightField(24, 0.3, 5);
+  const Surface input = Together(lower, Moved(lower, Vector3(0.0, 0.0, 0.1)));
+  const auto first = static_cast<std::ptrdiff_t>(lower.Points.size());
   Map map = Brush(input, Vector3(12.0, 12.0, 0.0), 4.0, 0.6);
-  std::fill(map.begin() + first, map.end(), 0.0); // the second sheet is not of the region
+  std::fill(map.begin() + first, map.end(), 0.0); // the upper surface is not of the region
   Options options = Fast(0.6);
   const Result guarded = Stroke(input, options, map);
   EXPECT_EQ(guarded.Report.Regions.Status, RegionStatus::Used);

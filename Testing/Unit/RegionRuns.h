@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RegionRuns.h
- * @brief Runs with a brush: a tolerance in balls and 0 elsewhere.
+ * @brief Runs with a brush: a tolerance in balls and 0 outside of them.
  */
 #ifndef BoneDecimate_Testing_RegionRuns_h
 #define BoneDecimate_Testing_RegionRuns_h
@@ -17,7 +17,7 @@ namespace bonedecimate::testsupport
 {
 using Map = std::vector<double>;
 
-/// A tolerance in a ball, 0 elsewhere.
+/// A tolerance in a ball, 0 outside of it.
 inline Map Brush(const Surface& surface, const Vector3& center, double radius, double tolerance)
 {
   Map map;

@@ -177,8 +177,7 @@ def decimate(
     reference : mesh, (points, triangles), or what `decimate` returned, optional
         The surface that this one was made from; ``max_error``, which must be given, is proved against it.
     prepared : `PreparedSurface`, optional
-        Keeps what runs with tolerances of 0 prepare, for the next runs on the same surface: they run only regions that are new.
-        The result does not depend on it.
+        Keeps what runs with tolerances of 0 prepare, so that the next ones on the same surface run only regions that are new.
     progress : bool or function, optional
         True shows a bar (tqdm or rich). A function is called with the fraction done, 0 to 1; if it returns False, the run ends
         with the valid surface so far, and ``stop_reason`` says so.
@@ -199,8 +198,6 @@ def decimate(
     The bytes of the result are those of the C++ filter, for any number of threads. Other Python threads run meanwhile.
     """
     values = read(options, decimate)
-    if prepared is not None and not isinstance(prepared, _core.PreparedSurface):
-        raise TypeError(f"prepared takes a PreparedSurface, not {type(prepared).__name__}")
     return _run(input_from(points, triangles), values, tolerances, labels, label_map, boundary_labels, reference, progress,
                 prepared)
 
@@ -209,6 +206,8 @@ def _run(surface: Surface, values: _core.Options, tolerances: ArrayLike | None, 
          label_map: LabelMapLike | VoxelGrid | None, boundary_labels: ArrayLike | None, reference: SurfaceLike | None,
          progress: bool | Progress | None, prepared: _core.PreparedSurface | None = None) -> Result:
     """The warnings name the caller of the caller."""
+    if prepared is not None and not isinstance(prepared, _core.PreparedSurface):
+        raise TypeError(f"prepared takes a PreparedSurface, not {type(prepared).__name__}")
     surface, voxels = with_label_map(surface, boundary_labels, label_map)
     source = surface.source
     given, named = labels_from(labels, len(surface.triangles))

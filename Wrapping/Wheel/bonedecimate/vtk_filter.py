@@ -33,8 +33,7 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
     map, vtkImageData, that another program extracted the input from; KeepVoxels and AutomaticSmoothing use its grid. Output port 0: the smaller surface; point data: the
     distance to the input, the error recorded along the collapses (mm) and how many input points each point represents;
     field data: the report as one JSON text, BoneDecimateReport, and its main figures as arrays (bonedecimate.proof.upper, ...).
-    Vertices and lines pass through.
-    Output port 1: the input, with the distance of each of its points to the result when MeasureInputDistances is on.
+    Vertices and lines pass through. Output port 1: the input, with the distance of each of its points to the result when MeasureInputDistances is on.
 
     Tolerances and labels are arrays of the input, chosen by name or by SetInputArrayToProcess(TOLERANCE_ARRAY or LABEL_ARRAY, ...);
     a name takes precedence. The arrays of vtkBoneSurfaces and of image.bone.surfaces() say from which label map the input was made:
