@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Strokes of a brush on vtkBoneDecimate: what is kept between updates changes no output.
+#include "BruteForce.h"
 #include "FilterRun.h"
 #include "VtkSurfaces.h"
 

@@ -44,7 +44,7 @@ TEST(Region, OfNothingLeavesTheInput)
 
 TEST(Region, SaysWhyTheWholeIsRun)
 {
-  const Surface input = Ball();
+  const Surface input = Ball(4);
   const Map map = Brush(input, Pole, 5.0, 0.1);
   const auto status = [&](const Options& options, const Map& tolerances)
   { return Stroke(input, options, tolerances).Report.Regions.Status; };
@@ -52,7 +52,7 @@ TEST(Region, SaysWhyTheWholeIsRun)
   EXPECT_EQ(status(InMode(Mode::Fast, Unmeasured()), map), RegionStatus::Used);
   EXPECT_EQ(status(Fast(0.1), Map(input.Points.size(), 0.1)), RegionStatus::NotRequested);
   EXPECT_EQ(status(Fast(0.1), Brush(input, Pole, 30.0, 0.1)), RegionStatus::TooLarge);
-  EXPECT_EQ(status(InMode(Mode::Fast, Triangles(20000)), map), RegionStatus::OtherOptions);
+  EXPECT_EQ(status(InMode(Mode::Fast, Triangles(5000)), map), RegionStatus::OtherOptions);
   EXPECT_EQ(status(InMode(Mode::Fast, Reduction(0.1)), map), RegionStatus::OtherOptions);
   Options smoothed = Fast(0.1);
   smoothed.Smoothing = 0.05;
@@ -148,7 +148,7 @@ TEST(RegionCache, NoticesAnotherInputOptionOrTolerance)
 
 TEST(RegionCache, ReleasesItsMemory)
 {
-  const Surface input = Ball();
+  const Surface input = Ball(4);
   RegionCache cache;
   EXPECT_EQ(cache.Bytes(), 0U);
   Stroke(input, Fast(0.2), Map(input.Points.size(), 0.2), &cache);
@@ -157,11 +157,11 @@ TEST(RegionCache, ReleasesItsMemory)
   const std::size_t one = cache.Bytes();
   EXPECT_GT(one, input.Triangles.size() * sizeof(Triangle));
   std::size_t most = one;
-  for (int i = 0; i < 40; ++i)
+  for (int i = 0; i < 20; ++i)
   {
-    const double angle = 0.15 * i;
+    const double angle = 0.3 * i;
     const Vector3 center(20.0 * std::sin(angle), 0.0, 20.0 * std::cos(angle));
-    Stroke(input, Fast(0.2), Brush(input, center, 6.0, 0.2), &cache);
+    Stroke(input, Fast(0.2), Brush(input, center, 9.0, 0.2), &cache);
     most = std::max(most, cache.Bytes());
   }
   EXPECT_LT(most, one + 400 * input.Triangles.size());

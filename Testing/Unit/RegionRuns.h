@@ -56,9 +56,9 @@ inline Options Fast(double error)
 }
 
 /// Radius 20; brushes of a few millimeters cover a few hundred of its triangles.
-inline Surface Ball()
+inline Surface Ball(int levels = 5)
 {
-  return BumpySphere(5, 20.0, 0.004, 3);
+  return BumpySphere(levels, 20.0, 0.004, 3);
 }
 inline const Vector3 Pole(0.0, 0.0, 20.0);
 inline const Vector3 OtherPole(0.0, 0.0, -20.0);

@@ -179,14 +179,17 @@ bool CheckPart(const Surface& input, const WholeSurface& whole, const RegionPart
   return true;
 }
 
-/// Whether the triangles from there on are the new ones of the part.
+/// Whether the triangles from there on are the new ones of the part.  @param next Moved behind them.
 bool AreNewTriangles(const RegionPart& part, const Surface& surface, std::size_t& next)
 {
   for (std::size_t t = 0; t < part.OldTriangle.size(); ++t)
   {
-    if (part.OldTriangle[t] == None &&
-      (next >= surface.Triangles.size() ||
-        !HaveSameCorners(part.Result.Surface, t, surface, next++)))
+    if (part.OldTriangle[t] != None)
+    {
+      continue;
+    }
+    const std::size_t at = next++;
+    if (at >= surface.Triangles.size() || !HaveSameCorners(part.Result.Surface, t, surface, at))
     {
       return false;
     }
