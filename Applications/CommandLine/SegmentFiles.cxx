@@ -125,6 +125,7 @@ std::vector<double> VolumesOfComponents(vtkPolyData* surface)
         Determinant(offset(corners[0]), offset(corners[1]), offset(corners[2])) / 6.0;
     });
   std::vector<double> sorted;
+  sorted.reserve(volumes.size());
   for (const auto& [set, volume] : volumes)
   {
     sorted.push_back(volume);

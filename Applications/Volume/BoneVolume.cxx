@@ -100,7 +100,7 @@ BoneSurface ExtractBoneSurface(
   {
     volume.Image->GetFieldData()->Initialize(); // names of labels are none of the surface's
     bone.Surface = OutwardContour(volume, hounsfield);
-    const auto& steps = volume.Geometry.Steps;
+    const auto& steps = volume.Geometry.Steps; // the image's own spacing means nothing
     bone.VoxelSize = std::min({ Length(steps[0]), Length(steps[1]), Length(steps[2]) });
   }
   return bone;

@@ -87,6 +87,17 @@ class Volumes(ApplicationTest):
                 self.assertGreater(self.report()["output"]["volume"], 1000.0)
                 self.assertEqual(self.report()["command_line"]["iso"], "226")
 
+    def test_voxels_of_a_preset_are_those_of_the_header(self):
+        image = ball()
+        image.SetSpacing(1.5, 0.75, 0.9)
+        for name in ("spaced.mha", "spaced.vti"):
+            self.write(image, self.path(name))
+            self.succeed(name, "out.vtp", "--iso", "bone", "--max-error", "halfvoxel", "--measure", "off", "--report", "report.json")
+            report = self.report()
+            self.assertAlmostEqual(report["voxel"]["size"], 0.75)
+            self.assertAlmostEqual(report["proof"]["tolerance"], 0.375)
+            self.assertEqual((report["command_line"]["iso"], report["command_line"]["preset"]), ("226", "HalfVoxel"))
+
     def test_volume_tells_the_voxels_of_a_preset(self):
         words = ("--iso", 226, "--preset", "half-voxel", "--report", "report.json")
         self.succeed("ct.vti", "out.vtp", *words)

@@ -49,11 +49,12 @@ class Readme(unittest.TestCase):
             for bone in ("left.stl", "right.stl"):
                 self.write_sphere(folder / "bones" / bone, 20.0, 60, 30)
             run(PHANTOM, str(folder / "ct.mha"), "--size", "small")
+            run(PHANTOM, str(folder / "labels.mha"), "--size", "small", "--labels")
             path = os.pathsep.join([str(pathlib.Path(PROGRAM).parent), os.environ["PATH"]])
             run("sh", "-e", "-c", block("Program", "sh"), cwd=name, env={**os.environ, "PATH": path})
             report = json.loads((folder / "small.json").read_text(encoding="utf-8"))
             self.assertEqual(report["output"]["triangles"], 20000)
-            for file in ("small.vtp", "small.html", "small.stl", "part.stl", "bone.vtp", "small/left.stl", "small/right.stl"):
+            for file in ("small.vtp", "small.html", "small.stl", "part.stl", "bone.vtp", "segments/label_3.vtp", "small/left.stl", "small/right.stl"):
                 self.assertTrue((folder / file).is_file(), file)
 
     def test_python_program_runs_as_printed(self):
