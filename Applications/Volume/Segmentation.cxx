@@ -77,7 +77,7 @@ Overlap Combine(const Value* values, const std::vector<SegmentOfValue>& layers,
     int count = 0;
     for (const SegmentOfValue& layer : layers)
     {
-      const auto value = static_cast<std::int64_t>(*values++);
+      const auto value = static_cast<std::int64_t>(+*values++);
       if (value != 0)
       {
         const auto found = layer.find(value);

@@ -144,11 +144,9 @@ bool HoldsTiffSlices(const std::string& folder)
 TiffSlices FindTiffSlices(const std::string& folder)
 {
   const std::vector<fs::path> files = TiffFiles(folder);
-  std::vector<std::string> names;
-  for (const fs::path& file : files)
-  {
-    names.push_back(file.filename().string());
-  }
+  std::vector<std::string> names(files.size());
+  std::transform(files.begin(), files.end(), names.begin(),
+    [](const fs::path& file) { return file.filename().string(); });
   const auto numbers = NumbersOf(names);
   std::vector<std::pair<std::int64_t, std::string>> ordered;
   TiffSlices slices;
