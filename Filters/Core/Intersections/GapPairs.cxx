@@ -134,19 +134,6 @@ public:
       });
   }
 
-  /// Marks the changed faces that such a pair with this face could have.
-  void MarkNear(FaceId face, std::vector<char>& marks) const
-  {
-    const Triangle v = this->Mesh.Corners(face);
-    const Piece piece = PieceWithGap(this->Mesh, this->Widths, v, CornersOf(this->Mesh, v));
-    this->History.VisitAt(FloatBox(piece.Corners, piece.Reach), this->Journal.Count(),
-      [&](const FaceHistory::Version& version)
-      {
-        const bool isChanged = this->Journal.IsChanged(version.Face);
-        marks[version.Face] = isChanged ? 1 : marks[version.Face];
-      });
-  }
-
 private:
   static constexpr int MostSteps = 1000;
 
@@ -217,48 +204,44 @@ private:
 
 namespace
 {
-/// Changed faces that may be in a pair that was not checked yet: those that were not there before, and those near a face that
-/// is again as it was at first.
-std::vector<char> FacesToLookAt(const HalfEdgeMesh& mesh, const EditJournal& journal,
-  const NarrowedGaps& gaps, std::vector<Index>& checked)
+/// The faces that edits have changed.
+std::vector<FaceId> ChangedFaces(const HalfEdgeMesh& mesh, const EditJournal& journal)
 {
-  constexpr Index never = None - 1;
-  const bool isFirst = checked.empty();
-  checked.resize(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), never);
-  std::vector<char> marks(checked.size(), 0);
+  std::vector<FaceId> faces;
   for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
-    const Index version = mesh.IsAlive(face) ? journal.LastOfFace(face) : never;
-    const bool isNew = std::exchange(checked[face], version) != version && version != never;
-    if (isNew && journal.IsChanged(face))
+    if (mesh.IsAlive(face) && journal.IsChanged(face))
     {
-      marks[face] = 1;
-    }
-    else if (isNew && !isFirst)
-    {
-      gaps.MarkNear(face, marks);
+      faces.push_back(face);
     }
   }
-  return marks;
-}
+  return faces;
 }
 
-std::vector<Index> FindNarrowedGaps(const HalfEdgeMesh& mesh, const GapRule& widths,
-  const EditJournal& journal, const FaceHistory& history, std::vector<Index>& checked, int threads)
+/// Those that were not there in the last call.
+std::vector<FaceId> NewFaces(
+  const std::vector<FaceId>& changed, const EditJournal& journal, std::vector<Index>& checked)
 {
-  const NarrowedGaps gaps(mesh, widths, journal, history);
-  const std::vector<char> isToLookAt = FacesToLookAt(mesh, journal, gaps, checked);
-  const std::size_t count = isToLookAt.size();
-  std::vector<std::vector<Index>> edits(NumberOfChunks(count));
-  ForEachChunk(count, threads, {},
+  std::vector<FaceId> faces;
+  std::copy_if(changed.begin(), changed.end(), std::back_inserter(faces),
+    [&](FaceId face)
+    {
+      const Index version = journal.LastOfFace(face);
+      return std::exchange(checked[face], version) != version;
+    });
+  return faces;
+}
+
+std::vector<Index> LookAt(
+  const NarrowedGaps& gaps, const std::vector<FaceId>& faces, int threads)
+{
+  std::vector<std::vector<Index>> edits(NumberOfChunks(faces.size()));
+  ForEachChunk(faces.size(), threads, {},
     [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        if (isToLookAt[i] != 0)
-        {
-          gaps.Look(static_cast<Index>(i), edits[chunk]);
-        }
+        gaps.Look(faces[i], edits[chunk]);
       }
     });
   std::vector<Index> all;
@@ -267,5 +250,21 @@ std::vector<Index> FindNarrowedGaps(const HalfEdgeMesh& mesh, const GapRule& wid
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
+}
+}
+
+std::vector<Index> FindNarrowedGaps(const HalfEdgeMesh& mesh, const GapRule& widths,
+  const EditJournal& journal, const FaceHistory& history, std::vector<Index>& checked, int threads)
+{
+  const NarrowedGaps gaps(mesh, widths, journal, history);
+  checked.resize(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), None);
+  const std::vector<FaceId> changed = ChangedFaces(mesh, journal);
+  const std::vector<FaceId> isNew = NewFaces(changed, journal, checked);
+  std::vector<Index> edits = LookAt(gaps, isNew, threads);
+  if (edits.empty() && isNew.size() < changed.size())
+  {
+    edits = LookAt(gaps, changed, threads);
+  }
+  return edits;
 }
 }

@@ -28,8 +28,8 @@ bool IsTooNear(
 /// For each pair of faces that are too near to each other, one of which the edits of the journal have changed, the later edit of
 /// both. Whether they were as near in the input makes no difference: more is undone then.
 /// @param widths Of the vertices of the mesh before the first edit of the journal.
-/// @param checked Of each face, the last edit when its pairs were checked. Pairs of which both faces are as they were then are left out:
-/// for those that were returned, an edit must have been undone. Empty in the first call for a journal.
+/// @param checked Of each face, the last edit of it in the last call; empty before the first for a journal. Only new faces are looked at
+/// first, and if they have no such pair, all: a pair may also arise where an undone edit has restored a face or a wider gap.
 std::vector<Index> FindNarrowedGaps(const HalfEdgeMesh& mesh, const GapRule& widths,
   const EditJournal& journal, const FaceHistory& history, std::vector<Index>& checked, int threads);
 
