@@ -25,6 +25,7 @@ struct vtkBoneDecimate::RunInput
   std::optional<bonedecimate::Labels>
     Labels; ///< Of each triangle; nothing: the array does not suit.
   bonedecimate::LabelMapOfRun Map;
+  std::shared_ptr<bonedecimate::RegionCache> Prepared; ///< Null: nothing is to be kept.
   bonedecimate::RunInputs Inputs;
 };
 

@@ -149,7 +149,7 @@ void vtkBoneDecimate::SetKeepPrepared(bool keep)
 {
   if (keep != this->GetKeepPrepared())
   {
-    this->Prepared.reset(keep ? new bonedecimate::RegionCache : nullptr);
+    this->Prepared = keep ? std::make_shared<bonedecimate::RegionCache>() : nullptr;
   }
 }
 
@@ -247,7 +247,8 @@ bool vtkBoneDecimate::ReadInput(vtkPolyData* input, vtkPolyData* reference,
     reference != nullptr ? &read.Reference.Surface : nullptr, hasLabels ? &*read.Labels : nullptr };
   read.Inputs.LabelMap = read.Map.Known();
   read.Inputs.Part = this->Part ? &this->Part->Part : nullptr;
-  read.Inputs.Regions = this->Prepared.get();
+  read.Prepared = this->Prepared; // an observer may drop it
+  read.Inputs.Regions = read.Prepared.get();
   return true;
 }
 

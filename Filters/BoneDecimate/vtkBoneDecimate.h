@@ -166,7 +166,7 @@ private:
   bool GoesOn(double fraction);
 
   std::unique_ptr<PartOfSurface> Part;                 // null: the input is the whole surface
-  std::unique_ptr<bonedecimate::RegionCache> Prepared; // null: nothing is to be kept
+  std::shared_ptr<bonedecimate::RegionCache> Prepared; // null: nothing is to be kept
 };
 
 #endif

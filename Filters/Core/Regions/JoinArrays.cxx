@@ -105,20 +105,19 @@ void FillOrigins(const CleanSurface& clean, const RegionParts& parts, const Join
 }
 
 void FillJoined(const WholeSurface& whole, const RegionParts& parts, JoinedRegions& joined,
-  bool wantsDistances, bool wantsOrigins, Result& result)
+  const WantedArrays& wanted, Result& result)
 {
   CountPoints(whole.Cleaned, joined, result);
-  if (wantsDistances || wantsOrigins)
+  if (wanted.Distances || wanted.Origins)
   {
     FillPoints(parts, joined, &Result::Distance, result);
     FillPoints(parts, joined, &Result::RunningError, result);
   }
-  if (std::any_of(parts.begin(), parts.end(),
-        [](const auto& part) { return !part->Result.ErrorBound.empty(); }))
+  if (wanted.ErrorBound)
   {
     FillPoints(parts, joined, &Result::ErrorBound, result);
   }
-  if (wantsOrigins)
+  if (wanted.Origins)
   {
     FillOrigins(whole.Cleaned, parts, joined, result.Origins);
   }

@@ -49,9 +49,14 @@ JoinedRegions JoinRegions(
 bool CheckJoined(const Surface& input, const WholeSurface& whole, const RegionParts& parts,
   const JoinedRegions& joined, int threads);
 
-/// Counts, arrays and maps of the result.  @param wantsOrigins RunInputs::WantsOrigins.
+struct WantedArrays
+{
+  bool Distances, Origins, ErrorBound;
+};
+
+/// Counts, arrays and maps of the result.
 void FillJoined(const WholeSurface& whole, const RegionParts& parts, JoinedRegions& joined,
-  bool wantsDistances, bool wantsOrigins, Result& result);
+  const WantedArrays& wanted, Result& result);
 
 /// Area and volume by which edits changed a component.
 struct ExtentChange

@@ -85,6 +85,50 @@ void MergeNear(std::vector<Region>& regions, double reach)
   }
 }
 
+/// Merges those with points that are neighbors: the surroundings of one would have triangles of the other.
+void MergeNeighbors(const Surface& clean, std::vector<Region>& regions)
+{
+  std::vector<Index> regionOf(clean.Points.size(), None);
+  std::vector<Index> first(regions.size()); // of those merged so far
+  for (std::size_t i = 0; i < regions.size(); ++i)
+  {
+    first[i] = static_cast<Index>(i);
+    for (const Index point : regions[i].Points)
+    {
+      regionOf[point] = first[i];
+    }
+  }
+  const auto firstOf = [&first](Index region)
+  {
+    while (first[region] != region)
+    {
+      region = first[region];
+    }
+    return region;
+  };
+  for (const Triangle& c : clean.Triangles)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const Index a = regionOf[c[i]];
+      const Index b = regionOf[c[(i + 1) % 3]];
+      if (a != None && b != None && a != b)
+      {
+        const auto [low, high] = std::minmax({ firstOf(a), firstOf(b) });
+        first[high] = low;
+      }
+    }
+  }
+  for (std::size_t i = regions.size(); i-- > 0;)
+  {
+    if (first[i] != static_cast<Index>(i))
+    {
+      Absorb(regions[firstOf(first[i])], regions[i]);
+      regions.erase(regions.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+}
+
 /// Connected pieces of these triangles.
 std::vector<Region> PiecesOf(const Surface& clean, const std::vector<Index>& triangles, int threads)
 {
@@ -152,6 +196,7 @@ std::vector<Region> FindRegions(
       return tolerances[c[0]] != 0.0 && tolerances[c[1]] != 0.0 && tolerances[c[2]] != 0.0;
     });
   std::vector<Region> regions = PiecesOf(clean, changeable, threads);
+  MergeNeighbors(clean, regions);
   MergeNear(regions, reach);
   for (Region& region : regions)
   {

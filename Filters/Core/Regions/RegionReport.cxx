@@ -100,7 +100,8 @@ void CombineMeasured(const RegionParts& parts, Report& report)
     CombineDistances(report.Output, parts, { &Report::OutputToInput, &Report::Output });
   report.InputToOutput =
     CombineDistances(report.Input, parts, { &Report::InputToOutput, &Report::Input });
-  report.BoundariesMeasured = report.Input.BoundaryEdges > 0;
+  report.BoundariesMeasured =
+    report.Input.BoundaryEdges > 0 && report.Requested.MergePoints; // others are not compared
 }
 
 /// The largest bounds. Beyond the reach of a part there is more of the surface, so that a lower bound ends there.
@@ -154,7 +155,7 @@ void CombineEdits(const RegionParts& parts, Report& report)
     report.Draft.Status = std::max(report.Draft.Status, one.Draft.Status);
     report.Draft.Collapses += one.Draft.Collapses;
     report.Draft.Undone += one.Draft.Undone;
-    report.RunningError = std::fmax(report.RunningError, one.RunningError);
+    report.RunningError = std::max(report.RunningError, one.RunningError); // stays not a number
   }
 }
 }

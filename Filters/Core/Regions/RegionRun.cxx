@@ -57,6 +57,14 @@ public:
   CacheUse(const CacheUse&) = delete;
   CacheUse& operator=(const CacheUse&) = delete;
 
+  /// Keeps nothing of this run.
+  void Drop()
+  {
+    if (this->Shared != nullptr)
+    {
+      this->Shared->Release();
+    }
+  }
   RegionCache* operator->() { return this->Shared != nullptr ? this->Shared : &this->Own; }
 
 private:
@@ -83,6 +91,19 @@ public:
 
   RegionStatus Decimate()
   {
+    const RegionStatus status = this->Try();
+    if (status != RegionStatus::Used)
+    {
+      this->Cache.Drop();
+    }
+    return status;
+  }
+
+  Result TakeResult() { return std::move(this->Made); }
+
+private:
+  RegionStatus Try()
+  {
     if (!this->FindRegions())
     {
       return RegionStatus::OtherOptions;
@@ -95,9 +116,6 @@ public:
     return this->RunParts() && this->Join() ? RegionStatus::Used : RegionStatus::NotProved;
   }
 
-  Result TakeResult() { return std::move(this->Made); }
-
-private:
   /// False if the whole has to run, because it rejects the input or rounds it, or feature curves meet edges that are not manifold.
   bool FindRegions()
   {
@@ -119,6 +137,10 @@ private:
     }
     const std::vector<double> tolerances =
       TolerancesOf(clean, LimitedTolerances(*this->Inputs.Tolerances, report.Size.Diagonal));
+    if (tolerances.empty()) // no triangle has a point with one
+    {
+      return false;
+    }
     this->Regions = bonedecimate::FindRegions(
       clean.Surface, tolerances, ErrorsOfReach * report.Size.ErrorBound, options.NumberOfThreads);
     report.Cleaning.ConstrainedPoints = std::count(tolerances.begin(), tolerances.end(), 0.0);
@@ -242,8 +264,10 @@ private:
     {
       return false;
     }
-    FillJoined(whole, this->Parts, joined, this->Effective.MeasureDistances,
-      this->Inputs.WantsOrigins, this->Made);
+    FillJoined(whole, this->Parts, joined,
+      { this->Effective.MeasureDistances, this->Inputs.WantsOrigins,
+        this->WantsProof && !isAborted },
+      this->Made);
     CombineReports(whole, this->Parts, changes, this->WantsProof && !isAborted, this->Made);
     Report& report = this->Made.Report;
     if (this->Inputs.Labels != nullptr)
@@ -306,10 +330,12 @@ Result DecimateRegions(const Surface& input, const Options& options, const Monit
   const RunInputs& inputs, const WholeRun& run)
 {
   double told = 0.0;
+  bool goesOn = true;
   const Monitor forward = [&](double fraction) // the whole may run after regions
   {
     told = std::max(told, fraction);
-    return !monitor || monitor(told);
+    goesOn = goesOn && (!monitor || monitor(told));
+    return goesOn;
   };
   Result result;
   const RegionStatus status = TryRegions(input, options, forward, inputs, run, result);

@@ -87,7 +87,7 @@ class WheelEngine:
         """The filter of the last run if it has these options: it runs only those regions of the same surface that are new."""
         from bonedecimate import options as table
         from bonedecimate import vtkBoneDecimate
-        if self._kept is not None and self._kept[0] == options:
+        if keep and self._kept is not None and self._kept[0] == options:
             return self._kept[1]
         decimate = vtkBoneDecimate()
         rows = {row.flag: row for row in table.ROWS.values()}
@@ -140,9 +140,11 @@ class WheelEngine:
         observers = [decimate.AddObserver("ErrorEvent", _collector(problems)), decimate.AddObserver("ProgressEvent", tell)]
         decimate.SetAbortExecute(0)
         decimate.SetInputDataObject(0, with_tolerances(surface, tolerances))
-        decimate.Update()
-        for observer in observers:
-            decimate.RemoveObserver(observer)
+        try:
+            decimate.Update()
+        finally:
+            for observer in observers:
+                decimate.RemoveObserver(observer)
         if canceled:
             raise Canceled("Canceled.")
         if problems:
