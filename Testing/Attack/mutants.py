@@ -95,7 +95,7 @@ MUTANTS = (
              BATCH_TESTS),
     of_draft("edits of a batch are applied within the reach of others", BATCH, "this->MeshEditor.Reach(candidate.Space)", "0.0",
              BATCH_TESTS),
-    of_draft("filters are not asked again when an edit of a batch is applied", BATCH, " &&\n    this->MeshEditor.StillAccepts(candidate.Space);",
+    of_draft("filters do not check an edit of a batch again when it is applied", BATCH, " &&\n    this->MeshEditor.StillAccepts(candidate.Space);",
              ";", BATCH_TESTS),
     of_draft("the coverage that an edit of a batch read may have changed", FOLDER + "CommitProof.cxx",
              "coverage.VersionOf(item.Id) == item.Version;", "coverage.VersionOf(item.Id) != item.Version + 99;", BATCH_TESTS),

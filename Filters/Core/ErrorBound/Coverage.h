@@ -91,7 +91,7 @@ private:
 
   std::vector<std::array<Entry, SlotsPerItem>> Items;
   std::vector<Version> Versions; // of each item
-  std::vector<SlotId> Firsts; // of each covering element
+  std::vector<SlotId> Firsts;    // of each covering element
 };
 }
 

@@ -20,8 +20,8 @@ namespace bonedecimate
 struct CoveredItem
 {
   Index Id;
-  std::uint32_t Gone;                // bits of its slots whose covering elements change
-  std::uint64_t Used = 0;            // of the new elements, those that prove it
+  std::uint32_t Gone;            // bits of its slots whose covering elements change
+  std::uint64_t Used = 0;        // of the new elements, those that prove it
   Coverage::Version Version = 0; // of its coverage when it was proved
 };
 
@@ -29,8 +29,8 @@ struct EditProof : public EditFilter::Pending
 {
   std::vector<CoveredItem> Items;
   std::vector<CoveredItem> BoundaryItems;
-  Index Nearest = None;         // an original triangle near the vertex that moves
-  Index NearestBoundary = None; // an original boundary edge near it
+  Index Nearest = None;           // an original triangle near the vertex that moves
+  Index NearestBoundary = None;   // an original boundary edge near it
   std::vector<Index> NewElements; // memory of the commit
 };
 }

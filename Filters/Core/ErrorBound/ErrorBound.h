@@ -96,7 +96,8 @@ private:
   std::vector<Index> Nearest;         // of each vertex of the mesh: an original triangle near it
   /// Originals that could not be proved, the last one first.
   using Witness = std::array<Index, 4>;
-  mutable std::vector<Witness> Witnesses; // of each vertex; checks write those of the ends of their edit
+  mutable std::vector<Witness>
+    Witnesses; // of each vertex; checks write those of the ends of their edit
   mutable WorkspacePool<Prover> Provers;
 };
 }

@@ -69,8 +69,7 @@ Decision Prover::Prove(
 }
 
 //------------------------------------------------------------------------------
-void Prover::Copy(
-  const Coverage& coverage, const SparseSet<Item>& items, std::vector<Item>& copies)
+void Prover::Copy(const Coverage& coverage, const SparseSet<Item>& items, std::vector<Item>& copies)
 {
   copies.assign(items.begin(), items.end());
   for (Item& item : copies)

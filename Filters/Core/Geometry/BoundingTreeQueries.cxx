@@ -165,7 +165,8 @@ BoundingTree::Nearest BoundingTree::FindNearest(const Vector3& p, Index hintTria
 }
 
 //------------------------------------------------------------------------------
-BoundingTree::Nearest BoundingTree::FindNearestWithin(const Vector3& p, double squaredDistance) const
+BoundingTree::Nearest BoundingTree::FindNearestWithin(
+  const Vector3& p, double squaredDistance) const
 {
   Nearest best;
   best.Point.SquaredDistance = squaredDistance;

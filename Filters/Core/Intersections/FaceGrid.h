@@ -15,9 +15,9 @@
 #ifndef BoneDecimate_Core_Intersections_FaceGrid_h
 #define BoneDecimate_Core_Intersections_FaceGrid_h
 
+#include "FloatBox.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Mesh/VertexRange.h"
-#include "FloatBox.h"
 
 #include <atomic>
 #include <memory>

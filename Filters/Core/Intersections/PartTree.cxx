@@ -205,7 +205,7 @@ double PartTree::ToOtherPart(const Vector3& p, Index part, double limit) const
 bool PartTree::MayFace(
   const Node& node, double squaredDistance, const Vector3& p, const Vector3& normal)
 {
-  double leastProduct = 0.0;    // of the normals
+  double leastProduct = 0.0;      // of the normals
   double least = 0.0, most = 0.0; // mm, from the point along its normal
   for (std::size_t axis = 0; axis < 3; ++axis)
   {

@@ -46,8 +46,7 @@ void BatchSweep::Run(
     {
       return;
     }
-    this->Team.Run(
-      this->Size, [this](std::size_t i) { this->SearchAt(this->Candidates[i]); });
+    this->Team.Run(this->Size, [this](std::size_t i) { this->SearchAt(this->Candidates[i]); });
     this->Changed.clear();
     const std::size_t waiting = this->Waiting.size();
     for (std::size_t i = 0; i < this->Size && left > 0; ++i)
@@ -73,8 +72,8 @@ void BatchSweep::FillBatch()
   {
     this->Take(listed);
   }
-  while (this->Size < this->MostInBatch &&
-    this->Waiting.size() < BatchesThatWait * this->MostInBatch)
+  while (
+    this->Size < this->MostInBatch && this->Waiting.size() < BatchesThatWait * this->MostInBatch)
   {
     if (this->NextReady == this->Ready.size())
     {

@@ -34,14 +34,13 @@ namespace bonedecimate
 class BatchSweep
 {
 public:
-  BatchSweep(
-    Editor& editor, const EdgeEvaluator& evaluate, VertexBuckets& buckets, int threads);
+  BatchSweep(Editor& editor, const EdgeEvaluator& evaluate, VertexBuckets& buckets, int threads);
 
   /// @param task Its vertices are the whole mesh.
   /// @param goOn Called after every collapse, which is settled.
   /// @param pulse Called before every batch; both return whether the sweep continues.
-  void Run(const BlockTask& task, const std::function<bool()>& goOn,
-    const std::function<bool()>& pulse);
+  void Run(
+    const BlockTask& task, const std::function<bool()>& goOn, const std::function<bool()>& pulse);
 
 private:
   /// A vertex of a list.
@@ -89,7 +88,8 @@ private:
   std::size_t NextReady = 0;
   CostBucket HighestOfReady = NeverBucket;
   std::vector<Listed> Waiting, Retried; // for the next batch; of the one being filled
-  std::vector<std::uint32_t> ReservedBy; // of each vertex, the last batch that has it in a closed ring
+  std::vector<std::uint32_t>
+    ReservedBy; // of each vertex, the last batch that has it in a closed ring
   std::uint32_t Batch = 0;
   std::vector<Box> Changed; // by the collapses of this batch
 };

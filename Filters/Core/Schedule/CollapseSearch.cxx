@@ -82,8 +82,8 @@ CollapseSearch::Trial CollapseSearch::TryEdge(
   }
   const std::vector<Index>& ring = this->Space->Around.Ring;
   const bool isDeferred = decision.IsDeferred() ||
-    !std::all_of(ring.begin(), ring.end(),
-      [this](VertexId v) { return this->Task->Vertices.Contains(v); });
+    !std::all_of(
+      ring.begin(), ring.end(), [this](VertexId v) { return this->Task->Vertices.Contains(v); });
   return isDeferred ? Trial::Deferred
                     : this->TryPositions(this->EditOf(vertex, candidate), mostCost);
 }

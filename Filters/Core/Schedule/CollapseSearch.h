@@ -23,9 +23,9 @@ struct BlockTask
 {
   VertexRange Vertices;
   CostBucket Limit = LastBucket; ///< Vertices above it are not collapsed.
-  Index Collapses = 0;                ///< The most allowed.
-  int Workers = 1;                    ///< Blocks that are swept at the same time.
-  bool RenewsRing = false; ///< Compute the buckets of the ring of each merged vertex again.
+  Index Collapses = 0;           ///< The most allowed.
+  int Workers = 1;               ///< Blocks that are swept at the same time.
+  bool RenewsRing = false;       ///< Compute the buckets of the ring of each merged vertex again.
   /// Positions tried for a merged vertex until one can be proved. 1: only the best position, and no other edge.
   int PositionsTried = 1;
   bool TriesAll() const { return this->PositionsTried > 1; }

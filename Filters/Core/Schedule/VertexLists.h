@@ -41,8 +41,8 @@ public:
   /// Computes the bucket of a vertex, that of its cheapest edge.  @param within Vertices that may be read.
   void Renew(VertexId vertex, VertexRange within);
   /// After the collapse.  @param around Of the edge that was collapsed.
-  void Update(const Edit& edit, VertexId gone, double accumulatedError,
-    const EdgeNeighborhood& around);
+  void Update(
+    const Edit& edit, VertexId gone, double accumulatedError, const EdgeNeighborhood& around);
 
 private:
   void SetBucket(VertexId vertex, CostBucket bucket);
