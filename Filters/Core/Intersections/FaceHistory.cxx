@@ -19,6 +19,18 @@ std::size_t SizeOf(const FloatBox& box)
     { box.High[0] - box.Low[0], box.High[1] - box.Low[1], box.High[2] - box.Low[2], 1e-9F });
   return static_cast<std::size_t>(std::clamp(std::ilogb(side) + 32, 0, 63));
 }
+
+/// These arrays are most of the memory of a draft: one after the other is copied.
+template <typename Entry>
+void MoveTo(const std::vector<Index>& positions, std::vector<Entry>& entries)
+{
+  std::vector<Entry> moved(entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    moved[positions[i]] = entries[i];
+  }
+  entries = std::move(moved);
+}
 }
 
 FaceHistory::FaceHistory(const HalfEdgeMesh& mesh, const EditJournal& journal)
@@ -138,23 +150,20 @@ void FaceHistory::SortBySize()
   }
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
   std::vector<Index> positions(this->Versions.size());
-  std::vector<Version> versions(this->Versions.size());
-  std::vector<TimedBox> boxes(this->Versions.size());
   for (const Index version : byFace)
   {
-    const std::size_t position = starts[SizeOf(this->Boxes[version].Box)]++;
-    positions[version] = static_cast<Index>(position);
-    versions[position] = this->Versions[version];
-    boxes[position] = this->Boxes[version];
+    positions[version] = static_cast<Index>(starts[SizeOf(this->Boxes[version].Box)]++);
   }
+  byFace = {};
+  MoveTo(positions, this->Versions);
+  MoveTo(positions, this->Boxes);
   for (std::vector<Index>* of : { &this->OldVersions, &this->NewVersions })
   {
     std::transform(of->begin(), of->end(), of->begin(),
       [&](Index version) { return version == None ? None : positions[version]; });
   }
-  this->Versions = std::move(versions);
+  this->Tree.emplace(std::move(this->Boxes));
   this->Boxes = {};
-  this->Tree.emplace(std::move(boxes));
 }
 
 //------------------------------------------------------------------------------
