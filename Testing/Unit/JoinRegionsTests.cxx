@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Errors of joining the results of regions to the rest are found.
 #include "Certificate/Certificate.h"
+#include "Crossings.h"
 #include "Regions/JoinRegions.h"
 #include "Regions/RegionCut.h"
 #include "Regions/RegionMatch.h"
@@ -9,6 +10,9 @@
 #include "Runs.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
 
 using namespace bonedecimate;
 using namespace bonedecimate::testsupport;
@@ -155,4 +159,40 @@ TEST_F(JoinedRun, KeepsAQuarterOfTheVolumeOfAComponent)
   EXPECT_TRUE(isValid(0.26));
   EXPECT_FALSE(isValid(0.24));
   EXPECT_FALSE(isValid(-0.5));
+}
+
+TEST(RegionCut, SelectsEverythingWithinReach)
+{
+  const Surface input = Together(Icosphere(3, 20.0), Icosphere(3, 24.0));
+  const WholeSurface whole = PrepareWhole(input, true, 1);
+  std::vector<double> tolerances;
+  for (const Vector3& p : input.Points)
+  {
+    tolerances.push_back(p[2] > 17.0 && p.norm() < 20.5 ? 0.2 : 0.0);
+  }
+  const Surface& clean = whole.Cleaned.Surface;
+  for (const double reach : { 0.5, 5.0 })
+  {
+    const Region region = FindRegions(clean, tolerances, reach, 1).at(0);
+    const RegionPart part = CutRegion(input, whole.Cleaned, region, 1);
+    std::set<Triangle> changeable, selected;
+    for (const Index t : region.Triangles)
+    {
+      changeable.insert(clean.Triangles[t]);
+    }
+    for (const Index t : part.Triangles)
+    {
+      selected.insert(clean.Triangles[t]);
+    }
+    EXPECT_LT(2 * selected.size(), input.Triangles.size());
+    EXPECT_TRUE(
+      std::includes(selected.begin(), selected.end(), changeable.begin(), changeable.end()));
+    EXPECT_GT(LeastDistance(
+                clean, [&](const Triangle& t) { return changeable.count(t) > 0; },
+                [&](const Triangle& t) { return selected.count(t) == 0; }),
+      reach);
+    const bool hasOuter = std::any_of(part.Surface.Points.begin(), part.Surface.Points.end(),
+      [](const Vector3& p) { return p.norm() > 20.5; });
+    EXPECT_EQ(hasOuter, reach > 4.0);
+  }
 }
