@@ -130,13 +130,13 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
   {
     report["proof"]["files"] = subject.ProvedFiles;
   }
+  report["command_line"] = CommandLineOf(subject);
+  report["warnings"] = subject.Warnings;
+  AddDeprecatedKeys(report);
   if (!subject.Segments.empty())
   {
     report["segments"] = JsonOf(subject.Segments, result);
   }
-  report["command_line"] = CommandLineOf(subject);
-  report["warnings"] = subject.Warnings;
-  AddDeprecatedKeys(report);
   return JsonText(report);
 }
 
