@@ -27,7 +27,7 @@ class ExitCodes(ApplicationTest):
 
     def test_wrong_values_name_flag_value_and_range(self):
         for flag, value, says in (
-            ("--max-error", "-1", "a number from 0 to 1e30 mm, not '-1'"),
+            ("--max-error", "-1", "a number from 0 to 1e30 mm, or quartervoxel, halfvoxel or voxel, not '-1'"),
             ("--max-error", "nan", "a number"),
             ("--max-error", "", "''"),
             ("--max-error", "1mm", "'1mm'"),
