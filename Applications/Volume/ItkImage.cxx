@@ -88,11 +88,11 @@ ItkImage::ItkImage(Format format, const std::string& path, int dimensions)
   }
   catch (const itk::ExceptionObject& exception)
   {
-    const bool isSheared =
-      std::string(exception.GetDescription()).find("orthonormal") != std::string::npos;
-    this->Header.Problem = isSheared
-      ? "its axes are not perpendicular or do not fit its spacing, as those of NIfTI have to"
-      : "its header is damaged or of a kind that is not read";
+    this->Header.HasGeometry =
+      std::string(exception.GetDescription()).find("orthonormal") == std::string::npos;
+    this->Header.Problem = this->Header.HasGeometry
+      ? "its header is damaged or of a kind that is not read"
+      : this->ReadSize(dimensions);
   }
 }
 
@@ -121,7 +121,7 @@ std::string ItkImage::ReadSize(int dimensions)
   {
     this->Header.Size[axis] = static_cast<std::int64_t>(reader.GetDimensions(axis));
   }
-  return dimensions == 3 ? this->ReadGeometry() : std::string();
+  return dimensions == 3 && this->Header.HasGeometry ? this->ReadGeometry() : std::string();
 }
 
 std::string ItkImage::ReadGeometry()

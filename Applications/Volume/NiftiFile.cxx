@@ -115,25 +115,58 @@ private:
   bool IsSwapped = false;
 };
 
-/// How far the first and the last voxel are from where the sform of the header has them, mm; 0 without one.
-double DistanceToSform(const NiftiHeader& header, const ItkHeader& read)
+bool HasSform(const NiftiHeader& header)
 {
-  double largest = 0.0;
-  for (std::size_t row = 0; header.At<std::int16_t>(254) > 0 && row < 3; ++row)
+  return header.At<std::int16_t>(254) > 0;
+}
+
+VolumeGeometry SformOf(const NiftiHeader& header)
+{
+  VolumeGeometry geometry;
+  for (std::size_t row = 0; row < 3; ++row)
   {
     const double sign = row < 2 ? -1.0 : 1.0; // RAS to LPS
-    const auto sform = [&](std::size_t column)
-    { return sign * double(header.At<float>(280 + 16 * row + 4 * column)); };
-    double apart = sform(3) - read.Geometry.Origin[row];
-    double farther = apart;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const double step = sform(axis) - read.Geometry.Steps[axis][row];
-      const double along = static_cast<double>(read.Size[axis] - 1) * step;
-      apart += std::min(along, 0.0);
-      farther += std::max(along, 0.0);
+      geometry.Steps[axis][row] = sign * double(header.At<float>(280 + 16 * row + 4 * axis));
     }
-    largest = std::max({ largest, std::abs(apart), std::abs(farther) });
+    geometry.Origin[row] = sign * double(header.At<float>(292 + 16 * row));
+  }
+  return geometry;
+}
+
+/// Of a file whose axes ITK finds not perpendicular, which rounding to single precision suffices for.
+std::string SformProblem(const NiftiHeader& header)
+{
+  const VolumeGeometry geometry = SformOf(header);
+  for (std::size_t axis = 0; HasSform(header) && axis < 3; ++axis)
+  {
+    const double spacing = header.At<float>(80 + 4 * axis);
+    if (!(std::abs(Length(geometry.Steps[axis]) - spacing) <= 1e-3 * spacing))
+    {
+      return "its spacing is not that of its sform";
+    }
+  }
+  return HasSform(header) ? GeometryProblem(geometry) : "its header has no position";
+}
+
+/// The largest coordinate of the difference of the positions of a voxel, mm.
+double Distance(
+  const VolumeGeometry& a, const VolumeGeometry& b, const std::array<std::int64_t, 3>& size)
+{
+  double largest = 0.0;
+  for (std::size_t row = 0; row < 3; ++row)
+  {
+    double lowest = a.Origin[row] - b.Origin[row];
+    double highest = lowest;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double along =
+        static_cast<double>(size[axis] - 1) * (a.Steps[axis][row] - b.Steps[axis][row]);
+      lowest += std::min(along, 0.0);
+      highest += std::max(along, 0.0);
+    }
+    largest = std::max({ largest, std::abs(lowest), std::abs(highest) });
   }
   return largest;
 }
@@ -142,7 +175,8 @@ std::string PositionNote(const NiftiHeader& header, const ItkHeader& read)
 {
   const auto& steps = read.Geometry.Steps;
   const double spacing = std::min({ Length(steps[0]), Length(steps[1]), Length(steps[2]) });
-  const double distance = DistanceToSform(header, read);
+  const double distance =
+    HasSform(header) ? Distance(read.Geometry, SformOf(header), read.Size) : 0.0;
   if (distance <= 0.1 * spacing)
   {
     return std::string();
@@ -235,14 +269,22 @@ Volume ReadNifti(const std::string& path)
   }
   ItkImage image(ItkImage::Format::Nifti, path);
   const ItkHeader& read = image.GetHeader();
-  const std::string problem = FirstOf({ read.Problem, ComponentsProblem(read) });
+  const std::string problem = FirstOf({ read.Problem, ComponentsProblem(read),
+    read.HasGeometry ? std::string() : SformProblem(header) });
   const std::string ofVoxels = problem.empty() ? VoxelsProblem(header, read, path) : problem;
   if (!ofVoxels.empty())
   {
     return RejectedVolume(ofVoxels);
   }
   Volume volume = image.ReadVolume();
-  volume.Note = PositionNote(header, read);
+  if (read.HasGeometry)
+  {
+    volume.Note = PositionNote(header, read);
+  }
+  else
+  {
+    volume.Geometry = SformOf(header);
+  }
   return volume;
 }
 }

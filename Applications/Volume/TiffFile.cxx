@@ -36,7 +36,7 @@ private:
 
 bool TiffErrors::HasError = false;
 
-/// ITK reads all pages with the size of the first one.
+/// ITK reads all pages with the size of the first one, and makes colors of tiles.
 std::string PagesProblem(const std::string& path)
 {
   TIFF* const file = TIFFOpen(path.c_str(), "r");
@@ -46,6 +46,7 @@ std::string PagesProblem(const std::string& path)
   }
   std::array<std::uint32_t, 2> first{};
   bool isEven = true;
+  bool isTiled = false;
   int page = 0;
   do
   {
@@ -54,11 +55,18 @@ std::string PagesProblem(const std::string& path)
     TIFFGetField(file, TIFFTAG_IMAGELENGTH, &size[1]);
     first = page++ == 0 ? size : first;
     isEven = isEven && size == first;
+    isTiled = isTiled || TIFFIsTiled(file) != 0;
   } while (TIFFReadDirectory(file));
   TIFFClose(file);
-  return TiffErrors::HasError ? "it is truncated or damaged"
-    : isEven                  ? std::string()
-                              : "its pages are not all of one size";
+  if (TiffErrors::HasError)
+  {
+    return "it is truncated or damaged";
+  }
+  if (isTiled)
+  {
+    return "its pages are stored in tiles; save it in strips";
+  }
+  return isEven ? std::string() : "its pages are not all of one size";
 }
 
 VolumeGeometry GeometryOf(const Vector3& spacing)

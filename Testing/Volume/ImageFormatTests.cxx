@@ -49,7 +49,7 @@ protected:
 
 TEST_F(ImageFormats, NiftiLiesWhereThePatientLay)
 {
-  for (const Scan& scan : { UprightScan(), TiltedScan(), MirroredScan() })
+  for (const Scan& scan : { UprightScan(), TiltedScan(), MirroredScan(), ShearedScan() })
   {
     for (const char* name : { "a.nii", "a.nii.gz" })
     {
@@ -70,7 +70,7 @@ TEST_F(ImageFormats, RejectsNiftiWithWhatItsLibraryPassesOver)
   this->RejectNifti(With(upright, 80, 0.0F), "spacing is zero");
   this->RejectNifti(With(upright, 84, -1.0F), "spacing is zero, negative");
   this->RejectNifti(With(upright, 88, std::nanf("")), "not a finite number");
-  this->RejectNifti(With(this->Header(), 80, 5.0F), "do not fit its spacing");
+  this->RejectNifti(With(this->Header(), 80, 5.0F), "spacing is not that of its sform");
   this->RejectNifti(With(this->Header(), 123, char(3)), "not mm"); // micrometers
   this->RejectNifti(With(this->Header(), 344, 'x'), "");
   this->RejectNifti(
