@@ -43,7 +43,8 @@ public:
     ERROR_REACHED,
     ALREADY_SATISFIED,
     NOTHING_LEFT,
-    ABORTED
+    ABORTED,
+    HANDLES
   };
 
   /// What the certificate of the result says of the largest error.

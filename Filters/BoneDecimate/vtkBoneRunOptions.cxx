@@ -22,6 +22,7 @@ const char* const OptionNames[] = {
   "LabelArrayName",
   "AllowLargeError",
   "IntersectionGuard",
+  "RefinementEffort",
   "MergePoints",
   "NumberOfThreads",
 };
@@ -130,6 +131,16 @@ void vtkBoneRunOptions::SetIntersectionGuard(bool value)
 bool vtkBoneRunOptions::GetIntersectionGuard() const
 {
   return this->State->Options.IntersectionGuard;
+}
+
+void vtkBoneRunOptions::SetRefinementEffort(double value)
+{
+  this->State->Set(this, "RefinementEffort", value);
+}
+
+double vtkBoneRunOptions::GetRefinementEffort() const
+{
+  return this->State->Options.RefinementEffort;
 }
 
 void vtkBoneRunOptions::SetMergePoints(bool value)

@@ -126,6 +126,14 @@ public:
   ///@}
 
   ///@{
+  /// With a largest error or tolerances, modes Balanced and Accurate: how many rounds of moves and collapses remove triangles after
+  /// those of Fast, relative to the rounds of the mode and rounded. More rounds leave fewer triangles and take longer. 0: none.
+  /// Range: 0 to 100; default: 1.
+  void SetRefinementEffort(double value);
+  double GetRefinementEffort() const;
+  ///@}
+
+  ///@{
   /// Merge points with exactly equal coordinates before the run. If off, triangles without common point ids belong to different
   /// fragments. Default: on.
   void SetMergePoints(bool value);

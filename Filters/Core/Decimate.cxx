@@ -181,6 +181,8 @@ void RunModeStages(const RunTask& task, const PreparedInput& prepared, Editor& e
   StageInput input = { editor, FindMode(options.Mode),
     StopTargetsOf(options, faces, prepared.IsLimitedEverywhere()) };
   input.Threads = options.NumberOfThreads;
+  input.RefinementEffort = options.RefinementEffort;
+  input.Forced = &report.Forced;
   if (input.Mode.HasNormalTolerance())
   {
     input.NormalTolerance = NormalToleranceOf(options, input.Stops, faces);

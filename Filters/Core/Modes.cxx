@@ -28,11 +28,9 @@ const std::vector<ModeInfo>& ModeTable()
       collapse },
     // Spikes weigh more than in Fast: refinement wins back the mean error that costs.
     { Mode::Balanced, "Balanced", byQuadricDeviation, Error::ProvedBound, false, true,
-      { 0.5, 4, MaximumPositions }, { 0.2, 0.02, 4, 1, 1, 3, 2, 1, 1, false, 2 },
-      collapseAndRefine },
+      { 0.5, 4, MaximumPositions }, { 0.2, 0.02, 4, 1, 1, 3, 2, 1, 0, 1, 2 }, collapseAndRefine },
     { Mode::Accurate, "Accurate", byQuadricDeviation, Error::ProvedBound, false, true,
-      { 0.5, 4, MaximumPositions }, { 0.3, 0.06, 4, 1, 6, 8, 2, 2, 3, true, 3 },
-      collapseAndRefine },
+      { 0.5, 4, MaximumPositions }, { 0.3, 0.06, 4, 1, 6, 8, 2, 2, 6, 3, 3 }, collapseAndRefine },
   };
   return table;
 }

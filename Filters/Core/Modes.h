@@ -102,9 +102,9 @@ struct RefineSettings
   int SweepsIfFew = 0;          ///< or, where few triangles remain and sweeps cost little, so many.
   int ProvedRounds =
     0; ///< How often sweeps and collapses by slack alternate where edits are proved.
-  int ProvedSweeps = 0;         ///< Sweeps by slack in each of these rounds.
-  int ProvedSweepsAfter = 0;    ///< Sweeps of flips and moves after them.
-  bool ForcesCollapses = false; ///< Whether collapses by slack may need moves around them.
+  int ProvedSweeps = 0;      ///< Sweeps by slack in each of these rounds.
+  int ForcedRounds = 0;      ///< Most rounds of collapses that need moves around them, and a sweep.
+  int ProvedSweepsAfter = 0; ///< Sweeps of flips and moves after them.
   int VoxelRounds = 0; ///< How often sweeps and collapses alternate where voxels alone limit edits.
 };
 

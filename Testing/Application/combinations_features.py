@@ -327,6 +327,7 @@ FEATURES = [
     switch("voxels may change", "--keep-voxels", "Off", "KeepVoxels"),
     Feature("preset", ("--preset", "HalfVoxel", "--voxel-size", 2 * ERROR), moves_at_most, goal=True),
     Feature("no intersection guard", ("--max-error", ERROR, "--intersection-guard", "off"), shows("options.IntersectionGuard", "off"), goal=True),
+    Feature("more effort", ("--mode", "Accurate", "--max-error", ERROR, "--refinement-effort", 2), shows("options.RefinementEffort", "2"), goal=True),
     Feature("no proof", ("--max-error", ERROR, "--prove", "off"), shows("options.ProveResult", "off"), goal=True),
     Feature("large error allowed", ("--max-error", LARGE_ERROR, "--allow-large-error", "on"), keeps_to_the_cap, goal=True),
     Feature("region", ("--region", "sphere:{},{},{},{}=0".format(*CONSTRAINED)),

@@ -24,6 +24,8 @@ class IneffectiveOptions(ApplicationTest):
             (("--intersection-guard", "off"), "--intersection-guard has no effect; it needs --max-error or --preset"),
             (("--intersection-guard", "off", "--region", "rest=0.2"), "--intersection-guard has no effect"),
             (("--intersection-guard", "on", *thesis, *error, *number), "another --mode than Thesis"),
+            (("--refinement-effort", 2), "--refinement-effort has no effect; it needs --max-error, --preset or --tolerance-array"),
+            (("--refinement-effort", 2, "--mode", "Fast", *error), "and --mode Balanced, Accurate"),
             (("--feature-angle", 45), "--feature-angle has no effect; it needs --smooth or --auto-smooth"),
             (("--prove", "on"), "--prove has no effect; it needs --max-error, --preset or --tolerance-array"),
             (("--prove", "on", *thesis, *number), "--prove has no effect"),
@@ -45,7 +47,7 @@ class IneffectiveOptions(ApplicationTest):
             ("--mode", "Thesis", "--target-triangles", 900, "--auto-normal-tolerance", "on"),
             ("--mode", "Thesis", "--target-triangles", 900, "--normal-tolerance", 0.5),
             ("--max-error", 0.3, "--intersection-guard", "off", "--prove", "off", "--allow-large-error", "on"),
-            ("--region", "rest=0.3", "--prove", "on"),
+            ("--region", "rest=0.3", "--prove", "on", "--refinement-effort", 2),
         ):
             with self.subTest(words=words):
                 self.succeed("in.ply", "out.vtp", *words)

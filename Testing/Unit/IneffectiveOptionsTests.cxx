@@ -52,6 +52,17 @@ TEST(IneffectiveOptions, OfTheErrorNeedOne)
   EXPECT_TRUE(IneffectiveOf(options, Errors).empty());
 }
 
+TEST(IneffectiveOptions, OfRoundsNeedAModeThatMakesThem)
+{
+  const Names effort = { "RefinementEffort" };
+  Options options;
+  EXPECT_EQ(IneffectiveOf(options, effort), effort);
+  options.ToleranceArrayName = "Tolerance";
+  EXPECT_TRUE(IneffectiveOf(options, effort).empty());
+  options.Mode = Mode::Fast;
+  EXPECT_EQ(IneffectiveOf(options, effort), effort);
+}
+
 TEST(IneffectiveOptions, OfTheThesisNeedItsMode)
 {
   const Names both = { "NormalTolerance", "AutomaticNormalTolerance" };

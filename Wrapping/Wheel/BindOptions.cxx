@@ -116,7 +116,8 @@ void BindEnums(nb::module_& module)
     .value("ErrorReached", StopReason::ErrorReached)
     .value("AlreadySatisfied", StopReason::AlreadySatisfied)
     .value("NothingLeft", StopReason::NothingLeft)
-    .value("Aborted", StopReason::Aborted);
+    .value("Aborted", StopReason::Aborted)
+    .value("Handles", StopReason::Handles);
   nb::enum_<InputStatus>(module, "InputStatus", "Whether an input could be used.")
     .value("Good", InputStatus::Good)
     .value("Empty", InputStatus::Empty)

@@ -8,8 +8,8 @@
 
 namespace bonedecimate
 {
-Decision Editor::CollapseAndMove(const Edit& requested,
-  const std::vector<VertexMove>& requestedMoves, Workspace& work, int workers)
+Decision Editor::CollapseAndMove(
+  const Edit& requested, const std::vector<VertexMove>& requestedMoves, Workspace& work)
 {
   Edit edit = requested;
   edit.Position = this->Rounded(edit.Position);
@@ -30,7 +30,7 @@ Decision Editor::CollapseAndMove(const Edit& requested,
   {
     return decision;
   }
-  ProposedEdit& proposed = this->Propose(edit, edit.Keep, 0.0, work, workers);
+  ProposedEdit& proposed = this->Propose(edit, edit.Keep, 0.0, work, 1);
   proposed.OtherGoneFace = work.Around.GoneFaces[1];
   proposed.Change.FillCollapseAndMoves(this->Half, work.Around, edit, moves);
   const Rejection rejection = CheckNewFaces(this->Half, proposed.Change, proposed.VolumeChange);
@@ -51,6 +51,11 @@ Decision Editor::CollapseAndMove(const Edit& requested,
   }
   this->Commit(work);
   this->UpdateBookkeeping(edit, gone, work);
+  this->Settle(work.Counted);
+  if (this->Recorder)
+  {
+    this->Recorder->AddMoves(moves);
+  }
   return decision;
 }
 }

@@ -251,6 +251,17 @@ void Editor::KeepFirstNormal(FaceId face)
 }
 
 //------------------------------------------------------------------------------
+std::vector<float> Editor::Limits() const
+{
+  std::vector<float> limits;
+  for (VertexId v = 0; v < this->BoundedMesh().NumberOfVertexSlots(); ++v)
+  {
+    limits.push_back(static_cast<float>(this->LimitAt(v)));
+  }
+  return limits;
+}
+
+//------------------------------------------------------------------------------
 void Editor::Settle(Tally& tally)
 {
   this->SettleAll(&tally, 1);

@@ -106,10 +106,9 @@ public:
   Decision CollapseTogether(const std::vector<Edit>& edits);
 
   /// Collapses an inside edge and moves vertices near it, as one edit: all or nothing. The states between, which may exceed the
-  /// error bound, are never in the mesh. Not where edits are recorded. Quadrics are not updated.
-  Decision CollapseAndMove(
-    const Edit& edit, const std::vector<VertexMove>& moves, Workspace& work, int workers);
-  bool RecordsEdits() const { return this->Recorder != nullptr; }
+  /// error bound, are never in the mesh, and no level of the log ends in them. No other worker may be active; counts are settled.
+  /// Quadrics are not updated.
+  Decision CollapseAndMove(const Edit& edit, const std::vector<VertexMove>& moves, Workspace& work);
 
   /// Replaces the edge by the other diagonal of its two faces if rules and filters accept it. Neither flips nor their
   /// rejections are counted.
@@ -135,6 +134,9 @@ public:
   {
     return this->Bound ? this->Bound->LimitAt(vertex) : std::numeric_limits<double>::infinity();
   }
+
+  /// The same of all vertices of BoundedMesh().
+  std::vector<float> Limits() const;
 
   /// Adds the counters of a worker to those of the editor and resets them.
   void Settle(Tally& tally);
@@ -164,6 +166,8 @@ public:
   const FaceAreas& Areas() const { return *this->FaceGeometry; }
   const Original& Reference() const { return this->Source; }
   Index NumberOfFragments() const { return this->Fragments->Count(); }
+  /// Which vertices they have, and what they lost up to the last DistributeVolumeBudget.
+  const FragmentGuard& Components() const { return *this->Fragments; }
   std::int64_t NumberOfCollapses() const { return this->Edits; }
   const std::array<std::int64_t, NumberOfRejections>& Rejections() const
   {

@@ -56,6 +56,19 @@ void EditRecorder::AddMerged(Tally* tallies, std::size_t count)
 }
 
 //------------------------------------------------------------------------------
+/// A patch belongs to the level of the collapse before it, so no level ends between them.
+void EditRecorder::AddMoves(const std::vector<VertexMove>& moves)
+{
+  LoggedPatch patch;
+  patch.Collapses = static_cast<Index>(this->Log.Collapses.size());
+  for (const VertexMove& move : moves)
+  {
+    patch.Vertices.push_back({ move.Vertex, move.Position });
+  }
+  this->Log.Patches.push_back(std::move(patch));
+}
+
+//------------------------------------------------------------------------------
 void EditRecorder::BeginPatch(const HalfEdgeMesh& mesh)
 {
   this->CornersBefore.resize(static_cast<std::size_t>(mesh.NumberOfFaceSlots()));

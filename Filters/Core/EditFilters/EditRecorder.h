@@ -8,7 +8,8 @@
  * first: by the largest rank so far in each list, then by list. Parallel workers have no vertex in common, so any order
  * that preserves the order in each list is valid.
  *
- * Flips and moves are many, and no level ends between them: a patch stores their combined changes.
+ * Flips and moves are many, and no level ends between them: a patch stores their combined changes. So it does for moves that
+ * belong to a collapse.
  */
 #ifndef BoneDecimate_Core_EditFilters_EditRecorder_h
 #define BoneDecimate_Core_EditFilters_EditRecorder_h
@@ -29,6 +30,9 @@ public:
   /// To be called before and after flips and moves.
   void BeginPatch(const HalfEdgeMesh& mesh);
   void EndPatch(const HalfEdgeMesh& mesh);
+
+  /// Of the last collapse that was settled: vertices that move with it.
+  void AddMoves(const std::vector<VertexMove>& moves);
 
   /// Positions are in mm from the local origin.
   EditLog Take() { return std::move(this->Log); }

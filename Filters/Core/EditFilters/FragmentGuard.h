@@ -36,6 +36,12 @@ public:
   Index Count() const { return static_cast<Index>(this->Volumes.size()); }
 
   Index ComponentOf(VertexId vertex) const { return this->OfVertex[vertex]; }
+  /// mm^3, the volume before the first edit less that at the last DistributeBudget, both signed; 0 unless it is closed.
+  double LostVolume(Index component) const
+  {
+    const Volume& volume = this->Volumes[component];
+    return volume.IsClosed ? volume.AtFirst - volume.Now : 0.0;
+  }
   /// For each component whether it is closed and has less than the volume that it has to keep, measured afresh.
   std::vector<char> FindTooSmall(const HalfEdgeMesh& mesh) const;
 

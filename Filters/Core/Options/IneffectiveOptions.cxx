@@ -72,6 +72,10 @@ std::vector<Need> MakeNeeds()
       "MaximumError or ErrorPreset, and " + provingMode },
     { "ProveResult", HasProvableError,
       "MaximumError, ErrorPreset or ToleranceArrayName, and " + provingMode },
+    { "RefinementEffort",
+      [](const Options& o) { return IsLimited(o) && FindMode(o.Mode).Refine.ProvedRounds > 0; },
+      "MaximumError, ErrorPreset or ToleranceArrayName, and Mode " +
+        ModeNamesWhere([](const ModeInfo& mode) { return mode.Refine.ProvedRounds > 0; }) },
     { "VoxelSize", [](const Options& o) { return o.ErrorPreset != ErrorPreset::NoPreset; },
       "ErrorPreset" },
     { "AutomaticSmoothing", [](const Options& o) { return o.Smoothing == 0.0; }, "Smoothing 0" },

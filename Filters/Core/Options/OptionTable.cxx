@@ -43,6 +43,10 @@ std::vector<OptionInfo> GoalRows()
       "With MaximumError, except in Thesis mode: the number of intersecting pairs of triangles "
       "does not increase, and gaps between fragments and between facing walls keep at least half "
       "of their width." },
+    { "RefinementEffort", &Options::RefinementEffort, 0, 100, "", "refinement-effort", {},
+      "With a largest error or tolerances, modes Balanced and Accurate: how many rounds of moves "
+      "and collapses remove triangles after those of Fast, relative to the rounds of the mode and "
+      "rounded. More rounds leave fewer triangles and take longer. 0: none." },
     { "Smoothing", &Options::Smoothing, 0, LargestNumber, "mm", "smooth", {},
       "Smooth the surface before the first edit: no point moves by more than this, nor by more "
       "than MaximumError and its tolerance allow. Both steps together keep MaximumError relative "

@@ -48,7 +48,8 @@ struct Options
   double MaximumError = 0.0; // mm
   bool AllowLargeError = false;
   bool IntersectionGuard = true;
-  double Smoothing = 0.0; // mm
+  double RefinementEffort = 1.0; // rounds, relative to those of the mode
+  double Smoothing = 0.0;        // mm
   bool AutomaticSmoothing = false;
   double FeatureAngle = 180.0; // degrees
   bonedecimate::KeepVoxels KeepVoxels = bonedecimate::KeepVoxels::Automatic;

@@ -155,6 +155,8 @@ void CombineEdits(const RegionParts& parts, Report& report)
     report.Draft.Status = std::max(report.Draft.Status, one.Draft.Status);
     report.Draft.Collapses += one.Draft.Collapses;
     report.Draft.Undone += one.Draft.Undone;
+    report.Forced.Tried += one.Forced.Tried;
+    report.Forced.Made += one.Forced.Made;
     report.RunningError = std::max(report.RunningError, one.RunningError); // stays not a number
   }
 }

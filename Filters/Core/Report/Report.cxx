@@ -107,7 +107,7 @@ double ErrorProof::Upper() const
 const char* StopReasonWord(StopReason reason)
 {
   static const char* const words[] = { "not_run", "target_reached", "error_reached",
-    "already_satisfied", "nothing_left", "aborted" };
+    "already_satisfied", "nothing_left", "aborted", "handles" };
   return WordOf(words, reason);
 }
 
@@ -118,7 +118,9 @@ const char* StopReasonSentence(StopReason reason)
     "The input already had no more triangles than requested.",
     ("No further collapse is allowed: it would change the topology, a boundary, a fragment or "
      "constrained vertices."),
-    "The run was aborted; the surface is valid but larger than requested." };
+    "The run was aborted; the surface is valid but larger than requested.",
+    ("The handles of the surface leave no room for fewer triangles: most collapses that are left "
+     "would close one.") };
   return WordOf(sentences, reason);
 }
 

@@ -56,7 +56,8 @@ enum class StopReason : int
   ErrorReached,     ///< The requested largest error.
   AlreadySatisfied, ///< The input already had no more triangles than requested.
   NothingLeft,      ///< No further collapse is allowed.
-  Aborted           ///< By the monitor.
+  Aborted,          ///< By the monitor.
+  Handles ///< The number of triangles is out of reach: most collapses that are left would close a handle.
 };
 
 /// Why an edit was rejected. Only an edit that was not rejected changes the mesh.
@@ -304,6 +305,13 @@ struct RegionFigures
   std::int64_t Kept = 0;      ///< Regions whose results were kept from earlier runs.
 };
 
+/// Collapses that keep the error only together with moves around them (Stages/ForcedCollapse.h).
+struct ForcedCollapseFigures
+{
+  std::int64_t Tried = 0; ///< On a copy of their neighborhood.
+  std::int64_t Made = 0;  ///< Of them: proved and applied.
+};
+
 struct StageSeconds
 {
   double Prepare = 0.0;  ///< Cleaning and building the half-edge mesh.
@@ -349,6 +357,7 @@ struct Report
     Rejections{}; ///< By Rejection; [NotRejected] is always 0.
   DraftFigures Draft;
   RegionFigures Regions;
+  ForcedCollapseFigures Forced; ///< Only in modes that make them, with an error bound.
   StageSeconds Seconds;
   std::uint64_t InputChecksum = 0; ///< Mesh/Checksum.h.
   Options Requested;

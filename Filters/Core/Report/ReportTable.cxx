@@ -275,6 +275,11 @@ void AddRun(Entries& entries, const Report& report)
     entries.push_back({ "draft.status", "", std::string(DraftStatusWord(report.Draft.Status)) });
     entries.push_back({ "draft.collapses", "", report.Draft.Collapses });
     entries.push_back({ "draft.undone", "", report.Draft.Undone });
+    if (FindMode(report.Requested.Mode).Refine.ForcedRounds > 0)
+    {
+      entries.push_back({ "forced_collapses.tried", "", report.Forced.Tried });
+      entries.push_back({ "forced_collapses.made", "", report.Forced.Made });
+    }
   }
   if (report.Regions.Status != RegionStatus::NotRequested)
   {

@@ -4,6 +4,8 @@
 
 #include "Edit/FlipAndMoveRules.h"
 
+#include <limits>
+
 namespace bonedecimate
 {
 namespace
@@ -44,7 +46,7 @@ double EdgeFlipper::ErrorBefore(const HalfEdgeMesh& mesh, FaceId face)
 }
 
 //------------------------------------------------------------------------------
-/// No less than `enough` if that is reached on the way.
+/// No less than `enough` if that is reached on the way, or a sample is farther than its limit.
 double EdgeFlipper::ErrorAfter(const Pair& after, double enough) const
 {
   double error = 0.0;
@@ -55,7 +57,9 @@ double EdgeFlipper::ErrorAfter(const Pair& after, double enough) const
       const Vector3 p = this->Fit.SamplePosition(this->Fit[s]);
       const double squared = std::min(
         after.Frames[0].Nearest(p).SquaredDistance, after.Frames[1].Nearest(p).SquaredDistance);
-      error += this->Weigh.OfSample(this->Fit[s].Weight, squared);
+      const double limit = this->Fit[s].Limit;
+      error += squared <= limit * limit ? this->Weigh.OfSample(this->Fit[s].Weight, squared)
+                                        : std::numeric_limits<double>::infinity();
     }
   }
   return error;

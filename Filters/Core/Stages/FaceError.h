@@ -11,6 +11,7 @@
 #include "Reference/Samples.h"
 
 #include <array>
+#include <limits>
 
 namespace bonedecimate
 {
@@ -38,6 +39,22 @@ inline double ErrorOfFace(
     {
       const Vector3 p = samples.SamplePosition(sample);
       error += penalty.OfSample(sample.Weight, frame.Nearest(p).SquaredDistance);
+    });
+  return error;
+}
+
+/// The same; infinite if a sample is farther from the frame than its limit: a proof would hardly ever succeed.
+inline double ErrorWithinLimits(
+  const Samples& samples, const ErrorPenalty& penalty, FaceId face, const TriangleFrame& frame)
+{
+  double error = 0.0;
+  samples.VisitFace(face,
+    [&](const Samples::Sample& sample)
+    {
+      const double limit = sample.Limit;
+      const double squared = frame.Nearest(samples.SamplePosition(sample)).SquaredDistance;
+      error += squared <= limit * limit ? penalty.OfSample(sample.Weight, squared)
+                                        : std::numeric_limits<double>::infinity();
     });
   return error;
 }

@@ -39,18 +39,25 @@ inline TriangleFrame::Point FindInFan(
   return best;
 }
 
-/// The same, and among all faces where that ends at the vertex, at which all faces are equally near.
+/// The same, and among all faces where that ends at the vertex, at which all faces are equally near, or at the outer edge of a
+/// face: a fan need not be convex, so the distance may rise from face to face before it falls.
 inline TriangleFrame::Point FindInWholeFan(
   const std::vector<TriangleFrame>& frames, const Vector3& p, std::size_t& slot)
 {
-  constexpr int atVertex = 6; // the weights of B and C are zero
+  constexpr int onOuterEdge = 1; // the weight of A is zero
+  constexpr int atVertex = 6;    // those of B and C are
   TriangleFrame::Point best = FindInFan(frames, p, slot);
-  for (std::size_t i = 0; i < frames.size() && (best.Clamped & atVertex) == atVertex; ++i)
+  if ((best.Clamped & onOuterEdge) == 0 && (best.Clamped & atVertex) != atVertex)
+  {
+    return best;
+  }
+  for (std::size_t i = 0; i < frames.size(); ++i)
   {
     const TriangleFrame::Point point = frames[i].Nearest(p);
     if (point.SquaredDistance < best.SquaredDistance)
     {
-      best = FindInFan(frames, p, slot = i);
+      best = point;
+      slot = i;
     }
   }
   return best;

@@ -40,6 +40,7 @@ bool ForcedCollapse::Run(Index faces, const Monitor& monitor)
       return false;
     }
     std::vector<Trial> trials = this->Choose();
+    this->Figures.Tried += static_cast<std::int64_t>(trials.size());
     if (trials.empty())
     {
       break;
@@ -50,10 +51,9 @@ bool ForcedCollapse::Run(Index faces, const Monitor& monitor)
     }
     for (const Trial& trial : trials)
     {
-      if (trial.Found.IsWithin && mesh.NumberOfFaces() > faces && this->Apply(trial))
-      {
-        this->MeshEditor.Settle(this->Space.Counted);
-      }
+      const bool isMade =
+        trial.Found.IsWithin && mesh.NumberOfFaces() > faces && this->Apply(trial);
+      this->Figures.Made += isMade ? 1 : 0;
     }
     this->MeshEditor.RenewQuadrics(this->Threads);
   }
@@ -148,7 +148,7 @@ bool ForcedCollapse::Apply(const Trial& trial)
   edit.Edge = trial.Candidate.Edge;
   edit.Keep = trial.Candidate.Start;
   edit.Position = found.Position;
-  if (!this->MeshEditor.CollapseAndMove(edit, found.Moves, this->Space, 1).IsAccepted())
+  if (!this->MeshEditor.CollapseAndMove(edit, found.Moves, this->Space).IsAccepted())
   {
     return false;
   }

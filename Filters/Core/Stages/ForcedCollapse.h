@@ -26,12 +26,13 @@ namespace bonedecimate
 class ForcedCollapse
 {
 public:
-  /// @param editor Must keep quadrics, and they must be right; must not record edits.
+  /// @param editor Must keep quadrics, and they must be right.
   /// @param farthest The largest ratio of a candidate.
   ForcedCollapse(Editor& editor, Samples& samples, BackHints& hints, double farthest, int threads);
 
   /// Down to that many faces at most. False if the monitor requests a stop.
   bool Run(Index faces, const Monitor& monitor);
+  const ForcedCollapseFigures& Report() const { return this->Figures; }
 
 private:
   struct Trial
@@ -51,6 +52,7 @@ private:
   BackHints& Back;
   SlackCandidates Candidates;
   int Threads;
+  ForcedCollapseFigures Figures;
   Workspace Space;
   std::vector<SlackCandidate> Waiting;
   std::vector<char> Taken; // of each vertex, in this round

@@ -6,6 +6,8 @@
 #include "Refinement.h"
 #include "SlackRefinement.h"
 
+#include <cmath>
+
 namespace bonedecimate
 {
 namespace
@@ -61,47 +63,85 @@ bool RefineAndCollapse(const StageInput& input, Refinement& refinement, const Mo
   return goesOn;
 }
 
-/// With an error bound: by how much of it is left. False if the monitor stopped it.
-bool UseSlack(const StageInput& input, const Monitor& monitor)
+/// How many of the mode's rounds the options request.
+int RoundsOf(const StageInput& input, int rounds)
 {
-  constexpr double begunAt = 0.1;
+  return static_cast<int>(std::lround(input.RefinementEffort * rounds));
+}
+
+/// Moves and collapses that leave most of the error bound. False if the monitor stopped it.
+bool CollapseBySlack(const StageInput& input, SlackRefinement& slack, const Monitor& monitor)
+{
   constexpr double sweptAt = 0.6; // of a round
-  if (HasReachedFaces(input))
-  {
-    return true;
-  }
-  const int rounds = input.Mode.Refine.ProvedRounds;
-  const Monitor tell = PartOf(monitor, begunAt, 1.0);
-  const Monitor still = [&monitor](double) { return monitor(1.0); };
-  SlackRefinement slack(input.MeshEditor, input.Threads);
-  bool goesOn = slack.Begin(PartOf(monitor, 0.0, begunAt));
+  const int rounds = RoundsOf(input, input.Mode.Refine.ProvedRounds);
+  bool goesOn = true;
   for (int i = 0; i < rounds && goesOn && !HasReachedFaces(input); ++i)
   {
-    const Monitor round = PartOf(tell, static_cast<double>(i) / rounds, (i + 1.0) / rounds);
+    const Monitor round = PartOf(monitor, static_cast<double>(i) / rounds, (i + 1.0) / rounds);
     goesOn = slack.Sweep(input.Mode.Refine.ProvedSweeps, PartOf(round, 0.0, sweptAt)) &&
       slack.Collapse(input.Stops.Faces, PartOf(round, sweptAt, 1.0));
   }
-  for (const double farthest : { 1.25, 1.4 })
+  return goesOn;
+}
+
+/// Collapses that exceed the error bound before vertices around them move: in the first round by little. Rounds go on while they
+/// remove at least one face in this many. False if the monitor stopped it.
+bool ForceCollapses(const StageInput& input, SlackRefinement& slack, const Monitor& monitor)
+{
+  constexpr double farthestAtFirst = 1.25; // limits
+  constexpr double farthest = 1.4;
+  constexpr Index leastOfRound = 64;
+  constexpr double forcedAt = 0.8; // of a round
+  const HalfEdgeMesh& mesh = input.MeshEditor.Mesh();
+  const int rounds = RoundsOf(input, input.Mode.Refine.ForcedRounds);
+  ForcedCollapseFigures figures;
+  bool goesOn = true;
+  bool isWorthIt = true;
+  for (int i = 0; i < rounds && goesOn && isWorthIt && !HasReachedFaces(input); ++i)
   {
-    goesOn = goesOn &&
-      (HasReachedFaces(input) || !input.Mode.Refine.ForcesCollapses ||
-        (slack.Force(input.Stops.Faces, farthest, still) && slack.Sweep(1, still)));
+    const Index before = mesh.NumberOfFaces();
+    const Monitor round = PartOf(monitor, static_cast<double>(i) / rounds, (i + 1.0) / rounds);
+    goesOn = slack.Force(input.Stops.Faces, i == 0 ? farthestAtFirst : farthest,
+               PartOf(round, 0.0, forcedAt), figures) &&
+      slack.Sweep(1, PartOf(round, forcedAt, 1.0));
+    isWorthIt = i == 0 || before - mesh.NumberOfFaces() >= before / leastOfRound;
+  }
+  if (input.Forced != nullptr)
+  {
+    *input.Forced = figures;
   }
   return goesOn;
+}
+
+/// With an error bound: by how much of it is left. False if the monitor stopped it.
+bool RefineWithinBound(const StageInput& input, Refinement& refinement, const Monitor& monitor)
+{
+  constexpr double begunAt = 0.05;
+  constexpr double collapsedAt = 0.4;
+  constexpr double forcedAt = 0.65;
+  constexpr double refinedAt = 0.95;
+  const bool usesSlack =
+    !HasReachedFaces(input) && RoundsOf(input, input.Mode.Refine.ProvedRounds) > 0;
+  SlackRefinement slack(input.MeshEditor, input.Threads);
+  return (!usesSlack ||
+           (slack.Begin(PartOf(monitor, 0.0, begunAt)) &&
+             CollapseBySlack(input, slack, PartOf(monitor, begunAt, collapsedAt)) &&
+             ForceCollapses(input, slack, PartOf(monitor, collapsedAt, forcedAt)))) &&
+    refinement.Begin(PartOf(monitor, forcedAt, forcedAt + begunAt)) &&
+    refinement.Sweep(
+      input.Mode.Refine.ProvedSweepsAfter, PartOf(monitor, forcedAt + begunAt, refinedAt)) &&
+    (!usesSlack || slack.RestoreVolume(PartOf(monitor, refinedAt, 1.0)));
 }
 
 /// False if the monitor stopped it.
 bool Refine(const StageInput& input, const Monitor& monitor)
 {
-  constexpr double slackTo = 0.65;
   constexpr double collapsedAt = 0.7;
   const RefineSettings& settings = input.Mode.Refine;
   Refinement refinement(input.MeshEditor, *input.InitialMesh, input.Threads);
   if (input.MeshEditor.HasErrorBound())
   {
-    return UseSlack(input, PartOf(monitor, 0.0, slackTo)) &&
-      refinement.Begin(PartOf(monitor, slackTo, collapsedAt)) &&
-      refinement.Sweep(settings.ProvedSweepsAfter, PartOf(monitor, collapsedAt, 1.0));
+    return RefineWithinBound(input, refinement, monitor);
   }
   const bool fewRemain = input.Stops.Faces < FewTriangles * input.FacesAtStart;
   return RefineAndCollapse(input, refinement, PartOf(monitor, 0.0, collapsedAt)) &&

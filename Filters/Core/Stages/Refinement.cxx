@@ -9,9 +9,19 @@
 
 namespace bonedecimate
 {
+namespace
+{
+/// mm, of each vertex of the original; empty unless the error bound refers to it.
+std::vector<float> LimitsOf(const Editor& editor, const HalfEdgeMesh& original)
+{
+  return editor.HasErrorBound() && &original == &editor.BoundedMesh() ? editor.Limits()
+                                                                      : std::vector<float>();
+}
+}
+
 Refinement::Refinement(Editor& editor, const HalfEdgeMesh& original, int threads)
   : MeshEditor(editor)
-  , Fit(original, !editor.HasErrorBound())
+  , Fit(original, !editor.HasErrorBound(), LimitsOf(editor, original))
   , Back(original)
   , Threads(threads)
 {

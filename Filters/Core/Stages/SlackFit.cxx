@@ -27,6 +27,9 @@ constexpr double NextAttempt = 0.35;
 constexpr double LeastGain = 1e-4;
 /// Rows below this part of the largest ratio hardly matter to the step.
 constexpr double LeastRatio = 0.4;
+/// Of the area around the vertex, what it represents itself: between it and the nearest samples the distance rises, so without it the
+/// error would let it leave the bound.
+constexpr double VertexFraction = 0.1;
 constexpr int StepsOfExponent = 4;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
@@ -78,11 +81,15 @@ void SlackFit::Build(const Vector3& x)
 {
   this->Frames.clear();
   double length = 0.0;
+  double area = 0.0; // mm^2
   for (const Spoke& spoke : this->Spokes)
   {
     this->Frames.emplace_back(x, spoke.Second, spoke.Third);
     length += (spoke.Second - x).norm();
+    area += this->Frames.back().SurfaceArea();
   }
+  const double unit = this->MeshEditor.Mesh().Unit();
+  this->RingArea = area / (unit * unit);
   this->Radius = LongestStep * length / static_cast<double>(this->Spokes.size());
 }
 
@@ -159,7 +166,8 @@ PointOnMesh SlackFit::AddPointRow(const Vector3& p, Index hint, double fraction,
 //------------------------------------------------------------------------------
 /// Of points on the edges of the vertex, which is where faces are farthest from the original between its vertices, and of a few inside
 /// the faces.
-bool SlackFit::AddFaceRows(const Vector3& x, double enough)
+/// @param firstSpoke The first face at whose edge there are points.
+bool SlackFit::AddFaceRows(const Vector3& x, double enough, std::size_t firstSpoke)
 {
   constexpr double third = 1.0 / 3.0;
   const double unit = this->MeshEditor.Mesh().Unit();
@@ -171,7 +179,7 @@ bool SlackFit::AddFaceRows(const Vector3& x, double enough)
     const int count = static_cast<int>(std::clamp(
       std::ceil((spoke.Second - x).norm() / this->Spacing), 2.0, static_cast<double>(MostPoints)));
     Index hint = atVertex;
-    for (int i = count - 1; i > 0; --i)
+    for (int i = face < firstSpoke ? 0 : count - 1; i > 0; --i)
     {
       const double fraction = static_cast<double>(i) / count;
       const Vector3 p = fraction * x + (1.0 - fraction) * spoke.Second;
@@ -195,13 +203,24 @@ SlackFit::Value SlackFit::Evaluate(const Vector3& x, Index hint, double enough)
   }
   if (this->Part == Of::Both)
   {
-    this->Current.Hint = this->AddPointRow(x, hint, 1.0, 0.0).Face;
-    if (!this->AddFaceRows(x, enough))
+    this->Current.Hint = this->AddPointRow(x, hint, 1.0, VertexFraction * this->RingArea).Face;
+    if (!this->AddFaceRows(x, enough, 0))
     {
       return ended;
     }
   }
   return this->Current;
+}
+
+//------------------------------------------------------------------------------
+SlackFit::Value SlackFit::EvaluatePair(const Vector3& x, Index hint, double enough)
+{
+  this->Build(x);
+  this->Rows.clear();
+  this->Current = { 0.0, 0.0, hint };
+  return this->AddSampleRows(enough) && this->AddFaceRows(x, enough, 1)
+    ? this->Current
+    : Value{ Infinity, Infinity, hint };
 }
 
 //------------------------------------------------------------------------------

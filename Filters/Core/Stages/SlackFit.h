@@ -65,6 +65,8 @@ public:
   /// value is infinite then.
   Value Evaluate(
     const Vector3& x, Index hint, double enough = std::numeric_limits<double>::infinity());
+  /// Of two faces at x, which have the edge from x to the second corner of the last one in common; other edges do not count.
+  Value EvaluatePair(const Vector3& x, Index hint, double enough);
   /// Of the samples of the original alone; infinite above that ratio.
   double LargestOfSamples(const Vector3& x, double most);
 
@@ -96,7 +98,7 @@ private:
   Vector3 OnGrid(const Vector3& x) const;
   void Build(const Vector3& x);
   bool AddSampleRows(double enough);
-  bool AddFaceRows(const Vector3& x, double enough);
+  bool AddFaceRows(const Vector3& x, double enough, std::size_t firstSpoke);
   PointOnMesh AddPointRow(const Vector3& p, Index hint, double fraction, double weight);
   void AddRow(double weight, double distance, double limit, const Vector3& perDistance);
   double LimitOver(Index triangle) const;
@@ -109,7 +111,8 @@ private:
   double Spacing;           // mm, of the points on the fan
   double Grid;              // mm
   Of Part = Of::Both;
-  double Radius = 0.0; // mm, the longest step
+  double Radius = 0.0;   // mm, the longest step
+  double RingArea = 0.0; // squares of the mesh's unit
   std::vector<Spoke> Spokes;
   std::vector<TriangleFrame> Frames;
   std::vector<Member> Gathered;

@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SlackMover.h"
 
+#include <algorithm>
+
 namespace bonedecimate
 {
 namespace
 {
 /// A vertex whose faces use less of the bound does not limit anything.
 constexpr double LeastRatio = 0.5;
+/// Of the bound, what a shift may use.
+constexpr double MostOfShift = 0.97;
 }
 
 SlackMover::Proposal SlackMover::Evaluate(VertexId vertex)
@@ -20,6 +24,17 @@ SlackMover::Proposal SlackMover::Evaluate(VertexId vertex)
   Vector3 position = this->MeshEditor.Mesh().Position(vertex);
   const SlackFit::Value after = this->Slack.TryStep(position, before);
   return after.Error < before.Error
+    ? Proposal{ vertex, position, after.Hint, this->Ring, this->Slack.Members() }
+    : Proposal();
+}
+
+//------------------------------------------------------------------------------
+SlackMover::Proposal SlackMover::Shift(VertexId vertex, const Vector3& step)
+{
+  const SlackFit::Value before = this->Gather(vertex);
+  const Vector3 position = this->MeshEditor.Mesh().Position(vertex) + step;
+  const SlackFit::Value after = this->Slack.Evaluate(position, before.Hint);
+  return after.Largest <= std::max(MostOfShift, before.Largest)
     ? Proposal{ vertex, position, after.Hint, this->Ring, this->Slack.Members() }
     : Proposal();
 }

@@ -36,6 +36,9 @@ public:
   /// Reads the faces of the vertex only, so that vertices without a common face may be evaluated at the same time.
   Proposal Evaluate(VertexId vertex);
 
+  /// By that step, if the faces then keep within the bound.  @param step mm
+  Proposal Shift(VertexId vertex, const Vector3& step);
+
   /// Moves the vertex if the filters accept that. From one thread.  @return Whether it moved.
   bool Apply(const Proposal& proposal, Workspace& work) const;
 

@@ -5,7 +5,9 @@
 #include "ForcedCollapse.h"
 #include "Parallel.h"
 #include "SlackCollapse.h"
+#include "SlackFlipper.h"
 #include "SlackMover.h"
+#include "VolumeMover.h"
 
 #include <algorithm>
 
@@ -15,22 +17,12 @@ namespace
 {
 constexpr std::size_t VerticesOfPart = 16;
 constexpr double SettledAt = 0.06; // of a sweep
-
-/// mm, of each vertex of the original.
-std::vector<float> LimitsOf(const Editor& editor)
-{
-  std::vector<float> limits;
-  for (VertexId v = 0; v < editor.BoundedMesh().NumberOfVertexSlots(); ++v)
-  {
-    limits.push_back(static_cast<float>(editor.LimitAt(v)));
-  }
-  return limits;
-}
+constexpr double FlippedAt = 0.2;
 }
 
 SlackRefinement::SlackRefinement(Editor& editor, int threads)
   : MeshEditor(editor)
-  , Fit(editor.BoundedMesh(), false, LimitsOf(editor))
+  , Fit(editor.BoundedMesh(), false, editor.Limits())
   , Back(editor.BoundedMesh())
   , Threads(editor.HasHook() ? 1 : threads)
 {
@@ -63,7 +55,9 @@ bool SlackRefinement::Sweep(int times, const Monitor& monitor)
   {
     const Monitor sweep = PartOf(monitor, static_cast<double>(i) / times, (i + 1.0) / times);
     goesOn = this->Settle(PartOf(sweep, 0.0, SettledAt)) &&
-      this->MoveVertices(PartOf(sweep, SettledAt, 1.0));
+      SlackFlipper(this->MeshEditor, this->Fit, this->Back)
+        .Run(PartOf(sweep, SettledAt, FlippedAt)) &&
+      this->MoveVertices(PartOf(sweep, FlippedAt, 1.0));
   }
   this->MeshEditor.EndFlipsAndMoves();
   return goesOn;
@@ -160,16 +154,31 @@ bool SlackRefinement::Collapse(Index faces, const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-bool SlackRefinement::Force(Index faces, double farthest, const Monitor& monitor)
+bool SlackRefinement::Force(
+  Index faces, double farthest, const Monitor& monitor, ForcedCollapseFigures& figures)
 {
-  if (this->MeshEditor.RecordsEdits())
-  {
-    return monitor(1.0);
-  }
   this->MeshEditor.DistributeVolumeBudget();
   this->MeshEditor.RenewQuadrics(this->Threads);
-  return this->Settle(PartOf(monitor, 0.0, SettledAt)) &&
-    ForcedCollapse(this->MeshEditor, this->Fit, this->Back, farthest, this->Threads)
-      .Run(faces, PartOf(monitor, SettledAt, 1.0));
+  if (!this->Settle(PartOf(monitor, 0.0, SettledAt)))
+  {
+    return false;
+  }
+  ForcedCollapse collapse(this->MeshEditor, this->Fit, this->Back, farthest, this->Threads);
+  const bool goesOn = collapse.Run(faces, PartOf(monitor, SettledAt, 1.0));
+  figures.Tried += collapse.Report().Tried;
+  figures.Made += collapse.Report().Made;
+  return goesOn;
+}
+
+//------------------------------------------------------------------------------
+bool SlackRefinement::RestoreVolume(const Monitor& monitor)
+{
+  this->IsSettled = false; // other edits may have come since
+  bool goesOn = this->Settle(PartOf(monitor, 0.0, SettledAt));
+  this->MeshEditor.BeginFlipsAndMoves();
+  goesOn = goesOn &&
+    VolumeMover(this->MeshEditor, this->Fit, this->Back).Run(PartOf(monitor, SettledAt, 1.0));
+  this->MeshEditor.EndFlipsAndMoves();
+  return goesOn;
 }
 }

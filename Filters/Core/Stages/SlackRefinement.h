@@ -5,10 +5,12 @@
  * @brief Fewer triangles within an error bound: moves that leave more of the bound, and collapses that use it up.
  *
  *     Begin:      distribute samples of the original over the faces, the original that the bound refers to
- *     Sweep:      color the vertices; of each color evaluate all moves in parallel, then apply them on one thread   (SlackMover)
+ *     Sweep:      flip edges                                                                                        (SlackFlipper)
+ *                 color the vertices; of each color evaluate all moves in parallel, then apply them on one thread   (SlackMover)
  *     Collapse:   the same in rounds, the collapses that leave most of the bound first                              (SlackCollapse)
  *
  *     Force:      collapses that keep the bound only together with moves around them                                (ForcedCollapse)
+ *     RestoreVolume:   moves that give lost volume back                                                             (VolumeMover)
  *
  * Every edit is proved as any other; samples only propose.
  */
@@ -35,7 +37,10 @@ public:
   /// Down to that many faces at most.
   bool Collapse(Index faces, const Monitor& monitor);
   /// Also where moves around the collapse are needed.  @param farthest By which ratio it may exceed the bound before them.
-  bool Force(Index faces, double farthest, const Monitor& monitor);
+  /// @param figures What was tried and made is added to them.
+  bool Force(Index faces, double farthest, const Monitor& monitor, ForcedCollapseFigures& figures);
+  /// Moves that give components the volume back that they have lost. Flips and moves by others may come before, collapses may not.
+  bool RestoreVolume(const Monitor& monitor);
 
 private:
   bool Settle(const Monitor& monitor);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StageList.h"
 
+#include "HandleLimit.h"
+
 namespace bonedecimate
 {
 StopReason RunStages(StageInput input, const Monitor& monitor)
@@ -24,6 +26,10 @@ StopReason RunStages(StageInput input, const Monitor& monitor)
     }
     begin = stage.End;
   }
-  return reason;
+  const bool isShort =
+    input.Stops.Faces > 0 && input.MeshEditor.Mesh().NumberOfFaces() > input.Stops.Faces;
+  return reason == StopReason::NothingLeft && isShort && AreHandlesInTheWay(input.MeshEditor)
+    ? StopReason::Handles
+    : reason;
 }
 }

@@ -31,6 +31,9 @@ struct StageInput
   Index FacesAtStart = 0;       ///< Before the first stage; filled by RunStages().
   const HalfEdgeMesh* InitialMesh =
     nullptr; ///< Before the first edit, with ModeInfo::KeepsInitialMesh; filled by RunStages().
+  double RefinementEffort = 1.0; ///< Of the options.
+  ForcedCollapseFigures* Forced =
+    nullptr; ///< Receives what was tried and made; null: nobody needs that.
 };
 
 /// @param monitor Fractions from 0 to 1; not empty.

@@ -149,7 +149,7 @@ double VertexMover::ErrorIfAllowed(const RingFace& ring, const TriangleFrame& fr
   const double facing = frame.UnitNormal().dot(this->OriginalNormal);
   return facing < LeastFacing && facing < ring.Facing
     ? std::numeric_limits<double>::infinity()
-    : ErrorOfFace(this->Fit, this->Weigh, ring.Face, frame);
+    : ErrorWithinLimits(this->Fit, this->Weigh, ring.Face, frame);
 }
 
 //------------------------------------------------------------------------------

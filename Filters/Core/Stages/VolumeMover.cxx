@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VolumeMover.h"
+
+#include "Geometry/TriangleGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr int Attempts = 2;
+constexpr double NextAttempt = 0.5;
+constexpr std::size_t MovesOfReport = 256;
+}
+
+bool VolumeMover::Run(const Monitor& monitor)
+{
+  this->MeshEditor.DistributeVolumeBudget();
+  const std::vector<Height> heights = this->SampledHeights();
+  this->MeasureLost(heights);
+  std::vector<Place> places = this->FindPlaces(heights);
+  std::sort(places.begin(), places.end());
+  const double count = static_cast<double>(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    if (i % MovesOfReport == 0 && !monitor(static_cast<double>(i) / count))
+    {
+      return false;
+    }
+    this->MoveAt(places[i]);
+  }
+  this->MeshEditor.Settle(this->Space.Counted);
+  return monitor(1.0);
+}
+
+//------------------------------------------------------------------------------
+/// Of open components, which have no volume: that between the samples and the faces.
+void VolumeMover::MeasureLost(const std::vector<Height>& heights)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  const FragmentGuard& components = this->MeshEditor.Components();
+  this->Lost.assign(static_cast<std::size_t>(components.Count()), 0.0);
+  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    if (mesh.IsAlive(face))
+    {
+      this->Lost[components.ComponentOf(mesh.Corners(face)[0])] +=
+        heights[face].Sum * mesh.Unit() * mesh.Unit();
+    }
+  }
+  for (Index i = 0; i < components.Count(); ++i)
+  {
+    const double lost = components.LostVolume(i);
+    this->Lost[i] = lost != 0.0 ? lost : this->Lost[i];
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Where a move gives its component volume back and brings the faces nearer to the samples.
+std::vector<VolumeMover::Place> VolumeMover::FindPlaces(const std::vector<Height>& heights) const
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  std::vector<Place> places;
+  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    const double lost = this->Lost[this->MeshEditor.Components().ComponentOf(v)];
+    if (mesh.Outgoing(v) == None || !mesh.MovesFreely(v) || lost == 0.0)
+    {
+      continue;
+    }
+    double sum = 0.0;
+    double weight = 0.0;
+    for (const HalfEdgeId h : mesh.OutgoingOf(v))
+    {
+      sum += heights[HalfEdgeMesh::Face(h)].Sum;
+      weight += heights[HalfEdgeMesh::Face(h)].Weight;
+    }
+    if (sum * lost > 0.0)
+    {
+      places.push_back({ std::abs(sum / weight), lost > 0.0 ? 1.0 : -1.0, v });
+    }
+  }
+  return places;
+}
+
+//------------------------------------------------------------------------------
+std::vector<VolumeMover::Height> VolumeMover::SampledHeights() const
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  std::vector<Height> heights(static_cast<std::size_t>(mesh.NumberOfFaceSlots()));
+  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    if (!mesh.IsAlive(face))
+    {
+      continue;
+    }
+    const TriangleFrame frame = FrameOf(mesh, face);
+    this->Fit.VisitFace(face,
+      [&](const Samples::Sample& sample)
+      {
+        const Vector3 p = this->Fit.SamplePosition(sample);
+        const double height = frame.UnitNormal().dot(p - frame.At(frame.Nearest(p)));
+        heights[face].Sum += sample.Weight * height;
+        heights[face].Weight += sample.Weight;
+      });
+  }
+  return heights;
+}
+
+//------------------------------------------------------------------------------
+/// mm^2: three times what a step of the vertex by 1 mm adds to the volume is its part along the step.
+Vector3 VolumeMover::RingArea(VertexId vertex) const
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  Vector3 area = Vector3::Zero();
+  for (const HalfEdgeId h : mesh.OutgoingOf(vertex))
+  {
+    area += AreaVector(mesh.Position(vertex), mesh.Position(mesh.Target(h)),
+      mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h))));
+  }
+  return area;
+}
+
+//------------------------------------------------------------------------------
+/// By no more than gives the component its volume.
+void VolumeMover::MoveAt(const Place& place)
+{
+  const VertexId vertex = place.Vertex;
+  double& lost = this->Lost[this->MeshEditor.Components().ComponentOf(vertex)];
+  const Vector3 area = this->RingArea(vertex);
+  const double length = area.norm();
+  if (lost * place.Sign <= 0.0 || !(length > 0.0))
+  {
+    return;
+  }
+  double height = place.Sign * std::min(place.Missing, 3.0 * std::abs(lost) / length);
+  for (int attempt = 0; attempt < Attempts; ++attempt, height *= NextAttempt)
+  {
+    const Vector3 before = this->MeshEditor.Mesh().Position(vertex);
+    const SlackMover::Proposal proposal = this->Mover.Shift(vertex, (height / length) * area);
+    if (proposal.Vertex != None && this->Mover.Apply(proposal, this->Space))
+    {
+      lost -= area.dot(this->MeshEditor.Mesh().Position(vertex) - before) / 3.0;
+      return;
+    }
+  }
+}
+}
