@@ -12,6 +12,7 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <system_error>
 
 namespace bonedecimate
 {
@@ -24,9 +25,16 @@ public:
   explicit WorkerTeam(int threads)
     : Failures(ThreadsToUse(threads))
   {
-    for (std::size_t i = 1; i < this->Failures.size(); ++i)
+    try
     {
-      this->Threads.emplace_back([this, i] { this->Serve(i); });
+      for (std::size_t i = 1; i < this->Failures.size(); ++i)
+      {
+        this->Threads.emplace_back([this, i] { this->Serve(i); });
+      }
+    }
+    catch (const std::system_error&)
+    {
+      // The system gives no more threads: those that there are do the work.
     }
   }
   ~WorkerTeam()
@@ -52,12 +60,15 @@ public:
     this->Take(0);
     std::unique_lock<std::mutex> lock(this->Mutex);
     this->Ends.wait(lock, [this] { return this->Busy == 0; });
+    std::exception_ptr first;
     for (std::exception_ptr& failure : this->Failures)
     {
-      if (failure)
-      {
-        std::rethrow_exception(std::exchange(failure, nullptr));
-      }
+      first = first ? first : failure;
+      failure = nullptr;
+    }
+    if (first)
+    {
+      std::rethrow_exception(first);
     }
   }
 

@@ -25,7 +25,7 @@ BatchSweep::BatchSweep(
   , Evaluate(evaluate)
   , Known(buckets)
   , Lists(editor.Mesh(), evaluate, buckets)
-  , Team(threads)
+  , Team(static_cast<int>(std::min<std::size_t>(ThreadsToUse(threads), MostBatch)))
   , Candidates(MostBatch)
   , MostInBatch(FirstBatch)
   , ReservedBy(buckets.Buckets.size(), 0)
@@ -187,7 +187,7 @@ bool BatchSweep::Commit(Candidate& candidate)
   }
   else
   {
-    this->Lists.Reject(candidate.At.Vertex, candidate.Found.Bucket);
+    this->Lists.Reject(candidate.At.Vertex, candidate.Found.Bucket, candidate.Found.IsLasting);
   }
   this->MeshEditor.Settle(candidate.Space.Counted);
   return isCollapsed;

@@ -92,7 +92,7 @@ bool BlockSweep::CollapseAt(VertexEdges& edges, CostBucket highest)
   }
   else
   {
-    this->Lists.Reject(vertex, found.Bucket);
+    this->Lists.Reject(vertex, found.Bucket, found.IsLasting);
   }
   return found.Of == CollapseSearch::Outcome::Accepted;
 }

@@ -20,11 +20,12 @@ CollapseSearch::Result CollapseSearch::Find(
 {
   this->Task = &task;
   this->Space = &space;
+  this->IsLasting = true;
   const VertexId vertex = edges.Vertex();
   edges.Forget();
   if (!edges.AreInside())
   {
-    return { Outcome::Deferred };
+    return { Outcome::Deferred, NeverBucket, 0.0, false };
   }
   CostBucket rejectedUntil = NeverBucket;
   bool crosses = false;
@@ -46,7 +47,7 @@ CollapseSearch::Result CollapseSearch::Find(
       return { trial == Trial::Accepted ? Outcome::Accepted
           : trial == Trial::Deferred    ? Outcome::Deferred
                                         : Outcome::Rejected,
-        NeverBucket, this->AccumulatedError };
+        NeverBucket, this->AccumulatedError, this->IsLasting && trial != Trial::Deferred };
     }
     crosses = crosses || trial == Trial::Crossing;
     rejectedUntil =
@@ -54,7 +55,8 @@ CollapseSearch::Result CollapseSearch::Find(
   }
   // All edges were tried; trying them again until the end of the pass would cost more than the pass.
   const bool waits = crosses && bucket == NeverBucket;
-  return { Outcome::Rejected, waits ? NeverBucket : std::min(bucket, rejectedUntil) };
+  return { Outcome::Rejected, waits ? NeverBucket : std::min(bucket, rejectedUntil), 0.0,
+    this->IsLasting };
 }
 
 //------------------------------------------------------------------------------
@@ -71,7 +73,9 @@ bool CollapseSearch::WasTried(VertexId vertex) const
 CollapseSearch::Trial CollapseSearch::TryEdge(
   VertexId vertex, const VertexEdges::Candidate& candidate, float mostCost)
 {
-  if (this->WasTried(this->MeshEditor.Mesh().Across(candidate.Edge, vertex)))
+  // An edge also depends on what is around its other end.
+  if (this->Known.IsRejected(vertex) &&
+    this->WasTried(this->MeshEditor.Mesh().Across(candidate.Edge, vertex)))
   {
     return Trial::TooFar;
   }
@@ -107,6 +111,7 @@ CollapseSearch::Trial CollapseSearch::TryPositions(const Edit& best, float mostC
     if (SpikePenalty(this->Known.SpikeFactor, mesh.NumberOfFaces(), this->AccumulatedError) >
       mostCost)
     {
+      this->IsLasting = false; // the penalty may be below the next bucket
       return Trial::TooCostly;
     }
     this->Space->AccumulatedError = this->AccumulatedError * mesh.Unit();
@@ -117,6 +122,8 @@ CollapseSearch::Trial CollapseSearch::TryPositions(const Edit& best, float mostC
     }
   }
   const Rejection reason = decision.Reason();
+  // With several workers each has a part of the volume that a fragment may lose.
+  this->IsLasting = this->IsLasting && (reason != Rejection::Fragment || this->Task->Workers == 1);
   const bool isTooFar = reason == Rejection::ErrorBound || reason == Rejection::VoxelLabel;
   return decision.IsDeferred()           ? Trial::Deferred
     : isTooFar || this->Task->TriesAll() ? Trial::TooFar

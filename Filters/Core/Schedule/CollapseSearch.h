@@ -45,6 +45,7 @@ public:
     Outcome Of = Outcome::Rejected;
     CostBucket Bucket = NeverBucket; ///< Of the vertex if it is rejected.
     double AccumulatedError = 0.0;   ///< Units, of the merged vertex if it is accepted.
+    bool IsLasting = true; ///< Whether a rejection holds until something around the vertex changes.
   };
 
   CollapseSearch(const Editor& editor, const VertexBuckets& buckets)
@@ -79,6 +80,7 @@ private:
   const BlockTask* Task = nullptr; // of the current search, as what follows
   Workspace* Space = nullptr;
   double AccumulatedError = 0.0; // units, of the position tried last
+  bool IsLasting = true;         // of the rejections so far
 };
 }
 

@@ -27,9 +27,12 @@ void VertexLists::Fill(const BlockTask& task)
 }
 
 //------------------------------------------------------------------------------
-void VertexLists::Reject(VertexId vertex, CostBucket bucket)
+void VertexLists::Reject(VertexId vertex, CostBucket bucket, bool isLasting)
 {
-  this->Known.NoteRejection(vertex);
+  if (isLasting)
+  {
+    this->Known.NoteRejection(vertex);
+  }
   this->SetBucket(vertex, bucket);
 }
 
@@ -59,6 +62,7 @@ void VertexLists::Update(
   this->Known.Buckets[gone] = NeverBucket;
   this->Renew(edit.Keep, this->Task.Vertices);
   this->Known.NoteChange(around.Ring);
+  this->Known.NoteChange({ edit.Keep });
   if (this->Task.RenewsRing)
   {
     this->Mesh.VisitEdges(edit.Keep,

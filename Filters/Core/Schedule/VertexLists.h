@@ -37,7 +37,8 @@ public:
   }
 
   /// No collapse was found at the vertex.  @param bucket Of the edges that are left to try.
-  void Reject(VertexId vertex, CostBucket bucket);
+  /// @param isLasting Whether edges below the bucket are rejected until something changes.
+  void Reject(VertexId vertex, CostBucket bucket, bool isLasting);
   /// Computes the bucket of a vertex, that of its cheapest edge.  @param within Vertices that may be read.
   void Renew(VertexId vertex, VertexRange within);
   /// After the collapse.  @param around Of the edge that was collapsed.
