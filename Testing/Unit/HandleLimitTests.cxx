@@ -16,7 +16,7 @@ StopReason StopOf(const Surface& surface, Mode mode, int triangles)
 }
 }
 
-TEST(HandleLimit, IsTheReasonWhereATorusHasNoRoom)
+TEST(HandleLimit, IsTheReasonWhereATorusHasTooFewEdges)
 {
   for (const Mode mode : { Mode::Fast, Mode::Balanced })
   {

@@ -47,6 +47,13 @@ std::vector<OptionInfo> GoalRows()
       "With a largest error or tolerances, modes Balanced and Accurate: how many rounds of moves "
       "and collapses remove triangles after those of Fast, relative to the rounds of the mode and "
       "rounded. More rounds leave fewer triangles and take longer. 0: none." },
+  };
+}
+
+/// What is done before the first edit, what voxels keep, and options of mode Thesis.
+std::vector<OptionInfo> SurfaceRows()
+{
+  return {
     { "Smoothing", &Options::Smoothing, 0, LargestNumber, "mm", "smooth", {},
       "Smooth the surface before the first edit: no point moves by more than this, nor by more "
       "than MaximumError and its tolerance allow. Both steps together keep MaximumError relative "
@@ -169,7 +176,7 @@ const std::vector<OptionInfo>& OptionTable()
   {
     std::vector<OptionInfo> rows;
     for (const std::vector<OptionInfo>& group :
-      { GoalRows(), RunRows(), ArrayRows(), ProofRows(), InputOptionRows() })
+      { GoalRows(), SurfaceRows(), RunRows(), ArrayRows(), ProofRows(), InputOptionRows() })
     {
       rows.insert(rows.end(), group.begin(), group.end());
     }

@@ -119,7 +119,7 @@ const char* StopReasonSentence(StopReason reason)
     ("No further collapse is allowed: it would change the topology, a boundary, a fragment or "
      "constrained vertices."),
     "The run was aborted; the surface is valid but larger than requested.",
-    ("The handles of the surface leave no room for fewer triangles: most collapses that are left "
+    ("The handles of the surface prevent fewer triangles: most collapses that are left "
      "would close one.") };
   return WordOf(sentences, reason);
 }

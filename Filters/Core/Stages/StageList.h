@@ -33,7 +33,7 @@ struct StageInput
     nullptr; ///< Before the first edit, with ModeInfo::KeepsInitialMesh; filled by RunStages().
   double RefinementEffort = 1.0; ///< Of the options.
   ForcedCollapseFigures* Forced =
-    nullptr; ///< Receives what was tried and made; null: nobody needs that.
+    nullptr; ///< Receives what was tried and made; null: they are not kept.
 };
 
 /// @param monitor Fractions from 0 to 1; not empty.

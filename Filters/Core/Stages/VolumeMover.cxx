@@ -21,16 +21,16 @@ bool VolumeMover::Run(const Monitor& monitor)
   this->MeshEditor.DistributeVolumeBudget();
   const std::vector<Height> heights = this->SampledHeights();
   this->MeasureLost(heights);
-  std::vector<Place> places = this->FindPlaces(heights);
-  std::sort(places.begin(), places.end());
-  const double count = static_cast<double>(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i)
+  std::vector<Candidate> candidates = this->FindCandidates(heights);
+  std::sort(candidates.begin(), candidates.end());
+  const double count = static_cast<double>(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i)
   {
     if (i % MovesOfReport == 0 && !monitor(static_cast<double>(i) / count))
     {
       return false;
     }
-    this->MoveAt(places[i]);
+    this->MoveAt(candidates[i]);
   }
   this->MeshEditor.Settle(this->Space.Counted);
   return monitor(1.0);
@@ -60,10 +60,11 @@ void VolumeMover::MeasureLost(const std::vector<Height>& heights)
 
 //------------------------------------------------------------------------------
 /// Where a move gives its component volume back and brings the faces nearer to the samples.
-std::vector<VolumeMover::Place> VolumeMover::FindPlaces(const std::vector<Height>& heights) const
+std::vector<VolumeMover::Candidate> VolumeMover::FindCandidates(
+  const std::vector<Height>& heights) const
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  std::vector<Place> places;
+  std::vector<Candidate> candidates;
   for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
     const double lost = this->Lost[this->MeshEditor.Components().ComponentOf(v)];
@@ -80,10 +81,10 @@ std::vector<VolumeMover::Place> VolumeMover::FindPlaces(const std::vector<Height
     }
     if (sum * lost > 0.0)
     {
-      places.push_back({ std::abs(sum / weight), lost > 0.0 ? 1.0 : -1.0, v });
+      candidates.push_back({ std::abs(sum / weight), lost > 0.0 ? 1.0 : -1.0, v });
     }
   }
-  return places;
+  return candidates;
 }
 
 //------------------------------------------------------------------------------
@@ -126,17 +127,17 @@ Vector3 VolumeMover::RingArea(VertexId vertex) const
 
 //------------------------------------------------------------------------------
 /// By no more than gives the component its volume.
-void VolumeMover::MoveAt(const Place& place)
+void VolumeMover::MoveAt(const Candidate& candidate)
 {
-  const VertexId vertex = place.Vertex;
+  const VertexId vertex = candidate.Vertex;
   double& lost = this->Lost[this->MeshEditor.Components().ComponentOf(vertex)];
   const Vector3 area = this->RingArea(vertex);
   const double length = area.norm();
-  if (lost * place.Sign <= 0.0 || !(length > 0.0))
+  if (lost * candidate.Sign <= 0.0 || !(length > 0.0))
   {
     return;
   }
-  double height = place.Sign * std::min(place.Missing, 3.0 * std::abs(lost) / length);
+  double height = candidate.Sign * std::min(candidate.Missing, 3.0 * std::abs(lost) / length);
   for (int attempt = 0; attempt < Attempts; ++attempt, height *= NextAttempt)
   {
     const Vector3 before = this->MeshEditor.Mesh().Position(vertex);

@@ -36,13 +36,13 @@ public:
   bool Run(const Monitor& monitor);
 
 private:
-  struct Place
+  struct Candidate
   {
     double Missing; // mm
     double Sign;    // of the move along the normal of the ring
     Index Vertex;
 
-    bool operator<(const Place& other) const
+    bool operator<(const Candidate& other) const
     {
       return this->Missing != other.Missing ? this->Missing > other.Missing
                                             : this->Vertex < other.Vertex;
@@ -56,9 +56,9 @@ private:
   };
   std::vector<Height> SampledHeights() const;
   void MeasureLost(const std::vector<Height>& heights);
-  std::vector<Place> FindPlaces(const std::vector<Height>& heights) const;
+  std::vector<Candidate> FindCandidates(const std::vector<Height>& heights) const;
   Vector3 RingArea(VertexId vertex) const;
-  void MoveAt(const Place& place);
+  void MoveAt(const Candidate& candidate);
 
   Editor& MeshEditor;
   const Samples& Fit;
