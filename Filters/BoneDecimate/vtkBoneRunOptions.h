@@ -127,8 +127,8 @@ public:
 
   ///@{
   /// With a largest error or tolerances, modes Balanced and Accurate: how many rounds of moves and collapses remove triangles after
-  /// those of Fast, relative to the rounds of the mode and rounded. More rounds leave fewer triangles and take longer. 0: none.
-  /// Range: 0 to 100; default: 1.
+  /// those of Fast, relative to the rounds of the mode and rounded. More rounds take longer and mostly leave fewer triangles. 0:
+  /// none. Range: 0 to 100; default: 1.
   void SetRefinementEffort(double value);
   double GetRefinementEffort() const;
   ///@}

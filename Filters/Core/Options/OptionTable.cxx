@@ -46,7 +46,7 @@ std::vector<OptionInfo> GoalRows()
     { "RefinementEffort", &Options::RefinementEffort, 0, 100, "", "refinement-effort", {},
       "With a largest error or tolerances, modes Balanced and Accurate: how many rounds of moves "
       "and collapses remove triangles after those of Fast, relative to the rounds of the mode and "
-      "rounded. More rounds leave fewer triangles and take longer. 0: none." },
+      "rounded. More rounds take longer and mostly leave fewer triangles. 0: none." },
   };
 }
 
