@@ -106,8 +106,9 @@ void AddIso(CLI::App& app, Arguments& arguments)
         given << std::setprecision(17) << *arguments.Iso;
         arguments.Given["iso"] = given.str();
       },
-      WrappedHelp("The input is a CT volume (.nii, .nrrd, .mha, .tif, .vti ..., a folder of DICOM files "
-                  "or TIFF slices): take the bone surface at this Hounsfield value. Takes " +
+      WrappedHelp(
+        "The input is a CT volume (.nii, .nrrd, .mha, .tif, .vti ..., a folder of DICOM files "
+        "or TIFF slices): take the bone surface at this Hounsfield value. Takes " +
         RangeText(HounsfieldRange) + "; bone is 226 HU."))
     ->type_name("HU|bone")
     ->check(CLI::Validator(

@@ -175,6 +175,21 @@ int vtkBoneVoxelCheck::RequestData(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
+/// Which of the labels has no effect on a surface with labels and this background, in one sentence.
+std::string vtkBoneVoxelCheck::FindIneffective(vtkTypeInt64 background) const
+{
+  if (this->BackgroundLabel != 0 && this->BackgroundLabel != background)
+  {
+    return "BackgroundLabel is " + std::to_string(this->BackgroundLabel) +
+      ", but the background of the surface, the last of LabelValues, is " +
+      std::to_string(background);
+  }
+  return this->Label == this->BackgroundLabel ? std::string()
+                                              : "Label has no effect on a surface with the array " +
+      std::string(bonedecimate::BoundaryLabelsName);
+}
+
+//------------------------------------------------------------------------------
 /// What is wrong with the inputs, in one sentence.
 std::string vtkBoneVoxelCheck::Compare(vtkPolyData* surface, vtkImageData* image)
 {
@@ -199,17 +214,13 @@ std::string vtkBoneVoxelCheck::Compare(vtkPolyData* surface, vtkImageData* image
   {
     return bonedecimate::InputMessage(found);
   }
-  if (!map.Source.OfTriangle.empty() && this->BackgroundLabel != 0 &&
-    this->BackgroundLabel != map.Source.Values.back())
+  if (!map.Source.OfTriangle.empty())
   {
-    return "BackgroundLabel is " + std::to_string(this->BackgroundLabel) +
-      ", but the background of the surface, the last of LabelValues, is " +
-      std::to_string(map.Source.Values.back());
-  }
-  if (!map.Source.OfTriangle.empty() && this->Label != this->BackgroundLabel)
-  {
-    return "Label has no effect on a surface with the array " +
-      std::string(bonedecimate::BoundaryLabelsName);
+    const std::string ineffective = this->FindIneffective(map.Source.Values.back());
+    if (!ineffective.empty())
+    {
+      return ineffective;
+    }
   }
   const std::vector<std::int64_t> inImage =
     bonedecimate::FindLabelValues(labels.Image, this->NumberOfThreads, {}).Values;

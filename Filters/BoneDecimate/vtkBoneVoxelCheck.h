@@ -123,6 +123,7 @@ private:
 
   struct Internals;
 
+  std::string FindIneffective(vtkTypeInt64 background) const;
   std::string Compare(vtkPolyData* surface, vtkImageData* image);
 
   vtkTypeInt64 Label = 0;

@@ -16,18 +16,18 @@ namespace
 constexpr Index Peak = 40; // the middle point of the grid
 
 /// A flat grid of 8 by 8 unit cells with one point raised.
-Surface SheetWithPeak(double height)
+Surface FloorWithPeak(double height)
 {
-  Surface sheet = Grid(8);
-  sheet.Points[Peak][2] += height;
-  return sheet;
+  Surface floor = Grid(8);
+  floor.Points[Peak][2] += height;
+  return floor;
 }
 
 /// Below the peak.
-Surface Speck(const Surface& sheet, double depth)
+Surface Speck(const Surface& floor, double depth)
 {
   const Surface small = Scaled(Tetrahedron(), 0.01);
-  return Moved(small, sheet.Points[Peak] - Vector3(0.0, 0.0, depth) - small.Points[0]);
+  return Moved(small, floor.Points[Peak] - Vector3(0.0, 0.0, depth) - small.Points[0]);
 }
 
 TriangleCorners At(const TriangleCorners& corners, const Vector3& offset)
@@ -96,16 +96,16 @@ TEST(Motion, IsNeverProvedWhereTrianglesMeetOnTheWay)
 
 TEST(Motion, OfSmoothingPassesNoSpeck)
 {
-  const Surface sheet = SheetWithPeak(1.0);
-  const Surface speck = Speck(sheet, 0.3);
-  const Surface both = Together(sheet, speck);
+  const Surface floor = FloorWithPeak(1.0);
+  const Surface speck = Speck(floor, 0.3);
+  const Surface both = Together(floor, speck);
   SmoothingSettings settings = Within(2.0);
   settings.Strength = 10.0;
   // Alone the peak sinks below where the speck is.
   const double low = speck.Points[0][2];
-  ASSERT_LT(Smooth({ sheet }, settings).Points[Peak][2], low);
+  ASSERT_LT(Smooth({ floor }, settings).Points[Peak][2], low);
   const std::vector<Vector3> after = Smooth({ both }, settings).Points;
-  const double speckHigh = after[sheet.Points.size()][2];
+  const double speckHigh = after[floor.Points.size()][2];
   EXPECT_GT(after[Peak][2], speckHigh);
-  EXPECT_LT(after[Peak][2], sheet.Points[Peak][2]);
+  EXPECT_LT(after[Peak][2], floor.Points[Peak][2]);
 }

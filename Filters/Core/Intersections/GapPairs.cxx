@@ -232,8 +232,7 @@ std::vector<FaceId> NewFaces(
   return faces;
 }
 
-std::vector<Index> LookAt(
-  const NarrowedGaps& gaps, const std::vector<FaceId>& faces, int threads)
+std::vector<Index> LookAt(const NarrowedGaps& gaps, const std::vector<FaceId>& faces, int threads)
 {
   std::vector<std::vector<Index>> edits(NumberOfChunks(faces.size()));
   ForEachChunk(faces.size(), threads, {},

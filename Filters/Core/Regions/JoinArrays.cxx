@@ -105,19 +105,19 @@ void FillOrigins(const CleanSurface& clean, const RegionParts& parts, const Join
 }
 
 void FillJoined(const WholeSurface& whole, const RegionParts& parts, JoinedRegions& joined,
-  const WantedArrays& wanted, Result& result)
+  const RequestedArrays& requested, Result& result)
 {
   CountPoints(whole.Cleaned, joined, result);
-  if (wanted.Distances || wanted.Origins)
+  if (requested.Distances || requested.Origins)
   {
     FillPoints(parts, joined, &Result::Distance, result);
     FillPoints(parts, joined, &Result::RunningError, result);
   }
-  if (wanted.ErrorBound)
+  if (requested.ErrorBound)
   {
     FillPoints(parts, joined, &Result::ErrorBound, result);
   }
-  if (wanted.Origins)
+  if (requested.Origins)
   {
     FillOrigins(whole.Cleaned, parts, joined, result.Origins);
   }

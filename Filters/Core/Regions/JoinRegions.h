@@ -49,14 +49,14 @@ JoinedRegions JoinRegions(
 bool CheckJoined(const Surface& input, const WholeSurface& whole, const RegionParts& parts,
   const JoinedRegions& joined, int threads);
 
-struct WantedArrays
+struct RequestedArrays
 {
   bool Distances, Origins, ErrorBound;
 };
 
 /// Counts, arrays and maps of the result.
 void FillJoined(const WholeSurface& whole, const RegionParts& parts, JoinedRegions& joined,
-  const WantedArrays& wanted, Result& result);
+  const RequestedArrays& requested, Result& result);
 
 /// Area and volume by which edits changed a component.
 struct ExtentChange

@@ -23,7 +23,8 @@ bool Separates(const Vector3& direction, const TrianglesInTime& at)
   {
     lastOfFirst = std::max(lastOfFirst, direction.dot(at.First[i]));
     firstOfSecond = std::min(firstOfSecond, direction.dot(at.Second[i]));
-    scale = std::max({ scale, at.First[i].cwiseAbs().maxCoeff(), at.Second[i].cwiseAbs().maxCoeff() });
+    scale =
+      std::max({ scale, at.First[i].cwiseAbs().maxCoeff(), at.Second[i].cwiseAbs().maxCoeff() });
   }
   return firstOfSecond - lastOfFirst > Rounding * scale * direction.lpNorm<1>();
 }

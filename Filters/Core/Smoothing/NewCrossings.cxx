@@ -190,8 +190,8 @@ bool NewCrossings::IsNew(const Pair& now, std::size_t a, std::size_t b) const
   const PlaneTriangle secondBefore = PlaneTriangleOf(this->Before.Points, second);
   return !Intersect(firstBefore, secondBefore, common) &&
     (intersect ||
-      !StayApart({ firstBefore.Corners, secondBefore.Corners },
-        { now.First.Corners, now.Second.Corners }));
+      !StayApart(
+        { firstBefore.Corners, secondBefore.Corners }, { now.First.Corners, now.Second.Corners }));
 }
 
 //------------------------------------------------------------------------------
