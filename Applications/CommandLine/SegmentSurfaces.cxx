@@ -17,7 +17,7 @@ SegmentSurfaces ExtractSegments(const Arguments& arguments, std::vector<std::str
 {
   const std::string& path = arguments.Inputs[0];
   SegmentSurfaces segments;
-  segments.Map = ReadLabels(path, warnings);
+  segments.Map = ReadLabels(path, warnings, arguments.LabelMap.GetSpacing());
   const std::vector<NamedLabel> found = FindSegments(segments.Map, arguments.Segments, path);
   const std::vector<NamedLabel> chosen = ChooseSegments(found, arguments.Segments, path);
   WriteNamedLabels(found, segments.Map->GetFieldData());

@@ -54,8 +54,8 @@ void CheckLabels(const Volume& volume, LabelPolicy policy, BoneSurface& bone)
   {
     bone.Problem = "it is a label map with the labels " + ListText(survey.Labels) +
       ", whose numbers are names and no intensities: one surface at a value would fuse the parts "
-      "and shift their surfaces; export each label as a surface or as a binary label map of its "
-      "own, for example from 3D Slicer, or give --intensities on if these are measured values";
+      "and shift their surfaces; give --segments all for a surface of each label, or --intensities "
+      "on if these are measured values";
   }
 }
 

@@ -61,6 +61,7 @@ def segmented():
 RUNS = {
     "reduction": (torus, {"TargetReduction": 0.5}),
     "error": (torus, {"MaximumError": 0.5}),
+    "refined": (torus, {"MaximumError": 0.5, "Mode": vtkBoneDecimate.ACCURATE}),
     "boundaries": (plate, {"MaximumError": 0.1}),
     "thesis": (torus, {"Mode": vtkBoneDecimate.THESIS, "TargetNumberOfTriangles": 100}),
     "unmeasured": (torus, {"TargetReduction": 0.5, "MeasureDistances": False}),
@@ -89,7 +90,7 @@ class Report(unittest.TestCase):
         reference.Update()
         report = json.loads(reference.report_as_json)
         self.assertEqual(problems(report, REPORT), [])
-        of_program = {"files", "command_line", "warnings"}
+        of_program = {"files", "command_line", "segments", "warnings"}
         self.assertEqual(set(REPORT["properties"]) - parts - set(report) - of_program - {"fragment_gap"}, set(), "shown by no run")
 
     def test_before_a_run_has_the_form_of_its_schema(self):

@@ -276,15 +276,15 @@ TEST_P(AnyReduction, RemovesTheRequestedFractionOrReportsNothingLeft)
     const Result result = Decimate(this->Shape(), Reduced(fraction));
     const auto target = static_cast<std::int64_t>(std::floor(faces * (1.0 - fraction) + 0.5));
     const auto left = static_cast<std::int64_t>(result.Surface.Triangles.size());
-    if (result.Report.Stop == StopReason::NothingLeft)
+    const StopReason stop = result.Report.Stop;
+    if (stop == StopReason::NothingLeft || stop == StopReason::Handles)
     {
       EXPECT_GT(left, target) << fraction;
       continue;
     }
     EXPECT_LE(left, target) << fraction;
     EXPECT_GE(left, target - 1) << fraction << ": a collapse takes two triangles at most";
-    EXPECT_EQ(
-      result.Report.Stop, left == faces ? StopReason::AlreadySatisfied : StopReason::TargetReached);
+    EXPECT_EQ(stop, left == faces ? StopReason::AlreadySatisfied : StopReason::TargetReached);
   }
 }
 

@@ -190,7 +190,8 @@ class Values(unittest.TestCase):
 
 class Names(unittest.TestCase):
     def test_in_signatures_are_those_of_the_table(self):
-        own = {"decimate": ["points", "triangles", "tolerances", "labels", "label_map", "boundary_labels", "reference", "progress"],
+        own = {"decimate": ["points", "triangles", "tolerances", "labels", "label_map", "boundary_labels", "reference", "prepared",
+                            "progress"],
                "record_levels": ["points", "triangles", "progress"],
                "mesh.bone.decimate": ["self", "tolerances", "labels", "label_map", "boundary_labels", "reference", "with_input",
                                       "progress_bar"],
@@ -210,7 +211,7 @@ class Names(unittest.TestCase):
             self.skipTest("no PyVista here")
         numpy, mesh = (set(inspect.signature(adapter.function).parameters) for adapter in adapters()
                        if adapter.name in ("decimate", "mesh.bone.decimate"))
-        self.assertEqual(numpy - mesh, {"points", "triangles", "progress"})
+        self.assertEqual(numpy - mesh, {"points", "triangles", "prepared", "progress"})
         self.assertEqual(mesh - numpy - set(WITHOUT_ARRAYS), {"self", "with_input", "progress_bar"})
 
     def test_are_in_help_with_meaning_default_range_and_unit(self):

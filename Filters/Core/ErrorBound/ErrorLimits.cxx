@@ -18,6 +18,16 @@ constexpr double RelativeSlack = 2e-4;
 /// Of the largest coordinate, for the same.
 constexpr double AbsoluteSlack = 1e-14;
 
+/// Limits have so many bits, so that they are the same at another distance from the origin.
+constexpr int BitsOfLimit = 16;
+
+double RoundedDown(double value)
+{
+  int exponent = 0;
+  const double fraction = std::frexp(value, &exponent);
+  return std::ldexp(std::floor(std::ldexp(fraction, BitsOfLimit)), exponent - BitsOfLimit);
+}
+
 /// mm: for rounding, and for what points that never move are moved by when they are written.
 double SlackOf(const HalfEdgeMesh& original, const ErrorBoundSettings& settings)
 {
@@ -38,7 +48,7 @@ ErrorLimits::ErrorLimits(const HalfEdgeMesh& original, const ErrorBoundSettings&
 {
   const double slack = SlackOf(original, settings);
   const auto withoutSlack = [slack](double error)
-  { return std::max(0.0, error * (1.0 - RelativeSlack) - slack); };
+  { return RoundedDown(std::max(0.0, error * (1.0 - RelativeSlack) - slack)); };
   this->Everywhere = withoutSlack(settings.Error);
   if (settings.Tolerances != nullptr)
   {

@@ -70,6 +70,10 @@ public:
   /// Of the samples of the original alone; infinite above that ratio.
   double LargestOfSamples(const Vector3& x, double most);
 
+  /// The nearest position of a fine grid. One step after the other would amplify the rounding of coordinates, which is another one at
+  /// another distance from the origin.
+  Vector3 OnGrid(const Vector3& x) const;
+
   /// Moves x by Step(), or by a part of it, if that lowers the error by more than a little.
   /// @param before The last evaluation, at x.  @return At the new x; infinite if x did not move.
   Value TryStep(Vector3& x, const Value& before);
@@ -93,9 +97,6 @@ private:
   };
   /// From the vertex of the last evaluation, which was not ended, mm.
   Vector3 Step() const;
-  /// The nearest position of a fine grid. One step after the other would amplify the rounding of coordinates, which is another one at
-  /// another distance from the origin.
-  Vector3 OnGrid(const Vector3& x) const;
   void Build(const Vector3& x);
   bool AddSampleRows(double enough);
   bool AddFaceRows(const Vector3& x, double enough, std::size_t firstSpoke);

@@ -32,7 +32,7 @@ SlackMover::Proposal SlackMover::Evaluate(VertexId vertex)
 SlackMover::Proposal SlackMover::Shift(VertexId vertex, const Vector3& step)
 {
   const SlackFit::Value before = this->Gather(vertex);
-  const Vector3 position = this->MeshEditor.Mesh().Position(vertex) + step;
+  const Vector3 position = this->Slack.OnGrid(this->MeshEditor.Mesh().Position(vertex) + step);
   const SlackFit::Value after = this->Slack.Evaluate(position, before.Hint);
   return after.Largest <= std::max(MostOfShift, before.Largest)
     ? Proposal{ vertex, position, after.Hint, this->Ring, this->Slack.Members() }

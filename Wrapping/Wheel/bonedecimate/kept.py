@@ -40,6 +40,8 @@ class KeepsPrepared:
         """Approximate memory of what is kept, bytes."""
         return 0 if self._prepared is None else self._prepared.memory
 
+    prepared_memory = property(GetPreparedMemory, doc="Approximate memory of what is kept, bytes.")
+
     def _kept(self) -> _core.PreparedSurface | None:
         """For a run; None: nothing is to be kept."""
         if self._keeps_prepared and self._prepared is None:
