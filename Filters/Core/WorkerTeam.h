@@ -35,6 +35,7 @@ public:
     catch (const std::system_error&)
     {
       // The system gives no more threads: those that there are do the work.
+      this->Failures.resize(1 + this->Threads.size());
     }
   }
   ~WorkerTeam()
