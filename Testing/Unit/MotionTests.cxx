@@ -49,6 +49,24 @@ TEST(Motion, KnowsTrianglesThatPass)
   EXPECT_TRUE(StayApart({ wall, At(speck, aside + below) }, { wall, At(speck, aside + above) }));
 }
 
+TEST(Motion, OfNothingKeepsTrianglesApartHoweverNear)
+{
+  const TriangleCorners wall = { Vector3(100, 0, 0), Vector3(101, 0, 0), Vector3(100, 1, 0) };
+  const TrianglesInTime slit = { wall, At(wall, Vector3(0, 0, 1e-14)) };
+  ASSERT_FALSE(Meet(PlaneTriangle(slit.First), PlaneTriangle(slit.Second)));
+  EXPECT_TRUE(StayApart(slit, slit));
+  EXPECT_FALSE(StayApart(slit, { wall, At(wall, Vector3(0.5, 0, 1e-14)) }));
+}
+
+TEST(Motion, OfSmoothingEndsWhereWallsAreNearerThanRounding)
+{
+  const Surface wall = HeightField(6, 0.3, 2);
+  SmoothingSettings settings = Within(0.5);
+  settings.Strength = 5.0;
+  const Surface slit = Together(wall, Moved(wall, { 0.0, 0.0, 1e-14 }));
+  EXPECT_EQ(Smooth({ slit }, settings).Points.size(), slit.Points.size());
+}
+
 TEST(Motion, IsNeverProvedWhereTrianglesMeetOnTheWay)
 {
   Random random(5);

@@ -62,6 +62,7 @@ bool StayApart(const TrianglesInTime& before, const TrianglesInTime& after, int 
 
 bool StayApart(const TrianglesInTime& before, const TrianglesInTime& after)
 {
-  return StayApart(before, after, MostHalvings);
+  const bool isStill = before.First == after.First && before.Second == after.Second;
+  return isStill || StayApart(before, after, MostHalvings);
 }
 }

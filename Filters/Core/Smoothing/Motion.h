@@ -19,7 +19,7 @@ struct TrianglesInTime
   TriangleCorners First, Second; // mm
 };
 
-/// Of two triangles that do not meet before and after. True is proved; false also where they come so near that it is not clear.
+/// Of two triangles that do not meet before and after. True is proved; false also where they move and come so near that it is not clear.
 bool StayApart(const TrianglesInTime& before, const TrianglesInTime& after);
 }
 
