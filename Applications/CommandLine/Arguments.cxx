@@ -161,8 +161,7 @@ void AddCommonFlags(CLI::App& app, Arguments& arguments)
     "against it, and distances are measured to it.");
   AddLabelMap(app, arguments.LabelMap, "--label-map",
     "The label map (.nii, .nrrd, .mha, .tif, .vti ...) from which INPUT was extracted: its voxels "
-    "are "
-    "those of --keep-voxels and --smooth, and the result is compared with it.");
+    "are those of --keep-voxels and --smooth, and the result is compared with it.");
   AddUnit(app, arguments.Unit);
   AddFile(app, "--report", arguments.Report, "Write the report as JSON.");
   AddFile(app, "--page", arguments.Page,

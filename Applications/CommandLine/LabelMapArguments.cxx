@@ -40,8 +40,7 @@ void AddLabelMap(CLI::App& app, LabelMapFile& map, const char* flags, const char
   AddNumberList(app,
     { "--spacing", "X,Y,Z", PositiveLengthRange,
       "The distance of voxels along x, y and z, in mm, of TIFF files and folders of TIFF slices, "
-      "which "
-      "have none; one number if all are equal." },
+      "which have none; one number if all are equal." },
     [&map](double value) { map.Spacing.push_back(value); });
 }
 
@@ -112,8 +111,7 @@ void AddVoxelArguments(CLI::App& app, VoxelArguments& arguments)
   }
   AddLabelMap(app, arguments.Map, "--label-map",
     "The label map (.nii, .nrrd, .mha, .tif, .vti ...) from which INPUT was extracted: its voxels "
-    "are "
-    "those of --keep-voxels and --smooth, and results are compared with it.");
+    "are those of --keep-voxels and --smooth, and results are compared with it.");
 }
 
 void ApplyVoxelArguments(const VoxelArguments& arguments, vtkBoneDecimateAlgorithm* filter,

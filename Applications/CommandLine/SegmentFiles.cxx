@@ -18,14 +18,14 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataConnectivityFilter.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
 #include <functional>
-#include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
@@ -53,38 +53,6 @@ double Determinant(const Position& a, const Position& b, const Position& c)
     a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/// The points of a surface in sets that grow together.
-class PointSets
-{
-public:
-  explicit PointSets(vtkIdType points)
-    : Parents(static_cast<std::size_t>(points))
-  {
-    std::iota(this->Parents.begin(), this->Parents.end(), vtkIdType(0));
-  }
-
-  vtkIdType Find(vtkIdType point)
-  {
-    const auto parent = [this](vtkIdType of) -> vtkIdType&
-    { return this->Parents[static_cast<std::size_t>(of)]; };
-    while (parent(point) != point)
-    {
-      parent(point) = parent(parent(point));
-      point = parent(point);
-    }
-    return point;
-  }
-
-  void Join(vtkIdType a, vtkIdType b)
-  {
-    const vtkIdType first = this->Find(a);
-    this->Parents[static_cast<std::size_t>(this->Find(b))] = first;
-  }
-
-private:
-  std::vector<vtkIdType> Parents;
-};
-
 /// Calls visit with the three corners of each triangle.
 template <typename Visit>
 void ForEachTriangle(vtkPolyData* surface, const Visit& visit)
@@ -102,37 +70,32 @@ void ForEachTriangle(vtkPolyData* surface, const Visit& visit)
 /// mm3, of each component, the largest first.
 std::vector<double> VolumesOfComponents(vtkPolyData* surface)
 {
-  PointSets sets(surface->GetNumberOfPoints());
-  ForEachTriangle(surface,
-    [&](const vtkIdType* corners)
-    {
-      sets.Join(corners[0], corners[1]);
-      sets.Join(corners[0], corners[2]);
-    });
-  const Position origin = surface->GetNumberOfPoints() > 0 ? PositionOf(surface, 0) : Position{};
+  vtkNew<vtkPolyDataConnectivityFilter> components;
+  components->SetInputData(surface);
+  components->SetExtractionModeToAllRegions();
+  components->ColorRegionsOn();
+  components->Update();
+  vtkPolyData* const colored = components->GetOutput();
+  vtkDataArray* const componentOf = colored->GetPointData()->GetArray("RegionId");
+  const Position origin = colored->GetNumberOfPoints() > 0 ? PositionOf(colored, 0) : Position{};
   const auto offset = [&](vtkIdType point)
   {
-    Position position = PositionOf(surface, point);
+    Position position = PositionOf(colored, point);
     std::transform(
       position.begin(), position.end(), origin.begin(), position.begin(), std::minus<>());
     return position;
   };
-  std::map<vtkIdType, double> volumes;
-  ForEachTriangle(surface,
+  std::vector<double> volumes(
+    static_cast<std::size_t>(components->GetNumberOfExtractedRegions()), 0.0);
+  ForEachTriangle(colored,
     [&](const vtkIdType* corners)
     {
-      volumes[sets.Find(corners[0])] +=
+      volumes[static_cast<std::size_t>(componentOf->GetComponent(corners[0], 0))] +=
         Determinant(offset(corners[0]), offset(corners[1]), offset(corners[2])) / 6.0;
     });
-  std::vector<double> sorted;
-  sorted.reserve(volumes.size());
-  for (const auto& [set, volume] : volumes)
-  {
-    sorted.push_back(volume);
-  }
   std::sort(
-    sorted.begin(), sorted.end(), [](double a, double b) { return std::abs(a) > std::abs(b); });
-  return sorted;
+    volumes.begin(), volumes.end(), [](double a, double b) { return std::abs(a) > std::abs(b); });
+  return volumes;
 }
 
 /// A name as a file may have it: without what separates folders, what shells and other systems take for something else, and blanks.

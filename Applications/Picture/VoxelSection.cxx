@@ -95,6 +95,7 @@ std::string VoxelSection(const ReportFields& report)
           { "table", LabelTable(report) } })
     : std::string();
 }
+
 std::optional<double> BoundInVoxels(const ReportFields& report)
 {
   const std::optional<double> spacing = report.Number(SpacingName);

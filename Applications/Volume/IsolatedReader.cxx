@@ -36,33 +36,6 @@ std::size_t BytesOf(vtkImageData* image)
     static_cast<std::size_t>(image->GetScalarSize());
 }
 
-void SendSegments(const std::vector<Segment>& segments, Pipe& pipe)
-{
-  const std::size_t count = segments.size();
-  pipe.Send(&count, sizeof(count));
-  for (const Segment& segment : segments)
-  {
-    pipe.SendText(segment.Name);
-    pipe.Send(&segment.Label, sizeof(segment.Label));
-    pipe.Send(segment.Color.data(), sizeof(segment.Color));
-  }
-}
-
-bool ReceiveSegments(Pipe& pipe, std::vector<Segment>& segments)
-{
-  std::size_t count = 0;
-  bool isComplete = pipe.Receive(&count, sizeof(count));
-  for (std::size_t i = 0; isComplete && i < count; ++i)
-  {
-    Segment segment;
-    isComplete = pipe.ReceiveText(segment.Name) &&
-      pipe.Receive(&segment.Label, sizeof(segment.Label)) &&
-      pipe.Receive(segment.Color.data(), sizeof(segment.Color));
-    segments.push_back(segment);
-  }
-  return isComplete;
-}
-
 void Send(const Volume& volume, Pipe& pipe)
 {
   pipe.SendText(volume.Problem);
@@ -73,7 +46,6 @@ void Send(const Volume& volume, Pipe& pipe)
     const Shape shape{ { { size[0], size[1], size[2] } }, volume.Image->GetScalarType() };
     pipe.Send(&volume.Geometry, sizeof(volume.Geometry));
     pipe.Send(&shape, sizeof(shape));
-    SendSegments(volume.Segments, pipe);
     pipe.Send(volume.Image->GetScalarPointer(), BytesOf(volume.Image));
     SendLabelFields(volume.Image->GetFieldData(), pipe);
   }
@@ -92,7 +64,7 @@ bool Receive(Pipe& pipe, Volume& volume)
   }
   Shape shape;
   if (!pipe.Receive(&volume.Geometry, sizeof(volume.Geometry)) ||
-    !pipe.Receive(&shape, sizeof(shape)) || !ReceiveSegments(pipe, volume.Segments))
+    !pipe.Receive(&shape, sizeof(shape)))
   {
     return false;
   }

@@ -69,6 +69,11 @@ bool ReceiveNumbers(Pipe& pipe, const char* name, vtkFieldData* fields)
 }
 }
 
+bool HasLabelFields(vtkImageData* image)
+{
+  return image->GetFieldData()->HasArray(NumberNames[0]) != 0;
+}
+
 void CopyLabelFields(vtkFieldData* from, vtkFieldData* to)
 {
   for (const char* name : { NumberNames[0], NumberNames[1], NamesName })

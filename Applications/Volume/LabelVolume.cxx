@@ -4,12 +4,6 @@
 
 #include "VolumeFile.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkNew.h"
-#include "vtkStringArray.h"
-#include "vtkTypeInt64Array.h"
-
 #include <cmath>
 
 namespace bonedecimate
@@ -51,27 +45,6 @@ void SetGeometry(vtkImageData* image, const VolumeGeometry& geometry)
   image->SetSpacing(spacing);
   image->SetDirectionMatrix(direction);
 }
-
-/// What vtkBoneSurfaces passes on to surfaces.
-void AddSegments(const std::vector<Segment>& segments, vtkImageData* image)
-{
-  vtkNew<vtkTypeInt64Array> values;
-  vtkNew<vtkStringArray> names;
-  vtkNew<vtkDoubleArray> colors;
-  values->SetName("LabelValues");
-  names->SetName("LabelNames");
-  colors->SetName("LabelColors");
-  colors->SetNumberOfComponents(3);
-  for (const Segment& segment : segments)
-  {
-    values->InsertNextValue(segment.Label);
-    names->InsertNextValue(segment.Name);
-    colors->InsertNextTuple(segment.Color.data());
-  }
-  image->GetFieldData()->AddArray(values);
-  image->GetFieldData()->AddArray(names);
-  image->GetFieldData()->AddArray(colors);
-}
 }
 
 LabelVolume ReadLabelVolume(const std::string& path, const VoxelSpacing& spacing)
@@ -88,10 +61,6 @@ LabelVolume ReadLabelVolume(const std::string& path, const VoxelSpacing& spacing
   {
     labels.Image = volume.Image;
     SetGeometry(labels.Image, volume.Geometry);
-    if (!volume.Segments.empty())
-    {
-      AddSegments(volume.Segments, labels.Image);
-    }
   }
   return labels;
 }

@@ -132,7 +132,14 @@ Volume ReadNrrd(const std::string& path)
   }
   Volume volume = image.ReadVolume();
   nrrd.CorrectSpace(volume.Geometry);
-  volume.Segments = segments;
-  return volume.Image && hasLayers ? CombinedLayers(volume) : volume;
+  if (volume.Image && hasLayers)
+  {
+    return CombinedLayers(volume, segments);
+  }
+  if (volume.Image && !segments.empty())
+  {
+    AddLabelFields(segments, volume.Image);
+  }
+  return volume;
 }
 }

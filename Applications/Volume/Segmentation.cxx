@@ -5,7 +5,12 @@
 #include "TextNumbers.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkStringArray.h"
+#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <map>
@@ -134,7 +139,7 @@ std::vector<Segment> ReadSegments(const std::function<std::string(const std::str
   }
 }
 
-Volume CombinedLayers(const Volume& layers)
+Volume CombinedLayers(const Volume& layers, std::vector<Segment> segments)
 {
   vtkDataArray* values = layers.Image->GetPointData()->GetScalars();
   std::vector<SegmentOfValue> ofLayer(static_cast<std::size_t>(values->GetNumberOfComponents()));
@@ -142,22 +147,21 @@ Volume CombinedLayers(const Volume& layers)
   {
     return RejectedVolume("the values of its layers are not whole numbers");
   }
-  if (!FindSegments(layers.Segments, ofLayer))
+  if (!FindSegments(segments, ofLayer))
   {
     return RejectedVolume("the layers or label values of its segments are not those of its voxels");
   }
   const int* size = layers.Image->GetDimensions();
   Volume volume;
   volume.Geometry = layers.Geometry;
-  volume.Segments = layers.Segments;
   volume.Image = AllocateImage({ { size[0], size[1], size[2] } }, VTK_UNSIGNED_SHORT);
-  const bool isRenumbered = MakeLabelsDifferent(volume.Segments);
+  const bool isRenumbered = MakeLabelsDifferent(segments);
   auto* labels = static_cast<unsigned short*>(volume.Image->GetScalarPointer());
   Overlap overlap;
   switch (values->GetDataType())
   {
     vtkTemplateMacro(overlap = Combine(static_cast<const VTK_TT*>(values->GetVoidPointer(0)),
-                       ofLayer, volume.Segments, labels, values->GetNumberOfTuples()));
+                       ofLayer, segments, labels, values->GetNumberOfTuples()));
     default:
       break;
   }
@@ -166,7 +170,28 @@ Volume CombinedLayers(const Volume& layers)
     return RejectedVolume(std::to_string(overlap.Undescribed) +
       " values of its voxels are those of no segment in the header");
   }
-  volume.Note = OverlapNote(overlap, isRenumbered, volume.Segments.size());
+  volume.Note = OverlapNote(overlap, isRenumbered, segments.size());
+  AddLabelFields(segments, volume.Image);
   return volume;
+}
+
+void AddLabelFields(const std::vector<Segment>& segments, vtkImageData* image)
+{
+  vtkNew<vtkTypeInt64Array> values;
+  vtkNew<vtkStringArray> names;
+  vtkNew<vtkDoubleArray> colors;
+  values->SetName("LabelValues");
+  names->SetName("LabelNames");
+  colors->SetName("LabelColors");
+  colors->SetNumberOfComponents(3);
+  for (const Segment& segment : segments)
+  {
+    values->InsertNextValue(segment.Label);
+    names->InsertNextValue(segment.Name);
+    colors->InsertNextTuple(segment.Color.data());
+  }
+  image->GetFieldData()->AddArray(values);
+  image->GetFieldData()->AddArray(names);
+  image->GetFieldData()->AddArray(colors);
 }
 }

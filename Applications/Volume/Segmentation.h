@@ -9,12 +9,23 @@
 
 #include "Volume.h"
 
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace bonedecimate::volume
 {
+/// What the header says about one of its parts.
+struct Segment
+{
+  std::int64_t Label = 1; ///< Of its voxels.
+  std::int64_t Layer = 0; ///< Of the file: overlapping segments are in different layers.
+  std::string Name;
+  std::array<double, 3> Color{ { 0.5, 0.5, 0.5 } }; ///< Red, green and blue, 0 to 1.
+};
+
 /// @param textOf The text of a key of the header, empty if it is not there: "Segment0_Name" and so on.
 std::vector<Segment> ReadSegments(const std::function<std::string(const std::string&)>& textOf);
 
@@ -23,7 +34,10 @@ std::vector<Segment> ReadSegments(const std::function<std::string(const std::str
  * counts, as when 3D Slicer exports them to a label map. If labels repeat, the segments get the
  * labels from 1 on. A note says both.
  */
-Volume CombinedLayers(const Volume& layers);
+Volume CombinedLayers(const Volume& layers, std::vector<Segment> segments);
+
+/// Adds the field arrays LabelValues, LabelNames and LabelColors.
+void AddLabelFields(const std::vector<Segment>& segments, vtkImageData* image);
 }
 
 #endif

@@ -13,7 +13,6 @@
 #include <array>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace bonedecimate::volume
 {
@@ -28,23 +27,13 @@ struct VolumeGeometry
     { { 0.0, 0.0, 1.0 } } } }; ///< From a voxel to its neighbor along i, j and k.
 };
 
-/// What the header of a segmentation says about one of its parts.
-struct Segment
-{
-  std::int64_t Label = 1; ///< Of its voxels.
-  std::int64_t Layer = 0; ///< Of the file: overlapping segments are in different layers.
-  std::string Name;
-  std::array<double, 3> Color{ { 0.5, 0.5, 0.5 } }; ///< Red, green and blue, 0 to 1.
-};
-
 struct Volume
 {
   vtkSmartPointer<vtkImageData>
-    Image; ///< One value a voxel; its own origin and spacing mean nothing.
+    Image; ///< One value a voxel; its own origin and spacing mean nothing. Field arrays: LabelFields.h.
   VolumeGeometry Geometry;
-  std::string Problem;           ///< Why there is no image; empty if there is one.
-  std::vector<Segment> Segments; ///< If the header says that values are labels.
-  std::string Note;              ///< What of the input was left aside, for the user; may be empty.
+  std::string Problem; ///< Why there is no image; empty if there is one.
+  std::string Note;    ///< What of the input was left aside, for the user; may be empty.
 };
 
 Volume RejectedVolume(const std::string& problem);

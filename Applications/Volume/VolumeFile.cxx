@@ -96,8 +96,7 @@ std::string Unreadable(const std::string& path, VolumeKind kind, const VoxelSpac
   if (kind == VolumeKind::None)
   {
     return "it is no volume: .vti, .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz, a .tif of several "
-           "pages "
-           "or a folder of DICOM files or TIFF slices";
+           "pages or a folder of DICOM files or TIFF slices";
   }
   if ((kind == VolumeKind::Tiff || kind == VolumeKind::TiffFolder) && !spacing)
   {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VoxelValues.h"
 
+#include "LabelFields.h"
+
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
@@ -146,7 +148,8 @@ ValueSurvey SurveyAs(const Value* values, const Volume& volume)
   {
     result.Kind = ValueKind::Mask;
   }
-  else if (!result.Labels.empty() && (!volume.Segments.empty() || survey.HasRegions(result.Labels)))
+  else if (!result.Labels.empty() &&
+    (HasLabelFields(volume.Image) || survey.HasRegions(result.Labels)))
   {
     result.Kind = ValueKind::Labels;
   }

@@ -45,7 +45,7 @@ public:
   ///@{
   /**
    * The label of voxels that belong to nothing, default 0. For a surface with the array LabelValues, whose last value is the
-   * background, another label than that or 0 is an error.
+   * background, another label than that or 0 is an error; with that label, Label has to be the same.
    */
   vtkSetMacro(BackgroundLabel, vtkTypeInt64);
   vtkGetMacro(BackgroundLabel, vtkTypeInt64);

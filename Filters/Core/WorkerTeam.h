@@ -25,6 +25,7 @@ public:
   explicit WorkerTeam(int threads)
     : Failures(ThreadsToUse(threads))
   {
+    this->Threads.reserve(this->Failures.size());
     try
     {
       for (std::size_t i = 1; i < this->Failures.size(); ++i)

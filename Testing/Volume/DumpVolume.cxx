@@ -6,12 +6,14 @@
  *
  *     bonedecimate-dump-volume VOLUME VOXELS [X Y Z]     spacing in mm
  *
- * Testing/Application/volume_formats_test.py compares it with what other programs wrote.
+ * Testing/Volume/formats_test.py compares it with what other programs wrote.
  */
 #include "VolumeFile.h"
 
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkPointData.h"
+#include "vtkStringArray.h"
 
 #include <cstdlib>
 #include <fstream>
@@ -22,6 +24,21 @@ using namespace bonedecimate;
 
 namespace
 {
+nlohmann::ordered_json SegmentsOf(vtkFieldData* fields)
+{
+  nlohmann::ordered_json segments = nlohmann::ordered_json::array();
+  vtkDataArray* const values = fields->GetArray("LabelValues");
+  auto* const names = vtkStringArray::SafeDownCast(fields->GetAbstractArray("LabelNames"));
+  vtkDataArray* const colors = fields->GetArray("LabelColors");
+  for (vtkIdType i = 0; values && names && colors && i < values->GetNumberOfTuples(); ++i)
+  {
+    const double* const color = colors->GetTuple(i);
+    segments.push_back({ { "label", static_cast<std::int64_t>(values->GetComponent(i, 0)) },
+      { "name", std::string(names->GetValue(i)) }, { "color", { color[0], color[1], color[2] } } });
+  }
+  return segments;
+}
+
 nlohmann::ordered_json DescriptionOf(const volume::Volume& read)
 {
   nlohmann::ordered_json description;
@@ -34,12 +51,7 @@ nlohmann::ordered_json DescriptionOf(const volume::Volume& read)
     description["type"] = read.Image->GetScalarTypeAsString();
     description["origin"] = read.Geometry.Origin;
     description["steps"] = read.Geometry.Steps;
-    description["segments"] = nlohmann::ordered_json::array();
-    for (const volume::Segment& segment : read.Segments)
-    {
-      description["segments"].push_back(
-        { { "label", segment.Label }, { "name", segment.Name }, { "color", segment.Color } });
-    }
+    description["segments"] = SegmentsOf(read.Image->GetFieldData());
   }
   return description;
 }

@@ -200,10 +200,7 @@ private:
   const EditJournal& Journal;
   const FaceHistory& History;
 };
-}
 
-namespace
-{
 /// The faces that edits have changed.
 std::vector<FaceId> ChangedFaces(const HalfEdgeMesh& mesh, const EditJournal& journal)
 {

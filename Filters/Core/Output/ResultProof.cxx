@@ -18,7 +18,6 @@ namespace
 /// along every edge of the input.
 constexpr double WholeGap = 1e-4;
 constexpr double TriangleGap = 0.02;
-
 }
 
 CertificateOptions ProofOptions(const Options& options, const std::vector<double>* tolerances)
@@ -46,6 +45,7 @@ CertificateOptions ProofOptions(const Options& options, const std::vector<double
   return question;
 }
 
+//------------------------------------------------------------------------------
 std::vector<double> BoundsAtPoints(
   const Surface& surface, const std::vector<double>& triangleBounds)
 {

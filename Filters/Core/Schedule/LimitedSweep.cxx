@@ -31,7 +31,7 @@ StopReason BucketSweep::RunProved(const Monitor& monitor)
     this->TriesAll = pass > 0;
     if (pass < 2)
     {
-      this->Known.Changed.assign(this->Known.Buckets.size(), 3);
+      this->Known.NoteAllChanged();
     }
     const bool isDone = this->RenewAll(monitor) &&
       (this->MeshEditor.HasErrorBound() ? this->PassInBatches(monitor)
@@ -53,7 +53,7 @@ bool BucketSweep::MakeDraft(const Monitor& monitor)
     return true;
   }
   this->TriesAll = false;
-  this->Known.Changed.assign(this->Known.Buckets.size(), 3);
+  this->Known.NoteAllChanged();
   if (!this->RenewAll(monitor) || !this->PassInRounds(monitor))
   {
     this->MeshEditor.UndoDraft(this->Threads);

@@ -26,15 +26,17 @@ struct VertexBuckets
   float CostFactor = 1.0F; ///< CostNormalization() of Cost/QuadricDeviation.h.
   /// Of Cost/SpikePenalty.h.
   double SpikeFactor = 0.0;
-  /// Only if edits are limited: whether anything around a vertex has changed since its bucket was computed for this pass (bit 0),
-  /// and since no collapse was found there (bit 1).
+  /// Only if edits are limited, of each vertex: what has to be done again because something around it has changed.
   std::vector<std::uint8_t> Changed;
+  static constexpr std::uint8_t ToEvaluate = 1; ///< Since its bucket was computed for this pass.
+  static constexpr std::uint8_t ToSearch = 2;   ///< Since no collapse was found there.
 
+  void NoteAllChanged() { this->Changed.assign(this->Buckets.size(), ToEvaluate | ToSearch); }
   void NoteChange(const std::vector<Index>& vertices)
   {
     for (std::size_t i = 0; i < vertices.size() && !this->Changed.empty(); ++i)
     {
-      this->Changed[vertices[i]] = 3;
+      this->Changed[vertices[i]] = ToEvaluate | ToSearch;
     }
   }
   /// No edge of the vertex with a cost below its bucket may be collapsed.
@@ -42,13 +44,13 @@ struct VertexBuckets
   {
     if (!this->Changed.empty())
     {
-      this->Changed[vertex] &= 1;
+      this->Changed[vertex] &= ToEvaluate;
     }
   }
   /// Whether nothing has changed since: then edges below its bucket need not be tried again.
   bool IsRejected(VertexId vertex) const
   {
-    return !this->Changed.empty() && (this->Changed[vertex] & 2) == 0;
+    return !this->Changed.empty() && (this->Changed[vertex] & ToSearch) == 0;
   }
   /// Whether the vertex must be evaluated again; resets the flag.
   bool TakeChange(VertexId vertex)

@@ -25,10 +25,11 @@ namespace bonedecimate
 class NewCrossings
 {
 public:
+  /// When triangles are compared.
   enum class Times
   {
-    End,
-    All ///< Also pairs that pass through each other.
+    End, ///< Where the points are now.
+    All  ///< Also pairs that pass through each other.
   };
   /// @param before Must outlive this.
   NewCrossings(const Surface& before, Times times, int threads);
