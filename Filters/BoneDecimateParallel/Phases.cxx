@@ -226,6 +226,7 @@ void vtkPBoneDecimate::ReduceSharedStrips(
   this->Controller->Broadcast(reduced, 0);
   plan.StripsAfter = static_cast<double>(reduced->GetNumberOfPolys());
   plan.Proved += this->ProvedByAll(run);
+  this->AddCounts(run, plan);
   this->MeasureAnew(input, parts.Rest, reduced, inputCopy);
   const auto whole = isFirst ? bonedecimate::Join({ parts.Rest, reduced }) : parts.Rest;
   whole->GetFieldData()->ShallowCopy(output->GetFieldData());
@@ -309,5 +310,6 @@ void vtkPBoneDecimate::Report(const Plan& plan, vtkPolyData* output)
   {
     entries["proof.upper"] = plan.Proved;
   }
+  entries.insert(plan.Counts.begin(), plan.Counts.end());
   this->SetReportOfParts(entries, output);
 }

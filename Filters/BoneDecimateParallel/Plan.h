@@ -12,6 +12,8 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <map>
+#include <string>
 #include <vector>
 
 struct vtkPBoneDecimate::Plan
@@ -37,6 +39,8 @@ struct vtkPBoneDecimate::Plan
   bool ReducesStrips = false;
   double StripsBefore = 0.0; ///< Triangles of the strips before and after phase 2.
   double StripsAfter = 0.0;
+  std::map<std::string, double>
+    Counts; ///< Of edits of all processes and phases, by their names in the report.
 
   /// mm, the largest error of phase 1.
   double ErrorOfParts() const

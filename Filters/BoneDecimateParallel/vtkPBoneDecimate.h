@@ -78,6 +78,7 @@ private:
   int RunTogether(vtkPolyData* input, vtkPolyData* reference, double voxelSize,
     vtkInformationVector* outputVector);
   double ProvedByAll(vtkPBoneDecimate* run) const;
+  void AddCounts(vtkPBoneDecimate* run, Plan& plan) const;
 
   double LargestError(double voxelSize) const;
   double WholeDiagonal(vtkPolyData* input) const;
