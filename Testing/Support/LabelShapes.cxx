@@ -183,7 +183,10 @@ BinarySurface MarchedShape(const IsInsideOf& shape, double half, const Vector3& 
   {
     grid.Dimensions[k] = static_cast<Index>(std::ceil(2.0 * half / spacing[k])) + 3;
   }
-  const auto [nx, ny, nz] = grid.Dimensions;
+  const Index nx =
+    grid.Dimensions[0]; // no structured binding: lambdas of C++17 do not capture those
+  const Index ny = grid.Dimensions[1];
+  const Index nz = grid.Dimensions[2];
   for (Index z = 0; z < nz; ++z)
   {
     for (Index y = 0; y < ny; ++y)
