@@ -127,3 +127,41 @@ TEST(Motion, OfSmoothingPassesNoSpeck)
   EXPECT_GT(after[Peak][2], speckHigh);
   EXPECT_LT(after[Peak][2], floor.Points[Peak][2]);
 }
+
+TEST(Motion, OfSmoothingPiercesNothingThatItOnlyTouched)
+{
+  // A pit with a flat floor, which smoothing lifts, and a speck that does not move and stands on the floor with its tip.
+  Surface pit = Grid(8);
+  for (Vector3& p : pit.Points)
+  {
+    const bool isFloor = p[0] > 2.5 && p[0] < 5.5 && p[1] > 2.5 && p[1] < 5.5;
+    p[2] = isFloor ? -1.0 : 0.0;
+  }
+  const Vector3 tip(3.75, 3.5, -1.0);
+  const Surface speck = { { tip, tip + Vector3(0.1, 0.0, 0.5), tip + Vector3(-0.1, 0.1, 0.5),
+                            tip + Vector3(-0.1, -0.1, 0.5) },
+    { { 0, 2, 1 }, { 0, 3, 2 }, { 0, 1, 3 }, { 1, 2, 3 } } };
+  const Surface both = Together(pit, speck);
+  std::vector<double> limits(both.Points.size(), 0.3);
+  std::fill(limits.end() - 4, limits.end(), 0.0);
+  SmoothingSettings settings = Within(0.3);
+  settings.Strength = 5.0;
+  const auto floorAtTip = [&](const std::vector<Vector3>& points)
+  {
+    double height = std::numeric_limits<double>::quiet_NaN();
+    for (const Triangle& c : pit.Triangles)
+    {
+      const Vector3& origin = points[c[0]];
+      Eigen::Matrix2d sides;
+      sides << (points[c[1]] - origin).head<2>(), (points[c[2]] - origin).head<2>();
+      const Eigen::Vector2d at = sides.inverse() * (tip - origin).head<2>();
+      const bool isOver = at.minCoeff() >= 0.0 && at.sum() <= 1.0;
+      height = isOver
+        ? origin[2] + at[0] * (points[c[1]] - origin)[2] + at[1] * (points[c[2]] - origin)[2]
+        : height;
+    }
+    return height;
+  };
+  EXPECT_GT(floorAtTip(Smooth({ pit }, settings).Points), -0.95);
+  EXPECT_LE(floorAtTip(Smooth({ both, &limits }, settings).Points), -1.0);
+}

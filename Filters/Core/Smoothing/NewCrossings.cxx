@@ -174,7 +174,8 @@ bool NewCrossings::IsTurnedOver(const std::vector<Vector3>& points, const Triang
   return before.squaredNorm() > 0.0 && !(before.dot(areaOf(points)) > 0.0);
 }
 
-/// Of two triangles that intersect now or have passed through each other: whether they did not intersect before.
+/// Of two triangles that intersect now or have passed through each other: whether they did not before. Those that only touched may touch,
+/// but not pierce each other.
 bool NewCrossings::IsNew(const Pair& now, std::size_t a, std::size_t b) const
 {
   const Triangle& first = this->Before.Triangles[a];
@@ -188,10 +189,13 @@ bool NewCrossings::IsNew(const Pair& now, std::size_t a, std::size_t b) const
   }
   const PlaneTriangle firstBefore = PlaneTriangleOf(this->Before.Points, first);
   const PlaneTriangle secondBefore = PlaneTriangleOf(this->Before.Points, second);
-  return !Intersect(firstBefore, secondBefore, common) &&
-    (intersect ||
-      !StayApart(
-        { firstBefore.Corners, secondBefore.Corners }, { now.First.Corners, now.Second.Corners }));
+  if (Intersect(firstBefore, secondBefore, common))
+  {
+    return intersect && Pierce(now.First, now.Second) && !Pierce(firstBefore, secondBefore);
+  }
+  return intersect ||
+    !StayApart(
+      { firstBefore.Corners, secondBefore.Corners }, { now.First.Corners, now.Second.Corners });
 }
 
 //------------------------------------------------------------------------------
