@@ -36,19 +36,6 @@ double ReachOf(const Gap& gap)
 }
 
 //------------------------------------------------------------------------------
-Piece PieceWithGap(const HalfEdgeMesh& mesh, const GapRule& widths, const Triangle& vertices,
-  const TriangleCorners& corners)
-{
-  Piece piece(mesh, vertices, corners);
-  for (const Index original : piece.Vertices)
-  {
-    piece.LeastGap = piece.LeastGap.And(widths.Of(original));
-  }
-  piece.Reach = ReachOf(piece.LeastGap);
-  return piece;
-}
-
-//------------------------------------------------------------------------------
 bool IsTooNear(
   const GapRule& widths, const Piece& piece, const Piece& near, const std::vector<Piece>& old)
 {
@@ -96,6 +83,16 @@ void MergeGaps(const EditJournal& journal, const HalfEdgeMesh& mesh, GapRule& wi
 //------------------------------------------------------------------------------
 namespace
 {
+/// With the least gap of its corners.
+Piece PieceWithGap(const HalfEdgeMesh& mesh, const GapRule& widths, const Triangle& vertices,
+  const TriangleCorners& corners)
+{
+  Piece piece(mesh, vertices, corners);
+  piece.LeastGap = widths.LeastOf(piece.Vertices);
+  piece.Reach = ReachOf(piece.LeastGap);
+  return piece;
+}
+
 /// The pairs of faces of a drafted mesh that are too near.
 class NarrowedGaps
 {

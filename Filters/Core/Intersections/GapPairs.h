@@ -17,10 +17,6 @@ namespace bonedecimate
 /// mm, how far from a face its gaps have to be looked after.
 double ReachOf(const Gap& gap);
 
-/// With the least gap of its corners.
-Piece PieceWithGap(const HalfEdgeMesh& mesh, const GapRule& widths, const Triangle& vertices,
-  const TriangleCorners& corners);
-
 /// Nearer than the initial gap allows, and nearer than the faces that the piece replaces.
 bool IsTooNear(
   const GapRule& widths, const Piece& piece, const Piece& near, const std::vector<Piece>& old);

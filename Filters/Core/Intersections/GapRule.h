@@ -29,6 +29,10 @@ struct Gap
   {
     return { std::min(this->ToOwn, other.ToOwn), std::min(this->ToOther, other.ToOther) };
   }
+  bool operator==(const Gap& other) const
+  {
+    return this->ToOwn == other.ToOwn && this->ToOther == other.ToOther;
+  }
 };
 
 class GapRule
@@ -40,6 +44,10 @@ public:
 
   Index PartOf(Index vertex) const { return this->Parts.OfPoint[vertex]; }
   const Gap& Of(Index vertex) const { return this->Widths[vertex]; }
+  Gap LeastOf(const Triangle& vertices) const
+  {
+    return this->Of(vertices[0]).And(this->Of(vertices[1])).And(this->Of(vertices[2]));
+  }
   void Set(Index vertex, const Gap& gap) { this->Widths[vertex] = gap; }
 
 private:

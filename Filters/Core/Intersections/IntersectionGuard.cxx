@@ -36,19 +36,28 @@ IntersectionGuard::IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& su
 }
 
 //------------------------------------------------------------------------------
-/// A new vertex represents both vertices that were merged into it.
+/// Of the corners of a face, by their original vertices. A new vertex represents both vertices that were merged into it.
+Gap IntersectionGuard::LeastGapOf(
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, const Triangle& originals) const
+{
+  Gap least = this->Widths.LeastOf(originals);
+  const bool isMoved = change.Moved != None &&
+    std::find(originals.begin(), originals.end(), mesh.OriginalVertex(change.Moved)) !=
+      originals.end();
+  if (isMoved)
+  {
+    least = least.And(this->Widths.Of(mesh.OriginalVertex(change.Ends[0])));
+    least = least.And(this->Widths.Of(mesh.OriginalVertex(change.Ends[1])));
+  }
+  return least;
+}
+
+//------------------------------------------------------------------------------
 Piece IntersectionGuard::PieceOf(const HalfEdgeMesh& mesh, const SurfaceChange& change,
   const Triangle& vertices, const TriangleCorners& corners) const
 {
-  Piece piece = PieceWithGap(mesh, this->Widths, vertices, corners);
-  for (const Index site : piece.Vertices)
-  {
-    if (change.Moved != None && site == mesh.OriginalVertex(change.Moved))
-    {
-      piece.LeastGap = piece.LeastGap.And(this->Widths.Of(mesh.OriginalVertex(change.Ends[0])));
-      piece.LeastGap = piece.LeastGap.And(this->Widths.Of(mesh.OriginalVertex(change.Ends[1])));
-    }
-  }
+  Piece piece(mesh, vertices, corners);
+  piece.LeastGap = this->LeastGapOf(mesh, change, piece.Vertices);
   piece.Reach = ReachOf(piece.LeastGap);
   return piece;
 }
@@ -229,6 +238,17 @@ Decision IntersectionGuard::Check(
 double IntersectionGuard::Reach(const EditFilter::Pending& pending) const
 {
   return static_cast<const Pending&>(pending).Reach;
+}
+
+//------------------------------------------------------------------------------
+/// Duplicates have one gap. An edit at one of them changes that of faces at the others, which may reach far away from the edit.
+bool IntersectionGuard::StillAccepts(
+  const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const
+{
+  const Pending& work = static_cast<const Pending&>(pending);
+  return std::all_of(work.Near.begin(), work.Near.end(),
+    [&](const Piece& near)
+    { return this->LeastGapOf(mesh, edit.Change, near.Vertices) == near.LeastGap; });
 }
 
 //------------------------------------------------------------------------------

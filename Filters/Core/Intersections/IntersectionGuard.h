@@ -47,6 +47,9 @@ public:
   Decision Check(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
     EditFilter::Pending& pending) const override;
   double Reach(const EditFilter::Pending& pending) const override;
+  /// Whether no gap that the check read has changed.
+  bool StillAccepts(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
+    EditFilter::Pending& pending) const override;
   void Commit(const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending,
     Tally& tally) override;
 
@@ -71,6 +74,8 @@ private:
   bool Owns(
     const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range, Pending& work) const;
   void BuildGrid();
+  Gap LeastGapOf(
+    const HalfEdgeMesh& mesh, const SurfaceChange& change, const Triangle& originals) const;
   Piece PieceOf(const HalfEdgeMesh& mesh, const SurfaceChange& change, const Triangle& vertices,
     const TriangleCorners& corners) const;
   void FillPieces(const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const;

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Gaps where edits of a draft are undone, and where a gap is read through a duplicate.
+#include "BruteForce.h"
+#include "Crossings.h"
+#include "Edit/Editor.h"
+#include "Intersections/GapRule.h"
+#include "Intersections/TrianglePair.h"
+#include "Mesh/ManifoldPatches.h"
+#include "Runs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+using namespace bonedecimate;
+using namespace bonedecimate::testsupport;
+
+namespace
+{
+EditorSettings Guarding(double error)
+{
+  EditorSettings settings;
+  settings.RecordsDistances = false;
+  settings.KeepsAreas = false;
+  settings.KeepsQuadrics = true;
+  settings.GuardsIntersections = true;
+  settings.Bound = ErrorBoundSettings{ error };
+  return settings;
+}
+
+void CollapseAll(Editor& editor)
+{
+  const HalfEdgeMesh& mesh = editor.Mesh();
+  for (const HalfEdgeId h : HalfEdges(mesh))
+  {
+    if (mesh.IsAlive(HalfEdgeMesh::Face(h)) && editor.Validate(h).IsAccepted())
+    {
+      const Vector3 middle = 0.5 * (mesh.Position(mesh.Origin(h)) + mesh.Position(mesh.Target(h)));
+      editor.Collapse({ h, mesh.Origin(h), middle, false });
+    }
+  }
+}
+
+/// mm, to the other fragment, the least of the vertices that each vertex represents.
+std::vector<double> GapsNow(const Editor& editor, const GapRule& first)
+{
+  const std::vector<Index> current = editor.Reference().CurrentVertices();
+  std::vector<double> gaps(current.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t v = 0; v < current.size(); ++v)
+  {
+    double& least = gaps[current[v]];
+    least = std::min<double>(least, first.Of(static_cast<Index>(v)).ToOther);
+  }
+  return gaps;
+}
+
+/// Pairs of triangles of two fragments that are nearer than half the gap at their corners.
+int CountNarrow(const Editor& editor, const CleanSurface& clean, double error)
+{
+  struct Face
+  {
+    TriangleCorners Corners;
+    Vector3 Low, High;
+    Index Part;
+    double Gap;
+  };
+  const GapRule first(clean.Surface, 4.0 * error, 1);
+  const std::vector<double> gaps = GapsNow(editor, first);
+  const HalfEdgeMesh& mesh = editor.Mesh();
+  std::vector<Face> faces;
+  int count = 0;
+  for (FaceId id = 0; id < mesh.NumberOfFaceSlots(); ++id)
+  {
+    if (!mesh.IsAlive(id))
+    {
+      continue;
+    }
+    const Triangle v = mesh.Corners(id);
+    const TriangleCorners c = { mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]) };
+    const Face face = { c, c[0].cwiseMin(c[1]).cwiseMin(c[2]), c[0].cwiseMax(c[1]).cwiseMax(c[2]),
+      first.PartOf(v[0]), std::min({ gaps[v[0]], gaps[v[1]], gaps[v[2]] }) };
+    for (const Face& other : faces)
+    {
+      const double half = 0.5 * std::min(face.Gap, other.Gap);
+      const bool mayBeNear = face.Part != other.Part &&
+        (face.Low - other.High).cwiseMax(other.Low - face.High).maxCoeff() < half;
+      count +=
+        mayBeNear && WayBetween(face.Corners, other.Corners).SquaredLength < half * half ? 1 : 0;
+    }
+    faces.push_back(face);
+  }
+  return count;
+}
+}
+
+TEST(GapsOfADraft, AreCheckedAgainWhereAnUndoneEditHasRestoredAFace)
+{
+  // Both walls run beside each other and through each other, so edits of one are undone where those of the other are left.
+  const double error = 0.3;
+  for (const std::uint64_t seed : { 2U, 4U, 6U })
+  {
+    const Surface outer = BumpySphere(3, 10.0, 0.02, seed);
+    const Surface input = Together(outer, TurnedInsideOut(Moved(outer, Vector3(0.6, 0.18, 0.1))));
+    const CleanSurface clean = Clean(input, true);
+    Editor editor(clean, Guarding(error));
+    const int before = CountNarrow(editor, clean, error);
+    ASSERT_TRUE(editor.BeginDraft(1));
+    CollapseAll(editor);
+    ASSERT_TRUE(editor.EndDraft(1, [](double) { return true; }));
+    const DraftFigures figures = editor.DraftReport();
+    ASSERT_GT(figures.Undone, 700);
+    ASSERT_GT(figures.Collapses, figures.Undone);
+    EXPECT_LE(CountNarrow(editor, clean, error), before) << seed;
+  }
+}
+
+namespace
+{
+HalfEdgeId EdgeAt(const Editor& editor, const CleanSurface& clean, Vector3 from, Vector3 to)
+{
+  const HalfEdgeMesh& mesh = editor.Mesh();
+  HalfEdgeId edge;
+  for (const HalfEdgeId h : HalfEdges(mesh))
+  {
+    const bool isIt = (mesh.Position(mesh.Origin(h)) + clean.Origin - from).norm() < 1e-9 &&
+      (mesh.Position(mesh.Target(h)) + clean.Origin - to).norm() < 1e-9;
+    edge = isIt ? h : edge;
+  }
+  return edge;
+}
+
+/// To its target.
+bool CheckToTarget(const Editor& editor, HalfEdgeId h, Workspace& space)
+{
+  const HalfEdgeMesh& mesh = editor.Mesh();
+  const VertexId target = mesh.Target(h);
+  return editor.Validate(h, space).IsAccepted() &&
+    editor.CheckCollapse({ h, target, mesh.Position(target), false }, space, 1).IsAccepted();
+}
+
+/// Two grids, the second of long triangles, have the point (8, 4, 0) alone in common. An edit there gives it the gap of (7, 4, 0)
+/// or of (7, 3, 0). Whether an edit of the second grid that has been checked before, more than 10 mm away, is still accepted.
+bool IsStillAccepted(bool hasGap)
+{
+  Surface wide = Moved(Grid(8), Vector3(0.0, -4.0, 0.0));
+  for (Vector3& p : wide.Points)
+  {
+    p = Vector3(8.0 + 10.0 * p[0], 4.0 + (p[1] == -4.0 ? 0.0 : 0.1 + p[1] + 4.0), 0.0);
+  }
+  const Surface speck =
+    Moved(Scaled(Tetrahedron(), 0.1), hasGap ? Vector3(6.95, 3.95, 0.3) : Vector3(3.0, 3.95, 0.3));
+  CleanSurface clean = Clean(Together(Together(Grid(8), wide), speck), true);
+  SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface));
+  Editor editor(clean, Guarding(0.2));
+  Workspace here;
+  Workspace there;
+  const Vector3 common(8.0, 4.0, 0.0);
+  EXPECT_TRUE(CheckToTarget(editor, EdgeAt(editor, clean, { 7.0, 4.0, 0.0 }, common), here));
+  EXPECT_TRUE(
+    CheckToTarget(editor, EdgeAt(editor, clean, { 28.0, 5.1, 0.0 }, { 38.0, 5.1, 0.0 }), there));
+  editor.ApplyCollapse(here);
+  return editor.StillAccepts(there);
+}
+}
+
+TEST(IntersectionGuard, AcceptsNoEditThatHasReadAGapThroughADuplicateAfterThatGapHasChanged)
+{
+  EXPECT_TRUE(IsStillAccepted(false));
+  EXPECT_FALSE(IsStillAccepted(true));
+}
