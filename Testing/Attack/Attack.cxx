@@ -54,6 +54,7 @@ Attack AnyAttack(std::uint64_t seed, const std::vector<Surface>& large)
   options.Mode = static_cast<Mode>(1 + random.Below(3));
   options.MeasureDistances = false;
   options.MaximumError = MeanEdge(attack.Victim) * std::pow(10.0, random.Between(-2.0, 1.0));
+  options.AllowLargeError = true;
   options.NumberOfThreads = 1 + random.Below(3);
   options.OutputPointsPrecision =
     random.Below(2) == 0 ? PointsPrecision::Single : PointsPrecision::Double;
