@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PhantomMain.cxx
- * @brief bonedecimate-phantom: writes a synthetic CT of a broken leg, or a label map of its bones.
+ * @brief bonedecimate-phantom: writes a synthetic CT of a broken leg, a label map of its bones, or a
+ * micro-CT of trabecular bone.
  */
 #include "FracturedLeg.h"
+#include "Trabeculae.h"
 
 #include <algorithm>
 #include <array>
@@ -49,7 +51,8 @@ double ScannerNoise(int i, int j, int k)
 enum class Content
 {
   Intensities,
-  Labels
+  Labels,
+  Trabeculae
 };
 
 /// HU with noise.
@@ -63,30 +66,45 @@ void AddIntensity(const phantom::Point& p, const std::array<int, 3>& at, std::ve
   bytes.push_back(static_cast<char>((rounded >> 8) & 0xff));
 }
 
-/// Intensities as little-endian 16-bit values, labels as bytes; the first axis runs fastest.
-std::vector<char> Voxels(const Scan& scan, Content content)
+/// Appends a layer of the leg: intensities as little-endian 16-bit values, labels as bytes; the first axis runs fastest.
+void AppendLegLayer(const Scan& scan, Content content, int k, std::vector<char>& bytes)
 {
-  std::vector<char> bytes;
-  for (int k = 0; k < scan.Size[2]; ++k)
+  for (int j = 0; j < scan.Size[1]; ++j)
   {
-    for (int j = 0; j < scan.Size[1]; ++j)
+    for (int i = 0; i < scan.Size[0]; ++i)
     {
-      for (int i = 0; i < scan.Size[0]; ++i)
+      const phantom::Point p{ scan.Origin.X + i * scan.Spacing.X,
+        scan.Origin.Y + j * scan.Spacing.Y, scan.Origin.Z + k * scan.Spacing.Z };
+      if (content == Content::Labels)
       {
-        const phantom::Point p{ scan.Origin.X + i * scan.Spacing.X,
-          scan.Origin.Y + j * scan.Spacing.Y, scan.Origin.Z + k * scan.Spacing.Z };
-        if (content == Content::Labels)
-        {
-          bytes.push_back(static_cast<char>(phantom::LegLabel(p)));
-        }
-        else
-        {
-          AddIntensity(p, { { i, j, k } }, bytes);
-        }
+        bytes.push_back(static_cast<char>(phantom::LegLabel(p)));
+      }
+      else
+      {
+        AddIntensity(p, { { i, j, k } }, bytes);
       }
     }
   }
-  return bytes;
+}
+
+/// Layer by layer, because a volume may be larger than memory.
+void WriteVoxels(const Scan& scan, Content content, std::ofstream& file)
+{
+  phantom::Trabeculae trabeculae(content == Content::Trabeculae ? scan.Size[0] : 0);
+  std::vector<char> bytes;
+  for (int k = 0; k < scan.Size[2] && file; ++k)
+  {
+    bytes.clear();
+    if (content == Content::Trabeculae)
+    {
+      trabeculae.AppendLayer(k, bytes);
+    }
+    else
+    {
+      AppendLegLayer(scan, content, k, bytes);
+    }
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  }
 }
 
 std::string Header(const Scan& scan, Content content)
@@ -99,7 +117,7 @@ std::string Header(const Scan& scan, Content content)
     "ElementDataFile = LOCAL\n",
     scan.Origin.X, scan.Origin.Y, scan.Origin.Z, scan.Decimals, scan.Spacing.X, scan.Decimals,
     scan.Spacing.Y, scan.Decimals, scan.Spacing.Z, scan.Size[0], scan.Size[1], scan.Size[2],
-    content == Content::Labels ? "MET_UCHAR" : "MET_SHORT");
+    content == Content::Intensities ? "MET_SHORT" : "MET_UCHAR");
   return std::string(text, static_cast<std::size_t>(length));
 }
 
@@ -109,9 +127,8 @@ bool Write(const std::string& path, const Scan& scan, Content content)
   const std::string partial = path + ".partial";
   std::ofstream file(partial, std::ios::binary);
   const std::string header = Header(scan, content);
-  const std::vector<char> voxels = Voxels(scan, content);
   file.write(header.data(), static_cast<std::streamsize>(header.size()));
-  file.write(voxels.data(), static_cast<std::streamsize>(voxels.size()));
+  WriteVoxels(scan, content, file);
   file.close();
   const bool isWritten = file && std::rename(partial.c_str(), path.c_str()) == 0;
   if (!isWritten)
@@ -120,6 +137,7 @@ bool Write(const std::string& path, const Scan& scan, Content content)
   }
   return isWritten;
 }
+
 const Scan* FindScan(const std::string& size)
 {
   return size == "small" ? &SmallScan
@@ -127,26 +145,52 @@ const Scan* FindScan(const std::string& size)
     : size == "large"    ? &LargeScan
                          : nullptr;
 }
+
+/// A cube; no size if the text is not a number of voxels along an axis.
+Scan TrabecularScan(const std::string& text)
+{
+  constexpr int most = 8192;
+  const bool isNumber = !text.empty() && text.size() <= 4 &&
+    std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const int size = isNumber ? std::stoi(text) : 0;
+  return { size >= 2 && size <= most ? std::array<int, 3>{ { size, size, size } }
+                                     : std::array<int, 3>{ { 0, 0, 0 } },
+    { 0.005, 0.005, 0.005 }, { 0.0, 0.0, 0.0 }, 3 };
+}
+
+/// Takes a flag out of the words.
+bool Take(std::vector<std::string>& words, const std::string& flag)
+{
+  const auto found = std::find(words.begin(), words.end(), flag);
+  const bool isThere = found != words.end();
+  if (isThere)
+  {
+    words.erase(found);
+  }
+  return isThere;
+}
 }
 
 int main(int argumentCount, char** arguments)
 {
   std::vector<std::string> words(arguments + 1, arguments + argumentCount);
-  const auto labels = std::find(words.begin(), words.end(), "--labels");
-  const Content content = labels == words.end() ? Content::Intensities : Content::Labels;
-  if (labels != words.end())
-  {
-    words.erase(labels);
-  }
+  const bool hasLabels = Take(words, "--labels");
+  const bool isTrabecular = words.size() == 3 && words[1] == "--trabeculae" && !hasLabels;
   const bool isSized = words.size() == 3 && words[1] == "--size";
-  const Scan* const scan = FindScan(isSized ? words[2] : "normal");
-  const bool isUnderstood = (words.size() == 1 || isSized) && scan != nullptr;
+  const Scan cube = TrabecularScan(isTrabecular ? words[2] : "");
+  const Scan* const leg = FindScan(isSized ? words[2] : "normal");
+  const Scan* const scan = !isTrabecular ? leg : cube.Size[0] > 0 ? &cube : nullptr;
+  const bool isUnderstood = (words.size() == 1 || isSized || isTrabecular) && scan != nullptr;
   if (!isUnderstood || words[0].empty() || words[0][0] == '-')
   {
-    std::fputs(
-      "Usage: bonedecimate-phantom OUTPUT.mha [--size small|normal|large] [--labels]\n", stderr);
+    std::fputs("Usage: bonedecimate-phantom OUTPUT.mha [--size small|normal|large] [--labels]\n"
+               "       bonedecimate-phantom OUTPUT.mha --trabeculae VOXELS\n",
+      stderr);
     return Usage;
   }
+  const Content content = isTrabecular ? Content::Trabeculae
+    : hasLabels                        ? Content::Labels
+                                       : Content::Intensities;
   if (!Write(words[0], *scan, content))
   {
     std::fprintf(stderr, "%s could not be written.\n", words[0].c_str());

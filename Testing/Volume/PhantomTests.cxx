@@ -95,12 +95,29 @@ TEST(Phantom, LabelMapHasThreeBonesOfWhichTwoTouch)
   EXPECT_GT(touching, 100);
 }
 
+TEST(Phantom, TrabeculaeAreANetworkOfTheSameBytesEverywhere)
+{
+  const TemporaryFolder folder;
+  ASSERT_EQ(RunPhantom(folder.File("a.mha") + " --trabeculae 128"), 0);
+  EXPECT_EQ(Checksum(folder.File("a.mha")), 0xc1cc0be4UL);
+  const BoneSurface bone = ExtractBoneSurface(folder.File("a.mha"), 127.5);
+  ASSERT_EQ(bone.Problem, "");
+  const vtkIdType voxels = 128 * 128 * 128;
+  EXPECT_GT(bone.Surface->GetNumberOfPolys(), voxels / 50);
+  EXPECT_LT(bone.Surface->GetNumberOfPolys(), voxels / 20);
+  EXPECT_LE(CountComponents(bone.Surface), 10);
+}
+
 TEST(Phantom, SaysHowItIsUsed)
 {
   const TemporaryFolder folder;
   EXPECT_EQ(RunPhantom(""), 1);
   EXPECT_EQ(RunPhantom("--help"), 1);
   EXPECT_EQ(RunPhantom(folder.File("a.mha") + " --size huge"), 1);
+  for (const char* size : { "", "1", "8193", "-5", "12x", "99999999999" })
+  {
+    EXPECT_EQ(RunPhantom(folder.File("a.mha") + " --trabeculae " + size), 1) << size;
+  }
   EXPECT_FALSE(std::filesystem::exists(folder.File("a.mha")));
 }
 
