@@ -24,6 +24,7 @@ struct DataFile
   std::uint64_t Begin = 0;
   std::uint64_t Bytes = 0;   ///< From there on.
   bool IsCompressed = false; ///< By zlib or gzip.
+  std::uint64_t Skipped = 0; ///< Bytes before the voxels, after inflation.
 };
 
 /// 0 if it cannot be read.

@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Applications_DicomFolder_h
 #define BoneDecimate_Applications_DicomFolder_h
 
-#include "Volume.h"
+#include "LayeredVolume.h"
 
 #include <string>
 #include <vector>
@@ -22,9 +22,9 @@ bool HoldsDicom(const std::string& folder);
 /**
  * The series with most slices, CT before anything else; the note says what was left aside. Slices
  * are sorted by their position along the normal of the image plane. Slices missing in between are a
- * reason to reject. May end the process on damaged files: to be called by ReadIsolated.
+ * reason to reject. May end the process on damaged files: to be called by an IsolatedReader.
  */
-Volume ReadDicomFolder(const std::string& folder);
+LayeredVolume OpenDicomFolder(const std::string& folder);
 }
 
 #endif

@@ -201,12 +201,12 @@ std::uintmax_t BytesOf(const DicomSeries& series)
 }
 }
 
-Volume ReadDicomFolder(const std::string& folder)
+LayeredVolume OpenDicomFolder(const std::string& folder)
 {
   const DicomSeries series = ScanFiles(DicomFiles(folder));
   if (!series.Problem.empty())
   {
-    return RejectedVolume(series.Problem);
+    return RejectedLayers(series.Problem);
   }
   const DicomSlice& first = series.Slices.front();
   const std::array<std::int64_t, 3> size{ { first.Columns, first.Rows,
@@ -214,22 +214,20 @@ Volume ReadDicomFolder(const std::string& folder)
   const std::string sizeProblem = SizeProblem(size, 1, BytesOf(series), true);
   if (!sizeProblem.empty())
   {
-    return RejectedVolume(sizeProblem);
+    return RejectedLayers(sizeProblem);
   }
-  Volume volume;
-  volume.Geometry = series.Geometry;
-  volume.Note = series.Note;
-  volume.Image = AllocateImage(size, VTK_FLOAT); // slope and intercept need not be whole
-  float* values = static_cast<float*>(volume.Image->GetScalarPointer());
-  for (const DicomSlice& slice : series.Slices)
+  LayeredVolume volume;
+  volume.Header.Size = size;
+  volume.Header.ScalarType = VTK_FLOAT; // slope and intercept need not be whole
+  volume.Header.Geometry = series.Geometry;
+  volume.Header.Note = series.Note;
+  volume.ReadLayer = [slices = series.Slices, next = std::size_t(0)](void* values) mutable
   {
-    const std::string problem = DecodeSlice(slice, values);
-    if (!problem.empty())
-    {
-      return RejectedVolume(std::filesystem::path(slice.File).filename().string() + ": " + problem);
-    }
-    values += size[0] * size[1];
-  }
+    const DicomSlice& slice = slices[next++];
+    const std::string problem = DecodeSlice(slice, static_cast<float*>(values));
+    return problem.empty() ? problem
+                           : std::filesystem::path(slice.File).filename().string() + ": " + problem;
+  };
   return volume;
 }
 }

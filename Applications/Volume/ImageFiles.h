@@ -4,30 +4,33 @@
  * @file ImageFiles.h
  * @brief The formats that ITK reads, each with the checks that its library leaves out.
  *
- * All may end the process on damaged files: to be called by ReadIsolated.
+ * Voxels that lie in the file one after the other as numbers of their type, packed by gzip or not, are read layer by layer
+ * (StoredVoxels.h), slices in files of their own one by one, all others whole by ITK.
+ *
+ * All may end the process on damaged files: to be called by an IsolatedReader.
  */
 #ifndef BoneDecimate_Applications_ImageFiles_h
 #define BoneDecimate_Applications_ImageFiles_h
 
-#include "Volume.h"
+#include "LayeredVolume.h"
 
 #include <string>
 
 namespace bonedecimate::volume
 {
-Volume ReadMetaImage(const std::string& path);
+LayeredVolume OpenMetaImage(const std::string& path);
 
 /// Positions are those of ITK: of the sform or the qform, RAS turned into LPS.
-Volume ReadNifti(const std::string& path);
+LayeredVolume OpenNifti(const std::string& path);
 
 /// RAS and LAS are turned into LPS; a file that names no anatomical space is taken as it is. Also segmentations of 3D Slicer (.seg.nrrd).
-Volume ReadNrrd(const std::string& path);
+LayeredVolume OpenNrrd(const std::string& path);
 
 /// Of several pages. @param spacing mm.
-Volume ReadTiff(const std::string& path, const Vector3& spacing);
+LayeredVolume OpenTiff(const std::string& path, const Vector3& spacing);
 
 /// The TIFF files of a folder, a slice each, in the order of the numbers in their names.
-Volume ReadTiffSlices(const std::string& folder, const Vector3& spacing);
+LayeredVolume OpenTiffSlices(const std::string& folder, const Vector3& spacing);
 }
 
 #endif

@@ -3,7 +3,6 @@
 #include "IsolatedReader.h"
 
 #include "LabelFields.h"
-#include "Pipe.h"
 
 #include <cerrno>
 #include <exception>
@@ -12,6 +11,8 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 namespace bonedecimate::volume
 {
@@ -24,59 +25,41 @@ enum ChildStatus
   OutOfMemory = 2
 };
 
+/// The part of a header that has a fixed size.
 struct Shape
 {
   std::array<std::int64_t, 3> Size;
   int ScalarType;
+  bool IsReadWhole;
 };
 
-std::size_t BytesOf(vtkImageData* image)
+bool SendHeader(const VolumeHeader& header, Pipe& pipe)
 {
-  return static_cast<std::size_t>(image->GetNumberOfPoints()) *
-    static_cast<std::size_t>(image->GetScalarSize());
-}
-
-void Send(const Volume& volume, Pipe& pipe)
-{
-  pipe.SendText(volume.Problem);
-  pipe.SendText(volume.Note);
-  if (volume.Problem.empty())
-  {
-    const int* size = volume.Image->GetDimensions();
-    const Shape shape{ { { size[0], size[1], size[2] } }, volume.Image->GetScalarType() };
-    pipe.Send(&volume.Geometry, sizeof(volume.Geometry));
-    pipe.Send(&shape, sizeof(shape));
-    pipe.Send(volume.Image->GetScalarPointer(), BytesOf(volume.Image));
-    SendLabelFields(volume.Image->GetFieldData(), pipe);
-  }
-}
-
-/// False if the child ended before it had sent all.
-bool Receive(Pipe& pipe, Volume& volume)
-{
-  if (!pipe.ReceiveText(volume.Problem) || !pipe.ReceiveText(volume.Note))
+  if (!pipe.SendText(header.Problem) || !pipe.SendText(header.Note) || !header.Problem.empty())
   {
     return false;
   }
-  if (!volume.Problem.empty())
+  const Shape shape{ header.Size, header.ScalarType, header.IsReadWhole };
+  SendLabelFields(header.Fields, pipe);
+  return pipe.Send(&header.Geometry, sizeof(header.Geometry)) && pipe.Send(&shape, sizeof(shape));
+}
+
+/// Each layer comes behind a text that is empty if there is a layer.
+void SendVolume(const LayeredVolume& volume, Pipe& pipe)
+{
+  bool goesOn = SendHeader(volume.Header, pipe);
+  std::vector<char> layer(goesOn ? volume.Header.BytesInALayer() : 0);
+  for (std::int64_t k = 0; goesOn && k < volume.Header.Size[2]; ++k)
   {
-    return true;
+    const std::string problem = volume.ReadLayer(layer.data());
+    goesOn = pipe.SendText(problem) && problem.empty() && pipe.Send(layer.data(), layer.size());
   }
-  Shape shape;
-  if (!pipe.Receive(&volume.Geometry, sizeof(volume.Geometry)) ||
-    !pipe.Receive(&shape, sizeof(shape)))
-  {
-    return false;
-  }
-  volume.Image = AllocateImage(shape.Size, shape.ScalarType);
-  return pipe.Receive(volume.Image->GetScalarPointer(), BytesOf(volume.Image)) &&
-    ReceiveLabelFields(pipe, volume.Image->GetFieldData());
 }
 
 /// The life of the child.
-[[noreturn]] void RunChild(const std::function<Volume()>& read, Pipe& pipe)
+[[noreturn]] void RunChild(const std::function<LayeredVolume()>& open, Pipe& pipe)
 {
-  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
   const rlimit noCore{ 0, 0 };
@@ -84,7 +67,7 @@ bool Receive(Pipe& pipe, Volume& volume)
   ChildStatus status = Done;
   try
   {
-    Send(read(), pipe);
+    SendVolume(open(), pipe);
   }
   catch (const std::bad_alloc&)
   {
@@ -107,27 +90,89 @@ int WaitFor(pid_t child)
 }
 }
 
-Volume ReadIsolated(const std::function<Volume()>& read)
+IsolatedReader::IsolatedReader(const std::function<LayeredVolume()>& open)
 {
-  Pipe pipe;
-  const pid_t child = pipe.IsOpen() ? fork() : -1;
-  if (child < 0)
+  this->Child = this->FromChild.IsOpen() ? fork() : -1;
+  if (this->Child < 0)
   {
-    return RejectedVolume("the system gives no process to read it in");
+    this->Header.Problem = "the system gives no process to read it in";
+    return;
   }
-  if (child == 0)
+  if (this->Child == 0)
   {
-    pipe.CloseReceiver();
-    RunChild(read, pipe);
+    this->FromChild.CloseReceiver();
+    RunChild(open, this->FromChild);
   }
-  pipe.CloseSender();
-  Volume volume;
-  const bool isComplete = Receive(pipe, volume);
-  pipe.CloseReceiver();
-  if (WaitFor(child) == OutOfMemory)
+  this->FromChild.CloseSender();
+  if (!this->ReceiveHeader())
+  {
+    this->Header.Problem = this->ReasonOfEnd();
+  }
+}
+
+IsolatedReader::~IsolatedReader()
+{
+  this->EndChild();
+}
+
+/// False if the child ended before it had sent all.
+bool IsolatedReader::ReceiveHeader()
+{
+  VolumeHeader& header = this->Header;
+  if (!this->FromChild.ReceiveText(header.Problem) || !this->FromChild.ReceiveText(header.Note))
+  {
+    return false;
+  }
+  Shape shape{};
+  if (!header.Problem.empty())
+  {
+    return true;
+  }
+  const bool isComplete = ReceiveLabelFields(this->FromChild, header.Fields) &&
+    this->FromChild.Receive(&header.Geometry, sizeof(header.Geometry)) &&
+    this->FromChild.Receive(&shape, sizeof(shape));
+  header.Size = shape.Size;
+  header.ScalarType = shape.ScalarType;
+  header.IsReadWhole = shape.IsReadWhole;
+  return isComplete;
+}
+
+std::string IsolatedReader::ReadLayers(std::int64_t count, void* values)
+{
+  const std::size_t bytes = this->Header.BytesInALayer();
+  for (std::int64_t k = 0; k < count; ++k)
+  {
+    std::string problem;
+    char* const layer = static_cast<char*>(values) + static_cast<std::size_t>(k) * bytes;
+    if (!this->FromChild.ReceiveText(problem))
+    {
+      return this->ReasonOfEnd();
+    }
+    if (!problem.empty())
+    {
+      return problem;
+    }
+    if (!this->FromChild.Receive(layer, bytes))
+    {
+      return this->ReasonOfEnd();
+    }
+  }
+  return std::string();
+}
+
+/// A child that has more to send ends, because nothing receives it.
+int IsolatedReader::EndChild()
+{
+  this->FromChild.CloseReceiver();
+  return this->Child > 0 ? WaitFor(std::exchange(this->Child, -1)) : Done;
+}
+
+std::string IsolatedReader::ReasonOfEnd()
+{
+  if (this->EndChild() == OutOfMemory)
   {
     throw std::bad_alloc();
   }
-  return isComplete ? volume : RejectedVolume("it is damaged");
+  return "it is damaged";
 }
 }

@@ -6,19 +6,54 @@
  *
  * VTK's XML reader follows null pointers, Debian's GDCM stops on assertions, and ITK's libraries trust
  * what a header announces. All write to the terminal, at times with pieces of the header in it.
+ *
+ * The child sends layer after layer through a pipe and waits while they are not taken.
  */
 #ifndef BoneDecimate_Applications_IsolatedReader_h
 #define BoneDecimate_Applications_IsolatedReader_h
 
-#include "Volume.h"
+#include "LayeredVolume.h"
+#include "Pipe.h"
 
 #include <functional>
+#include <sys/types.h>
 
 namespace bonedecimate::volume
 {
-/// What the reader returns, or a rejection if it does not return. Nothing it writes to the terminal
-/// is seen.
-Volume ReadIsolated(const std::function<Volume()>& read);
+class IsolatedReader
+{
+public:
+  /**
+   * Opens the volume in the child. If it does not return, the header says that the file is damaged.
+   * Nothing it writes to the terminal is seen.
+   * @throws std::bad_alloc if the child has too little memory.
+   */
+  explicit IsolatedReader(const std::function<LayeredVolume()>& open);
+
+  /// Without a child: of a file that is rejected without a look into it.
+  explicit IsolatedReader(const std::string& problem) { this->Header.Problem = problem; }
+
+  ~IsolatedReader();
+  IsolatedReader(const IsolatedReader&) = delete;
+  IsolatedReader& operator=(const IsolatedReader&) = delete;
+
+  const VolumeHeader& GetHeader() const { return this->Header; }
+
+  /**
+   * Writes the next layers.
+   * @return What went wrong, or an empty text.  @throws std::bad_alloc as the constructor.
+   */
+  std::string ReadLayers(std::int64_t count, void* values);
+
+private:
+  bool ReceiveHeader();
+  int EndChild();
+  std::string ReasonOfEnd();
+
+  Pipe FromChild;
+  pid_t Child = -1;
+  VolumeHeader Header;
+};
 }
 
 #endif

@@ -27,7 +27,7 @@ struct ItkHeader
   std::string Problem;       ///< Why the file is rejected; empty if it is not.
 };
 
-/// May end the process on damaged files, writes to the terminal: to be used in ReadIsolated.
+/// May end the process on damaged files, writes to the terminal: to be used in an IsolatedReader.
 class ItkImage
 {
 public:

@@ -5,6 +5,7 @@
 #include "DataFile.h"
 #include "ItkImage.h"
 #include "Options/Text.h"
+#include "StoredVoxels.h"
 #include "TextNumbers.h"
 
 #include <algorithm>
@@ -110,6 +111,21 @@ DataFile MetaData(const std::string& path, const std::string& header)
   return data;
 }
 
+/// Whether there is nothing else in the file of the voxels, where it begins.
+bool IsPlain(const std::string& header)
+{
+  return ParseWholeNumber(FieldOf(header, "headersize")).value_or(0) == 0;
+}
+
+ByteOrder OrderOf(const std::string& header)
+{
+  const std::string key = FieldOf(header, "elementbyteordermsb");
+  const std::string order =
+    LowerCase(key.empty() ? FieldOf(header, "binarydatabyteordermsb") : key);
+  return !order.empty() && (order[0] == 't' || order[0] == '1') ? ByteOrder::Big
+                                                                : ByteOrder::Little;
+}
+
 std::string UnitProblem(const ItkImage& image)
 {
   const std::string unit = image.GetText("ITK_VoxelUnits");
@@ -118,17 +134,17 @@ std::string UnitProblem(const ItkImage& image)
 }
 }
 
-Volume ReadMetaImage(const std::string& path)
+LayeredVolume OpenMetaImage(const std::string& path)
 {
   const std::string text = HeaderText(path);
   if (text.empty())
   {
-    return RejectedVolume("it has no header of a MetaImage");
+    return RejectedLayers("it has no header of a MetaImage");
   }
   const std::string numbers = NumbersProblem(text);
   if (!numbers.empty())
   {
-    return RejectedVolume(numbers);
+    return RejectedLayers(numbers);
   }
   ItkImage image(ItkImage::Format::MetaImage, path);
   const ItkHeader& header = image.GetHeader();
@@ -136,6 +152,10 @@ Volume ReadMetaImage(const std::string& path)
   const std::string problem = FirstOf(
     { header.Problem, UnitProblem(image), ComponentsProblem(header), DataFileProblem(text, data) });
   const std::string dataProblem = problem.empty() ? DataProblem(header, data) : problem;
-  return dataProblem.empty() ? image.ReadVolume() : RejectedVolume(dataProblem);
+  if (!dataProblem.empty())
+  {
+    return RejectedLayers(dataProblem);
+  }
+  return IsPlain(text) ? StoredLayers(header, data, OrderOf(text)) : LayersOf(image.ReadVolume());
 }
 }

@@ -6,6 +6,9 @@
 #include "DeflatedStream.h"
 #include "ItkImage.h"
 #include "Options/Text.h"
+#include "StoredVoxels.h"
+
+#include "vtkDataArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,6 +103,20 @@ public:
     // The unit of length is in the lowest three bits; 0 is unknown, 2 is mm.
     const int unit = this->At<unsigned char>(123) & 7;
     return unit == 0 || unit == 2 ? std::string() : "its unit is not mm";
+  }
+
+  /// Whether the voxels lie behind it and have no scale.
+  bool HasPlainVoxels() const
+  {
+    const float slope = this->At<float>(112);
+    const float intercept = this->At<float>(116);
+    return std::memcmp(this->Bytes.data() + 344, "n+1", 4) == 0 && intercept == 0.0F &&
+      (slope == 0.0F || slope == 1.0F);
+  }
+
+  ByteOrder Order() const
+  {
+    return this->Bytes.front() == 0 ? ByteOrder::Big : ByteOrder::Little; // of 348
   }
 
   std::uint64_t BeginOfVoxels() const
@@ -234,6 +251,11 @@ std::uint64_t CountNotFinite(
   return count;
 }
 
+bool IsCompressed(const std::string& path)
+{
+  return LowerCase(std::filesystem::path(path).extension().string()) == ".gz";
+}
+
 std::string VoxelsProblem(const NiftiHeader& header, const ItkHeader& read, const std::string& path)
 {
   const StoredType type = TypeOf(header.At<std::int16_t>(70));
@@ -241,7 +263,7 @@ std::string VoxelsProblem(const NiftiHeader& header, const ItkHeader& read, cons
   {
     return "the type of its voxels cannot be read";
   }
-  const bool isCompressed = LowerCase(std::filesystem::path(path).extension().string()) == ".gz";
+  const bool isCompressed = IsCompressed(path);
   const std::uint64_t begin = header.BeginOfVoxels();
   const std::uint64_t bytes = SizeOfFile(path);
   const std::string problem = SizeProblem(read.Size, static_cast<int>(type.Bytes),
@@ -257,15 +279,34 @@ std::string VoxelsProblem(const NiftiHeader& header, const ItkHeader& read, cons
   return notFinite == 0 ? problem
                         : std::to_string(notFinite) + " of its voxels are not finite numbers";
 }
+
+/// Whether ITK's voxels are the numbers in the file.
+bool AreStored(const NiftiHeader& header, const ItkHeader& read)
+{
+  const StoredType stored = TypeOf(header.At<std::int16_t>(70));
+  const bool isFloatingPoint = read.ScalarType == VTK_FLOAT || read.ScalarType == VTK_DOUBLE;
+  return header.HasPlainVoxels() && stored.IsFloatingPoint == isFloatingPoint &&
+    vtkDataArray::GetDataTypeSize(read.ScalarType) == static_cast<int>(stored.Bytes);
 }
 
-Volume ReadNifti(const std::string& path)
+DataFile DataOf(const NiftiHeader& header, const std::string& path)
+{
+  DataFile data;
+  data.Path = path;
+  data.Bytes = SizeOfFile(path);
+  data.IsCompressed = IsCompressed(path);
+  data.Skipped = header.BeginOfVoxels();
+  return data;
+}
+}
+
+LayeredVolume OpenNifti(const std::string& path)
 {
   const NiftiHeader header(path);
   const std::string inFile = header.Problem();
   if (!inFile.empty())
   {
-    return RejectedVolume(inFile);
+    return RejectedLayers(inFile);
   }
   ItkImage image(ItkImage::Format::Nifti, path);
   const ItkHeader& read = image.GetHeader();
@@ -274,16 +315,18 @@ Volume ReadNifti(const std::string& path)
   const std::string ofVoxels = problem.empty() ? VoxelsProblem(header, read, path) : problem;
   if (!ofVoxels.empty())
   {
-    return RejectedVolume(ofVoxels);
+    return RejectedLayers(ofVoxels);
   }
-  Volume volume = image.ReadVolume();
+  LayeredVolume volume = AreStored(header, read)
+    ? StoredLayers(read, DataOf(header, path), header.Order())
+    : LayersOf(image.ReadVolume());
   if (read.HasGeometry)
   {
-    volume.Note = PositionNote(header, read);
+    volume.Header.Note = PositionNote(header, read);
   }
   else
   {
-    volume.Geometry = SformOf(header);
+    volume.Header.Geometry = SformOf(header);
   }
   return volume;
 }

@@ -6,6 +6,7 @@
 #include "ItkImage.h"
 #include "Options/Text.h"
 #include "Segmentation.h"
+#include "StoredVoxels.h"
 
 #include <NrrdIO.h>
 
@@ -77,6 +78,19 @@ public:
       path, name, static_cast<std::uint64_t>(begin), this->State->encoding->isCompression != 0);
   }
 
+  /// Whether the voxels are numbers one after the other, where the file's data begin.
+  bool IsPlain() const
+  {
+    const bool isKnown =
+      this->State->encoding == nrrdEncodingRaw || this->State->encoding == nrrdEncodingGzip;
+    return isKnown && this->State->byteSkip == 0 && this->State->lineSkip == 0;
+  }
+
+  ByteOrder Order() const
+  {
+    return this->State->endian == airEndianBig ? ByteOrder::Big : ByteOrder::Little;
+  }
+
   /// ITK mirrors x of a file in LAS instead of y.
   void CorrectSpace(VolumeGeometry& geometry) const
   {
@@ -111,12 +125,12 @@ private:
 };
 }
 
-Volume ReadNrrd(const std::string& path)
+LayeredVolume OpenNrrd(const std::string& path)
 {
   const NrrdHeader nrrd(path);
   if (!nrrd.Problem().empty())
   {
-    return RejectedVolume(nrrd.Problem());
+    return RejectedLayers(nrrd.Problem());
   }
   ItkImage image(ItkImage::Format::Nrrd, path);
   const ItkHeader& header = image.GetHeader();
@@ -128,18 +142,23 @@ Volume ReadNrrd(const std::string& path)
   const std::string dataProblem = problem.empty() ? DataProblem(header, nrrd.Data(path)) : problem;
   if (!dataProblem.empty())
   {
-    return RejectedVolume(dataProblem);
+    return RejectedLayers(dataProblem);
+  }
+  if (!hasLayers && nrrd.IsPlain())
+  {
+    LayeredVolume layers = StoredLayers(header, nrrd.Data(path), nrrd.Order());
+    nrrd.CorrectSpace(layers.Header.Geometry);
+    AddLabelFields(segments, layers.Header.Fields);
+    return layers;
   }
   Volume volume = image.ReadVolume();
   nrrd.CorrectSpace(volume.Geometry);
   if (volume.Image && hasLayers)
   {
-    return CombinedLayers(volume, segments);
+    return LayersOf(CombinedLayers(volume, segments));
   }
-  if (volume.Image && !segments.empty())
-  {
-    AddLabelFields(segments, volume.Image);
-  }
-  return volume;
+  LayeredVolume layers = LayersOf(volume);
+  AddLabelFields(segments, layers.Header.Fields);
+  return layers;
 }
 }

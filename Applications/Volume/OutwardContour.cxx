@@ -4,13 +4,14 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
-#include "vtkDataArrayRange.h"
+#include "vtkDataArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
-#include <cmath>
+#include <algorithm>
+#include <utility>
 
 namespace bonedecimate::volume
 {
@@ -20,7 +21,7 @@ namespace
 vtkSmartPointer<vtkPolyData> GridContour(const Volume& volume, double value)
 {
   vtkNew<vtkImageData> grid;
-  grid->SetDimensions(volume.Image->GetDimensions());
+  grid->SetExtent(volume.Image->GetExtent());
   const auto& steps = volume.Geometry.Steps;
   grid->SetSpacing(Length(steps[0]), Length(steps[1]), Length(steps[2]));
   grid->GetPointData()->SetScalars(volume.Image->GetPointData()->GetScalars());
@@ -60,6 +61,74 @@ vtkSmartPointer<vtkPoints> PatientPoints(vtkPoints* gridPoints, const VolumeGeom
   return points;
 }
 
+/// Counts the edges of the grid that a contour crosses: its points.
+class CrossingCounter
+{
+public:
+  CrossingCounter(int width, int height, double value)
+    : Width(static_cast<std::size_t>(width))
+    , Size(this->Width * static_cast<std::size_t>(height))
+    , Value(value)
+    , IsInside(this->Size)
+    , WasInside(this->Size)
+  {
+  }
+
+  template <typename Scalar>
+  std::vector<std::int64_t> Count(const Scalar* values, int layers)
+  {
+    std::vector<std::int64_t> counts;
+    for (int layer = 0; layer < layers; ++layer, values += this->Size)
+    {
+      std::swap(this->IsInside, this->WasInside);
+      std::transform(values, values + this->Size, this->IsInside.begin(),
+        [this](Scalar value) { return static_cast<double>(value) >= this->Value ? 1 : 0; });
+      if (layer > 0)
+      {
+        counts.back() += this->CountBetween();
+      }
+      counts.push_back(this->CountInLayer());
+    }
+    return counts;
+  }
+
+private:
+  using Flags = std::vector<unsigned char>;
+
+  static std::int64_t CountDifferent(
+    const unsigned char* a, const unsigned char* b, std::size_t count)
+  {
+    std::int64_t different = 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      different += a[i] ^ b[i];
+    }
+    return different;
+  }
+
+  std::int64_t CountBetween() const
+  {
+    return CountDifferent(this->IsInside.data(), this->WasInside.data(), this->Size);
+  }
+
+  std::int64_t CountInLayer() const
+  {
+    const unsigned char* const flags = this->IsInside.data();
+    std::int64_t count = CountDifferent(flags, flags + this->Width, this->Size - this->Width);
+    for (std::size_t row = 0; row < this->Size; row += this->Width)
+    {
+      count += CountDifferent(flags + row, flags + row + 1, this->Width - 1);
+    }
+    return count;
+  }
+
+  std::size_t Width;
+  std::size_t Size;
+  double Value;
+  Flags IsInside;
+  Flags WasInside; // the layer before
+};
+
 vtkSmartPointer<vtkCellArray> TurnedTriangles(vtkCellArray* triangles)
 {
   const auto turned = vtkSmartPointer<vtkCellArray>::New();
@@ -87,16 +156,16 @@ vtkSmartPointer<vtkPolyData> OutwardContour(const Volume& volume, double value)
   return surface;
 }
 
-vtkIdType CountNotFinite(vtkDataArray* values)
+std::vector<std::int64_t> CountContourPoints(const Volume& slab, double value)
 {
-  vtkIdType count = 0;
-  if (values->GetDataType() == VTK_FLOAT || values->GetDataType() == VTK_DOUBLE)
+  vtkDataArray* const values = slab.Image->GetPointData()->GetScalars();
+  const int* const size = slab.Image->GetDimensions();
+  switch (values->GetDataType())
   {
-    for (const double value : vtk::DataArrayValueRange(values))
-    {
-      count += std::isfinite(value) ? 0 : 1;
-    }
+    vtkTemplateMacro(return CrossingCounter(size[0], size[1], value)
+        .Count(static_cast<const VTK_TT*>(values->GetVoidPointer(0)), size[2]));
+    default:
+      return {};
   }
-  return count;
 }
 }

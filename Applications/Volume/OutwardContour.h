@@ -9,18 +9,23 @@
 
 #include "Volume.h"
 
-#include "vtkDataArray.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace bonedecimate::volume
 {
-/// Points and triangles and nothing else; normals point to the smaller values, also where the
-/// volume is mirrored.
+/**
+ * Points and triangles and nothing else; normals point to the smaller values, also where the
+ * volume is mirrored. Of a slab (SlabReader.h) these are the triangles of the whole between its first
+ * and its last layer, with the same coordinates bit for bit.
+ */
 vtkSmartPointer<vtkPolyData> OutwardContour(const Volume& volume, double value);
 
-/// A voxel that is not a number would become a point that is none.
-vtkIdType CountNotFinite(vtkDataArray* values);
+/// Of each layer of a volume or slab the number of points in it and between it and the next one. There are about twice as many triangles.
+std::vector<std::int64_t> CountContourPoints(const Volume& slab, double value);
 }
 
 #endif

@@ -171,12 +171,16 @@ Volume CombinedLayers(const Volume& layers, std::vector<Segment> segments)
       " values of its voxels are those of no segment in the header");
   }
   volume.Note = OverlapNote(overlap, isRenumbered, segments.size());
-  AddLabelFields(segments, volume.Image);
+  AddLabelFields(segments, volume.Image->GetFieldData());
   return volume;
 }
 
-void AddLabelFields(const std::vector<Segment>& segments, vtkImageData* image)
+void AddLabelFields(const std::vector<Segment>& segments, vtkFieldData* fields)
 {
+  if (segments.empty())
+  {
+    return;
+  }
   vtkNew<vtkTypeInt64Array> values;
   vtkNew<vtkStringArray> names;
   vtkNew<vtkDoubleArray> colors;
@@ -190,8 +194,8 @@ void AddLabelFields(const std::vector<Segment>& segments, vtkImageData* image)
     names->InsertNextValue(segment.Name);
     colors->InsertNextTuple(segment.Color.data());
   }
-  image->GetFieldData()->AddArray(values);
-  image->GetFieldData()->AddArray(names);
-  image->GetFieldData()->AddArray(colors);
+  fields->AddArray(values);
+  fields->AddArray(names);
+  fields->AddArray(colors);
 }
 }

@@ -9,6 +9,8 @@
 
 #include "Volume.h"
 
+#include "vtkFieldData.h"
+
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -36,8 +38,8 @@ std::vector<Segment> ReadSegments(const std::function<std::string(const std::str
  */
 Volume CombinedLayers(const Volume& layers, std::vector<Segment> segments);
 
-/// Adds the field arrays LabelValues, LabelNames and LabelColors.
-void AddLabelFields(const std::vector<Segment>& segments, vtkImageData* image);
+/// Adds the field arrays LabelValues, LabelNames and LabelColors, if there are segments.
+void AddLabelFields(const std::vector<Segment>& segments, vtkFieldData* fields);
 }
 
 #endif

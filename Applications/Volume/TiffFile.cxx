@@ -6,8 +6,6 @@
 #include "ItkImage.h"
 #include "TiffFolder.h"
 
-#include "vtkDataArray.h"
-
 #include <cstdarg>
 #include <cstdint>
 #include <filesystem>
@@ -79,8 +77,8 @@ VolumeGeometry GeometryOf(const Vector3& spacing)
   return geometry;
 }
 
-/// Appends the voxels of a slice. Returns what went wrong, or an empty text.
-std::string ReadSlice(const std::string& path, const ItkHeader& first, char* values)
+/// Reads the voxels of a slice. Returns what went wrong, or an empty text.
+std::string ReadSlice(const std::string& path, const ItkHeader& first, void* values)
 {
   const std::string pages = PagesProblem(path);
   ItkImage slice(ItkImage::Format::Tiff, path, 2);
@@ -99,7 +97,7 @@ std::string ReadSlice(const std::string& path, const ItkHeader& first, char* val
 }
 }
 
-Volume ReadTiff(const std::string& path, const Vector3& spacing)
+LayeredVolume OpenTiff(const std::string& path, const Vector3& spacing)
 {
   const TiffErrors errors;
   const std::string pages = PagesProblem(path);
@@ -110,20 +108,20 @@ Volume ReadTiff(const std::string& path, const Vector3& spacing)
     problem.empty() ? SizeProblem(header.Size, 1, SizeOfFile(path), true) : problem;
   if (!size.empty())
   {
-    return RejectedVolume(size);
+    return RejectedLayers(size);
   }
   Volume volume = image.ReadVolume();
   volume.Geometry = GeometryOf(spacing);
-  return TiffErrors::HasError ? RejectedVolume(DamagedVoxels) : volume;
+  return TiffErrors::HasError ? RejectedLayers(DamagedVoxels) : LayersOf(volume);
 }
 
-Volume ReadTiffSlices(const std::string& folder, const Vector3& spacing)
+LayeredVolume OpenTiffSlices(const std::string& folder, const Vector3& spacing)
 {
   const TiffErrors errors;
   const TiffSlices slices = FindTiffSlices(folder);
   if (!slices.Problem.empty())
   {
-    return RejectedVolume(slices.Problem);
+    return RejectedLayers(slices.Problem);
   }
   const ItkHeader first = ItkImage(ItkImage::Format::Tiff, slices.Files.front(), 2).GetHeader();
   std::array<std::int64_t, 3> size = first.Size;
@@ -137,21 +135,19 @@ Volume ReadTiffSlices(const std::string& folder, const Vector3& spacing)
   const std::string sizeProblem = problem.empty() ? SizeProblem(size, 1, bytes, true) : problem;
   if (!sizeProblem.empty())
   {
-    return RejectedVolume(sizeProblem);
+    return RejectedLayers(sizeProblem);
   }
-  Volume volume;
-  volume.Geometry = GeometryOf(spacing);
-  volume.Image = AllocateImage(size, first.ScalarType);
-  char* values = static_cast<char*>(volume.Image->GetScalarPointer());
-  for (const std::string& file : slices.Files)
+  LayeredVolume volume;
+  volume.Header.Geometry = GeometryOf(spacing);
+  volume.Header.Size = size;
+  volume.Header.ScalarType = first.ScalarType;
+  volume.ReadLayer = [files = slices.Files, first, next = std::size_t(0)](void* values) mutable
   {
+    const std::string& file = files[next++];
     const std::string damage = ReadSlice(file, first, values);
-    if (!damage.empty())
-    {
-      return RejectedVolume(std::filesystem::path(file).filename().string() + ": " + damage);
-    }
-    values += size[0] * size[1] * volume.Image->GetScalarSize();
-  }
+    return damage.empty() ? damage
+                          : std::filesystem::path(file).filename().string() + ": " + damage;
+  };
   return volume;
 }
 }

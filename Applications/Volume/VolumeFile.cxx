@@ -5,7 +5,7 @@
 #include "BoneVolume.h"
 #include "DicomFolder.h"
 #include "ImageFiles.h"
-#include "IsolatedReader.h"
+#include "LabelFields.h"
 #include "Options/Text.h"
 #include "TiffFolder.h"
 #include "VtiVolume.h"
@@ -124,35 +124,52 @@ bool NeedsSpacing(const std::string& path)
 
 namespace volume
 {
-Volume ReadVolume(const std::string& path, const VoxelSpacing& spacing)
+std::unique_ptr<IsolatedReader> OpenVolume(const std::string& path, const VoxelSpacing& spacing)
 {
   const VolumeKind kind = KindOf(path);
   const std::string problem = Unreadable(path, kind, spacing);
   if (!problem.empty())
   {
-    return RejectedVolume(problem);
+    return std::make_unique<IsolatedReader>(problem);
   }
-  return ReadIsolated(
+  return std::make_unique<IsolatedReader>(
     [&]
     {
       switch (kind)
       {
         case VolumeKind::Vti:
-          return ReadVti(path);
+          return LayersOf(ReadVti(path));
         case VolumeKind::MetaImage:
-          return ReadMetaImage(path);
+          return OpenMetaImage(path);
         case VolumeKind::Nrrd:
-          return ReadNrrd(path);
+          return OpenNrrd(path);
         case VolumeKind::Nifti:
-          return ReadNifti(path);
+          return OpenNifti(path);
         case VolumeKind::Tiff:
-          return ReadTiff(path, *spacing);
+          return OpenTiff(path, *spacing);
         case VolumeKind::TiffFolder:
-          return ReadTiffSlices(path, *spacing);
+          return OpenTiffSlices(path, *spacing);
         default:
-          return ReadDicomFolder(path);
+          return OpenDicomFolder(path);
       }
     });
+}
+
+Volume ReadVolume(const std::string& path, const VoxelSpacing& spacing)
+{
+  const std::unique_ptr<IsolatedReader> reader = OpenVolume(path, spacing);
+  const VolumeHeader& header = reader->GetHeader();
+  Volume volume;
+  volume.Geometry = header.Geometry;
+  volume.Note = header.Note;
+  volume.Problem = header.Problem;
+  if (volume.Problem.empty())
+  {
+    volume.Image = AllocateImage(header.Size, header.ScalarType);
+    CopyLabelFields(header.Fields, volume.Image->GetFieldData());
+    volume.Problem = reader->ReadLayers(header.Size[2], volume.Image->GetScalarPointer());
+  }
+  return volume.Problem.empty() ? volume : RejectedVolume(volume.Problem);
 }
 }
 }

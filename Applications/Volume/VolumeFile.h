@@ -2,19 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VolumeFile.h
- * @brief A volume from a file of any format that is read, or from a folder of DICOM files or TIFF slices.
+ * @brief A volume from a file of any format that is read, or from a folder of DICOM files or TIFF slices; whole or layer by layer.
  */
 #ifndef BoneDecimate_Applications_VolumeFile_h
 #define BoneDecimate_Applications_VolumeFile_h
 
+#include "IsolatedReader.h"
 #include "Volume.h"
 #include "VoxelSpacing.h"
 
+#include <memory>
 #include <string>
 
 namespace bonedecimate::volume
 {
 /// The reader goes by the extension. @param spacing Of files without one.
+std::unique_ptr<IsolatedReader> OpenVolume(
+  const std::string& path, const VoxelSpacing& spacing = {});
+
+/// All voxels.
 Volume ReadVolume(const std::string& path, const VoxelSpacing& spacing = {});
 }
 

@@ -7,6 +7,7 @@
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
+#include <cmath>
 #include <cstddef>
 
 namespace bonedecimate::volume
@@ -16,156 +17,151 @@ namespace
 constexpr int LargestLabel = 65535;
 constexpr std::size_t MostLabels = 1024;
 
-/// Pairs of neighbors that have the label on one side and no 0 on the other.
-struct Pairs
-{
-  std::int64_t Equal = 0;
-  std::int64_t Different = 0;
-
-  bool AreMostlyEqual() const { return this->Equal >= this->Different; }
-};
-
 template <typename Value>
-class Survey
+bool IsLabel(Value value)
 {
-public:
-  Survey(const Value* values, vtkImageData* image)
-    : Values(values)
-    , Count(image->GetNumberOfPoints())
-  {
-    vtkIdType step = 1;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      this->Size[axis] = image->GetDimensions()[axis];
-      this->Steps[axis] = step;
-      step *= this->Size[axis];
-    }
-  }
+  const auto number = static_cast<double>(value);
+  return number >= 0.0 && number <= LargestLabel &&
+    number == static_cast<double>(static_cast<int>(number));
+}
 
-  /// Empty if there are other values than labels, or too many.
-  std::vector<int> FindLabels()
-  {
-    std::vector<bool> isThere(LargestLabel + 1, false);
-    std::size_t found = 0;
-    for (vtkIdType i = 0; i < this->Count; ++i)
-    {
-      if (!IsLabel(this->Values[i]))
-      {
-        return {};
-      }
-      const std::size_t label = IndexOf(this->Values[i]);
-      if (!isThere[label])
-      {
-        isThere[label] = true;
-        found += label > 0 ? 1 : 0;
-      }
-      if (found > MostLabels)
-      {
-        return {};
-      }
-    }
-    std::vector<int> labels;
-    for (int label = 1; label <= LargestLabel; ++label)
-    {
-      if (isThere[static_cast<std::size_t>(label)])
-      {
-        labels.push_back(label);
-      }
-    }
-    return labels;
-  }
-
-  /// Whether the voxels of most labels lie together.
-  bool HasRegions(const std::vector<int>& labels)
-  {
-    std::vector<Pairs> pairs(LargestLabel + 1);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      this->CountPairs(axis, pairs);
-    }
-    Pairs all;
-    std::size_t together = 0;
-    for (const int label : labels)
-    {
-      const Pairs& own = pairs[static_cast<std::size_t>(label)];
-      all.Equal += own.Equal;
-      all.Different += own.Different;
-      together += own.AreMostlyEqual() ? 1 : 0;
-    }
-    return all.AreMostlyEqual() && 2 * together >= labels.size();
-  }
-
-private:
-  static bool IsLabel(Value value)
-  {
-    const auto number = static_cast<double>(value);
-    return number >= 0.0 && number <= LargestLabel &&
-      number == static_cast<double>(static_cast<int>(number));
-  }
-
-  /// Of a label.
-  static std::size_t IndexOf(Value value)
-  {
-    return static_cast<std::size_t>(static_cast<int>(value));
-  }
-
-  void CountPairs(std::size_t axis, std::vector<Pairs>& pairs) const
-  {
-    const vtkIdType step = this->Steps[axis];
-    for (vtkIdType i = 0; i + step < this->Count; ++i)
-    {
-      if (i / step % this->Size[axis] + 1 == this->Size[axis])
-      {
-        continue; // the last along the axis: the next voxel in memory is no neighbor
-      }
-      const std::size_t a = IndexOf(this->Values[i]);
-      const std::size_t b = IndexOf(this->Values[i + step]);
-      if (a > 0 && a == b)
-      {
-        ++pairs[a].Equal;
-      }
-      else if (a > 0 && b > 0)
-      {
-        ++pairs[a].Different;
-        ++pairs[b].Different;
-      }
-    }
-  }
-
-  const Value* Values;
-  vtkIdType Count;
-  std::array<vtkIdType, 3> Size{};
-  std::array<vtkIdType, 3> Steps{};
-};
-
+/// Of a label.
 template <typename Value>
-ValueSurvey SurveyAs(const Value* values, const Volume& volume)
+std::size_t IndexOf(Value value)
 {
-  Survey<Value> survey(values, volume.Image);
-  ValueSurvey result;
-  result.Labels = survey.FindLabels();
-  if (result.Labels.size() == 1)
-  {
-    result.Kind = ValueKind::Mask;
-  }
-  else if (!result.Labels.empty() &&
-    (HasLabelFields(volume.Image) || survey.HasRegions(result.Labels)))
-  {
-    result.Kind = ValueKind::Labels;
-  }
-  return result;
+  return static_cast<std::size_t>(static_cast<int>(value));
 }
 }
 
-ValueSurvey SurveyValues(const Volume& volume)
+void ValueSurvey::Add(const Volume& slab)
 {
-  vtkDataArray* values = volume.Image->GetPointData()->GetScalars();
+  vtkDataArray* const values = slab.Image->GetPointData()->GetScalars();
+  const int* const size = slab.Image->GetDimensions();
+  const std::array<vtkIdType, 3> count{ { size[0], size[1], size[2] } };
+  const bool hasSharedLayer = slab.Image->GetExtent()[4] > 0;
+  this->IsSegmentation = this->IsSegmentation || HasLabelFields(slab.Image);
   switch (values->GetDataType())
   {
-    vtkTemplateMacro(
-      return SurveyAs(static_cast<const VTK_TT*>(values->GetVoidPointer(0)), volume));
+    vtkTemplateMacro(this->AddValues(
+      static_cast<const VTK_TT*>(values->GetVoidPointer(0)), count, hasSharedLayer));
     default:
-      return {};
+      this->MayBeLabels = false;
   }
+}
+
+template <typename Value>
+void ValueSurvey::AddValues(
+  const Value* values, const std::array<vtkIdType, 3>& size, bool hasSharedLayer)
+{
+  const vtkIdType layer = size[0] * size[1];
+  const Value* const end = values + layer * size[2];
+  const Value* const begin = values + (hasSharedLayer ? layer : 0);
+  this->FindRange(begin, end);
+  this->FindLabels(begin, end);
+  for (const Value* row = values; this->MayBeLabels && row != end; row += size[0])
+  {
+    if (row >= begin)
+    {
+      this->CountPairs(row, row + 1, size[0] - 1);
+      const bool isLastOfLayer = (row - values) % layer + size[0] == layer;
+      this->CountPairs(row, row + size[0], isLastOfLayer ? 0 : size[0]);
+    }
+    this->CountPairs(row, row + layer, end - row > layer ? size[0] : 0);
+  }
+}
+
+template <typename Value>
+void ValueSurvey::FindRange(const Value* begin, const Value* end)
+{
+  for (const Value* value = begin; value != end; ++value)
+  {
+    const auto number = static_cast<double>(*value);
+    if (std::isfinite(number))
+    {
+      this->Least = number < this->Least ? number : this->Least;
+      this->Largest = number > this->Largest ? number : this->Largest;
+    }
+    else
+    {
+      ++this->NotFinite;
+    }
+  }
+}
+
+template <typename Value>
+void ValueSurvey::FindLabels(const Value* begin, const Value* end)
+{
+  this->Occurs.resize(LargestLabel + 1);
+  this->OfLabel.resize(LargestLabel + 1);
+  for (const Value* value = begin; this->MayBeLabels && value != end; ++value)
+  {
+    this->MayBeLabels = IsLabel(*value);
+    if (this->MayBeLabels && !this->Occurs[IndexOf(*value)])
+    {
+      this->Occurs[IndexOf(*value)] = true;
+      this->Found += IndexOf(*value) > 0 ? 1 : 0;
+      this->MayBeLabels = this->Found <= MostLabels;
+    }
+  }
+}
+
+template <typename Value>
+void ValueSurvey::CountPairs(const Value* row, const Value* neighbors, vtkIdType count)
+{
+  for (vtkIdType x = 0; x < count; ++x)
+  {
+    const std::size_t a = IndexOf(row[x]);
+    const std::size_t b = IndexOf(neighbors[x]);
+    if (a > 0 && a == b)
+    {
+      ++this->OfLabel[a].Equal;
+    }
+    else if (a > 0 && b > 0)
+    {
+      ++this->OfLabel[a].Different;
+      ++this->OfLabel[b].Different;
+    }
+  }
+}
+
+std::vector<int> ValueSurvey::GetLabels() const
+{
+  std::vector<int> labels;
+  for (int label = 1; this->MayBeLabels && label <= LargestLabel; ++label)
+  {
+    if (this->Occurs[static_cast<std::size_t>(label)])
+    {
+      labels.push_back(label);
+    }
+  }
+  return labels;
+}
+
+/// Whether the voxels of most labels lie together.
+bool ValueSurvey::HasRegions() const
+{
+  Pairs all;
+  std::size_t together = 0;
+  for (const int label : this->GetLabels())
+  {
+    const Pairs& own = this->OfLabel[static_cast<std::size_t>(label)];
+    all.Equal += own.Equal;
+    all.Different += own.Different;
+    together += own.AreMostlyEqual() ? 1 : 0;
+  }
+  return all.AreMostlyEqual() && 2 * together >= this->Found;
+}
+
+ValueKind ValueSurvey::GetKind() const
+{
+  if (!this->MayBeLabels || this->Found == 0)
+  {
+    return ValueKind::Intensities;
+  }
+  if (this->Found == 1)
+  {
+    return ValueKind::Mask;
+  }
+  return this->IsSegmentation || this->HasRegions() ? ValueKind::Labels : ValueKind::Intensities;
 }
 }

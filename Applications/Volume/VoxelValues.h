@@ -9,6 +9,7 @@
 
 #include "Volume.h"
 
+#include <limits>
 #include <vector>
 
 namespace bonedecimate::volume
@@ -20,12 +21,6 @@ enum class ValueKind
   Labels ///< A number for each part: an order or a value between two of them means nothing.
 };
 
-struct ValueSurvey
-{
-  ValueKind Kind = ValueKind::Intensities;
-  std::vector<int> Labels; ///< Of a mask or a label map, ascending, without 0.
-};
-
 /**
  * Labels are whole numbers from 0 to 65535, at most 1,024 of them, at least two beside 0. Among
  * neighbors that are both not 0
@@ -33,9 +28,51 @@ struct ValueSurvey
  *     most pairs are of equal numbers, for all labels together and for at least half of them each,
  *
  * which intensities are not: between tissues lie voxels of every value, and each tissue has noise.
- * Where a header says that the volume is a segmentation the neighbors are not looked at.
+ * Where a header says that the volume is a segmentation the neighbors do not count.
  */
-ValueSurvey SurveyValues(const Volume& volume);
+class ValueSurvey
+{
+public:
+  /// @param slab The volume, or the next slab of it (SlabReader.h).
+  void Add(const Volume& slab);
+
+  std::int64_t GetNumberOfNotFinite() const { return this->NotFinite; }
+  double GetLeast() const { return this->Least; } ///< Of the finite ones.
+  double GetLargest() const { return this->Largest; }
+
+  /// Of a mask or a label map, ascending, without 0.
+  std::vector<int> GetLabels() const;
+  ValueKind GetKind() const;
+
+private:
+  /// Pairs of neighbors that have the label on one side and no 0 on the other.
+  struct Pairs
+  {
+    std::int64_t Equal = 0;
+    std::int64_t Different = 0;
+
+    bool AreMostlyEqual() const { return this->Equal >= this->Different; }
+  };
+
+  template <typename Value>
+  void AddValues(const Value* values, const std::array<vtkIdType, 3>& size, bool hasSharedLayer);
+  template <typename Value>
+  void FindRange(const Value* begin, const Value* end);
+  template <typename Value>
+  void FindLabels(const Value* begin, const Value* end);
+  template <typename Value>
+  void CountPairs(const Value* row, const Value* neighbors, vtkIdType count);
+  bool HasRegions() const;
+
+  std::int64_t NotFinite = 0;
+  double Least = std::numeric_limits<double>::infinity();
+  double Largest = -std::numeric_limits<double>::infinity();
+  bool MayBeLabels = true;
+  bool IsSegmentation = false; ///< By its header.
+  std::vector<bool> Occurs;    ///< Of each label.
+  std::size_t Found = 0;       ///< Labels, without 0.
+  std::vector<Pairs> OfLabel;
+};
 }
 
 #endif

@@ -13,7 +13,7 @@
 
 namespace bonedecimate::volume
 {
-/// May end the process on damaged files: to be called by ReadIsolated.
+/// May end the process on damaged files: to be called by an IsolatedReader.
 Volume ReadVti(const std::string& path);
 }
 

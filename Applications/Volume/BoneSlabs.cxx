@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BoneSlabs.h"
+
+#include "IntensityChecks.h"
+#include "OutwardContour.h"
+#include "VolumeFile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace bonedecimate
+{
+using namespace volume;
+
+namespace
+{
+constexpr std::int64_t BytesOfASurvey = std::int64_t(1) << 26;
+constexpr std::int64_t TrianglesPerPoint = 2; // of a closed surface of few handles
+}
+
+BoneSlabs::BoneSlabs(
+  const std::string& path, double hounsfield, LabelPolicy policy, const VoxelSpacing& spacing)
+  : Path(path)
+  , Value(hounsfield)
+  , Spacing(spacing)
+{
+  SlabReader reader(OpenVolume(path, spacing));
+  const VolumeHeader& header = reader.GetHeader();
+  this->Size = header.Size;
+  this->BytesInALayer = header.BytesInALayer();
+  this->ReadsWhole = header.IsReadWhole;
+  this->Geometry = header.Geometry;
+  this->Note = header.Note;
+  this->Problem = header.Problem;
+  if (this->Problem.empty())
+  {
+    this->Survey(reader, policy);
+  }
+}
+
+void BoneSlabs::Survey(SlabReader& reader, LabelPolicy policy)
+{
+  const std::int64_t layers =
+    std::max<std::int64_t>(1, BytesOfASurvey / static_cast<std::int64_t>(this->BytesInALayer));
+  ValueSurvey survey;
+  for (std::int64_t last = layers; !reader.IsAtEnd(); last += layers)
+  {
+    const Volume slab = reader.ReadTo(std::min(last, this->Size[2] - 1));
+    if (!slab.Problem.empty())
+    {
+      this->Problem = slab.Problem;
+      return;
+    }
+    survey.Add(slab);
+    const std::vector<std::int64_t> points = CountContourPoints(slab, this->Value);
+    if (!this->Points.empty())
+    {
+      this->Points.pop_back(); // the shared layer, without those above it
+    }
+    this->Points.insert(this->Points.end(), points.begin(), points.end());
+  }
+  this->Problem = IntensityProblem(survey, this->Value, policy);
+  AppendNote(this->Note, MaskNote(survey));
+}
+
+double BoneSlabs::GetVoxelSize() const
+{
+  return LeastSide(this->Geometry);
+}
+
+std::int64_t BoneSlabs::GetBytesOfVoxels() const
+{
+  return static_cast<std::int64_t>(this->BytesInALayer) * this->Size[2];
+}
+
+std::int64_t BoneSlabs::GetNumberOfTriangles() const
+{
+  return TrianglesPerPoint *
+    std::accumulate(this->Points.begin(), this->Points.end(), std::int64_t(0));
+}
+
+Vector3 BoneSlabs::GetAxis() const
+{
+  const auto& steps = this->Geometry.Steps;
+  const Vector3 normal = Cross(steps[0], steps[1]);
+  const double length = Dot(normal, steps[2]) < 0.0 ? -Length(normal) : Length(normal);
+  return { { normal[0] / length, normal[1] / length, normal[2] / length } };
+}
+
+double BoneSlabs::PositionOf(std::int64_t layer) const
+{
+  const Vector3 axis = this->GetAxis();
+  return Dot(this->Geometry.Origin, axis) +
+    static_cast<double>(layer) * Dot(this->Geometry.Steps[2], axis);
+}
+
+std::size_t BoneSlabs::Divide(std::int64_t triangles, std::int64_t largestBytes)
+{
+  const std::int64_t mostLayers =
+    std::max<std::int64_t>(1, largestBytes / static_cast<std::int64_t>(this->BytesInALayer) - 1);
+  this->LastLayers.clear();
+  std::int64_t layers = 0;
+  std::int64_t inSlab = 0;
+  for (std::int64_t layer = 0; layer + 1 < this->Size[2]; ++layer)
+  {
+    const std::int64_t more = TrianglesPerPoint * this->Points[static_cast<std::size_t>(layer)];
+    if (layers > 0 && (inSlab + more > triangles || layers == mostLayers))
+    {
+      this->LastLayers.push_back(layer);
+      inSlab = 0;
+      layers = 0;
+    }
+    inSlab += more;
+    ++layers;
+  }
+  this->LastLayers.push_back(this->Size[2] - 1);
+  this->NextSlab = 0;
+  this->Reader = std::make_unique<SlabReader>(OpenVolume(this->Path, this->Spacing));
+  return this->LastLayers.size();
+}
+
+BoneSlab BoneSlabs::ReadNext()
+{
+  BoneSlab slab;
+  const std::int64_t last = this->LastLayers[this->NextSlab++];
+  slab.Top = this->PositionOf(last);
+  // Between the two readings the file may have changed.
+  const VolumeHeader& header = this->Reader->GetHeader();
+  const bool isSame = header.Size == this->Size && header.BytesInALayer() == this->BytesInALayer;
+  slab.Problem = header.Problem.empty() && !isSame ? "it changes while it is read" : header.Problem;
+  if (slab.Problem.empty())
+  {
+    const Volume voxels = this->Reader->ReadTo(last);
+    slab.Problem = voxels.Problem;
+    slab.Surface = voxels.Image ? OutwardContour(voxels, this->Value) : nullptr;
+  }
+  return slab;
+}
+}

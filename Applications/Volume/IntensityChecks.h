@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file IntensityChecks.h
+ * @brief Whether the voxels of a volume have a surface at a value, and what the user should know of it.
+ */
+#ifndef BoneDecimate_Applications_IntensityChecks_h
+#define BoneDecimate_Applications_IntensityChecks_h
+
+#include "BoneVolume.h"
+#include "VoxelValues.h"
+
+#include <string>
+
+namespace bonedecimate::volume
+{
+/// Why there is none, or an empty text.
+std::string IntensityProblem(const ValueSurvey& survey, double hounsfield, LabelPolicy policy);
+
+/// Of a mask; empty for other volumes.
+std::string MaskNote(const ValueSurvey& survey);
+
+/// With a semicolon between two notes.
+void AppendNote(std::string& notes, const std::string& note);
+
+/// mm, of a voxel.
+double LeastSide(const VolumeGeometry& geometry);
+}
+
+#endif
