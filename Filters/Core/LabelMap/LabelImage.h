@@ -33,6 +33,15 @@ struct LabelImage
   VoxelGrid Grid;
 };
 
+/// Layers of a grid along its third axis.
+struct LayerRange
+{
+  Index First = 0;
+  Index Last = 0;
+
+  Index Count() const { return this->Last - this->First + 1; }
+};
+
 /// The type with the size and the sign of the scalar.
 template <typename Scalar>
 constexpr LabelType LabelTypeOf()

@@ -42,7 +42,7 @@ Eigen::Matrix3d NearestOrthogonal(Eigen::Matrix3d matrix)
   return matrix;
 }
 
-LabelSurfaceStatus CheckGrid(const VoxelGrid& grid, bool closed)
+LabelSurfaceStatus CheckGrid(const VoxelGrid& grid, const LabelSurfaceOptions& options)
 {
   const auto [least, largest] = std::minmax_element(grid.Dimensions.begin(), grid.Dimensions.end());
   if (*least < 1 || *largest > LargestDimension)
@@ -56,7 +56,12 @@ LabelSurfaceStatus CheckGrid(const VoxelGrid& grid, bool closed)
   {
     return LabelSurfaceStatus::BadGrid;
   }
-  return *least < 2 && !closed ? LabelSurfaceStatus::TooThin : LabelSurfaceStatus::Good;
+  const std::optional<LayerRange>& slab = options.Slab;
+  if (slab && (slab->First < 0 || slab->First >= slab->Last || slab->Last >= grid.Dimensions[2]))
+  {
+    return LabelSurfaceStatus::BadSlab;
+  }
+  return *least < 2 && !options.Closed ? LabelSurfaceStatus::TooThin : LabelSurfaceStatus::Good;
 }
 
 /// The options' labels, ascending, each once.
@@ -86,7 +91,7 @@ public:
 
   LabelSurfaces Go()
   {
-    this->Result.Status = CheckGrid(this->Image.Grid, this->Options.Closed);
+    this->Result.Status = CheckGrid(this->Image.Grid, this->Options);
     if (this->IsGood())
     {
       this->Result.Source.Grid = this->Image.Grid;
@@ -109,13 +114,20 @@ public:
 private:
   bool IsGood() const { return this->Result.Status == LabelSurfaceStatus::Good; }
 
+  LayerRange Layers() const
+  {
+    return this->Options.Slab.value_or(LayerRange{ 0, this->Image.Grid.Dimensions[2] - 1 });
+  }
+
   void FindLabels()
   {
     std::vector<std::int64_t> labels = ChosenLabels(this->Options);
     if (labels.empty())
     {
+      LabelImage inMemory = this->Image;
+      inMemory.Grid.Dimensions[2] = this->Layers().Count();
       LabelValues found =
-        FindLabelValues(this->Image, this->Options.Threads, MonitorOf(this->Report, 0.0, 0.1));
+        FindLabelValues(inMemory, this->Options.Threads, MonitorOf(this->Report, 0.0, 0.1));
       this->Result.Status = !found.IsComplete ? LabelSurfaceStatus::Aborted
         : !found.FitInt64                     ? LabelSurfaceStatus::LabelOutOfRange
                                               : LabelSurfaceStatus::Good;
@@ -131,7 +143,7 @@ private:
     std::vector<std::int64_t> labels = this->Result.Source.Values;
     labels.pop_back();
     const LabelRanks ranks(std::move(labels));
-    const VoxelLayers layers(this->Image, ranks, this->Options.Closed);
+    const VoxelLayers layers(this->Image, this->Layers(), ranks, this->Options.Closed);
     std::vector<LayerCounts> counts(static_cast<std::size_t>(layers.Depth()));
     if (!this->Count(layers, counts))
     {
@@ -234,7 +246,7 @@ const char* LabelSurfaceMessage(LabelSurfaceStatus status)
     "the grid of the label map needs finite values, a positive spacing and perpendicular unit "
     "vectors as axes",
     "a label is larger than 2^63 - 1", "the surfaces have more than 2^31 - 1 points or triangles",
-    "the extraction was aborted" };
+    "the extraction was aborted", "a slab of a label map needs at least two of its layers" };
   return messages[static_cast<std::size_t>(status)];
 }
 

@@ -22,6 +22,7 @@
 #include "VoxelGrid.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace bonedecimate
@@ -35,6 +36,11 @@ struct LabelSurfaceOptions
   /// centers. Without, surfaces end at these centers.
   bool Closed = true;
   int Threads = 0; ///< 0: one per processor. Has no effect on the result.
+  /// The image holds a slab: the layers from the first to the last one, of a grid that has more. The last layer of a slab is the
+  /// first one of the next, and both surfaces have the same points there, bit for bit; together the triangles of all slabs are
+  /// those of the whole. Closed adds voxels at the ends of the grid alone. Labels should be given, so that all slabs number
+  /// them in the same way.
+  std::optional<LayerRange> Slab = std::nullopt;
 };
 
 enum class LabelSurfaceStatus : int
@@ -45,9 +51,10 @@ enum class LabelSurfaceStatus : int
   BadGrid, ///< Not finite, a spacing that is not positive, or axes that are not perpendicular unit vectors.
   LabelOutOfRange, ///< A label beyond 2^63 - 1.
   TooLarge,        ///< More than 2^31 - 1 points or triangles.
-  Aborted          ///< By the monitor.
+  Aborted,         ///< By the monitor.
+  BadSlab          ///< Fewer than two layers, or layers that the grid has not.
 };
-constexpr int NumberOfLabelSurfaceStatuses = 7;
+constexpr int NumberOfLabelSurfaceStatuses = 8;
 
 /// What is wrong, and what to do: one sentence without a period. Empty for Good.
 const char* LabelSurfaceMessage(LabelSurfaceStatus status);

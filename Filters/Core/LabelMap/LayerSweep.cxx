@@ -153,7 +153,7 @@ GridPoint LayerWriter::GridPointOf(const VoxelVisit& voxel, Index layer, const G
 {
   const Index first = this->Layers.First();
   return { 2 * (voxel.X + first) + odd[0], 2 * (voxel.Y + first) + odd[1],
-    2 * (layer + first) + odd[2] };
+    2 * (layer + this->Layers.FirstLayer()) + odd[2] };
 }
 
 //------------------------------------------------------------------------------

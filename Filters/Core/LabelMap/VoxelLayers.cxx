@@ -6,15 +6,20 @@
 
 namespace bonedecimate
 {
-VoxelLayers::VoxelLayers(const LabelImage& image, const LabelRanks& ranks, bool isPadded)
+VoxelLayers::VoxelLayers(
+  const LabelImage& image, const LayerRange& inMemory, const LabelRanks& ranks, bool isPadded)
   : Image(image)
   , Ranks(ranks)
+  , InMemory(inMemory)
   , Padding(isPadded ? 1 : 0)
+  , FirstZ(inMemory.First == 0 ? -this->Padding : inMemory.First)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     this->Size[axis] = image.Grid.Dimensions[axis] + 2 * this->Padding;
   }
+  const bool isAtEnd = inMemory.Last + 1 == image.Grid.Dimensions[2];
+  this->Size[2] = inMemory.Last + 1 + (isAtEnd ? this->Padding : 0) - this->FirstZ;
 }
 
 //------------------------------------------------------------------------------
@@ -22,7 +27,7 @@ void VoxelLayers::Load(Index layer, RankLayer& ranks) const
 {
   const auto& dimensions = this->Image.Grid.Dimensions;
   ranks.resize(this->VoxelsInALayer());
-  const Index z = layer - this->Padding;
+  const Index z = layer + this->FirstZ;
   if (z < 0 || z >= dimensions[2])
   {
     std::fill(ranks.begin(), ranks.end(), 0);
@@ -31,7 +36,7 @@ void VoxelLayers::Load(Index layer, RankLayer& ranks) const
   const auto width = static_cast<std::size_t>(dimensions[0]);
   const auto height = static_cast<std::size_t>(dimensions[1]);
   const auto padding = static_cast<std::size_t>(this->Padding);
-  const std::size_t first = width * height * static_cast<std::size_t>(z);
+  const std::size_t first = width * height * static_cast<std::size_t>(z - this->InMemory.First);
   std::fill_n(ranks.begin(), padding * (width + 2 * padding), 0);
   Index* row = ranks.data() + padding * (width + 2 * padding);
   for (std::size_t y = 0; y < height; ++y, row += width + 2 * padding)

@@ -24,7 +24,9 @@ using RankLayer = LargeArray<Index>;
 class VoxelLayers
 {
 public:
-  VoxelLayers(const LabelImage& image, const LabelRanks& ranks, bool isPadded);
+  /// @param inMemory The layers that the image holds. Those that are not at an end of the grid get no background beyond them.
+  VoxelLayers(
+    const LabelImage& image, const LayerRange& inMemory, const LabelRanks& ranks, bool isPadded);
 
   Index Width() const { return this->Size[0]; }
   Index Height() const { return this->Size[1]; }
@@ -33,15 +35,19 @@ public:
   {
     return static_cast<std::size_t>(this->Width()) * static_cast<std::size_t>(this->Height());
   }
-  /// Coordinates of the first voxel in the image: -1 or 0.
+  /// The first two coordinates of the first voxel in the grid: -1 or 0.
   Index First() const { return -this->Padding; }
+  /// The third coordinate of the first layer in the grid.
+  Index FirstLayer() const { return this->FirstZ; }
 
   void Load(Index layer, RankLayer& ranks) const;
 
 private:
   const LabelImage& Image;
   const LabelRanks& Ranks;
+  LayerRange InMemory;
   Index Padding;
+  Index FirstZ;
   std::array<Index, 3> Size;
 };
 
