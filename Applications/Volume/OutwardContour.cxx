@@ -95,29 +95,37 @@ public:
 private:
   using Flags = std::vector<unsigned char>;
 
+  /// Of two rows.
   static std::int64_t CountDifferent(
     const unsigned char* a, const unsigned char* b, std::size_t count)
   {
-    std::int64_t different = 0;
+    std::uint32_t different = 0; // of 32 bits: vectorized
     for (std::size_t i = 0; i < count; ++i)
     {
-      different += a[i] ^ b[i];
+      different += static_cast<std::uint32_t>(a[i] ^ b[i]);
     }
     return different;
   }
 
   std::int64_t CountBetween() const
   {
-    return CountDifferent(this->IsInside.data(), this->WasInside.data(), this->Size);
+    std::int64_t count = 0;
+    for (std::size_t row = 0; row < this->Size; row += this->Width)
+    {
+      count +=
+        CountDifferent(this->IsInside.data() + row, this->WasInside.data() + row, this->Width);
+    }
+    return count;
   }
 
   std::int64_t CountInLayer() const
   {
-    const unsigned char* const flags = this->IsInside.data();
-    std::int64_t count = CountDifferent(flags, flags + this->Width, this->Size - this->Width);
+    std::int64_t count = 0;
     for (std::size_t row = 0; row < this->Size; row += this->Width)
     {
-      count += CountDifferent(flags + row, flags + row + 1, this->Width - 1);
+      const unsigned char* const flags = this->IsInside.data() + row;
+      count += CountDifferent(flags, flags + 1, this->Width - 1);
+      count += row > 0 ? CountDifferent(flags, flags - this->Width, this->Width) : 0;
     }
     return count;
   }

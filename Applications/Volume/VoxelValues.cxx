@@ -7,8 +7,10 @@
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 namespace bonedecimate::volume
 {
@@ -73,19 +75,23 @@ void ValueSurvey::AddValues(
 template <typename Value>
 void ValueSurvey::FindRange(const Value* begin, const Value* end)
 {
+  Value least = std::numeric_limits<Value>::max();
+  Value largest = std::numeric_limits<Value>::lowest();
   for (const Value* value = begin; value != end; ++value)
   {
-    const auto number = static_cast<double>(*value);
-    if (std::isfinite(number))
+    if constexpr (std::is_floating_point_v<Value>)
     {
-      this->Least = number < this->Least ? number : this->Least;
-      this->Largest = number > this->Largest ? number : this->Largest;
+      if (!std::isfinite(*value))
+      {
+        ++this->NotFinite;
+        continue;
+      }
     }
-    else
-    {
-      ++this->NotFinite;
-    }
+    least = *value < least ? *value : least;
+    largest = *value > largest ? *value : largest;
   }
+  this->Least = std::min(this->Least, static_cast<double>(least));
+  this->Largest = std::max(this->Largest, static_cast<double>(largest));
 }
 
 template <typename Value>
@@ -95,6 +101,10 @@ void ValueSurvey::FindLabels(const Value* begin, const Value* end)
   this->OfLabel.resize(LargestLabel + 1);
   for (const Value* value = begin; this->MayBeLabels && value != end; ++value)
   {
+    if (value != begin && *value == *(value - 1))
+    {
+      continue;
+    }
     this->MayBeLabels = IsLabel(*value);
     if (this->MayBeLabels && !this->Occurs[IndexOf(*value)])
     {
@@ -112,11 +122,15 @@ void ValueSurvey::CountPairs(const Value* row, const Value* neighbors, vtkIdType
   {
     const std::size_t a = IndexOf(row[x]);
     const std::size_t b = IndexOf(neighbors[x]);
-    if (a > 0 && a == b)
+    if (a == 0 || b == 0)
+    {
+      continue;
+    }
+    if (a == b)
     {
       ++this->OfLabel[a].Equal;
     }
-    else if (a > 0 && b > 0)
+    else
     {
       ++this->OfLabel[a].Different;
       ++this->OfLabel[b].Different;
