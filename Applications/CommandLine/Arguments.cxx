@@ -174,6 +174,9 @@ void AddCommonFlags(CLI::App& app, Arguments& arguments)
     "Draw before, after and the distances as colors into a PNG. If it cannot be drawn everything "
     "else is written and the program ends with 3; for --page alone it is a warning.");
   AddQuiet(app, arguments.Quiet);
+  app.add_flag("--progress", arguments.ShowsProgress,
+    WrappedHelp("Show the phase of the run and the time left, also where the error output is no "
+                "terminal: a line every 10 %."));
 }
 
 void AddBatchFlags(CLI::App& app, Arguments& arguments)

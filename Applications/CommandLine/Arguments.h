@@ -55,8 +55,9 @@ struct Arguments
   /// @}
 
   bool Quiet = false;
-  bool HasTags = false;    ///< Called by 3D Slicer: progress in tags, every option given.
-  bool ThesisForm = false; ///< Always one bone.
+  bool ShowsProgress = false; ///< Also where the error output is no terminal.
+  bool HasTags = false;       ///< Called by 3D Slicer: progress in tags, every option given.
+  bool ThesisForm = false;    ///< Always one bone.
 };
 
 /// Adds the options of a decimation and its positional files.

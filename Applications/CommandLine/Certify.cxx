@@ -114,8 +114,8 @@ public:
     this->Filter->SetMeasureMeans(!this->Requested.WithoutMeans);
     this->Filter->SetMeanPrecision(this->Requested.Precision);
     this->Filter->SetNumberOfThreads(this->Requested.Threads);
-    const VtkMessages messages =
-      UpdateFilter(this->Filter, this->Requested.Quiet ? Progress::Hidden : Progress::Bar);
+    const VtkMessages messages = UpdateFilter(
+      this->Filter, this->Requested.Quiet ? Progress::Hidden : Progress::Bar, "proving");
     const std::string problem = this->Filter->GetReportText("problem");
     if (!messages.Errors.empty() || !problem.empty())
     {

@@ -98,8 +98,8 @@ public:
     {
       this->Filter->AddError(error);
     }
-    const VtkMessages messages =
-      UpdateFilter(this->Filter, this->Requested.Quiet ? Progress::Hidden : Progress::Bar);
+    const VtkMessages messages = UpdateFilter(
+      this->Filter, this->Requested.Quiet ? Progress::Hidden : Progress::Bar, "searching");
     AcceptMessages(messages, this->Requested.Files[0], this->Warnings);
   }
 

@@ -23,15 +23,16 @@ MillimeterSurface ReadInput(
   return loaded;
 }
 
-VtkMessages UpdateFilter(vtkAlgorithm* filter, Progress progress)
+VtkMessages UpdateFilter(vtkAlgorithm* filter, Progress progress, const std::string& phase)
 {
+  ProgressDisplay display(progress);
+  display.Begin(phase);
   vtkNew<ProgressBar> bar;
-  bar->SetShown(progress != Progress::Hidden);
-  bar->SetTags(progress == Progress::Tags);
+  bar->SetDisplay(&display);
   const unsigned long observer = filter->AddObserver(vtkCommand::ProgressEvent, bar);
   TakeVtkMessages();
   filter->Update();
-  bar->Clear();
+  display.Clear();
   filter->RemoveObserver(observer);
   StopIfInterrupted();
   return TakeVtkMessages();

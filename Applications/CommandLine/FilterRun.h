@@ -8,6 +8,7 @@
 #define BoneDecimate_Applications_FilterRun_h
 
 #include "LengthUnit.h"
+#include "ProgressDisplay.h"
 #include "VtkMessages.h"
 
 #include "vtkAlgorithm.h"
@@ -17,23 +18,18 @@
 
 namespace bonedecimate
 {
-enum class Progress
-{
-  Hidden,
-  Bar, ///< On a terminal only.
-  Tags ///< Those of 3D Slicer.
-};
-
 /// Reads a surface and appends what the reader warns of. @throws Failure(ExitCode::InputRejected)
 MillimeterSurface ReadInput(
   const std::string& path, const LengthUnit& unit, std::vector<std::string>& warnings);
 
 /**
  * Updates a filter.
+ * @param phase "simplifying": what the display calls it.
  * @returns The messages of VTK during the update.
  * @throws Failure(ExitCode::Interrupted)
  */
-VtkMessages UpdateFilter(vtkAlgorithm* filter, Progress progress);
+VtkMessages UpdateFilter(
+  vtkAlgorithm* filter, Progress progress, const std::string& phase = "processing");
 
 /**
  * Appends the warnings.

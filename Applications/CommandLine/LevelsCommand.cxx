@@ -188,7 +188,7 @@ private:
   /// @param source The file that an error is about.
   void Update(const std::string& source, Progress progress)
   {
-    AcceptMessages(UpdateFilter(this->Filter, progress), source, this->Warnings);
+    AcceptMessages(UpdateFilter(this->Filter, progress, "simplifying"), source, this->Warnings);
   }
 
   void WriteLevel(int triangles, double error, std::list<StagedFile>& files)

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ProgressBar.h
- * @brief A bar on a terminal, nothing in a pipe, or 3D Slicer's tags. An interruption aborts the algorithm here.
+ * @brief Shows the progress of an algorithm, which is aborted here after an interruption.
  */
 #ifndef BoneDecimate_Applications_ProgressBar_h
 #define BoneDecimate_Applications_ProgressBar_h
+
+#include "ProgressDisplay.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
@@ -18,22 +20,14 @@ public:
   static ProgressBar* New() { return new ProgressBar; }
   vtkTypeMacro(ProgressBar, vtkCommand);
 
-  /// @param shown Whether to show it; it needs a terminal, too.
-  void SetShown(bool shown);
-
-  /// Tags instead of a bar, whatever the output is.
-  void SetTags(bool tags) { this->Tags = tags; }
+  /// @param display Null: nothing is shown.
+  void SetDisplay(ProgressDisplay* display) { this->Display = display; }
 
   /// Tells the algorithm to abort once the program was interrupted.
   void Execute(vtkObject* caller, unsigned long event, void* callData) override;
 
-  /// Takes the bar away.
-  void Clear();
-
 private:
-  bool Shown = false;
-  bool Tags = false;
-  int Percent = -1;
+  ProgressDisplay* Display = nullptr;
 };
 }
 

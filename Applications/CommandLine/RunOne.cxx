@@ -38,6 +38,14 @@ namespace bonedecimate
 {
 namespace
 {
+Progress ProgressOf(const Arguments& arguments)
+{
+  return arguments.HasTags    ? Progress::Tags
+    : arguments.Quiet         ? Progress::Hidden
+    : arguments.ShowsProgress ? Progress::Lines
+                              : Progress::Bar;
+}
+
 /// One run; the steps are in the order of RunOne().
 class BoneRun
 {
@@ -57,6 +65,8 @@ public:
   void Read()
   {
     const StageClock watch;
+    ProgressDisplay display(ProgressOf(this->Requested));
+    display.Begin("reading");
     if (this->Requested.Segments.IsRequested())
     {
       const SegmentSurfaces segments = ExtractSegments(this->Requested, this->Subject.Warnings);
@@ -110,10 +120,8 @@ public:
       this->Path, this->Input, this->Filter, this->Subject.Warnings);
     this->Filter->SetMeasureInputDistances(this->WantsDistances());
     this->Filter->SetInputData(this->InputBeforeRounding());
-    const VtkMessages messages = UpdateFilter(this->Filter,
-      this->Requested.HasTags   ? Progress::Tags
-        : this->Requested.Quiet ? Progress::Hidden
-                                : Progress::Bar);
+    const VtkMessages messages =
+      UpdateFilter(this->Filter, ProgressOf(this->Requested), "simplifying");
     this->AcceptProof(messages);
     this->RequireTriangles(messages);
     AcceptMessages(messages, this->Path, this->Subject.Warnings);
@@ -123,6 +131,8 @@ public:
   void WriteSurfaces(OutputFiles& files)
   {
     const StageClock watch;
+    ProgressDisplay display(ProgressOf(this->Requested));
+    display.Begin("writing");
     for (StagedFile& file : files.Surfaces)
     {
       const vtkSmartPointer<vtkPolyData> readBack =

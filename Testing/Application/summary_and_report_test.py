@@ -109,13 +109,26 @@ class SummaryAndReport(ApplicationTest):
 
     def test_progress_bar_on_a_terminal_only(self):
         write(torus(200, 200), self.path("large.ply"))
-        self.assertNotRegex(self.succeed("large.ply", "out.vtp").stdout, "[\r#]")
-        self.assertRegex(self.on_terminal("large.ply", "out.vtp"), r"\r\[#+ +\] +\d+ %")
+        done = self.succeed("large.ply", "out.vtp")
+        self.assertNotRegex(done.stdout + done.stderr, "[\r#]")
+        text = self.on_terminal("large.ply", "out.vtp")
+        self.assertRegex(text, r"\rsimplifying \[#+ +\] +\d+ %")
+        self.assertRegex(text, r"\rreading .*\rsimplifying .*\rwriting ")
         self.assertNotIn("#", self.on_terminal("large.ply", "out.vtp", "--quiet"))
+
+    def test_progress_on_request_without_a_terminal(self):
+        write(torus(100, 100), self.path("large.ply"))
+        done = self.run_program("large.ply", "out.vtp", "--progress")
+        self.assertEqual(done.returncode, DONE)
+        percents = [int(one) for one in re.findall(r"(?m)^simplifying: (\d+) %", done.stderr)]
+        self.assertEqual((percents[0], sorted(set(percents))), (0, percents))
+        self.assertLessEqual(len(percents), 11)
+        self.assertNotIn("simplifying", done.stdout)
+        self.assertEqual(self.succeed("large.ply", "out.vtp", "--progress", "--quiet").stderr, "")
 
     def on_terminal(self, *words):
         ours, theirs = pty.openpty()
-        process = subprocess.Popen([PROGRAM, *words], cwd=self.folder, stdout=theirs)
+        process = subprocess.Popen([PROGRAM, *words], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=theirs)
         os.close(theirs)
         text = b""
         try:
