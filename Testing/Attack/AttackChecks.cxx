@@ -5,6 +5,7 @@
 #include "BruteForce.h"
 #include "Certificate/Certificate.h"
 #include "Crossings.h"
+#include "Mesh/SurfaceAssembly.h"
 #include "VoxelOracle.h"
 
 #include <algorithm>
@@ -143,7 +144,8 @@ void RoundToSingle(Surface& surface)
 {
   for (Vector3& p : surface.Points)
   {
-    p = p.cast<float>().cast<double>();
+    p = RoundedToSingle(
+      p); // gcc 12 leaves some coordinates as they are where they are cast there and back
   }
 }
 

@@ -4,6 +4,7 @@
 #include "Input/VoxelGridSearch.h"
 
 #include "LabelShapes.h"
+#include "Mesh/SurfaceAssembly.h"
 #include "Random.h"
 #include "Shapes.h"
 #include "Smoothing/Smoothing.h"
@@ -21,7 +22,7 @@ Surface InSinglePrecision(Surface surface, const Vector3& offset)
 {
   for (Vector3& p : surface.Points)
   {
-    p = (p + offset).cast<float>().cast<double>();
+    p = RoundedToSingle(p + offset);
   }
   return surface;
 }

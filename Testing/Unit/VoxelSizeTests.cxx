@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The voxel size of a surface, and the error presets.
 #include "Input/VoxelSize.h"
+#include "Mesh/SurfaceAssembly.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +41,7 @@ Surface CutsOfAGrid(const Vector3& spacing, const Vector3& origin)
           if (t >= 0.0 && t < 1.0)
           {
             const Vector3 position = a + t * (b - a);
-            surface.Points.emplace_back(position.cast<float>().cast<double>());
+            surface.Points.push_back(RoundedToSingle(position));
           }
         }
       }
