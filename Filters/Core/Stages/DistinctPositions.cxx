@@ -32,6 +32,20 @@ std::vector<std::array<int, 3>> StepsAround()
   return steps;
 }
 
+/// The nearest coordinate beside it that a vertex can have and that is written as another number, mm. Near 0 single precision is
+/// finer than positions relative to the local origin; denormal numbers are left out, because many programs read them as 0.
+float Beside(float from, int step, double origin)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double local = std::abs(from - origin);
+  const double least = std::max<double>(
+    2.0 * (std::nextafter(local, infinity) - local), std::numeric_limits<float>::min());
+  const float next = std::nextafter(from, static_cast<float>(step * infinity));
+  return std::abs(static_cast<double>(next) - from) < least
+    ? static_cast<float>(from + step * least)
+    : next;
+}
+
 class DistinctPositions
 {
 public:
@@ -85,8 +99,12 @@ private:
   /// The position as it is written.
   RoundedPosition RoundedPositionOf(VertexId v) const
   {
-    const Vector3 p =
-      OutputPosition(this->Input, this->Clean, v, this->MeshEditor.Mesh().Position(v), true);
+    return this->WrittenAt(v, this->MeshEditor.Mesh().Position(v));
+  }
+
+  RoundedPosition WrittenAt(VertexId v, const Vector3& position) const
+  {
+    const Vector3 p = OutputPosition(this->Input, this->Clean, v, position, true);
     return { static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]) };
   }
 
@@ -110,21 +128,22 @@ private:
     return std::any_of(steps.begin(), steps.end(),
       [&](const std::array<int, 3>& step)
       {
-        RoundedPosition to = from;
+        Vector3 to(from[0], from[1], from[2]);
         for (std::size_t k = 0; k < 3; ++k)
         {
-          const float far = std::numeric_limits<float>::infinity();
-          to[k] = step[k] == 0 ? from[k] : std::nextafter(from[k], step[k] < 0 ? -far : far);
+          const auto axis = static_cast<Eigen::Index>(k);
+          to[axis] = step[k] == 0 ? to[axis] : Beside(from[k], step[k], this->Clean.Origin[axis]);
         }
-        const bool moved = this->Taken.count(to) == 0 && this->Move(v, to);
-        return moved && this->Taken.emplace(to, v).second;
+        return this->Move(v, to) && this->Taken.emplace(this->RoundedPositionOf(v), v).second;
       });
   }
 
-  bool Move(VertexId v, const RoundedPosition& to)
+  /// Unless it would be written where another one is.
+  bool Move(VertexId v, const Vector3& to)
   {
-    const Vector3 position = Vector3(to[0], to[1], to[2]) - this->Clean.Origin;
-    return this->MeshEditor.Move(v, position, this->Space, 1).IsAccepted();
+    const Vector3 position = to - this->Clean.Origin;
+    return this->Taken.count(this->WrittenAt(v, position)) == 0 &&
+      this->MeshEditor.Move(v, position, this->Space, 1).IsAccepted();
   }
 
   Editor& MeshEditor;
