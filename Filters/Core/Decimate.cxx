@@ -4,6 +4,7 @@
 
 #include "Cost/AutomaticTolerance.h"
 #include "Input/LabelMapInput.h"
+#include "Input/PartInput.h"
 #include "Input/PrepareInput.h"
 #include "Input/VoxelSize.h"
 #include "Mesh/SurfaceAssembly.h"
@@ -37,7 +38,8 @@ constexpr double ExtractionFraction = 0.005;
 
 bool EndsWithProof(const RunTask& task)
 {
-  return WantsProof(task.Effective, task.Inputs.Tolerances != nullptr);
+  return !ContinuesEarlierRun(task.Inputs) &&
+    WantsProof(task.Effective, task.Inputs.Tolerances != nullptr);
 }
 
 RunTask TaskOf(
@@ -94,32 +96,6 @@ std::optional<VoxelGuardSettings> VoxelSettings(const RunTask& task, const Prepa
   return settings;
 }
 
-/// Of each vertex of the mesh: whether other parts have it, too. Empty: none.
-std::vector<char> SharedVertices(const RunTask& task, const CleanSurface& clean)
-{
-  std::vector<char> isShared;
-  const SurfacePart* part = task.Inputs.Part;
-  if (part == nullptr || part->IsShared.empty())
-  {
-    return isShared;
-  }
-  isShared.resize(clean.Surface.Points.size(), 0);
-  for (std::size_t i = 0; i < part->IsShared.size(); ++i)
-  {
-    const Index point = clean.PointOfInput[i];
-    if (point != None && part->IsShared[i] != 0)
-    {
-      isShared[static_cast<std::size_t>(point)] = 1;
-    }
-  }
-  const std::vector<Index>& originals = clean.ManifoldPatches.OriginalVertices;
-  for (std::size_t v = 0; v < originals.size(); ++v)
-  {
-    isShared[v] = isShared[static_cast<std::size_t>(originals[v])];
-  }
-  return isShared;
-}
-
 /// After an abort, leaves out what only edits need.
 EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepared, bool isAborted)
 {
@@ -136,8 +112,10 @@ EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepar
     settings.CollapsesFeatureCurves = CollapsesFeatureCurves(task.Inputs);
     settings.Voxels = VoxelSettings(task, prepared);
     settings.Tolerances = prepared.VertexTolerances;
-    settings.IsConstrained = SharedVertices(task, prepared.Cleaned);
+    settings.IsConstrained = SharedVertices(task.Inputs.Part, prepared.Cleaned);
     settings.Bound = BoundSettings(task, prepared);
+    settings.Reference = prepared.Original.get();
+    settings.EditZone = EditZoneOf(task.Inputs.Part, prepared.Cleaned);
     settings.GuardsIntersections = task.Effective.BoundsError() && task.Effective.IntersectionGuard;
     // Otherwise points that rounding would merge are separated, by no more than rounding.
     settings.GuardsGaps = !task.Effective.KeepsAllTriangles();

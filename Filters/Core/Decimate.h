@@ -18,6 +18,7 @@
 #ifndef BoneDecimate_Core_Decimate_h
 #define BoneDecimate_Core_Decimate_h
 
+#include "Geometry/Zone.h"
 #include "Input/Labels.h"
 #include "LabelMap/VoxelGrid.h"
 #include "Levels/EditLog.h"
@@ -27,6 +28,7 @@
 #include "Surface.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace bonedecimate
@@ -77,6 +79,14 @@ struct SurfacePart
   /// mm, of each input point: where SmoothOnly has put it, of the whole surface. Edits start there and are proved against the
   /// input. Empty: nowhere. Otherwise the options must not smooth.
   std::vector<Vector3> SmoothedPoints;
+  /// Where edits are allowed, mm; none: everywhere. New positions are inside, and vertices outside may only stay.
+  std::optional<Zone> EditZone = {};
+  /// The original of a part that is itself a result: the largest error then refers to it. It must have all that is within that
+  /// error of what may change, and the part all that is near it. Null: the input. Not with smoothed points or tolerances; the run
+  /// ends without a certificate, because both surfaces end somewhere else.
+  const Surface* Reference = nullptr;
+  const LabelMapSource* ReferenceLabels =
+    nullptr; ///< Pairs of labels of its triangles; null: none.
 };
 
 class RegionCache;

@@ -46,7 +46,7 @@ public:
   {
     BucketSweep(this->MeshEditor, { this->Original.NumberOfFaces() / divisor, 0.0 }, 1).Run(GoOn);
     this->Back.Begin(this->MeshEditor.Mesh(), 1, GoOn);
-    this->Fit.Distribute(this->MeshEditor.Mesh(), this->MeshEditor.Reference(), 1, GoOn);
+    this->Fit.Distribute(this->MeshEditor.Mesh(), this->MeshEditor.CurrentVertices(), 1, GoOn);
     this->MeshEditor.DistributeVolumeBudget();
   }
 

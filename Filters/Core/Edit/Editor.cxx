@@ -3,6 +3,8 @@
 #include "Editor.h"
 
 #include "Draft.h"
+#include "EditFilters/ZoneFilter.h"
+#include "ErrorBound/StartProof.h"
 #include "Geometry/TriangleGeometry.h"
 #include "Intersections/IntersectionGuard.h"
 #include "Mesh/ManifoldPatches.h"
@@ -45,6 +47,7 @@ Editor::Editor(const CleanSurface& clean, const EditorSettings& settings)
 Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSettings& settings,
   const Monitor& monitor)
   : Half(std::move(mesh))
+  , Continued(settings.Reference)
   , KeepsQuadrics(settings.KeepsQuadrics)
   , Source(clean, settings.RecordsDistances)
 {
@@ -70,10 +73,10 @@ Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSetting
     this->First = std::make_unique<HalfEdgeMesh>(this->Half);
   }
   this->AddFilters(settings, monitor);
-  if (!(settings.Tolerances.empty() && settings.IsConstrained.empty()) && goesOn())
+  const std::vector<char> others = this->NearUnproved(settings.IsConstrained);
+  if (!(settings.Tolerances.empty() && others.empty()) && goesOn())
   {
-    this->ConstrainedVertices =
-      this->ConstrainVertices(settings.Tolerances, settings.IsConstrained);
+    this->ConstrainedVertices = this->ConstrainVertices(settings.Tolerances, others);
   }
   if (settings.CollapsesFeatureCurves && goesOn())
   {
@@ -129,6 +132,10 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
       });
     this->Filters.push_back(this->Guard);
   }
+  if (settings.EditZone)
+  {
+    this->Filters.push_back(std::make_shared<ZoneFilter>(*settings.EditZone));
+  }
   this->Filters.insert(
     this->Filters.end(), settings.MoreFilters.begin(), settings.MoreFilters.end());
   if (settings.RecordsEdits)
@@ -155,10 +162,70 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
 void Editor::AddErrorBound(const EditorSettings& settings)
 {
   ErrorBoundSettings bound = *settings.Bound;
-  bound.Tolerances = settings.Tolerances.empty() ? nullptr : &settings.Tolerances;
-  this->Bound =
-    std::make_shared<ErrorBound>(this->BoundedMesh(), this->Source.Tree(settings.Threads), bound);
+  if (this->Continued != nullptr)
+  {
+    this->Bound = std::make_shared<ErrorBound>(*this->Continued, this->Half, bound);
+    this->Unproved = ProveStart(*this->Bound, *this->Continued, this->Half,
+      settings.EditZone ? &*settings.EditZone : nullptr, settings.Threads);
+  }
+  else
+  {
+    bound.Tolerances = settings.Tolerances.empty() ? nullptr : &settings.Tolerances;
+    this->Bound =
+      std::make_shared<ErrorBound>(this->BoundedMesh(), this->Source.Tree(settings.Threads), bound);
+  }
   this->Filters.push_back(this->Bound);
+}
+
+//------------------------------------------------------------------------------
+std::vector<Index> Editor::CurrentVertices() const
+{
+  std::vector<Index> current = this->Source.CurrentVertices();
+  if (this->Continued == nullptr)
+  {
+    return current;
+  }
+  std::vector<Index> ofReference = this->Continued->NearVertex;
+  for (Index& vertex : ofReference)
+  {
+    vertex = current[vertex];
+  }
+  return ofReference;
+}
+
+//------------------------------------------------------------------------------
+/// Adds the corners of faces that may be what a triangle of the reference is near to, although this was not proved.
+/// @param constrained Of each vertex; empty: none.
+std::vector<char> Editor::NearUnproved(std::vector<char> constrained) const
+{
+  constrained.resize(this->Unproved.empty()
+      ? constrained.size()
+      : static_cast<std::size_t>(this->Half.NumberOfVertexSlots()),
+    0);
+  for (const FaceId triangle : this->Unproved)
+  {
+    double squaredReach = 0.0;
+    Vector3 middle = Vector3::Zero();
+    for (const Index corner : this->Continued->Mesh.Corners(triangle))
+    {
+      middle += this->Continued->Mesh.Position(corner) / 3.0;
+    }
+    for (const Index corner : this->Continued->Mesh.Corners(triangle))
+    {
+      const double reach =
+        (this->Continued->Mesh.Position(corner) - middle).norm() + this->LimitAt(corner);
+      squaredReach = std::max(squaredReach, reach * reach);
+    }
+    this->Source.Tree().VisitNear(middle, squaredReach,
+      [&](Index face)
+      {
+        for (const Index corner : this->Half.Corners(face))
+        {
+          constrained[corner] = 1;
+        }
+      });
+  }
+  return constrained;
 }
 
 //------------------------------------------------------------------------------

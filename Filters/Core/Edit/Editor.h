@@ -62,12 +62,29 @@ public:
   Editor(CleanSurface&&, const EditorSettings&) = delete;
   ~Editor();
 
-  /// The mesh before the first edit, smoothed; only with KeepsInitialMesh or an error bound.
-  const HalfEdgeMesh& InitialMesh() const { return *this->First; }
-  /// The mesh that the error bound refers to: the one before the first edit, not smoothed; only with an error bound.
+  /// What the result is to be like: the mesh before the first edit, smoothed, or the reference; only with KeepsInitialMesh or
+  /// an error bound.
+  const HalfEdgeMesh& InitialMesh() const
+  {
+    return this->Continued != nullptr ? this->Continued->Mesh : *this->First;
+  }
+  /// The mesh that the error bound refers to: the one before the first edit, not smoothed, or the reference; only with an error
+  /// bound.
   const HalfEdgeMesh& BoundedMesh() const
   {
-    return this->Unsmoothed ? *this->Unsmoothed : *this->First;
+    return this->Unsmoothed ? *this->Unsmoothed : this->InitialMesh();
+  }
+  /// Of its triangles.
+  const BoundingTree& BoundedTree(int threads = 1) const
+  {
+    return this->Continued != nullptr ? this->Continued->Tree : this->Source.Tree(threads);
+  }
+  /// Of each vertex of InitialMesh() the vertex of the mesh into which it was merged, or one near it.
+  std::vector<Index> CurrentVertices() const;
+  /// Of each vertex of the mesh a triangle of InitialMesh() near it; null: they have the same vertices.
+  const std::vector<Index>* NearInitial() const
+  {
+    return this->Continued != nullptr ? &this->Continued->NearTriangle : nullptr;
   }
   /// How many vertices are constrained because of their own tolerance; duplicates count once.
   Index NumberOfConstrainedVertices() const { return this->ConstrainedVertices; }
@@ -179,6 +196,7 @@ private:
   void TakeSmoothedPositions(const std::vector<Vector3>& positions);
   void AddErrorBound(const EditorSettings& settings);
   Index ConstrainVertices(const std::vector<double>& tolerances, const std::vector<char>& others);
+  std::vector<char> NearUnproved(std::vector<char> constrained) const;
   Vector3 Rounded(const Vector3& position) const;
   ProposedEdit& Propose(
     const Edit& edit, VertexId vertex, double volumeChange, Workspace& work, int workers) const;
@@ -208,6 +226,8 @@ private:
   HalfEdgeMesh Half;
   std::unique_ptr<const HalfEdgeMesh> First;
   std::unique_ptr<const HalfEdgeMesh> Unsmoothed; // for the error bound; null: First
+  const ReferenceMesh* Continued;                 // null: the mesh is the original
+  std::vector<Index> Unproved;                    // triangles of the reference
   std::optional<FaceAreas> FaceGeometry;
   bool KeepsQuadrics;
   Original Source;

@@ -36,8 +36,8 @@ bool Editor::BeginDraft(int threads)
   {
     if (filter == this->Bound)
     {
-      this->Filters.push_back(std::make_shared<DraftFilter>(
-        *this->Bound, this->Half, this->Source.CurrentVertices(), threads));
+      this->Filters.push_back(
+        std::make_shared<DraftFilter>(*this->Bound, this->Half, this->CurrentVertices(), threads));
     }
     else if (filter != this->Guard)
     {
@@ -87,7 +87,7 @@ bool Editor::EndDraft(int threads, const Monitor& monitor)
 std::vector<Index> Editor::FindRejectedEdits(BulkProof& proof, int threads)
 {
   const EditJournal& journal = *this->Drafted->Journal;
-  std::vector<Index> edits = proof.FindFailures(this->Source.CurrentVertices());
+  std::vector<Index> edits = proof.FindFailures(this->CurrentVertices());
   if (edits.empty() && this->Guard)
   {
     edits = this->Guard->FindRejected(

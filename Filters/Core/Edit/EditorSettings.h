@@ -9,6 +9,8 @@
 
 #include "EditFilters/EditFilter.h"
 #include "ErrorBound/ErrorBound.h"
+#include "Geometry/Zone.h"
+#include "Reference/ReferenceMesh.h"
 #include "VoxelGuard/VoxelGuard.h"
 
 #include <memory>
@@ -44,6 +46,11 @@ struct EditorSettings
   /// mm from the local origin, of each vertex of the mesh: where edits start from. The error bound and the distances recorded
   /// refer to the mesh as it was made; everything else sees these positions. Empty: vertices are where the mesh has them.
   std::vector<Vector3> SmoothedPositions = {};
+  /// The original that the error bound refers to, if the mesh is itself a result. It must outlive the editor. Only with a Bound,
+  /// without Tolerances and SmoothedPositions. Null: the mesh.
+  const ReferenceMesh* Reference = nullptr;
+  /// Where edits are allowed, mm from the local origin; none: everywhere.
+  std::optional<Zone> EditZone = {};
   /// Run after the editor's own filters.
   std::vector<std::shared_ptr<EditFilter>> MoreFilters = {};
   int Threads = 1; ///< For the construction.

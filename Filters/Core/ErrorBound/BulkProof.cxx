@@ -84,18 +84,7 @@ std::vector<Index> BulkProof::FindFailures(const std::vector<Index>& current)
   this->ProveFaces();
   const std::vector<char> originals = this->OriginalsToProve();
   this->FindNear(originals, current);
-  ForEachChunk(originals.size(), this->Threads, {},
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      CommonFaceProof proof;
-      for (std::size_t i = first; i < last; ++i)
-      {
-        if (originals[i] != 0)
-        {
-          this->Coverings[i] = this->Prove(static_cast<Index>(i), proof);
-        }
-      }
-    });
+  this->ProveOriginals(originals);
   std::vector<Index> edits;
   for (FaceId face = 0; face < this->Mesh.NumberOfFaceSlots(); ++face)
   {
@@ -163,6 +152,23 @@ std::vector<char> BulkProof::OriginalsToProve() const
     originals[i] = hasChanged || !covering.IsProved ? 1 : 0;
   }
   return originals;
+}
+
+//------------------------------------------------------------------------------
+void BulkProof::ProveOriginals(const std::vector<char>& originals)
+{
+  ForEachChunk(originals.size(), this->Threads, {},
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      CommonFaceProof proof;
+      for (std::size_t i = first; i < last; ++i)
+      {
+        if (originals[i] != 0)
+        {
+          this->Coverings[i] = this->Prove(static_cast<Index>(i), proof);
+        }
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -246,8 +252,9 @@ BulkProof::Covering BulkProof::CoveringAtFirst(Index original) const
 //------------------------------------------------------------------------------
 bool BulkProof::IsAsAtFirst(const Covering& covering) const
 {
-  return std::none_of(covering.Faces.begin(), covering.Faces.begin() + covering.Count,
-    [this](Index face) { return this->Journal.IsChanged(face); });
+  return covering.Count > 0 &&
+    std::none_of(covering.Faces.begin(), covering.Faces.begin() + covering.Count,
+      [this](Index face) { return this->Journal.IsChanged(face); });
 }
 
 //------------------------------------------------------------------------------
@@ -381,20 +388,5 @@ Index BulkProof::LastEditAt(Index original, const std::vector<Index>& current) c
     std::for_each(covering.Faces.begin(), covering.Faces.begin() + covering.Count, look);
   }
   return last;
-}
-
-//------------------------------------------------------------------------------
-void BulkProof::WriteCoverage()
-{
-  const Index originals = this->Shared.Source.NumberOfFaceSlots();
-  this->Shared.ByFaces = Coverage(originals, this->Mesh.NumberOfFaceSlots());
-  for (Index original = 0; original < originals; ++original)
-  {
-    const Covering& covering = this->Coverings[static_cast<std::size_t>(original)];
-    for (int i = 0; i < covering.Count; ++i)
-    {
-      this->Shared.ByFaces.Add(original, covering.Faces[static_cast<std::size_t>(i)]);
-    }
-  }
 }
 }

@@ -35,6 +35,11 @@ public:
   /// @param current Of each original vertex the vertex of the mesh into which it was merged.
   std::vector<Index> FindFailures(const std::vector<Index>& current);
 
+  /// Proves these originals by the faces as they are, where none has covered any, and makes the proofs the coverage of the bound.
+  /// @return Those that are not proved.
+  std::vector<Index> CoverFirst(
+    const std::vector<char>& originals, const std::vector<Index>& current);
+
   /// Makes the proofs the coverage of the bound. There must be no failures.
   void WriteCoverage();
 
@@ -67,6 +72,7 @@ private:
   void FindChanged();
   void ProveFaces();
   std::vector<char> OriginalsToProve() const;
+  void ProveOriginals(const std::vector<char>& originals);
   void FindNear(const std::vector<char>& originals, const std::vector<Index>& current);
   NearFaces NearTo(VertexId original, const StartOfWalk& starts, VertexId vertex) const;
   Covering CoveringAtFirst(Index original) const;

@@ -47,6 +47,22 @@ ErrorBound::ErrorBound(
   }
 }
 
+ErrorBound::ErrorBound(
+  const ReferenceMesh& reference, const HalfEdgeMesh& mesh, const ErrorBoundSettings& settings)
+  : Source(reference.Mesh)
+  , Tree(reference.Tree)
+  , Settings(settings)
+  , Allowed(reference.Mesh, settings)
+  , ByFaces(reference.Mesh.NumberOfFaceSlots(), mesh.NumberOfFaceSlots())
+  , Boundaries(reference.Mesh)
+  , ByBoundaries(this->Boundaries.Count(),
+      static_cast<Index>(HalfEdgeMesh::HalfEdge(mesh.NumberOfFaceSlots(), 0)))
+  , NearestBoundary(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), None)
+  , Nearest(reference.NearTriangle)
+  , Witnesses(this->Nearest.size(), { None, None, None, None })
+{
+}
+
 ErrorBound::~ErrorBound() = default;
 
 //------------------------------------------------------------------------------

@@ -20,8 +20,10 @@
 #include "Coverage.h"
 #include "EditFilters/EditFilter.h"
 #include "ErrorLimits.h"
+#include "Geometry/Zone.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Reference/Original.h"
+#include "Reference/ReferenceMesh.h"
 #include "WorkspacePool.h"
 
 #include <array>
@@ -57,6 +59,10 @@ public:
   /// object.
   ErrorBound(
     const HalfEdgeMesh& atFirst, const BoundingTree& tree, const ErrorBoundSettings& settings);
+  /// Of a run that continues an earlier one: nothing is covered before ProveStart (StartProof.h).
+  /// @param reference Must outlive this object.  @param mesh Before the first edit. Settings must have no tolerances.
+  ErrorBound(
+    const ReferenceMesh& reference, const HalfEdgeMesh& mesh, const ErrorBoundSettings& settings);
   ~ErrorBound() override;
 
   std::shared_ptr<Pending> MakePending() override;
@@ -76,6 +82,9 @@ public:
   /// ErrorBoundSettings::Error, infinite
   /// where nothing limits, 0 where nothing may change.
   double LimitAt(VertexId vertex) const { return this->Allowed.At(vertex); }
+
+  /// Covers the boundaries of the original by those of the mesh, as ProveStart.  @return Triangles of edges that are not proved.
+  std::vector<Index> CoverBoundaries(const HalfEdgeMesh& mesh, const Zone* zone);
 
 private:
   friend class BulkProof;

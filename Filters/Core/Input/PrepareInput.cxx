@@ -8,6 +8,7 @@
 #include "Mesh/ManifoldPatches.h"
 #include "Mesh/PatchBoundaries.h"
 #include "Mesh/SpatialOrder.h"
+#include "PartInput.h"
 #include "Prune.h"
 #include "Tolerances.h"
 
@@ -182,6 +183,11 @@ PreparedInput PrepareInput(
     report.InputChecksum = Checksum(task.Input, task.Effective.NumberOfThreads);
     prepared.Mesh =
       BuildMesh(task, prepared.Cleaned, progress, progress.Stage(checkedAt, builtAt), report);
+    if (ContinuesEarlierRun(task.Inputs))
+    {
+      prepared.Original = MakeReferenceMesh(*task.Inputs.Part, prepared.Cleaned, task.Effective);
+      report.Status = prepared.Original ? report.Status : InputStatus::BadReference;
+    }
     if (const std::vector<double>* tolerances = prepared.Tolerances.Capped())
     {
       prepared.VertexTolerances = TolerancesOf(prepared.Cleaned, *tolerances);

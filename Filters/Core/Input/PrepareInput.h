@@ -20,10 +20,12 @@
 #include "Decimate.h"
 #include "Mesh/Cleaning.h"
 #include "Mesh/HalfEdgeMesh.h"
+#include "Reference/ReferenceMesh.h"
 #include "ReferenceInput.h"
 #include "RunProgress.h"
 #include "SmoothingPlan.h"
 
+#include <memory>
 #include <optional>
 
 namespace bonedecimate
@@ -72,11 +74,18 @@ struct PreparedInput
   PointTolerances Tolerances;
   std::vector<double>
     VertexTolerances; ///< mm, of each vertex of the mesh; negative: none. Empty: no vertex has one.
-  std::optional<HalfEdgeMesh> Mesh; ///< None if the input was rejected.
+  std::optional<HalfEdgeMesh> Mesh;        ///< None if the input was rejected.
+  std::unique_ptr<ReferenceMesh> Original; ///< Of a part that is itself a result; null: the input.
 
   /// Whether every vertex has a tolerance.
   bool IsLimitedEverywhere() const;
 };
+
+/// Whether the input is a part of a result, and the error bound refers to what that was made from.
+inline bool ContinuesEarlierRun(const RunInputs& inputs)
+{
+  return inputs.Part != nullptr && inputs.Part->Reference != nullptr;
+}
 
 /// Whether curves between labels are collapsed. A log cannot record it for label maps, and does not come with labels.
 bool CollapsesFeatureCurves(const RunInputs& inputs);

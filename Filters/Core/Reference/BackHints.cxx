@@ -15,7 +15,9 @@ bool BackHints::Begin(const HalfEdgeMesh& mesh, int threads, const Monitor& moni
       {
         if (mesh.Outgoing(v) != None)
         {
-          const FaceId start = HalfEdgeMesh::Face(this->Source.Outgoing(v));
+          const FaceId start = this->Starts != nullptr
+            ? FaceId((*this->Starts)[v])
+            : HalfEdgeMesh::Face(this->Source.Outgoing(v));
           this->OfVertex[v] = WalkFrom(this->Source, mesh.Position(v), start).Face;
         }
       }

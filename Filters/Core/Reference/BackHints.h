@@ -20,14 +20,18 @@ namespace bonedecimate
 class BackHints
 {
 public:
-  /// @param original The mesh before the first edit; must outlive this. Its vertex ids are those of the current mesh.
-  explicit BackHints(const HalfEdgeMesh& original)
+  /// @param original Must outlive this.  @param starts Of each vertex of the mesh an original triangle near it. Null: the original
+  /// is the mesh before the first edit, and vertices start at their own.
+  explicit BackHints(const HalfEdgeMesh& original, const std::vector<Index>* starts = nullptr)
     : Source(original)
-    , OfVertex(static_cast<std::size_t>(original.NumberOfVertexSlots()), None)
+    , Starts(starts)
+    , OfVertex(starts != nullptr ? starts->size()
+                                 : static_cast<std::size_t>(original.NumberOfVertexSlots()),
+        None)
   {
   }
 
-  /// Restarts after collapses: each vertex at its own original point. False after an abort.
+  /// Restarts after collapses: each vertex where it starts. False after an abort.
   bool Begin(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor);
 
   PointOnMesh Find(const Vector3& p, VertexId vertex) const
@@ -59,6 +63,7 @@ public:
 
 private:
   const HalfEdgeMesh& Source;
+  const std::vector<Index>* Starts;
   std::vector<Index> OfVertex;
 };
 }

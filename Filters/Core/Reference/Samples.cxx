@@ -103,11 +103,12 @@ std::vector<float> Samples::Weights(double& all) const
 
 //------------------------------------------------------------------------------
 bool Samples::Distribute(
-  const HalfEdgeMesh& mesh, const Original& merged, int threads, const Monitor& monitor)
+  const HalfEdgeMesh& mesh, const std::vector<Index>& current, int threads, const Monitor& monitor)
 {
   const Index faces = this->Source.NumberOfFaceSlots();
   this->PerFace = this->MayBeThree && faces / ManyTriangles < mesh.NumberOfFaces() ? 3 : 1;
-  const CurrentVertices current = merged.CurrentVertices();
+  this->HasSameFaces = mesh.NumberOfFaceSlots() == faces;
+  this->Firsts.resize(static_cast<std::size_t>(std::max(faces, mesh.NumberOfFaceSlots())));
   this->All.clear();
   this->Faces.resize(current.size() + static_cast<std::size_t>(this->PerFace) * faces);
   std::fill(this->Firsts.begin(), this->Firsts.end(), None);
@@ -171,8 +172,9 @@ PointOnMesh Samples::FindNear(
     return WalkFromVertex(mesh, this->PositionOf(id), current[id]);
   }
   const Index triangle = this->TriangleOf(id);
-  const Index start =
-    mesh.IsAlive(triangle) ? triangle : this->Faces[this->Source.Corners(triangle)[0]];
+  const Index start = this->HasSameFaces && mesh.IsAlive(triangle)
+    ? triangle
+    : this->Faces[this->Source.Corners(triangle)[0]];
   return WalkFrom(mesh, this->PositionOf(id), start);
 }
 

@@ -44,8 +44,9 @@ public:
     const HalfEdgeMesh& original, bool mayBeThree = true, std::vector<float> limits = {});
 
   /// Both return false after an abort; the lists are unusable then.
-  bool Distribute(
-    const HalfEdgeMesh& mesh, const Original& merged, int threads, const Monitor& monitor);
+  /// @param current Of each original vertex the vertex of the mesh into which it was merged, or one near it.
+  bool Distribute(const HalfEdgeMesh& mesh, const std::vector<Index>& current, int threads,
+    const Monitor& monitor);
   bool Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor);
 
   Index First(FaceId face) const { return this->Firsts[face]; }
@@ -110,6 +111,7 @@ private:
   Usual Measured;
   bool MayBeThree;
   std::vector<float> Limits; // mm, of each vertex
+  bool HasSameFaces = true;  // whether ids of faces are those of original triangles
   Index PerFace = 1;         // samples inside each original triangle
   std::vector<Sample> All;
   std::vector<Index> Faces;  // of each sample; valid only within Distribute and Settle

@@ -22,7 +22,7 @@ std::vector<float> LimitsOf(const Editor& editor, const HalfEdgeMesh& original)
 Refinement::Refinement(Editor& editor, const HalfEdgeMesh& original, int threads)
   : MeshEditor(editor)
   , Fit(original, !editor.HasErrorBound(), LimitsOf(editor, original))
-  , Back(original)
+  , Back(original, editor.NearInitial())
   , Threads(threads)
 {
 }
@@ -33,7 +33,7 @@ bool Refinement::Begin(const Monitor& monitor)
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   this->IsSettled = this->Back.Begin(mesh, this->Threads, PartOf(monitor, 0.0, 0.1)) &&
     this->Fit.Distribute(
-      mesh, this->MeshEditor.Reference(), this->Threads, PartOf(monitor, 0.1, 1.0));
+      mesh, this->MeshEditor.CurrentVertices(), this->Threads, PartOf(monitor, 0.1, 1.0));
   return this->IsSettled;
 }
 

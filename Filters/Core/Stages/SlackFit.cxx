@@ -45,9 +45,9 @@ SlackFit::SlackFit(const Editor& editor, const Samples& samples, const BackHints
   : MeshEditor(editor)
   , Fit(samples)
   , Back(hints)
-  , Tree(editor.Reference().Tree())
-  , Spacing(SpacingInEdges * editor.Mesh().LengthAtFirst())
-  , Grid(std::exp2(std::floor(std::log2(editor.Mesh().LengthAtFirst())) - GridBits))
+  , Tree(editor.BoundedTree())
+  , Spacing(SpacingInEdges * editor.BoundedMesh().LengthAtFirst())
+  , Grid(std::exp2(std::floor(std::log2(editor.BoundedMesh().LengthAtFirst())) - GridBits))
 {
 }
 

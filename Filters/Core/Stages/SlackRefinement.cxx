@@ -23,7 +23,7 @@ constexpr double FlippedAt = 0.2;
 SlackRefinement::SlackRefinement(Editor& editor, int threads)
   : MeshEditor(editor)
   , Fit(editor.BoundedMesh(), false, editor.Limits())
-  , Back(editor.BoundedMesh())
+  , Back(editor.BoundedMesh(), editor.NearInitial())
   , Threads(editor.HasHook() ? 1 : threads)
 {
 }
@@ -34,7 +34,7 @@ bool SlackRefinement::Begin(const Monitor& monitor)
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   this->IsSettled = this->Back.Begin(mesh, this->Threads, PartOf(monitor, 0.0, 0.1)) &&
     this->Fit.Distribute(
-      mesh, this->MeshEditor.Reference(), this->Threads, PartOf(monitor, 0.1, 1.0));
+      mesh, this->MeshEditor.CurrentVertices(), this->Threads, PartOf(monitor, 0.1, 1.0));
   return this->IsSettled;
 }
 

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Zone.h
+ * @brief What lies between two parallel planes.
+ */
+#ifndef BoneDecimate_Core_Geometry_Zone_h
+#define BoneDecimate_Core_Geometry_Zone_h
+
+#include "Surface.h"
+
+#include <algorithm>
+#include <array>
+
+namespace bonedecimate
+{
+struct Zone
+{
+  Vector3 Direction = Vector3::UnitZ(); ///< Of length 1.
+  double Low = 0.0;                     ///< mm along the direction.
+  double High = 0.0;                    ///< mm
+
+  /// Whether the position is between the planes and on neither of them.
+  bool Contains(const Vector3& position) const
+  {
+    const double along = this->Direction.dot(position);
+    return along > this->Low && along < this->High;
+  }
+
+  /// Whether a part of their convex hull is not farther than that from the zone, mm.
+  template <std::size_t Count>
+  bool MayReach(const std::array<Vector3, Count>& points, double distance) const
+  {
+    double low = this->Direction.dot(points[0]);
+    double high = low;
+    for (const Vector3& p : points)
+    {
+      const double along = this->Direction.dot(p);
+      low = std::min(low, along);
+      high = std::max(high, along);
+    }
+    return high >= this->Low - distance && low <= this->High + distance;
+  }
+};
+}
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Junction.h
+ * @brief Continues the runs of several pieces where they meet, within the error of their common original.
+ *
+ *     strip        of the results of the pieces: all triangles within JunctionReach() of the zone
+ *     original     all triangles within JunctionMargin() of the zone
+ *     run          edits start from the strip; the bound refers to the original               (SurfacePart::Reference)
+ *     stay         points outside of the zone, points of finished parts, and all triangles at them
+ *     proof        original near the zone -> new strip; triangles in the zone -> original     (Certify)
+ *
+ * What changes lies in the zone. So the distance of anything that is more than the largest error away from it is as proved before.
+ */
+#ifndef BoneDecimate_Core_Pieces_Junction_h
+#define BoneDecimate_Core_Pieces_Junction_h
+
+#include "Decimate.h"
+#include "SurfacePiece.h"
+
+namespace bonedecimate
+{
+/// mm, around the zone: the intersection guard looks four largest errors away, and both sides of a gap may move by one.
+double JunctionReach(double largestError);
+double JunctionMargin(double largestError); ///< mm
+
+struct JunctionInput
+{
+  SurfacePiece Original;
+  SurfacePiece Strip;
+  Zone EditZone;
+  std::vector<char> IsFinished; ///< Of each point of the strip, whether it stays wherever it is.
+};
+
+struct JunctionResult
+{
+  bonedecimate::Result
+    Run; ///< Its surface is the new strip, of use if the status of the report is good.
+  ProvedDistance OriginalToResult; ///< mm, of the original within the largest error of the zone.
+  ProvedDistance ResultToOriginal; ///< mm, of the triangles in the zone.
+  ProofStatus Proof{};
+};
+
+/// @param options With the largest error and without targets.  @param source Grid and labels; null: not known.
+JunctionResult DecimateJunction(const JunctionInput& input, const Options& options,
+  const LabelMapSource* source, bool inputIsSingle, const Monitor& monitor);
+}
+
+#endif
