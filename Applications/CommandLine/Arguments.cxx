@@ -7,6 +7,7 @@
 #include "FileNames.h"
 #include "HelpFormatter.h"
 #include "InputArguments.h"
+#include "MemoryArguments.h"
 #include "Options/OptionTable.h"
 #include "Options/Text.h"
 
@@ -195,6 +196,14 @@ void AddBatchFlags(CLI::App& app, Arguments& arguments)
 }
 }
 
+Progress ProgressOf(const Arguments& arguments)
+{
+  return arguments.HasTags    ? Progress::Tags
+    : arguments.Quiet         ? Progress::Hidden
+    : arguments.ShowsProgress ? Progress::Lines
+                              : Progress::Bar;
+}
+
 void AddOptionOfTable(CLI::App& app, const OptionInfo& info, const OptionReceiver& give)
 {
   if (info.Name == SmoothingForm.Option)
@@ -242,6 +251,7 @@ void AddDecimateOptions(CLI::App& app, Arguments& arguments)
     [&arguments](const std::string& flag, const std::string& text)
     { arguments.Given[flag] = text; });
   AddIntensities(app, arguments);
+  AddMemory(app, arguments);
   AddRegions(app, arguments.Regions,
     [&arguments](const std::string& all) { arguments.Given["region"] = all; });
   AddCommonFlags(app, arguments);

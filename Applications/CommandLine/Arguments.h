@@ -11,9 +11,11 @@
 #include "LabelMapArguments.h"
 #include "LengthUnit.h"
 #include "Options/OptionTable.h"
+#include "ProgressDisplay.h"
 #include "Regions.h"
 #include "SegmentArguments.h"
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -54,11 +56,15 @@ struct Arguments
   bool Force = false;
   /// @}
 
+  std::int64_t Memory = 0; ///< Bytes, of the run; 0: not limited.
   bool Quiet = false;
   bool ShowsProgress = false; ///< Also where the error output is no terminal.
   bool HasTags = false;       ///< Called by 3D Slicer: progress in tags, every option given.
   bool ThesisForm = false;    ///< Always one bone.
 };
+
+/// How a run of one bone shows its progress.
+Progress ProgressOf(const Arguments& arguments);
 
 /// Adds the options of a decimation and its positional files.
 void AddDecimateOptions(CLI::App& app, Arguments& arguments);

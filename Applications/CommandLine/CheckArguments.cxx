@@ -6,6 +6,7 @@
 
 #include "BoneVolume.h"
 #include "ExitCode.h"
+#include "MemoryArguments.h"
 #include "Options/IneffectiveOptions.h"
 #include "Options/OptionTable.h"
 #include "SegmentOutput.h"
@@ -237,6 +238,7 @@ void CheckArguments(const Arguments& arguments)
   Require(!arguments.Iso || arguments.Unit.IsMillimeter(),
     "--unit is for surfaces; a volume for --iso is in millimeters by its header");
   CheckIneffectiveOptions(arguments);
+  CheckMemory(arguments);
   CheckSegments(arguments);
   CheckLabel(arguments.LabelMap, "--label-map");
   CheckSpacing(arguments.LabelMap, FilesOf(arguments));

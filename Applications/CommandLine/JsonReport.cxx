@@ -133,6 +133,15 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
   report["command_line"] = CommandLineOf(subject);
   report["warnings"] = subject.Warnings;
   AddDeprecatedKeys(report);
+  if (subject.Slabs)
+  {
+    report["slabs"] = { { "count", subject.Slabs->Slabs },
+      { "largest_triangles", subject.Slabs->LargestSlab },
+      { "junctions", subject.Slabs->Junctions },
+      { "unproved_junctions", subject.Slabs->UnprovedJunctions },
+      { "junction_triangles", subject.Slabs->JunctionTriangles },
+      { "junction_triangles_left", subject.Slabs->JunctionTrianglesLeft } };
+  }
   if (!subject.Segments.empty())
   {
     report["segments"] = JsonOf(subject.Segments, result);

@@ -9,12 +9,14 @@
 
 #include "Arguments.h"
 #include "FileStamp.h"
+#include "Pieces/SlabRun.h"
 #include "SegmentRecord.h"
 
 #include "vtkPolyData.h"
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,7 @@ struct ReportSubject
   /// Of each surface that was written after it had been proved: see ProveWritten().
   std::map<std::string, std::string> ProvedFiles;
   std::vector<SegmentRecord> Segments; ///< Of a label map.
+  std::optional<SlabFigures> Slabs;    ///< Of a run in slabs.
   double SecondsRead = 0.0;
   double SecondsWrite = 0.0;
   double SecondsTotal = 0.0; ///< From the start to the written surface.

@@ -21,6 +21,7 @@
 #include "SegmentFiles.h"
 #include "SegmentOutput.h"
 #include "SegmentSurfaces.h"
+#include "SlabbedBone.h"
 #include "StageClock.h"
 #include "Summary.h"
 #include "SurfaceFiles.h"
@@ -38,14 +39,6 @@ namespace bonedecimate
 {
 namespace
 {
-Progress ProgressOf(const Arguments& arguments)
-{
-  return arguments.HasTags    ? Progress::Tags
-    : arguments.Quiet         ? Progress::Hidden
-    : arguments.ShowsProgress ? Progress::Lines
-                              : Progress::Bar;
-}
-
 /// One run; the steps are in the order of RunOne().
 class BoneRun
 {
@@ -382,6 +375,13 @@ private:
 
 vtkSmartPointer<vtkPolyData> RunOne(const Arguments& arguments)
 {
+  if (arguments.Memory > 0)
+  {
+    if (const vtkSmartPointer<vtkPolyData> result = RunInSlabs(arguments))
+    {
+      return result;
+    }
+  }
   BoneRun run(arguments);
   OutputFiles files(arguments);
   run.Read();

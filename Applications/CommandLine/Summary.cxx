@@ -117,6 +117,21 @@ void PrintVoxels(const ReportFields& report)
   }
 }
 
+void PrintSlabs(const ReportSubject& subject)
+{
+  if (subject.Slabs)
+  {
+    std::cout << "slabs           " << subject.Slabs->Slabs << " of up to "
+              << GroupedText(static_cast<double>(subject.Slabs->LargestSlab)) << " triangles, "
+              << subject.Slabs->Junctions << " junctions";
+    std::cout << (subject.Slabs->UnprovedJunctions > 0
+                     ? "; " + std::to_string(subject.Slabs->UnprovedJunctions) +
+                       " junctions stay as they were, without a proof"
+                     : std::string())
+              << "\n";
+  }
+}
+
 /// The segments of a label map, with the files that they have.
 void PrintSegments(const std::vector<SegmentRecord>& segments)
 {
@@ -223,6 +238,7 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
   PrintDistances(report, "input_to_output", "input to result ");
   PrintBoundaries(report);
   PrintVoxel(report);
+  PrintSlabs(subject);
   PrintSegments(subject.Segments);
   PrintParts(report);
   PrintVoxels(report);

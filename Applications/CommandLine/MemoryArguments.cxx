@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MemoryArguments.h"
+
+#include "Arguments.h"
+#include "ExitCode.h"
+#include "HelpFormatter.h"
+#include "Options/Text.h"
+#include "Pieces/SlabRun.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr std::int64_t MiB = std::int64_t(1) << 20;
+constexpr std::int64_t LeastMemory = 256 * MiB;
+/// Of a run with a bound, for each triangle of the input: measured on cortical and trabecular bone, rounded up.
+constexpr std::int64_t BytesOfATriangle = 1400;
+/// Of the program and its libraries.
+constexpr std::int64_t BytesOfTheProgram = 128 * MiB;
+/// A run in slabs divides what is left between a slab, its voxels, and the result with what junctions need.
+constexpr std::int64_t PartsOfMemory = 8;
+constexpr std::int64_t PartsOfASlab = 4;
+constexpr std::int64_t LeastTriangles = 20000;
+
+std::string MiBText(std::int64_t bytes)
+{
+  return std::to_string((bytes + MiB - 1) / MiB) + " MiB";
+}
+
+std::string WhatIsNotThere(const Arguments& arguments)
+{
+  const std::vector<std::pair<bool, const char*>> others{ { IsBatch(arguments), "several inputs" },
+    { arguments.Segments.IsRequested(), "--segments" },
+    { !arguments.Reference.empty(), "--reference" },
+    { !arguments.LabelMap.Path.empty(), "--label-map" }, { !arguments.Regions.empty(), "--region" },
+    { !arguments.Options.ToleranceArrayName.empty(), "--tolerance-array" },
+    { !arguments.Options.LabelArrayName.empty(), "--label-array" },
+    { !arguments.Heatmap.empty(), "--heatmap" }, { !arguments.Picture.empty(), "--picture" },
+    { !arguments.Page.empty(), "--page" } };
+  const auto found =
+    std::find_if(others.begin(), others.end(), [](const auto& other) { return other.first; });
+  return found == others.end() ? std::string() : found->second;
+}
+}
+
+std::optional<std::int64_t> ParseMemory(const std::string& text)
+{
+  const std::string units = "kmgt";
+  const std::size_t unit = text.empty() ? std::string::npos : units.find(LowerCase(text).back());
+  const std::optional<double> number =
+    unit == std::string::npos ? std::nullopt : ParseFinite(text.substr(0, text.size() - 1));
+  const double bytes = number ? std::ldexp(*number, 10 * (static_cast<int>(unit) + 1)) : 0.0;
+  constexpr double most = 1e18;
+  return bytes >= static_cast<double>(LeastMemory) && bytes <= most
+    ? std::optional<std::int64_t>(static_cast<std::int64_t>(bytes))
+    : std::nullopt;
+}
+
+void AddMemory(CLI::App& app, Arguments& arguments)
+{
+  app
+    .add_option_function<std::string>(
+      "--memory",
+      [&arguments](const std::string& text)
+      {
+        arguments.Memory = *ParseMemory(text);
+        arguments.Given["memory"] = text;
+      },
+      WrappedHelp(
+        "With --iso: the memory that the run may use, such as 4G (K, M, G and T are "
+        "powers of 1024; at least 256M). A volume that needs more is processed in slabs, "
+        "within the same largest error of the whole surface. Takes no numbers of triangles, "
+        "smoothing, pruning, regions, references or pictures."))
+    ->type_name("SIZE")
+    ->check(CLI::Validator(
+      [](std::string& text)
+      {
+        return ParseMemory(text) ? std::string()
+                                 : "takes a size of at least 256M such as 4G, not '" + text + "'";
+      },
+      ""));
+}
+
+void CheckMemory(const Arguments& arguments)
+{
+  if (arguments.Memory == 0)
+  {
+    return;
+  }
+  const std::string other = WhatIsNotThere(arguments);
+  if (!other.empty())
+  {
+    throw Failure(ExitCode::Usage, "--memory and " + other + " do not go together");
+  }
+  if (!arguments.Iso)
+  {
+    throw Failure(ExitCode::Usage, "--memory is for volumes, together with --iso");
+  }
+  Options options = arguments.Options;
+  options.VoxelSize =
+    options.VoxelSize > 0.0 ? options.VoxelSize : 1.0; // that of the volume is not known yet
+  const SlabRun run(options, {});
+  if (run.Status() != SlabStatus::Good)
+  {
+    throw Failure(ExitCode::Usage, "--memory: " + run.Message());
+  }
+}
+
+SlabPlan PlanSlabs(const BoneSlabs& bone, std::int64_t memory)
+{
+  const std::int64_t voxels = bone.GetBytesOfVoxels();
+  const std::int64_t layer = voxels / bone.GetNumberOfLayers();
+  const std::int64_t reader = bone.IsReadWhole() ? voxels : layer;
+  const std::int64_t rest = memory - BytesOfTheProgram - reader;
+  SlabPlan plan;
+  plan.IsWhole = bone.GetNumberOfTriangles() * BytesOfATriangle + voxels <= rest;
+  plan.Triangles = rest / PartsOfMemory * PartsOfASlab / BytesOfATriangle;
+  plan.VoxelBytes = rest / PartsOfMemory;
+  const std::int64_t least = BytesOfTheProgram + reader +
+    PartsOfMemory * std::max(2 * layer, LeastTriangles * BytesOfATriangle / PartsOfASlab);
+  if (!plan.IsWhole && memory < least)
+  {
+    plan.Problem = "--memory is too small for it: " +
+      std::string(bone.IsReadWhole()
+          ? "its format gives no single layers, so that all voxels are in memory, and"
+          : "the least slab") +
+      " needs " + MiBText(least);
+  }
+  return plan;
+}
+}

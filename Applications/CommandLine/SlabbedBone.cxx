@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SlabbedBone.h"
+
+#include "BoneSlabs.h"
+#include "ExitCode.h"
+#include "FileNames.h"
+#include "FilterOptions.h"
+#include "FilterRun.h"
+#include "Formats/FileChecks.h"
+#include "Formats/SurfaceFormat.h"
+#include "Interruption.h"
+#include "JsonReport.h"
+#include "MemoryArguments.h"
+#include "OutputFiles.h"
+#include "Pieces/SlabRun.h"
+#include "ReportFields.h"
+#include "SegmentOutput.h"
+#include "StageClock.h"
+#include "Summary.h"
+#include "SurfaceArrays.h"
+#include "SurfaceConversion.h"
+#include "SurfaceFiles.h"
+#include "WrittenProof.h"
+
+#include "vtkNew.h"
+
+#include <filesystem>
+
+namespace bonedecimate
+{
+namespace
+{
+/// One run; the steps are in the order of RunInSlabs().
+class SlabbedBone
+{
+public:
+  explicit SlabbedBone(const Arguments& arguments)
+    : Requested(arguments)
+    , Path(arguments.Inputs[0])
+    , Subject(SubjectOf(arguments, arguments.Inputs[0], arguments.Output))
+    , Display(ProgressOf(arguments))
+  {
+    this->Subject.CoordinateSystem = "LPS";
+    this->Display.Begin("counting");
+    this->Bone.emplace(this->Path, *arguments.Iso,
+      arguments.TakesLabels ? LabelPolicy::AsIntensities : LabelPolicy::Reject,
+      arguments.LabelMap.GetSpacing());
+    this->RejectIf(this->Bone->GetProblem());
+    this->Plan = PlanSlabs(*this->Bone, arguments.Memory);
+    this->RejectIf(this->Plan.Problem);
+    this->Subject.SecondsRead = this->Whole.Seconds();
+  }
+
+  bool FitsAsAWhole() const { return this->Plan.IsWhole; }
+
+  void Decimate()
+  {
+    const std::size_t slabs = this->Bone->Divide(this->Plan.Triangles, this->Plan.VoxelBytes);
+    Options options = OptionsForFiles(this->Requested);
+    options.VoxelSize = options.VoxelSize > 0.0 ? options.VoxelSize : this->Bone->GetVoxelSize();
+    const auto axis = this->Bone->GetAxis();
+    SlabInputs inputs;
+    inputs.InputIsSingle = true; // as flying edges makes them
+    SlabRun run(options, { { axis[0], axis[1], axis[2] }, this->Bone->GetBottom() }, inputs);
+    for (std::size_t i = 0; i < slabs && run.Status() == SlabStatus::Good; ++i)
+    {
+      this->Display.Begin("slab " + std::to_string(i + 1) + " of " + std::to_string(slabs));
+      this->Add(run);
+      StopIfInterrupted();
+    }
+    this->Take(run, options);
+  }
+
+  void Write(OutputFiles& files)
+  {
+    const StageClock watch;
+    this->Display.Begin("writing");
+    for (StagedFile& file : files.Surfaces)
+    {
+      this->WriteOne(file);
+    }
+    for (const SurfaceFormat* format : FormatsOfSurfaces(this->Requested))
+    {
+      const std::string loss = LossText(this->Result, *format);
+      if (!loss.empty())
+      {
+        this->Notes.push_back(loss);
+      }
+    }
+    this->Subject.OutputBytes =
+      static_cast<std::int64_t>(std::filesystem::file_size(files.Surfaces.front().GetTemporary()));
+    this->Subject.SecondsWrite = watch.Seconds();
+    this->Subject.SecondsTotal = this->Whole.Seconds();
+    if (files.Report)
+    {
+      files.Report->WriteText(ComposeJsonReport(this->Result, this->Subject));
+    }
+    this->Display.Clear();
+  }
+
+  void Tell(const std::vector<std::string>& written)
+  {
+    if (!this->Requested.Quiet)
+    {
+      PrintSummary(this->Result, this->Subject, this->Notes, written);
+    }
+  }
+
+  vtkSmartPointer<vtkPolyData> GetResult() { return this->Result; }
+
+private:
+  void RejectIf(const std::string& problem) const
+  {
+    if (!problem.empty())
+    {
+      Reject(this->Path, problem);
+    }
+  }
+
+  void Add(SlabRun& run)
+  {
+    const StageClock watch;
+    BoneSlab voxels = this->Bone->ReadNext();
+    this->RejectIf(voxels.Problem);
+    Slab slab;
+    slab.Top = voxels.Top;
+    slab.Surface = ToSurface(voxels.Surface, this->Requested.Options.NumberOfThreads).Surface;
+    voxels.Surface = nullptr;
+    this->Subject.SecondsRead += watch.Seconds();
+    run.Add(std::move(slab),
+      [this](double fraction)
+      {
+        this->Display.Show(fraction);
+        return !IsInterrupted();
+      });
+  }
+
+  void Take(SlabRun& run, const Options& options)
+  {
+    this->Display.Begin("joining");
+    bonedecimate::Result result = run.Finish();
+    this->RejectIf(run.Message());
+    const bool isSingle = options.OutputPointsPrecision != PointsPrecision::Double;
+    const vtkNew<vtkPolyData> nothing; // of which arrays would pass
+    this->Result = vtkSmartPointer<vtkPolyData>::New();
+    FillOutput(result, {}, options, isSingle, nothing, this->Result);
+    const std::string status = ReportFields(this->Result).Text("proof.status");
+    if (status == "violated" || status == "undecided")
+    {
+      throw Failure(status == "violated" ? ExitCode::Violated : ExitCode::Undecided,
+        "'" + BaseName(this->Path) + "': " + ProofMessage(result.Report) + "; nothing was written");
+    }
+    this->Subject.Slabs = run.Figures();
+    if (!this->Bone->GetNote().empty())
+    {
+      this->Subject.Warnings.push_back(this->Bone->GetNote());
+    }
+  }
+
+  /// What was proved holds for the file if its triangles are the same bits.
+  void WriteOne(StagedFile& file)
+  {
+    const vtkSmartPointer<vtkPolyData> readBack =
+      WriteSurface(this->Result, file.GetTemporary(), file.GetTarget());
+    if (!HasSameTriangles(this->Result, readBack))
+    {
+      throw Failure(ExitCode::Undecided,
+        "'" + BaseName(file.GetTarget()) +
+          "' as it was read back has other coordinates than those that were proved; nothing was "
+          "written");
+    }
+    this->Subject.ProvedFiles[BaseName(file.GetTarget())] = "same_bits";
+  }
+
+  const Arguments& Requested;
+  const std::string& Path;
+  StageClock Whole;
+  ReportSubject Subject;
+  ProgressDisplay Display;
+  std::optional<BoneSlabs> Bone;
+  SlabPlan Plan;
+  vtkSmartPointer<vtkPolyData> Result;
+  std::vector<std::string> Notes;
+};
+}
+
+vtkSmartPointer<vtkPolyData> RunInSlabs(const Arguments& arguments)
+{
+  SlabbedBone run(arguments);
+  if (run.FitsAsAWhole())
+  {
+    return nullptr;
+  }
+  OutputFiles files(arguments);
+  run.Decimate();
+  run.Write(files);
+  StopIfInterrupted();
+  run.Tell(files.Commit());
+  return run.GetResult();
+}
+}
