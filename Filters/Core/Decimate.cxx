@@ -117,6 +117,7 @@ EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepar
     settings.Reference = prepared.Original.get();
     settings.EditZone = EditZoneOf(task.Inputs.Part, prepared.Cleaned);
     settings.GuardsIntersections = task.Effective.BoundsError() && task.Effective.IntersectionGuard;
+    settings.Input = &task.Input;
     // Otherwise points that rounding would merge are separated, by no more than rounding.
     settings.GuardsGaps = !task.Effective.KeepsAllTriangles();
   }

@@ -4,6 +4,8 @@
 #include "BruteForce.h"
 #include "Crossings.h"
 #include "Edit/Editor.h"
+#include "Geometry/ExactPredicates.h"
+#include "Random.h"
 #include "Runs.h"
 #include "Shapes.h"
 
@@ -105,4 +107,38 @@ TEST(FlatIntersectionGuard, ATipThatTouchesAPlateDoesNotGoThroughIt)
   Workspace work;
   EXPECT_EQ(editor.Move(0, tip + Vector3(0.0, 0.0, 0.1), work, 1), Rejection::Intersection);
   EXPECT_TRUE(editor.Move(0, tip - Vector3(0.0, 0.0, 0.1), work, 1).IsAccepted());
+}
+
+/// A tent below a slanted roof, where positions relative to the local origin have other last bits than those written.
+TEST(FlatIntersectionGuard, DecidesForTheCoordinatesThatAreWritten)
+{
+  Surface input;
+  input.Points = { Vector3(0, 0, -1), Vector3(2, 0, -2), Vector3(-1, 2, -2), Vector3(-1, -2, -2),
+    Vector3(7, -9, -4.1), Vector3(3, 11, 2.3), Vector3(-9, -2, 1.7) };
+  input.Triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 6 } };
+  input = Moved(input, Vector3(0.1, -1.0 / 3.0, 2.7));
+  const CleanSurface clean = Clean(input, true);
+  EditorSettings settings;
+  settings.GuardsIntersections = true;
+  settings.GuardsGaps = false;
+  settings.Input = &input;
+  settings.Bound = ErrorBoundSettings{ 10.0 };
+  Editor editor(clean, settings);
+  Workspace work;
+  const std::vector<Vector3>& local = clean.Surface.Points;
+  const OrientedPlane localRoof(local[4], local[5], local[6]);
+  const OrientedPlane roof(input.Points[4], input.Points[5], input.Points[6]);
+  const Vector3 normal = (local[5] - local[4]).cross(local[6] - local[4]);
+  Random random(1);
+  int differ = 0;
+  for (int i = 0; i < 4000; ++i)
+  {
+    Vector3 p = local[0] + random.InCube(0.5);
+    p[2] -= normal.dot(p - local[4]) / normal[2];
+    const int side = roof.SideOf(p + clean.Origin);
+    ASSERT_EQ(editor.Move(0, p, work, 1).IsAccepted(), side == roof.SideOf(input.Points[0])) << i;
+    ASSERT_TRUE(editor.Move(0, local[0], work, 1).IsAccepted());
+    differ += side != localRoof.SideOf(p) ? 1 : 0;
+  }
+  EXPECT_GT(differ, 10);
 }

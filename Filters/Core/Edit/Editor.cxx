@@ -36,6 +36,13 @@ auto WithJoined(
       return use(static_cast<const Surface&>(smoothed));
     });
 }
+
+WrittenPositions WrittenBy(const EditorSettings& settings, const CleanSurface& clean)
+{
+  return settings.Input == nullptr ? WrittenPositions()
+                                   : WrittenPositions(*settings.Input, clean, settings.Bound->Error,
+                                       settings.Bound->RoundsToSingle);
+}
 }
 
 Editor::Editor(const CleanSurface& clean, const EditorSettings& settings)
@@ -127,8 +134,9 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
     this->Guard = WithJoined(this->Source.AtFirst(), this->Half, this->Unsmoothed != nullptr,
       [&](const Surface& joined)
       {
-        return std::make_shared<IntersectionGuard>(
-          this->Half, joined, settings.Bound->Error, settings.GuardsGaps, threads, monitor);
+        return std::make_shared<IntersectionGuard>(this->Half, joined,
+          WrittenBy(settings, this->Source.AtFirst()), settings.Bound->Error, settings.GuardsGaps,
+          threads, monitor);
       });
     this->Filters.push_back(this->Guard);
   }

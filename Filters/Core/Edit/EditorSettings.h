@@ -32,6 +32,9 @@ struct EditorSettings
     false; ///< Curves between manifold patches may be collapsed along themselves.
   /// Whether edits are rejected that let triangles intersect or narrow a gap; only with a Bound of finite Error.
   bool GuardsIntersections = false;
+  /// Of GuardsIntersections: the surface that was cleaned, of which unmoved vertices keep every bit when they are written; none:
+  /// vertices are written where the mesh has them.
+  const Surface* Input = nullptr;
   /// Of GuardsIntersections: whether gaps are measured first, so that no edit narrows one.
   bool GuardsGaps = true;
   /// The error bound that every edit keeps; none: edits are not limited. Its Tolerances are those below.

@@ -8,21 +8,21 @@ namespace bonedecimate
 {
 namespace
 {
-FloatBox BoxAround(const std::vector<Piece>& old, const std::vector<Piece>& made)
+FloatBox BoxAround(const std::vector<Piece>& old, const std::vector<Piece>& made, double reach)
 {
   FloatBox box;
   for (const std::vector<Piece>* patch : { &old, &made })
   {
     for (const Piece& piece : *patch)
     {
-      box.Add(FloatBox(piece.Corners));
+      box.Add(FloatBox(piece.Corners, reach));
     }
   }
   return box;
 }
 }
 
-std::vector<Index> EditReplay::FindRejected(int threads)
+std::vector<Index> EditReplay::FindRejected(const WrittenPositions& written, int threads)
 {
   this->Boxes.resize(static_cast<std::size_t>(this->Journal.Count()));
   this->States.resize(this->Boxes.size(), State::Unchecked);
@@ -43,8 +43,9 @@ std::vector<Index> EditReplay::FindRejected(int threads)
         if (isToCheck)
         {
           this->FillPatches(edit, work);
-          this->Boxes[i] = BoxAround(work.Old, work.New);
-          this->States[i] = this->IsRejected(edit, work) ? State::Rejected : State::Accepted;
+          this->Boxes[i] = BoxAround(work.Old, work.New, written.Rounding());
+          this->States[i] =
+            this->IsRejected(edit, written, work) ? State::Rejected : State::Accepted;
         }
       }
     });
@@ -103,12 +104,13 @@ void EditReplay::FillPatches(Index edit, Workspace& work) const
 }
 
 //------------------------------------------------------------------------------
-bool EditReplay::IsRejected(Index edit, Workspace& work) const
+bool EditReplay::IsRejected(Index edit, const WrittenPositions& written, Workspace& work) const
 {
   work.Near.clear();
   this->Faces->VisitAt(this->Boxes[edit], edit,
     [&](const FaceHistory::Version& version)
     { work.Near.emplace_back(this->Mesh, version.Vertices, this->Faces->CornersOf(version)); });
-  return MeetMore(work.Old, work.New, work.Near) || JumpOver(work.Old, work.New, work.Near);
+  return MeetMore(work.Old, work.New, work.Near, written) ||
+    JumpOver(work.Old, work.New, work.Near);
 }
 }

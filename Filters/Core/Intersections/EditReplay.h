@@ -34,7 +34,7 @@ public:
 
   /// In ascending order; edits that are undone are left out. After the first call only edits near those that were undone
   /// since, and later than these, are checked again: nothing else has changed what they find.
-  std::vector<Index> FindRejected(int threads);
+  std::vector<Index> FindRejected(const WrittenPositions& written, int threads);
   /// Of the journal at the last call; there must have been one.
   const FaceHistory& History() const { return *this->Faces; }
 
@@ -44,7 +44,7 @@ private:
     std::vector<Piece> Old, New, Near;
   };
   SpaceTimeTree TakeUndone();
-  bool IsRejected(Index edit, Workspace& work) const;
+  bool IsRejected(Index edit, const WrittenPositions& written, Workspace& work) const;
   void FillPatches(Index edit, Workspace& work) const;
 
   const HalfEdgeMesh& Mesh;

@@ -27,9 +27,11 @@ double MostReach(const std::vector<Piece>& pieces) // mm
 }
 }
 
-IntersectionGuard::IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& surface, double error,
-  bool guardsGaps, int threads, const Monitor& monitor)
+IntersectionGuard::IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& surface,
+  const WrittenPositions& written, double error, bool guardsGaps, int threads,
+  const Monitor& monitor)
   : Mesh(mesh)
+  , Written(written)
   , LeastCell(error)
   , Widths(surface, guardsGaps ? ErrorsOfGap * error : 0.0, threads, monitor)
 {
@@ -92,7 +94,7 @@ void IntersectionGuard::FindCells(Pending& work) const
   }
   for (const Piece& piece : work.New)
   {
-    this->Grid->AddCells(piece.Corners, piece.Reach, work.Cells);
+    this->Grid->AddCells(piece.Corners, piece.Reach + this->Written.Rounding(), work.Cells);
   }
   work.Cells.insert(work.Cells.end(), work.OldCells.begin(), work.OldCells.end());
   std::sort(work.Cells.begin(), work.Cells.end());
@@ -107,7 +109,8 @@ void IntersectionGuard::FindNear(
   work.Faces.clear();
   work.Near.clear();
   const std::vector<Index>& old = change.OldFaces;
-  const double reach = std::max(MostReach(work.New), MostReach(work.Old));
+  const double rounding = this->Written.Rounding();
+  const double reach = std::max(MostReach(work.New), MostReach(work.Old)) + rounding;
   work.Reach = reach;
   const Vector3 wholeLow = LeastOf(work.Old).cwiseMin(LeastOf(work.New)).array() - reach;
   const Vector3 wholeHigh = MostOf(work.Old).cwiseMax(MostOf(work.New)).array() + reach;
@@ -125,8 +128,9 @@ void IntersectionGuard::FindNear(
       (wholeHigh - low).minCoeff() >= 0.0 && (high - wholeLow).minCoeff() >= 0.0;
     const auto isNear = [&](const Piece& piece)
     {
+      const double within = piece.Reach + rounding;
       return (piece.Low - high).cwiseMax(low - piece.High).cwiseMax(0.0).squaredNorm() <=
-        piece.Reach * piece.Reach;
+        within * within;
     };
     if (mayBeNear &&
       (std::any_of(work.New.begin(), work.New.end(), isNear) ||
@@ -196,7 +200,7 @@ void IntersectionGuard::BuildGrid()
 std::vector<Index> IntersectionGuard::FindRejected(const EditJournal& journal, EditReplay& replay,
   std::vector<Index>& checkedFaces, int threads) const
 {
-  std::vector<Index> edits = replay.FindRejected(threads);
+  std::vector<Index> edits = replay.FindRejected(this->Written, threads);
   const std::vector<Index> narrowed =
     FindNarrowedGaps(this->Mesh, this->Widths, journal, replay.History(), checkedFaces, threads);
   edits.insert(edits.end(), narrowed.begin(), narrowed.end());
@@ -229,8 +233,8 @@ Decision IntersectionGuard::Check(
     this->FindCells(work);
   }
   this->FindNear(mesh, edit.Change, work);
-  const bool isAllowed = !MeetMore(work.Old, work.New, work.Near) && !this->NarrowsGap(work) &&
-    !JumpOver(work.Old, work.New, work.Near);
+  const bool isAllowed = !MeetMore(work.Old, work.New, work.Near, this->Written) &&
+    !this->NarrowsGap(work) && !JumpOver(work.Old, work.New, work.Near);
   return isAllowed ? Rejection::NotRejected : Rejection::Intersection;
 }
 

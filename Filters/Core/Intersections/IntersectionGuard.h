@@ -35,9 +35,11 @@ class IntersectionGuard : public EditFilter
 public:
   /// @param mesh Must outlive this object; its faces are sorted into the grid before the first edit.
   /// @param surface Of which the mesh was made, its manifold patches joined.  @param error mm, how far the surface may move.
+  /// @param written Whether triangles meet is decided where they will be written.
   /// @param guardsGaps Whether gaps are measured; otherwise only intersections are rejected.
-  IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& surface, double error, bool guardsGaps,
-    int threads, const Monitor& monitor);
+  IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& surface,
+    const WrittenPositions& written, double error, bool guardsGaps, int threads,
+    const Monitor& monitor);
 
   std::shared_ptr<EditFilter::Pending> MakePending() override;
   bool NeedsSurfaceChange() const override { return true; }
@@ -84,6 +86,7 @@ private:
   bool NarrowsGap(const Pending& work) const;
 
   const HalfEdgeMesh& Mesh;
+  WrittenPositions Written;
   double LeastCell; // mm, of the grid
   std::unique_ptr<FaceGrid> Grid;
   std::mutex Building; // of the grid

@@ -8,10 +8,11 @@ namespace bonedecimate
 {
 namespace
 {
-bool BoxesMeet(const Piece& a, const Piece& b)
+bool BoxesMeet(const Piece& a, const Piece& b, double reach)
 {
-  return a.Low[0] <= b.High[0] && b.Low[0] <= a.High[0] && a.Low[1] <= b.High[1] &&
-    b.Low[1] <= a.High[1] && a.Low[2] <= b.High[2] && b.Low[2] <= a.High[2];
+  return a.Low[0] - reach <= b.High[0] && b.Low[0] - reach <= a.High[0] &&
+    a.Low[1] - reach <= b.High[1] && b.Low[1] - reach <= a.High[1] &&
+    a.Low[2] - reach <= b.High[2] && b.Low[2] - reach <= a.High[2];
 }
 
 bool HasCorner(const Piece& piece, Index vertex)
@@ -30,20 +31,34 @@ std::size_t FindCorner(const Piece& piece, const Piece& other, bool isShared)
   return i;
 }
 
-bool Meet(const Piece& a, const Piece& b)
+void FindWritten(Piece& piece, const WrittenPositions& written)
 {
-  if (!BoxesMeet(a, b))
+  if (!piece.Written)
+  {
+    const TriangleCorners& local = piece.Corners;
+    piece.Written.emplace(TriangleCorners{ written.Of(piece.Vertices[0], local[0]),
+      written.Of(piece.Vertices[1], local[1]), written.Of(piece.Vertices[2], local[2]) });
+  }
+}
+
+bool Meet(Piece& a, Piece& b, const WrittenPositions& written)
+{
+  if (!BoxesMeet(a, b, written.Rounding()))
   {
     return false;
   }
+  FindWritten(a, written);
+  FindWritten(b, written);
   switch (CountShared(a, b))
   {
     case 0:
-      return bonedecimate::Meet(a, b);
+      return bonedecimate::Meet(*a.Written, *b.Written);
     case 1:
-      return MeetBeyondCorner(a, FindCorner(a, b, true), b, FindCorner(b, a, true));
+      return MeetBeyondCorner(
+        *a.Written, FindCorner(a, b, true), *b.Written, FindCorner(b, a, true));
     case 2:
-      return MeetBeyondEdge(a, FindCorner(a, b, false), b.Corners[FindCorner(b, a, false)]);
+      return MeetBeyondEdge(
+        *a.Written, FindCorner(a, b, false), b.Written->Corners[FindCorner(b, a, false)]);
     default:
       return true;
   }
@@ -59,20 +74,20 @@ struct Meetings
 /// Pairs of a patch with what is near it, and within it, that meet.
 /// @param isEnough Requested after each with how many they are by then; true ends it.
 template <typename IsEnough>
-void CountMeetings(
-  const std::vector<Piece>& patch, const std::vector<Piece>& near, const IsEnough& isEnough)
+void CountMeetings(std::vector<Piece>& patch, std::vector<Piece>& near,
+  const WrittenPositions& written, const IsEnough& isEnough)
 {
   Meetings count;
   for (auto piece = patch.begin(); piece != patch.end(); ++piece)
   {
-    const auto endsIt = [&](const Piece& other)
+    const auto endsIt = [&](Piece& other)
     {
-      if (!Meet(*piece, other))
+      if (!Meet(*piece, other, written))
       {
         return false;
       }
       ++count.All;
-      count.Piercing += Pierce(*piece, other) ? 1 : 0;
+      count.Piercing += Pierce(*piece->Written, *other.Written) ? 1 : 0;
       return isEnough(count);
     };
     if (std::any_of(near.begin(), near.end(), endsIt) ||
@@ -177,17 +192,17 @@ Vector3 MostOf(const std::vector<Piece>& pieces)
 }
 
 //------------------------------------------------------------------------------
-bool MeetMore(
-  const std::vector<Piece>& before, const std::vector<Piece>& after, const std::vector<Piece>& near)
+bool MeetMore(std::vector<Piece>& before, std::vector<Piece>& after, std::vector<Piece>& near,
+  const WrittenPositions& written)
 {
   Meetings allowed;
   bool isMore = false;
-  CountMeetings(after, near,
+  CountMeetings(after, near, written,
     [&](const Meetings& count)
     {
       if (count.All == 1) // most edits need not know
       {
-        CountMeetings(before, near,
+        CountMeetings(before, near, written,
           [&](const Meetings& countBefore)
           {
             allowed = countBefore;

@@ -6,7 +6,8 @@
  *        replaces another one intersects more of the faces nearby, and whether it jumps over something.
  *
  *     more:   pairs of the patch with what is near and within it that intersect (TrianglePair.h), after against before;
- *            those that pierce each other are counted by themselves, too, so that none becomes one that only touched
+ *            those that pierce each other are counted by themselves, too, so that none becomes one that only touched;
+ *            both where they will be written
  *     jump:   a corner of what is near lies in the volume that both patches enclose; patches in one plane enclose none
  */
 #ifndef BoneDecimate_Core_Intersections_Piece_h
@@ -15,7 +16,9 @@
 #include "GapRule.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "TrianglePair.h"
+#include "WrittenPositions.h"
 
+#include <optional>
 #include <vector>
 
 namespace bonedecimate
@@ -26,10 +29,11 @@ struct Piece : PlaneTriangle
   /// Without its gap.
   Piece(const HalfEdgeMesh& mesh, const Triangle& vertices, const TriangleCorners& corners);
 
-  Triangle Vertices;          // their original vertices
-  Vector3 Low, High;          // mm, its box
-  bonedecimate::Gap LeastGap; // of its corners
-  double Reach = 0.0;         // mm, how far from it gaps have to be looked after
+  Triangle Vertices;                    // their original vertices
+  Vector3 Low, High;                    // mm, its box
+  bonedecimate::Gap LeastGap;           // of its corners
+  double Reach = 0.0;                   // mm, how far from it gaps have to be looked after
+  std::optional<PlaneTriangle> Written; // where it will be written; looked up by MeetMore
 
   Vector3 Normal() const
   {
@@ -50,8 +54,8 @@ Vector3 LeastOf(const std::vector<Piece>& pieces);
 Vector3 MostOf(const std::vector<Piece>& pieces);
 
 /// Whether more pairs intersect, or more pairs pierce each other, than with the faces that go.
-bool MeetMore(const std::vector<Piece>& before, const std::vector<Piece>& after,
-  const std::vector<Piece>& near);
+bool MeetMore(std::vector<Piece>& before, std::vector<Piece>& after, std::vector<Piece>& near,
+  const WrittenPositions& written);
 
 /// Whether something near lies between the faces that go and the new ones; in doubt it does.
 bool JumpOver(const std::vector<Piece>& before, const std::vector<Piece>& after,
