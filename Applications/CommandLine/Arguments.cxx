@@ -189,6 +189,11 @@ void AddBatchFlags(CLI::App& app, Arguments& arguments)
   app.add_flag("--force", arguments.Force,
     WrappedHelp("Many bones: do those again that are finished already."));
   app
+    .add_option("--only", arguments.Only,
+      WrappedHelp("Many bones: of the folders only files whose name, or path below the folder, "
+                  "matches this pattern, as of the shell: '*_seg.nii.gz'."))
+    ->type_name("PATTERN");
+  app
     .add_option("--format", arguments.Format,
       WrappedHelp("Outputs in a folder: their format by its extension; default that of each "
                   "input, vtp for volumes and segments."))

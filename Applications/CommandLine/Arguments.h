@@ -54,6 +54,7 @@ struct Arguments
   /// @name Many bones only. @{
   int Jobs = 0; ///< 0: not given.
   bool Force = false;
+  std::string Only; ///< A pattern of the names of files in input folders; empty: all.
   /// @}
 
   std::int64_t Memory = 0; ///< Bytes, of the run; 0: not limited.

@@ -9,6 +9,7 @@
 #include "Interruption.h"
 #include "JsonReport.h"
 #include "StagedFile.h"
+#include "StagedFolder.h"
 
 #include <algorithm>
 #include <chrono>
@@ -33,6 +34,15 @@ void RemoveSegmentFolder(int process, const std::string& output)
   }
 }
 
+constexpr std::size_t LongestName = 60; // longer names move the rest of their lines
+
+/// The folder that has the output, a file or a folder.
+std::string FolderAround(const std::string& output)
+{
+  const std::filesystem::path path(output);
+  return (path.has_filename() ? path : path.parent_path()).parent_path().string();
+}
+
 class Batch
 {
 public:
@@ -46,21 +56,16 @@ public:
     for (std::size_t i = 0; i < this->Bones.size(); ++i)
     {
       this->Rows[i].Name = this->Bones[i].Name;
-      this->Rows[i].Input = BaseName(this->Bones[i].Input);
-      this->Rows[i].Report = this->Bones[i].Report;
-      if (!this->Bones[i].IsBone())
-      {
-        this->Rows[i].Status = "skipped";
-        this->Rows[i].Code = this->Bones[i].CodeIfNot;
-        this->Rows[i].Message = this->Bones[i].WhyNot;
-      }
+      this->Rows[i].Input = PathBelow(this->Bones[i]);
+      this->NameWidth = std::max(this->NameWidth, std::min(this->Rows[i].Name.size(), LongestName));
     }
   }
 
   ExitCode Run()
   {
-    this->MakeFolder();
+    this->MakeFolder(this->Requested.Output);
     this->WriteCsv();
+    this->Tell(BatchHeading(this->NameWidth));
     while (this->Next < this->Bones.size() || !this->Running.empty())
     {
       this->StartSome();
@@ -68,7 +73,7 @@ public:
       this->ShowProgress();
     }
     this->WriteCsv();
-    this->Tell();
+    this->Tell(BatchCounts(this->Rows) + "; table: " + this->CsvFile());
     StopIfInterrupted();
     return this->WorstCode();
   }
@@ -86,14 +91,13 @@ private:
     ChildProcess Child;
   };
 
-  void MakeFolder()
+  /// Those that have no file in the end go again.
+  void MakeFolder(const std::string& path)
   {
     std::error_code error;
-    std::filesystem::create_directories(this->Requested.Output, error);
-    if (error)
+    if (!std::filesystem::is_directory(path, error))
     {
-      throw Failure(ExitCode::CouldNotWrite,
-        "could not make '" + this->Requested.Output + "': " + error.message());
+      this->Folders.emplace_back(path);
     }
   }
 
@@ -104,13 +108,16 @@ private:
          ++this->Next)
     {
       const BatchBone& bone = this->Bones[this->Next];
-      if (bone.IsBone() && this->IsFinished(bone))
+      if (!bone.IsBone())
       {
-        this->Rows[this->Next].Status = "skipped";
-        this->Rows[this->Next].Code = ExitCode::Done;
-        this->Rows[this->Next].Message = "finished by an earlier run; --force does it again";
+        this->End(this->Next, "skipped", bone.CodeIfNot, bone.WhyNot);
       }
-      else if (bone.IsBone())
+      else if (this->IsFinished(bone))
+      {
+        this->End(this->Next, "skipped", ExitCode::Done,
+          "finished by an earlier run; --force does it again");
+      }
+      else
       {
         this->Start(this->Next);
       }
@@ -140,13 +147,12 @@ private:
     std::filesystem::remove(this->Bones[bone].Report, ignored);
     try
     {
+      this->MakeFolder(FolderAround(this->Bones[bone].Output));
       this->Running.emplace_back(bone, this->Self, WordsFor(this->Bones[bone], this->Requested));
     }
     catch (const Failure& failure)
     {
-      this->Rows[bone].Status = "failed";
-      this->Rows[bone].Code = failure.Code;
-      this->Rows[bone].Message = failure.what();
+      this->End(bone, "failed", failure.Code, failure.what());
     }
   }
 
@@ -180,21 +186,35 @@ private:
     if (job.Child.HasDied())
     {
       const BatchBone& bone = this->Bones[job.Bone];
-      RemoveStagedFilesOf(job.Child.GetProcess(), this->Requested.Output);
+      RemoveStagedFilesOf(job.Child.GetProcess(), FolderAround(bone.Output));
       RemoveSegmentFolder(job.Child.GetProcess(), bone.Output);
     }
-    BatchRow& row = this->Rows[job.Bone];
-    row.Code = job.Child.GetCode();
-    row.Message = job.Child.GetMessage();
-    const bool stopped = row.Code == ExitCode::Interrupted;
-    row.Status = row.Code == ExitCode::Done ? "done" : (stopped ? "interrupted" : "failed");
+    const ExitCode code = job.Child.GetCode();
+    const bool stopped = code == ExitCode::Interrupted;
+    this->End(job.Bone, code == ExitCode::Done ? "done" : (stopped ? "interrupted" : "failed"),
+      code, job.Child.GetMessage());
   }
 
-  void WriteCsv() const
+  /// What became of a bone, in its row and in a line.
+  void End(std::size_t bone, const char* status, ExitCode code, const std::string& message)
   {
-    const std::filesystem::path folder(this->Requested.Output);
-    WriteTextFile((folder / "summary.csv").string(), ComposeCsv(this->Rows));
+    BatchRow& row = this->Rows[bone];
+    row.Status = status;
+    row.Code = code;
+    row.Message = message;
+    if (this->Bones[bone].IsBone() && code == ExitCode::Done)
+    {
+      TakeReport(row, this->Bones[bone].Report);
+    }
+    this->Tell(BatchLine(row, this->NameWidth));
   }
+
+  std::string CsvFile() const
+  {
+    return (std::filesystem::path(this->Requested.Output) / "summary.csv").string();
+  }
+
+  void WriteCsv() const { WriteTextFile(this->CsvFile(), ComposeCsv(this->Rows)); }
 
   void ShowProgress()
   {
@@ -206,15 +226,12 @@ private:
     }
   }
 
-  void Tell() const
+  /// A line, in place of the progress.
+  void Tell(const std::string& line) const
   {
-    if (this->Terminal)
-    {
-      std::cout << "\r\033[K";
-    }
     if (!this->Requested.Quiet)
     {
-      PrintTable(this->Rows);
+      std::cout << (this->Terminal ? "\r\033[K" : "") << line << std::endl;
     }
   }
 
@@ -229,6 +246,8 @@ private:
   const std::string& Self;
   std::vector<BatchBone> Bones;
   std::vector<BatchRow> Rows;
+  std::size_t NameWidth = 4; // of "name"
+  std::list<StagedFolder> Folders;
   std::list<Job> Running;
   std::size_t Next = 0;
   std::size_t Shown = 0;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fnmatch.h>
 #include <set>
 #include <thread>
 
@@ -25,22 +26,16 @@ bool TakesVolumes(const Arguments& arguments)
   return arguments.Iso || arguments.Segments.IsRequested();
 }
 
-/// An entry of a folder that was scanned, with the reason if it is no bone.
+/// A file of a folder that was searched, or a folder with a volume, with the reason if it is no bone.
 BatchBone BoneOf(const fs::path& path, bool takesVolumes)
 {
-  std::error_code error;
   BatchBone bone;
   bone.Input = path.string();
-  const bool isFolder = fs::is_directory(path, error);
   bone.Volume = IsVolume(bone.Input);
   if (bone.Volume && !takesVolumes)
   {
     bone.WhyNot = "a volume: --iso HU or, of a label map, --segments says which surface to take";
     bone.CodeIfNot = ExitCode::InputRejected;
-  }
-  else if (!bone.Volume && isFolder)
-  {
-    bone.WhyNot = "a folder: folders in a folder are not searched";
   }
   else if (!bone.Volume && FindFormat(bone.Input) == nullptr)
   {
@@ -50,41 +45,136 @@ BatchBone BoneOf(const fs::path& path, bool takesVolumes)
   return bone;
 }
 
+/// Finds the bones of a folder and of the folders in it.
+class FolderSearch
+{
+public:
+  FolderSearch(std::vector<BatchBone>& bones, const fs::path& root, const Arguments& arguments)
+    : Bones(bones)
+    , Root(root)
+    , Requested(arguments)
+  {
+  }
+
+  /// @returns What is wrong with the folder; empty if nothing is.
+  std::string Search(const fs::path& folder)
+  {
+    std::vector<fs::path> paths;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error))
+    {
+      paths.push_back(entry->path());
+    }
+    std::sort(paths.begin(), paths.end());
+    for (const fs::path& path : paths)
+    {
+      std::error_code ignored;
+      const bool isHidden = path.filename().string()[0] == '.';
+      if (!isHidden && !fs::equivalent(path, this->Requested.Output, ignored))
+      {
+        this->Take(path);
+      }
+    }
+    return error ? error.message() : std::string();
+  }
+
+private:
+  void Take(const fs::path& path)
+  {
+    std::error_code error;
+    const bool isFolder = fs::is_directory(path, error);
+    if (isFolder && !IsVolume(path.string()))
+    {
+      this->TakeFolder(path);
+    }
+    else if (this->IsRequested(path))
+    {
+      this->Add(BoneOf(path, TakesVolumes(this->Requested)));
+    }
+  }
+
+  void TakeFolder(const fs::path& path)
+  {
+    std::error_code error;
+    BatchBone problem;
+    problem.Input = path.string();
+    if (fs::is_symlink(path, error))
+    {
+      problem.WhyNot = "a link to a folder, which is not followed";
+    }
+    else if (const std::string message = this->Search(path); !message.empty())
+    {
+      problem.WhyNot = "could not be searched: " + message;
+      problem.CodeIfNot = ExitCode::InputRejected;
+    }
+    if (!problem.IsBone())
+    {
+      this->Add(problem);
+    }
+  }
+
+  void Add(BatchBone bone)
+  {
+    bone.Root = this->Root.string();
+    bone.Below = fs::path(bone.Input).lexically_relative(this->Root).parent_path().string();
+    this->Bones.push_back(bone);
+  }
+
+  /// By the pattern of --only, of the name or of the path below the folder that was named.
+  bool IsRequested(const fs::path& path) const
+  {
+    const std::string& pattern = this->Requested.Only;
+    const auto matches = [&pattern](const fs::path& text)
+    { return fnmatch(pattern.c_str(), text.c_str(), FNM_CASEFOLD) == 0; };
+    return pattern.empty() || matches(path.filename()) ||
+      matches(path.lexically_relative(this->Root));
+  }
+
+  std::vector<BatchBone>& Bones;
+  const fs::path& Root;
+  const Arguments& Requested;
+};
+
+/// The last part of a path, with or without a slash behind it.
+fs::path WithoutSlash(const fs::path& path)
+{
+  return path.has_filename() ? path : path.parent_path();
+}
+
 void AddFolder(std::vector<BatchBone>& bones, const std::string& folder, const Arguments& arguments)
 {
-  std::vector<fs::path> paths;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+  const fs::path root = WithoutSlash(folder);
+  const std::string problem = FolderSearch(bones, root, arguments).Search(root);
+  if (!problem.empty())
   {
-    paths.push_back(entry.path());
-  }
-  if (error)
-  {
-    throw Failure(ExitCode::InputRejected, "'" + folder + "' was rejected: " + error.message());
-  }
-  std::sort(paths.begin(), paths.end());
-  for (const fs::path& path : paths)
-  {
-    const bool isHidden = path.filename().string()[0] == '.';
-    if (!isHidden && !fs::equivalent(path, arguments.Output, error))
-    {
-      bones.push_back(BoneOf(path, TakesVolumes(arguments)));
-    }
+    throw Failure(ExitCode::InputRejected, "'" + folder + "' was rejected: " + problem);
   }
 }
 
-/// How much of an input's path goes into its name, from little to all that is there.
-std::string NameOf(const fs::path& input, int detail)
+void AddFile(std::vector<BatchBone>& bones, const std::string& input)
 {
-  const fs::path file = input.has_filename() ? input : input.parent_path();
-  // "ct.nii.gz" is "ct".
-  std::string name = file.stem().string();
-  name = ExtensionOf(file.string()) == "gz" ? fs::path(name).stem().string() : name;
-  if (detail > 0)
+  BatchBone bone;
+  bone.Input = input;
+  bone.Root = fs::absolute(WithoutSlash(input)).parent_path().string();
+  bone.Volume = IsVolume(input);
+  bones.push_back(bone);
+}
+
+/// How much of an input's path goes into its name, from little to all that is there.
+std::string NameOf(const BatchBone& bone, int detail)
+{
+  const fs::path file = WithoutSlash(bone.Input);
+  std::error_code error;
+  std::string name = file.filename().string();
+  if (!fs::is_directory(file, error)) // the name of a folder may have dots
   {
-    name += "_" + ExtensionOf(file.string());
+    const bool isCompressed = ExtensionOf(name) == "gz"; // "ct.nii.gz" is "ct"
+    const fs::path plain = isCompressed ? file.stem() : file.filename();
+    name = plain.stem().string() + (detail > 0 ? "_" + ExtensionOf(plain.string()) : "");
   }
-  return detail > 1 ? fs::absolute(file).parent_path().filename().string() + "_" + name : name;
+  name = detail > 1 ? WithoutSlash(bone.Root).filename().string() + "_" + name : name;
+  return (fs::path(bone.Below) / name).string();
 }
 
 /// Two inputs of one name get more of their paths into it, in the end a number. Small and capital
@@ -102,7 +192,7 @@ void NameBones(const std::vector<BatchBone*>& bones)
     {
       if (bone->Name.empty() || names.count(LowerCase(bone->Name)) > 1)
       {
-        bone->Name = NameOf(bone->Input, detail);
+        bone->Name = NameOf(*bone, detail);
       }
     }
   }
@@ -129,7 +219,7 @@ void NameAll(std::vector<BatchBone>& all)
     }
     else
     {
-      one.Name = BaseName(one.Input);
+      one.Name = PathBelow(one);
     }
   }
   NameBones(bones);
@@ -151,7 +241,8 @@ void CheckThatThereAreBones(const std::vector<BatchBone>& bones, const Arguments
   {
     throw Failure(ExitCode::InputRejected,
       "'" + arguments.Inputs[0] + "' was rejected: no surface file is in it" +
-        (TakesVolumes(arguments) ? " and no volume" : ", and volumes need --iso HU or --segments"));
+        (TakesVolumes(arguments) ? " and no volume" : ", and volumes need --iso HU or --segments") +
+        (arguments.Only.empty() ? "" : ", whose name matches --only '" + arguments.Only + "'"));
   }
   const auto isVolume = [](const BatchBone& bone) { return bone.Volume; };
   if (arguments.Iso && std::none_of(bones.begin(), bones.end(), isVolume))
@@ -166,16 +257,37 @@ void CheckThatThereAreBones(const std::vector<BatchBone>& bones, const Arguments
 
 void CheckOverwriting(const std::vector<BatchBone>& bones)
 {
+  const auto canonical = [](const std::string& path)
+  {
+    std::error_code error;
+    return fs::weakly_canonical(WithoutSlash(path), error).string();
+  };
+  std::set<std::string> inputs;
   for (const BatchBone& bone : bones)
   {
-    for (const BatchBone& other : bones)
+    inputs.insert(canonical(bone.Input));
+  }
+  for (const BatchBone& bone : bones)
+  {
+    if (bone.IsBone() && inputs.count(canonical(bone.Output)) > 0)
     {
-      std::error_code error;
-      if (bone.IsBone() && fs::equivalent(bone.Output, other.Input, error))
-      {
-        throw Failure(ExitCode::Usage, "'" + bone.Output + "' is an input; it is not overwritten");
-      }
+      throw Failure(ExitCode::Usage, "'" + bone.Output + "' is an input; it is not overwritten");
     }
+  }
+}
+
+void NameOutputs(BatchBone& bone, const Arguments& arguments)
+{
+  const fs::path folder(arguments.Output);
+  if (bone.IsBone() && bone.Volume && arguments.Segments.IsRequested())
+  {
+    bone.Output = (folder / bone.Name / "").string();
+    bone.Report = (folder / bone.Name / "report.json").string();
+  }
+  else if (bone.IsBone())
+  {
+    bone.Output = (folder / (bone.Name + "." + OutputExtension(bone, arguments))).string();
+    bone.Report = (folder / (bone.Name + ".json")).string();
   }
 }
 
@@ -185,40 +297,31 @@ bool HasNumberOfThreads(const Arguments& arguments)
 }
 }
 
+std::string PathBelow(const BatchBone& bone)
+{
+  return (fs::path(bone.Below) / BaseName(bone.Input)).string();
+}
+
 std::vector<BatchBone> PlanBatch(const Arguments& arguments)
 {
   std::vector<BatchBone> bones;
   for (const std::string& input : arguments.Inputs)
   {
     std::error_code error;
-    const bool volume = IsVolume(input);
-    if (!volume && fs::is_directory(input, error))
+    if (fs::is_directory(input, error) && !IsVolume(input))
     {
       AddFolder(bones, input, arguments);
     }
     else
     {
-      BatchBone bone;
-      bone.Input = input;
-      bone.Volume = volume;
-      bones.push_back(bone);
+      AddFile(bones, input);
     }
   }
   CheckThatThereAreBones(bones, arguments);
   NameAll(bones);
   for (BatchBone& bone : bones)
   {
-    const fs::path folder(arguments.Output);
-    if (bone.IsBone() && bone.Volume && arguments.Segments.IsRequested())
-    {
-      bone.Output = (folder / bone.Name / "").string();
-      bone.Report = (folder / bone.Name / "report.json").string();
-    }
-    else if (bone.IsBone())
-    {
-      bone.Output = (folder / (bone.Name + "." + OutputExtension(bone, arguments))).string();
-      bone.Report = (folder / (bone.Name + ".json")).string();
-    }
+    NameOutputs(bone, arguments);
   }
   CheckOverwriting(bones);
   return bones;

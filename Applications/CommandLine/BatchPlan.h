@@ -19,7 +19,10 @@ namespace bonedecimate
 struct BatchBone
 {
   std::string Input;
-  std::string Name; ///< Of the outputs, unlike that of any other bone of the batch.
+  std::string Root;  ///< The folder that was searched; of a file that was named, its folder.
+  std::string Below; ///< The folder of the input from there; empty: the same.
+  std::string
+    Name; ///< Of the outputs, unlike that of any other bone of the batch; may have folders.
   std::string Output;
   std::string Report;
   bool Volume = false;
@@ -30,13 +33,17 @@ struct BatchBone
 };
 
 /**
- * Files in the order given, those of a folder sorted by name: every file and folder in it but hidden ones and the output
- * folder. What is neither a surface nor a volume has a reason instead of outputs and counts as Done, because the command line did not name it;
- * a volume without --iso and --segments counts as InputRejected.
+ * Files in the order given, those of a folder sorted by name, with those of the folders in it: every file, every folder of a DICOM
+ * series or TIFF slices, but hidden ones, those that --only leaves out, and the output folder. What is neither a surface nor a volume
+ * has a reason instead of outputs and counts as Done, because the command line did not name it; a volume without --iso and --segments,
+ * or a folder that cannot be read, counts as InputRejected.
  * @throws Failure(ExitCode::InputRejected) if there is no bone, Failure(ExitCode::Usage) if an output
  * is an input, or if --iso is given and there is no volume.
  */
 std::vector<BatchBone> PlanBatch(const Arguments& arguments);
+
+/// The input below the folder that was searched; of a named file its base name.
+std::string PathBelow(const BatchBone& bone);
 
 /// The options that hold for one of them: --iso and --segments only for volumes.
 std::map<std::string, std::string> OptionsFor(const BatchBone& bone, const Arguments& arguments);

@@ -8,10 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <iostream>
-#include <nlohmann/json.hpp>
-#include <tuple>
-#include <utility>
 
 namespace bonedecimate
 {
@@ -19,8 +15,13 @@ namespace
 {
 using Json = nlohmann::json;
 
-/// Columns that come from the report: heading and JSON pointer.
-const std::array<std::pair<const char*, const char*>, 11> ReportColumns = { {
+struct ReportColumn
+{
+  const char* Heading;
+  const char* Pointer; ///< In the JSON report.
+};
+
+const std::array<ReportColumn, 13> ReportColumns = { {
   { "triangles_in", "/input/triangles" },
   { "triangles_out", "/output/triangles" },
   { "components_in", "/input/components" },
@@ -29,36 +30,17 @@ const std::array<std::pair<const char*, const char*>, 11> ReportColumns = { {
   { "mean_output_to_input_mm", "/distance/output_to_input/mean" },
   { "max_input_to_output_mm", "/distance/input_to_output/max" },
   { "mean_input_to_output_mm", "/distance/input_to_output/mean" },
+  { "bound_mm", "/proof/tolerance" },
   { "proved_mm", "/proof/upper" },
   { "proof_status", "/proof/status" },
+  { "voxels_changed", "/voxels/changed" },
   { "seconds", "/seconds/total" },
 } };
-
-Json ReadReport(const BatchRow& row)
-{
-  if (row.Report.empty() || (row.Status != "done" && row.Status != "skipped"))
-  {
-    return Json();
-  }
-  std::ifstream stream(row.Report, std::ios::binary);
-  return Json::parse(stream, nullptr, false);
-}
 
 Json ValueAt(const Json& report, const char* pointer)
 {
   const Json::json_pointer at(pointer);
   return report.is_object() && report.contains(at) ? report[at] : Json();
-}
-
-/// Why a bone failed or was skipped, and what its report warns of.
-std::string MessageOf(const BatchRow& row, const Json& report)
-{
-  std::string text = row.Message;
-  for (const Json& warning : ValueAt(report, "/warnings"))
-  {
-    text += (text.empty() ? "warning: " : "; warning: ") + warning.get<std::string>();
-  }
-  return text;
 }
 
 /// A field with its quotes doubled, in quotes where it needs them.
@@ -83,82 +65,116 @@ std::string Padded(const std::string& text, std::size_t width, bool right)
   return right ? blanks + text : text + blanks;
 }
 
-using TableLine = std::array<std::string, 8>;
-
-TableLine CellsOf(const BatchRow& row)
+/// A column of the table for people.
+struct TableColumn
 {
-  const Json report = ReadReport(row);
-  const auto number = [&report](const char* pointer, auto text)
-  {
-    const Json value = ValueAt(report, pointer);
-    return value.is_number() ? text(value.get<double>()) : std::string("-");
-  };
-  const auto whole = [](double value) { return GroupedText(value); };
-  const auto length = [](double value) { return MillimeterText(value); };
-  const auto bound = [](double value) { return UpperBoundText(value, 6); };
-  const Json status = ValueAt(report, "/proof/status");
-  return { row.Name, row.Status, number("/input/triangles", whole),
-    number("/output/triangles", whole), number("/distance/output_to_input/max", length),
-    number("/distance/input_to_output/max", length), number("/proof/upper", bound),
-    status.is_string() ? status.get<std::string>() : "-" };
+  const char* Title;
+  std::size_t Width;
+  const char* Heading; ///< Of the figure.
+  std::string (*Text)(double);
+};
+
+const std::array<TableColumn, 6> TableColumns = { {
+  { "triangles", 10, "triangles_in", [](double value) { return GroupedText(value); } },
+  { "->", 10, "triangles_out", [](double value) { return GroupedText(value); } },
+  { "max out-in mm", 13, "max_output_to_input_mm", MillimeterText },
+  { "max in-out mm", 13, "max_input_to_output_mm", MillimeterText },
+  { "seconds", 8, "seconds", [](double value) { return GroupedText(value, 1); } },
+  { "proved <= mm", 12, "proved_mm", [](double value) { return UpperBoundText(value, 6); } },
+} };
+
+constexpr std::size_t StatusWidth = 11; // of "interrupted"
+constexpr std::size_t ProofWidth = 10;  // of "not proved"
+
+Json FigureOf(const BatchRow& row, const char* heading)
+{
+  return row.Figures.is_object() && row.Figures.contains(heading) ? row.Figures[heading] : Json();
 }
+
+std::string WithoutBlanksAtEnd(const std::string& line)
+{
+  return line.substr(0, line.find_last_not_of(' ') + 1);
+}
+}
+
+void TakeReport(BatchRow& row, const std::string& report)
+{
+  std::ifstream stream(report, std::ios::binary);
+  const Json json = Json::parse(stream, nullptr, false);
+  for (const ReportColumn& column : ReportColumns)
+  {
+    row.Figures[column.Heading] = ValueAt(json, column.Pointer);
+  }
+  for (const Json& warning : ValueAt(json, "/warnings"))
+  {
+    row.Message += (row.Message.empty() ? "warning: " : "; warning: ") + warning.get<std::string>();
+  }
 }
 
 std::string ComposeCsv(const std::vector<BatchRow>& rows)
 {
   std::string text = "name,input,status,exit_code";
-  for (const auto& column : ReportColumns)
+  for (const ReportColumn& column : ReportColumns)
   {
-    text += std::string(",") + column.first;
+    text += std::string(",") + column.Heading;
   }
   text += ",message\n";
   for (const BatchRow& row : rows)
   {
-    const Json report = ReadReport(row);
     text += Quoted(row.Name) + "," + Quoted(row.Input) + "," + row.Status + "," +
       (row.Status == "not run" ? "" : std::to_string(static_cast<int>(row.Code)));
-    for (const auto& column : ReportColumns)
+    for (const ReportColumn& column : ReportColumns)
     {
-      const Json value = ValueAt(report, column.second);
+      const Json value = FigureOf(row, column.Heading);
       text += "," +
         (value.is_number()      ? value.dump()
             : value.is_string() ? Quoted(value.get<std::string>())
                                 : "");
     }
-    text += "," + Quoted(MessageOf(row, report)) + "\n";
+    text += "," + Quoted(row.Message) + "\n";
   }
   return text;
 }
 
-void PrintTable(const std::vector<BatchRow>& rows)
+std::string BatchHeading(std::size_t nameWidth)
 {
-  std::vector<TableLine> lines = { { "name", "status", "triangles", "->", "max out-in mm",
-    "max in-out mm", "proved <= mm", "proof" } };
-  std::transform(rows.begin(), rows.end(), std::back_inserter(lines), CellsOf);
-  std::array<std::size_t, std::tuple_size_v<TableLine>> widths{};
-  for (const TableLine& line : lines)
+  std::string line = Padded("name", nameWidth, false) + "  " + Padded("status", StatusWidth, false);
+  for (const TableColumn& column : TableColumns)
   {
-    for (std::size_t i = 0; i < line.size(); ++i)
+    line += "  " + Padded(column.Title, column.Width, true);
+  }
+  return line + "  proof";
+}
+
+std::string BatchLine(const BatchRow& row, std::size_t nameWidth)
+{
+  std::string line =
+    Padded(row.Name, nameWidth, false) + "  " + Padded(row.Status, StatusWidth, false);
+  for (const TableColumn& column : TableColumns)
+  {
+    const Json value = FigureOf(row, column.Heading);
+    line +=
+      "  " + Padded(value.is_number() ? column.Text(value.get<double>()) : "-", column.Width, true);
+  }
+  const Json proof = FigureOf(row, "proof_status");
+  line += "  " + Padded(proof.is_string() ? proof.get<std::string>() : "-", ProofWidth, false);
+  return WithoutBlanksAtEnd(line + "  " + row.Message);
+}
+
+std::string BatchCounts(const std::vector<BatchRow>& rows)
+{
+  std::string text = std::to_string(rows.size()) + (rows.size() == 1 ? " file" : " files");
+  std::string separator = ": ";
+  for (const char* status : { "done", "skipped", "failed", "interrupted", "not run" })
+  {
+    const auto count = std::count_if(
+      rows.begin(), rows.end(), [status](const BatchRow& row) { return row.Status == status; });
+    if (count > 0)
     {
-      widths[i] = std::max(widths[i], line[i].size());
+      text += separator + std::to_string(count) + " " + status;
+      separator = ", ";
     }
   }
-  for (const TableLine& line : lines)
-  {
-    std::string text;
-    for (std::size_t i = 0; i < line.size(); ++i)
-    {
-      text += Padded(line[i], widths[i], i > 1) + "  ";
-    }
-    std::cout << text.substr(0, text.find_last_not_of(' ') + 1) << "\n";
-  }
-  for (const BatchRow& row : rows)
-  {
-    const std::string message = MessageOf(row, ReadReport(row));
-    if (!message.empty())
-    {
-      std::cout << row.Name << ": " << message << "\n";
-    }
-  }
+  return text;
 }
 }

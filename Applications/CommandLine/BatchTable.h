@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BatchTable.h
- * @brief What became of every bone of a batch: summary.csv for programs, a table for people.
+ * @brief What became of every bone of a batch: summary.csv for programs, a line of a table for people.
  */
 #ifndef BoneDecimate_Applications_BatchTable_h
 #define BoneDecimate_Applications_BatchTable_h
 
 #include "ExitCode.h"
 
+#include <cstddef>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -17,16 +19,26 @@ namespace bonedecimate
 struct BatchRow
 {
   std::string Name;
-  std::string Input;              ///< Base name.
+  std::string Input; ///< Below the folder that was searched; of a named file its base name.
   std::string Status = "not run"; ///< Or "done", "skipped", "failed", "interrupted".
   ExitCode Code = ExitCode::Interrupted;
-  std::string Report;  ///< File to take the numbers from; read if the status is done or skipped.
-  std::string Message; ///< Why it failed or was skipped.
+  std::string Message;    ///< Why it failed or was skipped, and what its report warns of.
+  nlohmann::json Figures; ///< Of its report, by column of summary.csv; null: none.
 };
+
+/// Takes figures and warnings from the file of a report. A report that cannot be read gives none.
+void TakeReport(BatchRow& row, const std::string& report);
 
 std::string ComposeCsv(const std::vector<BatchRow>& rows);
 
-void PrintTable(const std::vector<BatchRow>& rows);
+/// The first line of the table.
+std::string BatchHeading(std::size_t nameWidth);
+
+/// The line of a row. @param nameWidth Of the longest name; a longer one moves the rest of its line.
+std::string BatchLine(const BatchRow& row, std::size_t nameWidth);
+
+/// "12 files: 10 done, 1 skipped, 1 failed".
+std::string BatchCounts(const std::vector<BatchRow>& rows);
 }
 
 #endif

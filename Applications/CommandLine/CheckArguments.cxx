@@ -158,9 +158,9 @@ void CheckOneBone(const Arguments& arguments)
     "--iso is for volumes; '" + arguments.Inputs[0] + "' is none");
   Require(arguments.Iso || arguments.Given.count("intensities") == 0,
     "--intensities is for volumes, together with --iso");
-  Require(arguments.Jobs == 0 && !arguments.Force &&
+  Require(arguments.Jobs == 0 && !arguments.Force && arguments.Only.empty() &&
       (arguments.Format.empty() || arguments.Segments.IsRequested()),
-    "--jobs, --force and --format are for many bones and an output folder");
+    "--jobs, --force, --only and --format are for many bones and an output folder");
   CheckPrecision(arguments);
   CheckOverwriting(arguments);
 }
@@ -188,16 +188,18 @@ void CheckBatch(const Arguments& arguments)
   }
 }
 
-/// The inputs, and what is in the folders of a batch.
+/// The inputs, and what is in the folders of a batch and below.
 std::vector<std::string> FilesOf(const Arguments& arguments)
 {
   std::vector<std::string> files = arguments.Inputs;
   for (const std::string& input : arguments.Inputs)
   {
     std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator(input, error))
+    const auto options = fs::directory_options::skip_permission_denied;
+    for (fs::recursive_directory_iterator entry(input, options, error);
+         !error && entry != fs::recursive_directory_iterator(); entry.increment(error))
     {
-      files.push_back(entry.path().string());
+      files.push_back(entry->path().string());
     }
   }
   return files;
@@ -241,7 +243,10 @@ void CheckArguments(const Arguments& arguments)
   CheckMemory(arguments);
   CheckSegments(arguments);
   CheckLabel(arguments.LabelMap, "--label-map");
-  CheckSpacing(arguments.LabelMap, FilesOf(arguments));
+  if (!arguments.LabelMap.Spacing.empty())
+  {
+    CheckSpacing(arguments.LabelMap, FilesOf(arguments));
+  }
   if (IsBatch(arguments))
   {
     CheckBatch(arguments);

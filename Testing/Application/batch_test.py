@@ -65,7 +65,7 @@ class Batch(ApplicationTest):
         (self.bones / "README").write_text("no bone")
         (self.bones / "a").write_text("no bone")
         (self.bones / ".hidden.stl").write_text("no bone")
-        (self.bones / "below.stl").mkdir()
+        (self.bones / "below.stl").symlink_to(self.folder, target_is_directory=True)
         text = self.succeed("bones", "bones/out", "--target-triangles", 500).stdout
         shutil.move(self.bones / "out", self.path("out"))
         with open(self.path("out/summary.csv"), newline="", encoding="utf-8") as file:
@@ -75,11 +75,43 @@ class Batch(ApplicationTest):
             "a": ("skipped", "0", "not a surface or volume: no extension"),
             "a.ply": ("done", "0", ""),
             "b.stl": ("done", "0", ""),
-            "below.stl": ("skipped", "0", "a folder: folders in a folder are not searched"),
+            "below.stl": ("skipped", "0", "a link to a folder, which is not followed"),
             "notes.txt": ("skipped", "0", "not a surface or volume: .txt"),
         })
-        self.assertIn("notes.txt: not a surface or volume: .txt\n", text)
+        self.assertRegex(text, r"(?m)^notes.txt +skipped .* not a surface or volume: .txt$")
         self.assertTrue(self.path("out/a.ply").exists())
+
+    def test_folders_of_a_folder_are_searched_and_outputs_lie_as_inputs_do(self):
+        for folder in ("left/scan.2", "right", "nothing"):
+            (self.bones / folder).mkdir(parents=True)
+        write(sphere(), self.bones / "left/scan.2/a.ply")
+        write(torus(), self.bones / "right/a.ply")
+        write(torus(), self.bones / "right/a.stl")
+        (self.bones / "right/z.ply").write_bytes(b"ply\n")
+        completed = self.run_program("bones", "bones/out", "--target-triangles", 400)
+        self.assertEqual((completed.returncode, completed.stderr), (REJECTED, ""))
+        shutil.move(self.bones / "out", self.path("out"))
+        outputs = [str(p.relative_to(self.path("out"))) for p in sorted(self.path("out").rglob("*.*")) if p.is_file()]
+        surfaces = ["a.ply", "b.stl", "left/scan.2/a.ply", "right/a_ply.ply", "right/a_stl.stl"]
+        self.assertEqual(outputs, sorted([*surfaces, *(name[:-3] + "json" for name in surfaces), "summary.csv"]))
+        self.assertEqual({row["input"]: row["status"] for row in self.rows().values()},
+                         {"a.ply": "done", "b.stl": "done", "left/scan.2/a.ply": "done", "right/a.ply": "done", "right/a.stl": "done",
+                          "right/z.ply": "failed"})
+        lines = completed.stdout.splitlines()
+        self.assertEqual(len(lines), 8)
+        self.assertRegex(lines[-1], r"^6 files: 5 done, 1 failed; table: bones/out/summary.csv$")
+        self.run_program("bones", "out", "--target-triangles", 400)
+        self.assertEqual(sorted(self.statuses().values()), ["failed"] + 5 * ["skipped"])
+
+    def test_only_files_of_a_pattern(self):
+        (self.bones / "below").mkdir()
+        write(torus(), self.bones / "below/b_left.stl")
+        self.succeed("bones", "out", "--only", "*_LEFT.stl", "--target-triangles", 500)
+        self.assertEqual(self.statuses(), {"below/b_left": "done"})
+        self.succeed("bones", "other", "--only", "below/*", "--target-triangles", 500)
+        self.assertTrue(self.path("other/below/b_left.stl").exists())
+        self.fail_with(REJECTED, "bones", "none", "--only", "*.seg.nrrd", says="whose name matches --only '*.seg.nrrd'")
+        self.fail_with(USAGE, "bones/a.ply", "a.ply", "--only", "a*", says="--only")
 
     def test_requested_work_that_fails_ends_with_its_code(self):
         (self.bones / "gone.stl").symlink_to("nowhere.stl")
@@ -238,7 +270,7 @@ class Batch(ApplicationTest):
         text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3"
         (self.bones / "c.obj").write_text(text)
         completed = self.succeed("bones", "out")
-        self.assertIn("c: warning: the last line", completed.stdout)
+        self.assertRegex(completed.stdout, "(?m)^c +done .* warning: the last line")
         self.assertIn("may be cut off", self.rows()["c"]["message"])
 
     def test_process_that_dies_does_not_stop_the_others(self):
