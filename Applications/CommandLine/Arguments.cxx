@@ -10,6 +10,7 @@
 #include "MemoryArguments.h"
 #include "Options/OptionTable.h"
 #include "Options/Text.h"
+#include "VoxelPieces.h"
 
 #include <CLI/CLI.hpp>
 
@@ -257,6 +258,7 @@ void AddDecimateOptions(CLI::App& app, Arguments& arguments)
     { arguments.Given[flag] = text; });
   AddIntensities(app, arguments);
   AddMemory(app, arguments);
+  AddFillVolume(app, arguments);
   AddRegions(app, arguments.Regions,
     [&arguments](const std::string& all) { arguments.Given["region"] = all; });
   AddCommonFlags(app, arguments);

@@ -33,6 +33,7 @@ struct Arguments
     Given;                   ///< Options of the command line: flag without dashes and value.
   std::optional<double> Iso; ///< Hounsfield value of the surface of a volume.
   SegmentArguments Segments;
+  double FillVolume = 0.0;  ///< mm3, of cavities of volumes; 0: fills none.
   bool TakesLabels = false; ///< Also values that look like labels, as intensities.
   std::vector<Region> Regions;
   LengthUnit Unit; ///< Of the coordinates in files of surfaces.

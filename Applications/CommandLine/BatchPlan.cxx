@@ -332,7 +332,8 @@ std::map<std::string, std::string> OptionsFor(const BatchBone& bone, const Argum
   std::map<std::string, std::string> given = arguments.Given;
   if (!bone.Volume)
   {
-    for (const char* ofVolumes : { "iso", "intensities", "segments", "label-names", "format" })
+    for (const char* ofVolumes :
+      { "iso", "intensities", "segments", "label-names", "format", "fill-volume" })
     {
       given.erase(ofVolumes);
     }

@@ -10,6 +10,7 @@
 #include "Options/IneffectiveOptions.h"
 #include "Options/OptionTable.h"
 #include "SegmentOutput.h"
+#include "VoxelPieces.h"
 
 #include <algorithm>
 #include <cctype>
@@ -242,6 +243,7 @@ void CheckArguments(const Arguments& arguments)
   CheckIneffectiveOptions(arguments);
   CheckMemory(arguments);
   CheckSegments(arguments);
+  CheckPieces(arguments);
   CheckLabel(arguments.LabelMap, "--label-map");
   if (!arguments.LabelMap.Spacing.empty())
   {

@@ -42,6 +42,10 @@ Options OptionsForFiles(const Arguments& arguments)
   {
     options.OutputPointsPrecision = PointsPrecision::Single;
   }
+  if (arguments.Segments.IsRequested())
+  {
+    options.PruneSize = options.PruneArea = options.PruneVolume = 0.0; // the voxels went before
+  }
   return options;
 }
 }

@@ -51,6 +51,10 @@ Json JsonOf(const SegmentRecord& segment)
   json["volumes"] = std::vector<double>(segment.Volumes.begin(),
     segment.Volumes.begin() +
       static_cast<std::ptrdiff_t>(std::min(segment.Volumes.size(), mostListed)));
+  if (segment.Changed)
+  {
+    json["changed_before"] = JsonOfPieces(*segment.Changed);
+  }
   if (!segment.File.empty())
   {
     json["file"] = segment.File;
@@ -141,6 +145,10 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
       { "unproved_junctions", subject.Slabs->UnprovedJunctions },
       { "junction_triangles", subject.Slabs->JunctionTriangles },
       { "junction_triangles_left", subject.Slabs->JunctionTrianglesLeft } };
+  }
+  if (subject.Segments.empty() && !subject.Changed.empty())
+  {
+    report["changed_before"] = JsonOfPieces(subject.Changed.begin()->second);
   }
   if (!subject.Segments.empty())
   {

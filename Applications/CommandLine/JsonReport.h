@@ -37,6 +37,7 @@ struct ReportSubject
   std::map<std::string, std::string> ProvedFiles;
   std::vector<SegmentRecord> Segments; ///< Of a label map.
   std::optional<SlabFigures> Slabs;    ///< Of a run in slabs.
+  PiecesOfLabels Changed; ///< Before extraction, of a volume; empty: nothing was requested.
   double SecondsRead = 0.0;
   double SecondsWrite = 0.0;
   double SecondsTotal = 0.0; ///< From the start to the written surface.

@@ -39,6 +39,7 @@ std::string WhatIsNotThere(const Arguments& arguments)
 {
   const std::vector<std::pair<bool, const char*>> others{ { IsBatch(arguments), "several inputs" },
     { arguments.Segments.IsRequested(), "--segments" },
+    { arguments.FillVolume > 0.0, "--fill-volume" },
     { !arguments.Reference.empty(), "--reference" },
     { !arguments.LabelMap.Path.empty(), "--label-map" }, { !arguments.Regions.empty(), "--region" },
     { !arguments.Options.ToleranceArrayName.empty(), "--tolerance-array" },
@@ -78,7 +79,7 @@ void AddMemory(CLI::App& app, Arguments& arguments)
         "With --iso: the memory that the run may use, such as 4G (K, M, G and T are "
         "powers of 1024; at least 256M). A volume that needs more is processed in slabs, "
         "within the same largest error of the whole surface. Takes no numbers of triangles, "
-        "smoothing, pruning, regions, references or pictures."))
+        "smoothing, pruning, filled cavities, regions, references or pictures."))
     ->type_name("SIZE")
     ->check(CLI::Validator(
       [](std::string& text)

@@ -65,12 +65,14 @@ public:
       const SegmentSurfaces segments = ExtractSegments(this->Requested, this->Subject.Warnings);
       this->Input = segments.Surface;
       this->Filter->SetLabelMapData(segments.Map);
+      this->Subject.Changed = segments.Changed;
     }
     else if (this->Volume)
     {
       const BoneSurface bone = ExtractBoneSurface(this->Path, *this->Requested.Iso,
         this->Requested.TakesLabels ? LabelPolicy::AsIntensities : LabelPolicy::Reject,
-        this->Requested.LabelMap.GetSpacing());
+        this->Requested.LabelMap.GetSpacing(),
+        CavityFilling(this->Requested, this->Subject.Changed));
       this->Subject.CoordinateSystem = "LPS";
       if (!bone.Surface)
       {
@@ -187,6 +189,7 @@ public:
       page.Result = this->Result;
       page.Before = this->Filter->GetOutput(1);
       page.DistanceArrayName = this->Filter->GetInputDistanceArrayName();
+      page.Changes = ChangesTexts(this->Subject.Changed, !this->Subject.Segments.empty());
       page.PictureFile =
         this->PictureProblem.empty() ? files.Picture->GetTemporary() : std::string();
       files.Page->WriteText(ComposePage(page));
@@ -357,7 +360,6 @@ private:
   vtkSmartPointer<vtkPolyData> Input;
   vtkSmartPointer<vtkPolyData> Reference; // null: none
   vtkNew<vtkBoneDecimate> Filter;
-
   vtkSmartPointer<vtkPolyData> InputInFile; // null: a volume
 
   bool IsSingle = false;     // the input's file

@@ -232,6 +232,11 @@ void WriteSegments(
     StopIfInterrupted();
     SegmentRecord record;
     record.Label = labels[i];
+    if (const auto changed = subject.Changed.find(labels[i].Value);
+        changed != subject.Changed.end())
+    {
+      record.Changed = changed->second;
+    }
     vtkNew<vtkPolyData> surface;
     vtkBoneSurfaces::ExtractLabel(result, labels[i].Value, surface);
     record.Triangles = surface->GetNumberOfPolys();

@@ -8,8 +8,10 @@
 #define BoneDecimate_Applications_SegmentRecord_h
 
 #include "NamedLabels.h"
+#include "VoxelPieces.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +22,9 @@ struct SegmentRecord
   NamedLabel Label;
   std::int64_t Triangles = 0;
   std::vector<double>
-    Volumes;        ///< mm3, of each component, the largest first; cavities are negative.
-  std::string File; ///< Of its own, without folder; empty: none.
+    Volumes; ///< mm3, of each component, the largest first; cavities are negative.
+  std::optional<ChangedPieces> Changed; ///< Before extraction; none: not requested.
+  std::string File;                     ///< Of its own, without folder; empty: none.
   std::int64_t Bytes = 0;
 };
 }

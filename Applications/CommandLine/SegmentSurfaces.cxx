@@ -21,6 +21,7 @@ SegmentSurfaces ExtractSegments(const Arguments& arguments, std::vector<std::str
   const std::vector<NamedLabel> found = FindSegments(segments.Map, arguments.Segments, path);
   const std::vector<NamedLabel> chosen = ChooseSegments(found, arguments.Segments, path);
   WriteNamedLabels(found, segments.Map->GetFieldData());
+  segments.Map = ChangePieces(segments.Map, chosen, arguments, segments.Changed, warnings);
   vtkNew<vtkBoneSurfaces> extraction;
   extraction->SetInputData(segments.Map);
   extraction->SetNumberOfThreads(arguments.Options.NumberOfThreads);

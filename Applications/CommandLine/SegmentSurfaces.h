@@ -8,6 +8,7 @@
 #define BoneDecimate_Applications_SegmentSurfaces_h
 
 #include "Arguments.h"
+#include "VoxelPieces.h"
 
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
@@ -21,7 +22,8 @@ namespace bonedecimate
 struct SegmentSurfaces
 {
   vtkSmartPointer<vtkPolyData> Surface; ///< Of all segments together, by vtkBoneSurfaces.
-  vtkSmartPointer<vtkImageData> Map;
+  vtkSmartPointer<vtkImageData> Map;    ///< As it was extracted.
+  PiecesOfLabels Changed; ///< What changed on request before that; empty: nothing was requested.
 };
 
 /// Reads the label map and extracts the segments that the arguments choose. @throws Failure(ExitCode::InputRejected)

@@ -138,6 +138,7 @@ void PrintSegments(const std::vector<SegmentRecord>& segments)
   for (const SegmentRecord& segment : segments)
   {
     constexpr std::size_t mostPrinted = 3;
+    const std::string changes = segment.Changed ? ChangesText(*segment.Changed) : std::string();
     std::cout << "segment         " << LabelText(segment.Label) << ": "
               << GroupedText(static_cast<double>(segment.Triangles)) << " triangles, "
               << segment.Volumes.size()
@@ -148,7 +149,8 @@ void PrintSegments(const std::vector<SegmentRecord>& segments)
     }
     std::cout << (segment.Volumes.size() > mostPrinted ? ", ..." : "")
               << (segment.Volumes.empty() ? "" : " mm3")
-              << (segment.File.empty() ? "" : ", " + segment.File) << "\n";
+              << (segment.File.empty() ? "" : ", " + segment.File)
+              << (changes.empty() ? "" : "; " + changes) << "\n";
   }
 }
 
@@ -240,6 +242,11 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
   PrintVoxel(report);
   PrintSlabs(subject);
   PrintSegments(subject.Segments);
+  if (subject.Segments.empty() && !subject.Changed.empty())
+  {
+    const std::string changes = ChangesText(subject.Changed.begin()->second);
+    std::cout << "volume          " << (changes.empty() ? "no cavity filled" : changes) << "\n";
+  }
   PrintParts(report);
   PrintVoxels(report);
   PrintProof(report);

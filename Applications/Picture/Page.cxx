@@ -287,6 +287,17 @@ std::string TextOrUnknown(const ReportFields& report, const std::string& name)
   return text.empty() ? Unknown : EscapedXml(text);
 }
 
+/// Empty unless voxels were to change before the surface was extracted.
+std::string ChangesSection(const std::vector<std::string>& changes)
+{
+  std::string items;
+  for (const std::string& change : changes)
+  {
+    items += "<li>" + EscapedXml(change) + "</li>";
+  }
+  return items.empty() ? std::string() : PageBlock("changes", { { "items", items } });
+}
+
 std::string SecondsText(const ReportFields& report)
 {
   const auto text = [&report](const std::string& name)
@@ -319,7 +330,8 @@ std::string ComposePage(const PageSubject& subject)
         PageBlock(
           "head", { { "title", "Simplified bone surface: " + EscapedXml(subject.Name) } }) },
       { "name", EscapedXml(subject.Name) }, { "smoothing", Smoothing(report) },
-      { "parts", PartSection(report) }, { "voxels", VoxelSection(report) },
+      { "parts", PartSection(report) },
+      { "voxels", VoxelSection(report) + ChangesSection(subject.Changes) },
       { "triangles", count("output.triangles") }, { "input triangles", count("input.triangles") },
       { "percentage", PercentageText(report) }, { "largest distance", LargestDistanceText(report) },
       { "components", count("output.components") },

@@ -10,6 +10,7 @@
 #include "vtkPolyData.h"
 
 #include <string>
+#include <vector>
 
 namespace bonedecimate
 {
@@ -21,7 +22,9 @@ struct PageSubject
   vtkPolyData* Before =
     nullptr; ///< Output port 1, with the distance of each input point; may be null.
   std::string DistanceArrayName; ///< On Before, mm.
-  std::string PictureFile;       ///< A PNG to embed; empty: no picture, and the page says so.
+  std::vector<std::string>
+    Changes;               ///< Of the voxels before extraction; empty: none were requested.
+  std::string PictureFile; ///< A PNG to embed; empty: no picture, and the page says so.
 };
 
 /// The page as HTML text.

@@ -14,8 +14,8 @@ namespace bonedecimate
 {
 using namespace volume;
 
-BoneSurface ExtractBoneSurface(
-  const std::string& path, double hounsfield, LabelPolicy policy, const VoxelSpacing& spacing)
+BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield, LabelPolicy policy,
+  const VoxelSpacing& spacing, const VoxelChange& change)
 {
   BoneSurface bone;
   if (!std::isfinite(hounsfield))
@@ -36,6 +36,12 @@ BoneSurface ExtractBoneSurface(
   if (bone.Problem.empty())
   {
     volume.Image->GetFieldData()->Initialize(); // names of labels are none of the surface's
+    if (change)
+    {
+      const auto& steps = volume.Geometry.Steps;
+      const double sides[3] = { Length(steps[0]), Length(steps[1]), Length(steps[2]) };
+      change(volume.Image, sides);
+    }
     bone.Surface = OutwardContour(volume, hounsfield);
     bone.VoxelSize = LeastSide(volume.Geometry); // the image's own spacing means nothing
   }

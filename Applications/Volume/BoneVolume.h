@@ -9,9 +9,11 @@
 
 #include "VoxelSpacing.h"
 
+#include "vtkImageData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <string>
 
 namespace bonedecimate
@@ -39,13 +41,17 @@ enum class LabelPolicy
   AsIntensities ///< As those of any other volume.
 };
 
+/// What is done with the values of a volume before its surface is extracted. @param spacing mm, along its three axes.
+using VoxelChange = std::function<void(vtkImageData* image, const double spacing[3])>;
+
 /**
  * The surface at the given Hounsfield value by flying edges over the whole volume, normals
  * outwards, transformed by the volume's origin, spacing and direction. Nothing of the header but
  * its geometry and its values reaches the surface.
  */
 BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield,
-  LabelPolicy policy = LabelPolicy::Reject, const VoxelSpacing& spacing = {});
+  LabelPolicy policy = LabelPolicy::Reject, const VoxelSpacing& spacing = {},
+  const VoxelChange& change = {});
 }
 
 #endif

@@ -5,9 +5,12 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkMatrix3x3.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTypeInt64Array.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <type_traits>
@@ -126,5 +129,13 @@ ImageLabels ReadImageLabels(vtkImageData* image, vtkDataArray* array, int associ
       result.Problem = "the array has a type that is not supported";
   }
   return result;
+}
+
+//------------------------------------------------------------------------------
+bool IsWholeImage(vtkImageData* image, vtkInformation* input)
+{
+  int whole[6] = { 0, -1, 0, -1, 0, -1 };
+  input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+  return std::equal(whole, whole + 6, image->GetExtent());
 }
 }

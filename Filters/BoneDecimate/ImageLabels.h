@@ -15,6 +15,7 @@
 
 class vtkDataArray;
 class vtkImageData;
+class vtkInformation;
 
 namespace bonedecimate
 {
@@ -28,6 +29,9 @@ struct ImageLabels
 
 /// @param array Of the image; may be null. @param association Of vtkDataObject::FieldAssociations: points or cells.
 ImageLabels ReadImageLabels(vtkImageData* image, vtkDataArray* array, int association);
+
+/// Whether the pipeline has all of the image.
+bool IsWholeImage(vtkImageData* image, vtkInformation* input);
 }
 
 #endif

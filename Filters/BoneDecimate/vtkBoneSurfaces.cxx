@@ -81,14 +81,6 @@ void KeepPiece(const bonedecimate::PieceOfOutput& piece, bonedecimate::LabelSurf
   }
 }
 
-/// Whether the pipeline has all of the image.
-bool IsWhole(vtkImageData* image, vtkInformation* input)
-{
-  int whole[6] = { 0, -1, 0, -1, 0, -1 };
-  input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-  return std::equal(whole, whole + 6, image->GetExtent());
-}
-
 /// Copies the values of the original points or cells.
 void CopyAttributes(vtkDataSetAttributes* from, const std::vector<bonedecimate::Index>& originals,
   const std::vector<vtkIdType>* idOfOriginal, vtkDataSetAttributes* to)
@@ -190,7 +182,7 @@ int vtkBoneSurfaces::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   }
   vtkImageData* image = vtkImageData::GetData(inputVector[0]);
-  if (!IsWhole(image, inputVector[0]->GetInformationObject(0)))
+  if (!bonedecimate::IsWholeImage(image, inputVector[0]->GetInformationObject(0)))
   {
     vtkErrorMacro(
       << "the image is one of several pieces; surfaces are extracted from whole images, "

@@ -76,6 +76,7 @@ class Memory(ApplicationTest):
             (("--page", "a.html"), "--page"),
             (("--heatmap", "a.vtp"), "--heatmap"),
             (("--region", "rest=0.1"), "--region"),
+            (("--fill-volume", 9), "--fill-volume"),
             (("--smooth", "0.1"), "smooth"),
             (("--target-triangles", 100), "number of triangles"),
         ):

@@ -201,13 +201,57 @@ class Segments(ApplicationTest):
         self.fail_with(REJECTED, "total.mha", "no", "--segments", "bones", says="no segment 'bones'; its segments are 5, 25, 92")
         self.fail_with(REJECTED, "plain.mha", "no", "--segments", "bones", *words, says="none of its labels is that of a bone")
 
-    def test_islands_are_removed_on_request(self):
-        self.succeed("map.vti", "out.vtp", "--segments", "all", "--prune-triangles", 30, "--max-error", "halfvoxel", "--measure", "off",
-                     "--report", "report.json")
+    def changed_before(self, kind):
+        """By label: count and voxels."""
+        return {segment["label"]: tuple(segment["changed_before"][kind][key] for key in ("count", "voxels", "volume"))
+                for segment in self.report()["segments"]["list"]}
+
+    def components(self):
+        return {segment["label"]: segment["components"] for segment in self.report()["segments"]["list"]}
+
+    def test_islands_get_the_label_around_them_on_request(self):
+        labels = voxels()
+        labels[5:7, 8, 7] = 2  # within 1
+        write_map(label_map(labels), self.path("map.vti"))
+        words = ("map.vti", "out.vtp", "--segments", "all", "--max-error", "halfvoxel", "--measure", "off", "--report", "report.json")
+        self.succeed(*words)
+        self.assertEqual(self.components(), {1: 2, 2: 2, 7: 2})
+        self.assertNotIn("changed_before", self.report()["segments"]["list"][0])
+        text = self.succeed(*words, "--prune-volume", 0.6, "--page", "page.html").stdout
+        volume = SPACING[0] * SPACING[1] * SPACING[2]
+        self.assertEqual(self.changed_before("islands_removed"), {1: (0, 0, 0), 2: (1, 2, 2 * volume), 7: (1, 1, volume)})
+        self.assertEqual(self.components(), {1: 1, 2: 1, 7: 1})
+        self.assertEqual(self.report()["voxels"]["changed"], 0)
+        self.assertNotIn("pruned", self.report())
+        self.assertRegex(text, r"segment         2 .*; 1 island of 2 voxels \(0.4 mm3\) removed\n")
+        self.assertIn("label 7: 1 island of 1 voxel (0.2 mm3) removed", self.path("page.html").read_text(encoding="utf-8"))
+        self.succeed(*words[:1], "femur.vtp", *words[2:], "--prune-size", 1.1)
+        self.assertEqual(self.changed_before("islands_removed"), {1: (0, 0, 0), 2: (1, 2, 2 * volume), 7: (1, 1, volume)})
+        text = self.succeed(*words, "--prune-area", 1000).stdout
+        self.assertIn("warning: the largest piece of segment 1 (Femur) is below a limit of --prune, too; it stays", text)
+        self.assertEqual(self.components(), {1: 1, 2: 1, 7: 1})
+
+    def test_cavities_are_filled_on_request_alone(self):
+        labels = voxels()
+        labels[5:7, 8, 7] = 0
+        write_map(label_map(labels), self.path("map.vti"))
+        words = ("map.vti", "out.vtp", "--segments", "1", "--target-reduction", 0.3, "--measure", "off", "--report", "report.json")
+        for limit, filled in ((None, 0), (0.3, 0), (0.375, 1)):
+            self.succeed(*words, *(("--fill-volume", limit) if limit else ()))
+            self.assertEqual(self.components(), {1: 1 if filled else 2})
+            if limit:
+                self.assertEqual(self.changed_before("cavities_filled"), {1: (filled, 2 * filled, 0.375 * filled)})
+        labels[5:7, 8, 7] = 2  # is not chosen, and no cavity
+        write_map(label_map(labels), self.path("map.vti"))
+        self.succeed(*words, "--fill-volume", 10)
+        self.assertEqual(self.components(), {1: 2})
+
+    def test_the_volume_of_all_is_the_sum_of_the_segments(self):
+        self.succeed("map.vti", "out.vtp", "--segments", "all", "--max-error", "halfvoxel", "--smooth", "auto", "--report", "report.json")
         report = self.report()
-        self.assertEqual(report["pruned"]["components"], 1)
-        self.assertEqual([segment["components"] for segment in report["segments"]["list"]], [1, 1, 1])
-        self.assertEqual((report["voxels"]["changed"], report["voxels"]["of_7"]["lost"]), (1, 1))
+        self.assertAlmostEqual(report["output"]["volume"], sum(sum(segment["volumes"]) for segment in report["segments"]["list"]), delta=1e-3)
+        inside = numpy.count_nonzero(voxels()) * SPACING[0] * SPACING[1] * SPACING[2]
+        self.assertAlmostEqual(report["input"]["volume"], inside, delta=0.1 * inside)
 
     def test_nothing_is_left_of_a_run_that_fails(self):
         words = ("--segments", "all", "--target-reduction", 0.5, "--measure", "off")
@@ -249,6 +293,8 @@ class Segments(ApplicationTest):
             (("map.vti", "out.vtp", "--segments", "all", "--unit", "m"), "--unit"),
             (("map.vti", "out.vtp", "--segments", "all", "--format", "stl"), "--format"),
             (("map.vti", "out.vtm", "--segments", "all", "--format", "stl"), "--format"),
+            (("map.vti", "out.vtp", "--segments", "all", "--prune-triangles", 9), "use --prune-size, --prune-area or --prune-volume"),
+            (("bone.vtp", "out.vtp", "--fill-volume", 9), "--fill-volume is for volumes"),
             (("map.vti", "out.json", "--segments", "all"), "vtm"),
             (("map.vti", "out.vtp", "--segments", ""), "--segments takes all"),
             (("map.vti", "out.vtp", "--label-names", "totalsegmentator", "--iso", 1), "--label-names has no effect"),

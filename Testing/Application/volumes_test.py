@@ -234,6 +234,24 @@ class Volumes(ApplicationTest):
         self.succeed("out.vtp", "again.vtp", "--report", "report.json")
         self.assertNotIn("coordinate_system", self.report()["files"])
 
+    def test_cavities_are_filled_up_to_a_volume_on_request(self):
+        image = ball()
+        for x, size in ((9, 1), (13, 2)):  # of 1 and 8 voxels
+            for i in range(size ** 3):
+                image.SetScalarComponentFromDouble(x + i % size, 11 + i // size % size, 11 + i // size ** 2, 0, -50.0)
+        self.write(image, self.path("ct.mha"))
+        words = ("ct.mha", "out.vtp", "--iso", 226.5, "--target-reduction", 0, "--measure", "off", "--report", "report.json")
+        for limit, components, filled in ((None, 3, None), (1, 2, 1), (7.5, 2, 1), (8, 1, 9)):
+            text = self.succeed(*words, *(("--fill-volume", limit) if limit else ())).stdout
+            self.assertEqual(self.report()["output"]["components"], components)
+            changed = self.report().get("changed_before", {}).get("cavities_filled", {})
+            self.assertEqual(changed.get("voxels"), filled)
+        self.assertIn("volume          2 cavities of 9 voxels (9.0 mm3) filled\n", text)
+        self.write_ball(self.path("whole.mha"))
+        self.succeed("whole.mha", "whole.vtp", *words[2:])
+        points = [numpy_support.vtk_to_numpy(read(self.path(name)).GetPoints().GetData()) for name in ("out.vtp", "whole.vtp")]
+        self.assertEqual(points[0].tolist(), points[1].tolist())
+
     def test_volumes_of_a_batch(self):
         self.path("scans").mkdir()
         self.write_ball(self.path("scans") / "ct.vti")

@@ -14,7 +14,6 @@
 #include "vtkFlyingEdges3D.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
-#include "vtkTrivialProducer.h"
 
 #include <gtest/gtest.h>
 
@@ -232,14 +231,7 @@ TEST(BoneSurfaces, ComeInPiecesThatFitTogether)
 
 TEST(BoneSurfaces, RejectsAnImageThatIsAPiece)
 {
-  const auto image = ImageOf(EllipsoidLabels({ 16, 14, 12 }));
-  vtkNew<vtkImageData> piece;
-  piece->DeepCopy(image);
-  const int extent[6] = { 0, 15, 0, 13, 0, 6 };
-  piece->Crop(extent);
-  vtkNew<vtkTrivialProducer> producer;
-  producer->SetOutput(piece);
-  producer->SetWholeExtent(image->GetExtent());
+  const auto producer = PieceOf(ImageOf(EllipsoidLabels({ 16, 14, 12 })));
   vtkNew<vtkBoneSurfaces> filter;
   filter->SetInputConnection(producer->GetOutputPort());
   ErrorTexts errors(filter);

@@ -19,6 +19,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkTrivialProducer.h"
 
 #include <array>
 #include <vector>
@@ -52,6 +53,21 @@ inline vtkSmartPointer<vtkImageData> ImageOf(
   }
   image->GetPointData()->SetScalars(array);
   return image;
+}
+
+/// The first layers of an image in a pipeline that says it has all of them.
+inline vtkSmartPointer<vtkTrivialProducer> PieceOf(vtkImageData* image)
+{
+  const auto piece = vtkSmartPointer<vtkImageData>::New();
+  piece->DeepCopy(image);
+  int extent[6];
+  image->GetExtent(extent);
+  --extent[5];
+  piece->Crop(extent);
+  const auto producer = vtkSmartPointer<vtkTrivialProducer>::New();
+  producer->SetOutput(piece);
+  producer->SetWholeExtent(image->GetExtent());
+  return producer;
 }
 
 /// The output of vtkBoneSurfaces with its defaults, of double precision.

@@ -58,7 +58,7 @@ inline std::vector<double> IntegersOutside(int least, int most)
 class ErrorTexts
 {
 public:
-  explicit ErrorTexts(vtkPolyDataAlgorithm* filter)
+  explicit ErrorTexts(vtkAlgorithm* filter)
     : Filter(filter)
   {
     filter->AddObserver(vtkCommand::ErrorEvent, this, &ErrorTexts::OnError);
@@ -85,7 +85,7 @@ private:
       this->Texts.emplace_back(static_cast<const char*>(text));
     }
   }
-  vtkPolyDataAlgorithm* Filter;
+  vtkAlgorithm* Filter;
 };
 
 /// The filter must have its inputs, and nothing may be wrong with it otherwise.

@@ -55,6 +55,18 @@ class LabelMap(unittest.TestCase):
         extracted.Closed = 0
         self.assertLess(surfaces.output(extracted).GetNumberOfCells(), closed)
 
+    def test_small_pieces_change_on_request(self):
+        labels = image()
+        labels.SetScalarComponentFromDouble(2, 5, 5, 0, 9)  # an island in 4
+        labels.SetScalarComponentFromDouble(7, 5, 5, 0, 0)  # a cavity in 9
+        pieces = simple.BoneLabelPieces(Input=surfaces.source(labels), LabelArray=["POINTS", "Segments"])
+        for limits, island, cavity in (({}, 9, 0), ({"IslandVolume": 1.5}, 4, 0), ({"CavityVolume": 1}, 4, 9),
+                                       ({"Labels": [9], "CavityVolume": 0}, 4, 0), ({"Labels": [4]}, 9, 0)):
+            for name, value in limits.items():
+                setattr(pieces, name, value)
+            found = surfaces.output(pieces)
+            self.assertEqual([found.GetScalarComponentAsDouble(x, 5, 5, 0) for x in (2, 7)], [island, cavity])
+
     def test_changed_voxels_are_counted(self):
         extracted = simple.BoneSurfaces(Input=self.image, LabelArray=["POINTS", "Segments"])
         decimated = simple.BoneDecimate(Input=extracted, TargetReduction=0.97, KeepVoxels="Off")

@@ -11,8 +11,8 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from surfaces import TRIANGLES, Ear, decimating, torus
 from bonedecimate import (
-    error_curve, smallest_error, vtkBoneDiagnostics, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance,
-    vtkBoneSurfaces, vtkBoneTolerance, vtkBoneVoxelCheck)
+    error_curve, smallest_error, vtkBoneDiagnostics, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneLabelPieces,
+    vtkBoneSurfaceDistance, vtkBoneSurfaces, vtkBoneTolerance, vtkBoneVoxelCheck)
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 
 NO_NUMBERS = (math.nan, math.inf, -math.inf)
@@ -127,8 +127,8 @@ class Properties(unittest.TestCase):
             self.assertEqual(getattr(decimate, snake(name)), get(decimate, name))
 
     def test_unknown_attributes_are_errors(self):
-        for filter_class in (vtkBoneDiagnostics, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance,
-                             vtkBoneSurfaces, vtkBoneTolerance, vtkBoneVoxelCheck):
+        for filter_class in (vtkBoneDiagnostics, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneLabelPieces,
+                             vtkBoneSurfaceDistance, vtkBoneSurfaces, vtkBoneTolerance, vtkBoneVoxelCheck):
             with self.subTest(filter_class.__name__):
                 for name in ("max_error", "MaximumError", "SetNumberOfThreads", "Update", "GetOutput", "anything"):
                     with self.assertRaises(AttributeError):
@@ -195,11 +195,12 @@ class Properties(unittest.TestCase):
         outside = {"tolerance": (-1, *NO_NUMBERS), "relative_gap": (0, 2, *NO_NUMBERS), "mean_precision": (0, 2, *NO_NUMBERS),
                    "number_of_threads": (-1, 1025), "choice": (-1, 8), "fold_angle": (-1, 181, *NO_NUMBERS),
                    "feather": (-1, *NO_NUMBERS), "inside_tolerance": NO_NUMBERS, "outside_tolerance": NO_NUMBERS,
-                   "mode": (-1, 4), "relative_precision": (0, 0.6, *NO_NUMBERS), "target_number_of_triangles": (-1,), "maximum_error": (-1, *NO_NUMBERS), "number_of_triangles": (-1,),
+                   "island_size": (-1, *NO_NUMBERS), "island_area": (-1, *NO_NUMBERS), "island_volume": (-1, *NO_NUMBERS),
+                   "cavity_volume": (-1, *NO_NUMBERS), "mode": (-1, 4), "relative_precision": (0, 0.6, *NO_NUMBERS), "target_number_of_triangles": (-1,), "maximum_error": (-1, *NO_NUMBERS), "number_of_triangles": (-1,),
                    "level_error": (-1, *NO_NUMBERS), "output_points_precision": (-1, 3)}
         tried = set()
-        for filter_class in (vtkBoneDiagnostics, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance, vtkBoneSurfaces,
-                             vtkBoneTolerance, vtkBoneVoxelCheck):
+        for filter_class in (vtkBoneDiagnostics, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneLabelPieces, vtkBoneSurfaceDistance,
+                             vtkBoneSurfaces, vtkBoneTolerance, vtkBoneVoxelCheck):
             one = filter_class()
             for name, values in outside.items():
                 for value in values if hasattr(filter_class, name) else ():

@@ -138,5 +138,47 @@ class Surfaces(unittest.TestCase):
             extract_label(found.points[:-1], found.triangles, found.boundary_labels, 2)
 
 
+class Pieces(unittest.TestCase):
+    def setUp(self):
+        self.labels = halves()
+        self.labels[4, 5, 3:5] = 0  # a cavity in 2
+        self.labels[4, 5, 10] = 2  # an island in 7
+        self.labels[8, 10, 13] = 7  # and one in the open
+        self.bones = bonedecimate.LabelMap(self.labels, spacing=SPACING)
+        self.voxel = float(np.prod(SPACING))
+
+    def test_change_on_request_alone(self):
+        same, changes = bonedecimate.change_pieces(self.bones)
+        np.testing.assert_array_equal(same.labels, self.labels)
+        self.assertEqual(changes, {})
+        cleaned, changes = bonedecimate.change_pieces(self.bones, island_volume=1.5 * self.voxel, cavity_volume=2 * self.voxel)
+        np.testing.assert_array_equal(cleaned.labels, halves())
+        self.assertEqual(changes, {2: (1, 1, 1, 2), 7: (1, 1, 0, 0)})
+        self.assertEqual((self.labels[4, 5, 3], cleaned.labels.dtype), (0, self.labels.dtype))
+        self.assertEqual(bonedecimate.extract_surfaces(cleaned).grid.spacing.tolist(), list(SPACING))
+
+    def test_of_other_labels_stay(self):
+        cleaned, changes = bonedecimate.change_pieces(self.bones, labels=[7], island_size=1.6, cavity_volume=9)
+        expected = self.labels.copy()
+        expected[8, 10, 13] = 0
+        np.testing.assert_array_equal(cleaned.labels, expected)
+        self.assertEqual(changes, {7: (1, 1, 0, 0)})
+
+    def test_that_are_the_largest_stay(self):
+        with self.assertWarnsRegex(UserWarning, "the largest piece of label 2 is below a limit of islands, too; it stays"):
+            cleaned, _changes = bonedecimate.change_pieces(self.bones, island_area=1e9)
+        self.assertEqual(np.unique(cleaned.labels).tolist(), [0, 2, 7])
+
+    def test_reject_limits_that_are_none(self):
+        for name in ("island_size", "island_area", "island_volume", "cavity_volume"):
+            for error, value in ((ValueError, -1), (ValueError, np.nan), (TypeError, "1")):
+                with self.subTest(name, value=value), self.assertRaises(error):
+                    bonedecimate.change_pieces(self.bones, **{name: value})
+        with self.assertRaises(ValueError):
+            bonedecimate.change_pieces(self.labels)
+        with self.assertRaisesRegex(ValueError, "larger than 2"):
+            bonedecimate.change_pieces(bonedecimate.LabelMap(np.full((1, 1, 1), 2**63, np.uint64)), cavity_volume=1)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -227,6 +227,14 @@ class LabelMaps(unittest.TestCase):
                 small.points, small.regular_faces, small.cell_data["BoundaryLabels"], label)
             self.assertTrue(pv.PolyData.from_regular_faces(points, triangles).is_manifold)
 
+    def test_lose_islands_on_request(self):
+        image = self.image()
+        image.point_data["segments"][0] = 7
+        cleaned, changes = image.bone.change_pieces(island_volume=0.3, cavity_volume=1)
+        np.testing.assert_array_equal(cleaned.point_data["segments"], self.image().point_data["segments"])
+        self.assertEqual((image.point_data["segments"][0], changes[7].islands, changes[2].islands), (7, 1, 0))
+        self.assertEqual((cleaned.extent, cleaned.origin), (image.extent, image.origin))
+
     def test_are_kept_voxel_by_voxel(self):
         image, mesh = self.image(), self.image().bone.surfaces()
         small = mesh.bone.decimate(target_reduction=0.9)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arrays.h"
 #include "Bindings.h"
+#include "LabelMap/ChangePieces.h"
 #include "LabelMap/LabelSurfaces.h"
 #include "LabelMap/SingleLabel.h"
 #include "LabelMap/VoxelCheck.h"
@@ -106,6 +107,42 @@ nb::dict Extract(const VolumeIn& labels, const std::array<double, 3>& origin,
       .Hear([&](const Monitor& monitor) { return ExtractLabelSurfaces(image, options, monitor); }));
 }
 
+using VolumeInOut = nb::ndarray<nb::ndim<3>, nb::c_contig, nb::device::cpu>;
+
+/// One row for each label.
+std::vector<std::array<std::int64_t, 4>> RowsOf(const std::vector<SegmentPieces>& segments)
+{
+  std::vector<std::array<std::int64_t, 4>> rows;
+  for (const SegmentPieces& segment : segments)
+  {
+    rows.push_back(
+      { segment.Label, segment.Pieces, segment.Voxels, segment.IsLargestTooSmall ? 1 : 0 });
+  }
+  return rows;
+}
+
+nb::tuple Change(const VolumeInOut& labels, const std::array<double, 3>& spacing,
+  const std::vector<std::int64_t>& chosen, std::int64_t background,
+  const std::array<double, 3>& islands, double cavityVolume)
+{
+  VoxelGrid grid;
+  grid.Spacing = Vector3(spacing.data());
+  grid.Dimensions = { static_cast<Index>(labels.shape(2)), static_cast<Index>(labels.shape(1)),
+    static_cast<Index>(labels.shape(0)) };
+  const PieceOptions options = { chosen, background, { islands[0], islands[1], islands[2] },
+    cavityVolume };
+  PieceCounts counts;
+  {
+    const nb::gil_scoped_release others;
+    counts = ChangePieces(options, labels.data(), TypeOf(labels.dtype()), grid);
+  }
+  if (!counts.FitInt64)
+  {
+    throw nb::value_error(LabelSurfaceMessage(LabelSurfaceStatus::LabelOutOfRange));
+  }
+  return nb::make_tuple(RowsOf(counts.Islands), RowsOf(counts.Cavities));
+}
+
 nb::tuple Single(const PointsIn& points, const TrianglesIn& triangles,
   const PairsIn& boundaryLabels, std::int64_t label)
 {
@@ -180,6 +217,11 @@ void BindLabelMaps(nb::module_& module)
     nb::arg("direction"), nb::arg("chosen"), nb::arg("background"), nb::arg("closed"),
     nb::arg("threads"), nb::arg("progress").none(),
     "The surfaces of a label map with indices z, y, x; the direction is row by row.");
+  module.def("change_pieces", &Change, nb::arg("labels"), nb::arg("spacing"), nb::arg("chosen"),
+    nb::arg("background"), nb::arg("islands"), nb::arg("cavity_volume"),
+    "Changes a label map with indices z, y, x; islands are the least size, area and volume. Rows "
+    "of label, pieces, voxels and whether the largest piece is too small: of islands, of "
+    "cavities.");
   module.def("extract_label", &Single, nb::arg("points"), nb::arg("triangles"),
     nb::arg("boundary_labels"), nb::arg("label"),
     "Points, triangles, original points and original triangles of one label.");

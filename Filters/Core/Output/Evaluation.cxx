@@ -3,12 +3,16 @@
 #include "Evaluation.h"
 
 #include "Certificate/Certificate.h"
+#include "Input/LabelMapInput.h"
 #include "Intersections/GapRule.h"
 #include "Measure/SurfaceDistance.h"
 #include "Mesh/ManifoldPatches.h"
 #include "Mesh/Statistics.h"
+#include "Parallel.h"
 #include "PartComparison.h"
 #include "StageClock.h"
+
+#include <Eigen/Geometry>
 
 #include <optional>
 #include <utility>
@@ -21,6 +25,27 @@ namespace
 constexpr double BoundariesProgress = 0.02;
 constexpr double InputPointsProgress = 0.095;
 constexpr double LastStep = 0.005;
+
+/// mm^3, what triangles between two labels add to the sum over all triangles. In the sum over all labels each of them counts once with
+/// either sign, that is not at all.
+double VolumeOfWalls(const Surface& surface, const std::vector<BoundaryLabels>& pairs,
+  const LabelMapSource& map, int threads)
+{
+  return SumOverBlocks(pairs.size(), threads,
+    [&](std::size_t first, std::size_t last)
+    {
+      double volume = 0.0;
+      for (std::size_t t = first; t < last; ++t)
+      {
+        const Triangle& c = surface.Triangles[t];
+        const Vector3& p = surface.Points[c[0]];
+        volume += pairs[t][1] == map.Background()
+          ? 0.0
+          : (surface.Points[c[1]] - p).cross(surface.Points[c[2]] - p).dot(p) / 6.0;
+      }
+      return volume;
+    });
+}
 
 /// The steps of Evaluate(), one after the other.
 class Evaluator
@@ -47,6 +72,13 @@ public:
     report.Output = editor.NumberOfCollapses() == 0
       ? Describe(this->Run.LocalResult, counts, threads)
       : Describe(this->Run.LocalResult, threads);
+    if (const LabelMapSource* map = this->Run.Inputs.LabelMap)
+    {
+      report.Input.Volume -= VolumeOfWalls(
+        this->Run.Cleaned.Surface, BoundaryLabelsOf(this->Run.Cleaned, *map), *map, threads);
+      report.Output.Volume -=
+        VolumeOfWalls(this->Run.LocalResult, this->Output.BoundaryLabels, *map, threads);
+    }
     if (this->Run.SmallestPart > 0.0)
     {
       this->Parts.emplace(this->Run.Cleaned, this->Run.Inputs);

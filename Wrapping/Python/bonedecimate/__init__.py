@@ -17,14 +17,15 @@ vtkBoneDiagnostics = checked(_wrapped, "vtkBoneDiagnostics")
 vtkBoneDecimate = checked(_wrapped, "vtkBoneDecimate")
 vtkBoneDecimateLevels = checked(_wrapped, "vtkBoneDecimateLevels")
 vtkBoneErrorSearch = checked(_wrapped, "vtkBoneErrorSearch")
+vtkBoneLabelPieces = checked(_wrapped, "vtkBoneLabelPieces")
 vtkBoneSmooth = checked(_wrapped, "vtkBoneSmooth")
 vtkBoneSurfaceDistance = checked(_wrapped, "vtkBoneSurfaceDistance")
 vtkBoneSurfaces = checked(_wrapped, "vtkBoneSurfaces")
 vtkBoneTolerance = checked(_wrapped, "vtkBoneTolerance")
 vtkBoneVoxelCheck = checked(_wrapped, "vtkBoneVoxelCheck")
 
-__all__ = ["vtkBoneDiagnostics", "vtkBoneDecimate", "vtkBoneDecimateLevels", "vtkBoneErrorSearch", "vtkBoneSmooth",
-           "vtkBoneSurfaceDistance", "vtkBoneSurfaces", "vtkBoneTolerance", "vtkBoneVoxelCheck", "error_curve",
+__all__ = ["vtkBoneDiagnostics", "vtkBoneDecimate", "vtkBoneDecimateLevels", "vtkBoneErrorSearch", "vtkBoneLabelPieces",
+           "vtkBoneSmooth", "vtkBoneSurfaceDistance", "vtkBoneSurfaces", "vtkBoneTolerance", "vtkBoneVoxelCheck", "error_curve",
            "smallest_error"]
 
 

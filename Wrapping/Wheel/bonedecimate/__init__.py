@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from ._core import PreparedSurface, StopReason, __version__
 from .arrays import Aborted, Certificate, Result, certify, decimate, smooth
 from .label_maps import LabelSurfaces, extract_label, extract_surfaces
+from .label_pieces import PieceChanges, change_pieces
 from .levels import Levels, open_levels, record_levels
 from .voxel_check import LabelChanges, VoxelChanges, check_voxels
 from .voxels import LabelMap, VoxelGrid
@@ -22,14 +23,14 @@ from .voxels import LabelMap, VoxelGrid
 if TYPE_CHECKING:
     from .vtk_filter import vtkBoneDecimate
 
-__all__ = ["Aborted", "Certificate", "LabelChanges", "LabelMap", "LabelSurfaces", "Levels", "PreparedSurface", "Result",
-           "StopReason", "VoxelChanges", "VoxelGrid", "__version__", "certify", "check_voxels", "decimate", "extract_label", "extract_surfaces", "open_levels",
-           "record_levels", "smooth", "vtkBoneDecimate"]
+__all__ = ["Aborted", "Certificate", "LabelChanges", "LabelMap", "LabelSurfaces", "Levels", "PieceChanges", "PreparedSurface",
+           "Result", "StopReason", "VoxelChanges", "VoxelGrid", "__version__", "certify", "change_pieces", "check_voxels", "decimate",
+           "extract_label", "extract_surfaces", "open_levels", "record_levels", "smooth", "vtkBoneDecimate"]
 
 # Classes of the package that is built with VTK, and what does the same here.
 _BUILT_WITH_VTK = {
     "vtkBoneDecimateLevels": "record_levels", "vtkBoneDiagnostics": "decimate(diagnose=True)", "vtkBoneErrorSearch": None,
-    "vtkBoneSmooth": "smooth", "vtkBoneSurfaceDistance": "certify", "vtkBoneSurfaces": "extract_surfaces",
+    "vtkBoneLabelPieces": "change_pieces", "vtkBoneSmooth": "smooth", "vtkBoneSurfaceDistance": "certify", "vtkBoneSurfaces": "extract_surfaces",
     "vtkBoneTolerance": None, "vtkBoneVoxelCheck": "check_voxels"}
 
 

@@ -103,7 +103,7 @@ def extract_surfaces(
     elif axes != "zyx" or affine is not None or not is_default(spacing, origin, direction):
         raise ValueError("a LabelMap and an image have their own axes, spacing, origin and direction")
     label_map = label_map_from(label_map, None)
-    chosen, grid = _labels_from(labels), label_map.grid
+    chosen, grid = chosen_labels(labels), label_map.grid
     with listener(progress) as heard:
         outcome = _core.extract_surfaces(
             label_map.labels, grid.origin.tolist(), grid.spacing.tolist(), grid.direction.reshape(-1).tolist(), chosen,
@@ -137,7 +137,7 @@ def extract_label(
     return _core.extract_label(positions, corners, pairs, label_value("label", label))[:2]
 
 
-def _labels_from(labels: Iterable[int] | None) -> list[int]:
+def chosen_labels(labels: Iterable[int] | None) -> list[int]:
     """None of them is all."""
     chosen = [] if labels is None else [label_value("labels", each) for each in labels]
     if labels is not None and not chosen:

@@ -24,7 +24,7 @@ SOURCES = HERE.parent / "bonedecimate"
 HEAD = "# Written at build time from the table of options.\n"
 MODULES = ("arrays", "label_maps", "levels", "pyvista_accessor")
 # Of the modules that the others import: the functions whose keywords they pass on.
-FUNCTIONS = {node.name: node for name in ("arrays", "voxel_check")
+FUNCTIONS = {node.name: node for name in ("arrays", "label_pieces", "voxel_check")
              for node in ast.parse((SOURCES / f"{name}.py").read_text(encoding="utf-8")).body if isinstance(node, ast.FunctionDef)}
 
 

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VoxelPieces.h"
+
+#include "Arguments.h"
+#include "CommonOptions.h"
+#include "ExitCode.h"
+#include "FilterRun.h"
+#include "NamedLabels.h"
+#include "NumberText.h"
+
+#include "vtkBoneLabelPieces.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <type_traits>
+
+namespace bonedecimate
+{
+namespace
+{
+double VoxelVolume(const double spacing[3])
+{
+  return spacing[0] * spacing[1] * spacing[2];
+}
+
+ChangedPieces PiecesOf(vtkBoneLabelPieces* filter, std::int64_t label, double voxelVolume)
+{
+  return { filter->GetNumberOfIslands(label), filter->GetNumberOfIslandVoxels(label),
+    filter->GetNumberOfCavities(label), filter->GetNumberOfCavityVoxels(label), voxelVolume };
+}
+
+template <typename Scalar>
+void MarkFrom(const Scalar* values, double gray, vtkUnsignedCharArray* mask)
+{
+  for (vtkIdType i = 0; i < mask->GetNumberOfTuples(); ++i)
+  {
+    mask->SetValue(i, static_cast<double>(values[i]) >= gray ? 1 : 0);
+  }
+}
+
+/// Gives the voxels that are in the mask but below the gray value a value that is not.
+template <typename Scalar>
+void RaiseTo(double gray, vtkDataArray* mask, Scalar* values)
+{
+  const auto raised = static_cast<Scalar>(std::is_integral_v<Scalar> ? std::ceil(gray) : gray);
+  const Scalar next = static_cast<double>(raised) < gray // by rounding to single precision
+    ? static_cast<Scalar>(std::nextafter(static_cast<float>(raised), HUGE_VALF))
+    : raised;
+  for (vtkIdType i = 0; i < mask->GetNumberOfTuples(); ++i)
+  {
+    if (mask->GetComponent(i, 0) > 0.0 && static_cast<double>(values[i]) < gray)
+    {
+      values[i] = next;
+    }
+  }
+}
+
+vtkSmartPointer<vtkImageData> MaskFrom(vtkImageData* image, const double spacing[3], double gray)
+{
+  vtkDataArray* const values = image->GetPointData()->GetScalars();
+  vtkNew<vtkUnsignedCharArray> mask;
+  mask->SetName("Bone");
+  mask->SetNumberOfTuples(values->GetNumberOfTuples());
+  switch (values->GetDataType())
+  {
+    vtkTemplateMacro(MarkFrom(static_cast<const VTK_TT*>(values->GetVoidPointer(0)), gray, mask));
+    default:
+      break;
+  }
+  const auto bone = vtkSmartPointer<vtkImageData>::New();
+  bone->SetDimensions(image->GetDimensions());
+  bone->SetSpacing(spacing);
+  bone->GetPointData()->SetScalars(mask);
+  return bone;
+}
+
+ChangedPieces FillCavities(
+  vtkImageData* image, const double spacing[3], double gray, double largestVolume)
+{
+  vtkNew<vtkBoneLabelPieces> pieces;
+  pieces->SetInputData(MaskFrom(image, spacing, gray));
+  pieces->SetCavityVolume(largestVolume);
+  UpdateFilter(pieces, Progress::Hidden);
+  vtkDataArray* const mask = pieces->GetOutput()->GetPointData()->GetScalars();
+  vtkDataArray* const values = image->GetPointData()->GetScalars();
+  switch (values->GetDataType())
+  {
+    vtkTemplateMacro(RaiseTo(gray, mask, static_cast<VTK_TT*>(values->GetVoidPointer(0))));
+    default:
+      break;
+  }
+  return PiecesOf(pieces, 1, VoxelVolume(spacing));
+}
+
+std::string CountText(std::int64_t pieces, const char* one, const char* several,
+  std::int64_t voxels, double voxelVolume)
+{
+  return GroupedText(static_cast<double>(pieces)) + " " + (pieces == 1 ? one : several) + " of " +
+    GroupedText(static_cast<double>(voxels)) + (voxels == 1 ? " voxel (" : " voxels (") +
+    GroupedText(static_cast<double>(voxels) * voxelVolume, 1) + " mm3)";
+}
+}
+
+void AddFillVolume(CLI::App& app, Arguments& arguments)
+{
+  AddNumber(app,
+    { "--fill-volume", "MM3", { 0, LargestNumber, false, "mm3" },
+      "Volumes: fill cavities of a segment, or of the bone at --iso, up to this volume. Cavities "
+      "are voxels of background that do not reach the end of the volume. 0, the default: fill "
+      "none." },
+    [&arguments](double volume)
+    {
+      arguments.FillVolume = volume;
+      std::ostringstream given;
+      given << std::setprecision(17) << volume;
+      arguments.Given["fill-volume"] = given.str();
+    });
+}
+
+void CheckPieces(const Arguments& arguments)
+{
+  if (arguments.FillVolume > 0.0 && !arguments.Iso && !arguments.Segments.IsRequested())
+  {
+    throw Failure(
+      ExitCode::Usage, "--fill-volume is for volumes, together with --iso or --segments");
+  }
+  if (arguments.Segments.IsRequested() && arguments.Options.PruneTriangles > 0)
+  {
+    throw Failure(ExitCode::Usage,
+      "--prune-triangles counts triangles of surfaces; with --segments, whose islands are voxels, "
+      "use --prune-size, --prune-area or --prune-volume");
+  }
+}
+
+vtkSmartPointer<vtkImageData> ChangePieces(vtkImageData* map, const std::vector<NamedLabel>& labels,
+  const Arguments& arguments, PiecesOfLabels& changed, std::vector<std::string>& warnings)
+{
+  if (!arguments.Options.Prunes() && !(arguments.FillVolume > 0.0))
+  {
+    return map;
+  }
+  vtkNew<vtkBoneLabelPieces> pieces;
+  pieces->SetInputData(map);
+  pieces->SetIslandSize(arguments.Options.PruneSize);
+  pieces->SetIslandArea(arguments.Options.PruneArea);
+  pieces->SetIslandVolume(arguments.Options.PruneVolume);
+  pieces->SetCavityVolume(arguments.FillVolume);
+  for (const NamedLabel& label : labels)
+  {
+    pieces->AddLabel(label.Value);
+  }
+  AcceptMessages(UpdateFilter(pieces, Progress::Hidden), arguments.Inputs[0], warnings);
+  for (const NamedLabel& label : labels)
+  {
+    changed[label.Value] = PiecesOf(pieces, label.Value, VoxelVolume(map->GetSpacing()));
+    if (pieces->IsLargestPieceTooSmall(label.Value))
+    {
+      warnings.push_back("the largest piece of segment " + LabelText(label) +
+        " is below a limit of --prune, too; it stays");
+    }
+  }
+  return pieces->GetOutput();
+}
+
+VoxelChange CavityFilling(const Arguments& arguments, PiecesOfLabels& changed)
+{
+  if (!(arguments.FillVolume > 0.0))
+  {
+    return {};
+  }
+  return [gray = *arguments.Iso, volume = arguments.FillVolume, &changed](vtkImageData* image,
+           const double spacing[3]) { changed[1] = FillCavities(image, spacing, gray, volume); };
+}
+
+std::string ChangesText(const ChangedPieces& changed)
+{
+  std::string text;
+  if (changed.Islands > 0)
+  {
+    text =
+      CountText(changed.Islands, "island", "islands", changed.IslandVoxels, changed.VoxelVolume) +
+      " removed";
+  }
+  if (changed.Cavities > 0)
+  {
+    text += (text.empty() ? "" : ", ") +
+      CountText(changed.Cavities, "cavity", "cavities", changed.CavityVoxels, changed.VoxelVolume) +
+      " filled";
+  }
+  return text;
+}
+
+std::vector<std::string> ChangesTexts(const PiecesOfLabels& changed, bool areLabels)
+{
+  std::vector<std::string> texts;
+  for (const auto& [label, pieces] : changed)
+  {
+    const std::string text = ChangesText(pieces);
+    texts.push_back((areLabels ? "label " + std::to_string(label) : std::string("bone")) + ": " +
+      (text.empty() ? "nothing" : text));
+  }
+  return texts;
+}
+
+nlohmann::ordered_json JsonOfPieces(const ChangedPieces& changed)
+{
+  const auto piece = [&changed](std::int64_t count, std::int64_t voxels) -> nlohmann::ordered_json
+  {
+    return { { "count", count }, { "voxels", voxels },
+      { "volume", static_cast<double>(voxels) * changed.VoxelVolume } };
+  };
+  return { { "islands_removed", piece(changed.Islands, changed.IslandVoxels) },
+    { "cavities_filled", piece(changed.Cavities, changed.CavityVoxels) } };
+}
+}
