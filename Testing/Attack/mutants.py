@@ -52,7 +52,7 @@ CHECK_TESTS = "VoxelChecks*:*EachMap*:KeepVoxelsOption*"
 BATCH = "Filters/Core/Schedule/BatchSweep.cxx"
 BATCH_TESTS = "BatchSweep*"
 DRAFT_TESTS = "Draft*:EditJournal*:FaceHistory*:EditReplay*:BulkProof*"
-REPLAY_TESTS = DRAFT_TESTS + ":*IntersectionGuard*"
+REPLAY_TESTS = DRAFT_TESTS + ":*IntersectionGuard*:GapsOfADraft*"
 CERTIFICATE_TESTS = "OverlayCover*:Certificate*:ResultProof*"
 
 

@@ -106,8 +106,8 @@ Corners FacesOf(const HalfEdgeMesh& mesh)
   return faces;
 }
 
-/// A plate with a tip in the middle and, under the tip, a tetrahedron or none.
-Surface TippedPlate(bool hasTetrahedron)
+/// A plate with a tip of that height (mm) in the middle and, under the tip, a tetrahedron or none.
+Surface TippedPlate(bool hasTetrahedron, double height = 0.4)
 {
   Surface plate = Grid(8);
   Vector3 low = plate.Points[0];
@@ -120,7 +120,7 @@ Surface TippedPlate(bool hasTetrahedron)
   for (Vector3& p : plate.Points)
   {
     p = 8.0 * (p - low) / (high - low).maxCoeff();
-    p[2] = (p - Vector3(4.0, 4.0, p[2])).norm() < 1e-6 ? 0.4 : 0.0;
+    p[2] = (p - Vector3(4.0, 4.0, p[2])).norm() < 1e-6 ? height : 0.0;
   }
   if (!hasTetrahedron)
   {
@@ -236,6 +236,33 @@ TEST(Draft, UndoesWhatJumpsOverSomething)
 {
   EXPECT_EQ(CollapsesLeftOfTip(false), 1);
   EXPECT_EQ(CollapsesLeftOfTip(true), 0);
+}
+
+/// The tip of the lower plate lies within that of the upper one, until the first edit flattens it.
+TEST(Draft, UndoesWhatWouldMeetWhereAnEarlierEditIsUndone)
+{
+  for (const bool hasTetrahedron : { false, true })
+  {
+    const Surface input = Together(
+      TippedPlate(false), Moved(TippedPlate(hasTetrahedron, 1.2), Vector3(0.0, 0.0, -1.0)));
+    ASSERT_EQ(CountCrossings(input), 0);
+    const CleanSurface clean = Clean(input, true);
+    EditorSettings settings = Proving(2.0);
+    settings.GuardsGaps = false;
+    Editor editor(clean, settings);
+    const HalfEdgeMesh& mesh = editor.Mesh();
+    ASSERT_TRUE(editor.BeginDraft(1));
+    for (const double z : { -1.0, 0.0 })
+    {
+      const VertexId tip = VertexAt(mesh, clean, Vector3(4.0, 4.0, z < 0.0 ? 0.2 : 0.4));
+      const VertexId next = VertexAt(mesh, clean, Vector3(5.0, 4.0, z));
+      const HalfEdgeId edge = EdgeBetween(mesh, tip, next);
+      ASSERT_TRUE(editor.Validate(edge).IsAccepted());
+      ASSERT_TRUE(editor.Collapse({ edge, next, mesh.Position(next), false }).IsAccepted());
+    }
+    ASSERT_TRUE(editor.EndDraft(1, Never));
+    EXPECT_EQ(editor.NumberOfCollapses(), hasTetrahedron ? 0 : 2);
+  }
 }
 
 TEST(Draft, AbortUndoesAllOfIt)

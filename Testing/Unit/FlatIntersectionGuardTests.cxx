@@ -109,20 +109,44 @@ TEST(FlatIntersectionGuard, ATipThatTouchesAPlateDoesNotGoThroughIt)
   EXPECT_TRUE(editor.Move(0, tip - Vector3(0.0, 0.0, 0.1), work, 1).IsAccepted());
 }
 
-/// A tent below a slanted roof, where positions relative to the local origin have other last bits than those written.
-TEST(FlatIntersectionGuard, DecidesForTheCoordinatesThatAreWritten)
+namespace
 {
-  Surface input;
-  input.Points = { Vector3(0, 0, -1), Vector3(2, 0, -2), Vector3(-1, 2, -2), Vector3(-1, -2, -2),
-    Vector3(7, -9, -4.1), Vector3(3, 11, 2.3), Vector3(-9, -2, 1.7) };
-  input.Triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 6 } };
-  input = Moved(input, Vector3(0.1, -1.0 / 3.0, 2.7));
-  const CleanSurface clean = Clean(input, true);
+/// A tent of three triangles, its tip the first point, and what is beside it.
+Surface Tent(const Surface& other)
+{
+  Surface tent;
+  tent.Points = { Vector3(0, 0, -1), Vector3(2, -2, -2), Vector3(2, 2, -2), Vector3(-3, 0, -2) };
+  tent.Triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 } };
+  return Together(tent, other);
+}
+
+Surface OneTriangle(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  Surface one;
+  one.Points = { a, b, c };
+  one.Triangles = { { 0, 1, 2 } };
+  return one;
+}
+
+EditorSettings GuardingNoGaps()
+{
   EditorSettings settings;
   settings.GuardsIntersections = true;
   settings.GuardsGaps = false;
-  settings.Input = &input;
   settings.Bound = ErrorBoundSettings{ 10.0 };
+  return settings;
+}
+}
+
+/// Positions relative to the local origin have other last bits than those that are written.
+TEST(FlatIntersectionGuard, DecidesForTheCoordinatesThatAreWritten)
+{
+  const Surface input =
+    Moved(Tent(OneTriangle(Vector3(7, -9, -4.1), Vector3(3, 11, 2.3), Vector3(-9, -2, 1.7))),
+      Vector3(0.1, -1.0 / 3.0, 2.7));
+  const CleanSurface clean = Clean(input, true);
+  EditorSettings settings = GuardingNoGaps();
+  settings.Input = &input;
   Editor editor(clean, settings);
   Workspace work;
   const std::vector<Vector3>& local = clean.Surface.Points;
@@ -141,4 +165,20 @@ TEST(FlatIntersectionGuard, DecidesForTheCoordinatesThatAreWritten)
     differ += side != localRoof.SideOf(p) ? 1 : 0;
   }
   EXPECT_GT(differ, 10);
+}
+
+/// A needle pierces the tent all the time.
+TEST(FlatIntersectionGuard, APairThatIntersectsAllowsNoOtherOne)
+{
+  const Surface needle =
+    OneTriangle(Vector3(0.8, 0.0, -1.8), Vector3(2.5, 0.0, -0.5), Vector3(2.5, 0.1, -0.5));
+  const Surface roof = OneTriangle(Vector3(-9, -9, 0), Vector3(9, -9, 0), Vector3(0, 9, 0));
+  const Surface input = Tent(Together(needle, roof));
+  ASSERT_EQ(CountCrossings(input), 1);
+  const CleanSurface clean = Clean(input, true);
+  Editor editor(clean, GuardingNoGaps());
+  Workspace work;
+  const Vector3 tip = editor.Mesh().Position(0);
+  EXPECT_EQ(editor.Move(0, tip + Vector3(0.0, 0.0, 1.0), work, 1), Rejection::Intersection);
+  EXPECT_TRUE(editor.Move(0, tip + Vector3(0.0, 0.0, 0.9), work, 1).IsAccepted());
 }

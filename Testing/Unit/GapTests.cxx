@@ -131,6 +131,31 @@ HalfEdgeId EdgeAt(const Editor& editor, const CleanSurface& clean, Vector3 from,
   return edge;
 }
 
+}
+
+/// The first edit narrows the gap between two plates, the second one keeps it.
+TEST(GapsOfADraft, AreNotAllowedByThoseThatTheDraftHasNarrowed)
+{
+  for (const double depth : { 0.4, 0.7 })
+  {
+    const CleanSurface clean =
+      Clean(Together(Moved(Grid(8), Vector3(0.0, 0.0, 1.0)), TurnedInsideOut(Grid(8))), true);
+    Editor editor(clean, Guarding(1.0));
+    ASSERT_TRUE(editor.BeginDraft(1));
+    const Vector3 dent = Vector3(4.0, 4.0, 1.0 - depth);
+    const HalfEdgeId first = EdgeAt(editor, clean, Vector3(3.0, 4.0, 1.0), Vector3(4.0, 4.0, 1.0));
+    const VertexId keep = editor.Mesh().Target(first);
+    ASSERT_TRUE(editor.Collapse({ first, keep, dent - clean.Origin, false }).IsAccepted());
+    const HalfEdgeId second = EdgeAt(editor, clean, Vector3(5.0, 4.0, 1.0), dent);
+    ASSERT_TRUE(editor.Collapse({ second, keep, dent - clean.Origin, false }).IsAccepted());
+    ASSERT_TRUE(editor.EndDraft(1, [](double) { return true; }));
+    EXPECT_EQ(editor.DraftReport().Collapses, 2);
+    EXPECT_EQ(editor.NumberOfCollapses(), depth < 0.5 ? 2 : 0);
+  }
+}
+
+namespace
+{
 /// To its target.
 bool CheckToTarget(const Editor& editor, HalfEdgeId h, Workspace& space)
 {

@@ -100,6 +100,26 @@ TEST(OverlayCover, IsExactOverAHeightField)
     [&](Index corner) { return surface.Points[corner].z() == 0.75; }));
 }
 
+TEST(OverlayCover, IsLargestAtAnyCornerOverOneTriangle)
+{
+  for (const Vector3& up :
+    { Vector3(1.0, 0.0, 0.0), Vector3(0.0, 1.0, 0.0), Vector3(-1.0, -1.0, 0.0) })
+  {
+    Surface surface = { { { -90.0, -80.0, 0.0 }, { 90.0, -80.0, 0.0 }, { 0.0, 90.0, 0.0 } },
+      { { 0, 1, 2 } } };
+    double largest = 0.0;
+    for (const Vector3& corner : OverTheGrid)
+    {
+      largest = std::max(largest, 20.0 + 0.1 * up.dot(corner));
+    }
+    for (Vector3& point : surface.Points)
+    {
+      point.z() = 20.0 + 0.1 * up.dot(point);
+    }
+    EXPECT_NEAR(CoveringSurface(surface).Find(OverTheGrid).Upper, largest, 1e-9) << up.transpose();
+  }
+}
+
 TEST(OverlayCover, IgnoresTheSurfaceBesideTheTriangle)
 {
   Surface surface = Grid(10);
