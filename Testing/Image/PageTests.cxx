@@ -45,7 +45,7 @@ protected:
   }
 
   vtkNew<vtkBoneDecimate> Filter;
-  PageSubject Subject{ "ball", nullptr, nullptr, "", "" };
+  PageSubject Subject{ "ball", nullptr, nullptr, "", {}, "" };
 };
 
 bool Contains(const std::string& text, const std::string& part)
