@@ -10,7 +10,7 @@
  * IslandSize, IslandArea and IslandVolume gets the label that has the largest part of its boundary; the background and the end of
  * the image count as well.
  *
- * A cavity is a piece of background, connected by faces, edges or corners of voxels, that does not reach the end of the image and touches
+ * A cavity is a piece of background, connected by faces or edges of voxels as it is in surfaces, that does not reach the end of the image and touches
  * one label alone. One of at most CavityVolume gets this label. Islands are removed first.
  *
  * The output is the image with the changed labels; the input does not change. The counts tell what was changed in the last update.

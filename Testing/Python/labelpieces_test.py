@@ -7,16 +7,17 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
 
-from bonedecimate import vtkBoneLabelPieces
+from bonedecimate import vtkBoneLabelPieces, vtkBoneSurfaces
 
 SHAPE = (7, 8, 9)  # z, y, x
 SPACING = (0.5, 0.7, 1.3)  # x, y, z
 VOXEL = 0.5 * 0.7 * 1.3  # mm3
 FACES = (0.5 * 0.7, 0.5 * 1.3, 0.7 * 1.3)  # mm2, of faces across z, y, x
-ALL = [step for step in itertools.product((-1, 0, 1), repeat=3) if any(step)]
-ACROSS_FACES = [step for step in ALL if sum(map(abs, step)) == 1]
+TO_NEIGHBORS = [step for step in itertools.product((-1, 0, 1), repeat=3) if 1 <= sum(map(abs, step)) <= 2]
+ACROSS_FACES = [step for step in TO_NEIGHBORS if sum(map(abs, step)) == 1]
 
 
 def noise(seed, background=0):
@@ -94,7 +95,7 @@ def without_islands(labels, chosen, background, limits):
 
 def without_cavities(labels, chosen, background, volume):
     changed, counts = labels.copy(), {label: (0, 0) for label in chosen}
-    for piece in pieces(labels, background, ALL):
+    for piece in pieces(labels, background, TO_NEIGHBORS):
         around = {int(labels[voxel]) if is_in(voxel) else None for voxel, _ in faces(piece)}
         if len(around) == 1 and around <= set(chosen) and len(piece) * VOXEL <= volume + 1e-9:
             for voxel in piece:
@@ -104,16 +105,33 @@ def without_cavities(labels, chosen, background, volume):
     return changed, counts
 
 
-def run(labels, chosen=(), background=0, islands=(0, 0, 0), cavity=0):
+def image_of(labels):
     image = vtkImageData()
-    image.SetDimensions(SHAPE[::-1])
+    image.SetDimensions(labels.shape[::-1])
     image.SetSpacing(SPACING)
     image.GetPointData().SetScalars(numpy_to_vtk(labels.ravel(), deep=True))
+    return image
+
+
+def components(labels, label):
+    """Of the surface of a label."""
+    surfaces, single = vtkBoneSurfaces(), vtkPolyData()
+    surfaces.SetInputData(image_of(labels))
+    surfaces.Update()
+    vtkBoneSurfaces.ExtractLabel(surfaces.GetOutput(), label, single)
+    connected = vtkPolyDataConnectivityFilter()
+    connected.SetInputData(single)
+    connected.SetExtractionModeToAllRegions()
+    connected.Update()
+    return connected.GetNumberOfExtractedRegions()
+
+
+def run(labels, chosen=(), background=0, islands=(0, 0, 0), cavity=0):
     filled = vtkBoneLabelPieces(background_label=background, cavity_volume=cavity)
     filled.island_size, filled.island_area, filled.island_volume = islands
     for label in chosen:
         filled.AddLabel(label)
-    filled.SetInputData(image)
+    filled.SetInputData(image_of(labels))
     filled.Update()
     return vtk_to_numpy(filled.GetOutput().GetPointData().GetScalars()).reshape(SHAPE), filled
 
@@ -143,6 +161,15 @@ class LabelPieces(unittest.TestCase):
             for volume in (VOXEL, 100.0):
                 total += self.check(labels, [2, 5], 0, (0, 0, 0), volume)[1] + self.check(labels, [5], 0, (0, 0, 0), volume)[1]
         self.assertGreater(total, 15)
+
+    def test_are_the_components_of_surfaces(self):
+        for seed in range(4):
+            labels = (np.random.default_rng(seed).random(SHAPE) < 0.3 + 0.2 * seed).astype(np.int16)
+            inside = len(list(pieces(labels, 1, ACROSS_FACES)))
+            outside = len(list(pieces(np.pad(labels, 1), 0, TO_NEIGHBORS)))
+            self.assertEqual(components(labels, 1), inside + outside - 1)
+            solid, _ = run(labels, islands=(0, 0, 1e9), cavity=1e9)
+            self.assertEqual(components(solid, 1), 1)
 
     def test_any_label_may_be_the_background(self):
         self.assertGreater(self.check(noise(3, background=5), [2, 9, 0], 5, (0, 0, 2.5 * VOXEL), 2 * VOXEL)[0], 10)

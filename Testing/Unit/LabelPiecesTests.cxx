@@ -49,7 +49,7 @@ LabelMap Changed(LabelMap map, const PieceChanges& changes)
   return map;
 }
 
-/// The voxels connected to one of them, of its label. @param reach 1: by faces; 3: by faces, edges and corners.
+/// The voxels connected to one of them, of its label. @param reach 1: by faces; 2: by faces and edges.
 std::set<Voxel> PieceAt(const LabelMap& map, const Voxel& first, int reach)
 {
   std::set<Voxel> piece = { first };
@@ -186,7 +186,7 @@ TEST(LabelPieces, CavitiesAreWhatBruteForceFinds)
   const PieceChanges changes = FindCavities(ImageOf(map), { 1, 2 }, 0, most * VoxelVolume);
   const LabelMap changed = Changed(map, changes);
   std::map<std::int32_t, std::int64_t> filled;
-  for (const auto& [first, piece] : PiecesOf(map, 0, 3))
+  for (const auto& [first, piece] : PiecesOf(map, 0, 2))
   {
     std::set<std::int32_t> around;
     for (const Voxel& v : piece)

@@ -329,7 +329,7 @@ PieceChanges FindCavities(const LabelImage& image, const std::vector<std::int64_
 {
   SegmentRuns runs(image, segments, background);
   const std::vector<LabelRun>& all = runs.Runs.All();
-  const std::vector<std::size_t> pieceOf = runs.Runs.JoinByCorners();
+  const std::vector<std::size_t> pieceOf = runs.Runs.JoinByEdges();
   std::map<std::size_t, Cavity> cavities;
   for (std::size_t run = 0; run < all.size(); ++run)
   {

@@ -5,10 +5,10 @@
  * @brief Small islands and cavities of the segments of a label map, and the voxels that get another label without them.
  *
  *     island   a piece of a segment, connected by faces of voxels, other than the largest of the segment
- *     cavity   a piece of background, connected by faces, edges or corners of voxels, that does not reach the end of the image and
+ *     cavity   a piece of background, connected by faces or edges of voxels, that does not reach the end of the image and
  *              touches one segment alone
  *
- * An island gets the label on the largest part of its boundary, the background included; the end of the image counts as background. A
+ * Surfaces of the map have as many components as these pieces say (LabelSurfaces.h). An island gets the label on the largest part of its boundary, the background included; the end of the image counts as background. A
  * cavity gets the label of its segment.
  */
 #ifndef BoneDecimate_Core_LabelMap_LabelPieces_h

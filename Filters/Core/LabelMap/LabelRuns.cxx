@@ -102,7 +102,7 @@ std::vector<std::size_t> LabelRuns::JoinByFaces() const
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::size_t> LabelRuns::JoinByCorners() const
+std::vector<std::size_t> LabelRuns::JoinByEdges() const
 {
   RunSets sets(this->Runs.size());
   const auto join = [&](std::size_t a, std::size_t b)
@@ -127,7 +127,7 @@ std::vector<std::size_t> LabelRuns::JoinByCorners() const
     for (std::size_t other = y > 0 ? below - 1 : below;
          other <= (y + 1 < this->Height ? below + 1 : below); ++other)
     {
-      this->VisitRows(row, other, 1, join);
+      this->VisitRows(row, other, other == below ? 1 : 0, join);
     }
   }
   return sets.Roots();

@@ -48,8 +48,8 @@ public:
   /// Joins runs of one rank that have a face in common, of all ranks but 0. @returns For each run the first run of its piece.
   std::vector<std::size_t> JoinByFaces() const;
 
-  /// Joins runs of rank 0 that have a face, an edge or a corner in common.
-  std::vector<std::size_t> JoinByCorners() const;
+  /// Joins runs of rank 0 that have a face or an edge in common.
+  std::vector<std::size_t> JoinByEdges() const;
 
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
 

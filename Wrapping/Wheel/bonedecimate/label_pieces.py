@@ -41,7 +41,7 @@ def change_pieces(
 
     An island is a piece of a label, connected by faces of voxels, other than the largest one; it gets the label
     that has the largest part of its boundary. A cavity is a piece of background,
-    connected by faces, edges or corners, that does not reach the end of the array and touches one label alone; it gets that label.
+    connected by faces or edges, that does not reach the end of the array and touches one label alone; it gets that label.
     Islands are removed first. A Python warning says which labels have a largest piece that is too small, too; it stays.
 
     >>> cleaned, changes = bonedecimate.change_pieces(bones, island_volume=50, cavity_volume=50)
