@@ -16,7 +16,7 @@ COMMANDS = {
     "diagnose": ("nothing.ply",),
 }
 # Placeholders of the values of flags that take no number.
-OTHER_VALUES = {"FILE", "NAME", "EXT", "NAME.EXT", "SHAPE=MM"}
+OTHER_VALUES = {"FILE", "NAME", "EXT", "NAME.EXT", "PATTERN", "SHAPE=MM", "SIZE"}
 NO_NUMBERS = ("nan", "-inf", "1e400", "", "5mm")
 MORE_NO_NUMBERS = ("inf", "NaN", " 5", "5 ", "0x10", "five", "1'000", "--5", "\N{ARABIC-INDIC DIGIT FIVE}")
 ENTRY = re.compile(r"(?ms)^  (--[a-z-]+) (\S+)(.*?)(?=^  -|^\S|\Z)")
