@@ -231,7 +231,7 @@ private:
   {
     if (!this->Requested.Quiet)
     {
-      std::cout << (this->Terminal ? "\r\033[K" : "") << line << std::endl;
+      std::cout << (this->Terminal ? "\r\033[K" : "") << line << '\n' << std::flush;
     }
   }
 
