@@ -33,6 +33,13 @@ public:
       workspace.release(), [this](Workspace* returned) { this->Return(returned); });
   }
 
+  /// Frees those that have been returned.
+  void Clear()
+  {
+    const std::lock_guard<std::mutex> lock(this->Lending);
+    this->Idle.clear();
+  }
+
 private:
   std::unique_ptr<Workspace> TakeIdle()
   {

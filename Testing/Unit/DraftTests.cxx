@@ -14,7 +14,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 using namespace bonedecimate;
@@ -32,6 +31,15 @@ EditorSettings Proving(double error, bool hasGuard = true)
   settings.KeepsQuadrics = true;
   settings.GuardsIntersections = hasGuard;
   settings.Bound = ErrorBoundSettings{ error };
+  return settings;
+}
+
+EditorSettings Recording(const std::shared_ptr<EditJournal>& journal)
+{
+  EditorSettings settings;
+  settings.MoreFilters = { journal };
+  settings.KeepsAreas = false;
+  settings.RecordsDistances = false;
   return settings;
 }
 
@@ -79,18 +87,15 @@ HalfEdgeId EdgeBetween(const HalfEdgeMesh& mesh, VertexId from, VertexId to)
 
 using Corners = std::set<std::vector<double>>;
 
-std::vector<double> NumbersOf(const TriangleCorners& corners)
+std::vector<double> NumbersOf(TriangleCorners corners)
 {
-  std::vector<std::array<double, 3>> points;
+  std::sort(corners.begin(), corners.end(),
+    [](const Vector3& a, const Vector3& b)
+    { return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3); });
+  std::vector<double> numbers;
   for (const Vector3& p : corners)
   {
-    points.push_back({ p[0], p[1], p[2] });
-  }
-  std::sort(points.begin(), points.end());
-  std::vector<double> numbers;
-  for (const std::array<double, 3>& p : points)
-  {
-    numbers.insert(numbers.end(), p.begin(), p.end());
+    numbers.insert(numbers.end(), p.data(), p.data() + 3);
   }
   return numbers;
 }
@@ -302,15 +307,8 @@ TEST(Draft, ReachesATargetWithinTheBound)
 TEST(EditJournal, UndoesWhatDependsOnAnEditAndNothingElse)
 {
   const CleanSurface clean = Clean(Icosphere(3, 10.0), true);
-  EditorSettings settings;
-  const auto recorder = [&](const HalfEdgeMesh& mesh)
-  { return std::make_shared<EditJournal>(mesh); };
-  HalfEdgeMesh mesh(clean.Surface);
-  const std::shared_ptr<EditJournal> journal = recorder(mesh);
-  settings.MoreFilters = { journal };
-  settings.KeepsAreas = false;
-  settings.RecordsDistances = false;
-  Editor editor(clean, settings);
+  const auto journal = std::make_shared<EditJournal>(HalfEdgeMesh(clean.Surface));
+  Editor editor(clean, Recording(journal));
   ASSERT_GT(CollapseMany(editor, 3), 100);
   for (Index edit = 0; edit < journal->Count(); edit += 7)
   {
@@ -322,18 +320,17 @@ TEST(EditJournal, UndoesWhatDependsOnAnEditAndNothingElse)
       bool depends = later == edit;
       for (Index i = 0; i < journal->Entry(later).NumberOfFaces; ++i)
       {
-        depends = depends || touched.count(journal->FaceOf(later, i).Id) > 0;
+        depends = depends || touched.count(journal->OldFace(later, i).Face) > 0;
       }
       for (Index i = 0; depends && i < journal->Entry(later).NumberOfFaces; ++i)
       {
-        touched.insert(journal->FaceOf(later, i).Id);
+        touched.insert(journal->OldFace(later, i).Face);
       }
       if (depends)
       {
-        expected.push_back(later);
+        expected.insert(expected.begin(), later);
       }
     }
-    std::reverse(expected.begin(), expected.end());
     EXPECT_EQ(journal->DependentsOf(edit), expected);
   }
 }
@@ -341,13 +338,8 @@ TEST(EditJournal, UndoesWhatDependsOnAnEditAndNothingElse)
 TEST(FaceHistory, KnowsTheFacesBeforeEveryEdit)
 {
   const CleanSurface clean = Clean(BumpySphere(2, 10.0, 0.3, 5), true);
-  EditorSettings settings;
-  const HalfEdgeMesh first(clean.Surface);
-  const auto journal = std::make_shared<EditJournal>(first);
-  settings.MoreFilters = { journal };
-  settings.KeepsAreas = false;
-  settings.RecordsDistances = false;
-  Editor editor(clean, settings);
+  const auto journal = std::make_shared<EditJournal>(HalfEdgeMesh(clean.Surface));
+  Editor editor(clean, Recording(journal));
   std::vector<Corners> before = { FacesOf(editor.Mesh()) };
   for (const Index h : HalfEdges(editor.Mesh(), 2))
   {
@@ -357,18 +349,51 @@ TEST(FaceHistory, KnowsTheFacesBeforeEveryEdit)
     }
   }
   ASSERT_GT(journal->Count(), 30);
-  const FaceHistory history(editor.Mesh(), *journal);
   const FloatBox everywhere({ Vector3::Constant(-1e3), Vector3::Constant(1e3), Vector3::Zero() });
-  for (Index edit = 0; edit <= journal->Count(); ++edit)
+  for (const Index mostVersions : { 1, 400, 1 << 30 }) // an edit, several and all of them
   {
-    Corners found;
-    history.VisitAt(everywhere, edit,
-      [&](const FaceHistory::Version& version)
-      { found.insert(NumbersOf(history.CornersOf(version))); });
-    for (Index i = 0; edit < journal->Count() && i < journal->Entry(edit).NumberOfFaces; ++i)
+    FaceHistory history(editor.Mesh(), *journal, 2);
+    for (Index edit = journal->Count(); edit >= 0; --edit)
     {
-      found.insert(NumbersOf(history.CornersOf(history.OldFace(edit, i))));
+      while (edit < history.FirstEdit())
+      {
+        history.GoBack(mostVersions);
+      }
+      Corners found;
+      history.VisitAt(everywhere, edit,
+        [&](const FaceVersion& face) { found.insert(NumbersOf(journal->CornersOf(face))); });
+      for (Index i = 0; edit < journal->Count() && i < journal->Entry(edit).NumberOfFaces; ++i)
+      {
+        found.insert(NumbersOf(journal->CornersOf(journal->OldFace(edit, i))));
+      }
+      EXPECT_EQ(found, before[static_cast<std::size_t>(edit)]) << edit;
     }
-    EXPECT_EQ(found, before[static_cast<std::size_t>(edit)]) << edit;
+    EXPECT_EQ(history.FirstEdit(), 0);
+  }
+}
+
+TEST(FaceHistory, LeavesOutNothingThatMeetsTheRegionAtItsTime)
+{
+  const CleanSurface clean = Clean(BumpySphere(3, 10.0, 0.3, 5), true);
+  const auto journal = std::make_shared<EditJournal>(HalfEdgeMesh(clean.Surface));
+  Editor editor(clean, Recording(journal));
+  ASSERT_GT(CollapseMany(editor, 2), 100);
+  FaceHistory all(editor.Mesh(), *journal, 1);
+  all.GoBack(1 << 30);
+  for (Index edit = 0; edit < journal->Count(); edit += 11)
+  {
+    const FloatBox box(journal->CornersOf(journal->OldFace(edit, 0)), 0.2);
+    const auto facesOf = [&](const FaceHistory& history)
+    {
+      Corners found;
+      history.VisitAt(box, edit,
+        [&](const FaceVersion& face) { found.insert(NumbersOf(journal->CornersOf(face))); });
+      return found;
+    };
+    FaceHistory some(editor.Mesh(), *journal, 1);
+    const SpaceTimeTree region(std::vector<TimedBox>{ { box, edit, edit } });
+    some.GoBack(1 << 30, &region);
+    EXPECT_FALSE(facesOf(some).empty());
+    EXPECT_EQ(facesOf(some), facesOf(all)) << edit;
   }
 }

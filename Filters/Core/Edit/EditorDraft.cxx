@@ -60,6 +60,8 @@ void Editor::ForgetPending()
 //------------------------------------------------------------------------------
 bool Editor::EndDraft(int threads, const Monitor& monitor)
 {
+  this->Filters = this->Drafted->ExactFilters; // those of the draft need memory
+  this->ForgetPending();
   BulkProof proof(*this->Bound, this->Half, *this->Drafted->Journal, threads);
   for (int turn = 0; turn < MostTurns; ++turn)
   {
@@ -71,8 +73,8 @@ bool Editor::EndDraft(int threads, const Monitor& monitor)
     const std::vector<Index> edits = this->FindRejectedEdits(proof, threads);
     if (edits.empty())
     {
-      proof.WriteCoverage();
       this->FinishDraft(threads);
+      proof.WriteCoverage();
       return true;
     }
     this->Undo(edits, std::max(0, turn - TurnsWithoutMore));
@@ -123,7 +125,7 @@ void Editor::Undo(const std::vector<Index>& edits, int more)
       Index last = None;
       for (Index i = 0; i < journal.Entry(edit).NumberOfFaces; ++i)
       {
-        last = std::max(last, journal.LastOfFace(journal.FaceOf(edit, i).Id));
+        last = std::max(last, journal.LastOfFace(journal.OldFace(edit, i).Face));
       }
       if (last != None)
       {
@@ -153,17 +155,30 @@ void Editor::UndoOne(Index edit)
   const JournalEntry& entry = journal.Entry(edit);
   for (Index i = 0; i < entry.NumberOfFaces; ++i)
   {
-    const JournalFace& face = journal.FaceOf(edit, i);
-    this->Half.Restore(face.Id, face.Origins, face.Twins);
+    const FaceVersion& face = journal.OldFace(edit, i);
+    this->Half.RestoreCorners(face.Face, journal.VerticesOf(face));
+    if (face.Made == None && !journal.HadFirstNormal(face.Face))
+    {
+      this->Half.ForgetFirstNormal(face.Face);
+    }
   }
-  const std::array<VertexId, 4> vertices = { entry.Keep, entry.Gone, entry.Apexes[0],
-    entry.Apexes[1] };
-  for (std::size_t i = 0; i < vertices.size(); ++i)
+  this->Half.RestoreOutgoing(entry.Keep, entry.Outgoing[0]);
+  this->Half.RestoreOutgoing(entry.Gone, entry.Outgoing[1]);
+  for (Index i = 0; i < JournalEntry::NumberOfGoneFaces; ++i)
   {
-    this->Half.RestoreOutgoing(vertices[i], entry.Outgoing[i]);
+    const FaceVersion& face = journal.OldFace(edit, i);
+    const auto side = static_cast<std::size_t>(i);
+    this->Half.RestoreTwins(face.Face, entry.Twins[side]);
+    for (const VertexId v : journal.VerticesOf(face))
+    {
+      if (v != entry.Keep && v != entry.Gone)
+      {
+        this->Half.RestoreOutgoing(v, entry.Outgoing[2 + side]);
+      }
+    }
   }
-  this->Half.Move(entry.Keep, entry.OldPosition);
-  this->Half.CountRemovedFaces(-static_cast<Index>(entry.NumberOfGoneFaces));
+  this->Half.Move(entry.Keep, journal.OldPosition(entry));
+  this->Half.CountRemovedFaces(-JournalEntry::NumberOfGoneFaces);
   this->Source.Unmerge(entry.Gone);
   --this->Edits;
   journal.Remove(edit);

@@ -4,23 +4,24 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace bonedecimate
 {
-namespace
-{
-JournalFace Record(const HalfEdgeMesh& mesh, FaceId face)
-{
-  const FaceRecord& record = *mesh.RecordOfFace(HalfEdgeMesh::HalfEdge(face, 0));
-  return { face, None, record.Origins, record.Twins };
-}
-}
-
 EditJournal::EditJournal(const HalfEdgeMesh& mesh)
-  : Mesh(mesh)
-  , OfFace(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), None)
-  , OfVertex(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), None)
+  : FirstPoints(static_cast<std::size_t>(mesh.NumberOfVertexSlots()))
+  , HadNormal(static_cast<std::size_t>(mesh.NumberOfFaceSlots()))
+  , OfFace(HadNormal.size(), None)
+  , OfVertex(FirstPoints.size(), None)
 {
+  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    this->FirstPoints[v] = mesh.Position(v);
+  }
+  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    this->HadNormal[face] = mesh.HasFirstNormal(face);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -40,18 +41,24 @@ Decision EditJournal::Check(
   entry = {};
   entry.Keep = collapse.Keep;
   entry.Gone = mesh.Across(collapse.Edge, collapse.Keep);
-  entry.OldPosition = mesh.Position(collapse.Keep);
   entry.NewPosition = collapse.Position;
-  entry.Apexes = { mesh.Origin(HalfEdgeMesh::Previous(collapse.Edge)),
-    mesh.Origin(HalfEdgeMesh::Previous(twin)) };
   entry.Outgoing = { mesh.Outgoing(entry.Keep), mesh.Outgoing(entry.Gone),
-    mesh.Outgoing(entry.Apexes[0]), mesh.Outgoing(entry.Apexes[1]) };
-  entry.NumberOfGoneFaces = 2;
-  work.Faces.assign(
-    { Record(mesh, HalfEdgeMesh::Face(collapse.Edge)), Record(mesh, HalfEdgeMesh::Face(twin)) });
+    mesh.Outgoing(mesh.Origin(HalfEdgeMesh::Previous(collapse.Edge))),
+    mesh.Outgoing(mesh.Origin(HalfEdgeMesh::Previous(twin))) };
+  work.Faces.clear();
+  for (const HalfEdgeId side : { collapse.Edge, twin })
+  {
+    const FaceId face = HalfEdgeMesh::Face(side);
+    for (Index k = 0; k < 3; ++k)
+    {
+      entry.Twins[work.Faces.size()][static_cast<std::size_t>(k)] =
+        mesh.Twin(HalfEdgeMesh::HalfEdge(face, k));
+    }
+    work.Faces.push_back({ face, mesh.Corners(face) });
+  }
   for (const SurfaceChange::Face& face : edit.Change.NewFaces)
   {
-    work.Faces.push_back(Record(mesh, face.Id));
+    work.Faces.push_back({ face.Id, mesh.Corners(face.Id) });
   }
   entry.NumberOfFaces = static_cast<std::uint16_t>(work.Faces.size());
   return Decision::Accept();
@@ -72,7 +79,7 @@ void EditJournal::Settle(Tally* tallies, std::size_t count)
 {
   for (Tally* tally = tallies; tally != tallies + count; ++tally)
   {
-    const JournalFace* faces = tally->Journal.Faces.data();
+    const JournalPart::Face* faces = tally->Journal.Faces.data();
     for (const JournalEntry& entry : tally->Journal.Entries)
     {
       this->Link(entry, faces);
@@ -84,35 +91,59 @@ void EditJournal::Settle(Tally* tallies, std::size_t count)
 }
 
 //------------------------------------------------------------------------------
-void EditJournal::Link(JournalEntry entry, const JournalFace* faces)
+void EditJournal::Link(JournalEntry entry, const JournalPart::Face* faces)
 {
   const Index edit = this->Count();
-  entry.FirstFace = static_cast<Index>(this->Faces.size());
-  entry.Before = this->OfVertex[entry.Keep];
-  this->OfVertex[entry.Keep] = edit;
+  entry.FirstFace = static_cast<Index>(this->Versions.Size());
   for (Index i = 0; i < entry.NumberOfFaces; ++i)
   {
-    JournalFace face = faces[i];
-    face.Before = this->OfFace[face.Id];
+    const JournalPart::Face& face = faces[i];
+    this->Versions.PushBack(this->LastVersion(face.Id, face.Corners));
     this->OfFace[face.Id] = edit;
-    this->Faces.push_back(face);
   }
-  this->Entries.push_back(entry);
+  entry.Before = std::exchange(this->OfVertex[entry.Keep], edit);
+  this->Entries.PushBack(entry);
 }
 
 //------------------------------------------------------------------------------
-Vector3 EditJournal::PositionBefore(VertexId vertex, Index edit) const
+Index EditJournal::PositionOf(VertexId vertex) const
 {
-  Index last = this->OfVertex[vertex];
-  Index later = None;
-  while (last != None && last >= edit)
+  const Index last = this->OfVertex[vertex];
+  return last == None ? Index(vertex) : static_cast<Index>(this->FirstPoints.size()) + last;
+}
+
+//------------------------------------------------------------------------------
+FaceVersion EditJournal::LastVersion(FaceId face, const Triangle& corners) const
+{
+  return { face, this->OfFace[face],
+    { this->PositionOf(corners[0]), this->PositionOf(corners[1]), this->PositionOf(corners[2]) } };
+}
+
+//------------------------------------------------------------------------------
+FaceVersion EditJournal::NewFace(Index edit, Index i) const
+{
+  const JournalEntry& entry = this->Entries[edit];
+  FaceVersion face = this->OldFace(edit, i);
+  face.Made = edit;
+  for (Index& position : face.Positions)
   {
-    later = last;
-    last = this->Entries[last].Before;
+    const VertexId vertex = this->VertexAt(position);
+    const bool isMoved = vertex == entry.Keep || vertex == entry.Gone;
+    position = isMoved ? static_cast<Index>(this->FirstPoints.size()) + edit : position;
   }
-  return last != None ? this->Entries[last].NewPosition
-    : later != None   ? this->Entries[later].OldPosition
-                      : this->Mesh.Position(vertex);
+  return face;
+}
+
+//------------------------------------------------------------------------------
+/// Of one of its faces.
+Index EditJournal::EditBefore(Index edit, FaceId face) const
+{
+  Index i = 0;
+  while (this->OldFace(edit, i).Face != face)
+  {
+    ++i;
+  }
+  return this->OldFace(edit, i).Made;
 }
 
 //------------------------------------------------------------------------------
@@ -128,7 +159,7 @@ std::vector<Index> EditJournal::DependentsOf(Index edit) const
     all.push_back(at);
     for (Index i = 0; i < this->Entries[at].NumberOfFaces; ++i)
     {
-      for (Index later = this->OfFace[this->FaceOf(at, i).Id]; later > at;)
+      for (Index later = this->OfFace[this->OldFace(at, i).Face]; later > at;)
       {
         const auto position = std::lower_bound(seen.begin(), seen.end(), later);
         if (position == seen.end() || *position != later)
@@ -136,12 +167,7 @@ std::vector<Index> EditJournal::DependentsOf(Index edit) const
           seen.insert(position, later);
           open.push_back(later);
         }
-        const JournalEntry& entry = this->Entries[later];
-        const JournalFace* faces = this->Faces.data() + entry.FirstFace;
-        later = std::find_if(faces, faces + entry.NumberOfFaces,
-          [&](const JournalFace& face) {
-            return face.Id == this->FaceOf(at, i).Id;
-          })->Before;
+        later = this->EditBefore(later, this->OldFace(at, i).Face);
       }
     }
   }
@@ -155,8 +181,8 @@ void EditJournal::Remove(Index edit)
   JournalEntry& entry = this->Entries[edit];
   for (Index i = 0; i < entry.NumberOfFaces; ++i)
   {
-    const JournalFace& face = this->FaceOf(edit, i);
-    this->OfFace[face.Id] = face.Before;
+    const FaceVersion& face = this->OldFace(edit, i);
+    this->OfFace[face.Face] = face.Made;
   }
   this->OfVertex[entry.Keep] = entry.Before;
   entry.IsUndone = true;

@@ -7,6 +7,7 @@
 #include "WalkedTargets.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -30,41 +31,16 @@ BulkProof::BulkProof(
   , Mesh(mesh)
   , Journal(journal)
   , Threads(threads)
-  , Near(static_cast<std::size_t>(bound.Source.NumberOfVertexSlots()))
+  , Found(bound.Source.NumberOfFaceSlots())
   , ProvedVersion(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), None)
   , IsChanged(ProvedVersion.size(), 0)
   , IsFaceProved(ProvedVersion.size(), 1)
 {
-  for (Index original = 0; original < bound.Source.NumberOfFaceSlots(); ++original)
+  for (std::size_t original = 0; !bound.ByFaces.IsEmpty() && original < this->Found.Count();
+       ++original)
   {
-    this->Coverings.push_back(this->CoveringAtFirst(original));
+    this->Found.Set(original, this->CoveringAtFirst(static_cast<Index>(original)));
   }
-}
-
-//------------------------------------------------------------------------------
-void BulkProof::NearFaces::Insert(Index face, float squared)
-{
-  if (this->Count == MostNear && squared >= this->Squared[MostNear - 1])
-  {
-    return;
-  }
-  std::size_t at = static_cast<std::size_t>(this->Count < MostNear ? this->Count++ : MostNear - 1);
-  for (; at > 0 && this->Squared[at - 1] > squared; --at)
-  {
-    this->Squared[at] = this->Squared[at - 1];
-    this->Faces[at] = this->Faces[at - 1];
-  }
-  this->Squared[at] = squared;
-  this->Faces[at] = face;
-}
-
-//------------------------------------------------------------------------------
-/// Its position; None if it is not there.
-int BulkProof::NearFaces::Find(Index face) const
-{
-  const auto end = this->Faces.begin() + this->Count;
-  const auto found = std::find(this->Faces.begin(), end, face);
-  return found == end ? None : static_cast<int>(found - this->Faces.begin());
 }
 
 //------------------------------------------------------------------------------
@@ -94,14 +70,49 @@ std::vector<Index> BulkProof::FindFailures(const std::vector<Index>& current)
     }
     this->ProvedVersion[face] = this->Journal.LastOfFace(face);
   }
-  for (std::size_t i = 0; i < this->Coverings.size(); ++i)
+  for (std::size_t i = 0; i < this->Found.Count(); ++i)
   {
-    if (!this->Coverings[i].IsProved)
+    if (!this->Found.Of(i).IsProved)
     {
       edits.push_back(this->LastEditAt(static_cast<Index>(i), current));
     }
   }
   return edits;
+}
+
+//------------------------------------------------------------------------------
+void BulkProof::ProveOriginals(const std::vector<char>& originals)
+{
+  using Proved = std::pair<std::size_t, Covering>;
+  std::vector<std::vector<Proved>> others(NumberOfChunks(originals.size()));
+  ForEachChunk(originals.size(), this->Threads, {},
+    [&](std::size_t chunk, std::size_t first, std::size_t last)
+    {
+      CommonFaceProof proof;
+      for (std::size_t i = first; i < last; ++i)
+      {
+        if (originals[i] != 0)
+        {
+          const Covering covering = this->Prove(static_cast<Index>(i), proof);
+          if (covering.IsOneFace())
+          {
+            this->Found.Set(i, covering);
+          }
+          else
+          {
+            others[chunk].emplace_back(i, covering);
+          }
+        }
+      }
+    });
+  for (const std::vector<Proved>& part : others)
+  {
+    for (const Proved& proved : part)
+    {
+      this->Found.Set(proved.first, proved.second);
+    }
+  }
+  this->Near = std::vector<NearFaces>();
 }
 
 //------------------------------------------------------------------------------
@@ -136,16 +147,17 @@ void BulkProof::ProveFaces()
         }
       }
     });
+  this->Shared.Provers.Clear(); // what follows needs the memory
 }
 
 //------------------------------------------------------------------------------
 /// Those that are not proved, and those proved by a face that has changed.
 std::vector<char> BulkProof::OriginalsToProve() const
 {
-  std::vector<char> originals(this->Coverings.size(), 0);
+  std::vector<char> originals(this->Found.Count(), 0);
   for (std::size_t i = 0; i < originals.size(); ++i)
   {
-    const Covering& covering = this->Coverings[i];
+    const Covering covering = this->Found.Of(i);
     const auto end = covering.Faces.begin() + covering.Count;
     const bool hasChanged = std::any_of(
       covering.Faces.begin(), end, [this](Index face) { return this->IsChanged[face] != 0; });
@@ -155,25 +167,9 @@ std::vector<char> BulkProof::OriginalsToProve() const
 }
 
 //------------------------------------------------------------------------------
-void BulkProof::ProveOriginals(const std::vector<char>& originals)
-{
-  ForEachChunk(originals.size(), this->Threads, {},
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      CommonFaceProof proof;
-      for (std::size_t i = first; i < last; ++i)
-      {
-        if (originals[i] != 0)
-        {
-          this->Coverings[i] = this->Prove(static_cast<Index>(i), proof);
-        }
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
 void BulkProof::FindNear(const std::vector<char>& originals, const std::vector<Index>& current)
 {
+  this->Near.resize(static_cast<std::size_t>(this->Shared.Source.NumberOfVertexSlots()));
   std::vector<char> isCorner(this->Near.size(), 0);
   for (std::size_t i = 0; i < originals.size(); ++i)
   {
@@ -198,8 +194,7 @@ void BulkProof::FindNear(const std::vector<char>& originals, const std::vector<I
 
 //------------------------------------------------------------------------------
 /// The nearest face, and those connected with it by faces within the limit.
-BulkProof::NearFaces BulkProof::NearTo(
-  VertexId original, const StartOfWalk& starts, VertexId vertex) const
+NearFaces BulkProof::NearTo(VertexId original, const StartOfWalk& starts, VertexId vertex) const
 {
   const Vector3& p = this->Shared.Source.Position(original);
   const double limit = this->Shared.LimitAt(original);
@@ -235,9 +230,15 @@ BulkProof::NearFaces BulkProof::NearTo(
 }
 
 //------------------------------------------------------------------------------
-BulkProof::Covering BulkProof::CoveringAtFirst(Index original) const
+Covering BulkProof::CoveringAtFirst(Index original) const
 {
   Covering covering;
+  if (this->Shared.ByFaces.IsEmpty())
+  {
+    covering.Faces[0] = original;
+    covering.Count = 1;
+    return covering;
+  }
   for (int slot = 0; slot < Coverage::SlotsPerItem; ++slot)
   {
     const Index face = this->Shared.ByFaces.CoveringElement(original, slot);
@@ -258,7 +259,7 @@ bool BulkProof::IsAsAtFirst(const Covering& covering) const
 }
 
 //------------------------------------------------------------------------------
-BulkProof::Covering BulkProof::Prove(Index original, CommonFaceProof& proof) const
+Covering BulkProof::Prove(Index original, CommonFaceProof& proof) const
 {
   Covering covering = this->CoveringAtFirst(original);
   if (this->IsAsAtFirst(covering))
@@ -334,7 +335,7 @@ BulkProof::Candidates BulkProof::CandidatesOf(
 }
 
 //------------------------------------------------------------------------------
-BulkProof::Covering BulkProof::ProveTogether(
+Covering BulkProof::ProveTogether(
   Index original, const std::array<const NearFaces*, 3>& near, CommonFaceProof& proof) const
 {
   const Candidates candidates = this->CandidatesOf(original, near);

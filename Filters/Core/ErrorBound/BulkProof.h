@@ -16,8 +16,10 @@
 #define BoneDecimate_Core_ErrorBound_BulkProof_h
 
 #include "CommonFaceProof.h"
+#include "CoveringList.h"
 #include "EditFilters/EditJournal.h"
 #include "ErrorBound.h"
+#include "NearFaces.h"
 #include "StartOfWalk.h"
 
 #include <array>
@@ -40,27 +42,10 @@ public:
   std::vector<Index> CoverFirst(
     const std::vector<char>& originals, const std::vector<Index>& current);
 
-  /// Makes the proofs the coverage of the bound. There must be no failures.
+  /// Makes the proofs the coverage of the bound. There must be no failures. The journal may be gone.
   void WriteCoverage();
 
 private:
-  static constexpr int MostNear = 12;
-  /// Faces within the limit of an original vertex, the nearest first.
-  struct NearFaces
-  {
-    std::array<Index, MostNear> Faces;
-    std::array<float, MostNear> Squared; // mm^2
-    int Count = 0;
-
-    void Insert(Index face, float squared);
-    int Find(Index face) const;
-  };
-  struct Covering
-  {
-    std::array<Index, Coverage::SlotsPerItem> Faces;
-    int Count = 0;
-    bool IsProved = true;
-  };
   struct Candidates
   {
     std::array<Index, CommonFaceProof::MostCandidates> Faces;
@@ -88,8 +73,8 @@ private:
   const HalfEdgeMesh& Mesh;
   const EditJournal& Journal;
   int Threads;
-  std::vector<Covering> Coverings;  // of each original
-  std::vector<NearFaces> Near;      // of each original vertex
+  CoveringList Found;
+  std::vector<NearFaces> Near;      // of each original vertex, while originals are proved
   std::vector<Index> ProvedVersion; // of each face, its last edit when it was proved
   std::vector<char> IsChanged;      // of each face, since then
   std::vector<char> IsFaceProved;

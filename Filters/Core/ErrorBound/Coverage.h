@@ -29,6 +29,8 @@ public:
   /// Counts changes. An edit changes an item at most 16 times, and a version is compared before the next edit of that item.
   using Version = std::uint8_t;
 
+  /// Of no items.
+  Coverage() = default;
   /// Initially, no item is covered.
   Coverage(Index items, Index coverings)
     : Items(static_cast<std::size_t>(items))
@@ -36,6 +38,8 @@ public:
     , Firsts(static_cast<std::size_t>(coverings), NoSlot)
   {
   }
+
+  bool IsEmpty() const { return this->Items.empty(); }
 
   /// Calls visit(item, slot) for all items of the covering element.
   template <typename Visit>

@@ -20,19 +20,12 @@ ErrorBound::ErrorBound(
   , Tree(tree)
   , Settings(settings)
   , Allowed(atFirst, settings)
-  , ByFaces(atFirst.NumberOfFaceSlots(), atFirst.NumberOfFaceSlots())
   , Boundaries(atFirst)
-  , ByBoundaries(this->Boundaries.Count(),
-      this->Boundaries.Count() == 0
-        ? 0
-        : static_cast<Index>(HalfEdgeMesh::HalfEdge(atFirst.NumberOfFaceSlots(), 0)))
   , NearestBoundary(this->Boundaries.EdgesAtVertices())
   , Nearest(static_cast<std::size_t>(atFirst.NumberOfVertexSlots()), None)
-  , Witnesses(this->Nearest.size(), { None, None, None, None })
 {
   for (FaceId face = 0; face < atFirst.NumberOfFaceSlots(); ++face)
   {
-    this->ByFaces.Add(face, face);
     for (const VertexId v : atFirst.Corners(face))
     {
       const Index known = this->Nearest[v];
@@ -40,10 +33,6 @@ ErrorBound::ErrorBound(
         known == None || this->Allowed.Over(face) >= this->Allowed.Over(known);
       this->Nearest[v] = allowsMore ? static_cast<Index>(face) : known;
     }
-  }
-  for (Index edge = 0; edge < this->Boundaries.Count(); ++edge)
-  {
-    this->ByBoundaries.Add(edge, this->Boundaries.HalfEdge(edge));
   }
 }
 
@@ -74,7 +63,36 @@ std::shared_ptr<Prover> ErrorBound::BorrowProver() const
 //------------------------------------------------------------------------------
 std::shared_ptr<EditFilter::Pending> ErrorBound::MakePending()
 {
+  this->BuildCoverage();
   return std::make_shared<EditProof>();
+}
+
+//------------------------------------------------------------------------------
+/// The first worker builds it, as in IntersectionGuard.
+void ErrorBound::BuildCoverage()
+{
+  const std::lock_guard<std::mutex> lock(this->Building);
+  if (this->ByFaces.IsEmpty())
+  {
+    const Index faces = this->Source.NumberOfFaceSlots();
+    this->ByFaces = Coverage(faces, faces);
+    for (Index face = 0; face < faces; ++face)
+    {
+      this->ByFaces.Add(face, face);
+    }
+  }
+  if (this->Witnesses.empty())
+  {
+    this->Witnesses.assign(this->Nearest.size(), { None, None, None, None });
+    const Index edges = this->Boundaries.Count();
+    this->ByBoundaries = Coverage(edges,
+      edges == 0 ? 0
+                 : static_cast<Index>(HalfEdgeMesh::HalfEdge(this->Source.NumberOfFaceSlots(), 0)));
+    for (Index edge = 0; edge < edges; ++edge)
+    {
+      this->ByBoundaries.Add(edge, this->Boundaries.HalfEdge(edge));
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

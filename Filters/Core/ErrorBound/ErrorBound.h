@@ -29,6 +29,7 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace bonedecimate
@@ -91,6 +92,7 @@ private:
   friend class DraftFilter;
   friend class Prover;
 
+  void BuildCoverage();
   /// For one worker; its memory is in proportion to the mesh.
   std::shared_ptr<Prover> BorrowProver() const;
 
@@ -98,7 +100,10 @@ private:
   const BoundingTree& Tree;
   ErrorBoundSettings Settings;
   ErrorLimits Allowed; // a little less than the error: for the rounding of the proof itself
+  /// Like ByBoundaries and Witnesses, empty before the first edit is proved by itself: a draft needs the memory. Until then each
+  /// original is covered by the face that it was.
   Coverage ByFaces;
+  std::mutex Building;                // of these
   BoundaryCurves Boundaries;          // of the original: the items of ByBoundaries
   Coverage ByBoundaries;              // covered by half-edges
   std::vector<Index> NearestBoundary; // of each vertex: an original boundary edge near it

@@ -66,16 +66,8 @@ private:
 //------------------------------------------------------------------------------
 void BulkProof::WriteCoverage()
 {
-  const Index originals = this->Shared.Source.NumberOfFaceSlots();
-  this->Shared.ByFaces = Coverage(originals, this->Mesh.NumberOfFaceSlots());
-  for (Index original = 0; original < originals; ++original)
-  {
-    const Covering& covering = this->Coverings[static_cast<std::size_t>(original)];
-    for (int i = 0; i < covering.Count; ++i)
-    {
-      this->Shared.ByFaces.Add(original, covering.Faces[static_cast<std::size_t>(i)]);
-    }
-  }
+  this->Shared.ByFaces = {}; // two at a time would need their memory
+  this->Shared.ByFaces = this->Found.ToCoverage(this->Mesh.NumberOfFaceSlots());
 }
 
 //------------------------------------------------------------------------------
@@ -86,9 +78,9 @@ std::vector<Index> BulkProof::CoverFirst(
   this->ProveOriginals(originals);
   this->WriteCoverage();
   std::vector<Index> left;
-  for (std::size_t i = 0; i < this->Coverings.size(); ++i)
+  for (std::size_t i = 0; i < this->Found.Count(); ++i)
   {
-    if (!this->Coverings[i].IsProved)
+    if (!this->Found.Of(i).IsProved)
     {
       left.push_back(static_cast<Index>(i));
     }

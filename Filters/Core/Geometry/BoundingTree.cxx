@@ -86,6 +86,7 @@ public:
       levels.push_back(this->Tree.Nodes.size());
       afterStep();
     }
+    this->Tree.Nodes.shrink_to_fit();
     this->FillSlots();
     afterStep();
     for (std::size_t level = levels.size() - 1; level-- > 0;)
@@ -160,15 +161,14 @@ private:
 
   void FillSlots()
   {
+    this->Tree.Points = this->Source.Points;
     this->Tree.Slots.resize(this->Middles.size());
     this->Tree.SlotOfTriangle.resize(this->Middles.size());
     ForEachId(this->Middles.size(), this->Threads,
       [&](std::size_t slot)
       {
         const Index id = this->Middles[slot].Id;
-        const Triangle& c = this->Source.Triangles[id];
-        const std::vector<Vector3>& p = this->Source.Points;
-        this->Tree.Slots[slot] = { { p[c[0]], p[c[1]], p[c[2]] }, c, id };
+        this->Tree.Slots[slot] = { this->Source.Triangles[id], id };
         this->Tree.SlotOfTriangle[id] = static_cast<Index>(slot);
       });
   }
@@ -226,7 +226,10 @@ void BoundingTree::Bound(Node& node) const
       float& high = node.High[axis][child] = -infinity;
       if (node.Children[child] < 0)
       {
-        const auto& [a, b, c] = this->Slots[~node.Children[child]].Corners;
+        const Triangle& corners = this->Slots[~node.Children[child]].Corners;
+        const Vector3& a = this->Points[corners[0]];
+        const Vector3& b = this->Points[corners[1]];
+        const Vector3& c = this->Points[corners[2]];
         low = this->ToUnit(std::min({ a[along], b[along], c[along] }), along, -1.0);
         high = this->ToUnit(std::max({ a[along], b[along], c[along] }), along, 1.0);
       }

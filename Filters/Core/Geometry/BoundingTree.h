@@ -29,7 +29,7 @@ namespace bonedecimate
 class BoundingTree
 {
 public:
-  /// Copies the triangles. Corners must be valid and finite. The tree does not depend on the number of threads.
+  /// Copies points and triangles. Corners must be valid and finite. The tree does not depend on the number of threads.
   /// @param afterStep Called on the calling thread after each step.
   explicit BoundingTree(
     const Surface& surface, int threads = 1, const std::function<void()>& afterStep = {});
@@ -68,8 +68,7 @@ private:
   };
   struct Slot
   {
-    std::array<Vector3, 3> Corners; // mm
-    Triangle Points;
+    Triangle Corners; // points
     Index Id = None;
   };
   class Builder;
@@ -84,13 +83,14 @@ private:
   void Descend(Distances distancesTo, Farthest farthest, Visit visit) const;
 
   void Improve(const Vector3& p, Nearest& best) const;
-  static void Improve(const Vector3& p, const Slot& slot, Nearest& best);
+  void Improve(const Vector3& p, const Slot& slot, Nearest& best) const;
 
   /// Visits the slots whose boxes are not farther than `limit()` (squared, mm^2), nearer boxes first.
   template <typename Limit, typename Visit>
   void Walk(const Vector3& p, Limit limit, Visit visit) const;
 
-  std::vector<Node> Nodes; // level after level, the root first
+  std::vector<Vector3> Points; // mm
+  std::vector<Node> Nodes;     // level after level, the root first
   std::vector<Slot> Slots;
   std::vector<Index> SlotOfTriangle;
   Vector3 Low = Vector3::Zero(); // mm

@@ -183,10 +183,10 @@ void BoundingTree::Improve(const Vector3& p, Nearest& best) const
 }
 
 //------------------------------------------------------------------------------
-void BoundingTree::Improve(const Vector3& p, const Slot& slot, Nearest& best)
+void BoundingTree::Improve(const Vector3& p, const Slot& slot, Nearest& best) const
 {
-  const PointOnTriangle point =
-    NearestOnTriangle(p, slot.Corners[0], slot.Corners[1], slot.Corners[2]);
+  const PointOnTriangle point = NearestOnTriangle(
+    p, this->Points[slot.Corners[0]], this->Points[slot.Corners[1]], this->Points[slot.Corners[2]]);
   const double previous = best.Point.SquaredDistance;
   if (point.SquaredDistance < previous ||
     (point.SquaredDistance == previous && slot.Id < best.Triangle))
@@ -204,10 +204,10 @@ Index BoundingTree::FindNearestPoint(const Vector3& p, Index hintTriangle) const
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const double distance = (p - slot.Corners[i]).squaredNorm();
-      if (distance < squaredDistance || (distance == squaredDistance && slot.Points[i] < best))
+      const double distance = (p - this->Points[slot.Corners[i]]).squaredNorm();
+      if (distance < squaredDistance || (distance == squaredDistance && slot.Corners[i] < best))
       {
-        best = slot.Points[i];
+        best = slot.Corners[i];
         squaredDistance = distance;
       }
     }

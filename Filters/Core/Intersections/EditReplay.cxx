@@ -4,10 +4,19 @@
 
 #include "Parallel.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace bonedecimate
 {
 namespace
 {
+/// Versions in a window, of the faces of the input: more take memory, fewer take time.
+constexpr double VersionsOfFaces = 1.3;
+constexpr Index AllVersions = std::numeric_limits<Index>::max();
+/// Of all edits, one in this many.
+constexpr Index FewEdits = 8;
+
 FloatBox BoxAround(const std::vector<Piece>& old, const std::vector<Piece>& made, double reach)
 {
   FloatBox box;
@@ -24,31 +33,19 @@ FloatBox BoxAround(const std::vector<Piece>& old, const std::vector<Piece>& made
 
 std::vector<Index> EditReplay::FindRejected(const WrittenPositions& written, int threads)
 {
+  const bool isFirst = this->States.empty();
   this->Boxes.resize(static_cast<std::size_t>(this->Journal.Count()));
   this->States.resize(this->Boxes.size(), State::Unchecked);
-  const SpaceTimeTree undone = this->TakeUndone();
-  ForEachChunk(this->Boxes.size(), threads, {},
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      Workspace work;
-      for (std::size_t i = first; i < last; ++i)
-      {
-        const Index edit = static_cast<Index>(i);
-        if (this->States[i] == State::Undone)
-        {
-          continue;
-        }
-        bool isToCheck = this->States[i] != State::Accepted;
-        undone.VisitAt(this->Boxes[i], edit, [&](std::size_t) { isToCheck = true; });
-        if (isToCheck)
-        {
-          this->FillPatches(edit, work);
-          this->Boxes[i] = BoxAround(work.Old, work.New, written.Rounding());
-          this->States[i] =
-            this->IsRejected(edit, written, work) ? State::Rejected : State::Accepted;
-        }
-      }
-    });
+  const Index chosen = this->ChooseEdits(this->TakeUndone(), threads);
+  const std::optional<SpaceTimeTree> region = isFirst ? std::nullopt : this->BoxesToCheck(chosen);
+  FaceHistory history(this->Mesh, this->Journal, threads);
+  while (history.FirstEdit() > 0 && chosen > 0)
+  {
+    history.GoBack(
+      region ? AllVersions : static_cast<Index>(VersionsOfFaces * this->Mesh.NumberOfFaceSlots()),
+      region ? &*region : nullptr);
+    this->CheckWindow(history, written, threads);
+  }
   std::vector<Index> edits;
   for (Index edit = 0; edit < this->Journal.Count(); ++edit)
   {
@@ -61,13 +58,9 @@ std::vector<Index> EditReplay::FindRejected(const WrittenPositions& written, int
 }
 
 //------------------------------------------------------------------------------
-/// Takes what has been undone since the last check out of the history, later edits first. Where it was, and when.
+/// Notes what has been undone since the last check. Where it was, and when.
 SpaceTimeTree EditReplay::TakeUndone()
 {
-  if (!this->Faces)
-  {
-    this->Faces.emplace(this->Mesh, this->Journal);
-  }
   std::vector<TimedBox> boxes;
   for (Index edit = this->Journal.Count(); edit-- > 0;)
   {
@@ -76,7 +69,6 @@ SpaceTimeTree EditReplay::TakeUndone()
     {
       if (state != State::Unchecked)
       {
-        this->Faces->Undo(edit);
         boxes.push_back({ this->Boxes[edit], edit, SpaceTimeTree::Never });
       }
       state = State::Undone;
@@ -86,30 +78,94 @@ SpaceTimeTree EditReplay::TakeUndone()
 }
 
 //------------------------------------------------------------------------------
+/// Those that are rejected or near what is undone become unchecked. How many are.
+Index EditReplay::ChooseEdits(const SpaceTimeTree& undone, int threads)
+{
+  ForEachId(this->States.size(), threads,
+    [&](std::size_t i)
+    {
+      State& state = this->States[i];
+      if (state == State::Accepted || state == State::Rejected)
+      {
+        bool isToCheck = state == State::Rejected;
+        undone.VisitAt(
+          this->Boxes[i], static_cast<Index>(i), [&](std::size_t) { isToCheck = true; });
+        state = isToCheck ? State::Unchecked : state;
+      }
+    });
+  return static_cast<Index>(std::count(this->States.begin(), this->States.end(), State::Unchecked));
+}
+
+//------------------------------------------------------------------------------
+/// None if they are so many that it is not worth while to choose what is near them.
+std::optional<SpaceTimeTree> EditReplay::BoxesToCheck(Index chosen) const
+{
+  if (chosen > this->Journal.Count() / FewEdits)
+  {
+    return std::nullopt;
+  }
+  std::vector<TimedBox> boxes;
+  for (Index edit = 0; edit < this->Journal.Count(); ++edit)
+  {
+    if (this->States[edit] == State::Unchecked)
+    {
+      boxes.push_back({ this->Boxes[edit], edit, edit });
+    }
+  }
+  return SpaceTimeTree(std::move(boxes));
+}
+
+//------------------------------------------------------------------------------
+void EditReplay::CheckWindow(
+  const FaceHistory& history, const WrittenPositions& written, int threads)
+{
+  const Index begin = history.FirstEdit();
+  ForEachChunk(static_cast<std::size_t>(history.EndOfEdits() - begin), threads, {},
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      Workspace work;
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const Index edit = begin + static_cast<Index>(i);
+        if (this->States[edit] == State::Unchecked)
+        {
+          this->FillPatches(edit, work);
+          this->Boxes[edit] = BoxAround(work.Old, work.New, written.Rounding());
+          this->States[edit] =
+            this->IsRejected(history, edit, written, work) ? State::Rejected : State::Accepted;
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
 void EditReplay::FillPatches(Index edit, Workspace& work) const
 {
   work.Old.clear();
   work.New.clear();
-  const JournalEntry& entry = this->Journal.Entry(edit);
-  for (Index i = 0; i < entry.NumberOfFaces; ++i)
+  const auto pieceOf = [this](const FaceVersion& face)
+  { return Piece(this->Mesh, this->Journal.VerticesOf(face), this->Journal.CornersOf(face)); };
+  for (Index i = 0; i < this->Journal.Entry(edit).NumberOfFaces; ++i)
   {
-    const FaceHistory::Version& old = this->Faces->OldFace(edit, i);
-    work.Old.emplace_back(this->Mesh, old.Vertices, this->Faces->CornersOf(old));
-    if (i >= entry.NumberOfGoneFaces)
+    work.Old.push_back(pieceOf(this->Journal.OldFace(edit, i)));
+    if (i >= JournalEntry::NumberOfGoneFaces)
     {
-      const FaceHistory::Version& made = this->Faces->NewFace(edit, i);
-      work.New.emplace_back(this->Mesh, made.Vertices, this->Faces->CornersOf(made));
+      work.New.push_back(pieceOf(this->Journal.NewFace(edit, i)));
     }
   }
 }
 
 //------------------------------------------------------------------------------
-bool EditReplay::IsRejected(Index edit, const WrittenPositions& written, Workspace& work) const
+bool EditReplay::IsRejected(
+  const FaceHistory& history, Index edit, const WrittenPositions& written, Workspace& work) const
 {
   work.Near.clear();
-  this->Faces->VisitAt(this->Boxes[edit], edit,
-    [&](const FaceHistory::Version& version)
-    { work.Near.emplace_back(this->Mesh, version.Vertices, this->Faces->CornersOf(version)); });
+  history.VisitAt(this->Boxes[edit], edit,
+    [&](const FaceVersion& face)
+    {
+      work.Near.emplace_back(
+        this->Mesh, this->Journal.VerticesOf(face), this->Journal.CornersOf(face));
+    });
   return MeetMore(work.Old, work.New, work.Near, written) ||
     JumpOver(work.Old, work.New, work.Near);
 }

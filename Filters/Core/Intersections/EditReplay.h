@@ -35,8 +35,6 @@ public:
   /// In ascending order; edits that are undone are left out. After the first call only edits near those that were undone
   /// since, and later than these, are checked again: nothing else has changed what they find.
   std::vector<Index> FindRejected(const WrittenPositions& written, int threads);
-  /// Of the journal at the last call; there must have been one.
-  const FaceHistory& History() const { return *this->Faces; }
 
 private:
   struct Workspace
@@ -44,7 +42,11 @@ private:
     std::vector<Piece> Old, New, Near;
   };
   SpaceTimeTree TakeUndone();
-  bool IsRejected(Index edit, const WrittenPositions& written, Workspace& work) const;
+  Index ChooseEdits(const SpaceTimeTree& undone, int threads);
+  std::optional<SpaceTimeTree> BoxesToCheck(Index chosen) const;
+  void CheckWindow(const FaceHistory& history, const WrittenPositions& written, int threads);
+  bool IsRejected(
+    const FaceHistory& history, Index edit, const WrittenPositions& written, Workspace& work) const;
   void FillPatches(Index edit, Workspace& work) const;
 
   const HalfEdgeMesh& Mesh;
@@ -56,7 +58,6 @@ private:
     Rejected,
     Undone
   };
-  std::optional<FaceHistory> Faces;
   std::vector<FloatBox> Boxes; // of each edit that was checked, around its old and new faces
   std::vector<State> States;   // of each edit, when they were checked last
 };

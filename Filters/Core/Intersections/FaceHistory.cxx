@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FaceHistory.h"
 
+#include "Parallel.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -13,171 +16,158 @@ namespace
 constexpr std::size_t Sizes = 64; // factors of two
 
 /// Of the longest side of a box, from fine to coarse.
-std::size_t SizeOf(const FloatBox& box)
+std::uint8_t SizeOf(const FloatBox& box)
 {
   const float side = std::max(
     { box.High[0] - box.Low[0], box.High[1] - box.Low[1], box.High[2] - box.Low[2], 1e-9F });
-  return static_cast<std::size_t>(std::clamp(std::ilogb(side) + 32, 0, 63));
-}
-
-/// These arrays are most of the memory of a draft: one after the other is copied.
-template <typename Entry>
-void MoveTo(const std::vector<Index>& positions, std::vector<Entry>& entries)
-{
-  std::vector<Entry> moved(entries.size());
-  for (std::size_t i = 0; i < entries.size(); ++i)
-  {
-    moved[positions[i]] = entries[i];
-  }
-  entries = std::move(moved);
+  return static_cast<std::uint8_t>(std::clamp(std::ilogb(side) + 32, 0, 63));
 }
 }
 
-FaceHistory::FaceHistory(const HalfEdgeMesh& mesh, const EditJournal& journal)
-  : Journal(journal)
-  , FirstPositions(static_cast<std::size_t>(mesh.NumberOfVertexSlots()))
-  , Current(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), None)
-  , CurrentPositions(FirstPositions.size())
-  , OldVersions(static_cast<std::size_t>(journal.NumberOfFaceRecords()), None)
-  , NewVersions(OldVersions.size(), None)
+FaceHistory::FaceHistory(const HalfEdgeMesh& mesh, const EditJournal& journal, int threads)
+  : Mesh(mesh)
+  , Journal(journal)
+  , Threads(threads)
+  , First(journal.Count())
+  , End(First)
+  , AtFirst(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), None)
 {
-  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
-    this->FirstPositions[v] = journal.PositionBefore(v, 0);
+    this->AtFirst[face] = mesh.IsAlive(face) ? ToId(face) : None;
+    this->Alive += mesh.IsAlive(face) ? 1 : 0;
   }
-  std::iota(this->CurrentPositions.begin(), this->CurrentPositions.end(), 0);
-  this->AddFirst(mesh);
-  for (Index edit = 0; edit < journal.Count(); ++edit)
-  {
-    if (!journal.Entry(edit).IsUndone)
-    {
-      this->Replace(edit);
-    }
-  }
-  this->SortBySize();
-  this->Current = {};
-  this->CurrentPositions = {};
+  this->Build(this->FindVersions());
 }
 
 //------------------------------------------------------------------------------
-TriangleCorners FaceHistory::CornersOf(const Version& version) const
+FaceVersion FaceHistory::Version(Id id) const
 {
-  const Index vertices = static_cast<Index>(this->FirstPositions.size());
-  const auto at = [&](Index position) -> const Vector3&
+  const FaceId face = None - 1 - id; // where it is one
+  return id > None ? this->Journal.Version(id)
+                   : this->Journal.LastVersion(face, this->Mesh.Corners(face));
+}
+
+//------------------------------------------------------------------------------
+void FaceHistory::GoBack(Index mostVersions, const SpaceTimeTree* region)
+{
+  this->Tree.reset();
+  this->Ids = std::vector<Id>();
+  this->End = this->First;
+  for (Index versions = this->Alive; this->First > 0; --this->First)
   {
-    return position < vertices ? this->FirstPositions[position]
-                               : this->Journal.Entry(position - vertices).NewPosition;
+    const JournalEntry& entry = this->Journal.Entry(this->First - 1);
+    versions += entry.IsUndone ? 0 : entry.NumberOfFaces;
+    if (versions > mostVersions && this->First < this->End)
+    {
+      break;
+    }
+    this->Alive += entry.IsUndone ? 0 : JournalEntry::NumberOfGoneFaces;
+  }
+  std::vector<Timed> versions = this->FindVersions();
+  if (region != nullptr)
+  {
+    this->KeepNear(*region, versions);
+  }
+  this->Build(std::move(versions));
+}
+
+//------------------------------------------------------------------------------
+/// Of the window, by face.
+std::vector<FaceHistory::Timed> FaceHistory::FindVersions()
+{
+  std::vector<Index> starts(this->AtFirst.size() + 1, 0);
+  const auto visitReplaced = [this](const auto& visit)
+  {
+    for (Index edit = this->End; edit-- > this->First;)
+    {
+      const JournalEntry& entry = this->Journal.Entry(edit);
+      for (Index i = 0; !entry.IsUndone && i < entry.NumberOfFaces; ++i)
+      {
+        visit(entry.FirstFace + i, edit);
+      }
+    }
   };
-  return { at(version.Positions[0]), at(version.Positions[1]), at(version.Positions[2]) };
-}
-
-//------------------------------------------------------------------------------
-/// Before the first edit: as the first edit of each face found it, or as it is now.
-void FaceHistory::AddFirst(const HalfEdgeMesh& mesh)
-{
-  std::vector<Triangle> corners(this->Current.size());
-  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  for (std::size_t face = 0; face < this->AtFirst.size(); ++face)
   {
-    corners[face] = mesh.Corners(face);
+    starts[face + 1] = this->AtFirst[face] == None ? 0 : 1;
   }
-  for (Index edit = this->Journal.Count(); edit-- > 0;)
+  visitReplaced([&](Id id, Index) { ++starts[this->Journal.Version(id).Face + 1]; });
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  std::vector<Timed> versions(static_cast<std::size_t>(starts.back()));
+  for (std::size_t face = 0; face < this->AtFirst.size(); ++face)
   {
-    const JournalEntry& entry = this->Journal.Entry(edit);
-    for (Index i = 0; !entry.IsUndone && i < entry.NumberOfFaces; ++i)
+    if (this->AtFirst[face] != None)
     {
-      corners[this->Journal.FaceOf(edit, i).Id] = this->Journal.FaceOf(edit, i).Corners();
+      versions[starts[face]++] = { this->AtFirst[face], SpaceTimeTree::Never };
     }
   }
-  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
-  {
-    if (corners[face][0] != None)
+  visitReplaced(
+    [&](Id id, Index edit)
     {
-      this->Add(face, corners[face], None);
-    }
-  }
+      const FaceId face = this->Journal.Version(id).Face;
+      versions[starts[face]++] = { id, edit };
+      this->AtFirst[face] = id;
+    });
+  return versions;
 }
 
 //------------------------------------------------------------------------------
-void FaceHistory::Add(FaceId face, const Triangle& vertices, Index made)
+TimedBox FaceHistory::BoxOf(const Timed& version) const
 {
-  this->Current[face] = static_cast<Index>(this->Versions.size());
-  this->Versions.push_back({ face, vertices,
-    { this->CurrentPositions[vertices[0]], this->CurrentPositions[vertices[1]],
-      this->CurrentPositions[vertices[2]] },
-    made });
-  this->Boxes.push_back(
-    { FloatBox(this->CornersOf(this->Versions.back())), made, SpaceTimeTree::Never });
+  const FaceVersion face = this->Version(version.Version);
+  return { FloatBox(this->Journal.CornersOf(face)), face.Made, version.Replaced };
 }
 
 //------------------------------------------------------------------------------
-void FaceHistory::Replace(Index edit)
+void FaceHistory::KeepNear(const SpaceTimeTree& region, std::vector<Timed>& versions) const
 {
-  const JournalEntry& entry = this->Journal.Entry(edit);
-  this->CurrentPositions[entry.Keep] = static_cast<Index>(this->FirstPositions.size()) + edit;
-  for (Index i = 0; i < entry.NumberOfFaces; ++i)
+  std::vector<char> isNear(versions.size());
+  ForEachId(versions.size(), this->Threads,
+    [&](std::size_t i) { isNear[i] = region.HasWhile(this->BoxOf(versions[i])) ? 1 : 0; });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < versions.size(); ++i)
   {
-    const JournalFace& face = this->Journal.FaceOf(edit, i);
-    this->OldVersions[entry.FirstFace + i] = this->Current[face.Id];
-    this->Boxes[this->Current[face.Id]].Replaced = edit;
-    if (i >= entry.NumberOfGoneFaces)
-    {
-      Triangle vertices = face.Corners();
-      std::replace(vertices.begin(), vertices.end(), Index(entry.Gone), Index(entry.Keep));
-      this->Add(face.Id, vertices, edit);
-      this->NewVersions[entry.FirstFace + i] = this->Current[face.Id];
-    }
+    versions[kept] = versions[i];
+    kept += isNear[i] != 0 ? 1 : 0;
   }
+  versions.resize(kept);
+  versions.shrink_to_fit();
 }
 
 //------------------------------------------------------------------------------
-void FaceHistory::SortBySize()
+void FaceHistory::SortBySize(std::vector<Timed>& versions) const
 {
-  std::vector<Index> startOfFaces(this->Current.size() + 1, 0);
-  for (const Version& version : this->Versions)
-  {
-    ++startOfFaces[version.Face + 1];
-  }
-  std::partial_sum(startOfFaces.begin(), startOfFaces.end(), startOfFaces.begin());
-  std::vector<Index> byFace(this->Versions.size());
-  for (std::size_t i = 0; i < this->Versions.size(); ++i)
-  {
-    byFace[startOfFaces[this->Versions[i].Face]++] = static_cast<Index>(i);
-  }
+  std::vector<std::uint8_t> sizes(versions.size());
+  ForEachId(versions.size(), this->Threads,
+    [&](std::size_t i) { sizes[i] = SizeOf(this->BoxOf(versions[i]).Box); });
   std::array<std::size_t, Sizes + 1> starts{};
-  for (const TimedBox& box : this->Boxes)
+  for (const std::uint8_t size : sizes)
   {
-    ++starts[SizeOf(box.Box) + 1];
+    ++starts[size + 1U];
   }
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  std::vector<Index> positions(this->Versions.size());
-  for (const Index version : byFace)
+  std::vector<Timed> sorted(versions.size());
+  for (std::size_t i = 0; i < versions.size(); ++i)
   {
-    positions[version] = static_cast<Index>(starts[SizeOf(this->Boxes[version].Box)]++);
+    sorted[starts[sizes[i]]++] = versions[i];
   }
-  byFace = {};
-  MoveTo(positions, this->Versions);
-  MoveTo(positions, this->Boxes);
-  for (std::vector<Index>* of : { &this->OldVersions, &this->NewVersions })
-  {
-    std::transform(of->begin(), of->end(), of->begin(),
-      [&](Index version) { return version == None ? None : positions[version]; });
-  }
-  this->Tree.emplace(std::move(this->Boxes));
-  this->Boxes = {};
+  versions = std::move(sorted);
 }
 
 //------------------------------------------------------------------------------
-void FaceHistory::Undo(Index edit)
+void FaceHistory::Build(std::vector<Timed> versions)
 {
-  const JournalEntry& entry = this->Journal.Entry(edit);
-  for (Index i = 0; i < entry.NumberOfFaces; ++i)
-  {
-    this->Tree->SetReplaced(static_cast<std::size_t>(this->OldVersions[entry.FirstFace + i]), true);
-    if (i >= entry.NumberOfGoneFaces)
+  this->SortBySize(versions);
+  std::vector<TimedBox> boxes(versions.size());
+  this->Ids.resize(versions.size());
+  ForEachId(versions.size(), this->Threads,
+    [&](std::size_t i)
     {
-      this->Tree->SetReplaced(
-        static_cast<std::size_t>(this->NewVersions[entry.FirstFace + i]), false);
-    }
-  }
+      boxes[i] = this->BoxOf(versions[i]);
+      this->Ids[i] = versions[i].Version;
+    });
+  versions = std::vector<Timed>();
+  this->Tree.emplace(std::move(boxes), this->Threads);
 }
 }

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FaceHistory.h
- * @brief All faces that there were between the edits of a journal, found by box and time.
+ * @brief The faces that there were between two edits of a journal, found by box and time; from the last edits to the first.
  *
- *     version:    a face from the edit that made it to the edit that replaced it; edits that were undone never happened
- *     position:   of a vertex from the edit that moved it to the next one
+ *     window:   some edits that follow each other; its versions are the faces after its last edit and those that its edits replaced
+ *     GoBack:   the window before, as large as the memory allows
  *
- * So the mesh need not be made again to know what was near an edit, and edits are looked at in parallel. Versions are sorted
- * by size and then by face, because faces lie along a curve that fills space, and versions of very different sizes would spoil each
- * other's boxes.
+ * So the mesh need not be made again to know what was near an edit, and the edits of a window are looked at in parallel. Edits that were
+ * undone never happened. Versions are sorted by size and then by face, because faces lie along a curve that fills space, and
+ * versions of very different sizes would spoil each other's boxes.
  */
 #ifndef BoneDecimate_Core_Intersections_FaceHistory_h
 #define BoneDecimate_Core_Intersections_FaceHistory_h
@@ -17,7 +17,6 @@
 #include "EditFilters/EditJournal.h"
 #include "SpaceTimeTree.h"
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -26,54 +25,51 @@ namespace bonedecimate
 class FaceHistory
 {
 public:
-  struct Version
-  {
-    FaceId Face;
-    Triangle Vertices;
-    std::array<Index, 3> Positions; ///< Of the corners, for CornersOf.
-    Index Made;                     ///< The edit that made it; None: it was there before.
-  };
+  /// The window after the last edit.
+  /// @param mesh After the edits of the journal that are not undone. Both must outlive this object and not change.
+  FaceHistory(const HalfEdgeMesh& mesh, const EditJournal& journal, int threads);
 
-  /// @param mesh After the edits of the journal that are not undone. The journal must outlive this object and get no more edits.
-  FaceHistory(const HalfEdgeMesh& mesh, const EditJournal& journal);
+  /// The window before. Without versions that no box of the region meets while both exist, if it is given.
+  /// @param mostVersions In the window, before some are left out; one edit is in it at least.
+  void GoBack(Index mostVersions, const SpaceTimeTree* region = nullptr);
 
-  /// The faces that an edit replaced, removed ones first, and those that it made.
-  const Version& OldFace(Index edit, Index i) const
-  {
-    return this->Versions[this->OldVersions[this->Journal.Entry(edit).FirstFace + i]];
-  }
-  /// @param i Not less than the number of removed faces.
-  const Version& NewFace(Index edit, Index i) const
-  {
-    return this->Versions[this->NewVersions[this->Journal.Entry(edit).FirstFace + i]];
-  }
-  TriangleCorners CornersOf(const Version& version) const; ///< mm
+  /// The edits of the window: from the first to the one before the end.
+  Index FirstEdit() const { return this->First; }
+  Index EndOfEdits() const { return this->End; }
 
-  /// That the edit, on which no other one depends any more, never happened.
-  void Undo(Index edit);
-
-  /// Calls visit(version) for each face that meets the box, was there before the edit and is not replaced by it. Number of
-  /// edits: after the last one.
+  /// Calls visit(version) for each face that meets the box, was there before the edit and is not replaced by it.
+  /// @param edit Of the window, or the end: after its last one.
   template <typename Visit>
   void VisitAt(const FloatBox& box, Index edit, const Visit& visit) const
   {
-    this->Tree->VisitAt(box, edit, [&](std::size_t position) { visit(this->Versions[position]); });
+    this->Tree->VisitAt(
+      box, edit, [&](std::size_t position) { visit(this->Version(this->Ids[position])); });
   }
 
 private:
-  void AddFirst(const HalfEdgeMesh& mesh);
-  void Replace(Index edit);
-  void Add(FaceId face, const Triangle& vertices, Index made);
-  void SortBySize();
+  /// A version of the journal, or ToId of a face as it is now.
+  using Id = Index;
+  struct Timed
+  {
+    Id Version;
+    Index Replaced; // by this edit
+  };
+  static Id ToId(FaceId face) { return None - 1 - face; }
+  FaceVersion Version(Id id) const;
+  std::vector<Timed> FindVersions();
+  TimedBox BoxOf(const Timed& version) const;
+  void KeepNear(const SpaceTimeTree& region, std::vector<Timed>& versions) const;
+  void SortBySize(std::vector<Timed>& versions) const;
+  void Build(std::vector<Timed> versions);
 
+  const HalfEdgeMesh& Mesh;
   const EditJournal& Journal;
-  std::vector<Vector3> FirstPositions; // mm, of each vertex
-  std::vector<Version> Versions;
-  std::vector<TimedBox> Boxes;                 // of the versions, while they are added
-  std::vector<Index> Current;                  // version of each face, likewise
-  std::vector<Index> CurrentPositions;         // of each vertex, likewise
-  std::vector<Index> OldVersions, NewVersions; // of each face of the journal
-  std::optional<SpaceTimeTree> Tree;           // of the versions
+  int Threads;
+  Index First, End;        // of the edits
+  Index Alive = 0;         // faces before the first edit of the window
+  std::vector<Id> AtFirst; // of each face, before the first edit of the window; None: removed
+  std::vector<Id> Ids;     // of the versions in the tree
+  std::optional<SpaceTimeTree> Tree; // of their boxes
 };
 }
 

@@ -97,12 +97,12 @@ Piece PieceWithGap(const HalfEdgeMesh& mesh, const GapRule& widths, const Triang
 class NarrowedGaps
 {
 public:
-  NarrowedGaps(const HalfEdgeMesh& mesh, const GapRule& widths, const EditJournal& journal,
-    const FaceHistory& history)
+  NarrowedGaps(
+    const HalfEdgeMesh& mesh, const GapRule& widths, const EditJournal& journal, int threads)
     : Mesh(mesh)
     , Widths(widths)
     , Journal(journal)
-    , History(history)
+    , History(mesh, journal, threads)
   {
     MergeGaps(journal, mesh, this->Widths);
   }
@@ -113,20 +113,20 @@ public:
     const Triangle v = this->Mesh.Corners(face);
     const Piece piece = PieceWithGap(this->Mesh, this->Widths, v, CornersOf(this->Mesh, v));
     this->History.VisitAt(FloatBox(piece.Corners, piece.Reach), this->Journal.Count(),
-      [&](const FaceHistory::Version& version)
+      [&](const FaceVersion& version)
       {
-        if (version.Face == face || !this->MayBeTooNear(piece, version.Vertices))
+        const Triangle vertices = this->Mesh.Corners(version.Face);
+        if (version.Face == face || !this->MayBeTooNear(piece, vertices))
         {
           return;
         }
-        const Piece near = PieceWithGap(
-          this->Mesh, this->Widths, version.Vertices, CornersOf(this->Mesh, version.Vertices));
-        const FaceHistory::Version* own =
-          IsTooNear(this->Widths, piece, near, {}) ? &this->VersionOf(face) : nullptr;
+        const Piece near =
+          PieceWithGap(this->Mesh, this->Widths, vertices, CornersOf(this->Mesh, vertices));
+        const FaceVersion own = this->Journal.LastVersion(face, v);
         int left = MostSteps;
-        if (own != nullptr && !this->WasAsNear(*own, version, left))
+        if (IsTooNear(this->Widths, piece, near, {}) && !this->WasAsNear(own, version, left))
         {
-          edits.push_back(std::max(own->Made, version.Made));
+          edits.push_back(std::max(own.Made, version.Made));
         }
       });
   }
@@ -151,37 +151,24 @@ private:
     return isApart && std::isfinite(isOwn ? gap.ToOwn : gap.ToOther);
   }
 
-  /// Of a changed face at the end.
-  const FaceHistory::Version& VersionOf(FaceId face) const
-  {
-    const Index edit = this->Journal.LastOfFace(face);
-    Index i = 0;
-    while (this->Journal.FaceOf(edit, i).Id != face)
-    {
-      ++i;
-    }
-    return this->History.NewFace(edit, i);
-  }
-
   /// Whether the pair goes back to one of the input that was as near, over pairs that were as near: from each edit to a face that
   /// it replaced. So no edit has made such a gap narrower than it was, which is the rule of single edits.
-  bool WasAsNear(
-    const FaceHistory::Version& one, const FaceHistory::Version& other, int& left) const
+  bool WasAsNear(const FaceVersion& one, const FaceVersion& other, int& left) const
   {
     const bool isOneLater = one.Made > other.Made;
-    const FaceHistory::Version& later = isOneLater ? one : other;
-    const FaceHistory::Version& near = isOneLater ? other : one;
+    const FaceVersion& later = isOneLater ? one : other;
+    const FaceVersion& near = isOneLater ? other : one;
     if (later.Made == None)
     {
       return true;
     }
-    const Piece nearPiece(this->Mesh, near.Vertices, this->History.CornersOf(near));
+    const Piece nearPiece = this->PieceOf(near);
     const double now =
-      WayBetween(this->History.CornersOf(later), nearPiece.Corners).SquaredLength; // mm^2
+      WayBetween(this->Journal.CornersOf(later), nearPiece.Corners).SquaredLength; // mm^2
     for (Index i = 0; i < this->Journal.Entry(later.Made).NumberOfFaces && --left > 0; ++i)
     {
-      const FaceHistory::Version& old = this->History.OldFace(later.Made, i);
-      const Piece oldPiece(this->Mesh, old.Vertices, this->History.CornersOf(old));
+      const FaceVersion& old = this->Journal.OldFace(later.Made, i);
+      const Piece oldPiece = this->PieceOf(old);
       if (CountShared(oldPiece, nearPiece) == 0 &&
         WayBetween(oldPiece.Corners, nearPiece.Corners).SquaredLength <= now &&
         this->WasAsNear(old, near, left))
@@ -192,10 +179,15 @@ private:
     return false;
   }
 
+  Piece PieceOf(const FaceVersion& face) const
+  {
+    return { this->Mesh, this->Journal.VerticesOf(face), this->Journal.CornersOf(face) };
+  }
+
   const HalfEdgeMesh& Mesh;
   GapRule Widths;
   const EditJournal& Journal;
-  const FaceHistory& History;
+  FaceHistory History; // after the last edit
 };
 
 /// The faces that edits have changed.
@@ -247,9 +239,9 @@ std::vector<Index> LookAt(const NarrowedGaps& gaps, const std::vector<FaceId>& f
 }
 
 std::vector<Index> FindNarrowedGaps(const HalfEdgeMesh& mesh, const GapRule& widths,
-  const EditJournal& journal, const FaceHistory& history, std::vector<Index>& checked, int threads)
+  const EditJournal& journal, std::vector<Index>& checked, int threads)
 {
-  const NarrowedGaps gaps(mesh, widths, journal, history);
+  const NarrowedGaps gaps(mesh, widths, journal, threads);
   checked.resize(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), None);
   const std::vector<FaceId> changed = ChangedFaces(mesh, journal);
   const std::vector<FaceId> isNew = NewFaces(changed, journal, checked);

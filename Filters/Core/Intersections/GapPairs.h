@@ -27,7 +27,7 @@ bool IsTooNear(
 /// @param checked Of each face, the last edit of it in the last call; empty before the first for a journal. Only new faces are looked at
 /// first, and if they have no such pair, all: a pair may also arise where an undone edit has restored a face or a wider gap.
 std::vector<Index> FindNarrowedGaps(const HalfEdgeMesh& mesh, const GapRule& widths,
-  const EditJournal& journal, const FaceHistory& history, std::vector<Index>& checked, int threads);
+  const EditJournal& journal, std::vector<Index>& checked, int threads);
 
 /// A merged vertex represents both.
 void MergeGaps(const EditJournal& journal, const HalfEdgeMesh& mesh, GapRule& widths);

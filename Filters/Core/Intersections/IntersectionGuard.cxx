@@ -202,7 +202,7 @@ std::vector<Index> IntersectionGuard::FindRejected(const EditJournal& journal, E
 {
   std::vector<Index> edits = replay.FindRejected(this->Written, threads);
   const std::vector<Index> narrowed =
-    FindNarrowedGaps(this->Mesh, this->Widths, journal, replay.History(), checkedFaces, threads);
+    FindNarrowedGaps(this->Mesh, this->Widths, journal, checkedFaces, threads);
   edits.insert(edits.end(), narrowed.begin(), narrowed.end());
   return edits;
 }

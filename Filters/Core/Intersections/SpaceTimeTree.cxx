@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SpaceTimeTree.h"
 
-#include <algorithm>
+#include "Parallel.h"
+
 #include <utility>
 
 namespace bonedecimate
@@ -17,33 +18,30 @@ void Extend(TimedBox& node, const TimedBox& other)
 }
 }
 
-SpaceTimeTree::SpaceTimeTree(std::vector<TimedBox> boxes)
+SpaceTimeTree::SpaceTimeTree(std::vector<TimedBox> boxes, int threads)
   : Boxes(std::move(boxes))
 {
   while (this->Leaves * OfLeaf < this->Boxes.size())
   {
     this->Leaves *= 2;
   }
-  this->Nodes.assign(2 * this->Leaves, TimedBox{ FloatBox(), Never, None });
-  for (std::size_t i = 0; i < this->Boxes.size(); ++i)
-  {
-    Extend(this->Nodes[this->Leaves + i / OfLeaf], this->Boxes[i]);
-  }
+  const std::size_t used = (this->Boxes.size() + OfLeaf - 1) / OfLeaf;
+  this->Nodes.assign(this->Leaves + used, TimedBox{ FloatBox(), Never, None });
+  ForEachId(used, threads,
+    [&](std::size_t leaf)
+    {
+      const std::size_t end = std::min(this->Boxes.size(), (leaf + 1) * OfLeaf);
+      for (std::size_t i = leaf * OfLeaf; i < end; ++i)
+      {
+        Extend(this->Nodes[this->Leaves + leaf], this->Boxes[i]);
+      }
+    });
   for (std::size_t i = this->Leaves; --i > 0;)
   {
-    Extend(this->Nodes[i], this->Nodes[2 * i]);
-    Extend(this->Nodes[i], this->Nodes[2 * i + 1]);
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Nodes may hold too long a time.
-void SpaceTimeTree::SetReplaced(std::size_t position, bool isThere)
-{
-  this->Boxes[position].Replaced = isThere ? Never : None;
-  for (std::size_t at = this->Leaves + position / OfLeaf; isThere && at > 0; at /= 2)
-  {
-    this->Nodes[at].Replaced = Never;
+    for (std::size_t child = 2 * i; child < std::min(2 * i + 2, this->Nodes.size()); ++child)
+    {
+      Extend(this->Nodes[i], this->Nodes[child]);
+    }
   }
 }
 }

@@ -36,11 +36,36 @@ class SpaceTimeTree
 public:
   static constexpr Index Never = std::numeric_limits<Index>::max();
 
-  explicit SpaceTimeTree(std::vector<TimedBox> boxes);
+  explicit SpaceTimeTree(std::vector<TimedBox> boxes, int threads = 1);
 
   /// Calls visit(position) for each box that meets the given one, was made before the edit and is replaced after it.
   template <typename Visit>
   void VisitAt(const FloatBox& box, Index edit, const Visit& visit) const
+  {
+    this->Descend([&](const TimedBox& node) { return node.Holds(box, edit); },
+      [&](std::size_t i)
+      {
+        visit(i);
+        return true;
+      });
+  }
+
+  /// Whether a box meets the given one while both exist.
+  bool HasWhile(const TimedBox& box) const
+  {
+    bool has = false;
+    this->Descend([&](const TimedBox& node)
+      { return node.Made < box.Replaced && box.Made < node.Replaced && node.Box.Meets(box.Box); },
+      [&](std::size_t) { return !(has = true); });
+    return has;
+  }
+
+private:
+  static constexpr std::size_t OfLeaf = 8; // boxes
+
+  /// Calls visit(position) for each box that is chosen, until it is false. A node that holds such a box is chosen, too.
+  template <typename IsChosen, typename Visit>
+  void Descend(const IsChosen& isChosen, const Visit& visit) const
   {
     std::array<std::size_t, 64> stack;
     std::size_t size = 0;
@@ -48,7 +73,7 @@ public:
     while (size > 0)
     {
       const std::size_t at = stack[--size];
-      if (!this->Nodes[at].Holds(box, edit))
+      if (at >= this->Nodes.size() || !isChosen(this->Nodes[at]))
       {
         continue;
       }
@@ -61,23 +86,18 @@ public:
       const std::size_t first = (at - this->Leaves) * OfLeaf;
       for (std::size_t i = first; i < std::min(this->Boxes.size(), first + OfLeaf); ++i)
       {
-        if (this->Boxes[i].Holds(box, edit))
+        if (isChosen(this->Boxes[i]) && !visit(i))
         {
-          visit(i);
+          return;
         }
       }
     }
   }
 
-  /// The box is replaced by no edit, or never was there.
-  void SetReplaced(std::size_t position, bool isThere);
-
-private:
-  static constexpr std::size_t OfLeaf = 4; // boxes
-
   std::vector<TimedBox> Boxes;
-  std::size_t Leaves = 1;      // a power of two
-  std::vector<TimedBox> Nodes; // children of i: 2 i and 2 i + 1; the root is 1
+  std::size_t Leaves = 1; // a power of two
+  std::vector<TimedBox>
+    Nodes; // children of i: 2 i and 2 i + 1; the root is 1; without empty ones at the end
 };
 }
 

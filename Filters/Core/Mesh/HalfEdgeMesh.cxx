@@ -190,7 +190,7 @@ void HalfEdgeMesh::Flip(HalfEdgeId h)
 }
 
 //------------------------------------------------------------------------------
-/// Removes the face of h and merges its other two edges.
+/// Removes the face of h and merges its other two edges. The first normal stays, for an edit that is undone.
 void HalfEdgeMesh::RemoveFace(HalfEdgeId h)
 {
   const HalfEdgeId alongNext = this->Twin(Next(h));
@@ -208,6 +208,7 @@ void HalfEdgeMesh::RemoveFace(HalfEdgeId h)
   {
     this->Vertices[apex].Outgoing = alongNext;
   }
-  this->Faces[Face(h)] = { { None, None, None, None }, { None, None, None, None } };
+  FaceRecord& record = this->Faces[Face(h)];
+  record = { { None, None, None, record.Origins[3] }, { None, None, None, record.Twins[3] } };
 }
 }

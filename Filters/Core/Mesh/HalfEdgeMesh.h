@@ -27,6 +27,7 @@
 #include "Surface.h"
 #include "VertexConstraint.h"
 
+#include <algorithm>
 #include <array>
 
 namespace bonedecimate
@@ -116,6 +117,9 @@ public:
       !(area.norm() > GrowthOfFreeFace * this->FirstArea(face));
   }
 
+  /// Whether that normal is stored: from the first change of the face on.
+  bool HasFirstNormal(FaceId face) const { return this->Faces[face].Twins[3] != None; }
+
   bool HasPatches() const { return !this->OriginalVertices.empty(); }
   /// The original vertex: the same for all duplicates of a point; v if there are none.
   VertexId OriginalVertex(VertexId v) const
@@ -197,10 +201,24 @@ private:
   }
   /// The original area, mm^2.
   double FirstArea(FaceId face) const;
-  /// To undo a collapse: the record of a face before it, of each of its faces.
-  void Restore(FaceId face, const std::array<Index, 4>& origins, const std::array<Index, 4>& twins)
+  /// To undo a collapse: the corners of each of its faces, then the twins of the removed ones. A removed face keeps its first
+  /// normal.
+  void RestoreCorners(FaceId face, const Triangle& corners)
   {
-    this->Faces[face] = { origins, twins };
+    std::copy(corners.begin(), corners.end(), this->Faces[face].Origins.begin());
+  }
+  void RestoreTwins(FaceId face, const std::array<Index, 3>& twins)
+  {
+    for (Index k = 0; k < 3; ++k)
+    {
+      this->Pair(HalfEdge(face, k), twins[static_cast<std::size_t>(k)]);
+    }
+  }
+  /// As before the first change of the face.
+  void ForgetFirstNormal(FaceId face)
+  {
+    this->Faces[face].Origins[3] = None;
+    this->Faces[face].Twins[3] = None;
   }
   /// Unless another edit has removed that half-edge: then the present one stays.
   void RestoreOutgoing(VertexId v, HalfEdgeId h)

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CoveringList.h"
+
+#include <numeric>
+
+namespace bonedecimate
+{
+CoveringList::CoveringList(Index originals)
+  : OfOriginal(static_cast<std::size_t>(originals))
+{
+  std::iota(this->OfOriginal.begin(), this->OfOriginal.end(), 0);
+}
+
+//------------------------------------------------------------------------------
+Covering CoveringList::Of(std::size_t original) const
+{
+  const Index number = this->OfOriginal[original];
+  if (number < None)
+  {
+    return this->Others[PositionOf(number)];
+  }
+  Covering covering;
+  covering.Faces[0] = number;
+  covering.Count = 1;
+  return covering;
+}
+
+//------------------------------------------------------------------------------
+/// What was among the others once stays there or leaves its position unused.
+void CoveringList::Set(std::size_t original, const Covering& covering)
+{
+  Index& number = this->OfOriginal[original];
+  if (covering.IsOneFace())
+  {
+    number = covering.Faces[0];
+    return;
+  }
+  if (number > None)
+  {
+    number = None - 1 - static_cast<Index>(this->Others.size());
+    this->Others.emplace_back();
+  }
+  this->Others[PositionOf(number)] = covering;
+}
+
+//------------------------------------------------------------------------------
+Coverage CoveringList::ToCoverage(Index coverings) const
+{
+  Coverage coverage(static_cast<Index>(this->Count()), coverings);
+  for (std::size_t original = 0; original < this->Count(); ++original)
+  {
+    const Covering covering = this->Of(original);
+    for (int i = 0; i < covering.Count; ++i)
+    {
+      coverage.Add(static_cast<Index>(original), covering.Faces[static_cast<std::size_t>(i)]);
+    }
+  }
+  return coverage;
+}
+}
