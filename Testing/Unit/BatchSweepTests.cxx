@@ -3,6 +3,7 @@
 // Edits that are checked at the same time and applied one after the other: what the check of each read has not changed.
 #include "BruteForce.h"
 #include "Edit/Editor.h"
+#include "ErrorBound/Coverage.h"
 #include "Runs.h"
 #include "Schedule/BucketSweep.h"
 #include "WorkerTeam.h"
@@ -225,6 +226,19 @@ TEST(BatchSweep, ErrorBoundAcceptsNoEditOfWhichAnotherOneHasChangedTheCoverage)
   }
   EXPECT_GT(shared, 2);
   EXPECT_GT(apart, 10);
+}
+
+TEST(BatchSweep, ACoverageHasAnotherVersionAfterEachChange)
+{
+  Coverage coverage(1, 2);
+  std::set<Coverage::Version> versions = { coverage.VersionOf(0) };
+  for (const Index element : { 0, 1 })
+  {
+    coverage.Add(0, element);
+    EXPECT_TRUE(versions.insert(coverage.VersionOf(0)).second);
+    coverage.Free(0, 0);
+    EXPECT_TRUE(versions.insert(coverage.VersionOf(0)).second);
+  }
 }
 
 TEST(BatchSweep, FragmentGuardAcceptsNoEditForWhichAnotherOneHasLeftNoVolume)
