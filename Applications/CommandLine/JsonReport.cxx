@@ -141,10 +141,7 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
   {
     report["slabs"] = { { "count", subject.Slabs->Slabs },
       { "largest_triangles", subject.Slabs->LargestSlab },
-      { "junctions", subject.Slabs->Junctions },
-      { "unproved_junctions", subject.Slabs->UnprovedJunctions },
-      { "junction_triangles", subject.Slabs->JunctionTriangles },
-      { "junction_triangles_left", subject.Slabs->JunctionTrianglesLeft } };
+      { "unproved", subject.Slabs->UnprovedSlabs } };
   }
   if (subject.Segments.empty() && !subject.Changed.empty())
   {

@@ -121,12 +121,11 @@ void PrintSlabs(const ReportSubject& subject)
 {
   if (subject.Slabs)
   {
+    const std::int64_t unproved = subject.Slabs->UnprovedSlabs;
     std::cout << "slabs           " << subject.Slabs->Slabs << " of up to "
-              << GroupedText(static_cast<double>(subject.Slabs->LargestSlab)) << " triangles, "
-              << subject.Slabs->Junctions << " junctions";
-    std::cout << (subject.Slabs->UnprovedJunctions > 0
-                     ? "; " + std::to_string(subject.Slabs->UnprovedJunctions) +
-                       " junctions stay as they were, without a proof"
+              << GroupedText(static_cast<double>(subject.Slabs->LargestSlab)) << " triangles"
+              << (unproved > 0
+                     ? "; " + std::to_string(unproved) + " stay as they were, without a proof"
                      : std::string())
               << "\n";
   }

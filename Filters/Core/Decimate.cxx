@@ -78,6 +78,10 @@ std::optional<ErrorBoundSettings> BoundSettings(const RunTask& task, const Prepa
   settings.Error = options.BoundsError() ? options.MaximumError : settings.Error;
   settings.RoundsToSingle = task.RoundsToSingle;
   settings.Origin = prepared.Cleaned.Origin;
+  if (ContinuesEarlierRun(task.Inputs))
+  {
+    settings.BoundaryZone = LocalZone(task.Inputs.Part->BoundaryZone, prepared.Cleaned);
+  }
   return settings;
 }
 
@@ -115,7 +119,10 @@ EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepar
     settings.IsConstrained = SharedVertices(task.Inputs.Part, prepared.Cleaned);
     settings.Bound = BoundSettings(task, prepared);
     settings.Reference = prepared.Original.get();
-    settings.EditZone = EditZoneOf(task.Inputs.Part, prepared.Cleaned);
+    if (const SurfacePart* part = task.Inputs.Part)
+    {
+      settings.EditZone = LocalZone(part->EditZone, prepared.Cleaned);
+    }
     settings.GuardsIntersections = task.Effective.BoundsError() && task.Effective.IntersectionGuard;
     settings.Input = &task.Input;
     // Otherwise points that rounding would merge are separated, by no more than rounding.

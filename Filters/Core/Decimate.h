@@ -81,6 +81,8 @@ struct SurfacePart
   std::vector<Vector3> SmoothedPoints;
   /// Where edits are allowed, mm; none: everywhere. New positions are inside, and vertices outside may only stay.
   std::optional<Zone> EditZone = {};
+  /// With a reference: edges of one triangle that do not reach it are where the part was cut. None: all of them are boundaries.
+  std::optional<Zone> BoundaryZone = {};
   /// The original of a part that is itself a result: the largest error then refers to it. It must have all that is within that
   /// error of what may change, and the part all that is near it. Null: the input. Not with smoothed points or tolerances; the run
   /// ends without a certificate, because both surfaces end somewhere else.

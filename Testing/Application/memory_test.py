@@ -38,10 +38,11 @@ class Memory(ApplicationTest):
         write_network(self.path("a.mha"), 75)
         text = self.succeed("a.mha", "slabs.vtp", *RUN, "--memory", "256M", "--report", "report.json").stdout
         report = self.report()
-        self.assertRegex(text, r"slabs +\d+ of up to [\d,]+ triangles, \d+ junctions")
+        self.assertRegex(text, r"slabs +\d+ of up to [\d,]+ triangles")
         self.assertGreater(report["slabs"]["count"], 2)
-        self.assertEqual(report["slabs"]["unproved_junctions"], 0)
+        self.assertEqual(report["slabs"]["unproved"], 0)
         self.assertEqual(report["proof"]["status"], "proved")
+        self.assertEqual(report["proof"]["boundaries"], "both")
         self.assertEqual(report["proof"]["files"], {"slabs.vtp": "same_bits"})
         self.assertEqual(report["output"]["triangles"], read(self.path("slabs.vtp")).GetNumberOfPolys())
         self.succeed("a.mha", "whole.vtp", "--iso", 127.5, "--mode", "Fast", "--target-reduction", 0)

@@ -29,6 +29,7 @@ JunctionInput InMiddle(const Surface& original, const Surface& strip)
   junction.Original.Shape = original;
   junction.Strip.Shape = strip;
   junction.EditZone = { Vector3::UnitX(), 3.5, 16.5 };
+  junction.BoundaryZone = { Vector3::UnitX(), 2.5, 17.5 };
   junction.IsFinished.assign(strip.Points.size(), 0);
   return junction;
 }

@@ -75,7 +75,7 @@ Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSetting
   {
     this->Source.Tree(settings.Threads, goesOn);
   }
-  if (settings.KeepsInitialMesh || settings.Bound)
+  if ((settings.KeepsInitialMesh || settings.Bound) && this->Continued == nullptr)
   {
     this->First = std::make_unique<HalfEdgeMesh>(this->Half);
   }

@@ -8,7 +8,7 @@
 
 namespace bonedecimate
 {
-BoundaryCurves::BoundaryCurves(const HalfEdgeMesh& mesh)
+BoundaryCurves::BoundaryCurves(const HalfEdgeMesh& mesh, const Zone* zone)
   : Mesh(mesh)
 {
   std::vector<Index> leaving(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), None);
@@ -17,7 +17,11 @@ BoundaryCurves::BoundaryCurves(const HalfEdgeMesh& mesh)
     for (Index corner = 0; corner < 3; ++corner)
     {
       const HalfEdgeId h = HalfEdgeMesh::HalfEdge(face, corner);
-      if (mesh.Twin(h) == None)
+      if (mesh.Twin(h) == None &&
+        (zone == nullptr ||
+          zone->MayReach(
+            BoundaryProof::Segment{ mesh.Position(mesh.Origin(h)), mesh.Position(mesh.Target(h)) },
+            0.0)))
       {
         leaving[mesh.Origin(h)] = this->Count();
         this->Edges.push_back(h);
@@ -28,7 +32,8 @@ BoundaryCurves::BoundaryCurves(const HalfEdgeMesh& mesh)
   for (Index edge = 0; edge < this->Count(); ++edge)
   {
     const VertexId at = mesh.Target(this->Edges[edge]);
-    if (mesh.Constraint(at) == VertexConstraint::Boundary || PatchBoundaryRunsThrough(mesh, at))
+    if (leaving[at] != None &&
+      (mesh.Constraint(at) == VertexConstraint::Boundary || PatchBoundaryRunsThrough(mesh, at)))
     {
       this->Neighbors[edge][1] = leaving[at];
       this->Neighbors[leaving[at]][0] = edge;

@@ -8,6 +8,7 @@
 #define BoneDecimate_Core_ErrorBound_BoundaryCurves_h
 
 #include "BoundaryProof.h"
+#include "Geometry/Zone.h"
 #include "Mesh/HalfEdgeMesh.h"
 
 namespace bonedecimate
@@ -15,8 +16,8 @@ namespace bonedecimate
 class BoundaryCurves
 {
 public:
-  /// @param mesh Must not change.
-  explicit BoundaryCurves(const HalfEdgeMesh& mesh);
+  /// @param mesh Must not change.  @param zone Edges that do not reach it are left out. Null: none.
+  explicit BoundaryCurves(const HalfEdgeMesh& mesh, const Zone* zone = nullptr);
 
   Index Count() const { return static_cast<Index>(this->Edges.size()); }
   /// The half-edge without a twin.

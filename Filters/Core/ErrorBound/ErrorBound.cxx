@@ -43,7 +43,7 @@ ErrorBound::ErrorBound(
   , Settings(settings)
   , Allowed(reference.Mesh, settings)
   , ByFaces(reference.Mesh.NumberOfFaceSlots(), mesh.NumberOfFaceSlots())
-  , Boundaries(reference.Mesh)
+  , Boundaries(reference.Mesh, this->BoundaryZone())
   , ByBoundaries(this->Boundaries.Count(),
       static_cast<Index>(HalfEdgeMesh::HalfEdge(mesh.NumberOfFaceSlots(), 0)))
   , NearestBoundary(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), None)

@@ -30,6 +30,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace bonedecimate
@@ -48,6 +49,9 @@ struct ErrorBoundSettings
   /// mm, of each vertex of the mesh at first; negative or not a number: none of its own. Null: Error everywhere. Read
   /// only when the guarantee is made.
   const std::vector<double>* Tolerances = nullptr;
+  /// mm relative to Origin, of a run that continues an earlier one: edges that do not reach it are where a part was cut and
+  /// no boundaries. None: all are boundaries.
+  std::optional<Zone> BoundaryZone = {};
 
   /// Where the point will be when it has been written.
   Vector3 Rounded(const Vector3& position) const;
@@ -84,6 +88,11 @@ public:
   /// where nothing limits, 0 where nothing may change.
   double LimitAt(VertexId vertex) const { return this->Allowed.At(vertex); }
 
+  /// Null: all edges of one triangle are boundaries.
+  const Zone* BoundaryZone() const
+  {
+    return this->Settings.BoundaryZone ? &*this->Settings.BoundaryZone : nullptr;
+  }
   /// Covers the boundaries of the original by those of the mesh, as ProveStart.  @return Triangles of edges that are not proved.
   std::vector<Index> CoverBoundaries(const HalfEdgeMesh& mesh, const Zone* zone);
 

@@ -30,11 +30,20 @@ bool Prover::NewBoundaryIsNear()
     return true;
   }
   const WalkedBoundary original(this->Shared.Boundaries, this->Shared.Allowed);
+  const Zone* zone = this->Shared.BoundaryZone();
   for (const SurfaceChange::BoundaryEdge& edge : this->Change->NewBoundary)
   {
+    if (zone != nullptr && !zone->MayReach(edge.Ends, 0.0))
+    {
+      continue; // where a part was cut
+    }
     PieceCover<2>::Piece whole;
     for (std::size_t i = 0; i < 2; ++i)
     {
+      if (this->Shared.NearestBoundary[edge.OnLine[i]] == None)
+      {
+        return false;
+      }
       whole[i] = original.Find(edge.Ends[i], this->Shared.NearestBoundary[edge.OnLine[i]]);
       if (edge.Vertices[i] == this->Change->Moved)
       {

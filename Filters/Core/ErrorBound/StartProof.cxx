@@ -17,8 +17,8 @@ namespace
 class EdgeSearch
 {
 public:
-  explicit EdgeSearch(const HalfEdgeMesh& mesh)
-    : Edges(mesh)
+  EdgeSearch(const HalfEdgeMesh& mesh, const Zone* zone)
+    : Edges(mesh, zone)
   {
     Surface surface;
     for (Index edge = 0; edge < this->Edges.Count(); ++edge)
@@ -96,8 +96,8 @@ std::vector<Index> ErrorBound::CoverBoundaries(const HalfEdgeMesh& mesh, const Z
   {
     return left;
   }
-  const EdgeSearch originals(this->Source);
-  const EdgeSearch edges(mesh);
+  const EdgeSearch originals(this->Source, this->BoundaryZone());
+  const EdgeSearch edges(mesh, this->BoundaryZone());
   for (Index edge = 0; edge < edges.Curves().Count(); ++edge)
   {
     const HalfEdgeId h = edges.Curves().HalfEdge(edge);

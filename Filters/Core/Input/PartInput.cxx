@@ -84,17 +84,16 @@ std::vector<char> SharedVertices(const SurfacePart* part, const CleanSurface& cl
 }
 
 //------------------------------------------------------------------------------
-std::optional<Zone> EditZoneOf(const SurfacePart* part, const CleanSurface& clean)
+std::optional<Zone> LocalZone(const std::optional<Zone>& zone, const CleanSurface& clean)
 {
-  std::optional<Zone> zone;
-  if (part != nullptr && part->EditZone)
+  std::optional<Zone> local = zone;
+  if (local)
   {
-    zone = part->EditZone;
-    const double origin = zone->Direction.dot(clean.Origin);
-    zone->Low -= origin;
-    zone->High -= origin;
+    const double origin = local->Direction.dot(clean.Origin);
+    local->Low -= origin;
+    local->High -= origin;
   }
-  return zone;
+  return local;
 }
 
 //------------------------------------------------------------------------------

@@ -19,8 +19,8 @@ namespace bonedecimate
 /// Of each vertex of the mesh, whether other parts have it, too. Empty: none.  @param part May be null.
 std::vector<char> SharedVertices(const SurfacePart* part, const CleanSurface& clean);
 
-/// mm from the local origin.  @param part May be null.
-std::optional<Zone> EditZoneOf(const SurfacePart* part, const CleanSurface& clean);
+/// mm from the local origin of the cleaned surface.
+std::optional<Zone> LocalZone(const std::optional<Zone>& zone, const CleanSurface& clean);
 
 /// The original of a part that is itself a result. Null if it cannot be used: nothing is left after cleaning.
 /// @param input The cleaned part, as its mesh was made from it.

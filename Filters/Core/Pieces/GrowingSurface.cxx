@@ -4,12 +4,21 @@
 
 #include "Mesh/SurfaceAssembly.h"
 
+#include <array>
+#include <map>
 #include <utility>
 
 namespace bonedecimate
 {
 namespace
 {
+using Coordinates = std::array<double, 3>;
+
+Coordinates KeyOf(const Vector3& p)
+{
+  return { p[0], p[1], p[2] };
+}
+
 void Move(SurfacePiece& from, std::size_t triangle, SurfacePiece& to)
 {
   to.Shape.Triangles.push_back(from.Shape.Triangles[triangle]);
@@ -39,43 +48,6 @@ void GrowingSurface::Add(const SurfacePiece& piece, const std::vector<Index>& po
     this->Open.Shape.Triangles.push_back({ points[c[0]], points[c[1]], points[c[2]] });
   }
   this->Open.Labels.insert(this->Open.Labels.end(), piece.Labels.begin(), piece.Labels.end());
-}
-
-//------------------------------------------------------------------------------
-void GrowingSurface::Append(
-  const SurfacePiece& piece, const std::vector<char>& isInLower, const std::vector<char>& isInUpper)
-{
-  std::vector<Index> points;
-  std::map<Coordinates, Index> inPlane;
-  this->InJunction.clear();
-  for (const auto& [position, point] : this->InPlane)
-  {
-    this->InJunction.insert(point);
-  }
-  for (std::size_t i = 0; i < piece.Shape.Points.size(); ++i)
-  {
-    const Vector3& p = piece.Shape.Points[i];
-    const auto known = isInLower[i] != 0 ? this->InPlane.find(KeyOf(p)) : this->InPlane.end();
-    if (known == this->InPlane.end())
-    {
-      points.push_back(static_cast<Index>(this->Points.size()));
-      this->Points.push_back(p);
-    }
-    else
-    {
-      points.push_back(known->second);
-    }
-    if (isInLower[i] != 0)
-    {
-      this->InJunction.insert(points.back());
-    }
-    if (isInUpper[i] != 0)
-    {
-      inPlane.emplace(KeyOf(p), points.back());
-    }
-  }
-  this->Add(piece, points);
-  this->InPlane = std::move(inPlane);
 }
 
 //------------------------------------------------------------------------------

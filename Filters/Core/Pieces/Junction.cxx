@@ -88,6 +88,7 @@ JunctionResult DecimateJunction(const JunctionInput& input, const Options& optio
     part.IsShared[i] |= input.EditZone.Contains(input.Strip.Shape.Points[i]) ? 0 : 1;
   }
   part.EditZone = input.EditZone;
+  part.BoundaryZone = input.BoundaryZone;
   part.Reference = &input.Original.Shape;
   part.ReferenceLabels = &ofOriginal;
   RunInputs inputs;

@@ -29,6 +29,9 @@ struct JunctionInput
   SurfacePiece Original;
   SurfacePiece Strip;
   Zone EditZone;
+  /// Edges of one triangle that do not reach it are where strip and original were cut. It may end JunctionMargin() outside of the
+  /// edit zone.
+  Zone BoundaryZone;
   std::vector<char> IsFinished; ///< Of each point of the strip, whether it stays wherever it is.
 };
 

@@ -4,17 +4,16 @@
 
 #include "Certificate/Certificate.h"
 #include "GrowingSurface.h"
-#include "Input/VoxelSize.h"
 #include "Junction.h"
+#include "Mesh/Cleaning.h"
 #include "Mesh/Statistics.h"
-#include "Options/OptionTable.h"
+#include "OpenBoundaries.h"
 #include "SlabOptions.h"
 #include "SlabTotals.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace bonedecimate
@@ -24,15 +23,13 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// Points so near to a plane, as a fraction of their largest coordinate, are in it: single precision is that coarse.
 constexpr double PlaneSlack = 1e-6;
-/// mm / mm: thinner slabs are joined with the next one, so that the surroundings of a junction end within its two slabs.
-constexpr double ErrorsOfSlab = 16.0;
-/// In largest errors: a zone ends so far from the next plane that its junction reads nothing beyond that plane.
-constexpr double ErrorsBeyondZone = 7.0;
-/// Width of a zone on each side of its plane, in mean edges of the result and in largest errors.
-constexpr double EdgesOfZone = 6.0;
+/// How far below its plane the next run goes on, in mean edges of the result (over its area) and in largest errors.
+constexpr double EdgesOfZone = 3.0;
 constexpr double ErrorsOfZone = 2.0;
-/// Of the progress of a slab.
-constexpr double SlabDoneAt = 0.7;
+/// Below the zone, where boundary edges are told from edges of a cut: less than JunctionMargin().
+constexpr double ErrorsOfBoundaries = 2.0;
+/// Largest number of original triangles in the zone, relative to that of the largest slab.
+constexpr double MostOfZone = 1.5;
 }
 
 class SlabRun::Implementation
@@ -47,46 +44,27 @@ public:
     this->Status = this->Message.empty() ? SlabStatus::Good : SlabStatus::BadOptions;
   }
 
-  SlabStatus Add(Slab slab, bool isLast, const Monitor& monitor)
+  SlabStatus Add(Slab slab, const Monitor& monitor)
   {
-    if (this->Status != SlabStatus::Good || !this->IsValid(slab))
+    if (this->Status == SlabStatus::Good && this->IsValid(slab))
     {
-      return this->Status;
-    }
-    this->JoinWaiting(slab);
-    if (!isLast && slab.Top - this->Bottom < ErrorsOfSlab * this->Effective.MaximumError)
-    {
-      this->Waiting = std::move(slab);
-      return this->Status;
-    }
-    const double top = slab.Top;
-    const Monitor part = monitor ? PartOf(monitor, 0.0, SlabDoneAt) : monitor;
-    if (this->DecimateSlab(slab, part))
-    {
-      const double width = isLast ? Infinity : this->Width;
-      this->KeepOriginal(std::move(slab), width);
-      this->DecimateJunction(width, monitor ? PartOf(monitor, SlabDoneAt, 1.0) : monitor);
-      this->Bottom = top;
-      this->BelowWidth = this->Width;
+      this->Figures.Slabs += slab.Surface.Triangles.empty() ? 0 : 1;
+      this->Figures.LargestSlab = std::max(
+        this->Figures.LargestSlab, static_cast<std::int64_t>(slab.Surface.Triangles.size()));
+      this->Count(slab);
+      this->DecimateTo(
+        slab.Top, { std::move(slab.Surface), std::move(slab.BoundaryLabels) }, monitor);
     }
     return this->Status;
   }
 
-  /// What is left: a thin slab, and points in the last plane.
+  /// What is left: points in the last plane.
   Result Finish()
   {
     Result whole;
-    if (this->Waiting)
-    {
-      Slab slab = std::move(*this->Waiting);
-      this->Waiting.reset();
-      this->Add(std::move(slab), true, {});
-    }
     if (this->Status == SlabStatus::Good)
     {
-      this->Growing.Append({}, {}, {});
-      this->KeepOriginal({}, 0.0);
-      this->DecimateJunction(Infinity, {});
+      this->DecimateTo(Infinity, {}, {});
     }
     whole.Report.Requested = this->Effective;
     if (this->Status == SlabStatus::Good)
@@ -97,6 +75,11 @@ public:
       this->Totals.Write(whole.Report);
       whole.Report.Output = Describe(whole.Surface, this->Effective.NumberOfThreads);
       whole.Report.Stop = StopReason::ErrorReached;
+      if (this->Proof.WasMade)
+      {
+        this->Boundaries.Prove(whole.Surface, this->Effective.MaximumError,
+          this->Effective.NumberOfThreads, this->Proof);
+      }
       whole.Report.Proof = this->Proof;
     }
     return whole;
@@ -111,6 +94,15 @@ public:
   SlabStatus Status = SlabStatus::Good;
 
 private:
+  void Count(const Slab& slab)
+  {
+    const CleanSurface clean = Clean(slab.Surface, true, this->Effective.NumberOfThreads);
+    const std::vector<char> isInLower = this->AreInPlane(slab.Surface, this->Bottom);
+    const std::vector<char> isInUpper = this->AreInPlane(slab.Surface, slab.Top);
+    this->Totals.Add(slab, clean, isInLower, isInUpper, this->Effective.NumberOfThreads);
+    this->Boundaries.Add(slab.Surface, clean, isInLower, isInUpper);
+  }
+
   double Along(const Vector3& p) const { return this->Axis.Direction.dot(p); }
   Zone Between(double low, double high) const { return { this->Axis.Direction, low, high }; }
   const LabelMapSource* Source() const
@@ -128,8 +120,7 @@ private:
 
   bool IsValid(const Slab& slab)
   {
-    const double bottom = this->Waiting ? this->Waiting->Top : this->Bottom;
-    if (!(slab.Top > bottom))
+    if (!(slab.Top > this->Bottom))
     {
       return this->Fail(
         SlabStatus::BadSlab, "The upper plane of a slab is not above the lower one.");
@@ -142,7 +133,7 @@ private:
         const bool isThere =
           corner >= 0 && static_cast<std::size_t>(corner) < slab.Surface.Points.size();
         const double along = isThere ? this->Along(slab.Surface.Points[corner]) : Infinity;
-        if (!(along >= bottom - this->Slack && along <= slab.Top + this->Slack))
+        if (!(along >= this->Bottom - this->Slack && along <= slab.Top + this->Slack))
         {
           return this->Fail(
             SlabStatus::BadSlab, "A triangle is not between the planes of its slab.");
@@ -152,20 +143,6 @@ private:
     return slab.BoundaryLabels.empty() ||
       slab.BoundaryLabels.size() == slab.Surface.Triangles.size() ||
       this->Fail(SlabStatus::BadSlab, "A slab does not have one pair of labels for each triangle.");
-  }
-
-  /// Thin slabs become one.
-  void JoinWaiting(Slab& slab)
-  {
-    if (this->Waiting)
-    {
-      SurfacePiece both =
-        Joined({ std::move(this->Waiting->Surface), std::move(this->Waiting->BoundaryLabels) },
-          { std::move(slab.Surface), std::move(slab.BoundaryLabels) });
-      slab.Surface = std::move(both.Shape);
-      slab.BoundaryLabels = std::move(both.Labels);
-      this->Waiting.reset();
-    }
   }
 
   /// Of each point, whether it is in the plane.
@@ -180,170 +157,114 @@ private:
     return are;
   }
 
-  /// Its points in planes that other slabs have, too, stay.
-  bool DecimateSlab(const Slab& slab, const Monitor& monitor)
-  {
-    SurfacePart part;
-    part.IsShared = this->AreInPlane(slab.Surface, slab.Top);
-    const std::vector<char> isInLower = this->AreInPlane(slab.Surface, this->Bottom);
-    for (std::size_t i = 0; i < isInLower.size() && this->HasSlabBelow; ++i)
-    {
-      part.IsShared[i] |= isInLower[i];
-    }
-    part.EditZone = this->Between(
-      this->HasSlabBelow ? this->Bottom + this->Slack : -Infinity, slab.Top - this->Slack);
-    LabelMapSource source = this->Inputs.LabelMap;
-    source.OfTriangle = slab.BoundaryLabels;
-    RunInputs inputs;
-    inputs.InputIsSingle = this->Inputs.InputIsSingle;
-    inputs.LabelMap = this->Source() != nullptr ? &source : nullptr;
-    inputs.Part = &part;
-    Result result;
-    if (!slab.Surface.Triangles.empty())
-    {
-      result = Decimate(slab.Surface, this->Effective, monitor, inputs);
-    }
-    const Report& report = result.Report;
-    if (report.Status != InputStatus::Good)
-    {
-      return this->Fail(SlabStatus::BadSlab, InputMessage(report));
-    }
-    if (report.Stop == StopReason::Aborted)
-    {
-      return this->Fail(SlabStatus::Aborted, "The run was aborted.");
-    }
-    this->TakeSlab(slab, result);
-    return true;
-  }
-
-  void TakeSlab(const Slab& slab, Result& result)
-  {
-    const std::vector<char> isInLower = this->AreInPlane(result.Surface, this->Bottom);
-    const std::vector<char> isInUpper = this->AreInPlane(result.Surface, slab.Top);
-    this->Totals.Add(slab, result, isInLower, isInUpper);
-    const bool isEmpty = slab.Surface.Triangles.empty();
-    this->Figures.Slabs += isEmpty ? 0 : 1;
-    this->Figures.LargestSlab =
-      std::max(this->Figures.LargestSlab, static_cast<std::int64_t>(slab.Surface.Triangles.size()));
-    if (!isEmpty)
-    {
-      const ErrorProof& proof = result.Report.Proof;
-      this->AddProof(proof.WasMade, proof.Status, proof.InputToOutput, proof.OutputToInput);
-    }
-    const double error = this->Effective.MaximumError;
-    this->Width = std::min(slab.Top - this->Bottom - ErrorsBeyondZone * error,
-      EdgesOfZone * MeanEdge(result.Report.Output) + ErrorsOfZone * error);
-    this->Growing.Append(
-      { std::move(result.Surface), std::move(result.BoundaryLabels) }, isInLower, isInUpper);
-    this->HasSlabBelow = this->HasSlabBelow || !isEmpty;
-  }
-
-  /// Only upper bounds hold for the whole.
-  void AddProof(
-    bool wasMade, ProofStatus status, const ProvedDistance& there, const ProvedDistance& back)
-  {
-    const bool isFirst = this->Proof.Tolerance == 0.0;
-    this->Proof.Tolerance = this->Effective.MaximumError;
-    this->Proof.WasMade = (isFirst || this->Proof.WasMade) && wasMade;
-    const bool isWorse = isFirst || status == ProofStatus::Violated ||
-      (status == ProofStatus::Undecided && this->Proof.Status == ProofStatus::Proved);
-    this->Proof.Status = isWorse ? status : this->Proof.Status;
-    this->Proof.InputToOutput.Upper = std::max(this->Proof.InputToOutput.Upper, there.Upper);
-    this->Proof.OutputToInput.Upper = std::max(this->Proof.OutputToInput.Upper, back.Upper);
-  }
-
-  /// What the junctions at both planes need of the original.
-  /// @param width mm, of the zone above the lower plane.
-  void KeepOriginal(Slab slab, double width)
-  {
-    const double margin = JunctionMargin(this->Effective.MaximumError);
-    const SurfacePiece original = { std::move(slab.Surface), std::move(slab.BoundaryLabels) };
-    this->Below = std::move(this->Next);
-    this->Above = CutBetween(original, this->Between(-Infinity, this->Bottom + width + margin));
-    this->Next = CutBetween(original, this->Between(slab.Top - this->Width - margin, Infinity));
-  }
-
-  /// @param width mm, of the zone above the plane.
-  void DecimateJunction(double width, const Monitor& monitor)
+  /// Runs the slab together with the zone below it.
+  void DecimateTo(double top, const SurfacePiece& slab, const Monitor& monitor)
   {
     const double error = this->Effective.MaximumError;
     JunctionInput junction;
-    junction.EditZone = this->Between(this->Bottom - this->BelowWidth, this->Bottom + width);
-    const std::set<Index>& points = this->Growing.Junction();
-    if (points.empty())
+    junction.EditZone = this->Between(this->ZoneFrom, top - this->Slack);
+    junction.BoundaryZone =
+      this->Between(this->ZoneFrom - ErrorsOfBoundaries * error, top - this->Slack);
+    GrowingSurface::Strip strip =
+      this->Growing.Take(this->Between(this->ZoneFrom - JunctionReach(error), Infinity));
+    junction.Strip = Joined(std::move(strip.Piece), slab);
+    junction.Original = Joined(std::move(this->Below), slab);
+    if (!junction.Strip.Shape.Triangles.empty())
     {
-      return;
+      junction.IsFinished = this->FarFromSlab(junction.Strip.Shape);
+      JunctionResult made = DecimateJunction(
+        junction, this->Effective, this->Source(), this->Inputs.InputIsSingle, monitor);
+      this->Take(made, junction.Strip);
+      this->Growing.PutBack(strip, junction.Strip);
+      this->ZoneFrom = std::max({ this->ZoneFrom, this->LowestZone(junction.Original.Shape),
+        top - EdgesOfZone * MeanEdge(junction.Strip.Shape) - ErrorsOfZone * error });
     }
-    const double reach = JunctionReach(error);
-    GrowingSurface::Strip strip = this->Growing.Take(
-      this->Between(junction.EditZone.Low - reach, junction.EditZone.High + reach));
-    junction.IsFinished = FarFromJunction(strip, points);
-    junction.Original = Joined(std::move(this->Below), this->Above);
-    junction.Strip = std::move(strip.Piece);
-    this->Figures.Junctions += 1;
-    this->Figures.JunctionTriangles +=
-      static_cast<std::int64_t>(junction.Strip.Shape.Triangles.size());
-    JunctionResult made = bonedecimate::DecimateJunction(
-      junction, this->Effective, this->Source(), this->Inputs.InputIsSingle, monitor);
-    this->TakeJunction(junction, strip, made);
-    this->Growing.Finish(this->Between(this->Bottom, Infinity));
+    this->Bottom = top;
+    this->Below = CutBetween(
+      junction.Original, this->Between(this->ZoneFrom - JunctionMargin(error), Infinity));
+    this->Growing.Finish(this->Between(this->ZoneFrom - JunctionReach(error), Infinity));
   }
 
-  /// Of each point of the strip, whether its component has no point of the junction: slabs have finished it.
-  static std::vector<char> FarFromJunction(
-    const GrowingSurface::Strip& strip, const std::set<Index>& junction)
+  /// mm, of a zone with so many original triangles as the memory of a slab allows.
+  double LowestZone(const Surface& original) const
   {
-    const Components found = FindComponents(strip.Piece.Shape);
-    std::vector<char> hasJunction(static_cast<std::size_t>(found.Count), 0);
-    for (std::size_t i = 0; i < strip.Points.size(); ++i)
+    const std::size_t most =
+      static_cast<std::size_t>(MostOfZone * static_cast<double>(this->Figures.LargestSlab));
+    if (original.Triangles.size() <= most)
     {
-      hasJunction[found.OfPoint[i]] |= junction.count(strip.Points[i]) != 0 ? 1 : 0;
+      return -Infinity;
+    }
+    std::vector<double> positions; // of triangles
+    positions.reserve(original.Triangles.size());
+    for (const Triangle& c : original.Triangles)
+    {
+      positions.push_back(this->Along(original.Points[c[0]]));
+    }
+    const auto lowest = positions.end() - static_cast<std::ptrdiff_t>(most);
+    std::nth_element(positions.begin(), lowest, positions.end());
+    return *lowest;
+  }
+
+  /// Of each point, whether its component ends below the slab: earlier runs have finished it.
+  std::vector<char> FarFromSlab(const Surface& surface) const
+  {
+    const Components found = FindComponents(surface);
+    std::vector<char> isNear(static_cast<std::size_t>(found.Count), 0);
+    for (std::size_t i = 0; i < surface.Points.size(); ++i)
+    {
+      isNear[found.OfPoint[i]] |=
+        this->Along(surface.Points[i]) >= this->Bottom - this->Slack ? 1 : 0;
     }
     std::vector<char> isFar;
     for (const Index component : found.OfPoint)
     {
-      isFar.push_back(hasJunction[component] != 0 ? 0 : 1);
+      isFar.push_back(isNear[component] != 0 ? 0 : 1);
     }
     return isFar;
   }
 
-  void TakeJunction(
-    JunctionInput& junction, const GrowingSurface::Strip& strip, JunctionResult& made)
+  /// @param strip Becomes the result, unless it is not proved.
+  void Take(JunctionResult& made, SurfacePiece& strip)
   {
     const Report& report = made.Run.Report;
-    const bool isGood = report.Status == InputStatus::Good && made.Proof != ProofStatus::Violated &&
-      made.Proof != ProofStatus::Undecided;
-    if (isGood && report.Stop == StopReason::Aborted)
+    if (report.Status != InputStatus::Good)
+    {
+      this->Fail(SlabStatus::BadSlab, InputMessage(report));
+    }
+    else if (report.Stop == StopReason::Aborted)
     {
       this->Fail(SlabStatus::Aborted, "The run was aborted.");
     }
-    if (isGood)
+    else if (made.Proof == ProofStatus::Violated || made.Proof == ProofStatus::Undecided)
     {
-      this->Totals.AddJunction(report);
-      if (this->Effective.ProveResult)
-      {
-        this->AddProof(
-          this->Proof.WasMade, made.Proof, made.OriginalToResult, made.ResultToOriginal);
-      }
-      junction.Strip = { std::move(made.Run.Surface), std::move(made.Run.BoundaryLabels) };
+      this->Figures.UnprovedSlabs += 1;
     }
-    this->Figures.UnprovedJunctions += isGood ? 0 : 1;
-    this->Figures.JunctionTrianglesLeft +=
-      static_cast<std::int64_t>(junction.Strip.Shape.Triangles.size());
-    this->Growing.PutBack(strip, junction.Strip);
+    else
+    {
+      this->Totals.AddEdits(report);
+      this->AddProof(made);
+      strip = { std::move(made.Run.Surface), std::move(made.Run.BoundaryLabels) };
+    }
   }
 
-  double Slack = 0.0; // mm
-  double Bottom;      // mm, of the next slab
-  bool HasSlabBelow = false;
-  double BelowWidth = 0.0; // mm, of the zone below the plane
-  double Width = 0.0;      // mm, of the zones in the last slab
-  SurfacePiece Below;      // the original below the plane
-  SurfacePiece Above;
-  SurfacePiece Next; // below the next plane
+  /// Only upper bounds hold for the whole.
+  void AddProof(const JunctionResult& made)
+  {
+    ErrorProof& proof = this->Proof;
+    proof.WasMade = this->Effective.ProveResult;
+    proof.Status = made.Proof;
+    proof.Tolerance = this->Effective.MaximumError;
+    proof.InputToOutput.Upper = std::max(proof.InputToOutput.Upper, made.OriginalToResult.Upper);
+    proof.OutputToInput.Upper = std::max(proof.OutputToInput.Upper, made.ResultToOriginal.Upper);
+  }
+
+  double Slack = 0.0;          // mm
+  double Bottom;               // mm, of the next slab
+  double ZoneFrom = -Infinity; // mm, where edits of the next run begin
+  SurfacePiece Below;          // the original there
   GrowingSurface Growing;
+  OpenBoundaries Boundaries;
   ErrorProof Proof;
-  std::optional<Slab> Waiting; // too thin to be run alone
 };
 
 SlabRun::SlabRun(const Options& options, const SlabAxis& axis, const SlabInputs& inputs)
@@ -368,7 +289,7 @@ std::string SlabRun::Message() const
 //------------------------------------------------------------------------------
 SlabStatus SlabRun::Add(Slab slab, const Monitor& monitor)
 {
-  return this->Run->Add(std::move(slab), false, monitor);
+  return this->Run->Add(std::move(slab), monitor);
 }
 
 //------------------------------------------------------------------------------

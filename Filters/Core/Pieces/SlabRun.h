@@ -5,8 +5,8 @@
  * @brief Decimates a surface that arrives in slabs between parallel planes and is never in memory as a whole.
  *
  *     slab      all triangles between two planes; points in a plane are those of both slabs, bit for bit
- *     Add       decimates the slab while its points in the two planes stay, then the junction at the lower plane:
- *               what is left there is decimated further, within the same largest error of the original triangles
+ *     Add       decimates the slab while its points in the upper plane stay, together with a zone below it, where the result is
+ *               decimated further, within the same largest error of the original triangles
  *     Finish    the whole surface, its figures and the proof
  *
  * The largest error holds between the whole original and the whole result. Documentation/slabs.md says why.
@@ -55,17 +55,14 @@ enum class SlabStatus : int
   Aborted     ///< By the monitor.
 };
 
-/// What slabs and junctions amount to.
+/// What slabs amount to.
 struct SlabFigures
 {
-  std::int64_t Slabs = 0; ///< With triangles.
-  std::int64_t Junctions = 0;
-  std::int64_t LargestSlab = 0;       ///< Input triangles.
-  std::int64_t JunctionTriangles = 0; ///< Before the junctions were decimated, of all of them.
-  std::int64_t JunctionTrianglesLeft = 0;
-  std::int64_t UnprovedJunctions = 0; ///< That stayed as they were, because no proof was found.
-  std::int64_t ComponentsBefore = 0;  ///< Of the whole surface, connected by common points.
-  double VolumeBefore = 0.0;          ///< mm^3, signed, as in SurfaceStatistics.
+  std::int64_t Slabs = 0;            ///< With triangles.
+  std::int64_t LargestSlab = 0;      ///< Input triangles.
+  std::int64_t UnprovedSlabs = 0;    ///< That stayed as they were, because no proof was found.
+  std::int64_t ComponentsBefore = 0; ///< Of the whole surface, connected by common points.
+  double VolumeBefore = 0.0;         ///< mm^3, signed, as in SurfaceStatistics.
 };
 
 /**

@@ -23,11 +23,18 @@ double SignedVolume(const Surface& surface)
 }
 }
 
-double MeanEdge(const SurfaceStatistics& surface)
+double MeanEdge(const Surface& surface)
 {
-  return surface.Faces > 0
-    ? std::sqrt(surface.Area / static_cast<double>(surface.Faces) * 4.0 / std::sqrt(3.0))
-    : 0.0;
+  double sum = 0.0;
+  double area = 0.0;
+  for (const Triangle& c : surface.Triangles)
+  {
+    const Vector3& p = surface.Points[c[0]];
+    const double twice = (surface.Points[c[1]] - p).cross(surface.Points[c[2]] - p).norm();
+    sum += twice * std::sqrt(2.0 * twice / std::sqrt(3.0)); // the edge of an equilateral one
+    area += twice;
+  }
+  return area > 0.0 ? sum / area : 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -41,40 +48,40 @@ Index SlabTotals::RootOf(Index component) const
 }
 
 //------------------------------------------------------------------------------
-void SlabTotals::Add(const Slab& slab, const Result& result, const std::vector<char>& isInLower,
-  const std::vector<char>& isInUpper)
+void SlabTotals::Add(const Slab& slab, const CleanSurface& clean,
+  const std::vector<char>& isInLower, const std::vector<char>& isInUpper, int threads)
 {
-  this->Sum.Faces += result.Report.Input.Faces;
-  this->Sum.Area += result.Report.Input.Area;
+  const SurfaceStatistics statistics = Describe(clean.Surface, threads);
+  this->Sum.Faces += statistics.Faces;
+  this->Sum.Area += statistics.Area;
   this->Sum.Volume += SignedVolume(slab.Surface);
-  this->AddEdits(result.Report);
-  const CleaningStatistics& cleaning = result.Report.Cleaning;
-  this->Cleaning.TrianglesRead += cleaning.TrianglesRead;
-  this->Cleaning.PointsRead += cleaning.PointsRead;
-  this->Cleaning.MergedPoints += cleaning.MergedPoints;
-  this->Cleaning.UnusedPoints += cleaning.UnusedPoints;
-  this->Cleaning.DroppedTriangles += cleaning.DroppedTriangles;
+  this->Cleaning.TrianglesRead += clean.Statistics.TrianglesRead;
+  this->Cleaning.PointsRead += clean.Statistics.PointsRead;
+  this->Cleaning.MergedPoints += clean.Statistics.MergedPoints;
+  this->Cleaning.UnusedPoints += clean.Statistics.UnusedPoints;
+  this->Cleaning.DroppedTriangles += clean.Statistics.DroppedTriangles;
 
-  const Components found = FindComponents(result.Surface);
+  const Components found = FindComponents(clean.Surface);
   const Index first = static_cast<Index>(this->Parents.size());
   for (Index i = 0; i < found.Count; ++i)
   {
     this->Parents.push_back(first + i);
   }
   std::map<Coordinates, Index> inPlane;
-  for (std::size_t i = 0; i < isInLower.size(); ++i)
+  for (std::size_t v = 0; v < clean.Surface.Points.size(); ++v)
   {
-    const Vector3& p = result.Surface.Points[i];
+    const Index point = clean.InputPoint[v];
+    const Vector3& p = slab.Surface.Points[point];
     const Coordinates key = { p[0], p[1], p[2] };
-    const Index component = first + found.OfPoint[i];
-    const auto below = isInLower[i] != 0 ? this->InPlane.find(key) : this->InPlane.end();
+    const Index component = first + found.OfPoint[v];
+    const auto below = isInLower[point] != 0 ? this->InPlane.find(key) : this->InPlane.end();
     if (below != this->InPlane.end())
     {
       const auto [low, high] =
         std::minmax({ this->RootOf(below->second), this->RootOf(component) });
       this->Parents[high] = low;
     }
-    if (isInUpper[i] != 0)
+    if (isInUpper[point] != 0)
     {
       inPlane.emplace(key, component);
     }
@@ -94,12 +101,6 @@ void SlabTotals::AddEdits(const Report& report)
   this->Seconds.Collapse += report.Seconds.Collapse;
   this->Seconds.Decimate += report.Seconds.Decimate;
   this->Seconds.Prove += report.Seconds.Prove;
-}
-
-//------------------------------------------------------------------------------
-void SlabTotals::AddJunction(const Report& report)
-{
-  this->AddEdits(report);
 }
 
 //------------------------------------------------------------------------------

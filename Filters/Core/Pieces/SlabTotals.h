@@ -5,12 +5,13 @@
  * @brief Figures of the whole surface from those of its slabs.
  *
  *     triangles, area, volume    sums; volumes relative to one position, so that those of open slabs add up
- *     components                 of the slabs' results, joined where they have points in a plane in common
+ *     components                 of the slabs, joined where they have points in a plane in common
  */
 #ifndef BoneDecimate_Core_Pieces_SlabTotals_h
 #define BoneDecimate_Core_Pieces_SlabTotals_h
 
 #include "Decimate.h"
+#include "Mesh/Cleaning.h"
 #include "SlabRun.h"
 
 #include <array>
@@ -19,16 +20,16 @@
 
 namespace bonedecimate
 {
-/// mm, as if all triangles were equilateral.
-double MeanEdge(const SurfaceStatistics& surface);
+/// mm, over the area, as if all triangles were equilateral.
+double MeanEdge(const Surface& surface);
 
 class SlabTotals
 {
 public:
-  /// @param isInLower,isInUpper Of each point of the result, whether it is in a plane of the slab.
-  void Add(const Slab& slab, const Result& result, const std::vector<char>& isInLower,
-    const std::vector<char>& isInUpper);
-  void AddJunction(const Report& report);
+  /// @param clean The slab, cleaned.  @param isInLower,isInUpper Of each point, whether it is in a plane of the slab.
+  void Add(const Slab& slab, const CleanSurface& clean, const std::vector<char>& isInLower,
+    const std::vector<char>& isInUpper, int threads);
+  void AddEdits(const Report& report);
 
   /// Fills in the figures of the input and of all edits.
   void Write(Report& report) const;
@@ -38,7 +39,6 @@ public:
 private:
   using Coordinates = std::array<double, 3>;
   Index RootOf(Index component) const;
-  void AddEdits(const Report& report);
 
   SurfaceStatistics Sum;
   CleaningStatistics Cleaning;
