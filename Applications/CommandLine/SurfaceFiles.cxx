@@ -103,8 +103,6 @@ LoadedSurface ReadSurface(const std::string& path)
   {
     Reject(path, "it holds no triangle");
   }
-  loaded.Surface->GetPolys()->ConvertToSmallestStorage();
-  loaded.Surface->GetPolys()->Squeeze();
   return loaded;
 }
 
