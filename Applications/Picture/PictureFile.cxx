@@ -43,7 +43,7 @@ vtkSmartPointer<vtkUnsignedCharArray> RenderPng(const PictureSubject& subject)
   average->SetShrinkFactors(Oversampling, Oversampling, 1);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(average->GetOutputPort());
-  writer->SetCompressionLevel(9);
+  writer->SetCompressionLevel(7); // 9 takes five times as long for 4 % fewer bytes
   writer->WriteToMemoryOn();
   writer->Write();
   return writer->GetResult();

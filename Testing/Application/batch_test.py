@@ -16,6 +16,7 @@ from application import (
     PROGRAM,
     REJECTED,
     TEMPORARY,
+    UNMEASURED,
     USAGE,
     ApplicationTest,
     main,
@@ -33,6 +34,9 @@ class Batch(ApplicationTest):
         self.bones.mkdir()
         write(torus(), self.bones / "b.stl")
         write(sphere(), self.bones / "a.ply")
+
+    def run_batch(self, *words):
+        return self.succeed(*words, *UNMEASURED)
 
     def rows(self):
         with open(self.path("out/summary.csv"), newline="", encoding="utf-8") as file:
@@ -66,7 +70,7 @@ class Batch(ApplicationTest):
         (self.bones / "a").write_text("no bone")
         (self.bones / ".hidden.stl").write_text("no bone")
         (self.bones / "below.stl").symlink_to(self.folder, target_is_directory=True)
-        text = self.succeed("bones", "bones/out", "--target-triangles", 500).stdout
+        text = self.run_batch("bones", "bones/out", "--target-triangles", 500).stdout
         shutil.move(self.bones / "out", self.path("out"))
         with open(self.path("out/summary.csv"), newline="", encoding="utf-8") as file:
             reasons = {row["input"]: (row["status"], row["exit_code"], row["message"]) for row in csv.DictReader(file)}
@@ -88,7 +92,7 @@ class Batch(ApplicationTest):
         write(torus(), self.bones / "right/a.ply")
         write(torus(), self.bones / "right/a.stl")
         (self.bones / "right/z.ply").write_bytes(b"ply\n")
-        completed = self.run_program("bones", "bones/out", "--target-triangles", 400)
+        completed = self.run_program("bones", "bones/out", "--target-triangles", 400, *UNMEASURED)
         self.assertEqual((completed.returncode, completed.stderr), (REJECTED, ""))
         shutil.move(self.bones / "out", self.path("out"))
         outputs = [str(p.relative_to(self.path("out"))) for p in sorted(self.path("out").rglob("*.*")) if p.is_file()]
@@ -100,27 +104,27 @@ class Batch(ApplicationTest):
         lines = completed.stdout.splitlines()
         self.assertEqual(len(lines), 8)
         self.assertRegex(lines[-1], r"^6 files: 5 done, 1 failed; table: bones/out/summary.csv$")
-        self.run_program("bones", "out", "--target-triangles", 400)
+        self.run_program("bones", "out", "--target-triangles", 400, *UNMEASURED)
         self.assertEqual(sorted(self.statuses().values()), ["failed"] + 5 * ["skipped"])
 
     def test_only_files_of_a_pattern(self):
         (self.bones / "below").mkdir()
         write(torus(), self.bones / "below/b_left.stl")
-        self.succeed("bones", "out", "--only", "*_LEFT.stl", "--target-triangles", 500)
+        self.run_batch("bones", "out", "--only", "*_LEFT.stl", "--target-triangles", 500)
         self.assertEqual(self.statuses(), {"below/b_left": "done"})
-        self.succeed("bones", "other", "--only", "below/*", "--target-triangles", 500)
+        self.run_batch("bones", "other", "--only", "below/*", "--target-triangles", 500)
         self.assertTrue(self.path("other/below/b_left.stl").exists())
         self.fail_with(REJECTED, "bones", "none", "--only", "*.seg.nrrd", says="whose name matches --only '*.seg.nrrd'")
         self.fail_with(USAGE, "bones/a.ply", "a.ply", "--only", "a*", says="--only")
 
     def test_requested_work_that_fails_ends_with_its_code(self):
         (self.bones / "gone.stl").symlink_to("nowhere.stl")
-        completed = self.run_program("bones", "out", "--target-triangles", 500)
+        completed = self.run_program("bones", "out", "--target-triangles", 500, *UNMEASURED)
         self.assertEqual((completed.returncode, completed.stderr), (REJECTED, ""))
         self.assertEqual(self.statuses(), {"a": "done", "b": "done", "gone": "failed"})
         (self.bones / "gone.stl").unlink()
         (self.bones / "ct.nrrd").write_bytes(b"NRRD0004\n")
-        completed = self.run_program("bones", "out", "--target-triangles", 500)
+        completed = self.run_program("bones", "out", "--target-triangles", 500, *UNMEASURED)
         self.assertEqual((completed.returncode, completed.stderr), (REJECTED, ""))
         self.assertIn("--iso", self.rows()["ct.nrrd"]["message"])
         (self.bones / "notes.txt").write_text("no bone")
@@ -128,7 +132,7 @@ class Batch(ApplicationTest):
         self.assertEqual(completed.returncode, REJECTED)
 
     def test_table_has_the_proved_bound_and_the_status_of_the_proof(self):
-        text = self.succeed("bones", "out", "--max-error", 0.2).stdout
+        text = self.run_batch("bones", "out", "--max-error", 0.2).stdout
         for name in ("a", "b"):
             proof = self.report("out/%s.json" % name)["proof"]
             self.assertEqual(float(self.rows()[name]["proved_mm"]), proof["upper"])
@@ -140,9 +144,9 @@ class Batch(ApplicationTest):
         for name in ("extra.ply", "new.stl/", "report.json", "page.html", "ct.mha", "below/x.VTP"):
             self.fail_with(USAGE, "bones/a.ply", "bones/b.stl", name, says="named like a file")
             self.fail_with(USAGE, "bones", name, says="named like a file")
-        self.succeed("bones", "left.v2", "--target-triangles", 500)
+        self.run_batch("bones", "left.v2", "--target-triangles", 500)
         self.path("kept.ply").mkdir()
-        self.succeed("bones", "kept.ply", "--target-triangles", 500)
+        self.run_batch("bones", "kept.ply", "--target-triangles", 500)
 
     def test_misspelled_commands_are_no_inputs(self):
         for meant in ("certify", "diagnose", "Levels", "tolerance", "curve", "thesis"):
@@ -159,22 +163,22 @@ class Batch(ApplicationTest):
 
     def test_several_files_and_a_folder_that_is_there(self):
         self.path("out").mkdir()
-        self.succeed("bones/b.stl", "bones/a.ply", "out")
+        self.run_batch("bones/b.stl", "bones/a.ply", "out")
         self.assertEqual(list(self.rows()), ["b", "a"])
         shutil.rmtree(self.path("out"))
         self.path("out").mkdir()
-        self.succeed("bones/a.ply", "out")
+        self.run_batch("bones/a.ply", "out")
         self.assertEqual(self.statuses(), {"a": "done"})
 
     def test_format_of_the_outputs(self):
-        self.succeed("bones", "out", "--format", "vtp", "--target-triangles", 500)
+        self.run_batch("bones", "out", "--format", "vtp", "--target-triangles", 500)
         for name in ("a", "b"):
             self.assertEqual(read(self.path("out") / (name + ".vtp")).GetNumberOfPolys(), 500)
 
     def test_failed_bone_does_not_stop_the_others(self):
         (self.bones / "aa.stl").write_bytes((self.bones / "b.stl").read_bytes()[:-10])
         (self.bones / "z.obj").write_text("")
-        completed = self.run_program("bones", "out")
+        completed = self.run_program("bones", "out", *UNMEASURED)
         self.assertEqual((completed.returncode, completed.stderr), (REJECTED, ""))
         self.assertEqual(self.statuses(), {"a": "done", "aa": "failed", "b": "done", "z": "failed"})
         self.assertIn("announces", self.rows()["aa"]["message"])
@@ -188,37 +192,37 @@ class Batch(ApplicationTest):
         self.assertEqual(self.statuses(), {"a": "done", "nothing": "failed"})
 
     def test_finished_bones_are_skipped(self):
-        self.succeed("bones", "out")
+        self.run_batch("bones", "out")
         before = self.path("out/a.ply").stat().st_mtime_ns
         table = self.rows()
-        self.succeed("bones", "out", "--threads", 1)
+        self.run_batch("bones", "out", "--threads", 1)
         self.assertEqual(self.statuses(), {"a": "skipped", "b": "skipped"})
         self.assertEqual(self.path("out/a.ply").stat().st_mtime_ns, before)
         self.assertEqual(self.rows()["a"]["triangles_out"], table["a"]["triangles_out"])
-        self.succeed("bones", "out", "--force")
+        self.run_batch("bones", "out", "--force")
         self.assertEqual(self.statuses(), {"a": "done", "b": "done"})
 
     def test_changed_bones_and_options_are_done_again(self):
-        self.succeed("bones", "out")
+        self.run_batch("bones", "out")
         os.utime(self.bones / "a.ply", (1, 1))
-        self.succeed("bones", "out")
+        self.run_batch("bones", "out")
         self.assertEqual(self.statuses(), {"a": "done", "b": "skipped"})
         self.path("out/b.stl").write_bytes(b"cut")
-        self.succeed("bones", "out")
+        self.run_batch("bones", "out")
         self.assertEqual(self.statuses(), {"a": "skipped", "b": "done"})
         self.path("out/b.json").write_text("no report")
-        self.succeed("bones", "out")
+        self.run_batch("bones", "out")
         self.assertEqual(self.statuses(), {"a": "skipped", "b": "done"})
-        self.succeed("bones", "out", "--max-error", 0.5)
+        self.run_batch("bones", "out", "--max-error", 0.5)
         self.assertEqual(self.statuses(), {"a": "done", "b": "done"})
-        self.succeed("bones", "out", "--max-error", "0.50")
+        self.run_batch("bones", "out", "--max-error", "0.50")
         self.assertEqual(self.statuses(), {"a": "skipped", "b": "skipped"})
 
     def test_failed_bone_is_tried_again(self):
         (self.bones / "z.obj").write_text("")
-        self.run_program("bones", "out")
+        self.run_program("bones", "out", *UNMEASURED)
         write(torus(), self.bones / "z.obj")
-        self.succeed("bones", "out")
+        self.run_batch("bones", "out")
         self.assertEqual(self.statuses(), {"a": "skipped", "b": "skipped", "z": "done"})
 
     def test_equal_names_do_not_overwrite_each_other(self):
@@ -227,14 +231,14 @@ class Batch(ApplicationTest):
         write(torus(), self.bones / "a.obj")
         write(sphere(), other / "A.ply")
         write(sphere(), other / "b.ply")
-        self.succeed("bones", "other", "out", "--target-triangles", 400)
+        self.run_batch("bones", "other", "out", "--target-triangles", 400)
         self.assertEqual(len(self.rows()), 5)
         outputs = {p.name.lower() for p in self.path("out").iterdir()}
         self.assertEqual(len(outputs), 11)
         self.assertLessEqual({"a_obj.obj", "bones_a_ply.ply", "other_a_ply.ply", "b_stl.stl", "b_ply.ply"}, outputs)
 
     def test_same_file_twice_is_two_bones(self):
-        self.succeed("bones/a.ply", "bones/a.ply", "out")
+        self.run_batch("bones/a.ply", "bones/a.ply", "out")
         self.assertEqual(len(self.rows()), 2)
 
     def test_input_folder_is_no_output_folder(self):
@@ -260,22 +264,22 @@ class Batch(ApplicationTest):
 
     def test_table_quotes_what_needs_it(self):
         write(torus(), self.bones / 'left, "upper".stl')
-        self.succeed("bones", "out")
+        self.run_batch("bones", "out")
         self.assertIn('left, "upper"', self.rows())
 
     def test_quiet_says_nothing(self):
-        self.assertEqual(self.succeed("bones", "out", "--quiet").stdout, "")
+        self.assertEqual(self.run_batch("bones", "out", "--quiet").stdout, "")
 
     def test_warnings_reach_the_table(self):
         text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3"
         (self.bones / "c.obj").write_text(text)
-        completed = self.succeed("bones", "out")
+        completed = self.run_batch("bones", "out")
         self.assertRegex(completed.stdout, "(?m)^c +done .* warning: the last line")
         self.assertIn("may be cut off", self.rows()["c"]["message"])
 
     def test_process_that_dies_does_not_stop_the_others(self):
-        write(torus(600, 600), self.bones / "aa.ply")
-        process = subprocess.Popen([PROGRAM, "bones", "out"], cwd=self.folder, stdout=subprocess.PIPE, encoding="utf-8")
+        write(torus(300, 300), self.bones / "aa.ply")
+        process = subprocess.Popen([PROGRAM, "bones", "out", *UNMEASURED], cwd=self.folder, stdout=subprocess.PIPE, encoding="utf-8")
         child = self.wait_for_child("aa.ply")
         os.kill(child, signal.SIGKILL)
         output = process.communicate()[0]

@@ -86,7 +86,7 @@ class DamagedFiles(ApplicationTest):
             for text in (False, True):
                 path = write(torus(20, 16), self.path("in." + extension), ascii_text=text)
                 whole = path.read_bytes()
-                for part in (0.02, 0.3, 0.5, 0.7, 0.9, 0.99):
+                for part in (0.02, 0.3, 0.7, 0.99):
                     with self.subTest(extension=extension, text=text, part=part):
                         # An OBJ file announces nothing: one without its last faces is an OBJ file.
                         cut = int(len(whole) * (min(part, 0.5) if extension == "obj" else part))
@@ -180,7 +180,7 @@ class DamagedFiles(ApplicationTest):
             for text in (False, True):
                 path = write(torus(20, 16), self.path("in." + extension), ascii_text=text)
                 whole = path.read_bytes()
-                for _ in range(12):
+                for _ in range(5):  # Testing/Fuzz tries many
                     damaged = bytearray(whole)
                     for _ in range(generator.choice((1, 3, 20))):
                         damaged[generator.randrange(len(damaged))] = generator.randrange(256)

@@ -18,6 +18,7 @@ COMMANDS = {
 # Placeholders of the values of flags that take no number.
 OTHER_VALUES = {"FILE", "NAME", "EXT", "NAME.EXT", "PATTERN", "SHAPE=MM", "SIZE"}
 NO_NUMBERS = ("nan", "-inf", "1e400", "", "5mm")
+FEW_NO_NUMBERS = ("nan", "", "5mm")  # all flags have the same reader; what lies beyond a range is tried for each of them
 MORE_NO_NUMBERS = ("inf", "NaN", " 5", "5 ", "0x10", "five", "1'000", "--5", "\N{ARABIC-INDIC DIGIT FIVE}")
 ENTRY = re.compile(r"(?ms)^  (--[a-z-]+) (\S+)(.*?)(?=^  -|^\S|\Z)")
 RANGE = re.compile(r"(numbers with commas in between, each )?(a whole number|a number) from (\S+) to ([^\s;]*[^\s;.]) ?(\S*?)[;.] ?")
@@ -34,9 +35,7 @@ class Flag:
 
     def hostile(self, is_first):
         """Few values for each flag, many for the first one of a command: there is only one reader."""
-        yield from NO_NUMBERS
-        if is_first:
-            yield from MORE_NO_NUMBERS
+        yield from (*NO_NUMBERS, *MORE_NO_NUMBERS) if is_first else FEW_NO_NUMBERS
         step = max(1.0, 1e-6 * abs(self.least))
         yield repr(self.least - step)
         yield repr(self.most * 1.01 + 1)
@@ -48,11 +47,10 @@ class Flag:
         if not self.is_list:
             yield "1,5"
 
-    def good(self):
+    def good(self, is_first):
         """Ways to write a number in the range."""
-        if self.most < 1.0:
-            return ("+.25", "2.5e-1")
-        return ("1e3", "+1000.0") if self.most >= 1000.0 else ("1e0", "+1.0")
+        ways = ("+.25", "2.5e-1") if self.most < 1.0 else ("1e3", "+1000.0") if self.most >= 1000.0 else ("1e0", "+1.0")
+        return ways if is_first else ways[:1]
 
 
 class HostileValues(ApplicationTest):
@@ -94,8 +92,8 @@ class HostileValues(ApplicationTest):
 
     def test_each_flag_takes_every_way_to_write_a_number(self):
         for command in COMMANDS:
-            for flag in self.flags(command):
-                for value in flag.good():
+            for at, flag in enumerate(self.flags(command)):
+                for value in flag.good(at == 0):
                     with self.subTest(command=command, flag=flag.name, value=value):
                         stderr = self.run_program(*self.words(command, flag.name, value)).stderr
                         self.assertNotIn(" takes ", stderr)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Options that cannot have an effect are rejected, or warned of where that depends on the data."""
 
-from application import REJECTED, USAGE, ApplicationTest, main, read, torus, write
+from application import REJECTED, UNMEASURED, USAGE, ApplicationTest, main, read, torus, write
 
 
 class IneffectiveOptions(ApplicationTest):
@@ -50,10 +50,10 @@ class IneffectiveOptions(ApplicationTest):
             ("--region", "rest=0.3", "--prove", "on", "--refinement-effort", 2),
         ):
             with self.subTest(words=words):
-                self.succeed("in.ply", "out.vtp", *words)
+                self.succeed("in.ply", "out.vtp", *words, *UNMEASURED)
 
     def test_smoothing_alone_has_an_error_to_prove(self):
-        smooth = ("smooth", "in.ply", "out.vtp", "--smooth", 0.1)
+        smooth = ("smooth", "in.ply", "out.vtp", "--smooth", 0.1, *UNMEASURED)
         self.assertIn("proved", self.succeed(*smooth, "--prove", "on").stdout)
         self.assertNotIn("proved", self.succeed(*smooth, "--prove", "off").stdout)
 

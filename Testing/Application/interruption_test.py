@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """SIGINT, SIGTERM and SIGHUP end a run; nothing of it is left. What a killed run leaves, the next one removes."""
 
+import os
 import pathlib
 import signal
 import subprocess
@@ -30,7 +31,7 @@ class Interruption(ApplicationTest):
             time.sleep(0.005)
 
     def test_signals_leave_nothing(self):
-        write(torus(600, 600), self.path("in.ply"))
+        write(torus(300, 300), self.path("in.ply"))
         for name in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             process = self.start("in.ply", "out.ply", "--also", "out.stl", "--report", "report.json")
             self.wait_for_work(self.folder)
@@ -49,7 +50,7 @@ class Interruption(ApplicationTest):
         self.assertEqual(process.returncode, 0)
 
     def test_next_run_removes_what_a_killed_one_left(self):
-        write(torus(200, 200), self.path("in.ply"))
+        write(torus(100, 100), self.path("in.ply"))
         write(torus(), self.path("small.ply"))
         process = self.start("in.ply", "out.ply", "--also", "out.stl", "--report", "report.json")
         self.wait_for_work(self.folder)
@@ -69,6 +70,7 @@ class Interruption(ApplicationTest):
         process = self.start("in.ply", "out.ply", "--also", "out.stl", "--picture", "out.png")
         self.wait_for_work(self.folder)
         process.send_signal(signal.SIGSTOP)
+        os.waitpid(process.pid, os.WUNTRACED)  # until it has stopped
         before = self.temporaries()
         self.succeed("small.ply", "other.ply", "--quiet")
         self.assertEqual(self.temporaries(), before)
@@ -94,7 +96,7 @@ class Interruption(ApplicationTest):
     def test_interrupted_batch_stops_its_children(self):
         self.path("bones").mkdir()
         for i in range(3):
-            write(torus(600, 600), self.path("bones") / ("bone%d.ply" % i))
+            write(torus(300, 300), self.path("bones") / ("bone%d.ply" % i))
         process = self.start("bones", "out", "--jobs", "2")
         while not self.path("out").exists():
             time.sleep(0.005)

@@ -2,23 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """--unit: coordinates of files in another unit than millimeters, everything else in millimeters."""
 
-import vtk
+import numpy as np
 
-from application import REJECTED, SURFACES, USAGE, ApplicationTest, main, read, torus, write
+from application import REJECTED, SURFACES, UNMEASURED, USAGE, ApplicationTest, main, positions_of, read, surface_of, torus, write
 
 UNITS = {"m": 0.001, "cm": 0.1, "mm": 1.0, "um": 1000.0, "inch": 1 / 25.4}
 VIOLATED = 6
 
 
 def scaled(surface, factor, doubles=False):
-    points = vtk.vtkPoints()
-    points.SetDataType(vtk.VTK_DOUBLE if doubles else vtk.VTK_FLOAT)
-    for i in range(surface.GetNumberOfPoints()):
-        points.InsertNextPoint([x * factor for x in surface.GetPoint(i)])
-    result = vtk.vtkPolyData()
-    result.SetPoints(points)
-    result.SetPolys(surface.GetPolys())
-    return result
+    return surface_of(positions_of(surface) * factor, surface.GetPolys(), float if doubles else np.float32)
 
 
 def positions(surface):
@@ -34,14 +27,14 @@ class Units(ApplicationTest):
             write(scaled(torus(), factor, doubles=True), self.path(unit + ".vtp"))
 
     def test_a_run_keeps_its_error_in_millimeters_and_writes_in_the_unit_of_the_input(self):
-        self.succeed("mm.vtp", "expected.vtp", "--max-error", 0.2, "--report", "expected.json", "--quiet")
+        self.succeed("mm.vtp", "expected.vtp", "--max-error", 0.2, "--report", "expected.json", "--quiet", *UNMEASURED)
         expected = self.report("expected.json")
         for unit, factor in UNITS.items():
             pairs = ((".stl", "out.stl"), (".stl", "out.vtp"), (".vtp", "out.vtp"), (".vtp", "out.stl"))
             for source, target in pairs if unit == "m" else pairs[1:3]:
                 with self.subTest(unit=unit, source=source, target=target):
                     self.succeed(unit + source, target, "--unit", unit, "--max-error", 0.2, "--report", "report.json",
-                                 "--also", "also.obj")
+                                 "--also", "also.obj", *UNMEASURED)
                     report = self.report()
                     self.assertEqual(report["files"]["unit"], unit)
                     self.assertEqual(report["proof"]["files"], {target: "same_bits", "also.obj": "same_bits"})
@@ -51,20 +44,20 @@ class Units(ApplicationTest):
                     self.assertAlmostEqual(report["input"]["area"] / expected["input"]["area"], 1.0, 5)
                     self.assertAlmostEqual(read(self.path(target)).GetBounds()[1] / factor, 28.0, 0)
                     certify = ("certify", unit + source, target, "--unit", unit, "--json", "c.json", "--quiet")
-                    self.succeed(*certify, "--tolerance", 0.2)
+                    self.succeed(*certify, "--tolerance", 0.2, "--no-means")
                     certificate = self.report("c.json")
                     self.assertEqual(certificate["files"]["unit"], unit)
                     self.assertLessEqual(certificate["upper"], report["proof"]["upper"] * (1 + 1e-5))
 
     def test_meters_are_not_silently_millimeters(self):
-        self.succeed("m.stl", "out.stl", "--unit", "m", "--max-error", 0.5, "--quiet")
+        self.succeed("m.stl", "out.stl", "--unit", "m", "--max-error", 0.5, "--quiet", *UNMEASURED)
         self.assertGreater(read(self.path("out.stl")).GetNumberOfPolys(), 100)
         completed = self.run_program("certify", "m.stl", "out.stl", "--unit", "m", "--tolerance", 0.001)
         self.assertEqual(completed.returncode, VIOLATED)
 
     def test_a_size_that_is_not_in_millimeters_is_warned_of_and_rejected_with_the_way_to_go(self):
         write(scaled(torus(), 1e-3), self.path("bone.ply"))
-        said = self.succeed("bone.ply", "out.ply", "--target-triangles", 500, "--report", "r.json").stdout
+        said = self.succeed("bone.ply", "out.ply", "--target-triangles", 500, "--report", "r.json", *UNMEASURED).stdout
         self.assertRegex(said, "warning: .*may not be in millimeters, --unit tells their unit")
         self.assertIn("--unit tells their unit", self.report("r.json")["warnings"][0])
         for words in (("bone.ply", "new.ply", "--max-error", 0.5), ("curve", "bone.ply", "--errors", 0.5),
@@ -76,18 +69,18 @@ class Units(ApplicationTest):
             self.path("new.ply").unlink(missing_ok=True)
         self.assertIn("--unit", self.succeed("diagnose", "bone.ply").stdout)
         self.assertNotIn("--unit", self.succeed("diagnose", "bone.ply", "--unit", "m").stdout)
-        self.assertNotIn("warning", self.succeed("bone.ply", "out.ply", "--unit", "m").stdout)
+        self.assertNotIn("warning", self.succeed("bone.ply", "out.ply", "--unit", "m", *UNMEASURED).stdout)
         self.fail_with(USAGE, "levels", "bone.ply", "--allow-large-error", "on", says="it needs --max-error")
 
     def test_every_format_is_read_and_written(self):
         for extension in SURFACES:
             write(scaled(torus(), 0.1), self.path("bone." + extension))
-            self.succeed("bone." + extension, "out." + extension, "--unit", "cm", "--target-triangles", 700, "--report", "r.json")
+            self.succeed("bone." + extension, "out." + extension, "--unit", "cm", "--target-triangles", 700, "--report", "r.json", *UNMEASURED)
             self.assertAlmostEqual(read(self.path("out." + extension)).GetBounds()[1], 2.8, 1)
             self.assertAlmostEqual(self.report("r.json")["input"]["area"], 6280, -2)
 
     def test_points_of_tolerance_zero_have_the_same_coordinates_in_the_file(self):
-        half = ("--region", "box:0,99,-99,99,-99,99=0;rest=0.2", "--quiet")
+        half = ("--region", "box:0,99,-99,99,-99,99=0;rest=0.2", "--quiet", *UNMEASURED)
         for unit in ("m", "inch"):
             for name in (unit + ".stl", unit + ".vtp"):
                 target = "out" + name[-4:]
@@ -99,13 +92,13 @@ class Units(ApplicationTest):
         self.fail_with(REJECTED, "m.vtp", "out2.stl", "--unit", "m", *half, says="double precision")
 
     def test_pruning_references_and_tolerances_are_in_millimeters(self):
-        self.succeed("m.vtp", "a.vtp", "--unit", "m", "--max-error", 0.3, "--region", "box:0,99,-99,99,-99,99=0.05", "--quiet")
+        self.succeed("m.vtp", "a.vtp", "--unit", "m", "--max-error", 0.3, "--region", "box:0,99,-99,99,-99,99=0.05", "--quiet", *UNMEASURED)
         self.succeed("a.vtp", "b.stl", "--unit", "m", "--max-error", 0.3, "--reference", "m.vtp", "--report", "r.json",
                      "--heatmap", "heat.vtp", "--page", "p.html")
         self.succeed("certify", "m.vtp", "b.stl", "--unit", "m", "--tolerance", 0.3, "--quiet")
         self.assertLess(read(self.path("heat.vtp")).GetBounds()[1], 0.03)
         self.fail_with(REJECTED, "m.vtp", "c.vtp", "--unit", "m", "--prune-size", 57, says="smaller")
-        self.succeed("m.vtp", "c.vtp", "--unit", "m", "--prune-size", 55, "--quiet")
+        self.succeed("m.vtp", "c.vtp", "--unit", "m", "--prune-size", 55, "--quiet", *UNMEASURED)
 
     def test_an_error_that_rounding_would_use_up_is_rejected(self):
         far = torus(center=4000.0)
@@ -141,9 +134,9 @@ class Units(ApplicationTest):
         self.path("bones").mkdir()
         for name in ("a.stl", "b.stl"):
             (self.path("bones") / name).write_bytes(self.path("m.stl").read_bytes())
-        self.succeed("bones", "out", "--unit", "m", "--max-error", 0.2)
+        self.succeed("bones", "out", "--unit", "m", "--max-error", 0.2, *UNMEASURED)
         self.assertEqual(self.report("out/a.json")["files"]["unit"], "m")
-        self.assertIn("skipped", self.succeed("bones", "out", "--unit", "m", "--max-error", 0.2).stdout)
+        self.assertIn("skipped", self.succeed("bones", "out", "--unit", "m", "--max-error", 0.2, *UNMEASURED).stdout)
 
     def test_the_form_of_the_thesis_takes_it(self):
         write(scaled(torus(), 0.001), self.path("bone.obj"))
