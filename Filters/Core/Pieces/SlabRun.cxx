@@ -216,6 +216,7 @@ private:
         this->Along(surface.Points[i]) >= this->Bottom - this->Slack ? 1 : 0;
     }
     std::vector<char> isFar;
+    isFar.reserve(found.OfPoint.size());
     for (const Index component : found.OfPoint)
     {
       isFar.push_back(isNear[component] != 0 ? 0 : 1);
