@@ -25,7 +25,7 @@ constexpr std::int64_t LeastMemory = 256 * MiB;
 constexpr std::int64_t BytesOfATriangle = 1400;
 /// Of the program and its libraries.
 constexpr std::int64_t BytesOfTheProgram = 128 * MiB;
-/// A run in slabs divides what is left between a slab, its voxels, and the result with what junctions need.
+/// A run in slabs divides what is left between a slab, its voxels, and the result with what is run again.
 constexpr std::int64_t PartsOfMemory = 8;
 constexpr std::int64_t PartsOfASlab = 4;
 constexpr std::int64_t LeastTriangles = 20000;
@@ -38,7 +38,6 @@ std::string MiBText(std::int64_t bytes)
 std::string WhatIsNotThere(const Arguments& arguments)
 {
   const std::vector<std::pair<bool, const char*>> others{ { IsBatch(arguments), "several inputs" },
-    { arguments.Segments.IsRequested(), "--segments" },
     { arguments.FillVolume > 0.0, "--fill-volume" },
     { !arguments.Reference.empty(), "--reference" },
     { !arguments.LabelMap.Path.empty(), "--label-map" }, { !arguments.Regions.empty(), "--region" },
@@ -76,7 +75,7 @@ void AddMemory(CLI::App& app, Arguments& arguments)
         arguments.Given["memory"] = text;
       },
       WrappedHelp(
-        "With --iso: the memory that the run may use, such as 4G (K, M, G and T are "
+        "With --iso or --segments: the memory that the run may use, such as 4G (K, M, G and T are "
         "powers of 1024; at least 256M). A volume that needs more is processed in slabs, "
         "within the same largest error of the whole surface. Takes no numbers of triangles, "
         "smoothing, pruning, filled cavities, regions, references or pictures."))
@@ -101,9 +100,9 @@ void CheckMemory(const Arguments& arguments)
   {
     throw Failure(ExitCode::Usage, "--memory and " + other + " do not go together");
   }
-  if (!arguments.Iso)
+  if (!arguments.Iso && !arguments.Segments.IsRequested())
   {
-    throw Failure(ExitCode::Usage, "--memory is for volumes, together with --iso");
+    throw Failure(ExitCode::Usage, "--memory is for volumes, together with --iso or --segments");
   }
   Options options = arguments.Options;
   options.VoxelSize =
@@ -115,14 +114,13 @@ void CheckMemory(const Arguments& arguments)
   }
 }
 
-SlabPlan PlanSlabs(const BoneSlabs& bone, std::int64_t memory)
+SlabPlan PlanSlabs(const SlabSource::Extent& volume, std::int64_t memory)
 {
-  const std::int64_t voxels = bone.GetBytesOfVoxels();
-  const std::int64_t layer = voxels / bone.GetNumberOfLayers();
-  const std::int64_t reader = bone.IsReadWhole() ? voxels : layer;
+  const std::int64_t layer = volume.VoxelBytes / volume.Layers;
+  const std::int64_t reader = volume.IsReadWhole ? volume.VoxelBytes : layer;
   const std::int64_t rest = memory - BytesOfTheProgram - reader;
   SlabPlan plan;
-  plan.IsWhole = bone.GetNumberOfTriangles() * BytesOfATriangle + voxels <= rest;
+  plan.IsWhole = volume.Triangles * BytesOfATriangle + volume.VoxelBytes <= rest;
   plan.Triangles = rest / PartsOfMemory * PartsOfASlab / BytesOfATriangle;
   plan.VoxelBytes = rest / PartsOfMemory;
   const std::int64_t least = BytesOfTheProgram + reader +
@@ -130,7 +128,7 @@ SlabPlan PlanSlabs(const BoneSlabs& bone, std::int64_t memory)
   if (!plan.IsWhole && memory < least)
   {
     plan.Problem = "--memory is too small for it: " +
-      std::string(bone.IsReadWhole()
+      std::string(volume.IsReadWhole
           ? "its format gives no single layers, so that all voxels are in memory, and"
           : "the least slab") +
       " needs " + MiBText(least);

@@ -7,8 +7,8 @@
 #ifndef BoneDecimate_Applications_MemoryArguments_h
 #define BoneDecimate_Applications_MemoryArguments_h
 
-#include "BoneSlabs.h"
 #include "CliForward.h"
+#include "SlabSource.h"
 
 #include <cstdint>
 #include <optional>
@@ -37,7 +37,7 @@ struct SlabPlan
 };
 
 /// @param memory Bytes.
-SlabPlan PlanSlabs(const BoneSlabs& bone, std::int64_t memory);
+SlabPlan PlanSlabs(const SlabSource::Extent& volume, std::int64_t memory);
 }
 
 #endif

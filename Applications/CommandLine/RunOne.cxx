@@ -21,7 +21,7 @@
 #include "SegmentFiles.h"
 #include "SegmentOutput.h"
 #include "SegmentSurfaces.h"
-#include "SlabbedBone.h"
+#include "SlabbedRun.h"
 #include "StageClock.h"
 #include "Summary.h"
 #include "SurfaceFiles.h"

@@ -41,7 +41,7 @@ bool IsLabel(Scalar value)
 
 /// All values but 0, or more than the most segments.
 template <typename Scalar>
-void CollectLabels(const Scalar* values, vtkIdType count, std::set<std::int64_t>& labels)
+void CollectValues(const Scalar* values, vtkIdType count, std::set<std::int64_t>& labels)
 {
   Scalar last = 0;
   for (const Scalar* value = values; value != values + count && labels.size() <= MostSegments + 1;
@@ -55,20 +55,6 @@ void CollectLabels(const Scalar* values, vtkIdType count, std::set<std::int64_t>
     }
   }
   labels.erase(0);
-}
-
-std::set<std::int64_t> LabelsOfVoxels(vtkImageData* map)
-{
-  std::set<std::int64_t> labels;
-  vtkDataArray* const array = map->GetPointData()->GetScalars();
-  switch (array ? array->GetDataType() : int(VTK_VOID))
-  {
-    vtkTemplateMacro(CollectLabels(
-      static_cast<const VTK_TT*>(array->GetVoidPointer(0)), array->GetNumberOfTuples(), labels));
-    default:
-      break;
-  }
-  return labels;
 }
 
 /// "1 (femur), 2 (tibia), 5"
@@ -121,10 +107,29 @@ std::vector<NamedLabel> ChooseBones(
 }
 }
 
+void CollectLabels(vtkImageData* map, std::set<std::int64_t>& labels)
+{
+  vtkDataArray* const array = map->GetPointData()->GetScalars();
+  switch (array ? array->GetDataType() : int(VTK_VOID))
+  {
+    vtkTemplateMacro(CollectValues(
+      static_cast<const VTK_TT*>(array->GetVoidPointer(0)), array->GetNumberOfTuples(), labels));
+    default:
+      break;
+  }
+}
+
 std::vector<NamedLabel> FindSegments(
   vtkImageData* map, const SegmentArguments& arguments, const std::string& path)
 {
-  const std::set<std::int64_t> labels = LabelsOfVoxels(map);
+  std::set<std::int64_t> labels;
+  CollectLabels(map, labels);
+  return FindSegments(labels, map->GetFieldData(), arguments, path);
+}
+
+std::vector<NamedLabel> FindSegments(const std::set<std::int64_t>& labels, vtkFieldData* fields,
+  const SegmentArguments& arguments, const std::string& path)
+{
   if (labels.empty())
   {
     Reject(path, "none of its voxels has a label: all are 0");
@@ -135,7 +140,7 @@ std::vector<NamedLabel> FindSegments(
       "it has more than " + std::to_string(MostSegments) +
         " different values, which are no labels; --iso HU takes the surface at a gray value");
   }
-  const std::vector<NamedLabel> known = ReadNamedLabels(map->GetFieldData());
+  const std::vector<NamedLabel> known = ReadNamedLabels(fields);
   std::vector<NamedLabel> segments;
   for (const std::int64_t label : labels)
   {

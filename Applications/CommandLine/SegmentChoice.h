@@ -12,16 +12,24 @@
 
 #include "vtkImageData.h"
 
+#include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace bonedecimate
 {
+/// Adds the labels of the voxels but 0; not all of them if they are so many that they are gray values.
+void CollectLabels(vtkImageData* map, std::set<std::int64_t>& labels);
+
 /**
  * The labels of the voxels but 0, ascending, with the names and colors of the map or of TotalSegmentator.
- * @param path Of the map, for messages.
+ * @param labels CollectLabels() of all voxels.  @param fields Of the map.  @param path Of the map, for messages.
  * @throws Failure(ExitCode::InputRejected) if there are none, or so many that they are gray values.
  */
+std::vector<NamedLabel> FindSegments(const std::set<std::int64_t>& labels, vtkFieldData* fields,
+  const SegmentArguments& arguments, const std::string& path);
+/// Of a map in memory.
 std::vector<NamedLabel> FindSegments(
   vtkImageData* map, const SegmentArguments& arguments, const std::string& path);
 

@@ -60,6 +60,10 @@ void NameFilesOfFolder(Arguments& arguments)
   const auto name = [&folder](std::string& file, const char* own)
   { file = file.empty() ? (folder / own).string() : file; };
   name(arguments.Report, "report.json");
+  if (arguments.Memory > 0)
+  {
+    return; // neither page nor picture of surfaces that may be larger than memory
+  }
   name(arguments.Page, "index.html");
   arguments.PictureIsRequired = !arguments.Picture.empty();
   name(arguments.Picture, "picture.png");

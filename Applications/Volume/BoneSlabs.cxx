@@ -3,6 +3,7 @@
 #include "BoneSlabs.h"
 
 #include "IntensityChecks.h"
+#include "LayerDivision.h"
 #include "OutwardContour.h"
 #include "VolumeFile.h"
 
@@ -54,12 +55,7 @@ void BoneSlabs::Survey(SlabReader& reader, LabelPolicy policy)
       return;
     }
     survey.Add(slab);
-    const std::vector<std::int64_t> points = CountContourPoints(slab, this->Value);
-    if (!this->Points.empty())
-    {
-      this->Points.pop_back(); // the shared layer, without those above it
-    }
-    this->Points.insert(this->Points.end(), points.begin(), points.end());
+    AppendCounts(CountContourPoints(slab, this->Value), this->Points);
   }
   this->Problem = IntensityProblem(survey, this->Value, policy);
   AppendNote(this->Note, MaskNote(survey));
@@ -98,24 +94,11 @@ double BoneSlabs::PositionOf(std::int64_t layer) const
 
 std::size_t BoneSlabs::Divide(std::int64_t triangles, std::int64_t largestBytes)
 {
-  const std::int64_t mostLayers =
-    std::max<std::int64_t>(1, largestBytes / static_cast<std::int64_t>(this->BytesInALayer) - 1);
-  this->LastLayers.clear();
-  std::int64_t layers = 0;
-  std::int64_t inSlab = 0;
-  for (std::int64_t layer = 0; layer + 1 < this->Size[2]; ++layer)
-  {
-    const std::int64_t more = TrianglesPerPoint * this->Points[static_cast<std::size_t>(layer)];
-    if (layers > 0 && (inSlab + more > triangles || layers == mostLayers))
-    {
-      this->LastLayers.push_back(layer);
-      inSlab = 0;
-      layers = 0;
-    }
-    inSlab += more;
-    ++layers;
-  }
-  this->LastLayers.push_back(this->Size[2] - 1);
+  std::vector<std::int64_t> inLayers = this->Points;
+  std::transform(inLayers.begin(), inLayers.end(), inLayers.begin(),
+    [](std::int64_t points) { return TrianglesPerPoint * points; });
+  this->LastLayers = DivideLayers(inLayers, triangles,
+    std::max<std::int64_t>(1, largestBytes / static_cast<std::int64_t>(this->BytesInALayer) - 1));
   this->NextSlab = 0;
   this->Reader = std::make_unique<SlabReader>(OpenVolume(this->Path, this->Spacing));
   return this->LastLayers.size();

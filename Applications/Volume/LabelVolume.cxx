@@ -28,8 +28,16 @@ bool ArePerpendicular(const VolumeGeometry& geometry)
   }
   return true;
 }
+}
 
-void SetGeometry(vtkImageData* image, const VolumeGeometry& geometry)
+std::string LabelGridProblem(const VolumeGeometry& geometry)
+{
+  return ArePerpendicular(geometry)
+    ? ""
+    : "its axes are not perpendicular, which a label map's have to be";
+}
+
+void SetLabelGrid(const VolumeGeometry& geometry, vtkImageData* image)
 {
   double spacing[3];
   double direction[9];
@@ -45,7 +53,6 @@ void SetGeometry(vtkImageData* image, const VolumeGeometry& geometry)
   image->SetSpacing(spacing);
   image->SetDirectionMatrix(direction);
 }
-}
 
 LabelVolume ReadLabelVolume(const std::string& path, const VoxelSpacing& spacing)
 {
@@ -53,14 +60,14 @@ LabelVolume ReadLabelVolume(const std::string& path, const VoxelSpacing& spacing
   LabelVolume labels;
   labels.Note = volume.Note;
   labels.Problem = volume.Problem;
-  if (labels.Problem.empty() && !ArePerpendicular(volume.Geometry))
+  if (labels.Problem.empty())
   {
-    labels.Problem = "its axes are not perpendicular, which a label map's have to be";
+    labels.Problem = LabelGridProblem(volume.Geometry);
   }
   if (labels.Problem.empty())
   {
     labels.Image = volume.Image;
-    SetGeometry(labels.Image, volume.Geometry);
+    SetLabelGrid(volume.Geometry, labels.Image);
   }
   return labels;
 }

@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Applications_LabelVolume_h
 #define BoneDecimate_Applications_LabelVolume_h
 
+#include "Volume.h"
 #include "VoxelSpacing.h"
 
 #include "vtkImageData.h"
@@ -27,6 +28,12 @@ struct LabelVolume
   std::string Problem; ///< Why it was rejected; empty if it was not.
   std::string Note;    ///< What of the input was left aside, for the user; may be empty.
 };
+
+/// Why voxels with this geometry are no label map; empty if they may be one.
+std::string LabelGridProblem(const volume::VolumeGeometry& geometry);
+
+/// Sets origin, spacing and direction.
+void SetLabelGrid(const volume::VolumeGeometry& geometry, vtkImageData* image);
 
 /// Reads every format that ExtractBoneSurface() reads. A volume whose axes are not perpendicular is rejected.
 LabelVolume ReadLabelVolume(const std::string& path, const VoxelSpacing& spacing = {});

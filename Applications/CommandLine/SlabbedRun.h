@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file SlabbedBone.h
- * @brief One bone from a volume that is larger than memory: read, decimated and joined slab by slab.
+ * @file SlabbedRun.h
+ * @brief One bone, or the segments of a label map, from a volume that is larger than memory: read, decimated and joined slab by slab.
  */
-#ifndef BoneDecimate_Applications_SlabbedBone_h
-#define BoneDecimate_Applications_SlabbedBone_h
+#ifndef BoneDecimate_Applications_SlabbedRun_h
+#define BoneDecimate_Applications_SlabbedRun_h
 
 #include "Arguments.h"
 

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SlabbedBone.h"
+#include "SlabbedRun.h"
 
-#include "BoneSlabs.h"
 #include "ExitCode.h"
 #include "FileNames.h"
 #include "FilterOptions.h"
@@ -15,7 +14,10 @@
 #include "OutputFiles.h"
 #include "Pieces/SlabRun.h"
 #include "ReportFields.h"
+#include "SegmentFiles.h"
 #include "SegmentOutput.h"
+#include "SegmentSurfaces.h"
+#include "SlabSource.h"
 #include "StageClock.h"
 #include "Summary.h"
 #include "SurfaceArrays.h"
@@ -26,28 +28,30 @@
 #include "vtkNew.h"
 
 #include <filesystem>
+#include <memory>
 
 namespace bonedecimate
 {
 namespace
 {
 /// One run; the steps are in the order of RunInSlabs().
-class SlabbedBone
+class SlabbedRun
 {
 public:
-  explicit SlabbedBone(const Arguments& arguments)
+  explicit SlabbedRun(const Arguments& arguments)
     : Requested(arguments)
     , Path(arguments.Inputs[0])
     , Subject(SubjectOf(arguments, arguments.Inputs[0], arguments.Output))
     , Display(ProgressOf(arguments))
   {
-    this->Subject.CoordinateSystem = "LPS";
+    if (arguments.Iso)
+    {
+      this->Subject.CoordinateSystem = "LPS";
+    }
     this->Display.Begin("counting");
-    this->Bone.emplace(this->Path, *arguments.Iso,
-      arguments.TakesLabels ? LabelPolicy::AsIntensities : LabelPolicy::Reject,
-      arguments.LabelMap.GetSpacing());
-    this->RejectIf(this->Bone->GetProblem());
-    this->Plan = PlanSlabs(*this->Bone, arguments.Memory);
+    this->Source = MakeSlabSource(arguments);
+    this->RejectIf(this->Source->GetProblem());
+    this->Plan = PlanSlabs(this->Source->GetExtent(), arguments.Memory);
     this->RejectIf(this->Plan.Problem);
     this->Subject.SecondsRead = this->Whole.Seconds();
   }
@@ -56,13 +60,10 @@ public:
 
   void Decimate()
   {
-    const std::size_t slabs = this->Bone->Divide(this->Plan.Triangles, this->Plan.VoxelBytes);
+    const std::size_t slabs = this->Source->Divide(this->Plan.Triangles, this->Plan.VoxelBytes);
     Options options = OptionsForFiles(this->Requested);
-    options.VoxelSize = options.VoxelSize > 0.0 ? options.VoxelSize : this->Bone->GetVoxelSize();
-    const auto axis = this->Bone->GetAxis();
-    SlabInputs inputs;
-    inputs.InputIsSingle = true; // as flying edges makes them
-    SlabRun run(options, { { axis[0], axis[1], axis[2] }, this->Bone->GetBottom() }, inputs);
+    options.VoxelSize = options.VoxelSize > 0.0 ? options.VoxelSize : this->Source->GetVoxelSize();
+    SlabRun run(options, this->Source->GetAxis(), this->Source->GetInputs());
     for (std::size_t i = 0; i < slabs && run.Status() == SlabStatus::Good; ++i)
     {
       this->Display.Begin("slab " + std::to_string(i + 1) + " of " + std::to_string(slabs));
@@ -80,6 +81,10 @@ public:
     {
       this->WriteOne(file);
     }
+    if (this->Requested.Segments.IsRequested())
+    {
+      WriteSegments(this->Result, this->Requested, files, this->Subject);
+    }
     for (const SurfaceFormat* format : FormatsOfSurfaces(this->Requested))
     {
       const std::string loss = LossText(this->Result, *format);
@@ -88,8 +93,11 @@ public:
         this->Notes.push_back(loss);
       }
     }
-    this->Subject.OutputBytes =
-      static_cast<std::int64_t>(std::filesystem::file_size(files.Surfaces.front().GetTemporary()));
+    if (!WritesSegments(this->Requested))
+    {
+      this->Subject.OutputBytes = static_cast<std::int64_t>(
+        std::filesystem::file_size(files.Surfaces.front().GetTemporary()));
+    }
     this->Subject.SecondsWrite = watch.Seconds();
     this->Subject.SecondsTotal = this->Whole.Seconds();
     if (files.Report)
@@ -121,14 +129,10 @@ private:
   void Add(SlabRun& run)
   {
     const StageClock watch;
-    BoneSlab voxels = this->Bone->ReadNext();
-    this->RejectIf(voxels.Problem);
-    Slab slab;
-    slab.Top = voxels.Top;
-    slab.Surface = ToSurface(voxels.Surface, this->Requested.Options.NumberOfThreads).Surface;
-    voxels.Surface = nullptr;
+    SlabSource::ReadSlab read = this->Source->ReadNext();
+    this->RejectIf(read.Problem);
     this->Subject.SecondsRead += watch.Seconds();
-    run.Add(std::move(slab),
+    run.Add(std::move(read.Slab),
       [this](double fraction)
       {
         this->Display.Show(fraction);
@@ -145,6 +149,8 @@ private:
     const vtkNew<vtkPolyData> nothing; // of which arrays would pass
     this->Result = vtkSmartPointer<vtkPolyData>::New();
     FillOutput(result, {}, options, isSingle, nothing, this->Result);
+    this->Source->AddArrays(result, this->Result);
+    this->Result = WithColorArray(this->Result);
     const std::string status = ReportFields(this->Result).Text("proof.status");
     if (status == "violated" || status == "undecided")
     {
@@ -152,9 +158,9 @@ private:
         "'" + BaseName(this->Path) + "': " + ProofMessage(result.Report) + "; nothing was written");
     }
     this->Subject.Slabs = run.Figures();
-    if (!this->Bone->GetNote().empty())
+    if (!this->Source->GetNote().empty())
     {
-      this->Subject.Warnings.push_back(this->Bone->GetNote());
+      this->Subject.Warnings.push_back(this->Source->GetNote());
     }
   }
 
@@ -178,7 +184,7 @@ private:
   StageClock Whole;
   ReportSubject Subject;
   ProgressDisplay Display;
-  std::optional<BoneSlabs> Bone;
+  std::unique_ptr<SlabSource> Source;
   SlabPlan Plan;
   vtkSmartPointer<vtkPolyData> Result;
   std::vector<std::string> Notes;
@@ -187,7 +193,7 @@ private:
 
 vtkSmartPointer<vtkPolyData> RunInSlabs(const Arguments& arguments)
 {
-  SlabbedBone run(arguments);
+  SlabbedRun run(arguments);
   if (run.FitsAsAWhole())
   {
     return nullptr;

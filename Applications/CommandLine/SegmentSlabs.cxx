@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SegmentSlabs.h"
+
+#include "ImageLabels.h"
+#include "LabelMap/LabelSurfaces.h"
+#include "LabelMapArrays.h"
+#include "LabelVolume.h"
+#include "LayerDivision.h"
+#include "NamedLabels.h"
+#include "SegmentChoice.h"
+#include "VolumeFile.h"
+
+#include "vtkDataObject.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+using volume::SlabReader;
+using volume::Volume;
+using volume::VolumeHeader;
+
+namespace
+{
+constexpr std::int64_t BytesOfASurvey = std::int64_t(1) << 26;
+constexpr std::int64_t TrianglesPerChange = 2; // of a closed surface of few handles
+
+ImageLabels LabelsOfSlab(const Volume& slab)
+{
+  return ReadImageLabels(
+    slab.Image, slab.Image->GetPointData()->GetScalars(), vtkDataObject::FIELD_ASSOCIATION_POINTS);
+}
+
+/// As an extraction takes it.
+VoxelGrid GridOf(const VolumeHeader& header)
+{
+  const vtkNew<vtkImageData> corner; // its first voxel
+  corner->SetDimensions(1, 1, 1);
+  corner->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  corner->GetPointData()->GetScalars()->Fill(1.0);
+  SetLabelGrid(header.Geometry, corner);
+  const ImageLabels labels =
+    ReadImageLabels(corner, corner->GetPointData()->GetScalars(), vtkDataObject::POINT);
+  VoxelGrid grid = ExtractLabelSurfaces(labels.Image, {}).Source.Grid;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    grid.Dimensions[axis] = static_cast<Index>(header.Size[axis]);
+  }
+  return grid;
+}
+
+/// As vtkBoneSurfaces stores them.
+void RoundToSingle(std::vector<Vector3>& points)
+{
+  for (Vector3& p : points)
+  {
+    p = p.cast<float>().cast<double>().eval();
+  }
+}
+}
+
+SegmentSlabs::SegmentSlabs(const Arguments& arguments)
+  : Requested(arguments)
+{
+  SlabReader reader(volume::OpenVolume(arguments.Inputs[0], arguments.LabelMap.GetSpacing()));
+  const VolumeHeader& header = reader.GetHeader();
+  this->BytesInALayer = header.BytesInALayer();
+  this->ReadsWhole = header.IsReadWhole;
+  this->Note = header.Note;
+  this->Problem = header.Problem.empty() ? LabelGridProblem(header.Geometry) : header.Problem;
+  if (this->Problem.empty())
+  {
+    this->Map.Grid = GridOf(header);
+    const std::set<std::int64_t> labels = this->Survey(reader);
+    if (this->Problem.empty())
+    {
+      this->Choose(labels, header.Fields);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::set<std::int64_t> SegmentSlabs::Survey(SlabReader& reader)
+{
+  const std::int64_t layers =
+    std::max<std::int64_t>(1, BytesOfASurvey / static_cast<std::int64_t>(this->BytesInALayer));
+  std::set<std::int64_t> labels;
+  for (std::int64_t last = layers; !reader.IsAtEnd(); last += layers)
+  {
+    const Volume slab =
+      reader.ReadTo(std::min<std::int64_t>(last, this->Map.Grid.Dimensions[2] - 1));
+    this->Problem = slab.Problem.empty() ? LabelsOfSlab(slab).Problem : slab.Problem;
+    if (!this->Problem.empty())
+    {
+      break;
+    }
+    CollectLabels(slab.Image, labels);
+    volume::AppendCounts(volume::CountLabelChanges(slab), this->Changes);
+  }
+  return labels;
+}
+
+//------------------------------------------------------------------------------
+void SegmentSlabs::Choose(const std::set<std::int64_t>& labels, vtkFieldData* fields)
+{
+  const std::string& path = this->Requested.Inputs[0];
+  const std::vector<NamedLabel> found =
+    FindSegments(labels, fields, this->Requested.Segments, path);
+  WriteNamedLabels(found, this->Fields);
+  for (const NamedLabel& label : ChooseSegments(found, this->Requested.Segments, path))
+  {
+    this->Map.Values.push_back(label.Value);
+  }
+  this->Map.Values.push_back(0); // the background
+}
+
+//------------------------------------------------------------------------------
+SlabSource::Extent SegmentSlabs::GetExtent() const
+{
+  const std::int64_t layers = this->Map.Grid.Dimensions[2];
+  std::int64_t changes = 0;
+  for (const std::int64_t inLayer : this->Changes)
+  {
+    changes += inLayer;
+  }
+  return { layers, layers * static_cast<std::int64_t>(this->BytesInALayer),
+    TrianglesPerChange * changes, this->ReadsWhole };
+}
+
+double SegmentSlabs::GetVoxelSize() const
+{
+  return this->Map.Grid.Spacing.minCoeff();
+}
+
+/// Surfaces are closed half a voxel outside of the outermost centers.
+SlabAxis SegmentSlabs::GetAxis() const
+{
+  const Vector3 axis = this->Map.Grid.Direction.col(2);
+  return { axis, axis.dot(this->Map.Grid.ToMillimeters({ 0.0, 0.0, -1.0 })) };
+}
+
+SlabInputs SegmentSlabs::GetInputs() const
+{
+  return { true, this->Map };
+}
+
+//------------------------------------------------------------------------------
+std::size_t SegmentSlabs::Divide(std::int64_t triangles, std::int64_t largestBytes)
+{
+  std::vector<std::int64_t> inLayers = this->Changes;
+  std::transform(inLayers.begin(), inLayers.end(), inLayers.begin(),
+    [](std::int64_t changes) { return TrianglesPerChange * changes; });
+  this->LastLayers = volume::DivideLayers(inLayers, triangles,
+    std::max<std::int64_t>(1, largestBytes / static_cast<std::int64_t>(this->BytesInALayer) - 1));
+  this->NextSlab = 0;
+  this->NextLayer = 0;
+  this->Reader = std::make_unique<SlabReader>(
+    volume::OpenVolume(this->Requested.Inputs[0], this->Requested.LabelMap.GetSpacing()));
+  return this->LastLayers.size();
+}
+
+//------------------------------------------------------------------------------
+SlabSource::ReadSlab SegmentSlabs::ReadNext()
+{
+  const auto last = static_cast<Index>(this->LastLayers[this->NextSlab++]);
+  ReadSlab read;
+  const VolumeHeader& header = this->Reader->GetHeader();
+  // Between the two readings the file may have changed.
+  const bool isSame =
+    header.Size[2] == this->Map.Grid.Dimensions[2] && header.BytesInALayer() == this->BytesInALayer;
+  read.Problem = header.Problem.empty() && !isSame ? "it changes while it is read" : header.Problem;
+  if (!read.Problem.empty())
+  {
+    return read;
+  }
+  const Volume slab = this->Reader->ReadTo(last);
+  ImageLabels labels = slab.Problem.empty() ? LabelsOfSlab(slab) : ImageLabels();
+  read.Problem = slab.Problem.empty() ? labels.Problem : slab.Problem;
+  if (!read.Problem.empty())
+  {
+    return read;
+  }
+  labels.Image.Grid = this->Map.Grid;
+  LabelSurfaceOptions options;
+  options.Labels = this->Map.Values;
+  options.Threads = this->Requested.Options.NumberOfThreads;
+  options.Slab = LayerRange{ this->NextLayer, last };
+  LabelSurfaces surfaces = ExtractLabelSurfaces(labels.Image, options);
+  read.Problem = LabelSurfaceMessage(surfaces.Status);
+  this->NextLayer = last;
+  RoundToSingle(surfaces.Surface.Points);
+  const double end = this->IsLast(last) ? last + 1.0 : last;
+  read.Slab.Top = this->GetAxis().Direction.dot(this->Map.Grid.ToMillimeters({ 0.0, 0.0, end }));
+  read.Slab.Surface = std::move(surfaces.Surface);
+  read.Slab.BoundaryLabels = std::move(surfaces.Source.OfTriangle);
+  return read;
+}
+
+//------------------------------------------------------------------------------
+void SegmentSlabs::AddArrays(const Result& result, vtkPolyData* surface) const
+{
+  AddLabelMapArrays({ this->Map.Grid, this->Map.Values, result.BoundaryLabels, {} },
+    this->Requested.Options.NumberOfThreads, surface);
+  PassLabelMapArrays(this->Map, result.BoundaryLabels, surface);
+  OrderLabelFields(this->Fields, this->Map, surface->GetFieldData());
+}
+}
