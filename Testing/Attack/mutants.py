@@ -175,7 +175,7 @@ MUTANTS = (
     Mutant("octahedra that are too large", SMOOTHING + "DisplacementSets.cxx", "NumberOfOdd(center) - Slack }",
            "1.2 * NumberOfOdd(center) }", SMOOTHING_TESTS),
     Mutant("edits are proved against the smoothed positions", "Filters/Core/Edit/Editor.h",
-           "this->Unsmoothed ? *this->Unsmoothed : *this->First", "*this->First", SMOOTHING_TESTS),
+           "this->Unsmoothed ? *this->Unsmoothed : this->InitialMesh()", "this->InitialMesh()", SMOOTHING_TESTS),
     Mutant("a constrained point is smoothed", SMOOTHING + "Smoothing.cxx", "radii[p] = std::max(0.0, least);",
            "radii[p] = std::max(1e-3 * settings.Radius, least);", SMOOTHING_TESTS),
     Mutant("neighbors of a constrained point are smoothed", SMOOTHING + "Smoothing.cxx",
