@@ -7,6 +7,7 @@
 #include "LabelMapArrays.h"
 #include "LabelVolume.h"
 #include "LayerDivision.h"
+#include "Mesh/SurfaceAssembly.h"
 #include "NamedLabels.h"
 #include "SegmentChoice.h"
 #include "VolumeFile.h"
@@ -56,7 +57,7 @@ void RoundToSingle(std::vector<Vector3>& points)
 {
   for (Vector3& p : points)
   {
-    p = p.cast<float>().cast<double>().eval();
+    p = RoundedToSingle(p);
   }
 }
 }

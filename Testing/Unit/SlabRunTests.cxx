@@ -202,6 +202,20 @@ TEST(SlabRun, TakesEmptyAndThinSlabs)
   EXPECT_EQ(Describe(outcome.Result.Surface).EulerNumber, 2);
 }
 
+/// Wherever the surface ends below the last planes: with the strip of the next run in reach or not, with the original or not.
+TEST(SlabRun, TakesSurfacesThatEndBelowEmptySlabs)
+{
+  const Surface whole = SurfaceOfFunction(Block, Ball);
+  for (double top = 22.5; top < 42.0; top += 0.5)
+  {
+    const SlabOutcome outcome =
+      RunInSlabs(CutAtLayers(whole, {}, { 20.0, top, 42.0, 43.0 }), SlabOptions(Mode::Fast));
+    ASSERT_EQ(outcome.Status, SlabStatus::Good) << top;
+    EXPECT_LE(ProvedError(whole, outcome.Result.Surface), Error) << top;
+    EXPECT_EQ(Describe(outcome.Result.Surface).EulerNumber, 2) << top;
+  }
+}
+
 TEST(SlabRun, RejectsWhatItCannotDo)
 {
   Options options = SlabOptions(Mode::Fast);

@@ -169,7 +169,14 @@ private:
       this->Growing.Take(this->Between(this->ZoneFrom - JunctionReach(error), Infinity));
     junction.Strip = Joined(std::move(strip.Piece), slab);
     junction.Original = Joined(std::move(this->Below), slab);
-    if (!junction.Strip.Shape.Triangles.empty())
+    // Nothing of the original within reach of the zone: nothing of the result is in it.
+    const bool isEmpty =
+      junction.Strip.Shape.Triangles.empty() || junction.Original.Shape.Triangles.empty();
+    if (isEmpty)
+    {
+      this->Growing.PutBack(strip, junction.Strip);
+    }
+    else
     {
       junction.IsFinished = this->FarFromSlab(junction.Strip.Shape);
       JunctionResult made = DecimateJunction(
