@@ -21,7 +21,7 @@ namespace
 {
 constexpr std::int64_t MiB = std::int64_t(1) << 20;
 constexpr std::int64_t LeastMemory = 256 * MiB;
-/// Of a run with a bound, for each triangle of the input: measured on cortical and trabecular bone, rounded up.
+/// Assumed of a run with a bound, for each triangle of the input: about twice what one takes (Documentation/error-bound.md).
 constexpr std::int64_t BytesOfATriangle = 1400;
 /// Of the program and its libraries.
 constexpr std::int64_t BytesOfTheProgram = 128 * MiB;

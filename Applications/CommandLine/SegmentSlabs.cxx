@@ -25,7 +25,6 @@ using volume::VolumeHeader;
 
 namespace
 {
-constexpr std::int64_t BytesOfASurvey = std::int64_t(1) << 26;
 constexpr std::int64_t TrianglesPerChange = 2; // of a closed surface of few handles
 
 ImageLabels LabelsOfSlab(const Volume& slab)
@@ -85,21 +84,18 @@ SegmentSlabs::SegmentSlabs(const Arguments& arguments)
 //------------------------------------------------------------------------------
 std::set<std::int64_t> SegmentSlabs::Survey(SlabReader& reader)
 {
-  const std::int64_t layers =
-    std::max<std::int64_t>(1, BytesOfASurvey / static_cast<std::int64_t>(this->BytesInALayer));
   std::set<std::int64_t> labels;
-  for (std::int64_t last = layers; !reader.IsAtEnd(); last += layers)
-  {
-    const Volume slab =
-      reader.ReadTo(std::min<std::int64_t>(last, this->Map.Grid.Dimensions[2] - 1));
-    this->Problem = slab.Problem.empty() ? LabelsOfSlab(slab).Problem : slab.Problem;
-    if (!this->Problem.empty())
+  this->Problem = volume::VisitSlabs(reader,
+    [&](const Volume& slab)
     {
-      break;
-    }
-    CollectLabels(slab.Image, labels);
-    volume::AppendCounts(volume::CountLabelChanges(slab), this->Changes);
-  }
+      const std::string problem = LabelsOfSlab(slab).Problem;
+      if (problem.empty())
+      {
+        CollectLabels(slab.Image, labels);
+        volume::AppendCounts(volume::CountLabelChanges(slab), this->Changes);
+      }
+      return problem;
+    });
   return labels;
 }
 
@@ -167,11 +163,9 @@ SlabSource::ReadSlab SegmentSlabs::ReadNext()
 {
   const auto last = static_cast<Index>(this->LastLayers[this->NextSlab++]);
   ReadSlab read;
-  const VolumeHeader& header = this->Reader->GetHeader();
-  // Between the two readings the file may have changed.
-  const bool isSame =
-    header.Size[2] == this->Map.Grid.Dimensions[2] && header.BytesInALayer() == this->BytesInALayer;
-  read.Problem = header.Problem.empty() && !isSame ? "it changes while it is read" : header.Problem;
+  const auto& [columns, rows, layers] = this->Map.Grid.Dimensions;
+  read.Problem = volume::ProblemOfSecondReading(
+    this->Reader->GetHeader(), { columns, rows, layers }, this->BytesInALayer);
   if (!read.Problem.empty())
   {
     return read;

@@ -17,7 +17,6 @@ using namespace volume;
 
 namespace
 {
-constexpr std::int64_t BytesOfASurvey = std::int64_t(1) << 26;
 constexpr std::int64_t TrianglesPerPoint = 2; // of a closed surface of few handles
 }
 
@@ -43,19 +42,17 @@ BoneSlabs::BoneSlabs(
 
 void BoneSlabs::Survey(SlabReader& reader, LabelPolicy policy)
 {
-  const std::int64_t layers =
-    std::max<std::int64_t>(1, BytesOfASurvey / static_cast<std::int64_t>(this->BytesInALayer));
   ValueSurvey survey;
-  for (std::int64_t last = layers; !reader.IsAtEnd(); last += layers)
-  {
-    const Volume slab = reader.ReadTo(std::min(last, this->Size[2] - 1));
-    if (!slab.Problem.empty())
+  this->Problem = VisitSlabs(reader,
+    [&](const Volume& slab)
     {
-      this->Problem = slab.Problem;
-      return;
-    }
-    survey.Add(slab);
-    AppendCounts(CountContourPoints(slab, this->Value), this->Points);
+      survey.Add(slab);
+      AppendCounts(CountContourPoints(slab, this->Value), this->Points);
+      return std::string();
+    });
+  if (!this->Problem.empty())
+  {
+    return;
   }
   this->Problem = IntensityProblem(survey, this->Value, policy);
   AppendNote(this->Note, MaskNote(survey));
@@ -109,10 +106,7 @@ BoneSlab BoneSlabs::ReadNext()
   BoneSlab slab;
   const std::int64_t last = this->LastLayers[this->NextSlab++];
   slab.Top = this->PositionOf(last);
-  // Between the two readings the file may have changed.
-  const VolumeHeader& header = this->Reader->GetHeader();
-  const bool isSame = header.Size == this->Size && header.BytesInALayer() == this->BytesInALayer;
-  slab.Problem = header.Problem.empty() && !isSame ? "it changes while it is read" : header.Problem;
+  slab.Problem = ProblemOfSecondReading(this->Reader->GetHeader(), this->Size, this->BytesInALayer);
   if (slab.Problem.empty())
   {
     const Volume voxels = this->Reader->ReadTo(last);

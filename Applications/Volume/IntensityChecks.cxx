@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IntensityChecks.h"
 
+#include "Options/Text.h"
+
 #include <algorithm>
 #include <locale>
 #include <sstream>
@@ -16,19 +18,6 @@ std::string NumberText(double value)
   text.imbue(std::locale::classic());
   text << value;
   return text.str();
-}
-
-/// "1, 2, 3 and 17 more"
-std::string ListText(const std::vector<int>& labels)
-{
-  constexpr std::size_t most = 5;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(labels.size(), most); ++i)
-  {
-    text += (i > 0 ? ", " : "") + std::to_string(labels[i]);
-  }
-  return labels.size() > most ? text + " and " + std::to_string(labels.size() - most) + " more"
-                              : text;
 }
 
 std::string RangeProblem(const ValueSurvey& survey, double hounsfield)

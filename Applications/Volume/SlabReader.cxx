@@ -6,6 +6,11 @@
 
 namespace bonedecimate::volume
 {
+namespace
+{
+constexpr std::int64_t BytesOfAVisit = std::int64_t(1) << 26;
+}
+
 Volume SlabReader::ReadTo(std::int64_t lastLayer)
 {
   const VolumeHeader& header = this->GetHeader();
@@ -30,5 +35,28 @@ Volume SlabReader::ReadTo(std::int64_t lastLayer)
   this->SharedLayer.assign(end - bytes, end);
   this->NextLayer = lastLayer + 1;
   return slab;
+}
+
+//------------------------------------------------------------------------------
+std::string VisitSlabs(SlabReader& reader, const std::function<std::string(const Volume&)>& visit)
+{
+  const VolumeHeader& header = reader.GetHeader();
+  const std::int64_t layers =
+    std::max<std::int64_t>(1, BytesOfAVisit / static_cast<std::int64_t>(header.BytesInALayer()));
+  std::string problem;
+  for (std::int64_t last = layers; !reader.IsAtEnd() && problem.empty(); last += layers)
+  {
+    const Volume slab = reader.ReadTo(std::min(last, header.Size[2] - 1));
+    problem = slab.Problem.empty() ? visit(slab) : slab.Problem;
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+std::string ProblemOfSecondReading(
+  const VolumeHeader& header, const std::array<std::int64_t, 3>& size, std::size_t bytesInALayer)
+{
+  const bool isSame = header.Size == size && header.BytesInALayer() == bytesInALayer;
+  return header.Problem.empty() && !isSame ? "it changes while it is read" : header.Problem;
 }
 }

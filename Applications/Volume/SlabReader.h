@@ -10,7 +10,9 @@
 #include "IsolatedReader.h"
 #include "Volume.h"
 
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace bonedecimate::volume
@@ -41,6 +43,15 @@ private:
   std::vector<char> SharedLayer; ///< The last one of the slab before.
   std::int64_t NextLayer = 0;
 };
+
+/// Calls visit(slab) for slabs of about 64 MiB, until the last layer or a problem, which is that of a slab or what visit returns.
+/// @return The problem; empty if there is none. @throws std::bad_alloc
+std::string VisitSlabs(SlabReader& reader, const std::function<std::string(const Volume&)>& visit);
+
+/// Why a file that is read again cannot be: its own problem, or that it is not as it was. Empty if it can.
+/// @param size,bytesInALayer When it was read first.
+std::string ProblemOfSecondReading(
+  const VolumeHeader& header, const std::array<std::int64_t, 3>& size, std::size_t bytesInALayer);
 }
 
 #endif

@@ -144,8 +144,7 @@ void RoundToSingle(Surface& surface)
 {
   for (Vector3& p : surface.Points)
   {
-    p = RoundedToSingle(
-      p); // gcc 12 leaves some coordinates as they are where they are cast there and back
+    p = RoundedToSingle(p); // gcc 12 leaves coordinates as they are that are cast there and back
   }
 }
 

@@ -120,7 +120,7 @@ TEST(ForcedCollapse, RemovesMoreTheFartherItMayBegin)
 TEST(ForcedCollapse, IsOneStepOfTheLog)
 {
   const CleanSurface clean = Clean(BumpySphere(3, 10.0, 0.2, 7), true);
-  EditorSettings settings = Bench::Settings(Limit);
+  EditorSettings settings = Guarded(Limit);
   settings.RecordsEdits = true;
   Editor editor(clean, settings);
   BucketSweep(editor, { 0, 0.0 }, 1).Run(Always);

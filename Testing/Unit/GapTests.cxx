@@ -3,7 +3,7 @@
 // Gaps where edits of a draft are undone, and where a gap is read through a duplicate.
 #include "BruteForce.h"
 #include "Crossings.h"
-#include "Edit/Editor.h"
+#include "GuardedEditor.h"
 #include "Intersections/GapRule.h"
 #include "Intersections/TrianglePair.h"
 #include "Mesh/ManifoldPatches.h"
@@ -19,17 +19,6 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-EditorSettings Guarding(double error)
-{
-  EditorSettings settings;
-  settings.RecordsDistances = false;
-  settings.KeepsAreas = false;
-  settings.KeepsQuadrics = true;
-  settings.GuardsIntersections = true;
-  settings.Bound = ErrorBoundSettings{ error };
-  return settings;
-}
-
 void CollapseAll(Editor& editor)
 {
   const HalfEdgeMesh& mesh = editor.Mesh();
@@ -104,7 +93,7 @@ TEST(GapsOfADraft, AreCheckedAgainWhereAnUndoneEditHasRestoredAFace)
     const Surface outer = BumpySphere(3, 10.0, 0.02, seed);
     const Surface input = Together(outer, TurnedInsideOut(Moved(outer, Vector3(0.6, 0.18, 0.1))));
     const CleanSurface clean = Clean(input, true);
-    Editor editor(clean, Guarding(error));
+    Editor editor(clean, Guarded(error));
     const int before = CountNarrow(editor, clean, error);
     ASSERT_TRUE(editor.BeginDraft(1));
     CollapseAll(editor);
@@ -140,7 +129,7 @@ TEST(GapsOfADraft, AreNotAllowedByThoseThatTheDraftHasNarrowed)
   {
     const CleanSurface clean =
       Clean(Together(Moved(Grid(8), Vector3(0.0, 0.0, 1.0)), TurnedInsideOut(Grid(8))), true);
-    Editor editor(clean, Guarding(1.0));
+    Editor editor(clean, Guarded(1.0));
     ASSERT_TRUE(editor.BeginDraft(1));
     const Vector3 dent = Vector3(4.0, 4.0, 1.0 - depth);
     const HalfEdgeId first = EdgeAt(editor, clean, Vector3(3.0, 4.0, 1.0), Vector3(4.0, 4.0, 1.0));
@@ -178,7 +167,7 @@ bool IsStillAccepted(bool hasGap)
     Moved(Scaled(Tetrahedron(), 0.1), hasGap ? Vector3(6.95, 3.95, 0.3) : Vector3(3.0, 3.95, 0.3));
   CleanSurface clean = Clean(Together(Together(Grid(8), wide), speck), true);
   SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface));
-  Editor editor(clean, Guarding(0.2));
+  Editor editor(clean, Guarded(0.2));
   Workspace here;
   Workspace there;
   const Vector3 common(8.0, 4.0, 0.0);

@@ -8,7 +8,7 @@
 #define BoneDecimate_Testing_SlackBench_h
 
 #include "Certificate/Certificate.h"
-#include "Edit/Editor.h"
+#include "GuardedEditor.h"
 #include "Reference/BackHints.h"
 #include "Reference/Samples.h"
 #include "Runs.h"
@@ -27,7 +27,7 @@ struct Bench
 {
   explicit Bench(double error = Limit, const Surface& surface = Icosphere(3, 10.0))
     : Cleaned(Clean(surface, true))
-    , MeshEditor(this->Cleaned, Settings(error))
+    , MeshEditor(this->Cleaned, Guarded(error))
     , Fit(this->MeshEditor.BoundedMesh(), false, Limits(error))
     , Back(this->MeshEditor.BoundedMesh())
   {
@@ -38,16 +38,6 @@ struct Bench
     this->MeshEditor.RenewQuadrics(1);
   }
 
-  static EditorSettings Settings(double error)
-  {
-    EditorSettings settings;
-    settings.RecordsDistances = false;
-    settings.KeepsAreas = false;
-    settings.KeepsQuadrics = true;
-    settings.GuardsIntersections = true;
-    settings.Bound = ErrorBoundSettings{ error };
-    return settings;
-  }
   std::vector<float> Limits(double error) const
   {
     return std::vector<float>(this->Cleaned.Surface.Points.size(), static_cast<float>(error));

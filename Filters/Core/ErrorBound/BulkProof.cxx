@@ -390,4 +390,11 @@ Index BulkProof::LastEditAt(Index original, const std::vector<Index>& current) c
   }
   return last;
 }
+
+//------------------------------------------------------------------------------
+void BulkProof::WriteCoverage()
+{
+  this->Shared.ByFaces = {}; // two at a time would need their memory
+  this->Shared.ByFaces = this->Found.ToCoverage(this->Mesh.NumberOfFaceSlots());
+}
 }

@@ -64,13 +64,6 @@ private:
 }
 
 //------------------------------------------------------------------------------
-void BulkProof::WriteCoverage()
-{
-  this->Shared.ByFaces = {}; // two at a time would need their memory
-  this->Shared.ByFaces = this->Found.ToCoverage(this->Mesh.NumberOfFaceSlots());
-}
-
-//------------------------------------------------------------------------------
 std::vector<Index> BulkProof::CoverFirst(
   const std::vector<char>& originals, const std::vector<Index>& current)
 {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EnclosedLabel.h"
 
+#include "Options/Text.h"
+
 #include <algorithm>
 
 namespace bonedecimate
@@ -24,20 +26,7 @@ EnclosedLabel FindEnclosedLabel(
   }
   return { labels.front(),
     labels.size() == 1 ? std::string()
-                       : "the label map has the labels " + LabelListText(labels) +
+                       : "the label map has the labels " + ListText(labels) +
         ", and the surface does not say which of them it encloses: set Label" };
-}
-
-//------------------------------------------------------------------------------
-std::string LabelListText(const std::vector<std::int64_t>& labels)
-{
-  constexpr std::size_t most = 5;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(labels.size(), most); ++i)
-  {
-    text += (i > 0 ? ", " : "") + std::to_string(labels[i]);
-  }
-  return labels.size() > most ? text + " and " + std::to_string(labels.size() - most) + " more"
-                              : text;
 }
 }

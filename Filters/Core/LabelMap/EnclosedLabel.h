@@ -25,9 +25,6 @@ struct EnclosedLabel
  */
 EnclosedLabel FindEnclosedLabel(
   const std::vector<std::int64_t>& values, std::int64_t wanted, std::int64_t background);
-
-/// "1, 2, 3 and 17 more"
-std::string LabelListText(const std::vector<std::int64_t>& labels);
 }
 
 #endif

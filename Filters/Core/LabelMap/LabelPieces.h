@@ -8,8 +8,8 @@
  *     cavity   a piece of background, connected by faces or edges of voxels, that does not reach the end of the image and
  *              touches one segment alone
  *
- * Surfaces of the map have as many components as these pieces say (LabelSurfaces.h). An island gets the label on the largest part of its boundary, the background included; the end of the image counts as background. A
- * cavity gets the label of its segment.
+ * Surfaces of the map have as many components as these pieces say (LabelSurfaces.h). An island gets the label on the largest part of
+ * its boundary, the background included; the end of the image counts as background. A cavity gets the label of its segment.
  */
 #ifndef BoneDecimate_Core_LabelMap_LabelPieces_h
 #define BoneDecimate_Core_LabelMap_LabelPieces_h

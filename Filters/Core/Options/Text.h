@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Text.h
- * @brief Text as options and files hold it: case, XML, numbers. The same in every locale.
+ * @brief Text as options and files hold it: case, lists, XML, numbers. The same in every locale.
  */
 #ifndef BoneDecimate_Core_Options_Text_h
 #define BoneDecimate_Core_Options_Text_h
@@ -43,6 +43,20 @@ inline std::vector<std::string> SplitAt(const std::string& text, char separator)
     }
   }
   return parts;
+}
+
+/// "1, 2, 3, 4, 5 and 17 more"
+template <typename Number>
+std::string ListText(const std::vector<Number>& numbers)
+{
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(numbers.size(), most); ++i)
+  {
+    text += (i > 0 ? ", " : "") + std::to_string(numbers[i]);
+  }
+  return numbers.size() > most ? text + " and " + std::to_string(numbers.size() - most) + " more"
+                               : text;
 }
 
 /// As text or attribute value of XML, HTML or SVG.

@@ -4,12 +4,12 @@
 
 #include "Certificate/Certificate.h"
 #include "GrowingSurface.h"
-#include "Junction.h"
 #include "Mesh/Cleaning.h"
 #include "Mesh/Statistics.h"
 #include "OpenBoundaries.h"
 #include "SlabOptions.h"
 #include "SlabTotals.h"
+#include "ZoneRun.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ constexpr double PlaneSlack = 1e-6;
 /// How far below its plane the next run goes on, in mean edges of the result (over its area) and in largest errors.
 constexpr double EdgesOfZone = 3.0;
 constexpr double ErrorsOfZone = 2.0;
-/// Below the zone, where boundary edges are told from edges of a cut: less than JunctionMargin().
+/// Below the zone, where boundary edges are told from edges of a cut: less than ZoneMargin().
 constexpr double ErrorsOfBoundaries = 2.0;
 /// Largest number of original triangles in the zone, relative to that of the largest slab.
 constexpr double MostOfZone = 1.5;
@@ -161,35 +161,35 @@ private:
   void DecimateTo(double top, const SurfacePiece& slab, const Monitor& monitor)
   {
     const double error = this->Effective.MaximumError;
-    JunctionInput junction;
-    junction.EditZone = this->Between(this->ZoneFrom, top - this->Slack);
-    junction.BoundaryZone =
+    ZoneInput zone;
+    zone.EditZone = this->Between(this->ZoneFrom, top - this->Slack);
+    zone.BoundaryZone =
       this->Between(this->ZoneFrom - ErrorsOfBoundaries * error, top - this->Slack);
     GrowingSurface::Strip strip =
-      this->Growing.Take(this->Between(this->ZoneFrom - JunctionReach(error), Infinity));
-    junction.Strip = Joined(std::move(strip.Piece), slab);
-    junction.Original = Joined(std::move(this->Below), slab);
+      this->Growing.Take(this->Between(this->ZoneFrom - ZoneReach(error), Infinity));
+    zone.Strip = Joined(std::move(strip.Piece), slab);
+    zone.Original = Joined(std::move(this->Below), slab);
     // Nothing of the original within reach of the zone: nothing of the result is in it.
     const bool isEmpty =
-      junction.Strip.Shape.Triangles.empty() || junction.Original.Shape.Triangles.empty();
+      zone.Strip.Shape.Triangles.empty() || zone.Original.Shape.Triangles.empty();
     if (isEmpty)
     {
-      this->Growing.PutBack(strip, junction.Strip);
+      this->Growing.PutBack(strip, zone.Strip);
     }
     else
     {
-      junction.IsFinished = this->FarFromSlab(junction.Strip.Shape);
-      JunctionResult made = DecimateJunction(
-        junction, this->Effective, this->Source(), this->Inputs.InputIsSingle, monitor);
-      this->Take(made, junction.Strip);
-      this->Growing.PutBack(strip, junction.Strip);
-      this->ZoneFrom = std::max({ this->ZoneFrom, this->LowestZone(junction.Original.Shape),
-        top - EdgesOfZone * MeanEdge(junction.Strip.Shape) - ErrorsOfZone * error });
+      zone.IsFinished = this->FarFromSlab(zone.Strip.Shape);
+      ZoneResult made =
+        DecimateZone(zone, this->Effective, this->Source(), this->Inputs.InputIsSingle, monitor);
+      this->Take(made, zone.Strip);
+      this->Growing.PutBack(strip, zone.Strip);
+      this->ZoneFrom = std::max({ this->ZoneFrom, this->LowestZone(zone.Original.Shape),
+        top - EdgesOfZone * MeanEdge(zone.Strip.Shape) - ErrorsOfZone * error });
     }
     this->Bottom = top;
-    this->Below = CutBetween(
-      junction.Original, this->Between(this->ZoneFrom - JunctionMargin(error), Infinity));
-    this->Growing.Finish(this->Between(this->ZoneFrom - JunctionReach(error), Infinity));
+    this->Below =
+      CutBetween(zone.Original, this->Between(this->ZoneFrom - ZoneMargin(error), Infinity));
+    this->Growing.Finish(this->Between(this->ZoneFrom - ZoneReach(error), Infinity));
   }
 
   /// mm, of a zone with so many original triangles as the memory of a slab allows.
@@ -232,7 +232,7 @@ private:
   }
 
   /// @param strip Becomes the result, unless it is not proved.
-  void Take(JunctionResult& made, SurfacePiece& strip)
+  void Take(ZoneResult& made, SurfacePiece& strip)
   {
     const Report& report = made.Run.Report;
     if (report.Status != InputStatus::Good)
@@ -256,7 +256,7 @@ private:
   }
 
   /// Only upper bounds hold for the whole.
-  void AddProof(const JunctionResult& made)
+  void AddProof(const ZoneResult& made)
   {
     ErrorProof& proof = this->Proof;
     proof.WasMade = this->Effective.ProveResult;

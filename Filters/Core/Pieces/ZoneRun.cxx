@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Junction.h"
+#include "ZoneRun.h"
 
 #include "Certificate/Certificate.h"
 
@@ -62,19 +62,19 @@ void Prove(const Surface& from, const Surface& to, const Options& options, const
 }
 }
 
-double JunctionReach(double largestError)
+double ZoneReach(double largestError)
 {
   return ErrorsOfReach * largestError;
 }
 
 //------------------------------------------------------------------------------
-double JunctionMargin(double largestError)
+double ZoneMargin(double largestError)
 {
   return ErrorsOfMargin * largestError;
 }
 
 //------------------------------------------------------------------------------
-JunctionResult DecimateJunction(const JunctionInput& input, const Options& options,
+ZoneResult DecimateZone(const ZoneInput& input, const Options& options,
   const LabelMapSource* source, bool inputIsSingle, const Monitor& monitor)
 {
   LabelMapSource ofStrip = source != nullptr ? *source : LabelMapSource();
@@ -95,10 +95,10 @@ JunctionResult DecimateJunction(const JunctionInput& input, const Options& optio
   inputs.InputIsSingle = inputIsSingle;
   inputs.LabelMap = source != nullptr ? &ofStrip : nullptr;
   inputs.Part = &part;
-  JunctionResult junction;
-  junction.Run = Decimate(
+  ZoneResult zone;
+  zone.Run = Decimate(
     input.Strip.Shape, options, monitor ? PartOf(monitor, 0.0, ProvedFrom) : monitor, inputs);
-  const Report& report = junction.Run.Report;
+  const Report& report = zone.Run.Report;
   if (options.ProveResult && report.Status == InputStatus::Good &&
     report.Stop != StopReason::Aborted)
   {
@@ -106,12 +106,11 @@ JunctionResult DecimateJunction(const JunctionInput& input, const Options& optio
       CutBetween(input.Original, Widened(input.EditZone, ErrorsOfProof * options.MaximumError));
     const Monitor prove = monitor ? PartOf(monitor, ProvedFrom, 1.0) : monitor;
     const Monitor silent = [&](double) { return !prove || prove(0.0); };
-    junction.Proof = ProofStatus::Proved;
-    Prove(
-      near.Shape, junction.Run.Surface, options, silent, junction.OriginalToResult, junction.Proof);
-    Prove(InZone(junction.Run.Surface, input.EditZone), input.Original.Shape, options, silent,
-      junction.ResultToOriginal, junction.Proof);
+    zone.Proof = ProofStatus::Proved;
+    Prove(near.Shape, zone.Run.Surface, options, silent, zone.OriginalToResult, zone.Proof);
+    Prove(InZone(zone.Run.Surface, input.EditZone), input.Original.Shape, options, silent,
+      zone.ResultToOriginal, zone.Proof);
   }
-  return junction;
+  return zone;
 }
 }

@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Junction.h
- * @brief Continues the runs of several pieces where they meet, within the error of their common original.
+ * @file ZoneRun.h
+ * @brief Runs a slab together with the zone below it, where it continues earlier runs, within the error of their common original.
  *
- *     strip        of the results of the pieces: all triangles within JunctionReach() of the zone
- *     original     all triangles within JunctionMargin() of the zone
+ *     strip        of the result so far, and the slab: all triangles within ZoneReach() of the zone
+ *     original     all triangles within ZoneMargin() of the zone
  *     run          edits start from the strip; the bound refers to the original               (SurfacePart::Reference)
- *     stay         points outside of the zone, points of finished parts, and all triangles at them
+ *     stay         points outside of the zone, points of finished components, and all triangles at them
  *     proof        original near the zone -> new strip; triangles in the zone -> original     (Certify)
  *
  * What changes lies in the zone. So the distance of anything that is more than the largest error away from it is as proved before.
  */
-#ifndef BoneDecimate_Core_Pieces_Junction_h
-#define BoneDecimate_Core_Pieces_Junction_h
+#ifndef BoneDecimate_Core_Pieces_ZoneRun_h
+#define BoneDecimate_Core_Pieces_ZoneRun_h
 
 #include "Decimate.h"
 #include "SurfacePiece.h"
@@ -21,21 +21,21 @@
 namespace bonedecimate
 {
 /// mm, around the zone: the intersection guard looks four largest errors away, and both sides of a gap may move by one.
-double JunctionReach(double largestError);
-double JunctionMargin(double largestError); ///< mm
+double ZoneReach(double largestError);
+double ZoneMargin(double largestError); ///< mm
 
-struct JunctionInput
+struct ZoneInput
 {
   SurfacePiece Original;
   SurfacePiece Strip;
   Zone EditZone;
-  /// Edges of one triangle that do not reach it are where strip and original were cut. It may end JunctionMargin() outside of the
+  /// Edges of one triangle that do not reach it are where strip and original were cut. It may end ZoneMargin() outside of the
   /// edit zone.
   Zone BoundaryZone;
   std::vector<char> IsFinished; ///< Of each point of the strip, whether it stays wherever it is.
 };
 
-struct JunctionResult
+struct ZoneResult
 {
   bonedecimate::Result
     Run; ///< Its surface is the new strip, of use if the status of the report is good.
@@ -45,7 +45,7 @@ struct JunctionResult
 };
 
 /// @param options With the largest error and without targets.  @param source Grid and labels; null: not known.
-JunctionResult DecimateJunction(const JunctionInput& input, const Options& options,
+ZoneResult DecimateZone(const ZoneInput& input, const Options& options,
   const LabelMapSource* source, bool inputIsSingle, const Monitor& monitor);
 }
 
