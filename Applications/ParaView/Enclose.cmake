@@ -23,8 +23,6 @@ cmake_path(GET config PARENT_PATH paraview_dir)
 cmake_path(GET paraview_dir PARENT_PATH paraview_libraries)
 cmake_path(GET paraview_libraries PARENT_PATH paraview_libraries)
 
-set(core_targets "${PROJECT_BINARY_DIR}/BoneDecimateCore.cmake")
-export(TARGETS BoneDecimateCore BoneDecimateFlags FILE "${core_targets}")
 # ParaView's tools find its libraries wherever it lies.
 set(environment "${CMAKE_COMMAND}" -E env "LD_LIBRARY_PATH=${paraview_libraries}")
 include(ExternalProject)
