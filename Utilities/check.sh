@@ -39,7 +39,7 @@ files()
 }
 
 cxx_files() { files '*.h' '*.cxx'; }
-source_files() { files '*.h' '*.cxx' '*.cxx.in' '*.py' '*.py.in' '*.sh' '*.cmake' '*.cmake.in' '*CMakeLists.txt' .ci/run; }
+source_files() { files '*.h' '*.cxx' '*.cxx.in' '*.py' '*.py.in' '*.sh' '*.cmake' '*.cmake.in' '*CMakeLists.txt' '*.js' .ci/run; }
 
 # The name of the tool, of version 14 if there is one; fails with a message without the tool.
 tool()
@@ -76,7 +76,7 @@ check_spelling()
 {
   local codespell unfinished
   codespell=$(tool codespell) || return 1
-  files '*.h' '*.cxx' '*.in' '*.py' '*.sh' '*.md' '*.txt' '*.cmake' '*.json' | grep -v '^Data/.*\.sha' |
+  files '*.h' '*.cxx' '*.in' '*.py' '*.sh' '*.js' '*.md' '*.txt' '*.cmake' '*.json' | grep -v -e '^Data/.*\.sha' -e 'package-lock\.json$' |
     xargs "$codespell" --builtin clear,rare,informal,en-GB_to_en-US \
       --ignore-words-list "$allowed_spellings" || return 1
   unfinished='\b(TO''DO|FIX''ME|XX''X|HA''CK)\b'

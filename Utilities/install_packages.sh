@@ -16,6 +16,8 @@ fi
 
 missing=()
 for package in $wanted; do
+  # Node.js that is not Debian's has npm in it and conflicts with the package.
+  [ "$package" = npm ] && command -v npm > /dev/null && continue
   state=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2> /dev/null || true)
   [ "$state" = installed ] || missing+=("$package")
 done

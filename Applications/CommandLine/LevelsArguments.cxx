@@ -52,9 +52,30 @@ void AddLevelOptions(CLI::App& app, LevelsArguments& arguments)
   AddFile(app, "--on", arguments.On,
     "Put the levels on this surface, which has the triangles of INPUT and other points, such as a "
     "bone registered to it.");
+  AddFile(app, "--page", arguments.Page,
+    "Write a self-contained HTML page for people, with a slider through the levels that are "
+    "listed.");
   AddThreads(app, arguments.Threads);
   AddUnit(app, arguments.Unit);
   AddQuiet(app, arguments.Quiet);
+}
+
+void CheckPage(const LevelsArguments& arguments)
+{
+  if (arguments.Page.empty())
+  {
+    return;
+  }
+  if (!arguments.On.empty())
+  {
+    throw Failure(
+      ExitCode::Usage, "--page compares levels with INPUT, and --on puts them on another surface");
+  }
+  if (arguments.Page == arguments.Record)
+  {
+    throw Failure(ExitCode::Usage, "'" + arguments.Page + "' would be written twice");
+  }
+  KeepSurfaces(arguments, arguments.Page);
 }
 
 void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
@@ -104,6 +125,7 @@ void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
   {
     throw Failure(ExitCode::Usage, "--errors needs the distances that --no-errors leaves out");
   }
+  CheckPage(arguments);
   KeepSurfaces(arguments, arguments.Record);
 }
 }

@@ -10,6 +10,7 @@
 #include "Formats/FileChecks.h"
 #include "Formats/SurfaceFormat.h"
 #include "Interruption.h"
+#include "LevelsPageFile.h"
 #include "NumberText.h"
 #include "Options/NumberRange.h"
 #include "StagedFile.h"
@@ -88,6 +89,10 @@ public:
     {
       this->Record.emplace(this->Requested.Record);
     }
+    if (!this->Requested.Page.empty())
+    {
+      this->Page.emplace(this->Requested.Page);
+    }
   }
 
   void Run()
@@ -122,6 +127,7 @@ public:
     {
       this->WriteLevel(0, error, files);
     }
+    this->WritePage();
     for (StagedFile& file : files)
     {
       file.Flush();
@@ -130,9 +136,12 @@ public:
     {
       file.Commit();
     }
-    if (this->Record)
+    for (std::optional<StagedFile>* file : { &this->Page, &this->Record })
     {
-      this->Record->Commit();
+      if (file->has_value())
+      {
+        (*file)->Commit();
+      }
     }
   }
 
@@ -210,6 +219,17 @@ private:
     }
   }
 
+  void WritePage()
+  {
+    if (this->Page)
+    {
+      WriteLevelsPage(
+        this->Filter, BaseName(this->Requested.Files[0]), *this->Page, this->Warnings);
+      this->Page->Flush();
+      this->Written.push_back(this->Requested.Page);
+    }
+  }
+
   /// Warns where the log has another level than requested.
   void WarnOutOfReach(int triangles, double error, vtkIdType found)
   {
@@ -248,6 +268,7 @@ private:
   std::vector<std::string> Warnings;
   std::vector<std::string> Written;
   std::optional<StagedFile> Record;
+  std::optional<StagedFile> Page;
   bool IsSingle = false;               // the file that was read last
   vtkSmartPointer<vtkPolyData> InFile; // the same, in its unit
   vtkNew<vtkBoneDecimateLevels> Filter;

@@ -15,7 +15,7 @@
 #include "Interruption.h"
 #include "JsonReport.h"
 #include "OutputFiles.h"
-#include "Page.h"
+#include "PageSurfaces.h"
 #include "Picture.h"
 #include "ReportFields.h"
 #include "SegmentFiles.h"
@@ -184,11 +184,9 @@ public:
   {
     if (files.Page)
     {
-      PageSubject page;
+      PageSubject page = PageOfRun(this->Filter);
       page.Name = this->Subject.Input;
       page.Result = this->Result;
-      page.Before = this->Filter->GetOutput(1);
-      page.DistanceArrayName = this->Filter->GetInputDistanceArrayName();
       page.Changes = ChangesTexts(this->Subject.Changed, !this->Subject.Segments.empty());
       page.PictureFile =
         this->PictureProblem.empty() ? files.Picture->GetTemporary() : std::string();

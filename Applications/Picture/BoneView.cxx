@@ -6,7 +6,6 @@
 #include "SurfaceDistances.h"
 
 #include "vtkCellData.h"
-#include "vtkCleanPolyData.h"
 #include "vtkLightKit.h"
 #include "vtkNew.h"
 #include "vtkPolyDataMapper.h"
@@ -26,14 +25,9 @@ double Area::Aspect(vtkRenderWindow* window) const
 
 vtkSmartPointer<vtkPolyData> TrianglesWithNormals(vtkPolyData* surface)
 {
-  // STL writes a point once for each of its triangles: unmerged it would look faceted beside its result.
-  vtkNew<vtkCleanPolyData> merged;
-  merged->SetInputData(TrianglesOnly(surface));
-  merged->SetTolerance(0.0);
-  merged->ConvertPolysToLinesOff();
-  merged->ConvertLinesToPointsOff();
   vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputConnection(merged->GetOutputPort());
+  normals->SetInputData(
+    MergedTriangles(surface)); // unmerged it would look faceted beside its result
   normals->SplittingOff();
   normals->ConsistencyOff();
   normals->Update();

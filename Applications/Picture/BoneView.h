@@ -31,7 +31,7 @@ struct Area
   double Aspect(vtkRenderWindow* window) const;
 };
 
-/// TrianglesOnly() with equal points merged and point normals.
+/// MergedTriangles() with point normals.
 vtkSmartPointer<vtkPolyData> TrianglesWithNormals(vtkPolyData* surface);
 
 /// Shaded smoothly, in the color of bone.

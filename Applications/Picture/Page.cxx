@@ -76,10 +76,24 @@ std::string DistanceSentence(const ReportFields& report)
       { "output mean", length("output_to_input.mean") } });
 }
 
-std::string Picture(const PageSubject& subject)
+bool HasTriangles(vtkPolyData* surface)
 {
-  const std::string png = Base64Of(subject.PictureFile);
-  return png.empty() ? PageBlock("no picture") : PageBlock("picture", { { "png", png } });
+  return surface && TrianglesOnly(surface)->GetNumberOfPolys() > 0;
+}
+
+/// Empty without both surfaces.
+ViewerHtml Viewer(const PageSubject& subject, std::size_t bytesOfPicture)
+{
+  if (!HasViewer() || !HasTriangles(subject.Before) || !HasTriangles(subject.Result))
+  {
+    return {};
+  }
+  ViewerSubject viewer;
+  viewer.Before = { subject.Before, subject.DistanceArrayName, "" };
+  viewer.Levels = { { subject.Result, subject.ResultDistanceArrayName, "" } };
+  viewer.Reduce = subject.Reduce;
+  viewer.MostBytes = BytesOfViewer(bytesOfPicture);
+  return ComposeViewer(viewer);
 }
 
 std::string Curve(const PageSubject& subject)
@@ -324,6 +338,8 @@ std::string RunTable(const ReportFields& report)
 std::string ComposePage(const PageSubject& subject)
 {
   const ReportFields report(subject.Result);
+  const std::string picture = EmbeddedPicture(subject.PictureFile);
+  const ViewerHtml viewer = Viewer(subject, picture.size());
   const auto count = [&report](const char* name) { return CountText(report.Number(name)); };
   return PageBlock("page",
     { { "head",
@@ -336,7 +352,8 @@ std::string ComposePage(const PageSubject& subject)
       { "percentage", PercentageText(report) }, { "largest distance", LargestDistanceText(report) },
       { "components", count("output.components") },
       { "input components", count("input.components") },
-      { "distance sentence", DistanceSentence(report) }, { "picture", Picture(subject) },
+      { "distance sentence", DistanceSentence(report) }, { "picture", picture },
+      { "viewer", viewer.Section }, { "viewer script", viewer.Script },
       { "distances", Distances(report) }, { "curve", Curve(subject) },
       { "surface table", SurfaceTable(report) }, { "merged points", count("input.merged_points") },
       { "dropped triangles", count("input.dropped_triangles") },

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Page.h
- * @brief One self-contained HTML page about one decimated bone.
+ * @brief One self-contained HTML page about one decimated bone, or about its levels of detail.
  */
 #ifndef BoneDecimate_Applications_Page_h
 #define BoneDecimate_Applications_Page_h
+
+#include "Viewer.h"
 
 #include "vtkPolyData.h"
 
@@ -21,14 +23,37 @@ struct PageSubject
     nullptr; ///< Output port 0 of vtkBoneDecimate: arrays and report in its field data.
   vtkPolyData* Before =
     nullptr; ///< Output port 1, with the distance of each input point; may be null.
-  std::string DistanceArrayName; ///< On Before, mm.
+  std::string DistanceArrayName;       ///< On Before, mm.
+  std::string ResultDistanceArrayName; ///< On Result, mm.
   std::vector<std::string>
     Changes;               ///< Of the voxels before extraction; empty: none were requested.
   std::string PictureFile; ///< A PNG to embed; empty: no picture, and the page says so.
+  SurfaceReducer Reduce;   ///< For the interactive view of surfaces that are too large for a page.
 };
 
-/// The page as HTML text.
+/// A level of detail of a recorded run.
+struct PageLevel
+{
+  vtkSmartPointer<vtkPolyData> Surface;
+  double LargestDistance = 0.0; ///< mm, measured; not a number if it was not.
+  double MeanDistance = 0.0;    ///< mm
+};
+
+struct LevelsPageSubject
+{
+  std::string Name; ///< What the page calls the bone.
+  vtkPolyData* Before = nullptr;
+  std::vector<PageLevel> Levels; ///< At least one, from coarse to fine.
+  std::string DistanceArrayName; ///< On each level, mm; empty: none.
+  std::string PictureFile;       ///< A PNG to embed; empty: no picture, and the page says so.
+  SurfaceReducer Reduce;
+};
+
+/// The page as HTML text, with the interactive view if the program was built with it: 20 MB at most, if surfaces can be reduced.
 std::string ComposePage(const PageSubject& subject);
+
+/// The page of the levels of one run, with all of them in the interactive view.
+std::string ComposeLevelsPage(const LevelsPageSubject& subject);
 }
 
 #endif

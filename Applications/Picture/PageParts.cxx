@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PageParts.h"
 
+#include "PageTemplate.h"
+
 #include "vtkBase64Utilities.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -41,16 +44,32 @@ std::string Table(const std::vector<std::vector<std::string>>& rows)
   return html + "</table>\n";
 }
 
-std::string Base64Of(const std::string& file)
+std::string Base64(const std::string& bytes)
 {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string bytes{ std::istreambuf_iterator<char>(stream),
-    std::istreambuf_iterator<char>() };
   std::string text(4 * (bytes.size() / 3 + 1), '\0');
   const unsigned long length =
     vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()),
       static_cast<unsigned long>(bytes.size()), reinterpret_cast<unsigned char*>(text.data()));
   text.resize(bytes.empty() ? 0 : length);
   return text;
+}
+
+std::string Base64Of(const std::string& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  return Base64({ std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() });
+}
+
+std::string EmbeddedPicture(const std::string& file)
+{
+  const std::string png = Base64Of(file);
+  return png.empty() ? PageBlock("no picture") : PageBlock("picture", { { "png", png } });
+}
+
+std::size_t BytesOfViewer(std::size_t bytesOfPicture)
+{
+  constexpr std::size_t most = 20000000;
+  constexpr std::size_t text = 200000;
+  return most - std::min(most, text + bytesOfPicture);
 }
 }

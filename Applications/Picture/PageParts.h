@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PageParts.h
- * @brief The pieces an HTML page is put together from; none of them knows the report.
+ * @brief The pieces HTML pages are put together from; none of them knows the report.
  */
 #ifndef BoneDecimate_Applications_PageParts_h
 #define BoneDecimate_Applications_PageParts_h
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,16 @@ namespace bonedecimate
 /// HTML.
 std::string Table(const std::vector<std::vector<std::string>>& rows);
 
-/// The bytes of a file; empty if it cannot be read.
+std::string Base64(const std::string& bytes);
+
+/// The bytes of a file in base64; empty if it cannot be read.
 std::string Base64Of(const std::string& file);
+
+/// A PNG in the page, or the sentence that there is none.
+std::string EmbeddedPicture(const std::string& file);
+
+/// What a page of 20 MB leaves to the interactive view.
+std::size_t BytesOfViewer(std::size_t bytesOfPicture);
 
 /// The fraction of the distances (mm, ascending, at least one) that lie within x mm, as a curve: inline SVG.
 std::string DistanceCurve(const std::vector<double>& sorted);

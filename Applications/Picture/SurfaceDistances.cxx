@@ -82,6 +82,17 @@ vtkSmartPointer<vtkPolyData> TrianglesOnly(vtkPolyData* surface)
   return used->GetOutput();
 }
 
+vtkSmartPointer<vtkPolyData> MergedTriangles(vtkPolyData* surface)
+{
+  vtkNew<vtkCleanPolyData> merged;
+  merged->SetInputData(TrianglesOnly(surface));
+  merged->SetTolerance(0.0);
+  merged->ConvertPolysToLinesOff();
+  merged->ConvertLinesToPointsOff();
+  merged->Update();
+  return merged->GetOutput();
+}
+
 std::vector<double> SortedDistances(vtkPolyData* triangles, const std::string& arrayName)
 {
   vtkDataArray* distances = triangles->GetPointData()->GetArray(arrayName.c_str());

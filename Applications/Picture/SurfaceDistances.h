@@ -20,6 +20,9 @@ namespace bonedecimate
 /// colors. Point data is kept.
 vtkSmartPointer<vtkPolyData> TrianglesOnly(vtkPolyData* surface);
 
+/// TrianglesOnly() with equal points merged: STL writes a point once for each of its triangles.
+vtkSmartPointer<vtkPolyData> MergedTriangles(vtkPolyData* surface);
+
 /// The finite values of an array of the points that triangles use, ascending. Empty if there is no
 /// such array.
 std::vector<double> SortedDistances(vtkPolyData* triangles, const std::string& arrayName);

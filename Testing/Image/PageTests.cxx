@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -45,7 +46,7 @@ protected:
   }
 
   vtkNew<vtkBoneDecimate> Filter;
-  PageSubject Subject{ "ball", nullptr, nullptr, "", {}, "" };
+  PageSubject Subject{ "ball", nullptr, nullptr, "", "Distance", {}, "", {} };
 };
 
 bool Contains(const std::string& text, const std::string& part)
@@ -122,13 +123,86 @@ TEST_F(Page, SaysItIsNotAMedicalDevice)
   EXPECT_TRUE(Contains(this->Compose(), "This software is not a medical device."));
 }
 
+std::string WithoutScripts(std::string page)
+{
+  for (std::size_t at = page.find("<script"); at != std::string::npos; at = page.find("<script"))
+  {
+    page.erase(at, page.find("</script>", at) - at);
+  }
+  return page;
+}
+
 TEST_F(Page, NeedsNothingFromOutside)
 {
   const std::string page = this->Compose();
-  for (const char* word : { "http", "<script", "<link", "@import", "url(" })
+  EXPECT_TRUE(
+    Contains(page, "Content-Security-Policy\" content=\"default-src 'none'; img-src data:;"));
+  EXPECT_FALSE(Contains(page, "<script src"));
+  for (const char* word : { "http:", "https:", "src=", "<link", "@import", "url(" })
   {
-    EXPECT_FALSE(Contains(page, word)) << word;
+    EXPECT_FALSE(Contains(WithoutScripts(page), word)) << word;
   }
+}
+
+TEST_F(Page, HasTheInteractiveViewOfBothSurfaces)
+{
+  const std::string page = this->Compose();
+  EXPECT_EQ(Contains(page, "viewer-stage"), HasViewer());
+  EXPECT_EQ(Contains(page, "\"caption\":\"Before: "), HasViewer());
+  this->Subject.Before = nullptr;
+  EXPECT_FALSE(Contains(ComposePage(this->Subject), "viewer-stage"));
+}
+
+TEST_F(Page, HasTheSameViewForTheSameSurfaces)
+{
+  this->Compose();
+  ViewerSubject subject;
+  subject.Before = { this->Subject.Before, this->Subject.DistanceArrayName, "" };
+  subject.Levels = { { this->Subject.Result, "Distance", "" } };
+  const ViewerHtml first = ComposeViewer(subject);
+  const ViewerHtml second = ComposeViewer(subject);
+  EXPECT_EQ(first.Section, second.Section);
+  EXPECT_EQ(first.Script, second.Script);
+}
+
+TEST_F(Page, ReducesSurfacesThatAreTooLargeAndSaysSo)
+{
+  if (!HasViewer())
+  {
+    GTEST_SKIP() << "built without the interactive view";
+  }
+  this->Compose();
+  ViewerSubject subject;
+  subject.Before = { this->Subject.Before, this->Subject.DistanceArrayName, "" };
+  subject.Levels = { { this->Subject.Result, "Distance", "" } };
+  const std::size_t whole = ComposeViewer(subject).Script.size();
+  subject.MostBytes = whole - 20000;
+  subject.Reduce = [](vtkPolyData* surface, vtkIdType triangles)
+  {
+    vtkNew<vtkBoneDecimate> reduce;
+    reduce->SetInputData(surface);
+    reduce->SetTargetNumberOfTriangles(static_cast<int>(triangles));
+    reduce->Update();
+    return vtkSmartPointer<vtkPolyData>(reduce->GetOutput());
+  };
+  const ViewerHtml reduced = ComposeViewer(subject);
+  EXPECT_LE(reduced.Script.size(), whole - 10000);
+  EXPECT_TRUE(Contains(reduced.Section, "the surface before is shown with "));
+  EXPECT_TRUE(Contains(reduced.Script, " of 6,960 triangles\""));
+}
+
+TEST_F(Page, ListsEveryLevel)
+{
+  this->Compose();
+  LevelsPageSubject subject;
+  subject.Name = "<ball>";
+  subject.Before = this->Subject.Before;
+  subject.Levels = { { this->Subject.Result, 0.25, 0.125 },
+    { this->Subject.Before, std::nan(""), std::nan("") } };
+  const std::string page = ComposeLevelsPage(subject);
+  EXPECT_TRUE(Contains(page, "&lt;ball&gt;"));
+  EXPECT_TRUE(Contains(page, "<td>0.250</td><td>0.125</td>"));
+  EXPECT_TRUE(Contains(page, "<th scope=\"row\">6,960</th><td>not measured</td>"));
 }
 
 TEST_F(Page, EscapesNames)
@@ -162,7 +236,7 @@ TEST_F(Page, SaysSoWhereDistancesWereNotMeasured)
 {
   this->Filter->SetMeasureDistances(false);
   this->Filter->SetMeasureInputDistances(false);
-  const std::string page = this->Compose();
+  const std::string page = WithoutScripts(this->Compose());
   EXPECT_TRUE(Contains(page, "The distances were not measured in this run."));
   EXPECT_FALSE(Contains(page, "RMS"));
   EXPECT_FALSE(Contains(page, "nan"));

@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Viewer.h"
+
+#include "DistanceColors.h"
+#include "NamedLabels.h"
+#include "NumberText.h"
+#include "PageTemplate.h"
+#include "SurfaceDistances.h"
+#include "ViewerMesh.h"
+#include "ViewerParts.h"
+#include "ViewerProgram.h"
+#include "Viewpoint.h"
+
+#include "Options/Text.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkPointData.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace bonedecimate
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+constexpr double FractionOfLevels = 0.5; // of the bytes, at most
+constexpr double Caution = 0.95;         // bytes are not quite proportional to triangles
+constexpr int MostReductions = 4;
+constexpr double Wide = 1e6; // an aspect at which only the height counts
+constexpr int Colors = 256;
+constexpr int ColorDigits = 255;
+
+/// A surface of the page, ready to be written.
+struct Carried
+{
+  EncodedSurface Encoded;
+  std::string Caption;
+  vtkIdType Triangles = 0;
+  vtkIdType Whole = 0; ///< Triangles of the surface that it was made from.
+};
+
+/// Writes the surfaces of one page in the same grid, parts and range.
+class SceneWriter
+{
+public:
+  explicit SceneWriter(const ViewerSubject& subject)
+    : Subject(subject)
+    , Original(MergedTriangles(subject.Before.Surface))
+    , Division(this->Original, LabelsOf(subject.Levels.back().Surface))
+    , Box(BoxOf(subject))
+    , Grid(this->Box)
+    , Distances(LargestOf(subject))
+  {
+  }
+
+  /// Of the surfaces, the levels within half of the bytes and the original within the rest.
+  std::vector<Carried> Carry(std::size_t bytes) const
+  {
+    const auto forLevels = static_cast<std::size_t>(FractionOfLevels * static_cast<double>(bytes));
+    std::vector<Carried> surfaces(1);
+    std::size_t used = 0;
+    for (const ViewerSurface& level : this->Subject.Levels)
+    {
+      const std::size_t left = forLevels - std::min(used, forLevels);
+      const bool isFirst = surfaces.size() == 1;
+      Carried carried = isFirst ? this->Fitted(level, left) : this->Encode(level, level.Surface);
+      if (!isFirst && carried.Encoded.Base64.size() > left && this->Subject.Reduce)
+      {
+        break;
+      }
+      used += carried.Encoded.Base64.size();
+      surfaces.push_back(std::move(carried));
+    }
+    surfaces.front() = this->Fitted(this->Subject.Before, bytes - std::min(used, bytes));
+    return surfaces;
+  }
+
+  Json Describe(const std::vector<Carried>& surfaces) const
+  {
+    Json scene = { { "grid", { { "origin", this->Grid.Origin }, { "step", this->Grid.Step } } },
+      { "view", this->View() }, { "parts", this->Parts() }, { "distances", this->ColorTable() } };
+    for (int side = 0; side < 6; ++side)
+    {
+      scene["bounds"].push_back(this->Box.GetBound(side));
+    }
+    for (const Carried& surface : surfaces)
+    {
+      Json pieces = Json::array();
+      for (const EncodedPiece& piece : surface.Encoded.Pieces)
+      {
+        pieces.push_back({ { "parts", piece.Parts }, { "points", piece.Points },
+          { "triangles", piece.Triangles } });
+      }
+      scene["surfaces"].push_back({ { "caption", surface.Caption },
+        { "hasDistances", surface.Encoded.HasDistances }, { "pieces", pieces } });
+    }
+    return scene;
+  }
+
+  std::string Rounding() const
+  {
+    const auto bound = [](double length) {
+      return ShortText(RoundUp(length, { 1, 1.2, 1.5, 2, 3, 4, 5, 6, 8 })) + " mm";
+    };
+    return "In this view positions are rounded by up to " +
+      bound(0.5 * this->Grid.Step * std::sqrt(3.0)) +
+      (this->Distances.Range > 0.0
+          ? " and distances by up to " + bound(0.5 * this->Distances.Range / (Colors - 1))
+          : std::string()) +
+      "; the files have them whole.";
+  }
+
+private:
+  static vtkBoundingBox BoxOf(const ViewerSubject& subject)
+  {
+    vtkBoundingBox box;
+    for (const ViewerSurface& level : subject.Levels)
+    {
+      box.AddBounds(TrianglesOnly(level.Surface)->GetBounds());
+    }
+    box.AddBounds(TrianglesOnly(subject.Before.Surface)->GetBounds());
+    return box;
+  }
+
+  /// The range of the colors, that of the picture; 0 without distances.
+  static QuantizedDistances LargestOf(const ViewerSubject& subject)
+  {
+    QuantizedDistances distances;
+    distances.Range = 0.0;
+    std::vector<const ViewerSurface*> surfaces = { &subject.Before };
+    for (const ViewerSurface& level : subject.Levels)
+    {
+      surfaces.push_back(&level);
+    }
+    for (const ViewerSurface* surface : surfaces)
+    {
+      const std::vector<double> sorted =
+        SortedDistances(TrianglesOnly(surface->Surface), surface->DistanceArrayName);
+      distances.Range = std::max(distances.Range, sorted.empty() ? 0.0 : ColorRange(sorted));
+    }
+    return distances;
+  }
+
+  Carried Encode(const ViewerSurface& whole, vtkPolyData* surface) const
+  {
+    const auto triangles = MergedTriangles(surface);
+    QuantizedDistances distances = this->Distances;
+    distances.ArrayName = distances.Range > 0.0 ? whole.DistanceArrayName : std::string();
+    Carried carried;
+    carried.Encoded =
+      EncodeSurface(triangles, this->Division.Divide(triangles), this->Grid, distances);
+    carried.Triangles = triangles->GetNumberOfPolys();
+    carried.Whole = surface == whole.Surface ? carried.Triangles
+                                             : MergedTriangles(whole.Surface)->GetNumberOfPolys();
+    const std::string count = GroupedText(static_cast<double>(carried.Triangles));
+    carried.Caption = (&whole == &this->Subject.Before ? "Before: " : "After: ") + count +
+      (carried.Triangles == carried.Whole
+          ? std::string()
+          : " of " + GroupedText(static_cast<double>(carried.Whole))) +
+      " triangles" + whole.Caption;
+    return carried;
+  }
+
+  /// Reduced until it has at most that many bytes.
+  Carried Fitted(const ViewerSurface& whole, std::size_t bytes) const
+  {
+    Carried carried = this->Encode(whole, whole.Surface);
+    for (int i = 0;
+         i < MostReductions && this->Subject.Reduce && carried.Encoded.Base64.size() > bytes; ++i)
+    {
+      const double ratio =
+        Caution * static_cast<double>(bytes) / static_cast<double>(carried.Encoded.Base64.size());
+      const auto triangles = static_cast<vtkIdType>(ratio * static_cast<double>(carried.Triangles));
+      carried =
+        this->Encode(whole, this->Subject.Reduce(whole.Surface, std::max<vtkIdType>(triangles, 4)));
+    }
+    return carried;
+  }
+
+  Json View() const
+  {
+    const Viewpoint view = ChooseViewpoint(this->Original,
+      this->Original->GetPointData()->GetArray(this->Subject.Before.DistanceArrayName.c_str()));
+    const Frame wide = FrameWhole(view, this->Original, Wide);
+    const Frame narrow = FrameWhole(view, this->Original, 1.0 / Wide);
+    return { { "center", wide.Center }, { "toViewer", view.ToViewer }, { "up", view.Up },
+      { "halfHeight", wide.HalfHeight }, { "halfWidth", narrow.HalfHeight / Wide },
+      { "radius", 0.5 * this->Box.GetDiagonalLength() } };
+  }
+
+  Json Parts() const
+  {
+    Json parts = Json::array();
+    for (const ViewerPart& part : this->Division.GetParts())
+    {
+      Json color;
+      if (part.Color)
+      {
+        for (const unsigned char value : *part.Color)
+        {
+          color.push_back(std::round(1000.0 * value / ColorDigits) / 1000.0);
+        }
+      }
+      parts.push_back({ { "name", part.Name }, { "color", color } });
+    }
+    return parts;
+  }
+
+  Json ColorTable() const
+  {
+    if (this->Distances.Range <= 0.0)
+    {
+      return nullptr;
+    }
+    const auto function = DistanceColors(1.0);
+    Json colors = Json::array();
+    for (int i = 0; i < Colors; ++i)
+    {
+      std::array<double, 3> color;
+      function->GetColor(static_cast<double>(i) / (Colors - 1), color.data());
+      colors.push_back({ std::lround(ColorDigits * color[0]), std::lround(ColorDigits * color[1]),
+        std::lround(ColorDigits * color[2]) });
+    }
+    return { { "range", this->Distances.Range }, { "colors", colors } };
+  }
+
+  const ViewerSubject& Subject;
+  vtkSmartPointer<vtkPolyData> Original; // triangles
+  ViewerDivision Division;
+  vtkBoundingBox Box;
+  QuantizationGrid Grid;
+  QuantizedDistances Distances;
+};
+
+/// What the page says of surfaces that are not whole; empty if all are.
+std::string Reduced(const ViewerSubject& subject, const std::vector<Carried>& surfaces)
+{
+  std::string sentences;
+  const auto add = [&sentences](const std::string& what, const Carried& surface)
+  {
+    sentences += "To keep this page small, " + what + " is shown with " +
+      GroupedText(static_cast<double>(surface.Triangles)) + " of its " +
+      GroupedText(static_cast<double>(surface.Whole)) + " triangles. ";
+  };
+  if (surfaces.front().Triangles < surfaces.front().Whole)
+  {
+    add("the surface before", surfaces.front());
+  }
+  if (surfaces[1].Triangles < surfaces[1].Whole)
+  {
+    add("the surface after", surfaces[1]);
+  }
+  if (surfaces.size() <= subject.Levels.size())
+  {
+    sentences += "To keep this page small, it ends with the level of " +
+      GroupedText(static_cast<double>(surfaces.back().Triangles)) + " triangles.";
+  }
+  return sentences;
+}
+
+/// Text in a script element ends at the first "</script" or "<!--".
+std::string InScript(std::string json)
+{
+  for (std::size_t at = json.find('<'); at != std::string::npos; at = json.find('<', at))
+  {
+    json.replace(at, 1, "\\u003c");
+  }
+  return json;
+}
+}
+
+bool HasViewer()
+{
+  return *ViewerProgram != '\0';
+}
+
+ViewerHtml ComposeViewer(const ViewerSubject& subject)
+{
+  if (!HasViewer())
+  {
+    return {};
+  }
+  const std::string program = ViewerProgram;
+  const SceneWriter writer(subject);
+  const std::vector<Carried> surfaces =
+    writer.Carry(subject.MostBytes - std::min(program.size(), subject.MostBytes));
+  std::string data;
+  for (const Carried& surface : surfaces)
+  {
+    data += PageBlock("viewer surface", { { "bytes", surface.Encoded.Base64 } });
+  }
+  const Json scene = writer.Describe(surfaces);
+  const bool hasLabels = !LabelsOf(subject.Levels.back().Surface).empty();
+  return { PageBlock("viewer",
+             { { "legend", "distance to the other surface, mm" }, { "rounding", writer.Rounding() },
+               { "reduced", Reduced(subject, surfaces) },
+               { "parts", hasLabels ? "Labels" : "Components" } }),
+    PageBlock("viewer script",
+      { { "scene", InScript(scene.dump()) }, { "surfaces", data }, { "program", program } }) };
+}
+}

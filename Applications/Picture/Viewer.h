@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Viewer.h
+ * @brief The interactive view of a page: vtk.js, the surfaces and the modules in Viewer/, all in the page itself.
+ */
+#ifndef BoneDecimate_Applications_Viewer_h
+#define BoneDecimate_Applications_Viewer_h
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+struct ViewerSurface
+{
+  vtkSmartPointer<vtkPolyData> Surface;
+  std::string DistanceArrayName; ///< Of its points, mm; empty: none.
+  std::string Caption;           ///< Behind the number of triangles; may be empty.
+};
+
+/// A surface with at most that many triangles and the arrays of the other.
+using SurfaceReducer =
+  std::function<vtkSmartPointer<vtkPolyData>(vtkPolyData* surface, vtkIdType triangles)>;
+
+struct ViewerSubject
+{
+  ViewerSurface Before;
+  std::vector<ViewerSurface>
+    Levels; ///< At least one, from coarse to fine. Labels are those of the last.
+  std::size_t MostBytes = 20000000; ///< Of everything that the view adds to the page.
+  SurfaceReducer Reduce; ///< For surfaces that are too large; empty: they are carried whole.
+};
+
+/// The parts of a page, HTML; both empty if the program was built without the view.
+struct ViewerHtml
+{
+  std::string Section; ///< In the body.
+  std::string Script;  ///< At its end.
+};
+
+/// Whether the program was built with the view.
+bool HasViewer();
+
+/// The same bytes for the same surfaces.
+ViewerHtml ComposeViewer(const ViewerSubject& subject);
+}
+
+#endif

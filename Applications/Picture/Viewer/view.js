@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The canvas: two renderers, one for each surface, with one camera and the same lights.
+import '@kitware/vtk.js/Rendering/OpenGL/Actor';
+import '@kitware/vtk.js/Rendering/OpenGL/Camera';
+import '@kitware/vtk.js/Rendering/OpenGL/PolyDataMapper';
+import '@kitware/vtk.js/Rendering/OpenGL/Renderer';
+import vtkInteractorStyleTrackballCamera from '@kitware/vtk.js/Interaction/Style/InteractorStyleTrackballCamera';
+import vtkLight from '@kitware/vtk.js/Rendering/Core/Light';
+import vtkOpenGLRenderWindow from '@kitware/vtk.js/Rendering/OpenGL/RenderWindow';
+import vtkRenderer from '@kitware/vtk.js/Rendering/Core/Renderer';
+import vtkRenderWindow from '@kitware/vtk.js/Rendering/Core/RenderWindow';
+import vtkRenderWindowInteractor from '@kitware/vtk.js/Rendering/Core/RenderWindowInteractor';
+
+const BACKGROUND = [0.965, 0.97, 0.975];
+const WHOLE = [0, 0, 1, 1];
+const LEFT = [0, 0, 0.5, 1];
+const RIGHT = [0.5, 0, 1, 1];
+
+function makeLight(intensity) {
+  return vtkLight.newInstance({ intensity, focalPoint: [0, 0, 0], lightType: 'CameraLight' });
+}
+
+/** Makes the context of the canvas. @returns Whether it is drawn by the processor, where smooth edges take most of the time. */
+function makeContext(canvas) {
+  const isSoftware = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(rendererName());
+  canvas.getContext('webgl2', { antialias: !isSoftware, depth: true, alpha: true, powerPreference: 'high-performance' });
+  return isSoftware;
+}
+
+/** What the browser says of its graphics hardware; some say nothing. */
+function rendererName() {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  const name = gl.getParameter(gl.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER);
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  return String(name);
+}
+
+export class View {
+  constructor(stage, scene) {
+    this.stage = stage;
+    this.frame = scene.view;
+    this.renderWindow = vtkRenderWindow.newInstance();
+    this.canvas = vtkOpenGLRenderWindow.newInstance();
+    this.canvas.setContainer(stage);
+    this.isSoftware = makeContext(this.canvas.getCanvas());
+    this.renderWindow.addView(this.canvas);
+    this.renderers = { before: vtkRenderer.newInstance(), after: vtkRenderer.newInstance() };
+    this.camera = this.renderers.before.getActiveCamera();
+    this.lights = [makeLight(0.85), makeLight(0.3)];
+    for (const renderer of Object.values(this.renderers)) {
+      renderer.setBackground(...BACKGROUND);
+      renderer.setActiveCamera(this.camera);
+      renderer.setAutomaticLightCreation(false);
+      this.lights.forEach((light) => renderer.addLight(light));
+      this.renderWindow.addRenderer(renderer);
+    }
+    this.turnLight(-35);
+    this.pixelRatio = this.isSoftware ? 1 : window.devicePixelRatio || 1;
+    this.makeInteractor(stage);
+    this.fitCanvas();
+    this.compare('sides');
+    this.reset();
+  }
+
+  /** Calls onResize after the canvas has the new size of the stage. */
+  watchSize(onResize) {
+    new ResizeObserver(() => {
+      if (this.fitCanvas()) {
+        onResize();
+      }
+    }).observe(this.stage);
+  }
+
+  makeInteractor(stage) {
+    this.interactor = vtkRenderWindowInteractor.newInstance();
+    this.interactor.setView(this.canvas);
+    this.interactor.initialize();
+    this.interactor.setContainer(stage);
+    this.interactor.setInteractorStyle(
+      vtkInteractorStyleTrackballCamera.newInstance({ autoAdjustCameraClippingRange: false })
+    );
+  }
+
+  /** From the side that the picture shows; the range of depth leaves space to pan. */
+  reset() {
+    const { center, toViewer, up, radius } = this.frame;
+    this.camera.setParallelProjection(true);
+    this.camera.setFocalPoint(...center);
+    this.camera.setPosition(...center.map((value, axis) => value + 6 * radius * toViewer[axis]));
+    this.camera.setViewUp(...up);
+    this.camera.setClippingRange(0.1 * radius, 12 * radius);
+    this.camera.setParallelScale(this.fittingScale());
+  }
+
+  /** Side by side, both in one view on either side of a divider, or one of them. */
+  compare(mode) {
+    const isBeside = mode === 'sides';
+    const zoom = this.mode ? this.camera.getParallelScale() / this.fittingScale() : 1;
+    this.mode = mode;
+    this.renderers.before.setViewport(...(isBeside ? LEFT : WHOLE));
+    this.renderers.after.setViewport(...(isBeside ? RIGHT : WHOLE));
+    // In one view the surface after is drawn over what is there.
+    this.renderers.after.setPreserveColorBuffer(!isBeside);
+    this.camera.setParallelScale(zoom * this.fittingScale());
+  }
+
+  /** Half of the height that a view shows of the space, mm, if it shows everything. */
+  fittingScale() {
+    return Math.max(this.frame.halfHeight, this.frame.halfWidth / this.aspect());
+  }
+
+  /** Width of a view by its height. */
+  aspect() {
+    const width = this.mode === 'sides' ? 0.5 : 1;
+    return (width * this.stage.clientWidth) / Math.max(1, this.stage.clientHeight);
+  }
+
+  /** @param angle Degrees of the main light from the viewer, positive to the right. */
+  turnLight(angle) {
+    const radians = (angle * Math.PI) / 180;
+    this.lights[0].setPosition(Math.sin(radians), 0.75, Math.cos(radians));
+    this.lights[1].setPosition(-0.4 * Math.sin(radians), -0.2, 1);
+  }
+
+  /** @returns Whether the canvas had another size. */
+  fitCanvas() {
+    const { clientWidth, clientHeight } = this.stage;
+    const size = [clientWidth, clientHeight].map((length) => Math.max(1, Math.round(length * this.pixelRatio)));
+    return this.canvas.setSize(...size);
+  }
+
+  render() {
+    if (!this.isAnimating()) {
+      this.renderWindow.render();
+    }
+  }
+
+  isAnimating() {
+    return this.interactor ? this.interactor.isAnimating() : true;
+  }
+
+  /** Waits until the last frame is on the canvas. */
+  finish() {
+    const gl = this.canvas.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  }
+
+  /** The position (CSS pixels in the stage) of a point of space in the view of a renderer. */
+  project(point, renderer) {
+    const [x, y] = this.canvas.worldToDisplay(...point, renderer);
+    return [x / this.pixelRatio, this.stage.clientHeight - y / this.pixelRatio];
+  }
+
+  /** The ends of the line through a position of the stage (CSS pixels), from near to far. */
+  lineAt([x, y], renderer) {
+    const display = [x * this.pixelRatio, (this.stage.clientHeight - y) * this.pixelRatio];
+    return [0, 1].map((depth) => this.canvas.displayToWorld(...display, depth, renderer));
+  }
+
+  /** Unit vectors of the view in space. */
+  axes() {
+    const forward = this.camera.getDirectionOfProjection();
+    const up = this.camera.getViewUp();
+    const right = [
+      forward[1] * up[2] - forward[2] * up[1],
+      forward[2] * up[0] - forward[0] * up[2],
+      forward[0] * up[1] - forward[1] * up[0],
+    ];
+    const length = Math.hypot(...right);
+    return { forward, right: right.map((value) => value / length) };
+  }
+}
