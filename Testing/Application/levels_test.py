@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """bonedecimate levels: record, list, take levels out; damaged logs."""
 
+import re
+
 from application import NOT_WRITTEN, REJECTED, USAGE, ApplicationTest, main, torus, write
 
 
@@ -50,6 +52,25 @@ class Levels(ApplicationTest):
         write(torus(rings=41), self.path("other.ply"))
         self.path("on-300.ply").unlink()
         self.fail_with(REJECTED, "levels", "in.ply", *words, "other.ply", says="other triangles than the first")
+
+    def test_the_page_of_a_log_has_the_levels_that_are_listed(self):
+        lines = self.record().splitlines()
+        self.succeed("levels", "in.ply", "--log", "in.levels", "--page", "levels.html", "--triangles", 200, "--output", "level.ply")
+        self.assertEqual(self.names(), ["in.levels", "in.ply", "level-200.ply", "levels.html"])
+        page = self.path("levels.html").read_text(encoding="utf-8")
+        rows = re.findall(r'<th scope="row">([\d,]+)</th><td>([\d.]+)</td>', page)
+        self.assertEqual([triangles for triangles, _ in rows], [line.split()[0] for line in lines])
+        for line, (_, largest) in zip(lines, rows):
+            self.assertAlmostEqual(float(largest), float(line.split()[4]), delta=6e-4)
+        self.assertTrue("data:image/png;base64," in page)
+        self.succeed("levels", "in.ply", "--coarsest", 200, "--no-errors", "--quiet", "--page", "levels.html")
+        self.assertTrue("<td>not measured</td>" in self.path("levels.html").read_text(encoding="utf-8"))
+
+    def test_a_page_that_cannot_be_written_is_rejected(self):
+        self.fail_with(USAGE, "levels", "in.ply", "--page", "in.ply", says="is not overwritten")
+        self.fail_with(USAGE, "levels", "in.ply", "--page", "a.html", "--record", "a.html", says="would be written twice")
+        self.fail_with(USAGE, "levels", "in.ply", "--page", "a.html", "--on", "in.ply", says="--page compares levels with INPUT")
+        self.fail_with(NOT_WRITTEN, "levels", "in.ply", "--page", "no/a.html", says="no/a.html")
 
     def test_damaged_logs_are_rejected(self):
         self.record("--no-errors", "--quiet")
