@@ -47,6 +47,7 @@ ViewerHtml Viewer(const LevelsPageSubject& subject, std::size_t bytesOfPicture)
       : ", largest distance " + MillimeterText(level.LargestDistance) + " mm";
     viewer.Levels.push_back({ level.Surface, subject.DistanceArrayName, caption });
   }
+  viewer.Legend = "distance to the original, mm";
   viewer.Reduce = subject.Reduce;
   viewer.MostBytes = BytesOfViewer(bytesOfPicture);
   return ComposeViewer(viewer);

@@ -30,8 +30,7 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-constexpr double FractionOfLevels = 0.5; // of the bytes, at most
-constexpr double Caution = 0.95;         // bytes are not quite proportional to triangles
+constexpr double Caution = 0.95; // bytes are not quite proportional to triangles
 constexpr int MostReductions = 4;
 constexpr double Wide = 1e6; // an aspect at which only the height counts
 constexpr int Colors = 256;
@@ -44,7 +43,15 @@ struct Carried
   std::string Caption;
   vtkIdType Triangles = 0;
   vtkIdType Whole = 0; ///< Triangles of the surface that it was made from.
+
+  std::size_t Size() const { return this->Encoded.Base64.size(); }
 };
+
+/// What is left of some bytes.
+std::size_t Rest(std::size_t bytes, std::size_t used)
+{
+  return bytes - std::min(bytes, used);
+}
 
 /// Writes the surfaces of one page in the same grid, parts and range.
 class SceneWriter
@@ -60,25 +67,30 @@ public:
   {
   }
 
-  /// Of the surfaces, the levels within half of the bytes and the original within the rest.
+  /// The levels within half of the bytes, or within what a whole original leaves, and the original within the rest.
   std::vector<Carried> Carry(std::size_t bytes) const
   {
-    const auto forLevels = static_cast<std::size_t>(FractionOfLevels * static_cast<double>(bytes));
-    std::vector<Carried> surfaces(1);
+    std::vector<Carried> surfaces = { this->Encode(
+      this->Subject.Before, this->Subject.Before.Surface) };
+    std::size_t left = std::max(bytes / 2, Rest(bytes, surfaces.front().Size()));
     std::size_t used = 0;
     for (const ViewerSurface& level : this->Subject.Levels)
     {
-      const std::size_t left = forLevels - std::min(used, forLevels);
-      const bool isFirst = surfaces.size() == 1;
-      Carried carried = isFirst ? this->Fitted(level, left) : this->Encode(level, level.Surface);
-      if (!isFirst && carried.Encoded.Base64.size() > left && this->Subject.Reduce)
+      Carried carried = this->Encode(level, level.Surface);
+      if (surfaces.size() == 1)
+      {
+        carried = this->Fitted(std::move(carried), level, left);
+      }
+      else if (carried.Size() > left && this->Subject.Reduce)
       {
         break;
       }
-      used += carried.Encoded.Base64.size();
+      left = Rest(left, carried.Size());
+      used += carried.Size();
       surfaces.push_back(std::move(carried));
     }
-    surfaces.front() = this->Fitted(this->Subject.Before, bytes - std::min(used, bytes));
+    surfaces.front() =
+      this->Fitted(std::move(surfaces.front()), this->Subject.Before, Rest(bytes, used));
     return surfaces;
   }
 
@@ -168,15 +180,13 @@ private:
     return carried;
   }
 
-  /// Reduced until it has at most that many bytes.
-  Carried Fitted(const ViewerSurface& whole, std::size_t bytes) const
+  /// The surface, reduced until it has at most that many bytes. @param carried The whole one.
+  Carried Fitted(Carried carried, const ViewerSurface& whole, std::size_t bytes) const
   {
-    Carried carried = this->Encode(whole, whole.Surface);
-    for (int i = 0;
-         i < MostReductions && this->Subject.Reduce && carried.Encoded.Base64.size() > bytes; ++i)
+    for (int i = 0; i < MostReductions && this->Subject.Reduce && carried.Size() > bytes; ++i)
     {
       const double ratio =
-        Caution * static_cast<double>(bytes) / static_cast<double>(carried.Encoded.Base64.size());
+        Caution * static_cast<double>(bytes) / static_cast<double>(carried.Size());
       const auto triangles = static_cast<vtkIdType>(ratio * static_cast<double>(carried.Triangles));
       carried =
         this->Encode(whole, this->Subject.Reduce(whole.Surface, std::max<vtkIdType>(triangles, 4)));
@@ -289,8 +299,7 @@ ViewerHtml ComposeViewer(const ViewerSubject& subject)
   }
   const std::string program = ViewerProgram;
   const SceneWriter writer(subject);
-  const std::vector<Carried> surfaces =
-    writer.Carry(subject.MostBytes - std::min(program.size(), subject.MostBytes));
+  const std::vector<Carried> surfaces = writer.Carry(Rest(subject.MostBytes, program.size()));
   std::string data;
   for (const Carried& surface : surfaces)
   {
@@ -299,7 +308,7 @@ ViewerHtml ComposeViewer(const ViewerSubject& subject)
   const Json scene = writer.Describe(surfaces);
   const bool hasLabels = !LabelsOf(subject.Levels.back().Surface).empty();
   return { PageBlock("viewer",
-             { { "legend", "distance to the other surface, mm" }, { "rounding", writer.Rounding() },
+             { { "legend", subject.Legend }, { "rounding", writer.Rounding() },
                { "reduced", Reduced(subject, surfaces) },
                { "parts", hasLabels ? "Labels" : "Components" } }),
     PageBlock("viewer script",

@@ -33,6 +33,7 @@ struct ViewerSubject
   ViewerSurface Before;
   std::vector<ViewerSurface>
     Levels; ///< At least one, from coarse to fine. Labels are those of the last.
+  std::string Legend = "distance to the other surface, mm"; ///< Of the colors.
   std::size_t MostBytes = 20000000; ///< Of everything that the view adds to the page.
   SurfaceReducer Reduce; ///< For surfaces that are too large; empty: they are carried whole.
 };

@@ -117,6 +117,7 @@ class Page(unittest.TestCase):
 
     def open(self, name):
         self.browser.open(self.folder / name)
+        self.browser.run("document.querySelector('.viewer').scrollIntoView()")
 
     def drawn(self):
         """Without the line around the stage."""
@@ -193,6 +194,11 @@ class Page(unittest.TestCase):
         self.assertTrue(np.array_equal(both[:, :middle - 4], before[:, :middle - 4]))
         self.assertTrue(np.array_equal(both[:, middle + 4:], after[:, middle + 4:]))
         self.assertFalse(np.array_equal(before, after))
+        self.browser.set("#viewer-divider", 0.5)
+        self.browser.point("#viewer-divider", [(0, 0), "pointerDown", (150, 0), "pointerUp"])
+        self.assertGreater(float(self.browser.run("return document.getElementById('viewer-divider').value")), 0.6)
+        self.browser.set("#viewer-divider", 0.5)
+        self.assertTrue(np.array_equal(self.browser.picture(STAGE)[40:-60], both))  # the view has not turned
 
     def test_cuts_with_a_plane(self):
         self.open("balls.html")

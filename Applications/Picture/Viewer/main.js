@@ -93,7 +93,8 @@ class Viewer {
       this.update();
     };
     bind('viewer-compare', set((element) => this.view.compare(element.value)));
-    bind('viewer-divider', set((element) => (planes.dividedAt = Number(element.value))));
+    const divider = bind('viewer-divider', set((element) => (planes.dividedAt = Number(element.value))));
+    divider.addEventListener('pointerdown', (event) => event.stopPropagation()); // does not turn the view
     bind('viewer-clip', set((element) => (planes.cut.along = element.value)));
     bind('viewer-clip-at', set((element) => (planes.cut.at = Number(element.value))));
     bind('viewer-clip-flip', set((element) => (planes.cut.isFlipped = element.checked)));

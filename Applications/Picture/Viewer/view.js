@@ -5,6 +5,7 @@ import '@kitware/vtk.js/Rendering/OpenGL/Actor';
 import '@kitware/vtk.js/Rendering/OpenGL/Camera';
 import '@kitware/vtk.js/Rendering/OpenGL/PolyDataMapper';
 import '@kitware/vtk.js/Rendering/OpenGL/Renderer';
+import { EVENT_ABORT } from '@kitware/vtk.js/macros';
 import vtkInteractorStyleTrackballCamera from '@kitware/vtk.js/Interaction/Style/InteractorStyleTrackballCamera';
 import vtkLight from '@kitware/vtk.js/Rendering/Core/Light';
 import vtkOpenGLRenderWindow from '@kitware/vtk.js/Rendering/OpenGL/RenderWindow';
@@ -77,6 +78,7 @@ export class View {
     this.interactor.setView(this.canvas);
     this.interactor.initialize();
     this.interactor.setContainer(stage);
+    this.interactor.onKeyPress(() => EVENT_ABORT, 1); // vtk.js has keys that change the surfaces
     this.interactor.setInteractorStyle(
       vtkInteractorStyleTrackballCamera.newInstance({ autoAdjustCameraClippingRange: false })
     );
