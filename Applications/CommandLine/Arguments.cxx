@@ -167,7 +167,7 @@ void AddCommonFlags(CLI::App& app, Arguments& arguments)
   AddUnit(app, arguments.Unit);
   AddFile(app, "--report", arguments.Report, "Write the report as JSON.");
   AddFile(app, "--page", arguments.Page,
-    "Write a self-contained HTML page for people, with the picture in it.");
+    "Write a self-contained HTML page for people, with the picture and an interactive view in it.");
   AddFile(app, "--heatmap", arguments.Heatmap,
     "Write the input surface, in a format that holds arrays, with the distance in mm of each of "
     "its points to the "

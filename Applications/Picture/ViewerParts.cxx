@@ -43,6 +43,7 @@ std::vector<std::size_t> RegionsOf(vtkPolyData* regions)
 {
   vtkDataArray* const numbers = regions->GetPointData()->GetArray(RegionName);
   std::vector<std::size_t> ofPoints;
+  ofPoints.reserve(static_cast<std::size_t>(regions->GetNumberOfPoints()));
   for (vtkIdType point = 0; point < regions->GetNumberOfPoints(); ++point)
   {
     ofPoints.push_back(static_cast<std::size_t>(numbers->GetComponent(point, 0)));
