@@ -21,7 +21,7 @@ CHROMIUM = shutil.which("chromium")
 DRIVER = shutil.which("chromedriver")
 MISSING = "the page is not tested: Debian's packages chromium and chromium-driver are not installed"
 ELEMENT = "element-6066-11e4-a52e-4f735466cecf"
-FLAGS = ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--window-size=900,800", "--force-device-scale-factor=1",
+FLAGS = ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--window-size=800,640", "--force-device-scale-factor=1",
          "--disable-background-networking", "--no-first-run")
 SOFTWARE = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 WITHOUT_WEBGL = ("--disable-3d-apis",)

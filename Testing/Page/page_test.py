@@ -11,6 +11,7 @@ import subprocess
 import tempfile
 import unittest
 import zlib
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -27,8 +28,8 @@ RADIUS = 40.0  # mm, of the large ball
 STAGE = "#viewer-stage"
 
 
-def run(*words):
-    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
+def run(*words, folder=None):
+    done = subprocess.run([str(word) for word in words], cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, f"{words}:\n{done.stdout}\n{done.stderr}"
 
 
@@ -106,10 +107,14 @@ class Page(unittest.TestCase):
         cls.folder = pathlib.Path(temporary.name)
         write_balls(cls.folder / "ball.ply", (RADIUS, 0.0))
         write_balls(cls.folder / "balls.ply", (RADIUS, 0.0), (15.0, 70.0))
-        run(PROGRAM, cls.folder / "balls.ply", cls.folder / "small.vtp", "--target-triangles", 1500, "--page", cls.folder / "balls.html")
-        run(PROGRAM, "levels", cls.folder / "ball.ply", "--coarsest", 400, "--page", cls.folder / "levels.html")
         run(PHANTOM, cls.folder / "labels.mha", "--size", "small", "--labels")
-        run(PROGRAM, cls.folder / "labels.mha", cls.folder / "bones", "--segments", "all", "--target-reduction", 0.8)
+        pages = [
+            ("balls.ply", "small.vtp", "--target-triangles", 1500, "--page", "balls.html"),
+            ("levels", "ball.ply", "--coarsest", 400, "--no-errors", "--page", "levels.html"),
+            ("labels.mha", "bones", "--segments", "all", "--target-reduction", 0.8, "--measure", "off"),
+        ]
+        with ThreadPoolExecutor() as threads:
+            list(threads.map(lambda words: run(PROGRAM, *words, folder=cls.folder), pages))
         if "viewer-scene" not in (cls.folder / "balls.html").read_text(encoding="utf-8"):
             raise unittest.SkipTest("the program was built without the interactive view")
         cls.browser = Browser(*chromium.SOFTWARE)
