@@ -194,6 +194,18 @@ void PrintDiagnostics(const ReportFields& report)
   }
 }
 
+/// Only with a least angle.
+void PrintAngles(const ReportFields& report)
+{
+  if (report.Number("angles.below_minimum"))
+  {
+    std::cout << "angles          from "
+              << GroupedText(report.Number("output.shape.smallest_angle").value_or(0.0), 1)
+              << " degrees; " << Count(report, "angles.below_minimum")
+              << " triangles have a smaller one than requested\n";
+  }
+}
+
 /// Rounded up, so that what is printed is proved.
 void PrintProof(const ReportFields& report)
 {
@@ -248,6 +260,7 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
   }
   PrintParts(report);
   PrintVoxels(report);
+  PrintAngles(report);
   PrintProof(report);
   std::cout << "stop            " << report.Text("stop_sentence") << "\n"
             << "seconds         read " << GroupedText(subject.SecondsRead, 2) << ", decimate "

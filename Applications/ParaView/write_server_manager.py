@@ -23,7 +23,7 @@ GROUPS = [
     ("Targets (lengths in mm)", ["Mode", "TargetNumberOfTriangles", "TargetReduction", "MaximumError", "ErrorPreset", "VoxelSize",
                  "ToleranceArrayName", "LabelArrayName"]),
     ("Smoothing (lengths in mm)", ["Smoothing", "AutomaticSmoothing", "FeatureAngle"]),
-    ("Proof", ["IntersectionGuard", "RefinementEffort", "KeepVoxels", "ProveResult"]),
+    ("Proof", ["IntersectionGuard", "RefinementEffort", "MinimumAngle", "KeepVoxels", "ProveResult"]),
     ("Output", ["MeasureDistances", "MeasureInputDistances", "PassArrays", "MakeMaps", "RecomputeNormals",
                         "OutputPointsPrecision"]),
 ]
@@ -37,6 +37,7 @@ HAS_ERROR = [("MaximumError", "0", True), ("ErrorPreset", "0", True), ("Toleranc
 APPLIES = {
     "IntersectionGuard": [[NOT_THESIS], HAS_ERROR],
     "RefinementEffort": [[("Mode", "2", False), ("Mode", "3", False)], HAS_ERROR],
+    "MinimumAngle": [[NOT_THESIS]],
     "ProveResult": [[NOT_THESIS], HAS_ERROR],
     "ErrorBoundArrayName": [[NOT_THESIS], HAS_ERROR, [("ProveResult", "1", False)]],
     "InputErrorBoundArrayName": [[NOT_THESIS], HAS_ERROR, [("ProveResult", "1", False)], [("MeasureInputDistances", "1", False)]],

@@ -23,6 +23,7 @@ const char* const OptionNames[] = {
   "AllowLargeError",
   "IntersectionGuard",
   "RefinementEffort",
+  "MinimumAngle",
   "MergePoints",
   "NumberOfThreads",
 };
@@ -141,6 +142,16 @@ void vtkBoneRunOptions::SetRefinementEffort(double value)
 double vtkBoneRunOptions::GetRefinementEffort() const
 {
   return this->State->Options.RefinementEffort;
+}
+
+void vtkBoneRunOptions::SetMinimumAngle(double value)
+{
+  this->State->Set(this, "MinimumAngle", value);
+}
+
+double vtkBoneRunOptions::GetMinimumAngle() const
+{
+  return this->State->Options.MinimumAngle;
 }
 
 void vtkBoneRunOptions::SetMergePoints(bool value)

@@ -3,6 +3,7 @@
 #include "Decimate.h"
 
 #include "Cost/AutomaticTolerance.h"
+#include "Geometry/SmallestAngle.h"
 #include "Input/LabelMapInput.h"
 #include "Input/PartInput.h"
 #include "Input/PrepareInput.h"
@@ -35,6 +36,14 @@ namespace
 constexpr double CheckedAt = 0.01;
 constexpr double BuiltAt = 0.02;
 constexpr double ExtractionFraction = 0.005;
+
+/// Of the least angle, a little larger than requested: the output may round positions.
+double LargestCosineOf(const Options& options)
+{
+  constexpr double margin = 1e-3; // degrees
+  const double angle = options.EffectiveMinimumAngle();
+  return angle > 0.0 ? CosineOfDegrees(angle + margin) : 1.0;
+}
 
 bool EndsWithProof(const RunTask& task)
 {
@@ -111,6 +120,7 @@ EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepar
   settings.Threads = task.Effective.NumberOfThreads;
   if (!isAborted)
   {
+    settings.LargestCosine = LargestCosineOf(task.Effective);
     settings.KeepsQuadrics = mode.NeedsQuadrics();
     settings.KeepsInitialMesh = mode.KeepsInitialMesh;
     settings.CollapsesFeatureCurves = CollapsesFeatureCurves(task.Inputs);
@@ -168,6 +178,7 @@ void RunModeStages(const RunTask& task, const PreparedInput& prepared, Editor& e
     StopTargetsOf(options, faces, prepared.IsLimitedEverywhere()) };
   input.Threads = options.NumberOfThreads;
   input.RefinementEffort = options.RefinementEffort;
+  input.LargestCosine = LargestCosineOf(options);
   input.Forced = &report.Forced;
   if (input.Mode.HasNormalTolerance())
   {

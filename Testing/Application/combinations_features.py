@@ -317,6 +317,14 @@ def mode(name):
     return Feature(name, ("--mode", name), shows("options.Mode", name))
 
 
+def has_angles(run):
+    """Few are left: where triangles are constrained, and where labels or voxels forbid edits."""
+    if run.command:
+        return ""
+    left, triangles = run.report["angles"]["below_minimum"], run.report["output"]["triangles"]
+    return "" if left <= 0.2 * triangles else f"{left} of {triangles} triangles have smaller angles"
+
+
 def switch(name, flag, value, option, problem=None):
     return Feature(name, (flag, value), problem or shows(f"options.{option}", value))
 
@@ -330,6 +338,7 @@ FEATURES = [
     Feature("preset", ("--preset", "HalfVoxel", "--voxel-size", 2 * ERROR), moves_at_most, goal=True),
     Feature("no intersection guard", ("--max-error", ERROR, "--intersection-guard", "off"), shows("options.IntersectionGuard", "off"), goal=True),
     Feature("less effort", ("--max-error", ERROR, "--refinement-effort", 0.25), shows("options.RefinementEffort", "0.25"), goal=True),
+    Feature("least angle", ("--max-error", ERROR, "--min-angle", 20), has_angles, ("MinimumAngle",), goal=True),
     Feature("no proof", ("--max-error", ERROR, "--prove", "off"), shows("options.ProveResult", "off"), goal=True),
     Feature("large error allowed", ("--max-error", LARGE_ERROR, "--allow-large-error", "on"), keeps_to_the_cap, goal=True),
     Feature("region", ("--region", "sphere:{},{},{},{}=0".format(*CONSTRAINED)),

@@ -83,6 +83,10 @@ Attack AnyAttack(std::uint64_t seed, const std::vector<Surface>& large)
   {
     RoundToSingle(attack.Victim);
   }
+  if (random.Below(4) == 0)
+  {
+    options.MinimumAngle = random.Between(0.0, 40.0);
+  }
   return attack;
 }
 

@@ -123,6 +123,7 @@ LabelAttack AnyAttack(std::uint64_t seed)
     RoundToSingle(attack.Run.Victim);
   }
   options.FeatureAngle = options.Smooths() ? random.Between(0.0, 180.0) : options.FeatureAngle;
+  options.MinimumAngle = random.Below(4) == 0 ? random.Between(0.0, 40.0) : 0.0;
   return attack;
 }
 

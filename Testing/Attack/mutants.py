@@ -53,6 +53,7 @@ BATCH = "Filters/Core/Schedule/BatchSweep.cxx"
 BATCH_TESTS = "BatchSweep*"
 DRAFT_TESTS = "Draft*:EditJournal*:FaceHistory*:EditReplay*:BulkProof*"
 REPLAY_TESTS = DRAFT_TESTS + ":*IntersectionGuard*:GapsOfADraft*"
+SHAPE_TESTS = "ShapeFilter*:ShapeImprover*:MinimumAngle*:RingShape*"
 CERTIFICATE_TESTS = "OverlayCover*:Certificate*:ResultProof*"
 
 
@@ -225,6 +226,10 @@ MUTANTS = (
            "isOpen ? FirstLabel(all, this->Next)", "isOpen ? all[this->Next].Labels[0]", CHECK_TESTS),
     Mutant("rounding decides which voxels of an open surface are outermost", LABELS + "VoxelCheck.cxx",
            "endsAtImage ? Intersection(both, BoxOf(settings.Grid)) : both;", "endsAtImage && both.Count[0] < 0 ? Intersection(both, BoxOf(settings.Grid)) : both;", CHECK_TESTS),
+    of_draft("only one of the new triangles must have the least angle", "Filters/Core/EditFilters/ShapeFilter.cxx",
+             "after = std::max(after,", "after = std::min(after + 1.0,", SHAPE_TESTS),
+    of_draft("an angle may become smaller if the one before was below the least", "Filters/Core/EditFilters/ShapeFilter.cxx",
+             "      after)", "      this->LargestCosine)", SHAPE_TESTS),
 )
 
 

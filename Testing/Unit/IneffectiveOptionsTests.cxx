@@ -52,6 +52,16 @@ TEST(IneffectiveOptions, OfTheErrorNeedOne)
   EXPECT_TRUE(IneffectiveOf(options, Errors).empty());
 }
 
+TEST(IneffectiveOptions, AnAngleNeedsAModeThatKeepsIt)
+{
+  const Names angle = { "MinimumAngle" };
+  Options options;
+  options.MinimumAngle = 20.0;
+  EXPECT_TRUE(IneffectiveOf(options, angle).empty());
+  options.Mode = Mode::Thesis;
+  EXPECT_EQ(IneffectiveOf(options, angle), angle);
+}
+
 TEST(IneffectiveOptions, OfRoundsNeedAModeThatMakesThem)
 {
   const Names effort = { "RefinementEffort" };

@@ -3,6 +3,7 @@
 #include "Editor.h"
 
 #include "Draft.h"
+#include "EditFilters/ShapeFilter.h"
 #include "EditFilters/ZoneFilter.h"
 #include "ErrorBound/StartProof.h"
 #include "Geometry/TriangleGeometry.h"
@@ -108,7 +109,6 @@ void Editor::TakeSmoothedPositions(const std::vector<Vector3>& positions)
 /// Filters read the mesh before vertices are constrained by tolerances.
 void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
 {
-  const int threads = settings.Threads;
   const bool isAborted = monitor && !monitor(0.0);
   this->GuardsVoxels = settings.Voxels && !isAborted;
   const bool voxelsFirst = this->GuardsVoxels &&
@@ -117,6 +117,10 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   this->Fragments = WithJoined(this->Source.AtFirst(), this->Half, this->Unsmoothed != nullptr,
     [this](const Surface& joined) { return std::make_shared<FragmentGuard>(this->Half, joined); });
   this->Filters.push_back(this->Fragments);
+  if (settings.LargestCosine < 1.0)
+  {
+    this->Filters.push_back(std::make_shared<ShapeFilter>(settings.LargestCosine));
+  }
   if (voxelsFirst)
   {
     this->Filters.push_back(std::make_shared<VoxelGuard>(*settings.Voxels));
@@ -131,14 +135,7 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   }
   if (settings.Bound && settings.GuardsIntersections && !isAborted)
   {
-    this->Guard = WithJoined(this->Source.AtFirst(), this->Half, this->Unsmoothed != nullptr,
-      [&](const Surface& joined)
-      {
-        return std::make_shared<IntersectionGuard>(this->Half, joined,
-          WrittenBy(settings, this->Source.AtFirst()), settings.Bound->Error, settings.GuardsGaps,
-          threads, monitor);
-      });
-    this->Filters.push_back(this->Guard);
+    this->AddIntersectionGuard(settings, monitor);
   }
   if (settings.EditZone)
   {
@@ -164,6 +161,19 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   }
   this->NeedsSurfaceChange = std::any_of(this->Filters.begin(), this->Filters.end(),
     [](const std::shared_ptr<EditFilter>& filter) { return filter->NeedsSurfaceChange(); });
+}
+
+//------------------------------------------------------------------------------
+void Editor::AddIntersectionGuard(const EditorSettings& settings, const Monitor& monitor)
+{
+  this->Guard = WithJoined(this->Source.AtFirst(), this->Half, this->Unsmoothed != nullptr,
+    [&](const Surface& joined)
+    {
+      return std::make_shared<IntersectionGuard>(this->Half, joined,
+        WrittenBy(settings, this->Source.AtFirst()), settings.Bound->Error, settings.GuardsGaps,
+        settings.Threads, monitor);
+    });
+  this->Filters.push_back(this->Guard);
 }
 
 //------------------------------------------------------------------------------

@@ -195,6 +195,7 @@ private:
   void AddFilters(const EditorSettings& settings, const Monitor& monitor);
   void TakeSmoothedPositions(const std::vector<Vector3>& positions);
   void AddErrorBound(const EditorSettings& settings);
+  void AddIntersectionGuard(const EditorSettings& settings, const Monitor& monitor);
   Index ConstrainVertices(const std::vector<double>& tolerances, const std::vector<char>& others);
   std::vector<char> NearUnproved(std::vector<char> constrained) const;
   Vector3 Rounded(const Vector3& position) const;

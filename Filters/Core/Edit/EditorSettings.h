@@ -54,6 +54,8 @@ struct EditorSettings
   const ReferenceMesh* Reference = nullptr;
   /// Where edits are allowed, mm from the local origin; none: everywhere.
   std::optional<Zone> EditZone = {};
+  /// The cosine of the least angle that edits leave, unless a triangle that they replace has a smaller one; 1: any.
+  double LargestCosine = 1.0;
   /// Run after the editor's own filters.
   std::vector<std::shared_ptr<EditFilter>> MoreFilters = {};
   int Threads = 1; ///< For the construction.

@@ -4,6 +4,7 @@
 
 #include "Geometry/TriangleGeometry.h"
 #include "Parallel.h"
+#include "TriangleShapes.h"
 
 #include <algorithm>
 #include <numeric>
@@ -111,6 +112,7 @@ SurfaceStatistics Describe(const Surface& surface, const SurfaceCounts& counts, 
     [&](std::size_t first, std::size_t last) { return ExtentOf(surface, first, last); });
   statistics.Area = extent.Area;
   statistics.Volume = extent.Volume;
+  statistics.Shape = DescribeShapes(surface, threads);
   return statistics;
 }
 }

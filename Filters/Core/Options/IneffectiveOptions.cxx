@@ -76,6 +76,8 @@ std::vector<Need> MakeNeeds()
       [](const Options& o) { return IsLimited(o) && FindMode(o.Mode).Refine.ProvedRounds > 0; },
       "MaximumError, ErrorPreset or ToleranceArrayName, and Mode " +
         ModeNamesWhere([](const ModeInfo& mode) { return mode.Refine.ProvedRounds > 0; }) },
+    { "MinimumAngle", [](const Options& o) { return o.MinimumAngle == o.EffectiveMinimumAngle(); },
+      "Mode " + ModeNamesWhere([](const ModeInfo& mode) { return mode.LimitsAngles(); }) },
     { "VoxelSize", [](const Options& o) { return o.ErrorPreset != ErrorPreset::NoPreset; },
       "ErrorPreset" },
     { "AutomaticSmoothing", [](const Options& o) { return o.Smoothing == 0.0; }, "Smoothing 0" },

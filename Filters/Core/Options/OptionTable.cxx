@@ -47,6 +47,13 @@ std::vector<OptionInfo> GoalRows()
       "With a largest error or tolerances, modes Balanced and Accurate: how many rounds of moves "
       "and collapses remove triangles after those of Fast, relative to the rounds of the mode and "
       "rounded. More rounds take longer and mostly leave fewer triangles. 0: none." },
+    { "MinimumAngle", &Options::MinimumAngle, 0, 40, "degrees", "min-angle", {},
+      "Smallest angle of the triangles of the result, except in Thesis mode: for solvers, meshers "
+      "and printers. Edits make no triangle with a smaller one, and triangles of the input that "
+      "have one are improved by collapses, flips and moves where everything else that was "
+      "requested "
+      "allows it; the report counts those that are left. The number of triangles for a largest "
+      "error rises: by about a tenth at 20 degrees, a third at 30. 0: off." },
   };
 }
 

@@ -49,6 +49,7 @@ struct Options
   bool AllowLargeError = false;
   bool IntersectionGuard = true;
   double RefinementEffort = 1.0; // rounds, relative to those of the mode
+  double MinimumAngle = 0.0;     // degrees
   double Smoothing = 0.0;        // mm
   bool AutomaticSmoothing = false;
   double FeatureAngle = 180.0; // degrees
@@ -86,6 +87,12 @@ struct Options
 
   /// Whether the surface is smoothed before the first edit, if there is something to smooth.
   bool Smooths() const { return this->Smoothing > 0.0 || this->AutomaticSmoothing; }
+
+  /// Degrees, 0 in a mode that does not limit angles.
+  double EffectiveMinimumAngle() const
+  {
+    return FindMode(this->Mode).LimitsAngles() ? this->MinimumAngle : 0.0;
+  }
 
   /// Whether no triangle is to be removed.
   bool KeepsAllTriangles() const

@@ -8,6 +8,7 @@
 #include "Measure/SurfaceDistance.h"
 #include "Mesh/ManifoldPatches.h"
 #include "Mesh/Statistics.h"
+#include "Mesh/TriangleShapes.h"
 #include "Parallel.h"
 #include "PartComparison.h"
 #include "StageClock.h"
@@ -72,6 +73,7 @@ public:
     report.Output = editor.NumberOfCollapses() == 0
       ? Describe(this->Run.LocalResult, counts, threads)
       : Describe(this->Run.LocalResult, threads);
+    report.Angles = FindBelowAngle(this->Output.Surface, this->Requested.EffectiveMinimumAngle());
     if (const LabelMapSource* map = this->Run.Inputs.LabelMap)
     {
       report.Input.Volume -= VolumeOfWalls(

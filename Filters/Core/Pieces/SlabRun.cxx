@@ -6,6 +6,7 @@
 #include "GrowingSurface.h"
 #include "Mesh/Cleaning.h"
 #include "Mesh/Statistics.h"
+#include "Mesh/TriangleShapes.h"
 #include "OpenBoundaries.h"
 #include "SlabOptions.h"
 #include "SlabTotals.h"
@@ -74,6 +75,7 @@ public:
       whole.BoundaryLabels = std::move(all.Labels);
       this->Totals.Write(whole.Report);
       whole.Report.Output = Describe(whole.Surface, this->Effective.NumberOfThreads);
+      whole.Report.Angles = FindBelowAngle(whole.Surface, this->Effective.EffectiveMinimumAngle());
       whole.Report.Stop = StopReason::ErrorReached;
       if (this->Proof.WasMade)
       {

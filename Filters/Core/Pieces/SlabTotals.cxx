@@ -3,6 +3,7 @@
 #include "SlabTotals.h"
 
 #include "Mesh/Statistics.h"
+#include "Mesh/TriangleShapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +56,7 @@ void SlabTotals::Add(const Slab& slab, const CleanSurface& clean,
   this->Sum.Faces += statistics.Faces;
   this->Sum.Area += statistics.Area;
   this->Sum.Volume += SignedVolume(slab.Surface);
+  AddShapes(statistics.Shape, this->Sum.Shape);
   this->Cleaning.TrianglesRead += clean.Statistics.TrianglesRead;
   this->Cleaning.PointsRead += clean.Statistics.PointsRead;
   this->Cleaning.MergedPoints += clean.Statistics.MergedPoints;

@@ -4,6 +4,7 @@
 
 #include "Certificate/Certificate.h"
 #include "Geometry/TriangleGeometry.h"
+#include "Mesh/TriangleShapes.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,7 @@ namespace
 constexpr double LeastVolumeRatio = 0.25;
 
 SurfaceStatistics StatisticsOfResult(const WholeSurface& whole, const RegionParts& parts,
-  const std::map<Index, ExtentChange>& changes, const Surface& surface)
+  const std::map<Index, ExtentChange>& changes, const Surface& surface, int threads)
 {
   SurfaceStatistics output = whole.Statistics;
   output.Faces = static_cast<std::int64_t>(surface.Triangles.size());
@@ -32,6 +33,7 @@ SurfaceStatistics StatisticsOfResult(const WholeSurface& whole, const RegionPart
     output.NonManifoldEdges += after.NonManifoldEdges - before.NonManifoldEdges;
     output.EulerNumber += after.EulerNumber - before.EulerNumber;
   }
+  output.Shape = DescribeShapes(surface, threads);
   for (const auto& change : changes)
   {
     output.Area += change.second.Area;
@@ -190,7 +192,9 @@ void CombineReports(const WholeSurface& whole, const RegionParts& parts,
 {
   Report& report = result.Report;
   report.Input = whole.Statistics;
-  report.Output = StatisticsOfResult(whole, parts, changes, result.Surface);
+  report.Output =
+    StatisticsOfResult(whole, parts, changes, result.Surface, report.Requested.NumberOfThreads);
+  report.Angles = FindBelowAngle(result.Surface, report.Requested.EffectiveMinimumAngle());
   report.InputChecksum = whole.Checksum;
   report.RunningError = result.Distance.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0;
   CombineEdits(parts, report);

@@ -127,7 +127,8 @@ const char* StopReasonSentence(StopReason reason)
 const char* RejectionWord(Rejection rejection)
 {
   static const char* const words[] = { "not_rejected", "non_manifold", "boundary", "link_condition",
-    "fragment", "flip", "degenerate", "error_bound", "constrained", "intersection", "voxel_label" };
+    "fragment", "flip", "degenerate", "error_bound", "constrained", "intersection", "voxel_label",
+    "shape" };
   return WordOf(words, rejection);
 }
 

@@ -11,6 +11,7 @@
 #include "LabelMap/VoxelCheck.h"
 #include "Options/Options.h"
 #include "PartFigures.h"
+#include "ShapeFigures.h"
 #include "Surface.h"
 
 #include <array>
@@ -74,8 +75,9 @@ enum class Rejection : int
   Constrained, ///< An end or corner is constrained because its tolerance, or that of a neighbor, is 0.
   Intersection, ///< Triangles would intersect, or a gap would become narrower than half of what it was.
   VoxelLabel, ///< A voxel center would change sides, or a triangle would come too near to one.
+  Shape,      ///< A triangle would have an angle below the least one.
 };
-constexpr std::size_t NumberOfRejections = 11; ///< Number of counted reasons.
+constexpr std::size_t NumberOfRejections = 12; ///< Number of counted reasons.
 
 struct SurfaceStatistics
 {
@@ -87,6 +89,7 @@ struct SurfaceStatistics
   std::int64_t EulerNumber = 0;      ///< Points - edges + faces.
   double Area = 0.0;                 ///< mm^2
   double Volume = 0.0; ///< mm^3, signed, by the divergence theorem; meaningful for closed surfaces.
+  ShapeStatistics Shape;
 };
 
 /// Counts of cleaning. "First" are input ids, -1 if there is none.
@@ -357,6 +360,7 @@ struct Report
     Rejections{}; ///< By Rejection; [NotRejected] is always 0.
   DraftFigures Draft;
   RegionFigures Regions;
+  AngleFigures Angles;
   ForcedCollapseFigures Forced; ///< Only in modes that make them, with an error bound.
   StageSeconds Seconds;
   std::uint64_t InputChecksum = 0; ///< Mesh/Checksum.h.

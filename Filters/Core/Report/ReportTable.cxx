@@ -19,6 +19,30 @@ namespace
 {
 using Entries = std::vector<ReportEntry>;
 
+/// None if it is not a number.
+void AddIfKnown(Entries& entries, const std::string& name, const std::string& unit, double value)
+{
+  if (!std::isnan(value))
+  {
+    entries.push_back({ name, unit, value });
+  }
+}
+
+void AddShape(Entries& entries, const std::string& path, const ShapeStatistics& shape)
+{
+  AddIfKnown(entries, path + ".smallest_angle", "degrees", shape.SmallestAngle);
+  AddIfKnown(entries, path + ".largest_angle", "degrees", shape.LargestAngle);
+  AddIfKnown(entries, path + ".mean_radius_ratio", "", shape.MeanRadiusRatio);
+  AddIfKnown(entries, path + ".largest_radius_ratio", "", shape.LargestRadiusRatio);
+  AddIfKnown(entries, path + ".mean_aspect_ratio", "", shape.MeanAspectRatio);
+  AddIfKnown(entries, path + ".largest_aspect_ratio", "", shape.LargestAspectRatio);
+  for (std::size_t bin = 0; bin < shape.SmallestAngles.size(); ++bin)
+  {
+    entries.push_back(
+      { path + ".smallest_angles." + std::to_string(bin), "", shape.SmallestAngles[bin] });
+  }
+}
+
 void AddSurface(Entries& entries, const std::string& side, const SurfaceStatistics& surface)
 {
   entries.push_back({ side + ".triangles", "", surface.Faces });
@@ -29,6 +53,7 @@ void AddSurface(Entries& entries, const std::string& side, const SurfaceStatisti
   entries.push_back({ side + ".euler_number", "", surface.EulerNumber });
   entries.push_back({ side + ".area", "mm2", surface.Area });
   entries.push_back({ side + ".volume", "mm3", surface.Volume });
+  AddShape(entries, side + ".shape", surface.Shape);
 }
 
 std::string ChecksumText(std::uint64_t checksum)
@@ -107,15 +132,6 @@ void AddLabels(Entries& entries, const Report& report)
   {
     entries.push_back({ "labels.of_" + area.Name + ".input_area", "mm2", area.Input });
     entries.push_back({ "labels.of_" + area.Name + ".output_area", "mm2", area.Output });
-  }
-}
-
-/// None if it is not a number.
-void AddIfKnown(Entries& entries, const std::string& name, const std::string& unit, double value)
-{
-  if (!std::isnan(value))
-  {
-    entries.push_back({ name, unit, value });
   }
 }
 
@@ -279,6 +295,14 @@ void AddRun(Entries& entries, const Report& report)
     {
       entries.push_back({ "forced_collapses.tried", "", report.Forced.Tried });
       entries.push_back({ "forced_collapses.made", "", report.Forced.Made });
+    }
+  }
+  if (report.Requested.EffectiveMinimumAngle() > 0.0)
+  {
+    entries.push_back({ "angles.below_minimum", "", report.Angles.Below });
+    if (report.Angles.Below > 0)
+    {
+      AddPosition(entries, "angles.worst_triangle", report.Angles.Worst);
     }
   }
   if (report.Regions.Status != RegionStatus::NotRequested)

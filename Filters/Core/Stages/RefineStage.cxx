@@ -4,6 +4,7 @@
 
 #include "CollapseStage.h"
 #include "Refinement.h"
+#include "ShapeStage.h"
 #include "SlackRefinement.h"
 
 #include <cmath>
@@ -45,11 +46,21 @@ bool CollapseLast(const StageInput& input, Refinement& refinement, const Monitor
   return SweepTo(input, input.Stops.Faces, still) != StopReason::Aborted && refinement.Begin(last);
 }
 
+/// Only with a least angle. False if the monitor stopped it.
+bool ShapeBetween(const StageInput& input, Refinement& refinement, const Monitor& monitor)
+{
+  constexpr double shapedAt = 0.8;
+  return !input.HasLeastAngle() ||
+    (ImproveShape(input, PartOf(monitor, 0.0, shapedAt)) &&
+      refinement.Begin(PartOf(monitor, shapedAt, 1.0)));
+}
+
 /// Without an error bound. False if the monitor stopped it.
 bool RefineAndCollapse(const StageInput& input, Refinement& refinement, const Monitor& monitor)
 {
   constexpr double begunAt = 0.3;
-  constexpr double sweptAt = 0.4; // of a round
+  constexpr double sweptAt = 0.3; // of a round
+  constexpr double shapedAt = 0.4;
   const RefineSettings& settings = input.Mode.Refine;
   const int rounds = input.MeshEditor.LimitsEdits() ? settings.VoxelRounds : 1;
   const Monitor tell = PartOf(monitor, begunAt, 1.0);
@@ -58,7 +69,8 @@ bool RefineAndCollapse(const StageInput& input, Refinement& refinement, const Mo
   {
     const Monitor round = PartOf(tell, static_cast<double>(i) / rounds, (i + 1.0) / rounds);
     goesOn = refinement.Sweep(settings.SweepsBefore, PartOf(round, 0.0, sweptAt)) &&
-      CollapseLast(input, refinement, PartOf(round, sweptAt, 1.0));
+      ShapeBetween(input, refinement, PartOf(round, sweptAt, shapedAt)) &&
+      CollapseLast(input, refinement, PartOf(round, shapedAt, 1.0));
   }
   return goesOn;
 }
@@ -118,7 +130,8 @@ bool RefineWithinBound(const StageInput& input, Refinement& refinement, const Mo
 {
   constexpr double begunAt = 0.05;
   constexpr double collapsedAt = 0.4;
-  constexpr double forcedAt = 0.65;
+  constexpr double forcedAt = 0.5;
+  constexpr double shapedAt = 0.65;
   constexpr double refinedAt = 0.95;
   const bool usesSlack =
     !HasReachedFaces(input) && RoundsOf(input, input.Mode.Refine.ProvedRounds) > 0;
@@ -127,9 +140,10 @@ bool RefineWithinBound(const StageInput& input, Refinement& refinement, const Mo
            (slack.Begin(PartOf(monitor, 0.0, begunAt)) &&
              CollapseBySlack(input, slack, PartOf(monitor, begunAt, collapsedAt)) &&
              ForceCollapses(input, slack, PartOf(monitor, collapsedAt, forcedAt)))) &&
-    refinement.Begin(PartOf(monitor, forcedAt, forcedAt + begunAt)) &&
+    ImproveShape(input, PartOf(monitor, forcedAt, shapedAt)) &&
+    refinement.Begin(PartOf(monitor, shapedAt, shapedAt + begunAt)) &&
     refinement.Sweep(
-      input.Mode.Refine.ProvedSweepsAfter, PartOf(monitor, forcedAt + begunAt, refinedAt)) &&
+      input.Mode.Refine.ProvedSweepsAfter, PartOf(monitor, shapedAt + begunAt, refinedAt)) &&
     (!usesSlack || slack.RestoreVolume(PartOf(monitor, refinedAt, 1.0)));
 }
 
@@ -156,9 +170,6 @@ StopReason RefineStage(const StageInput& input, const Monitor& monitor)
   {
     return StopReason::Aborted;
   }
-  const StopCriterion stop(input.MeshEditor, input.Stops);
-  return stop.IsReached()            ? stop.Reason()
-    : input.MeshEditor.MetItsLimit() ? StopReason::ErrorReached
-                                     : StopReason::NothingLeft;
+  return ReasonToStop(input);
 }
 }

@@ -3,9 +3,19 @@
 #include "StageList.h"
 
 #include "HandleLimit.h"
+#include "ShapeStage.h"
 
 namespace bonedecimate
 {
+StopReason ReasonToStop(const StageInput& input)
+{
+  const StopCriterion stop(input.MeshEditor, input.Stops);
+  return stop.IsReached()            ? stop.Reason()
+    : input.MeshEditor.MetItsLimit() ? StopReason::ErrorReached
+                                     : StopReason::NothingLeft;
+}
+
+//------------------------------------------------------------------------------
 StopReason RunStages(StageInput input, const Monitor& monitor)
 {
   const StopCriterion stop(input.MeshEditor, input.Stops);
@@ -16,15 +26,23 @@ StopReason RunStages(StageInput input, const Monitor& monitor)
   input.FacesAtStart = input.MeshEditor.Mesh().NumberOfFaces();
   input.InitialMesh = input.Mode.KeepsInitialMesh ? &input.MeshEditor.InitialMesh() : nullptr;
   StopReason reason = StopReason::NotRun;
+  // A refinement does so itself, before it ends.
+  const bool improvesShape = input.HasLeastAngle() && !input.Mode.Refines();
+  const Monitor stages = PartOf(monitor, 0.0, improvesShape ? 0.3 : 1.0);
   double begin = 0.0;
   for (const Stage& stage : input.Mode.Stages)
   {
-    reason = stage.Run(input, PartOf(monitor, begin, stage.End));
+    reason = stage.Run(input, PartOf(stages, begin, stage.End));
     if (reason == StopReason::Aborted)
     {
       break;
     }
     begin = stage.End;
+  }
+  if (improvesShape && reason != StopReason::Aborted)
+  {
+    reason =
+      ImproveShape(input, PartOf(monitor, 0.3, 1.0)) ? ReasonToStop(input) : StopReason::Aborted;
   }
   const bool isShort =
     input.Stops.Faces > 0 && input.MeshEditor.Mesh().NumberOfFaces() > input.Stops.Faces;

@@ -32,9 +32,15 @@ struct StageInput
   const HalfEdgeMesh* InitialMesh =
     nullptr; ///< Before the first edit, with ModeInfo::KeepsInitialMesh; filled by RunStages().
   double RefinementEffort = 1.0; ///< Of the options.
+  double LargestCosine = 1.0;    ///< That of the least angle; 1: there is none.
   ForcedCollapseFigures* Forced =
     nullptr; ///< Receives what was tried and made; null: they are not kept.
+
+  bool HasLeastAngle() const { return this->LargestCosine < 1.0; }
 };
+
+/// Why a stage that has done all it could ends.
+StopReason ReasonToStop(const StageInput& input);
 
 /// @param monitor Fractions from 0 to 1; not empty.
 StopReason RunStages(StageInput input, const Monitor& monitor);

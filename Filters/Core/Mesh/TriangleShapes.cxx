@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TriangleShapes.h"
+
+#include "Geometry/Angle.h"
+#include "Geometry/SmallestAngle.h"
+#include "Geometry/TriangleGeometry.h"
+#include "Parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr double DegreesPerRadian = 57.29577951308232;
+/// Cosines of 10, 20, ... 60 degrees: where the bins of the histogram end.
+constexpr std::array<double, 6> EndsOfBins = { 0.984807753012208, 0.9396926207859084,
+  0.8660254037844387, 0.766044443118978, 0.6427876096865394, 0.0 };
+
+/// In cosines until all triangles have been seen.
+struct Shapes
+{
+  std::array<std::int64_t, 6> Bins{};
+  double LargestCosine = -1.0; // of smallest angles
+  double LeastCosine = 1.0;    // of largest angles
+  double RadiusRatio = 0.0;    // sums
+  double AspectRatio = 0.0;
+  double WorstRadiusRatio = 0.0;
+  double WorstAspectRatio = 0.0;
+  std::int64_t WithArea = 0;
+
+  Shapes& operator+=(const Shapes& other)
+  {
+    for (std::size_t i = 0; i < this->Bins.size(); ++i)
+    {
+      this->Bins[i] += other.Bins[i];
+    }
+    this->LargestCosine = std::max(this->LargestCosine, other.LargestCosine);
+    this->LeastCosine = std::min(this->LeastCosine, other.LeastCosine);
+    this->RadiusRatio += other.RadiusRatio;
+    this->AspectRatio += other.AspectRatio;
+    this->WorstRadiusRatio = std::max(this->WorstRadiusRatio, other.WorstRadiusRatio);
+    this->WorstAspectRatio = std::max(this->WorstAspectRatio, other.WorstAspectRatio);
+    this->WithArea += other.WithArea;
+    return *this;
+  }
+};
+
+void Add(const Vector3& a, const Vector3& b, const Vector3& c, Shapes& shapes)
+{
+  const double cosine = CosineOfSmallestAngle(a, b, c);
+  const auto bin = std::find_if(
+    EndsOfBins.begin(), EndsOfBins.end(), [cosine](double end) { return cosine > end; });
+  ++shapes.Bins[static_cast<std::size_t>(bin - EndsOfBins.begin())];
+  shapes.LargestCosine = std::max(shapes.LargestCosine, cosine);
+  const double area = AreaVector(a, b, c).norm();
+  if (!(area > 0.0))
+  {
+    return;
+  }
+  std::array<double, 3> squares = { (b - a).squaredNorm(), (c - b).squaredNorm(),
+    (a - c).squaredNorm() };
+  std::sort(squares.begin(), squares.end());
+  const double shortest = std::sqrt(squares[0]);
+  const double middle = std::sqrt(squares[1]);
+  const double longest = std::sqrt(squares[2]);
+  shapes.LeastCosine = std::min(
+    shapes.LeastCosine, (squares[0] + squares[1] - squares[2]) / (2.0 * shortest * middle));
+  const double perimeter = shortest + middle + longest;
+  const double radiusRatio = shortest * middle * longest * perimeter / (16.0 * area * area);
+  const double aspectRatio = longest * perimeter / (4.0 * std::sqrt(3.0) * area);
+  shapes.RadiusRatio += radiusRatio;
+  shapes.AspectRatio += aspectRatio;
+  shapes.WorstRadiusRatio = std::max(shapes.WorstRadiusRatio, radiusRatio);
+  shapes.WorstAspectRatio = std::max(shapes.WorstAspectRatio, aspectRatio);
+  ++shapes.WithArea;
+}
+
+double Degrees(double cosine)
+{
+  const double clamped = std::clamp(cosine, -1.0, 1.0);
+  const Vector3 direction(clamped, std::sqrt(1.0 - clamped * clamped), 0.0);
+  return DegreesPerRadian * AngleBetween(Vector3::UnitX(), direction);
+}
+
+std::int64_t CountOf(const ShapeStatistics& shapes)
+{
+  std::int64_t count = 0;
+  for (const std::int64_t bin : shapes.SmallestAngles)
+  {
+    count += bin;
+  }
+  return count;
+}
+}
+
+ShapeStatistics DescribeShapes(const Surface& surface, int threads)
+{
+  const Shapes shapes = SumOverBlocks(surface.Triangles.size(), threads,
+    [&](std::size_t first, std::size_t last)
+    {
+      Shapes part;
+      for (std::size_t t = first; t < last; ++t)
+      {
+        const Triangle& v = surface.Triangles[t];
+        Add(surface.Points[v[0]], surface.Points[v[1]], surface.Points[v[2]], part);
+      }
+      return part;
+    });
+  ShapeStatistics statistics;
+  statistics.SmallestAngles = shapes.Bins;
+  if (shapes.WithArea > 0)
+  {
+    const double count = static_cast<double>(shapes.WithArea);
+    statistics.SmallestAngle = Degrees(shapes.LargestCosine);
+    statistics.LargestAngle = Degrees(shapes.LeastCosine);
+    statistics.MeanRadiusRatio = shapes.RadiusRatio / count;
+    statistics.LargestRadiusRatio = shapes.WorstRadiusRatio;
+    statistics.MeanAspectRatio = shapes.AspectRatio / count;
+    statistics.LargestAspectRatio = shapes.WorstAspectRatio;
+  }
+  return statistics;
+}
+
+//------------------------------------------------------------------------------
+void AddShapes(const ShapeStatistics& other, ShapeStatistics& sum)
+{
+  const double before = static_cast<double>(CountOf(sum));
+  const double added = static_cast<double>(CountOf(other));
+  if (added == 0.0 || before == 0.0)
+  {
+    sum = added > 0.0 ? other : sum;
+    return;
+  }
+  const auto mean = [&](double a, double b) { return (before * a + added * b) / (before + added); };
+  sum.SmallestAngle = std::min(sum.SmallestAngle, other.SmallestAngle);
+  sum.LargestAngle = std::max(sum.LargestAngle, other.LargestAngle);
+  sum.MeanRadiusRatio = mean(sum.MeanRadiusRatio, other.MeanRadiusRatio);
+  sum.LargestRadiusRatio = std::max(sum.LargestRadiusRatio, other.LargestRadiusRatio);
+  sum.MeanAspectRatio = mean(sum.MeanAspectRatio, other.MeanAspectRatio);
+  sum.LargestAspectRatio = std::max(sum.LargestAspectRatio, other.LargestAspectRatio);
+  for (std::size_t i = 0; i < sum.SmallestAngles.size(); ++i)
+  {
+    sum.SmallestAngles[i] += other.SmallestAngles[i];
+  }
+}
+
+//------------------------------------------------------------------------------
+AngleFigures FindBelowAngle(const Surface& surface, double degrees)
+{
+  AngleFigures found;
+  double worst = degrees > 0.0 ? CosineOfDegrees(degrees) : 1.0;
+  const double limit = worst;
+  for (const Triangle& v : surface.Triangles)
+  {
+    const Vector3& a = surface.Points[v[0]];
+    const Vector3& b = surface.Points[v[1]];
+    const Vector3& c = surface.Points[v[2]];
+    const double cosine = CosineOfSmallestAngle(a, b, c);
+    found.Below += cosine > limit ? 1 : 0;
+    if (cosine > worst)
+    {
+      worst = cosine;
+      found.Worst = (a + b + c) / 3.0;
+    }
+  }
+  return found;
+}
+}

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ShapeFigures.h
+ * @brief What the report says about the shapes of triangles.
+ */
+#ifndef BoneDecimate_Core_Report_ShapeFigures_h
+#define BoneDecimate_Core_Report_ShapeFigures_h
+
+#include "Surface.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace bonedecimate
+{
+/// Of the triangles of a surface, by the definitions of vtkMeshQuality; not a number if no triangle has an area.
+struct ShapeStatistics
+{
+  double SmallestAngle = std::numeric_limits<double>::quiet_NaN();   ///< degrees
+  double LargestAngle = std::numeric_limits<double>::quiet_NaN();    ///< degrees
+  double MeanRadiusRatio = std::numeric_limits<double>::quiet_NaN(); ///< 1 is equilateral.
+  double LargestRadiusRatio = std::numeric_limits<double>::quiet_NaN();
+  double MeanAspectRatio = std::numeric_limits<double>::quiet_NaN(); ///< 1 is equilateral.
+  double LargestAspectRatio = std::numeric_limits<double>::quiet_NaN();
+  /// How many triangles have a smallest angle below 10 degrees, from 10 to below 20, ... from 50 on.
+  std::array<std::int64_t, 6> SmallestAngles{};
+};
+
+/// Triangles of the result with an angle below MinimumAngle.
+struct AngleFigures
+{
+  std::int64_t Below = 0;
+  Vector3 Worst =
+    Vector3::Zero(); ///< mm, the centroid of the one with the smallest angle, if there is one.
+};
+}
+
+#endif

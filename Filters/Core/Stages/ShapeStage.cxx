@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShapeStage.h"
+
+#include "CollapseStage.h"
+#include "ShapeImprover.h"
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr int MostRounds = 12;
+/// No further round after one that removes less than one face in this many.
+constexpr Index LeastOfRound = 128;
+
+bool HasReachedFaces(const StageInput& input)
+{
+  return input.MeshEditor.Mesh().NumberOfFaces() <= input.Stops.Faces;
+}
+
+/// Angles that have become larger allow collapses that were rejected. False if the monitor requests a stop.
+bool CollapseOnce(const StageInput& input, const Monitor& monitor)
+{
+  input.MeshEditor.DistributeVolumeBudget();
+  input.MeshEditor.RenewQuadrics(input.Threads);
+  return HasReachedFaces(input) ||
+    SweepTo(input, input.Stops.Faces, monitor) != StopReason::Aborted;
+}
+}
+
+bool ImproveShape(const StageInput& input, const Monitor& monitor)
+{
+  constexpr double mendedAt = 0.2;
+  constexpr double sweptAt = 0.4;
+  constexpr double collapsedAt = 0.8; // of a round
+  if (!input.HasLeastAngle())
+  {
+    return true;
+  }
+  const HalfEdgeMesh& mesh = input.MeshEditor.Mesh();
+  ShapeImprover improver(input.MeshEditor, input.LargestCosine);
+  bool goesOn = improver.Mend(PartOf(monitor, 0.0, mendedAt));
+  if (!input.MeshEditor.LimitsEdits())
+  {
+    return goesOn;
+  }
+  goesOn = goesOn && CollapseOnce(input, PartOf(monitor, mendedAt, sweptAt));
+  const Monitor rounds = PartOf(monitor, sweptAt, 1.0);
+  bool isWorthIt = true;
+  for (int i = 0; i < MostRounds && goesOn && isWorthIt && !HasReachedFaces(input); ++i)
+  {
+    const Index before = mesh.NumberOfFaces();
+    const Monitor round =
+      PartOf(rounds, static_cast<double>(i) / MostRounds, (i + 1.0) / MostRounds);
+    goesOn = improver.Collapse(input.Stops.Faces, PartOf(round, 0.0, collapsedAt)) &&
+      improver.Mend(PartOf(round, collapsedAt, 1.0));
+    isWorthIt = before - mesh.NumberOfFaces() >= before / LeastOfRound;
+  }
+  return goesOn && monitor(1.0);
+}
+}
