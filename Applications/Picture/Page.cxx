@@ -264,7 +264,7 @@ std::string Smoothing(const ReportFields& report)
 
 std::string RejectionText(const std::string& cause)
 {
-  static const std::array<std::pair<const char*, const char*>, 10> sentences = { {
+  static const std::array<std::pair<const char*, const char*>, 11> sentences = { {
     { "non_manifold", "the surface is not manifold there and stays as it is" },
     { "boundary", "an open boundary would leave its curve, or the surface be pinched" },
     { "link_condition", "the topology would change" },
@@ -275,6 +275,7 @@ std::string RejectionText(const std::string& cause)
     { "constrained", "a point may not move, because its tolerance or that of a neighbor is 0" },
     { "intersection", "triangles would intersect, or a gap become narrower than half its width" },
     { "voxel_label", "a voxel of the label map would get another label" },
+    { "shape", "a triangle would have an angle below the least one" },
   } };
   const auto known = std::find_if(sentences.begin(), sentences.end(),
     [&cause](const auto& sentence) { return cause == sentence.first; });
