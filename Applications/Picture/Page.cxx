@@ -145,6 +145,24 @@ std::string Distances(const ReportFields& report)
       { "input density", density("input_to_output") } });
 }
 
+/// "12, 340, 2,020": how many triangles have an angle below 10, 20 and 30 degrees.
+std::string SmallAngles(const ReportFields& report, const std::string& side)
+{
+  std::string counts;
+  double below = 0.0;
+  for (const char* bin : { "0", "1", "2" })
+  {
+    const Value count = report.Number(side + "shape.smallest_angles." + bin);
+    if (!count)
+    {
+      return Unknown;
+    }
+    below += *count;
+    counts += (counts.empty() ? "" : "; ") + GroupedText(below);
+  }
+  return counts;
+}
+
 std::string SurfaceTable(const ReportFields& report)
 {
   Rows rows = { { "", "before", "after" } };
@@ -158,7 +176,11 @@ std::string SurfaceTable(const ReportFields& report)
     { "Components (separate pieces)", "components", 0 }, { "Boundary edges", "boundary_edges", 0 },
     { "Edges of three or more triangles", "non_manifold_edges", 0 },
     { "Euler number", "euler_number", 0 }, { "Area, mm&sup2;", "area", 1 },
-    { "Volume, mm&sup3;", "volume", 1 } };
+    { "Volume, mm&sup3;", "volume", 1 },
+    { "Smallest angle of the triangles, degrees", "shape.smallest_angle", 1 },
+    { "Largest angle, degrees", "shape.largest_angle", 1 },
+    { "Mean radius ratio (1 is equilateral)", "shape.mean_radius_ratio", 2 },
+    { "Mean aspect ratio (1 is equilateral)", "shape.mean_aspect_ratio", 2 } };
   for (const Line& line : lines)
   {
     std::vector<std::string> row = { line.Title };
@@ -169,6 +191,8 @@ std::string SurfaceTable(const ReportFields& report)
     }
     rows.push_back(row);
   }
+  rows.push_back({ "Triangles with an angle below 10; 20; 30 degrees", SmallAngles(report, "input."),
+    SmallAngles(report, "output.") });
   return Table(rows);
 }
 

@@ -65,7 +65,7 @@ TEST_F(Page, HoldsEveryCountOfBothSurfaces)
       const std::string text = GroupedText(this->Filter->GetReportValue(side + name));
       EXPECT_TRUE(Contains(page, "<td>" + text + "</td>")) << side << name << " " << text;
     }
-    for (const char* name : { "area", "volume" })
+    for (const char* name : { "area", "volume", "shape.smallest_angle", "shape.largest_angle" })
     {
       const std::string text = GroupedText(this->Filter->GetReportValue(side + name), 1);
       EXPECT_TRUE(Contains(page, "<td>" + text + "</td>")) << side << name << " " << text;
