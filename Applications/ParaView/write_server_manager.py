@@ -25,10 +25,10 @@ GROUPS = [
     ("Smoothing (lengths in mm)", ["Smoothing", "AutomaticSmoothing", "FeatureAngle"]),
     ("Proof", ["IntersectionGuard", "RefinementEffort", "MinimumAngle", "KeepVoxels", "ProveResult"]),
     ("Output", ["MeasureDistances", "MeasureInputDistances", "PassArrays", "MakeMaps", "RecomputeNormals",
-                        "OutputPointsPrecision"]),
+                        "OutputPointsPrecision", "OutputPointsGrid"]),
 ]
 # Shown by the advanced toggle of the panel.
-ADVANCED = {"MergePoints", "NumberOfThreads", "OutputPointsPrecision", "MakeMaps"}
+ADVANCED = {"MergePoints", "NumberOfThreads", "OutputPointsPrecision", "OutputPointsGrid", "MakeMaps"}
 
 THESIS = ("Mode", "0", False)
 NOT_THESIS = ("Mode", "0", True)

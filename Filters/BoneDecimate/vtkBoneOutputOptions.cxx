@@ -14,6 +14,7 @@ namespace
 const char* const OptionNames[] = {
   "MeasureInputDistances",
   "OutputPointsPrecision",
+  "OutputPointsGrid",
   "PassArrays",
   "MakeMaps",
   "RecomputeNormals",
@@ -54,6 +55,16 @@ void vtkBoneOutputOptions::SetOutputPointsPrecision(int value)
 int vtkBoneOutputOptions::GetOutputPointsPrecision() const
 {
   return static_cast<int>(this->State->Options.OutputPointsPrecision);
+}
+
+void vtkBoneOutputOptions::SetOutputPointsGrid(double value)
+{
+  this->State->Set(this, "OutputPointsGrid", value);
+}
+
+double vtkBoneOutputOptions::GetOutputPointsGrid() const
+{
+  return this->State->Options.OutputPointsGrid;
 }
 
 void vtkBoneOutputOptions::SetPassArrays(bool value)

@@ -39,6 +39,13 @@ public:
   ///@}
 
   ///@{
+  /// Round the output points to whole multiples of this length, for files that hold whole numbers. What is proved, and what the
+  /// guards check, are the rounded points. A power of two is exact in single precision. 0: off. Range: 0 to 1e30 mm; default: 0.
+  void SetOutputPointsGrid(double value);
+  double GetOutputPointsGrid() const;
+  ///@}
+
+  ///@{
   /// Pass the point and cell arrays of the input to the result. Floating-point point data is interpolated at the nearest position
   /// on the input. Everything else is copied from the nearest point, or from the cell nearest to the centroid of the triangle.
   /// Default: on.

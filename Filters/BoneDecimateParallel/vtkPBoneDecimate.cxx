@@ -193,6 +193,11 @@ const char* vtkPBoneDecimate::ProblemOfParts(
     return "OutputPointsPrecision on several processes is that of the input: parts are joined "
            "where points are equal";
   }
+  if (this->GetOutputPointsGrid() > 0.0)
+  {
+    return "OutputPointsGrid is for one process alone: points that parts have in common keep their "
+           "coordinates";
+  }
   return this->GetDiagnoseInput()
     ? "DiagnoseInput is for one process alone: what is odd about a part need not be so in the whole"
     : nullptr;

@@ -29,7 +29,7 @@
  * surface, so that equal points of blocks hang together; the cell array BlockIndex says from which block a triangle is.
  *
  * Every process must update the filter, those without triangles, too. Rejected on several: pruning, LabelArrayName, MergePoints off,
- * MakeMaps, DiagnoseInput, an OutputPointsPrecision other than the default, smoothing with a reference or of parts in different
+ * MakeMaps, DiagnoseInput, an OutputPointsPrecision other than the default, an OutputPointsGrid, smoothing with a reference or of parts in different
  * precision, and an ErrorPreset without VoxelSize or a voxel grid. Parts and blocks of different label maps are always rejected.
  * ErrorBoundToResult is left out.
  */

@@ -62,7 +62,7 @@ RunTask TaskOf(
   }
   report.Voxel =
     ApplyPreset(inputs.Reference != nullptr ? *inputs.Reference : input, task.Effective);
-  task.RoundsToSingle = RoundsToSingle(options, inputs.InputIsSingle);
+  task.Rounding = RoundingOf(options, inputs.InputIsSingle);
   task.Smoothing = PlanSmoothing(input, task.Effective, inputs.LabelMap);
   if (options.KeepsAllTriangles() && options.ProvesError() && task.Effective.MaximumError == 0.0)
   {
@@ -85,7 +85,7 @@ std::optional<ErrorBoundSettings> BoundSettings(const RunTask& task, const Prepa
   }
   ErrorBoundSettings settings;
   settings.Error = options.BoundsError() ? options.MaximumError : settings.Error;
-  settings.RoundsToSingle = task.RoundsToSingle;
+  settings.Rounding = task.Rounding;
   settings.Origin = prepared.Cleaned.Origin;
   if (ContinuesEarlierRun(task.Inputs))
   {
@@ -104,7 +104,7 @@ std::optional<VoxelGuardSettings> VoxelSettings(const RunTask& task, const Prepa
   VoxelGuardSettings settings;
   settings.Grid = task.Inputs.LabelMap->Grid;
   settings.OfFace = BoundaryLabelsOf(prepared.Cleaned, *task.Inputs.LabelMap);
-  settings.RoundsToSingle = task.RoundsToSingle;
+  settings.Rounding = task.Rounding;
   settings.Origin = prepared.Cleaned.Origin;
   return settings;
 }
@@ -188,14 +188,15 @@ void RunModeStages(const RunTask& task, const PreparedInput& prepared, Editor& e
   report.Stop = RunStages(input, monitor);
 }
 
-/// Separates points of a proved result that rounding to single precision would merge.
+/// Separates points of a proved result that rounding would merge.
 void SeparatePoints(
   const RunTask& task, const PreparedInput& prepared, Editor& editor, Report& report)
 {
-  if (task.RoundsToSingle && task.Effective.MergePoints && editor.HasErrorBound() &&
+  if (task.Rounding.Rounds() && task.Effective.MergePoints && editor.HasErrorBound() &&
     report.Stop != StopReason::Aborted)
   {
-    report.Status = SeparateCoincidentPoints(editor, task.Input, prepared.Cleaned, report.Cleaning);
+    report.Status = SeparateCoincidentPoints(
+      editor, task.Input, prepared.Cleaned, task.Rounding, report.Cleaning);
   }
 }
 
@@ -218,7 +219,7 @@ Surface ExtractResult(const RunTask& task, const PreparedInput& prepared, const 
   const int threads = task.Effective.NumberOfThreads;
   const Original& original = editor.Reference();
   const bool measures = task.Effective.MeasureDistances || original.RecordsDistances();
-  const ExtractOptions options = { task.RoundsToSingle, !isAborted && measures,
+  const ExtractOptions options = { task.Rounding, !isAborted && measures,
     !isAborted && task.Inputs.WantsOrigins, threads, task.Inputs.Labels, task.Inputs.LabelMap };
   if (options.Distances || options.Origins)
   {
@@ -262,7 +263,7 @@ double SmallestPart(const RunTask& task, const SmoothingFigures& smoothing)
   return 27.0 * (source != nullptr ? source->Grid.Spacing.prod() : side * side * side);
 }
 
-/// Runs the stages, and what needs their mesh. False if the result cannot be written in single precision.
+/// Runs the stages, and what needs their mesh. False if the result cannot be written in the precision of its points.
 bool Simplify(const RunTask& task, PreparedInput& prepared, RunProgress& progress, Result& result)
 {
   Report& report = result.Report;
@@ -386,8 +387,7 @@ SmoothedInput SmoothOnly(
     const Index point = clean.PointOfInput[i];
     if (point != None && smoothed[point] != clean.Surface.Points[point]) // others keep their bits
     {
-      const Vector3 position = smoothed[point] + clean.Origin;
-      result.Points[i] = task.RoundsToSingle ? RoundedToSingle(position) : position;
+      result.Points[i] = task.Rounding.Of(smoothed[point] + clean.Origin);
     }
   }
   return result;

@@ -8,7 +8,7 @@
  *     smoothed = SmoothInput(prepared)         positions within a bound, if smoothing is on; proved by their displacement
  *     editor   = MakeEditor(prepared)          the mesh with all that is kept beside it; proves edits if there is a bound
  *     RunStages(editor)                        the stages of the mode (Modes.h), until a target is reached
- *     SeparatePoints(editor)                   points of a proved result that single precision would merge
+ *     SeparatePoints(editor)                   points of a proved result that rounding would merge
  *     result   = ExtractResult(editor)         points, triangles, maps
  *     Evaluate(result)                         statistics, distances in both directions, open boundaries
  *     ProveResult(input, result)               the certificate, if there is a bound

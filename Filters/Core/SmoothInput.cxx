@@ -94,7 +94,7 @@ SmoothingSettings SettingsOf(const RunTask& task, const CleanSurface& clean)
   settings.Radius = task.Smoothing.Radius;
   settings.InVoxels = task.Smoothing.InVoxels;
   settings.FeatureAngle = task.Effective.FeatureAngle;
-  settings.RoundsToSingle = task.RoundsToSingle;
+  settings.Rounding = task.Rounding;
   settings.Origin = clean.Origin;
   settings.Threads = task.Effective.NumberOfThreads;
   return settings;

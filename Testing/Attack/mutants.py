@@ -210,7 +210,7 @@ MUTANTS = (
     Mutant("a collapse of a curve between labels is checked on one wall alone", GUARD + "VoxelPatch.cxx",
            "if (crossing.Sign != 0)", "if (crossing.Sign != 0 && face.Labels == this->Faces.front().Labels)", GUARD_TESTS),
     Mutant("positions are guarded as they are before rounding", GUARD + "VoxelGuard.cxx",
-           "this->Settings.RoundsToSingle ? RoundedToSingle(absolute) : absolute", "absolute", GUARD_TESTS),
+           "this->Settings.Rounding.Of(absolute)", "absolute", GUARD_TESTS),
     Mutant("the check voxelizes mirrored grids the wrong way around", LABELS + "VoxelRows.cxx",
            "(winding > 0) != this->Rows.IsMirrored", "(winding > 0)", CHECK_TESTS),
     Mutant("the check counts an end of an edge twice", LABELS + "VoxelRows.cxx", "b[2] <= p[2] && p[2] < a[2]",

@@ -50,10 +50,10 @@ const std::vector<Number>& Numbers()
     NUMBER_PROPERTY(AutomaticNormalTolerance), NUMBER_PROPERTY(MergePoints),
     NUMBER_PROPERTY(MeasureDistances), NUMBER_PROPERTY(MeasureInputDistances),
     NUMBER_PROPERTY(NumberOfThreads), NUMBER_PROPERTY(OutputPointsPrecision),
-    NUMBER_PROPERTY(PassArrays), NUMBER_PROPERTY(MakeMaps), NUMBER_PROPERTY(RecomputeNormals),
-    NUMBER_PROPERTY(ProveResult), NUMBER_PROPERTY(ErrorPreset), NUMBER_PROPERTY(VoxelSize),
-    NUMBER_PROPERTY(PruneSize), NUMBER_PROPERTY(PruneArea), NUMBER_PROPERTY(PruneVolume),
-    NUMBER_PROPERTY(PruneTriangles), NUMBER_PROPERTY(DiagnoseInput) };
+    NUMBER_PROPERTY(OutputPointsGrid), NUMBER_PROPERTY(PassArrays), NUMBER_PROPERTY(MakeMaps),
+    NUMBER_PROPERTY(RecomputeNormals), NUMBER_PROPERTY(ProveResult), NUMBER_PROPERTY(ErrorPreset),
+    NUMBER_PROPERTY(VoxelSize), NUMBER_PROPERTY(PruneSize), NUMBER_PROPERTY(PruneArea),
+    NUMBER_PROPERTY(PruneVolume), NUMBER_PROPERTY(PruneTriangles), NUMBER_PROPERTY(DiagnoseInput) };
   return numbers;
 }
 

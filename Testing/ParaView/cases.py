@@ -83,6 +83,7 @@ def rejected():
         "MergePoints": {"MergePoints": 0},
         "MakeMaps": {"MakeMaps": 1},
         "OutputPointsPrecision": {"OutputPointsPrecision": "Double"},
+        "OutputPointsGrid": {"OutputPointsGrid": 0.25},
         "DiagnoseInput": {"DiagnoseInput": 1},
         "no-grid": {"KeepVoxels": "On"},
         "preset-alone": {"ErrorPreset": "HalfVoxel"},

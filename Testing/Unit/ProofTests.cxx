@@ -224,7 +224,7 @@ TEST(FaceProof, ProvesFacesThatReachBeyondABoundary)
 TEST(ErrorBoundSettings, RoundsToWhatSinglePrecisionHolds)
 {
   ErrorBoundSettings settings;
-  settings.RoundsToSingle = true;
+  settings.Rounding.ToSingle = true;
   settings.Origin = Vector3(5000.1, -3000.2, 700.3);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(0.0, 40.0);

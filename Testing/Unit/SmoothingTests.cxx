@@ -41,7 +41,7 @@ TEST(Smoothing, MovesNoPointFartherThanTheRadius)
     for (const bool isSingle : { false, true })
     {
       SmoothingSettings settings = Within(radius);
-      settings.RoundsToSingle = isSingle;
+      settings.Rounding.ToSingle = isSingle;
       settings.Origin = Vector3(100.3, -77.1, 13.7);
       const SmoothedSurface smoothed = Smooth({ ball.Surface }, settings);
       ExpectWithin(
@@ -56,7 +56,7 @@ TEST(Smoothing, WritesPointsInSinglePrecision)
 {
   const BinarySurface ball = MarchedShape(Oblique(BallShape(4.0)), 5.0, Cubic);
   SmoothingSettings settings = Within(0.25);
-  settings.RoundsToSingle = true;
+  settings.Rounding.ToSingle = true;
   settings.Origin = Vector3(100.25, -77.5, 13.75);
   for (const Vector3& p : Smooth({ ball.Surface }, settings).Points)
   {

@@ -40,9 +40,9 @@ auto WithJoined(
 
 WrittenPositions WrittenBy(const EditorSettings& settings, const CleanSurface& clean)
 {
-  return settings.Input == nullptr ? WrittenPositions()
-                                   : WrittenPositions(*settings.Input, clean, settings.Bound->Error,
-                                       settings.Bound->RoundsToSingle);
+  return settings.Input == nullptr
+    ? WrittenPositions()
+    : WrittenPositions(*settings.Input, clean, settings.Bound->Error, settings.Bound->Rounding);
 }
 }
 

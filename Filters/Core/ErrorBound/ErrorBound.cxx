@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ErrorBound.h"
 
-#include "Mesh/SurfaceAssembly.h"
 #include "Prover.h"
 
 namespace bonedecimate
 {
 Vector3 ErrorBoundSettings::Rounded(const Vector3& position) const
 {
-  return this->RoundsToSingle ? Vector3(RoundedToSingle(position + this->Origin) - this->Origin)
-                              : position;
+  return this->Rounding.OfLocal(position, this->Origin);
 }
 
 //------------------------------------------------------------------------------

@@ -22,6 +22,7 @@
 #include "ErrorLimits.h"
 #include "Geometry/Zone.h"
 #include "Mesh/HalfEdgeMesh.h"
+#include "Mesh/PointRounding.h"
 #include "Reference/Original.h"
 #include "Reference/ReferenceMesh.h"
 #include "WorkspacePool.h"
@@ -44,7 +45,7 @@ struct ErrorBoundSettings
 {
   /// mm, the limit everywhere
   double Error = std::numeric_limits<double>::infinity();
-  bool RoundsToSingle = false;      ///< Whether the result will be written in single precision,
+  PointRounding Rounding = {};      ///< Of what is written,
   Vector3 Origin = Vector3::Zero(); ///< mm, relative to this position.
   /// mm, of each vertex of the mesh at first; negative or not a number: none of its own. Null: Error everywhere. Read
   /// only when the guarantee is made.

@@ -59,8 +59,8 @@ ReferenceInput ReadReference(
 void PrepareErrors(RunTask& task, const Monitor& monitor, PreparedInput& prepared, Report& report)
 {
   const std::vector<double>* tolerances = task.Inputs.Tolerances;
-  report.Status = CheckErrors(
-    task.Input, prepared.Cleaned, tolerances, task.RoundsToSingle, task.Effective, report);
+  report.Status =
+    CheckErrors(task.Input, prepared.Cleaned, tolerances, task.Rounding, task.Effective, report);
   if (report.Status == InputStatus::Good && tolerances != nullptr)
   {
     prepared.Tolerances.OfPoints = LimitedTolerances(*tolerances, report.Size.Diagonal);
@@ -150,10 +150,13 @@ bool PreparedInput::IsLimitedEverywhere() const
 }
 
 //------------------------------------------------------------------------------
-bool RoundsToSingle(const Options& options, bool inputIsSingle)
+PointRounding RoundingOf(const Options& options, bool inputIsSingle)
 {
-  return options.OutputPointsPrecision == PointsPrecision::Single ||
+  PointRounding rounding;
+  rounding.ToSingle = options.OutputPointsPrecision == PointsPrecision::Single ||
     (options.OutputPointsPrecision == PointsPrecision::Default && inputIsSingle);
+  rounding.GridStep = options.OutputPointsGrid;
+  return rounding;
 }
 
 //------------------------------------------------------------------------------

@@ -20,6 +20,7 @@
 #include "Decimate.h"
 #include "Mesh/Cleaning.h"
 #include "Mesh/HalfEdgeMesh.h"
+#include "Mesh/PointRounding.h"
 #include "Reference/ReferenceMesh.h"
 #include "ReferenceInput.h"
 #include "RunProgress.h"
@@ -38,12 +39,12 @@ struct RunTask
   Options
     Effective; ///< With the largest error that is used: that of the preset, and none above the diagonal.
   bool GuardsVoxels = false;   ///< Whether edits may not let a voxel center change sides.
-  bool RoundsToSingle = false; ///< Whether the result is written in single precision.
+  PointRounding Rounding = {}; ///< Of the result.
   SmoothingPlan Smoothing = {};
 };
 
-/// Whether the result of an input of that precision is written in single precision.
-bool RoundsToSingle(const Options& options, bool inputIsSingle);
+/// Of the result of an input of that precision.
+PointRounding RoundingOf(const Options& options, bool inputIsSingle);
 
 /// mm, tolerances of the points of the input.
 struct PointTolerances

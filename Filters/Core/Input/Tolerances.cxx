@@ -36,21 +36,21 @@ InputStatus CheckTolerances(const std::vector<double>& given, std::size_t number
 }
 
 //------------------------------------------------------------------------------
-InputStatus CheckRounding(const Surface& input, const CleanSurface& clean, double largestError,
-  const std::vector<double>* given, CleaningStatistics& found)
+InputStatus CheckRounding(const Surface& input, const CleanSurface& clean,
+  const ErrorsOfPoints& errors, const PointRounding& rounding, CleaningStatistics& found)
 {
   const std::vector<double> tolerances =
-    given != nullptr ? TolerancesOf(clean, *given) : std::vector<double>();
+    errors.Tolerances != nullptr ? TolerancesOf(clean, *errors.Tolerances) : std::vector<double>();
   for (std::size_t v = 0; v < clean.InputPoint.size(); ++v)
   {
     const Index id = clean.InputPoint[v];
     const Vector3& point = input.Points[static_cast<std::size_t>(id)];
     const bool isLimited = !tolerances.empty() && tolerances[v] >= 0.0;
-    const double rounding = (RoundedToSingle(point) - point).norm();
-    if (rounding > (isLimited ? std::min(tolerances[v], largestError) : largestError))
+    const double move = (rounding.Of(point) - point).norm();
+    if (move > (isLimited ? std::min(tolerances[v], errors.Largest) : errors.Largest))
     {
       found.FirstCoarsePoint = found.CoarsePoints++ == 0 ? id : found.FirstCoarsePoint;
-      found.LargestRounding = std::max(found.LargestRounding, rounding);
+      found.LargestRounding = std::max(found.LargestRounding, move);
     }
   }
   return found.CoarsePoints > 0 ? InputStatus::SinglePrecisionTooCoarse : InputStatus::Good;
@@ -58,7 +58,7 @@ InputStatus CheckRounding(const Surface& input, const CleanSurface& clean, doubl
 
 //------------------------------------------------------------------------------
 InputStatus CheckErrors(const Surface& input, const CleanSurface& clean,
-  const std::vector<double>* given, bool roundsToSingle, Options& options, Report& report)
+  const std::vector<double>* given, const PointRounding& rounding, Options& options, Report& report)
 {
   InputStatus status = InputStatus::Good;
   report.HasTolerances = given != nullptr;
@@ -71,11 +71,11 @@ InputStatus CheckErrors(const Surface& input, const CleanSurface& clean,
     return status;
   }
   report.Size = MeasureSize(clean, options, given);
-  if (roundsToSingle && options.ProvesError())
+  if (rounding.HasGrid() || (rounding.ToSingle && options.ProvesError()))
   {
     const double error =
       options.BoundsError() ? options.MaximumError : std::numeric_limits<double>::infinity();
-    status = CheckRounding(input, clean, error, given, report.Cleaning);
+    status = CheckRounding(input, clean, { error, given }, rounding, report.Cleaning);
   }
   status = status == InputStatus::Good ? CheckSize(report.Size, options) : status;
   if (options.ProvesError())

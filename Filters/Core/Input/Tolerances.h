@@ -14,6 +14,7 @@
 #define BoneDecimate_Core_Input_Tolerances_h
 
 #include "Mesh/Cleaning.h"
+#include "Mesh/PointRounding.h"
 #include "Options/Options.h"
 #include "Report/Report.h"
 
@@ -26,15 +27,22 @@ namespace bonedecimate
 InputStatus CheckTolerances(const std::vector<double>& given, std::size_t numberOfPoints,
   bool provesError, CleaningStatistics& found);
 
-/// Whether rounding the output to single precision keeps every point that triangles use within the largest error (mm;
-/// infinite: none) and its tolerance; counts the points that move too far.
-InputStatus CheckRounding(const Surface& input, const CleanSurface& clean, double largestError,
-  const std::vector<double>* given, CleaningStatistics& found);
+/// The largest error, mm (infinite: none), and tolerances of points, mm (null: none).
+struct ErrorsOfPoints
+{
+  double Largest;
+  const std::vector<double>* Tolerances;
+};
+
+/// Whether rounding the output keeps every point that triangles use within these errors; counts the points that move too far.
+InputStatus CheckRounding(const Surface& input, const CleanSurface& clean,
+  const ErrorsOfPoints& errors, const PointRounding& rounding, CleaningStatistics& found);
 
 /// Whether the tolerances (null: none) and the largest error are valid for the mode, the precision of the output and the
 /// size of the input (InputSize.h), which is reported. Lowers a largest error above the diagonal to the diagonal.
 InputStatus CheckErrors(const Surface& input, const CleanSurface& clean,
-  const std::vector<double>* given, bool roundsToSingle, Options& options, Report& report);
+  const std::vector<double>* given, const PointRounding& rounding, Options& options,
+  Report& report);
 
 /// The tolerances, mm, capped by the limit.
 std::vector<double> LimitedTolerances(std::vector<double> given, double limit);

@@ -10,10 +10,10 @@
 namespace bonedecimate
 {
 WrittenPositions::WrittenPositions(
-  const Surface& input, const CleanSurface& clean, double error, bool roundsToSingle)
+  const Surface& input, const CleanSurface& clean, double error, const PointRounding& rounding)
   : Input(&input)
   , Clean(&clean)
-  , RoundsToSingle(roundsToSingle)
+  , Rounds(rounding)
 {
   double farthest = clean.Origin.cwiseAbs().maxCoeff();
   for (const Vector3& p : clean.Surface.Points)
@@ -21,7 +21,8 @@ WrittenPositions::WrittenPositions(
     farthest = std::max(farthest, p.maxCoeff()); // none is negative
   }
   // Local and written coordinates, and those between, are not larger than twice that.
-  this->MostRounding = 4.0 * std::numeric_limits<double>::epsilon() * (farthest + error);
+  this->MostRounding =
+    4.0 * std::numeric_limits<double>::epsilon() * (farthest + error) + 0.5 * rounding.GridStep;
 }
 
 //------------------------------------------------------------------------------
@@ -33,7 +34,8 @@ Vector3 WrittenPositions::Of(VertexId vertex, const Vector3& local) const
   }
   const auto v = static_cast<std::size_t>(vertex);
   const bool hasMoved = local != this->Clean->Surface.Points[v];
+  const bool isRounded = hasMoved || this->Rounds.HasGrid();
   return OutputPosition(
-    *this->Input, *this->Clean, vertex, local, hasMoved && this->RoundsToSingle);
+    *this->Input, *this->Clean, vertex, local, isRounded ? this->Rounds : PointRounding());
 }
 }

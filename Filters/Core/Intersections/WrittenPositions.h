@@ -11,6 +11,7 @@
 #define BoneDecimate_Core_Intersections_WrittenPositions_h
 
 #include "Mesh/Cleaning.h"
+#include "Mesh/PointRounding.h"
 
 namespace bonedecimate
 {
@@ -19,11 +20,11 @@ class WrittenPositions
 public:
   /// Vertices are written where the mesh has them.
   WrittenPositions() = default;
-  /// Points that never move keep the precision of the input.
+  /// Points that never move keep the precision of the input, but are on the grid if there is one.
   /// @param input Of which the other one was made; both must outlive this object.
   /// @param error mm, how far vertices may move.
   WrittenPositions(
-    const Surface& input, const CleanSurface& clean, double error, bool roundsToSingle);
+    const Surface& input, const CleanSurface& clean, double error, const PointRounding& rounding);
 
   Vector3 Of(VertexId vertex, const Vector3& local) const;
   /// mm, the most by which a coordinate written differs from the local one and the origin, exactly added.
@@ -32,7 +33,7 @@ public:
 private:
   const Surface* Input = nullptr;
   const CleanSurface* Clean = nullptr;
-  bool RoundsToSingle = false;
+  PointRounding Rounds = {};
   double MostRounding = 0.0;
 };
 }

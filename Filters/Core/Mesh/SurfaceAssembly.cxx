@@ -4,16 +4,6 @@
 
 namespace bonedecimate
 {
-namespace
-{
-/// Volatile, because optimizers remove the conversion to single precision and back (gcc 12 does at -O2).
-double NearestSingle(double value)
-{
-  const volatile float rounded = static_cast<float>(value);
-  return static_cast<double>(rounded);
-}
-}
-
 std::vector<Index> NumberVertices(
   std::size_t vertexSlots, std::vector<Triangle>& triangles, int threads)
 {
@@ -42,19 +32,13 @@ std::vector<Index> NumberVertices(
 }
 
 //------------------------------------------------------------------------------
-Vector3 RoundedToSingle(const Vector3& position)
-{
-  return position.unaryExpr(&NearestSingle);
-}
-
-//------------------------------------------------------------------------------
 Vector3 OutputPosition(const Surface& input, const CleanSurface& clean, VertexId vertex,
-  const Vector3& local, bool roundToSingle)
+  const Vector3& local, const PointRounding& rounding)
 {
   const auto v = static_cast<std::size_t>(vertex);
   const bool hasMoved = local != clean.Surface.Points[v];
   const Vector3 position = hasMoved ? Vector3(local + clean.Origin)
                                     : input.Points[static_cast<std::size_t>(clean.InputPoint[v])];
-  return roundToSingle ? RoundedToSingle(position) : position;
+  return rounding.Of(position);
 }
 }

@@ -109,6 +109,10 @@ std::vector<OptionInfo> RunRows()
     { "OutputPointsPrecision", &Options::OutputPointsPrecision, 0, 2, "", "precision",
       { "Single", "Double", "Default" },
       "Precision of the output points. Default: that of the input." },
+    { "OutputPointsGrid", &Options::OutputPointsGrid, 0, LargestNumber, "mm", "", {},
+      "Round the output points to whole multiples of this length, for files that hold whole "
+      "numbers. What is proved, and what the guards check, are the rounded points. A power of two "
+      "is exact in single precision. 0: off." },
     { "PassArrays", &Options::PassArrays, 0, 1, "", "pass-arrays", {},
       "Pass the point and cell arrays of the input to the result. Floating-point point data is "
       "interpolated at the nearest position on the input. Everything else is copied from the "

@@ -74,10 +74,11 @@ struct Options
   std::string ErrorBoundArrayName = "ErrorBound";
   std::string InputErrorBoundArrayName = "ErrorBoundToResult";
   bonedecimate::ErrorPreset ErrorPreset = bonedecimate::ErrorPreset::NoPreset;
-  double VoxelSize = 0.0;   // mm
-  double PruneSize = 0.0;   // mm
-  double PruneArea = 0.0;   // mm^2
-  double PruneVolume = 0.0; // mm^3
+  double VoxelSize = 0.0;        // mm
+  double OutputPointsGrid = 0.0; // mm
+  double PruneSize = 0.0;        // mm
+  double PruneArea = 0.0;        // mm^2
+  double PruneVolume = 0.0;      // mm^3
   int PruneTriangles = 0;
   bool DiagnoseInput = false;
 

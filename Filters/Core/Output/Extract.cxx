@@ -196,8 +196,8 @@ std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, co
   ForEachId(vertices.size(), options.Threads,
     [&](std::size_t p)
     {
-      const Vector3 position = OutputPosition(
-        input, clean, vertices[p], mesh.Position(vertices[p]), options.RoundToSingle);
+      const Vector3 position =
+        OutputPosition(input, clean, vertices[p], mesh.Position(vertices[p]), options.Rounding);
       result.Surface.Points[p] = position;
       remains.Points[p] = position - clean.Origin;
       result.PointCount[p] = counts[static_cast<std::size_t>(vertices[p])];

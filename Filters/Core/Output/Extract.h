@@ -5,7 +5,7 @@
  * @brief Converts the simplified mesh to points, triangles and maps.
  *
  *     triangles     the remaining faces, in the order of the mesh
- *     points        their corners, in the order of the mesh; rounded to single precision if requested
+ *     points        their corners, in the order of the mesh; rounded if requested
  *     PointCount    always
  *     Distance, RunningError    if they or Origins are requested
  *     Origins       if requested
@@ -18,12 +18,13 @@
 #include "Decimate.h"
 #include "Edit/Editor.h"
 #include "Mesh/Cleaning.h"
+#include "Mesh/PointRounding.h"
 
 namespace bonedecimate
 {
 struct ExtractOptions
 {
-  bool RoundToSingle = false; ///< Round the positions to single precision before they are measured.
+  PointRounding Rounding = {}; ///< Of the positions, before they are measured.
   bool Distances = false;
   bool Origins = false;
   int Threads = 1;

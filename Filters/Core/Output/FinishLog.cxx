@@ -12,10 +12,10 @@ EditLog FinishLog(EditLog log, const RunTask& task, const CleanSurface& cleaned,
   log.InputChecksum = inputChecksum;
   log.Vertices = mesh.NumberOfVertexSlots();
   log.Faces = mesh.NumberOfFaceSlots();
-  log.IsSingle = task.RoundsToSingle;
+  log.IsSingle = task.Rounding.ToSingle;
   log.MergesPoints = task.Effective.MergePoints;
   const auto write = [&](VertexId vertex, Vector3& position)
-  { position = OutputPosition(task.Input, cleaned, vertex, position, task.RoundsToSingle); };
+  { position = OutputPosition(task.Input, cleaned, vertex, position, task.Rounding); };
   for (LoggedCollapse& collapse : log.Collapses)
   {
     write(collapse.Kept, collapse.Position);

@@ -35,6 +35,10 @@ std::string WhatIsWrong(const Options& options)
   {
     return "A run in slabs does not smooth.";
   }
+  if (options.OutputPointsGrid > 0.0)
+  {
+    return "A run in slabs does not round points to a grid.";
+  }
   if (options.Prunes())
   {
     return "A run in slabs does not remove components, because it does not know them as a whole.";

@@ -126,11 +126,11 @@ private:
     const CleanSurface& clean = this->Prepared->Cleaned;
     Report& report = this->Made.Report;
     report.Cleaning = clean.Statistics;
-    const bool rounds = RoundsToSingle(options, this->Inputs.InputIsSingle);
+    const PointRounding rounding = RoundingOf(options, this->Inputs.InputIsSingle);
     const bool isManifold = clean.Statistics.NonManifoldPoints == 0;
-    if (clean.Status != InputStatus::Good || (rounds && !this->Prepared->IsSingle) ||
-      (labels != nullptr && !isManifold) ||
-      CheckErrors(this->Input, clean, this->Inputs.Tolerances, rounds, this->Effective, report) !=
+    if (clean.Status != InputStatus::Good || rounding.HasGrid() ||
+      (rounding.ToSingle && !this->Prepared->IsSingle) || (labels != nullptr && !isManifold) ||
+      CheckErrors(this->Input, clean, this->Inputs.Tolerances, rounding, this->Effective, report) !=
         InputStatus::Good)
     {
       return false;

@@ -71,23 +71,31 @@ std::string FarMessage(const ProvedDistance& distance)
   return text;
 }
 
-std::string CoarseMessage(const CleaningStatistics& found)
+/// Rounding moved points onto others, or too far.
+std::string CoarseMessage(const CleaningStatistics& found, double gridStep)
 {
-  char text[240];
+  char rounding[80] = "single precision";
+  if (gridStep > 0.0)
+  {
+    std::snprintf(rounding, sizeof(rounding), "rounding to multiples of %.3g mm", gridStep);
+  }
+  const char* const remedy =
+    gridStep > 0.0 ? "a finer grid" : "double precision, or an origin near the surface,";
+  char text[320];
   if (found.MeetingPoints > 0)
   {
     std::snprintf(text, sizeof(text),
-      "single precision leaves %lld points of the result at the positions of others, the first is "
-      "point %lld of the input; double precision, or an origin near the surface, keeps them apart",
-      static_cast<long long>(found.MeetingPoints), static_cast<long long>(found.FirstCoarsePoint));
+      "%s leaves %lld points of the result at the positions of others, the first is point %lld of "
+      "the input; %s keeps them apart",
+      rounding, static_cast<long long>(found.MeetingPoints),
+      static_cast<long long>(found.FirstCoarsePoint), remedy);
     return text;
   }
   std::snprintf(text, sizeof(text),
-    "single precision alone moves %lld points farther than the largest error or their tolerances "
-    "allow, by up to %.3g mm, the first is point %lld; double precision, or an origin near the "
-    "surface, leaves them where they are",
-    static_cast<long long>(found.CoarsePoints), found.LargestRounding,
-    static_cast<long long>(found.FirstCoarsePoint));
+    "%s alone moves %lld points farther than the largest error or their tolerances allow, by up to "
+    "%.3g mm, the first is point %lld; %s leaves them where they are",
+    rounding, static_cast<long long>(found.CoarsePoints), found.LargestRounding,
+    static_cast<long long>(found.FirstCoarsePoint), remedy);
   return text;
 }
 }
@@ -190,7 +198,7 @@ std::string InputMessage(const Report& report)
       return "each of the " + std::to_string(report.Pruned.Components.size()) +
         " components is smaller than what was to be kept; nothing would be left";
     case InputStatus::SinglePrecisionTooCoarse:
-      return CoarseMessage(found);
+      return CoarseMessage(found, report.Requested.OutputPointsGrid);
     case InputStatus::ErrorBeyondSize:
     case InputStatus::ErrorBelowSize:
       return SizeMessage(report.Size, report.Status);

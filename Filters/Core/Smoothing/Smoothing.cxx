@@ -189,9 +189,7 @@ private:
   /// Where the point will be when it has been written.
   Vector3 Rounded(const Vector3& position) const
   {
-    return this->Settings.RoundsToSingle
-      ? Vector3(RoundedToSingle(position + this->Settings.Origin) - this->Settings.Origin)
-      : position;
+    return this->Settings.Rounding.OfLocal(position, this->Settings.Origin);
   }
 
   /// Puts a point where its displacement leads, rounded, and within its bound.

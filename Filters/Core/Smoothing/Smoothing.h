@@ -21,6 +21,7 @@
 #define BoneDecimate_Core_Smoothing_Smoothing_h
 
 #include "LabelMap/VoxelGrid.h"
+#include "Mesh/PointRounding.h"
 #include "Monitor.h"
 #include "Report/Report.h"
 #include "Surface.h"
@@ -49,7 +50,7 @@ struct SmoothingSettings
   double FeatureAngle = 180.0; ///< Degrees: edges that are sharper are kept; 180: none.
   /// For thick slices: in units of voxels, octahedra alone, and stronger along longer sides. Only with points of a grid.
   bool InVoxels = false;
-  bool RoundsToSingle = false;      ///< Whether the result will be written in single precision,
+  PointRounding Rounding = {};      ///< Of what is written,
   Vector3 Origin = Vector3::Zero(); ///< mm, relative to this position.
   int Threads = 1;
 };

@@ -13,7 +13,7 @@ namespace bonedecimate
 {
 namespace
 {
-using RoundedPosition = std::array<float, 3>; // mm
+using RoundedPosition = std::array<double, 3>; // mm
 
 /// Steps to the neighboring positions; those that differ in fewer coordinates come first.
 std::vector<std::array<int, 3>> StepsAround()
@@ -34,25 +34,28 @@ std::vector<std::array<int, 3>> StepsAround()
 
 /// The nearest coordinate beside it that a vertex can have and that is written as another number, mm. Near 0 single precision is
 /// finer than positions relative to the local origin; denormal numbers are left out, because many programs read them as 0.
-float Beside(float from, int step, double origin)
+double BesideInSingle(double position, int step, double origin)
 {
+  const auto from = static_cast<float>(position);
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double local = std::abs(from - origin);
+  const double local = std::abs(position - origin);
   const double least = std::max<double>(
     2.0 * (std::nextafter(local, infinity) - local), std::numeric_limits<float>::min());
   const float next = std::nextafter(from, static_cast<float>(step * infinity));
-  return std::abs(static_cast<double>(next) - from) < least
-    ? static_cast<float>(from + step * least)
+  return std::abs(static_cast<double>(next) - position) < least
+    ? static_cast<float>(position + step * least)
     : next;
 }
 
 class DistinctPositions
 {
 public:
-  DistinctPositions(Editor& editor, const Surface& input, const CleanSurface& clean)
+  DistinctPositions(
+    Editor& editor, const Surface& input, const CleanSurface& clean, const PointRounding& rounding)
     : MeshEditor(editor)
     , Input(input)
     , Clean(clean)
+    , Rounding(rounding)
   {
     this->Space.Range.Last = editor.Mesh().NumberOfVertexSlots();
   }
@@ -104,8 +107,15 @@ private:
 
   RoundedPosition WrittenAt(VertexId v, const Vector3& position) const
   {
-    const Vector3 p = OutputPosition(this->Input, this->Clean, v, position, true);
-    return { static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]) };
+    const Vector3 p = OutputPosition(this->Input, this->Clean, v, position, this->Rounding);
+    return { p[0], p[1], p[2] };
+  }
+
+  /// The nearest coordinate beside it that is written as another number, mm.
+  double Beside(double from, int step, double origin) const
+  {
+    return this->Rounding.HasGrid() ? from + step * this->Rounding.GridStep
+                                    : BesideInSingle(from, step, origin);
   }
 
   /// Moves the vertex or, if that is rejected, the vertex that took the position first.
@@ -132,7 +142,8 @@ private:
         for (std::size_t k = 0; k < 3; ++k)
         {
           const auto axis = static_cast<Eigen::Index>(k);
-          to[axis] = step[k] == 0 ? to[axis] : Beside(from[k], step[k], this->Clean.Origin[axis]);
+          to[axis] =
+            step[k] == 0 ? to[axis] : this->Beside(from[k], step[k], this->Clean.Origin[axis]);
         }
         return this->Move(v, to) && this->Taken.emplace(this->RoundedPositionOf(v), v).second;
       });
@@ -149,15 +160,16 @@ private:
   Editor& MeshEditor;
   const Surface& Input;
   const CleanSurface& Clean;
+  const PointRounding& Rounding;
   std::map<RoundedPosition, VertexId> Taken; // by the first vertex there
   Workspace Space;
 };
 }
 
-InputStatus SeparateCoincidentPoints(
-  Editor& editor, const Surface& input, const CleanSurface& clean, CleaningStatistics& found)
+InputStatus SeparateCoincidentPoints(Editor& editor, const Surface& input,
+  const CleanSurface& clean, const PointRounding& rounding, CleaningStatistics& found)
 {
-  const std::vector<Index> left = DistinctPositions(editor, input, clean).Give();
+  const std::vector<Index> left = DistinctPositions(editor, input, clean, rounding).Give();
   if (left.empty())
   {
     return InputStatus::Good;

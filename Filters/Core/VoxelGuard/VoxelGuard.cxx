@@ -76,7 +76,7 @@ const BoundaryLabels& VoxelGuard::LabelsOf(Index face) const
 FixedPoint VoxelGuard::Convert(const Vector3& position) const
 {
   const Vector3 absolute = position + this->Settings.Origin;
-  return this->Frame.Convert(this->Settings.RoundsToSingle ? RoundedToSingle(absolute) : absolute);
+  return this->Frame.Convert(this->Settings.Rounding.Of(absolute));
 }
 
 FixedTriangle VoxelGuard::Convert(const std::array<Vector3, 3>& corners) const

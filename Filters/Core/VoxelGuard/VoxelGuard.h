@@ -18,6 +18,7 @@
 #include "EditFilters/EditFilter.h"
 #include "FixedPoint.h"
 #include "LabelMap/VoxelGrid.h"
+#include "Mesh/PointRounding.h"
 
 #include <vector>
 
@@ -28,7 +29,7 @@ struct VoxelGuardSettings
   VoxelGrid Grid;
   /// Of each face of the mesh, as it was built; empty: all have the same.
   std::vector<BoundaryLabels> OfFace = {};
-  bool RoundsToSingle = false;      ///< Whether the result will be written in single precision,
+  PointRounding Rounding = {};      ///< Of what is written,
   Vector3 Origin = Vector3::Zero(); ///< mm, relative to this position.
   double Margin = 1e-3;             ///< Voxels, less than 0.1.
 };
