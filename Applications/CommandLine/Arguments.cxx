@@ -4,6 +4,7 @@
 
 #include "CommonOptions.h"
 #include "ExitCode.h"
+#include "FileGrid.h"
 #include "FileNames.h"
 #include "HelpFormatter.h"
 #include "InputArguments.h"
@@ -165,6 +166,7 @@ void AddCommonFlags(CLI::App& app, Arguments& arguments)
     "The label map (.nii, .nrrd, .mha, .tif, .vti ...) from which INPUT was extracted: its voxels "
     "are those of --keep-voxels and --smooth, and the result is compared with it.");
   AddUnit(app, arguments.Unit);
+  AddFileOptions(app, arguments);
   AddFile(app, "--report", arguments.Report, "Write the report as JSON.");
   AddFile(app, "--page", arguments.Page,
     "Write a self-contained HTML page for people, with the picture and an interactive view in it.");

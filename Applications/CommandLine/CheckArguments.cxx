@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arguments.h"
+#include "FileGrid.h"
 #include "FileNames.h"
 #include "Formats/SurfaceFormat.h"
 
@@ -34,6 +35,7 @@ void RequireSurfaceFormat(const std::string& what, const std::string& path)
 {
   Require(FindFormat(path) != nullptr,
     what + " '" + path + "' needs one of the extensions " + SurfaceExtensions());
+  Require(LackText(path).empty(), what + " " + LackText(path));
 }
 
 /// The same file by whatever name.
@@ -128,6 +130,25 @@ void CheckPrecision(const Arguments& arguments)
   }
 }
 
+void CheckFormat(const Arguments& arguments)
+{
+  const std::string file = "x." + arguments.Format;
+  Require(arguments.Format.empty() || FindFormat(file) != nullptr,
+    "--format '" + arguments.Format + "' is none of " + SurfaceExtensions());
+  Require(arguments.Format.empty() || LackText(file).empty(), "--format: " + LackText(file));
+}
+
+/// Files that name their unit are not in that of --unit.
+void CheckUnit(const Arguments& arguments)
+{
+  for (const std::string& file : { arguments.Inputs[0], arguments.Reference })
+  {
+    const SurfaceFormat* const format = FindFormat(file);
+    Require(arguments.Unit.IsMillimeter() || format == nullptr || !format->NamesUnit,
+      "--unit is for files that do not name their unit; '" + file + "' does");
+  }
+}
+
 void CheckOneBone(const Arguments& arguments)
 {
   if (!WritesSegments(arguments))
@@ -137,8 +158,7 @@ void CheckOneBone(const Arguments& arguments)
         "' has a block for each segment of a label map; it needs --segments");
     RequireSurfaceFormat("the output", arguments.Output);
   }
-  Require(arguments.Format.empty() || FindFormat("x." + arguments.Format) != nullptr,
-    "--format '" + arguments.Format + "' is none of " + SurfaceExtensions());
+  CheckFormat(arguments);
   for (const std::string& file : arguments.Also)
   {
     RequireSurfaceFormat("--also", file);
@@ -163,6 +183,7 @@ void CheckOneBone(const Arguments& arguments)
       (arguments.Format.empty() || arguments.Segments.IsRequested()),
     "--jobs, --force, --only and --format are for many bones and an output folder");
   CheckPrecision(arguments);
+  CheckUnit(arguments);
   CheckOverwriting(arguments);
 }
 
@@ -176,8 +197,7 @@ void CheckBatch(const Arguments& arguments)
   Require(arguments.LabelMap.Path.empty(), "--label-map is for one bone");
   Require(arguments.Iso || arguments.Given.count("intensities") == 0,
     "--intensities is for volumes, together with --iso");
-  Require(arguments.Format.empty() || FindFormat("x." + arguments.Format) != nullptr,
-    "--format '" + arguments.Format + "' is none of " + SurfaceExtensions());
+  CheckFormat(arguments);
   std::error_code error;
   Require(!fs::exists(arguments.Output, error) || fs::is_directory(arguments.Output, error),
     "'" + arguments.Output + "' is a file; many bones need an output folder");
@@ -257,5 +277,6 @@ void CheckArguments(const Arguments& arguments)
   {
     CheckOneBone(arguments);
   }
+  CheckFileOptions(arguments);
 }
 }

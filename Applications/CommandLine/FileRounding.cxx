@@ -165,12 +165,12 @@ double KnownError(const Options& options)
 }
 
 double ErrorBeforeRounding(
-  double error, double rounding, const LengthUnit& unit, const std::string& path)
+  double error, double rounding, const std::string& unit, const std::string& path)
 {
   if (rounding > 0.5 * error)
   {
     Reject(path,
-      "written in " + unit.Name + " its coordinates move by up to " + UpperBoundText(rounding, 9) +
+      "written in " + unit + " its coordinates move by up to " + UpperBoundText(rounding, 9) +
         " mm, more than half of the largest error of " + FixedText(error, 9) + " mm");
   }
   return error - rounding;

@@ -30,10 +30,11 @@ double KnownError(const Options& options);
 
 /**
  * The largest error that a run has to keep so that the rounding may be added.
+ * @param unit Or format, for messages.
  * @throws Failure(ExitCode::InputRejected) if that is more than half of it.
  */
 double ErrorBeforeRounding(
-  double error, double rounding, const LengthUnit& unit, const std::string& path);
+  double error, double rounding, const std::string& unit, const std::string& path);
 
 /// Whether some point has a tolerance of 0.
 bool HasZeroTolerance(vtkPolyData* surface, const std::string& array);

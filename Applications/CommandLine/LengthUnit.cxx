@@ -3,6 +3,7 @@
 #include "LengthUnit.h"
 
 #include "ExitCode.h"
+#include "Formats/SurfaceFormat.h"
 #include "HelpFormatter.h"
 #include "SurfaceFiles.h"
 
@@ -128,20 +129,36 @@ double LengthUnit::FromMillimeters(double millimeters) const
   return nearest;
 }
 
+LengthUnit UnitOfFile(const std::string& path, const LengthUnit& requested)
+{
+  const SurfaceFormat* const format = FindFormat(path);
+  return format != nullptr && format->NamesUnit ? LengthUnit() : requested;
+}
+
+LengthUnit UnitOfFiles(
+  const std::vector<const SurfaceFormat*>& formats, const LengthUnit& requested)
+{
+  const bool isNamed = std::all_of(
+    formats.begin(), formats.end(), [](const SurfaceFormat* format) { return format->NamesUnit; });
+  return isNamed ? LengthUnit() : requested;
+}
+
 void AddUnit(CLI::App& app, LengthUnit& unit)
 {
   app
     .add_option_function<std::string>(
       "--unit", [&unit](const std::string& name) { SetUnit(unit, name); },
       WrappedHelp("The unit of the coordinates in files of surfaces, read and written; default mm. "
-                  "Options, reports, arrays and pages are in millimeters whatever it is."))
+                  "Options, reports, arrays and pages are in millimeters whatever it is, and files "
+                  "that name their unit (" +
+        ExtensionsThat(&SurfaceFormat::NamesUnit) + ") are read and written in that."))
     ->type_name("m|cm|mm|um|inch");
 }
 
 MillimeterSurface ReadInMillimeters(const std::string& path, const LengthUnit& unit)
 {
   const LoadedSurface loaded = ReadSurface(path);
-  return { ToMillimeters(loaded.Surface, unit), loaded.Warnings, loaded.Surface };
+  return { ToMillimeters(loaded.Surface, UnitOfFile(path, unit)), loaded.Warnings, loaded.Surface };
 }
 
 vtkSmartPointer<vtkPolyData> ToMillimeters(vtkPolyData* surface, const LengthUnit& unit)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LengthUnit.h
- * @brief --unit: the unit of the coordinates in files of surfaces. Everything else is in millimeters.
+ * @brief --unit: the unit of the coordinates in files of surfaces that do not name it. Everything else is in millimeters.
  *
  *     read     file -> double -> millimeters
  *     write    millimeters -> double -> unit of the file -> precision of the file
@@ -19,6 +19,8 @@
 
 namespace bonedecimate
 {
+struct SurfaceFormat;
+
 struct LengthUnit
 {
   std::string Name = "mm";
@@ -34,6 +36,13 @@ struct LengthUnit
   /// One that ToMillimeters() makes this number of, if there is one; else the nearest.
   double FromMillimeters(double millimeters) const;
 };
+
+/// The unit of a file: mm if its format names it, else the requested one.
+LengthUnit UnitOfFile(const std::string& path, const LengthUnit& requested);
+
+/// That of several files: mm if each names it.
+LengthUnit UnitOfFiles(
+  const std::vector<const SurfaceFormat*>& formats, const LengthUnit& requested);
 
 /// Adds --unit.
 void AddUnit(CLI::App& app, LengthUnit& unit);

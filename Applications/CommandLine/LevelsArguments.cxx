@@ -78,6 +78,29 @@ void CheckPage(const LevelsArguments& arguments)
   KeepSurfaces(arguments, arguments.Page);
 }
 
+/// What the formats of input and output do not have.
+void CheckFormats(const LevelsArguments& arguments)
+{
+  const SurfaceFormat* const input = FindFormat(arguments.Files[0]);
+  const SurfaceFormat* const output = FindFormat(arguments.Output);
+  const std::string lack = LackText(arguments.Output);
+  if (!lack.empty())
+  {
+    throw Failure(ExitCode::Usage, lack);
+  }
+  if (!arguments.Unit.IsMillimeter() && input != nullptr && input->NamesUnit)
+  {
+    throw Failure(ExitCode::Usage,
+      "--unit is for files that do not name their unit; '" + arguments.Files[0] + "' does");
+  }
+  if (output != nullptr && output->HasGrid && arguments.Input.HasTolerances())
+  {
+    throw Failure(ExitCode::Usage,
+      "--region and --tolerance-array do not go together with levels in " +
+        std::string(output->Extension) + ", whose grid rounds points again");
+  }
+}
+
 void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
 {
   for (const char* flag :
@@ -108,6 +131,7 @@ void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
     throw Failure(ExitCode::Usage,
       "--output '" + arguments.Output + "' needs one of the extensions " + SurfaceExtensions());
   }
+  CheckFormats(arguments);
   if (app.count("--allow-large-error") > 0 && app.count("--max-error") == 0)
   {
     throw Failure(ExitCode::Usage, "--allow-large-error has no effect; it needs --max-error");

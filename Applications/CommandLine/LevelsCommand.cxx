@@ -3,6 +3,7 @@
 #include "LevelsCommand.h"
 
 #include "BoundText.h"
+#include "FileGrid.h"
 #include "FileNames.h"
 #include "FileRounding.h"
 #include "FilterOptions.h"
@@ -77,6 +78,7 @@ public:
       this->ReadOne(this->Requested.Files[0]), this->Filter, this->Warnings));
     this->Filter->SetReferenceData(ReadReference(this->Requested.Input, this->Requested.Unit));
     ApplyVoxelArguments(this->Requested.Voxels, this->Filter, this->Warnings);
+    this->SetGrid();
     if (this->Requested.MaximumError > 0.0)
     {
       this->Filter->SetMaximumError(this->ErrorOfRun());
@@ -183,15 +185,45 @@ private:
     return loaded.Surface;
   }
 
-  /// Levels are rounded once more if their files are in another unit.
+  /// Levels in files that have a grid are rounded to it.
+  void SetGrid()
+  {
+    const SurfaceFormat* const format = FindFormat(this->Requested.Output);
+    if (format != nullptr && format->HasGrid)
+    {
+      this->GridStep = GridStepFor(vtkPolyData::SafeDownCast(this->Filter->GetInput()),
+        this->Requested.MaximumError, MostPositionBits, this->Requested.Files[0]);
+    }
+  }
+
+  /// The level as its file has it.
+  vtkSmartPointer<vtkPolyData> InFormat(vtkPolyData* level)
+  {
+    const LengthUnit unit = UnitOfFile(this->Requested.Output, this->Requested.Unit);
+    const vtkSmartPointer<vtkPolyData> inUnit =
+      FromMillimeters(level, unit, this->IsSingle, this->InFile);
+    if (this->GridStep == 0.0)
+    {
+      return inUnit;
+    }
+    const vtkSmartPointer<vtkPolyData> rounded = RoundedToGrid(inUnit, this->GridStep);
+    for (const std::string& warning : GridWarnings(rounded, this->GridStep, true))
+    {
+      this->Warnings.push_back(warning);
+    }
+    return rounded;
+  }
+
+  /// Levels are rounded once more if their files are in another unit or have a grid.
   double ErrorOfRun()
   {
-    const LengthUnit& unit = this->Requested.Unit;
-    const bool writesSingle = this->IsSingle ||
-      (!this->Requested.Output.empty() && !FindFormat(this->Requested.Output)->HoldsDoubles);
+    const SurfaceFormat* const format = FindFormat(this->Requested.Output);
+    const LengthUnit unit = UnitOfFile(this->Requested.Output, this->Requested.Unit);
+    const bool writesSingle = this->IsSingle || (format != nullptr && !format->HoldsDoubles);
     auto* input = vtkPolyData::SafeDownCast(this->Filter->GetInput());
     return ErrorBeforeRounding(this->Requested.MaximumError,
-      LargestRounding(input, unit, writesSingle), unit, this->Requested.Files[0]);
+      LargestRounding(input, unit, writesSingle) + LargestGridRounding(this->GridStep),
+      this->GridStep > 0.0 ? format->Extension : unit.Name, this->Requested.Files[0]);
   }
 
   /// @param source The file that an error is about.
@@ -213,8 +245,7 @@ private:
     {
       KeepSurfaces(this->Requested, name);
       StagedFile& file = files.emplace_back(name);
-      WriteSurface(FromMillimeters(level, this->Requested.Unit, this->IsSingle, this->InFile),
-        file.GetTemporary(), file.GetTarget());
+      WriteSurface(this->InFormat(level), file.GetTemporary(), file.GetTarget());
       this->Written.push_back(name);
     }
   }
@@ -269,6 +300,7 @@ private:
   std::vector<std::string> Written;
   std::optional<StagedFile> Record;
   std::optional<StagedFile> Page;
+  double GridStep = 0.0;               // mm; 0: none
   bool IsSingle = false;               // the file that was read last
   vtkSmartPointer<vtkPolyData> InFile; // the same, in its unit
   vtkNew<vtkBoneDecimateLevels> Filter;

@@ -4,6 +4,7 @@
 
 #include "Arguments.h"
 #include "ExitCode.h"
+#include "FileGrid.h"
 #include "HelpFormatter.h"
 #include "Options/Text.h"
 #include "Pieces/SlabRun.h"
@@ -44,7 +45,8 @@ std::string WhatIsNotThere(const Arguments& arguments)
     { !arguments.Options.ToleranceArrayName.empty(), "--tolerance-array" },
     { !arguments.Options.LabelArrayName.empty(), "--label-array" },
     { !arguments.Heatmap.empty(), "--heatmap" }, { !arguments.Picture.empty(), "--picture" },
-    { !arguments.Page.empty(), "--page" } };
+    { !arguments.Page.empty(), "--page" },
+    { !IsBatch(arguments) && WritesGrid(arguments), "an output in glb" } };
   const auto found =
     std::find_if(others.begin(), others.end(), [](const auto& other) { return other.first; });
   return found == others.end() ? std::string() : found->second;

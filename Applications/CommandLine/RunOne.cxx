@@ -3,10 +3,8 @@
 #include "RunOne.h"
 
 #include "BoneVolume.h"
-#include "BoundText.h"
 #include "ExitCode.h"
 #include "FileNames.h"
-#include "FileRounding.h"
 #include "FilterOptions.h"
 #include "FilterRun.h"
 #include "Formats/FileChecks.h"
@@ -15,6 +13,7 @@
 #include "Interruption.h"
 #include "JsonReport.h"
 #include "OutputFiles.h"
+#include "OutputRounding.h"
 #include "PageSurfaces.h"
 #include "Picture.h"
 #include "ReportFields.h"
@@ -29,7 +28,6 @@
 #include "WrittenProof.h"
 
 #include "vtkNew.h"
-#include "vtkPointData.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -48,6 +46,7 @@ public:
     , Path(arguments.Inputs[0])
     , Subject(SubjectOf(arguments, arguments.Inputs[0], arguments.Output))
     , Volume(IsVolume(arguments.Inputs[0]))
+    , Rounding(arguments)
   {
     if (!this->Volume)
     {
@@ -91,7 +90,6 @@ public:
         ReadInput(this->Path, this->Requested.Unit, this->Subject.Warnings);
       this->Input = loaded.Surface;
       this->InputInFile = loaded.InFile;
-      this->IsSingle = loaded.IsSingle();
     }
     if (!this->Requested.Reference.empty())
     {
@@ -109,12 +107,14 @@ public:
     {
       options.VoxelSize = this->VoxelSize;
     }
-    this->ReserveRounding(options);
+    this->Rounding.SetInput(this->Input, this->InputInFile);
+    this->Rounding.Reserve(options);
     ApplyOptions(options, this->Filter);
     this->Input = ApplyRegions(this->Requested.Regions, this->Requested.Options.ToleranceArrayName,
       this->Path, this->Input, this->Filter, this->Subject.Warnings);
     this->Filter->SetMeasureInputDistances(this->WantsDistances());
-    this->Filter->SetInputData(this->InputBeforeRounding());
+    this->Filter->SetInputData(
+      this->Rounding.InputOfRun(this->Input, this->Filter->GetToleranceArrayName()));
     const VtkMessages messages =
       UpdateFilter(this->Filter, ProgressOf(this->Requested), "simplifying");
     this->AcceptProof(messages);
@@ -130,9 +130,13 @@ public:
     display.Begin("writing");
     for (StagedFile& file : files.Surfaces)
     {
+      const LengthUnit unit = UnitOfFile(file.GetTarget(), this->Rounding.GetUnit());
+      const vtkSmartPointer<vtkPolyData> written =
+        unit.IsMillimeter() ? this->Result.Get() : this->Rounding.GetInFile();
       const vtkSmartPointer<vtkPolyData> readBack =
-        WriteSurface(this->InFile, file.GetTemporary(), file.GetTarget());
-      this->ProveFile(ToMillimeters(readBack, this->Requested.Unit), file.GetTarget());
+        WriteSurface(written, file.GetTemporary(), file.GetTarget());
+      this->ProveFile(
+        ToMillimeters(written, unit), ToMillimeters(readBack, unit), file.GetTarget());
       if (!WritesSegments(this->Requested) && &file == &files.Surfaces.front())
       {
         this->Subject.OutputBytes =
@@ -145,7 +149,7 @@ public:
     }
     for (const SurfaceFormat* format : FormatsOfSurfaces(this->Requested))
     {
-      const std::string loss = LossText(this->InFile, *format);
+      const std::string loss = LossText(this->Rounding.GetInFile(), *format);
       if (!loss.empty())
       {
         this->Notes.push_back(loss);
@@ -153,8 +157,8 @@ public:
     }
     if (files.Heatmap)
     {
-      WriteSurface(
-        this->HeatmapInFile(), files.Heatmap->GetTemporary(), files.Heatmap->GetTarget());
+      WriteSurface(this->Rounding.HeatmapOf(this->Filter, this->Input),
+        files.Heatmap->GetTemporary(), files.Heatmap->GetTarget());
     }
     this->Subject.SecondsWrite = watch.Seconds();
     this->Subject.SecondsTotal = this->Whole.Seconds();
@@ -217,85 +221,19 @@ public:
   vtkSmartPointer<vtkPolyData> GetResult() { return this->Result; }
 
 private:
-  /// Reduces the largest error by what writing in another unit rounds.
-  void ReserveRounding(Options& options)
-  {
-    if (this->Requested.Unit.IsMillimeter())
-    {
-      return;
-    }
-    this->WritesSingle = options.OutputPointsPrecision == PointsPrecision::Single ||
-      (options.OutputPointsPrecision == PointsPrecision::Default && this->IsSingle);
-    options.OutputPointsPrecision = PointsPrecision::Double;
-    const bool isLimited = !options.ToleranceArrayName.empty() || !this->Requested.Regions.empty();
-    if (options.BoundsError() || (isLimited && options.ProvesError()))
-    {
-      this->Rounding = LargestRounding(this->Input, this->Requested.Unit, this->WritesSingle);
-    }
-    this->Error = options.BoundsError() ? KnownError(options) : 0.0;
-    if (this->Error > 0.0)
-    {
-      options.MaximumError =
-        ErrorBeforeRounding(this->Error, this->Rounding, this->Requested.Unit, this->Path);
-    }
-  }
-
-  vtkSmartPointer<vtkPolyData> InputBeforeRounding() const
-  {
-    const std::string array = this->Filter->GetToleranceArrayName();
-    if (this->Rounding == 0.0 || array.empty())
-    {
-      return this->Input;
-    }
-    if (this->WritesSingle && !this->IsSingle && HasZeroTolerance(this->Input, array))
-    {
-      Reject(this->Path,
-        "single precision in " + this->Requested.Unit.Name + " would move points of tolerance 0; " +
-          ExtensionsThat(&SurfaceFormat::HoldsDoubles) + " hold double precision");
-    }
-    return TolerancesBeforeRounding(this->Input, array, this->Rounding);
-  }
-
-  /// The result in millimeters with what is proved of the files, and as the files will have it.
+  /// With what is proved of the files.
   void TakeResult()
   {
-    const LengthUnit& unit = this->Requested.Unit;
-    this->Result = this->Filter->GetOutput();
+    vtkSmartPointer<vtkPolyData> result = this->Filter->GetOutput();
     if (this->Requested.Segments.IsRequested())
     {
-      this->Result = WithColorArray(this->Result);
+      result = WithColorArray(result);
     }
-    this->InFile = FromMillimeters(this->Result, unit, this->WritesSingle, this->InputInFile);
-    if (this->Rounding == 0.0)
-    {
-      return;
-    }
-    const RoundedResult rounded = RoundForFile(this->Result, this->InFile,
-      { unit, this->Error, this->Filter->GetErrorBoundArrayName(), this->Filter->GetMergePoints(),
-        this->Path });
-    this->Move = rounded.Move;
-    this->Result = rounded.Result;
-    this->InFile = FromMillimeters(this->Result, unit, this->WritesSingle, this->InputInFile);
-    this->Notes.push_back("coordinates in " + unit.Name + " are rounded by up to " +
-      UpperBoundText(this->Move, 9) + " mm, which the largest error includes");
-  }
-
-  vtkSmartPointer<vtkPolyData> HeatmapInFile() const
-  {
-    if (this->Requested.Unit.IsMillimeter())
-    {
-      return this->Filter->GetOutput(1);
-    }
-    const vtkSmartPointer<vtkPolyData> heatmap =
-      FromMillimeters(WithWidenedBounds(this->Filter->GetOutput(1),
-                        this->Filter->GetInputErrorBoundArrayName(), this->Move),
-        this->Requested.Unit, this->IsSingle, this->InputInFile);
-    const std::string array = this->Filter->GetToleranceArrayName();
-    if (!array.empty())
-    {
-      heatmap->GetPointData()->AddArray(this->Input->GetPointData()->GetArray(array.c_str()));
-    }
-    return heatmap;
+    this->Rounding.Apply(result, this->Filter);
+    this->Result = this->Rounding.GetResult();
+    this->Notes = this->Rounding.GetNotes();
+    const std::vector<std::string>& warnings = this->Rounding.GetWarnings();
+    this->Subject.Warnings.insert(this->Subject.Warnings.end(), warnings.begin(), warnings.end());
   }
 
   bool WantsDistances() const
@@ -315,14 +253,14 @@ private:
     }
   }
 
-  void ProveFile(vtkPolyData* readBack, const std::string& target)
+  /// @param written mm, as the file should have it.
+  void ProveFile(vtkPolyData* written, vtkPolyData* readBack, const std::string& target)
   {
     if (this->Filter->GetReportText("proof.status").empty())
     {
       return;
     }
-    const vtkSmartPointer<vtkPolyData> inFile = ToMillimeters(this->InFile, this->Requested.Unit);
-    ProvedRun run = { this->Input, inFile,
+    ProvedRun run = { this->Input, written,
       ReportFields(this->Result).Number("proof.tolerance").value_or(0.0),
       this->Filter->GetToleranceArrayName(), this->Filter->GetMergePoints(),
       this->Filter->GetNumberOfThreads() };
@@ -354,19 +292,14 @@ private:
   StageClock Whole;
   ReportSubject Subject;
   bool Volume;
+  OutputRounding Rounding;
   double VoxelSize = 0.0; // mm, of a volume
   vtkSmartPointer<vtkPolyData> Input;
   vtkSmartPointer<vtkPolyData> Reference; // null: none
   vtkNew<vtkBoneDecimate> Filter;
   vtkSmartPointer<vtkPolyData> InputInFile; // null: a volume
 
-  bool IsSingle = false;     // the input's file
-  bool WritesSingle = false; // in another unit than millimeters
-  double Rounding = 0.0;     // mm, for rounding; 0 in millimeters
-  double Error = 0.0;        // mm, requested in another unit than millimeters; 0: none
-  double Move = 0.0;         // mm, by rounding
   vtkSmartPointer<vtkPolyData> Result;
-  vtkSmartPointer<vtkPolyData> InFile; // the same in the unit of the files
 
   std::vector<std::string> Notes;
   std::string PictureProblem;

@@ -125,7 +125,8 @@ private:
     std::string extensions;
     for (const SurfaceFormat* format : SurfaceFormats())
     {
-      if (format->HoldsArrays || !needsArrays)
+      const bool isOfSlicer = !format->NamesUnit; // 3D Slicer's models are in mm
+      if (isOfSlicer && (format->HoldsArrays || !needsArrays))
       {
         extensions += (extensions.empty() ? "." : ",.") + std::string(format->Extension);
       }

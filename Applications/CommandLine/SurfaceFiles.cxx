@@ -4,6 +4,7 @@
 
 #include "ExitCode.h"
 #include "Formats/FileChecks.h"
+#include "Formats/FileParts.h"
 #include "Formats/SurfaceFormat.h"
 #include "VtkMessages.h"
 
@@ -11,6 +12,8 @@
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
+
+#include <algorithm>
 
 namespace bonedecimate
 {
@@ -45,7 +48,7 @@ vtkSmartPointer<vtkPolyData> Arrived(vtkPolyData* surface, const std::string& pa
   try
   {
     const LoadedSurface arrived = ReadSurface(path);
-    const bool samePoints = !FindFormat(path)->SharesPoints ||
+    const bool samePoints = !FindFormat(path)->KeepsPoints ||
       arrived.Surface->GetNumberOfPoints() == surface->GetNumberOfPoints();
     const bool isWhole = samePoints && CountFaces(arrived.Surface) == CountFaces(surface);
     return isWhole ? arrived.Surface : nullptr;
@@ -54,6 +57,19 @@ vtkSmartPointer<vtkPolyData> Arrived(vtkPolyData* surface, const std::string& pa
   {
     return nullptr;
   }
+}
+
+/// "has 1 of 3 parts as a surface ..."; empty if all are closed.
+std::string OpenPartsText(vtkPolyData* surface)
+{
+  const std::vector<FilePart> parts = PartsOf(surface);
+  const auto open =
+    std::count_if(parts.begin(), parts.end(), [](const FilePart& part) { return !IsClosed(part); });
+  return open == 0 ? std::string()
+                   : "has " + std::to_string(open) + " of " + std::to_string(parts.size()) +
+      " parts as an open surface and not as a solid, because it is not closed; slicers do not "
+      "print "
+      "it";
 }
 
 /// Not every writer notices a full disk; what can be read back in full has arrived.
@@ -134,6 +150,8 @@ std::string LossText(vtkPolyData* surface, const SurfaceFormat& format)
     text += std::string(text.empty() ? "" : ", and ") +
       "rounds the double coordinates to single precision";
   }
+  const std::string open = format.IsForPrinting ? OpenPartsText(surface) : std::string();
+  text += (text.empty() || open.empty() ? "" : ", and ") + open;
   return text.empty() ? text : format.Extension + (" " + text);
 }
 }

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace bonedecimate
 {
@@ -57,7 +58,35 @@ void Certify(const ProvedRun& run, vtkPolyData* readBack, const std::string& tar
 }
 }
 
-bool HasSameTriangles(vtkPolyData* a, vtkPolyData* b)
+namespace
+{
+using Corners = std::array<std::array<double, 3>, 3>;
+
+/// In an order that does not depend on the file: each triangle from its least corner, the least triangle first.
+std::vector<Corners> SortedTriangles(vtkPolyData* surface)
+{
+  std::vector<Corners> triangles;
+  const auto cell = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    cell->GetCurrentCell(size, corners);
+    if (size != 3)
+    {
+      return {};
+    }
+    Corners positions = { PositionOf(surface, corners[0]), PositionOf(surface, corners[1]),
+      PositionOf(surface, corners[2]) };
+    std::rotate(
+      positions.begin(), std::min_element(positions.begin(), positions.end()), positions.end());
+    triangles.push_back(positions);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+bool HasSameSequence(vtkPolyData* a, vtkPolyData* b)
 {
   const auto cellsA = vtk::TakeSmartPointer(a->GetPolys()->NewIterator());
   const auto cellsB = vtk::TakeSmartPointer(b->GetPolys()->NewIterator());
@@ -80,6 +109,17 @@ bool HasSameTriangles(vtkPolyData* a, vtkPolyData* b)
     }
   }
   return cellsA->IsDoneWithTraversal() && cellsB->IsDoneWithTraversal();
+}
+}
+
+bool HasSameTriangles(vtkPolyData* a, vtkPolyData* b)
+{
+  if (HasSameSequence(a, b))
+  {
+    return true;
+  }
+  const std::vector<Corners> triangles = SortedTriangles(a);
+  return !triangles.empty() && triangles == SortedTriangles(b);
 }
 
 std::string ProveWritten(const ProvedRun& run, vtkPolyData* readBack, const std::string& target)

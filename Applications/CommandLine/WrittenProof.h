@@ -16,7 +16,7 @@
 
 namespace bonedecimate
 {
-/// Equal positions in the same order; points may have other numbers, as in STL files.
+/// Equal positions; points may have other numbers, as in STL files, and triangles another order, as in GLB files.
 bool HasSameTriangles(vtkPolyData* a, vtkPolyData* b);
 
 /// A run whose result is proved.

@@ -149,7 +149,13 @@ def write(surface, path, ascii_text=False):
 
 
 def read(path):
-    """By VTK's own readers; points of STL files are merged."""
+    """By VTK's own readers; points of STL files are merged. What VTK does not read the program converts."""
+    if path.suffix in (".glb", ".3mf"):
+        with tempfile.TemporaryDirectory(prefix="bonedecimate-test-") as folder:
+            converted = pathlib.Path(folder) / "converted.vtp"
+            unchanged = ("--mode", "fast", "--target-reduction", "0", "--merge-points", "off", "--measure", "off", "--quiet")
+            subprocess.run([PROGRAM, path, converted, *unchanged], check=True)
+            return read(converted)
     readers = {
         "obj": vtkOBJReader,
         "stl": vtkSTLReader,

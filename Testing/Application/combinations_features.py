@@ -19,6 +19,7 @@ ERROR = 0.3  # mm, of the features that bound it
 LARGE_ERROR = 40.0  # mm, more than a quarter of the diagonal
 CONSTRAINED = (28.0, 0.0, 0.0, 9.0)  # center and radius of the constrained region, mm
 ARRAYS = ("vtp", "vtk")  # what holds them
+NAMING_UNITS = ("glb", "3mf")  # what is in millimeters whatever --unit is
 
 
 @dataclasses.dataclass
@@ -56,7 +57,7 @@ class Run:
         self.kinds = {feature.input for feature in pair} - {""}
         self.command = next((feature.command for feature in pair if feature.command), "")
         formats = [feature.output for feature in pair if feature.output]
-        self.formats = formats or ["obj" if "thesis form" in self.kinds else "vtp"]
+        self.formats = list(dict.fromkeys(formats)) or ["obj" if "thesis form" in self.kinds else "vtp"]
 
     def has(self, name):
         return any(feature.name == name for feature in self.pair)
@@ -133,7 +134,8 @@ class Run:
 
     @functools.cached_property
     def result(self):
-        return in_millimeters(read(self.folder / self.output()), self)
+        surface = read(self.folder / self.output())
+        return surface if self.formats[0] in NAMING_UNITS else in_millimeters(surface, self)
 
     @functools.cached_property
     def bone(self):
@@ -307,6 +309,11 @@ def wrote_surface(run):
     return "" if counts == {run.report["output"]["triangles"]} else f"{paths}: {counts} triangles"
 
 
+def wrote_colors(run):
+    path = run.output() if run.formats[0] == "glb" else "out.glb"
+    return wrote_surface(run) or wrote(path, b'"COLOR_0"')(run)
+
+
 def flags_of_the_table(program):
     """Of `bonedecimate --options-markdown`."""
     table = subprocess.run([program, "--options-markdown"], stdout=subprocess.PIPE, encoding="utf-8", check=True).stdout
@@ -367,7 +374,9 @@ FEATURES = [
     switch("diagnose", "--diagnose", "on", "DiagnoseInput", lambda run: "" if run.command or "diagnostics" in run.report else "none"),
     Feature("obj", output="obj", problem=wrote_surface), Feature("stl", output="stl", problem=wrote_surface),
     Feature("ply", output="ply", problem=wrote_surface), Feature("vtp", output="vtp", problem=wrote_surface),
-    Feature("vtk", output="vtk", problem=wrote_surface),
+    Feature("vtk", output="vtk", problem=wrote_surface), Feature("3mf", output="3mf", problem=wrote_surface),
+    Feature("glb", output="glb", problem=wrote_surface),
+    Feature("colors in glb", ("--vertex-colors", "error", "--position-bits", 15), wrote_colors, output="glb"),
     Feature("heat map", ("--heatmap", "map.vtp"), wrote("map.vtp", b"DistanceToResult")),
     Feature("page and picture", ("--page", "page.html", "--picture", "picture.png"),  # together, as the picture takes most of the time
             lambda run: wrote("page.html", b"</html>")(run) or wrote("picture.png", b"PNG")(run)),

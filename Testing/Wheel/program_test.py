@@ -90,6 +90,11 @@ class Program(unittest.TestCase):
         self.assertEqual(bone.read_bytes(), before)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["bone.stl"])
 
+    def test_formats_of_the_program_alone_are_rejected(self):
+        bone = self.folder / "bone.stl"
+        for words in ((bone, self.folder / "out.glb"), (self.folder / "in.3mf", self.folder / "out.stl")):
+            self.assertIn("C++ program", self.run_program(*words, code=1)[1])
+
     def test_files_that_are_none_are_rejected(self):
         (self.folder / "cut.stl").write_bytes((self.folder / "bone.stl").read_bytes()[:1000])
         for without in self.engines():

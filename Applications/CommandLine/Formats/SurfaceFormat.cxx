@@ -2,19 +2,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/SurfaceFormat.h"
 
+#include "ExitCode.h"
 #include "FileNames.h"
 
 #include <algorithm>
 
 namespace bonedecimate
 {
-extern const SurfaceFormat VtpFormat, VtkFormat, PlyFormat, StlFormat, ObjFormat;
+extern const SurfaceFormat VtpFormat, VtkFormat, PlyFormat, StlFormat, ObjFormat, GlbFormat,
+  ThreeMfFormat;
 
 const std::vector<const SurfaceFormat*>& SurfaceFormats()
 {
   static const std::vector<const SurfaceFormat*> formats = { &VtpFormat, &VtkFormat, &PlyFormat,
-    &StlFormat, &ObjFormat };
+    &StlFormat, &ObjFormat, &GlbFormat, &ThreeMfFormat };
   return formats;
+}
+
+SurfaceFormat FormatWithoutLibrary(const char* extension, const char* library)
+{
+  const auto read = [](const std::string& path,
+                      std::vector<std::string>&) -> vtkSmartPointer<vtkPolyData>
+  { throw Failure(ExitCode::InputRejected, LackText(path)); };
+  const auto write = [](vtkPolyData*, const std::string& path)
+  { throw Failure(ExitCode::CouldNotWrite, LackText(path)); };
+  SurfaceFormat format = { extension, false, true, false, read, write };
+  format.MissingLibrary = library;
+  return format;
+}
+
+std::string LackText(const std::string& path)
+{
+  const SurfaceFormat* const format = FindFormat(path);
+  return format == nullptr || format->MissingLibrary.empty()
+    ? std::string()
+    : "'" + path + "' needs " + format->MissingLibrary + ", which this build lacks";
 }
 
 const SurfaceFormat* FindFormat(const std::string& path)

@@ -23,7 +23,7 @@ struct SurfaceFormat
   const char* Extension; ///< In lower case, without its dot.
   bool HoldsArrays;      ///< Arrays (distances, report) beside points and triangles.
   bool HoldsDoubles;     ///< Coordinates in double precision come back as they were.
-  bool SharesPoints;     ///< Triangles share points; otherwise each has three of its own.
+  bool KeepsPoints;      ///< As many points come back as were written.
 
   /**
    * Reads a file that is there and not empty. What it does not read becomes a warning or a message of VTK.
@@ -33,7 +33,22 @@ struct SurfaceFormat
 
   /// @throws Failure(ExitCode::CouldNotWrite)
   void (*Write)(vtkPolyData* surface, const std::string& path);
+
+  bool NamesUnit =
+    false; ///< The file says its unit: surfaces are read and written in mm, whatever --unit is.
+  bool HasGrid =
+    false; ///< Coordinates are whole multiples of a step (PointGrid.h): surfaces are written on such a grid.
+  bool HasParts =
+    false; ///< A surface with BoundaryLabels is written with a part for each label, and read as it was.
+  bool IsForPrinting = false;      ///< Parts that are not closed are no solids in it.
+  std::string MissingLibrary = {}; ///< What the build lacks to read and write it; empty: nothing.
 };
+
+/// The row of a format in a build without its library.
+SurfaceFormat FormatWithoutLibrary(const char* extension, const char* library);
+
+/// "'bone.glb' needs meshoptimizer, which this build lacks"; empty if the build lacks nothing.
+std::string LackText(const std::string& path);
 
 /// Every format once, those that hold most first.
 const std::vector<const SurfaceFormat*>& SurfaceFormats();

@@ -104,6 +104,9 @@ def _work(arguments: argparse.Namespace) -> int:
         options = options_of(arguments)
     except ValueError as problem:
         return _fail(USAGE, problem)
+    for path in (arguments.input, arguments.output):
+        if path.suffix.lower() in files.OF_THE_PROGRAM:
+            return _fail(USAGE, ValueError(f"'{path}': {path.suffix} files are read and written by the C++ program bonedecimate alone"))
     for path in (arguments.output, arguments.report):
         if path and path.exists() and arguments.input.exists() and path.samefile(arguments.input):
             return _fail(USAGE, ValueError(f"'{path}' is the input; it is not overwritten"))

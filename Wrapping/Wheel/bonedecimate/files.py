@@ -24,6 +24,7 @@ VTK_KINDS = {
     ".vtp": ("vtkIOXML", "vtkXMLPolyDataReader", "vtkXMLPolyDataWriter"),
     ".vtk": ("vtkIOLegacy", "vtkPolyDataReader", "vtkPolyDataWriter"),
 }
+OF_THE_PROGRAM = (".glb", ".3mf")  # formats of the C++ program alone
 SINGLE = (".stl", ".ply")  # what VTK's writers round to single precision
 STL_TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 STL_HEADER = 84  # bytes, of which the last four are the number of triangles

@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FileParts.h"
+
+#include "CoordinateCollector.h"
+#include "LabelMapArrays.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkNew.h"
+#include "vtkTypeInt64Array.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace bonedecimate
+{
+namespace
+{
+using Corners = std::array<vtkIdType, 3>;
+using Position = std::array<double, 3>;
+
+/// All triangles, in the order of the polygons; polygons of more corners are no triangles and left out.
+std::vector<Corners> TrianglesOf(vtkPolyData* surface)
+{
+  std::vector<Corners> triangles;
+  const auto cell = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    cell->GetCurrentCell(size, corners);
+    if (size == 3)
+    {
+      triangles.push_back({ corners[0], corners[1], corners[2] });
+    }
+  }
+  return triangles;
+}
+
+/// Collects the triangles of a part and numbers its points in the order of their first use.
+class PartBuilder
+{
+public:
+  explicit PartBuilder(vtkPolyData* surface)
+    : Surface(surface)
+    , Numbers(static_cast<std::size_t>(surface->GetNumberOfPoints()), None)
+  {
+  }
+
+  void Add(const Corners& corners)
+  {
+    for (const vtkIdType point : corners)
+    {
+      std::uint32_t& number = this->Numbers[static_cast<std::size_t>(point)];
+      if (number == None)
+      {
+        number = static_cast<std::uint32_t>(this->Part.Points.size());
+        this->Part.Points.emplace_back();
+        this->Surface->GetPoint(point, this->Part.Points.back().data());
+        this->Part.OriginalPoints.push_back(point);
+      }
+      this->Part.Corners.push_back(number);
+    }
+  }
+
+  /// The part; the next one starts empty.
+  FilePart Take()
+  {
+    for (const vtkIdType point : this->Part.OriginalPoints)
+    {
+      this->Numbers[static_cast<std::size_t>(point)] = None;
+    }
+    return std::exchange(this->Part, FilePart());
+  }
+
+private:
+  static constexpr std::uint32_t None = UINT32_MAX;
+  vtkPolyData* Surface;
+  std::vector<std::uint32_t> Numbers; // of the points of the surface in the part
+  FilePart Part;
+};
+
+std::int64_t LabelAt(vtkDataArray* labels, vtkIdType cell, int side)
+{
+  auto* exact = vtkTypeInt64Array::SafeDownCast(labels);
+  return exact ? exact->GetTypedComponent(cell, side)
+               : static_cast<std::int64_t>(labels->GetComponent(cell, side));
+}
+
+/// From parts to one surface.
+class Joiner
+{
+public:
+  explicit Joiner(bool mergesPoints)
+    : MergesPoints(mergesPoints)
+  {
+    this->Sides->SetName(BoundaryLabelsName);
+    this->Sides->SetNumberOfComponents(2);
+  }
+
+  void Add(const FilePart& part, std::int64_t label, std::int64_t background)
+  {
+    std::vector<vtkIdType> numbers;
+    numbers.reserve(part.Points.size());
+    for (const Position& position : part.Points)
+    {
+      numbers.push_back(this->NumberOf(position));
+    }
+    for (std::size_t i = 0; i + 2 < part.Corners.size(); i += 3)
+    {
+      const Corners corners = { numbers[part.Corners[i]], numbers[part.Corners[i + 1]],
+        numbers[part.Corners[i + 2]] };
+      this->AddTriangle(corners, label, background);
+    }
+  }
+
+  vtkSmartPointer<vtkPolyData> Take(bool withLabels)
+  {
+    auto surface = vtkSmartPointer<vtkPolyData>::New();
+    surface->SetPoints(this->Coordinates.MakePoints());
+    surface->SetPolys(this->Cells);
+    if (withLabels)
+    {
+      surface->GetCellData()->AddArray(this->Sides);
+    }
+    return surface;
+  }
+
+private:
+  vtkIdType NumberOf(const Position& position)
+  {
+    const vtkIdType next = this->Coordinates.CountPoints();
+    if (this->MergesPoints)
+    {
+      const auto [known, isNew] = this->Known.emplace(position, next);
+      if (!isNew)
+      {
+        return known->second;
+      }
+    }
+    for (const double coordinate : position)
+    {
+      this->Coordinates.Add(coordinate);
+    }
+    return next;
+  }
+
+  void AddTriangle(const Corners& corners, std::int64_t label, std::int64_t background)
+  {
+    Corners sorted = corners;
+    std::sort(sorted.begin(), sorted.end());
+    const vtkIdType next = this->Cells->GetNumberOfCells();
+    const auto wall = this->MergesPoints ? this->Single.find(sorted) : this->Single.end();
+    if (wall != this->Single.end() && this->Sides->GetTypedComponent(wall->second, 0) != label)
+    {
+      this->Sides->SetTypedComponent(wall->second, 1, label);
+      this->Single.erase(wall);
+      return;
+    }
+    this->Cells->InsertNextCell(3, corners.data());
+    const std::array<vtkTypeInt64, 2> sides = { label, background };
+    this->Sides->InsertNextTypedTuple(sides.data());
+    if (this->MergesPoints)
+    {
+      this->Single.emplace(sorted, next);
+    }
+  }
+
+  const bool MergesPoints;
+  CoordinateCollector Coordinates;
+  vtkNew<vtkCellArray> Cells;
+  vtkNew<vtkTypeInt64Array> Sides;
+  std::map<Position, vtkIdType> Known;
+  std::map<Corners, vtkIdType> Single; // triangles that one part has so far
+};
+}
+
+std::vector<FilePart> PartsOf(vtkPolyData* surface)
+{
+  const std::vector<Corners> triangles = TrianglesOf(surface);
+  vtkDataArray* const sides = surface->GetCellData()->GetArray(BoundaryLabelsName);
+  const vtkIdType firstCell =
+    surface->GetNumberOfVerts() + surface->GetNumberOfLines(); // before those of triangles
+  std::vector<NamedLabel> labels = LabelsOf(surface);
+  PartBuilder builder(surface);
+  std::vector<FilePart> parts;
+  if (sides == nullptr || labels.empty() || sides->GetNumberOfComponents() != 2 ||
+    sides->GetNumberOfTuples() != firstCell + static_cast<vtkIdType>(triangles.size()))
+  {
+    std::for_each(
+      triangles.begin(), triangles.end(), [&](const Corners& corners) { builder.Add(corners); });
+    parts.push_back(builder.Take());
+    return parts;
+  }
+  for (const NamedLabel& label : WithColors(std::move(labels)))
+  {
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+    {
+      const vtkIdType cell = firstCell + static_cast<vtkIdType>(i);
+      const Corners& c = triangles[i];
+      if (LabelAt(sides, cell, 0) == label.Value)
+      {
+        builder.Add(c);
+      }
+      else if (LabelAt(sides, cell, 1) == label.Value)
+      {
+        builder.Add({ c[0], c[2], c[1] });
+      }
+    }
+    FilePart part = builder.Take();
+    part.Label = label;
+    if (!part.Corners.empty())
+    {
+      parts.push_back(std::move(part));
+    }
+  }
+  return parts;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> JoinParts(const std::vector<FilePart>& parts)
+{
+  const bool hasLabels = !parts.empty() &&
+    std::all_of(
+      parts.begin(), parts.end(), [](const FilePart& part) { return part.Label.has_value(); });
+  std::vector<NamedLabel> labels;
+  std::int64_t background = 0;
+  for (const FilePart& part : parts)
+  {
+    if (hasLabels)
+    {
+      labels.push_back(*part.Label);
+      background = std::min(background, part.Label->Value - 1);
+    }
+  }
+  Joiner joiner(hasLabels);
+  for (const FilePart& part : parts)
+  {
+    joiner.Add(part, hasLabels ? part.Label->Value : 0, background);
+  }
+  const vtkSmartPointer<vtkPolyData> surface = joiner.Take(hasLabels);
+  if (hasLabels)
+  {
+    NamedLabel outside;
+    outside.Value = background;
+    labels.push_back(outside);
+    WriteNamedLabels(labels, surface->GetFieldData());
+  }
+  return surface;
+}
+
+//------------------------------------------------------------------------------
+bool IsClosed(const FilePart& part)
+{
+  using Edge = std::pair<std::uint32_t, std::uint32_t>;
+  std::vector<Edge> edges;
+  edges.reserve(part.Corners.size());
+  for (std::size_t i = 0; i + 2 < part.Corners.size(); i += 3)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      edges.emplace_back(part.Corners[i + k], part.Corners[i + (k + 1) % 3]);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  const bool isOnce = std::adjacent_find(edges.begin(), edges.end()) == edges.end();
+  return isOnce &&
+    std::all_of(edges.begin(), edges.end(),
+      [&edges](const Edge& edge) {
+        return std::binary_search(edges.begin(), edges.end(), Edge{ edge.second, edge.first });
+      });
+}
+}

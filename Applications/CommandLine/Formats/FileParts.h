@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FileParts.h
+ * @brief A surface as the parts of a file: one for each label, with the walls between labels in both.
+ *
+ *     written    a surface with BoundaryLabels -> a part for each label, its triangles with the normal outward
+ *     read       parts -> one surface; two parts with the same triangle have a wall in common, which is one triangle again
+ *
+ * A surface without BoundaryLabels is one part.
+ */
+#ifndef BoneDecimate_Applications_FileParts_h
+#define BoneDecimate_Applications_FileParts_h
+
+#include "NamedLabels.h"
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace bonedecimate
+{
+struct FilePart
+{
+  std::optional<NamedLabel> Label;    ///< None: of a surface without labels.
+  std::vector<std::uint32_t> Corners; ///< Three for each triangle, indices of Points.
+  std::vector<std::array<double, 3>> Points;
+  std::vector<vtkIdType>
+    OriginalPoints; ///< Of the surface that is written; empty in a part that was read.
+};
+
+/// Labels without triangles are left out.
+std::vector<FilePart> PartsOf(vtkPolyData* surface);
+
+/// @param parts Their corners are valid.
+vtkSmartPointer<vtkPolyData> JoinParts(const std::vector<FilePart>& parts);
+
+/// Whether each edge belongs to two triangles of opposite direction.
+bool IsClosed(const FilePart& part);
+}
+
+#endif

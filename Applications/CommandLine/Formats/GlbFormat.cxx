@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GlbFiles.h"
+#include "SurfaceFormat.h"
+
+namespace bonedecimate
+{
+namespace
+{
+SurfaceFormat MakeFormat()
+{
+#ifdef BONEDECIMATE_HAS_MESHOPTIMIZER
+  SurfaceFormat format = { "glb", false, true, false, ReadGlbFile, WriteGlbFile };
+#else
+  SurfaceFormat format = FormatWithoutLibrary("glb", "meshoptimizer");
+#endif
+  format.NamesUnit = true;
+  format.HasGrid = true;
+  format.HasParts = true;
+  return format;
+}
+}
+
+extern const SurfaceFormat GlbFormat;
+const SurfaceFormat GlbFormat = MakeFormat();
+}
