@@ -255,6 +255,7 @@ Result RecordLevels(const Surface& input, const Options& options, const Monitor&
   Options whole = options;
   whole.PruneSize = whole.PruneArea = whole.PruneVolume = 0.0;
   whole.PruneTriangles = 0;
+  whole.OutputPointsGrid = 0.0; // a log has no grid
   const Monitor all = [&monitor](double done) { return !monitor || monitor(done); };
   RunInputs recorded = inputs;
   recorded.Log = &log;

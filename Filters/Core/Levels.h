@@ -83,7 +83,8 @@ private:
 };
 
 /**
- * Runs Decimate() and records its levels; both are empty if the input is rejected. Nothing is pruned.
+ * Runs Decimate() and records its levels; both are empty if the input is rejected. Nothing is pruned, and nothing rounded to
+ * a grid.
  * @param inputs Curves between labels, and between pairs of labels of a label map, do not change, because a log has no edits of
  * them. Without a part. The distances of marks are those to the input, also with a reference.
  * @param levels Receives the levels and marks; with MeasureDistances the distances of the marks are measured, with a voxel grid
