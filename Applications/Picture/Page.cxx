@@ -191,8 +191,8 @@ std::string SurfaceTable(const ReportFields& report)
     }
     rows.push_back(row);
   }
-  rows.push_back({ "Triangles with an angle below 10; 20; 30 degrees", SmallAngles(report, "input."),
-    SmallAngles(report, "output.") });
+  rows.push_back({ "Triangles with an angle below 10; 20; 30 degrees",
+    SmallAngles(report, "input."), SmallAngles(report, "output.") });
   return Table(rows);
 }
 

@@ -256,12 +256,28 @@ VoxelGrid Padded(VoxelGrid grid, Index by)
   return grid;
 }
 
+/// By how many voxels the grid has to be larger on all sides, so that the result lies in it.
+Index VoxelsAround(const VoxelGrid& grid, const Result& result)
+{
+  constexpr double most = 200.0;
+  double farthest = 0.0; // voxels
+  for (const Vector3& p : result.Surface.Points)
+  {
+    const Vector3 voxel = grid.ToVoxels(p);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double last = grid.Dimensions[static_cast<std::size_t>(axis)] - 1.0;
+      farthest = std::max({ farthest, -voxel[axis], voxel[axis] - last });
+    }
+  }
+  return 2 + static_cast<Index>(std::min(farthest, most));
+}
+
 /// Where voxels may change: whether the report has as many as are counted here. Centers on triangles count either way.
 std::string WhatReportMissed(const LabelAttack& attack, const Result& result)
 {
-  constexpr Index around = 8; // the largest error is 6.4 voxels
   const Index background = attack.Source.Background();
-  const VoxelGrid grid = Padded(attack.Source.Grid, around);
+  const VoxelGrid grid = Padded(attack.Source.Grid, VoxelsAround(attack.Source.Grid, result));
   const std::vector<Index> before =
     VoxelizeLabels(attack.Run.Victim, attack.Source.OfTriangle, grid, background, 1);
   const std::vector<Index> after =

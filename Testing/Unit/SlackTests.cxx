@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Edits by how much of the error bound is left: compared with brute force, with the mesh before, and with the certificate.
 #include "Mesh/Invariants.h"
+#include "Random.h"
+#include "Runs.h"
 #include "SlackBench.h"
 #include "Stages/FanSearch.h"
 #include "Stages/SlackCandidates.h"
@@ -159,4 +161,26 @@ TEST(SlackRefinement, GivesVolumeBack)
   EXPECT_LT(std::abs(after - input), 0.3 * std::abs(before - input));
   EXPECT_EQ(BrokenInvariant(bench.Mesh()), "");
   EXPECT_EQ(bench.Certified(Limit), ProofStatus::Proved);
+}
+
+TEST(SlackRefinement, LeavesAloneWhatNothingLimits)
+{
+  const Surface sphere = BumpySphere(3, 10.0, 0.3, 7);
+  for (std::uint64_t seed = 1; seed <= 12; ++seed)
+  {
+    Random random(seed);
+    std::vector<double> tolerances;
+    for (std::size_t i = 0; i < sphere.Points.size(); ++i)
+    {
+      tolerances.push_back(random.Below(3) == 0 ? -1.0 : random.Between(0.05, 0.6));
+    }
+    RunInputs inputs;
+    inputs.Tolerances = &tolerances;
+    Options options = Triangles(240);
+    options.OutputPointsPrecision = PointsPrecision::Double;
+    for (const Vector3& p : Decimate(sphere, options, {}, inputs).Surface.Points)
+    {
+      EXPECT_LT(p.norm(), 11.5) << "seed " << seed;
+    }
+  }
 }

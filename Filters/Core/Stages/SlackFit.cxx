@@ -94,10 +94,16 @@ void SlackFit::Build(const Vector3& x)
 }
 
 //------------------------------------------------------------------------------
+/// Where nothing limits a point, nothing would hold the vertex: it has no slack to gain.
 /// @param perDistance By how much the distance changes for a step of the vertex.
 void SlackFit::AddRow(double weight, double distance, double limit, const Vector3& perDistance)
 {
-  if (distance > 0.0 || limit > 0.0)
+  if (!(limit < Infinity))
+  {
+    this->Current.Error = Infinity;
+    this->Current.Largest = Infinity;
+  }
+  else if (distance > 0.0 || limit > 0.0)
   {
     const double ratio = distance / limit;
     this->Current.Error += weight * SixteenthPower(ratio);
@@ -234,6 +240,10 @@ double SlackFit::LargestOfSamples(const Vector3& x, double most)
     const double squared =
       FindInWholeFan(this->Frames, this->Fit.SamplePosition(sample), member.Slot).SquaredDistance;
     const double limit = sample.Limit;
+    if (!(limit < Infinity))
+    {
+      return Infinity;
+    }
     if (!member.Counts)
     {
       continue;
