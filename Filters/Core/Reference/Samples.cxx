@@ -41,6 +41,13 @@ Samples::Samples(const HalfEdgeMesh& original, bool mayBeThree, std::vector<floa
   , Limits(std::move(limits))
   , Firsts(static_cast<std::size_t>(original.NumberOfFaceSlots()), None)
 {
+  float largest = 0.0F;
+  for (const float limit : this->Limits)
+  {
+    largest = std::isfinite(limit) ? std::max(largest, limit) : largest;
+  }
+  // Not less than that limit in double precision.
+  this->Largest = std::nextafter(largest, std::numeric_limits<float>::infinity());
 }
 
 //------------------------------------------------------------------------------

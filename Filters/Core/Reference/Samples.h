@@ -89,6 +89,9 @@ public:
     }
   }
 
+  /// mm, of the finite limits; little more than 0 without any.
+  float LargestLimit() const { return this->Largest; }
+
 private:
   using CurrentVertices = std::vector<Index>; // of each original vertex
 
@@ -111,6 +114,7 @@ private:
   Usual Measured;
   bool MayBeThree;
   std::vector<float> Limits; // mm, of each vertex
+  float Largest;             // mm
   bool HasSameFaces = true;  // whether ids of faces are those of original triangles
   Index PerFace = 1;         // samples inside each original triangle
   std::vector<Sample> All;

@@ -13,6 +13,8 @@ namespace bonedecimate
 namespace
 {
 constexpr double Slack = 4e-3; // half voxels
+/// What rounding may take of it, so that triangles stay 10^-3 voxels away from voxel centers.
+constexpr double SlackOfRounding = 0.125 * Slack;
 
 int NumberOfOdd(const GridPoint& point)
 {
@@ -112,6 +114,6 @@ bool DisplacementSets::KeepsToOctahedron(Index point, const Vector3& millimeters
   }
   const Octahedron& octahedron = this->Octahedra[point];
   const Vector3 from = octahedron.FromCenter + this->FromMillimeters(millimeters);
-  return this->HalfVoxelsPerUnit.dot(from.cwiseAbs()) <= octahedron.Radius + 0.5 * Slack;
+  return this->HalfVoxelsPerUnit.dot(from.cwiseAbs()) <= octahedron.Radius + SlackOfRounding;
 }
 }

@@ -50,7 +50,7 @@ public:
                           : this->OntoOctahedron(point, this->ShortenedToBall(point, displacement));
   }
 
-  /// Whether a displacement in mm keeps to the octahedron, with half of its slack for rounding; true without octahedra.
+  /// Whether a displacement in mm keeps to the octahedron, with an eighth of its slack for rounding; true without octahedra.
   bool KeepsToOctahedron(Index point, const Vector3& millimeters) const;
 
   Vector3 ToMillimeters(const Vector3& displacement) const

@@ -94,16 +94,10 @@ void SlackFit::Build(const Vector3& x)
 }
 
 //------------------------------------------------------------------------------
-/// Where nothing limits a point, nothing would hold the vertex: it has no slack to gain.
 /// @param perDistance By how much the distance changes for a step of the vertex.
 void SlackFit::AddRow(double weight, double distance, double limit, const Vector3& perDistance)
 {
-  if (!(limit < Infinity))
-  {
-    this->Current.Error = Infinity;
-    this->Current.Largest = Infinity;
-  }
-  else if (distance > 0.0 || limit > 0.0)
+  if (distance > 0.0 || limit > 0.0)
   {
     const double ratio = distance / limit;
     this->Current.Error += weight * SixteenthPower(ratio);
@@ -132,7 +126,8 @@ bool SlackFit::AddSampleRows(double enough)
     const Vector3 way = p - frame.At(nearest);
     const double fraction = 1.0 - nearest.B - nearest.C;
     const Vector3 direction = distance > 0.0 ? Vector3(way / distance) : frame.UnitNormal();
-    this->AddRow(sample.Weight, distance, sample.Limit, -fraction * direction);
+    const double limit = std::min<double>(sample.Limit, this->Fit.LargestLimit());
+    this->AddRow(sample.Weight, distance, limit, -fraction * direction);
     if (!(this->Current.Error < enough))
     {
       return false;
@@ -146,7 +141,7 @@ double SlackFit::LimitOver(Index triangle) const
 {
   const Triangle c = this->Back.Original().Corners(triangle);
   return std::min({ this->MeshEditor.LimitAt(c[0]), this->MeshEditor.LimitAt(c[1]),
-    this->MeshEditor.LimitAt(c[2]) });
+    this->MeshEditor.LimitAt(c[2]), static_cast<double>(this->Fit.LargestLimit()) });
 }
 
 //------------------------------------------------------------------------------
@@ -239,11 +234,7 @@ double SlackFit::LargestOfSamples(const Vector3& x, double most)
     const Samples::Sample& sample = this->Fit[member.Sample];
     const double squared =
       FindInWholeFan(this->Frames, this->Fit.SamplePosition(sample), member.Slot).SquaredDistance;
-    const double limit = sample.Limit;
-    if (!(limit < Infinity))
-    {
-      return Infinity;
-    }
+    const double limit = std::min<double>(sample.Limit, this->Fit.LargestLimit());
     if (!member.Counts)
     {
       continue;

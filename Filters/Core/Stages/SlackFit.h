@@ -4,7 +4,7 @@
  * @file SlackFit.h
  * @brief How much of the error bound a fan of faces uses, and where its vertex should go to use less.
  *
- *     ratio(point) = distance / limit there
+ *     ratio(point) = distance / limit there; where nothing limits, the largest limit anywhere stands in, or nothing would hold a vertex
  *     error = sum of  area ratio^16  over the samples of the original, each to its nearest face of the fan,
  *                                and over points on the fan, each to the original
  *     step:   the minimum of  sum of  area |ratio + gradient . x|^p  by Newton's method for p = 4, 8, 16
