@@ -49,7 +49,8 @@ class Flag:
 
     def good(self, is_first):
         """Ways to write a number in the range."""
-        ways = ("+.25", "2.5e-1") if self.most < 1.0 else ("1e3", "+1000.0") if self.most >= 1000.0 else ("1e0", "+1.0")
+        ways = (("+.25", "2.5e-1") if self.most < 1.0 else ("1e3", "+1000.0") if self.most >= 1000.0 else
+                ("1e0", "+1.0") if self.least <= 1.0 else ("1e1", "+10.0"))
         return ways if is_first else ways[:1]
 
 
