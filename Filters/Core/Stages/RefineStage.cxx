@@ -141,6 +141,8 @@ bool RefineWithinBound(const StageInput& input, Refinement& refinement, const Mo
              CollapseBySlack(input, slack, PartOf(monitor, begunAt, collapsedAt)) &&
              ForceCollapses(input, slack, PartOf(monitor, collapsedAt, forcedAt)))) &&
     ImproveShape(input, PartOf(monitor, forcedAt, shapedAt)) &&
+    // Collapses for the angle removed faces to which samples belong.
+    (!usesSlack || !input.HasLeastAngle() || slack.Begin(PartOf(monitor, shapedAt, shapedAt))) &&
     refinement.Begin(PartOf(monitor, shapedAt, shapedAt + begunAt)) &&
     refinement.Sweep(
       input.Mode.Refine.ProvedSweepsAfter, PartOf(monitor, shapedAt + begunAt, refinedAt)) &&
