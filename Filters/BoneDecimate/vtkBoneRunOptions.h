@@ -137,7 +137,8 @@ public:
   /// Smallest angle of the triangles of the result, except in Thesis mode: for solvers, meshers and printers. Edits make no
   /// triangle with a smaller one, and triangles of the input that have one are improved by collapses, flips and moves where
   /// everything else that was requested allows it; the report counts those that are left. The number of triangles for a largest
-  /// error rises: by a tenth to a fifth at 20 degrees, by half at 30. 0: off. Range: 0 to 40 degrees; default: 0.
+  /// error rises: by a tenth to two fifths at 20 degrees, by two fifths up to double at 30. 0: off. Range: 0 to 40 degrees;
+  /// default: 0.
   void SetMinimumAngle(double value);
   double GetMinimumAngle() const;
   ///@}

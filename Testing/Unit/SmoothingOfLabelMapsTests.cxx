@@ -242,32 +242,6 @@ TEST(SmoothingOfLabelMaps, LeavesPointsOutsideOfTheirOctahedronWhereTheyAre)
   EXPECT_TRUE(smoothed[10] == ball.Surface.Points[10]);
 }
 
-TEST(SmoothingOfLabelMaps, RoundingTakesNothingOfTheMarginAroundVoxelCenters)
-{
-  const BinarySurface ball = MarchedShape(Oblique(BallShape(5.0)), 6.0, Cubic);
-  SmoothingSettings settings = Within(0.25);
-  settings.Rounding.ToSingle = true;
-  double least = 1.0; // voxels
-  for (int i = 0; i < 30; ++i)
-  {
-    settings.Origin = { 4100.0 + 0.13 * i, -4300.0,
-      4500.0 }; // single precision: steps of 0.0005 mm
-    const Surface smoothed = WithPoints(ball.Surface, SmoothBinary(ball, settings).Points);
-    for (const Triangle& v : smoothed.Triangles)
-    {
-      const Vector3 a = ball.Source.Grid.ToVoxels(smoothed.Points[v[0]]);
-      const Vector3 b = ball.Source.Grid.ToVoxels(smoothed.Points[v[1]]);
-      const Vector3 c = ball.Source.Grid.ToVoxels(smoothed.Points[v[2]]);
-      for (const Vector3& near : { a, b, c })
-      {
-        const Vector3 center = near.array().round();
-        least = std::min(least, NearestOnTriangle(center, a, b, c).SquaredDistance);
-      }
-    }
-  }
-  EXPECT_GE(std::sqrt(least), 1e-3);
-}
-
 TEST(SmoothingOfLabelMaps, ReportsWhatItChanged)
 {
   const BinarySurface ball = MarchedShape(Oblique(BallShape(6.0)), 7.0, Cubic);

@@ -53,7 +53,8 @@ std::vector<OptionInfo> GoalRows()
       "have one are improved by collapses, flips and moves where everything else that was "
       "requested "
       "allows it; the report counts those that are left. The number of triangles for a largest "
-      "error rises: by a tenth to a fifth at 20 degrees, by half at 30. 0: off." },
+      "error rises: by a tenth to two fifths at 20 degrees, by two fifths up to double at 30. 0: "
+      "off." },
   };
 }
 
