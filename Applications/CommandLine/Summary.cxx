@@ -206,6 +206,18 @@ void PrintAngles(const ReportFields& report)
   }
 }
 
+/// Only with an edge length.
+void PrintEdges(const ReportFields& report)
+{
+  if (const std::optional<double> mean = report.Number("edges.mean_length"))
+  {
+    std::cout << "edges           " << GroupedText(*mean, 3) << " mm long on average, "
+              << GroupedText(report.Number("edges.longest").value_or(0.0), 3) << " at most; "
+              << Count(report, "edges.longer") << " longer than 4/3 of the requested length, "
+              << Count(report, "edges.shorter") << " shorter than 4/5\n";
+  }
+}
+
 /// Rounded up, so that what is printed is proved.
 void PrintProof(const ReportFields& report)
 {
@@ -261,6 +273,7 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
   PrintParts(report);
   PrintVoxels(report);
   PrintAngles(report);
+  PrintEdges(report);
   PrintProof(report);
   std::cout << "stop            " << report.Text("stop_sentence") << "\n"
             << "seconds         read " << GroupedText(subject.SecondsRead, 2) << ", decimate "

@@ -23,7 +23,7 @@ GROUPS = [
     ("Targets (lengths in mm)", ["Mode", "TargetNumberOfTriangles", "TargetReduction", "MaximumError", "ErrorPreset", "VoxelSize",
                  "ToleranceArrayName", "LabelArrayName"]),
     ("Smoothing (lengths in mm)", ["Smoothing", "AutomaticSmoothing", "FeatureAngle"]),
-    ("Proof", ["IntersectionGuard", "RefinementEffort", "MinimumAngle", "KeepVoxels", "ProveResult"]),
+    ("Proof", ["IntersectionGuard", "RefinementEffort", "MinimumAngle", "EdgeLength", "KeepVoxels", "ProveResult"]),
     ("Output", ["MeasureDistances", "MeasureInputDistances", "PassArrays", "MakeMaps", "RecomputeNormals",
                         "OutputPointsPrecision", "OutputPointsGrid"]),
 ]
@@ -38,6 +38,7 @@ APPLIES = {
     "IntersectionGuard": [[NOT_THESIS], HAS_ERROR],
     "RefinementEffort": [[("Mode", "2", False), ("Mode", "3", False)], HAS_ERROR],
     "MinimumAngle": [[NOT_THESIS]],
+    "EdgeLength": [[NOT_THESIS]],
     "ProveResult": [[NOT_THESIS], HAS_ERROR],
     "ErrorBoundArrayName": [[NOT_THESIS], HAS_ERROR, [("ProveResult", "1", False)]],
     "InputErrorBoundArrayName": [[NOT_THESIS], HAS_ERROR, [("ProveResult", "1", False)], [("MeasureInputDistances", "1", False)]],

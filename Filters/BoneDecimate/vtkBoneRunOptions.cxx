@@ -24,6 +24,7 @@ const char* const OptionNames[] = {
   "IntersectionGuard",
   "RefinementEffort",
   "MinimumAngle",
+  "EdgeLength",
   "MergePoints",
   "NumberOfThreads",
 };
@@ -152,6 +153,16 @@ void vtkBoneRunOptions::SetMinimumAngle(double value)
 double vtkBoneRunOptions::GetMinimumAngle() const
 {
   return this->State->Options.MinimumAngle;
+}
+
+void vtkBoneRunOptions::SetEdgeLength(double value)
+{
+  this->State->Set(this, "EdgeLength", value);
+}
+
+double vtkBoneRunOptions::GetEdgeLength() const
+{
+  return this->State->Options.EdgeLength;
 }
 
 void vtkBoneRunOptions::SetMergePoints(bool value)

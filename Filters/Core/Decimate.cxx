@@ -37,12 +37,18 @@ constexpr double CheckedAt = 0.01;
 constexpr double BuiltAt = 0.02;
 constexpr double ExtractionFraction = 0.005;
 
-/// Of the least angle, a little larger than requested: the output may round positions.
-double LargestCosineOf(const Options& options)
+/// The least angle is a little larger than requested: the output may round positions. An edge length needs one, too: slivers have edges of
+/// any length.
+ShapeLimits ShapeLimitsOf(const Options& options)
 {
   constexpr double margin = 1e-3; // degrees
-  const double angle = options.EffectiveMinimumAngle();
-  return angle > 0.0 ? CosineOfDegrees(angle + margin) : 1.0;
+  constexpr double sliver = 20.0; // degrees
+  ShapeLimits limits;
+  limits.EdgeLength = options.EffectiveEdgeLength();
+  const double requested = options.EffectiveMinimumAngle();
+  const double angle = requested == 0.0 && limits.LimitsEdges() ? sliver : requested;
+  limits.LargestCosine = angle > 0.0 ? CosineOfDegrees(angle + margin) : 1.0;
+  return limits;
 }
 
 bool EndsWithProof(const RunTask& task)
@@ -120,7 +126,7 @@ EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepar
   settings.Threads = task.Effective.NumberOfThreads;
   if (!isAborted)
   {
-    settings.LargestCosine = LargestCosineOf(task.Effective);
+    settings.Shape = ShapeLimitsOf(task.Effective);
     settings.KeepsQuadrics = mode.NeedsQuadrics();
     settings.KeepsInitialMesh = mode.KeepsInitialMesh;
     settings.CollapsesFeatureCurves = CollapsesFeatureCurves(task.Inputs);
@@ -178,7 +184,7 @@ void RunModeStages(const RunTask& task, const PreparedInput& prepared, Editor& e
     StopTargetsOf(options, faces, prepared.IsLimitedEverywhere()) };
   input.Threads = options.NumberOfThreads;
   input.RefinementEffort = options.RefinementEffort;
-  input.LargestCosine = LargestCosineOf(options);
+  input.Shape = ShapeLimitsOf(options);
   input.Forced = &report.Forced;
   if (input.Mode.HasNormalTolerance())
   {

@@ -133,8 +133,8 @@ struct ModeInfo
 
   /// Whether a stage moves and flips after the collapses.
   bool Refines() const { return this->KeepsInitialMesh; }
-  /// Whether the option MinimumAngle has a meaning.
-  bool LimitsAngles() const { return this->NeedsQuadrics(); }
+  /// Whether the options MinimumAngle and EdgeLength have a meaning.
+  bool LimitsShapes() const { return this->NeedsQuadrics(); }
   bool ProvesError() const { return this->ErrorMeaning == ErrorPolicy::ProvedBound; }
   /// Whether the option NormalTolerance, the w of the cost, has a meaning.
   bool HasNormalTolerance() const { return this->NeedsFaceAreas(); }

@@ -332,6 +332,14 @@ def has_angles(run):
     return "" if left <= 0.2 * triangles else f"{left} of {triangles} triangles have smaller angles"
 
 
+def has_edges(run):
+    """Splits need no more than ids, so few edges are too long: where triangles are constrained, and where labels or voxels forbid edits."""
+    if run.command:
+        return ""
+    edges, triangles = run.report["edges"], run.report["output"]["triangles"]
+    return "" if edges["longer"] <= 0.1 * triangles else f"{edges['longer']} long edges, {triangles} triangles"
+
+
 def switch(name, flag, value, option, problem=None):
     return Feature(name, (flag, value), problem or shows(f"options.{option}", value))
 
@@ -346,6 +354,7 @@ FEATURES = [
     Feature("no intersection guard", ("--max-error", ERROR, "--intersection-guard", "off"), shows("options.IntersectionGuard", "off"), goal=True),
     Feature("less effort", ("--max-error", ERROR, "--refinement-effort", 0.25), shows("options.RefinementEffort", "0.25"), goal=True),
     Feature("least angle", ("--max-error", ERROR, "--min-angle", 20), has_angles, ("MinimumAngle",), goal=True),
+    Feature("edge length", ("--max-error", ERROR, "--edge-length", 3), has_edges, ("EdgeLength",), goal=True),
     Feature("no proof", ("--max-error", ERROR, "--prove", "off"), shows("options.ProveResult", "off"), goal=True),
     Feature("large error allowed", ("--max-error", LARGE_ERROR, "--allow-large-error", "on"), keeps_to_the_cap, goal=True),
     Feature("region", ("--region", "sphere:{},{},{},{}=0".format(*CONSTRAINED)),

@@ -87,6 +87,7 @@ Attack AnyAttack(std::uint64_t seed, const std::vector<Surface>& large)
   {
     options.MinimumAngle = random.Between(0.0, 40.0);
   }
+  options.EdgeLength = DrawEdgeLength(random, attack.Victim);
   return attack;
 }
 

@@ -21,7 +21,7 @@ namespace
 {
 std::string WhatItSays(const Certificate& found)
 {
-  char text[400];
+  char text[450];
   const DirectedCertificate& there = found.ReferenceToResult;
   const DirectedCertificate& back = found.ResultToReference;
   std::snprintf(text, sizeof(text),
@@ -199,13 +199,14 @@ std::string Described(const Attack& attack)
   const Options& options = attack.Requested;
   char text[400];
   std::snprintf(text, sizeof(text),
-    "mode %d, error %.17g mm, smoothing %.17g mm%s, feature angle %.17g, least angle %.17g, target "
+    "mode %d, error %.17g mm, smoothing %.17g mm%s, feature angle %.17g, least angle %.17g, "
+    "edge length %.17g mm, target "
     "%d, threads %d, %s "
     "precision, %s map, "
     "%zu triangles",
     static_cast<int>(options.Mode), options.MaximumError, options.Smoothing,
     options.AutomaticSmoothing ? " or automatic" : "", options.FeatureAngle, options.MinimumAngle,
-    options.TargetNumberOfTriangles, options.NumberOfThreads,
+    options.EdgeLength, options.TargetNumberOfTriangles, options.NumberOfThreads,
     options.OutputPointsPrecision == PointsPrecision::Single ? "single" : "double",
     attack.Tolerances.empty() ? "no" : "a", attack.Victim.Triangles.size());
   return text;

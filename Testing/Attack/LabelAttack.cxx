@@ -124,6 +124,7 @@ LabelAttack AnyAttack(std::uint64_t seed)
   }
   options.FeatureAngle = options.Smooths() ? random.Between(0.0, 180.0) : options.FeatureAngle;
   options.MinimumAngle = random.Below(4) == 0 ? random.Between(0.0, 40.0) : 0.0;
+  options.EdgeLength = DrawEdgeLength(random, attack.Run.Victim);
   return attack;
 }
 

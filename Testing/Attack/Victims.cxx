@@ -235,6 +235,12 @@ double MeanEdge(const Surface& surface)
 }
 
 //------------------------------------------------------------------------------
+double DrawEdgeLength(Random& random, const Surface& surface)
+{
+  return random.Below(4) == 0 ? MeanEdge(surface) * std::pow(10.0, random.Between(-0.4, 0.8)) : 0.0;
+}
+
+//------------------------------------------------------------------------------
 std::vector<double> AnyMap(Random& random, const Surface& surface, double error)
 {
   const auto anyPoint = [&]

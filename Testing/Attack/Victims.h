@@ -17,6 +17,9 @@ namespace bonedecimate::testsupport
 /// mm
 double MeanEdge(const Surface& surface);
 
+/// mm, for a quarter of the runs a length near that of the edges; for others 0.
+double DrawEdgeLength(Random& random, const Surface& surface);
+
 /// mm, a tolerance of each point: 0 in one ball, none in another; in between it grows with the distance.
 /// @param error mm, half of the largest tolerance.
 std::vector<double> AnyMap(Random& random, const Surface& surface, double error);

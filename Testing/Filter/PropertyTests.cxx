@@ -45,7 +45,7 @@ const std::vector<Number>& Numbers()
     NUMBER_PROPERTY(TargetNumberOfTriangles), NUMBER_PROPERTY(TargetReduction),
     NUMBER_PROPERTY(MaximumError), NUMBER_PROPERTY(AllowLargeError),
     NUMBER_PROPERTY(IntersectionGuard), NUMBER_PROPERTY(RefinementEffort),
-    NUMBER_PROPERTY(MinimumAngle), NUMBER_PROPERTY(KeepVoxels), NUMBER_PROPERTY(NormalTolerance),
+    NUMBER_PROPERTY(MinimumAngle), NUMBER_PROPERTY(EdgeLength), NUMBER_PROPERTY(KeepVoxels), NUMBER_PROPERTY(NormalTolerance),
     NUMBER_PROPERTY(Smoothing), NUMBER_PROPERTY(AutomaticSmoothing), NUMBER_PROPERTY(FeatureAngle),
     NUMBER_PROPERTY(AutomaticNormalTolerance), NUMBER_PROPERTY(MergePoints),
     NUMBER_PROPERTY(MeasureDistances), NUMBER_PROPERTY(MeasureInputDistances),

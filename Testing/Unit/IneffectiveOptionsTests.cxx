@@ -52,14 +52,15 @@ TEST(IneffectiveOptions, OfTheErrorNeedOne)
   EXPECT_TRUE(IneffectiveOf(options, Errors).empty());
 }
 
-TEST(IneffectiveOptions, AnAngleNeedsAModeThatKeepsIt)
+TEST(IneffectiveOptions, ShapesNeedAModeThatKeepsThem)
 {
-  const Names angle = { "MinimumAngle" };
+  const Names shape = { "MinimumAngle", "EdgeLength" };
   Options options;
   options.MinimumAngle = 20.0;
-  EXPECT_TRUE(IneffectiveOf(options, angle).empty());
+  options.EdgeLength = 2.0;
+  EXPECT_TRUE(IneffectiveOf(options, shape).empty());
   options.Mode = Mode::Thesis;
-  EXPECT_EQ(IneffectiveOf(options, angle), angle);
+  EXPECT_EQ(IneffectiveOf(options, shape), shape);
 }
 
 TEST(IneffectiveOptions, OfRoundsNeedAModeThatMakesThem)

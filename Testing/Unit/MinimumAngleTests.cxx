@@ -58,7 +58,9 @@ Decision DecideOn(double heightBefore, double heightAfter, double degrees)
   edit.Change.NewFaces = { { 0, { 0, 1, 2 },
     { before.Points[0], before.Points[1], Vector3(1, heightAfter, 0) } } };
   EditFilter::Pending pending;
-  return ShapeFilter(CosineOfDegrees(degrees)).Screen(mesh, edit, pending);
+  ShapeLimits limits;
+  limits.LargestCosine = CosineOfDegrees(degrees);
+  return ShapeFilter(limits).Screen(mesh, edit, pending);
 }
 }
 
@@ -200,7 +202,7 @@ TEST(ShapeImprover, KeepsTheMeshValidAfterEveryEdit)
   const CleanSurface clean = Clean(squeezed, true);
   EditorSettings settings;
   settings.RecordsDistances = false;
-  settings.LargestCosine = CosineOfDegrees(25.0);
+  settings.Shape.LargestCosine = CosineOfDegrees(25.0);
   Editor editor(clean, settings);
   int edits = 0;
   double smallest = SmallestAngleOf(squeezed);
@@ -225,7 +227,7 @@ TEST(ShapeImprover, KeepsTheMeshValidAfterEveryEdit)
       EXPECT_GE(angle, std::min(smallest, 25.0) - 1e-9);
       smallest = angle;
     });
-  EXPECT_TRUE(ShapeImprover(editor, settings.LargestCosine).Mend([](double) { return true; }));
+  EXPECT_TRUE(ShapeImprover(editor, settings.Shape.LargestCosine).Mend([](double) { return true; }));
   EXPECT_GT(edits, 20);
   EXPECT_GT(smallest, 24.9);
 }
@@ -235,9 +237,9 @@ TEST(ShapeImprover, StopsWhenTheMonitorRequestsIt)
   const CleanSurface clean = Clean(BumpySphere(3, 10.0, 0.2, 5), true);
   EditorSettings settings;
   settings.RecordsDistances = false;
-  settings.LargestCosine = CosineOfDegrees(40.0);
+  settings.Shape.LargestCosine = CosineOfDegrees(40.0);
   Editor editor(clean, settings);
-  ShapeImprover improver(editor, settings.LargestCosine);
+  ShapeImprover improver(editor, settings.Shape.LargestCosine);
   EXPECT_FALSE(improver.Mend([](double) { return false; }));
   EXPECT_FALSE(improver.Collapse(0, [](double) { return false; }));
   EXPECT_EQ(BrokenInvariant(editor.Mesh()), "");

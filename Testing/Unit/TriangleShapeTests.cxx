@@ -95,10 +95,43 @@ TEST(TriangleShapes, TrianglesBelowAnAngleAreCountedAndTheWorstIsFound)
   Surface surface = OneTriangle({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 0, 3 }); // 36.9 degrees
   surface.Points.insert(surface.Points.end(), { { 9, 0, 0 }, { 10, 0, 0 }, { 9, 0.1, 0 } });
   surface.Triangles.push_back({ 3, 4, 5 }); // 5.7 degrees
-  EXPECT_EQ(FindBelowAngle(surface, 0.0).Below, 0);
-  EXPECT_EQ(FindBelowAngle(surface, 5.0).Below, 0);
-  const AngleFigures one = FindBelowAngle(surface, 30.0);
-  EXPECT_EQ(one.Below, 1);
-  EXPECT_NEAR(one.Worst.x(), 28.0 / 3.0, 1e-12);
-  EXPECT_EQ(FindBelowAngle(surface, 37.0).Below, 2);
+  const auto below = [&surface](double degrees)
+  {
+    Options options;
+    options.MinimumAngle = degrees;
+    Report report;
+    CompareShapes(surface, options, report);
+    return report.Angles;
+  };
+  EXPECT_EQ(below(0.0).Below, 0);
+  EXPECT_EQ(below(5.0).Below, 0);
+  EXPECT_EQ(below(30.0).Below, 1);
+  EXPECT_NEAR(below(30.0).Worst.x(), 28.0 / 3.0, 1e-12);
+  EXPECT_EQ(below(37.0).Below, 2);
+}
+
+TEST(TriangleShapes, EdgesAreComparedWithALengthEachOnce)
+{
+  // A square of side 3 with its diagonal.
+  Surface surface;
+  surface.Points = { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 0, 3, 0 } };
+  surface.Triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
+  const auto edges = [&surface](double length)
+  {
+    Options options;
+    options.EdgeLength = length;
+    Report report;
+    CompareShapes(surface, options, report);
+    return report.Edges;
+  };
+  const double diagonal = std::sqrt(18.0);
+  EXPECT_NEAR(edges(3.0).Mean, (12.0 + diagonal) / 5.0, 1e-12);
+  EXPECT_NEAR(edges(3.0).Longest, diagonal, 1e-12);
+  EXPECT_EQ(edges(3.0).Longer, 1); // 4.24 is more than 4
+  EXPECT_EQ(edges(3.0).Shorter, 0);
+  EXPECT_EQ(edges(3.0).Worst, Vector3(1.5, 1.5, 0.0));
+  EXPECT_EQ(edges(3.2).Longer, 0);
+  EXPECT_EQ(edges(2.0).Longer, 5);
+  EXPECT_EQ(edges(4.0).Shorter, 4); // 3 is less than 3.2
+  EXPECT_EQ(edges(0.0).Longer, 0);
 }

@@ -117,9 +117,9 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   this->Fragments = WithJoined(this->Source.AtFirst(), this->Half, this->Unsmoothed != nullptr,
     [this](const Surface& joined) { return std::make_shared<FragmentGuard>(this->Half, joined); });
   this->Filters.push_back(this->Fragments);
-  if (settings.LargestCosine < 1.0)
+  if (!settings.Shape.IsAny())
   {
-    this->Filters.push_back(std::make_shared<ShapeFilter>(settings.LargestCosine));
+    this->Filters.push_back(std::make_shared<ShapeFilter>(settings.Shape));
   }
   if (voxelsFirst)
   {

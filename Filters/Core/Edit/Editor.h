@@ -10,6 +10,8 @@
  *     CollapseAndMove:    a collapse and moves near it as one edit                                  (CollapseAndMove.cxx)
  *     Flip, Move:         rules (FlipAndMoveRules.h)  ->  filters  ->  mesh  ->  filters commit
  *                         ->  hook                                                   (FlipEdit.cxx, MoveEdit.cxx)
+ *     Split:              the same with SplitRules.h; the new vertex and faces take ids of removed ones
+ *                         ->  areas, origins, counts, hook                           (SplitEdit.cxx)
  *
  * Filters (EditFilter.h), in this order: fragments, error bound, voxels, intersections, those of the settings, the recorder of
  * the log. Voxels come before an error bound that allows large edits. EditorSettings.h says which of them there are.
@@ -31,6 +33,7 @@
 #include "Mesh/Cleaning.h"
 #include "Mesh/Edit.h"
 #include "Mesh/FaceAreas.h"
+#include "Mesh/FreeSlots.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Mesh/PatchBoundaries.h"
 #include "Monitor.h"
@@ -134,6 +137,15 @@ public:
   /// Moves a vertex if rules and filters accept it; not counted either.  @param position mm from the local origin.
   Decision Move(VertexId vertex, const Vector3& position, Workspace& work, int workers);
 
+  /// Edges may be split from now on; a later call makes ids of vertices and faces usable that were removed since. False where the
+  /// run is recorded: levels of a log have no more triangles than the level before.
+  bool BeginSplits();
+  /// Puts a vertex on the edge if rules and filters accept it; not counted as a collapse. Rejection::Shape if no id of a removed vertex
+  /// is left: no result has more triangles than the input. No other worker may be active.
+  /// @param position mm from the local origin
+  Decision Split(HalfEdgeId edge, const Vector3& position, Workspace& work);
+  std::int64_t NumberOfSplits() const { return this->NumberOfSplitEdges; }
+
   /// Collapses that follow are a draft until EndDraft or UndoDraft (Draft.h). False, and nothing changes, if there can be none
   /// or there was one: an editor drafts once.
   bool BeginDraft(int threads);
@@ -208,6 +220,8 @@ private:
   Decision CheckEdge(HalfEdgeId edge, Workspace& work) const;
   void ChangeMesh(const Edit& edit, Workspace& work);
   void UpdateBookkeeping(const Edit& edit, VertexId gone, Workspace& work);
+  bool ChooseSlots(Edit& edit);
+  void ApplySplit(const Edit& edit, Workspace& work);
   /// Data of one of the patches of CollapseTogether.
   struct PatchEdit
   {
@@ -244,9 +258,12 @@ private:
   std::unique_ptr<PatchBoundaries> Curves;
   std::unique_ptr<Draft> Drafted; // while there is one
   DraftFigures DraftFound;
+  std::optional<FreeSlots> VertexSlots; // of splits
+  std::optional<FreeSlots> FaceSlots;
   Hook AfterEdit;
   Index ConstrainedVertices = 0;
   std::int64_t Edits = 0;
+  std::int64_t NumberOfSplitEdges = 0;
   std::array<std::int64_t, NumberOfRejections> RejectionCounts{};
 };
 }

@@ -8,6 +8,7 @@
 #define BoneDecimate_Core_Edit_EditorSettings_h
 
 #include "EditFilters/EditFilter.h"
+#include "EditFilters/ShapeLimits.h"
 #include "ErrorBound/ErrorBound.h"
 #include "Geometry/Zone.h"
 #include "Reference/ReferenceMesh.h"
@@ -54,8 +55,8 @@ struct EditorSettings
   const ReferenceMesh* Reference = nullptr;
   /// Where edits are allowed, mm from the local origin; none: everywhere.
   std::optional<Zone> EditZone = {};
-  /// The cosine of the least angle that edits leave, unless a triangle that they replace has a smaller one; 1: any.
-  double LargestCosine = 1.0;
+  /// What edits leave, unless a triangle that they replace is worse.
+  ShapeLimits Shape = {};
   /// Run after the editor's own filters.
   std::vector<std::shared_ptr<EditFilter>> MoreFilters = {};
   int Threads = 1; ///< For the construction.

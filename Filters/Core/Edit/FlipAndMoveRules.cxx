@@ -159,14 +159,14 @@ Rejection CheckNewFaces(const HalfEdgeMesh& mesh, const SurfaceChange& change, d
   for (const SurfaceChange::Face& face : change.NewFaces)
   {
     const auto& [a, b, c] = face.Corners;
-    const Triangle v = mesh.Corners(face.Id);
+    const Triangle v = mesh.Corners(face.Old());
     const Face before(mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]));
     const Face after(a, b, c);
     if (IsNeedle(after, before.Quality))
     {
       return Rejection::Degenerate;
     }
-    if (IsTurned(before, after) || mesh.IsTurnedOver(face.Id, after.Vector))
+    if (IsTurned(before, after) || mesh.IsTurnedOver(face.Old(), after.Vector))
     {
       return Rejection::Flip;
     }

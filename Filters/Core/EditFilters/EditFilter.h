@@ -73,6 +73,10 @@ public:
     return true;
   }
 
+  /// Before a split is proposed: what is known of a vertex holds for the new one, too, whose id a removed one had. No other
+  /// worker is active.
+  virtual void Adopt(VertexId /*made*/, VertexId /*like*/) {}
+
   /// Records the edit that all filters accepted.  @param mesh After the edit.  @param tally Of the worker.
   virtual void Commit(const HalfEdgeMesh& /*mesh*/, const ProposedEdit& /*edit*/,
     Pending& /*pending*/, Tally& /*tally*/)

@@ -30,6 +30,7 @@ public:
     EditFilter::Pending& pending) const override;
   void Commit(const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending,
     Tally& tally) override;
+  void Adopt(VertexId made, VertexId like) override { this->OfVertex[made] = this->OfVertex[like]; }
   void Settle(Tally* tallies, std::size_t count) override;
 
   /// The number of components.

@@ -2,23 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShapeFilter.h
- * @brief No edit makes a triangle with an angle below the least one, unless a triangle that it replaces was worse.
+ * @brief No edit makes a triangle with an angle below the least one or a side above the longest, unless a triangle that it replaces
+ *        was worse.
  *
- * So triangles of the input that are worse do not stop collapses, and no edit makes the worst triangle around it worse.
+ * So triangles of the input that are worse do not stop collapses, and no edit makes the worst triangle around it worse. A split
+ * shortens a side and may make smaller angles for it: flips and moves enlarge them afterwards.
  */
 #ifndef BoneDecimate_Core_EditFilters_ShapeFilter_h
 #define BoneDecimate_Core_EditFilters_ShapeFilter_h
 
 #include "EditFilter.h"
+#include "ShapeLimits.h"
 
 namespace bonedecimate
 {
 class ShapeFilter : public EditFilter
 {
 public:
-  /// @param largestCosine That of the least angle.
-  explicit ShapeFilter(double largestCosine)
-    : LargestCosine(largestCosine)
+  explicit ShapeFilter(const ShapeLimits& limits)
+    : Limits(limits)
   {
   }
 
@@ -27,7 +29,7 @@ public:
     const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending) const override;
 
 private:
-  double LargestCosine;
+  ShapeLimits Limits;
 };
 }
 

@@ -189,17 +189,67 @@ void SurfaceChange::FillFlip(const HalfEdgeMesh& mesh, const Edit& edit)
   add(HalfEdgeMesh::Face(h), { d, c, a });
   add(HalfEdgeMesh::Face(twin), { c, d, b });
   this->BoundaryStays = true;
-  const auto moveBoundary = [&](Index from, Index to)
+  this->MoveBoundary(mesh, HalfEdgeMesh::Next(h), HalfEdgeMesh::Previous(twin));
+  this->MoveBoundary(mesh, HalfEdgeMesh::Previous(h), HalfEdgeMesh::Next(h));
+  this->MoveBoundary(mesh, HalfEdgeMesh::Next(twin), HalfEdgeMesh::Previous(h));
+  this->MoveBoundary(mesh, HalfEdgeMesh::Previous(twin), HalfEdgeMesh::Next(twin));
+}
+
+//------------------------------------------------------------------------------
+/// A boundary edge at the same position has another half-edge.
+void SurfaceChange::MoveBoundary(const HalfEdgeMesh& mesh, HalfEdgeId from, HalfEdgeId to)
+{
+  if (mesh.Twin(from) == None)
   {
-    if (mesh.Twin(from) == None)
-    {
-      const std::array<VertexId, 2> v = { mesh.Origin(from), mesh.Target(from) };
-      this->NewBoundary.push_back({ to, v, { mesh.Position(v[0]), mesh.Position(v[1]) }, from, v });
-    }
-  };
-  moveBoundary(HalfEdgeMesh::Next(h), HalfEdgeMesh::Previous(twin));
-  moveBoundary(HalfEdgeMesh::Previous(h), HalfEdgeMesh::Next(h));
-  moveBoundary(HalfEdgeMesh::Next(twin), HalfEdgeMesh::Previous(h));
-  moveBoundary(HalfEdgeMesh::Previous(twin), HalfEdgeMesh::Next(twin));
+    const std::array<VertexId, 2> v = { mesh.Origin(from), mesh.Target(from) };
+    this->NewBoundary.push_back({ to, v, { mesh.Position(v[0]), mesh.Position(v[1]) }, from, v });
+  }
+}
+
+//------------------------------------------------------------------------------
+/// As HalfEdgeMesh::SplitFace does it.
+void SurfaceChange::SplitFace(
+  const HalfEdgeMesh& mesh, HalfEdgeId edge, VertexId vertex, FaceId made)
+{
+  const HalfEdgeId next = HalfEdgeMesh::Next(edge);
+  const HalfEdgeId previous = HalfEdgeMesh::Previous(edge);
+  const FaceId face = HalfEdgeMesh::Face(edge);
+  const VertexId a = mesh.Origin(edge);
+  const VertexId b = mesh.Origin(next);
+  const VertexId c = mesh.Origin(previous);
+  this->AddOld(mesh, face, a, b);
+  this->NewFaces.push_back(
+    { face, { a, vertex, c }, { mesh.Position(a), this->Position, mesh.Position(c) } });
+  this->NewFaces.push_back(
+    { made, { vertex, b, c }, { this->Position, mesh.Position(b), mesh.Position(c) }, face });
+  this->MoveBoundary(mesh, next, HalfEdgeMesh::HalfEdge(made, 1));
+  this->MoveBoundary(mesh, previous, previous);
+}
+
+//------------------------------------------------------------------------------
+/// A boundary edge is the only one of its face.
+void SurfaceChange::FillSplit(const HalfEdgeMesh& mesh, const Edit& edit)
+{
+  this->Clear();
+  const HalfEdgeId h = edit.Edge;
+  const HalfEdgeId twin = mesh.Twin(h);
+  const VertexId a = mesh.Origin(h);
+  const VertexId b = mesh.Target(h);
+  this->Ends = { a, b };
+  this->Moved = edit.Keep;
+  this->Position = edit.Position;
+  this->SplitFace(mesh, h, edit.Keep, edit.Made[0]);
+  this->BoundaryStays = twin != None;
+  if (twin != None)
+  {
+    this->SplitFace(mesh, twin, edit.Keep, edit.Made[1]);
+    return;
+  }
+  const VertexId onLine = mesh.IsStationary(a) ? b : a; // at most one of them is stationary
+  const VertexId other = mesh.IsStationary(b) ? a : b;
+  this->NewBoundary.push_back({ h, { a, edit.Keep }, { mesh.Position(a), this->Position }, None,
+    { onLine, onLine } });
+  this->NewBoundary.push_back({ HalfEdgeMesh::HalfEdge(edit.Made[0], 0), { edit.Keep, b },
+    { this->Position, mesh.Position(b) }, None, { other, other } });
 }
 }

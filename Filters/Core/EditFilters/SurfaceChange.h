@@ -23,6 +23,9 @@ struct SurfaceChange
     FaceId Id;
     Triangle Vertices;
     std::array<Vector3, 3> Corners; // mm from the local origin
+    FaceId SplitFrom = {};          // of a face that a split makes: the old one; else None
+
+    FaceId Old() const { return this->SplitFrom == FaceId() ? this->Id : this->SplitFrom; }
   };
   struct BoundaryEdge
   {
@@ -35,7 +38,7 @@ struct SurfaceChange
   };
 
   std::vector<Index> OldFaces;
-  std::vector<Face> NewFaces; // their ids are among the old ones
+  std::vector<Face> NewFaces; // their ids are among the old ones, or those of removed faces
   std::vector<Index> OldBoundary;
   std::vector<BoundaryEdge> NewBoundary;
   bool BoundaryStays = false; ///< The boundary's edges keep their positions and only change faces.
@@ -53,10 +56,13 @@ struct SurfaceChange
   void FillMove(const HalfEdgeMesh& mesh, const Edit& edit);
   /// The mesh must turn the edge as HalfEdgeMesh::Flip says.
   void FillFlip(const HalfEdgeMesh& mesh, const Edit& edit);
+  void FillSplit(const HalfEdgeMesh& mesh, const Edit& edit);
 
 private:
   void Clear();
   void AddOld(const HalfEdgeMesh& mesh, FaceId face, Index at, Index orAt);
+  void SplitFace(const HalfEdgeMesh& mesh, HalfEdgeId edge, VertexId vertex, FaceId made);
+  void MoveBoundary(const HalfEdgeMesh& mesh, HalfEdgeId from, HalfEdgeId to);
   void AddBoundary(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit);
 };
 }

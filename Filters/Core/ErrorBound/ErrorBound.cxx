@@ -94,6 +94,18 @@ void ErrorBound::BuildCoverage()
 }
 
 //------------------------------------------------------------------------------
+void ErrorBound::Adopt(VertexId made, VertexId like)
+{
+  this->BuildCoverage();
+  this->Nearest[made] = this->Nearest[like];
+  if (!this->NearestBoundary.empty()) // it is without boundaries
+  {
+    this->NearestBoundary[made] = this->NearestBoundary[like];
+  }
+  this->Witnesses[made] = this->Witnesses[like];
+}
+
+//------------------------------------------------------------------------------
 Decision ErrorBound::Check(
   const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const
 {

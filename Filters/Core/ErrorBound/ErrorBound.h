@@ -78,6 +78,7 @@ public:
   /// Whether the coverage of all items is that of the proof.
   bool StillAccepts(
     const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending) const override;
+  void Adopt(VertexId made, VertexId like) override;
   void Commit(
     const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending, Tally& tally) override;
 

@@ -49,6 +49,11 @@ public:
     return this->Of(vertices[0]).And(this->Of(vertices[1])).And(this->Of(vertices[2]));
   }
   void Set(Index vertex, const Gap& gap) { this->Widths[vertex] = gap; }
+  void Copy(Index from, Index to)
+  {
+    this->Widths[to] = this->Widths[from];
+    this->Parts.OfPoint[to] = this->Parts.OfPoint[from];
+  }
 
 private:
   Components Parts;

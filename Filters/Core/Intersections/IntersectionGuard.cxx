@@ -239,6 +239,13 @@ Decision IntersectionGuard::Check(
 }
 
 //------------------------------------------------------------------------------
+/// No duplicate is made, and none is like it.
+void IntersectionGuard::Adopt(VertexId made, VertexId like)
+{
+  this->Widths.Copy(this->Mesh.OriginalVertex(like), made);
+}
+
+//------------------------------------------------------------------------------
 double IntersectionGuard::Reach(const EditFilter::Pending& pending) const
 {
   return static_cast<const Pending&>(pending).Reach;

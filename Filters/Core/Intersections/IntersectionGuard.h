@@ -52,6 +52,7 @@ public:
   /// Whether no gap that the check read has changed.
   bool StillAccepts(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
     EditFilter::Pending& pending) const override;
+  void Adopt(VertexId made, VertexId like) override;
   void Commit(const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending,
     Tally& tally) override;
 

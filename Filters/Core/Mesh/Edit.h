@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Edit.h
- * @brief A proposed change of the mesh: an edge collapse, an edge flip, or a vertex move.
+ * @brief A proposed change of the mesh: an edge collapse, an edge flip, a vertex move, or an edge split.
  */
 #ifndef BoneDecimate_Core_Mesh_Edit_h
 #define BoneDecimate_Core_Mesh_Edit_h
 
 #include "Handles.h"
+
+#include <array>
 
 namespace bonedecimate
 {
@@ -15,16 +17,18 @@ enum class EditKind : std::uint8_t
 {
   Collapse, ///< The ends of an edge become one vertex.
   Flip,     ///< An edge is replaced by the other diagonal of its two faces.
-  Move      ///< A vertex gets another position.
+  Move,     ///< A vertex gets another position.
+  Split     ///< An edge gets a vertex inside, and each of its faces becomes two.
 };
 
 struct Edit
 {
-  HalfEdgeId Edge;                    ///< The half-edge to collapse or flip.
-  VertexId Keep;                      ///< The end whose id is kept, or the vertex to move.
-  Vector3 Position = Vector3::Zero(); ///< Of the merged or moved vertex, mm from the local origin.
+  HalfEdgeId Edge;                    ///< The half-edge to collapse, flip or split.
+  VertexId Keep;                      ///< The end whose id is kept, or the vertex that moves or is made.
+  Vector3 Position = Vector3::Zero(); ///< Of the merged, moved or new vertex, mm from the local origin.
   bool KeepStays = false;             ///< Whether Position is that of Keep, bit for bit.
   EditKind Kind = EditKind::Collapse;
+  std::array<FaceId, 2> Made = {}; ///< Of a split: the faces that it makes; the second None on a boundary.
 };
 
 /// A vertex that moves together with an edit.

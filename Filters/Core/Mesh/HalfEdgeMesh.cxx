@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HalfEdgeMesh.h"
 
+#include "Edit.h"
 #include "EdgeMatching.h"
 #include "EdgeNeighborhood.h"
 #include "Parallel.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <utility>
 
 namespace bonedecimate
@@ -187,6 +189,50 @@ void HalfEdgeMesh::Flip(HalfEdgeId h)
   this->Pair(f[2], outer[2]);
   this->Pair(g[1], outer[3]);
   this->Pair(g[2], outer[0]);
+}
+
+//------------------------------------------------------------------------------
+void HalfEdgeMesh::SplitFace(HalfEdgeId h, VertexId vertex, FaceId made)
+{
+  const HalfEdgeId next = Next(h);
+  const HalfEdgeId outer = this->Twin(next);
+  const VertexId b = this->Origin(next);
+  const FaceRecord& old = this->Faces[Face(h)];
+  FaceRecord& record = this->Faces[made];
+  record = { { vertex, b, this->Origin(Previous(h)), old.Origins[3] },
+    { None, None, None, old.Twins[3] } };
+  this->Faces[next >> 2].Origins[next & 3] = vertex;
+  this->Pair(HalfEdge(made, 1), outer);
+  this->Pair(HalfEdge(made, 2), next);
+  if (this->Outgoing(b) == next)
+  {
+    this->Vertices[b].Outgoing = HalfEdge(made, 1);
+  }
+  this->InputFaces[made] = this->InputFaces[Face(h)];
+}
+
+//------------------------------------------------------------------------------
+void HalfEdgeMesh::Split(const Edit& edit)
+{
+  if (this->InputFaces.empty())
+  {
+    this->InputFaces.resize(this->Faces.size());
+    std::iota(this->InputFaces.begin(), this->InputFaces.end(), 0);
+  }
+  const HalfEdgeId h = edit.Edge;
+  const HalfEdgeId t = this->Twin(h);
+  const VertexId m = edit.Keep;
+  this->Vertices[m].Position = edit.Position;
+  this->SplitFace(h, m, edit.Made[0]);
+  const HalfEdgeId rest = HalfEdge(edit.Made[0], 0); // from m to b
+  if (t != None)
+  {
+    this->SplitFace(t, m, edit.Made[1]);
+    this->Pair(h, HalfEdge(edit.Made[1], 0)); // from m to a
+    this->Pair(t, rest);
+  }
+  this->Vertices[m].Outgoing = rest; // on a boundary the one without a twin
+  this->Constraints[m] = t != None ? VertexConstraint::Free : VertexConstraint::Boundary;
 }
 
 //------------------------------------------------------------------------------

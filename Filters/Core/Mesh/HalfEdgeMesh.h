@@ -32,6 +32,7 @@
 
 namespace bonedecimate
 {
+struct Edit;
 struct EdgeNeighborhood;
 
 /// The splitting of a surface into manifold patches, see ManifoldPatches.h.
@@ -120,6 +121,12 @@ public:
   /// Whether that normal is stored: from the first change of the face on.
   bool HasFirstNormal(FaceId face) const { return this->Faces[face].Twins[3] != None; }
 
+  /// The triangle of the input whose labels the face has: itself, unless a split made it.
+  FaceId InputFace(FaceId face) const
+  {
+    return this->InputFaces.empty() ? face : FaceId(this->InputFaces[static_cast<std::size_t>(face)]);
+  }
+
   bool HasPatches() const { return !this->OriginalVertices.empty(); }
   /// The original vertex: the same for all duplicates of a point; v if there are none.
   VertexId OriginalVertex(VertexId v) const
@@ -172,6 +179,11 @@ private:
   void Collapse(const EdgeNeighborhood& around, VertexId keep, const Vector3& position);
   /// Replaces the edge of h, which has two faces, by the edge between their apexes. The caller has checked that this is valid.
   void Flip(HalfEdgeId h);
+  /// Puts the vertex edit.Keep, which has no faces, on the edge. Each of its faces a b c keeps its id as a m c and gives the
+  /// rest, m b c, to one of edit.Made. The caller has checked that this is valid.
+  void Split(const Edit& edit);
+  /// @param h From a to b, of the face a b c.  @param vertex m.  @param made Becomes m b c.
+  void SplitFace(HalfEdgeId h, VertexId vertex, FaceId made);
   /// Only before the first edit.
   void Constrain(VertexId v)
   {
@@ -235,6 +247,7 @@ private:
   LargeArray<VertexConstraint> Constraints;
   std::vector<Index> OriginalVertices; // for each vertex; empty: nothing was split
   std::vector<Index> NextDuplicates;   // for each vertex, if there are duplicates
+  std::vector<Index> InputFaces;       // for each face; empty: no edge was split
   Index LiveFaces = 0;
   EdgeCounts Counts;
   double Length = 1.0;     // mm

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleShapes.h"
 
+#include "EditFilters/ShapeLimits.h"
 #include "Geometry/Angle.h"
 #include "Geometry/SmallestAngle.h"
 #include "Geometry/TriangleGeometry.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -148,11 +150,12 @@ void AddShapes(const ShapeStatistics& other, ShapeStatistics& sum)
   }
 }
 
-//------------------------------------------------------------------------------
+namespace
+{
 AngleFigures FindBelowAngle(const Surface& surface, double degrees)
 {
   AngleFigures found;
-  double worst = degrees > 0.0 ? CosineOfDegrees(degrees) : 1.0;
+  double worst = CosineOfDegrees(degrees);
   const double limit = worst;
   for (const Triangle& v : surface.Triangles)
   {
@@ -168,5 +171,60 @@ AngleFigures FindBelowAngle(const Surface& surface, double degrees)
     }
   }
   return found;
+}
+
+/// Each once, the lower end first.
+std::vector<std::pair<Index, Index>> EdgesOf(const Surface& surface)
+{
+  std::vector<std::pair<Index, Index>> edges;
+  for (const Triangle& v : surface.Triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      edges.push_back(std::minmax(v[k], v[(k + 1) % 3]));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+EdgeFigures FindEdges(const Surface& surface, const ShapeLimits& limits)
+{
+  constexpr double rounding = 1e-6; // of a length: the output may round positions
+  const std::vector<std::pair<Index, Index>> edges = EdgesOf(surface);
+  EdgeFigures found;
+  double sum = 0.0;     // mm
+  double longest = 0.0; // mm
+  for (const auto& [from, to] : edges)
+  {
+    const Vector3& a = surface.Points[from];
+    const Vector3& b = surface.Points[to];
+    const double length = (b - a).norm();
+    sum += length;
+    found.Longer += length > limits.LongestEdge() * (1.0 + rounding) ? 1 : 0;
+    found.Shorter += length < limits.ShortestEdge() * (1.0 - rounding) ? 1 : 0;
+    if (length > longest)
+    {
+      longest = length;
+      found.Worst = 0.5 * (a + b);
+    }
+  }
+  if (!edges.empty())
+  {
+    found.Mean = sum / static_cast<double>(edges.size());
+    found.Longest = longest;
+  }
+  return found;
+}
+}
+
+void CompareShapes(const Surface& surface, const Options& options, Report& report)
+{
+  ShapeLimits limits;
+  limits.EdgeLength = options.EffectiveEdgeLength();
+  const double angle = options.EffectiveMinimumAngle();
+  report.Angles = angle > 0.0 ? FindBelowAngle(surface, angle) : AngleFigures();
+  report.Edges = limits.LimitsEdges() ? FindEdges(surface, limits) : EdgeFigures();
 }
 }

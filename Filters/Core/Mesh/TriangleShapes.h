@@ -21,8 +21,8 @@ ShapeStatistics DescribeShapes(const Surface& surface, int threads);
 /// Adds the triangles of another surface.
 void AddShapes(const ShapeStatistics& other, ShapeStatistics& sum);
 
-/// The triangles with an angle below that of MinimumAngle. @param degrees 0: none.
-AngleFigures FindBelowAngle(const Surface& surface, double degrees);
+/// Compares the triangles with the MinimumAngle and the EdgeLength of a run.
+void CompareShapes(const Surface& surface, const Options& options, Report& report);
 }
 
 #endif

@@ -77,7 +77,9 @@ std::vector<Need> MakeNeeds()
       "MaximumError, ErrorPreset or ToleranceArrayName, and Mode " +
         ModeNamesWhere([](const ModeInfo& mode) { return mode.Refine.ProvedRounds > 0; }) },
     { "MinimumAngle", [](const Options& o) { return o.MinimumAngle == o.EffectiveMinimumAngle(); },
-      "Mode " + ModeNamesWhere([](const ModeInfo& mode) { return mode.LimitsAngles(); }) },
+      "Mode " + ModeNamesWhere([](const ModeInfo& mode) { return mode.LimitsShapes(); }) },
+    { "EdgeLength", [](const Options& o) { return o.EdgeLength == o.EffectiveEdgeLength(); },
+      "Mode " + ModeNamesWhere([](const ModeInfo& mode) { return mode.LimitsShapes(); }) },
     { "VoxelSize", [](const Options& o) { return o.ErrorPreset != ErrorPreset::NoPreset; },
       "ErrorPreset" },
     { "AutomaticSmoothing", [](const Options& o) { return o.Smoothing == 0.0; }, "Smoothing 0" },

@@ -55,6 +55,14 @@ std::vector<OptionInfo> GoalRows()
       "allows it; the report counts those that are left. The number of triangles for a largest "
       "error rises: by a tenth to two fifths at 20 degrees, by two fifths up to double at 30. 0: "
       "off." },
+    { "EdgeLength", &Options::EdgeLength, 0, LargestNumber, "mm", "edge-length", {},
+      "Length that the edges of the result are to have, except in Thesis mode: for solvers and "
+      "meshers. Edges longer than 4/3 of it are split, edges shorter than 4/5 collapsed where "
+      "everything else that was requested allows it, and flips and moves even out the triangles. No "
+      "collapse makes an edge longer than 4/3. There are never more triangles than in the input or "
+      "than requested, and levels of detail have no splits; the report counts the edges that are "
+      "left. Without MinimumAngle no edit makes "
+      "an angle below 20 degrees. 0: off." },
   };
 }
 

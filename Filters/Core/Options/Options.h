@@ -50,6 +50,7 @@ struct Options
   bool IntersectionGuard = true;
   double RefinementEffort = 1.0; // rounds, relative to those of the mode
   double MinimumAngle = 0.0;     // degrees
+  double EdgeLength = 0.0;       // mm
   double Smoothing = 0.0;        // mm
   bool AutomaticSmoothing = false;
   double FeatureAngle = 180.0; // degrees
@@ -92,7 +93,13 @@ struct Options
   /// Degrees, 0 in a mode that does not limit angles.
   double EffectiveMinimumAngle() const
   {
-    return FindMode(this->Mode).LimitsAngles() ? this->MinimumAngle : 0.0;
+    return FindMode(this->Mode).LimitsShapes() ? this->MinimumAngle : 0.0;
+  }
+
+  /// mm, 0 in a mode that does not limit edges.
+  double EffectiveEdgeLength() const
+  {
+    return FindMode(this->Mode).LimitsShapes() ? this->EdgeLength : 0.0;
   }
 
   /// Whether no triangle is to be removed.

@@ -73,7 +73,7 @@ public:
     report.Output = editor.NumberOfCollapses() == 0
       ? Describe(this->Run.LocalResult, counts, threads)
       : Describe(this->Run.LocalResult, threads);
-    report.Angles = FindBelowAngle(this->Output.Surface, this->Requested.EffectiveMinimumAngle());
+    CompareShapes(this->Output.Surface, this->Requested, report);
     if (const LabelMapSource* map = this->Run.Inputs.LabelMap)
     {
       report.Input.Volume -= VolumeOfWalls(

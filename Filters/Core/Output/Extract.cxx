@@ -122,7 +122,7 @@ void KeepLabels(const HalfEdgeMesh& mesh, const CleanSurface& clean, const Extra
     if (mesh.IsAlive(face))
     {
       Index& triangle = result.Origins.TriangleAtCentroid[next++];
-      const Index own = clean.InputTriangle[face];
+      const Index own = clean.InputTriangle[mesh.InputFace(face)];
       triangle =
         HaveSameLabels(options, static_cast<std::size_t>(triangle), static_cast<std::size_t>(own))
         ? triangle
@@ -139,7 +139,7 @@ void CopyBoundaryLabels(
   {
     if (mesh.IsAlive(face))
     {
-      const Index triangle = clean.InputTriangle[face];
+      const Index triangle = clean.InputTriangle[mesh.InputFace(face)];
       result.BoundaryLabels.push_back(source.OfTriangle[static_cast<std::size_t>(triangle)]);
     }
   }

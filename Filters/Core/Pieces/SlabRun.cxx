@@ -75,7 +75,7 @@ public:
       whole.BoundaryLabels = std::move(all.Labels);
       this->Totals.Write(whole.Report);
       whole.Report.Output = Describe(whole.Surface, this->Effective.NumberOfThreads);
-      whole.Report.Angles = FindBelowAngle(whole.Surface, this->Effective.EffectiveMinimumAngle());
+      CompareShapes(whole.Surface, this->Effective, whole.Report);
       whole.Report.Stop = StopReason::ErrorReached;
       if (this->Proof.WasMade)
       {

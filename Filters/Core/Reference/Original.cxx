@@ -55,6 +55,24 @@ void Original::Merge(VertexId keep, VertexId gone, const Vector3& position)
 }
 
 //------------------------------------------------------------------------------
+void Original::BeginSplits()
+{
+  this->AtSplits = this->CurrentVertices();
+  std::iota(this->MergedInto.begin(), this->MergedInto.end(), 0);
+}
+
+//------------------------------------------------------------------------------
+void Original::Make(VertexId made, VertexId start, VertexId end, const Vector3& position)
+{
+  if (this->RecordsDistances())
+  {
+    this->Errors[made] = std::max(this->Errors[start], this->Errors[end]);
+    this->Nearest[made] = this->Nearest[start];
+    this->LookUp(made, position);
+  }
+}
+
+//------------------------------------------------------------------------------
 void Original::RecordDisplacements(const std::vector<Vector3>& positions)
 {
   for (std::size_t v = 0; this->RecordsDistances() && v < positions.size(); ++v)
@@ -94,6 +112,13 @@ std::vector<Index> Original::CurrentVertices() const
     }
     current[v] = last;
   }
-  return current;
+  if (this->AtSplits.empty())
+  {
+    return current;
+  }
+  std::vector<Index> all(this->AtSplits.size());
+  std::transform(this->AtSplits.begin(), this->AtSplits.end(), all.begin(),
+    [&current](Index v) { return current[static_cast<std::size_t>(v)]; });
+  return all;
 }
 }

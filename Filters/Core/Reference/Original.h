@@ -33,6 +33,11 @@ public:
   /// Takes back the last merge into the other vertex; not where distances are recorded.
   void Unmerge(VertexId gone) { this->MergedInto[static_cast<std::size_t>(gone)] = gone; }
 
+  /// Before the first split: from now on ids of removed vertices may be used again, each for one vertex.
+  void BeginSplits();
+  /// Records that the split of an edge with those ends made a vertex. Measures its distance if distances are recorded.
+  void Make(VertexId made, VertexId start, VertexId end, const Vector3& position);
+
   /// Measures the distances of moved vertices if distances are recorded.
   void RecordDisplacements(const std::vector<Vector3>& positions);
 
@@ -67,7 +72,8 @@ private:
   const CleanSurface& Clean;
   mutable std::once_flag TreeIsBuilt;
   mutable std::optional<BoundingTree> Triangles;
-  LargeArray<Index> MergedInto; // the vertex itself while it exists
+  std::vector<Index> AtSplits;  // for each vertex the one into which it was merged before the first split; empty: none yet
+  LargeArray<Index> MergedInto; // since then; the vertex itself while it exists
   std::vector<Index> Nearest;   // for each vertex, if distances are recorded
   std::vector<double> Errors;   // the same, mm
   double Largest = 0.0;         // mm

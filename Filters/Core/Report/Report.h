@@ -361,6 +361,7 @@ struct Report
   DraftFigures Draft;
   RegionFigures Regions;
   AngleFigures Angles;
+  EdgeFigures Edges;
   ForcedCollapseFigures Forced; ///< Only in modes that make them, with an error bound.
   StageSeconds Seconds;
   std::uint64_t InputChecksum = 0; ///< Mesh/Checksum.h.

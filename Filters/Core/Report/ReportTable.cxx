@@ -305,6 +305,17 @@ void AddRun(Entries& entries, const Report& report)
       AddPosition(entries, "angles.worst_triangle", report.Angles.Worst);
     }
   }
+  if (report.Requested.EffectiveEdgeLength() > 0.0)
+  {
+    entries.push_back({ "edges.mean_length", "mm", report.Edges.Mean });
+    entries.push_back({ "edges.longest", "mm", report.Edges.Longest });
+    entries.push_back({ "edges.longer", "", report.Edges.Longer });
+    entries.push_back({ "edges.shorter", "", report.Edges.Shorter });
+    if (report.Edges.Longer > 0)
+    {
+      AddPosition(entries, "edges.longest_edge", report.Edges.Worst);
+    }
+  }
   if (report.Regions.Status != RegionStatus::NotRequested)
   {
     const RegionFigures& regions = report.Regions;

@@ -15,7 +15,8 @@ constexpr double ProgressStep = 0.005;
 StopTargets StopTargetsOf(const Options& options, Index faces, bool isLimited)
 {
   const bool anyOther = isLimited || options.TargetNumberOfTriangles > 0 ||
-    options.MaximumError > 0.0 || options.KeepVoxels == KeepVoxels::On;
+    options.MaximumError > 0.0 || options.KeepVoxels == KeepVoxels::On ||
+    options.EffectiveEdgeLength() > 0.0;
   const bool reduce =
     options.TargetReduction < 1.0 && (options.TargetReductionIsExplicit || !anyOther);
   const Index byReduction =

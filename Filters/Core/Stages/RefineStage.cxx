@@ -46,11 +46,11 @@ bool CollapseLast(const StageInput& input, Refinement& refinement, const Monitor
   return SweepTo(input, input.Stops.Faces, still) != StopReason::Aborted && refinement.Begin(last);
 }
 
-/// Only with a least angle. False if the monitor stopped it.
+/// Only with limits of shape. False if the monitor stopped it.
 bool ShapeBetween(const StageInput& input, Refinement& refinement, const Monitor& monitor)
 {
   constexpr double shapedAt = 0.8;
-  return !input.HasLeastAngle() ||
+  return !input.ImprovesShape() ||
     (ImproveShape(input, PartOf(monitor, 0.0, shapedAt)) &&
       refinement.Begin(PartOf(monitor, shapedAt, 1.0)));
 }
@@ -141,8 +141,8 @@ bool RefineWithinBound(const StageInput& input, Refinement& refinement, const Mo
              CollapseBySlack(input, slack, PartOf(monitor, begunAt, collapsedAt)) &&
              ForceCollapses(input, slack, PartOf(monitor, collapsedAt, forcedAt)))) &&
     ImproveShape(input, PartOf(monitor, forcedAt, shapedAt)) &&
-    // Collapses for the angle removed faces to which samples belong.
-    (!usesSlack || !input.HasLeastAngle() || slack.Begin(PartOf(monitor, shapedAt, shapedAt))) &&
+    // Collapses and splits for the shape changed faces to which samples belong.
+    (!usesSlack || !input.ImprovesShape() || slack.Begin(PartOf(monitor, shapedAt, shapedAt))) &&
     refinement.Begin(PartOf(monitor, shapedAt, shapedAt + begunAt)) &&
     refinement.Sweep(
       input.Mode.Refine.ProvedSweepsAfter, PartOf(monitor, shapedAt + begunAt, refinedAt)) &&

@@ -97,7 +97,7 @@ void ShapeCollapse::AddSearched(const Vector3& start, const Vector3& end)
     least = std::min(least, cosine);
   }
   double cosine = least;
-  const Vector3 found = this->Ring.Search(from, this->LargestCosine, cosine);
+  const Vector3 found = this->Ring.Search(from, this->Enough, cosine);
   if (cosine < least)
   {
     const BoundingTree& tree = this->MeshEditor.BoundedTree();

@@ -20,10 +20,11 @@ namespace bonedecimate
 class ShapeCollapse
 {
 public:
-  /// @param largestCosine That of the least angle.
-  ShapeCollapse(Editor& editor, double largestCosine)
+  /// @param largestCosine That of the least angle.  @param enough That of an angle that needs no improvement.
+  ShapeCollapse(Editor& editor, double largestCosine, double enough)
     : MeshEditor(editor)
     , LargestCosine(largestCosine)
+    , Enough(enough)
   {
   }
 
@@ -44,6 +45,7 @@ private:
 
   Editor& MeshEditor;
   double LargestCosine;
+  double Enough;
   Workspace Space;
   RingShape Ring;
   Edit Proposed;             // what the candidates have in common

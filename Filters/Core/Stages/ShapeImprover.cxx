@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShapeImprover.h"
 
+#include "EdgesByLength.h"
 #include "FaceShape.h"
+#include "ShapeLoop.h"
 #include "ShapeMover.h"
 
 #include <algorithm>
@@ -13,30 +15,6 @@ namespace bonedecimate
 namespace
 {
 constexpr int MostRounds = 12;
-/// The cosine of 45 degrees: where angles are smaller, flips and moves make collapses possible.
-constexpr double Relaxed = 0.7071067811865476;
-/// Edits between two calls of a monitor.
-constexpr std::size_t EditsOfCall = 64;
-
-/// Calls work(i) for each index. False if the monitor requests a stop.
-template <typename Work>
-bool ForEachOf(std::size_t count, const Monitor& monitor, const Work& work)
-{
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    work(i);
-    if (i % EditsOfCall == 0 && !monitor(static_cast<double>(i) / static_cast<double>(count)))
-    {
-      return false;
-    }
-  }
-  return monitor(1.0);
-}
-
-double SquaredLength(const HalfEdgeMesh& mesh, HalfEdgeId edge)
-{
-  return (mesh.Position(mesh.Target(edge)) - mesh.Position(mesh.Origin(edge))).squaredNorm();
-}
 }
 
 bool ShapeImprover::Mend(const Monitor& monitor)
@@ -118,20 +96,19 @@ bool ShapeImprover::FlipAndMove(const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// At all faces with a smallest angle below 45 degrees.
-bool ShapeImprover::Relax(const Monitor& monitor)
+bool ShapeImprover::Relax(Editor& editor, const Monitor& monitor)
 {
   constexpr double flippedAt = 0.2;
-  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  ShapeMover mover(this->MeshEditor, Relaxed);
-  this->MeshEditor.DistributeVolumeBudget();
-  this->MeshEditor.BeginFlipsAndMoves();
+  const HalfEdgeMesh& mesh = editor.Mesh();
+  ShapeMover mover(editor, CosineOfRelaxed);
+  editor.DistributeVolumeBudget();
+  editor.BeginFlipsAndMoves();
   const bool goesOn =
     ForEachOf(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), PartOf(monitor, 0.0, flippedAt),
       [&](std::size_t i)
       {
         const FaceId face = static_cast<Index>(i);
-        if (mesh.IsAlive(face) && CosineOfFace(mesh, face) > Relaxed)
+        if (mesh.IsAlive(face) && CosineOfFace(mesh, face) > CosineOfRelaxed)
         {
           mover.FlipAt(face);
         }
@@ -146,7 +123,7 @@ bool ShapeImprover::Relax(const Monitor& monitor)
         }
       });
   mover.Settle();
-  this->MeshEditor.EndFlipsAndMoves();
+  editor.EndFlipsAndMoves();
   return goesOn;
 }
 
@@ -175,33 +152,18 @@ void ShapeImprover::CollapseAt(FaceId face)
 bool ShapeImprover::Collapse(Index faces, const Monitor& monitor)
 {
   constexpr double relaxedAt = 0.4;
-  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  if (!this->Relax(PartOf(monitor, 0.0, relaxedAt)))
+  if (!Relax(this->MeshEditor, PartOf(monitor, 0.0, relaxedAt)))
   {
     return false;
   }
-  std::vector<std::pair<double, Index>> edges;
-  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
-  {
-    for (Index k = 0; k < 3 && mesh.IsAlive(face); ++k)
-    {
-      const HalfEdgeId h = HalfEdgeMesh::HalfEdge(face, k);
-      if (mesh.Twin(h) == None || h < mesh.Twin(h))
-      {
-        edges.emplace_back(SquaredLength(mesh, h), h);
-      }
-    }
-  }
-  std::sort(edges.begin(), edges.end());
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  const std::vector<EdgeOfLength> edges = EdgesByLength(mesh);
   return ForEachOf(edges.size(), PartOf(monitor, relaxedAt, 1.0),
     [&](std::size_t i)
     {
-      const auto& [length, edge] = edges[i];
-      const bool isUnchanged =
-        mesh.IsAlive(HalfEdgeMesh::Face(edge)) && SquaredLength(mesh, edge) == length;
-      if (isUnchanged && mesh.NumberOfFaces() > faces)
+      if (IsUnchanged(mesh, edges[i]) && mesh.NumberOfFaces() > faces)
       {
-        this->Edges.Try(edge);
+        this->Edges.Try(edges[i].Edge);
       }
     });
 }

@@ -28,7 +28,7 @@ public:
   ShapeImprover(Editor& editor, double largestCosine)
     : MeshEditor(editor)
     , LargestCosine(largestCosine)
-    , Edges(editor, largestCosine)
+    , Edges(editor, largestCosine, largestCosine)
   {
   }
 
@@ -36,6 +36,8 @@ public:
   bool Mend(const Monitor& monitor);
   /// @param faces No collapse begins at that many faces or fewer.
   bool Collapse(Index faces, const Monitor& monitor);
+  /// Flips and moves at all faces with an angle below 45 degrees.
+  static bool Relax(Editor& editor, const Monitor& monitor);
 
 private:
   std::vector<Index> FindBadFaces() const;
@@ -43,7 +45,6 @@ private:
   template <typename Improve>
   bool ForEachBadFace(const Monitor& monitor, const Improve& improve);
   bool FlipAndMove(const Monitor& monitor);
-  bool Relax(const Monitor& monitor);
   void CollapseAt(FaceId face);
 
   Editor& MeshEditor;

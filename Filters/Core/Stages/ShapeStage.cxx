@@ -3,6 +3,7 @@
 #include "ShapeStage.h"
 
 #include "CollapseStage.h"
+#include "EdgeSizer.h"
 #include "ShapeImprover.h"
 
 namespace bonedecimate
@@ -26,21 +27,17 @@ bool CollapseOnce(const StageInput& input, const Monitor& monitor)
   return HasReachedFaces(input) ||
     SweepTo(input, input.Stops.Faces, monitor) != StopReason::Aborted;
 }
-}
 
-bool ImproveShape(const StageInput& input, const Monitor& monitor)
+/// Without an edge length, edges of any length are collapsed for it. False if the monitor requests a stop.
+bool EnlargeAngles(const StageInput& input, const Monitor& monitor)
 {
   constexpr double mendedAt = 0.2;
   constexpr double sweptAt = 0.4;
   constexpr double collapsedAt = 0.8; // of a round
-  if (!input.HasLeastAngle())
-  {
-    return true;
-  }
   const HalfEdgeMesh& mesh = input.MeshEditor.Mesh();
-  ShapeImprover improver(input.MeshEditor, input.LargestCosine);
+  ShapeImprover improver(input.MeshEditor, input.Shape.LargestCosine);
   bool goesOn = improver.Mend(PartOf(monitor, 0.0, mendedAt));
-  if (!input.MeshEditor.LimitsEdits())
+  if (!input.MeshEditor.LimitsEdits() || input.Shape.LimitsEdges())
   {
     return goesOn;
   }
@@ -57,5 +54,19 @@ bool ImproveShape(const StageInput& input, const Monitor& monitor)
     isWorthIt = before - mesh.NumberOfFaces() >= before / LeastOfRound;
   }
   return goesOn && monitor(1.0);
+}
+}
+
+bool ImproveShape(const StageInput& input, const Monitor& monitor)
+{
+  if (!input.ImprovesShape())
+  {
+    return true;
+  }
+  const double sizedAt = !input.Shape.LimitsEdges() ? 0.0 : input.Shape.LimitsAngles() ? 0.5 : 1.0;
+  return (!input.Shape.LimitsEdges() ||
+           EdgeSizer(input.MeshEditor, input.Shape)
+             .Run(input.Stops.Faces, PartOf(monitor, 0.0, sizedAt))) &&
+    (!input.Shape.LimitsAngles() || EnlargeAngles(input, PartOf(monitor, sizedAt, 1.0)));
 }
 }

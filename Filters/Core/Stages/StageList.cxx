@@ -27,7 +27,7 @@ StopReason RunStages(StageInput input, const Monitor& monitor)
   input.InitialMesh = input.Mode.KeepsInitialMesh ? &input.MeshEditor.InitialMesh() : nullptr;
   StopReason reason = StopReason::NotRun;
   // A refinement does so itself, before it ends.
-  const bool improvesShape = input.HasLeastAngle() && !input.Mode.Refines();
+  const bool improvesShape = input.ImprovesShape() && !input.Mode.Refines();
   const Monitor stages = PartOf(monitor, 0.0, improvesShape ? 0.3 : 1.0);
   double begin = 0.0;
   for (const Stage& stage : input.Mode.Stages)

@@ -32,11 +32,11 @@ struct StageInput
   const HalfEdgeMesh* InitialMesh =
     nullptr; ///< Before the first edit, with ModeInfo::KeepsInitialMesh; filled by RunStages().
   double RefinementEffort = 1.0; ///< Of the options.
-  double LargestCosine = 1.0;    ///< That of the least angle; 1: there is none.
+  ShapeLimits Shape = {};        ///< Of triangles.
   ForcedCollapseFigures* Forced =
     nullptr; ///< Receives what was tried and made; null: they are not kept.
 
-  bool HasLeastAngle() const { return this->LargestCosine < 1.0; }
+  bool ImprovesShape() const { return !this->Shape.IsAny(); }
 };
 
 /// Why a stage that has done all it could ends.

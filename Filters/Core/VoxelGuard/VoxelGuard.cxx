@@ -97,7 +97,7 @@ bool VoxelGuard::IsOpen(const HalfEdgeMesh& mesh, const SurfaceChange& change) c
   {
     const Index from = mesh.OriginalVertex(mesh.Origin(h));
     const Index to = mesh.OriginalVertex(mesh.Target(h));
-    const BoundaryLabels& labels = this->LabelsOf(HalfEdgeMesh::Face(h));
+    const BoundaryLabels& labels = this->LabelsOf(mesh.InputFace(HalfEdgeMesh::Face(h)));
     AddEdge(sums, from, to, labels[0], 1);
     AddEdge(sums, from, to, labels[1], -1);
   }
@@ -115,11 +115,11 @@ Decision VoxelGuard::Check(
   {
     const Triangle c = mesh.Corners(face);
     patch.AddOld(this->Convert({ mesh.Position(c[0]), mesh.Position(c[1]), mesh.Position(c[2]) }),
-      this->LabelsOf(face));
+      this->LabelsOf(mesh.InputFace(face)));
   }
   for (const SurfaceChange::Face& face : change.NewFaces)
   {
-    patch.AddNew(this->Convert(face.Corners), this->LabelsOf(face.Id));
+    patch.AddNew(this->Convert(face.Corners), this->LabelsOf(mesh.InputFace(face.Old())));
   }
   const bool keeps =
     patch.KeepsLabels(this->IsOpen(mesh, change)) && !patch.IsNearCenter(this->Settings.Margin);

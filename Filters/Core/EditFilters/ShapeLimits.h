@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ShapeLimits.h
+ * @brief What the triangles of a result are to be like.
+ */
+#ifndef BoneDecimate_Core_EditFilters_ShapeLimits_h
+#define BoneDecimate_Core_EditFilters_ShapeLimits_h
+
+#include <limits>
+
+namespace bonedecimate
+{
+struct ShapeLimits
+{
+  double LargestCosine = 1.0; ///< That of the least angle; 1: any.
+  double EdgeLength = 0.0;    ///< mm, that edges are to have; 0: any.
+
+  bool LimitsAngles() const { return this->LargestCosine < 1.0; }
+  bool LimitsEdges() const { return this->EdgeLength > 0.0; }
+  bool IsAny() const { return !this->LimitsAngles() && !this->LimitsEdges(); }
+
+  /// mm; longer edges are split. In halves they are no farther from the length than before.
+  double LongestEdge() const
+  {
+    return this->LimitsEdges() ? 4.0 / 3.0 * this->EdgeLength
+                               : std::numeric_limits<double>::infinity();
+  }
+  /// mm; shorter edges are collapsed. The edges of their triangles are then not too long on average.
+  double ShortestEdge() const { return 0.8 * this->EdgeLength; }
+};
+}
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FreeSlots.h"
+
+namespace bonedecimate
+{
+FreeSlots::FreeSlots(const std::vector<char>& isFree)
+  : Upward(isFree.size() + 2)
+  , Downward(isFree.size() + 2)
+{
+  const auto last = static_cast<Index>(isFree.size()) + 1;
+  for (Index place = 0; place <= last; ++place)
+  {
+    const bool isEnd = place == 0 || place == last;
+    const bool stays = isEnd || isFree[static_cast<std::size_t>(place) - 1] != 0;
+    this->Upward[static_cast<std::size_t>(place)] = stays ? place : place + 1;
+    this->Downward[static_cast<std::size_t>(place)] = stays ? place : place - 1;
+    this->Left += stays && !isEnd ? 1 : 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+/// With path halving.
+Index FreeSlots::Follow(std::vector<Index>& next, Index place)
+{
+  while (next[static_cast<std::size_t>(place)] != place)
+  {
+    Index& there = next[static_cast<std::size_t>(place)];
+    there = next[static_cast<std::size_t>(there)];
+    place = there;
+  }
+  return place;
+}
+
+//------------------------------------------------------------------------------
+Index FreeSlots::FindNearest(Index id, Index except)
+{
+  const auto last = static_cast<Index>(this->Upward.size()) - 1;
+  const Index place = id + 1;
+  Index above = Follow(this->Upward, place);
+  Index below = Follow(this->Downward, place);
+  above = above == except + 1 && above != 0 ? Follow(this->Upward, above + 1) : above;
+  below = below == except + 1 && below != 0 ? Follow(this->Downward, below - 1) : below;
+  if (below == 0 && above == last)
+  {
+    return None;
+  }
+  const bool takesBelow = below != 0 && (above == last || place - below <= above - place);
+  return (takesBelow ? below : above) - 1;
+}
+
+//------------------------------------------------------------------------------
+void FreeSlots::Take(Index id)
+{
+  const auto place = static_cast<std::size_t>(id) + 1;
+  this->Upward[place] = id + 2;
+  this->Downward[place] = id;
+  --this->Left;
+}
+
+//------------------------------------------------------------------------------
+FreeSlots FreeVertices(const HalfEdgeMesh& mesh)
+{
+  std::vector<char> isFree(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), 0);
+  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    const bool isAlone = mesh.OriginalVertex(v) == v && mesh.NextDuplicate(v) == v;
+    isFree[static_cast<std::size_t>(v)] = mesh.Outgoing(v) == None && isAlone &&
+        mesh.Constraint(v) != VertexConstraint::NonManifold
+      ? 1
+      : 0;
+  }
+  return FreeSlots(isFree);
+}
+
+//------------------------------------------------------------------------------
+FreeSlots FreeFaces(const HalfEdgeMesh& mesh)
+{
+  std::vector<char> isFree(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), 0);
+  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    isFree[static_cast<std::size_t>(face)] = mesh.IsAlive(face) ? 0 : 1;
+  }
+  return FreeSlots(isFree);
+}
+}

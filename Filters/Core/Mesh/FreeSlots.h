@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FreeSlots.h
+ * @brief Ids of removed vertices and faces that edge splits use again.
+ *
+ * Ids follow the surface (SpatialOrder.h), so a split takes the free id nearest to that of a neighbor.
+ */
+#ifndef BoneDecimate_Core_Mesh_FreeSlots_h
+#define BoneDecimate_Core_Mesh_FreeSlots_h
+
+#include "HalfEdgeMesh.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+/// A set of ids of which the one nearest to another id is taken at a time, in nearly constant time on average.
+class FreeSlots
+{
+public:
+  /// @param isFree Of each id.
+  explicit FreeSlots(const std::vector<char>& isFree);
+
+  Index Count() const { return this->Left; }
+  /// The one nearest to that id, the lower of two, but not `except`; None if there is none left.
+  Index FindNearest(Index id, Index except = None);
+  void Take(Index id);
+
+private:
+  static Index Follow(std::vector<Index>& next, Index place);
+
+  // For each id + 1 the next place upward or downward that is free, the place itself if it is; both ends are always free.
+  std::vector<Index> Upward;
+  std::vector<Index> Downward;
+  Index Left = 0;
+};
+
+/// The removed vertices of the mesh without duplicates.
+FreeSlots FreeVertices(const HalfEdgeMesh& mesh);
+/// The removed faces of the mesh.
+FreeSlots FreeFaces(const HalfEdgeMesh& mesh);
+}
+
+#endif

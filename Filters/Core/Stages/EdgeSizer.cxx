@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EdgeSizer.h"
+
+#include "EdgesByLength.h"
+#include "ShapeImprover.h"
+#include "ShapeLoop.h"
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr int MostRounds = 8;
+/// An edge as long as a bone halves to any useful length in fewer.
+constexpr int MostSplitPasses = 24;
+/// No further round after one that collapses and splits less than one edge for this many faces.
+constexpr std::int64_t LeastOfRound = 256;
+}
+
+EdgeSizer::EdgeSizer(Editor& editor, const ShapeLimits& limits)
+  : MeshEditor(editor)
+  , Limits(limits)
+  , Edges(editor, limits.LargestCosine, CosineOfRelaxed)
+{
+}
+
+//------------------------------------------------------------------------------
+bool EdgeSizer::Run(Index faces, const Monitor& monitor)
+{
+  constexpr double collapsedAt = 0.4; // of a round
+  constexpr double splitAt = 0.6;
+  constexpr double roundsAt = 0.95;
+  const Monitor rounds = PartOf(monitor, 0.0, roundsAt);
+  bool goesOn = true;
+  bool isWorthIt = true;
+  for (int i = 0; i < MostRounds && goesOn && isWorthIt; ++i)
+  {
+    const auto edits = [this]
+    { return this->MeshEditor.NumberOfCollapses() + this->MeshEditor.NumberOfSplits(); };
+    const std::int64_t before = edits();
+    const Monitor round =
+      PartOf(rounds, static_cast<double>(i) / MostRounds, (i + 1.0) / MostRounds);
+    goesOn = this->Collapse(faces, PartOf(round, 0.0, collapsedAt)) &&
+      this->Split(faces, PartOf(round, collapsedAt, splitAt)) &&
+      ShapeImprover::Relax(this->MeshEditor, PartOf(round, splitAt, 1.0));
+    isWorthIt = (edits() - before) * LeastOfRound >= this->MeshEditor.Mesh().NumberOfFaces();
+  }
+  return goesOn && this->Split(faces, PartOf(monitor, roundsAt, 1.0));
+}
+
+//------------------------------------------------------------------------------
+bool EdgeSizer::Collapse(Index faces, const Monitor& monitor)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  this->MeshEditor.DistributeVolumeBudget();
+  this->MeshEditor.RenewQuadrics(1);
+  const std::vector<EdgeOfLength> edges = EdgesByLength(mesh, -1.0, this->Limits.ShortestEdge());
+  return ForEachOf(edges.size(), monitor,
+    [&](std::size_t i)
+    {
+      if (IsUnchanged(mesh, edges[i]) && mesh.NumberOfFaces() > faces)
+      {
+        this->Edges.Try(edges[i].Edge);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+/// Until none is left that may be split.
+bool EdgeSizer::Split(Index faces, const Monitor& monitor)
+{
+  if (!this->MeshEditor.BeginSplits())
+  {
+    return monitor(1.0);
+  }
+  std::int64_t splits = 1;
+  bool goesOn = true;
+  for (int pass = 0; pass < MostSplitPasses && splits > 0 && goesOn; ++pass)
+  {
+    const Monitor part = PartOf(monitor, static_cast<double>(pass) / MostSplitPasses,
+      (pass + 1.0) / MostSplitPasses);
+    goesOn = this->SplitOnce(faces, splits, part);
+  }
+  return goesOn && monitor(1.0);
+}
+
+//------------------------------------------------------------------------------
+bool EdgeSizer::SplitOnce(Index faces, std::int64_t& splits, const Monitor& monitor)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  const std::vector<EdgeOfLength> edges = EdgesByLength(mesh, this->Limits.LongestEdge());
+  splits = 0;
+  return ForEachOf(edges.size(), monitor,
+    [&](std::size_t i)
+    {
+      const EdgeOfLength& edge = edges[edges.size() - 1 - i];
+      const bool hasRoom = faces == 0 || mesh.NumberOfFaces() + 2 <= faces;
+      if (IsUnchanged(mesh, edge) && hasRoom)
+      {
+        const Vector3 middle =
+          0.5 * (mesh.Position(mesh.Origin(edge.Edge)) + mesh.Position(mesh.Target(edge.Edge)));
+        splits += this->MeshEditor.Split(edge.Edge, middle, this->Space).IsAccepted() ? 1 : 0;
+        this->MeshEditor.Settle(this->Space.Counted);
+      }
+    });
+}
+}
