@@ -3,12 +3,12 @@
 #include "Decimate.h"
 
 #include "Cost/AutomaticTolerance.h"
-#include "Geometry/SmallestAngle.h"
 #include "Input/LabelMapInput.h"
 #include "Input/PartInput.h"
 #include "Input/PrepareInput.h"
 #include "Input/VoxelSize.h"
 #include "Mesh/SurfaceAssembly.h"
+#include "Mesh/TriangleShapes.h"
 #include "Options/OptionTable.h"
 #include "Output/Evaluation.h"
 #include "Output/Extract.h"
@@ -36,20 +36,6 @@ namespace
 constexpr double CheckedAt = 0.01;
 constexpr double BuiltAt = 0.02;
 constexpr double ExtractionFraction = 0.005;
-
-/// The least angle is a little larger than requested: the output may round positions. An edge length needs one, too: slivers have edges of
-/// any length.
-ShapeLimits ShapeLimitsOf(const Options& options)
-{
-  constexpr double margin = 1e-3; // degrees
-  constexpr double sliver = 20.0; // degrees
-  ShapeLimits limits;
-  limits.EdgeLength = options.EffectiveEdgeLength();
-  const double requested = options.EffectiveMinimumAngle();
-  const double angle = requested == 0.0 && limits.LimitsEdges() ? sliver : requested;
-  limits.LargestCosine = angle > 0.0 ? CosineOfDegrees(angle + margin) : 1.0;
-  return limits;
-}
 
 bool EndsWithProof(const RunTask& task)
 {

@@ -333,11 +333,9 @@ def has_angles(run):
 
 
 def has_edges(run):
-    """Splits need no more than ids, so few edges are too long: where triangles are constrained, and where labels or voxels forbid edits."""
-    if run.command:
-        return ""
-    edges, triangles = run.report["edges"], run.report["output"]["triangles"]
-    return "" if edges["longer"] <= 0.1 * triangles else f"{edges['longer']} long edges, {triangles} triangles"
+    """Few are too long: where triangles are constrained, and where labels or voxels forbid edits."""
+    longer, triangles = (0, 0) if run.command else (run.report["edges"]["longer"], run.report["output"]["triangles"])
+    return "" if longer <= 0.1 * triangles else f"{longer} of the edges of {triangles} triangles are too long"
 
 
 def switch(name, flag, value, option, problem=None):

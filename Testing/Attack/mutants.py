@@ -54,6 +54,7 @@ BATCH_TESTS = "BatchSweep*"
 DRAFT_TESTS = "Draft*:EditJournal*:FaceHistory*:EditReplay*:BulkProof*"
 REPLAY_TESTS = DRAFT_TESTS + ":*IntersectionGuard*:GapsOfADraft*"
 SHAPE_TESTS = "ShapeFilter*:ShapeImprover*:MinimumAngle*:RingShape*"
+SPLIT_TESTS = "EdgeSplit*:EdgeLength*:FreeSlots*"
 CERTIFICATE_TESTS = "OverlayCover*:Certificate*:ResultProof*"
 
 
@@ -229,7 +230,17 @@ MUTANTS = (
     of_draft("only one of the new triangles must have the least angle", "Filters/Core/EditFilters/ShapeFilter.cxx",
              "after = std::max(after,", "after = std::min(after + 1.0,", SHAPE_TESTS),
     of_draft("an angle may become smaller if the one before was below the least", "Filters/Core/EditFilters/ShapeFilter.cxx",
-             "      after)", "      this->LargestCosine)", SHAPE_TESTS),
+             "mesh.Position(v[2])) >= after;", "mesh.Position(v[2])) >= limit;", SHAPE_TESTS),
+    of_draft("a long edge may be made", "Filters/Core/EditFilters/ShapeFilter.cxx",
+             "!this->Limits.LimitsEdges() ||", "true ||", SPLIT_TESTS),
+    of_draft("a split mixes up the halves of a face", "Filters/Core/EditFilters/SurfaceChange.cxx",
+             "{ face, { a, vertex, c }, {", "{ made, { a, vertex, c }, {", SPLIT_TESTS),
+    of_draft("a split counts as proved", "Filters/Core/Edit/SplitEdit.cxx",
+             "const Decision decision = this->RunFilters(work);", "this->RunFilters(work); const Decision decision = Decision::Accept();", SPLIT_TESTS),
+    Mutant("a split gives a face the labels of the removed one", "Filters/Core/Mesh/HalfEdgeMesh.cxx",
+           "this->InputFaces[made] = this->InputFaces[Face(h)];", "", SPLIT_TESTS),
+    of_draft("an id that a split takes stays free", "Filters/Core/Edit/SplitEdit.cxx",
+             "this->VertexSlots->Take(edit.Keep);", "", SPLIT_TESTS),
 )
 
 

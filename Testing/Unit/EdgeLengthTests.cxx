@@ -244,7 +244,8 @@ TEST(EdgeLength, SplitsLongEdgesOfTheInputAndMakesNoMoreTriangles)
   const std::vector<double> before = LengthsOf(both);
   const double longest = *std::max_element(before.begin(), before.end());
   const double length = 0.4 * longest;
-  const Result result = Decimate(both, InMode(Mode::Fast, WithLength(Error(0.05 * longest), length)));
+  const Result result =
+    Decimate(both, InMode(Mode::Fast, WithLength(Error(0.05 * longest), length)));
   const std::vector<double> after = LengthsOf(result.Surface);
   EXPECT_LE(*std::max_element(after.begin(), after.end()), 4.0 / 3.0 * length * (1.0 + 1e-6));
   EXPECT_LE(result.Surface.Triangles.size(), both.Triangles.size());

@@ -227,7 +227,8 @@ TEST(ShapeImprover, KeepsTheMeshValidAfterEveryEdit)
       EXPECT_GE(angle, std::min(smallest, 25.0) - 1e-9);
       smallest = angle;
     });
-  EXPECT_TRUE(ShapeImprover(editor, settings.Shape.LargestCosine).Mend([](double) { return true; }));
+  EXPECT_TRUE(
+    ShapeImprover(editor, settings.Shape.LargestCosine).Mend([](double) { return true; }));
   EXPECT_GT(edits, 20);
   EXPECT_GT(smallest, 24.9);
 }

@@ -8,9 +8,9 @@
 #define BoneDecimate_Core_Edit_EditorSettings_h
 
 #include "EditFilters/EditFilter.h"
-#include "EditFilters/ShapeLimits.h"
 #include "ErrorBound/ErrorBound.h"
 #include "Geometry/Zone.h"
+#include "Mesh/ShapeLimits.h"
 #include "Reference/ReferenceMesh.h"
 #include "VoxelGuard/VoxelGuard.h"
 

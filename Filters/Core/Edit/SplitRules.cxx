@@ -12,8 +12,8 @@ Rejection CheckBoundarySplit(const HalfEdgeMesh& mesh, HalfEdgeId edge)
 {
   const VertexId a = mesh.Origin(edge);
   const VertexId b = mesh.Target(edge);
-  const bool isAlone = mesh.Twin(HalfEdgeMesh::Next(edge)) != None &&
-    mesh.Twin(HalfEdgeMesh::Previous(edge)) != None;
+  const bool isAlone =
+    mesh.Twin(HalfEdgeMesh::Next(edge)) != None && mesh.Twin(HalfEdgeMesh::Previous(edge)) != None;
   const bool isOnCurve = mesh.IsStationary(a) && mesh.IsStationary(b);
   const bool isConstrained = mesh.IsConstrained(a) || mesh.IsConstrained(b);
   return isAlone && !isOnCurve && !isConstrained ? Rejection::NotRejected : Rejection::Boundary;

@@ -12,7 +12,7 @@
 #define BoneDecimate_Core_EditFilters_ShapeFilter_h
 
 #include "EditFilter.h"
-#include "ShapeLimits.h"
+#include "Mesh/ShapeLimits.h"
 
 namespace bonedecimate
 {

@@ -247,8 +247,8 @@ void SurfaceChange::FillSplit(const HalfEdgeMesh& mesh, const Edit& edit)
   }
   const VertexId onLine = mesh.IsStationary(a) ? b : a; // at most one of them is stationary
   const VertexId other = mesh.IsStationary(b) ? a : b;
-  this->NewBoundary.push_back({ h, { a, edit.Keep }, { mesh.Position(a), this->Position }, None,
-    { onLine, onLine } });
+  this->NewBoundary.push_back(
+    { h, { a, edit.Keep }, { mesh.Position(a), this->Position }, None, { onLine, onLine } });
   this->NewBoundary.push_back({ HalfEdgeMesh::HalfEdge(edit.Made[0], 0), { edit.Keep, b },
     { this->Position, mesh.Position(b) }, None, { other, other } });
 }

@@ -23,12 +23,14 @@ enum class EditKind : std::uint8_t
 
 struct Edit
 {
-  HalfEdgeId Edge;                    ///< The half-edge to collapse, flip or split.
-  VertexId Keep;                      ///< The end whose id is kept, or the vertex that moves or is made.
-  Vector3 Position = Vector3::Zero(); ///< Of the merged, moved or new vertex, mm from the local origin.
-  bool KeepStays = false;             ///< Whether Position is that of Keep, bit for bit.
+  HalfEdgeId Edge; ///< The half-edge to collapse, flip or split.
+  VertexId Keep;   ///< The end whose id is kept, or the vertex that moves or is made.
+  Vector3 Position =
+    Vector3::Zero();      ///< Of the merged, moved or new vertex, mm from the local origin.
+  bool KeepStays = false; ///< Whether Position is that of Keep, bit for bit.
   EditKind Kind = EditKind::Collapse;
-  std::array<FaceId, 2> Made = {}; ///< Of a split: the faces that it makes; the second None on a boundary.
+  std::array<FaceId, 2>
+    Made = {}; ///< Of a split: the faces that it makes; the second None on a boundary.
 };
 
 /// A vertex that moves together with an edit.

@@ -9,52 +9,52 @@ FreeSlots::FreeSlots(const std::vector<char>& isFree)
   , Downward(isFree.size() + 2)
 {
   const auto last = static_cast<Index>(isFree.size()) + 1;
-  for (Index place = 0; place <= last; ++place)
+  for (Index at = 0; at <= last; ++at)
   {
-    const bool isEnd = place == 0 || place == last;
-    const bool stays = isEnd || isFree[static_cast<std::size_t>(place) - 1] != 0;
-    this->Upward[static_cast<std::size_t>(place)] = stays ? place : place + 1;
-    this->Downward[static_cast<std::size_t>(place)] = stays ? place : place - 1;
+    const bool isEnd = at == 0 || at == last;
+    const bool stays = isEnd || isFree[static_cast<std::size_t>(at) - 1] != 0;
+    this->Upward[static_cast<std::size_t>(at)] = stays ? at : at + 1;
+    this->Downward[static_cast<std::size_t>(at)] = stays ? at : at - 1;
     this->Left += stays && !isEnd ? 1 : 0;
   }
 }
 
 //------------------------------------------------------------------------------
 /// With path halving.
-Index FreeSlots::Follow(std::vector<Index>& next, Index place)
+Index FreeSlots::Follow(std::vector<Index>& next, Index at)
 {
-  while (next[static_cast<std::size_t>(place)] != place)
+  while (next[static_cast<std::size_t>(at)] != at)
   {
-    Index& there = next[static_cast<std::size_t>(place)];
+    Index& there = next[static_cast<std::size_t>(at)];
     there = next[static_cast<std::size_t>(there)];
-    place = there;
+    at = there;
   }
-  return place;
+  return at;
 }
 
 //------------------------------------------------------------------------------
 Index FreeSlots::FindNearest(Index id, Index except)
 {
   const auto last = static_cast<Index>(this->Upward.size()) - 1;
-  const Index place = id + 1;
-  Index above = Follow(this->Upward, place);
-  Index below = Follow(this->Downward, place);
+  const Index at = id + 1;
+  Index above = Follow(this->Upward, at);
+  Index below = Follow(this->Downward, at);
   above = above == except + 1 && above != 0 ? Follow(this->Upward, above + 1) : above;
   below = below == except + 1 && below != 0 ? Follow(this->Downward, below - 1) : below;
   if (below == 0 && above == last)
   {
     return None;
   }
-  const bool takesBelow = below != 0 && (above == last || place - below <= above - place);
+  const bool takesBelow = below != 0 && (above == last || at - below <= above - at);
   return (takesBelow ? below : above) - 1;
 }
 
 //------------------------------------------------------------------------------
 void FreeSlots::Take(Index id)
 {
-  const auto place = static_cast<std::size_t>(id) + 1;
-  this->Upward[place] = id + 2;
-  this->Downward[place] = id;
+  const auto at = static_cast<std::size_t>(id) + 1;
+  this->Upward[at] = id + 2;
+  this->Downward[at] = id;
   --this->Left;
 }
 
@@ -65,8 +65,8 @@ FreeSlots FreeVertices(const HalfEdgeMesh& mesh)
   for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
     const bool isAlone = mesh.OriginalVertex(v) == v && mesh.NextDuplicate(v) == v;
-    isFree[static_cast<std::size_t>(v)] = mesh.Outgoing(v) == None && isAlone &&
-        mesh.Constraint(v) != VertexConstraint::NonManifold
+    isFree[static_cast<std::size_t>(v)] =
+      mesh.Outgoing(v) == None && isAlone && mesh.Constraint(v) != VertexConstraint::NonManifold
       ? 1
       : 0;
   }

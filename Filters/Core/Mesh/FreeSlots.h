@@ -28,9 +28,9 @@ public:
   void Take(Index id);
 
 private:
-  static Index Follow(std::vector<Index>& next, Index place);
+  static Index Follow(std::vector<Index>& next, Index at);
 
-  // For each id + 1 the next place upward or downward that is free, the place itself if it is; both ends are always free.
+  // At id + 1, of each id: the next free id + 1 upward or downward, itself if it is free; both ends always are.
   std::vector<Index> Upward;
   std::vector<Index> Downward;
   Index Left = 0;

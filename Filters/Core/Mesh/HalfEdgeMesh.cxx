@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HalfEdgeMesh.h"
 
-#include "Edit.h"
 #include "EdgeMatching.h"
 #include "EdgeNeighborhood.h"
+#include "Edit.h"
 #include "Parallel.h"
 
 #include <algorithm>

@@ -124,7 +124,8 @@ public:
   /// The triangle of the input whose labels the face has: itself, unless a split made it.
   FaceId InputFace(FaceId face) const
   {
-    return this->InputFaces.empty() ? face : FaceId(this->InputFaces[static_cast<std::size_t>(face)]);
+    return this->InputFaces.empty() ? face
+                                    : FaceId(this->InputFaces[static_cast<std::size_t>(face)]);
   }
 
   bool HasPatches() const { return !this->OriginalVertices.empty(); }

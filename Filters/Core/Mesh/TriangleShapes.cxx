@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleShapes.h"
 
-#include "EditFilters/ShapeLimits.h"
 #include "Geometry/Angle.h"
 #include "Geometry/SmallestAngle.h"
 #include "Geometry/TriangleGeometry.h"
@@ -219,10 +218,22 @@ EdgeFigures FindEdges(const Surface& surface, const ShapeLimits& limits)
 }
 }
 
-void CompareShapes(const Surface& surface, const Options& options, Report& report)
+ShapeLimits ShapeLimitsOf(const Options& options)
 {
+  constexpr double margin = 1e-3; // degrees
+  constexpr double sliver = 20.0; // degrees
   ShapeLimits limits;
   limits.EdgeLength = options.EffectiveEdgeLength();
+  const double requested = options.EffectiveMinimumAngle();
+  const double angle = requested == 0.0 && limits.LimitsEdges() ? sliver : requested;
+  limits.LargestCosine = angle > 0.0 ? CosineOfDegrees(angle + margin) : 1.0;
+  return limits;
+}
+
+//------------------------------------------------------------------------------
+void CompareShapes(const Surface& surface, const Options& options, Report& report)
+{
+  const ShapeLimits limits = ShapeLimitsOf(options);
   const double angle = options.EffectiveMinimumAngle();
   report.Angles = angle > 0.0 ? FindBelowAngle(surface, angle) : AngleFigures();
   report.Edges = limits.LimitsEdges() ? FindEdges(surface, limits) : EdgeFigures();

@@ -11,6 +11,7 @@
 #define BoneDecimate_Core_Mesh_TriangleShapes_h
 
 #include "Report/Report.h"
+#include "ShapeLimits.h"
 #include "Surface.h"
 
 namespace bonedecimate
@@ -20,6 +21,10 @@ ShapeStatistics DescribeShapes(const Surface& surface, int threads);
 
 /// Adds the triangles of another surface.
 void AddShapes(const ShapeStatistics& other, ShapeStatistics& sum);
+
+/// What the edits of a run keep. The least angle is a little larger than requested: the output may round positions. An edge length needs
+/// one, too: slivers have edges of any length.
+ShapeLimits ShapeLimitsOf(const Options& options);
 
 /// Compares the triangles with the MinimumAngle and the EdgeLength of a run.
 void CompareShapes(const Surface& surface, const Options& options, Report& report);

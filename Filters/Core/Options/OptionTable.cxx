@@ -58,7 +58,8 @@ std::vector<OptionInfo> GoalRows()
     { "EdgeLength", &Options::EdgeLength, 0, LargestNumber, "mm", "edge-length", {},
       "Length that the edges of the result are to have, except in Thesis mode: for solvers and "
       "meshers. Edges longer than 4/3 of it are split, edges shorter than 4/5 collapsed where "
-      "everything else that was requested allows it, and flips and moves even out the triangles. No "
+      "everything else that was requested allows it, and flips and moves even out the triangles. "
+      "No "
       "collapse makes an edge longer than 4/3. There are never more triangles than in the input or "
       "than requested, and levels of detail have no splits; the report counts the edges that are "
       "left. Without MinimumAngle no edit makes "

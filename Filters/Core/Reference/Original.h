@@ -72,7 +72,8 @@ private:
   const CleanSurface& Clean;
   mutable std::once_flag TreeIsBuilt;
   mutable std::optional<BoundingTree> Triangles;
-  std::vector<Index> AtSplits;  // for each vertex the one into which it was merged before the first split; empty: none yet
+  std::vector<Index>
+    AtSplits; // for each vertex the one into which it was merged before the first split; empty: none yet
   LargeArray<Index> MergedInto; // since then; the vertex itself while it exists
   std::vector<Index> Nearest;   // for each vertex, if distances are recorded
   std::vector<double> Errors;   // the same, mm

@@ -7,6 +7,8 @@
 #include "Diagnostics/Diagnostics.h"
 #include "Input/Labels.h"
 #include "Options/OptionTable.h"
+#include "ReportEntries.h"
+#include "ShapeTable.h"
 #include "Words.h"
 
 #include <algorithm>
@@ -17,32 +19,6 @@ namespace bonedecimate
 {
 namespace
 {
-using Entries = std::vector<ReportEntry>;
-
-/// None if it is not a number.
-void AddIfKnown(Entries& entries, const std::string& name, const std::string& unit, double value)
-{
-  if (!std::isnan(value))
-  {
-    entries.push_back({ name, unit, value });
-  }
-}
-
-void AddShape(Entries& entries, const std::string& path, const ShapeStatistics& shape)
-{
-  AddIfKnown(entries, path + ".smallest_angle", "degrees", shape.SmallestAngle);
-  AddIfKnown(entries, path + ".largest_angle", "degrees", shape.LargestAngle);
-  AddIfKnown(entries, path + ".mean_radius_ratio", "", shape.MeanRadiusRatio);
-  AddIfKnown(entries, path + ".largest_radius_ratio", "", shape.LargestRadiusRatio);
-  AddIfKnown(entries, path + ".mean_aspect_ratio", "", shape.MeanAspectRatio);
-  AddIfKnown(entries, path + ".largest_aspect_ratio", "", shape.LargestAspectRatio);
-  for (std::size_t bin = 0; bin < shape.SmallestAngles.size(); ++bin)
-  {
-    entries.push_back(
-      { path + ".smallest_angles." + std::to_string(bin), "", shape.SmallestAngles[bin] });
-  }
-}
-
 void AddSurface(Entries& entries, const std::string& side, const SurfaceStatistics& surface)
 {
   entries.push_back({ side + ".triangles", "", surface.Faces });
@@ -132,14 +108,6 @@ void AddLabels(Entries& entries, const Report& report)
   {
     entries.push_back({ "labels.of_" + area.Name + ".input_area", "mm2", area.Input });
     entries.push_back({ "labels.of_" + area.Name + ".output_area", "mm2", area.Output });
-  }
-}
-
-void AddPosition(Entries& entries, const std::string& path, const Vector3& position)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    entries.push_back({ path + "." + std::to_string(axis), "mm", position[axis] });
   }
 }
 
@@ -297,25 +265,7 @@ void AddRun(Entries& entries, const Report& report)
       entries.push_back({ "forced_collapses.made", "", report.Forced.Made });
     }
   }
-  if (report.Requested.EffectiveMinimumAngle() > 0.0)
-  {
-    entries.push_back({ "angles.below_minimum", "", report.Angles.Below });
-    if (report.Angles.Below > 0)
-    {
-      AddPosition(entries, "angles.worst_triangle", report.Angles.Worst);
-    }
-  }
-  if (report.Requested.EffectiveEdgeLength() > 0.0)
-  {
-    entries.push_back({ "edges.mean_length", "mm", report.Edges.Mean });
-    entries.push_back({ "edges.longest", "mm", report.Edges.Longest });
-    entries.push_back({ "edges.longer", "", report.Edges.Longer });
-    entries.push_back({ "edges.shorter", "", report.Edges.Shorter });
-    if (report.Edges.Longer > 0)
-    {
-      AddPosition(entries, "edges.longest_edge", report.Edges.Worst);
-    }
-  }
+  AddShapeLimits(entries, report);
   if (report.Regions.Status != RegionStatus::NotRequested)
   {
     const RegionFigures& regions = report.Regions;

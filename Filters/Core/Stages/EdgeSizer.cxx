@@ -77,8 +77,8 @@ bool EdgeSizer::Split(Index faces, const Monitor& monitor)
   bool goesOn = true;
   for (int pass = 0; pass < MostSplitPasses && splits > 0 && goesOn; ++pass)
   {
-    const Monitor part = PartOf(monitor, static_cast<double>(pass) / MostSplitPasses,
-      (pass + 1.0) / MostSplitPasses);
+    const Monitor part =
+      PartOf(monitor, static_cast<double>(pass) / MostSplitPasses, (pass + 1.0) / MostSplitPasses);
     goesOn = this->SplitOnce(faces, splits, part);
   }
   return goesOn && monitor(1.0);
@@ -94,8 +94,8 @@ bool EdgeSizer::SplitOnce(Index faces, std::int64_t& splits, const Monitor& moni
     [&](std::size_t i)
     {
       const EdgeOfLength& edge = edges[edges.size() - 1 - i];
-      const bool hasRoom = faces == 0 || mesh.NumberOfFaces() + 2 <= faces;
-      if (IsUnchanged(mesh, edge) && hasRoom)
+      const bool mayGrow = faces == 0 || mesh.NumberOfFaces() + 2 <= faces;
+      if (IsUnchanged(mesh, edge) && mayGrow)
       {
         const Vector3 middle =
           0.5 * (mesh.Position(mesh.Origin(edge.Edge)) + mesh.Position(mesh.Target(edge.Edge)));

@@ -4,8 +4,8 @@
  * @file ShapeLimits.h
  * @brief What the triangles of a result are to be like.
  */
-#ifndef BoneDecimate_Core_EditFilters_ShapeLimits_h
-#define BoneDecimate_Core_EditFilters_ShapeLimits_h
+#ifndef BoneDecimate_Core_Mesh_ShapeLimits_h
+#define BoneDecimate_Core_Mesh_ShapeLimits_h
 
 #include <limits>
 

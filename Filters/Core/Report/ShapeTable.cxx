@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShapeTable.h"
+
+namespace bonedecimate
+{
+void AddShape(Entries& entries, const std::string& path, const ShapeStatistics& shape)
+{
+  AddIfKnown(entries, path + ".smallest_angle", "degrees", shape.SmallestAngle);
+  AddIfKnown(entries, path + ".largest_angle", "degrees", shape.LargestAngle);
+  AddIfKnown(entries, path + ".mean_radius_ratio", "", shape.MeanRadiusRatio);
+  AddIfKnown(entries, path + ".largest_radius_ratio", "", shape.LargestRadiusRatio);
+  AddIfKnown(entries, path + ".mean_aspect_ratio", "", shape.MeanAspectRatio);
+  AddIfKnown(entries, path + ".largest_aspect_ratio", "", shape.LargestAspectRatio);
+  for (std::size_t bin = 0; bin < shape.SmallestAngles.size(); ++bin)
+  {
+    entries.push_back(
+      { path + ".smallest_angles." + std::to_string(bin), "", shape.SmallestAngles[bin] });
+  }
+}
+
+//------------------------------------------------------------------------------
+void AddShapeLimits(Entries& entries, const Report& report)
+{
+  if (report.Requested.EffectiveMinimumAngle() > 0.0)
+  {
+    entries.push_back({ "angles.below_minimum", "", report.Angles.Below });
+    if (report.Angles.Below > 0)
+    {
+      AddPosition(entries, "angles.worst_triangle", report.Angles.Worst);
+    }
+  }
+  if (report.Requested.EffectiveEdgeLength() > 0.0)
+  {
+    entries.push_back({ "edges.mean_length", "mm", report.Edges.Mean });
+    entries.push_back({ "edges.longest", "mm", report.Edges.Longest });
+    entries.push_back({ "edges.longer", "", report.Edges.Longer });
+    entries.push_back({ "edges.shorter", "", report.Edges.Shorter });
+    if (report.Edges.Longer > 0)
+    {
+      AddPosition(entries, "edges.longest_edge", report.Edges.Worst);
+    }
+  }
+}
+}
