@@ -50,7 +50,7 @@ struct NumberOrWord
 const NumberOrWord SmoothingForm = { "Smoothing", "MM|auto", " auto is --auto-smooth on.",
   { { "auto", { "AutomaticSmoothing", "on" } } }, "auto" };
 
-const NumberOrWord ErrorForm = { "MaximumError", "MM|halfvoxel",
+const NumberOrWord ErrorForm = { "MaximumError", "MM|quartervoxel|halfvoxel|voxel",
   " quartervoxel, halfvoxel and voxel, or 0.25voxel, 0.5voxel and 1voxel, are the values of "
   "--preset.",
   { { "quartervoxel", { "ErrorPreset", "QuarterVoxel" } },
@@ -155,11 +155,11 @@ void AddCommonFlags(CLI::App& app, Arguments& arguments)
   app
     .add_option("--also", arguments.Also,
       WrappedHelp("Write the surface to this file, too; may be repeated."))
-    ->type_name("FILE")
+    ->type_name("SURFACE")
     ->expected(1)
     ->take_all()
     ->allow_extra_args(false);
-  AddFile(app, "--reference", arguments.Reference,
+  AddFile(app, "--reference", "SURFACE", arguments.Reference,
     "The surface from which INPUT was made by runs before: --max-error is proved "
     "against it, and distances are measured to it.");
   AddLabelMap(app, arguments.LabelMap, "--label-map",
@@ -167,14 +167,14 @@ void AddCommonFlags(CLI::App& app, Arguments& arguments)
     "are those of --keep-voxels and --smooth, and the result is compared with it.");
   AddUnit(app, arguments.Unit);
   AddFileOptions(app, arguments);
-  AddFile(app, "--report", arguments.Report, "Write the report as JSON.");
-  AddFile(app, "--page", arguments.Page,
+  AddFile(app, "--report", "JSON", arguments.Report, "Write the report as JSON.");
+  AddFile(app, "--page", "HTML", arguments.Page,
     "Write a self-contained HTML page for people, with the picture and an interactive view in it.");
-  AddFile(app, "--heatmap", arguments.Heatmap,
+  AddFile(app, "--heatmap", "SURFACE", arguments.Heatmap,
     "Write the input surface, in a format that holds arrays, with the distance in mm of each of "
     "its points to the "
     "result.");
-  AddFile(app, "--picture", arguments.Picture,
+  AddFile(app, "--picture", "PNG", arguments.Picture,
     "Draw before, after and the distances as colors into a PNG. If it cannot be drawn everything "
     "else is written and the program ends with 3; for --page alone it is a warning.");
   AddQuiet(app, arguments.Quiet);

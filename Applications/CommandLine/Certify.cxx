@@ -43,8 +43,8 @@ void AddOptions(CLI::App& app, CertifyArguments& arguments)
   AddLabelMap(app, arguments.Map, "--labels,--label-map",
     "A label map (.nii, .nrrd, .mha, .tif, .vti ...): count the voxels that have another label in "
     "RESULT. REFERENCE may be left out then.");
-  AddFile(app, "--json", arguments.Json, "Write everything found as JSON.");
-  AddFile(app, "--page", arguments.Page, "Write a self-contained HTML page for people.");
+  AddFile(app, "--json", "JSON", arguments.Json, "Write everything found as JSON.");
+  AddFile(app, "--page", "HTML", arguments.Page, "Write a self-contained HTML page for people.");
   AddNumber(app,
     { "--gap", "RATIO", { 1e-12, 1.0, false, "" },
       "By which ratio of the upper bound the lower may be less; default 1e-6." },

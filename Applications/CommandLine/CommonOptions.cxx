@@ -108,9 +108,10 @@ CLI::Option* AddNumberList(
     ->check(EachInRange(option.Range));
 }
 
-void AddFile(CLI::App& app, const char* flag, std::string& value, const char* help)
+void AddFile(
+  CLI::App& app, const char* flag, const char* kind, std::string& value, const char* help)
 {
-  app.add_option(flag, value, WrappedHelp(help))->type_name("FILE");
+  app.add_option(flag, value, WrappedHelp(help))->type_name(kind);
 }
 
 void AddSwitch(
@@ -127,7 +128,7 @@ void AddSurfaces(CLI::App& app, std::vector<std::string>& files, const std::stri
 {
   app
     .add_option(
-      "FILES", files, WrappedHelp(what + " (" + SurfaceExtensions() + "), in mm or --unit."))
+      "SURFACES", files, WrappedHelp(what + " (" + SurfaceExtensions() + "), in mm or --unit."))
     ->type_name("")
     ->allow_extra_args();
 }

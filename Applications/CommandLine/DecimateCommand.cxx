@@ -10,6 +10,7 @@
 #include "Report/Report.h"
 #include "RunOne.h"
 #include "SegmentOutput.h"
+#include "Tree/Descriptions.h"
 
 #include <CLI/CLI.hpp>
 
@@ -79,14 +80,7 @@ void AddDecimateCommand(CLI::App& program, const std::string& self, ExitCode& co
   command.set_version_flag(
     "--version", std::string("bonedecimate ") + Version(), "Print the version.");
   AddDecimateOptions(command, *arguments);
-  command.add_flag_callback(
-    "--options-markdown",
-    []
-    {
-      std::cout << OptionTableMarkdown();
-      throw CLI::Success();
-    },
-    "Print the table of options as Markdown.");
+  AddDescriptions(command, program);
   command.final_callback(
     [&program, self, arguments, &code]
     {
@@ -130,7 +124,7 @@ void AddThesisCommand(CLI::App& program)
     { "INPUT.obj numbFaces tolerance errorThreshold [OUTPUT.obj] [OPTIONS]" },
     "The thesis's program: number of triangles (0: off), tolerance w, largest error in mm (0: "
     "off).");
-  command.add_option("WORDS", *words, WrappedHelp("The default output is INPUT_simplified.obj."))
+  command.add_option("THESIS", *words, WrappedHelp("The default output is INPUT_simplified.obj."))
     ->type_name("")
     ->allow_extra_args();
   AddThesisOptions(command, *arguments);

@@ -127,7 +127,7 @@ void AddDiagnoseCommand(CLI::App& program, ExitCode& code)
   CLI::App& command = AddCommand(program, "diagnose", { "FILE [OPTIONS]" },
     "Lists what is unusual about a surface: kind, count, first ids. Changes nothing.");
   AddSurfaces(command, arguments->Files, "A surface");
-  AddFile(command, "--json", arguments->Json, "Write everything found as JSON.");
+  AddFile(command, "--json", "JSON", arguments->Json, "Write everything found as JSON.");
   AddThreads(command, arguments->Threads);
   AddUnit(command, arguments->Unit);
   AddQuiet(command, arguments->Quiet);

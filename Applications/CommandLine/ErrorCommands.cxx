@@ -43,8 +43,8 @@ void AddOptions(CLI::App& app, ErrorArguments& arguments, bool isCurve)
       [&arguments](double error) { arguments.Errors.push_back(error); })
       ->required();
     AddAllowLargeError(app, arguments.AllowLargeError);
-    AddFile(app, "--csv", arguments.Csv, "Write the runs as a table.");
-    AddFile(app, "--picture", arguments.Picture, "Draw the curve into an SVG.");
+    AddFile(app, "--csv", "CSV", arguments.Csv, "Write the runs as a table.");
+    AddFile(app, "--picture", "SVG", arguments.Picture, "Draw the curve into an SVG.");
   }
   else
   {
@@ -59,7 +59,7 @@ void AddOptions(CLI::App& app, ErrorArguments& arguments, bool isCurve)
         "by this ratio at most; default 0.02." },
       [&arguments](double value) { arguments.Precision = value; });
   }
-  AddFile(app, "--json", arguments.Json, "Write all runs as JSON.");
+  AddFile(app, "--json", "JSON", arguments.Json, "Write all runs as JSON.");
   AddVoxelArguments(app, arguments.Voxels);
   AddInputArguments(app, arguments.Input);
   AddMode(app, arguments.Mode, "Fast|Balanced|Accurate", "Default Balanced.");

@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ExitCode.h"
 
-#include <array>
-#include <utility>
-
 namespace bonedecimate
 {
-std::string ExitCodesText()
+const std::vector<std::pair<ExitCode, std::string>>& ExitCodeMeanings()
 {
-  static const std::array<std::pair<ExitCode, const char*>, 8> codes = { {
+  static const std::vector<std::pair<ExitCode, std::string>> codes = {
     { ExitCode::Done, "done" },
     { ExitCode::Usage, "usage: an option or a name is wrong, nothing was read" },
     { ExitCode::InputRejected, "the input was rejected, nothing was written" },
@@ -23,9 +20,14 @@ std::string ExitCodesText()
       "has so few triangles. Otherwise: the certificate contradicts the requested largest error, a "
       "defect" },
     { ExitCode::Undecided, "neither could be proved" },
-  } };
+  };
+  return codes;
+}
+
+std::string ExitCodesText()
+{
   std::string text = "Exit codes:\n";
-  for (const auto& [code, meaning] : codes)
+  for (const auto& [code, meaning] : ExitCodeMeanings())
   {
     text += "  " + std::to_string(static_cast<int>(code)) + "  " + meaning + "\n";
   }

@@ -10,6 +10,8 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace bonedecimate
 {
@@ -24,6 +26,9 @@ enum class ExitCode : int
   Violated = 6, ///< As an end of a decimation: a defect.
   Undecided = 7
 };
+
+/// Every code with its meaning.
+const std::vector<std::pair<ExitCode, std::string>>& ExitCodeMeanings();
 
 /// The codes with a line on each, for --help.
 std::string ExitCodesText();

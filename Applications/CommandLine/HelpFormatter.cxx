@@ -19,10 +19,9 @@ constexpr std::size_t TextWidth = 68;
 
 constexpr const char* Indentation = "       "; // below "Usage: "
 
-void AddUsage(
-  const CLI::App& command, const std::vector<std::string>& forms, std::vector<std::string>& lines)
+void AddUsage(const CLI::App& command, std::vector<std::string>& lines)
 {
-  for (const std::string& form : forms)
+  for (const std::string& form : UsageOf(command))
   {
     lines.push_back(CommandPath(command) + " " + form + "\n");
   }
@@ -38,14 +37,13 @@ HelpFormatter::HelpFormatter(std::vector<std::string> usage)
 std::string HelpFormatter::make_usage(const CLI::App* app, std::string) const
 {
   std::vector<std::string> lines;
-  AddUsage(*app, this->Usage, lines);
+  AddUsage(*app, lines);
   if (app->get_name() == DefaultCommand && app->get_parent() != nullptr)
   {
     for (const CLI::App* other :
       app->get_parent()->get_subcommands([app](const CLI::App* one) { return one != app; }))
     {
-      const auto formatter = std::dynamic_pointer_cast<HelpFormatter>(other->get_formatter());
-      AddUsage(*other, formatter->Usage, lines);
+      AddUsage(*other, lines);
     }
   }
   std::string text;
@@ -54,6 +52,12 @@ std::string HelpFormatter::make_usage(const CLI::App* app, std::string) const
     text += (text.empty() ? "Usage: " : Indentation) + line;
   }
   return text;
+}
+
+std::vector<std::string> UsageOf(const CLI::App& command)
+{
+  const auto formatter = std::dynamic_pointer_cast<HelpFormatter>(command.get_formatter());
+  return formatter ? formatter->GetUsage() : std::vector<std::string>();
 }
 
 std::string CommandPath(const CLI::App& command)
@@ -68,24 +72,36 @@ std::string ProgramDescription()
          "that cost.";
 }
 
-std::string HelpFooter()
+std::string FormatsText()
 {
   return "Surfaces are read and written by extension: " + SurfaceExtensions() +
     ".\n"
     "Of them " +
     ExtensionsThat(&SurfaceFormat::HoldsArrays) +
     " hold arrays. Every file is written whole or not at all.\n"
-    "Lengths are millimeters.\n\n"
-    "Many bones: the output folder gets NAME.EXT and NAME.json for each, of a label map a folder\n"
-    "NAME, and summary.csv.\n"
-    "NAME is the input's, with its extension, its folder or a number added where two inputs\n"
-    "would get the same. One that fails does not stop the others. Files of a folder that are\n"
-    "no surfaces or volumes are skipped, each with a row in summary.csv. Run again, a bone is\n"
-    "skipped if its report names the same version, options, input size and time of change,\n"
-    "and its output has the size it was written with. The program ends with the highest\n"
-    "code of them; a bone whose process died counts as 5, a volume in a folder without --iso and\n"
-    "--segments as 2, a file of another kind that was not named itself as 0.\n\n" +
-    ExitCodesText() + "\nThis software is not a medical device.\n";
+    "Lengths are millimeters.";
+}
+
+std::string BatchText()
+{
+  return "Many bones: the output folder gets NAME.EXT and NAME.json for each, of a label map a "
+         "folder\n"
+         "NAME, and summary.csv.\n"
+         "NAME is the input's, with its extension, its folder or a number added where two inputs\n"
+         "would get the same. One that fails does not stop the others. Files of a folder that are\n"
+         "no surfaces or volumes are skipped, each with a row in summary.csv. Run again, a bone "
+         "is\n"
+         "skipped if its report names the same version, options, input size and time of change,\n"
+         "and its output has the size it was written with. The program ends with the highest\n"
+         "code of them; a bone whose process died counts as 5, a volume in a folder without --iso "
+         "and\n"
+         "--segments as 2, a file of another kind that was not named itself as 0.";
+}
+
+std::string HelpFooter()
+{
+  return FormatsText() + "\n\n" + BatchText() + "\n\n" + ExitCodesText() +
+    "\nThis software is not a medical device.\n";
 }
 
 std::string OptionValueName(const OptionInfo& info)

@@ -23,12 +23,16 @@ public:
   explicit HelpFormatter(std::vector<std::string> usage);
 
   /// The forms of this command; for the default command those of all others, too.
-
   std::string make_usage(const CLI::App* app, std::string name) const override;
+
+  const std::vector<std::string>& GetUsage() const { return this->Usage; }
 
 private:
   std::vector<std::string> Usage;
 };
+
+/// What follows the name of a command, one form each.
+std::vector<std::string> UsageOf(const CLI::App& command);
 
 /// What a user types: "bonedecimate levels", and "bonedecimate" for the default command.
 std::string CommandPath(const CLI::App& command);
@@ -37,6 +41,11 @@ std::string ProgramDescription();
 
 /// Formats, how finished bones are recognized, exit codes.
 std::string HelpFooter();
+
+/// @name Parts of it. @{
+std::string FormatsText();
+std::string BatchText();
+/// @}
 
 /// The help of an option of the core's table: its sentence, range, unit and default.
 std::string OptionHelp(const OptionInfo& info);

@@ -59,7 +59,7 @@ void AddInputArguments(CLI::App& app, InputArguments& arguments)
     [&arguments](const OptionInfo&, const std::string& text) { arguments.ToleranceArray = text; });
   AddOptionOfTable(app, *FindOption("LabelArrayName"),
     [&arguments](const OptionInfo&, const std::string& text) { arguments.LabelArray = text; });
-  AddFile(app, "--reference", arguments.Reference,
+  AddFile(app, "--reference", "SURFACE", arguments.Reference,
     "The first surface, if INPUT is itself a result: errors are proved against it.");
 }
 

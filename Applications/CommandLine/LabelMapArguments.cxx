@@ -23,7 +23,7 @@ const NumberRange LabelRange = { -9007199254740992.0, 9007199254740992.0, true, 
 
 void AddLabelMap(CLI::App& app, LabelMapFile& map, const char* flags, const char* help)
 {
-  AddFile(app, flags, map.Path, help);
+  AddFile(app, flags, "LABELMAP", map.Path, help);
   AddNumber(app,
     { "--label", "N", LabelRange,
       "The label of the label map that a surface without the array BoundaryLabels encloses; "

@@ -17,9 +17,9 @@ namespace
 {
 void AddRunOptions(CLI::App& app, LevelsArguments& arguments)
 {
-  AddFile(app, "--log", arguments.Log,
+  AddFile(app, "--log", "LOG", arguments.Log,
     "Take the levels from this log, recorded on the same INPUT, instead of a run.");
-  AddFile(app, "--record", arguments.Record, "Write the log of the run.");
+  AddFile(app, "--record", "LOG", arguments.Record, "Write the log of the run.");
   AddNumber(app,
     { "--coarsest", "N", TriangleRange,
       "Triangles of the coarsest level; default a tenth of the input's, or with --max-error as few "
@@ -49,10 +49,10 @@ void AddLevelOptions(CLI::App& app, LevelsArguments& arguments)
     .add_option("--output", arguments.Output,
       WrappedHelp("Where levels go: with NAME.EXT, a level to NAME-TRIANGLES.EXT."))
     ->type_name("NAME.EXT");
-  AddFile(app, "--on", arguments.On,
+  AddFile(app, "--on", "SURFACE", arguments.On,
     "Put the levels on this surface, which has the triangles of INPUT and other points, such as a "
     "bone registered to it.");
-  AddFile(app, "--page", arguments.Page,
+  AddFile(app, "--page", "HTML", arguments.Page,
     "Write a self-contained HTML page for people, with a slider through the levels that are "
     "listed.");
   AddThreads(app, arguments.Threads);

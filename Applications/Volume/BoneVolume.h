@@ -15,6 +15,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace bonedecimate
 {
@@ -24,6 +25,9 @@ bool IsVolume(const std::string& path);
 
 /// The same by the extension alone: for files that need not be there.
 bool IsVolumeFile(const std::string& path);
+
+/// The extensions of these files, in lower case, without the first dot: "nii.gz".
+std::vector<std::string> VolumeExtensions();
 
 struct BoneSurface
 {

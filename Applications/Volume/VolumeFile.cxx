@@ -10,7 +10,9 @@
 #include "TiffFolder.h"
 #include "VtiVolume.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
 
 namespace bonedecimate
@@ -34,31 +36,34 @@ enum class VolumeKind
   DicomFolder
 };
 
+struct ExtensionOfKind
+{
+  const char* Extension;
+  VolumeKind Kind;
+};
+
+constexpr ExtensionOfKind Extensions[] = {
+  { "nii", VolumeKind::Nifti },
+  { "nii.gz", VolumeKind::Nifti },
+  { "vti", VolumeKind::Vti },
+  { "mha", VolumeKind::MetaImage },
+  { "mhd", VolumeKind::MetaImage },
+  { "nrrd", VolumeKind::Nrrd },
+  { "nhdr", VolumeKind::Nrrd },
+  { "tif", VolumeKind::Tiff },
+  { "tiff", VolumeKind::Tiff },
+  { "dcm", VolumeKind::DicomFile },
+};
+
 VolumeKind KindByExtension(const fs::path& name)
 {
-  const std::string extension = LowerCase(name.extension().string());
-  const std::string before = LowerCase(name.stem().extension().string());
-  if (extension == ".nii" || (extension == ".gz" && before == ".nii"))
-  {
-    return VolumeKind::Nifti;
-  }
-  if (extension == ".vti")
-  {
-    return VolumeKind::Vti;
-  }
-  if (extension == ".mha" || extension == ".mhd")
-  {
-    return VolumeKind::MetaImage;
-  }
-  if (extension == ".nrrd" || extension == ".nhdr")
-  {
-    return VolumeKind::Nrrd;
-  }
-  if (IsNamedLikeTiff(name.string()))
-  {
-    return VolumeKind::Tiff;
-  }
-  return extension == ".dcm" ? VolumeKind::DicomFile : VolumeKind::None;
+  const std::string last = LowerCase(name.extension().string());
+  const std::string extension =
+    last == ".gz" ? LowerCase(name.stem().extension().string()) + last : last;
+  const auto* found = std::find_if(std::begin(Extensions), std::end(Extensions),
+    [&extension](const ExtensionOfKind& one)
+    { return extension == std::string(".") + one.Extension; });
+  return found == std::end(Extensions) ? VolumeKind::None : found->Kind;
 }
 
 VolumeKind KindOf(const std::string& path)
@@ -114,6 +119,19 @@ bool IsVolume(const std::string& path)
 bool IsVolumeFile(const std::string& path)
 {
   return KindByExtension(path) != VolumeKind::None;
+}
+
+std::vector<std::string> VolumeExtensions()
+{
+  std::vector<std::string> extensions;
+  for (const ExtensionOfKind& one : Extensions)
+  {
+    if (one.Kind != VolumeKind::DicomFile) // which is rejected
+    {
+      extensions.emplace_back(one.Extension);
+    }
+  }
+  return extensions;
 }
 
 bool NeedsSpacing(const std::string& path)

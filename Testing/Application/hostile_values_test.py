@@ -16,7 +16,8 @@ COMMANDS = {
     "diagnose": ("nothing.ply",),
 }
 # Placeholders of the values of flags that take no number.
-OTHER_VALUES = {"FILE", "NAME", "EXT", "NAME.EXT", "PATTERN", "SHAPE=MM", "SIZE"}
+OTHER_VALUES = {"SURFACE", "LABELMAP", "JSON", "HTML", "PNG", "SVG", "CSV", "TOML", "LOG", "NAME", "PROFILE", "EXT", "NAME.EXT",
+                "PATTERN", "SHAPE=MM", "SIZE"}
 NO_NUMBERS = ("nan", "-inf", "1e400", "", "5mm")
 FEW_NO_NUMBERS = ("nan", "", "5mm")  # all flags have the same reader; what lies beyond a range is tried for each of them
 MORE_NO_NUMBERS = ("inf", "NaN", " 5", "5 ", "0x10", "five", "1'000", "--5", "\N{ARABIC-INDIC DIGIT FIVE}")
