@@ -14,6 +14,7 @@
 #include "ProgressDisplay.h"
 #include "Regions.h"
 #include "SegmentArguments.h"
+#include "Settings/SettingsRecord.h"
 
 #include <cstdint>
 #include <functional>
@@ -61,6 +62,7 @@ struct Arguments
   /// @}
 
   std::int64_t Memory = 0; ///< Bytes, of the run; 0: not limited.
+  SettingsRecord Settings;
   bool Quiet = false;
   bool ShowsProgress = false; ///< Also where the error output is no terminal.
   bool HasTags = false;       ///< Called by 3D Slicer: progress in tags, every option given.

@@ -8,6 +8,7 @@
 #include "Formats/SurfaceFormat.h"
 #include "Options/OptionTable.h"
 #include "Options/Text.h"
+#include "Settings/Settings.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -359,6 +360,8 @@ std::vector<std::string> WordsFor(const BatchBone& bone, const Arguments& argume
     words.insert(
       words.end(), { "--" + FindOption("NumberOfThreads")->Flag, std::to_string(threads) });
   }
+  const std::vector<std::string> settings = WordsOfSettings(arguments.Settings);
+  words.insert(words.end(), settings.begin(), settings.end());
   words.insert(words.end(), { "--", bone.Input, bone.Output });
   return words;
 }

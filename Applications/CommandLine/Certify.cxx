@@ -12,6 +12,7 @@
 #include "HelpFormatter.h"
 #include "Interruption.h"
 #include "JsonReport.h"
+#include "Settings/Settings.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"
 #include "VoxelCertificate.h"
@@ -62,6 +63,7 @@ void AddOptions(CLI::App& app, CertifyArguments& arguments)
   app.add_flag("--no-boundaries", arguments.WithoutBoundaries,
     WrappedHelp("Surfaces alone, not their open boundaries."));
   AddQuiet(app, arguments.Quiet);
+  AddSettings(app, arguments.Settings);
 }
 
 constexpr int BoundDecimals = 9;
@@ -131,7 +133,8 @@ public:
     const CertificateSubject subject = { this->Requested.HasReference() ? this->Requested.Files[0]
                                                                         : std::string(),
       this->Requested.Result(), this->Requested.Map.Path, this->Requested.Unit.Name,
-      this->Voxels ? this->Voxels->Json() : nlohmann::ordered_json(), this->Warnings };
+      this->Voxels ? this->Voxels->Json() : nlohmann::ordered_json(), this->Warnings,
+      this->Requested.Settings };
     const std::string json = ComposeJsonCertificate(
       this->Requested.HasReference() ? this->Filter->GetOutput() : nullptr, subject);
     if (!this->Requested.Json.empty())

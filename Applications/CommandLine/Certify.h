@@ -11,6 +11,7 @@
 #include "ExitCode.h"
 #include "LabelMapArguments.h"
 #include "LengthUnit.h"
+#include "Settings/SettingsRecord.h"
 
 #include <optional>
 #include <string>
@@ -33,6 +34,7 @@ struct CertifyArguments
   bool FirstProof = false; ///< Stop at the tolerance.
   bool WithoutMeans = false;
   bool WithoutBoundaries = false;
+  SettingsRecord Settings;
   bool Quiet = false;
 
   const std::string& Result() const { return this->Files.back(); }

@@ -4,7 +4,8 @@
 
 #include "ExitCode.h"
 #include "HelpFormatter.h"
-#include "Options/Text.h"
+#include "NearestWord.h"
+#include "Settings/Settings.h"
 
 #include <CLI/CLI.hpp>
 
@@ -13,31 +14,12 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
-#include <numeric>
 #include <system_error>
 
 namespace bonedecimate
 {
 namespace
 {
-/// Letters to insert, remove or replace: V. Levenshtein, 1966.
-std::size_t EditDistance(const std::string& a, const std::string& b)
-{
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t(0));
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j)
-    {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({ replaced, row[j] + 1, diagonal + 1 });
-    }
-  }
-  return row.back();
-}
-
 /// In the order of the alphabet.
 std::vector<std::string> CommandNames(const CLI::App& program)
 {
@@ -83,6 +65,13 @@ CLI::App& AddCommand(CLI::App& program, const std::string& name,
   return *command;
 }
 
+const CLI::App* FindCommand(const CLI::App& program, const std::string& name)
+{
+  const auto found =
+    program.get_subcommands([&name](const CLI::App* one) { return one->get_name() == name; });
+  return found.empty() ? nullptr : found.front();
+}
+
 void RunCommandLine(CLI::App& program, std::vector<std::string> words)
 {
   const std::vector<std::string> names = CommandNames(program);
@@ -94,43 +83,41 @@ void RunCommandLine(CLI::App& program, std::vector<std::string> words)
     }
     words.insert(words.begin(), DefaultCommand);
   }
+  const SettledWords settled = WithSettings(program, words);
   try
   {
-    Parse(program, words);
+    Parse(program, settled.Words);
   }
   catch (const CLI::ParseError& error)
   {
     if (error.get_exit_code() != 0)
     {
       const CLI::App& command = *program.get_subcommand(words.front());
-      throw Failure(ExitCode::Usage, Sentence(error) + "; see " + CommandPath(command) + " --help");
+      throw Failure(ExitCode::Usage,
+        WithOrigin(Sentence(error), settled.Added) + "; see " + CommandPath(command) + " --help");
     }
     program.exit(error, std::cout, std::cerr);
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure(failure.Code, WithOrigin(failure.what(), settled.Added));
   }
 }
 
 void RequireCommandOrFile(const CLI::App& program, const std::string& word)
 {
-  constexpr std::size_t mostEdits = 2;
   std::error_code error;
   const bool isFileName = word.find_first_of("./") != std::string::npos;
   if (word.empty() || word[0] == '-' || isFileName || std::filesystem::exists(word, error))
   {
     return;
   }
-  std::string names;
-  for (const std::string& command : CommandNames(program))
-  {
-    names.append(names.empty() ? "" : ", ").append(command);
-    if (EditDistance(LowerCase(word), command) <= mostEdits)
-    {
-      std::string message = "'" + word + "' is neither a command nor a file; did you mean ";
-      message.append(command).append("?");
-      throw Failure(ExitCode::Usage, message);
-    }
-  }
-  throw Failure(
-    ExitCode::Usage, "'" + word + "' is neither a command nor a file; the commands are " + names);
+  const std::vector<std::string> commands = CommandNames(program);
+  const std::string nearest = NearestWord(word, commands);
+  throw Failure(ExitCode::Usage,
+    "'" + word + "' is neither a command nor a file; " +
+      (nearest.empty() ? "the commands are " + CLI::detail::join(commands, ", ")
+                       : "did you mean " + nearest + "?"));
 }
 
 void RequireNotInput(const std::string& file, const std::vector<std::string>& inputs)

@@ -21,6 +21,9 @@ extern const char* const DefaultCommand;
 CLI::App& AddCommand(CLI::App& program, const std::string& name,
   const std::vector<std::string>& usage, const std::string& description);
 
+/// The command of that name; null if there is none.
+const CLI::App* FindCommand(const CLI::App& program, const std::string& name);
+
 /**
  * Parses and, by the callbacks of the subcommand, runs.
  * @param words Without the name of the program.

@@ -10,6 +10,7 @@
 #include "Report/Report.h"
 #include "RunOne.h"
 #include "SegmentOutput.h"
+#include "Settings/Settings.h"
 #include "Tree/Descriptions.h"
 
 #include <CLI/CLI.hpp>
@@ -80,6 +81,7 @@ void AddDecimateCommand(CLI::App& program, const std::string& self, ExitCode& co
   command.set_version_flag(
     "--version", std::string("bonedecimate ") + Version(), "Print the version.");
   AddDecimateOptions(command, *arguments);
+  AddSettings(command, arguments->Settings);
   AddDescriptions(command, program);
   command.final_callback(
     [&program, self, arguments, &code]
@@ -100,6 +102,7 @@ void AddSmoothCommand(CLI::App& program)
     "the bound is half of the smallest voxel spacing, found in the surface of a binary "
     "segmentation.");
   AddSmoothOptions(command, *arguments);
+  AddSettings(command, arguments->Settings);
   command.final_callback(
     [arguments]
     {
@@ -128,6 +131,7 @@ void AddThesisCommand(CLI::App& program)
     ->type_name("")
     ->allow_extra_args();
   AddThesisOptions(command, *arguments);
+  AddSettings(command, arguments->Settings);
   command.final_callback(
     [arguments, words]
     {

@@ -9,6 +9,7 @@
 #include "FilterRun.h"
 #include "Interruption.h"
 #include "JsonReport.h"
+#include "Settings/Settings.h"
 
 #include "vtkBoneDiagnostics.h"
 #include "vtkIdList.h"
@@ -110,6 +111,7 @@ ExitCode Run(const DiagnoseArguments& arguments)
   if (!arguments.Json.empty())
   {
     nlohmann::ordered_json report = Compose(filter, arguments, warnings);
+    AddSettingsTo(report, arguments.Settings);
     AddDeprecatedKeys(report);
     WriteJsonFile(arguments.Json, report);
   }
@@ -131,6 +133,7 @@ void AddDiagnoseCommand(CLI::App& program, ExitCode& code)
   AddThreads(command, arguments->Threads);
   AddUnit(command, arguments->Unit);
   AddQuiet(command, arguments->Quiet);
+  AddSettings(command, arguments->Settings);
   command.final_callback(
     [&command, arguments, &code]
     {

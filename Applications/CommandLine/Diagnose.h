@@ -10,6 +10,7 @@
 #include "CliForward.h"
 #include "ExitCode.h"
 #include "LengthUnit.h"
+#include "Settings/SettingsRecord.h"
 
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct DiagnoseArguments
   std::string Json;               ///< A file; empty: none.
   int Threads = 0;
   LengthUnit Unit; ///< Of the coordinates in the file.
+  SettingsRecord Settings;
   bool Quiet = false;
 };
 

@@ -14,6 +14,7 @@
 #include "JsonReport.h"
 #include "NumberText.h"
 #include "Report/Report.h"
+#include "Settings/Settings.h"
 #include "StagedFile.h"
 
 #include "vtkBoneErrorSearch.h"
@@ -66,6 +67,7 @@ void AddOptions(CLI::App& app, ErrorArguments& arguments, bool isCurve)
   AddThreads(app, arguments.Threads);
   AddUnit(app, arguments.Unit);
   AddQuiet(app, arguments.Quiet);
+  AddSettings(app, arguments.Settings);
 }
 
 /// One run; the steps are in the order of Run().
@@ -226,6 +228,7 @@ private:
       }
     }
     report["warnings"] = this->Warnings;
+    AddSettingsTo(report, this->Requested.Settings);
     return report;
   }
 

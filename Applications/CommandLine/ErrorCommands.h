@@ -13,6 +13,7 @@
 #include "InputArguments.h"
 #include "LabelMapArguments.h"
 #include "LengthUnit.h"
+#include "Settings/SettingsRecord.h"
 
 #include <string>
 #include <vector>
@@ -34,6 +35,7 @@ struct ErrorArguments
   std::string Json; ///< Files; empty: none.
   std::string Csv;
   std::string Picture;
+  SettingsRecord Settings;
   bool Quiet = false;
 };
 

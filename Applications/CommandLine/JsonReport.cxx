@@ -111,6 +111,7 @@ ReportSubject SubjectOf(
   subject.Unit = arguments.Unit.Name;
   subject.InputStamp = StampOf(input);
   subject.Given = arguments.Given;
+  subject.Settings = arguments.Settings;
   return subject;
 }
 
@@ -135,6 +136,7 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
     report["proof"]["files"] = subject.ProvedFiles;
   }
   report["command_line"] = CommandLineOf(subject);
+  AddSettingsTo(report, subject.Settings);
   report["warnings"] = subject.Warnings;
   AddDeprecatedKeys(report);
   if (subject.Slabs)
@@ -173,6 +175,7 @@ std::string ComposeJsonCertificate(vtkPolyData* output, const CertificateSubject
   }
   report["files"]["unit"] = subject.Unit;
   report["warnings"] = subject.Warnings;
+  AddSettingsTo(report, subject.Settings);
   AddDeprecatedKeys(report);
   return JsonText(report);
 }

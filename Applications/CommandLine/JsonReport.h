@@ -32,6 +32,7 @@ struct ReportSubject
   FileStamp InputStamp;         ///< From before the input was read.
   std::int64_t OutputBytes = 0;
   std::map<std::string, std::string> Given; ///< The options of the command line, by flag.
+  SettingsRecord Settings;                  ///< Where some of them are from.
   std::vector<std::string> Warnings;
   /// Of each surface that was written after it had been proved: see ProveWritten().
   std::map<std::string, std::string> ProvedFiles;
@@ -63,6 +64,7 @@ struct CertificateSubject
   std::string Unit;              ///< Of the coordinates in the files of surfaces.
   nlohmann::ordered_json Voxels; ///< "voxels"; null: not compared.
   std::vector<std::string> Warnings;
+  SettingsRecord Settings;
 };
 
 /// A certificate in the field data of an output of vtkBoneSurfaceDistance in the same way.

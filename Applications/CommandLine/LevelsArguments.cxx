@@ -6,6 +6,7 @@
 #include "CommandLine.h"
 #include "CommonOptions.h"
 #include "HelpFormatter.h"
+#include "Settings/Settings.h"
 
 #include <CLI/CLI.hpp>
 
@@ -58,6 +59,7 @@ void AddLevelOptions(CLI::App& app, LevelsArguments& arguments)
   AddThreads(app, arguments.Threads);
   AddUnit(app, arguments.Unit);
   AddQuiet(app, arguments.Quiet);
+  AddSettings(app, arguments.Settings);
 }
 
 void CheckPage(const LevelsArguments& arguments)

@@ -13,6 +13,7 @@
 #include "InputArguments.h"
 #include "LabelMapArguments.h"
 #include "LengthUnit.h"
+#include "Settings/SettingsRecord.h"
 
 #include <string>
 #include <vector>
@@ -45,6 +46,7 @@ struct LevelsArguments
 
   int Threads = 0;
   LengthUnit Unit; ///< Of the coordinates in files of surfaces; a log is in millimeters.
+  SettingsRecord Settings;
   bool Quiet = false;
 };
 

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Settings/ConfigurationFile.h"
+
+#include "CommandLine.h"
+#include "ExitCode.h"
+#include "FileNames.h"
+#include "NearestWord.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace bonedecimate
+{
+namespace
+{
+const std::string ProfilesSection = "profiles";
+
+/// A failure about a file.
+[[noreturn]] void Fail(const std::string& file, const std::string& sentence)
+{
+  throw Failure(ExitCode::Usage, "'" + BaseName(file) + "' " + sentence);
+}
+
+std::vector<CLI::ConfigItem> ItemsOf(const std::string& path)
+{
+  std::error_code error;
+  std::ifstream stream(path, std::ios::binary);
+  if (std::filesystem::is_directory(path, error) || !stream)
+  {
+    Fail(path, "could not be read");
+  }
+  std::vector<CLI::ConfigItem> items = CLI::ConfigTOML().from_config(stream);
+  items.erase(std::remove_if(items.begin(), items.end(),
+                [](const CLI::ConfigItem& item) { return item.name == "++" || item.name == "--"; }),
+    items.end());
+  return items;
+}
+
+/// The options that a file may set.
+std::vector<std::string> KeysOf(const CLI::App& command)
+{
+  std::vector<std::string> keys;
+  for (const CLI::Option* option : command.get_options())
+  {
+    if (option->nonpositional() && option->get_configurable() && !option->get_group().empty())
+    {
+      const std::vector<std::string>& names = option->get_lnames();
+      keys.insert(keys.end(), names.begin(), names.end());
+    }
+  }
+  return keys;
+}
+
+std::string SectionText(const CLI::ConfigItem& item)
+{
+  return item.parents.empty() ? "" : " of [" + CLI::detail::join(item.parents, ".") + "]";
+}
+
+/// Where the options of an item go.
+struct Section
+{
+  std::string Profile; ///< Empty: none.
+  std::string Command;
+};
+
+class Reader
+{
+public:
+  Reader(const std::string& file, const CLI::App& program)
+    : File(file)
+    , Program(program)
+  {
+  }
+
+  Section SectionOf(const CLI::ConfigItem& item) const
+  {
+    std::vector<std::string> parents = item.parents;
+    Section section;
+    if (!parents.empty() && parents.front() == ProfilesSection)
+    {
+      if (parents.size() < 2)
+      {
+        Fail(this->File, "has '" + item.name + "' in [profiles]; options go into [profiles.NAME]");
+      }
+      section.Profile = parents[1];
+      parents.erase(parents.begin(), parents.begin() + 2);
+    }
+    section.Command = parents.empty() ? DefaultCommand : parents.front();
+    if (parents.size() > 1 || FindCommand(this->Program, section.Command) == nullptr)
+    {
+      Fail(this->File,
+        "has the section [" + CLI::detail::join(item.parents, ".") +
+          "], which is neither a command nor profiles.NAME");
+    }
+    return section;
+  }
+
+  /// @return Nothing for a switch that is off.
+  void Add(const CLI::ConfigItem& item, const CLI::App& command, SettingsList& list) const
+  {
+    const CLI::Option& option = this->OptionOf(item, command);
+    const bool isTwice = std::any_of(
+      list.begin(), list.end(), [&item](const auto& other) { return other.first == item.name; });
+    if (isTwice)
+    {
+      Fail(this->File, "has '" + item.name + "'" + SectionText(item) + " twice");
+    }
+    if (option.get_items_expected_max() == 0)
+    {
+      if (item.inputs != std::vector<std::string>{ "true" } &&
+        item.inputs != std::vector<std::string>{ "false" })
+      {
+        Fail(this->File,
+          "has '" + item.name + "'" + SectionText(item) + ", which takes true or false");
+      }
+      if (item.inputs.front() == "true")
+      {
+        list.emplace_back(item.name, std::vector<std::string>());
+      }
+      return;
+    }
+    list.emplace_back(item.name, ValuesOf(item, option));
+  }
+
+private:
+  const CLI::Option& OptionOf(const CLI::ConfigItem& item, const CLI::App& command) const
+  {
+    const std::vector<std::string> keys = KeysOf(command);
+    if (std::find(keys.begin(), keys.end(), item.name) == keys.end())
+    {
+      const std::string nearest = NearestWord(item.name, keys);
+      Fail(this->File,
+        "has '" + item.name + "'" + SectionText(item) + ", which is no option of " +
+          command.get_name() + " that a file can set" +
+          (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+    }
+    return *command.get_option_no_throw("--" + item.name);
+  }
+
+  /// Lists are one value with commas, repeated options one value each. TOML's booleans are on and off.
+  static std::vector<std::string> ValuesOf(const CLI::ConfigItem& item, const CLI::Option& option)
+  {
+    std::vector<std::string> values = item.inputs;
+    if (option.get_type_name() == "on|off" && values.size() == 1)
+    {
+      values[0] = values[0] == "true" ? "on" : values[0] == "false" ? "off" : values[0];
+    }
+    const bool isRepeatable = option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
+    return isRepeatable ? values : std::vector<std::string>{ CLI::detail::join(values, ",") };
+  }
+
+  const std::string& File;
+  const CLI::App& Program;
+};
+}
+
+ConfigurationFile::ConfigurationFile(const std::string& path, const CLI::App& program)
+{
+  const Reader reader(path, program);
+  for (const CLI::ConfigItem& item : ItemsOf(path))
+  {
+    const Section section = reader.SectionOf(item);
+    SettingsList& list = section.Profile.empty() ? this->Options[section.Command]
+                                                 : this->Profiles[section.Profile][section.Command];
+    reader.Add(item, *FindCommand(program, section.Command), list);
+  }
+}
+
+SettingsList ConfigurationFile::OptionsOf(const std::string& command) const
+{
+  const auto found = this->Options.find(command);
+  return found == this->Options.end() ? SettingsList() : found->second;
+}
+
+std::vector<std::string> ConfigurationFile::GetProfiles() const
+{
+  std::vector<std::string> names;
+  std::transform(this->Profiles.begin(), this->Profiles.end(), std::back_inserter(names),
+    [](const auto& profile) { return profile.first; });
+  return names;
+}
+
+std::map<std::string, SettingsList> ConfigurationFile::OptionsOfProfile(
+  const std::string& profile) const
+{
+  const auto found = this->Profiles.find(profile);
+  return found == this->Profiles.end() ? std::map<std::string, SettingsList>() : found->second;
+}
+}
