@@ -67,6 +67,7 @@ struct Arguments
   bool ShowsProgress = false; ///< Also where the error output is no terminal.
   bool HasTags = false;       ///< Called by 3D Slicer: progress in tags, every option given.
   bool ThesisForm = false;    ///< Always one bone.
+  bool IsExplained = false;   ///< Instead of run.
 };
 
 /// How a run of one bone shows its progress.
@@ -105,6 +106,9 @@ bool IsNamedLikeFile(std::string path);
  * @throws Failure(ExitCode::Usage)
  */
 void CheckArguments(const Arguments& arguments);
+
+/// What the options that were given and have no effect need, a sentence each.
+std::vector<std::string> IneffectiveSentences(const Arguments& arguments);
 }
 
 #endif

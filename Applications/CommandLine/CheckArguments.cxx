@@ -94,27 +94,6 @@ std::string WithFlags(std::string sentence)
   return sentence;
 }
 
-/// 3D Slicer gives every option; there those count that do not have their default.
-void CheckIneffectiveOptions(const Arguments& arguments)
-{
-  Options options = arguments.Options;
-  if (options.ToleranceArrayName.empty() && !arguments.Regions.empty())
-  {
-    options.ToleranceArrayName = "Tolerance";
-  }
-  std::vector<std::string> given;
-  for (const OptionInfo& info : OptionTable())
-  {
-    if (arguments.Given.count(info.Flag) > 0)
-    {
-      given.push_back(info.Name);
-    }
-  }
-  const std::vector<std::string> ineffective =
-    IneffectiveOptions(options, arguments.HasTags ? ChangedOptions(options) : given);
-  Require(ineffective.empty(), ineffective.empty() ? "" : WithFlags(ineffective.front()));
-}
-
 /// What is proved is proved of coordinates as they will be read.
 void CheckPrecision(const Arguments& arguments)
 {
@@ -252,6 +231,28 @@ bool IsBatch(const Arguments& arguments)
     fs::is_directory(arguments.Output, error) || arguments.Output.back() == '/';
 }
 
+/// 3D Slicer gives every option; there those count that do not have their default.
+std::vector<std::string> IneffectiveSentences(const Arguments& arguments)
+{
+  Options options = arguments.Options;
+  if (options.ToleranceArrayName.empty() && !arguments.Regions.empty())
+  {
+    options.ToleranceArrayName = "Tolerance";
+  }
+  std::vector<std::string> given;
+  for (const OptionInfo& info : OptionTable())
+  {
+    if (arguments.Given.count(info.Flag) > 0)
+    {
+      given.push_back(info.Name);
+    }
+  }
+  std::vector<std::string> sentences =
+    IneffectiveOptions(options, arguments.HasTags ? ChangedOptions(options) : given);
+  std::transform(sentences.begin(), sentences.end(), sentences.begin(), WithFlags);
+  return sentences;
+}
+
 void CheckArguments(const Arguments& arguments)
 {
   const bool named = !arguments.Output.empty() &&
@@ -260,7 +261,8 @@ void CheckArguments(const Arguments& arguments)
   Require(named, "a name is empty");
   Require(!arguments.Iso || arguments.Unit.IsMillimeter(),
     "--unit is for surfaces; a volume for --iso is in millimeters by its header");
-  CheckIneffectiveOptions(arguments);
+  const std::vector<std::string> ineffective = IneffectiveSentences(arguments);
+  Require(ineffective.empty(), ineffective.empty() ? "" : ineffective.front());
   CheckMemory(arguments);
   CheckSegments(arguments);
   CheckPieces(arguments);

@@ -6,6 +6,7 @@
 #include "Batch.h"
 #include "CommandLine.h"
 #include "CommonOptions.h"
+#include "Explain/Explain.h"
 #include "HelpFormatter.h"
 #include "Report/Report.h"
 #include "RunOne.h"
@@ -30,15 +31,25 @@ const std::vector<std::pair<const char*, const char*>> ThesisNumbers = {
   { "errorThreshold", "MaximumError" }
 };
 
-ExitCode Decimate(const Arguments& arguments, const std::string& self)
+ExitCode RunOneBone(const Arguments& arguments)
 {
-  CheckArguments(arguments);
-  if (IsBatch(arguments))
+  if (arguments.IsExplained)
   {
-    return RunBatch(arguments, self);
+    return Explain(arguments);
   }
+  CheckArguments(arguments);
   RunOne(arguments);
   return ExitCode::Done;
+}
+
+ExitCode Decimate(const Arguments& arguments, const std::string& self)
+{
+  if (arguments.IsExplained || !IsBatch(arguments))
+  {
+    return RunOneBone(arguments);
+  }
+  CheckArguments(arguments);
+  return RunBatch(arguments, self);
 }
 
 void SetThesisWords(Arguments& arguments, const std::vector<std::string>& words)
@@ -82,6 +93,7 @@ void AddDecimateCommand(CLI::App& program, const std::string& self, ExitCode& co
     "--version", std::string("bonedecimate ") + Version(), "Print the version.");
   AddDecimateOptions(command, *arguments);
   AddSettings(command, arguments->Settings);
+  AddExplain(command, *arguments);
   AddDescriptions(command, program);
   command.final_callback(
     [&program, self, arguments, &code]
@@ -93,7 +105,7 @@ void AddDecimateCommand(CLI::App& program, const std::string& self, ExitCode& co
     });
 }
 
-void AddSmoothCommand(CLI::App& program)
+void AddSmoothCommand(CLI::App& program, ExitCode& code)
 {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& command = AddCommand(program, "smooth", { "INPUT OUTPUT [OPTIONS]" },
@@ -103,8 +115,9 @@ void AddSmoothCommand(CLI::App& program)
     "segmentation.");
   AddSmoothOptions(command, *arguments);
   AddSettings(command, arguments->Settings);
+  AddExplain(command, *arguments);
   command.final_callback(
-    [arguments]
+    [arguments, &code]
     {
       const bool isRequested = arguments->Options.Smooths();
       GiveOption(*arguments, *FindOption("Mode"), "Fast");
@@ -114,12 +127,11 @@ void AddSmoothCommand(CLI::App& program)
         GiveOption(*arguments, *FindOption("AutomaticSmoothing"), "on");
       }
       TakeFiles(*arguments);
-      CheckArguments(*arguments);
-      RunOne(*arguments);
+      code = RunOneBone(*arguments);
     });
 }
 
-void AddThesisCommand(CLI::App& program)
+void AddThesisCommand(CLI::App& program, ExitCode& code)
 {
   const auto arguments = std::make_shared<Arguments>();
   const auto words = std::make_shared<std::vector<std::string>>();
@@ -132,12 +144,12 @@ void AddThesisCommand(CLI::App& program)
     ->allow_extra_args();
   AddThesisOptions(command, *arguments);
   AddSettings(command, arguments->Settings);
+  AddExplain(command, *arguments);
   command.final_callback(
-    [arguments, words]
+    [arguments, words, &code]
     {
       SetThesisWords(*arguments, *words);
-      CheckArguments(*arguments);
-      RunOne(*arguments);
+      code = RunOneBone(*arguments);
     });
 }
 }

@@ -17,10 +17,10 @@ namespace bonedecimate
 /// @param self argv[0], with which a batch starts its processes.
 void AddDecimateCommand(CLI::App& program, const std::string& self, ExitCode& code);
 
-void AddThesisCommand(CLI::App& program);
+void AddThesisCommand(CLI::App& program, ExitCode& code);
 
 /// Smoothing alone: a run that removes no triangles.
-void AddSmoothCommand(CLI::App& program);
+void AddSmoothCommand(CLI::App& program, ExitCode& code);
 }
 
 #endif

@@ -50,8 +50,8 @@ ExitCode Run(int argc, char* argv[])
   CLI::App program(ProgramDescription(), "bonedecimate");
   program.require_subcommand(1);
   AddDecimateCommand(program, argc > 0 ? argv[0] : "", code);
-  AddThesisCommand(program);
-  AddSmoothCommand(program);
+  AddThesisCommand(program, code);
+  AddSmoothCommand(program, code);
   AddCertifyCommand(program, code);
   AddToleranceCommand(program, code);
   AddCurveCommand(program, code);

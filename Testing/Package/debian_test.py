@@ -45,6 +45,13 @@ class DebianPackage(unittest.TestCase):
     def test_program_runs(self):
         self.assertIn(VERSION, run(self.usr / "bin/bonedecimate", "--version"))
 
+    def test_has_the_manual_page_and_completions(self):
+        program = self.usr / "bin/bonedecimate"
+        for file, *words in (("man/man1/bonedecimate.1", "--man"), ("bash-completion/completions/bonedecimate", "--completion", "bash"),
+                             ("zsh/vendor-completions/_bonedecimate", "--completion", "zsh"),
+                             ("fish/vendor_completions.d/bonedecimate.fish", "--completion", "fish")):
+            self.assertEqual((self.usr / f"share/{file}").read_text(encoding="utf-8"), run(program, *words))
+
     def test_python_package_runs(self):
         packages = self.usr / "lib/python3/dist-packages"
         printed = run(sys.executable, "-c", "import bonedecimate as b; print(b.vtkBoneDecimate().GetClassName())",
