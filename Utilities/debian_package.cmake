@@ -2,7 +2,15 @@
 # dpkg-shlibdeps (dpkg-dev).
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME vtkbonedecimate)
-set(CPACK_PACKAGE_CONTACT "vtkBoneDecimate contributors <contributors@vtkbonedecimate.invalid>")
+# As Debian's tools take it: the maintainer of a package is the one that builds it.
+set(CPACK_PACKAGE_CONTACT "vtkBoneDecimate contributors")
+if (DEFINED ENV{DEBEMAIL})
+  set(maintainer "vtkBoneDecimate contributors")
+  if (DEFINED ENV{DEBFULLNAME})
+    set(maintainer "$ENV{DEBFULLNAME}")
+  endif ()
+  set(CPACK_PACKAGE_CONTACT "${maintainer} <$ENV{DEBEMAIL}>")
+endif ()
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Bone surfaces with fewer triangles, and the proved error in millimeters")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
   "Makes surfaces of bone from CT smaller by edge collapse and proves, in\n millimeters, how far the result is from the \
@@ -25,5 +33,16 @@ rm -rf "/usr/@CMAKE_INSTALL_LIBDIR@/python3/dist-packages/bonedecimate/__pycache
 file(CHMOD "${PROJECT_BINARY_DIR}/debian/prerm"
   PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/debian/prerm")
+# What others wrote of it.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+set(sbom "${PROJECT_BINARY_DIR}/debian/sbom.cdx.json")
+add_custom_command(OUTPUT "${sbom}"
+  COMMAND "${Python3_EXECUTABLE}" -B "${PROJECT_SOURCE_DIR}/Utilities/third_party.py" --sbom deb "${sbom}"
+  DEPENDS "${PROJECT_SOURCE_DIR}/Utilities/third_party.py" "${PROJECT_SOURCE_DIR}/Utilities/third_party.json"
+    "${PROJECT_SOURCE_DIR}/Applications/Picture/Viewer/package-lock.json"
+  VERBATIM)
+add_custom_target(bonedecimate_sbom ALL DEPENDS "${sbom}")
+install(FILES "${sbom}" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/vtkbonedecimate")
+install(FILES "${PROJECT_SOURCE_DIR}/Applications/Picture/Viewer/LICENSES.txt" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/vtkbonedecimate")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/vtkbonedecimate" RENAME copyright)
 include(CPack)

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The Debian package: what it says of itself, what is in it, and that this runs."""
 
+import json
 import os
 import pathlib
 import re
@@ -51,6 +52,12 @@ class DebianPackage(unittest.TestCase):
                              ("zsh/vendor-completions/_bonedecimate", "--completion", "zsh"),
                              ("fish/vendor_completions.d/bonedecimate.fish", "--completion", "fish")):
             self.assertEqual((self.usr / f"share/{file}").read_text(encoding="utf-8"), run(program, *words))
+
+    def test_has_a_bill_of_materials_with_the_versions_of_its_libraries(self):
+        bill = json.loads((self.usr / "share/doc/vtkbonedecimate/sbom.cdx.json").read_text(encoding="utf-8"))
+        versions = {component["name"]: component.get("version") for component in bill["components"]}
+        self.assertEqual(versions["VTK"], run("dpkg-query", "-W", "-f", "${Version}", "libvtk9-dev"))
+        self.assertIn("vtk.js", (self.usr / "share/doc/vtkbonedecimate/LICENSES.txt").read_text(encoding="utf-8"))
 
     def test_python_package_runs(self):
         packages = self.usr / "lib/python3/dist-packages"

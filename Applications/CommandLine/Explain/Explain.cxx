@@ -187,7 +187,7 @@ void AddExplain(CLI::App& app, Arguments& arguments)
     .add_flag("--explain", arguments.IsExplained,
       WrappedHelp(
         "Print what the run would do with these options on this input: stages, the bound at each "
-        "place and how it "
+        "point and how it "
         "is derived, formats, and options without effect. Nothing is run and nothing is written."))
     ->configurable(false);
 }
