@@ -21,7 +21,8 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 ALLOWED = "Utilities/allowed_words.txt"
 SKIPPED = (ALLOWED, "Utilities/check_words.py", "LICENSE", "Testing/Fuzz/corpus/*", "Testing/Data/*",
-           "Applications/Picture/Viewer/LICENSES.txt", "Utilities/wheel_licenses.txt", "Applications/Picture/Viewer/package-lock.json")
+           "Applications/Picture/Viewer/LICENSES.txt", "Utilities/wheel_licenses.txt", "Applications/Picture/Viewer/package-lock.json",
+           "Applications/Browser/package-lock.json")
 SUFFIXES = (".h", ".cxx", ".in", ".py", ".sh", ".cmake", ".txt", ".md", ".json", ".ipynb", ".xml", ".html", ".css", ".js", ".ui",
             ".toml", ".cff", "/run", "bonebench")
 CODE = ("*.h", "*.cxx", "*.in", "*.py")

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Installs what is missing of the Debian packages in packages.txt.
-# Usage: install_packages.sh [SECTION...]     (build, run, test, checks, site, benchmark; without one: all)
+# Usage: install_packages.sh [SECTION...]     (build, run, test, checks, site, benchmark; without one: all but those of other processors)
 set -euo pipefail
 list="$(dirname "$0")/packages.txt"
 
 wanted=$(awk -v sections=" $* " '
   /^\[/ { name = substr($1, 2, length($1) - 2) }
-  /^[a-z]/ && (sections == "  " || index(sections, " " name " ")) { print $1 }' "$list")
+  /^[a-z]/ && ((sections == "  " && name !~ /^(wasm|arm64)$/) || index(sections, " " name " ")) { print $1 }' "$list")
 
 if ! command -v apt-get > /dev/null; then
   echo "This system has no apt-get. Please install what corresponds to these Debian packages:"

@@ -17,9 +17,19 @@
 
 namespace bonedecimate
 {
-/// @param requested 0: one per processor.
+#ifdef BONEDECIMATE_WITHOUT_THREADS
+constexpr bool HasThreads = false;
+#else
+constexpr bool HasThreads = true;
+#endif
+
+/// @param requested 0: one per processor. Where the platform has no threads, 1 whatever is requested.
 inline unsigned int ThreadsToUse(int requested)
 {
+  if constexpr (!HasThreads)
+  {
+    return 1;
+  }
   return requested > 0 ? static_cast<unsigned int>(requested)
                        : std::max(1U, std::thread::hardware_concurrency());
 }

@@ -32,6 +32,7 @@ LIBRARIES = {
     "Applications/Picture": {"JSON", "system"},
     "Applications/Volume": {"system"},
     f"{CORE}/Memory": {"system"},
+    "Wrapping/Npm": {"emscripten"},
     "Wrapping/Wheel": {"nanobind"},
 }
 STREAMS = {"iostream", "fstream", "sstream", "ostream", "istream", "iomanip", "ios", "iosfwd", "streambuf",
@@ -52,6 +53,7 @@ KINDS = [
     (re.compile(r"^CLI/"), "CLI11"),
     (re.compile(r"^nlohmann/"), "JSON"),
     (re.compile(r"^nanobind/"), "nanobind"),
+    (re.compile(r"^emscripten/"), "emscripten"),
 ]
 
 

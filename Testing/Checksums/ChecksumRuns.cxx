@@ -28,7 +28,7 @@ public:
   template <typename T>
   void AddAll(const std::vector<T>& values)
   {
-    this->Add(values.size());
+    this->AddSize(values.size());
     for (const T& value : values)
     {
       this->Add(value);
@@ -38,7 +38,7 @@ public:
   /// Every number that is none counts as the same.
   void AddAll(const std::vector<double>& values)
   {
-    this->Add(values.size());
+    this->AddSize(values.size());
     for (const double value : values)
     {
       this->Add(value == value ? value : -1.0);
@@ -47,7 +47,7 @@ public:
 
   void AddAll(const std::vector<Vector3>& points)
   {
-    this->Add(points.size());
+    this->AddSize(points.size());
     for (const Vector3& p : points)
     {
       this->Add(p[0]);
@@ -55,6 +55,9 @@ public:
       this->Add(p[2]);
     }
   }
+
+  /// The same bytes where sizes have 32 bits.
+  void AddSize(std::size_t size) { this->Add(static_cast<std::uint64_t>(size)); }
 
   std::uint64_t Sum() const { return this->Value; }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Angles.h"
 #include "Random.h"
 #include "Shapes.h"
 
@@ -24,7 +25,7 @@ void AddCone(Surface& surface, Index tip, Index around, Index rings, double heig
     for (Index i = 0; i < around; ++i)
     {
       const double u = TwoPi * i / around;
-      surface.Points.emplace_back(j * std::cos(u), j * std::sin(u), height * j);
+      surface.Points.emplace_back(j * Cosine(u), j * Sine(u), height * j);
     }
   }
   const bool isUp = height > 0.0;
@@ -178,7 +179,7 @@ Surface ThreeLeavedBook(Index cells)
     {
       for (Index j = 0; j <= cells; ++j)
       {
-        book.Points.emplace_back(i * std::cos(u), j, i * std::sin(u));
+        book.Points.emplace_back(i * Cosine(u), j, i * Sine(u));
       }
     }
     for (Index i = 0; i < cells; ++i)
@@ -202,8 +203,8 @@ Surface MoebiusStrip(Index around, Index across)
     for (Index j = 0; j <= across; ++j)
     {
       const double v = 4.0 * j / across - 2.0;
-      const double r = 10.0 + v * std::cos(0.5 * u);
-      strip.Points.emplace_back(r * std::cos(u), r * std::sin(u), v * std::sin(0.5 * u));
+      const double r = 10.0 + v * Cosine(0.5 * u);
+      strip.Points.emplace_back(r * Cosine(u), r * Sine(u), v * Sine(0.5 * u));
     }
   }
   const auto point = [&](Index i, Index j)

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Angles.h"
 #include "Random.h"
 #include "Shapes.h"
 
@@ -205,8 +206,8 @@ Surface Torus(Index around, Index across)
     for (Index j = 0; j < across; ++j)
     {
       const double v = TwoPi * j / across;
-      const double r = 10.0 + 3.0 * std::cos(v);
-      torus.Points.emplace_back(r * std::cos(u), r * std::sin(u), 3.0 * std::sin(v));
+      const double r = 10.0 + 3.0 * Cosine(v);
+      torus.Points.emplace_back(r * Cosine(u), r * Sine(u), 3.0 * Sine(v));
     }
   }
   for (Index i = 0; i < around; ++i)
@@ -238,7 +239,7 @@ Surface Needles(Index sides)
   for (Index i = 0; i < sides; ++i)
   {
     const double u = TwoPi * i / sides;
-    cone.Points.emplace_back(0.005 * std::cos(u), 0.005 * std::sin(u), 0.0);
+    cone.Points.emplace_back(0.005 * Cosine(u), 0.005 * Sine(u), 0.0);
   }
   for (Index i = 0; i < sides; ++i)
   {

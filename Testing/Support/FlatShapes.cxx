@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Angles.h"
 #include "Shapes.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <utility>
@@ -123,7 +123,7 @@ public:
       const auto corner = [&](Index i)
       {
         const double angle = 2.0 * Pi * (i % this->Sides) / this->Sides;
-        return Vector3(radius * std::cos(angle), radius * std::sin(angle), height);
+        return Vector3(radius * Cosine(angle), radius * Sine(angle), height);
       };
       for (Index part = 0; part < this->Parts; ++part)
       {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Angles.h"
 #include "Random.h"
 #include "Shapes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 namespace bonedecimate::testsupport
@@ -116,7 +116,7 @@ Surface OpenCylinder(Index around, Index rings)
     for (Index i = 0; i < around; ++i)
     {
       const double u = TwoPi * i / around;
-      cylinder.Points.emplace_back(5.0 * std::cos(u), 5.0 * std::sin(u), j);
+      cylinder.Points.emplace_back(5.0 * Cosine(u), 5.0 * Sine(u), j);
     }
   }
   cylinder.Triangles = Lattice(around, rings + 1, true, Always);
@@ -132,7 +132,7 @@ Surface Annulus(Index around, Index rings)
     for (Index i = 0; i < around; ++i)
     {
       const double u = TwoPi * i / around;
-      annulus.Points.emplace_back(r * std::cos(u), r * std::sin(u), 0.0);
+      annulus.Points.emplace_back(r * Cosine(u), r * Sine(u), 0.0);
     }
   }
   annulus.Triangles = Lattice(around, rings + 1, true, Always);

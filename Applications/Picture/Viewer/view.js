@@ -66,11 +66,19 @@ export class View {
 
   /** Calls onResize after the canvas has the new size of the stage. */
   watchSize(onResize) {
-    new ResizeObserver(() => {
+    this.observer = new ResizeObserver(() => {
       if (this.fitCanvas()) {
         onResize();
       }
-    }).observe(this.stage);
+    });
+    this.observer.observe(this.stage);
+  }
+
+  end() {
+    this.observer?.disconnect();
+    const gl = this.canvas.getContext();
+    this.interactor.delete();
+    gl.getExtension('WEBGL_lose_context')?.loseContext();
   }
 
   makeInteractor(stage) {

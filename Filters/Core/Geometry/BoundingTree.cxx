@@ -131,10 +131,25 @@ private:
     return halves;
   }
 
+  /// nth_element leaves the order within its halves to the standard library.
+  void SortLeaves(const std::vector<Range>& ranges)
+  {
+    ForEachId(ranges.size(), this->Threads,
+      [&](std::size_t i)
+      {
+        if (ranges[i].Count() <= Width)
+        {
+          std::sort(this->Middles.begin() + ranges[i].First, this->Middles.begin() + ranges[i].Last,
+            [](const Middle& a, const Middle& b) { return a.Id < b.Id; });
+        }
+      });
+  }
+
   /// Adds a node for each range; returns the ranges of the nodes of the next level.
   std::vector<Range> AddLevel(const std::vector<Range>& ranges)
   {
     const std::vector<Range> quarters = this->HalveAll(this->HalveAll(ranges));
+    this->SortLeaves(ranges);
     const std::size_t nextLevel = this->Tree.Nodes.size() + ranges.size();
     std::vector<Range> next;
     for (std::size_t i = 0; i < ranges.size(); ++i)

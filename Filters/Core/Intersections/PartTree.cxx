@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace bonedecimate
@@ -59,7 +60,8 @@ PartTree::PartTree(const Surface& surface, const Components& parts)
 /// The triangles are distributed evenly over the leaves.
 Index PartTree::FirstOf(std::size_t leaf) const
 {
-  return static_cast<Index>(leaf * this->Source.Triangles.size() / this->Leaves);
+  return static_cast<Index>(
+    std::uint64_t(leaf) * this->Source.Triangles.size() / this->Leaves); // 32 bits overflow
 }
 
 //------------------------------------------------------------------------------

@@ -89,6 +89,35 @@ inline std::string EscapedXml(const std::string& text)
   return escaped;
 }
 
+#ifdef __cpp_lib_to_chars
+template <typename Number>
+std::from_chars_result ReadNumber(const char* first, const char* last, Number& value)
+{
+  return std::from_chars(first, last, value);
+}
+#else
+/// For standard libraries whose from_chars reads whole numbers alone.
+template <typename Number>
+std::from_chars_result ReadNumber(const char* first, const char* last, Number& value)
+{
+  if constexpr (std::is_floating_point_v<Number>)
+  {
+    const std::string text(first, last);
+    // strtod also skips blanks and reads hexadecimal digits and nan(...).
+    const bool isPlain = !text.empty() && text[0] != '+' &&
+      text.find_first_not_of("0123456789.eE+-infatyINFATY") == std::string::npos;
+    char* end = nullptr;
+    value = isPlain ? std::strtod(text.c_str(), &end) : 0.0;
+    const std::ptrdiff_t used = isPlain ? end - text.c_str() : 0;
+    return { first + used, used == 0 ? std::errc::invalid_argument : std::errc() };
+  }
+  else
+  {
+    return std::from_chars(first, last, value);
+  }
+}
+#endif
+
 /**
  * A decimal number that is the whole text: no blanks, no unit, no hexadecimal digits, no comma; a plus sign is allowed.
  * A double is rounded to the nearest; beyond the largest it is infinite. The words nan, inf and infinity are numbers.
@@ -102,7 +131,7 @@ std::optional<Number> ParseNumber(std::string_view text)
   const char* const first = text.data() + (hasPlus ? 1 : 0);
   const char* const last = text.data() + text.size();
   Number value = {};
-  const auto read = std::from_chars(first, last, value);
+  const std::from_chars_result read = ReadNumber(first, last, value);
   if (read.ec == std::errc::invalid_argument || read.ptr != last)
   {
     return {};

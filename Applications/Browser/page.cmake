@@ -1,0 +1,16 @@
+# Makes the page: fetches the packages of package-lock.json and bundles what the modules of this folder and of the viewer use of them.
+#   cmake -DNPM=... -DSOURCE=... -DPICTURE=... -DPACKAGE=... -DBINARY=... -DOUTPUT=... -P page.cmake
+include("${PICTURE}/Viewer/fetch_packages.cmake")
+file(MAKE_DIRECTORY "${BINARY}")
+fetch_packages("${SOURCE}" "${BINARY}" status)
+if (NOT status EQUAL 0)
+  message(FATAL_ERROR "The packages of ${SOURCE}/package-lock.json could not be fetched.")
+endif ()
+file(GLOB viewer "${PICTURE}/Viewer/*.js" "${PICTURE}/Viewer/LICENSES.txt")
+file(GLOB app "${SOURCE}/*.js" "${SOURCE}/*.html" "${SOURCE}/LICENSES.txt")
+file(GLOB package "${PACKAGE}/*.js" "${PACKAGE}/*.wasm")
+file(COPY ${viewer} DESTINATION "${BINARY}/viewer")
+file(COPY ${app} DESTINATION "${BINARY}/app")
+file(COPY ${package} DESTINATION "${BINARY}/npm")
+file(COPY "${PICTURE}/page.html" DESTINATION "${BINARY}/picture")
+execute_process(COMMAND node "${SOURCE}/build.mjs" "${BINARY}" "${OUTPUT}" COMMAND_ERROR_IS_FATAL ANY)

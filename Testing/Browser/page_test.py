@@ -1,0 +1,242 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The page that decimates in the browser, opened as a file in Chromium: page_test.py PAGE [PROGRAM]
+
+With the program bonedecimate what the page saves is compared with what the program writes.
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "Page"))
+import browser as chromium
+from browser import Browser, drawn
+
+PAGE = pathlib.Path(sys.argv.pop(1)).resolve()
+PROGRAM = sys.argv.pop(1) if len(sys.argv) > 1 and not sys.argv[1].startswith("-") else None
+FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("more", "<u2")])
+
+
+def bumpy_ball(rings):
+    """The corners of the triangles of a closed surface, mm."""
+    around = 2 * rings
+    u = np.linspace(0.0, np.pi, rings + 1)[:, None]
+    v = np.arange(around + 1)[None, :] % around * (2.0 * np.pi / around)
+    radius = 30.0 + np.sin(9 * u) * np.cos(7 * v) * np.sin(u)
+    grid = np.stack([radius * np.sin(u) * np.cos(v), radius * np.sin(u) * np.sin(v), radius * np.cos(u) + 0.0 * v], axis=-1)
+    a, b, c, d = grid[:-1, :-1], grid[:-1, 1:], grid[1:, :-1], grid[1:, 1:]
+    grid[0], grid[-1] = grid[0, 0], grid[-1, 0]
+    upper = np.stack([a, c, b], axis=2).reshape(-1, 3, 3)[around:]
+    lower = np.stack([b, c, d], axis=2).reshape(-1, 3, 3)[:-around]
+    return np.concatenate([upper, lower]).astype(np.float32)
+
+
+def write_stl(path, corners):
+    facets = np.zeros(len(corners), FACET)
+    facets["corners"] = corners
+    path.write_bytes(bytes(80) + np.uint32(len(corners)).tobytes() + facets.tobytes())
+
+
+def read_stl(path):
+    data = path.read_bytes()
+    return np.frombuffer(data, FACET, offset=84)["corners"].copy()
+
+
+def canonical(corners):
+    """Triangles in an order of their own, each from its least corner on."""
+    rows = []
+    for triangle in np.asarray(corners, np.float32) + np.float32(0):
+        turns = [np.roll(triangle, -i, axis=0).ravel().tolist() for i in range(3)]
+        rows.append(min(turns))
+    return sorted(rows)
+
+
+def write_ply(path, corners):
+    lines = [f"{x:.9g} {y:.9g} {z:.9g}" for x, y, z in corners.reshape(-1, 3)]
+    faces = [f"3 {3 * i} {3 * i + 1} {3 * i + 2}" for i in range(len(corners))]
+    header = ["ply", "format ascii 1.0", f"element vertex {len(lines)}", "property float x", "property float y", "property float z",
+              f"element face {len(faces)}", "property list uchar int vertex_indices", "end_header"]
+    path.write_text("\n".join(header + lines + faces) + "\n", encoding="ascii")
+
+
+def write_nifti(path, labels, spacing):
+    """The header of NIfTI-1 with a unit direction."""
+    header = np.zeros(348, np.uint8)
+    header[:4] = np.frombuffer(np.int32(348).tobytes(), np.uint8)
+    header[40:56] = np.frombuffer(np.array([3, *labels.shape[::-1], 1, 1, 1, 1], "<i2").tobytes(), np.uint8)
+    header[70:74] = np.frombuffer(np.array([512, 16], "<i2").tobytes(), np.uint8)
+    header[76:108] = np.frombuffer(np.array([1, *spacing, 1, 1, 1, 1], "<f4").tobytes(), np.uint8)
+    header[108:112] = np.frombuffer(np.float32(352).tobytes(), np.uint8)
+    header[112:116] = np.frombuffer(np.float32(1).tobytes(), np.uint8)
+    header[123] = 2
+    header[252:256] = np.frombuffer(np.array([0, 1], "<i2").tobytes(), np.uint8)
+    rows = np.diag(spacing).astype("<f4")
+    header[280:328] = np.frombuffer(np.hstack([rows, np.zeros((3, 1), "<f4")]).astype("<f4").tobytes(), np.uint8)
+    header[344:348] = np.frombuffer(b"n+1\0", np.uint8)
+    path.write_bytes(header.tobytes() + bytes(4) + labels.astype("<u2").tobytes())
+
+
+def two_labels():
+    z, y, x = np.mgrid[:30, :30, :30] - 14.5
+    inside = x * x + y * y + 0.7 * z * z < 120.0
+    return np.where(inside, np.where(x < 0, 3, 9), 0)
+
+
+@unittest.skipUnless(chromium.CHROMIUM and chromium.DRIVER, chromium.MISSING)
+class BrowserPage(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        temporary = tempfile.TemporaryDirectory(prefix="bonedecimate-browser-")
+        cls.addClassCleanup(temporary.cleanup)
+        cls.folder = pathlib.Path(temporary.name)
+        cls.corners = bumpy_ball(120)
+        write_stl(cls.folder / "ball.stl", cls.corners)
+        cls.browser = Browser(*chromium.SOFTWARE, "--window-size=1200,1300")
+        cls.addClassCleanup(cls.browser.__exit__)
+        cls.browser.command("POST", "/goog/cdp/execute", {"cmd": "Browser.setDownloadBehavior",
+                            "params": {"behavior": "allow", "downloadPath": str(cls.folder / "saved")}})
+
+    def setUp(self):
+        self.browser.messages()
+        self.browser.requests()
+        self.browser.open(PAGE)
+
+    def tearDown(self):
+        self.assertEqual(self.browser.messages(), [])
+        self.assertEqual(self.browser.requests(), [PAGE.as_uri()])
+
+    def state(self):
+        return self.browser.run("return document.documentElement.dataset.state")
+
+    def wait(self, *states, seconds=120):
+        end = time.monotonic() + seconds
+        while self.state() == "busy":
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.05)
+        self.assertIn(self.state(), states, self.text("#problem"))
+
+    def text(self, selector):
+        return self.browser.run("return document.querySelector(arguments[0]).textContent", selector)
+
+    def drop(self, path):
+        """As a person drops a file from another window."""
+        x, y = self.browser.run("const b = document.querySelector('#drop').getBoundingClientRect();"
+                                "return [b.x + b.width / 2, b.y + b.height / 2]")
+        data = {"items": [], "files": [str(path)], "dragOperationsMask": 1}
+        for kind in ("dragEnter", "dragOver", "drop"):
+            self.browser.protocol("Input.dispatchDragEvent", type=kind, x=x, y=y, data=data)
+        end = time.monotonic() + 10
+        while self.state() is None and time.monotonic() < end:
+            time.sleep(0.02)
+
+    def choose(self, path):
+        self.browser.command("POST", f"/element/{self.browser.find('#choose')}/value", {"text": str(path)})
+
+    def set(self, **options):
+        for name, value in options.items():
+            self.browser.set(f"#option-{name}", value)
+
+    def saved(self, button, name):
+        self.browser.click(button)
+        path = self.folder / "saved" / name
+        end = time.monotonic() + 20
+        while not path.exists() and time.monotonic() < end:
+            time.sleep(0.05)
+        return path
+
+    def test_decimates_a_dropped_file_and_saves_what_the_program_writes(self):
+        self.drop(self.folder / "ball.stl")
+        self.wait("done")
+        self.assertIn("57,120 triangles", self.text("#file"))
+        self.set(maxError="0.1")
+        self.browser.click("#run")
+        self.wait("done")
+        self.assertLessEqual(float(self.text("#upper").split()[0]), 0.1)
+        self.assertIn("no point of either surface is farther than", self.text("#certificate"))
+        after = int(self.text("#after").replace(",", ""))
+        self.assertLess(after, 20000)
+        self.browser.run("document.querySelector('#view').scrollIntoView()")
+        left, right = np.array_split(drawn(self.browser.picture("#viewer-stage")[2:-2, 2:-2]), 2, axis=1)
+        self.assertGreater(left.mean(), 0.1)
+        self.assertAlmostEqual(left.mean(), right.mean(), delta=0.1 * left.mean())
+        corners = read_stl(self.saved("#save-stl", "ball-decimated.stl"))
+        self.assertEqual(len(corners), after)
+        self.assertGreater(self.saved("#save-ply", "ball-decimated.ply").stat().st_size, 12 * after)
+        if PROGRAM:
+            subprocess.run([PROGRAM, self.folder / "ball.stl", self.folder / "native.stl", "--max-error", "0.1"],
+                           check=True, capture_output=True)
+            self.assertEqual(canonical(corners), canonical(read_stl(self.folder / "native.stl")))
+
+    def test_a_number_of_triangles_gets_a_certificate_too(self):
+        write_ply(self.folder / "ball.ply", bumpy_ball(30))
+        self.choose(self.folder / "ball.ply")
+        self.wait("done")
+        self.set(maxError="", targetTriangles="1000")
+        self.browser.click("#run")
+        self.wait("done")
+        self.assertEqual(self.text("#after"), "1,000")
+        self.assertGreater(float(self.text("#upper").split()[0]), 0.0)
+        self.assertIn("after the run", self.text("#certificate"))
+
+    def test_extracts_and_smooths_a_label_map(self):
+        write_nifti(self.folder / "labels.nii", two_labels(), (0.8, 0.8, 1.2))
+        self.drop(self.folder / "labels.nii")
+        self.wait("done")
+        self.assertIn("2 labels", self.text("#file"))
+        self.set(maxError="0.6", smooth="0.4")
+        self.browser.click("#run")
+        self.wait("done")
+        before, after = (int(self.text(name).replace(",", "")) for name in ("#before", "#after"))
+        self.assertLess(after, 0.4 * before)
+
+    def test_cancels_and_runs_again(self):
+        write_stl(self.folder / "large.stl", bumpy_ball(350))
+        self.choose(self.folder / "large.stl")
+        self.wait("done")
+        self.set(maxError="0.01")
+        self.browser.click("#run")
+        end = time.monotonic() + 60
+        while self.browser.run("return document.querySelector('#bar').value") < 0.02 and time.monotonic() < end:
+            time.sleep(0.02)
+        self.assertTrue(self.browser.is_shown("#cancel"))
+        self.browser.click("#cancel")
+        self.wait("canceled", seconds=2)
+        self.assertIn("Canceled", self.text("#problem"))
+        self.assertFalse(self.browser.is_shown("#results"))
+        self.set(maxError="", targetReduction="0.9", mode="Fast")
+        self.browser.click("#run")
+        self.wait("done")
+
+    def test_says_what_is_wrong_with_a_file_or_an_option(self):
+        whole = (self.folder / "ball.stl").read_bytes()
+        nifti = self.folder / "short.nii"
+        write_nifti(nifti, two_labels(), (1.0, 1.0, 1.0))
+        nifti.write_bytes(nifti.read_bytes()[:9000])
+        bad = {"truncated.stl": (whole[:5000], "damaged"), "noise.ply": (b"\x07" * 999, "no PLY header"),
+               "cut.ply": (b"ply\nformat binary_little_endian 1.0\nelement vertex 9\nproperty float x\nproperty float y\n"
+                           b"property float z\nelement face 3\nproperty list uchar int vertex_indices\nend_header\nab", "."),
+               "short.nii": (nifti.read_bytes(), "ends early"), "photo.jpg": (b"\xff\xd8", "STL, PLY and NIfTI"),
+               "empty.stl": (b"", "damaged")}
+        for name, (data, pattern) in bad.items():
+            (self.folder / name).write_bytes(data)
+            self.choose(self.folder / name)
+            self.wait("failed")
+            self.assertIn(pattern, self.text("#problem"), name)
+            self.assertFalse(self.browser.run("return !document.querySelector('#run').disabled"), name)
+        self.choose(self.folder / "ball.stl")
+        self.wait("done")
+        self.set(maxError="-1")
+        self.browser.click("#run")
+        self.wait("failed")
+        self.assertIn("0 to 1e30 mm", self.text("#problem"))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[1:]])
