@@ -225,6 +225,8 @@ std::vector<ChecksumCase> CasesOfShapes(const Surface& surface)
     { "log", Reduced(0.9), Inputs::Log },
     { "log-error", bounded, Inputs::Log },
     { "reference", bounded, Inputs::Reference },
+    { "least-angle", With(bounded, [](Options& o) { o.MinimumAngle = 25.0; }) },
+    { "edge-length", With(bounded, [&](Options& o) { o.EdgeLength = 8.0 * error; }) },
   };
 }
 
