@@ -146,8 +146,9 @@ public:
   ///@{
   /// Length that the edges of the result are to have, except in Thesis mode: for solvers and meshers. Edges longer than 4/3 of it
   /// are split, edges shorter than 4/5 collapsed where everything else that was requested allows it, and flips and moves even out
-  /// the triangles. No collapse makes an edge longer than 4/3. There are never more triangles than in the input or than requested;
-  /// the report counts the edges that are left. 0: off. Range: 0 to 1e30 mm; default: 0.
+  /// the triangles. No collapse makes an edge longer than 4/3. There are never more triangles than in the input or than requested,
+  /// and levels of detail have no splits; the report counts the edges that are left. Without MinimumAngle no edit makes an angle
+  /// below 20 degrees. 0: off. Range: 0 to 1e30 mm; default: 0.
   void SetEdgeLength(double value);
   double GetEdgeLength() const;
   ///@}
