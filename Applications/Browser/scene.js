@@ -17,11 +17,21 @@ const COLORS = [
 const STEPS = 255;
 const MARGIN = 1.06;
 const LEAST_RANGE = 0.001; // mm
+const MOST = 0.999; // of the points are within the range of colors
 
 function colorAt(step) {
   const at = (step / STEPS) * (COLORS.length - 1);
   const first = Math.min(Math.floor(at), COLORS.length - 2);
   return COLORS[first].map((value, i) => Math.round(value + (at - first) * (COLORS[first + 1][i] - value)));
+}
+
+/** mm, the end of the colors; what is not a number is left out. */
+function rangeOf(distances) {
+  const ends = distances.map((each) => {
+    const sorted = Float32Array.from(each).filter((value) => value >= 0).sort();
+    return sorted.length > 0 ? sorted[Math.floor(MOST * (sorted.length - 1))] : 0;
+  });
+  return Number(Math.max(LEAST_RANGE, ...ends).toPrecision(2));
 }
 
 function boundsOf(points) {
@@ -51,8 +61,7 @@ const counted = (surface) => (surface.triangles.length / 3).toLocaleString('en-U
 
 /** @param distances mm, of the points of each surface; empty: none. @returns The scene, and the pieces of both surfaces. */
 export function makeScene(before, after, distances) {
-  const largest = distances.flatMap((each) => [each.reduce((most, value) => (value > most ? value : most), LEAST_RANGE)]);
-  const range = Number(Math.max(...largest).toPrecision(2));
+  const range = rangeOf(distances);
   const bounds = boundsOf(before.points);
   const piece = ({ points, triangles }, side) => ({
     parts: [0],

@@ -15,7 +15,11 @@ const std::vector<const Kernels*>& AvailableKernels()
 {
   static const std::vector<const Kernels*> available = []
   {
+#ifdef BONEDECIMATE_BASELINE_IS_FASTER
+    std::vector<const Kernels*> sets = { &PlainKernels, &BaselineKernels };
+#else
     std::vector<const Kernels*> sets = { &BaselineKernels, &PlainKernels };
+#endif
 #ifdef BONEDECIMATE_X86_KERNELS
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
       __builtin_cpu_supports("avx512dq"))

@@ -11,11 +11,12 @@ function buffersOf(result) {
   return arrays.map((array) => array.buffer);
 }
 
-/** The text of what ended a run: the core throws nothing but std::bad_alloc, and that ends the instance. */
+/** What ended a run: the core throws nothing but std::bad_alloc, which aborts the instance. */
 function sentenceOf(error) {
-  return error instanceof WebAssembly.RuntimeError || error instanceof RangeError
-    ? 'the surface needs more memory than WebAssembly has, 4 GB at most'
-    : String(error?.message ?? error);
+  const text = String(error?.message ?? error);
+  return /Aborted|allocation|memory/i.test(text)
+    ? `the surface needs more memory than there is for WebAssembly, which has 4 GB at most (${text})`
+    : `the core failed: ${text}`;
 }
 
 /** @param post Sends { progress }, { problem } or { result } to the caller. */
