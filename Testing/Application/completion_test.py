@@ -31,7 +31,7 @@ class Terminal:
             os.chdir(folder)
             os.execvpe(words[0], words, {**os.environ, "TERM": "dumb", "COLUMNS": "200", "LINES": "60", **variables})
 
-    def type(self, keys, until, seconds=20):
+    def type(self, keys, until, seconds=60):
         """What the terminal shows, at the latest when it shows this."""
         os.write(self.side, keys.encode())
         shown, end = "", time.monotonic() + seconds

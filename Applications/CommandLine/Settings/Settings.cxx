@@ -129,7 +129,9 @@ void Add(const SettingsList& list, const TypedOptions& typed, SettledWords& sett
     {
       for (const std::string& value : values)
       {
-        settled.Words.insert(settled.Words.begin() + 1, "--" + flag + "=" + value);
+        std::string word = "--" + flag;
+        word.append("=").append(value);
+        settled.Words.insert(settled.Words.begin() + 1, word);
       }
       if (values.empty())
       {

@@ -93,7 +93,8 @@ std::string WithOrigin(const std::string& message, const SettingsRecord& setting
   {
     if (HasWord(message, "--" + flag))
     {
-      return message + "; --" + flag + " is from " + OriginText(settings);
+      std::string text = message + "; --";
+      return text.append(flag).append(" is from ").append(OriginText(settings));
     }
   }
   return message;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tree/Completion.h"
 
+#include <algorithm>
+
 namespace bonedecimate
 {
 namespace
@@ -41,11 +43,9 @@ _bonedecimate()
 /// Another form of a word of a case: bash splits words at the equals sign.
 std::string CaseOf(const CommandEntry& command, const OptionEntry& option)
 {
-  std::vector<std::string> words;
-  for (const std::string& flag : option.Flags)
-  {
-    words.push_back("'" + command.Name + " " + flag + "'");
-  }
+  std::vector<std::string> words(option.Flags.size());
+  std::transform(option.Flags.begin(), option.Flags.end(), words.begin(),
+    [&command](const std::string& flag) { return "'" + command.Name + " " + flag + "'"; });
   return "    " + Joined(words, "|") + ")";
 }
 

@@ -123,11 +123,9 @@ std::vector<CommandEntry> CommandTree(const CLI::App& program)
 
 std::vector<std::string> NamesOfCommands(const std::vector<CommandEntry>& commands)
 {
-  std::vector<std::string> names;
-  for (const CommandEntry& command : commands)
-  {
-    names.push_back(command.Name);
-  }
+  std::vector<std::string> names(commands.size());
+  std::transform(commands.begin(), commands.end(), names.begin(),
+    [](const CommandEntry& command) { return command.Name; });
   return names;
 }
 
