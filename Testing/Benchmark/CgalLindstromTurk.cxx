@@ -11,12 +11,12 @@
  * that goes with the requested faces on a closed surface, and ends somewhat lower on an open one.
  */
 #include "CgalMesh.h"
+#include "CgalTriangles.h"
 #include "Meter.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-#include <CGAL/version.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -27,28 +27,6 @@ namespace
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 namespace Simplification = CGAL::Surface_mesh_simplification;
-
-Triangles ToTriangles(Mesh& mesh)
-{
-  mesh.collect_garbage();
-  Triangles result;
-  for (const auto vertex : mesh.vertices())
-  {
-    const Point& x = mesh.point(vertex);
-    result.Points.push_back({ x[0], x[1], x[2] });
-  }
-  for (const auto face : mesh.faces())
-  {
-    std::array<std::int32_t, 3> corners{};
-    std::size_t k = 0;
-    for (const auto vertex : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
-    {
-      corners[k++] = static_cast<std::int32_t>(vertex.idx());
-    }
-    result.Corners.push_back(corners);
-  }
-  return result;
-}
 }
 
 int main(int argumentCount, char** words)
@@ -66,12 +44,7 @@ int main(int argumentCount, char** words)
     meter.Start();
     Simplification::edge_collapse(mesh, Simplification::Count_stop_predicate<Mesh>(edges));
     meter.Stop();
-    const Triangles result = ToTriangles(mesh);
-    WritePly(words[2], result, Coordinates::Double);
-    std::printf(
-      "{\"triangles\": %zu, \"version\": \"%s\", ", result.Corners.size(), CGAL_VERSION_STR);
-    meter.Print();
-    std::printf("}\n");
+    WriteResult(words[2], mesh, meter);
   }
   catch (const std::exception& failure)
   {

@@ -128,11 +128,17 @@ void WalkPoints(
   shape.NonManifoldVertices = std::count(isNonManifold.begin(), isNonManifold.end(), 1);
 }
 
-/// 4 sqrt(3) area / (sum of squared edges), and whether the area is positive.
-double QualityOf(const Triangles& triangles, const Corners& corners, bool& isDegenerate)
+struct TriangleFigures
+{
+  double Area = 0.0;
+  double Quality = 0.0;       ///< 4 sqrt(3) area / (sum of squared edges)
+  double SmallestAngle = 0.0; ///< degrees, opposite the shortest edge
+};
+
+TriangleFigures FiguresOf(const Triangles& triangles, const Corners& corners)
 {
   std::array<std::array<double, 3>, 3> edge{};
-  double squares = 0.0;
+  std::array<double, 3> squares{};
   for (std::size_t k = 0; k < 3; ++k)
   {
     const auto& from = triangles.Points[static_cast<std::size_t>(corners[k])];
@@ -140,7 +146,7 @@ double QualityOf(const Triangles& triangles, const Corners& corners, bool& isDeg
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       edge[k][axis] = to[axis] - from[axis];
-      squares += edge[k][axis] * edge[k][axis];
+      squares[k] += edge[k][axis] * edge[k][axis];
     }
   }
   double crossSquared = 0.0;
@@ -151,9 +157,26 @@ double QualityOf(const Triangles& triangles, const Corners& corners, bool& isDeg
     const double cross = edge[0][i] * edge[1][j] - edge[0][j] * edge[1][i];
     crossSquared += cross * cross;
   }
-  const double area = 0.5 * std::sqrt(crossSquared);
-  isDegenerate = area < 1e-8;
-  return squares > 0.0 ? 4.0 * std::sqrt(3.0) * area / squares : 0.0;
+  std::sort(squares.begin(), squares.end());
+  const double sum = squares[0] + squares[1] + squares[2];
+  TriangleFigures figures;
+  figures.Area = 0.5 * std::sqrt(crossSquared);
+  figures.Quality = sum > 0.0 ? 4.0 * std::sqrt(3.0) * figures.Area / sum : 0.0;
+  const double cosine =
+    squares[1] + squares[2] - squares[0]; // times twice the product of the longer edges
+  figures.SmallestAngle = std::atan2(4.0 * figures.Area, cosine) * 180.0 / std::acos(-1.0);
+  return figures;
+}
+
+void AddFigures(const TriangleFigures& figures, Shape& shape)
+{
+  shape.Quality += figures.Quality;
+  shape.BadFraction += figures.Quality < 0.2 ? 1.0 : 0.0;
+  shape.Degenerate += figures.Area < 1e-8 ? 1 : 0;
+  for (std::size_t i = 0; i < shape.SmallAngles.size(); ++i)
+  {
+    shape.SmallAngles[i] += figures.SmallestAngle < 10.0 * static_cast<double>(i + 1) ? 1 : 0;
+  }
 }
 }
 
@@ -188,11 +211,7 @@ Shape MeasureShape(const Triangles& welded)
   std::vector<Corners> proper;
   for (const auto& corners : welded.Corners)
   {
-    bool isDegenerate = false;
-    const double quality = QualityOf(welded, corners, isDegenerate);
-    shape.Quality += quality;
-    shape.BadFraction += quality < 0.2 ? 1.0 : 0.0;
-    shape.Degenerate += isDegenerate ? 1 : 0;
+    AddFigures(FiguresOf(welded, corners), shape);
     if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
     {
       proper.push_back(corners);

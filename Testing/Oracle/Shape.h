@@ -9,6 +9,7 @@
 
 #include "TriangleFile.h"
 
+#include <array>
 #include <cstdint>
 
 struct Shape
@@ -22,6 +23,8 @@ struct Shape
   double Quality =
     0.0; ///< Mean of 4 sqrt(3) area / (sum of squared edges), 1 for equilateral ones.
   double BadFraction = 0.0; ///< Fraction of the triangles whose quality is below 0.2.
+  std::array<std::int64_t, 3>
+    SmallAngles{}; ///< Triangles with an angle below 10, 20 and 30 degrees.
 };
 
 /// The same surface with exactly equal points made one, so that a repeated point does not make a boundary.

@@ -79,14 +79,17 @@ void PrintShape(const Triangles& surface)
 {
   const Triangles welded = Welded(surface);
   const Shape shape = MeasureShape(welded);
-  std::printf("{\"triangles\": %zu, \"components\": %lld, \"boundary_edges\": %lld, "
-              "\"non_manifold_edges\": %lld, \"non_manifold_vertices\": %lld, \"euler\": %lld,\n "
-              "\"quality\": %.6f, \"bad_fraction\": %.6f, \"degenerate\": %lld, "
-              "\"self_intersections\": %lld",
+  std::printf(
+    "{\"triangles\": %zu, \"components\": %lld, \"boundary_edges\": %lld, "
+    "\"non_manifold_edges\": %lld, \"non_manifold_vertices\": %lld, \"euler\": %lld,\n "
+    "\"quality\": %.6f, \"bad_fraction\": %.6f, \"below_10_20_30_degrees\": [%lld, %lld, %lld], "
+    "\"degenerate\": %lld, \"self_intersections\": %lld",
     surface.Corners.size(), static_cast<long long>(shape.Components),
     static_cast<long long>(shape.BoundaryEdges), static_cast<long long>(shape.NonManifoldEdges),
     static_cast<long long>(shape.NonManifoldVertices), static_cast<long long>(shape.EulerNumber),
-    shape.Quality, shape.BadFraction, static_cast<long long>(shape.Degenerate),
+    shape.Quality, shape.BadFraction, static_cast<long long>(shape.SmallAngles[0]),
+    static_cast<long long>(shape.SmallAngles[1]), static_cast<long long>(shape.SmallAngles[2]),
+    static_cast<long long>(shape.Degenerate),
     static_cast<long long>(CountSelfIntersections(welded)));
 }
 

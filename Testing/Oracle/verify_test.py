@@ -3,6 +3,7 @@
 """The verifier with surfaces whose distances, topology and intersections are known."""
 
 import json
+import math
 import os
 import subprocess
 import unittest
@@ -56,6 +57,14 @@ class Verify(WithFiles):
         self.assertAlmostEqual(there["average"], 0.5, 3)
         self.assertAlmostEqual(there["rms"], (1 / 3) ** 0.5, 3)
         self.assertAlmostEqual(there["percentiles"][50], 0.5, 2)
+
+    def test_smallest_angles_are_counted(self):
+        def with_angle(degrees):
+            angle = math.radians(degrees)
+            return [(0, 0, degrees), (10, 0, degrees), (10 * math.cos(angle), 10 * math.sin(angle), degrees)], [(0, 1, 2)]
+
+        shape = self.shape(*map(with_angle, (5, 9.9, 10.1, 25, 60, 150)))  # 150: two of 15
+        self.assertEqual(shape["below_10_20_30_degrees"], [2, 4, 5])
 
     def test_the_number_of_threads_changes_nothing(self):
         pair = square(0), tetrahedron()

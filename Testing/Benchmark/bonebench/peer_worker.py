@@ -156,7 +156,49 @@ def prepare_meshlib(points: Points, corners: Corners, faces: int, error: float |
             lambda: (mrmeshnumpy.getNumpyVerts(mesh), mrmeshnumpy.getNumpyFaces(mesh.topology)))
 
 
-PREPARE: dict[str, tuple[str, Callable[[Points, Corners, int], Prepared]]] = {
+def prepare_meshlab_remeshing(points: Points, corners: Corners, length: float) -> Prepared:
+    """Isotropic explicit remeshing with its defaults: ten iterations, reprojection to the input."""
+    import pymeshlab
+
+    meshes = pymeshlab.MeshSet()
+    meshes.add_mesh(pymeshlab.Mesh(points.astype(np.float64), corners))
+    return (lambda: meshes.meshing_isotropic_explicit_remeshing(iterations=10, targetlen=pymeshlab.PureValue(length)),
+            lambda: (meshes.current_mesh().vertex_matrix(), meshes.current_mesh().face_matrix()))
+
+
+def prepare_meshlib_remeshing(points: Points, corners: Corners, length: float) -> Prepared:
+    """remesh with its defaults, splits as many as it takes."""
+    from meshlib import mrmeshnumpy, mrmeshpy
+
+    mesh = mrmeshnumpy.meshFromFacesVerts(corners, points.astype(np.float64))
+    settings = mrmeshpy.RemeshSettings()
+    settings.targetEdgeLen = length
+    settings.maxEdgeSplits = 10_000_000
+    settings.packMesh = True
+    return (lambda: mrmeshpy.remesh(mesh, settings),
+            lambda: (mrmeshnumpy.getNumpyVerts(mesh), mrmeshnumpy.getNumpyFaces(mesh.topology)))
+
+
+def prepare_pyacvd(points: Points, corners: Corners, faces: int) -> Prepared:
+    """Clusters, of which each becomes a vertex, of a surface that is divided until it has ten points for each."""
+    import pyacvd
+    import pyvista
+
+    surface = pyvista.PolyData.from_regular_faces(points.astype(np.float64), corners)
+    kept: list[Any] = []
+
+    def call() -> None:
+        clustering = pyacvd.Clustering(surface)
+        divisions = int(np.ceil(np.log(10 * (faces / 2) / len(points)) / np.log(4)))
+        if divisions > 0:
+            clustering.subdivide(divisions)
+        clustering.cluster(max(4, faces // 2))
+        kept.append(clustering.create_mesh())
+
+    return call, lambda: (np.asarray(kept[0].points), np.asarray(kept[0].regular_faces))
+
+
+PREPARE: dict[str, tuple[str, Callable[[Points, Corners, Any], Prepared]]] = {
     "vtk": ("vtk", prepare_vtk),
     "meshlab": ("pymeshlab", prepare_meshlab),
     "meshlab-topology": ("pymeshlab", prepare_meshlab_topology),
@@ -165,7 +207,12 @@ PREPARE: dict[str, tuple[str, Callable[[Points, Corners, int], Prepared]]] = {
     "pyfqmr": ("pyfqmr", prepare_pyfqmr),
     "meshoptimizer": ("meshoptimizer", prepare_meshoptimizer),
     "meshlib": ("meshlib", prepare_meshlib),
+    "pyacvd": ("pyacvd", prepare_pyacvd),
+    "meshlab-remeshing": ("pymeshlab", prepare_meshlab_remeshing),
+    "meshlib-remeshing": ("meshlib", prepare_meshlib_remeshing),
 }
+# Those whose goal is a length of edges, mm.
+TAKE_LENGTHS = ("meshlab-remeshing", "meshlib-remeshing")
 # Those that have an option for a largest error.
 TAKE_ERRORS = {"vtk": prepare_vtk, "meshoptimizer": prepare_meshoptimizer, "meshlib": prepare_meshlib}
 
@@ -193,7 +240,7 @@ def forget_peak() -> None:
         pass
 
 
-def warm_up(prepare: Callable[[Points, Corners, int], Prepared]) -> None:
+def warm_up(prepare: Callable[[Points, Corners, Any], Prepared]) -> None:
     """Imports the peer and what it loads at its first call, on a tetrahedron: none of it is the decimation's."""
     points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32)
     corners = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], np.int32)
@@ -204,7 +251,9 @@ def warm_up(prepare: Callable[[Points, Corners, int], Prepared]) -> None:
 
 
 def prepared(peer: str, points: Points, corners: Corners, goal: str) -> Prepared:
-    """For a number of triangles, or with "mm" behind it for a largest error and no number."""
+    """For a number of triangles, or with "mm" behind it for a length of edges, or for a largest error and no number."""
+    if peer in TAKE_LENGTHS:
+        return PREPARE[peer][1](points, corners, float(goal.removesuffix("mm")))
     if goal.endswith("mm"):
         return TAKE_ERRORS[peer](points, corners, 4, float(goal.removesuffix("mm")))
     return PREPARE[peer][1](points, corners, int(goal))
