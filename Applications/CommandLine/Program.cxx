@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Program.h"
 
+#include "Cap.h"
 #include "Certify.h"
 #include "CommandLine.h"
 #include "DecimateCommand.h"
@@ -57,6 +58,7 @@ ExitCode Run(int argc, char* argv[])
   AddCurveCommand(program, code);
   AddLevelsCommand(program);
   AddDiagnoseCommand(program, code);
+  AddCapCommand(program);
   RunCommandLine(program, words);
   return code;
 }

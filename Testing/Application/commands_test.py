@@ -7,7 +7,7 @@ import re
 
 from application import DONE, SURFACES, USAGE, ApplicationTest, main, torus, write
 
-COMMANDS = ("thesis", "smooth", "certify", "tolerance", "curve", "levels", "diagnose")
+COMMANDS = ("thesis", "smooth", "certify", "tolerance", "curve", "levels", "diagnose", "cap")
 
 
 class Commands(ApplicationTest):

@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from surfaces import TRIANGLES, Ear, decimating, torus
 from bonedecimate import (
-    error_curve, smallest_error, vtkBoneDiagnostics, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneLabelPieces,
+    error_curve, smallest_error, vtkBoneCap, vtkBoneDiagnostics, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneLabelPieces,
     vtkBoneSurfaceDistance, vtkBoneSurfaces, vtkBoneTolerance, vtkBoneVoxelCheck)
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 
@@ -130,7 +130,7 @@ class Properties(unittest.TestCase):
             self.assertEqual(getattr(decimate, snake(name)), get(decimate, name))
 
     def test_unknown_attributes_are_errors(self):
-        for filter_class in (vtkBoneDiagnostics, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneLabelPieces,
+        for filter_class in (vtkBoneCap, vtkBoneDiagnostics, vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneLabelPieces,
                              vtkBoneSurfaceDistance, vtkBoneSurfaces, vtkBoneTolerance, vtkBoneVoxelCheck):
             with self.subTest(filter_class.__name__):
                 for name in ("max_error", "MaximumError", "SetNumberOfThreads", "Update", "GetOutput", "anything"):
@@ -200,9 +200,10 @@ class Properties(unittest.TestCase):
                    "feather": (-1, *NO_NUMBERS), "inside_tolerance": NO_NUMBERS, "outside_tolerance": NO_NUMBERS,
                    "island_size": (-1, *NO_NUMBERS), "island_area": (-1, *NO_NUMBERS), "island_volume": (-1, *NO_NUMBERS),
                    "cavity_volume": (-1, *NO_NUMBERS), "mode": (-1, 4), "relative_precision": (0, 0.6, *NO_NUMBERS), "target_number_of_triangles": (-1,), "maximum_error": (-1, *NO_NUMBERS), "number_of_triangles": (-1,),
-                   "level_error": (-1, *NO_NUMBERS), "output_points_precision": (-1, 3)}
+                   "level_error": (-1, *NO_NUMBERS), "output_points_precision": (-1, 3), "loops": (-1, 2),
+                   "plane_tolerance": (-1, *NO_NUMBERS)}
         tried = set()
-        for filter_class in (vtkBoneDiagnostics, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneLabelPieces, vtkBoneSurfaceDistance,
+        for filter_class in (vtkBoneCap, vtkBoneDiagnostics, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneLabelPieces, vtkBoneSurfaceDistance,
                              vtkBoneSurfaces, vtkBoneTolerance, vtkBoneVoxelCheck):
             one = filter_class()
             for name, values in outside.items():

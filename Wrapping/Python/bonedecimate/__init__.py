@@ -13,6 +13,7 @@ import vtkmodules.vtkCommonExecutionModel  # noqa: F401
 from . import vtkFiltersBoneDecimate as _wrapped
 from ._checked import ErrorTexts, checked, warn
 
+vtkBoneCap = checked(_wrapped, "vtkBoneCap")
 vtkBoneDiagnostics = checked(_wrapped, "vtkBoneDiagnostics")
 vtkBoneDecimate = checked(_wrapped, "vtkBoneDecimate")
 vtkBoneDecimateLevels = checked(_wrapped, "vtkBoneDecimateLevels")
@@ -24,8 +25,8 @@ vtkBoneSurfaces = checked(_wrapped, "vtkBoneSurfaces")
 vtkBoneTolerance = checked(_wrapped, "vtkBoneTolerance")
 vtkBoneVoxelCheck = checked(_wrapped, "vtkBoneVoxelCheck")
 
-__all__ = ["vtkBoneDiagnostics", "vtkBoneDecimate", "vtkBoneDecimateLevels", "vtkBoneErrorSearch", "vtkBoneLabelPieces",
-           "vtkBoneSmooth", "vtkBoneSurfaceDistance", "vtkBoneSurfaces", "vtkBoneTolerance", "vtkBoneVoxelCheck", "error_curve",
+__all__ = ["vtkBoneCap", "vtkBoneDiagnostics", "vtkBoneDecimate", "vtkBoneDecimateLevels", "vtkBoneErrorSearch",
+           "vtkBoneLabelPieces", "vtkBoneSmooth", "vtkBoneSurfaceDistance", "vtkBoneSurfaces", "vtkBoneTolerance", "vtkBoneVoxelCheck", "error_curve",
            "smallest_error"]
 
 

@@ -29,6 +29,7 @@ __all__ = ["Aborted", "Certificate", "LabelChanges", "LabelMap", "LabelSurfaces"
 
 # Classes of the package that is built with VTK, and what does the same here.
 _BUILT_WITH_VTK = {
+    "vtkBoneCap": None,
     "vtkBoneDecimateLevels": "record_levels", "vtkBoneDiagnostics": "decimate(diagnose=True)", "vtkBoneErrorSearch": None,
     "vtkBoneLabelPieces": "change_pieces", "vtkBoneSmooth": "smooth", "vtkBoneSurfaceDistance": "certify", "vtkBoneSurfaces": "extract_surfaces",
     "vtkBoneTolerance": None, "vtkBoneVoxelCheck": "check_voxels"}

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CapTriangles.h
+ * @brief Triangles that fill boundary loops, by vtkContourTriangulator.
+ */
+#ifndef CapTriangles_h
+#define CapTriangles_h
+
+#include "BoundaryLoops.h"
+
+namespace bonedecimate
+{
+/// A connected piece with the loops that it closes.
+struct Cap
+{
+  std::vector<Triangle> Triangles;
+  std::vector<std::size_t> Loops;
+};
+
+/**
+ * Fills loops as outlines and holes, seen along the sum of their areas. Each edge of a loop gets one triangle, each other edge of a
+ * cap two. Where such an edge would be one of the surface, it is split in the middle.
+ * @param surface Points takes the new points.
+ * @param found Added takes their ends, Chords the edges of the caps.
+ * @param group Indices of loops. Those that cannot be filled are in no cap.
+ */
+std::vector<Cap> FillLoops(
+  Surface& surface, BoundaryLoops& found, const std::vector<std::size_t>& group);
+}
+
+#endif

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBoneCap
+ * @brief   close open boundaries, on request
+ *
+ * The surface of a volume is open where bone reaches the edge of the scan, and volume meshers and solvers take closed
+ * surfaces. This filter fills boundaries with triangles between their points; a point is added inside of a cap
+ * only where an edge of the cap would be one of the surface. Points and cells of the input stay as they are; caps follow the polygons of the input. The cell array BoneCap is 1 for triangles of caps and 0 for all others. Other
+ * cell arrays of a cap have the values of a neighboring cell.
+ *
+ * A cap is bone where the scan shows none: it is no part of an error bound or a certificate, unless it is added to the input
+ * before decimation. With PlanarLoops, the default, only loops at planes where the surface ends are capped: those of a
+ * scan's edge. Loops in one plane are filled together, so that a medullary canal stays a hole. Loops around an edge of the volume lie
+ * in several planes and are left open. Loops that cannot be filled stay open and are counted. A cap
+ * intersects the surface where triangles of the surface lie in the plane, too; that is not checked.
+ *
+ * Input: triangles or polygons in millimeters, no strips.
+ *
+ * @sa vtkBoneDecimate vtkBoneDiagnostics
+ */
+#ifndef vtkBoneCap_h
+#define vtkBoneCap_h
+
+#include "vtkFiltersBoneDecimateModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for std::unique_ptr
+#include <string> // for sentences
+
+class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneCap : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkBoneCap* New();
+  vtkTypeMacro(vtkBoneCap, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
+
+  enum Choice
+  {
+    PlanarLoops = 0, ///< At planes where the surface ends.
+    AllLoops = 1     ///< All others, too.
+  };
+
+  ///@{
+  /**
+   * Which loops are capped: PlanarLoops (0, the default) or AllLoops (1). Other numbers are an error event; the value before stays,
+   * and updates fail until there is a valid one.
+   */
+  void SetLoops(int choice);
+  vtkGetMacro(Loops, int);
+  ///@}
+
+  ///@{
+  /**
+   * mm, 0 or more, default 0.01: how far points of a loop may lie from their plane, and points of the surface beyond it. Other numbers are
+   * an error event as above.
+   */
+  void SetPlaneTolerance(double tolerance);
+  vtkGetMacro(PlaneTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of the last update: caps, their triangles, their area in mm^2, the loops they close, and boundary loops that stay open.
+   */
+  vtkGetMacro(NumberOfCaps, vtkIdType);
+  vtkGetMacro(NumberOfCapTriangles, vtkIdType);
+  vtkGetMacro(CapArea, double);
+  vtkGetMacro(NumberOfClosedLoops, vtkIdType);
+  vtkGetMacro(NumberOfOpenLoops, vtkIdType);
+  ///@}
+
+  /**
+   * What is wrong with the last value of a property ("PlaneTolerance"), in one sentence; empty if it was valid.
+   */
+  std::string GetRejectedValue(const std::string& property) const;
+
+protected:
+  vtkBoneCap();
+  ~vtkBoneCap() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkBoneCap(const vtkBoneCap&) = delete;
+  void operator=(const vtkBoneCap&) = delete;
+
+  struct Internals;
+
+  int Loops = PlanarLoops;
+  double PlaneTolerance = 0.01;
+  vtkIdType NumberOfCaps = 0;
+  vtkIdType NumberOfCapTriangles = 0;
+  double CapArea = 0.0;
+  vtkIdType NumberOfClosedLoops = 0;
+  vtkIdType NumberOfOpenLoops = 0;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif
