@@ -125,7 +125,7 @@ void AddCapCommand(CLI::App& program)
       "How far points of a boundary may lie from its plane, and points of the surface beyond it; "
       "default 0.01." },
     [arguments](double tolerance) { arguments->Tolerance = tolerance; });
-  AddFile(command, "--json", arguments->Json, "Write counts and area as JSON.");
+  AddFile(command, "--json", "JSON", arguments->Json, "Write counts and area as JSON.");
   AddUnit(command, arguments->Unit);
   AddQuiet(command, arguments->Quiet);
   command.final_callback(
