@@ -12,8 +12,8 @@ import { fillForm, optionsOf } from './form.js';
 import { makeScene } from './scene.js';
 
 const GAP = 0.05; // of the bounds of a certificate that the run has not made
-/** Files hold single precision, so that is what is proved. Distances come with the certificate. */
-const DEFAULTS = { precision: 'Single', measure: 'off' };
+/** Files hold single precision, so that is what is proved. */
+const DEFAULTS = { precision: 'Single' };
 const find = (id) => document.getElementById(id);
 const workerAddress = URL.createObjectURL(new Blob([workerText], { type: 'text/javascript' }));
 const core = makeFunctions(
@@ -61,6 +61,12 @@ function listen(step) {
   };
 }
 
+/** In single precision, as the program has them. */
+async function surfacesOf(map, run) {
+  const surfaces = await core.extract(map, {}, run);
+  return { ...surfaces, points: new Float32Array(surfaces.points) };
+}
+
 async function open(file) {
   await during(async (signal) => {
     find('results').hidden = true;
@@ -71,17 +77,25 @@ async function open(file) {
     await nextFrame();
     const { surface, map } = await readFile(file);
     listen('Extracting the surfaces of all labels');
-    state.input = surface ?? (await core.extract(map, {}, { onProgress, signal }));
+    state.input = surface ?? (await surfacesOf(map, { onProgress, signal }));
     const labels = map ? `, ${state.input.labelValues.length - 1} labels` : '';
     say('file', `${file.name}: ${count(state.input)} triangles${labels}`);
     find('run').disabled = false;
   });
 }
 
+/** Distances of points come from the run, if it proves an error, and otherwise with the certificate after it. */
+function optionsOfRun() {
+  const options = optionsOf(find('options'));
+  const hasBound = options.maxError > 0 || options.preset !== undefined;
+  const measure = hasBound ? { measureInputDistances: 'on' } : { measure: 'off' };
+  return { ...DEFAULTS, ...measure, ...options };
+}
+
 /** The certificate of the run, or one of its own where the run has no largest error; and a distance for each point, mm. */
 async function proofOf(result, signal) {
   if (result.report.proof) {
-    return { ...result.report.proof, isOfRun: true, distances: [[], result.errorBound] };
+    return { ...result.report.proof, isOfRun: true, distances: [result.inputDistance, result.distance] };
   }
   const onProgress = listen('Proving the distance of both surfaces');
   const options = { relativeGap: GAP, pointDistances: true };
@@ -94,7 +108,7 @@ async function run() {
     find('results').hidden = true;
     const start = performance.now();
     const onProgress = listen('Decimating');
-    const result = await core.decimate(state.input, { ...DEFAULTS, ...optionsOf(find('options')) }, { onProgress, signal });
+    const result = await core.decimate(state.input, optionsOfRun(), { onProgress, signal });
     const seconds = (performance.now() - start) / 1000;
     const proof = await proofOf(result, signal);
     state.result = result;

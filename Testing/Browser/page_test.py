@@ -6,6 +6,7 @@
 With the program bonedecimate what the page saves is compared with what the program writes.
 """
 
+import json
 import pathlib
 import subprocess
 import sys
@@ -195,6 +196,11 @@ class BrowserPage(unittest.TestCase):
         self.wait("done")
         before, after = (int(self.text(name).replace(",", "")) for name in ("#before", "#after"))
         self.assertLess(after, 0.4 * before)
+        if PROGRAM:
+            words = ["--segments", "all", "--max-error", "0.6", "--smooth", "0.4", "--report", self.folder / "report.json"]
+            subprocess.run([PROGRAM, self.folder / "labels.nii", self.folder / "native.vtp", *words], check=True, capture_output=True)
+            report = json.loads((self.folder / "report.json").read_text(encoding="utf-8"))
+            self.assertEqual([report[side]["triangles"] for side in ("input", "output")], [before, after])
 
     def test_cancels_and_runs_again(self):
         write_stl(self.folder / "large.stl", bumpy_ball(350))
