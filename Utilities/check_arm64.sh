@@ -7,8 +7,8 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# What depends on the processor: kernels, exact predicates, the extraction and the certificate.
-suites='Kernel*:ExactPredicates*:LabelSurfaces*:Certificate*:Text*:Option*'
+# What depends on the processor, the compiler or the standard library.
+suites='Kernel*:*KernelReference*:ExactPredicates*:Text*:Option*:BoundingTree*:LabelSurface*:LabelTypes*:PointRounding*:LogBytes*:CertificateFoot*:ColumnCrossings*'
 
 Utilities/install_packages.sh arm64
 cmake --preset arm64

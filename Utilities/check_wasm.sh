@@ -8,8 +8,10 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# Without the suites that start threads of their own, catch exceptions or take minutes.
-suites='Kernel*:ExactPredicates*:LabelSurfaces*:Certificate*:Text*:Option*:Decimate*:-*Thread*:*OutOfMemory*'
+# What depends on the processor, the compiler or the standard library. The test left out compares sizes, and padding is larger than a
+# text of libc++.
+suites='Kernel*:*KernelReference*:ExactPredicates*:Text*:Option*:BoundingTree*:LabelSurface*:LabelTypes*:PointRounding*:LogBytes*:CertificateFoot*:ColumnCrossings*'
+suites+=':-OptionTable.HasEveryFieldOfOptionsExactlyOnce'
 
 Utilities/install_packages.sh wasm
 cmake --preset wasm
