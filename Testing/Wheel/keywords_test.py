@@ -191,10 +191,10 @@ class Values(unittest.TestCase):
 class Names(unittest.TestCase):
     def test_in_signatures_are_those_of_the_table(self):
         own = {"decimate": ["points", "triangles", "tolerances", "labels", "label_map", "boundary_labels", "reference", "prepared",
-                            "progress"],
+                            "progress", "profile"],
                "record_levels": ["points", "triangles", "progress"],
                "mesh.bone.decimate": ["self", "tolerances", "labels", "label_map", "boundary_labels", "reference", "with_input",
-                                      "progress_bar"],
+                                      "progress_bar", "profile"],
                "mesh.bone.levels": ["self", "progress_bar"]}
         for adapter in adapters():
             if adapter.function is None:
@@ -284,6 +284,34 @@ class FilterNames(unittest.TestCase):
         self.assertEqual(Mine().patient, "phantom")
         with self.assertRaises(AttributeError):
             Mine().maximum_eror = 0.2
+
+
+class Profiles(unittest.TestCase):
+    def test_set_their_options_and_keywords_win(self):
+        for profile in bonedecimate._core.profile_table():
+            typed = bonedecimate._core.Options()
+            keywords = {}
+            for flag, value, reason in profile.options:
+                key = flag.replace("-", "_")
+                self.assertTrue(reason)
+                typed.read(ROWS[key].name, value)
+                if key not in WITHOUT_ARRAYS:
+                    keywords[key] = value if ROWS[key].choices else typed.get(ROWS[key].name)
+            expected = decimate(POINTS, TRIANGLES, **keywords)
+            np.testing.assert_array_equal(decimate(POINTS, TRIANGLES, profile=profile.name.upper()).points, expected.points)
+            keywords["mode"] = "Fast"
+            expected = decimate(POINTS, TRIANGLES, **keywords)
+            np.testing.assert_array_equal(decimate(POINTS, TRIANGLES, profile=profile.name, mode="Fast").points, expected.points)
+
+    def test_give_way_to_the_same_in_other_words(self):
+        result = decimate(POINTS, TRIANGLES, profile="print", preset="HalfVoxel", voxel_size=0.6)
+        self.assertEqual(result.report["proof.tolerance"], 0.3)
+
+    def test_that_there_are_not_are_rejected(self):
+        with self.assertRaisesRegex(ValueError, "profile 'pront' is none of planning, print, FEM, web; did you mean print"):
+            decimate(POINTS, TRIANGLES, profile="pront")
+        with self.assertRaisesRegex(TypeError, "profile takes the name of a profile, not 3"):
+            decimate(POINTS, TRIANGLES, profile=3)
 
 
 if __name__ == "__main__":

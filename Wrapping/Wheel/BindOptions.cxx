@@ -4,6 +4,7 @@
 #include "Bindings.h"
 #include "Options/NumberRange.h"
 #include "Options/OptionTable.h"
+#include "Options/Profiles.h"
 #include "Report/ReportFigures.h"
 #include "Report/ReportJson.h"
 #include "Report/ReportTable.h"
@@ -167,6 +168,29 @@ void BindTable(nb::module_& module)
     nb::arg("name"), nb::arg("minimum"), nb::arg("maximum"), nb::arg("is_whole"), nb::arg("unit"),
     nb::arg("value"), "What is wrong with a number, in one sentence; empty if nothing is.");
 }
+
+void BindProfiles(nb::module_& module)
+{
+  nb::class_<Profile>(module, "Profile", "A built-in profile: options for a purpose.")
+    .def_prop_ro("name", [](const Profile& profile) { return std::string(profile.Name); })
+    .def_prop_ro("purpose", [](const Profile& profile) { return std::string(profile.Purpose); })
+    .def_prop_ro(
+      "options",
+      [](const Profile& profile)
+      {
+        std::vector<std::tuple<std::string, std::string, std::string>> options;
+        for (const ProfileOption& option : profile.Options)
+        {
+          options.emplace_back(option.Flag, option.Value, option.Reason);
+        }
+        return options;
+      },
+      "Flag without dashes, value and reason of each.");
+  module.def(
+    "profile_table", [] { return ProfileTable(); }, "All built-in profiles.");
+  module.def("alternatives_to", &AlternativesTo, nb::arg("flag"),
+    "The flags of the options that say the same in another way, with itself.");
+}
 }
 
 //------------------------------------------------------------------------------
@@ -174,6 +198,7 @@ void BindOptions(nb::module_& module)
 {
   BindEnums(module);
   BindTable(module);
+  BindProfiles(module);
   nb::class_<Options>(module, "Options", "The values of all options.")
     .def(nb::init<>())
     .def(

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from . import __version__, _core, files
 from .arrays import decimate, raise_problems
-from .options import ROWS, WITHOUT_ARRAYS, keyword
+from .options import ROWS, WITHOUT_ARRAYS, keyword, profile_options
 from .progress import listener
 
 DONE, USAGE, REJECTED, COULD_NOT_WRITE, INTERRUPTED, OUT_OF_MEMORY, VIOLATED = range(7)  # as the C++ program
@@ -30,6 +30,8 @@ def parser() -> argparse.ArgumentParser:
     made.add_argument("input", type=pathlib.Path, help=".stl .obj .ply .vtp .vtk by VTK; what meshio reads; or binary STL")
     made.add_argument("output", type=pathlib.Path)
     made.add_argument("--report", type=pathlib.Path, metavar="FILE", help="the report as JSON")
+    made.add_argument("--profile", metavar="|".join(profile.name for profile in _core.profile_table()),
+                      help="options for a purpose; those of the command line win")
     made.add_argument("--quiet", action="store_true", help="no progress, no summary")
     made.add_argument("--version", action="version", version=__version__)
     for row in ROWS.values():
@@ -101,6 +103,9 @@ def _work(arguments: argparse.Namespace) -> int:
     if arguments.output.suffix.lower() in files.SINGLE:  # what is proved is what is written
         arguments.precision = "Single"
     try:
+        given = [key for key in ROWS if getattr(arguments, key, None) is not None]
+        for key, text in profile_options(arguments.profile, given).items():
+            setattr(arguments, key, text)
         options = options_of(arguments)
     except ValueError as problem:
         return _fail(USAGE, problem)

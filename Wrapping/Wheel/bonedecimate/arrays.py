@@ -152,6 +152,7 @@ def decimate(
     reference: SurfaceLike | None = None,
     prepared: _core.PreparedSurface | None = None,
     progress: bool | Progress | None = None,
+    profile: str | None = None,
     **options: Unpack[ArrayOptions],
 ) -> Result:
     """A surface with fewer triangles, and what that cost in millimeters.
@@ -175,12 +176,13 @@ def decimate(
     boundary_labels : (m, 2) array of whole numbers, optional
         The labels on both sides of each triangle, the normal points to the second; 0 is the background. Needs a grid.
     reference : mesh, (points, triangles), or what `decimate` returned, optional
-        The surface that this one was made from; ``max_error``, which must be given, is proved against it.
+        What this surface was made from; ``max_error``, which must be given, is proved against it.
     prepared : `PreparedSurface`, optional
         Keeps what runs with tolerances of 0 prepare, so that the next ones on the same surface run only regions that are new.
     progress : bool or function, optional
-        True shows a bar (tqdm or rich). A function is called with the fraction done, 0 to 1; if it returns False, the run ends
-        with the valid surface so far, and ``stop_reason`` says so.
+        True shows a bar (tqdm or rich). A function is called with the fraction done; False ends the run with the surface so far.
+    profile : "planning", "print", "FEM" or "web", optional
+        Options for a purpose (Documentation/command-line.md); keywords win.
     **options
 
     Raises
@@ -197,9 +199,8 @@ def decimate(
 
     The bytes of the result are those of the C++ filter, for any number of threads. Other Python threads run meanwhile.
     """
-    values = read(options, decimate)
-    return _run(input_from(points, triangles), values, tolerances, labels, label_map, boundary_labels, reference, progress,
-                prepared)
+    values = read(options, decimate, profile)
+    return _run(input_from(points, triangles), values, tolerances, labels, label_map, boundary_labels, reference, progress, prepared)
 
 
 def _run(surface: Surface, values: _core.Options, tolerances: ArrayLike | None, labels: ArrayLike | None,

@@ -120,13 +120,34 @@ def nearest(word: str, names: Iterable[str]) -> str | None:
     return spellings[found[0]] if found else None
 
 
-def read(keywords: Mapping[str, object], function: Callable) -> _core.Options:
-    """Options with those values, as the function takes them.
+def profile_options(name: str | None, keywords: Iterable[str]) -> dict[str, str]:
+    """What a built-in profile sets beside those keywords, which win, also if they say the same in another way.
+
+    Raises TypeError for a name that is no text, ValueError for one that is no profile.
+    """
+    if name is None:
+        return {}
+    if not isinstance(name, str):
+        raise TypeError(f"profile takes the name of a profile, not {_shown(name)}")
+    profiles = {profile.name.lower(): profile for profile in _core.profile_table()}
+    if name.lower() not in profiles:
+        names = [profile.name for profile in profiles.values()]
+        meant = difflib.get_close_matches(name, names, 1)
+        raise ValueError(f"profile '{name}' is none of {', '.join(names)}" + (f"; did you mean {meant[0]}?" if meant else ""))
+    set_before = {flag for key in keywords if key in ROWS for flag in _core.alternatives_to(ROWS[key].flag)}
+    return {flag.replace("-", "_"): value for flag, value, _ in profiles[name.lower()].options if flag not in set_before}
+
+
+def read(keywords: Mapping[str, object], function: Callable, profile: str | None = None) -> _core.Options:
+    """Options with those values, as the function takes them; what a profile sets and the function does not take has no meaning there.
 
     Raises TypeError for a keyword that is none and for a value of a wrong type, ValueError for a value out of range.
     """
     options = _core.Options()
     known = inspect.signature(function).parameters
+    for key, text in profile_options(profile, keywords).items():
+        if key in known:
+            options.read(ROWS[key].name, text)
     for key, value in keywords.items():
         if DEPRECATED.get(key) in known:
             deprecated(key, DEPRECATED[key])

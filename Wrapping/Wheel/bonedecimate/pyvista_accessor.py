@@ -104,11 +104,11 @@ class BoneAccessor:
         reference: SurfaceLike | None = None,
         with_input: bool = False,
         progress_bar: bool | Progress = False,
+        profile: str | None = None,
         **options: Unpack[MeshOptions],
     ) -> pv.PolyData | tuple[pv.PolyData, pv.PolyData]:
-        """A smaller surface with the arrays of this one, its distance to this one, and the report as field data.
-
-        Each defect of the input that was repaired is a Python warning.
+        """A smaller surface with the arrays of this one, its distance to this one, and the report as field data. Defects that were
+        repaired are Python warnings.
 
         Parameters
         ----------
@@ -127,17 +127,16 @@ class BoneAccessor:
             about its points. ``measure_input_distances`` needs it.
         progress_bar : bool or function
             True shows a bar (tqdm or rich); a function is called with the fraction done, and ends the run by False.
+        profile : "planning", "print", "FEM" or "web", optional
+            Options for a purpose (Documentation/command-line.md); keywords win.
         **options
 
-        Raises
-        ------
-        TypeError, ValueError, RuntimeError, KeyboardInterrupt
-            As `bonedecimate.decimate` does.
+        Raises what `bonedecimate.decimate` does.
         """
         if isinstance(labels, str):
             options = {**options, "labels": labels}
             labels = None
-        values = read(options, BoneAccessor.decimate)
+        values = read(options, BoneAccessor.decimate, profile)
         mesh, voxels = _with_label_map(self._with_arrays(values, tolerances, labels), label_map, boundary_labels)
         has_input = switch("with_input", with_input)
         if values.get("MeasureInputDistances") and not has_input:
