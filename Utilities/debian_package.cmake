@@ -34,15 +34,19 @@ file(CHMOD "${PROJECT_BINARY_DIR}/debian/prerm"
   PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/debian/prerm")
 # What others wrote of it.
-find_package(Python3 REQUIRED COMPONENTS Interpreter)
-set(sbom "${PROJECT_BINARY_DIR}/debian/sbom.cdx.json")
-add_custom_command(OUTPUT "${sbom}"
-  COMMAND "${Python3_EXECUTABLE}" -B "${PROJECT_SOURCE_DIR}/Utilities/third_party.py" --sbom deb "${sbom}"
-  DEPENDS "${PROJECT_SOURCE_DIR}/Utilities/third_party.py" "${PROJECT_SOURCE_DIR}/Utilities/third_party.json"
-    "${PROJECT_SOURCE_DIR}/Applications/Picture/Viewer/package-lock.json"
-  VERBATIM)
-add_custom_target(bonedecimate_sbom ALL DEPENDS "${sbom}")
-install(FILES "${sbom}" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/vtkbonedecimate")
+find_package(Python3 COMPONENTS Interpreter)
+if (Python3_Interpreter_FOUND)
+  set(sbom "${PROJECT_BINARY_DIR}/debian/sbom.cdx.json")
+  add_custom_command(OUTPUT "${sbom}"
+    COMMAND "${Python3_EXECUTABLE}" -B "${PROJECT_SOURCE_DIR}/Utilities/third_party.py" --sbom deb "${sbom}"
+    DEPENDS "${PROJECT_SOURCE_DIR}/Utilities/third_party.py" "${PROJECT_SOURCE_DIR}/Utilities/third_party.json"
+      "${PROJECT_SOURCE_DIR}/Applications/Picture/Viewer/package-lock.json"
+    VERBATIM)
+  add_custom_target(bonedecimate_sbom ALL DEPENDS "${sbom}")
+  install(FILES "${sbom}" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/vtkbonedecimate")
+else ()
+  message(STATUS "No Python: the Debian package has no bill of materials")
+endif ()
 install(FILES "${PROJECT_SOURCE_DIR}/Applications/Picture/Viewer/LICENSES.txt" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/vtkbonedecimate")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/vtkbonedecimate" RENAME copyright)
 include(CPack)
