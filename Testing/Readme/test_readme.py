@@ -54,7 +54,7 @@ class Readme(unittest.TestCase):
             run("sh", "-e", "-c", block("Program", "sh"), cwd=name, env={**os.environ, "PATH": path})
             report = json.loads((folder / "small.json").read_text(encoding="utf-8"))
             self.assertEqual(report["output"]["triangles"], 20000)
-            for file in ("small.vtp", "small.html", "small.stl", "part.stl", "bone.vtp", "segments/label_3.vtp", "small/left.stl", "small/right.stl"):
+            for file in ("small.vtp", "small.html", "small.stl", "part.stl", "bone.vtp", "segments/label_3.vtp", "small/left.stl", "small/right.stl", "closed.stl"):
                 self.assertTrue((folder / file).is_file(), file)
 
     def test_python_program_runs_as_printed(self):
