@@ -157,6 +157,7 @@ std::vector<Cap> Pieces(const std::vector<Triangle>& triangles,
   {
     pieces[find(loops[loop].Points.front())].Loops.push_back(loop);
   }
+  caps.reserve(pieces.size());
   for (auto& [point, cap] : pieces)
   {
     caps.push_back(std::move(cap));
