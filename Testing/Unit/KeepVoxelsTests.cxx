@@ -221,6 +221,23 @@ TEST_F(KeepVoxelsOption, AloneRunsUntilNoEditIsPossible)
   EXPECT_GT(alone.Report.Rejections[static_cast<std::size_t>(Rejection::VoxelLabel)], 0);
 }
 
+TEST_F(KeepVoxelsOption, HoldsWhereWritingRoundsPositions)
+{
+  // 300 m from the origin, single precision has steps of a thirty-second of a voxel.
+  LabelMap map = NoisyBones(UnitGrid(Size), 1.5);
+  map.Grid.Origin = Vector3::Constant(3e5);
+  const LabelSurfaces surfaces = Extracted(map);
+  for (const Mode mode : { Mode::Fast, Mode::Balanced })
+  {
+    Options options = InMode(mode, Keeping(Unmeasured()));
+    options.OutputPointsPrecision = PointsPrecision::Single;
+    const Result result = Decimate(surfaces.Surface, options, {}, With(surfaces));
+    EXPECT_LT(result.Surface.Triangles.size(), surfaces.Surface.Triangles.size());
+    EXPECT_EQ(result.Report.Voxels.Changes.Changed, 0) << WordOf(mode);
+    EXPECT_EQ(WrongVoxels(map, surfaces, result), 0) << WordOf(mode);
+  }
+}
+
 TEST_F(KeepVoxelsOption, NeedsAGridIfItIsOn)
 {
   const Result result = Decimate(this->Surfaces.Surface, Keeping(Unmeasured()));
