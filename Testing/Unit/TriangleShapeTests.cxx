@@ -23,6 +23,17 @@ Surface OneTriangle(const Vector3& a, const Vector3& b, const Vector3& c)
 }
 
 const double Degree = std::acos(-1.0) / 180.0;
+
+/// @param degrees The least angle, 0: none.  @param length Of edges, mm, 0: none.
+Report Compared(const Surface& surface, double degrees, double length)
+{
+  Options options;
+  options.MinimumAngle = degrees;
+  options.EdgeLength = length;
+  Report report;
+  CompareShapes(surface, options, report);
+  return report;
+}
 }
 
 TEST(TriangleShapes, AnEquilateralTriangleHasRatiosOfOne)
@@ -95,14 +106,7 @@ TEST(TriangleShapes, TrianglesBelowAnAngleAreCountedAndTheWorstIsFound)
   Surface surface = OneTriangle({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 0, 3 }); // 36.9 degrees
   surface.Points.insert(surface.Points.end(), { { 9, 0, 0 }, { 10, 0, 0 }, { 9, 0.1, 0 } });
   surface.Triangles.push_back({ 3, 4, 5 }); // 5.7 degrees
-  const auto below = [&surface](double degrees)
-  {
-    Options options;
-    options.MinimumAngle = degrees;
-    Report report;
-    CompareShapes(surface, options, report);
-    return report.Angles;
-  };
+  const auto below = [&surface](double degrees) { return Compared(surface, degrees, 0.0).Angles; };
   EXPECT_EQ(below(0.0).Below, 0);
   EXPECT_EQ(below(5.0).Below, 0);
   EXPECT_EQ(below(30.0).Below, 1);
@@ -116,14 +120,7 @@ TEST(TriangleShapes, EdgesAreComparedWithALengthEachOnce)
   Surface surface;
   surface.Points = { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 0, 3, 0 } };
   surface.Triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
-  const auto edges = [&surface](double length)
-  {
-    Options options;
-    options.EdgeLength = length;
-    Report report;
-    CompareShapes(surface, options, report);
-    return report.Edges;
-  };
+  const auto edges = [&surface](double length) { return Compared(surface, 0.0, length).Edges; };
   const double diagonal = std::sqrt(18.0);
   EXPECT_NEAR(edges(3.0).Mean, (12.0 + diagonal) / 5.0, 1e-12);
   EXPECT_NEAR(edges(3.0).Longest, diagonal, 1e-12);

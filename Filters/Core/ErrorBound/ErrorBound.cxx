@@ -98,7 +98,7 @@ void ErrorBound::Adopt(VertexId made, VertexId like)
 {
   this->BuildCoverage();
   this->Nearest[made] = this->Nearest[like];
-  if (!this->NearestBoundary.empty()) // it is without boundaries
+  if (!this->NearestBoundary.empty()) // as it is if the original has no boundary
   {
     this->NearestBoundary[made] = this->NearestBoundary[like];
   }

@@ -20,13 +20,13 @@ struct ShapeLimits
   bool LimitsEdges() const { return this->EdgeLength > 0.0; }
   bool IsAny() const { return !this->LimitsAngles() && !this->LimitsEdges(); }
 
-  /// mm; longer edges are split. In halves they are no farther from the length than before.
+  /// mm; longer edges are split. The halves of a longer one differ less from the length than itself.
   double LongestEdge() const
   {
     return this->LimitsEdges() ? 4.0 / 3.0 * this->EdgeLength
                                : std::numeric_limits<double>::infinity();
   }
-  /// mm; shorter edges are collapsed. The edges of their triangles are then not too long on average.
+  /// mm; shorter edges are collapsed. Both limits are those of Botsch and Kobbelt (EdgeSizer.h).
   double ShortestEdge() const { return 0.8 * this->EdgeLength; }
 };
 }

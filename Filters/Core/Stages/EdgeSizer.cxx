@@ -53,7 +53,6 @@ bool EdgeSizer::Collapse(Index faces, const Monitor& monitor)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   this->MeshEditor.DistributeVolumeBudget();
-  this->MeshEditor.RenewQuadrics(1);
   const std::vector<EdgeOfLength> edges = EdgesByLength(mesh, -1.0, this->Limits.ShortestEdge());
   return ForEachOf(edges.size(), monitor,
     [&](std::size_t i)
