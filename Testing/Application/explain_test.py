@@ -51,6 +51,13 @@ class Explain(ApplicationTest):
             for name in ("out.vtp", "report.json"):
                 self.path(name).unlink()
 
+    def test_an_edge_length_is_a_stage_and_an_end(self):
+        said = self.explain("in.vtp", "out.vtp", "--edge-length", 8)
+        self.assertEqual(said["ends at"], ["the last edit that is valid"])
+        self.assertEqual(said["stages"], ["clean, collapse, refine, bring edges to --edge-length, measure distances, write"])
+        self.succeed("in.vtp", "out.vtp", "--edge-length", 8, *UNMEASURED, "--report", "report.json", "--quiet")
+        self.assertEqual(self.report()["stop_reason"], "nothing_left")
+
     def test_stages_follow_the_options(self):
         plain = self.explain("in.vtp", "out.vtp", "--mode", "Fast")["stages"]
         self.assertEqual(plain, ["clean, collapse, measure distances, write"])

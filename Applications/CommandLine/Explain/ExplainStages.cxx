@@ -41,6 +41,7 @@ std::vector<Step> StepsAfter(const Arguments& arguments, const Options& options)
   const bool isProved =
     options.ProveResult && IneffectiveOptions(options, { "ProveResult" }).empty();
   return {
+    { options.EffectiveEdgeLength() > 0.0, "bring edges to --edge-length" },
     { options.EffectiveMinimumAngle() > 0.0, "improve triangles below --min-angle" },
     { options.MeasureDistances, "measure distances" },
     { isProved, "prove the result" },
@@ -63,10 +64,8 @@ void Append(const std::vector<Step>& steps, std::vector<std::string>& names)
 
 void ExplainEnd(const Options& options, double triangles, Explanation& explanation)
 {
-  const bool reduces = options.TargetReductionIsExplicit ? options.TargetReduction < 1.0
-                                                         : options.TargetNumberOfTriangles == 0 &&
-      !options.BoundsError() && options.ToleranceArrayName.empty() && options.MaximumError == 0.0 &&
-      options.KeepVoxels != KeepVoxels::On;
+  const bool isLimited = options.BoundsError() || !options.ToleranceArrayName.empty();
+  const bool reduces = options.EndsAtReduction(isLimited);
   if (options.TargetNumberOfTriangles > 0)
   {
     explanation.Add(
@@ -82,7 +81,7 @@ void ExplainEnd(const Options& options, double triangles, Explanation& explanati
         "--target-reduction " + OptionText(options, *FindOption("TargetReduction")) +
         (options.TargetReductionIsExplicit ? "" : ", the default"));
   }
-  if (options.BoundsError() || !options.ToleranceArrayName.empty())
+  if (isLimited)
   {
     explanation.Add("ends at", "the last edit that the bound allows");
   }

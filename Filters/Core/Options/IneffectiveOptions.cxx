@@ -40,10 +40,7 @@ bool IsProved(const Options& options)
 /// Whether the run ends at a number of triangles; the default reduction is ignored if there is an error.
 bool HasNumber(const Options& options)
 {
-  const bool reduces = options.TargetReductionIsExplicit
-    ? options.TargetReduction < 1.0
-    : !HasError(options) && options.KeepVoxels != KeepVoxels::On;
-  return options.TargetNumberOfTriangles > 0 || reduces;
+  return options.TargetNumberOfTriangles > 0 || options.EndsAtReduction(HasError(options));
 }
 
 bool MeasuresResult(const Options& options)

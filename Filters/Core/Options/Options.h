@@ -102,6 +102,16 @@ struct Options
     return FindMode(this->Mode).LimitsShapes() ? this->EdgeLength : 0.0;
   }
 
+  /// Whether TargetReduction ends the run: its default does not if anything else would.
+  /// @param isLimited Whether an error or tolerances end it.
+  bool EndsAtReduction(bool isLimited) const
+  {
+    const bool anyOther = isLimited || this->TargetNumberOfTriangles > 0 ||
+      this->MaximumError > 0.0 || this->KeepVoxels == bonedecimate::KeepVoxels::On ||
+      this->EffectiveEdgeLength() > 0.0;
+    return this->TargetReduction < 1.0 && (this->TargetReductionIsExplicit || !anyOther);
+  }
+
   /// Whether no triangle is to be removed.
   bool KeepsAllTriangles() const
   {

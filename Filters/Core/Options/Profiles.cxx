@@ -15,16 +15,14 @@ const std::vector<Profile>& ProfileTable()
       {
         { "mode", "Accurate",
           "a plan is made once and displayed often, so fewer triangles are worth the time", true },
-        { "max-error", "0.25",
-          "it is half of the 0.5 mm by which surfaces segmented from CT deviate locally", true },
+        { "max-error", "0.25", "it is less than half of a voxel of most CT scans", true },
         { "intersection-guard", "on", "gaps of joints and fractures are what is planned" },
         { "diagnose", "on", "defects of the segmentation belong into the report of a plan" },
       } },
     { "print", "Models for 3D printers.",
       {
         { "mode", "Balanced", "slicing a model takes longer than decimating it", true },
-        { "max-error", "0.1", "printers deposit material to about 0.1 mm, and finer detail is lost",
-          true },
+        { "max-error", "0.1", "it is about a layer of a printer, and finer detail is lost", true },
         { "intersection-guard", "on",
           "walls that intersect or touch are filled or split by slicers" },
         { "precision", "Single", "STL holds single precision, so that the proof is of the file" },
@@ -33,10 +31,7 @@ const std::vector<Profile>& ProfileTable()
     { "FEM", "Surfaces for volume meshers and finite elements.",
       {
         { "mode", "Balanced", "its moves and flips give better triangles than Fast", true },
-        { "max-error", "0.5",
-          "elements are larger than this, and geometry below it changes no stress "
-          "away from the surface",
-          true },
+        { "max-error", "0.5", "elements are larger than this", true },
         { "min-angle", "20",
           "triangles with small angles become elements with small angles, which spoil the "
           "condition of the stiffness matrix" },

@@ -14,11 +14,7 @@ constexpr double ProgressStep = 0.005;
 
 StopTargets StopTargetsOf(const Options& options, Index faces, bool isLimited)
 {
-  const bool anyOther = isLimited || options.TargetNumberOfTriangles > 0 ||
-    options.MaximumError > 0.0 || options.KeepVoxels == KeepVoxels::On ||
-    options.EffectiveEdgeLength() > 0.0;
-  const bool reduce =
-    options.TargetReduction < 1.0 && (options.TargetReductionIsExplicit || !anyOther);
+  const bool reduce = options.EndsAtReduction(isLimited);
   const Index byReduction =
     reduce ? static_cast<Index>(std::floor(faces * (1.0 - options.TargetReduction) + 0.5)) : 0;
   const double error = options.ProvesError() ? 0.0 : options.MaximumError;
