@@ -33,7 +33,8 @@
 
 namespace bonedecimate
 {
-/// Correspondence between output and input. Empty unless requested.
+/// Correspondence between output and input. Empty unless requested. If the triangles are those of the input, as after smoothing
+/// alone, each point and triangle corresponds to itself, even if another one is nearer.
 struct SurfaceOrigins
 {
   std::vector<Index> NearestTriangle;             ///< Input triangle nearest to each output point.

@@ -262,6 +262,38 @@ TEST(SmoothingRun, GivesTheSameBytesForAnyNumberOfThreads)
   }
 }
 
+TEST(SmoothingRun, AloneLetsPointsAndTrianglesComeFromThemselves)
+{
+  const Surface& input = TestTorus().Surface;
+  RunInputs inputs;
+  inputs.WantsOrigins = true;
+  const Result result = Decimate(input, Smoothed(0.25, Reduction(0.0)), {}, inputs);
+  const SurfaceOrigins& origins = result.Origins;
+  ASSERT_EQ(origins.NearestPoint.size(), input.Points.size());
+  for (std::size_t p = 0; p < input.Points.size(); ++p)
+  {
+    const Index own = origins.NearestPoint[p];
+    EXPECT_EQ(origins.OutputPoint[own], static_cast<Index>(p));
+    const Triangle& corners = input.Triangles[origins.NearestTriangle[p]];
+    const auto corner = std::find(corners.begin(), corners.end(), own) - corners.begin();
+    ASSERT_LT(corner, 3);
+    EXPECT_EQ(origins.Barycentric[p][corner], 1.0);
+  }
+  ASSERT_EQ(origins.TriangleAtCentroid.size(), input.Triangles.size());
+  for (std::size_t t = 0; t < input.Triangles.size(); ++t)
+  {
+    Triangle from = result.Surface.Triangles[t];
+    Triangle own = input.Triangles[origins.TriangleAtCentroid[t]];
+    for (Index& corner : from)
+    {
+      corner = origins.NearestPoint[corner];
+    }
+    std::sort(from.begin(), from.end());
+    std::sort(own.begin(), own.end());
+    EXPECT_EQ(from, own);
+  }
+}
+
 TEST(AutomaticSmoothing, TakesAThirdOfASmallErrorAndHalfAVoxelWithinOne)
 {
   const Surface& input = TestTorus().Surface;

@@ -106,25 +106,36 @@ Index FirstLabel(const std::vector<Crossing>& all, std::size_t first)
 bool HasBoundary(const Surface& surface)
 {
   const std::vector<Index> numbers = NumbersOfPositions(surface.Points);
-  std::vector<std::array<Index, 2>> edges;
-  edges.reserve(3 * surface.Triangles.size());
-  for (const Triangle& c : surface.Triangles)
+  // The larger ends of all edges, in groups of equal smaller ends.
+  const auto visitEdges = [&](const auto& visit)
   {
-    for (std::size_t i = 0; i < 3; ++i)
+    for (const Triangle& c : surface.Triangles)
     {
-      const Index a = numbers[c[i]];
-      const Index b = numbers[c[(i + 1) % 3]];
-      edges.push_back({ std::min(a, b), std::max(a, b) });
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const auto [low, high] = std::minmax({ numbers[c[i]], numbers[c[(i + 1) % 3]] });
+        visit(static_cast<std::size_t>(low), high);
+      }
     }
-  }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 0; i < edges.size(); ++i)
+  };
+  std::vector<std::size_t> ends(surface.Points.size() + 1, 0);
+  visitEdges([&](std::size_t low, Index) { ++ends[low + 1]; });
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<Index> others(ends.back());
+  visitEdges([&](std::size_t low, Index high) { others[ends[low]++] = high; });
+  for (std::size_t low = 0, first = 0; low < surface.Points.size(); first = ends[low++])
   {
-    const bool isFirst = i == 0 || edges[i - 1] != edges[i];
-    const bool isLast = i + 1 == edges.size() || edges[i + 1] != edges[i];
-    if (isFirst && isLast && edges[i][0] != edges[i][1])
+    const auto begin = others.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = others.begin() + static_cast<std::ptrdiff_t>(ends[low]);
+    std::sort(begin, end);
+    for (auto other = begin; other != end;)
     {
-      return true;
+      const auto next = std::upper_bound(other, end, *other);
+      if (next - other == 1 && *other != static_cast<Index>(low))
+      {
+        return true;
+      }
+      other = next;
     }
   }
   return false;

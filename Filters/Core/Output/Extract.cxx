@@ -52,6 +52,51 @@ struct Remains
   std::vector<Vector3> Points; // mm from the local origin
 };
 
+/// Whether the triangles are those of the original, corner by corner: smoothing alone has moved points.
+bool HasTrianglesOf(const CleanSurface& clean, const HalfEdgeMesh& mesh)
+{
+  const std::vector<Triangle>& triangles = clean.Surface.Triangles;
+  const auto isSame = [&](std::size_t face)
+  {
+    const auto id = static_cast<Index>(face);
+    if (!mesh.IsAlive(id))
+    {
+      return false;
+    }
+    const Triangle c = mesh.Corners(id);
+    Triangle own = { mesh.OriginalVertex(c[0]), mesh.OriginalVertex(c[1]),
+      mesh.OriginalVertex(c[2]) };
+    std::rotate(own.begin(), std::find(own.begin(), own.end(), triangles[face][0]), own.end());
+    return own == triangles[face];
+  };
+  std::size_t face = 0;
+  while (face < triangles.size() && isSame(face))
+  {
+    ++face;
+  }
+  return mesh.NumberOfFaces() == static_cast<Index>(face) && face == triangles.size();
+}
+
+/// Of a point or triangle that no edit has changed: itself.
+void KeepOrigins(const Remains& remains, const HalfEdgeMesh& mesh, Result& result)
+{
+  const CleanSurface& clean = remains.Clean;
+  for (const Index vertex : remains.Vertices)
+  {
+    const Index triangle = remains.Near[vertex];
+    const Triangle& corners = clean.Surface.Triangles[triangle];
+    std::array<double, 3> weights = { 0.0, 0.0, 0.0 };
+    weights[std::find(corners.begin(), corners.end(), vertex) - corners.begin()] = 1.0;
+    result.Origins.NearestTriangle.push_back(clean.InputTriangle[triangle]);
+    result.Origins.Barycentric.push_back(weights);
+    result.Origins.NearestPoint.push_back(clean.InputPoint[vertex]);
+  }
+  for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    result.Origins.TriangleAtCentroid.push_back(clean.InputTriangle[face]);
+  }
+}
+
 /// Calls work for each point or triangle; the monitor cannot abort it.
 template <typename LookUp>
 void LookUpEach(std::size_t count, int threads, const Monitor& monitor, const LookUp& lookUp)
@@ -71,12 +116,12 @@ void LookUpEach(std::size_t count, int threads, const Monitor& monitor, const Lo
     });
 }
 
-void LookUpPoints(
-  const Remains& remains, const ExtractOptions& options, const Monitor& monitor, Result& result)
+void LookUpPoints(const Remains& remains, const ExtractOptions& options, bool looksUpOrigins,
+  const Monitor& monitor, Result& result)
 {
   const BoundingTree& tree = remains.Source.Tree(options.Threads);
   const std::size_t count = remains.Points.size();
-  const std::size_t origins = options.Origins ? count : 0;
+  const std::size_t origins = looksUpOrigins ? count : 0;
   result.Distance.resize(count);
   result.RunningError.resize(count);
   result.Origins.NearestTriangle.resize(origins);
@@ -92,7 +137,7 @@ void LookUpPoints(
       result.RunningError[p] = remains.Source.RecordsDistances()
         ? remains.Source.RunningError(vertex)
         : result.Distance[p];
-      if (options.Origins)
+      if (looksUpOrigins)
       {
         result.Origins.NearestTriangle[p] = remains.Clean.InputTriangle[nearest.Triangle];
         result.Origins.Barycentric[p] = nearest.Point.Weights;
@@ -162,6 +207,31 @@ void LookUpCentroids(
       result.Origins.TriangleAtCentroid[t] = remains.Clean.InputTriangle[triangle];
     });
 }
+
+/// The distances of the points, and where points and triangles come from, as far as they are requested.
+void FindOrigins(const HalfEdgeMesh& mesh, Remains& remains, const ExtractOptions& options,
+  const Monitor& monitor, Result& result)
+{
+  if (!options.Distances && !options.Origins)
+  {
+    return;
+  }
+  constexpr double pointsLookedUp = 0.5;
+  const bool areKept = options.Origins && HasTrianglesOf(remains.Clean, mesh);
+  const bool looksUpOrigins = options.Origins && !areKept;
+  remains.Near = remains.Source.TrianglesAtPoints();
+  LookUpPoints(remains, options, looksUpOrigins,
+    PartOf(monitor, 0.0, looksUpOrigins ? pointsLookedUp : 1.0), result);
+  if (areKept)
+  {
+    KeepOrigins(remains, mesh, result);
+  }
+  if (looksUpOrigins)
+  {
+    LookUpCentroids(remains, options, PartOf(monitor, pointsLookedUp, 1.0), result);
+    KeepLabels(mesh, remains.Clean, options, result);
+  }
+}
 }
 
 std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, const Editor& editor,
@@ -202,17 +272,9 @@ std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, co
       remains.Points[p] = position - clean.Origin;
       result.PointCount[p] = counts[static_cast<std::size_t>(vertices[p])];
     });
-  constexpr double pointsLookedUp = 0.5;
-  if (options.Distances || options.Origins)
-  {
-    remains.Near = remains.Source.TrianglesAtPoints();
-    LookUpPoints(
-      remains, options, PartOf(monitor, 0.0, options.Origins ? pointsLookedUp : 1.0), result);
-  }
+  FindOrigins(mesh, remains, options, monitor, result);
   if (options.Origins)
   {
-    LookUpCentroids(remains, options, PartOf(monitor, pointsLookedUp, 1.0), result);
-    KeepLabels(mesh, clean, options, result);
     result.Origins.OutputPoint = OutputPointsOfInput(clean, current, vertices, options.Threads);
   }
   return std::move(remains.Points);
