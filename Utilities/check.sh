@@ -137,9 +137,7 @@ check_tidy()
   if [ ! -f "$database/compile_commands.json" ]; then
     cmake --preset release >/dev/null || return 1
   fi
-  # Without the precompiled headers, which are those of another compiler, and without the header in which Debian's ITK knows GCC alone.
-  sed -E -e 's/-Winvalid-pch -include [^ ]+//' -e 's#-isystem [^ ]*/ITK-[0-9.]+#& -DITK_COMPILER_DETECTION_H -DITK_NOEXCEPT=noexcept#' \
-    "$database/compile_commands.json" > "$tools/compile_commands.json"
+  Utilities/tidy_database.py "$database/compile_commands.json" "$tools/compile_commands.json" || return 1
   files 'Filters/*.cxx' 'Applications/*.cxx' ':!Applications/ParaView/*' |
     xargs -P "$jobs" -n 1 "$tools/bin/clang-tidy" -p "$tools" --quiet 2>/dev/null
 }

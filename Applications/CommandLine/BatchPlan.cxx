@@ -153,7 +153,7 @@ void AddFolder(std::vector<BatchBone>& bones, const std::string& folder, const A
   }
 }
 
-void AddFile(std::vector<BatchBone>& bones, const std::string& input)
+void AddFileOrFolder(std::vector<BatchBone>& bones, const std::string& input)
 {
   BatchBone bone;
   bone.Input = input;
@@ -315,7 +315,7 @@ std::vector<BatchBone> PlanBatch(const Arguments& arguments)
     }
     else
     {
-      AddFile(bones, input);
+      AddFileOrFolder(bones, input);
     }
   }
   CheckThatThereAreBones(bones, arguments);

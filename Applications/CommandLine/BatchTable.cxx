@@ -44,7 +44,7 @@ Json ValueAt(const Json& report, const char* pointer)
 }
 
 /// A field with its quotes doubled, in quotes where it needs them.
-std::string Quoted(const std::string& text)
+std::string QuotedField(const std::string& text)
 {
   if (text.find_first_of(",\"\r\n") == std::string::npos)
   {
@@ -121,17 +121,17 @@ std::string ComposeCsv(const std::vector<BatchRow>& rows)
   text += ",message\n";
   for (const BatchRow& row : rows)
   {
-    text += Quoted(row.Name) + "," + Quoted(row.Input) + "," + row.Status + "," +
+    text += QuotedField(row.Name) + "," + QuotedField(row.Input) + "," + row.Status + "," +
       (row.Status == "not run" ? "" : std::to_string(static_cast<int>(row.Code)));
     for (const ReportColumn& column : ReportColumns)
     {
       const Json value = FigureOf(row, column.Heading);
       text += "," +
         (value.is_number()      ? value.dump()
-            : value.is_string() ? Quoted(value.get<std::string>())
+            : value.is_string() ? QuotedField(value.get<std::string>())
                                 : "");
     }
-    text += "," + Quoted(row.Message) + "\n";
+    text += "," + QuotedField(row.Message) + "\n";
   }
   return text;
 }

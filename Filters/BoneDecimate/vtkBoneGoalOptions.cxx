@@ -11,7 +11,7 @@
 namespace
 {
 // clang-format off
-const char* const OptionNames[] = {
+const char* const GoalNames[] = {
   "TargetReduction",
   "MaximumError",
   "ErrorPreset",
@@ -112,7 +112,7 @@ bool vtkBoneGoalOptions::GetProveResult() const
 void vtkBoneGoalOptions::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  for (const char* name : OptionNames)
+  for (const char* name : GoalNames)
   {
     this->State->PrintOption(os, indent, name);
   }
@@ -120,6 +120,6 @@ void vtkBoneGoalOptions::PrintSelf(ostream& os, vtkIndent indent)
 
 bool vtkBoneGoalOptions::HasOption(const std::string& name) const
 {
-  return std::find(std::begin(OptionNames), std::end(OptionNames), name) != std::end(OptionNames) ||
+  return std::find(std::begin(GoalNames), std::end(GoalNames), name) != std::end(GoalNames) ||
     this->Superclass::HasOption(name);
 }

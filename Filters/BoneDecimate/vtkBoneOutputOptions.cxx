@@ -11,7 +11,7 @@
 namespace
 {
 // clang-format off
-const char* const OptionNames[] = {
+const char* const OutputNames[] = {
   "MeasureInputDistances",
   "OutputPointsPrecision",
   "OutputPointsGrid",
@@ -211,7 +211,7 @@ bool vtkBoneOutputOptions::GetDiagnoseInput() const
 void vtkBoneOutputOptions::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  for (const char* name : OptionNames)
+  for (const char* name : OutputNames)
   {
     this->State->PrintOption(os, indent, name);
   }
@@ -219,6 +219,6 @@ void vtkBoneOutputOptions::PrintSelf(ostream& os, vtkIndent indent)
 
 bool vtkBoneOutputOptions::HasOption(const std::string& name) const
 {
-  return std::find(std::begin(OptionNames), std::end(OptionNames), name) != std::end(OptionNames) ||
+  return std::find(std::begin(OutputNames), std::end(OutputNames), name) != std::end(OutputNames) ||
     this->Superclass::HasOption(name);
 }

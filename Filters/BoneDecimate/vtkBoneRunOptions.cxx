@@ -11,7 +11,7 @@
 namespace
 {
 // clang-format off
-const char* const OptionNames[] = {
+const char* const RunNames[] = {
   "Mode",
   "TargetNumberOfTriangles",
   "Smoothing",
@@ -189,7 +189,7 @@ int vtkBoneRunOptions::GetNumberOfThreads() const
 void vtkBoneRunOptions::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  for (const char* name : OptionNames)
+  for (const char* name : RunNames)
   {
     this->State->PrintOption(os, indent, name);
   }
@@ -197,6 +197,6 @@ void vtkBoneRunOptions::PrintSelf(ostream& os, vtkIndent indent)
 
 bool vtkBoneRunOptions::HasOption(const std::string& name) const
 {
-  return std::find(std::begin(OptionNames), std::end(OptionNames), name) != std::end(OptionNames) ||
+  return std::find(std::begin(RunNames), std::end(RunNames), name) != std::end(RunNames) ||
     this->Superclass::HasOption(name);
 }

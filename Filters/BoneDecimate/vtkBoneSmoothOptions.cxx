@@ -11,7 +11,7 @@
 namespace
 {
 // clang-format off
-const char* const OptionNames[] = {
+const char* const SmoothNames[] = {
   "Smoothing",
   "FeatureAngle",
   "MaximumError",
@@ -167,7 +167,7 @@ int vtkBoneSmoothOptions::GetNumberOfThreads() const
 void vtkBoneSmoothOptions::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  for (const char* name : OptionNames)
+  for (const char* name : SmoothNames)
   {
     this->State->PrintOption(os, indent, name);
   }
@@ -175,6 +175,6 @@ void vtkBoneSmoothOptions::PrintSelf(ostream& os, vtkIndent indent)
 
 bool vtkBoneSmoothOptions::HasOption(const std::string& name) const
 {
-  return std::find(std::begin(OptionNames), std::end(OptionNames), name) != std::end(OptionNames) ||
+  return std::find(std::begin(SmoothNames), std::end(SmoothNames), name) != std::end(SmoothNames) ||
     this->Superclass::HasOption(name);
 }

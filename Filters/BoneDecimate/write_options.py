@@ -97,7 +97,7 @@ SOURCE = LICENSE + """// Written by write_options.py from Documentation/options.
 namespace
 {{
 // clang-format off
-const char* const OptionNames[] = {{
+const char* const {group}Names[] = {{
 {names}}};
 // clang-format on
 }}
@@ -110,7 +110,7 @@ const char* const OptionNames[] = {{
 void {name}::PrintSelf(ostream& os, vtkIndent indent)
 {{
   this->Superclass::PrintSelf(os, indent);
-  for (const char* name : OptionNames)
+  for (const char* name : {group}Names)
   {{
     this->State->PrintOption(os, indent, name);
   }}
@@ -118,7 +118,7 @@ void {name}::PrintSelf(ostream& os, vtkIndent indent)
 
 bool {name}::HasOption(const std::string& name) const
 {{
-  return std::find(std::begin(OptionNames), std::end(OptionNames), name) != std::end(OptionNames) ||
+  return std::find(std::begin({group}Names), std::end({group}Names), name) != std::end({group}Names) ||
     this->Superclass::HasOption(name);
 }}
 """
@@ -206,7 +206,8 @@ def write_classes():
         texts[class_name + ".h"] = HEADER.format(members=members, **values)
         bodies = "".join(functions(class_name, name, rows[name]) for name in names)
         quoted = "".join(f'  "{name}",\n' for name in names)
-        texts[class_name + ".cxx"] = SOURCE.format(functions=bodies, names=quoted, **values)
+        group = class_name[len("vtkBone"):-len("Options")]
+        texts[class_name + ".cxx"] = SOURCE.format(functions=bodies, names=quoted, group=group, **values)
     return texts
 
 

@@ -13,12 +13,15 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace bonedecimate
 {
 /// A position or a direction; positions are in millimeters.
 using Vector3 = Eigen::Vector3d;
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// mm, along each axis; with larger coordinates products of areas overflow.
 constexpr double LargestCoordinate = 1e30;

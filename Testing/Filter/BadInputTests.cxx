@@ -18,7 +18,6 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Bumps(2) with that coordinate at the points 5, 17 and 100 of its 162.
 vtkSmartPointer<vtkPolyData> WithCoordinates(double value)

@@ -117,7 +117,7 @@ std::array<int, 2> TrianglesOfHalves(vtkPolyData* surface)
   return counts;
 }
 
-double ProvedDistance(vtkPolyData* reference, vtkPolyData* result)
+double CertifiedDistance(vtkPolyData* reference, vtkPolyData* result)
 {
   vtkNew<vtkBoneSurfaceDistance> distance;
   distance->SetInputData(0, reference);
@@ -227,7 +227,7 @@ TEST(RunInput, LevelsKeepTheErrorRelativeToTheReference)
   levels->SetMaximumError(Error);
   levels->Update();
   EXPECT_EQ(levels.Errors, 1);
-  EXPECT_LE(ProvedDistance(first, levels->GetOutput()), Error);
+  EXPECT_LE(CertifiedDistance(first, levels->GetOutput()), Error);
   EXPECT_GT(levels->GetReportValue("reference.triangles"), 0.0);
 }
 
@@ -280,8 +280,8 @@ TEST(RunInput, ASearchFindsTheErrorRelativeToTheReference)
   search->Update();
   EXPECT_EQ(search.Errors, 0);
   const double found = search->GetSmallestError();
-  const double proved = ProvedDistance(first, search->GetOutput());
+  const double proved = CertifiedDistance(first, search->GetOutput());
   EXPECT_LE(proved, 1.001 * found);
   EXPECT_GE(proved, 0.95 * found);
-  EXPECT_GE(found, 0.95 * ProvedDistance(first, input)) << "no result is nearer than the input";
+  EXPECT_GE(found, 0.95 * CertifiedDistance(first, input)) << "no result is nearer than the input";
 }

@@ -153,20 +153,21 @@ void FuzzOrientations(Bytes& bytes)
 /// Voxel coordinates near centers of voxels, in the middle between them, or anywhere.
 std::int64_t AnyFixed(Bytes& bytes, std::int64_t voxel, int size)
 {
-  const std::int64_t base = (voxel + bytes.Below(size)) * OneVoxel;
+  const std::int64_t base = (voxel + bytes.Below(size)) * UnitsOfVoxel;
   const int kind = bytes.Below(8);
   return kind < 3 ? base
     : kind == 3   ? base + 1
     : kind == 4   ? base - 1
-    : kind == 5   ? base + OneVoxel / 2
-    : kind == 6   ? base + bytes.Next() * (OneVoxel / 240)
+    : kind == 5   ? base + UnitsOfVoxel / 2
+    : kind == 6   ? base + bytes.Next() * (UnitsOfVoxel / 240)
                   : base + bytes.Next() * 4194301 + bytes.Next() * 16381 + bytes.Next();
 }
 
 /// Voxels.
 RationalPoint RationalOf(const FixedPoint& p)
 {
-  return { Rational(p[0], OneVoxel), Rational(p[1], OneVoxel), Rational(p[2], OneVoxel) };
+  return { Rational(p[0], UnitsOfVoxel), Rational(p[1], UnitsOfVoxel),
+    Rational(p[2], UnitsOfVoxel) };
 }
 
 /// Of the center at height 0 of a column, displaced; the powers of e are far less than all differences of rational numbers.
@@ -255,14 +256,14 @@ void FuzzConversion(Bytes& bytes)
   {
     const auto i = static_cast<Eigen::Index>(k);
     const Rational exact =
-      (Rational(position[i]) - Rational(grid.Origin[i])) / Rational(grid.Spacing[i]) * OneVoxel;
+      (Rational(position[i]) - Rational(grid.Origin[i])) / Rational(grid.Spacing[i]) * UnitsOfVoxel;
     const Rational error = abs(Rational(fixed[k]) - exact);
-    const bool isFar = abs(exact) > Rational(OneVoxel) * OneVoxel * 2;
+    const bool isFar = abs(exact) > Rational(UnitsOfVoxel) * UnitsOfVoxel * 2;
     Demand(
       isFar || error <= Rational(1, 2) + abs(exact) * Rational(rounding), "a position as integers");
     const std::int64_t above = CenterAtOrAbove(fixed[k]);
     const std::int64_t below = CenterAtOrBelow(fixed[k]);
-    const Rational voxels(fixed[k], OneVoxel);
+    const Rational voxels(fixed[k], UnitsOfVoxel);
     Demand(isFar || (above >= voxels && above - 1 < voxels), "the center at or above");
     Demand(isFar || (below <= voxels && below + 1 > voxels), "the center at or below");
   }

@@ -14,7 +14,6 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 using Edges = std::vector<std::pair<Index, Index>>;
 

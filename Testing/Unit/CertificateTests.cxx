@@ -15,7 +15,6 @@ using namespace bonedecimate::testsupport;
 namespace
 {
 constexpr double Tiny = 1e-7; // mm, more than the least gap of these small shapes
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 bool GoOn(double)
 {

@@ -12,7 +12,6 @@ using namespace bonedecimate::testsupport;
 namespace
 {
 constexpr double NoLimit = -1.0;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 Certificate Against(
   const Surface& reference, const Surface& result, double tolerance, bool tight = true)

@@ -16,7 +16,6 @@ using namespace bonedecimate::testsupport;
 namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// The invariants of a cleaned surface and of its maps.
 void ExpectConsistent(const Surface& input, const CleanSurface& clean)

@@ -114,7 +114,7 @@ FixedTriangle RandomTriangle(Random& random, const FixedPoint& corner, Index vox
     for (std::size_t k = 0; k < 3; ++k)
     {
       const std::int64_t step = random.Below(voxels * steps + 1);
-      point[k] = corner[k] + step * (OneVoxel / steps);
+      point[k] = corner[k] + step * (UnitsOfVoxel / steps);
     }
   }
   return corners;
@@ -127,7 +127,7 @@ TEST(ColumnCrossings, AreExactOnTrianglesThroughVoxelCenters)
   for (int i = 0; i < 3000; ++i)
   {
     const Index steps = 1 + random.Below(3); // voxel centers, halves and thirds
-    ExpectExact(RandomTriangle(random, { -2 * OneVoxel, -OneVoxel, 0 }, 4, steps));
+    ExpectExact(RandomTriangle(random, { -2 * UnitsOfVoxel, -UnitsOfVoxel, 0 }, 4, steps));
     ASSERT_FALSE(testing::Test::HasFatalFailure());
   }
 }
@@ -137,7 +137,8 @@ TEST(ColumnCrossings, AreExactOnTrianglesAUnitOffVoxelCenters)
   Random random(2);
   for (int i = 0; i < 3000; ++i)
   {
-    FixedTriangle corners = RandomTriangle(random, { -OneVoxel, -OneVoxel, -OneVoxel }, 3, 1);
+    FixedTriangle corners =
+      RandomTriangle(random, { -UnitsOfVoxel, -UnitsOfVoxel, -UnitsOfVoxel }, 3, 1);
     for (FixedPoint& point : corners)
     {
       for (std::int64_t& coordinate : point)
@@ -156,8 +157,8 @@ TEST(ColumnCrossings, AreExactOnTheLargestTriangles)
   Random random(3);
   for (int i = 0; i < 20000; ++i)
   {
-    const FixedPoint corner = { (random.Below(2000000) - 1000000) * OneVoxel, -1500000 * OneVoxel,
-      7 * OneVoxel };
+    const FixedPoint corner = { (random.Below(2000000) - 1000000) * UnitsOfVoxel,
+      -1500000 * UnitsOfVoxel, 7 * UnitsOfVoxel };
     FixedTriangle corners = RandomTriangle(random, corner, 1024, 1);
     FixedPoint& bent = corners[static_cast<std::size_t>(random.Below(3))];
     bent[static_cast<std::size_t>(random.Below(3))] += random.Below(3) - 1;
@@ -199,7 +200,7 @@ TEST(ColumnCrossings, OfTheSixTrianglesAroundAPointAreOneOnEveryColumn)
   const std::array<std::array<int, 2>, 6> ring = { { { 2, 0 }, { 2, 2 }, { 0, 2 }, { -2, 0 },
     { -2, -2 }, { 0, -2 } } };
   const auto at = [](const std::array<int, 2>& st) -> FixedPoint {
-    return { OneVoxel / 2, st[0] * OneVoxel, st[1] * OneVoxel };
+    return { UnitsOfVoxel / 2, st[0] * UnitsOfVoxel, st[1] * UnitsOfVoxel };
   };
   for (std::int64_t s = -1; s <= 1; ++s)
   {

@@ -248,8 +248,9 @@ TEST(FixedPoints, FollowSpacingAndDirectionOfTheGrid)
   grid.Direction << 0, 0, 1, 1, 0, 0, 0, 1, 0;
   const FixedPointFrame frame(grid);
   const FixedPoint at = frame.Convert(grid.ToMillimeters({ 3, -5, 7.25 }));
-  EXPECT_EQ(at, (FixedPoint{ 3 * OneVoxel, -5 * OneVoxel, 7 * OneVoxel + OneVoxel / 4 }));
+  EXPECT_EQ(
+    at, (FixedPoint{ 3 * UnitsOfVoxel, -5 * UnitsOfVoxel, 7 * UnitsOfVoxel + UnitsOfVoxel / 4 }));
   const FixedPoint far = frame.Convert({ 1e30, -1e30, 0 });
-  EXPECT_NE(far[0] % OneVoxel, 0);
-  EXPECT_NE(far[2] % OneVoxel, 0);
+  EXPECT_NE(far[0] % UnitsOfVoxel, 0);
+  EXPECT_NE(far[2] % UnitsOfVoxel, 0);
 }

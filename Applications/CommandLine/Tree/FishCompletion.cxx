@@ -6,14 +6,14 @@ namespace bonedecimate
 {
 namespace
 {
-std::string Quoted(const std::string& text)
+std::string FishQuoted(const std::string& text)
 {
   return "'" + Escaped(text, "'\\") + "'";
 }
 
 std::string FilesCall(const std::vector<std::string>& extensions)
 {
-  return "(__bonedecimate_files " + Quoted(Joined(extensions, "|")) + ")";
+  return "(__bonedecimate_files " + FishQuoted(Joined(extensions, "|")) + ")";
 }
 
 std::string Line(const CommandEntry& command, const OptionEntry& option)
@@ -31,9 +31,9 @@ std::string Line(const CommandEntry& command, const OptionEntry& option)
     {
       values.push_back(FilesCall(*option.Extensions));
     }
-    text += " -x" + (values.empty() ? std::string() : " -a " + Quoted(Joined(values, " ")));
+    text += " -x" + (values.empty() ? std::string() : " -a " + FishQuoted(Joined(values, " ")));
   }
-  return text + " -d " + Quoted(option.Summary()) + "\n";
+  return text + " -d " + FishQuoted(option.Summary()) + "\n";
 }
 }
 
@@ -77,12 +77,12 @@ complete -c bonedecimate -f
   {
     const std::size_t end = command.Description.find_first_of(".:");
     text += "complete -c bonedecimate -n __bonedecimate_is_first -a " + command.Name + " -d " +
-      Quoted(command.Description.substr(0, end)) + "\n";
+      FishQuoted(command.Description.substr(0, end)) + "\n";
   }
   for (const CommandEntry& command : commands)
   {
     text += "complete -c bonedecimate -n '__bonedecimate_is " + command.Name + "' -a " +
-      Quoted(FilesCall(*command.Files.Extensions)) + "\n";
+      FishQuoted(FilesCall(*command.Files.Extensions)) + "\n";
     for (const OptionEntry& option : command.Options)
     {
       text += Line(command, option);

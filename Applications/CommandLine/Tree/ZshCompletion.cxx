@@ -7,7 +7,7 @@ namespace bonedecimate
 namespace
 {
 /// In single quotes.
-std::string Quoted(const std::string& text)
+std::string ZshQuoted(const std::string& text)
 {
   std::string quoted;
   for (const char letter : text)
@@ -47,7 +47,7 @@ std::string Specifications(const OptionEntry& option)
     one +=
       flag + (takesValue && isLong ? "=" : "") + "[" + Escaped(option.Summary(), "[]:\\") + "]";
     one += takesValue ? ":" + Escaped(option.ValueName, ":\\") + ":" + ActionOf(option) : "";
-    text += " \\\n        " + Quoted(one);
+    text += " \\\n        " + ZshQuoted(one);
   }
   return text;
 }
@@ -69,7 +69,7 @@ _bonedecimate()
   for (const CommandEntry& command : commands)
   {
     const std::size_t end = command.Description.find_first_of(".:");
-    text += "      " + Quoted(command.Name + ":" + command.Description.substr(0, end)) + "\n";
+    text += "      " + ZshQuoted(command.Name + ":" + command.Description.substr(0, end)) + "\n";
   }
   text += "    )\n    [[ $words[2] == -* ]] || _describe -t commands command commands\n  fi\n  "
           "case $command in\n";
@@ -80,8 +80,8 @@ _bonedecimate()
     {
       text += Specifications(option);
     }
-    text +=
-      " \\\n        " + Quoted("*:file:" + FilesAction(*command.Files.Extensions)) + "\n      ;;\n";
+    text += " \\\n        " + ZshQuoted("*:file:" + FilesAction(*command.Files.Extensions)) +
+      "\n      ;;\n";
   }
   return text +
     "  esac\n}\n\nif [[ $funcstack[1] == _bonedecimate ]]; then\n  _bonedecimate \"$@\"\nelse\n"

@@ -18,7 +18,6 @@ namespace certificate
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 CertificateStatus Check(
   const Surface& reference, const Surface& result, const CertificateOptions& options)

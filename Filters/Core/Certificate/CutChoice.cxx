@@ -10,7 +10,6 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// From this depth on, every third cut halves the longest edge, so that pieces shrink whatever the candidates are.
 constexpr int FirstHalving = 12;
 /// Size of a piece after about four cuts, as a fraction of the longest edge.

@@ -16,7 +16,6 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr std::int64_t LeastMostCuts = std::int64_t{ 1 } << 26;
 constexpr std::int64_t CutsASimplex = 16;
 /// The least gap of the search, 1e-9 of the extent, and the least that can be reached: both bounds are widened by the slack.

@@ -9,7 +9,6 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// Pieces of every other depth up to the first are bounded by a cover: deeper ones are so small that few triangles are over them.
 constexpr int DeepestCover = 8;
 constexpr int CoverPeriod = 2;

@@ -13,7 +13,6 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// Cuts for each simplex in the first round, and the factor from round to round.
 constexpr std::int64_t FirstCuts = 32;
 constexpr std::int64_t MoreCuts = 16;

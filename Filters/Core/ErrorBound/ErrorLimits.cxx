@@ -11,7 +11,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// Far more than the rounding of distances and of points between others needs: the certificate of the result then decides
 /// as soon as its bounds are that near to each other.
 constexpr double RelativeSlack = 2e-4;

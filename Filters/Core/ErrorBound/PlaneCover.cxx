@@ -10,7 +10,7 @@ namespace bonedecimate
 namespace
 {
 /// Of the sine of a face's angle, squared: with sharper ones shadows lie too far away to be of use.
-constexpr double LeastSquaredSine = 1e-8;
+constexpr double LeastSquaredSineOfFace = 1e-8;
 /// More than the rounding of a sum of four products.
 constexpr double Rounding = 1e-14;
 
@@ -77,7 +77,7 @@ bool PlaneCover::Begin(const std::array<Vector3, 3>& face)
   const double bc = this->AB.dot(this->AC);
   const double cc = this->AC.squaredNorm();
   const double determinant = bb * cc - bc * bc;
-  if (!(determinant > LeastSquaredSine * bb * cc))
+  if (!(determinant > LeastSquaredSineOfFace * bb * cc))
   {
     return false;
   }

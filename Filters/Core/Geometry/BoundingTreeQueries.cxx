@@ -12,7 +12,6 @@ namespace
 {
 /// A child has little more than a quarter of the triangles of its parent, so 2^31 triangles need 17 levels.
 constexpr std::size_t LargestStack = 128;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// A distance or squared distance to a box in single precision is too large by less than this factor.
 constexpr double Slack = 1.0 + 1e-5;
 constexpr double LargestSquare = 1e38;

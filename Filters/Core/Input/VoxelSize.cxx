@@ -11,7 +11,7 @@ namespace bonedecimate
 namespace
 {
 /// Largest difference of equal coordinates as a fraction of the largest coordinate: twice the rounding of single precision.
-constexpr double SameValue = 0x1p-22;
+constexpr double SameCoordinate = 0x1p-22;
 /// Least number of vertices of a plane as a fraction of that of a typical plane.
 constexpr double PlaneRatio = 0.125;
 constexpr double EvenStep = 0.02;
@@ -39,7 +39,7 @@ std::vector<Value> CountedValues(std::vector<double> coordinates)
     return values;
   }
   const double same =
-    SameValue * std::max(std::abs(coordinates.front()), std::abs(coordinates.back()));
+    SameCoordinate * std::max(std::abs(coordinates.front()), std::abs(coordinates.back()));
   for (const double x : coordinates)
   {
     if (values.empty() || x - values.back().Coordinate > same)

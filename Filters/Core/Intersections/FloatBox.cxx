@@ -8,15 +8,10 @@
 
 namespace bonedecimate
 {
-namespace
-{
-constexpr float Infinity = std::numeric_limits<float>::infinity();
-}
-
 FloatBox::FloatBox()
 {
-  this->Low.fill(Infinity);
-  this->High.fill(-Infinity);
+  this->Low.fill(FloatInfinity);
+  this->High.fill(-FloatInfinity);
 }
 
 FloatBox::FloatBox(const TriangleCorners& corners, double reach)
@@ -26,8 +21,8 @@ FloatBox::FloatBox(const TriangleCorners& corners, double reach)
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const auto at = static_cast<Eigen::Index>(axis);
-    this->Low[axis] = std::nextafter(static_cast<float>(low[at]), -Infinity);
-    this->High[axis] = std::nextafter(static_cast<float>(high[at]), Infinity);
+    this->Low[axis] = std::nextafter(static_cast<float>(low[at]), -FloatInfinity);
+    this->High[axis] = std::nextafter(static_cast<float>(high[at]), FloatInfinity);
   }
 }
 

@@ -10,9 +10,12 @@
 #include "TrianglePair.h"
 
 #include <array>
+#include <limits>
 
 namespace bonedecimate
 {
+constexpr float FloatInfinity = std::numeric_limits<float>::infinity();
+
 /// mm, a little too large.
 struct FloatBox
 {

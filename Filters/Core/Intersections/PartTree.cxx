@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PartTree.h"
 
+#include "FloatBox.h"
 #include "Geometry/TriangleFrame.h"
 #include "Geometry/TriangleGeometry.h"
 
@@ -17,8 +18,6 @@ namespace
 constexpr Index OfLeaf = 4; // triangles
 /// A little less than that of the largest angle across a gap.
 constexpr double SquaredCosine = 0.99 * LeastFacingCosine * LeastFacingCosine;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr float FloatInfinity = std::numeric_limits<float>::infinity();
 
 float Below(double x)
 {

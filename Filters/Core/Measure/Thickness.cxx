@@ -14,7 +14,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Lines of one direction through a solid.
 class Crossings

@@ -94,16 +94,16 @@ private:
 };
 
 /// Entries with the first 33 bits of the position on the curve and the index of the point, sorted by three digits.
-using Entry = std::uint64_t;
+using CurveEntry = std::uint64_t;
 
-Index PointOf(Entry entry)
+Index PointOf(CurveEntry entry)
 {
-  return static_cast<Index>(entry & ((Entry(1) << BitsOfIndex) - 1));
+  return static_cast<Index>(entry & ((CurveEntry(1) << BitsOfIndex) - 1));
 }
 
-LargeArray<Entry> Entries(const Curve& curve, std::size_t count, int threads)
+LargeArray<CurveEntry> Entries(const Curve& curve, std::size_t count, int threads)
 {
-  LargeArray<Entry> entries(count);
+  LargeArray<CurveEntry> entries(count);
   ForEachId(count, threads,
     [&](std::size_t p)
     {
@@ -114,9 +114,10 @@ LargeArray<Entry> Entries(const Curve& curve, std::size_t count, int threads)
 }
 
 /// One pass of radix sort; returns the first entry of each digit, and finally the end.
-std::vector<std::size_t> Distribute(const Entry* from, std::size_t count, int shift, Entry* to)
+std::vector<std::size_t> Distribute(
+  const CurveEntry* from, std::size_t count, int shift, CurveEntry* to)
 {
-  const auto digit = [=](Entry entry) { return (entry >> shift) & (Digits - 1); };
+  const auto digit = [=](CurveEntry entry) { return (entry >> shift) & (Digits - 1); };
   std::vector<std::size_t> begins(Digits + 1, 0);
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -135,7 +136,7 @@ std::vector<std::size_t> Distribute(const Entry* from, std::size_t count, int sh
 }
 
 /// Sorts entries of the same first digit by the other two; `spare` is as long.
-void SortBin(Entry* entries, Entry* spare, std::size_t count)
+void SortBin(CurveEntry* entries, CurveEntry* spare, std::size_t count)
 {
   if (count < SmallBin)
   {
@@ -147,7 +148,7 @@ void SortBin(Entry* entries, Entry* spare, std::size_t count)
 }
 
 /// Sorts the few entries with equal 33 bits by all 63 bits, those of one cell by their coordinates.
-void SortTies(const Curve& curve, Entry* entries, std::size_t count)
+void SortTies(const Curve& curve, CurveEntry* entries, std::size_t count)
 {
   for (std::size_t first = 0; first < count;)
   {
@@ -159,7 +160,7 @@ void SortTies(const Curve& curve, Entry* entries, std::size_t count)
     if (last - first > 1) // the library allocates memory even to sort one entry
     {
       std::stable_sort(entries + first, entries + last,
-        [&](Entry a, Entry b) { return curve.IsBefore(PointOf(a), PointOf(b)); });
+        [&](CurveEntry a, CurveEntry b) { return curve.IsBefore(PointOf(a), PointOf(b)); });
     }
     first = last;
   }
@@ -226,8 +227,8 @@ std::vector<Index> CurveOrder(const std::vector<Vector3>& points, int threads)
     return {};
   }
   const Curve curve(points, threads);
-  LargeArray<Entry> unsorted = Entries(curve, points.size(), threads);
-  LargeArray<Entry> entries(points.size());
+  LargeArray<CurveEntry> unsorted = Entries(curve, points.size(), threads);
+  LargeArray<CurveEntry> entries(points.size());
   const std::vector<std::size_t> bins =
     Distribute(unsorted.data(), points.size(), 64 - BitsOfDigit, entries.data());
   std::vector<Index> order(points.size());

@@ -69,7 +69,7 @@ NumberRange EndsOf(const OptionInfo& info)
   return { info.Minimum, info.Maximum, IsOfType<int>(info), info.Unit };
 }
 
-std::string Rejection(const OptionInfo& info, const std::string& given)
+std::string RejectionText(const OptionInfo& info, const std::string& given)
 {
   return info.Name + " takes " + ValuesText(info) + ", not " + given;
 }
@@ -94,11 +94,11 @@ std::string SetNumberFromText(Options& options, const OptionInfo& info, const st
   const std::optional<double> value = ParseFinite(text);
   if (!value)
   {
-    return Rejection(info, "'" + text + "'");
+    return RejectionText(info, "'" + text + "'");
   }
   if (!IsInRange(EndsOf(info), *value))
   {
-    return Rejection(info, text);
+    return RejectionText(info, text);
   }
   return IsOfType<int>(info) ? SetOption(options, info, static_cast<int>(*value))
                              : SetOption(options, info, *value);
@@ -146,7 +146,7 @@ std::string CheckOption(const OptionInfo& info, const OptionValue& value)
     return CheckNumber(info.Name, EndsOf(info), whole ? *whole : *number);
   }
   const bool isKnown = isOfKind && (!whole || IsInRange(EndsOf(info), *whole));
-  return isKnown ? std::string() : Rejection(info, TextOfValue(value));
+  return isKnown ? std::string() : RejectionText(info, TextOfValue(value));
 }
 
 std::string CheckOptions(const Options& options)
@@ -190,12 +190,12 @@ std::string SetOptionFromText(Options& options, const OptionInfo& info, const st
   if (!info.Choices.empty())
   {
     const int choice = ReadChoice(info, text);
-    return choice < 0 ? Rejection(info, "'" + text + "'") : SetOption(options, info, choice);
+    return choice < 0 ? RejectionText(info, "'" + text + "'") : SetOption(options, info, choice);
   }
   if (IsOfType<bool>(info))
   {
     const int on = ReadSwitch(text);
-    return on < 0 ? Rejection(info, "'" + text + "'") : SetOption(options, info, on == 1);
+    return on < 0 ? RejectionText(info, "'" + text + "'") : SetOption(options, info, on == 1);
   }
   return SetNumberFromText(options, info, text);
 }

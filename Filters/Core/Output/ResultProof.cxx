@@ -17,7 +17,7 @@ namespace
 /// keeps a margin of twice the first below the largest error. Without these gaps flat parts, at a distance of 0, would be cut
 /// along every edge of the input.
 constexpr double WholeGap = 1e-4;
-constexpr double TriangleGap = 0.02;
+constexpr double TriangleGap = 0.05;
 }
 
 CertificateOptions ProofOptions(const Options& options, const std::vector<double>* tolerances)

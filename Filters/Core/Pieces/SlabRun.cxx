@@ -21,7 +21,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// Points so near to a plane, as a fraction of their largest coordinate, are in it: single precision is that coarse.
 constexpr double PlaneSlack = 1e-6;
 /// How far below its plane the next run goes on, in mean edges of the result (over its area) and in largest errors.

@@ -10,10 +10,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr int MostRounds = 12;
-/// No further round after one that removes less than one face in this many.
-constexpr Index LeastOfRound = 128;
-
 bool HasReachedFaces(const StageInput& input)
 {
   return input.MeshEditor.Mesh().NumberOfFaces() <= input.Stops.Faces;
@@ -34,6 +30,9 @@ bool EnlargeAngles(const StageInput& input, const Monitor& monitor)
   constexpr double mendedAt = 0.2;
   constexpr double sweptAt = 0.4;
   constexpr double collapsedAt = 0.8; // of a round
+  constexpr int mostRounds = 12;
+  constexpr Index leastOfRound =
+    128; // no further round after one that removes less than one face in this many
   const HalfEdgeMesh& mesh = input.MeshEditor.Mesh();
   ShapeImprover improver(input.MeshEditor, input.Shape.LargestCosine);
   bool goesOn = improver.Mend(PartOf(monitor, 0.0, mendedAt));
@@ -44,14 +43,14 @@ bool EnlargeAngles(const StageInput& input, const Monitor& monitor)
   goesOn = goesOn && CollapseOnce(input, PartOf(monitor, mendedAt, sweptAt));
   const Monitor rounds = PartOf(monitor, sweptAt, 1.0);
   bool isWorthIt = true;
-  for (int i = 0; i < MostRounds && goesOn && isWorthIt && !HasReachedFaces(input); ++i)
+  for (int i = 0; i < mostRounds && goesOn && isWorthIt && !HasReachedFaces(input); ++i)
   {
     const Index before = mesh.NumberOfFaces();
     const Monitor round =
-      PartOf(rounds, static_cast<double>(i) / MostRounds, (i + 1.0) / MostRounds);
+      PartOf(rounds, static_cast<double>(i) / mostRounds, (i + 1.0) / mostRounds);
     goesOn = improver.Collapse(input.Stops.Faces, PartOf(round, 0.0, collapsedAt)) &&
       improver.Mend(PartOf(round, collapsedAt, 1.0));
-    isWorthIt = before - mesh.NumberOfFaces() >= before / LeastOfRound;
+    isWorthIt = before - mesh.NumberOfFaces() >= before / leastOfRound;
   }
   return goesOn && monitor(1.0);
 }

@@ -7,13 +7,6 @@
 
 namespace bonedecimate
 {
-namespace
-{
-constexpr int MostRounds = 4;
-/// No further round after one that removes less than one face in this many.
-constexpr Index LeastOfRound = 256;
-}
-
 SlackCollapse::SlackCollapse(Editor& editor, Samples& samples, BackHints& hints, int threads)
   : MeshEditor(editor)
   , Fit(samples)
@@ -28,15 +21,18 @@ SlackCollapse::SlackCollapse(Editor& editor, Samples& samples, BackHints& hints,
 bool SlackCollapse::Run(Index faces, const Monitor& monitor)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  constexpr int mostRounds = 4;
+  constexpr Index leastOfRound =
+    256; // no further round after one that removes less than one face in this many
   Index before = mesh.NumberOfFaces() + 1;
-  for (int round = 0; round < MostRounds && mesh.NumberOfFaces() > faces &&
-       before - mesh.NumberOfFaces() > (round == 0 ? 0 : before / LeastOfRound);
+  for (int round = 0; round < mostRounds && mesh.NumberOfFaces() > faces &&
+       before - mesh.NumberOfFaces() > (round == 0 ? 0 : before / leastOfRound);
        ++round)
   {
     before = mesh.NumberOfFaces();
     std::vector<SlackCandidate> candidates;
     if (!this->Candidates.Find(
-          PartOf(monitor, static_cast<double>(round) / MostRounds, (round + 1.0) / MostRounds),
+          PartOf(monitor, static_cast<double>(round) / mostRounds, (round + 1.0) / mostRounds),
           candidates))
     {
       return false;

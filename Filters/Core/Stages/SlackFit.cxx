@@ -31,7 +31,6 @@ constexpr double LeastRatio = 0.4;
 /// error would let it leave the bound.
 constexpr double VertexFraction = 0.1;
 constexpr int StepsOfExponent = 4;
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 double SixteenthPower(double ratio)
 {

@@ -8,8 +8,6 @@ namespace bonedecimate
 {
 namespace
 {
-/// A vertex whose faces use less of the bound does not limit anything.
-constexpr double LeastRatio = 0.5;
 /// Of the bound, what a shift may use.
 constexpr double MostOfShift = 0.97;
 }
@@ -17,7 +15,9 @@ constexpr double MostOfShift = 0.97;
 SlackMover::Proposal SlackMover::Evaluate(VertexId vertex)
 {
   const SlackFit::Value before = this->Gather(vertex);
-  if (!(before.Largest > LeastRatio))
+  constexpr double leastRatio =
+    0.5; // a vertex whose faces use less of the bound does not limit anything
+  if (!(before.Largest > leastRatio))
   {
     return {};
   }

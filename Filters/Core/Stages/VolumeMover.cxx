@@ -11,8 +11,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr int Attempts = 2;
-constexpr double NextAttempt = 0.5;
 constexpr std::size_t MovesOfReport = 256;
 }
 
@@ -137,8 +135,10 @@ void VolumeMover::MoveAt(const Candidate& candidate)
   {
     return;
   }
+  constexpr int attempts = 2;
+  constexpr double nextAttempt = 0.5; // of the height
   double height = candidate.Sign * std::min(candidate.Missing, 3.0 * std::abs(lost) / length);
-  for (int attempt = 0; attempt < Attempts; ++attempt, height *= NextAttempt)
+  for (int attempt = 0; attempt < attempts; ++attempt, height *= nextAttempt)
   {
     const Vector3 before = this->MeshEditor.Mesh().Position(vertex);
     const SlackMover::Proposal proposal = this->Mover.Shift(vertex, (height / length) * area);

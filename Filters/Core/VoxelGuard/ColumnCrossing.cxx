@@ -81,7 +81,7 @@ public:
   bool LiesBelow(std::int64_t center) const
   {
     constexpr double rounding = 1e-14; // about 20 times that of the sums
-    const std::int64_t fromR = center * OneVoxel - this->Base;
+    const std::int64_t fromR = center * UnitsOfVoxel - this->Base;
     const double r = static_cast<double>(fromR);
     const double height = this->Normal[0] * r + this->Rest;
     const double error = this->Magnitude[0] * std::abs(r) + this->RestMagnitude;
@@ -123,7 +123,7 @@ std::int64_t HighestBelow(const TrianglePlane& plane, std::int64_t low, std::int
 {
   const std::int64_t first = CenterAtOrAbove(low);
   const std::int64_t last = CenterAtOrAbove(high) - 1; // a displaced center at the top is above
-  const double guess = std::floor(plane.Height() / static_cast<double>(OneVoxel));
+  const double guess = std::floor(plane.Height() / static_cast<double>(UnitsOfVoxel));
   std::int64_t below = guess < static_cast<double>(first) ? first - 1
     : guess > static_cast<double>(last)                   ? last
                                                           : static_cast<std::int64_t>(guess);
@@ -144,7 +144,7 @@ ColumnCrossing CrossColumn(const FixedTriangle& corners, const FixedBox& box, co
   const Ordered order(column.Axis);
   const FixedPoint low = order(box.Low);
   const FixedPoint high = order(box.High);
-  const FixedPoint p = { low[0], column.S * OneVoxel, column.T * OneVoxel };
+  const FixedPoint p = { low[0], column.S * UnitsOfVoxel, column.T * UnitsOfVoxel };
   if (p[1] < low[1] || p[1] >= high[1] || p[2] < low[2] || p[2] > high[2])
   {
     return {};

@@ -16,7 +16,7 @@
 namespace bonedecimate
 {
 constexpr int FractionBits = 30;
-constexpr std::int64_t OneVoxel = std::int64_t{ 1 } << FractionBits;
+constexpr std::int64_t UnitsOfVoxel = std::int64_t{ 1 } << FractionBits;
 
 using FixedPoint = std::array<std::int64_t, 3>;
 using FixedTriangle = std::array<FixedPoint, 3>;
@@ -24,7 +24,7 @@ using FixedTriangle = std::array<FixedPoint, 3>;
 /// The index of the first voxel center at or above a coordinate.
 inline std::int64_t CenterAtOrAbove(std::int64_t coordinate)
 {
-  return (coordinate + OneVoxel - 1) >> FractionBits;
+  return (coordinate + UnitsOfVoxel - 1) >> FractionBits;
 }
 
 /// The index of the last voxel center at or below a coordinate.
@@ -41,7 +41,7 @@ public:
   explicit FixedPointFrame(const VoxelGrid& grid)
     : Origin(grid.Origin)
     , UnitsPerMillimeter(
-        (static_cast<double>(OneVoxel) * grid.Spacing.cwiseInverse()).asDiagonal() *
+        (static_cast<double>(UnitsOfVoxel) * grid.Spacing.cwiseInverse()).asDiagonal() *
         grid.Direction.transpose())
   {
   }
@@ -49,7 +49,8 @@ public:
   /// Positions beyond 2^31 voxels are moved to that distance, between voxel centers.
   FixedPoint Convert(const Vector3& position) const
   {
-    constexpr double farthest = static_cast<double>(OneVoxel) * OneVoxel * 2.0 + 0.5 * OneVoxel;
+    constexpr double farthest =
+      static_cast<double>(UnitsOfVoxel) * UnitsOfVoxel * 2.0 + 0.5 * UnitsOfVoxel;
     const Vector3 units = this->UnitsPerMillimeter * (position - this->Origin);
     FixedPoint fixed;
     for (int k = 0; k < 3; ++k)

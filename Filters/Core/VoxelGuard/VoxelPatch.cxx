@@ -19,7 +19,7 @@ public:
   CentersNear(const FixedTriangle& corners, FixedBox box, double margin)
     : Margin(margin)
   {
-    box.Grow(static_cast<std::int64_t>(std::ceil(margin * OneVoxel)) + 1);
+    box.Grow(static_cast<std::int64_t>(std::ceil(margin * UnitsOfVoxel)) + 1);
     this->IsEmpty = !box.HasVoxelCenter();
     for (std::size_t k = 0; k < 3; ++k)
     {
@@ -28,7 +28,7 @@ public:
       for (std::size_t i = 0; i < 3; ++i)
       {
         this->Corners[i][static_cast<Eigen::Index>(k)] =
-          static_cast<double>(corners[i][k] - first * OneVoxel) / OneVoxel;
+          static_cast<double>(corners[i][k] - first * UnitsOfVoxel) / UnitsOfVoxel;
       }
     }
   }
