@@ -4,6 +4,7 @@
 
 #include "BoundaryLoops.h"
 #include "CapTriangles.h"
+#include "Pieces.h"
 #include "RejectedValues.h"
 #include "SurfaceConversion.h"
 
@@ -91,6 +92,16 @@ void AppendPoints(const bonedecimate::Surface& surface,
   }
   output->SetPoints(points);
 }
+
+/// Null if there is none.
+const char* ReasonToReject(vtkPolyData* input, vtkInformationVector* outputs)
+{
+  return input->GetNumberOfStrips() > 0
+    ? "the input has triangle strips; vtkTriangleFilter makes triangles of them"
+    : bonedecimate::RequestedPiece(outputs).Pieces > 1
+    ? "Bone Cap works on one process only: the parts of a distributed surface end where others begin"
+    : nullptr;
+}
 }
 
 struct vtkBoneCap::Internals
@@ -138,9 +149,9 @@ int vtkBoneCap::RequestData(vtkInformation* vtkNotUsed(request), vtkInformationV
     return 0;
   }
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  if (input->GetNumberOfStrips() > 0)
+  if (const char* reason = ReasonToReject(input, outputVector))
   {
-    vtkErrorMacro("the input has triangle strips; vtkTriangleFilter makes triangles of them");
+    vtkErrorMacro(<< reason);
     return 0;
   }
   bonedecimate::ConvertedSurface converted = bonedecimate::ToSurface(input, 1);

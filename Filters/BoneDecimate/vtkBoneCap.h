@@ -15,7 +15,7 @@
  * in several planes and are left open. Loops that cannot be filled stay open and are counted. A cap
  * intersects the surface where triangles of the surface lie in the plane, too; that is not checked.
  *
- * Input: triangles or polygons in millimeters, no strips.
+ * Input: triangles or polygons in millimeters, no strips, on one process: a surface in several pieces is rejected.
  *
  * @sa vtkBoneDecimate vtkBoneDiagnostics
  */

@@ -55,6 +55,21 @@ class LabelMap(unittest.TestCase):
         extracted.Closed = 0
         self.assertLess(surfaces.output(extracted).GetNumberOfCells(), closed)
 
+    def test_open_boundaries_are_capped(self):
+        extracted = simple.BoneSurfaces(Input=self.image, LabelArray=["POINTS", "Segments"], Labels=[4], Closed=0)
+        cap = simple.BoneCap(Input=extracted)
+        capped = surfaces.output(cap)
+        cap.UpdatePropertyInformation()
+        self.assertEqual((cap.NumberOfClosedLoops, cap.NumberOfOpenLoops), (1, 0))
+        marks = capped.GetCellData().GetArray("BoneCap")
+        caps = [cell for cell in range(capped.GetNumberOfCells()) if marks.GetTuple1(cell) == 1]
+        self.assertEqual(len(caps), capped.GetNumberOfCells() - surfaces.output(extracted).GetNumberOfCells())
+        for cell in caps:
+            self.assertEqual(capped.GetCell(cell).GetBounds()[:2], (0.0, 0.0))
+        cap.PlaneTolerance = -1.0
+        with self.assertRaises(RuntimeError):
+            surfaces.output(cap)
+
     def test_small_pieces_change_on_request(self):
         labels = image()
         labels.SetScalarComponentFromDouble(2, 5, 5, 0, 9)  # an island in 4
