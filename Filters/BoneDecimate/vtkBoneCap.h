@@ -36,6 +36,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
   vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
 
+  /// Values of Loops.
   enum Choice
   {
     PlanarLoops = 0, ///< At planes where the surface ends.

@@ -46,12 +46,13 @@ struct SurfaceOrigins
     OutputPoint; ///< Of each input point: the one it became part of, None if no triangle used it.
 };
 
+/// What a run made of a surface.
 struct Result
 {
   /// Empty if the input was rejected. Points and triangles come in the order of SpatialOrder.h; if only regions were run, in
   /// that of Regions/JoinRegions.h.
   bonedecimate::Surface Surface;
-  SurfaceOrigins Origins;
+  SurfaceOrigins Origins; ///< Where the output comes from; filled on request.
   /// mm, of each output point to the input surface, or to the reference if distances are measured; filled with
   /// MeasureDistances, with Origins, and in modes that record distances along the collapses, else empty; empty,
   /// too, in a run aborted before.
@@ -68,7 +69,7 @@ struct Result
   /// mm, the same of each input point, not a number where there is no triangle; only with MeasureInputDistances and
   /// without a reference.
   std::vector<double> InputErrorBound;
-  bonedecimate::Report Report;
+  bonedecimate::Report Report; ///< Status, figures and warnings of the run.
 };
 
 /// What a run knows if its input is a part of a larger surface, and other runs have the other parts.

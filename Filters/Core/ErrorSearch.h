@@ -32,22 +32,24 @@ struct ErrorTrial
   std::int64_t Triangles = 0; ///< Of the result.
   double Proved = 0.0;    ///< mm, upper bound of the distance, both ways and of open boundaries.
   bool IsReached = false; ///< The error is proved, and the number of triangles is reached.
-  double Seconds = 0.0;
+  double Seconds = 0.0;   ///< Time of the run and its certificate.
   std::int64_t ChangedVoxels =
     -1; ///< With another label than in the input; -1: no voxel grid is known.
 };
 
+/// What is searched for.
 struct ErrorSearchOptions
 {
   /// Options of every run; TargetNumberOfTriangles is the number to reach, MaximumError is ignored.
   bonedecimate::Options Run;
   double RelativePrecision =
-    0.02; ///< Above 0: the search ends when low and high differ by no more.
-  int MostRuns = 40;
+    0.02;            ///< Above 0: the search ends when low and high differ by no more.
+  int MostRuns = 40; ///< The search ends after as many, 1 or more.
   RunInputs
     Inputs; ///< Of every run; without a log. Errors are those to the reference if there is one.
 };
 
+/// What was found, and all runs that were tried.
 struct ErrorSearchResult
 {
   std::vector<ErrorTrial> Trials; ///< In the order of the runs; without an aborted one.

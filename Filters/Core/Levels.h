@@ -24,15 +24,19 @@ namespace bonedecimate
 {
 class BoundingTree;
 
+/// The levels of a recorded run.
 class Levels
 {
 public:
   /// @param input The same points and triangles as recorded.
   /// @param inputs The label map and the labels with which the run was recorded; its other members are not used.
   LogStatus Open(const Surface& input, EditLog log, int threads, const RunInputs& inputs = {});
+  /// Whether Open() succeeded; all other functions need that.
   bool IsOpen() const { return this->Stack.has_value(); }
 
+  /// Number of the coarsest level.
   Index NumberOfCollapses() const { return this->Stack->NumberOfCollapses(); }
+  /// Number of triangles of a level.
   Index TrianglesAt(Index collapses) const { return this->Stack->TrianglesAt(collapses); }
 
   /// The first level with at most that many triangles; the last level if there is none.
@@ -40,6 +44,7 @@ public:
   /// The coarsest mark whose distance to the input does not exceed that, mm; level 0 if there is none.
   Index ByError(double error) const;
 
+  /// The surface of a level.
   Level At(Index collapses) const
   {
     return this->Stack->At(collapses, this->Threads, this->Points, this->OriginalVertices);
@@ -60,6 +65,7 @@ public:
   /// How many voxels have another label at each mark than in the input; empty if they were not compared.
   const std::vector<std::int64_t>& ChangedVoxels() const { return this->Changed; }
 
+  /// The log from which the levels are made.
   const EditLog& Log() const { return this->Edits; }
 
 private:

@@ -35,15 +35,17 @@ inline bool IsUsable(const Vector3& point)
 
 /// Index of a point, a triangle or a half-edge; -1 means none.
 using Index = std::int32_t;
+/// No point, triangle or half-edge.
 constexpr Index None = -1;
 
 /// Three point indices, counter-clockwise as seen from outside of the bone.
 using Triangle = std::array<Index, 3>;
 
+/// Triangles with their points.
 struct Surface
 {
-  std::vector<Vector3> Points; ///< mm
-  std::vector<Triangle> Triangles;
+  std::vector<Vector3> Points;     ///< mm
+  std::vector<Triangle> Triangles; ///< Each with indices of Points.
 };
 }
 
