@@ -29,5 +29,6 @@ program=build/release/bin/bonedecimate
 [ -x "$program" ] || program=
 echo "Package"
 NATIVE="$program" PACKAGE=build/wasm/npm node --test Testing/Browser/package.test.mjs
+PROGRAMS= PACKAGE=build/wasm/npm python3 -B Testing/Readme/run_tutorial.py Documentation/tutorials/browser.md
 echo "Page"
 /usr/bin/python3 -B Testing/Browser/page_test.py build/wasm/bonedecimate.html ${program:+"$program"}

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing of the Debian packages in packages.txt.
-# Usage: install_packages.sh [SECTION...]     (build, run, test, checks, site, benchmark; without one: all but those of other processors)
+# Usage: install_packages.sh [SECTION...]     (build, run, test, checks, site, pictures, benchmark; without one: all but those of other processors)
 set -euo pipefail
 list="$(dirname "$0")/packages.txt"
 

@@ -3,18 +3,15 @@
 """The code blocks of the README."""
 
 import pathlib
-import re
+
+from code_blocks import blocks_of
 
 README = pathlib.Path(__file__).resolve().parents[2] / "README.md"
 
 
 def blocks():
     """All code blocks in their order, as (section, language, text)."""
-    found = []
-    for section in re.split(r"^## ", README.read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]:
-        title = section.splitlines()[0]
-        found += [(title, *block) for block in re.findall(r"^```(\w+)\n(.*?)^```$", section, re.DOTALL | re.MULTILINE)]
-    return found
+    return blocks_of(README)
 
 
 def block(section, language):

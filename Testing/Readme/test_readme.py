@@ -17,9 +17,12 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
+from code_blocks import blocks_of
 from readme import block, blocks
 
 SOURCE = pathlib.Path(os.environ["SOURCE_DIR"])
+sys.path.append(str(SOURCE / "Utilities" / "site"))
+import gallery  # noqa: E402
 BINARY = os.environ["BINARY_DIR"]
 PROGRAM = os.environ["PROGRAM"]
 PHANTOM = os.environ["PHANTOM"]
@@ -56,6 +59,18 @@ class Readme(unittest.TestCase):
             self.assertEqual(report["output"]["triangles"], 20000)
             for file in ("small.vtp", "small.html", "small.stl", "part.stl", "bone.vtp", "segments/label_3.vtp", "small/left.stl", "small/right.stl", "closed.stl"):
                 self.assertTrue((folder / file).is_file(), file)
+
+    def test_commands_of_the_gallery_are_those_of_its_script_and_accepted(self):
+        commands = [line.split()[1:] for _, _, text in blocks_of(SOURCE / "Documentation" / "gallery.md") for line in text.splitlines()]
+        self.assertGreater(len(commands), 5)
+        drawn = [set(panel.words.split()) - {"{}.vtp", "{}/", "--format", "vtp"} for picture in gallery.PICTURES.values() for panel in picture.panels]
+        for words in commands:
+            self.assertIn(set(words) - {"bone.vtp", "bones/"}, drawn)
+        with tempfile.TemporaryDirectory() as name:
+            for file, words in (("ct.mha", ["--size", "small"]), ("labels.mha", ["--size", "small", "--labels"]), ("trabeculae.mha", ["--trabeculae", "16"])):
+                run(PHANTOM, file, *words, cwd=name)
+            for words in commands:
+                self.assertIn("ends at", run(PROGRAM, *words, "--explain", cwd=name), words)
 
     def test_python_program_runs_as_printed(self):
         printed = run(sys.executable, "-c", block("Python", "python"))

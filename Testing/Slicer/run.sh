@@ -30,7 +30,7 @@ g++ -std=c++17 -D_GLIBCXX_USE_CXX11_ABI=0 -O1 -shared -fPIC "$here/register_modu
 export DUMP_VOLUME=$build/bin/bonedecimate-dump-volume BONEDECIMATE_PROGRAM=$build/bin/bonedecimate
 export REGISTER_MODULE=$folder/register_module.so
 export SLICER_MODULE=$root/Applications/Slicer/BoneDecimator
-for name in slicer_core segmentation panel volume; do
+for name in slicer_core segmentation panel volume tutorial; do
   "$folder/bin/python" -B "$here/${name}_test.py"
 done
 if [ -n "${TABLE:-}" ]; then
