@@ -2,27 +2,35 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# The documentation as a site: build/site/html/index.html. A broken link or an undocumented class fails.
-# Needs doxygen and python3-venv (Utilities/install_packages.sh site); MkDocs comes from PyPI.
+# The documentation as a site: build/site/html/index.html. A warning fails: a broken link or anchor, a page that is in no
+# contents, an undocumented class or member of C++, a resource of another server.
+# Needs doxygen and python3-venv (Utilities/install_packages.sh site); the generator comes from PyPI, and so do the wheel's
+# packages, unless the tests have built the wheel already.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-readonly mkdocs_packages=(mkdocs==1.6.1 mkdocs-material==9.6.23)
-readonly venv=build/site/venv pages=build/site/pages
+readonly site=build/site venv=build/site/venv pages=build/site/pages requirements=Utilities/site/requirements.txt
+export SOURCE_DIR=$PWD
 
-rm -rf "$pages" build/site/html
-mkdir -p "$pages"
-# One folder of pages: links out of the root and into it become links between neighbors.
-for page in README.md ARCHITECTURE.md CHANGELOG.md CONTRIBUTING.md Documentation/*.md; do
-  sed -e 's#](Documentation/#](#g' -e 's#](\.\./#](#g' -e 's#](README\.md#](index.md#g' "$page" > "$pages/$(basename "$page")"
-done
-mv "$pages/README.md" "$pages/index.md"
-cp -r Documentation/images Documentation/benchmark-data Documentation/*.ipynb LICENSE CITATION.cff "$pages"
-doxygen Utilities/site/Doxyfile
-printf '# Classes\n\n[The classes for VTK and the interface of the core](classes/index.html)\n' > "$pages/api.md"
-
-if [ ! -x "$venv/bin/mkdocs" ]; then
-  python3 -m venv "$venv"
-  "$venv/bin/pip" --disable-pip-version-check --quiet install "${mkdocs_packages[@]}"
+wheel=build/release/wheel
+if [ ! -d "$wheel/environment" ]; then
+  wheel=$site/wheel
+  [ -d "$wheel/environment" ] || PYTHON=python3 CI=true Testing/Wheel/install_wheel.sh "$PWD/$wheel"
 fi
-NO_MKDOCS_2_WARNING=1 "$venv/bin/mkdocs" --quiet build --config-file Utilities/site/mkdocs.yml
-echo "build/site/html/index.html"
+if ! cmp -s "$requirements" "$venv/requirements.txt"; then
+  rm -rf "$venv"
+  "$wheel/environment/bin/python" -m venv "$venv" # the same Python, because the reference imports the wheel
+  "$venv/bin/pip" --disable-pip-version-check --quiet install --no-deps -r "$requirements"
+  cp "$requirements" "$venv/requirements.txt"
+fi
+WHEEL_PACKAGES=$(echo "$PWD/$wheel"/environment/lib/python3*/site-packages)
+export WHEEL_PACKAGES
+
+# The pages lie in the site as in the project, so their links stay as they are. The paper has a form of its own.
+rm -rf "$pages" "$site/files" "$site/html"
+mkdir -p "$pages" "$site/files"
+cp -r ./*.md LICENSE CITATION.cff Documentation Utilities/site/*.md "$pages"
+rm -r "$pages/Documentation/paper"
+doxygen Utilities/site/Doxyfile
+"$venv/bin/sphinx-build" --jobs auto --quiet --fail-on-warning --keep-going -c Utilities/site -d "$site/doctrees" "$pages" "$site/html"
+python3 -B Utilities/site/check_links.py "$site/html"
+echo "$site/html/index.html"

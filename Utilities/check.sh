@@ -17,6 +17,7 @@
 # words         terms of the field, Utilities/check_words.py
 # release       versions, dates, placeholders, versions of tools, third-party software, Utilities/check_release.py
 # architecture  includes follow the module table of ARCHITECTURE.md
+# site          builds the documentation as a site: links, anchors, references of Python and C++ (Utilities/build_site.sh)
 # sanitize      builds the core's tests with the address and undefined-behavior sanitizers and runs those that together reach
 #               99 % of the basic blocks that all reach (select_sanitized_tests.py), the fuzzers' corpora and a few attacks
 # sanitize_whole  all tests of the core with sanitizers: far longer, and only if it is named
@@ -25,7 +26,7 @@
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 
-readonly all_checks=(format spelling words ascii sizes release architecture tidy sanitize)
+readonly all_checks=(format spelling words ascii sizes release architecture site tidy sanitize)
 readonly most_lines=400
 readonly most_lines_of_a_function=60
 jobs=$(nproc 2>/dev/null || echo 2)
@@ -119,6 +120,8 @@ check_sizes()
 }
 
 check_words() { python3 -B Utilities/check_words.py; }
+
+check_site() { quietly Utilities/build_site.sh; }
 
 check_release() { python3 -B Utilities/check_release.py; }
 
