@@ -23,8 +23,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataConnectivityFilter.h"
-#include "vtkSmartPointer.h"
-#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <array>
@@ -181,27 +179,6 @@ void PaintTriangles(vtkPolyData* surface, const std::optional<LabelColor>& color
   surface->GetCellData()->AddArray(colors);
 }
 
-/// For formats with parts: the surface has one label, and triangles of walls do not belong to others.
-vtkSmartPointer<vtkPolyData> AsOnePart(vtkPolyData* surface, const NamedLabel& label)
-{
-  vtkNew<vtkTypeInt64Array> sides;
-  sides->SetName(BoundaryLabelsName);
-  sides->SetNumberOfComponents(2);
-  sides->SetNumberOfTuples(surface->GetNumberOfCells());
-  NamedLabel outside;
-  outside.Value = label.Value == 0 ? -1 : 0;
-  sides->FillTypedComponent(0, label.Value);
-  sides->FillTypedComponent(1, outside.Value);
-  vtkNew<vtkFieldData> fields;
-  fields->ShallowCopy(surface->GetFieldData());
-  WriteNamedLabels({ label, outside }, fields);
-  auto part = vtkSmartPointer<vtkPolyData>::New();
-  part->ShallowCopy(surface);
-  part->SetFieldData(fields);
-  part->GetCellData()->AddArray(sides);
-  return part;
-}
-
 /// Writes the files of the segments.
 class SegmentWriter
 {
@@ -219,9 +196,7 @@ public:
     const std::string target = (fs::path(FolderOfSegments(this->Requested)) / record.File).string();
     RequireNotInput(target, { this->Requested.Inputs[0], this->Requested.Reference });
     StagedFile& file = this->Files.AddSegment(target);
-    const bool hasParts = FindFormat(target)->HasParts;
-    const auto readBack = WriteSurface(
-      hasParts ? AsOnePart(surface, record.Label).Get() : surface, file.GetTemporary(), target);
+    const auto readBack = WriteSurface(surface, file.GetTemporary(), target);
     if (!ReportFields(surface).Text("proof.status").empty())
     {
       RequireProvedTriangles(surface, readBack, target);

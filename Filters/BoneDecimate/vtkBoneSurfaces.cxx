@@ -15,13 +15,16 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <vector>
@@ -79,6 +82,37 @@ void KeepPiece(const bonedecimate::PieceOfOutput& piece, bonedecimate::LabelSurf
       corner = ids[static_cast<std::size_t>(corner)];
     }
   }
+}
+
+/// Gives the surface of a label the arrays of one: its triangles bound the label, and OtherLabel has the label beyond each.
+void DescribeSingleLabel(const bonedecimate::LabelMapSource& all,
+  const std::vector<bonedecimate::Index>& triangles, std::int64_t label, vtkFieldData* fieldsOfAll,
+  vtkPolyData* output)
+{
+  const std::int64_t background = all.Values.back();
+  const std::int64_t outside = label != background ? background : background - 1;
+  vtkNew<vtkTypeInt64Array> sides;
+  sides->SetName(bonedecimate::BoundaryLabelsName);
+  sides->SetNumberOfComponents(2);
+  vtkNew<vtkTypeInt64Array> others;
+  others->SetName("OtherLabel");
+  for (const bonedecimate::Index triangle : triangles)
+  {
+    const auto [first, second] = all.OfTriangle[triangle];
+    others->InsertNextValue(all.Values[all.Values[first] == label ? second : first]);
+    sides->InsertNextValue(label);
+    sides->InsertNextValue(outside);
+  }
+  output->GetCellData()->AddArray(sides);
+  output->GetCellData()->AddArray(others);
+  bonedecimate::LabelMapSource single;
+  single.Values = { label, outside };
+  bonedecimate::OrderLabelFields(fieldsOfAll, single, output->GetFieldData());
+  vtkNew<vtkTypeInt64Array> values;
+  values->SetName(bonedecimate::LabelValuesName);
+  values->InsertNextValue(label);
+  values->InsertNextValue(outside);
+  output->GetFieldData()->AddArray(values);
 }
 
 /// Copies the values of the original points or cells.
@@ -255,6 +289,8 @@ bool vtkBoneSurfaces::ExtractLabel(vtkPolyData* surfaces, vtkTypeInt64 label, vt
   CopyAttributes(surfaces->GetPointData(), single.OriginalPoint, nullptr, output->GetPointData());
   CopyAttributes(surfaces->GetCellData(), single.OriginalTriangle, &converted.CellOfTriangle,
     output->GetCellData());
+  DescribeSingleLabel(
+    read.Source, single.OriginalTriangle, label, surfaces->GetFieldData(), output);
   return !single.Surface.Triangles.empty();
 }
 

@@ -111,7 +111,8 @@ public:
   /**
    * Gets the surface of one label out of surfaces of several, smoothed or decimated or not: triangles with the label on one side of
    * BoundaryLabels, with normals that point out of it. Points are duplicated where the label touches itself, so that the surface is
-   * manifold. Point data and cell data are copied. Returns false, with an empty output, if there is no array BoundaryLabels or no
+   * manifold. Point data and cell data are copied. The output is a surface of this label and the background alone, so BoundaryLabels
+   * and LabelValues have these two; the cell array OtherLabel has the label on the other side of each triangle. Returns false, with an empty output, if there is no array BoundaryLabels or no
    * triangle of the label.
    */
   static bool ExtractLabel(vtkPolyData* surfaces, vtkTypeInt64 label, vtkPolyData* output);

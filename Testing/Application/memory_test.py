@@ -80,12 +80,12 @@ class Memory(ApplicationTest):
         self.succeed("a.mha", "whole", *run, "--target-reduction", 0, "--report", "report.json")
         self.assertEqual(report["input"]["triangles"], self.report()["input"]["triangles"])
         self.assertLess(report["output"]["triangles"], report["input"]["triangles"] / 5)
-        for label, pairs in ((3, {(3, 0), (3, 8)}), (8, {(3, 8), (8, 0)})):
+        for label, others in ((3, {0, 8}), (8, {0, 3})):
             name = f"label_{label}.vtp"
             self.succeed("certify", f"whole/{name}", f"slabs/{name}", "--tolerance", 0.45)
             self.assertEqual(open_edges(self.path("slabs") / name).GetNumberOfCells(), 0)
-            labels = read(self.path("slabs") / name).GetCellData().GetArray("BoundaryLabels")
-            self.assertEqual({labels.GetTuple(i) for i in range(labels.GetNumberOfTuples())}, pairs)
+            labels = read(self.path("slabs") / name).GetCellData().GetArray("OtherLabel")
+            self.assertEqual({labels.GetTuple1(i) for i in range(labels.GetNumberOfTuples())}, others)
 
     def test_a_volume_that_fits_is_processed_as_a_whole(self):
         write_network(self.path("a.mha"), 40)

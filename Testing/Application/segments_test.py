@@ -16,6 +16,7 @@ from label_maps import write_map
 SIZE = (22, 18, 16)
 SPACING = (0.5, 0.5, 0.75)
 ORIGIN = (-20.0, 7.0, 100.0)
+NAMES_OF_FILES = {1: "Femur", 2: "knee___cap", 7: "label_7"}
 NAMES = {1: "Femur", 2: "knee / cap", 7: ""}
 COLORS = {1: (230, 200, 150), 2: (100, 150, 200), 7: (10, 250, 30)}
 ISLAND = (19, 14, 13)  # a voxel of label 7
@@ -69,12 +70,12 @@ def edges(surface, boundary):
     return features.GetOutput().GetNumberOfCells()
 
 
-def triangles(surface, pair=None):
-    """The sets of their corners; only those with that pair of labels."""
-    labels = surface.GetCellData().GetArray("BoundaryLabels")
+def triangles(surface, other):
+    """The sets of the corners of those that have that label on their other side."""
+    labels = surface.GetCellData().GetArray("OtherLabel")
     found = set()
     for cell in range(surface.GetNumberOfCells()):
-        if pair is None or labels.GetTuple(cell) == pair:
+        if labels.GetTuple1(cell) == other:
             points = surface.GetCell(cell).GetPoints()
             found.add(frozenset(points.GetPoint(k) for k in range(3)))
     return found
@@ -113,13 +114,15 @@ class Segments(ApplicationTest):
             [name for name in self.names() if name.startswith("out/bones/")],
             ["out/bones/" + name for name in
              ("Femur.vtp", "index.html", "knee___cap.vtp", "label_7.vtp", "picture.png", "report.json")])
-        surfaces = {label: read(self.path(f"out/bones/{name}.vtp")) for label, name in ((1, "Femur"), (2, "knee___cap"), (7, "label_7"))}
+        surfaces = {label: read(self.path(f"out/bones/{name}.vtp")) for label, name in NAMES_OF_FILES.items()}
         for label, surface in surfaces.items():
             self.assertEqual((edges(surface, True), edges(surface, False)), (0, 0))
             self.assertTrue((voxels_inside(surface) == (voxels() == label)).all(), label)
-        wall = triangles(surfaces[1], (1, 2))
+            self.succeed("certify", f"out/bones/{NAMES_OF_FILES[label]}.vtp", "--labels", "plain.mha", "--json", "c.json")
+            self.assertEqual(self.report("c.json")["voxels"]["changed"], 0)
+        wall = triangles(surfaces[1], 2)
         self.assertGreater(len(wall), 5)
-        self.assertEqual(triangles(surfaces[2], (1, 2)), wall)
+        self.assertEqual(triangles(surfaces[2], 1), wall)
         self.check_report(self.report("out/bones/report.json"), surfaces)
         self.assertIn("segment         1 (Femur): ", text)
         page = self.path("out/bones/index.html").read_text(encoding="utf-8")
@@ -170,7 +173,7 @@ class Segments(ApplicationTest):
         names = [blocks.GetMetaData(i).Get(vtk.vtkCompositeDataSet.NAME()) for i in range(blocks.GetNumberOfBlocks())]
         self.assertEqual(names, ["Femur", "knee / cap", "7"])
         self.assertEqual(edges(blocks.GetBlock(1), True), 0)
-        self.assertTrue(triangles(blocks.GetBlock(0), (1, 2)))
+        self.assertTrue(triangles(blocks.GetBlock(0), 2))
 
     def test_segments_are_chosen_by_label_or_name(self):
         for choice, labels in (("femur,7", {1, 7}), ("2", {2}), ("Knee / Cap, 1", {1, 2})):
