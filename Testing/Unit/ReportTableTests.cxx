@@ -193,3 +193,23 @@ TEST(Report, MessagesAboutInputsHaveCountAndFirst)
     EXPECT_NE(InputMessage(report), "") << i;
   }
 }
+
+TEST(ReportWarnings, TellOfASpikeUnlessALargestErrorWasSet)
+{
+  Report report;
+  report.DistancesMeasured = true;
+  report.Size.Diagonal = 100.0;
+  report.OutputToInput.Maximum = 5.1;
+  report.OutputToInput.RootMeanSquare = 0.5;
+  ASSERT_EQ(InputWarnings(report).size(), 1U);
+  EXPECT_NE(InputWarnings(report)[0].find("5.1 mm"), std::string::npos);
+  Report bounded = report;
+  bounded.Requested.MaximumError = 6.0;
+  EXPECT_TRUE(InputWarnings(bounded).empty());
+  Report coarse = report;
+  coarse.OutputToInput.RootMeanSquare = 0.52;
+  EXPECT_TRUE(InputWarnings(coarse).empty());
+  report.OutputToInput.Maximum = 4.9;
+  report.OutputToInput.RootMeanSquare = 0.1;
+  EXPECT_TRUE(InputWarnings(report).empty());
+}

@@ -18,6 +18,10 @@ namespace bonedecimate
 namespace
 {
 constexpr double LabelChangeToTell = 0.01;
+/// A position of the result is told if it is farther than this of the input's diagonal, and than this many root mean squares of
+/// the distance: then it is the tip of a spike.
+constexpr double DistanceToTell = 0.05;
+constexpr double RatioToTell = 10.0;
 
 std::string Found(std::int64_t count, const char* what, const char* kind, std::int64_t first)
 {
@@ -59,6 +63,24 @@ std::vector<std::string> SmoothingWarnings(const SmoothingFigures& smoothing)
           "(Smoothing smooths it anyway)");
   }
   return warnings;
+}
+
+/// Without a largest error nothing keeps the result near.
+std::vector<std::string> DistanceWarnings(const Report& report)
+{
+  const double distance = report.OutputToInput.Maximum;
+  if (report.Requested.BoundsError() || !report.DistancesMeasured ||
+    !(distance > DistanceToTell * report.Size.Diagonal) ||
+    !(distance > RatioToTell * report.OutputToInput.RootMeanSquare))
+  {
+    return {};
+  }
+  char text[200];
+  std::snprintf(text, sizeof(text),
+    "the result has a spike: a position is %.3g mm from the input, %.0f %% of its diagonal; more "
+    "triangles, or a largest error, keep it near",
+    distance, 100.0 * distance / report.Size.Diagonal);
+  return { text };
 }
 
 std::string FarMessage(const ProvedDistance& distance)
@@ -224,6 +246,8 @@ std::vector<std::string> InputWarnings(const Report& report)
   warnings.insert(warnings.end(), ofSmoothing.begin(), ofSmoothing.end());
   const std::vector<std::string> ofParts = PartWarnings(report.Parts);
   warnings.insert(warnings.end(), ofParts.begin(), ofParts.end());
+  const std::vector<std::string> ofDistance = DistanceWarnings(report);
+  warnings.insert(warnings.end(), ofDistance.begin(), ofDistance.end());
   if (found.DroppedTriangles > 0)
   {
     warnings.push_back(Found(found.DroppedTriangles, "triangles without area were left out",
