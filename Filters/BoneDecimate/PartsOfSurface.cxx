@@ -4,9 +4,12 @@
  * @file PartsOfSurface.cxx
  * @brief What vtkBoneDecimate offers to classes that simplify a surface in parts.
  */
+#include "Geometry/NearSurface.h"
+#include "Input/ComponentCensus.h"
 #include "Input/InputSize.h"
 #include "Input/LabelMapInput.h"
 #include "LabelMapArrays.h"
+#include "Pieces/ContinuedProof.h"
 #include "RunInput.h"
 #include "RunState.h"
 
@@ -21,10 +24,11 @@ namespace
 {
 using namespace bonedecimate;
 
-/// Whether the name is that of an entry of smoothing or of voxels.
-bool IsOfSegmentation(const std::string& name)
+/// Whether the name is that of an entry of pruning, of smoothing or of voxels.
+bool IsOfWhole(const std::string& name)
 {
-  return name.rfind("smoothing.", 0) == 0 || name.rfind("voxels.", 0) == 0;
+  return name.rfind("smoothing.", 0) == 0 || name.rfind("voxels.", 0) == 0 ||
+    name.rfind("pruned.", 0) == 0;
 }
 
 template <typename Value>
@@ -56,6 +60,17 @@ private:
   const char* Next;
 };
 
+std::vector<std::array<Index, 2>> ToEdges(const std::vector<std::array<vtkIdType, 2>>& ids)
+{
+  std::vector<std::array<Index, 2>> edges;
+  edges.reserve(ids.size());
+  for (const auto& [from, to] : ids)
+  {
+    edges.push_back({ static_cast<Index>(from), static_cast<Index>(to) });
+  }
+  return edges;
+}
+
 /// The numbers of a comparison of voxels that have no list.
 struct VoxelCounts
 {
@@ -85,7 +100,86 @@ void vtkBoneDecimate::SetPart(
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> vtkBoneDecimate::SmoothPoints(vtkPolyData* whole, double largestSmoothing)
+void vtkBoneDecimate::SetNeighborsOfPart(vtkPolyData* neighbors, double distance)
+{
+  PartOfSurface& part = *this->Part;
+  part.Neighbors =
+    UsableTriangles(ToSurface(neighbors, this->State->Options.NumberOfThreads).Surface);
+  part.Part.Neighbors = &part.Neighbors;
+  part.Part.NeighborDistance = distance;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimate::SetOriginalOfPart(
+  vtkPolyData* original, const EdgesOfPart& cuts, const EdgesOfPart& originalCuts)
+{
+  PartOfSurface& part = *this->Part;
+  part.Original = ToSurface(original, this->State->Options.NumberOfThreads);
+  part.LabelsOfOriginal = ReadLabelMapArrays(original, part.Original).Source;
+  part.Part.Reference = &part.Original.Surface;
+  part.Part.ReferenceLabels = &part.LabelsOfOriginal;
+  part.Part.CutEdges = ToEdges(cuts);
+  part.Part.ReferenceCutEdges = ToEdges(originalCuts);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+/// The report then has the proof of what the run has changed, and the result the bounds of changed points.
+void vtkBoneDecimate::ProveContinuedPart(const RunInput& read, Result& result)
+{
+  Options options = this->State->Options;
+  Report& report = result.Report;
+  if (!this->Part || this->Part->Part.Reference == nullptr || !options.ProveResult ||
+    report.Status != InputStatus::Good || report.Stop == StopReason::Aborted)
+  {
+    return;
+  }
+  const Surface& original = this->Part->Original.Surface;
+  const Surface& before = read.Converted.Surface;
+  ContinuedProof found = ProveContinued({ original, original, before, result.Surface }, options,
+    true, [this](double) { return !this->GetAbortExecute(); });
+  report.Proof.WasMade = true;
+  report.Proof.Status = found.Status;
+  report.Proof.Tolerance = options.MaximumError;
+  report.Proof.InputToOutput = found.OriginalToResult;
+  report.Proof.OutputToInput = found.ResultToOriginal;
+  result.ErrorBound = std::move(found.Bounds);
+}
+
+//------------------------------------------------------------------------------
+std::vector<bool> vtkBoneDecimate::CellsWithoutArea(vtkPolyData* surface) const
+{
+  const int threads = this->State->Options.NumberOfThreads;
+  std::vector<bool> are(static_cast<std::size_t>(surface->GetNumberOfCells()), false);
+  const ConvertedSurface converted = ToSurface(surface, threads);
+  const CensusOfPart census = TakeCensus(converted.Surface, Vector3::Zero(), {}, threads);
+  for (std::size_t t = 0; t < census.OfTriangle.size(); ++t)
+  {
+    are[static_cast<std::size_t>(converted(t))] = census.OfTriangle[t] == None;
+  }
+  return are;
+}
+
+//------------------------------------------------------------------------------
+std::vector<bool> vtkBoneDecimate::CellsNear(
+  vtkPolyData* surface, vtkPolyData* others, double distance) const
+{
+  const int threads = this->State->Options.NumberOfThreads;
+  std::vector<bool> are(static_cast<std::size_t>(surface->GetNumberOfCells()), false);
+  const ConvertedSurface converted = ToSurface(surface, threads);
+  const std::vector<char> triangles =
+    TrianglesNear(converted.Surface, ToSurface(others, threads).Surface, distance, threads);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    const auto cell = static_cast<std::size_t>(converted(t));
+    are[cell] = are[cell] || triangles[t] != 0;
+  }
+  return are;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkBoneDecimate::SmoothPoints(vtkPolyData* whole)
 {
   RunInput read;
   if (!this->ReadInput(whole, nullptr, {}, read))
@@ -93,7 +187,8 @@ std::vector<double> vtkBoneDecimate::SmoothPoints(vtkPolyData* whole, double lar
     return {};
   }
   Options options = this->State->Options;
-  options.Smoothing = std::min(options.Smoothing, largestSmoothing);
+  options.PruneSize = options.PruneArea = options.PruneVolume = 0.0; // FindPrunedCells() was before
+  options.PruneTriangles = 0;
   const SmoothedInput smoothed = SmoothOnly(
     read.Converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
     read.Inputs);
@@ -221,11 +316,12 @@ void vtkBoneDecimate::SetReportOfParts(
   report.Output.Faces = static_cast<std::int64_t>(of("output.triangles"));
   report.Proof.WasMade = entries.count("proof.upper") > 0;
   report.Proof.OutputToInput.Upper = of("proof.upper");
+  report.Pruned = this->State->Report.Pruned;
   report.Smoothing = this->State->Report.Smoothing;
   report.Voxels = this->State->Report.Voxels;
   for (const ReportEntry& entry : ReportEntries(report))
   {
-    if (IsOfSegmentation(entry.Name))
+    if (IsOfWhole(entry.Name))
     {
       list.push_back(entry);
     }

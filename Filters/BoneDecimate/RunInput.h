@@ -29,9 +29,13 @@ struct vtkBoneDecimate::RunInput
   bonedecimate::RunInputs Inputs;
 };
 
+/// Must not be copied: Part refers to the other members.
 struct vtkBoneDecimate::PartOfSurface
 {
   bonedecimate::SurfacePart Part;
+  bonedecimate::Surface Neighbors;
+  bonedecimate::ConvertedSurface Original;
+  bonedecimate::LabelMapSource LabelsOfOriginal;
 };
 
 #endif

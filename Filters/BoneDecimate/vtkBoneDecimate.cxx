@@ -271,6 +271,7 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   bonedecimate::Result result = bonedecimate::Decimate(
     read.Converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
     read.Inputs);
+  this->ProveContinuedPart(read, result);
   this->Warn(read.Map.CompareWithMap(read.Converted.Surface, options, result));
   bonedecimate::NameCells(read.Converted, result.Report);
   this->State->Keep(this->Part ? ReportOfPart(result.Report) : result.Report);
@@ -281,8 +282,9 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   this->Warn(read.Converted.Warnings);
   this->Warn(bonedecimate::InputWarnings(this->State->Report));
   FillOutputs(result, read.Converted, options, read.Inputs.LabelMap, input, outputVector);
+  const bool isContinued = this->Part && this->Part->Part.Reference != nullptr;
   if (const std::string contradiction = bonedecimate::ProofMessage(result.Report);
-      !contradiction.empty())
+      !contradiction.empty() && !isContinued) // what is not proved there is not used
   {
     vtkErrorMacro(<< contradiction);
   }

@@ -39,16 +39,19 @@
 #include "vtkBoneOutputOptions.h"
 #include "vtkFiltersBoneDecimateModule.h" // for export macro
 
-#include <map>    // for entries
-#include <memory> // for std::unique_ptr
-#include <string> // for names
-#include <vector> // for points
+#include <array>      // for edges
+#include <functional> // for exchange
+#include <map>        // for entries
+#include <memory>     // for std::unique_ptr
+#include <string>     // for names
+#include <vector>     // for points
 
 class vtkDataArray;
 
 namespace bonedecimate
 {
 class RegionCache;
+struct Result;
 }
 
 class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneDecimate : public vtkBoneOutputOptions
@@ -124,14 +127,47 @@ protected:
   /// Whether the size of the whole surface suits the largest error; if not, the reason has been reported.
   bool AcceptSize(double diagonal, double largestError);
 
+  using Numbers = std::vector<double>;
+
+  /// Finds components of the whole surface that are too small (PruneSize and so on).
+  /// @param shared mm, where parts have common points: the same list in ascending order, each once, for all parts.
+  /// @param origin mm, the same for all parts.
+  /// @param exchange Called once. Receives numbers of this part and returns those of all parts in their order.
+  /// @param own The number of this part in that order.
+  /// @param pruned Receives for each cell of the part whether its component goes.
+  /// @return False if nothing would be left; the reason has been reported.
+  bool FindPrunedCells(vtkPolyData* part, const std::vector<std::array<double, 3>>& shared,
+    const std::array<double, 3>& origin,
+    const std::function<std::vector<Numbers>(const Numbers&)>& exchange, int own,
+    std::vector<bool>& pruned);
+
   /// Where the smoothing of the whole surface, which the options describe, puts its points: mm, three numbers of each.
-  /// @param largestSmoothing mm, lowers Smoothing.  @return Empty if the input was rejected; the reason has been reported.
-  std::vector<double> SmoothPoints(vtkPolyData* whole, double largestSmoothing);
+  /// @return Empty if the input was rejected; the reason has been reported.
+  std::vector<double> SmoothPoints(vtkPolyData* whole);
 
   /// The input is from now on a part of a surface whose size has been accepted. Its options must not smooth.
   /// @param isShared Of each point: whether other parts have it, too; it and the corners of its triangles are not edited.
   /// @param smoothedPoints Of the points of the part, as SmoothPoints() returns them; empty: nothing was smoothed.
   void SetPart(const std::vector<char>& isShared, const std::vector<double>& smoothedPoints);
+
+  /// After SetPart(): what other parts have near this one. Triangles within the distance of it are not edited, and new ones are
+  /// farther away.  @param distance mm, above 0.
+  void SetNeighborsOfPart(vtkPolyData* neighbors, double distance);
+
+  using EdgesOfPart = std::vector<std::array<vtkIdType, 2>>; // pairs of points
+
+  /// After SetPart(): the part is itself a result, and MaximumError refers to its original, by which the result is proved. It
+  /// has all triangles of which a part that may change is the proof.
+  /// @param cuts,originalCuts Edges at which the part and its original were cut out of the whole.
+  void SetOriginalOfPart(
+    vtkPolyData* original, const EdgesOfPart& cuts, const EdgesOfPart& originalCuts);
+
+  /// Of each cell, whether a run leaves it out because its triangles have no area.
+  std::vector<bool> CellsWithoutArea(vtkPolyData* surface) const;
+
+  /// Of each cell, whether one of its triangles may be within the distance of the triangles of the other surface.
+  /// @param distance mm, above 0.
+  std::vector<bool> CellsNear(vtkPolyData* surface, vtkPolyData* others, double distance) const;
 
   /// Whether edits of a surface with this label map may not change voxels.
   /// @param largestError mm; 0: none.
@@ -145,7 +181,7 @@ protected:
   void TakeFiguresOfSegmentation(const std::vector<char>& bytes);
 
   /// The report of the whole surface: entries that are numbers, by name, among them the figures of the getters, and what
-  /// SmoothPoints() and CompareVoxels() found.
+  /// FindPrunedCells(), SmoothPoints() and CompareVoxels() found.
   void SetReportOfParts(const std::map<std::string, double>& entries, vtkPolyData* output);
   ///@}
 
@@ -162,6 +198,7 @@ private:
   bool Accept(const std::string& problem);
   bool ReadInput(vtkPolyData* input, vtkPolyData* reference,
     const bonedecimate::LabelMapRequest& map, RunInput& read);
+  void ProveContinuedPart(const RunInput& read, bonedecimate::Result& result);
   void RejectArray(int index);
   bool GoesOn(double fraction);
 

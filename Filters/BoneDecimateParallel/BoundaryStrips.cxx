@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
 namespace bonedecimate
 {
@@ -23,40 +25,28 @@ namespace
 /// Point array of a strip: 1 where it is connected to the rest and must not change, 0 at other points.
 constexpr const char* RimArrayName = "bonedecimate.rim";
 
-/// Rings around the shared positions: the first is constrained and fine, the last is coarse and becomes constrained, as a rim.
+/// Cell array of a strip: of the edge after each corner, 1 if other triangles have it, too.
+constexpr const char* CutsArrayName = "bonedecimate.cuts";
+
+/// Around what phase 1 did not change: the first is fine, the last is coarse and becomes constrained, as a rim.
 constexpr int Rings = 4;
 
-/// Marks the polygons with a marked corner, then all their corners; once for each ring.
-std::vector<bool> CellsAround(vtkPolyData* surface, const Positions& shared)
+vtkIdType FirstPolygon(vtkPolyData* surface)
 {
-  std::vector<bool> points(static_cast<std::size_t>(surface->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    points[i] = Contains(shared, surface->GetPoint(static_cast<vtkIdType>(i)));
-  }
-  const vtkIdType first = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
-  std::vector<bool> cells(static_cast<std::size_t>(surface->GetNumberOfCells()), false);
+  return surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+}
+
+/// Calls visit(cell, corners) for each polygon.
+template <typename Visit>
+void ForEachPolygon(vtkPolyData* surface, const Visit& visit)
+{
   vtkNew<vtkIdList> corners;
-  for (int ring = 0; ring < Rings; ++ring)
+  surface->BuildCells();
+  for (vtkIdType cell = FirstPolygon(surface); cell < surface->GetNumberOfCells(); ++cell)
   {
-    std::vector<bool> reached = points;
-    for (vtkIdType cell = first; cell < surface->GetNumberOfCells(); ++cell)
-    {
-      surface->GetCellPoints(cell, corners);
-      bool isNear = false;
-      for (const vtkIdType corner : *corners)
-      {
-        isNear = isNear || points[static_cast<std::size_t>(corner)];
-      }
-      for (vtkIdType i = 0; isNear && i < corners->GetNumberOfIds(); ++i)
-      {
-        reached[static_cast<std::size_t>(corners->GetId(i))] = true;
-      }
-      cells[static_cast<std::size_t>(cell)] = cells[static_cast<std::size_t>(cell)] || isNear;
-    }
-    points = reached;
+    surface->GetCellPoints(cell, corners);
+    visit(static_cast<std::size_t>(cell), *corners);
   }
-  return cells;
 }
 
 /// The cells with that mark, with their points and all arrays.
@@ -85,44 +75,198 @@ vtkSmartPointer<vtkPolyData> Part(vtkPolyData* surface, const std::vector<bool>&
   return part;
 }
 
-/// Of points of marked cells that another cell has, too.
-void MarkRim(vtkPolyData* surface, const std::vector<bool>& marks)
+/// Of points of cells that may not change.
+void MarkRim(vtkPolyData* surface, const std::vector<bool>& mayChange)
 {
   vtkNew<vtkUnsignedCharArray> rim;
   rim->SetName(RimArrayName);
   rim->SetNumberOfTuples(surface->GetNumberOfPoints());
   rim->Fill(0);
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
-  {
-    if (!marks[static_cast<std::size_t>(cell)])
+  ForEachPolygon(surface,
+    [&](std::size_t cell, vtkIdList& corners)
     {
-      surface->GetCellPoints(cell, corners);
-      for (const vtkIdType corner : *corners)
+      for (vtkIdType i = 0; !mayChange[cell] && i < corners.GetNumberOfIds(); ++i)
       {
-        rim->SetValue(corner, 1);
+        rim->SetValue(corners.GetId(i), 1);
       }
-    }
-  }
+    });
   surface->GetPointData()->AddArray(rim);
+}
+
+/// Of each point the first one with its coordinates.
+std::vector<vtkIdType> FirstOfEqual(vtkPolyData* surface)
+{
+  std::map<Position, vtkIdType> known;
+  std::vector<vtkIdType> first;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    first.push_back(known.emplace(PositionOf(surface->GetPoint(i)), i).first->second);
+  }
+  return first;
+}
+
+/// Calls visit(i, edge) for each edge of a polygon, from its corner i, as an ascending pair.
+template <typename Visit>
+void ForEachEdge(vtkIdList& corners, const std::vector<vtkIdType>& points, const Visit& visit)
+{
+  const vtkIdType count = corners.GetNumberOfIds();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const vtkIdType from = points[static_cast<std::size_t>(corners.GetId(i))];
+    const vtkIdType to = points[static_cast<std::size_t>(corners.GetId((i + 1) % count))];
+    visit(static_cast<int>(i), std::array<vtkIdType, 2>{ std::min(from, to), std::max(from, to) });
+  }
+}
+
+/// Edges of cells that other cells have, too.
+void MarkCuts(vtkPolyData* surface, const std::vector<bool>& cells)
+{
+  const std::vector<vtkIdType> points = FirstOfEqual(surface);
+  std::set<std::array<vtkIdType, 2>> others;
+  ForEachPolygon(surface,
+    [&](std::size_t cell, vtkIdList& corners)
+    {
+      if (!cells[cell])
+      {
+        ForEachEdge(
+          corners, points, [&](int, const std::array<vtkIdType, 2>& edge) { others.insert(edge); });
+      }
+    });
+  vtkNew<vtkUnsignedCharArray> cuts;
+  cuts->SetName(CutsArrayName);
+  cuts->SetNumberOfComponents(3);
+  cuts->SetNumberOfTuples(surface->GetNumberOfCells());
+  cuts->Fill(0);
+  ForEachPolygon(surface,
+    [&](std::size_t cell, vtkIdList& corners)
+    {
+      if (cells[cell])
+      {
+        ForEachEdge(corners, points,
+          [&](int i, const std::array<vtkIdType, 2>& edge) {
+            cuts->SetComponent(static_cast<vtkIdType>(cell), i, others.count(edge) > 0 ? 1.0 : 0.0);
+          });
+      }
+    });
+  surface->GetCellData()->AddArray(cuts);
+}
+
+vtkSmartPointer<vtkPolyData> CopyOf(vtkPolyData* surface)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(surface);
+  copy->BuildCells();
+  return copy;
 }
 }
 
 //------------------------------------------------------------------------------
-StripParts CutStrips(vtkPolyData* surface, const Positions& shared)
+std::vector<bool> CellsAt(vtkPolyData* surface, const Positions& positions)
+{
+  std::vector<bool> isThere;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    isThere.push_back(Contains(positions, surface->GetPoint(i)));
+  }
+  std::vector<bool> cells(static_cast<std::size_t>(surface->GetNumberOfCells()), false);
+  ForEachPolygon(surface,
+    [&](std::size_t cell, vtkIdList& corners)
+    {
+      cells[cell] = std::any_of(corners.begin(), corners.end(),
+        [&](vtkIdType corner) { return isThere[static_cast<std::size_t>(corner)]; });
+    });
+  return cells;
+}
+
+//------------------------------------------------------------------------------
+std::vector<bool> RingsAround(vtkPolyData* surface, std::vector<bool> cells)
+{
+  for (int ring = 1; ring < Rings; ++ring)
+  {
+    std::vector<bool> points(static_cast<std::size_t>(surface->GetNumberOfPoints()), false);
+    ForEachPolygon(surface,
+      [&](std::size_t cell, vtkIdList& corners)
+      {
+        for (vtkIdType i = 0; cells[cell] && i < corners.GetNumberOfIds(); ++i)
+        {
+          points[static_cast<std::size_t>(corners.GetId(i))] = true;
+        }
+      });
+    ForEachPolygon(surface,
+      [&](std::size_t cell, vtkIdList& corners)
+      {
+        cells[cell] = std::any_of(corners.begin(), corners.end(),
+          [&](vtkIdType corner) { return points[static_cast<std::size_t>(corner)]; });
+      });
+  }
+  return cells;
+}
+
+//------------------------------------------------------------------------------
+StripParts CutStrips(
+  vtkPolyData* surface, const std::vector<bool>& mayChange, const std::vector<bool>& around)
 {
   if (surface->GetNumberOfCells() == 0)
   {
     return { vtkSmartPointer<vtkPolyData>::New(), surface };
   }
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->ShallowCopy(surface);
-  copy->BuildCells();
-  const std::vector<bool> marks = CellsAround(copy, shared);
-  MarkRim(copy, marks);
-  StripParts parts{ Part(copy, marks, true), Part(copy, marks, false) };
-  parts.Rest->GetPointData()->RemoveArray(RimArrayName);
+  const auto copy = CopyOf(surface);
+  std::vector<bool> cells = mayChange;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    cells[i] = cells[i] || around[i];
+  }
+  StripParts parts;
+  parts.Rest = Part(copy, cells, false);
+  MarkRim(copy, mayChange);
+  MarkCuts(copy, cells);
+  parts.Strip = Part(copy, cells, true);
   return parts;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> OnlyCells(vtkPolyData* surface, const std::vector<bool>& cells)
+{
+  return surface->GetNumberOfCells() == 0 ? vtkSmartPointer<vtkPolyData>(surface)
+                                          : Part(CopyOf(surface), cells, true);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> WithoutCells(vtkPolyData* surface, const std::vector<bool>& cells)
+{
+  return surface->GetNumberOfCells() == 0 ? vtkSmartPointer<vtkPolyData>(surface)
+                                          : Part(CopyOf(surface), cells, false);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> CutOut(vtkPolyData* surface, const std::vector<bool>& cells)
+{
+  if (surface->GetNumberOfCells() == 0)
+  {
+    return vtkSmartPointer<vtkPolyData>::New();
+  }
+  const auto copy = CopyOf(surface);
+  MarkCuts(copy, cells);
+  return Part(copy, cells, true);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> WithoutArrays(vtkPolyData* surface)
+{
+  auto bare = vtkSmartPointer<vtkPolyData>::New();
+  bare->SetPoints(surface->GetPoints());
+  bare->SetPolys(surface->GetPolys());
+  vtkDataArray* labels = surface->GetCellData()->GetArray("BoundaryLabels");
+  if (labels)
+  {
+    const auto ofPolygons = vtk::TakeSmartPointer(labels->NewInstance());
+    ofPolygons->SetName(labels->GetName());
+    ofPolygons->SetNumberOfComponents(labels->GetNumberOfComponents());
+    ofPolygons->InsertTuples(0, bare->GetNumberOfCells(), FirstPolygon(surface), labels);
+    bare->GetCellData()->AddArray(ofPolygons);
+  }
+  bare->GetFieldData()->ShallowCopy(surface->GetFieldData());
+  return bare;
 }
 
 //------------------------------------------------------------------------------
@@ -136,6 +280,29 @@ std::vector<char> TakeRim(vtkPolyData* strips)
   }
   strips->GetPointData()->RemoveArray(RimArrayName);
   return isOnRim;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::array<vtkIdType, 2>> TakeCuts(vtkPolyData* strips)
+{
+  std::vector<std::array<vtkIdType, 2>> edges;
+  const vtkSmartPointer<vtkDataArray> cuts = strips->GetCellData()->GetArray(CutsArrayName);
+  if (cuts)
+  {
+    ForEachPolygon(strips,
+      [&](std::size_t cell, vtkIdList& corners)
+      {
+        for (int i = 0; i < 3; ++i)
+        {
+          if (cuts->GetComponent(static_cast<vtkIdType>(cell), i) != 0.0)
+          {
+            edges.push_back({ corners.GetId(i), corners.GetId((i + 1) % 3) });
+          }
+        }
+      });
+    strips->GetCellData()->RemoveArray(CutsArrayName);
+  }
+  return edges;
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,10 @@
 #include "SharedPositions.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkType.h" // for vtkIdType
+
+#include <array>
+#include <vector>
 
 class vtkPoints;
 class vtkPolyData;
@@ -19,14 +23,35 @@ namespace bonedecimate
 struct StripParts
 {
   vtkSmartPointer<vtkPolyData>
-    Strip; ///< The triangles a few rings around the shared positions, with a mark of its rim.
+    Strip; ///< Triangles around the shared positions, with marks of its rim and of the edges where it was cut out.
   vtkSmartPointer<vtkPolyData> Rest; ///< Everything else. Both have the arrays of the surface.
 };
 
-StripParts CutStrips(vtkPolyData* surface, const Positions& shared);
+/// Of each cell, whether it is one of those or within a few rings of triangles around them.
+std::vector<bool> RingsAround(vtkPolyData* surface, std::vector<bool> cells);
 
-/// Removes the mark of the rim: of each point of joined strips, whether they are connected to the rest there.
+/// Of each cell, whether one of its corners is at such a position.
+std::vector<bool> CellsAt(vtkPolyData* surface, const Positions& positions);
+
+/// @param mayChange Cells of the strip that are not at its rim.  @param around Cells that it has, too, as its rim.
+StripParts CutStrips(
+  vtkPolyData* surface, const std::vector<bool>& mayChange, const std::vector<bool>& around);
+
+/// The marked cells with their points and all arrays, or all others.
+vtkSmartPointer<vtkPolyData> OnlyCells(vtkPolyData* surface, const std::vector<bool>& cells);
+vtkSmartPointer<vtkPolyData> WithoutCells(vtkPolyData* surface, const std::vector<bool>& cells);
+
+/// The marked cells, and a mark of the edges at which they are cut out of the surface.
+vtkSmartPointer<vtkPolyData> CutOut(vtkPolyData* surface, const std::vector<bool>& cells);
+
+/// Removes the mark of the rim: of each point of joined strips, whether it must not change.
 std::vector<char> TakeRim(vtkPolyData* strips);
+
+/// Removes the mark of edges: pairs of points.
+std::vector<std::array<vtkIdType, 2>> TakeCuts(vtkPolyData* strips);
+
+/// The polygons without arrays but their labels (BoundaryLabels).
+vtkSmartPointer<vtkPolyData> WithoutArrays(vtkPolyData* surface);
 
 /// One after the other, with the field data of the first that has points. Points are not merged.
 vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkSmartPointer<vtkPolyData>>& parts);

@@ -7,7 +7,6 @@
 #include "vtkCommunicator.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -21,29 +20,6 @@
 
 namespace
 {
-vtkDataArray* PointValues(vtkPolyData* surface, const std::string& name)
-{
-  return surface->GetPointData()->GetArray(name.c_str());
-}
-
-/// Number of triangles with a corner at one of the positions.
-double TrianglesAt(vtkPolyData* surface, const bonedecimate::Positions& positions)
-{
-  double count = 0.0;
-  vtkNew<vtkIdList> corners;
-  surface->BuildCells();
-  for (vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
-       cell < surface->GetNumberOfCells(); ++cell)
-  {
-    surface->GetCellPoints(cell, corners);
-    const bool isThere = std::any_of(corners->begin(), corners->end(),
-      [&](vtkIdType corner)
-      { return bonedecimate::Contains(positions, surface->GetPoint(corner)); });
-    count += isThere ? 1.0 : 0.0;
-  }
-  return count;
-}
-
 void SetPointValues(
   vtkPolyData* surface, const std::string& name, const std::vector<double>& values)
 {
@@ -54,26 +30,6 @@ void SetPointValues(
     array->InsertNextValue(value);
   }
   surface->GetPointData()->AddArray(array);
-}
-
-/// For each point of the result the sum of the counts of the points that became part of it.
-void SumCounts(
-  vtkPolyData* before, vtkDataArray* became, vtkPolyData* after, const std::string& name)
-{
-  vtkDataArray* from = PointValues(before, name);
-  vtkDataArray* to = PointValues(after, name);
-  if (from && to && became)
-  {
-    to->Fill(0.0);
-    for (vtkIdType i = 0; i < became->GetNumberOfTuples(); ++i)
-    {
-      const vtkIdType point = static_cast<vtkIdType>(became->GetComponent(i, 0));
-      if (point >= 0)
-      {
-        to->SetComponent(point, 0, to->GetComponent(point, 0) + from->GetComponent(i, 0));
-      }
-    }
-  }
 }
 }
 
@@ -140,6 +96,7 @@ vtkPBoneDecimate::Plan vtkPBoneDecimate::MakePlan(
   Plan plan;
   plan.VoxelSize = voxelSize;
   plan.Error = this->LargestError(voxelSize);
+  plan.ProvesError = plan.Error > 0.0 && this->GetMode() != THESIS;
   plan.GuardsVoxels = this->IsTrueAnywhere(this->GuardsVoxels(input, plan.Error));
   plan.Shared = bonedecimate::SharedPositions(input, this->Controller);
   plan.SharedPoints = static_cast<double>(plan.Shared.size());
@@ -147,13 +104,17 @@ vtkPBoneDecimate::Plan vtkPBoneDecimate::MakePlan(
   {
     plan.IsShared.push_back(bonedecimate::Contains(plan.Shared, input->GetPoint(point)) ? 1 : 0);
   }
+  this->FindNeighbors(input, plan);
   const double own = static_cast<double>(input->GetNumberOfPolys());
-  const double constrained = TrianglesAt(input, plan.Shared);
+  const std::vector<bool> unchanged = this->UnchangedCells(input, plan);
+  const auto constrained =
+    static_cast<double>(std::count(unchanged.begin(), unchanged.end(), true));
   plan.Total = this->OfAll(own, vtkCommunicator::SUM_OP);
   const double allConstrained = this->OfAll(constrained, vtkCommunicator::SUM_OP);
   plan.Target = this->TargetTriangles(plan.Total, plan.Error, this->IsLimitedEverywhere(input));
   const bool hasReference = this->IsTrueAnywhere(reference != nullptr);
-  plan.ReducesStrips = !plan.Shared.empty() && plan.Target < plan.Total && !hasReference &&
+  const bool hasUnchanged = this->IsTrueAnywhere(constrained > 0.0);
+  plan.ReducesStrips = hasUnchanged && plan.Target < plan.Total && !hasReference &&
     !this->HasInputArray(TOLERANCE_ARRAY) && !(this->GetMode() == THESIS && plan.Error > 0.0);
   // Strips that are reduced later count with their target, all others as they are.
   const double ratio = plan.ReducesStrips
@@ -166,19 +127,22 @@ vtkPBoneDecimate::Plan vtkPBoneDecimate::MakePlan(
 }
 
 //------------------------------------------------------------------------------
-void vtkPBoneDecimate::Order(
-  vtkPBoneDecimate* run, double triangles, double error, const Plan& plan) const
+void vtkPBoneDecimate::Order(vtkPBoneDecimate* run, double triangles, const Plan& plan) const
 {
   run->CopyOptions(*this);
   run->SetTargetNumberOfTriangles(
     static_cast<int>(std::min<double>(triangles, std::numeric_limits<int>::max())));
   run->SetTargetReduction(1.0); // is in the number
-  run->SetMaximumError(error);
+  run->SetMaximumError(plan.Error);
   run->SetErrorPreset(NO_PRESET);
   run->SetSmoothing(0.0); // is done for all parts together
   run->SetAutomaticSmoothing(false);
   run->SetFeatureAngle(180.0);
   run->SetKeepVoxels(plan.GuardsVoxels ? KEEP_VOXELS_ON : KEEP_VOXELS_OFF);
+  run->SetPruneSize(0.0); // was done for all parts together
+  run->SetPruneArea(0.0);
+  run->SetPruneVolume(0.0);
+  run->SetPruneTriangles(0);
   run->SetMakeMaps(false);
   run->SetOutputPointsPrecision(DEFAULT_PRECISION); // constrained points keep their bits
 }
@@ -188,83 +152,18 @@ void vtkPBoneDecimate::Order(
 bool vtkPBoneDecimate::ReducePart(
   vtkPBoneDecimate* run, vtkPolyData* input, vtkPolyData* reference, const Plan& plan)
 {
-  this->Order(run, plan.TargetHere, plan.ErrorOfParts(), plan);
+  this->Order(run, plan.TargetHere, plan);
   run->SetPart(plan.IsShared, plan.SmoothedPoints);
+  if (plan.ProvesError)
+  {
+    run->SetNeighborsOfPart(plan.Neighbors, plan.NeighborDistance());
+  }
   return this->Run(run, input, reference);
 }
 
 //------------------------------------------------------------------------------
-/// Phase 2: process 0 gets the result of the strips of all processes.
-void vtkPBoneDecimate::ReduceSharedStrips(
-  vtkPolyData* input, Plan& plan, vtkPolyData* output, vtkPolyData* inputCopy)
-{
-  const bonedecimate::StripParts parts = bonedecimate::CutStrips(output, plan.Shared);
-  const double strip = static_cast<double>(parts.Strip->GetNumberOfPolys());
-  const double rest = static_cast<double>(parts.Rest->GetNumberOfPolys());
-  plan.StripsBefore = this->OfAll(strip, vtkCommunicator::SUM_OP);
-  const double left = plan.Target - this->OfAll(rest, vtkCommunicator::SUM_OP);
-  std::vector<vtkSmartPointer<vtkDataObject>> received;
-  this->Controller->Gather(parts.Strip, received, 0);
-  const bool isFirst = this->Controller->GetLocalProcessId() == 0;
-  auto reduced = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPBoneDecimate> run;
-  if (isFirst)
-  {
-    std::vector<vtkSmartPointer<vtkPolyData>> strips;
-    strips.reserve(received.size());
-    for (vtkDataObject* one : received)
-    {
-      strips.emplace_back(vtkPolyData::SafeDownCast(one));
-    }
-    reduced = bonedecimate::Join(strips);
-    const double triangles = plan.Target > 0.0 ? std::max(left, 1.0) : 0.0;
-    if (reduced->GetNumberOfPolys() > 0 && this->ReduceStrips(run, reduced, plan, triangles))
-    {
-      reduced = run->GetOutput();
-    }
-  }
-  this->Controller->Broadcast(reduced, 0);
-  plan.StripsAfter = static_cast<double>(reduced->GetNumberOfPolys());
-  plan.Proved += this->ProvedByAll(run);
-  this->AddCounts(run, plan);
-  this->MeasureAnew(input, parts.Rest, reduced, inputCopy);
-  const auto whole = isFirst ? bonedecimate::Join({ parts.Rest, reduced }) : parts.Rest;
-  whole->GetFieldData()->ShallowCopy(output->GetFieldData());
-  output->ShallowCopy(whole);
-}
-
-//------------------------------------------------------------------------------
-/// False if they were rejected.
-bool vtkPBoneDecimate::ReduceStrips(
-  vtkPBoneDecimate* run, vtkPolyData* strips, const Plan& plan, double triangles)
-{
-  this->Order(run, triangles, plan.Error - plan.ErrorOfParts(), plan);
-  run->SetPart(bonedecimate::TakeRim(strips), {});
-  run->SetMergePoints(true); // that is what joins them
-  run->SetMakeMaps(true);
-  run->SetMeasureDistances(false);
-  run->SetMeasureInputDistances(false);
-  if (!this->Run(run, strips, nullptr))
-  {
-    return false;
-  }
-  vtkPolyData* reduced = run->GetOutput();
-  vtkPolyData* copy = vtkPolyData::SafeDownCast(run->GetOutputDataObject(1));
-  SumCounts(strips, PointValues(copy, "ResultPointIds"), reduced, this->GetPointCountArrayName());
-  reduced->GetPointData()->RemoveArray("OriginalPointIds");
-  reduced->GetCellData()->RemoveArray("OriginalCellIds");
-  vtkDataArray* bounds = PointValues(reduced, this->GetErrorBoundArrayName());
-  for (vtkIdType i = 0; bounds && i < bounds->GetNumberOfTuples(); ++i)
-  {
-    bounds->SetComponent(i, 0, bounds->GetComponent(i, 0) + plan.Proved);
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-/// Distances that phase 2 changed, each to the surfaces of all processes or, of input points, to those at hand.
-void vtkPBoneDecimate::MeasureAnew(
-  vtkPolyData* input, vtkPolyData* rest, vtkPolyData* reduced, vtkPolyData* inputCopy)
+/// Distances that phase 2 changed, each to the surfaces of all processes.
+void vtkPBoneDecimate::MeasureAnew(vtkPolyData* input, vtkPolyData* rest, vtkPolyData* reduced)
 {
   if (this->GetMeasureDistances() || this->GetMode() == THESIS)
   {
@@ -284,12 +183,27 @@ void vtkPBoneDecimate::MeasureAnew(
       surface->GetPointData()->RemoveArray(this->GetRunningErrorArrayName().c_str());
     }
   }
+}
+
+//------------------------------------------------------------------------------
+/// @param result What is at hand of it: distances of input points are to its nearest.
+void vtkPBoneDecimate::FillInputCopy(
+  vtkPolyData* input, const std::vector<vtkPolyData*>& result, vtkPolyData* inputCopy)
+{
+  if (inputCopy->GetNumberOfPoints() < input->GetNumberOfPoints())
+  {
+    inputCopy->ShallowCopy(input); // phase 1 did not have what was pruned
+  }
   if (this->GetMeasureInputDistances())
   {
-    std::vector<double> nearest = bonedecimate::DistancesTo(rest, input->GetPoints());
-    const std::vector<double> toStrips = bonedecimate::DistancesTo(reduced, input->GetPoints());
-    std::transform(nearest.begin(), nearest.end(), toStrips.begin(), nearest.begin(),
-      [](double a, double b) { return std::min(a, b); });
+    std::vector<double> nearest(static_cast<std::size_t>(input->GetNumberOfPoints()),
+      std::numeric_limits<double>::infinity());
+    for (vtkPolyData* surface : result)
+    {
+      const std::vector<double> distances = bonedecimate::DistancesTo(surface, input->GetPoints());
+      std::transform(nearest.begin(), nearest.end(), distances.begin(), nearest.begin(),
+        [](double a, double b) { return std::min(a, b); });
+    }
     SetPointValues(inputCopy, this->GetInputDistanceArrayName(), nearest);
     inputCopy->GetPointData()->RemoveArray(this->GetInputErrorBoundArrayName().c_str());
   }

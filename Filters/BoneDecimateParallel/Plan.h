@@ -18,8 +18,13 @@
 
 struct vtkPBoneDecimate::Plan
 {
-  /// Ratio of MaximumError that phase 1 may use. Phase 2 has the rest, because errors of both may add up.
-  static constexpr double RatioOfParts = 0.8;
+  /// In largest errors: how far phase 1 stays from the input of other processes. What it leaves there is within one of that
+  /// input on both sides, so nothing meets, and a gap between them keeps half of its width.
+  static constexpr double ErrorsOfNeighbors = 3.001;
+  /// In largest errors, around the original of the strips: where phase 2 sees the surface. New triangles are within one of it,
+  /// and the intersection guard looks four farther.
+  static constexpr double ErrorsOfReach = 5.001;
+  static constexpr double OneError = 1.001; ///< In largest errors, with the rounding of all this.
 
   bonedecimate::Positions
     Shared;                   ///< Once points are smoothed: where those of this process are then.
@@ -30,23 +35,32 @@ struct vtkPBoneDecimate::Plan
   bool GuardsVoxels = false; ///< Whether edits may not change a voxel.
   double VoxelSize = 0.0;    ///< mm, of the voxel grid; 0: none is known.
   vtkSmartPointer<vtkPolyData>
-    Whole;                 ///< The whole input, on process 0 alone; null: not gathered yet.
-  double Total = 0.0;      ///< Triangles of all processes.
-  double Target = 0.0;     ///< Triangles to reach, of all processes; 0: none.
-  double TargetHere = 0.0; ///< Of this process in phase 1.
-  double Error = 0.0;      ///< mm, the largest allowed; 0: none.
-  double Proved = 0.0;     ///< mm, of all phases so far; not a number without a proof.
+    Whole; ///< The whole input, on process 0 alone; null: not gathered yet.
+  vtkSmartPointer<vtkPolyData> Unpruned; ///< The input of this process with all components.
+  double Total = 0.0;                    ///< Triangles of all processes.
+  double Target = 0.0;                   ///< Triangles to reach, of all processes; 0: none.
+  double TargetHere = 0.0;               ///< Of this process in phase 1.
+  double Error = 0.0;                    ///< mm, the largest allowed; 0: none.
+  bool ProvesError = false;
+  vtkSmartPointer<vtkPolyData>
+    Neighbors; ///< With ProvesError: triangles of the input of other processes near this one.
+  double Proved = 0.0; ///< mm, of all phases so far; not a number without a proof.
   bool ReducesStrips = false;
   double StripsBefore = 0.0; ///< Triangles of the strips before and after phase 2.
   double StripsAfter = 0.0;
   std::map<std::string, double>
     Counts; ///< Of edits of all processes and phases, by their names in the report.
 
-  /// mm, the largest error of phase 1.
-  double ErrorOfParts() const
-  {
-    return this->ReducesStrips ? RatioOfParts * this->Error : this->Error;
-  }
+  /// mm, that phase 1 keeps from the neighbors.
+  double NeighborDistance() const { return ErrorsOfNeighbors * this->Error; }
+};
+
+/// Where parts are near each other, after phase 1.
+struct vtkPBoneDecimate::Strips
+{
+  vtkSmartPointer<vtkPolyData> Own;      ///< Of this process, with marks (BoundaryStrips.h).
+  vtkSmartPointer<vtkPolyData> Rest;     ///< Everything else of this process.
+  vtkSmartPointer<vtkPolyData> Original; ///< With ProvesError: what all strips are proved against.
 };
 
 #endif

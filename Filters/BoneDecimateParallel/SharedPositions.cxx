@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SharedPositions.h"
 
+#include "Gathering.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -13,7 +15,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 namespace bonedecimate
@@ -69,24 +70,18 @@ bool HaveSameLabels(vtkDataArray* labels, vtkIdType first, vtkIdType second)
 /// The positions of all processes.
 Positions GatherAll(const Positions& own, vtkMultiProcessController* controller)
 {
-  const std::size_t processes = static_cast<std::size_t>(controller->GetNumberOfProcesses());
-  const vtkIdType length = 3 * static_cast<vtkIdType>(own.size());
-  std::vector<vtkIdType> lengths(processes, 0);
-  controller->AllGather(&length, lengths.data(), 1);
-  std::vector<vtkIdType> offsets(processes, 0);
-  std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
-  Positions all(static_cast<std::size_t>(offsets.back() + lengths.back()) / 3);
-  // One number more, so that there is an address even where there is nothing to send.
-  std::vector<double> sent(static_cast<std::size_t>(length) + 1, 0.0);
-  std::vector<double> received(3 * all.size() + 1, 0.0);
-  for (std::size_t i = 0; i < own.size(); ++i)
+  std::vector<double> numbers;
+  for (const Position& position : own)
   {
-    std::copy(own[i].begin(), own[i].end(), sent.begin() + 3 * static_cast<std::ptrdiff_t>(i));
+    numbers.insert(numbers.end(), position.begin(), position.end());
   }
-  controller->AllGatherV(sent.data(), received.data(), length, lengths.data(), offsets.data());
-  for (std::size_t i = 0; i < all.size(); ++i)
+  Positions all;
+  for (const std::vector<double>& ofProcess : AllNumbers(numbers, controller))
   {
-    all[i] = { received[3 * i], received[3 * i + 1], received[3 * i + 2] };
+    for (std::size_t i = 0; i + 2 < ofProcess.size(); i += 3)
+    {
+      all.push_back({ ofProcess[i], ofProcess[i + 1], ofProcess[i + 2] });
+    }
   }
   SortOnce(all);
   return all;

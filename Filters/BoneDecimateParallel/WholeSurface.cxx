@@ -4,36 +4,17 @@
  * @file WholeSurface.cxx
  * @brief The steps of vtkPBoneDecimate that process 0 does for the whole surface: smoothing, and the comparison of voxels.
  */
-#include "BoundaryStrips.h"
+#include "Gathering.h"
 #include "Plan.h"
 
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 
-#include <limits>
 #include <numeric>
 
 namespace
 {
-/// On process 0, one after the other in the order of the processes; null on the others.
-vtkSmartPointer<vtkPolyData> Gathered(vtkPolyData* part, vtkMultiProcessController* controller)
-{
-  std::vector<vtkSmartPointer<vtkDataObject>> received;
-  controller->Gather(part, received, 0);
-  if (controller->GetLocalProcessId() != 0)
-  {
-    return nullptr;
-  }
-  std::vector<vtkSmartPointer<vtkPolyData>> parts;
-  parts.reserve(received.size());
-  for (vtkDataObject* one : received)
-  {
-    parts.emplace_back(vtkPolyData::SafeDownCast(one));
-  }
-  return bonedecimate::Join(parts);
-}
-
 /// Hands each process its numbers.
 /// @param all Of all processes in their order, on process 0 alone.
 std::vector<double> Scattered(
@@ -58,7 +39,7 @@ void vtkPBoneDecimate::GatherWhole(vtkPolyData* input, Plan& plan)
 {
   if (!this->IsTrueAnywhere(plan.Whole != nullptr))
   {
-    plan.Whole = Gathered(input, this->Controller);
+    plan.Whole = bonedecimate::GatheredAt(0, input, this->Controller);
   }
 }
 
@@ -75,10 +56,7 @@ bool vtkPBoneDecimate::SmoothTogether(vtkPolyData* input, Plan& plan)
   std::vector<double> points;
   if (plan.Whole)
   {
-    // More would be beyond the largest error of phase 1.
-    const double most =
-      plan.Error > 0.0 ? plan.ErrorOfParts() : std::numeric_limits<double>::infinity();
-    points = this->SmoothPoints(plan.Whole, most);
+    points = this->SmoothPoints(plan.Whole);
   }
   const bool isDone = this->IsTrueAnywhere(!points.empty());
   if (!isDone)
@@ -105,12 +83,17 @@ bool vtkPBoneDecimate::SmoothTogether(vtkPolyData* input, Plan& plan)
 
 //------------------------------------------------------------------------------
 /// The figures are then those of every process.
-void vtkPBoneDecimate::CompareVoxelsTogether(vtkPolyData* input, vtkPolyData* output, Plan& plan)
+void vtkPBoneDecimate::CompareVoxelsTogether(vtkPolyData* output, Plan& plan)
 {
   if (plan.VoxelSize > 0.0)
   {
-    this->GatherWhole(input, plan);
-    const vtkSmartPointer<vtkPolyData> result = Gathered(output, this->Controller);
+    if (this->Prunes())
+    {
+      plan.Whole = nullptr; // as on one process, what was pruned counts
+    }
+    this->GatherWhole(plan.Unpruned, plan);
+    const vtkSmartPointer<vtkPolyData> result =
+      bonedecimate::GatheredAt(0, output, this->Controller);
     if (result)
     {
       this->CompareVoxels(plan.Whole, result, plan.GuardsVoxels);

@@ -171,11 +171,6 @@ const char* vtkPBoneDecimate::ProblemOfParts(
   {
     return "smoothing on several processes needs points of one precision on all of them";
   }
-  if (this->GetPruneSize() > 0.0 || this->GetPruneArea() > 0.0 || this->GetPruneVolume() > 0.0 ||
-    this->GetPruneTriangles() > 0)
-  {
-    return "components are pruned on one process alone: here may lie a small part of a large one";
-  }
   if (this->HasInputArray(LABEL_ARRAY))
   {
     return "labels are for one process alone: their lines would not meet between the parts";
@@ -213,12 +208,20 @@ int vtkPBoneDecimate::RunTogether(
     vtkErrorMacro(<< problem);
     return 0;
   }
+  const vtkSmartPointer<vtkPolyData> unpruned = input;
+  const vtkSmartPointer<vtkPolyData> kept = this->PruneTogether(input);
+  if (!kept)
+  {
+    return 0;
+  }
+  input = kept;
   const double diagonal = this->WholeDiagonal(input);
   if (std::isfinite(diagonal) && !this->AcceptSize(diagonal, this->LargestError(voxelSize)))
   {
     return 0;
   }
   Plan plan = this->MakePlan(input, reference, voxelSize);
+  plan.Unpruned = unpruned;
   if (!this->SmoothTogether(input, plan))
   {
     return 0;
@@ -243,7 +246,11 @@ int vtkPBoneDecimate::RunTogether(
   {
     this->ReduceSharedStrips(input, plan, output, inputCopy);
   }
-  this->CompareVoxelsTogether(input, output, plan);
+  else if (this->Prunes())
+  {
+    this->FillInputCopy(unpruned, { output }, inputCopy);
+  }
+  this->CompareVoxelsTogether(output, plan);
   this->Report(plan, output);
   return 1;
 }

@@ -8,18 +8,18 @@
  *
  *     shared    points of open boundaries and of curves between labels that more than one process has
  *     smoothing process 0 smooths the whole surface and hands each process its points
- *     phase 1   each process decimates its part, towards its part of the triangles; shared points and the corners of their
- *               triangles are constrained
- *     phase 2   strips of a few rings around the shared points go to process 0, are joined there and decimated with their
- *               rims constrained; the result stays there
+ *     phase 1   each process decimates its part, towards its part of the triangles, and away from the parts of others; shared
+ *               points and the corners of their triangles are constrained
+ *     phase 2   strips around what phase 1 left go to process 0, are joined there and decimated further with their rims
+ *               constrained; the result stays there
  *     voxels    process 0 compares the voxels of the whole input and of the whole result
  *
  * The result hangs together as the input did, wherever points are equal. TargetNumberOfTriangles and TargetReduction are meant of
- * the whole surface. MaximumError holds of the whole surface, relative to the input before smoothing: phase 1 may use four fifths
- * of it, phase 2 one fifth. The same partition gives the same bytes. With an array of tolerances, with a reference, and in Thesis
+ * the whole surface. MaximumError holds of the whole surface, relative to the input before smoothing: both phases are proved
+ * against the input. IntersectionGuard works across processes. The same partition gives the same bytes. With an array of tolerances, with a reference, and in Thesis
  * mode with MaximumError there is no second phase: the triangles at the shared points stay as they are.
  *
- * The smoothed surface is that of one process, bit for bit. Smoothing in mm is lowered to the error of phase 1. KeepVoxels is
+ * The smoothed surface is that of one process, bit for bit. KeepVoxels is
  * decided for the whole surface. Only smoothing and the comparison of voxels need the memory of the whole surface on process 0.
  *
  * The report in the field data is then that of the whole surface and short: input.triangles, output.triangles, proof.upper (mm),
@@ -28,7 +28,9 @@
  * On one process a vtkPolyData gives exactly what vtkBoneDecimate gives. The polydata in a composite data set are taken as one
  * surface, so that equal points of blocks hang together; the cell array BlockIndex says from which block a triangle is.
  *
- * Every process must update the filter, those without triangles, too. Rejected on several: pruning, LabelArrayName, MergePoints off,
+ * Components are pruned as those of the whole surface.
+ *
+ * Every process must update the filter, those without triangles, too. Rejected on several: LabelArrayName, MergePoints off,
  * MakeMaps, DiagnoseInput, an OutputPointsPrecision other than the default, an OutputPointsGrid, smoothing with a reference or of parts in different
  * precision, and an ErrorPreset without VoxelSize or a voxel grid. Parts and blocks of different label maps are always rejected.
  * ErrorBoundToResult is left out.
@@ -38,6 +40,7 @@
 
 #include "vtkBoneDecimate.h"
 #include "vtkFiltersBoneDecimateParallelModule.h" // for export macro
+#include "vtkSmartPointer.h"                      // for surfaces
 
 class vtkMultiProcessController;
 
@@ -68,6 +71,7 @@ private:
   void operator=(const vtkPBoneDecimate&) = delete;
 
   struct Plan;
+  struct Strips;
 
   bool HasProcesses() const;
   double OfAll(double own, int operation) const;
@@ -85,18 +89,25 @@ private:
   double TargetTriangles(double total, double error, bool isLimited) const;
   bool IsLimitedEverywhere(vtkPolyData* input);
   const char* ProblemOfParts(vtkPolyData* input, vtkPolyData* reference, double voxelSize);
+  bool Prunes();
+  vtkSmartPointer<vtkPolyData> PruneTogether(vtkPolyData* input);
   Plan MakePlan(vtkPolyData* input, vtkPolyData* reference, double voxelSize);
   void GatherWhole(vtkPolyData* input, Plan& plan);
   bool SmoothTogether(vtkPolyData* input, Plan& plan);
-  void CompareVoxelsTogether(vtkPolyData* input, vtkPolyData* output, Plan& plan);
-  void Order(vtkPBoneDecimate* run, double triangles, double error, const Plan& plan) const;
+  void CompareVoxelsTogether(vtkPolyData* output, Plan& plan);
+  void FindNeighbors(vtkPolyData* input, Plan& plan);
+  std::vector<bool> UnchangedCells(vtkPolyData* surface, const Plan& plan) const;
+  void Order(vtkPBoneDecimate* run, double triangles, const Plan& plan) const;
   bool ReducePart(
     vtkPBoneDecimate* run, vtkPolyData* input, vtkPolyData* reference, const Plan& plan);
   void ReduceSharedStrips(
     vtkPolyData* input, Plan& plan, vtkPolyData* output, vtkPolyData* inputCopy);
-  bool ReduceStrips(vtkPBoneDecimate* run, vtkPolyData* strips, const Plan& plan, double triangles);
-  void MeasureAnew(
-    vtkPolyData* input, vtkPolyData* rest, vtkPolyData* reduced, vtkPolyData* inputCopy);
+  Strips CutStripsOfAll(vtkPolyData* input, vtkPolyData* output, const Plan& plan);
+  vtkSmartPointer<vtkPolyData> ReduceStrips(vtkPBoneDecimate* run, vtkPolyData* joined,
+    const Strips& strips, const Plan& plan, double triangles);
+  void MeasureAnew(vtkPolyData* input, vtkPolyData* rest, vtkPolyData* reduced);
+  void FillInputCopy(
+    vtkPolyData* input, const std::vector<vtkPolyData*>& result, vtkPolyData* inputCopy);
   void Report(const Plan& plan, vtkPolyData* output);
 
   vtkMultiProcessController* Controller = nullptr;

@@ -81,7 +81,7 @@ std::optional<ErrorBoundSettings> BoundSettings(const RunTask& task, const Prepa
   settings.Origin = prepared.Cleaned.Origin;
   if (ContinuesEarlierRun(task.Inputs))
   {
-    settings.BoundaryZone = LocalZone(task.Inputs.Part->BoundaryZone, prepared.Cleaned);
+    settings.Cuts = CutEdgesOf(task.Inputs.Part->CutEdges, prepared.Cleaned);
   }
   return settings;
 }
@@ -118,12 +118,13 @@ EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepar
     settings.CollapsesFeatureCurves = CollapsesFeatureCurves(task.Inputs);
     settings.Voxels = VoxelSettings(task, prepared);
     settings.Tolerances = prepared.VertexTolerances;
-    settings.IsConstrained = SharedVertices(task.Inputs.Part, prepared.Cleaned);
     settings.Bound = BoundSettings(task, prepared);
     settings.Reference = prepared.Original.get();
     if (const SurfacePart* part = task.Inputs.Part)
     {
       settings.EditZone = LocalZone(part->EditZone, prepared.Cleaned);
+      settings.Neighbors = NeighborsOf(*part, prepared.Cleaned, settings.Threads);
+      settings.IsConstrained = SharedVertices(*part, prepared.Cleaned, settings.Neighbors);
     }
     settings.GuardsIntersections = task.Effective.BoundsError() && task.Effective.IntersectionGuard;
     settings.Input = &task.Input;

@@ -83,14 +83,22 @@ struct SurfacePart
   std::vector<Vector3> SmoothedPoints;
   /// Where edits are allowed, mm; none: everywhere. New positions are inside, and vertices outside may only stay.
   std::optional<Zone> EditZone = {};
-  /// With a reference: edges of one triangle that do not reach it are where the part was cut. None: all of them are boundaries.
-  std::optional<Zone> BoundaryZone = {};
+  /// What other parts have near this one, mm: faces that come within NeighborDistance (mm, above 0) of it stay, and new ones are
+  /// farther away. Null: nothing.
+  const Surface* Neighbors = nullptr;
+  double NeighborDistance = 0.0;
   /// The original of a part that is itself a result: the largest error then refers to it. It must have all that is within that
   /// error of what may change, and the part all that is near it. Null: the input. Not with smoothed points or tolerances; the run
   /// ends without a certificate, because both surfaces end somewhere else.
   const Surface* Reference = nullptr;
   const LabelMapSource* ReferenceLabels =
     nullptr; ///< Pairs of labels of its triangles; null: none.
+  const Labels* ReferencePatches =
+    nullptr; ///< Labels of its triangles (RunInputs::Labels); null: none.
+  /// With a reference: edges, as pairs of points, at which the part and its original were cut out of the whole. Those of one
+  /// triangle are no boundaries. Their ends must be shared or outside of the edit zone.
+  std::vector<std::array<Index, 2>> CutEdges = {};
+  std::vector<std::array<Index, 2>> ReferenceCutEdges = {};
 };
 
 class RegionCache;

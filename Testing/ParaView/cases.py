@@ -3,10 +3,12 @@
 """Surfaces on several ranks: how they are cut, and the properties of the filter."""
 
 import json
+import math
 
 import label_images
 import specimens
-from vtkmodules.vtkCommonCore import vtkFloatArray, vtkIntArray
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkIntArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 ERROR = 0.5  # mm, of segmentations
 TOLERANCE = 0.1  # mm
@@ -17,6 +19,57 @@ OWNER = {
     "lopsided": lambda number, count, ranks: 0,  # the other ranks have nothing
     "tail": lambda number, count, ranks: min(ranks - 1, 1 + number * max(1, ranks - 1) // count),  # the first has nothing
 }
+
+
+def shells():
+    """Two closed surfaces without common points, one in the other, 0.05 to 0.85 mm apart."""
+    outer = specimens.torus(60, 24)
+    inner = specimens.torus(60, 24)
+    for i in range(inner.GetNumberOfPoints()):
+        x, y, z = inner.GetPoint(i)
+        around = math.hypot(x, y)
+        smaller = 1 - (0.45 - 0.4 * x / around) / 3
+        out = 10 + (around - 10) * smaller
+        inner.GetPoints().SetPoint(i, out * x / around, out * y / around, z * smaller)
+    return joined([outer, inner])
+
+
+def with_spikes(surface):
+    """With triangles without area all over it that stick out by 5 mm: no run knows them."""
+    points, triangles = surface.GetPoints(), surface.GetPolys()
+    for i in range(0, points.GetNumberOfPoints(), 50):
+        x, y, z = points.GetPoint(i)
+        first = points.InsertNextPoint(x, y, z + 2.5)
+        points.InsertNextPoint(x, y, z + 5)
+        triangles.InsertNextCell(3, (i, first, first + 1))
+    return surface
+
+
+def joined(surfaces):
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    triangles = vtkCellArray()
+    for surface in surfaces:
+        first = points.GetNumberOfPoints()
+        for i in range(surface.GetNumberOfPoints()):
+            points.InsertNextPoint(surface.GetPoint(i))
+        for corners in specimens.triangles_of(surface):
+            triangles.InsertNextCell(3, [corner + first for corner in corners])
+    return specimens.polydata(points, triangles)
+
+
+def with_crumbs(surface):
+    """The surface, one nearly as large, and two small ones. Slabs of four ranks cut one of these, and slabs of two the surface."""
+    return joined([specimens.torus(60, 20, shift=40.0), small_torus(80.0), surface, small_torus(120.0)])
+
+
+def small_torus(shift):
+    """Of a tenth of the size."""
+    small = specimens.torus(40, 20)
+    for i in range(small.GetNumberOfPoints()):
+        x, y, z = small.GetPoint(i)
+        small.GetPoints().SetPoint(i, shift + 0.1 * x, 0.1 * y, 0.1 * z)
+    return small
 
 
 def cases():
@@ -30,7 +83,11 @@ def cases():
         "crumbs": (ring, "crumbs", {"TargetReduction": 0.5}),
         "lopsided": (specimens.torus(), "lopsided", {"TargetReduction": 0.5}),
         "open": (patch, "slabs", {"MaximumError": 0.1}),
+        "shells": (shells(), "slabs", {"MaximumError": 0.1}),
+        "scattered": (ring, "crumbs", {"MaximumError": 0.1, "Mode": "Fast"}),
         "blocks": (ring, "blocks", {"TargetReduction": 0.8}),
+        "spikes": (with_spikes(specimens.torus(120, 40, bumps=0.4)), "slabs", {"MaximumError": 0.1, "Mode": "Fast"}),
+        "pruned": (with_crumbs(ring), "slabs", {"MaximumError": 0.1, "Mode": "Fast", "PruneVolume": 1000.0, "MeasureInputDistances": 1}),
     }
 
 
@@ -75,10 +132,7 @@ def rejected():
     """Properties that need the whole surface."""
     ring = specimens.torus
     return {name: (labeled(ring()), "slabs", properties) for name, properties in {
-        "PruneSize": {"PruneSize": 1.0},
-        "PruneArea": {"PruneArea": 1.0},
-        "PruneVolume": {"PruneVolume": 1.0},
-        "PruneTriangles": {"PruneTriangles": 4},
+        "prune-all": {"PruneSize": 1000.0},
         "LabelArrayName": {"LabelArrayName": "bone"},
         "MergePoints": {"MergePoints": 0},
         "MakeMaps": {"MakeMaps": 1},
@@ -149,6 +203,8 @@ def allowed():
         **{name: ({**error, name: "other name"}, has("other name")) for name in names},
         "InputDistanceArrayName": ({"MeasureInputDistances": 1, "InputDistanceArrayName": "other name"}, has("Distance (mm)")),
         "InputErrorBoundArrayName": ({**error, "InputErrorBoundArrayName": "other name"}, proved(0.1)),
+        **{name: ({name: limit, "TargetReduction": 0.5}, reported("pruned", "components", lambda count: count == 0)) for name, limit in (
+            ("PruneSize", 1.0), ("PruneArea", 1.0), ("PruneVolume", 1.0), ("PruneTriangles", 4))},
         "ToleranceArrayName": ({"ToleranceArrayName": "allowed"}, proved(0.1)),
         "ProveResult": ({**error, "ProveResult": 0}, entry("proof.upper", lambda upper: upper is None)),
         "ErrorPreset": ({"ErrorPreset": "HalfVoxel", "VoxelSize": 0.2}, proved(0.1)),

@@ -12,6 +12,7 @@ import subprocess
 
 from bonedecimate import vtkBoneSurfaceDistance
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkFeatureEdges
+from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import cases
@@ -66,6 +67,19 @@ def bad_edges(surface, boundary):
     edges.ManifoldEdgesOff()
     edges.Update()
     return edges.GetOutput().GetNumberOfCells()
+
+
+def intersecting_pairs(surface):
+    """Counted by CGAL; none without the program that does it."""
+    if not os.environ.get("VERIFY_PROGRAM"):
+        return None
+    path = FOLDER / "counted.ply"
+    writer = vtkPLYWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(surface)
+    writer.Write()
+    found = subprocess.run([os.environ["VERIFY_PROGRAM"], "--shape", str(path)], stdout=subprocess.PIPE, encoding="utf-8", check=True)
+    return json.loads(found.stdout)["self_intersections"]
 
 
 def comparison(before, after):

@@ -13,7 +13,10 @@ import unittest
 
 import cases
 import specimens
-from parallel_runs import (FOLDER, RANKS, bad_edges, comparison, distance, is_proved, joined, parts, report_of, run)
+from parallel_runs import (FOLDER, RANKS, bad_edges, comparison, distance, intersecting_pairs, is_proved, joined, parts,
+                           report_of, run)
+
+BOUNDED = ("error", "open", "shells", "scattered")  # by 0.1 mm
 
 
 class Parallel(unittest.TestCase):
@@ -43,10 +46,24 @@ class Parallel(unittest.TestCase):
                     self.assertEqual(self.whole[name, ranks].GetNumberOfPolys(), wanted)
 
     def test_the_error_holds_of_the_whole_surface(self):
-        for name in ("error", "open"):
+        for name in BOUNDED:
             for ranks in RANKS:
                 with self.subTest(name, ranks=ranks):
                     self.assertTrue(is_proved(self.cases[name][0], self.whole[name, ranks], 0.1))
+
+    def test_an_error_costs_few_triangles(self):
+        for name in BOUNDED:
+            alone = self.whole[name, 1].GetNumberOfPolys()
+            for ranks in RANKS[1:]:
+                with self.subTest(name, ranks=ranks):
+                    self.assertLessEqual(self.whole[name, ranks].GetNumberOfPolys(), 1.1 * alone)
+
+    @unittest.skipUnless(os.environ.get("VERIFY_PROGRAM"), "CGAL counts intersecting pairs and is not here")
+    def test_no_triangles_of_different_ranks_intersect(self):
+        for name in BOUNDED:
+            for ranks in RANKS:
+                with self.subTest(name, ranks=ranks):
+                    self.assertEqual(intersecting_pairs(self.whole[name, ranks]), 0)
 
     def test_what_needs_the_whole_surface_is_rejected(self):
         for name in cases.rejected():
@@ -63,6 +80,22 @@ class Parallel(unittest.TestCase):
             with self.subTest(name):
                 self.assertGreater(sum(part.GetNumberOfPolys() for part in found), 0)
                 self.assertTrue(all(shows(part) for part in found if part.GetNumberOfPolys() > 0))
+
+    def test_components_are_pruned_as_those_of_the_whole_surface(self):
+        alone = report_of(parts("pruned", 1)[0])
+        self.assertEqual(alone["pruned"]["components"], 2)
+        for ranks in RANKS[1:]:
+            whole = self.whole["pruned", ranks]
+            self.assertLess(whole.GetBounds()[1], 60.0)  # one small torus was at 80 mm, one at 120 mm
+            self.assertGreater(whole.GetBounds()[1], 40.0)
+            for number, surface in enumerate(parts("pruned", ranks)):
+                report = report_of(surface)
+                with self.subTest(ranks=ranks, number=number):
+                    self.assertEqual(report["input"]["triangles"], alone["input"]["triangles"])
+                    self.assertEqual(report["pruned"]["triangles"], alone["pruned"]["triangles"])
+                    for one, other in zip(report["pruned"]["list"], alone["pruned"]["list"], strict=True):
+                        for name in ("triangles", "size", "area", "volume"):
+                            self.assertAlmostEqual(one[name], other[name], 9)
 
     def test_strips_are_reduced(self):
         for name in ("reduction", "error", "fast", "open"):
@@ -83,9 +116,11 @@ class Parallel(unittest.TestCase):
             self.assertEqual(surface.GetFieldData().GetArray("bonedecimate.proof.upper").GetValue(0), report["proof"]["upper"])
 
     def test_bounds_and_distances_are_true_of_the_input(self):
-        for name in ("error", "open"):
+        for name in BOUNDED:
             before = self.cases[name][0]
             for surface in parts(name, 4):
+                if surface.GetNumberOfPolys() == 0:
+                    continue
                 data = surface.GetPointData()
                 bounds, distances = (data.GetArray(array + " (mm)") for array in ("ErrorBound", "Distance"))
                 compare = comparison(before, surface)

@@ -3,6 +3,7 @@
 #include "Editor.h"
 
 #include "Draft.h"
+#include "EditFilters/NeighborFilter.h"
 #include "EditFilters/ShapeFilter.h"
 #include "EditFilters/ZoneFilter.h"
 #include "ErrorBound/StartProof.h"
@@ -141,6 +142,10 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   {
     this->Filters.push_back(std::make_shared<ZoneFilter>(*settings.EditZone));
   }
+  if (settings.Neighbors.Others)
+  {
+    this->Filters.push_back(std::make_shared<NeighborFilter>(settings.Neighbors));
+  }
   this->Filters.insert(
     this->Filters.end(), settings.MoreFilters.begin(), settings.MoreFilters.end());
   if (settings.RecordsEdits)
@@ -193,57 +198,6 @@ void Editor::AddErrorBound(const EditorSettings& settings)
       std::make_shared<ErrorBound>(this->BoundedMesh(), this->Source.Tree(settings.Threads), bound);
   }
   this->Filters.push_back(this->Bound);
-}
-
-//------------------------------------------------------------------------------
-std::vector<Index> Editor::CurrentVertices() const
-{
-  std::vector<Index> current = this->Source.CurrentVertices();
-  if (this->Continued == nullptr)
-  {
-    return current;
-  }
-  std::vector<Index> ofReference = this->Continued->NearVertex;
-  for (Index& vertex : ofReference)
-  {
-    vertex = current[vertex];
-  }
-  return ofReference;
-}
-
-//------------------------------------------------------------------------------
-/// Adds the corners of faces that may be what a triangle of the reference is near to, although this was not proved.
-/// @param constrained Of each vertex; empty: none.
-std::vector<char> Editor::NearUnproved(std::vector<char> constrained) const
-{
-  constrained.resize(this->Unproved.empty()
-      ? constrained.size()
-      : static_cast<std::size_t>(this->Half.NumberOfVertexSlots()),
-    0);
-  for (const FaceId triangle : this->Unproved)
-  {
-    double squaredReach = 0.0;
-    Vector3 middle = Vector3::Zero();
-    for (const Index corner : this->Continued->Mesh.Corners(triangle))
-    {
-      middle += this->Continued->Mesh.Position(corner) / 3.0;
-    }
-    for (const Index corner : this->Continued->Mesh.Corners(triangle))
-    {
-      const double reach =
-        (this->Continued->Mesh.Position(corner) - middle).norm() + this->LimitAt(corner);
-      squaredReach = std::max(squaredReach, reach * reach);
-    }
-    this->Source.Tree().VisitNear(middle, squaredReach,
-      [&](Index face)
-      {
-        for (const Index corner : this->Half.Corners(face))
-        {
-          constrained[corner] = 1;
-        }
-      });
-  }
-  return constrained;
 }
 
 //------------------------------------------------------------------------------

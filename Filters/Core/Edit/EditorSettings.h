@@ -9,6 +9,7 @@
 
 #include "EditFilters/EditFilter.h"
 #include "ErrorBound/ErrorBound.h"
+#include "Geometry/NearSurface.h"
 #include "Geometry/Zone.h"
 #include "Mesh/ShapeLimits.h"
 #include "Reference/ReferenceMesh.h"
@@ -55,6 +56,8 @@ struct EditorSettings
   const ReferenceMesh* Reference = nullptr;
   /// Where edits are allowed, mm from the local origin; none: everywhere.
   std::optional<Zone> EditZone = {};
+  /// Of which new faces keep a distance.
+  Neighborhood Neighbors = {};
   /// What edits leave, unless a triangle that they replace is worse.
   ShapeLimits Shape = {};
   /// Run after the editor's own filters.

@@ -8,7 +8,7 @@
 
 namespace bonedecimate
 {
-BoundaryCurves::BoundaryCurves(const HalfEdgeMesh& mesh, const Zone* zone)
+BoundaryCurves::BoundaryCurves(const HalfEdgeMesh& mesh, const CutEdges& cuts)
   : Mesh(mesh)
 {
   std::vector<Index> leaving(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), None);
@@ -18,10 +18,7 @@ BoundaryCurves::BoundaryCurves(const HalfEdgeMesh& mesh, const Zone* zone)
     {
       const HalfEdgeId h = HalfEdgeMesh::HalfEdge(face, corner);
       if (mesh.Twin(h) == None &&
-        (zone == nullptr ||
-          zone->MayReach(
-            BoundaryProof::Segment{ mesh.Position(mesh.Origin(h)), mesh.Position(mesh.Target(h)) },
-            0.0)))
+        !cuts.Contain(mesh.OriginalVertex(mesh.Origin(h)), mesh.OriginalVertex(mesh.Target(h))))
       {
         leaving[mesh.Origin(h)] = this->Count();
         this->Edges.push_back(h);

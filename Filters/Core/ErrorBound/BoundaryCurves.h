@@ -8,7 +8,7 @@
 #define BoneDecimate_Core_ErrorBound_BoundaryCurves_h
 
 #include "BoundaryProof.h"
-#include "Geometry/Zone.h"
+#include "Mesh/CutEdges.h"
 #include "Mesh/HalfEdgeMesh.h"
 
 namespace bonedecimate
@@ -16,8 +16,8 @@ namespace bonedecimate
 class BoundaryCurves
 {
 public:
-  /// @param mesh Must not change.  @param zone Edges that do not reach it are left out. Null: none.
-  explicit BoundaryCurves(const HalfEdgeMesh& mesh, const Zone* zone = nullptr);
+  /// @param mesh Must not change.  @param cuts Edges that are left out.
+  explicit BoundaryCurves(const HalfEdgeMesh& mesh, const CutEdges& cuts = {});
 
   Index Count() const { return static_cast<Index>(this->Edges.size()); }
   /// The half-edge without a twin.

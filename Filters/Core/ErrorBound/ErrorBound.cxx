@@ -38,10 +38,11 @@ ErrorBound::ErrorBound(
   const ReferenceMesh& reference, const HalfEdgeMesh& mesh, const ErrorBoundSettings& settings)
   : Source(reference.Mesh)
   , Tree(reference.Tree)
+  , CutsOfSource(reference.Cuts)
   , Settings(settings)
   , Allowed(reference.Mesh, settings)
   , ByFaces(reference.Mesh.NumberOfFaceSlots(), mesh.NumberOfFaceSlots())
-  , Boundaries(reference.Mesh, this->BoundaryZone())
+  , Boundaries(reference.Mesh, reference.Cuts)
   , ByBoundaries(this->Boundaries.Count(),
       static_cast<Index>(HalfEdgeMesh::HalfEdge(mesh.NumberOfFaceSlots(), 0)))
   , NearestBoundary(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), None)

@@ -21,6 +21,7 @@
 #include "EditFilters/EditFilter.h"
 #include "ErrorLimits.h"
 #include "Geometry/Zone.h"
+#include "Mesh/CutEdges.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Mesh/PointRounding.h"
 #include "Reference/Original.h"
@@ -50,9 +51,8 @@ struct ErrorBoundSettings
   /// mm, of each vertex of the mesh at first; negative or not a number: none of its own. Null: Error everywhere. Read
   /// only when the guarantee is made.
   const std::vector<double>* Tolerances = nullptr;
-  /// mm relative to Origin, of a run that continues an earlier one: edges that do not reach it are where a part was cut and
-  /// no boundaries. None: all are boundaries.
-  std::optional<Zone> BoundaryZone = {};
+  CutEdges
+    Cuts = {}; ///< Of a run that continues an earlier one, in the mesh before the first edit.
 
   /// Where the point will be when it has been written.
   Vector3 Rounded(const Vector3& position) const;
@@ -90,11 +90,6 @@ public:
   /// where nothing limits, 0 where nothing may change.
   double LimitAt(VertexId vertex) const { return this->Allowed.At(vertex); }
 
-  /// Null: all edges of one triangle are boundaries.
-  const Zone* BoundaryZone() const
-  {
-    return this->Settings.BoundaryZone ? &*this->Settings.BoundaryZone : nullptr;
-  }
   /// Covers the boundaries of the original by those of the mesh, as ProveStart.  @return Triangles of edges that are not proved.
   std::vector<Index> CoverBoundaries(const HalfEdgeMesh& mesh, const Zone* zone);
 
@@ -109,6 +104,7 @@ private:
 
   const HalfEdgeMesh& Source;
   const BoundingTree& Tree;
+  const CutEdges CutsOfSource;
   ErrorBoundSettings Settings;
   ErrorLimits Allowed; // a little less than the error: for the rounding of the proof itself
   /// Like ByBoundaries and Witnesses, empty before the first edit is proved by itself: a draft needs the memory. Until then each

@@ -30,13 +30,8 @@ bool Prover::NewBoundaryIsNear()
     return true;
   }
   const WalkedBoundary original(this->Shared.Boundaries, this->Shared.Allowed);
-  const Zone* zone = this->Shared.BoundaryZone();
   for (const SurfaceChange::BoundaryEdge& edge : this->Change->NewBoundary)
   {
-    if (zone != nullptr && !zone->MayReach(edge.Ends, 0.0))
-    {
-      continue; // where a part was cut
-    }
     PieceCover<2>::Piece whole;
     for (std::size_t i = 0; i < 2; ++i)
     {

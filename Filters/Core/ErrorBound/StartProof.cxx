@@ -8,22 +8,47 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <tuple>
+#include <utility>
 
 namespace bonedecimate
 {
 namespace
 {
-/// Boundary edges with a search tree. An edge is a triangle of which two corners are equal.
+/// Of the length of an edge.
+constexpr double FromEnd = 0.25;
+
+/// Of length 1, in the plane of its triangle away from the edge.
+Vector3 Inward(const HalfEdgeMesh& mesh, HalfEdgeId h)
+{
+  const Triangle c = mesh.Corners(HalfEdgeMesh::Face(h));
+  const std::size_t first = mesh.Origin(h) == c[0] ? 0 : mesh.Origin(h) == c[1] ? 1 : 2;
+  const Vector3 along =
+    (mesh.Position(mesh.Target(h)) - mesh.Position(mesh.Origin(h))).normalized();
+  const Vector3 inside = mesh.Position(c[(first + 2) % 3]) - mesh.Position(mesh.Origin(h));
+  return (inside - inside.dot(along) * along).normalized();
+}
+
+/// Boundary edges with a search tree. An edge is a triangle of which two corners are equal. Edges of several patches may be at the
+/// same positions: of these, that of the triangle in the same direction is preferred.
 class EdgeSearch
 {
 public:
-  EdgeSearch(const HalfEdgeMesh& mesh, const Zone* zone)
-    : Edges(mesh, zone)
+  EdgeSearch(const HalfEdgeMesh& mesh, const CutEdges& cuts)
+    : Edges(mesh, cuts)
   {
     Surface surface;
     for (Index edge = 0; edge < this->Edges.Count(); ++edge)
     {
-      const BoundaryProof::Segment ends = this->Edges.Ends(edge);
+      BoundaryProof::Segment ends = this->Edges.Ends(edge);
+      // In one order, so that distances to edges of the same positions are the same bits.
+      if (std::lexicographical_compare(
+            ends[1].begin(), ends[1].end(), ends[0].begin(), ends[0].end()))
+      {
+        std::swap(ends[0], ends[1]);
+      }
+      this->Segments.push_back(ends);
+      this->Insides.push_back(Inward(mesh, this->Edges.HalfEdge(edge)));
       const Index first = static_cast<Index>(surface.Points.size());
       surface.Points.insert(surface.Points.end(), ends.begin(), ends.end());
       surface.Triangles.push_back({ first, first + 1, first + 1 });
@@ -32,33 +57,52 @@ public:
   }
 
   const BoundaryCurves& Curves() const { return this->Edges; }
+  const Vector3& InwardOf(Index edge) const { return this->Insides[edge]; }
 
   /// None if there is no edge.
-  Index FindNearest(const Vector3& p) const
+  Index FindNearest(const Vector3& p, const Vector3& inward) const
   {
     double least = std::numeric_limits<double>::infinity(); // squared
-    Index nearest = None;
+    Key best = { least, 0.0, None };
     this->Tree->VisitNear(p, least,
       [&](Index edge)
       {
-        const double squared = BoundaryProof::SquaredReach(this->Edges.Ends(edge), p);
-        nearest = squared < least || (squared == least && edge < nearest) ? edge : nearest;
-        least = std::min(least, squared);
+        const double squared = BoundaryProof::SquaredReach(this->Segments[edge], p);
+        best = std::min(best, Key{ squared, -this->Insides[edge].dot(inward), edge });
+        least = std::get<0>(best);
       });
-    return nearest;
+    return std::get<2>(best);
   }
 
-  /// Ascending.
-  std::vector<Index> FindAround(const Vector3& p, double reach) const
+  /// Those that may be within the distance of a part of the segment, the nearest to both ends first.
+  std::vector<Index> FindAround(
+    const BoundaryProof::Segment& ends, const Vector3& inward, double distance) const
   {
+    const double reach = 0.5 * (ends[1] - ends[0]).norm() + distance;
+    std::vector<Key> found;
+    this->Tree->VisitNear(0.5 * (ends[0] + ends[1]), reach * reach,
+      [&](Index edge)
+      {
+        found.emplace_back(BoundaryProof::SquaredReach(this->Segments[edge], ends[0]) +
+            BoundaryProof::SquaredReach(this->Segments[edge], ends[1]),
+          -this->Insides[edge].dot(inward), edge);
+      });
+    std::sort(found.begin(), found.end());
     std::vector<Index> edges;
-    this->Tree->VisitNear(p, reach * reach, [&](Index edge) { edges.push_back(edge); });
-    std::sort(edges.begin(), edges.end());
+    edges.reserve(found.size());
+    for (const Key& key : found)
+    {
+      edges.push_back(std::get<2>(key));
+    }
     return edges;
   }
 
 private:
+  using Key = std::tuple<double, double, Index>; // mm^2, cosine with changed sign, edge
+
   BoundaryCurves Edges;
+  std::vector<BoundaryProof::Segment> Segments;
+  std::vector<Vector3> Insides;
   std::unique_ptr<BoundingTree> Tree;
 };
 }
@@ -89,15 +133,17 @@ std::vector<Index> ErrorBound::CoverBoundaries(const HalfEdgeMesh& mesh, const Z
   {
     return left;
   }
-  const EdgeSearch originals(this->Source, this->BoundaryZone());
-  const EdgeSearch edges(mesh, this->BoundaryZone());
+  const EdgeSearch originals(this->Source, this->CutsOfSource);
+  const EdgeSearch edges(mesh, this->Settings.Cuts);
   for (Index edge = 0; edge < edges.Curves().Count(); ++edge)
   {
     const HalfEdgeId h = edges.Curves().HalfEdge(edge);
-    for (const VertexId end : { mesh.Origin(h), mesh.Target(h) })
-    {
-      this->NearestBoundary[end] = originals.FindNearest(mesh.Position(end));
-    }
+    const Vector3 along = mesh.Position(mesh.Target(h)) - mesh.Position(mesh.Origin(h));
+    // Not from the ends themselves, where curves meet.
+    this->NearestBoundary[mesh.Origin(h)] =
+      originals.FindNearest(mesh.Position(mesh.Origin(h)) + FromEnd * along, edges.InwardOf(edge));
+    this->NearestBoundary[mesh.Target(h)] =
+      originals.FindNearest(mesh.Position(mesh.Target(h)) - FromEnd * along, edges.InwardOf(edge));
   }
   BoundaryProof proof;
   for (Index item = 0; item < this->Boundaries.Count(); ++item)
@@ -109,10 +155,8 @@ std::vector<Index> ErrorBound::CoverBoundaries(const HalfEdgeMesh& mesh, const Z
     {
       continue;
     }
-    const double reach = 0.5 * (whole.Ends[1] - whole.Ends[0]).norm() +
-      std::max(whole.ErrorLimits[0], whole.ErrorLimits[1]);
-    const std::vector<Index> around =
-      edges.FindAround(0.5 * (whole.Ends[0] + whole.Ends[1]), reach);
+    const std::vector<Index> around = edges.FindAround(
+      whole.Ends, Inward(this->Source, h), std::max(whole.ErrorLimits[0], whole.ErrorLimits[1]));
     proof.Candidates.clear();
     for (const Index edge : around)
     {

@@ -7,6 +7,8 @@
 #include "Mesh/SpatialOrder.h"
 #include "Parallel.h"
 
+#include <algorithm>
+
 namespace bonedecimate
 {
 namespace
@@ -21,10 +23,11 @@ void SetOrigin(const Surface& input, const Vector3& origin, CleanSurface& clean)
   }
 }
 
-HalfEdgeMesh BuildMesh(const LabelMapSource* labels, int threads, CleanSurface& clean)
+HalfEdgeMesh BuildMesh(const SurfacePart& part, int threads, CleanSurface& clean)
 {
   SortAlongCurve(clean, threads);
-  HalfEdgeMesh mesh(clean.Surface, threads, {}, PatchLabels(clean, nullptr, labels));
+  HalfEdgeMesh mesh(
+    clean.Surface, threads, {}, PatchLabels(clean, part.ReferencePatches, part.ReferenceLabels));
   if (SplitIntoManifoldPatches(clean, mesh))
   {
     SortAlongCurve(clean, threads);
@@ -43,6 +46,46 @@ std::vector<Index> NearestTriangles(
   return nearest;
 }
 
+/// Of the distance to the middle of its triangles, how far inside of a patch a point is searched.
+constexpr double FromVertex = 0.25;
+
+/// The points, but duplicates inside of their patch, because patches meet at the points themselves.
+/// @param farthest mm
+std::vector<Vector3> InsideOfPatches(const CleanSurface& clean, double farthest)
+{
+  std::vector<Vector3> points = clean.Surface.Points;
+  const std::vector<Index>& originals = clean.ManifoldPatches.OriginalVertices;
+  std::vector<char> isSplit(points.size(), 0);
+  for (std::size_t v = 0; v < originals.size(); ++v)
+  {
+    if (originals[v] != static_cast<Index>(v))
+    {
+      isSplit[v] = isSplit[static_cast<std::size_t>(originals[v])] = 1;
+    }
+  }
+  std::vector<Vector3> sums(originals.empty() ? 0 : points.size(), Vector3::Zero());
+  std::vector<double> counts(sums.size(), 0.0);
+  for (const Triangle& c : clean.Surface.Triangles)
+  {
+    const Vector3 middle =
+      (clean.Surface.Points[c[0]] + clean.Surface.Points[c[1]] + clean.Surface.Points[c[2]]) / 3.0;
+    for (std::size_t i = 0; i < 3 && !sums.empty(); ++i)
+    {
+      sums[c[i]] += middle;
+      counts[c[i]] += 1.0;
+    }
+  }
+  for (std::size_t v = 0; v < sums.size(); ++v)
+  {
+    if (isSplit[v] != 0 && counts[v] > 0.0)
+    {
+      const Vector3 step = FromVertex * (sums[v] / counts[v] - points[v]);
+      points[v] += std::min(1.0, farthest / std::max(step.norm(), farthest)) * step;
+    }
+  }
+  return points;
+}
+
 /// Of each point the nearest corner of the nearest triangle.
 std::vector<Index> NearestCorners(
   const std::vector<Vector3>& points, const Surface& surface, int threads)
@@ -59,21 +102,68 @@ std::vector<Index> NearestCorners(
 }
 }
 
-std::vector<char> SharedVertices(const SurfacePart* part, const CleanSurface& clean)
+Neighborhood NeighborsOf(const SurfacePart& part, const CleanSurface& clean, int threads)
+{
+  if (part.Neighbors == nullptr || part.Neighbors->Triangles.empty())
+  {
+    return {};
+  }
+  Surface local = *part.Neighbors;
+  for (Vector3& p : local.Points)
+  {
+    p -= clean.Origin;
+  }
+  return { std::make_shared<BoundingTree>(local, threads), part.NeighborDistance };
+}
+
+namespace
+{
+/// Marks the corners of triangles that are within the distance where edits start.
+void MarkNear(const SurfacePart& part, const CleanSurface& clean, const Neighborhood& neighbors,
+  std::vector<char>& marks)
+{
+  const auto position = [&](Index vertex) -> Vector3
+  {
+    const Index point = clean.InputPoint[vertex];
+    return part.SmoothedPoints.empty() ? clean.Surface.Points[vertex]
+                                       : part.SmoothedPoints[point] - clean.Origin;
+  };
+  const std::vector<Index>& originals = clean.ManifoldPatches.OriginalVertices;
+  for (const Triangle& c : clean.Surface.Triangles)
+  {
+    if (MayComeNear(*neighbors.Others, { position(c[0]), position(c[1]), position(c[2]) },
+          neighbors.Distance))
+    {
+      for (const Index corner : c)
+      {
+        marks[originals.empty() ? corner : originals[static_cast<std::size_t>(corner)]] = 1;
+      }
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<char> SharedVertices(
+  const SurfacePart& part, const CleanSurface& clean, const Neighborhood& neighbors)
 {
   std::vector<char> isShared;
-  if (part == nullptr || part->IsShared.empty())
+  if (part.IsShared.empty() && !neighbors.Others)
   {
     return isShared;
   }
   isShared.resize(clean.Surface.Points.size(), 0);
-  for (std::size_t i = 0; i < part->IsShared.size(); ++i)
+  for (std::size_t i = 0; i < part.IsShared.size(); ++i)
   {
     const Index point = clean.PointOfInput[i];
-    if (point != None && part->IsShared[i] != 0)
+    if (point != None && part.IsShared[i] != 0)
     {
       isShared[static_cast<std::size_t>(point)] = 1;
     }
+  }
+  if (neighbors.Others)
+  {
+    MarkNear(part, clean, neighbors, isShared);
   }
   const std::vector<Index>& originals = clean.ManifoldPatches.OriginalVertices;
   for (std::size_t v = 0; v < originals.size(); ++v)
@@ -81,6 +171,21 @@ std::vector<char> SharedVertices(const SurfacePart* part, const CleanSurface& cl
     isShared[v] = isShared[static_cast<std::size_t>(originals[v])];
   }
   return isShared;
+}
+
+//------------------------------------------------------------------------------
+CutEdges CutEdgesOf(const std::vector<std::array<Index, 2>>& edges, const CleanSurface& clean)
+{
+  std::vector<std::array<Index, 2>> cleaned;
+  cleaned.reserve(edges.size());
+  for (const auto& [a, b] : edges)
+  {
+    if (clean.PointOfInput[a] != None && clean.PointOfInput[b] != None)
+    {
+      cleaned.push_back({ clean.PointOfInput[a], clean.PointOfInput[b] });
+    }
+  }
+  return CutEdges(std::move(cleaned));
 }
 
 //------------------------------------------------------------------------------
@@ -107,11 +212,15 @@ std::unique_ptr<ReferenceMesh> MakeReferenceMesh(
     return nullptr;
   }
   SetOrigin(*part.Reference, input.Origin, clean);
-  HalfEdgeMesh mesh = BuildMesh(part.ReferenceLabels, threads, clean);
+  HalfEdgeMesh mesh = BuildMesh(part, threads, clean);
+  CutEdges cuts = CutEdgesOf(part.ReferenceCutEdges, clean);
   BoundingTree tree(clean.Surface, threads);
-  std::vector<Index> nearVertex = NearestCorners(clean.Surface.Points, input.Surface, threads);
-  std::vector<Index> nearTriangle = NearestTriangles(input.Surface.Points, tree, threads);
+  const double farthest = 0.5 * options.MaximumError;
+  std::vector<Index> nearVertex =
+    NearestCorners(InsideOfPatches(clean, farthest), input.Surface, threads);
+  std::vector<Index> nearTriangle =
+    NearestTriangles(InsideOfPatches(input, farthest), tree, threads);
   return std::make_unique<ReferenceMesh>(ReferenceMesh{ std::move(clean), std::move(mesh),
-    std::move(tree), std::move(nearVertex), std::move(nearTriangle) });
+    std::move(cuts), std::move(tree), std::move(nearVertex), std::move(nearTriangle) });
 }
 }

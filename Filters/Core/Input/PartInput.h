@@ -8,6 +8,8 @@
 #define BoneDecimate_Core_Input_PartInput_h
 
 #include "Decimate.h"
+#include "Geometry/NearSurface.h"
+#include "Mesh/CutEdges.h"
 #include "Reference/ReferenceMesh.h"
 
 #include <memory>
@@ -16,8 +18,15 @@
 
 namespace bonedecimate
 {
-/// Of each vertex of the mesh, whether other parts have it, too. Empty: none.  @param part May be null.
-std::vector<char> SharedVertices(const SurfacePart* part, const CleanSurface& clean);
+/// What other parts have near this one.
+Neighborhood NeighborsOf(const SurfacePart& part, const CleanSurface& clean, int threads);
+
+/// Of each vertex of the mesh, whether other parts have it, too, or it is of a triangle too near to them. Empty: none.
+std::vector<char> SharedVertices(
+  const SurfacePart& part, const CleanSurface& clean, const Neighborhood& neighbors);
+
+/// @param edges Pairs of points of the surface that was cleaned.
+CutEdges CutEdgesOf(const std::vector<std::array<Index, 2>>& edges, const CleanSurface& clean);
 
 /// mm from the local origin of the cleaned surface.
 std::optional<Zone> LocalZone(const std::optional<Zone>& zone, const CleanSurface& clean);

@@ -2,103 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Prune.h"
 
-#include "Geometry/TriangleGeometry.h"
-#include "Mesh/EdgeMatching.h"
-#include "Mesh/Statistics.h"
+#include "ComponentCensus.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace bonedecimate
 {
 namespace
 {
-/// The components of a cleaned surface and their measurements.
-class Census
-{
-public:
-  Census(const CleanSurface& cleaned, int threads)
-    : Clean(cleaned)
-    , Whole(FindComponents(cleaned.Surface))
-    , All(static_cast<std::size_t>(Whole.Count))
-    , Low(All.size(), Vector3::Constant(std::numeric_limits<double>::infinity()))
-    , High(All.size(), -Low[0])
-  {
-    this->AddTriangles();
-    this->ForgetOpenVolumes(threads);
-    this->MeasureBoxes();
-  }
-
-  std::size_t Of(std::size_t triangle) const
-  {
-    const Index corner = this->Clean.Surface.Triangles[triangle][0];
-    return static_cast<std::size_t>(this->Whole.OfPoint[corner]);
-  }
-
-  const std::vector<PrunedComponent>& Found() const { return this->All; }
-
-private:
-  void AddTriangles()
-  {
-    const std::vector<Vector3>& points = this->Clean.Surface.Points;
-    const std::vector<Triangle>& triangles = this->Clean.Surface.Triangles;
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-    {
-      const Triangle& c = triangles[t];
-      const Vector3 area = AreaVector(points[c[0]], points[c[1]], points[c[2]]);
-      PrunedComponent& component = this->All[this->Of(t)];
-      ++component.Triangles;
-      component.Area += area.norm();
-      component.Volume += area.dot(points[c[0]]) / 3.0;
-    }
-  }
-
-  /// Only a closed and consistently oriented component has a volume.
-  void ForgetOpenVolumes(int threads)
-  {
-    const CleanSurface& clean = this->Clean;
-    const EdgeMatching matching(clean.Surface.Triangles, clean.Surface.Points.size(), threads);
-    for (std::size_t t = 0; t < clean.Surface.Triangles.size(); ++t)
-    {
-      const Index* twins = matching.Twins().data() + 4 * t;
-      if (std::any_of(twins, twins + 3, [](Index twin) { return twin < 0; }))
-      {
-        this->All[this->Of(t)].Volume = std::numeric_limits<double>::quiet_NaN();
-      }
-    }
-  }
-
-  void MeasureBoxes()
-  {
-    for (std::size_t p = 0; p < this->Clean.Surface.Points.size(); ++p)
-    {
-      const auto component = static_cast<std::size_t>(this->Whole.OfPoint[p]);
-      this->Low[component] = this->Low[component].cwiseMin(this->Clean.Surface.Points[p]);
-      this->High[component] = this->High[component].cwiseMax(this->Clean.Surface.Points[p]);
-    }
-    for (std::size_t c = 0; c < this->All.size(); ++c)
-    {
-      this->All[c].Volume = std::abs(this->All[c].Volume);
-      this->All[c].Size = (this->High[c] - this->Low[c]).maxCoeff();
-      this->All[c].Center = 0.5 * (this->Low[c] + this->High[c]) + this->Clean.Origin;
-    }
-  }
-
-  const CleanSurface& Clean;
-  Components Whole;
-  std::vector<PrunedComponent> All;
-  std::vector<Vector3> Low; // mm, of the boxes
-  std::vector<Vector3> High;
-};
-
-/// No value is below a limit of 0, and a volume of NaN is below no limit.
-bool IsBelow(const PrunedComponent& component, const Options& limits)
-{
-  return component.Triangles < limits.PruneTriangles || component.Size < limits.PruneSize ||
-    component.Area < limits.PruneArea || component.Volume < limits.PruneVolume;
-}
-
 /// Keeps the triangles of the remaining components, renumbers their points in the same order, and moves the origin to the
 /// least corner of their bounding box.
 class Remover
@@ -187,31 +99,48 @@ private:
 };
 }
 
-PruneFigures Prune(const Surface& input, const Options& options, CleanSurface& cleaned)
+bool IsPruned(const PrunedComponent& component, const Options& limits)
+{
+  return component.Triangles < limits.PruneTriangles || component.Size < limits.PruneSize ||
+    component.Area < limits.PruneArea || component.Volume < limits.PruneVolume;
+}
+
+//------------------------------------------------------------------------------
+PruneFigures FindPruned(const std::vector<PrunedComponent>& components, const Options& limits)
 {
   PruneFigures figures;
-  figures.IsRequested = options.Prunes();
-  if (!figures.IsRequested)
+  figures.IsRequested = limits.Prunes();
+  for (const PrunedComponent& component : components)
   {
-    return figures;
-  }
-  const Census census(cleaned, options.NumberOfThreads);
-  for (const PrunedComponent& component : census.Found())
-  {
-    if (IsBelow(component, options))
+    if (IsPruned(component, limits))
     {
       figures.Triangles += component.Triangles;
       figures.Components.push_back(component);
     }
   }
-  if (!figures.Components.empty() && figures.Components.size() < census.Found().size())
-  {
-    Remover(input, cleaned)
-      .Run([&](std::size_t t) { return IsBelow(census.Found()[census.Of(t)], options); });
-  }
-  figures.TookAll = figures.Components.size() == census.Found().size();
+  figures.TookAll = figures.Components.size() == components.size();
   std::stable_sort(figures.Components.begin(), figures.Components.end(),
     [](const PrunedComponent& a, const PrunedComponent& b) { return a.Size > b.Size; });
+  return figures;
+}
+
+//------------------------------------------------------------------------------
+PruneFigures Prune(const Surface& input, const Options& options, CleanSurface& cleaned)
+{
+  if (!options.Prunes())
+  {
+    return {};
+  }
+  const CensusOfPart census =
+    TakeCensus(input, cleaned, cleaned.Origin, {}, options.NumberOfThreads);
+  const std::vector<PrunedComponent> components =
+    JoinCensus({ census }, cleaned.Origin).All; // in the same order
+  PruneFigures figures = FindPruned(components, options);
+  if (!figures.Components.empty() && !figures.TookAll)
+  {
+    Remover(input, cleaned)
+      .Run([&](std::size_t t) { return IsPruned(components[census.OfTriangle[t]], options); });
+  }
   return figures;
 }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ZoneRun.h"
 
-#include "Certificate/Certificate.h"
+#include "ContinuedProof.h"
 
 #include <algorithm>
 
@@ -24,41 +24,23 @@ Zone Widened(Zone zone, double width)
   return zone;
 }
 
-/// Triangles with all corners in the zone.
-Surface InZone(const Surface& surface, const Zone& zone)
+/// The edges of triangles that do not reach the zone.
+std::vector<std::array<Index, 2>> EdgesOutside(const Surface& surface, const Zone& zone)
 {
-  Surface inside = { surface.Points, {} };
-  std::copy_if(surface.Triangles.begin(), surface.Triangles.end(),
-    std::back_inserter(inside.Triangles),
-    [&](const Triangle& c)
-    {
-      return std::all_of(
-        c.begin(), c.end(), [&](Index v) { return zone.Contains(surface.Points[v]); });
-    });
-  return inside;
-}
-
-/// Of every point of the first surface, to the second one.
-void Prove(const Surface& from, const Surface& to, const Options& options, const Monitor& monitor,
-  ProvedDistance& distance, ProofStatus& status)
-{
-  CertificateOptions question;
-  question.Tolerance = options.MaximumError;
-  question.TightBounds = false;
-  question.WithBoundaries = false;
-  question.NumberOfThreads = options.NumberOfThreads;
-  if (from.Triangles.empty())
+  std::vector<std::array<Index, 2>> edges;
+  for (const Triangle& c : surface.Triangles)
   {
-    return;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const std::array<Index, 2> edge = { c[i], c[(i + 1) % 3] };
+      const std::array<Vector3, 2> ends = { surface.Points[edge[0]], surface.Points[edge[1]] };
+      if (!zone.MayReach(ends, 0.0))
+      {
+        edges.push_back(edge);
+      }
+    }
   }
-  const Certificate found = Certify(from, to, question, monitor);
-  const DirectedCertificate& there = found.ReferenceToResult;
-  distance = { there.Distance.Lower, there.Distance.Upper };
-  const ProofStatus proof =
-    found.Status == CertificateStatus::Good ? there.Proof : ProofStatus::Undecided;
-  const bool isWorse = proof == ProofStatus::Violated ||
-    (proof == ProofStatus::Undecided && status == ProofStatus::Proved);
-  status = isWorse ? proof : status;
+  return edges;
 }
 }
 
@@ -88,7 +70,8 @@ ZoneResult DecimateZone(const ZoneInput& input, const Options& options,
     part.IsShared[i] |= input.EditZone.Contains(input.Strip.Shape.Points[i]) ? 0 : 1;
   }
   part.EditZone = input.EditZone;
-  part.BoundaryZone = input.BoundaryZone;
+  part.CutEdges = EdgesOutside(input.Strip.Shape, input.BoundaryZone);
+  part.ReferenceCutEdges = EdgesOutside(input.Original.Shape, input.BoundaryZone);
   part.Reference = &input.Original.Shape;
   part.ReferenceLabels = &ofOriginal;
   RunInputs inputs;
@@ -104,12 +87,12 @@ ZoneResult DecimateZone(const ZoneInput& input, const Options& options,
   {
     const SurfacePiece near =
       CutBetween(input.Original, Widened(input.EditZone, ErrorsOfProof * options.MaximumError));
-    const Monitor prove = monitor ? PartOf(monitor, ProvedFrom, 1.0) : monitor;
-    const Monitor silent = [&](double) { return !prove || prove(0.0); };
-    zone.Proof = ProofStatus::Proved;
-    Prove(near.Shape, zone.Run.Surface, options, silent, zone.OriginalToResult, zone.Proof);
-    Prove(InZone(zone.Run.Surface, input.EditZone), input.Original.Shape, options, silent,
-      zone.ResultToOriginal, zone.Proof);
+    const ContinuedProof proof =
+      ProveContinued({ input.Original.Shape, near.Shape, input.Strip.Shape, zone.Run.Surface },
+        options, false, monitor ? PartOf(monitor, ProvedFrom, 1.0) : monitor);
+    zone.Proof = proof.Status;
+    zone.OriginalToResult = proof.OriginalToResult;
+    zone.ResultToOriginal = proof.ResultToOriginal;
   }
   return zone;
 }

@@ -8,7 +8,7 @@
  *     original     all triangles within ZoneMargin() of the zone
  *     run          edits start from the strip; the bound refers to the original               (SurfacePart::Reference)
  *     stay         points outside of the zone, points of finished components, and all triangles at them
- *     proof        original near the zone -> new strip; triangles in the zone -> original     (Certify)
+ *     proof        original near the zone -> new strip; changed triangles -> original          (ContinuedProof.h)
  *
  * What changes lies in the zone. So the distance of anything that is more than the largest error away from it is as proved before.
  */
@@ -40,7 +40,7 @@ struct ZoneResult
   bonedecimate::Result
     Run; ///< Its surface is the new strip, of use if the status of the report is good.
   ProvedDistance OriginalToResult; ///< mm, of the original within the largest error of the zone.
-  ProvedDistance ResultToOriginal; ///< mm, of the triangles in the zone.
+  ProvedDistance ResultToOriginal; ///< mm, of the changed triangles.
   ProofStatus Proof{};
 };
 

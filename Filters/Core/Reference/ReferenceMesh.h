@@ -11,6 +11,7 @@
 
 #include "Geometry/BoundingTree.h"
 #include "Mesh/Cleaning.h"
+#include "Mesh/CutEdges.h"
 #include "Mesh/HalfEdgeMesh.h"
 
 #include <vector>
@@ -21,6 +22,7 @@ struct ReferenceMesh
 {
   CleanSurface Clean; ///< mm relative to the local origin of the input.
   HalfEdgeMesh Mesh;
+  CutEdges Cuts;
   BoundingTree Tree;
   std::vector<Index> NearVertex; ///< Of each vertex of this mesh, a vertex of the input near it.
   std::vector<Index>

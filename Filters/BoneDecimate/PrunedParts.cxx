@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PrunedParts.cxx
+ * @brief How vtkBoneDecimate prunes components of a surface that is in parts.
+ */
+#include "Input/ComponentCensus.h"
+#include "Input/Prune.h"
+#include "RunState.h"
+#include "SurfaceConversion.h"
+#include "vtkBoneDecimate.h"
+
+#include "vtkPolyData.h"
+
+bool vtkBoneDecimate::FindPrunedCells(vtkPolyData* part,
+  const std::vector<std::array<double, 3>>& shared, const std::array<double, 3>& origin,
+  const std::function<std::vector<Numbers>(const Numbers&)>& exchange, int own,
+  std::vector<bool>& pruned)
+{
+  using namespace bonedecimate;
+  const Options& options = this->State->Options;
+  const ConvertedSurface converted = ToSurface(part, options.NumberOfThreads);
+  const Vector3 common(origin[0], origin[1], origin[2]);
+  const CensusOfPart census =
+    TakeCensus(converted.Surface, common, shared, options.NumberOfThreads);
+  std::vector<CensusOfPart> parts;
+  for (const Numbers& numbers : exchange(NumbersOf(census)))
+  {
+    parts.push_back(CensusFrom(numbers));
+  }
+  const JoinedCensus joined = JoinCensus(parts, common);
+  Report& report = this->State->Report;
+  report.Pruned = FindPruned(joined.All, options);
+  pruned.assign(static_cast<std::size_t>(part->GetNumberOfCells()), false);
+  if (report.Pruned.TookAll && !joined.All.empty())
+  {
+    Report found;
+    found.Status = InputStatus::EverythingPruned;
+    found.Pruned = report.Pruned;
+    vtkErrorMacro(<< InputMessage(found));
+    return false;
+  }
+  const std::vector<Index>& whole = joined.OfComponent[static_cast<std::size_t>(own)];
+  for (std::size_t t = 0; t < census.OfTriangle.size(); ++t)
+  {
+    const Index component = census.OfTriangle[t];
+    if (component != None && IsPruned(joined.All[whole[component]], options))
+    {
+      pruned[static_cast<std::size_t>(converted(t))] = true;
+    }
+  }
+  return true;
+}
