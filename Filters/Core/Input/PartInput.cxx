@@ -5,9 +5,7 @@
 #include "LabelMapInput.h"
 #include "Mesh/ManifoldPatches.h"
 #include "Mesh/SpatialOrder.h"
-#include "Parallel.h"
-
-#include <algorithm>
+#include "PatchSearch.h"
 
 namespace bonedecimate
 {
@@ -36,69 +34,18 @@ HalfEdgeMesh BuildMesh(const SurfacePart& part, int threads, CleanSurface& clean
   return mesh;
 }
 
-/// Of each point the nearest triangle.
-std::vector<Index> NearestTriangles(
-  const std::vector<Vector3>& points, const BoundingTree& tree, int threads)
-{
-  std::vector<Index> nearest(points.size());
-  ForEachId(points.size(), threads,
-    [&](std::size_t i) { nearest[i] = tree.FindNearest(points[i]).Triangle; });
-  return nearest;
-}
-
-/// Of the distance to the middle of its triangles, how far inside of a patch a point is searched.
-constexpr double FromVertex = 0.25;
-
-/// The points, but duplicates inside of their patch, because patches meet at the points themselves.
-/// @param farthest mm
-std::vector<Vector3> InsideOfPatches(const CleanSurface& clean, double farthest)
-{
-  std::vector<Vector3> points = clean.Surface.Points;
-  const std::vector<Index>& originals = clean.ManifoldPatches.OriginalVertices;
-  std::vector<char> isSplit(points.size(), 0);
-  for (std::size_t v = 0; v < originals.size(); ++v)
-  {
-    if (originals[v] != static_cast<Index>(v))
-    {
-      isSplit[v] = isSplit[static_cast<std::size_t>(originals[v])] = 1;
-    }
-  }
-  std::vector<Vector3> sums(originals.empty() ? 0 : points.size(), Vector3::Zero());
-  std::vector<double> counts(sums.size(), 0.0);
-  for (const Triangle& c : clean.Surface.Triangles)
-  {
-    const Vector3 middle =
-      (clean.Surface.Points[c[0]] + clean.Surface.Points[c[1]] + clean.Surface.Points[c[2]]) / 3.0;
-    for (std::size_t i = 0; i < 3 && !sums.empty(); ++i)
-    {
-      sums[c[i]] += middle;
-      counts[c[i]] += 1.0;
-    }
-  }
-  for (std::size_t v = 0; v < sums.size(); ++v)
-  {
-    if (isSplit[v] != 0 && counts[v] > 0.0)
-    {
-      const Vector3 step = FromVertex * (sums[v] / counts[v] - points[v]);
-      points[v] += std::min(1.0, farthest / std::max(step.norm(), farthest)) * step;
-    }
-  }
-  return points;
-}
-
-/// Of each point the nearest corner of the nearest triangle.
+/// Of each vertex the corner of that triangle that is nearest to it.
 std::vector<Index> NearestCorners(
-  const std::vector<Vector3>& points, const Surface& surface, int threads)
+  const std::vector<Vector3>& points, const Surface& surface, std::vector<Index> triangles)
 {
-  std::vector<Index> corners = NearestTriangles(points, BoundingTree(surface, threads), threads);
-  for (std::size_t i = 0; i < corners.size(); ++i)
+  for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    const Triangle& c = surface.Triangles[corners[i]];
+    const Triangle& c = surface.Triangles[triangles[i]];
     const auto distance = [&](Index v) { return (surface.Points[v] - points[i]).squaredNorm(); };
     const Index first = distance(c[1]) < distance(c[0]) ? c[1] : c[0];
-    corners[i] = distance(c[2]) < distance(first) ? c[2] : first;
+    triangles[i] = distance(c[2]) < distance(first) ? c[2] : first;
   }
-  return corners;
+  return triangles;
 }
 }
 
@@ -203,8 +150,9 @@ std::optional<Zone> LocalZone(const std::optional<Zone>& zone, const CleanSurfac
 
 //------------------------------------------------------------------------------
 std::unique_ptr<ReferenceMesh> MakeReferenceMesh(
-  const SurfacePart& part, const CleanSurface& input, const Options& options)
+  const RunInputs& inputs, const CleanSurface& input, const Options& options)
 {
+  const SurfacePart& part = *inputs.Part;
   const int threads = options.NumberOfThreads;
   CleanSurface clean = Clean(*part.Reference, options.MergePoints, threads);
   if (clean.Status != InputStatus::Good)
@@ -215,11 +163,12 @@ std::unique_ptr<ReferenceMesh> MakeReferenceMesh(
   HalfEdgeMesh mesh = BuildMesh(part, threads, clean);
   CutEdges cuts = CutEdgesOf(part.ReferenceCutEdges, clean);
   BoundingTree tree(clean.Surface, threads);
+  const SurfaceOfPatches original = { clean, part.ReferencePatches, part.ReferenceLabels };
+  const SurfaceOfPatches current = { input, inputs.Labels, inputs.LabelMap };
   const double farthest = 0.5 * options.MaximumError;
-  std::vector<Index> nearVertex =
-    NearestCorners(InsideOfPatches(clean, farthest), input.Surface, threads);
-  std::vector<Index> nearTriangle =
-    NearestTriangles(InsideOfPatches(input, farthest), tree, threads);
+  std::vector<Index> nearVertex = NearestCorners(
+    clean.Surface.Points, input.Surface, NearestInPatch(original, current, farthest, threads));
+  std::vector<Index> nearTriangle = NearestInPatch(current, original, farthest, threads);
   return std::make_unique<ReferenceMesh>(ReferenceMesh{ std::move(clean), std::move(mesh),
     std::move(cuts), std::move(tree), std::move(nearVertex), std::move(nearTriangle) });
 }

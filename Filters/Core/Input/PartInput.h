@@ -32,9 +32,9 @@ CutEdges CutEdgesOf(const std::vector<std::array<Index, 2>>& edges, const CleanS
 std::optional<Zone> LocalZone(const std::optional<Zone>& zone, const CleanSurface& clean);
 
 /// The original of a part that is itself a result. Null if it cannot be used: nothing is left after cleaning.
-/// @param input The cleaned part, as its mesh was made from it.
+/// @param inputs With the part.  @param input The cleaned part, as its mesh was made from it.
 std::unique_ptr<ReferenceMesh> MakeReferenceMesh(
-  const SurfacePart& part, const CleanSurface& input, const Options& options);
+  const RunInputs& inputs, const CleanSurface& input, const Options& options);
 }
 
 #endif

@@ -188,7 +188,7 @@ PreparedInput PrepareInput(
       BuildMesh(task, prepared.Cleaned, progress, progress.Stage(checkedAt, builtAt), report);
     if (ContinuesEarlierRun(task.Inputs))
     {
-      prepared.Original = MakeReferenceMesh(*task.Inputs.Part, prepared.Cleaned, task.Effective);
+      prepared.Original = MakeReferenceMesh(task.Inputs, prepared.Cleaned, task.Effective);
       report.Status = prepared.Original ? report.Status : InputStatus::BadReference;
     }
     if (const std::vector<double>* tolerances = prepared.Tolerances.Capped())
