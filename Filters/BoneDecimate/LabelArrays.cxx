@@ -17,7 +17,8 @@ namespace
 /// The tuples of an array, numbered.
 struct Tuples
 {
-  std::vector<Index> Ids; // of each tuple
+  std::vector<Index> Ids;       // of each tuple
+  std::vector<vtkIdType> First; // tuple of each id
   std::vector<std::string> Names;
 };
 
@@ -58,8 +59,11 @@ std::optional<Tuples> Number(vtkDataArray* array)
     numbered.Names.push_back(NameOf(values));
   }
   numbered.Ids.reserve(ids.size());
+  numbered.First.assign(numbered.Names.size(), -1);
   for (const Index* id : ids)
   {
+    vtkIdType& first = numbered.First[static_cast<std::size_t>(*id)];
+    first = first < 0 ? static_cast<vtkIdType>(numbered.Ids.size()) : first;
     numbered.Ids.push_back(*id);
   }
   return numbered;
@@ -69,9 +73,15 @@ Index Majority(Index a, Index b, Index c)
 {
   return b == c ? b : a == b || a == c ? a : std::min({ a, b, c });
 }
-}
 
-std::optional<Labels> ReadLabels(
+struct LabelsOfTriangles
+{
+  Tuples All;
+  std::vector<Index> Ids; // of each triangle
+};
+
+/// Nothing if the array does not suit.
+std::optional<LabelsOfTriangles> ReadTuples(
   vtkPolyData* input, const ConvertedSurface& converted, vtkDataArray* array, int association)
 {
   const bool isOfCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
@@ -87,16 +97,51 @@ std::optional<Labels> ReadLabels(
   {
     return {};
   }
-  Labels labels;
-  labels.Names = std::move(tuples->Names);
+  LabelsOfTriangles labels;
   const auto at = [&](Index point) // ids out of range are rejected later
   { return point < 0 || point >= needed ? 0 : tuples->Ids[static_cast<std::size_t>(point)]; };
   for (std::size_t t = 0; t < converted.Surface.Triangles.size(); ++t)
   {
     const Triangle& c = converted.Surface.Triangles[t];
-    labels.OfTriangle.push_back(isOfCells
-        ? tuples->Ids[static_cast<std::size_t>(converted.CellOfTriangle[t])]
-        : Majority(at(c[0]), at(c[1]), at(c[2])));
+    labels.Ids.push_back(isOfCells ? tuples->Ids[static_cast<std::size_t>(converted(t))]
+                                   : Majority(at(c[0]), at(c[1]), at(c[2])));
+  }
+  labels.All = std::move(*tuples);
+  return labels;
+}
+}
+
+std::optional<Labels> ReadLabels(
+  vtkPolyData* input, const ConvertedSurface& converted, vtkDataArray* array, int association)
+{
+  std::optional<LabelsOfTriangles> read = ReadTuples(input, converted, array, association);
+  if (!read)
+  {
+    return {};
+  }
+  Labels labels;
+  labels.Names = std::move(read->All.Names);
+  labels.OfTriangle = std::move(read->Ids);
+  return labels;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> LabelsOfCells(
+  vtkPolyData* input, const ConvertedSurface& converted, vtkDataArray* array, int association)
+{
+  const std::optional<LabelsOfTriangles> read = ReadTuples(input, converted, array, association);
+  if (!read)
+  {
+    return nullptr;
+  }
+  const auto labels = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+  labels->SetNumberOfComponents(array->GetNumberOfComponents());
+  labels->SetNumberOfTuples(input->GetNumberOfCells());
+  labels->Fill(0.0);
+  for (std::size_t t = 0; t < read->Ids.size(); ++t)
+  {
+    const auto id = static_cast<std::size_t>(read->Ids[t]);
+    labels->SetTuple(converted(t), read->All.First[id], array);
   }
   return labels;
 }

@@ -15,6 +15,8 @@
 #include "Input/Labels.h"
 #include "SurfaceConversion.h"
 
+#include "vtkSmartPointer.h"
+
 #include <optional>
 
 class vtkDataArray;
@@ -25,6 +27,10 @@ namespace bonedecimate
 /// Nothing if the array is null or has other values than whole numbers.
 /// @param association Of vtkDataObject::FieldAssociations: points or cells.
 std::optional<Labels> ReadLabels(
+  vtkPolyData* input, const ConvertedSurface& converted, vtkDataArray* array, int association);
+
+/// For each cell the tuple that is its label, of a triangle as above; zeros for vertices and lines. Null as above.
+vtkSmartPointer<vtkDataArray> LabelsOfCells(
   vtkPolyData* input, const ConvertedSurface& converted, vtkDataArray* array, int association);
 }
 

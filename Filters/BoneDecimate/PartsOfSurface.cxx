@@ -8,11 +8,13 @@
 #include "Input/ComponentCensus.h"
 #include "Input/InputSize.h"
 #include "Input/LabelMapInput.h"
+#include "LabelArrays.h"
 #include "LabelMapArrays.h"
 #include "Pieces/ContinuedProof.h"
 #include "RunInput.h"
 #include "RunState.h"
 
+#include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPolyData.h"
 
@@ -119,9 +121,30 @@ void vtkBoneDecimate::SetOriginalOfPart(
   part.LabelsOfOriginal = ReadLabelMapArrays(original, part.Original).Source;
   part.Part.Reference = &part.Original.Surface;
   part.Part.ReferenceLabels = &part.LabelsOfOriginal;
+  if (this->HasInputArray(LABEL_ARRAY))
+  {
+    int association = -1;
+    vtkDataArray* array = this->GetInputArray(LABEL_ARRAY, original, association);
+    part.PatchesOfOriginal = ReadLabels(original, part.Original, array, association);
+    part.Part.ReferencePatches = part.PatchesOfOriginal ? &*part.PatchesOfOriginal : nullptr;
+  }
   part.Part.CutEdges = ToEdges(cuts);
   part.Part.ReferenceCutEdges = ToEdges(originalCuts);
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> vtkBoneDecimate::GetCellLabels(vtkPolyData* input)
+{
+  int association = -1;
+  vtkDataArray* array = this->GetInputArray(LABEL_ARRAY, input, association);
+  const vtkSmartPointer<vtkDataArray> labels = LabelsOfCells(
+    input, ToSurface(input, this->State->Options.NumberOfThreads), array, association);
+  if (!labels)
+  {
+    this->RejectArray(LABEL_ARRAY);
+  }
+  return labels;
 }
 
 //------------------------------------------------------------------------------

@@ -36,6 +36,7 @@ struct vtkBoneDecimate::PartOfSurface
   bonedecimate::Surface Neighbors;
   bonedecimate::ConvertedSurface Original;
   bonedecimate::LabelMapSource LabelsOfOriginal;
+  std::optional<bonedecimate::Labels> PatchesOfOriginal;
 };
 
 #endif

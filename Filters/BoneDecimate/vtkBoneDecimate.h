@@ -38,6 +38,7 @@
 
 #include "vtkBoneOutputOptions.h"
 #include "vtkFiltersBoneDecimateModule.h" // for export macro
+#include "vtkSmartPointer.h"              // for labels
 
 #include <array>      // for edges
 #include <functional> // for exchange
@@ -105,6 +106,9 @@ protected:
   /// The array of the index, of points or cells (vtkDataObject::FieldAssociations); null if the input has none.
   vtkDataArray* GetInputArray(int index, vtkPolyData* input, int& association);
 
+  /// For each cell its label, from the array of labels. Null if it does not suit; the reason has been reported.
+  vtkSmartPointer<vtkDataArray> GetCellLabels(vtkPolyData* input);
+
   /// The point array of the tolerances; null if the input has none.
   vtkDataArray* GetPointTolerances(vtkPolyData* input);
 
@@ -157,7 +161,7 @@ protected:
   using EdgesOfPart = std::vector<std::array<vtkIdType, 2>>; // pairs of points
 
   /// After SetPart(): the part is itself a result, and MaximumError refers to its original, by which the result is proved. It
-  /// has all triangles of which a part that may change is the proof.
+  /// has the label array that the options name, if they do, and all triangles of which a part that may change is the proof.
   /// @param cuts,originalCuts Edges at which the part and its original were cut out of the whole.
   void SetOriginalOfPart(
     vtkPolyData* original, const EdgesOfPart& cuts, const EdgesOfPart& originalCuts);

@@ -256,14 +256,16 @@ vtkSmartPointer<vtkPolyData> WithoutArrays(vtkPolyData* surface)
   auto bare = vtkSmartPointer<vtkPolyData>::New();
   bare->SetPoints(surface->GetPoints());
   bare->SetPolys(surface->GetPolys());
-  vtkDataArray* labels = surface->GetCellData()->GetArray("BoundaryLabels");
-  if (labels)
+  for (const char* name : { "BoundaryLabels", CellLabelsName })
   {
-    const auto ofPolygons = vtk::TakeSmartPointer(labels->NewInstance());
-    ofPolygons->SetName(labels->GetName());
-    ofPolygons->SetNumberOfComponents(labels->GetNumberOfComponents());
-    ofPolygons->InsertTuples(0, bare->GetNumberOfCells(), FirstPolygon(surface), labels);
-    bare->GetCellData()->AddArray(ofPolygons);
+    if (vtkDataArray* labels = surface->GetCellData()->GetArray(name))
+    {
+      const auto ofPolygons = vtk::TakeSmartPointer(labels->NewInstance());
+      ofPolygons->SetName(name);
+      ofPolygons->SetNumberOfComponents(labels->GetNumberOfComponents());
+      ofPolygons->InsertTuples(0, bare->GetNumberOfCells(), FirstPolygon(surface), labels);
+      bare->GetCellData()->AddArray(ofPolygons);
+    }
   }
   bare->GetFieldData()->ShallowCopy(surface->GetFieldData());
   return bare;

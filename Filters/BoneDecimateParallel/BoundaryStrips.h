@@ -50,7 +50,10 @@ std::vector<char> TakeRim(vtkPolyData* strips);
 /// Removes the mark of edges: pairs of points.
 std::vector<std::array<vtkIdType, 2>> TakeCuts(vtkPolyData* strips);
 
-/// The polygons without arrays but their labels (BoundaryLabels).
+/// Cell array of an input with labels while it is decimated: the label of each cell (LabelArrayName).
+constexpr const char* CellLabelsName = "bonedecimate.labels";
+
+/// The polygons without arrays but their labels (BoundaryLabels, CellLabelsName).
 vtkSmartPointer<vtkPolyData> WithoutArrays(vtkPolyData* surface);
 
 /// One after the other, with the field data of the first that has points. Points are not merged.

@@ -127,7 +127,7 @@ vtkPBoneDecimate::Plan vtkPBoneDecimate::MakePlan(
 }
 
 //------------------------------------------------------------------------------
-void vtkPBoneDecimate::Order(vtkPBoneDecimate* run, double triangles, const Plan& plan) const
+void vtkPBoneDecimate::Order(vtkPBoneDecimate* run, double triangles, const Plan& plan)
 {
   run->CopyOptions(*this);
   run->SetTargetNumberOfTriangles(
@@ -139,6 +139,10 @@ void vtkPBoneDecimate::Order(vtkPBoneDecimate* run, double triangles, const Plan
   run->SetAutomaticSmoothing(false);
   run->SetFeatureAngle(180.0);
   run->SetKeepVoxels(plan.GuardsVoxels ? KEEP_VOXELS_ON : KEEP_VOXELS_OFF);
+  if (this->HasInputArray(LABEL_ARRAY))
+  {
+    run->SetLabelArrayName(bonedecimate::CellLabelsName);
+  }
   run->SetPruneSize(0.0); // was done for all parts together
   run->SetPruneArea(0.0);
   run->SetPruneVolume(0.0);

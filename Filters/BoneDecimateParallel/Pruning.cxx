@@ -2,18 +2,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Pruning.cxx
- * @brief vtkPBoneDecimate removes small components of the whole surface, as if they had never been in the input.
+ * @brief What vtkPBoneDecimate does to its input first: labels of cells, and small components of the whole surface are removed, as if
+ *        they had never been in the input.
  */
 #include "BoundaryStrips.h"
 #include "Gathering.h"
 #include "vtkPBoneDecimate.h"
 
+#include "vtkCellData.h"
 #include "vtkCommunicator.h"
+#include "vtkDataArray.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPolyData.h"
 
 #include <limits>
 
+/// The input with the labels of its cells, if labels are chosen: points may have them, and lose them when they move. Null if the
+/// array of a process does not suit; the reason has been reported.
+vtkSmartPointer<vtkPolyData> vtkPBoneDecimate::WithCellLabels(vtkPolyData* input)
+{
+  if (!this->HasInputArray(LABEL_ARRAY))
+  {
+    return input;
+  }
+  auto labeled = vtkSmartPointer<vtkPolyData>::New();
+  labeled->ShallowCopy(input);
+  vtkSmartPointer<vtkDataArray> labels;
+  if (input->GetNumberOfPoints() > 0)
+  {
+    labels = this->GetCellLabels(input);
+  }
+  const bool isWrong = input->GetNumberOfPoints() > 0 && !labels;
+  if (this->IsTrueAnywhere(isWrong))
+  {
+    if (!isWrong)
+    {
+      vtkErrorMacro(<< "another process has no suitable array of labels");
+    }
+    return nullptr;
+  }
+  if (labels)
+  {
+    labels->SetName(bonedecimate::CellLabelsName);
+    labeled->GetCellData()->AddArray(labels);
+  }
+  return labeled;
+}
+
+//------------------------------------------------------------------------------
 bool vtkPBoneDecimate::Prunes()
 {
   return this->GetPruneSize() > 0.0 || this->GetPruneArea() > 0.0 || this->GetPruneVolume() > 0.0 ||

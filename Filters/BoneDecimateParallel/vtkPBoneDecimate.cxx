@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPBoneDecimate.h"
 
+#include "BoundaryStrips.h"
 #include "LabelMapParts.h"
 #include "Plan.h"
 #include "WholeInput.h"
 
+#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
@@ -171,9 +173,10 @@ const char* vtkPBoneDecimate::ProblemOfParts(
   {
     return "smoothing on several processes needs points of one precision on all of them";
   }
-  if (this->HasInputArray(LABEL_ARRAY))
+  if (this->HasInputArray(LABEL_ARRAY) && !this->GetPassArrays())
   {
-    return "labels are for one process alone: their lines would not meet between the parts";
+    return "LabelArrayName on several processes needs PassArrays: triangles take their labels to "
+           "another process";
   }
   if (!this->GetMergePoints())
   {
@@ -209,7 +212,8 @@ int vtkPBoneDecimate::RunTogether(
     return 0;
   }
   const vtkSmartPointer<vtkPolyData> unpruned = input;
-  const vtkSmartPointer<vtkPolyData> kept = this->PruneTogether(input);
+  const vtkSmartPointer<vtkPolyData> labeled = this->WithCellLabels(input);
+  const vtkSmartPointer<vtkPolyData> kept = labeled ? this->PruneTogether(labeled) : nullptr;
   if (!kept)
   {
     return 0;
@@ -251,6 +255,8 @@ int vtkPBoneDecimate::RunTogether(
     this->FillInputCopy(unpruned, { output }, inputCopy);
   }
   this->CompareVoxelsTogether(output, plan);
+  output->GetCellData()->RemoveArray(bonedecimate::CellLabelsName);
+  inputCopy->GetCellData()->RemoveArray(bonedecimate::CellLabelsName);
   this->Report(plan, output);
   return 1;
 }

@@ -16,24 +16,23 @@
  *
  * The result hangs together as the input did, wherever points are equal. TargetNumberOfTriangles and TargetReduction are meant of
  * the whole surface. MaximumError holds of the whole surface, relative to the input before smoothing: both phases are proved
- * against the input. IntersectionGuard works across processes. The same partition gives the same bytes. With an array of tolerances, with a reference, and in Thesis
- * mode with MaximumError there is no second phase: the triangles at the shared points stay as they are.
+ * against the input. IntersectionGuard works across processes. The same partition gives the same bytes. With an array of tolerances,
+ * with a reference, and in Thesis mode with MaximumError there is no second phase: the triangles at the shared points stay as they
+ * are.
  *
- * The smoothed surface is that of one process, bit for bit. KeepVoxels is
- * decided for the whole surface. Only smoothing and the comparison of voxels need the memory of the whole surface on process 0.
+ * The smoothed surface is that of one process, bit for bit. KeepVoxels is decided for the whole surface. Components are pruned as
+ * those of the whole. Only smoothing and the comparison of voxels need the memory of the whole surface on process 0.
  *
  * The report in the field data is then that of the whole surface and short: input.triangles, output.triangles, proof.upper (mm),
- * smoothing.*, voxels.* and parallel.*; the getters have the same.
+ * pruned.*, smoothing.*, voxels.* and parallel.*; the getters have the same.
  *
  * On one process a vtkPolyData gives exactly what vtkBoneDecimate gives. The polydata in a composite data set are taken as one
  * surface, so that equal points of blocks hang together; the cell array BlockIndex says from which block a triangle is.
  *
- * Components are pruned as those of the whole surface.
- *
- * Every process must update the filter, those without triangles, too. Rejected on several: LabelArrayName, MergePoints off,
- * MakeMaps, DiagnoseInput, an OutputPointsPrecision other than the default, an OutputPointsGrid, smoothing with a reference or of parts in different
- * precision, and an ErrorPreset without VoxelSize or a voxel grid. Parts and blocks of different label maps are always rejected.
- * ErrorBoundToResult is left out.
+ * Every process must update the filter, those without triangles, too. Rejected on several: LabelArrayName with PassArrays off,
+ * MergePoints off, MakeMaps, DiagnoseInput, an OutputPointsPrecision other than the default, an OutputPointsGrid, smoothing with a
+ * reference or of parts in different precision, and an ErrorPreset without VoxelSize or a voxel grid. Parts and blocks of different
+ * label maps are always rejected. ErrorBoundToResult is left out.
  */
 #ifndef vtkPBoneDecimate_h
 #define vtkPBoneDecimate_h
@@ -90,6 +89,7 @@ private:
   bool IsLimitedEverywhere(vtkPolyData* input);
   const char* ProblemOfParts(vtkPolyData* input, vtkPolyData* reference, double voxelSize);
   bool Prunes();
+  vtkSmartPointer<vtkPolyData> WithCellLabels(vtkPolyData* input);
   vtkSmartPointer<vtkPolyData> PruneTogether(vtkPolyData* input);
   Plan MakePlan(vtkPolyData* input, vtkPolyData* reference, double voxelSize);
   void GatherWhole(vtkPolyData* input, Plan& plan);
@@ -97,7 +97,7 @@ private:
   void CompareVoxelsTogether(vtkPolyData* output, Plan& plan);
   void FindNeighbors(vtkPolyData* input, Plan& plan);
   std::vector<bool> UnchangedCells(vtkPolyData* surface, const Plan& plan) const;
-  void Order(vtkPBoneDecimate* run, double triangles, const Plan& plan) const;
+  void Order(vtkPBoneDecimate* run, double triangles, const Plan& plan);
   bool ReducePart(
     vtkPBoneDecimate* run, vtkPolyData* input, vtkPolyData* reference, const Plan& plan);
   void ReduceSharedStrips(

@@ -86,6 +86,9 @@ def cases():
         "shells": (shells(), "slabs", {"MaximumError": 0.1}),
         "scattered": (ring, "crumbs", {"MaximumError": 0.1, "Mode": "Fast"}),
         "blocks": (ring, "blocks", {"TargetReduction": 0.8}),
+        "labels": (labeled(specimens.torus(120, 40, bumps=0.4), 4000), "slabs", {"MaximumError": 0.1, "LabelArrayName": "bone"}),
+        "point-labels": (with_sectors(specimens.torus(120, 40, bumps=0.4)), "slabs",
+                         {"MaximumError": 0.1, "LabelArrayName": "sector", "Mode": "Fast"}),
         "spikes": (with_spikes(specimens.torus(120, 40, bumps=0.4)), "slabs", {"MaximumError": 0.1, "Mode": "Fast"}),
         "pruned": (with_crumbs(ring), "slabs", {"MaximumError": 0.1, "Mode": "Fast", "PruneVolume": 1000.0, "MeasureInputDistances": 1}),
     }
@@ -109,13 +112,24 @@ def label_cases():
     )}
 
 
-def labeled(surface):
-    """With half of the triangles of one bone, half of another."""
+def labeled(surface, length=1):
+    """With half of the triangles of one bone, half of another: so many of each after the other."""
     bone = vtkIntArray()
     bone.SetName("bone")
     for number in range(surface.GetNumberOfCells()):
-        bone.InsertNextValue(number % 2)
+        bone.InsertNextValue(number // length % 2)
     surface.GetCellData().AddArray(bone)
+    return surface
+
+
+def with_sectors(surface):
+    """Labels of points."""
+    sector = vtkIntArray()
+    sector.SetName("sector")
+    for i in range(surface.GetNumberOfPoints()):
+        x, y, z = surface.GetPoint(i)
+        sector.InsertNextValue(3 if x + 0.5 * y + z > 0 else 8)
+    surface.GetPointData().AddArray(sector)
     return surface
 
 
@@ -133,7 +147,8 @@ def rejected():
     ring = specimens.torus
     return {name: (labeled(ring()), "slabs", properties) for name, properties in {
         "prune-all": {"PruneSize": 1000.0},
-        "LabelArrayName": {"LabelArrayName": "bone"},
+        "labels-alone": {"LabelArrayName": "bone", "PassArrays": 0},
+        "labels-missing": {"LabelArrayName": "nothing"},
         "MergePoints": {"MergePoints": 0},
         "MakeMaps": {"MakeMaps": 1},
         "OutputPointsPrecision": {"OutputPointsPrecision": "Double"},
@@ -215,6 +230,8 @@ def allowed():
         "AutomaticSmoothing": ({"AutomaticSmoothing": 1, "TargetReduction": 0.0},
                                reported("smoothing", "surface", lambda surface: surface == "label_map")),
         "KeepVoxels": ({"KeepVoxels": "On", "TargetReduction": 0.5}, reported("voxels", "guard", lambda guard: guard == "on")),
-    }.items()} | {"FeatureAngle": (label_images.image(label_images.block_at), "pieces",
+    }.items()} | {"LabelArrayName": (labeled(specimens.torus()), "slabs", {**error, "LabelArrayName": "bone"},
+                                     lambda part: part.GetCellData().HasArray("bone") and proved(0.1)(part))
+    } | {"FeatureAngle": (label_images.image(label_images.block_at), "pieces",
                                    {"AutomaticSmoothing": 1, "FeatureAngle": 45, "TargetReduction": 0.0},
                                    reported("smoothing", "sharp_points", lambda count: count > 0))}

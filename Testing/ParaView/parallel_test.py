@@ -11,12 +11,24 @@ import re
 import subprocess
 import unittest
 
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+
 import cases
 import specimens
 from parallel_runs import (FOLDER, RANKS, bad_edges, comparison, distance, intersecting_pairs, is_proved, joined, parts,
                            report_of, run)
 
-BOUNDED = ("error", "open", "shells", "scattered")  # by 0.1 mm
+BOUNDED = ("error", "open", "shells", "scattered", "labels", "point-labels")  # by 0.1 mm
+
+
+def of_bone(surface, bone):
+    """Its triangles, with an open boundary all around."""
+    bones = surface.GetCellData().GetArray("bone")
+    chosen = vtkCellArray()
+    for number, corners in enumerate(specimens.triangles_of(surface)):
+        if bones.GetValue(number) == bone:
+            chosen.InsertNextCell(3, corners)
+    return specimens.polydata(surface.GetPoints(), chosen)
 
 
 class Parallel(unittest.TestCase):
@@ -96,6 +108,17 @@ class Parallel(unittest.TestCase):
                     for one, other in zip(report["pruned"]["list"], alone["pruned"]["list"], strict=True):
                         for name in ("triangles", "size", "area", "volume"):
                             self.assertAlmostEqual(one[name], other[name], 9)
+
+    def test_labels_keep_their_outlines_and_cost_few_triangles(self):
+        before = self.cases["labels"][0]
+        alone = self.whole["labels", 1].GetNumberOfPolys()
+        for ranks in RANKS:
+            after = self.whole["labels", ranks]
+            self.assertFalse(after.GetCellData().HasArray("bonedecimate.labels"))
+            self.assertLessEqual(after.GetNumberOfPolys(), 1.1 * alone)
+            for bone in (0, 1):
+                with self.subTest(ranks=ranks, bone=bone):
+                    self.assertTrue(is_proved(of_bone(before, bone), of_bone(after, bone), 0.1))
 
     def test_strips_are_reduced(self):
         for name in ("reduction", "error", "fast", "open"):
