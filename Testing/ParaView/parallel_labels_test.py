@@ -136,6 +136,13 @@ class ParallelLabels(unittest.TestCase):
                         if surface.GetNumberOfPolys() > 0:
                             self.assertLessEqual(report_of(surface)["proof"]["upper"], cases.ERROR if name == "label-tolerance" else most)
 
+    def test_an_error_costs_few_triangles(self):
+        for name in ("label-error", "label-crumbs", "label-preset", "label-millimeters"):
+            for ranks in RANKS[1:]:
+                with self.subTest(name, ranks=ranks):
+                    self.assertLessEqual(
+                        self.whole[name, ranks].GetNumberOfPolys(), 1.1 * self.whole[name, 1].GetNumberOfPolys())
+
     def test_surfaces_are_smooth_where_ranks_meet(self):
         shared = shared_positions(parts("label-smoothed", 4))
         for name in ("label-smoothed", "label-error"):
