@@ -98,6 +98,7 @@ std::vector<vtkIdType> FirstOfEqual(vtkPolyData* surface)
 {
   std::map<Position, vtkIdType> known;
   std::vector<vtkIdType> first;
+  first.reserve(static_cast<std::size_t>(surface->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
     first.push_back(known.emplace(PositionOf(surface->GetPoint(i)), i).first->second);
@@ -164,6 +165,7 @@ vtkSmartPointer<vtkPolyData> CopyOf(vtkPolyData* surface)
 std::vector<bool> CellsAt(vtkPolyData* surface, const Positions& positions)
 {
   std::vector<bool> isThere;
+  isThere.reserve(static_cast<std::size_t>(surface->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
     isThere.push_back(Contains(positions, surface->GetPoint(i)));

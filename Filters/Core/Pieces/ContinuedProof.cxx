@@ -45,8 +45,8 @@ Surface Changed(const Surface& before, const Surface& after)
 }
 
 /// Of every point of the first surface, to the second one.
-DirectedCertificate Prove(const Surface& from, const Surface& to, CertificateOptions question,
-  const Monitor& monitor, ProofStatus& status)
+DirectedCertificate Prove(const Surface& from, const Surface& to,
+  const CertificateOptions& question, const Monitor& monitor, ProofStatus& status)
 {
   if (from.Triangles.empty())
   {
