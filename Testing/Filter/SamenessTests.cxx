@@ -78,7 +78,7 @@ Surface OnAGrid(Surface surface)
   return surface;
 }
 
-Surface Result(const Surface& input, double maximumError)
+Surface ResultOf(const Surface& input, double maximumError)
 {
   FilterRun run(PolyData(input));
   run->SetMaximumError(maximumError);
@@ -113,22 +113,22 @@ TEST(Sameness, TheNumberOfThreadsChangesNoByte)
 
 TEST(Sameness, APowerOfTwoTimesTheSizeGivesTheSameTrianglesAndExactlyScaledPoints)
 {
-  const Surface once = Result(Pieces(), 0.0);
+  const Surface once = ResultOf(Pieces(), 0.0);
   for (const int power : { -20, -3, 1, 10 })
   {
     const double factor = std::ldexp(1.0, power);
-    EXPECT_TRUE(SameBytes(Result(Scaled(Pieces(), factor), 0.0), Scaled(once, factor)))
+    EXPECT_TRUE(SameBytes(ResultOf(Scaled(Pieces(), factor), 0.0), Scaled(once, factor)))
       << "2^" << power;
   }
 }
 
 TEST(Sameness, TheErrorGrowsWithTheSize)
 {
-  const Surface once = Result(Pieces(), 0.1);
+  const Surface once = ResultOf(Pieces(), 0.1);
   for (const int power : { -10, 1, 10 })
   {
     const double factor = std::ldexp(1.0, power);
-    EXPECT_TRUE(SameBytes(Result(Scaled(Pieces(), factor), 0.1 * factor), Scaled(once, factor)))
+    EXPECT_TRUE(SameBytes(ResultOf(Scaled(Pieces(), factor), 0.1 * factor), Scaled(once, factor)))
       << "2^" << power;
   }
 }
@@ -139,8 +139,8 @@ TEST(Sameness, MovingTheSurfaceExactlyGivesTheSameTrianglesAndMovedPoints)
   const Vector3 offset(4096.0, -65536.0, 1.5);
   for (const double maximumError : { 0.0, 0.1 })
   {
-    const Surface here = Result(input, maximumError);
-    const Surface there = Result(Moved(input, offset), maximumError);
+    const Surface here = ResultOf(input, maximumError);
+    const Surface there = ResultOf(Moved(input, offset), maximumError);
     EXPECT_EQ(here.Triangles, there.Triangles);
     ASSERT_EQ(here.Points.size(), there.Points.size());
     for (std::size_t p = 0; p < here.Points.size(); ++p)

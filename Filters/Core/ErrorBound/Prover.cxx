@@ -11,7 +11,7 @@ namespace bonedecimate
 namespace
 {
 /// Of an original, before it is given up: with too few, good edits are rejected.
-constexpr std::size_t MostPieces = 256;
+constexpr std::size_t MostPiecesOfItem = 256;
 
 /// ErrorLimits that the ends of an edge may be away from the new faces.
 constexpr double FarthestOfEnds = 1.5;
@@ -335,7 +335,7 @@ bool Prover::ProveInPieces(const HalfEdgeMesh& mesh, Item& item)
   }
   item.Used = 0;
   const bool proved =
-    this->CommonFaces.Prove(whole, item.Used, MostPieces) == CommonFaceResult::Proved;
+    this->CommonFaces.Prove(whole, item.Used, MostPiecesOfItem) == CommonFaceResult::Proved;
   item.Used &= (Faces(1) << newFaces) - 1;
   this->CommonFaces.Resize(newFaces);
   return proved && remaining + CountBits(item.Used) <= Coverage::SlotsPerItem;

@@ -14,7 +14,7 @@ namespace
 /// Of the distance: smaller pieces of a triangle are not cut.
 constexpr double LeastRadius = 0.25;
 /// Rounding in the search.
-constexpr double Slack = 1.0 + 1e-9;
+constexpr double SlackOfReach = 1.0 + 1e-9;
 
 bool AreUsable(const Surface& surface, const Triangle& corners)
 {
@@ -45,7 +45,7 @@ bool MayComeNear(
   const Vector3 middle = (a + b + c) / 3.0;
   const double radius = std::sqrt(std::max(
     { (a - middle).squaredNorm(), (b - middle).squaredNorm(), (c - middle).squaredNorm() }));
-  const double reach = Slack * (distance + radius);
+  const double reach = SlackOfReach * (distance + radius);
   const BoundingTree::Nearest nearest = surface.FindNearestWithin(middle, reach * reach);
   if (nearest.Triangle == None)
   {

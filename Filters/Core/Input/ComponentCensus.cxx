@@ -15,8 +15,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 class Census
 {
 public:

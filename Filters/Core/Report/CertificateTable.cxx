@@ -12,7 +12,7 @@ namespace
 {
 using Entries = std::vector<ReportEntry>;
 
-void AddBounds(Entries& entries, const std::string& path, const DistanceBounds& bounds)
+void AddDistanceBounds(Entries& entries, const std::string& path, const DistanceBounds& bounds)
 {
   entries.push_back({ path + ".lower", "mm", bounds.Lower });
   entries.push_back({ path + ".upper", "mm", bounds.Upper });
@@ -37,11 +37,11 @@ void AddMean(Entries& entries, const std::string& path, const MeanDistance& mean
 void AddDirection(Entries& entries, const std::string& path, const DirectedCertificate& directed)
 {
   entries.push_back({ path + ".status", "", std::string(ProofStatusWord(directed.Proof)) });
-  AddBounds(entries, path, directed.Distance);
+  AddDistanceBounds(entries, path, directed.Distance);
   const bool hasExcess = std::isfinite(directed.Excess.Lower) || directed.Excess.Upper < 0.0;
   if (hasExcess)
   {
-    AddBounds(entries, path + ".excess", directed.Excess);
+    AddDistanceBounds(entries, path + ".excess", directed.Excess);
   }
   if (directed.Mean.Samples > 0)
   {

@@ -14,8 +14,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double DegreesOfRadian = 57.29577951308232;
-
 struct Displacements
 {
   double Squares = 0.0; // mm^2
@@ -72,7 +70,8 @@ double MeanAngle(
       }
       return part;
     });
-  return edges.empty() ? 0.0 : DegreesOfRadian * sum / static_cast<double>(edges.size());
+  constexpr double degreesOfRadian = 57.29577951308232;
+  return edges.empty() ? 0.0 : degreesOfRadian * sum / static_cast<double>(edges.size());
 }
 
 double TotalOf(const std::vector<Vector3>& areas, int threads)

@@ -9,7 +9,7 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr int MostHalvings = 8;
+constexpr int MostHalvingsOfTime = 8;
 /// Of the coordinates, for the rounding of products.
 constexpr double Rounding = 1e-12;
 
@@ -63,6 +63,6 @@ bool StayApart(const TrianglesInTime& before, const TrianglesInTime& after, int 
 bool StayApart(const TrianglesInTime& before, const TrianglesInTime& after)
 {
   const bool isStill = before.First == after.First && before.Second == after.Second;
-  return isStill || StayApart(before, after, MostHalvings);
+  return isStill || StayApart(before, after, MostHalvingsOfTime);
 }
 }

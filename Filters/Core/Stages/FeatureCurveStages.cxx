@@ -15,7 +15,7 @@ constexpr double FacesOfStage = 0.25;
 constexpr double EdgesOfBound = 0.5;
 /// Once the loop is stuck, it runs again only after the curves have lost more than one edge in this many.
 constexpr Index LeastOfLines = 128;
-constexpr double LeastRatio = 1e-12;
+constexpr double LeastRatioOfCurve = 1e-12;
 
 class Stages
 {
@@ -51,7 +51,7 @@ public:
       this->Gone += lines.Gone;
       const bool isWorth =
         this->Gone > this->MeshEditor.FeatureCurves()->NumberOfEdges() / LeastOfLines;
-      const bool areDone = !lines.IsBound || this->Ratio < LeastRatio;
+      const bool areDone = !lines.IsBound || this->Ratio < LeastRatioOfCurve;
       if (lines.IsAborted)
       {
         return StopReason::Aborted;

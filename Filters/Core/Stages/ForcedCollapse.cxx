@@ -11,8 +11,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr int MostRounds = 40;
-constexpr double EvaluatedAt = 0.4; // of a round
 }
 
 ForcedCollapse::ForcedCollapse(
@@ -29,13 +27,15 @@ ForcedCollapse::ForcedCollapse(
 //------------------------------------------------------------------------------
 bool ForcedCollapse::Run(Index faces, const Monitor& monitor)
 {
+  constexpr int mostRounds = 40;
+  constexpr double evaluatedAt = 0.4; // of a round
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  for (int round = 0; round < MostRounds && mesh.NumberOfFaces() > faces; ++round)
+  for (int round = 0; round < mostRounds && mesh.NumberOfFaces() > faces; ++round)
   {
     const Monitor tell =
-      PartOf(monitor, static_cast<double>(round) / MostRounds, (round + 1.0) / MostRounds);
+      PartOf(monitor, static_cast<double>(round) / mostRounds, (round + 1.0) / mostRounds);
     this->DropChanged();
-    if (!this->Candidates.Find(PartOf(tell, 0.0, EvaluatedAt), this->Waiting))
+    if (!this->Candidates.Find(PartOf(tell, 0.0, evaluatedAt), this->Waiting))
     {
       return false;
     }
@@ -45,7 +45,7 @@ bool ForcedCollapse::Run(Index faces, const Monitor& monitor)
     {
       break;
     }
-    if (!this->TryAll(trials, PartOf(tell, EvaluatedAt, 1.0)))
+    if (!this->TryAll(trials, PartOf(tell, evaluatedAt, 1.0)))
     {
       return false;
     }

@@ -15,7 +15,7 @@ constexpr double RatioToMove = 0.9;
 /// A little less than the bound: what the samples miss.
 constexpr double Within = 0.99;
 /// A sweep must gain that much of the largest ratio, and the rest must be within reach of the sweeps that are left.
-constexpr double LeastGain = 0.002;
+constexpr double LeastGainOfSweep = 0.002;
 constexpr double MostHope = 1.2;
 }
 
@@ -199,7 +199,8 @@ bool PatchFit::SweepUntilWithin()
     }
     const double gain = before - largest;
     const int left = MostSweeps - 1 - sweep;
-    if (!(gain > LeastGain * largest) || (sweep > 0 && largest - Within > MostHope * gain * left))
+    if (!(gain > LeastGainOfSweep * largest) ||
+      (sweep > 0 && largest - Within > MostHope * gain * left))
     {
       return false;
     }

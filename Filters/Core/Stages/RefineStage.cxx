@@ -16,16 +16,11 @@ namespace
 /// Below that ratio of the original triangles, few remain.
 constexpr double FewTriangles = 0.2;
 
-bool HasReachedFaces(const StageInput& input)
-{
-  return input.MeshEditor.Mesh().NumberOfFaces() <= input.Stops.Faces;
-}
-
 /// Down to the target. False if the monitor stopped it.
 bool CollapseLast(const StageInput& input, Refinement& refinement, const Monitor& monitor)
 {
   constexpr double sweepFrom = 0.99;
-  if (HasReachedFaces(input))
+  if (input.HasReachedFaces())
   {
     return true;
   }
@@ -35,7 +30,7 @@ bool CollapseLast(const StageInput& input, Refinement& refinement, const Monitor
   {
     return false;
   }
-  if (HasReachedFaces(input))
+  if (input.HasReachedFaces())
   {
     return monitor(1.0);
   }
@@ -87,7 +82,7 @@ bool CollapseBySlack(const StageInput& input, SlackRefinement& slack, const Moni
   constexpr double sweptAt = 0.6; // of a round
   const int rounds = RoundsOf(input, input.Mode.Refine.ProvedRounds);
   bool goesOn = true;
-  for (int i = 0; i < rounds && goesOn && !HasReachedFaces(input); ++i)
+  for (int i = 0; i < rounds && goesOn && !input.HasReachedFaces(); ++i)
   {
     const Monitor round = PartOf(monitor, static_cast<double>(i) / rounds, (i + 1.0) / rounds);
     goesOn = slack.Sweep(input.Mode.Refine.ProvedSweeps, PartOf(round, 0.0, sweptAt)) &&
@@ -109,7 +104,7 @@ bool ForceCollapses(const StageInput& input, SlackRefinement& slack, const Monit
   ForcedCollapseFigures figures;
   bool goesOn = true;
   bool isWorthIt = true;
-  for (int i = 0; i < rounds && goesOn && isWorthIt && !HasReachedFaces(input); ++i)
+  for (int i = 0; i < rounds && goesOn && isWorthIt && !input.HasReachedFaces(); ++i)
   {
     const Index before = mesh.NumberOfFaces();
     const Monitor round = PartOf(monitor, static_cast<double>(i) / rounds, (i + 1.0) / rounds);
@@ -134,7 +129,7 @@ bool RefineWithinBound(const StageInput& input, Refinement& refinement, const Mo
   constexpr double shapedAt = 0.65;
   constexpr double refinedAt = 0.95;
   const bool usesSlack =
-    !HasReachedFaces(input) && RoundsOf(input, input.Mode.Refine.ProvedRounds) > 0;
+    !input.HasReachedFaces() && RoundsOf(input, input.Mode.Refine.ProvedRounds) > 0;
   SlackRefinement slack(input.MeshEditor, input.Threads);
   return (!usesSlack ||
            (slack.Begin(PartOf(monitor, 0.0, begunAt)) &&

@@ -12,20 +12,16 @@
 
 namespace bonedecimate
 {
-namespace
-{
-constexpr int MostRounds = 12;
-}
-
 bool ShapeImprover::Mend(const Monitor& monitor)
 {
   constexpr double collapsedAt = 0.4; // of a round
+  constexpr int mostRounds = 12;
   std::size_t before = this->FindBadFaces().size();
   bool goesOn = true;
-  for (int round = 0; round < MostRounds && before > 0 && goesOn; ++round)
+  for (int round = 0; round < mostRounds && before > 0 && goesOn; ++round)
   {
     const Monitor tell =
-      PartOf(monitor, static_cast<double>(round) / MostRounds, (round + 1.0) / MostRounds);
+      PartOf(monitor, static_cast<double>(round) / mostRounds, (round + 1.0) / mostRounds);
     goesOn = this->ForEachBadFace(
                PartOf(tell, 0.0, collapsedAt), [this](FaceId face) { this->CollapseAt(face); }) &&
       this->FlipAndMove(PartOf(tell, collapsedAt, 1.0));

@@ -10,17 +10,12 @@ namespace bonedecimate
 {
 namespace
 {
-bool HasReachedFaces(const StageInput& input)
-{
-  return input.MeshEditor.Mesh().NumberOfFaces() <= input.Stops.Faces;
-}
-
 /// Angles that have become larger allow collapses that were rejected. False if the monitor requests a stop.
 bool CollapseOnce(const StageInput& input, const Monitor& monitor)
 {
   input.MeshEditor.DistributeVolumeBudget();
   input.MeshEditor.RenewQuadrics(input.Threads);
-  return HasReachedFaces(input) ||
+  return input.HasReachedFaces() ||
     SweepTo(input, input.Stops.Faces, monitor) != StopReason::Aborted;
 }
 
@@ -43,7 +38,7 @@ bool EnlargeAngles(const StageInput& input, const Monitor& monitor)
   goesOn = goesOn && CollapseOnce(input, PartOf(monitor, mendedAt, sweptAt));
   const Monitor rounds = PartOf(monitor, sweptAt, 1.0);
   bool isWorthIt = true;
-  for (int i = 0; i < mostRounds && goesOn && isWorthIt && !HasReachedFaces(input); ++i)
+  for (int i = 0; i < mostRounds && goesOn && isWorthIt && !input.HasReachedFaces(); ++i)
   {
     const Index before = mesh.NumberOfFaces();
     const Monitor round =

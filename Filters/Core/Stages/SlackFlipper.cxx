@@ -11,9 +11,9 @@ namespace bonedecimate
 namespace
 {
 /// Faces that use less of the bound stay.
-constexpr double LeastRatio = 0.8;
+constexpr double LeastRatioOfFlip = 0.8;
 /// To which part the error must fall.
-constexpr double FlipBelow = 0.9;
+constexpr double FlipBelowError = 0.9;
 constexpr Index FacesOfReport = 1024;
 }
 
@@ -66,13 +66,13 @@ bool SlackFlipper::Improves(HalfEdgeId edge)
     HalfEdgeMesh::Face(mesh.Twin(edge)) };
   this->Gather({ a, d, b, c }, { faces[1], faces[0] });
   const SlackFit::Value now = this->Slack.EvaluatePair(a, this->Back.Of(ids[0]), infinity);
-  if (!(now.Largest > LeastRatio && now.Largest < infinity))
+  if (!(now.Largest > LeastRatioOfFlip && now.Largest < infinity))
   {
     return false;
   }
   this->Gather({ c, a, d, b }, faces);
-  return this->Slack.EvaluatePair(c, this->Back.Of(ids[2]), FlipBelow * now.Error).Error <
-    FlipBelow * now.Error;
+  return this->Slack.EvaluatePair(c, this->Back.Of(ids[2]), FlipBelowError * now.Error).Error <
+    FlipBelowError * now.Error;
 }
 
 //------------------------------------------------------------------------------

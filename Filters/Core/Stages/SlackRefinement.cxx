@@ -15,7 +15,7 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr std::size_t VerticesOfPart = 16;
+constexpr std::size_t VerticesOfTask = 16;
 constexpr double SettledAt = 0.06; // of a sweep
 constexpr double FlippedAt = 0.2;
 }
@@ -115,13 +115,13 @@ bool SlackRefinement::MoveAll(const std::vector<Index>& vertices, const Monitor&
 {
   constexpr double evaluatedAt = 0.6;
   std::vector<SlackMover::Proposal> proposals(vertices.size());
-  const bool goesOn = ForEachPart((vertices.size() + VerticesOfPart - 1) / VerticesOfPart,
+  const bool goesOn = ForEachPart((vertices.size() + VerticesOfTask - 1) / VerticesOfTask,
     this->Threads, PartOf(monitor, 0.0, evaluatedAt),
     [&](std::size_t part)
     {
       SlackMover mover(this->MeshEditor, this->Fit, this->Back);
-      const std::size_t end = std::min(vertices.size(), (part + 1) * VerticesOfPart);
-      for (std::size_t i = part * VerticesOfPart; i < end; ++i)
+      const std::size_t end = std::min(vertices.size(), (part + 1) * VerticesOfTask);
+      for (std::size_t i = part * VerticesOfTask; i < end; ++i)
       {
         proposals[i] = mover.Evaluate(vertices[i]);
       }

@@ -7,6 +7,12 @@
 
 namespace bonedecimate
 {
+bool StageInput::HasReachedFaces() const
+{
+  return this->MeshEditor.Mesh().NumberOfFaces() <= this->Stops.Faces;
+}
+
+//------------------------------------------------------------------------------
 StopReason ReasonToStop(const StageInput& input)
 {
   const StopCriterion stop(input.MeshEditor, input.Stops);

@@ -37,6 +37,7 @@ struct StageInput
     nullptr; ///< Receives what was tried and made; null: they are not kept.
 
   bool ImprovesShape() const { return !this->Shape.IsAny(); }
+  bool HasReachedFaces() const;
 };
 
 /// Why a stage that has done all it could ends.

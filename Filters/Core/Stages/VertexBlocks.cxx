@@ -9,7 +9,7 @@ namespace bonedecimate
 namespace
 {
 /// Large blocks leave few vertices whose ring is in no block; many blocks keep many threads busy.
-constexpr Index TargetBlocks = 32;
+constexpr Index BlocksOfOrder = 32;
 constexpr Index SmallestBlock = 512;
 constexpr Index LargestBlock = 8192;
 }
@@ -27,7 +27,7 @@ VertexBlocks::VertexBlocks(const HalfEdgeMesh& mesh)
   }
   this->Visited.resize(this->Order.size(), 0);
   this->BlockSize =
-    std::clamp(static_cast<Index>(this->Order.size()) / TargetBlocks, SmallestBlock, LargestBlock);
+    std::clamp(static_cast<Index>(this->Order.size()) / BlocksOfOrder, SmallestBlock, LargestBlock);
 }
 
 //------------------------------------------------------------------------------

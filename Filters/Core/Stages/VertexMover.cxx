@@ -10,8 +10,8 @@ namespace bonedecimate
 namespace
 {
 /// A step that would lower the error by less than this fraction is not tried.
-constexpr double LeastGain = 3e-3;
-constexpr int Attempts = 3;
+constexpr double LeastGainOfMove = 3e-3;
+constexpr int AttemptsOfMove = 3;
 }
 
 //------------------------------------------------------------------------------
@@ -24,11 +24,11 @@ bool VertexMover::Improve(VertexId vertex)
   }
   this->Gather(vertex);
   Vector3 step = this->Equations.Solve();
-  if (!(this->Equations.Gain(step) > LeastGain * this->Error))
+  if (!(this->Equations.Gain(step) > LeastGainOfMove * this->Error))
   {
     return false;
   }
-  for (int attempt = 0; attempt < Attempts; ++attempt, step *= 0.5)
+  for (int attempt = 0; attempt < AttemptsOfMove; ++attempt, step *= 0.5)
   {
     const Vector3 position = mesh.Position(vertex) + step;
     if (this->Lowers(vertex, position) &&
