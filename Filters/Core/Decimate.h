@@ -86,7 +86,7 @@ struct SurfacePart
   /// What other parts have near this one, mm: faces that come within NeighborDistance (mm, above 0) of it stay, and new ones are
   /// farther away. Null: nothing.
   const Surface* Neighbors = nullptr;
-  double NeighborDistance = 0.0;
+  double NeighborDistance = 0.0; ///< mm
   /// The original of a part that is itself a result: the largest error then refers to it. It must have all that is within that
   /// error of what may change, and the part all that is near it. Null: the input. Not with smoothed points or tolerances; the run
   /// ends without a certificate, because both surfaces end somewhere else.
@@ -98,7 +98,7 @@ struct SurfacePart
   /// With a reference: edges, as pairs of points, at which the part and its original were cut out of the whole. Those of one
   /// triangle are no boundaries. Their ends must be shared or outside of the edit zone.
   std::vector<std::array<Index, 2>> CutEdges = {};
-  std::vector<std::array<Index, 2>> ReferenceCutEdges = {};
+  std::vector<std::array<Index, 2>> ReferenceCutEdges = {}; ///< The same, of the reference.
 };
 
 class RegionCache;

@@ -21,6 +21,7 @@ namespace bonedecimate
 /// A position or a direction; positions are in millimeters.
 using Vector3 = Eigen::Vector3d;
 
+/// Beyond every distance.
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// mm, along each axis; with larger coordinates products of areas overflow.
