@@ -7,7 +7,6 @@
 #include "FileNames.h"
 #include "Formats/SurfaceFormat.h"
 #include "Interruption.h"
-#include "LabelMapArrays.h"
 #include "NamedLabels.h"
 #include "Options/Text.h"
 #include "ReportFields.h"

@@ -5,6 +5,7 @@
  * @brief The arrays in which a vtkPolyData keeps from which label map it was extracted.
  *
  *     cell array    BoundaryLabels       values of the labels on both sides, two components
+ *     cell array    OtherLabel           in the surface of one label: the label beyond each triangle; nothing reads it
  *     point array   GridPoint            int, three components, twice the voxel coordinates of a center
  *     field arrays  VoxelGridOrigin      mm, the center of the first voxel, three components
  *                   VoxelGridSpacing     mm, three components
@@ -35,6 +36,7 @@ constexpr const char* GridSpacingName = "VoxelGridSpacing";
 constexpr const char* GridDirectionName = "VoxelGridDirection";
 constexpr const char* GridDimensionsName = "VoxelGridDimensions";
 constexpr const char* BoundaryLabelsName = "BoundaryLabels";
+constexpr const char* OtherLabelName = "OtherLabel";
 constexpr const char* GridPointName = "GridPoint";
 constexpr const char* LabelValuesName = "LabelValues";
 

@@ -99,7 +99,7 @@ const char* ReasonToReject(vtkPolyData* input, vtkInformationVector* outputs)
   return input->GetNumberOfStrips() > 0
     ? "the input has triangle strips; vtkTriangleFilter makes triangles of them"
     : bonedecimate::RequestedPiece(outputs).Pieces > 1
-    ? "Bone Cap works on one process only: the parts of a distributed surface end where others "
+    ? "vtkBoneCap is for one process alone: the parts of a distributed surface end where others "
       "begin"
     : nullptr;
 }

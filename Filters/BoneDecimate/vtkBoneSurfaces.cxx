@@ -95,7 +95,7 @@ void DescribeSingleLabel(const bonedecimate::LabelMapSource& all,
   sides->SetName(bonedecimate::BoundaryLabelsName);
   sides->SetNumberOfComponents(2);
   vtkNew<vtkTypeInt64Array> others;
-  others->SetName("OtherLabel");
+  others->SetName(bonedecimate::OtherLabelName);
   for (const bonedecimate::Index triangle : triangles)
   {
     const auto [first, second] = all.OfTriangle[triangle];

@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 using namespace bonedecimate;
 using namespace bonedecimate::testsupport;

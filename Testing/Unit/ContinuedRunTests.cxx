@@ -5,6 +5,7 @@
 #include "LabelMap/LabelSurfaces.h"
 #include "LabelMaps.h"
 #include "Pieces/ContinuedProof.h"
+#include "Runs.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
@@ -17,12 +18,8 @@ namespace
 {
 Options FastError(double error)
 {
-  Options options;
-  options.Mode = Mode::Fast;
-  options.MaximumError = error;
-  options.MeasureDistances = false;
+  Options options = InMode(Mode::Fast, Error(error));
   options.KeepVoxels = KeepVoxels::Off;
-  options.NumberOfThreads = 1;
   return options;
 }
 

@@ -3,6 +3,7 @@
 #include "Certificate/Certificate.h"
 #include "Mesh/Statistics.h"
 #include "Pieces/ZoneRun.h"
+#include "Runs.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
@@ -15,12 +16,7 @@ namespace
 {
 Options ZoneOptions(double error)
 {
-  Options options;
-  options.Mode = Mode::Fast;
-  options.MaximumError = error;
-  options.MeasureDistances = false;
-  options.NumberOfThreads = 1;
-  return options;
+  return InMode(Mode::Fast, Error(error));
 }
 
 ZoneInput InMiddle(const Surface& original, const Surface& strip)

@@ -38,8 +38,6 @@ struct SurfaceFormat
     false; ///< The file says its unit: surfaces are read and written in mm, whatever --unit is.
   bool HasGrid =
     false; ///< Coordinates are whole multiples of a step (PointGrid.h): surfaces are written on such a grid.
-  bool HasParts =
-    false; ///< A surface with BoundaryLabels is written with a part for each label, and read as it was.
   bool IsForPrinting = false;      ///< Parts that are not closed are no solids in it.
   std::string MissingLibrary = {}; ///< What the build lacks to read and write it; empty: nothing.
 };

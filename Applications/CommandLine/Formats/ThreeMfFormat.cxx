@@ -16,7 +16,6 @@ SurfaceFormat MakeFormat()
 #endif
   format.NamesUnit = true;
   format.IsForPrinting = true;
-  format.HasParts = true;
   return format;
 }
 }

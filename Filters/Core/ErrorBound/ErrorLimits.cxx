@@ -5,7 +5,6 @@
 #include "ErrorBound.h"
 
 #include <cmath>
-#include <limits>
 
 namespace bonedecimate
 {

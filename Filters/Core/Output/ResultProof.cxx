@@ -142,9 +142,7 @@ void AddMapStatus(const Surface& input, const Options& options, const std::vecto
   ProofStatus& status = output.Report.Proof.Status;
   const bool isDecided = found.Status == CertificateStatus::Good;
   const ProofStatus here = isDecided ? found.Proof : ProofStatus::Undecided;
-  const bool isWorse = here == ProofStatus::Violated ||
-    (here == ProofStatus::Undecided && status == ProofStatus::Proved);
-  status = isWorse ? here : status;
+  status = WorseOf(status, here);
 }
 }
 

@@ -27,6 +27,14 @@ CertificateOptions ProofOptions(const Options& options, const std::vector<double
 std::vector<double> BoundsAtPoints(
   const Surface& surface, const std::vector<double>& triangleBounds);
 
+/// Of two proofs that must both hold: violated, else undecided, else what the first one is.
+inline ProofStatus WorseOf(ProofStatus one, ProofStatus other)
+{
+  const bool isWorse = other == ProofStatus::Violated ||
+    (other == ProofStatus::Undecided && one == ProofStatus::Proved);
+  return isWorse ? other : one;
+}
+
 /// Whether a run ends with its proof.
 bool WantsProof(const Options& options, bool hasTolerances);
 

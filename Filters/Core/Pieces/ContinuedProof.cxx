@@ -57,9 +57,7 @@ DirectedCertificate Prove(const Surface& from, const Surface& to,
   const Certificate found = Certify(from, to, question, monitor);
   const ProofStatus proof = found.Status == CertificateStatus::Good ? found.ReferenceToResult.Proof
                                                                     : ProofStatus::Undecided;
-  const bool isWorse = proof == ProofStatus::Violated ||
-    (proof == ProofStatus::Undecided && status == ProofStatus::Proved);
-  status = isWorse ? proof : status;
+  status = WorseOf(status, proof);
   return found.ReferenceToResult;
 }
 }
