@@ -3,7 +3,7 @@
 """Puts deliberate bugs into the proofs of error and voxels, one after the other, and sees what finds them.
 
     mutants.py --list                 what is changed, and that it is still there to be changed
-    mutants.py FOLDER [--only WORD] [--runs N] [SURFACE.ply ...]
+    mutants.py FOLDER [--only PATTERN] [--runs N] [SURFACE.ply ...]
 
 FOLDER holds a copy of the source and its build. Bugs in the error bound are looked for by the attack on surfaces, those in the draft and
 in the certificate by it and by unit tests, all others by the attack on label maps and by unit tests. Ends with 1 if neither finds a bug in N runs (4000), or if an attack finds a violation
@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import argparse
 import pathlib
+import re
 import resource
 import shutil
 import subprocess
@@ -227,6 +228,10 @@ MUTANTS = (
            "isOpen ? FirstLabel(all, this->Next)", "isOpen ? all[this->Next].Labels[0]", CHECK_TESTS),
     Mutant("rounding decides which voxels of an open surface are outermost", LABELS + "VoxelCheck.cxx",
            "endsAtImage ? Intersection(both, BoxOf(settings.Grid)) : both;", "endsAtImage && both.Count[0] < 0 ? Intersection(both, BoxOf(settings.Grid)) : both;", CHECK_TESTS),
+    Mutant("points that never move are guarded as they are before rounding", INTERSECTIONS + "WrittenPositions.cxx",
+           "vertex, local, this->Rounds);",
+           "vertex, local, local == this->Clean->Surface.Points[vertex] ? PointRounding() : this->Rounds);",
+           "FlatIntersectionGuard*"),
     of_draft("only one of the new triangles must have the least angle", "Filters/Core/EditFilters/ShapeFilter.cxx",
              "after = std::max(after,", "after = std::min(after + 1.0,", SHAPE_TESTS),
     of_draft("an angle may become smaller if the one before was below the least", "Filters/Core/EditFilters/ShapeFilter.cxx",
@@ -341,10 +346,10 @@ def main() -> int:
     parser.add_argument("folder", nargs="?", type=pathlib.Path)
     parser.add_argument("surfaces", nargs="*", type=pathlib.Path)
     parser.add_argument("--list", action="store_true")
-    parser.add_argument("--only", default="")
+    parser.add_argument("--only", default="", help="a regular expression that their names contain")
     parser.add_argument("--runs", type=int, default=4000)
     arguments = parser.parse_intermixed_args()  # options may be between the folder and the surfaces
-    chosen = [mutant for mutant in MUTANTS if arguments.only in mutant.name]
+    chosen = [mutant for mutant in MUTANTS if re.search(arguments.only, mutant.name)]
     if arguments.list or arguments.folder is None or problems():
         print(*(problems() or [f"{mutant.name}: {mutant.file}" for mutant in chosen]), sep="\n")
         return 1 if problems() else 0

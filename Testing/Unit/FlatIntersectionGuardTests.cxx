@@ -167,6 +167,40 @@ TEST(FlatIntersectionGuard, DecidesForTheCoordinatesThatAreWritten)
   EXPECT_GT(differ, 10);
 }
 
+/// A roof in double precision that never moves is written in single precision like the tent below it.
+TEST(FlatIntersectionGuard, DecidesForPointsThatNeverMoveAsTheyAreRounded)
+{
+  const Surface input =
+    Moved(Tent(OneTriangle(Vector3(7, -9, -4.1), Vector3(3, 11, 2.3), Vector3(-9, -2, 1.7))),
+      Vector3(100.1, -1.0 / 3.0, 2.7));
+  const CleanSurface clean = Clean(input, true);
+  EditorSettings settings = GuardingNoGaps();
+  settings.Input = &input;
+  settings.Bound->Rounding.ToSingle = true;
+  settings.Bound->Origin = clean.Origin;
+  Editor editor(clean, settings);
+  Workspace work;
+  const OrientedPlane asGiven(input.Points[4], input.Points[5], input.Points[6]);
+  const OrientedPlane asWritten(RoundedToSingle(input.Points[4]), RoundedToSingle(input.Points[5]),
+    RoundedToSingle(input.Points[6]));
+  const Vector3 normal =
+    (input.Points[5] - input.Points[4]).cross(input.Points[6] - input.Points[4]);
+  const int below = asWritten.SideOf(input.Points[0]);
+  Random random(1);
+  int differ = 0;
+  for (int i = 0; i < 4000; ++i)
+  {
+    Vector3 p = input.Points[0] + random.InCube(0.5);
+    p[2] -= normal.dot(p - input.Points[4]) / normal[2];
+    p = RoundedToSingle(p);
+    const int side = asWritten.SideOf(p);
+    ASSERT_EQ(editor.Move(0, p - clean.Origin, work, 1).IsAccepted(), side == below) << i;
+    ASSERT_TRUE(editor.Move(0, clean.Surface.Points[0], work, 1).IsAccepted());
+    differ += side != asGiven.SideOf(p) ? 1 : 0;
+  }
+  EXPECT_GT(differ, 100);
+}
+
 /// A needle pierces the tent all the time.
 TEST(FlatIntersectionGuard, APairThatIntersectsAllowsNoOtherOne)
 {

@@ -21,8 +21,10 @@ WrittenPositions::WrittenPositions(
     farthest = std::max(farthest, p.maxCoeff()); // none is negative
   }
   // Local and written coordinates, and those between, are not larger than twice that.
+  const double ofSingle = rounding.ToSingle ? std::numeric_limits<float>::epsilon() : 0.0;
   this->MostRounding =
-    4.0 * std::numeric_limits<double>::epsilon() * (farthest + error) + 0.5 * rounding.GridStep;
+    (4.0 * std::numeric_limits<double>::epsilon() + ofSingle) * (farthest + error) +
+    0.5 * rounding.GridStep;
 }
 
 //------------------------------------------------------------------------------
@@ -32,10 +34,6 @@ Vector3 WrittenPositions::Of(VertexId vertex, const Vector3& local) const
   {
     return local;
   }
-  const auto v = static_cast<std::size_t>(vertex);
-  const bool hasMoved = local != this->Clean->Surface.Points[v];
-  const bool isRounded = hasMoved || this->Rounds.HasGrid();
-  return OutputPosition(
-    *this->Input, *this->Clean, vertex, local, isRounded ? this->Rounds : PointRounding());
+  return OutputPosition(*this->Input, *this->Clean, vertex, local, this->Rounds);
 }
 }

@@ -20,7 +20,7 @@ class WrittenPositions
 public:
   /// Vertices are written where the mesh has them.
   WrittenPositions() = default;
-  /// Points that never move keep the precision of the input, but are on the grid if there is one.
+  /// Points that never move are rounded like the others.
   /// @param input Of which the other one was made; both must outlive this object.
   /// @param error mm, how far vertices may move.
   WrittenPositions(
