@@ -119,21 +119,27 @@ std::optional<SpaceTimeTree> EditReplay::BoxesToCheck(Index chosen) const
 void EditReplay::CheckWindow(
   const FaceHistory& history, const WrittenPositions& written, int threads)
 {
-  const Index begin = history.FirstEdit();
-  ForEachChunk(static_cast<std::size_t>(history.EndOfEdits() - begin), threads, {},
+  // Near ones one after the other: faces lie along a curve that fills space.
+  std::vector<std::pair<FaceId, Index>> edits;
+  for (Index edit = history.FirstEdit(); edit < history.EndOfEdits(); ++edit)
+  {
+    if (this->States[edit] == State::Unchecked)
+    {
+      edits.emplace_back(this->Journal.OldFace(edit, 0).Face, edit);
+    }
+  }
+  std::sort(edits.begin(), edits.end());
+  ForEachChunk(edits.size(), threads, {},
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       Workspace work;
       for (std::size_t i = first; i < last; ++i)
       {
-        const Index edit = begin + static_cast<Index>(i);
-        if (this->States[edit] == State::Unchecked)
-        {
-          this->FillPatches(edit, work);
-          this->Boxes[edit] = BoxAround(work.Old, work.New, written.Rounding());
-          this->States[edit] =
-            this->IsRejected(history, edit, written, work) ? State::Rejected : State::Accepted;
-        }
+        const Index edit = edits[i].second;
+        this->FillPatches(edit, work);
+        this->Boxes[edit] = BoxAround(work.Old, work.New, written.Rounding());
+        this->States[edit] =
+          this->IsRejected(history, edit, written, work) ? State::Rejected : State::Accepted;
       }
     });
 }
