@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 namespace bonedecimate
 {
@@ -14,6 +15,8 @@ namespace
 /// Versions in a window, of the faces of the input: more take memory, fewer take time.
 constexpr double VersionsOfFaces = 1.3;
 constexpr Index AllVersions = std::numeric_limits<Index>::max();
+/// Edits are looked at together if so many faces were there for each of a span of time.
+constexpr Index FacesOfASpan = 32;
 /// Of all edits, one in this many.
 constexpr Index FewEdits = 8;
 
@@ -119,60 +122,107 @@ std::optional<SpaceTimeTree> EditReplay::BoxesToCheck(Index chosen) const
 void EditReplay::CheckWindow(
   const FaceHistory& history, const WrittenPositions& written, int threads)
 {
-  // Near ones one after the other: faces lie along a curve that fills space.
-  std::vector<std::pair<FaceId, Index>> edits;
-  for (Index edit = history.FirstEdit(); edit < history.EndOfEdits(); ++edit)
-  {
-    if (this->States[edit] == State::Unchecked)
-    {
-      edits.emplace_back(this->Journal.OldFace(edit, 0).Face, edit);
-    }
-  }
-  std::sort(edits.begin(), edits.end());
+  const std::vector<Index> edits = this->EditsToCheck(history);
   ForEachChunk(edits.size(), threads, {},
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       Workspace work;
-      for (std::size_t i = first; i < last; ++i)
+      for (std::size_t i = first; i < last; i += MostTogether)
       {
-        const Index edit = edits[i].second;
-        this->FillPatches(edit, work);
-        this->Boxes[edit] = BoxAround(work.Old, work.New, written.Rounding());
-        this->States[edit] =
-          this->IsRejected(history, edit, written, work) ? State::Rejected : State::Accepted;
+        const std::size_t count = std::min(MostTogether, last - i);
+        for (std::size_t k = 0; k < count; ++k)
+        {
+          this->FillPatch(edits[i + k], work.Patches[k]);
+        }
+        this->CheckTogether(history, count, written, work);
       }
     });
 }
 
 //------------------------------------------------------------------------------
-void EditReplay::FillPatches(Index edit, Workspace& work) const
+/// Those that follow each other are near in time, and then in space: faces lie along a curve that fills it.
+std::vector<Index> EditReplay::EditsToCheck(const FaceHistory& history) const
 {
-  work.Old.clear();
-  work.New.clear();
-  const auto pieceOf = [this](const FaceVersion& face)
-  { return Piece(this->Mesh, this->Journal.VerticesOf(face), this->Journal.CornersOf(face)); };
-  for (Index i = 0; i < this->Journal.Entry(edit).NumberOfFaces; ++i)
+  struct Place
   {
-    work.Old.push_back(pieceOf(this->Journal.OldFace(edit, i)));
-    if (i >= JournalEntry::NumberOfGoneFaces)
+    Index Span;
+    FaceId Face;
+    Index Edit;
+  };
+  std::vector<Place> places;
+  Index span = 0;
+  Index left = 0; // edits of the span
+  Index faces = history.NumberOfFaces();
+  for (Index edit = history.FirstEdit(); edit < history.EndOfEdits(); ++edit)
+  {
+    if (left-- == 0)
     {
-      work.New.push_back(pieceOf(this->Journal.NewFace(edit, i)));
+      ++span;
+      left = faces / FacesOfASpan;
     }
+    faces -= this->Journal.Entry(edit).IsUndone ? 0 : JournalEntry::NumberOfGoneFaces;
+    if (this->States[edit] == State::Unchecked)
+    {
+      places.push_back({ span, this->Journal.OldFace(edit, 0).Face, edit });
+    }
+  }
+  std::sort(places.begin(), places.end(),
+    [](const Place& a, const Place& b)
+    { return std::tie(a.Span, a.Face, a.Edit) < std::tie(b.Span, b.Face, b.Edit); });
+  std::vector<Index> edits(places.size());
+  std::transform(
+    places.begin(), places.end(), edits.begin(), [](const Place& place) { return place.Edit; });
+  return edits;
+}
+
+//------------------------------------------------------------------------------
+/// The first patches of the workspace.
+void EditReplay::CheckTogether(
+  const FaceHistory& history, std::size_t count, const WrittenPositions& written, Workspace& work)
+{
+  FloatBox around;
+  Index first = work.Patches[0].Edit;
+  Index last = first;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const Patch& patch = work.Patches[k];
+    this->Boxes[patch.Edit] = BoxAround(patch.Old, patch.New, written.Rounding());
+    around.Add(this->Boxes[patch.Edit]);
+    first = std::min(first, patch.Edit);
+    last = std::max(last, patch.Edit);
+  }
+  history.Find(around, first, last, work.Found);
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    Patch& patch = work.Patches[k];
+    work.Near.clear();
+    history.VisitAmong(work.Found, this->Boxes[patch.Edit], patch.Edit,
+      [&](const FaceVersion& face)
+      {
+        work.Near.emplace_back(
+          this->Mesh, this->Journal.VerticesOf(face), this->Journal.CornersOf(face));
+      });
+    const bool isRejected = MeetMore(patch.Old, patch.New, work.Near, written) ||
+      JumpOver(patch.Old, patch.New, work.Near);
+    this->States[patch.Edit] = isRejected ? State::Rejected : State::Accepted;
   }
 }
 
 //------------------------------------------------------------------------------
-bool EditReplay::IsRejected(
-  const FaceHistory& history, Index edit, const WrittenPositions& written, Workspace& work) const
+void EditReplay::FillPatch(Index edit, Patch& patch) const
 {
-  work.Near.clear();
-  history.VisitAt(this->Boxes[edit], edit,
-    [&](const FaceVersion& face)
+  patch.Edit = edit;
+  patch.Old.clear();
+  patch.New.clear();
+  const auto pieceOf = [this](const FaceVersion& face)
+  { return Piece(this->Mesh, this->Journal.VerticesOf(face), this->Journal.CornersOf(face)); };
+  for (Index i = 0; i < this->Journal.Entry(edit).NumberOfFaces; ++i)
+  {
+    patch.Old.push_back(pieceOf(this->Journal.OldFace(edit, i)));
+    if (i >= JournalEntry::NumberOfGoneFaces)
     {
-      work.Near.emplace_back(
-        this->Mesh, this->Journal.VerticesOf(face), this->Journal.CornersOf(face));
-    });
-  return MeetMore(work.Old, work.New, work.Near, written) ||
-    JumpOver(work.Old, work.New, work.Near);
+      patch.New.push_back(pieceOf(this->Journal.NewFace(edit, i)));
+    }
+  }
 }
 }

@@ -17,6 +17,7 @@
 #include "FaceHistory.h"
 #include "Piece.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -37,17 +38,26 @@ public:
   std::vector<Index> FindRejected(const WrittenPositions& written, int threads);
 
 private:
+  static constexpr std::size_t MostTogether = 8;
+  struct Patch
+  {
+    Index Edit;
+    std::vector<Piece> Old, New;
+  };
   struct Workspace
   {
-    std::vector<Piece> Old, New, Near;
+    std::array<Patch, MostTogether> Patches;
+    std::vector<FaceHistory::Candidate> Found;
+    std::vector<Piece> Near;
   };
   SpaceTimeTree TakeUndone();
   Index ChooseEdits(const SpaceTimeTree& undone, int threads);
   std::optional<SpaceTimeTree> BoxesToCheck(Index chosen) const;
   void CheckWindow(const FaceHistory& history, const WrittenPositions& written, int threads);
-  bool IsRejected(
-    const FaceHistory& history, Index edit, const WrittenPositions& written, Workspace& work) const;
-  void FillPatches(Index edit, Workspace& work) const;
+  std::vector<Index> EditsToCheck(const FaceHistory& history) const;
+  void CheckTogether(const FaceHistory& history, std::size_t count, const WrittenPositions& written,
+    Workspace& work);
+  void FillPatch(Index edit, Patch& patch) const;
 
   const HalfEdgeMesh& Mesh;
   const EditJournal& Journal;

@@ -73,6 +73,17 @@ void FaceHistory::GoBack(Index mostVersions, const SpaceTimeTree* region)
 }
 
 //------------------------------------------------------------------------------
+void FaceHistory::Find(
+  const FloatBox& box, Index first, Index last, std::vector<Candidate>& found) const
+{
+  found.clear();
+  this->Tree->VisitWhile({ box, first, last },
+    [&](const TimedBox& timed, std::size_t position) {
+      found.push_back({ timed, this->Ids[position] });
+    });
+}
+
+//------------------------------------------------------------------------------
 /// Of the window, by face.
 std::vector<FaceHistory::Timed> FaceHistory::FindVersions()
 {

@@ -46,6 +46,31 @@ public:
       box, edit, [&](std::size_t position) { visit(this->Version(this->Ids[position])); });
   }
 
+  /// A face and when it was there.
+  struct Candidate
+  {
+    TimedBox Box;
+    Index Version; ///< For VisitAmong.
+  };
+  /// Finds at once what VisitAt would for several edits near each other: all that meet the box and were there before an edit of the
+  /// window from the first to the last.
+  void Find(const FloatBox& box, Index first, Index last, std::vector<Candidate>& found) const;
+  /// What VisitAt does, among those that were found.
+  template <typename Visit>
+  void VisitAmong(
+    const std::vector<Candidate>& found, const FloatBox& box, Index edit, const Visit& visit) const
+  {
+    for (const Candidate& candidate : found)
+    {
+      if (candidate.Box.Holds(box, edit))
+      {
+        visit(this->Version(candidate.Version));
+      }
+    }
+  }
+  /// Before the first edit of the window.
+  Index NumberOfFaces() const { return this->Alive; }
+
 private:
   /// A version of the journal, or ToId of a face as it is now.
   using Id = Index;

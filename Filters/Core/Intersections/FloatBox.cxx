@@ -7,6 +7,18 @@
 
 namespace bonedecimate
 {
+namespace
+{
+/// Beyond the value in either direction: by more than the rounding to single precision and of this.
+float Beyond(double value, float direction)
+{
+  constexpr float relative = 1.2e-7F; // more than an epsilon
+  constexpr float absolute = 1e-30F;
+  const auto rounded = static_cast<float>(value);
+  return rounded + direction * (std::abs(rounded) * relative + absolute);
+}
+}
+
 FloatBox::FloatBox()
 {
   this->Low.fill(FloatInfinity);
@@ -20,8 +32,8 @@ FloatBox::FloatBox(const TriangleCorners& corners, double reach)
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const auto at = static_cast<Eigen::Index>(axis);
-    this->Low[axis] = std::nextafter(static_cast<float>(low[at]), -FloatInfinity);
-    this->High[axis] = std::nextafter(static_cast<float>(high[at]), FloatInfinity);
+    this->Low[axis] = Beyond(low[at], -1.0F);
+    this->High[axis] = Beyond(high[at], 1.0F);
   }
 }
 

@@ -26,11 +26,15 @@ struct FloatBox
   /// @param reach mm, by which the box is larger.
   explicit FloatBox(const TriangleCorners& corners, double reach = 0.0);
   void Add(const FloatBox& other);
+  /// Without branches: most boxes that are asked are near each other.
   bool Meets(const FloatBox& other) const
   {
-    return this->Low[0] <= other.High[0] && other.Low[0] <= this->High[0] &&
-      this->Low[1] <= other.High[1] && other.Low[1] <= this->High[1] &&
-      this->Low[2] <= other.High[2] && other.Low[2] <= this->High[2];
+    bool meets = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      meets = meets & (this->Low[axis] <= other.High[axis]) & (other.Low[axis] <= this->High[axis]);
+    }
+    return meets;
   }
 };
 }

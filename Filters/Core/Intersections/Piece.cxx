@@ -10,14 +10,18 @@ namespace
 {
 bool BoxesMeet(const Piece& a, const Piece& b, double reach)
 {
-  return a.Low[0] - reach <= b.High[0] && b.Low[0] - reach <= a.High[0] &&
-    a.Low[1] - reach <= b.High[1] && b.Low[1] - reach <= a.High[1] &&
-    a.Low[2] - reach <= b.High[2] && b.Low[2] - reach <= a.High[2];
+  bool meet = true; // without branches: most boxes are near each other
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+  {
+    meet = meet & (a.Low[axis] - reach <= b.High[axis]) & (b.Low[axis] - reach <= a.High[axis]);
+  }
+  return meet;
 }
 
 bool HasCorner(const Piece& piece, Index vertex)
 {
-  return std::find(piece.Vertices.begin(), piece.Vertices.end(), vertex) != piece.Vertices.end();
+  const Triangle& own = piece.Vertices;
+  return own[0] == vertex || own[1] == vertex || own[2] == vertex;
 }
 
 /// The number of the first corner for which that is so.

@@ -27,7 +27,12 @@ struct TimedBox
 
   bool Holds(const FloatBox& box, Index edit) const
   {
-    return this->Made<edit&& this->Replaced> edit && this->Box.Meets(box);
+    const bool exists = (this->Made < edit) & (this->Replaced > edit); // without branches
+    return exists & this->Box.Meets(box);
+  }
+  bool ExistsWith(const TimedBox& other) const
+  {
+    return this->Made < other.Replaced && other.Made < this->Replaced && this->Box.Meets(other.Box);
   }
 };
 
@@ -54,10 +59,21 @@ public:
   bool HasWhile(const TimedBox& box) const
   {
     bool has = false;
-    this->Descend([&](const TimedBox& node)
-      { return node.Made < box.Replaced && box.Made < node.Replaced && node.Box.Meets(box.Box); },
+    this->Descend([&](const TimedBox& node) { return node.ExistsWith(box); },
       [&](std::size_t) { return !(has = true); });
     return has;
+  }
+
+  /// Calls visit(timed box, position) for each box that meets the given one while both exist.
+  template <typename Visit>
+  void VisitWhile(const TimedBox& box, const Visit& visit) const
+  {
+    this->Descend([&](const TimedBox& node) { return node.ExistsWith(box); },
+      [&](std::size_t i)
+      {
+        visit(this->Boxes[i], i);
+        return true;
+      });
   }
 
 private:
