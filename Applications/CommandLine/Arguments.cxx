@@ -163,7 +163,8 @@ void AddCommonFlags(CLI::App& app, Arguments& arguments)
     "The surface from which INPUT was made by runs before: --max-error is proved "
     "against it, and distances are measured to it.");
   AddLabelMap(app, arguments.LabelMap, "--label-map",
-    "The label map (.nii, .nrrd, .mha, .tif, .vti ...) from which INPUT was extracted: its voxels "
+    "The label map (.nii, .nrrd, .mha, .dcm, .tif, .vti ...) from which INPUT was extracted: its "
+    "voxels "
     "are those of --keep-voxels and --smooth, and the result is compared with it.");
   AddUnit(app, arguments.Unit);
   AddFileOptions(app, arguments);

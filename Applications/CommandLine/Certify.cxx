@@ -42,7 +42,8 @@ void AddOptions(CLI::App& app, CertifyArguments& arguments)
                   "mm; negative: none of its own. --tolerance caps it."))
     ->type_name("NAME");
   AddLabelMap(app, arguments.Map, "--labels,--label-map",
-    "A label map (.nii, .nrrd, .mha, .tif, .vti ...): count the voxels that have another label in "
+    "A label map (.nii, .nrrd, .mha, .dcm, .tif, .vti ...): count the voxels that have another "
+    "label in "
     "RESULT. REFERENCE may be left out then.");
   AddFile(app, "--json", "JSON", arguments.Json, "Write everything found as JSON.");
   AddFile(app, "--page", "HTML", arguments.Page, "Write a self-contained HTML page for people.");

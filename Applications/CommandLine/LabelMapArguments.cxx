@@ -110,7 +110,8 @@ void AddVoxelArguments(CLI::App& app, VoxelArguments& arguments)
       { arguments.Options.emplace_back(info.Name, text); });
   }
   AddLabelMap(app, arguments.Map, "--label-map",
-    "The label map (.nii, .nrrd, .mha, .tif, .vti ...) from which INPUT was extracted: its voxels "
+    "The label map (.nii, .nrrd, .mha, .dcm, .tif, .vti ...) from which INPUT was extracted: its "
+    "voxels "
     "are those of --keep-voxels and --smooth, and results are compared with it.");
 }
 

@@ -14,19 +14,23 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// By the four letters that follow a preamble of 128 bytes.
-bool IsDicomFile(const fs::directory_entry& entry)
+bool IsDicomEntry(const fs::directory_entry& entry)
+{
+  return IsDicomFile(entry.path().string());
+}
+}
+
+bool IsDicomFile(const std::string& path)
 {
   std::error_code error;
-  if (!entry.is_regular_file(error))
+  if (!fs::is_regular_file(path, error))
   {
     return false;
   }
   char beginning[132] = {};
-  std::ifstream file(entry.path(), std::ios::binary);
+  std::ifstream file(path, std::ios::binary);
   file.read(beginning, sizeof(beginning));
   return std::memcmp(beginning + 128, "DICM", 4) == 0;
-}
 }
 
 std::vector<std::string> DicomFiles(const std::string& folder)
@@ -35,7 +39,7 @@ std::vector<std::string> DicomFiles(const std::string& folder)
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
   {
-    if (IsDicomFile(entry))
+    if (IsDicomEntry(entry))
     {
       files.push_back(entry.path().string());
     }
@@ -49,6 +53,6 @@ bool HoldsDicom(const std::string& folder)
 {
   std::error_code error;
   const fs::directory_iterator entries(folder, error);
-  return std::any_of(begin(entries), end(entries), IsDicomFile);
+  return std::any_of(begin(entries), end(entries), IsDicomEntry);
 }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DicomFolder.h
- * @brief One series of DICOM slices, straight from a folder.
+ * @brief One series of DICOM slices or a segmentation, straight from a folder, and a segmentation from its file.
  */
 #ifndef BoneDecimate_Applications_DicomFolder_h
 #define BoneDecimate_Applications_DicomFolder_h
@@ -14,6 +14,9 @@
 
 namespace bonedecimate::volume
 {
+/// By the four letters that follow a preamble of 128 bytes.
+bool IsDicomFile(const std::string& path);
+
 /// The DICOM files that lie in the folder itself, by name.
 std::vector<std::string> DicomFiles(const std::string& folder);
 
@@ -22,9 +25,12 @@ bool HoldsDicom(const std::string& folder);
 /**
  * The series with most slices, CT before anything else; the note says what was left aside. Slices
  * are sorted by their position along the normal of the image plane. Slices missing in between are a
- * reason to reject. May end the process on damaged files: to be called by an IsolatedReader.
+ * reason to reject. A folder without slices may hold one segmentation. May end the process on damaged files: to be called by an IsolatedReader.
  */
 LayeredVolume OpenDicomFolder(const std::string& folder);
+
+/// A segmentation (SEG), which is one file; other DICOM files are rejected. To be called by an IsolatedReader, too.
+LayeredVolume OpenDicomFile(const std::string& file);
 }
 
 #endif

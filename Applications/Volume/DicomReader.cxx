@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DicomFolder.h"
 
+#include "DicomSegmentation.h"
 #include "DicomSeries.h"
+#include "GdcmMessages.h"
+#include "IntensityChecks.h"
 #include "TextNumbers.h"
 
 #include <gdcmImageReader.h>
 #include <gdcmRescaler.h>
 #include <gdcmScanner.h>
-#include <gdcmTrace.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <optional>
-#include <sstream>
 #include <system_error>
 
 namespace bonedecimate::volume
@@ -84,37 +84,14 @@ std::optional<DicomSlice> ReadSlice(const gdcm::Scanner& scanner, const std::str
   return slice;
 }
 
-/// What GDCM has to say. It may quote the header and goes nowhere.
-class GdcmMessages
+/// What the DICOM files of a folder are.
+struct ScannedFiles
 {
-public:
-  GdcmMessages()
-  {
-    gdcm::Trace::SetWarningStream(this->Text);
-    gdcm::Trace::SetErrorStream(this->Text);
-  }
-
-  ~GdcmMessages()
-  {
-    gdcm::Trace::SetWarningStream(std::cerr);
-    gdcm::Trace::SetErrorStream(std::cerr);
-  }
-
-  GdcmMessages(const GdcmMessages&) = delete;
-  GdcmMessages& operator=(const GdcmMessages&) = delete;
-
-  /// GDCM fills up what is missing of the pixels and reads on; "use file at own risk" is all it
-  /// says.
-  bool TellOfMissingPixels() const
-  {
-    return this->Text.str().find("at own risk") != std::string::npos;
-  }
-
-private:
-  std::ostringstream Text;
+  std::vector<DicomSlice> Slices;
+  std::vector<std::string> Segmentations;
 };
 
-DicomSeries ScanFiles(const std::vector<std::string>& files)
+ScannedFiles ScanFiles(const std::vector<std::string>& files)
 {
   const GdcmMessages messages;
   gdcm::Scanner scanner;
@@ -124,31 +101,27 @@ DicomSeries ScanFiles(const std::vector<std::string>& files)
     scanner.AddTag(tag);
   }
   scanner.Scan(files);
-  std::vector<DicomSlice> slices;
+  ScannedFiles scanned;
   for (const std::string& file : files)
   {
     const auto slice = ReadSlice(scanner, file);
-    if (slice)
+    if (Text(scanner, file, Modality) == "SEG")
     {
-      slices.push_back(*slice);
+      scanned.Segmentations.push_back(file);
+    }
+    else if (slice)
+    {
+      scanned.Slices.push_back(*slice);
     }
   }
-  const bool isSegmentation = std::any_of(files.begin(), files.end(),
-    [&scanner](const std::string& file) { return Text(scanner, file, Modality) == "SEG"; });
-  DicomSeries series = LargestSeries(slices);
-  if (slices.empty() && isSegmentation)
-  {
-    series.Problem =
-      "it holds a DICOM segmentation (SEG), which is not read: save it as .nrrd, for "
-      "example with 3D Slicer";
-  }
-  const std::size_t others = files.size() - slices.size();
-  if (others > 0)
-  {
-    series.Note += (series.Note.empty() ? "" : " ") + std::to_string(others) +
-      " DICOM files are no images with a position and were left aside.";
-  }
-  return series;
+  return scanned;
+}
+
+std::string LeftAsideNote(std::size_t others)
+{
+  return others == 0
+    ? std::string()
+    : std::to_string(others) + " DICOM files are no images with a position and were left aside.";
 }
 
 /// HU of one slice, rows one after the other. Returns what went wrong, or an empty text.
@@ -199,11 +172,9 @@ std::uintmax_t BytesOf(const DicomSeries& series)
   }
   return bytes;
 }
-}
 
-LayeredVolume OpenDicomFolder(const std::string& folder)
+LayeredVolume LayersOfSeries(const DicomSeries& series)
 {
-  const DicomSeries series = ScanFiles(DicomFiles(folder));
   if (!series.Problem.empty())
   {
     return RejectedLayers(series.Problem);
@@ -229,5 +200,33 @@ LayeredVolume OpenDicomFolder(const std::string& folder)
                            : std::filesystem::path(slice.File).filename().string() + ": " + problem;
   };
   return volume;
+}
+}
+
+LayeredVolume OpenDicomFolder(const std::string& folder)
+{
+  const std::vector<std::string> files = DicomFiles(folder);
+  const ScannedFiles scanned = ScanFiles(files);
+  const std::size_t segmentations = scanned.Segmentations.size();
+  if (scanned.Slices.empty() && segmentations > 1)
+  {
+    return RejectedLayers("it holds " + std::to_string(segmentations) +
+      " DICOM segmentations; give the file of one of them");
+  }
+  if (scanned.Slices.empty() && segmentations == 1)
+  {
+    LayeredVolume volume = OpenDicomSegmentation(scanned.Segmentations.front());
+    AppendNote(volume.Header.Note, LeftAsideNote(files.size() - 1));
+    return volume;
+  }
+  DicomSeries series = LargestSeries(scanned.Slices);
+  const std::string others = LeftAsideNote(files.size() - scanned.Slices.size());
+  series.Note += (series.Note.empty() || others.empty() ? "" : " ") + others;
+  return LayersOfSeries(series);
+}
+
+LayeredVolume OpenDicomFile(const std::string& file)
+{
+  return IsDicomFile(file) ? OpenDicomSegmentation(file) : RejectedLayers("it is not a DICOM file");
 }
 }

@@ -13,11 +13,6 @@ namespace
 {
 using Slices = std::vector<DicomSlice>;
 
-bool AreClose(const Vector3& a, const Vector3& b)
-{
-  return Length({ { a[0] - b[0], a[1] - b[1], a[2] - b[2] } }) < 1e-3;
-}
-
 /// A localizer often stands in the series it was made for: same identifier, another plane.
 bool BelongTogether(const DicomSlice& a, const DicomSlice& b)
 {
@@ -65,17 +60,10 @@ void SortByPosition(Slices& slices)
     { return Dot(a.Position, normal) < Dot(b.Position, normal); });
 }
 
-Vector3 Scaled(const Vector3& a, double factor)
-{
-  return { { a[0] * factor, a[1] * factor, a[2] * factor } };
-}
-
 VolumeGeometry SeriesGeometry(const Slices& slices)
 {
   const DicomSlice& first = slices.front();
-  const Vector3& last = slices.back().Position;
-  const Vector3 way{ { last[0] - first.Position[0], last[1] - first.Position[1],
-    last[2] - first.Position[2] } };
+  const Vector3 way = Difference(slices.back().Position, first.Position);
   VolumeGeometry geometry;
   geometry.Origin = first.Position;
   geometry.Steps[0] = Scaled(first.AlongRow, first.ColumnDistance);
@@ -91,12 +79,9 @@ std::string EvennessProblem(const Slices& slices, const VolumeGeometry& geometry
   const double tolerance = 0.2 * Length(geometry.Steps[2]);
   for (std::size_t k = 0; k < slices.size(); ++k)
   {
-    Vector3 off = slices[k].Position;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      off[i] -= geometry.Origin[i] + static_cast<double>(k) * geometry.Steps[2][i];
-    }
-    if (!(Length(off) <= tolerance))
+    const Vector3 expected =
+      Sum(geometry.Origin, Scaled(geometry.Steps[2], static_cast<double>(k)));
+    if (!(Length(Difference(slices[k].Position, expected)) <= tolerance))
     {
       return "its slices are not evenly spaced: slice " + std::to_string(k + 1) + " of " +
         std::to_string(slices.size()) + " is out of line, one is missing or there twice";

@@ -17,7 +17,7 @@ constexpr const char* NamesName = "LabelNames";
 constexpr const char* NumberNames[] = { "LabelValues", "LabelColors" };
 constexpr std::int64_t MostLabels = 1 << 20; // of what a damaged file can announce
 
-struct Shape
+struct ArrayShape
 {
   std::int64_t Tuples = 0;
   int Components = 0; ///< 0: there is no array.
@@ -26,7 +26,7 @@ struct Shape
 
 void SendNumbers(vtkDataArray* array, Pipe& pipe)
 {
-  Shape shape;
+  ArrayShape shape;
   if (array && array->GetNumberOfTuples() <= MostLabels && array->GetNumberOfComponents() <= 4)
   {
     shape = { array->GetNumberOfTuples(), array->GetNumberOfComponents(), array->GetDataType() };
@@ -42,7 +42,7 @@ void SendNumbers(vtkDataArray* array, Pipe& pipe)
 
 bool ReceiveNumbers(Pipe& pipe, const char* name, vtkFieldData* fields)
 {
-  Shape shape;
+  ArrayShape shape;
   if (!pipe.Receive(&shape, sizeof(shape)))
   {
     return false;

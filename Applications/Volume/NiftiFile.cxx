@@ -88,6 +88,10 @@ public:
   /// What is wrong with it, or an empty text.
   std::string Problem() const
   {
+    if (this->IsSecondVersion())
+    {
+      return "it is a NIfTI-2 file, which is not read; save it as NIfTI-1";
+    }
     if (!this->IsWhole())
     {
       return "it is not a NIfTI-1 file";
@@ -126,6 +130,14 @@ public:
   }
 
 private:
+  /// Its header has 540 bytes, in either byte order.
+  bool IsSecondVersion() const
+  {
+    const std::string first(this->Bytes.begin(), this->Bytes.end());
+    return first.compare(0, 4, "\x1c\x02\0\0", 4) == 0 ||
+      first.compare(0, 4, "\0\0\x02\x1c", 4) == 0;
+  }
+
   static constexpr int Size = 348;
 
   std::vector<unsigned char> Bytes;

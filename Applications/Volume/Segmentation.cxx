@@ -64,12 +64,6 @@ bool MakeLabelsDifferent(std::vector<Segment>& segments)
   return true;
 }
 
-struct Overlap
-{
-  vtkIdType Voxels = 0;      ///< In more than one segment.
-  vtkIdType Undescribed = 0; ///< Of a value that is that of no segment.
-};
-
 /// Writes for each voxel the label of its last segment.
 template <typename Value>
 Overlap Combine(const Value* values, const std::vector<SegmentOfValue>& layers,
@@ -97,14 +91,9 @@ Overlap Combine(const Value* values, const std::vector<SegmentOfValue>& layers,
   return overlap;
 }
 
-std::string OverlapNote(const Overlap& overlap, bool isRenumbered, std::size_t segments)
+std::string LayersNote(const Overlap& overlap, bool isRenumbered, std::size_t segments)
 {
-  std::string note;
-  if (overlap.Voxels > 0)
-  {
-    note = std::to_string(overlap.Voxels) +
-      " of its voxels are in more than one segment and count as those of the last one";
-  }
+  std::string note = OverlapNote(overlap);
   if (isRenumbered)
   {
     note += std::string(note.empty() ? "" : "; ") + "its segments get the labels 1 to " +
@@ -112,6 +101,20 @@ std::string OverlapNote(const Overlap& overlap, bool isRenumbered, std::size_t s
   }
   return note;
 }
+}
+
+std::string OverlapNote(const Overlap& overlap)
+{
+  return overlap.Voxels == 0 ? std::string()
+                             : std::to_string(overlap.Voxels) +
+      " of its voxels are in more than one segment and count as those of the last one";
+}
+
+std::string UndescribedProblem(const Overlap& overlap)
+{
+  return overlap.Undescribed == 0 ? std::string()
+                                  : std::to_string(overlap.Undescribed) +
+      " values of its voxels are those of no segment in the header";
 }
 
 std::vector<Segment> ReadSegments(const std::function<std::string(const std::string&)>& textOf)
@@ -167,10 +170,9 @@ Volume CombinedLayers(const Volume& layers, std::vector<Segment> segments)
   }
   if (overlap.Undescribed > 0)
   {
-    return RejectedVolume(std::to_string(overlap.Undescribed) +
-      " values of its voxels are those of no segment in the header");
+    return RejectedVolume(UndescribedProblem(overlap));
   }
-  volume.Note = OverlapNote(overlap, isRenumbered, segments.size());
+  volume.Note = LayersNote(overlap, isRenumbered, segments.size());
   AddLabelFields(segments, volume.Image->GetFieldData());
   return volume;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Segmentation.h
- * @brief What a .seg.nrrd of 3D Slicer says about its segments, and overlapping segments as one label map.
+ * @brief What a segmentation says about its segments, in a .seg.nrrd of 3D Slicer, and overlapping segments as one label map.
  */
 #ifndef BoneDecimate_Applications_Segmentation_h
 #define BoneDecimate_Applications_Segmentation_h
@@ -27,6 +27,19 @@ struct Segment
   std::string Name;
   std::array<double, 3> Color{ { 0.5, 0.5, 0.5 } }; ///< Red, green and blue, 0 to 1.
 };
+
+/// What does not fit when segments become one label map.
+struct Overlap
+{
+  std::int64_t Voxels = 0;      ///< In more than one segment.
+  std::int64_t Undescribed = 0; ///< Of a value that is that of no segment.
+};
+
+/// Of voxels in more than one segment, for the user; empty if there are none.
+std::string OverlapNote(const Overlap& overlap);
+
+/// Of values that are those of no segment; empty if there are none.
+std::string UndescribedProblem(const Overlap& overlap);
 
 /// @param textOf The text of a key of the header, empty if it is not there: "Segment0_Name" and so on.
 std::vector<Segment> ReadSegments(const std::function<std::string(const std::string&)>& textOf);

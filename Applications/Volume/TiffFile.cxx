@@ -5,10 +5,12 @@
 #include "DataFile.h"
 #include "ItkImage.h"
 #include "TiffFolder.h"
+#include "TiledTiff.h"
 
 #include <cstdarg>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <tiffio.h>
 
 namespace bonedecimate::volume
@@ -34,37 +36,50 @@ private:
 
 bool TiffErrors::HasError = false;
 
-/// ITK reads all pages with the size of the first one, and makes colors of tiles.
-std::string PagesProblem(const std::string& path)
+struct TiffPages
 {
+  std::int64_t Count = 0;
+  bool AreTiled = false;
+  std::string Problem; ///< Why they are no volume; empty if they are.
+};
+
+/// Width, height, bits and format of values, and whether it is stored in tiles.
+using PageShape = std::array<std::uint32_t, 5>;
+
+PageShape ShapeOfPage(TIFF* file)
+{
+  std::array<std::uint32_t, 2> size{};
+  std::array<std::uint16_t, 2> type{};
+  TIFFGetField(file, TIFFTAG_IMAGEWIDTH, &size[0]);
+  TIFFGetField(file, TIFFTAG_IMAGELENGTH, &size[1]);
+  TIFFGetFieldDefaulted(file, TIFFTAG_BITSPERSAMPLE, &type[0]);
+  TIFFGetFieldDefaulted(file, TIFFTAG_SAMPLEFORMAT, &type[1]);
+  return { { size[0], size[1], type[0], type[1], TIFFIsTiled(file) != 0 ? 1U : 0U } };
+}
+
+/// ITK reads all pages as if they were like the first one.
+TiffPages PagesOf(const std::string& path)
+{
+  TiffPages pages;
   TIFF* const file = TIFFOpen(path.c_str(), "r");
   if (!file)
   {
-    return "it is not a TIFF file";
+    pages.Problem = "it is not a TIFF file";
+    return pages;
   }
-  std::array<std::uint32_t, 2> first{};
+  const PageShape first = ShapeOfPage(file);
   bool isEven = true;
-  bool isTiled = false;
-  int page = 0;
   do
   {
-    std::array<std::uint32_t, 2> size{};
-    TIFFGetField(file, TIFFTAG_IMAGEWIDTH, &size[0]);
-    TIFFGetField(file, TIFFTAG_IMAGELENGTH, &size[1]);
-    first = page++ == 0 ? size : first;
-    isEven = isEven && size == first;
-    isTiled = isTiled || TIFFIsTiled(file) != 0;
+    isEven = isEven && ShapeOfPage(file) == first;
+    ++pages.Count;
   } while (TIFFReadDirectory(file));
   TIFFClose(file);
-  if (TiffErrors::HasError)
-  {
-    return "it is truncated or damaged";
-  }
-  if (isTiled)
-  {
-    return "its pages are stored in tiles; save it in strips";
-  }
-  return isEven ? std::string() : "its pages are not all of one size";
+  pages.AreTiled = first.back() != 0;
+  pages.Problem = TiffErrors::HasError ? "it is truncated or damaged"
+    : isEven                           ? ""
+                                       : "its pages are not all of one size and type";
+  return pages;
 }
 
 VolumeGeometry GeometryOf(const Vector3& spacing)
@@ -77,16 +92,23 @@ VolumeGeometry GeometryOf(const Vector3& spacing)
   return geometry;
 }
 
-/// Reads the voxels of a slice. Returns what went wrong, or an empty text.
-std::string ReadSlice(const std::string& path, const ItkHeader& first, void* values)
+/// Of a file with one page.
+ItkHeader SliceHeader(const std::string& path)
 {
-  const std::string pages = PagesProblem(path);
-  ItkImage slice(ItkImage::Format::Tiff, path, 2);
+  const TiffPages pages = PagesOf(path);
+  ItkHeader header = pages.AreTiled ? TiledTiff(path).GetHeader()
+                                    : ItkImage(ItkImage::Format::Tiff, path, 2).GetHeader();
+  header.Problem = FirstOf({ pages.Problem, header.Problem, ComponentsProblem(header) });
+  return header;
+}
+
+template <typename Image>
+std::string ReadSliceOf(Image&& slice, const ItkHeader& first, void* values)
+{
   const ItkHeader& header = slice.GetHeader();
-  const std::string problem = pages.empty() ? header.Problem : pages;
-  if (!problem.empty())
+  if (!header.Problem.empty())
   {
-    return problem;
+    return header.Problem;
   }
   if (header.Size != first.Size || header.ScalarType != first.ScalarType ||
     header.Components != first.Components)
@@ -95,15 +117,48 @@ std::string ReadSlice(const std::string& path, const ItkHeader& first, void* val
   }
   return slice.ReadVoxels(values) && !TiffErrors::HasError ? std::string() : DamagedVoxels;
 }
+
+/// Reads the voxels of a slice. Returns what went wrong, or an empty text.
+std::string ReadSlice(const std::string& path, const ItkHeader& first, void* values)
+{
+  const TiffPages pages = PagesOf(path);
+  return !pages.Problem.empty() ? pages.Problem
+    : pages.AreTiled            ? ReadSliceOf(TiledTiff(path), first, values)
+                     : ReadSliceOf(ItkImage(ItkImage::Format::Tiff, path, 2), first, values);
+}
+
+/// All pages, one after the other.
+LayeredVolume OpenTiledPages(const std::string& path, std::int64_t pages, const Vector3& spacing)
+{
+  const auto file = std::make_shared<TiledTiff>(path);
+  const ItkHeader& header = file->GetHeader();
+  LayeredVolume volume;
+  volume.Header.Size = { { header.Size[0], header.Size[1], pages } };
+  volume.Header.ScalarType = header.ScalarType;
+  volume.Header.Geometry = GeometryOf(spacing);
+  const std::string problem =
+    FirstOf({ header.Problem, SizeProblem(volume.Header.Size, 1, SizeOfFile(path), true) });
+  if (!problem.empty())
+  {
+    return RejectedLayers(problem);
+  }
+  volume.ReadLayer = [file](void* values)
+  { return file->ReadVoxels(values) && !TiffErrors::HasError ? std::string() : DamagedVoxels; };
+  return volume;
+}
 }
 
 LayeredVolume OpenTiff(const std::string& path, const Vector3& spacing)
 {
   const TiffErrors errors;
-  const std::string pages = PagesProblem(path);
+  const TiffPages pages = PagesOf(path);
+  if (pages.Problem.empty() && pages.AreTiled)
+  {
+    return OpenTiledPages(path, pages.Count, spacing);
+  }
   ItkImage image(ItkImage::Format::Tiff, path);
   const ItkHeader& header = image.GetHeader();
-  const std::string problem = FirstOf({ pages, header.Problem, ComponentsProblem(header) });
+  const std::string problem = FirstOf({ pages.Problem, header.Problem, ComponentsProblem(header) });
   const std::string size =
     problem.empty() ? SizeProblem(header.Size, 1, SizeOfFile(path), true) : problem;
   if (!size.empty())
@@ -123,7 +178,7 @@ LayeredVolume OpenTiffSlices(const std::string& folder, const Vector3& spacing)
   {
     return RejectedLayers(slices.Problem);
   }
-  const ItkHeader first = ItkImage(ItkImage::Format::Tiff, slices.Files.front(), 2).GetHeader();
+  const ItkHeader first = SliceHeader(slices.Files.front());
   std::array<std::int64_t, 3> size = first.Size;
   size[2] = static_cast<std::int64_t>(slices.Files.size());
   std::uint64_t bytes = 0;
@@ -131,8 +186,8 @@ LayeredVolume OpenTiffSlices(const std::string& folder, const Vector3& spacing)
   {
     bytes += SizeOfFile(file);
   }
-  const std::string problem = FirstOf({ first.Problem, ComponentsProblem(first) });
-  const std::string sizeProblem = problem.empty() ? SizeProblem(size, 1, bytes, true) : problem;
+  const std::string sizeProblem =
+    first.Problem.empty() ? SizeProblem(size, 1, bytes, true) : first.Problem;
   if (!sizeProblem.empty())
   {
     return RejectedLayers(sizeProblem);

@@ -26,6 +26,21 @@ Volume RejectedVolume(const std::string& problem)
   return volume;
 }
 
+Vector3 Sum(const Vector3& a, const Vector3& b)
+{
+  return { { a[0] + b[0], a[1] + b[1], a[2] + b[2] } };
+}
+
+Vector3 Difference(const Vector3& a, const Vector3& b)
+{
+  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
+}
+
+Vector3 Scaled(const Vector3& a, double factor)
+{
+  return { { a[0] * factor, a[1] * factor, a[2] * factor } };
+}
+
 double Dot(const Vector3& a, const Vector3& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -39,6 +54,11 @@ Vector3 Cross(const Vector3& a, const Vector3& b)
 double Length(const Vector3& a)
 {
   return std::sqrt(Dot(a, a));
+}
+
+bool AreClose(const Vector3& a, const Vector3& b)
+{
+  return Length(Difference(a, b)) < 1e-3;
 }
 
 double Determinant(const VolumeGeometry& geometry)

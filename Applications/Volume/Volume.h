@@ -38,9 +38,15 @@ struct Volume
 
 Volume RejectedVolume(const std::string& problem);
 
+Vector3 Sum(const Vector3& a, const Vector3& b);
+Vector3 Difference(const Vector3& a, const Vector3& b);
+Vector3 Scaled(const Vector3& a, double factor);
 double Dot(const Vector3& a, const Vector3& b);
 Vector3 Cross(const Vector3& a, const Vector3& b);
 double Length(const Vector3& a);
+
+/// Of directions: to a thousandth, which headers round to.
+bool AreClose(const Vector3& a, const Vector3& b);
 
 /// Negative if the steps mirror the volume.
 double Determinant(const VolumeGeometry& geometry);

@@ -88,11 +88,6 @@ std::string Unreadable(const std::string& path, VolumeKind kind, const VoxelSpac
   {
     return "there is no such file";
   }
-  if (kind == VolumeKind::DicomFile)
-  {
-    return "it is one DICOM file: give the folder of its series; a segmentation (SEG) is not read, "
-           "save it as .nrrd, for example with 3D Slicer";
-  }
   const bool isFolder = fs::is_directory(path, error);
   if (!isFolder && (fs::file_size(path, error) == 0 || error))
   {
@@ -101,7 +96,7 @@ std::string Unreadable(const std::string& path, VolumeKind kind, const VoxelSpac
   if (kind == VolumeKind::None)
   {
     return "it is no volume: .vti, .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz, a .tif of several "
-           "pages or a folder of DICOM files or TIFF slices";
+           "pages, a .dcm of segments or a folder of DICOM files or TIFF slices";
   }
   if ((kind == VolumeKind::Tiff || kind == VolumeKind::TiffFolder) && !spacing)
   {
@@ -126,10 +121,7 @@ std::vector<std::string> VolumeExtensions()
   std::vector<std::string> extensions;
   for (const ExtensionOfKind& one : Extensions)
   {
-    if (one.Kind != VolumeKind::DicomFile) // which is rejected
-    {
-      extensions.emplace_back(one.Extension);
-    }
+    extensions.emplace_back(one.Extension);
   }
   return extensions;
 }
@@ -167,6 +159,8 @@ std::unique_ptr<IsolatedReader> OpenVolume(const std::string& path, const VoxelS
           return OpenTiff(path, *spacing);
         case VolumeKind::TiffFolder:
           return OpenTiffSlices(path, *spacing);
+        case VolumeKind::DicomFile:
+          return OpenDicomFile(path);
         default:
           return OpenDicomFolder(path);
       }

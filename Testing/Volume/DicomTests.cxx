@@ -215,6 +215,19 @@ TEST_F(Dicom, RejectsDamagedFilesWithoutNamingThePatient)
   EXPECT_EQ(this->Bone().Problem.find("Secret"), std::string::npos);
 }
 
+TEST_F(Dicom, RejectsOneSliceByItsFile)
+{
+  WriteDicom(this->Series, this->Tilted);
+  std::filesystem::rename(this->Series + "/slice100", this->Series + "/a.dcm");
+  ExpectRejection(this->Series + "/a.dcm", "give the folder of its series");
+}
+
+TEST_F(Dicom, RejectsAFileThatIsNone)
+{
+  WriteBytes(this->Folder.File("a.dcm"), "DICM");
+  ExpectRejection(this->Folder.File("a.dcm"), "not a DICOM file");
+}
+
 // Debian's GDCM aborts on such a file.
 TEST_F(Dicom, RejectsAFileThatEndsAfterItsMark)
 {

@@ -183,12 +183,6 @@ TEST_F(ImageFormats, RejectsAMissingTiffSlice)
   EXPECT_NE(volume::ReadVolume(folder, spacing).Problem.find("sx.tif"), std::string::npos);
 }
 
-TEST_F(ImageFormats, OneDicomFileIsRejectedWithTheWayToGo)
-{
-  WriteBytes(this->Folder.File("a.dcm"), "DICM");
-  ExpectRejection(this->Folder.File("a.dcm"), "give the folder of its series");
-}
-
 //------------------------------------------------------------------------------
 class Segmentations : public ::testing::Test
 {

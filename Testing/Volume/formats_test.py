@@ -21,6 +21,8 @@ import pydicom.uid
 import SimpleITK
 import tifffile
 
+import dicom_segmentations
+
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "volumes.md"
 TYPES = {"unsigned char": np.uint8, "signed char": np.int8, "short": np.int16, "unsigned short": np.uint16, "int": np.int32,
          "unsigned int": np.uint32, "long long": np.int64, "unsigned long long": np.uint64, "float": np.float32,
@@ -90,10 +92,19 @@ def dicom(folder, direction, shear=0.0, intercept=-1024, names=lambda k: f"{(k *
         data.save_as(pathlib.Path(folder) / names(k), enforce_file_format=True)
 
 
-def slices(folder):
+def slices(folder, write=tifffile.imwrite):
     pathlib.Path(folder).mkdir()
     for k, values in enumerate(VOXELS):
-        tifffile.imwrite(f"{folder}/bone_{k + 8}.tif", values)
+        write(f"{folder}/bone_{k + 8}.tif", values)
+
+
+def tiles(path, voxels, **keywords):
+    """Larger than a page."""
+    tifffile.imwrite(path, voxels, tile=(16, 32), compression="zlib", photometric="minisblack", **keywords)
+
+
+def dicom_segments(path, **keywords):
+    dicom_segmentations.segmentation(LABELS, TURN, ORIGIN, SPACING, **keywords).save_as(path)
 
 
 def segments(path, layers):
@@ -114,6 +125,7 @@ def segments(path, layers):
 WHERE = {"direction": TURN}
 TIFF = {"direction": np.eye(3), "origin": np.zeros(3), "spacing": (0.8, 0.9, 1.3)}
 SEGMENTS = {"voxels": np.where(LABELS % 2 == 1, 2, LABELS > 1), "segments": ["Femur", "Screw"]}
+DICOM_SEGMENTS = {"voxels": LABELS, "segments": dicom_segmentations.NAMES}
 ROWS = (
     ("`.nii`", "nibabel", "16 bits, oblique", "a.nii", lambda p: nifti(p, TURN), WHERE),
     ("`.nii.gz`", "nibabel", "mirrored; qform alone", "a.nii.gz", lambda p: nifti(p, MIRROR, sform=0), {"direction": MIRROR}),
@@ -129,6 +141,9 @@ ROWS = (
     ("`.nhdr`", "pynrrd", "voxels in a file of their own", "a.nhdr", lambda p: pynrrd(p, TURN), WHERE),
     ("`.seg.nrrd`", "pynrrd", "two segments", "a.seg.nrrd", lambda p: segments(p, False), {**WHERE, **SEGMENTS}),
     ("`.seg.nrrd`", "pynrrd", "two layers that overlap", "a.seg.nrrd", lambda p: segments(p, True), {**WHERE, **SEGMENTS}),
+    ("DICOM segmentation", "highdicom", "BINARY, oblique", "a.dcm", dicom_segments, {**WHERE, **DICOM_SEGMENTS}),
+    ("DICOM segmentation", "highdicom", "LABELMAP, compressed", "a.dcm",
+     lambda p: dicom_segments(p, kind="LABELMAP", syntax=pydicom.uid.RLELossless), {**WHERE, **DICOM_SEGMENTS}),
     ("`.mha`", "SimpleITK", "oblique", "a.mha", lambda p: simpleitk(p, TURN), WHERE),
     ("`.mha`", "SimpleITK", "compressed, mirrored", "a.mha", lambda p: simpleitk(p, MIRROR, useCompression=True), {"direction": MIRROR}),
     ("`.mhd`", "SimpleITK", "64-bit floating point in a file of their own", "a.mhd",
@@ -139,8 +154,10 @@ ROWS = (
     ("`.tif`", "tifffile", "pages of 16 bits", "a.tif", lambda p: tifffile.imwrite(p, VOXELS, photometric="minisblack"), TIFF),
     ("`.tif`", "tifffile", "BigTIFF, deflated, floating point", "a.tif",
      lambda p: tifffile.imwrite(p, VOXELS.astype(np.float32), bigtiff=True, compression="zlib", photometric="minisblack"), TIFF),
+    ("`.tif`", "tifffile", "tiles, deflated", "a.tif", lambda p: tiles(p, VOXELS), TIFF),
     ("`.tif`", "SimpleITK", "labels of 8 bits", "a.tiff", lambda p: simpleitk(p, TURN, LABELS), {**TIFF, "voxels": LABELS}),
     ("folder of `.tif`", "tifffile", "a file a slice", "slices", slices, TIFF),
+    ("folder of `.tif`", "tifffile", "a file a slice, in tiles", "slices", lambda p: slices(p, tiles), TIFF),
 )
 
 
@@ -189,6 +206,45 @@ class Formats(unittest.TestCase):
                                              {"label": 2, "name": "Screw", "color": [0.0, 0.0, 1.0]}])
         overlap = np.count_nonzero(LABELS == 3)
         self.assertIn(f"{overlap} of its voxels are in more than one segment", found["note"])
+
+    def rejection(self, path, spacing=()):
+        words = [os.environ["DUMP_VOLUME"], path, self.folder / "voxels.raw", *map(str, spacing)]
+        return json.loads(subprocess.run(words, check=True, capture_output=True, encoding="utf-8").stdout)["problem"]
+
+    def test_of_the_second_version_of_nifti_are_rejected(self):
+        for name, order in (("a.nii", "<"), ("b.nii", ">"), ("c.nii.gz", "<")):
+            header = nibabel.Nifti2Header(endianness=order)
+            nibabel.save(nibabel.Nifti2Image(VOXELS.transpose(), affine(TURN), header), self.folder / name)
+            self.assertIn("it is a NIfTI-2 file", self.rejection(self.folder / name))
+
+    def test_in_tiles_have_all_types_and_sizes_of_values(self):
+        voxels = np.random.default_rng(3).integers(0, 120, (3, 40, 70))
+        for type_ in (np.uint8, np.int8, np.uint16, np.int16, np.uint32, np.int32, np.float32):
+            for order in "<>":
+                path = self.folder / "tiles.tif"
+                tiles(path, voxels.astype(type_), byteorder=order)
+                _found, read = self.read(path, (1, 1, 1))
+                self.assertEqual(read.dtype, type_)
+                np.testing.assert_array_equal(read, voxels)
+
+    def test_in_tiles_that_are_no_volume_are_rejected(self):
+        path = self.folder / "tiles.tif"
+        pages = np.random.default_rng(3).integers(0, 255, (4, 40, 70)).astype(np.uint8)
+        tiles(path, pages)
+        complete = path.read_bytes()
+        for part in (0.2, 0.5, 0.9):
+            path.write_bytes(complete[: int(part * len(complete))])
+            self.assertNotEqual(self.rejection(path, (1, 1, 1)), "")
+        tifffile.imwrite(path, np.zeros((4, 40, 70, 3), np.uint8), tile=(16, 16), photometric="rgb")
+        self.assertIn("3 values a voxel", self.rejection(path, (1, 1, 1)))
+        tifffile.imwrite(path, pages, tile=(16, 16), photometric="miniswhite")
+        self.assertIn("gray values", self.rejection(path, (1, 1, 1)))
+        tifffile.imwrite(path, pages.astype(np.float64), tile=(16, 16), photometric="minisblack")
+        self.assertIn("8, 16 or 32 bits", self.rejection(path, (1, 1, 1)))
+        with tifffile.TiffWriter(path) as writer:
+            writer.write(pages[0], tile=(16, 16))
+            writer.write(pages[1])
+        self.assertIn("not all of one size and type", self.rejection(path, (1, 1, 1)))
 
     def test_whose_sform_and_qform_differ_have_a_note(self):
         image = nibabel.Nifti1Image(VOXELS.transpose(), affine(TURN))

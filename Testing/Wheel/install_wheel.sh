@@ -24,5 +24,5 @@ PYTHON=$PYTHON "$folder/tree/Utilities/build_wheel.sh" "$folder/dist"
 wheel=$(echo "$folder"/dist/bonedecimate-*.whl)
 "$PYTHON" -m venv "$folder/environment"
 "$folder/environment/bin/pip" -q install --disable-pip-version-check "$wheel[pyvista,progress,files]" \
-  nibabel pydicom pynrrd SimpleITK tifffile # images, for tests alone
+  highdicom nibabel pydicom pynrrd SimpleITK tifffile # images, for tests alone
 "$folder/environment/bin/pip" -q install --disable-pip-version-check --no-deps --target "$folder/alone" "$wheel"

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FrameGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace bonedecimate::volume
+{
+namespace
+{
+/// Of a voxel: rounding of a header shifts less, a frame that is out of line more.
+constexpr double LargestShift = 0.2;
+
+/// Frames closer than this part of a pixel lie in one plane.
+constexpr double LeastDistance = 0.01;
+
+/// A damaged distance of planes must not ask for memory without end.
+constexpr double MostPlanes(double planesWithFrames)
+{
+  return 1024.0 + 64.0 * planesWithFrames;
+}
+
+double PixelSide(const FramePlacement& frame)
+{
+  return std::min(frame.RowDistance, frame.ColumnDistance);
+}
+
+/// Of the first frame by itself.
+std::string PlacementProblem(const FramePlacement& frame, const std::array<std::int64_t, 2>& size)
+{
+  const double rows = static_cast<double>(size[1]) * frame.RowDistance;
+  if (!(PixelSide(frame) > 0.0) || !std::isfinite(frame.RowDistance * frame.ColumnDistance))
+  {
+    return "its spacing is zero, negative or not a finite number";
+  }
+  const bool areUnits = std::abs(Length(frame.AlongRow) - 1.0) < 0.01 &&
+    std::abs(Length(frame.AlongColumn) - 1.0) < 0.01;
+  const double shift = std::abs(Dot(frame.AlongRow, frame.AlongColumn)) * rows;
+  return areUnits && shift <= LargestShift * PixelSide(frame)
+    ? std::string()
+    : "the directions of its rows and columns are not perpendicular";
+}
+
+/// Of frames that are not on one grid with the first one, wherever they lie.
+std::string DifferenceProblem(const std::vector<FramePlacement>& frames)
+{
+  const FramePlacement& first = frames.front();
+  for (const FramePlacement& frame : frames)
+  {
+    if (!std::isfinite(Length(frame.Position)))
+    {
+      return "its position is not a finite number";
+    }
+    if (!AreClose(frame.AlongRow, first.AlongRow) ||
+      !AreClose(frame.AlongColumn, first.AlongColumn))
+    {
+      return "its frames have several orientations; save each in a file of its own";
+    }
+    if (!(std::abs(frame.RowDistance - first.RowDistance) < 1e-3) ||
+      !(std::abs(frame.ColumnDistance - first.ColumnDistance) < 1e-3))
+    {
+      return "its frames have pixels of several sizes";
+    }
+  }
+  return std::string();
+}
+
+/// Frames in the order of their planes.
+class Stack
+{
+public:
+  Stack(const std::vector<FramePlacement>& frames, const Vector3& normal)
+    : Frames(frames)
+    , Normal(normal)
+    , Order(frames.size())
+    , Least(LeastDistance * PixelSide(frames.front()))
+  {
+    std::iota(this->Order.begin(), this->Order.end(), std::size_t(0));
+    std::stable_sort(this->Order.begin(), this->Order.end(),
+      [this](std::size_t a, std::size_t b) { return this->Height(a) < this->Height(b); });
+    for (std::size_t i = 1; i < this->Order.size(); ++i)
+    {
+      if (this->Gap(i) > this->Least)
+      {
+        this->Gaps.push_back(this->Gap(i));
+      }
+    }
+    std::sort(this->Gaps.begin(), this->Gaps.end());
+  }
+
+  /// The median of the distances of neighboring planes; 0 of a single one.
+  double MedianDistance() const
+  {
+    return this->Gaps.empty() ? 0.0 : this->Gaps[(this->Gaps.size() - 1) / 2];
+  }
+
+  /// Planes, the step between them and the origin.
+  void AssignPlanes(double distance, FrameGrid& grid) const
+  {
+    grid.PlaneOf.assign(this->Order.size(), 0);
+    double plane = 0.0;
+    for (std::size_t i = 1; i < this->Order.size(); ++i)
+    {
+      // From a plane to the next, so that rounding does not add up.
+      const double gap = this->Gap(i);
+      plane += gap > this->Least ? std::max(1.0, std::round(gap / distance)) : 0.0;
+      if (!(plane < MostPlanes(static_cast<double>(this->Gaps.size()))))
+      {
+        grid.Problem = "the distance of its planes is too small for its frames";
+        return;
+      }
+      grid.PlaneOf[this->Order[i]] = static_cast<std::int64_t>(plane);
+    }
+    grid.Planes = static_cast<std::int64_t>(plane) + 1;
+    grid.PlanesWithoutFrames = grid.Planes - 1 - static_cast<std::int64_t>(this->Gaps.size());
+    const double height = this->Height(this->Order.back()) - this->Height(this->Order.front());
+    grid.Geometry.Origin = this->Frames[this->Order.front()].Position;
+    grid.Geometry.Steps[2] = Scaled(this->Normal, plane > 0.0 ? height / plane : distance);
+    grid.Problem = this->EvennessProblem(grid);
+  }
+
+private:
+  double Height(std::size_t frame) const { return Dot(this->Frames[frame].Position, this->Normal); }
+
+  double Gap(std::size_t i) const
+  {
+    return this->Height(this->Order[i]) - this->Height(this->Order[i - 1]);
+  }
+
+  std::string EvennessProblem(const FrameGrid& grid) const
+  {
+    const Vector3& step = grid.Geometry.Steps[2];
+    const double largest = LargestShift * std::min(PixelSide(this->Frames.front()), Length(step));
+    for (std::size_t i = 0; i < this->Frames.size(); ++i)
+    {
+      const Vector3 expected =
+        Sum(grid.Geometry.Origin, Scaled(step, static_cast<double>(grid.PlaneOf[i])));
+      if (!(Length(Difference(this->Frames[i].Position, expected)) <= largest))
+      {
+        return "its planes are not evenly spaced or not above each other: frame " +
+          std::to_string(i + 1) + " of " + std::to_string(this->Frames.size()) + " is out of line";
+      }
+    }
+    return std::string();
+  }
+
+  const std::vector<FramePlacement>& Frames;
+  Vector3 Normal;
+  std::vector<std::size_t> Order;
+  double Least;
+  std::vector<double> Gaps; ///< Between neighboring planes with frames; ascending.
+};
+}
+
+FrameGrid GridOfFrames(const std::vector<FramePlacement>& frames, double planeDistance,
+  const std::array<std::int64_t, 2>& size)
+{
+  const FramePlacement& first = frames.front();
+  FrameGrid grid;
+  grid.Problem = PlacementProblem(first, size);
+  grid.Problem = grid.Problem.empty() ? DifferenceProblem(frames) : grid.Problem;
+  if (!grid.Problem.empty())
+  {
+    return grid;
+  }
+  const Vector3 alongRow = Scaled(first.AlongRow, 1.0 / Length(first.AlongRow));
+  const Vector3 turned =
+    Difference(first.AlongColumn, Scaled(alongRow, Dot(first.AlongColumn, alongRow)));
+  const Vector3 alongColumn = Scaled(turned, 1.0 / Length(turned));
+  grid.Geometry.Steps[0] = Scaled(alongRow, first.ColumnDistance);
+  grid.Geometry.Steps[1] = Scaled(alongColumn, first.RowDistance);
+  const Stack stack(frames, Cross(alongRow, alongColumn));
+  const double median = stack.MedianDistance();
+  const bool isKnown = std::isfinite(planeDistance) && planeDistance > 0.0;
+  if (isKnown)
+  {
+    stack.AssignPlanes(planeDistance, grid);
+  }
+  if (!isKnown || (!grid.Problem.empty() && median > 0.0))
+  {
+    stack.AssignPlanes(median > 0.0 ? median : PixelSide(first), grid);
+  }
+  return grid;
+}
+}

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FrameGrid.h
+ * @brief The grid of voxels on which the frames of a DICOM file lie.
+ */
+#ifndef BoneDecimate_Applications_FrameGrid_h
+#define BoneDecimate_Applications_FrameGrid_h
+
+#include "Volume.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace bonedecimate::volume
+{
+/// Where a frame lies, as its header says.
+struct FramePlacement
+{
+  Vector3 Position{ { 0.0, 0.0, 0.0 } };    ///< mm, of the first pixel.
+  Vector3 AlongRow{ { 0.0, 0.0, 0.0 } };    ///< Direction of growing column index.
+  Vector3 AlongColumn{ { 0.0, 0.0, 0.0 } }; ///< Direction of growing row index.
+  double RowDistance = 0.0;                 ///< mm, from a row to the next.
+  double ColumnDistance = 0.0;
+};
+
+struct FrameGrid
+{
+  VolumeGeometry Geometry;           ///< Perpendicular and right-handed.
+  std::int64_t Planes = 0;           ///< Also those without a frame.
+  std::vector<std::int64_t> PlaneOf; ///< Of each frame.
+  std::int64_t PlanesWithoutFrames = 0;
+  std::string Problem; ///< Why there is no grid; empty if there is one.
+};
+
+/**
+ * Several frames may lie in a plane, and planes may have none. What rounding of the header shifts by less than a fifth of a voxel is put
+ * onto the grid.
+ * @param frames At least one.
+ * @param planeDistance What the header says of it, mm. If that is 0 or does not fit to the frames, it is the median of
+ * their distances.
+ * @param size Columns and rows.
+ */
+FrameGrid GridOfFrames(const std::vector<FramePlacement>& frames, double planeDistance,
+  const std::array<std::int64_t, 2>& size);
+}
+
+#endif
