@@ -11,12 +11,12 @@ namespace bonedecimate
 {
 namespace
 {
-void Write(vtkPolyData* surface, const std::string& path)
+void WriteObj(vtkPolyData* surface, const std::string& path)
 {
   WriteWith(vtkNew<vtkOBJWriter>().Get(), surface, path);
 }
 }
 
 extern const SurfaceFormat ObjFormat;
-const SurfaceFormat ObjFormat = { "obj", false, true, true, ReadObjFile, Write };
+const SurfaceFormat ObjFormat = { "obj", false, true, true, ReadObjFile, WriteObj };
 }

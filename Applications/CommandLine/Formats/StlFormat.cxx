@@ -11,12 +11,12 @@ namespace bonedecimate
 {
 namespace
 {
-vtkSmartPointer<vtkPolyData> Read(const std::string& path, std::vector<std::string>&)
+vtkSmartPointer<vtkPolyData> ReadStl(const std::string& path, std::vector<std::string>&)
 {
   return ReadStlFile(path);
 }
 
-void Write(vtkPolyData* surface, const std::string& path)
+void WriteStl(vtkPolyData* surface, const std::string& path)
 {
   vtkNew<vtkSTLWriter> writer;
   writer->SetFileTypeToBinary();
@@ -25,5 +25,5 @@ void Write(vtkPolyData* surface, const std::string& path)
 }
 
 extern const SurfaceFormat StlFormat;
-const SurfaceFormat StlFormat = { "stl", false, false, false, Read, Write };
+const SurfaceFormat StlFormat = { "stl", false, false, false, ReadStl, WriteStl };
 }

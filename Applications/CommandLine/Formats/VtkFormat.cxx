@@ -12,14 +12,14 @@ namespace bonedecimate
 {
 namespace
 {
-vtkSmartPointer<vtkPolyData> Read(const std::string& path, std::vector<std::string>&)
+vtkSmartPointer<vtkPolyData> ReadVtk(const std::string& path, std::vector<std::string>&)
 {
   CoordinateCollector textPoints;
   CheckVtkFile(path, textPoints);
   return ReadWith(vtkNew<vtkPolyDataReader>().Get(), path, textPoints);
 }
 
-void Write(vtkPolyData* surface, const std::string& path)
+void WriteVtk(vtkPolyData* surface, const std::string& path)
 {
   vtkNew<vtkPolyDataWriter> writer;
   writer->SetFileTypeToBinary();
@@ -28,5 +28,5 @@ void Write(vtkPolyData* surface, const std::string& path)
 }
 
 extern const SurfaceFormat VtkFormat;
-const SurfaceFormat VtkFormat = { "vtk", true, true, true, Read, Write };
+const SurfaceFormat VtkFormat = { "vtk", true, true, true, ReadVtk, WriteVtk };
 }

@@ -12,14 +12,14 @@ namespace bonedecimate
 {
 namespace
 {
-vtkSmartPointer<vtkPolyData> Read(const std::string& path, std::vector<std::string>&)
+vtkSmartPointer<vtkPolyData> ReadVtp(const std::string& path, std::vector<std::string>&)
 {
   CoordinateCollector textPoints;
   CheckVtpFile(path, textPoints);
   return ReadWith(vtkNew<vtkXMLPolyDataReader>().Get(), path, textPoints);
 }
 
-void Write(vtkPolyData* surface, const std::string& path)
+void WriteVtp(vtkPolyData* surface, const std::string& path)
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetDataModeToAppended();
@@ -30,5 +30,5 @@ void Write(vtkPolyData* surface, const std::string& path)
 }
 
 extern const SurfaceFormat VtpFormat;
-const SurfaceFormat VtpFormat = { "vtp", true, true, true, Read, Write };
+const SurfaceFormat VtpFormat = { "vtp", true, true, true, ReadVtp, WriteVtp };
 }
