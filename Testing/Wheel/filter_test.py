@@ -68,7 +68,7 @@ class Properties(unittest.TestCase):
 
     def test_array_to_process_counts_unless_there_is_a_name(self):
         from vtkmodules.util.numpy_support import numpy_to_vtk
-        surface = specimens.torus(60, 40)
+        surface = specimens.torus(30, 20)
         for name, value in (("Narrow", 0.01), ("Wide", 1.0)):
             array = numpy_to_vtk(np.full(surface.GetNumberOfPoints(), value), deep=True)
             array.SetName(name)
@@ -139,7 +139,7 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(len(starts), 2)
 
     def test_gives_what_numpy_gets(self):
-        surface = specimens.torus(60, 40)
+        surface = specimens.torus(30, 20)
         decimate = decimating(surface, MaximumError=0.1)
         decimate.Update()
         arrays = surface_of(surface)
