@@ -64,14 +64,20 @@ void AddInputArguments(CLI::App& app, InputArguments& arguments)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> ApplyRegions(const std::vector<Region>& regions, std::string array,
-  const std::string& path, vtkSmartPointer<vtkPolyData> surface, vtkBoneDecimateAlgorithm* filter,
-  std::vector<std::string>& warnings)
+void NeedPointArray(vtkPolyData* surface, const std::string& array, const std::string& path)
 {
   if (!array.empty() && !surface->GetPointData()->HasArray(array.c_str()))
   {
     Reject(path, "it has no point array '" + array + "'");
   }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> ApplyRegions(const std::vector<Region>& regions, std::string array,
+  const std::string& path, vtkSmartPointer<vtkPolyData> surface, vtkBoneDecimateAlgorithm* filter,
+  std::vector<std::string>& warnings)
+{
+  NeedPointArray(surface, array, path);
   if (regions.empty())
   {
     return surface;

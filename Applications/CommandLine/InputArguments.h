@@ -41,6 +41,9 @@ void AddRegions(CLI::App& app, std::vector<Region>& regions,
 /// Adds --region, --tolerance-array, --labels and --reference.
 void AddInputArguments(CLI::App& app, InputArguments& arguments);
 
+/// @throws Failure(ExitCode::InputRejected) if the surface lacks a point array; an empty name is none.
+void NeedPointArray(vtkPolyData* surface, const std::string& array, const std::string& path);
+
 /**
  * The surface with an array of tolerances from the regions, if there are any, which becomes that of the filter.
  * @param array The array of tolerances that was requested; empty: none.  @param path Of the surface, for messages.

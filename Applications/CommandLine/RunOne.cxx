@@ -110,6 +110,7 @@ public:
     this->Rounding.SetInput(this->Input, this->InputInFile);
     this->Rounding.Reserve(options);
     ApplyOptions(options, this->Filter);
+    NeedPointArray(this->Input, options.EdgeLengthArrayName, this->Path);
     this->Input = ApplyRegions(this->Requested.Regions, this->Requested.Options.ToleranceArrayName,
       this->Path, this->Input, this->Filter, this->Subject.Warnings);
     this->Filter->SetMeasureInputDistances(this->WantsDistances());

@@ -29,6 +29,8 @@ std::string Contradiction(const Arguments& arguments)
       "--labels names an array of a surface; with --segments the labels are those of the map" },
     { !arguments.Options.ToleranceArrayName.empty(),
       "--tolerance-array names an array of a surface; with --segments use --region" },
+    { !arguments.Options.EdgeLengthArrayName.empty(),
+      "--edge-length-array names an array of a surface; with --segments use --chordal-error" },
     { !arguments.Unit.IsMillimeter(),
       "--unit is for surfaces; a label map for --segments is in millimeters by its header" },
   };

@@ -23,7 +23,8 @@ GROUPS = [
     ("Targets (lengths in mm)", ["Mode", "TargetNumberOfTriangles", "TargetReduction", "MaximumError", "ErrorPreset", "VoxelSize",
                  "ToleranceArrayName", "LabelArrayName"]),
     ("Smoothing (lengths in mm)", ["Smoothing", "AutomaticSmoothing", "FeatureAngle"]),
-    ("Proof", ["IntersectionGuard", "RefinementEffort", "MinimumAngle", "EdgeLength", "KeepVoxels", "ProveResult"]),
+    ("Proof", ["IntersectionGuard", "RefinementEffort", "MinimumAngle", "EdgeLength", "EdgeLengthArrayName", "ChordalError",
+               "KeepVoxels", "ProveResult"]),
     ("Output", ["MeasureDistances", "MeasureInputDistances", "PassArrays", "MakeMaps", "RecomputeNormals",
                         "OutputPointsPrecision", "OutputPointsGrid"]),
 ]
@@ -32,6 +33,7 @@ ADVANCED = {"MergePoints", "NumberOfThreads", "OutputPointsPrecision", "OutputPo
 
 THESIS = ("Mode", "0", False)
 NOT_THESIS = ("Mode", "0", True)
+HAS_LENGTH = ("EdgeLength", "0", True)
 HAS_ERROR = [("MaximumError", "0", True), ("ErrorPreset", "0", True), ("ToleranceArrayName", "", True)]
 # Enabled where one of each list holds: (property, value, inverted).
 APPLIES = {
@@ -39,6 +41,8 @@ APPLIES = {
     "RefinementEffort": [[("Mode", "2", False), ("Mode", "3", False)], HAS_ERROR],
     "MinimumAngle": [[NOT_THESIS]],
     "EdgeLength": [[NOT_THESIS]],
+    "EdgeLengthArrayName": [[NOT_THESIS], [HAS_LENGTH]],
+    "ChordalError": [[NOT_THESIS], [HAS_LENGTH]],
     "ProveResult": [[NOT_THESIS], HAS_ERROR],
     "ErrorBoundArrayName": [[NOT_THESIS], HAS_ERROR, [("ProveResult", "1", False)]],
     "InputErrorBoundArrayName": [[NOT_THESIS], HAS_ERROR, [("ProveResult", "1", False)], [("MeasureInputDistances", "1", False)]],
@@ -51,6 +55,8 @@ APPLIES = {
     "RunningErrorArrayName": [[THESIS, ("MeasureDistances", "1", False)]],
     "InputDistanceArrayName": [[("MeasureInputDistances", "1", False)]],
 }
+# Chosen from a list of the arrays of the input.
+ARRAYS_OF_POINTS = ("ToleranceArrayName", "EdgeLengthArrayName")
 # A panel sets every property: see vtkPVBoneDecimate.
 COMMANDS = {"TargetReduction": "SetTargetReductionUnlessDefault"}
 
@@ -129,7 +135,7 @@ def kind_of(name, values, default):
 
 
 def text_kind(name, default):
-    if name == "ToleranceArrayName":
+    if name in ARRAYS_OF_POINTS:
         domain = ('<ArrayListDomain name="array_list" attribute_type="Scalars" input_domain_name="point_arrays" none_string="">\n'
                   '          <RequiredProperties><Property name="Input" function="Input"/></RequiredProperties>\n'
                   '        </ArrayListDomain>')
@@ -159,7 +165,7 @@ def hints(name):
 def write_property(row):
     name, values, default, unit, meaning = row
     element, start, domain = kind_of(name, values, default)
-    advanced = name in ADVANCED or name.endswith("ArrayName") and name not in GROUPS[0][1] or name == "NormalTolerance"
+    advanced = name in ADVANCED or name.endswith("ArrayName") and name not in (*GROUPS[0][1], *ARRAYS_OF_POINTS) or name == "NormalTolerance"
     lines = [f'      <{element} name="{name}" label="{label(name)}"',
              f'        command="{COMMANDS.get(name, "Set" + name)}" number_of_elements="1" default_values={quoteattr(start)}',
              f'        panel_visibility="{"advanced" if advanced else "default"}">']

@@ -14,6 +14,22 @@ namespace bonedecimate
 {
 namespace
 {
+std::optional<std::vector<double>> ReadNumbersNamed(
+  const std::string& name, vtkPolyData* input, NamedArrays& arrays)
+{
+  if (name.empty())
+  {
+    return {};
+  }
+  std::optional<std::vector<double>> numbers =
+    ReadNumbers(input->GetPointData()->GetArray(name.c_str()));
+  if (!numbers && arrays.Problem.empty())
+  {
+    arrays.Problem = LackOfPointArray(name);
+  }
+  return numbers;
+}
+
 void ReadLabelsNamed(const std::string& name, vtkPolyData* input, NamedArrays& arrays)
 {
   arrays.LabelsOfCells = input->GetCellData()->GetArray(name.c_str());
@@ -34,6 +50,7 @@ RunInputs NamedArrays::Inputs() const
   RunInputs inputs;
   inputs.InputIsSingle = this->Converted.IsSingle;
   inputs.Tolerances = this->Tolerances ? &*this->Tolerances : nullptr;
+  inputs.EdgeLengths = this->EdgeLengths ? &*this->EdgeLengths : nullptr;
   inputs.Labels = this->Labels ? &*this->Labels : nullptr;
   return inputs;
 }
@@ -66,6 +83,12 @@ void CellLabels::Fill(const std::vector<Index>& triangles, vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
+std::string LackOfPointArray(const std::string& name)
+{
+  return "the input has no point array '" + name + "' of one component";
+}
+
+//------------------------------------------------------------------------------
 NamedArrays ReadNamedArrays(vtkPolyData* input, const Options& options)
 {
   NamedArrays arrays;
@@ -74,15 +97,8 @@ NamedArrays ReadNamedArrays(vtkPolyData* input, const Options& options)
   {
     return arrays;
   }
-  const std::string& tolerances = options.ToleranceArrayName;
-  if (!tolerances.empty())
-  {
-    arrays.Tolerances = ReadNumbers(input->GetPointData()->GetArray(tolerances.c_str()));
-    if (!arrays.Tolerances)
-    {
-      arrays.Problem = "the input has no point array '" + tolerances + "' of one component";
-    }
-  }
+  arrays.Tolerances = ReadNumbersNamed(options.ToleranceArrayName, input, arrays);
+  arrays.EdgeLengths = ReadNumbersNamed(options.EdgeLengthArrayName, input, arrays);
   if (arrays.Problem.empty() && !options.LabelArrayName.empty())
   {
     ReadLabelsNamed(options.LabelArrayName, input, arrays);

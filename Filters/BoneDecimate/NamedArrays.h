@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file NamedArrays.h
- * @brief The surface of a run, and what the arrays that its options name say of it: tolerances of points and labels of triangles.
+ * @brief The surface of a run, and what the arrays that its options name say of it: tolerances and edge lengths of points, labels
+ * of triangles.
  */
 #ifndef NamedArrays_h
 #define NamedArrays_h
@@ -35,8 +36,9 @@ struct CellLabels
 struct NamedArrays
 {
   ConvertedSurface Converted;
-  std::optional<std::vector<double>> Tolerances; ///< mm, of each point; nothing: none is named.
-  std::optional<bonedecimate::Labels> Labels;    ///< Of each triangle; nothing: none is named.
+  std::optional<std::vector<double>> Tolerances;  ///< mm, of each point; nothing: none is named.
+  std::optional<std::vector<double>> EdgeLengths; ///< mm, of each point; nothing: none is named.
+  std::optional<bonedecimate::Labels> Labels;     ///< Of each triangle; nothing: none is named.
   vtkDataArray* LabelsOfCells =
     nullptr;           ///< The array of the labels if it belongs to cells, or null.
   std::string Problem; ///< One sentence; empty if the input has what is named.
@@ -47,7 +49,10 @@ struct NamedArrays
   CellLabels LabelsToCopy() const;
 };
 
-/// @param options ToleranceArrayName and LabelArrayName.
+/// The sentence if the input lacks a point array that an option names.
+std::string LackOfPointArray(const std::string& name);
+
+/// @param options ToleranceArrayName, EdgeLengthArrayName and LabelArrayName.
 NamedArrays ReadNamedArrays(vtkPolyData* input, const Options& options);
 }
 

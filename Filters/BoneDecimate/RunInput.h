@@ -22,6 +22,8 @@ struct vtkBoneDecimate::RunInput
   bonedecimate::ConvertedSurface Reference;
   std::optional<std::vector<double>>
     Tolerances; ///< mm, of each point; nothing: the array does not suit.
+  std::optional<std::vector<double>>
+    EdgeLengths; ///< mm, of each point; nothing: none is named, or the array does not suit.
   std::optional<bonedecimate::Labels>
     Labels; ///< Of each triangle; nothing: the array does not suit.
   bonedecimate::LabelMapOfRun Map;

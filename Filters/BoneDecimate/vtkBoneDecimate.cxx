@@ -6,6 +6,7 @@
 #include "LabelArrays.h"
 #include "LabelMapArrays.h"
 #include "LabelMapOfRun.h"
+#include "NamedArrays.h"
 #include "Regions/RegionCache.h"
 #include "Report/ReportCells.h"
 #include "RunInput.h"
@@ -235,6 +236,15 @@ bool vtkBoneDecimate::ReadInput(vtkPolyData* input, vtkPolyData* reference,
     this->RejectArray(hasTolerances && !read.Tolerances ? TOLERANCE_ARRAY : LABEL_ARRAY);
     return false;
   }
+  if (const std::string& name = options.EdgeLengthArrayName; isFilled && !name.empty())
+  {
+    read.EdgeLengths = bonedecimate::ReadNumbers(input->GetPointData()->GetArray(name.c_str()));
+    if (!read.EdgeLengths)
+    {
+      vtkErrorMacro(<< bonedecimate::LackOfPointArray(name));
+      return false;
+    }
+  }
   read.Map = bonedecimate::ReadLabelMapOfRun(input, read.Converted, map, options);
   if (!read.Map.Problem.empty())
   {
@@ -248,6 +258,7 @@ bool vtkBoneDecimate::ReadInput(vtkPolyData* input, vtkPolyData* reference,
   read.Inputs = { read.Converted.IsSingle, bonedecimate::NeedsOrigins(input, options),
     hasTolerances ? &*read.Tolerances : nullptr,
     reference != nullptr ? &read.Reference.Surface : nullptr, hasLabels ? &*read.Labels : nullptr };
+  read.Inputs.EdgeLengths = read.EdgeLengths ? &*read.EdgeLengths : nullptr;
   read.Inputs.LabelMap = read.Map.Known();
   read.Inputs.Part = this->Part ? &this->Part->Part : nullptr;
   read.Prepared = this->Prepared; // an observer may drop it

@@ -25,6 +25,8 @@ const char* const RunNames[] = {
   "RefinementEffort",
   "MinimumAngle",
   "EdgeLength",
+  "EdgeLengthArrayName",
+  "ChordalError",
   "MergePoints",
   "NumberOfThreads",
 };
@@ -163,6 +165,26 @@ void vtkBoneRunOptions::SetEdgeLength(double value)
 double vtkBoneRunOptions::GetEdgeLength() const
 {
   return this->State->Options.EdgeLength;
+}
+
+void vtkBoneRunOptions::SetEdgeLengthArrayName(const std::string& value)
+{
+  this->State->Set(this, "EdgeLengthArrayName", value);
+}
+
+std::string vtkBoneRunOptions::GetEdgeLengthArrayName() const
+{
+  return this->State->Options.EdgeLengthArrayName;
+}
+
+void vtkBoneRunOptions::SetChordalError(double value)
+{
+  this->State->Set(this, "ChordalError", value);
+}
+
+double vtkBoneRunOptions::GetChordalError() const
+{
+  return this->State->Options.ChordalError;
 }
 
 void vtkBoneRunOptions::SetMergePoints(bool value)

@@ -154,6 +154,23 @@ public:
   ///@}
 
   ///@{
+  /// With EdgeLength: name of a numeric point array of the input with the length that edges are to have at each point, in mm, above
+  /// 0. EdgeLength is an upper limit for all. Lengths grow by at most 0.3 mm for each mm along the surface. Empty: none. Default:
+  /// none.
+  void SetEdgeLengthArrayName(const std::string& value);
+  std::string GetEdgeLengthArrayName() const;
+  ///@}
+
+  ///@{
+  /// With EdgeLength: edges are shorter where the surface is curved, so that an equilateral triangle with its corners on a sphere
+  /// of the local curvature lies at most this far below it. Lengths are not shortened below a tenth of EdgeLength, and grow by at
+  /// most 0.3 mm for each mm along the surface. The curvature is that of the input, averaged within a quarter of EdgeLength. 0:
+  /// off. Range: 0 to 1e30 mm; default: 0.
+  void SetChordalError(double value);
+  double GetChordalError() const;
+  ///@}
+
+  ///@{
   /// Merge points with exactly equal coordinates before the run. If off, triangles without common point ids belong to different
   /// fragments. Default: on.
   void SetMergePoints(bool value);

@@ -29,7 +29,8 @@ CLASSES = {
     "vtkBoneRunOptions": (
         "vtkBoneDecimateAlgorithm", "options of every filter that runs a decimation",
         ["Mode", "TargetNumberOfTriangles", "Smoothing", "AutomaticSmoothing", "FeatureAngle", "KeepVoxels", "ToleranceArrayName",
-         "LabelArrayName", "AllowLargeError", "IntersectionGuard", "RefinementEffort", "MinimumAngle", "EdgeLength", "MergePoints", "NumberOfThreads"]),
+         "LabelArrayName", "AllowLargeError", "IntersectionGuard", "RefinementEffort", "MinimumAngle", "EdgeLength", "EdgeLengthArrayName",
+         "ChordalError", "MergePoints", "NumberOfThreads"]),
     "vtkBoneGoalOptions": (
         "vtkBoneRunOptions", "options of where a run ends, and of what is measured and proved",
         ["TargetReduction", "MaximumError", "ErrorPreset", "VoxelSize", "NormalTolerance", "AutomaticNormalTolerance",

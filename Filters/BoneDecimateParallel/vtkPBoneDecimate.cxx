@@ -178,6 +178,12 @@ const char* vtkPBoneDecimate::ProblemOfParts(
     return "LabelArrayName on several processes needs PassArrays: triangles take their labels to "
            "another process";
   }
+  if (!this->GetEdgeLengthArrayName().empty() || this->GetChordalError() > 0.0)
+  {
+    return "EdgeLengthArrayName and ChordalError are for one process alone: lengths are graded "
+           "along "
+           "the whole surface";
+  }
   if (!this->GetMergePoints())
   {
     return "MergePoints off is for one process alone: parts are joined where points are equal";

@@ -112,7 +112,7 @@ EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepar
   settings.Threads = task.Effective.NumberOfThreads;
   if (!isAborted)
   {
-    settings.Shape = ShapeLimitsOf(task.Effective);
+    settings.Shape = ShapeLimitsOf(task.Effective, prepared.Sizes);
     settings.KeepsQuadrics = mode.NeedsQuadrics();
     settings.KeepsInitialMesh = mode.KeepsInitialMesh;
     settings.CollapsesFeatureCurves = CollapsesFeatureCurves(task.Inputs);
@@ -171,7 +171,7 @@ void RunModeStages(const RunTask& task, const PreparedInput& prepared, Editor& e
     StopTargetsOf(options, faces, prepared.IsLimitedEverywhere()) };
   input.Threads = options.NumberOfThreads;
   input.RefinementEffort = options.RefinementEffort;
-  input.Shape = ShapeLimitsOf(options);
+  input.Shape = ShapeLimitsOf(options, prepared.Sizes);
   input.Forced = &report.Forced;
   if (input.Mode.HasNormalTolerance())
   {
@@ -287,7 +287,7 @@ bool Simplify(const RunTask& task, PreparedInput& prepared, RunProgress& progres
   const KeptSurface* reference = prepared.Tolerances.ReferenceSurface();
   const EvaluatedRun run = { task.Input, prepared.Cleaned, *editor, local,
     reference != nullptr ? &reference->Surface : nullptr, EndsWithProof(task), task.Inputs,
-    SmallestPart(task, report.Smoothing) };
+    prepared.Sizes, SmallestPart(task, report.Smoothing) };
   Evaluate(run, task.Effective, progress, result);
   return true;
 }

@@ -118,6 +118,9 @@ struct RunInputs
   /// Of the input triangles: lines between different ones are collapsed along themselves alone, and every triangle keeps
   /// its own. With a log these lines do not change, because a log has no edits of several manifold patches at once.
   const bonedecimate::Labels* Labels = nullptr;
+  /// mm, above 0, of each input point: what edges are to have there, at most EdgeLength (Input/EdgeLengths.h). No effect
+  /// without EdgeLength. Null: EdgeLength everywhere.
+  const std::vector<double>* EdgeLengths = nullptr;
   /// The label map from which the input was extracted; null: not known. With a grid its voxels are guarded (KeepVoxels), and
   /// those of the result are compared with those of the input. Where pairs of labels differ, curves between them are collapsed
   /// along themselves alone, as between labels. Smoothing uses the grid points; without them it looks for the grid of a binary

@@ -46,15 +46,18 @@ def bone():
     append.AddInputData(crumb())
     append.Update()
     surface = append.GetOutput()
-    tolerance, label = vtk.vtkFloatArray(), vtk.vtkIntArray()
+    tolerance, size, label = vtk.vtkFloatArray(), vtk.vtkFloatArray(), vtk.vtkIntArray()
     tolerance.SetName("allowed")
+    size.SetName("size")
     label.SetName("Bone")
     for i in range(surface.GetNumberOfPoints()):
         tolerance.InsertNextValue(0.0 if surface.GetPoint(i)[0] < -20.0 else -1.0)
+        size.InsertNextValue(8.0 if surface.GetPoint(i)[0] < 0.0 else 10.0)
     for cell in range(surface.GetNumberOfCells()):
         y = sum(surface.GetCell(cell).GetPoints().GetPoint(k)[1] for k in range(3))
         label.InsertNextValue(1 if y < 0 else 2)
     surface.GetPointData().AddArray(tolerance)
+    surface.GetPointData().AddArray(size)
     surface.GetCellData().AddArray(label)
     return surface
 

@@ -58,6 +58,10 @@ class Explain(ApplicationTest):
         self.succeed("in.vtp", "out.vtp", "--edge-length", 8, *UNMEASURED, "--report", "report.json", "--quiet")
         self.assertEqual(self.report()["stop_reason"], "nothing_left")
 
+    def test_a_missing_array_of_edge_lengths_is_rejected_as_by_the_run(self):
+        for words in (("--explain",), ()):
+            self.fail_with(REJECTED, "in.vtp", "out.vtp", "--edge-length", 8, "--edge-length-array", "none", *words, says="point array 'none'")
+
     def test_stages_follow_the_options(self):
         plain = self.explain("in.vtp", "out.vtp", "--mode", "Fast")["stages"]
         self.assertEqual(plain, ["clean, collapse, measure distances, write"])

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Whether volume meshers take surfaces as they are: tables of Documentation/triangle-shapes.md.
 
-    meshers.py --programs build/release/bin [--work FOLDER] [--error 0.5] [--angles 0,20,30] [--lengths 2] [--peers] SURFACE|leg|small-leg...
+    meshers.py --programs build/release/bin [--work FOLDER] [--error 0.5] [--angles 0,20,30] [--lengths 2] [--peers] [--meshers TetGen,gmsh] SURFACE|leg|small-leg...
 
 Each closed surface as it is, decimated with each least angle, remeshed with each length of edges, and with --peers remeshed by MeshLab and
 pyacvd to the number of triangles of the first length, goes to TetGen, gmsh and fTetWild (pip install tetgen gmsh pytetwild pyvista, and
@@ -98,13 +98,15 @@ def main():
     parser.add_argument("--mode", default="Balanced")
     parser.add_argument("--angles", default="0,20,30", help="degrees")
     parser.add_argument("--lengths", default="2", help="mm")
+    parser.add_argument("--meshers", default=",".join(volume_meshers.MESHERS), help="those that take part, if they are installed")
     parser.add_argument("--peers", action="store_true", help="MeshLab's and pyacvd's surfaces, too")
     parser.add_argument("surfaces", nargs="+")
     arguments = parser.parse_args()
     arguments.programs = arguments.programs.resolve()
     arguments.work.mkdir(parents=True, exist_ok=True)
     programs = Programs(arguments.programs)
-    bones, meshers = list(find_bones(arguments, programs)), volume_meshers.are_here()
+    meshers = [name for name in volume_meshers.are_here() if name in arguments.meshers.split(",")]
+    bones = list(find_bones(arguments, programs))
     print("| surface | how | triangles |", " | ".join(meshers), "|\n|---|---|---:|" + "---|" * len(meshers))
     taken = defaultdict(lambda: defaultdict(list))
     for name, file in bones:

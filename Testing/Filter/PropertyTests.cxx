@@ -45,8 +45,8 @@ const std::vector<Number>& Numbers()
     NUMBER_PROPERTY(TargetNumberOfTriangles), NUMBER_PROPERTY(TargetReduction),
     NUMBER_PROPERTY(MaximumError), NUMBER_PROPERTY(AllowLargeError),
     NUMBER_PROPERTY(IntersectionGuard), NUMBER_PROPERTY(RefinementEffort),
-    NUMBER_PROPERTY(MinimumAngle), NUMBER_PROPERTY(EdgeLength), NUMBER_PROPERTY(KeepVoxels),
-    NUMBER_PROPERTY(NormalTolerance), NUMBER_PROPERTY(Smoothing),
+    NUMBER_PROPERTY(MinimumAngle), NUMBER_PROPERTY(EdgeLength), NUMBER_PROPERTY(ChordalError),
+    NUMBER_PROPERTY(KeepVoxels), NUMBER_PROPERTY(NormalTolerance), NUMBER_PROPERTY(Smoothing),
     NUMBER_PROPERTY(AutomaticSmoothing), NUMBER_PROPERTY(FeatureAngle),
     NUMBER_PROPERTY(AutomaticNormalTolerance), NUMBER_PROPERTY(MergePoints),
     NUMBER_PROPERTY(MeasureDistances), NUMBER_PROPERTY(MeasureInputDistances),
@@ -78,7 +78,7 @@ const std::vector<Text>& Texts()
     TEXT_PROPERTY(RunningErrorArrayName), TEXT_PROPERTY(PointCountArrayName),
     TEXT_PROPERTY(InputDistanceArrayName), TEXT_PROPERTY(ErrorBoundArrayName),
     TEXT_PROPERTY(InputErrorBoundArrayName), TEXT_PROPERTY(ToleranceArrayName),
-    TEXT_PROPERTY(LabelArrayName) };
+    TEXT_PROPERTY(EdgeLengthArrayName), TEXT_PROPERTY(LabelArrayName) };
   return texts;
 }
 
@@ -187,7 +187,8 @@ TEST(Properties, HaveTheDefaultsOfTheTable)
   for (const Text& text : Texts())
   {
     EXPECT_EQ(text.Get(filter), std::get<std::string>(GetOption(Options{}, Row(text.Name))));
-    const bool isOfInput = text.Name == "ToleranceArrayName" || text.Name == "LabelArrayName";
+    const bool isOfInput = text.Name == "ToleranceArrayName" ||
+      text.Name == "EdgeLengthArrayName" || text.Name == "LabelArrayName";
     EXPECT_EQ(text.Get(filter).empty(), isOfInput) << text.Name;
   }
 }

@@ -17,7 +17,7 @@ REFERENCE = json.loads((pathlib.Path(os.environ["FOLDER"]) / "reference.json").r
 # ParaView says the unit in the names of arrays of millimeters; the filter does not.
 NAMES = {"DistanceArrayName": "Distance", "RunningErrorArrayName": "RunningError", "InputDistanceArrayName": "DistanceToResult",
          "ErrorBoundArrayName": "ErrorBound", "InputErrorBoundArrayName": "ErrorBoundToResult"}
-REJECTED = {"ReferenceTooFar", "NotANumber", "WrongIndex", "NoSuchTolerances", "BadTolerances"}
+REJECTED = {"ReferenceTooFar", "NotANumber", "WrongIndex", "NoSuchEdgeLengths", "NoSuchTolerances", "BadTolerances"}
 
 
 def filtered(surface, properties):

@@ -25,6 +25,7 @@ NUMBERS = {
     "RefinementEffort": (1.0, 0.5, (-0.1, 100.5, *NO_NUMBERS)),
     "MinimumAngle": (0.0, 20.0, (-1.0, 40.5, *NO_NUMBERS)),
     "EdgeLength": (0.0, 2.5, (-1.0, 1.1e30, *NO_NUMBERS)),
+    "ChordalError": (0.0, 0.05, (-1.0, 1.1e30, *NO_NUMBERS)),
     "Smoothing": (0.0, 0.25, (-1.0, 1.1e30, *NO_NUMBERS)),
     "FeatureAngle": (180.0, 45.0, (-1.0, 180.5, *NO_NUMBERS)),
     "NormalTolerance": (0.95, 0.5, (-0.1, 2.0, *NO_NUMBERS)),
@@ -50,6 +51,7 @@ TEXTS = {
     "ErrorBoundArrayName": "ErrorBound",
     "InputErrorBoundArrayName": "ErrorBoundToResult",
     "ToleranceArrayName": "",
+    "EdgeLengthArrayName": "",
     "LabelArrayName": "",
 }
 

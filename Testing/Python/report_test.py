@@ -64,6 +64,7 @@ RUNS = {
     "refined": (torus, {"MaximumError": 0.5, "Mode": vtkBoneDecimate.ACCURATE}),
     "angles": (torus, {"MaximumError": 0.5, "MinimumAngle": 20.0}),
     "edges": (torus, {"MaximumError": 0.5, "EdgeLength": 2.0}),
+    "local edges": (torus, {"MaximumError": 0.5, "EdgeLength": 3.0, "ChordalError": 0.1}),
     "boundaries": (plate, {"MaximumError": 0.1}),
     "thesis": (torus, {"Mode": vtkBoneDecimate.THESIS, "TargetNumberOfTriangles": 100}),
     "unmeasured": (torus, {"TargetReduction": 0.5, "MeasureDistances": False}),

@@ -63,6 +63,19 @@ TEST(IneffectiveOptions, ShapesNeedAModeThatKeepsThem)
   EXPECT_EQ(IneffectiveOf(options, shape), shape);
 }
 
+TEST(IneffectiveOptions, LocalLengthsNeedAnEdgeLength)
+{
+  const Names local = { "ChordalError", "EdgeLengthArrayName" };
+  Options options;
+  options.ChordalError = 0.1;
+  options.EdgeLengthArrayName = "Size";
+  EXPECT_EQ(IneffectiveOf(options, local), local);
+  options.EdgeLength = 2.0;
+  EXPECT_TRUE(IneffectiveOf(options, local).empty());
+  options.Mode = Mode::Thesis;
+  EXPECT_EQ(IneffectiveOf(options, local), local);
+}
+
 TEST(IneffectiveOptions, OfRoundsNeedAModeThatMakesThem)
 {
   const Names effort = { "RefinementEffort" };

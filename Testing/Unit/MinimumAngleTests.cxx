@@ -60,7 +60,7 @@ Decision DecideOn(double heightBefore, double heightAfter, double degrees)
   EditFilter::Pending pending;
   ShapeLimits limits;
   limits.LargestCosine = CosineOfDegrees(degrees);
-  return ShapeFilter(limits).Screen(mesh, edit, pending);
+  return ShapeFilter(limits, mesh, 1).Screen(mesh, edit, pending);
 }
 }
 

@@ -31,7 +31,7 @@ Report Compared(const Surface& surface, double degrees, double length)
   options.MinimumAngle = degrees;
   options.EdgeLength = length;
   Report report;
-  CompareShapes(surface, options, report);
+  CompareShapes(surface, options, ShapeLimitsOf(options), Vector3::Zero(), report);
   return report;
 }
 }

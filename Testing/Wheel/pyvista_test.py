@@ -109,6 +109,28 @@ print(pyvista.Sphere().bone.decimate(target_triangles=200).n_cells)
         with self.assertRaisesRegex(ValueError, "not both"):
             mesh.bone.decimate(tolerances=tolerances, tolerance_array="Tolerance")
 
+    def test_takes_edge_lengths_as_an_array_or_by_name(self):
+        mesh = bone(40)
+        middle, width = mesh.center[0], mesh.length
+        sizes = np.where(mesh.points[:, 0] < middle, 0.02, 0.06) * width
+        options = {"max_error": 0.01 * width, "edge_length": 0.06 * width, "mode": "Fast"}
+        fine = mesh.bone.decimate(edge_lengths=sizes, **options)
+        left = (fine.points[:, 0] < middle).sum()
+        self.assertGreater(left, 1.5 * (fine.n_points - left))
+        self.assertLessEqual(fine.bone.report["proof.upper"], 0.01 * width)
+        mesh["Size"] = sizes
+        np.testing.assert_array_equal(mesh.bone.decimate(edge_length_array="Size", **options).points, fine.points)
+        numbers = bonedecimate.decimate(mesh.points, mesh.regular_faces, edge_lengths=sizes, **options)
+        np.testing.assert_array_equal(numbers.points, fine.points)
+        with self.assertRaisesRegex(ValueError, "not both"):
+            mesh.bone.decimate(edge_lengths=sizes, edge_length_array="Size", **options)
+        with self.assertRaisesRegex(ValueError, "edge_lengths need edge_length"):
+            mesh.bone.decimate(edge_lengths=sizes, max_error=0.2)
+        with self.assertRaisesRegex(ValueError, "edge length"):
+            bonedecimate.decimate(mesh.points, mesh.regular_faces, edge_lengths=0.0 * sizes, **options)
+        curved = mesh.bone.decimate(chordal_error=0.001 * width, **options)
+        self.assertLess(curved.bone.report["edges.least_requested"], options["edge_length"])
+
     def test_returns_the_input_with_its_distances_on_request(self):
         mesh = bone(40)
         small, measured = mesh.bone.decimate(max_error=0.2, measure_input_distances=True, maps=True, with_input=True)

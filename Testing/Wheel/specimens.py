@@ -224,6 +224,9 @@ def cases():
         "NotANumber": (spoilt(torus(), (math.nan, 0, 0)), {}),
         "WrongIndex": (wrong_index(), {}),
         "WrongLines": (with_lines(torus(), wrong=True), half),
+        "EdgeLengths": (tolerant(torus(), lambda i: 1.0 + i % 9, vtkFloatArray),
+                        {"MaximumError": 0.2, "EdgeLength": 6.0, "EdgeLengthArrayName": "Tolerance", "ChordalError": 0.3}),
+        "NoSuchEdgeLengths": (torus(), {"EdgeLength": 6.0, "EdgeLengthArrayName": "Nonsense"}),
         "NoSuchTolerances": (torus(), {"ToleranceArrayName": "Nonsense"}),
         "BadTolerances": (tolerant(torus(), lambda i: math.inf), {"ToleranceArrayName": "Tolerance"}),
     }

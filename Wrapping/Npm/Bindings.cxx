@@ -130,10 +130,12 @@ val RunDecimate(const val& surface, const val& given, const val& progress)
   }
   const std::optional<LabelMapSource> source = SourceOf(surface);
   const std::vector<double> tolerances = ToNumbers<double>(surface["tolerances"]);
+  const std::vector<double> edgeLengths = ToNumbers<double>(surface["edgeLengths"]);
   RunInputs inputs;
   inputs.InputIsSingle = surface["isSingle"].as<bool>();
   inputs.WantsOrigins = options.MakeMaps;
   inputs.Tolerances = surface["tolerances"].isUndefined() ? nullptr : &tolerances;
+  inputs.EdgeLengths = surface["edgeLengths"].isUndefined() ? nullptr : &edgeLengths;
   inputs.LabelMap = source ? &*source : nullptr;
   const Result result = Decimate(ToSurface(surface), options, MonitorOf(progress), inputs);
   const bool isSingle = options.OutputPointsPrecision == PointsPrecision::Single ||

@@ -53,16 +53,19 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
   bool single, bool origins, const std::optional<NumbersIn>& tolerances,
   const std::optional<CellsIn>& cells,
   const std::optional<std::pair<PointsIn, TrianglesIn>>& reference, nb::object progress,
-  const std::optional<NamedLabels>& labels, const LabelMapSource* labelMap, RegionCache* prepared)
+  const std::optional<NamedLabels>& labels, const LabelMapSource* labelMap, RegionCache* prepared,
+  const std::optional<NumbersIn>& edgeLengths)
 {
   const std::optional<Labels> named = ToLabels(labels);
   const Surface surface = ToSurface(points, triangles);
   const Surface first = reference ? ToSurface(reference->first, reference->second) : Surface();
   const std::optional<std::vector<double>> numbers = ToNumbers(tolerances);
+  const std::optional<std::vector<double>> lengths = ToNumbers(edgeLengths);
   RunInputs inputs = { single, origins };
   inputs.Tolerances = numbers ? &*numbers : nullptr;
   inputs.Reference = reference ? &first : nullptr;
   inputs.Labels = named ? &*named : nullptr;
+  inputs.EdgeLengths = lengths ? &*lengths : nullptr;
   inputs.LabelMap = labelMap;
   inputs.Regions = prepared;
   Result result =
@@ -115,6 +118,7 @@ void BindDecimate(nb::module_& module)
     nb::arg("single"), nb::arg("origins"), nb::arg("tolerances").none(), nb::arg("cells").none(),
     nb::arg("reference").none(), nb::arg("progress").none(), nb::arg("labels").none() = nb::none(),
     nb::arg("label_map").none() = nb::none(), nb::arg("prepared").none() = nb::none(),
+    nb::arg("edge_lengths").none() = nb::none(),
     "One run; the keys of what it returns are those of Decimate.h.");
 }
 }

@@ -202,6 +202,7 @@ Options ExplainBound(
   const double requested = options.MaximumError;
   rounding.Reserve(options);
   ExplainReserve(requested, options, explanation);
+  NeedPointArray(subject.Surface, options.EdgeLengthArrayName, arguments.Inputs[0]);
   vtkNew<vtkBoneDecimate> filter;
   std::vector<std::string> warnings;
   const vtkSmartPointer<vtkPolyData> input = ApplyRegions(arguments.Regions,

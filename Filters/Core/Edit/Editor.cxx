@@ -120,7 +120,8 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   this->Filters.push_back(this->Fragments);
   if (!settings.Shape.IsAny())
   {
-    this->Filters.push_back(std::make_shared<ShapeFilter>(settings.Shape));
+    this->Filters.push_back(
+      std::make_shared<ShapeFilter>(settings.Shape, this->Half, settings.Threads));
   }
   if (voxelsFirst)
   {

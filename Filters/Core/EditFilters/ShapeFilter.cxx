@@ -4,6 +4,8 @@
 
 #include "Geometry/SmallestAngle.h"
 
+#include <algorithm>
+
 namespace bonedecimate
 {
 namespace
@@ -13,7 +15,7 @@ double SquareOfLongestSide(const Vector3& a, const Vector3& b, const Vector3& c)
   return std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() });
 }
 
-/// @param measure Of the corners of a triangle; larger is worse.
+/// @param measure Of the vertices and corners of a triangle; larger is worse.
 template <typename Measure>
 bool IsAllowed(
   const HalfEdgeMesh& mesh, const SurfaceChange& change, double limit, const Measure& measure)
@@ -21,14 +23,14 @@ bool IsAllowed(
   double after = limit;
   for (const SurfaceChange::Face& face : change.NewFaces)
   {
-    const auto& [a, b, c] = face.Corners;
-    after = std::max(after, measure(a, b, c));
+    after = std::max(after, measure(face.Vertices, face.Corners));
   }
   bool isAllowed = !(after > limit);
   for (std::size_t i = 0; i < change.OldFaces.size() && !isAllowed; ++i)
   {
     const Triangle v = mesh.Corners(change.OldFaces[i]);
-    isAllowed = measure(mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2])) >= after;
+    isAllowed =
+      measure(v, { mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]) }) >= after;
   }
   return isAllowed;
 }
@@ -38,12 +40,67 @@ Decision ShapeFilter::Screen(
   const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending&) const
 {
   const bool isSplit = edit.Requested.Kind == EditKind::Split;
-  const double longest = this->Limits.LongestEdge();
   const bool isAllowed = isSplit ||
-    ((!this->Limits.LimitsAngles() ||
-       IsAllowed(mesh, edit.Change, this->Limits.LargestCosine, CosineOfSmallestAngle)) &&
-      (!this->Limits.LimitsEdges() ||
-        IsAllowed(mesh, edit.Change, longest * longest, SquareOfLongestSide)));
+    ((!this->Limits.LimitsAngles() || this->KeepsAngles(mesh, edit.Change)) &&
+      (!this->Limits.LimitsEdges() || this->KeepsLengths(mesh, edit.Change)));
   return isAllowed ? Rejection::NotRejected : Rejection::Shape;
+}
+
+//------------------------------------------------------------------------------
+bool ShapeFilter::KeepsAngles(const HalfEdgeMesh& mesh, const SurfaceChange& change) const
+{
+  return IsAllowed(mesh, change, this->Limits.LargestCosine,
+    [](const Triangle&, const Corners& at) { return CosineOfSmallestAngle(at[0], at[1], at[2]); });
+}
+
+//------------------------------------------------------------------------------
+bool ShapeFilter::KeepsLengths(const HalfEdgeMesh& mesh, const SurfaceChange& change) const
+{
+  if (this->Limits.Local)
+  {
+    return IsAllowed(mesh, change, ShapeLimits::Longest * ShapeLimits::Longest,
+      [this](const Triangle& vertices, const Corners& at)
+      { return this->SquareOfLongestRatio(vertices, at); });
+  }
+  const double longest = this->Limits.LongestEdge();
+  return IsAllowed(mesh, change, longest * longest,
+    [](const Triangle&, const Corners& at) { return SquareOfLongestSide(at[0], at[1], at[2]); });
+}
+
+//------------------------------------------------------------------------------
+/// Of the sides of a triangle, the square of the largest ratio of a side to its local length. 0 if none is too long anywhere.
+double ShapeFilter::SquareOfLongestRatio(const Triangle& vertices, const Corners& at) const
+{
+  const double least = this->Limits.LeastOfLongest();
+  if (SquareOfLongestSide(at[0], at[1], at[2]) <= least * least)
+  {
+    return 0.0;
+  }
+  std::array<double, 3> lengths{};
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    lengths[k] = this->Lengths.At(vertices[k], at[k]);
+  }
+  double largest = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const std::size_t next = (k + 1) % 3;
+    const double length = std::min(lengths[k], lengths[next]);
+    largest = std::max(largest, (at[next] - at[k]).squaredNorm() / (length * length));
+  }
+  return largest;
+}
+
+//------------------------------------------------------------------------------
+void ShapeFilter::Commit(
+  const HalfEdgeMesh&, const ProposedEdit& edit, EditFilter::Pending&, Tally&)
+{
+  for (const SurfaceChange::Face& face : edit.Change.NewFaces)
+  {
+    for (std::size_t k = 0; k < 3 && this->Limits.Local; ++k)
+    {
+      this->Lengths.Keep(face.Vertices[k], face.Corners[k]);
+    }
+  }
 }
 }

@@ -12,24 +12,37 @@
 #define BoneDecimate_Core_EditFilters_ShapeFilter_h
 
 #include "EditFilter.h"
+#include "Mesh/LocalLengths.h"
 #include "Mesh/ShapeLimits.h"
+
+#include <array>
 
 namespace bonedecimate
 {
 class ShapeFilter : public EditFilter
 {
 public:
-  explicit ShapeFilter(const ShapeLimits& limits)
+  /// @param mesh Before the first edit.
+  ShapeFilter(const ShapeLimits& limits, const HalfEdgeMesh& mesh, int threads)
     : Limits(limits)
+    , Lengths(limits.Local, mesh, threads)
   {
   }
 
   bool NeedsSurfaceChange() const override { return true; }
   Decision Screen(
     const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending) const override;
+  void Commit(
+    const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending, Tally& tally) override;
 
 private:
+  using Corners = std::array<Vector3, 3>;
+  bool KeepsAngles(const HalfEdgeMesh& mesh, const SurfaceChange& change) const;
+  bool KeepsLengths(const HalfEdgeMesh& mesh, const SurfaceChange& change) const;
+  double SquareOfLongestRatio(const Triangle& vertices, const Corners& at) const;
+
   ShapeLimits Limits;
+  LocalLengths Lengths;
 };
 }
 

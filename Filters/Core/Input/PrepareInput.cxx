@@ -3,6 +3,7 @@
 #include "PrepareInput.h"
 
 #include "Diagnostics/Diagnostics.h"
+#include "EdgeLengths.h"
 #include "LabelMapInput.h"
 #include "Mesh/Checksum.h"
 #include "Mesh/ManifoldPatches.h"
@@ -183,6 +184,11 @@ PreparedInput PrepareInput(
   }
   if (report.Status == InputStatus::Good)
   {
+    report.Status =
+      CheckEdgeLengths(task.Inputs.EdgeLengths, task.Input.Points.size(), report.Cleaning);
+  }
+  if (report.Status == InputStatus::Good)
+  {
     report.InputChecksum = Checksum(task.Input, task.Effective.NumberOfThreads);
     prepared.Mesh =
       BuildMesh(task, prepared.Cleaned, progress, progress.Stage(checkedAt, builtAt), report);
@@ -194,6 +200,11 @@ PreparedInput PrepareInput(
     if (const std::vector<double>* tolerances = prepared.Tolerances.Capped())
     {
       prepared.VertexTolerances = TolerancesOf(prepared.Cleaned, *tolerances);
+    }
+    if (progress.GoesOn())
+    {
+      prepared.Sizes =
+        MakeSizingField(prepared.Cleaned, *prepared.Mesh, task.Inputs.EdgeLengths, task.Effective);
     }
   }
   return prepared;

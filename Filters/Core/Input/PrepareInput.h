@@ -13,6 +13,7 @@
  *     SortAlongCurve(cleaned)          neighbors in space become neighbors in memory
  *     HalfEdgeMesh(cleaned)            split where it is not manifold, and between labels
  *     TolerancesOf(cleaned)            of each vertex
+ *     MakeSizingField(mesh)            local lengths of edges
  */
 #ifndef BoneDecimate_Core_Input_PrepareInput_h
 #define BoneDecimate_Core_Input_PrepareInput_h
@@ -21,6 +22,7 @@
 #include "Mesh/Cleaning.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Mesh/PointRounding.h"
+#include "Mesh/SizingField.h"
 #include "Reference/ReferenceMesh.h"
 #include "ReferenceInput.h"
 #include "RunProgress.h"
@@ -75,7 +77,9 @@ struct PreparedInput
   PointTolerances Tolerances;
   std::vector<double>
     VertexTolerances; ///< mm, of each vertex of the mesh; negative: none. Empty: no vertex has one.
-  std::optional<HalfEdgeMesh> Mesh;        ///< None if the input was rejected.
+  std::optional<HalfEdgeMesh> Mesh; ///< None if the input was rejected.
+  std::shared_ptr<const SizingField>
+    Sizes; ///< Local lengths of edges; null: EdgeLength everywhere, or none.
   std::unique_ptr<ReferenceMesh> Original; ///< Of a part that is itself a result; null: the input.
 
   /// Whether every vertex has a tolerance.

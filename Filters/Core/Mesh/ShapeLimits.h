@@ -7,27 +7,39 @@
 #ifndef BoneDecimate_Core_Mesh_ShapeLimits_h
 #define BoneDecimate_Core_Mesh_ShapeLimits_h
 
-#include <limits>
+#include "Surface.h"
+
+#include <memory>
 
 namespace bonedecimate
 {
+class SizingField;
+
+/// Positions are relative to the local origin of the input.
 struct ShapeLimits
 {
-  double LargestCosine = 1.0; ///< That of the least angle; 1: any.
-  double EdgeLength = 0.0;    ///< mm, that edges are to have; 0: any.
+  double LargestCosine = 1.0;                    ///< That of the least angle; 1: any.
+  double EdgeLength = 0.0;                       ///< mm, that edges are to have, at most; 0: any.
+  std::shared_ptr<const SizingField> Local = {}; ///< Where it is less; null: nowhere.
 
   bool LimitsAngles() const { return this->LargestCosine < 1.0; }
   bool LimitsEdges() const { return this->EdgeLength > 0.0; }
   bool IsAny() const { return !this->LimitsAngles() && !this->LimitsEdges(); }
 
-  /// mm; longer edges are split. The halves of a longer one differ less from the length than itself.
-  double LongestEdge() const
-  {
-    return this->LimitsEdges() ? 4.0 / 3.0 * this->EdgeLength
-                               : std::numeric_limits<double>::infinity();
-  }
-  /// mm; shorter edges are collapsed. Both limits are those of Botsch and Kobbelt (EdgeSizer.h).
-  double ShortestEdge() const { return 0.8 * this->EdgeLength; }
+  /// mm, that an edge with these ends is to have: the smaller one of those at its ends.
+  double LengthOf(const Vector3& a, const Vector3& b) const;
+
+  /// Of the length: longer edges are split. The halves of a longer one differ less from the length than itself.
+  static constexpr double Longest = 4.0 / 3.0;
+  /// Of the length: shorter edges are collapsed. Both are those of Botsch and Kobbelt (EdgeSizer.h).
+  static constexpr double Shortest = 0.8;
+
+  /// mm; no longer edge may stay anywhere.
+  double LongestEdge() const { return this->LimitsEdges() ? Longest * this->EdgeLength : Infinity; }
+  /// mm; a shorter one may be split somewhere.
+  double LeastOfLongest() const;
+  /// mm; no edge that is not shorter is collapsed anywhere.
+  double ShortestEdge() const { return Shortest * this->EdgeLength; }
 };
 }
 

@@ -188,24 +188,28 @@ std::vector<std::pair<Index, Index>> EdgesOf(const Surface& surface)
   return edges;
 }
 
-EdgeFigures FindEdges(const Surface& surface, const ShapeLimits& limits)
+EdgeFigures FindEdges(const Surface& surface, const ShapeLimits& limits, const Vector3& origin)
 {
   constexpr double rounding = 1e-6; // of a length: the output may round positions
   const std::vector<std::pair<Index, Index>> edges = EdgesOf(surface);
   EdgeFigures found;
   double sum = 0.0;     // mm
   double longest = 0.0; // mm
+  double worst = 0.0;   // of the length requested
   for (const auto& [from, to] : edges)
   {
     const Vector3& a = surface.Points[from];
     const Vector3& b = surface.Points[to];
     const double length = (b - a).norm();
     sum += length;
-    found.Longer += length > limits.LongestEdge() * (1.0 + rounding) ? 1 : 0;
-    found.Shorter += length < limits.ShortestEdge() * (1.0 - rounding) ? 1 : 0;
-    if (length > longest)
+    const double requested = limits.LengthOf(a - origin, b - origin);
+    const bool isLonger = length > ShapeLimits::Longest * requested * (1.0 + rounding);
+    found.Longer += isLonger ? 1 : 0;
+    found.Shorter += length < ShapeLimits::Shortest * requested * (1.0 - rounding) ? 1 : 0;
+    longest = std::max(longest, length);
+    if (isLonger && length / requested > worst)
     {
-      longest = length;
+      worst = length / requested;
       found.Worst = 0.5 * (a + b);
     }
   }
@@ -213,17 +217,19 @@ EdgeFigures FindEdges(const Surface& surface, const ShapeLimits& limits)
   {
     found.Mean = sum / static_cast<double>(edges.size());
     found.Longest = longest;
+    found.LeastRequested = limits.LeastOfLongest() / ShapeLimits::Longest;
   }
   return found;
 }
 }
 
-ShapeLimits ShapeLimitsOf(const Options& options)
+ShapeLimits ShapeLimitsOf(const Options& options, std::shared_ptr<const SizingField> local)
 {
   constexpr double margin = 1e-3; // degrees
   constexpr double sliver = 20.0; // degrees
   ShapeLimits limits;
   limits.EdgeLength = options.EffectiveEdgeLength();
+  limits.Local = std::move(local);
   const double requested = options.EffectiveMinimumAngle();
   const double angle = requested == 0.0 && limits.LimitsEdges() ? sliver : requested;
   limits.LargestCosine = angle > 0.0 ? CosineOfDegrees(angle + margin) : 1.0;
@@ -231,11 +237,11 @@ ShapeLimits ShapeLimitsOf(const Options& options)
 }
 
 //------------------------------------------------------------------------------
-void CompareShapes(const Surface& surface, const Options& options, Report& report)
+void CompareShapes(const Surface& surface, const Options& options, const ShapeLimits& limits,
+  const Vector3& origin, Report& report)
 {
-  const ShapeLimits limits = ShapeLimitsOf(options);
   const double angle = options.EffectiveMinimumAngle();
   report.Angles = angle > 0.0 ? FindBelowAngle(surface, angle) : AngleFigures();
-  report.Edges = limits.LimitsEdges() ? FindEdges(surface, limits) : EdgeFigures();
+  report.Edges = limits.LimitsEdges() ? FindEdges(surface, limits, origin) : EdgeFigures();
 }
 }

@@ -14,6 +14,8 @@
 #include "ShapeLimits.h"
 #include "Surface.h"
 
+#include <memory>
+
 namespace bonedecimate
 {
 /// Triangles without area count as of angle 0 and are left out of everything else.
@@ -24,10 +26,14 @@ void AddShapes(const ShapeStatistics& other, ShapeStatistics& sum);
 
 /// What the edits of a run keep. The least angle is a little larger than requested: the output may round positions. An edge length needs
 /// one, too: slivers have edges of any length.
-ShapeLimits ShapeLimitsOf(const Options& options);
+/// @param local Lengths of edges where they are less than EdgeLength; null: nowhere.
+ShapeLimits ShapeLimitsOf(
+  const Options& options, std::shared_ptr<const SizingField> local = nullptr);
 
-/// Compares the triangles with the MinimumAngle and the EdgeLength of a run.
-void CompareShapes(const Surface& surface, const Options& options, Report& report);
+/// Compares the triangles with the MinimumAngle and the edge lengths of a run.
+/// @param origin mm, that the positions of the limits are relative to.
+void CompareShapes(const Surface& surface, const Options& options, const ShapeLimits& limits,
+  const Vector3& origin, Report& report);
 }
 
 #endif

@@ -48,6 +48,11 @@ bool MeasuresResult(const Options& options)
   return options.MeasureDistances || FindMode(options.Mode).RecordsDistances;
 }
 
+bool HasEdgeLength(const Options& options)
+{
+  return options.EffectiveEdgeLength() > 0.0;
+}
+
 struct Need
 {
   const char* Option;
@@ -61,6 +66,9 @@ std::vector<Need> MakeNeeds()
     "another Mode than " + ModeNamesWhere([](const ModeInfo& mode) { return !mode.ProvesError(); });
   const std::string toleranceMode =
     "Mode " + ModeNamesWhere([](const ModeInfo& mode) { return mode.HasNormalTolerance(); });
+  const std::string shapeMode =
+    "Mode " + ModeNamesWhere([](const ModeInfo& mode) { return mode.LimitsShapes(); });
+  const std::string edgeLength = "EdgeLength and " + shapeMode;
   const std::string proof =
     "ProveResult with MaximumError, ErrorPreset or ToleranceArrayName, and " + provingMode;
   return {
@@ -74,9 +82,11 @@ std::vector<Need> MakeNeeds()
       "MaximumError, ErrorPreset or ToleranceArrayName, and Mode " +
         ModeNamesWhere([](const ModeInfo& mode) { return mode.Refine.ProvedRounds > 0; }) },
     { "MinimumAngle", [](const Options& o) { return o.MinimumAngle == o.EffectiveMinimumAngle(); },
-      "Mode " + ModeNamesWhere([](const ModeInfo& mode) { return mode.LimitsShapes(); }) },
+      shapeMode },
     { "EdgeLength", [](const Options& o) { return o.EdgeLength == o.EffectiveEdgeLength(); },
-      "Mode " + ModeNamesWhere([](const ModeInfo& mode) { return mode.LimitsShapes(); }) },
+      shapeMode },
+    { "ChordalError", HasEdgeLength, edgeLength },
+    { "EdgeLengthArrayName", HasEdgeLength, edgeLength },
     { "VoxelSize", [](const Options& o) { return o.ErrorPreset != ErrorPreset::NoPreset; },
       "ErrorPreset" },
     { "AutomaticSmoothing", [](const Options& o) { return o.Smoothing == 0.0; }, "Smoothing 0" },

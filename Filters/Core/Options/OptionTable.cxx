@@ -64,6 +64,12 @@ std::vector<OptionInfo> GoalRows()
       "than requested, and levels of detail have no splits; the report counts the edges that are "
       "left. Without MinimumAngle no edit makes "
       "an angle below 20 degrees. 0: off." },
+    { "ChordalError", &Options::ChordalError, 0, LargestNumber, "mm", "chordal-error", {},
+      "With EdgeLength: edges are shorter where the surface is curved, so that an equilateral "
+      "triangle with its corners on a sphere of the local curvature lies at most this far below "
+      "it. Lengths are not shortened below a tenth of EdgeLength, and grow by at most 0.3 mm for "
+      "each mm along the surface. The curvature is that of the input, averaged within a quarter of "
+      "EdgeLength. 0: off." },
   };
 }
 
@@ -164,6 +170,10 @@ std::vector<OptionInfo> ProofRows()
       "keeps the point and its triangles unchanged. A negative value sets no limit. A positive "
       "value is interpolated linearly on each triangle and proved like MaximumError, which is an "
       "upper limit for all. Thesis mode accepts only 0 and negative values. Empty: none." },
+    { "EdgeLengthArrayName", &Options::EdgeLengthArrayName, 0, 0, "", "edge-length-array", {},
+      "With EdgeLength: name of a numeric point array of the input with the length that edges are "
+      "to have at each point, in mm, above 0. EdgeLength is an upper limit for all. Lengths grow "
+      "by at most 0.3 mm for each mm along the surface. Empty: none." },
     { "LabelArrayName", &Options::LabelArrayName, 0, 0, "", "labels", {},
       "Name of an integer cell or point array with the bone, fragment or segment of each triangle. "
       "A cell array takes precedence; of a point array the majority of the three corners counts. "

@@ -51,6 +51,7 @@ struct Options
   double RefinementEffort = 1.0; // rounds, relative to those of the mode
   double MinimumAngle = 0.0;     // degrees
   double EdgeLength = 0.0;       // mm
+  double ChordalError = 0.0;     // mm
   double Smoothing = 0.0;        // mm
   bool AutomaticSmoothing = false;
   double FeatureAngle = 180.0; // degrees
@@ -70,6 +71,7 @@ struct Options
   std::string PointCountArrayName = "InputPointCount";
   std::string InputDistanceArrayName = "DistanceToResult";
   std::string ToleranceArrayName;
+  std::string EdgeLengthArrayName;
   std::string LabelArrayName;
   bool ProveResult = true;
   std::string ErrorBoundArrayName = "ErrorBound";

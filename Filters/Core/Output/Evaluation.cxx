@@ -73,7 +73,8 @@ public:
     report.Output = editor.NumberOfCollapses() == 0
       ? Describe(this->Run.LocalResult, counts, threads)
       : Describe(this->Run.LocalResult, threads);
-    CompareShapes(this->Output.Surface, this->Requested, report);
+    CompareShapes(this->Output.Surface, this->Requested,
+      ShapeLimitsOf(this->Requested, this->Run.Sizes), this->Run.Cleaned.Origin, report);
     if (const LabelMapSource* map = this->Run.Inputs.LabelMap)
     {
       report.Input.Volume -= VolumeOfWalls(

@@ -18,7 +18,10 @@
 #include "Decimate.h"
 #include "Edit/Editor.h"
 #include "Mesh/Cleaning.h"
+#include "Mesh/SizingField.h"
 #include "RunProgress.h"
+
+#include <memory>
 
 namespace bonedecimate
 {
@@ -32,6 +35,7 @@ struct EvaluatedRun
   const Surface* Reference;   ///< mm, as stored; distances are measured to it; null: to the input.
   bool IsProvedNext;          ///< whether a certificate of surfaces and boundaries follows
   const RunInputs& Inputs;
+  std::shared_ptr<const SizingField> Sizes; ///< Local lengths of edges; null: none.
   double SmallestPart; ///< mm^3, PartComparison::SmallestVolume; 0: parts are not compared.
 };
 

@@ -73,7 +73,8 @@ public:
       whole.BoundaryLabels = std::move(all.Labels);
       this->Totals.Write(whole.Report);
       whole.Report.Output = Describe(whole.Surface, this->Effective.NumberOfThreads);
-      CompareShapes(whole.Surface, this->Effective, whole.Report);
+      CompareShapes(whole.Surface, this->Effective, ShapeLimitsOf(this->Effective), Vector3::Zero(),
+        whole.Report);
       whole.Report.Stop = StopReason::ErrorReached;
       if (this->Proof.WasMade)
       {

@@ -194,7 +194,8 @@ void CombineReports(const WholeSurface& whole, const RegionParts& parts,
   report.Input = whole.Statistics;
   report.Output =
     StatisticsOfResult(whole, parts, changes, result.Surface, report.Requested.NumberOfThreads);
-  CompareShapes(result.Surface, report.Requested, report);
+  CompareShapes(
+    result.Surface, report.Requested, ShapeLimitsOf(report.Requested), Vector3::Zero(), report);
   report.InputChecksum = whole.Checksum;
   report.RunningError = result.Distance.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0;
   CombineEdits(parts, report);

@@ -30,10 +30,11 @@ bool CanRunInParts(const Options& options, const RunInputs& inputs)
 {
   const std::vector<double>& tolerances = *inputs.Tolerances;
   const bool isPlain = inputs.Reference == nullptr && inputs.LabelMap == nullptr &&
-    inputs.Log == nullptr && inputs.Part == nullptr;
+    inputs.Log == nullptr && inputs.Part == nullptr && inputs.EdgeLengths == nullptr;
   const bool hasTarget = options.TargetNumberOfTriangles > 0 || options.TargetReductionIsExplicit;
   const bool needsWhole = options.Smooths() || options.Prunes() || options.DiagnoseInput ||
-    options.MeasureInputDistances || options.KeepVoxels == KeepVoxels::On;
+    options.MeasureInputDistances || options.KeepVoxels == KeepVoxels::On ||
+    options.ChordalError > 0.0;
   return isPlain && !hasTarget && !needsWhole && options.ProvesError() &&
     (options.BoundsError() ||
       std::none_of(tolerances.begin(), tolerances.end(), [](double t) { return t < 0.0; }));

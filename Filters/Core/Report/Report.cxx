@@ -176,6 +176,28 @@ const char* RegionStatusWord(RegionStatus status)
   return WordOf(words, status);
 }
 
+namespace
+{
+/// Of tolerances and edge lengths, one for each point.
+std::string NumbersMessage(const CleaningStatistics& found, InputStatus status)
+{
+  const bool areLengths = status == InputStatus::BadEdgeLengths;
+  if ((areLengths ? found.BadEdgeLengths : found.BadTolerances) == 0)
+  {
+    return std::string("there is not one ") + (areLengths ? "edge length" : "tolerance") +
+      " for each point";
+  }
+  if (!areLengths)
+  {
+    return Found(found.BadTolerances, "points have a tolerance that is NaN or beyond 1e30 mm",
+      "point", found.FirstBadTolerance);
+  }
+  return Found(found.BadEdgeLengths,
+    "points have an edge length that is not above 0 mm, NaN or beyond 1e30 mm", "point",
+    found.FirstBadEdgeLength);
+}
+}
+
 std::string InputMessage(const Report& report)
 {
   const CleaningStatistics& found = report.Cleaning;
@@ -202,10 +224,8 @@ std::string InputMessage(const Report& report)
       return "the input has " + std::to_string(found.TrianglesRead) +
         " triangles; 536870911 is the most";
     case InputStatus::BadTolerances:
-      return found.BadTolerances == 0
-        ? "there is not one tolerance for each point"
-        : Found(found.BadTolerances, "points have a tolerance that is NaN or beyond 1e30 mm",
-            "point", found.FirstBadTolerance);
+    case InputStatus::BadEdgeLengths:
+      return NumbersMessage(found, report.Status);
     case InputStatus::TolerancesInThesis:
       return "Thesis mode proves no distances: its tolerances can only be 0 (no change) or "
              "negative "

@@ -36,6 +36,7 @@ enum class InputStatus : int
   IndexOutOfRange,       ///< A triangle has a point index out of range.
   TooManyTriangles,      ///< More than 2^31 / 4 triangles.
   BadTolerances,         ///< NaN or infinite, or not one for each point.
+  BadEdgeLengths,        ///< Not above 0, NaN or infinite, or not one for each point.
   TolerancesInThesis,    ///< Thesis mode proves nothing: it allows only 0 and no limit.
   ReferenceWithoutError, ///< A reference needs a largest error.
   BadReference,          ///< It has no triangle, or would be rejected as an input.
@@ -111,6 +112,8 @@ struct CleaningStatistics
   std::int64_t FirstNonManifoldPoint = -1;
   std::int64_t BadTolerances = 0; ///< NaN or beyond 1e30 mm.
   std::int64_t FirstBadTolerance = -1;
+  std::int64_t BadEdgeLengths = 0; ///< Not above 0, NaN or beyond 1e30 mm.
+  std::int64_t FirstBadEdgeLength = -1;
   /// After merging: points that rounding to single precision moves farther than allowed.
   std::int64_t CoarsePoints = 0;
   std::int64_t MeetingPoints =

@@ -34,6 +34,7 @@ void AddShapeLimits(Entries& entries, const Report& report)
   {
     entries.push_back({ "edges.mean_length", "mm", report.Edges.Mean });
     entries.push_back({ "edges.longest", "mm", report.Edges.Longest });
+    AddIfKnown(entries, "edges.least_requested", "mm", report.Edges.LeastRequested);
     entries.push_back({ "edges.longer", "", report.Edges.Longer });
     entries.push_back({ "edges.shorter", "", report.Edges.Shorter });
     if (report.Edges.Longer > 0)

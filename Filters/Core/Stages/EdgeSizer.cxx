@@ -6,6 +6,9 @@
 #include "ShapeImprover.h"
 #include "ShapeLoop.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace bonedecimate
 {
 namespace
@@ -17,11 +20,28 @@ constexpr int MostSplitPasses = 24;
 constexpr std::int64_t LeastOfRound = 256;
 }
 
-EdgeSizer::EdgeSizer(Editor& editor, const ShapeLimits& limits)
+EdgeSizer::EdgeSizer(Editor& editor, const ShapeLimits& limits, int threads)
   : MeshEditor(editor)
   , Limits(limits)
+  , Lengths(limits.Local, editor.Mesh(), threads)
   , Edges(editor, limits.LargestCosine, CosineOfRelaxed)
 {
+}
+
+//------------------------------------------------------------------------------
+/// Whether that is so of the ratio of an edge to its local length; true if there are none.
+template <typename Predicate>
+bool EdgeSizer::IsLocally(HalfEdgeId edge, const Predicate& predicate)
+{
+  if (!this->Limits.Local)
+  {
+    return true;
+  }
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  const auto lengthAt = [&](VertexId vertex)
+  { return this->Lengths.Keep(vertex, mesh.Position(vertex)); };
+  const double length = std::min(lengthAt(mesh.Origin(edge)), lengthAt(mesh.Target(edge)));
+  return predicate(std::sqrt(SquaredLength(mesh, edge)) / length);
 }
 
 //------------------------------------------------------------------------------
@@ -57,9 +77,11 @@ bool EdgeSizer::Collapse(Index faces, const Monitor& monitor)
   return ForEachOf(edges.size(), monitor,
     [&](std::size_t i)
     {
-      if (IsUnchanged(mesh, edges[i]) && mesh.NumberOfFaces() > faces)
+      const HalfEdgeId edge = edges[i].Edge;
+      if (IsUnchanged(mesh, edges[i]) && mesh.NumberOfFaces() > faces &&
+        this->IsLocally(edge, [](double ratio) { return ratio < ShapeLimits::Shortest; }))
       {
-        this->Edges.Try(edges[i].Edge);
+        this->Edges.Try(edge);
       }
     });
 }
@@ -87,7 +109,7 @@ bool EdgeSizer::Split(Index faces, const Monitor& monitor)
 bool EdgeSizer::SplitOnce(Index faces, std::int64_t& splits, const Monitor& monitor)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  const std::vector<EdgeOfLength> edges = EdgesByLength(mesh, this->Limits.LongestEdge());
+  const std::vector<EdgeOfLength> edges = EdgesByLength(mesh, this->Limits.LeastOfLongest());
   splits = 0;
   return ForEachOf(edges.size(), monitor,
     [&](std::size_t i)
@@ -96,11 +118,25 @@ bool EdgeSizer::SplitOnce(Index faces, std::int64_t& splits, const Monitor& moni
       const bool mayGrow = faces == 0 || mesh.NumberOfFaces() + 2 <= faces;
       if (IsUnchanged(mesh, edge) && mayGrow)
       {
-        const Vector3 middle =
-          0.5 * (mesh.Position(mesh.Origin(edge.Edge)) + mesh.Position(mesh.Target(edge.Edge)));
-        splits += this->MeshEditor.Split(edge.Edge, middle, this->Space).IsAccepted() ? 1 : 0;
-        this->MeshEditor.Settle(this->Space.Counted);
+        splits += this->SplitInTheMiddle(edge.Edge) ? 1 : 0;
       }
     });
 }
+
+//------------------------------------------------------------------------------
+/// Whether the edge was longer than is allowed where it is, and was split.
+bool EdgeSizer::SplitInTheMiddle(HalfEdgeId edge)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  if (!this->IsLocally(edge, [](double ratio) { return ratio > ShapeLimits::Longest; }))
+  {
+    return false;
+  }
+  const Vector3 middle =
+    0.5 * (mesh.Position(mesh.Origin(edge)) + mesh.Position(mesh.Target(edge)));
+  const bool isSplit = this->MeshEditor.Split(edge, middle, this->Space).IsAccepted();
+  this->MeshEditor.Settle(this->Space.Counted);
+  return isSplit;
+}
+
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EdgeSizer.h
- * @brief Brings the edges of a mesh to a length: the loop of Botsch and Kobbelt, "A Remeshing Approach to Multiresolution Modeling" (2004).
+ * @brief Brings the edges of a mesh to a length, or each to its own: the loop of Botsch and Kobbelt, "A Remeshing Approach to Multiresolution Modeling" (2004).
  *
  *     a round:      collapse short edges, the shortest first; split long ones, the longest first; flip and move
  *     at the end:   split what has become too long
@@ -14,6 +14,7 @@
 #define BoneDecimate_Core_Stages_EdgeSizer_h
 
 #include "Edit/Editor.h"
+#include "Mesh/LocalLengths.h"
 #include "Monitor.h"
 #include "ShapeCollapse.h"
 
@@ -23,7 +24,7 @@ class EdgeSizer
 {
 public:
   /// @param limits With a length and a least angle.
-  EdgeSizer(Editor& editor, const ShapeLimits& limits);
+  EdgeSizer(Editor& editor, const ShapeLimits& limits, int threads);
 
   /// @param faces No collapse begins at that many faces or fewer, and no split makes more; 0: any number.
   /// @return False if the monitor requests a stop.
@@ -33,9 +34,13 @@ private:
   bool Collapse(Index faces, const Monitor& monitor);
   bool Split(Index faces, const Monitor& monitor);
   bool SplitOnce(Index faces, std::int64_t& splits, const Monitor& monitor);
+  bool SplitInTheMiddle(HalfEdgeId edge);
+  template <typename Predicate>
+  bool IsLocally(HalfEdgeId edge, const Predicate& predicate);
 
   Editor& MeshEditor;
   ShapeLimits Limits;
+  LocalLengths Lengths;
   ShapeCollapse Edges;
   Workspace Space;
 };

@@ -59,7 +59,7 @@ bool ImproveShape(const StageInput& input, const Monitor& monitor)
   }
   const double sizedAt = !input.Shape.LimitsEdges() ? 0.0 : input.Shape.LimitsAngles() ? 0.5 : 1.0;
   return (!input.Shape.LimitsEdges() ||
-           EdgeSizer(input.MeshEditor, input.Shape)
+           EdgeSizer(input.MeshEditor, input.Shape, input.Threads)
              .Run(input.Stops.Faces, PartOf(monitor, 0.0, sizedAt))) &&
     (!input.Shape.LimitsAngles() || EnlargeAngles(input, PartOf(monitor, sizedAt, 1.0)));
 }

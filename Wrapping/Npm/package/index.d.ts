@@ -32,6 +32,8 @@ export interface Surface extends Partial<LabelArrays> {
   triangles: Int32Array | Uint32Array;
   /** mm, the largest error at each point: 0 keeps it, a negative number stands for `maxError`. */
   tolerances?: Float32Array | Float64Array;
+  /** mm, above 0, the length that edges are to have at each point, at most `edgeLength`, which must be given. */
+  edgeLengths?: Float32Array | Float64Array;
 }
 
 export interface LabelMap {

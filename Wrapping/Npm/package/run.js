@@ -21,16 +21,18 @@ function isOf(array, kinds) {
 
 /** What the worker needs of a surface; arrays of anything else stay where they are. */
 function surfaceFrom(surface, name) {
-  const { points, triangles, tolerances } = surface ?? {};
+  const { points, triangles, tolerances, edgeLengths } = surface ?? {};
   check(isOf(points, [Float32Array, Float64Array]), `${name}.points is a Float32Array or a Float64Array`);
   check(isOf(triangles, [Int32Array, Uint32Array]), `${name}.triangles is an Int32Array or a Uint32Array`);
   check(points.length % 3 === 0, `${name}.points has three numbers for each point`);
   check(triangles.length % 3 === 0, `${name}.triangles has three indices for each triangle`);
-  check(
-    !tolerances || (isOf(tolerances, [Float32Array, Float64Array]) && 3 * tolerances.length === points.length),
-    `${name}.tolerances has a number for each point`
-  );
-  const taken = { points, triangles, tolerances, isSingle: points instanceof Float32Array };
+  for (const [key, numbers] of Object.entries({ tolerances, edgeLengths })) {
+    check(
+      !numbers || (isOf(numbers, [Float32Array, Float64Array]) && 3 * numbers.length === points.length),
+      `${name}.${key} has a number for each point`
+    );
+  }
+  const taken = { points, triangles, tolerances, edgeLengths, isSingle: points instanceof Float32Array };
   if (surface.grid) {
     const { boundaryLabels, gridPoints, labelValues } = surface;
     const hasPoints = gridPoints?.length === points.length;
@@ -102,6 +104,7 @@ export function makeFunctions(createWorker, compile) {
   return {
     async decimate(surface, options = {}, run = {}) {
       const input = surfaceFrom(surface, 'surface');
+      check(!input.edgeLengths || options.edgeLength > 0, 'surface.edgeLengths need edgeLength, an upper limit for all');
       const result = await call('decimate', [input, options], run);
       return { ...result, report: JSON.parse(result.report) };
     },

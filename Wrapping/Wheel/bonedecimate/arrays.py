@@ -16,7 +16,7 @@ from .options import WITHOUT_ARRAYS, WITHOUT_GOALS, deprecated, number, read, sw
 from .label_maps import extract_label
 from .progress import Aborted, Progress, listener
 from .report import Report
-from .surfaces import Surface, input_from, labels_from, surface_from, tolerances_from, warn
+from .surfaces import Surface, edge_lengths_from, input_from, labels_from, surface_from, tolerances_from, warn
 from .voxel_check import Comparison, VoxelChanges, with_label_map
 from .voxels import SurfaceSource, VoxelGrid
 
@@ -150,14 +150,13 @@ def decimate(
     label_map: LabelMapLike | VoxelGrid | None = None,
     boundary_labels: ArrayLike | None = None,
     reference: SurfaceLike | None = None,
+    edge_lengths: ArrayLike | None = None,
     prepared: _core.PreparedSurface | None = None,
     progress: bool | Progress | None = None,
     profile: str | None = None,
     **options: Unpack[ArrayOptions],
 ) -> Result:
-    """A surface with fewer triangles, and what that cost in millimeters.
-
-    Each defect of the input that was repaired is a Python warning, and in ``warnings`` of the result.
+    """A surface with fewer triangles, and what that cost in millimeters. Repaired defects of the input are Python warnings.
 
     Parameters
     ----------
@@ -177,6 +176,8 @@ def decimate(
         The labels on both sides of each triangle, the normal points to the second; 0 is the background. Needs a grid.
     reference : mesh, (points, triangles), or what `decimate` returned, optional
         What this surface was made from; ``max_error``, which must be given, is proved against it.
+    edge_lengths : (n,) array of float, mm, optional
+        The length that edges are to have at each point, at most ``edge_length``, which must be given.
     prepared : `PreparedSurface`, optional
         Keeps what runs with tolerances of 0 prepare, so that the next ones on the same surface run only regions that are new.
     progress : bool or function, optional
@@ -187,25 +188,25 @@ def decimate(
 
     Raises
     ------
-    TypeError
-        An unknown option, values and arrays of a wrong type.
-    ValueError
-        Arrays of a wrong shape, options out of range, surfaces that cannot be used: without triangles (an empty one, too),
-        points that are not finite, indices out of range.
+    TypeError, ValueError
+        An unknown option, values and arrays of a wrong type; arrays of a wrong shape, options out of range,
+        surfaces that cannot be used: without triangles (an empty one, too), points that are not finite, indices out of range.
     RuntimeError
         The certificate contradicts the largest error: a defect of this software.
     KeyboardInterrupt
-        Ctrl-C in the main thread ends the run within a hundredth of it.
+        Ctrl-C in the main thread ends the run.
 
     The bytes of the result are those of the C++ filter, for any number of threads. Other Python threads run meanwhile.
     """
     values = read(options, decimate, profile)
-    return _run(input_from(points, triangles), values, tolerances, labels, label_map, boundary_labels, reference, progress, prepared)
+    return _run(input_from(points, triangles), values, tolerances, labels, label_map, boundary_labels, reference, progress, prepared,
+                edge_lengths)
 
 
 def _run(surface: Surface, values: _core.Options, tolerances: ArrayLike | None, labels: ArrayLike | None,
          label_map: LabelMapLike | VoxelGrid | None, boundary_labels: ArrayLike | None, reference: SurfaceLike | None,
-         progress: bool | Progress | None, prepared: _core.PreparedSurface | None = None) -> Result:
+         progress: bool | Progress | None, prepared: _core.PreparedSurface | None = None,
+         edge_lengths: ArrayLike | None = None) -> Result:
     """The warnings name the caller of the caller."""
     if prepared is not None and not isinstance(prepared, _core.PreparedSurface):
         raise TypeError(f"prepared takes a PreparedSurface, not {type(prepared).__name__}")
@@ -215,9 +216,10 @@ def _run(surface: Surface, values: _core.Options, tolerances: ArrayLike | None, 
     first = None if reference is None else surface_from(reference, "reference")
     withOrigins = bool(values.get("MakeMaps")) or named is not None
     limits = tolerances_from(tolerances, len(surface.points))
+    lengths = edge_lengths_from(edge_lengths, len(surface.points), values)
     with listener(progress) as heard:
         outcome = _core.decimate(*surface[:2], values, surface.is_single, withOrigins, limits, None, first and first[:2], heard,
-                                 named, source and source.to_core(), prepared)
+                                 named, source and source.to_core(), prepared, lengths)
     outcome["warnings"] = surface.warnings + (first.warnings if first else []) + outcome["warnings"]
     raise_problems(outcome)
     if voxels is not None:

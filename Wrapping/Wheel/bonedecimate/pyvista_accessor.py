@@ -20,12 +20,12 @@ from .label_arrays import BOUNDARY_LABELS, GRID_POINT, LABEL_VALUES, add_grid
 from .label_maps import LabelSurfaces, extract_surfaces
 from .label_pieces import PieceChanges, change_pieces
 from .levels import Levels, open_levels, record_levels
-from .options import WITHOUT_LEVELS, number, read, switch, takes_options
+from .options import WITHOUT_LEVELS, number, read, switch, takes_options, words
 from .polydata import surface_of
 from .progress import Progress, listener
 from .report import Report
 from .run import fill_input_copy, fill_output, run, set_report
-from .surfaces import labels_from, surface_from, tolerances_from, warn
+from .surfaces import edge_lengths_from, labels_from, surface_from, tolerances_from, warn
 from .voxel_check import NO_GRID, Comparison, VoxelChanges, check_voxels, source_with
 from .voxels import pairs_from
 
@@ -40,6 +40,7 @@ ERROR = "SignedDistance"
 SIDE = "Side"
 # Of what is given as arrays and not by name.
 TOLERANCES = "Tolerances"
+EDGE_LENGTHS = "EdgeLengths"
 LABELS = "Labels"
 
 
@@ -101,14 +102,14 @@ class BoneAccessor:
         labels: str | ArrayLike | None = None,
         label_map: LabelMapLike | VoxelGrid | None = None,
         boundary_labels: ArrayLike | None = None,
+        edge_lengths: ArrayLike | None = None,
         reference: SurfaceLike | None = None,
         with_input: bool = False,
         progress_bar: bool | Progress = False,
         profile: str | None = None,
         **options: Unpack[MeshOptions],
     ) -> pv.PolyData | tuple[pv.PolyData, pv.PolyData]:
-        """A smaller surface with the arrays of this one, its distance to this one, and the report as field data. Defects that were
-        repaired are Python warnings.
+        """A smaller surface with the arrays of this one, its distance to it, and the report as field data. Repairs are warnings.
 
         Parameters
         ----------
@@ -120,11 +121,12 @@ class BoneAccessor:
             the cell array Labels: the lines between different ones are simplified only along themselves.
         label_map, boundary_labels : optional
             As `bonedecimate.decimate` takes them, pairs of labels for each cell. Meshes of ``image.bone.surfaces()`` know both.
+        edge_lengths : (n_points,) array of float, mm, optional
+            Of edges at each point, at most ``edge_length``, which must be given. ``edge_length_array`` names an array of the mesh.
         reference : mesh, (points, triangles), or what `bonedecimate.decimate` returned, optional
             The surface that this one was made from: ``max_error``, which must be given, is proved and measured against it.
         with_input : bool
-            True returns a pair: the result, and a copy of this mesh with what ``measure_input_distances`` and ``maps`` find out
-            about its points. ``measure_input_distances`` needs it.
+            True returns a pair: the result, and a copy of this mesh with what ``measure_input_distances`` and ``maps`` add to it.
         progress_bar : bool or function
             True shows a bar (tqdm or rich); a function is called with the fraction done, and ends the run by False.
         profile : "planning", "print", "FEM" or "web", optional
@@ -137,7 +139,7 @@ class BoneAccessor:
             options = {**options, "labels": labels}
             labels = None
         values = read(options, BoneAccessor.decimate, profile)
-        mesh, voxels = _with_label_map(self._with_arrays(values, tolerances, labels), label_map, boundary_labels)
+        mesh, voxels = _with_label_map(self._with_arrays(values, tolerances, labels, edge_lengths), label_map, boundary_labels)
         has_input = switch("with_input", with_input)
         if values.get("MeasureInputDistances") and not has_input:
             raise ValueError("measure_input_distances is about the points of the input, which with_input=True returns, too")
@@ -173,14 +175,20 @@ class BoneAccessor:
             raise TypeError(f"smooth takes no {taken[0]}: it removes no triangles, and distance says how far points may move")
         return self.decimate(mode="Fast", target_reduction=0.0, **smoothing_of(distance), **options)
 
-    def _with_arrays(self, values, tolerances: ArrayLike | None, labels: ArrayLike | None) -> pv.PolyData:
+    def _with_arrays(self, values, tolerances: ArrayLike | None, labels: ArrayLike | None,
+                     edge_lengths: ArrayLike | None) -> pv.PolyData:
         """The mesh, or a copy with the arrays that were given; the options then name them."""
-        mesh = self._mesh if tolerances is None and labels is None else self._mesh.copy(deep=False)
-        if tolerances is not None:
-            if values.get("ToleranceArrayName"):
-                raise ValueError("tolerances are an array, or tolerance_array names one: not both")
-            mesh.point_data[TOLERANCES] = tolerances_from(tolerances, mesh.n_points)
-            values.set("ToleranceArrayName", TOLERANCES)
+        given = [array for array in (tolerances, labels, edge_lengths) if array is not None]
+        mesh = self._mesh.copy(deep=False) if given else self._mesh
+        for array, key, option in ((tolerances, TOLERANCES, "ToleranceArrayName"), (edge_lengths, EDGE_LENGTHS, "EdgeLengthArrayName")):
+            if array is None:
+                continue
+            name = words(key, "_")
+            if values.get(option):
+                raise ValueError(f"{name} are an array, or {name[:-1]}_array names one: not both")
+            is_length = key == EDGE_LENGTHS
+            mesh.point_data[key] = (edge_lengths_from(array, mesh.n_points, values) if is_length else tolerances_from(array, mesh.n_points))
+            values.set(option, key)
         if labels is not None:
             mesh.cell_data[LABELS] = labels_from(labels, mesh.n_cells, "cells")[0]
             values.set("LabelArrayName", LABELS)

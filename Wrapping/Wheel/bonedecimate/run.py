@@ -44,6 +44,8 @@ def run(data: vtkPolyData, options: _core.Options, progress: Progress | None, re
     name = options.get("ToleranceArrayName")
     array = data.GetPointData().GetArray(name) if name else arrays.tolerances
     tolerances = _values_of(array, name) if is_filled and (name or array is not None) else None
+    name = options.get("EdgeLengthArrayName")
+    edge_lengths = _values_of(data.GetPointData().GetArray(name), name) if is_filled and name else None
     surface = surface_with_source(data)
     if surface.source is not None and surface.source.grid is None:
         surface.source = None
@@ -58,7 +60,7 @@ def run(data: vtkPolyData, options: _core.Options, progress: Progress | None, re
     first = None if reference is None else surface_from(reference, "reference")
     outcome = _core.decimate(surface.points, surface.triangles, options, surface.is_single, origins, tolerances,
                              surface.cell_of_triangle, first and first[:2], progress, labels,
-                             surface.source and surface.source.to_core(), prepared)
+                             surface.source and surface.source.to_core(), prepared, edge_lengths)
     outcome["warnings"] = surface.warnings + (first.warnings if first else []) + outcome["warnings"]
     return outcome, surface
 

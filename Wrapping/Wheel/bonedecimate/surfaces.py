@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import _core
 from .checks import numeric_array
 from .voxels import SurfaceSource, source_of
 
@@ -109,6 +110,13 @@ def tolerances_from(tolerances: ArrayLike | None, count: int, name: str = "toler
     if len(wrong):
         raise ValueError(f"{len(wrong)} {name} are NaN or infinite, the first is that of point {wrong[0]}")
     return np.ascontiguousarray(array, dtype=np.float64)
+
+
+def edge_lengths_from(lengths: ArrayLike | None, count: int, options: _core.Options) -> NDArray[np.float64] | None:
+    """The same; they need an upper limit among the options."""
+    if lengths is not None and not options.get("EdgeLength"):
+        raise ValueError("edge_lengths need edge_length, an upper limit for all")
+    return tolerances_from(lengths, count, "edge_lengths")
 
 
 NamedLabels = tuple[NDArray[np.int64], list[str]]

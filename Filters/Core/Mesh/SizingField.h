@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SizingField.h
+ * @brief The length that edges are to have at each position: that at the nearest point of a surface.
+ */
+#ifndef BoneDecimate_Core_Mesh_SizingField_h
+#define BoneDecimate_Core_Mesh_SizingField_h
+
+#include "Geometry/BoundingTree.h"
+#include "PointGraph.h"
+#include "Surface.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+class SizingField
+{
+public:
+  /// @param surface With at least one triangle.  @param lengths mm, above 0, of each of its points.
+  SizingField(const Surface& surface, std::vector<double> lengths, int threads);
+
+  struct Found
+  {
+    double Length; ///< mm, linear on each triangle of the surface.
+    Index Triangle;
+  };
+  /// @param hint A triangle near the position; changes the time, never the result.
+  Found At(const Vector3& position, Index hint = None) const;
+
+  double Least() const { return this->Shortest; } ///< mm, of all points.
+
+private:
+  BoundingTree Tree;
+  std::vector<Triangle> Triangles;
+  std::vector<double> Lengths; // mm
+  double Shortest;             // mm
+};
+
+/// Shortens lengths so that along an edge of the graph none exceeds that of the other end by more than slope times the edge.
+/// @param lengths mm, of each point.
+void GradeLengths(
+  const Surface& surface, const PointGraph& graph, double slope, std::vector<double>& lengths);
+}
+
+#endif
