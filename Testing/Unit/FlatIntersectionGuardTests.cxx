@@ -180,7 +180,7 @@ TEST(FlatIntersectionGuard, DecidesForPointsThatNeverMoveAsTheyAreRounded)
   settings.Bound->Origin = clean.Origin;
   Editor editor(clean, settings);
   Workspace work;
-  const OrientedPlane asGiven(input.Points[4], input.Points[5], input.Points[6]);
+  const OrientedPlane ofInput(input.Points[4], input.Points[5], input.Points[6]);
   const OrientedPlane asWritten(RoundedToSingle(input.Points[4]), RoundedToSingle(input.Points[5]),
     RoundedToSingle(input.Points[6]));
   const Vector3 normal =
@@ -196,7 +196,7 @@ TEST(FlatIntersectionGuard, DecidesForPointsThatNeverMoveAsTheyAreRounded)
     const int side = asWritten.SideOf(p);
     ASSERT_EQ(editor.Move(0, p - clean.Origin, work, 1).IsAccepted(), side == below) << i;
     ASSERT_TRUE(editor.Move(0, clean.Surface.Points[0], work, 1).IsAccepted());
-    differ += side != asGiven.SideOf(p) ? 1 : 0;
+    differ += side != ofInput.SideOf(p) ? 1 : 0;
   }
   EXPECT_GT(differ, 100);
 }

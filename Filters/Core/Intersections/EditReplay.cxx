@@ -143,13 +143,13 @@ void EditReplay::CheckWindow(
 /// Those that follow each other are near in time, and then in space: faces lie along a curve that fills it.
 std::vector<Index> EditReplay::EditsToCheck(const FaceHistory& history) const
 {
-  struct Place
+  struct Where
   {
     Index Span;
     FaceId Face;
     Index Edit;
   };
-  std::vector<Place> places;
+  std::vector<Where> found;
   Index span = 0;
   Index left = 0; // edits of the span
   Index faces = history.NumberOfFaces();
@@ -163,15 +163,15 @@ std::vector<Index> EditReplay::EditsToCheck(const FaceHistory& history) const
     faces -= this->Journal.Entry(edit).IsUndone ? 0 : JournalEntry::NumberOfGoneFaces;
     if (this->States[edit] == State::Unchecked)
     {
-      places.push_back({ span, this->Journal.OldFace(edit, 0).Face, edit });
+      found.push_back({ span, this->Journal.OldFace(edit, 0).Face, edit });
     }
   }
-  std::sort(places.begin(), places.end(),
-    [](const Place& a, const Place& b)
+  std::sort(found.begin(), found.end(),
+    [](const Where& a, const Where& b)
     { return std::tie(a.Span, a.Face, a.Edit) < std::tie(b.Span, b.Face, b.Edit); });
-  std::vector<Index> edits(places.size());
+  std::vector<Index> edits(found.size());
   std::transform(
-    places.begin(), places.end(), edits.begin(), [](const Place& place) { return place.Edit; });
+    found.begin(), found.end(), edits.begin(), [](const Where& where) { return where.Edit; });
   return edits;
 }
 

@@ -26,7 +26,7 @@ struct FloatBox
   /// @param reach mm, by which the box is larger.
   explicit FloatBox(const TriangleCorners& corners, double reach = 0.0);
   void Add(const FloatBox& other);
-  /// Without branches: most boxes that are asked are near each other.
+  /// Without branches: most boxes that are compared are near each other.
   bool Meets(const FloatBox& other) const
   {
     bool meets = true;
