@@ -26,6 +26,8 @@ namespace
 const gdcm::Tag SyntaxInHeader(0x0002, 0x0010);
 const gdcm::Tag PixelData(0x7fe0, 0x0010);
 
+constexpr const char* DamagedFile = "it is truncated or damaged";
+
 constexpr const char* UnreadableSyntax =
   "its pixels are compressed or stored in a way that is not read; save it uncompressed";
 
@@ -50,6 +52,7 @@ std::string SyntaxProblem(const std::string& path)
   std::ifstream file(path, std::ios::binary);
   gdcm::Preamble preamble;
   gdcm::FileMetaInformation header;
+  bool isKnown = true;
   try
   {
     preamble.Read(file);
@@ -57,11 +60,16 @@ std::string SyntaxProblem(const std::string& path)
   }
   catch (const std::exception&)
   {
-    // It has the syntax, if this is one that GDCM does not know.
+    isKnown = false; // the header is read nevertheless
   }
   const std::string syntax = TextOf(header, SyntaxInHeader);
-  return IsReadSyntax(gdcm::TransferSyntax::GetTSType(syntax.c_str())) ? std::string()
-                                                                       : UnreadableSyntax;
+  if (syntax.empty())
+  {
+    return DamagedFile;
+  }
+  return isKnown && IsReadSyntax(gdcm::TransferSyntax::GetTSType(syntax.c_str()))
+    ? std::string()
+    : UnreadableSyntax;
 }
 
 /// Lossless codecs of GDCM. The size was checked.
@@ -177,7 +185,7 @@ LayeredVolume OpenDicomSegmentation(const std::string& file)
   reader.SetFileName(file.c_str());
   if (!reader.Read() || messages.TellOfMissingPixels())
   {
-    return RejectedLayers("it is truncated or damaged");
+    return RejectedLayers(DamagedFile);
   }
   const SegmentationHeader header = ReadSegmentationHeader(reader.GetFile().GetDataSet());
   // Voxels that are announced are held against the bytes of pixels below; planes without a frame take none.

@@ -16,6 +16,9 @@ constexpr double LargestShift = 0.2;
 /// Frames closer than this part of a pixel lie in one plane.
 constexpr double LeastDistance = 0.01;
 
+/// Of the distance of planes in the header: what the frames may have more or less, in parts of it.
+constexpr double LargestChange = 0.02;
+
 /// A damaged distance of planes must not ask for memory without end.
 constexpr double MostPlanes(double planesWithFrames)
 {
@@ -178,7 +181,9 @@ FrameGrid GridOfFrames(const std::vector<FramePlacement>& frames, double planeDi
   {
     stack.AssignPlanes(planeDistance, grid);
   }
-  if (!isKnown || (!grid.Problem.empty() && median > 0.0))
+  const double change = std::abs(Length(grid.Geometry.Steps[2]) - planeDistance);
+  const bool fits = isKnown && grid.Problem.empty() && change <= LargestChange * planeDistance;
+  if (!fits)
   {
     stack.AssignPlanes(median > 0.0 ? median : PixelSide(first), grid);
   }

@@ -39,7 +39,7 @@ struct FrameGrid
  * Several frames may lie in a plane, and planes may have none. What rounding of the header shifts by less than a fifth of a voxel is put
  * onto the grid.
  * @param frames At least one.
- * @param planeDistance What the header says of it, mm. If that is 0 or does not fit to the frames, it is the median of
+ * @param planeDistance What the header says of it, mm. If that is 0 or more than 2 % off, it is the median of
  * their distances.
  * @param size Columns and rows.
  */
