@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBoneCap.h"
 
-#include "BoundaryLoops.h"
-#include "CapTriangles.h"
+#include "Caps/CloseBoundaries.h"
 #include "Pieces.h"
 #include "RejectedValues.h"
 #include "SurfaceConversion.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkContourTriangulator.h"
+#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -21,27 +22,57 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <numeric>
 
 namespace
 {
 const bonedecimate::NumberRange ChoiceRange = { 0, 1, true, "" };
 const bonedecimate::NumberRange ToleranceRange = { 0, bonedecimate::LargestNumber, false, "mm" };
 
-double AreaOf(const bonedecimate::Surface& surface, const bonedecimate::Cap& cap)
+std::vector<bonedecimate::Triangle> Triangulate(const bonedecimate::Contours& contours)
 {
-  const auto at = [&surface](bonedecimate::Index point)
-  { return surface.Points[static_cast<std::size_t>(point)]; };
-  return std::accumulate(cap.Triangles.begin(), cap.Triangles.end(), 0.0,
-    [&at](double sum, const bonedecimate::Triangle& t)
-    { return sum + 0.5 * (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).norm(); });
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const bonedecimate::Vector3& point : contours.Points)
+  {
+    points->InsertNextPoint(point.data());
+  }
+  vtkNew<vtkCellArray> lines;
+  for (std::size_t contour = 0; contour + 1 < contours.Starts.size(); ++contour)
+  {
+    const vtkIdType begin = contours.Starts[contour];
+    const vtkIdType end = contours.Starts[contour + 1];
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      lines->InsertNextCell({ i, i + 1 < end ? i + 1 : begin });
+    }
+  }
+  vtkNew<vtkPolyData> outlines;
+  outlines->SetPoints(points);
+  outlines->SetLines(lines);
+  vtkNew<vtkCellArray> polygons;
+  vtkContourTriangulator::TriangulateContours(
+    outlines, 0, lines->GetNumberOfCells(), polygons, contours.Normal.data());
+  std::vector<bonedecimate::Triangle> triangles;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < polygons->GetNumberOfCells(); ++cell)
+  {
+    polygons->GetCellAtId(cell, ids);
+    if (ids->GetNumberOfIds() != 3)
+    {
+      return {};
+    }
+    bonedecimate::Triangle corners{};
+    std::transform(ids->begin(), ids->end(), corners.begin(),
+      [](vtkIdType id) { return static_cast<bonedecimate::Index>(id); });
+    triangles.push_back(corners);
+  }
+  return triangles;
 }
 
 /// The cells of caps behind those of the input, with their arrays.
-/// @param neighbors A cell of the input for each cap.
-void Append(const std::vector<bonedecimate::Cap>& caps, const std::vector<vtkIdType>& neighbors,
-  vtkPolyData* input, vtkPolyData* output)
+/// @param converted From triangles to cells of the input.
+void Append(const bonedecimate::CapsOfSurface& caps,
+  const bonedecimate::ConvertedSurface& converted, vtkPolyData* input, vtkPolyData* output)
 {
   output->ShallowCopy(input);
   vtkNew<vtkCellArray> polygons;
@@ -55,13 +86,12 @@ void Append(const std::vector<bonedecimate::Cap>& caps, const std::vector<vtkIdT
   data->CopyAllOn();
   data->CopyAllocate(input->GetCellData(), before);
   data->CopyData(input->GetCellData(), 0, before, 0);
-  for (std::size_t cap = 0; cap < caps.size(); ++cap)
+  for (std::size_t i = 0; i < caps.Triangles.size(); ++i)
   {
-    for (const bonedecimate::Triangle& corners : caps[cap].Triangles)
-    {
-      polygons->InsertNextCell({ corners[0], corners[1], corners[2] });
-      data->CopyData(input->GetCellData(), neighbors[cap], isCap->InsertNextValue(1));
-    }
+    const bonedecimate::Triangle& corners = caps.Triangles[i];
+    polygons->InsertNextCell({ corners[0], corners[1], corners[2] });
+    const vtkIdType neighbor = converted(static_cast<std::size_t>(caps.Neighbors[i]));
+    data->CopyData(input->GetCellData(), neighbor, isCap->InsertNextValue(1));
   }
   output->SetPolys(polygons);
   data->RemoveArray("BoneCap"); // of an earlier run
@@ -69,10 +99,9 @@ void Append(const std::vector<bonedecimate::Cap>& caps, const std::vector<vtkIdT
 }
 
 /// The points inside of caps, with the values of one of their neighbors; the points of the input themselves if there are none.
-void AppendPoints(const bonedecimate::Surface& surface,
-  const std::vector<bonedecimate::PointPair>& added, vtkPolyData* input, vtkPolyData* output)
+void AppendPoints(const bonedecimate::CapsOfSurface& caps, vtkPolyData* input, vtkPolyData* output)
 {
-  if (added.empty())
+  if (caps.Points.empty())
   {
     return;
   }
@@ -84,11 +113,11 @@ void AppendPoints(const bonedecimate::Surface& surface,
   data->CopyAllOn();
   data->CopyAllocate(input->GetPointData(), before);
   data->CopyData(input->GetPointData(), 0, before, 0);
-  for (std::size_t i = 0; i < added.size(); ++i)
+  for (std::size_t i = 0; i < caps.Points.size(); ++i)
   {
-    const vtkIdType point =
-      points->InsertNextPoint(surface.Points[static_cast<std::size_t>(before) + i].data());
-    data->CopyData(input->GetPointData(), std::min<vtkIdType>(added[i].first, before - 1), point);
+    const vtkIdType point = points->InsertNextPoint(caps.Points[i].data());
+    const vtkIdType neighbor = std::min<vtkIdType>(caps.Ends[i].first, before - 1);
+    data->CopyData(input->GetPointData(), neighbor, point);
   }
   output->SetPoints(points);
 }
@@ -155,45 +184,17 @@ int vtkBoneCap::RequestData(vtkInformation* vtkNotUsed(request), vtkInformationV
     vtkErrorMacro(<< reason);
     return 0;
   }
-  bonedecimate::ConvertedSurface converted = bonedecimate::ToSurface(input, 1);
-  bonedecimate::BoundaryLoops found = bonedecimate::FindBoundaryLoops(converted.Surface);
-  const std::vector<std::vector<std::size_t>> groups =
-    bonedecimate::GroupByEndPlanes(converted.Surface, found.Loops, this->PlaneTolerance);
-  std::vector<bool> isClosed(found.Loops.size(), false);
-  std::vector<bonedecimate::Cap> caps;
-  const auto fill = [&](const std::vector<std::size_t>& group)
-  {
-    for (bonedecimate::Cap& cap : bonedecimate::FillLoops(converted.Surface, found, group))
-    {
-      std::for_each(cap.Loops.begin(), cap.Loops.end(),
-        [&isClosed](std::size_t loop) { isClosed[loop] = true; });
-      caps.push_back(std::move(cap));
-    }
-  };
-  std::for_each(groups.begin(), groups.end(), fill);
-  for (std::size_t loop = 0; this->Loops == AllLoops && loop < isClosed.size(); ++loop)
-  {
-    if (!isClosed[loop])
-    {
-      fill({ loop });
-    }
-  }
-  this->NumberOfCaps = static_cast<vtkIdType>(caps.size());
-  this->NumberOfClosedLoops = std::count(isClosed.begin(), isClosed.end(), true);
-  this->NumberOfOpenLoops =
-    static_cast<vtkIdType>(isClosed.size() + found.NonManifold) - this->NumberOfClosedLoops;
-  this->NumberOfCapTriangles = std::accumulate(caps.begin(), caps.end(), vtkIdType(0),
-    [](vtkIdType sum, const bonedecimate::Cap& cap)
-    { return sum + static_cast<vtkIdType>(cap.Triangles.size()); });
-  this->CapArea = std::accumulate(caps.begin(), caps.end(), 0.0,
-    [&](double sum, const bonedecimate::Cap& cap) { return sum + AreaOf(converted.Surface, cap); });
-  std::vector<vtkIdType> neighbors;
-  std::transform(caps.begin(), caps.end(), std::back_inserter(neighbors),
-    [&](const bonedecimate::Cap& cap)
-    { return converted(found.Loops[cap.Loops.front()].Triangle); });
+  const bonedecimate::ConvertedSurface converted = bonedecimate::ToSurface(input, 1);
+  const bonedecimate::CapsOfSurface caps = bonedecimate::CloseBoundaries(
+    converted.Surface, { this->Loops == AllLoops, this->PlaneTolerance }, Triangulate);
+  this->NumberOfCaps = caps.NumberOfCaps;
+  this->NumberOfClosedLoops = caps.ClosedLoops;
+  this->NumberOfOpenLoops = caps.OpenLoops;
+  this->NumberOfCapTriangles = static_cast<vtkIdType>(caps.Triangles.size());
+  this->CapArea = caps.Area;
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  Append(caps, neighbors, input, output);
-  AppendPoints(converted.Surface, found.Added, input, output);
+  Append(caps, converted, input, output);
+  AppendPoints(caps, input, output);
   return 1;
 }
 

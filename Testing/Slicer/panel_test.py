@@ -58,7 +58,7 @@ class Panel(unittest.TestCase):
                             ("feather", 2.0)):
             getattr(self.panel, name).value = value
         for name, text in (("smoothing", "none"), ("keepVoxels", "Auto"), ("mode", "Balanced"), ("kind", MODULE.MODELS),
-                           ("where", MODULE.EVERYWHERE)):
+                           ("where", MODULE.EVERYWHERE), ("caps", MODULE.CAPS[0])):
             getattr(self.panel, name).currentText = text
 
     def press(self, action):
@@ -101,6 +101,17 @@ class Panel(unittest.TestCase):
         self.press(self.panel._onSimplify)
         self.assertIsNot(self.panel.results[0], model)
         self.panel.target.setCurrentNode.assert_called_with(self.panel.results[0])
+
+    def test_open_boundaries_are_closed_into_a_new_model(self):
+        self.press(self.panel._onSimplify)
+        model = self.panel.results[0]
+        self.panel.source.currentNode.return_value = model
+        self.press(self.panel._onCap)
+        closed = self.panel.results[0]
+        self.assertEqual(closed.GetName(), f"{model.GetName()} closed")
+        self.assertTrue(closed.GetPolyData().GetCellData().HasArray("BoneCap"))
+        self.assertIn("triangles of caps", self.panel.text.text)
+        self.panel.source.setCurrentNode.assert_called_with(closed)
 
     def test_live_preview_comes_and_goes(self):
         self.panel._onLive(True)

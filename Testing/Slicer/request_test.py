@@ -6,6 +6,7 @@ Needs VTK, but no Slicer.
 """
 
 import math
+import os
 import pathlib
 import sys
 import types
@@ -16,8 +17,8 @@ import vtk
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Applications" / "Slicer" / "BoneDecimator"))
 from BoneDecimatorLib.checks import DecimationError  # noqa: E402
-from BoneDecimatorLib.engines import Canceled, WheelEngine, _set_option  # noqa: E402
-from BoneDecimatorLib.logic import SMOOTHINGS, BoneDecimatorLogic, Request, presets, smoothing_of, statistics  # noqa: E402
+from BoneDecimatorLib.engines import Canceled, ProgramEngine, WheelEngine, _set_option  # noqa: E402
+from BoneDecimatorLib.logic import CAPS, SMOOTHINGS, BoneDecimatorLogic, Request, presets, smoothing_of, statistics  # noqa: E402
 from BoneDecimatorLib.preview import PAUSE, QUIET, Preview, part_of_label_map, part_of_surface  # noqa: E402
 from BoneDecimatorLib.segmentation import LabelMap  # noqa: E402
 
@@ -115,6 +116,55 @@ class Requests(unittest.TestCase):
             with self.assertRaisesRegex(DecimationError, says):
                 _set_option(Decimate(), rows, flag, value)
         self.assertTrue(WheelEngine.has_levels)
+
+
+class Caps(unittest.TestCase):
+    """Of the program, if the environment names it."""
+
+    @staticmethod
+    def tube():
+        ring = vtk.vtkCylinderSource()
+        ring.SetResolution(24)
+        ring.CappingOff()
+        triangles = vtk.vtkTriangleFilter()
+        triangles.SetInputConnection(ring.GetOutputPort())
+        triangles.Update()
+        return triangles.GetOutput()
+
+    @staticmethod
+    def node(surface):
+        node = types.SimpleNamespace(surface=surface)
+        node.IsA = lambda name: name == "vtkMRMLModelNode"
+        node.GetPolyData = lambda: node.surface
+        node.GetName = lambda: "bone"
+        node.GetParentTransformNode = lambda: None
+        node.SetAndObservePolyData = lambda closed: setattr(node, "surface", closed)
+        return node
+
+    def test_close_a_model_into_a_new_one(self):
+        program = os.environ.get("BONEDECIMATE_PROGRAM")
+        if not program:
+            self.skipTest("BONEDECIMATE_PROGRAM names no program")
+        source, made = self.node(self.tube()), self.node(None)
+        scene = types.SimpleNamespace(AddNewNodeByClass=lambda kind, name: made, RemoveNode=lambda node: None)
+        logic = BoneDecimatorLogic(scene, ProgramEngine(program))
+        for loops in CAPS:
+            node, lines = logic.cap(source, loops)
+            self.assertIs(node, made)
+            self.assertEqual(lines, ["44 triangles of caps; they are outside of every tolerance"])
+            edges = vtk.vtkFeatureEdges()
+            edges.FeatureEdgesOff()
+            edges.ManifoldEdgesOff()
+            edges.SetInputData(node.GetPolyData())
+            edges.Update()
+            self.assertEqual(edges.GetOutput().GetNumberOfCells(), 0)
+        self.assertEqual(source.GetPolyData().GetNumberOfPolys() + 44, made.GetPolyData().GetNumberOfPolys())
+        logic.undo()
+        logic.undo()
+
+    def test_of_an_unknown_kind_are_rejected(self):
+        with self.assertRaisesRegex(DecimationError, "^Caps takes one of "):
+            BoneDecimatorLogic(None, Engine()).cap(self.node(self.tube()), "some")
 
 
 class Statistics(unittest.TestCase):

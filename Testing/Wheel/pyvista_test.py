@@ -130,6 +130,33 @@ print(pyvista.Sphere().bone.decimate(target_triangles=200).n_cells)
             bonedecimate.decimate(mesh.points, mesh.regular_faces, edge_lengths=0.0 * sizes, **options)
         curved = mesh.bone.decimate(chordal_error=0.001 * width, **options)
         self.assertLess(curved.bone.report["edges.least_requested"], options["edge_length"])
+    def test_caps_boundaries_at_planes(self):
+        tube = pv.Cylinder(radius=10.0, height=30.0, resolution=24, capping=False).triangulate().clean()
+        tube.cell_data["Part"] = np.arange(tube.n_cells)
+        tube.point_data["Number"] = np.arange(tube.n_points)
+        closed = tube.bone.cap()
+        self.assertEqual((tube.n_open_edges, closed.n_open_edges), (48, 0))
+        self.assertTrue(closed.is_manifold)
+        np.testing.assert_array_equal(closed.points, tube.points)
+        np.testing.assert_array_equal(closed.regular_faces[:tube.n_cells], tube.regular_faces)
+        np.testing.assert_array_equal(closed["Number"], tube["Number"])
+        is_cap = closed["BoneCap"] == 1
+        np.testing.assert_array_equal(np.flatnonzero(is_cap), np.arange(tube.n_cells, tube.n_cells + 2 * 22))
+        self.assertTrue(np.isin(closed["Part"][is_cap], tube["Part"]).all())
+        self.assertAlmostEqual(closed.volume, 30.0 * 12.0 * 100.0 * np.sin(np.pi / 12.0), delta=0.1)
+        self.assertLessEqual(closed.bone.decimate(max_error=0.2).bone.report["proof.upper"], 0.2)
+        np.testing.assert_array_equal(closed.bone.cap()["BoneCap"], np.zeros(closed.n_cells))
+
+    def test_leaves_other_boundaries_open_unless_all_are_requested(self):
+        dome = pv.Sphere(radius=10.0).clip("x", origin=(4.0, 0.0, 0.0), invert=True).triangulate().clean()
+        bent = dome.copy()
+        bent.points[:, 0] += 0.05 * bent.points[:, 1] ** 2
+        with self.assertWarnsRegex(Warning, "1 boundaries stay open"):
+            self.assertEqual(bent.bone.cap().n_cells, bent.n_cells)
+        self.assertEqual(bent.bone.cap("all").n_open_edges, 0)
+        for wrong in ({"loops": "none"}, {"plane_tolerance": -1.0}):
+            with self.assertRaises(ValueError):
+                bent.bone.cap(**wrong)
 
     def test_returns_the_input_with_its_distances_on_request(self):
         mesh = bone(40)

@@ -17,6 +17,9 @@ void BindOptions(nanobind::module_& module);
 /// One run.
 void BindDecimate(nanobind::module_& module);
 
+/// Closed boundaries.
+void BindCaps(nanobind::module_& module);
+
 /// The certificate of two surfaces.
 void BindCertify(nanobind::module_& module);
 

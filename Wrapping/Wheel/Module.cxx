@@ -9,6 +9,7 @@ NB_MODULE(_core, module)
   module.doc() = "The core of vtkBoneDecimate. Use it through the package bonedecimate.";
   bonedecimate::BindOptions(module);
   bonedecimate::BindDecimate(module);
+  bonedecimate::BindCaps(module);
   bonedecimate::BindCertify(module);
   bonedecimate::BindLabelMaps(module);
   bonedecimate::BindLevels(module);

@@ -10,7 +10,7 @@ import slicer
 import vtk
 from BoneDecimatorLib.checks import AUTOMATIC, KEEP_VOXELS
 from BoneDecimatorLib.engines import Canceled, DecimationError, NoEngine
-from BoneDecimatorLib.logic import (NO_SMOOTHING, OWN_DISTANCE, SMOOTHINGS, BoneDecimatorLogic, Request, presets, smoothing_of,
+from BoneDecimatorLib.logic import (CAPS, NO_SMOOTHING, OWN_DISTANCE, SMOOTHINGS, BoneDecimatorLogic, Request, presets, smoothing_of,
                                     spacing_of)
 from BoneDecimatorLib.preview import Preview
 from BoneDecimatorLib.segmentation import has_label_map
@@ -45,6 +45,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self._addGoal()
         self._addBrush()
         self._addActions()
+        self._addCaps()
         self._addPreview()
         self.layout.addStretch(1)
 
@@ -186,6 +187,17 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         form.addRow("Levels of detail", self.slider)
         form.addRow(self.text)
 
+    def _addCaps(self):
+        form = self._section("Open boundaries", collapsed=True)
+        self.caps = qt.QComboBox()
+        self.caps.addItems(CAPS)
+        self.caps.toolTip = ("Closes a model for volume meshers and solvers. A cap is bone where the scan shows none: close the model "
+                             "first and simplify the closed one, so that the tolerance includes the caps.")
+        button = qt.QPushButton("Close into a new model")
+        button.clicked.connect(lambda _checked=False: self._try(self._onCap))
+        form.addRow("Close", self.caps)
+        form.addRow(button)
+
     def _addPreview(self):
         form = self._section("Live preview")
         self.live = qt.QCheckBox("Show the result while values change")
@@ -280,6 +292,14 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self.target.setCurrentNode(node)
         self.results = [node]
         return lines
+
+    def _onCap(self):
+        segment = (self._chosenSegments() or [None])[0]
+        node, lines = self.logic.cap(self.source.currentNode(), self.caps.currentText, None, segment)
+        node.CreateDefaultDisplayNodes()
+        self.results = [node]
+        self.source.setCurrentNode(node)  # what is simplified next
+        self.text.text = "\n".join(lines)
 
     def _onUndo(self):
         if self.logic.can_undo():

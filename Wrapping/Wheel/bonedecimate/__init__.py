@@ -29,7 +29,7 @@ __all__ = ["Aborted", "Certificate", "LabelChanges", "LabelMap", "LabelSurfaces"
 
 # Classes of the package that is built with VTK, and what does the same here.
 _BUILT_WITH_VTK = {
-    "vtkBoneCap": None,
+    "vtkBoneCap": "mesh.bone.cap",
     "vtkBoneDecimateLevels": "record_levels", "vtkBoneDiagnostics": "decimate(diagnose=True)", "vtkBoneErrorSearch": None,
     "vtkBoneLabelPieces": "change_pieces", "vtkBoneSmooth": "smooth", "vtkBoneSurfaceDistance": "certify", "vtkBoneSurfaces": "extract_surfaces",
     "vtkBoneTolerance": None, "vtkBoneVoxelCheck": "check_voxels"}
@@ -42,7 +42,8 @@ def __getattr__(name: str):
         return vtkBoneDecimate
     if name in _BUILT_WITH_VTK:  # an AttributeError would lose its text in "from bonedecimate import ..."
         same = _BUILT_WITH_VTK[name]
-        hint = f"; bonedecimate.{same} does the same here" if same else ""
+        name_here = same if same and same.startswith("mesh.") else f"bonedecimate.{same}"
+        hint = f"; {name_here} does the same here" if same else ""
         raise ImportError(f"{name} is in the package bonedecimate that is built with VTK, and this is the wheel, in "
                           f"{__path__[0]}: install one of them in an environment{hint}")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

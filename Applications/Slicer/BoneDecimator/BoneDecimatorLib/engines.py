@@ -19,6 +19,7 @@ from vtk.util.numpy_support import numpy_to_vtk
 from .checks import DecimationError
 
 TOLERANCE = "Tolerance"  # mm, point array of what goes in
+CAP_TOLERANCE = 0.01  # mm, how far points of a boundary may lie from its plane
 
 
 class NoEngine(DecimationError):
@@ -153,6 +154,16 @@ class WheelEngine:
         result.ShallowCopy(decimate.GetOutputDataObject(0))
         return result
 
+    def cap(self, surface, loops):
+        """The surface with its boundaries closed, and sentences about what stays open.  @param loops "planes" or "all"."""
+        from bonedecimate.caps import close_boundaries
+        closed = vtk.vtkPolyData()
+        try:
+            _counts, notes = close_boundaries(surface, loops, CAP_TOLERANCE, closed)
+        except (TypeError, ValueError) as problem:
+            raise DecimationError(str(problem)) from problem
+        return closed, notes
+
     def record_levels(self, surface, options):
         """bonedecimate.Levels of the surface's triangles."""
         import bonedecimate
@@ -210,19 +221,48 @@ class ProgramEngine:
         raise DecimationError("Segments need the Python package bonedecimate in Slicer's Python.")
 
     def decimate(self, surface, options, tolerances=None, progress=None, keep=True):
+        words = []
+        for flag, value in options.items():
+            words += ["--" + flag, "on" if value is True else "off" if value is False else str(value)]
+        if tolerances is not None:
+            words += ["--tolerance-array", TOLERANCE]
+
+        def line_of(folder, files):
+            return ["--returnparameterfile", str(Path(folder, "results.txt")), *words, *files]
+
+        return self._run_on_files(with_tolerances(surface, tolerances), line_of, progress)
+
+    def cap(self, surface, loops):
+        """As that of the wheel; the report of the command says what stays open."""
+        counts = {}
+
+        def line_of(folder, files):
+            counts["file"] = Path(folder, "caps.json")
+            return ["cap", *files, "--loops", loops, "--plane-tolerance", str(CAP_TOLERANCE), "--json", str(counts["file"]), "--quiet"]
+
+        def read(_folder):
+            counts.update(json.loads(counts["file"].read_text(encoding="utf-8")))
+
+        closed = self._run_on_files(surface, line_of, None, read)
+        is_open = counts["open_loops"]
+        return closed, [f"{is_open} boundaries stay open"] if is_open else []
+
+    def _run_on_files(self, surface, line_of, progress, read=None):
+        """What the program makes of a surface.
+
+        @param line_of Function of the folder and the two files to the words behind the program.
+        @param read Called with the folder afterwards; None: nothing else is read.
+        """
         with tempfile.TemporaryDirectory(prefix="bonedecimate-") as folder:
             source, target = Path(folder, "input.vtp"), Path(folder, "output.vtp")
             writer = vtk.vtkXMLPolyDataWriter()
             writer.SetFileName(str(source))
-            writer.SetInputData(with_tolerances(surface, tolerances))
+            writer.SetInputData(surface)
             if not writer.Write():
                 raise DecimationError(f"Could not write to {folder}.")
-            words = [self.program, "--returnparameterfile", str(Path(folder, "results.txt"))]
-            for flag, value in options.items():
-                words += ["--" + flag, "on" if value is True else "off" if value is False else str(value)]
-            if tolerances is not None:
-                words += ["--tolerance-array", TOLERANCE]
-            self._run([*words, str(source), str(target)], progress)
+            self._run([self.program, *line_of(folder, [str(source), str(target)])], progress)
+            if read is not None:
+                read(folder)
             reader = vtk.vtkXMLPolyDataReader()
             reader.SetFileName(str(target))
             reader.Update()

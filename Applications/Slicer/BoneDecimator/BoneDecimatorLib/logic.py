@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 import vtk
+from vtk.util.numpy_support import vtk_to_numpy
 
 from . import checks, preview, regions, segmentation
 from .checks import AUTOMATIC, DecimationError
@@ -14,6 +15,7 @@ from .surfaces import COLORS, polydata_of, report_of, set_colors, set_distance, 
 
 PRESETS = {"quarter of a voxel": 0.25, "half a voxel": 0.5, "one voxel": 1.0}
 NO_SMOOTHING, OWN_DISTANCE = "none", "own distance"
+CAPS = ("boundaries at the edge of the scan", "all boundaries")
 SMOOTHINGS = (NO_SMOOTHING, AUTOMATIC, *PRESETS, OWN_DISTANCE)
 
 
@@ -199,12 +201,30 @@ class BoneDecimatorLogic:
         request.check()
         surface = surface_of(source, segment)
         result = self.engine.decimate(surface, request.options(), self.tolerances(request, source, surface), progress)
-        if target is None:
-            target = self.scene.AddNewNodeByClass("vtkMRMLModelNode", f"{source.GetName()} simplified")
-            if source.GetParentTransformNode() is not None:
-                target.SetAndObserveTransformNodeID(source.GetTransformNodeID())
+        target = self._node_for(source, target, "simplified")
         self._put(target, result)
         return target, statistics(report_of(result))
+
+    def _node_for(self, source, target, what):
+        """The target, or a new model node beside the source."""
+        if target is None:
+            target = self.scene.AddNewNodeByClass("vtkMRMLModelNode", f"{source.GetName()} {what}")
+            if source.GetParentTransformNode() is not None:
+                target.SetAndObserveTransformNodeID(source.GetTransformNodeID())
+        return target
+
+    def cap(self, source, loops=CAPS[0], target=None, segment=None):
+        """A new model node, or the target, with the open boundaries of the source closed. Returns node and lines of text.
+
+        @param loops One of CAPS.
+        """
+        if loops not in CAPS:
+            raise DecimationError(f"Caps takes one of {', '.join(CAPS)}, not {loops!r}.")
+        closed, notes = self.engine.cap(surface_of(source, segment), "all" if loops == CAPS[1] else "planes")
+        is_cap = vtk_to_numpy(closed.GetCellData().GetArray("BoneCap"))
+        target = self._node_for(source, target, "closed")
+        self._put(target, closed)
+        return target, [f"{int(is_cap.sum()):,} triangles of caps; they are outside of every tolerance", *notes]
 
     def decimate_segments(self, source, request, segments=None, as_models=True, progress=None):
         """Segments of a segmentation node, extracted from their voxels with walls in common and simplified together.

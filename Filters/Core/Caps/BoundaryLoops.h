@@ -4,8 +4,8 @@
  * @file BoundaryLoops.h
  * @brief Open boundaries as closed loops of points, and the planes in which they lie.
  */
-#ifndef BoundaryLoops_h
-#define BoundaryLoops_h
+#ifndef BoneDecimate_Core_Caps_BoundaryLoops_h
+#define BoneDecimate_Core_Caps_BoundaryLoops_h
 
 #include "Surface.h"
 

@@ -2,13 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CapTriangles.h"
 
-#include "vtkCellArray.h"
-#include "vtkContourTriangulator.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -44,21 +37,20 @@ bool AreBoundedBy(std::set<PointPair> boundary, const std::vector<Triangle>& tri
   return boundary.empty();
 }
 
-std::vector<Triangle> TrianglesOf(vtkCellArray* polygons, const std::vector<Index>& points)
+/// With the ids of the surface; none if one is out of range.
+std::vector<Triangle> WithIdsOf(std::vector<Triangle> triangles, const std::vector<Index>& points)
 {
-  std::vector<Triangle> triangles;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < polygons->GetNumberOfCells(); ++cell)
+  const auto count = static_cast<Index>(points.size());
+  for (Triangle& corners : triangles)
   {
-    polygons->GetCellAtId(cell, ids);
-    if (ids->GetNumberOfIds() != 3)
+    for (Index& corner : corners)
     {
-      return {};
+      if (corner < 0 || corner >= count)
+      {
+        return {};
+      }
+      corner = points[static_cast<std::size_t>(corner)];
     }
-    Triangle corners{};
-    std::transform(ids->begin(), ids->end(), corners.begin(),
-      [&points](vtkIdType id) { return points[static_cast<std::size_t>(id)]; });
-    triangles.push_back(corners);
   }
   return triangles;
 }
@@ -166,38 +158,28 @@ std::vector<Cap> Pieces(const std::vector<Triangle>& triangles,
 }
 }
 
-std::vector<Cap> FillLoops(
-  Surface& surface, BoundaryLoops& found, const std::vector<std::size_t>& group)
+std::vector<Cap> FillLoops(Surface& surface, BoundaryLoops& found,
+  const std::vector<std::size_t>& group, const ContourTriangulator& triangulate)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
+  Contours contours;
   std::vector<Index> ids; // of the surface
   std::set<PointPair> boundary;
   Vector3 area = Vector3::Zero();
   for (const std::size_t loop : group)
   {
     const std::vector<Index>& chain = found.Loops[loop].Points;
-    const vtkIdType begin = points->GetNumberOfPoints();
+    contours.Starts.push_back(static_cast<Index>(ids.size()));
     for (std::size_t i = 0; i < chain.size(); ++i)
     {
-      const std::size_t next = (i + 1) % chain.size();
-      points->InsertNextPoint(surface.Points[static_cast<std::size_t>(chain[i])].data());
-      lines->InsertNextCell(
-        { begin + static_cast<vtkIdType>(i), begin + static_cast<vtkIdType>(next) });
-      boundary.insert({ chain[i], chain[next] });
+      contours.Points.push_back(surface.Points[static_cast<std::size_t>(chain[i])]);
+      boundary.insert({ chain[i], chain[(i + 1) % chain.size()] });
     }
     ids.insert(ids.end(), chain.begin(), chain.end());
     area += found.Loops[loop].Area;
   }
-  vtkNew<vtkPolyData> contours;
-  contours->SetPoints(points);
-  contours->SetLines(lines);
-  vtkNew<vtkCellArray> polygons;
-  const Vector3 normal = area.normalized();
-  vtkContourTriangulator::TriangulateContours(
-    contours, 0, lines->GetNumberOfCells(), polygons, normal.data());
-  const std::vector<Triangle> triangles = TrianglesOf(polygons, ids);
+  contours.Starts.push_back(static_cast<Index>(ids.size()));
+  contours.Normal = area.normalized();
+  const std::vector<Triangle> triangles = WithIdsOf(triangulate(contours), ids);
   std::vector<Cap> caps;
   if (!AreBoundedBy(std::move(boundary), triangles))
   {
