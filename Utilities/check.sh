@@ -10,7 +10,7 @@
 #
 # format        clang-format 14, .clang-format
 # tidy          clang-tidy 23 of PyPI, .clang-tidy, over Filters and Applications (needs build/release, configured), without what
-#               only ParaView's own build compiles
+#               only ParaView's own build compiles; what the build compiles together is checked together
 # spelling      codespell with American spelling, and no unfinished work in comments
 # ascii         sources are ASCII
 # sizes         no file over 400 lines, no function over 60
@@ -140,9 +140,10 @@ check_tidy()
   if [ ! -f "$database/compile_commands.json" ]; then
     cmake --preset release >/dev/null || return 1
   fi
-  Utilities/tidy_database.py "$database/compile_commands.json" "$tools/compile_commands.json" || return 1
+  rm -rf "$tools/joined" && mkdir -p "$tools/joined" || return 1
   files 'Filters/*.cxx' 'Applications/*.cxx' ':!Applications/ParaView/*' |
-    xargs -P "$jobs" -n 1 "$tools/bin/clang-tidy" -p "$tools" --quiet 2>/dev/null
+    xargs Utilities/tidy_database.py "$database/compile_commands.json" "$tools/joined" >"$tools/joined.txt" || return 1
+  xargs -P "$jobs" -n 1 "$tools/bin/clang-tidy" -p "$tools/joined" --quiet <"$tools/joined.txt" 2>/dev/null
 }
 
 # Runs quietly; shows the output only if it fails.

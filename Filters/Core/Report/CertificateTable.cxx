@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CertificateTable.h"
 
+#include "ReportEntries.h"
 #include "Words.h"
 
 #include <cmath>
@@ -10,8 +11,6 @@ namespace bonedecimate
 {
 namespace
 {
-using Entries = std::vector<ReportEntry>;
-
 void AddDistanceBounds(Entries& entries, const std::string& path, const DistanceBounds& bounds)
 {
   entries.push_back({ path + ".lower", "mm", bounds.Lower });
