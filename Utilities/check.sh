@@ -18,9 +18,11 @@
 # release       versions, dates, placeholders, versions of tools, third-party software, Utilities/check_release.py
 # architecture  includes follow the module table of ARCHITECTURE.md
 # site          builds the documentation as a site: links, anchors, references of Python and C++ (Utilities/build_site.sh)
-# sanitize      builds the core's tests with the address and undefined-behavior sanitizers and runs those that together reach
-#               99 % of the basic blocks that all reach (select_sanitized_tests.py), the fuzzers' corpora and a few attacks
-# sanitize_whole  all tests of the core with sanitizers: far longer, and only if it is named
+# sanitize      builds the core with the address and undefined-behavior sanitizers and runs those tests that together reach
+#               99 % of the basic blocks that all reach (select_sanitized_tests.py), the fuzzers' corpora and a few attacks.
+#               The tests are those that build/release compiled. Left out are the checks for null pointers, which the address
+#               sanitizer finds where they are read or written, and for alignment
+# sanitize_whole  all tests of the core with all of these sanitizers, in the tests, too: far longer, and only if it is named
 # thread        the core's tests of several threads with the thread sanitizer: proved runs with their draft, the certificate,
 #               smoothing, labels, on 1 to 8 threads; only if it is named
 set -uo pipefail
@@ -153,12 +155,13 @@ quietly()
   output=$("$@" 2>&1) || { echo "$output" | tail -n 100; return 1; }
 }
 
-build_sanitized() { quietly cmake --preset sanitize && quietly cmake --build --preset sanitize --parallel "$jobs"; }
+# Usage: build_preset PRESET [ARGUMENTS TO CONFIGURE IT]
+build_preset() { quietly cmake --preset "$@" && quietly cmake --build --preset "$1" --parallel "$jobs"; }
 
 # The chosen tests of the core, a part of them on each processor.
 run_chosen_tests()
 {
-  local program=build/sanitize/bin/BoneDecimateCoreTests filter unknown part running=() failed=0
+  local program=build/sanitize-short/bin/BoneDecimateCoreTests filter unknown part running=() failed=0
   chosen_tests() { grep -v '^#' Testing/Coverage/sanitized_tests.txt; }
   unknown=$("$program" --gtest_list_tests | awk '/^[^ ]/ { suite = $1 } /^ / { print suite $1 }' |
     grep -vxFf /dev/stdin <(chosen_tests))
@@ -180,10 +183,13 @@ run_chosen_tests()
 
 check_sanitize()
 {
-  build_sanitized && run_chosen_tests && quietly ctest --preset sanitize --parallel "$jobs" --exclude-regex '^Core\.'
+  local tests
+  quietly Utilities/build_core_tests.sh && tests=$(Utilities/build_core_tests.sh 2>/dev/null) || return 1
+  build_preset sanitize-short "-DBONEDECIMATE_TEST_TARGETS=$tests" && run_chosen_tests &&
+    quietly ctest --preset sanitize-short --parallel "$jobs" --exclude-regex '^Core\.'
 }
 
-check_sanitize_whole() { build_sanitized && quietly ctest --preset sanitize --parallel "$jobs"; }
+check_sanitize_whole() { build_preset sanitize && quietly ctest --preset sanitize --parallel "$jobs"; }
 
 check_thread()
 {

@@ -30,7 +30,8 @@ HEADER = """\
 
 def record(folder):
     """Builds the tests and runs them, a part of them on each processor; returns the files of their records."""
-    subprocess.run(["cmake", "--preset", "coverage"], cwd=ROOT, check=True)
+    tests = subprocess.run(["Utilities/build_core_tests.sh"], cwd=ROOT, check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout
+    subprocess.run(["cmake", "--preset", "coverage", "-DBONEDECIMATE_TEST_TARGETS=" + tests.strip()], cwd=ROOT, check=True)
     subprocess.run(["cmake", "--build", "--preset", "coverage", "--target", "BoneDecimateCoreTests"], cwd=ROOT, check=True)
     program = ROOT / "build" / "coverage" / "bin" / "BoneDecimateCoreTests"
     parts = os.cpu_count() or 1
