@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Chooses the tests that Utilities/check.sh runs with sanitizers: together they reach 99 % of the basic blocks that all reach.
+"""Chooses the tests that Utilities/check.sh runs with sanitizers: together they reach 98 % of the basic blocks that all reach.
 
 Usage: Utilities/select_sanitized_tests.py       builds the preset "coverage", runs every test of the core (about 10 minutes)
                                                  and writes Testing/Coverage/sanitized_tests.txt
 
 Greedy weighted set cover (Chvatal, A greedy heuristic for the set-covering problem, 1979): the test that reaches the most new
-blocks per second comes next. The last 1 % of the blocks would take ten times as long as all others: they are reached by
-whole runs of large surfaces alone, and `Utilities/check.sh sanitize_whole` runs those.
+blocks per second comes next. The last 2 % of the blocks would take longer than all others: 98 % take 1.5 times as long as 97 %, and
+99 % take 1.6 times as long as 98 %. They are reached by whole runs of large surfaces alone, and `Utilities/check.sh sanitize_whole` runs those.
 """
 
 import heapq
@@ -20,7 +20,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 LIST = ROOT / "Testing" / "Coverage" / "sanitized_tests.txt"
-FRACTION = 0.99  # of the blocks
+FRACTION = 0.98  # of the blocks
 START_UP = 0.005  # seconds that even an empty test costs
 HEADER = """\
 # Chosen by Utilities/select_sanitized_tests.py: these {chosen} of {all} tests of the core reach {percent:.0f} % of the {blocks} basic
