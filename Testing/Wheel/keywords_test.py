@@ -190,11 +190,11 @@ class Values(unittest.TestCase):
 
 class Names(unittest.TestCase):
     def test_in_signatures_are_those_of_the_table(self):
-        own = {"decimate": ["points", "triangles", "tolerances", "labels", "label_map", "boundary_labels", "reference", "prepared",
-                            "progress", "profile"],
+        own = {"decimate": ["points", "triangles", "tolerances", "labels", "label_map", "boundary_labels", "reference",
+                            "edge_lengths", "prepared", "progress", "profile"],
                "record_levels": ["points", "triangles", "progress"],
-               "mesh.bone.decimate": ["self", "tolerances", "labels", "label_map", "boundary_labels", "reference", "with_input",
-                                      "progress_bar", "profile"],
+               "mesh.bone.decimate": ["self", "tolerances", "labels", "label_map", "boundary_labels", "edge_lengths",
+                                      "reference", "with_input", "progress_bar", "profile"],
                "mesh.bone.levels": ["self", "progress_bar"]}
         for adapter in adapters():
             if adapter.function is None:
