@@ -21,7 +21,7 @@
 # sanitize      builds the core with the address and undefined-behavior sanitizers and runs those tests that together reach
 #               98 % of the basic blocks that all reach (select_sanitized_tests.py), the fuzzers' corpora and a few attacks.
 #               The tests are those that build/release compiled. Left out are the checks for null pointers, which the address
-#               sanitizer finds where they are read or written, and for alignment
+#               sanitizer finds where they are read or written, and for alignment, and the checksums of whole runs
 # sanitize_whole  all tests of the core with all of these sanitizers, in the tests, too: far longer, and only if it is named
 # thread        the core's tests of several threads with the thread sanitizer: proved runs with their draft, the certificate,
 #               smoothing, labels, on 1 to 8 threads; only if it is named
@@ -186,7 +186,7 @@ check_sanitize()
   local tests
   quietly Utilities/build_core_tests.sh && tests=$(Utilities/build_core_tests.sh 2>/dev/null) || return 1
   build_preset sanitize-short "-DBONEDECIMATE_TEST_TARGETS=$tests" && run_chosen_tests &&
-    quietly ctest --preset sanitize-short --parallel "$jobs" --exclude-regex '^Core\.'
+    quietly ctest --preset sanitize-short --parallel "$jobs" --exclude-regex '^(Core|Checksums|Architecture)\.'
 }
 
 check_sanitize_whole() { build_preset sanitize && quietly ctest --preset sanitize --parallel "$jobs"; }
