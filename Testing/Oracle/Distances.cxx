@@ -3,9 +3,16 @@
 // Uses CGAL's AABB tree (GPL-3.0-or-later), which makes the program built from it GPL: a tool of the tests, never installed.
 #include "Distances.h"
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/version.h>
+// CGAL 6 has new names for what is in space.
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_triangle_primitive.h>
+#endif
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -18,8 +25,14 @@ namespace
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Facets = std::vector<Kernel::Triangle_3>;
+#if CGAL_VERSION_NR >= 1060000000
+using Primitive = CGAL::AABB_triangle_primitive_3<Kernel, Facets::const_iterator>;
+using Traits = CGAL::AABB_traits_3<Kernel, Primitive>;
+#else
 using Primitive = CGAL::AABB_triangle_primitive<Kernel, Facets::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using Traits = CGAL::AABB_traits<Kernel, Primitive>;
+#endif
+using Tree = CGAL::AABB_tree<Traits>;
 
 Point ToPoint(const std::array<double, 3>& x)
 {
