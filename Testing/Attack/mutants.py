@@ -235,7 +235,7 @@ MUTANTS = (
     of_draft("only one of the new triangles must have the least angle", "Filters/Core/EditFilters/ShapeFilter.cxx",
              "after = std::max(after,", "after = std::min(after + 1.0,", SHAPE_TESTS),
     of_draft("an angle may become smaller if the one before was below the least", "Filters/Core/EditFilters/ShapeFilter.cxx",
-             "mesh.Position(v[2])) >= after;", "mesh.Position(v[2])) >= limit;", SHAPE_TESTS),
+             "mesh.Position(v[2]) }) >= after;", "mesh.Position(v[2]) }) >= limit;", SHAPE_TESTS),
     of_draft("a long edge may be made", "Filters/Core/EditFilters/ShapeFilter.cxx",
              "!this->Limits.LimitsEdges() ||", "true ||", SPLIT_TESTS),
     of_draft("a split mixes up the halves of a face", "Filters/Core/EditFilters/SurfaceChange.cxx",
