@@ -29,12 +29,13 @@ struct FloatBox
   /// Without branches: most boxes that are compared are near each other.
   bool Meets(const FloatBox& other) const
   {
-    bool meets = true;
+    unsigned meets = 1;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      meets = meets & (this->Low[axis] <= other.High[axis]) & (other.Low[axis] <= this->High[axis]);
+      meets &= static_cast<unsigned>(this->Low[axis] <= other.High[axis]);
+      meets &= static_cast<unsigned>(other.Low[axis] <= this->High[axis]);
     }
-    return meets;
+    return meets != 0;
   }
 };
 }

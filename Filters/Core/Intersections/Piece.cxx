@@ -10,12 +10,13 @@ namespace
 {
 bool BoxesMeet(const Piece& a, const Piece& b, double reach)
 {
-  bool meet = true; // without branches: most boxes are near each other
+  unsigned meet = 1; // without branches: most boxes are near each other
   for (Eigen::Index axis = 0; axis < 3; ++axis)
   {
-    meet = meet & (a.Low[axis] - reach <= b.High[axis]) & (b.Low[axis] - reach <= a.High[axis]);
+    meet &= static_cast<unsigned>(a.Low[axis] - reach <= b.High[axis]);
+    meet &= static_cast<unsigned>(b.Low[axis] - reach <= a.High[axis]);
   }
-  return meet;
+  return meet != 0;
 }
 
 bool HasCorner(const Piece& piece, Index vertex)

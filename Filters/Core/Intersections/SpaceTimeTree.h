@@ -27,8 +27,10 @@ struct TimedBox
 
   bool Holds(const FloatBox& box, Index edit) const
   {
-    const bool exists = (this->Made < edit) & (this->Replaced > edit); // without branches
-    return exists & this->Box.Meets(box);
+    unsigned holds = static_cast<unsigned>(this->Made < edit); // without branches
+    holds &= static_cast<unsigned>(this->Replaced > edit);
+    holds &= static_cast<unsigned>(this->Box.Meets(box));
+    return holds != 0;
   }
   bool ExistsWith(const TimedBox& other) const
   {
