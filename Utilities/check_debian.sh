@@ -33,6 +33,7 @@ git clone --quiet . "$project"
 chroot "$root" env -C /project LC_ALL=C.UTF-8 bash -c '
   set -euo pipefail
   ./test.sh
+  apt-get -q -y --no-install-recommends install dpkg-dev file # for cpack
   cpack --config build/release/CPackConfig.cmake -B build/package
   apt-get -q -y --no-install-recommends install ./build/package/*.deb
   /usr/bin/bonedecimate --version'
