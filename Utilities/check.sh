@@ -19,7 +19,7 @@
 # architecture  includes follow the module table of ARCHITECTURE.md
 # site          builds the documentation as a site: links, anchors, references of Python and C++ (Utilities/build_site.sh)
 # sanitize      builds the core with the address and undefined-behavior sanitizers and runs those tests that together reach
-#               98 % of the basic blocks that all reach (select_sanitized_tests.py), the fuzzers' corpora and a few attacks.
+#               98 % of the basic blocks that were recorded (select_sanitized_tests.py), the fuzzers' corpora and a few attacks.
 #               The tests are those that build/release compiled. Left out are the checks for null pointers, which the address
 #               sanitizer finds where they are read or written, and for alignment, and the checksums of whole runs
 # sanitize_whole  all tests of the core with all of these sanitizers, in the tests, too: far longer, and only if it is named

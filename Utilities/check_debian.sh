@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Clones the commit into a root of another release of Debian and runs all tests there; then the package is built and installed, and
-# what it installs is used. Needs root, debootstrap and about 12 GB.
+# Clones the commit into a root of another release of Debian and runs all tests there; then the package is built and installed.
+# Needs root, debootstrap and about 6 GB.
 #   Utilities/check_debian.sh RELEASE [FOLDER]     for example: trixie; FOLDER keeps the root, otherwise it is removed at the end
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -21,10 +21,11 @@ unmount()
   [ -n "${2:-}" ] || rm -rf --one-file-system "$root"
 }
 
-[ -e "$root/etc/debian_version" ] ||
+trap 'unmount "$@"' EXIT
+# debootstrap removes its own folder when it is done.
+[ -e "$root/etc/debian_version" ] && [ ! -e "$root/debootstrap" ] ||
   debootstrap --variant=minbase --include=ca-certificates,git "$release" "$root" http://deb.debian.org/debian \
     /usr/share/debootstrap/scripts/sid # knows releases that are newer than debootstrap, too
-trap 'unmount "$@"' EXIT
 for folder in proc dev sys; do
   mount --bind "/$folder" "$root/$folder"
 done

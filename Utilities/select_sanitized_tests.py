@@ -7,8 +7,8 @@ Usage: Utilities/select_sanitized_tests.py       builds the preset "coverage", r
                                                  and writes Testing/Coverage/sanitized_tests.txt
 
 Greedy weighted set cover (Chvatal, A greedy heuristic for the set-covering problem, 1979): the test that reaches the most new
-blocks per second comes next. The last 2 % of the blocks would take longer than all others: 98 % take 1.5 times as long as 97 %, and
-99 % take 1.6 times as long as 98 %. They are reached by whole runs of large surfaces alone, and `Utilities/check.sh sanitize_whole` runs those.
+blocks per second comes next. The last blocks cost most: 98 % take 1.5 times as long as 97 %, and 99 % take 1.6 times as long as 98 %.
+They are reached by whole runs of large surfaces alone, and `Utilities/check.sh sanitize_whole` runs those.
 """
 
 import heapq

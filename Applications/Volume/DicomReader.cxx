@@ -4,6 +4,7 @@
 
 #include "DicomSegmentation.h"
 #include "DicomSeries.h"
+#include "DicomTags.h"
 #include "GdcmMessages.h"
 #include "IntensityChecks.h"
 #include "TextNumbers.h"
@@ -22,14 +23,7 @@ namespace bonedecimate::volume
 namespace
 {
 const gdcm::Tag Instance(0x0008, 0x0018);
-const gdcm::Tag Modality(0x0008, 0x0060);
 const gdcm::Tag Series(0x0020, 0x000e);
-const gdcm::Tag Position(0x0020, 0x0032);
-const gdcm::Tag Orientation(0x0020, 0x0037);
-const gdcm::Tag Frames(0x0028, 0x0008);
-const gdcm::Tag Rows(0x0028, 0x0010);
-const gdcm::Tag Columns(0x0028, 0x0011);
-const gdcm::Tag PixelSpacing(0x0028, 0x0030);
 const gdcm::Tag Intercept(0x0028, 0x1052);
 const gdcm::Tag Slope(0x0028, 0x1053);
 
@@ -57,11 +51,11 @@ double NumberOr(
 /// Nothing for reports, localizers without a position and whatever else lies about.
 std::optional<DicomSlice> ReadSlice(const gdcm::Scanner& scanner, const std::string& file)
 {
-  const auto position = Numbers(scanner, file, Position, 3);
-  const auto orientation = Numbers(scanner, file, Orientation, 6);
-  const auto spacing = Numbers(scanner, file, PixelSpacing, 2);
-  const auto rows = ParseWholeNumber(Text(scanner, file, Rows));
-  const auto columns = ParseWholeNumber(Text(scanner, file, Columns));
+  const auto position = Numbers(scanner, file, tags::Position, 3);
+  const auto orientation = Numbers(scanner, file, tags::Orientation, 6);
+  const auto spacing = Numbers(scanner, file, tags::PixelSpacing, 2);
+  const auto rows = ParseWholeNumber(Text(scanner, file, tags::Rows));
+  const auto columns = ParseWholeNumber(Text(scanner, file, tags::Columns));
   if (!position || !orientation || !spacing || !rows || !columns)
   {
     return std::nullopt;
@@ -70,8 +64,8 @@ std::optional<DicomSlice> ReadSlice(const gdcm::Scanner& scanner, const std::str
   slice.File = file;
   slice.Series = Text(scanner, file, Series);
   slice.Instance = Text(scanner, file, Instance);
-  slice.IsTomography = Text(scanner, file, Modality) == "CT";
-  slice.Frames = static_cast<std::int64_t>(NumberOr(1.0, scanner, file, Frames));
+  slice.IsTomography = Text(scanner, file, tags::Modality) == "CT";
+  slice.Frames = static_cast<std::int64_t>(NumberOr(1.0, scanner, file, tags::Frames));
   slice.Rows = *rows;
   slice.Columns = *columns;
   std::copy_n(position->begin(), 3, slice.Position.begin());
@@ -95,8 +89,8 @@ ScannedFiles ScanFiles(const std::vector<std::string>& files)
 {
   const GdcmMessages messages;
   gdcm::Scanner scanner;
-  for (const gdcm::Tag& tag : { Instance, Modality, Series, Position, Orientation, Frames, Rows,
-         Columns, PixelSpacing, Intercept, Slope })
+  for (const gdcm::Tag& tag : { Instance, tags::Modality, Series, tags::Position, tags::Orientation,
+         tags::Frames, tags::Rows, tags::Columns, tags::PixelSpacing, Intercept, Slope })
   {
     scanner.AddTag(tag);
   }
@@ -105,7 +99,7 @@ ScannedFiles ScanFiles(const std::vector<std::string>& files)
   for (const std::string& file : files)
   {
     const auto slice = ReadSlice(scanner, file);
-    if (Text(scanner, file, Modality) == "SEG")
+    if (Text(scanner, file, tags::Modality) == "SEG")
     {
       scanned.Segmentations.push_back(file);
     }

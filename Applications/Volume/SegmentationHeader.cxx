@@ -4,6 +4,7 @@
 
 #include "CielabColor.h"
 #include "DicomAttributes.h"
+#include "DicomTags.h"
 #include "DicomText.h"
 #include "TextNumbers.h"
 
@@ -15,17 +16,10 @@ namespace bonedecimate::volume
 namespace
 {
 const gdcm::Tag CharacterSet(0x0008, 0x0005);
-const gdcm::Tag ModalityOfFile(0x0008, 0x0060);
 const gdcm::Tag SpacingBetweenSlices(0x0018, 0x0088);
-const gdcm::Tag ImagePosition(0x0020, 0x0032);
-const gdcm::Tag ImageOrientation(0x0020, 0x0037);
 const gdcm::Tag PlanePositionGroup(0x0020, 0x9113);
 const gdcm::Tag PlaneOrientationGroup(0x0020, 0x9116);
 const gdcm::Tag SamplesPerPixel(0x0028, 0x0002);
-const gdcm::Tag NumberOfFrames(0x0028, 0x0008);
-const gdcm::Tag RowsOfFrame(0x0028, 0x0010);
-const gdcm::Tag ColumnsOfFrame(0x0028, 0x0011);
-const gdcm::Tag SpacingOfPixels(0x0028, 0x0030);
 const gdcm::Tag BitsAllocated(0x0028, 0x0100);
 const gdcm::Tag PixelPadding(0x0028, 0x0120);
 const gdcm::Tag PixelMeasuresGroup(0x0028, 0x9110);
@@ -73,7 +67,7 @@ std::string ReadPixelType(const gdcm::DataSet& data, SegmentationHeader& header)
   header.Pixels = !isMap ? SegmentPixels::Bits
     : bits == 8          ? SegmentPixels::Bytes
                          : SegmentPixels::Words;
-  header.Size = { { WordOr(0, data, ColumnsOfFrame), WordOr(0, data, RowsOfFrame) } };
+  header.Size = { { WordOr(0, data, tags::Columns), WordOr(0, data, tags::Rows) } };
   return std::string();
 }
 
@@ -113,9 +107,9 @@ std::string ReadSegmentItems(const gdcm::DataSet& data, SegmentationHeader& head
 /// @return False if an attribute is missing.
 bool ReadPlacement(const FrameAttributes& frame, FramePlacement& placement)
 {
-  const auto position = frame.Numbers(PlanePositionGroup, ImagePosition, 3);
-  const auto orientation = frame.Numbers(PlaneOrientationGroup, ImageOrientation, 6);
-  const auto spacing = frame.Numbers(PixelMeasuresGroup, SpacingOfPixels, 2);
+  const auto position = frame.Numbers(PlanePositionGroup, tags::Position, 3);
+  const auto orientation = frame.Numbers(PlaneOrientationGroup, tags::Orientation, 6);
+  const auto spacing = frame.Numbers(PixelMeasuresGroup, tags::PixelSpacing, 2);
   if (!position || !orientation || !spacing)
   {
     return false;
@@ -147,7 +141,7 @@ std::string ReadFrames(const gdcm::DataSet& data, SegmentationHeader& header)
 {
   const DicomItems shared(data, SharedGroups);
   const DicomItems frames(data, PerFrameGroups);
-  const std::string count = TextOf(data, NumberOfFrames);
+  const std::string count = TextOf(data, tags::Frames);
   if (frames.Count() == 0 || ParseWholeNumber(count) != static_cast<std::int64_t>(frames.Count()))
   {
     return "it announces '" + count + "' frames and describes " + std::to_string(frames.Count());
@@ -186,7 +180,7 @@ std::string ReadFrames(const gdcm::DataSet& data, SegmentationHeader& header)
 SegmentationHeader ReadSegmentationHeader(const gdcm::DataSet& data)
 {
   SegmentationHeader header;
-  if (TextOf(data, ModalityOfFile) != "SEG")
+  if (TextOf(data, tags::Modality) != "SEG")
   {
     header.Problem =
       "it is one DICOM file and no segmentation (SEG): give the folder of its series";

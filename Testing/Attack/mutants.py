@@ -148,7 +148,7 @@ MUTANTS = (
     of_draft("undone edits stay in the history", INTERSECTIONS + "FaceHistory.cxx",
              "for (Index i = 0; !entry.IsUndone && i < entry.NumberOfFaces; ++i)", "for (Index i = 0; i < entry.NumberOfFaces; ++i)", REPLAY_TESTS),
     of_draft("what only later faces are near is left out of the history", INTERSECTIONS + "SpaceTimeTree.h",
-             "this->Made < other.Replaced && other.Made < this->Replaced &&", "this->Made < other.Made && other.Made < this->Replaced &&", REPLAY_TESTS),
+             "static_cast<unsigned>(this->Made < other.Replaced)", "static_cast<unsigned>(this->Made < other.Made)", REPLAY_TESTS),
     of_draft("an undone edit leaves the twins as they are", "Filters/Core/Edit/EditorDraft.cxx",
              "    this->Half.RestoreTwins(face.Face, entry.Twins[side]);\n", ""),
     of_draft("one intersection before allows any number", INTERSECTIONS + "Piece.cxx",

@@ -128,6 +128,13 @@ Surface OneTriangle(const Vector3& a, const Vector3& b, const Vector3& c)
   return one;
 }
 
+/// The last triangle is an oblique roof above the tip.
+Surface TentUnderARoof(const Vector3& offset)
+{
+  return Moved(
+    Tent(OneTriangle(Vector3(7, -9, -4.1), Vector3(3, 11, 2.3), Vector3(-9, -2, 1.7))), offset);
+}
+
 EditorSettings GuardingNoGaps()
 {
   EditorSettings settings;
@@ -141,9 +148,7 @@ EditorSettings GuardingNoGaps()
 /// Positions relative to the local origin have other last bits than those that are written.
 TEST(FlatIntersectionGuard, DecidesForTheCoordinatesThatAreWritten)
 {
-  const Surface input =
-    Moved(Tent(OneTriangle(Vector3(7, -9, -4.1), Vector3(3, 11, 2.3), Vector3(-9, -2, 1.7))),
-      Vector3(0.1, -1.0 / 3.0, 2.7));
+  const Surface input = TentUnderARoof(Vector3(0.1, -1.0 / 3.0, 2.7));
   const CleanSurface clean = Clean(input, true);
   EditorSettings settings = GuardingNoGaps();
   settings.Input = &input;
@@ -170,9 +175,7 @@ TEST(FlatIntersectionGuard, DecidesForTheCoordinatesThatAreWritten)
 /// A roof in double precision that never moves is written in single precision like the tent below it.
 TEST(FlatIntersectionGuard, DecidesForPointsThatNeverMoveAsTheyAreRounded)
 {
-  const Surface input =
-    Moved(Tent(OneTriangle(Vector3(7, -9, -4.1), Vector3(3, 11, 2.3), Vector3(-9, -2, 1.7))),
-      Vector3(100.1, -1.0 / 3.0, 2.7));
+  const Surface input = TentUnderARoof(Vector3(100.1, -1.0 / 3.0, 2.7));
   const CleanSurface clean = Clean(input, true);
   EditorSettings settings = GuardingNoGaps();
   settings.Input = &input;

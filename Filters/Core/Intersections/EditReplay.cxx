@@ -15,7 +15,7 @@ namespace
 /// Versions in a window, of the faces of the input: more take memory, fewer take time.
 constexpr double VersionsOfFaces = 1.3;
 constexpr Index AllVersions = std::numeric_limits<Index>::max();
-/// Edits are looked at together if so many faces were there for each of a span of time.
+/// Faces at the time for each edit of a span: with more, spans are shorter, and what is found for several edits fits each better.
 constexpr Index FacesOfASpan = 32;
 /// Of all edits, one in this many.
 constexpr Index FewEdits = 8;

@@ -60,9 +60,10 @@ public:
   void VisitAmong(
     const std::vector<Candidate>& found, const FloatBox& box, Index edit, const Visit& visit) const
   {
+    const TimedBox before = { box, edit, edit };
     for (const Candidate& candidate : found)
     {
-      if (candidate.Box.Holds(box, edit))
+      if (candidate.Box.MeetsWhile(before))
       {
         visit(this->Version(candidate.Version));
       }

@@ -25,16 +25,13 @@ struct TimedBox
   Index Made;
   Index Replaced;
 
-  bool Holds(const FloatBox& box, Index edit) const
+  /// Whether it meets the other one while both exist. One that is made and replaced by the same edit exists just before it.
+  bool MeetsWhile(const TimedBox& other) const
   {
-    unsigned holds = static_cast<unsigned>(this->Made < edit); // without branches
-    holds &= static_cast<unsigned>(this->Replaced > edit);
-    holds &= static_cast<unsigned>(this->Box.Meets(box));
-    return holds != 0;
-  }
-  bool ExistsWith(const TimedBox& other) const
-  {
-    return this->Made < other.Replaced && other.Made < this->Replaced && this->Box.Meets(other.Box);
+    unsigned meets = static_cast<unsigned>(this->Made < other.Replaced); // without branches
+    meets &= static_cast<unsigned>(this->Replaced > other.Made);
+    meets &= static_cast<unsigned>(this->Box.Meets(other.Box));
+    return meets != 0;
   }
 };
 
@@ -49,19 +46,14 @@ public:
   template <typename Visit>
   void VisitAt(const FloatBox& box, Index edit, const Visit& visit) const
   {
-    this->Descend([&](const TimedBox& node) { return node.Holds(box, edit); },
-      [&](std::size_t i)
-      {
-        visit(i);
-        return true;
-      });
+    this->VisitWhile({ box, edit, edit }, [&](const TimedBox&, std::size_t i) { visit(i); });
   }
 
   /// Whether a box meets the given one while both exist.
   bool HasWhile(const TimedBox& box) const
   {
     bool has = false;
-    this->Descend([&](const TimedBox& node) { return node.ExistsWith(box); },
+    this->Descend([&](const TimedBox& node) { return node.MeetsWhile(box); },
       [&](std::size_t) { return !(has = true); });
     return has;
   }
@@ -70,7 +62,7 @@ public:
   template <typename Visit>
   void VisitWhile(const TimedBox& box, const Visit& visit) const
   {
-    this->Descend([&](const TimedBox& node) { return node.ExistsWith(box); },
+    this->Descend([&](const TimedBox& node) { return node.MeetsWhile(box); },
       [&](std::size_t i)
       {
         visit(this->Boxes[i], i);

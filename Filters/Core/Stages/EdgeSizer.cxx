@@ -138,5 +138,4 @@ bool EdgeSizer::SplitInTheMiddle(HalfEdgeId edge)
   this->MeshEditor.Settle(this->Space.Counted);
   return isSplit;
 }
-
 }

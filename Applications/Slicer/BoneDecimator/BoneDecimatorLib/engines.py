@@ -236,12 +236,14 @@ class ProgramEngine:
         """As that of the wheel; the report of the command says what stays open."""
         counts = {}
 
-        def line_of(folder, files):
-            counts["file"] = Path(folder, "caps.json")
-            return ["cap", *files, "--loops", loops, "--plane-tolerance", str(CAP_TOLERANCE), "--json", str(counts["file"]), "--quiet"]
+        def file_in(folder):
+            return Path(folder, "caps.json")
 
-        def read(_folder):
-            counts.update(json.loads(counts["file"].read_text(encoding="utf-8")))
+        def line_of(folder, files):
+            return ["cap", *files, "--loops", loops, "--plane-tolerance", str(CAP_TOLERANCE), "--json", str(file_in(folder)), "--quiet"]
+
+        def read(folder):
+            counts.update(json.loads(file_in(folder).read_text(encoding="utf-8")))
 
         closed = self._run_on_files(surface, line_of, None, read)
         is_open = counts["open_loops"]
