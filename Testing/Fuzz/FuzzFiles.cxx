@@ -4,14 +4,16 @@
  * @file FuzzFiles.cxx
  * @brief Fuzzes all readers of surfaces with any bytes: they must be accepted, or rejected with a message.
  *
- *     bytes:  one that selects the reader, then the file
+ *     bytes:  one that selects the reader, then the file; of 3MF also its model alone, which the harness puts into an archive
  */
 #include "Bytes.h"
 #include "ExitCode.h"
 #ifdef BONEDECIMATE_FUZZ_WITH_VTK
 #include "CoordinateCollector.h"
 #include "FileChecks.h"
+#include "GlbFiles.h"
 #include "SurfaceReaders.h"
+#include "ThreeMfFiles.h"
 #endif
 
 #ifdef BONEDECIMATE_FUZZ_WITH_VTK
@@ -25,12 +27,20 @@
 #include <fstream>
 #include <string>
 #include <unistd.h>
+#ifdef BONEDECIMATE_HAS_LIBZIP
+#include <zip.h>
+#endif
 
 using namespace bonedecimate;
 using bonedecimate::testsupport::Bytes;
 
 namespace
 {
+constexpr int GlbKind = 5;
+constexpr int ArchiveKind = 6;
+constexpr int ModelKind = 7;
+constexpr int Kinds = 8;
+
 /// A file of this process, rewritten for each input.
 class Scratch
 {
@@ -73,6 +83,23 @@ void CheckSurface(vtkPolyData* surface)
 }
 #endif
 
+#ifdef BONEDECIMATE_HAS_LIBZIP
+/// Compressed and with a checksum, a model would hardly ever be changed into another one by chance.
+void PutIntoArchive(const Bytes& model, const std::string& path)
+{
+  int error = 0;
+  zip_t* archive = zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &error);
+  zip_source_t* source =
+    archive == nullptr ? nullptr : zip_source_buffer(archive, model.Rest(), model.Count(), 0);
+  if (source == nullptr || zip_file_add(archive, ThreeMfModel, source, ZIP_FL_ENC_UTF_8) < 0 ||
+    zip_close(archive) != 0)
+  {
+    std::fputs("broken: the harness cannot write an archive\n", stderr);
+    std::abort();
+  }
+}
+#endif
+
 void ReadAs(int kind, const std::string& path)
 {
 #ifdef BONEDECIMATE_FUZZ_WITH_VTK
@@ -88,8 +115,19 @@ void ReadAs(int kind, const std::string& path)
       return CheckSurface(ReadPlyFile(path, warnings));
     case 3:
       return CheckVtkFile(path, points);
-    default:
+    case 4:
       return CheckVtpFile(path, points);
+#ifdef BONEDECIMATE_HAS_MESHOPTIMIZER
+    case GlbKind:
+      return CheckSurface(ReadGlbFile(path, warnings));
+#endif
+#ifdef BONEDECIMATE_HAS_LIBZIP
+    case ArchiveKind:
+    case ModelKind:
+      return CheckSurface(ReadThreeMfFile(path, warnings));
+#endif
+    default: // a format that this build does not have
+      return;
   }
 #else
   static_cast<void>(kind);
@@ -102,8 +140,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
   static const Scratch scratch;
   Bytes bytes(data, size);
-  const int kind = bytes.Below(5);
+  const int kind = bytes.Below(Kinds);
   scratch.Write(bytes);
+#ifdef BONEDECIMATE_HAS_LIBZIP
+  if (kind == ModelKind)
+  {
+    PutIntoArchive(bytes, scratch.Path);
+  }
+#endif
   try
   {
     ReadAs(kind, scratch.Path);

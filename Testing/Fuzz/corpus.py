@@ -14,7 +14,7 @@ import pathlib
 import random
 import sys
 
-LONGEST = 700  # bytes of an input that is kept
+LONGEST = 2600  # bytes of an input that is kept
 OPTIONS = 25  # bytes that FuzzCore.cxx takes for them
 
 TETRAHEDRON = ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)), ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))
