@@ -26,7 +26,8 @@ from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 sys.path.insert(0, os.environ["SLICER_MODULE"])
 from BoneDecimatorLib.checks import AUTOMATIC  # noqa: E402
 from BoneDecimatorLib.engines import WheelEngine  # noqa: E402
-from BoneDecimatorLib.logic import BoneDecimatorLogic, Request  # noqa: E402
+from BoneDecimatorLib.logic import BoneDecimatorLogic  # noqa: E402
+from BoneDecimatorLib.request import Request  # noqa: E402
 from BoneDecimatorLib.surfaces import report_of  # noqa: E402
 from segmentation_test import image_of, scene_with, slicers_surface  # noqa: E402
 

@@ -55,7 +55,7 @@ class Panel(unittest.TestCase):
             getattr(self.panel, name).currentNode.return_value = value
         self.panel.segments.selectedSegmentIDs.return_value = ()
         for name, value in (("tolerance", 0.2), ("triangles", 0), ("ownSmoothing", 0.15), ("featureAngle", 180.0), ("radius", 10.0),
-                            ("feather", 2.0)):
+                            ("feather", 2.0), ("minimumAngle", 0.0), ("edgeLength", 0.0), ("chordalError", 0.0)):
             getattr(self.panel, name).value = value
         for name, text in (("smoothing", "none"), ("keepVoxels", "Auto"), ("mode", "Balanced"), ("kind", MODULE.MODELS),
                            ("where", MODULE.EVERYWHERE), ("caps", MODULE.CAPS[0])):
@@ -93,6 +93,11 @@ class Panel(unittest.TestCase):
     def test_the_angle_of_kept_edges_is_requested(self):
         self.panel.featureAngle.value = 45.0
         self.assertEqual(self.panel.request().feature_angle, 45.0)
+
+    def test_shapes_are_requested(self):
+        self.panel.minimumAngle.value, self.panel.edgeLength.value, self.panel.chordalError.value = 20.0, 3.0, 0.1
+        found = self.panel.request()
+        self.assertEqual((found.minimum_angle, found.edge_length, found.chordal_error), (20.0, 3.0, 0.1))
 
     def test_a_model_becomes_a_new_one(self):
         self.press(self.panel._onSimplify)

@@ -18,7 +18,8 @@ import vtk
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Applications" / "Slicer" / "BoneDecimator"))
 from BoneDecimatorLib.checks import DecimationError  # noqa: E402
 from BoneDecimatorLib.engines import Canceled, ProgramEngine, WheelEngine, _set_option  # noqa: E402
-from BoneDecimatorLib.logic import CAPS, SMOOTHINGS, BoneDecimatorLogic, Request, presets, smoothing_of, statistics  # noqa: E402
+from BoneDecimatorLib.logic import CAPS, SMOOTHINGS, BoneDecimatorLogic, presets, smoothing_of, statistics  # noqa: E402
+from BoneDecimatorLib.request import Request  # noqa: E402
 from BoneDecimatorLib.preview import PAUSE, QUIET, Preview, part_of_label_map, part_of_surface  # noqa: E402
 from BoneDecimatorLib.segmentation import LabelMap  # noqa: E402
 
@@ -48,10 +49,14 @@ class Requests(unittest.TestCase):
         for value in (-1, -1e-300, 1.1e30, *NO_NUMBERS):
             self.rejects("^The tolerance takes a number from 0 to 1e30 mm, not ", tolerance=value, triangles=100)
             self.rejects("^The smoothing, if it is not 'automatic', takes a number from 0 to 1e30 mm, not ", smoothing=value)
+            self.rejects("^The edge length takes a number from 0 to 1e30 mm, not ", edge_length=value)
+            self.rejects("^The chordal error takes a number from 0 to 1e30 mm, not ", chordal_error=value)
             self.rejects("^The radius takes a number from 0 to 1e30 mm, not ", radius=value)
             self.rejects("^The feather takes a number from 0 to 1e30 mm, not ", feather=value)
         for value in (-1, 180.5, *NO_NUMBERS):
             self.rejects("^The angle of kept edges takes a number from 0 to 180 degrees, not ", feature_angle=value)
+        for value in (-1, 40.5, *NO_NUMBERS):
+            self.rejects("^The smallest angle takes a number from 0 to 40 degrees, not ", minimum_angle=value)
         for value in (-1, 0.5, 2**31, *NO_NUMBERS):
             self.rejects("^The number of triangles takes a whole number from 0 to 2147483647, not ", triangles=value)
         for value in ("", "on", "Nonsense", None, True):
@@ -60,8 +65,9 @@ class Requests(unittest.TestCase):
             self.rejects("^Mode takes one of Thesis, Fast, Balanced, Accurate", mode=value)
 
     def test_without_any_goal_are_rejected(self):
-        self.rejects("^Give a tolerance, a number of triangles or a smoothing", tolerance=0.0, triangles=0)
-        self.rejects("^Give a tolerance, a number of triangles or a smoothing", tolerance=0.0, keep_voxels="Off")
+        self.rejects("^Give a tolerance, a number of triangles, an edge length or a smoothing", tolerance=0.0, triangles=0)
+        self.rejects("^Give a tolerance, a number of triangles, an edge length or a smoothing", tolerance=0.0, keep_voxels="Off")
+        self.rejects("^A chordal error needs an edge length", chordal_error=0.1)
         self.rejects("^A brush needs a tolerance", tolerance=0.0, triangles=100, brush="Paint")
 
     def test_within_their_range_become_flags(self):
@@ -81,6 +87,10 @@ class Requests(unittest.TestCase):
                                 ({"triangles": 9}, {"target-triangles": 9})):
             with self.subTest(**request):
                 self.assertEqual(Request(tolerance=0.0, mode="Fast", **request).options(), {**fast, **wanted})
+
+    def test_shapes_of_triangles_become_flags(self):
+        wanted = Request(tolerance=0.0, mode="Fast", minimum_angle=20.0, edge_length=3.0, chordal_error=0.1).options()
+        self.assertEqual(wanted, {"mode": "Fast", "min-angle": 20.0, "edge-length": 3.0, "chordal-error": 0.1})
 
     def test_presets_of_smoothing_are_fractions_of_the_least_side_of_a_voxel(self):
         found = {each: smoothing_of(each, (0.8, 0.4, 1.0), own=0.3) for each in SMOOTHINGS}

@@ -16,7 +16,8 @@ from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 sys.path.insert(0, os.environ["SLICER_MODULE"])
 from BoneDecimatorLib.engines import Canceled, DecimationError, ProgramEngine, WheelEngine  # noqa: E402
-from BoneDecimatorLib.logic import BoneDecimatorLogic, Request, spacing_of, surface_of  # noqa: E402
+from BoneDecimatorLib.logic import BoneDecimatorLogic, spacing_of, surface_of  # noqa: E402
+from BoneDecimatorLib.request import Request  # noqa: E402
 from BoneDecimatorLib.segmentation import CLOSED_SURFACE, label_maps_of  # noqa: E402
 from BoneDecimatorLib.surfaces import report_of  # noqa: E402
 

@@ -24,7 +24,8 @@ sys.path.insert(0, os.environ["SLICER_MODULE"])
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Readme"))
 from BoneDecimatorLib import logic as module  # noqa: E402
 from BoneDecimatorLib.engines import Canceled, DecimationError, ProgramEngine, WheelEngine  # noqa: E402
-from BoneDecimatorLib.logic import BoneDecimatorLogic, Request, surface_of  # noqa: E402
+from BoneDecimatorLib.logic import BoneDecimatorLogic, surface_of  # noqa: E402
+from BoneDecimatorLib.request import Request  # noqa: E402
 from BoneDecimatorLib.surfaces import report_of  # noqa: E402
 import readme  # noqa: E402
 

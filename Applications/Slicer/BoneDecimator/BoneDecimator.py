@@ -10,9 +10,9 @@ import slicer
 import vtk
 from BoneDecimatorLib.checks import AUTOMATIC, KEEP_VOXELS
 from BoneDecimatorLib.engines import Canceled, DecimationError, NoEngine
-from BoneDecimatorLib.logic import (CAPS, NO_SMOOTHING, OWN_DISTANCE, SMOOTHINGS, BoneDecimatorLogic, Request, presets, smoothing_of,
-                                    spacing_of)
+from BoneDecimatorLib.logic import CAPS, NO_SMOOTHING, OWN_DISTANCE, SMOOTHINGS, BoneDecimatorLogic, presets, smoothing_of, spacing_of
 from BoneDecimatorLib.preview import Preview
+from BoneDecimatorLib.request import Request
 from BoneDecimatorLib.segmentation import has_label_map
 from BoneDecimatorLib.surfaces import DISTANCE, report_of
 from slicer.ScriptedLoadableModule import ScriptedLoadableModule, ScriptedLoadableModuleTest, ScriptedLoadableModuleWidget
@@ -43,6 +43,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self._addSource()
         self._addSmoothing()
         self._addGoal()
+        self._addShapes()
         self._addBrush()
         self._addActions()
         self._addCaps()
@@ -157,6 +158,20 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
     def _onPreset(self, name):
         self.tolerance.value = presets(spacing_of(self.source.currentNode(), self.volume.currentNode()))[name]
 
+    def _addShapes(self):
+        form = self._section("Triangle shapes", collapsed=True)
+        self.minimumAngle = qt.QDoubleSpinBox()
+        self.minimumAngle.maximum, self.minimumAngle.suffix = 40.0, " degrees"
+        self.minimumAngle.toolTip = "For volume meshers and solvers: no triangle has a smaller angle where the tolerance allows it. 0: off."
+        self.edgeLength = self._millimeters(0.0, 1000.0)
+        self.edgeLength.toolTip = "The surface is remeshed to edges of this length, the largest with a chordal error. 0: off."
+        self.chordalError = self._millimeters(0.0, 100.0)
+        self.chordalError.toolTip = ("Edges are shorter where the surface is curved: triangles lie at most this far below it. Needs an "
+                                     "edge length. 0: off.")
+        for label, widget in (("Smallest angle", self.minimumAngle), ("Edge length", self.edgeLength),
+                              ("Chordal error", self.chordalError)):
+            form.addRow(label, widget)
+
     def _addBrush(self):
         form = self._section("Where", collapsed=True)
         self.where = qt.QComboBox()
@@ -213,7 +228,8 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         form.addRow(self.previewText)
         for signal in (self.source.currentNodeChanged, self.segments.selectionChanged, self.smoothing.currentTextChanged,
                        self.ownSmoothing.valueChanged, self.featureAngle.valueChanged, self.tolerance.valueChanged, self.triangles.valueChanged,
-                       self.mode.currentTextChanged, self.keepVoxels.currentTextChanged, self.where.currentTextChanged,
+                       self.mode.currentTextChanged, self.keepVoxels.currentTextChanged, self.minimumAngle.valueChanged,
+                       self.edgeLength.valueChanged, self.chordalError.valueChanged, self.where.currentTextChanged,
                        self.brush.currentNodeChanged, self.paint.textChanged, self.radius.valueChanged, self.feather.valueChanged):
             signal.connect(lambda *_values: self.preview.changed())
 
@@ -245,6 +261,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         return Request(tolerance=self.tolerance.value, triangles=self.triangles.value, mode=self.mode.currentText,
                        smoothing=smoothing_of(choice, spacing, self.ownSmoothing.value),
                        feature_angle=self.featureAngle.value, keep_voxels=self.keepVoxels.currentText,
+                       minimum_angle=self.minimumAngle.value, edge_length=self.edgeLength.value, chordal_error=self.chordalError.value,
                        brush=brush, keeps_brush=where == KEEP, radius=self.radius.value, feather=self.feather.value)
 
     def _try(self, action):
