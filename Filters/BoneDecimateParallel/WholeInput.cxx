@@ -5,6 +5,7 @@
 #include "BoundaryStrips.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -12,6 +13,8 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkTriangleFilter.h"
+
+#include <algorithm>
 
 namespace bonedecimate
 {
@@ -50,6 +53,22 @@ vtkSmartPointer<vtkPolyData> AppendBlocks(vtkCompositeDataSet* composite)
     });
   return Join(blocks);
 }
+
+vtkIdType CountOutOfRange(vtkCellArray* cells, vtkIdType points)
+{
+  vtkIdType found = 0;
+  const auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    cell->GetCurrentCell(size, corners);
+    const bool isWhole = std::all_of(
+      corners, corners + size, [points](vtkIdType id) { return id >= 0 && id < points; });
+    found += isWhole ? 0 : 1;
+  }
+  return found;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -66,6 +85,20 @@ std::vector<vtkPolyData*> FilledParts(vtkDataObject* input)
     parts.push_back(surface);
   }
   return parts;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType CellsOutOfRange(vtkDataObject* input)
+{
+  vtkIdType found = 0;
+  for (vtkPolyData* part : FilledParts(input))
+  {
+    for (vtkCellArray* cells : { part->GetPolys(), part->GetStrips() })
+    {
+      found += CountOutOfRange(cells, part->GetNumberOfPoints());
+    }
+  }
+  return found;
 }
 
 //------------------------------------------------------------------------------

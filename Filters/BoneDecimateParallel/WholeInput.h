@@ -8,6 +8,7 @@
 #define WholeInput_h
 
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <vector>
 
@@ -24,6 +25,9 @@ extern const char* const BlockArrayName;
  * have, and with polygons and strips as triangles if there are any.
  */
 vtkSmartPointer<vtkPolyData> WholeInput(vtkDataObject* input);
+
+/// Of all parts: polygons and strips with a point id that no point has.
+vtkIdType CellsOutOfRange(vtkDataObject* input);
 
 /// The polydata, or those in a composite data set, that have cells.
 std::vector<vtkPolyData*> FilledParts(vtkDataObject* input);

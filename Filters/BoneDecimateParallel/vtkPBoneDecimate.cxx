@@ -74,6 +74,12 @@ int vtkPBoneDecimate::RequestData(
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }
+  const vtkIdType outOfRange = bonedecimate::CellsOutOfRange(input);
+  if (this->IsTrueAnywhere(outOfRange > 0))
+  {
+    vtkErrorMacro(<< outOfRange << " polygons of this process have point ids out of range");
+    return 0;
+  }
   if (this->IsTrueAnywhere(this->GetNumberOfInputConnections(PortOfLabelMap) > 0))
   {
     vtkErrorMacro(<< "a label map is for one surface on one process alone");

@@ -160,6 +160,7 @@ def rejected():
         "preset-alone": {"ErrorPreset": "HalfVoxel"},
     }.items()} | {
         "grids-differ": (label_images.image(), "grids", {"TargetReduction": 0.5}),
+        "ids-out-of-range": (ring(), "damaged", {"TargetReduction": 0.5}),
     }
 
 

@@ -9,6 +9,7 @@ import sys
 
 from paraview import simple
 from paraview.servermanager import vtkProcessModule
+from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkMultiBlockDataSet
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
@@ -43,6 +44,15 @@ def blocks_of(surface, rank, ranks):
     for block in range(2):
         blocks.SetBlock(block, part_of(surface, lambda number: number * parts // cells == 2 * rank + block))
     return blocks
+
+
+def damaged(part):
+    """With a triangle that has a point that is not there."""
+    corners = vtkIdList()
+    for corner in (0, 1, 10**6):
+        corners.InsertNextId(corner)
+    part.GetPolys().ReplaceCellAtId(0, corners)
+    return part
 
 
 def surface_of(image, cut, rank, ranks):
@@ -90,8 +100,9 @@ def main(folder, *names):
         elif cut == "blocks":
             data = surfaces.source(blocks_of(surface, rank, ranks))
         else:
-            data = surfaces.source(
-                part_of(surface, lambda number: cases.OWNER[cut](number, surface.GetNumberOfCells(), ranks) == rank))
+            owner = cases.OWNER["slabs" if cut == "damaged" else cut]
+            part = part_of(surface, lambda number: owner(number, surface.GetNumberOfCells(), ranks) == rank)
+            data = surfaces.source(damaged(part) if cut == "damaged" and rank == ranks - 1 else part)
         decimate = simple.BoneDecimate(Input=data, **properties)
         writer = vtkXMLPolyDataWriter()
         writer.SetFileName(f"{folder}/{name}-{ranks}-{rank}.vtp")
