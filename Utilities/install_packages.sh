@@ -6,7 +6,7 @@ list="$(dirname "$0")/packages.txt"
 
 wanted=$(awk -v sections=" $* " '
   /^\[/ { name = substr($1, 2, length($1) - 2) }
-  /^[a-z]/ && ((sections == "  " && name !~ /^(wasm|arm64)$/) || index(sections, " " name " ")) { print $1 }' "$list")
+  /^[a-z]/ && ((sections == "  " && name !~ /^(wasm|arm64|windows)$/) || index(sections, " " name " ")) { print $1 }' "$list")
 
 if ! command -v apt-get > /dev/null; then
   echo "This system has no apt-get. Please install what corresponds to these Debian packages:"

@@ -8,6 +8,7 @@
 #include "Formats/FileChecks.h"
 #include "Formats/SurfaceFormat.h"
 #include "Input/VoxelSize.h"
+#include "PointPosition.h"
 #include "ReportFields.h"
 #include "Surface.h"
 
@@ -31,13 +32,6 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 using Position = std::array<double, 3>;
-
-Position PositionOf(vtkPolyData* surface, vtkIdType point)
-{
-  Position position = {};
-  surface->GetPoint(point, position.data());
-  return position;
-}
 
 /// What an entry of the proof becomes.
 double Widened(const std::string& name, double value, double move, double error)

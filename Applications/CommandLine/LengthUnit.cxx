@@ -5,6 +5,7 @@
 #include "ExitCode.h"
 #include "Formats/SurfaceFormat.h"
 #include "HelpFormatter.h"
+#include "PointPosition.h"
 #include "SurfaceFiles.h"
 
 #include "vtkNew.h"
@@ -41,13 +42,6 @@ void SetUnit(LengthUnit& unit, const std::string& name)
 }
 
 using Position = std::array<double, 3>;
-
-Position PositionOf(vtkPolyData* surface, vtkIdType point)
-{
-  Position position = {};
-  surface->GetPoint(point, position.data());
-  return position;
-}
 
 template <typename Convert>
 Position Converted(Position position, const Convert& convert)

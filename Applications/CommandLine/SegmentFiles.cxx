@@ -9,6 +9,7 @@
 #include "Interruption.h"
 #include "NamedLabels.h"
 #include "Options/Text.h"
+#include "PointPosition.h"
 #include "ReportFields.h"
 #include "SegmentOutput.h"
 #include "SurfaceFiles.h"
@@ -40,13 +41,6 @@ namespace bonedecimate
 namespace
 {
 using Position = std::array<double, 3>;
-
-Position PositionOf(vtkPolyData* surface, vtkIdType point)
-{
-  Position position = {};
-  surface->GetPoint(point, position.data());
-  return position;
-}
 
 /// Six times the signed volume between the triangle and the origin.
 double Determinant(const Position& a, const Position& b, const Position& c)

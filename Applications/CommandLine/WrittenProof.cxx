@@ -5,6 +5,7 @@
 #include "BoundText.h"
 #include "ExitCode.h"
 #include "FileNames.h"
+#include "PointPosition.h"
 
 #include "vtkBoneSurfaceDistance.h"
 #include "vtkCellArray.h"
@@ -21,13 +22,6 @@ namespace bonedecimate
 namespace
 {
 constexpr int BoundDecimals = 9;
-
-std::array<double, 3> PositionOf(vtkPolyData* surface, vtkIdType point)
-{
-  std::array<double, 3> position = {};
-  surface->GetPoint(point, position.data());
-  return position;
-}
 
 void Certify(const ProvedRun& run, vtkPolyData* readBack, const std::string& target)
 {
