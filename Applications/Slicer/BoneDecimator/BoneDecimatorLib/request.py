@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the user asks for, and the flags of the program for it. Needs the standard library only."""
+"""A request of the user, and the flags of the program for it. Needs the standard library only."""
 
 from dataclasses import dataclass, field
 
