@@ -236,6 +236,12 @@ std::string WhatVoxelsChanged(const LabelAttack& attack, const Result& result, T
   {
     return "a triangle is nearer to a voxel center than the margin";
   }
+  if (!attack.IsClosed &&
+    CountRimsNearLines(
+      { result.Surface, result.BoundaryLabels }, attack.Source.Grid, Margin - Accuracy) > 0)
+  {
+    return "the boundary of the surface is nearer to a line of voxel centers than the margin";
+  }
   if (attack.IsClosed && attack.CountsExactly && attack.Voxels.size() <= MostVoxels)
   {
     ++totals.ExactlyCounted;

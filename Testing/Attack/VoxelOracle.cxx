@@ -14,6 +14,7 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 namespace bonedecimate::testsupport
@@ -200,6 +201,31 @@ private:
   Index Background;
   std::vector<BigPoint> Points;
 };
+
+/// Lines of voxel centers through the inside of the grid that are nearer to the segment than that many voxels.
+std::int64_t CountLinesNear(
+  const Vector3& a, const Vector3& b, const VoxelGrid& grid, double voxels)
+{
+  std::int64_t count = 0;
+  for (Index r = 0; r < 3; ++r)
+  {
+    const Index s = (r + 1) % 3;
+    const Index t = (r + 2) % 3;
+    for (Index i = 1; i + 1 < grid.Dimensions[static_cast<std::size_t>(s)]; ++i)
+    {
+      for (Index j = 1; j + 1 < grid.Dimensions[static_cast<std::size_t>(t)]; ++j)
+      {
+        const Eigen::Vector2d p(i, j);
+        const Eigen::Vector2d from(a[s], a[t]);
+        const Eigen::Vector2d along(b[s] - a[s], b[t] - a[t]);
+        const double squared = std::max(along.squaredNorm(), 1e-300);
+        const double at = std::clamp((p - from).dot(along) / squared, 0.0, 1.0);
+        count += (from + at * along - p).norm() < voxels ? 1 : 0;
+      }
+    }
+  }
+  return count;
+}
 }
 
 std::int64_t CountWrongExactly(const LabeledTriangles& surface, const VoxelGrid& grid,
@@ -244,6 +270,34 @@ std::int64_t CountNearCenters(const Surface& surface, const VoxelGrid& grid, dou
         }
       }
     }
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+std::int64_t CountRimsNearLines(
+  const LabeledTriangles& surface, const VoxelGrid& grid, double voxels)
+{
+  std::map<std::tuple<Index, Index, Index>, int> sums; // of label, low and high end of an edge
+  for (std::size_t i = 0; i < surface.Labels.size(); ++i)
+  {
+    const Triangle& t = surface.Surface.Triangles[i];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const auto [low, high] = std::minmax({ t[k], t[(k + 1) % 3] });
+      const int sign = low == t[k] ? 1 : -1;
+      sums[{ surface.Labels[i][0], low, high }] += sign;
+      sums[{ surface.Labels[i][1], low, high }] -= sign;
+    }
+  }
+  std::int64_t count = 0;
+  for (const auto& [edge, sum] : sums)
+  {
+    const auto point = [&](Index id)
+    { return grid.ToVoxels(surface.Surface.Points[static_cast<std::size_t>(id)]); };
+    count += sum == 0
+      ? 0
+      : CountLinesNear(point(std::get<1>(edge)), point(std::get<2>(edge)), grid, voxels);
   }
   return count;
 }

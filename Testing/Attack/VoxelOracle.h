@@ -32,6 +32,11 @@ std::int64_t CountWrongExactly(const LabeledTriangles& surface, const VoxelGrid&
 /// Pairs of a triangle and a voxel center nearer to it than that many voxels. Centers outside of the image count, too.
 std::int64_t CountNearCenters(const Surface& surface, const VoxelGrid& grid, double voxels);
 
+/// Pairs of a boundary edge of an open surface and a line of voxel centers nearer to it than that many voxels. Lines in the outermost
+/// planes, in which the surface ends, do not count.
+std::int64_t CountRimsNearLines(
+  const LabeledTriangles& surface, const VoxelGrid& grid, double voxels);
+
 /// Pairs of triangles of which an edge of one pierces the other, by integers of any size. Triangles that only touch do not count:
 /// the rounding of positions to those of the output decides whether they do.
 std::int64_t CountIntersections(const Surface& surface);

@@ -230,6 +230,40 @@ TEST(VoxelPatches, OfAnOpenSurfaceAreGuardedOnBothEndsOfTheVolume)
   }
 }
 
+TEST(VoxelPatches, OfAnOpenSurfaceMayNotBringTheRimNearAnEdgeOfTheGrid)
+{
+  constexpr double margin = 1e-3;
+  const auto isNear = [](const std::array<Vector3, 2>& before, const std::array<Vector3, 2>& after)
+  {
+    VoxelPatch patch;
+    patch.AddOldRim(Fixed(before[0]), Fixed(before[1]), margin);
+    patch.AddNewRim(Fixed(after[0]), Fixed(after[1]), margin);
+    return patch.IsRimNearOtherEdges();
+  };
+  for (Index axis = 0; axis < 3; ++axis)
+  {
+    // Past the line along the axis through (., 1, 1), at a height between two centers.
+    const auto segment = [axis](double distance, double height) -> std::array<Vector3, 2>
+    {
+      std::array<Vector3, 2> ends;
+      for (const double side : { -1.0, 1.0 })
+      {
+        Vector3& end = ends[side < 0.0 ? 0 : 1];
+        end[axis] = height;
+        end[(axis + 1) % 3] = 1.0 + 0.7 * side;
+        end[(axis + 2) % 3] = 1.0 + 0.7 * side + distance * std::sqrt(2.0);
+      }
+      return ends;
+    };
+    EXPECT_FALSE(isNear(segment(0.1, 2.5), segment(1.01 * margin, 2.5))) << axis;
+    EXPECT_TRUE(isNear(segment(0.1, 2.5), segment(0.99 * margin, 2.5))) << axis;
+    EXPECT_TRUE(isNear(segment(0.1, 2.5), segment(-0.99 * margin, -2.5))) << axis;
+    EXPECT_FALSE(isNear(segment(0.0, 2.4), segment(0.5 * margin, 2.6))) << axis;
+    EXPECT_TRUE(isNear(segment(0.0, 2.4), segment(0.5 * margin, 3.4))) << axis;
+    EXPECT_FALSE(isNear(segment(0.0, 2.4), { Vector3(0.4, 0.4, 0.4), Vector3(0.6, 0.6, 0.6) }));
+  }
+}
+
 TEST(VoxelPatches, BeyondTheReachOfThePredicatesAreRejected)
 {
   const auto needle = [](double length) -> std::vector<Corners> {

@@ -105,6 +105,24 @@ bool VoxelGuard::IsOpen(const HalfEdgeMesh& mesh, const SurfaceChange& change) c
 }
 
 //------------------------------------------------------------------------------
+/// @pre KeepsLabels: the patch is not large.
+bool VoxelGuard::KeepsRim(
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, VoxelPatch& patch) const
+{
+  const double margin = this->Settings.Margin;
+  for (const Index h : change.OldBoundary)
+  {
+    patch.AddOldRim(this->Convert(mesh.Position(mesh.Origin(h))),
+      this->Convert(mesh.Position(mesh.Target(h))), margin);
+  }
+  for (const SurfaceChange::BoundaryEdge& edge : change.NewBoundary)
+  {
+    patch.AddNewRim(this->Convert(edge.Ends[0]), this->Convert(edge.Ends[1]), margin);
+  }
+  return !patch.IsRimNearOtherEdges();
+}
+
+//------------------------------------------------------------------------------
 Decision VoxelGuard::Check(
   const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const
 {
@@ -121,8 +139,9 @@ Decision VoxelGuard::Check(
   {
     patch.AddNew(this->Convert(face.Corners), this->LabelsOf(mesh.InputFace(face.Old())));
   }
-  const bool keeps =
-    patch.KeepsLabels(this->IsOpen(mesh, change)) && !patch.IsNearCenter(this->Settings.Margin);
+  const bool isOpen = this->IsOpen(mesh, change);
+  const bool keeps = patch.KeepsLabels(isOpen) && !patch.IsNearCenter(this->Settings.Margin) &&
+    (!isOpen || this->KeepsRim(mesh, change, patch));
   return keeps ? Rejection::NotRejected : Rejection::VoxelLabel;
 }
 }

@@ -6,7 +6,7 @@
  *
  *     Check(edit):   positions as they will be written, in voxels                   FixedPoint.h
  *                    no voxel center lies between the old and the new triangles     VoxelPatch.h, exact
- *                    none is nearer to a new triangle than the margin
+ *                    none is nearer to a new triangle than the margin, nor an edge of the grid to the rim of an open surface
  *
  * The margin exceeds the rounding of programs that voxelize the result. Triangles that are never changed may be
  * nearer. Edits larger than LargestPatch (1024 voxels) are rejected. Only the edit itself is read, so none is deferred, and
@@ -24,6 +24,8 @@
 
 namespace bonedecimate
 {
+class VoxelPatch;
+
 struct VoxelGuardSettings
 {
   VoxelGrid Grid;
@@ -54,6 +56,7 @@ private:
   FixedPoint Convert(const Vector3& position) const;
   FixedTriangle Convert(const std::array<Vector3, 3>& corners) const;
   bool IsOpen(const HalfEdgeMesh& mesh, const SurfaceChange& change) const;
+  bool KeepsRim(const HalfEdgeMesh& mesh, const SurfaceChange& change, VoxelPatch& patch) const;
 
   VoxelGuardSettings Settings;
   FixedPointFrame Frame;

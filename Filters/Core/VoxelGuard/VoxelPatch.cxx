@@ -95,6 +95,8 @@ void VoxelPatch::Clear()
 {
   this->Faces.clear();
   this->HasSeveralLabels = false;
+  this->NearOldRim.clear();
+  this->NearNewRim.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -112,6 +114,18 @@ void VoxelPatch::AddOld(const FixedTriangle& corners, const BoundaryLabels& labe
 void VoxelPatch::AddNew(const FixedTriangle& corners, const BoundaryLabels& labels)
 {
   this->Add(corners, labels, -1);
+}
+
+//------------------------------------------------------------------------------
+void VoxelPatch::AddOldRim(const FixedPoint& from, const FixedPoint& to, double margin)
+{
+  AddEdgesNear(from, to, margin, this->NearOldRim);
+}
+
+//------------------------------------------------------------------------------
+void VoxelPatch::AddNewRim(const FixedPoint& from, const FixedPoint& to, double margin)
+{
+  AddEdgesNear(from, to, margin, this->NearNewRim);
 }
 
 //------------------------------------------------------------------------------
@@ -235,5 +249,13 @@ bool VoxelPatch::IsNearCenter(double margin) const
   return std::any_of(this->Faces.begin(), this->Faces.end(),
     [margin](const Face& face)
     { return face.Count < 0 && CentersNear(face.Corners, face.Box, margin).Any(); });
+}
+
+//------------------------------------------------------------------------------
+bool VoxelPatch::IsRimNearOtherEdges() const
+{
+  const auto& old = this->NearOldRim;
+  return std::any_of(this->NearNewRim.begin(), this->NearNewRim.end(),
+    [&old](const GridEdge& edge) { return std::find(old.begin(), old.end(), edge) == old.end(); });
 }
 }

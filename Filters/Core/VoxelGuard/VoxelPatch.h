@@ -9,12 +9,14 @@
  * this holds label by label: a triangle counts +1 for the first of its labels and -1 for the second.
  *
  * If the rim differs, the surface is open there. Then all three axes are checked, with the displacements of
- * ColumnCrossing.h into all octants, since a boundary may lie in a plane of voxel centers.
+ * ColumnCrossing.h into all octants, since a boundary may lie in a plane of voxel centers. The new rim must not come near an
+ * edge between voxel centers that the old one is not near (RimLines.h).
  */
 #ifndef BoneDecimate_Core_VoxelGuard_VoxelPatch_h
 #define BoneDecimate_Core_VoxelGuard_VoxelPatch_h
 
 #include "ColumnCrossing.h"
+#include "RimLines.h"
 
 #include <vector>
 
@@ -27,12 +29,18 @@ public:
   void AddOld(const FixedTriangle& corners, const BoundaryLabels& labels);
   void AddNew(const FixedTriangle& corners, const BoundaryLabels& labels);
 
+  void AddOldRim(const FixedPoint& from, const FixedPoint& to, double margin);
+  void AddNewRim(const FixedPoint& from, const FixedPoint& to, double margin);
+
   /// Whether every voxel center keeps its labels. False, too, if the patches are larger than LargestPatch.
   bool KeepsLabels(bool isOpen);
 
   /// Whether a new triangle is nearer to a voxel center than that.
   /// @param margin Voxels, less than 0.1.
   bool IsNearCenter(double margin) const;
+
+  /// Whether the new rim is nearer than its margin to an edge of the grid that the old one is not near.
+  bool IsRimNearOtherEdges() const;
 
 private:
   struct Face
@@ -58,6 +66,8 @@ private:
 
   std::vector<Face> Faces;
   std::vector<Sum> Sums; // of one column
+  std::vector<GridEdge> NearOldRim;
+  std::vector<GridEdge> NearNewRim;
   bool HasSeveralLabels = false;
 };
 }
