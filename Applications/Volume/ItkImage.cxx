@@ -54,6 +54,10 @@ itk::ImageIOBase::Pointer ReaderOf(ItkImage::Format format)
       const auto nifti = itk::NiftiImageIO::New();
       // The format before NIfTI has no position.
       nifti->SetLegacyAnalyze75Mode(itk::NiftiImageIOEnums::Analyze75Flavor::AnalyzeReject);
+#if ITK_VERSION_MAJOR > 5 || ITK_VERSION_MINOR >= 4
+      // It would turn axes until they are perpendicular; a variable of the environment sets it.
+      nifti->SFORM_PermissiveOff();
+#endif
       return nifti.GetPointer();
     }
     case ItkImage::Format::Nrrd:

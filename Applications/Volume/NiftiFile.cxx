@@ -164,11 +164,13 @@ VolumeGeometry SformOf(const NiftiHeader& header)
   return geometry;
 }
 
-/// Of a file whose axes ITK finds not perpendicular, which rounding to single precision suffices for.
-std::string SformProblem(const NiftiHeader& header)
+/// Of a file whose position ITK takes from the sform, although its spacing is another one: from 5.3 on ITK warns only.
+std::string SpacingProblem(const NiftiHeader& header)
 {
+  const bool isOfScanner = header.At<std::int16_t>(254) == 1;
+  const bool hasQform = header.At<std::int16_t>(252) > 0;
   const VolumeGeometry geometry = SformOf(header);
-  for (std::size_t axis = 0; HasSform(header) && axis < 3; ++axis)
+  for (std::size_t axis = 0; HasSform(header) && (isOfScanner || !hasQform) && axis < 3; ++axis)
   {
     const double spacing = header.At<float>(80 + 4 * axis);
     if (!(std::abs(Length(geometry.Steps[axis]) - spacing) <= 1e-3 * spacing))
@@ -176,7 +178,13 @@ std::string SformProblem(const NiftiHeader& header)
       return "its spacing is not that of its sform";
     }
   }
-  return HasSform(header) ? GeometryProblem(geometry) : "its header has no position";
+  return std::string();
+}
+
+/// Of a file whose axes ITK finds not perpendicular, which rounding to single precision suffices for.
+std::string SformProblem(const NiftiHeader& header)
+{
+  return HasSform(header) ? GeometryProblem(SformOf(header)) : "its header has no position";
 }
 
 /// The largest coordinate of the difference of the positions of a voxel, mm.
@@ -315,7 +323,8 @@ DataFile DataOf(const NiftiHeader& header, const std::string& path)
 LayeredVolume OpenNifti(const std::string& path)
 {
   const NiftiHeader header(path);
-  const std::string inFile = header.Problem();
+  std::string inFile = header.Problem();
+  inFile = inFile.empty() ? SpacingProblem(header) : inFile;
   if (!inFile.empty())
   {
     return RejectedLayers(inFile);

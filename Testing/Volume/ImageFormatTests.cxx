@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -71,6 +72,8 @@ TEST_F(ImageFormats, RejectsNiftiWithWhatItsLibraryPassesOver)
   this->RejectNifti(With(upright, 84, -1.0F), "spacing is zero, negative");
   this->RejectNifti(With(upright, 88, std::nanf("")), "not a finite number");
   this->RejectNifti(With(this->Header(), 80, 5.0F), "spacing is not that of its sform");
+  this->RejectNifti(With(With(this->Header(), 252, std::int16_t(1)), 80, 5.0F),
+    "spacing is not that of its sform");                           // both are those of the scanner
   this->RejectNifti(With(this->Header(), 123, char(3)), "not mm"); // micrometers
   this->RejectNifti(With(this->Header(), 344, 'x'), "");
   this->RejectNifti(
@@ -82,6 +85,26 @@ TEST_F(ImageFormats, RejectsNiftiWithWhatItsLibraryPassesOver)
     this->RejectNifti(With(this->Header(), 42 + 2 * axis, std::int16_t(-3)), "");
     this->RejectNifti(With(this->Header(), 42 + 2 * axis, std::int16_t(32767)), "truncated");
   }
+}
+
+TEST_F(ImageFormats, SformOfAnotherSpaceMayHaveAnotherSpacingThanTheQform)
+{
+  const std::string ofScanner = With(this->Header(), 252, std::int16_t(1));
+  const std::string header = With(With(ofScanner, 254, std::int16_t(4)), 80, 5.0F);
+  WriteBytes(this->Folder.File("a.nii"), header + VoxelBytes(this->Tilted));
+  const volume::Volume read = volume::ReadVolume(this->Folder.File("a.nii"));
+  ASSERT_EQ(read.Problem, "");
+  EXPECT_EQ(read.Geometry.Steps[0][0], -5.0); // the qform does not rotate
+  EXPECT_NE(read.Note.find("its sform and qform are up to"), std::string::npos) << read.Note;
+}
+
+TEST_F(ImageFormats, AxesOfNiftiAreThoseOfTheFileWhateverTheEnvironmentSays)
+{
+  setenv("ITK_NIFTI_SFORM_PERMISSIVE", "YES", 1);
+  WriteNifti(this->Folder.File("a.nii"), ShearedScan());
+  const BoneSurface bone = ExtractBoneSurface(this->Folder.File("a.nii"), SurfaceValue);
+  unsetenv("ITK_NIFTI_SFORM_PERMISSIVE");
+  ExpectSpecimen(bone);
 }
 
 TEST_F(ImageFormats, RejectsTruncatedAndDamagedNifti)
