@@ -33,5 +33,15 @@ if [ "$(id -u)" -ne 0 ]; then
   as_root=(sudo)
 fi
 "${as_root[@]}" apt-get -q update
+# Other releases lack some of them; where one is necessary, CMake says so.
+known=()
+for package in "${missing[@]}"; do
+  if apt-cache show "$package" > /dev/null 2>&1; then
+    known+=("$package")
+  else
+    echo "Not in this release of Debian: $package"
+  fi
+done
+[ ${#known[@]} -gt 0 ] || exit 0
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-  apt-get -q -y --no-install-recommends install "${missing[@]}"
+  apt-get -q -y --no-install-recommends install "${known[@]}"
