@@ -36,5 +36,9 @@ mkdir -p "$folder.part"
 for package in "$scratch"/*.deb; do
   dpkg-deb -x "$package" "$folder.part"
 done
+# Since Debian 13 the names of Python's modules have Python's version in them, but not where ParaView's CMake package lists them.
+find "$folder.part" -name '*.cpython-*.so' | while read -r module; do
+  [ -e "${module%%.cpython-*}.so" ] || ln -s "$(basename "$module")" "${module%%.cpython-*}.so"
+done
 rm -rf "$folder"
 mv "$folder.part" "$folder"
