@@ -2,26 +2,30 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Clones the commit into a root of another release of Debian and runs all tests there; then the package is built and installed.
-# Needs root, debootstrap and about 6 GB.
-#   Utilities/check_debian.sh RELEASE [FOLDER]     for example: trixie; FOLDER keeps the root, otherwise it is removed at the end
+# Clones the commit into a root of another release of Debian, builds everything there, the plugin for ParaView too, and runs all tests.
+# Then the Debian package is built and installed, and the README's examples run with what it installed.
+# The last line is a row for the table of systems in Documentation/versions.md.
+# Needs root, debootstrap and about 10 GB.
+#   Utilities/check_debian.sh RELEASE [FOLDER]     for example: trixie
+# FOLDER keeps the root with its packages and its build, and the next run continues from there; otherwise the root is removed at the end.
 set -euo pipefail
+# In its own mount namespace: what is mounted in the root is gone with this script.
+[ -n "${CHECK_DEBIAN_MOUNTS:-}" ] || CHECK_DEBIAN_MOUNTS=own exec unshare --mount "${BASH_SOURCE[0]}" "$@"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 release=${1:?a release of Debian, for example trixie}
 root=${2:-$(mktemp -d)}
 project=$root/project
 
-unmount()
+remove()
 {
-  local folder
   for folder in sys dev proc; do
-    mountpoint -q "$root/$folder" && umount --lazy "$root/$folder"
+    umount --lazy "$root/$folder" || true
   done
-  [ -n "${2:-}" ] || rm -rf --one-file-system "$root"
+  rm -rf --one-file-system "$root"
 }
 
-trap 'unmount "$@"' EXIT
+[ -n "${2:-}" ] || trap remove EXIT
 # debootstrap removes its own folder when it is done.
 [ -e "$root/etc/debian_version" ] && [ ! -e "$root/debootstrap" ] ||
   debootstrap --variant=minbase --include=ca-certificates,git "$release" "$root" http://deb.debian.org/debian \
@@ -29,12 +33,28 @@ trap 'unmount "$@"' EXIT
 for folder in proc dev sys; do
   mount --bind "/$folder" "$root/$folder"
 done
-rm -rf "$project"
-git clone --quiet . "$project"
+if [ -e "$project/.git" ]; then
+  git -C "$project" fetch --quiet "$PWD" HEAD
+  git -C "$project" checkout --quiet --force FETCH_HEAD
+else
+  git clone --quiet . "$project"
+fi
+# shellcheck disable=SC2016
 chroot "$root" env -C /project LC_ALL=C.UTF-8 bash -c '
   set -euo pipefail
-  ./test.sh
+  mkdir -p build
+  Utilities/install_paraview.sh
+  ./test.sh 2>&1 | tee build/tests.log
+
   apt-get -q -y --no-install-recommends install dpkg-dev file # for cpack
+  rm -rf build/package
   cpack --config build/release/CPackConfig.cmake -B build/package
-  apt-get -q -y --no-install-recommends install ./build/package/*.deb
-  /usr/bin/bonedecimate --version'
+  apt-get -q -y --no-install-recommends --reinstall install ./build/package/*.deb
+  SOURCE_DIR=$PWD PROGRAM=/usr/bin/bonedecimate PHANTOM=$PWD/build/release/bin/bonedecimate-phantom \
+    python3 -B Testing/Readme/test_readme.py
+
+  version() { dpkg-query -W -f "\${Version}" "$1" | sed -E "s/^[0-9]+://; s/[-+].*//"; }
+  paraview=$(LD_LIBRARY_PATH=$(echo "$PWD"/build/paraview/usr/lib/*-linux-gnu) build/paraview/usr/bin/pvpython --version)
+  echo "| Debian $(cat /etc/debian_version) | $(gcc -dumpfullversion) | $(version cmake) | $(version libvtk9-dev) |" \
+    "${paraview##* } | $(version libinsighttoolkit5-dev) | $(version libcgal-dev) | $(python3 -V | cut -d" " -f2) |" \
+    "$(sed -nE "s/^.* tests passed, ([0-9]+) tests failed out of ([0-9]+)/\2, \1 failed/p" build/tests.log) |"'
