@@ -56,5 +56,5 @@ chroot "$root" env -C /project LC_ALL=C.UTF-8 bash -c '
   version() { dpkg-query -W -f "\${Version}" "$1" | sed -E "s/^[0-9]+://; s/[-+].*//"; }
   paraview=$(LD_LIBRARY_PATH=$(echo "$PWD"/build/paraview/usr/lib/*-linux-gnu) build/paraview/usr/bin/pvpython --version)
   echo "| Debian $(cat /etc/debian_version) | $(gcc -dumpfullversion) | $(version cmake) | $(version libvtk9-dev) |" \
-    "${paraview##* } | $(version libinsighttoolkit5-dev) | $(version libcgal-dev) | $(python3 -V | cut -d" " -f2) |" \
+    "${paraview##* } | $(version libinsighttoolkit5-dev) | $(version libcgal-dev) | $(version libeigen3-dev) | $(python3 -V | cut -d" " -f2) |" \
     "$(sed -nE "s/^.* tests passed, ([0-9]+) tests failed out of ([0-9]+)/\2, \1 failed/p" build/tests.log) |"'
