@@ -178,6 +178,26 @@ void PrintPruned(const ReportFields& report)
   }
 }
 
+/// The tunnels closed on request.
+void PrintTunnels(const ReportFields& report)
+{
+  if (!report.Number("tunnels.closed"))
+  {
+    return;
+  }
+  double left = 0.0;
+  for (const std::string& name : report.NamesBelow("tunnels.left."))
+  {
+    left += report.Number(name).value_or(0.0);
+  }
+  std::cout << "tunnels         " << Count(report, "tunnels.closed") << " closed, "
+            << static_cast<std::int64_t>(left) << " narrow ones left; handles "
+            << Count(report, "tunnels.genus_before") << " -> "
+            << Count(report, "tunnels.genus_after") << "; the plugs are at most "
+            << MillimeterText(report.Number("tunnels.distance").value_or(0.0))
+            << " mm from the input\n";
+}
+
 /// The diagnostics of the input.
 void PrintDiagnostics(const ReportFields& report)
 {
@@ -252,6 +272,7 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
             << "components      " << Count(report, "output.components") << " of "
             << Count(report, "input.components") << " kept\n";
   PrintPruned(report);
+  PrintTunnels(report);
   PrintDiagnostics(report);
   PrintSmoothing(report);
   if (report.Number("reference.triangles"))

@@ -9,6 +9,7 @@
 #include "PartSection.h"
 #include "ReportFields.h"
 #include "SurfaceDistances.h"
+#include "TunnelSection.h"
 #include "VoxelSection.h"
 
 #include <algorithm>
@@ -239,13 +240,8 @@ std::string PrunedTable(const ReportFields& report)
     {
       break;
     }
-    std::string position;
-    for (const std::string& name : report.NamesBelow(path + ".center."))
-    {
-      position += (position.empty() ? "" : ", ") + LengthText(report.Number(name));
-    }
     rows.push_back({ CountText(triangles), LengthText(report.Number(path + ".size")),
-      LengthText(report.Number(path + ".area")), position });
+      LengthText(report.Number(path + ".area")), PositionText(report, path + ".center.") });
   }
   return rows.size() == 1 ? std::string() : Table(rows);
 }
@@ -383,6 +379,7 @@ std::string ComposePage(const PageSubject& subject)
       { "surface table", SurfaceTable(report) }, { "merged points", count("input.merged_points") },
       { "dropped triangles", count("input.dropped_triangles") },
       { "triangles read", count("input.triangles_read") }, { "pruned", Pruned(report) },
-      { "diagnostics", Diagnostics(report) }, { "run table", RunTable(report) } });
+      { "tunnels", TunnelSection(report) }, { "diagnostics", Diagnostics(report) },
+      { "run table", RunTable(report) } });
 }
 }

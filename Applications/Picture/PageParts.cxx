@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PageParts.h"
 
+#include "NumberText.h"
+#include "Options/Text.h"
 #include "PageTemplate.h"
 
 #include "vtkBase64Utilities.h"
@@ -18,6 +20,17 @@ std::string Cell(const std::string& content, const std::string& tag, const std::
 {
   return "<" + tag + attributes + ">" + content + "</" + tag + ">";
 }
+}
+
+std::string PositionText(const ReportFields& report, const std::string& path)
+{
+  std::string position;
+  for (const std::string& name : report.NamesBelow(path))
+  {
+    position += (position.empty() ? "" : ", ") +
+      EscapedXml(MillimeterText(report.Number(name).value_or(0.0)));
+  }
+  return position;
 }
 
 std::string Table(const std::vector<std::vector<std::string>>& rows)

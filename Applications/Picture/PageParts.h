@@ -7,6 +7,8 @@
 #ifndef BoneDecimate_Applications_PageParts_h
 #define BoneDecimate_Applications_PageParts_h
 
+#include "ReportFields.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -16,6 +18,9 @@ namespace bonedecimate
 /// First the heads of the columns, then the rows; the first cell of each row is its head. Cells are
 /// HTML.
 std::string Table(const std::vector<std::vector<std::string>>& rows);
+
+/// The coordinates below a path, mm: "1.00, 2.00, 3.00".
+std::string PositionText(const ReportFields& report, const std::string& path);
 
 std::string Base64(const std::string& bytes);
 

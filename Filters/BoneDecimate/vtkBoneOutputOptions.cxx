@@ -28,6 +28,7 @@ const char* const OutputNames[] = {
   "PruneArea",
   "PruneVolume",
   "PruneTriangles",
+  "TunnelSize",
   "DiagnoseInput",
 };
 // clang-format on
@@ -195,6 +196,16 @@ void vtkBoneOutputOptions::SetPruneTriangles(int value)
 int vtkBoneOutputOptions::GetPruneTriangles() const
 {
   return this->State->Options.PruneTriangles;
+}
+
+void vtkBoneOutputOptions::SetTunnelSize(double value)
+{
+  this->State->Set(this, "TunnelSize", value);
+}
+
+double vtkBoneOutputOptions::GetTunnelSize() const
+{
+  return this->State->Options.TunnelSize;
 }
 
 void vtkBoneOutputOptions::SetDiagnoseInput(bool value)

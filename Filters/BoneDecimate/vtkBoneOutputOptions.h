@@ -134,6 +134,14 @@ public:
   ///@}
 
   ///@{
+  /// Close tunnels of at most this diameter before anything else: handles of the surface around an opening whose shortest closed
+  /// loop of edges is no longer than that of a circle of this diameter. Bone around which such a loop runs is never cut. The report
+  /// lists them; errors and proofs refer to the surface with its tunnels closed. 0: off. Range: 0 to 1e30 mm; default: 0.
+  void SetTunnelSize(double value);
+  double GetTunnelSize() const;
+  ///@}
+
+  ///@{
   /// Add diagnostics of the input to the report: kinds, counts and first ids. Default: off.
   void SetDiagnoseInput(bool value);
   bool GetDiagnoseInput() const;

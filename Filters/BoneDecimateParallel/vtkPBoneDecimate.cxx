@@ -23,6 +23,37 @@
 namespace
 {
 constexpr int PortOfLabelMap = 2;
+
+/// The option that parts cannot follow, whatever they are; null if there is none.
+const char* ProblemOfOptions(vtkPBoneDecimate& options)
+{
+  if (!options.GetMergePoints())
+  {
+    return "MergePoints off is for one process alone: parts are joined where points are equal";
+  }
+  if (options.GetTunnelSize() > 0.0)
+  {
+    return "TunnelSize is for one process alone: a part does not show which loops go around a "
+           "tunnel";
+  }
+  if (options.GetMakeMaps())
+  {
+    return "MakeMaps is for one process alone: the ids of a part are not those of the whole";
+  }
+  if (options.GetOutputPointsPrecision() != vtkAlgorithm::DEFAULT_PRECISION)
+  {
+    return "OutputPointsPrecision on several processes is that of the input: parts are joined "
+           "where points are equal";
+  }
+  if (options.GetOutputPointsGrid() > 0.0)
+  {
+    return "OutputPointsGrid is for one process alone: points that parts have in common keep their "
+           "coordinates";
+  }
+  return options.GetDiagnoseInput()
+    ? "DiagnoseInput is for one process alone: what is odd about a part need not be so in the whole"
+    : nullptr;
+}
 }
 
 vtkStandardNewMacro(vtkPBoneDecimate);
@@ -190,27 +221,7 @@ const char* vtkPBoneDecimate::ProblemOfParts(
            "along "
            "the whole surface";
   }
-  if (!this->GetMergePoints())
-  {
-    return "MergePoints off is for one process alone: parts are joined where points are equal";
-  }
-  if (this->GetMakeMaps())
-  {
-    return "MakeMaps is for one process alone: the ids of a part are not those of the whole";
-  }
-  if (this->GetOutputPointsPrecision() != DEFAULT_PRECISION)
-  {
-    return "OutputPointsPrecision on several processes is that of the input: parts are joined "
-           "where points are equal";
-  }
-  if (this->GetOutputPointsGrid() > 0.0)
-  {
-    return "OutputPointsGrid is for one process alone: points that parts have in common keep their "
-           "coordinates";
-  }
-  return this->GetDiagnoseInput()
-    ? "DiagnoseInput is for one process alone: what is odd about a part need not be so in the whole"
-    : nullptr;
+  return ProblemOfOptions(*this);
 }
 
 //------------------------------------------------------------------------------

@@ -21,6 +21,7 @@
 #include "StageClock.h"
 #include "Stages/DistinctPositions.h"
 #include "Stages/StageList.h"
+#include "TunnelRun.h"
 
 #include <algorithm>
 #include <limits>
@@ -350,7 +351,9 @@ Result Decimate(
     result.Report.Status = InputStatus::InvalidOption;
     return result;
   }
-  return DecimateRegions(input, options, monitor, inputs, DecimateWhole);
+  return DecimateWithoutTunnels(input, options, monitor, inputs,
+    [](const Surface& closed, const Options& rest, const Monitor& follow, const RunInputs& with)
+    { return DecimateRegions(closed, rest, follow, with, DecimateWhole); });
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
  * @file Decimate.h
  * @brief Simplifies a surface; the result comes with its error in millimeters.
  *
+ *     closed   = CloseTunnels(input)           on request; what follows refers to the closed surface (TunnelRun.h)
  *     prepared = PrepareInput(input)           clean, prune, check the errors, build the half-edge mesh
  *     smoothed = SmoothInput(prepared)         positions within a bound, if smoothing is on; proved by their displacement
  *     editor   = MakeEditor(prepared)          the mesh with all that is kept beside it; proves edits if there is a bound

@@ -365,6 +365,7 @@ FEATURES = [
     Feature("prune by area", ("--prune-area", 60), without_crumb),
     Feature("prune by volume", ("--prune-volume", 60), without_crumb),
     Feature("prune by triangles", ("--prune-triangles", 200), without_crumb),
+    Feature("close tunnels", ("--close-tunnels", 1), lambda run: "" if run.command or "tunnels" in run.report else "none"),
     Feature("reference", ("--max-error", ERROR, "--reference", "first.vtp"), lambda run: "" if run.command or "reference" in run.report else "none", goal=True),
     switch("no merging of points", "--merge-points", "off", "MergePoints", keeps_duplicates),
     Feature("measured", ("--measure", "on"), lambda run: "" if run.command or "distance" in run.report else "no distance"),

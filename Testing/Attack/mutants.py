@@ -55,6 +55,7 @@ BATCH_TESTS = "BatchSweep*"
 DRAFT_TESTS = "Draft*:EditJournal*:FaceHistory*:EditReplay*:BulkProof*"
 REPLAY_TESTS = DRAFT_TESTS + ":*IntersectionGuard*:GapsOfADraft*"
 SHAPE_TESTS = "ShapeFilter*:ShapeImprover*:MinimumAngle*:RingShape*"
+TUNNEL_TESTS = "Tunnels*:EdgeGraph*"
 SPLIT_TESTS = "EdgeSplit*:EdgeLength*:FreeSlots*"
 CERTIFICATE_TESTS = "OverlayCover*:Certificate*:ResultProof*"
 
@@ -248,6 +249,9 @@ MUTANTS = (
            "this->InputFaces[made] = this->InputFaces[Face(h)];", "", SPLIT_TESTS),
     of_draft("an id that a split takes stays free", "Filters/Core/Edit/SplitEdit.cxx",
              "this->VertexSlots->Take(edit.Keep);", "", SPLIT_TESTS),
+    of_draft("struts of bone are cut as tunnels are closed", "Filters/Core/Tunnels/CloseTunnels.cxx",
+             ": inwards < -clear * all   ? Surrounded::Bone", ": inwards < -clear * all   ? Surrounded::Tunnel", TUNNEL_TESTS),
+    of_draft("plugs may intersect the surface", "Filters/Core/Tunnels/TunnelPlug.cxx", " || this->Intersects(plug))", ")", TUNNEL_TESTS),
 )
 
 

@@ -54,7 +54,8 @@ const std::vector<Number>& Numbers()
     NUMBER_PROPERTY(OutputPointsGrid), NUMBER_PROPERTY(PassArrays), NUMBER_PROPERTY(MakeMaps),
     NUMBER_PROPERTY(RecomputeNormals), NUMBER_PROPERTY(ProveResult), NUMBER_PROPERTY(ErrorPreset),
     NUMBER_PROPERTY(VoxelSize), NUMBER_PROPERTY(PruneSize), NUMBER_PROPERTY(PruneArea),
-    NUMBER_PROPERTY(PruneVolume), NUMBER_PROPERTY(PruneTriangles), NUMBER_PROPERTY(DiagnoseInput) };
+    NUMBER_PROPERTY(PruneVolume), NUMBER_PROPERTY(PruneTriangles), NUMBER_PROPERTY(TunnelSize),
+    NUMBER_PROPERTY(DiagnoseInput) };
   return numbers;
 }
 
@@ -210,6 +211,7 @@ TEST(Properties, HaveTheDefaultsOfTheirDocumentation)
   EXPECT_FALSE(filter->GetDiagnoseInput());
   EXPECT_EQ(filter->GetPruneSize() + filter->GetPruneArea() + filter->GetPruneVolume(), 0.0);
   EXPECT_EQ(filter->GetPruneTriangles(), 0);
+  EXPECT_EQ(filter->GetTunnelSize(), 0.0);
   EXPECT_EQ(filter->GetNumberOfThreads(), 0);
   EXPECT_EQ(filter->GetOutputPointsPrecision(), vtkAlgorithm::DEFAULT_PRECISION);
 }

@@ -154,6 +154,7 @@ def rejected():
         "OutputPointsPrecision": {"OutputPointsPrecision": "Double"},
         "OutputPointsGrid": {"OutputPointsGrid": 0.25},
         "DiagnoseInput": {"DiagnoseInput": 1},
+        "TunnelSize": {"TunnelSize": 1.0},
         "ChordalError": {"EdgeLength": 2.0, "ChordalError": 0.1},
         "EdgeLengthArrayName": {"EdgeLength": 2.0, "EdgeLengthArrayName": "allowed"},
         "no-grid": {"KeepVoxels": "On"},

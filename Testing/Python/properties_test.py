@@ -36,6 +36,7 @@ NUMBERS = {
     "PruneSize": (0.0, 2.0, (-1.0, 1.1e30, *NO_NUMBERS)),
     "PruneArea": (0.0, 20.0, (-1.0, 1.1e30, *NO_NUMBERS)),
     "PruneVolume": (0.0, 8.0, (-1.0, 1.1e30, *NO_NUMBERS)),
+    "TunnelSize": (0.0, 2.0, (-1.0, 1.1e30, *NO_NUMBERS)),
     "PruneTriangles": (0, 100, (-1, -2**31)),
     "OutputPointsGrid": (0.0, 0.25, (-1.0, 1.1e30, *NO_NUMBERS)),
     "OutputPointsPrecision": (vtkAlgorithm.DEFAULT_PRECISION, vtkAlgorithm.SINGLE_PRECISION, (-1, 3)),

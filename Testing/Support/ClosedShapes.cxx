@@ -172,6 +172,17 @@ Surface TunnelBlock(Index cells)
     { return cell[0] < low || cell[0] >= high || cell[1] < low || cell[1] >= high; });
 }
 
+Surface DrilledPlate()
+{
+  return Block({ 18, 9, 3 },
+    [](const Cell& cell)
+    {
+      const auto isIn = [&cell](Index low, Index width)
+      { return cell[0] >= low && cell[0] < low + width && cell[1] >= 3 && cell[1] < 3 + width; };
+      return !isIn(3, 1) && !isIn(7, 2) && !isIn(12, 3);
+    });
+}
+
 Surface Icosphere(int levels, double radius)
 {
   Surface sphere = Icosahedron();

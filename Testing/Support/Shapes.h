@@ -38,6 +38,9 @@ Surface Torus(Index around, Index across);
 /// A block of cells x cells x 3 unit cubes with a square tunnel along z through its middle.
 Surface TunnelBlock(Index cells);
 
+/// A plate of 18 x 9 x 3 unit cubes with three square tunnels along z, 1, 2 and 3 wide, with corners at (3, 3), (7, 3), (12, 3).
+Surface DrilledPlate();
+
 /// A box of cells x cells x 1 unit cubes.
 Surface FlatPlate(Index cells);
 

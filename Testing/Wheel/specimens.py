@@ -213,6 +213,7 @@ def cases():
         "Preset": (patch(False), {"ErrorPreset": 2, "VoxelSize": 0.5, "IntersectionGuard": False}),
         "Reference": (torus(bumps=0.3), {"MaximumError": 0.2, "ReferenceData": torus(bumps=0.31)}),
         "ReferenceTooFar": (torus(bumps=0.3), {"MaximumError": 0.001, "ReferenceData": torus()}),
+        "ClosedTunnel": (with_arrays(torus()), {**half, "TunnelSize": 14.5, "MakeMaps": True, "MeasureInputDistances": True}),
         "LabelMap": (boxes(has_lines=True), {"KeepVoxels": 1}),
         "LabelMapOfOtherPoints": (with_lines(boxes()), {}),
         "LabelMapWithoutArrays": (boxes(), {**half, "PassArrays": False, "Smoothing": 0.2}),

@@ -21,6 +21,11 @@ std::vector<OptionInfo> InputOptionRows()
       "Remove closed components with a smaller volume; open components stay. 0: off." },
     { "PruneTriangles", &Options::PruneTriangles, 0, largestInteger, "triangles", "prune-triangles",
       {}, "Remove components with fewer triangles. 0: off." },
+    { "TunnelSize", &Options::TunnelSize, 0, LargestNumber, "mm", "close-tunnels", {},
+      "Close tunnels of at most this diameter before anything else: handles of the surface around "
+      "an opening whose shortest closed loop of edges is no longer than that of a circle of this "
+      "diameter. Bone around which such a loop runs is never cut. The report lists them; errors "
+      "and proofs refer to the surface with its tunnels closed. 0: off." },
     { "DiagnoseInput", &Options::DiagnoseInput, 0, 1, "", "diagnose", {},
       "Add diagnostics of the input to the report: kinds, counts and first ids." },
   };

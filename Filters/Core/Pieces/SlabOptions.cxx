@@ -43,6 +43,10 @@ std::string WhatIsWrong(const Options& options)
   {
     return "A run in slabs does not remove components, because it does not know them as a whole.";
   }
+  if (options.TunnelSize > 0.0)
+  {
+    return "A run in slabs does not close tunnels, because it does not know them as a whole.";
+  }
   if (options.MeasureInputDistances || options.DiagnoseInput)
   {
     return "A run in slabs does not keep the input, so it neither measures nor diagnoses it.";

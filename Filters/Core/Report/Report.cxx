@@ -7,6 +7,7 @@
 #include "Options/IneffectiveOptions.h"
 #include "Options/NumberRange.h"
 #include "Options/OptionTable.h"
+#include "TunnelTable.h"
 #include "Words.h"
 
 #include <algorithm>
@@ -250,6 +251,8 @@ std::string InputMessage(const Report& report)
     case InputStatus::NoVoxelGrid:
       return "KeepVoxels is on, but the surface has no voxel grid: give its label map, extract it "
              "with vtkBoneSurfaces, which stores the grid, or set KeepVoxels to Auto or Off";
+    case InputStatus::CannotCloseTunnels:
+      return TunnelConflictMessage(report.Tunnels.Conflict);
     case InputStatus::InvalidOption:
       return CheckOptions(report.Requested);
   }
@@ -262,6 +265,8 @@ std::vector<std::string> InputWarnings(const Report& report)
   std::vector<std::string> warnings = IdleWarnings(report);
   const std::vector<std::string> ofSize = SizeWarnings(report.Size);
   warnings.insert(warnings.end(), ofSize.begin(), ofSize.end());
+  const std::vector<std::string> ofTunnels = TunnelWarnings(report.Tunnels);
+  warnings.insert(warnings.end(), ofTunnels.begin(), ofTunnels.end());
   const std::vector<std::string> ofSmoothing = SmoothingWarnings(report.Smoothing);
   warnings.insert(warnings.end(), ofSmoothing.begin(), ofSmoothing.end());
   const std::vector<std::string> ofParts = PartWarnings(report.Parts);

@@ -13,6 +13,7 @@
 #include "PartFigures.h"
 #include "ShapeFigures.h"
 #include "Surface.h"
+#include "TunnelFigures.h"
 
 #include <array>
 #include <cmath>
@@ -47,7 +48,8 @@ enum class InputStatus : int
   ErrorBelowSize, ///< The largest error is less than a millionth of the diagonal: rounding alone exceeds it.
   BadLabelMap, ///< A grid that is not valid, labels that are not one pair for each triangle, or a surface far from the grid.
   NoVoxelGrid, ///< KeepVoxels is On and no grid is known.
-  InvalidOption ///< A value is outside of the range of its option.
+  CannotCloseTunnels, ///< TunnelSize with something that does not go with it; TunnelFigures::Conflict.
+  InvalidOption       ///< A value is outside of the range of its option.
 };
 
 /// Why the collapse ended.
@@ -337,6 +339,7 @@ struct Report
   CleaningStatistics Cleaning;
   std::vector<Diagnostic> Diagnostics; ///< Of the whole input, if requested.
   PruneFigures Pruned;
+  TunnelFigures Tunnels; ///< If any were closed, everything else refers to the closed surface.
   bool DistancesMeasured = false;
   DistanceStatistics OutputToInput;
   DistanceStatistics InputToOutput;

@@ -9,6 +9,7 @@
 #include "Options/OptionTable.h"
 #include "ReportEntries.h"
 #include "ShapeTable.h"
+#include "TunnelTable.h"
 #include "Words.h"
 
 #include <algorithm>
@@ -318,6 +319,7 @@ std::vector<ReportEntry> ReportEntries(const Report& report)
   {
     AddPruned(entries, report.Pruned);
   }
+  AddTunnels(entries, report.Tunnels);
   AddSurface(entries, "output", report.Output);
   if (report.DistancesMeasured)
   {

@@ -39,13 +39,15 @@ for _row in _core.option_table():
 WITHOUT_ARRAYS = {key: "it is about the arrays of a data set" for key, row in ROWS.items()
                   if row.name.endswith("ArrayName") or row.name in ("PassArrays", "RecomputeNormals")}
 WITHOUT_LEVELS = WITHOUT_ARRAYS | {key: "levels are of all components, on no grid, and have no maps" for key, row in ROWS.items()
-                                   if row.name.startswith("Prune") or row.name in ("MakeMaps", "OutputPointsGrid")}
+                                   if row.name.startswith("Prune") or row.name in ("MakeMaps", "OutputPointsGrid")} | {
+    key: "levels start from the input" for key, row in ROWS.items() if row.name == "TunnelSize"}
 
 
 # Smoothing removes no triangles, and has a parameter of its own for the distance.
 WITHOUT_GOALS = WITHOUT_ARRAYS | {key: "smoothing removes no triangles" for key, row in ROWS.items()
                                   if row.name in ("Mode", "TargetNumberOfTriangles", "TargetReduction", "IntersectionGuard",
-                                                  "NormalTolerance", "AutomaticNormalTolerance", "MakeMaps", "OutputPointsGrid")
+                                                  "NormalTolerance", "AutomaticNormalTolerance", "MakeMaps", "OutputPointsGrid",
+                                                  "TunnelSize")
                                   or row.name.startswith("Prune")} | {
     key: "distance says how far points may move" for key, row in ROWS.items() if row.name.endswith("Smoothing")}
 

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TunnelFigures.h
+ * @brief Tunnels that were closed before the first edit, and those that were left open.
+ */
+#ifndef BoneDecimate_Core_Report_TunnelFigures_h
+#define BoneDecimate_Core_Report_TunnelFigures_h
+
+#include "Surface.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace bonedecimate
+{
+/// Why a tunnel that is narrow enough was left open.
+enum class TunnelObstacle : int
+{
+  NoObstacle = 0,
+  AmbiguousLoop, ///< It turns partly around the tunnel and partly around bone.
+  NoAnnulus, ///< The triangles along its loop are not a band with two edges, or reach an open boundary.
+  Constrained, ///< A point with tolerance 0, a point that is not manifold, or several labels.
+  Intersection ///< The plug would intersect the surface.
+};
+constexpr std::size_t NumberOfTunnelObstacles = 5;
+
+/// What the run has that does not go with closing tunnels.
+enum class TunnelConflict : int
+{
+  NoConflict = 0,
+  OfLabelMap,
+  WithKeepVoxels,
+  WithReference,
+  OfPart, ///< The input is a part of a larger surface.
+  WithLog ///< Edits are recorded.
+};
+
+struct ClosedTunnel
+{
+  double Girth = 0.0;               ///< mm, length of the shortest closed loop of edges around it.
+  double Volume = 0.0;              ///< mm^3, of the plug.
+  Vector3 Center = Vector3::Zero(); ///< mm, mean of the points of the loop.
+};
+
+struct TunnelFigures
+{
+  bool IsRequested = false; ///< If false, all other members but Conflict are meaningless.
+  TunnelConflict Conflict = TunnelConflict::NoConflict; ///< Else the input was rejected.
+  std::int64_t GenusBefore = 0; ///< Number of handles; open boundaries count as closed.
+  std::int64_t GenusAfter = 0;
+  std::array<std::int64_t, NumberOfTunnelObstacles>
+    Left{}; ///< By TunnelObstacle; [NoObstacle] is always 0.
+  double Distance =
+    0.0; ///< mm, upper bound of the distance between input and closed surface, both directions.
+  std::vector<ClosedTunnel> Closed; ///< In the order in which they were closed.
+
+  std::int64_t NumberLeft() const
+  {
+    std::int64_t sum = 0;
+    for (const std::int64_t count : this->Left)
+    {
+      sum += count;
+    }
+    return sum;
+  }
+};
+}
+
+#endif
