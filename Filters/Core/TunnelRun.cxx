@@ -104,6 +104,10 @@ private:
     SurfaceWithoutTunnels made = CloseTunnels(clean.Surface, constraints,
       this->Requested.TunnelSize, threads, this->Progress.Stage(0.0, ClosedAt));
     this->Figures = std::move(made.Figures);
+    for (ClosedTunnel& tunnel : this->Figures.Closed)
+    {
+      tunnel.Center += clean.Origin;
+    }
     if (!made.Added.empty())
     {
       this->Assemble(clean, made);

@@ -73,6 +73,7 @@ RUNS = {
     "voxels": (torus, {"ErrorPreset": vtkBoneDecimate.ONE_VOXEL, "VoxelSize": 0.5}),
     "diagnostics": (plate, {"DiagnoseInput": True}),
     "pruned": (torus, {"PruneTriangles": 3}),
+    "tunnels": (torus, {"TunnelSize": 15.0}),
     "smoothed": (segmented, {"AutomaticSmoothing": True, "MaximumError": 0.5}),
     "voxels-changed": (segmented, {"KeepVoxels": vtkBoneDecimate.KEEP_VOXELS_OFF, "TargetReduction": 0.98}),
 }

@@ -115,15 +115,17 @@ TEST(Tunnels, OfAPlateCloseExactlyUpToTheSize)
 
 TEST(Tunnels, AreListedWithTheirSizeAndPosition)
 {
-  const Report report = ReportOf(DrilledPlate(), Closing(3.0));
+  const Vector3 offset(-100.0, 40.0, 8.0);
+  const Report report = ReportOf(Moved(DrilledPlate(), offset), Closing(3.0));
   const std::vector<ClosedTunnel>& closed = report.Tunnels.Closed;
   ASSERT_EQ(closed.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i)
   {
     const double width = 1.0 + static_cast<double>(i);
     EXPECT_NEAR(closed[i].Girth, 4.0 * width, 1e-12);
-    EXPECT_NEAR(closed[i].Center[0], (i == 0 ? 3.5 : 8.0), 1e-12);
-    EXPECT_NEAR(closed[i].Center[1], 3.0 + 0.5 * width, 1e-12);
+    const Vector3 center = closed[i].Center - offset;
+    EXPECT_NEAR(center[0], (i == 0 ? 3.5 : 8.0), 1e-12);
+    EXPECT_NEAR(center[1], 3.0 + 0.5 * width, 1e-12);
     EXPECT_GE(closed[i].Volume, 0.99 * width * width);
     EXPECT_LE(closed[i].Volume, 2.01 * width * width);
   }
