@@ -4,14 +4,13 @@
 
 #include "Parallel.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <atomic>
@@ -29,10 +28,26 @@ void CopyPoints(const Value* from, int threads, std::vector<Vector3>& points)
     [&](std::size_t p) { points[p] = Vector3(from[3 * p], from[3 * p + 1], from[3 * p + 2]); });
 }
 
-template <typename Array>
-bool ReadStored(Array* offsets, Array* corners, vtkIdType numberOfPoints, int threads,
-  std::vector<Triangle>& triangles)
+/// The array, or a copy where it is stored in another way: since VTK 9.6 offsets of triangles may be computed.
+template <typename Value>
+vtkSmartPointer<vtkAOSDataArrayTemplate<Value>> ToPlainArray(vtkDataArray* array)
 {
+  using Plain = vtkAOSDataArrayTemplate<Value>;
+  if (auto* plain = Plain::FastDownCast(array))
+  {
+    return plain;
+  }
+  auto copy = vtkSmartPointer<Plain>::New();
+  copy->DeepCopy(array);
+  return copy;
+}
+
+template <typename Value>
+bool ReadStored(
+  vtkCellArray* cells, vtkIdType numberOfPoints, int threads, std::vector<Triangle>& triangles)
+{
+  const auto offsets = ToPlainArray<Value>(cells->GetOffsetsArray());
+  const auto corners = ToPlainArray<Value>(cells->GetConnectivityArray());
   const vtkIdType values = std::max<vtkIdType>(1, offsets->GetNumberOfValues());
   const auto count = static_cast<std::size_t>(values - 1);
   const auto* offset = offsets->GetPointer(0);
@@ -121,11 +136,9 @@ bool ReadTriangles(
   {
     return true;
   }
-  return cells->IsStorage64Bit()
-    ? ReadStored(cells->GetOffsetsArray64(), cells->GetConnectivityArray64(), numberOfPoints,
-        threads, triangles)
-    : ReadStored(cells->GetOffsetsArray32(), cells->GetConnectivityArray32(), numberOfPoints,
-        threads, triangles);
+  return vtkAOSDataArrayTemplate<vtkTypeInt32>::FastDownCast(cells->GetConnectivityArray())
+    ? ReadStored<vtkTypeInt32>(cells, numberOfPoints, threads, triangles)
+    : ReadStored<vtkTypeInt64>(cells, numberOfPoints, threads, triangles);
 }
 
 //------------------------------------------------------------------------------

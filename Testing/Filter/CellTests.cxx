@@ -13,8 +13,11 @@
 #include "vtkPoints.h"
 #include "vtkSphereSource.h"
 #include "vtkStripper.h"
+#include "vtkVersion.h"
 
 #include <gtest/gtest.h>
+
+#include <functional>
 
 using namespace bonedecimate;
 using namespace bonedecimate::testsupport;
@@ -81,6 +84,29 @@ std::vector<Vector3> PointsOfCell(vtkPolyData* polyData, vtkCellArray* cells, vt
   }
   return points;
 }
+}
+
+TEST(Cells, ResultDoesNotDependOnHowTheyAreStored)
+{
+  FilterRun ofPlain(Bumps(3));
+  const Surface expected = SurfaceOf(ofPlain.Output());
+  std::vector<std::function<void(vtkCellArray*)>> conversions{ [](vtkCellArray* cells)
+    { EXPECT_TRUE(cells->ConvertTo32BitStorage()); } };
+#if VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 6
+  conversions.emplace_back(
+    [](vtkCellArray* cells) { EXPECT_TRUE(cells->ConvertToFixedSize32BitStorage()); });
+  conversions.emplace_back(
+    [](vtkCellArray* cells) { EXPECT_TRUE(cells->ConvertToFixedSize64BitStorage()); });
+#endif
+  for (const auto& convert : conversions)
+  {
+    const auto input = Bumps(3);
+    convert(input->GetPolys());
+    FilterRun run(input);
+    const Surface result = SurfaceOf(run.Output());
+    EXPECT_TRUE(result.Points == expected.Points);
+    EXPECT_EQ(result.Triangles, expected.Triangles);
+  }
 }
 
 TEST(Cells, StripsAreTakenAsTheirTriangles)
