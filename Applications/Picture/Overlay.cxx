@@ -63,7 +63,7 @@ void Overlay::Write(const Words& words)
   property->SetVerticalJustificationToCentered();
   actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   actor->SetPosition(words.At[0], words.At[1]);
-  this->Renderer->AddActor2D(actor);
+  this->Renderer->AddViewProp(actor);
 }
 
 void Overlay::Draw(const std::vector<Position>& line, double width)
@@ -87,7 +87,7 @@ void Overlay::Draw(const std::vector<Position>& line, double width)
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(Ink[0], Ink[1], Ink[2]);
   actor->GetProperty()->SetLineWidth(static_cast<float>(this->Pixels(width)));
-  this->Renderer->AddActor2D(actor);
+  this->Renderer->AddViewProp(actor);
 }
 
 void Overlay::DrawRectangle(const Position& lowerLeft, const Position& upperRight, double width)
@@ -113,7 +113,7 @@ void Overlay::DrawColorBar(
   bar->SetTextPositionToPrecedeScalarBar(); // below a horizontal one
   bar->SetBarRatio(0.42);
   SetLook(bar->GetLabelTextProperty(), this->Pixels(0.019), false, false);
-  this->Renderer->AddActor2D(bar);
+  this->Renderer->AddViewProp(bar);
   const double middle = 0.5 * (lowerLeft[0] + upperRight[0]);
   this->Write({ title, { middle, upperRight[1] - 0.16 * (upperRight[1] - lowerLeft[1]) }, 0.021,
     Align::Center, true });
