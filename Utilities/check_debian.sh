@@ -20,7 +20,7 @@ project=$root/project
 remove()
 {
   for folder in sys dev proc; do
-    umount --lazy "$root/$folder" || true
+    umount --recursive --lazy "$root/$folder" || true
   done
   rm -rf --one-file-system "$root"
 }
@@ -31,7 +31,7 @@ remove()
   debootstrap --variant=minbase --include=ca-certificates,git "$release" "$root" http://deb.debian.org/debian \
     /usr/share/debootstrap/scripts/sid # knows releases that are newer than debootstrap, too
 for folder in proc dev sys; do
-  mount --bind "/$folder" "$root/$folder"
+  mount --rbind "/$folder" "$root/$folder" # with the shared memory in /dev/shm
 done
 if [ -e "$project/.git" ]; then
   git -C "$project" fetch --quiet "$PWD" HEAD
