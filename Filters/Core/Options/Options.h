@@ -82,8 +82,8 @@ struct Options
   double PruneSize = 0.0;        // mm
   double PruneArea = 0.0;        // mm^2
   double PruneVolume = 0.0;      // mm^3
+  double TunnelSize = 0.0;       // mm
   int PruneTriangles = 0;
-  double TunnelSize = 0.0; // mm
   bool DiagnoseInput = false;
 
   /// Must be set together with TargetReduction. While it is false, the default reduction is ignored if a number of
