@@ -191,7 +191,7 @@ void PrintTunnels(const ReportFields& report)
     left += report.Number(name).value_or(0.0);
   }
   std::cout << "tunnels         " << Count(report, "tunnels.closed") << " closed, "
-            << static_cast<std::int64_t>(left) << " narrow ones left; handles "
+            << static_cast<std::int64_t>(left) << " left although narrow; handles "
             << Count(report, "tunnels.genus_before") << " -> "
             << Count(report, "tunnels.genus_after") << "; the plugs are at most "
             << MillimeterText(report.Number("tunnels.distance").value_or(0.0))

@@ -21,7 +21,7 @@ class Tunnels(ApplicationTest):
     def test_what_was_closed_is_told_everywhere(self):
         words = ("--close-tunnels", GAP, "--report", "report.json", "--page", "page.html", "--max-error", 0.5)
         run = self.succeed("in.ply", "out.ply", *words)
-        self.assertRegex(run.stdout, r"tunnels         1 closed, 0 narrow ones left; handles 1 -> 0; the plugs are at most \d")
+        self.assertRegex(run.stdout, r"tunnels         1 closed, 0 left although narrow; handles 1 -> 0; the plugs are at most \d")
         self.assertIn("warning: 1 tunnel was closed, so there is bone where the input has none", run.stdout)
         report = self.report()
         self.assertEqual(report["output"]["euler_number"], 2)
