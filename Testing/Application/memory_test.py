@@ -112,6 +112,7 @@ class Memory(ApplicationTest):
             (("--region", "rest=0.1"), "--region"),
             (("--fill-volume", 9), "--fill-volume"),
             (("--smooth", "0.1"), "smooth"),
+            (("--close-tunnels", 2), "does not close tunnels"),
             (("--target-triangles", 100), "number of triangles"),
         ):
             self.fail_with(USAGE, "a.mha", "a.ply", *RUN, "--memory", "4G", *words, says=says)
