@@ -108,7 +108,14 @@ int vtkPBoneDecimate::RequestData(
   const vtkIdType outOfRange = bonedecimate::CellsOutOfRange(input);
   if (this->IsTrueAnywhere(outOfRange > 0))
   {
-    vtkErrorMacro(<< outOfRange << " polygons of this process have point ids out of range");
+    if (outOfRange > 0)
+    {
+      vtkErrorMacro(<< outOfRange << " polygons or strips have point ids out of range");
+    }
+    else
+    {
+      vtkErrorMacro(<< "the part of another process has point ids out of range");
+    }
     return 0;
   }
   if (this->IsTrueAnywhere(this->GetNumberOfInputConnections(PortOfLabelMap) > 0))

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Inputs for the fuzzers: made here, or found by them, kept as texts with one input a line in hexadecimal.
 
-    corpus.py make core|files|logs|predicates FOLDER    the first inputs, a file each
+    corpus.py make core|files|logs|predicates FOLDER    the first inputs, a file each; without GLB and 3MF, whose first ones are kept
     corpus.py unpack TEXT FOLDER                       what is kept, a file each
     corpus.py pack FOLDER TEXT                         a folder's files (let the fuzzer merge them before), the longest of them left out
 """

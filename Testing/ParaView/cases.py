@@ -143,7 +143,7 @@ def with_tolerances(surface):
 
 
 def rejected():
-    """Properties that need the whole surface."""
+    """Properties that need the whole surface, and parts that are not one."""
     ring = specimens.torus
     return {name: (labeled(ring()), "slabs", properties) for name, properties in {
         "prune-all": {"PruneSize": 1000.0},
