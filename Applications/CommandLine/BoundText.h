@@ -11,6 +11,9 @@
 
 namespace bonedecimate
 {
+/// Where bounds as small as the rounding of a file are printed.
+inline constexpr int DecimalsOfRounding = 9;
+
 /// With that many decimals.
 std::string FixedText(double number, int decimals);
 

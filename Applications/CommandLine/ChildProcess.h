@@ -9,10 +9,8 @@
 
 #include "ExitCode.h"
 
-#include <cstdio>
 #include <memory>
 #include <string>
-#include <sys/types.h>
 #include <vector>
 
 namespace bonedecimate
@@ -20,7 +18,7 @@ namespace bonedecimate
 class ChildProcess
 {
 public:
-  /// @param self argv[0], for systems that do not know /proc/self/exe.
+  /// @param self argv[0], where the system does not tell which program runs.
   /// @throws Failure(ExitCode::OutOfMemory) if the system gives no further process.
   ChildProcess(const std::string& self, const std::vector<std::string>& arguments);
 
@@ -32,31 +30,27 @@ public:
   /// Whether it has ended; does not wait.
   bool HasEnded();
 
-  /// Sends it the signal of an interruption.
+  /// As Interruption.h has it: it is to put things in order and end.
   void Interrupt();
 
-  /// Whether it ended by a signal, with no chance to put anything in order.
+  /// Whether the system ended it, with no chance to put anything in order.
   bool HasDied() const;
 
-  int GetProcess() const { return this->Process; }
+  int GetProcess() const;
 
   /// Of an ended child. One that died counts as out of memory, the usual cause of it.
   ExitCode GetCode() const;
 
-  /// What it said on its standard error, or by which signal it died.
+  /// What it said on its standard error, or what it died of.
   std::string GetMessage() const;
 
 private:
-  struct CloseFile
-  {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-
-  std::unique_ptr<std::FILE, CloseFile> Errors; // nameless and gone with us
-  pid_t Process = -1;
-  bool Ended = false;
-  int Status = 0;
+  struct State;
+  std::unique_ptr<State> Child;
 };
+
+/// The first line of what the program wrote, without its name.
+std::string MessageIn(const std::string& errors);
 }
 
 #endif

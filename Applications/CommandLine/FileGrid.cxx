@@ -28,8 +28,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr int BoundDecimals = 9;
-
 /// How far outside of a surface its result may lie where no error bounds it, as a fraction of the diagonal.
 constexpr double MarginOfSize = 1.0 / 64.0;
 
@@ -101,10 +99,10 @@ double GridStepFor(vtkPolyData* surface, double error, int bits, const std::stri
   {
     Reject(path,
       "in " + std::to_string(bits) + " bits its coordinates are multiples of " +
-        FixedText(step, BoundDecimals) + " mm and move by up to " +
-        UpperBoundText(rounding, BoundDecimals) + " mm, more than half of the largest error of " +
-        FixedText(error, BoundDecimals) + " mm; " +
-        (bits < MostPositionBits ? "--position-bits 16 or " : std::string()) +
+        FixedText(step, DecimalsOfRounding) + " mm and move by up to " +
+        UpperBoundText(rounding, DecimalsOfRounding) +
+        " mm, more than half of the largest error of " + FixedText(error, DecimalsOfRounding) +
+        " mm; " + (bits < MostPositionBits ? "--position-bits 16 or " : std::string()) +
         "another format rounds less");
   }
   return step;
@@ -113,8 +111,9 @@ double GridStepFor(vtkPolyData* surface, double error, int bits, const std::stri
 std::string GridNote(double step, bool isBounded)
 {
   return "glb: coordinates are whole multiples of " + NumberText(step) +
-    " mm; points are rounded by up to " + UpperBoundText(LargestGridRounding(step), BoundDecimals) +
-    " mm" + (isBounded ? ", which the largest error includes" : "");
+    " mm; points are rounded by up to " +
+    UpperBoundText(LargestGridRounding(step), DecimalsOfRounding) + " mm" +
+    (isBounded ? ", which the largest error includes" : "");
 }
 
 std::vector<std::string> GridWarnings(vtkPolyData* surface, double step, bool mergesPoints)

@@ -3,10 +3,11 @@
 #include "FileStamp.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
-#include <sys/stat.h>
+#include <system_error>
 
 namespace fs = std::filesystem;
 
@@ -14,20 +15,36 @@ namespace bonedecimate
 {
 namespace
 {
+/// Seconds from 1970 to the origin of the times of files, which is the library's own: a whole number.
+std::chrono::seconds OriginOfFileTimes()
+{
+  static const auto origin =
+    std::chrono::round<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch() -
+      fs::file_time_type::clock::now().time_since_epoch());
+  return origin;
+}
+
 FileStamp StampOfFile(const std::string& path)
 {
-  struct stat found = {};
-  if (stat(path.c_str(), &found) != 0)
+  std::error_code error;
+  const auto bytes = fs::file_size(path, error);
+  const fs::file_time_type modified =
+    error ? fs::file_time_type() : fs::last_write_time(path, error);
+  if (error)
   {
     return {};
   }
-  std::tm utc = {};
-  gmtime_r(&found.st_mtim.tv_sec, &utc);
+  const auto since =
+    std::chrono::duration_cast<std::chrono::nanoseconds>(modified.time_since_epoch()) +
+    OriginOfFileTimes();
+  const auto seconds = std::chrono::floor<std::chrono::seconds>(since);
+  const auto time = static_cast<std::time_t>(seconds.count());
   char day[40];
-  std::strftime(day, sizeof(day), "%Y-%m-%dT%H:%M:%S", &utc);
+  std::strftime(day, sizeof(day), "%Y-%m-%dT%H:%M:%S", std::gmtime(&time));
   char fraction[20];
-  std::snprintf(fraction, sizeof(fraction), ".%09ldZ", static_cast<long>(found.st_mtim.tv_nsec));
-  return { static_cast<std::int64_t>(found.st_size), std::string(day) + fraction };
+  std::snprintf(
+    fraction, sizeof(fraction), ".%09lldZ", static_cast<long long>((since - seconds).count()));
+  return { static_cast<std::int64_t>(bytes), std::string(day) + fraction };
 }
 }
 

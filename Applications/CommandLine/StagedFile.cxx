@@ -5,16 +5,12 @@
 #include "ExitCode.h"
 #include "FileNames.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <set>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
 
@@ -44,20 +40,6 @@ fs::path ResolvedTarget(const std::string& target)
 
 constexpr const char* CommonPrefix = ".bonedecimate-";
 
-/// Of the running system: only files of processes of the same kernel have locks that can be trusted
-/// here. The folder may be on a network. Empty where the system does not tell.
-const std::string& SystemName()
-{
-  static const std::string name = []
-  {
-    std::string id;
-    std::ifstream("/proc/sys/kernel/random/boot_id") >> id;
-    id.erase(std::remove(id.begin(), id.end(), '-'), id.end());
-    return id.substr(0, 12);
-  }();
-  return name;
-}
-
 /// ".bonedecimate-PROCESS-SYSTEM-", before a number and the target's extension.
 std::string PrefixOf(int process)
 {
@@ -79,34 +61,6 @@ std::string TemporaryName(const fs::path& target, int attempt)
   fs::path name = PrefixOf(getpid()) + std::to_string(attempt);
   name += target.has_extension() ? "." + ExtensionOf(target.string()) : "";
   return (target.parent_path() / name).string();
-}
-
-/// Whether the name still is that of the open file.
-bool IsNameOf(const std::string& name, int file)
-{
-  struct stat named = {};
-  struct stat opened = {};
-  return lstat(name.c_str(), &named) == 0 && fstat(file, &opened) == 0 &&
-    named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
-}
-
-/// A running process holds a lock on its files: a file that can be locked belongs to none.
-void RemoveIfAbandoned(const std::string& name)
-{
-  // For writing, without which network file systems give no lock.
-  const int file = open(name.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-  if (file < 0)
-  {
-    return;
-  }
-  struct stat status = {};
-  const bool isFile = fstat(file, &status) == 0 && S_ISREG(status.st_mode);
-  // The lock is held while the name is removed: see Reserve().
-  if (isFile && flock(file, LOCK_EX | LOCK_NB) == 0 && IsNameOf(name, file))
-  {
-    unlink(name.c_str());
-  }
-  close(file);
 }
 
 std::vector<fs::path> FilesIn(
@@ -137,28 +91,6 @@ void RemoveAbandonedFilesIn(const fs::path& folder)
     }
   }
 }
-
-/// A new file with a lock on it; -1 and errno if there cannot be one, EEXIST if the name is taken.
-int Reserve(const std::string& name)
-{
-  const int file = open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (file < 0)
-  {
-    return file;
-  }
-  // Another process may take the file for abandoned before the lock; it removes it with the lock
-  // held, and is gone when this one has it. A file system without locks removes nothing.
-  while (flock(file, LOCK_EX) != 0 && errno == EINTR)
-  {
-  }
-  if (!IsNameOf(name, file))
-  {
-    close(file);
-    errno = EEXIST;
-    return -1;
-  }
-  return file;
-}
 }
 
 StagedFile::StagedFile(const std::string& target)
@@ -169,15 +101,12 @@ StagedFile::StagedFile(const std::string& target)
   for (int attempt = 0; this->Temporary.empty(); ++attempt)
   {
     const std::string name = TemporaryName(this->Resolved, attempt);
-    this->Lock = Reserve(name);
-    if (this->Lock >= 0)
+    const FileLock::Outcome outcome = this->Lock.Make(name);
+    if (outcome == FileLock::Outcome::Failed)
     {
-      this->Temporary = name;
+      Fail(target, this->Lock.GetProblem());
     }
-    else if (errno != EEXIST)
-    {
-      Fail(target, std::strerror(errno));
-    }
+    this->Temporary = outcome == FileLock::Outcome::Made ? name : std::string();
   }
 }
 
@@ -187,10 +116,6 @@ StagedFile::~StagedFile()
   if (!this->Temporary.empty())
   {
     fs::remove(this->Temporary, ignored);
-  }
-  if (this->Lock >= 0)
-  {
-    close(this->Lock);
   }
 }
 
@@ -207,16 +132,10 @@ void StagedFile::WriteText(const std::string& text)
 
 void StagedFile::Flush()
 {
-  const int file = open(this->Temporary.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool flushed = file >= 0 && fsync(file) == 0;
-  const int reason = errno;
-  if (file >= 0)
+  const std::string problem = FlushToDisk(this->Temporary);
+  if (!problem.empty())
   {
-    close(file);
-  }
-  if (!flushed)
-  {
-    Fail(this->Target, std::strerror(reason));
+    Fail(this->Target, problem);
   }
 }
 

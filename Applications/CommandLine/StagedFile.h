@@ -7,6 +7,8 @@
 #ifndef BoneDecimate_Applications_StagedFile_h
 #define BoneDecimate_Applications_StagedFile_h
 
+#include "FileLock.h"
+
 #include <string>
 
 namespace bonedecimate
@@ -17,7 +19,7 @@ namespace bonedecimate
  * Failure(ExitCode::CouldNotWrite).
  *
  * A process that is killed leaves its temporary file behind. The next that writes to the folder
- * removes it: as long as a process lives it holds a lock (flock) on each of its files, and the name
+ * removes it: as long as a process lives it holds a lock (FileLock) on each of its files, and the name
  * tells on which running system, so that files of another computer that uses the folder are left
  * alone.
  */
@@ -45,7 +47,7 @@ private:
   std::string Target;
   std::string Resolved;  // the same without symbolic links
   std::string Temporary; // empty once committed
-  int Lock = -1;         // the open file that holds it
+  FileLock Lock;
 };
 
 /// Removes what a process that died left of its own in a folder.

@@ -21,8 +21,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr int BoundDecimals = 9;
-
 void Certify(const ProvedRun& run, vtkPolyData* readBack, const std::string& target)
 {
   vtkNew<vtkBoneSurfaceDistance> distance;
@@ -44,10 +42,10 @@ void Certify(const ProvedRun& run, vtkPolyData* readBack, const std::string& tar
     throw Failure(isViolated ? ExitCode::Violated : ExitCode::Undecided,
       "the certificate of '" + BaseName(target) + "' as it was read back " +
         (isViolated ? "contradicts" : "cannot decide") + " the largest error of " +
-        (run.Tolerance > 0.0 ? FixedText(run.Tolerance, BoundDecimals) + " mm" : "the map") +
-        ": the distance is between " + LowerBoundText(distance->GetLowerBound(), BoundDecimals) +
-        " and " + UpperBoundText(distance->GetUpperBound(), BoundDecimals) +
-        " mm; nothing was written");
+        (run.Tolerance > 0.0 ? FixedText(run.Tolerance, DecimalsOfRounding) + " mm" : "the map") +
+        ": the distance is between " +
+        LowerBoundText(distance->GetLowerBound(), DecimalsOfRounding) + " and " +
+        UpperBoundText(distance->GetUpperBound(), DecimalsOfRounding) + " mm; nothing was written");
   }
 }
 }

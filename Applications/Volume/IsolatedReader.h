@@ -7,16 +7,17 @@
  * VTK's XML reader follows null pointers, Debian's GDCM stops on assertions, and ITK's libraries trust
  * what a header announces. All write to the terminal, at times with pieces of the header in it.
  *
- * The child sends layer after layer through a pipe and waits while they are not taken.
+ * The child sends layer after layer through a pipe and waits while they are not taken. Windows has no
+ * child that goes on where its parent is: there the process reads itself, and a file that a library
+ * does not survive ends it.
  */
 #ifndef BoneDecimate_Applications_IsolatedReader_h
 #define BoneDecimate_Applications_IsolatedReader_h
 
 #include "LayeredVolume.h"
-#include "Pipe.h"
 
 #include <functional>
-#include <sys/types.h>
+#include <memory>
 
 namespace bonedecimate::volume
 {
@@ -31,7 +32,7 @@ public:
   explicit IsolatedReader(const std::function<LayeredVolume()>& open);
 
   /// Without a child: of a file that is rejected without a look into it.
-  explicit IsolatedReader(const std::string& problem) { this->Header.Problem = problem; }
+  explicit IsolatedReader(const std::string& problem);
 
   ~IsolatedReader();
   IsolatedReader(const IsolatedReader&) = delete;
@@ -46,12 +47,8 @@ public:
   std::string ReadLayers(std::int64_t count, void* values);
 
 private:
-  bool ReceiveHeader();
-  int EndChild();
-  std::string ReasonOfEnd();
-
-  Pipe FromChild;
-  pid_t Child = -1;
+  struct Source;
+  std::unique_ptr<Source> From;
   VolumeHeader Header;
 };
 }

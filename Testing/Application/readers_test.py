@@ -84,7 +84,7 @@ def values_of(data):
         name = array.GetName()
         if not name.startswith("Distance") and "ResultPointIds" != name and not name.startswith(("bonedecimate.", "BoneDecimate")):
             values = [array.GetVariantValue(k).ToString() for k in range(array.GetNumberOfValues())]
-            found[name] = array.GetClassName(), array.GetNumberOfComponents(), values
+            found[name] = array.GetDataTypeAsString(), array.GetNumberOfComponents(), values
     return found
 
 

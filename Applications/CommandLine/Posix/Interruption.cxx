@@ -30,16 +30,28 @@ bool IsIgnored(int signal)
   struct sigaction action = {};
   return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
+
+#ifdef __linux__
+bool HangupWasIgnored = false;
+
+extern "C" void NoteHangup(int, char**, char**)
+{
+  HangupWasIgnored = IsIgnored(SIGHUP);
+}
+
+/// Called before any library begins: some that come with MPI take the signal for themselves.
+[[gnu::section(".preinit_array"), gnu::used]] void (*const BeforeLibraries)(
+  int, char**, char**) = NoteHangup;
+#else
+const bool HangupWasIgnored = IsIgnored(SIGHUP);
+#endif
 }
 
 void CatchSignals()
 {
   Handle(SIGINT, NoteInterruption);
   Handle(SIGTERM, NoteInterruption);
-  if (!IsIgnored(SIGHUP)) // as under nohup
-  {
-    Handle(SIGHUP, NoteInterruption);
-  }
+  Handle(SIGHUP, HangupWasIgnored ? SIG_IGN : NoteInterruption); // as under nohup
   Handle(SIGPIPE, SIG_IGN);
   Handle(SIGXFSZ, SIG_IGN);
 }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IsolatedReader.h"
 
-#include "LabelFields.h"
+#include "Pipe.h"
+#include "SentFields.h"
 
 #include <cerrno>
 #include <exception>
@@ -90,35 +91,54 @@ int WaitFor(pid_t child)
 }
 }
 
-IsolatedReader::IsolatedReader(const std::function<LayeredVolume()>& open)
+/// The child.
+struct IsolatedReader::Source
 {
-  this->Child = this->FromChild.IsOpen() ? fork() : -1;
-  if (this->Child < 0)
+  Pipe FromChild;
+  pid_t Child = -1;
+
+  Source() = default;
+  Source(const Source&) = delete;
+  void operator=(const Source&) = delete;
+  ~Source() { this->End(); }
+
+  bool ReceiveHeader(VolumeHeader& header);
+  int End();
+  std::string ReasonOfEnd();
+};
+
+IsolatedReader::IsolatedReader(const std::string& problem)
+{
+  this->Header.Problem = problem;
+}
+
+IsolatedReader::IsolatedReader(const std::function<LayeredVolume()>& open)
+  : From(std::make_unique<Source>())
+{
+  Source& from = *this->From;
+  from.Child = from.FromChild.IsOpen() ? fork() : -1;
+  if (from.Child < 0)
   {
     this->Header.Problem = "the system gives no process to read it in";
     return;
   }
-  if (this->Child == 0)
+  if (from.Child == 0)
   {
-    this->FromChild.CloseReceiver();
-    RunChild(open, this->FromChild);
+    from.FromChild.CloseReceiver();
+    RunChild(open, from.FromChild);
   }
-  this->FromChild.CloseSender();
-  if (!this->ReceiveHeader())
+  from.FromChild.CloseSender();
+  if (!from.ReceiveHeader(this->Header))
   {
-    this->Header.Problem = this->ReasonOfEnd();
+    this->Header.Problem = from.ReasonOfEnd();
   }
 }
 
-IsolatedReader::~IsolatedReader()
-{
-  this->EndChild();
-}
+IsolatedReader::~IsolatedReader() = default;
 
 /// False if the child ended before it had sent all.
-bool IsolatedReader::ReceiveHeader()
+bool IsolatedReader::Source::ReceiveHeader(VolumeHeader& header)
 {
-  VolumeHeader& header = this->Header;
   if (!this->FromChild.ReceiveText(header.Problem) || !this->FromChild.ReceiveText(header.Note))
   {
     return false;
@@ -144,32 +164,32 @@ std::string IsolatedReader::ReadLayers(std::int64_t count, void* values)
   {
     std::string problem;
     char* const layer = static_cast<char*>(values) + static_cast<std::size_t>(k) * bytes;
-    if (!this->FromChild.ReceiveText(problem))
+    if (!this->From->FromChild.ReceiveText(problem))
     {
-      return this->ReasonOfEnd();
+      return this->From->ReasonOfEnd();
     }
     if (!problem.empty())
     {
       return problem;
     }
-    if (!this->FromChild.Receive(layer, bytes))
+    if (!this->From->FromChild.Receive(layer, bytes))
     {
-      return this->ReasonOfEnd();
+      return this->From->ReasonOfEnd();
     }
   }
   return std::string();
 }
 
 /// A child that has more to send ends, because nothing receives it.
-int IsolatedReader::EndChild()
+int IsolatedReader::Source::End()
 {
   this->FromChild.CloseReceiver();
   return this->Child > 0 ? WaitFor(std::exchange(this->Child, -1)) : Done;
 }
 
-std::string IsolatedReader::ReasonOfEnd()
+std::string IsolatedReader::Source::ReasonOfEnd()
 {
-  if (this->EndChild() == OutOfMemory)
+  if (this->End() == OutOfMemory)
   {
     throw std::bad_alloc();
   }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChildProcess.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <spawn.h>
@@ -29,12 +29,25 @@ std::vector<char*> PointersTo(const std::string& self, const std::vector<std::st
   pointers.push_back(nullptr);
   return pointers;
 }
+
+struct CloseFile
+{
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
 }
 
-ChildProcess::ChildProcess(const std::string& self, const std::vector<std::string>& arguments)
-  : Errors(std::tmpfile())
+struct ChildProcess::State
 {
-  if (!this->Errors)
+  std::unique_ptr<std::FILE, CloseFile> Errors{ std::tmpfile() }; // nameless and gone with us
+  pid_t Process = -1;
+  bool Ended = false;
+  int Status = 0;
+};
+
+ChildProcess::ChildProcess(const std::string& self, const std::vector<std::string>& arguments)
+  : Child(std::make_unique<State>())
+{
+  if (!this->Child->Errors)
   {
     throw Failure(ExitCode::CouldNotWrite,
       std::string("could not make a temporary file: ") + std::strerror(errno));
@@ -43,11 +56,11 @@ ChildProcess::ChildProcess(const std::string& self, const std::vector<std::strin
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, fileno(this->Errors.get()), STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(this->Child->Errors.get()), STDERR_FILENO);
   const std::vector<char*> pointers = PointersTo(self, arguments);
   const bool known = access(SelfLink, X_OK) == 0;
-  const int problem = posix_spawnp(
-    &this->Process, known ? SelfLink : self.c_str(), &actions, nullptr, pointers.data(), environ);
+  const int problem = posix_spawnp(&this->Child->Process, known ? SelfLink : self.c_str(), &actions,
+    nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (problem != 0)
   {
@@ -59,59 +72,64 @@ ChildProcess::ChildProcess(const std::string& self, const std::vector<std::strin
 ChildProcess::~ChildProcess()
 {
   this->Interrupt();
-  while (!this->Ended)
+  while (!this->Child->Ended)
   {
-    const bool again = waitpid(this->Process, &this->Status, 0) < 0 && errno == EINTR;
-    this->Ended = !again;
+    const bool again = waitpid(this->Child->Process, &this->Child->Status, 0) < 0 && errno == EINTR;
+    this->Child->Ended = !again;
   }
 }
 
 bool ChildProcess::HasEnded()
 {
-  if (!this->Ended)
+  if (!this->Child->Ended)
   {
-    this->Ended = waitpid(this->Process, &this->Status, WNOHANG) == this->Process;
+    this->Child->Ended =
+      waitpid(this->Child->Process, &this->Child->Status, WNOHANG) == this->Child->Process;
   }
-  return this->Ended;
+  return this->Child->Ended;
 }
 
 void ChildProcess::Interrupt()
 {
-  if (!this->Ended)
+  if (!this->Child->Ended)
   {
-    kill(this->Process, SIGTERM);
+    kill(this->Child->Process, SIGTERM);
   }
 }
 
 bool ChildProcess::HasDied() const
 {
-  return WIFSIGNALED(this->Status);
+  return WIFSIGNALED(this->Child->Status);
+}
+
+int ChildProcess::GetProcess() const
+{
+  return this->Child->Process;
 }
 
 ExitCode ChildProcess::GetCode() const
 {
-  const int signal = this->HasDied() ? WTERMSIG(this->Status) : 0;
+  const int signal = this->HasDied() ? WTERMSIG(this->Child->Status) : 0;
   if (signal == SIGTERM || signal == SIGINT || signal == SIGHUP)
   {
     return ExitCode::Interrupted; // before it could catch them
   }
-  const bool known =
-    WIFEXITED(this->Status) && WEXITSTATUS(this->Status) <= static_cast<int>(ExitCode::OutOfMemory);
-  return known ? static_cast<ExitCode>(WEXITSTATUS(this->Status)) : ExitCode::OutOfMemory;
+  const bool known = WIFEXITED(this->Child->Status) &&
+    WEXITSTATUS(this->Child->Status) <= static_cast<int>(ExitCode::OutOfMemory);
+  return known ? static_cast<ExitCode>(WEXITSTATUS(this->Child->Status)) : ExitCode::OutOfMemory;
 }
 
 std::string ChildProcess::GetMessage() const
 {
   if (this->HasDied())
   {
-    const int signal = WTERMSIG(this->Status);
+    const int signal = WTERMSIG(this->Child->Status);
     return "its process died of signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
   }
   std::string text(4096, '\0');
-  const bool isAtStart = std::fseek(this->Errors.get(), 0, SEEK_SET) == 0;
-  text.resize(isAtStart ? std::fread(text.data(), 1, text.size(), this->Errors.get()) : 0);
-  text.resize(std::min(text.find('\n'), text.size()));
-  const std::string program = "bonedecimate: ";
-  return text.compare(0, program.size(), program) == 0 ? text.substr(program.size()) : text;
+  std::FILE* const errors = this->Child->Errors.get();
+  const bool isAtStart = std::fseek(errors, 0, SEEK_SET) == 0;
+  text.resize(isAtStart ? std::fread(text.data(), 1, text.size(), errors) : 0);
+  return MessageIn(text);
 }
 }

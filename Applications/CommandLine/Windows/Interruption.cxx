@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Interruption.h"
+
+#include "ExitCode.h"
+
+#include <atomic>
+#include <windows.h>
+
+namespace bonedecimate
+{
+namespace
+{
+std::atomic<bool> Interrupted{ false };
+
+/// Called in a thread of its own.
+BOOL WINAPI NoteInterruption(DWORD event)
+{
+  Interrupted = true;
+  if (event != CTRL_C_EVENT && event != CTRL_BREAK_EVENT)
+  {
+    Sleep(
+      INFINITE); // when it returns the process ends; until then there are a few seconds to put things in order
+  }
+  return TRUE;
+}
+}
+
+void CatchSignals()
+{
+  SetConsoleCtrlHandler(NoteInterruption, TRUE);
+}
+
+bool IsInterrupted()
+{
+  return Interrupted;
+}
+
+void StopIfInterrupted()
+{
+  if (IsInterrupted())
+  {
+    throw Failure(ExitCode::Interrupted, "interrupted");
+  }
+}
+}

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "IsolatedReader.h"
+
+#include <exception>
+#include <new>
+
+namespace bonedecimate::volume
+{
+struct IsolatedReader::Source
+{
+  LayeredVolume Volume;
+};
+
+IsolatedReader::IsolatedReader(const std::string& problem)
+{
+  this->Header.Problem = problem;
+}
+
+IsolatedReader::IsolatedReader(const std::function<LayeredVolume()>& open)
+  : From(std::make_unique<Source>())
+{
+  try
+  {
+    this->From->Volume = open();
+    this->Header = this->From->Volume.Header;
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw;
+  }
+  catch (const std::exception&)
+  {
+    this->Header.Problem = "it is damaged";
+  }
+}
+
+IsolatedReader::~IsolatedReader() = default;
+
+std::string IsolatedReader::ReadLayers(std::int64_t count, void* values)
+{
+  const std::size_t bytes = this->Header.BytesInALayer();
+  std::string problem;
+  for (std::int64_t k = 0; problem.empty() && k < count; ++k)
+  {
+    problem = this->From->Volume.ReadLayer(
+      static_cast<char*>(values) + static_cast<std::size_t>(k) * bytes);
+  }
+  return problem;
+}
+}

@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# The libraries of the program for Windows, from Debian's source packages: VTK, ITK and GDCM with what they need, as static libraries in build/windows-libraries.
+# What is there already is not built again.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+here=$PWD/Utilities/windows
+prefix=$PWD/build/windows-libraries
+sources=$prefix/src
+mkdir -p "$sources/lists/partial"
+. /etc/os-release
+cat > "$sources/sources.list" << END
+deb-src http://deb.debian.org/debian $VERSION_CODENAME main
+END
+apt=(apt-get -q -o "Dir::Etc::SourceList=$sources/sources.list" -o Dir::Etc::SourceParts=- -o "Dir::State::Lists=$sources/lists" -o APT::Sandbox::User=root)
+
+# Unpacks a source package of Debian, with its patches; its folder.
+fetch()
+{
+  if [ ! -d "$sources/$1" ]; then
+    [ -n "$(ls "$sources/lists"/*Sources* 2> /dev/null)" ] || "${apt[@]}" update >&2
+    (cd "$sources" && "${apt[@]}" source --download-only "$1" >&2 && rm -rf "$1" && dpkg-source --no-check -x "$1"_*.dsc "$1" >&2)
+  fi
+}
+
+# build PACKAGE FOLDER OPTION...     FOLDER of its CMakeLists.txt
+build()
+{
+  local package=$1 folder=$2
+  shift 2
+  [ ! -e "$prefix/done/$package" ] || return 0
+  fetch "$package"
+  echo "Building $package"
+  cmake -G Ninja -S "$sources/$package/$folder" -B "$prefix/work/$package" -DCMAKE_TOOLCHAIN_FILE="$here/toolchain.cmake" \
+    -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" -DBUILD_TESTING=OFF -Wno-dev "$@" > "$prefix/$package.log" || { tail -n 20 "$prefix/$package.log"; exit 1; }
+  cmake --build "$prefix/work/$package" --target install >> "$prefix/$package.log" || { tail -n 20 "$prefix/$package.log"; exit 1; }
+  mkdir -p "$prefix/done"
+  touch "$prefix/done/$package"
+}
+
+mkdir -p "$prefix/include"
+cp -rL /usr/include/utf8cpp "$prefix/include" # headers alone
+build lz4 build/cmake -DLZ4_BUILD_CLI=OFF -DLZ4_BUILD_LEGACY_LZ4C=OFF -DBUILD_STATIC_LIBS=ON
+build xz-utils .
+build expat expat -DEXPAT_BUILD_TOOLS=OFF -DEXPAT_BUILD_EXAMPLES=OFF -DEXPAT_BUILD_TESTS=OFF -DEXPAT_BUILD_DOCS=OFF -DEXPAT_DTD=OFF
+build double-conversion .
+build libjsoncpp . -DJSONCPP_WITH_TESTS=OFF -DJSONCPP_WITH_POST_BUILD_UNITTEST=OFF -DBUILD_OBJECT_LIBS=OFF
+build libpng1.6 . -DPNG_SHARED=OFF -DPNG_TESTS=OFF
+build libjpeg-turbo . -DENABLE_SHARED=OFF -DWITH_SIMD=OFF -DWITH_TURBOJPEG=OFF
+build tiff . -Dtiff-tools=OFF -Dtiff-tests=OFF -Dtiff-contrib=OFF -Dtiff-docs=OFF -Djbig=OFF -Dwebp=OFF -Dzstd=OFF -Dlerc=OFF -Dlzma=OFF -Dcxx=OFF
+
+build vtk9 . -DVTK_GROUP_ENABLE_StandAlone=DONT_WANT -DVTK_GROUP_ENABLE_Rendering=DONT_WANT \
+  -DVTK_MODULE_ENABLE_VTK_{CommonCore,CommonDataModel,CommonExecutionModel,FiltersCore,FiltersExtraction,ParallelCore,IOCore,IOGeometry,IOLegacy,IOXML,IOXMLParser}=YES \
+  -DVTK_ENABLE_LOGGING=OFF -DEigen3_INCLUDE_DIR=/usr/include/eigen3 -DVTK_ENABLE_WRAPPING=OFF -DVTK_ENABLE_REMOTE_MODULES=OFF -DVTK_BUILD_TESTING=OFF -DVTK_LEGACY_REMOVE=ON \
+  -DVTK_MODULE_USE_EXTERNAL_VTK_{zlib,lz4,lzma,expat,doubleconversion,jsoncpp,png,jpeg,tiff,utf8,eigen}=ON
+
+build gdcm . -DGDCM_BUILD_APPLICATIONS=OFF -DGDCM_BUILD_EXAMPLES=OFF -DGDCM_BUILD_TESTING=OFF -DGDCM_DOCUMENTATION=OFF -DGDCM_USE_SYSTEM_ZLIB=ON
+modules=(-DModule_ITK{IOMeta,IONIFTI,IONRRD,IOTIFF,NrrdIO}=ON)
+build insighttoolkit5 . -DITK_BUILD_DEFAULT_MODULES=OFF "${modules[@]}" -DITK_USE_SYSTEM_{ZLIB,TIFF,JPEG,PNG,EXPAT}=ON -DITK_SKIP_PATH_LENGTH_CHECKS=ON
+build meshoptimizer . -DMESHOPT_BUILD_SHARED_LIBS=OFF
+build libzip . -DBUILD_TOOLS=OFF -DBUILD_REGRESS=OFF -DBUILD_EXAMPLES=OFF -DBUILD_DOC=OFF -DENABLE_{BZIP2,LZMA,ZSTD,OPENSSL,GNUTLS,MBEDTLS,WINDOWS_CRYPTO,COMMONCRYPTO}=OFF
