@@ -2,23 +2,52 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# The core for Windows, compiled with Debian's mingw-w64 and run in Wine: the table of checksums, and all tests of the core.
-#   Utilities/check_windows.sh [--checksums]     --checksums: the table alone
+# For Windows, compiled with Debian's mingw-w64 and run in Wine: the core with the table of checksums and all its tests, or the program with its tests.
+#   Utilities/check_windows.sh [--checksums|--program] [TEST...]     --checksums: the table alone
+# The libraries of the program (Utilities/windows/build_libraries.sh) take about an hour the first time.
+# TEST: of Testing/Application, without _test.py; by default all that Windows can pass.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 Utilities/install_packages.sh windows
-cmake --preset windows
-targets=(bonedecimate-checksums)
-[ "${1:-}" = --checksums ] || targets+=(BoneDecimateCoreTests)
-cmake --build --preset windows --target "${targets[@]}"
 WINEPREFIX=$(mktemp -d)
 export WINEPREFIX WINEDEBUG=-all
 trap '/usr/lib/wine/wineserver64 -k; rm -rf "$WINEPREFIX"' EXIT
-run=(/usr/lib/wine/wine64)
-echo "Checksums"
-diff <("${run[@]}" build/windows/bin/bonedecimate-checksums.exe --short | tr -d '\r') Testing/Checksums/short.txt
-if [ "${1:-}" != --checksums ]; then
-  echo "Core"
-  "${run[@]}" build/windows/bin/BoneDecimateCoreTests.exe --gtest_brief=1
-fi
+wine=/usr/lib/wine/wine64
+
+check_core()
+{
+  cmake --preset windows
+  cmake --build --preset windows --target "$@"
+  echo "Checksums"
+  diff <("$wine" build/windows/bin/bonedecimate-checksums.exe --short | tr -d '\r') Testing/Checksums/short.txt
+  if [ $# -gt 1 ]; then
+    echo "Core"
+    "$wine" build/windows/bin/BoneDecimateCoreTests.exe --gtest_brief=1
+  fi
+}
+
+check_program()
+{
+  Utilities/windows/build_libraries.sh
+  cmake --preset windows-program
+  cmake --build --preset windows-program --target bonedecimate
+  (cd build/windows-program && cpack)
+  export BONEDECIMATE_PROGRAM=$PWD/Utilities/windows/bonedecimate
+  local failed=0
+  for test in "$@"; do
+    echo "$test"
+    /usr/bin/python3 -B "Testing/Application/${test}_test.py" || failed=$((failed + 1))
+  done
+  echo "$(($# - failed)) of $# passed"
+  [ "$failed" -eq 0 ]
+}
+
+case "${1:-}" in
+  --program)
+    shift
+    [ $# -gt 0 ] || set -- cap certify commands
+    check_program "$@" ;;
+  --checksums) check_core bonedecimate-checksums ;;
+  *) check_core bonedecimate-checksums BoneDecimateCoreTests ;;
+esac

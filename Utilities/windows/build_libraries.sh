@@ -35,9 +35,10 @@ build()
   fetch "$package"
   echo "Building $package"
   cmake -G Ninja -S "$sources/$package/$folder" -B "$prefix/work/$package" -DCMAKE_TOOLCHAIN_FILE="$here/toolchain.cmake" \
-    -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" -DBUILD_TESTING=OFF -Wno-dev "$@" > "$prefix/$package.log" || { tail -n 20 "$prefix/$package.log"; exit 1; }
+   -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" -DBUILD_TESTING=OFF -Wno-dev "$@" > "$prefix/$package.log" || { tail -n 20 "$prefix/$package.log"; exit 1; }
   cmake --build "$prefix/work/$package" --target install >> "$prefix/$package.log" || { tail -n 20 "$prefix/$package.log"; exit 1; }
-  mkdir -p "$prefix/done"
+  mkdir -p "$prefix/done" "$prefix/licenses"
+  cp "$sources/$package/debian/copyright" "$prefix/licenses/$package.txt"
   touch "$prefix/done/$package"
 }
 
@@ -57,8 +58,10 @@ build vtk9 . -DVTK_GROUP_ENABLE_StandAlone=DONT_WANT -DVTK_GROUP_ENABLE_Renderin
   -DVTK_ENABLE_LOGGING=OFF -DEigen3_INCLUDE_DIR=/usr/include/eigen3 -DVTK_ENABLE_WRAPPING=OFF -DVTK_ENABLE_REMOTE_MODULES=OFF -DVTK_BUILD_TESTING=OFF -DVTK_LEGACY_REMOVE=ON \
   -DVTK_MODULE_USE_EXTERNAL_VTK_{zlib,lz4,lzma,expat,doubleconversion,jsoncpp,png,jpeg,tiff,utf8,eigen}=ON
 
+fetch gdcm
+sed -i 's/^#ifndef _MSC_VER$/#ifndef _WIN32/' "$sources/gdcm/Utilities/gdcmext/mec_mr3_io.c" # there is no iconv
 build gdcm . -DGDCM_BUILD_APPLICATIONS=OFF -DGDCM_BUILD_EXAMPLES=OFF -DGDCM_BUILD_TESTING=OFF -DGDCM_DOCUMENTATION=OFF -DGDCM_USE_SYSTEM_ZLIB=ON
 modules=(-DModule_ITK{IOMeta,IONIFTI,IONRRD,IOTIFF,NrrdIO}=ON)
-build insighttoolkit5 . -DITK_BUILD_DEFAULT_MODULES=OFF "${modules[@]}" -DITK_USE_SYSTEM_{ZLIB,TIFF,JPEG,PNG,EXPAT}=ON -DITK_SKIP_PATH_LENGTH_CHECKS=ON
+build insighttoolkit5 . -DITK_BUILD_DEFAULT_MODULES=OFF "${modules[@]}" -DITK_USE_SYSTEM_{ZLIB,TIFF,JPEG,PNG,EXPAT,EIGEN}=ON -DITK_SKIP_PATH_LENGTH_CHECKS=ON
 build meshoptimizer . -DMESHOPT_BUILD_SHARED_LIBS=OFF
 build libzip . -DBUILD_TOOLS=OFF -DBUILD_REGRESS=OFF -DBUILD_EXAMPLES=OFF -DBUILD_DOC=OFF -DENABLE_{BZIP2,LZMA,ZSTD,OPENSSL,GNUTLS,MBEDTLS,WINDOWS_CRYPTO,COMMONCRYPTO}=OFF

@@ -8,6 +8,8 @@
 #include <system_error>
 #include <windows.h>
 
+#undef GetMessage // a macro for another function
+
 namespace bonedecimate
 {
 namespace
