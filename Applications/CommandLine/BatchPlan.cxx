@@ -6,13 +6,13 @@
 #include "ExitCode.h"
 #include "FileNames.h"
 #include "Formats/SurfaceFormat.h"
+#include "NamePattern.h"
 #include "Options/OptionTable.h"
 #include "Options/Text.h"
 #include "Settings/Settings.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <fnmatch.h>
 #include <set>
 #include <thread>
 
@@ -126,10 +126,8 @@ private:
   bool IsRequested(const fs::path& path) const
   {
     const std::string& pattern = this->Requested.Only;
-    const auto matches = [&pattern](const fs::path& text)
-    { return fnmatch(pattern.c_str(), text.c_str(), FNM_CASEFOLD) == 0; };
-    return pattern.empty() || matches(path.filename()) ||
-      matches(path.lexically_relative(this->Root));
+    return pattern.empty() || MatchesPattern(path.filename().string(), pattern) ||
+      MatchesPattern(path.lexically_relative(this->Root).generic_string(), pattern);
   }
 
   std::vector<BatchBone>& Bones;

@@ -50,7 +50,8 @@ void RequireNamesThatCanBeOpened(const std::vector<std::string>& words)
     if (!isAscii)
     {
       throw Failure(ExitCode::Usage,
-        "on Windows names of files and folders must be ASCII: rename or move what '" + word + "' is");
+        "on Windows names of files and folders must be ASCII: rename or move what '" + word +
+          "' is");
     }
   }
 #else

@@ -19,7 +19,6 @@ namespace
 constexpr const char* ValuesName = "LabelValues";
 constexpr const char* NamesName = "LabelNames";
 constexpr const char* ColorsName = "LabelColors";
-constexpr const char* BoundaryName = "BoundaryLabels";
 
 constexpr std::array<LabelColor, 8> Palette = { { { 222, 196, 152 }, { 128, 174, 201 },
   { 174, 196, 122 }, { 211, 138, 118 }, { 160, 146, 198 }, { 226, 178, 92 }, { 120, 184, 162 },
@@ -128,7 +127,7 @@ std::string LabelText(const NamedLabel& label)
 vtkSmartPointer<vtkUnsignedCharArray> ColorsOfTriangles(
   vtkPolyData* surface, const std::vector<NamedLabel>& labels)
 {
-  vtkDataArray* const pairs = surface->GetCellData()->GetArray(BoundaryName);
+  vtkDataArray* const pairs = surface->GetCellData()->GetArray(LabelsOfSidesName);
   std::map<std::int64_t, LabelColor> known;
   for (const NamedLabel& label : labels)
   {

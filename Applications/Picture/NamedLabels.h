@@ -20,6 +20,9 @@
 
 namespace bonedecimate
 {
+/// The cell array with the labels on both sides of each triangle.
+constexpr const char* LabelsOfSidesName = "BoundaryLabels";
+
 /// The cell array with the color of each triangle: three bytes.
 constexpr const char* ColorArray = "Color";
 

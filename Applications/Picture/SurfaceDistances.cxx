@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceDistances.h"
 
+#include "NamedLabels.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCleanPolyData.h"
@@ -21,18 +23,16 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr const char* LabelsName = "BoundaryLabels"; // of cells, for their colors
-
 /// The same points with the triangles that have an area; the filter leaves the others out, too.
 vtkSmartPointer<vtkPolyData> WithArea(vtkPolyData* triangles)
 {
   vtkNew<vtkCellArray> kept;
-  vtkDataArray* const labels = triangles->GetCellData()->GetArray(LabelsName);
+  vtkDataArray* const labels = triangles->GetCellData()->GetArray(LabelsOfSidesName);
   const auto keptLabels =
     vtkSmartPointer<vtkDataArray>::Take(labels ? labels->NewInstance() : nullptr);
   if (labels)
   {
-    keptLabels->SetName(LabelsName);
+    keptLabels->SetName(LabelsOfSidesName);
     keptLabels->SetNumberOfComponents(labels->GetNumberOfComponents());
   }
   vtkNew<vtkIdList> corners;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerParts.h"
 
+#include "NamedLabels.h"
 #include "NumberText.h"
 
 #include "vtkCellArray.h"
@@ -21,7 +22,6 @@ namespace bonedecimate
 namespace
 {
 constexpr std::size_t MostComponents = 40;
-constexpr const char* LabelsName = "BoundaryLabels";
 constexpr const char* RegionName = "RegionId";
 
 /// The surface with the number of the component of each point.
@@ -103,7 +103,7 @@ std::vector<ViewerPiece> Values(std::map<std::vector<std::size_t>, ViewerPiece>&
 
 ViewerDivision::ViewerDivision(vtkPolyData* original, const std::vector<NamedLabel>& labels)
 {
-  if (!labels.empty() && original->GetCellData()->GetArray(LabelsName))
+  if (!labels.empty() && original->GetCellData()->GetArray(LabelsOfSidesName))
   {
     this->AddLabels(labels);
   }
@@ -161,7 +161,7 @@ std::vector<ViewerPiece> ViewerDivision::Divide(vtkPolyData* triangles) const
 
 std::vector<ViewerPiece> ViewerDivision::DivideByLabel(vtkPolyData* triangles) const
 {
-  vtkDataArray* const labels = triangles->GetCellData()->GetArray(LabelsName);
+  vtkDataArray* const labels = triangles->GetCellData()->GetArray(LabelsOfSidesName);
   std::map<std::vector<std::size_t>, ViewerPiece> pieces;
   for (vtkIdType cell = 0; labels && cell < labels->GetNumberOfTuples(); ++cell)
   {

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DicomText.h"
 
+#include "Encoding.h"
 #include "TextNumbers.h"
 
 #include <algorithm>
-#include <array>
-#include <iconv.h>
 #include <map>
 
 namespace bonedecimate::volume
@@ -38,30 +37,6 @@ std::string FirstTerm(const std::string& characterSet)
 
 std::string Utf8Of(const std::string& text, const std::string& characterSet)
 {
-  const iconv_t conversion = iconv_open("UTF-8", NameForIconv(FirstTerm(characterSet)).c_str());
-  const bool isOpen = conversion != iconv_t(-1);
-  std::string bytes = text;
-  char* next = bytes.data();
-  std::size_t left = bytes.size();
-  std::string converted;
-  while (left > 0)
-  {
-    std::array<char, 256> piece{};
-    char* end = piece.data();
-    std::size_t unused = piece.size();
-    const bool isDone = isOpen && iconv(conversion, &next, &left, &end, &unused) != std::size_t(-1);
-    converted.append(piece.data(), end);
-    if (!isDone && unused > 8) // it did not stop because the piece is full
-    {
-      converted += !isOpen && static_cast<unsigned char>(*next) < 128 ? *next : '?';
-      ++next;
-      --left;
-    }
-  }
-  if (isOpen)
-  {
-    iconv_close(conversion);
-  }
-  return converted;
+  return Utf8From(text, NameForIconv(FirstTerm(characterSet)));
 }
 }

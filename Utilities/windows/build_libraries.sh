@@ -42,8 +42,10 @@ build()
   touch "$prefix/done/$package"
 }
 
-mkdir -p "$prefix/include"
-cp -rL /usr/include/utf8cpp "$prefix/include" # headers alone
+# Headers alone.
+mkdir -p "$prefix/include" "$prefix/share/cmake"
+cp -rL /usr/include/{utf8cpp,CLI,nlohmann} "$prefix/include"
+cp -rL /usr/share/cmake/{CLI11,nlohmann_json} "$prefix/share/cmake"
 build lz4 build/cmake -DLZ4_BUILD_CLI=OFF -DLZ4_BUILD_LEGACY_LZ4C=OFF -DBUILD_STATIC_LIBS=ON
 build xz-utils .
 build expat expat -DEXPAT_BUILD_TOOLS=OFF -DEXPAT_BUILD_EXAMPLES=OFF -DEXPAT_BUILD_TESTS=OFF -DEXPAT_BUILD_DOCS=OFF -DEXPAT_DTD=OFF
@@ -55,13 +57,13 @@ build tiff . -Dtiff-tools=OFF -Dtiff-tests=OFF -Dtiff-contrib=OFF -Dtiff-docs=OF
 
 build vtk9 . -DVTK_GROUP_ENABLE_StandAlone=DONT_WANT -DVTK_GROUP_ENABLE_Rendering=DONT_WANT \
   -DVTK_MODULE_ENABLE_VTK_{CommonCore,CommonDataModel,CommonExecutionModel,FiltersCore,FiltersExtraction,ParallelCore,IOCore,IOGeometry,IOLegacy,IOXML,IOXMLParser}=YES \
-  -DVTK_ENABLE_LOGGING=OFF -DEigen3_INCLUDE_DIR=/usr/include/eigen3 -DVTK_ENABLE_WRAPPING=OFF -DVTK_ENABLE_REMOTE_MODULES=OFF -DVTK_BUILD_TESTING=OFF -DVTK_LEGACY_REMOVE=ON \
+  -DVTK_ENABLE_LOGGING=OFF -DVTK_ENABLE_WRAPPING=OFF -DVTK_ENABLE_REMOTE_MODULES=OFF -DVTK_BUILD_TESTING=OFF -DVTK_LEGACY_REMOVE=ON \
   -DVTK_MODULE_USE_EXTERNAL_VTK_{zlib,lz4,lzma,expat,doubleconversion,jsoncpp,png,jpeg,tiff,utf8,eigen}=ON
 
 fetch gdcm
 sed -i 's/^#ifndef _MSC_VER$/#ifndef _WIN32/' "$sources/gdcm/Utilities/gdcmext/mec_mr3_io.c" # there is no iconv
 build gdcm . -DGDCM_BUILD_APPLICATIONS=OFF -DGDCM_BUILD_EXAMPLES=OFF -DGDCM_BUILD_TESTING=OFF -DGDCM_DOCUMENTATION=OFF -DGDCM_USE_SYSTEM_ZLIB=ON
 modules=(-DModule_ITK{IOMeta,IONIFTI,IONRRD,IOTIFF,NrrdIO}=ON)
-build insighttoolkit5 . -DITK_BUILD_DEFAULT_MODULES=OFF "${modules[@]}" -DITK_USE_SYSTEM_{ZLIB,TIFF,JPEG,PNG,EXPAT,EIGEN}=ON -DITK_SKIP_PATH_LENGTH_CHECKS=ON
+build insighttoolkit5 . -DITK_BUILD_DEFAULT_MODULES=OFF "${modules[@]}" -DITK_USE_SYSTEM_{ZLIB,TIFF,JPEG,PNG,EXPAT,EIGEN,GDCM}=ON -DITK_SKIP_PATH_LENGTH_CHECKS=ON
 build meshoptimizer . -DMESHOPT_BUILD_SHARED_LIBS=OFF
 build libzip . -DBUILD_TOOLS=OFF -DBUILD_REGRESS=OFF -DBUILD_EXAMPLES=OFF -DBUILD_DOC=OFF -DENABLE_{BZIP2,LZMA,ZSTD,OPENSSL,GNUTLS,MBEDTLS,WINDOWS_CRYPTO,COMMONCRYPTO}=OFF

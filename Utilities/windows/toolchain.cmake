@@ -12,5 +12,8 @@ set(CMAKE_FIND_ROOT_PATH /usr/x86_64-w64-mingw32 "${CMAKE_CURRENT_LIST_DIR}/../.
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
-set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE BOTH) # Eigen, CLI11 and JSON are headers of the system
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
+# Headers alone, from the system.
+set(Eigen3_DIR /usr/share/eigen3/cmake CACHE PATH "")
+set(Eigen3_INCLUDE_DIR /usr/include/eigen3 CACHE PATH "") # as VTK finds it
 set(ZLIB_LIBRARY /usr/x86_64-w64-mingw32/lib/libz.a CACHE FILEPATH "Static, too")
