@@ -37,7 +37,7 @@ build()
   cmake -G Ninja -S "$sources/$package/$folder" -B "$prefix/work/$package" -DCMAKE_TOOLCHAIN_FILE="$here/toolchain.cmake" \
    -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" -DBUILD_TESTING=OFF -Wno-dev "$@" > "$prefix/$package.log" || { tail -n 20 "$prefix/$package.log"; exit 1; }
   cmake --build "$prefix/work/$package" --target install >> "$prefix/$package.log" || { tail -n 20 "$prefix/$package.log"; exit 1; }
-  mkdir -p "$prefix/done" "$prefix/licenses"
+  mkdir -p "$prefix/done"
   cp "$sources/$package/debian/copyright" "$prefix/licenses/$package.txt"
   touch "$prefix/done/$package"
 }
@@ -46,6 +46,10 @@ build()
 mkdir -p "$prefix/include" "$prefix/share/cmake"
 cp -rL /usr/include/{utf8cpp,CLI,nlohmann} "$prefix/include"
 cp -rL /usr/share/cmake/{CLI11,nlohmann_json} "$prefix/share/cmake"
+mkdir -p "$prefix/licenses"
+for package in libeigen3-dev libcli11-dev nlohmann-json3-dev libutfcpp-dev libz-mingw-w64-dev g++-mingw-w64-x86-64-posix mingw-w64-x86-64-dev; do
+  cp -L "/usr/share/doc/$package/copyright" "$prefix/licenses/$package.txt"
+done
 build lz4 build/cmake -DLZ4_BUILD_CLI=OFF -DLZ4_BUILD_LEGACY_LZ4C=OFF -DBUILD_STATIC_LIBS=ON
 build xz-utils .
 build expat expat -DEXPAT_BUILD_TOOLS=OFF -DEXPAT_BUILD_EXAMPLES=OFF -DEXPAT_BUILD_TESTS=OFF -DEXPAT_BUILD_DOCS=OFF -DEXPAT_DTD=OFF
