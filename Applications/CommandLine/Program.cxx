@@ -71,6 +71,7 @@ ExitCode Run(int argc, char* argv[])
   ExitCode code = ExitCode::Done;
   CLI::App program(ProgramDescription(), "bonedecimate");
   program.require_subcommand(1);
+  program.allow_windows_style_options(false); // a path may begin with a slash
   AddDecimateCommand(program, argc > 0 ? argv[0] : "", code);
   AddThesisCommand(program, code);
   AddSmoothCommand(program, code);
