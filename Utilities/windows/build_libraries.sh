@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# The libraries of the program for Windows, from Debian's source packages: VTK, ITK and GDCM with what they need, as static libraries in build/windows-libraries.
-# What is there already is not built again.
+# The libraries of the program for Windows, from Debian's source packages: VTK, ITK and GDCM with what they need, as static libraries in
+# build/windows-libraries. What is there already is not built again.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
@@ -17,13 +17,19 @@ deb-src http://deb.debian.org/debian $VERSION_CODENAME main
 END
 apt=(apt-get -q -o "Dir::Etc::SourceList=$sources/sources.list" -o Dir::Etc::SourceParts=- -o "Dir::State::Lists=$sources/lists" -o APT::Sandbox::User=root)
 
-# Unpacks a source package of Debian, with its patches; its folder.
+# Unpacks a source package of Debian, with its patches.
 fetch()
 {
   if [ ! -d "$sources/$1" ]; then
     [ -n "$(ls "$sources/lists"/*Sources* 2> /dev/null)" ] || "${apt[@]}" update >&2
     (cd "$sources" && "${apt[@]}" source --download-only "$1" >&2 && rm -rf "$1" && dpkg-source --no-check -x "$1"_*.dsc "$1" >&2)
   fi
+}
+
+fail()
+{
+  tail -n 20 "$prefix/$1.log"
+  exit 1
 }
 
 # build PACKAGE FOLDER OPTION...     FOLDER of its CMakeLists.txt
@@ -35,21 +41,21 @@ build()
   fetch "$package"
   echo "Building $package"
   cmake -G Ninja -S "$sources/$package/$folder" -B "$prefix/work/$package" -DCMAKE_TOOLCHAIN_FILE="$here/toolchain.cmake" \
-   -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" -DBUILD_TESTING=OFF -Wno-dev "$@" > "$prefix/$package.log" || { tail -n 20 "$prefix/$package.log"; exit 1; }
-  cmake --build "$prefix/work/$package" --target install >> "$prefix/$package.log" || { tail -n 20 "$prefix/$package.log"; exit 1; }
+    -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" -DBUILD_TESTING=OFF -Wno-dev "$@" > "$prefix/$package.log" || fail "$package"
+  cmake --build "$prefix/work/$package" --target install >> "$prefix/$package.log" || fail "$package"
   mkdir -p "$prefix/done"
   cp "$sources/$package/debian/copyright" "$prefix/licenses/$package.txt"
   touch "$prefix/done/$package"
 }
 
 # Headers alone.
-mkdir -p "$prefix/include" "$prefix/share/cmake"
+mkdir -p "$prefix/include" "$prefix/licenses" "$prefix/share/cmake"
 cp -rL /usr/include/{utf8cpp,CLI,nlohmann} "$prefix/include"
 cp -rL /usr/share/cmake/{CLI11,nlohmann_json} "$prefix/share/cmake"
-mkdir -p "$prefix/licenses"
 for package in libeigen3-dev libcli11-dev nlohmann-json3-dev libutfcpp-dev libz-mingw-w64-dev g++-mingw-w64-x86-64-posix mingw-w64-x86-64-dev; do
   cp -L "/usr/share/doc/$package/copyright" "$prefix/licenses/$package.txt"
 done
+
 build lz4 build/cmake -DLZ4_BUILD_CLI=OFF -DLZ4_BUILD_LEGACY_LZ4C=OFF -DBUILD_STATIC_LIBS=ON
 build xz-utils .
 build expat expat -DEXPAT_BUILD_TOOLS=OFF -DEXPAT_BUILD_EXAMPLES=OFF -DEXPAT_BUILD_TESTS=OFF -DEXPAT_BUILD_DOCS=OFF -DEXPAT_DTD=OFF
