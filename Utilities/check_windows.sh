@@ -46,7 +46,7 @@ check_program()
 case "${1:-}" in
   --program)
     shift
-    [ $# -gt 0 ] || set -- cap certify commands
+    [ $# -gt 0 ] || set -- cap certify commands precision profiles prune readers reference regions units volumes
     check_program "$@" ;;
   --checksums) check_core bonedecimate-checksums ;;
   *) check_core bonedecimate-checksums BoneDecimateCoreTests ;;
