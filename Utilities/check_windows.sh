@@ -5,7 +5,7 @@
 # For Windows, compiled with Debian's mingw-w64 and run in Wine: the core with the table of checksums and all its tests, or the program with its tests.
 #   Utilities/check_windows.sh [--checksums|--program] [TEST...]     --checksums: the table alone
 # The libraries of the program (Utilities/windows/build_libraries.sh) take about an hour the first time.
-# TEST: of Testing/Application, without _test.py; by default all that Windows can pass.
+# TEST: of Testing/Application, without _test.py; by default those that pass.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -46,7 +46,7 @@ check_program()
 case "${1:-}" in
   --program)
     shift
-    [ $# -gt 0 ] || set -- cap certify commands precision profiles prune readers reference regions units volumes
+    [ $# -gt 0 ] || set -- cap certify commands precision profiles prune readers reference regions thesis_form tunnels units volumes voxels
     check_program "$@" ;;
   --checksums) check_core bonedecimate-checksums ;;
   *) check_core bonedecimate-checksums BoneDecimateCoreTests ;;

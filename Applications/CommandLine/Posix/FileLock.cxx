@@ -38,8 +38,9 @@ FileLock::Outcome FileLock::Make(const std::string& name)
   this->File = open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (this->File < 0)
   {
-    this->Problem = std::strerror(errno);
-    return errno == EEXIST ? Outcome::NameIsTaken : Outcome::Failed;
+    const int reason = errno;
+    this->Problem = std::strerror(reason);
+    return reason == EEXIST ? Outcome::NameIsTaken : Outcome::Failed;
   }
   // Another process may take the file for abandoned before the lock; it removes it with the lock
   // held, and is gone when this one has it. A file system without locks removes nothing.

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interruption.h"
 
-#include "ExitCode.h"
-
 #include <csignal>
 
 namespace bonedecimate
@@ -59,13 +57,5 @@ void CatchSignals()
 bool IsInterrupted()
 {
   return Interrupted != 0;
-}
-
-void StopIfInterrupted()
-{
-  if (IsInterrupted())
-  {
-    throw Failure(ExitCode::Interrupted, "interrupted");
-  }
 }
 }

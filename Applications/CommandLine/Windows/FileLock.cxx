@@ -52,9 +52,13 @@ FileLock::Outcome FileLock::Make(const std::string& name)
     this->Problem = ProblemOf(error);
     return error == ERROR_FILE_EXISTS ? Outcome::NameIsTaken : Outcome::Failed;
   }
+  if (!Lock(file))
+  {
+    CloseHandle(file); // another process found the file before the lock, and removes it
+    return Outcome::NameIsTaken;
+  }
   this->File = _open_osfhandle(reinterpret_cast<intptr_t>(file), 0);
-  // Another process that finds the file before the lock takes it and removes the file.
-  return Lock(file) ? Outcome::Made : Outcome::NameIsTaken;
+  return Outcome::Made;
 }
 
 void RemoveIfAbandoned(const std::string& name)

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interruption.h"
 
-#include "ExitCode.h"
-
 #include <atomic>
 #include <windows.h>
 
@@ -19,8 +17,8 @@ BOOL WINAPI NoteInterruption(DWORD event)
   Interrupted = true;
   if (event != CTRL_C_EVENT && event != CTRL_BREAK_EVENT)
   {
-    Sleep(
-      INFINITE); // when it returns the process ends; until then there are a few seconds to put things in order
+    // When it returns the process ends; until then there are a few seconds to put things in order.
+    Sleep(INFINITE);
   }
   return TRUE;
 }
@@ -34,13 +32,5 @@ void CatchSignals()
 bool IsInterrupted()
 {
   return Interrupted;
-}
-
-void StopIfInterrupted()
-{
-  if (IsInterrupted())
-  {
-    throw Failure(ExitCode::Interrupted, "interrupted");
-  }
 }
 }
