@@ -6,6 +6,7 @@
 #include "BatchTable.h"
 #include "ChildProcess.h"
 #include "FileNames.h"
+#include "FilePath.h"
 #include "Interruption.h"
 #include "JsonReport.h"
 #include "StagedFile.h"
@@ -27,10 +28,10 @@ namespace
 void RemoveSegmentFolder(int process, const std::string& output)
 {
   std::error_code ignored;
-  if (std::filesystem::is_directory(output, ignored))
+  if (std::filesystem::is_directory(FilePath(output), ignored))
   {
     RemoveStagedFilesOf(process, output);
-    std::filesystem::remove(output, ignored); // only if it is empty
+    std::filesystem::remove(FilePath(output), ignored); // only if it is empty
   }
 }
 
@@ -39,7 +40,7 @@ constexpr std::size_t LongestName = 60; // longer names move the rest of their l
 /// The folder that has the output, a file or a folder.
 std::string FolderAround(const std::string& output)
 {
-  const std::filesystem::path path(output);
+  const std::filesystem::path path = FilePath(output);
   return (path.has_filename() ? path : path.parent_path()).parent_path().string();
 }
 
@@ -95,7 +96,7 @@ private:
   void MakeFolder(const std::string& path)
   {
     std::error_code error;
-    if (!std::filesystem::is_directory(path, error))
+    if (!std::filesystem::is_directory(FilePath(path), error))
     {
       this->Folders.emplace_back(path);
     }
@@ -144,7 +145,7 @@ private:
     // A report that does not fit the output any more would make a later run skip a bone that failed
     // in this one.
     std::error_code ignored;
-    std::filesystem::remove(this->Bones[bone].Report, ignored);
+    std::filesystem::remove(FilePath(this->Bones[bone].Report), ignored);
     try
     {
       this->MakeFolder(FolderAround(this->Bones[bone].Output));
@@ -211,7 +212,7 @@ private:
 
   std::string CsvFile() const
   {
-    return (std::filesystem::path(this->Requested.Output) / "summary.csv").string();
+    return (FilePath(this->Requested.Output) / "summary.csv").string();
   }
 
   void WriteCsv() const { WriteTextFile(this->CsvFile(), ComposeCsv(this->Rows)); }

@@ -5,6 +5,7 @@
 #include "BoneVolume.h"
 #include "ExitCode.h"
 #include "FileNames.h"
+#include "FilePath.h"
 #include "Formats/SurfaceFormat.h"
 #include "NamePattern.h"
 #include "Options/OptionTable.h"
@@ -72,7 +73,7 @@ public:
     {
       std::error_code ignored;
       const bool isHidden = path.filename().string()[0] == '.';
-      if (!isHidden && !fs::equivalent(path, this->Requested.Output, ignored))
+      if (!isHidden && !fs::equivalent(path, FilePath(this->Requested.Output), ignored))
       {
         this->Take(path);
       }
@@ -118,7 +119,7 @@ private:
   void Add(BatchBone bone)
   {
     bone.Root = this->Root.string();
-    bone.Below = fs::path(bone.Input).lexically_relative(this->Root).parent_path().string();
+    bone.Below = FilePath(bone.Input).lexically_relative(this->Root).parent_path().string();
     this->Bones.push_back(bone);
   }
 
@@ -136,8 +137,9 @@ private:
 };
 
 /// The last part of a path, with or without a slash behind it.
-fs::path WithoutSlash(const fs::path& path)
+fs::path WithoutSlash(const std::string& name)
 {
+  const fs::path path = FilePath(name);
   return path.has_filename() ? path : path.parent_path();
 }
 
@@ -173,7 +175,7 @@ std::string NameOf(const BatchBone& bone, int detail)
     name = plain.stem().string() + (detail > 0 ? "_" + ExtensionOf(plain.string()) : "");
   }
   name = detail > 1 ? WithoutSlash(bone.Root).filename().string() + "_" + name : name;
-  return (fs::path(bone.Below) / name).string();
+  return (FilePath(bone.Below) / FilePath(name)).string();
 }
 
 /// Two inputs of one name get more of their paths into it, in the end a number. Small and capital
@@ -277,16 +279,17 @@ void CheckOverwriting(const std::vector<BatchBone>& bones)
 
 void NameOutputs(BatchBone& bone, const Arguments& arguments)
 {
-  const fs::path folder(arguments.Output);
+  const fs::path folder = FilePath(arguments.Output);
+  const fs::path name = FilePath(bone.Name);
   if (bone.IsBone() && bone.Volume && arguments.Segments.IsRequested())
   {
-    bone.Output = (folder / bone.Name / "").string();
-    bone.Report = (folder / bone.Name / "report.json").string();
+    bone.Output = (folder / name / "").string();
+    bone.Report = (folder / name / "report.json").string();
   }
   else if (bone.IsBone())
   {
-    bone.Output = (folder / (bone.Name + "." + OutputExtension(bone, arguments))).string();
-    bone.Report = (folder / (bone.Name + ".json")).string();
+    bone.Output = (folder / name).string() + "." + OutputExtension(bone, arguments);
+    bone.Report = (folder / name).string() + ".json";
   }
 }
 
@@ -298,7 +301,7 @@ bool HasNumberOfThreads(const Arguments& arguments)
 
 std::string PathBelow(const BatchBone& bone)
 {
-  return (fs::path(bone.Below) / BaseName(bone.Input)).string();
+  return (FilePath(bone.Below) / FilePath(BaseName(bone.Input))).string();
 }
 
 std::vector<BatchBone> PlanBatch(const Arguments& arguments)
@@ -307,7 +310,7 @@ std::vector<BatchBone> PlanBatch(const Arguments& arguments)
   for (const std::string& input : arguments.Inputs)
   {
     std::error_code error;
-    if (fs::is_directory(input, error) && !IsVolume(input))
+    if (fs::is_directory(FilePath(input), error) && !IsVolume(input))
     {
       AddFolder(bones, input, arguments);
     }

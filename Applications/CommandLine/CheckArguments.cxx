@@ -3,6 +3,7 @@
 #include "Arguments.h"
 #include "FileGrid.h"
 #include "FileNames.h"
+#include "FilePath.h"
 #include "Formats/SurfaceFormat.h"
 
 #include "BoneVolume.h"
@@ -42,8 +43,9 @@ void RequireSurfaceFormat(const std::string& what, const std::string& path)
 bool IsSame(const std::string& a, const std::string& b)
 {
   std::error_code error;
-  return fs::equivalent(a, b, error) ||
-    fs::absolute(a, error).lexically_normal() == fs::absolute(b, error).lexically_normal();
+  return fs::equivalent(FilePath(a), FilePath(b), error) ||
+    fs::absolute(FilePath(a), error).lexically_normal() ==
+    fs::absolute(FilePath(b), error).lexically_normal();
 }
 
 std::vector<std::string> OutputsOf(const Arguments& arguments)
@@ -154,7 +156,7 @@ void CheckOneBone(const Arguments& arguments)
   Require(!volume || arguments.Iso || arguments.Segments.IsRequested(),
     "'" + arguments.Inputs[0] +
       "' is a volume: --iso HU or, of a label map, --segments says which surface to take");
-  Require(volume || !arguments.Iso || !fs::exists(arguments.Inputs[0]),
+  Require(volume || !arguments.Iso || !fs::exists(FilePath(arguments.Inputs[0])),
     "--iso is for volumes; '" + arguments.Inputs[0] + "' is none");
   Require(arguments.Iso || arguments.Given.count("intensities") == 0,
     "--intensities is for volumes, together with --iso");
@@ -178,9 +180,10 @@ void CheckBatch(const Arguments& arguments)
     "--intensities is for volumes, together with --iso");
   CheckFormat(arguments);
   std::error_code error;
-  Require(!fs::exists(arguments.Output, error) || fs::is_directory(arguments.Output, error),
+  Require(!fs::exists(FilePath(arguments.Output), error) ||
+      fs::is_directory(FilePath(arguments.Output), error),
     "'" + arguments.Output + "' is a file; many bones need an output folder");
-  Require(fs::is_directory(arguments.Output, error) || !IsNamedLikeFile(arguments.Output),
+  Require(fs::is_directory(FilePath(arguments.Output), error) || !IsNamedLikeFile(arguments.Output),
     "'" + arguments.Output + "' is named like a file; it would become an output folder");
   for (const std::string& input : arguments.Inputs)
   {
@@ -196,7 +199,7 @@ std::vector<std::string> FilesOf(const Arguments& arguments)
   {
     std::error_code error;
     const auto options = fs::directory_options::skip_permission_denied;
-    for (fs::recursive_directory_iterator entry(input, options, error);
+    for (fs::recursive_directory_iterator entry(FilePath(input), options, error);
          !error && entry != fs::recursive_directory_iterator(); entry.increment(error))
     {
       files.push_back(entry->path().string());
@@ -227,8 +230,9 @@ bool IsBatch(const Arguments& arguments)
   {
     return false; // a folder is for the segments
   }
-  return arguments.Inputs.size() > 1 || (fs::is_directory(input, error) && !IsVolume(input)) ||
-    fs::is_directory(arguments.Output, error) || arguments.Output.back() == '/';
+  return arguments.Inputs.size() > 1 ||
+    (fs::is_directory(FilePath(input), error) && !IsVolume(input)) ||
+    fs::is_directory(FilePath(arguments.Output), error) || arguments.Output.back() == '/';
 }
 
 /// 3D Slicer gives every option; there those count that do not have their default.

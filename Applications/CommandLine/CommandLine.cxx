@@ -3,6 +3,7 @@
 #include "CommandLine.h"
 
 #include "ExitCode.h"
+#include "FilePath.h"
 #include "HelpFormatter.h"
 #include "NearestWord.h"
 #include "Settings/Settings.h"
@@ -46,6 +47,27 @@ std::string Sentence(const CLI::ParseError& error)
   return colon == std::string::npos ? text : text.erase(colon, 1);
 }
 
+bool IsFlag(const std::string& word)
+{
+  return word.rfind("--", 0) == 0;
+}
+
+/// CLI11 takes any word for the value of an option, another option, too.
+void RequireValues(const CLI::App& command, const std::vector<std::string>& words)
+{
+  for (auto word = words.begin(); word != words.end(); ++word)
+  {
+    const CLI::Option* option = IsFlag(*word) ? command.get_option_no_throw(*word) : nullptr;
+    const bool isAlone = word + 1 == words.end() || IsFlag(word[1]);
+    if (option != nullptr && option->get_items_expected_min() > 0 && isAlone)
+    {
+      throw Failure(ExitCode::Usage,
+        *word + " takes a value: " + option->get_type_name() + "; see " + CommandPath(command) +
+          " --help");
+    }
+  }
+}
+
 void Parse(CLI::App& program, const std::vector<std::string>& words)
 {
   std::vector<std::string> reversed; // as CLI11 takes them
@@ -86,6 +108,7 @@ void RunCommandLine(CLI::App& program, std::vector<std::string> words)
   const SettledWords settled = WithSettings(program, words);
   try
   {
+    RequireValues(*program.get_subcommand(settled.Words.front()), settled.Words);
     Parse(program, settled.Words);
   }
   catch (const CLI::ParseError& error)
@@ -108,7 +131,8 @@ void RequireCommandOrFile(const CLI::App& program, const std::string& word)
 {
   std::error_code error;
   const bool isFileName = word.find_first_of("./") != std::string::npos;
-  if (word.empty() || word[0] == '-' || isFileName || std::filesystem::exists(word, error))
+  if (word.empty() || word[0] == '-' || isFileName ||
+    std::filesystem::exists(FilePath(word), error))
   {
     return;
   }
@@ -125,7 +149,7 @@ void RequireNotInput(const std::string& file, const std::vector<std::string>& in
   for (const std::string& input : inputs)
   {
     std::error_code error;
-    if (std::filesystem::equivalent(file, input, error))
+    if (std::filesystem::equivalent(FilePath(file), FilePath(input), error))
     {
       throw Failure(ExitCode::Usage, "'" + file + "' is an input; it is not overwritten");
     }

@@ -7,6 +7,7 @@
 #include "CommandLine.h"
 #include "CommonOptions.h"
 #include "Explain/Explain.h"
+#include "FilePath.h"
 #include "HelpFormatter.h"
 #include "Report/Report.h"
 #include "RunOne.h"
@@ -72,11 +73,11 @@ void SetThesisWords(Arguments& arguments, const std::vector<std::string>& words)
       ExitCode::Usage, "numbFaces and errorThreshold are both 0 (off): nothing would end the run");
   }
   GiveOption(arguments, *FindOption("Mode"), "Thesis");
-  const std::filesystem::path input(words[0]);
+  const std::filesystem::path input = FilePath(words[0]);
   const std::string simplified = input.stem().string() + "_simplified.obj";
   arguments.ThesisForm = true;
   arguments.Inputs = { words[0],
-    words.size() == 5 ? words[4] : (input.parent_path() / simplified).string() };
+    words.size() == 5 ? words[4] : (input.parent_path() / FilePath(simplified)).string() };
   TakeFiles(arguments);
 }
 }

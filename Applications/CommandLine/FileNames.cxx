@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileNames.h"
 
+#include "FilePath.h"
 #include "Options/Text.h"
 
 #include <filesystem>
@@ -10,14 +11,14 @@ namespace bonedecimate
 {
 std::string ExtensionOf(const std::string& path)
 {
-  std::string extension = std::filesystem::path(path).extension().string();
+  std::string extension = FilePath(path).extension().string();
   extension.erase(0, 1);
   return LowerCase(extension);
 }
 
 std::string BaseName(const std::string& path)
 {
-  const std::filesystem::path whole(path);
+  const std::filesystem::path whole = FilePath(path);
   return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 }

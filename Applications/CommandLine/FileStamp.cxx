@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileStamp.h"
 
+#include "FilePath.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -27,9 +29,9 @@ std::chrono::seconds OriginOfFileTimes()
 FileStamp StampOfFile(const std::string& path)
 {
   std::error_code error;
-  const auto bytes = fs::file_size(path, error);
+  const auto bytes = fs::file_size(FilePath(path), error);
   const fs::file_time_type modified =
-    error ? fs::file_time_type() : fs::last_write_time(path, error);
+    error ? fs::file_time_type() : fs::last_write_time(FilePath(path), error);
   if (error)
   {
     return {};
@@ -51,12 +53,12 @@ FileStamp StampOfFile(const std::string& path)
 FileStamp StampOf(const std::string& path)
 {
   std::error_code error;
-  if (!fs::is_directory(path, error))
+  if (!fs::is_directory(FilePath(path), error))
   {
     return StampOfFile(path);
   }
   FileStamp stamp;
-  for (const fs::directory_entry& entry : fs::directory_iterator(path, error))
+  for (const fs::directory_entry& entry : fs::directory_iterator(FilePath(path), error))
   {
     const FileStamp file = StampOfFile(entry.path().string());
     stamp.Bytes += file.Bytes;

@@ -4,6 +4,7 @@
 
 #include "DeprecatedNames.h"
 #include "FileNames.h"
+#include "FilePath.h"
 #include "Report/Report.h"
 #include "ReportFields.h"
 #include "StagedFile.h"
@@ -79,9 +80,9 @@ Json JsonOf(const std::vector<SegmentRecord>& segments, vtkPolyData* result)
 std::optional<std::uintmax_t> BytesOf(const std::string& output, const Json& report)
 {
   std::error_code error;
-  if (!std::filesystem::is_directory(output, error))
+  if (!std::filesystem::is_directory(FilePath(output), error))
   {
-    const std::uintmax_t bytes = std::filesystem::file_size(output, error);
+    const std::uintmax_t bytes = std::filesystem::file_size(FilePath(output), error);
     return error ? std::nullopt : std::optional<std::uintmax_t>(bytes);
   }
   std::uintmax_t bytes = 0;
@@ -91,7 +92,7 @@ std::optional<std::uintmax_t> BytesOf(const std::string& output, const Json& rep
     const bool hasFile =
       segment.is_object() && segment.contains("file") && segment["file"].is_string();
     bytes += hasFile ? std::filesystem::file_size(
-                         std::filesystem::path(output) / segment["file"].get<std::string>(), error)
+                         FilePath(output) / FilePath(segment["file"].get<std::string>()), error)
                      : 0;
     if (error)
     {

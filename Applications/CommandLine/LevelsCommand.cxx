@@ -5,6 +5,7 @@
 #include "BoundText.h"
 #include "FileGrid.h"
 #include "FileNames.h"
+#include "FilePath.h"
 #include "FileRounding.h"
 #include "FilterOptions.h"
 #include "FilterRun.h"
@@ -37,7 +38,7 @@ constexpr int DistanceDecimals = 4;
 vtkSmartPointer<vtkUnsignedCharArray> ReadBytes(const std::string& path)
 {
   CheckFile(path);
-  const std::uintmax_t size = std::filesystem::file_size(path);
+  const std::uintmax_t size = std::filesystem::file_size(FilePath(path));
   auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
   bytes->SetNumberOfValues(static_cast<vtkIdType>(size));
   std::ifstream stream(path, std::ios::binary);
@@ -51,10 +52,10 @@ vtkSmartPointer<vtkUnsignedCharArray> ReadBytes(const std::string& path)
 
 std::string NameOfLevel(const std::string& output, vtkIdType triangles)
 {
-  const std::filesystem::path path(output);
+  const std::filesystem::path path = FilePath(output);
   const std::string name =
     path.stem().string() + "-" + std::to_string(triangles) + path.extension().string();
-  return (path.parent_path() / name).string();
+  return (path.parent_path() / FilePath(name)).string();
 }
 
 /// One command; the verbs are in the order of RunLevels().

@@ -3,6 +3,7 @@
 #include "OutputFiles.h"
 
 #include "ExitCode.h"
+#include "FilePath.h"
 #include "SegmentOutput.h"
 
 #include <filesystem>
@@ -43,8 +44,8 @@ StagedFile& OutputFiles::AddSegment(const std::string& target)
 {
   for (const StagedFile& surface : this->Surfaces)
   {
-    if (std::filesystem::absolute(surface.GetTarget()).lexically_normal() ==
-      std::filesystem::absolute(target).lexically_normal())
+    if (std::filesystem::absolute(FilePath(surface.GetTarget())).lexically_normal() ==
+      std::filesystem::absolute(FilePath(target)).lexically_normal())
     {
       throw Failure(ExitCode::Usage, "'" + target + "' would be written twice");
     }

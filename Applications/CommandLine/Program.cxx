@@ -39,31 +39,10 @@ ExitCode Fail(ExitCode code, const char* message)
   return code;
 }
 
-/// On Windows not all libraries that open files find names with other letters.
-void RequireNamesThatCanBeOpened(const std::vector<std::string>& words)
-{
-#ifdef _WIN32
-  for (const std::string& word : words)
-  {
-    const bool isAscii = std::all_of(word.begin(), word.end(),
-      [](char letter) { return static_cast<unsigned char>(letter) < 0x80; });
-    if (!isAscii)
-    {
-      throw Failure(ExitCode::Usage,
-        "on Windows names of files and folders must be ASCII: rename or move what '" + word +
-          "' is");
-    }
-  }
-#else
-  static_cast<void>(words);
-#endif
-}
-
 ExitCode Run(int argc, char* argv[])
 {
   const std::vector<std::string> words =
     WithCurrentNames(std::vector<std::string>(argv + 1, argv + std::max(argc, 1)));
-  RequireNamesThatCanBeOpened(words);
   if (IsSlicerCall(words))
   {
     return RunSlicerCall(words);

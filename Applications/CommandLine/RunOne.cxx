@@ -5,6 +5,7 @@
 #include "BoneVolume.h"
 #include "ExitCode.h"
 #include "FileNames.h"
+#include "FilePath.h"
 #include "FilterOptions.h"
 #include "FilterRun.h"
 #include "Formats/FileChecks.h"
@@ -141,7 +142,7 @@ public:
       if (!WritesSegments(this->Requested) && &file == &files.Surfaces.front())
       {
         this->Subject.OutputBytes =
-          static_cast<std::int64_t>(std::filesystem::file_size(file.GetTemporary()));
+          static_cast<std::int64_t>(std::filesystem::file_size(FilePath(file.GetTemporary())));
       }
     }
     if (this->Requested.Segments.IsRequested())

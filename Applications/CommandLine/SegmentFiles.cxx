@@ -5,6 +5,7 @@
 #include "CommandLine.h"
 #include "ExitCode.h"
 #include "FileNames.h"
+#include "FilePath.h"
 #include "Formats/SurfaceFormat.h"
 #include "Interruption.h"
 #include "NamedLabels.h"
@@ -186,7 +187,8 @@ public:
   void Write(vtkPolyData* surface, const std::string& name, SegmentRecord& record)
   {
     record.File = name + "." + ExtensionOfSegments(this->Requested);
-    const std::string target = (fs::path(FolderOfSegments(this->Requested)) / record.File).string();
+    const std::string target =
+      (FilePath(FolderOfSegments(this->Requested)) / FilePath(record.File)).string();
     RequireNotInput(target, { this->Requested.Inputs[0], this->Requested.Reference });
     StagedFile& file = this->Files.AddSegment(target);
     const auto readBack = WriteSurface(surface, file.GetTemporary(), target);
@@ -195,7 +197,7 @@ public:
       RequireProvedTriangles(surface, readBack, target);
       this->Subject.ProvedFiles[record.File] = "same_bits";
     }
-    record.Bytes = static_cast<std::int64_t>(fs::file_size(file.GetTemporary()));
+    record.Bytes = static_cast<std::int64_t>(fs::file_size(FilePath(file.GetTemporary())));
     this->Subject.OutputBytes += record.Bytes;
   }
 

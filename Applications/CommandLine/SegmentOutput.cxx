@@ -3,6 +3,7 @@
 #include "SegmentOutput.h"
 
 #include "FileNames.h"
+#include "FilePath.h"
 #include "Options/Text.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ bool WritesSegments(const Arguments& arguments)
 
 std::string FolderOfSegments(const Arguments& arguments)
 {
-  const fs::path output(arguments.Output);
+  const fs::path output = FilePath(arguments.Output);
   return IsBlockFile(arguments.Output) ? (output.parent_path() / output.stem()).string()
                                        : output.string();
 }
@@ -56,7 +57,7 @@ void NameFilesOfFolder(Arguments& arguments)
   {
     return;
   }
-  const fs::path folder(arguments.Output);
+  const fs::path folder = FilePath(arguments.Output);
   const auto name = [&folder](std::string& file, const char* own)
   { file = file.empty() ? (folder / own).string() : file; };
   name(arguments.Report, "report.json");

@@ -4,6 +4,7 @@
 
 #include "ExitCode.h"
 #include "FileNames.h"
+#include "FilePath.h"
 #include "FilterOptions.h"
 #include "FilterRun.h"
 #include "Formats/FileChecks.h"
@@ -96,7 +97,7 @@ public:
     if (!WritesSegments(this->Requested))
     {
       this->Subject.OutputBytes = static_cast<std::int64_t>(
-        std::filesystem::file_size(files.Surfaces.front().GetTemporary()));
+        std::filesystem::file_size(FilePath(files.Surfaces.front().GetTemporary())));
     }
     this->Subject.SecondsWrite = watch.Seconds();
     this->Subject.SecondsTotal = this->Whole.Seconds();

@@ -4,6 +4,7 @@
 
 #include "ExitCode.h"
 #include "FileNames.h"
+#include "FilePath.h"
 
 #include <cerrno>
 #include <cstring>
@@ -29,13 +30,14 @@ namespace
 fs::path ResolvedTarget(const std::string& target)
 {
   std::error_code error;
-  const fs::file_status status = fs::status(target, error);
+  const fs::file_status status = fs::status(FilePath(target), error);
   if (fs::exists(status) && !fs::is_regular_file(status))
   {
     Fail(target, fs::is_directory(status) ? "it is a folder" : "it is not a regular file");
   }
-  const fs::path resolved = fs::exists(status) ? fs::canonical(target, error) : fs::path(target);
-  return error ? fs::path(target) : resolved;
+  const fs::path resolved =
+    fs::exists(status) ? fs::canonical(FilePath(target), error) : FilePath(target);
+  return error ? FilePath(target) : resolved;
 }
 
 constexpr const char* CommonPrefix = ".bonedecimate-";
@@ -58,9 +60,9 @@ bool IsOfThisSystem(const std::string& name)
 std::string TemporaryName(const fs::path& target, int attempt)
 {
   // The leading dot keeps it out of a batch that reads the folder.
-  fs::path name = PrefixOf(getpid()) + std::to_string(attempt);
+  std::string name = PrefixOf(getpid()) + std::to_string(attempt);
   name += target.has_extension() ? "." + ExtensionOf(target.string()) : "";
-  return (target.parent_path() / name).string();
+  return (target.parent_path() / FilePath(name)).string();
 }
 
 std::vector<fs::path> FilesIn(
@@ -68,7 +70,7 @@ std::vector<fs::path> FilesIn(
 {
   std::vector<fs::path> found;
   std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+  for (const fs::directory_entry& entry : fs::directory_iterator(FilePath(folder), ignored))
   {
     if (isSelected(entry.path().filename().string()))
     {
@@ -97,10 +99,10 @@ StagedFile::StagedFile(const std::string& target)
   : Target(target)
   , Resolved(ResolvedTarget(target).string())
 {
-  RemoveAbandonedFilesIn(fs::path(this->Resolved).parent_path());
+  RemoveAbandonedFilesIn(FilePath(this->Resolved).parent_path());
   for (int attempt = 0; this->Temporary.empty(); ++attempt)
   {
-    const std::string name = TemporaryName(this->Resolved, attempt);
+    const std::string name = TemporaryName(FilePath(this->Resolved), attempt);
     const FileLock::Outcome outcome = this->Lock.Make(name);
     if (outcome == FileLock::Outcome::Failed)
     {
@@ -115,7 +117,7 @@ StagedFile::~StagedFile()
   std::error_code ignored;
   if (!this->Temporary.empty())
   {
-    fs::remove(this->Temporary, ignored);
+    fs::remove(FilePath(this->Temporary), ignored);
   }
 }
 
@@ -142,7 +144,7 @@ void StagedFile::Flush()
 void StagedFile::Commit()
 {
   std::error_code error;
-  fs::rename(this->Temporary, this->Resolved, error);
+  fs::rename(FilePath(this->Temporary), FilePath(this->Resolved), error);
   if (error)
   {
     Fail(this->Target, error.message());

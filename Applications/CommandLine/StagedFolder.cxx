@@ -3,6 +3,7 @@
 #include "StagedFolder.h"
 
 #include "ExitCode.h"
+#include "FilePath.h"
 
 #include <system_error>
 
@@ -14,7 +15,7 @@ StagedFolder::StagedFolder(const std::string& path)
 {
   std::error_code error;
   fs::path part;
-  for (const fs::path& name : fs::path(path))
+  for (const fs::path& name : FilePath(path))
   {
     part /= name;
     if (!error && !name.empty() && fs::create_directory(part, error))

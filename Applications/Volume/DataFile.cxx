@@ -3,6 +3,7 @@
 #include "DataFile.h"
 
 #include "DeflatedStream.h"
+#include "FilePath.h"
 
 #include "vtkDataArray.h"
 
@@ -15,7 +16,7 @@ namespace bonedecimate::volume
 std::uint64_t SizeOfFile(const std::string& path)
 {
   std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  const std::uintmax_t size = std::filesystem::file_size(FilePath(path), error);
   return error ? 0 : size;
 }
 
@@ -23,7 +24,7 @@ DataFile DataFileBeside(
   const std::string& header, const std::string& name, std::uint64_t begin, bool isCompressed)
 {
   DataFile data;
-  data.Path = (std::filesystem::path(header).parent_path() / name).string();
+  data.Path = (FilePath(header).parent_path() / FilePath(name)).string();
   const std::uint64_t size = SizeOfFile(data.Path);
   data.Begin = std::min(size, begin);
   data.Bytes = size - data.Begin;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DicomFolder.h"
 
+#include "FilePath.h"
+
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
@@ -23,7 +25,7 @@ bool IsDicomEntry(const fs::directory_entry& entry)
 bool IsDicomFile(const std::string& path)
 {
   std::error_code error;
-  if (!fs::is_regular_file(path, error))
+  if (!fs::is_regular_file(FilePath(path), error))
   {
     return false;
   }
@@ -37,7 +39,7 @@ std::vector<std::string> DicomFiles(const std::string& folder)
 {
   std::vector<std::string> files;
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+  for (const fs::directory_entry& entry : fs::directory_iterator(FilePath(folder), error))
   {
     if (IsDicomEntry(entry))
     {
@@ -52,7 +54,7 @@ std::vector<std::string> DicomFiles(const std::string& folder)
 bool HoldsDicom(const std::string& folder)
 {
   std::error_code error;
-  const fs::directory_iterator entries(folder, error);
+  const fs::directory_iterator entries(FilePath(folder), error);
   return std::any_of(begin(entries), end(entries), IsDicomEntry);
 }
 }

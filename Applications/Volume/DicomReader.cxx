@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DicomFolder.h"
+#include "FilePath.h"
 
 #include "DicomSegmentation.h"
 #include "DicomSeries.h"
@@ -161,7 +162,7 @@ std::uintmax_t BytesOf(const DicomSeries& series)
   for (const DicomSlice& slice : series.Slices)
   {
     std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(slice.File, error);
+    const std::uintmax_t size = std::filesystem::file_size(FilePath(slice.File), error);
     bytes += error ? 0 : size;
   }
   return bytes;
@@ -190,8 +191,7 @@ LayeredVolume LayersOfSeries(const DicomSeries& series)
   {
     const DicomSlice& slice = slices[next++];
     const std::string problem = DecodeSlice(slice, static_cast<float*>(values));
-    return problem.empty() ? problem
-                           : std::filesystem::path(slice.File).filename().string() + ": " + problem;
+    return problem.empty() ? problem : FilePath(slice.File).filename().string() + ": " + problem;
   };
   return volume;
 }

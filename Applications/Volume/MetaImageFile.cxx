@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FilePath.h"
 #include "ImageFiles.h"
 
 #include "DataFile.h"
@@ -9,7 +10,6 @@
 #include "TextNumbers.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <utility>
@@ -81,7 +81,7 @@ std::string DataFileProblem(const std::string& header, const DataFile& data)
   }
   if (SizeOfFile(data.Path) == 0)
   {
-    return "the file of its voxels, " + std::filesystem::path(data.Path).filename().string() +
+    return "the file of its voxels, " + FilePath(data.Path).filename().string() +
       ", cannot be read";
   }
   // Without it MetaIO takes the whole file.
@@ -99,8 +99,7 @@ DataFile MetaData(const std::string& path, const std::string& header)
   const bool isCompressed = !compressed.empty() && (compressed[0] == 't' || compressed[0] == '1');
   const auto skipped = ParseWholeNumber(FieldOf(header, "headersize")).value_or(0);
   DataFile data = LowerCase(name) == "local"
-    ? DataFileBeside(
-        path, std::filesystem::path(path).filename().string(), header.size(), isCompressed)
+    ? DataFileBeside(path, FilePath(path).filename().string(), header.size(), isCompressed)
     : DataFileBeside(
         path, name, static_cast<std::uint64_t>(std::max<std::int64_t>(skipped, 0)), isCompressed);
   const auto packed = ParseWholeNumber(FieldOf(header, "compresseddatasize"));

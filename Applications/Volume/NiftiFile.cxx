@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FilePath.h"
 #include "ImageFiles.h"
 
 #include "DataFile.h"
@@ -14,7 +15,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <iterator>
 #include <locale>
 #include <map>
@@ -273,7 +273,7 @@ std::uint64_t CountNotFinite(
 
 bool IsCompressed(const std::string& path)
 {
-  return LowerCase(std::filesystem::path(path).extension().string()) == ".gz";
+  return LowerCase(FilePath(path).extension().string()) == ".gz";
 }
 
 std::string VoxelsProblem(const NiftiHeader& header, const ItkHeader& read, const std::string& path)

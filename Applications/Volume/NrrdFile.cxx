@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FilePath.h"
 #include "ImageFiles.h"
 
 #include "DataFile.h"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 
 namespace bonedecimate::volume
 {
@@ -70,9 +70,8 @@ public:
   /// Of a header without a problem.
   DataFile Data(const std::string& path) const
   {
-    const std::string name = this->State->dataFNArr->len == 0
-      ? std::filesystem::path(path).filename().string()
-      : this->State->dataFN[0];
+    const std::string name = this->State->dataFNArr->len == 0 ? FilePath(path).filename().string()
+                                                              : this->State->dataFN[0];
     const long begin = std::max(std::ftell(this->State->dataFile), 0L);
     return DataFileBeside(
       path, name, static_cast<std::uint64_t>(begin), this->State->encoding->isCompression != 0);

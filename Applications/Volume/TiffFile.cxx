@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FilePath.h"
 #include "ImageFiles.h"
 
 #include "DataFile.h"
@@ -9,7 +10,6 @@
 
 #include <cstdarg>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <tiffio.h>
 
@@ -200,8 +200,7 @@ LayeredVolume OpenTiffSlices(const std::string& folder, const Vector3& spacing)
   {
     const std::string& file = files[next++];
     const std::string damage = ReadSlice(file, first, values);
-    return damage.empty() ? damage
-                          : std::filesystem::path(file).filename().string() + ": " + damage;
+    return damage.empty() ? damage : FilePath(file).filename().string() + ": " + damage;
   };
   return volume;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TiffFolder.h"
 
+#include "FilePath.h"
 #include "Options/Text.h"
 #include "TextNumbers.h"
 
@@ -57,7 +58,7 @@ std::vector<fs::path> VisibleFiles(const std::string& folder)
 {
   std::vector<fs::path> files;
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+  for (const fs::directory_entry& entry : fs::directory_iterator(FilePath(folder), error))
   {
     if (entry.is_regular_file(error) && entry.path().filename().string()[0] != '.')
     {
@@ -115,7 +116,7 @@ std::vector<std::optional<std::int64_t>> NumbersOf(std::vector<std::string> name
 
 bool IsNamedLikeTiff(const std::string& path)
 {
-  const std::string extension = LowerCase(fs::path(path).extension().string());
+  const std::string extension = LowerCase(FilePath(path).extension().string());
   return extension == ".tif" || extension == ".tiff";
 }
 
@@ -169,7 +170,7 @@ TiffSlices FindTiffSlices(const std::string& folder)
     if (!isNext || (i > 0 && ordered[i].first == ordered[i - 1].first))
     {
       slices.Problem = "the numbers in the names of its slices are not evenly spaced: one before " +
-        fs::path(ordered[i].second).filename().string() + " is missing or there twice";
+        FilePath(ordered[i].second).filename().string() + " is missing or there twice";
     }
   }
   return slices;

@@ -4,6 +4,7 @@
 
 #include "BoneVolume.h"
 #include "DicomFolder.h"
+#include "FilePath.h"
 #include "ImageFiles.h"
 #include "LabelFields.h"
 #include "Options/Text.h"
@@ -69,13 +70,13 @@ VolumeKind KindByExtension(const fs::path& name)
 VolumeKind KindOf(const std::string& path)
 {
   std::error_code error;
-  if (fs::is_directory(path, error))
+  if (fs::is_directory(FilePath(path), error))
   {
     return HoldsDicom(path)   ? VolumeKind::DicomFolder
       : HoldsTiffSlices(path) ? VolumeKind::TiffFolder
                               : VolumeKind::None;
   }
-  const VolumeKind kind = KindByExtension(path);
+  const VolumeKind kind = KindByExtension(FilePath(path));
   // A TIFF of one page is a picture.
   return kind == VolumeKind::Tiff && IsTiffPicture(path) ? VolumeKind::None : kind;
 }
@@ -84,12 +85,12 @@ VolumeKind KindOf(const std::string& path)
 std::string Unreadable(const std::string& path, VolumeKind kind, const VoxelSpacing& spacing)
 {
   std::error_code error;
-  if (!fs::exists(path, error))
+  if (!fs::exists(FilePath(path), error))
   {
     return "there is no such file";
   }
-  const bool isFolder = fs::is_directory(path, error);
-  if (!isFolder && (fs::file_size(path, error) == 0 || error))
+  const bool isFolder = fs::is_directory(FilePath(path), error);
+  if (!isFolder && (fs::file_size(FilePath(path), error) == 0 || error))
   {
     return "it is empty or cannot be read";
   }
@@ -113,7 +114,7 @@ bool IsVolume(const std::string& path)
 
 bool IsVolumeFile(const std::string& path)
 {
-  return KindByExtension(path) != VolumeKind::None;
+  return KindByExtension(FilePath(path)) != VolumeKind::None;
 }
 
 std::vector<std::string> VolumeExtensions()

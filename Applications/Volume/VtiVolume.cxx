@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VtiVolume.h"
 
+#include "FilePath.h"
 #include "LabelFields.h"
 
 #include "vtkCallbackCommand.h"
@@ -58,7 +59,7 @@ std::string AnnouncedSizeProblem(vtkXMLImageDataReader* reader)
     size[axis] = std::int64_t(extent[2 * axis + 1]) - extent[2 * axis] + 1;
   }
   std::error_code error;
-  const std::uintmax_t bytes = std::filesystem::file_size(reader->GetFileName(), error);
+  const std::uintmax_t bytes = std::filesystem::file_size(FilePath(reader->GetFileName()), error);
   return SizeProblem(size, 1, error ? 0 : bytes, true);
 }
 

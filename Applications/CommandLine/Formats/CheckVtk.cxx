@@ -4,6 +4,7 @@
 /// closed.
 #include "CoordinateCollector.h"
 #include "FileChecks.h"
+#include "FilePath.h"
 #include "LineReader.h"
 #include "Options/Text.h"
 
@@ -38,7 +39,7 @@ public:
     : Path(path)
     , TextPoints(textPoints)
     , Lines(path)
-    , Size(static_cast<std::int64_t>(std::filesystem::file_size(path)))
+    , Size(static_cast<std::int64_t>(std::filesystem::file_size(FilePath(path))))
   {
   }
 

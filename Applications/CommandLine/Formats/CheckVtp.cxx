@@ -3,6 +3,7 @@
 /// VTK's XML format: its reader says when data are missing, but allocates by what is announced.
 #include "CoordinateCollector.h"
 #include "FileChecks.h"
+#include "FilePath.h"
 #include "LineReader.h"
 #include "Options/Text.h"
 
@@ -86,7 +87,7 @@ void ReadTextPoints(const std::string& path, std::uintmax_t size, CoordinateColl
 
 void CheckVtpFile(const std::string& path, CoordinateCollector& textPoints)
 {
-  const std::uintmax_t size = std::filesystem::file_size(path);
+  const std::uintmax_t size = std::filesystem::file_size(FilePath(path));
   const std::string head = ReadPart(path, 0, 65536);
   const std::size_t root = head.find("<VTKFile");
   if (root == std::string::npos)

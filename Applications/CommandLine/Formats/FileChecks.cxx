@@ -3,6 +3,7 @@
 #include "FileChecks.h"
 
 #include "ExitCode.h"
+#include "FilePath.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -29,7 +30,7 @@ std::string PrintableText(std::string text)
 void CheckFile(const std::string& path)
 {
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);
+  const fs::file_status status = fs::status(FilePath(path), error);
   if (!fs::exists(status))
   {
     Reject(path,
@@ -39,7 +40,7 @@ void CheckFile(const std::string& path)
   {
     Reject(path, fs::is_directory(status) ? "it is a folder" : "it is not a regular file");
   }
-  if (fs::file_size(path, error) == 0)
+  if (fs::file_size(FilePath(path), error) == 0)
   {
     Reject(path, "the file is empty (0 bytes)");
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlyElementReader.h"
 
+#include "FilePath.h"
 #include "Options/Text.h"
 
 #include "vtkDataArray.h"
@@ -54,7 +55,7 @@ PlyElementReader::PlyElementReader(
 {
   if (!header.IsText)
   {
-    this->BytesLeft = static_cast<std::int64_t>(std::filesystem::file_size(path)) -
+    this->BytesLeft = static_cast<std::int64_t>(std::filesystem::file_size(FilePath(path))) -
       static_cast<std::int64_t>(lines.GetStream().tellg());
   }
 }

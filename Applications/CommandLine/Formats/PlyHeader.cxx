@@ -3,6 +3,7 @@
 #include "PlyHeader.h"
 
 #include "FileChecks.h"
+#include "FilePath.h"
 #include "Options/Text.h"
 
 #include "vtkDataArray.h"
@@ -145,7 +146,7 @@ private:
   /// Before anything is read: what is announced must fit into the file at all.
   void CheckSize()
   {
-    const auto size = static_cast<double>(std::filesystem::file_size(this->Path));
+    const auto size = static_cast<double>(std::filesystem::file_size(FilePath(this->Path)));
     double least = 0.0;
     for (const PlyElement& element : this->Header.Elements)
     {

@@ -4,6 +4,7 @@
 /// off. Numbers in text may have more digits than single precision.
 #include "CoordinateCollector.h"
 #include "FileChecks.h"
+#include "FilePath.h"
 #include "LineReader.h"
 #include "Options/Text.h"
 #include "SurfaceReaders.h"
@@ -176,7 +177,7 @@ vtkSmartPointer<vtkPolyData> TrianglesOf(CoordinateCollector& collector)
 
 vtkSmartPointer<vtkPolyData> ReadStlFile(const std::string& path)
 {
-  const std::uintmax_t size = std::filesystem::file_size(path);
+  const std::uintmax_t size = std::filesystem::file_size(FilePath(path));
   std::array<unsigned char, HeaderBytes> header{};
   std::ifstream stream(path, std::ios::binary);
   stream.read(reinterpret_cast<char*>(header.data()), HeaderBytes);

@@ -5,6 +5,7 @@
 #include "CommandLine.h"
 #include "ExitCode.h"
 #include "FileNames.h"
+#include "FilePath.h"
 #include "NearestWord.h"
 
 #include <CLI/CLI.hpp>
@@ -30,7 +31,7 @@ std::vector<CLI::ConfigItem> ItemsOf(const std::string& path)
 {
   std::error_code error;
   std::ifstream stream(path, std::ios::binary);
-  if (std::filesystem::is_directory(path, error) || !stream)
+  if (std::filesystem::is_directory(FilePath(path), error) || !stream)
   {
     Fail(path, "could not be read");
   }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChildProcess.h"
 
+#include "FilePath.h"
+
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <system_error>
 #include <windows.h>
 
@@ -132,7 +133,7 @@ ChildProcess::ChildProcess(const std::string& self, const std::vector<std::strin
   {
     words += " " + Quoted(argument);
   }
-  std::wstring line = std::filesystem::path(words).wstring();
+  std::wstring line = FilePath(words).wstring();
   const Streams streams(this->Child->Errors);
   STARTUPINFOW startup = streams.StartupInformation();
   PROCESS_INFORMATION made = {};

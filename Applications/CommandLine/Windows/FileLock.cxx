@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileLock.h"
 
-#include <filesystem>
+#include "FilePath.h"
+
 #include <io.h>
 #include <system_error>
 #include <windows.h>
@@ -16,8 +17,8 @@ constexpr DWORD SharedByAll = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DE
 
 HANDLE Open(const std::string& name, DWORD access, DWORD creation)
 {
-  return CreateFileW(std::filesystem::path(name).c_str(), access, SharedByAll, nullptr, creation,
-    FILE_ATTRIBUTE_NORMAL, nullptr);
+  return CreateFileW(
+    FilePath(name).c_str(), access, SharedByAll, nullptr, creation, FILE_ATTRIBUTE_NORMAL, nullptr);
 }
 
 std::string ProblemOf(DWORD error)
@@ -70,7 +71,7 @@ void RemoveIfAbandoned(const std::string& name)
   }
   if (Lock(file))
   {
-    DeleteFileW(std::filesystem::path(name).c_str());
+    DeleteFileW(FilePath(name).c_str());
   }
   CloseHandle(file);
 }

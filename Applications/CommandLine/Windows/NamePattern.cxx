@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NamePattern.h"
 
-#include <filesystem>
+#include "FilePath.h"
+
 #include <windows.h>
 
 #include <shlwapi.h>
@@ -11,7 +12,6 @@ namespace bonedecimate
 {
 bool MatchesPattern(const std::string& name, const std::string& pattern)
 {
-  return PathMatchSpecW(
-           std::filesystem::path(name).c_str(), std::filesystem::path(pattern).c_str()) != 0;
+  return PathMatchSpecW(FilePath(name).c_str(), FilePath(pattern).c_str()) != 0;
 }
 }
