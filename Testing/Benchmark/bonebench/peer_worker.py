@@ -198,6 +198,24 @@ def prepare_pyacvd(points: Points, corners: Corners, faces: int) -> Prepared:
     return call, lambda: (np.asarray(kept[0].points), np.asarray(kept[0].regular_faces))
 
 
+def prepare_itk_wasm(points: Points, corners: Corners, faces: int) -> Prepared:
+    """The remeshing of Geogram, as WebAssembly. The number of points is asked for in percent of the input's."""
+    from itkwasm import FloatTypes, IntTypes, Mesh, MeshType
+    from itkwasm_mesh_filters_wasi import smooth_remesh
+
+    kind = MeshType(dimension=3, pointComponentType=FloatTypes.Float32, cellComponentType=IntTypes.UInt32)
+    cells = np.empty((len(corners), 5), np.uint32)
+    cells[:, 0], cells[:, 1], cells[:, 2:] = 2, 3, corners  # a polygon of three points
+    mesh = Mesh(kind, numberOfPoints=len(points), points=points.ravel(), numberOfCells=len(corners),
+                cellBufferSize=cells.size, cells=cells.ravel())
+    kept: list[Any] = []
+
+    def call() -> None:
+        kept.append(smooth_remesh(mesh, number_points=100 * faces / len(corners)))
+
+    return call, lambda: (np.asarray(kept[0].points).reshape(-1, 3), np.asarray(kept[0].cells).reshape(-1, 5)[:, 2:])
+
+
 PREPARE: dict[str, tuple[str, Callable[[Points, Corners, Any], Prepared]]] = {
     "vtk": ("vtk", prepare_vtk),
     "meshlab": ("pymeshlab", prepare_meshlab),
@@ -208,6 +226,7 @@ PREPARE: dict[str, tuple[str, Callable[[Points, Corners, Any], Prepared]]] = {
     "meshoptimizer": ("meshoptimizer", prepare_meshoptimizer),
     "meshlib": ("meshlib", prepare_meshlib),
     "pyacvd": ("pyacvd", prepare_pyacvd),
+    "itk-wasm": ("itkwasm-mesh-filters", prepare_itk_wasm),
     "meshlab-remeshing": ("pymeshlab", prepare_meshlab_remeshing),
     "meshlib-remeshing": ("meshlib", prepare_meshlib_remeshing),
 }
