@@ -5,8 +5,8 @@
 #include "Crossings.h"
 #include "Edit/Editor.h"
 #include "Geometry/ExactPredicates.h"
+#include "GuardedOptions.h"
 #include "Random.h"
-#include "Runs.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
@@ -16,16 +16,6 @@
 
 using namespace bonedecimate;
 using namespace bonedecimate::testsupport;
-
-namespace
-{
-Options Guarded(Mode mode, double error, bool hasGuard = true)
-{
-  Options options = InMode(mode, Error(error));
-  options.IntersectionGuard = hasGuard;
-  return options;
-}
-}
 
 TEST(FlatIntersectionGuard, FlatPartsAreSimplifiedAsIfNothingWereNear)
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // With a largest error, gaps keep half of their width and nothing intersects that did not before. By brute force.
 #include "Crossings.h"
+#include "GuardedOptions.h"
 #include "Intersections/GapRule.h"
 #include "Intersections/TrianglePair.h"
 #include "Runs.h"
@@ -21,13 +22,6 @@ using namespace bonedecimate::testsupport;
 namespace
 {
 const std::vector<Mode> ProvingModes = { Mode::Fast, Mode::Balanced, Mode::Accurate };
-
-Options Guarded(Mode mode, double error, bool hasGuard = true)
-{
-  Options options = InMode(mode, Error(error));
-  options.IntersectionGuard = hasGuard;
-  return options;
-}
 
 /// The surface of a block of unit cubes whose points are mapped by `positionOf`.
 Surface Block(

@@ -122,7 +122,7 @@ TEST(Tunnels, AreListedWithTheirSizeAndPosition)
   for (std::size_t i = 0; i < 2; ++i)
   {
     const double width = 1.0 + static_cast<double>(i);
-    EXPECT_NEAR(closed[i].Girth, 4.0 * width, 1e-12);
+    EXPECT_NEAR(closed[i].Diameter, DiameterOf(width), 1e-12);
     const Vector3 center = closed[i].Center - offset;
     EXPECT_NEAR(center[0], (i == 0 ? 3.5 : 8.0), 1e-12);
     EXPECT_NEAR(center[1], 3.0 + 0.5 * width, 1e-12);

@@ -39,8 +39,9 @@ enum class TunnelConflict : int
 
 struct ClosedTunnel
 {
-  double Girth = 0.0;               ///< mm, length of the shortest closed loop of edges around it.
-  double Volume = 0.0;              ///< mm^3, of the plug.
+  double Diameter =
+    0.0;               ///< mm, of a circle as long as the shortest closed loop of edges around it.
+  double Volume = 0.0; ///< mm^3, of the plug.
   Vector3 Center = Vector3::Zero(); ///< mm, mean of the points of the loop.
 };
 

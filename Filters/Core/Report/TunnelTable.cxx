@@ -11,8 +11,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double PiOfGirth = 3.14159265358979323846;
-
 /// "3 tunnels were", "1 tunnel was"
 std::string CountOf(std::int64_t count)
 {
@@ -47,7 +45,7 @@ void AddTunnels(Entries& entries, const TunnelFigures& tunnels)
   for (std::size_t i = 0; i < std::min(closed.size(), mostListed); ++i)
   {
     const std::string path = "tunnels.list." + std::to_string(i);
-    entries.push_back({ path + ".diameter", "mm", closed[i].Girth / PiOfGirth });
+    entries.push_back({ path + ".diameter", "mm", closed[i].Diameter });
     entries.push_back({ path + ".volume", "mm3", closed[i].Volume });
     AddPosition(entries, path + ".center", closed[i].Center);
   }

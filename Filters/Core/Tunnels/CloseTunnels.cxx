@@ -247,7 +247,7 @@ private:
       this->Plugged.IsRemoved.push_back(0);
       this->Plugged.Replaced.push_back(replaced);
     }
-    ClosedTunnel tunnel = { loop.Length, plug.Volume };
+    ClosedTunnel tunnel = { loop.Length / Pi, plug.Volume };
     for (const Index point : loop.Points)
     {
       tunnel.Center += this->Plugged.Point(point) / static_cast<double>(loop.Points.size());

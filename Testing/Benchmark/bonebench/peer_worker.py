@@ -199,7 +199,7 @@ def prepare_pyacvd(points: Points, corners: Corners, faces: int) -> Prepared:
 
 
 def prepare_itk_wasm(points: Points, corners: Corners, faces: int) -> Prepared:
-    """The remeshing of Geogram, as WebAssembly. The number of points is asked for in percent of the input's."""
+    """The remeshing of Geogram, as WebAssembly. It takes the number of points in percent of the input's."""
     from itkwasm import FloatTypes, IntTypes, Mesh, MeshType
     from itkwasm_mesh_filters_wasi import smooth_remesh
 
