@@ -115,7 +115,7 @@ void FaceGrid::Nodes::Give(Index node)
 
 //------------------------------------------------------------------------------
 FaceGrid::FaceGrid(const HalfEdgeMesh& mesh, double leastCell)
-  : Side(this->CellFor(mesh, leastCell))
+  : Side(CellFor(mesh, leastCell))
   , LastVertex(mesh.NumberOfVertexSlots() - 1)
   , Cells(1024)
 {
@@ -144,7 +144,7 @@ FaceGrid::FaceGrid(const HalfEdgeMesh& mesh, double leastCell)
 
 //------------------------------------------------------------------------------
 /// Some faces on average, many more where few faces are so large that they would fill too many cells.
-double FaceGrid::CellFor(const HalfEdgeMesh& mesh, double least) const
+double FaceGrid::CellFor(const HalfEdgeMesh& mesh, double least)
 {
   double lengths = 0.0; // mm
   double areas = 0.0;   // mm^2

@@ -94,7 +94,7 @@ private:
   };
   static constexpr Key Free = ~Key(0);
 
-  double CellFor(const HalfEdgeMesh& mesh, double least) const;
+  static double CellFor(const HalfEdgeMesh& mesh, double least);
   /// Where the search for a cell begins.
   std::size_t FirstSlotOf(Key cell) const
   {
