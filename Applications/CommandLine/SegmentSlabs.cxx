@@ -135,7 +135,7 @@ double SegmentSlabs::GetVoxelSize() const
 SlabAxis SegmentSlabs::GetAxis() const
 {
   const Vector3 axis = this->Map.Grid.Direction.col(2);
-  return { axis, axis.dot(this->Map.Grid.ToMillimeters({ 0.0, 0.0, -1.0 })) };
+  return { axis, Dot(axis, this->Map.Grid.ToMillimeters({ 0.0, 0.0, -1.0 })) };
 }
 
 SlabInputs SegmentSlabs::GetInputs() const
@@ -187,7 +187,7 @@ SlabSource::ReadSlab SegmentSlabs::ReadNext()
   this->NextLayer = last;
   RoundToSingle(surfaces.Surface.Points);
   const double end = this->IsLast(last) ? last + 1.0 : last;
-  read.Slab.Top = this->GetAxis().Direction.dot(this->Map.Grid.ToMillimeters({ 0.0, 0.0, end }));
+  read.Slab.Top = Dot(this->GetAxis().Direction, this->Map.Grid.ToMillimeters({ 0.0, 0.0, end }));
   read.Slab.Surface = std::move(surfaces.Surface);
   read.Slab.BoundaryLabels = std::move(surfaces.Source.OfTriangle);
   return read;

@@ -21,6 +21,13 @@ namespace bonedecimate
 /// A position or a direction; positions are in millimeters.
 using Vector3 = Eigen::Vector3d;
 
+/// The dot product. The order of additions is that of Eigen 3; Eigen 5 has another one, which would
+/// change results.
+inline double Dot(const Vector3& a, const Vector3& b)
+{
+  return a[0] * b[0] + (a[1] * b[1] + a[2] * b[2]);
+}
+
 /// Beyond every distance.
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 

@@ -285,6 +285,7 @@ TEST(Data, MapsLeadFromTheInputToTheOutputAndBack)
       ++same;
     }
   }
+  EXPECT_GT(same, 0);
   EXPECT_EQ(output->GetCellData()->GetArray("OriginalCellIds")->GetNumberOfTuples(),
     output->GetNumberOfCells());
   EXPECT_FALSE(input->GetPointData()->HasArray("ResultPointIds")) << "the input was changed";

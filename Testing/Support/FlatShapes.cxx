@@ -75,7 +75,7 @@ private:
   {
     const std::vector<Vector3>& p = this->Built.Points;
     const Vector3 normal = (p[corners[1]] - p[corners[0]]).cross(p[corners[2]] - p[corners[0]]);
-    if (normal.dot(outwards) < 0.0)
+    if (Dot(normal, outwards) < 0.0)
     {
       std::swap(corners[1], corners[2]);
     }

@@ -140,7 +140,7 @@ double SignedVolumeOf(const Surface& surface)
   double volume = 0.0;
   for (const Triangle& c : surface.Triangles)
   {
-    volume += surface.Points[c[0]].dot(surface.Points[c[1]].cross(surface.Points[c[2]]));
+    volume += Dot(surface.Points[c[0]], surface.Points[c[1]].cross(surface.Points[c[2]]));
   }
   return volume;
 }

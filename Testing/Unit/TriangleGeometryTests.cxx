@@ -35,6 +35,11 @@ void ExpectNearest(const Vector3& p, const Corners& t, double size)
 }
 }
 
+TEST(TriangleGeometry, DotProductsAddTheFirstProductLast)
+{
+  EXPECT_EQ(Dot({ 1.0, 1e17, -1e17 }, Vector3::Ones()), 1.0) << "from left to right it is 0";
+}
+
 TEST(TriangleGeometry, AreaVectorPointsOutwardsAndIsTheArea)
 {
   const Vector3 area = AreaVector({ 0, 0, 0 }, { 2, 0, 0 }, { 0, 3, 0 });

@@ -145,12 +145,12 @@ public:
   {
     for (const Index point : loop.Points)
     {
-      this->Offset += this->Normal.dot(surface.Points[static_cast<std::size_t>(point)]) /
+      this->Offset += Dot(this->Normal, surface.Points[static_cast<std::size_t>(point)]) /
         static_cast<double>(loop.Points.size());
     }
   }
 
-  double Height(const Vector3& point) const { return this->Normal.dot(point) - this->Offset; }
+  double Height(const Vector3& point) const { return Dot(this->Normal, point) - this->Offset; }
 
   bool Has(const Surface& surface, const BoundaryLoop& loop, double tolerance) const
   {

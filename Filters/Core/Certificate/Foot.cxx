@@ -63,8 +63,8 @@ Weights Step(const Vector3& p, const Corners& corners, const Weights& weights, c
     return weights;
   }
   const Vector3 rest = p - foot.Position;
-  return Inside({ weights.B + normal.dot(rest.cross(ac)) / squared,
-    weights.C + normal.dot(ab.cross(rest)) / squared });
+  return Inside({ weights.B + Dot(normal, rest.cross(ac)) / squared,
+    weights.C + Dot(normal, ab.cross(rest)) / squared });
 }
 
 void TryEdges(const Vector3& p, const Corners& corners, Weights& best, Foot& foot)
@@ -85,9 +85,9 @@ double DistanceAlong(const Vector3& direction, const Vector3& p, const Corners& 
   {
     return 0.0;
   }
-  double least = direction.dot(p - corners[0]);
-  least = std::min(least, direction.dot(p - corners[1]));
-  least = std::min(least, direction.dot(p - corners[2]));
+  double least = Dot(direction, p - corners[0]);
+  least = std::min(least, Dot(direction, p - corners[1]));
+  least = std::min(least, Dot(direction, p - corners[2]));
   return least / length;
 }
 
@@ -137,8 +137,8 @@ double DistanceFromBelow(const Vector3& p, const Corners& corners, const Foot& f
     const double squared = edge.squaredNorm();
     if (squared > 0.0)
     {
-      Vector3 across = rest - (rest.dot(edge) / squared) * edge;
-      across -= (across.dot(edge) / squared) * edge;
+      Vector3 across = rest - (Dot(rest, edge) / squared) * edge;
+      across -= (Dot(across, edge) / squared) * edge;
       below = std::max(below, DistanceAlong(across, p, corners));
     }
   }

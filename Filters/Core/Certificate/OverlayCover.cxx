@@ -101,7 +101,7 @@ bool OverlayCover::Begin(const Corners& triangle)
   this->AB = triangle[1] - triangle[0];
   this->AC = triangle[2] - triangle[0];
   const double bb = this->AB.squaredNorm();
-  const double bc = this->AB.dot(this->AC);
+  const double bc = Dot(this->AB, this->AC);
   const double cc = this->AC.squaredNorm();
   const double determinant = bb * cc - bc * bc;
   const double longer = std::max(bb, cc); // squared
@@ -122,8 +122,8 @@ Index OverlayCover::ImageOf(Index point)
   {
     KnownImage image;
     image.At.Point = this->Surface.Points[point];
-    image.At.B = this->TowardB.dot(image.At.Point - this->A);
-    image.At.C = this->TowardC.dot(image.At.Point - this->A);
+    image.At.B = Dot(this->TowardB, image.At.Point - this->A);
+    image.At.C = Dot(this->TowardC, image.At.Point - this->A);
     const double error = PredicateError * (1.0 + std::abs(image.At.B) + std::abs(image.At.C));
     image.Beyond = static_cast<std::uint8_t>((image.At.B < 0.0 ? 1 : 0) |
       (image.At.C < 0.0 ? 2 : 0) | (Inside(image.At, 2) < -error ? 4 : 0));

@@ -13,7 +13,7 @@ namespace bonedecimate::certificate
 double AngleBetween(const Vector3& a, const Vector3& b)
 {
   const double sine = a.cross(b).norm();
-  const double cosine = a.dot(b);
+  const double cosine = Dot(a, b);
   const double length = std::sqrt(sine * sine + cosine * cosine);
   if (!(length > 0.0))
   {
@@ -122,7 +122,7 @@ int SideFinder::SideOf(const Vector3& p, Index nearestTriangle) const
   {
     normal = this->UnitNormal(nearestTriangle);
   }
-  const double along = isKnown ? normal.dot(p - nearest.Position) : 0.0;
+  const double along = isKnown ? Dot(normal, p - nearest.Position) : 0.0;
   return along > 0.0 ? 1 : along < 0.0 ? -1 : 0;
 }
 

@@ -10,8 +10,8 @@ namespace bonedecimate
 {
 namespace
 {
-// From left to right, so that the sum is the same on every processor; Eigen pairs terms in its own way.
-double Dot(const Vector3& a, const Vector3& b)
+// In the order of the vector kernels, which is not that of Dot.
+double DotFromLeft(const Vector3& a, const Vector3& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -19,22 +19,22 @@ double Dot(const Vector3& a, const Vector3& b)
 /// Squared distance of the origin to the segment from a along d.
 double SquaredDistanceToSegment(const Vector3& a, const Vector3& d)
 {
-  const double squared = Dot(d, d);
-  const double t = squared > 0.0 ? std::clamp((0.0 - Dot(a, d)) / squared, 0.0, 1.0) : 0.0;
+  const double squared = DotFromLeft(d, d);
+  const double t = squared > 0.0 ? std::clamp((0.0 - DotFromLeft(a, d)) / squared, 0.0, 1.0) : 0.0;
   const Vector3 nearest = a + d * t;
-  return Dot(nearest, nearest);
+  return DotFromLeft(nearest, nearest);
 }
 
 /// Squared distance of the origin to a triangle: over the face, or to the nearest side.
 double SquaredDistanceToTriangle(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const Vector3 n = (b - a).cross(c - a);
-  const double square = Dot(n, n);
-  const bool isOver =
-    Dot(n, b.cross(c)) >= 0.0 && Dot(n, c.cross(a)) >= 0.0 && Dot(n, a.cross(b)) >= 0.0;
+  const double square = DotFromLeft(n, n);
+  const bool isOver = DotFromLeft(n, b.cross(c)) >= 0.0 && DotFromLeft(n, c.cross(a)) >= 0.0 &&
+    DotFromLeft(n, a.cross(b)) >= 0.0;
   if (isOver && square > 0.0)
   {
-    const double height = Dot(n, a);
+    const double height = DotFromLeft(n, a);
     return height * height / square;
   }
   return std::min({ SquaredDistanceToSegment(a, b - a), SquaredDistanceToSegment(b, c - b),

@@ -12,7 +12,7 @@ double NormalFieldDeviation::OfEdge(HalfEdgeId h) const
   if (twin != None)
   {
     const FaceAreas::Face& other = this->Areas[HalfEdgeMesh::Face(twin)];
-    deviation = (face.Area + other.Area) * (1.0 - this->Tolerance * face.Normal.dot(other.Normal));
+    deviation = (face.Area + other.Area) * (1.0 - this->Tolerance * Dot(face.Normal, other.Normal));
   }
   return deviation *
     (this->Mesh.Position(this->Mesh.Target(h)) - this->Mesh.Position(this->Mesh.Origin(h))).norm();

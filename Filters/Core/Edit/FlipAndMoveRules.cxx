@@ -29,7 +29,7 @@ struct Face
 bool IsTurned(const Face& before, const Face& after)
 {
   return before.Area > 0.0 &&
-    before.Vector.dot(after.Vector) < LeastCosine * before.Area * after.Area;
+    Dot(before.Vector, after.Vector) < LeastCosine * before.Area * after.Area;
 }
 
 /// @param quality Of the worst face before.
@@ -110,7 +110,7 @@ Rejection CheckFlip(const HalfEdgeMesh& mesh, HalfEdgeId edge, double& volumeCha
       return Rejection::Flip;
     }
   }
-  volumeChange = (b - a).dot((c - a).cross(d - a)) / 6.0;
+  volumeChange = Dot(b - a, (c - a).cross(d - a)) / 6.0;
   return Rejection::NotRejected;
 }
 
@@ -140,7 +140,7 @@ Rejection CheckMove(
     }
     ring += before.Vector;
   }
-  volumeChange = ring.dot(position - mesh.Position(vertex)) / 3.0;
+  volumeChange = Dot(ring, position - mesh.Position(vertex)) / 3.0;
   return Rejection::NotRejected;
 }
 
@@ -149,7 +149,7 @@ Rejection CheckNewFaces(const HalfEdgeMesh& mesh, const SurfaceChange& change, d
 {
   const Vector3 origin = change.Position;
   const auto volume = [&origin](const Vector3& a, const Vector3& b, const Vector3& c)
-  { return (a - origin).dot((b - origin).cross(c - origin)) / 6.0; };
+  { return Dot(a - origin, (b - origin).cross(c - origin)) / 6.0; };
   volumeChange = 0.0;
   for (const Index old : change.OldFaces)
   {

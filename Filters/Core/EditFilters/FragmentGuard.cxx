@@ -57,8 +57,8 @@ std::vector<double> FragmentGuard::Measure(const HalfEdgeMesh& mesh) const
     const Index fragment = this->OfVertex[c[0]];
     anchor[fragment] = anchor[fragment] == None ? c[0] : anchor[fragment];
     const Vector3& corner = mesh.Position(c[0]);
-    volumes[fragment] += AreaVector(corner, mesh.Position(c[1]), mesh.Position(c[2]))
-                           .dot(corner - mesh.Position(anchor[fragment])) /
+    volumes[fragment] += Dot(AreaVector(corner, mesh.Position(c[1]), mesh.Position(c[2])),
+                           corner - mesh.Position(anchor[fragment])) /
       3.0;
   }
   return volumes;

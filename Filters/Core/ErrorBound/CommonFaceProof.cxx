@@ -36,7 +36,7 @@ void CommonFaceProof::AddCandidate(const std::array<Vector3, 3>& corners, double
   const Vector3 ab = corners[1] - corners[0];
   const Vector3 ac = corners[2] - corners[0];
   const double bb = ab.squaredNorm();
-  const double bc = ab.dot(ac);
+  const double bc = Dot(ab, ac);
   const double cc = ac.squaredNorm();
   const double determinant = bb * cc - bc * bc;
   const std::array<double, 3> squared = { bb, cc, bb + cc - 2.0 * bc };

@@ -74,7 +74,7 @@ bool PlaneCover::Begin(const std::array<Vector3, 3>& face)
   this->AB = face[1] - face[0];
   this->AC = face[2] - face[0];
   const double bb = this->AB.squaredNorm();
-  const double bc = this->AB.dot(this->AC);
+  const double bc = Dot(this->AB, this->AC);
   const double cc = this->AC.squaredNorm();
   const double determinant = bb * cc - bc * bc;
   if (!(determinant > LeastSquaredSineOfFace * bb * cc))
@@ -93,7 +93,7 @@ const PlaneCover::Shadow& PlaneCover::ShadowOf(VertexId vertex)
   if (at == None)
   {
     const Vector3 p = this->Original.Position(vertex) - this->A;
-    const Barycentric barycentric = { this->AlongB.dot(p), this->AlongC.dot(p) };
+    const Barycentric barycentric = { Dot(this->AlongB, p), Dot(this->AlongC, p) };
     Shadow shadow = { vertex, SidesBeyond(barycentric), SidesOf(Counted, barycentric),
       barycentric.B, barycentric.C, {}, 0.0 };
     shadow.Offset = p - shadow.B * this->AB - shadow.C * this->AC;

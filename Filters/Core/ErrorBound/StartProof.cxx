@@ -26,7 +26,7 @@ Vector3 Inward(const HalfEdgeMesh& mesh, HalfEdgeId h)
   const Vector3 along =
     (mesh.Position(mesh.Target(h)) - mesh.Position(mesh.Origin(h))).normalized();
   const Vector3 inside = mesh.Position(c[(first + 2) % 3]) - mesh.Position(mesh.Origin(h));
-  return (inside - inside.dot(along) * along).normalized();
+  return (inside - Dot(inside, along) * along).normalized();
 }
 
 /// Boundary edges with a search tree. An edge is a triangle of which two corners are equal. Edges of several patches may be at the
@@ -68,7 +68,7 @@ public:
       [&](Index edge)
       {
         const double squared = BoundaryProof::SquaredReach(this->Segments[edge], p);
-        best = std::min(best, Key{ squared, -this->Insides[edge].dot(inward), edge });
+        best = std::min(best, Key{ squared, -Dot(this->Insides[edge], inward), edge });
         least = std::get<0>(best);
       });
     return std::get<2>(best);
@@ -85,7 +85,7 @@ public:
       {
         found.emplace_back(BoundaryProof::SquaredReach(this->Segments[edge], ends[0]) +
             BoundaryProof::SquaredReach(this->Segments[edge], ends[1]),
-          -this->Insides[edge].dot(inward), edge);
+          -Dot(this->Insides[edge], inward), edge);
       });
     std::sort(found.begin(), found.end());
     std::vector<Index> edges;

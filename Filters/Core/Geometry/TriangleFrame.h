@@ -39,7 +39,7 @@ public:
     , AC(c - a)
     , Normal(this->AB.cross(this->AC))
     , Bb(this->AB.squaredNorm())
-    , Bc(this->AB.dot(this->AC))
+    , Bc(Dot(this->AB, this->AC))
     , Cc(this->AC.squaredNorm())
   {
     const double twiceArea = this->Normal.norm();
@@ -64,8 +64,8 @@ public:
   std::array<double, 2> Coordinates(const Vector3& p) const
   {
     const Vector3 ap = p - this->A;
-    const double pb = this->AB.dot(ap);
-    const double pc = this->AC.dot(ap);
+    const double pb = Dot(this->AB, ap);
+    const double pc = Dot(this->AC, ap);
     return { (this->Cc * pb - this->Bc * pc) * this->Inverse,
       (this->Bb * pc - this->Bc * pb) * this->Inverse };
   }
@@ -82,13 +82,13 @@ public:
   Point Nearest(const Vector3& p) const
   {
     const Vector3 ap = p - this->A;
-    const double pb = this->AB.dot(ap);
-    const double pc = this->AC.dot(ap);
+    const double pb = Dot(this->AB, ap);
+    const double pc = Dot(this->AC, ap);
     const double b = (this->Cc * pb - this->Bc * pc) * this->Inverse;
     const double c = (this->Bb * pc - this->Bc * pb) * this->Inverse;
     if (b > 0.0 && c > 0.0 && b + c < 1.0)
     {
-      const double height = this->Normal.dot(ap);
+      const double height = Dot(this->Normal, ap);
       return { height * height, b, c, 0 };
     }
     return this->NearestOnEdges(ap, pb, pc, b, c);

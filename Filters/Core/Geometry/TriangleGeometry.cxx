@@ -53,7 +53,7 @@ double NearestFraction(const Vector3& p, const Vector3& a, const Vector3& b)
 {
   const Vector3 edge = b - a;
   const double squaredLength = edge.squaredNorm();
-  return squaredLength > 0.0 ? std::clamp(edge.dot(p - a) / squaredLength, 0.0, 1.0) : 0.0;
+  return squaredLength > 0.0 ? std::clamp(Dot(edge, p - a) / squaredLength, 0.0, 1.0) : 0.0;
 }
 
 PointOnTriangle NearestOnTriangle(
@@ -63,31 +63,31 @@ PointOnTriangle NearestOnTriangle(
   const Vector3 ab = b - a;
   const Vector3 ac = c - a;
   const Vector3 ap = p - a;
-  const double d1 = ab.dot(ap);
-  const double d2 = ac.dot(ap);
+  const double d1 = Dot(ab, ap);
+  const double d2 = Dot(ac, ap);
   if (d1 <= 0.0 && d2 <= 0.0)
   {
     return PointAt(p, corners, { 1.0, 0.0, 0.0 });
   }
   const Vector3 bp = p - b;
-  const double d3 = ab.dot(bp);
-  const double d4 = ac.dot(bp);
+  const double d3 = Dot(ab, bp);
+  const double d4 = Dot(ac, bp);
   if (d3 >= 0.0 && d4 <= d3)
   {
     return PointAt(p, corners, { 0.0, 1.0, 0.0 });
   }
   const Vector3 cp = p - c;
-  const double d5 = ab.dot(cp);
-  const double d6 = ac.dot(cp);
+  const double d5 = Dot(ab, cp);
+  const double d6 = Dot(ac, cp);
   if (d6 >= 0.0 && d5 <= d6)
   {
     return PointAt(p, corners, { 0.0, 0.0, 1.0 });
   }
   // Cross products: differences of products of dot products lose twice as many digits in a needle.
   const Vector3 normal = ab.cross(ac);
-  const double overC = normal.dot(ab.cross(ap));
-  const double overB = normal.dot(ap.cross(ac));
-  const double overA = normal.dot(bp.cross(cp));
+  const double overC = Dot(normal, ab.cross(ap));
+  const double overB = Dot(normal, ap.cross(ac));
+  const double overA = Dot(normal, bp.cross(cp));
   const double sum = normal.squaredNorm();
   const bool hasPlane = sum > LeastSquaredSine * ab.squaredNorm() * ac.squaredNorm();
   if (hasPlane && overA > 0.0 && overB > 0.0 && overC > 0.0)

@@ -23,7 +23,7 @@ struct Zone
   /// Whether the position is between the planes and on neither of them.
   bool Contains(const Vector3& position) const
   {
-    const double along = this->Direction.dot(position);
+    const double along = Dot(this->Direction, position);
     return along > this->Low && along < this->High;
   }
 
@@ -31,11 +31,11 @@ struct Zone
   template <std::size_t Count>
   bool MayReach(const std::array<Vector3, Count>& points, double distance) const
   {
-    double low = this->Direction.dot(points[0]);
+    double low = Dot(this->Direction, points[0]);
     double high = low;
     for (const Vector3& p : points)
     {
-      const double along = this->Direction.dot(p);
+      const double along = Dot(this->Direction, p);
       low = std::min(low, along);
       high = std::max(high, along);
     }

@@ -46,7 +46,7 @@ public:
         a, this->Clean.Surface.Points[c[1]] + shift, this->Clean.Surface.Points[c[2]] + shift);
       ++component.Triangles;
       component.Area += area.norm();
-      component.Volume += area.dot(a) / 3.0;
+      component.Volume += Dot(area, a) / 3.0;
       this->Part.OfTriangle.push_back(number);
     }
   }

@@ -69,7 +69,7 @@ std::vector<bool> PointsOnFolds(const Surface& surface, double cosine, int threa
       }
       const Vector3 here = normal(triangle);
       const Vector3 there = normal(static_cast<std::size_t>(twin) / 4);
-      return here.dot(there) < cosine * here.norm() * there.norm();
+      return Dot(here, there) < cosine * here.norm() * there.norm();
     });
 }
 }

@@ -52,7 +52,7 @@ std::vector<EdgeGroup> GroupEdges(const Surface& surface)
         groups.push_back({ edge });
         group = groups.end() - 1;
       }
-      group->Sum += group->First.dot(edge) < 0.0 ? Vector3(-edge) : edge;
+      group->Sum += Dot(group->First, edge) < 0.0 ? Vector3(-edge) : edge;
       group->Count += 1.0;
     }
   }
@@ -77,7 +77,7 @@ std::vector<Eigen::Matrix3d> FindGridDirections(const Surface& surface)
   const std::vector<EdgeGroup> groups = GroupEdges(surface);
   std::vector<Eigen::Matrix3d> directions;
   const auto areApart = [&](std::size_t a, std::size_t b)
-  { return std::abs(groups[a].Axis().dot(groups[b].Axis())) <= Perpendicular; };
+  { return std::abs(Dot(groups[a].Axis(), groups[b].Axis())) <= Perpendicular; };
   for (std::size_t k = 2; k < groups.size(); ++k)
   {
     for (std::size_t j = 1; j < k; ++j)

@@ -141,7 +141,7 @@ std::optional<Zone> LocalZone(const std::optional<Zone>& zone, const CleanSurfac
   std::optional<Zone> local = zone;
   if (local)
   {
-    const double origin = local->Direction.dot(clean.Origin);
+    const double origin = Dot(local->Direction, clean.Origin);
     local->Low -= origin;
     local->High -= origin;
   }

@@ -50,7 +50,8 @@ public:
     if (this->HasPlane)
     {
       this->Normal /= steepest;
-      const Vector3 heights(this->Normal.dot(p[0]), this->Normal.dot(p[1]), this->Normal.dot(p[2]));
+      const Vector3 heights(
+        Dot(this->Normal, p[0]), Dot(this->Normal, p[1]), Dot(this->Normal, p[2]));
       // A cell's columns are one wide; the plane rises by no more than that across them.
       const double slack =
         reach * this->Normal.norm() + 0.5 * (this->Normal.cwiseAbs().sum() - 1.0) + Rounding;

@@ -49,7 +49,7 @@ bool IsTooNear(
   }
   const Vector3 normal = isOwn ? piece.Normal() : Vector3::Zero();
   const Vector3 normalOfNear = isOwn ? near.Normal() : Vector3::Zero();
-  if (isOwn && normal.dot(normalOfNear) >= 0.0)
+  if (isOwn && Dot(normal, normalOfNear) >= 0.0)
   {
     return false;
   }

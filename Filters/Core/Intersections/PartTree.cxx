@@ -239,12 +239,12 @@ double PartTree::ToFacing(Index point, const Vector3& normal, double limit) cons
       const Triangle& v = this->Source.Triangles[t];
       const bool isOwn = v[0] == point || v[1] == point || v[2] == point;
       const auto& [a, b, c] = this->CornersOf(t);
-      if (isOwn || this->PartOf(t) != part || AreaVector(a, b, c).dot(normal) > 0.0)
+      if (isOwn || this->PartOf(t) != part || Dot(AreaVector(a, b, c), normal) > 0.0)
       {
         return;
       }
       const TriangleFrame frame(a, b, c);
-      if (frame.UnitNormal().dot(normal) < 0.0)
+      if (Dot(frame.UnitNormal(), normal) < 0.0)
       {
         const Vector3 way = frame.At(frame.Nearest(p)) - p;
         squared =

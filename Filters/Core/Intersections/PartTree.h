@@ -29,9 +29,9 @@ constexpr double LeastFacingCosine = 0.7;
 inline bool Face(const Vector3& normalA, const Vector3& normalB, const Vector3& way)
 {
   const double least = LeastFacingCosine * way.norm();
-  const double alongA = normalA.dot(way);
-  const double alongB = normalB.dot(way);
-  return normalA.dot(normalB) < 0.0 &&
+  const double alongA = Dot(normalA, way);
+  const double alongB = Dot(normalB, way);
+  return Dot(normalA, normalB) < 0.0 &&
     ((alongA > least && alongB < -least) || (alongA < -least && alongB > least));
 }
 

@@ -135,10 +135,10 @@ Way WayBetweenSegments(const Vector3& p, const Vector3& u, const Vector3& q, con
 {
   const Vector3 w = p - q;
   const double a = u.squaredNorm();
-  const double b = u.dot(v);
+  const double b = Dot(u, v);
   const double c = v.squaredNorm();
-  const double d = u.dot(w);
-  const double e = v.dot(w);
+  const double d = Dot(u, w);
+  const double e = Dot(v, w);
   const double determinant = a * c - b * b;
   double s = determinant > 0.0 ? std::clamp((b * e - c * d) / determinant, 0.0, 1.0) : 0.0;
   double t = c > 0.0 ? (b * s + e) / c : 0.0;

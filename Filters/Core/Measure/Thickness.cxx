@@ -77,7 +77,7 @@ private:
       return 0.0;
     }
     const auto [a, b, c] = this->CornersOf(triangle);
-    const double along = AreaVector(a, b, c).dot(this->Direction);
+    const double along = Dot(AreaVector(a, b, c), this->Direction);
     return sides[0] == this->Solid ? along : -along;
   }
 
@@ -88,12 +88,12 @@ private:
     constexpr double beside = -1e-9;
     const auto [a, b, c] = this->CornersOf(triangle);
     const Vector3 normal = (b - a).cross(c - a);
-    const double along = normal.dot(this->Direction);
-    const double distance = normal.dot(a - from) / along;
+    const double along = Dot(normal, this->Direction);
+    const double distance = Dot(normal, a - from) / along;
     const Vector3 p = from + distance * this->Direction - a;
     const double whole = normal.squaredNorm();
-    const double u = (b - a).cross(p).dot(normal) / whole;
-    const double v = p.cross(c - a).dot(normal) / whole;
+    const double u = Dot((b - a).cross(p), normal) / whole;
+    const double v = Dot(p.cross(c - a), normal) / whole;
     const bool isHit = distance >= 0.0 && u >= beside && v >= beside && u + v <= 1.0 - beside;
     return isHit ? distance : Infinity;
   }

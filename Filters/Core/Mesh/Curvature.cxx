@@ -39,7 +39,7 @@ Eigen::Matrix3d TensorOf(const HalfEdgeMesh& mesh, HalfEdgeId h)
     return Eigen::Matrix3d::Zero();
   }
   const double angle = AngleBetween(left.normalized(), right.normalized());
-  const double sign = right.cross(left).dot(edge) < 0.0 ? -1.0 : 1.0;
+  const double sign = Dot(right.cross(left), edge) < 0.0 ? -1.0 : 1.0;
   return sign * angle / length * edge * edge.transpose();
 }
 

@@ -114,7 +114,7 @@ public:
    */
   bool IsTurnedOver(FaceId face, const Vector3& area) const
   {
-    return this->Faces[face].Twins[3] != None && area.dot(this->FirstNormal(face)) < 0.0 &&
+    return this->Faces[face].Twins[3] != None && Dot(area, this->FirstNormal(face)) < 0.0 &&
       !(area.norm() > GrowthOfFreeFace * this->FirstArea(face));
   }
 

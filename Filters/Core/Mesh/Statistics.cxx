@@ -83,7 +83,7 @@ Extent ExtentOf(const Surface& surface, std::size_t first, std::size_t last)
     const Triangle& c = surface.Triangles[f];
     const Vector3 areaVector =
       AreaVector(surface.Points[c[0]], surface.Points[c[1]], surface.Points[c[2]]);
-    extent += { areaVector.norm(), areaVector.dot(surface.Points[c[0]]) / 3.0 };
+    extent += { areaVector.norm(), Dot(areaVector, surface.Points[c[0]]) / 3.0 };
   }
   return extent;
 }

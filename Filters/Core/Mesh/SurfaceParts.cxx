@@ -37,7 +37,7 @@ void Add(const std::array<Vector3, 3>& corners, double sign, PartExtent& extent)
     extent.Low = extent.High = corners[0];
   }
   extent.Area += area.norm();
-  extent.Volume += sign * area.dot(corners[0]) / 3.0;
+  extent.Volume += sign * Dot(area, corners[0]) / 3.0;
   for (const Vector3& corner : corners)
   {
     extent.Low = extent.Low.cwiseMin(corner);

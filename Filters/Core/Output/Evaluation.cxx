@@ -42,7 +42,7 @@ double VolumeOfWalls(const Surface& surface, const std::vector<BoundaryLabels>& 
         const Vector3& p = surface.Points[c[0]];
         volume += pairs[t][1] == map.Background()
           ? 0.0
-          : (surface.Points[c[1]] - p).cross(surface.Points[c[2]] - p).dot(p) / 6.0;
+          : Dot((surface.Points[c[1]] - p).cross(surface.Points[c[2]] - p), p) / 6.0;
       }
       return volume;
     });

@@ -104,7 +104,7 @@ private:
     this->Boundaries.Add(slab.Surface, clean, isInLower, isInUpper);
   }
 
-  double Along(const Vector3& p) const { return this->Axis.Direction.dot(p); }
+  double Along(const Vector3& p) const { return Dot(this->Axis.Direction, p); }
   Zone Between(double low, double high) const { return { this->Axis.Direction, low, high }; }
   const LabelMapSource* Source() const
   {

@@ -18,7 +18,7 @@ double SignedVolume(const Surface& surface)
   double volume = 0.0;
   for (const Triangle& c : surface.Triangles)
   {
-    volume += surface.Points[c[0]].dot(surface.Points[c[1]].cross(surface.Points[c[2]])) / 6.0;
+    volume += Dot(surface.Points[c[0]], surface.Points[c[1]].cross(surface.Points[c[2]])) / 6.0;
   }
   return volume;
 }

@@ -51,9 +51,9 @@ public:
   /// The squared distance to a line: both vectors lose their part along the line first.
   void AddLine(const Vector3& direction, const Vector3& edge, const Vector3& fromLine)
   {
-    const Vector3 edgeAcross = edge - direction.dot(edge) * direction;
-    const Vector3 fromAcross = fromLine - direction.dot(fromLine) * direction;
-    this->Slope += edgeAcross.dot(fromAcross);
+    const Vector3 edgeAcross = edge - Dot(direction, edge) * direction;
+    const Vector3 fromAcross = fromLine - Dot(direction, fromLine) * direction;
+    this->Slope += Dot(edgeAcross, fromAcross);
     this->Curvature += edgeAcross.squaredNorm();
   }
   double Fraction() const
@@ -74,7 +74,7 @@ EdgeMinimum PlanesAlongEdge(
   EdgeMinimum minimum;
   VisitPlanes(mesh, areas, around,
     [&](const Vector3& normal, const Vector3& corner)
-    { minimum.Add(normal.dot(edge), normal.dot(start - corner)); });
+    { minimum.Add(Dot(normal, edge), Dot(normal, start - corner)); });
   return minimum;
 }
 
@@ -90,7 +90,7 @@ void ProposeInside(const HalfEdgeMesh& mesh, const FaceAreas& areas, const EdgeN
     [&](const Vector3& normal, const Vector3& corner)
     {
       a += normal * normal.transpose();
-      b += normal * normal.dot(corner - middle);
+      b += normal * Dot(normal, corner - middle);
     });
   a.diagonal().array() += Ridge * a.trace() / 3.0;
   const Vector3 move = a.llt().solve(b);

@@ -238,7 +238,7 @@ std::map<Index, ExtentChange> ChangesOfComponents(
     const Vector3 area = AreaVector(p[0], p[1], p[2]);
     ExtentChange& change = changes[component];
     change.Area += sign * area.norm();
-    change.Volume += sign * area.dot(p[0]) / 3.0;
+    change.Volume += sign * Dot(area, p[0]) / 3.0;
   };
   for (const auto& part : parts)
   {

@@ -26,7 +26,7 @@ int NumberOfOdd(const GridPoint& point)
 Vector3 NearestInOctahedron(const Vector3& p, const Vector3& w, double radius)
 {
   const Vector3 lengths = p.cwiseAbs();
-  if (w.dot(lengths) <= radius)
+  if (Dot(w, lengths) <= radius)
   {
     return p;
   }
@@ -114,6 +114,6 @@ bool DisplacementSets::KeepsToOctahedron(Index point, const Vector3& millimeters
   }
   const Octahedron& octahedron = this->Octahedra[point];
   const Vector3 from = octahedron.FromCenter + this->FromMillimeters(millimeters);
-  return this->HalfVoxelsPerUnit.dot(from.cwiseAbs()) <= octahedron.Radius + SlackOfRounding;
+  return Dot(this->HalfVoxelsPerUnit, from.cwiseAbs()) <= octahedron.Radius + SlackOfRounding;
 }
 }

@@ -90,7 +90,7 @@ private:
   {
     const Octahedron& octahedron = this->Octahedra[point];
     const Vector3 from = octahedron.FromCenter + displacement;
-    return this->HalfVoxelsPerUnit.dot(from.cwiseAbs()) <= octahedron.Radius
+    return Dot(this->HalfVoxelsPerUnit, from.cwiseAbs()) <= octahedron.Radius
       ? displacement // bit for bit
       : this->OntoFace(octahedron, from);
   }

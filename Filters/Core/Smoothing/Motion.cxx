@@ -21,8 +21,8 @@ bool Separates(const Vector3& direction, const TrianglesInTime& at)
   double scale = 0.0;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    lastOfFirst = std::max(lastOfFirst, direction.dot(at.First[i]));
-    firstOfSecond = std::min(firstOfSecond, direction.dot(at.Second[i]));
+    lastOfFirst = std::max(lastOfFirst, Dot(direction, at.First[i]));
+    firstOfSecond = std::min(firstOfSecond, Dot(direction, at.Second[i]));
     scale =
       std::max({ scale, at.First[i].cwiseAbs().maxCoeff(), at.Second[i].cwiseAbs().maxCoeff() });
   }

@@ -171,7 +171,7 @@ bool NewCrossings::IsTurnedOver(const std::vector<Vector3>& points, const Triang
   const auto areaOf = [&c](const std::vector<Vector3>& at)
   { return Vector3((at[c[1]] - at[c[0]]).cross(at[c[2]] - at[c[0]])); };
   const Vector3 before = areaOf(this->Before.Points);
-  return before.squaredNorm() > 0.0 && !(before.dot(areaOf(points)) > 0.0);
+  return before.squaredNorm() > 0.0 && !(Dot(before, areaOf(points)) > 0.0);
 }
 
 /// Of two triangles that intersect now or have passed through each other: whether they did not before. Those that only touched may touch,

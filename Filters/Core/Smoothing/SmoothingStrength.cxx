@@ -115,8 +115,8 @@ double RatioToRounding(const StrengthProblem& problem, const std::vector<Vector3
           problem.Graph.Kind(point) == CurveKind::Interior)
         {
           const Vector3 n = normals[p] / length;
-          const double along = n.dot(moved[p] - points[p]);
-          const double edge = 0.5 * grid.Spacing[axis] * n.dot(grid.Direction.col(axis));
+          const double along = Dot(n, moved[p] - points[p]);
+          const double edge = 0.5 * grid.Spacing[axis] * Dot(n, grid.Direction.col(axis));
           squares += { along * along, edge * edge / 3.0 };
         }
       }

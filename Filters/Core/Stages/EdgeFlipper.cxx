@@ -100,7 +100,7 @@ bool EdgeFlipper::TurnsAway(
   const auto facing = [&original](const Pair& pair)
   {
     return std::min(
-      pair.Frames[0].UnitNormal().dot(original), pair.Frames[1].UnitNormal().dot(original));
+      Dot(pair.Frames[0].UnitNormal(), original), Dot(pair.Frames[1].UnitNormal(), original));
   };
   const double now = facing(after);
   return now < LeastFacing * original.norm() && now < facing(before);

@@ -22,7 +22,7 @@ constexpr double LeastFacing = 0.2;
 /// original without any sample to see it.
 inline bool FoldSharply(const Vector3& oneNormal, const Vector3& otherNormal)
 {
-  return oneNormal.dot(otherNormal) < 0.0;
+  return Dot(oneNormal, otherNormal) < 0.0;
 }
 
 /// Points at which chords are measured, as fractions of the edge.

@@ -65,7 +65,7 @@ public:
   }
 
   /// By how much the sum of weighted squares would fall if it were what the equations say.
-  double Gain(const Vector3& step) const { return step.dot(this->Pull); }
+  double Gain(const Vector3& step) const { return Dot(step, this->Pull); }
 
 private:
   void Add(const Vector3& way, const TriangleFrame& frame, const TriangleFrame::Point& nearest,
@@ -73,7 +73,7 @@ private:
   {
     if (nearest.Clamped == 0)
     {
-      this->AddAlong(frame.UnitNormal(), frame.UnitNormal().dot(way), fraction, weight);
+      this->AddAlong(frame.UnitNormal(), Dot(frame.UnitNormal(), way), fraction, weight);
     }
     else if (nearest.SquaredDistance > 0.0)
     {

@@ -285,7 +285,7 @@ Vector3 SlackFit::NewtonStep(const std::vector<Row>& rows, const Vector3& x, int
   Vector3 first = Vector3::Zero();
   for (const Row& row : rows)
   {
-    const double ratio = row.Ratio + row.Gradient.dot(x);
+    const double ratio = row.Ratio + Dot(row.Gradient, x);
     const double square = ratio * ratio;
     double power = square; // ratio^(exponent - 2)
     if (exponent > 4)

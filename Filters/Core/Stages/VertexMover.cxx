@@ -63,7 +63,7 @@ void VertexMover::Gather(VertexId vertex)
     const TriangleFrame frame(position, second, third);
     this->Error += this->AddSamples(frame, face);
     this->Ring.push_back({ face, target, second, third, frame.UnitNormal(),
-      frame.UnitNormal().dot(this->OriginalNormal) });
+      Dot(frame.UnitNormal(), this->OriginalNormal) });
     area += frame.SurfaceArea();
   }
   this->Error += this->AddChords(position, found.Face, &this->Equations);
@@ -146,7 +146,7 @@ double VertexMover::AddSamples(const TriangleFrame& frame, FaceId face)
 /// The error of the face as it would be; infinite if it would turn away from the original.
 double VertexMover::ErrorIfAllowed(const RingFace& ring, const TriangleFrame& frame) const
 {
-  const double facing = frame.UnitNormal().dot(this->OriginalNormal);
+  const double facing = Dot(frame.UnitNormal(), this->OriginalNormal);
   return facing < LeastFacing && facing < ring.Facing
     ? std::numeric_limits<double>::infinity()
     : ErrorWithinLimits(this->Fit, this->Weigh, ring.Face, frame);

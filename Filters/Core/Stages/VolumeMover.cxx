@@ -101,7 +101,7 @@ std::vector<VolumeMover::Height> VolumeMover::SampledHeights() const
       [&](const Samples::Sample& sample)
       {
         const Vector3 p = this->Fit.SamplePosition(sample);
-        const double height = frame.UnitNormal().dot(p - frame.At(frame.Nearest(p)));
+        const double height = Dot(frame.UnitNormal(), p - frame.At(frame.Nearest(p)));
         heights[face].Sum += sample.Weight * height;
         heights[face].Weight += sample.Weight;
       });
@@ -144,7 +144,7 @@ void VolumeMover::MoveAt(const Candidate& candidate)
     const SlackMover::Proposal proposal = this->Mover.Shift(vertex, (height / length) * area);
     if (proposal.Vertex != None && this->Mover.Apply(proposal, this->Space))
     {
-      lost -= area.dot(this->MeshEditor.Mesh().Position(vertex) - before) / 3.0;
+      lost -= Dot(area, this->MeshEditor.Mesh().Position(vertex) - before) / 3.0;
       return;
     }
   }

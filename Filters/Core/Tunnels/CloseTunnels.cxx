@@ -204,7 +204,7 @@ private:
     {
       const Vector3 way = center - this->Plugged.Point(loop.Points[i]);
       inwards +=
-        lengths[i] * way.dot(normals[static_cast<std::size_t>(loop.Points[i])].normalized());
+        lengths[i] * Dot(way, normals[static_cast<std::size_t>(loop.Points[i])].normalized());
       all += lengths[i] * way.norm();
     }
     return inwards > clear * all ? Surrounded::Tunnel

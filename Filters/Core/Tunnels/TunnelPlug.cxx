@@ -56,8 +56,8 @@ bool DoIntersect(const PluggedSurface& surface, const Triangle& a, const Triangl
 /// Six times the volume of the tetrahedron with a point, mm^3.
 double SixVolumes(const PluggedSurface& surface, const Triangle& corners, const Vector3& from)
 {
-  return (surface.Point(corners[0]) - from)
-    .dot((surface.Point(corners[1]) - from).cross(surface.Point(corners[2]) - from));
+  return Dot(surface.Point(corners[0]) - from,
+    (surface.Point(corners[1]) - from).cross(surface.Point(corners[2]) - from));
 }
 }
 
