@@ -77,7 +77,7 @@ def problems_of_tools():
     for name in re.findall(r'"([\w-]+)', required):
         if not third_party.version_of_wheel_tool(name):
             yield f"Utilities/wheel_constraints.txt lacks {name} of pyproject.toml"
-    for name in ("Applications/Picture/Viewer", "Testing/Formats"):
+    for name in ("Applications/Picture/Viewer", "Applications/Browser", "Testing/Formats"):
         package = json.loads(read(f"{name}/package.json"))
         for kind in ("dependencies", "devDependencies"):
             for one, version in package.get(kind, {}).items():

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing of the Debian packages in packages.txt.
-# Usage: install_packages.sh [SECTION...]     (build, run, test, checks, site, pictures, benchmark; without one: all but those of other processors)
+# Usage: install_packages.sh [SECTION...]     (build, run, test, checks, site, pictures, benchmark, wasm, arm64, windows; without one: all but the last three)
 set -euo pipefail
 list="$(dirname "$0")/packages.txt"
 

@@ -5,7 +5,7 @@
 
     third_party.py --markdown                      Documentation/third-party.md
     third_party.py --check [BINARY...]             that the page, licenses and libraries of binaries agree with the list
-    third_party.py --sbom deb|wheel|page FILE      a bill of materials in CycloneDX 1.6
+    third_party.py --sbom deb|wheel|page|browser FILE a bill of materials in CycloneDX 1.6
 
 Versions are those of the Debian packages that are installed, of package-lock.json and of wheel_constraints.txt. With SOURCE_DATE_EPOCH
 the bill has that time; without it none, so that the same input gives the same bytes.
@@ -26,7 +26,8 @@ LIST = ROOT / "Utilities" / "third_party.json"
 CONSTRAINTS = ROOT / "Utilities" / "wheel_constraints.txt"
 VIEWER = ROOT / "Applications" / "Picture" / "Viewer"
 PAGE = ROOT / "Documentation" / "third-party.md"
-PRODUCTS = {"deb": "Debian package", "wheel": "wheel", "page": "HTML page"}
+BROWSER = ROOT / "Applications" / "Browser"
+PRODUCTS = {"deb": "Debian package", "wheel": "wheel", "page": "HTML page", "browser": "browser"}
 OWN = ("libvtkFiltersBoneDecimate", "libvtkFiltersParallelBoneDecimate", "libvtkBoneDecimate", "libvtkpython", "libpython")
 
 
@@ -38,8 +39,8 @@ def own_version():
     return re.search(r"project\(vtkBoneDecimate VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
 
 
-def lock_file():
-    return json.loads((VIEWER / "package-lock.json").read_text(encoding="utf-8"))["packages"]
+def packages_of(folder):
+    return json.loads((folder / "package-lock.json").read_text(encoding="utf-8"))["packages"]
 
 
 def version_of_wheel_tool(name):
@@ -59,7 +60,7 @@ def debian_version(package):
 def version_and_purl(component):
     quoted = {"safe": ""}
     if "npm" in component:
-        version = lock_file()["node_modules/" + component["npm"]]["version"]
+        version = packages_of(VIEWER if "page" in component["in"] else BROWSER)["node_modules/" + component["npm"]]["version"]
         scope, _, name = component["npm"].rpartition("/")
         return version, "pkg:npm/" + (urllib.parse.quote(scope, **quoted) + "/" if scope else "") + f"{name}@{version}"
     if "pypi" in component:
@@ -90,7 +91,8 @@ def markdown():
         lines.append(f"| [{one['name']}]({one['url']}) | {one['license']} | {one['how']} | {where} | {origin(one)} |")
     lines += ["", "Linked libraries come from the system and are not delivered. ParaView, 3D Slicer, VTK, PyVista and numpy load the project's modules under",
               "their own licenses. What only builds, tests or measures the project is in `Utilities/packages.txt`, `Utilities/wheel_constraints.txt` and",
-              "`Testing/Benchmark/requirements.txt`. License texts: `Applications/Picture/Viewer/LICENSES.txt` (also in each page) and",
+              "`Testing/Benchmark/requirements.txt`. \"Browser\" is the page that decimates in the browser, with the package for npm. License texts:",
+              "`Applications/Picture/Viewer/LICENSES.txt` (also in each page), `Applications/Browser/LICENSES.txt` and",
               "`Utilities/wheel_licenses.txt` (also in the wheel).", ""]
     return "\n".join(lines)
 
@@ -115,7 +117,7 @@ def entry(component):
 
 def bill(product):
     found = [entry(one) for one in components(product)]
-    name = {"deb": "vtkbonedecimate", "wheel": "bonedecimate", "page": "bonedecimate-viewer"}[product]
+    name = {"deb": "vtkbonedecimate", "wheel": "bonedecimate", "page": "bonedecimate-viewer", "browser": "bonedecimate-browser"}[product]
     main = {"type": "application" if product == "deb" else "library", "bom-ref": name, "name": name, "version": own_version(),
             "licenses": [{"license": {"id": "BSD-3-Clause"}}]}
     metadata = {"component": main}
@@ -134,11 +136,22 @@ def bill(product):
 def problems_of_viewer():
     text = (VIEWER / "LICENSES.txt").read_text(encoding="utf-8")
     for one in components("page"):
-        package = lock_file()["node_modules/" + one["npm"]]
+        package = packages_of(VIEWER)["node_modules/" + one["npm"]]
         if f"{one['npm'].rpartition('/')[2]} {package['version']}, {one['license']}" not in text:
             yield f"Viewer/LICENSES.txt lacks {one['npm']} {package['version']}, {one['license']}"
         if one["license"] not in package["license"]:
             yield f"{one['npm']} has the license {package['license']}"
+
+
+def problems_of_browser():
+    text = (BROWSER / "LICENSES.txt").read_text(encoding="utf-8")
+    for one in components("browser"):
+        if "page" in one["in"]:
+            version = packages_of(BROWSER)["node_modules/" + one["npm"]]["version"]
+            if version != version_and_purl(one)[0]:
+                yield f"the browser has {one['npm']} {version}, the HTML page another version"
+        elif one["name"].lower() not in text.lower():
+            yield f"Applications/Browser/LICENSES.txt lacks {one['name']}"
 
 
 def problems_of_binary(binary):
@@ -159,6 +172,7 @@ def problems(binaries):
         if "pypi" in one and not version_of_wheel_tool(one["pypi"]):
             yield f"Utilities/wheel_constraints.txt lacks {one['pypi']}"
     yield from problems_of_viewer()
+    yield from problems_of_browser()
     for binary in binaries:
         yield from problems_of_binary(binary)
 

@@ -9,16 +9,15 @@
 #include "HelpFormatter.h"
 #include "InputArguments.h"
 #include "MemoryArguments.h"
+#include "Options/NumberRange.h"
 #include "Options/OptionTable.h"
 #include "Options/Text.h"
 #include "VoxelPieces.h"
 
 #include <CLI/CLI.hpp>
 
-#include <iomanip>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 namespace bonedecimate
@@ -105,9 +104,7 @@ void AddIso(CLI::App& app, Arguments& arguments)
       [&arguments, number](const std::string& text)
       {
         arguments.Iso = number(text);
-        std::ostringstream given;
-        given << std::setprecision(17) << *arguments.Iso;
-        arguments.Given["iso"] = given.str();
+        arguments.Given["iso"] = NumberText(*arguments.Iso);
       },
       WrappedHelp(
         "The input is a CT volume (.nii, .nrrd, .mha, .tif, .vti ..., a folder of DICOM files "
@@ -128,13 +125,12 @@ void AddIso(CLI::App& app, Arguments& arguments)
 /// "0.5,0.5,1"
 std::string NumberListText(const std::vector<double>& numbers)
 {
-  std::ostringstream text;
-  text << std::setprecision(17);
+  std::string text;
   for (const double number : numbers)
   {
-    text << (text.tellp() > 0 ? "," : "") << number;
+    text += (text.empty() ? "" : ",") + NumberText(number);
   }
-  return text.str();
+  return text;
 }
 
 void AddIntensities(CLI::App& app, Arguments& arguments)

@@ -6,6 +6,7 @@
 #include "ExitCode.h"
 #include "FileNames.h"
 #include "FilePath.h"
+#include "FolderEntries.h"
 #include "Formats/SurfaceFormat.h"
 #include "NamePattern.h"
 #include "Options/OptionTable.h"
@@ -61,15 +62,8 @@ public:
   /// @returns What is wrong with the folder; empty if nothing is.
   std::string Search(const fs::path& folder)
   {
-    std::vector<fs::path> paths;
     std::error_code error;
-    for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
-         entry.increment(error))
-    {
-      paths.push_back(entry->path());
-    }
-    std::sort(paths.begin(), paths.end());
-    for (const fs::path& path : paths)
+    for (const fs::path& path : FolderEntries(folder, error))
     {
       std::error_code ignored;
       const bool isHidden = path.filename().string()[0] == '.';

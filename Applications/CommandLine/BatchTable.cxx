@@ -107,7 +107,8 @@ void TakeReport(BatchRow& row, const std::string& report)
   }
   for (const Json& warning : ValueAt(json, "/warnings"))
   {
-    row.Message += (row.Message.empty() ? "warning: " : "; warning: ") + warning.get<std::string>();
+    row.Message += (row.Message.empty() ? "warning: " : "; warning: ") +
+      (warning.is_string() ? warning.get<std::string>() : warning.dump());
   }
 }
 

@@ -11,6 +11,7 @@
 #include "Interruption.h"
 #include "JsonReport.h"
 #include "Options/Text.h"
+#include "SameFile.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"
 
@@ -132,8 +133,7 @@ void AddCapCommand(CLI::App& program)
     [&command, arguments]
     {
       RequireFiles(command, arguments->Files, 2, "INPUT and OUTPUT");
-      RequireNotInput(arguments->Files[1], { arguments->Files[0] });
-      RequireNotInput(arguments->Json, arguments->Files);
+      RequireDistinct({ arguments->Files[1], arguments->Json }, { arguments->Files[0] });
       Run(*arguments);
     });
 }

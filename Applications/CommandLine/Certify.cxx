@@ -12,6 +12,7 @@
 #include "HelpFormatter.h"
 #include "Interruption.h"
 #include "JsonReport.h"
+#include "SameFile.h"
 #include "Settings/Settings.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"
@@ -299,12 +300,7 @@ void Check(const CLI::App& command, const CertifyArguments& arguments)
   CheckTogether(command, arguments);
   std::vector<std::string> read = arguments.Files;
   read.push_back(arguments.Map.Path);
-  RequireNotInput(arguments.Json, read);
-  RequireNotInput(arguments.Page, read);
-  if (!arguments.Page.empty() && arguments.Page == arguments.Json)
-  {
-    throw Failure(ExitCode::Usage, "'" + arguments.Page + "' would be written twice");
-  }
+  RequireDistinct({ arguments.Page, arguments.Json }, read);
 }
 
 ExitCode Run(const CertifyArguments& arguments)

@@ -11,6 +11,7 @@
 #include "MemoryArguments.h"
 #include "Options/IneffectiveOptions.h"
 #include "Options/OptionTable.h"
+#include "SameFile.h"
 #include "SegmentOutput.h"
 #include "VoxelPieces.h"
 
@@ -39,15 +40,6 @@ void RequireSurfaceFormat(const std::string& what, const std::string& path)
   Require(LackText(path).empty(), what + " " + LackText(path));
 }
 
-/// The same file by whatever name.
-bool IsSame(const std::string& a, const std::string& b)
-{
-  std::error_code error;
-  return fs::equivalent(FilePath(a), FilePath(b), error) ||
-    fs::absolute(FilePath(a), error).lexically_normal() ==
-    fs::absolute(FilePath(b), error).lexically_normal();
-}
-
 std::vector<std::string> OutputsOf(const Arguments& arguments)
 {
   std::vector<std::string> outputs = { arguments.Output };
@@ -61,23 +53,6 @@ std::vector<std::string> OutputsOf(const Arguments& arguments)
     }
   }
   return outputs;
-}
-
-void CheckOverwriting(const Arguments& arguments)
-{
-  const std::vector<std::string> outputs = OutputsOf(arguments);
-  for (auto output = outputs.begin(); output != outputs.end(); ++output)
-  {
-    Require(!IsSame(*output, arguments.Inputs[0]),
-      "'" + *output + "' is the input; it is not overwritten");
-    Require(arguments.Reference.empty() || !IsSame(*output, arguments.Reference),
-      "'" + *output + "' is the reference; it is not overwritten");
-    Require(arguments.LabelMap.Path.empty() || !IsSame(*output, arguments.LabelMap.Path),
-      "'" + *output + "' is the label map; it is not overwritten");
-    const bool twice = std::any_of(output + 1, outputs.end(),
-      [output](const std::string& other) { return IsSame(*output, other); });
-    Require(!twice, "'" + *output + "' would be written twice");
-  }
 }
 
 /// The sentence with flags in place of names of options.
@@ -165,7 +140,8 @@ void CheckOneBone(const Arguments& arguments)
     "--jobs, --force, --only and --format are for many bones and an output folder");
   CheckPrecision(arguments);
   CheckUnit(arguments);
-  CheckOverwriting(arguments);
+  RequireDistinct(
+    OutputsOf(arguments), { arguments.Inputs[0], arguments.Reference, arguments.LabelMap.Path });
 }
 
 void CheckBatch(const Arguments& arguments)
@@ -187,7 +163,8 @@ void CheckBatch(const Arguments& arguments)
     "'" + arguments.Output + "' is named like a file; it would become an output folder");
   for (const std::string& input : arguments.Inputs)
   {
-    Require(!IsSame(input, arguments.Output), "'" + input + "' is input and output folder at once");
+    Require(
+      !IsSameFile(input, arguments.Output), "'" + input + "' is input and output folder at once");
   }
 }
 

@@ -143,16 +143,4 @@ void RequireCommandOrFile(const CLI::App& program, const std::string& word)
       (nearest.empty() ? "the commands are " + CLI::detail::join(commands, ", ")
                        : "did you mean " + nearest + "?"));
 }
-
-void RequireNotInput(const std::string& file, const std::vector<std::string>& inputs)
-{
-  for (const std::string& input : inputs)
-  {
-    std::error_code error;
-    if (std::filesystem::equivalent(FilePath(file), FilePath(input), error))
-    {
-      throw Failure(ExitCode::Usage, "'" + file + "' is an input; it is not overwritten");
-    }
-  }
-}
 }

@@ -37,9 +37,6 @@ void RunCommandLine(CLI::App& program, std::vector<std::string> words);
  * @throws Failure(ExitCode::Usage)
  */
 void RequireCommandOrFile(const CLI::App& program, const std::string& word);
-
-/// @throws Failure(ExitCode::Usage) if the file, which is written, is one of those that are read.
-void RequireNotInput(const std::string& file, const std::vector<std::string>& inputs);
 }
 
 #endif

@@ -9,6 +9,7 @@
 #include "FilterRun.h"
 #include "Interruption.h"
 #include "JsonReport.h"
+#include "SameFile.h"
 #include "Settings/Settings.h"
 
 #include "vtkBoneDiagnostics.h"
@@ -138,7 +139,7 @@ void AddDiagnoseCommand(CLI::App& program, ExitCode& code)
     [&command, arguments, &code]
     {
       RequireFiles(command, arguments->Files, 1, "one FILE");
-      RequireNotInput(arguments->Json, arguments->Files);
+      RequireDistinct({ arguments->Json }, arguments->Files);
       code = Run(*arguments);
     });
 }

@@ -14,6 +14,7 @@
 #include "JsonReport.h"
 #include "NumberText.h"
 #include "Report/Report.h"
+#include "SameFile.h"
 #include "Settings/Settings.h"
 #include "StagedFile.h"
 
@@ -270,11 +271,8 @@ void Check(const CLI::App& command, const ErrorArguments& arguments)
   }
   CheckLabel(arguments.Voxels.Map, "--label-map");
   CheckSpacing(arguments.Voxels.Map);
-  for (const std::string& file : { arguments.Json, arguments.Csv, arguments.Picture })
-  {
-    RequireNotInput(
-      file, { arguments.Files[0], arguments.Voxels.Map.Path, arguments.Input.Reference });
-  }
+  RequireDistinct({ arguments.Json, arguments.Csv, arguments.Picture },
+    { arguments.Files[0], arguments.Voxels.Map.Path, arguments.Input.Reference });
 }
 
 void AddErrorCommand(CLI::App& command, bool isCurve, ExitCode& code)

@@ -3,6 +3,7 @@
 #include "FileStamp.h"
 
 #include "FilePath.h"
+#include "FolderEntries.h"
 
 #include <algorithm>
 #include <chrono>
@@ -58,9 +59,9 @@ FileStamp StampOf(const std::string& path)
     return StampOfFile(path);
   }
   FileStamp stamp;
-  for (const fs::directory_entry& entry : fs::directory_iterator(FilePath(path), error))
+  for (const fs::path& entry : FolderEntries(FilePath(path), error))
   {
-    const FileStamp file = StampOfFile(entry.path().string());
+    const FileStamp file = StampOfFile(entry.string());
     stamp.Bytes += file.Bytes;
     stamp.Modified = std::max(stamp.Modified, file.Modified);
   }

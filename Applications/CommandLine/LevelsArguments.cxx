@@ -6,6 +6,7 @@
 #include "CommandLine.h"
 #include "CommonOptions.h"
 #include "HelpFormatter.h"
+#include "SameFile.h"
 #include "Settings/Settings.h"
 
 #include <CLI/CLI.hpp>
@@ -73,11 +74,6 @@ void CheckPage(const LevelsArguments& arguments)
     throw Failure(
       ExitCode::Usage, "--page compares levels with INPUT, and --on puts them on another surface");
   }
-  if (arguments.Page == arguments.Record)
-  {
-    throw Failure(ExitCode::Usage, "'" + arguments.Page + "' would be written twice");
-  }
-  KeepSurfaces(arguments, arguments.Page);
 }
 
 /// What the formats of input and output do not have.
@@ -152,7 +148,7 @@ void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
     throw Failure(ExitCode::Usage, "--errors needs the distances that --no-errors leaves out");
   }
   CheckPage(arguments);
-  KeepSurfaces(arguments, arguments.Record);
+  KeepSurfaces(arguments, {});
 }
 }
 
@@ -174,9 +170,9 @@ void AddLevelsCommand(CLI::App& program)
     });
 }
 
-void KeepSurfaces(const LevelsArguments& arguments, const std::string& output)
+void KeepSurfaces(const LevelsArguments& arguments, const std::string& level)
 {
-  RequireNotInput(output,
+  RequireDistinct({ level, arguments.Page, arguments.Record },
     { arguments.Files[0], arguments.On, arguments.Voxels.Map.Path, arguments.Input.Reference });
 }
 }

@@ -53,8 +53,9 @@ struct LevelsArguments
 /// Adds the command; its code is Done. It throws Failure and std::bad_alloc.
 void AddLevelsCommand(CLI::App& program);
 
-/// Requires that an output is not a surface that is read. @throws Failure(ExitCode::Usage)
-void KeepSurfaces(const LevelsArguments& arguments, const std::string& output);
+/// Requires that the outputs, with the file of a level if it has a name, differ and are no surfaces that are read.
+/// @throws Failure(ExitCode::Usage)
+void KeepSurfaces(const LevelsArguments& arguments, const std::string& level);
 
 /// @throws Failure, std::bad_alloc
 void RunLevels(const LevelsArguments& arguments);

@@ -43,7 +43,7 @@ std::string WhatIsNotThere(const Arguments& arguments)
     { !arguments.Reference.empty(), "--reference" },
     { !arguments.LabelMap.Path.empty(), "--label-map" }, { !arguments.Regions.empty(), "--region" },
     { !arguments.Options.ToleranceArrayName.empty(), "--tolerance-array" },
-    { !arguments.Options.LabelArrayName.empty(), "--label-array" },
+    { !arguments.Options.LabelArrayName.empty(), "--labels" },
     { !arguments.Options.EdgeLengthArrayName.empty(), "--edge-length-array" },
     { arguments.Options.ChordalError > 0.0, "--chordal-error" },
     { !arguments.Heatmap.empty(), "--heatmap" }, { !arguments.Picture.empty(), "--picture" },

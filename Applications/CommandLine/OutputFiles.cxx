@@ -4,6 +4,7 @@
 
 #include "ExitCode.h"
 #include "FilePath.h"
+#include "SameFile.h"
 #include "SegmentOutput.h"
 
 #include <filesystem>
@@ -44,11 +45,7 @@ StagedFile& OutputFiles::AddSegment(const std::string& target)
 {
   for (const StagedFile& surface : this->Surfaces)
   {
-    if (std::filesystem::absolute(FilePath(surface.GetTarget())).lexically_normal() ==
-      std::filesystem::absolute(FilePath(target)).lexically_normal())
-    {
-      throw Failure(ExitCode::Usage, "'" + target + "' would be written twice");
-    }
+    RequireDistinct({ target, surface.GetTarget() }, {});
   }
   return this->Segments.emplace_back(target);
 }

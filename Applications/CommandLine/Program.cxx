@@ -93,5 +93,9 @@ ExitCode RunProgram(int argc, char* argv[])
     const bool threads = error.code() == std::errc::resource_unavailable_try_again;
     return Fail(threads ? ExitCode::OutOfMemory : ExitCode::CouldNotWrite, error.what());
   }
+  catch (const std::exception& error)
+  {
+    return Fail(ExitCode::InputRejected, error.what()); // of a library that reads
+  }
 }
 }

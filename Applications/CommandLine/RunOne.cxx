@@ -247,12 +247,7 @@ private:
   void AcceptProof(const VtkMessages& messages) const
   {
     const std::string status = this->Filter->GetReportText("proof.status");
-    if (status == "violated" || status == "undecided")
-    {
-      throw Failure(status == "violated" ? ExitCode::Violated : ExitCode::Undecided,
-        "'" + BaseName(this->Path) + "': " +
-          (messages.Errors.empty() ? status : messages.Errors.front()) + "; nothing was written");
-    }
+    RequireProof(status, this->Path, messages.Errors.empty() ? status : messages.Errors.front());
   }
 
   /// @param written mm, as the file should have it.

@@ -12,6 +12,7 @@
 #include "Options/Text.h"
 #include "PointPosition.h"
 #include "ReportFields.h"
+#include "SameFile.h"
 #include "SegmentOutput.h"
 #include "SurfaceFiles.h"
 #include "WrittenProof.h"
@@ -189,12 +190,12 @@ public:
     record.File = name + "." + ExtensionOfSegments(this->Requested);
     const std::string target =
       (FilePath(FolderOfSegments(this->Requested)) / FilePath(record.File)).string();
-    RequireNotInput(target, { this->Requested.Inputs[0], this->Requested.Reference });
+    RequireDistinct({ target }, { this->Requested.Inputs[0], this->Requested.Reference });
     StagedFile& file = this->Files.AddSegment(target);
     const auto readBack = WriteSurface(surface, file.GetTemporary(), target);
     if (!ReportFields(surface).Text("proof.status").empty())
     {
-      RequireProvedTriangles(surface, readBack, target);
+      RequireSameTriangles(surface, readBack, target);
       this->Subject.ProvedFiles[record.File] = "same_bits";
     }
     record.Bytes = static_cast<std::int64_t>(fs::file_size(FilePath(file.GetTemporary())));
@@ -202,17 +203,6 @@ public:
   }
 
 private:
-  static void RequireProvedTriangles(
-    vtkPolyData* surface, vtkPolyData* readBack, const std::string& target)
-  {
-    if (!HasSameTriangles(surface, readBack))
-    {
-      throw Failure(ExitCode::CouldNotWrite,
-        "'" + BaseName(target) +
-          "' does not have the coordinates that were proved; nothing was written");
-    }
-  }
-
   const Arguments& Requested;
   OutputFiles& Files;
   ReportSubject& Subject;

@@ -152,12 +152,8 @@ private:
     FillOutput(result, {}, options, isSingle, nothing, this->Result);
     this->Source->AddArrays(result, this->Result);
     this->Result = WithColorArray(this->Result);
-    const std::string status = ReportFields(this->Result).Text("proof.status");
-    if (status == "violated" || status == "undecided")
-    {
-      throw Failure(status == "violated" ? ExitCode::Violated : ExitCode::Undecided,
-        "'" + BaseName(this->Path) + "': " + ProofMessage(result.Report) + "; nothing was written");
-    }
+    RequireProof(
+      ReportFields(this->Result).Text("proof.status"), this->Path, ProofMessage(result.Report));
     this->Subject.Slabs = run.Figures();
     if (!this->Source->GetNote().empty())
     {
@@ -170,13 +166,7 @@ private:
   {
     const vtkSmartPointer<vtkPolyData> readBack =
       WriteSurface(this->Result, file.GetTemporary(), file.GetTarget());
-    if (!HasSameTriangles(this->Result, readBack))
-    {
-      throw Failure(ExitCode::Undecided,
-        "'" + BaseName(file.GetTarget()) +
-          "' as it was read back has other coordinates than those that were proved; nothing was "
-          "written");
-    }
+    RequireSameTriangles(this->Result, readBack, file.GetTarget());
     this->Subject.ProvedFiles[BaseName(file.GetTarget())] = "same_bits";
   }
 

@@ -5,7 +5,9 @@
 #include "ExitCode.h"
 #include "FileNames.h"
 #include "FilePath.h"
+#include "FolderEntries.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -68,15 +70,12 @@ std::string TemporaryName(const fs::path& target, int attempt)
 std::vector<fs::path> FilesIn(
   const std::string& folder, const std::function<bool(const std::string&)>& isSelected)
 {
-  std::vector<fs::path> found;
   std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(FilePath(folder), ignored))
-  {
-    if (isSelected(entry.path().filename().string()))
-    {
-      found.push_back(entry.path());
-    }
-  }
+  std::vector<fs::path> found = FolderEntries(FilePath(folder), ignored);
+  found.erase(
+    std::remove_if(found.begin(), found.end(),
+      [&isSelected](const fs::path& path) { return !isSelected(path.filename().string()); }),
+    found.end());
   return found;
 }
 

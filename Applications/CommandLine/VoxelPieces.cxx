@@ -8,6 +8,7 @@
 #include "FilterRun.h"
 #include "NamedLabels.h"
 #include "NumberText.h"
+#include "Options/NumberRange.h"
 
 #include "vtkBoneLabelPieces.h"
 #include "vtkDataArray.h"
@@ -18,8 +19,6 @@
 #include <CLI/CLI.hpp>
 
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <type_traits>
 
 namespace bonedecimate
@@ -119,9 +118,7 @@ void AddFillVolume(CLI::App& app, Arguments& arguments)
     [&arguments](double volume)
     {
       arguments.FillVolume = volume;
-      std::ostringstream given;
-      given << std::setprecision(17) << volume;
-      arguments.Given["fill-volume"] = given.str();
+      arguments.Given["fill-volume"] = NumberText(volume);
     });
 }
 

@@ -114,6 +114,26 @@ bool HasSameTriangles(vtkPolyData* a, vtkPolyData* b)
   return !triangles.empty() && triangles == SortedTriangles(b);
 }
 
+void RequireSameTriangles(vtkPolyData* proved, vtkPolyData* readBack, const std::string& target)
+{
+  if (!HasSameTriangles(proved, readBack))
+  {
+    throw Failure(ExitCode::Undecided,
+      "'" + BaseName(target) +
+        "' as it was read back has other coordinates than those that were proved; nothing was "
+        "written");
+  }
+}
+
+void RequireProof(const std::string& status, const std::string& input, const std::string& message)
+{
+  if (status == "violated" || status == "undecided")
+  {
+    throw Failure(status == "violated" ? ExitCode::Violated : ExitCode::Undecided,
+      "'" + BaseName(input) + "': " + message + "; nothing was written");
+  }
+}
+
 std::string ProveWritten(const ProvedRun& run, vtkPolyData* readBack, const std::string& target)
 {
   if (HasSameTriangles(run.Output, readBack))

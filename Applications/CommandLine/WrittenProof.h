@@ -19,6 +19,18 @@ namespace bonedecimate
 /// Equal positions; points may have other numbers, as in STL files, and triangles another order, as in GLB files.
 bool HasSameTriangles(vtkPolyData* a, vtkPolyData* b);
 
+/// Requires that the triangles of a file are those that were proved. @param target The name the file will get.
+/// @throws Failure(ExitCode::Undecided)
+void RequireSameTriangles(vtkPolyData* proved, vtkPolyData* readBack, const std::string& target);
+
+/**
+ * Requires that a run did not end with a bound that is violated or undecided.
+ * @param status Of the report: proof.status.
+ * @param message Why.
+ * @throws Failure(ExitCode::Violated) or Failure(ExitCode::Undecided)
+ */
+void RequireProof(const std::string& status, const std::string& input, const std::string& message);
+
 /// A run whose result is proved.
 struct ProvedRun
 {

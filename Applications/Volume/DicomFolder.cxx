@@ -3,6 +3,7 @@
 #include "DicomFolder.h"
 
 #include "FilePath.h"
+#include "FolderEntries.h"
 
 #include <algorithm>
 #include <cstring>
@@ -12,15 +13,7 @@
 
 namespace bonedecimate::volume
 {
-namespace
-{
 namespace fs = std::filesystem;
-
-bool IsDicomEntry(const fs::directory_entry& entry)
-{
-  return IsDicomFile(entry.path().string());
-}
-}
 
 bool IsDicomFile(const std::string& path)
 {
@@ -39,22 +32,21 @@ std::vector<std::string> DicomFiles(const std::string& folder)
 {
   std::vector<std::string> files;
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(FilePath(folder), error))
+  for (const fs::path& path : FolderEntries(FilePath(folder), error))
   {
-    if (IsDicomEntry(entry))
+    if (IsDicomFile(path.string()))
     {
-      files.push_back(entry.path().string());
+      files.push_back(path.string());
     }
   }
-  // The system lists files in any order.
-  std::sort(files.begin(), files.end());
   return files;
 }
 
 bool HoldsDicom(const std::string& folder)
 {
   std::error_code error;
-  const fs::directory_iterator entries(FilePath(folder), error);
-  return std::any_of(begin(entries), end(entries), IsDicomEntry);
+  const std::vector<fs::path> entries = FolderEntries(FilePath(folder), error);
+  return std::any_of(entries.begin(), entries.end(),
+    [](const fs::path& path) { return IsDicomFile(path.string()); });
 }
 }

@@ -66,7 +66,7 @@ std::optional<DicomSlice> ReadSlice(const gdcm::Scanner& scanner, const std::str
   slice.Series = Text(scanner, file, Series);
   slice.Instance = Text(scanner, file, Instance);
   slice.IsTomography = Text(scanner, file, tags::Modality) == "CT";
-  slice.Frames = static_cast<std::int64_t>(NumberOr(1.0, scanner, file, tags::Frames));
+  slice.Frames = ParseWholeNumber(Text(scanner, file, tags::Frames)).value_or(1);
   slice.Rows = *rows;
   slice.Columns = *columns;
   std::copy_n(position->begin(), 3, slice.Position.begin());

@@ -3,6 +3,7 @@
 #include "TiffFolder.h"
 
 #include "FilePath.h"
+#include "FolderEntries.h"
 #include "Options/Text.h"
 #include "TextNumbers.h"
 
@@ -58,15 +59,14 @@ std::vector<fs::path> VisibleFiles(const std::string& folder)
 {
   std::vector<fs::path> files;
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(FilePath(folder), error))
+  for (const fs::path& path : FolderEntries(FilePath(folder), error))
   {
-    if (entry.is_regular_file(error) && entry.path().filename().string()[0] != '.')
+    std::error_code ignored;
+    if (fs::is_regular_file(path, ignored) && path.filename().string()[0] != '.')
     {
-      files.push_back(entry.path());
+      files.push_back(path);
     }
   }
-  // The system lists files in any order.
-  std::sort(files.begin(), files.end());
   return files;
 }
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NamedEntries.h"
 
+#include "Options/NumberRange.h"
+
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 
 namespace bonedecimate
@@ -54,8 +55,6 @@ std::string NamedEntries::Text(const std::string& name) const
   {
     return std::to_string(*whole);
   }
-  char digits[40];
-  std::snprintf(digits, sizeof(digits), "%.17g", std::get<double>(entry->Value));
-  return digits;
+  return NumberText(std::get<double>(entry->Value));
 }
 }

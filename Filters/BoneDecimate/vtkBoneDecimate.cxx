@@ -84,9 +84,22 @@ void vtkBoneDecimate::ForgetTargetReduction()
 }
 
 //------------------------------------------------------------------------------
-bool vtkBoneDecimate::IsTargetReductionSet() const
+double vtkBoneDecimate::LargestErrorOf(double voxelSize) const
 {
-  return this->State->Options.TargetReductionIsExplicit;
+  const bonedecimate::Options& options = this->State->Options;
+  return options.LargestError(options.VoxelSize > 0.0 ? options.VoxelSize : voxelSize);
+}
+
+//------------------------------------------------------------------------------
+bool vtkBoneDecimate::EndsAtReduction(bool isLimited) const
+{
+  return this->State->Options.EndsAtReduction(isLimited);
+}
+
+//------------------------------------------------------------------------------
+bool vtkBoneDecimate::Prunes() const
+{
+  return this->State->Options.Prunes();
 }
 
 //------------------------------------------------------------------------------

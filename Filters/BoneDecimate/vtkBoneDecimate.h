@@ -115,8 +115,20 @@ protected:
   /// Resets TargetReduction to its default, which other targets override: for classes that set every property.
   void ForgetTargetReduction();
 
-  /// Whether TargetReduction was set and so counts beside every other stop.
-  bool IsTargetReductionSet() const;
+  ///@{
+  /**
+   * What the options mean together.
+   */
+  /// mm, the smaller one of MaximumError and the error of ErrorPreset, of those that are set; 0: none.
+  /// @param voxelSize mm, unless VoxelSize is set.
+  double LargestErrorOf(double voxelSize) const;
+
+  /// Whether TargetReduction ends the run.  @param isLimited Whether an error or tolerances end it.
+  bool EndsAtReduction(bool isLimited) const;
+
+  /// Whether small components are to go.
+  bool Prunes() const;
+  ///@}
 
   /// Every property of the other one.
   void CopyOptions(const vtkBoneDecimate& from);

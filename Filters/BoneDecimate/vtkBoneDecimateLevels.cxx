@@ -282,10 +282,10 @@ bool vtkBoneDecimateLevels::OpenLog()
     Internals& mine = *this->Internal;
     const bonedecimate::Surface& surface = mine.Arrays.Converted.Surface;
     status = mine.Levels.Open(surface, std::move(log), this->GetNumberOfThreads(), mine.Inputs());
-    if (status == bonedecimate::LogStatus::Good)
+    const auto goesOn = [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); };
+    if (status == bonedecimate::LogStatus::Good && !mine.Levels.CompareVoxels(surface, goesOn))
     {
-      mine.Levels.CompareVoxels(
-        surface, [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); });
+      mine.Input = nullptr; // aborted: the next update begins again
     }
   }
   if (status != bonedecimate::LogStatus::Good)
@@ -326,6 +326,11 @@ bool vtkBoneDecimateLevels::Record()
   if (run.Report.Stop == bonedecimate::StopReason::Aborted)
   {
     this->Internal->Input = nullptr; // the next update begins again
+  }
+  else if (status == bonedecimate::InputStatus::Good && !mine.Levels.IsOpen())
+  {
+    vtkErrorMacro(<< "the log of the run does not replay");
+    return false;
   }
   return true;
 }

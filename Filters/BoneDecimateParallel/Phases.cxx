@@ -34,17 +34,6 @@ void SetPointValues(
 }
 
 //------------------------------------------------------------------------------
-/// mm; 0: none.
-double vtkPBoneDecimate::LargestError(double voxelSize) const
-{
-  static const double ratios[] = { 0.0, 0.25, 0.5, 1.0 }; // as in ErrorPresets
-  const double size = this->GetVoxelSize() > 0.0 ? this->GetVoxelSize() : voxelSize;
-  const double ofVoxel = ratios[this->GetErrorPreset()] * size;
-  const double own = this->GetMaximumError();
-  return own > 0.0 && ofVoxel > 0.0 ? std::min(own, ofVoxel) : std::max(own, ofVoxel);
-}
-
-//------------------------------------------------------------------------------
 /// mm, of the bounding box of all parts.
 double vtkPBoneDecimate::WholeDiagonal(vtkPolyData* input) const
 {
@@ -67,13 +56,10 @@ double vtkPBoneDecimate::WholeDiagonal(vtkPolyData* input) const
 /// As on one process: the default reduction is ignored beside other targets, and the first target that is reached ends the run.
 double vtkPBoneDecimate::TargetTriangles(double total, double error, bool isLimited) const
 {
-  const double number = this->GetTargetNumberOfTriangles();
-  const bool anyOther =
-    isLimited || number > 0.0 || error > 0.0 || this->GetKeepVoxels() == KEEP_VOXELS_ON;
-  const bool reduces =
-    this->GetTargetReduction() < 1.0 && (this->IsTargetReductionSet() || !anyOther);
-  return std::max(
-    number, reduces ? std::floor(total * (1.0 - this->GetTargetReduction()) + 0.5) : 0.0);
+  const double reduced = this->EndsAtReduction(isLimited || error > 0.0)
+    ? std::floor(total * (1.0 - this->GetTargetReduction()) + 0.5)
+    : 0.0;
+  return std::max(static_cast<double>(this->GetTargetNumberOfTriangles()), reduced);
 }
 
 //------------------------------------------------------------------------------
@@ -95,7 +81,7 @@ vtkPBoneDecimate::Plan vtkPBoneDecimate::MakePlan(
 {
   Plan plan;
   plan.VoxelSize = voxelSize;
-  plan.Error = this->LargestError(voxelSize);
+  plan.Error = this->LargestErrorOf(voxelSize);
   plan.ProvesError = plan.Error > 0.0 && this->GetMode() != THESIS;
   plan.GuardsVoxels = this->IsTrueAnywhere(this->GuardsVoxels(input, plan.Error));
   plan.Shared = bonedecimate::SharedPositions(input, this->Controller);

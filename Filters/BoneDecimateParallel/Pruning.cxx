@@ -50,13 +50,6 @@ vtkSmartPointer<vtkPolyData> vtkPBoneDecimate::WithCellLabels(vtkPolyData* input
 }
 
 //------------------------------------------------------------------------------
-bool vtkPBoneDecimate::Prunes()
-{
-  return this->GetPruneSize() > 0.0 || this->GetPruneArea() > 0.0 || this->GetPruneVolume() > 0.0 ||
-    this->GetPruneTriangles() > 0;
-}
-
-//------------------------------------------------------------------------------
 /// What is left of this process's part. Null if nothing of any is; the reason has been reported.
 vtkSmartPointer<vtkPolyData> vtkPBoneDecimate::PruneTogether(vtkPolyData* input)
 {

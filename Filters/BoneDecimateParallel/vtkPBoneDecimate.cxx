@@ -250,7 +250,7 @@ int vtkPBoneDecimate::RunTogether(
   }
   input = kept;
   const double diagonal = this->WholeDiagonal(input);
-  if (std::isfinite(diagonal) && !this->AcceptSize(diagonal, this->LargestError(voxelSize)))
+  if (std::isfinite(diagonal) && !this->AcceptSize(diagonal, this->LargestErrorOf(voxelSize)))
   {
     return 0;
   }

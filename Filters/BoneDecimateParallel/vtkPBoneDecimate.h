@@ -83,12 +83,10 @@ private:
   double ProvedByAll(vtkPBoneDecimate* run) const;
   void AddCounts(vtkPBoneDecimate* run, Plan& plan) const;
 
-  double LargestError(double voxelSize) const;
   double WholeDiagonal(vtkPolyData* input) const;
   double TargetTriangles(double total, double error, bool isLimited) const;
   bool IsLimitedEverywhere(vtkPolyData* input);
   const char* ProblemOfParts(vtkPolyData* input, vtkPolyData* reference, double voxelSize);
-  bool Prunes();
   vtkSmartPointer<vtkPolyData> WithCellLabels(vtkPolyData* input);
   vtkSmartPointer<vtkPolyData> PruneTogether(vtkPolyData* input);
   Plan MakePlan(vtkPolyData* input, vtkPolyData* reference, double voxelSize);

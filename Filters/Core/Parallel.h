@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <new>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -32,6 +34,29 @@ inline unsigned int ThreadsToUse(int requested)
   }
   return requested > 0 ? static_cast<unsigned int>(requested)
                        : std::max(1U, std::thread::hardware_concurrency());
+}
+
+/**
+ * Starts threads that call run(i), at most count of them. With too few threads or too little memory in the system there are fewer, perhaps none: the others do
+ * the work.
+ */
+template <typename Run>
+void StartThreads(std::vector<std::thread>& threads, std::size_t count, const Run& run)
+{
+  try
+  {
+    threads.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      threads.emplace_back([run, i] { run(i); });
+    }
+  }
+  catch (const std::system_error&)
+  {
+  }
+  catch (const std::bad_alloc&)
+  {
+  }
 }
 
 /// Number of items in a chunk, small enough for fine steps of progress.
@@ -79,11 +104,7 @@ bool ForEachPart(std::size_t parts, int threads, const Monitor& monitor, const W
     }
   };
   std::vector<std::thread> pool;
-  pool.reserve(helpers);
-  for (unsigned int i = 0; i < helpers; ++i)
-  {
-    pool.emplace_back([&, i] { guarded(failures[i], [] {}); });
-  }
+  StartThreads(pool, helpers, [&](std::size_t i) { guarded(failures[i], [] {}); });
   guarded(failures[helpers],
     [&]
     {

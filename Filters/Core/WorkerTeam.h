@@ -12,7 +12,6 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
-#include <system_error>
 
 namespace bonedecimate
 {
@@ -25,19 +24,8 @@ public:
   explicit WorkerTeam(int threads)
     : Failures(ThreadsToUse(threads))
   {
-    this->Threads.reserve(this->Failures.size());
-    try
-    {
-      for (std::size_t i = 1; i < this->Failures.size(); ++i)
-      {
-        this->Threads.emplace_back([this, i] { this->Serve(i); });
-      }
-    }
-    catch (const std::system_error&)
-    {
-      // The system gives no more threads: those that there are do the work.
-      this->Failures.resize(1 + this->Threads.size());
-    }
+    StartThreads(
+      this->Threads, this->Failures.size() - 1, [this](std::size_t i) { this->Serve(i + 1); });
   }
   ~WorkerTeam()
   {

@@ -288,6 +288,13 @@ class Batch(ApplicationTest):
         self.assertIn("died of signal 9", output)
         self.assertEqual([n for n in self.names() if TEMPORARY in n], [])
 
+    def test_goes_on_where_the_ends_of_children_were_ignored(self):
+        def ignore():
+            signal.signal(signal.SIGCHLD, signal.SIG_IGN)
+
+        self.succeed("bones", "out", *UNMEASURED, preexec_fn=ignore, timeout=60)
+        self.assertEqual(self.statuses(), {"a": "done", "b": "done"})
+
     def wait_for_child(self, name):
         """The process that works on that bone, once it has reserved its output."""
         while True:

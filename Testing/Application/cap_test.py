@@ -60,7 +60,8 @@ class Cap(ApplicationTest):
 
     def test_bad_calls_leave_nothing_behind(self):
         write(torus(), self.path("in.ply"))
-        for words, says in ((("in.ply",), "INPUT and OUTPUT"), (("in.ply", "in.ply"), "not overwritten"), (("in.ply", "out.xyz"), "extensions"),
+        for words, says in ((("in.ply",), "INPUT and OUTPUT"), (("in.ply", "in.ply"), "not overwritten"),
+                            (("in.ply", "out.stl", "--json", "./out.stl"), "written twice"), (("in.ply", "out.xyz"), "extensions"),
                             (("in.ply", "out.ply", "--loops", "some"), "--loops"), (("in.ply", "out.ply", "--plane-tolerance", -1), "--plane-tolerance"),
                             (("in.ply", "out.glb"), "out.glb")):
             self.fail_with(USAGE, "cap", *words, says=says)

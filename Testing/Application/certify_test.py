@@ -93,6 +93,7 @@ class Certify(ApplicationTest):
         for words in (("a.ply",), ("a.ply", "b.ply", "b.ply"), ("a.ply", "b.ply", "--tolerance", -1)):
             self.fail_with(USAGE, "certify", *words)
         self.fail_with(USAGE, "certify", "a.ply", "b.ply", "--json", "b.ply", says="not overwritten")
+        self.fail_with(USAGE, "certify", "a.ply", "b.ply", "--json", "./c", "--page", "c", says="written twice")
         self.fail_with(REJECTED, "certify", "a.ply", "nothing.ply", says="no such file")
         self.fail_with(NOT_WRITTEN, "certify", "a.ply", "b.ply", "--json", "nowhere/c.json")
 

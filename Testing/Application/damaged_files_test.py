@@ -155,6 +155,13 @@ class DamagedFiles(ApplicationTest):
         self.path("in.ply").write_bytes(whole + b"0123456789")
         self.reject("in.ply", says="more than")
 
+    def test_elements_of_a_ply_file_without_a_property(self):
+        """They have no bytes that the size of the file could be compared with."""
+        self.reject(self.write_text("ply", ("element face", "element x 9000000000000000000\nelement face")), says="without a property")
+
+    def test_numbers_of_corners_that_no_file_has(self):
+        self.reject(self.write_text("vtk", ("3 0 2 1", "9223372036854775807 0 2 1")))
+
     def test_other_kinds_of_data_under_the_name(self):
         for extension, old, new, says in (
             ("vtk", "DATASET POLYDATA", "DATASET STRUCTURED_POINTS", "POLYDATA"),

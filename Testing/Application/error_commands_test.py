@@ -54,6 +54,7 @@ class ErrorCommands(ApplicationTest):
         self.fail_with(USAGE, "curve", "in.ply", "--errors", "0.1,0")
         self.fail_with(USAGE, "curve", "in.ply", "--errors", "0.1", "--picture", "c.bmp", says="svg")
         self.fail_with(USAGE, "curve", "in.ply", "--errors", "0.1", "--json", "in.ply", says="not overwritten")
+        self.fail_with(USAGE, "curve", "in.ply", "--errors", "0.1", "--json", "a", "--csv", "./a", says="written twice")
         self.fail_with(REJECTED, "tolerance", "nothing.ply", "--triangles", 5, says="no such file")
 
 

@@ -114,6 +114,7 @@ class Memory(ApplicationTest):
             (("--smooth", "0.1"), "smooth"),
             (("--close-tunnels", 2), "does not close tunnels"),
             (("--target-triangles", 100), "number of triangles"),
+            (("--labels", "bone"), "--labels"),
         ):
             self.fail_with(USAGE, "a.mha", "a.ply", *RUN, "--memory", "4G", *words, says=says)
         self.fail_with(USAGE, "a.mha", "a.ply", "--iso", 127.5, "--memory", "4G", says="needs a MaximumError")

@@ -148,8 +148,8 @@ private:
     for (std::int64_t i = 0; i < this->Cells; ++i)
     {
       const std::int64_t corners = this->NextInteger();
+      this->RequireWhole(corners >= 0 && corners < left);
       left -= corners + 1;
-      this->RequireWhole(corners >= 0 && left >= 0);
       for (std::int64_t j = 0; j < corners; ++j)
       {
         this->NextInteger();

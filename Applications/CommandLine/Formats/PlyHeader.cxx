@@ -150,6 +150,11 @@ private:
     double least = 0.0;
     for (const PlyElement& element : this->Header.Elements)
     {
+      if (element.Count > 0 && element.Properties.empty())
+      {
+        Reject(this->Path,
+          "its header has the element '" + PrintableText(element.Name) + "' without a property");
+      }
       for (const PlyProperty& property : element.Properties)
       {
         const std::size_t binary =

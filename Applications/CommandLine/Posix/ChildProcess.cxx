@@ -83,8 +83,7 @@ bool ChildProcess::HasEnded()
 {
   if (!this->Child->Ended)
   {
-    this->Child->Ended =
-      waitpid(this->Child->Process, &this->Child->Status, WNOHANG) == this->Child->Process;
+    this->Child->Ended = waitpid(this->Child->Process, &this->Child->Status, WNOHANG) != 0;
   }
   return this->Child->Ended;
 }

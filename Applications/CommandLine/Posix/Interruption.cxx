@@ -51,6 +51,7 @@ void CatchSignals()
   Handle(SIGTERM, NoteInterruption);
   Handle(SIGHUP, HangupWasIgnored ? SIG_IGN : NoteInterruption); // as under nohup
   Handle(SIGPIPE, SIG_IGN);
+  Handle(SIGCHLD, SIG_DFL); // ignored, it would take the ends of child processes away
   Handle(SIGXFSZ, SIG_IGN);
 }
 

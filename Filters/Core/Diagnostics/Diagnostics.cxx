@@ -228,7 +228,7 @@ private:
         const Triangle& c = triangles[h / 4];
         const Index from = c[h % 4];
         const Index to = c[(h % 4 + 1) % 3];
-        odd.push_back({ std::minmax(from, to), from < to, clean.InputTriangle[h / 4] });
+        odd.push_back({ std::minmax(from, to), clean.InputTriangle[h / 4] });
       }
     }
     std::vector<bool> isOdd(points, false);
@@ -241,8 +241,7 @@ private:
   struct Edge
   {
     std::pair<Index, Index> Ends; // the lesser first
-    bool Rises;     // whether its triangle traverses it from the lesser to the greater end
-    Index Triangle; // of the input
+    Index Triangle;               // of the input
   };
 
   /// @param isOdd Of each point: whether one of its edges is not manifold or not consistent.

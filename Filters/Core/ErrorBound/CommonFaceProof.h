@@ -61,7 +61,6 @@ public:
 
   /// Keeps only the first `count` candidates.
   void Resize(std::size_t count) { this->Count = count; }
-  std::size_t NumberOfCandidates() const { return this->Count; }
   /// @param most mm, within which it proves anything, however large a corner's limit is.
   void AddCandidate(
     const std::array<Vector3, 3>& corners, double most = std::numeric_limits<double>::infinity());

@@ -197,10 +197,8 @@ VoxelEstimate EstimateVoxelSize(const Surface& surface)
 //------------------------------------------------------------------------------
 VoxelFigures ApplyPreset(const Surface& surface, Options& options)
 {
-  static const double ratios[] = { 0.0, 0.25, 0.5, 1.0 };
-  const double ratio = ratios[static_cast<int>(options.ErrorPreset)];
   VoxelFigures voxel;
-  if (ratio == 0.0)
+  if (options.VoxelsOfPreset() == 0.0)
   {
     return voxel;
   }
@@ -213,9 +211,7 @@ VoxelFigures ApplyPreset(const Surface& surface, Options& options)
     voxel.Size = estimate.Least();
     voxel.Error = estimate.RelativeError * voxel.Size;
   }
-  voxel.LargestError = options.MaximumError > 0.0
-    ? std::min(options.MaximumError, ratio * voxel.Size)
-    : ratio * voxel.Size;
+  voxel.LargestError = options.LargestError(voxel.Size);
   options.MaximumError = voxel.LargestError;
   options.ErrorPreset = ErrorPreset::NoPreset;
   return voxel;

@@ -4,6 +4,7 @@
 
 #include "EditReplay.h"
 #include "GapPairs.h"
+#include "GuardReach.h"
 #include "PartTree.h"
 
 #include <algorithm>
@@ -13,9 +14,6 @@ namespace bonedecimate
 {
 namespace
 {
-/// Both sides may move by the error; a gap that many errors wide always keeps half of its width.
-constexpr double ErrorsOfGap = 4.0;
-
 double MostReach(const std::vector<Piece>& pieces) // mm
 {
   double most = 0.0;

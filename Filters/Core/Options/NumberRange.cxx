@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NumberRange.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -18,15 +19,17 @@ std::string NumberText(double value)
   {
     return value < 0.0 ? "-infinity" : "infinity";
   }
-  char text[40];
-  for (int digits = 6; digits <= 17; ++digits)
+  char digits[40];
+  for (int count = 6; count <= 17; ++count)
   {
-    std::snprintf(text, sizeof(text), "%.*g", digits, value);
-    if (std::strtod(text, nullptr) == value)
+    std::snprintf(digits, sizeof(digits), "%.*g", count, value);
+    if (std::strtod(digits, nullptr) == value)
     {
       break;
     }
   }
+  std::string text = digits;
+  std::replace(text.begin(), text.end(), ',', '.'); // of the locale
   return text;
 }
 

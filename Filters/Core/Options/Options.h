@@ -9,6 +9,8 @@
 
 #include "Modes.h"
 
+#include <algorithm>
+#include <array>
 #include <string>
 
 namespace bonedecimate
@@ -103,6 +105,22 @@ struct Options
   double EffectiveEdgeLength() const
   {
     return FindMode(this->Mode).LimitsShapes() ? this->EdgeLength : 0.0;
+  }
+
+  /// Voxels, of ErrorPreset; 0: no preset.
+  double VoxelsOfPreset() const
+  {
+    constexpr std::array<double, 4> voxels = { 0.0, 0.25, 0.5, 1.0 };
+    return voxels[static_cast<std::size_t>(this->ErrorPreset)];
+  }
+
+  /// mm, the smaller one of MaximumError and the error of the preset, of those that are set; 0: none.
+  /// @param voxelSize mm
+  double LargestError(double voxelSize) const
+  {
+    const double ofPreset = this->VoxelsOfPreset() * voxelSize;
+    return this->MaximumError > 0.0 && ofPreset > 0.0 ? std::min(this->MaximumError, ofPreset)
+                                                      : std::max(this->MaximumError, ofPreset);
   }
 
   /// Whether TargetReduction ends the run: its default does not if anything else would.

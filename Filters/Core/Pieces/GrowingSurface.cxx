@@ -54,11 +54,8 @@ void GrowingSurface::Add(const SurfacePiece& piece, const std::vector<Index>& po
 GrowingSurface::Strip GrowingSurface::Take(const Zone& zone)
 {
   Strip strip;
-  Surface all;
-  all.Points.swap(this->Points);
   MoveWhere(
-    this->Open, [&](const Triangle& c) { return Reaches(all, c, zone); }, strip.Piece);
-  all.Points.swap(this->Points);
+    this->Open, [&](const Triangle& c) { return Reaches(this->Points, c, zone); }, strip.Piece);
   strip.Points = NumberVertices(this->Points.size(), strip.Piece.Shape.Triangles, 1);
   for (const Index point : strip.Points)
   {
@@ -91,11 +88,9 @@ void GrowingSurface::PutBack(const Strip& taken, const SurfacePiece& changed)
 //------------------------------------------------------------------------------
 void GrowingSurface::Finish(const Zone& above)
 {
-  Surface all;
-  all.Points.swap(this->Points);
   MoveWhere(
-    this->Open, [&](const Triangle& c) { return !Reaches(all, c, above); }, this->Finished);
-  all.Points.swap(this->Points);
+    this->Open, [&](const Triangle& c) { return !Reaches(this->Points, c, above); },
+    this->Finished);
 }
 
 //------------------------------------------------------------------------------

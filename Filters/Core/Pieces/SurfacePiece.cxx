@@ -8,11 +8,11 @@
 
 namespace bonedecimate
 {
-bool Reaches(const Surface& surface, const Triangle& corners, const Zone& zone)
+bool Reaches(const std::vector<Vector3>& points, const Triangle& corners, const Zone& zone)
 {
-  const std::array<Vector3, 3> points = { surface.Points[corners[0]], surface.Points[corners[1]],
-    surface.Points[corners[2]] };
-  return zone.MayReach(points, 0.0);
+  const std::array<Vector3, 3> triangle = { points[corners[0]], points[corners[1]],
+    points[corners[2]] };
+  return zone.MayReach(triangle, 0.0);
 }
 
 //------------------------------------------------------------------------------
@@ -33,7 +33,7 @@ SurfacePiece CutBetween(const SurfacePiece& surface, const Zone& zone)
   SurfacePiece cut;
   for (std::size_t t = 0; t < surface.Shape.Triangles.size(); ++t)
   {
-    if (Reaches(surface.Shape, surface.Shape.Triangles[t], zone))
+    if (Reaches(surface.Shape.Points, surface.Shape.Triangles[t], zone))
     {
       cut.Shape.Triangles.push_back(surface.Shape.Triangles[t]);
       if (!surface.Labels.empty())

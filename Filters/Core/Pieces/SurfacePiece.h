@@ -22,7 +22,7 @@ struct SurfacePiece
 };
 
 /// Whether a part of the triangle may lie between the planes.
-bool Reaches(const Surface& surface, const Triangle& corners, const Zone& zone);
+bool Reaches(const std::vector<Vector3>& points, const Triangle& corners, const Zone& zone);
 
 /// The triangles that reach between the planes, and their points, in their order.
 SurfacePiece CutBetween(const SurfacePiece& surface, const Zone& zone);

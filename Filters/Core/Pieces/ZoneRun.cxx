@@ -3,6 +3,7 @@
 #include "ZoneRun.h"
 
 #include "ContinuedProof.h"
+#include "Intersections/GuardReach.h"
 
 #include <algorithm>
 
@@ -10,7 +11,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double ErrorsOfReach = 6.001;
 constexpr double ErrorsOfMargin = 2.001;
 /// Of the largest error, around which the proof covers the original.
 constexpr double ErrorsOfProof = 1.001;

@@ -5,6 +5,7 @@
 #include "Input/PrepareInput.h"
 #include "Input/Tolerances.h"
 #include "Input/VoxelSize.h"
+#include "Intersections/GuardReach.h"
 #include "Output/ResultProof.h"
 #include "RegionCut.h"
 #include "RegionMatch.h"
@@ -19,8 +20,6 @@ namespace bonedecimate
 {
 namespace
 {
-/// In largest errors: the intersection guard looks four away, and both sides of a gap may move by one.
-constexpr double ErrorsOfReach = 6.001;
 /// Fractions of the progress.
 constexpr double PreparedAt = 0.05;
 constexpr double JoinedFrom = 0.95;

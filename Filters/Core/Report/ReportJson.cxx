@@ -110,8 +110,7 @@ std::string RealText(double value)
   {
     return "null";
   }
-  std::string text = NumberText(value);
-  std::replace(text.begin(), text.end(), ',', '.'); // of the locale
+  const std::string text = NumberText(value);
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 

@@ -268,16 +268,21 @@ class ProgramEngine:
             reader = vtk.vtkXMLPolyDataReader()
             reader.SetFileName(str(target))
             reader.Update()
+            if reader.GetErrorCode():
+                raise DecimationError(f"Could not read from {folder}.")
             return reader.GetOutput()
 
     @staticmethod
     def _run(words, progress):
-        with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
-            for line in process.stdout:
-                found = re.match(r"<filter-progress>(.*)</filter-progress>", line)
-                if found and progress and progress(float(found[1])) is False:
-                    process.kill()
-                    raise Canceled("Canceled.")
-            problem = process.stderr.read().strip()
+        # A file takes any number of messages while only the other stream is read.
+        with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as errors:
+            with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=errors, text=True) as process:
+                for line in process.stdout:
+                    found = re.match(r"<filter-progress>(.*)</filter-progress>", line)
+                    if found and progress and progress(float(found[1])) is False:
+                        process.kill()
+                        raise Canceled("Canceled.")
+            errors.seek(0)
+            problem = errors.read().strip()
         if process.returncode != 0:
             raise DecimationError(problem or f"The program ended with {process.returncode}.")
