@@ -4,7 +4,6 @@
 
 import gc
 import os
-import signal
 import subprocess
 import sys
 import threading
@@ -225,13 +224,14 @@ class Events(unittest.TestCase):
 
     def test_ctrl_c_ends_update_with_keyboard_interrupt(self):
         program = """
-import os, signal, threading, time
+import signal, threading, time
 import filter_test, specimens
+signal.signal(signal.SIGINT, signal.default_int_handler)
 decimate = filter_test.decimating(specimens.torus(200, 100), Mode=3, MaximumError=0.01)
 def interrupt():
     while decimate.GetProgress() < 0.1:
         time.sleep(0.001)
-    os.kill(os.getpid(), signal.SIGINT)
+    signal.raise_signal(signal.SIGINT)
 threading.Thread(target=interrupt).start()
 try:
     decimate.Update()
@@ -239,8 +239,7 @@ except KeyboardInterrupt:
     print(decimate.GetStopReason() == decimate.NOT_RUN and "interrupted")
 """
         here = os.path.dirname(os.path.abspath(__file__))
-        done = subprocess.run([sys.executable, "-B", "-c", program], cwd=here, capture_output=True, text=True, timeout=60,
-                              preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler))
+        done = subprocess.run([sys.executable, "-B", "-c", program], cwd=here, capture_output=True, text=True, timeout=60)
         self.assertEqual(done.stdout, "interrupted\n", done.stderr)
 
 

@@ -107,7 +107,7 @@ class Surfaces(unittest.TestCase):
 
     def test_report_progress_and_may_be_aborted(self):
         heard = []
-        extract_surfaces(halves(), progress=heard.append)
+        extract_surfaces(halves(), progress=heard.append, threads=1)  # with more, others may do the last parts of so small a map
         self.assertEqual((heard, heard[-1]), (sorted(heard), 1))
         with self.assertRaises(bonedecimate.Aborted):
             extract_surfaces(halves(), progress=lambda fraction: False)
