@@ -2,8 +2,10 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# For Windows, compiled with Debian's mingw-w64 and run in Wine: the core with the table of checksums and all its tests, or the program with its tests.
+# For Windows, compiled with Debian's mingw-w64 and run in Wine: the core with the table of checksums and all its tests, the program with its tests, or
+# the wheel with its tests.
 #   Utilities/check_windows.sh [--checksums|--program] [TEST...]     --checksums: the table alone
+#   Utilities/check_windows.sh --wheel [VERSION...]                  VERSION of Python, by default 3.11 and 3.13; needs build/release
 # The libraries of the program (Utilities/windows/build_libraries.sh) take about an hour the first time.
 # TEST: of Testing/Application, without _test.py; by default those that pass.
 set -euo pipefail
@@ -43,11 +45,23 @@ check_program()
   [ "$failed" -eq 0 ]
 }
 
+check_wheel()
+{
+  cmake --preset windows
+  cmake --build --preset windows --target BoneDecimateCore
+  # The core is the same for every Python. PyVista draws.
+  SKBUILD_CMAKE_DEFINE="BONEDECIMATE_CORE_TARGETS=$PWD/build/windows/BoneDecimateCore.cmake" \
+    xvfb-run -a /usr/bin/python3 -B Testing/Wheel/matrix_windows.py "$@"
+}
+
 case "${1:-}" in
   --program)
     shift
     [ $# -gt 0 ] || set -- cap certify commands precision profiles prune readers reference regions thesis_form tunnels units volumes voxels
     check_program "$@" ;;
+  --wheel)
+    shift
+    check_wheel "$@" ;;
   --checksums) check_core bonedecimate-checksums ;;
   *) check_core bonedecimate-checksums BoneDecimateCoreTests ;;
 esac

@@ -5,7 +5,7 @@
 
     third_party.py --markdown                      Documentation/third-party.md
     third_party.py --check [BINARY...]             that the page, licenses and libraries of binaries agree with the list
-    third_party.py --sbom deb|wheel|page|browser FILE a bill of materials in CycloneDX 1.6
+    third_party.py --sbom PRODUCT FILE             a bill of materials in CycloneDX 1.6; deb, wheel, wheel-windows, page or browser
 
 Versions are those of the Debian packages that are installed, of package-lock.json and of wheel_constraints.txt. With SOURCE_DATE_EPOCH
 the bill has that time; without it none, so that the same input gives the same bytes.
@@ -27,7 +27,7 @@ CONSTRAINTS = ROOT / "Utilities" / "wheel_constraints.txt"
 VIEWER = ROOT / "Applications" / "Picture" / "Viewer"
 PAGE = ROOT / "Documentation" / "third-party.md"
 BROWSER = ROOT / "Applications" / "Browser"
-PRODUCTS = {"deb": "Debian package", "wheel": "wheel", "page": "HTML page", "browser": "browser"}
+PRODUCTS = {"deb": "Debian package", "wheel": "wheel", "wheel-windows": "wheel for Windows", "page": "HTML page", "browser": "browser"}
 OWN = ("libvtkFiltersBoneDecimate", "libvtkFiltersParallelBoneDecimate", "libvtkBoneDecimate", "libvtkpython", "libpython")
 
 
@@ -117,7 +117,8 @@ def entry(component):
 
 def bill(product):
     found = [entry(one) for one in components(product)]
-    name = {"deb": "vtkbonedecimate", "wheel": "bonedecimate", "page": "bonedecimate-viewer", "browser": "bonedecimate-browser"}[product]
+    name = {"deb": "vtkbonedecimate", "wheel": "bonedecimate", "wheel-windows": "bonedecimate", "page": "bonedecimate-viewer",
+            "browser": "bonedecimate-browser"}[product]
     main = {"type": "application" if product == "deb" else "library", "bom-ref": name, "name": name, "version": own_version(),
             "licenses": [{"license": {"id": "BSD-3-Clause"}}]}
     metadata = {"component": main}
@@ -166,7 +167,7 @@ def problems(binaries):
     if PAGE.read_text(encoding="utf-8") != markdown():
         yield "Documentation/third-party.md is not what third_party.py --markdown prints"
     licenses = (ROOT / "Utilities" / "wheel_licenses.txt").read_text(encoding="utf-8")
-    for one in components("wheel"):
+    for one in [*components("wheel"), *components("wheel-windows")]:
         if one["how"] != "linked" and one["name"] not in licenses:
             yield f"Utilities/wheel_licenses.txt lacks {one['name']}"
         if "pypi" in one and not version_of_wheel_tool(one["pypi"]):
