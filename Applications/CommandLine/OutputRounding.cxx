@@ -40,8 +40,7 @@ void OutputRounding::Reserve(Options& options)
   {
     return;
   }
-  this->WritesSingle = options.OutputPointsPrecision == PointsPrecision::Single ||
-    (options.OutputPointsPrecision == PointsPrecision::Default && this->IsSingle);
+  this->WritesSingle = options.WritesSingle(this->IsSingle);
   options.OutputPointsPrecision = PointsPrecision::Double;
   const bool isLimited = !options.ToleranceArrayName.empty() || !this->Requested.Regions.empty();
   if (options.BoundsError() || (isLimited && options.ProvesError()))

@@ -26,13 +26,6 @@ vtkStandardNewMacro(vtkBoneDecimate);
 
 namespace
 {
-bool WritesSingle(const bonedecimate::Options& options, bool inputIsSingle)
-{
-  using Precision = bonedecimate::PointsPrecision;
-  const Precision precision = options.OutputPointsPrecision;
-  return precision == Precision::Single || (precision == Precision::Default && inputIsSingle);
-}
-
 /// Both outputs.  @param map Of the input; null: not known.
 void FillOutputs(const bonedecimate::Result& result,
   const bonedecimate::ConvertedSurface& converted, const bonedecimate::Options& options,
@@ -40,7 +33,7 @@ void FillOutputs(const bonedecimate::Result& result,
 {
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   bonedecimate::FillOutput(
-    result, converted, options, WritesSingle(options, converted.IsSingle), input, output);
+    result, converted, options, options.WritesSingle(converted.IsSingle), input, output);
   if (map != nullptr)
   {
     bonedecimate::PassLabelMapArrays(*map, result.BoundaryLabels, output);

@@ -36,13 +36,6 @@ Options OptionsOfRun(const Options& requested)
   options.AutomaticSmoothing = options.Smoothing == 0.0;
   return options;
 }
-
-bool WritesSingle(const Options& options, bool inputIsSingle)
-{
-  const PointsPrecision precision = options.OutputPointsPrecision;
-  return precision == PointsPrecision::Single ||
-    (precision == PointsPrecision::Default && inputIsSingle);
-}
 }
 
 vtkBoneSmooth::vtkBoneSmooth()
@@ -120,7 +113,7 @@ int vtkBoneSmooth::RequestData(vtkInformation* vtkNotUsed(request),
   {
     return 0;
   }
-  FillOutput(result, converted, options, WritesSingle(options, converted.IsSingle), input,
+  FillOutput(result, converted, options, options.WritesSingle(converted.IsSingle), input,
     vtkPolyData::GetData(outputVector, 0));
   if (map.Known() != nullptr)
   {

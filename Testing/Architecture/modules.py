@@ -18,7 +18,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 
 # Headers that every module of the core may include: the types that modules pass to each other.
 VOCABULARY = {"Surface.h", "Modes.h", "Options/Options.h", "Report/Report.h", "Monitor.h", "Parallel.h", "Memory/LargeArray.h",
-              "Memory/ChunkedArray.h", "Memory/Prefetch.h", "WorkerTeam.h", "WorkspacePool.h"}
+              "Memory/ChunkedArray.h", "Memory/Prefetch.h", "DisjointSets.h", "WorkerTeam.h", "WorkspacePool.h"}
 # Geometry is below these types; its row lists the headers that it may include.
 WITHOUT_VOCABULARY = {f"{CORE}/Geometry"}
 # Modules of the applications that belong together. "system" below means the headers of the operating system and of its

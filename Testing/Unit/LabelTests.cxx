@@ -32,7 +32,7 @@ TEST(PatchBoundaries, AreTheEdgesBetweenPatches)
     rings += lines.MayGo(index) ? 0 : 1;
     EXPECT_TRUE(!lines.MayGo(index) || PatchBoundaryRunsThrough(mesh, lines.OriginalVertex(index)));
   }
-  EXPECT_EQ(rings, 2) << "one ring, which starts and ends at one site";
+  EXPECT_EQ(rings, 2) << "one ring, which starts and ends at one original vertex";
 }
 
 TEST(PatchBoundaries, DeviationIsThatOfTheFarthestRemovedVertex)

@@ -138,9 +138,7 @@ val RunDecimate(const val& surface, const val& given, const val& progress)
   inputs.EdgeLengths = surface["edgeLengths"].isUndefined() ? nullptr : &edgeLengths;
   inputs.LabelMap = source ? &*source : nullptr;
   const Result result = Decimate(ToSurface(surface), options, MonitorOf(progress), inputs);
-  const bool isSingle = options.OutputPointsPrecision == PointsPrecision::Single ||
-    (options.OutputPointsPrecision == PointsPrecision::Default && inputs.InputIsSingle);
-  val to = FromResult(result, isSingle);
+  val to = FromResult(result, options.WritesSingle(inputs.InputIsSingle));
   if (source && !result.BoundaryLabels.empty())
   {
     to.set("boundaryLabels", ToArray<Index>(result.BoundaryLabels));

@@ -102,9 +102,7 @@ void ExplainSurface(const Arguments& arguments, Explanation& explanation)
   const Options options =
     ExplainBound(arguments, { loaded.Surface, loaded.InFile, 0.0 }, explanation);
   ExplainStages(arguments, options, triangles, explanation);
-  const bool isSingle = options.OutputPointsPrecision == PointsPrecision::Single ||
-    (options.OutputPointsPrecision == PointsPrecision::Default && loaded.IsSingle());
-  ExplainOutputs(arguments, isSingle, explanation);
+  ExplainOutputs(arguments, options.WritesSingle(loaded.IsSingle()), explanation);
 }
 
 /// By its header: voxels are not read.

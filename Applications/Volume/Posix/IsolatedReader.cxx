@@ -78,7 +78,7 @@ void SendVolume(const LayeredVolume& volume, Pipe& pipe)
   {
     status = Failed;
   }
-  _exit(status); // without the ends that the parent's objects are due
+  _exit(status); // destructors are for the parent alone
 }
 
 int WaitFor(pid_t child)

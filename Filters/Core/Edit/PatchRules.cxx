@@ -39,8 +39,8 @@ bool IsOutOfRange(const HalfEdgeMesh& mesh, VertexId v, VertexRange range)
 /// Whether an edge leads from a duplicate of a to a duplicate of b, or both are duplicates of one original vertex.
 bool AreJoined(const HalfEdgeMesh& mesh, Index a, Index b)
 {
-  const VertexId site = mesh.OriginalVertex(b);
-  return mesh.OriginalVertex(a) == site ||
+  const VertexId original = mesh.OriginalVertex(b);
+  return mesh.OriginalVertex(a) == original ||
     IsAnyDuplicate(mesh, a,
       [&](Index duplicate)
       {
@@ -50,8 +50,8 @@ bool AreJoined(const HalfEdgeMesh& mesh, Index a, Index b)
              h != None && !joined;)
         {
           const HalfEdgeId back = HalfEdgeMesh::Previous(h);
-          joined = mesh.OriginalVertex(mesh.Target(h)) == site ||
-            mesh.OriginalVertex(mesh.Origin(back)) == site;
+          joined = mesh.OriginalVertex(mesh.Target(h)) == original ||
+            mesh.OriginalVertex(mesh.Origin(back)) == original;
           h = mesh.Twin(back) == first ? HalfEdgeId() : mesh.Twin(back);
         }
         return joined;

@@ -154,8 +154,7 @@ bool PreparedInput::IsLimitedEverywhere() const
 PointRounding RoundingOf(const Options& options, bool inputIsSingle)
 {
   PointRounding rounding;
-  rounding.ToSingle = options.OutputPointsPrecision == PointsPrecision::Single ||
-    (options.OutputPointsPrecision == PointsPrecision::Default && inputIsSingle);
+  rounding.ToSingle = options.WritesSingle(inputIsSingle);
   rounding.GridStep = options.OutputPointsGrid;
   return rounding;
 }

@@ -110,10 +110,10 @@ std::vector<double> TolerancesOf(const CleanSurface& clean, const std::vector<do
       limits = true;
     }
   }
-  const std::vector<Index>& sites = clean.ManifoldPatches.OriginalVertices;
-  for (std::size_t v = 0; v < sites.size(); ++v)
+  const std::vector<Index>& originals = clean.ManifoldPatches.OriginalVertices;
+  for (std::size_t v = 0; v < originals.size(); ++v)
   {
-    tolerances[v] = tolerances[static_cast<std::size_t>(sites[v])];
+    tolerances[v] = tolerances[static_cast<std::size_t>(originals[v])];
   }
   if (!limits)
   {

@@ -2,55 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LabelRuns.h"
 
+#include "DisjointSets.h"
+
 #include <algorithm>
-#include <numeric>
 
 namespace bonedecimate
 {
-namespace
-{
-/// Sets of runs; each has its first run as root.
-class RunSets
-{
-public:
-  explicit RunSets(std::size_t count)
-    : Parents(count)
-  {
-    std::iota(this->Parents.begin(), this->Parents.end(), std::size_t(0));
-  }
-
-  void Join(std::size_t a, std::size_t b)
-  {
-    const std::size_t rootA = this->Root(a);
-    const std::size_t rootB = this->Root(b);
-    this->Parents[std::max(rootA, rootB)] = std::min(rootA, rootB);
-  }
-
-  std::vector<std::size_t> Roots()
-  {
-    for (std::size_t run = 0; run < this->Parents.size(); ++run)
-    {
-      this->Parents[run] =
-        this->Parents[this->Parents[run]]; // the parent comes before and has its root
-    }
-    return std::move(this->Parents);
-  }
-
-private:
-  std::size_t Root(std::size_t run)
-  {
-    while (this->Parents[run] != run)
-    {
-      this->Parents[run] = this->Parents[this->Parents[run]];
-      run = this->Parents[run];
-    }
-    return run;
-  }
-
-  std::vector<std::size_t> Parents;
-};
-}
-
 //------------------------------------------------------------------------------
 LabelRuns::LabelRuns(const LabelImage& image, const LabelRanks& ranks)
   : Width(static_cast<std::size_t>(image.Grid.Dimensions[0]))
@@ -79,7 +36,7 @@ LabelRuns::LabelRuns(const LabelImage& image, const LabelRanks& ranks)
 //------------------------------------------------------------------------------
 std::vector<std::size_t> LabelRuns::JoinByFaces() const
 {
-  RunSets sets(this->Runs.size());
+  DisjointSets<std::size_t> sets(this->Runs.size());
   const auto join = [&](std::size_t a, std::size_t b)
   {
     if (this->Runs[a].Rank != 0 && this->Runs[a].Rank == this->Runs[b].Rank)
@@ -98,13 +55,13 @@ std::vector<std::size_t> LabelRuns::JoinByFaces() const
       this->VisitRows(row, row - this->Height, 0, join);
     }
   }
-  return sets.Roots();
+  return sets.TakeRoots();
 }
 
 //------------------------------------------------------------------------------
 std::vector<std::size_t> LabelRuns::JoinByEdges() const
 {
-  RunSets sets(this->Runs.size());
+  DisjointSets<std::size_t> sets(this->Runs.size());
   const auto join = [&](std::size_t a, std::size_t b)
   {
     if (this->Runs[a].Rank == 0 && this->Runs[b].Rank == 0)
@@ -130,6 +87,6 @@ std::vector<std::size_t> LabelRuns::JoinByEdges() const
       this->VisitRows(row, other, other == below ? 1 : 0, join);
     }
   }
-  return sets.Roots();
+  return sets.TakeRoots();
 }
 }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SingleLabel.h"
 
+#include "DisjointSets.h"
+
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -26,22 +27,13 @@ class Fans
 public:
   explicit Fans(const std::vector<Triangle>& triangles)
     : Triangles(triangles)
-    , Parents(3 * triangles.size())
+    , Sets(3 * triangles.size())
   {
-    std::iota(this->Parents.begin(), this->Parents.end(), Corner(0));
     this->JoinNeighbors();
   }
 
   /// The least corner of the fan.
-  Corner FirstOf(Corner corner)
-  {
-    while (this->Parents[corner] != corner)
-    {
-      this->Parents[corner] = this->Parents[this->Parents[corner]];
-      corner = this->Parents[corner];
-    }
-    return corner;
-  }
+  Corner FirstOf(Corner corner) { return this->Sets.Root(corner); }
 
 private:
   struct Edge
@@ -56,8 +48,8 @@ private:
   std::vector<Edge> SortedEdges() const
   {
     std::vector<Edge> edges;
-    edges.reserve(this->Parents.size());
-    for (Corner corner = 0; corner < this->Parents.size(); ++corner)
+    edges.reserve(this->Sets.Size());
+    for (Corner corner = 0; corner < this->Sets.Size(); ++corner)
     {
       const auto [low, high] =
         std::minmax({ this->PointAt(corner), this->PointAt(NextCorner(corner)) });
@@ -91,19 +83,13 @@ private:
   {
     if (this->PointAt(a) != this->PointAt(b))
     {
-      this->Join(a, NextCorner(b));
-      this->Join(NextCorner(a), b);
+      this->Sets.Join(a, NextCorner(b));
+      this->Sets.Join(NextCorner(a), b);
     }
   }
 
-  void Join(Corner a, Corner b)
-  {
-    const auto [low, high] = std::minmax({ this->FirstOf(a), this->FirstOf(b) });
-    this->Parents[high] = low;
-  }
-
   const std::vector<Triangle>& Triangles;
-  std::vector<Corner> Parents;
+  DisjointSets<Corner> Sets;
 };
 
 /// Gives each fan a point of its own.

@@ -260,10 +260,10 @@ const Vector3* LevelStack::PositionAt(Index vertex, Index time) const
 
 //------------------------------------------------------------------------------
 Level LevelStack::At(Index collapses, int threads, const std::vector<Vector3>& points,
-  const std::vector<Index>& sites) const
+  const std::vector<Index>& originals) const
 {
-  const auto joined = [&sites](const Triangle& c) {
-    return sites.empty() ? c : Triangle{ sites[c[0]], sites[c[1]], sites[c[2]] };
+  const auto joined = [&originals](const Triangle& c) {
+    return originals.empty() ? c : Triangle{ originals[c[0]], originals[c[1]], originals[c[2]] };
   };
   Level level;
   level.Surface.Triangles = LiveTriangles(

@@ -54,9 +54,9 @@ public:
   std::vector<Index> FacesAt(Index collapses) const;
 
   /// @param points Of the cleaned input's vertices, mm, in the frame of the input, used for vertices that were never moved.
-  /// @param sites The original vertex of each vertex, see ManifoldPatches.h; empty: nothing was split.
+  /// @param originals The original vertex of each vertex, see ManifoldPatches.h; empty: nothing was split.
   Level At(Index collapses, int threads, const std::vector<Vector3>& points,
-    const std::vector<Index>& sites) const;
+    const std::vector<Index>& originals) const;
 
 private:
   struct Life

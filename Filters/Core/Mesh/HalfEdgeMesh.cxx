@@ -82,10 +82,10 @@ void HalfEdgeMesh::LinkDuplicates(const PatchMap& patches)
   this->NextDuplicates = patches.OriginalVertices;
   for (VertexId v = 0; v < this->NumberOfVertexSlots(); ++v)
   {
-    const Index site = this->OriginalVertices[v];
-    if (v != site)
+    const Index original = this->OriginalVertices[v];
+    if (v != original)
     {
-      this->NextDuplicates[v] = std::exchange(this->NextDuplicates[site], v);
+      this->NextDuplicates[v] = std::exchange(this->NextDuplicates[original], v);
     }
   }
   for (VertexId v = 0; v < this->NumberOfVertexSlots(); ++v)

@@ -28,9 +28,9 @@ public:
     this->GatherCorners();
     this->IsCollected.assign(
       static_cast<std::size_t>(HalfEdgeMesh::HalfEdge(this->Mesh.NumberOfFaceSlots(), 0)), false);
-    std::vector<Index>& sites = this->Clean.ManifoldPatches.OriginalVertices;
-    sites.resize(this->Clean.Surface.Points.size());
-    std::iota(sites.begin(), sites.end(), 0);
+    std::vector<Index>& originals = this->Clean.ManifoldPatches.OriginalVertices;
+    originals.resize(this->Clean.Surface.Points.size());
+    std::iota(originals.begin(), originals.end(), 0);
     this->Clean.ManifoldPatches.Edges = this->Mesh.EdgesAtFirst();
     for (std::size_t i = 0; i < this->Points.size(); ++i)
     {
@@ -151,11 +151,11 @@ bool SplitIntoManifoldPatches(CleanSurface& clean, const HalfEdgeMesh& mesh)
 //------------------------------------------------------------------------------
 std::int64_t NumberOfOriginalVertices(const CleanSurface& clean)
 {
-  const std::vector<Index>& sites = clean.ManifoldPatches.OriginalVertices;
+  const std::vector<Index>& originals = clean.ManifoldPatches.OriginalVertices;
   std::int64_t copies = 0;
-  for (std::size_t v = 0; v < sites.size(); ++v)
+  for (std::size_t v = 0; v < originals.size(); ++v)
   {
-    copies += sites[v] != static_cast<Index>(v) ? 1 : 0;
+    copies += originals[v] != static_cast<Index>(v) ? 1 : 0;
   }
   return static_cast<std::int64_t>(clean.Surface.Points.size()) - copies;
 }

@@ -33,15 +33,15 @@ std::int64_t NumberOfOriginalVertices(const CleanSurface& clean);
 template <typename Use>
 auto WithJoined(const CleanSurface& clean, const Use& use)
 {
-  const std::vector<Index>& sites = clean.ManifoldPatches.OriginalVertices;
-  if (sites.empty())
+  const std::vector<Index>& originals = clean.ManifoldPatches.OriginalVertices;
+  if (originals.empty())
   {
     return use(clean.Surface);
   }
   Surface joined = clean.Surface;
   for (Triangle& c : joined.Triangles)
   {
-    c = { sites[c[0]], sites[c[1]], sites[c[2]] };
+    c = { originals[c[0]], originals[c[1]], originals[c[2]] };
   }
   return use(static_cast<const Surface&>(joined));
 }

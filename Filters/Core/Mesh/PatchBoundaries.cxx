@@ -59,15 +59,15 @@ PatchBoundaries::PatchBoundaries(const HalfEdgeMesh& mesh)
     beside[v] = mesh.OriginalVertex(v) == v ? NeighborsOnBoundary(mesh, v) : beside[v];
     isOpen[v] = beside[v][0] != None ? 1 : 0;
   }
-  for (Index site = 0; site < mesh.NumberOfVertexSlots(); ++site)
+  for (Index original = 0; original < mesh.NumberOfVertexSlots(); ++original)
   {
-    if (isOpen[site] == 0)
+    if (isOpen[original] == 0)
     {
       continue;
     }
-    Index first = beside[site][0]; // back to the start of the curve
-    Index second = site;
-    while (first != site && beside[first][0] != None)
+    Index first = beside[original][0]; // back to the start of the curve
+    Index second = original;
+    while (first != original && beside[first][0] != None)
     {
       const Index next = beside[first][0] == second ? beside[first][1] : beside[first][0];
       second = std::exchange(first, next);
@@ -102,11 +102,12 @@ void PatchBoundaries::AddLine(
 }
 
 //------------------------------------------------------------------------------
-double PatchBoundaries::Distance(const HalfEdgeMesh& mesh, Index site, const Ends& segment) const
+double PatchBoundaries::Distance(
+  const HalfEdgeMesh& mesh, Index original, const Ends& segment) const
 {
   const Vector3& a = mesh.Position(segment[0]);
   const Vector3& b = mesh.Position(segment[1]);
-  const Vector3& p = mesh.Position(site);
+  const Vector3& p = mesh.Position(original);
   return (a + NearestFraction(p, a, b) * (b - a) - p).norm();
 }
 

@@ -59,7 +59,7 @@ private:
 
   void AddLine(
     Index first, Index second, std::vector<char>& isOpen, const std::vector<Ends>& beside);
-  double Distance(const HalfEdgeMesh& mesh, Index site, const Ends& segment) const;
+  double Distance(const HalfEdgeMesh& mesh, Index original, const Ends& segment) const;
 
   std::vector<Index> OriginalVertices; // for each position, curve by curve
   std::vector<Ends> Neighbors;         // positions; None beyond ends and for removed vertices

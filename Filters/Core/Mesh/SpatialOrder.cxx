@@ -263,9 +263,9 @@ void SortAlongCurve(CleanSurface& clean, int threads)
   if (!clean.ManifoldPatches.OriginalVertices.empty())
   {
     Permute(clean.ManifoldPatches.OriginalVertices, order, threads);
-    for (Index& site : clean.ManifoldPatches.OriginalVertices)
+    for (Index& original : clean.ManifoldPatches.OriginalVertices)
     {
-      site = number[site];
+      original = number[original];
     }
   }
   ForEachId(clean.Surface.Triangles.size(), threads,

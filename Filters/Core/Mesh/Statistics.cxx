@@ -2,55 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics.h"
 
+#include "DisjointSets.h"
 #include "Geometry/TriangleGeometry.h"
 #include "Parallel.h"
 #include "TriangleShapes.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace bonedecimate
 {
-namespace
-{
-Index Root(std::vector<Index>& parent, Index v)
-{
-  while (parent[v] != v)
-  {
-    parent[v] = parent[parent[v]];
-    v = parent[v];
-  }
-  return v;
-}
-
-/// The root of a set is its least member.
-void Join(std::vector<Index>& parent, Index a, Index b)
-{
-  if (parent[a] != parent[b])
-  {
-    a = Root(parent, a);
-    b = Root(parent, b);
-    parent[std::max(a, b)] = std::min(a, b);
-  }
-}
-}
-
 Components FindComponents(const Surface& surface)
 {
-  std::vector<Index> parent(surface.Points.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets<Index> sets(surface.Points.size());
   std::vector<char> used(surface.Points.size(), 0);
   for (const Triangle& c : surface.Triangles)
   {
-    Join(parent, c[0], c[1]);
-    Join(parent, c[0], c[2]);
+    sets.Join(c[0], c[1]);
+    sets.Join(c[0], c[2]);
     used[c[0]] = used[c[1]] = used[c[2]] = 1;
   }
   Components components;
   components.OfPoint.assign(surface.Points.size(), None);
-  for (std::size_t p = 0; p < parent.size(); ++p)
+  for (std::size_t p = 0; p < sets.Size(); ++p)
   {
-    const Index root = Root(parent, static_cast<Index>(p));
+    const Index root = sets.Root(static_cast<Index>(p));
     if (used[p] != 0)
     {
       components.OfPoint[p] =

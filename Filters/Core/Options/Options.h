@@ -107,6 +107,13 @@ struct Options
     return FindMode(this->Mode).LimitsShapes() ? this->EdgeLength : 0.0;
   }
 
+  /// Whether points are written in single precision.  @param inputIsSingle Precision of the input's points.
+  bool WritesSingle(bool inputIsSingle) const
+  {
+    return this->OutputPointsPrecision == PointsPrecision::Single ||
+      (this->OutputPointsPrecision == PointsPrecision::Default && inputIsSingle);
+  }
+
   /// Voxels, of ErrorPreset; 0: no preset.
   double VoxelsOfPreset() const
   {

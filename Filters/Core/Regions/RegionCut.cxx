@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RegionCut.h"
 
+#include "DisjointSets.h"
 #include "Mesh/Statistics.h"
 #include "Mesh/SurfaceAssembly.h"
 #include "Parallel.h"
@@ -89,41 +90,32 @@ void MergeNear(std::vector<Region>& regions, double reach)
 void MergeNeighbors(const Surface& clean, std::vector<Region>& regions)
 {
   std::vector<Index> regionOf(clean.Points.size(), None);
-  std::vector<Index> first(regions.size()); // of those merged so far
+  DisjointSets<Index> merged(regions.size());
   for (std::size_t i = 0; i < regions.size(); ++i)
   {
-    first[i] = static_cast<Index>(i);
     for (const Index point : regions[i].Points)
     {
-      regionOf[point] = first[i];
+      regionOf[point] = static_cast<Index>(i);
     }
   }
-  const auto firstOf = [&first](Index region)
-  {
-    while (first[region] != region)
-    {
-      region = first[region];
-    }
-    return region;
-  };
   for (const Triangle& c : clean.Triangles)
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
       const Index a = regionOf[c[i]];
       const Index b = regionOf[c[(i + 1) % 3]];
-      if (a != None && b != None && a != b)
+      if (a != None && b != None)
       {
-        const auto [low, high] = std::minmax({ firstOf(a), firstOf(b) });
-        first[high] = low;
+        merged.Join(a, b);
       }
     }
   }
   for (std::size_t i = regions.size(); i-- > 0;)
   {
-    if (first[i] != static_cast<Index>(i))
+    const Index first = merged.Root(static_cast<Index>(i));
+    if (first != static_cast<Index>(i))
     {
-      Absorb(regions[firstOf(first[i])], regions[i]);
+      Absorb(regions[first], regions[i]);
       regions.erase(regions.begin() + static_cast<std::ptrdiff_t>(i));
     }
   }

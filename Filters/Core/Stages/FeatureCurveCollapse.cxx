@@ -16,7 +16,7 @@ constexpr Index CandidatesBetweenWords = 256; // to the monitor
 
 /// The half-edge of the boundary of v's patch between v and a duplicate of the other original vertex; None if there is
 /// none.
-HalfEdgeId BoundaryEdgeTo(const HalfEdgeMesh& mesh, VertexId v, VertexId site)
+HalfEdgeId BoundaryEdgeTo(const HalfEdgeMesh& mesh, VertexId v, VertexId original)
 {
   if (mesh.IsConstrained(v) || !mesh.IsOnBoundary(v))
   {
@@ -28,9 +28,9 @@ HalfEdgeId BoundaryEdgeTo(const HalfEdgeMesh& mesh, VertexId v, VertexId site)
     last = HalfEdgeMesh::Previous(h);
   }
   const HalfEdgeId first = mesh.Outgoing(v);
-  return mesh.OriginalVertex(mesh.Target(first)) == site ? first
-    : mesh.OriginalVertex(mesh.Origin(last)) == site     ? last
-                                                         : HalfEdgeId();
+  return mesh.OriginalVertex(mesh.Target(first)) == original ? first
+    : mesh.OriginalVertex(mesh.Origin(last)) == original     ? last
+                                                             : HalfEdgeId();
 }
 
 /// The collapse onto the other original vertex in each patch at the removed one. Empty unless the two are joined by one
@@ -57,19 +57,19 @@ void FindEdits(const HalfEdgeMesh& mesh, VertexId gone, VertexId stays, std::vec
 }
 
 /// The original vertices next to this one on patch boundaries.
-void FindBeside(const HalfEdgeMesh& mesh, Index site, std::vector<Index>& sites)
+void FindBeside(const HalfEdgeMesh& mesh, Index original, std::vector<Index>& originals)
 {
-  sites.clear();
-  Index copy = site;
+  originals.clear();
+  Index copy = original;
   do
   {
     if (mesh.Outgoing(copy) != None)
     {
       const std::array<Index, 2> beside = BesideOnBoundary(mesh, copy);
-      sites.insert(sites.end(), beside.begin(), beside.end());
+      originals.insert(originals.end(), beside.begin(), beside.end());
     }
     copy = mesh.NextDuplicate(copy);
-  } while (copy != site);
+  } while (copy != original);
 }
 }
 
@@ -83,10 +83,10 @@ bool FeatureCurveCollapse::MakesTriangle(Index position)
   FindBeside(mesh, this->FeatureCurves.OriginalVertex(this->FeatureCurves.After(position)),
     this->BesideAfter);
   return std::any_of(this->BesideBefore.begin(), this->BesideBefore.end(),
-    [&](Index site)
+    [&](Index original)
     {
-      return site != None && site != this->FeatureCurves.OriginalVertex(position) &&
-        std::find(this->BesideAfter.begin(), this->BesideAfter.end(), site) !=
+      return original != None && original != this->FeatureCurves.OriginalVertex(position) &&
+        std::find(this->BesideAfter.begin(), this->BesideAfter.end(), original) !=
         this->BesideAfter.end();
     });
 }
@@ -116,7 +116,7 @@ FeatureCurveCollapse::Result FeatureCurveCollapse::Run(
 void FeatureCurveCollapse::ListCandidates(double bound, Result& result)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  const auto limit = [this](Index site) { return this->MeshEditor.LimitAt(site); };
+  const auto limit = [this](Index original) { return this->MeshEditor.LimitAt(original); };
   this->Candidates.clear();
   result.IsBound = false;
   for (Index position = 0; position < this->FeatureCurves.NumberOfPositions(); ++position)
@@ -175,16 +175,16 @@ bool FeatureCurveCollapse::TryRemove(Index position, Index faces)
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   const Index before = this->FeatureCurves.Before(position);
   const Index after = this->FeatureCurves.After(position);
-  const VertexId site = this->FeatureCurves.OriginalVertex(position);
+  const VertexId original = this->FeatureCurves.OriginalVertex(position);
   VertexId near = this->FeatureCurves.OriginalVertex(before);
   VertexId far = this->FeatureCurves.OriginalVertex(after);
-  const Vector3& p = mesh.Position(site);
+  const Vector3& p = mesh.Position(original);
   if ((mesh.Position(far) - p).squaredNorm() < (mesh.Position(near) - p).squaredNorm())
   {
     std::swap(near, far);
   }
   if (this->MakesTriangle(position) ||
-    (!this->CollapseOnto(site, near, faces) && !this->CollapseOnto(site, far, faces)))
+    (!this->CollapseOnto(original, near, faces) && !this->CollapseOnto(original, far, faces)))
   {
     return false;
   }
