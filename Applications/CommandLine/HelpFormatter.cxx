@@ -26,12 +26,56 @@ void AddUsage(const CLI::App& command, std::vector<std::string>& lines)
     lines.push_back(CommandPath(command) + " " + form + "\n");
   }
 }
+
+/// A name with its text beside it, which begins on the next line if the name is too long.
+std::string Entry(const std::string& name, const std::string& text)
+{
+  const std::string margin(FlagColumn, ' ');
+  std::string entry = "  " + name;
+  if (entry.size() < FlagColumn)
+  {
+    entry.resize(FlagColumn, ' ');
+  }
+  else
+  {
+    entry += "\n" + margin;
+  }
+  for (const char character : text)
+  {
+    entry += character;
+    entry += character == '\n' ? margin : "";
+  }
+  return entry + "\n";
+}
 }
 
 HelpFormatter::HelpFormatter(std::vector<std::string> usage)
   : Usage(std::move(usage))
 {
-  this->column_width(FlagColumn);
+}
+
+std::string HelpFormatter::make_help(
+  const CLI::App* app, std::string name, CLI::AppFormatMode /*mode*/) const
+{
+  return app->get_description() + "\n" + this->make_usage(app, std::move(name)) +
+    this->Entries(*app, "Positionals", true) + this->Entries(*app, "Options", false) + "\n" +
+    app->get_footer() + "\n";
+}
+
+std::string HelpFormatter::Entries(
+  const CLI::App& app, const std::string& title, bool arePositional) const
+{
+  std::string entries;
+  for (const CLI::Option* option : app.get_options())
+  {
+    if (option->get_positional() == arePositional && !option->get_group().empty())
+    {
+      entries +=
+        Entry(this->make_option_name(option, arePositional) + this->make_option_opts(option),
+          option->get_description());
+    }
+  }
+  return entries.empty() ? "" : "\n" + title + ":\n" + entries;
 }
 
 std::string HelpFormatter::make_usage(const CLI::App* app, std::string) const

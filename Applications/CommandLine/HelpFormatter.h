@@ -22,12 +22,18 @@ public:
   /// @param usage What follows the name of the command, one form a line.
   explicit HelpFormatter(std::vector<std::string> usage);
 
+  /// The whole help, in a layout that does not depend on the version of CLI11.
+  std::string make_help(
+    const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
+
   /// The forms of this command; for the default command those of all others, too.
   std::string make_usage(const CLI::App* app, std::string name) const override;
 
   const std::vector<std::string>& GetUsage() const { return this->Usage; }
 
 private:
+  std::string Entries(const CLI::App& app, const std::string& title, bool arePositional) const;
+
   std::vector<std::string> Usage;
 };
 
