@@ -120,7 +120,7 @@ void AddCapCommand(CLI::App& program)
       "planes: boundaries at planes where the surface ends, as at the edge of a scan. all: all "
       "others, too.")
     ->type_name("planes|all")
-    ->check(CLI::IsMember(SplitAt("planes|all", '|'), CLI::ignore_case).description(""));
+    ->check(OneOf("planes|all"));
   AddNumber(command,
     { "--plane-tolerance", "MM", LengthRange,
       "How far points of a boundary may lie from its plane, and points of the surface beyond it; "

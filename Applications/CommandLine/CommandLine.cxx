@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CommandLine.h"
 
+#include "CommandWords.h"
 #include "ExitCode.h"
 #include "FilePath.h"
 #include "HelpFormatter.h"
@@ -47,27 +48,6 @@ std::string Sentence(const CLI::ParseError& error)
   return colon == std::string::npos ? text : text.erase(colon, 1);
 }
 
-bool IsFlag(const std::string& word)
-{
-  return word.rfind("--", 0) == 0;
-}
-
-/// CLI11 takes any word for the value of an option, another option, too.
-void RequireValues(const CLI::App& command, const std::vector<std::string>& words)
-{
-  for (auto word = words.begin(); word != words.end(); ++word)
-  {
-    const CLI::Option* option = IsFlag(*word) ? command.get_option_no_throw(*word) : nullptr;
-    const bool isAlone = word + 1 == words.end() || IsFlag(word[1]);
-    if (option != nullptr && option->get_items_expected_min() > 0 && isAlone)
-    {
-      throw Failure(ExitCode::Usage,
-        *word + " takes a value: " + option->get_type_name() + "; see " + CommandPath(command) +
-          " --help");
-    }
-  }
-}
-
 void Parse(CLI::App& program, const std::vector<std::string>& words)
 {
   std::vector<std::string> reversed; // as CLI11 takes them
@@ -105,10 +85,10 @@ void RunCommandLine(CLI::App& program, std::vector<std::string> words)
     }
     words.insert(words.begin(), DefaultCommand);
   }
+  RequireOptions(*program.get_subcommand(words.front()), words);
   const SettledWords settled = WithSettings(program, words);
   try
   {
-    RequireValues(*program.get_subcommand(settled.Words.front()), settled.Words);
     Parse(program, settled.Words);
   }
   catch (const CLI::ParseError& error)

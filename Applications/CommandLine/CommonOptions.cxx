@@ -9,6 +9,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+
 namespace bonedecimate
 {
 namespace
@@ -76,6 +78,25 @@ CLI::Validator ValueOf(const OptionInfo& info)
     });
 }
 
+CLI::Validator OneOf(const std::string& choices)
+{
+  return CLI::Validator(
+    [choices](std::string& text)
+    {
+      const std::vector<std::string> words = SplitAt(choices, '|');
+      const auto found = std::find_if(words.begin(), words.end(),
+        [&text](const std::string& word) { return LowerCase(word) == LowerCase(text); });
+      if (found == words.end())
+      {
+        const std::string listed = CLI::detail::join(words, words.size() == 2 ? " or " : ", ");
+        return "takes " + (words.size() > 2 ? "one of " + listed : listed) + ", not '" + text + "'";
+      }
+      text = *found;
+      return std::string();
+    },
+    "");
+}
+
 double ReadNumber(const std::string& flag, const std::string& text, const NumberRange& range)
 {
   const std::string problem = Problem(text, range);
@@ -121,7 +142,7 @@ void AddSwitch(
     .add_option_function<std::string>(
       flag, [set](const std::string& text) { set(text == "on"); }, WrappedHelp(help))
     ->type_name("on|off")
-    ->check(CLI::IsMember({ "on", "off" }).description(""));
+    ->check(OneOf("on|off"));
 }
 
 void AddSurfaces(CLI::App& app, std::vector<std::string>& files, const std::string& what)
@@ -148,7 +169,7 @@ void AddMode(CLI::App& app, std::string& mode, const std::string& choices, const
 {
   app.add_option("--mode", mode, help)
     ->type_name(choices)
-    ->check(CLI::IsMember(SplitAt(choices, '|'), CLI::ignore_case).description(""));
+    ->check(OneOf(choices));
 }
 
 void AddThreads(CLI::App& app, int& threads)

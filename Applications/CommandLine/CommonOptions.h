@@ -29,6 +29,7 @@ const NumberRange HounsfieldRange = { -LargestNumber, LargestNumber, false, "HU"
 CLI::Validator InRange(const NumberRange& range);
 CLI::Validator EachInRange(const NumberRange& range); ///< Of numbers with commas in between.
 CLI::Validator ValueOf(const OptionInfo& info);       ///< Of an option of the table.
+CLI::Validator OneOf(const std::string& choices);     ///< Words with bars in between, in any case.
 /// @}
 
 /// Outside of CLI11: words that are no options.

@@ -67,7 +67,7 @@ void AddFileOptions(CLI::App& app, Arguments& arguments)
       WrappedHelp("Outputs in glb: color each point by its proved bound, or by its distance to the "
                   "input where nothing is proved, from white at 0 to red at --max-error."))
     ->type_name("error")
-    ->check(CLI::IsMember({ "error" }).description(""));
+    ->check(OneOf("error"));
 }
 
 bool WritesGrid(const Arguments& arguments)

@@ -5,6 +5,7 @@
 #include "Options/Text.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace bonedecimate
@@ -28,6 +29,14 @@ std::size_t EditDistance(const std::string& a, const std::string& b)
   }
   return row.back();
 }
+
+/// Whether the part begins the name or one of its words between dashes.
+bool HasPart(const std::string& name, const std::string& part)
+{
+  constexpr std::size_t shortest = 3;
+  const std::size_t at = name.find(part);
+  return part.size() >= shortest && at != std::string::npos && (at == 0 || name[at - 1] == '-');
+}
 }
 
 std::string NearestWord(const std::string& word, const std::vector<std::string>& known)
@@ -44,5 +53,22 @@ std::string NearestWord(const std::string& word, const std::vector<std::string>&
     }
   }
   return nearest;
+}
+
+std::vector<std::string> SimilarNames(
+  const std::string& name, const std::vector<std::string>& known)
+{
+  constexpr std::size_t most = 3;
+  const std::string nearest = NearestWord(name, known);
+  if (!nearest.empty())
+  {
+    return { nearest };
+  }
+  const std::string lower = LowerCase(name);
+  std::vector<std::string> similar;
+  std::copy_if(known.begin(), known.end(), std::back_inserter(similar),
+    [&lower](const std::string& other) { return HasPart(other, lower) || HasPart(lower, other); });
+  similar.resize(std::min(similar.size(), most));
+  return similar;
 }
 }

@@ -4,6 +4,7 @@
 
 #include "Arguments.h"
 #include "BoneVolume.h"
+#include "CommonOptions.h"
 #include "ExitCode.h"
 #include "Formats/SurfaceFormat.h"
 #include "HelpFormatter.h"
@@ -83,7 +84,7 @@ void AddSegments(CLI::App& app, SegmentArguments& segments,
       WrappedHelp("With --segments: the names of the bones of TotalSegmentator v2, task total, "
                   "instead of those of the label map."))
     ->type_name("totalsegmentator")
-    ->check(CLI::IsMember({ "totalsegmentator" }).description(""));
+    ->check(OneOf("totalsegmentator"));
 }
 
 void CheckSegments(const Arguments& arguments)

@@ -66,7 +66,7 @@ def rejection(run, completed, left):
 def shortened(sentence):
     """Without what differs between features that are rejected alike."""
     text = sentence[len("bonedecimate: "):]
-    text = re.sub(r"The following arguments? (was|were) not expected: .*", "The following argument was not expected: ...", text)
+    text = re.sub(r"unknown option --.*", "unknown option ...", text)
     return re.sub(r"; see bonedecimate.*--help", "", text)
 
 

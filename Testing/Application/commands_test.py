@@ -5,7 +5,7 @@
 import json
 import re
 
-from application import DONE, SURFACES, USAGE, ApplicationTest, main, torus, write
+from application import DONE, REJECTED, SURFACES, USAGE, ApplicationTest, main, torus, write
 
 COMMANDS = ("thesis", "smooth", "certify", "tolerance", "curve", "levels", "diagnose", "cap")
 
@@ -39,7 +39,7 @@ class Commands(ApplicationTest):
         self.succeed("smooth", "in.ply", "kept.ply", "--smooth", 0.1, "--feature-angle", 10, "--report", "report.json")
         self.assertIn("sharp_points", json.loads(self.path("report.json").read_text(encoding="utf-8"))["smoothing"])
         self.fail_with(USAGE, "in.ply", "b.ply", "--smooth", "automatic", says="--smooth takes a number")
-        self.fail_with(USAGE, "smooth", "in.ply", "b.ply", "--target-triangles", 700, says="not expected")
+        self.fail_with(USAGE, "smooth", "in.ply", "b.ply", "--target-triangles", 700, says="unknown option --target-triangles")
 
     def test_names_of_commands_behind_the_first_word_are_files(self):
         write(torus(), self.path("in.ply"))
@@ -54,6 +54,39 @@ class Commands(ApplicationTest):
         self.assertEqual(sorted(listed), sorted((*SURFACES, "glb", "3mf")))
         first = re.search(r'fileExtensions="(.*?)"', self.succeed("--xml").stdout)[1]
         self.assertEqual(first, ",".join("." + extension for extension in listed if extension in SURFACES))
+
+    def test_unknown_options_name_those_that_may_be_meant(self):
+        files = ("in.ply", "out.ply")
+        for words, says in (
+            ((*files, "--max-eror", 0.5), "unknown option --max-eror; did you mean --max-error?"),
+            ((*files, "--max-eror=0.5"), "unknown option --max-eror; did you mean --max-error?"),
+            ((*files, "-max-error", 0.5), "unknown option -max-error; did you mean --max-error?"),
+            ((*files, "--triangles", 700), "unknown option --triangles; did you mean --target-triangles or --prune-triangles?"),
+            ((*files, "--reduction", 0.5), "unknown option --reduction; did you mean --target-reduction?"),
+            ((*files, "--max-error-mm", 0.5), "unknown option --max-error-mm; did you mean --max-error?"),
+            ((*files, "--target", 0.5), "did you mean --target-triangles or --target-reduction?"),
+            (("levels", "in.ply", "--eror", 0.5), "unknown option --eror; did you mean --errors?"),
+            ((*files, "--zzz"), "unknown option --zzz; see bonedecimate --help"),
+        ):
+            with self.subTest(words):
+                self.fail_with(USAGE, *words, says=says)
+
+    def test_options_are_rejected_in_sentences(self):
+        files = ("in.ply", "out.ply")
+        for words, says in (
+            ((*files, "--mode", "Fast", "--mode", "Thesis"), "bonedecimate: --mode is given more than once\n"),
+            (("--completion", "tcsh"), "--completion takes one of bash, zsh, fish, not 'tcsh'"),
+            (("curve", "in.ply", "--errors", 1, "--allow-large-error", "yes"), "--allow-large-error takes on or off, not 'yes'"),
+            (("curve", "in.ply", "--errors", 1, "--mode", "Thesis"), "--mode takes one of Fast, Balanced, Accurate, not 'Thesis'"),
+            (("cap", *files, "--loops", "some"), "--loops takes planes or all, not 'some'"),
+            (("--max-error",), "--max-error takes a value: MM"),
+        ):
+            with self.subTest(words):
+                self.fail_with(USAGE, *words, says=says)
+
+    def test_words_with_a_dash_that_are_no_options(self):
+        self.fail_with(REJECTED, "--", "-nothing.ply", "out.ply", says="no such file")
+        self.fail_with(USAGE, "thesis", "nothing.obj", "-5", "0.95", "0", says="numbFaces takes a")
 
     def test_texts_end_with_success(self):
         for flag, says in (("--version", "bonedecimate "), ("--options-markdown", "| `Mode` |"), ("--help", "Usage:")):

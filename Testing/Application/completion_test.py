@@ -152,8 +152,7 @@ class Completion(ApplicationTest):
                 for choice in self.bash("bonedecimate", command, flag, "") - {*FILES, "scans"}:
                     done = self.run_program(command, flag, choice)
                     self.assertNotIn(f"{flag} takes", done.stderr)
-                    self.assertNotIn(" not in ", done.stderr)
-                    self.assertNotIn("not expected", done.stderr)
+                    self.assertNotIn("unknown option", done.stderr)
                     count += 1
         self.assertGreater(count, 80)
 

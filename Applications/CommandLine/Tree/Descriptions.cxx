@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tree/Descriptions.h"
 
+#include "CommonOptions.h"
 #include "HelpFormatter.h"
 #include "Options/OptionTable.h"
 #include "Options/Profiles.h"
@@ -48,7 +49,7 @@ void AddDescriptions(CLI::App& command, const CLI::App& program)
       WrappedHelp("Print the script that makes this shell complete commands, options, values and "
                   "files: eval \"$(bonedecimate --completion bash)\"."))
     ->type_name("bash|zsh|fish")
-    ->check(CLI::IsMember({ "bash", "zsh", "fish" }).description(""));
+    ->check(OneOf("bash|zsh|fish"));
   AddPrinter(
     command, "--man", [&program] { return ManPage(CommandTree(program)); },
     "Print the manual page, for man -l -.");

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CommandWords.h"
+
+#include "ExitCode.h"
+#include "HelpFormatter.h"
+#include "NearestWord.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Dashes and a letter; a dash and a digit are a number.
+bool IsOption(const std::string& word)
+{
+  const std::size_t begin = word.find_first_not_of('-');
+  return begin != 0 && begin != std::string::npos &&
+    std::isalpha(static_cast<unsigned char>(word[begin])) != 0;
+}
+
+/// Two dashes alone end the options.
+bool IsValue(const std::string& word)
+{
+  return word != "--" && (word.rfind("--", 0) != 0 || !IsOption(word));
+}
+
+/// Those that --help lists, without dashes.
+std::vector<std::string> OptionNames(const CLI::App& command)
+{
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+  {
+    if (!option->get_group().empty())
+    {
+      const std::vector<std::string>& own = option->get_lnames();
+      names.insert(names.end(), own.begin(), own.end());
+    }
+  }
+  return names;
+}
+
+[[noreturn]] void RejectUnknown(const CLI::App& command, const std::string& word)
+{
+  const std::string name = word.substr(0, word.find('='));
+  std::string meant;
+  for (const std::string& similar :
+    SimilarNames(name.substr(name.find_first_not_of('-')), OptionNames(command)))
+  {
+    meant += (meant.empty() ? "--" : " or --") + similar;
+  }
+  throw Failure(ExitCode::Usage,
+    "unknown option " + name +
+      (meant.empty() ? "; see " + CommandPath(command) + " --help"
+                     : "; did you mean " + meant + "?"));
+}
+
+/// CLI11 takes any word for the value of an option, another option, too.
+void RequireValue(
+  const CLI::App& command, const CLI::Option& option, const std::string& word, bool hasValue)
+{
+  if (option.get_items_expected_min() > 0 && !hasValue)
+  {
+    throw Failure(ExitCode::Usage,
+      word + " takes a value: " + option.get_type_name() + "; see " + CommandPath(command) +
+        " --help");
+  }
+}
+}
+
+void RequireOptions(const CLI::App& command, const std::vector<std::string>& words)
+{
+  std::set<const CLI::Option*> given;
+  for (std::size_t i = 1; i < words.size() && words[i] != "--"; ++i)
+  {
+    if (!IsOption(words[i]))
+    {
+      continue;
+    }
+    const std::string name = words[i].substr(0, words[i].find('='));
+    const CLI::Option* const option = command.get_option_no_throw(name);
+    if (option == nullptr)
+    {
+      RejectUnknown(command, words[i]);
+    }
+    const bool takesValue = option->get_items_expected_max() > 0;
+    const bool isOneWord = name.size() < words[i].size();
+    RequireValue(command, *option, words[i],
+      isOneWord || (i + 1 < words.size() && IsValue(words[i + 1])));
+    const bool isRepeated = !given.insert(option).second;
+    if (isRepeated && option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw)
+    {
+      throw Failure(ExitCode::Usage, name + " is given more than once");
+    }
+    i += takesValue && !isOneWord ? 1 : 0;
+  }
+}
+}
