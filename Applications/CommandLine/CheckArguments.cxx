@@ -4,6 +4,7 @@
 #include "FileGrid.h"
 #include "FileNames.h"
 #include "FilePath.h"
+#include "FlagNames.h"
 #include "Formats/SurfaceFormat.h"
 
 #include "BoneVolume.h"
@@ -16,7 +17,6 @@
 #include "VoxelPieces.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 namespace fs = std::filesystem;
@@ -53,22 +53,6 @@ std::vector<std::string> OutputsOf(const Arguments& arguments)
     }
   }
   return outputs;
-}
-
-/// The sentence with flags in place of names of options.
-std::string WithFlags(std::string sentence)
-{
-  for (const OptionInfo& info : OptionTable())
-  {
-    const std::size_t at = sentence.find(info.Name);
-    const bool isWord = at != std::string::npos && (at == 0 || sentence[at - 1] == ' ') &&
-      std::isalpha(static_cast<unsigned char>(sentence[at + info.Name.size()])) == 0;
-    if (isWord && !info.Flag.empty())
-    {
-      sentence.replace(at, info.Name.size(), "--" + info.Flag);
-    }
-  }
-  return sentence;
 }
 
 /// What is proved is proved of coordinates as they will be read.

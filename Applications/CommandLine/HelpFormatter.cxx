@@ -4,6 +4,7 @@
 
 #include "CommandLine.h"
 #include "ExitCode.h"
+#include "FlagNames.h"
 #include "Formats/SurfaceFormat.h"
 
 #include <memory>
@@ -176,7 +177,7 @@ std::string OptionValueName(const OptionInfo& info)
 std::string OptionHelp(const OptionInfo& info)
 {
   const std::string byDefault = OptionText(Options{}, info);
-  return WrappedHelp(info.Sentence + " Takes " + ValuesText(info) + "; default " +
+  return WrappedHelp(WithFlags(info.Sentence) + " Takes " + ValuesText(info) + "; default " +
     (byDefault.empty() ? "none" : byDefault) + ".");
 }
 

@@ -181,14 +181,14 @@ vtkSmartPointer<vtkPolyData> FromMillimeters(
 std::string WithUnitHint(std::string message)
 {
   const std::string doubt = "may not be in millimeters";
-  const std::string option = "AllowLargeError";
+  const std::string option = "--allow-large-error";
   if (message.find(doubt) != std::string::npos)
   {
     message.insert(message.find(doubt) + doubt.size(), ", --unit tells their unit");
   }
   if (const std::size_t at = message.find(option); at != std::string::npos)
   {
-    message.replace(at, option.size(), "--allow-large-error on");
+    message.replace(at, option.size(), option + " on");
   }
   return message;
 }

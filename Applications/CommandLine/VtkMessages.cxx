@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VtkMessages.h"
 
+#include "FlagNames.h"
+
 #include "vtkLogger.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -65,7 +67,7 @@ private:
   void Add(std::vector<std::string>& list, const char* text)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    list.push_back(WithoutOrigin(text ? text : ""));
+    list.push_back(WithFlags(WithoutOrigin(text ? text : "")));
   }
 
   std::mutex Mutex; // VTK's threads may speak, too

@@ -88,6 +88,19 @@ class Commands(ApplicationTest):
         self.fail_with(REJECTED, "--", "-nothing.ply", "out.ply", says="no such file")
         self.fail_with(USAGE, "thesis", "nothing.obj", "-5", "0.95", "0", says="numbFaces takes a")
 
+    def test_texts_name_flags_and_no_properties(self):
+        rows = re.findall(r"(?m)^\| `(\w+)` \|.*`--([a-z-]+)`", self.succeed("--options-markdown").stdout)
+        self.assertGreater(len(rows), 30)
+        names = re.compile(r"(?<![\w-])(%s)(?!\w)" % "|".join(name for name, _ in rows if name not in ("Mode", "Smoothing")))
+        for words in (("--man",), *((command, "--help") for command in ("decimate", *COMMANDS))):
+            with self.subTest(words):
+                self.assertEqual(names.findall(self.succeed(*words).stdout), [])
+        write(torus(), self.path("in.ply"))
+        both = ("in.ply", "out.ply", "--auto-smooth", "on", "--smooth", 0.2)
+        self.fail_with(USAGE, *both, says="--auto-smooth has no effect; it needs --smooth 0\n")
+        said = self.succeed("smooth", "in.ply", "out.ply", "--measure", "off").stdout
+        self.assertIn("of a binary segmentation (--smooth smooths it anyway)\n", said)
+
     def test_texts_end_with_success(self):
         for flag, says in (("--version", "bonedecimate "), ("--options-markdown", "| `Mode` |"), ("--help", "Usage:")):
             completed = self.run_program(flag)
