@@ -44,6 +44,8 @@ public:
     const StageClock clock;
     Options options = this->Requested.Run;
     options.MaximumError = error;
+    const bool isLimited = error > 0.0 || this->Requested.Inputs.Tolerances != nullptr;
+    options.AllowLargeError = options.AllowLargeError && isLimited; // alone it would be warned of
     Result result = error > 0.0
       ? Decimate(this->Input, options, this->Progress.Stage(from, to), this->Requested.Inputs)
       : this->PlainRun(options, from, to);

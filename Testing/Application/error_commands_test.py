@@ -34,6 +34,11 @@ class ErrorCommands(ApplicationTest):
         self.assertIn("no surface of so few triangles", completed.stdout)
         self.assertIsNone(self.report("t.json")["smallest_error_mm"])
 
+    def test_the_search_warns_of_no_option_that_it_sets_itself(self):
+        said = self.succeed("tolerance", "in.ply", "--triangles", 5000, "--mode", "fast", "--json", "t.json").stdout
+        self.assertNotIn("warning", said)
+        self.assertEqual(self.report("t.json")["warnings"], [])
+
     def test_curve_is_written_as_data_and_picture(self):
         files = ("--json", "c.json", "--csv", "c.csv", "--picture", "c.svg")
         self.succeed("curve", "in.ply", "--errors", "0.1,0.4,1.6", "--mode", "Fast", *files)
