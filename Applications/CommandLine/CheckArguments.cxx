@@ -12,6 +12,7 @@
 #include "MemoryArguments.h"
 #include "Options/IneffectiveOptions.h"
 #include "Options/OptionTable.h"
+#include "Options/Text.h"
 #include "SameFile.h"
 #include "SegmentOutput.h"
 #include "VoxelPieces.h"
@@ -140,6 +141,11 @@ void CheckBatch(const Arguments& arguments)
     "--intensities is for volumes, together with --iso");
   CheckFormat(arguments);
   std::error_code error;
+  Require(arguments.Inputs.size() == 1 || fs::exists(FilePath(arguments.Output), error) ||
+      !ParseFinite(arguments.Output),
+    "'" + arguments.Output +
+      "' is no folder; an option takes its value behind its name, for example --max-error " +
+      arguments.Output);
   Require(!fs::exists(FilePath(arguments.Output), error) ||
       fs::is_directory(FilePath(arguments.Output), error),
     "'" + arguments.Output + "' is a file; many bones need an output folder");

@@ -148,6 +148,11 @@ class Batch(ApplicationTest):
         self.path("kept.ply").mkdir()
         self.run_batch("bones", "kept.ply", "--target-triangles", 500)
 
+    def test_a_number_is_no_output_folder_of_several_inputs(self):
+        self.fail_with(USAGE, "bones/a.ply", "bones/b.stl", 0.5,
+                       says="'0.5' is no folder; an option takes its value behind its name, for example --max-error 0.5")
+        self.run_batch("bones", "0.5", "--target-triangles", 500)
+
     def test_misspelled_commands_are_no_inputs(self):
         for meant in ("certify", "diagnose", "Levels", "tolerance", "curve", "thesis"):
             word, meant = meant[:3] + meant[4:], meant.lower()  # a letter is missing
