@@ -7,6 +7,7 @@
 #include "FileNames.h"
 #include "FilePath.h"
 #include "FolderEntries.h"
+#include "Formats/FileChecks.h"
 #include "Formats/SurfaceFormat.h"
 #include "NamePattern.h"
 #include "Options/OptionTable.h"
@@ -234,10 +235,13 @@ void CheckThatThereAreBones(const std::vector<BatchBone>& bones, const Arguments
   const auto isBone = [](const BatchBone& bone) { return bone.IsBone(); };
   if (std::none_of(bones.begin(), bones.end(), isBone))
   {
-    throw Failure(ExitCode::InputRejected,
-      "'" + arguments.Inputs[0] + "' was rejected: no surface file is in it" +
-        (TakesVolumes(arguments) ? " and no volume" : ", and volumes need --iso HU or --segments") +
-        (arguments.Only.empty() ? "" : ", whose name matches --only '" + arguments.Only + "'"));
+    const std::string volumes =
+      TakesVolumes(arguments) ? "" : "; volumes need --iso HU or --segments";
+    const std::string kinds = TakesVolumes(arguments) ? "no surface or volume" : "no surface file";
+    Reject(arguments.Inputs[0],
+      arguments.Only.empty()
+        ? kinds + " is in it" + volumes
+        : kinds + " in it has a name that matches --only '" + arguments.Only + "'" + volumes);
   }
   const auto isVolume = [](const BatchBone& bone) { return bone.Volume; };
   if (arguments.Iso && std::none_of(bones.begin(), bones.end(), isVolume))

@@ -5,6 +5,7 @@
 #include "FileNames.h"
 #include "FilePath.h"
 #include "FlagNames.h"
+#include "Formats/FileChecks.h"
 #include "Formats/SurfaceFormat.h"
 
 #include "BoneVolume.h"
@@ -31,6 +32,16 @@ void Require(bool right, const std::string& message)
   if (!right)
   {
     throw Failure(ExitCode::Usage, message);
+  }
+}
+
+/// The first thing to say of a command line whose files are all misspelled.
+void RequireInput(const std::string& path)
+{
+  std::error_code error;
+  if (!fs::exists(FilePath(path), error))
+  {
+    Reject(path, path.back() == '/' ? "there is no such folder" : "there is no such file");
   }
 }
 
@@ -94,6 +105,10 @@ void CheckOneBone(const Arguments& arguments)
 {
   if (!WritesSegments(arguments))
   {
+    if (FindFormat(arguments.Output) == nullptr)
+    {
+      RequireInput(arguments.Inputs[0]);
+    }
     Require(!IsBlockFile(arguments.Output),
       "'" + arguments.Output +
         "' has a block for each segment of a label map; it needs --segments");

@@ -36,8 +36,8 @@ OutputFiles::OutputFiles(const Arguments& arguments)
   }
   const bool onlyForPage = arguments.Picture.empty() && !arguments.Page.empty();
   reserve(this->Heatmap, arguments.Heatmap);
+  reserve(this->Page, arguments.Page); // before the picture in it, whose name nobody gave
   reserve(this->Picture, onlyForPage ? arguments.Page + ".png" : arguments.Picture);
-  reserve(this->Page, arguments.Page);
   reserve(this->Report, arguments.Report);
 }
 

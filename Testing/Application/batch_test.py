@@ -114,7 +114,7 @@ class Batch(ApplicationTest):
         self.assertEqual(self.statuses(), {"below/b_left": "done"})
         self.run_batch("bones", "other", "--only", "below/*", "--target-triangles", 500)
         self.assertTrue(self.path("other/below/b_left.stl").exists())
-        self.fail_with(REJECTED, "bones", "none", "--only", "*.seg.nrrd", says="whose name matches --only '*.seg.nrrd'")
+        self.fail_with(REJECTED, "bones", "none", "--only", "*.seg.nrrd", says="'bones' was rejected: no surface file in it has a name that matches --only '*.seg.nrrd'; volumes need")
         self.fail_with(USAGE, "bones/a.ply", "a.ply", "--only", "a*", says="--only")
 
     def test_requested_work_that_fails_ends_with_its_code(self):

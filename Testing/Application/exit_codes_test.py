@@ -96,12 +96,18 @@ class ExitCodes(ApplicationTest):
                 self.fail_with(REJECTED, name, "out.vtp", says=says)
         self.fail_with(REJECTED, "thesis", "folder.ply", 100, 0.95, 0, says="folder")
 
+    def test_an_input_that_is_not_there_comes_before_the_name_of_the_output(self):
+        self.fail_with(REJECTED, "missing/", "o4", says="'missing/' was rejected: there is no such folder")
+        self.fail_with(REJECTED, "missing.ply", "o4", says="'missing.ply' was rejected: there is no such file")
+
     def test_unreadable_input_is_rejected(self):
         self.path("in.ply").chmod(0)
         self.fail_with(REJECTED, "in.ply", "out.vtp", says="ermission", preexec_fn=without_root_powers)
 
     def test_folder_that_takes_no_files(self):
         self.fail_with(NOT_WRITTEN, "in.ply", "nowhere/out.vtp", says="No such")
+        page = self.fail_with(NOT_WRITTEN, "in.ply", "out.vtp", "--page", "nowhere/p.html", says="'nowhere/p.html'")
+        self.assertNotIn("png", page.stderr)
         self.path("read-only").mkdir()
         self.path("read-only").chmod(0o555)
         self.fail_with(
