@@ -109,6 +109,9 @@ void CheckArguments(const Arguments& arguments);
 
 /// What the options that were given and have no effect need, a sentence each.
 std::vector<std::string> IneffectiveSentences(const Arguments& arguments);
+
+/// What the run does although other options may have been meant, a sentence each.
+std::vector<std::string> OptionWarnings(const Arguments& arguments);
 }
 
 #endif

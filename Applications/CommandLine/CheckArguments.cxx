@@ -239,6 +239,24 @@ std::vector<std::string> IneffectiveSentences(const Arguments& arguments)
   return sentences;
 }
 
+std::vector<std::string> OptionWarnings(const Arguments& arguments)
+{
+  const Options& options = arguments.Options;
+  const OptionInfo& error = *FindOption("MaximumError");
+  const OptionInfo& reduction = *FindOption("TargetReduction");
+  const bool isGiven = arguments.Given.count(error.Flag) > 0 && !arguments.HasTags;
+  const bool isLimited = options.ErrorPreset != ErrorPreset::NoPreset ||
+    !options.ToleranceArrayName.empty() || !arguments.Regions.empty();
+  if (!isGiven || options.MaximumError > 0.0 || options.TargetReductionIsExplicit ||
+    !options.EndsAtReduction(isLimited))
+  {
+    return {};
+  }
+  return { "--" + error.Flag + " 0 sets no largest error; the run ends at the default of --" +
+    reduction.Flag + ", " + OptionText(options, reduction) + ", and --" + reduction.Flag +
+    " 0 keeps every triangle" };
+}
+
 void CheckArguments(const Arguments& arguments)
 {
   const bool named = !arguments.Output.empty() &&
