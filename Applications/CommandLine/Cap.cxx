@@ -7,6 +7,7 @@
 #include "ExitCode.h"
 #include "FileNames.h"
 #include "FilterRun.h"
+#include "HelpFormatter.h"
 #include "Formats/SurfaceFormat.h"
 #include "Interruption.h"
 #include "JsonReport.h"
@@ -23,6 +24,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <string>
 
 namespace bonedecimate
 {
@@ -39,7 +41,22 @@ nlohmann::ordered_json Compose(
     { "open_loops", filter->GetNumberOfOpenLoops() }, { "warnings", warnings } };
 }
 
-void Tell(vtkBoneCap* filter, const std::vector<std::string>& warnings)
+/// Boundaries that another choice of --loops takes.
+std::vector<std::string> LoopWarnings(vtkBoneCap* filter)
+{
+  const auto open = static_cast<long long>(filter->GetNumberOfOpenLoops());
+  if (open == 0 || filter->GetLoops() == vtkBoneCap::AllLoops)
+  {
+    return {};
+  }
+  return { std::to_string(open) +
+    (open == 1 ? " boundary is at no plane where the surface ends and was"
+               : " boundaries are at no plane where the surface ends and were") +
+    " left open; --loops all closes others, too" };
+}
+
+void Tell(
+  vtkBoneCap* filter, const CapArguments& arguments, const std::vector<std::string>& warnings)
 {
   std::printf("caps      %lld, of %lld triangles and %.6g mm2; they are outside of every error "
               "bound and certificate\n",
@@ -48,6 +65,7 @@ void Tell(vtkBoneCap* filter, const std::vector<std::string>& warnings)
   std::printf("loops     %lld closed, %lld left open\n",
     static_cast<long long>(filter->GetNumberOfClosedLoops()),
     static_cast<long long>(filter->GetNumberOfOpenLoops()));
+  std::printf("written   %s\n", arguments.Files[1].c_str());
   std::fflush(stdout);
   PrintWarnings(warnings);
 }
@@ -87,6 +105,8 @@ void Run(const CapArguments& arguments)
   filter->SetLoops(arguments.Loops == "all" ? vtkBoneCap::AllLoops : vtkBoneCap::PlanarLoops);
   filter->SetPlaneTolerance(arguments.Tolerance.value_or(filter->GetPlaneTolerance()));
   AcceptMessages(UpdateFilter(filter, Progress::Hidden), arguments.Files[0], warnings);
+  const std::vector<std::string> ofLoops = LoopWarnings(filter);
+  warnings.insert(warnings.end(), ofLoops.begin(), ofLoops.end());
   const LengthUnit unit = UnitOfFile(arguments.Files[1], arguments.Unit);
   if (!format.HoldsDoubles && !loaded.IsSingle())
   {
@@ -102,7 +122,7 @@ void Run(const CapArguments& arguments)
   file.Commit();
   if (!arguments.Quiet)
   {
-    Tell(filter, warnings);
+    Tell(filter, arguments, warnings);
   }
 }
 }
@@ -117,8 +137,8 @@ void AddCapCommand(CLI::App& program)
   AddSurfaces(command, arguments->Files, "Input and output");
   command
     .add_option("--loops", arguments->Loops,
-      "planes: boundaries at planes where the surface ends, as at the edge of a scan. all: all "
-      "others, too.")
+      WrappedHelp("planes: boundaries at planes where the surface ends, as at the edge of a scan. "
+                  "all: all others, too. Default planes."))
     ->type_name("planes|all")
     ->check(OneOf("planes|all"));
   AddNumber(command,

@@ -53,6 +53,22 @@ class Cap(ApplicationTest):
         write(tube(), self.path("in.ply"))
         self.assertIn("outside of every error bound", self.succeed("cap", "in.ply", "out.ply").stdout)
 
+    def test_boundaries_that_are_left_open_name_the_option_that_closes_them(self):
+        surface = tube()
+        points = surface.GetPoints()
+        for i in range(points.GetNumberOfPoints()):  # both ends curved
+            x, y, z = points.GetPoint(i)
+            points.SetPoint(i, x, y + 0.02 * x * x * (1 if y > 0 else -1), z)
+        write(surface, self.path("in.ply"))
+        said = self.succeed("cap", "in.ply", "out.ply", "--json", "c.json").stdout
+        says = "2 boundaries are at no plane where the surface ends and were left open; --loops all closes others, too"
+        self.assertIn(f"written   out.ply\nwarning: {says}\n", said)
+        self.assertEqual(self.report("c.json")["warnings"], [says])
+        said = self.succeed("cap", "in.ply", "out.ply", "--loops", "all").stdout
+        self.assertIn("2 closed, 0 left open\nwritten   out.ply\n", said)
+        self.assertNotIn("warning", said)
+        self.assertIn("Default planes.", self.succeed("cap", "--help").stdout)
+
     def test_units_change_nothing_but_the_numbers_of_the_file(self):
         write(tube(), self.path("in.ply"))
         found = self.cap("in.ply", "out.ply", "--unit", "cm")
