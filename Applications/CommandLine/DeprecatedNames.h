@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DeprecatedNames.h
- * @brief Names of 0.1 development versions that still work for one release. The next release deletes this file and its two calls.
+ * @brief Names of 0.1 development versions that still work for one release. The next release deletes this file and its calls.
  */
 #ifndef BoneDecimate_Applications_DeprecatedNames_h
 #define BoneDecimate_Applications_DeprecatedNames_h

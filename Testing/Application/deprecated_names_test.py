@@ -33,6 +33,20 @@ class DeprecatedNames(ApplicationTest):
                 self.warn(words[0].split("=")[0], current[0], "in.ply", "old.ply", "--quiet", *words)
                 self.assertEqual(self.path("old.ply").read_bytes(), expected)
 
+    def test_keys_of_configuration_files(self):
+        self.path("old.toml").write_text("target-faces = 700\n[profiles.p]\nkeep-clearance = false\nmax-error = 0.2\n", encoding="ascii")
+        for words, old, current, says in (
+            ((), "--target-faces", ("--target-triangles", 700), {"target-triangles": "700"}),
+            (("--profile", "p"), "--target-faces", ("--target-triangles", 700, "--max-error", 0.2, "--intersection-guard", "off"),
+             {"target-triangles": "700", "max-error": "0.2", "intersection-guard": "off"}),
+        ):
+            expected = self.result(*current)
+            completed = self.run_program("in.ply", "old.ply", "--quiet", "--config", "old.toml", "--report", "report.json", *words)
+            self.assertEqual(completed.returncode, DONE, completed.stderr)
+            self.assertIn(f"{old} is deprecated and will be removed in the next release; use {current[0]}\n", completed.stderr)
+            self.assertEqual(self.report()["settings"]["options"], says)
+            self.assertEqual(self.path("old.ply").read_bytes(), expected)
+
     def test_flag_of_the_certificate(self):
         self.warn("--no-borders", "--no-boundaries", "certify", "in.ply", "in.ply", "--no-borders")
 

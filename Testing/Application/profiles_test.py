@@ -53,7 +53,8 @@ class Profiles(ApplicationTest):
         config = self.config("""# ours
             max-error = 0.4   # mm
             measure = false
-            region = ["sphere:28,0,0,9=0", "rest=0.2"]
+            region = ["sphere:28,0,0,9=0",
+                      "rest=0.2"]
             quiet = true
             [levels]
             errors = [0.1, 0.2]
@@ -87,6 +88,11 @@ class Profiles(ApplicationTest):
         self.fail_with(USAGE, *run, "--profile", "pront", says="'pront' is none of planning, print, FEM, web; did you mean print?")
         self.fail_with(USAGE, *run, "--config", "no.toml", says="'no.toml' could not be read")
         for text, says in (
+            ("mode = Fast\n\nmax-error 0.4\n", "'ours.toml' has in line 3 'max-error 0.4', which is neither KEY = VALUE nor a [SECTION]"),
+            ('{"max-error": 0.4}', "has in line 1 '{\"max-error\": 0.4}', which is neither KEY = VALUE"),
+            ("{", "in line 1 '{', which"),
+            ("quiet", "in line 1 'quiet', which"),
+            ("[levels", "in line 1 '[levels', which"),
             ("max-eror = 1", "'ours.toml' has 'max-eror', which is no option of decimate that a file can set; did you mean max-error?"),
             ("[levels]\niso = 1", "'iso' of [levels], which is no option of levels"),
             ("[profiles]\nmode = 1", "options go into [profiles.NAME]"),

@@ -3,9 +3,11 @@
 #include "Settings/ConfigurationFile.h"
 
 #include "CommandLine.h"
+#include "DeprecatedNames.h"
 #include "ExitCode.h"
 #include "FileNames.h"
 #include "FilePath.h"
+#include "Formats/FileChecks.h"
 #include "NearestWord.h"
 
 #include <CLI/CLI.hpp>
@@ -27,6 +29,40 @@ const std::string ProfilesSection = "profiles";
   throw Failure(ExitCode::Usage, "'" + BaseName(file) + "' " + sentence);
 }
 
+/// CLI11 takes a line without an equals sign for a switch that is on, and its points for sections.
+void RequireKeysAndValues(const std::string& path, std::istream& stream)
+{
+  bool isInArray = false; // of several lines
+  int number = 0;
+  for (std::string line; std::getline(stream, line);)
+  {
+    ++number;
+    const std::string whole = CLI::detail::trim_copy(line);
+    const bool isComment = whole.rfind(';', 0) == 0;
+    const std::string text =
+      isComment ? "" : CLI::detail::trim_copy(whole.substr(0, whole.find('#')));
+    const std::size_t equals = text.find('=');
+    const bool isSection = !text.empty() && text.front() == '[' && text.back() == ']';
+    const bool isPair = equals != std::string::npos && equals > 0;
+    if (!isInArray && !text.empty() && !isSection && !isPair)
+    {
+      Fail(path,
+        "has in line " + std::to_string(number) + " '" + PrintableText(text) +
+          "', which is neither KEY = VALUE nor a [SECTION]");
+    }
+    const std::string value =
+      isPair && !isInArray ? CLI::detail::trim_copy(text.substr(equals + 1)) : text;
+    const bool begins = !isInArray && isPair && value.size() > 1 && value.front() == '[';
+    isInArray = (isInArray || begins) && (value.empty() || value.back() != ']');
+  }
+}
+
+/// Deprecated keys are those of deprecated flags.
+std::string CurrentKey(const std::string& key)
+{
+  return WithCurrentNames({ "--" + key }).front().substr(2);
+}
+
 std::vector<CLI::ConfigItem> ItemsOf(const std::string& path)
 {
   std::error_code error;
@@ -35,10 +71,17 @@ std::vector<CLI::ConfigItem> ItemsOf(const std::string& path)
   {
     Fail(path, "could not be read");
   }
+  RequireKeysAndValues(path, stream);
+  stream.clear();
+  stream.seekg(0);
   std::vector<CLI::ConfigItem> items = CLI::ConfigTOML().from_config(stream);
   items.erase(std::remove_if(items.begin(), items.end(),
                 [](const CLI::ConfigItem& item) { return item.name == "++" || item.name == "--"; }),
     items.end());
+  for (CLI::ConfigItem& item : items)
+  {
+    item.name = CurrentKey(item.name);
+  }
   return items;
 }
 
