@@ -104,7 +104,8 @@ void Run(const CapArguments& arguments)
   filter->SetInputData(loaded.Surface);
   filter->SetLoops(arguments.Loops == "all" ? vtkBoneCap::AllLoops : vtkBoneCap::PlanarLoops);
   filter->SetPlaneTolerance(arguments.Tolerance.value_or(filter->GetPlaneTolerance()));
-  AcceptMessages(UpdateFilter(filter, Progress::Hidden), arguments.Files[0], warnings);
+  AcceptMessages(
+    UpdateFilter(filter, Progress::Hidden), arguments.Files[0], warnings, arguments.Unit);
   const std::vector<std::string> ofLoops = LoopWarnings(filter);
   warnings.insert(warnings.end(), ofLoops.begin(), ofLoops.end());
   const LengthUnit unit = UnitOfFile(arguments.Files[1], arguments.Unit);

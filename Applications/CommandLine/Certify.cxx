@@ -127,7 +127,7 @@ public:
         "'" + BaseName(this->Requested.Files[0]) + "' and '" + BaseName(this->Requested.Files[1]) +
           "' were rejected: " + (messages.Errors.empty() ? problem : messages.Errors.front()));
     }
-    AcceptMessages(messages, this->Requested.Files[1], this->Warnings);
+    AcceptMessages(messages, this->Requested.Files[1], this->Warnings, this->Requested.Unit);
   }
 
   void Write() const

@@ -103,7 +103,7 @@ public:
     }
     const VtkMessages messages = UpdateFilter(
       this->Filter, this->Requested.Quiet ? Progress::Hidden : Progress::Bar, "searching");
-    AcceptMessages(messages, this->Requested.Files[0], this->Warnings);
+    AcceptMessages(messages, this->Requested.Files[0], this->Warnings, this->Requested.Unit);
   }
 
   void Write()

@@ -38,15 +38,15 @@ VtkMessages UpdateFilter(vtkAlgorithm* filter, Progress progress, const std::str
   return TakeVtkMessages();
 }
 
-void AcceptMessages(
-  const VtkMessages& messages, const std::string& source, std::vector<std::string>& warnings)
+void AcceptMessages(const VtkMessages& messages, const std::string& source,
+  std::vector<std::string>& warnings, const LengthUnit& unit)
 {
   if (!messages.Errors.empty())
   {
-    Reject(source, WithUnitHint(messages.Errors.front()));
+    Reject(source, WithUnitHint(messages.Errors.front(), source, unit));
   }
-  std::transform(
-    messages.Warnings.begin(), messages.Warnings.end(), std::back_inserter(warnings), WithUnitHint);
+  std::transform(messages.Warnings.begin(), messages.Warnings.end(), std::back_inserter(warnings),
+    [&](const std::string& warning) { return WithUnitHint(warning, source, unit); });
 }
 
 void PrintWarnings(const std::vector<std::string>& warnings)

@@ -34,10 +34,11 @@ VtkMessages UpdateFilter(
 /**
  * Appends the warnings.
  * @param source The file to name if there is an error.
+ * @param unit The requested one of its coordinates.
  * @throws Failure(ExitCode::InputRejected) with the first error.
  */
-void AcceptMessages(
-  const VtkMessages& messages, const std::string& source, std::vector<std::string>& warnings);
+void AcceptMessages(const VtkMessages& messages, const std::string& source,
+  std::vector<std::string>& warnings, const LengthUnit& unit = {});
 
 void PrintWarnings(const std::vector<std::string>& warnings);
 }

@@ -178,13 +178,17 @@ vtkSmartPointer<vtkPolyData> FromMillimeters(
     [&originals](const Position& position) { return originals.Find(position); });
 }
 
-std::string WithUnitHint(std::string message)
+std::string WithUnitHint(std::string message, const std::string& source, const LengthUnit& unit)
 {
   const std::string doubt = "may not be in millimeters";
   const std::string option = "--allow-large-error";
-  if (message.find(doubt) != std::string::npos)
+  const SurfaceFormat* const format = FindFormat(source);
+  const bool takesUnit = format != nullptr && !format->NamesUnit;
+  if (const std::size_t at = message.find(doubt); at != std::string::npos && takesUnit)
   {
-    message.insert(message.find(doubt) + doubt.size(), ", --unit tells their unit");
+    message.replace(at, doubt.size(),
+      unit.IsMillimeter() ? doubt + ", --unit tells their unit"
+                          : "may not be in the unit of --unit, " + unit.Name);
   }
   if (const std::size_t at = message.find(option); at != std::string::npos)
   {

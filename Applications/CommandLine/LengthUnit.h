@@ -72,8 +72,12 @@ vtkSmartPointer<vtkPolyData> ToMillimeters(vtkPolyData* surface, const LengthUni
 vtkSmartPointer<vtkPolyData> FromMillimeters(
   vtkPolyData* surface, const LengthUnit& unit, bool toSingle, vtkPolyData* input);
 
-/// The message, with --unit and --allow-large-error named where it doubts that coordinates are in millimeters.
-std::string WithUnitHint(std::string message);
+/**
+ * The message, with --unit and --allow-large-error named where it doubts that coordinates are in millimeters.
+ * @param source The file that it is about; one that names its unit takes no --unit.
+ * @param unit That was requested.
+ */
+std::string WithUnitHint(std::string message, const std::string& source, const LengthUnit& unit);
 }
 
 #endif

@@ -230,7 +230,8 @@ private:
   /// @param source The file that an error is about.
   void Update(const std::string& source, Progress progress)
   {
-    AcceptMessages(UpdateFilter(this->Filter, progress, "simplifying"), source, this->Warnings);
+    AcceptMessages(UpdateFilter(this->Filter, progress, "simplifying"), source, this->Warnings,
+      this->Requested.Unit);
   }
 
   void WriteLevel(int triangles, double error, std::list<StagedFile>& files)

@@ -124,7 +124,7 @@ public:
       UpdateFilter(this->Filter, ProgressOf(this->Requested), "simplifying");
     this->AcceptProof(messages);
     this->RequireTriangles(messages);
-    AcceptMessages(messages, this->Path, this->Subject.Warnings);
+    AcceptMessages(messages, this->Path, this->Subject.Warnings, this->Requested.Unit);
     this->TakeResult();
   }
 

@@ -34,6 +34,7 @@ class Commands(ApplicationTest):
         self.assertEqual(report["output"]["triangles"], report["input"]["triangles"])
         self.assertLessEqual(report["proof"]["upper"], 0.1)
         self.assertGreater(report["smoothing"]["largest_displacement"], 0)
+        self.assertEqual(report["stop_sentence"], "No triangle was to be removed.")
         self.assertIn("was not smoothed", self.succeed("smooth", "in.ply", "same.ply").stdout)
         self.succeed("in.ply", "a.ply", "--smooth", "auto", "--target-triangles", 700)
         self.succeed("smooth", "in.ply", "kept.ply", "--smooth", 0.1, "--feature-angle", 10, "--report", "report.json")

@@ -67,6 +67,10 @@ class Units(ApplicationTest):
             self.succeed(*words, "--allow-large-error", "on")
             self.succeed(*words, "--unit", "m")
             self.path("new.ply").unlink(missing_ok=True)
+        write(torus(), self.path("large.ply"))
+        said = self.succeed("large.ply", "out.ply", "--unit", "m", "--target-triangles", 500, *UNMEASURED).stdout
+        self.assertIn("may not be in the unit of --unit, m\n", said)
+        self.assertNotIn("--unit tells", said)
         self.assertIn("--unit", self.succeed("diagnose", "bone.ply").stdout)
         self.assertNotIn("--unit", self.succeed("diagnose", "bone.ply", "--unit", "m").stdout)
         self.assertNotIn("warning", self.succeed("bone.ply", "out.ply", "--unit", "m", *UNMEASURED).stdout)

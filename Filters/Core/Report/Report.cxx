@@ -146,7 +146,7 @@ const char* StopReasonSentence(StopReason reason)
 {
   static const char* const sentences[] = { "Nothing was run.",
     "The requested number of triangles was reached.", "The requested largest error was reached.",
-    "The input already had no more triangles than requested.",
+    "No triangle was to be removed.",
     ("No further collapse is allowed: it would change the topology, a boundary, a fragment or "
      "constrained vertices."),
     "The run was aborted; the surface is valid but larger than requested.",
