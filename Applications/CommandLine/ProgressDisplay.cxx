@@ -34,11 +34,11 @@ std::string TimeLeftText(double seconds, double fraction)
 }
 
 ProgressDisplay::ProgressDisplay(Progress progress)
-  : Shown(progress == Progress::Hidden ? Form::None
+  : Shown(progress == Progress::Hidden ? Form::Hidden
         : progress == Progress::Tags   ? Form::Tags
         : isatty(STDERR_FILENO) == 1   ? Form::Bar
         : progress == Progress::Lines  ? Form::Lines
-                                       : Form::None)
+                                       : Form::Hidden)
 {
 }
 
@@ -57,7 +57,7 @@ void ProgressDisplay::Show(double fraction)
 {
   const int percent = std::clamp(static_cast<int>(fraction * 100.0), 0, 100);
   const int step = this->Shown == Form::Lines ? PercentOfALine : 1;
-  if (this->Shown == Form::None || (this->Percent >= 0 && percent / step == this->Percent / step))
+  if (this->Shown == Form::Hidden || (this->Percent >= 0 && percent / step == this->Percent / step))
   {
     return;
   }

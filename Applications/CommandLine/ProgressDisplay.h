@@ -41,7 +41,7 @@ public:
 private:
   enum class Form
   {
-    None,
+    Hidden,
     Bar,
     Lines,
     Tags
