@@ -192,8 +192,8 @@ private:
     this->TellDirection("reference_to_result", "reference -> result  ");
     this->TellDirection("result_to_reference", "result -> reference  ");
     const std::string boundaries = this->Filter->GetReportText("boundaries");
-    this->TellDirection("boundary_reference_to_result", "boundary ref. -> res.");
-    this->TellDirection("boundary_result_to_reference", "boundary res. -> ref.");
+    this->TellDirection("boundary_reference_to_result", "boundary ref -> res  ");
+    this->TellDirection("boundary_result_to_reference", "boundary res -> ref  ");
     if (boundaries == "reference_only" || boundaries == "result_only")
     {
       std::cout << "boundaries           only the "
@@ -244,6 +244,16 @@ private:
     }
   }
 
+  /// Before the tolerance.
+  std::string StatusText() const
+  {
+    const std::string word = this->Filter->GetStatusAsString();
+    return word +
+      (this->Filter->GetStatus() == vtkBoneSurfaceDistance::VIOLATED      ? ", not <= "
+          : this->Filter->GetStatus() == vtkBoneSurfaceDistance::UNDECIDED ? " whether <= "
+                                                                           : " <= ");
+  }
+
   void TellStatus() const
   {
     const std::string map = this->Requested.ToleranceArray.empty()
@@ -253,7 +263,7 @@ private:
       this->Requested.Tolerance ? FixedText(*this->Requested.Tolerance, 6) + " mm" : "";
     if (this->Filter->GetStatus() != vtkBoneSurfaceDistance::NOT_ASKED)
     {
-      std::cout << "tolerance            " << this->Filter->GetStatusAsString() << " <= " << map
+      std::cout << "tolerance            " << this->StatusText() << map
                 << (map.empty() || number.empty() ? "" : " and ") << number << "\n";
     }
   }
@@ -301,6 +311,7 @@ void Check(const CLI::App& command, const CertifyArguments& arguments)
   std::vector<std::string> read = arguments.Files;
   read.push_back(arguments.Map.Path);
   RequireDistinct({ arguments.Page, arguments.Json }, read);
+  RequireExtension("--page", arguments.Page, { "html", "htm" });
 }
 
 ExitCode Run(const CertifyArguments& arguments)

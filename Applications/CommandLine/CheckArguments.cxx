@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arguments.h"
+#include "CommonOptions.h"
 #include "FileGrid.h"
 #include "FileNames.h"
 #include "FilePath.h"
@@ -119,6 +120,8 @@ void CheckOneBone(const Arguments& arguments)
   {
     RequireSurfaceFormat("--also", file);
   }
+  RequireExtension("--report", arguments.Report, { "json" });
+  RequireExtension("--page", arguments.Page, { "html", "htm" });
   const SurfaceFormat* const heatmap = FindFormat(arguments.Heatmap);
   Require(arguments.Heatmap.empty() || (heatmap != nullptr && heatmap->HoldsArrays),
     "--heatmap '" + arguments.Heatmap + "' needs an extension whose format holds arrays: " +

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CommonOptions.h"
 
+#include "CountText.h"
 #include "ExitCode.h"
+#include "FileNames.h"
 #include "Formats/SurfaceFormat.h"
 #include "HelpFormatter.h"
 #include "Options/Text.h"
@@ -160,8 +162,19 @@ void RequireFiles(const CLI::App& command, const std::vector<std::string>& files
   if (files.size() != count)
   {
     throw Failure(ExitCode::Usage,
-      command.get_name() + " takes " + what + "; there are " + std::to_string(files.size()) +
-        " files");
+      command.get_name() + " takes " + what + "; " + ThereAreText(files.size(), "file"));
+  }
+}
+
+void RequireExtension(
+  const std::string& flag, const std::string& path, const std::vector<std::string>& extensions)
+{
+  const std::string extension = ExtensionOf(path);
+  if (!extension.empty() &&
+    std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
+  {
+    throw Failure(
+      ExitCode::Usage, flag + " '" + path + "' needs the extension " + extensions.front());
   }
 }
 

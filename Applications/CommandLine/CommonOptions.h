@@ -67,6 +67,11 @@ void AddSurfaces(CLI::App& app, std::vector<std::string>& files, const std::stri
 void RequireFiles(const CLI::App& command, const std::vector<std::string>& files, std::size_t count,
   const std::string& what);
 
+/// Rejects the name of a file of another kind; a name without an extension is accepted.
+/// @param extensions The first is the one to name. @throws Failure(ExitCode::Usage)
+void RequireExtension(
+  const std::string& flag, const std::string& path, const std::vector<std::string>& extensions);
+
 /// Adds --mode. @param choices Separated by bars.
 void AddMode(CLI::App& app, std::string& mode, const std::string& choices, const char* help);
 

@@ -6,6 +6,7 @@
 #include "Batch.h"
 #include "CommandLine.h"
 #include "CommonOptions.h"
+#include "CountText.h"
 #include "Explain/Explain.h"
 #include "FilePath.h"
 #include "HelpFormatter.h"
@@ -58,8 +59,8 @@ void SetThesisWords(Arguments& arguments, const std::vector<std::string>& words)
   if (words.size() < 4 || words.size() > 5)
   {
     throw Failure(ExitCode::Usage,
-      "thesis takes INPUT.obj numbFaces tolerance errorThreshold [OUTPUT.obj]; there are " +
-        std::to_string(words.size()) + " words");
+      "thesis takes INPUT.obj numbFaces tolerance errorThreshold [OUTPUT.obj]; " +
+        ThereAreText(words.size(), "word"));
   }
   for (std::size_t i = 0; i < ThesisNumbers.size(); ++i)
   {

@@ -5,6 +5,7 @@
 #include "BoundText.h"
 #include "CommandLine.h"
 #include "CommonOptions.h"
+#include "CountText.h"
 #include "CurvePicture.h"
 #include "FileNames.h"
 #include "FilterOptions.h"
@@ -169,13 +170,15 @@ private:
     const double error = this->Value(row, "MaximumError");
     std::cout << (error > 0.0 ? "at most " + FixedText(error, BoundDecimals) + " mm"
                               : "by number alone    ")
-              << "  " << GroupedText(this->Value(row, "Triangles")) << " triangles, proved <= "
+              << "  " << CountText(static_cast<std::int64_t>(this->Value(row, "Triangles")), "triangle")
+              << ", proved <= "
               << UpperBoundText(this->Value(row, "ProvedError"), BoundDecimals) << " mm, "
               << GroupedText(this->Value(row, "Seconds"), 1) << " s";
     if (this->HasVoxels())
     {
-      std::cout << ", " << GroupedText(this->Value(row, "ChangedVoxels"))
-                << " voxels have another label";
+      const auto changed = static_cast<std::int64_t>(this->Value(row, "ChangedVoxels"));
+      std::cout << ", " << CountText(changed, "voxel")
+                << (changed == 1 ? " has another label" : " have another label");
     }
     std::cout << "\n";
   }

@@ -19,7 +19,7 @@ const std::vector<std::pair<ExitCode, std::string>>& ExitCodeMeanings()
       "to be kept and that no voxel changed. tolerance: no surface "
       "has so few triangles. Otherwise: the certificate contradicts the requested largest error, a "
       "defect" },
-    { ExitCode::Undecided, "neither could be proved" },
+    { ExitCode::Undecided, "the certificate could prove neither that the tolerance is kept nor that it is violated" },
   };
   return codes;
 }

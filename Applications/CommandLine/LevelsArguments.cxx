@@ -74,6 +74,7 @@ void CheckPage(const LevelsArguments& arguments)
     throw Failure(
       ExitCode::Usage, "--page compares levels with INPUT, and --on puts them on another surface");
   }
+  RequireExtension("--page", arguments.Page, { "html", "htm" });
 }
 
 /// What the formats of input and output do not have.

@@ -3,6 +3,7 @@
 #include "LevelsCommand.h"
 
 #include "BoundText.h"
+#include "CountText.h"
 #include "FileGrid.h"
 #include "FileNames.h"
 #include "FilePath.h"
@@ -156,7 +157,7 @@ public:
     }
     for (int mark = 0; mark < this->Filter->GetNumberOfMarks(); ++mark)
     {
-      std::cout << GroupedText(this->Filter->GetMarkTriangles(mark)) << " triangles";
+      std::cout << CountText(this->Filter->GetMarkTriangles(mark), "triangle");
       if (!std::isnan(this->Filter->GetMarkLargestDistance(mark)))
       {
         std::cout << ", largest distance "
@@ -166,8 +167,8 @@ public:
       }
       const vtkTypeInt64 changed = this->Filter->GetMarkChangedVoxels(mark);
       std::cout << (changed < 0 ? ""
-                                : ", " + GroupedText(static_cast<double>(changed)) +
-                         " voxels have another label")
+                                : ", " + CountText(changed, "voxel") +
+                         (changed == 1 ? " has another label" : " have another label"))
                 << "\n";
     }
     for (const std::string& name : this->Written)

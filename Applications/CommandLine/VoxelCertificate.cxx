@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VoxelCertificate.h"
 
+#include "CountText.h"
 #include "FilterRun.h"
 #include "NumberText.h"
 
@@ -91,7 +92,8 @@ void VoxelCertificate::Print() const
   vtkBoneVoxelCheck* check = this->Check;
   const auto count = [](vtkTypeInt64 number) { return GroupedText(static_cast<double>(number)); };
   std::cout << "voxels               " << count(check->GetNumberOfChangedVoxels()) << " of "
-            << count(check->GetNumberOfComparedVoxels()) << " have another label";
+            << count(check->GetNumberOfComparedVoxels())
+            << (check->GetNumberOfChangedVoxels() == 1 ? " has" : " have") << " another label";
   if (this->IsViolated())
   {
     int first[3];
@@ -103,7 +105,7 @@ void VoxelCertificate::Print() const
   {
     std::string name = (i == check->GetNumberOfLabels() - 1 ? "" : "label ") + NameOf(check, i);
     name.resize(std::max<std::size_t>(name.size(), 20), ' ');
-    std::cout << name << " " << count(check->GetNumberOfVoxels(i)) << " voxels, "
+    std::cout << name << " " << CountText(check->GetNumberOfVoxels(i), "voxel") << ", "
               << count(check->GetNumberOfLostVoxels(i)) << " lost, "
               << count(check->GetNumberOfGainedVoxels(i)) << " gained\n";
   }

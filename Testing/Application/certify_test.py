@@ -47,9 +47,12 @@ class Certify(ApplicationTest):
     def test_without_a_tolerance_is_done_when_it_knows_the_bounds(self):
         completed = self.succeed("certify", "a.ply", "b.ply")
         self.assertIn("0.249999999 to 0.250000001 mm", completed.stdout)
+        self.assertRegex(completed.stdout, r"(?m)^boundary ref -> res  \d")
+        self.assertRegex(completed.stdout, r"(?m)^boundary res -> ref  \d")
 
     def test_ends_with_a_code_for_each_status(self):
-        for tolerance, code, word in ((0.26, 0, "proved"), (0.24, VIOLATED, "violated"), (0.25, UNDECIDED, "undecided")):
+        for tolerance, code, word in ((0.26, 0, "proved <= 0.260000 mm\n"), (0.24, VIOLATED, "violated, not <= 0.240000 mm\n"),
+                                      (0.25, UNDECIDED, "undecided whether <= 0.250000 mm\n")):
             completed = self.certify("--tolerance", tolerance)
             self.assertEqual(completed.returncode, code)
             self.assertIn(word, completed.stdout)

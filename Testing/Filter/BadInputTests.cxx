@@ -131,7 +131,7 @@ TEST(BadInput, AHugeIdIsRejectedNotWrappedAround)
   vtkSmartPointer<vtkPolyData> polyData = GridPoints();
   polyData->SetPolys(Cells({ { 0, 1, 3 }, { 0, 1, (vtkIdType(1) << 32) + 3 } }));
   FilterRun run(polyData);
-  ExpectRejected(run, { "1 triangles", "triangle 1 " });
+  ExpectRejected(run, { "1 triangle has", "triangle 1 " });
 }
 
 TEST(BadInput, APolygonOfAPointThatIsNotThereIsRejectedWithItsNumber)
@@ -155,7 +155,7 @@ TEST(BadInput, CellsWithoutAnyPointsAreRejected)
   vtkNew<vtkPolyData> polyData;
   polyData->SetPolys(Cells({ { 0, 1, 2 } }));
   FilterRun run(polyData);
-  ExpectRejected(run, { "1 triangles", "triangle 0", "0 points" });
+  ExpectRejected(run, { "1 triangle has", "triangle 0", "0 points" });
 }
 
 TEST(BadInput, ALineOfAPointThatIsNotThereIsLeftOutAloud)

@@ -211,9 +211,9 @@ TEST(BoneVoxelCheck, RejectsPointsAndTrianglesThatCannotBeVoxelized)
   };
   EXPECT_EQ(errorOf(1.0, -1), "");
   EXPECT_NE(
-    errorOf(1.0, 1000000).find("1 triangles have point indices out of range"), std::string::npos);
+    errorOf(1.0, 1000000).find("1 triangle has point indices out of range"), std::string::npos);
   EXPECT_NE(
-    errorOf(std::nan(""), -1).find("1 points have NaN or infinite coordinates"), std::string::npos);
+    errorOf(std::nan(""), -1).find("1 point has NaN or infinite coordinates"), std::string::npos);
   EXPECT_NE(errorOf(1e31, -1).find("beyond 1e30"), std::string::npos);
   EXPECT_NE(errorOf(1e6, -1).find("farther than 65536 voxels"), std::string::npos);
 }

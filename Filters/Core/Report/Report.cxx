@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -24,10 +25,33 @@ constexpr double LabelChangeToTell = 0.01;
 constexpr double DistanceToTell = 0.05;
 constexpr double RatioToTell = 10.0;
 
+/// "point has NaN" for "points have NaN".
+std::string InSingular(std::string text)
+{
+  text.erase(text.find("s "), 1);
+  for (const auto& [plural, singular] : { std::pair(" have ", " has "), std::pair(" were ", " was "),
+         std::pair(" stay where they are ", " stays where it is ") })
+  {
+    const std::size_t at = text.find(plural);
+    if (at != std::string::npos)
+    {
+      return text.replace(at, std::string(plural).size(), singular);
+    }
+  }
+  return text;
+}
+
+/// @param what Counted things in the plural, and what is the matter with them.
 std::string Found(std::int64_t count, const char* what, const char* kind, std::int64_t first)
 {
-  return std::to_string(count) + " " + what + ", the first is " + kind + " " +
-    std::to_string(first);
+  const std::string which = std::string(kind) + " " + std::to_string(first);
+  return count == 1 ? "1 " + InSingular(what) + ": " + which
+                    : std::to_string(count) + " " + what + ", the first is " + which;
+}
+
+std::string Counted(std::int64_t count, const std::string& noun)
+{
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 /// Names of arrays that are not computed are ignored, because ParaView's panel sets all of them.
@@ -209,8 +233,8 @@ std::string InputMessage(const Report& report)
     case InputStatus::Empty:
       return "the input is empty: no points and no triangles";
     case InputStatus::NoTriangles:
-      return "the input has no triangle with an area (" + std::to_string(found.PointsRead) +
-        " points, " + std::to_string(found.TrianglesRead) + " triangles)";
+      return "the input has no triangle with an area (" + Counted(found.PointsRead, "point") +
+        ", " + Counted(found.TrianglesRead, "triangle") + ")";
     case InputStatus::NonFinitePoints:
       return Found(found.NonFinitePoints, "points have NaN or infinite coordinates", "point",
         found.FirstNonFinitePoint);

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CountText.h
+ * @brief Counts in sentences.
+ */
+#ifndef BoneDecimate_Applications_CountText_h
+#define BoneDecimate_Applications_CountText_h
+
+#include "NumberText.h"
+
+#include <cstdint>
+#include <string>
+
+namespace bonedecimate
+{
+/// "1 voxel", "1,200 voxels". @param noun In the singular; its plural ends in s.
+inline std::string CountText(std::int64_t count, const std::string& noun)
+{
+  return GroupedText(static_cast<double>(count)) + " " + noun + (count == 1 ? "" : "s");
+}
+
+/// "there is 1 file", "there are 2 files"
+inline std::string ThereAreText(std::size_t count, const std::string& noun)
+{
+  return (count == 1 ? "there is " : "there are ") +
+    CountText(static_cast<std::int64_t>(count), noun);
+}
+}
+
+#endif
