@@ -24,8 +24,8 @@ void AddRunOptions(CLI::App& app, LevelsArguments& arguments)
   AddFile(app, "--record", "LOG", arguments.Record, "Write the log of the run.");
   AddNumber(app,
     { "--coarsest", "N", TriangleRange,
-      "Triangles of the coarsest level; default a tenth of the input's, or with --max-error as few "
-      "as that allows." },
+      "Triangles of the coarsest level; default a tenth of the input's or the least number of "
+      "--triangles, whichever is less, or with --max-error as few as that allows." },
     [&arguments](double value) { arguments.Coarsest = static_cast<int>(value); });
   AddMode(app, arguments.Mode, "Thesis|Fast|Balanced|Accurate", "Of the run, default Balanced.");
   AddNumber(app,

@@ -16,6 +16,7 @@
 #include "LevelsPageFile.h"
 #include "NumberText.h"
 #include "Options/NumberRange.h"
+#include "Options/Options.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"
 
@@ -29,6 +30,7 @@
 #include <fstream>
 #include <iostream>
 #include <list>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -67,7 +69,6 @@ public:
     : Requested(arguments)
   {
     this->Filter->SetMode(ModeNumber(arguments.Mode));
-    this->Filter->SetTargetNumberOfTriangles(arguments.Coarsest);
     this->Filter->SetMaximumError(arguments.MaximumError);
     this->Filter->SetAllowLargeError(arguments.AllowLargeError);
     this->Filter->SetMeasureDistances(!arguments.WithoutErrors);
@@ -80,6 +81,7 @@ public:
       this->ReadOne(this->Requested.Files[0]), this->Filter, this->Warnings));
     this->Filter->SetReferenceData(ReadReference(this->Requested.Input, this->Requested.Unit));
     ApplyVoxelArguments(this->Requested.Voxels, this->Filter, this->Warnings);
+    this->Filter->SetTargetNumberOfTriangles(this->Coarsest());
     this->SetGrid();
     if (this->Requested.MaximumError > 0.0)
     {
@@ -171,14 +173,34 @@ public:
                          (changed == 1 ? " has another label" : " have another label"))
                 << "\n";
     }
-    for (const std::string& name : this->Written)
+    for (const auto& [name, requests] : this->Written)
     {
-      std::cout << "wrote " << name << "\n";
+      std::cout << "wrote " << name << (requests.empty() ? "" : ": " + requests) << "\n";
+    }
+    if (this->Written.empty() && !this->Record)
+    {
+      std::cout << "wrote nothing: --triangles or --errors with --output writes levels, --record "
+                   "the log, --page a page\n";
     }
     PrintWarnings(this->Warnings);
   }
 
 private:
+  /// The run goes on to the smallest level that was requested by its number. 0: the default, or as few as the error allows.
+  int Coarsest() const
+  {
+    const std::vector<int>& requested = this->Requested.Triangles;
+    if (this->Requested.Coarsest > 0 || this->Requested.MaximumError > 0.0 || requested.empty())
+    {
+      return this->Requested.Coarsest;
+    }
+    const auto* const input = vtkPolyData::SafeDownCast(this->Filter->GetInput());
+    const int least = *std::min_element(requested.begin(), requested.end());
+    const auto byDefault = static_cast<double>(input->GetNumberOfPolys()) *
+      (1.0 - Options{}.TargetReduction);
+    return least < byDefault ? least : 0;
+  }
+
   vtkSmartPointer<vtkPolyData> ReadOne(const std::string& path)
   {
     const MillimeterSurface loaded = ReadInput(path, this->Requested.Unit, this->Warnings);
@@ -244,13 +266,20 @@ private:
     vtkPolyData* level = this->Filter->GetOutput();
     this->WarnOutOfReach(triangles, error, level->GetNumberOfPolys());
     const std::string name = NameOfLevel(this->Requested.Output, level->GetNumberOfPolys());
-    if (std::find(this->Written.begin(), this->Written.end(), name) == this->Written.end())
+    const std::string request = error > 0.0
+      ? "--errors " + NumberText(error)
+      : "--triangles " + std::to_string(triangles);
+    const auto written = std::find_if(this->Written.begin(), this->Written.end(),
+      [&name](const auto& one) { return one.first == name; });
+    if (written != this->Written.end())
     {
-      KeepSurfaces(this->Requested, name);
-      StagedFile& file = files.emplace_back(name);
-      WriteSurface(this->InFormat(level), file.GetTemporary(), file.GetTarget());
-      this->Written.push_back(name);
+      written->second += ", " + request;
+      return;
     }
+    KeepSurfaces(this->Requested, name);
+    StagedFile& file = files.emplace_back(name);
+    WriteSurface(this->InFormat(level), file.GetTemporary(), file.GetTarget());
+    this->Written.emplace_back(name, request);
   }
 
   void WritePage()
@@ -260,8 +289,15 @@ private:
       WriteLevelsPage(
         this->Filter, BaseName(this->Requested.Files[0]), *this->Page, this->Warnings);
       this->Page->Flush();
-      this->Written.push_back(this->Requested.Page);
+      this->Written.emplace_back(this->Requested.Page, "");
     }
+  }
+
+  std::string WhatEndedTheRun() const
+  {
+    return !this->Requested.Log.empty()  ? "where --coarsest or --max-error ended the run of the log"
+      : this->Requested.MaximumError > 0.0 ? "where --max-error ended the run"
+                                           : "where no edit was left to the run";
   }
 
   /// Warns where the log has another level than requested.
@@ -270,7 +306,8 @@ private:
     if (triangles > 0 && found > triangles)
     {
       this->Warnings.push_back("no level has as few as " + GroupedText(triangles) +
-        " triangles; the coarsest has " + GroupedText(static_cast<double>(found)));
+        " triangles; the coarsest has " + GroupedText(static_cast<double>(found)) + ", " +
+        this->WhatEndedTheRun());
     }
     bool isWithin = false;
     for (int mark = 0; mark < this->Filter->GetNumberOfMarks(); ++mark)
@@ -300,7 +337,7 @@ private:
 
   const LevelsArguments& Requested;
   std::vector<std::string> Warnings;
-  std::vector<std::string> Written;
+  std::vector<std::pair<std::string, std::string>> Written; // a file, and the requests it is for
   std::optional<StagedFile> Record;
   std::optional<StagedFile> Page;
   double GridStep = 0.0;               // mm; 0: none

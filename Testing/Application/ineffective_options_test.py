@@ -86,8 +86,10 @@ class IneffectiveOptions(ApplicationTest):
         output = ("--output", "level.ply")
         self.fail_with(USAGE, "levels", "in.ply", *output, "--triangles", "1200,400", "--coarsest", 1000,
                        says="--triangles 400 is out of reach; --coarsest ends the run at 1000")
-        said = self.succeed("levels", "in.ply", *output, "--triangles", 20, "--no-errors", "--record", "log").stdout
-        self.assertIn("warning: no level has as few as 20 triangles; the coarsest has 192\n", said)
+        said = self.succeed("levels", "in.ply", *output, "--triangles", 20, "--no-errors", "--max-error", 0.3, "--record", "log").stdout
+        self.assertRegex(said, "warning: no level has as few as 20 triangles; the coarsest has [0-9]+, where --max-error ended the run\n")
+        said = self.succeed("levels", "in.ply", *output, "--triangles", 20, "--log", "log").stdout
+        self.assertIn(", where --coarsest or --max-error ended the run of the log\n", said)
         said = self.succeed("levels", "in.ply", *output, "--errors", "1e-4").stdout
         self.assertIn("warning: no measured level is within 0.0001 mm; the input itself, 1,920 triangles, was written\n",
                       said)

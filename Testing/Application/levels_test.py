@@ -38,10 +38,22 @@ class Levels(ApplicationTest):
         lines = self.record().splitlines()
         self.assertRegex(lines[0], r"^1,\d\d\d triangles, largest distance 0\.\d{4} mm, mean 0\.\d{4} mm$")
         self.assertTrue(lines[-1].startswith("200 triangles, largest distance "))
-        self.assertEqual(self.succeed("levels", "in.ply", "--log", "in.levels").stdout.splitlines(), lines)
+        listed = self.succeed("levels", "in.ply", "--log", "in.levels").stdout.splitlines()
+        self.assertEqual((listed[:-1], listed[-1].split(":")[0]), (lines, "wrote nothing"))
         largest = float(lines[-1].split()[4]) + 1e-4
         words = ("--log", "in.levels", "--errors", largest, "--output", "near.stl")
-        self.assertIn("wrote near-200.stl\n", self.succeed("levels", "in.ply", *words).stdout)
+        self.assertIn(f"wrote near-200.stl: --errors {largest}\n", self.succeed("levels", "in.ply", *words).stdout)
+
+    def test_the_run_goes_on_to_the_least_number_that_is_requested(self):
+        said = self.succeed("levels", "in.ply", "--no-errors", "--triangles", "1000,100", "--output", "level.ply").stdout
+        self.assertIn("wrote level-1000.ply: --triangles 1000\nwrote level-100.ply: --triangles 100\n", said)
+        self.assertNotIn("warning", said)
+
+    def test_says_which_requests_a_file_is_for_and_that_nothing_was_written(self):
+        said = self.succeed("levels", "in.ply", "--no-errors", "--triangles", "1000,1000,200", "--output", "level.ply").stdout
+        self.assertIn("wrote level-1000.ply: --triangles 1000, --triangles 1000\nwrote level-200.ply", said)
+        said = self.succeed("levels", "in.ply", "--no-errors").stdout
+        self.assertTrue(said.endswith("wrote nothing: --triangles or --errors with --output writes levels, --record the log, --page a page\n"), said)
 
     def test_levels_go_onto_another_surface_of_the_same_triangles(self):
         self.record("--no-errors", "--quiet")
