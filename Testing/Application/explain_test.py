@@ -62,6 +62,25 @@ class Explain(ApplicationTest):
         for words in (("--explain",), ()):
             self.fail_with(REJECTED, "in.vtp", "out.vtp", "--edge-length", 8, "--edge-length-array", "none", *words, says="point array 'none'")
 
+    def test_what_the_run_rejects_after_reading_is_rejected_in_its_sentence(self):
+        write(torus(), self.path("in.ply"))
+        for words in (("--max-error", 200), ("--max-error", 1e-5), ("--labels", "foo"), ("--region", "rest=50"),
+                      ("--max-error", 1e-5, "--unit", "cm")):
+            with self.subTest(words):
+                run = self.fail_with(REJECTED, "in.ply", "out.vtp", *words)
+                explained = self.fail_with(REJECTED, "in.ply", "out.vtp", *words, "--explain")
+                self.assertEqual(explained.stderr, run.stderr)
+
+    def test_folders_that_are_not_there_and_what_is_not_checked(self):
+        said = self.explain("in.vtp", "no/out.vtp", "--report", "none/r.json", code=USAGE)["rejected"]
+        self.assertEqual(said, ["could not write 'no/out.vtp': there is no folder 'no'", "could not write 'none/r.json': there is no folder 'none'"])
+        self.assertEqual(self.explain("in.vtp", "out.vtp")["not checked"], ["whether the files can be written, and the memory"])
+        said = self.explain("in.vtp", "out.vtp", "--prune-size", 1, "--max-error", 0.1, "--reference", "in.vtp")["not checked"]
+        self.assertEqual(said[:2], ["the distance of the input to --reference", "whether anything is left after pruning"])
+        write(torus(), self.path("bones.stl"))
+        said = self.explain("in.vtp", "bones.stl", "small/")
+        self.assertTrue(said["not checked"][0].startswith("the surface: its size against the largest error"))
+
     def test_stages_follow_the_options(self):
         plain = self.explain("in.vtp", "out.vtp", "--mode", "Fast")["stages"]
         self.assertEqual(plain, ["clean, collapse, measure distances, write"])

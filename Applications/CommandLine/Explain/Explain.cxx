@@ -5,6 +5,7 @@
 #include "BatchPlan.h"
 #include "BoneVolume.h"
 #include "Explain/ExplainBound.h"
+#include "Explain/ExplainInput.h"
 #include "Explain/ExplainStages.h"
 #include "Explain/Explanation.h"
 #include "FilterRun.h"
@@ -103,6 +104,7 @@ void ExplainSurface(const Arguments& arguments, Explanation& explanation)
     ExplainBound(arguments, { loaded.Surface, loaded.InFile, 0.0 }, explanation);
   ExplainStages(arguments, options, triangles, explanation);
   ExplainOutputs(arguments, options.WritesSingle(loaded.IsSingle()), explanation);
+  ExplainUnchecked(arguments, true, explanation);
 }
 
 /// By its header: voxels are not read.
@@ -137,6 +139,7 @@ void ExplainVolume(const Arguments& arguments, Explanation& explanation)
   }
   ExplainStages(arguments, options, 0.0, explanation);
   ExplainOutputs(arguments, true, explanation);
+  ExplainUnchecked(arguments, false, explanation);
 }
 
 void ExplainBatch(const Arguments& arguments, Explanation& explanation)
@@ -158,6 +161,7 @@ void ExplainBatch(const Arguments& arguments, Explanation& explanation)
   }
   ExplainStages(arguments, options, 0.0, explanation);
   explanation.Add("writes", "'" + arguments.Output + "': surfaces, reports and summary.csv");
+  ExplainUnchecked(arguments, false, explanation);
 }
 
 /// What the run would be rejected for; options without effect all together.
@@ -174,7 +178,10 @@ std::vector<std::string> Problems(const Arguments& arguments)
     {
       problems.emplace_back(failure.what());
     }
+    return problems;
   }
+  const std::vector<std::string> ofFolders = MissingFolders(arguments);
+  problems.insert(problems.end(), ofFolders.begin(), ofFolders.end());
   return problems;
 }
 }

@@ -3,6 +3,7 @@
 #include "Explain/ExplainBound.h"
 
 #include "BoundText.h"
+#include "Explain/ExplainInput.h"
 #include "FilterOptions.h"
 #include "Input/SmoothingPlan.h"
 #include "Input/VoxelSize.h"
@@ -222,6 +223,7 @@ Options ExplainBound(
   {
     explanation.Add("bound", "none: no largest error and no tolerances");
   }
+  RequireUsable(input, options, arguments);
   ExplainSmoothing(surface, options, explanation);
   return options;
 }
