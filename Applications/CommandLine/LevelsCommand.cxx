@@ -194,7 +194,7 @@ private:
     {
       return this->Requested.Coarsest;
     }
-    const auto* const input = vtkPolyData::SafeDownCast(this->Filter->GetInput());
+    auto* const input = vtkPolyData::SafeDownCast(this->Filter->GetInput());
     const int least = *std::min_element(requested.begin(), requested.end());
     const auto byDefault = static_cast<double>(input->GetNumberOfPolys()) *
       (1.0 - Options{}.TargetReduction);
