@@ -249,7 +249,7 @@ private:
   {
     const std::string word = this->Filter->GetStatusAsString();
     return word +
-      (this->Filter->GetStatus() == vtkBoneSurfaceDistance::VIOLATED      ? ", not <= "
+      (this->Filter->GetStatus() == vtkBoneSurfaceDistance::VIOLATED       ? ", not <= "
           : this->Filter->GetStatus() == vtkBoneSurfaceDistance::UNDECIDED ? " whether <= "
                                                                            : " <= ");
   }

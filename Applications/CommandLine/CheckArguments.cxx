@@ -247,10 +247,10 @@ std::vector<std::string> OptionWarnings(const Arguments& arguments)
   const Options& options = arguments.Options;
   const OptionInfo& error = *FindOption("MaximumError");
   const OptionInfo& reduction = *FindOption("TargetReduction");
-  const bool isGiven = arguments.Given.count(error.Flag) > 0 && !arguments.HasTags;
+  const bool isSet = arguments.Given.count(error.Flag) > 0 && !arguments.HasTags;
   const bool isLimited = options.ErrorPreset != ErrorPreset::NoPreset ||
     !options.ToleranceArrayName.empty() || !arguments.Regions.empty();
-  if (!isGiven || options.MaximumError > 0.0 || options.TargetReductionIsExplicit ||
+  if (!isSet || options.MaximumError > 0.0 || options.TargetReductionIsExplicit ||
     !options.EndsAtReduction(isLimited))
   {
     return {};

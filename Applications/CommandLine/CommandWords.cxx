@@ -90,8 +90,8 @@ void RequireOptions(const CLI::App& command, const std::vector<std::string>& wor
     }
     const bool takesValue = option->get_items_expected_max() > 0;
     const bool isOneWord = name.size() < words[i].size();
-    RequireValue(command, *option, words[i],
-      isOneWord || (i + 1 < words.size() && IsValue(words[i + 1])));
+    RequireValue(
+      command, *option, words[i], isOneWord || (i + 1 < words.size() && IsValue(words[i + 1])));
     const bool isRepeated = !given.insert(option).second;
     if (isRepeated && option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw)
     {

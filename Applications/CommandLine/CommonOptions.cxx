@@ -180,9 +180,7 @@ void RequireExtension(
 
 void AddMode(CLI::App& app, std::string& mode, const std::string& choices, const char* help)
 {
-  app.add_option("--mode", mode, help)
-    ->type_name(choices)
-    ->check(OneOf(choices));
+  app.add_option("--mode", mode, help)->type_name(choices)->check(OneOf(choices));
 }
 
 void AddThreads(CLI::App& app, int& threads)

@@ -170,10 +170,10 @@ private:
     const double error = this->Value(row, "MaximumError");
     std::cout << (error > 0.0 ? "at most " + FixedText(error, BoundDecimals) + " mm"
                               : "by number alone    ")
-              << "  " << CountText(static_cast<std::int64_t>(this->Value(row, "Triangles")), "triangle")
-              << ", proved <= "
-              << UpperBoundText(this->Value(row, "ProvedError"), BoundDecimals) << " mm, "
-              << GroupedText(this->Value(row, "Seconds"), 1) << " s";
+              << "  "
+              << CountText(static_cast<std::int64_t>(this->Value(row, "Triangles")), "triangle")
+              << ", proved <= " << UpperBoundText(this->Value(row, "ProvedError"), BoundDecimals)
+              << " mm, " << GroupedText(this->Value(row, "Seconds"), 1) << " s";
     if (this->HasVoxels())
     {
       const auto changed = static_cast<std::int64_t>(this->Value(row, "ChangedVoxels"));

@@ -19,7 +19,8 @@ const std::vector<std::pair<ExitCode, std::string>>& ExitCodeMeanings()
       "to be kept and that no voxel changed. tolerance: no surface "
       "has so few triangles. Otherwise: the certificate contradicts the requested largest error, a "
       "defect" },
-    { ExitCode::Undecided, "the certificate could prove neither that the tolerance is kept nor that it is violated" },
+    { ExitCode::Undecided,
+      "the certificate could prove neither that the tolerance is kept nor that it is violated" },
   };
   return codes;
 }

@@ -52,8 +52,7 @@ std::string WithFlags(const std::string& sentence)
     }
     const std::string word = sentence.substr(at, end - at);
     const auto found = flags.find(word);
-    const bool isProperty =
-      found != flags.end() && IsBegin(sentence, at) && IsEnd(sentence, end);
+    const bool isProperty = found != flags.end() && IsBegin(sentence, at) && IsEnd(sentence, end);
     text += isProperty ? found->second : word;
     text += end < sentence.size() ? std::string(1, sentence[end]) : std::string();
     at = end + 1;

@@ -196,8 +196,8 @@ private:
     }
     auto* const input = vtkPolyData::SafeDownCast(this->Filter->GetInput());
     const int least = *std::min_element(requested.begin(), requested.end());
-    const auto byDefault = static_cast<double>(input->GetNumberOfPolys()) *
-      (1.0 - Options{}.TargetReduction);
+    const auto byDefault =
+      static_cast<double>(input->GetNumberOfPolys()) * (1.0 - Options{}.TargetReduction);
     return least < byDefault ? least : 0;
   }
 
@@ -266,9 +266,8 @@ private:
     vtkPolyData* level = this->Filter->GetOutput();
     this->WarnOutOfReach(triangles, error, level->GetNumberOfPolys());
     const std::string name = NameOfLevel(this->Requested.Output, level->GetNumberOfPolys());
-    const std::string request = error > 0.0
-      ? "--errors " + NumberText(error)
-      : "--triangles " + std::to_string(triangles);
+    const std::string request =
+      error > 0.0 ? "--errors " + NumberText(error) : "--triangles " + std::to_string(triangles);
     const auto written = std::find_if(this->Written.begin(), this->Written.end(),
       [&name](const auto& one) { return one.first == name; });
     if (written != this->Written.end())
@@ -295,7 +294,7 @@ private:
 
   std::string WhatEndedTheRun() const
   {
-    return !this->Requested.Log.empty()  ? "where --coarsest or --max-error ended the run of the log"
+    return !this->Requested.Log.empty() ? "where --coarsest or --max-error ended the run of the log"
       : this->Requested.MaximumError > 0.0 ? "where --max-error ended the run"
                                            : "where no edit was left to the run";
   }

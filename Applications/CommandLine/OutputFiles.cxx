@@ -36,7 +36,7 @@ OutputFiles::OutputFiles(const Arguments& arguments)
   }
   const bool onlyForPage = arguments.Picture.empty() && !arguments.Page.empty();
   reserve(this->Heatmap, arguments.Heatmap);
-  reserve(this->Page, arguments.Page); // before the picture in it, whose name nobody gave
+  reserve(this->Page, arguments.Page); // before its picture, which is named after it
   reserve(this->Picture, onlyForPage ? arguments.Page + ".png" : arguments.Picture);
   reserve(this->Report, arguments.Report);
 }

@@ -109,8 +109,7 @@ public:
       options.VoxelSize = this->VoxelSize;
     }
     const std::vector<std::string> ofOptions = OptionWarnings(this->Requested);
-    this->Subject.Warnings.insert(
-      this->Subject.Warnings.end(), ofOptions.begin(), ofOptions.end());
+    this->Subject.Warnings.insert(this->Subject.Warnings.end(), ofOptions.begin(), ofOptions.end());
     this->Rounding.SetInput(this->Input, this->InputInFile);
     this->Rounding.Reserve(options);
     ApplyOptions(options, this->Filter);

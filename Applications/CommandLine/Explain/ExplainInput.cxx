@@ -36,8 +36,8 @@ std::string ProblemOf(vtkPolyData* surface, Options options)
   if (report.Status == InputStatus::Good)
   {
     const RunInputs inputs = named.Inputs();
-    report.Status = CheckErrors(input, clean, inputs.Tolerances,
-      RoundingOf(options, inputs.InputIsSingle), options, report);
+    report.Status = CheckErrors(
+      input, clean, inputs.Tolerances, RoundingOf(options, inputs.InputIsSingle), options, report);
   }
   return InputMessage(report);
 }
@@ -46,8 +46,8 @@ std::vector<std::string> OutputsOf(const Arguments& arguments)
 {
   std::vector<std::string> outputs = arguments.Also;
   outputs.insert(outputs.begin(), arguments.Output);
-  outputs.insert(outputs.end(),
-    { arguments.Report, arguments.Page, arguments.Heatmap, arguments.Picture });
+  outputs.insert(
+    outputs.end(), { arguments.Report, arguments.Page, arguments.Heatmap, arguments.Picture });
   return outputs;
 }
 }

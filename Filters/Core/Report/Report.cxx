@@ -29,8 +29,8 @@ constexpr double RatioToTell = 10.0;
 std::string InSingular(std::string text)
 {
   text.erase(text.find("s "), 1);
-  for (const auto& [plural, singular] : { std::pair(" have ", " has "), std::pair(" were ", " was "),
-         std::pair(" stay where they are ", " stays where it is ") })
+  for (const auto& [plural, singular] : { std::pair(" have ", " has "),
+         std::pair(" were ", " was "), std::pair(" stay where they are ", " stays where it is ") })
   {
     const std::size_t at = text.find(plural);
     if (at != std::string::npos)
