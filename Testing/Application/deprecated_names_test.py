@@ -34,11 +34,11 @@ class DeprecatedNames(ApplicationTest):
                 self.assertEqual(self.path("old.ply").read_bytes(), expected)
 
     def test_keys_of_configuration_files(self):
-        self.path("old.toml").write_text("target-faces = 700\n[profiles.p]\nkeep-clearance = false\nmax-error = 0.2\n", encoding="ascii")
+        self.path("old.toml").write_text("target-faces = 700\n[profiles.p]\nmax-error = 0.2\n", encoding="ascii")
         for words, old, current, says in (
             ((), "--target-faces", ("--target-triangles", 700), {"target-triangles": "700"}),
-            (("--profile", "p"), "--target-faces", ("--target-triangles", 700, "--max-error", 0.2, "--intersection-guard", "off"),
-             {"target-triangles": "700", "max-error": "0.2", "intersection-guard": "off"}),
+            (("--profile", "p"), "--target-faces", ("--target-triangles", 700, "--max-error", 0.2),
+             {"target-triangles": "700", "max-error": "0.2"}),
         ):
             expected = self.result(*current)
             completed = self.run_program("in.ply", "old.ply", "--quiet", "--config", "old.toml", "--report", "report.json", *words)

@@ -58,7 +58,7 @@ enum class StopReason : int
   NotRun = 0,
   TargetReached,    ///< The requested number of triangles, or the reduction.
   ErrorReached,     ///< The requested largest error.
-  AlreadySatisfied, ///< No more triangles than requested in the input, or no reduction requested.
+  AlreadySatisfied, ///< The input already had no more triangles than requested.
   NothingLeft,      ///< No further collapse is allowed.
   Aborted,          ///< By the monitor.
   Handles ///< The number of triangles is out of reach: most collapses that are left would close a handle.
