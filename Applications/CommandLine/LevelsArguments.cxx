@@ -148,8 +148,8 @@ void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
   {
     throw Failure(ExitCode::Usage, "--errors needs the distances that --no-errors leaves out");
   }
-  CheckPage(arguments);
   KeepSurfaces(arguments, {});
+  CheckPage(arguments);
 }
 }
 

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 from .options import deprecated
@@ -17,6 +18,13 @@ RENAMED = {
     "border_result_to_reference": "boundary_result_to_reference", "refusals": "rejections", "findings": "diagnostics",
     "place": "center", "clearance": "fragment_gap", "KeepClearance": "IntersectionGuard", "ExamineInput": "DiagnoseInput"}
 RENAMED_REJECTIONS = {"border": "boundary", "too_far": "error_bound", "frozen": "constrained", "crossing": "intersection"}
+
+
+def number_text(value: float) -> str:
+    """The shortest decimals, six at least, that read back the same, as in JSON reports."""
+    if not math.isfinite(value):
+        return "NaN" if math.isnan(value) else "infinity" if value > 0 else "-infinity"
+    return next(text for digits in range(6, 18) if float(text := f"{value:.{digits}g}") == value)
 
 
 def current_name(name: str) -> str:

@@ -16,7 +16,7 @@ from . import _core
 from .label_arrays import add_grid
 from .kept import KeepsPrepared
 from .options import ROWS, assign, deprecated, describe, nearest, words
-from .report import current_name
+from .report import current_name, number_text
 from .run import InputArrays, fill_input_copy, fill_output, run
 from .surfaces import surface_from
 from .voxel_check import Comparison, source_with
@@ -202,7 +202,7 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
     def GetReportText(self, name: str) -> str:
         """An entry as text, numbers with all their digits; empty where the name is unknown."""
         value = self._entry(name)[2]
-        return f"{value:.17g}" if isinstance(value, float) else str(value)
+        return number_text(value) if isinstance(value, float) else str(value)
 
     def _entry(self, name: str) -> tuple[str, str, int | float | str]:
         found = next((entry for entry in self._entries if entry[0] == name), None)
