@@ -92,6 +92,10 @@ void RequireOptions(const CLI::App& command, const std::vector<std::string>& wor
     const bool isOneWord = name.size() < words[i].size();
     RequireValue(
       command, *option, words[i], isOneWord || (i + 1 < words.size() && IsValue(words[i + 1])));
+    if (isOneWord && !takesValue)
+    {
+      throw Failure(ExitCode::Usage, name + " takes no value");
+    }
     const bool isRepeated = !given.insert(option).second;
     if (isRepeated && option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw)
     {

@@ -33,9 +33,8 @@ bool IsBegin(const std::string& text, std::size_t at)
 /// A period ends a word only where a blank follows, unlike in the name of a file.
 bool IsEnd(const std::string& text, std::size_t at)
 {
-  const bool isStop = at < text.size() && std::string(".,;:)").find(text[at]) != std::string::npos;
-  const std::size_t next = at + (isStop ? 1 : 0);
-  return next >= text.size() || text[next] == ' ' || text[next] == ')' || text[next] == '\n';
+  const std::size_t next = text.find_first_not_of(".,;:)", at);
+  return next == std::string::npos || text[next] == ' ' || text[next] == '\n';
 }
 }
 

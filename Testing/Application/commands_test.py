@@ -81,6 +81,7 @@ class Commands(ApplicationTest):
             (("curve", "in.ply", "--errors", 1, "--mode", "Thesis"), "--mode takes one of Fast, Balanced, Accurate, not 'Thesis'"),
             (("cap", *files, "--loops", "some"), "--loops takes planes or all, not 'some'"),
             (("--max-error",), "--max-error takes a value: MM"),
+            ((*files, "--quiet=maybe"), "bonedecimate: --quiet takes no value\n"),
         ):
             with self.subTest(words):
                 self.fail_with(USAGE, *words, says=says)
