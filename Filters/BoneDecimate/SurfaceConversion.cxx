@@ -99,12 +99,14 @@ CellSurvey Survey(vtkPolyData* input, ConvertedSurface& wrongCells)
   return survey;
 }
 
-void AppendCells(vtkCellArray* from, vtkIdType firstCell, vtkCellArray* to, vtkIdTypeArray* cellIds)
+template <typename Predicate>
+void AppendCells(vtkCellArray* from, vtkIdType firstCell, const Predicate& isUsable,
+  vtkCellArray* to, vtkIdTypeArray* cellIds)
 {
   VisitCells(from, firstCell,
     [&](vtkIdType cell, vtkIdType npts, const vtkIdType* ids)
     {
-      if (npts >= 3)
+      if (isUsable(npts, ids))
       {
         to->InsertNextCell(npts, ids);
         cellIds->InsertNextValue(cell);
@@ -121,8 +123,14 @@ void AddTriangulated(vtkPolyData* input, const CellSurvey& survey, ConvertedSurf
   vtkNew<vtkIdTypeArray> cellIds;
   cellIds->SetName(CellIdArrayName);
   const vtkIdType firstPolygon = input->GetNumberOfVerts() + input->GetNumberOfLines();
-  AppendCells(input->GetPolys(), firstPolygon, polygons, cellIds);
-  AppendCells(input->GetStrips(), firstPolygon + input->GetNumberOfPolys(), strips, cellIds);
+  const std::vector<Vector3>& points = converted.Surface.Points;
+  AppendCells(
+    input->GetPolys(), firstPolygon,
+    [&](vtkIdType npts, const vtkIdType* ids) { return npts == 3 || HasNormal(points, npts, ids); },
+    polygons, cellIds);
+  AppendCells(
+    input->GetStrips(), firstPolygon + input->GetNumberOfPolys(),
+    [](vtkIdType npts, const vtkIdType*) { return npts >= 3; }, strips, cellIds);
   cells->SetPoints(input->GetPoints());
   cells->SetPolys(polygons);
   cells->SetStrips(strips);
@@ -143,7 +151,7 @@ void AddTriangulated(vtkPolyData* input, const CellSurvey& survey, ConvertedSurf
       previous = cell;
       AddTriangle(converted, cell, input->GetNumberOfPoints(), corners);
     });
-  const vtkIdType lost = cellIds->GetNumberOfTuples() - different + survey.TooShort;
+  const vtkIdType lost = input->GetNumberOfPolys() + input->GetNumberOfStrips() - different;
   if (lost > 0)
   {
     converted.Warnings.push_back(std::to_string(lost) +
