@@ -262,6 +262,7 @@ TEST(Data, MapsLeadFromTheInputToTheOutputAndBack)
 {
   const vtkSmartPointer<vtkPolyData> input = Bumps(3);
   FilterRun run(input);
+  run->SetTargetReduction(0.3); // some points do not move
   run->MakeMapsOn();
   vtkPolyData* output = run.Output();
   const std::vector<double> there = Values(run.InputCopy(), "ResultPointIds");
