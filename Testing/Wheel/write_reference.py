@@ -22,9 +22,10 @@ def constants():
 
 
 def main(path):
+    # Names in small letters are properties that VTK adds to each Set and Get since 9.4.
     filters = {name: getattr(vtkBoneDecimate(), "Get" + name) for name in PROPERTIES if hasattr(vtkBoneDecimate, "Get" + name)}
     record = {"vtk": vtkVersion.GetVTKVersion(), "constants": constants(),
-              "members": sorted(name for name in vars(vtkBoneDecimate) if not name.startswith("_")),
+              "members": sorted(name for name in vars(vtkBoneDecimate) if not name.startswith("_") and not name[0].islower()),
               "defaults": {name: get() for name, get in filters.items()},
               "runs": {name: specimens.run(vtkBoneDecimate, *case) for name, case in specimens.cases().items()}}
     with open(path, "w", encoding="utf-8") as file:
