@@ -50,6 +50,7 @@ void WriteLevelsPage(vtkBoneDecimateLevels* filter, const std::string& name, Sta
   {
     subject.Levels.push_back(LevelAt(filter, subject.Before, mark));
   }
+  subject.Report = filter->GetReportAsJson();
   subject.DistanceArrayName = DistanceName;
   subject.Reduce = ReduceForPage;
   StagedFile picture(page.GetTarget() + ".png"); // never committed: the page holds it

@@ -4,6 +4,8 @@
 #include "Page.h"
 #include "PageParts.h"
 #include "PageTemplate.h"
+#include "ProofSection.h"
+#include "ReportFields.h"
 #include "SurfaceDistances.h"
 
 #include "Options/Text.h"
@@ -64,6 +66,7 @@ std::string ComposeLevelsPage(const LevelsPageSubject& subject)
       { "input triangles", CountText(subject.Before) },
       { "triangles", CountText(subject.Levels.front().Surface) }, { "viewer", viewer.Section },
       { "viewer script", viewer.Script }, { "picture", picture },
-      { "table", LevelsTable(subject.Levels) } });
+      { "table", LevelsTable(subject.Levels) },
+      { "proof", LevelsProof(ReportFields(subject.Report)) } });
 }
 }

@@ -7,6 +7,7 @@
 #include "PageParts.h"
 #include "PageTemplate.h"
 #include "PartSection.h"
+#include "ProofSection.h"
 #include "ReportFields.h"
 #include "SurfaceDistances.h"
 #include "TunnelSection.h"
@@ -141,7 +142,7 @@ std::string Distances(const ReportFields& report)
   return PageBlock("distances",
     { { "table", DistanceTable(report) },
       { "output samples", CountText(report.Number("distance.output_to_input.samples")) },
-      { "output density", density("output_to_input") },
+      { "output density", density("output_to_input") }, { "proof", ProofClause(report) },
       { "input samples", CountText(report.Number("distance.input_to_output.samples")) },
       { "input density", density("input_to_output") } });
 }
@@ -370,6 +371,7 @@ std::string ComposePage(const PageSubject& subject)
       { "parts", PartSection(report) },
       { "voxels", VoxelSection(report) + ChangesSection(subject.Changes) },
       { "triangles", count("output.triangles") }, { "input triangles", count("input.triangles") },
+      { "proof tile", ProofTile(report) }, { "proof", ProofSection(report) },
       { "percentage", PercentageText(report) }, { "largest distance", LargestDistanceText(report) },
       { "components", count("output.components") },
       { "input components", count("input.components") },

@@ -44,6 +44,7 @@ struct LevelsPageSubject
   std::string Name; ///< What the page calls the bone.
   vtkPolyData* Before = nullptr;
   std::vector<PageLevel> Levels; ///< At least one, from coarse to fine.
+  std::string Report;            ///< JSON, of the run; of none if the levels come from a log.
   std::string DistanceArrayName; ///< On each level, mm; empty: none.
   std::string PictureFile;       ///< A PNG to embed; empty: no picture, and the page says so.
   SurfaceReducer Reduce;

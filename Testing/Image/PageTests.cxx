@@ -15,9 +15,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -28,11 +30,10 @@ class Page : public ::testing::Test
 protected:
   void SetUp() override
   {
-    vtkNew<vtkSphereSource> ball;
-    ball->SetRadius(30.0);
-    ball->SetThetaResolution(60);
-    ball->SetPhiResolution(60);
-    this->Filter->SetInputConnection(ball->GetOutputPort());
+    this->Ball->SetRadius(30.0);
+    this->Ball->SetThetaResolution(60);
+    this->Ball->SetPhiResolution(60);
+    this->Filter->SetInputConnection(this->Ball->GetOutputPort());
     this->Filter->SetMeasureInputDistances(true);
   }
 
@@ -45,6 +46,7 @@ protected:
     return ComposePage(this->Subject);
   }
 
+  vtkNew<vtkSphereSource> Ball;
   vtkNew<vtkBoneDecimate> Filter;
   PageSubject Subject{ "ball", nullptr, nullptr, "", "Distance", {}, "", {} };
 };
@@ -90,6 +92,64 @@ TEST_F(Page, HoldsTheDistancesOfBothDirections)
     EXPECT_TRUE(Contains(
       page, ShortText(this->Filter->GetReportValue(side + "samples_per_mm2")) + " per mm"));
   }
+}
+
+/// The number behind the first such text of a page; not a number if there is none.
+double NumberBehind(const std::string& page, const std::string& text)
+{
+  const std::size_t at = page.find(text);
+  return at == std::string::npos ? std::nan("")
+                                 : std::strtod(page.c_str() + at + text.size(), nullptr);
+}
+
+void ExpectRoundedUp(double shown, double bound, const std::string& what)
+{
+  EXPECT_GE(shown, bound) << what;
+  EXPECT_LE(shown, bound + 2e-6) << what;
+}
+
+TEST_F(Page, StatesTheProofOfBothDirectionsAndOfOpenBoundaries)
+{
+  this->Ball->SetEndPhi(120.0);
+  this->Filter->SetMaximumError(0.25);
+  const std::string page = this->Compose();
+  const auto upper = [this](const std::string& name)
+  { return this->Filter->GetReportValue("proof." + name + "upper"); };
+  ASSERT_LE(upper(""), 0.25);
+  ExpectRoundedUp(NumberBehind(page, "<strong>&le; "), upper(""), "tile");
+  ExpectRoundedUp(NumberBehind(page, "but no farther than the proved "), upper(""), "note");
+  EXPECT_TRUE(Contains(page, "proved; requested: 0.25 mm</div>"));
+  EXPECT_TRUE(Contains(page, "Requested: 0.25 mm. It is proved."));
+  const std::pair<const char*, const char*> rows[] = { { "both directions", "" },
+    { "simplified to original", "output_to_input." },
+    { "original to simplified", "input_to_output." },
+    { "open boundaries, simplified to original", "boundary_output_to_input." },
+    { "open boundaries, original to simplified", "boundary_input_to_output." } };
+  for (const auto& [title, name] : rows)
+  {
+    const std::string begin = "<th scope=\"row\">" + std::string(title) + "</th><td>";
+    const double lower = NumberBehind(page, begin);
+    EXPECT_LE(lower, this->Filter->GetReportValue("proof." + std::string(name) + "lower")) << title;
+    const std::size_t end = page.find("</td><td>", page.find(begin));
+    ExpectRoundedUp(NumberBehind(page.substr(end), "</td><td>"), upper(name), title);
+  }
+}
+
+TEST_F(Page, SaysWhatIsNotProved)
+{
+  EXPECT_TRUE(Contains(this->Compose(), "Nothing is proved about the distance"));
+  EXPECT_TRUE(Contains(this->Compose(), "no largest error was requested"));
+  this->Filter->SetMaximumError(0.25);
+  this->Filter->SetMergePoints(false);
+  EXPECT_TRUE(Contains(this->Compose(), "Not proved: the distance of open boundaries"));
+  this->Filter->SetProveResult(false);
+  EXPECT_TRUE(Contains(this->Compose(), "the proof was switched off"));
+  this->Filter->SetProveResult(true);
+  this->Filter->SetModeToThesis();
+  const std::string page = this->Compose();
+  EXPECT_TRUE(Contains(page, "<strong>not proved</strong>"));
+  EXPECT_TRUE(Contains(page, "mode Thesis proves no largest error"));
+  EXPECT_FALSE(Contains(page, "no farther than the proved"));
 }
 
 TEST_F(Page, TellsHowTheResultCameAbout)
@@ -203,6 +263,24 @@ TEST_F(Page, ListsEveryLevel)
   EXPECT_TRUE(Contains(page, "&lt;ball&gt;"));
   EXPECT_TRUE(Contains(page, "<td>0.250</td><td>0.125</td>"));
   EXPECT_TRUE(Contains(page, "<th scope=\"row\">6,960</th><td>not measured</td>"));
+}
+
+TEST_F(Page, StatesTheProofOfLevels)
+{
+  this->Compose();
+  LevelsPageSubject subject;
+  subject.Before = this->Subject.Before;
+  subject.Levels = { { this->Subject.Result, 0.25, 0.125 } };
+  EXPECT_TRUE(Contains(ComposeLevelsPage(subject), "the levels come from a log"));
+  subject.Report = this->Filter->GetReportAsJson();
+  EXPECT_TRUE(Contains(ComposeLevelsPage(subject), "no largest error was requested"));
+  this->Filter->SetMaximumError(0.25);
+  this->Compose();
+  subject.Report = this->Filter->GetReportAsJson();
+  const std::string page = ComposeLevelsPage(subject);
+  EXPECT_TRUE(Contains(page, "requested: 0.25 mm"));
+  ExpectRoundedUp(NumberBehind(page, "certified: no farther than "),
+    this->Filter->GetReportValue("proof.upper"), "levels");
 }
 
 TEST_F(Page, EscapesNames)

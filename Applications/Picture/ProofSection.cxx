@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ProofSection.h"
+
+#include "BoundText.h"
+#include "NumberText.h"
+#include "Options/Text.h"
+#include "PageParts.h"
+#include "PageTemplate.h"
+
+#include <optional>
+#include <utility>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr int Decimals = 6;
+
+/// Nothing if there is no proof, or none with a bound.
+std::optional<std::string> ProvedText(const ReportFields& report)
+{
+  const std::optional<double> upper = report.Number("proof.upper");
+  return upper ? std::optional<std::string>(UpperBoundText(*upper, Decimals)) : std::nullopt;
+}
+
+/// "0.5 mm and the tolerance of each point (Tolerances)"; empty without either.
+std::string ToleranceText(const ReportFields& report)
+{
+  const bool hasLength = report.Number("proof.tolerance").value_or(0.0) > 0.0;
+  const std::string array = EscapedXml(report.Text("options.ToleranceArrayName"));
+  const std::string length = hasLength ? report.Text("proof.tolerance") + " mm" : "";
+  const std::string points = array.empty() ? "" : "the tolerance of each point (" + array + ")";
+  return length + (length.empty() || points.empty() ? "" : " and ") + points;
+}
+
+std::string StatusText(const ReportFields& report)
+{
+  const std::string status = report.Text("proof.status");
+  return status == "proved" || status == "violated" ? status : "not proved";
+}
+
+/// Why a run has no proof.
+std::string ReasonText(const ReportFields& report)
+{
+  const std::string error = report.Text("options.MaximumError");
+  const std::string preset = report.Text("options.ErrorPreset");
+  const bool wantsBound = (!error.empty() && error != "0") ||
+    (!preset.empty() && preset != "None") || !report.Text("options.ToleranceArrayName").empty();
+  return !wantsBound ? "no largest error was requested"
+    : report.Text("options.ProveResult") == "on"
+    ? "mode " + EscapedXml(report.Text("options.Mode")) + " proves no largest error"
+    : "the proof was switched off (ProveResult)";
+}
+
+std::string BoundariesText(const std::string& boundaries)
+{
+  static const std::pair<const char*, const char*> sentences[] = {
+    { "neither", "Neither surface has open boundaries." },
+    { "both", "Open boundaries are compared curve to curve." },
+    { "reference_only",
+      "Not proved: open boundaries. Only the original has some, so their distance has no bound." },
+    { "result_only",
+      "Not proved: open boundaries. Only the simplified surface has some, so their distance has no "
+      "bound." },
+    { "not_compared",
+      "Not proved: the distance of open boundaries, which are not compared without MergePoints." },
+  };
+  for (const auto& [word, sentence] : sentences)
+  {
+    if (boundaries == word)
+    {
+      return sentence;
+    }
+  }
+  return {};
+}
+
+std::string LeftOutText(const ReportFields& report)
+{
+  const double leftOut = report.Number("proof.triangles_left_out").value_or(0.0);
+  return leftOut > 0.0 ? " Not proved: " + GroupedText(leftOut) +
+      " triangles of the input without area, which were left out."
+                       : std::string();
+}
+
+std::string ReferenceText(const ReportFields& report)
+{
+  const std::optional<double> triangles = report.Number("reference.triangles");
+  return triangles ? " The original is the reference of " + GroupedText(*triangles) +
+      " triangles here, of which the input is a result."
+                   : std::string();
+}
+
+std::string BoundsTable(const ReportFields& report)
+{
+  std::vector<std::vector<std::string>> rows = { { "largest distance, mm", "at least",
+    "at most" } };
+  const std::pair<const char*, const char*> lines[] = { { "proof.", "both directions" },
+    { "proof.output_to_input.", "simplified to original" },
+    { "proof.input_to_output.", "original to simplified" },
+    { "proof.boundary_output_to_input.", "open boundaries, simplified to original" },
+    { "proof.boundary_input_to_output.", "open boundaries, original to simplified" } };
+  for (const auto& [path, title] : lines)
+  {
+    const std::optional<double> lower = report.Number(path + std::string("lower"));
+    const std::optional<double> upper = report.Number(path + std::string("upper"));
+    if (lower || upper)
+    {
+      rows.push_back({ title, lower ? LowerBoundText(*lower, Decimals) : "not known",
+        upper ? UpperBoundText(*upper, Decimals) : "no bound" });
+    }
+  }
+  return Table(rows);
+}
+}
+
+std::string ProofTile(const ReportFields& report)
+{
+  const std::optional<std::string> upper = ProvedText(report);
+  return upper
+    ? PageBlock("proof tile", { { "upper", *upper }, { "tolerance", ToleranceText(report) } })
+    : PageBlock("no proof tile", { { "reason", ReasonText(report) } });
+}
+
+std::string ProofSection(const ReportFields& report)
+{
+  if (report.Text("proof.status").empty())
+  {
+    return PageBlock("no proof", { { "reason", ReasonText(report) } });
+  }
+  return PageBlock("proof",
+    { { "tolerance", ToleranceText(report) }, { "status", StatusText(report) },
+      { "boundaries", BoundariesText(report.Text("proof.boundaries")) },
+      { "left out", LeftOutText(report) }, { "reference", ReferenceText(report) },
+      { "table", BoundsTable(report) } });
+}
+
+std::string ProofClause(const ReportFields& report)
+{
+  const std::optional<std::string> upper = ProvedText(report);
+  return upper ? ", but no farther than the proved " + *upper + " mm" : std::string();
+}
+
+std::string LevelsProof(const ReportFields& report)
+{
+  if (report.Text("stop_reason").empty() || report.Text("stop_reason") == "not_run")
+  {
+    return PageBlock("levels of a log");
+  }
+  const std::optional<std::string> upper = ProvedText(report);
+  return upper && report.Text("proof.status") == "proved"
+    ? PageBlock("levels proof",
+        { { "tolerance", ToleranceText(report) }, { "upper", *upper },
+          { "boundaries", BoundariesText(report.Text("proof.boundaries")) },
+          { "left out", LeftOutText(report) }, { "reference", ReferenceText(report) } })
+    : PageBlock("levels without proof", { { "reason", ReasonText(report) } });
+}
+}
