@@ -7,6 +7,7 @@
 
 #include "vtkFloatArray.h"
 #include "vtkGenericCell.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStaticCellLocator.h"
@@ -16,11 +17,46 @@
 
 namespace bonedecimate
 {
+namespace
+{
+/// Without the triangles whose corners became no point of the result.
+vtkSmartPointer<vtkPolyData> WithoutPruned(vtkPolyData* copy, const char* resultPoints)
+{
+  auto triangles = TrianglesOnly(copy);
+  vtkDataArray* const points = triangles->GetPointData()->GetArray(resultPoints);
+  triangles->BuildCells();
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < triangles->GetNumberOfCells(); ++cell)
+  {
+    triangles->GetCellPoints(cell, corners);
+    if (points->GetComponent(corners->GetId(0), 0) < 0.0)
+    {
+      triangles->DeleteCell(cell);
+    }
+  }
+  triangles->RemoveDeletedCells();
+  return triangles;
+}
+}
+
+vtkSmartPointer<vtkPolyData> SurfaceBefore(vtkBoneDecimate* filter)
+{
+  vtkPolyData* const copy = filter->GetOutput(1);
+  // Without pruning the array would be that of an earlier run.
+  const char* const resultPoints = "ResultPointIds";
+  if (filter->GetReportValue("pruned.triangles") > 0.0 &&
+    copy->GetPointData()->HasArray(resultPoints))
+  {
+    return WithoutPruned(copy, resultPoints);
+  }
+  return copy;
+}
+
 PageSubject PageOfRun(vtkBoneDecimate* filter)
 {
   PageSubject page;
   page.Result = filter->GetOutput();
-  page.Before = filter->GetOutput(1);
+  page.Before = SurfaceBefore(filter);
   page.DistanceArrayName = filter->GetInputDistanceArrayName();
   page.ResultDistanceArrayName = filter->GetDistanceArrayName();
   page.Reduce = ReduceForPage;

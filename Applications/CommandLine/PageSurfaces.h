@@ -17,6 +17,9 @@
 
 namespace bonedecimate
 {
+/// The input as the run has taken it: its copy with distances, without the triangles of pruned components.
+vtkSmartPointer<vtkPolyData> SurfaceBefore(vtkBoneDecimate* filter);
+
 /// What the outputs of a run give its page.
 PageSubject PageOfRun(vtkBoneDecimate* filter);
 

@@ -175,7 +175,8 @@ public:
       return;
     }
     PictureSubject picture;
-    picture.Before = this->Filter->GetOutput(1);
+    const vtkSmartPointer<vtkPolyData> before = SurfaceBefore(this->Filter);
+    picture.Before = before;
     picture.After = this->Filter->GetOutput();
     picture.DistanceArrayName = this->Filter->GetInputDistanceArrayName();
     picture.Title = this->Subject.Input;

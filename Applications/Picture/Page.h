@@ -21,8 +21,8 @@ struct PageSubject
   std::string Name; ///< What the page calls the bone (a file name, never patient data).
   vtkPolyData* Result =
     nullptr; ///< Output port 0 of vtkBoneDecimate: arrays and report in its field data.
-  vtkPolyData* Before =
-    nullptr; ///< Output port 1, with the distance of each input point; may be null.
+  vtkSmartPointer<vtkPolyData>
+    Before; ///< The input of the run without what was pruned, with the distance of each point; may be null.
   std::string DistanceArrayName;       ///< On Before, mm.
   std::string ResultDistanceArrayName; ///< On Result, mm.
   std::vector<std::string>

@@ -370,6 +370,15 @@ void SetReport(
 }
 
 //------------------------------------------------------------------------------
+namespace
+{
+/// Whether the copy of the input says which output point each of its points became.
+bool MapsInput(const Options& options)
+{
+  return options.MakeMaps || (options.Prunes() && options.MeasureInputDistances);
+}
+}
+
 void FillInputCopy(
   const Result& result, const Options& options, vtkPolyData* input, vtkPolyData* output)
 {
@@ -384,7 +393,7 @@ void FillInputCopy(
     AddPointArray<vtkDoubleArray>(output, options.InputErrorBoundArrayName, "mm",
       result.InputErrorBound, input->GetNumberOfPoints(), 0);
   }
-  if (options.MakeMaps && !result.Origins.OutputPoint.empty())
+  if (MapsInput(options) && !result.Origins.OutputPoint.empty())
   {
     AddInputMap(result, output);
   }
@@ -395,6 +404,6 @@ bool NeedsOrigins(vtkPolyData* input, const Options& options)
 {
   const bool hasArrays =
     input->GetPointData()->GetNumberOfArrays() > 0 || input->GetCellData()->GetNumberOfArrays() > 0;
-  return options.MakeMaps || (options.PassArrays && hasArrays);
+  return MapsInput(options) || (options.PassArrays && hasArrays);
 }
 }

@@ -61,7 +61,8 @@ const ReportArrays& ArraysOfCertificate(); ///< BoneDecimateCertificate, bonedec
 void SetReport(
   const std::vector<ReportEntry>& entries, const ReportArrays& arrays, vtkFieldData* fieldData);
 
-/// The input with the distance of each of its points to the result, if it was measured, and the map, if MakeMaps is on.
+/// The input with the distance of each of its points to the result, if it was measured, and the map, if MakeMaps is on or these
+/// distances are those of an input that was pruned.
 void FillInputCopy(
   const Result& result, const Options& options, vtkPolyData* input, vtkPolyData* output);
 }

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Small components left out on request, and the diagnostics, in summary, report and page."""
 
+import re
+
 from application import REJECTED, ApplicationTest, main, read, sphere, together, torus, write
 
 
@@ -29,6 +31,23 @@ class Prune(ApplicationTest):
         self.assertEqual(self.report()["proof"]["status"], "proved")
         self.assertIn("Components left out", self.path("page.html").read_text(encoding="utf-8"))
         self.assertLess(read(self.path("out.ply")).GetBounds()[1], 30.0)
+
+    def test_the_page_concerns_what_is_left(self):
+        words = ("--prune-size", 25, "--report", "report.json", "--page", "page.html", "--heatmap", "heat.vtp", "--max-error", 0.5)
+        self.succeed("in.ply", "out.ply", *words)
+        page = self.path("page.html").read_text(encoding="utf-8")
+        left = self.report()["input"]["triangles"]
+        self.assertEqual(left, torus().GetNumberOfPolys())
+        self.assertIn(f"triangles, instead of {left:,}", page)
+        if "viewer-scene" in page:
+            self.assertIn(f'"caption":"Before: {left:,} triangles"', page)
+        farthest = float(re.search(r"the farthest at ([\d.]+) mm", page).group(1))
+        self.assertLessEqual(farthest, self.report()["distance"]["input_to_output"]["max"] + 5e-4)
+        points = read(self.path("heat.vtp")).GetPointData()
+        far = [points.GetArray("DistanceToResult").GetValue(i) > 1.0 for i in range(points.GetNumberOfTuples())]
+        gone = [points.GetArray("ResultPointIds").GetValue(i) < 0 for i in range(points.GetNumberOfTuples())]
+        self.assertEqual(far, gone)
+        self.assertTrue(any(gone))
 
     def test_what_is_just_large_enough_stays(self):
         faces = sphere(8).GetNumberOfPolys()
