@@ -134,7 +134,8 @@ public:
   {
     const CertificateSubject subject = { this->Requested.HasReference() ? this->Requested.Files[0]
                                                                         : std::string(),
-      this->Requested.Result(), this->Requested.Map.Path, this->Requested.Unit.Name,
+      this->Requested.Result(), this->Requested.Map.Path, this->Requested.Tolerance,
+      this->Requested.ToleranceArray, this->Requested.Unit.Name,
       this->Voxels ? this->Voxels->Json() : nlohmann::ordered_json(), this->Warnings,
       this->Requested.Settings };
     const std::string json = ComposeJsonCertificate(

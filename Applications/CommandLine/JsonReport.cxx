@@ -162,6 +162,15 @@ std::string ComposeJsonCertificate(vtkPolyData* output, const CertificateSubject
   Json report = output != nullptr ? Json::parse(ReportJsonOf(output, "BoneDecimateCertificate"))
                                   : Json({ { "version", Version() }, { "problem", "" },
                                       { "status", "not_requested" }, { "units", Json::object() } });
+  if (subject.Tolerance)
+  {
+    report["tolerance"] = *subject.Tolerance;
+    report["units"]["tolerance"] = "mm";
+  }
+  if (!subject.ToleranceArray.empty())
+  {
+    report["tolerance_array"] = subject.ToleranceArray;
+  }
   if (!subject.Voxels.is_null())
   {
     report["voxels"] = subject.Voxels;

@@ -60,9 +60,11 @@ struct CertificateSubject
 {
   std::string Reference; ///< Empty: none.
   std::string Result;
-  std::string LabelMap;          ///< Empty: none.
-  std::string Unit;              ///< Of the coordinates in the files of surfaces.
-  nlohmann::ordered_json Voxels; ///< "voxels"; null: not compared.
+  std::string LabelMap;            ///< Empty: none.
+  std::optional<double> Tolerance; ///< mm
+  std::string ToleranceArray;      ///< Of the reference; empty: none.
+  std::string Unit;                ///< Of the coordinates in the files of surfaces.
+  nlohmann::ordered_json Voxels;   ///< "voxels"; null: not compared.
   std::vector<std::string> Warnings;
   SettingsRecord Settings;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CertificatePage.h"
 
+#include "BoundText.h"
 #include "NumberText.h"
 #include "Options/Text.h"
 #include "PageParts.h"
@@ -19,16 +20,29 @@ namespace
 {
 constexpr int Decimals = 6;
 
-/// A lower bound is rounded down, an upper one up.
-std::string BoundText(const ReportFields& report, const std::string& name, double direction)
-{
-  const std::optional<double> bound = report.Number(name);
-  return bound ? GroupedText(*bound + direction * 0.5e-6, Decimals) : "not known";
-}
-
 std::string BoundsText(const ReportFields& report, const std::string& path)
 {
-  return BoundText(report, path + "lower", -1.0) + " to " + BoundText(report, path + "upper", 1.0);
+  const std::optional<double> lower = report.Number(path + "lower");
+  const std::optional<double> upper = report.Number(path + "upper");
+  return (lower ? LowerBoundText(*lower, Decimals) : "not known") + " to " +
+    (upper ? UpperBoundText(*upper, Decimals) : "not known");
+}
+
+/// The tolerance of all points, of each point, or both.
+std::string StatusText(const ReportFields& report)
+{
+  const std::string status = report.Text("status");
+  const std::string length = report.Text("tolerance");
+  const std::string array = EscapedXml(report.Text("tolerance_array"));
+  if (status == "not_requested")
+  {
+    return "No tolerance was given.";
+  }
+  return "The tolerance" +
+    (array.empty() ? " of " + length + " mm"
+                   : " of each point (" + array + ")" +
+          (length.empty() ? "" : ", at most " + length + " mm,")) +
+    " is " + status + ".";
 }
 
 std::string DistanceSection(const ReportFields& report)
@@ -53,12 +67,8 @@ std::string DistanceSection(const ReportFields& report)
       rows.push_back({ words, BoundsText(report, path), mean ? GroupedText(*mean, Decimals) : "" });
     }
   }
-  const std::string status = report.Text("status");
-  return PageBlock("certified distances",
-    { { "table", Table(rows) },
-      { "status",
-        status == "not_requested" ? "No tolerance was given."
-                                  : "The tolerance is " + status + "." } });
+  return PageBlock(
+    "certified distances", { { "table", Table(rows) }, { "status", StatusText(report) } });
 }
 
 std::string Warnings(const ReportFields& report)

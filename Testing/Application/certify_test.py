@@ -100,6 +100,19 @@ class Certify(ApplicationTest):
         self.fail_with(REJECTED, "certify", "a.ply", "nothing.ply", says="no such file")
         self.fail_with(NOT_WRITTEN, "certify", "a.ply", "b.ply", "--json", "nowhere/c.json")
 
+    def test_says_which_tolerance_it_has_compared_with(self):
+        write(with_tolerance(square(0.0), 2.5), self.path("t.vtp"))
+        for words, says, keys in (
+                ((), "No tolerance was given.", (None, None)),
+                (("--tolerance", 1), "The tolerance of 1 mm is proved.", (1, None)),
+                (("--tolerance-array", "allowed"), "The tolerance of each point (allowed) is proved.", (None, "allowed")),
+                (("--tolerance-array", "allowed", "--tolerance", 0.125),
+                 "The tolerance of each point (allowed), at most 0.125 mm, is proved.", (0.125, "allowed"))):
+            self.succeed("certify", "t.vtp", "t.vtp", *words, "--page", "c.html", "--json", "c.json")
+            self.assertIn(says, self.path("c.html").read_text(encoding="utf-8"))
+            found = self.report("c.json")
+            self.assertEqual((found.get("tolerance"), found.get("tolerance_array")), keys)
+
 
 class CertifyVoxels(ApplicationTest):
     """A block of label 5, alone or with two voxels of label 7."""
@@ -141,7 +154,7 @@ class CertifyVoxels(ApplicationTest):
         completed = self.run_program("certify", "a.stl", "s.stl", "--labels", "one.mha", "--tolerance", 9, "--page", "c.html")
         self.assertEqual(completed.returncode, VIOLATED)
         page = self.path("c.html").read_text(encoding="utf-8")
-        self.assertIn("The tolerance is proved.", page)
+        self.assertIn("The tolerance of 9 mm is proved.", page)
 
     def test_has_to_know_which_label_a_surface_encloses(self):
         self.fail_with(REJECTED, "certify", "a.stl", "--labels", "two.mha", says="5, 7")
