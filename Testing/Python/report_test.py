@@ -8,7 +8,7 @@ import pathlib
 import unittest
 
 from bonedecimate import vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch, vtkBoneSurfaceDistance, vtkBoneSurfaces
-from json_schema import problems
+from jsonschema import Draft202012Validator
 from surfaces import decimating, torus
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
@@ -16,6 +16,11 @@ from vtkmodules.vtkImagingSources import vtkImageEllipsoidSource
 
 FOLDER = pathlib.Path(os.environ.get("SCHEMAS", pathlib.Path(__file__).resolve().parents[2] / "Documentation"))
 REPORT, CERTIFICATE = (json.loads((FOLDER / f"{name}.schema.json").read_text(encoding="utf-8")) for name in ("report", "certificate"))
+
+
+def problems(value, schema):
+    """What is wrong with a value, a sentence each."""
+    return [f"{error.json_path}: {error.message}" for error in Draft202012Validator(schema).iter_errors(value)]
 
 
 def plate():
@@ -94,7 +99,8 @@ class Report(unittest.TestCase):
         reference.Update()
         report = json.loads(reference.report_as_json)
         self.assertEqual(problems(report, REPORT), [])
-        of_program = {"changed_before", "command_line", "files", "segments", "settings", "slabs", "warnings"}
+        of_program = {"changed_before", "command_line", "deprecated_keys", "files", "segments", "settings", "slabs", "warnings"}
+        of_program |= {name for name, rule in REPORT["properties"].items() if rule.get("deprecated")}
         self.assertEqual(set(REPORT["properties"]) - parts - set(report) - of_program - {"fragment_gap"}, set(), "shown by no run")
 
     def test_before_a_run_has_the_form_of_its_schema(self):

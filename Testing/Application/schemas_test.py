@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files of --report and of certify --json are valid by the published schemas, with their deprecated keys, by the library that users take."""
+
+import json
+import pathlib
+import re
+
+from jsonschema import Draft202012Validator
+
+from application import ApplicationTest, main, sphere, together, torus, write
+from label_maps import blocks, write_map
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+TABLE = ROOT / "Applications" / "CommandLine" / "DeprecatedNames.cxx"
+SCHEMAS = {name: json.loads((ROOT / "Documentation" / f"{name}.schema.json").read_text(encoding="utf-8")) for name in ("report", "certificate")}
+
+
+def deprecated_in(schema):
+    """Names of all properties that a schema calls deprecated."""
+    if isinstance(schema, list):
+        return set().union(*map(deprecated_in, schema))
+    if not isinstance(schema, dict):
+        return set()
+    properties = schema.get("properties", {})
+    own = {name for name, rule in properties.items() if isinstance(rule, dict) and rule.get("deprecated")}
+    return own.union(*map(deprecated_in, schema.values()))
+
+
+class Schemas(ApplicationTest):
+    def validate(self, name, file):
+        found = json.loads(self.path(file).read_text(encoding="utf-8"))
+        problems = [f"{error.json_path}: {error.message}" for error in Draft202012Validator(SCHEMAS[name]).iter_errors(found)]
+        self.assertEqual(problems, [])
+        return found
+
+    def test_are_schemas_themselves(self):
+        for schema in SCHEMAS.values():
+            Draft202012Validator.check_schema(schema)
+
+    def test_call_those_keys_deprecated_that_the_program_does(self):
+        rows = re.search(r"RenamedKey Keys\[\] = \{(.*?)\n\};", TABLE.read_text(encoding="utf-8"), re.DOTALL).group(1)
+        self.assertEqual(set().union(*map(deprecated_in, SCHEMAS.values())), set(re.findall(r'\{ "(\w+)",', rows)))
+
+    def test_describe_reports(self):
+        write(together(torus(), sphere(8, center=60.0)), self.path("in.ply"))
+        runs = (
+            ("--max-error", 0.5, "--diagnose", "on", "--prune-size", 25, "--close-tunnels", 15),
+            ("--profile", "FEM"),
+            ("--max-error", 0.5, "--region", "rest=0", "--region", "sphere:0,20,0,6=0.3"),
+            ("--mode", "Thesis", "--target-triangles", 700, "--measure", "off"),
+            ("--max-error", 0.5, "--reference", "in.ply", "--unit", "cm", "--allow-large-error", "on"),
+            ("--max-error", 0.5, "--smooth", 0.2),
+        )
+        used = set()
+        for words in runs:
+            with self.subTest(words):
+                self.succeed("in.ply", "out.ply", *words, "--report", "report.json", "--quiet")
+                used |= set(self.validate("report", "report.json")["deprecated_keys"])
+        self.assertLessEqual({"faces", "verdict", "borders", "too_far", "refusals", "findings", "place"}, used)
+
+    def test_describe_reports_of_label_maps(self):
+        write_map(blocks(5, 7), self.path("two.mha"))
+        words = ("--segments", "all", "--max-error", 0.5, "--report", "report.json", "--quiet")
+        self.succeed("two.mha", "bones", *words)
+        self.assertEqual(len(self.validate("report", "report.json")["segments"]["list"]), 2)
+
+    def test_describe_certificates(self):
+        write(torus(), self.path("a.ply"))
+        write_map(blocks(5), self.path("one.mha"))
+        self.succeed("certify", "a.ply", "a.ply", "--tolerance", 0.1, "--json", "c.json", "--quiet")
+        self.assertEqual(self.validate("certificate", "c.json")["verdict"], "proved")
+        self.succeed("certify", "a.ply", "a.ply", "--json", "c.json", "--quiet")
+        self.validate("certificate", "c.json")
+        self.run_program("certify", "a.ply", "--labels", "one.mha", "--json", "c.json", "--quiet")
+        self.validate("certificate", "c.json")
+
+
+if __name__ == "__main__":
+    main()
