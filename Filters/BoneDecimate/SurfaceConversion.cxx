@@ -370,15 +370,6 @@ void SetReport(
 }
 
 //------------------------------------------------------------------------------
-namespace
-{
-/// Whether the copy of the input says which output point each of its points became.
-bool MapsInput(const Options& options)
-{
-  return options.MakeMaps || (options.Prunes() && options.MeasureInputDistances);
-}
-}
-
 void FillInputCopy(
   const Result& result, const Options& options, vtkPolyData* input, vtkPolyData* output)
 {
@@ -393,7 +384,7 @@ void FillInputCopy(
     AddPointArray<vtkDoubleArray>(output, options.InputErrorBoundArrayName, "mm",
       result.InputErrorBound, input->GetNumberOfPoints(), 0);
   }
-  if (MapsInput(options) && !result.Origins.OutputPoint.empty())
+  if (options.MapsInput() && !result.Origins.OutputPoint.empty())
   {
     AddInputMap(result, output);
   }
@@ -404,6 +395,6 @@ bool NeedsOrigins(vtkPolyData* input, const Options& options)
 {
   const bool hasArrays =
     input->GetPointData()->GetNumberOfArrays() > 0 || input->GetCellData()->GetNumberOfArrays() > 0;
-  return MapsInput(options) || (options.PassArrays && hasArrays);
+  return options.MapsInput() || (options.PassArrays && hasArrays);
 }
 }

@@ -154,6 +154,12 @@ struct Options
       this->PruneTriangles > 0;
   }
 
+  /// Whether the copy of the input says which output point each of its points became.
+  bool MapsInput() const
+  {
+    return this->MakeMaps || (this->Prunes() && this->MeasureInputDistances);
+  }
+
   /// Whether the mode proves every edit that a largest error or a tolerance limits.
   bool ProvesError() const { return FindMode(this->Mode).ProvesError(); }
 
