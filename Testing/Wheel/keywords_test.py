@@ -157,9 +157,10 @@ class Values(unittest.TestCase):
                     counts["rejected" if rejection else "silent"] += 1
                     self.assertIsNotNone(rejection, f"{adapter.name}: {key}={value!r} is taken without a word")
                     if type(rejection) is ValueError and rejection.__cause__ is None and not ROWS[key].choices:
-                        self.assertRegex(str(rejection), f"^{ROWS[key].name} takes .*, not ")
-                        wanted = sentences.setdefault((key, repr(value)), str(rejection))
-                        self.assertEqual(str(rejection), wanted, adapter.name)
+                        name = ROWS[key].name if adapter.by_number else key
+                        self.assertRegex(str(rejection), f"^{name} takes .*, not ")
+                        sentence = str(rejection).removeprefix(name)
+                        self.assertEqual(sentence, sentences.setdefault((key, repr(value)), sentence), adapter.name)
                 counts["accepted"] += self.accepted(adapter, key)
             print(f"{adapter.name}: {', '.join(f'{count} {what}' for what, count in counts.items())}")
 
@@ -284,6 +285,65 @@ class FilterNames(unittest.TestCase):
         self.assertEqual(Mine().patient, "phantom")
         with self.assertRaises(AttributeError):
             Mine().maximum_eror = 0.2
+
+
+class Sentences(unittest.TestCase):
+    """Messages call an option what the user has typed."""
+
+    def test_about_values_have_the_keyword(self):
+        for function in (decimate, record_levels):
+            for key, value in (("max_error", -1), ("threads", 1e9), ("mode", "Slow"), ("max_error", 10**400)):
+                with self.assertRaisesRegex(ValueError, f"^{key} takes "):
+                    function(*TETRAHEDRON, **{key: value})
+        with self.assertRaisesRegex(ValueError, r"\(allow_large_error runs anyway\)"):
+            decimate(*TETRAHEDRON, max_error=500)
+
+    def test_about_options_without_effect_have_keywords(self):
+        for function in (decimate, record_levels):
+            with self.assertWarnsRegex(UserWarning, "^intersection_guard has no effect; it needs max_error or preset, "):
+                function(*TETRAHEDRON, intersection_guard=False)
+        with self.assertWarns(UserWarning):
+            result = decimate(*TETRAHEDRON, voxel_size=0.5)
+        self.assertEqual(result.warnings, ["voxel_size has no effect; it needs preset"])
+
+    def test_about_words_name_the_option_that_says_it(self):
+        for key, value, says in (("max_error", "halfvoxel", "preset='HalfVoxel' says that"),
+                                 ("max_error", "One-Voxel", "preset='OneVoxel' says that"),
+                                 ("smooth", "auto", "auto_smooth=True says that"),
+                                 ("max_error", "0.5", "not '0.5'$")):
+            with self.assertRaisesRegex(TypeError, f"^{key} takes a number, .*{says}"):
+                decimate(*TETRAHEDRON, **{key: value})
+
+    @unittest.skipUnless(HAS_VTK, "no VTK here")
+    def test_of_the_filter_have_its_properties(self):
+        made = bonedecimate.vtkBoneDecimate()
+        with self.assertRaisesRegex(ValueError, "^MaximumError takes "):
+            made.maximum_error = -1
+        with self.assertRaisesRegex(TypeError, "^MaximumError takes "):
+            made.SetMaximumError("half")
+
+    def test_of_smoothing_reject_what_concerns_edits(self):
+        without_effect = {"edge_length": 1.0, "min_angle": 20, "chordal_error": 0.1, "refinement_effort": 2, "mode": "Fast"}
+        for key, value in without_effect.items():
+            with self.assertRaisesRegex(TypeError, f"no option '{key}' here: smoothing keeps all triangles"):
+                bonedecimate.smooth(*TETRAHEDRON, 0.2, **{key: value})
+
+    @unittest.skipUnless(HAS_PYVISTA, "no PyVista here")
+    def test_of_smoothing_meshes_are_the_same(self):
+        import pyvista
+        mesh = pyvista.PolyData.from_regular_faces(*TETRAHEDRON)
+        for words in ({"edge_length": 1.0}, {"edge_lengths": [1.0] * 4}, {"smooth": 1.0}, {"profile": "FEM"}):
+            with self.assertRaisesRegex(TypeError, f"no option '{next(iter(words))}' here: "):
+                mesh.bone.smooth(0.2, **words)
+        with self.assertWarnsRegex(UserWarning, "^voxel_size has no effect; it needs preset"):
+            mesh.bone.decimate(voxel_size=0.5)
+
+    def test_of_certify_reject_what_has_no_effect(self):
+        with self.assertRaisesRegex(ValueError, "tight_bounds=False has no effect; it needs tolerance"):
+            bonedecimate.certify(TETRAHEDRON, TETRAHEDRON, tight_bounds=False)
+        with self.assertRaisesRegex(ValueError, "mean_precision has no effect with means=False"):
+            bonedecimate.certify(TETRAHEDRON, TETRAHEDRON, means=False, mean_precision=0.1)
+        bonedecimate.certify(TETRAHEDRON, TETRAHEDRON, tolerance=1, tight_bounds=False, means=False)
 
 
 class Profiles(unittest.TestCase):

@@ -115,6 +115,31 @@ class Program(unittest.TestCase):
             self.run_program(self.folder / "bone.stl", self.folder / "out.stl", *words, code=1)
         self.run_program(code=1)
 
+    def test_usage_errors_are_one_line_with_the_flag(self):
+        bone, out = self.folder / "bone.stl", self.folder / "out.stl"
+        for words, says in (
+                ((bone, out, "--nonsense"), "unrecognized arguments: --nonsense; see bonedecimate-py --help"),
+                ((bone,), "the following arguments are required: output; see bonedecimate-py --help"),
+                ((bone, out, "--max-error", "-1"), "--max-error takes a number from 0 to 1e30 mm, not -1"),
+                ((bone, out, "--mode", "Slow"), "--mode takes one of Thesis, Fast, Balanced, Accurate, not 'Slow'"),
+                ((bone, out, "--max-error", "halfvoxel"),
+                 "--max-error takes a number from 0 to 1e30 mm, not 'halfvoxel'; --preset HalfVoxel says that")):
+            printed, err = self.run_program(*words, code=1)
+            self.assertEqual((printed, err), ("", f"bonedecimate-py: {says}\n"))
+
+    def test_warnings_have_the_flag(self):
+        for without in self.engines():
+            _, err = self.run_program(self.folder / "bone.stl", self.folder / "out.stl", "--voxel-size", "0.5", without=without)
+            self.assertEqual(err, "bonedecimate-py: warning: --voxel-size has no effect; it needs --preset\n")
+
+    def test_a_text_with_the_name_of_a_surface_gives_one_line(self):
+        for name in ("text.stl", "text.ply", "text.vtp", "text.vtk", "text.obj"):
+            (self.folder / name).write_text("solid advice\n" * 20)
+            done = subprocess.run([sys.executable, "-m", "bonedecimate", self.folder / name, self.folder / "out.stl"],
+                                  capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), name)
+            self.assertRegex(done.stderr, r"^bonedecimate-py: [^\n]+\n$", name)
+
     def test_has_every_flag_of_the_table(self):
         out, _ = self.run_program("--help")
         for row in ROWS.values():

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`python -m bonedecimate` and `bonedecimate-py`: one surface, with the options of the table.
 
-The program bonedecimate of the C++ project does more: CT, batches, pages, pictures, certificates of files.
+The program bonedecimate of the C++ project does more: CT, label maps, batches, levels, certificates, pages, pictures.
 """
 
 from __future__ import annotations
@@ -13,20 +13,27 @@ import pathlib
 import sys
 import warnings
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import NamedTuple, NoReturn
 
 from . import __version__, _core, files
-from .arrays import decimate, raise_problems
-from .options import ROWS, WITHOUT_ARRAYS, keyword, profile_options
+from .arrays import raise_problems, run_on_arrays
+from .options import ROWS, WITHOUT_ARRAYS, flag, keyword, profile_options, read_text, spell_sentences
 from .progress import listener
+from .surfaces import input_from
 
 DONE, USAGE, REJECTED, COULD_NOT_WRITE, INTERRUPTED, OUT_OF_MEMORY, VIOLATED = range(7)  # as the C++ program
 
 
+class Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        """In one line, as the C++ program."""
+        self.exit(USAGE, f"{self.prog}: {message}; see {self.prog} --help\n")
+
+
 def parser() -> argparse.ArgumentParser:
-    made = argparse.ArgumentParser(prog="bonedecimate-py", description="Make a bone surface smaller; lengths are mm.",
-                                   epilog="Exit codes: 0 done, 1 usage, 2 input rejected, 3 could not write, "
-                                          "4 interrupted, 5 out of memory, 6 the certificate contradicts the largest error.")
+    made = Parser(prog="bonedecimate-py", description="Make a bone surface smaller; lengths are mm.",
+                  epilog="Exit codes: 0 done, 1 usage, 2 input rejected, 3 could not write, "
+                         "4 interrupted, 5 out of memory, 6 the certificate contradicts the largest error.")
     made.add_argument("input", type=pathlib.Path, help=".stl .obj .ply .vtp .vtk by VTK; what meshio reads; or binary STL")
     made.add_argument("output", type=pathlib.Path)
     made.add_argument("--report", type=pathlib.Path, metavar="FILE", help="the report as JSON")
@@ -54,7 +61,7 @@ def options_of(arguments: argparse.Namespace) -> _core.Options:
     for row in ROWS.values():
         text = getattr(arguments, keyword(row), None)
         if text is not None:
-            options.read(row.name, text)
+            read_text(options, row, text, flag)
     return options
 
 
@@ -71,6 +78,7 @@ def _with_vtk(arguments: argparse.Namespace, options: _core.Options, progress) -
     from .run import fill_output, run
     data = files.read_vtk(arguments.input)
     outcome, surface = run(data, options, progress)
+    spell_sentences(outcome, flag)
     raise_problems(outcome)
 
     def write() -> None:
@@ -80,23 +88,14 @@ def _with_vtk(arguments: argparse.Namespace, options: _core.Options, progress) -
     return Run({name: value for name, _, value in outcome["entries"]}, outcome["json"], outcome["warnings"], write)
 
 
-def _without_vtk(arguments: argparse.Namespace, _options, progress) -> Run:
-    given = {key: _value(row, getattr(arguments, key)) for key, row in ROWS.items() if getattr(arguments, key, None)}
-    for key in sorted(WITHOUT_ARRAYS & given.keys()):
-        raise ValueError(f"--{ROWS[key].flag} is about arrays of a file, which need VTK: pip install vtk")
+def _without_vtk(arguments: argparse.Namespace, options: _core.Options, progress) -> Run:
+    for key in sorted(WITHOUT_ARRAYS):
+        if getattr(arguments, key, None):
+            raise ValueError(f"--{ROWS[key].flag} is about arrays of a file, which need VTK: pip install vtk")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # they are printed from the list
-        result = decimate(*files.read(arguments.input), progress=progress, **given)
+        result = run_on_arrays(input_from(*files.read(arguments.input)), options, progress=progress, spell=flag)
     return Run(result.report, result.report_as_json, result.warnings, lambda: files.write(tuple(result), arguments.output))
-
-
-def _value(row: _core.OptionInfo, text: str):
-    """As Python has it, once the table has read it."""
-    if row.choices or row.kind == "str":
-        return text
-    options = _core.Options()
-    options.read(row.name, text)
-    return options.get(row.name)
 
 
 def _work(arguments: argparse.Namespace) -> int:
@@ -154,8 +153,8 @@ def _fail(code: int, problem: Exception) -> int:
 def main(words: list[str] | None = None) -> int:
     try:
         arguments = parser().parse_args(words)
-    except SystemExit as end:  # argparse ends with 2 where the C++ program has 1
-        return USAGE if end.code else DONE
+    except SystemExit as end:
+        return end.code
     try:
         return _work(arguments)
     except KeyboardInterrupt:

@@ -5,14 +5,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from .options import WITHOUT_ARRAYS, WITHOUT_GOALS, deprecated, number, read, switch, takes_options, thread_count
+from .options import (WITHOUT_ARRAYS, WITHOUT_GOALS, deprecated, keyword, number, read, spell_sentences, switch, takes_options,
+                      thread_count)
 from .label_maps import extract_label
 from .progress import Aborted, Progress, listener
 from .report import Report
@@ -199,15 +200,19 @@ def decimate(
     The bytes of the result are those of the C++ filter, for any number of threads. Other Python threads run meanwhile.
     """
     values = read(options, decimate, profile)
-    return _run(input_from(points, triangles), values, tolerances, labels, label_map, boundary_labels, reference, progress, prepared,
-                edge_lengths)
+    return run_on_arrays(input_from(points, triangles), values, tolerances, labels, label_map, boundary_labels, reference, progress,
+                         prepared, edge_lengths)
 
 
-def _run(surface: Surface, values: _core.Options, tolerances: ArrayLike | None, labels: ArrayLike | None,
-         label_map: LabelMapLike | VoxelGrid | None, boundary_labels: ArrayLike | None, reference: SurfaceLike | None,
-         progress: bool | Progress | None, prepared: _core.PreparedSurface | None = None,
-         edge_lengths: ArrayLike | None = None) -> Result:
-    """The warnings name the caller of the caller."""
+def run_on_arrays(surface: Surface, values: _core.Options, tolerances: ArrayLike | None = None, labels: ArrayLike | None = None,
+                  label_map: LabelMapLike | VoxelGrid | None = None, boundary_labels: ArrayLike | None = None,
+                  reference: SurfaceLike | None = None, progress: bool | Progress | None = None,
+                  prepared: _core.PreparedSurface | None = None, edge_lengths: ArrayLike | None = None,
+                  spell: Callable[[_core.OptionInfo], str] = keyword) -> Result:
+    """The warnings name the caller of the caller.
+
+    @param spell Of an option, as sentences call it.
+    """
     if prepared is not None and not isinstance(prepared, _core.PreparedSurface):
         raise TypeError(f"prepared takes a PreparedSurface, not {type(prepared).__name__}")
     surface, voxels = with_label_map(surface, boundary_labels, label_map)
@@ -220,6 +225,7 @@ def _run(surface: Surface, values: _core.Options, tolerances: ArrayLike | None, 
     with listener(progress) as heard:
         outcome = _core.decimate(*surface[:2], values, surface.is_single, withOrigins, limits, None, first and first[:2], heard,
                                  named, source and source.to_core(), prepared, lengths)
+    spell_sentences(outcome, spell)
     outcome["warnings"] = surface.warnings + (first.warnings if first else []) + outcome["warnings"]
     raise_problems(outcome)
     if voxels is not None:
@@ -264,7 +270,7 @@ def smooth(
     """
     read(options, smooth)
     values = read({"mode": "Fast", "target_reduction": 0.0, **smoothing_of(distance), **options}, decimate)
-    return _run(input_from(points, triangles), values, tolerances, labels, label_map, boundary_labels, reference, progress)
+    return run_on_arrays(input_from(points, triangles), values, tolerances, labels, label_map, boundary_labels, reference, progress)
 
 
 def smoothing_of(distance: float | None) -> dict[str, float | bool]:
@@ -303,7 +309,8 @@ def certify(
     label_map : optional
         As `check_voxels` takes it: the result is voxelized and compared with it, ``voxels`` and the report have the counts.
     tight_bounds, relative_gap : bool, float
-        Narrow the bounds even where the tolerance is proved, to that largest difference as a ratio to the upper one, 1e-12 to 1.
+        Narrow the bounds even where the tolerance is proved (False needs a tolerance), to that largest difference as a ratio to the
+        upper one, 1e-12 to 1.
     boundaries, means : bool
         Compare open boundaries curve to curve; estimate average and root mean square to the ratio `mean_precision`, 1e-4 to 1.
     threads, progress
@@ -326,14 +333,24 @@ def certify(
     first, second = surface_from(reference, "reference"), surface_from(result, "result", label_map is not None)
     warn(first.warnings + second.warnings, 2)
     options = _with_tolerances(tolerance, tolerances, len(first.points), thread_count(threads))
-    options.tight_bounds, options.with_boundaries = switch("tight_bounds", tight_bounds), switch("boundaries", boundaries)
-    options.relative_gap = number("relative_gap", relative_gap, 1e-12, 1)
-    options.with_means, options.mean_precision = switch("means", means), number("mean_precision", mean_precision, 1e-4, 1)
+    options.with_boundaries, options.relative_gap = switch("boundaries", boundaries), number("relative_gap", relative_gap, 1e-12, 1)
+    _set_precision(options, tight_bounds, tolerance is not None or tolerances is not None, means, mean_precision)
     voxels = None if label_map is None else Comparison(second, label_map).changes(options.threads)
     with listener(progress) as heard:
         outcome = _core.certify(*first[:2], *second[:2], options, heard)
     _raise_comparison_problems(outcome)
     return Certificate(outcome, voxels)
+
+
+def _set_precision(options: _core.CertificateOptions, tight_bounds: bool, has_tolerance: bool, means: bool,
+                   mean_precision: float) -> None:
+    """Raises ValueError for what has no effect."""
+    options.tight_bounds, options.with_means = switch("tight_bounds", tight_bounds), switch("means", means)
+    options.mean_precision = number("mean_precision", mean_precision, 1e-4, 1)
+    if not options.tight_bounds and not has_tolerance:
+        raise ValueError("tight_bounds=False has no effect; it needs tolerance or tolerances")
+    if not options.with_means and options.mean_precision != certify.__kwdefaults__["mean_precision"]:
+        raise ValueError("mean_precision has no effect with means=False")
 
 
 def _raise_comparison_problems(outcome: dict) -> None:
@@ -362,10 +379,11 @@ def gives_single(values: _core.Options, isSingle: bool) -> bool:
 
 
 def check(outcome: dict, stacklevel: int) -> None:
-    """Raises an error for a rejected input and for a contradicted result; emits all warnings.
+    """Raises an error for a rejected input and for a contradicted result; emits all warnings. Sentences have keywords.
 
     @param stacklevel As of warnings.warn in the calling function: 2 is its caller.
     """
+    spell_sentences(outcome)
     raise_problems(outcome)
     warn(outcome["warnings"], stacklevel + 1)
 

@@ -82,10 +82,23 @@ def _read_vtk(path: pathlib.Path, merges: bool = True):
     for event in ("ErrorEvent", "WarningEvent"):
         reader.AddObserver(event, lambda *_: problems.append(event))
     reader.SetFileName(str(_checked(path)))
-    reader.Update()
+    with _unlogged():
+        reader.Update()
     if problems or reader.GetOutput().GetNumberOfPoints() == 0:
         raise OSError(f"{path} could not be read as {path.suffix}")
     return reader.GetOutput()
+
+
+@contextlib.contextmanager
+def _unlogged():
+    """Without VTK's own words on the standard error, of parsers and executives, too."""
+    from vtkmodules.vtkCommonCore import vtkLogger
+    before = vtkLogger.GetCurrentVerbosityCutoff()
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+    try:
+        yield
+    finally:
+        vtkLogger.SetStderrVerbosity(vtkLogger.ConvertToVerbosity(before))
 
 
 def write_vtk(surface, path: pathlib.Path) -> None:

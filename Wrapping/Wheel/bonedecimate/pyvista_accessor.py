@@ -21,7 +21,7 @@ from .label_arrays import BOUNDARY_LABELS, GRID_POINT, LABEL_VALUES, add_grid
 from .label_maps import LabelSurfaces, extract_surfaces
 from .label_pieces import PieceChanges, change_pieces
 from .levels import Levels, open_levels, record_levels
-from .options import WITHOUT_LEVELS, number, read, switch, takes_options, words
+from .options import WITHOUT_EDITS, WITHOUT_LEVELS, number, read, switch, takes_options, words
 from .polydata import surface_of
 from .progress import Progress, listener
 from .report import Report
@@ -171,9 +171,10 @@ class BoneAccessor:
         **options
             As `decimate` takes them, without those that say how many triangles to remove.
         """
-        taken = [key for key in ("mode", "target_reduction", "target_triangles", "smooth", "auto_smooth") if key in options]
-        if taken:
-            raise TypeError(f"smooth takes no {taken[0]}: it removes no triangles, and distance says how far points may move")
+        without = WITHOUT_EDITS | {"edge_lengths": WITHOUT_EDITS["edge_length"], "profile": "profiles are for runs that remove triangles"}
+        for key in options:
+            if key in without:
+                raise TypeError(f"there is no option '{key}' here: {without[key]}")
         return self.decimate(mode="Fast", target_reduction=0.0, **smoothing_of(distance), **options)
 
     def _with_arrays(self, values, tolerances: ArrayLike | None, labels: ArrayLike | None,
