@@ -51,7 +51,7 @@ check_wheel()
   cmake --build --preset windows --target BoneDecimateCore
   # The core is the same for every Python. PyVista draws.
   SKBUILD_CMAKE_DEFINE="BONEDECIMATE_CORE_TARGETS=$PWD/build/windows/BoneDecimateCore.cmake" \
-    xvfb-run -a /usr/bin/python3 -B Testing/Wheel/matrix_windows.py "$@"
+    xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" /usr/bin/python3 -B Testing/Wheel/matrix_windows.py "$@"
 }
 
 case "${1:-}" in

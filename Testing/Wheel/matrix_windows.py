@@ -4,7 +4,7 @@
 """The wheel for Windows with each Python for Windows, in Wine: every test of this folder, with VTK, PyVista and numpy from PyPI, and
 results compared with the bytes of the C++ filter of this system. Utilities/check_windows.sh --wheel calls it; not part of the tests.
 
-    xvfb-run -a Testing/Wheel/matrix_windows.py [--build BUILD] [VERSION...]
+    xvfb-run -a -s -noreset Testing/Wheel/matrix_windows.py [--build BUILD] [VERSION...]
 
 WINEPREFIX is the folder of Wine. The wheels are in build/windows-python/wheels afterwards.
 """
