@@ -57,7 +57,7 @@ check_wheel()
 case "${1:-}" in
   --program)
     shift
-    [ $# -gt 0 ] || set -- cap certify commands precision profiles prune readers reference regions thesis_form tunnels units volumes voxels
+    [ $# -gt 0 ] || set -- cap certify commands file_names precision profiles prune readers reference regions thesis_form tunnels units volumes voxels
     check_program "$@" ;;
   --wheel)
     shift
