@@ -120,8 +120,6 @@ void CheckOneBone(const Arguments& arguments)
   {
     RequireSurfaceFormat("--also", file);
   }
-  RequireExtension("--report", arguments.Report, { "json" });
-  RequireExtension("--page", arguments.Page, { "html", "htm" });
   const SurfaceFormat* const heatmap = FindFormat(arguments.Heatmap);
   Require(arguments.Heatmap.empty() || (heatmap != nullptr && heatmap->HoldsArrays),
     "--heatmap '" + arguments.Heatmap + "' needs an extension whose format holds arrays: " +
@@ -145,6 +143,8 @@ void CheckOneBone(const Arguments& arguments)
   CheckUnit(arguments);
   RequireDistinct(
     OutputsOf(arguments), { arguments.Inputs[0], arguments.Reference, arguments.LabelMap.Path });
+  RequireExtension("--report", arguments.Report, { "json" });
+  RequireExtension("--page", arguments.Page, { "html", "htm" });
 }
 
 void CheckBatch(const Arguments& arguments)

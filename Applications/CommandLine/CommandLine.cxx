@@ -40,20 +40,10 @@ std::string WithoutList(const std::string& word)
   return isList ? "./" + word : word;
 }
 
-/// Our validators continue the name of the flag: "--threads takes a number". CLI11 puts a colon in between, and its versions
-/// write "At Most" in two ways.
+/// Our validators continue the name of the flag: "--threads takes a number". CLI11 puts a colon in between.
 std::string Sentence(const CLI::ParseError& error)
 {
   std::string text = error.what();
-  for (const std::string most :
-    { ": At Most 1 required but received ", ": At most 1 required but received " })
-  {
-    const std::size_t found = text.find(most);
-    if (found != std::string::npos)
-    {
-      return text.replace(found, most.size(), " takes one value, not ");
-    }
-  }
   const std::size_t colon = text.find(": takes ");
   return colon == std::string::npos ? text : text.erase(colon, 1);
 }

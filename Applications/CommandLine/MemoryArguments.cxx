@@ -5,6 +5,7 @@
 #include "Arguments.h"
 #include "ExitCode.h"
 #include "FileGrid.h"
+#include "FlagNames.h"
 #include "HelpFormatter.h"
 #include "Options/Text.h"
 #include "Pieces/SlabRun.h"
@@ -114,7 +115,7 @@ void CheckMemory(const Arguments& arguments)
   const SlabRun run(options, {});
   if (run.Status() != SlabStatus::Good)
   {
-    throw Failure(ExitCode::Usage, "--memory: " + run.Message());
+    throw Failure(ExitCode::Usage, "--memory: " + WithFlags(run.Message()));
   }
 }
 

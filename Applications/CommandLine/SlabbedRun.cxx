@@ -7,6 +7,7 @@
 #include "FilePath.h"
 #include "FilterOptions.h"
 #include "FilterRun.h"
+#include "FlagNames.h"
 #include "Formats/FileChecks.h"
 #include "Formats/SurfaceFormat.h"
 #include "Interruption.h"
@@ -123,7 +124,7 @@ private:
   {
     if (!problem.empty())
     {
-      Reject(this->Path, problem);
+      Reject(this->Path, WithFlags(problem));
     }
   }
 

@@ -117,8 +117,8 @@ class Memory(ApplicationTest):
             (("--labels", "bone"), "--labels"),
         ):
             self.fail_with(USAGE, "a.mha", "a.ply", *RUN, "--memory", "4G", *words, says=says)
-        self.fail_with(USAGE, "a.mha", "a.ply", "--iso", 127.5, "--memory", "4G", says="needs a MaximumError")
-        self.fail_with(USAGE, "a.mha", "a", "--segments", "all", "--memory", "4G", says="needs a MaximumError")
+        self.fail_with(USAGE, "a.mha", "a.ply", "--iso", 127.5, "--memory", "4G", says="needs a --max-error, in a mode")
+        self.fail_with(USAGE, "a.mha", "a", "--segments", "all", "--memory", "4G", says="needs a --max-error, in a mode")
         self.fail_with(USAGE, "a.mha", "a", "--segments", "all", "--max-error", 0.4, "--memory", "4G", "--page", "a.html",
                        says="--page")
 

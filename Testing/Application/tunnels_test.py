@@ -33,7 +33,7 @@ class Tunnels(ApplicationTest):
         self.assertIn("there is bone where the input has none", page)
 
     def test_what_does_not_go_with_it_is_rejected(self):
-        self.fail_with(REJECTED, "in.ply", "out.ply", "--close-tunnels", GAP, "--keep-voxels", "On", says="KeepVoxels")
+        self.fail_with(REJECTED, "in.ply", "out.ply", "--close-tunnels", GAP, "--keep-voxels", "On", says="--close-tunnels does not go with --keep-voxels")
 
 
 if __name__ == "__main__":

@@ -287,7 +287,7 @@ class Rejections(unittest.TestCase):
 class Running(unittest.TestCase):
     def test_what_was_dealt_with_is_a_warning(self):
         triangles = np.vstack([TRIANGLES, [[5, 5, 6]]])
-        with self.assertWarnsRegex(UserWarning, "1 triangle without area was left out: triangle") as heard:
+        with self.assertWarnsRegex(UserWarning, "1 triangle without area was left out") as heard:
             result = decimate(POINTS, triangles)
         self.assertEqual((result.warnings, heard.filename), ([str(heard.warning)], __file__))
         with self.assertWarnsRegex(UserWarning, "1 triangle without area") as heard:

@@ -219,7 +219,7 @@ class Events(unittest.TestCase):
         decimate = decimating(specimens.wrong_index())
         ear = specimens.Ear(decimate)
         decimate.Update()
-        self.assertRegex(ear.texts[0], "^ErrorEvent: 1 triangle has point indices out of range: triangle 96")
+        self.assertRegex(ear.texts[0], "^ErrorEvent: 1 triangle has point indices out of range, the first is triangle 96")
         self.assertEqual(decimate.GetOutput().GetNumberOfPoints(), 0)
 
     def test_ctrl_c_ends_update_with_keyboard_interrupt(self):

@@ -44,9 +44,8 @@ std::string InSingular(std::string text)
 /// @param what Counted things in the plural, and what is the matter with them.
 std::string Found(std::int64_t count, const char* what, const char* kind, std::int64_t first)
 {
-  const std::string which = std::string(kind) + " " + std::to_string(first);
-  return count == 1 ? "1 " + InSingular(what) + ": " + which
-                    : std::to_string(count) + " " + what + ", the first is " + which;
+  return std::to_string(count) + " " + (count == 1 ? InSingular(what) : what) + ", the first is " +
+    kind + " " + std::to_string(first);
 }
 
 std::string Counted(std::int64_t count, const std::string& noun)
