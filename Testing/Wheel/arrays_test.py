@@ -252,9 +252,9 @@ class Rejections(unittest.TestCase):
         far, broken = TRIANGLES.copy(), POINTS.copy()
         far[5, 1] = 2**40
         broken[3, 1] = np.nan
-        with self.assertRaisesRegex(ValueError, "out of range: triangle 5"):
+        with self.assertRaisesRegex(ValueError, "out of range, the first is triangle 5"):
             decimate(POINTS, far)
-        with self.assertRaisesRegex(ValueError, "NaN or infinite coordinates: point 3"):
+        with self.assertRaisesRegex(ValueError, "NaN or infinite coordinates, the first is point 3"):
             decimate(broken, TRIANGLES)
         with self.assertRaisesRegex(ValueError, "no triangle"):
             decimate(POINTS, np.empty((0, 3), int))

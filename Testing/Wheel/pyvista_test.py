@@ -65,7 +65,7 @@ print(pyvista.Sphere().bone.decimate(target_triangles=200).n_cells)
             bone().bone.decimate(max_error=-1)
         broken = bone()
         broken.points[3] = np.nan
-        with self.assertRaisesRegex(ValueError, "point 3$"):
+        with self.assertRaisesRegex(ValueError, "the first is point 3"):
             broken.bone.decimate()
         with self.assertRaisesRegex(ValueError, "no point array 'nonsense'"):
             bone().bone.decimate(tolerance_array="nonsense")

@@ -68,13 +68,13 @@ class Arrays(unittest.TestCase):
             self.rejects(ValueError, "labels are whole numbers", decimate, *SURFACE, labels=LABELS + value)
             broken = POINTS.copy()
             broken[3, 1] = value
-            self.rejects(ValueError, "coordinates: point 3", decimate, broken, TRIANGLES)
+            self.rejects(ValueError, "the first is point 3", decimate, broken, TRIANGLES)
             self.rejects(ValueError, "not finite", certify, SURFACE, (broken, TRIANGLES))
         self.rejects(ValueError, "labels are whole numbers", decimate, *SURFACE, labels=LABELS + 0.5)
         for index in (-1, len(POINTS), 2**31, 2**40, -2**63):
             far = TRIANGLES.astype(np.int64)
             far[5, 1] = index
-            self.rejects(ValueError, "out of range: triangle 5", decimate, POINTS, far)
+            self.rejects(ValueError, "out of range, the first is triangle 5", decimate, POINTS, far)
             self.rejects(ValueError, "missing|out of range", certify, (POINTS, far), SURFACE)
         self.rejects(ValueError, "missing|out of range", decimate, POINTS, TRIANGLES.astype(np.uint64) + np.uint64(2**63))
 
