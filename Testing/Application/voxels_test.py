@@ -61,7 +61,7 @@ class Voxels(ApplicationTest):
 
     def test_contradictions_are_rejected(self):
         self.fail_with(USAGE, "bone.stl", "out.stl", "--label", 5, says="--label-map")
-        self.fail_with(USAGE, "bone.stl", "map.mha.stl", "--label-map", "map.mha", "--report", "map.mha", says="label map")
+        self.fail_with(USAGE, "bone.stl", "map.mha.stl", "--label-map", "map.mha", "--report", "map.mha", says="'map.mha' is an input")
         self.fail_with(USAGE, "bone.stl", "bone.stl", "small/", "--label-map", "map.mha", says="one bone")
         self.fail_with(REJECTED, "bone.stl", "out.stl", "--label-map", "map.mha", "--label", 5, says="label 5")
         self.fail_with(REJECTED, "bone.stl", "out.stl", "--label-map", "none.mha", says="none.mha")
