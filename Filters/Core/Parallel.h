@@ -39,9 +39,10 @@ inline unsigned int ThreadsToUse(int requested)
 /**
  * Starts threads that call run(i), at most count of them. With too few threads or too little memory in the system there are fewer, perhaps none: the others do
  * the work.
+ * @returns Whether there are count threads.
  */
 template <typename Run>
-void StartThreads(std::vector<std::thread>& threads, std::size_t count, const Run& run)
+bool StartThreads(std::vector<std::thread>& threads, std::size_t count, const Run& run)
 {
   try
   {
@@ -50,12 +51,15 @@ void StartThreads(std::vector<std::thread>& threads, std::size_t count, const Ru
     {
       threads.emplace_back([run, i] { run(i); });
     }
+    return true;
   }
   catch (const std::system_error&)
   {
+    return false;
   }
   catch (const std::bad_alloc&)
   {
+    return false;
   }
 }
 

@@ -75,7 +75,8 @@ TEST_P(BrokenSurface, IsSpokenOfWithTheNumberOfItsBrokenPointsAndTheFirst)
     std::to_string(static_cast<int>(run.Value("input.first_non_manifold_point")));
   EXPECT_GT(run.Value("input.non_manifold_points"), 0);
   EXPECT_GE(run.Value("input.first_non_manifold_point"), 0);
-  EXPECT_EQ(run.Said(count + " points"), 1) << run.AllMessages();
+  EXPECT_EQ(run.Said(count + (count == "1" ? " point stays" : " points stay")), 1)
+    << run.AllMessages();
   EXPECT_EQ(run.Said("point " + first), 1) << run.AllMessages();
 }
 
