@@ -110,6 +110,9 @@ void CheckArguments(const Arguments& arguments);
 /// What the options that were given and have no effect need, a sentence each.
 std::vector<std::string> IneffectiveSentences(const Arguments& arguments);
 
+/// The files of a run of one bone: surfaces, report, page, heat map and picture; empty where one is not requested.
+std::vector<std::string> OutputsOf(const Arguments& arguments);
+
 /// What the run does although other options may have been meant, a sentence each.
 std::vector<std::string> OptionWarnings(const Arguments& arguments);
 }

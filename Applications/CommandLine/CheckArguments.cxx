@@ -53,21 +53,6 @@ void RequireSurfaceFormat(const std::string& what, const std::string& path)
   Require(LackText(path).empty(), what + " " + LackText(path));
 }
 
-std::vector<std::string> OutputsOf(const Arguments& arguments)
-{
-  std::vector<std::string> outputs = { arguments.Output };
-  outputs.insert(outputs.end(), arguments.Also.begin(), arguments.Also.end());
-  for (const std::string* file :
-    { &arguments.Report, &arguments.Page, &arguments.Heatmap, &arguments.Picture })
-  {
-    if (!file->empty())
-    {
-      outputs.push_back(*file);
-    }
-  }
-  return outputs;
-}
-
 /// What is proved is proved of coordinates as they will be read.
 void CheckPrecision(const Arguments& arguments)
 {
@@ -240,6 +225,15 @@ std::vector<std::string> IneffectiveSentences(const Arguments& arguments)
     IneffectiveOptions(options, arguments.HasTags ? ChangedOptions(options) : given);
   std::transform(sentences.begin(), sentences.end(), sentences.begin(), WithFlags);
   return sentences;
+}
+
+std::vector<std::string> OutputsOf(const Arguments& arguments)
+{
+  std::vector<std::string> outputs = arguments.Also;
+  outputs.insert(outputs.begin(), arguments.Output);
+  outputs.insert(
+    outputs.end(), { arguments.Report, arguments.Page, arguments.Heatmap, arguments.Picture });
+  return outputs;
 }
 
 std::vector<std::string> OptionWarnings(const Arguments& arguments)

@@ -4,8 +4,8 @@
  * @file SameFile.h
  * @brief Files that are written must not be those that are read, nor each other.
  */
-#ifndef SameFile_h
-#define SameFile_h
+#ifndef BoneDecimate_Applications_SameFile_h
+#define BoneDecimate_Applications_SameFile_h
 
 #include <string>
 #include <vector>

@@ -1,7 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef FilePath_h
-#define FilePath_h
+/**
+ * @file FilePath.h
+ * @brief Paths of files from their names.
+ */
+#ifndef BoneDecimate_Applications_FilePath_h
+#define BoneDecimate_Applications_FilePath_h
 
 #include <filesystem>
 #include <string>

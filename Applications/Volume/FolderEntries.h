@@ -1,7 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef FolderEntries_h
-#define FolderEntries_h
+/**
+ * @file FolderEntries.h
+ * @brief What is in a folder.
+ */
+#ifndef BoneDecimate_Applications_FolderEntries_h
+#define BoneDecimate_Applications_FolderEntries_h
 
 #include <filesystem>
 #include <system_error>

@@ -37,8 +37,8 @@ inline unsigned int ThreadsToUse(int requested)
 }
 
 /**
- * Starts threads that call run(i), at most count of them. With too few threads or too little memory in the system there are fewer, perhaps none: the others do
- * the work.
+ * Starts threads that call run(i), at most count of them. With too few threads or too little memory in the system there are
+ * fewer, perhaps none: the others do the work.
  * @returns Whether there are count threads.
  */
 template <typename Run>

@@ -41,15 +41,6 @@ std::string ProblemOf(vtkPolyData* surface, Options options)
   }
   return InputMessage(report);
 }
-
-std::vector<std::string> OutputsOf(const Arguments& arguments)
-{
-  std::vector<std::string> outputs = arguments.Also;
-  outputs.insert(outputs.begin(), arguments.Output);
-  outputs.insert(
-    outputs.end(), { arguments.Report, arguments.Page, arguments.Heatmap, arguments.Picture });
-  return outputs;
-}
 }
 
 void RequireUsable(vtkPolyData* surface, const Options& options, const Arguments& arguments)
