@@ -44,9 +44,9 @@ chroot "$root" env -C /project LC_ALL=C.UTF-8 bash -c '
   set -euo pipefail
   mkdir -p build
   Utilities/install_paraview.sh
+  apt-get -q -y --no-install-recommends install dpkg-dev file # for the test of the package and for cpack
   ./test.sh 2>&1 | tee build/tests.log
 
-  apt-get -q -y --no-install-recommends install dpkg-dev file # for cpack
   rm -rf build/package
   cpack --config build/release/CPackConfig.cmake -B build/package
   apt-get -q -y --no-install-recommends --reinstall install ./build/package/*.deb

@@ -155,7 +155,8 @@ void AddTriangulated(vtkPolyData* input, const CellSurvey& survey, ConvertedSurf
   if (lost > 0)
   {
     converted.Warnings.push_back(std::to_string(lost) +
-      " polygons could not be triangulated and were left out" +
+      (lost == 1 ? " polygon could not be triangulated and was left out"
+                 : " polygons could not be triangulated and were left out") +
       (survey.TooShort > 0 ? ", the first with fewer than three points is cell " +
             std::to_string(survey.FirstTooShort)
                            : std::string()));

@@ -109,12 +109,12 @@ bool ForEachPart(std::size_t parts, int threads, const Monitor& monitor, const W
   };
   std::vector<std::thread> pool;
   StartThreads(pool, helpers, [&](std::size_t i) { guarded(failures[i], [] {}); });
+  double reported = 0.0;
   guarded(failures[helpers],
     [&]
     {
-      const double done =
-        static_cast<double>(std::min(next.load(), parts)) / static_cast<double>(parts);
-      stopped = stopped || (monitor && !monitor(done));
+      reported = static_cast<double>(std::min(next.load(), parts)) / static_cast<double>(parts);
+      stopped = stopped || (monitor && !monitor(reported));
     });
   for (std::thread& thread : pool)
   {
@@ -127,7 +127,8 @@ bool ForEachPart(std::size_t parts, int threads, const Monitor& monitor, const W
       std::rethrow_exception(failure);
     }
   }
-  return !stopped;
+  const bool isUnreported = parts > 0 && reported < 1.0; // the last part was a helper's
+  return !stopped && !(isUnreported && monitor && !monitor(1.0));
 }
 
 /// Calls work(chunk, first, last) for every chunk of [0, count), as ForEachPart does.

@@ -198,7 +198,14 @@ TEST(Parallel, EveryPieceIsDoneExactlyOnce)
     for (const int threads : { 0, 1, 2, 5 })
     {
       std::vector<int> done(count, 0);
-      EXPECT_TRUE(ForEachChunk(count, threads, GoOn,
+      double fraction = 0.0;
+      const auto record = [&fraction](double now)
+      {
+        EXPECT_GE(now, fraction);
+        fraction = now;
+        return true;
+      };
+      EXPECT_TRUE(ForEachChunk(count, threads, record,
         [&](std::size_t chunk, std::size_t first, std::size_t last)
         {
           EXPECT_EQ(first, chunk * ChunkSize(count));
@@ -208,6 +215,7 @@ TEST(Parallel, EveryPieceIsDoneExactlyOnce)
           }
         }));
       EXPECT_EQ(done, std::vector<int>(count, 1));
+      EXPECT_EQ(fraction, count > 0 ? 1.0 : 0.0); // also if a helper thread took the last chunk
     }
   }
 }

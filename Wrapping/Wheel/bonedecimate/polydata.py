@@ -142,7 +142,8 @@ def _triangulate(points: vtkPoints, polys: Cells, strips: Cells, surface: Surfac
     surface.cell_of_triangle = found
     lost = len(all_numbers) - np.count_nonzero(np.diff(found, prepend=-1))
     if lost:
-        text = f"{lost} polygons could not be triangulated and were left out"
+        polygons, were = ("polygon", "was") if lost == 1 else ("polygons", "were")
+        text = f"{lost} {polygons} could not be triangulated and {were} left out"
         if not long_enough.all():
             text += f", the first with fewer than three points is cell {all_numbers[~long_enough][0]}"
         surface.warnings.append(text)
