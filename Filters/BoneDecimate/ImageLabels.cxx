@@ -132,6 +132,13 @@ ImageLabels ReadImageLabels(vtkImageData* image, vtkDataArray* array, int associ
 }
 
 //------------------------------------------------------------------------------
+void RequestWholeImage(vtkInformation* input)
+{
+  int whole[6] = { 0, -1, 0, -1, 0, -1 };
+  input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
+}
+
 bool IsWholeImage(vtkImageData* image, vtkInformation* input)
 {
   int whole[6] = { 0, -1, 0, -1, 0, -1 };

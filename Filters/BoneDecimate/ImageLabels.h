@@ -30,6 +30,9 @@ struct ImageLabels
 /// @param array Of the image; may be null. @param association Of vtkDataObject::FieldAssociations: points or cells.
 ImageLabels ReadImageLabels(vtkImageData* image, vtkDataArray* array, int association);
 
+/// Requests all of the image, whatever part the consumer asks for.
+void RequestWholeImage(vtkInformation* input);
+
 /// Whether the pipeline has all of the image.
 bool IsWholeImage(vtkImageData* image, vtkInformation* input);
 }

@@ -3,6 +3,7 @@
 #include "vtkBoneDecimateAlgorithm.h"
 
 #include "Certificate/Certificate.h"
+#include "ImageLabels.h"
 #include "LabelMapOfRun.h"
 #include "Report/ReportFigures.h"
 #include "Report/ReportJson.h"
@@ -11,7 +12,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 //------------------------------------------------------------------------------
 vtkBoneDecimateAlgorithm::vtkBoneDecimateAlgorithm()
@@ -99,9 +99,7 @@ int vtkBoneDecimateAlgorithm::RequestUpdateExtent(
     this->LabelMapPort < 0 ? nullptr : inputs[this->LabelMapPort]->GetInformationObject(0);
   if (map != nullptr)
   {
-    int extent[6] = { 0, -1, 0, -1, 0, -1 };
-    map->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-    map->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+    bonedecimate::RequestWholeImage(map);
   }
   return result;
 }

@@ -15,7 +15,6 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <vector>
@@ -140,10 +139,7 @@ int vtkBoneLabelPieces::RequestInformation(vtkInformation* vtkNotUsed(request),
 int vtkBoneLabelPieces::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
 {
-  vtkInformation* input = inputVector[0]->GetInformationObject(0);
-  int extent[6] = { 0, -1, 0, -1, 0, -1 };
-  input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  bonedecimate::RequestWholeImage(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

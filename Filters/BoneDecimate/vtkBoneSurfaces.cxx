@@ -23,7 +23,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
@@ -200,10 +199,7 @@ int vtkBoneSurfaces::FillInputPortInformation(int vtkNotUsed(port), vtkInformati
 int vtkBoneSurfaces::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
 {
-  vtkInformation* input = inputVector[0]->GetInformationObject(0);
-  int extent[6] = { 0, -1, 0, -1, 0, -1 };
-  input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  bonedecimate::RequestWholeImage(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

@@ -22,7 +22,6 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <iterator>
@@ -139,10 +138,7 @@ int vtkBoneVoxelCheck::FillInputPortInformation(int port, vtkInformation* info)
 int vtkBoneVoxelCheck::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
 {
-  vtkInformation* image = inputVector[1]->GetInformationObject(0);
-  int extent[6] = { 0, -1, 0, -1, 0, -1 };
-  image->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  image->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  bonedecimate::RequestWholeImage(inputVector[1]->GetInformationObject(0));
   return 1;
 }
 

@@ -13,6 +13,8 @@
 
 namespace bonedecimate
 {
+constexpr double DegreesPerRadian = 57.29577951308232;
+
 /// Radians, 0 to pi. Both must have a positive length of the same order as the other; 0 if one has none.
 inline double AngleBetween(const Vector3& a, const Vector3& b)
 {

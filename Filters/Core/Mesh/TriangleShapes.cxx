@@ -16,7 +16,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double DegreesPerRadian = 57.29577951308232;
 /// Cosines of 10, 20, ... 60 degrees: where the bins of the histogram end.
 constexpr std::array<double, 6> EndsOfBins = { 0.984807753012208, 0.9396926207859084,
   0.8660254037844387, 0.766044443118978, 0.6427876096865394, 0.0 };

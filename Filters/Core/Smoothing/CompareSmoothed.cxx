@@ -70,8 +70,7 @@ double MeanAngle(
       }
       return part;
     });
-  constexpr double degreesOfRadian = 57.29577951308232;
-  return edges.empty() ? 0.0 : degreesOfRadian * sum / static_cast<double>(edges.size());
+  return edges.empty() ? 0.0 : DegreesPerRadian * sum / static_cast<double>(edges.size());
 }
 
 double TotalOf(const std::vector<Vector3>& areas, int threads)

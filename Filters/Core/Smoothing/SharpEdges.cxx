@@ -17,7 +17,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double DegreesOfRadian = 57.29577951308232;
 /// Of the sum of the bends of two patches: what curvature alone explains is at most 1.5 times the sum.
 constexpr double MostOfBends = 2.0;
 
@@ -154,7 +153,7 @@ public:
     const Index a = this->Best[edge[0]];
     const Index b = this->Best[edge[1]];
     const double angle = AngleBetween(this->Means[a], this->Means[b]);
-    return DegreesOfRadian * angle > this->Settings.Angle &&
+    return DegreesPerRadian * angle > this->Settings.Angle &&
       angle > MostOfBends * (BendOf(this->Spreads[a]) + BendOf(this->Spreads[b]));
   }
 
