@@ -52,13 +52,20 @@ TEST(IneffectiveOptions, OfTheErrorNeedOne)
   EXPECT_TRUE(IneffectiveOf(options, Errors).empty());
 }
 
-TEST(IneffectiveOptions, ShapesNeedAModeThatKeepsThem)
+TEST(IneffectiveOptions, ShapesNeedEditsOfAModeThatKeepsThem)
 {
   const Names shape = { "MinimumAngle", "EdgeLength" };
   Options options;
   options.MinimumAngle = 20.0;
   options.EdgeLength = 2.0;
   EXPECT_TRUE(IneffectiveOf(options, shape).empty());
+  options.TargetReductionIsExplicit = true;
+  EXPECT_TRUE(IneffectiveOf(options, shape).empty());
+  options.TargetReduction = 0.0;
+  EXPECT_EQ(IneffectiveOf(options, shape), shape);
+  options = {};
+  options.MinimumAngle = 20.0;
+  options.EdgeLength = 2.0;
   options.Mode = Mode::Thesis;
   EXPECT_EQ(IneffectiveOf(options, shape), shape);
 }
