@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """SIGINT, SIGTERM and SIGHUP end a run; nothing of it is left. What a killed run leaves, the next one removes."""
 
+import fcntl
 import os
 import pathlib
 import signal
@@ -9,6 +10,15 @@ import subprocess
 import time
 
 from application import INTERRUPTED, PROGRAM, TEMPORARY, ApplicationTest, main, torus, write
+
+
+def is_locked(path):
+    try:
+        with open(path, "r+b") as file:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        return False
+    except BlockingIOError:
+        return True
 
 
 class Interruption(ApplicationTest):
@@ -69,6 +79,8 @@ class Interruption(ApplicationTest):
         write(torus(), self.path("small.ply"))
         process = self.start("in.ply", "out.ply", "--also", "out.stl", "--picture", "out.png")
         self.wait_for_work(self.folder)
+        while not all(is_locked(path) for path in self.folder.glob(TEMPORARY + "*")):  # what is not locked yet may be removed
+            time.sleep(0.005)
         process.send_signal(signal.SIGSTOP)
         os.waitpid(process.pid, os.WUNTRACED)  # until it has stopped
         before = self.temporaries()
