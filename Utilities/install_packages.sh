@@ -36,7 +36,8 @@ fi
 # Other releases lack some of them; where one is necessary, CMake says so.
 known=()
 for package in "${missing[@]}"; do
-  if apt-cache show "$package" > /dev/null 2>&1; then
+  # Its record may be there without a version that can be installed.
+  if [[ $(LC_ALL=C apt-cache policy "$package") == *"Candidate: "[0-9]* ]]; then
     known+=("$package")
   else
     echo "Not in this release of Debian: $package"

@@ -4,7 +4,7 @@
 """The portable wheel with each Python and each VTK: a fresh environment from PyPI, every test of this folder in it,
 results compared with the bytes of the C++ filter. Prints a table for Documentation/python.md; not part of the tests.
 
-    xvfb-run -a Testing/Wheel/matrix.py [--build BUILD] [--wheels FOLDER] [--vtk 9.2,9.4,...] PYTHON...
+    xvfb-run -a Testing/Wheel/matrix.py [--build BUILD | --reference FILE] [--wheels FOLDER] [--vtk 9.2,9.4,...] PYTHON...
 
 A PYTHON needs its headers, as those of pyenv or uv have; the C++ filter is that of BUILD. Old VTKs draw only where
 there is a screen, any will do. A field of the table takes a download of 200 MB and a minute of the processor.
@@ -107,6 +107,7 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="of the C++ filter")
     parser.add_argument("--build-python", default="/usr/bin/python3", help="the Python that BUILD was wrapped for")
+    parser.add_argument("--reference", type=pathlib.Path, help="already written by write_reference.py; else it is, with BUILD")
     parser.add_argument("--wheels", type=pathlib.Path, help="already built; else they are, into BUILD/matrix/wheels")
     parser.add_argument("--vtk", type=lambda text: text.split(","), default=["9.2", "9.4", "9.6", "9.7"])
     parser.add_argument("pythons", metavar="PYTHON", nargs="+")
@@ -117,8 +118,9 @@ def main():
     options = parse_arguments()
     folder = options.build.resolve() / "matrix"
     folder.mkdir(exist_ok=True)
-    options.reference = folder / "reference.json"
-    write_reference(options.build.resolve(), options.build_python, options.reference)
+    if options.reference is None:
+        options.reference = folder / "reference.json"
+        write_reference(options.build.resolve(), options.build_python, options.reference)
     if options.wheels is None:
         options.wheels = folder / "wheels"
         build_wheels(options.pythons, options.wheels)
