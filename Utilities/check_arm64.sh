@@ -4,7 +4,8 @@
 #
 # For arm64, cross-compiled and run in qemu-user: the core with the table of checksums and tests, or the portable wheel with its tests.
 #   Utilities/check_arm64.sh [--checksums]     --checksums: the table alone
-#   Utilities/check_arm64.sh --wheel           needs build/release and root, for the Debian for arm64 that it makes in build/arm64-root
+#   Utilities/check_arm64.sh --wheel [TEST,...]     needs build/release and root, for the Debian for arm64 that it makes in build/arm64-root
+# TEST: of Testing/Wheel, without _test.py; by default those that do not take hours in qemu-user.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -33,12 +34,12 @@ check_wheel()
   # What the C++ filter of this system makes. PyVista draws.
   PYTHONPATH=build/release/lib/python3/dist-packages /usr/bin/python3 -B Testing/Wheel/write_reference.py "$folder/reference.json"
   xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" Utilities/arm64/python -B Testing/Wheel/matrix.py --reference "$folder/reference.json" \
-    --wheels "$folder" --build "$folder" --vtk 9.7 /usr/bin/python3
+    --wheels "$folder" --build "$folder" --vtk 9.7 --tests "$1" /usr/bin/python3
 }
 
 Utilities/install_packages.sh arm64
 case "${1:-}" in
-  --wheel) check_wheel ;;
+  --wheel) check_wheel "${2:-labelmaps,sameness,voxels}" ;;
   --checksums) check_core bonedecimate-checksums ;;
   *) check_core bonedecimate-checksums BoneDecimateCoreTests ;;
 esac

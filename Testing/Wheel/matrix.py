@@ -75,10 +75,10 @@ def make_environment(python, vtk, wheels, folder):
     return {name: listed[name] for name in ("vtk", "pyvista", "numpy")}
 
 
-def run_tests(python, reference):
-    """Tests run, tests skipped, runs that were as those of the C++ filter; what went wrong."""
+def run_tests(python, reference, names=("*",)):
+    """Tests run, tests skipped, runs that were as those of the C++ filter; what went wrong. Of the files NAME_test.py."""
     numbers, wrong = [0, 0, 0], ""
-    for file in sorted(HERE.glob("*_test.py")):
+    for file in sorted(path for name in names for path in HERE.glob(f"{name}_test.py")):
         done = run(python, "-B", file, SOURCE_DIR=str(ROOT), REFERENCE=str(reference))
         for i, pattern in enumerate((r"Ran (\d+) test", r"skipped=(\d+)", r"(\d+) runs as those of the C\+\+")):
             numbers[i] += sum(map(int, re.findall(pattern, done.stdout)))
@@ -95,7 +95,7 @@ def field(python, vtk, options, folder):
     if isinstance(environment, str):
         print(environment, flush=True)
         return "**not installed**", False
-    (tests, skipped, same), wrong = run_tests(folder / "bin" / "python", options.reference)
+    (tests, skipped, same), wrong = run_tests(folder / "bin" / "python", options.reference, options.tests)
     shutil.rmtree(folder)
     found = f"{tests - skipped} tests, {same} runs" + (f", {skipped} skipped" if skipped else "")
     with_what = ", ".join(f"{name} {version}" for name, version in environment.items())
@@ -110,6 +110,7 @@ def parse_arguments():
     parser.add_argument("--reference", type=pathlib.Path, help="already written by write_reference.py; else it is, with BUILD")
     parser.add_argument("--wheels", type=pathlib.Path, help="already built; else they are, into BUILD/matrix/wheels")
     parser.add_argument("--vtk", type=lambda text: text.split(","), default=["9.2", "9.4", "9.6", "9.7"])
+    parser.add_argument("--tests", type=lambda text: text.split(","), default=["*"], help="names of files, without _test.py; default: all")
     parser.add_argument("pythons", metavar="PYTHON", nargs="+")
     return parser.parse_args()
 
