@@ -39,7 +39,7 @@ check_wheel()
 
 Utilities/install_packages.sh arm64
 case "${1:-}" in
-  --wheel) check_wheel "${2:-labelmaps,sameness,voxels}" ;;
+  --wheel) check_wheel "${2:-keywords,labelmaps,sameness,voxels}" ;;
   --checksums) check_core bonedecimate-checksums ;;
   *) check_core bonedecimate-checksums BoneDecimateCoreTests ;;
 esac
