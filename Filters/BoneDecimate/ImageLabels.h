@@ -30,7 +30,7 @@ struct ImageLabels
 /// @param array Of the image; may be null. @param association Of vtkDataObject::FieldAssociations: points or cells.
 ImageLabels ReadImageLabels(vtkImageData* image, vtkDataArray* array, int association);
 
-/// Requests all of the image, whatever part the consumer asks for.
+/// Requests all of the image, whatever part the consumer requests.
 void RequestWholeImage(vtkInformation* input);
 
 /// Whether the pipeline has all of the image.

@@ -154,9 +154,8 @@ void AddTriangulated(vtkPolyData* input, const CellSurvey& survey, ConvertedSurf
   const vtkIdType lost = input->GetNumberOfPolys() + input->GetNumberOfStrips() - different;
   if (lost > 0)
   {
-    converted.Warnings.push_back(std::to_string(lost) +
-      (lost == 1 ? " polygon could not be triangulated and was left out"
-                 : " polygons could not be triangulated and were left out") +
+    converted.Warnings.push_back(std::to_string(lost) + (lost == 1 ? " polygon" : " polygons") +
+      " could not be triangulated and " + (lost == 1 ? "was" : "were") + " left out" +
       (survey.TooShort > 0 ? ", the first with fewer than three points is cell " +
             std::to_string(survey.FirstTooShort)
                            : std::string()));

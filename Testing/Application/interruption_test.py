@@ -12,7 +12,7 @@ import time
 from application import INTERRUPTED, PROGRAM, TEMPORARY, ApplicationTest, main, torus, write
 
 
-def is_locked(path):
+def is_reserved(path):
     try:
         with open(path, "r+b") as file:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -79,7 +79,8 @@ class Interruption(ApplicationTest):
         write(torus(), self.path("small.ply"))
         process = self.start("in.ply", "out.ply", "--also", "out.stl", "--picture", "out.png")
         self.wait_for_work(self.folder)
-        while not all(is_locked(path) for path in self.folder.glob(TEMPORARY + "*")):  # what is not locked yet may be removed
+        # Until then another run may remove it.
+        while not all(is_reserved(path) for path in self.folder.glob(TEMPORARY + "*")):
             time.sleep(0.005)
         process.send_signal(signal.SIGSTOP)
         os.waitpid(process.pid, os.WUNTRACED)  # until it has stopped
