@@ -12,6 +12,7 @@
 #include <NrrdIO.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -90,10 +91,10 @@ public:
     return this->State->endian == airEndianBig ? ByteOrder::Big : ByteOrder::Little;
   }
 
-  /// ITK mirrors x of a file in LAS instead of y.
+  /// ITK mirrored x of a file in LAS instead of y before https://github.com/InsightSoftwareConsortium/ITK/pull/5224.
   void CorrectSpace(VolumeGeometry& geometry) const
   {
-    if (this->Header->space == nrrdSpaceLeftAnteriorSuperior)
+    if (this->Header->space == nrrdSpaceLeftAnteriorSuperior && this->HasMirroredX(geometry))
     {
       for (Vector3* vector :
         { &geometry.Origin, &geometry.Steps[0], &geometry.Steps[1], &geometry.Steps[2] })
@@ -105,6 +106,23 @@ public:
   }
 
 private:
+  /// Whether x of the steps has the opposite sign of that in the file, where it is largest.
+  bool HasMirroredX(const VolumeGeometry& geometry) const
+  {
+    double largest = 0.0;
+    std::size_t step = 0;
+    for (unsigned int axis = 0; axis < this->Header->dim && step < 3; ++axis)
+    {
+      const double x = this->Header->axis[axis].spaceDirection[0];
+      if (!std::isnan(x)) // those of values and layers have no direction
+      {
+        const double product = x * geometry.Steps[step++][0];
+        largest = std::abs(product) > std::abs(largest) ? product : largest;
+      }
+    }
+    return largest < 0.0;
+  }
+
   bool IsInMillimeters() const
   {
     bool isMillimeter = true;
