@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# A Debian for arm64 in build/arm64-root, with Python and the libraries of the program; what is there already is not made again.
+# A Debian for arm64 in build/arm64-root, with Python; what is there already is not made again.
 # Needs root, and the binary formats of qemu-user-static in the kernel.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
