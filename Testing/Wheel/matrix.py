@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The portable wheel with each Python and each VTK: a fresh environment from PyPI, every test of this folder in it,
+"""The portable wheel with each Python and each VTK: a fresh environment from PyPI, the tests of this folder in it,
 results compared with the bytes of the C++ filter. Prints a table for Documentation/python.md; not part of the tests.
 
-    xvfb-run -a Testing/Wheel/matrix.py [--build BUILD | --reference FILE] [--wheels FOLDER] [--vtk 9.2,9.4,...] PYTHON...
+    xvfb-run -a Testing/Wheel/matrix.py [--build BUILD | --reference FILE] [--wheels FOLDER] [--vtk 9.2,9.4,...] [--tests NAME,...] PYTHON...
 
 A PYTHON needs its headers, as those of pyenv or uv have; the C++ filter is that of BUILD. Old VTKs draw only where
 there is a screen, any will do. A field of the table takes a download of 200 MB and a minute of the processor.
