@@ -11,6 +11,7 @@
 #include "MemoryArguments.h"
 #include "Options/NumberRange.h"
 #include "Options/OptionTable.h"
+#include "Options/RunKinds.h"
 #include "Options/Text.h"
 #include "VoxelPieces.h"
 
@@ -267,11 +268,13 @@ void AddDecimateOptions(CLI::App& app, Arguments& arguments)
 void AddSmoothOptions(CLI::App& app, Arguments& arguments)
 {
   app.add_option("FILES", arguments.Inputs, "INPUT OUTPUT")->type_name("")->allow_extra_args();
-  for (const char* name : { "Smoothing", "FeatureAngle", "MaximumError", "AllowLargeError",
-         "ToleranceArrayName", "LabelArrayName", "MergePoints", "MeasureDistances", "ProveResult",
-         "NumberOfThreads", "OutputPointsPrecision", "PassArrays", "RecomputeNormals" })
+  const RunKind& kind = FindRunKind("SmoothFilter");
+  for (const OptionInfo& info : OptionTable())
   {
-    AddOptionOfTable(app, *FindOption(name), ReceiverOf(arguments));
+    if (!info.Flag.empty() && WhyUnsupported(kind, info).empty())
+    {
+      AddOptionOfTable(app, info, ReceiverOf(arguments));
+    }
   }
   AddRegions(app, arguments.Regions,
     [&arguments](const std::string& all) { arguments.Given["region"] = all; });

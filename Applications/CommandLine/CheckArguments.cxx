@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ArgumentKinds.h"
 #include "Arguments.h"
 #include "CommonOptions.h"
 #include "FileGrid.h"
@@ -12,12 +13,11 @@
 #include "BoneVolume.h"
 #include "ExitCode.h"
 #include "MemoryArguments.h"
-#include "Options/IneffectiveOptions.h"
 #include "Options/OptionTable.h"
 #include "Options/Text.h"
+#include "Options/UnmetNeeds.h"
 #include "SameFile.h"
 #include "SegmentOutput.h"
-#include "VoxelPieces.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -112,18 +112,14 @@ void CheckOneBone(const Arguments& arguments)
   Require(arguments.Picture.empty() || ExtensionOf(arguments.Picture) == "png",
     "--picture '" + arguments.Picture + "' needs the extension png");
   Require(arguments.Reference.empty() || arguments.Options.BoundsError(),
-    "--reference needs --max-error or --preset, in every mode but Thesis");
+    "--reference needs --max-error or --preset, in every mode but " +
+      ModeNamesWhere([](const ModeInfo& mode) { return !mode.ProvesError(); }));
   const bool volume = IsVolume(arguments.Inputs[0]);
   Require(!volume || arguments.Iso || arguments.Segments.IsRequested(),
     "'" + arguments.Inputs[0] +
       "' is a volume: --iso HU or, of a label map, --segments says which surface to take");
   Require(volume || !arguments.Iso || !fs::exists(FilePath(arguments.Inputs[0])),
     "--iso is for volumes; '" + arguments.Inputs[0] + "' is none");
-  Require(arguments.Iso || arguments.Given.count("intensities") == 0,
-    "--intensities is for volumes, together with --iso");
-  Require(arguments.Jobs == 0 && !arguments.Force && arguments.Only.empty() &&
-      (arguments.Format.empty() || arguments.Segments.IsRequested()),
-    "--jobs, --force, --only and --format are for many bones and an output folder");
   CheckPrecision(arguments);
   CheckUnit(arguments);
   RequireDistinct(
@@ -134,14 +130,6 @@ void CheckOneBone(const Arguments& arguments)
 
 void CheckBatch(const Arguments& arguments)
 {
-  const bool single = !arguments.Also.empty() || !arguments.Report.empty() ||
-    !arguments.Page.empty() || !arguments.Heatmap.empty() || !arguments.Picture.empty();
-  Require(!single,
-    "--also, --report, --page, --heatmap and --picture are for one bone; many get a report each");
-  Require(arguments.Reference.empty(), "--reference is for one bone");
-  Require(arguments.LabelMap.Path.empty(), "--label-map is for one bone");
-  Require(arguments.Iso || arguments.Given.count("intensities") == 0,
-    "--intensities is for volumes, together with --iso");
   CheckFormat(arguments);
   std::error_code error;
   Require(arguments.Inputs.size() == 1 || fs::exists(FilePath(arguments.Output), error) ||
@@ -222,7 +210,7 @@ std::vector<std::string> IneffectiveSentences(const Arguments& arguments)
     }
   }
   std::vector<std::string> sentences =
-    IneffectiveOptions(options, arguments.HasTags ? ChangedOptions(options) : given);
+    UnmetNeeds(options, arguments.HasTags ? ChangedOptions(options) : given);
   std::transform(sentences.begin(), sentences.end(), sentences.begin(), WithFlags);
   return sentences;
 }
@@ -260,13 +248,12 @@ void CheckArguments(const Arguments& arguments)
     std::none_of(arguments.Inputs.begin(), arguments.Inputs.end(),
       [](const std::string& input) { return input.empty(); });
   Require(named, "a name is empty");
-  Require(!arguments.Iso || arguments.Unit.IsMillimeter(),
-    "--unit is for surfaces; a volume for --iso is in millimeters by its header");
   const std::vector<std::string> ineffective = IneffectiveSentences(arguments);
   Require(ineffective.empty(), ineffective.empty() ? "" : ineffective.front());
+  const std::string contradiction = FindContradiction(arguments);
+  Require(contradiction.empty(), contradiction);
   CheckMemory(arguments);
   CheckSegments(arguments);
-  CheckPieces(arguments);
   CheckLabel(arguments.LabelMap, "--label-map");
   if (!arguments.LabelMap.Spacing.empty())
   {

@@ -4,7 +4,6 @@
 
 #include "Arguments.h"
 #include "ExitCode.h"
-#include "FileGrid.h"
 #include "FlagNames.h"
 #include "HelpFormatter.h"
 #include "Options/Text.h"
@@ -14,8 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 namespace bonedecimate
 {
@@ -35,24 +32,6 @@ constexpr std::int64_t LeastTriangles = 20000;
 std::string MiBText(std::int64_t bytes)
 {
   return std::to_string((bytes + MiB - 1) / MiB) + " MiB";
-}
-
-std::string WhatIsNotThere(const Arguments& arguments)
-{
-  const std::vector<std::pair<bool, const char*>> others{ { IsBatch(arguments), "several inputs" },
-    { arguments.FillVolume > 0.0, "--fill-volume" },
-    { !arguments.Reference.empty(), "--reference" },
-    { !arguments.LabelMap.Path.empty(), "--label-map" }, { !arguments.Regions.empty(), "--region" },
-    { !arguments.Options.ToleranceArrayName.empty(), "--tolerance-array" },
-    { !arguments.Options.LabelArrayName.empty(), "--labels" },
-    { !arguments.Options.EdgeLengthArrayName.empty(), "--edge-length-array" },
-    { arguments.Options.ChordalError > 0.0, "--chordal-error" },
-    { !arguments.Heatmap.empty(), "--heatmap" }, { !arguments.Picture.empty(), "--picture" },
-    { !arguments.Page.empty(), "--page" },
-    { !IsBatch(arguments) && WritesGrid(arguments), "an output in glb" } };
-  const auto found =
-    std::find_if(others.begin(), others.end(), [](const auto& other) { return other.first; });
-  return found == others.end() ? std::string() : found->second;
 }
 }
 
@@ -99,15 +78,6 @@ void CheckMemory(const Arguments& arguments)
   if (arguments.Memory == 0)
   {
     return;
-  }
-  const std::string other = WhatIsNotThere(arguments);
-  if (!other.empty())
-  {
-    throw Failure(ExitCode::Usage, "--memory and " + other + " do not go together");
-  }
-  if (!arguments.Iso && !arguments.Segments.IsRequested())
-  {
-    throw Failure(ExitCode::Usage, "--memory is for volumes, together with --iso or --segments");
   }
   Options options = arguments.Options;
   options.VoxelSize =

@@ -12,39 +12,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include <utility>
-
 namespace bonedecimate
 {
 namespace
 {
-/// The sentence if an option was given that surfaces have and label maps do not.
-std::string Contradiction(const Arguments& arguments)
-{
-  const std::pair<bool, const char*> contradictions[] = {
-    { arguments.Iso.has_value(),
-      "--segments takes the labels of a label map, --iso a gray value; they exclude each other" },
-    { !arguments.LabelMap.Path.empty(),
-      "--label-map is for surfaces; with --segments the input is the label map" },
-    { !arguments.Options.LabelArrayName.empty(),
-      "--labels names an array of a surface; with --segments the labels are those of the map" },
-    { !arguments.Options.ToleranceArrayName.empty(),
-      "--tolerance-array names an array of a surface; with --segments use --region" },
-    { !arguments.Options.EdgeLengthArrayName.empty(),
-      "--edge-length-array names an array of a surface; with --segments use --chordal-error" },
-    { !arguments.Unit.IsMillimeter(),
-      "--unit is for surfaces; a label map for --segments is in millimeters by its header" },
-  };
-  for (const auto& [isRequested, sentence] : contradictions)
-  {
-    if (isRequested)
-    {
-      return sentence;
-    }
-  }
-  return {};
-}
-
 void Require(bool isRight, const std::string& sentence)
 {
   if (!isRight)
@@ -89,13 +60,6 @@ void AddSegments(CLI::App& app, SegmentArguments& segments,
 
 void CheckSegments(const Arguments& arguments)
 {
-  Require(arguments.Segments.IsRequested() || !arguments.Segments.HasTotalSegmentatorNames,
-    "--label-names has no effect; it needs --segments");
-  if (arguments.Segments.IsRequested())
-  {
-    const std::string contradiction = Contradiction(arguments);
-    Require(contradiction.empty(), contradiction);
-  }
   if (!arguments.Segments.IsRequested() || IsBatch(arguments))
   {
     return;

@@ -4,7 +4,6 @@
 
 #include "Arguments.h"
 #include "CommonOptions.h"
-#include "ExitCode.h"
 #include "FilterRun.h"
 #include "NamedLabels.h"
 #include "NumberText.h"
@@ -120,21 +119,6 @@ void AddFillVolume(CLI::App& app, Arguments& arguments)
       arguments.FillVolume = volume;
       arguments.Given["fill-volume"] = NumberText(volume);
     });
-}
-
-void CheckPieces(const Arguments& arguments)
-{
-  if (arguments.FillVolume > 0.0 && !arguments.Iso && !arguments.Segments.IsRequested())
-  {
-    throw Failure(
-      ExitCode::Usage, "--fill-volume is for volumes, together with --iso or --segments");
-  }
-  if (arguments.Segments.IsRequested() && arguments.Options.PruneTriangles > 0)
-  {
-    throw Failure(ExitCode::Usage,
-      "--prune-triangles counts triangles of surfaces; with --segments, whose islands are voxels, "
-      "use --prune-size, --prune-area or --prune-volume");
-  }
 }
 
 vtkSmartPointer<vtkImageData> ChangePieces(vtkImageData* map, const std::vector<NamedLabel>& labels,

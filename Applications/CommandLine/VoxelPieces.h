@@ -40,9 +40,6 @@ using PiecesOfLabels = std::map<std::int64_t, ChangedPieces>;
 /// Adds --fill-volume.
 void AddFillVolume(CLI::App& app, Arguments& arguments);
 
-/// What contradicts --fill-volume, and limits of components that label maps do not have. @throws Failure(ExitCode::Usage)
-void CheckPieces(const Arguments& arguments);
-
 /**
  * The label map without the islands of the --prune options and with the cavities of --fill-volume filled; the same one if there is nothing to
  * do. Warns of labels whose largest piece is small, too.

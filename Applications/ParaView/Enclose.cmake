@@ -25,6 +25,7 @@ cmake_path(GET paraview_libraries PARENT_PATH paraview_libraries)
 
 # ParaView's tools find its libraries wherever it lies.
 set(environment "${CMAKE_COMMAND}" -E env "LD_LIBRARY_PATH=${paraview_libraries}")
+get_target_property(option_table option_table TABLE_FILE)
 include(ExternalProject)
 ExternalProject_Add(BoneDecimateParaView
   SOURCE_DIR "${CMAKE_CURRENT_LIST_DIR}"
@@ -37,11 +38,13 @@ ExternalProject_Add(BoneDecimateParaView
     "-DCMAKE_UNITY_BUILD_BATCH_SIZE=${CMAKE_UNITY_BUILD_BATCH_SIZE}"
     "-DParaView_DIR=${paraview_dir}"
     "-DBONEDECIMATE_CORE_TARGETS=${core_targets}"
+    "-DBONEDECIMATE_OPTION_TABLE=${option_table}"
+    "-DPython3_EXECUTABLE=${Python3_EXECUTABLE}"
   BUILD_COMMAND ${environment} "${CMAKE_COMMAND}" --build <BINARY_DIR>
   INSTALL_COMMAND ""
   BUILD_ALWAYS ON
   USES_TERMINAL_BUILD ON)
-add_dependencies(BoneDecimateParaView BoneDecimateCore)
+add_dependencies(BoneDecimateParaView BoneDecimateCore option_table)
 
 # For the tests.
 set(BONEDECIMATE_PARAVIEW_PLUGIN "${PROJECT_BINARY_DIR}/paraview/${CMAKE_INSTALL_LIBDIR}/BoneDecimate/BoneDecimate.so")

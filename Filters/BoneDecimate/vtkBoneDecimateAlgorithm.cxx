@@ -5,6 +5,7 @@
 #include "Certificate/Certificate.h"
 #include "ImageLabels.h"
 #include "LabelMapOfRun.h"
+#include "Options/RunKinds.h"
 #include "Report/ReportFigures.h"
 #include "Report/ReportJson.h"
 #include "RunState.h"
@@ -12,6 +13,8 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+
+#include <algorithm>
 
 //------------------------------------------------------------------------------
 vtkBoneDecimateAlgorithm::vtkBoneDecimateAlgorithm()
@@ -43,6 +46,24 @@ std::string vtkBoneDecimateAlgorithm::GetOptionAsText(const std::string& name) c
   return this->HasOption(name)
     ? bonedecimate::OptionText(this->State->Options, *bonedecimate::FindOption(name))
     : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBoneDecimateAlgorithm::FindUnsupportedOption(
+  const std::vector<std::string>& kinds, const std::vector<std::string>& alsoUsed) const
+{
+  std::vector<bonedecimate::RunKind> rows;
+  for (const std::string& kind : kinds)
+  {
+    rows.push_back(bonedecimate::FindRunKind(kind));
+  }
+  std::vector<bonedecimate::Request> requests = bonedecimate::RequestsOf(this->State->Options);
+  for (bonedecimate::Request& request : requests)
+  {
+    request.IsUsed =
+      request.IsUsed || std::find(alsoUsed.begin(), alsoUsed.end(), request.Name) != alsoUsed.end();
+  }
+  return bonedecimate::FindUnsupported(rows, requests);
 }
 
 //------------------------------------------------------------------------------

@@ -148,6 +148,13 @@ protected:
   virtual std::string OptionProblem(
     const bonedecimate::Options& changed, const std::string& name) const;
 
+  /**
+   * Why the first option in use cannot be followed by a run of these kinds, in one sentence; empty if all can.
+   * @param kinds Names of rows of the core's table (RunKinds.h).  @param alsoUsed Options whose values do not tell that they are.
+   */
+  std::string FindUnsupportedOption(
+    const std::vector<std::string>& kinds, const std::vector<std::string>& alsoUsed) const;
+
   /// An option has another value now.
   virtual void OptionChanged(const std::string& name);
 

@@ -19,41 +19,11 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <utility>
 
 namespace
 {
 constexpr int PortOfLabelMap = 2;
-
-/// The option that parts cannot follow, whatever they are; null if there is none.
-const char* ProblemOfOptions(vtkPBoneDecimate& options)
-{
-  if (!options.GetMergePoints())
-  {
-    return "MergePoints off is for one process alone: parts are joined where points are equal";
-  }
-  if (options.GetTunnelSize() > 0.0)
-  {
-    return "TunnelSize is for one process alone: a part does not show which loops go around a "
-           "tunnel";
-  }
-  if (options.GetMakeMaps())
-  {
-    return "MakeMaps is for one process alone: the ids of a part are not those of the whole";
-  }
-  if (options.GetOutputPointsPrecision() != vtkAlgorithm::DEFAULT_PRECISION)
-  {
-    return "OutputPointsPrecision on several processes is that of the input: parts are joined "
-           "where points are equal";
-  }
-  if (options.GetOutputPointsGrid() > 0.0)
-  {
-    return "OutputPointsGrid is for one process alone: points that parts have in common keep their "
-           "coordinates";
-  }
-  return options.GetDiagnoseInput()
-    ? "DiagnoseInput is for one process alone: what is odd about a part need not be so in the whole"
-    : nullptr;
-}
 }
 
 vtkStandardNewMacro(vtkPBoneDecimate);
@@ -193,42 +163,29 @@ int vtkPBoneDecimate::RunAlone(
 }
 
 //------------------------------------------------------------------------------
-/// The option that needs the whole surface; null if there is none.
-const char* vtkPBoneDecimate::ProblemOfParts(
-  vtkPolyData* input, vtkPolyData* reference, double voxelSize)
+/// The kinds of run that this one is, on several processes.
+std::vector<std::string> vtkPBoneDecimate::KindsOfRun(
+  vtkPolyData* input, vtkPolyData* reference, double voxelSize) const
 {
-  if (this->GetErrorPreset() != NO_PRESET && this->GetVoxelSize() == 0.0 && voxelSize == 0.0)
+  const bool hasPoints = input->GetNumberOfPoints() > 0;
+  const bool isDouble = hasPoints && input->GetPoints()->GetDataType() == VTK_DOUBLE;
+  const bool hasSingle = this->IsTrueAnywhere(hasPoints && !isDouble);
+  const bool hasDouble = this->IsTrueAnywhere(isDouble);
+  const std::pair<bool, const char*> kinds[] = { { this->GetVoxelSize() == 0.0 && voxelSize == 0.0,
+                                                   "RanksWithoutVoxelSize" },
+    { voxelSize == 0.0, "RanksWithoutVoxelGrid" },
+    { this->IsTrueAnywhere(reference != nullptr), "RanksWithReference" },
+    { hasSingle && hasDouble, "RanksOfTwoPrecisions" },
+    { !this->GetPassArrays(), "RanksWithoutPassedArrays" }, { true, "Ranks" } };
+  std::vector<std::string> names;
+  for (const auto& [isOfKind, name] : kinds)
   {
-    return "ErrorPreset on several processes needs VoxelSize: a part tells too little";
+    if (isOfKind)
+    {
+      names.emplace_back(name);
+    }
   }
-  if (this->GetKeepVoxels() == KEEP_VOXELS_ON && voxelSize == 0.0)
-  {
-    return "KeepVoxels needs the voxel grid of the label map, and no process has one";
-  }
-  const bool smooths = this->GetSmoothing() > 0.0 || this->GetAutomaticSmoothing();
-  if (smooths && this->IsTrueAnywhere(reference != nullptr))
-  {
-    return "smoothing with a reference is for one process alone: a process may have a part of it";
-  }
-  const bool isSingle =
-    input->GetNumberOfPoints() > 0 && input->GetPoints()->GetDataType() != VTK_DOUBLE;
-  const bool isDouble = input->GetNumberOfPoints() > 0 && !isSingle;
-  if (smooths && this->IsTrueAnywhere(isSingle) && this->IsTrueAnywhere(isDouble))
-  {
-    return "smoothing on several processes needs points of one precision on all of them";
-  }
-  if (this->HasInputArray(LABEL_ARRAY) && !this->GetPassArrays())
-  {
-    return "LabelArrayName on several processes needs PassArrays: triangles take their labels to "
-           "another process";
-  }
-  if (!this->GetEdgeLengthArrayName().empty() || this->GetChordalError() > 0.0)
-  {
-    return "EdgeLengthArrayName and ChordalError are for one process alone: lengths are graded "
-           "along "
-           "the whole surface";
-  }
-  return ProblemOfOptions(*this);
+  return names;
 }
 
 //------------------------------------------------------------------------------
@@ -236,7 +193,12 @@ int vtkPBoneDecimate::RunTogether(
   vtkPolyData* input, vtkPolyData* reference, double voxelSize, vtkInformationVector* outputVector)
 {
   this->TakeReport(*vtkSmartPointer<vtkPBoneDecimate>::New()); // forgets that of an earlier run
-  if (const char* problem = this->ProblemOfParts(input, reference, voxelSize))
+  const std::vector<std::string> arrays = this->HasInputArray(LABEL_ARRAY)
+    ? std::vector<std::string>{ "LabelArrayName" }
+    : std::vector<std::string>();
+  const std::string problem =
+    this->FindUnsupportedOption(this->KindsOfRun(input, reference, voxelSize), arrays);
+  if (!problem.empty())
   {
     vtkErrorMacro(<< problem);
     return 0;

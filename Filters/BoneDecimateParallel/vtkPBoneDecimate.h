@@ -86,7 +86,8 @@ private:
   double WholeDiagonal(vtkPolyData* input) const;
   double TargetTriangles(double total, double error, bool isLimited) const;
   bool IsLimitedEverywhere(vtkPolyData* input);
-  const char* ProblemOfParts(vtkPolyData* input, vtkPolyData* reference, double voxelSize);
+  std::vector<std::string> KindsOfRun(
+    vtkPolyData* input, vtkPolyData* reference, double voxelSize) const;
   vtkSmartPointer<vtkPolyData> WithCellLabels(vtkPolyData* input);
   vtkSmartPointer<vtkPolyData> PruneTogether(vtkPolyData* input);
   Plan MakePlan(vtkPolyData* input, vtkPolyData* reference, double voxelSize);

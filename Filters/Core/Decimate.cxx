@@ -351,7 +351,7 @@ Result Decimate(
     result.Report.Status = InputStatus::InvalidOption;
     return result;
   }
-  return DecimateWithoutTunnels(input, options, monitor, inputs,
+  return CloseTunnelsThenRun(input, options, monitor, inputs,
     [](const Surface& closed, const Options& rest, const Monitor& follow, const RunInputs& with)
     { return DecimateRegions(closed, rest, follow, with, DecimateWhole); });
 }

@@ -7,6 +7,7 @@
 #include "Input/Tolerances.h"
 #include "Mesh/Checksum.h"
 #include "Mesh/ManifoldPatches.h"
+#include "Options/RunKinds.h"
 #include "RunProgress.h"
 #include "StageClock.h"
 #include "Tunnels/CloseTunnels.h"
@@ -243,26 +244,35 @@ private:
   Labels ClosedLabels;
 };
 
-TunnelConflict FindConflict(const Options& options, const RunInputs& inputs)
+/// The kinds of run that leave out something because of what they have.
+std::vector<RunKind> KindsOf(const Options& options, const RunInputs& inputs)
 {
-  return options.KeepVoxels == KeepVoxels::On ? TunnelConflict::WithKeepVoxels
-    : inputs.LabelMap != nullptr              ? TunnelConflict::OfLabelMap
-    : inputs.Reference != nullptr             ? TunnelConflict::WithReference
-    : inputs.Part != nullptr                  ? TunnelConflict::OfPart
-    : inputs.Log != nullptr                   ? TunnelConflict::WithLog
-                                              : TunnelConflict::NoConflict;
+  const std::pair<bool, const char*> kinds[] = { { options.KeepVoxels == KeepVoxels::On,
+                                                   "KeepingVoxels" },
+    { inputs.LabelMap != nullptr, "LabelMapSurface" },
+    { inputs.Reference != nullptr, "Referenced" }, { inputs.Part != nullptr, "PartOfSurface" },
+    { inputs.Log != nullptr, "Recorded" } };
+  std::vector<RunKind> found;
+  for (const auto& [isOfKind, name] : kinds)
+  {
+    if (isOfKind)
+    {
+      found.push_back(FindRunKind(name));
+    }
+  }
+  return found;
 }
 }
 
-Result DecimateWithoutTunnels(const Surface& input, const Options& options, const Monitor& monitor,
+Result CloseTunnelsThenRun(const Surface& input, const Options& options, const Monitor& monitor,
   const RunInputs& inputs, const WholeRun& run)
 {
   if (!(options.TunnelSize > 0.0))
   {
     return run(input, options, monitor, inputs);
   }
-  const TunnelConflict conflict = FindConflict(options, inputs);
-  if (conflict != TunnelConflict::NoConflict)
+  const std::string conflict = FindUnsupported(KindsOf(options, inputs), RequestsOf(options));
+  if (!conflict.empty())
   {
     Result result;
     result.Report.Requested = options;

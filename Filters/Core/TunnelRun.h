@@ -18,11 +18,11 @@
 namespace bonedecimate
 {
 /**
- * Without a TunnelSize this is run(input). With something that does not go with closing tunnels (TunnelConflict), nothing is run
- * and the input is rejected.
+ * Without a TunnelSize this is run(input). If the run has something that tunnels cannot be closed with (RunKinds.h), nothing is
+ * run and the input is rejected.
  * @param options Must be valid.  @param run Gets options without tunnels to close.
  */
-Result DecimateWithoutTunnels(const Surface& input, const Options& options, const Monitor& monitor,
+Result CloseTunnelsThenRun(const Surface& input, const Options& options, const Monitor& monitor,
   const RunInputs& inputs, const WholeRun& run);
 }
 

@@ -12,7 +12,8 @@ import typing
 
 import vtk
 
-from application import array_names, read
+import option_rows
+from application import PROGRAM, array_names, read
 from combinations_inputs import METERS, isosurface, label_surface, scaled
 
 ERROR = 0.3  # mm, of the features that bound it
@@ -314,10 +315,17 @@ def wrote_colors(run):
     return wrote_surface(run) or wrote(path, b'"COLOR_0"')(run)
 
 
-def flags_of_the_table(program):
-    """Of `bonedecimate --options-markdown`."""
-    table = subprocess.run([program, "--options-markdown"], stdout=subprocess.PIPE, encoding="utf-8", check=True).stdout
-    return set(re.findall(r"\| `(--[a-z-]+)` \|", table))
+def features_of_the_table(covered):
+    """A feature for each option with a flag that is not covered: with it the option has an effect, of which the report tells."""
+    table = subprocess.run([PROGRAM, "--options-json"], stdout=subprocess.PIPE, encoding="utf-8", check=True).stdout
+    rows = option_rows.read_rows(table)
+    features = []
+    for name, row in rows.items():
+        if row["flag"] and "--" + row["flag"] not in covered:
+            values = option_rows.case_of(rows, row)
+            words = [word for other, value in values.items() for word in ("--" + rows[other]["flag"], value)]
+            features.append(Feature(row["flag"].replace("-", " "), tuple(words), shows("options." + name, values[name]), (name,)))
+    return features
 
 
 def mode(name):
@@ -398,3 +406,4 @@ FEATURES = [
     Feature("curve", ("--errors", f"{ERROR}"), command="curve", rejected_by=("unknown option",)),
     Feature("levels", ("--record", "run.levels"), command="levels", rejected_by=("unknown option",)),
 ]
+FEATURES += features_of_the_table({word for feature in FEATURES for word in feature.words})

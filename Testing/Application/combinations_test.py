@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every pair of features of the program either works, which the outputs must show, or is rejected with one sentence.
 
-Each flag of the table of options must belong to a feature. The test runs every pair that Documentation/combinations.md rejects or
+An option without a feature of its own has one that follows from the table of options. The test runs every pair that Documentation/combinations.md rejects or
 warns of, and a third of those that work there; with `--whole` it runs all. It fails if the page has another matrix than it found.
 `combinations_test.py --print` runs all and prints the matrix.
 """
@@ -160,10 +160,6 @@ class Combinations(unittest.TestCase):
     def test_none_is_silent(self):
         problems = {pair: outcome.problem for pair, outcome in self.outcomes.items() if outcome.problem}
         self.assertEqual(problems, {}, "\n" + "\n".join(f"{pair}: {text}" for pair, text in problems.items()))
-
-    def test_every_flag_of_the_table_belongs_to_a_feature(self):
-        covered = {word for feature in features.FEATURES for word in map(str, feature.words) if word.startswith("--")}
-        self.assertEqual(features.flags_of_the_table(PROGRAM) - covered, set())
 
     def test_the_page_is_what_was_found(self):
         page = PAGE.read_text(encoding="utf-8")

@@ -103,9 +103,9 @@ class Explain(ApplicationTest):
 
     def test_all_options_without_effect_are_listed(self):
         said = self.explain("in.vtp", "out.vtp", "--voxel-size", 0.5, "--feature-angle", 30, "--position-bits", 12, code=USAGE)
-        self.assertEqual(said["rejected"], ["--voxel-size has no effect; it needs --preset",
-                                            "--feature-angle has no effect; it needs --smooth or --auto-smooth"])
-        self.fail_with(USAGE, "in.vtp", "out.vtp", "--voxel-size", 0.5, says=said["rejected"][0])
+        self.assertEqual(said["rejected"], ["--feature-angle has no effect; it needs --smooth or --auto-smooth",
+                                            "--voxel-size has no effect; it needs --preset"])
+        self.fail_with(USAGE, "in.vtp", "out.vtp", "--voxel-size", 0.5, says=said["rejected"][1])
         said = self.explain("in.vtp", "out.vtp", "--position-bits", 12, code=USAGE)
         self.assertEqual(said["rejected"], ["--position-bits has no effect; it needs an output in glb"])
 

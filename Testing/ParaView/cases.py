@@ -6,10 +6,12 @@ import json
 import math
 
 import label_images
+import option_rows
 import specimens
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkIntArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 
+ROWS = option_rows.read_rows()
 ERROR = 0.5  # mm, of segmentations
 TOLERANCE = 0.1  # mm
 
@@ -142,6 +144,14 @@ def with_tolerances(surface):
     return surface
 
 
+def cases_of_the_table():
+    """By the name of the option: properties with which it has an effect."""
+    def value(name, text):
+        kind = ROWS[name]["kind"]
+        return text if kind in ("choice", "text") else int(text == "on") if kind == "bool" else float(text) if kind == "double" else int(text)
+    return {name: {other: value(other, text) for other, text in option_rows.case_of(ROWS, row).items()} for name, row in ROWS.items()}
+
+
 def rejected():
     """Properties that need the whole surface, and parts that are not one."""
     ring = specimens.torus
@@ -149,13 +159,7 @@ def rejected():
         "prune-all": {"PruneSize": 1000.0},
         "labels-alone": {"LabelArrayName": "bone", "PassArrays": 0},
         "labels-missing": {"LabelArrayName": "nothing"},
-        "MergePoints": {"MergePoints": 0},
-        "MakeMaps": {"MakeMaps": 1},
-        "OutputPointsPrecision": {"OutputPointsPrecision": "Double"},
-        "OutputPointsGrid": {"OutputPointsGrid": 0.25},
-        "DiagnoseInput": {"DiagnoseInput": 1},
-        "TunnelSize": {"TunnelSize": 1.0},
-        "ChordalError": {"EdgeLength": 2.0, "ChordalError": 0.1},
+        **{name: case for name, case in cases_of_the_table().items() if "Ranks" in ROWS[name]["unsupported"]},
         "EdgeLengthArrayName": {"EdgeLength": 2.0, "EdgeLengthArrayName": "allowed"},
         "no-grid": {"KeepVoxels": "On"},
         "preset-alone": {"ErrorPreset": "HalfVoxel"},
@@ -199,7 +203,14 @@ def proved(most):
 
 
 def allowed():
-    """By the name of the option: surface, how it is cut, properties, and how each part shows that they counted."""
+    """By the name of the option: surface, how it is cut, properties, and how each part shows that they counted. Options without
+    a case below get one of the table, of which the report must tell."""
+    return {name: (with_tolerances(specimens.torus()), "slabs", properties, reported("options", name, lambda text: text != ROWS[name]["default"]))
+            for name, properties in cases_of_the_table().items() if "Ranks" not in ROWS[name]["unsupported"]} | allowed_with_effects()
+
+
+def allowed_with_effects():
+    """Those that show more than that the report tells of them."""
     error = {"MaximumError": 0.1}
     names = ("DistanceArrayName", "RunningErrorArrayName", "PointCountArrayName", "ErrorBoundArrayName")
     return {name: (with_tolerances(specimens.torus()), "slabs", properties, shows) for name, (properties, shows) in {

@@ -15,7 +15,7 @@ import specimens
 import surfaces
 
 SOURCE = pathlib.Path(os.environ["SOURCE_DIR"])
-PANELS = [SOURCE / "Applications" / "ParaView" / "Plugin" / name for name in ("BoneDecimate.xml", "BoneTools.xml")]
+PANELS = [os.environ["PANEL"], SOURCE / "Applications" / "ParaView" / "Plugin" / "BoneTools.xml"]
 TABLE = (SOURCE / "Documentation" / "options.md").read_text(encoding="utf-8")
 
 

@@ -18,6 +18,7 @@ from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import cases
+import option_rows
 
 FOLDER = pathlib.Path(os.environ["FOLDER"]) / "parallel"
 WORKER = pathlib.Path(__file__).with_name("parallel_worker.py")
@@ -31,7 +32,7 @@ def report_of(surface):
 def run(ranks, folder, names):
     folder.mkdir(parents=True, exist_ok=True)
     environment = {**os.environ, "OMPI_MCA_mpi_yield_when_idle": "1", "LD_LIBRARY_PATH": os.environ["PARAVIEW_LIBRARIES"],
-                   "PYTHONPATH": os.pathsep.join([os.environ["WHEEL_TESTS"], str(WORKER.parent)])}
+                   "PYTHONPATH": os.pathsep.join([os.environ["WHEEL_TESTS"], os.path.dirname(option_rows.__file__), str(WORKER.parent)])}
     subprocess.run([os.environ["MPIEXEC"], "-n", str(ranks), os.environ["PVBATCH"], "--sym", str(WORKER), str(folder), *names],
                    env=environment, check=True, timeout=800)
 

@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every property of the filter, from Python."""
 
+import json
 import math
+import os
 import pathlib
 import re
 import unittest
-
-from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from surfaces import TRIANGLES, Ear, decimating, torus
 from bonedecimate import (
@@ -16,45 +16,25 @@ from bonedecimate import (
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 
 NO_NUMBERS = (math.nan, math.inf, -math.inf)
-# Name: default, another value, values outside the range.
-NUMBERS = {
-    "Mode": (vtkBoneDecimate.BALANCED, vtkBoneDecimate.FAST, (-1, 4, -2**31, 2**31 - 1)),
-    "TargetNumberOfTriangles": (0, 500, (-1, -2**31)),
-    "TargetReduction": (0.9, 0.5, (-0.1, 1.5, *NO_NUMBERS)),
-    "MaximumError": (0.0, 0.25, (-1.0, 1.1e30, *NO_NUMBERS)),
-    "RefinementEffort": (1.0, 0.5, (-0.1, 100.5, *NO_NUMBERS)),
-    "MinimumAngle": (0.0, 20.0, (-1.0, 40.5, *NO_NUMBERS)),
-    "EdgeLength": (0.0, 2.5, (-1.0, 1.1e30, *NO_NUMBERS)),
-    "ChordalError": (0.0, 0.05, (-1.0, 1.1e30, *NO_NUMBERS)),
-    "Smoothing": (0.0, 0.25, (-1.0, 1.1e30, *NO_NUMBERS)),
-    "FeatureAngle": (180.0, 45.0, (-1.0, 180.5, *NO_NUMBERS)),
-    "NormalTolerance": (0.95, 0.5, (-0.1, 2.0, *NO_NUMBERS)),
-    "NumberOfThreads": (0, 2, (-1, 1025)),
-    "ErrorPreset": (vtkBoneDecimate.NO_PRESET, vtkBoneDecimate.HALF_VOXEL, (-1, 4)),
-    "KeepVoxels": (vtkBoneDecimate.KEEP_VOXELS_AUTO, vtkBoneDecimate.KEEP_VOXELS_OFF, (-1, 3)),
-    "VoxelSize": (0.0, 0.5, (-1.0, 1.1e30, *NO_NUMBERS)),
-    "PruneSize": (0.0, 2.0, (-1.0, 1.1e30, *NO_NUMBERS)),
-    "PruneArea": (0.0, 20.0, (-1.0, 1.1e30, *NO_NUMBERS)),
-    "PruneVolume": (0.0, 8.0, (-1.0, 1.1e30, *NO_NUMBERS)),
-    "TunnelSize": (0.0, 2.0, (-1.0, 1.1e30, *NO_NUMBERS)),
-    "PruneTriangles": (0, 100, (-1, -2**31)),
-    "OutputPointsGrid": (0.0, 0.25, (-1.0, 1.1e30, *NO_NUMBERS)),
-    "OutputPointsPrecision": (vtkAlgorithm.DEFAULT_PRECISION, vtkAlgorithm.SINGLE_PRECISION, (-1, 3)),
-}
-SWITCHES = {"MergePoints": True, "AllowLargeError": False, "IntersectionGuard": True, "MeasureDistances": True, "MeasureInputDistances": False,
-            "ProveResult": True, "PassArrays": True, "MakeMaps": False, "RecomputeNormals": False,
-            "AutomaticNormalTolerance": False, "AutomaticSmoothing": False, "DiagnoseInput": False}
-TEXTS = {
-    "DistanceArrayName": "Distance",
-    "RunningErrorArrayName": "RunningError",
-    "PointCountArrayName": "InputPointCount",
-    "InputDistanceArrayName": "DistanceToResult",
-    "ErrorBoundArrayName": "ErrorBound",
-    "InputErrorBoundArrayName": "ErrorBoundToResult",
-    "ToleranceArrayName": "",
-    "EdgeLengthArrayName": "",
-    "LabelArrayName": "",
-}
+with open(os.environ["OPTION_TABLE"], encoding="utf-8") as _file:
+    ROWS = json.load(_file)["options"]
+SWITCHES = {row["name"]: row["default"] == "on" for row in ROWS if row["kind"] == "bool"}
+TEXTS = {row["name"]: row["default"] for row in ROWS if row["kind"] == "text"}
+
+
+def values_of(row):
+    """Default, another value, values outside the range."""
+    least, most = row["minimum"], row["maximum"]
+    if row["kind"] == "double":
+        default = float(row["default"])
+        return default, most / 4 if most < 1e30 else default + 0.25, (least - 0.1, most * 1.1, *NO_NUMBERS)
+    if row["kind"] == "choice":
+        default = row["choices"].index(row["default"])
+        return default, 0 if default else 1, (-1, most + 1, -2**31, 2**31 - 1)
+    return int(row["default"]), 2, (-1, -2**31) if most == 2**31 - 1 else (-1, most + 1)
+
+
+NUMBERS = {row["name"]: values_of(row) for row in ROWS if row["kind"] in ("double", "int", "choice")}
 
 
 def get(decimate, name):

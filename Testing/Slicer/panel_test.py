@@ -6,13 +6,15 @@ Needs the wheels slicer-core and bonedecimate; run.sh installs them and calls th
 """
 
 import os
+import pathlib
 import sys
 import time
 import types
 import unittest
-from unittest.mock import MagicMock
+from unittest.mock import MagicMock, patch
 
-sys.path.insert(0, os.environ["SLICER_MODULE"])
+sys.path[:0] = [os.environ["SLICER_MODULE"], str(pathlib.Path(__file__).resolve().parents[1] / "Support")]
+from option_rows import another_value, case_of  # noqa: E402
 from segmentation_test import halves, scene_with  # noqa: E402
 
 
@@ -40,6 +42,8 @@ def panel_module():
 
 
 MODULE = panel_module()
+from BoneDecimatorLib.option_table import value_of  # noqa: E402
+from BoneDecimatorLib.option_widgets import SIGNALS, VALUES  # noqa: E402
 
 
 class Panel(unittest.TestCase):
@@ -55,11 +59,11 @@ class Panel(unittest.TestCase):
             getattr(self.panel, name).currentNode.return_value = value
         self.panel.segments.selectedSegmentIDs.return_value = ()
         for name, value in (("tolerance", 0.2), ("triangles", 0), ("ownSmoothing", 0.15), ("featureAngle", 180.0), ("radius", 10.0),
-                            ("feather", 2.0), ("minimumAngle", 0.0), ("edgeLength", 0.0), ("chordalError", 0.0)):
+                            ("feather", 2.0)):
             getattr(self.panel, name).value = value
-        for name, text in (("smoothing", "none"), ("keepVoxels", "Auto"), ("mode", "Balanced"), ("kind", MODULE.MODELS),
-                           ("where", MODULE.EVERYWHERE), ("caps", MODULE.CAPS[0])):
+        for name, text in (("smoothing", "none"), ("kind", MODULE.MODELS), ("where", MODULE.EVERYWHERE), ("caps", MODULE.CAPS[0])):
             getattr(self.panel, name).currentText = text
+        self.panel._onChange()
 
     def press(self, action):
         self.panel._try(action)
@@ -94,10 +98,64 @@ class Panel(unittest.TestCase):
         self.panel.featureAngle.value = 45.0
         self.assertEqual(self.panel.request().feature_angle, 45.0)
 
-    def test_shapes_are_requested(self):
-        self.panel.minimumAngle.value, self.panel.edgeLength.value, self.panel.chordalError.value = 20.0, 3.0, 0.1
-        found = self.panel.request()
-        self.assertEqual((found.minimum_angle, found.edge_length, found.chordal_error), (20.0, 3.0, 0.1))
+    def set_option(self, name, text):
+        """As a user does, in its widget."""
+        row, widget = self.panel.options.of_flag[self.panel.table.rows[name]["flag"]]
+        setattr(widget, VALUES[row["kind"]], value_of(row, text))
+        self.panel._onChange()
+        return widget
+
+    def test_options_of_the_table_have_widgets_that_are_requested_and_reach_the_filter(self):
+        self.panel.source.currentNode.return_value = None
+        table, engine = self.panel.table, self.panel.logic.engine
+        for row in table.panel_rows():
+            self.panel.tolerance.value = 0.0
+            for name, text in case_of(table.rows, row).items():
+                if name == "MaximumError":
+                    self.panel.tolerance.value = float(text)
+                else:
+                    widget = self.set_option(name, text)
+            with self.subTest(option=row["name"]):
+                self.assertTrue(widget.enabled)
+                getattr(widget, SIGNALS[row["kind"]]).connect.assert_called_once_with(self.panel._onChange)
+                self.assertIn(f"Default: {row['default']}", widget.toolTip)
+                self.panel.triangles.value = 100
+                decimate = engine._filter_of(self.panel.request().options(table), keep=False)
+                value = value_of(row, another_value(row))
+                found = getattr(decimate, "Get" + row["name"])()
+                self.assertEqual(row["choices"][found] if row["choices"] else found, value)
+            for name in case_of(table.rows, row):
+                if name != "MaximumError":
+                    self.set_option(name, table.rows[name]["default"])
+
+    def test_options_without_effect_are_disabled_and_not_requested(self):
+        chordal = self.set_option("ChordalError", "0.1")
+        self.assertFalse(chordal.enabled)
+        self.assertNotIn("chordal-error", self.panel.request().extra)
+        self.set_option("EdgeLength", "3")
+        self.assertTrue(chordal.enabled)
+        self.assertEqual(self.panel.request().extra["chordal-error"], 0.1)
+        tunnels = self.set_option("TunnelSize", "2")
+        self.assertFalse(tunnels.enabled, "segments have no tunnels to close")
+        self.panel.source.currentNode.return_value = None
+        self.panel._onChange()
+        self.assertTrue(tunnels.enabled)
+
+    def test_modes_and_choices_are_those_of_the_table(self):
+        self.panel.mode.addItems.assert_called_once_with(self.panel.table.modes)
+        self.panel.keepVoxels.addItems.assert_called_once_with(self.panel.table.rows["KeepVoxels"]["choices"])
+        self.assertEqual(self.panel.mode.currentText, self.panel.table.rows["Mode"]["default"])
+
+    def test_without_an_engine_the_sections_of_options_say_so(self):
+        with patch("BoneDecimatorLib.logic.find_engine", side_effect=MODULE.NoEngine("There is no engine.")):
+            panel = MODULE.BoneDecimatorWidget()
+            panel.setup()
+            panel._onChange()
+            self.assertEqual([note.text for note in panel.options.notes], ["There is no engine."] * 2)
+            self.assertEqual(panel.options.values(), {})
+        panel._fillOptions()
+        self.assertEqual(set(panel.options.values()), {row["flag"] for row in panel.table.panel_rows()})
+        self.assertFalse(panel.options.notes[0].visible)
 
     def test_a_model_becomes_a_new_one(self):
         self.press(self.panel._onSimplify)

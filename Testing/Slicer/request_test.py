@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The scripted module's logic rejects values outside their range before it runs anything, and runs previews when it should.
 
-Needs VTK, but no Slicer.
+Needs VTK, but no Slicer. The table of options is that of the program in BONEDECIMATE_PROGRAM.
 """
 
 import math
@@ -15,21 +15,33 @@ import unittest
 import numpy as np
 import vtk
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Applications" / "Slicer" / "BoneDecimator"))
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "Applications" / "Slicer" / "BoneDecimator"), str(ROOT / "Testing" / "Support")]
 from BoneDecimatorLib.checks import DecimationError  # noqa: E402
-from BoneDecimatorLib.engines import Canceled, ProgramEngine, WheelEngine, _set_option  # noqa: E402
+from BoneDecimatorLib.engines import Canceled, ProgramEngine  # noqa: E402
 from BoneDecimatorLib.logic import CAPS, SMOOTHINGS, BoneDecimatorLogic, presets, smoothing_of, statistics  # noqa: E402
+from BoneDecimatorLib.option_table import CURATED, description, label, value_of  # noqa: E402
 from BoneDecimatorLib.request import Request  # noqa: E402
 from BoneDecimatorLib.preview import PAUSE, QUIET, Preview, part_of_label_map, part_of_surface  # noqa: E402
 from BoneDecimatorLib.segmentation import LabelMap  # noqa: E402
+from BoneDecimatorLib.surfaces import report_of  # noqa: E402
+from option_rows import another_value, case_of  # noqa: E402
 
 NO_NUMBERS = (math.nan, math.inf, -math.inf, "0.1", None, True)
+PROGRAM = ProgramEngine(os.environ["BONEDECIMATE_PROGRAM"])
+TABLE = PROGRAM.table
+
+
+def with_effect(row):
+    """A Request in which the option has an effect and another value than its default."""
+    options = {TABLE.rows[name]["flag"]: value_of(TABLE.rows[name], text) for name, text in case_of(TABLE.rows, row).items()}
+    return Request(mode=options.pop("mode", None), tolerance=options.pop("max-error", 0.0), triangles=100, extra=options)
 
 
 class Engine:
-    """Fails the test at any use."""
+    """Fails the test at any run."""
 
-    has_levels = True
+    has_levels, table = True, TABLE
 
     def decimate(self, *_arguments):
         raise AssertionError("it was run")
@@ -41,7 +53,7 @@ class Requests(unittest.TestCase):
     def rejects(self, says, **request):
         with self.subTest(**request):
             with self.assertRaisesRegex(DecimationError, says):
-                Request(**request).options()
+                Request(**request).options(TABLE)
             with self.assertRaisesRegex(DecimationError, says):
                 BoneDecimatorLogic(None, Engine()).decimate(None, Request(**request))
 
@@ -49,30 +61,41 @@ class Requests(unittest.TestCase):
         for value in (-1, -1e-300, 1.1e30, *NO_NUMBERS):
             self.rejects("^The tolerance takes a number from 0 to 1e30 mm, not ", tolerance=value, triangles=100)
             self.rejects("^The smoothing, if it is not 'automatic', takes a number from 0 to 1e30 mm, not ", smoothing=value)
-            self.rejects("^The edge length takes a number from 0 to 1e30 mm, not ", edge_length=value)
-            self.rejects("^The chordal error takes a number from 0 to 1e30 mm, not ", chordal_error=value)
             self.rejects("^The radius takes a number from 0 to 1e30 mm, not ", radius=value)
             self.rejects("^The feather takes a number from 0 to 1e30 mm, not ", feather=value)
-        for value in (-1, 180.5, *NO_NUMBERS):
+        for value in (-1, 180.5, *filter(None, NO_NUMBERS)):
             self.rejects("^The angle of kept edges takes a number from 0 to 180 degrees, not ", feature_angle=value)
-        for value in (-1, 40.5, *NO_NUMBERS):
-            self.rejects("^The smallest angle takes a number from 0 to 40 degrees, not ", minimum_angle=value)
         for value in (-1, 0.5, 2**31, *NO_NUMBERS):
-            self.rejects("^The number of triangles takes a whole number from 0 to 2147483647, not ", triangles=value)
-        for value in ("", "on", "Nonsense", None, True):
-            self.rejects("^Keep voxels takes one of Off, On, Auto, not ", keep_voxels=value)
-        for value in ("", "balanced", "Nonsense", None, 2):
-            self.rejects("^Mode takes one of Thesis, Fast, Balanced, Accurate", mode=value)
+            self.rejects("^The number of triangles takes a whole number from 0 to 2147483647 triangles, not ", triangles=value)
+        for name, field in (("Mode", "mode"), ("KeepVoxels", "keep_voxels")):
+            choices = TABLE.rows[name]["choices"]
+            for value in ("", choices[0].lower(), "Nonsense", True, 2):
+                self.rejects(f"^{label(TABLE.rows[name])} takes one of {', '.join(choices)}, not ", **{field: value})
+
+    def test_options_of_the_table_are_rejected_outside_their_range(self):
+        for row in TABLE.panel_rows():
+            words, unit = {"double": "a number from", "int": "a whole number from", "bool": "True or False",
+                           "choice": "one of"}[row["kind"]], row["unit"] and f" {row['unit']}"
+            beyond = (row["minimum"] - 1, row["maximum"] * 1.1) if row["kind"] in ("double", "int") else (2,)
+            for value in (*beyond, math.nan, "0.1", None):
+                self.rejects(f"^{label(row)} takes {words}.*{unit}, not ", extra={row["flag"]: value})
+        self.rejects("^There is no option --nothing", extra={"nothing": 1})
+
+    def test_options_of_the_table_that_have_no_effect_are_rejected(self):
+        for row in filter(lambda row: row["conditions"], TABLE.panel_rows()):
+            extra = {row["flag"]: value_of(row, another_value(row))}
+            self.rejects(f"^{label(row)} has no effect; it needs [A-Z]", tolerance=0.0, mode="Thesis", triangles=100, extra=extra)
+        self.rejects("^Chordal error has no effect; it needs Edge length", extra={"chordal-error": 0.1})
 
     def test_without_any_goal_are_rejected(self):
         self.rejects("^Give a tolerance, a number of triangles, an edge length or a smoothing", tolerance=0.0, triangles=0)
         self.rejects("^Give a tolerance, a number of triangles, an edge length or a smoothing", tolerance=0.0, keep_voxels="Off")
-        self.rejects("^A chordal error needs an edge length", chordal_error=0.1)
         self.rejects("^A brush needs a tolerance", tolerance=0.0, triangles=100, brush="Paint")
 
     def test_within_their_range_become_flags(self):
-        wanted = Request(tolerance=0.25, triangles=100, mode="Fast", intersection_guard=False).options()
-        self.assertEqual(wanted, {"mode": "Fast", "intersection-guard": False, "max-error": 0.25, "target-triangles": 100})
+        wanted = Request(tolerance=0.25, triangles=100, mode="Fast").options(TABLE)
+        self.assertEqual(wanted, {"mode": "Fast", "max-error": 0.25, "target-triangles": 100})
+        self.assertEqual(Request(extra={"edge-length": 3.0}, tolerance=0.0).options(TABLE), {"edge-length": 3.0})
 
     def test_smoothing_and_voxels_become_flags(self):
         fast = {"mode": "Fast"}
@@ -86,11 +109,38 @@ class Requests(unittest.TestCase):
                                 ({"keep_voxels": "Off", "triangles": 9}, {"keep-voxels": "Off", "target-triangles": 9}),
                                 ({"triangles": 9}, {"target-triangles": 9})):
             with self.subTest(**request):
-                self.assertEqual(Request(tolerance=0.0, mode="Fast", **request).options(), {**fast, **wanted})
+                self.assertEqual(Request(tolerance=0.0, mode="Fast", **request).options(TABLE), {**fast, **wanted})
 
-    def test_shapes_of_triangles_become_flags(self):
-        wanted = Request(tolerance=0.0, mode="Fast", minimum_angle=20.0, edge_length=3.0, chordal_error=0.1).options()
-        self.assertEqual(wanted, {"mode": "Fast", "min-angle": 20.0, "edge-length": 3.0, "chordal-error": 0.1})
+    def test_every_option_of_the_table_is_in_the_panel_or_cannot_be(self):
+        of_panel = [row["name"] for row in TABLE.panel_rows()]
+        self.assertLessEqual({"MinimumAngle", "IntersectionGuard", "OutputPointsPrecision"}, set(of_panel))
+        self.assertLessEqual(set(CURATED), set(TABLE.rows))
+        self.assertNotIn("Thesis", TABLE.modes)
+        for name, row in TABLE.rows.items():
+            needs_thesis = [["Mode", str(TABLE.rows["Mode"]["choices"].index("Thesis")), True]] in row["conditions"]
+            left_out = name in CURATED or not row["flag"] or row["kind"] == "text" or needs_thesis
+            self.assertEqual(of_panel.count(name), 0 if left_out else 1, name)
+
+    def test_descriptions_have_default_range_and_unit(self):
+        text = description(TABLE.rows["MinimumAngle"])
+        self.assertTrue(text.endswith(" 0: off. Default: 0 degrees. Range: 0 to 40 degrees."), text)
+        self.assertTrue(description(TABLE.rows["EdgeLength"]).endswith(" Range: 0 to 1e30 mm."))
+        self.assertTrue(description(TABLE.rows["ProveResult"]).endswith(" Default: on."))
+
+    def test_options_of_the_table_reach_the_program(self):
+        source = vtk.vtkSphereSource()
+        source.SetRadius(20.0)
+        source.Update()
+        for row in TABLE.panel_rows():
+            with self.subTest(option=row["name"]):
+                used = report_of(PROGRAM.decimate(source.GetOutput(), with_effect(row).options(TABLE)))["options"]
+                wanted = case_of(TABLE.rows, row)
+                self.assertEqual({name: used[name] for name in wanted}, wanted)
+
+    def test_a_program_without_a_table_is_named(self):
+        for program in ("/no/program", sys.executable):
+            with self.assertRaisesRegex(DecimationError, f"^{program} prints no table of options; install its current version"):
+                ProgramEngine(program).table
 
     def test_presets_of_smoothing_are_fractions_of_the_least_side_of_a_voxel(self):
         found = {each: smoothing_of(each, (0.8, 0.4, 1.0), own=0.3) for each in SMOOTHINGS}
@@ -114,23 +164,8 @@ class Requests(unittest.TestCase):
                 presets((0.5, 0.5, value))
         self.assertEqual(presets((0.5, 1.0))["one voxel"], 0.5)
 
-    def test_more_flags_that_do_not_fit_are_rejected(self):
-        class Decimate:
-            def SetMaximumError(self, value):
-                raise ValueError(f"MaximumError takes a number from 0 to 1e30 mm, not {value}")
-
-        rows = {"max-error": types.SimpleNamespace(name="MaximumError", choices=[]),
-                "mode": types.SimpleNamespace(name="Mode", choices=["Thesis", "Fast"])}
-        for flag, value, says in (("max-error", -1, "MaximumError takes"), ("mode", "Best", "Mode takes one of"),
-                                  ("nothing", 1, "There is no option --nothing")):
-            with self.assertRaisesRegex(DecimationError, says):
-                _set_option(Decimate(), rows, flag, value)
-        self.assertTrue(WheelEngine.has_levels)
-
 
 class Caps(unittest.TestCase):
-    """Of the program, if the environment names it."""
-
     @staticmethod
     def tube():
         ring = vtk.vtkCylinderSource()
@@ -152,12 +187,9 @@ class Caps(unittest.TestCase):
         return node
 
     def test_close_a_model_into_a_new_one(self):
-        program = os.environ.get("BONEDECIMATE_PROGRAM")
-        if not program:
-            self.skipTest("BONEDECIMATE_PROGRAM names no program")
         source, made = self.node(self.tube()), self.node(None)
         scene = types.SimpleNamespace(AddNewNodeByClass=lambda kind, name: made, RemoveNode=lambda node: None)
-        logic = BoneDecimatorLogic(scene, ProgramEngine(program))
+        logic = BoneDecimatorLogic(scene, PROGRAM)
         for loops in CAPS:
             node, lines = logic.cap(source, loops)
             self.assertIs(node, made)

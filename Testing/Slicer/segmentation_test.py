@@ -6,6 +6,7 @@ Needs the wheels slicer-core and bonedecimate; run.sh installs them and calls th
 """
 
 import os
+import pathlib
 import sys
 import unittest
 
@@ -14,12 +15,14 @@ import slicer_core
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
-sys.path.insert(0, os.environ["SLICER_MODULE"])
+sys.path[:0] = [os.environ["SLICER_MODULE"], str(pathlib.Path(__file__).resolve().parents[1] / "Support")]
 from BoneDecimatorLib.engines import Canceled, DecimationError, ProgramEngine, WheelEngine  # noqa: E402
 from BoneDecimatorLib.logic import BoneDecimatorLogic, spacing_of, surface_of  # noqa: E402
+from BoneDecimatorLib.option_table import SEGMENT_RUNS, value_of  # noqa: E402
 from BoneDecimatorLib.request import Request  # noqa: E402
 from BoneDecimatorLib.segmentation import CLOSED_SURFACE, label_maps_of  # noqa: E402
 from BoneDecimatorLib.surfaces import report_of  # noqa: E402
+from option_rows import case_of  # noqa: E402
 
 SPACING = (0.5, 0.5, 0.625)
 # The axes of a scan in RAS: turned about z, x and y to the right and to the front.
@@ -195,6 +198,19 @@ class Segments(unittest.TestCase):
         self.assertIn("0 voxels changed (voxels kept)", lines)
         self.assertLess(found["left"].GetNumberOfPolys(), 600)
 
+    def test_options_of_the_table_reach_the_run_but_those_that_segments_do_not_have(self):
+        table = WheelEngine().table
+        for row in table.panel_rows():
+            wanted = {"MaximumError": "0.2", **case_of(table.rows, row)}
+            extra = {table.rows[name]["flag"]: value_of(table.rows[name], text) for name, text in wanted.items()}
+            with self.subTest(option=row["name"]):
+                if any(run in row["unsupported"] for run in SEGMENT_RUNS):
+                    with self.assertRaisesRegex(DecimationError, row["flag"].replace("-", "_")):
+                        self.run_segments(Request(extra=extra))
+                else:
+                    used = report_of(self.run_segments(Request(extra=extra))[0]["left"])["options"]
+                    self.assertEqual({name: used[name] for name in wanted}, wanted)
+
     def test_visible_segments_are_taken_without_a_choice(self):
         _, node, ids = scene_with(**halves())
         node.GetDisplayNode().SetSegmentVisibility(ids["left"], False)
@@ -277,7 +293,7 @@ class Segments(unittest.TestCase):
     def test_what_cannot_be_done_is_said(self):
         scene, node, _ = scene_with(**halves())
         with self.assertRaisesRegex(DecimationError, "need the Python package"):
-            BoneDecimatorLogic(scene, ProgramEngine("none")).decimate_segments(node, Request())
+            BoneDecimatorLogic(scene, ProgramEngine(PROGRAM)).decimate_segments(node, Request())
         logic = BoneDecimatorLogic(scene, WheelEngine())
         with self.assertRaisesRegex(DecimationError, "has voxels"):
             logic.decimate(node, Request())

@@ -229,7 +229,7 @@ class Decimate(unittest.TestCase):
 
     def test_every_option_of_the_table_is_a_keyword(self):
         defaults = {key: row.default_text if row.choices else row.default
-                    for key, row in table.ROWS.items() if key not in table.WITHOUT_ARRAYS}
+                    for key, row in table.ROWS.items() if key not in table.unsupported("Arrays")}
         del defaults["target_reduction"]  # setting it is not the same as leaving it
         result, plain = decimate(POINTS, TRIANGLES, **defaults), decimate(POINTS, TRIANGLES)
         np.testing.assert_array_equal(result.points, plain.points)

@@ -19,7 +19,7 @@ import numpy as np
 import bonedecimate
 from arrays_test import POINTS, TRIANGLES
 from bonedecimate import decimate, record_levels
-from bonedecimate.options import ROWS, WITHOUT_ARRAYS, WITHOUT_LEVELS, default_of, words
+from bonedecimate.options import ROWS, default_of, unsupported, words
 
 HAS_VTK, HAS_PYVISTA = (find_spec(name) is not None for name in ("vtkmodules", "pyvista"))
 if HAS_VTK:
@@ -122,9 +122,9 @@ def run_stops(fraction):
 
 def adapters():
     points, triangles = TETRAHEDRON
-    yield Adapter("decimate", decimate, WITHOUT_ARRAYS,
+    yield Adapter("decimate", decimate, unsupported("Arrays"),
                   lambda **options: decimate(points, triangles, progress=run_stops, **options))
-    yield Adapter("record_levels", record_levels, WITHOUT_LEVELS,
+    yield Adapter("record_levels", record_levels, unsupported("Arrays", "RecordedLevels"),
                   lambda **options: record_levels(points, triangles, progress=run_stops, **options))
     if HAS_VTK:
         from bonedecimate import vtkBoneDecimate
@@ -137,7 +137,7 @@ def adapters():
         kind = type(bone)
         yield Adapter("mesh.bone.decimate", kind.decimate, (),
                       lambda **options: bone.decimate(progress_bar=run_stops, **options))
-        yield Adapter("mesh.bone.levels", kind.levels, WITHOUT_LEVELS,
+        yield Adapter("mesh.bone.levels", kind.levels, unsupported("Arrays", "RecordedLevels"),
                       lambda **options: bone.levels(progress_bar=run_stops, **options))
         yield slicers_engine()
 
@@ -213,7 +213,7 @@ class Names(unittest.TestCase):
         numpy, mesh = (set(inspect.signature(adapter.function).parameters) for adapter in adapters()
                        if adapter.name in ("decimate", "mesh.bone.decimate"))
         self.assertEqual(numpy - mesh, {"points", "triangles", "prepared", "progress"})
-        self.assertEqual(mesh - numpy - set(WITHOUT_ARRAYS), {"self", "with_input", "progress_bar"})
+        self.assertEqual(mesh - numpy - set(unsupported("Arrays")), {"self", "with_input", "progress_bar"})
 
     def test_are_in_help_with_meaning_default_range_and_unit(self):
         for adapter in adapters():
@@ -355,7 +355,7 @@ class Profiles(unittest.TestCase):
                 key = flag.replace("-", "_")
                 self.assertTrue(reason)
                 typed.read(ROWS[key].name, value)
-                if key not in WITHOUT_ARRAYS:
+                if key not in unsupported("Arrays"):
                     keywords[key] = value if ROWS[key].choices else typed.get(ROWS[key].name)
             expected = decimate(POINTS, TRIANGLES, **keywords)
             np.testing.assert_array_equal(decimate(POINTS, TRIANGLES, profile=profile.name.upper()).points, expected.points)

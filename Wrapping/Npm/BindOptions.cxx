@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BindOptions.h"
 
-#include "Options/IneffectiveOptions.h"
 #include "Options/OptionTable.h"
+#include "Options/RunKinds.h"
+#include "Options/UnmetNeeds.h"
 
 #include <algorithm>
 #include <cctype>
@@ -12,14 +13,11 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of arrays of data sets, which do not exist here, and of threads.
+/// There are no data sets here, and no threads.
 bool IsLeftOut(const OptionInfo& info)
 {
-  const std::string& name = info.Name;
-  const auto endsWith = [&](const std::string& end)
-  { return name.size() >= end.size() && name.substr(name.size() - end.size()) == end; };
-  return endsWith("ArrayName") || name == "PassArrays" || name == "RecomputeNormals" ||
-    name == "NumberOfThreads";
+  return !WhyUnsupported(FindRunKind("Arrays"), info).empty() ||
+    !WhyUnsupported(FindRunKind("OneThread"), info).empty();
 }
 
 /// The flag of the command line in camel case: "max-error" is maxError. Without a flag the name: OutputPointsGrid is
@@ -131,7 +129,7 @@ std::string ReadOptions(const val& from, Options& options)
     }
     given.push_back(info->Name);
   }
-  const std::vector<std::string> ineffective = IneffectiveOptions(options, given);
+  const std::vector<std::string> ineffective = UnmetNeeds(options, given);
   return ineffective.empty() ? std::string() : ineffective.front();
 }
 }

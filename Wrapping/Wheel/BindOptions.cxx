@@ -4,7 +4,9 @@
 #include "Bindings.h"
 #include "Options/NumberRange.h"
 #include "Options/OptionTable.h"
+#include "Options/OptionTableJson.h"
 #include "Options/Profiles.h"
+#include "Options/RunKinds.h"
 #include "Report/ReportFigures.h"
 #include "Report/ReportJson.h"
 #include "Report/ReportTable.h"
@@ -161,6 +163,13 @@ void BindTable(nb::module_& module)
     "option_table", [] { return OptionTable(); },
     "All options, in the order of the documentation.");
   module.def("option_table_markdown", &OptionTableMarkdown);
+  module.def("option_table_json", &OptionTableJson);
+  module.def(
+    "why_unsupported",
+    [](const std::string& kind, const std::string& option)
+    { return WhyUnsupported(FindRunKind(kind), Row(option)); },
+    nb::arg("kind"), nb::arg("option"),
+    "Why a kind of run does not have an option, by the names of both; empty if it has it.");
   module.def(
     "check_number",
     [](const std::string& name, double minimum, double maximum, bool isWhole,

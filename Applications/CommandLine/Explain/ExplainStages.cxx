@@ -3,8 +3,8 @@
 #include "Explain/ExplainStages.h"
 
 #include "NumberText.h"
-#include "Options/IneffectiveOptions.h"
 #include "Options/OptionTable.h"
+#include "Options/UnmetNeeds.h"
 
 #include <cmath>
 
@@ -39,8 +39,7 @@ std::vector<Step> StepsBefore(const Arguments& arguments, const Options& options
 
 std::vector<Step> StepsAfter(const Arguments& arguments, const Options& options)
 {
-  const bool isProved =
-    options.ProveResult && IneffectiveOptions(options, { "ProveResult" }).empty();
+  const bool isProved = options.ProveResult && UnmetNeeds(options, { "ProveResult" }).empty();
   return {
     { options.EffectiveEdgeLength() > 0.0, "bring edges to --edge-length" },
     { options.EffectiveMinimumAngle() > 0.0, "improve triangles below --min-angle" },

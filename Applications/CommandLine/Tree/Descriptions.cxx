@@ -5,6 +5,7 @@
 #include "CommonOptions.h"
 #include "HelpFormatter.h"
 #include "Options/OptionTable.h"
+#include "Options/OptionTableJson.h"
 #include "Options/Profiles.h"
 #include "Tree/CommandTree.h"
 #include "Tree/Completion.h"
@@ -55,6 +56,8 @@ void AddDescriptions(CLI::App& command, const CLI::App& program)
     "Print the manual page, for man -l -.");
   AddPrinter(
     command, "--options-markdown", &OptionTableMarkdown, "Print the table of options as Markdown.");
+  AddPrinter(command, "--options-json", &OptionTableJson,
+    "Print the table of options as JSON, for programs.");
   AddPrinter(command, "--profiles-markdown", &ProfileTableMarkdown,
     "Print the built-in profiles as Markdown.");
 }

@@ -8,16 +8,17 @@ import ctk
 import qt
 import slicer
 import vtk
-from BoneDecimatorLib.checks import AUTOMATIC, KEEP_VOXELS
+from BoneDecimatorLib.checks import AUTOMATIC
 from BoneDecimatorLib.engines import Canceled, DecimationError, NoEngine
 from BoneDecimatorLib.logic import CAPS, NO_SMOOTHING, OWN_DISTANCE, SMOOTHINGS, BoneDecimatorLogic, presets, smoothing_of, spacing_of
+from BoneDecimatorLib.option_table import SEGMENT_RUNS
+from BoneDecimatorLib.option_widgets import OptionWidgets, number_box
 from BoneDecimatorLib.preview import Preview
 from BoneDecimatorLib.request import Request
 from BoneDecimatorLib.segmentation import has_label_map
 from BoneDecimatorLib.surfaces import DISTANCE, report_of
 from slicer.ScriptedLoadableModule import ScriptedLoadableModule, ScriptedLoadableModuleTest, ScriptedLoadableModuleWidget
 
-MODES = ("Balanced", "Fast", "Accurate")
 MODELS, CLOSED_SURFACES = "models in a folder", "closed surfaces of the segmentation"
 EVERYWHERE, ONLY_THERE, KEEP = "everywhere", "only where the brush is", "everywhere but there"
 
@@ -43,11 +44,12 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self._addSource()
         self._addSmoothing()
         self._addGoal()
-        self._addShapes()
+        self._addOptions()
         self._addBrush()
         self._addActions()
         self._addCaps()
         self._addPreview()
+        self._fillOptions()
         self.layout.addStretch(1)
 
     def cleanup(self):
@@ -73,10 +75,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         return box
 
     def _millimeters(self, value, largest):
-        box = ctk.ctkDoubleSpinBox()
-        box.minimum, box.maximum, box.decimals, box.singleStep, box.suffix = 0.0, largest, 3, 0.05, " mm"
-        box.value = value
-        return box
+        return number_box(value, 0.0, largest, " mm")
 
     def _addSource(self):
         form = self._section("Bone")
@@ -141,11 +140,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self.triangles = qt.QSpinBox()
         self.triangles.maximum, self.triangles.singleStep = 100_000_000, 1000
         self.triangles.specialValueText = "as few as the tolerance allows"
-        self.mode = qt.QComboBox()
-        self.mode.addItems(MODES)
-        self.keepVoxels = qt.QComboBox()
-        self.keepVoxels.addItems(KEEP_VOXELS)
-        self.keepVoxels.currentText = "Auto"
+        self.mode, self.keepVoxels = qt.QComboBox(), qt.QComboBox()  # choices: _fillOptions()
         self.keepVoxels.toolTip = ("On: voxelized again, every voxel is in the segment it was in. Auto: on up to a tolerance of half "
                                    "a voxel, where it costs few triangles. For segments.")
         form.addRow("Tolerance", self.tolerance)
@@ -158,19 +153,35 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
     def _onPreset(self, name):
         self.tolerance.value = presets(spacing_of(self.source.currentNode(), self.volume.currentNode()))[name]
 
-    def _addShapes(self):
-        form = self._section("Triangle shapes", collapsed=True)
-        self.minimumAngle = qt.QDoubleSpinBox()
-        self.minimumAngle.maximum, self.minimumAngle.suffix = 40.0, " degrees"
-        self.minimumAngle.toolTip = "For volume meshers and solvers: no triangle has a smaller angle where the tolerance allows it. 0: off."
-        self.edgeLength = self._millimeters(0.0, 1000.0)
-        self.edgeLength.toolTip = "The surface is remeshed to edges of this length, the largest with a chordal error. 0: off."
-        self.chordalError = self._millimeters(0.0, 100.0)
-        self.chordalError.toolTip = ("Edges are shorter where the surface is curved: triangles lie at most this far below it. Needs an "
-                                     "edge length. 0: off.")
-        for label, widget in (("Smallest angle", self.minimumAngle), ("Edge length", self.edgeLength),
-                              ("Chordal error", self.chordalError)):
-            form.addRow(label, widget)
+    def _addOptions(self):
+        self.table = None  # of the engine
+        self.options = OptionWidgets(*(self._section(title, collapsed=True) for title in ("Triangle shapes", "More options")))
+
+    def _fillOptions(self):
+        """Takes choices and options from the engine's table, as soon as there is one."""
+        try:
+            self.table = self.logic.engine.table
+        except DecimationError as problem:
+            self.options.explain(str(problem))
+            return
+        rows = self.table.rows
+        for box, choices, name in ((self.mode, self.table.modes, "Mode"), (self.keepVoxels, rows["KeepVoxels"]["choices"], "KeepVoxels")):
+            box.addItems(choices)
+            box.currentText = rows[name]["default"]
+        self.options.fill(self.table, self._onChange)
+        self._enableOptions()
+
+    def _enableOptions(self):
+        smoothing = self.smoothing.currentText
+        values = {"mode": self.mode.currentText, "keep-voxels": self.keepVoxels.currentText, "max-error": self.tolerance.value,
+                  "target-triangles": self.triangles.value, "auto-smooth": smoothing == AUTOMATIC,
+                  "smooth": float(smoothing not in (NO_SMOOTHING, AUTOMATIC))}
+        self.options.enable(self.table, values, SEGMENT_RUNS if has_label_map(self.source.currentNode()) else ())
+
+    def _onChange(self, *_values):
+        if self.table is not None:
+            self._enableOptions()
+        self.preview.changed()
 
     def _addBrush(self):
         form = self._section("Where", collapsed=True)
@@ -228,10 +239,9 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         form.addRow(self.previewText)
         for signal in (self.source.currentNodeChanged, self.segments.selectionChanged, self.smoothing.currentTextChanged,
                        self.ownSmoothing.valueChanged, self.featureAngle.valueChanged, self.tolerance.valueChanged, self.triangles.valueChanged,
-                       self.mode.currentTextChanged, self.keepVoxels.currentTextChanged, self.minimumAngle.valueChanged,
-                       self.edgeLength.valueChanged, self.chordalError.valueChanged, self.where.currentTextChanged,
+                       self.mode.currentTextChanged, self.keepVoxels.currentTextChanged, self.where.currentTextChanged,
                        self.brush.currentNodeChanged, self.paint.textChanged, self.radius.valueChanged, self.feather.valueChanged):
-            signal.connect(lambda *_values: self.preview.changed())
+            signal.connect(self._onChange)
 
     def _onLive(self, on):
         self.previewText.text = ""
@@ -258,11 +268,11 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         choice = self.smoothing.currentText
         needs_spacing = choice not in (NO_SMOOTHING, AUTOMATIC, OWN_DISTANCE)
         spacing = spacing_of(self.source.currentNode(), self.volume.currentNode()) if needs_spacing else None
-        return Request(tolerance=self.tolerance.value, triangles=self.triangles.value, mode=self.mode.currentText,
+        return Request(tolerance=self.tolerance.value, triangles=self.triangles.value, mode=self.mode.currentText or None,
                        smoothing=smoothing_of(choice, spacing, self.ownSmoothing.value),
-                       feature_angle=self.featureAngle.value, keep_voxels=self.keepVoxels.currentText,
-                       minimum_angle=self.minimumAngle.value, edge_length=self.edgeLength.value, chordal_error=self.chordalError.value,
-                       brush=brush, keeps_brush=where == KEEP, radius=self.radius.value, feather=self.feather.value)
+                       feature_angle=self.featureAngle.value, keep_voxels=self.keepVoxels.currentText or None,
+                       extra=self.options.values(only_enabled=True), brush=brush, keeps_brush=where == KEEP,
+                       radius=self.radius.value, feather=self.feather.value)
 
     def _try(self, action):
         try:
@@ -280,6 +290,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
             wheel = qt.QFileDialog.getOpenFileName(None, "The wheel", "", "Wheels (bonedecimate-*.whl)")
             if wheel:
                 slicer.util.pip_install(f'"{wheel}"')
+                self._fillOptions()
 
     def _onSimplify(self):
         self.live.checked = False

@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Core_Options_OptionTable_h
 #define BoneDecimate_Core_Options_OptionTable_h
 
+#include "Needs.h"
 #include "NumberRange.h"
 #include "Options.h"
 
@@ -25,16 +26,33 @@ using OptionField =
 /// Switches are bool, choices are their number as int.
 using OptionValue = std::variant<bool, int, double, std::string>;
 
+/// Groups of options in panels, in their order; options without a group come before them.
+enum class PanelGroup : int
+{
+  NoGroup = 0,
+  Targets,
+  Smoothing,
+  Proof,
+  Shape,
+  Output
+};
+
+/// A row; OptionRows.def has them all.
 struct OptionInfo
 {
   std::string Name; ///< As in SetName() of the filter.
   OptionField Field;
-  double Minimum; ///< Least and greatest value of a number, both allowed and finite.
-  double Maximum;
+  double Minimum = 0.0; ///< Least and greatest value of a number, both allowed and finite.
+  double Maximum = 1.0;
   std::string Unit; ///< "mm", "triangles", ...; empty where there is none.
   std::string Flag; ///< Long flag of the command line without dashes; empty: not there.
   std::vector<std::string> Choices; ///< Names of the values 0, 1, ... of a choice.
   std::string Sentence;             ///< What it means and what happens at the ends of its range.
+  std::vector<NeedList> Needs;      ///< What a list has that other options meet is told together.
+  bool (*IsUsed)(const Options& options) = nullptr; ///< If null, any value but the default.
+  PanelGroup Group = PanelGroup::NoGroup;
+  bool IsAdvanced = false;       ///< Hidden in panels at first.
+  bool IsPointArrayName = false; ///< Chosen from the point arrays of the input.
 };
 
 /// Every option once, in the order in which people meet them.
@@ -50,6 +68,12 @@ std::optional<NumberRange> RangeOf(const OptionInfo& info);
 std::string ValuesText(const OptionInfo& info);
 
 OptionValue GetOption(const Options& options, const OptionInfo& info);
+
+/// Whether the run is asked for what the option means: mostly that its value is not the default.
+bool IsUsed(const Options& options, const OptionInfo& info);
+
+/// The names of the options whose value is not the default: those that were set, as far as a caller can tell who sets all.
+std::vector<std::string> ChangedOptions(const Options& options);
 
 /// What is wrong with a value, in one sentence: its kind, or that it is outside the range (NaN and infinity are). Empty
 /// if nothing is.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Options.h
- * @brief The options of a run. OptionTable.cxx documents meaning, range and unit of each.
+ * @brief The options of a run. OptionRows.def has name, default, range, unit and meaning of each.
  */
 #ifndef BoneDecimate_Core_Options_Options_h
 #define BoneDecimate_Core_Options_Options_h
@@ -41,59 +41,22 @@ enum class KeepVoxels : int
     2 ///< If the grid is known, and there is no largest error or one of at most half a voxel.
 };
 
-/// Every field is one row of OptionTable(); the defaults are written here and nowhere else.
+/// A field for each row of OptionRows.def, which has its default, meaning, range and unit.
 struct Options
 {
-  bonedecimate::Mode Mode = bonedecimate::Mode::Balanced;
-  int TargetNumberOfTriangles = 0;
-  double TargetReduction = 0.9;
-  double MaximumError = 0.0; // mm
-  bool AllowLargeError = false;
-  bool IntersectionGuard = true;
-  double RefinementEffort = 1.0; // rounds, relative to those of the mode
-  double MinimumAngle = 0.0;     // degrees
-  double EdgeLength = 0.0;       // mm
-  double ChordalError = 0.0;     // mm
-  double Smoothing = 0.0;        // mm
-  bool AutomaticSmoothing = false;
-  double FeatureAngle = 180.0; // degrees
-  bonedecimate::KeepVoxels KeepVoxels = bonedecimate::KeepVoxels::Automatic;
-  double NormalTolerance = 0.95;
-  bool AutomaticNormalTolerance = false;
-  bool MergePoints = true;
-  bool MeasureDistances = true;
-  bool MeasureInputDistances = false;
-  int NumberOfThreads = 0;
-  PointsPrecision OutputPointsPrecision = PointsPrecision::Default;
-  bool PassArrays = true;
-  bool MakeMaps = false;
-  bool RecomputeNormals = false;
-  std::string DistanceArrayName = "Distance";
-  std::string RunningErrorArrayName = "RunningError";
-  std::string PointCountArrayName = "InputPointCount";
-  std::string InputDistanceArrayName = "DistanceToResult";
-  std::string ToleranceArrayName;
-  std::string EdgeLengthArrayName;
-  std::string LabelArrayName;
-  bool ProveResult = true;
-  std::string ErrorBoundArrayName = "ErrorBound";
-  std::string InputErrorBoundArrayName = "ErrorBoundToResult";
-  bonedecimate::ErrorPreset ErrorPreset = bonedecimate::ErrorPreset::NoPreset;
-  double VoxelSize = 0.0;        // mm
-  double OutputPointsGrid = 0.0; // mm
-  double PruneSize = 0.0;        // mm
-  double PruneArea = 0.0;        // mm^2
-  double PruneVolume = 0.0;      // mm^3
-  double TunnelSize = 0.0;       // mm
-  int PruneTriangles = 0;
-  bool DiagnoseInput = false;
+#define BONEDECIMATE_OPTION(Type, Name, Default, Traits, Sentence) Type Name = Default;
+#include "OptionRows.def"
+#undef BONEDECIMATE_OPTION
 
   /// Must be set together with TargetReduction. While it is false, the default reduction is ignored if a number of
   /// triangles or a largest error is given.
   bool TargetReductionIsExplicit = false;
 
   /// Whether the surface is smoothed before the first edit, if there is something to smooth.
-  bool Smooths() const { return this->Smoothing > 0.0 || this->AutomaticSmoothing; }
+  bool Smooths() const
+  {
+    return this->Smoothing > 0.0 || this->AutomaticSmoothing;
+  }
 
   /// Degrees, 0 in a mode that does not limit angles.
   double EffectiveMinimumAngle() const
@@ -161,7 +124,10 @@ struct Options
   }
 
   /// Whether the mode proves every edit that a largest error or a tolerance limits.
-  bool ProvesError() const { return FindMode(this->Mode).ProvesError(); }
+  bool ProvesError() const
+  {
+    return FindMode(this->Mode).ProvesError();
+  }
 
   /// Whether MaximumError bounds the distance of every point of both surfaces.
   bool BoundsError() const

@@ -4,6 +4,7 @@
 
 #include "Input/VoxelSize.h"
 #include "Options/OptionTable.h"
+#include "Options/RunKinds.h"
 
 namespace bonedecimate
 {
@@ -17,41 +18,12 @@ std::string WhatIsWrong(const Options& options)
   {
     return wrong;
   }
-  if (!options.ProvesError() || !(options.MaximumError > 0.0))
+  if (!options.BoundsError())
   {
     return "A run in slabs needs a MaximumError, in a mode that proves it.";
   }
-  if (options.ErrorPreset != ErrorPreset::NoPreset)
-  {
-    return "A run in slabs needs the VoxelSize of its ErrorPreset, because a slab does not tell "
-           "it.";
-  }
-  if (options.TargetNumberOfTriangles > 0 || options.TargetReductionIsExplicit)
-  {
-    return "A run in slabs does not know the whole surface, so it has no target number of "
-           "triangles.";
-  }
-  if (options.Smooths())
-  {
-    return "A run in slabs does not smooth.";
-  }
-  if (options.OutputPointsGrid > 0.0)
-  {
-    return "A run in slabs does not round points to a grid.";
-  }
-  if (options.Prunes())
-  {
-    return "A run in slabs does not remove components, because it does not know them as a whole.";
-  }
-  if (options.TunnelSize > 0.0)
-  {
-    return "A run in slabs does not close tunnels, because it does not know them as a whole.";
-  }
-  if (options.MeasureInputDistances || options.DiagnoseInput)
-  {
-    return "A run in slabs does not keep the input, so it neither measures nor diagnoses it.";
-  }
-  return options.MergePoints ? "" : "A run in slabs merges points, because this joins the slabs.";
+  const std::string unsupported = FindUnsupported({ FindRunKind("Slabs") }, RequestsOf(options));
+  return unsupported.empty() ? unsupported : unsupported + ".";
 }
 }
 

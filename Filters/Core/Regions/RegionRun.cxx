@@ -6,6 +6,7 @@
 #include "Input/Tolerances.h"
 #include "Input/VoxelSize.h"
 #include "Intersections/GuardReach.h"
+#include "Options/RunKinds.h"
 #include "Output/ResultProof.h"
 #include "RegionCut.h"
 #include "RegionMatch.h"
@@ -24,19 +25,26 @@ namespace
 constexpr double PreparedAt = 0.05;
 constexpr double JoinedFrom = 0.95;
 
-/// Whether the largest error or a tolerance limits every point, and nothing but tolerances distinguishes parts of the surface.
-bool CanRunInParts(const Options& options, const RunInputs& inputs)
+/// What a run has beside options and tolerances.
+std::vector<Request> RequestsOf(const RunInputs& inputs)
+{
+  return { { "a reference", { Need::Reference }, inputs.Reference != nullptr },
+    { "a label map", { Need::LabelMap }, inputs.LabelMap != nullptr },
+    { "a log of edits", { Need::Log }, inputs.Log != nullptr },
+    { "a part of a surface", { Need::PartOfSurface }, inputs.Part != nullptr },
+    { "edge lengths of points", { Need::GradedLengths }, inputs.EdgeLengths != nullptr } };
+}
+
+/// Whether the largest error or a tolerance limits every point, and nothing that was asked for needs the whole surface.
+bool CanRunInRegions(const Options& options, const RunInputs& inputs)
 {
   const std::vector<double>& tolerances = *inputs.Tolerances;
-  const bool isPlain = inputs.Reference == nullptr && inputs.LabelMap == nullptr &&
-    inputs.Log == nullptr && inputs.Part == nullptr && inputs.EdgeLengths == nullptr;
-  const bool hasTarget = options.TargetNumberOfTriangles > 0 || options.TargetReductionIsExplicit;
-  const bool needsWhole = options.Smooths() || options.Prunes() || options.DiagnoseInput ||
-    options.MeasureInputDistances || options.KeepVoxels == KeepVoxels::On ||
-    options.ChordalError > 0.0;
-  return isPlain && !hasTarget && !needsWhole && options.ProvesError() &&
-    (options.BoundsError() ||
-      std::none_of(tolerances.begin(), tolerances.end(), [](double t) { return t < 0.0; }));
+  const bool areAllLimited = options.BoundsError() ||
+    std::none_of(tolerances.begin(), tolerances.end(), [](double t) { return t < 0.0; });
+  const std::vector<RunKind> kinds = { FindRunKind("Regions") };
+  return options.ProvesError() && areAllLimited &&
+    FindUnsupported(kinds, RequestsOf(options)).empty() &&
+    FindUnsupported(kinds, RequestsOf(inputs)).empty();
 }
 
 /// The cache of the caller during a run; an empty one if there is none, or if another run uses it.
@@ -308,7 +316,7 @@ RegionStatus TryRegions(const Surface& input, const Options& options, const Moni
   {
     return RegionStatus::NotRequested;
   }
-  if (!CanRunInParts(options, inputs))
+  if (!CanRunInRegions(options, inputs))
   {
     return RegionStatus::OtherOptions;
   }

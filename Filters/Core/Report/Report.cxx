@@ -4,9 +4,9 @@
 
 #include "Certificate/Certificate.h"
 #include "Input/InputSize.h"
-#include "Options/IneffectiveOptions.h"
 #include "Options/NumberRange.h"
 #include "Options/OptionTable.h"
+#include "Options/UnmetNeeds.h"
 #include "TunnelTable.h"
 #include "Words.h"
 
@@ -69,7 +69,7 @@ std::vector<std::string> IdleWarnings(const Report& report)
   {
     options.ToleranceArrayName = "without a name";
   }
-  return IneffectiveOptions(options, given);
+  return UnmetNeeds(options, given);
 }
 
 /// Nothing was smoothed.
@@ -275,7 +275,7 @@ std::string InputMessage(const Report& report)
       return "KeepVoxels is on, but the surface has no voxel grid: give its label map, extract it "
              "with vtkBoneSurfaces, which stores the grid, or set KeepVoxels to Auto or Off";
     case InputStatus::CannotCloseTunnels:
-      return TunnelConflictMessage(report.Tunnels.Conflict);
+      return report.Tunnels.Conflict;
     case InputStatus::InvalidOption:
       return CheckOptions(report.Requested);
   }

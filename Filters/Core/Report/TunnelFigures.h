@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace bonedecimate
@@ -26,17 +27,6 @@ enum class TunnelObstacle : int
 };
 constexpr std::size_t NumberOfTunnelObstacles = 5;
 
-/// What the run has that does not go with closing tunnels.
-enum class TunnelConflict : int
-{
-  NoConflict = 0,
-  OfLabelMap,
-  WithKeepVoxels,
-  WithReference,
-  OfPart, ///< The input is a part of a larger surface.
-  WithLog ///< Edits are recorded.
-};
-
 struct ClosedTunnel
 {
   double Diameter =
@@ -48,7 +38,8 @@ struct ClosedTunnel
 struct TunnelFigures
 {
   bool IsRequested = false; ///< If false, all other members but Conflict are meaningless.
-  TunnelConflict Conflict = TunnelConflict::NoConflict; ///< Else the input was rejected.
+  std::string
+    Conflict; ///< Why the input was rejected: what the run has that tunnels cannot be closed with.
   std::int64_t GenusBefore = 0; ///< Number of handles; open boundaries count as closed.
   std::int64_t GenusAfter = 0;
   std::array<std::int64_t, NumberOfTunnelObstacles>

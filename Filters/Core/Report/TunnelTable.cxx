@@ -77,20 +77,4 @@ std::vector<std::string> TunnelWarnings(const TunnelFigures& tunnels)
   }
   return warnings;
 }
-
-//------------------------------------------------------------------------------
-std::string TunnelConflictMessage(TunnelConflict conflict)
-{
-  static const char* const reasons[] = { "nothing is in the way of TunnelSize",
-    ("TunnelSize is not for the surface of a label map, whose voxels say what is bone: close "
-     "tunnels in the label map, or remove the arrays BoundaryLabels and GridPoint"),
-    "TunnelSize does not go with KeepVoxels: a plug changes the labels of voxels",
-    ("TunnelSize does not go with a reference: errors then refer to the surface with its tunnels "
-     "closed"),
-    ("TunnelSize is not for a part of a surface, because a part does not show which loops go "
-     "around a tunnel: run the whole surface on one process"),
-    ("TunnelSize does not go with recorded levels, which start from the input: close tunnels in a "
-     "run of its own with TargetReduction 0") };
-  return WordOf(reasons, conflict);
-}
 }

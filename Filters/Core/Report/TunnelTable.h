@@ -19,8 +19,6 @@ void AddTunnels(Entries& entries, const TunnelFigures& tunnels);
 
 /// That there is bone where the input has none, and which tunnels were left open; one sentence each.
 std::vector<std::string> TunnelWarnings(const TunnelFigures& tunnels);
-
-std::string TunnelConflictMessage(TunnelConflict conflict);
 }
 
 #endif

@@ -17,7 +17,7 @@ from typing import NamedTuple, NoReturn
 
 from . import __version__, _core, files
 from .arrays import raise_problems, run_on_arrays
-from .options import ROWS, WITHOUT_ARRAYS, flag, keyword, profile_options, read_text, spell_sentences
+from .options import ROWS, flag, keyword, profile_options, read_text, spell_sentences, unsupported
 from .progress import listener
 from .surfaces import input_from
 
@@ -89,7 +89,7 @@ def _with_vtk(arguments: argparse.Namespace, options: _core.Options, progress) -
 
 
 def _without_vtk(arguments: argparse.Namespace, options: _core.Options, progress) -> Run:
-    for key in sorted(WITHOUT_ARRAYS):
+    for key in sorted(unsupported("Arrays")):
         if getattr(arguments, key, None):
             raise ValueError(f"--{ROWS[key].flag} is about arrays of a file, which need VTK: pip install vtk")
     with warnings.catch_warnings():

@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from .options import (WITHOUT_ARRAYS, WITHOUT_GOALS, deprecated, keyword, number, read, spell_sentences, switch, takes_options,
-                      thread_count)
+from .options import deprecated, keyword, number, read, spell_sentences, switch, takes_options, thread_count
 from .label_maps import extract_label
 from .progress import Aborted, Progress, listener
 from .report import Report
@@ -141,7 +140,7 @@ class Certificate:
         return f"<bonedecimate.Certificate: {self.lower:.6g} to {self.upper:.6g} mm, {self.status}>"
 
 
-@takes_options(WITHOUT_ARRAYS)
+@takes_options("Arrays")
 def decimate(
     points: ArrayLike | SurfaceLike,
     triangles: ArrayLike | None = None,
@@ -237,7 +236,7 @@ def run_on_arrays(surface: Surface, values: _core.Options, tolerances: ArrayLike
     return result
 
 
-@takes_options(WITHOUT_GOALS)
+@takes_options("Arrays", "Smooth")
 def smooth(
     points: ArrayLike | SurfaceLike,
     triangles: ArrayLike | None = None,

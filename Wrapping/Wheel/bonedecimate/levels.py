@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from .arrays import Result, check, gives_single
-from .options import WITHOUT_LEVELS, number, read, takes_options, thread_count
+from .options import number, read, takes_options, thread_count
 from .progress import Progress, listener
 from .surfaces import Surface, input_from, surface_from, warn
 
@@ -89,7 +89,7 @@ class Levels:
         return f"<bonedecimate.Levels: {self._core.collapses} collapses, {len(self.marks)} marks>"
 
 
-@takes_options(WITHOUT_LEVELS)
+@takes_options("Arrays", "RecordedLevels")
 def record_levels(points: ArrayLike | SurfaceLike, triangles: ArrayLike | None = None, *, progress: bool | Progress | None = None,
                   **options: Unpack[LevelOptions]) -> Levels:
     """Runs once and keeps every stage of it.

@@ -55,22 +55,10 @@ def spell_sentences(outcome: dict, spell: Callable[[_core.OptionInfo], str] = ke
     outcome["warnings"] = [spelled(warning, spell) for warning in outcome["warnings"]]
 
 
-# Options that a function does not take, and why.
-WITHOUT_ARRAYS = {key: "it is about the arrays of a data set" for key, row in ROWS.items()
-                  if row.name.endswith("ArrayName") or row.name in ("PassArrays", "RecomputeNormals")}
-WITHOUT_LEVELS = WITHOUT_ARRAYS | {key: "levels are of all components, on no grid, and have no maps" for key, row in ROWS.items()
-                                   if row.name.startswith("Prune") or row.name in ("MakeMaps", "OutputPointsGrid")} | {
-    key: "levels start from the input" for key, row in ROWS.items() if row.name == "TunnelSize"}
-
-
-# Smoothing removes no triangles, and has a parameter of its own for the distance.
-WITHOUT_EDITS = {key: "smoothing keeps all triangles" for key, row in ROWS.items()
-                 if row.name in ("Mode", "TargetNumberOfTriangles", "TargetReduction", "IntersectionGuard", "RefinementEffort",
-                                 "MinimumAngle", "EdgeLength", "ChordalError", "EdgeLengthArrayName", "NormalTolerance",
-                                 "AutomaticNormalTolerance", "MakeMaps", "OutputPointsGrid", "TunnelSize")
-                 or row.name.startswith("Prune")} | {
-    key: "distance says how far points may move" for key, row in ROWS.items() if row.name.endswith("Smoothing")}
-WITHOUT_GOALS = WITHOUT_ARRAYS | WITHOUT_EDITS
+def unsupported(*kinds: str) -> dict[str, str]:
+    """The options that runs of these kinds (rows of the core's table) do not have, by keyword, and why."""
+    reasons = {key: next(filter(None, (_core.why_unsupported(kind, row.name) for kind in kinds)), "") for key, row in ROWS.items()}
+    return {key: reason for key, reason in reasons.items() if reason}
 
 
 def type_of(row: _core.OptionInfo) -> str:
@@ -103,9 +91,11 @@ def with_options(docstring: str, rows: Mapping[str, _core.OptionInfo]) -> str:
     return inspect.cleandoc(docstring).replace("**options", "\n".join(entries))
 
 
-def takes_options(without: Mapping[str, str]):
+def takes_options(*kinds: str):
     """Decorator of a function with **options: its signature and its docstring show every option of the table but those
-    without, which are given with the reason, and those that are parameters of their own."""
+    that runs of these kinds do not have, and those that are parameters of their own."""
+    without = unsupported(*kinds)
+
     def decorate(function: Callable) -> Callable:
         signature = inspect.signature(function)
         own = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]

@@ -21,7 +21,7 @@ from .label_arrays import BOUNDARY_LABELS, GRID_POINT, LABEL_VALUES, add_grid
 from .label_maps import LabelSurfaces, extract_surfaces
 from .label_pieces import PieceChanges, change_pieces
 from .levels import Levels, open_levels, record_levels
-from .options import WITHOUT_EDITS, WITHOUT_LEVELS, number, read, switch, takes_options, words
+from .options import number, read, switch, takes_options, unsupported, words
 from .polydata import surface_of
 from .progress import Progress, listener
 from .report import Report
@@ -95,7 +95,7 @@ class BoneAccessor:
     def __init__(self, mesh: pv.PolyData) -> None:
         self._mesh = mesh
 
-    @takes_options({})
+    @takes_options()
     def decimate(
         self,
         *,
@@ -171,7 +171,7 @@ class BoneAccessor:
         **options
             As `decimate` takes them, without those that say how many triangles to remove.
         """
-        without = WITHOUT_EDITS | {"edge_lengths": WITHOUT_EDITS["edge_length"], "profile": "profiles are for runs that remove triangles"}
+        without = unsupported("Smooth") | {"edge_lengths": unsupported("Smooth")["edge_length"], "profile": "profiles are for runs that remove triangles"}
         for key in options:
             if key in without:
                 raise TypeError(f"there is no option '{key}' here: {without[key]}")
@@ -223,7 +223,7 @@ class BoneAccessor:
         warn(warnings, 2)
         return output
 
-    @takes_options(WITHOUT_LEVELS)
+    @takes_options("Arrays", "RecordedLevels")
     def levels(self, *, progress_bar: bool | Progress = False, **options: Unpack[LevelOptions]) -> MeshLevels:
         """One run, recorded, and every stage of it at once, as `bonedecimate.record_levels`.
 

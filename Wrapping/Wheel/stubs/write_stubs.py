@@ -16,8 +16,7 @@ import sys
 import textwrap
 
 from bonedecimate import _core, options
-from bonedecimate.options import (
-    ROWS, WITHOUT_ARRAYS, WITHOUT_GOALS, WITHOUT_LEVELS, default_of, describe, options_but, type_of, words)
+from bonedecimate.options import ROWS, default_of, describe, options_but, type_of, unsupported, words
 
 HERE = pathlib.Path(__file__).resolve().parent
 SOURCES = HERE.parent / "bonedecimate"
@@ -34,7 +33,7 @@ def document(row, indent):
 
 def keywords():
     text = HEAD + "from typing import Literal, TypedDict\n"
-    for name, without in (("ArrayOptions", WITHOUT_ARRAYS), ("SmoothOptions", WITHOUT_GOALS), ("LevelOptions", WITHOUT_LEVELS),
+    for name, without in (("ArrayOptions", unsupported("Arrays")), ("SmoothOptions", unsupported("Arrays", "Smooth")), ("LevelOptions", unsupported("Arrays", "RecordedLevels")),
                           ("MeshOptions", ["labels"])):
         text += f"\nclass {name}(TypedDict, total=False):\n"
         for key, row in options_but(without).items():
@@ -79,17 +78,17 @@ def function(node):
         return ""
     docstring = ast.get_docstring(node) or ""
     for decorator in list(node.decorator_list):
-        called, argument = (decorator.func.id, decorator.args[0]) if isinstance(decorator, ast.Call) else ("", None)
+        called = decorator.func.id if isinstance(decorator, ast.Call) else ""
         if called:
             node.decorator_list.remove(decorator)
         if called == "takes_options":
-            without = {} if isinstance(argument, ast.Dict) else getattr(options, argument.id)
+            without = options.unsupported(*(kind.value for kind in decorator.args))
             rows = options_but([*without, *(each.arg for each in node.args.kwonlyargs)])
             docstring = options.with_options(docstring, rows)
             add(node.args, {key: (ast.parse(type_of(row), mode="eval").body, ast.Constant(default_of(row)))
                             for key, row in rows.items()})
         elif called:
-            add(node.args, keyword_only(FUNCTIONS[argument.id].args))
+            add(node.args, keyword_only(FUNCTIONS[decorator.args[0].id].args))
     node.body = [ast.Expr(ast.Constant(docstring))] if docstring else []
     node.body.append(ast.Expr(ast.Constant(...)))
     return ast.unparse(ast.fix_missing_locations(node))

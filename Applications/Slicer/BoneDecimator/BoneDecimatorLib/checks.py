@@ -5,10 +5,8 @@
 import math
 import numbers
 
-MODES = ["Thesis", "Fast", "Balanced", "Accurate"]
-KEEP_VOXELS = ["Off", "On", "Auto"]
 AUTOMATIC = "automatic"  # the smoothing that voxels and tolerance suggest
-LARGEST = 1e30  # mm, as in the program's table of options
+LARGEST = 1e30  # mm, as in the core's table of options
 MOST_TRIANGLES = 2**31 - 1
 
 
@@ -35,19 +33,17 @@ def check_length(name, value):
     check_number(name, value, 0, LARGEST, "mm")
 
 
-def check_mode(mode):
-    if mode not in MODES:
-        raise DecimationError(f"Mode takes one of {', '.join(MODES)}, not {mode!r}.")
-
-
-def check_keep_voxels(choice):
-    if choice not in KEEP_VOXELS:
-        raise DecimationError(f"Keep voxels takes one of {', '.join(KEEP_VOXELS)}, not {choice!r}.")
-
-
-def check_smoothing(smoothing):
-    if smoothing != AUTOMATIC:
-        check_length(f"The smoothing, if it is not {AUTOMATIC!r},", smoothing)
+def check_value(name, value, row):
+    """The same for the value of an option, by its row in the table of options."""
+    if row["kind"] in ("int", "double"):
+        check = check_whole if row["kind"] == "int" else check_number
+        check(name, value, row["minimum"], row["maximum"], row["unit"])
+    elif row["kind"] == "choice" and value not in row["choices"]:
+        raise DecimationError(f"{name} takes one of {', '.join(row['choices'])}, not {value!r}.")
+    elif row["kind"] == "bool" and not isinstance(value, bool):
+        raise DecimationError(f"{name} takes True or False, not {value!r}.")
+    elif row["kind"] == "text" and not isinstance(value, str):
+        raise DecimationError(f"{name} takes a text, not {value!r}.")
 
 
 def check_ratio(name, value):

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What runs the decimation: the wheel `bonedecimate` in Slicer's own Python, or the program `bonedecimate` beside it."""
 
+import functools
 import importlib.util
 import json
 import re
@@ -17,6 +18,7 @@ import vtk
 from vtk.util.numpy_support import numpy_to_vtk
 
 from .checks import DecimationError
+from .option_table import OptionTable
 
 TOLERANCE = "Tolerance"  # mm, point array of what goes in
 CAP_TOLERANCE = 0.01  # mm, how far points of a boundary may lie from its plane
@@ -80,20 +82,27 @@ class WheelEngine:
     def __init__(self):
         self._kept = None  # options and filter of the last run
 
+    @functools.cached_property
+    def table(self):
+        try:
+            from bonedecimate._core import option_table_json
+        except ImportError as problem:
+            raise DecimationError(f"Install the current wheel of the Python package bonedecimate: {problem}.") from problem
+        return OptionTable(option_table_json())
+
     def release(self):
         """Frees what was kept for further strokes of a brush."""
         self._kept = None
 
     def _filter_of(self, options, keep):
         """The filter of the last run if it has these options: it runs only those regions of the same surface that are new."""
-        from bonedecimate import options as table
         from bonedecimate import vtkBoneDecimate
         if keep and self._kept is not None and self._kept[0] == options:
             return self._kept[1]
         decimate = vtkBoneDecimate()
-        rows = {row.flag: row for row in table.ROWS.values()}
         for flag, value in options.items():
-            _set_option(decimate, rows, flag, value)
+            row = self.table.by_flag[flag]
+            getattr(decimate, "Set" + row["name"])(row["choices"].index(value) if row["choices"] else value)
         if keep:
             self._kept = dict(options), decimate
         return decimate
@@ -125,7 +134,7 @@ class WheelEngine:
                               json.loads(small.report_as_json), [str(each.message) for each in caught])
 
     def decimate(self, surface, options, tolerances=None, progress=None, keep=True):
-        """@param options Flags of the program without dashes and their values: {"max-error": 0.2}.
+        """@param options Those of a Request: checked flags and values.
         @param progress Called with the fraction done; returns False to cancel.
         @param keep Whether the next run of the same surface runs only the regions of a brush that are new.
         """
@@ -185,19 +194,6 @@ class _Progress:
         return not self.was_stopped
 
 
-def _set_option(decimate, rows, flag, value):
-    """An option by its flag; unknown ones and values outside the range are a DecimationError."""
-    row = rows.get(flag)
-    if row is None:
-        raise DecimationError(f"There is no option --{flag}.")
-    if row.choices and value not in row.choices:
-        raise DecimationError(f"{row.name} takes one of {', '.join(row.choices)}, not {value!r}.")
-    try:
-        getattr(decimate, "Set" + row.name)(row.choices.index(value) if row.choices else value)
-    except (OverflowError, TypeError, ValueError) as problem:
-        raise DecimationError(str(problem)) from problem
-
-
 def _collector(problems):
     def collect(_caller, _event, text):
         problems.append(text.strip().splitlines()[-1])
@@ -213,6 +209,14 @@ class ProgramEngine:
 
     def __init__(self, program):
         self.program = str(program)
+
+    @functools.cached_property
+    def table(self):
+        try:
+            printed = subprocess.run([self.program, "--options-json"], capture_output=True, encoding="utf-8", check=True)
+            return OptionTable(printed.stdout)
+        except (OSError, ValueError, subprocess.CalledProcessError) as problem:
+            raise DecimationError(f"{self.program} prints no table of options; install its current version.") from problem
 
     def release(self):
         """Nothing is kept between runs."""

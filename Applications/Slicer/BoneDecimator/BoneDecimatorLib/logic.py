@@ -134,9 +134,9 @@ class BoneDecimatorLogic:
 
     def decimate(self, source, request, target=None, segment=None, progress=None):
         """A new model node, or the target with what it was kept for undo(). Returns node and statistics."""
-        request.check()
+        options = request.options(self.engine.table)
         surface = surface_of(source, segment)
-        result = self.engine.decimate(surface, request.options(), self.tolerances(request, source, surface), progress)
+        result = self.engine.decimate(surface, options, self.tolerances(request, source, surface), progress)
         target = self._node_for(source, target, "simplified")
         self._put(target, result)
         return target, statistics(report_of(result))
@@ -170,11 +170,11 @@ class BoneDecimatorLogic:
                representation of the segmentation, until its voxels change.
         @return The model nodes, or the segmentation alone, and the statistics as lines of text.
         """
-        request.check()
+        options = request.options(self.engine.table)
         found = segmentation.label_maps_of(source, segments)
         surfaces, lines = [], list(found.notes)
         for label_map in found.maps:
-            run = self.engine.decimate_segments(label_map, request.options(), self._tolerances_at(request, source), progress)
+            run = self.engine.decimate_segments(label_map, options, self._tolerances_at(request, source), progress)
             names = [segment.name for segment in label_map.segments]
             if len(found.maps) > 1:
                 lines.append(", ".join(names) + ":")
@@ -194,16 +194,16 @@ class BoneDecimatorLogic:
         @param center mm in the coordinates of the source, of the part; None: chosen.
         @return Lines of text. The tolerance is not proved, and nothing is measured.
         """
-        request.check()
+        request.options(self.engine.table)  # raises before the scene is read
         if not segmentation.has_label_map(source):
             part, ratio = preview.part_of_surface(surface_of(source, (segments or [None])[0]), center=center)
-            options = _preview_options(request, ratio)
+            options = _preview_options(request, ratio, self.engine.table)
             result = self.engine.decimate(part, options, self.tolerances(request, source, part), progress, keep=False)
             lines = statistics(report_of(result))
         else:
             found = segmentation.label_maps_of(source, segments)
             part, ratio = preview.part_of_label_map(found.maps[0], center=center)  # of those that overlap, the first
-            options = _preview_options(request, ratio)
+            options = _preview_options(request, ratio, self.engine.table)
             run = self.engine.decimate_segments(part, options, self._tolerances_at(request, source), progress)
             result = polydata_of(run.points, run.triangles)
             set_colors(result, np.array([segment.color for segment in part.segments])[run.sides[:, 0] - 1])
@@ -238,7 +238,7 @@ class BoneDecimatorLogic:
         """For a slider: bonedecimate.Levels down to that ratio of the triangles."""
         if not self.engine.has_levels:
             raise DecimationError("Levels need the Python package bonedecimate.")
-        checks.check_mode(mode)
+        checks.check_value("Mode", mode, self.engine.table.rows["Mode"])
         checks.check_ratio("The ratio of triangles", ratio)
         return self.engine.record_levels(surface_of(source, segment), {"mode": mode, "target-reduction": 1.0 - ratio})
 
@@ -281,11 +281,11 @@ def _by_distance(outside, request):
     return regions.tolerances(outside, inner, outer, request.feather)
 
 
-def _preview_options(request, ratio):
+def _preview_options(request, ratio, table):
     """For that ratio of the surface: the tolerance is not proved, and nothing is measured."""
     part = replace(request, triangles=max(4, int(ratio * request.triangles)) if request.triangles else 0)
-    options = {**part.options(), "measure": False}
-    if "intersection-guard" in options:  # where there is a proof
+    options = {**part.options(table), "measure": False}
+    if table.has_effect(table.rows["ProveResult"], options):
         options["prove"] = False
     return options
 

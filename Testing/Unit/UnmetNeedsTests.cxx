@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Options/IneffectiveOptions.h"
-
 #include "Options/OptionTable.h"
+#include "Options/UnmetNeeds.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>
@@ -13,11 +12,11 @@ namespace
 {
 using Names = std::vector<std::string>;
 
-/// The options that are idle, without their sentences.
+/// The options that have no effect, without their sentences.
 Names IneffectiveOf(const Options& options, const Names& given)
 {
   Names names;
-  for (const std::string& sentence : IneffectiveOptions(options, given))
+  for (const std::string& sentence : UnmetNeeds(options, given))
   {
     names.push_back(sentence.substr(0, sentence.find(' ')));
     EXPECT_NE(sentence.find(" has no effect; it needs "), std::string::npos) << sentence;
@@ -28,13 +27,13 @@ Names IneffectiveOf(const Options& options, const Names& given)
 const Names Errors = { "AllowLargeError", "IntersectionGuard", "ProveResult" };
 }
 
-TEST(IneffectiveOptions, AreNoneOfTheDefaults)
+TEST(UnmetNeeds, AreNoneOfTheDefaults)
 {
   EXPECT_TRUE(ChangedOptions(Options{}).empty());
-  EXPECT_TRUE(IneffectiveOptions(Options{}, {}).empty());
+  EXPECT_TRUE(UnmetNeeds(Options{}, {}).empty());
 }
 
-TEST(IneffectiveOptions, OfTheErrorNeedOne)
+TEST(UnmetNeeds, OfTheErrorNeedOne)
 {
   Options options;
   EXPECT_EQ(IneffectiveOf(options, Errors), Errors);
@@ -46,13 +45,33 @@ TEST(IneffectiveOptions, OfTheErrorNeedOne)
   options.ToleranceArrayName = "Tolerance";
   EXPECT_EQ(IneffectiveOf(options, Errors), Names{ "IntersectionGuard" });
   options = {};
+  options.VoxelSize = 0.5;
   EXPECT_EQ(IneffectiveOf(options, { "VoxelSize" }), Names{ "VoxelSize" });
   options.ErrorPreset = ErrorPreset::HalfVoxel;
   EXPECT_TRUE(IneffectiveOf(options, { "VoxelSize" }).empty());
   EXPECT_TRUE(IneffectiveOf(options, Errors).empty());
 }
 
-TEST(IneffectiveOptions, ShapesNeedEditsOfAModeThatKeepsThem)
+TEST(UnmetNeeds, OfNumbersThatAreOffAreNotTold)
+{
+  EXPECT_TRUE(IneffectiveOf({}, { "VoxelSize", "ChordalError", "MinimumAngle" }).empty());
+  EXPECT_EQ(IneffectiveOf({}, { "NormalTolerance" }), Names{ "NormalTolerance" }); // is never off
+}
+
+TEST(UnmetNeeds, AreToldTogetherWithTheOthersOfTheirList)
+{
+  Options options;
+  options.ChordalError = 0.1;
+  EXPECT_EQ(UnmetNeeds(options, { "ChordalError" }),
+    Names{ "ChordalError has no effect; it needs EdgeLength and Mode Fast, Balanced, Accurate" });
+  options = {};
+  options.InputErrorBoundArrayName = "Bound";
+  EXPECT_EQ(UnmetNeeds(options, { "InputErrorBoundArrayName" }),
+    Names{ "InputErrorBoundArrayName has no effect; it needs MeasureInputDistances and ProveResult "
+           "with MaximumError, ErrorPreset or ToleranceArrayName, and another Mode than Thesis" });
+}
+
+TEST(UnmetNeeds, ShapesNeedEditsOfAModeThatKeepsThem)
 {
   const Names shape = { "MinimumAngle", "EdgeLength" };
   Options options;
@@ -70,7 +89,7 @@ TEST(IneffectiveOptions, ShapesNeedEditsOfAModeThatKeepsThem)
   EXPECT_EQ(IneffectiveOf(options, shape), shape);
 }
 
-TEST(IneffectiveOptions, LocalLengthsNeedAnEdgeLength)
+TEST(UnmetNeeds, LocalLengthsNeedAnEdgeLength)
 {
   const Names local = { "ChordalError", "EdgeLengthArrayName" };
   Options options;
@@ -83,7 +102,7 @@ TEST(IneffectiveOptions, LocalLengthsNeedAnEdgeLength)
   EXPECT_EQ(IneffectiveOf(options, local), local);
 }
 
-TEST(IneffectiveOptions, OfRoundsNeedAModeThatMakesThem)
+TEST(UnmetNeeds, OfRoundsNeedAModeThatMakesThem)
 {
   const Names effort = { "RefinementEffort" };
   Options options;
@@ -94,7 +113,7 @@ TEST(IneffectiveOptions, OfRoundsNeedAModeThatMakesThem)
   EXPECT_EQ(IneffectiveOf(options, effort), effort);
 }
 
-TEST(IneffectiveOptions, OfTheThesisNeedItsMode)
+TEST(UnmetNeeds, OfTheThesisNeedItsMode)
 {
   const Names both = { "NormalTolerance", "AutomaticNormalTolerance" };
   Options options;
@@ -109,7 +128,7 @@ TEST(IneffectiveOptions, OfTheThesisNeedItsMode)
   EXPECT_EQ(IneffectiveOf(options, both), Names{ "NormalTolerance" });
 }
 
-TEST(IneffectiveOptions, OfArraysNeedWhatFillsThem)
+TEST(UnmetNeeds, OfArraysNeedWhatFillsThem)
 {
   const Names all = { "DistanceArrayName", "RunningErrorArrayName", "InputDistanceArrayName",
     "ErrorBoundArrayName", "InputErrorBoundArrayName" };
@@ -124,27 +143,27 @@ TEST(IneffectiveOptions, OfArraysNeedWhatFillsThem)
     IneffectiveOf(options, all), (Names{ "ErrorBoundArrayName", "InputErrorBoundArrayName" }));
 }
 
-TEST(IneffectiveOptions, FindsWhatIsNotTheDefault)
+TEST(UnmetNeeds, FindsWhatIsNotTheDefault)
 {
   Options options;
   options.VoxelSize = 0.5;
   options.IntersectionGuard = false;
   EXPECT_EQ(ChangedOptions(options), (Names{ "IntersectionGuard", "VoxelSize" }));
-  EXPECT_EQ(IneffectiveOptions(options, ChangedOptions(options)),
+  EXPECT_EQ(UnmetNeeds(options, ChangedOptions(options)),
     (Names{
       "IntersectionGuard has no effect; it needs MaximumError or ErrorPreset, and another Mode "
       "than Thesis",
       "VoxelSize has no effect; it needs ErrorPreset" }));
 }
 
-TEST(IneffectiveOptions, AreWarnedOfInEveryRun)
+TEST(UnmetNeeds, AreWarnedOfInEveryRun)
 {
   const Surface ball = testsupport::Icosphere(2, 10.0);
   Options options;
   options.IntersectionGuard = false;
   options.DistanceArrayName = "far";
   const Report idle = Decimate(ball, options).Report;
-  EXPECT_EQ(InputWarnings(idle), IneffectiveOptions(options, { "IntersectionGuard" }));
+  EXPECT_EQ(InputWarnings(idle), UnmetNeeds(options, { "IntersectionGuard" }));
   options.MaximumError = 0.5;
   EXPECT_TRUE(InputWarnings(Decimate(ball, options).Report).empty());
   options = {};
