@@ -18,7 +18,7 @@ from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 NO_NUMBERS = (math.nan, math.inf, -math.inf)
 # Name: default, another value, values outside the range.
 NUMBERS = {
-    "Mode": (vtkBoneDecimate.BALANCED, vtkBoneDecimate.FAST, (-1, 4, -2**31, 2**31 - 1)),
+    "Mode": (vtkBoneDecimate.BALANCED, vtkBoneDecimate.FAST, (-1, 1000, -2**31, 2**31 - 1)),
     "TargetNumberOfTriangles": (0, 500, (-1, -2**31)),
     "TargetReduction": (0.9, 0.5, (-0.1, 1.5, *NO_NUMBERS)),
     "MaximumError": (0.0, 0.25, (-1.0, 1.1e30, *NO_NUMBERS)),

@@ -16,7 +16,7 @@ import numpy as np
 import vtk
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Applications" / "Slicer" / "BoneDecimator"))
-from BoneDecimatorLib.checks import DecimationError  # noqa: E402
+from BoneDecimatorLib.checks import MODES, DecimationError  # noqa: E402
 from BoneDecimatorLib.engines import Canceled, ProgramEngine, WheelEngine, _set_option  # noqa: E402
 from BoneDecimatorLib.logic import CAPS, SMOOTHINGS, BoneDecimatorLogic, presets, smoothing_of, statistics  # noqa: E402
 from BoneDecimatorLib.request import Request  # noqa: E402
@@ -62,7 +62,7 @@ class Requests(unittest.TestCase):
         for value in ("", "on", "Nonsense", None, True):
             self.rejects("^Keep voxels takes one of Off, On, Auto, not ", keep_voxels=value)
         for value in ("", "balanced", "Nonsense", None, 2):
-            self.rejects("^Mode takes one of Thesis, Fast, Balanced, Accurate", mode=value)
+            self.rejects("^Mode takes one of " + ", ".join(MODES), mode=value)
 
     def test_without_any_goal_are_rejected(self):
         self.rejects("^Give a tolerance, a number of triangles, an edge length or a smoothing", tolerance=0.0, triangles=0)

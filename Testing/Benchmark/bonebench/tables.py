@@ -4,12 +4,15 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
 from typing import Callable, Iterable, Sequence
 
 from . import thesis
 from .records import Record
 
-MODES = ("Thesis", "Fast", "Balanced", "Accurate")
+PAGE_OF_MODES = Path(__file__).resolve().parents[3] / "Documentation" / "modes.md"  # its table follows the program
+MODES = re.findall(r"(?m)^\| `(\w+)` \|", PAGE_OF_MODES.read_text(encoding="utf-8"))
 Cell = Callable[[Record], str]
 
 
