@@ -7,7 +7,7 @@ namespace bonedecimate
 {
 namespace
 {
-SurfaceFormat MakeGlbFormat()
+SurfaceFormat GlbRow()
 {
 #ifdef BONEDECIMATE_HAS_MESHOPTIMIZER
   SurfaceFormat format = { "glb", false, true, false, ReadGlbFile, WriteGlbFile };
@@ -21,5 +21,5 @@ SurfaceFormat MakeGlbFormat()
 }
 
 extern const SurfaceFormat GlbFormat;
-const SurfaceFormat GlbFormat = MakeGlbFormat();
+const SurfaceFormat GlbFormat = GlbRow();
 }

@@ -26,7 +26,7 @@ void WriteVtk(vtkPolyData* surface, const std::string& path)
   WriteWith(writer.Get(), surface, path);
 }
 
-SurfaceFormat MakeVtkFormat()
+SurfaceFormat VtkRow()
 {
   SurfaceFormat format = { "vtk", true, true, true, ReadVtk, WriteVtk };
   format.Check = CheckVtkFile;
@@ -35,5 +35,5 @@ SurfaceFormat MakeVtkFormat()
 }
 
 extern const SurfaceFormat VtkFormat;
-const SurfaceFormat VtkFormat = MakeVtkFormat();
+const SurfaceFormat VtkFormat = VtkRow();
 }

@@ -28,7 +28,7 @@ void WriteVtp(vtkPolyData* surface, const std::string& path)
   WriteWith(writer.Get(), surface, path);
 }
 
-SurfaceFormat MakeVtpFormat()
+SurfaceFormat VtpRow()
 {
   SurfaceFormat format = { "vtp", true, true, true, ReadVtp, WriteVtp };
   format.Check = CheckVtpFile;
@@ -37,5 +37,5 @@ SurfaceFormat MakeVtpFormat()
 }
 
 extern const SurfaceFormat VtpFormat;
-const SurfaceFormat VtpFormat = MakeVtpFormat();
+const SurfaceFormat VtpFormat = VtpRow();
 }
