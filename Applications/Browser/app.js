@@ -7,7 +7,7 @@ import wasm from 'bonedecimate/core.wasm';
 import workerText from 'worker-text';
 
 import { Viewer, canDraw, nextFrame } from '../viewer/viewer.js';
-import { bytesOf, readFile } from './files.js';
+import { ACCEPTED, bytesOf, readFile } from './files.js';
 import { fillForm, optionsOf } from './form.js';
 import { makeScene } from './scene.js';
 
@@ -189,6 +189,7 @@ function bindDrop() {
   });
   drop.addEventListener('dragenter', () => drop.classList.add('over'));
   ['dragleave', 'drop'].forEach((name) => drop.addEventListener(name, () => drop.classList.remove('over')));
+  find('choose').accept = ACCEPTED;
   find('choose').addEventListener('change', (event) => open(event.target.files[0]));
 }
 

@@ -65,18 +65,24 @@ function readPly(buffer) {
   return surfaceOf(reader.getOutputData());
 }
 
+/** What the page reads, by the ending of the name. */
+const READERS = {
+  '.stl': (buffer) => ({ surface: readStl(buffer) }),
+  '.ply': (buffer) => ({ surface: readPly(buffer) }),
+  '.nii': (buffer) => ({ map: readLabelMap(buffer) }),
+  '.nii.gz': (buffer) => ({ map: readLabelMap(buffer) }),
+};
+const ENDINGS = Object.keys(READERS);
+
+/** For the attribute of an input: browsers know the part of an ending behind its last dot alone. */
+export const ACCEPTED = ENDINGS.map((ending) => ending.slice(ending.lastIndexOf('.'))).join(',');
+
 /** @returns { surface } or { map }. Throws an Error with one sentence. */
 export async function readFile(file) {
   const name = file.name.toLowerCase();
-  const buffer = await file.arrayBuffer();
-  if (name.endsWith('.stl')) {
-    return { surface: readStl(buffer) };
-  }
-  if (name.endsWith('.ply')) {
-    return { surface: readPly(buffer) };
-  }
-  check(/\.nii(\.gz)?$/.test(name), 'this page reads STL, PLY and NIfTI label maps (.stl, .ply, .nii, .nii.gz)');
-  return { map: readLabelMap(buffer) };
+  const ending = ENDINGS.find((one) => name.endsWith(one));
+  check(ending, `this page reads STL, PLY and NIfTI label maps (${ENDINGS.join(', ')})`);
+  return READERS[ending](await file.arrayBuffer());
 }
 
 function polyDataOf({ points, triangles }) {

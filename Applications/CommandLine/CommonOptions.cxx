@@ -178,7 +178,12 @@ void RequireExtension(
   }
 }
 
-void AddMode(CLI::App& app, std::string& mode, const std::string& choices, const char* help)
+std::string DefaultMode()
+{
+  return FindMode(Options().Mode).Name;
+}
+
+void AddMode(CLI::App& app, std::string& mode, const std::string& choices, const std::string& help)
 {
   app.add_option("--mode", mode, help)->type_name(choices)->check(OneOf(choices));
 }

@@ -72,8 +72,11 @@ void RequireFiles(const CLI::App& command, const std::vector<std::string>& files
 void RequireExtension(
   const std::string& flag, const std::string& path, const std::vector<std::string>& extensions);
 
+/// The name of the mode of a run without --mode.
+std::string DefaultMode();
+
 /// Adds --mode. @param choices Separated by bars.
-void AddMode(CLI::App& app, std::string& mode, const std::string& choices, const char* help);
+void AddMode(CLI::App& app, std::string& mode, const std::string& choices, const std::string& help);
 
 /// Adds --threads.
 void AddThreads(CLI::App& app, int& threads);

@@ -73,7 +73,7 @@ void SetThesisWords(Arguments& arguments, const std::vector<std::string>& words)
     throw Failure(
       ExitCode::Usage, "numbFaces and errorThreshold are both 0 (off): nothing would end the run");
   }
-  GiveOption(arguments, *FindOption("Mode"), "Thesis");
+  GiveOption(arguments, *FindOption("Mode"), FindMode(Mode::Thesis).Name);
   const std::filesystem::path input = FilePath(words[0]);
   const std::string simplified = input.stem().string() + "_simplified.obj";
   arguments.ThesisForm = true;

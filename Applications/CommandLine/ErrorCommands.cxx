@@ -65,7 +65,8 @@ void AddOptions(CLI::App& app, ErrorArguments& arguments, bool isCurve)
   AddFile(app, "--json", "JSON", arguments.Json, "Write all runs as JSON.");
   AddVoxelArguments(app, arguments.Voxels);
   AddInputArguments(app, arguments.Input);
-  AddMode(app, arguments.Mode, "Fast|Balanced|Accurate", "Default Balanced.");
+  const auto proves = [](const ModeInfo& mode) { return mode.ProvesError(); };
+  AddMode(app, arguments.Mode, ModeNamesWhere(proves, "|"), "Default " + arguments.Mode + ".");
   AddThreads(app, arguments.Threads);
   AddUnit(app, arguments.Unit);
   AddQuiet(app, arguments.Quiet);

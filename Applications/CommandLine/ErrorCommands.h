@@ -9,6 +9,7 @@
 #define BoneDecimate_Applications_ErrorCommands_h
 
 #include "CliForward.h"
+#include "CommonOptions.h"
 #include "ExitCode.h"
 #include "InputArguments.h"
 #include "LabelMapArguments.h"
@@ -26,7 +27,7 @@ struct ErrorArguments
   int Triangles = 0;              ///< tolerance only
   double Precision = 0.02;        ///< tolerance only
   std::vector<double> Errors;     ///< mm, curve only
-  std::string Mode = "Balanced";
+  std::string Mode = DefaultMode();
   int Threads = 0;
   bool AllowLargeError = false; ///< curve only
   VoxelArguments Voxels;

@@ -27,7 +27,8 @@ void AddRunOptions(CLI::App& app, LevelsArguments& arguments)
       "Triangles of the coarsest level; default a tenth of the input's or the least number of "
       "--triangles, whichever is less, or with --max-error as few as that allows." },
     [&arguments](double value) { arguments.Coarsest = static_cast<int>(value); });
-  AddMode(app, arguments.Mode, "Thesis|Fast|Balanced|Accurate", "Of the run, default Balanced.");
+  AddMode(app, arguments.Mode, ModeNamesWhere([](const ModeInfo&) { return true; }, "|"),
+    "Of the run, default " + arguments.Mode + ".");
   AddNumber(app,
     { "--max-error", "MM", PositiveLengthRange,
       "Largest distance that the run may cause; every level keeps it." },

@@ -9,6 +9,7 @@
 #define BoneDecimate_Applications_LevelsCommand_h
 
 #include "CliForward.h"
+#include "CommonOptions.h"
 #include "ExitCode.h"
 #include "InputArguments.h"
 #include "LabelMapArguments.h"
@@ -27,7 +28,7 @@ struct LevelsArguments
 
   /// @name A run. @{
   int Coarsest = 0;
-  std::string Mode = "Balanced";
+  std::string Mode = DefaultMode();
   double MaximumError = 0.0; ///< mm
   bool AllowLargeError = false;
   bool WithoutErrors = false;

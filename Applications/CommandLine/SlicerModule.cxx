@@ -122,8 +122,9 @@ void AddRegions(const SlicerWords& requested, Arguments& arguments)
   }
   if (!arguments.Options.BoundsError())
   {
-    throw Failure(
-      ExitCode::Usage, "--roi and --keep need --max-error, in another mode than Thesis");
+    throw Failure(ExitCode::Usage,
+      "--roi and --keep need --max-error, in another mode than " +
+        ModeNamesWhere([](const ModeInfo& mode) { return !mode.ProvesError(); }));
   }
   const double radius = ReadNumber("--keep-radius", requested.KeptRadius, LengthRange);
   for (const std::string& center : requested.Kept)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Page.h"
 
+#include "Mesh/Rejection.h"
 #include "NumberText.h"
 #include "Options/Text.h"
 #include "PageParts.h"
@@ -14,7 +15,7 @@
 #include "VoxelSection.h"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -285,22 +286,9 @@ std::string Smoothing(const ReportFields& report)
 
 std::string RejectionText(const std::string& cause)
 {
-  static const std::array<std::pair<const char*, const char*>, 11> sentences = { {
-    { "non_manifold", "the surface is not manifold there and stays as it is" },
-    { "boundary", "an open boundary would leave its curve, or the surface be pinched" },
-    { "link_condition", "the topology would change" },
-    { "fragment", "a fragment would become too small, vanish or turn inside out" },
-    { "flip", "a triangle would turn over" },
-    { "degenerate", "a triangle would have no area left" },
-    { "error_bound", "it was not proved that the surfaces stay within the largest error" },
-    { "constrained", "a point may not move, because its tolerance or that of a neighbor is 0" },
-    { "intersection", "triangles would intersect, or a gap become narrower than half its width" },
-    { "voxel_label", "a voxel of the label map would get another label" },
-    { "shape", "a triangle would have an angle below the least one" },
-  } };
-  const auto known = std::find_if(sentences.begin(), sentences.end(),
-    [&cause](const auto& sentence) { return cause == sentence.first; });
-  return known == sentences.end() ? EscapedXml(cause) : known->second;
+  const auto* const known = std::find_if(std::begin(RejectionTable), std::end(RejectionTable),
+    [&cause](const RejectionInfo& row) { return cause == row.Word; });
+  return known == std::end(RejectionTable) ? EscapedXml(cause) : known->Sentence;
 }
 
 /// The entries below a name as "what: value" lines, or nothing.

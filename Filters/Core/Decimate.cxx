@@ -113,6 +113,7 @@ EditorSettings SettingsOfEditor(const RunTask& task, const PreparedInput& prepar
   settings.Threads = task.Effective.NumberOfThreads;
   if (!isAborted)
   {
+    settings.Requested = task.Effective;
     settings.Shape = ShapeLimitsOf(task.Effective, prepared.Sizes);
     settings.KeepsQuadrics = mode.NeedsQuadrics();
     settings.KeepsInitialMesh = mode.KeepsInitialMesh;

@@ -23,14 +23,28 @@ const std::vector<ModeInfo>& ModeTable()
     { "refine", RefineStage, 1.0 } };
   static const std::vector<ModeInfo> table = {
     { Mode::Thesis, "Thesis", byNormalFieldDeviation, Error::RunningStop, true, false, {}, {},
-      collapse },
+      collapse,
+      { "reproduces H. Brand\u00e3o's thesis",
+        "vertex of lowest cost, then its cheapest edge; costs come from the normal field deviation "
+        "(NFD)",
+        "the candidates of the thesis", "none" } },
     { Mode::Fast, "Fast", byQuadricDeviation, Error::ProvedBound, false, false, { 0.3, 4, 4 }, {},
-      collapse },
+      collapse,
+      { "previews, large batches", "by how much the collapse changes the normals",
+        "least squares to the planes, volume preserved", "none" } },
     // Spikes weigh more than in Fast: refinement wins back the mean error that costs.
     { Mode::Balanced, "Balanced", byQuadricDeviation, Error::ProvedBound, false, true,
-      { 0.5, 4, MaximumPositions }, { 0.2, 0.02, 4, 1, 1, 3, 2, 1, 0, 1, 2 }, collapseAndRefine },
+      { 0.5, 4, MaximumPositions }, { 0.2, 0.02, 4, 1, 1, 3, 2, 1, 0, 1, 2 }, collapseAndRefine,
+      { "planning on the result",
+        "as `Fast`; without a largest error, the last ones by sampled error",
+        "as `Fast`, then fitted to the original",
+        "edge flips and vertex moves: one pass before the last collapses and one after (three if "
+        "few triangles remain)" } },
     { Mode::Accurate, "Accurate", byQuadricDeviation, Error::ProvedBound, false, true,
-      { 0.5, 4, MaximumPositions }, { 0.3, 0.06, 4, 1, 6, 8, 2, 2, 6, 3, 3 }, collapseAndRefine },
+      { 0.5, 4, MaximumPositions }, { 0.3, 0.06, 4, 1, 6, 8, 2, 2, 6, 3, 3 }, collapseAndRefine,
+      { "smallest error for a number of triangles",
+        "as `Balanced`, with more collapses by sampled error", "as `Balanced`",
+        "one pass before, six after (eight if few triangles remain)" } },
   };
   return table;
 }

@@ -15,7 +15,8 @@
  * flips and moves, collapses to the target, and improves it again. Without an error bound these collapses are ordered by
  * Cost/SampledErrorCost.h.
  *
- * A new cost or placement is a function in a file of its own, named in a row. A new mode is an enumerator and a row of Modes.cxx. Its name is that of the option, the program and the report.
+ * A new cost or placement is a function in a file of its own, named in a row. A new mode is an enumerator and a row of Modes.cxx.
+ * Option, commands, messages, wrappers, tests and the page of the modes take the name, and what the mode does, from the row.
  */
 #ifndef BoneDecimate_Core_Modes_h
 #define BoneDecimate_Core_Modes_h
@@ -118,6 +119,15 @@ struct Stage
   double End; ///< Fraction of the time of all stages at which this one ends.
 };
 
+/// What the page of the modes says of one, in Markdown.
+struct ModeText
+{
+  const char* Use;
+  const char* Order;      ///< Of the collapses.
+  const char* Position;   ///< Of the new vertex.
+  const char* Refinement; ///< What moves and flips after the collapses.
+};
+
 struct ModeInfo
 {
   bonedecimate::Mode Mode;
@@ -130,6 +140,7 @@ struct ModeInfo
   SweepSettings Sweep;
   RefineSettings Refine;
   std::vector<Stage> Stages; ///< In order.
+  ModeText Text;
 
   /// Whether a stage moves and flips after the collapses.
   bool Refines() const { return this->KeepsInitialMesh; }
@@ -155,14 +166,14 @@ std::vector<std::string> ModeNames();
 
 /// "Fast, Balanced, Accurate": the names of the modes of which the predicate is true.
 template <typename Predicate>
-std::string ModeNamesWhere(const Predicate& predicate)
+std::string ModeNamesWhere(const Predicate& predicate, const char* separator = ", ")
 {
   std::string names;
   for (const ModeInfo& mode : ModeTable())
   {
     if (predicate(mode))
     {
-      names += (names.empty() ? "" : ", ") + std::string(mode.Name);
+      names += (names.empty() ? "" : separator) + std::string(mode.Name);
     }
   }
   return names;

@@ -24,7 +24,19 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 PROGRAM = os.environ["BONEDECIMATE_PROGRAM"]
 DONE, USAGE, REJECTED, NOT_WRITTEN, INTERRUPTED, NO_MEMORY = range(6)
-SURFACES = ("obj", "stl", "ply", "vtp", "vtk")
+TABLES = json.loads(subprocess.run([PROGRAM, "--tables"], stdout=subprocess.PIPE, check=True).stdout)  # of the program
+MODES = [mode["name"] for mode in TABLES["modes"]]
+PROVING_MODES = [mode["name"] for mode in TABLES["modes"] if mode["proves_error"]]
+FORMATS = {row["extension"]: row for row in TABLES["formats"]}
+VTK_CLASSES = {
+    "obj": (vtkOBJReader, vtkOBJWriter),
+    "stl": (vtkSTLReader, vtkSTLWriter),
+    "ply": (vtkPLYReader, vtkPLYWriter),
+    "vtp": (vtkXMLPolyDataReader, vtkXMLPolyDataWriter),
+    "vtk": (vtkPolyDataReader, vtkPolyDataWriter),
+}
+SURFACES = tuple(VTK_CLASSES)  # formats that VTK reads and writes
+OTHER_FORMATS = tuple(sorted(set(FORMATS) - set(SURFACES)))
 TEMPORARY = ".bonedecimate-"
 UNMEASURED = ("--measure", "off")  # most of the time of a small bone, for tests that do not look at distances
 
@@ -129,15 +141,8 @@ def together(*surfaces):
 
 def write(surface, path, ascii_text=False):
     """By VTK's own writers; the extension decides."""
-    writers = {
-        "obj": vtkOBJWriter,
-        "stl": vtkSTLWriter,
-        "ply": vtkPLYWriter,
-        "vtp": vtkXMLPolyDataWriter,
-        "vtk": vtkPolyDataWriter,
-    }
     extension = path.suffix[1:].lower()
-    writer = writers[extension]()
+    writer = VTK_CLASSES[extension][1]()
     writer.SetFileName(str(path))
     writer.SetInputData(surface)
     if extension == "vtp":
@@ -150,20 +155,13 @@ def write(surface, path, ascii_text=False):
 
 def read(path):
     """By VTK's own readers; points of STL files are merged. What VTK does not read the program converts."""
-    if path.suffix in (".glb", ".3mf"):
+    if path.suffix[1:] in OTHER_FORMATS:
         with tempfile.TemporaryDirectory(prefix="bonedecimate-test-") as folder:
             converted = pathlib.Path(folder) / "converted.vtp"
             unchanged = ("--mode", "fast", "--target-reduction", "0", "--merge-points", "off", "--measure", "off", "--quiet")
             subprocess.run([PROGRAM, path, converted, *unchanged], check=True)
             return read(converted)
-    readers = {
-        "obj": vtkOBJReader,
-        "stl": vtkSTLReader,
-        "ply": vtkPLYReader,
-        "vtp": vtkXMLPolyDataReader,
-        "vtk": vtkPolyDataReader,
-    }
-    reader = readers[path.suffix[1:].lower()]()
+    reader = VTK_CLASSES[path.suffix[1:].lower()][0]()
     reader.SetFileName(str(path))
     reader.Update()
     return reader.GetOutput()

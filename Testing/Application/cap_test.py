@@ -5,7 +5,7 @@
 import json
 import math
 
-from application import USAGE, ApplicationTest, main, torus, write
+from application import SURFACES, USAGE, ApplicationTest, main, torus, write
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkCylinderSource
 
@@ -35,7 +35,7 @@ class Cap(ApplicationTest):
 
     def test_ends_of_a_scan_are_closed_in_every_format(self):
         write(tube(), self.path("in.ply"))
-        for extension in ("vtp", "ply", "stl", "obj", "vtk"):
+        for extension in SURFACES:
             found = self.cap("in.ply", "out." + extension)
             self.assertEqual((found["caps"], found["closed_loops"], found["open_loops"]), (2, 2, 0))
             self.assertAlmostEqual(found["cap_area_mm2"], AREA, 3)

@@ -13,14 +13,12 @@ import typing
 import vtk
 
 import option_rows
-from application import PROGRAM, array_names, read
+from application import FORMATS, MODES, OTHER_FORMATS, PROGRAM, PROVING_MODES, SURFACES, array_names, read
 from combinations_inputs import METERS, isosurface, label_surface, scaled
 
 ERROR = 0.3  # mm, of the features that bound it
 LARGE_ERROR = 40.0  # mm, more than a quarter of the diagonal
 CONSTRAINED = (28.0, 0.0, 0.0, 9.0)  # center and radius of the constrained region, mm
-ARRAYS = ("vtp", "vtk")  # what holds them
-NAMING_UNITS = ("glb", "3mf")  # what is in millimeters whatever --unit is
 
 
 @dataclasses.dataclass
@@ -65,6 +63,9 @@ class Run:
 
     def has_word(self, word):
         return any(word in feature.words for feature in self.pair)
+
+    def proves_nothing(self):
+        return any(self.has_word(name) for name in MODES if name not in PROVING_MODES)
 
     def prunes(self):
         return any(str(word).startswith("--prune") for feature in self.pair for word in feature.words)
@@ -136,7 +137,7 @@ class Run:
     @functools.cached_property
     def result(self):
         surface = read(self.folder / self.output())
-        return surface if self.formats[0] in NAMING_UNITS else in_millimeters(surface, self)
+        return surface if FORMATS[self.formats[0]]["names_unit"] else in_millimeters(surface, self)
 
     @functools.cached_property
     def bone(self):
@@ -148,7 +149,7 @@ class Run:
         return in_millimeters(read(self.folder / self.source("bone", "vtp")), self)
 
     def holds_arrays(self):
-        return self.formats[0] in ARRAYS
+        return FORMATS[self.formats[0]]["holds_arrays"]
 
     def option(self, name):
         return self.report["options"][name]
@@ -207,7 +208,7 @@ def moves_at_most(run):
     if run.command:
         return ""
     worst = max(distance(run.result, run.bone), 0.0 if run.prunes() else distance(run.bone, run.result))
-    if run.has_word("Thesis") or "thesis form" in run.kinds:
+    if run.proves_nothing() or "thesis form" in run.kinds:
         return ""
     if worst > ERROR + 1e-5:
         return f"{worst} mm away"
@@ -253,7 +254,7 @@ def without_crumb(run):
 
 def keeps_to_the_cap(run):
     proof = run.report.get("proof", {})
-    return "" if run.command or run.has_word("Thesis") or proof.get("status") == "proved" and proof["upper"] <= LARGE_ERROR else f"proof: {proof}"
+    return "" if run.command or run.proves_nothing() or proof.get("status") == "proved" and proof["upper"] <= LARGE_ERROR else f"proof: {proof}"
 
 
 def keeps_duplicates(run):
@@ -328,10 +329,6 @@ def features_of_the_table(covered):
     return features
 
 
-def mode(name):
-    return Feature(name, ("--mode", name), shows("options.Mode", name))
-
-
 def has_angles(run):
     """Few are left: where triangles are constrained, and where labels or voxels forbid edits."""
     if run.command:
@@ -351,7 +348,7 @@ def switch(name, flag, value, option, problem=None):
 
 
 FEATURES = [
-    mode("Thesis"), mode("Fast"), mode("Balanced"), mode("Accurate"),
+    *(Feature(name, ("--mode", name), shows("options.Mode", name)) for name in MODES),
     Feature("triangles", ("--target-triangles", 300), stops_there, goal=True),
     Feature("reduction", ("--target-reduction", 0.7), stops_there, goal=True),
     Feature("largest error", ("--max-error", ERROR), moves_at_most, goal=True),
@@ -390,7 +387,7 @@ FEATURES = [
     switch("automatic smoothing", "--auto-smooth", "on", "AutomaticSmoothing", lambda run: ""),
     Feature("threads", ("--threads", 2), shows("options.NumberOfThreads", "2")),
     switch("diagnose", "--diagnose", "on", "DiagnoseInput", lambda run: "" if run.command or "diagnostics" in run.report else "none"),
-    *(Feature(name, output=name, problem=wrote_surface) for name in ("obj", "stl", "ply", "vtp", "vtk", "3mf", "glb")),
+    *(Feature(name, output=name, problem=wrote_surface) for name in (*SURFACES, *OTHER_FORMATS)),
     Feature("colors in glb", ("--vertex-colors", "error", "--position-bits", 15), wrote_colors, output="glb"),
     Feature("heat map", ("--heatmap", "map.vtp"), wrote("map.vtp", b"DistanceToResult")),
     Feature("page and picture", ("--page", "page.html", "--picture", "picture.png"),  # together, as the picture takes most of the time

@@ -5,7 +5,7 @@
 import json
 import re
 
-from application import DONE, REJECTED, SURFACES, USAGE, ApplicationTest, main, torus, write
+from application import DONE, FORMATS, PROVING_MODES, REJECTED, USAGE, ApplicationTest, main, torus, write
 
 COMMANDS = ("thesis", "smooth", "certify", "tolerance", "curve", "levels", "diagnose", "cap")
 
@@ -52,9 +52,9 @@ class Commands(ApplicationTest):
 
     def test_help_and_slicer_have_the_formats_of_the_table(self):
         listed = re.search(r"by extension: (.*)\.\n", self.succeed("--help").stdout)[1].split(", ")
-        self.assertEqual(sorted(listed), sorted((*SURFACES, "glb", "3mf")))
+        self.assertEqual(listed, list(FORMATS))
         first = re.search(r'fileExtensions="(.*?)"', self.succeed("--xml").stdout)[1]
-        self.assertEqual(first, ",".join("." + extension for extension in listed if extension in SURFACES))
+        self.assertEqual(first, ",".join("." + extension for extension, row in FORMATS.items() if not row["names_unit"]))
 
     def test_unknown_options_name_those_that_may_be_meant(self):
         files = ("in.ply", "out.ply")
@@ -78,7 +78,7 @@ class Commands(ApplicationTest):
             ((*files, "--mode", "Fast", "--mode", "Thesis"), "bonedecimate: --mode is given more than once\n"),
             (("--completion", "tcsh"), "--completion takes one of bash, zsh, fish, not 'tcsh'"),
             (("curve", "in.ply", "--errors", 1, "--allow-large-error", "yes"), "--allow-large-error takes on or off, not 'yes'"),
-            (("curve", "in.ply", "--errors", 1, "--mode", "Thesis"), "--mode takes one of Fast, Balanced, Accurate, not 'Thesis'"),
+            (("curve", "in.ply", "--errors", 1, "--mode", "Thesis"), f"--mode takes one of {', '.join(PROVING_MODES)}, not 'Thesis'"),
             (("cap", *files, "--loops", "some"), "--loops takes planes or all, not 'some'"),
             (("--max-error",), "--max-error takes a value: MM"),
             ((*files, "--quiet=maybe"), "bonedecimate: --quiet takes no value\n"),

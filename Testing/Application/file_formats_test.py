@@ -10,11 +10,11 @@ import zipfile
 import numpy as np
 
 import label_maps
-from application import REJECTED, UNMEASURED, USAGE, ApplicationTest, as_doubles, main, positions_of, read, torus, write
+from application import FORMATS, REJECTED, UNMEASURED, USAGE, ApplicationTest, as_doubles, main, positions_of, read, torus, write
 
 CORE = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
 ERROR = 0.2  # mm
-NEW = ("glb", "3mf")
+NEW = tuple(name for name, row in FORMATS.items() if row["names_unit"])
 
 
 def document_of(path):

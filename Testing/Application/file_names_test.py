@@ -7,7 +7,7 @@ import csv
 import vtk
 
 import volumes_test
-from application import REJECTED, SURFACES, UNMEASURED, ApplicationTest, main, read, sphere, torus, write
+from application import OTHER_FORMATS, REJECTED, SURFACES, UNMEASURED, ApplicationTest, main, read, sphere, torus, write
 
 NAME = "Kn\u00f6chel \u9aa8 \u043a\u043e\u0441\u0442\u044c"
 
@@ -27,7 +27,7 @@ class FileNames(ApplicationTest):
 
     def test_formats_for_the_web_and_for_printing(self):
         write(torus(), self.path(f"{NAME}.ply"))
-        for extension in ("glb", "3mf"):
+        for extension in OTHER_FORMATS:
             target = f"{NAME}.{extension}"
             if "lacks" not in self.run_program("none.ply", target).stderr:
                 self.succeed(f"{NAME}.ply", target, "--max-error", 1, *UNMEASURED)

@@ -95,7 +95,7 @@ def everywhere(make, *extensions):
 
 
 ALL = (*SURFACES, *VOLUMES, "levels")
-COUNTED = ("stl", "ply", "vtp", "vtk", *VOLUMES, "levels")  # OBJ announces nothing
+COUNTED = tuple(extension for extension in ALL if extension != "obj")  # which announces nothing
 CLOSED = tuple(extension for extension in COUNTED if extension != "vti")  # whose last bytes are not closing tags alone
 
 # What is wrong, and how each of the formats is made to have it.

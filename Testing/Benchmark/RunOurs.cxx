@@ -5,13 +5,13 @@
  * @brief One decimation by this project in a process of its own: the benchmark's contestant.
  *
  *     bonedecimate-run INPUT.ply OUTPUT.ply THROUGH MODE THREADS [--faces N] [--error MM] [--kernels NAME] [--NAME VALUE]
- *     bonedecimate-run --modes
+ *     bonedecimate-run --modes|--parallel-modes|--proving-modes
  *     bonedecimate-run --kernels
  *
  * THROUGH is core (the VTK-free call) or filter (vtkBoneDecimate, conversions included); MeasureDistances is off. NAME is
  * that of an option of the core. With an error, core has the result checked by the certificate, outside of the measured time.
- * Prints JSON; --modes prints the modes that there are, --kernels the sets of kernels that this processor runs,
- * a line each.
+ * Prints JSON; --modes prints the modes that there are, --parallel-modes those that use several threads, --proving-modes those that
+ * prove a largest error, --kernels the sets of kernels that this processor runs, a line each.
  */
 #include "Meter.h"
 #include "TriangleFile.h"
@@ -36,6 +36,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -221,6 +222,28 @@ void Run(int count, char** words)
   meter.Print();
   std::printf("}\n");
 }
+
+/// False if the word is none of those that print modes.
+bool PrintModes(const std::string& word)
+{
+  using Property = bool (bonedecimate::ModeInfo::*)() const;
+  const std::map<std::string, Property> lists = { { "--modes", nullptr },
+    { "--parallel-modes", &bonedecimate::ModeInfo::NeedsQuadrics },
+    { "--proving-modes", &bonedecimate::ModeInfo::ProvesError } };
+  const auto list = lists.find(word);
+  if (list == lists.end())
+  {
+    return false;
+  }
+  for (const bonedecimate::ModeInfo& mode : bonedecimate::ModeTable())
+  {
+    if (list->second == nullptr || (mode.*list->second)())
+    {
+      std::printf("%s\n", mode.Name);
+    }
+  }
+  return true;
+}
 }
 
 int main(int argumentCount, char** words)
@@ -228,12 +251,8 @@ int main(int argumentCount, char** words)
   vtkObject::GlobalWarningDisplayOff(); // the same few words about the bones in every run
   try
   {
-    if (argumentCount == 2 && std::strcmp(words[1], "--modes") == 0)
+    if (argumentCount == 2 && PrintModes(words[1]))
     {
-      for (const std::string& mode : Option("Mode").Choices)
-      {
-        std::printf("%s\n", mode.c_str());
-      }
       return EXIT_SUCCESS;
     }
     if (argumentCount == 2 && std::strcmp(words[1], "--kernels") == 0)

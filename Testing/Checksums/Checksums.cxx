@@ -27,9 +27,9 @@ void PrintLines(const NamedSurface& shape, const std::vector<ChecksumCase>& case
   for (const ChecksumCase& one : cases)
   {
     std::printf("%-20s %-17s", shape.Name.c_str(), one.Name.c_str());
-    for (const Mode mode : { Mode::Thesis, Mode::Fast, Mode::Balanced, Mode::Accurate })
+    for (const ModeInfo& mode : ModeTable())
     {
-      const std::uint64_t sum = ChecksumOfRun(shape.Surface, one, mode);
+      const std::uint64_t sum = ChecksumOfRun(shape.Surface, one, mode.Mode);
       std::printf(" %016llx", static_cast<unsigned long long>(sum));
     }
     std::printf("\n");

@@ -3,6 +3,7 @@
 // A value outside its range is an error event when it is set; the value before stays, and updates fail with the same sentence
 // until that property gets a valid value. PropertyTests.cxx does the same for vtkBoneDecimate.
 #include "LabelImages.h"
+#include "Modes.h"
 #include "RejectionWalk.h"
 #include "VtkSurfaces.h"
 
@@ -146,10 +147,11 @@ TEST(RejectedValues, FunctionsAndArraysThatAreNoNumbersAreErrorsOfTheTolerance)
 TEST(RejectedValues, OfTheLevels)
 {
   constexpr int most = std::numeric_limits<int>::max();
+  const int lastMode = static_cast<int>(bonedecimate::ModeTable().size()) - 1;
   const vtkNew<vtkBoneDecimateLevels> held;
   vtkBoneDecimateLevels* filter = held;
   filter->SetInputData(Sphere(1));
-  for (const CheckedProperty& property : { CHECKED(filter, Mode, 1, IntegersOutside(0, 3)),
+  for (const CheckedProperty& property : { CHECKED(filter, Mode, 1, IntegersOutside(0, lastMode)),
          CHECKED(filter, TargetNumberOfTriangles, 20, IntegersOutside(0, most)),
          CHECKED(filter, MaximumError, 2.0, NumbersOutside(0.0, MostMillimeters)),
          CHECKED(filter, NumberOfThreads, 1, IntegersOutside(0, 1024)),

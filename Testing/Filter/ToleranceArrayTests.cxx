@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkBoneDecimate keeps the tolerances of an array, and leaves bit for bit what has none.
 #include "FilterRun.h"
+#include "Modes.h"
 #include "VtkSurfaces.h"
 
 #include "vtkBoneSurfaceDistance.h"
@@ -87,9 +88,9 @@ TEST(ToleranceArray, AsABrushLeavesAllOthersBitForBit)
   brush->InvertedOn();
   brush->Update();
   vtkPolyData* input = brush->GetOutput();
-  for (const int mode : { vtkBoneDecimate::THESIS, vtkBoneDecimate::FAST, vtkBoneDecimate::BALANCED,
-         vtkBoneDecimate::ACCURATE })
+  for (const bonedecimate::ModeInfo& info : bonedecimate::ModeTable())
   {
+    const int mode = static_cast<int>(info.Mode);
     FilterRun run(input);
     run->SetMode(mode);
     run->SetTargetReduction(0.15);

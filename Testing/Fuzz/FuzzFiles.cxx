@@ -4,15 +4,14 @@
  * @file FuzzFiles.cxx
  * @brief Fuzzes all readers of surfaces with any bytes: they must be accepted, or rejected with a message.
  *
- *     bytes:  one that selects the reader, then the file; of 3MF also its model alone, which the harness puts into an archive
+ *     bytes:  one that selects the reader, then the file: 0 is the model of a 3MF file alone, which the harness puts into an
+ *             archive, and n the format of the n-th row of the table
  */
 #include "Bytes.h"
 #include "ExitCode.h"
 #ifdef BONEDECIMATE_FUZZ_WITH_VTK
 #include "CoordinateCollector.h"
-#include "FileChecks.h"
-#include "GlbFiles.h"
-#include "SurfaceReaders.h"
+#include "SurfaceFormat.h"
 #include "ThreeMfFiles.h"
 #endif
 
@@ -36,10 +35,9 @@ using bonedecimate::testsupport::Bytes;
 
 namespace
 {
-constexpr int GlbKind = 5;
-constexpr int ArchiveKind = 6;
-constexpr int ModelKind = 7;
-constexpr int Kinds = 8;
+#ifdef BONEDECIMATE_HAS_LIBZIP
+constexpr int ModelKind = 0;
+#endif
 
 /// A file of this process, rewritten for each input.
 class Scratch
@@ -100,47 +98,38 @@ void PutIntoArchive(const Bytes& model, const std::string& path)
 }
 #endif
 
-void ReadAs(int kind, const std::string& path)
-{
 #ifdef BONEDECIMATE_FUZZ_WITH_VTK
+/// What libraries read is checked before, and libraries are fuzzed by others.
+void ReadAs(const SurfaceFormat& format, const std::string& path)
+{
+  if (!format.MissingLibrary.empty())
+  {
+    return;
+  }
   std::vector<std::string> warnings;
   CoordinateCollector points;
-  switch (kind)
+  if (format.Check != nullptr)
   {
-    case 0:
-      return CheckSurface(ReadObjFile(path, warnings));
-    case 1:
-      return CheckSurface(ReadStlFile(path));
-    case 2:
-      return CheckSurface(ReadPlyFile(path, warnings));
-    case 3:
-      return CheckVtkFile(path, points);
-    case 4:
-      return CheckVtpFile(path, points);
-#ifdef BONEDECIMATE_HAS_MESHOPTIMIZER
-    case GlbKind:
-      return CheckSurface(ReadGlbFile(path, warnings));
-#endif
-#ifdef BONEDECIMATE_HAS_LIBZIP
-    case ArchiveKind:
-    case ModelKind:
-      return CheckSurface(ReadThreeMfFile(path, warnings));
-#endif
-    default: // a format that this build does not have
-      return;
+    return format.Check(path, points);
   }
-#else
-  static_cast<void>(kind);
-  static_cast<void>(path);
-#endif
+  CheckSurface(format.Read(path, warnings));
 }
+
+void ReadAs(std::size_t kind, const std::string& path)
+{
+  const std::vector<const SurfaceFormat*>& formats = SurfaceFormats();
+  const SurfaceFormat* const archive = FindFormat("model.3mf");
+  ReadAs(kind == 0 ? *archive : *formats[kind - 1], path);
+}
+#endif
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   static const Scratch scratch;
   Bytes bytes(data, size);
-  const int kind = bytes.Below(Kinds);
+#ifdef BONEDECIMATE_FUZZ_WITH_VTK
+  const int kind = bytes.Below(static_cast<int>(SurfaceFormats().size()) + 1);
   scratch.Write(bytes);
 #ifdef BONEDECIMATE_HAS_LIBZIP
   if (kind == ModelKind)
@@ -150,7 +139,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 #endif
   try
   {
-    ReadAs(kind, scratch.Path);
+    ReadAs(static_cast<std::size_t>(kind), scratch.Path);
   }
   catch (const Failure& failure)
   {
@@ -160,5 +149,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       std::abort();
     }
   }
+#endif
   return 0;
 }

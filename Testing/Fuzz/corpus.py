@@ -82,25 +82,26 @@ def core_inputs():
 
 
 def file_inputs():
+    """Each with the number of its row in the table of formats, from 1."""
     points, faces = TETRAHEDRON
     def rows(items, begin="", add=0):
         return "".join(begin + " ".join(str(i + add) if add else str(i) for i in item) + "\n" for item in items)
 
     corners = [(3, *face) for face in faces]
-    yield 0, rows(points, "v ") + rows(faces, "f ", 1)
-    yield 0, rows(points, "v ") + "vn 0 0 1\ng bone\n" + rows([(-1, -2, -3)], "f ") + "f 1/1/1 2//1 3/1\n"
+    yield 5, rows(points, "v ") + rows(faces, "f ", 1)
+    yield 5, rows(points, "v ") + "vn 0 0 1\ng bone\n" + rows([(-1, -2, -3)], "f ") + "f 1/1/1 2//1 3/1\n"
     facets = "".join("facet normal 0 0 0\nouter loop\n" + rows((points[c] for c in f), "vertex ") + "endloop\nendfacet\n" for f in faces)
-    yield 1, "solid bone\n" + facets + "endsolid bone\n"
-    yield 1, "\0" * 80 + "\x01\0\0\0" + "\0" * 50
+    yield 4, "solid bone\n" + facets + "endsolid bone\n"
+    yield 4, "\0" * 80 + "\x01\0\0\0" + "\0" * 50
     header = "ply\nformat %s 1.0\nelement vertex %d\nproperty float x\nproperty float y\nproperty float z\nelement face %d\nproperty list uchar int vertex_indices\nend_header\n"
-    yield 2, header % ("ascii", 4, 4) + rows(points) + rows(corners)
-    yield 2, header % ("binary_little_endian", 1, 1) + "\0" * 12 + "\3" + "\0" * 12
-    yield 2, header % ("binary_big_endian", 1, 1) + "\0" * 12 + "\3" + "\0" * 12
+    yield 3, header % ("ascii", 4, 4) + rows(points) + rows(corners)
+    yield 3, header % ("binary_little_endian", 1, 1) + "\0" * 12 + "\3" + "\0" * 12
+    yield 3, header % ("binary_big_endian", 1, 1) + "\0" * 12 + "\3" + "\0" * 12
     legacy = "# vtk DataFile Version %s\nbone\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n" + rows(points)
-    yield 3, legacy % "3.0" + "POLYGONS 4 16\n" + rows(corners)
-    yield 3, legacy % "5.1" + "POLYGONS 5 12\nOFFSETS vtktypeint64\n0 3 6 9 12\nCONNECTIVITY vtktypeint64\n0 2 1 0 1 3 1 2 3 0 3 2\n"
-    yield 3, legacy % "3.0" + "POINT_DATA 4\nSCALARS a float 1\nLOOKUP_TABLE default\n0 1 2 3\n"
-    yield 4, (
+    yield 2, legacy % "3.0" + "POLYGONS 4 16\n" + rows(corners)
+    yield 2, legacy % "5.1" + "POLYGONS 5 12\nOFFSETS vtktypeint64\n0 3 6 9 12\nCONNECTIVITY vtktypeint64\n0 2 1 0 1 3 1 2 3 0 3 2\n"
+    yield 2, legacy % "3.0" + "POINT_DATA 4\nSCALARS a float 1\nLOOKUP_TABLE default\n0 1 2 3\n"
+    yield 1, (
         '<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian">\n<PolyData>'
         '<Piece NumberOfPoints="4" NumberOfPolys="4"><Points><DataArray type="Float32" NumberOfComponents="3" '
         'format="ascii">0 0 0</DataArray></Points></Piece></PolyData></VTKFile>\n'

@@ -319,7 +319,7 @@ TEST(BucketSweep, EndsWhenEveryFragmentHasItsLeastSize)
       input.Triangles.push_back({ first + t[0], first + t[1], first + t[2] });
     }
   }
-  for (const Mode mode : { Mode::Fast, Mode::Balanced, Mode::Accurate })
+  for (const Mode mode : ProvingModes())
   {
     const Report report = Decimate(input, InMode(mode, Triangles(4))).Report;
     EXPECT_EQ(report.Stop, StopReason::NothingLeft) << WordOf(mode);

@@ -4,6 +4,7 @@
 #include "Certificate/Foot.h"
 #include "CertificatePairs.h"
 #include "Decimate.h"
+#include "Runs.h"
 
 #include <gtest/gtest.h>
 
@@ -118,7 +119,7 @@ TEST(CertificateBoundaries, OfClosedSurfacesKeepAnyTolerance)
 TEST(CertificateBoundaries, AreInTheReportOfEveryMode)
 {
   const Surface open = OpenCylinder(60, 20);
-  for (const Mode mode : { Mode::Thesis, Mode::Fast, Mode::Balanced, Mode::Accurate })
+  for (const Mode mode : AllModes())
   {
     Options options;
     options.Mode = mode;

@@ -206,7 +206,7 @@ TEST(EdgeSplit, KeepsTheErrorBound)
 TEST(EdgeLength, HoldsInEveryMode)
 {
   const Surface sphere = BumpySphere(3, 20.0, 0.02, 11);
-  for (const Mode mode : { Mode::Fast, Mode::Balanced, Mode::Accurate })
+  for (const Mode mode : ProvingModes())
   {
     SCOPED_TRACE(FindMode(mode).Name);
     for (Options options : { Error(1.2), Unmeasured() })

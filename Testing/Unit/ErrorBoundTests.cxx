@@ -14,7 +14,6 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-const std::vector<Mode> ProvingModes = { Mode::Fast, Mode::Balanced, Mode::Accurate };
 
 ProofStatus Evaluate(const Surface& input, const Surface& result, double error)
 {
@@ -143,7 +142,7 @@ TEST(ErrorBound, ClosesNoSlitThatIsNarrowerThanSinglePrecision)
       p = Vector3(p[1], p[2], p[0]);
     }
     ASSERT_EQ(input.Points[1].cast<float>(), input.Points.back().cast<float>());
-    for (const Mode mode : ProvingModes)
+    for (const Mode mode : ProvingModes())
     {
       for (const Options& reach : { Error(0.05), Error(0.5) })
       {
@@ -193,7 +192,7 @@ TEST(ErrorBound, GivesTheSameBytesForAnyNumberOfThreads)
 TEST(ErrorBound, StopsAtTheNumberOfTrianglesIfThatComesFirst)
 {
   const Surface input = BumpySphere(5, 20.0, 0.05, 8);
-  for (const Mode mode : ProvingModes)
+  for (const Mode mode : ProvingModes())
   {
     Options options = InMode(mode, Triangles(8000));
     options.MaximumError = 0.5;

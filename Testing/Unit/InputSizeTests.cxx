@@ -45,7 +45,7 @@ int Count(const std::vector<std::string>& sentences, const std::string& text)
 TEST(InputSize, RejectsErrorsAboveAQuarterOfTheDiagonalInEveryMode)
 {
   const double quarter = 0.25 * DiagonalOf(Ball());
-  for (const Mode mode : { Mode::Thesis, Mode::Fast, Mode::Balanced, Mode::Accurate })
+  for (const Mode mode : AllModes())
   {
     const Result rejected = Decimate(Ball(), InMode(mode, Error(quarter * 1.0001)));
     EXPECT_EQ(rejected.Report.Status, InputStatus::ErrorBeyondSize);
@@ -88,7 +88,7 @@ TEST(InputSize, AllowedErrorsBeyondTheDiagonalCountAsTheDiagonalAndTheReportSays
 TEST(InputSize, RejectsErrorsBelowAMillionthOfTheDiagonalIfTheyHaveToBeProved)
 {
   const double millionth = 1e-6 * DiagonalOf(Ball());
-  for (const Mode mode : { Mode::Fast, Mode::Balanced, Mode::Accurate })
+  for (const Mode mode : ProvingModes())
   {
     const Report rejected = Decimate(Ball(), InMode(mode, Error(millionth * 0.999))).Report;
     EXPECT_EQ(rejected.Status, InputStatus::ErrorBelowSize);

@@ -21,7 +21,6 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-const std::vector<Mode> ProvingModes = { Mode::Fast, Mode::Balanced, Mode::Accurate };
 
 /// The surface of a block of unit cubes whose points are mapped by `positionOf`.
 Surface Block(
@@ -205,7 +204,7 @@ TEST(IntersectionGuard, SurfacesNearerThanTheErrorKeepHalfOfTheirGap)
 {
   const Surface input = WavySurfaces(0.3);
   const double before = LeastDistanceOfComponents(input);
-  for (const Mode mode : ProvingModes)
+  for (const Mode mode : ProvingModes())
   {
     const Surface result = Decimate(input, Guarded(mode, 0.5)).Surface;
     EXPECT_GE(LeastDistanceOfComponents(result), 0.5 * before) << WordOf(mode);
@@ -355,7 +354,7 @@ TEST(IntersectionGuard, NoRandomShapeGetsMorePairsThatIntersect)
     const Surface input = Together(ball,
       Moved(BumpySphere(2, 3.0, 0.2, round + 100), Vector3(6.0 + 3.0 * uniform(random), 1.0, 0.5)));
     const double error = 0.05 + 1.5 * uniform(random);
-    const Mode mode = ProvingModes[round % ProvingModes.size()];
+    const Mode mode = ProvingModes()[round % ProvingModes().size()];
     const Surface result = Decimate(input, Guarded(mode, error)).Surface;
     EXPECT_LE(CountCrossings(result), CountCrossings(input)) << WordOf(mode) << " " << error;
     EXPECT_GE(LeastDistanceOfComponents(result), 0.5 * LeastDistanceOfComponents(input) - 1e-9)

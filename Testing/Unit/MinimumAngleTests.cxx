@@ -107,7 +107,7 @@ TEST(MinimumAngle, HoldsInEveryMode)
 {
   const Surface sphere = BumpySphere(3, 10.0, 0.05, 11);
   ASSERT_GT(SmallestAngleOf(sphere), 30.0);
-  for (const Mode mode : { Mode::Fast, Mode::Balanced, Mode::Accurate })
+  for (const Mode mode : ProvingModes())
   {
     SCOPED_TRACE(FindMode(mode).Name);
     for (Options options : { Error(0.4), Triangles(400) })

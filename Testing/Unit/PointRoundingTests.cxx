@@ -72,7 +72,7 @@ TEST(PointRounding, TakesTheNearestMultipleOfTheStep)
 TEST(PointRounding, TheErrorIsProvedOfPointsOnTheGridInEveryMode)
 {
   const Surface input = Moved(Icosphere(4, 20.0), Vector3(100.1, -30.2, 7.3));
-  for (const Mode mode : { Mode::Fast, Mode::Balanced, Mode::Accurate })
+  for (const Mode mode : ProvingModes())
   {
     const Result result = Decimate(input, OnGrid(mode, 0.2));
     EXPECT_TRUE(IsOnGrid(result.Surface, Step));

@@ -247,7 +247,7 @@ TEST(RefinedModes, AreCloserToTheInputTheMoreTheyDo)
   {
     std::vector<double> there;
     std::vector<double> back;
-    for (const Mode mode : { Mode::Fast, Mode::Balanced, Mode::Accurate })
+    for (const Mode mode : ProvingModes())
     {
       const Surface output = Decimate(input, InMode(mode, Reduction(fraction))).Surface;
       there.push_back(BruteDistance(input, output));

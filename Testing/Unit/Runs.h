@@ -77,6 +77,20 @@ inline std::vector<Mode> AllModes()
   return modes;
 }
 
+/// Those that keep a largest error and prove it.
+inline std::vector<Mode> ProvingModes()
+{
+  std::vector<Mode> modes;
+  for (const ModeInfo& mode : ModeTable())
+  {
+    if (mode.ProvesError())
+    {
+      modes.push_back(mode.Mode);
+    }
+  }
+  return modes;
+}
+
 inline std::string WordOf(Mode mode)
 {
   return FindMode(mode).Name;

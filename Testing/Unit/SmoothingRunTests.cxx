@@ -39,15 +39,6 @@ double ProvedDistanceTo(const Surface& input, const Surface& result)
     found.BoundaryOfReferenceToResult.Distance.Upper,
     found.BoundaryOfResultToReference.Distance.Upper });
 }
-
-std::vector<Mode> ProvingModes()
-{
-  std::vector<Mode> modes = AllModes();
-  modes.erase(std::remove_if(modes.begin(), modes.end(),
-                [](Mode mode) { return !FindMode(mode).ProvesError(); }),
-    modes.end());
-  return modes;
-}
 }
 
 TEST(SmoothingRun, KeepsTheLargestErrorRelativeToTheInput)

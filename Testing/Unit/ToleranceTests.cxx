@@ -131,7 +131,7 @@ TEST_P(EachTolerance, IsKeptWhateverTheShape)
   }
   double most = 0.1; // mm
   std::uint64_t seed = 1;
-  for (const Mode mode : { Mode::Fast, Mode::Balanced, Mode::Accurate })
+  for (const Mode mode : ProvingModes())
   {
     const Map map = RandomMap(input, most, ++seed);
     Options options = InMode(mode, Unmeasured());
@@ -267,7 +267,7 @@ TEST(Tolerance, EndsAtTheNumberOfTrianglesIfThatComesFirst)
 {
   const Surface input = BumpySphere(4, 20.0, 0.01, 8);
   const Map map = Halves(input, 0.3, -1.0);
-  for (const Mode mode : { Mode::Fast, Mode::Balanced, Mode::Accurate })
+  for (const Mode mode : ProvingModes())
   {
     const Result result = DecimateWith(input, InMode(mode, Triangles(2500)), map);
     EXPECT_EQ(result.Report.Stop, StopReason::TargetReached) << WordOf(mode);

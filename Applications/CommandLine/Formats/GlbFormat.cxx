@@ -7,7 +7,7 @@ namespace bonedecimate
 {
 namespace
 {
-SurfaceFormat MakeFormat()
+SurfaceFormat GlbRow()
 {
 #ifdef BONEDECIMATE_HAS_MESHOPTIMIZER
   SurfaceFormat format = { "glb", false, true, false, ReadGlbFile, WriteGlbFile };
@@ -21,5 +21,5 @@ SurfaceFormat MakeFormat()
 }
 
 extern const SurfaceFormat GlbFormat;
-const SurfaceFormat GlbFormat = MakeFormat();
+const SurfaceFormat GlbFormat = GlbRow();
 }

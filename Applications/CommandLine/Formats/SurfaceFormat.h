@@ -5,7 +5,7 @@
  * @brief The table of surface formats: what each can hold, how it is read and written.
  *
  * A new format is a file NAMEFormat.cxx with its row and the name of that row in SurfaceFormat.cxx. Readers, writers, messages,
- * the help, batches and the description for 3D Slicer take it from there.
+ * the help, batches, the description for 3D Slicer, tests and the fuzzer of files take it from there.
  */
 #ifndef BoneDecimate_Applications_SurfaceFormat_h
 #define BoneDecimate_Applications_SurfaceFormat_h
@@ -18,6 +18,8 @@
 
 namespace bonedecimate
 {
+class CoordinateCollector;
+
 struct SurfaceFormat
 {
   const char* Extension; ///< In lower case, without its dot.
@@ -40,6 +42,9 @@ struct SurfaceFormat
     false; ///< Coordinates are whole multiples of a step (PointGrid.h): surfaces are written on such a grid.
   bool IsForPrinting = false;      ///< Parts that are not closed are no solids in it.
   std::string MissingLibrary = {}; ///< What the build lacks to read and write it; empty: nothing.
+
+  /// What a file has to pass before a library reads it, which would trust it; null: Read checks all itself.
+  void (*Check)(const std::string& path, CoordinateCollector& textPoints) = nullptr;
 };
 
 /// The row of a format in a build without its library.
@@ -48,7 +53,7 @@ SurfaceFormat FormatWithoutLibrary(const char* extension, const char* library);
 /// "'bone.glb' needs meshoptimizer, which this build lacks"; empty if the build lacks nothing.
 std::string LackText(const std::string& path);
 
-/// Every format once, those that hold most first.
+/// Every format once. A new one comes last: the corpus of the fuzzer has the numbers of rows.
 const std::vector<const SurfaceFormat*>& SurfaceFormats();
 
 /// The format of a file by its extension, whatever its case; null if there is none.

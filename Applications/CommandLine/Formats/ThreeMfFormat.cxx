@@ -7,7 +7,7 @@ namespace bonedecimate
 {
 namespace
 {
-SurfaceFormat MakeFormat()
+SurfaceFormat ThreeMfRow()
 {
 #ifdef BONEDECIMATE_HAS_LIBZIP
   SurfaceFormat format = { "3mf", false, false, false, ReadThreeMfFile, WriteThreeMfFile };
@@ -21,5 +21,5 @@ SurfaceFormat MakeFormat()
 }
 
 extern const SurfaceFormat ThreeMfFormat;
-const SurfaceFormat ThreeMfFormat = MakeFormat();
+const SurfaceFormat ThreeMfFormat = ThreeMfRow();
 }

@@ -25,8 +25,15 @@ void WriteVtk(vtkPolyData* surface, const std::string& path)
   writer->SetFileTypeToBinary();
   WriteWith(writer.Get(), surface, path);
 }
+
+SurfaceFormat VtkRow()
+{
+  SurfaceFormat format = { "vtk", true, true, true, ReadVtk, WriteVtk };
+  format.Check = CheckVtkFile;
+  return format;
+}
 }
 
 extern const SurfaceFormat VtkFormat;
-const SurfaceFormat VtkFormat = { "vtk", true, true, true, ReadVtk, WriteVtk };
+const SurfaceFormat VtkFormat = VtkRow();
 }

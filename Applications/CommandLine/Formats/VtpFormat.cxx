@@ -27,8 +27,15 @@ void WriteVtp(vtkPolyData* surface, const std::string& path)
   writer->SetCompressorTypeToZLib();
   WriteWith(writer.Get(), surface, path);
 }
+
+SurfaceFormat VtpRow()
+{
+  SurfaceFormat format = { "vtp", true, true, true, ReadVtp, WriteVtp };
+  format.Check = CheckVtpFile;
+  return format;
+}
 }
 
 extern const SurfaceFormat VtpFormat;
-const SurfaceFormat VtpFormat = { "vtp", true, true, true, ReadVtp, WriteVtp };
+const SurfaceFormat VtpFormat = VtpRow();
 }

@@ -10,6 +10,7 @@
 #include "Tree/CommandTree.h"
 #include "Tree/Completion.h"
 #include "Tree/ManPage.h"
+#include "Tree/Tables.h"
 
 #include <CLI/CLI.hpp>
 
@@ -60,5 +61,7 @@ void AddDescriptions(CLI::App& command, const CLI::App& program)
     "Print the table of options as JSON, for programs.");
   AddPrinter(command, "--profiles-markdown", &ProfileTableMarkdown,
     "Print the built-in profiles as Markdown.");
+  AddPrinter(command, "--tables", &TablesJson,
+    "Print modes, formats of surfaces and reasons of rejections as JSON, for programs.");
 }
 }

@@ -11,7 +11,7 @@
 #include "Mesh/EdgeNeighborhood.h"
 #include "Mesh/Edit.h"
 #include "Mesh/HalfEdgeMesh.h"
-#include "Report/Report.h"
+#include "Mesh/Rejection.h"
 
 namespace bonedecimate
 {

@@ -23,7 +23,7 @@
 
 #include "EditFilters/EditJournal.h"
 #include "Intersections/EditReplay.h"
-#include "Report/Report.h"
+#include "Mesh/Rejection.h"
 
 #include <array>
 #include <memory>

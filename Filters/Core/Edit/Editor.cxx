@@ -107,7 +107,9 @@ void Editor::TakeSmoothedPositions(const std::vector<Vector3>& positions)
 }
 
 //------------------------------------------------------------------------------
-/// Filters read the mesh before vertices are constrained by tolerances.
+/// In order: an edit is rejected by the first one. What is checked quickly or rejects most comes first, voxels before an error bound
+/// that allows large edits, and the recorder of accepted edits last. Filters read the mesh before vertices are constrained by
+/// tolerances.
 void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
 {
   const bool isAborted = monitor && !monitor(0.0);
@@ -151,13 +153,7 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
     this->Filters.end(), settings.MoreFilters.begin(), settings.MoreFilters.end());
   if (settings.RecordsEdits)
   {
-    this->Recorder = std::make_shared<EditRecorder>();
-    this->Filters.push_back(this->Recorder);
-    if (this->Unsmoothed)
-    {
-      this->Recorder->BeginPatch(*this->Unsmoothed);
-      this->Recorder->EndPatch(this->Half);
-    }
+    this->AddRecorder();
   }
   if (this->Bound)
   {
@@ -167,6 +163,18 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   }
   this->NeedsSurfaceChange = std::any_of(this->Filters.begin(), this->Filters.end(),
     [](const std::shared_ptr<EditFilter>& filter) { return filter->NeedsSurfaceChange(); });
+}
+
+//------------------------------------------------------------------------------
+void Editor::AddRecorder()
+{
+  this->Recorder = std::make_shared<EditRecorder>();
+  this->Filters.push_back(this->Recorder);
+  if (this->Unsmoothed)
+  {
+    this->Recorder->BeginPatch(*this->Unsmoothed);
+    this->Recorder->EndPatch(this->Half);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -13,8 +13,7 @@
  *     Split:              the same with SplitRules.h; the new vertex and faces take ids of removed ones
  *                         ->  areas, origins, counts, hook                           (SplitEdit.cxx)
  *
- * Filters (EditFilter.h), in this order: fragments, error bound, voxels, intersections, those of the settings, the recorder of
- * the log. Voxels come before an error bound that allows large edits. EditorSettings.h says which of them there are.
+ * Filters (EditFilter.h): AddFilters has their order, EditorSettings.h says which of them there are.
  *
  * The rules of a kind of edit are the same in every mode; EditorSettings.h says which bookkeeping is done. Flips and moves remove
  * nothing: they have rules of
@@ -207,6 +206,7 @@ private:
   void AddFilters(const EditorSettings& settings, const Monitor& monitor);
   void TakeSmoothedPositions(const std::vector<Vector3>& positions);
   void AddErrorBound(const EditorSettings& settings);
+  void AddRecorder();
   void AddIntersectionGuard(const EditorSettings& settings, const Monitor& monitor);
   Index ConstrainVertices(const std::vector<double>& tolerances, const std::vector<char>& others);
   std::vector<char> NearUnproved(std::vector<char> constrained) const;

@@ -12,6 +12,7 @@
 #include "Geometry/NearSurface.h"
 #include "Geometry/Zone.h"
 #include "Mesh/ShapeLimits.h"
+#include "Options/Options.h"
 #include "Reference/ReferenceMesh.h"
 #include "VoxelGuard/VoxelGuard.h"
 
@@ -60,6 +61,8 @@ struct EditorSettings
   Neighborhood Neighbors = {};
   /// What edits leave, unless a triangle that they replace is worse.
   ShapeLimits Shape = {};
+  /// Those of the run, for Editor::AddFilters: a new filter finds the value of its option here. Nothing else reads them.
+  Options Requested = {};
   /// Run after the editor's own filters.
   std::vector<std::shared_ptr<EditFilter>> MoreFilters = {};
   int Threads = 1; ///< For the construction.

@@ -12,7 +12,7 @@
 
 #include "EditFilters/SurfaceChange.h"
 #include "Mesh/HalfEdgeMesh.h"
-#include "Report/Report.h"
+#include "Mesh/Rejection.h"
 
 #include <array>
 

@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Core_EditFilters_Decision_h
 #define BoneDecimate_Core_EditFilters_Decision_h
 
-#include "Report/Report.h"
+#include "Mesh/Rejection.h"
 
 namespace bonedecimate
 {

@@ -11,8 +11,8 @@
 #include "JournalEntry.h"
 #include "Levels/EditLog.h"
 #include "Mesh/Edit.h"
+#include "Mesh/Rejection.h"
 #include "Mesh/VertexRange.h"
-#include "Report/Report.h"
 #include "SurfaceChange.h"
 
 #include <array>

@@ -178,14 +178,6 @@ const char* StopReasonSentence(StopReason reason)
   return WordOf(sentences, reason);
 }
 
-const char* RejectionWord(Rejection rejection)
-{
-  static const char* const words[] = { "not_rejected", "non_manifold", "boundary", "link_condition",
-    "fragment", "flip", "degenerate", "error_bound", "constrained", "intersection", "voxel_label",
-    "shape" };
-  return WordOf(words, rejection);
-}
-
 const char* DraftStatusWord(DraftStatus status)
 {
   static const char* const words[] = { "no_bound", "not_used", "used", "undone",
@@ -251,11 +243,12 @@ std::string InputMessage(const Report& report)
     case InputStatus::BadEdgeLengths:
       return NumbersMessage(found, report.Status);
     case InputStatus::TolerancesInThesis:
-      return "Thesis mode proves no distances: its tolerances can only be 0 (no change) or "
-             "negative "
-             "(no limit)";
+      return FindMode(report.Requested.Mode).Name +
+        std::string(" mode proves no distances: its tolerances can only be 0 (no change) or "
+                    "negative (no limit)");
     case InputStatus::ReferenceWithoutError:
-      return "a reference needs a largest error and a mode other than Thesis";
+      return "a reference needs a largest error and a mode other than " +
+        ModeNamesWhere([](const ModeInfo& mode) { return !mode.ProvesError(); });
     case InputStatus::BadReference:
       return "the reference has no triangles, or points or triangles that no surface has";
     case InputStatus::FarFromReference:

@@ -9,6 +9,7 @@
 
 #include "Diagnostics/Diagnostics.h"
 #include "LabelMap/VoxelCheck.h"
+#include "Mesh/Rejection.h"
 #include "Options/Options.h"
 #include "PartFigures.h"
 #include "ShapeFigures.h"
@@ -63,24 +64,6 @@ enum class StopReason : int
   Aborted,          ///< By the monitor.
   Handles ///< The number of triangles is out of reach: most collapses that are left would close a handle.
 };
-
-/// Why an edit was rejected. Only an edit that was not rejected changes the mesh.
-enum class Rejection : int
-{
-  NotRejected = 0,
-  NonManifold,   ///< The surface is not manifold at an end of the edge.
-  Boundary,      ///< It would move a boundary off itself, or pinch the surface.
-  LinkCondition, ///< It would change the topology.
-  Fragment,      ///< A fragment would fall below its least size, vanish or turn inside out.
-  Flip,          ///< A triangle would turn over.
-  Degenerate,    ///< A triangle would lose its area.
-  ErrorBound,    ///< No proof was found that the surface stays within the largest error.
-  Constrained, ///< An end or corner is constrained because its tolerance, or that of a neighbor, is 0.
-  Intersection, ///< Triangles would intersect, or a gap would become narrower than half of what it was.
-  VoxelLabel, ///< A voxel center would change sides, or a triangle would come too near to one.
-  Shape,      ///< A triangle would have an angle below the least one.
-};
-constexpr std::size_t NumberOfRejections = 12; ///< Number of counted reasons.
 
 struct SurfaceStatistics
 {
@@ -379,7 +362,6 @@ struct Report
 const char* StopReasonWord(StopReason reason);
 /// A sentence that explains the reason.
 const char* StopReasonSentence(StopReason reason);
-const char* RejectionWord(Rejection rejection);
 const char* DraftStatusWord(DraftStatus status);
 const char* RegionStatusWord(RegionStatus status);
 /// Why the input was rejected, with counts and first ids; empty if it is good.

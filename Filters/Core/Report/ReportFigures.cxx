@@ -29,7 +29,7 @@ std::int64_t RejectedEdits(const Report& report, const std::string& reason)
 {
   for (std::size_t i = 1; i < NumberOfRejections; ++i)
   {
-    if (reason == RejectionWord(static_cast<Rejection>(i)))
+    if (reason == RejectionTable[i].Word)
     {
       return report.Rejections[i];
     }

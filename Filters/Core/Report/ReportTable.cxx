@@ -252,8 +252,8 @@ void AddRun(Entries& entries, const Report& report)
   entries.push_back({ "collapses", "", report.Collapses });
   for (std::size_t i = 1; i < NumberOfRejections; ++i)
   {
-    entries.push_back({ std::string("rejections.") + RejectionWord(static_cast<Rejection>(i)), "",
-      report.Rejections[i] });
+    entries.push_back(
+      { std::string("rejections.") + RejectionTable[i].Word, "", report.Rejections[i] });
   }
   if (report.Draft.Status != DraftStatus::NoBound)
   {

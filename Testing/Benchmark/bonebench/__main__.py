@@ -73,7 +73,8 @@ def choose_bones(options: argparse.Namespace, workshop: Workshop) -> list[Bone]:
 def run_rows(options: argparse.Namespace, bones: list[Bone], contest: Contest, peers: list[Contestant],
              figures: dict[str, Any]) -> None:
     """Every bone at every count; what is there is saved after each, for a full run takes hours."""
-    ours = our_contestants(chosen_modes(options, figures["modes"]), (1,) if options.short else (1, 2))
+    ours = our_contestants(chosen_modes(options, figures["modes"]), our_modes(contest.programs, "parallel"),
+                           (1,) if options.short else (1, 2))
     for bone in bones:
         for count in bone.counts():
             if not options.rows or re.search(options.rows, f"{bone.name} {count}"):
@@ -97,7 +98,7 @@ def run_sections(options: argparse.Namespace, workshop: Workshop, verifier: Veri
     if whole or options.proved:
         run_proved_errors(options, workshop, verifier, peers, figures, scratch)
     if whole or options.threads:
-        parallel = [mode for mode in modes if mode != "Thesis"]
+        parallel = [mode for mode in our_modes(programs, "parallel") if mode in modes]
         candidate = workshop.bone("cranium", (134000.0,)) or workshop.bone("specimen-1000000", (0.2,))
         if candidate is not None:
             figures["threads"] = sections.threads(programs, candidate, parallel, rounds, scratch)
@@ -114,7 +115,7 @@ def run_proved_errors(options: argparse.Namespace, workshop: Workshop, verifier:
                  figures: dict[str, Any], scratch: Path) -> None:
     """Ours and the peers', saved line by line: trials take long."""
     programs = workshop.programs
-    proving = [mode for mode in chosen_modes(options, figures["modes"]) if mode != "Thesis"]
+    proving = chosen_modes(options, our_modes(programs, "proving"))
     for name, count in PROVED_BONES:
         bone = workshop.bone(name, (count,)) if not options.rows or re.search(options.rows, f"{name} {count}") else None
         if bone is None:

@@ -73,9 +73,9 @@ def find_peers(programs: Programs, meshlib: bool) -> tuple[list[Contestant], lis
     return found, missing
 
 
-def our_modes(programs: Programs) -> list[str]:
-    """The modes that the program was built with, in its own order."""
-    return _listed(programs, "--modes")
+def our_modes(programs: Programs, kind: str = "") -> list[str]:
+    """The modes that the program was built with, in its own order.  @param kind "parallel" or "proving": those alone."""
+    return _listed(programs, f"--{kind}-modes" if kind else "--modes")
 
 
 def our_kernels(programs: Programs) -> list[str]:
@@ -94,7 +94,7 @@ def ours(mode: str, threads: int = 1, through: str = "core") -> Contestant:
     return Contestant(key, name + (", VTK filter" if through == "filter" else ""), True, mode, threads, through)
 
 
-def our_contestants(modes: list[str], threads: tuple[int, ...] = (1, 2)) -> list[Contestant]:
-    """Every mode on one thread; all but the first (Thesis, which is serial) on more; all through the filter."""
-    many = [ours(mode, count) for mode in modes for count in threads if count == 1 or mode != "Thesis"]
+def our_contestants(modes: list[str], parallel: list[str], threads: tuple[int, ...] = (1, 2)) -> list[Contestant]:
+    """Every mode on one thread, the parallel ones on more, all through the filter."""
+    many = [ours(mode, count) for mode in modes for count in threads if count == 1 or mode in parallel]
     return many + [ours(mode, 1, "filter") for mode in modes]

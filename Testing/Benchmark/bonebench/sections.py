@@ -11,7 +11,7 @@ from typing import Any, Iterator, Sequence
 
 from .bones import Bone, Workshop
 from .contest import Verifier
-from .contestants import our_contestants, our_kernels, ours
+from .contestants import our_contestants, our_kernels, our_modes, ours
 from .workers import Programs, call
 
 KEPT_IN_GROWTH = 0.2  # of the triangles
@@ -26,7 +26,7 @@ def growth(programs: Programs, workshop: Workshop, modes: Sequence[str], sizes: 
         bone = workshop.bone(f"specimen-{size}", (KEPT_IN_GROWTH,))
         if bone is None:
             continue
-        contestants = [contestant for contestant in our_contestants(list(modes)) if contestant.through == "core"]
+        contestants = [contestant for contestant in our_contestants(list(modes), our_modes(programs, "parallel")) if contestant.through == "core"]
         runs: dict[str, list[dict[str, Any]]] = {contestant.key: [] for contestant in contestants}
         for _ in range(rounds):
             for contestant in contestants:

@@ -34,7 +34,7 @@ def parser() -> argparse.ArgumentParser:
     made = Parser(prog="bonedecimate-py", description="Make a bone surface smaller; lengths are mm.",
                   epilog="Exit codes: 0 done, 1 usage, 2 input rejected, 3 could not write, "
                          "4 interrupted, 5 out of memory, 6 the certificate contradicts the largest error.")
-    made.add_argument("input", type=pathlib.Path, help=".stl .obj .ply .vtp .vtk by VTK; what meshio reads; or binary STL")
+    made.add_argument("input", type=pathlib.Path, help=f"{' '.join(files.VTK_KINDS)} by VTK; what meshio reads; or binary STL")
     made.add_argument("output", type=pathlib.Path)
     made.add_argument("--report", type=pathlib.Path, metavar="FILE", help="the report as JSON")
     made.add_argument("--profile", metavar="|".join(profile.name for profile in _core.profile_table()),
@@ -108,9 +108,10 @@ def _work(arguments: argparse.Namespace) -> int:
         options = options_of(arguments)
     except ValueError as problem:
         return _fail(USAGE, problem)
+    known = files.endings()
     for path in (arguments.input, arguments.output):
-        if path.suffix.lower() in files.OF_THE_PROGRAM:
-            return _fail(USAGE, ValueError(f"'{path}': {path.suffix} files are read and written by the C++ program bonedecimate alone"))
+        if known and path.suffix.lower() not in known:
+            return _fail(USAGE, ValueError(f"'{path}' has none of the endings {' '.join(known)}; the C++ program bonedecimate has more"))
     for path in (arguments.output, arguments.report):
         if path and path.exists() and arguments.input.exists() and path.samefile(arguments.input):
             return _fail(USAGE, ValueError(f"'{path}' is the input; it is not overwritten"))

@@ -24,7 +24,6 @@ VTK_KINDS = {
     ".vtp": ("vtkIOXML", "vtkXMLPolyDataReader", "vtkXMLPolyDataWriter"),
     ".vtk": ("vtkIOLegacy", "vtkPolyDataReader", "vtkPolyDataWriter"),
 }
-OF_THE_PROGRAM = (".glb", ".3mf")  # formats of the C++ program alone
 SINGLE = (".stl", ".ply")  # what VTK's writers round to single precision
 STL_TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 STL_HEADER = 84  # bytes, of which the last four are the number of triangles
@@ -35,6 +34,16 @@ def has(module: str) -> bool:
         return importlib.util.find_spec(module) is not None
     except ModuleNotFoundError:  # not even the package that it is in
         return False
+
+
+def endings() -> list[str]:
+    """Of the files that VTK or meshio reads and writes, whichever is used; empty without both."""
+    if has("vtkmodules.vtkIOGeometry"):
+        return list(VTK_KINDS)
+    if has("meshio"):
+        import meshio
+        return list(meshio.extension_to_filetypes)
+    return []
 
 
 @contextlib.contextmanager

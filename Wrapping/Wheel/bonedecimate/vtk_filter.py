@@ -106,18 +106,6 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
     def GetOutput(self, port: int = 0) -> vtkPolyData:
         return self.GetOutputDataObject(port)
 
-    def SetModeToThesis(self) -> None:
-        self.SetMode(self.THESIS)
-
-    def SetModeToFast(self) -> None:
-        self.SetMode(self.FAST)
-
-    def SetModeToBalanced(self) -> None:
-        self.SetMode(self.BALANCED)
-
-    def SetModeToAccurate(self) -> None:
-        self.SetMode(self.ACCURATE)
-
     def GetRejectedValue(self, _property: str) -> str:
         """Always empty: a value out of its range raises at once and leaves the property as it was."""
         return ""
@@ -355,6 +343,14 @@ def _add_getter(name: str) -> None:
     setattr(vtkBoneDecimate, words(name, "_"), property(lambda self: getter(self), doc=getter.__doc__))
 
 
+def _add_mode(mode) -> None:
+    """SetModeToFast() and so on."""
+    def choose(self) -> None:
+        self.SetMode(mode.value)
+    name = "SetModeTo" + mode.name
+    setattr(vtkBoneDecimate, name, _named(choose, name, ""))
+
+
 def _add_deprecated(old: str, new: str) -> None:
     """Methods and property by the name of an option before it was renamed; they are removed with the next release."""
     def renamed(old_name: str, new_name: str):
@@ -390,6 +386,8 @@ for _name in ("ProvedError", "ProofStatus", "ProofStatusAsString", "MeasuredErro
               "NumberOfOutputTriangles", "NumberOfRejectedEdits", "ReportAsJson", "StopReason", "StopReasonAsString",
               "NumberOfReportEntries"):
     _add_getter(_name)
+for _mode in _core.Mode:
+    _add_mode(_mode)
 for _old, _new in DEPRECATED_OPTIONS.items():
     _add_deprecated(_old, _new)
 for _value, _name in enumerate(("NO_PROOF", "PROVED", "VIOLATED", "UNDECIDED")):

@@ -52,6 +52,7 @@ def filter_class():
         arguments.append(f"        {name}: {kind} = {row.default!r},\n")
         if row.kind == "bool":
             lines.append(f"    def {row.name}On(self) -> None: ...\n    def {row.name}Off(self) -> None: ...\n")
+    lines += [f"    def SetModeTo{mode.name}(self) -> None: ...\n" for mode in _core.Mode]
     members = [member for kind in (_core.Mode, _core.ErrorPreset, _core.KeepVoxels, _core.StopReason) for member in kind]
     constants = [f"    {words(member.name, '_').upper()}: int\n" for member in members]
     text = (HERE / "vtk_filter.pyi.in").read_text(encoding="utf-8")
