@@ -257,6 +257,12 @@ void PrintProof(const ReportFields& report)
   {
     std::cout << ", but for " << GroupedText(leftOut) << " triangles of the input without area";
   }
+  const double polygons = report.Number("proof.polygons_left_out").value_or(0.0);
+  if (polygons > 0.0)
+  {
+    std::cout << (leftOut > 0.0 ? " and " : ", but for ") << GroupedText(polygons)
+              << " polygons of fewer than three corners, which were left out";
+  }
   std::cout << "\n";
 }
 }

@@ -26,10 +26,13 @@ class vtkPolyData;
 
 namespace bonedecimate
 {
-/// Every array of points and cells, with its name, components, information and attribute, but those of the names: what an
-/// earlier run recorded of its result does not describe this one.
+/**
+ * Every array of points and cells, with its components, information and attribute, but maps of an earlier run, which do not
+ * describe this one.
+ * @param own Names of the point arrays that this run adds: see PassedNames.h for arrays of the input that have them.
+ */
 void TransferArrays(const Result& result, const ConvertedSurface& converted,
-  const PassedIds& passed, const std::set<std::string>& without, vtkPolyData* input,
+  const PassedIds& passed, const std::set<std::string>& own, vtkPolyData* input,
   vtkPolyData* output);
 
 /// Point data OriginalPointIds (the nearest input point) and cell data OriginalCellIds.
