@@ -310,7 +310,10 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
   if (!subject.CoordinateSystem.empty())
   {
     std::cout << "coordinates     " << subject.CoordinateSystem
-              << " (x to the left, y to the back, z to the head), mm\n";
+              << (subject.CoordinateSystem == "RAS"
+                     ? " (x to the right, y to the front, z to the head)"
+                     : " (x to the left, y to the back, z to the head)")
+              << ", " << subject.Unit << "\n";
   }
   for (const std::string& file : written)
   {

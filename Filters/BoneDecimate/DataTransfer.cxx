@@ -131,16 +131,16 @@ void FillPoints(vtkPointData* data, int index, const Result& result,
 }
 
 void TransferPointArrays(const Result& result, const ConvertedSurface& converted,
-  const PassedIds& passed, const std::set<std::string>& own, vtkPolyData* input,
-  vtkPolyData* output)
+  const PassedIds& passed, const ArrayNames& names, vtkPolyData* input, vtkPolyData* output)
 {
   vtkPointData* data = input->GetPointData();
   const auto count = static_cast<vtkIdType>(result.Surface.Points.size());
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* from = data->GetAbstractArray(i);
-    const std::string name = PassedName(from, own, data);
-    if (from->GetName() != nullptr && (name.empty() || name == OriginalPointIds))
+    const std::string name = PassedName(from, names.Own, data);
+    if (from->GetName() != nullptr &&
+      (name.empty() || name == OriginalPointIds || names.LeftOut.count(name) > 0))
     {
       continue;
     }
@@ -180,10 +180,9 @@ vtkSmartPointer<vtkIdTypeArray> IdArray(const char* name, const Ids& ids)
 }
 
 void TransferArrays(const Result& result, const ConvertedSurface& converted,
-  const PassedIds& passed, const std::set<std::string>& own, vtkPolyData* input,
-  vtkPolyData* output)
+  const PassedIds& passed, const ArrayNames& names, vtkPolyData* input, vtkPolyData* output)
 {
-  TransferPointArrays(result, converted, passed, own, input, output);
+  TransferPointArrays(result, converted, passed, names, input, output);
   const std::vector<vtkIdType> cells = CellSources(result, converted, passed);
   vtkCellData* data = input->GetCellData();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)

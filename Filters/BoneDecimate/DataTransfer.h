@@ -26,14 +26,20 @@ class vtkPolyData;
 
 namespace bonedecimate
 {
+/// Names of point arrays that are not those of the input in the result.
+struct ArrayNames
+{
+  std::set<std::string>
+    Own; ///< Arrays that the run adds: see PassedNames.h for arrays of the input that have them.
+  std::set<std::string> LeftOut; ///< Arrays of the input that the result does not get.
+};
+
 /**
  * Every array of points and cells, with its components, information and attribute, but maps of an earlier run, which do not
  * describe this one.
- * @param own Names of the point arrays that this run adds: see PassedNames.h for arrays of the input that have them.
  */
 void TransferArrays(const Result& result, const ConvertedSurface& converted,
-  const PassedIds& passed, const std::set<std::string>& own, vtkPolyData* input,
-  vtkPolyData* output);
+  const PassedIds& passed, const ArrayNames& names, vtkPolyData* input, vtkPolyData* output);
 
 /// Point data OriginalPointIds (the nearest input point) and cell data OriginalCellIds.
 void AddMaps(const Result& result, const ConvertedSurface& converted, const PassedIds& passed,

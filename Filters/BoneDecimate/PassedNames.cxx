@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PassedNames.h"
 
+#include "TextureSeams.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -54,10 +56,11 @@ std::string PassedName(
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> RenamedArrays(vtkPolyData* input, const Options& options)
+std::vector<std::string> ArrayWarnings(vtkPolyData* input, const Options& options)
 {
   const std::set<std::string> own = OwnPointArrays(options);
-  std::vector<std::string> sentences;
+  std::vector<std::string> sentences = SeamWarnings(
+    options.PassArrays && options.MergePoints ? ArraysWithSeams(input) : std::set<std::string>());
   vtkPointData* data = input->GetPointData();
   for (int i = 0; options.PassArrays && i < data->GetNumberOfArrays(); ++i)
   {

@@ -33,8 +33,8 @@ std::set<std::string> OwnInputArrays(const Options& options);
 std::string PassedName(
   vtkAbstractArray* array, const std::set<std::string>& own, vtkDataSetAttributes* data);
 
-/// A sentence for each array that gets another name.
-std::vector<std::string> RenamedArrays(vtkPolyData* input, const Options& options);
+/// A sentence for each array that gets another name, and for texture coordinates that are left out (TextureSeams.h).
+std::vector<std::string> ArrayWarnings(vtkPolyData* input, const Options& options);
 
 /// Keeps arrays of the user in the copy of an input under such names.
 void KeepUserArrays(vtkPolyData* copy, const Options& options);

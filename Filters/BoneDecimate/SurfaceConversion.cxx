@@ -12,6 +12,7 @@
 #include "Report/ReportJson.h"
 #include "Report/ReportTable.h"
 #include "SurfaceArrays.h"
+#include "TextureSeams.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -151,7 +152,9 @@ void AddInputArrays(const Result& result, const ConvertedSurface& converted, con
   const bool isKnown = result.Origins.NearestPoint.size() == result.Surface.Points.size();
   if (options.PassArrays && isKnown)
   {
-    TransferArrays(result, converted, passed, OwnPointArrays(options), input, output);
+    const std::set<std::string> leftOut =
+      options.MergePoints ? ArraysWithSeams(input) : std::set<std::string>();
+    TransferArrays(result, converted, passed, { OwnPointArrays(options), leftOut }, input, output);
   }
   if (options.MakeMaps && isKnown)
   {

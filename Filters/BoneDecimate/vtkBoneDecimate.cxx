@@ -301,7 +301,7 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   }
   this->Warn(read.Converted.Warnings);
   this->Warn(read.Reference.Warnings);
-  this->Warn(bonedecimate::RenamedArrays(input, options));
+  this->Warn(bonedecimate::ArrayWarnings(input, options));
   this->Warn(bonedecimate::InputWarnings(this->State->Report));
   FillOutputs(result, read.Converted, options, read.Inputs.LabelMap, input, outputVector);
   const bool isContinued = this->Part && this->Part->Part.Reference != nullptr;

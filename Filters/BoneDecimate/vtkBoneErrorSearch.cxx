@@ -206,7 +206,7 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   }
   this->Warn(ofMap);
   this->Warn(converted.Warnings);
-  this->Warn(bonedecimate::RenamedArrays(input, options.Run));
+  this->Warn(bonedecimate::ArrayWarnings(input, options.Run));
   this->Warn(bonedecimate::InputWarnings(found.Found.Report));
   this->SmallestError = found.Best < 0 ? std::numeric_limits<double>::quiet_NaN()
                                        : found.Trials[static_cast<std::size_t>(found.Best)].Proved;

@@ -109,7 +109,7 @@ int vtkBoneSmooth::RequestData(vtkInformation* vtkNotUsed(request),
     [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); }, inputs);
   std::vector<std::string> warnings = map.CompareWithMap(converted.Surface, options, result);
   warnings.insert(warnings.end(), converted.Warnings.begin(), converted.Warnings.end());
-  const std::vector<std::string> renamed = RenamedArrays(input, options);
+  const std::vector<std::string> renamed = ArrayWarnings(input, options);
   warnings.insert(warnings.end(), renamed.begin(), renamed.end());
   result.Report.Proof.PolygonsLeftOut = converted.PolygonsLeftOut;
   this->State->Keep(result.Report);

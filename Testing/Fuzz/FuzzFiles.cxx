@@ -110,7 +110,7 @@ void ReadAs(int kind, const std::string& path)
     case 0:
       return CheckSurface(ReadObjFile(path, warnings));
     case 1:
-      return CheckSurface(ReadStlFile(path));
+      return CheckSurface(ReadStlFile(path, warnings));
     case 2:
       return CheckSurface(ReadPlyFile(path, warnings));
     case 3:

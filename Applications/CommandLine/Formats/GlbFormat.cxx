@@ -7,7 +7,7 @@ namespace bonedecimate
 {
 namespace
 {
-SurfaceFormat MakeFormat()
+SurfaceFormat GlbRow()
 {
 #ifdef BONEDECIMATE_HAS_MESHOPTIMIZER
   SurfaceFormat format = { "glb", false, true, false, ReadGlbFile, WriteGlbFile };
@@ -15,11 +15,16 @@ SurfaceFormat MakeFormat()
   SurfaceFormat format = FormatWithoutLibrary("glb", "meshoptimizer");
 #endif
   format.NamesUnit = true;
+  format.ArraysHeld = [](vtkPolyData*) -> std::set<std::string>
+  {
+    return { "BoundaryLabels", "LabelValues", "LabelNames", "LabelColors", "Color",
+      VertexColorArray };
+  };
   format.HasGrid = true;
   return format;
 }
 }
 
 extern const SurfaceFormat GlbFormat;
-const SurfaceFormat GlbFormat = MakeFormat();
+const SurfaceFormat GlbFormat = GlbRow();
 }

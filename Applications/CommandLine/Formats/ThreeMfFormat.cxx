@@ -7,7 +7,7 @@ namespace bonedecimate
 {
 namespace
 {
-SurfaceFormat MakeFormat()
+SurfaceFormat ThreeMfRow()
 {
 #ifdef BONEDECIMATE_HAS_LIBZIP
   SurfaceFormat format = { "3mf", false, false, false, ReadThreeMfFile, WriteThreeMfFile };
@@ -15,11 +15,14 @@ SurfaceFormat MakeFormat()
   SurfaceFormat format = FormatWithoutLibrary("3mf", "libzip");
 #endif
   format.NamesUnit = true;
+  format.ArraysHeld = [](vtkPolyData*) -> std::set<std::string> {
+    return { "BoundaryLabels", "LabelValues", "LabelNames", "LabelColors", "Color" };
+  };
   format.IsForPrinting = true;
   return format;
 }
 }
 
 extern const SurfaceFormat ThreeMfFormat;
-const SurfaceFormat ThreeMfFormat = MakeFormat();
+const SurfaceFormat ThreeMfFormat = ThreeMfRow();
 }

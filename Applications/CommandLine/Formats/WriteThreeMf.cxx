@@ -6,6 +6,7 @@
 #include "FileParts.h"
 #include "Options/Text.h"
 #include "Report/Report.h"
+#include "TextOutput.h"
 #include "ThreeMfFiles.h"
 
 #include <algorithm>
@@ -217,7 +218,7 @@ void WriteThreeMfFile(vtkPolyData* surface, const std::string& path)
   stream.close();
   if (!stream)
   {
-    throw Failure(ExitCode::CouldNotWrite, "the disk is full");
+    throw Failure(ExitCode::CouldNotWrite, WriteProblem());
   }
 }
 }

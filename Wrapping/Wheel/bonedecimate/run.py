@@ -18,7 +18,7 @@ from .labels import labels_from_array, labels_of
 from .polydata import Passed, Surface, passed, points_of, set_triangles
 from .progress import Progress
 from .surfaces import surface_from
-from .passed_names import keep_user_arrays, own_point_arrays, renamed_arrays
+from .passed_names import array_warnings, arrays_with_seams, keep_user_arrays, own_point_arrays
 from .transfer import add_input_map, add_maps, recompute_normals, transfer_arrays
 
 if TYPE_CHECKING:
@@ -63,8 +63,8 @@ def run(data: vtkPolyData, options: _core.Options, progress: Progress | None, re
                              surface.cell_of_triangle, first and first[:2], progress, labels,
                              surface.source and surface.source.to_core(), prepared, edge_lengths,
                              (surface if first is None else first).polygons_left_out)
-    renamed = renamed_arrays(data, options) if options.get("PassArrays") else []
-    outcome["warnings"] = surface.warnings + (first.warnings if first else []) + renamed + outcome["warnings"]
+    outcome["warnings"] = (surface.warnings + (first.warnings if first else []) + array_warnings(data, options)
+                           + outcome["warnings"])
     return outcome, surface
 
 
@@ -139,7 +139,7 @@ def _add_input_arrays(outcome: dict, surface: Surface, options: _core.Options, p
     """What the input knew, carried over. Aborted runs do not know where their points lie."""
     is_known = len(outcome["nearest_point"]) == len(outcome["points"])
     if options.get("PassArrays") and is_known:
-        transfer_arrays(outcome, surface, passing, own_point_arrays(options), data, output)
+        transfer_arrays(outcome, surface, passing, (own_point_arrays(options), arrays_with_seams(data, options)), data, output)
     if options.get("MakeMaps") and is_known:
         add_maps(outcome, surface, passing, output)
     if options.get("RecomputeNormals"):

@@ -26,19 +26,20 @@ SHORTEST_NORMAL = 1e-6
 ORIGINAL_POINTS, ORIGINAL_CELLS = "OriginalPointIds", "OriginalCellIds"
 
 
-def transfer_arrays(outcome: dict, surface: Surface, passing: Passed, own: set[str], data: vtkPolyData,
+def transfer_arrays(outcome: dict, surface: Surface, passing: Passed, names: tuple[set[str], set[str]], data: vtkPolyData,
                     output: vtkPolyData) -> None:
     """Every array of points and cells, with its components, information and attribute, but maps of an earlier run.
 
-    @param own Names of the point arrays that this run adds.
+    @param names Of the point arrays that this run adds, and of those of the input that are left out.
     """
+    own, left_out = names
     ids = id_list(np.concatenate([outcome["nearest_point"], passing.points]))
-    for index, source, target in _arrays(data.GetPointData(), ids, own, ORIGINAL_POINTS):
+    for index, source, target in _arrays(data.GetPointData(), ids, own, left_out | {ORIGINAL_POINTS}):
         if _is_blended(data.GetPointData(), source):
             _blend(outcome, surface, source, target, source is data.GetPointData().GetNormals())
         _add_like(data.GetPointData(), index, target, output.GetPointData())
     cells = id_list(_cell_sources(outcome, surface, passing))
-    for index, _, target in _arrays(data.GetCellData(), cells, set(), ORIGINAL_CELLS):
+    for index, _, target in _arrays(data.GetCellData(), cells, set(), {ORIGINAL_CELLS}):
         _add_like(data.GetCellData(), index, target, output.GetCellData())
 
 
@@ -83,12 +84,12 @@ def _add_ids(name: str, ids: NDArray, data) -> None:
     data.AddArray(array)
 
 
-def _arrays(data, ids: vtkIdList, own: set[str], stale: str):
+def _arrays(data, ids: vtkIdList, own: set[str], without: set[str]):
     """Each array to be passed on: its index, itself, and one like it with the tuples of the ids."""
     for index in range(data.GetNumberOfArrays()):
         source = data.GetAbstractArray(index)
         name = passed_name(source, own, data)
-        if name is None or name == stale:
+        if name is None or name in without:
             continue
         # Of its type and not of its class: arrays that compute their values cannot hold others.
         target = vtkAbstractArray.CreateArray(source.GetDataType())
