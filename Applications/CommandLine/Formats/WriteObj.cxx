@@ -6,15 +6,18 @@
 #include "TextOutput.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace bonedecimate
@@ -132,47 +135,64 @@ private:
     return found == this->Textures.end() ? nullptr : *found;
   }
 
+  /// Cells of one group and one material come together, otherwise in their order.
   void WriteCells(const char* keyword, vtkCellArray* cells, bool areFaces)
   {
-    const auto cell = vtk::TakeSmartPointer(cells->NewIterator());
-    for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+    const vtkIdType count = cells->GetNumberOfCells();
+    std::vector<vtkIdType> order(static_cast<std::size_t>(count));
+    std::iota(order.begin(), order.end(), 0);
+    if (this->Groups != nullptr || this->Materials != nullptr)
     {
-      vtkIdType size = 0;
-      const vtkIdType* corners = nullptr;
-      cell->GetCurrentCell(size, corners);
-      this->WriteState();
-      this->Output.Add(keyword);
-      const bool hasTexture = areFaces && !this->Textures.empty() &&
-        std::all_of(corners, corners + size, [this](vtkIdType i) { return this->HasTexture(i); });
-      for (vtkIdType i = 0; i < size; ++i)
-      {
-        const std::string number = std::to_string(corners[i] + 1);
-        this->Output.Add(" " + number);
-        this->Output.Add(hasTexture ? "/" + number : std::string());
-        const bool hasNormal = areFaces && this->Normals != nullptr;
-        this->Output.Add(hasNormal ? (hasTexture ? "/" : "//") + number : std::string());
-      }
-      this->Output.Add("\n");
-      ++this->Cell;
+      std::stable_sort(order.begin(), order.end(),
+        [this](vtkIdType a, vtkIdType b)
+        { return this->StateOf(this->First + a) < this->StateOf(this->First + b); });
     }
+    vtkNew<vtkIdList> corners;
+    for (const vtkIdType cell : order)
+    {
+      this->WriteState(this->First + cell);
+      cells->GetCellAtId(cell, corners);
+      this->WriteCell(keyword, corners, areFaces);
+    }
+    this->First += count;
+  }
+
+  void WriteCell(const char* keyword, vtkIdList* corners, bool isFace)
+  {
+    this->Output.Add(keyword);
+    const bool hasTexture = isFace && !this->Textures.empty() &&
+      std::all_of(
+        corners->begin(), corners->end(), [this](vtkIdType i) { return this->HasTexture(i); });
+    const bool hasNormal = isFace && this->Normals != nullptr;
+    for (const vtkIdType corner : *corners)
+    {
+      const std::string number = std::to_string(corner + 1);
+      this->Output.Add(" " + number);
+      this->Output.Add(hasTexture ? "/" + number : std::string());
+      this->Output.Add(hasNormal ? (hasTexture ? "/" : "//") + number : std::string());
+    }
+    this->Output.Add("\n");
+  }
+
+  std::pair<double, double> StateOf(vtkIdType cell) const
+  {
+    return { this->Groups != nullptr ? this->Groups->GetComponent(cell, 0) : 0.0,
+      this->Materials != nullptr ? this->Materials->GetComponent(cell, 0) : -1.0 };
   }
 
   bool HasTexture(vtkIdType point) const { return this->TextureOf(point) != nullptr; }
 
-  /// Group and material of the next cell, where they change.
-  void WriteState()
+  /// Group and material of a cell, where they change.
+  void WriteState(vtkIdType cell)
   {
-    if (this->Groups != nullptr && this->Groups->GetComponent(this->Cell, 0) != this->Group)
+    const auto [group, given] = this->StateOf(cell);
+    if (group != this->Group)
     {
-      this->Group = this->Groups->GetComponent(this->Cell, 0);
-      this->Output.Add("g group" + std::to_string(static_cast<long long>(this->Group)) + "\n");
+      this->Group = group;
+      this->Output.Add("g group" + std::to_string(static_cast<long long>(group)) + "\n");
     }
-    if (this->Materials == nullptr || this->MaterialNames == nullptr)
-    {
-      return;
-    }
-    const auto material = static_cast<vtkIdType>(this->Materials->GetComponent(this->Cell, 0));
-    if (material != this->Material && material >= 0 &&
+    const auto material = static_cast<vtkIdType>(given);
+    if (material != this->Material && material >= 0 && this->MaterialNames != nullptr &&
       material < this->MaterialNames->GetNumberOfValues())
     {
       this->Material = material;
@@ -189,7 +209,7 @@ private:
   vtkDataArray* Groups;
   vtkDataArray* Materials;
   vtkStringArray* MaterialNames;
-  vtkIdType Cell = 0;
+  vtkIdType First = 0; // cell of the kind that is written
   double Group = 0.0;
   vtkIdType Material = -1;
 };
