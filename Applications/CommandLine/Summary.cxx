@@ -265,6 +265,18 @@ void PrintProof(const ReportFields& report)
   }
   std::cout << "\n";
 }
+
+void PrintCoordinates(const ReportSubject& subject)
+{
+  if (!subject.CoordinateSystem.empty())
+  {
+    std::cout << "coordinates     " << subject.CoordinateSystem
+              << (subject.CoordinateSystem == "RAS"
+                     ? " (x to the right, y to the front, z to the head)"
+                     : " (x to the left, y to the back, z to the head)")
+              << ", " << subject.Unit << "\n";
+  }
+}
 }
 
 void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
@@ -307,14 +319,7 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
             << seconds("seconds.decimate") << ", measure " << seconds("seconds.measure")
             << ", prove " << seconds("seconds.prove") << ", write "
             << GroupedText(subject.SecondsWrite, 2) << "\n";
-  if (!subject.CoordinateSystem.empty())
-  {
-    std::cout << "coordinates     " << subject.CoordinateSystem
-              << (subject.CoordinateSystem == "RAS"
-                     ? " (x to the right, y to the front, z to the head)"
-                     : " (x to the left, y to the back, z to the head)")
-              << ", " << subject.Unit << "\n";
-  }
+  PrintCoordinates(subject);
   for (const std::string& file : written)
   {
     std::cout << "written         " << file << "\n";

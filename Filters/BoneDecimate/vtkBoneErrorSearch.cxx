@@ -194,8 +194,7 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   bonedecimate::ErrorSearchResult found = this->Errors.empty()
     ? bonedecimate::FindSmallestError(converted.Surface, options, monitor)
     : bonedecimate::FindErrorCurve(converted.Surface, this->Errors, options, monitor);
-  const std::vector<std::string> ofMap =
-    map.CompareWithMap(converted.Surface, options.Run, found.Found);
+  this->Warn(map.CompareWithMap(converted.Surface, options.Run, found.Found));
   found.Found.Report.Proof.PolygonsLeftOut = converted.PolygonsLeftOut;
   this->State->Keep(found.Found.Report);
   const std::string problem = bonedecimate::InputMessage(found.Found.Report);
@@ -204,7 +203,6 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
     vtkErrorMacro(<< problem);
     return 0;
   }
-  this->Warn(ofMap);
   this->Warn(converted.Warnings);
   this->Warn(bonedecimate::ArrayWarnings(input, options.Run));
   this->Warn(bonedecimate::InputWarnings(found.Found.Report));

@@ -47,7 +47,7 @@ class ThreeMf(ApplicationTest):
         surface = read(self.path("out.vtp"))
         return surface.GetNumberOfPolys(), surface.GetBounds(), said
 
-    def test_transforms_and_components_place_objects(self):
+    def test_transforms_and_components_move_objects(self):
         for objects, items, triangles, bounds in (
             (thing(1), [f"objectid='1' transform='{IDENTITY}'"], 4, (0, 10, 0, 10, 0, 10)),
             (thing(1), [f"objectid='1' transform='{MOVED}'"], 4, (20, 30, 30, 40, 40, 50)),

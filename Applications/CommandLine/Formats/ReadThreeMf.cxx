@@ -60,7 +60,7 @@ public:
       else
       {
         ++this->NotPrintable;
-        this->Named.insert({ this->KeyOf(item, start), item.Object });
+        this->UsedObjects.insert({ this->KeyOf(item, start), item.Object });
       }
     }
     this->Warn(warnings);
@@ -147,7 +147,7 @@ private:
             reference.Object.substr(0, 40) + "', which is not there");
     }
     const ThreeMfObject& object = found->second;
-    this->Named.insert({ key, reference.Object });
+    this->UsedObjects.insert({ key, reference.Object });
     if (object.Type != "model" && object.Type != "surface")
     {
       ++this->Supports;
@@ -208,7 +208,7 @@ private:
       for (const auto& [id, object] : part.Objects)
       {
         const bool hasMesh = !object.Mesh.Corners.empty();
-        notBuilt += hasMesh && this->Named.count({ name, id }) == 0 ? 1 : 0;
+        notBuilt += hasMesh && this->UsedObjects.count({ name, id }) == 0 ? 1 : 0;
       }
     }
     const std::pair<std::int64_t, const char*> lines[] = { { notBuilt,
@@ -233,7 +233,7 @@ private:
   ZipArchive Zip;
   std::map<std::string, ThreeMfPart> Models; // by name of the part
   std::set<std::pair<std::string, std::string>>
-    Named; // part and id of objects that the build names
+    UsedObjects; // part and id of those that the build names
   std::vector<FilePart> Parts;
   double BytesLeft = 0.0; // that objects may take
   std::int64_t NotPrintable = 0;

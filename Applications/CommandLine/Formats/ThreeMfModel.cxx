@@ -147,7 +147,7 @@ private:
     {
       this->AddTriangle(attributes);
     }
-    else if (name == "object" && this->HasRoom())
+    else if (name == "object" && this->CanKeepAnother())
     {
       this->AddObject(attributes);
     }
@@ -159,11 +159,11 @@ private:
     {
       this->IsApplication = ValueOf(attributes, "name") == "Application";
     }
-    else if (name == "component" && this->Object != nullptr && this->HasRoom())
+    else if (name == "component" && this->Object != nullptr && this->CanKeepAnother())
     {
       this->Object->Components.push_back(this->ReferenceOf(attributes));
     }
-    else if (name == "item" && this->HasRoom())
+    else if (name == "item" && this->CanKeepAnother())
     {
       this->Part.Build.push_back(this->ReferenceOf(attributes));
     }
@@ -183,7 +183,7 @@ private:
   }
 
   /// Another object, component or item may be kept.
-  bool HasRoom()
+  bool CanKeepAnother()
   {
     constexpr std::int64_t most = 1000000;
     if (++this->Kept > most)
@@ -270,12 +270,12 @@ private:
       object.Mesh.Label = named;
     }
     const std::string id = std::string(ValueOf(attributes, "id"));
-    const auto [place, isNew] = this->Part.Objects.emplace(id, std::move(object));
+    const auto [entry, isNew] = this->Part.Objects.emplace(id, std::move(object));
     if (!isNew)
     {
       this->Fail("two objects have the id '" + id.substr(0, 40) + "'");
     }
-    this->Object = &place->second;
+    this->Object = &entry->second;
   }
 
   /// As readers of single precision have it.

@@ -92,12 +92,15 @@ public:
   }
 
 private:
-  void WriteTuple(const char* keyword, vtkDataArray* array, vtkIdType tuple)
+  /// Positions are those of any reader only if their decimals are those of double precision.
+  void WriteTuple(
+    const char* keyword, vtkDataArray* array, vtkIdType tuple, bool isPosition = false)
   {
     this->Output.Add(keyword);
     for (int i = 0; i < array->GetNumberOfComponents(); ++i)
     {
-      this->Output.AddNumber(array->GetComponent(tuple, i), array->GetDataType() == VTK_FLOAT);
+      const bool isSingle = !isPosition && array->GetDataType() == VTK_FLOAT;
+      this->Output.AddNumber(array->GetComponent(tuple, i), isSingle);
     }
   }
 
@@ -107,7 +110,7 @@ private:
     const vtkIdType count = points->GetNumberOfTuples();
     for (vtkIdType i = 0; i < count; ++i)
     {
-      this->WriteTuple("v", points, i);
+      this->WriteTuple("v", points, i, true);
       for (int channel = 0; this->Colors != nullptr && channel < 3; ++channel)
       {
         this->Output.AddNumber(this->Colors->GetTypedComponent(i, channel) / 255.0F, true);

@@ -9,8 +9,8 @@
  *     next ear    that of the least perimeter^2 / area
  *     no ear      the convex corner of the least perimeter^2 / area, even if triangles overlap then
  *
- * n corners always give n - 2 triangles, and every edge of the polygon belongs to one of them, so that triangulated neighbors
- * share their edges. The triangles depend on differences of coordinates alone. Of a quadrilateral both diagonals are
+ * n corners always give n - 2 triangles, and every edge of the polygon is an edge of one of them, so that neighbors still meet
+ * at their common edges. The triangles depend on differences of coordinates alone. Of a quadrilateral both diagonals are
  * compared: the one with two ears is used, otherwise the shorter one. Corners at the position of the previous one are left out.
  *
  * Time is n log n for polygons whose ears are small, and at most n^2.
