@@ -130,6 +130,10 @@ class ThreeMf(ApplicationTest):
         self.pack(model(levels, ["objectid='11'"]))
         self.fail_with(REJECTED, "in.3mf", "out.vtp", says="its components repeat objects to more than a gigabyte", timeout=120)
 
+    def test_a_long_attribute_takes_no_longer_than_a_long_file(self):
+        self.pack(model(thing(1, more=f"name='{'bone ' * 4000000}'"), ["objectid='1'"]))
+        self.succeed("diagnose", "in.3mf", timeout=60)
+
     def test_decimals_equal_the_numbers_of_single_precision(self):
         write(as_doubles(sphere()), self.path("in.vtp"))
         self.succeed("in.vtp", "out.3mf", "--max-error", 0.2)

@@ -106,6 +106,11 @@ private:
     }
     PlyProperty property;
     property.Name = words.back();
+    constexpr int mostProperties = 10000; // names are compared with each other
+    if (++this->Properties > mostProperties)
+    {
+      Reject(this->Path, "its header has more than 10000 properties");
+    }
     property.Type = TypeOf(words[isList ? 3 : 1]);
     property.CountType = isList ? TypeOf(words[2]) : VTK_VOID;
     property.IsCorners =
@@ -188,6 +193,7 @@ private:
   LineReader& Lines;
   PlyHeader Header;
   bool HasFormat = false;
+  int Properties = 0;
 };
 }
 

@@ -84,13 +84,16 @@ private:
     {
       return false;
     }
-    constexpr std::size_t pieceBytes = 1U << 16;
-    std::string piece(pieceBytes, '\0');
+    constexpr std::size_t firstBytes = 1U << 16;
+    constexpr std::size_t mostBytes = 1U << 26;
+    std::string piece(firstBytes, '\0');
     std::string problem;
     zip_int64_t count = 0;
     while (problem.empty() && (count = zip_fread(file.get(), piece.data(), piece.size())) > 0)
     {
       problem = parser.Add({ piece.data(), static_cast<std::size_t>(count) });
+      // The parser begins again with what a piece cuts in two, such as a long attribute.
+      piece.resize(std::min(2 * piece.size(), mostBytes));
     }
     const std::string ending = parser.Finish();
     problem = problem.empty() ? ending : problem;
