@@ -116,9 +116,17 @@ protected:
     {
       this->BeginModel(attributes);
     }
+    if (prefix.empty())
+    {
+      if (this->IsPlainCore)
+      {
+        this->StartCoreElement(name, attributes);
+      }
+      return;
+    }
     const std::string_view space = this->NamespaceOf(prefix);
     this->Part.HasBeams = this->Part.HasBeams || (name == "beam" && space == BeamNamespace);
-    if (space == CoreNamespace || (prefix.empty() && space.empty()))
+    if (space == CoreNamespace)
     {
       this->StartCoreElement(name, attributes);
     }
@@ -209,6 +217,8 @@ private:
         this->Namespaces[std::string(name.substr(std::min<std::size_t>(6, name.size())))] = a[1];
       }
     }
+    const std::string_view plain = this->NamespaceOf({});
+    this->IsPlainCore = plain.empty() || plain == CoreNamespace;
     for (const auto& [name, factor] : UnitsOfThreeMf)
     {
       this->Part.Factor = ValueOf(attributes, "unit") == name ? factor : this->Part.Factor;
@@ -313,7 +323,8 @@ private:
   }
 
   std::map<std::string, std::string> Namespaces; // by prefix
-  std::int64_t Kept = 0;                         // objects, components and items
+  bool IsPlainCore = true; // whether elements without a prefix are those of the core specification
+  std::int64_t Kept = 0;   // objects, components and items
   bool IsApplication = false;
   bool IsOwn = false;
   std::vector<LabelColor> Colors;
