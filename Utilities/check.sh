@@ -74,7 +74,7 @@ fix_format()
 }
 
 # An XML tag of 3D Slicer, names of variables and functions, and words that scripts here look for.
-readonly allowed_spellings='acknowledgements,anyother,fo,judgement,nd,positionof,te'
+readonly allowed_spellings='acknowledgements,anyother,fo,judgement,lod,parm,nd,positionof,te'
 
 check_spelling()
 {

@@ -108,7 +108,8 @@ ExitCode Run(const DiagnoseArguments& arguments)
   vtkNew<vtkBoneDiagnostics> filter;
   filter->SetInputData(loaded.Surface);
   filter->SetNumberOfThreads(arguments.Threads);
-  UpdateFilter(filter, Progress::Hidden);
+  AcceptMessages(
+    UpdateFilter(filter, Progress::Hidden), arguments.Files[0], warnings, arguments.Unit);
   if (!arguments.Json.empty())
   {
     nlohmann::ordered_json report = Compose(filter, arguments, warnings);

@@ -9,8 +9,10 @@
 #include "FilterOptions.h"
 #include "FilterRun.h"
 #include "Formats/FileChecks.h"
+#include "Formats/FileFrame.h"
 #include "Formats/SurfaceFormat.h"
 #include "InputArguments.h"
+#include "InputHints.h"
 #include "Interruption.h"
 #include "JsonReport.h"
 #include "OutputFiles.h"
@@ -91,6 +93,7 @@ public:
         ReadInput(this->Path, this->Requested.Unit, this->Subject.Warnings);
       this->Input = loaded.Surface;
       this->InputInFile = loaded.InFile;
+      this->Subject.CoordinateSystem = FrameOf(loaded.Surface);
     }
     if (!this->Requested.Reference.empty())
     {
@@ -125,6 +128,12 @@ public:
     this->RequireTriangles(messages);
     AcceptMessages(messages, this->Path, this->Subject.Warnings, this->Requested.Unit);
     this->TakeResult();
+    if (!this->Volume)
+    {
+      const std::vector<std::string> hints =
+        InputHints(this->Filter->GetOutput(), this->Input, this->Filter->GetNumberOfThreads());
+      this->Subject.Warnings.insert(this->Subject.Warnings.end(), hints.begin(), hints.end());
+    }
   }
 
   void WriteSurfaces(OutputFiles& files)

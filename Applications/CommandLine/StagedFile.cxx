@@ -122,12 +122,13 @@ StagedFile::~StagedFile()
 
 void StagedFile::WriteText(const std::string& text)
 {
+  errno = 0;
   std::ofstream stream(this->Temporary, std::ios::binary | std::ios::trunc);
   stream.write(text.data(), static_cast<std::streamsize>(text.size()));
   stream.close();
   if (!stream)
   {
-    Fail(this->Target, errno ? std::strerror(errno) : "the disk may be full");
+    Fail(this->Target, errno ? std::strerror(errno) : "the system did not take the whole file");
   }
 }
 

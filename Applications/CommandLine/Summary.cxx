@@ -257,7 +257,25 @@ void PrintProof(const ReportFields& report)
   {
     std::cout << ", but for " << GroupedText(leftOut) << " triangles of the input without area";
   }
+  const double polygons = report.Number("proof.polygons_left_out").value_or(0.0);
+  if (polygons > 0.0)
+  {
+    std::cout << (leftOut > 0.0 ? " and " : ", but for ") << GroupedText(polygons)
+              << " polygons of fewer than three corners, which were left out";
+  }
   std::cout << "\n";
+}
+
+void PrintCoordinates(const ReportSubject& subject)
+{
+  if (!subject.CoordinateSystem.empty())
+  {
+    std::cout << "coordinates     " << subject.CoordinateSystem
+              << (subject.CoordinateSystem == "RAS"
+                     ? " (x to the right, y to the front, z to the head)"
+                     : " (x to the left, y to the back, z to the head)")
+              << ", " << subject.Unit << "\n";
+  }
 }
 }
 
@@ -301,11 +319,7 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
             << seconds("seconds.decimate") << ", measure " << seconds("seconds.measure")
             << ", prove " << seconds("seconds.prove") << ", write "
             << GroupedText(subject.SecondsWrite, 2) << "\n";
-  if (!subject.CoordinateSystem.empty())
-  {
-    std::cout << "coordinates     " << subject.CoordinateSystem
-              << " (x to the left, y to the back, z to the head), mm\n";
-  }
+  PrintCoordinates(subject);
   for (const std::string& file : written)
   {
     std::cout << "written         " << file << "\n";

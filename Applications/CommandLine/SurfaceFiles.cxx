@@ -3,9 +3,12 @@
 #include "SurfaceFiles.h"
 
 #include "ExitCode.h"
+#include "FilePath.h"
 #include "Formats/FileChecks.h"
+#include "Formats/FileFrame.h"
 #include "Formats/FileParts.h"
 #include "Formats/SurfaceFormat.h"
+#include "Options/Text.h"
 #include "VtkMessages.h"
 
 #include "vtkCellArray.h"
@@ -14,6 +17,8 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <set>
 
 namespace bonedecimate
 {
@@ -37,26 +42,45 @@ bool HasWholeCells(vtkPolyData* surface)
     surface->GetPolys()->IsValid() && surface->GetStrips()->IsValid();
 }
 
+/// Why what was written cannot be read.
+std::string LackOfFile(const std::string& path)
+{
+  std::error_code error;
+  const std::filesystem::space_info space = std::filesystem::space(
+    FilePath(path).parent_path().empty() ? FilePath(".") : FilePath(path).parent_path(), error);
+  constexpr std::uintmax_t block = 65536;
+  return !error && space.available < block ? "the disk is full"
+                                           : "the system did not take the whole file";
+}
+
 vtkIdType CountFaces(vtkPolyData* surface)
 {
   return surface->GetPolys()->GetNumberOfCells() + surface->GetStrips()->GetNumberOfCells();
 }
 
-/// What can be read back, if it has as many points and triangles as it should.
+/// What can be read back; a failure if it has not as many points and triangles as it should.
 vtkSmartPointer<vtkPolyData> Arrived(vtkPolyData* surface, const std::string& path)
 {
+  LoadedSurface arrived;
   try
   {
-    const LoadedSurface arrived = ReadSurface(path);
-    const bool samePoints = !FindFormat(path)->KeepsPoints ||
-      arrived.Surface->GetNumberOfPoints() == surface->GetNumberOfPoints();
-    const bool isWhole = samePoints && CountFaces(arrived.Surface) == CountFaces(surface);
-    return isWhole ? arrived.Surface : nullptr;
+    arrived = ReadSurface(path);
   }
   catch (const Failure&)
   {
-    return nullptr;
+    throw Failure(ExitCode::CouldNotWrite, LackOfFile(path));
   }
+  const vtkIdType points = arrived.Surface->GetNumberOfPoints();
+  const vtkIdType faces = CountFaces(arrived.Surface);
+  const bool samePoints = !FindFormat(path)->KeepsPoints || points == surface->GetNumberOfPoints();
+  if (!samePoints || faces != CountFaces(surface))
+  {
+    throw Failure(ExitCode::CouldNotWrite,
+      "what was written has " + std::to_string(points) + " points and " + std::to_string(faces) +
+        " triangles, not " + std::to_string(surface->GetNumberOfPoints()) + " and " +
+        std::to_string(CountFaces(surface)) + "; another format may hold the surface");
+  }
+  return arrived.Surface;
 }
 
 /// "has 1 of 3 parts as a surface ..."; empty if all are closed.
@@ -72,6 +96,72 @@ std::string OpenPartsText(vtkPolyData* surface)
       "it";
 }
 
+/// Names of the arrays that a file of this format lacks; the report is one of them.
+std::vector<std::string> MissingArrays(vtkPolyData* surface, const SurfaceFormat& format)
+{
+  const std::set<std::string> held =
+    format.ArraysHeld != nullptr ? format.ArraysHeld(surface) : std::set<std::string>();
+  std::vector<std::string> missing;
+  bool hasReport = false;
+  for (vtkFieldData* data : { static_cast<vtkFieldData*>(surface->GetPointData()),
+         static_cast<vtkFieldData*>(surface->GetCellData()), surface->GetFieldData() })
+  {
+    for (int i = 0; !format.HoldsArrays && i < data->GetNumberOfArrays(); ++i)
+    {
+      const char* const given = data->GetArrayName(i);
+      const std::string name = given != nullptr ? given : "";
+      const bool isReport =
+        LowerCase(name).rfind("bonedecimate", 0) == 0 && data == surface->GetFieldData();
+      hasReport = hasReport || isReport;
+      if (!isReport && held.count(name) == 0)
+      {
+        missing.push_back(PrintableText(name));
+      }
+    }
+  }
+  if (hasReport)
+  {
+    missing.emplace_back("the report");
+  }
+  return missing;
+}
+
+/// "cannot hold arrays (depth, Distance and the report); vtp and vtk can"
+std::string ArrayLoss(vtkPolyData* surface, const SurfaceFormat& format)
+{
+  const std::vector<std::string> missing = MissingArrays(surface, format);
+  constexpr std::size_t mostNamed = 12;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(missing.size(), mostNamed); ++i)
+  {
+    const bool isLast = i + 1 == missing.size();
+    names += (i == 0 ? "" : isLast ? " and " : ", ") + missing[i];
+  }
+  if (missing.size() > mostNamed)
+  {
+    names += " and " + std::to_string(missing.size() - mostNamed) + " more";
+  }
+  const bool losesFrame = std::find(missing.begin(), missing.end(), "SPACE") != missing.end();
+  return missing.empty() ? std::string()
+                         : "cannot hold arrays (" + names + "); " +
+      ExtensionsThat(&SurfaceFormat::HoldsArrays) + " can" +
+      (losesFrame ? "; so the file does not say that its axes are " + FrameOf(surface)
+                  : std::string());
+}
+
+std::string CellLoss(vtkPolyData* surface, const SurfaceFormat& format)
+{
+  const vtkIdType lines = surface->GetNumberOfLines();
+  const vtkIdType vertices = surface->GetNumberOfVerts();
+  if (format.HoldsArrays || format.HoldsLines || lines + vertices == 0)
+  {
+    return {};
+  }
+  return "cannot hold the " + (lines > 0 ? std::to_string(lines) + " lines" : std::string()) +
+    (lines > 0 && vertices > 0 ? " and " : "") +
+    (vertices > 0 ? std::to_string(vertices) + " vertices" : std::string()) + " of the surface";
+}
+
 /// Not every writer notices a full disk; what can be read back in full has arrived.
 vtkSmartPointer<vtkPolyData> WriteAndCheck(vtkPolyData* surface, const std::string& path)
 {
@@ -82,12 +172,7 @@ vtkSmartPointer<vtkPolyData> WriteAndCheck(vtkPolyData* surface, const std::stri
   {
     throw Failure(ExitCode::CouldNotWrite, messages.Errors.front());
   }
-  vtkSmartPointer<vtkPolyData> arrived = Arrived(surface, path);
-  if (!arrived)
-  {
-    throw Failure(ExitCode::CouldNotWrite, "the file is not complete, the disk may be full");
-  }
-  return arrived;
+  return Arrived(surface, path);
 }
 }
 
@@ -137,21 +222,17 @@ vtkSmartPointer<vtkPolyData> WriteSurface(
 
 std::string LossText(vtkPolyData* surface, const SurfaceFormat& format)
 {
-  const int arrays = surface->GetPointData()->GetNumberOfArrays() +
-    surface->GetCellData()->GetNumberOfArrays() + surface->GetFieldData()->GetNumberOfArrays();
-  std::string text;
-  if (!format.HoldsArrays && arrays > 0)
-  {
-    text = "cannot hold arrays such as the distance of each point; --heatmap and the formats " +
-      ExtensionsThat(&SurfaceFormat::HoldsArrays) + " can";
-  }
+  std::vector<std::string> losses = { ArrayLoss(surface, format), CellLoss(surface, format) };
   if (!format.HoldsDoubles && surface->GetPoints()->GetDataType() == VTK_DOUBLE)
   {
-    text += std::string(text.empty() ? "" : ", and ") +
-      "rounds the double coordinates to single precision";
+    losses.emplace_back("rounds the double coordinates to single precision");
   }
-  const std::string open = format.IsForPrinting ? OpenPartsText(surface) : std::string();
-  text += (text.empty() || open.empty() ? "" : ", and ") + open;
+  losses.push_back(format.IsForPrinting ? OpenPartsText(surface) : std::string());
+  std::string text;
+  for (const std::string& loss : losses)
+  {
+    text += (text.empty() || loss.empty() ? "" : ", and ") + loss;
+  }
   return text.empty() ? text : format.Extension + (" " + text);
 }
 }

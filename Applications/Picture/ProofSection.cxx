@@ -79,9 +79,19 @@ std::string BoundariesText(const std::string& boundaries)
 std::string LeftOutText(const ReportFields& report)
 {
   const double leftOut = report.Number("proof.triangles_left_out").value_or(0.0);
-  return leftOut > 0.0 ? " Not proved: " + GroupedText(leftOut) +
-      " triangles of the input without area, which were left out."
-                       : std::string();
+  const double polygons = report.Number("proof.polygons_left_out").value_or(0.0);
+  std::string text;
+  if (leftOut > 0.0)
+  {
+    text = " Not proved: " + GroupedText(leftOut) +
+      " triangles of the input without area, which were left out.";
+  }
+  if (polygons > 0.0)
+  {
+    text += " Not proved: " + GroupedText(polygons) +
+      " polygons of fewer than three corners, which were left out.";
+  }
+  return text;
 }
 
 std::string ReferenceText(const ReportFields& report)

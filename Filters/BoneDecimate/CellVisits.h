@@ -24,19 +24,6 @@ inline bool HasWrongId(vtkIdType npts, const vtkIdType* ids, vtkIdType numberOfP
     ids, ids + npts, [=](vtkIdType id) { return ToIndex(id, numberOfPoints) == None; });
 }
 
-/// Whether a polygon has a normal. Without one it cannot be triangulated, but VTK 9.6 makes triangles without area of it.
-inline bool HasNormal(const std::vector<Vector3>& points, vtkIdType npts, const vtkIdType* ids)
-{
-  Vector3 sum = Vector3::Zero();
-  for (vtkIdType i = 2; i < npts; ++i)
-  {
-    const Vector3& first = points[static_cast<std::size_t>(ids[0])];
-    sum += (points[static_cast<std::size_t>(ids[i - 1])] - first)
-             .cross(points[static_cast<std::size_t>(ids[i])] - first);
-  }
-  return sum != Vector3::Zero();
-}
-
 /// Calls visit(cell, npts, ids) for every cell of the array; cells are numbered from firstCell.
 template <typename Visit>
 void VisitCells(vtkCellArray* cells, vtkIdType firstCell, Visit visit)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DataTransfer.h"
 
+#include "PassedNames.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -21,6 +23,9 @@ namespace bonedecimate
 {
 namespace
 {
+const std::string OriginalPointIds = "OriginalPointIds";
+const std::string OriginalCellIds = "OriginalCellIds";
+
 /// An array like the other, without its values.
 vtkSmartPointer<vtkAbstractArray> EmptyCopy(vtkAbstractArray* from, vtkIdType tuples)
 {
@@ -125,29 +130,26 @@ void FillPoints(vtkPointData* data, int index, const Result& result,
   }
 }
 
-bool IsNamedIn(const std::set<std::string>& names, vtkAbstractArray* array)
-{
-  return array->GetName() && names.count(array->GetName()) > 0;
-}
-
 void TransferPointArrays(const Result& result, const ConvertedSurface& converted,
-  const PassedIds& passed, const std::set<std::string>& without, vtkPolyData* input,
-  vtkPolyData* output)
+  const PassedIds& passed, const ArrayNames& names, vtkPolyData* input, vtkPolyData* output)
 {
   vtkPointData* data = input->GetPointData();
-  const auto own = static_cast<vtkIdType>(result.Surface.Points.size());
+  const auto count = static_cast<vtkIdType>(result.Surface.Points.size());
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* from = data->GetAbstractArray(i);
-    if (IsNamedIn(without, from))
+    const std::string name = PassedName(from, names.Own, data);
+    if (from->GetName() != nullptr &&
+      (name.empty() || name == OriginalPointIds || names.LeftOut.count(name) > 0))
     {
       continue;
     }
     const vtkSmartPointer<vtkAbstractArray> to = EmptyCopy(from, output->GetNumberOfPoints());
+    to->SetName(from->GetName() != nullptr ? name.c_str() : nullptr);
     FillPoints(data, i, result, converted, to);
     for (std::size_t p = 0; p < passed.Points.size(); ++p)
     {
-      to->SetTuple(own + static_cast<vtkIdType>(p), passed.Points[p], from);
+      to->SetTuple(count + static_cast<vtkIdType>(p), passed.Points[p], from);
     }
     AddLike(data, i, to, output->GetPointData());
   }
@@ -178,16 +180,15 @@ vtkSmartPointer<vtkIdTypeArray> IdArray(const char* name, const Ids& ids)
 }
 
 void TransferArrays(const Result& result, const ConvertedSurface& converted,
-  const PassedIds& passed, const std::set<std::string>& without, vtkPolyData* input,
-  vtkPolyData* output)
+  const PassedIds& passed, const ArrayNames& names, vtkPolyData* input, vtkPolyData* output)
 {
-  TransferPointArrays(result, converted, passed, without, input, output);
+  TransferPointArrays(result, converted, passed, names, input, output);
   const std::vector<vtkIdType> cells = CellSources(result, converted, passed);
   vtkCellData* data = input->GetCellData();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* from = data->GetAbstractArray(i);
-    if (IsNamedIn(without, from))
+    if (from->GetName() != nullptr && OriginalCellIds == from->GetName())
     {
       continue;
     }
@@ -208,9 +209,9 @@ void AddMaps(const Result& result, const ConvertedSurface& converted, const Pass
   std::vector<vtkIdType> points(
     result.Origins.NearestPoint.begin(), result.Origins.NearestPoint.end());
   points.insert(points.end(), passed.Points.begin(), passed.Points.end());
-  output->GetPointData()->AddArray(IdArray("OriginalPointIds", points));
+  output->GetPointData()->AddArray(IdArray(OriginalPointIds.c_str(), points));
   output->GetCellData()->AddArray(
-    IdArray("OriginalCellIds", CellSources(result, converted, passed)));
+    IdArray(OriginalCellIds.c_str(), CellSources(result, converted, passed)));
 }
 
 //------------------------------------------------------------------------------

@@ -26,11 +26,20 @@ class vtkPolyData;
 
 namespace bonedecimate
 {
-/// Every array of points and cells, with its name, components, information and attribute, but those of the names: what an
-/// earlier run recorded of its result does not describe this one.
+/// Names of point arrays that are not those of the input in the result.
+struct ArrayNames
+{
+  std::set<std::string>
+    Own; ///< Arrays that the run adds: see PassedNames.h for arrays of the input that have them.
+  std::set<std::string> LeftOut; ///< Arrays of the input that the result does not get.
+};
+
+/**
+ * Every array of points and cells, with its components, information and attribute, but maps of an earlier run, which do not
+ * describe this one.
+ */
 void TransferArrays(const Result& result, const ConvertedSurface& converted,
-  const PassedIds& passed, const std::set<std::string>& without, vtkPolyData* input,
-  vtkPolyData* output);
+  const PassedIds& passed, const ArrayNames& names, vtkPolyData* input, vtkPolyData* output);
 
 /// Point data OriginalPointIds (the nearest input point) and cell data OriginalCellIds.
 void AddMaps(const Result& result, const ConvertedSurface& converted, const PassedIds& passed,

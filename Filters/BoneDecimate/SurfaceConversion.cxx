@@ -6,17 +6,19 @@
 #include "DataTransfer.h"
 #include "Options/OptionTable.h"
 #include "PassedCells.h"
+#include "PassedNames.h"
+#include "PolygonCells.h"
 #include "Report/ReportFigures.h"
 #include "Report/ReportJson.h"
 #include "Report/ReportTable.h"
 #include "SurfaceArrays.h"
+#include "TextureSeams.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -24,7 +26,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
-#include "vtkTriangleFilter.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
@@ -34,16 +35,6 @@ namespace bonedecimate
 {
 namespace
 {
-const char* const CellIdArrayName = "bonedecimate.cell";
-
-void AddTriangle(
-  ConvertedSurface& converted, vtkIdType cell, vtkIdType numberOfPoints, const vtkIdType* ids)
-{
-  converted.Surface.Triangles.push_back({ ToIndex(ids[0], numberOfPoints),
-    ToIndex(ids[1], numberOfPoints), ToIndex(ids[2], numberOfPoints) });
-  converted.CellOfTriangle.push_back(cell);
-}
-
 void AddPoints(vtkPolyData* input, int threads, ConvertedSurface& converted)
 {
   const bool any = input->GetNumberOfPoints() > 0; // otherwise there may be no array at all
@@ -69,96 +60,19 @@ bool AddPureTriangles(vtkPolyData* input, int threads, ConvertedSurface& convert
   return true;
 }
 
-/// What there is in polygons and strips, looked at before VTK touches them.
-struct CellSurvey
+/// Anything but triangles alone.
+void AddCells(vtkPolyData* input, ConvertedSurface& converted)
 {
-  vtkIdType TooShort = 0; // polygons of fewer than three points
-  vtkIdType FirstTooShort = -1;
-};
-
-/// A cell with a wrong id goes to the core as a triangle, which rejects it with its number; VTK would crash on it.
-CellSurvey Survey(vtkPolyData* input, ConvertedSurface& wrongCells)
-{
-  CellSurvey survey;
-  const vtkIdType numberOfPoints = input->GetNumberOfPoints();
-  const auto look = [&](vtkIdType cell, vtkIdType npts, const vtkIdType* ids)
+  TriangulatedCells cells = TriangulateCells(input, converted.Surface.Points);
+  converted.Surface.Triangles = std::move(cells.Triangles);
+  converted.CellOfTriangle = std::move(cells.CellOfTriangle);
+  converted.PolygonsLeftOut = cells.LeftOut;
+  if (cells.LeftOut > 0)
   {
-    if (npts < 3 && survey.TooShort++ == 0)
-    {
-      survey.FirstTooShort = cell;
-    }
-    if (HasWrongId(npts, ids, numberOfPoints))
-    {
-      wrongCells.Surface.Triangles.push_back({ None, None, None });
-      wrongCells.CellOfTriangle.push_back(cell);
-    }
-  };
-  const vtkIdType firstPolygon = input->GetNumberOfVerts() + input->GetNumberOfLines();
-  VisitCells(input->GetPolys(), firstPolygon, look);
-  VisitCells(input->GetStrips(), firstPolygon + input->GetNumberOfPolys(), look);
-  return survey;
-}
-
-template <typename Predicate>
-void AppendCells(vtkCellArray* from, vtkIdType firstCell, const Predicate& isUsable,
-  vtkCellArray* to, vtkIdTypeArray* cellIds)
-{
-  VisitCells(from, firstCell,
-    [&](vtkIdType cell, vtkIdType npts, const vtkIdType* ids)
-    {
-      if (isUsable(npts, ids))
-      {
-        to->InsertNextCell(npts, ids);
-        cellIds->InsertNextValue(cell);
-      }
-    });
-}
-
-/// Polygons and strips through VTK's own triangulation, each triangle with the cell it came from.
-void AddTriangulated(vtkPolyData* input, const CellSurvey& survey, ConvertedSurface& converted)
-{
-  vtkNew<vtkPolyData> cells;
-  vtkNew<vtkCellArray> polygons;
-  vtkNew<vtkCellArray> strips;
-  vtkNew<vtkIdTypeArray> cellIds;
-  cellIds->SetName(CellIdArrayName);
-  const vtkIdType firstPolygon = input->GetNumberOfVerts() + input->GetNumberOfLines();
-  const std::vector<Vector3>& points = converted.Surface.Points;
-  AppendCells(
-    input->GetPolys(), firstPolygon,
-    [&](vtkIdType npts, const vtkIdType* ids) { return npts == 3 || HasNormal(points, npts, ids); },
-    polygons, cellIds);
-  AppendCells(
-    input->GetStrips(), firstPolygon + input->GetNumberOfPolys(),
-    [](vtkIdType npts, const vtkIdType*) { return npts >= 3; }, strips, cellIds);
-  cells->SetPoints(input->GetPoints());
-  cells->SetPolys(polygons);
-  cells->SetStrips(strips);
-  cells->GetCellData()->AddArray(cellIds);
-  vtkNew<vtkTriangleFilter> triangulate;
-  triangulate->SetInputData(cells);
-  triangulate->Update();
-  vtkPolyData* triangles = triangulate->GetOutput();
-  auto* ids =
-    vtkIdTypeArray::SafeDownCast(triangles->GetCellData()->GetAbstractArray(CellIdArrayName));
-  vtkIdType different = 0;
-  vtkIdType previous = -1;
-  VisitCells(triangles->GetPolys(), 0,
-    [&](vtkIdType triangle, vtkIdType, const vtkIdType* corners)
-    {
-      const vtkIdType cell = ids->GetValue(triangle);
-      different += cell != previous ? 1 : 0;
-      previous = cell;
-      AddTriangle(converted, cell, input->GetNumberOfPoints(), corners);
-    });
-  const vtkIdType lost = input->GetNumberOfPolys() + input->GetNumberOfStrips() - different;
-  if (lost > 0)
-  {
-    converted.Warnings.push_back(std::to_string(lost) + (lost == 1 ? " polygon" : " polygons") +
-      " could not be triangulated and " + (lost == 1 ? "was" : "were") + " left out" +
-      (survey.TooShort > 0 ? ", the first with fewer than three points is cell " +
-            std::to_string(survey.FirstTooShort)
-                           : std::string()));
+    converted.Warnings.push_back(std::to_string(cells.LeftOut) +
+      (cells.LeftOut == 1 ? " polygon of fewer than three different corners was left out"
+                          : " polygons of fewer than three different corners were left out") +
+      ", the first is cell " + std::to_string(cells.FirstLeftOut));
   }
 }
 
@@ -238,10 +152,9 @@ void AddInputArrays(const Result& result, const ConvertedSurface& converted, con
   const bool isKnown = result.Origins.NearestPoint.size() == result.Surface.Points.size();
   if (options.PassArrays && isKnown)
   {
-    const std::set<std::string> own = { options.DistanceArrayName, options.RunningErrorArrayName,
-      options.PointCountArrayName, options.ErrorBoundArrayName, "OriginalPointIds",
-      "OriginalCellIds" };
-    TransferArrays(result, converted, passed, own, input, output);
+    const std::set<std::string> leftOut =
+      options.MergePoints ? ArraysWithSeams(input) : std::set<std::string>();
+    TransferArrays(result, converted, passed, { OwnPointArrays(options), leftOut }, input, output);
   }
   if (options.MakeMaps && isKnown)
   {
@@ -283,17 +196,7 @@ ConvertedSurface ToSurface(vtkPolyData* input, int threads)
   {
     return converted;
   }
-  ConvertedSurface wrongCells;
-  const CellSurvey survey = Survey(input, wrongCells);
-  if (wrongCells.Surface.Triangles.empty())
-  {
-    AddTriangulated(input, survey, converted);
-  }
-  else
-  {
-    converted.Surface.Triangles = std::move(wrongCells.Surface.Triangles);
-    converted.CellOfTriangle = std::move(wrongCells.CellOfTriangle);
-  }
+  AddCells(input, converted);
   return converted;
 }
 
@@ -374,6 +277,7 @@ void FillInputCopy(
   const Result& result, const Options& options, vtkPolyData* input, vtkPolyData* output)
 {
   output->ShallowCopy(input);
+  KeepUserArrays(output, options);
   if (!result.InputDistance.empty())
   {
     AddPointArray<vtkDoubleArray>(output, options.InputDistanceArrayName, "mm",

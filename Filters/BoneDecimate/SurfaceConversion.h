@@ -13,6 +13,7 @@
 
 #include "vtkType.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,12 +29,13 @@ struct ConvertedSurface
   bonedecimate::Surface Surface;
   std::vector<vtkIdType> CellOfTriangle; ///< Cell of the input from which each triangle came.
   bool IsSingle = true;                  ///< Whether the points are single precision.
+  std::int64_t PolygonsLeftOut = 0;      ///< ErrorProof::PolygonsLeftOut
   std::vector<std::string> Warnings;     ///< What had to be left out, a sentence each.
 
   vtkIdType operator()(std::size_t triangle) const { return this->CellOfTriangle[triangle]; }
 };
 
-/// Triangles as they are, strips and polygons triangulated, ids out of range as None (the core counts them).
+/// Triangles as they are, strips and polygons triangulated (PolygonCells.h), ids out of range as None (the core counts them).
 ConvertedSurface ToSurface(vtkPolyData* input, int threads);
 
 /// The values of an array; nothing if it is null or has several components.

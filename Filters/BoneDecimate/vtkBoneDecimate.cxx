@@ -7,6 +7,7 @@
 #include "LabelMapArrays.h"
 #include "LabelMapOfRun.h"
 #include "NamedArrays.h"
+#include "PassedNames.h"
 #include "Regions/RegionCache.h"
 #include "Report/ReportCells.h"
 #include "RunInput.h"
@@ -291,12 +292,16 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   this->ProveContinuedPart(read, result);
   this->Warn(read.Map.CompareWithMap(read.Converted.Surface, options, result));
   bonedecimate::NameCells(read.Converted, result.Report);
+  result.Report.Proof.PolygonsLeftOut =
+    (read.Inputs.Reference != nullptr ? read.Reference : read.Converted).PolygonsLeftOut;
   this->State->Keep(this->Part ? ReportOfPart(result.Report) : result.Report);
   if (!this->Accept(bonedecimate::InputMessage(result.Report)))
   {
     return 0;
   }
   this->Warn(read.Converted.Warnings);
+  this->Warn(read.Reference.Warnings);
+  this->Warn(bonedecimate::ArrayWarnings(input, options));
   this->Warn(bonedecimate::InputWarnings(this->State->Report));
   FillOutputs(result, read.Converted, options, read.Inputs.LabelMap, input, outputVector);
   const bool isContinued = this->Part && this->Part->Part.Reference != nullptr;

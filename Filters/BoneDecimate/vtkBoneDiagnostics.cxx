@@ -137,6 +137,10 @@ int vtkBoneDiagnostics::RequestData(vtkInformation* vtkNotUsed(request),
   {
     bonedecimate::NameCells(converted, diagnostic);
   }
+  for (const std::string& warning : converted.Warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
   vtkPolyData::GetData(outputVector)->ShallowCopy(input);
   return 1;
 }

@@ -7,6 +7,7 @@
 #include "LabelMapArrays.h"
 #include "LabelMapOfRun.h"
 #include "NamedArrays.h"
+#include "PassedNames.h"
 #include "RunState.h"
 #include "SurfaceConversion.h"
 
@@ -193,8 +194,8 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   bonedecimate::ErrorSearchResult found = this->Errors.empty()
     ? bonedecimate::FindSmallestError(converted.Surface, options, monitor)
     : bonedecimate::FindErrorCurve(converted.Surface, this->Errors, options, monitor);
-  const std::vector<std::string> ofMap =
-    map.CompareWithMap(converted.Surface, options.Run, found.Found);
+  this->Warn(map.CompareWithMap(converted.Surface, options.Run, found.Found));
+  found.Found.Report.Proof.PolygonsLeftOut = converted.PolygonsLeftOut;
   this->State->Keep(found.Found.Report);
   const std::string problem = bonedecimate::InputMessage(found.Found.Report);
   if (!problem.empty())
@@ -202,7 +203,8 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
     vtkErrorMacro(<< problem);
     return 0;
   }
-  this->Warn(ofMap);
+  this->Warn(converted.Warnings);
+  this->Warn(bonedecimate::ArrayWarnings(input, options.Run));
   this->Warn(bonedecimate::InputWarnings(found.Found.Report));
   this->SmallestError = found.Best < 0 ? std::numeric_limits<double>::quiet_NaN()
                                        : found.Trials[static_cast<std::size_t>(found.Best)].Proved;

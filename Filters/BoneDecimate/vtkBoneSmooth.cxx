@@ -6,6 +6,7 @@
 #include "LabelMapArrays.h"
 #include "LabelMapOfRun.h"
 #include "NamedArrays.h"
+#include "PassedNames.h"
 #include "Pieces.h"
 #include "RunState.h"
 #include "SurfaceConversion.h"
@@ -108,6 +109,9 @@ int vtkBoneSmooth::RequestData(vtkInformation* vtkNotUsed(request),
     [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); }, inputs);
   std::vector<std::string> warnings = map.CompareWithMap(converted.Surface, options, result);
   warnings.insert(warnings.end(), converted.Warnings.begin(), converted.Warnings.end());
+  const std::vector<std::string> renamed = ArrayWarnings(input, options);
+  warnings.insert(warnings.end(), renamed.begin(), renamed.end());
+  result.Report.Proof.PolygonsLeftOut = converted.PolygonsLeftOut;
   this->State->Keep(result.Report);
   if (!this->Accept(warnings))
   {

@@ -246,6 +246,14 @@ bool vtkBoneSurfaceDistance::Compare(vtkPolyData* reference, vtkPolyData* result
   const bonedecimate::ConvertedSurface one =
     bonedecimate::ToSurface(reference, this->NumberOfThreads);
   const bonedecimate::ConvertedSurface two = bonedecimate::ToSurface(result, this->NumberOfThreads);
+  for (const auto& [surface, name] :
+    { std::pair(&one, "reference: "), std::pair(&two, "result: ") })
+  {
+    for (const std::string& warning : surface->Warnings)
+    {
+      vtkWarningMacro(<< name << warning);
+    }
+  }
   bonedecimate::CertificateOptions& options = this->Internal->Options;
   options.TightBounds = this->TightBounds;
   options.RelativeGap = this->RelativeGap;

@@ -222,14 +222,19 @@ class Readers(ApplicationTest):
         self.assertIn("bone", array_names(surface.GetPointData()))
 
     def test_obj_says_what_it_leaves_out_and_rejects_what_is_no_corner(self):
-        self.path("in.obj").write_text(OBJS["plain"].replace("v 10 0 0", "v 10 0 0 1 0.5 0"))
+        self.path("in.obj").write_text(OBJS["plain"].replace("v 10 0 0", "v 10 0 0 0.5"))
         self.load("in.obj", says="warning: the numbers behind x, y and z of 1 vertices")
+        self.path("in.obj").write_text(OBJS["plain"].replace("v 10 0 0", "v 10 0 0 1 0.5 0"))
+        self.load("in.obj", says="warning: the colors of 1 vertices are not read, because others have none")
+        self.path("in.obj").write_text(OBJS["texture"].replace("f 1/1 3/3 2/2", "f 1/1 3 2/2"))
+        self.load("in.obj", says="warning: 1 faces have a texture coordinate or a normal at some of their corners alone")
         for old, new, says in (
-            ("f 1/1 3/3 2/2", "f 1/1 3 2/2", "line 9: some corners have a texture coordinate"),
+            ("f 1/1 3/3 2/2", "f 1/1 0/3 2/2", "line 9: '0/3' is not a corner"),
+            ("f 1/1 3/3 2/2", "surf 0 1 0 1 1 2 3", "line 9: 'surf' is a free-form surface"),
+            ("f 1/1 3/3 2/2", "face 1 3 2", "line 9: 'face' is not a keyword of OBJ files"),
             ("f 1/1 3/3 2/2", "f 1/1 3/3/3/3 2/2", "is not a corner"),
             ("f 1/1 3/3 2/2", "l 1", "a line of fewer than 2 points"),
             ("vt 0 0", "vt", "fewer than 1 numbers"),
-            ("vt 0 0", "usemtl", "'usemtl' without a name"),
         ):
             self.assertIn(old, OBJS["texture"])
             self.path("in.obj").write_text(OBJS["texture"].replace(old, new, 1))

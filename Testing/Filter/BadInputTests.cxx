@@ -193,6 +193,25 @@ TEST(BadInput, PolygonsOfFewerThanThreePointsAreLeftOutWithCountAndFirst)
   EXPECT_EQ(run.Said("cell 8"), 1) << run.AllMessages();
 }
 
+TEST(BadInput, EveryPolygonWithThreeCornersIsTriangulated)
+{
+  vtkSmartPointer<vtkPolyData> polyData = GridPoints();
+  polyData->SetPolys(Cells({ { 0, 1, 3, 4 }, { 1, 2, 5, 4 }, { 3, 4, 5, 8, 7, 6 } }));
+  FilterRun run(polyData);
+  run->SetTargetReduction(0.0);
+  EXPECT_EQ(run.Triangles(), 8) << "the first polygon crosses itself";
+  EXPECT_TRUE(run.SaidNothing() || run.Said("polygon") == 0) << run.AllMessages();
+}
+
+TEST(BadInput, WhatIsLeftOutQualifiesTheProof)
+{
+  vtkSmartPointer<vtkPolyData> polyData = PolyData(Grid(2));
+  polyData->GetPolys()->InsertNextCell({ 0, 1 });
+  FilterRun run(polyData);
+  run->SetMaximumError(0.1);
+  EXPECT_EQ(run.Value("proof.polygons_left_out"), 1);
+}
+
 TEST(BadInput, APolygonWithoutAreaIsLeftOutAloud)
 {
   vtkSmartPointer<vtkPolyData> polyData = GridPoints();

@@ -184,3 +184,28 @@ TEST(Diagnostics, EveryKindHasAUniqueWord)
   }
   EXPECT_EQ(words.size(), static_cast<std::size_t>(NumberOfDiagnosticKinds));
 }
+
+TEST(Diagnostics, ReportsClosedPartsThatAreInsideOutAndNoCavities)
+{
+  Surface surface = Icosphere(2, 10.0);
+  EXPECT_EQ(Count(surface, DiagnosticKind::InsideOut), 0);
+  const auto turned = [](Surface sphere)
+  {
+    for (Triangle& corners : sphere.Triangles)
+    {
+      std::swap(corners[1], corners[2]);
+    }
+    return sphere;
+  };
+  EXPECT_EQ(Count(turned(surface), DiagnosticKind::InsideOut), 1);
+  const Surface cavity = turned(Icosphere(1, 4.0));
+  const auto first = static_cast<Index>(surface.Points.size());
+  surface.Points.insert(surface.Points.end(), cavity.Points.begin(), cavity.Points.end());
+  for (const Triangle& corners : cavity.Triangles)
+  {
+    surface.Triangles.push_back({ corners[0] + first, corners[1] + first, corners[2] + first });
+  }
+  EXPECT_EQ(Count(surface, DiagnosticKind::InsideOut), 0);
+  surface.Triangles.pop_back(); // now it is open
+  EXPECT_EQ(Count(turned(surface), DiagnosticKind::InsideOut), 1) << "the outer one is closed";
+}

@@ -13,8 +13,8 @@ from vtkmodules.vtkCommonCore import (VTK_STRING, vtkBitArray, vtkDataArray, vtk
                                       vtkStringArray)
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-# VTK builds arrays of normals and triangulates polygons, and its versions differ.
-DEPENDS_ON_VTK = {"Polygons", "RecomputedNormals"}
+# VTK builds arrays of normals, and its versions differ.
+DEPENDS_ON_VTK = {"RecomputedNormals"}
 
 
 def sin(angle):
@@ -93,7 +93,7 @@ def with_arrays(surface):
     add(data, vtkIdTypeArray, "Id", points, lambda i: 10 * i)
     add(data, vtkBitArray, "Bit", points, lambda i: i % 3 == 0)
     add(data, vtkStringArray, "Text", points, lambda i: f"point {i}")
-    add(data, vtkDoubleArray, "Distance", points, lambda i: 1e9)  # of an earlier run: must not survive
+    add(data, vtkDoubleArray, "Distance", points, lambda i: 1e9)  # of no run: it gets another name
     add(data, vtkDoubleArray, "GlobalDouble", points, lambda i: i + 0.5)
     data.SetActiveScalars("Label")
     data.SetActiveNormals("Normal")
@@ -133,6 +133,7 @@ def polygons():
                 a = (i - 1) * 14 + j - 1
                 polys.InsertNextCell(4, [a, a + 14, a + 15, a + 1])
     polys.InsertNextCell(2, [0, 1])
+    polys.InsertNextCell(4, [28, 43, 42, 29])  # it crosses itself
     base = points.GetNumberOfPoints()
     for x, y in ((20, 0), (22, 0), (23, 2), (21, 3), (19, 2), (30, 0), (30, 1), (31, 0), (31, 1), (32, 0), (32, 1)):
         points.InsertNextPoint(x, y, 0)
@@ -142,6 +143,25 @@ def polygons():
     surface.SetStrips(strips)
     with_lines(surface)
     return with_arrays(surface)
+
+
+def textured():
+    """Two patches that meet at points of equal coordinates, with other texture coordinates on each."""
+    points, triangles = vtkPoints(), vtkCellArray()
+    for side in range(2):
+        first = points.GetNumberOfPoints()
+        for i in range(9):
+            for j in range(9):
+                points.InsertNextPoint(8 * side + i, j, 0.1 * i * (8 - i))
+                if i and j:
+                    a = first + 9 * (i - 1) + j - 1
+                    triangles.InsertNextCell(3, [a, a + 9, a + 10])
+                    triangles.InsertNextCell(3, [a, a + 10, a + 1])
+    surface = polydata(points, triangles)
+    data = surface.GetPointData()
+    add(data, vtkFloatArray, "Texture", points.GetNumberOfPoints(), lambda i: (i % 81) / 81, 2)
+    data.SetActiveTCoords("Texture")
+    return surface
 
 
 def boxes(has_lines=False):
@@ -229,6 +249,8 @@ def cases():
         "LabelMapOff": (boxes(), {**half, "KeepVoxels": 0, "MakeMaps": True}),
         "LabelMapOfAnotherLabel": (with_label_map(torus(), [3, 4] * 1600), {}),
         "KeepVoxelsWithoutGrid": (torus(), {"KeepVoxels": 1}),
+        "TextureSeam": (textured(), half),
+        "TextureSeamThatStays": (textured(), {**half, "MergePoints": False}),
         "Empty": (vtkPolyData(), {}),
         "PointsAlone": (polydata(torus(6, 5).GetPoints(), vtkCellArray()), {}),
         "NotANumber": (spoilt(torus(), (math.nan, 0, 0)), {}),

@@ -54,7 +54,7 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
   const std::optional<CellsIn>& cells,
   const std::optional<std::pair<PointsIn, TrianglesIn>>& reference, nb::object progress,
   const std::optional<NamedLabels>& labels, const LabelMapSource* labelMap, RegionCache* prepared,
-  const std::optional<NumbersIn>& edgeLengths)
+  const std::optional<NumbersIn>& edgeLengths, std::int64_t polygonsLeftOut)
 {
   const std::optional<Labels> named = ToLabels(labels);
   const Surface surface = ToSurface(points, triangles);
@@ -71,6 +71,7 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
   Result result =
     Listener(std::move(progress))
       .Hear([&](const Monitor& monitor) { return Decimate(surface, options, monitor, inputs); });
+  result.Report.Proof.PolygonsLeftOut = polygonsLeftOut;
   if (cells)
   {
     NameCells([&](std::size_t triangle) { return cells->data()[triangle]; }, result.Report);
@@ -118,7 +119,7 @@ void BindDecimate(nb::module_& module)
     nb::arg("single"), nb::arg("origins"), nb::arg("tolerances").none(), nb::arg("cells").none(),
     nb::arg("reference").none(), nb::arg("progress").none(), nb::arg("labels").none() = nb::none(),
     nb::arg("label_map").none() = nb::none(), nb::arg("prepared").none() = nb::none(),
-    nb::arg("edge_lengths").none() = nb::none(),
+    nb::arg("edge_lengths").none() = nb::none(), nb::arg("polygons_left_out") = 0,
     "One run; the keys of what it returns are those of Decimate.h.");
 }
 }

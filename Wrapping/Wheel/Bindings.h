@@ -26,6 +26,9 @@ void BindCertify(nanobind::module_& module);
 /// Surfaces of label maps, and of one label.
 void BindLabelMaps(nanobind::module_& module);
 
+/// Polygons and strips as triangles.
+void BindPolygons(nanobind::module_& module);
+
 /// A recorded run and every level of detail of it.
 void BindLevels(nanobind::module_& module);
 }

@@ -13,4 +13,5 @@ NB_MODULE(_core, module)
   bonedecimate::BindCertify(module);
   bonedecimate::BindLabelMaps(module);
   bonedecimate::BindLevels(module);
+  bonedecimate::BindPolygons(module);
 }

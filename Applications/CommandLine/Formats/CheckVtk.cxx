@@ -19,17 +19,17 @@ constexpr std::int64_t NumberLength = 2; // of the shortest number in text, with
 
 std::size_t BytesOf(std::string_view type)
 {
-  static const std::map<std::string_view, std::size_t> bytes = { { "char", 1 },
-    { "unsigned_char", 1 }, { "short", 2 }, { "unsigned_short", 2 }, { "int", 4 },
-    { "unsigned_int", 4 }, { "float", 4 }, { "long", 8 }, { "unsigned_long", 8 }, { "double", 8 },
-    { "vtktypeint32", 4 }, { "vtktypeint64", 8 }, { "vtkIdType", 4 }, { "vtkidtype", 4 } };
-  const auto found = bytes.find(type);
+  static const std::map<std::string, std::size_t> bytes = { { "char", 1 }, { "unsigned_char", 1 },
+    { "short", 2 }, { "unsigned_short", 2 }, { "int", 4 }, { "unsigned_int", 4 }, { "float", 4 },
+    { "long", 8 }, { "unsigned_long", 8 }, { "double", 8 }, { "vtktypeint32", 4 },
+    { "vtktypeint64", 8 }, { "vtkidtype", 4 } };
+  const auto found = bytes.find(LowerCase(std::string(type)));
   return found == bytes.end() ? 0 : found->second;
 }
 
-bool IsCells(std::string_view word)
+bool IsCells(const std::string& word)
 {
-  return word == "VERTICES" || word == "LINES" || word == "POLYGONS" || word == "TRIANGLE_STRIPS";
+  return word == "vertices" || word == "lines" || word == "polygons" || word == "triangle_strips";
 }
 
 class VtkCheck
@@ -60,18 +60,22 @@ private:
 
   void ReadHeader()
   {
-    const std::string begin = "# vtk DataFile Version ";
-    if (!this->Lines.Next() || this->Lines.GetLine().compare(0, begin.size(), begin) != 0)
+    const std::string begin = "# vtk datafile version ";
+    const bool hasLine = this->Lines.Next();
+    const std::string first =
+      hasLine ? LowerCase(std::string(Trimmed(this->Lines.GetLine()))) : std::string();
+    if (first.compare(0, begin.size(), begin) != 0)
     {
       Reject(this->Path, "it does not begin with '# vtk DataFile Version'");
     }
-    const std::string version = this->Lines.GetLine().substr(begin.size());
+    const std::string version = first.substr(begin.size());
     this->HasOffsets = !version.empty() && version[0] >= '5';
     this->Lines.Next(); // a title
     this->Lines.Next();
     const std::vector<std::string_view>& words = this->Lines.GetWords();
-    this->Binary = words.size() == 1 && words[0] == "BINARY";
-    if (!this->Binary && (words.size() != 1 || words[0] != "ASCII"))
+    const std::string form = words.size() == 1 ? LowerCase(std::string(words[0])) : std::string();
+    this->Binary = form == "binary";
+    if (!this->Binary && form != "ascii")
     {
       this->RejectLine("neither ASCII nor BINARY");
     }
@@ -79,16 +83,17 @@ private:
 
   void CheckLine(const std::vector<std::string_view>& words)
   {
-    if (words.size() == 2 && words[0] == "DATASET" && words[1] != "POLYDATA")
+    const std::string word = words.empty() ? std::string() : LowerCase(std::string(words[0]));
+    if (words.size() == 2 && word == "dataset" && LowerCase(std::string(words[1])) != "polydata")
     {
       this->RejectLine("it holds '" + std::string(words[1]) + "', not POLYDATA");
     }
-    if (words.size() == 3 && words[0] == "POINTS")
+    if (words.size() == 3 && word == "points")
     {
       const std::int64_t points = this->ReadCount(words[1]);
       this->SkipNumbers(3 * points, words[2], &this->TextPoints);
     }
-    else if (words.size() == 3 && IsCells(words[0]))
+    else if (words.size() == 3 && IsCells(word))
     {
       this->Cells = this->ReadCount(words[1]);
       this->Corners = this->ReadCount(words[2]);
@@ -97,11 +102,11 @@ private:
         this->WalkCells();
       }
     }
-    else if (words.size() == 2 && (words[0] == "OFFSETS" || words[0] == "CONNECTIVITY"))
+    else if (words.size() == 2 && (word == "offsets" || word == "connectivity"))
     {
-      this->SkipNumbers(words[0] == "OFFSETS" ? this->Cells : this->Corners, words[1]);
+      this->SkipNumbers(word == "offsets" ? this->Cells : this->Corners, words[1]);
     }
-    else if (words.size() == 2 && (words[0] == "POINT_DATA" || words[0] == "CELL_DATA"))
+    else if (words.size() == 2 && (word == "point_data" || word == "cell_data"))
     {
       this->ReadCount(words[1]);
     }

@@ -15,6 +15,11 @@ SurfaceFormat GlbRow()
   SurfaceFormat format = FormatWithoutLibrary("glb", "meshoptimizer");
 #endif
   format.NamesUnit = true;
+  format.ArraysHeld = [](vtkPolyData*) -> std::set<std::string>
+  {
+    return { "BoundaryLabels", "LabelValues", "LabelNames", "LabelColors", "Color",
+      VertexColorArray };
+  };
   format.HasGrid = true;
   return format;
 }

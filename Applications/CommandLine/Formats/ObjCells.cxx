@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ObjCells.h"
 
+#include "FileFrame.h"
+
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bonedecimate
 {
@@ -58,6 +62,8 @@ public:
     }
     this->AddGroups();
     this->AddMaterials();
+    this->AddColors();
+    SetFrame(this->Content.Frame, this->Surface);
     return this->Surface;
   }
 
@@ -129,7 +135,7 @@ private:
     }
   }
 
-  vtkSmartPointer<vtkCellArray> WithOwnPoints(vtkCellArray* cells, vtkPoints* points) const
+  vtkSmartPointer<vtkCellArray> WithOwnPoints(vtkCellArray* cells, vtkPoints* points)
   {
     auto result = vtkSmartPointer<vtkCellArray>::New();
     const auto cell = vtk::TakeSmartPointer(cells->NewIterator());
@@ -142,6 +148,7 @@ private:
       for (vtkIdType i = 0; i < size; ++i)
       {
         result->InsertCellPoint(points->InsertNextPoint(this->Vertices->GetPoint(corners[i])));
+        this->VertexOfPoint.push_back(corners[i]);
       }
     }
     return result;
@@ -297,6 +304,36 @@ private:
     this->AddNames("MaterialNames", names);
   }
 
+  /// Colors are between 0 and 1, or between 0 and 255.
+  void AddColors()
+  {
+    const std::vector<float>& colors = this->Content.Colors;
+    const auto vertices = static_cast<std::size_t>(this->Vertices->GetNumberOfPoints());
+    if (colors.empty() || colors.size() != 3 * vertices)
+    {
+      return;
+    }
+    const float most = *std::max_element(colors.begin(), colors.end()) > 1.0F ? 1.0F : 255.0F;
+    vtkNew<vtkUnsignedCharArray> array;
+    array->SetName("RGB");
+    array->SetNumberOfComponents(3);
+    const vtkIdType points = this->Surface->GetNumberOfPoints();
+    array->SetNumberOfTuples(points);
+    for (vtkIdType point = 0; point < points; ++point)
+    {
+      const auto at = static_cast<std::size_t>(point);
+      const std::size_t vertex =
+        this->VertexOfPoint.empty() ? at : static_cast<std::size_t>(this->VertexOfPoint[at]);
+      for (int i = 0; i < 3; ++i)
+      {
+        const float value = std::round(colors[3 * vertex + static_cast<std::size_t>(i)] * most);
+        array->SetTypedComponent(
+          point, i, static_cast<unsigned char>(std::clamp(value, 0.0F, 255.0F)));
+      }
+    }
+    this->Surface->GetPointData()->SetScalars(array);
+  }
+
   void AddNames(const char* name, const std::vector<std::string>& values)
   {
     vtkNew<vtkStringArray> array;
@@ -314,6 +351,7 @@ private:
   ObjContent& Content;
   vtkSmartPointer<vtkPoints> Vertices;
   vtkDataArray* Corners;
+  std::vector<vtkIdType> VertexOfPoint; // empty: they are the same
   vtkSmartPointer<vtkPolyData> Surface = vtkSmartPointer<vtkPolyData>::New();
 };
 }

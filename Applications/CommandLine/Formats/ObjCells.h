@@ -56,12 +56,14 @@ struct ObjContent
   ObjCells Faces;
   std::vector<std::string> Materials;
   std::vector<std::string> MaterialLibraries;
+  std::vector<float> Colors; ///< Three for each vertex that has some.
+  std::string Frame;         ///< FileFrame.h
 };
 
 /**
  * Texture coordinates (an array for each material) and normals become point arrays; where the
  * corners of a vertex differ in them, every corner gets a point of its own. GroupIds, if there are
- * several, and MaterialIds become cell arrays.
+ * several, and MaterialIds become cell arrays. Colors become the point array RGB if every vertex has one.
  */
 vtkSmartPointer<vtkPolyData> SurfaceOf(ObjContent& content);
 }

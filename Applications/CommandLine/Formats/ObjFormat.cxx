@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/SurfaceFormat.h"
 #include "SurfaceReaders.h"
-#include "VtkReadersAndWriters.h"
-
-#include "vtkNew.h"
-#include "vtkOBJWriter.h"
+#include "WriteObj.h"
 
 namespace bonedecimate
 {
 namespace
 {
-void WriteObj(vtkPolyData* surface, const std::string& path)
+SurfaceFormat ObjRow()
 {
-  WriteWith(vtkNew<vtkOBJWriter>().Get(), surface, path);
+  SurfaceFormat format = { "obj", false, true, true, ReadObjFile, WriteObjFile };
+  format.ArraysHeld = ArraysInObj;
+  format.HoldsLines = true;
+  return format;
 }
 }
 
 extern const SurfaceFormat ObjFormat;
-const SurfaceFormat ObjFormat = { "obj", false, true, true, ReadObjFile, WriteObj };
+const SurfaceFormat ObjFormat = ObjRow();
 }

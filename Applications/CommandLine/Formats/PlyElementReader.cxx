@@ -94,9 +94,7 @@ bool PlyElementReader::ReadText(const PlyElement& element, PlyValues& values)
     }
   } while (this->Lines.GetWords().empty());
   this->Word = 0;
-  // A last line without its end may lack digits.
-  return this->ReadProperties(element, values) && this->Word == this->Lines.GetWords().size() &&
-    this->Lines.IsEnded();
+  return this->ReadProperties(element, values) && this->Word == this->Lines.GetWords().size();
 }
 
 bool PlyElementReader::ReadProperties(const PlyElement& element, PlyValues& values)

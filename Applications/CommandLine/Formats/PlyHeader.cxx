@@ -3,6 +3,7 @@
 #include "PlyHeader.h"
 
 #include "FileChecks.h"
+#include "FileFrame.h"
 #include "FilePath.h"
 #include "Options/Text.h"
 
@@ -19,13 +20,13 @@ namespace
 /// VTK_VOID if there is no such type.
 int TypeOf(std::string_view name)
 {
-  static const std::map<std::string_view, int> types = { { "char", VTK_SIGNED_CHAR },
+  static const std::map<std::string, int> types = { { "char", VTK_SIGNED_CHAR },
     { "int8", VTK_SIGNED_CHAR }, { "uchar", VTK_UNSIGNED_CHAR }, { "uint8", VTK_UNSIGNED_CHAR },
     { "short", VTK_SHORT }, { "int16", VTK_SHORT }, { "ushort", VTK_UNSIGNED_SHORT },
     { "uint16", VTK_UNSIGNED_SHORT }, { "int", VTK_INT }, { "int32", VTK_INT },
     { "uint", VTK_UNSIGNED_INT }, { "uint32", VTK_UNSIGNED_INT }, { "float", VTK_FLOAT },
     { "float32", VTK_FLOAT }, { "double", VTK_DOUBLE }, { "float64", VTK_DOUBLE } };
-  const auto found = types.find(name);
+  const auto found = types.find(LowerCase(std::string(name)));
   return found == types.end() ? VTK_VOID : found->second;
 }
 
@@ -50,18 +51,19 @@ private:
   void ReadLines()
   {
     if (!this->Lines.Next() || this->Lines.GetWords().size() != 1 ||
-      this->Lines.GetWords()[0] != "ply")
+      LowerCase(std::string(this->Lines.GetWords()[0])) != "ply")
     {
       Reject(this->Path, "it does not begin with 'ply'");
     }
     while (this->Lines.Next())
     {
       const std::vector<std::string_view>& words = this->Lines.GetWords();
-      if (!words.empty() && words[0] == "end_header")
+      const std::string keyword = words.empty() ? "" : LowerCase(std::string(words[0]));
+      if (keyword == "end_header")
       {
         return;
       }
-      if (!words.empty() && !this->ReadLine(words))
+      if (!words.empty() && !this->ReadLine(keyword, words))
       {
         Reject(this->Path, this->Lines.Prefix() + "the header cannot be understood");
       }
@@ -69,27 +71,30 @@ private:
     Reject(this->Path, "its header has no end; the file is cut off");
   }
 
-  bool ReadLine(const std::vector<std::string_view>& words)
+  bool ReadLine(const std::string& keyword, const std::vector<std::string_view>& words)
   {
-    if (words[0] == "comment" || words[0] == "obj_info")
+    if (keyword == "comment" || keyword == "obj_info")
     {
+      std::string& frame = this->Header.Frame;
+      frame = frame.empty() ? FrameIn(this->Lines.GetLine()) : frame;
       return true;
     }
-    if (words[0] == "format" && words.size() == 3)
+    if (keyword == "format" && words.size() == 3)
     {
+      const std::string form = LowerCase(std::string(words[1]));
       this->HasFormat = true;
-      this->Header.IsText = words[1] == "ascii";
-      this->Header.IsBigEndian = words[1] == "binary_big_endian";
-      return this->Header.IsText || this->Header.IsBigEndian || words[1] == "binary_little_endian";
+      this->Header.IsText = form == "ascii";
+      this->Header.IsBigEndian = form == "binary_big_endian";
+      return this->Header.IsText || this->Header.IsBigEndian || form == "binary_little_endian";
     }
     std::vector<PlyElement>& elements = this->Header.Elements;
-    if (words[0] == "element" && words.size() == 3)
+    if (keyword == "element" && words.size() == 3)
     {
       const std::int64_t count = ParseNumber<std::int64_t>(words[2]).value_or(-1);
       elements.push_back({ std::string(words[1]), count, {} });
       return count >= 0;
     }
-    return words[0] == "property" && !elements.empty() && this->ReadProperty(words);
+    return keyword == "property" && !elements.empty() && this->ReadProperty(words);
   }
 
   bool ReadProperty(const std::vector<std::string_view>& words)
@@ -101,6 +106,11 @@ private:
     }
     PlyProperty property;
     property.Name = words.back();
+    constexpr int mostProperties = 10000; // names are compared with each other
+    if (++this->Properties > mostProperties)
+    {
+      Reject(this->Path, "its header has more than 10000 properties");
+    }
     property.Type = TypeOf(words[isList ? 3 : 1]);
     property.CountType = isList ? TypeOf(words[2]) : VTK_VOID;
     property.IsCorners =
@@ -122,12 +132,19 @@ private:
   {
     const PlyElement* vertices = this->Find("vertex");
     const PlyElement* faces = this->Find("face");
-    if (!this->HasFormat || !vertices || !faces)
+    const PlyElement* strips = this->Find("tristrips");
+    if (!this->HasFormat || !vertices || (!faces && !strips))
     {
-      Reject(this->Path, "its header has no format, no element 'vertex' or no element 'face'");
+      Reject(this->Path,
+        "its header has no format, no element 'vertex' or neither 'face' nor 'tristrips'");
     }
-    const bool hasCorners = std::any_of(faces->Properties.begin(), faces->Properties.end(),
-      [](const PlyProperty& property) { return property.IsCorners; });
+    const auto hasCornersIn = [](const PlyElement* element)
+    {
+      return element == nullptr ||
+        std::any_of(element->Properties.begin(), element->Properties.end(),
+          [](const PlyProperty& property) { return property.IsCorners; });
+    };
+    const bool hasCorners = hasCornersIn(faces) && hasCornersIn(strips);
     if (!vertices->HasScalar("x") || !vertices->HasScalar("y") || !vertices->HasScalar("z") ||
       !hasCorners)
     {
@@ -135,11 +152,12 @@ private:
     }
     this->Header.Vertices = vertices->Count;
     const auto isSurface = [](const PlyElement& element)
-    { return element.Name == "vertex" || element.Name == "face"; };
+    { return element.Name == "vertex" || element.Name == "face" || element.Name == "tristrips"; };
     const std::vector<PlyElement>& elements = this->Header.Elements;
-    if (std::count_if(elements.begin(), elements.end(), isSurface) > 2)
+    const std::ptrdiff_t most = faces && strips ? 3 : 2;
+    if (std::count_if(elements.begin(), elements.end(), isSurface) > most)
     {
-      Reject(this->Path, "its header has an element 'vertex' or 'face' twice");
+      Reject(this->Path, "its header has an element 'vertex', 'face' or 'tristrips' twice");
     }
   }
 
@@ -175,6 +193,7 @@ private:
   LineReader& Lines;
   PlyHeader Header;
   bool HasFormat = false;
+  int Properties = 0;
 };
 }
 

@@ -43,7 +43,8 @@ struct PlyHeader
 {
   bool IsText = false;
   bool IsBigEndian = false;
-  std::vector<PlyElement> Elements; ///< With a "vertex" and a "face" among them.
+  std::vector<PlyElement> Elements; ///< With a "vertex" and a "face" or "tristrips" among them.
+  std::string Frame;                ///< FileFrame.h
   std::int64_t Vertices = 0;
 };
 

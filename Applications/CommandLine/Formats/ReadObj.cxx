@@ -3,6 +3,7 @@
 /// Wavefront OBJ has no counts to compare with, so every number and every index is checked.
 /// Not read by VTK, whose reader rounds coordinates to single precision.
 #include "FileChecks.h"
+#include "FileFrame.h"
 #include "LineReader.h"
 #include "ObjCells.h"
 #include "Options/Text.h"
@@ -28,6 +29,24 @@ struct Kind
 constexpr Kind FaceKind = { 3, "a face of fewer than 3 corners; the file may be cut off" };
 constexpr Kind LineKind = { 2, "a line of fewer than 2 points; the file may be cut off" };
 constexpr Kind PointKind = { 1, "a point without a vertex; the file may be cut off" };
+
+using Words = std::vector<const char*>;
+
+/// Names, smoothing groups and display, which change no position.
+const Words WordsWithoutShape = { "o", "s", "mg", "mtllib", "usemap", "maplib", "bevel", "c_interp",
+  "d_interp", "lod", "shadow_obj", "trace_obj" };
+
+/// Free-form curves and what belongs to free-form geometry.
+const Words CurveWords = { "vp", "cstype", "deg", "bmat", "step",
+  "par"
+  "m",
+  "trim", "hole", "scrv", "sp", "end", "con", "curv", "curv2", "ctech", "stech", "res" };
+const Words SurfaceWords = { "surf", "bzp", "bsp", "cdc", "cdp" };
+
+bool IsIn(const Words& words, const std::string& word)
+{
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
 
 class ObjReader
 {
@@ -70,12 +89,23 @@ private:
     {
       warnings.emplace_back("the last line of the input has no end; the file may be cut off");
     }
-    if (this->NumbersLeftOut > 0)
+    const auto warn = [&warnings](std::int64_t count, const char* before, const char* after)
     {
-      warnings.push_back("the numbers behind x, y and z of " +
-        std::to_string(this->NumbersLeftOut) +
-        " vertices, such as colors or weights, are not read");
-    }
+      if (count > 0)
+      {
+        warnings.push_back(before + std::to_string(count) + after);
+      }
+    };
+    warn(this->NumbersLeftOut, "the numbers behind x, y and z of ",
+      " vertices, such as weights, are not read");
+    warn(this->IncompleteFaces, "",
+      " faces have a texture coordinate or a normal at some of their corners alone; the others "
+      "have "
+      "none");
+    const auto colors = static_cast<std::int64_t>(this->Content.Colors.size() / 3);
+    warn(colors < this->CountOf(0) ? colors : 0, "the colors of ",
+      " vertices are not read, because others have none");
+    warn(this->CurvesLeftOut, "", " lines of curves are not read");
   }
 
   std::int64_t CountOf(std::size_t kind) const
@@ -86,50 +116,60 @@ private:
     return counts[kind];
   }
 
-  /// The words of the line, with those of the lines that it goes on in.
+  /// The words of the line, with those of the lines that it goes on in, without a comment.
   const std::vector<std::string_view>& WholeLine()
   {
-    while (this->Lines.GetWords().back().back() == '\\')
+    while (this->Lines.IsContinued())
     {
       if (!this->Lines.Continue())
       {
         this->RejectLine("it goes on in a line that is not there; the file is cut off");
       }
     }
-    return this->Lines.GetWords();
+    const std::string_view line = this->Lines.GetLine();
+    this->WordsOfLine.clear();
+    SplitWords(line.substr(0, line.find('#')), this->WordsOfLine);
+    return this->WordsOfLine;
   }
 
   void ReadLine()
   {
-    if (this->Lines.GetWords().empty())
+    const std::string_view line = Trimmed(this->Lines.GetLine());
+    if (line.empty())
     {
       return;
     }
-    const std::string word(this->Lines.GetWords()[0]);
+    if (line[0] == '#')
+    {
+      this->Content.Frame = this->Content.Frame.empty() ? FrameIn(line) : this->Content.Frame;
+      return;
+    }
+    const std::vector<std::string_view>& words = this->WholeLine();
+    const std::string word = words.empty() ? std::string() : LowerCase(std::string(words[0]));
     if (word == "v")
     {
-      this->ReadVertex(this->WholeLine());
+      this->ReadVertex(words);
     }
     else if (word == "vn" || word == "vt")
     {
-      this->ReadTuple(this->WholeLine(),
-        word == "vn" ? this->Content.Normals.Get() : this->Content.TextureCoordinates.Get());
+      this->ReadTuple(
+        words, word == "vn" ? this->Content.Normals.Get() : this->Content.TextureCoordinates.Get());
     }
-    else if (word == "f")
+    else if (word == "f" || word == "fo")
     {
-      this->ReadCell(this->WholeLine(), FaceKind, this->Content.Faces);
+      this->ReadCell(words, FaceKind, this->Content.Faces);
     }
     else if (word == "l")
     {
-      this->ReadCell(this->WholeLine(), LineKind, this->Content.Lines);
+      this->ReadCell(words, LineKind, this->Content.Lines);
     }
     else if (word == "p")
     {
-      this->ReadCell(this->WholeLine(), PointKind, this->Content.Points);
+      this->ReadCell(words, PointKind, this->Content.Points);
     }
-    else
+    else if (!word.empty()) // a backslash alone
     {
-      this->ReadState(this->Lines.GetWords());
+      this->ReadState(word);
     }
   }
 
@@ -161,7 +201,23 @@ private:
     {
       this->Content.Vertices.Add(coordinate);
     }
-    this->NumbersLeftOut += words.size() > 4 ? 1 : 0;
+    this->ReadRest(words);
+  }
+
+  /// Behind x, y and z: a weight, or red, green and blue and perhaps alpha, which MeshLab and others write.
+  void ReadRest(const std::vector<std::string_view>& words)
+  {
+    const std::size_t numbers = words.size() - 4;
+    if (numbers == 3 || numbers == 4)
+    {
+      for (std::size_t i = 4; i < 7; ++i)
+      {
+        this->Content.Colors.push_back(static_cast<float>(this->NumberAt(words, i, 6)));
+      }
+    }
+    const bool isOne = numbers == 1 && this->NumberAt(words, 4, 4) == 1.0;
+    const bool isRead = numbers == 0 || numbers == 3 || isOne;
+    this->NumbersLeftOut += isRead ? 0 : 1;
   }
 
   void ReadTuple(const std::vector<std::string_view>& words, vtkFloatArray* array)
@@ -188,14 +244,11 @@ private:
     {
       this->Corners.push_back(this->CornerOf(words[i]));
     }
-    for (const ObjCorner& corner : this->Corners)
-    {
-      const ObjCorner& first = this->Corners.front();
-      if ((corner[1] < 0) != (first[1] < 0) || (corner[2] < 0) != (first[2] < 0))
-      {
-        this->RejectLine("some corners have a texture coordinate or a normal, others have none");
-      }
-    }
+    const ObjCorner& first = this->Corners.front();
+    const bool isComplete = std::all_of(this->Corners.begin(), this->Corners.end(),
+      [&first](const ObjCorner& corner)
+      { return (corner[1] < 0) == (first[1] < 0) && (corner[2] < 0) == (first[2] < 0); });
+    this->IncompleteFaces += isComplete ? 0 : 1;
     cells.Add(this->Corners, this->State);
   }
 
@@ -212,12 +265,16 @@ private:
       {
         continue; // "3//7" has no texture coordinate
       }
-      const std::int64_t index = ParseNumber<std::int64_t>(digits).value_or(0);
-      if (index == 0)
+      const std::optional<std::int64_t> index = ParseNumber<std::int64_t>(digits);
+      if (index == 0 && kind > 0)
+      {
+        continue; // some programs write 0 for none
+      }
+      if (!index || index == 0)
       {
         this->RejectLine("'" + std::string(word.substr(0, 40)) + "' is not a corner of a face");
       }
-      corner[kind] = this->IndexOf(index, kind);
+      corner[kind] = this->IndexOf(*index, kind);
     }
     if (!rest.empty())
     {
@@ -239,31 +296,51 @@ private:
     return index < 0 ? count + index : index - 1;
   }
 
-  void ReadState(const std::vector<std::string_view>& words)
+  /// What follows the keyword, blanks and all.
+  std::string NameOf(std::size_t keywordLength) const
   {
-    const std::string name = words.size() > 1 ? std::string(words[1]) : std::string();
-    if (words[0] == "g")
+    return std::string(Trimmed(Trimmed(this->Lines.GetLine()).substr(keywordLength)));
+  }
+
+  void ReadState(const std::string& word)
+  {
+    const std::string name = this->NameOf(word.size());
+    if (word == "g")
     {
       this->State.Group = this->HasGroup ? this->State.Group + 1 : this->GroupAfterNone();
       this->HasGroup = true;
     }
-    else if ((words[0] == "usemtl" || words[0] == "mtllib") && name.empty())
-    {
-      this->RejectLine("'" + std::string(words[0]) + "' without a name");
-    }
-    else if (words[0] == "mtllib")
+    else if (word == "mtllib" && !name.empty())
     {
       this->Content.MaterialLibraries.push_back(name);
     }
-    else if (words[0] == "usemtl")
+    else if (word == "usemtl")
     {
-      std::vector<std::string>& names = this->Content.Materials;
-      const auto found = std::find(names.begin(), names.end(), name);
-      this->State.Material = static_cast<int>(found - names.begin());
-      if (found == names.end())
-      {
-        names.push_back(name);
-      }
+      this->SetMaterial(name);
+    }
+    else if (IsIn(CurveWords, word))
+    {
+      ++this->CurvesLeftOut;
+    }
+    else if (IsIn(SurfaceWords, word))
+    {
+      this->RejectLine(
+        "'" + word + "' is a free-form surface, which is not read; export triangles");
+    }
+    else if (!IsIn(WordsWithoutShape, word))
+    {
+      this->RejectLine("'" + word.substr(0, 40) + "' is not a keyword of OBJ files");
+    }
+  }
+
+  void SetMaterial(const std::string& name)
+  {
+    std::vector<std::string>& names = this->Content.Materials;
+    const auto found = std::find(names.begin(), names.end(), name);
+    this->State.Material = name.empty() ? -1 : static_cast<int>(found - names.begin());
+    if (found == names.end() && !name.empty())
+    {
+      names.push_back(name);
     }
   }
 
@@ -275,12 +352,15 @@ private:
 
   const std::string& Path;
   LineReader Lines;
+  std::vector<std::string_view> WordsOfLine;
   ObjContent Content;
   ObjState State;
   bool HasGroup = false;
   std::vector<ObjCorner> Corners; // of the cell that is read
   std::array<std::int64_t, NumberOfKinds> Largest{};
-  std::int64_t NumbersLeftOut = 0; // vertices with more than three
+  std::int64_t NumbersLeftOut = 0; // vertices with numbers that are not read
+  std::int64_t IncompleteFaces = 0;
+  std::int64_t CurvesLeftOut = 0; // lines
 };
 }
 

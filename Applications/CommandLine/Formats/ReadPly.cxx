@@ -4,6 +4,7 @@
 /// Not read by VTK, whose reader rounds coordinates to single precision.
 #include "CoordinateCollector.h"
 #include "FileChecks.h"
+#include "FileFrame.h"
 #include "PlyArrays.h"
 #include "PlyElementReader.h"
 #include "SurfaceReaders.h"
@@ -46,6 +47,10 @@ public:
       {
         this->ReadFaces(element);
       }
+      else if (element.Name == "tristrips")
+      {
+        this->ReadStrips(element, warnings);
+      }
       else
       {
         this->PassOver(element, warnings);
@@ -58,7 +63,16 @@ public:
     }
     this->Surface->SetPoints(this->Coordinates.MakePoints());
     this->Surface->SetPolys(this->Faces);
+    if (this->Strips->GetNumberOfCells() > 0)
+    {
+      this->Surface->SetStrips(this->Strips);
+    }
     this->TakeFaceTexture();
+    SetFrame(this->Header.Frame, this->Surface);
+    if (this->Header.IsText && !this->Lines.IsEnded())
+    {
+      warnings.emplace_back("the last line of the input has no end; the file may be cut off");
+    }
     return this->Surface;
   }
 
@@ -98,10 +112,7 @@ private:
   void ReadFaces(const PlyElement& element)
   {
     PlyArrays arrays(element, PlyArrays::Kind::Cells);
-    const auto isCorners = [](const PlyProperty& property) { return property.IsCorners; };
-    const auto corners = static_cast<std::size_t>(
-      std::find_if(element.Properties.begin(), element.Properties.end(), isCorners) -
-      element.Properties.begin());
+    const std::size_t corners = CornersOf(element);
     const std::size_t texture = element.IndexOf(FaceTexture);
     for (std::int64_t i = 0; i < element.Count; ++i)
     {
@@ -119,7 +130,58 @@ private:
       arrays.Set(i, this->Values.Scalars);
       this->KeepTexture(texture, list.size());
     }
-    arrays.AddTo(this->Surface->GetCellData());
+    if (std::none_of(this->Header.Elements.begin(), this->Header.Elements.end(),
+          [](const PlyElement& other) { return other.Name == "tristrips"; }))
+    {
+      arrays.AddTo(this->Surface->GetCellData()); // strips have none
+    }
+  }
+
+  static std::size_t CornersOf(const PlyElement& element)
+  {
+    const auto isCorners = [](const PlyProperty& property) { return property.IsCorners; };
+    return static_cast<std::size_t>(
+      std::find_if(element.Properties.begin(), element.Properties.end(), isCorners) -
+      element.Properties.begin());
+  }
+
+  /// Lists of strips, each of which ends at the number -1 or with its list.
+  void ReadStrips(const PlyElement& element, std::vector<std::string>& warnings)
+  {
+    const std::size_t corners = CornersOf(element);
+    std::vector<vtkIdType> strip;
+    const auto end = [&]
+    {
+      if (!strip.empty())
+      {
+        this->Strips->InsertNextCell(static_cast<vtkIdType>(strip.size()), strip.data());
+        strip.clear();
+      }
+    };
+    for (std::int64_t i = 0; i < element.Count; ++i)
+    {
+      this->ReadElement(element, i);
+      for (const double corner : this->Values.Lists[corners])
+      {
+        if (!(corner >= -1.0 && corner < static_cast<double>(this->Header.Vertices)))
+        {
+          this->RejectElement(element, i);
+        }
+        if (corner >= 0.0)
+        {
+          strip.push_back(static_cast<vtkIdType>(corner));
+        }
+        else
+        {
+          end();
+        }
+      }
+      end();
+    }
+    if (element.Properties.size() > 1)
+    {
+      warnings.emplace_back("the properties of the input's 'tristrips' are not read");
+    }
   }
 
   void PassOver(const PlyElement& element, std::vector<std::string>& warnings)
@@ -227,6 +289,7 @@ private:
   PlyValues Values;
   CoordinateCollector Coordinates;
   vtkNew<vtkCellArray> Faces;
+  vtkNew<vtkCellArray> Strips;
   std::vector<double> FaceTextures;
   vtkSmartPointer<vtkPolyData> Surface = vtkSmartPointer<vtkPolyData>::New();
 };

@@ -4,13 +4,17 @@
 /// off. Numbers in text may have more digits than single precision.
 #include "CoordinateCollector.h"
 #include "FileChecks.h"
+#include "FileFrame.h"
 #include "FilePath.h"
 #include "LineReader.h"
-#include "Options/Text.h"
+#include "StlColors.h"
+#include "StlText.h"
 #include "SurfaceReaders.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -20,6 +24,7 @@ namespace bonedecimate
 {
 namespace
 {
+constexpr std::size_t TextBytes = 80; // of the header
 constexpr std::uintmax_t HeaderBytes = 84;
 constexpr std::uintmax_t TriangleBytes = 50; // a normal, three points and an attribute
 constexpr std::size_t NormalBytes = 12;
@@ -30,7 +35,8 @@ std::uint32_t WordAt(const unsigned char* bytes)
     std::uint32_t(bytes[3]) << 24;
 }
 
-void ReadTriangles(std::ifstream& stream, std::uint32_t count, CoordinateCollector& points)
+void ReadTriangles(
+  std::ifstream& stream, std::uint32_t count, CoordinateCollector& points, StlColors& colors)
 {
   std::array<unsigned char, TriangleBytes> bytes{};
   for (std::uint32_t i = 0; i < count; ++i)
@@ -43,121 +49,9 @@ void ReadTriangles(std::ifstream& stream, std::uint32_t count, CoordinateCollect
       std::memcpy(&coordinate, &word, sizeof(coordinate));
       points.Add(coordinate);
     }
+    colors.Add(static_cast<std::uint16_t>(bytes[48] | bytes[49] << 8));
   }
 }
-
-/// What a line of text may be, in the order in which they come.
-enum class Line
-{
-  Solid,
-  Facet,
-  Loop,
-  Vertex,
-  EndLoop,
-  EndFacet,
-  EndSolid,
-  Other
-};
-
-Line LineOf(std::string_view word)
-{
-  static const std::array<const char*, 7> words = { "solid", "facet", "outer", "vertex", "endloop",
-    "endfacet", "endsolid" };
-  const std::string lower = LowerCase(std::string(word));
-  std::size_t i = 0;
-  while (i < words.size() && lower != words[i])
-  {
-    ++i;
-  }
-  return static_cast<Line>(i);
-}
-
-class TextReader
-{
-public:
-  TextReader(const std::string& path, CoordinateCollector& points)
-    : Path(path)
-    , Lines(path)
-    , Points(points)
-  {
-  }
-
-  void Run()
-  {
-    while (this->Lines.Next())
-    {
-      const std::vector<std::string_view>& words = this->Lines.GetWords();
-      const Line line = words.empty() ? Line::Other : LineOf(words[0]);
-      if (line == Line::Vertex)
-      {
-        this->ReadVertex(words);
-      }
-      if (line != Line::Other)
-      {
-        this->Accept(line, words[0]);
-      }
-    }
-    if (this->Before != Line::EndSolid)
-    {
-      Reject(this->Path, "it does not end with 'endsolid'; the file is cut off");
-    }
-  }
-
-private:
-  void ReadVertex(const std::vector<std::string_view>& words)
-  {
-    for (std::size_t i = 1; i <= 3; ++i)
-    {
-      const std::optional<double> coordinate =
-        i < words.size() ? ParseNumber<double>(words[i]) : std::nullopt;
-      if (!coordinate)
-      {
-        Reject(this->Path, this->Lines.Prefix() + "a vertex is not three numbers");
-      }
-      this->Points.Add(*coordinate);
-    }
-  }
-
-  /// A triangle is three vertices between "outer loop" and "endloop", nothing else is one.
-  void Accept(Line line, std::string_view word)
-  {
-    const Line before = this->Before;
-    const bool isBetween = before == Line::Solid || before == Line::EndFacet;
-    bool isInOrder = false;
-    switch (line)
-    {
-      case Line::Solid:
-        isInOrder = before == Line::EndSolid;
-        break;
-      case Line::Facet:
-      case Line::EndSolid:
-        isInOrder = isBetween;
-        break;
-      case Line::Vertex:
-        isInOrder = (before == Line::Loop || before == Line::Vertex) && this->Vertices < 3;
-        break;
-      case Line::EndLoop:
-        isInOrder = before == Line::Vertex && this->Vertices == 3;
-        break;
-      default:
-        isInOrder = static_cast<int>(before) + 1 == static_cast<int>(line);
-    }
-    if (!isInOrder)
-    {
-      Reject(this->Path,
-        this->Lines.Prefix() + "'" + std::string(word) +
-          "' is out of place: a facet is one loop of three vertices");
-    }
-    this->Vertices = line == Line::Vertex ? this->Vertices + 1 : 0;
-    this->Before = line;
-  }
-
-  const std::string& Path;
-  LineReader Lines;
-  CoordinateCollector& Points;
-  Line Before = Line::EndSolid;
-  int Vertices = 0; // of the loop
-};
 
 vtkSmartPointer<vtkPolyData> TrianglesOf(CoordinateCollector& collector)
 {
@@ -173,31 +67,67 @@ vtkSmartPointer<vtkPolyData> TrianglesOf(CoordinateCollector& collector)
   surface->SetPolys(triangles);
   return surface;
 }
+
+/// Whether the first word is one of text STL.
+bool IsText(const std::string& path)
+{
+  LineReader lines(path);
+  while (lines.Next() && lines.GetNumber() < 100)
+  {
+    if (!lines.GetWords().empty())
+    {
+      return IsStlWord(lines.GetWords()[0]);
+    }
+  }
+  return false;
 }
 
-vtkSmartPointer<vtkPolyData> ReadStlFile(const std::string& path)
+[[noreturn]] void RejectBinary(
+  const std::string& path, std::string_view header, std::uintmax_t size, std::uint32_t count)
+{
+  const bool isText = std::all_of(header.begin(), header.end(),
+    [](char c) { return (c >= ' ' && c <= '~') || (c >= '\t' && c <= '\r'); });
+  if (isText)
+  {
+    Reject(path, "it is text that does not begin with 'solid'");
+  }
+  if (size < HeaderBytes)
+  {
+    Reject(path, "it is too short for an STL file");
+  }
+  Reject(path,
+    "it announces " + std::to_string(count) + " triangles (" +
+      std::to_string(HeaderBytes + TriangleBytes * count) + " bytes) but has " +
+      std::to_string(size) + " bytes");
+}
+}
+
+vtkSmartPointer<vtkPolyData> ReadStlFile(
+  const std::string& path, std::vector<std::string>& warnings)
 {
   const std::uintmax_t size = std::filesystem::file_size(FilePath(path));
   std::array<unsigned char, HeaderBytes> header{};
   std::ifstream stream(path, std::ios::binary);
   stream.read(reinterpret_cast<char*>(header.data()), HeaderBytes);
-  const std::uint32_t count = WordAt(&header[80]);
-  const std::uintmax_t expected = HeaderBytes + TriangleBytes * count;
+  const std::string_view text(reinterpret_cast<const char*>(header.data()), TextBytes);
+  const std::uint32_t count = WordAt(&header[TextBytes]);
   CoordinateCollector points;
-  if (size == expected)
+  if (size == HeaderBytes + TriangleBytes * count)
   {
-    ReadTriangles(stream, count, points);
-    return TrianglesOf(points);
+    StlColors colors(text);
+    ReadTriangles(stream, count, points, colors);
+    const vtkSmartPointer<vtkPolyData> surface = TrianglesOf(points);
+    colors.AddTo(surface, warnings);
+    SetFrame(FrameIn(text), surface);
+    return surface;
   }
-  const std::string begin(header.begin(), header.begin() + 5);
-  if (LowerCase(begin) == "solid")
+  if (!IsText(path))
   {
-    TextReader(path, points).Run();
-    return TrianglesOf(points);
+    RejectBinary(path, text.substr(0, std::min<std::uintmax_t>(size, TextBytes)), size, count);
   }
-  Reject(path,
-    size < HeaderBytes ? "it is too short for an STL file"
-                       : "it announces " + std::to_string(count) + " triangles (" +
-        std::to_string(expected) + " bytes) but has " + std::to_string(size) + " bytes");
+  const std::string frame = ReadStlText(path, points);
+  const vtkSmartPointer<vtkPolyData> surface = TrianglesOf(points);
+  SetFrame(frame, surface);
+  return surface;
 }
 }

@@ -5,18 +5,15 @@
 
 #include "FileChecks.h"
 #include "FileParts.h"
-#include "Options/Text.h"
+#include "FilePath.h"
 #include "ThreeMfFiles.h"
-
-#include "vtkNew.h"
-#include "vtkObjectFactory.h"
-#include "vtkXMLParser.h"
+#include "ThreeMfModel.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <memory>
-#include <string_view>
+#include <set>
 #include <utility>
 #include <zip.h>
 
@@ -24,217 +21,234 @@ namespace bonedecimate
 {
 namespace
 {
-const std::pair<const char*, double> Units[] = { { "micron", 1e-3 }, { "millimeter", 1.0 },
-  { "centimeter", 10.0 }, { "inch", 25.4 }, { "foot", 304.8 }, { "meter", 1000.0 } };
+using ZipArchive = std::unique_ptr<zip_t, void (*)(zip_t*)>;
 
-/// What the model has, as its elements begin.
-class ModelParser : public vtkXMLParser
+/// What the build of a package makes of its objects.
+class ThreeMfReader
 {
 public:
-  static ModelParser* New();
-  vtkTypeMacro(ModelParser, vtkXMLParser);
-
-  std::string Problem; ///< The first one, a sentence; empty: none.
-  std::vector<FilePart> Parts;
-
-  /// Every index of a triangle is one of a vertex that was read.
-  bool HasWholeTriangles() const
+  explicit ThreeMfReader(const std::string& path)
+    : Path(path)
+    , Zip(nullptr, zip_discard)
   {
-    return std::all_of(this->Parts.begin(), this->Parts.end(),
-      [](const FilePart& part)
-      {
-        return std::all_of(part.Corners.begin(), part.Corners.end(),
-          [&part](std::uint32_t corner) { return corner < part.Points.size(); });
-      });
+    int error = 0;
+    this->Zip.reset(zip_open(path.c_str(), ZIP_RDONLY, &error));
+    if (this->Zip == nullptr)
+    {
+      Reject(path, "it is not a ZIP archive, or it is cut off");
+    }
+    constexpr double mostRepeated = 20.0; // times the file
+    constexpr double alwaysAllowed = 1e9; // bytes
+    this->BytesLeft = std::max(alwaysAllowed,
+      mostRepeated * static_cast<double>(std::filesystem::file_size(FilePath(path))));
   }
 
-protected:
-  using Attributes = const char**;
-
-  static std::string_view ValueOf(Attributes attributes, std::string_view name)
+  vtkSmartPointer<vtkPolyData> Run(std::vector<std::string>& warnings)
   {
-    for (; *attributes != nullptr; attributes += 2)
+    const std::string start = this->FindStart();
+    const ThreeMfPart& model = this->PartAt(start);
+    if (model.Build.empty())
     {
-      if (name == attributes[0])
+      Reject(this->Path, "its build has no item, so that it is no surface");
+    }
+    for (const ThreeMfReference& item : model.Build)
+    {
+      if (item.IsPrintable)
       {
-        return attributes[1];
+        this->AddObject(item, start, {}, 0);
+      }
+      else
+      {
+        ++this->NotPrintable;
+        this->UsedObjects.insert({ this->KeyOf(item, start), item.Object });
       }
     }
-    return {};
-  }
-
-  void StartElement(const char* element, Attributes attributes) override
-  {
-    const std::string_view name = element;
-    if (name == "vertex")
-    {
-      this->AddVertex(attributes);
-    }
-    else if (name == "triangle")
-    {
-      this->AddTriangle(attributes);
-    }
-    else if (name == "object")
-    {
-      this->AddObject(attributes);
-    }
-    else if (name == "base")
-    {
-      this->Colors.push_back(ColorOf(ValueOf(attributes, "displaycolor")));
-    }
-    else if (name == "model")
-    {
-      this->SetUnit(ValueOf(attributes, "unit"));
-    }
-    else if (name == "metadata")
-    {
-      this->IsApplication = ValueOf(attributes, "name") == "Application";
-    }
-    else if (name == "component" || (name == "item" && !ValueOf(attributes, "transform").empty()))
-    {
-      this->Fail("it has components or transforms, which are not read");
-    }
-  }
-
-  void EndElement(const char*) override { this->IsApplication = false; }
-
-  void CharacterDataHandler(const char* text, int length) override
-  {
-    if (this->IsApplication)
-    {
-      this->IsOwn =
-        std::string_view(text, static_cast<std::size_t>(length)).rfind("bonedecimate ", 0) == 0;
-      this->IsApplication = false;
-    }
+    this->Warn(warnings);
+    return JoinParts(this->Parts);
   }
 
 private:
-  void Fail(const std::string& problem)
+  static std::string KeyOf(const ThreeMfReference& reference, const std::string& part)
   {
-    this->Problem = this->Problem.empty() ? problem : this->Problem;
+    std::string key = reference.Path.empty() ? part : reference.Path;
+    key.erase(0, key.find_first_not_of('/'));
+    return key;
   }
 
-  void SetUnit(std::string_view unit)
+  /// Hands a file of the archive to the parser; false if it is not there.
+  bool Parse(const std::string& name, ThreeMfParser& parser)
   {
-    for (const auto& [name, factor] : Units)
+    const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(
+      zip_fopen(this->Zip.get(), name.c_str(), ZIP_FL_NOCASE), zip_fclose);
+    if (file == nullptr)
     {
-      this->Factor = unit == name ? factor : this->Factor;
+      return false;
+    }
+    constexpr std::size_t firstBytes = 1U << 16;
+    constexpr std::size_t mostBytes = 1U << 26;
+    std::string piece(firstBytes, '\0');
+    std::string problem;
+    zip_int64_t count = 0;
+    while (problem.empty() && (count = zip_fread(file.get(), piece.data(), piece.size())) > 0)
+    {
+      problem = parser.Add({ piece.data(), static_cast<std::size_t>(count) });
+      // The parser begins again with what a piece cuts in two, such as a long attribute.
+      piece.resize(std::min(2 * piece.size(), mostBytes));
+    }
+    const std::string ending = parser.Finish();
+    problem = problem.empty() ? ending : problem;
+    if (!problem.empty() || count != 0)
+    {
+      Reject(this->Path, problem.empty() ? "its model is damaged" : problem);
+    }
+    return true;
+  }
+
+  /// The model that the package names, or the usual one.
+  std::string FindStart()
+  {
+    ThreeMfParser relationships;
+    std::string start;
+    if (zip_name_locate(this->Zip.get(), "_rels/.rels", ZIP_FL_NOCASE) >= 0 &&
+      this->Parse("_rels/.rels", relationships))
+    {
+      start = relationships.StartPart();
+    }
+    start.erase(0, start.find_first_not_of('/'));
+    return start.empty() ? ThreeMfModel : start;
+  }
+
+  ThreeMfPart& PartAt(const std::string& name)
+  {
+    const auto known = this->Models.find(name);
+    if (known != this->Models.end())
+    {
+      return known->second;
+    }
+    ThreeMfParser parser;
+    if (!this->Parse(name, parser))
+    {
+      Reject(this->Path, "it has no " + name);
+    }
+    this->HasBeams = this->HasBeams || parser.Part().HasBeams;
+    return this->Models.emplace(name, std::move(parser.Part())).first->second;
+  }
+
+  /// The object with its components, moved by the transforms around it, the inner one first.
+  void AddObject(const ThreeMfReference& reference, const std::string& from,
+    std::vector<ThreeMfTransform> transforms, int depth)
+  {
+    const std::string key = KeyOf(reference, from);
+    ThreeMfPart& part = this->PartAt(key);
+    const auto found = part.Objects.find(reference.Object);
+    constexpr int deepest = 64;
+    if (found == part.Objects.end() || depth > deepest)
+    {
+      Reject(this->Path,
+        depth > deepest ? "its components contain each other"
+                        : "an item or component names the object '" +
+            reference.Object.substr(0, 40) + "', which is not there");
+    }
+    const ThreeMfObject& object = found->second;
+    this->UsedObjects.insert({ key, reference.Object });
+    if (object.Type != "model" && object.Type != "surface")
+    {
+      ++this->Supports;
+      return;
+    }
+    transforms.insert(transforms.begin(), reference.Transform);
+    this->AddMesh(object.Mesh, transforms, part.Factor);
+    for (const ThreeMfReference& component : object.Components)
+    {
+      this->AddObject(component, key, transforms, depth + 1);
     }
   }
 
-  static LabelColor ColorOf(std::string_view code)
+  void AddMesh(const FilePart& mesh, const std::vector<ThreeMfTransform>& transforms, double factor)
   {
-    const auto number =
-      code.size() >= 7 ? std::strtoul(std::string(code.substr(1, 6)).c_str(), nullptr, 16) : 0UL;
-    return { static_cast<unsigned char>(number >> 16 & 0xFF),
-      static_cast<unsigned char>(number >> 8 & 0xFF), static_cast<unsigned char>(number & 0xFF) };
-  }
-
-  void AddObject(Attributes attributes)
-  {
-    FilePart part;
-    const std::optional<std::int64_t> label =
-      ParseNumber<std::int64_t>(ValueOf(attributes, "partnumber"));
-    if (this->IsOwn && label)
+    this->BytesLeft -= static_cast<double>(
+      256 + mesh.Points.size() * sizeof(mesh.Points[0]) + mesh.Corners.size() * sizeof(int));
+    if (this->BytesLeft < 0.0)
     {
-      NamedLabel named;
-      named.Value = *label;
-      named.Name = std::string(ValueOf(attributes, "name"));
-      const auto index = ParseNumber<std::int64_t>(ValueOf(attributes, "pindex")).value_or(-1);
-      if (index >= 0 && index < static_cast<std::int64_t>(this->Colors.size()))
+      Reject(this->Path, "its components repeat objects to more than a gigabyte");
+    }
+    if (mesh.Points.empty() && mesh.Corners.empty())
+    {
+      return;
+    }
+    FilePart placed = mesh;
+    for (std::array<double, 3>& point : placed.Points)
+    {
+      for (const ThreeMfTransform& transform : transforms)
       {
-        named.Color = this->Colors[static_cast<std::size_t>(index)];
+        point = transform.Of(point);
       }
-      part.Label = named;
-    }
-    this->Parts.push_back(std::move(part));
-  }
-
-  /// As readers of single precision have it.
-  void AddVertex(Attributes attributes)
-  {
-    std::array<double, 3> point = {};
-    const char* const names[] = { "x", "y", "z" };
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const std::optional<double> coordinate =
-        ParseNumber<double>(ValueOf(attributes, names[axis]));
-      if (!coordinate || this->Parts.empty())
+      for (double& coordinate : point)
       {
-        this->Fail("a vertex is not three numbers");
-        return;
+        coordinate *= factor;
       }
-      point[axis] = this->Factor * static_cast<double>(static_cast<float>(*coordinate));
     }
-    this->Parts.back().Points.push_back(point);
-  }
-
-  void AddTriangle(Attributes attributes)
-  {
-    for (const char* name : { "v1", "v2", "v3" })
+    const auto isMissing = [&placed](std::uint32_t corner)
+    { return corner >= placed.Points.size(); };
+    if (std::any_of(placed.Corners.begin(), placed.Corners.end(), isMissing))
     {
-      const std::optional<std::int64_t> corner =
-        ParseNumber<std::int64_t>(ValueOf(attributes, name));
-      if (!corner || *corner < 0 || *corner > UINT32_MAX || this->Parts.empty())
+      Reject(this->Path, "a triangle has a vertex that is not there");
+    }
+    const auto mirrors = std::count_if(transforms.begin(), transforms.end(),
+      [](const ThreeMfTransform& transform) { return transform.Determinant() < 0.0; });
+    for (std::size_t i = 0; mirrors % 2 == 1 && i + 2 < placed.Corners.size(); i += 3)
+    {
+      std::swap(placed.Corners[i + 1], placed.Corners[i + 2]);
+    }
+    this->Parts.push_back(std::move(placed));
+  }
+
+  void Warn(std::vector<std::string>& warnings) const
+  {
+    std::int64_t notBuilt = 0;
+    for (const auto& [name, part] : this->Models)
+    {
+      for (const auto& [id, object] : part.Objects)
       {
-        this->Fail("a triangle is not three indices");
-        return;
+        const bool hasMesh = !object.Mesh.Corners.empty();
+        notBuilt += hasMesh && this->UsedObjects.count({ name, id }) == 0 ? 1 : 0;
       }
-      this->Parts.back().Corners.push_back(static_cast<std::uint32_t>(*corner));
+    }
+    const std::pair<std::int64_t, const char*> lines[] = { { notBuilt,
+                                                             "that the build does not use" },
+      { this->NotPrintable, "that are marked as not printable" },
+      { this->Supports, "of a type for supports" } };
+    for (const auto& [count, what] : lines)
+    {
+      if (count > 0)
+      {
+        warnings.push_back(std::to_string(count) + (count == 1 ? " object" : " objects") +
+          " of the input " + what + " are not read");
+      }
+    }
+    if (this->HasBeams)
+    {
+      warnings.emplace_back("the beam lattices of the input are not read");
     }
   }
 
-  double Factor = 1.0; // mm of the unit
-  bool IsApplication = false;
-  bool IsOwn = false;
-  std::vector<LabelColor> Colors;
+  const std::string& Path;
+  ZipArchive Zip;
+  std::map<std::string, ThreeMfPart> Models; // by name of the part
+  std::set<std::pair<std::string, std::string>>
+    UsedObjects; // part and id of those that the build names
+  std::vector<FilePart> Parts;
+  double BytesLeft = 0.0; // that objects may take
+  std::int64_t NotPrintable = 0;
+  std::int64_t Supports = 0;
+  bool HasBeams = false;
 };
-vtkStandardNewMacro(ModelParser);
-
-/// Passes the model to the parser; the problem is a sentence, empty if there is none.
-std::string Parse(const std::string& path, ModelParser* parser)
-{
-  int error = 0;
-  const std::unique_ptr<zip_t, void (*)(zip_t*)> archive(
-    zip_open(path.c_str(), ZIP_RDONLY, &error), zip_discard);
-  if (archive == nullptr)
-  {
-    return "it is not a ZIP archive, or it is cut off";
-  }
-  const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> model(
-    zip_fopen(archive.get(), ThreeMfModel, 0), zip_fclose);
-  if (model == nullptr)
-  {
-    return std::string("it has no ") + ThreeMfModel;
-  }
-  constexpr std::size_t pieceBytes = 1U << 16;
-  std::string piece(pieceBytes, '\0');
-  parser->InitializeParser();
-  zip_int64_t count = 0;
-  bool isValid = true;
-  while (isValid && parser->Problem.empty() &&
-    (count = zip_fread(model.get(), piece.data(), piece.size())) > 0)
-  {
-    isValid = parser->ParseChunk(piece.data(), static_cast<unsigned int>(count)) != 0;
-  }
-  isValid = parser->CleanupParser() != 0 && isValid && count == 0;
-  return isValid || !parser->Problem.empty() ? parser->Problem : "its model is damaged";
-}
 }
 
-vtkSmartPointer<vtkPolyData> ReadThreeMfFile(const std::string& path, std::vector<std::string>&)
+vtkSmartPointer<vtkPolyData> ReadThreeMfFile(
+  const std::string& path, std::vector<std::string>& warnings)
 {
-  const vtkNew<ModelParser> parser;
-  const std::string problem = Parse(path, parser);
-  if (!problem.empty())
-  {
-    Reject(path, problem);
-  }
-  if (!parser->HasWholeTriangles())
-  {
-    Reject(path, "a triangle has a vertex that is not there");
-  }
-  return JoinParts(parser->Parts);
+  return ThreeMfReader(path).Run(warnings);
 }
 }
 

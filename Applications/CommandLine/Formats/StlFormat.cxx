@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FileFrame.h"
 #include "Formats/SurfaceFormat.h"
 #include "SurfaceReaders.h"
 #include "VtkReadersAndWriters.h"
@@ -11,19 +12,26 @@ namespace bonedecimate
 {
 namespace
 {
-vtkSmartPointer<vtkPolyData> ReadStl(const std::string& path, std::vector<std::string>&)
-{
-  return ReadStlFile(path);
-}
-
 void WriteStl(vtkPolyData* surface, const std::string& path)
 {
   vtkNew<vtkSTLWriter> writer;
   writer->SetFileTypeToBinary();
+  const std::string frame = FrameOf(surface);
+  if (!frame.empty())
+  {
+    writer->SetHeader(FrameLine(frame).c_str());
+  }
   WriteWith(writer.Get(), surface, path);
+}
+
+SurfaceFormat StlRow()
+{
+  SurfaceFormat format = { "stl", false, false, false, ReadStlFile, WriteStl };
+  format.ArraysHeld = [](vtkPolyData*) -> std::set<std::string> { return { "SPACE" }; };
+  return format;
 }
 }
 
 extern const SurfaceFormat StlFormat;
-const SurfaceFormat StlFormat = { "stl", false, false, false, ReadStl, WriteStl };
+const SurfaceFormat StlFormat = StlRow();
 }

@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ class CoordinateCollector;
 struct SurfaceFormat
 {
   const char* Extension; ///< In lower case, without its dot.
-  bool HoldsArrays;      ///< Arrays (distances, report) beside points and triangles.
+  bool HoldsArrays;      ///< All arrays (distances, report) beside points and triangles.
   bool HoldsDoubles;     ///< Coordinates in double precision come back as they were.
   bool KeepsPoints;      ///< As many points come back as were written.
 
@@ -40,7 +41,10 @@ struct SurfaceFormat
     false; ///< The file says its unit: surfaces are read and written in mm, whatever --unit is.
   bool HasGrid =
     false; ///< Coordinates are whole multiples of a step (PointGrid.h): surfaces are written on such a grid.
-  bool IsForPrinting = false;      ///< Parts that are not closed are no solids in it.
+  bool IsForPrinting = false; ///< Parts that are not closed are no solids in it.
+  bool HoldsLines = false;    ///< Lines and single vertices; those that hold arrays do.
+  /// Names of the arrays of points, cells and fields that a file of this surface holds; null: all or none, see HoldsArrays.
+  std::set<std::string> (*ArraysHeld)(vtkPolyData* surface) = nullptr;
   std::string MissingLibrary = {}; ///< What the build lacks to read and write it; empty: nothing.
 
   /// What a file has to pass before a library reads it, which would trust it; null: Read checks all itself.

@@ -31,7 +31,8 @@ vtkSmartPointer<vtkPolyData> ReadPlyFile(
   const std::string& path, std::vector<std::string>& warnings);
 
 /// Three points for each triangle, as in the file.
-vtkSmartPointer<vtkPolyData> ReadStlFile(const std::string& path);
+vtkSmartPointer<vtkPolyData> ReadStlFile(
+  const std::string& path, std::vector<std::string>& warnings);
 /// @}
 }
 

@@ -15,6 +15,9 @@ SurfaceFormat ThreeMfRow()
   SurfaceFormat format = FormatWithoutLibrary("3mf", "libzip");
 #endif
   format.NamesUnit = true;
+  format.ArraysHeld = [](vtkPolyData*) -> std::set<std::string> {
+    return { "BoundaryLabels", "LabelValues", "LabelNames", "LabelColors", "Color" };
+  };
   format.IsForPrinting = true;
   return format;
 }

@@ -8,6 +8,7 @@
 #include "MeshoptStreams.h"
 #include "PointGrid.h"
 #include "Report/Report.h"
+#include "TextOutput.h"
 
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
@@ -270,7 +271,7 @@ void WriteGlbFile(vtkPolyData* surface, const std::string& path)
   stream.close();
   if (!stream)
   {
-    throw Failure(ExitCode::CouldNotWrite, "the disk is full");
+    throw Failure(ExitCode::CouldNotWrite, WriteProblem());
   }
 }
 }

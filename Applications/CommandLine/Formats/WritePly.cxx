@@ -3,15 +3,15 @@
 #include "WritePly.h"
 
 #include "ExitCode.h"
-#include "NamedLabels.h"
+#include "FileFrame.h"
+#include "PlyColumns.h"
+#include "TextOutput.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkPointData.h"
-#include "vtkUnsignedCharArray.h"
 
+#include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -27,15 +27,12 @@ class PlyWriter
 public:
   PlyWriter(vtkPolyData* surface, const std::string& path)
     : Surface(surface)
-    , Stream(path, std::ios::binary | std::ios::trunc)
     , Coordinates(surface->GetPoints()->GetData())
-    , Texture(surface->GetPointData()->GetTCoords())
-    , Colors(ColorsOf(surface))
+    , OfPoints(PointColumns(surface))
+    , OfFaces(FaceColumns(surface))
   {
-    if (this->Texture && this->Texture->GetNumberOfComponents() != 2)
-    {
-      this->Texture = nullptr;
-    }
+    errno = 0;
+    this->Stream.open(path, std::ios::binary | std::ios::trunc);
   }
 
   void Run()
@@ -44,60 +41,58 @@ public:
     for (vtkIdType point = 0; point < this->Surface->GetNumberOfPoints(); ++point)
     {
       this->WriteTuple(this->Coordinates, point);
-      if (this->Texture)
-      {
-        this->WriteTuple(this->Texture, point);
-      }
+      this->WriteTuples(this->OfPoints, point);
     }
     this->WriteFaces();
     this->Stream.close();
     if (!this->Stream)
     {
-      throw Failure(ExitCode::CouldNotWrite, "the file is not complete, the disk may be full");
+      throw Failure(ExitCode::CouldNotWrite, WriteProblem());
     }
   }
 
 private:
-  /// Three bytes for each cell, which begin with vertices and lines; null if there are none.
-  static vtkUnsignedCharArray* ColorsOf(vtkPolyData* surface)
+  void WriteProperties(const PlyColumn& column)
   {
-    auto* const colors =
-      vtkUnsignedCharArray::SafeDownCast(surface->GetCellData()->GetArray(ColorArray));
-    return colors && colors->GetNumberOfComponents() == 3 ? colors : nullptr;
-  }
-
-  static bool IsDouble(vtkDataArray* array) { return array->GetDataType() == VTK_DOUBLE; }
-
-  void WriteProperties(vtkDataArray* array, const char* const* names)
-  {
-    for (int i = 0; i < array->GetNumberOfComponents(); ++i)
+    for (const std::string& name : column.Properties)
     {
-      this->Stream << "property " << (IsDouble(array) ? "double " : "float ") << names[i] << "\n";
+      this->Stream << "property " << PlyTypeName(column.Array->GetDataType()) << " " << name
+                   << "\n";
     }
   }
 
   void WriteHeader()
   {
-    static const char* const axes[] = { "x", "y", "z" };
-    static const char* const texture[] = { "u", "v" };
-    this->Stream << "ply\nformat binary_little_endian 1.0\ncomment VTK generated PLY File\n"
-                 << "obj_info vtkPolyData points and polygons: vtk4.0\nelement vertex "
+    const std::string frame = FrameOf(this->Surface);
+    this->Stream << "ply\nformat binary_little_endian 1.0\ncomment "
+                 << (frame.empty() ? "VTK generated PLY File" : FrameLine(frame))
+                 << "\nobj_info vtkPolyData points and polygons: vtk4.0\nelement vertex "
                  << std::to_string(this->Surface->GetNumberOfPoints()) << "\n";
-    this->WriteProperties(this->Coordinates, axes);
-    if (this->Texture)
+    this->WriteProperties({ this->Coordinates, { "x", "y", "z" } });
+    for (const PlyColumn& column : this->OfPoints)
     {
-      this->WriteProperties(this->Texture, texture);
+      this->WriteProperties(column);
     }
     this->Stream << "element face " << std::to_string(this->Surface->GetPolys()->GetNumberOfCells())
-                 << "\nproperty list uchar int vertex_indices\n"
-                 << (this->Colors
-                        ? "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-                        : "")
-                 << "end_header\n";
+                 << "\nproperty list uchar int vertex_indices\n";
+    for (const PlyColumn& column : this->OfFaces)
+    {
+      this->WriteProperties(column);
+    }
+    this->Stream << "end_header\n";
+  }
+
+  void WriteTuples(const std::vector<PlyColumn>& columns, vtkIdType tuple)
+  {
+    for (const PlyColumn& column : columns)
+    {
+      this->WriteTuple(column.Array, tuple);
+    }
   }
 
   void WriteTuple(vtkDataArray* array, vtkIdType tuple)
   {
+    const int bytes = array->GetDataTypeSize();
     for (int i = 0; i < array->GetNumberOfComponents(); ++i)
     {
       const double value = array->GetComponent(tuple, i);
@@ -106,8 +101,17 @@ private:
       std::uint32_t bitsOfSingle = 0;
       std::memcpy(&bits, &value, sizeof(bits));
       std::memcpy(&bitsOfSingle, &single, sizeof(bitsOfSingle));
-      const bool isDouble = IsDouble(array);
-      this->WriteBits(isDouble ? bits : bitsOfSingle, isDouble ? 8 : 4);
+      switch (array->GetDataType())
+      {
+        case VTK_DOUBLE:
+          this->WriteBits(bits, bytes);
+          break;
+        case VTK_FLOAT:
+          this->WriteBits(bitsOfSingle, bytes);
+          break;
+        default:
+          this->WriteBits(static_cast<std::uint64_t>(static_cast<std::int64_t>(value)), bytes);
+      }
     }
   }
 
@@ -129,10 +133,7 @@ private:
       {
         this->WriteBits(static_cast<std::uint64_t>(corners[i]), 4);
       }
-      for (int i = 0; this->Colors && i < 3; ++i)
-      {
-        this->WriteBits(this->Colors->GetTypedComponent(cell, i), 1);
-      }
+      this->WriteTuples(this->OfFaces, cell);
       ++cell;
     }
   }
@@ -151,8 +152,8 @@ private:
   vtkPolyData* Surface;
   std::ofstream Stream;
   vtkDataArray* Coordinates;
-  vtkDataArray* Texture;
-  vtkUnsignedCharArray* Colors;
+  std::vector<PlyColumn> OfPoints;
+  std::vector<PlyColumn> OfFaces;
 };
 }
 

@@ -6,14 +6,18 @@
 #include "FileParts.h"
 #include "Options/Text.h"
 #include "Report/Report.h"
+#include "TextOutput.h"
 #include "ThreeMfFiles.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <limits>
 #include <memory>
+#include <string_view>
 #include <zip.h>
 
 namespace bonedecimate
@@ -116,14 +120,25 @@ private:
     this->Text += "</triangles>\n</mesh></object>\n";
   }
 
-  /// The shortest decimal of the nearest single number.
+  /// The decimal that equals the nearest single number, so that readers of any precision have the same one.
   void AddAttribute(const char* begin, double coordinate)
   {
-    std::array<char, 64> digits = {};
+    const float single = static_cast<float>(coordinate);
+    constexpr int mantissaBits = std::numeric_limits<float>::digits - 1;
+    constexpr int mostDigits = 149; // of the smallest number
+    const int digitsBehindPoint =
+      single == 0.0F ? 0 : std::clamp(mantissaBits - std::ilogb(single), 0, mostDigits);
+    std::array<char, 256> digits = {};
     const std::to_chars_result result = std::to_chars(digits.data(), digits.data() + digits.size(),
-      static_cast<float>(coordinate), std::chars_format::fixed);
+      static_cast<double>(single), std::chars_format::fixed, digitsBehindPoint);
+    std::string_view text(digits.data(), static_cast<std::size_t>(result.ptr - digits.data()));
+    while (digitsBehindPoint > 0 && text.back() == '0')
+    {
+      text.remove_suffix(1);
+    }
+    text.remove_suffix(text.back() == '.' ? 1 : 0);
     this->Text += begin;
-    this->Text.append(digits.data(), result.ptr);
+    this->Text += text;
     this->Text += '"';
   }
 
@@ -217,7 +232,7 @@ void WriteThreeMfFile(vtkPolyData* surface, const std::string& path)
   stream.close();
   if (!stream)
   {
-    throw Failure(ExitCode::CouldNotWrite, "the disk is full");
+    throw Failure(ExitCode::CouldNotWrite, WriteProblem());
   }
 }
 }

@@ -3,6 +3,7 @@
 #include "Diagnostics.h"
 
 #include "Geometry/TriangleGeometry.h"
+#include "InsideOut.h"
 #include "Mesh/BoneSize.h"
 #include "Mesh/Cleaning.h"
 #include "Mesh/EdgeMatching.h"
@@ -231,6 +232,7 @@ private:
         odd.push_back({ std::minmax(from, to), clean.InputTriangle[h / 4] });
       }
     }
+    this->LookAtOrientation(clean, odd);
     std::vector<bool> isOdd(points, false);
     std::vector<std::array<Index, 2>> open;
     this->CountEdges(odd, isOdd, open);
@@ -243,6 +245,22 @@ private:
     std::pair<Index, Index> Ends; // the lesser first
     Index Triangle;               // of the input
   };
+
+  void LookAtOrientation(const CleanSurface& clean, const std::vector<Edge>& odd)
+  {
+    std::vector<bool> isOpen(clean.Surface.Points.size(), false);
+    for (const Edge& edge : odd)
+    {
+      isOpen[static_cast<std::size_t>(edge.Ends.first)] = true;
+      isOpen[static_cast<std::size_t>(edge.Ends.second)] = true;
+    }
+    Diagnostic insideOut = { DiagnosticKind::InsideOut };
+    for (const Index triangle : FindInsideOut(clean.Surface, isOpen))
+    {
+      this->Add(insideOut, clean.InputTriangle[static_cast<std::size_t>(triangle)]);
+    }
+    this->Keep(std::move(insideOut));
+  }
 
   /// @param isOdd Of each point: whether one of its edges is not manifold or not consistent.
   void CountEdges(
@@ -328,57 +346,6 @@ private:
 };
 }
 
-const DiagnosticInfo& InfoOf(DiagnosticKind kind)
-{
-  static const std::array<DiagnosticInfo, NumberOfDiagnosticKinds> table = { {
-    { "non_finite_points", "points are not finite", "point is not finite", "point",
-      Severity::Rejected },
-    { "huge_points", "points have a coordinate beyond 1e30", "point has a coordinate beyond 1e30",
-      "point", Severity::Rejected },
-    { "ids_out_of_range", "triangles have a point id out of range",
-      "triangle has a point id out of range", "triangle", Severity::Rejected },
-    { "repeated_corners", "triangles have the same corner twice",
-      "triangle has the same corner twice", "triangle", Severity::Cleaned },
-    { "no_area", "triangles have no area", "triangle has no area", "triangle", Severity::Cleaned },
-    { "duplicates", "triangles repeat an earlier one", "triangle repeats an earlier one",
-      "triangle", Severity::Kept },
-    { "opposites", "triangles are the back of an earlier one",
-      "triangle is the back of an earlier one", "triangle", Severity::Kept },
-    { "unused_points", "points are used by no triangle", "point is used by no triangle", "point",
-      Severity::Cleaned },
-    { "equal_points", "points lie where an earlier one does",
-      "point lies where an earlier one does", "point", Severity::Cleaned },
-    { "non_manifold_edges", "edges have three or more triangles",
-      "edge has three or more triangles", "triangle", Severity::Kept },
-    { "inconsistent_edges", "edges have two triangles that look to different sides",
-      "edge has two triangles that look to different sides", "triangle", Severity::Kept },
-    { "pinched_points", "points connect parts that have no edge in common there",
-      "point connects parts that have no edge in common there", "point", Severity::Kept },
-    { "open_edges", "edges have one triangle: open boundaries",
-      "edge has one triangle: an open boundary", "triangle", Severity::Note },
-    { "unwelded_points", "points of a boundary lie nearly on another boundary",
-      "point of a boundary lies nearly on another boundary", "point", Severity::Kept },
-    { "components", "connected parts", "connected part", "", Severity::Note },
-    { "odd_size", "the size is not that of a bone in millimeters",
-      "the size is not that of a bone in millimeters", "", Severity::Note },
-  } };
-  return table[static_cast<std::size_t>(kind)];
-}
-
-const std::string& DiagnosticSentence(const Diagnostic& diagnostic)
-{
-  const DiagnosticInfo& info = InfoOf(diagnostic.Kind);
-  return diagnostic.Count == 1 ? info.Singular : info.Plural;
-}
-
-const char* SeverityWord(Severity severity)
-{
-  static const std::array<const char*, 4> words = { "note", "kept", "cleaned", "rejected" };
-  const auto number = static_cast<std::size_t>(severity);
-  return number < words.size() ? words[number] : "unknown";
-}
-
-//------------------------------------------------------------------------------
 std::vector<Diagnostic> Diagnose(const Surface& surface, int threads)
 {
   return DiagnosticRun(surface, threads).Go();

@@ -10,7 +10,7 @@
  *       edges:     boundary, three or more triangles, inconsistent orientation
  *       vertices:  the triangles do not form one fan
  *       gaps:      boundary points very near to another boundary, which welding would close
- *     surface:     components; a size that is unusual for a bone in mm
+ *     surface:     closed components that are inside out, components; a size that is unusual for a bone in mm
  */
 #ifndef BoneDecimate_Core_Diagnostics_Diagnostics_h
 #define BoneDecimate_Core_Diagnostics_Diagnostics_h
@@ -40,10 +40,11 @@ enum class DiagnosticKind : int
   PinchedPoints,     ///< Points that are not manifold although all their edges are.
   OpenEdges,         ///< Edges of one triangle.
   UnweldedPoints, ///< Diagnostic::Length: the distance over which points would have to be merged.
+  InsideOut, ///< Closed components whose triangles are oriented inward: their volume is negative.
   Components,
   OddSize ///< Diagnostic::Length: the diagonal of the bounding box.
 };
-constexpr int NumberOfDiagnosticKinds = 16;
+constexpr int NumberOfDiagnosticKinds = 17;
 
 struct Diagnostic
 {

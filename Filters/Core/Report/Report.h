@@ -145,6 +145,8 @@ struct ErrorProof
   ProvedDistance BoundaryInputToOutput;
   ProvedDistance BoundaryOutputToInput;
   std::int64_t TrianglesLeftOut = 0; ///< Input triangles without area that cleaning dropped.
+  /// Input polygons and strips of fewer than three corners, which have no triangle; filled by the caller.
+  std::int64_t PolygonsLeftOut = 0;
 
   double Lower() const; ///< mm, the largest over both directions, boundaries included.
   double Upper() const;

@@ -92,6 +92,7 @@ void AddProof(Entries& entries, const ErrorProof& proof)
     AddBounds(entries, "proof.boundary_input_to_output", proof.BoundaryInputToOutput);
   }
   entries.push_back({ "proof.triangles_left_out", "", proof.TrianglesLeftOut });
+  entries.push_back({ "proof.polygons_left_out", "", proof.PolygonsLeftOut });
 }
 
 void AddReference(Entries& entries, const ReferenceFigures& reference)

@@ -49,7 +49,7 @@ struct ReportEntry
  *     voxels   .{guard, compared, changed, first_changed.{0, 1, 2}}, if the input has a voxel grid
  *              .of_LABEL.{voxels, lost, gained}
  *     reference.{faces, checksum, to_input.{lower, upper}}
- *     proof    .{status, tolerance, lower, upper, boundaries, triangles_left_out}
+ *     proof    .{status, tolerance, lower, upper, boundaries, triangles_left_out, polygons_left_out}
  *              .{output_to_input, input_to_output, boundary_...}.{lower, upper}
  *     fragment_gap.{input, output}
  *     labels   .{count, largest_change}

@@ -223,7 +223,8 @@ def run_on_arrays(surface: Surface, values: _core.Options, tolerances: ArrayLike
     lengths = edge_lengths_from(edge_lengths, len(surface.points), values)
     with listener(progress) as heard:
         outcome = _core.decimate(*surface[:2], values, surface.is_single, withOrigins, limits, None, first and first[:2], heard,
-                                 named, source and source.to_core(), prepared, lengths)
+                                 named, source and source.to_core(), prepared, lengths,
+                                 (surface if first is None else first).polygons_left_out)
     spell_sentences(outcome, spell)
     outcome["warnings"] = surface.warnings + (first.warnings if first else []) + outcome["warnings"]
     raise_problems(outcome)

@@ -3,7 +3,7 @@
 """vtkPolyData as the core's surface: what SurfaceConversion does on the side of C++.
 
     triangles            as they are
-    polygons, strips     triangulated by VTK, each triangle with the cell it came from
+    polygons, strips     triangulated by the core, each triangle with the cell it came from
     ids out of range     -1, which the core rejects with their number
     vertices, lines      kept aside, with the points that they use
 
@@ -18,12 +18,10 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkAbstractArray, vtkDoubleArray, vtkFloatArray, vtkIdTypeArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
+from . import _core
 from .surfaces import indices
 from .voxels import SurfaceSource
-
-CELL = "bonedecimate.cell"
 
 
 def numbers(array) -> NDArray:
@@ -91,6 +89,7 @@ class Surface:
     triangles: NDArray[np.int32] = field(default_factory=lambda: np.empty((0, 3), np.int32))
     cell_of_triangle: NDArray[np.int64] = field(default_factory=lambda: np.empty(0, np.int64))
     warnings: list[str] = field(default_factory=list)
+    polygons_left_out: int = 0  # cells without a triangle
     source: SurfaceSource | None = None  # what is known of its label map
 
 
@@ -111,7 +110,7 @@ def surface_of(data: vtkPolyData) -> Surface:
     if len(wrong):  # VTK would crash on it
         surface.triangles, surface.cell_of_triangle = np.full((len(wrong), 3), -1, np.int32), wrong
     else:
-        _triangulate(data.GetPoints(), polys, strips, surface)
+        _triangulate(polys, strips, surface)
     return surface
 
 
@@ -123,30 +122,20 @@ def _warn_of_lines(data: vtkPolyData, surface: Surface) -> None:
                                 f"the first is cell {wrong[0]}")
 
 
-def _triangulate(points: vtkPoints, polys: Cells, strips: Cells, surface: Surface) -> None:
-    cells = vtkPolyData()
-    cells.SetPoints(points)
-    cells.SetPolys(cell_array(*polys.keep(polys.sizes >= 3)))
-    cells.SetStrips(cell_array(*strips.keep(strips.sizes >= 3)))
-    all_numbers = np.concatenate([polys.numbers, strips.numbers])
-    long_enough = np.concatenate([polys.sizes, strips.sizes]) >= 3
-    ids = new_array(vtkIdTypeArray, all_numbers[long_enough])
-    ids.SetName(CELL)
-    cells.GetCellData().AddArray(ids)
-    triangulate = vtkTriangleFilter()
-    triangulate.SetInputData(cells)
-    triangulate.Update()
-    output = triangulate.GetOutput()
-    surface.triangles = indices(Cells(output.GetPolys(), 0, len(surface.points)).ids.reshape(-1, 3))
-    found = numbers(output.GetCellData().GetArray(CELL))[:, 0].astype(np.int64)
-    surface.cell_of_triangle = found
-    lost = len(all_numbers) - np.count_nonzero(np.diff(found, prepend=-1))
-    if lost:
-        polygons, were = ("polygon", "was") if lost == 1 else ("polygons", "were")
-        text = f"{lost} {polygons} could not be triangulated and {were} left out"
-        if not long_enough.all():
-            text += f", the first with fewer than three points is cell {all_numbers[~long_enough][0]}"
-        surface.warnings.append(text)
+def _triangulate(polys: Cells, strips: Cells, surface: Surface) -> None:
+    triangles, cells, left_out = [], [], []
+    for group, are_strips in ((polys, False), (strips, True)):
+        corners, found = _core.triangulate(surface.points, group.offsets, group.ids, are_strips)
+        triangles.append(corners)
+        cells.append(group.numbers[found])
+        left_out.append(np.delete(group.numbers, np.unique(found)))
+    surface.triangles, surface.cell_of_triangle = np.concatenate(triangles), np.concatenate(cells)
+    lost = np.concatenate(left_out)
+    surface.polygons_left_out = len(lost)
+    if len(lost):
+        polygons, were = ("polygon", "was") if len(lost) == 1 else ("polygons", "were")
+        surface.warnings.append(f"{len(lost)} {polygons} of fewer than three different corners {were} left out, "
+                                f"the first is cell {lost[0]}")
 
 
 def passed_cells(data: vtkPolyData) -> tuple[Cells, Cells]:

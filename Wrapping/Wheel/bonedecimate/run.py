@@ -18,6 +18,7 @@ from .labels import labels_from_array, labels_of
 from .polydata import Passed, Surface, passed, points_of, set_triangles
 from .progress import Progress
 from .surfaces import surface_from
+from .passed_names import array_warnings, arrays_with_seams, keep_user_arrays, own_point_arrays
 from .transfer import add_input_map, add_maps, recompute_normals, transfer_arrays
 
 if TYPE_CHECKING:
@@ -60,8 +61,10 @@ def run(data: vtkPolyData, options: _core.Options, progress: Progress | None, re
     first = None if reference is None else surface_from(reference, "reference")
     outcome = _core.decimate(surface.points, surface.triangles, options, surface.is_single, origins, tolerances,
                              surface.cell_of_triangle, first and first[:2], progress, labels,
-                             surface.source and surface.source.to_core(), prepared, edge_lengths)
-    outcome["warnings"] = surface.warnings + (first.warnings if first else []) + outcome["warnings"]
+                             surface.source and surface.source.to_core(), prepared, edge_lengths,
+                             (surface if first is None else first).polygons_left_out)
+    outcome["warnings"] = (surface.warnings + (first.warnings if first else []) + array_warnings(data, options)
+                           + outcome["warnings"])
     return outcome, surface
 
 
@@ -86,6 +89,7 @@ def fill_output(outcome: dict, surface: Surface, options: _core.Options, data: v
 def fill_input_copy(outcome: dict, options: _core.Options, data: vtkPolyData, output: vtkPolyData) -> None:
     """The input with the distance of each of its points to the result, and the map, if the options request them."""
     output.ShallowCopy(data)
+    keep_user_arrays(output, options)
     for key, name in (("input_distance", "InputDistanceArrayName"), ("input_error_bound", "InputErrorBoundArrayName")):
         if len(outcome[key]):
             add_point_array(output, options.get(name), "mm", outcome[key], vtkDoubleArray)
@@ -135,8 +139,7 @@ def _add_input_arrays(outcome: dict, surface: Surface, options: _core.Options, p
     """What the input knew, carried over. Aborted runs do not know where their points lie."""
     is_known = len(outcome["nearest_point"]) == len(outcome["points"])
     if options.get("PassArrays") and is_known:
-        own = {options.get(name + "ArrayName") for name in ("Distance", "RunningError", "PointCount", "ErrorBound")}
-        transfer_arrays(outcome, surface, passing, own | {"OriginalPointIds", "OriginalCellIds"}, data, output)
+        transfer_arrays(outcome, surface, passing, (own_point_arrays(options), arrays_with_seams(data, options)), data, output)
     if options.get("MakeMaps") and is_known:
         add_maps(outcome, surface, passing, output)
     if options.get("RecomputeNormals"):

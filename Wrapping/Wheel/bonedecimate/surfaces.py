@@ -32,6 +32,7 @@ class Surface(NamedTuple):
     is_single: bool  # whether the points were single precision
     warnings: list[str]  # what was left out of a mesh
     source: SurfaceSource | None = None  # what is known of its label map
+    polygons_left_out: int = 0  # of a mesh: cells without a triangle
 
 
 def input_from(points: ArrayLike | SurfaceLike, triangles: ArrayLike | None) -> Surface:
@@ -53,7 +54,7 @@ def surface_from(given: object, name: str, with_source: bool = False) -> Surface
         from .polydata import surface_of
         found = surface_with_source(given) if with_source else surface_of(given)
         return Surface(found.points, found.triangles, found.is_single, [f"{name}: {text}" for text in found.warnings],
-                       found.source)
+                       found.source, found.polygons_left_out)
     is_pair = isinstance(given, (tuple, list)) and len(given) == 2
     if is_pair or (hasattr(given, "points") and hasattr(given, "triangles")):
         points, triangles = given if is_pair else (given.points, given.triangles)

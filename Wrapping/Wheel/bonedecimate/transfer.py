@@ -19,28 +19,34 @@ from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, vtkAbstractArray, vt
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 
+from .passed_names import passed_name
 from .polydata import Passed, Surface, cell_array, new_array, numbers
 
 SHORTEST_NORMAL = 1e-6
+ORIGINAL_POINTS, ORIGINAL_CELLS = "OriginalPointIds", "OriginalCellIds"
 
 
-def transfer_arrays(outcome: dict, surface: Surface, passing: Passed, without: set[str], data: vtkPolyData,
+def transfer_arrays(outcome: dict, surface: Surface, passing: Passed, names: tuple[set[str], set[str]], data: vtkPolyData,
                     output: vtkPolyData) -> None:
-    """Every array of points and cells, with its name, components, information and attribute, but those of the names."""
+    """Every array of points and cells, with its components, information and attribute, but maps of an earlier run.
+
+    @param names Of the point arrays that this run adds, and of those of the input that are left out.
+    """
+    own, left_out = names
     ids = id_list(np.concatenate([outcome["nearest_point"], passing.points]))
-    for index, source, target in _arrays(data.GetPointData(), output.GetPointData(), ids, without):
+    for index, source, target in _arrays(data.GetPointData(), ids, own, left_out | {ORIGINAL_POINTS}):
         if _is_blended(data.GetPointData(), source):
             _blend(outcome, surface, source, target, source is data.GetPointData().GetNormals())
         _add_like(data.GetPointData(), index, target, output.GetPointData())
     cells = id_list(_cell_sources(outcome, surface, passing))
-    for index, _, target in _arrays(data.GetCellData(), output.GetCellData(), cells, without):
+    for index, _, target in _arrays(data.GetCellData(), cells, set(), {ORIGINAL_CELLS}):
         _add_like(data.GetCellData(), index, target, output.GetCellData())
 
 
 def add_maps(outcome: dict, surface: Surface, passing: Passed, output: vtkPolyData) -> None:
     points = np.concatenate([outcome["nearest_point"], passing.points])
-    _add_ids("OriginalPointIds", points, output.GetPointData())
-    _add_ids("OriginalCellIds", _cell_sources(outcome, surface, passing), output.GetCellData())
+    _add_ids(ORIGINAL_POINTS, points, output.GetPointData())
+    _add_ids(ORIGINAL_CELLS, _cell_sources(outcome, surface, passing), output.GetCellData())
 
 
 def add_input_map(outcome: dict, copy: vtkPolyData) -> None:
@@ -78,16 +84,17 @@ def _add_ids(name: str, ids: NDArray, data) -> None:
     data.AddArray(array)
 
 
-def _arrays(data, output, ids: vtkIdList, without: set[str]):
+def _arrays(data, ids: vtkIdList, own: set[str], without: set[str]):
     """Each array to be passed on: its index, itself, and one like it with the tuples of the ids."""
     for index in range(data.GetNumberOfArrays()):
         source = data.GetAbstractArray(index)
-        if source.GetName() in without:
+        name = passed_name(source, own, data)
+        if name is None or name in without:
             continue
         # Of its type and not of its class: arrays that compute their values cannot hold others.
         target = vtkAbstractArray.CreateArray(source.GetDataType())
         if source.GetName() is not None:
-            target.SetName(source.GetName())
+            target.SetName(name)
         target.SetNumberOfComponents(source.GetNumberOfComponents())
         target.CopyComponentNames(source)
         if source.HasInformation():

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PolygonTriangulation.h
+ * @brief Triangles of a polygon, whatever its shape: ear clipping that never gives up.
+ *
+ *     plane       perpendicular to the sum of the corners' cross products; if that is 0 (a bow tie), to the largest of them
+ *     ear         a convex corner whose triangle has no reflex corner in it, by exact signs in the projection along an axis
+ *     next ear    that of the least perimeter^2 / area
+ *     no ear      the convex corner of the least perimeter^2 / area, even if triangles overlap then
+ *
+ * n corners always give n - 2 triangles, and every edge of the polygon is an edge of one of them, so that neighbors still meet
+ * at their common edges. The triangles depend on differences of coordinates alone. Of a quadrilateral both diagonals are
+ * compared: the one with two ears is used, otherwise the shorter one. Corners at the position of the previous one are left out.
+ *
+ * Time is n log n for polygons whose ears are small, and at most n^2.
+ */
+#ifndef BoneDecimate_Core_Geometry_PolygonTriangulation_h
+#define BoneDecimate_Core_Geometry_PolygonTriangulation_h
+
+#include "Surface.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace bonedecimate
+{
+/// Triangulates polygons one after the other and keeps its memory.
+class PolygonTriangulation
+{
+public:
+  /// @param points Of all polygons; must outlive this object.
+  explicit PolygonTriangulation(const std::vector<Vector3>& points);
+  ~PolygonTriangulation();
+  PolygonTriangulation(const PolygonTriangulation&) = delete;
+  void operator=(const PolygonTriangulation&) = delete;
+
+  /**
+   * Appends triangles with the orientation of the polygon.
+   * @param corners Valid indices of points.
+   * @return Whether there are any: not with fewer than three corners at different successive positions.
+   */
+  bool Append(const std::vector<Index>& corners, std::vector<Triangle>& triangles);
+
+private:
+  class Clipper;
+  std::unique_ptr<Clipper> Internal;
+};
+
+/// The triangles of a strip, every second one turned; false if it has fewer than three corners.
+bool AppendStrip(const std::vector<Index>& corners, std::vector<Triangle>& triangles);
+}
+
+#endif
