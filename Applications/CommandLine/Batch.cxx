@@ -9,11 +9,13 @@
 #include "FilePath.h"
 #include "Interruption.h"
 #include "JsonReport.h"
+#include "SegmentChoice.h"
 #include "StagedFile.h"
 #include "StagedFolder.h"
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <list>
@@ -191,6 +193,12 @@ private:
       RemoveSegmentFolder(job.Child.GetProcess(), bone.Output);
     }
     const ExitCode code = job.Child.GetCode();
+    if (code == ExitCode::InputRejected &&
+      job.Child.GetMessage().find(NoLabelReason) != std::string::npos)
+    {
+      return this->End(
+        job.Bone, "skipped", ExitCode::Done, NoLabelReason); // a structure out of view
+    }
     const bool stopped = code == ExitCode::Interrupted;
     this->End(job.Bone, code == ExitCode::Done ? "done" : (stopped ? "interrupted" : "failed"),
       code, job.Child.GetMessage());
@@ -232,7 +240,11 @@ private:
   {
     if (!this->Requested.Quiet)
     {
-      std::cout << (this->Terminal ? "\r\033[K" : "") << line << '\n' << std::flush;
+      if (this->Terminal)
+      {
+        std::fputs("\r\033[K", stdout); // the stream takes no commands of terminals
+      }
+      std::cout << line << '\n' << std::flush;
     }
   }
 

@@ -5,6 +5,7 @@
 #include "BoundText.h"
 #include "NumberText.h"
 #include "PartSection.h"
+#include "PlainText.h"
 #include "ReportFields.h"
 #include "VoxelSection.h"
 
@@ -308,15 +309,15 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
   }
   for (const std::string& file : written)
   {
-    std::cout << "written         " << file << "\n";
+    std::cout << "written         " << PlainText(file) << "\n";
   }
   for (const std::string& note : notes)
   {
-    std::cout << "note: " << note << "\n";
+    std::cout << "note: " << PlainText(note) << "\n";
   }
   for (const std::string& warning : subject.Warnings)
   {
-    std::cout << "warning: " << warning << "\n";
+    std::cout << "warning: " << PlainText(warning) << "\n";
   }
 }
 }

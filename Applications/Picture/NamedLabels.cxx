@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NamedLabels.h"
 
+#include "PlainText.h"
+
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
@@ -72,7 +74,7 @@ std::vector<NamedLabel> ReadNamedLabels(vtkFieldData* fields)
   {
     const auto row = static_cast<vtkIdType>(i);
     labels[i].Value = ValueAt(values, row);
-    labels[i].Name = hasNames ? std::string(names->GetValue(row)) : std::string();
+    labels[i].Name = hasNames ? PlainText(names->GetValue(row)) : std::string();
     const LabelColor color = hasColors ? ColorAt(colors, row, scale) : LabelColor{};
     if (color != LabelColor{}) // black: the row of a label without a color
     {
@@ -95,7 +97,7 @@ void WriteNamedLabels(const std::vector<NamedLabel>& labels, vtkFieldData* field
   for (const NamedLabel& label : labels)
   {
     values->InsertNextValue(label.Value);
-    names->InsertNextValue(label.Name);
+    names->InsertNextValue(PlainText(label.Name));
     colors->InsertNextTypedTuple(label.Color.value_or(LabelColor{}).data());
     hasColors = hasColors || label.Color;
   }

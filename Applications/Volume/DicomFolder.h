@@ -8,6 +8,7 @@
 #define BoneDecimate_Applications_DicomFolder_h
 
 #include "LayeredVolume.h"
+#include "SegmentSelection.h"
 
 #include <string>
 #include <vector>
@@ -27,10 +28,10 @@ bool HoldsDicom(const std::string& folder);
  * are sorted by their position along the normal of the image plane. Slices missing in between are a
  * reason to reject. A folder without slices may hold one segmentation. May end the process on damaged files: to be called by an IsolatedReader.
  */
-LayeredVolume OpenDicomFolder(const std::string& folder);
+LayeredVolume OpenDicomFolder(const std::string& folder, const SegmentSelection& selection);
 
 /// A segmentation (SEG), which is one file; other DICOM files are rejected. To be called by an IsolatedReader, too.
-LayeredVolume OpenDicomFile(const std::string& file);
+LayeredVolume OpenDicomFile(const std::string& file, const SegmentSelection& selection);
 }
 
 #endif

@@ -197,7 +197,7 @@ LayeredVolume LayersOfSeries(const DicomSeries& series)
 }
 }
 
-LayeredVolume OpenDicomFolder(const std::string& folder)
+LayeredVolume OpenDicomFolder(const std::string& folder, const SegmentSelection& selection)
 {
   const std::vector<std::string> files = DicomFiles(folder);
   const ScannedFiles scanned = ScanFiles(files);
@@ -209,7 +209,7 @@ LayeredVolume OpenDicomFolder(const std::string& folder)
   }
   if (scanned.Slices.empty() && segmentations == 1)
   {
-    LayeredVolume volume = OpenDicomSegmentation(scanned.Segmentations.front());
+    LayeredVolume volume = OpenDicomSegmentation(scanned.Segmentations.front(), selection);
     AppendNote(volume.Header.Note, LeftAsideNote(files.size() - 1));
     return volume;
   }
@@ -219,8 +219,9 @@ LayeredVolume OpenDicomFolder(const std::string& folder)
   return LayersOfSeries(series);
 }
 
-LayeredVolume OpenDicomFile(const std::string& file)
+LayeredVolume OpenDicomFile(const std::string& file, const SegmentSelection& selection)
 {
-  return IsDicomFile(file) ? OpenDicomSegmentation(file) : RejectedLayers("it is not a DICOM file");
+  return IsDicomFile(file) ? OpenDicomSegmentation(file, selection)
+                           : RejectedLayers("it is not a DICOM file");
 }
 }

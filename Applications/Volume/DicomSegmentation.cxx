@@ -146,11 +146,13 @@ std::string NoteOf(const SegmentationHeader& header, const Overlap& overlap)
   return note;
 }
 
-LayeredVolume LabelsOf(const SegmentationHeader& header, std::vector<unsigned char> bytes)
+LayeredVolume LabelsOf(const SegmentationHeader& header, std::vector<unsigned char> bytes,
+  const SegmentSelection& selection)
 {
   const auto frames =
     std::make_shared<SegmentFrames>(header.Pixels, std::move(bytes), header.Size, header.Segments);
-  const std::string arrangement = frames->Arrange(header.Frames, header.Grid.Planes);
+  const std::string arrangement =
+    frames->Arrange(header.Frames, header.Grid.Planes, ChosenSegments(header.Segments, selection));
   const Overlap overlap = arrangement.empty() ? OverlapOf(*frames, header) : Overlap();
   const std::string problem = FirstOf({ arrangement, UndescribedProblem(overlap) });
   if (!problem.empty())
@@ -173,7 +175,7 @@ LayeredVolume LabelsOf(const SegmentationHeader& header, std::vector<unsigned ch
 }
 }
 
-LayeredVolume OpenDicomSegmentation(const std::string& file)
+LayeredVolume OpenDicomSegmentation(const std::string& file, const SegmentSelection& selection)
 {
   const GdcmMessages messages;
   const std::string syntaxProblem = SyntaxProblem(file);
@@ -202,6 +204,6 @@ LayeredVolume OpenDicomSegmentation(const std::string& file)
     return RejectedLayers(UnreadableSyntax);
   }
   PixelBytes bytes = ReadPixels(header, reader.GetFile());
-  return bytes ? LabelsOf(header, std::move(*bytes)) : RejectedLayers(DamagedVoxels);
+  return bytes ? LabelsOf(header, std::move(*bytes), selection) : RejectedLayers(DamagedVoxels);
 }
 }

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LabelVolume.h"
 
+#include "IntensityChecks.h"
 #include "VolumeFile.h"
+#include "WholeLabels.h"
 
 #include <cmath>
 
@@ -54,15 +56,22 @@ void SetLabelGrid(const VolumeGeometry& geometry, vtkImageData* image)
   image->SetDirectionMatrix(direction);
 }
 
-LabelVolume ReadLabelVolume(const std::string& path, const VoxelSpacing& spacing)
+LabelVolume ReadLabelVolume(
+  const std::string& path, const VoxelSpacing& spacing, const SegmentSelection& selection)
 {
-  const Volume volume = ReadVolume(path, spacing);
+  const Volume volume = ReadVolume(path, spacing, selection);
   LabelVolume labels;
   labels.Note = volume.Note;
   labels.Problem = volume.Problem;
   if (labels.Problem.empty())
   {
     labels.Problem = LabelGridProblem(volume.Geometry);
+  }
+  if (labels.Problem.empty())
+  {
+    const WholeLabels whole = MakeWholeLabels(volume.Image);
+    labels.Problem = whole.Problem;
+    AppendNote(labels.Note, whole.Note);
   }
   if (labels.Problem.empty())
   {

@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Applications_LabelVolume_h
 #define BoneDecimate_Applications_LabelVolume_h
 
+#include "SegmentSelection.h"
 #include "Volume.h"
 #include "VoxelSpacing.h"
 
@@ -36,7 +37,8 @@ std::string LabelGridProblem(const volume::VolumeGeometry& geometry);
 void SetLabelGrid(const volume::VolumeGeometry& geometry, vtkImageData* image);
 
 /// Reads every format that ExtractBoneSurface() reads. A volume whose axes are not perpendicular is rejected.
-LabelVolume ReadLabelVolume(const std::string& path, const VoxelSpacing& spacing = {});
+LabelVolume ReadLabelVolume(const std::string& path, const VoxelSpacing& spacing = {},
+  const SegmentSelection& selection = {});
 }
 
 #endif

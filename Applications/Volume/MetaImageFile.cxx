@@ -10,6 +10,7 @@
 #include "TextNumbers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <utility>
@@ -50,6 +51,30 @@ std::string FieldOf(const std::string& header, const std::string& key)
     }
   }
   return std::string();
+}
+
+/// MetaIO trusts any number of dimensions, and takes the last of several.
+std::string DimensionsProblem(const std::string& header)
+{
+  std::istringstream lines(header);
+  std::string line;
+  int count = 0;
+  while (std::getline(lines, line))
+  {
+    const std::string key = LowerCase(Trimmed(line.substr(0, line.find('='))));
+    count += key == "ndims" || key == "dimsize" ? 1 : 0;
+  }
+  const std::string text = FieldOf(header, "ndims");
+  if (count != 2 || ParseWholeNumber(text).value_or(0) != 3)
+  {
+    return count == 2
+      ? "its NDims is " + text.substr(0, 20) + ", only volumes of three dimensions are read"
+      : "it does not have NDims and DimSize once each";
+  }
+  const auto sizes = ParseNumbers(FieldOf(header, "dimsize"));
+  const bool isPositive =
+    sizes && std::all_of(sizes->begin(), sizes->end(), [](double size) { return size >= 1.0; });
+  return isPositive ? std::string() : "its DimSize is not 3 positive numbers";
 }
 
 /// MetaIO takes numbers that it cannot read for zeros.
@@ -133,6 +158,16 @@ std::string UnitProblem(const ItkImage& image)
 }
 }
 
+bool MetaImageHasSpacing(const std::string& path)
+{
+  const std::string text = HeaderText(path);
+  const auto numbers =
+    ParseNumbers(FieldOf(text, "elementspacing") + " " + FieldOf(text, "elementsize"));
+  return text.empty() || !numbers || // which is a problem of its own
+    std::any_of(
+      numbers->begin(), numbers->end(), [](double value) { return std::isfinite(value); });
+}
+
 LayeredVolume OpenMetaImage(const std::string& path)
 {
   const std::string text = HeaderText(path);
@@ -140,7 +175,7 @@ LayeredVolume OpenMetaImage(const std::string& path)
   {
     return RejectedLayers("it has no header of a MetaImage");
   }
-  const std::string numbers = NumbersProblem(text);
+  const std::string numbers = FirstOf({ NumbersProblem(text), DimensionsProblem(text) });
   if (!numbers.empty())
   {
     return RejectedLayers(numbers);

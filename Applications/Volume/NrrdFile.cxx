@@ -5,6 +5,7 @@
 
 #include "DataFile.h"
 #include "ItkImage.h"
+#include "NrrdText.h"
 #include "Options/Text.h"
 #include "Segmentation.h"
 #include "StoredVoxels.h"
@@ -15,6 +16,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 
 namespace bonedecimate::volume
 {
@@ -76,6 +79,13 @@ public:
     const long begin = std::max(std::ftell(this->State->dataFile), 0L);
     return DataFileBeside(
       path, name, static_cast<std::uint64_t>(begin), this->State->encoding->isCompression != 0);
+  }
+
+  /// Of voxels behind so many bytes of a header in the same file.
+  DataFile DataBehind(const std::string& path, std::uint64_t header) const
+  {
+    return DataFileBeside(
+      path, FilePath(path).filename().string(), header, this->State->encoding->isCompression != 0);
   }
 
   /// Whether the voxels are numbers one after the other, where the file's data begin.
@@ -140,30 +150,60 @@ private:
   NrrdIoState* State = nrrdIoStateNew();
   bool IsLoaded = false;
 };
+
+/// Of a file of the voxels that the library would open, whatever it is.
+std::string DataFileProblem(const std::string& path, const NrrdText& text)
+{
+  const std::string name = text.DataFile();
+  const bool isOne =
+    LowerCase(name).compare(0, 4, "list") != 0 && name.find('%') == std::string::npos;
+  const std::string voxels = (FilePath(path).parent_path() / FilePath(name)).string();
+  std::error_code error;
+  if (name.empty() || !isOne || std::filesystem::is_regular_file(FilePath(voxels), error))
+  {
+    return isOne ? std::string() : "its voxels lie in several files; save it as one .nrrd";
+  }
+  return "the file of its voxels, " + name + ", is not there or is no regular file";
+}
 }
 
-LayeredVolume OpenNrrd(const std::string& path)
+bool NrrdHasSpacing(const std::string& path)
 {
-  const NrrdHeader nrrd(path);
+  return ReadNrrdText(path).HasSpacing();
+}
+
+LayeredVolume OpenNrrd(const std::string& path, const SegmentSelection& selection)
+{
+  const NrrdText text = ReadNrrdText(path);
+  const NrrdHeaderFile file(path, text);
+  const std::string inText = FirstOf({ file.GetProblem(), DataFileProblem(path, text) });
+  if (!inText.empty())
+  {
+    return RejectedLayers(inText);
+  }
+  const NrrdHeader nrrd(file.GetPath());
   if (!nrrd.Problem().empty())
   {
     return RejectedLayers(nrrd.Problem());
   }
-  ItkImage image(ItkImage::Format::Nrrd, path);
+  const bool isInFile = text.DataFile().empty();
+  const DataFile data =
+    file.IsShortened() && isInFile ? nrrd.DataBehind(path, text.Bytes) : nrrd.Data(file.GetPath());
+  ItkImage image(ItkImage::Format::Nrrd, file.GetPath());
   const ItkHeader& header = image.GetHeader();
   const std::vector<Segment> segments =
     ReadSegments([&image](const std::string& key) { return image.GetText(key); });
   const bool hasLayers = !segments.empty() && header.HasLayers;
   const std::string problem =
     FirstOf({ header.Problem, hasLayers ? std::string() : ComponentsProblem(header) });
-  const std::string dataProblem = problem.empty() ? DataProblem(header, nrrd.Data(path)) : problem;
+  const std::string dataProblem = problem.empty() ? DataProblem(header, data) : problem;
   if (!dataProblem.empty())
   {
     return RejectedLayers(dataProblem);
   }
   if (!hasLayers && nrrd.IsPlain())
   {
-    LayeredVolume layers = StoredLayers(header, nrrd.Data(path), nrrd.Order());
+    LayeredVolume layers = StoredLayers(header, data, nrrd.Order());
     nrrd.CorrectSpace(layers.Header.Geometry);
     AddLabelFields(segments, layers.Header.Fields);
     return layers;
@@ -172,7 +212,7 @@ LayeredVolume OpenNrrd(const std::string& path)
   nrrd.CorrectSpace(volume.Geometry);
   if (volume.Image && hasLayers)
   {
-    return LayersOf(CombinedLayers(volume, segments));
+    return LayersOf(CombinedLayers(volume, segments, selection));
   }
   LayeredVolume layers = LayersOf(volume);
   AddLabelFields(segments, layers.Header.Fields);

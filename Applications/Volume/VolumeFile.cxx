@@ -78,7 +78,38 @@ VolumeKind KindOf(const std::string& path)
   }
   const VolumeKind kind = KindByExtension(FilePath(path));
   // A TIFF of one page is a picture.
-  return kind == VolumeKind::Tiff && IsTiffPicture(path) ? VolumeKind::None : kind;
+  const bool isPicture =
+    kind == VolumeKind::Tiff && fs::is_regular_file(FilePath(path), error) && IsTiffPicture(path);
+  return isPicture ? VolumeKind::None : kind;
+}
+
+/// Whether nothing says how far its voxels are apart.
+bool LacksSpacing(const std::string& path, VolumeKind kind)
+{
+  std::error_code error;
+  if (kind == VolumeKind::Tiff || kind == VolumeKind::TiffFolder)
+  {
+    return true;
+  }
+  if (!fs::is_regular_file(FilePath(path), error))
+  {
+    return false;
+  }
+  return (kind == VolumeKind::Vti && !VtiHasSpacing(path)) ||
+    (kind == VolumeKind::MetaImage && !MetaImageHasSpacing(path)) ||
+    (kind == VolumeKind::Nrrd && !NrrdHasSpacing(path));
+}
+
+/// Of a volume whose own steps mean nothing.
+LayeredVolume WithSpacing(LayeredVolume volume, const VoxelSpacing& spacing)
+{
+  std::array<Vector3, 3>& steps = volume.Header.Geometry.Steps;
+  for (std::size_t axis = 0; spacing && axis < 3; ++axis)
+  {
+    const double length = Length(steps[axis]);
+    steps[axis] = Scaled(steps[axis], (*spacing)[axis] / length);
+  }
+  return volume;
 }
 
 /// Why it is rejected without a look into it; empty if it is not.
@@ -99,9 +130,12 @@ std::string Unreadable(const std::string& path, VolumeKind kind, const VoxelSpac
     return "it is no volume: .vti, .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz, a .tif of several "
            "pages, a .dcm of segments or a folder of DICOM files or TIFF slices";
   }
-  if ((kind == VolumeKind::Tiff || kind == VolumeKind::TiffFolder) && !spacing)
+  if (!spacing && LacksSpacing(path, kind))
   {
-    return "TIFF has no distance between slices: give --spacing X,Y,Z in mm";
+    const bool isTiff = kind == VolumeKind::Tiff || kind == VolumeKind::TiffFolder;
+    return std::string(isTiff ? "TIFF has no distance between slices"
+                              : "its header does not say how far its voxels are apart") +
+      ": give --spacing X,Y,Z in mm";
   }
   return std::string();
 }
@@ -129,13 +163,13 @@ std::vector<std::string> VolumeExtensions()
 
 bool NeedsSpacing(const std::string& path)
 {
-  const VolumeKind kind = KindOf(path);
-  return kind == VolumeKind::Tiff || kind == VolumeKind::TiffFolder;
+  return LacksSpacing(path, KindOf(path));
 }
 
 namespace volume
 {
-std::unique_ptr<IsolatedReader> OpenVolume(const std::string& path, const VoxelSpacing& spacing)
+std::unique_ptr<IsolatedReader> OpenVolume(
+  const std::string& path, const VoxelSpacing& spacing, const SegmentSelection& selection)
 {
   const VolumeKind kind = KindOf(path);
   const std::string problem = Unreadable(path, kind, spacing);
@@ -143,17 +177,18 @@ std::unique_ptr<IsolatedReader> OpenVolume(const std::string& path, const VoxelS
   {
     return std::make_unique<IsolatedReader>(problem);
   }
+  const VoxelSpacing missing = LacksSpacing(path, kind) ? spacing : VoxelSpacing();
   return std::make_unique<IsolatedReader>(
     [&]
     {
       switch (kind)
       {
         case VolumeKind::Vti:
-          return LayersOf(ReadVti(path));
+          return WithSpacing(LayersOf(ReadVti(path)), missing);
         case VolumeKind::MetaImage:
-          return OpenMetaImage(path);
+          return WithSpacing(OpenMetaImage(path), missing);
         case VolumeKind::Nrrd:
-          return OpenNrrd(path);
+          return WithSpacing(OpenNrrd(path, selection), missing);
         case VolumeKind::Nifti:
           return OpenNifti(path);
         case VolumeKind::Tiff:
@@ -161,16 +196,17 @@ std::unique_ptr<IsolatedReader> OpenVolume(const std::string& path, const VoxelS
         case VolumeKind::TiffFolder:
           return OpenTiffSlices(path, *spacing);
         case VolumeKind::DicomFile:
-          return OpenDicomFile(path);
+          return OpenDicomFile(path, selection);
         default:
-          return OpenDicomFolder(path);
+          return OpenDicomFolder(path, selection);
       }
     });
 }
 
-Volume ReadVolume(const std::string& path, const VoxelSpacing& spacing)
+Volume ReadVolume(
+  const std::string& path, const VoxelSpacing& spacing, const SegmentSelection& selection)
 {
-  const std::unique_ptr<IsolatedReader> reader = OpenVolume(path, spacing);
+  const std::unique_ptr<IsolatedReader> reader = OpenVolume(path, spacing, selection);
   const VolumeHeader& header = reader->GetHeader();
   Volume volume;
   volume.Geometry = header.Geometry;

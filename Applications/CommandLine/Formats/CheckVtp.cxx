@@ -6,6 +6,7 @@
 #include "FilePath.h"
 #include "LineReader.h"
 #include "Options/Text.h"
+#include "XmlNesting.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -104,6 +105,7 @@ void CheckVtpFile(const std::string& path, CoordinateCollector& textPoints)
   {
     Reject(path, "it does not end with '</VTKFile>'; the file is cut off");
   }
+  CheckNesting(path);
   CheckAnnouncedXml(path, head, static_cast<double>(size));
   // Points come first in a piece: a file whose first ones are binary is read by VTK alone.
   if (AttributeAfter(head, head.find("<Points"), "format") == "ascii")

@@ -13,6 +13,13 @@ bool IsBlank(char c)
 {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f';
 }
+
+/// But for blanks behind it.
+bool EndsWithBackslash(const std::string& line)
+{
+  const auto last = std::find_if_not(line.rbegin(), line.rend(), IsBlank);
+  return last != line.rend() && *last == '\\';
+}
 }
 
 LineReader::LineReader(const std::string& path)
@@ -32,12 +39,19 @@ bool LineReader::Next()
   return true;
 }
 
+/// All lines that follow each other, in a time that grows with their length.
 bool LineReader::Continue()
 {
-  std::string begin = std::move(this->Line);
-  begin.erase(std::min(begin.rfind('\\'), begin.size()));
-  const bool hasNext = this->Next();
-  this->Line.insert(0, begin + ' ');
+  std::string whole = std::move(this->Line);
+  bool hasNext = true;
+  while (hasNext && EndsWithBackslash(whole))
+  {
+    whole.erase(whole.rfind('\\'));
+    whole += ' ';
+    hasNext = this->Next();
+    whole += this->Line;
+  }
+  this->Line = std::move(whole);
   return hasNext;
 }
 

@@ -23,8 +23,8 @@ public:
   /// Goes on to the next line; false at the end of the file.
   bool Next();
 
-  /// Puts the next line in place of the backslash at the end of this one; false at the end of the
-  /// file.
+  /// Puts the next line in place of the backslash at the end of this one, and so on while lines end
+  /// with one; false at the end of the file.
   bool Continue();
 
   const std::string& GetLine() const { return this->Line; }

@@ -6,9 +6,13 @@
 #include "SentFields.h"
 
 #include <cerrno>
+#include <csignal>
 #include <exception>
 #include <fcntl.h>
 #include <new>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -57,9 +61,26 @@ void SendVolume(const LayeredVolume& volume, Pipe& pipe)
   }
 }
 
+/// The child ends by signals that its parent only notes, and with its parent.
+void TakeSignals()
+{
+  for (const int number : { SIGINT, SIGTERM, SIGHUP })
+  {
+    struct sigaction action = {};
+    if (sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_IGN)
+    {
+      std::signal(number, SIG_DFL);
+    }
+  }
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+}
+
 /// The life of the child.
 [[noreturn]] void RunChild(const std::function<LayeredVolume()>& open, Pipe& pipe)
 {
+  TakeSignals();
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
@@ -100,12 +121,27 @@ struct IsolatedReader::Source
   Source() = default;
   Source(const Source&) = delete;
   void operator=(const Source&) = delete;
-  ~Source() { this->End(); }
+  ~Source();
 
   bool ReceiveHeader(VolumeHeader& header);
   int End();
   std::string ReasonOfEnd();
 };
+
+/// A library may wait for what never comes, so the child is not waited for.
+IsolatedReader::Source::~Source()
+{
+  if (this->Child > 0)
+  {
+    kill(this->Child, SIGKILL);
+  }
+  this->End();
+}
+
+void StopReadingBy(void (*stopIfInterrupted)())
+{
+  SetCheckWhileWaiting(stopIfInterrupted);
+}
 
 IsolatedReader::IsolatedReader(const std::string& problem)
 {
@@ -180,7 +216,6 @@ std::string IsolatedReader::ReadLayers(std::int64_t count, void* values)
   return std::string();
 }
 
-/// A child that has more to send ends, because nothing receives it.
 int IsolatedReader::Source::End()
 {
   this->FromChild.CloseReceiver();
@@ -189,6 +224,7 @@ int IsolatedReader::Source::End()
 
 std::string IsolatedReader::Source::ReasonOfEnd()
 {
+  CheckWhileWaiting(); // the signal may have ended the child, too
   if (this->End() == OutOfMemory)
   {
     throw std::bad_alloc();
