@@ -75,6 +75,7 @@ SegmentSlabs::SegmentSlabs(const Arguments& arguments)
   if (this->Problem.empty())
   {
     this->Map.Grid = GridOf(header);
+    volume::AppendNote(this->Note, LabelGridNote(header.Geometry, header.Size));
     const std::set<std::int64_t> labels = this->Survey(reader);
     if (this->Problem.empty())
     {

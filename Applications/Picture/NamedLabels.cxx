@@ -4,6 +4,7 @@
 
 #include "PlainText.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
@@ -28,9 +29,15 @@ constexpr std::array<LabelColor, 8> Palette = { { { 222, 196, 152 }, { 128, 174,
 
 std::int64_t ValueAt(vtkDataArray* values, vtkIdType row)
 {
-  auto* exact = vtkTypeInt64Array::SafeDownCast(values);
-  return exact ? exact->GetTypedComponent(row, 0)
-               : static_cast<std::int64_t>(values->GetComponent(row, 0));
+  if (auto* exact = vtkAOSDataArrayTemplate<long long>::FastDownCast(values))
+  {
+    return exact->GetTypedComponent(row, 0);
+  }
+  if (auto* exact = vtkAOSDataArrayTemplate<long>::FastDownCast(values))
+  {
+    return exact->GetTypedComponent(row, 0);
+  }
+  return static_cast<std::int64_t>(values->GetComponent(row, 0));
 }
 
 /// Bytes, or numbers from 0 to 1.

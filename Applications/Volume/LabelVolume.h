@@ -33,7 +33,11 @@ struct LabelVolume
 /// Why voxels with this geometry are no label map; empty if they may be one.
 std::string LabelGridProblem(const volume::VolumeGeometry& geometry);
 
-/// Sets origin, spacing and direction.
+/// How far voxels move where axes are perpendicular only but for rounding; empty if they do not move.
+std::string LabelGridNote(
+  const volume::VolumeGeometry& geometry, const std::array<std::int64_t, 3>& size);
+
+/// Sets origin, spacing and direction: the nearest perpendicular one.
 void SetLabelGrid(const volume::VolumeGeometry& geometry, vtkImageData* image);
 
 /// Reads every format that ExtractBoneSurface() reads. A volume whose axes are not perpendicular is rejected.

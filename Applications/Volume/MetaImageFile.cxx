@@ -4,6 +4,7 @@
 #include "ImageFiles.h"
 
 #include "DataFile.h"
+#include "HeaderUnit.h"
 #include "ItkImage.h"
 #include "Options/Text.h"
 #include "StoredVoxels.h"
@@ -149,13 +150,6 @@ ByteOrder OrderOf(const std::string& header)
   return !order.empty() && (order[0] == 't' || order[0] == '1') ? ByteOrder::Big
                                                                 : ByteOrder::Little;
 }
-
-std::string UnitProblem(const ItkImage& image)
-{
-  const std::string unit = image.GetText("ITK_VoxelUnits");
-  return unit.empty() || unit == "mm" || unit == "?" ? std::string()
-                                                     : "its unit is " + unit + ", not mm";
-}
 }
 
 bool MetaImageHasSpacing(const std::string& path)
@@ -183,13 +177,18 @@ LayeredVolume OpenMetaImage(const std::string& path)
   ItkImage image(ItkImage::Format::MetaImage, path);
   const ItkHeader& header = image.GetHeader();
   const DataFile data = MetaData(path, text);
+  const HeaderUnit unit = UnitOf(image.GetText("ITK_VoxelUnits"));
   const std::string problem = FirstOf(
-    { header.Problem, UnitProblem(image), ComponentsProblem(header), DataFileProblem(text, data) });
+    { header.Problem, UnitProblem(unit), ComponentsProblem(header), DataFileProblem(text, data) });
   const std::string dataProblem = problem.empty() ? DataProblem(header, data) : problem;
   if (!dataProblem.empty())
   {
     return RejectedLayers(dataProblem);
   }
-  return IsPlain(text) ? StoredLayers(header, data, OrderOf(text)) : LayersOf(image.ReadVolume());
+  LayeredVolume volume =
+    IsPlain(text) ? StoredLayers(header, data, OrderOf(text)) : LayersOf(image.ReadVolume());
+  volume.Header.Geometry = InMillimeters(volume.Header.Geometry, unit);
+  volume.Header.Note = UnitNote(unit);
+  return volume;
 }
 }

@@ -4,6 +4,8 @@
 #include "ImageFiles.h"
 
 #include "DataFile.h"
+#include "HeaderUnit.h"
+#include "IntensityChecks.h"
 #include "ItkImage.h"
 #include "NrrdText.h"
 #include "Options/Text.h"
@@ -67,8 +69,21 @@ public:
       nrrdSpace3DRightHanded };
     const bool isKnown =
       std::find(spaces.begin(), spaces.end(), this->Header->space) != spaces.end();
-    return isKnown && this->IsInMillimeters() ? std::string()
-                                              : "its space is not RAS, LAS or LPS in mm";
+    return isKnown ? UnitProblem(this->Unit()) : "its space is not RAS, LAS or LPS";
+  }
+
+  /// Of the axes of the space; one that is not known if they have several.
+  HeaderUnit Unit() const
+  {
+    HeaderUnit unit;
+    for (unsigned int i = 0; i < this->Header->spaceDim; ++i)
+    {
+      const char* const text = this->Header->spaceUnits[i];
+      const HeaderUnit ofAxis = UnitOf(text ? text : "");
+      const bool isSame = i == 0 || ofAxis.Name == unit.Name;
+      unit = isSame ? ofAxis : HeaderUnit{ unit.Name + ", " + ofAxis.Name, 0.0 };
+    }
+    return unit;
   }
 
   /// Of a header without a problem.
@@ -101,6 +116,14 @@ public:
     return this->State->endian == airEndianBig ? ByteOrder::Big : ByteOrder::Little;
   }
 
+  /// From what ITK makes of it to mm in LPS.
+  void Place(VolumeGeometry& geometry) const
+  {
+    this->CorrectSpace(geometry);
+    geometry = InMillimeters(geometry, this->Unit());
+  }
+
+private:
   /// ITK mirrored x of a file in LAS instead of y before https://github.com/InsightSoftwareConsortium/ITK/pull/5224.
   void CorrectSpace(VolumeGeometry& geometry) const
   {
@@ -115,7 +138,6 @@ public:
     }
   }
 
-private:
   /// Whether x of the steps has the opposite sign of that in the file, where it is largest.
   bool HasMirroredX(const VolumeGeometry& geometry) const
   {
@@ -131,19 +153,6 @@ private:
       }
     }
     return largest < 0.0;
-  }
-
-  bool IsInMillimeters() const
-  {
-    bool isMillimeter = true;
-    for (unsigned int i = 0; i < this->Header->spaceDim; ++i)
-    {
-      const char* const unit = this->Header->spaceUnits[i];
-      const std::string text = LowerCase(unit ? unit : "");
-      isMillimeter = isMillimeter &&
-        (text.empty() || text == "mm" || text == "millimeter" || text == "millimeters");
-    }
-    return isMillimeter;
   }
 
   Nrrd* Header = nrrdNew();
@@ -204,18 +213,21 @@ LayeredVolume OpenNrrd(const std::string& path, const SegmentSelection& selectio
   if (!hasLayers && nrrd.IsPlain())
   {
     LayeredVolume layers = StoredLayers(header, data, nrrd.Order());
-    nrrd.CorrectSpace(layers.Header.Geometry);
+    nrrd.Place(layers.Header.Geometry);
     AddLabelFields(segments, layers.Header.Fields);
+    AppendNote(layers.Header.Note, UnitNote(nrrd.Unit()));
     return layers;
   }
   Volume volume = image.ReadVolume();
-  nrrd.CorrectSpace(volume.Geometry);
-  if (volume.Image && hasLayers)
+  nrrd.Place(volume.Geometry);
+  LayeredVolume layers = volume.Image && hasLayers
+    ? LayersOf(CombinedLayers(volume, segments, selection))
+    : LayersOf(volume);
+  if (!hasLayers)
   {
-    return LayersOf(CombinedLayers(volume, segments, selection));
+    AddLabelFields(segments, layers.Header.Fields);
   }
-  LayeredVolume layers = LayersOf(volume);
-  AddLabelFields(segments, layers.Header.Fields);
+  AppendNote(layers.Header.Note, UnitNote(nrrd.Unit()));
   return layers;
 }
 }

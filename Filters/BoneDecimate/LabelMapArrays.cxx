@@ -4,6 +4,7 @@
 
 #include "Parallel.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -84,6 +85,20 @@ bool FitInt(const std::vector<std::int64_t>& values)
     });
 }
 
+/// Of an array of any type; of 64 bits it is exact, which a double is not beyond 2^53.
+std::int64_t LabelIn(vtkDataArray* array, vtkIdType tuple, int component)
+{
+  if (auto* exact = vtkAOSDataArrayTemplate<long long>::FastDownCast(array))
+  {
+    return exact->GetTypedComponent(tuple, component);
+  }
+  if (auto* exact = vtkAOSDataArrayTemplate<long>::FastDownCast(array))
+  {
+    return exact->GetTypedComponent(tuple, component);
+  }
+  return static_cast<std::int64_t>(array->GetComponent(tuple, component));
+}
+
 void AppendEmptyRow(vtkAbstractArray* array)
 {
   if (auto* numbers = vtkDataArray::SafeDownCast(array))
@@ -108,8 +123,7 @@ void AddOrdered(vtkAbstractArray* array, vtkDataArray* ofRows,
   for (const std::int64_t value : values)
   {
     vtkIdType row = 0;
-    while (row < ofRows->GetNumberOfTuples() &&
-      ofRows->GetComponent(row, 0) != static_cast<double>(value))
+    while (row < ofRows->GetNumberOfTuples() && LabelIn(ofRows, row, 0) != value)
     {
       ++row;
     }
@@ -232,11 +246,7 @@ private:
 
   static std::int64_t LabelAt(vtkDataArray* array, vtkIdType tuple, int component)
   {
-    if (auto* exact = vtkTypeInt64Array::SafeDownCast(array))
-    {
-      return exact->GetTypedComponent(tuple, component);
-    }
-    return static_cast<std::int64_t>(array->GetComponent(tuple, component));
+    return LabelIn(array, tuple, component);
   }
 
   void ReadValues()
