@@ -101,7 +101,8 @@ void CheckSegments(const Arguments& arguments)
     return;
   }
   Require(IsVolume(arguments.Inputs[0]),
-    "--segments is for label maps; '" + arguments.Inputs[0] + "' is none");
+    "--segments is for label maps; '" + arguments.Inputs[0] + "' is none: read are " +
+      ReadVolumesText());
   const bool isFile = FindFormat(arguments.Output) != nullptr;
   Require(isFile || !IsNamedLikeFile(arguments.Output),
     "the output '" + arguments.Output + "' needs one of the extensions " + SurfaceExtensions() +

@@ -145,7 +145,7 @@ void PrintSegments(const std::vector<SegmentRecord>& segments)
               << (segment.Volumes.size() == 1 ? " component" : " components");
     for (std::size_t i = 0; i < std::min(segment.Volumes.size(), mostPrinted); ++i)
     {
-      std::cout << (i == 0 ? " of " : ", ") << GroupedText(segment.Volumes[i], 1);
+      std::cout << (i == 0 ? " of " : ", ") << SizeText(segment.Volumes[i]);
     }
     std::cout << (segment.Volumes.size() > mostPrinted ? ", ..." : "")
               << (segment.Volumes.empty() ? "" : " mm3")

@@ -15,7 +15,10 @@
 #include <gdcmScanner.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <system_error>
 
@@ -27,6 +30,11 @@ const gdcm::Tag Instance(0x0008, 0x0018);
 const gdcm::Tag Series(0x0020, 0x000e);
 const gdcm::Tag Intercept(0x0028, 0x1052);
 const gdcm::Tag Slope(0x0028, 0x1053);
+const gdcm::Tag PixelRepresentation(0x0028, 0x0103);
+const gdcm::Tag PaddingValue(0x0028, 0x0120);
+const gdcm::Tag PaddingLimit(0x0028, 0x0121);
+
+constexpr float Air = -1000.0F; // HU
 
 std::string Text(const gdcm::Scanner& scanner, const std::string& file, const gdcm::Tag& tag)
 {
@@ -47,6 +55,25 @@ double NumberOr(
 {
   const auto number = Numbers(scanner, file, tag, 1);
   return number ? number->front() : otherwise;
+}
+
+/// Stored values, the smaller first.
+std::optional<std::array<double, 2>> PaddingOf(
+  const gdcm::Scanner& scanner, const std::string& file)
+{
+  const auto value = Numbers(scanner, file, PaddingValue, 1);
+  if (!value)
+  {
+    return std::nullopt;
+  }
+  constexpr double beyond = 65536.0;
+  const bool isSigned = Text(scanner, file, PixelRepresentation) == "1";
+  // The type of the attribute is that of the pixels, which not every writer says.
+  const auto stored = [isSigned](double number)
+  { return isSigned && number >= beyond / 2.0 ? number - beyond : number; };
+  const double first = stored(value->front());
+  const double last = stored(NumberOr(value->front(), scanner, file, PaddingLimit));
+  return std::array<double, 2>{ { std::min(first, last), std::max(first, last) } };
 }
 
 /// Nothing for reports, localizers without a position and whatever else lies about.
@@ -76,6 +103,7 @@ std::optional<DicomSlice> ReadSlice(const gdcm::Scanner& scanner, const std::str
   slice.ColumnDistance = (*spacing)[1];
   slice.Slope = NumberOr(1.0, scanner, file, Slope);
   slice.Intercept = NumberOr(0.0, scanner, file, Intercept);
+  slice.Padding = PaddingOf(scanner, file);
   return slice;
 }
 
@@ -84,14 +112,24 @@ struct ScannedFiles
 {
   std::vector<DicomSlice> Slices;
   std::vector<std::string> Segmentations;
+  std::vector<std::string> FramesOfImages; ///< Enhanced images: all slices in one file.
 };
+
+std::string FramesProblem(const std::string& file)
+{
+  return FilePath(file).filename().string() +
+    " is an enhanced image, which has its slices as frames of one file and is not read: convert it "
+    "to one file a slice, or to NIfTI "
+    "(dcm2niix)";
+}
 
 ScannedFiles ScanFiles(const std::vector<std::string>& files)
 {
   const GdcmMessages messages;
   gdcm::Scanner scanner;
   for (const gdcm::Tag& tag : { Instance, tags::Modality, Series, tags::Position, tags::Orientation,
-         tags::Frames, tags::Rows, tags::Columns, tags::PixelSpacing, Intercept, Slope })
+         tags::Frames, tags::Rows, tags::Columns, tags::PixelSpacing, Intercept, Slope,
+         PixelRepresentation, PaddingValue, PaddingLimit })
   {
     scanner.AddTag(tag);
   }
@@ -103,6 +141,10 @@ ScannedFiles ScanFiles(const std::vector<std::string>& files)
     if (Text(scanner, file, tags::Modality) == "SEG")
     {
       scanned.Segmentations.push_back(file);
+    }
+    else if (!slice && ParseWholeNumber(Text(scanner, file, tags::Frames)).value_or(1) > 1)
+    {
+      scanned.FramesOfImages.push_back(file);
     }
     else if (slice)
     {
@@ -117,6 +159,30 @@ std::string LeftAsideNote(std::size_t others)
   return others == 0
     ? std::string()
     : std::to_string(others) + " DICOM files are no images with a position and were left aside.";
+}
+
+/// Where the scanner measured nothing there is air, in a CT, or the least value measured.
+void ClearPadding(const DicomSlice& slice, float* values, std::size_t count)
+{
+  if (!slice.Padding)
+  {
+    return;
+  }
+  const auto scaled = [&slice](double stored)
+  { return static_cast<float>(slice.Slope * stored + slice.Intercept); };
+  const float half = 0.5F * static_cast<float>(std::abs(slice.Slope));
+  const auto [first, last] = std::minmax(scaled((*slice.Padding)[0]), scaled((*slice.Padding)[1]));
+  const float from = first - half;
+  const float to = last + half;
+  float least = slice.IsTomography ? Air : std::numeric_limits<float>::max();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const bool isPadding = values[i] > from && values[i] < to;
+    least = isPadding ? least : std::min(least, values[i]);
+  }
+  least = least < std::numeric_limits<float>::max() ? least : 0.0F;
+  std::replace_if(
+    values, values + count, [from, to](float value) { return value > from && value < to; }, least);
 }
 
 /// HU of one slice, rows one after the other. Returns what went wrong, or an empty text.
@@ -151,9 +217,12 @@ std::string DecodeSlice(const DicomSlice& slice, float* values)
   rescaler.SetPixelFormat(format);
   rescaler.SetTargetPixelType(gdcm::PixelFormat::FLOAT32);
   rescaler.SetUseTargetPixelType(true);
-  return rescaler.Rescale(reinterpret_cast<char*>(values), stored.data(), bytes)
-    ? std::string()
-    : "its pixels are of a type that cannot be read";
+  if (!rescaler.Rescale(reinterpret_cast<char*>(values), stored.data(), bytes))
+  {
+    return "its pixels are of a type that cannot be read";
+  }
+  ClearPadding(slice, values, pixels);
+  return std::string();
 }
 
 std::uintmax_t BytesOf(const DicomSeries& series)
@@ -199,8 +268,13 @@ LayeredVolume LayersOfSeries(const DicomSeries& series)
 
 LayeredVolume OpenDicomFolder(const std::string& folder, const SegmentSelection& selection)
 {
-  const std::vector<std::string> files = DicomFiles(folder);
-  const ScannedFiles scanned = ScanFiles(files);
+  std::vector<std::string> files = DicomFiles(folder);
+  ScannedFiles scanned = ScanFiles(files);
+  if (scanned.Slices.empty() && scanned.Segmentations.empty())
+  {
+    files = DicomFilesBelow(folder);
+    scanned = ScanFiles(files);
+  }
   const std::size_t segmentations = scanned.Segmentations.size();
   if (scanned.Slices.empty() && segmentations > 1)
   {
@@ -213,7 +287,11 @@ LayeredVolume OpenDicomFolder(const std::string& folder, const SegmentSelection&
     AppendNote(volume.Header.Note, LeftAsideNote(files.size() - 1));
     return volume;
   }
-  DicomSeries series = LargestSeries(scanned.Slices);
+  if (scanned.Slices.empty() && !scanned.FramesOfImages.empty())
+  {
+    return RejectedLayers(FramesProblem(scanned.FramesOfImages.front()));
+  }
+  DicomSeries series = LargestSeries(scanned.Slices, folder);
   const std::string others = LeftAsideNote(files.size() - scanned.Slices.size());
   series.Note += (series.Note.empty() || others.empty() ? "" : " ") + others;
   return LayersOfSeries(series);
@@ -221,7 +299,12 @@ LayeredVolume OpenDicomFolder(const std::string& folder, const SegmentSelection&
 
 LayeredVolume OpenDicomFile(const std::string& file, const SegmentSelection& selection)
 {
-  return IsDicomFile(file) ? OpenDicomSegmentation(file, selection)
-                           : RejectedLayers("it is not a DICOM file");
+  if (!IsDicomFile(file))
+  {
+    return RejectedLayers("it is not a DICOM file");
+  }
+  const ScannedFiles scanned = ScanFiles({ file });
+  return scanned.FramesOfImages.empty() ? OpenDicomSegmentation(file, selection)
+                                        : RejectedLayers(FramesProblem(file));
 }
 }

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DicomSeries.h"
 
+#include "FilePath.h"
+
 #include <algorithm>
 #include <cmath>
+#include <locale>
 #include <set>
+#include <sstream>
 #include <utility>
 
 namespace bonedecimate::volume
@@ -72,9 +76,63 @@ VolumeGeometry SeriesGeometry(const Slices& slices)
   return geometry;
 }
 
+std::string NameOf(const DicomSlice& slice)
+{
+  return FilePath(slice.File).filename().string();
+}
+
+std::string LengthText(double millimeters)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(4);
+  text << millimeters << " mm";
+  return text.str();
+}
+
+/// From each slice to the next one, along the line from the first to the last, mm.
+std::vector<double> DistancesOf(const Slices& slices, const Vector3& direction)
+{
+  std::vector<double> distances;
+  for (std::size_t k = 1; k < slices.size(); ++k)
+  {
+    distances.push_back(Dot(Difference(slices[k].Position, slices[k - 1].Position), direction));
+  }
+  return distances;
+}
+
+double MedianOf(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Whether slices are beside the line from the first to the last, or two at one position.
+std::string LineProblem(const Slices& slices, const Vector3& direction, double usual)
+{
+  const std::vector<double> distances = DistancesOf(slices, direction);
+  for (std::size_t k = 1; k < slices.size(); ++k)
+  {
+    const Vector3 way = Difference(slices[k].Position, slices.front().Position);
+    const Vector3 aside = Difference(way, Scaled(direction, Dot(way, direction)));
+    if (!(Length(aside) <= 0.2 * usual))
+    {
+      return "its slice " + NameOf(slices[k]) + " lies " + LengthText(Length(aside)) +
+        " beside the line of the others";
+    }
+    if (!(distances[k - 1] > 0.2 * usual))
+    {
+      return "its slices " + NameOf(slices[k - 1]) + " and " + NameOf(slices[k]) +
+        " lie at the same position; remove one of them";
+    }
+  }
+  return std::string();
+}
+
 /// Positions are often rounded to a tenth of a millimeter; a slice that is missing is off by far
 /// more.
-std::string EvennessProblem(const Slices& slices, const VolumeGeometry& geometry)
+bool AreEven(const Slices& slices, const VolumeGeometry& geometry)
 {
   const double tolerance = 0.2 * Length(geometry.Steps[2]);
   for (std::size_t k = 0; k < slices.size(); ++k)
@@ -83,11 +141,39 @@ std::string EvennessProblem(const Slices& slices, const VolumeGeometry& geometry
       Sum(geometry.Origin, Scaled(geometry.Steps[2], static_cast<double>(k)));
     if (!(Length(Difference(slices[k].Position, expected)) <= tolerance))
     {
-      return "its slices are not evenly spaced: slice " + std::to_string(k + 1) + " of " +
-        std::to_string(slices.size()) + " is out of line, one is missing or there twice";
+      return false;
     }
   }
-  return std::string();
+  return true;
+}
+
+/// Names the slices on both sides of the place where the distance is another one.
+std::string EvennessProblem(const Slices& slices, const VolumeGeometry& geometry)
+{
+  if (AreEven(slices, geometry))
+  {
+    return std::string();
+  }
+  const Vector3 direction = Scaled(geometry.Steps[2], 1.0 / Length(geometry.Steps[2]));
+  const std::vector<double> distances = DistancesOf(slices, direction);
+  const double usual = MedianOf(distances);
+  const std::string onLine = LineProblem(slices, direction, usual);
+  const auto isOther = [usual](double distance)
+  { return std::abs(distance - usual) > 0.2 * usual; };
+  const auto other = std::find_if(distances.begin(), distances.end(), isOther);
+  if (!onLine.empty() || other == distances.end())
+  {
+    return onLine.empty() ? "its slices are not evenly spaced" : onLine;
+  }
+  const auto k = static_cast<std::size_t>(other - distances.begin());
+  const std::size_t count = slices.size();
+  return "its slices are not evenly spaced: " + LengthText(*other) + " instead of " +
+    LengthText(usual) + " between " + NameOf(slices[k]) + " and " + NameOf(slices[k + 1]) +
+    ", slices " + std::to_string(k + 1) + " and " + std::to_string(k + 2) + " of " +
+    std::to_string(count) +
+    (std::count_if(distances.begin(), distances.end(), isOther) > 1
+        ? "; give a folder with the slices of one spacing"
+        : "; slices between them are missing");
 }
 
 std::string SeriesProblem(const DicomSeries& series)
@@ -100,9 +186,37 @@ std::string SeriesProblem(const DicomSeries& series)
   const std::string problem = GeometryProblem(series.Geometry);
   return problem.empty() ? EvennessProblem(series.Slices, series.Geometry) : problem;
 }
+
+/// Of slices below the folder; empty in the folder itself.
+std::string PlaceOf(const Slices& slices, const std::string& folder)
+{
+  const std::string place = FilePath(slices.front().File)
+                              .lexically_relative(FilePath(folder))
+                              .parent_path()
+                              .generic_string();
+  return place.empty() ? place : " in " + place;
 }
 
-DicomSeries LargestSeries(const Slices& slices)
+/// Of the series that were not taken, the empty one.
+std::string OthersText(const std::vector<Slices>& groups, const std::string& folder)
+{
+  constexpr std::size_t most = 5;
+  std::string text;
+  std::size_t count = 0;
+  for (const Slices& group : groups)
+  {
+    if (!group.empty() && ++count <= most)
+    {
+      text += (count > 1 ? ", " : "") + std::to_string(group.size()) +
+        (group.size() == 1 ? " slice" : " slices") + PlaceOf(group, folder) + " from " +
+        NameOf(group.front()) + " on";
+    }
+  }
+  return count > most ? text + " and " + std::to_string(count - most) + " more" : text;
+}
+}
+
+DicomSeries LargestSeries(const Slices& slices, const std::string& folder)
 {
   DicomSeries series;
   std::vector<Slices> groups = Grouped(slices);
@@ -120,7 +234,12 @@ DicomSeries LargestSeries(const Slices& slices)
   if (groups.size() > 1)
   {
     series.Note = "Of " + std::to_string(groups.size()) + " series the one with " +
-      std::to_string(series.Slices.size()) + " slices was taken.";
+      std::to_string(series.Slices.size()) + " slices was taken" + PlaceOf(series.Slices, folder) +
+      "; others: " + OthersText(groups, folder) + ".";
+  }
+  else if (!PlaceOf(series.Slices, folder).empty())
+  {
+    series.Note = "The series" + PlaceOf(series.Slices, folder) + " was taken.";
   }
   if (copies > 0)
   {

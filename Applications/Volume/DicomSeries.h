@@ -10,6 +10,7 @@
 #include "Volume.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct DicomSlice
   double ColumnDistance = 0.0;
   double Slope = 1.0; ///< Stored value times slope plus intercept is HU.
   double Intercept = 0.0;
+  std::optional<std::array<double, 2>>
+    Padding; ///< Least and largest stored value of pixels that were not measured.
 };
 
 struct DicomSeries
@@ -42,8 +45,8 @@ struct DicomSeries
   std::string Note;
 };
 
-/// The slices may come in any order.
-DicomSeries LargestSeries(const std::vector<DicomSlice>& slices);
+/// The slices may come in any order. @param folder In which they are, or below.
+DicomSeries LargestSeries(const std::vector<DicomSlice>& slices, const std::string& folder);
 }
 
 #endif

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <set>
 #include <system_error>
 
 namespace bonedecimate
@@ -67,14 +68,21 @@ VolumeKind KindByExtension(const fs::path& name)
   return found == std::end(Extensions) ? VolumeKind::None : found->Kind;
 }
 
+/// Those that TakeSeriesBelow() was called for.
+std::set<std::string>& FoldersOfSeries()
+{
+  static std::set<std::string> folders;
+  return folders;
+}
+
 VolumeKind KindOf(const std::string& path)
 {
   std::error_code error;
   if (fs::is_directory(FilePath(path), error))
   {
-    return HoldsDicom(path)   ? VolumeKind::DicomFolder
-      : HoldsTiffSlices(path) ? VolumeKind::TiffFolder
-                              : VolumeKind::None;
+    return HoldsDicom(path) || FoldersOfSeries().count(path) > 0 ? VolumeKind::DicomFolder
+      : HoldsTiffSlices(path)                                    ? VolumeKind::TiffFolder
+                                                                 : VolumeKind::None;
   }
   const VolumeKind kind = KindByExtension(FilePath(path));
   // A TIFF of one page is a picture.
@@ -127,8 +135,7 @@ std::string Unreadable(const std::string& path, VolumeKind kind, const VoxelSpac
   }
   if (kind == VolumeKind::None)
   {
-    return "it is no volume: .vti, .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz, a .tif of several "
-           "pages, a .dcm of segments or a folder of DICOM files or TIFF slices";
+    return "it is no volume; read are " + ReadVolumesText();
   }
   if (!spacing && LacksSpacing(path, kind))
   {
@@ -149,6 +156,23 @@ bool IsVolume(const std::string& path)
 bool IsVolumeFile(const std::string& path)
 {
   return KindByExtension(FilePath(path)) != VolumeKind::None;
+}
+
+std::string ReadVolumesText()
+{
+  return ".nii, .nii.gz, .nrrd, .nhdr, .seg.nrrd, .mha, .mhd, .vti, a .tif of several pages, a "
+         ".dcm of segments, and a folder of "
+         "DICOM files or TIFF slices";
+}
+
+bool TakeSeriesBelow(const std::string& folder)
+{
+  const bool hasSeries = KindOf(folder) == VolumeKind::None && !DicomFilesBelow(folder, 1).empty();
+  if (hasSeries)
+  {
+    FoldersOfSeries().insert(folder);
+  }
+  return hasSeries;
 }
 
 std::vector<std::string> VolumeExtensions()
