@@ -193,11 +193,14 @@ private:
       RemoveSegmentFolder(job.Child.GetProcess(), bone.Output);
     }
     const ExitCode code = job.Child.GetCode();
-    if (code == ExitCode::InputRejected &&
-      job.Child.GetMessage().find(NoLabelReason) != std::string::npos)
+    for (const char* reason : { NoLabelReason, NoChosenVoxelReason })
     {
-      return this->End(
-        job.Bone, "skipped", ExitCode::Done, NoLabelReason); // a structure out of view
+      const std::size_t begin = job.Child.GetMessage().find(reason);
+      if (code == ExitCode::InputRejected && begin != std::string::npos) // a structure out of view
+      {
+        const std::string message = job.Child.GetMessage().substr(begin);
+        return this->End(job.Bone, "skipped", ExitCode::Done, message);
+      }
     }
     const bool stopped = code == ExitCode::Interrupted;
     this->End(job.Bone, code == ExitCode::Done ? "done" : (stopped ? "interrupted" : "failed"),

@@ -175,7 +175,7 @@ FoundSegments FindSegments(const std::set<std::int64_t>& labels, vtkFieldData* f
       segment.Name = NameOf(segment, arguments);
     }
   }
-  if (labels.empty())
+  if (labels.empty() && (segments.Empty.empty() || LowerCase(arguments.Choice) == "all"))
   {
     Reject(path, NoLabelReason);
   }
@@ -223,7 +223,7 @@ std::vector<NamedLabel> ChooseSegments(const FoundSegments& segments,
   }
   if (chosen.empty())
   {
-    Reject(path, "no voxel belongs to what --segments chooses, " + ListOf(empty));
+    Reject(path, NoChosenVoxelReason + ListOf(empty));
   }
   WarnOfEmpty(empty, warnings);
   return chosen;

@@ -34,6 +34,9 @@ struct FoundSegments
 /// Why a map in which all voxels are background is rejected. A batch passes over it.
 inline constexpr const char* NoLabelReason = "none of its voxels has a label: all are 0";
 
+/// The same of segments that were chosen.
+inline constexpr const char* NoChosenVoxelReason = "no voxel belongs to what --segments chooses, ";
+
 /**
  * Names and colors are those of the map or of TotalSegmentator.
  * @param labels CollectLabels() of all voxels.  @param fields Of the map.  @param path Of the map, for messages.

@@ -71,7 +71,8 @@ SegmentSlabs::SegmentSlabs(const Arguments& arguments)
   this->BytesInALayer = header.BytesInALayer();
   this->ReadsWhole = header.IsReadWhole;
   this->Note = header.Note;
-  this->Problem = header.Problem.empty() ? LabelGridProblem(header.Geometry) : header.Problem;
+  this->Problem =
+    header.Problem.empty() ? LabelGridProblem(header.Geometry, header.Layers) : header.Problem;
   if (this->Problem.empty())
   {
     this->Map.Grid = GridOf(header);

@@ -255,6 +255,7 @@ LayeredVolume LayersOfSeries(const DicomSeries& series)
   volume.Header.Size = size;
   volume.Header.ScalarType = VTK_FLOAT; // slope and intercept need not be whole
   volume.Header.Geometry = series.Geometry;
+  volume.Header.Layers = series.Layers;
   volume.Header.Note = series.Note;
   volume.ReadLayer = [slices = series.Slices, next = std::size_t(0)](void* values) mutable
   {

@@ -121,7 +121,7 @@ std::string LineProblem(const Slices& slices, const Vector3& direction, double u
       return "its slice " + NameOf(slices[k]) + " lies " + LengthText(Length(aside)) +
         " beside the line of the others";
     }
-    if (!(distances[k - 1] > 0.2 * usual))
+    if (!(distances[k - 1] > 0.02 * usual))
     {
       return "its slices " + NameOf(slices[k - 1]) + " and " + NameOf(slices[k]) +
         " lie at the same position; remove one of them";
@@ -147,33 +147,98 @@ bool AreEven(const Slices& slices, const VolumeGeometry& geometry)
   return true;
 }
 
-/// Names the slices on both sides of the place where the distance is another one.
-std::string EvennessProblem(const Slices& slices, const VolumeGeometry& geometry)
+bool IsOther(double distance, double usual)
 {
-  if (AreEven(slices, geometry))
+  return std::abs(distance - usual) > 0.2 * std::min(distance, usual);
+}
+
+/// Distances that are equal one after the other.
+struct SpacingRun
+{
+  std::size_t First = 0; ///< Slice.
+  std::size_t Count = 0;
+  double Distance = 0.0; ///< Mean, mm.
+};
+
+std::vector<SpacingRun> RunsOf(const std::vector<double>& distances)
+{
+  std::vector<SpacingRun> runs;
+  for (std::size_t k = 0; k < distances.size(); ++k)
   {
-    return std::string();
+    if (runs.empty() || IsOther(distances[k], runs.back().Distance))
+    {
+      runs.push_back({ k, 0, 0.0 });
+    }
+    SpacingRun& run = runs.back();
+    run.Distance += (distances[k] - run.Distance) / static_cast<double>(run.Count + 1);
+    ++run.Count;
   }
-  const Vector3 direction = Scaled(geometry.Steps[2], 1.0 / Length(geometry.Steps[2]));
-  const std::vector<double> distances = DistancesOf(slices, direction);
+  return runs;
+}
+
+/// Where a head is scanned finely below and coarsely above: a slice that is missing is a distance by itself.
+bool AreOnPurpose(const std::vector<SpacingRun>& runs)
+{
+  constexpr std::size_t fewest = 3;
+  constexpr std::size_t most = 6;
+  return runs.size() <= most &&
+    std::all_of(
+      runs.begin(), runs.end(), [](const SpacingRun& run) { return run.Count >= fewest; });
+}
+
+/// Names the slices on both sides of the place where the distance is another one.
+std::string GapProblem(const Slices& slices, const std::vector<double>& distances)
+{
   const double usual = MedianOf(distances);
-  const std::string onLine = LineProblem(slices, direction, usual);
-  const auto isOther = [usual](double distance)
-  { return std::abs(distance - usual) > 0.2 * usual; };
+  const auto isOther = [usual](double distance) { return IsOther(distance, usual); };
   const auto other = std::find_if(distances.begin(), distances.end(), isOther);
-  if (!onLine.empty() || other == distances.end())
+  if (other == distances.end())
   {
-    return onLine.empty() ? "its slices are not evenly spaced" : onLine;
+    return "its slices are not evenly spaced";
   }
   const auto k = static_cast<std::size_t>(other - distances.begin());
-  const std::size_t count = slices.size();
   return "its slices are not evenly spaced: " + LengthText(*other) + " instead of " +
     LengthText(usual) + " between " + NameOf(slices[k]) + " and " + NameOf(slices[k + 1]) +
     ", slices " + std::to_string(k + 1) + " and " + std::to_string(k + 2) + " of " +
-    std::to_string(count) +
-    (std::count_if(distances.begin(), distances.end(), isOther) > 1
-        ? "; give a folder with the slices of one spacing"
-        : "; slices between them are missing");
+    std::to_string(slices.size()) +
+    (*other > usual ? "; one or more between them are missing"
+                    : "; give a folder without those that do not belong to it");
+}
+
+std::string RunsNote(const Slices& slices, const std::vector<SpacingRun>& runs)
+{
+  std::string note = "Its slices are " + LengthText(runs.front().Distance) + " apart";
+  for (std::size_t i = 1; i < runs.size(); ++i)
+  {
+    note += (i > 1 ? ", " : " and ") + LengthText(runs[i].Distance) + " from " +
+      NameOf(slices[runs[i].First]) + " on";
+  }
+  return note + "; they are read where they are.";
+}
+
+/// Of slices that are not evenly spaced.
+void TakeUnevenSlices(DicomSeries& series)
+{
+  const double step = Length(series.Geometry.Steps[2]);
+  const Vector3 direction = Scaled(series.Geometry.Steps[2], 1.0 / step);
+  const std::vector<double> distances = DistancesOf(series.Slices, direction);
+  series.Problem = LineProblem(series.Slices, direction, MedianOf(distances));
+  if (!series.Problem.empty())
+  {
+    return;
+  }
+  const std::vector<SpacingRun> runs = RunsOf(distances);
+  if (!AreOnPurpose(runs))
+  {
+    series.Problem = GapProblem(series.Slices, distances);
+    return;
+  }
+  series.Layers = { 0.0 };
+  for (const double distance : distances)
+  {
+    series.Layers.push_back(series.Layers.back() + distance / step);
+  }
+  series.Note += (series.Note.empty() ? "" : " ") + RunsNote(series.Slices, runs);
 }
 
 std::string SeriesProblem(const DicomSeries& series)
@@ -183,8 +248,7 @@ std::string SeriesProblem(const DicomSeries& series)
   {
     return "it holds files of several frames; save them as one file a slice";
   }
-  const std::string problem = GeometryProblem(series.Geometry);
-  return problem.empty() ? EvennessProblem(series.Slices, series.Geometry) : problem;
+  return GeometryProblem(series.Geometry);
 }
 
 /// Of slices below the folder; empty in the folder itself.
@@ -254,6 +318,10 @@ DicomSeries LargestSeries(const Slices& slices, const std::string& folder)
   SortByPosition(series.Slices);
   series.Geometry = SeriesGeometry(series.Slices);
   series.Problem = SeriesProblem(series);
+  if (series.Problem.empty() && !AreEven(series.Slices, series.Geometry))
+  {
+    TakeUnevenSlices(series);
+  }
   return series;
 }
 }

@@ -40,7 +40,8 @@ struct DicomSlice
 struct DicomSeries
 {
   std::vector<DicomSlice> Slices; ///< By position.
-  VolumeGeometry Geometry;
+  VolumeGeometry Geometry;        ///< The step along k is the mean of the distances.
+  LayerPositions Layers;
   std::string Problem;
   std::string Note;
 };

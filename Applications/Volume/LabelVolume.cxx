@@ -62,8 +62,12 @@ VolumeGeometry Perpendicular(const VolumeGeometry& geometry)
 }
 }
 
-std::string LabelGridProblem(const VolumeGeometry& geometry)
+std::string LabelGridProblem(const VolumeGeometry& geometry, const LayerPositions& layers)
 {
+  if (!layers.empty())
+  {
+    return "its slices are not evenly spaced, which those of a label map have to be";
+  }
   return LargestCosineOf(geometry) <= LargestCosine
     ? ""
     : "its axes are not perpendicular, which a label map's have to be: resample it to a grid with "
@@ -119,7 +123,7 @@ LabelVolume ReadLabelVolume(
   labels.Problem = volume.Problem;
   if (labels.Problem.empty())
   {
-    labels.Problem = LabelGridProblem(volume.Geometry);
+    labels.Problem = LabelGridProblem(volume.Geometry, volume.Layers);
   }
   if (labels.Problem.empty())
   {

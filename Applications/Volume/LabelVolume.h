@@ -31,7 +31,8 @@ struct LabelVolume
 };
 
 /// Why voxels with this geometry are no label map; empty if they may be one.
-std::string LabelGridProblem(const volume::VolumeGeometry& geometry);
+std::string LabelGridProblem(
+  const volume::VolumeGeometry& geometry, const volume::LayerPositions& layers = {});
 
 /// How far voxels move where axes are perpendicular only but for rounding; empty if they do not move.
 std::string LabelGridNote(

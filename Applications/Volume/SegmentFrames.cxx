@@ -67,7 +67,7 @@ std::string SegmentFrames::Arrange(
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
     this->SegmentOfFrame.push_back(frames[i].Segment);
-    if (this->Type != SegmentPixels::Bits || isChosen[frames[i].Segment])
+    if (this->Type != SegmentPixels::Bits || isChosen.empty() || isChosen[frames[i].Segment])
     {
       this->FramesOfPlane[static_cast<std::size_t>(frames[i].Plane)].push_back(i);
     }

@@ -75,6 +75,12 @@ std::set<std::string>& FoldersOfSeries()
   return folders;
 }
 
+/// The table of contents of a CD, which stands for its folder.
+bool IsDirectoryFile(const std::string& path)
+{
+  return LowerCase(FilePath(path).filename().string()) == "dicomdir" && IsDicomFile(path);
+}
+
 VolumeKind KindOf(const std::string& path)
 {
   std::error_code error;
@@ -83,6 +89,10 @@ VolumeKind KindOf(const std::string& path)
     return HoldsDicom(path) || FoldersOfSeries().count(path) > 0 ? VolumeKind::DicomFolder
       : HoldsTiffSlices(path)                                    ? VolumeKind::TiffFolder
                                                                  : VolumeKind::None;
+  }
+  if (IsDirectoryFile(path))
+  {
+    return VolumeKind::DicomFolder;
   }
   const VolumeKind kind = KindByExtension(FilePath(path));
   // A TIFF of one page is a picture.
@@ -222,7 +232,8 @@ std::unique_ptr<IsolatedReader> OpenVolume(
         case VolumeKind::DicomFile:
           return OpenDicomFile(path, selection);
         default:
-          return OpenDicomFolder(path, selection);
+          return OpenDicomFolder(
+            IsDirectoryFile(path) ? FilePath(path).parent_path().string() : path, selection);
       }
     });
 }
@@ -234,6 +245,7 @@ Volume ReadVolume(
   const VolumeHeader& header = reader->GetHeader();
   Volume volume;
   volume.Geometry = header.Geometry;
+  volume.Layers = header.Layers;
   volume.Note = header.Note;
   volume.Problem = header.Problem;
   if (volume.Problem.empty())

@@ -46,7 +46,9 @@ bool SendHeader(const VolumeHeader& header, Pipe& pipe)
   }
   const Shape shape{ header.Size, header.ScalarType, header.IsReadWhole };
   SendLabelFields(header.Fields, pipe);
-  return pipe.Send(&header.Geometry, sizeof(header.Geometry)) && pipe.Send(&shape, sizeof(shape));
+  const std::size_t layers = header.Layers.size();
+  return pipe.Send(&header.Geometry, sizeof(header.Geometry)) && pipe.Send(&shape, sizeof(shape)) &&
+    pipe.Send(&layers, sizeof(layers)) && pipe.Send(header.Layers.data(), layers * sizeof(double));
 }
 
 /// Each layer comes behind a text that is empty if there is a layer.
@@ -184,13 +186,16 @@ bool IsolatedReader::Source::ReceiveHeader(VolumeHeader& header)
   {
     return true;
   }
+  std::size_t layers = 0;
   const bool isComplete = ReceiveLabelFields(this->FromChild, header.Fields) &&
     this->FromChild.Receive(&header.Geometry, sizeof(header.Geometry)) &&
-    this->FromChild.Receive(&shape, sizeof(shape));
+    this->FromChild.Receive(&shape, sizeof(shape)) &&
+    this->FromChild.Receive(&layers, sizeof(layers));
   header.Size = shape.Size;
   header.ScalarType = shape.ScalarType;
   header.IsReadWhole = shape.IsReadWhole;
-  return isComplete;
+  header.Layers.resize(isComplete ? layers : 0);
+  return isComplete && this->FromChild.Receive(header.Layers.data(), layers * sizeof(double));
 }
 
 std::string IsolatedReader::ReadLayers(std::int64_t count, void* values)
