@@ -5,6 +5,7 @@
 #include "DataFile.h"
 #include "DicomAttributes.h"
 #include "GdcmMessages.h"
+#include "MemoryCap.h"
 #include "SegmentationHeader.h"
 
 #include <gdcmBitmap.h>
@@ -70,6 +71,20 @@ std::string SyntaxProblem(const std::string& path)
   return isKnown && IsReadSyntax(gdcm::TransferSyntax::GetTSType(syntax.c_str()))
     ? std::string()
     : UnreadableSyntax;
+}
+
+/// An element may announce 4 GB.
+bool ReadWithin(gdcm::Reader& reader, std::uint64_t memory)
+{
+  const MemoryCap cap(memory);
+  try
+  {
+    return reader.Read();
+  }
+  catch (const std::bad_alloc&)
+  {
+    return false;
+  }
 }
 
 /// Lossless codecs of GDCM. The size was checked.
@@ -185,7 +200,7 @@ LayeredVolume OpenDicomSegmentation(const std::string& file, const SegmentSelect
   }
   gdcm::Reader reader;
   reader.SetFileName(file.c_str());
-  if (!reader.Read() || messages.TellOfMissingPixels())
+  if (!ReadWithin(reader, MemoryForFiles(SizeOfFile(file))) || messages.TellOfMissingPixels())
   {
     return RejectedLayers(DamagedFile);
   }

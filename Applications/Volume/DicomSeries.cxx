@@ -78,7 +78,8 @@ VolumeGeometry SeriesGeometry(const Slices& slices)
 
 std::string NameOf(const DicomSlice& slice)
 {
-  return FilePath(slice.File).filename().string();
+  return FilePath(slice.File).filename().string() +
+    (slice.FramesInFile > 1 ? ", frame " + std::to_string(slice.Frame + 1) : std::string());
 }
 
 std::string LengthText(double millimeters)
@@ -246,7 +247,8 @@ std::string SeriesProblem(const DicomSeries& series)
   const auto hasFrames = [](const DicomSlice& slice) { return slice.Frames > 1; };
   if (std::any_of(series.Slices.begin(), series.Slices.end(), hasFrames))
   {
-    return "it holds files of several frames; save them as one file a slice";
+    return "it holds files of several frames that do not say where each lies; save them as one "
+           "file a slice";
   }
   return GeometryProblem(series.Geometry);
 }

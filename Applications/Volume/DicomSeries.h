@@ -24,6 +24,8 @@ struct DicomSlice
   std::string Instance;      ///< That of the image, to know copies of one file.
   bool IsTomography = false; ///< CT.
   std::int64_t Frames = 1;
+  std::int64_t Frame = 0;        ///< Of an enhanced image, from 0.
+  std::int64_t FramesInFile = 1; ///< Of an enhanced image.
   std::int64_t Rows = 0;
   std::int64_t Columns = 0;
   Vector3 Position{ { 0.0, 0.0, 0.0 } };    ///< mm, of the first pixel.

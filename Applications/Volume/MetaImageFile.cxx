@@ -72,10 +72,7 @@ std::string DimensionsProblem(const std::string& header)
       ? "its NDims is " + text.substr(0, 20) + ", only volumes of three dimensions are read"
       : "it does not have NDims and DimSize once each";
   }
-  const auto sizes = ParseNumbers(FieldOf(header, "dimsize"));
-  const bool isPositive =
-    sizes && std::all_of(sizes->begin(), sizes->end(), [](double size) { return size >= 1.0; });
-  return isPositive ? std::string() : "its DimSize is not 3 positive numbers";
+  return std::string();
 }
 
 /// MetaIO takes numbers that it cannot read for zeros.

@@ -178,7 +178,10 @@ std::string DataFileProblem(const std::string& path, const NrrdText& text)
 
 bool NrrdHasSpacing(const std::string& path)
 {
-  return ReadNrrdText(path).HasSpacing();
+  const NrrdText text = ReadNrrdText(path);
+  const bool isHeader =
+    !text.FieldOf("sizes").empty() && (text.IsEnded || !text.DataFile().empty());
+  return !isHeader || text.HasSpacing(); // without a header it has a problem of its own
 }
 
 LayeredVolume OpenNrrd(const std::string& path, const SegmentSelection& selection)

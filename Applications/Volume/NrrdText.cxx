@@ -84,6 +84,7 @@ NrrdText ReadNrrdText(const std::string& path)
     text.Bytes += line.size() + (file.eof() ? 0 : 1);
     ++text.Lines;
     line.erase(line.find_last_not_of('\r') + 1);
+    text.IsEnded = line.empty();
     if (line.empty() || (text.Lines == 1 && line.compare(0, 4, "NRRD") != 0))
     {
       break;

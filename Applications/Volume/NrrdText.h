@@ -19,6 +19,7 @@ struct NrrdText
   std::vector<std::string> Keys;   ///< "KEY:=VALUE"
   std::uint64_t Bytes = 0;         ///< With the empty line at the end, if there is one.
   std::int64_t Lines = 0;          ///< With this line.
+  bool IsEnded = false;            ///< By this line.
 
   /// Of a field in small letters; empty if it is not there.
   std::string FieldOf(const std::string& name) const;

@@ -76,6 +76,11 @@ class Headers(ApplicationTest):
         found, text = self.bounds(self.write("um.nrrd", space.format(*['"um"'] * 3).encode() + voxels))
         numpy.testing.assert_allclose(found, 0.001 * plain, rtol=1e-5)
         self.assertIn("its unit is the micrometer", text)
+        meta = "ObjectType = Image\nNDims = 3\nDimSize = 24 24 24\n{}Offset = 4 0 0\nElementSpacing = 0.5 0.75 1\n" \
+               "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n"
+        found, text = self.bounds(self.write("um.mha", meta.format("DistanceUnits = um\n").encode() + voxels))
+        numpy.testing.assert_allclose(found, 0.001 * plain, rtol=1e-5)
+        self.assertIn("its unit is the micrometer", text)
         self.write("mixed.nrrd", space.format('"um"', '"mm"', '"mm"').encode() + voxels)
         self.fail_with(REJECTED, "mixed.nrrd", "out.vtp", *SEGMENTS, says="its unit of length is 'micrometer, millimeter, millimeter'")
 
@@ -169,6 +174,14 @@ def element(group, number, kind, value):
     return struct.pack("<HH", group, number) + kind.encode() + length + value
 
 
+def sequence(*items):
+    data = b""
+    for item in items:
+        content = b"".join(element(*values) for values in item)
+        data += struct.pack("<HHI", 0xfffe, 0xe000, len(content)) + content
+    return data
+
+
 def slice_file(image, z, number, series="1", more=(), frames=0):
     """A slice of a CT; the image is indexed row, column. Stored values are HU + 1024."""
     meta = element(2, 0x10, "UI", "1.2.840.10008.1.2.1")
@@ -257,11 +270,30 @@ class Scans(ApplicationTest):
             self.assertIn("was taken", self.heights(name)[1])
         self.assertIn("2 files: 1 done, 1 failed", self.run_program("cd/S1", "batch/", *self.ISO).stdout)
 
-    def test_enhanced_images_are_rejected_with_a_way_on(self):
+    def test_enhanced_images_are_read_as_the_series_of_their_frames(self):
+        """Frames from the last to the first."""
+        self.write_series("ct", range(24))
+        self.succeed("ct", "series.ply", *self.ISO)
+        groups = (0x20, 0x9116), sequence([(0x20, 0x37, "DS", "1\\0\\0\\0\\1\\0")])
+        measures = (0x28, 0x9110), sequence([(0x28, 0x30, "DS", "1\\1")])
+        scale = (0x28, 0x9145), sequence([(0x28, 0x1052, "DS", "-1024"), (0x28, 0x1053, "DS", "1")])
+        shared = sequence([(*tag, "SQ", value) for tag, value in (groups, measures, scale)])
+        frames = sequence(*([(0x20, 0x9113, "SQ", sequence([(0x20, 0x32, "DS", f"0\\0\\{z}")]))] for z in reversed(range(24))))
+        more = {(0x5200, 0x9229): ("SQ", shared), (0x5200, 0x9230): ("SQ", frames), (0x28, 0x10): ("US", 24)}
+        self.path("one").mkdir()
+        data = slice_file(numpy.concatenate(images()[::-1]), 0, 0, frames=24, more=more)
+        self.path("one/enhanced.dcm").write_bytes(data)
+        for name in ("one", "one/enhanced.dcm"):
+            self.succeed(name, "enhanced.ply", *self.ISO)
+            self.assertEqual(self.path("enhanced.ply").read_bytes(), self.path("series.ply").read_bytes())
+        self.path("one/enhanced.dcm").write_bytes(data[:-5000])
+        self.fail_with(REJECTED, "one", "out.vtp", *self.ISO, says="enhanced.dcm: its pixels are damaged")
+
+    def test_frames_without_positions_are_rejected_with_a_way_on(self):
         self.path("ct").mkdir()
-        self.path("ct/enhanced.dcm").write_bytes(slice_file(numpy.concatenate(images()[:4]), 0, 0, frames=4))
-        for name in ("ct", "ct/enhanced.dcm"):
-            self.fail_with(REJECTED, name, "out.vtp", *self.ISO, says="enhanced.dcm is an enhanced image")
+        self.path("ct/frames.dcm").write_bytes(slice_file(numpy.concatenate(images()[:4]), 0, 0, frames=4))
+        for name in ("ct", "ct/frames.dcm"):
+            self.fail_with(REJECTED, name, "out.vtp", *self.ISO, says="frames.dcm has several frames and does not say where each lies")
 
 
 if __name__ == "__main__":
