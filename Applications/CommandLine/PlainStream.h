@@ -22,7 +22,7 @@ public:
   PlainStream(const PlainStream&) = delete;
   PlainStream& operator=(const PlainStream&) = delete;
 
-  /// Whether a write failed because nobody reads any more.
+  /// Whether a write failed because the reader of the pipe has ended.
   bool IsClosed() const { return this->Closed; }
 
 private:

@@ -53,7 +53,7 @@ FoundSegments FindSegments(
  *     bones     with names of TotalSegmentator: those that it knows as bones
  *     else      labels and names with commas in between; small and capital letters are the same
  *
- * @param warnings Get a sentence with the segments that were asked for and have no voxel.
+ * @param warnings Get a sentence with the chosen segments that have no voxel.
  * @throws Failure(ExitCode::InputRejected) with the segments that there are, if one of them is not there, or none has a voxel.
  */
 std::vector<NamedLabel> ChooseSegments(const FoundSegments& segments,

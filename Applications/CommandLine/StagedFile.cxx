@@ -121,7 +121,7 @@ StagedFile::StagedFile(const std::string& target)
   }
   if (this->Mode)
   {
-    // Nobody reads what is written who could not read the file that it replaces.
+    // Users that cannot read the file that is replaced cannot read the temporary one.
     std::error_code ignored;
     const fs::perms own = fs::perms::owner_read | fs::perms::owner_write;
     fs::permissions(FilePath(this->Temporary), *this->Mode | own, ignored);

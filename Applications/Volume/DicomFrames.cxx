@@ -24,7 +24,7 @@ const gdcm::Tag ValueTransformation(0x0028, 0x9145);
 const gdcm::Tag PixelsOfFrames(0x7fe0, 0x0010);
 
 /// False if it does not say where it lies.
-bool Place(const FrameAttributes& frame, DicomSlice& slice)
+bool TakePosition(const FrameAttributes& frame, DicomSlice& slice)
 {
   const auto position = frame.Numbers(PlanePosition, tags::Position, 3);
   const auto orientation = frame.Numbers(PlaneOrientation, tags::Orientation, 6);
@@ -69,7 +69,7 @@ std::vector<DicomSlice> FramesOf(const DicomSlice& whole)
     DicomSlice slice = whole;
     slice.Frame = static_cast<std::int64_t>(i);
     slice.Instance += "." + std::to_string(i);
-    if (!Place(frame, slice))
+    if (!TakePosition(frame, slice))
     {
       return {};
     }

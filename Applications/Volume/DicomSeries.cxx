@@ -187,7 +187,7 @@ bool AreOnPurpose(const std::vector<SpacingRun>& runs)
       runs.begin(), runs.end(), [](const SpacingRun& run) { return run.Count >= fewest; });
 }
 
-/// Names the slices on both sides of the place where the distance is another one.
+/// Names the slices on both sides of the first distance that differs from the usual one.
 std::string GapProblem(const Slices& slices, const std::vector<double>& distances)
 {
   const double usual = MedianOf(distances);
@@ -254,13 +254,13 @@ std::string SeriesProblem(const DicomSeries& series)
 }
 
 /// Of slices below the folder; empty in the folder itself.
-std::string PlaceOf(const Slices& slices, const std::string& folder)
+std::string SubfolderOf(const Slices& slices, const std::string& folder)
 {
-  const std::string place = FilePath(slices.front().File)
-                              .lexically_relative(FilePath(folder))
-                              .parent_path()
-                              .generic_string();
-  return place.empty() ? place : " in " + place;
+  const std::string subfolder = FilePath(slices.front().File)
+                                  .lexically_relative(FilePath(folder))
+                                  .parent_path()
+                                  .generic_string();
+  return subfolder.empty() ? subfolder : " in " + subfolder;
 }
 
 /// Of the series that were not taken, the empty one.
@@ -274,7 +274,7 @@ std::string OthersText(const std::vector<Slices>& groups, const std::string& fol
     if (!group.empty() && ++count <= most)
     {
       text += (count > 1 ? ", " : "") + std::to_string(group.size()) +
-        (group.size() == 1 ? " slice" : " slices") + PlaceOf(group, folder) + " from " +
+        (group.size() == 1 ? " slice" : " slices") + SubfolderOf(group, folder) + " from " +
         NameOf(group.front()) + " on";
     }
   }
@@ -300,12 +300,12 @@ DicomSeries LargestSeries(const Slices& slices, const std::string& folder)
   if (groups.size() > 1)
   {
     series.Note = "Of " + std::to_string(groups.size()) + " series the one with " +
-      std::to_string(series.Slices.size()) + " slices was taken" + PlaceOf(series.Slices, folder) +
-      "; others: " + OthersText(groups, folder) + ".";
+      std::to_string(series.Slices.size()) + " slices was taken" +
+      SubfolderOf(series.Slices, folder) + "; others: " + OthersText(groups, folder) + ".";
   }
-  else if (!PlaceOf(series.Slices, folder).empty())
+  else if (!SubfolderOf(series.Slices, folder).empty())
   {
-    series.Note = "The series" + PlaceOf(series.Slices, folder) + " was taken.";
+    series.Note = "The series" + SubfolderOf(series.Slices, folder) + " was taken.";
   }
   if (copies > 0)
   {

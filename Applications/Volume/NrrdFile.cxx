@@ -117,7 +117,7 @@ public:
   }
 
   /// From what ITK makes of it to mm in LPS.
-  void Place(VolumeGeometry& geometry) const
+  void ConvertToPatient(VolumeGeometry& geometry) const
   {
     this->CorrectSpace(geometry);
     geometry = InMillimeters(geometry, this->Unit());
@@ -216,13 +216,13 @@ LayeredVolume OpenNrrd(const std::string& path, const SegmentSelection& selectio
   if (!hasLayers && nrrd.IsPlain())
   {
     LayeredVolume layers = StoredLayers(header, data, nrrd.Order());
-    nrrd.Place(layers.Header.Geometry);
+    nrrd.ConvertToPatient(layers.Header.Geometry);
     AddLabelFields(segments, layers.Header.Fields);
     AppendNote(layers.Header.Note, UnitNote(nrrd.Unit()));
     return layers;
   }
   Volume volume = image.ReadVolume();
-  nrrd.Place(volume.Geometry);
+  nrrd.ConvertToPatient(volume.Geometry);
   LayeredVolume layers = volume.Image && hasLayers
     ? LayersOf(CombinedLayers(volume, segments, selection))
     : LayersOf(volume);

@@ -75,7 +75,7 @@ std::set<std::string>& FoldersOfSeries()
   return folders;
 }
 
-/// The table of contents of a CD, which stands for its folder.
+/// The table of contents of a CD, which represents its folder.
 bool IsDirectoryFile(const std::string& path)
 {
   return LowerCase(FilePath(path).filename().string()) == "dicomdir" && IsDicomFile(path);

@@ -244,17 +244,12 @@ private:
     }
   }
 
-  static std::int64_t LabelAt(vtkDataArray* array, vtkIdType tuple, int component)
-  {
-    return LabelIn(array, tuple, component);
-  }
-
   void ReadValues()
   {
     vtkDataArray* values = this->Find(this->Input->GetFieldData(), LabelValuesName, 1, -1);
     for (vtkIdType i = 0; values && i < values->GetNumberOfTuples(); ++i)
     {
-      this->Source.Values.push_back(LabelAt(values, i, 0));
+      this->Source.Values.push_back(LabelIn(values, i, 0));
     }
   }
 
@@ -285,8 +280,8 @@ private:
     };
     for (const vtkIdType cell : this->Converted.CellOfTriangle)
     {
-      const BoundaryLabels both = { indexOf(LabelAt(labels, cell, 0)),
-        indexOf(LabelAt(labels, cell, 1)) };
+      const BoundaryLabels both = { indexOf(LabelIn(labels, cell, 0)),
+        indexOf(LabelIn(labels, cell, 1)) };
       this->Source.OfTriangle.push_back(both);
       if (both[0] == None || both[1] == None)
       {
@@ -301,8 +296,8 @@ private:
     std::vector<std::int64_t>& values = this->Source.Values;
     for (vtkIdType cell = 0; cell < labels->GetNumberOfTuples(); ++cell)
     {
-      values.push_back(LabelAt(labels, cell, 0));
-      values.push_back(LabelAt(labels, cell, 1));
+      values.push_back(LabelIn(labels, cell, 0));
+      values.push_back(LabelIn(labels, cell, 1));
     }
     std::sort(values.begin(), values.end());
     values.erase(std::unique(values.begin(), values.end()), values.end());

@@ -13,7 +13,7 @@ import time
 
 import numpy
 
-from application import DONE, INTERRUPTED, PROGRAM, REJECTED, ApplicationTest, main, read, torus, write
+from application import DONE, INTERRUPTED, PROGRAM, REJECTED, USAGE, ApplicationTest, main, read, torus, write
 
 ISO = ("--iso", 50, "--target-reduction", 0.5, "--quiet")
 META = "ObjectType = Image\nNDims = {dimensions}\nBinaryData = True\nDimSize = {size}\n{more}ElementType = MET_SHORT\nElementDataFile = voxels.raw\n"
@@ -44,7 +44,7 @@ class HostileVolumes(ApplicationTest):
         """Within 20 seconds, which a hang is not."""
         return self.fail_with(REJECTED, *words, says=says, timeout=20)
 
-    def test_pipes_in_place_of_voxels_are_rejected(self):
+    def test_pipes_instead_of_voxels_are_rejected(self):
         os.mkfifo(self.path("pipe.raw"))
         self.path("pipe.nhdr").write_text(NRRD.format(more="spacings: 1 1 1\n") + "data file: pipe.raw\n", encoding="ascii")
         self.rejected_in_time("pipe.nhdr", "out.ply", *ISO, says="no regular file")
@@ -93,7 +93,7 @@ class HostileVolumes(ApplicationTest):
                 self.assertAlmostEqual(bounds[1] - bounds[0], 2 * 12.5, delta=1.5)
                 self.assertAlmostEqual(bounds[5] - bounds[4], 3 * 12.5, delta=2)
         self.write_meta("spaced.mhd")
-        self.fail_with(1, "spaced.mhd", "out.ply", *ISO, "--spacing", 1, says="for volumes that have none of their own")
+        self.fail_with(USAGE, "spaced.mhd", "out.ply", *ISO, "--spacing", 1, says="for volumes that have none of their own")
 
     def test_pages_in_a_circle_are_rejected(self):
         entries = ((256, 3, 24), (257, 3, 24), (258, 3, 8), (259, 3, 1), (262, 3, 1), (273, 4, 8), (277, 3, 1), (278, 3, 24), (279, 4, 576))
@@ -127,6 +127,19 @@ class HostileVolumes(ApplicationTest):
         self.path("in.vtp").write_text('<VTKFile type="PolyData"><PolyData><FieldData>' + "<DataArray/>" * 10001 + "</FieldData></PolyData></VTKFile>",
                                        encoding="ascii")
         self.rejected_in_time("in.vtp", "out.ply", says="more than 10000 arrays")
+
+    def test_counts_that_a_file_cannot_hold_take_no_memory(self):
+        """A megabyte of blanks cannot hold 900 million points, compressed or not."""
+        for compressor, count in (("", 2_000_000), (' compressor="vtkLZ4DataCompressor"', 900_000_000)):
+            self.path("in.vtp").write_text(f'<VTKFile type="PolyData"{compressor}><PolyData><Piece NumberOfPoints="{count}"/></PolyData>'
+                                           + " " * 1000000 + "</VTKFile>", encoding="ascii")
+            self.rejected_in_time("in.vtp", "out.ply", says="NumberOfPoints is more than a file of this size can hold")
+
+    def test_names_of_many_parts_in_a_configuration_file_are_rejected(self):
+        write(torus(), self.path("in.ply"))
+        for text in ("[" + "a." * 100000 + "b]\nquiet = true\n", "a." * 100000 + "b = 1\n"):
+            self.path("settings.toml").write_text(text, encoding="ascii")
+            self.fail_with(USAGE, "in.ply", "out.ply", "--config", "settings.toml", says="a name of more than 8 parts", timeout=20)
 
     def test_properties_and_continued_lines_without_end_cost_little(self):
         header = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
@@ -209,7 +222,7 @@ class HostileNames(ApplicationTest):
             self.assertEqual(stat.S_IMODE(self.path("out.ply").stat().st_mode), mode)
             self.assertGreater(self.path("out.ply").stat().st_size, 100)
 
-    def test_output_that_nobody_reads_ends_quietly(self):
+    def test_output_to_a_closed_pipe_ends_quietly(self):
         for words in (["--help"], ["--options-markdown"]):
             reader, writer = os.pipe()
             os.close(reader)
