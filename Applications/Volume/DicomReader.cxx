@@ -31,6 +31,7 @@ namespace
 {
 const gdcm::Tag Instance(0x0008, 0x0018);
 const gdcm::Tag Series(0x0020, 0x000e);
+const gdcm::Tag ClassOfImage(0x0008, 0x0016);
 const gdcm::Tag PixelRepresentation(0x0028, 0x0103);
 const gdcm::Tag PaddingValue(0x0028, 0x0120);
 const gdcm::Tag PaddingLimit(0x0028, 0x0121);
@@ -147,14 +148,21 @@ std::uint64_t LargestOf(const std::vector<std::string>& files)
   return largest;
 }
 
+/// Whatever its modality is called.
+bool IsOfSegments(const gdcm::Scanner& scanner, const std::string& file)
+{
+  const std::string kind = Text(scanner, file, ClassOfImage);
+  return kind == "1.2.840.10008.5.1.4.1.1.66.4" || kind == "1.2.840.10008.5.1.4.1.1.66.7";
+}
+
 ScannedFiles ScanFiles(const std::vector<std::string>& files)
 {
   const MemoryCap cap(MemoryForFiles(LargestOf(files)));
   const GdcmMessages messages;
   gdcm::Scanner scanner;
-  for (const gdcm::Tag& tag : { Instance, tags::Modality, Series, tags::Position, tags::Orientation,
-         tags::Frames, tags::Rows, tags::Columns, tags::PixelSpacing, tags::Intercept, tags::Slope,
-         PixelRepresentation, PaddingValue, PaddingLimit })
+  for (const gdcm::Tag& tag : { ClassOfImage, Instance, tags::Modality, Series, tags::Position,
+         tags::Orientation, tags::Frames, tags::Rows, tags::Columns, tags::PixelSpacing,
+         tags::Intercept, tags::Slope, PixelRepresentation, PaddingValue, PaddingLimit })
   {
     scanner.AddTag(tag);
   }
@@ -172,7 +180,8 @@ ScannedFiles ScanFiles(const std::vector<std::string>& files)
       scanned.Slices.push_back(*slice);
       ++scanned.Images;
     }
-    else if (const auto image = ReadImage(scanner, file); image && image->Frames > 1)
+    else if (const auto image = ReadImage(scanner, file);
+             image && image->Frames > 1 && !IsOfSegments(scanner, file))
     {
       const std::vector<DicomSlice> frames = FramesOf(*image);
       scanned.Slices.insert(scanned.Slices.end(), frames.begin(), frames.end());

@@ -12,10 +12,7 @@ std::uint64_t MemoryForFiles(std::uint64_t bytes)
   return std::max(least, 20 * bytes);
 }
 
-MemoryCap::MemoryCap(std::uint64_t bytes)
-  : Before(0 * bytes)
-{
-}
+MemoryCap::MemoryCap(std::uint64_t) {}
 
 MemoryCap::~MemoryCap() = default;
 }

@@ -95,8 +95,9 @@ def _position(image: Any) -> NDArray[np.float64]:
         return sform
     distance = _largest_distance(qform, sform, image.shape[:3]) if s_code else 0.0
     if distance > 0.1 * min(header.get_zooms()[:3]):
-        warnings.warn(f"its sform and qform are up to {distance:g} {image.header.get_xyzt_units()[0]} apart; positions are those of its "
-                      "qform, as of ITK; nibabel's affine is the sform", stacklevel=7)
+        millimeters = distance * MILLIMETERS[header.get_xyzt_units()[0]]
+        warnings.warn(f"its sform and qform are up to {millimeters:g} mm apart; positions are those of its qform, as of ITK; "
+                      "nibabel's affine is the sform", stacklevel=7)
     return qform
 
 
