@@ -192,12 +192,20 @@ class HostileNames(ApplicationTest):
         completed = self.run_bytes("map.seg.nrrd", "folder", "--segments", "all", "--max-error", "halfvoxel")
         self.assertEqual(completed.returncode, DONE, completed.stderr)
         self.path("folder/index.html").read_bytes().decode("utf-8")
+        completed = self.run_bytes("map.seg.nrrd", b"a\xff.vtm", "--segments", "all", "--max-error", "halfvoxel")
+        self.assertIn(b"that the XML of a .vtm file cannot hold", completed.stderr)
         self.assertNotIn("\x1b", self.path("folder/index.html").read_text(encoding="utf-8"))
 
     def test_names_of_files_and_options_do_not_command_the_terminal(self):
         name = b"a\x1b[31m\xff.ply"
         os.rename(write(torus(), self.path("in.ply")), os.fsencode(self.folder) + b"/" + name)
         self.assertEqual(self.run_bytes(name, b"out\x1b.ply", "--target-reduction", "0.5").returncode, DONE)
+        for words in ((name, "out.ply", "--target-reduction", "0.5", "--page", "page.html"),
+                      ("certify", name, name, "--tolerance", "1", "--page", "page.html")):
+            self.assertEqual(self.run_bytes(*words).returncode, DONE)
+            page = self.path("page.html").read_bytes().decode("utf-8")
+            self.assertRegex(page, r"a\?\[31m[?\ufffd]\.ply")
+            self.assertNotIn("\x1b", page)
         for words in ((name, b"out.\x1b[2Jxyz"), (b"none\x1b[2J.ply", "out.ply"), (b"--opt\x1b[2J", "1"), ("diagnose", b"\x1b[2J.stl")):
             self.assertNotEqual(self.run_bytes(*words).returncode, DONE)
 
