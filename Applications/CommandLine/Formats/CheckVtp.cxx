@@ -17,7 +17,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// How many bytes of data one byte of a file can stand for at most.
+/// How many bytes of data one byte of a file can represent at most.
 double LargestExpansion(const std::string& compressor)
 {
   constexpr double zlib = 1032.0;
