@@ -9,11 +9,13 @@
 #include "FilePath.h"
 #include "Interruption.h"
 #include "JsonReport.h"
+#include "SegmentChoice.h"
 #include "StagedFile.h"
 #include "StagedFolder.h"
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <list>
@@ -191,6 +193,15 @@ private:
       RemoveSegmentFolder(job.Child.GetProcess(), bone.Output);
     }
     const ExitCode code = job.Child.GetCode();
+    for (const char* reason : { NoLabelReason, NoChosenVoxelReason })
+    {
+      const std::size_t begin = job.Child.GetMessage().find(reason);
+      if (code == ExitCode::InputRejected && begin != std::string::npos) // a structure out of view
+      {
+        const std::string message = job.Child.GetMessage().substr(begin);
+        return this->End(job.Bone, "skipped", ExitCode::Done, message);
+      }
+    }
     const bool stopped = code == ExitCode::Interrupted;
     this->End(job.Bone, code == ExitCode::Done ? "done" : (stopped ? "interrupted" : "failed"),
       code, job.Child.GetMessage());
@@ -232,7 +243,11 @@ private:
   {
     if (!this->Requested.Quiet)
     {
-      std::cout << (this->Terminal ? "\r\033[K" : "") << line << '\n' << std::flush;
+      if (this->Terminal)
+      {
+        std::fputs("\r\033[K", stdout); // the stream takes no commands of terminals
+      }
+      std::cout << line << '\n' << std::flush;
     }
   }
 

@@ -246,11 +246,13 @@ void CheckThatThereAreBones(const std::vector<BatchBone>& bones, const Arguments
   const auto isVolume = [](const BatchBone& bone) { return bone.Volume; };
   if (arguments.Iso && std::none_of(bones.begin(), bones.end(), isVolume))
   {
-    throw Failure(ExitCode::Usage, "--iso is for volumes; none of the inputs is one");
+    throw Failure(ExitCode::Usage,
+      "--iso is for volumes; none of the inputs is one: read are " + ReadVolumesText());
   }
   if (arguments.Segments.IsRequested() && std::none_of(bones.begin(), bones.end(), isVolume))
   {
-    throw Failure(ExitCode::Usage, "--segments is for label maps; none of the inputs is one");
+    throw Failure(ExitCode::Usage,
+      "--segments is for label maps; none of the inputs is one: read are " + ReadVolumesText());
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "BoundText.h"
 #include "NumberText.h"
+#include "PlainText.h"
 
 #include <algorithm>
 #include <array>
@@ -43,9 +44,18 @@ Json ValueAt(const Json& report, const char* pointer)
   return report.is_object() && report.contains(at) ? report[at] : Json();
 }
 
-/// A field with its quotes doubled, in quotes where it needs them.
-std::string QuotedField(const std::string& text)
+/// What tables take for the beginning of a formula is text behind an apostrophe.
+std::string WithoutFormula(const std::string& text)
 {
+  const bool isFormula =
+    !text.empty() && std::string_view("=+-@").find(text[0]) != std::string::npos;
+  return isFormula ? "'" + text : text;
+}
+
+/// A field with its quotes doubled, in quotes where it needs them.
+std::string QuotedField(const std::string& field)
+{
+  const std::string text = WithoutFormula(PlainText(field));
   if (text.find_first_of(",\"\r\n") == std::string::npos)
   {
     return text;
@@ -150,7 +160,7 @@ std::string BatchHeading(std::size_t nameWidth)
 std::string BatchLine(const BatchRow& row, std::size_t nameWidth)
 {
   std::string line =
-    Padded(row.Name, nameWidth, false) + "  " + Padded(row.Status, StatusWidth, false);
+    Padded(PlainText(row.Name), nameWidth, false) + "  " + Padded(row.Status, StatusWidth, false);
   for (const TableColumn& column : TableColumns)
   {
     const Json value = FigureOf(row, column.Heading);
@@ -159,7 +169,7 @@ std::string BatchLine(const BatchRow& row, std::size_t nameWidth)
   }
   const Json proof = FigureOf(row, "proof_status");
   line += "  " + Padded(proof.is_string() ? proof.get<std::string>() : "-", ProofWidth, false);
-  return WithoutBlanksAtEnd(line + "  " + row.Message);
+  return WithoutBlanksAtEnd(line + "  " + PlainText(row.Message));
 }
 
 std::string BatchCounts(const std::vector<BatchRow>& rows)

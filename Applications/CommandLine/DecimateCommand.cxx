@@ -4,11 +4,13 @@
 
 #include "Arguments.h"
 #include "Batch.h"
+#include "BoneVolume.h"
 #include "CommandLine.h"
 #include "CommonOptions.h"
 #include "CountText.h"
 #include "Explain/Explain.h"
 #include "FilePath.h"
+#include "Formats/SurfaceFormat.h"
 #include "HelpFormatter.h"
 #include "Report/Report.h"
 #include "RunOne.h"
@@ -32,6 +34,18 @@ const std::vector<std::pair<const char*, const char*>> ThesisNumbers = {
   { "numbFaces", "TargetNumberOfTriangles" }, { "tolerance", "NormalTolerance" },
   { "errorThreshold", "MaximumError" }
 };
+
+/// With a surface as the output, a folder of folders, as a CD has it, is one volume and no batch.
+void TakeFolderOfSeries(const Arguments& arguments)
+{
+  std::error_code error;
+  const bool isOne = arguments.Inputs.size() == 1 && FindFormat(arguments.Output) != nullptr &&
+    (arguments.Iso || arguments.Segments.IsRequested());
+  if (isOne && std::filesystem::is_directory(FilePath(arguments.Inputs[0]), error))
+  {
+    TakeSeriesBelow(arguments.Inputs[0]);
+  }
+}
 
 ExitCode RunOneBone(const Arguments& arguments)
 {
@@ -102,6 +116,7 @@ void AddDecimateCommand(CLI::App& program, const std::string& self, ExitCode& co
     {
       TakeFiles(*arguments);
       RequireCommandOrFile(program, arguments->Inputs[0]);
+      TakeFolderOfSeries(*arguments);
       NameFilesOfFolder(*arguments);
       code = Decimate(*arguments, self);
     });

@@ -39,8 +39,8 @@ void AddLabelMap(CLI::App& app, LabelMapFile& map, const char* flags, const char
     });
   AddNumberList(app,
     { "--spacing", "X,Y,Z", PositiveLengthRange,
-      "The distance of voxels along x, y and z, in mm, of TIFF files and folders of TIFF slices, "
-      "which have none; one number if all are equal." },
+      "The distance of voxels along x, y and z, in mm, of volumes whose files have none, such as "
+      "TIFF; one number if all are equal." },
     [&map](double value) { map.Spacing.push_back(value); });
 }
 
@@ -64,7 +64,8 @@ void CheckSpacing(const LabelMapFile& map, const std::vector<std::string>& input
     NeedsSpacing(map.Path) || std::any_of(inputs.begin(), inputs.end(), NeedsSpacing);
   if (count != 0 && !isNeeded)
   {
-    throw Failure(ExitCode::Usage, "--spacing has no effect; it is for volumes of TIFF files");
+    throw Failure(ExitCode::Usage,
+      "--spacing has no effect; it is for volumes that have none of their own, such as TIFF files");
   }
 }
 
@@ -76,10 +77,11 @@ void CheckLabel(const LabelMapFile& map, const std::string& flag)
   }
 }
 
-vtkSmartPointer<vtkImageData> ReadLabels(
-  const std::string& path, std::vector<std::string>& warnings, const VoxelSpacing& spacing)
+vtkSmartPointer<vtkImageData> ReadLabels(const std::string& path,
+  std::vector<std::string>& warnings, const VoxelSpacing& spacing,
+  const SegmentSelection& selection)
 {
-  const LabelVolume labels = ReadLabelVolume(path, spacing);
+  const LabelVolume labels = ReadLabelVolume(path, spacing, selection);
   if (!labels.Image)
   {
     Reject(path, labels.Problem);

@@ -8,6 +8,7 @@
 #define BoneDecimate_Applications_LabelMapArguments_h
 
 #include "CliForward.h"
+#include "SegmentSelection.h"
 #include "VoxelSpacing.h"
 
 #include "vtkImageData.h"
@@ -43,8 +44,9 @@ void CheckLabel(const LabelMapFile& map, const std::string& flag);
 void CheckSpacing(const LabelMapFile& map, const std::vector<std::string>& inputs = {});
 
 /// Reads a label map. @throws Failure(ExitCode::InputRejected)
-vtkSmartPointer<vtkImageData> ReadLabels(
-  const std::string& path, std::vector<std::string>& warnings, const VoxelSpacing& spacing = {});
+vtkSmartPointer<vtkImageData> ReadLabels(const std::string& path,
+  std::vector<std::string>& warnings, const VoxelSpacing& spacing,
+  const SegmentSelection& selection = {});
 
 /// Gives a filter its label map, if there is one. @throws Failure(ExitCode::InputRejected)
 void ApplyLabelMap(

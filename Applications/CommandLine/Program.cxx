@@ -11,7 +11,10 @@
 #include "ErrorCommands.h"
 #include "HelpFormatter.h"
 #include "Interruption.h"
+#include "IsolatedReader.h"
 #include "LevelsCommand.h"
+#include "PlainStream.h"
+#include "PlainText.h"
 #include "SlicerModule.h"
 #include "VtkMessages.h"
 
@@ -21,6 +24,7 @@
 #include <cstdio>
 #include <iostream>
 #include <new>
+#include <string_view>
 #include <system_error>
 
 namespace bonedecimate
@@ -31,9 +35,13 @@ namespace
 ExitCode Fail(ExitCode code, const char* message)
 {
   std::fputs("bonedecimate: ", stderr);
-  for (const char* c = message; *c != '\0'; ++c)
+  for (std::string_view rest = message; !rest.empty();)
   {
-    std::fputc(*c == '\n' ? ' ' : *c, stderr);
+    const std::size_t length = LengthOfPlainCharacter(rest);
+    const char replacement = rest[0] == '\n' ? ' ' : '?';
+    std::fwrite(
+      length > 0 ? rest.data() : &replacement, 1, std::max<std::size_t>(length, 1), stderr);
+    rest.remove_prefix(std::max<std::size_t>(length, 1));
   }
   std::fputc('\n', stderr);
   return code;
@@ -67,13 +75,18 @@ ExitCode Run(int argc, char* argv[])
 
 ExitCode RunProgram(int argc, char* argv[])
 {
+  const PlainStream output(std::cout);
+  const PlainStream errors(std::cerr);
   CatchSignals();
+  volume::StopReadingBy(StopIfInterrupted);
   CollectVtkMessages();
   try
   {
     const ExitCode code = Run(argc, argv);
     const bool told = static_cast<bool>(std::cout.flush());
-    return told ? code : Fail(ExitCode::CouldNotWrite, "could not write to the standard output");
+    return told || output.IsClosed()
+      ? code
+      : Fail(ExitCode::CouldNotWrite, "could not write to the standard output");
   }
   catch (const Failure& failure)
   {

@@ -19,6 +19,7 @@
 #include "OutputRounding.h"
 #include "PageSurfaces.h"
 #include "Picture.h"
+#include "PlainText.h"
 #include "ReportFields.h"
 #include "SegmentFiles.h"
 #include "SegmentOutput.h"
@@ -188,7 +189,7 @@ public:
     picture.Before = before;
     picture.After = this->Filter->GetOutput();
     picture.DistanceArrayName = this->Filter->GetInputDistanceArrayName();
-    picture.Title = this->Subject.Input;
+    picture.Title = PlainText(this->Subject.Input);
     picture.IsInPatientCoordinates = this->Volume;
     this->PictureProblem = WritePicture(picture, files.Picture->GetTemporary());
     TakeVtkMessages(); // whatever VTK said about a missing display is in the problem

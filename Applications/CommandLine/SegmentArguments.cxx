@@ -6,8 +6,10 @@
 #include "BoneVolume.h"
 #include "CommonOptions.h"
 #include "ExitCode.h"
+#include "FileNames.h"
 #include "Formats/SurfaceFormat.h"
 #include "HelpFormatter.h"
+#include "PlainText.h"
 #include "SegmentOutput.h"
 
 #include <CLI/CLI.hpp>
@@ -65,11 +67,15 @@ void CheckSegments(const Arguments& arguments)
     return;
   }
   Require(IsVolume(arguments.Inputs[0]),
-    "--segments is for label maps; '" + arguments.Inputs[0] + "' is none");
+    "--segments is for label maps; '" + arguments.Inputs[0] + "' is none: read are " +
+      ReadVolumesText());
   const bool isFile = FindFormat(arguments.Output) != nullptr;
   Require(isFile || !IsNamedLikeFile(arguments.Output),
     "the output '" + arguments.Output + "' needs one of the extensions " + SurfaceExtensions() +
       ", vtm, or none to become a folder");
+  const std::string name = BaseName(arguments.Output);
+  Require(!IsBlockFile(arguments.Output) || PlainText(name) == name,
+    "the name '" + name + "' has characters that the XML of a .vtm file cannot hold");
   Require(arguments.Format.empty() || IsSegmentFolder(arguments),
     "--format is for output folders; '" + arguments.Output + "' has that of its extension");
 }

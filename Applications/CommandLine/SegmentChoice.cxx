@@ -5,6 +5,7 @@
 #include "ExitCode.h"
 #include "Formats/FileChecks.h"
 #include "Options/Text.h"
+#include "PlainText.h"
 #include "TotalSegmentator.h"
 
 #include "vtkDataArray.h"
@@ -91,6 +92,27 @@ std::vector<std::string> WordsOf(const std::vector<NamedLabel>& segments, const 
   return isOne ? std::vector<std::string>{ choice } : SplitAt(choice, ',');
 }
 
+std::string NameOf(const NamedLabel& segment, const SegmentArguments& arguments)
+{
+  if (!arguments.HasTotalSegmentatorNames)
+  {
+    return segment.Name;
+  }
+  const auto bone = TotalSegmentatorBones().find(segment.Value);
+  return bone == TotalSegmentatorBones().end() ? std::string() : bone->second;
+}
+
+void WarnOfEmpty(const std::vector<NamedLabel>& empty, std::vector<std::string>& warnings)
+{
+  if (!empty.empty())
+  {
+    warnings.push_back("no surface of " + ListOf(empty) + ": no voxel has " +
+      (empty.size() == 1 ? "this label" : "one of these labels") +
+      ", because a segment is empty or others cover it; a segment that is chosen alone is not "
+      "covered");
+  }
+}
+
 std::vector<NamedLabel> ChooseBones(
   const std::vector<NamedLabel>& segments, const std::string& path)
 {
@@ -119,7 +141,7 @@ void CollectLabels(vtkImageData* map, std::set<std::int64_t>& labels)
   }
 }
 
-std::vector<NamedLabel> FindSegments(
+FoundSegments FindSegments(
   vtkImageData* map, const SegmentArguments& arguments, const std::string& path)
 {
   std::set<std::int64_t> labels;
@@ -127,72 +149,104 @@ std::vector<NamedLabel> FindSegments(
   return FindSegments(labels, map->GetFieldData(), arguments, path);
 }
 
-std::vector<NamedLabel> FindSegments(const std::set<std::int64_t>& labels, vtkFieldData* fields,
+FoundSegments FindSegments(const std::set<std::int64_t>& labels, vtkFieldData* fields,
   const SegmentArguments& arguments, const std::string& path)
 {
-  if (labels.empty())
-  {
-    Reject(path, "none of its voxels has a label: all are 0");
-  }
   if (labels.size() > MostSegments)
   {
     Reject(path,
       "it has more than " + std::to_string(MostSegments) +
         " different values, which are no labels; --iso HU takes the surface at a gray value");
   }
-  const std::vector<NamedLabel> known = ReadNamedLabels(fields);
-  std::vector<NamedLabel> segments;
+  std::vector<NamedLabel> known = ReadNamedLabels(fields);
+  FoundSegments segments;
   for (const std::int64_t label : labels)
   {
     const auto row = std::find_if(
       known.begin(), known.end(), [label](const NamedLabel& one) { return one.Value == label; });
-    NamedLabel segment = row == known.end() ? NamedLabel{ label, {}, {} } : *row;
-    if (arguments.HasTotalSegmentatorNames)
+    segments.Present.push_back(row == known.end() ? NamedLabel{ label, {}, {} } : *row);
+  }
+  std::copy_if(known.begin(), known.end(), std::back_inserter(segments.Empty),
+    [&labels](const NamedLabel& one) { return one.Value != 0 && labels.count(one.Value) == 0; });
+  for (std::vector<NamedLabel>* list : { &segments.Present, &segments.Empty })
+  {
+    for (NamedLabel& segment : *list)
     {
-      const auto bone = TotalSegmentatorBones().find(label);
-      segment.Name = bone == TotalSegmentatorBones().end() ? std::string() : bone->second;
+      segment.Name = NameOf(segment, arguments);
     }
-    segments.push_back(segment);
+  }
+  if (labels.empty() && (segments.Empty.empty() || LowerCase(arguments.Choice) == "all"))
+  {
+    Reject(path, NoLabelReason);
   }
   return segments;
 }
 
-std::vector<NamedLabel> ChooseSegments(const std::vector<NamedLabel>& segments,
-  const SegmentArguments& arguments, const std::string& path)
+std::vector<NamedLabel> ChooseSegments(const FoundSegments& segments,
+  const SegmentArguments& arguments, const std::string& path, std::vector<std::string>& warnings)
 {
   const std::string word = LowerCase(arguments.Choice);
   if (word == "all")
   {
-    return segments;
+    WarnOfEmpty(segments.Empty, warnings);
+    return segments.Present;
   }
   if (word == "bones" && arguments.HasTotalSegmentatorNames)
   {
-    return ChooseBones(segments, path);
+    return ChooseBones(segments.Present, path);
   }
-  std::vector<bool> isChosen(segments.size(), false);
-  for (const std::string& text : WordsOf(segments, arguments.Choice))
+  std::vector<NamedLabel> all = segments.Present;
+  all.insert(all.end(), segments.Empty.begin(), segments.Empty.end());
+  std::vector<bool> isChosen(all.size(), false);
+  for (const std::string& text : WordsOf(all, arguments.Choice))
   {
     bool isThere = false;
-    for (std::size_t i = 0; i < segments.size(); ++i)
+    for (std::size_t i = 0; i < all.size(); ++i)
     {
-      const bool isMeant = IsMeant(segments[i], Trimmed(text));
+      const bool isMeant = IsMeant(all[i], Trimmed(text));
       isChosen[i] = isChosen[i] || isMeant;
       isThere = isThere || isMeant;
     }
     if (!isThere)
     {
-      Reject(
-        path, "it has no segment '" + Trimmed(text) + "'; its segments are " + ListOf(segments));
+      Reject(path, "it has no segment '" + Trimmed(text) + "'; its segments are " + ListOf(all));
     }
   }
   std::vector<NamedLabel> chosen;
-  for (std::size_t i = 0; i < segments.size(); ++i)
+  std::vector<NamedLabel> empty;
+  for (std::size_t i = 0; i < all.size(); ++i)
   {
     if (isChosen[i])
     {
-      chosen.push_back(segments[i]);
+      (i < segments.Present.size() ? chosen : empty).push_back(all[i]);
     }
   }
+  if (chosen.empty())
+  {
+    Reject(path, NoChosenVoxelReason + ListOf(empty));
+  }
+  WarnOfEmpty(empty, warnings);
   return chosen;
+}
+
+SegmentSelection SelectionOf(const SegmentArguments& arguments)
+{
+  const std::string word = LowerCase(arguments.Choice);
+  if (word.empty() || word == "all")
+  {
+    return {};
+  }
+  return [arguments, word](std::int64_t label, const std::string& nameInFile)
+  {
+    NamedLabel segment{ label, PlainText(nameInFile), {} };
+    segment.Name = NameOf(segment, arguments);
+    if (word == "bones" && arguments.HasTotalSegmentatorNames)
+    {
+      return TotalSegmentatorBones().count(label) > 0;
+    }
+    const std::vector<std::string> words = WordsOf({ segment }, arguments.Choice);
+    return std::any_of(words.begin(), words.end(),
+      [&segment](const std::string& text) { return IsMeant(segment, Trimmed(text)); });
+  };
 }
 }

@@ -9,6 +9,7 @@
 
 #include "NamedLabels.h"
 #include "SegmentArguments.h"
+#include "SegmentSelection.h"
 
 #include "vtkImageData.h"
 
@@ -22,15 +23,29 @@ namespace bonedecimate
 /// Adds the labels of the voxels but 0; not all of them if they are so many that they are gray values.
 void CollectLabels(vtkImageData* map, std::set<std::int64_t>& labels);
 
+/// What there is to choose from.
+struct FoundSegments
+{
+  std::vector<NamedLabel>
+    Present; ///< The labels of the voxels but 0, ascending, with names and colors.
+  std::vector<NamedLabel> Empty; ///< Those that the map describes and no voxel has.
+};
+
+/// Why a map in which all voxels are background is rejected. A batch passes over it.
+inline constexpr const char* NoLabelReason = "none of its voxels has a label: all are 0";
+
+/// The same of segments that were chosen.
+inline constexpr const char* NoChosenVoxelReason = "no voxel belongs to what --segments chooses, ";
+
 /**
- * The labels of the voxels but 0, ascending, with the names and colors of the map or of TotalSegmentator.
+ * Names and colors are those of the map or of TotalSegmentator.
  * @param labels CollectLabels() of all voxels.  @param fields Of the map.  @param path Of the map, for messages.
  * @throws Failure(ExitCode::InputRejected) if there are none, or so many that they are gray values.
  */
-std::vector<NamedLabel> FindSegments(const std::set<std::int64_t>& labels, vtkFieldData* fields,
+FoundSegments FindSegments(const std::set<std::int64_t>& labels, vtkFieldData* fields,
   const SegmentArguments& arguments, const std::string& path);
 /// Of a map in memory.
-std::vector<NamedLabel> FindSegments(
+FoundSegments FindSegments(
   vtkImageData* map, const SegmentArguments& arguments, const std::string& path);
 
 /**
@@ -38,10 +53,14 @@ std::vector<NamedLabel> FindSegments(
  *     bones     with names of TotalSegmentator: those that it knows as bones
  *     else      labels and names with commas in between; small and capital letters are the same
  *
- * @throws Failure(ExitCode::InputRejected) with the segments that there are, if one of them is not there.
+ * @param warnings Get a sentence with the chosen segments that have no voxel.
+ * @throws Failure(ExitCode::InputRejected) with the segments that there are, if one of them is not there, or none has a voxel.
  */
-std::vector<NamedLabel> ChooseSegments(const std::vector<NamedLabel>& segments,
-  const SegmentArguments& arguments, const std::string& path);
+std::vector<NamedLabel> ChooseSegments(const FoundSegments& segments,
+  const SegmentArguments& arguments, const std::string& path, std::vector<std::string>& warnings);
+
+/// The same before anything is read, so that segments which were not chosen cover none of the others.
+SegmentSelection SelectionOf(const SegmentArguments& arguments);
 }
 
 #endif

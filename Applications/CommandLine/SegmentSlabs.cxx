@@ -3,6 +3,7 @@
 #include "SegmentSlabs.h"
 
 #include "ImageLabels.h"
+#include "IntensityChecks.h"
 #include "LabelMap/LabelSurfaces.h"
 #include "LabelMapArrays.h"
 #include "LabelVolume.h"
@@ -11,6 +12,7 @@
 #include "NamedLabels.h"
 #include "SegmentChoice.h"
 #include "VolumeFile.h"
+#include "WholeLabels.h"
 
 #include "vtkDataObject.h"
 #include "vtkPointData.h"
@@ -64,15 +66,17 @@ void RoundToSingle(std::vector<Vector3>& points)
 SegmentSlabs::SegmentSlabs(const Arguments& arguments)
   : Requested(arguments)
 {
-  SlabReader reader(volume::OpenVolume(arguments.Inputs[0], arguments.LabelMap.GetSpacing()));
+  SlabReader reader(this->Open());
   const VolumeHeader& header = reader.GetHeader();
   this->BytesInALayer = header.BytesInALayer();
   this->ReadsWhole = header.IsReadWhole;
   this->Note = header.Note;
-  this->Problem = header.Problem.empty() ? LabelGridProblem(header.Geometry) : header.Problem;
+  this->Problem =
+    header.Problem.empty() ? LabelGridProblem(header.Geometry, header.Layers) : header.Problem;
   if (this->Problem.empty())
   {
     this->Map.Grid = GridOf(header);
+    volume::AppendNote(this->Note, LabelGridNote(header.Geometry, header.Size));
     const std::set<std::int64_t> labels = this->Survey(reader);
     if (this->Problem.empty())
     {
@@ -82,13 +86,24 @@ SegmentSlabs::SegmentSlabs(const Arguments& arguments)
 }
 
 //------------------------------------------------------------------------------
+std::unique_ptr<volume::IsolatedReader> SegmentSlabs::Open() const
+{
+  return volume::OpenVolume(this->Requested.Inputs[0], this->Requested.LabelMap.GetSpacing(),
+    SelectionOf(this->Requested.Segments));
+}
+
+//------------------------------------------------------------------------------
 std::set<std::int64_t> SegmentSlabs::Survey(SlabReader& reader)
 {
   std::set<std::int64_t> labels;
+  std::string rounding;
   this->Problem = volume::VisitSlabs(reader,
     [&](const Volume& slab)
     {
-      const std::string problem = LabelsOfSlab(slab).Problem;
+      const volume::WholeLabels whole = volume::MakeWholeLabels(slab.Image);
+      const std::string problem =
+        whole.Problem.empty() ? LabelsOfSlab(slab).Problem : whole.Problem;
+      rounding = rounding.empty() ? whole.Note : rounding;
       if (problem.empty())
       {
         CollectLabels(slab.Image, labels);
@@ -96,6 +111,7 @@ std::set<std::int64_t> SegmentSlabs::Survey(SlabReader& reader)
       }
       return problem;
     });
+  volume::AppendNote(this->Note, rounding);
   return labels;
 }
 
@@ -103,12 +119,16 @@ std::set<std::int64_t> SegmentSlabs::Survey(SlabReader& reader)
 void SegmentSlabs::Choose(const std::set<std::int64_t>& labels, vtkFieldData* fields)
 {
   const std::string& path = this->Requested.Inputs[0];
-  const std::vector<NamedLabel> found =
-    FindSegments(labels, fields, this->Requested.Segments, path);
-  WriteNamedLabels(found, this->Fields);
-  for (const NamedLabel& label : ChooseSegments(found, this->Requested.Segments, path))
+  const FoundSegments found = FindSegments(labels, fields, this->Requested.Segments, path);
+  WriteNamedLabels(found.Present, this->Fields);
+  std::vector<std::string> warnings;
+  for (const NamedLabel& label : ChooseSegments(found, this->Requested.Segments, path, warnings))
   {
     this->Map.Values.push_back(label.Value);
+  }
+  for (const std::string& warning : warnings)
+  {
+    volume::AppendNote(this->Note, warning);
   }
   this->Map.Values.push_back(0); // the background
 }
@@ -153,8 +173,7 @@ std::size_t SegmentSlabs::Divide(std::int64_t triangles, std::int64_t largestByt
     std::max<std::int64_t>(1, largestBytes / static_cast<std::int64_t>(this->BytesInALayer) - 1));
   this->NextSlab = 0;
   this->NextLayer = 0;
-  this->Reader = std::make_unique<SlabReader>(
-    volume::OpenVolume(this->Requested.Inputs[0], this->Requested.LabelMap.GetSpacing()));
+  this->Reader = std::make_unique<SlabReader>(this->Open());
   return this->LastLayers.size();
 }
 
@@ -171,6 +190,10 @@ SlabSource::ReadSlab SegmentSlabs::ReadNext()
     return read;
   }
   const Volume slab = this->Reader->ReadTo(last);
+  if (slab.Image)
+  {
+    volume::MakeWholeLabels(slab.Image);
+  }
   ImageLabels labels = slab.Problem.empty() ? LabelsOfSlab(slab) : ImageLabels();
   read.Problem = slab.Problem.empty() ? labels.Problem : slab.Problem;
   if (!read.Problem.empty())

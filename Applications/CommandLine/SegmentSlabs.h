@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Applications_SegmentSlabs_h
 #define BoneDecimate_Applications_SegmentSlabs_h
 
+#include "IsolatedReader.h"
 #include "SlabReader.h"
 #include "SlabSource.h"
 
@@ -35,6 +36,7 @@ public:
   void AddArrays(const Result& result, vtkPolyData* surface) const override;
 
 private:
+  std::unique_ptr<volume::IsolatedReader> Open() const;
   std::set<std::int64_t> Survey(volume::SlabReader& reader);
   void Choose(const std::set<std::int64_t>& labels, vtkFieldData* fields);
   bool IsLast(Index layer) const { return layer + 1 == this->Map.Grid.Dimensions[2]; }

@@ -17,10 +17,11 @@ SegmentSurfaces ExtractSegments(const Arguments& arguments, std::vector<std::str
 {
   const std::string& path = arguments.Inputs[0];
   SegmentSurfaces segments;
-  segments.Map = ReadLabels(path, warnings, arguments.LabelMap.GetSpacing());
-  const std::vector<NamedLabel> found = FindSegments(segments.Map, arguments.Segments, path);
-  const std::vector<NamedLabel> chosen = ChooseSegments(found, arguments.Segments, path);
-  WriteNamedLabels(found, segments.Map->GetFieldData());
+  segments.Map =
+    ReadLabels(path, warnings, arguments.LabelMap.GetSpacing(), SelectionOf(arguments.Segments));
+  const FoundSegments found = FindSegments(segments.Map, arguments.Segments, path);
+  const std::vector<NamedLabel> chosen = ChooseSegments(found, arguments.Segments, path, warnings);
+  WriteNamedLabels(found.Present, segments.Map->GetFieldData());
   segments.Map = ChangePieces(segments.Map, chosen, arguments, segments.Changed, warnings);
   vtkNew<vtkBoneSurfaces> extraction;
   extraction->SetInputData(segments.Map);

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <set>
 #include <unistd.h>
 #include <vector>
@@ -40,6 +41,14 @@ fs::path ResolvedTarget(const std::string& target)
   const fs::path resolved =
     fs::exists(status) ? fs::canonical(FilePath(target), error) : FilePath(target);
   return error ? FilePath(target) : resolved;
+}
+
+/// Of a file that is there.
+std::optional<fs::perms> ModeOf(const std::string& file)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(FilePath(file), error);
+  return fs::is_regular_file(status) ? std::optional(status.permissions()) : std::nullopt;
 }
 
 constexpr const char* CommonPrefix = ".bonedecimate-";
@@ -98,6 +107,7 @@ StagedFile::StagedFile(const std::string& target)
   : Target(target)
   , Resolved(ResolvedTarget(target).string())
 {
+  this->Mode = ModeOf(this->Resolved);
   RemoveAbandonedFilesIn(FilePath(this->Resolved).parent_path());
   for (int attempt = 0; this->Temporary.empty(); ++attempt)
   {
@@ -108,6 +118,13 @@ StagedFile::StagedFile(const std::string& target)
       Fail(target, this->Lock.GetProblem());
     }
     this->Temporary = outcome == FileLock::Outcome::Made ? name : std::string();
+  }
+  if (this->Mode)
+  {
+    // Users that cannot read the file that is replaced cannot read the temporary one.
+    std::error_code ignored;
+    const fs::perms own = fs::perms::owner_read | fs::perms::owner_write;
+    fs::permissions(FilePath(this->Temporary), *this->Mode | own, ignored);
   }
 }
 
@@ -144,6 +161,11 @@ void StagedFile::Flush()
 void StagedFile::Commit()
 {
   std::error_code error;
+  if (this->Mode)
+  {
+    fs::permissions(FilePath(this->Temporary), *this->Mode, error);
+    error.clear(); // a file system without modes
+  }
   fs::rename(FilePath(this->Temporary), FilePath(this->Resolved), error);
   if (error)
   {

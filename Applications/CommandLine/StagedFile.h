@@ -9,13 +9,15 @@
 
 #include "FileLock.h"
 
+#include <filesystem>
+#include <optional>
 #include <string>
 
 namespace bonedecimate
 {
 /**
  * Reserves a temporary file in the target's folder, with the target's extension, and renames it
- * when all is well. Without Commit() the temporary file is removed. Every method throws
+ * when all is well. A file that is replaced keeps its mode. Without Commit() the temporary file is removed. Every method throws
  * Failure(ExitCode::CouldNotWrite).
  *
  * A process that is killed leaves its temporary file behind. The next that writes to the folder
@@ -45,8 +47,9 @@ public:
 
 private:
   std::string Target;
-  std::string Resolved;  // the same without symbolic links
-  std::string Temporary; // empty once committed
+  std::string Resolved;                       // the same without symbolic links
+  std::string Temporary;                      // empty once committed
+  std::optional<std::filesystem::perms> Mode; // of the file that is replaced
   FileLock Lock;
 };
 

@@ -5,6 +5,7 @@
 #include "BoundText.h"
 #include "NumberText.h"
 #include "PartSection.h"
+#include "PlainText.h"
 #include "ReportFields.h"
 #include "VoxelSection.h"
 
@@ -144,7 +145,7 @@ void PrintSegments(const std::vector<SegmentRecord>& segments)
               << (segment.Volumes.size() == 1 ? " component" : " components");
     for (std::size_t i = 0; i < std::min(segment.Volumes.size(), mostPrinted); ++i)
     {
-      std::cout << (i == 0 ? " of " : ", ") << GroupedText(segment.Volumes[i], 1);
+      std::cout << (i == 0 ? " of " : ", ") << SizeText(segment.Volumes[i]);
     }
     std::cout << (segment.Volumes.size() > mostPrinted ? ", ..." : "")
               << (segment.Volumes.empty() ? "" : " mm3")
@@ -322,15 +323,15 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
   PrintCoordinates(subject);
   for (const std::string& file : written)
   {
-    std::cout << "written         " << file << "\n";
+    std::cout << "written         " << PlainText(file) << "\n";
   }
   for (const std::string& note : notes)
   {
-    std::cout << "note: " << note << "\n";
+    std::cout << "note: " << PlainText(note) << "\n";
   }
   for (const std::string& warning : subject.Warnings)
   {
-    std::cout << "warning: " << warning << "\n";
+    std::cout << "warning: " << PlainText(warning) << "\n";
   }
 }
 }

@@ -103,7 +103,7 @@ std::string CountText(std::int64_t pieces, const char* one, const char* several,
 {
   return GroupedText(static_cast<double>(pieces)) + " " + (pieces == 1 ? one : several) + " of " +
     GroupedText(static_cast<double>(voxels)) + (voxels == 1 ? " voxel (" : " voxels (") +
-    GroupedText(static_cast<double>(voxels) * voxelVolume, 1) + " mm3)";
+    SizeText(static_cast<double>(voxels) * voxelVolume) + " mm3)";
 }
 }
 

@@ -7,6 +7,7 @@
 #include "Options/Text.h"
 #include "PageParts.h"
 #include "PageTemplate.h"
+#include "PlainText.h"
 #include "ReportFields.h"
 #include "VoxelSection.h"
 
@@ -85,9 +86,9 @@ std::string Warnings(const ReportFields& report)
 std::string ComposeCertificatePage(const std::string& certificate)
 {
   const ReportFields report(certificate);
-  const std::string name = EscapedXml(report.Text("files.result"));
-  const std::string reference = EscapedXml(report.Text("files.reference"));
-  const std::string map = EscapedXml(report.Text("files.label_map"));
+  const std::string name = EscapedXml(PlainText(report.Text("files.result")));
+  const std::string reference = EscapedXml(PlainText(report.Text("files.reference")));
+  const std::string map = EscapedXml(PlainText(report.Text("files.label_map")));
   return PageBlock("certificate",
     { { "head", PageBlock("head", { { "title", "Certificate of a bone surface: " + name } }) },
       { "name", name }, { "reference", reference.empty() ? "none" : reference },

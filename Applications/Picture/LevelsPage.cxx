@@ -4,6 +4,7 @@
 #include "Page.h"
 #include "PageParts.h"
 #include "PageTemplate.h"
+#include "PlainText.h"
 #include "ProofSection.h"
 #include "ReportFields.h"
 #include "SurfaceDistances.h"
@@ -58,7 +59,7 @@ ViewerHtml Viewer(const LevelsPageSubject& subject, std::size_t bytesOfPicture)
 
 std::string ComposeLevelsPage(const LevelsPageSubject& subject)
 {
-  const std::string name = EscapedXml(subject.Name);
+  const std::string name = EscapedXml(PlainText(subject.Name));
   const std::string picture = EmbeddedPicture(subject.PictureFile);
   const ViewerHtml viewer = Viewer(subject, picture.size());
   return PageBlock("levels",

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NamedLabels.h"
 
+#include "PlainText.h"
+
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
@@ -26,9 +29,15 @@ constexpr std::array<LabelColor, 8> Palette = { { { 222, 196, 152 }, { 128, 174,
 
 std::int64_t ValueAt(vtkDataArray* values, vtkIdType row)
 {
-  auto* exact = vtkTypeInt64Array::SafeDownCast(values);
-  return exact ? exact->GetTypedComponent(row, 0)
-               : static_cast<std::int64_t>(values->GetComponent(row, 0));
+  if (auto* exact = vtkAOSDataArrayTemplate<long long>::FastDownCast(values))
+  {
+    return exact->GetTypedComponent(row, 0);
+  }
+  if (auto* exact = vtkAOSDataArrayTemplate<long>::FastDownCast(values))
+  {
+    return exact->GetTypedComponent(row, 0);
+  }
+  return static_cast<std::int64_t>(values->GetComponent(row, 0));
 }
 
 /// Bytes, or numbers from 0 to 1.
@@ -72,7 +81,7 @@ std::vector<NamedLabel> ReadNamedLabels(vtkFieldData* fields)
   {
     const auto row = static_cast<vtkIdType>(i);
     labels[i].Value = ValueAt(values, row);
-    labels[i].Name = hasNames ? std::string(names->GetValue(row)) : std::string();
+    labels[i].Name = hasNames ? PlainText(names->GetValue(row)) : std::string();
     const LabelColor color = hasColors ? ColorAt(colors, row, scale) : LabelColor{};
     if (color != LabelColor{}) // black: the row of a label without a color
     {
@@ -95,7 +104,7 @@ void WriteNamedLabels(const std::vector<NamedLabel>& labels, vtkFieldData* field
   for (const NamedLabel& label : labels)
   {
     values->InsertNextValue(label.Value);
-    names->InsertNextValue(label.Name);
+    names->InsertNextValue(PlainText(label.Name));
     colors->InsertNextTypedTuple(label.Color.value_or(LabelColor{}).data());
     hasColors = hasColors || label.Color;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 
 namespace bonedecimate
 {
@@ -42,6 +43,20 @@ std::string MillimeterText(double millimeters)
 {
   const bool isTiny = millimeters > 0.0 && millimeters < 0.0005;
   return isTiny ? "< 0.001" : GroupedText(millimeters, 3);
+}
+
+std::string SizeText(double value)
+{
+  const double size = std::abs(value);
+  constexpr double leastWithDecimals = 1e-9;
+  if (!(size < 10.0) || !(size > 0.0))
+  {
+    return GroupedText(value, 1);
+  }
+  // Rounding to three digits first: 9.999 is 10.0 and not 10.00.
+  const double rounded = std::strtod(Formatted("%.*e", 2, size).c_str(), nullptr);
+  const int decimals = 2 - static_cast<int>(std::floor(std::log10(rounded)));
+  return size < leastWithDecimals ? Formatted("%.*e", 2, value) : GroupedText(value, decimals);
 }
 
 std::string ShortText(double value)

@@ -18,6 +18,9 @@ std::string GroupedText(double value, int decimals = 0);
 /// A length to the micrometer, without its unit; a smaller one that is not zero is "< 0.001".
 std::string MillimeterText(double millimeters);
 
+/// An area or a volume with a decimal, smaller ones with three significant digits.
+std::string SizeText(double value);
+
 /// Few digits, for ticks and labels: "0.25", "10".
 std::string ShortText(double value);
 

@@ -8,6 +8,7 @@
 #include "PageParts.h"
 #include "PageTemplate.h"
 #include "PartSection.h"
+#include "PlainText.h"
 #include "ProofSection.h"
 #include "ReportFields.h"
 #include "SurfaceDistances.h"
@@ -353,9 +354,9 @@ std::string ComposePage(const PageSubject& subject)
   const auto count = [&report](const char* name) { return CountText(report.Number(name)); };
   return PageBlock("page",
     { { "head",
-        PageBlock(
-          "head", { { "title", "Simplified bone surface: " + EscapedXml(subject.Name) } }) },
-      { "name", EscapedXml(subject.Name) }, { "smoothing", Smoothing(report) },
+        PageBlock("head",
+          { { "title", "Simplified bone surface: " + EscapedXml(PlainText(subject.Name)) } }) },
+      { "name", EscapedXml(PlainText(subject.Name)) }, { "smoothing", Smoothing(report) },
       { "parts", PartSection(report) },
       { "voxels", VoxelSection(report) + ChangesSection(subject.Changes) },
       { "triangles", count("output.triangles") }, { "input triangles", count("input.triangles") },

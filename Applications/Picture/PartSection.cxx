@@ -44,9 +44,9 @@ std::string PartChange(
 {
   const std::optional<double> before = report.Number(PathOf(part) + ".input." + figure);
   const std::optional<double> after = report.Number(PathOf(part) + ".output." + figure);
-  const int decimals = figure.find("thickness") == 0 ? 3 : 1;
-  return before && after ? GroupedText(*before, decimals) + arrow + GroupedText(*after, decimals)
-                         : std::string();
+  const auto text = [&figure](double value)
+  { return figure.find("thickness") == 0 ? GroupedText(value, 3) : SizeText(value); };
+  return before && after ? text(*before) + arrow + text(*after) : std::string();
 }
 
 std::string PartSection(const ReportFields& report)

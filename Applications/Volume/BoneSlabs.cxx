@@ -32,6 +32,7 @@ BoneSlabs::BoneSlabs(
   this->BytesInALayer = header.BytesInALayer();
   this->ReadsWhole = header.IsReadWhole;
   this->Geometry = header.Geometry;
+  this->Layers = header.Layers;
   this->Note = header.Note;
   this->Problem = header.Problem;
   if (this->Problem.empty())
@@ -60,7 +61,7 @@ void BoneSlabs::Survey(SlabReader& reader, LabelPolicy policy)
 
 double BoneSlabs::GetVoxelSize() const
 {
-  return LeastSide(this->Geometry);
+  return LeastSide(this->Geometry, this->Layers);
 }
 
 std::int64_t BoneSlabs::GetBytesOfVoxels() const
@@ -86,7 +87,9 @@ double BoneSlabs::PositionOf(std::int64_t layer) const
 {
   const Vector3 axis = this->GetAxis();
   return Dot(this->Geometry.Origin, axis) +
-    static_cast<double>(layer) * Dot(this->Geometry.Steps[2], axis);
+    (this->Layers.empty() ? static_cast<double>(layer)
+                          : this->Layers[static_cast<std::size_t>(layer)]) *
+    Dot(this->Geometry.Steps[2], axis);
 }
 
 std::size_t BoneSlabs::Divide(std::int64_t triangles, std::int64_t largestBytes)

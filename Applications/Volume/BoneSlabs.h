@@ -74,6 +74,7 @@ private:
   std::size_t BytesInALayer = 0;
   bool ReadsWhole = false;
   volume::VolumeGeometry Geometry;
+  volume::LayerPositions Layers;
   std::vector<std::int64_t> Points; ///< CountContourPoints().
   std::unique_ptr<volume::SlabReader> Reader;
   std::vector<std::int64_t> LastLayers; ///< Of the slabs.

@@ -25,7 +25,9 @@ BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield, Label
   }
   const Volume volume = ReadVolume(path, spacing);
   bone.Note = volume.Note;
-  bone.Problem = volume.Problem;
+  bone.Problem = volume.Problem.empty() && change && !volume.Layers.empty()
+    ? "its slices are not evenly spaced, which --fill-volume needs"
+    : volume.Problem;
   if (bone.Problem.empty())
   {
     ValueSurvey survey;
@@ -43,7 +45,8 @@ BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield, Label
       change(volume.Image, sides);
     }
     bone.Surface = OutwardContour(volume, hounsfield);
-    bone.VoxelSize = LeastSide(volume.Geometry); // the image's own spacing means nothing
+    bone.VoxelSize =
+      LeastSide(volume.Geometry, volume.Layers); // the image's own spacing means nothing
   }
   return bone;
 }

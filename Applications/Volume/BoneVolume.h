@@ -29,6 +29,15 @@ bool IsVolumeFile(const std::string& path);
 /// The extensions of these files, in lower case, without the first dot: "nii.gz".
 std::vector<std::string> VolumeExtensions();
 
+/// The files and folders that are read as volumes, in words.
+std::string ReadVolumesText();
+
+/**
+ * From now on a folder whose subfolders have DICOM files is one volume, if it is none already: the largest series in it and below.
+ * @return Whether there are any.
+ */
+bool TakeSeriesBelow(const std::string& folder);
+
 struct BoneSurface
 {
   vtkSmartPointer<vtkPolyData>

@@ -42,6 +42,29 @@ std::vector<std::string> DicomFiles(const std::string& folder)
   return files;
 }
 
+std::vector<std::string> DicomFilesBelow(const std::string& folder, std::size_t most)
+{
+  constexpr int deepest = 8;
+  std::vector<std::string> files;
+  std::error_code error;
+  const auto options = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator entry(FilePath(folder), options, error);
+       !error && entry != fs::recursive_directory_iterator() && files.size() < most;
+       entry.increment(error))
+  {
+    if (entry.depth() >= deepest)
+    {
+      entry.disable_recursion_pending();
+    }
+    if (IsDicomFile(entry->path().string()))
+    {
+      files.push_back(entry->path().string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 bool HoldsDicom(const std::string& folder)
 {
   std::error_code error;

@@ -8,6 +8,7 @@
 #define BoneDecimate_Applications_DicomFolder_h
 
 #include "LayeredVolume.h"
+#include "SegmentSelection.h"
 
 #include <string>
 #include <vector>
@@ -20,17 +21,20 @@ bool IsDicomFile(const std::string& path);
 /// The DICOM files that lie in the folder itself, by name.
 std::vector<std::string> DicomFiles(const std::string& folder);
 
+/// Those in it and in the folders below, to a depth of 8; links to folders are not followed. @param most Of these.
+std::vector<std::string> DicomFilesBelow(const std::string& folder, std::size_t most = 1 << 20);
+
 bool HoldsDicom(const std::string& folder);
 
 /**
  * The series with most slices, CT before anything else; the note says what was left aside. Slices
  * are sorted by their position along the normal of the image plane. Slices missing in between are a
- * reason to reject. A folder without slices may hold one segmentation. May end the process on damaged files: to be called by an IsolatedReader.
+ * reason to reject. In a folder without slices those of the folders below are taken, as on a CD. A folder without slices may hold one segmentation. May end the process on damaged files: to be called by an IsolatedReader.
  */
-LayeredVolume OpenDicomFolder(const std::string& folder);
+LayeredVolume OpenDicomFolder(const std::string& folder, const SegmentSelection& selection);
 
 /// A segmentation (SEG), which is one file; other DICOM files are rejected. To be called by an IsolatedReader, too.
-LayeredVolume OpenDicomFile(const std::string& file);
+LayeredVolume OpenDicomFile(const std::string& file, const SegmentSelection& selection);
 }
 
 #endif

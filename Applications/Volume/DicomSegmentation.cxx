@@ -5,6 +5,7 @@
 #include "DataFile.h"
 #include "DicomAttributes.h"
 #include "GdcmMessages.h"
+#include "MemoryCap.h"
 #include "SegmentationHeader.h"
 
 #include <gdcmBitmap.h>
@@ -70,6 +71,20 @@ std::string SyntaxProblem(const std::string& path)
   return isKnown && IsReadSyntax(gdcm::TransferSyntax::GetTSType(syntax.c_str()))
     ? std::string()
     : UnreadableSyntax;
+}
+
+/// An element may announce 4 GB.
+bool ReadWithin(gdcm::Reader& reader, std::uint64_t memory)
+{
+  const MemoryCap cap(memory);
+  try
+  {
+    return reader.Read();
+  }
+  catch (const std::bad_alloc&)
+  {
+    return false;
+  }
 }
 
 /// Lossless codecs of GDCM. The size was checked.
@@ -146,11 +161,13 @@ std::string NoteOf(const SegmentationHeader& header, const Overlap& overlap)
   return note;
 }
 
-LayeredVolume LabelsOf(const SegmentationHeader& header, std::vector<unsigned char> bytes)
+LayeredVolume LabelsOf(const SegmentationHeader& header, std::vector<unsigned char> bytes,
+  const SegmentSelection& selection)
 {
   const auto frames =
     std::make_shared<SegmentFrames>(header.Pixels, std::move(bytes), header.Size, header.Segments);
-  const std::string arrangement = frames->Arrange(header.Frames, header.Grid.Planes);
+  const std::string arrangement =
+    frames->Arrange(header.Frames, header.Grid.Planes, ChosenSegments(header.Segments, selection));
   const Overlap overlap = arrangement.empty() ? OverlapOf(*frames, header) : Overlap();
   const std::string problem = FirstOf({ arrangement, UndescribedProblem(overlap) });
   if (!problem.empty())
@@ -173,7 +190,7 @@ LayeredVolume LabelsOf(const SegmentationHeader& header, std::vector<unsigned ch
 }
 }
 
-LayeredVolume OpenDicomSegmentation(const std::string& file)
+LayeredVolume OpenDicomSegmentation(const std::string& file, const SegmentSelection& selection)
 {
   const GdcmMessages messages;
   const std::string syntaxProblem = SyntaxProblem(file);
@@ -183,7 +200,7 @@ LayeredVolume OpenDicomSegmentation(const std::string& file)
   }
   gdcm::Reader reader;
   reader.SetFileName(file.c_str());
-  if (!reader.Read() || messages.TellOfMissingPixels())
+  if (!ReadWithin(reader, MemoryForFiles(SizeOfFile(file))) || messages.TellOfMissingPixels())
   {
     return RejectedLayers(DamagedFile);
   }
@@ -202,6 +219,6 @@ LayeredVolume OpenDicomSegmentation(const std::string& file)
     return RejectedLayers(UnreadableSyntax);
   }
   PixelBytes bytes = ReadPixels(header, reader.GetFile());
-  return bytes ? LabelsOf(header, std::move(*bytes)) : RejectedLayers(DamagedVoxels);
+  return bytes ? LabelsOf(header, std::move(*bytes), selection) : RejectedLayers(DamagedVoxels);
 }
 }

@@ -8,6 +8,7 @@
 #define BoneDecimate_Applications_DicomSegmentation_h
 
 #include "LayeredVolume.h"
+#include "SegmentSelection.h"
 
 #include <string>
 
@@ -18,7 +19,7 @@ namespace bonedecimate::volume
  * last one, which the note says. Planes without a frame are background. The file is in memory while its planes are read. May end the process on
  * damaged files: to be called by an IsolatedReader.
  */
-LayeredVolume OpenDicomSegmentation(const std::string& file);
+LayeredVolume OpenDicomSegmentation(const std::string& file, const SegmentSelection& selection);
 }
 
 #endif

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DicomSeries.h"
 
+#include "FilePath.h"
+
 #include <algorithm>
 #include <cmath>
+#include <locale>
 #include <set>
+#include <sstream>
 #include <utility>
 
 namespace bonedecimate::volume
@@ -72,9 +76,64 @@ VolumeGeometry SeriesGeometry(const Slices& slices)
   return geometry;
 }
 
+std::string NameOf(const DicomSlice& slice)
+{
+  return FilePath(slice.File).filename().string() +
+    (slice.FramesInFile > 1 ? ", frame " + std::to_string(slice.Frame + 1) : std::string());
+}
+
+std::string LengthText(double millimeters)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(4);
+  text << millimeters << " mm";
+  return text.str();
+}
+
+/// From each slice to the next one, along the line from the first to the last, mm.
+std::vector<double> DistancesOf(const Slices& slices, const Vector3& direction)
+{
+  std::vector<double> distances;
+  for (std::size_t k = 1; k < slices.size(); ++k)
+  {
+    distances.push_back(Dot(Difference(slices[k].Position, slices[k - 1].Position), direction));
+  }
+  return distances;
+}
+
+double MedianOf(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Whether slices are beside the line from the first to the last, or two at one position.
+std::string LineProblem(const Slices& slices, const Vector3& direction, double usual)
+{
+  const std::vector<double> distances = DistancesOf(slices, direction);
+  for (std::size_t k = 1; k < slices.size(); ++k)
+  {
+    const Vector3 way = Difference(slices[k].Position, slices.front().Position);
+    const Vector3 aside = Difference(way, Scaled(direction, Dot(way, direction)));
+    if (!(Length(aside) <= 0.2 * usual))
+    {
+      return "its slice " + NameOf(slices[k]) + " lies " + LengthText(Length(aside)) +
+        " beside the line of the others";
+    }
+    if (!(distances[k - 1] > 0.02 * usual))
+    {
+      return "its slices " + NameOf(slices[k - 1]) + " and " + NameOf(slices[k]) +
+        " lie at the same position; remove one of them";
+    }
+  }
+  return std::string();
+}
+
 /// Positions are often rounded to a tenth of a millimeter; a slice that is missing is off by far
 /// more.
-std::string EvennessProblem(const Slices& slices, const VolumeGeometry& geometry)
+bool AreEven(const Slices& slices, const VolumeGeometry& geometry)
 {
   const double tolerance = 0.2 * Length(geometry.Steps[2]);
   for (std::size_t k = 0; k < slices.size(); ++k)
@@ -83,11 +142,104 @@ std::string EvennessProblem(const Slices& slices, const VolumeGeometry& geometry
       Sum(geometry.Origin, Scaled(geometry.Steps[2], static_cast<double>(k)));
     if (!(Length(Difference(slices[k].Position, expected)) <= tolerance))
     {
-      return "its slices are not evenly spaced: slice " + std::to_string(k + 1) + " of " +
-        std::to_string(slices.size()) + " is out of line, one is missing or there twice";
+      return false;
     }
   }
-  return std::string();
+  return true;
+}
+
+bool IsOther(double distance, double usual)
+{
+  return std::abs(distance - usual) > 0.2 * std::min(distance, usual);
+}
+
+/// Distances that are equal one after the other.
+struct SpacingRun
+{
+  std::size_t First = 0; ///< Slice.
+  std::size_t Count = 0;
+  double Distance = 0.0; ///< Mean, mm.
+};
+
+std::vector<SpacingRun> RunsOf(const std::vector<double>& distances)
+{
+  std::vector<SpacingRun> runs;
+  for (std::size_t k = 0; k < distances.size(); ++k)
+  {
+    if (runs.empty() || IsOther(distances[k], runs.back().Distance))
+    {
+      runs.push_back({ k, 0, 0.0 });
+    }
+    SpacingRun& run = runs.back();
+    run.Distance += (distances[k] - run.Distance) / static_cast<double>(run.Count + 1);
+    ++run.Count;
+  }
+  return runs;
+}
+
+/// Where a head is scanned finely below and coarsely above: a slice that is missing is a distance by itself.
+bool AreOnPurpose(const std::vector<SpacingRun>& runs)
+{
+  constexpr std::size_t fewest = 3;
+  constexpr std::size_t most = 6;
+  return runs.size() <= most &&
+    std::all_of(
+      runs.begin(), runs.end(), [](const SpacingRun& run) { return run.Count >= fewest; });
+}
+
+/// Names the slices on both sides of the first distance that differs from the usual one.
+std::string GapProblem(const Slices& slices, const std::vector<double>& distances)
+{
+  const double usual = MedianOf(distances);
+  const auto isOther = [usual](double distance) { return IsOther(distance, usual); };
+  const auto other = std::find_if(distances.begin(), distances.end(), isOther);
+  if (other == distances.end())
+  {
+    return "its slices are not evenly spaced";
+  }
+  const auto k = static_cast<std::size_t>(other - distances.begin());
+  return "its slices are not evenly spaced: " + LengthText(*other) + " instead of " +
+    LengthText(usual) + " between " + NameOf(slices[k]) + " and " + NameOf(slices[k + 1]) +
+    ", slices " + std::to_string(k + 1) + " and " + std::to_string(k + 2) + " of " +
+    std::to_string(slices.size()) +
+    (*other > usual ? "; one or more between them are missing"
+                    : "; give a folder without those that do not belong to it");
+}
+
+std::string RunsNote(const Slices& slices, const std::vector<SpacingRun>& runs)
+{
+  std::string note = "Its slices are " + LengthText(runs.front().Distance) + " apart";
+  for (std::size_t i = 1; i < runs.size(); ++i)
+  {
+    note += (i > 1 ? ", " : " and ") + LengthText(runs[i].Distance) + " from " +
+      NameOf(slices[runs[i].First]) + " on";
+  }
+  return note + "; they are read where they are.";
+}
+
+/// Of slices that are not evenly spaced.
+void TakeUnevenSlices(DicomSeries& series)
+{
+  const double step = Length(series.Geometry.Steps[2]);
+  const Vector3 direction = Scaled(series.Geometry.Steps[2], 1.0 / step);
+  const std::vector<double> distances = DistancesOf(series.Slices, direction);
+  series.Problem = LineProblem(series.Slices, direction, MedianOf(distances));
+  if (!series.Problem.empty())
+  {
+    return;
+  }
+  const std::vector<SpacingRun> runs = RunsOf(distances);
+  if (!AreOnPurpose(runs))
+  {
+    series.Problem = GapProblem(series.Slices, distances);
+    return;
+  }
+  series.Layers = { 0.0 };
+  for (const double distance : distances)
+  {
+    series.Layers.push_back(series.Layers.back() + distance / step);
+  }
+  series.Note += (series.Note.empty() ? "" : " ") + RunsNote(series.Slices, runs);
 }
 
 std::string SeriesProblem(const DicomSeries& series)
@@ -95,14 +247,42 @@ std::string SeriesProblem(const DicomSeries& series)
   const auto hasFrames = [](const DicomSlice& slice) { return slice.Frames > 1; };
   if (std::any_of(series.Slices.begin(), series.Slices.end(), hasFrames))
   {
-    return "it holds files of several frames; save them as one file a slice";
+    return "it holds files of several frames that do not say where each lies; save them as one "
+           "file a slice";
   }
-  const std::string problem = GeometryProblem(series.Geometry);
-  return problem.empty() ? EvennessProblem(series.Slices, series.Geometry) : problem;
+  return GeometryProblem(series.Geometry);
+}
+
+/// Of slices below the folder; empty in the folder itself.
+std::string SubfolderOf(const Slices& slices, const std::string& folder)
+{
+  const std::string subfolder = FilePath(slices.front().File)
+                                  .lexically_relative(FilePath(folder))
+                                  .parent_path()
+                                  .generic_string();
+  return subfolder.empty() ? subfolder : " in " + subfolder;
+}
+
+/// Of the series that were not taken, the empty one.
+std::string OthersText(const std::vector<Slices>& groups, const std::string& folder)
+{
+  constexpr std::size_t most = 5;
+  std::string text;
+  std::size_t count = 0;
+  for (const Slices& group : groups)
+  {
+    if (!group.empty() && ++count <= most)
+    {
+      text += (count > 1 ? ", " : "") + std::to_string(group.size()) +
+        (group.size() == 1 ? " slice" : " slices") + SubfolderOf(group, folder) + " from " +
+        NameOf(group.front()) + " on";
+    }
+  }
+  return count > most ? text + " and " + std::to_string(count - most) + " more" : text;
 }
 }
 
-DicomSeries LargestSeries(const Slices& slices)
+DicomSeries LargestSeries(const Slices& slices, const std::string& folder)
 {
   DicomSeries series;
   std::vector<Slices> groups = Grouped(slices);
@@ -120,7 +300,12 @@ DicomSeries LargestSeries(const Slices& slices)
   if (groups.size() > 1)
   {
     series.Note = "Of " + std::to_string(groups.size()) + " series the one with " +
-      std::to_string(series.Slices.size()) + " slices was taken.";
+      std::to_string(series.Slices.size()) + " slices was taken" +
+      SubfolderOf(series.Slices, folder) + "; others: " + OthersText(groups, folder) + ".";
+  }
+  else if (!SubfolderOf(series.Slices, folder).empty())
+  {
+    series.Note = "The series" + SubfolderOf(series.Slices, folder) + " was taken.";
   }
   if (copies > 0)
   {
@@ -135,6 +320,10 @@ DicomSeries LargestSeries(const Slices& slices)
   SortByPosition(series.Slices);
   series.Geometry = SeriesGeometry(series.Slices);
   series.Problem = SeriesProblem(series);
+  if (series.Problem.empty() && !AreEven(series.Slices, series.Geometry))
+  {
+    TakeUnevenSlices(series);
+  }
   return series;
 }
 }

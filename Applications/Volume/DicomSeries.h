@@ -10,6 +10,7 @@
 #include "Volume.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct DicomSlice
   std::string Instance;      ///< That of the image, to know copies of one file.
   bool IsTomography = false; ///< CT.
   std::int64_t Frames = 1;
+  std::int64_t Frame = 0;        ///< Of an enhanced image, from 0.
+  std::int64_t FramesInFile = 1; ///< Of an enhanced image.
   std::int64_t Rows = 0;
   std::int64_t Columns = 0;
   Vector3 Position{ { 0.0, 0.0, 0.0 } };    ///< mm, of the first pixel.
@@ -32,18 +35,21 @@ struct DicomSlice
   double ColumnDistance = 0.0;
   double Slope = 1.0; ///< Stored value times slope plus intercept is HU.
   double Intercept = 0.0;
+  std::optional<std::array<double, 2>>
+    Padding; ///< Least and largest stored value of pixels that were not measured.
 };
 
 struct DicomSeries
 {
   std::vector<DicomSlice> Slices; ///< By position.
-  VolumeGeometry Geometry;
+  VolumeGeometry Geometry;        ///< The step along k is the mean of the distances.
+  LayerPositions Layers;
   std::string Problem;
   std::string Note;
 };
 
-/// The slices may come in any order.
-DicomSeries LargestSeries(const std::vector<DicomSlice>& slices);
+/// The slices may come in any order. @param folder In which they are, or below.
+DicomSeries LargestSeries(const std::vector<DicomSlice>& slices, const std::string& folder);
 }
 
 #endif

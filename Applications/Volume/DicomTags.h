@@ -18,6 +18,8 @@ inline const gdcm::Tag Frames(0x0028, 0x0008);
 inline const gdcm::Tag Rows(0x0028, 0x0010);
 inline const gdcm::Tag Columns(0x0028, 0x0011);
 inline const gdcm::Tag PixelSpacing(0x0028, 0x0030);
+inline const gdcm::Tag Intercept(0x0028, 0x1052);
+inline const gdcm::Tag Slope(0x0028, 0x1053);
 }
 
 #endif

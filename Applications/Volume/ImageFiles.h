@@ -13,6 +13,7 @@
 #define BoneDecimate_Applications_ImageFiles_h
 
 #include "LayeredVolume.h"
+#include "SegmentSelection.h"
 
 #include <string>
 
@@ -20,11 +21,15 @@ namespace bonedecimate::volume
 {
 LayeredVolume OpenMetaImage(const std::string& path);
 
+/// Whether the header says how far voxels are apart. Reads no more than its text.
+bool MetaImageHasSpacing(const std::string& path);
+bool NrrdHasSpacing(const std::string& path);
+
 /// Positions are those of ITK: of the sform or the qform, RAS turned into LPS.
 LayeredVolume OpenNifti(const std::string& path);
 
 /// RAS and LAS are turned into LPS; a file that names no anatomical space is taken as it is. Also segmentations of 3D Slicer (.seg.nrrd).
-LayeredVolume OpenNrrd(const std::string& path);
+LayeredVolume OpenNrrd(const std::string& path, const SegmentSelection& selection);
 
 /// Of several pages. @param spacing mm.
 LayeredVolume OpenTiff(const std::string& path, const Vector3& spacing);

@@ -5,6 +5,7 @@
 #include "Options/Text.h"
 
 #include <algorithm>
+#include <limits>
 #include <locale>
 #include <sstream>
 
@@ -63,9 +64,14 @@ void AppendNote(std::string& notes, const std::string& note)
   notes += (notes.empty() || note.empty() ? "" : "; ") + note;
 }
 
-double LeastSide(const VolumeGeometry& geometry)
+double LeastSide(const VolumeGeometry& geometry, const LayerPositions& layers)
 {
   const auto& steps = geometry.Steps;
-  return std::min({ Length(steps[0]), Length(steps[1]), Length(steps[2]) });
+  double least = layers.empty() ? 1.0 : std::numeric_limits<double>::max();
+  for (std::size_t k = 1; k < layers.size(); ++k)
+  {
+    least = std::min(least, layers[k] - layers[k - 1]);
+  }
+  return std::min({ Length(steps[0]), Length(steps[1]), least * Length(steps[2]) });
 }
 }

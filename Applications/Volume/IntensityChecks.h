@@ -24,7 +24,7 @@ std::string MaskNote(const ValueSurvey& survey);
 void AppendNote(std::string& notes, const std::string& note);
 
 /// mm, of a voxel.
-double LeastSide(const VolumeGeometry& geometry);
+double LeastSide(const VolumeGeometry& geometry, const LayerPositions& layers = {});
 }
 
 #endif

@@ -21,6 +21,12 @@
 
 namespace bonedecimate::volume
 {
+/**
+ * From now on a child that keeps its reader waiting ends as soon as this function throws.
+ * @param stopIfInterrupted Called several times a second; throws if the user or the system interrupted the program.
+ */
+void StopReadingBy(void (*stopIfInterrupted)());
+
 class IsolatedReader
 {
 public:

@@ -2,9 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LabelVolume.h"
 
+#include "IntensityChecks.h"
 #include "VolumeFile.h"
+#include "WholeLabels.h"
 
+#include "vtkMath.h"
+
+#include <algorithm>
 #include <cmath>
+#include <locale>
+#include <sstream>
 
 namespace bonedecimate
 {
@@ -12,33 +19,86 @@ using namespace volume;
 
 namespace
 {
-/// Of the cosine of the angle between two axes: that of a vtkImageData counts as perpendicular.
-constexpr double LargestCosine = 1e-6;
+/// Of the cosine of the angle between two axes that headers round to perpendicular ones: a thousandth, as AreClose().
+constexpr double LargestCosine = 1e-3;
 
-bool ArePerpendicular(const VolumeGeometry& geometry)
+/// That of a vtkImageData counts as perpendicular.
+constexpr double CosineOfRounding = 1e-6;
+
+double LargestCosineOf(const VolumeGeometry& geometry)
 {
+  double largest = 0.0;
   for (std::size_t i = 0; i < 3; ++i)
   {
     const Vector3& a = geometry.Steps[i];
     const Vector3& b = geometry.Steps[(i + 1) % 3];
-    if (std::abs(Dot(a, b)) > LargestCosine * Length(a) * Length(b))
-    {
-      return false;
-    }
+    largest = std::max(largest, std::abs(Dot(a, b)) / (Length(a) * Length(b)));
   }
-  return true;
+  return largest;
+}
+
+/// With the nearest perpendicular axes; itself if they are perpendicular but for the rounding of doubles.
+VolumeGeometry Perpendicular(const VolumeGeometry& geometry)
+{
+  if (LargestCosineOf(geometry) <= CosineOfRounding)
+  {
+    return geometry;
+  }
+  double axes[3][3];
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double length = Length(geometry.Steps[axis]);
+    std::transform(geometry.Steps[axis].begin(), geometry.Steps[axis].end(), axes[axis],
+      [length](double value) { return value / length; });
+  }
+  vtkMath::Orthogonalize3x3(axes, axes);
+  VolumeGeometry perpendicular = geometry;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const Vector3 direction{ { axes[axis][0], axes[axis][1], axes[axis][2] } };
+    perpendicular.Steps[axis] = Scaled(direction, Length(geometry.Steps[axis]));
+  }
+  return perpendicular;
 }
 }
 
-std::string LabelGridProblem(const VolumeGeometry& geometry)
+std::string LabelGridProblem(const VolumeGeometry& geometry, const LayerPositions& layers)
 {
-  return ArePerpendicular(geometry)
+  if (!layers.empty())
+  {
+    return "its slices are not evenly spaced, which those of a label map have to be";
+  }
+  return LargestCosineOf(geometry) <= LargestCosine
     ? ""
-    : "its axes are not perpendicular, which a label map's have to be";
+    : "its axes are not perpendicular, which a label map's have to be: resample it to a grid with "
+      "perpendicular axes";
 }
 
-void SetLabelGrid(const VolumeGeometry& geometry, vtkImageData* image)
+std::string LabelGridNote(const VolumeGeometry& geometry, const std::array<std::int64_t, 3>& size)
 {
+  const VolumeGeometry perpendicular = Perpendicular(geometry);
+  double largest = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const Vector3 change = Difference(perpendicular.Steps[axis], geometry.Steps[axis]);
+    largest += static_cast<double>(size[axis] - 1) * Length(change);
+  }
+  if (!(largest > 0.0))
+  {
+    return std::string();
+  }
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(3);
+  text << "its axes are perpendicular only but for rounding; they are made perpendicular, which "
+          "moves no voxel by more than "
+       << largest << " mm";
+  return text.str();
+}
+
+void SetLabelGrid(const VolumeGeometry& given, vtkImageData* image)
+{
+  const VolumeGeometry geometry = Perpendicular(given);
   double spacing[3];
   double direction[9];
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -54,19 +114,28 @@ void SetLabelGrid(const VolumeGeometry& geometry, vtkImageData* image)
   image->SetDirectionMatrix(direction);
 }
 
-LabelVolume ReadLabelVolume(const std::string& path, const VoxelSpacing& spacing)
+LabelVolume ReadLabelVolume(
+  const std::string& path, const VoxelSpacing& spacing, const SegmentSelection& selection)
 {
-  const Volume volume = ReadVolume(path, spacing);
+  const Volume volume = ReadVolume(path, spacing, selection);
   LabelVolume labels;
   labels.Note = volume.Note;
   labels.Problem = volume.Problem;
   if (labels.Problem.empty())
   {
-    labels.Problem = LabelGridProblem(volume.Geometry);
+    labels.Problem = LabelGridProblem(volume.Geometry, volume.Layers);
+  }
+  if (labels.Problem.empty())
+  {
+    const WholeLabels whole = MakeWholeLabels(volume.Image);
+    labels.Problem = whole.Problem;
+    AppendNote(labels.Note, whole.Note);
   }
   if (labels.Problem.empty())
   {
     labels.Image = volume.Image;
+    const int* const size = volume.Image->GetDimensions();
+    AppendNote(labels.Note, LabelGridNote(volume.Geometry, { { size[0], size[1], size[2] } }));
     SetLabelGrid(volume.Geometry, labels.Image);
   }
   return labels;

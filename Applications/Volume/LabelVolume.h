@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Applications_LabelVolume_h
 #define BoneDecimate_Applications_LabelVolume_h
 
+#include "SegmentSelection.h"
 #include "Volume.h"
 #include "VoxelSpacing.h"
 
@@ -30,13 +31,19 @@ struct LabelVolume
 };
 
 /// Why voxels with this geometry are no label map; empty if they may be one.
-std::string LabelGridProblem(const volume::VolumeGeometry& geometry);
+std::string LabelGridProblem(
+  const volume::VolumeGeometry& geometry, const volume::LayerPositions& layers = {});
 
-/// Sets origin, spacing and direction.
+/// How far voxels move where axes are perpendicular only but for rounding; empty if they do not move.
+std::string LabelGridNote(
+  const volume::VolumeGeometry& geometry, const std::array<std::int64_t, 3>& size);
+
+/// Sets origin, spacing and direction: the nearest perpendicular one.
 void SetLabelGrid(const volume::VolumeGeometry& geometry, vtkImageData* image);
 
 /// Reads every format that ExtractBoneSurface() reads. A volume whose axes are not perpendicular is rejected.
-LabelVolume ReadLabelVolume(const std::string& path, const VoxelSpacing& spacing = {});
+LabelVolume ReadLabelVolume(const std::string& path, const VoxelSpacing& spacing = {},
+  const SegmentSelection& selection = {});
 }
 
 #endif

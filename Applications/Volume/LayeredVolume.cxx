@@ -27,6 +27,7 @@ LayeredVolume LayersOf(const Volume& volume)
 {
   LayeredVolume layers;
   layers.Header.Geometry = volume.Geometry;
+  layers.Header.Layers = volume.Layers;
   layers.Header.Problem = volume.Problem;
   layers.Header.Note = volume.Note;
   layers.Header.IsReadWhole = true;

@@ -21,6 +21,7 @@ struct VolumeHeader
   std::array<std::int64_t, 3> Size{ { 0, 0, 0 } };
   int ScalarType = VTK_VOID;
   VolumeGeometry Geometry;
+  LayerPositions Layers;
   vtkSmartPointer<vtkFieldData> Fields = vtkSmartPointer<vtkFieldData>::New(); ///< LabelFields.h.
   bool IsReadWhole = false; ///< The format gives no single layers: its reader holds all voxels.
   std::string Problem;      ///< Why there are no voxels; empty if there are.

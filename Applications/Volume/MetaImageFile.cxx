@@ -4,12 +4,14 @@
 #include "ImageFiles.h"
 
 #include "DataFile.h"
+#include "HeaderUnit.h"
 #include "ItkImage.h"
 #include "Options/Text.h"
 #include "StoredVoxels.h"
 #include "TextNumbers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <utility>
@@ -48,6 +50,27 @@ std::string FieldOf(const std::string& header, const std::string& key)
     {
       return Trimmed(line.substr(position + 1));
     }
+  }
+  return std::string();
+}
+
+/// MetaIO trusts any number of dimensions, and takes the last of several.
+std::string DimensionsProblem(const std::string& header)
+{
+  std::istringstream lines(header);
+  std::string line;
+  int count = 0;
+  while (std::getline(lines, line))
+  {
+    const std::string key = LowerCase(Trimmed(line.substr(0, line.find('='))));
+    count += key == "ndims" || key == "dimsize" ? 1 : 0;
+  }
+  const std::string text = FieldOf(header, "ndims");
+  if (count != 2 || ParseWholeNumber(text).value_or(0) != 3)
+  {
+    return count == 2
+      ? "its NDims is " + text.substr(0, 20) + ", only volumes of three dimensions are read"
+      : "it does not have NDims and DimSize once each";
   }
   return std::string();
 }
@@ -124,13 +147,16 @@ ByteOrder OrderOf(const std::string& header)
   return !order.empty() && (order[0] == 't' || order[0] == '1') ? ByteOrder::Big
                                                                 : ByteOrder::Little;
 }
-
-std::string UnitProblem(const ItkImage& image)
-{
-  const std::string unit = image.GetText("ITK_VoxelUnits");
-  return unit.empty() || unit == "mm" || unit == "?" ? std::string()
-                                                     : "its unit is " + unit + ", not mm";
 }
+
+bool MetaImageHasSpacing(const std::string& path)
+{
+  const std::string text = HeaderText(path);
+  const auto numbers =
+    ParseNumbers(FieldOf(text, "elementspacing") + " " + FieldOf(text, "elementsize"));
+  return text.empty() || !numbers || // which is a problem of its own
+    std::any_of(
+      numbers->begin(), numbers->end(), [](double value) { return std::isfinite(value); });
 }
 
 LayeredVolume OpenMetaImage(const std::string& path)
@@ -140,7 +166,7 @@ LayeredVolume OpenMetaImage(const std::string& path)
   {
     return RejectedLayers("it has no header of a MetaImage");
   }
-  const std::string numbers = NumbersProblem(text);
+  const std::string numbers = FirstOf({ NumbersProblem(text), DimensionsProblem(text) });
   if (!numbers.empty())
   {
     return RejectedLayers(numbers);
@@ -148,13 +174,18 @@ LayeredVolume OpenMetaImage(const std::string& path)
   ItkImage image(ItkImage::Format::MetaImage, path);
   const ItkHeader& header = image.GetHeader();
   const DataFile data = MetaData(path, text);
+  const HeaderUnit unit = UnitOf(image.GetText("ITK_VoxelUnits"));
   const std::string problem = FirstOf(
-    { header.Problem, UnitProblem(image), ComponentsProblem(header), DataFileProblem(text, data) });
+    { header.Problem, UnitProblem(unit), ComponentsProblem(header), DataFileProblem(text, data) });
   const std::string dataProblem = problem.empty() ? DataProblem(header, data) : problem;
   if (!dataProblem.empty())
   {
     return RejectedLayers(dataProblem);
   }
-  return IsPlain(text) ? StoredLayers(header, data, OrderOf(text)) : LayersOf(image.ReadVolume());
+  LayeredVolume volume =
+    IsPlain(text) ? StoredLayers(header, data, OrderOf(text)) : LayersOf(image.ReadVolume());
+  volume.Header.Geometry = InMillimeters(volume.Header.Geometry, unit);
+  volume.Header.Note = UnitNote(unit);
+  return volume;
 }
 }

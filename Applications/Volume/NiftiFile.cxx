@@ -5,6 +5,8 @@
 
 #include "DataFile.h"
 #include "DeflatedStream.h"
+#include "HeaderUnit.h"
+#include "IntensityChecks.h"
 #include "ItkImage.h"
 #include "Options/Text.h"
 #include "StoredVoxels.h"
@@ -15,6 +17,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <iterator>
 #include <locale>
 #include <map>
@@ -104,9 +107,18 @@ public:
         return "its spacing is zero, negative or not a finite number";
       }
     }
-    // The unit of length is in the lowest three bits; 0 is unknown, 2 is mm.
-    const int unit = this->At<unsigned char>(123) & 7;
-    return unit == 0 || unit == 2 ? std::string() : "its unit is not mm";
+    if (std::memcmp(this->Bytes.data() + 344, "ni1", 4) == 0)
+    {
+      return "its voxels lie in another file (.img); save both as one .nii";
+    }
+    return UnitProblem(this->Unit());
+  }
+
+  HeaderUnit Unit() const
+  {
+    // The unit of length is in the lowest three bits; 0 is unknown.
+    constexpr const char* units[] = { "", "m", "mm", "um", "4", "5", "6", "7" };
+    return UnitOf(units[this->At<unsigned char>(123) & 7]);
   }
 
   /// Whether the voxels lie behind it and have no scale.
@@ -149,6 +161,12 @@ bool HasSform(const NiftiHeader& header)
   return header.At<std::int16_t>(254) > 0;
 }
 
+bool HasQform(const NiftiHeader& header)
+{
+  return header.At<std::int16_t>(252) > 0;
+}
+
+/// mm
 VolumeGeometry SformOf(const NiftiHeader& header)
 {
   VolumeGeometry geometry;
@@ -161,18 +179,18 @@ VolumeGeometry SformOf(const NiftiHeader& header)
     }
     geometry.Origin[row] = sign * double(header.At<float>(292 + 16 * row));
   }
-  return geometry;
+  return InMillimeters(geometry, header.Unit());
 }
 
 /// Of a file whose position ITK takes from the sform, although its spacing is another one: from 5.3 on ITK warns only.
 std::string SpacingProblem(const NiftiHeader& header)
 {
   const bool isOfScanner = header.At<std::int16_t>(254) == 1;
-  const bool hasQform = header.At<std::int16_t>(252) > 0;
+  const bool hasQform = HasQform(header);
   const VolumeGeometry geometry = SformOf(header);
   for (std::size_t axis = 0; HasSform(header) && (isOfScanner || !hasQform) && axis < 3; ++axis)
   {
-    const double spacing = header.At<float>(80 + 4 * axis);
+    const double spacing = header.Unit().Millimeters * double(header.At<float>(80 + 4 * axis));
     if (!(std::abs(Length(geometry.Steps[axis]) - spacing) <= 1e-3 * spacing))
     {
       return "its spacing is not that of its sform";
@@ -210,6 +228,13 @@ double Distance(
 
 std::string PositionNote(const NiftiHeader& header, const ItkHeader& read)
 {
+  if (!HasSform(header) && !HasQform(header))
+  {
+    return "its header does not say how the patient lies (sform_code and qform_code are 0): x is "
+           "taken to run to the "
+           "left and y to the back, as ITK does; nibabel and FSL let y run to the front, so the "
+           "surface may be mirrored";
+  }
   const auto& steps = read.Geometry.Steps;
   const double spacing = std::min({ Length(steps[0]), Length(steps[1]), Length(steps[2]) });
   const double distance =
@@ -271,9 +296,20 @@ std::uint64_t CountNotFinite(
   return count;
 }
 
+/// By its first bytes: names are not always right.
 bool IsCompressed(const std::string& path)
 {
-  return LowerCase(FilePath(path).extension().string()) == ".gz";
+  std::ifstream file(path, std::ios::binary);
+  return file.get() == 0x1f && file.get() == 0x8b;
+}
+
+/// ITK goes by the name.
+std::string NameProblem(const std::string& path)
+{
+  const bool isNamedSo = LowerCase(FilePath(path).extension().string()) == ".gz";
+  return IsCompressed(path) && !isNamedSo
+    ? "it is compressed by gzip, but not named so: call it .nii.gz"
+    : std::string();
 }
 
 std::string VoxelsProblem(const NiftiHeader& header, const ItkHeader& read, const std::string& path)
@@ -323,7 +359,7 @@ DataFile DataOf(const NiftiHeader& header, const std::string& path)
 LayeredVolume OpenNifti(const std::string& path)
 {
   const NiftiHeader header(path);
-  std::string inFile = header.Problem();
+  std::string inFile = FirstOf({ NameProblem(path), header.Problem() });
   inFile = inFile.empty() ? SpacingProblem(header) : inFile;
   if (!inFile.empty())
   {
@@ -349,6 +385,7 @@ LayeredVolume OpenNifti(const std::string& path)
   {
     volume.Header.Geometry = SformOf(header);
   }
+  AppendNote(volume.Header.Note, UnitNote(header.Unit()));
   return volume;
 }
 }

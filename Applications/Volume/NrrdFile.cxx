@@ -4,7 +4,10 @@
 #include "ImageFiles.h"
 
 #include "DataFile.h"
+#include "HeaderUnit.h"
+#include "IntensityChecks.h"
 #include "ItkImage.h"
+#include "NrrdText.h"
 #include "Options/Text.h"
 #include "Segmentation.h"
 #include "StoredVoxels.h"
@@ -15,6 +18,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 
 namespace bonedecimate::volume
 {
@@ -64,8 +69,21 @@ public:
       nrrdSpace3DRightHanded };
     const bool isKnown =
       std::find(spaces.begin(), spaces.end(), this->Header->space) != spaces.end();
-    return isKnown && this->IsInMillimeters() ? std::string()
-                                              : "its space is not RAS, LAS or LPS in mm";
+    return isKnown ? UnitProblem(this->Unit()) : "its space is not RAS, LAS or LPS";
+  }
+
+  /// Of the axes of the space; one that is not known if they have several.
+  HeaderUnit Unit() const
+  {
+    HeaderUnit unit;
+    for (unsigned int i = 0; i < this->Header->spaceDim; ++i)
+    {
+      const char* const text = this->Header->spaceUnits[i];
+      const HeaderUnit ofAxis = UnitOf(text ? text : "");
+      const bool isSame = i == 0 || ofAxis.Name == unit.Name;
+      unit = isSame ? ofAxis : HeaderUnit{ unit.Name + ", " + ofAxis.Name, 0.0 };
+    }
+    return unit;
   }
 
   /// Of a header without a problem.
@@ -76,6 +94,13 @@ public:
     const long begin = std::max(std::ftell(this->State->dataFile), 0L);
     return DataFileBeside(
       path, name, static_cast<std::uint64_t>(begin), this->State->encoding->isCompression != 0);
+  }
+
+  /// Of voxels behind so many bytes of a header in the same file.
+  DataFile DataBehind(const std::string& path, std::uint64_t header) const
+  {
+    return DataFileBeside(
+      path, FilePath(path).filename().string(), header, this->State->encoding->isCompression != 0);
   }
 
   /// Whether the voxels are numbers one after the other, where the file's data begin.
@@ -91,6 +116,14 @@ public:
     return this->State->endian == airEndianBig ? ByteOrder::Big : ByteOrder::Little;
   }
 
+  /// From what ITK makes of it to mm in LPS.
+  void ConvertToPatient(VolumeGeometry& geometry) const
+  {
+    this->CorrectSpace(geometry);
+    geometry = InMillimeters(geometry, this->Unit());
+  }
+
+private:
   /// ITK mirrored x of a file in LAS instead of y before https://github.com/InsightSoftwareConsortium/ITK/pull/5224.
   void CorrectSpace(VolumeGeometry& geometry) const
   {
@@ -105,7 +138,6 @@ public:
     }
   }
 
-private:
   /// Whether x of the steps has the opposite sign of that in the file, where it is largest.
   bool HasMirroredX(const VolumeGeometry& geometry) const
   {
@@ -123,59 +155,82 @@ private:
     return largest < 0.0;
   }
 
-  bool IsInMillimeters() const
-  {
-    bool isMillimeter = true;
-    for (unsigned int i = 0; i < this->Header->spaceDim; ++i)
-    {
-      const char* const unit = this->Header->spaceUnits[i];
-      const std::string text = LowerCase(unit ? unit : "");
-      isMillimeter = isMillimeter &&
-        (text.empty() || text == "mm" || text == "millimeter" || text == "millimeters");
-    }
-    return isMillimeter;
-  }
-
   Nrrd* Header = nrrdNew();
   NrrdIoState* State = nrrdIoStateNew();
   bool IsLoaded = false;
 };
+
+/// Of a file of the voxels that the library would open, whatever it is.
+std::string DataFileProblem(const std::string& path, const NrrdText& text)
+{
+  const std::string name = text.DataFile();
+  const bool isOne =
+    LowerCase(name).compare(0, 4, "list") != 0 && name.find('%') == std::string::npos;
+  const std::string voxels = (FilePath(path).parent_path() / FilePath(name)).string();
+  std::error_code error;
+  if (name.empty() || !isOne || std::filesystem::is_regular_file(FilePath(voxels), error))
+  {
+    return isOne ? std::string() : "its voxels lie in several files; save it as one .nrrd";
+  }
+  return "the file of its voxels, " + name + ", is not there or is no regular file";
+}
 }
 
-LayeredVolume OpenNrrd(const std::string& path)
+bool NrrdHasSpacing(const std::string& path)
 {
-  const NrrdHeader nrrd(path);
+  const NrrdText text = ReadNrrdText(path);
+  const bool isHeader =
+    !text.FieldOf("sizes").empty() && (text.IsEnded || !text.DataFile().empty());
+  return !isHeader || text.HasSpacing(); // without a header it has a problem of its own
+}
+
+LayeredVolume OpenNrrd(const std::string& path, const SegmentSelection& selection)
+{
+  const NrrdText text = ReadNrrdText(path);
+  const NrrdHeaderFile file(path, text);
+  const std::string inText = FirstOf({ file.GetProblem(), DataFileProblem(path, text) });
+  if (!inText.empty())
+  {
+    return RejectedLayers(inText);
+  }
+  const NrrdHeader nrrd(file.GetPath());
   if (!nrrd.Problem().empty())
   {
     return RejectedLayers(nrrd.Problem());
   }
-  ItkImage image(ItkImage::Format::Nrrd, path);
+  const bool isInFile = text.DataFile().empty();
+  const DataFile data =
+    file.IsShortened() && isInFile ? nrrd.DataBehind(path, text.Bytes) : nrrd.Data(file.GetPath());
+  ItkImage image(ItkImage::Format::Nrrd, file.GetPath());
   const ItkHeader& header = image.GetHeader();
   const std::vector<Segment> segments =
     ReadSegments([&image](const std::string& key) { return image.GetText(key); });
   const bool hasLayers = !segments.empty() && header.HasLayers;
   const std::string problem =
     FirstOf({ header.Problem, hasLayers ? std::string() : ComponentsProblem(header) });
-  const std::string dataProblem = problem.empty() ? DataProblem(header, nrrd.Data(path)) : problem;
+  const std::string dataProblem = problem.empty() ? DataProblem(header, data) : problem;
   if (!dataProblem.empty())
   {
     return RejectedLayers(dataProblem);
   }
   if (!hasLayers && nrrd.IsPlain())
   {
-    LayeredVolume layers = StoredLayers(header, nrrd.Data(path), nrrd.Order());
-    nrrd.CorrectSpace(layers.Header.Geometry);
+    LayeredVolume layers = StoredLayers(header, data, nrrd.Order());
+    nrrd.ConvertToPatient(layers.Header.Geometry);
     AddLabelFields(segments, layers.Header.Fields);
+    AppendNote(layers.Header.Note, UnitNote(nrrd.Unit()));
     return layers;
   }
   Volume volume = image.ReadVolume();
-  nrrd.CorrectSpace(volume.Geometry);
-  if (volume.Image && hasLayers)
+  nrrd.ConvertToPatient(volume.Geometry);
+  LayeredVolume layers = volume.Image && hasLayers
+    ? LayersOf(CombinedLayers(volume, segments, selection))
+    : LayersOf(volume);
+  if (!hasLayers)
   {
-    return LayersOf(CombinedLayers(volume, segments));
+    AddLabelFields(segments, layers.Header.Fields);
   }
-  LayeredVolume layers = LayersOf(volume);
-  AddLabelFields(segments, layers.Header.Fields);
+  AppendNote(layers.Header.Note, UnitNote(nrrd.Unit()));
   return layers;
 }
 }

@@ -11,6 +11,7 @@
 #include "vtkPoints.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace bonedecimate::volume
@@ -35,9 +36,20 @@ vtkSmartPointer<vtkPolyData> GridContour(const Volume& volume, double value)
   return contour->GetOutput();
 }
 
-/// The grid's axes need not be at right angles in the patient.
-vtkSmartPointer<vtkPoints> PatientPoints(vtkPoints* gridPoints, const VolumeGeometry& geometry)
+/// Linear between two layers, as values are.
+double PositionOf(double layer, const LayerPositions& layers)
 {
+  const double last = static_cast<double>(layers.size()) - 2.0;
+  const double below = std::clamp(std::floor(layer), 0.0, last);
+  const auto k = static_cast<std::size_t>(below);
+  return layers[k] + (layer - below) * (layers[k + 1] - layers[k]);
+}
+
+/// The grid's axes need not be at right angles in the patient, and its layers not evenly spaced.
+vtkSmartPointer<vtkPoints> PatientPoints(
+  vtkPoints* gridPoints, const VolumeGeometry& geometry, const LayerPositions& layers)
+{
+  const double step = Length(geometry.Steps[2]);
   std::array<Vector3, 3> axes = geometry.Steps;
   for (Vector3& axis : axes)
   {
@@ -51,6 +63,7 @@ vtkSmartPointer<vtkPoints> PatientPoints(vtkPoints* gridPoints, const VolumeGeom
   {
     Vector3 grid;
     gridPoints->GetPoint(id, grid.data());
+    grid[2] = layers.empty() ? grid[2] : step * PositionOf(grid[2] / step, layers);
     Vector3 patient = geometry.Origin;
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -158,7 +171,7 @@ vtkSmartPointer<vtkPolyData> OutwardContour(const Volume& volume, double value)
   const vtkSmartPointer<vtkPolyData> grid = GridContour(volume, value);
   const bool isMirrored = Determinant(volume.Geometry) < 0.0;
   const auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetPoints(PatientPoints(grid->GetPoints(), volume.Geometry));
+  surface->SetPoints(PatientPoints(grid->GetPoints(), volume.Geometry, volume.Layers));
   const vtkSmartPointer<vtkCellArray> triangles = grid->GetPolys();
   surface->SetPolys(isMirrored ? TurnedTriangles(triangles) : triangles);
   return surface;

@@ -60,13 +60,17 @@ SegmentFrames::SegmentFrames(SegmentPixels type, std::vector<unsigned char> byte
   }
 }
 
-std::string SegmentFrames::Arrange(const std::vector<SegmentFrame>& frames, std::int64_t planes)
+std::string SegmentFrames::Arrange(
+  const std::vector<SegmentFrame>& frames, std::int64_t planes, const std::vector<bool>& isChosen)
 {
   this->FramesOfPlane.assign(static_cast<std::size_t>(planes), {});
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
     this->SegmentOfFrame.push_back(frames[i].Segment);
-    this->FramesOfPlane[static_cast<std::size_t>(frames[i].Plane)].push_back(i);
+    if (this->Type != SegmentPixels::Bits || isChosen.empty() || isChosen[frames[i].Segment])
+    {
+      this->FramesOfPlane[static_cast<std::size_t>(frames[i].Plane)].push_back(i);
+    }
   }
   for (std::vector<std::size_t>& plane : this->FramesOfPlane)
   {

@@ -44,8 +44,9 @@ public:
   SegmentFrames(SegmentPixels type, std::vector<unsigned char> bytes,
     const std::array<std::int64_t, 2>& size, const std::vector<Segment>& segments);
 
-  /// Of a number of planes. @return Why they are no planes of labels; empty if they are.
-  std::string Arrange(const std::vector<SegmentFrame>& frames, std::int64_t planes);
+  /// Of a number of planes. @param isChosen Of each segment; empty: all are. @return Why they are no planes of labels; empty if they are.
+  std::string Arrange(const std::vector<SegmentFrame>& frames, std::int64_t planes,
+    const std::vector<bool>& isChosen = {});
 
   /// Writes a label for each pixel of the plane, 0 where it has no frame. Of several segments the last one counts.
   Overlap Combine(std::int64_t plane, std::uint16_t* labels) const;

@@ -67,7 +67,8 @@ bool MakeLabelsDifferent(std::vector<Segment>& segments)
 /// Writes for each voxel the label of its last segment.
 template <typename Value>
 Overlap Combine(const Value* values, const std::vector<SegmentOfValue>& layers,
-  const std::vector<Segment>& segments, unsigned short* labels, vtkIdType voxels)
+  const std::vector<Segment>& segments, const std::vector<bool>& isChosen, unsigned short* labels,
+  vtkIdType voxels)
 {
   Overlap overlap;
   for (vtkIdType voxel = 0; voxel < voxels; ++voxel)
@@ -81,8 +82,11 @@ Overlap Combine(const Value* values, const std::vector<SegmentOfValue>& layers,
       {
         const auto found = layer.find(value);
         overlap.Undescribed += found == layer.end() ? 1 : 0;
-        last = found == layer.end() ? last : std::max(last, found->second);
-        ++count;
+        if (found != layer.end() && isChosen[found->second - 1])
+        {
+          last = std::max(last, found->second);
+          ++count;
+        }
       }
     }
     overlap.Voxels += count > 1 ? 1 : 0;
@@ -142,7 +146,19 @@ std::vector<Segment> ReadSegments(const std::function<std::string(const std::str
   }
 }
 
-Volume CombinedLayers(const Volume& layers, std::vector<Segment> segments)
+std::vector<bool> ChosenSegments(
+  const std::vector<Segment>& segments, const SegmentSelection& selection)
+{
+  std::vector<bool> isChosen;
+  for (const Segment& segment : segments)
+  {
+    isChosen.push_back(!selection || selection(segment.Label, segment.Name));
+  }
+  return isChosen;
+}
+
+Volume CombinedLayers(
+  const Volume& layers, std::vector<Segment> segments, const SegmentSelection& selection)
 {
   vtkDataArray* values = layers.Image->GetPointData()->GetScalars();
   std::vector<SegmentOfValue> ofLayer(static_cast<std::size_t>(values->GetNumberOfComponents()));
@@ -163,8 +179,9 @@ Volume CombinedLayers(const Volume& layers, std::vector<Segment> segments)
   Overlap overlap;
   switch (values->GetDataType())
   {
-    vtkTemplateMacro(overlap = Combine(static_cast<const VTK_TT*>(values->GetVoidPointer(0)),
-                       ofLayer, segments, labels, values->GetNumberOfTuples()));
+    vtkTemplateMacro(
+      overlap = Combine(static_cast<const VTK_TT*>(values->GetVoidPointer(0)), ofLayer, segments,
+        ChosenSegments(segments, selection), labels, values->GetNumberOfTuples()));
     default:
       break;
   }

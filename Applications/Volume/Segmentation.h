@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Applications_Segmentation_h
 #define BoneDecimate_Applications_Segmentation_h
 
+#include "SegmentSelection.h"
 #include "Volume.h"
 
 #include "vtkFieldData.h"
@@ -48,8 +49,14 @@ std::vector<Segment> ReadSegments(const std::function<std::string(const std::str
  * Makes one label map of a volume whose voxels have a value for each layer. Of several segments the last one
  * counts, as when 3D Slicer exports them to a label map. If labels repeat, the segments get the
  * labels from 1 on. A note says both.
+ * @param selection Segments that are not wanted cover no others; their voxels are background.
  */
-Volume CombinedLayers(const Volume& layers, std::vector<Segment> segments);
+Volume CombinedLayers(
+  const Volume& layers, std::vector<Segment> segments, const SegmentSelection& selection = {});
+
+/// Of each segment whether it is wanted.
+std::vector<bool> ChosenSegments(
+  const std::vector<Segment>& segments, const SegmentSelection& selection);
 
 /// Adds the field arrays LabelValues, LabelNames and LabelColors, if there are segments.
 void AddLabelFields(const std::vector<Segment>& segments, vtkFieldData* fields);

@@ -18,6 +18,7 @@ Volume SlabReader::ReadTo(std::int64_t lastLayer)
   const std::int64_t sharedLayers = this->SharedLayer.empty() ? 0 : 1;
   Volume slab;
   slab.Geometry = header.Geometry;
+  slab.Layers = header.Layers;
   slab.Image = AllocateImage(
     { { header.Size[0], header.Size[1], sharedLayers + newLayers } }, header.ScalarType);
   slab.Image->SetExtent(0, static_cast<int>(header.Size[0]) - 1, 0,

@@ -61,6 +61,11 @@ PageShape ShapeOfPage(TIFF* file)
 TiffPages PagesOf(const std::string& path)
 {
   TiffPages pages;
+  if (HasCircularPages(path))
+  {
+    pages.Problem = "its pages form a circle: one of them has an earlier page as the next one";
+    return pages;
+  }
   TIFF* const file = TIFFOpen(path.c_str(), "r");
   if (!file)
   {
@@ -96,9 +101,15 @@ VolumeGeometry GeometryOf(const Vector3& spacing)
 ItkHeader SliceHeader(const std::string& path)
 {
   const TiffPages pages = PagesOf(path);
+  if (!pages.Problem.empty())
+  {
+    ItkHeader rejected;
+    rejected.Problem = pages.Problem;
+    return rejected;
+  }
   ItkHeader header = pages.AreTiled ? TiledTiff(path).GetHeader()
                                     : ItkImage(ItkImage::Format::Tiff, path, 2).GetHeader();
-  header.Problem = FirstOf({ pages.Problem, header.Problem, ComponentsProblem(header) });
+  header.Problem = FirstOf({ header.Problem, ComponentsProblem(header) });
   return header;
 }
 
@@ -152,13 +163,17 @@ LayeredVolume OpenTiff(const std::string& path, const Vector3& spacing)
 {
   const TiffErrors errors;
   const TiffPages pages = PagesOf(path);
-  if (pages.Problem.empty() && pages.AreTiled)
+  if (!pages.Problem.empty())
+  {
+    return RejectedLayers(pages.Problem);
+  }
+  if (pages.AreTiled)
   {
     return OpenTiledPages(path, pages.Count, spacing);
   }
   ItkImage image(ItkImage::Format::Tiff, path);
   const ItkHeader& header = image.GetHeader();
-  const std::string problem = FirstOf({ pages.Problem, header.Problem, ComponentsProblem(header) });
+  const std::string problem = FirstOf({ header.Problem, ComponentsProblem(header) });
   const std::string size =
     problem.empty() ? SizeProblem(header.Size, 1, SizeOfFile(path), true) : problem;
   if (!size.empty())

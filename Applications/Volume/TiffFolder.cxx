@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -48,9 +49,24 @@ public:
     return number;
   }
 
+  bool IsTiff() { return this->IsBig() || this->At(2, 2) == 42; }
+
+  /// A directory is a count, its entries, and the position of the next directory.
+  std::uint64_t FirstDirectory() { return this->IsBig() ? this->At(8, 8) : this->At(4, 4); }
+
+  /// 0: there is none.
+  std::uint64_t NextDirectory(std::uint64_t directory)
+  {
+    const bool isBig = this->IsBig();
+    const std::uint64_t entries = this->At(directory, isBig ? 8 : 2);
+    return this->At(directory + (isBig ? 8 + 20 * entries : 2 + 12 * entries), isBig ? 8 : 4);
+  }
+
   bool IsTruncated = false; ///< A number was beyond the end.
 
 private:
+  bool IsBig() { return this->At(2, 2) == 43; }
+
   std::ifstream File;
   bool IsBigEndian = false;
 };
@@ -123,16 +139,20 @@ bool IsNamedLikeTiff(const std::string& path)
 bool IsTiffPicture(const std::string& path)
 {
   TiffNumbers numbers(path);
-  const bool isBig = numbers.At(2, 2) == 43;
-  if (!isBig && numbers.At(2, 2) != 42)
+  return numbers.IsTiff() && numbers.NextDirectory(numbers.FirstDirectory()) == 0 &&
+    !numbers.IsTruncated;
+}
+
+bool HasCircularPages(const std::string& path)
+{
+  TiffNumbers numbers(path);
+  std::set<std::uint64_t> known;
+  std::uint64_t directory = numbers.IsTiff() ? numbers.FirstDirectory() : 0;
+  while (directory != 0 && !numbers.IsTruncated && known.insert(directory).second)
   {
-    return false;
+    directory = numbers.NextDirectory(directory);
   }
-  // The first directory: a count, its entries, and the position of the next directory.
-  const std::uint64_t directory = isBig ? numbers.At(8, 8) : numbers.At(4, 4);
-  const std::uint64_t entries = numbers.At(directory, isBig ? 8 : 2);
-  const std::uint64_t next = isBig ? directory + 8 + 20 * entries : directory + 2 + 12 * entries;
-  return numbers.At(next, isBig ? 8 : 4) == 0 && !numbers.IsTruncated;
+  return directory != 0 && !numbers.IsTruncated;
 }
 
 bool HoldsTiffSlices(const std::string& folder)

@@ -18,6 +18,9 @@ bool IsNamedLikeTiff(const std::string& path);
 /// Whether a file is TIFF and has one page.
 bool IsTiffPicture(const std::string& path);
 
+/// Whether the chain of its pages comes back to one of them; readers follow it without end.
+bool HasCircularPages(const std::string& path);
+
 /// Whether most files of a folder, and at least two, are TIFF files of one page.
 bool HoldsTiffSlices(const std::string& folder);
 

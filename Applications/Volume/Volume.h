@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace bonedecimate::volume
 {
@@ -27,11 +28,15 @@ struct VolumeGeometry
     { { 0.0, 0.0, 1.0 } } } }; ///< From a voxel to its neighbor along i, j and k.
 };
 
+/// Where each layer lies along k, in steps, ascending; empty: at 0, 1, 2 and so on.
+using LayerPositions = std::vector<double>;
+
 struct Volume
 {
   vtkSmartPointer<vtkImageData>
     Image; ///< One value a voxel; its own origin and spacing mean nothing. Field arrays: LabelFields.h.
   VolumeGeometry Geometry;
+  LayerPositions Layers;
   std::string Problem; ///< Why there is no image; empty if there is one.
   std::string Note;    ///< What of the input was left aside, for the user; may be empty.
 };

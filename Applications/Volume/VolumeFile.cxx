@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <set>
 #include <system_error>
 
 namespace bonedecimate
@@ -67,18 +68,66 @@ VolumeKind KindByExtension(const fs::path& name)
   return found == std::end(Extensions) ? VolumeKind::None : found->Kind;
 }
 
+/// Those that TakeSeriesBelow() was called for.
+std::set<std::string>& FoldersOfSeries()
+{
+  static std::set<std::string> folders;
+  return folders;
+}
+
+/// The table of contents of a CD, which represents its folder.
+bool IsDirectoryFile(const std::string& path)
+{
+  return LowerCase(FilePath(path).filename().string()) == "dicomdir" && IsDicomFile(path);
+}
+
 VolumeKind KindOf(const std::string& path)
 {
   std::error_code error;
   if (fs::is_directory(FilePath(path), error))
   {
-    return HoldsDicom(path)   ? VolumeKind::DicomFolder
-      : HoldsTiffSlices(path) ? VolumeKind::TiffFolder
-                              : VolumeKind::None;
+    return HoldsDicom(path) || FoldersOfSeries().count(path) > 0 ? VolumeKind::DicomFolder
+      : HoldsTiffSlices(path)                                    ? VolumeKind::TiffFolder
+                                                                 : VolumeKind::None;
+  }
+  if (IsDirectoryFile(path))
+  {
+    return VolumeKind::DicomFolder;
   }
   const VolumeKind kind = KindByExtension(FilePath(path));
   // A TIFF of one page is a picture.
-  return kind == VolumeKind::Tiff && IsTiffPicture(path) ? VolumeKind::None : kind;
+  const bool isPicture =
+    kind == VolumeKind::Tiff && fs::is_regular_file(FilePath(path), error) && IsTiffPicture(path);
+  return isPicture ? VolumeKind::None : kind;
+}
+
+/// Whether nothing says how far its voxels are apart.
+bool LacksSpacing(const std::string& path, VolumeKind kind)
+{
+  std::error_code error;
+  if (kind == VolumeKind::Tiff || kind == VolumeKind::TiffFolder)
+  {
+    return true;
+  }
+  if (!fs::is_regular_file(FilePath(path), error))
+  {
+    return false;
+  }
+  return (kind == VolumeKind::Vti && !VtiHasSpacing(path)) ||
+    (kind == VolumeKind::MetaImage && !MetaImageHasSpacing(path)) ||
+    (kind == VolumeKind::Nrrd && !NrrdHasSpacing(path));
+}
+
+/// Of a volume whose own steps mean nothing.
+LayeredVolume WithSpacing(LayeredVolume volume, const VoxelSpacing& spacing)
+{
+  std::array<Vector3, 3>& steps = volume.Header.Geometry.Steps;
+  for (std::size_t axis = 0; spacing && axis < 3; ++axis)
+  {
+    const double length = Length(steps[axis]);
+    steps[axis] = Scaled(steps[axis], (*spacing)[axis] / length);
+  }
+  return volume;
 }
 
 /// Why it is rejected without a look into it; empty if it is not.
@@ -96,12 +145,14 @@ std::string Unreadable(const std::string& path, VolumeKind kind, const VoxelSpac
   }
   if (kind == VolumeKind::None)
   {
-    return "it is no volume: .vti, .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz, a .tif of several "
-           "pages, a .dcm of segments or a folder of DICOM files or TIFF slices";
+    return "it is no volume; read are " + ReadVolumesText();
   }
-  if ((kind == VolumeKind::Tiff || kind == VolumeKind::TiffFolder) && !spacing)
+  if (!spacing && LacksSpacing(path, kind))
   {
-    return "TIFF has no distance between slices: give --spacing X,Y,Z in mm";
+    const bool isTiff = kind == VolumeKind::Tiff || kind == VolumeKind::TiffFolder;
+    return std::string(isTiff ? "TIFF has no distance between slices"
+                              : "its header does not say how far its voxels are apart") +
+      ": give --spacing X,Y,Z in mm";
   }
   return std::string();
 }
@@ -117,6 +168,23 @@ bool IsVolumeFile(const std::string& path)
   return KindByExtension(FilePath(path)) != VolumeKind::None;
 }
 
+std::string ReadVolumesText()
+{
+  return ".nii, .nii.gz, .nrrd, .nhdr, .seg.nrrd, .mha, .mhd, .vti, a .tif of several pages, a "
+         ".dcm of segments, and a folder of "
+         "DICOM files or TIFF slices";
+}
+
+bool TakeSeriesBelow(const std::string& folder)
+{
+  const bool hasSeries = KindOf(folder) == VolumeKind::None && !DicomFilesBelow(folder, 1).empty();
+  if (hasSeries)
+  {
+    FoldersOfSeries().insert(folder);
+  }
+  return hasSeries;
+}
+
 std::vector<std::string> VolumeExtensions()
 {
   std::vector<std::string> extensions;
@@ -129,13 +197,13 @@ std::vector<std::string> VolumeExtensions()
 
 bool NeedsSpacing(const std::string& path)
 {
-  const VolumeKind kind = KindOf(path);
-  return kind == VolumeKind::Tiff || kind == VolumeKind::TiffFolder;
+  return LacksSpacing(path, KindOf(path));
 }
 
 namespace volume
 {
-std::unique_ptr<IsolatedReader> OpenVolume(const std::string& path, const VoxelSpacing& spacing)
+std::unique_ptr<IsolatedReader> OpenVolume(
+  const std::string& path, const VoxelSpacing& spacing, const SegmentSelection& selection)
 {
   const VolumeKind kind = KindOf(path);
   const std::string problem = Unreadable(path, kind, spacing);
@@ -143,17 +211,18 @@ std::unique_ptr<IsolatedReader> OpenVolume(const std::string& path, const VoxelS
   {
     return std::make_unique<IsolatedReader>(problem);
   }
+  const VoxelSpacing missing = LacksSpacing(path, kind) ? spacing : VoxelSpacing();
   return std::make_unique<IsolatedReader>(
     [&]
     {
       switch (kind)
       {
         case VolumeKind::Vti:
-          return LayersOf(ReadVti(path));
+          return WithSpacing(LayersOf(ReadVti(path)), missing);
         case VolumeKind::MetaImage:
-          return OpenMetaImage(path);
+          return WithSpacing(OpenMetaImage(path), missing);
         case VolumeKind::Nrrd:
-          return OpenNrrd(path);
+          return WithSpacing(OpenNrrd(path, selection), missing);
         case VolumeKind::Nifti:
           return OpenNifti(path);
         case VolumeKind::Tiff:
@@ -161,19 +230,22 @@ std::unique_ptr<IsolatedReader> OpenVolume(const std::string& path, const VoxelS
         case VolumeKind::TiffFolder:
           return OpenTiffSlices(path, *spacing);
         case VolumeKind::DicomFile:
-          return OpenDicomFile(path);
+          return OpenDicomFile(path, selection);
         default:
-          return OpenDicomFolder(path);
+          return OpenDicomFolder(
+            IsDirectoryFile(path) ? FilePath(path).parent_path().string() : path, selection);
       }
     });
 }
 
-Volume ReadVolume(const std::string& path, const VoxelSpacing& spacing)
+Volume ReadVolume(
+  const std::string& path, const VoxelSpacing& spacing, const SegmentSelection& selection)
 {
-  const std::unique_ptr<IsolatedReader> reader = OpenVolume(path, spacing);
+  const std::unique_ptr<IsolatedReader> reader = OpenVolume(path, spacing, selection);
   const VolumeHeader& header = reader->GetHeader();
   Volume volume;
   volume.Geometry = header.Geometry;
+  volume.Layers = header.Layers;
   volume.Note = header.Note;
   volume.Problem = header.Problem;
   if (volume.Problem.empty())

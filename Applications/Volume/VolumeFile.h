@@ -8,6 +8,7 @@
 #define BoneDecimate_Applications_VolumeFile_h
 
 #include "IsolatedReader.h"
+#include "SegmentSelection.h"
 #include "Volume.h"
 #include "VoxelSpacing.h"
 
@@ -16,12 +17,13 @@
 
 namespace bonedecimate::volume
 {
-/// The reader goes by the extension. @param spacing Of files without one.
-std::unique_ptr<IsolatedReader> OpenVolume(
-  const std::string& path, const VoxelSpacing& spacing = {});
+/// The reader goes by the extension. @param spacing Of files without one. @param selection Of segments that overlap.
+std::unique_ptr<IsolatedReader> OpenVolume(const std::string& path,
+  const VoxelSpacing& spacing = {}, const SegmentSelection& selection = {});
 
 /// All voxels.
-Volume ReadVolume(const std::string& path, const VoxelSpacing& spacing = {});
+Volume ReadVolume(const std::string& path, const VoxelSpacing& spacing = {},
+  const SegmentSelection& selection = {});
 }
 
 #endif

@@ -13,10 +13,10 @@
 
 namespace bonedecimate
 {
-/// mm along x, y and z. Only TIFF files and folders of TIFF slices need it: see NeedsSpacing().
+/// mm along x, y and z, of volumes for which NeedsSpacing().
 using VoxelSpacing = std::optional<std::array<double, 3>>;
 
-/// True for a TIFF file of several pages and for a folder of TIFF slices.
+/// True for a TIFF file of several pages, for a folder of TIFF slices, and for other volumes whose header has no spacing.
 bool NeedsSpacing(const std::string& path);
 }
 

@@ -15,6 +15,7 @@
 #include "vtkXMLImageDataReader.h"
 
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 
 namespace bonedecimate::volume
@@ -88,6 +89,17 @@ VolumeGeometry Geometry(vtkImageData* image)
   }
   return geometry;
 }
+}
+
+bool VtiHasSpacing(const std::string& path)
+{
+  constexpr std::streamsize most = 1 << 16;
+  std::ifstream file(path, std::ios::binary);
+  std::string head(static_cast<std::size_t>(most), '\0');
+  file.read(head.data(), most);
+  const std::size_t tag = head.find("<ImageData");
+  return tag == std::string::npos || // which is a problem of its own
+    head.substr(tag, head.find('>', tag) - tag).find("Spacing") != std::string::npos;
 }
 
 Volume ReadVti(const std::string& path)

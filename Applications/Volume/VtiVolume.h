@@ -15,6 +15,9 @@ namespace bonedecimate::volume
 {
 /// May end the process on damaged files: to be called by an IsolatedReader.
 Volume ReadVti(const std::string& path);
+
+/// Whether the file says how far voxels are apart; VTK takes 1 if not.
+bool VtiHasSpacing(const std::string& path);
 }
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "Parallel.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -84,6 +85,20 @@ bool FitInt(const std::vector<std::int64_t>& values)
     });
 }
 
+/// Of an array of any type; of 64 bits it is exact, which a double is not beyond 2^53.
+std::int64_t LabelIn(vtkDataArray* array, vtkIdType tuple, int component)
+{
+  if (auto* exact = vtkAOSDataArrayTemplate<long long>::FastDownCast(array))
+  {
+    return exact->GetTypedComponent(tuple, component);
+  }
+  if (auto* exact = vtkAOSDataArrayTemplate<long>::FastDownCast(array))
+  {
+    return exact->GetTypedComponent(tuple, component);
+  }
+  return static_cast<std::int64_t>(array->GetComponent(tuple, component));
+}
+
 void AppendEmptyRow(vtkAbstractArray* array)
 {
   if (auto* numbers = vtkDataArray::SafeDownCast(array))
@@ -108,8 +123,7 @@ void AddOrdered(vtkAbstractArray* array, vtkDataArray* ofRows,
   for (const std::int64_t value : values)
   {
     vtkIdType row = 0;
-    while (row < ofRows->GetNumberOfTuples() &&
-      ofRows->GetComponent(row, 0) != static_cast<double>(value))
+    while (row < ofRows->GetNumberOfTuples() && LabelIn(ofRows, row, 0) != value)
     {
       ++row;
     }
@@ -230,21 +244,12 @@ private:
     }
   }
 
-  static std::int64_t LabelAt(vtkDataArray* array, vtkIdType tuple, int component)
-  {
-    if (auto* exact = vtkTypeInt64Array::SafeDownCast(array))
-    {
-      return exact->GetTypedComponent(tuple, component);
-    }
-    return static_cast<std::int64_t>(array->GetComponent(tuple, component));
-  }
-
   void ReadValues()
   {
     vtkDataArray* values = this->Find(this->Input->GetFieldData(), LabelValuesName, 1, -1);
     for (vtkIdType i = 0; values && i < values->GetNumberOfTuples(); ++i)
     {
-      this->Source.Values.push_back(LabelAt(values, i, 0));
+      this->Source.Values.push_back(LabelIn(values, i, 0));
     }
   }
 
@@ -275,8 +280,8 @@ private:
     };
     for (const vtkIdType cell : this->Converted.CellOfTriangle)
     {
-      const BoundaryLabels both = { indexOf(LabelAt(labels, cell, 0)),
-        indexOf(LabelAt(labels, cell, 1)) };
+      const BoundaryLabels both = { indexOf(LabelIn(labels, cell, 0)),
+        indexOf(LabelIn(labels, cell, 1)) };
       this->Source.OfTriangle.push_back(both);
       if (both[0] == None || both[1] == None)
       {
@@ -291,8 +296,8 @@ private:
     std::vector<std::int64_t>& values = this->Source.Values;
     for (vtkIdType cell = 0; cell < labels->GetNumberOfTuples(); ++cell)
     {
-      values.push_back(LabelAt(labels, cell, 0));
-      values.push_back(LabelAt(labels, cell, 1));
+      values.push_back(LabelIn(labels, cell, 0));
+      values.push_back(LabelIn(labels, cell, 1));
     }
     std::sort(values.begin(), values.end());
     values.erase(std::unique(values.begin(), values.end()), values.end());

@@ -226,8 +226,8 @@ class Segments(ApplicationTest):
         self.assertEqual(self.components(), {1: 1, 2: 1, 7: 1})
         self.assertEqual(self.report()["voxels"]["changed"], 0)
         self.assertNotIn("pruned", self.report())
-        self.assertRegex(text, r"segment         2 .*; 1 island of 2 voxels \(0.4 mm3\) removed\n")
-        self.assertIn("label 7: 1 island of 1 voxel (0.2 mm3) removed", self.path("page.html").read_text(encoding="utf-8"))
+        self.assertRegex(text, r"segment         2 .*; 1 island of 2 voxels \(0.375 mm3\) removed\n")
+        self.assertIn("label 7: 1 island of 1 voxel (0.188 mm3) removed", self.path("page.html").read_text(encoding="utf-8"))
         self.succeed(*words[:1], "femur.vtp", *words[2:], "--prune-size", 1.1)
         self.assertEqual(self.changed_before("islands_removed"), {1: (0, 0, 0), 2: (1, 2, 2 * volume), 7: (1, 1, volume)})
         text = self.succeed(*words, "--prune-area", 1000).stdout

@@ -246,7 +246,7 @@ class Volumes(ApplicationTest):
             self.assertEqual(self.report()["output"]["components"], components)
             changed = self.report().get("changed_before", {}).get("cavities_filled", {})
             self.assertEqual(changed.get("voxels"), filled)
-        self.assertIn("volume          2 cavities of 9 voxels (9.0 mm3) filled\n", text)
+        self.assertIn("volume          2 cavities of 9 voxels (9.00 mm3) filled\n", text)
         self.write_ball(self.path("whole.mha"))
         self.succeed("whole.mha", "whole.vtp", *words[2:])
         points = [numpy_support.vtk_to_numpy(read(self.path(name)).GetPoints().GetData()) for name in ("out.vtp", "whole.vtp")]

@@ -103,6 +103,20 @@ TEST(DicomFrames, HaveTheLabelOfTheLastSegmentAndCountVoxelsOfSeveralOnce)
   EXPECT_EQ(labels, (std::array<std::uint16_t, 3>{ { 9, 9, 9 } }));
 }
 
+TEST(DicomFrames, OfSegmentsThatAreNotChosenCoverNoOthers)
+{
+  std::vector<Segment> segments(3);
+  segments[0].Label = 4;
+  segments[1].Label = 2;
+  segments[2].Label = 9;
+  const std::vector<unsigned char> bytes{ 0b11110011, 0b1 };
+  SegmentFrames frames(SegmentPixels::Bits, bytes, { { 3, 1 } }, segments);
+  ASSERT_EQ(frames.Arrange({ { 1, 0 }, { 0, 0 }, { 2, 2 } }, 3, { true, false, true }), "");
+  std::array<std::uint16_t, 3> labels{};
+  EXPECT_EQ(frames.Combine(0, labels.data()).Voxels, 0);
+  EXPECT_EQ(labels, (std::array<std::uint16_t, 3>{ { 0, 4, 4 } }));
+}
+
 TEST(DicomColors, AreThoseOfSrgb)
 {
   // White, black, and the red of sRGB: L* 53.24, a* 80.09, b* 67.20.

@@ -73,8 +73,8 @@ TEST_F(ImageFormats, RejectsNiftiWithWhatItsLibraryPassesOver)
   this->RejectNifti(With(upright, 88, std::nanf("")), "not a finite number");
   this->RejectNifti(With(this->Header(), 80, 5.0F), "spacing is not that of its sform");
   this->RejectNifti(With(With(this->Header(), 252, std::int16_t(1)), 80, 5.0F),
-    "spacing is not that of its sform");                           // both are those of the scanner
-  this->RejectNifti(With(this->Header(), 123, char(3)), "not mm"); // micrometers
+    "spacing is not that of its sform"); // both are those of the scanner
+  this->RejectNifti(With(this->Header(), 123, char(4)), "unit of length is '4'"); // not defined
   this->RejectNifti(With(this->Header(), 344, 'x'), "");
   this->RejectNifti(
     With(With(this->Header(), 40, std::int16_t(4)), 48, std::int16_t(9)), "4 dimensions");

@@ -198,14 +198,14 @@ TEST_F(VolumeRejects, GeometryThatIsNone)
     "d.mha", this->Meta("ElementSpacing = ", "ElementSpacing = 0 1 1\nx = "), "spacing is zero");
   this->Expect(
     "f.mha", this->Meta("ElementSpacing = ", "ElementSpacing = -1 1 1\nx = "), "negative");
-  this->Expect("g.mha", this->Meta("NDims = 3", "NDims = 3\nDistanceUnits = um"), "um, not mm");
   this->Expect("e.mha", this->Meta("Offset = ", "Offset = here there\nx = "), "Offset");
   this->Expect(
     "a.nrrd", this->Nrrd("space directions: (", "space directions: none ("), "header is damaged");
   this->Expect("b.nrrd", this->Nrrd("left-posterior-superior", "left-posterior-superior-time"),
     "header is damaged");
-  this->Expect(
-    "c.nrrd", this->Nrrd("endian: little", "endian: little\nspace units: \"m\" \"m\" \"m\""), "mm");
+  this->Expect("c.nrrd",
+    this->Nrrd("endian: little", "endian: little\nspace units: \"inch\" \"inch\" \"inch\""),
+    "its unit of length is 'inch': save it in millimeters");
 }
 
 TEST_F(VolumeRejects, WhatTheFormatsCanAndWeDoNot)

@@ -3,6 +3,7 @@
 """Images of SimpleITK and nibabel as label maps: the same surfaces as of the array, in LPS."""
 
 import unittest
+import warnings
 
 import nibabel
 import numpy as np
@@ -52,15 +53,69 @@ class Scans(unittest.TestCase):
             certificate = bonedecimate.certify(self.expected, small, label_map=image)
             self.assertEqual(certificate.voxels.changed, 0)
 
+    def test_have_one_position_of_two_as_the_program_has(self):
+        moved = affine()
+        moved[0, 3] += 100
+        image = nibabel.Nifti1Image(halves().transpose(), moved)
+        for s_code, q_code, expected in ((2, 1, affine()), (2, 0, moved), (1, 1, moved), (0, 1, affine())):
+            image.set_qform(affine(), q_code)
+            image.set_sform(moved, s_code)
+            image = nibabel.Nifti1Image(image.dataobj, None, image.header)
+            image = nibabel.Nifti1Image.from_bytes(image.to_bytes())
+            with warnings.catch_warnings(record=True) as told:
+                warnings.simplefilter("always")
+                grid = LabelMap.from_image(image).grid
+            np.testing.assert_allclose(grid.origin, (RAS @ expected)[:3, 3], atol=1e-4)
+            self.assertEqual(["sform and qform are up to 100" in str(one.message) for one in told], [True] if (s_code, q_code) == (2, 1) else [])
+
+    def test_without_a_position_lie_as_in_the_program_and_say_so(self):
+        image = nibabel.Nifti1Image(halves().transpose(), None)
+        image.header.set_zooms(SPACING)
+        image = nibabel.Nifti1Image.from_bytes(image.to_bytes())
+        with self.assertWarnsRegex(UserWarning, "does not say how the patient lies"):
+            grid = LabelMap.from_image(image).grid
+        np.testing.assert_array_equal(grid.direction, np.eye(3))
+        np.testing.assert_array_equal(grid.origin, np.zeros(3))
+
+    def test_in_other_units_are_converted_to_millimeters(self):
+        for unit, millimeters in (("micron", 0.001), ("meter", 1000)):
+            image = nibabel.Nifti1Image(halves().transpose(), affine())
+            image.header.set_xyzt_units(unit)
+            with self.assertWarnsRegex(UserWarning, f"its unit is the {unit}"):
+                grid = LabelMap.from_image(image).grid
+            np.testing.assert_allclose(grid.spacing, millimeters * np.array(SPACING), rtol=1e-6)
+            np.testing.assert_allclose(grid.origin, millimeters * np.array(ORIGIN), rtol=1e-6)
+
+    def test_with_a_slope_are_rounded_and_with_one_volume_are_label_maps(self):
+        scaled = nibabel.Nifti1Image(halves().transpose() * np.float64(1.000015), affine())
+        with self.assertWarnsRegex(UserWarning, "whole numbers but for rounding"):
+            np.testing.assert_array_equal(LabelMap.from_image(scaled).labels, halves())
+        series = nibabel.Nifti1Image(halves().transpose()[..., None], affine())
+        np.testing.assert_array_equal(LabelMap.from_image(series).labels, halves())
+
+    def test_cosines_of_four_decimals_are_perpendicular_axes(self):
+        matrix = affine()
+        matrix[:3, :3] = np.round(RAS[:3, :3] @ DIRECTION, 4) * SPACING
+        grid = LabelMap.from_image(nibabel.Nifti1Image(halves().transpose(), matrix)).grid
+        np.testing.assert_allclose(grid.direction, DIRECTION, atol=1e-4)
+        np.testing.assert_allclose(grid.direction.T @ grid.direction, np.eye(3), atol=1e-12)
+
+    def test_arrays_with_an_affine_matrix_and_no_axes_are_not_transposed_silently(self):
+        with self.assertWarnsRegex(UserWarning, "axes is not given"):
+            found = LabelMap(halves().transpose(), affine=np.eye(4))
+        np.testing.assert_array_equal(found.labels, halves())
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            np.testing.assert_array_equal(LabelMap(halves(), axes="zyx", affine=np.eye(4)).labels, halves())
+            np.testing.assert_array_equal(LabelMap(halves()).labels, halves())
+
     def test_are_rejected_if_they_are_no_label_map(self):
         colors = SimpleITK.Image([4, 4, 4], SimpleITK.sitkVectorUInt8, 3)
         slice_ = SimpleITK.Image([4, 4], SimpleITK.sitkUInt8)
         series = nibabel.Nifti1Image(np.zeros((4, 4, 4, 2), np.int16), np.eye(4))
-        micrometers = nibabel.Nifti1Image(halves(), np.eye(4))
-        micrometers.header.set_xyzt_units("micron")
         sheared = nibabel.Nifti1Image(halves(), np.array([[1, 0.3, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]))
         for image, says in ((colors, "3 values a voxel"), (slice_, "three dimensions, not 2"), (series, "not 4"),
-                            (micrometers, "micron, not mm"), (sheared, "perpendicular")):
+                            (sheared, "perpendicular")):
             with self.assertRaisesRegex(ValueError, says):
                 extract_surfaces(image)
         with self.assertRaisesRegex(TypeError, "one of VTK, SimpleITK or nibabel, not int"):

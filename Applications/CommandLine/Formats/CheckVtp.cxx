@@ -6,6 +6,7 @@
 #include "FilePath.h"
 #include "LineReader.h"
 #include "Options/Text.h"
+#include "XmlNesting.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -16,8 +17,17 @@ namespace bonedecimate
 {
 namespace
 {
-/// Nothing compresses better than this: zlib reaches 1032, lzma not ten times as much.
-constexpr double GreatestCompression = 1e4;
+/// How many bytes of data one byte of a file can represent at most.
+double LargestExpansion(const std::string& compressor)
+{
+  constexpr double zlib = 1032.0;
+  constexpr double lz4 = 255.0;
+  constexpr double lzma = 1e4;
+  return compressor.empty()                        ? 1.0
+    : compressor.find("ZLib") != std::string::npos ? zlib
+    : compressor.find("LZ4") != std::string::npos  ? lz4
+                                                   : lzma;
+}
 
 std::string ReadPart(const std::string& path, std::uintmax_t from, std::size_t length)
 {
@@ -45,11 +55,13 @@ std::string AttributeAfter(const std::string& text, std::size_t from, const std:
 void CheckAnnouncedXml(const std::string& path, const std::string& head, double size)
 {
   const std::size_t piece = head.find("<Piece");
+  const std::string compressor = AttributeAfter(head, head.find("<VTKFile"), "compressor");
+  const double most = size * LargestExpansion(compressor); // a point or cell has a byte or more
   for (const char* name :
     { "NumberOfPoints", "NumberOfPolys", "NumberOfStrips", "NumberOfLines", "NumberOfVerts" })
   {
     const double count = std::strtod(AttributeAfter(head, piece, name).c_str(), nullptr);
-    if (piece != std::string::npos && (count < 0.0 || count > size * GreatestCompression))
+    if (piece != std::string::npos && (count < 0.0 || count > most))
     {
       Reject(path, std::string(name) + " is more than a file of this size can hold");
     }
@@ -104,6 +116,7 @@ void CheckVtpFile(const std::string& path, CoordinateCollector& textPoints)
   {
     Reject(path, "it does not end with '</VTKFile>'; the file is cut off");
   }
+  CheckNesting(path);
   CheckAnnouncedXml(path, head, static_cast<double>(size));
   // Points come first in a piece: a file whose first ones are binary is read by VTK alone.
   if (AttributeAfter(head, head.find("<Points"), "format") == "ascii")

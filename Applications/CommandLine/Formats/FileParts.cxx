@@ -5,6 +5,7 @@
 #include "CoordinateCollector.h"
 #include "LabelMapArrays.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -85,9 +86,15 @@ private:
 
 std::int64_t LabelAt(vtkDataArray* labels, vtkIdType cell, int side)
 {
-  auto* exact = vtkTypeInt64Array::SafeDownCast(labels);
-  return exact ? exact->GetTypedComponent(cell, side)
-               : static_cast<std::int64_t>(labels->GetComponent(cell, side));
+  if (auto* exact = vtkAOSDataArrayTemplate<long long>::FastDownCast(labels))
+  {
+    return exact->GetTypedComponent(cell, side);
+  }
+  if (auto* exact = vtkAOSDataArrayTemplate<long>::FastDownCast(labels))
+  {
+    return exact->GetTypedComponent(cell, side);
+  }
+  return static_cast<std::int64_t>(labels->GetComponent(cell, side));
 }
 
 /// From parts to one surface.

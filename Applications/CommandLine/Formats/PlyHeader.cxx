@@ -17,6 +17,9 @@ namespace bonedecimate
 {
 namespace
 {
+/// VTK compares the name of each array with those of all others.
+constexpr std::size_t MostProperties = 4096;
+
 /// VTK_VOID if there is no such type.
 int TypeOf(std::string_view name)
 {
@@ -115,7 +118,14 @@ private:
     property.CountType = isList ? TypeOf(words[2]) : VTK_VOID;
     property.IsCorners =
       isList && (property.Name == "vertex_indices" || property.Name == "vertex_index");
-    this->Header.Elements.back().Properties.push_back(property);
+    std::vector<PlyProperty>& properties = this->Header.Elements.back().Properties;
+    properties.push_back(property);
+    if (properties.size() > MostProperties)
+    {
+      Reject(this->Path,
+        "its header has more than " + std::to_string(MostProperties) +
+          " properties of one element");
+    }
     return property.Type != VTK_VOID && (!isList || IsWholeNumber(property.CountType)) &&
       (!property.IsCorners || IsWholeNumber(property.Type));
   }

@@ -23,6 +23,9 @@ namespace
 {
 const std::string ProfilesSection = "profiles";
 
+/// Of the name of a section, for each of which CLI11 copies all before it; three are in use.
+constexpr std::ptrdiff_t MostParts = 8;
+
 /// A failure about a file.
 [[noreturn]] void Fail(const std::string& file, const std::string& sentence)
 {
@@ -49,6 +52,13 @@ void RequireKeysAndValues(const std::string& path, std::istream& stream)
       Fail(path,
         "has in line " + std::to_string(number) + " '" + PrintableText(text) +
           "', which is neither KEY = VALUE nor a [SECTION]");
+    }
+    const std::string name = isSection ? text : text.substr(0, isPair ? equals : 0);
+    if (!isInArray && std::count(name.begin(), name.end(), '.') >= MostParts)
+    {
+      Fail(path,
+        "has in line " + std::to_string(number) + " a name of more than " +
+          std::to_string(MostParts) + " parts");
     }
     const std::string value =
       isPair && !isInArray ? CLI::detail::trim_copy(text.substr(equals + 1)) : text;

@@ -6,9 +6,13 @@
 #include "SentFields.h"
 
 #include <cerrno>
+#include <csignal>
 #include <exception>
 #include <fcntl.h>
 #include <new>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -42,7 +46,9 @@ bool SendHeader(const VolumeHeader& header, Pipe& pipe)
   }
   const Shape shape{ header.Size, header.ScalarType, header.IsReadWhole };
   SendLabelFields(header.Fields, pipe);
-  return pipe.Send(&header.Geometry, sizeof(header.Geometry)) && pipe.Send(&shape, sizeof(shape));
+  const std::size_t layers = header.Layers.size();
+  return pipe.Send(&header.Geometry, sizeof(header.Geometry)) && pipe.Send(&shape, sizeof(shape)) &&
+    pipe.Send(&layers, sizeof(layers)) && pipe.Send(header.Layers.data(), layers * sizeof(double));
 }
 
 /// Each layer comes behind a text that is empty if there is a layer.
@@ -57,9 +63,26 @@ void SendVolume(const LayeredVolume& volume, Pipe& pipe)
   }
 }
 
+/// The child ends by signals that its parent only notes, and with its parent.
+void TakeSignals()
+{
+  for (const int number : { SIGINT, SIGTERM, SIGHUP })
+  {
+    struct sigaction action = {};
+    if (sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_IGN)
+    {
+      std::signal(number, SIG_DFL);
+    }
+  }
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+}
+
 /// The life of the child.
 [[noreturn]] void RunChild(const std::function<LayeredVolume()>& open, Pipe& pipe)
 {
+  TakeSignals();
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
@@ -100,12 +123,27 @@ struct IsolatedReader::Source
   Source() = default;
   Source(const Source&) = delete;
   void operator=(const Source&) = delete;
-  ~Source() { this->End(); }
+  ~Source();
 
   bool ReceiveHeader(VolumeHeader& header);
   int End();
   std::string ReasonOfEnd();
 };
+
+/// A library may wait for what never comes, so the child is not waited for.
+IsolatedReader::Source::~Source()
+{
+  if (this->Child > 0)
+  {
+    kill(this->Child, SIGKILL);
+  }
+  this->End();
+}
+
+void StopReadingBy(void (*stopIfInterrupted)())
+{
+  SetCheckWhileWaiting(stopIfInterrupted);
+}
 
 IsolatedReader::IsolatedReader(const std::string& problem)
 {
@@ -148,13 +186,16 @@ bool IsolatedReader::Source::ReceiveHeader(VolumeHeader& header)
   {
     return true;
   }
+  std::size_t layers = 0;
   const bool isComplete = ReceiveLabelFields(this->FromChild, header.Fields) &&
     this->FromChild.Receive(&header.Geometry, sizeof(header.Geometry)) &&
-    this->FromChild.Receive(&shape, sizeof(shape));
+    this->FromChild.Receive(&shape, sizeof(shape)) &&
+    this->FromChild.Receive(&layers, sizeof(layers));
   header.Size = shape.Size;
   header.ScalarType = shape.ScalarType;
   header.IsReadWhole = shape.IsReadWhole;
-  return isComplete;
+  header.Layers.resize(isComplete ? layers : 0);
+  return isComplete && this->FromChild.Receive(header.Layers.data(), layers * sizeof(double));
 }
 
 std::string IsolatedReader::ReadLayers(std::int64_t count, void* values)
@@ -180,7 +221,6 @@ std::string IsolatedReader::ReadLayers(std::int64_t count, void* values)
   return std::string();
 }
 
-/// A child that has more to send ends, because nothing receives it.
 int IsolatedReader::Source::End()
 {
   this->FromChild.CloseReceiver();
@@ -189,6 +229,7 @@ int IsolatedReader::Source::End()
 
 std::string IsolatedReader::Source::ReasonOfEnd()
 {
+  CheckWhileWaiting(); // the signal may have ended the child, too
   if (this->End() == OutOfMemory)
   {
     throw std::bad_alloc();

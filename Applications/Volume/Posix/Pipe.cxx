@@ -3,10 +3,40 @@
 #include "Pipe.h"
 
 #include <cerrno>
+#include <poll.h>
 #include <unistd.h>
 
 namespace bonedecimate::volume
 {
+namespace
+{
+void (*Check)() = nullptr;
+
+/// A signal between a look at its flag and a read would be missed: so the wait is never long.
+void WaitForBytes(int file)
+{
+  constexpr int milliseconds = 100;
+  pollfd waiting{ file, POLLIN, 0 };
+  do
+  {
+    CheckWhileWaiting();
+  } while (poll(&waiting, 1, milliseconds) <= 0);
+}
+}
+
+void SetCheckWhileWaiting(void (*check)())
+{
+  Check = check;
+}
+
+void CheckWhileWaiting()
+{
+  if (Check)
+  {
+    Check();
+  }
+}
+
 Pipe::Pipe()
 {
   if (pipe(this->Ends.data()) != 0)
@@ -69,6 +99,7 @@ bool Pipe::Receive(void* bytes, std::size_t count)
   char* rest = static_cast<char*>(bytes);
   while (count > 0)
   {
+    WaitForBytes(this->Ends[0]);
     const ssize_t done = read(this->Ends[0], rest, count);
     if (done > 0)
     {

@@ -13,6 +13,10 @@
 
 namespace bonedecimate::volume
 {
+/// Called several times a second while Receive() waits; what it throws ends the waiting. Null: nothing is called.
+void SetCheckWhileWaiting(void (*check)());
+void CheckWhileWaiting();
+
 /// After the fork each side closes what it does not use. All calls are false once the other side is
 /// gone.
 class Pipe

@@ -7,6 +7,7 @@
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
+#include "vtkVariant.h"
 
 #include <cstdint>
 #include <string>
@@ -34,9 +35,11 @@ void SendNumbers(vtkDataArray* array, Pipe& pipe)
   pipe.Send(&shape, sizeof(shape));
   for (std::int64_t i = 0; i < shape.Tuples * shape.Components; ++i)
   {
+    const std::int64_t label = array->GetVariantValue(i).ToTypeInt64();
     const double number =
       array->GetComponent(i / shape.Components, static_cast<int>(i % shape.Components));
     pipe.Send(&number, sizeof(number));
+    pipe.Send(&label, sizeof(label));
   }
 }
 
@@ -58,11 +61,17 @@ bool ReceiveNumbers(Pipe& pipe, const char* name, vtkFieldData* fields)
   for (std::int64_t i = 0; i < shape.Tuples * shape.Components; ++i)
   {
     double number = 0.0;
-    if (!pipe.Receive(&number, sizeof(number)))
+    std::int64_t label = 0;
+    if (!pipe.Receive(&number, sizeof(number)) || !pipe.Receive(&label, sizeof(label)))
     {
       return false;
     }
     array->SetComponent(i / shape.Components, static_cast<int>(i % shape.Components), number);
+    const bool isReal = shape.Type == VTK_FLOAT || shape.Type == VTK_DOUBLE;
+    if (!isReal)
+    {
+      array->SetVariantValue(i, vtkVariant(label)); // a double is not exact beyond 2^53
+    }
   }
   fields->AddArray(array);
   return true;

@@ -12,6 +12,9 @@ struct IsolatedReader::Source
   LayeredVolume Volume;
 };
 
+/// There is no child to wait for.
+void StopReadingBy(void (*)()) {}
+
 IsolatedReader::IsolatedReader(const std::string& problem)
 {
   this->Header.Problem = problem;

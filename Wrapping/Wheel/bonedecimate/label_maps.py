@@ -60,7 +60,7 @@ class LabelSurfaces:
 def extract_surfaces(
     label_map: LabelMapLike,
     *,
-    axes: Literal["zyx", "xyz"] = "zyx",
+    axes: Literal["zyx", "xyz"] | None = None,
     spacing: Sequence[float] = (1, 1, 1),
     origin: Sequence[float] = (0, 0, 0),
     direction: ArrayLike = IDENTITY,
@@ -100,7 +100,7 @@ def extract_surfaces(
     """
     if not has_grid(label_map):
         label_map = LabelMap(label_map, axes=axes, spacing=spacing, origin=origin, direction=direction, affine=affine)
-    elif axes != "zyx" or affine is not None or not is_default(spacing, origin, direction):
+    elif axes is not None or affine is not None or not is_default(spacing, origin, direction):
         raise ValueError("a LabelMap and an image have their own axes, spacing, origin and direction")
     label_map = label_map_from(label_map, None)
     chosen, grid = chosen_labels(labels), label_map.grid

@@ -5,11 +5,14 @@
 from __future__ import annotations
 
 import sys
+import warnings
+from collections.abc import Sequence
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+MILLIMETERS = {"unknown": 1.0, "mm": 1.0, "meter": 1000.0, "micron": 0.001}
 RAS_TO_LPS = np.diag([-1.0, -1.0, 1.0, 1.0])
 
 
@@ -47,7 +50,7 @@ def is_nibabel(image: object) -> bool:
 
 
 def scan_of(image: SimpleItkImage | NibabelImage) -> Scan:
-    """Raises ValueError for several values a voxel, and for other units than mm."""
+    """Raises ValueError for several values a voxel."""
     return _of_nibabel(image) if is_nibabel(image) else _of_simpleitk(image)
 
 
@@ -61,9 +64,44 @@ def _of_simpleitk(image: Any) -> Scan:
 
 
 def _of_nibabel(image: Any) -> Scan:
-    units = getattr(image.header, "get_xyzt_units", lambda: ("mm", ""))()[0]
-    if units not in ("mm", "unknown"):
-        raise ValueError(f"the unit of the image is {units}, not mm")
     if image.affine is None:
         raise ValueError("the image has no affine")
-    return Scan(np.asanyarray(image.dataobj), "xyz", {"affine": RAS_TO_LPS @ image.affine})
+    unit = getattr(image.header, "get_xyzt_units", lambda: ("mm", ""))()[0]
+    if unit not in MILLIMETERS:
+        raise ValueError(f"the unit of the image is {unit}, which is none of length")
+    if MILLIMETERS[unit] != 1:
+        warnings.warn(f"its unit is the {unit} by its header; lengths are converted to millimeters", stacklevel=6)
+    scale = np.diag([MILLIMETERS[unit]] * 3 + [1.0])
+    voxels = np.asanyarray(image.dataobj)
+    while voxels.ndim > 3 and voxels.shape[-1] == 1:
+        voxels = voxels[..., 0]
+    return Scan(voxels, "xyz", {"affine": RAS_TO_LPS @ scale @ _position(image)})
+
+
+def _position(image: Any) -> NDArray[np.float64]:
+    """From voxels to the image's unit, RAS, by the rule of ITK and the program: the qform, unless only the sform is of the scanner."""
+    header = image.header
+    if not (hasattr(header, "get_qform") and hasattr(header, "get_sform")):
+        return image.affine
+    if not np.allclose(image.affine, header.get_best_affine()):
+        return image.affine  # which was set after the header
+    (qform, q_code), (sform, s_code) = header.get_qform(coded=True), header.get_sform(coded=True)
+    if not q_code and not s_code:
+        warnings.warn("its header does not say how the patient lies (sform_code and qform_code are 0): x is taken to run to the left and "
+                      "y to the back, as ITK does; nibabel and FSL let y run to the front, so the surface may be mirrored", stacklevel=7)
+        spacing = header.get_zooms()[:3]
+        return np.diag([-spacing[0], -spacing[1], spacing[2], 1.0])
+    if s_code == 1 or not q_code:
+        return sform
+    distance = _largest_distance(qform, sform, image.shape[:3]) if s_code else 0.0
+    if distance > 0.1 * min(header.get_zooms()[:3]):
+        millimeters = distance * MILLIMETERS[header.get_xyzt_units()[0]]
+        warnings.warn(f"its sform and qform are up to {millimeters:g} mm apart; positions are those of its qform, as of ITK; "
+                      "nibabel's affine is the sform", stacklevel=7)
+    return qform
+
+
+def _largest_distance(one: NDArray, other: NDArray, shape: Sequence[int]) -> float:
+    """Of the coordinates of a voxel."""
+    corners = np.array([[x, y, z, 1] for x in (0, shape[0] - 1) for y in (0, shape[1] - 1) for z in (0, shape[2] - 1)])
+    return float(np.abs(corners @ (one - other).T).max())

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Literal, NamedTuple, Union
 
@@ -18,7 +19,8 @@ if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkImageData
 
 IDENTITY = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
-ORTHOGONAL, ORTHOGONAL_BUT_FOR_ROUNDING = 1e-14, 1e-4
+ORTHOGONAL, ORTHOGONAL_BUT_FOR_ROUNDING = 1e-14, 1e-3
+LARGEST_FRACTION = 0.01  # of labels that were stored with a slope
 LARGEST_COORDINATE = 1e30  # mm, of the core
 LARGEST_DIMENSION = 2**30 - 2  # voxels
 
@@ -82,16 +84,18 @@ class LabelMap:
     labels: NDArray[np.integer]  #: (nz, ny, nx)
     grid: VoxelGrid
 
-    def __init__(self, labels: ArrayLike, *, axes: Literal["zyx", "xyz"] = "zyx", spacing: Sequence[float] = (1, 1, 1),
+    def __init__(self, labels: ArrayLike, *, axes: Literal["zyx", "xyz"] | None = None, spacing: Sequence[float] = (1, 1, 1),
                  origin: Sequence[float] = (0, 0, 0), direction: ArrayLike = IDENTITY, affine: ArrayLike | None = None) -> None:
         """
         Parameters
         ----------
         labels : (nz, ny, nx) array of whole numbers
-            Of any type; bool is one label, floating-point numbers must have no fraction. Not copied if that is not necessary.
-        axes : "zyx" or "xyz"
+            Of any type; bool is one label. Floating-point numbers less than 0.01 from whole ones, as a slope in a header gives
+            them, are rounded with a warning. Not copied if that is not necessary.
+        axes : "zyx" or "xyz", optional
             The order of the indices: ``labels[z, y, x]`` as of ``SimpleITK.GetArrayFromImage``, or ``labels[x, y, z]`` as of
-            nibabel's ``image.dataobj``. All other parameters are in the order x, y, z in both cases.
+            nibabel's ``image.dataobj``. All other parameters are in the order x, y, z in both cases. Default: "zyx"; with affine
+            "xyz", and a warning, because the matrix does not say it.
         spacing : three numbers, mm
             Of the voxels along x, y, z: ``GetSpacing()`` of SimpleITK.
         origin, direction : three numbers, mm; (3, 3) array, or nine numbers row by row
@@ -106,7 +110,7 @@ class LabelMap:
         ValueError
             Shapes, labels with a fraction, spacings that are not positive, axes that are not perpendicular.
         """
-        self.labels = volume_from(labels, axes)
+        self.labels = volume_from(labels, _axes_of(axes, affine))
         self.grid = VoxelGrid(self.labels.shape[::-1], spacing=spacing, origin=origin, direction=direction, affine=affine)
 
     @classmethod
@@ -118,7 +122,12 @@ class LabelMap:
         Raises
         ------
         TypeError, ValueError
-            As of `LabelMap`; several values a voxel, another unit than mm.
+            As of `LabelMap`; several values a voxel.
+
+        Warns
+        -----
+        UserWarning
+            The header has two positions (sform, qform) or none, or another unit than mm, which is converted.
         """
         if hasattr(image, "GetDirectionMatrix"):
             from .images import label_map_of  # imports VTK, which is there
@@ -251,12 +260,30 @@ def volume_from(labels: ArrayLike, axes: str) -> NDArray[np.integer]:
     if axes == "xyz":
         volume = volume.transpose()
     if volume.dtype.kind == "f":
-        is_whole = np.isfinite(volume) & (volume == np.floor(volume)) & (np.abs(volume) <= 2**53)
-        if not is_whole.all():
-            raise ValueError("a label map has whole numbers; some have a fraction, or are not finite")
-        volume = volume.astype(np.int64)
+        volume = _rounded(volume)
     kind = np.uint8 if volume.dtype.kind == "b" else volume.dtype.newbyteorder("=")
     return np.ascontiguousarray(volume, dtype=kind)
+
+
+def _axes_of(axes: str | None, affine: ArrayLike | None) -> str:
+    if axes is None and affine is not None:
+        warnings.warn("axes is not given: with affine the indices of labels are taken as x, y, z, as of nibabel; "
+                      "axes='xyz' or axes='zyx' says so", stacklevel=4)
+    return axes if axes is not None else "zyx" if affine is None else "xyz"
+
+
+def _rounded(volume: NDArray[np.floating]) -> NDArray[np.int64]:
+    """Whole numbers, or those that a header's slope left a fraction."""
+    whole = np.round(volume)
+    with np.errstate(invalid="ignore"):
+        distance = np.abs(volume - whole)
+        is_label = (distance <= LARGEST_FRACTION) & (np.abs(volume) <= 2**53)
+    if not is_label.all():
+        raise ValueError("a label map has whole numbers; some have a fraction, or are not finite")
+    if distance.any():
+        first = np.unravel_index(int(distance.argmax()), volume.shape)
+        warnings.warn(f"the values of voxels are whole numbers but for rounding: {volume[first]:.7g} counts as {whole[first]:g}", stacklevel=5)
+    return whole.astype(np.int64)
 
 
 def _orthogonal(direction: NDArray[np.float64]) -> NDArray[np.float64]:

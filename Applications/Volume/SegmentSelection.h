@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SegmentSelection.h
+ * @brief Which segments of a segmentation are wanted: others cover none of their voxels.
+ */
+#ifndef BoneDecimate_Applications_SegmentSelection_h
+#define BoneDecimate_Applications_SegmentSelection_h
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace bonedecimate
+{
+/// Whether the segment is wanted. Empty: all are.
+using SegmentSelection = std::function<bool(std::int64_t label, const std::string& name)>;
+}
+
+#endif
