@@ -189,18 +189,30 @@ std::vector<std::string> vtkPBoneDecimate::KindsOfRun(
 }
 
 //------------------------------------------------------------------------------
-int vtkPBoneDecimate::RunTogether(
-  vtkPolyData* input, vtkPolyData* reference, double voxelSize, vtkInformationVector* outputVector)
+/// False if a run on several processes cannot follow an option; the reason has been reported.
+bool vtkPBoneDecimate::AcceptOptions(vtkPolyData* input, vtkPolyData* reference, double voxelSize)
 {
-  this->TakeReport(*vtkSmartPointer<vtkPBoneDecimate>::New()); // forgets that of an earlier run
-  const std::vector<std::string> arrays = this->HasInputArray(LABEL_ARRAY)
-    ? std::vector<std::string>{ "LabelArrayName" }
-    : std::vector<std::string>();
+  std::vector<std::string> arrays;
+  if (this->HasInputArray(LABEL_ARRAY))
+  {
+    arrays.emplace_back("LabelArrayName");
+  }
   const std::string problem =
     this->FindUnsupportedOption(this->KindsOfRun(input, reference, voxelSize), arrays);
   if (!problem.empty())
   {
     vtkErrorMacro(<< problem);
+  }
+  return problem.empty();
+}
+
+//------------------------------------------------------------------------------
+int vtkPBoneDecimate::RunTogether(
+  vtkPolyData* input, vtkPolyData* reference, double voxelSize, vtkInformationVector* outputVector)
+{
+  this->TakeReport(*vtkSmartPointer<vtkPBoneDecimate>::New()); // forgets that of an earlier run
+  if (!this->AcceptOptions(input, reference, voxelSize))
+  {
     return 0;
   }
   const vtkSmartPointer<vtkPolyData> unpruned = input;

@@ -86,6 +86,7 @@ private:
   double WholeDiagonal(vtkPolyData* input) const;
   double TargetTriangles(double total, double error, bool isLimited) const;
   bool IsLimitedEverywhere(vtkPolyData* input);
+  bool AcceptOptions(vtkPolyData* input, vtkPolyData* reference, double voxelSize);
   std::vector<std::string> KindsOfRun(
     vtkPolyData* input, vtkPolyData* reference, double voxelSize) const;
   vtkSmartPointer<vtkPolyData> WithCellLabels(vtkPolyData* input);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the classes that declare the options of the filters, from the table of options (PrintOptionTable.cxx).
+"""Writes the classes that declare the options of the filters, from the table of options (bonedecimate-option-table).
 
     vtkBoneRunOptions       what the search for errors has: the options of every filter that runs a decimation
     vtkBoneGoalOptions      what levels have beside: vtkBoneDecimate and vtkBoneDecimateLevels

@@ -317,16 +317,10 @@ def wrote_colors(run):
 
 
 def features_of_the_table(covered):
-    """A feature for each option with a flag that is not covered: with it the option has an effect, of which the report tells."""
-    table = subprocess.run([PROGRAM, "--options-json"], stdout=subprocess.PIPE, encoding="utf-8", check=True).stdout
-    rows = option_rows.read_rows(table)
-    features = []
-    for name, row in rows.items():
-        if row["flag"] and "--" + row["flag"] not in covered:
-            values = option_rows.case_of(rows, row)
-            words = [word for other, value in values.items() for word in ("--" + rows[other]["flag"], value)]
-            features.append(Feature(row["flag"].replace("-", " "), tuple(words), shows("options." + name, values[name]), (name,)))
-    return features
+    """A feature for each option with a flag that is not covered: with it the option has an effect, and the report has its value."""
+    for name, flag, words, value in option_rows.cases_of_flags(PROGRAM):
+        if flag not in covered:
+            yield Feature(flag.strip("-").replace("-", " "), words, shows("options." + name, value), (name,))
 
 
 def has_angles(run):

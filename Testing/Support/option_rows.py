@@ -7,6 +7,7 @@ The environment variable OPTION_TABLE names the file that the build wrote. Value
 
 import json
 import os
+import subprocess
 
 
 def read_rows(text=None):
@@ -60,3 +61,14 @@ def needed_values(rows, row):
 def case_of(rows, row):
     """{option: value}: with it the option has an effect and another value than its default."""
     return {**needed_values(rows, row), row["name"]: another_value(row)}
+
+
+def cases_of_flags(program):
+    """Name, flag, words of the command line and value of each option with a flag, by the table of the program."""
+    table = subprocess.run([program, "--options-json"], stdout=subprocess.PIPE, encoding="utf-8", check=True).stdout
+    rows = read_rows(table)
+    for name, row in rows.items():
+        if row["flag"]:
+            values = case_of(rows, row)
+            words = tuple(word for other, value in values.items() for word in ("--" + rows[other]["flag"], value))
+            yield name, "--" + row["flag"], words, values[name]

@@ -73,7 +73,7 @@ TEST(RunKinds, NeedVoxelsOnlyToKeepThem)
     "KeepVoxels needs the voxel grid of the label map, and no process has one");
 }
 
-TEST(RunKinds, NameWhatWasAskedForOrAllOfItsKind)
+TEST(RunKinds, NameTheRequestOrAllOfItsKind)
 {
   Options options;
   options.ChordalError = 0.1;

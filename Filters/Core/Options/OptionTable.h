@@ -69,10 +69,10 @@ std::string ValuesText(const OptionInfo& info);
 
 OptionValue GetOption(const Options& options, const OptionInfo& info);
 
-/// Whether the run is asked for what the option means: mostly that its value is not the default.
+/// Whether the option requests something of the run: mostly that its value is not the default.
 bool IsUsed(const Options& options, const OptionInfo& info);
 
-/// The names of the options whose value is not the default: those that were set, as far as a caller can tell who sets all.
+/// Names of the options that do not have their default, for callers that do not know which were set.
 std::vector<std::string> ChangedOptions(const Options& options);
 
 /// What is wrong with a value, in one sentence: its kind, or that it is outside the range (NaN and infinity are). Empty

@@ -5,8 +5,8 @@
  * @brief What does not go together: a row for each kind of run says which needs of options and inputs it lacks.
  *
  * A run offers every need (Needs.h) but those that its row lacks. A run may be of several kinds at once, such as one on several
- * processes whose points have two precisions. What is asked for and not offered is rejected with the sentence of the row, where
- * its words are the names of properties; each adapter puts its own in their place (flags, keywords).
+ * processes whose points have two precisions. A requested option or input that needs what is not offered is rejected with the
+ * sentence of the row. Sentences have the names of properties; each adapter replaces them by its own words (flags, keywords).
  */
 #ifndef BoneDecimate_Core_Options_RunKinds_h
 #define BoneDecimate_Core_Options_RunKinds_h
@@ -24,7 +24,7 @@ struct OptionInfo;
 struct Lack
 {
   NeedList Needs;
-  /// "{}" stands for what was asked for, "{all}" for all that has one of these needs.
+  /// In it "{}" is replaced by the name of the request, "{all}" by the names of all requests that have one of these needs.
   std::string Sentence;
 };
 
@@ -40,7 +40,7 @@ const std::vector<RunKind>& RunKindTable();
 /// The row of that name, which there must be.
 const RunKind& FindRunKind(const std::string& name);
 
-/// An option or an input, what it needs, and whether it is asked for.
+/// An option or an input, what it needs, and whether it is used.
 struct Request
 {
   std::string Name;

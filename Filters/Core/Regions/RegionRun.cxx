@@ -35,7 +35,7 @@ std::vector<Request> RequestsOf(const RunInputs& inputs)
     { "edge lengths of points", { Need::GradedLengths }, inputs.EdgeLengths != nullptr } };
 }
 
-/// Whether the largest error or a tolerance limits every point, and nothing that was asked for needs the whole surface.
+/// Whether the largest error or a tolerance limits every point, and no request needs the whole surface.
 bool CanRunInRegions(const Options& options, const RunInputs& inputs)
 {
   const std::vector<double>& tolerances = *inputs.Tolerances;
