@@ -151,7 +151,7 @@ class Grammar(ApplicationTest):
     def test_a_ply_file_of_very_many_properties_is_rejected_at_once(self):
         properties = "".join(f"property float p{i}\n" for i in range(100000))
         self.path("in.ply").write_text(PLY.replace("element face", properties + "element face"))
-        self.fail_with(REJECTED, "in.ply", "out.vtp", says="its header has more than 10000 properties", timeout=60)
+        self.fail_with(REJECTED, "in.ply", "out.vtp", says="its header has more than 4096 properties", timeout=60)
 
     def test_colors_of_obj_vertices_are_an_array(self):
         colors = [(255, 0, 0), (0, 51, 0), (0, 0, 102), (153, 204, 255)]

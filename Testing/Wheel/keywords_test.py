@@ -102,7 +102,9 @@ def slicers_engine():
     def call(**options):
         (key, value), = options.items()
         try:
-            WheelEngine().decimate(surface, {ROWS[key].flag: value}, progress=run_stops)
+            engine = WheelEngine()
+            engine.table.check({ROWS[key].flag: value}, {ROWS[key].flag: key})  # as a request of the panel does
+            engine.decimate(surface, {ROWS[key].flag: value}, progress=run_stops)
         except Canceled:
             pass
         except DecimationError as problem:

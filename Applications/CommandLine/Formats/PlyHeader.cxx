@@ -18,7 +18,7 @@ namespace bonedecimate
 namespace
 {
 /// VTK compares the name of each array with those of all others.
-constexpr std::size_t MostProperties = 4096;
+constexpr int MostProperties = 4096;
 
 /// VTK_VOID if there is no such type.
 int TypeOf(std::string_view name)
@@ -109,23 +109,16 @@ private:
     }
     PlyProperty property;
     property.Name = words.back();
-    constexpr int mostProperties = 10000; // names are compared with each other
-    if (++this->Properties > mostProperties)
+    if (++this->Properties > MostProperties)
     {
-      Reject(this->Path, "its header has more than 10000 properties");
+      Reject(this->Path,
+        "its header has more than " + std::to_string(MostProperties) + " properties");
     }
     property.Type = TypeOf(words[isList ? 3 : 1]);
     property.CountType = isList ? TypeOf(words[2]) : VTK_VOID;
     property.IsCorners =
       isList && (property.Name == "vertex_indices" || property.Name == "vertex_index");
-    std::vector<PlyProperty>& properties = this->Header.Elements.back().Properties;
-    properties.push_back(property);
-    if (properties.size() > MostProperties)
-    {
-      Reject(this->Path,
-        "its header has more than " + std::to_string(MostProperties) +
-          " properties of one element");
-    }
+    this->Header.Elements.back().Properties.push_back(property);
     return property.Type != VTK_VOID && (!isList || IsWholeNumber(property.CountType)) &&
       (!property.IsCorners || IsWholeNumber(property.Type));
   }
