@@ -15,7 +15,7 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Bone surfaces with fewer triangles, and t
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
   "Makes surfaces of bone from CT smaller by edge collapse and proves, in\n millimeters, how far the result is from the \
 input.\n .\n The program bonedecimate, the VTK filter vtkBoneDecimate with its headers and\n CMake package, and the Python \
-package vtkbonedecimate. Not a medical device.")
+package bonedecimate. Not a medical device.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -27,8 +27,7 @@ set(CPACK_DEBIAN_PACKAGE_SUGGESTS libvtk9-dev)
 # Files that Python compiles there belong to no package and would remain.
 file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/debian/prerm" @ONLY CONTENT [[#!/bin/sh
 set -e
-rm -rf "/usr/@CMAKE_INSTALL_LIBDIR@/python3/dist-packages/bonedecimate/__pycache__" \
-  "/usr/@CMAKE_INSTALL_LIBDIR@/python3/dist-packages/vtkbonedecimate/__pycache__"
+rm -rf "/usr/@CMAKE_INSTALL_LIBDIR@/python3/dist-packages/bonedecimate/__pycache__"
 ]])
 file(CHMOD "${PROJECT_BINARY_DIR}/debian/prerm"
   PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)

@@ -43,11 +43,9 @@ def table_of_modes(modes):
 
 
 def with_rejections(page, reasons):
-    """The schema with the reasons; deprecated names stay behind them."""
+    """The schema with the reasons."""
     block = re.search(r'(?s)    "rejections": \{\n.*?\n    \},\n', page)[0]
-    deprecated = re.findall(r'(?m)^        "\w+": \{"deprecated".*?\},?$', block)
     properties = [f'        "{row["word"]}": {{"description": {json.dumps(row["sentence"])}, "$ref": "#/$defs/count"}}' for row in reasons]
-    properties += [line.rstrip(",") for line in deprecated]
     required = [f'        "{row["word"]}"' for row in reasons]
     written = re.sub(r'(?s)(      "properties": \{\n).*?(\n      \},\n)', lambda part: part[1] + ",\n".join(properties) + part[2], block)
     written = re.sub(r'(?s)(      "required": \[\n).*?(\n      \])', lambda part: part[1] + ",\n".join(required) + part[2], written)

@@ -4,7 +4,6 @@
 
 #include "CommandLine.h"
 #include "CommonOptions.h"
-#include "DeprecatedNames.h"
 #include "FileNames.h"
 #include "FilterRun.h"
 #include "Interruption.h"
@@ -114,7 +113,6 @@ ExitCode Run(const DiagnoseArguments& arguments)
   {
     nlohmann::ordered_json report = Compose(filter, arguments, warnings);
     AddSettingsTo(report, arguments.Settings);
-    AddDeprecatedKeys(report);
     WriteJsonFile(arguments.Json, report);
   }
   if (!arguments.Quiet)

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "JsonReport.h"
 
-#include "DeprecatedNames.h"
 #include "FileNames.h"
 #include "FilePath.h"
 #include "Report/Report.h"
@@ -139,7 +138,6 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
   report["command_line"] = CommandLineOf(subject);
   AddSettingsTo(report, subject.Settings);
   report["warnings"] = subject.Warnings;
-  AddDeprecatedKeys(report);
   if (subject.Slabs)
   {
     report["slabs"] = { { "count", subject.Slabs->Slabs },
@@ -186,7 +184,6 @@ std::string ComposeJsonCertificate(vtkPolyData* output, const CertificateSubject
   report["files"]["unit"] = subject.Unit;
   report["warnings"] = subject.Warnings;
   AddSettingsTo(report, subject.Settings);
-  AddDeprecatedKeys(report);
   return JsonText(report);
 }
 

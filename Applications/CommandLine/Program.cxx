@@ -6,7 +6,6 @@
 #include "Certify.h"
 #include "CommandLine.h"
 #include "DecimateCommand.h"
-#include "DeprecatedNames.h"
 #include "Diagnose.h"
 #include "ErrorCommands.h"
 #include "HelpFormatter.h"
@@ -49,8 +48,7 @@ ExitCode Fail(ExitCode code, const char* message)
 
 ExitCode Run(int argc, char* argv[])
 {
-  const std::vector<std::string> words =
-    WithCurrentNames(std::vector<std::string>(argv + 1, argv + std::max(argc, 1)));
+  const std::vector<std::string> words(argv + 1, argv + std::max(argc, 1));
   if (IsSlicerCall(words))
   {
     return RunSlicerCall(words);

@@ -11,7 +11,7 @@
 
 namespace bonedecimate
 {
-/// A failure is one line on the standard error, and so is each deprecated name; nothing else goes there.
+/// A failure is one line on the standard error; nothing else goes there.
 ExitCode RunProgram(int argc, char* argv[]);
 }
 

@@ -5,7 +5,6 @@
 #include "Arguments.h"
 #include "CommandLine.h"
 #include "CommonOptions.h"
-#include "DeprecatedNames.h"
 #include "HelpFormatter.h"
 #include "ReportFields.h"
 #include "RunOne.h"
@@ -186,7 +185,7 @@ void Run(const Words& words)
   CLI::App& command = AddCommand(program, DefaultCommand, {}, ProgramDescription());
   AddDecimateOptions(command, arguments);
   command.final_callback([&requested, &arguments] { Decimate(requested, arguments); });
-  Words own = WithCurrentNames(requested.Rest);
+  Words own = requested.Rest;
   own.insert(own.begin(), DefaultCommand);
   RunCommandLine(program, own);
 }

@@ -38,14 +38,6 @@ class Import(unittest.TestCase):
     def test_does_not_bring_all_of_vtk(self):
         self.assert_runs("import sys, bonedecimate; assert 'vtkmodules.vtkRenderingCore' not in sys.modules")
 
-    def test_by_its_former_name_warns(self):
-        found = run("import vtkbonedecimate, bonedecimate;"
-                    "from vtkbonedecimate.vtkFiltersBoneDecimate import vtkBoneDecimate;"
-                    "assert vtkbonedecimate.vtkBoneDecimate is bonedecimate.vtkBoneDecimate is vtkBoneDecimate;"
-                    "assert vtkbonedecimate.vtkBoneCheck is bonedecimate.vtkBoneDiagnostics")
-        self.assertEqual(found.returncode, 0, found.stderr)
-        self.assertIn("DeprecationWarning: the package vtkbonedecimate is deprecated; use bonedecimate", found.stderr)
-
     def test_of_the_module_behind_it_gives_the_same_classes(self):
         self.assert_runs("from bonedecimate.vtkFiltersBoneDecimate import vtkBoneDecimate; import bonedecimate;"
                          "assert vtkBoneDecimate is bonedecimate.vtkBoneDecimate")

@@ -136,25 +136,6 @@ class Properties(unittest.TestCase):
         with self.assertRaises(AttributeError):
             decimate.proved_error = 0.1
 
-    def test_by_their_former_names_warn(self):
-        for kind, old, new, value in (
-                (vtkBoneDecimate, "keep_clearance", "intersection_guard", False), (vtkBoneDecimate, "examine_input", "diagnose_input", True),
-                (vtkBoneDecimateLevels, "coarsest_number_of_triangles", "target_number_of_triangles", 7),
-                (vtkBoneDecimateLevels, "measure_errors", "measure_distances", False),
-                (vtkBoneSurfaceDistance, "measure_borders", "measure_boundaries", False)):
-            with self.subTest(old):
-                one = kind()
-                with self.assertWarnsRegex(DeprecationWarning, f"{old} is deprecated; use {new}"):
-                    setattr(one, old, value)
-                self.assertEqual(getattr(one, new), value)
-                with self.assertWarns(DeprecationWarning):
-                    self.assertEqual(getattr(one, old), value)
-        with self.assertWarnsRegex(DeprecationWarning, "SetKeepClearance is deprecated; use SetIntersectionGuard"):
-            vtkBoneDecimate().SetKeepClearance(False)
-        with self.assertWarns(DeprecationWarning):
-            vtkBoneSurfaceDistance().GetVerdict()
-        self.assertEqual(vtkBoneTolerance.BORDERS, vtkBoneTolerance.BOUNDARIES)
-
     def test_are_set_by_name_from_text(self):
         decimate = vtkBoneDecimate()
         decimate.SetOptionFromText("MaximumError", "0.25")

@@ -129,17 +129,6 @@ class Decimate(unittest.TestCase):
         self.assertTrue(math.isnan(plain.proved_error) and math.isnan(plain.measured_error))
         self.assertEqual(plain.proof_status, "not_requested")
 
-    def test_deprecated_keywords_warn(self):
-        with self.assertWarnsRegex(DeprecationWarning, "target_faces is deprecated; use target_triangles"):
-            result = decimate(POINTS, TRIANGLES, target_faces=500)
-        self.assertEqual(len(result.triangles), 500)
-        with self.assertRaises(TypeError), self.assertWarns(DeprecationWarning):
-            decimate(POINTS, TRIANGLES, target_faces=500, target_triangles=600)
-        with self.assertWarnsRegex(DeprecationWarning, "borders is deprecated; use boundaries"):
-            found = certify((POINTS, TRIANGLES), result, borders=False)
-        with self.assertWarnsRegex(DeprecationWarning, "verdict is deprecated; use status"):
-            self.assertEqual(found.verdict, found.status)
-
     def test_keeps_what_is_left_of_the_error_against_a_reference(self):
         first = decimate(POINTS, TRIANGLES, max_error=0.1)
         second = decimate(*first, max_error=0.2, reference=(POINTS, TRIANGLES))
@@ -220,7 +209,7 @@ class Decimate(unittest.TestCase):
         self.assertEqual(decimate(POINTS, TRIANGLES, target_reduction=0.8).labels.size, 0)
 
     def test_report_is_what_json_takes(self):
-        result = decimate(POINTS.astype(np.float32), TRIANGLES, max_error=0.2, examine=True, prune_triangles=1)
+        result = decimate(POINTS.astype(np.float32), TRIANGLES, max_error=0.2, diagnose=True, prune_triangles=1)
         certificate = certify((POINTS, TRIANGLES), result)
         levels = bonedecimate.record_levels(POINTS, TRIANGLES, target_triangles=300)
         for report in (result.report, result.units, certificate.report, certificate.units, levels.result.report):

@@ -56,15 +56,6 @@ class Properties(unittest.TestCase):
         with self.assertRaises(AttributeError):
             decimate.proved_error = 1
 
-    def test_by_their_former_names_warn(self):
-        decimate = vtkBoneDecimate()
-        with self.assertWarnsRegex(DeprecationWarning, "keep_clearance is deprecated; use intersection_guard"):
-            decimate.keep_clearance = False
-        self.assertFalse(decimate.intersection_guard)
-        with self.assertWarns(DeprecationWarning):
-            decimate.ExamineInputOn()
-        self.assertTrue(decimate.GetDiagnoseInput())
-
     def test_array_to_process_counts_unless_there_is_a_name(self):
         from vtkmodules.util.numpy_support import numpy_to_vtk
         surface = specimens.torus(30, 20)

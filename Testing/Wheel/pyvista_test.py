@@ -72,11 +72,11 @@ print(pyvista.Sphere().bone.decimate(target_triangles=200).n_cells)
 
     def test_report_is_what_json_takes(self):
         mesh = bone()
-        small = mesh.bone.decimate(max_error=0.2, examine=True)
+        small = mesh.bone.decimate(max_error=0.2, diagnose=True)
         report = small.bone.report
         self.assertEqual(json.loads(json.dumps(report)), report)
         self.assertEqual({type(value) for value in report.values()}, {int, float, str})
-        numbers = bonedecimate.decimate(mesh.points, mesh.regular_faces, max_error=0.2, examine=True).report
+        numbers = bonedecimate.decimate(mesh.points, mesh.regular_faces, max_error=0.2, diagnose=True).report
         self.assertEqual({name: value for name, value in report.items() if "seconds." not in name and "options." not in name},
                          {name: value for name, value in numbers.items() if "seconds." not in name and "options." not in name})
 

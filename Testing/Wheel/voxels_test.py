@@ -216,18 +216,5 @@ class Grids(unittest.TestCase):
             extract_surfaces(MAP, spacing=(2, 2, 2))
 
 
-class DeprecatedNames(unittest.TestCase):
-    def test_of_the_report_warn_and_work(self):
-        report = decimate(extract_surfaces(ONE), max_error=0.2).report
-        for old, new in (("rejections.too_far", "rejections.error_bound"), ("rejections.crossing", "rejections.intersection"),
-                         ("refusals.frozen", "rejections.constrained"), ("input.faces", "input.triangles")):
-            for read in (report.__getitem__, report.get):
-                with self.assertWarnsRegex(DeprecationWarning, f"{old} is deprecated; use {new}"):
-                    self.assertEqual(read(old), report[new])
-        with self.assertRaises(KeyError):
-            report["rejections.nonsense"]
-        self.assertEqual((report.get("nonsense"), report.get("nonsense", 3)), (None, 3))
-
-
 if __name__ == "__main__":
     unittest.main()

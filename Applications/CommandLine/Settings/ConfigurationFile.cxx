@@ -3,7 +3,6 @@
 #include "Settings/ConfigurationFile.h"
 
 #include "CommandLine.h"
-#include "DeprecatedNames.h"
 #include "ExitCode.h"
 #include "FileNames.h"
 #include "FilePath.h"
@@ -67,12 +66,6 @@ void RequireKeysAndValues(const std::string& path, std::istream& stream)
   }
 }
 
-/// Deprecated keys are those of deprecated flags.
-std::string CurrentKey(const std::string& key)
-{
-  return WithCurrentNames({ "--" + key }).front().substr(2);
-}
-
 std::vector<CLI::ConfigItem> ItemsOf(const std::string& path)
 {
   std::error_code error;
@@ -88,10 +81,6 @@ std::vector<CLI::ConfigItem> ItemsOf(const std::string& path)
   items.erase(std::remove_if(items.begin(), items.end(),
                 [](const CLI::ConfigItem& item) { return item.name == "++" || item.name == "--"; }),
     items.end());
-  for (CLI::ConfigItem& item : items)
-  {
-    item.name = CurrentKey(item.name);
-  }
   return items;
 }
 

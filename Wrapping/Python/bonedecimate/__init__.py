@@ -11,7 +11,7 @@ AttributeError.
 import vtkmodules.vtkCommonExecutionModel  # noqa: F401
 
 from . import vtkFiltersBoneDecimate as _wrapped
-from ._checked import ErrorTexts, checked, warn
+from ._checked import ErrorTexts, checked
 
 vtkBoneCap = checked(_wrapped, "vtkBoneCap")
 vtkBoneDiagnostics = checked(_wrapped, "vtkBoneDiagnostics")
@@ -70,10 +70,7 @@ def error_curve(surface, errors, mode=vtkBoneDecimate.BALANCED):
 
 
 def __getattr__(name):
-    """Former names, and those of the wheel."""
-    if name == "vtkBoneCheck":
-        warn(name, "vtkBoneDiagnostics")
-        return vtkBoneDiagnostics
+    """Names of the wheel."""
     if name in ("decimate", "smooth", "certify", "check_voxels", "extract_label", "extract_surfaces", "open_levels", "record_levels",
                 "LabelMap"):  # an AttributeError would lose its text in "from bonedecimate import ..."
         raise ImportError(f"bonedecimate.{name} is in the wheel, and this is the package that is built with VTK, in {__path__[0]}: "

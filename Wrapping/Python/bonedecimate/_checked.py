@@ -2,27 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Classes with the properties of VTK's Python style, and errors where VTK's wrapping alone reports none.
 
-A rejected value is a ValueError, an unknown attribute an AttributeError. Names that were changed are deprecated: they warn.
+A rejected value is a ValueError, an unknown attribute an AttributeError.
 """
 
 import functools
 import re
-import warnings
 
 from vtkmodules.vtkCommonCore import VTK_STRING
-
-# Options, methods and constants of each class by their former names; removed with the next release.
-DEPRECATED_OPTIONS = {
-    "vtkBoneDecimate": {"KeepClearance": "IntersectionGuard", "ExamineInput": "DiagnoseInput"},
-    "vtkBoneDecimateLevels": {"CoarsestNumberOfTriangles": "TargetNumberOfTriangles", "MeasureErrors": "MeasureDistances"},
-    "vtkBoneSurfaceDistance": {"MeasureBorders": "MeasureBoundaries"},
-}
-DEPRECATED_METHODS = {
-    "vtkBoneDiagnostics": {"GetNumberOfFindings": "GetNumberOfDiagnostics"},
-    "vtkBoneSurfaceDistance": {"GetVerdict": "GetStatus", "GetVerdictAsString": "GetStatusAsString"},
-    "vtkBoneTolerance": {"SetChoiceToBorders": "SetChoiceToBoundaries"},
-}
-DEPRECATED_CONSTANTS = {"vtkBoneTolerance": {"BORDERS": "BOUNDARIES"}}
 
 
 class ErrorTexts:
@@ -49,10 +35,6 @@ class ErrorTexts:
 def snake_case(name):
     """MaximumError becomes maximum_error, as in later versions of VTK."""
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
-
-
-def warn(old, new):
-    warnings.warn(f"{old} is deprecated; use {new}", DeprecationWarning, stacklevel=3)
 
 
 def raising(method, name):
@@ -124,39 +106,6 @@ def add_properties(members):
             members[snake_case(name[3:])] = property(method, doc=method.__doc__)
 
 
-def renamed_method(old, new):
-    def call(self, *arguments):
-        warn(old, new)
-        return getattr(self, new)(*arguments)
-
-    call.__name__, call.__doc__ = old, f"{old}(...)\n\nDeprecated name of {new}(), which tells its meaning and default."
-    return call
-
-
-def renamed_property(old, new):
-    def get(self):
-        warn(old, new)
-        return getattr(self, new)
-
-    def put(self, value):
-        warn(old, new)
-        setattr(self, new, value)
-
-    return property(get, put, doc=f"Deprecated name of {new}.")
-
-
-def add_deprecated(class_name, members):
-    for old, new in DEPRECATED_OPTIONS.get(class_name, {}).items():
-        members[snake_case(old)] = renamed_property(snake_case(old), snake_case(new))
-        for form in ("Set{}", "Get{}", "{}On", "{}Off"):
-            if form.format(new) in members:
-                members[form.format(old)] = renamed_method(form.format(old), form.format(new))
-    for old, new in DEPRECATED_METHODS.get(class_name, {}).items():
-        members[old] = renamed_method(old, new)
-    for old, new in DEPRECATED_CONSTANTS.get(class_name, {}).items():
-        members[old] = members[new]
-
-
 def checked(module, name):
     """The wrapped class of that name with its properties; replaces the wrapped class in its module."""
     wrapped = getattr(module, name)
@@ -166,7 +115,6 @@ def checked(module, name):
     if "SetOptionFromText" in members:
         members["SetOptionFromText"] = setting_from_text(vars_of(wrapped, "SetOptionFromText"))
     add_properties(members)
-    add_deprecated(name, members)
     members.update(__doc__=wrapped.__doc__, __module__="bonedecimate", __setattr__=set_attribute, __init__=set_properties)
     made = type(name, (wrapped,), members)
     setattr(module, name, made)

@@ -12,10 +12,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from .options import deprecated, keyword, number, read, spell_sentences, switch, takes_options, thread_count
+from .options import keyword, number, read, spell_sentences, switch, takes_options, thread_count
 from .label_maps import extract_label
 from .progress import Aborted, Progress, listener
-from .report import Report
 from .surfaces import Surface, edge_lengths_from, input_from, labels_from, surface_from, tolerances_from, warn
 from .voxel_check import Comparison, VoxelChanges, with_label_map
 from .voxels import SurfaceSource, VoxelGrid
@@ -129,12 +128,6 @@ class Certificate:
             distance = outcome[which + "_distance"]
             setattr(self, which + "_side", side)
             setattr(self, which + "_distance", np.where(side < 0, -distance, distance))
-
-    @property
-    def verdict(self) -> str:
-        """Deprecated name of `status`."""
-        deprecated("verdict", "status")
-        return self.status
 
     def __repr__(self) -> str:
         return f"<bonedecimate.Certificate: {self.lower:.6g} to {self.upper:.6g} mm, {self.status}>"
@@ -294,7 +287,6 @@ def certify(
     mean_precision: float = 5e-3,
     threads: int = 0,
     progress: bool | Progress | None = None,
-    borders: bool | None = None,
 ) -> Certificate:
     """How far two surfaces are from each other, proved for every point of both and not sampled.
 
@@ -315,8 +307,6 @@ def certify(
         Compare open boundaries curve to curve; estimate average and root mean square to the ratio `mean_precision`, 1e-4 to 1.
     threads, progress
         As `decimate` takes them.
-    borders : bool
-        Deprecated name of `boundaries`.
 
     Raises
     ------
@@ -327,9 +317,6 @@ def certify(
     Aborted
         The progress function returned False.
     """
-    if borders is not None:
-        deprecated("borders", "boundaries")
-        boundaries = borders
     first, second = surface_from(reference, "reference"), surface_from(result, "result", label_map is not None)
     warn(first.warnings + second.warnings, 2)
     options = _with_tolerances(tolerance, tolerances, len(first.points), thread_count(threads))
@@ -395,5 +382,5 @@ def raise_problems(outcome: dict) -> None:
         raise RuntimeError(outcome["contradiction"])
 
 
-def _named(entries: list[tuple[str, str, int | float | str]]) -> tuple[Report, dict]:
-    return Report({name: value for name, _, value in entries}), {name: unit for name, unit, _ in entries if unit}
+def _named(entries: list[tuple[str, str, int | float | str]]) -> tuple[dict, dict]:
+    return {name: value for name, _, value in entries}, {name: unit for name, unit, _ in entries if unit}

@@ -13,7 +13,6 @@ import inspect
 import numbers
 import re
 import textwrap
-import warnings
 from collections.abc import Callable, Iterable, Mapping
 
 from . import _core
@@ -109,20 +108,6 @@ def takes_options(*kinds: str):
     return decorate
 
 
-# Deprecated keywords and their new names; removed with the next release.
-DEPRECATED = {"target_faces": "target_triangles", "keep_clearance": "intersection_guard",
-              "examine": "diagnose"}
-
-
-def deprecated(old: str, new: str, stacklevel: int = 4) -> None:
-    """Warns of a name that is removed with the next release."""
-    warnings.warn(f"{old} is deprecated; use {new}", DeprecationWarning, stacklevel=stacklevel)
-
-
-def _old_name(new: str) -> str:
-    return next(old for old, name in DEPRECATED.items() if name == new)
-
-
 def nearest(word: str, names: Iterable[str]) -> str | None:
     """The name that was probably meant, if there is one. Names of properties count as their keywords."""
     spellings = {name: name for name in names}
@@ -162,11 +147,6 @@ def read(keywords: Mapping[str, object], function: Callable, profile: str | None
         if key in known:
             options.read(ROWS[key].name, text)
     for key, value in keywords.items():
-        if DEPRECATED.get(key) in known:
-            deprecated(key, DEPRECATED[key])
-            key = DEPRECATED[key]
-            if key in keywords:
-                raise TypeError(f"{key} is given twice: {_old_name(key)} is its deprecated name")
         if key not in known:
             raise TypeError(_unknown(key, [name for name in known if name != "self"], function._without))
         assign(options, key, value)

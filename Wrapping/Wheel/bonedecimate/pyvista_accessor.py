@@ -24,7 +24,6 @@ from .levels import Levels, open_levels, record_levels
 from .options import number, read, switch, takes_options, unsupported, words
 from .polydata import surface_of
 from .progress import Progress, listener
-from .report import Report
 from .run import fill_input_copy, fill_output, run, set_report
 from .surfaces import edge_lengths_from, labels_from, surface_from, tolerances_from, warn
 from .voxel_check import NO_GRID, Comparison, VoxelChanges, check_voxels, source_with
@@ -301,7 +300,7 @@ class BoneAccessor:
             return {}
         report = json.loads(array.GetValue(0))
         report.pop("units", None)
-        return Report(dict(_flat("", report)))
+        return dict(_flat("", report))
 
 
 @pv.register_dataset_accessor("bone", pv.ImageData)

@@ -15,8 +15,8 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from . import _core
 from .label_arrays import add_grid
 from .kept import KeepsPrepared
-from .options import ROWS, assign, deprecated, describe, nearest, words
-from .report import current_name, number_text
+from .options import ROWS, assign, describe, nearest, words
+from .report import number_text
 from .run import InputArrays, fill_input_copy, fill_output, run
 from .surfaces import surface_from
 from .voxel_check import Comparison, source_with
@@ -55,7 +55,7 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
         self._interrupted = False
         self._label = 0
         for name, value in properties.items():
-            if name not in PROPERTIES and name not in DEPRECATED_PROPERTIES:
+            if name not in PROPERTIES:
                 raise TypeError(f"vtkBoneDecimate has no property '{name}'{_meant(name)}")
             setattr(self, name, value)
 
@@ -193,12 +193,7 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
         return number_text(value) if isinstance(value, float) else str(value)
 
     def _entry(self, name: str) -> tuple[str, str, int | float | str]:
-        found = next((entry for entry in self._entries if entry[0] == name), None)
-        current = name if found else current_name(name)
-        if current != name:
-            deprecated(name, current, 4)
-            return self._entry(current)
-        return found or (name, "", "")
+        return next((entry for entry in self._entries if entry[0] == name), (name, "", ""))
 
     def Update(self, *arguments) -> None:
         super().Update(*arguments)
@@ -351,29 +346,6 @@ def _add_mode(mode) -> None:
     setattr(vtkBoneDecimate, name, _named(choose, name, ""))
 
 
-def _add_deprecated(old: str, new: str) -> None:
-    """Methods and property by the name of an option before it was renamed; they are removed with the next release."""
-    def renamed(old_name: str, new_name: str):
-        def call(self, *arguments):
-            deprecated(old_name, new_name, 3)
-            return getattr(self, new_name)(*arguments)
-        return _named(call, old_name, f"Deprecated name of {new_name}().")
-
-    def put(self, value) -> None:
-        deprecated(words(old, "_"), words(new, "_"), 3)
-        setattr(self, words(new, "_"), value)
-
-    def get(self):
-        deprecated(words(old, "_"), words(new, "_"), 3)
-        return getattr(self, words(new, "_"))
-
-    for form in ("Set{}", "Get{}", "{}On", "{}Off"):
-        setattr(vtkBoneDecimate, form.format(old), renamed(form.format(old), form.format(new)))
-    setattr(vtkBoneDecimate, words(old, "_"), property(get, put, doc=f"Deprecated name of {words(new, '_')}."))
-
-
-DEPRECATED_OPTIONS = {"KeepClearance": "IntersectionGuard", "ExamineInput": "DiagnoseInput"}
-DEPRECATED_PROPERTIES = {words(old, "_") for old in DEPRECATED_OPTIONS}
 PROPERTIES = {words(row.name, "_"): key for key, row in ROWS.items()}  # keyword of each property
 _parameters = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=ROWS[key].default,
                                  annotation="int" if ROWS[key].choices else ROWS[key].kind)
@@ -388,8 +360,6 @@ for _name in ("ProvedError", "ProofStatus", "ProofStatusAsString", "MeasuredErro
     _add_getter(_name)
 for _mode in _core.Mode:
     _add_mode(_mode)
-for _old, _new in DEPRECATED_OPTIONS.items():
-    _add_deprecated(_old, _new)
 for _value, _name in enumerate(("NO_PROOF", "PROVED", "VIOLATED", "UNDECIDED")):
     setattr(vtkBoneDecimate, _name, _value)
 vtkBoneDecimate.TOLERANCE_ARRAY, vtkBoneDecimate.LABEL_ARRAY = 0, 1
