@@ -85,7 +85,7 @@ KindRow SegmentsRow()
         { { Need::PointLengths },
           "{} names an array of a surface; with --segments use --chordal-error" },
         { { Need::LengthUnit },
-          "{} is for surfaces; a label map for --segments is in millimeters by its header" },
+          "{} is for surfaces; the header of a label map for --segments says its unit" },
         { { Need::TriangleComponents },
           "{} counts triangles of surfaces; with --segments, whose islands are voxels, use "
           "--prune-size, --prune-area or --prune-volume" },
@@ -99,7 +99,7 @@ const std::vector<KindRow>& KindTable()
     { [](const Arguments& a) { return a.Iso.has_value(); },
       { "Iso",
         { { { Need::LengthUnit },
-          "{} is for surfaces; a volume for --iso is in millimeters by its header" } } } },
+          "{} is for surfaces; the header of a volume for --iso says its unit" } } } },
     { [](const Arguments& a) { return a.Memory > 0; },
       { "Memory",
         { { { Need::WholeInMemory, Need::PointTolerances, Need::Labels, Need::GradedLengths },

@@ -119,7 +119,7 @@ void CheckOneBone(const Arguments& arguments)
     "'" + arguments.Inputs[0] +
       "' is a volume: --iso HU or, of a label map, --segments says which surface to take");
   Require(volume || !arguments.Iso || !fs::exists(FilePath(arguments.Inputs[0])),
-    "--iso is for volumes; '" + arguments.Inputs[0] + "' is none");
+    "--iso is for volumes; '" + arguments.Inputs[0] + "' is none: read are " + ReadVolumesText());
   CheckPrecision(arguments);
   CheckUnit(arguments);
   RequireDistinct(
