@@ -150,6 +150,7 @@ std::vector<bool> ChosenSegments(
   const std::vector<Segment>& segments, const SegmentSelection& selection)
 {
   std::vector<bool> isChosen;
+  isChosen.reserve(segments.size());
   for (const Segment& segment : segments)
   {
     isChosen.push_back(!selection || selection(segment.Label, segment.Name));

@@ -53,6 +53,7 @@ std::string vtkBoneDecimateAlgorithm::FindUnsupportedOption(
   const std::vector<std::string>& kinds, const std::vector<std::string>& alsoUsed) const
 {
   std::vector<bonedecimate::RunKind> rows;
+  rows.reserve(kinds.size());
   for (const std::string& kind : kinds)
   {
     rows.push_back(bonedecimate::FindRunKind(kind));

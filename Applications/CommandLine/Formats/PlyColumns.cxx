@@ -79,6 +79,7 @@ public:
       }
       const int components = array->GetNumberOfComponents();
       std::vector<std::string> properties;
+      properties.reserve(static_cast<std::size_t>(components));
       for (int component = 0; component < components; ++component)
       {
         properties.push_back(

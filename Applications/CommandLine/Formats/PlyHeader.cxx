@@ -111,8 +111,8 @@ private:
     property.Name = words.back();
     if (++this->Properties > MostProperties)
     {
-      Reject(this->Path,
-        "its header has more than " + std::to_string(MostProperties) + " properties");
+      Reject(
+        this->Path, "its header has more than " + std::to_string(MostProperties) + " properties");
     }
     property.Type = TypeOf(words[isList ? 3 : 1]);
     property.CountType = isList ? TypeOf(words[2]) : VTK_VOID;

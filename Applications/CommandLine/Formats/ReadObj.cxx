@@ -37,10 +37,8 @@ const Words WordsWithoutShape = { "o", "s", "mg", "mtllib", "usemap", "maplib", 
   "d_interp", "lod", "shadow_obj", "trace_obj" };
 
 /// Free-form curves and what belongs to free-form geometry.
-const Words CurveWords = { "vp", "cstype", "deg", "bmat", "step",
-  "par"
-  "m",
-  "trim", "hole", "scrv", "sp", "end", "con", "curv", "curv2", "ctech", "stech", "res" };
+const Words CurveWords = { "vp", "cstype", "deg", "bmat", "step", "parm", "trim", "hole", "scrv",
+  "sp", "end", "con", "curv", "curv2", "ctech", "stech", "res" };
 const Words SurfaceWords = { "surf", "bzp", "bsp", "cdc", "cdp" };
 
 bool IsIn(const Words& words, const std::string& word)

@@ -4,6 +4,7 @@
 
 #include "FileChecks.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <limits>
@@ -47,7 +48,8 @@ private:
     char c = 0;
     while (this->Stream.get(c) && last != end)
     {
-      last = last.size() < end.size() ? last + c : last.substr(1) + c;
+      last += c;
+      last.erase(0, last.size() - std::min(last.size(), end.size()));
     }
     this->Stream.unget();
   }

@@ -48,6 +48,7 @@ std::string List(const std::vector<std::string>& parts)
 std::string Texts(const std::vector<std::string>& texts)
 {
   std::vector<std::string> quoted;
+  quoted.reserve(texts.size());
   for (const std::string& text : texts)
   {
     quoted.push_back(Quoted(text));
@@ -66,6 +67,7 @@ std::string Conditions(const OptionInfo& info)
       for (std::size_t i = 0; row != nullptr && i < row->Panel.size(); ++i)
       {
         std::vector<std::string> terms;
+        terms.reserve(row->Panel[i].size());
         for (const PanelTerm& term : row->Panel[i])
         {
           terms.push_back(
@@ -129,6 +131,7 @@ std::string RowText(const OptionInfo& info)
 std::string OptionTableJson()
 {
   std::vector<std::string> rows;
+  rows.reserve(OptionTable().size());
   for (const OptionInfo& info : OptionTable())
   {
     rows.push_back(RowText(info));
