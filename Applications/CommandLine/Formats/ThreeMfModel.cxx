@@ -340,6 +340,10 @@ ThreeMfParser::ThreeMfParser()
 
 ThreeMfParser::~ThreeMfParser()
 {
+  if (this->IsOpen) // the model was not there, or was rejected before its end
+  {
+    this->Finish();
+  }
   this->Internal->Delete();
 }
 
@@ -354,6 +358,7 @@ std::string ThreeMfParser::Add(std::string_view piece)
 std::string ThreeMfParser::Finish()
 {
   const bool isValid = this->Internal->CleanupParser() != 0;
+  this->IsOpen = false;
   return isValid || !this->Internal->Problem.empty() ? this->Internal->Problem
                                                      : "its model is damaged";
 }

@@ -72,6 +72,7 @@ public:
 private:
   class Elements;
   Elements* Internal;
+  bool IsOpen = true; ///< Until Finish().
 };
 }
 
