@@ -107,6 +107,11 @@ class ThreeMf(ApplicationTest):
         self.pack(model(thing(1), ["objectid='1'"]), start="parts/bone one.model")
         self.assertEqual(self.load()[0], 4)
 
+    def test_a_package_that_names_no_start_has_its_model_at_the_usual_place(self):
+        with zipfile.ZipFile(self.path("in.3mf"), "w") as package:
+            package.writestr("3D/3dmodel.model", model(thing(1), ["objectid='1'"]))
+        self.assertEqual(self.load()[0], 4)
+
     def test_names_of_core_elements_may_have_a_prefix(self):
         text = model(thing(1), ["objectid='1'"])
         text = re.sub(r"<(/?)([a-z])", r"<\1c:\2", text.replace("<?xml version='1.0'?>", "")).replace("xmlns=", "xmlns:c=")

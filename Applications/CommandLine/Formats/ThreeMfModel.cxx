@@ -335,20 +335,29 @@ vtkStandardNewMacro(ThreeMfParser::Elements);
 ThreeMfParser::ThreeMfParser()
   : Internal(Elements::New())
 {
-  this->Internal->InitializeParser();
 }
 
 ThreeMfParser::~ThreeMfParser()
 {
-  if (this->IsOpen) // the model was not there, or was rejected before its end
+  if (this->IsOpen)
   {
     this->Finish();
   }
   this->Internal->Delete();
 }
 
+void ThreeMfParser::Open()
+{
+  if (!this->IsOpen)
+  {
+    this->Internal->InitializeParser();
+    this->IsOpen = true;
+  }
+}
+
 std::string ThreeMfParser::Add(std::string_view piece)
 {
+  this->Open();
   const bool isValid =
     this->Internal->ParseChunk(piece.data(), static_cast<unsigned int>(piece.size())) != 0;
   return isValid || !this->Internal->Problem.empty() ? this->Internal->Problem
@@ -357,6 +366,7 @@ std::string ThreeMfParser::Add(std::string_view piece)
 
 std::string ThreeMfParser::Finish()
 {
+  this->Open();
   const bool isValid = this->Internal->CleanupParser() != 0;
   this->IsOpen = false;
   return isValid || !this->Internal->Problem.empty() ? this->Internal->Problem

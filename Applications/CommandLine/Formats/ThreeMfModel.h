@@ -71,8 +71,10 @@ public:
 
 private:
   class Elements;
+  void Open();
+
   Elements* Internal;
-  bool IsOpen = true; ///< Until Finish().
+  bool IsOpen = false; ///< From the first piece to Finish().
 };
 }
 
