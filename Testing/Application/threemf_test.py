@@ -107,7 +107,7 @@ class ThreeMf(ApplicationTest):
         self.pack(model(thing(1), ["objectid='1'"]), start="parts/bone one.model")
         self.assertEqual(self.load()[0], 4)
 
-    def test_a_package_that_names_no_start_has_its_model_at_the_usual_place(self):
+    def test_a_package_without_relationships_has_the_usual_model(self):
         with zipfile.ZipFile(self.path("in.3mf"), "w") as package:
             package.writestr("3D/3dmodel.model", model(thing(1), ["objectid='1'"]))
         self.assertEqual(self.load()[0], 4)
