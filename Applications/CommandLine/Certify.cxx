@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Certify.h"
 
-#include "BoundText.h"
 #include "CertificatePage.h"
 #include "CommandLine.h"
 #include "CommonOptions.h"
@@ -12,6 +11,9 @@
 #include "HelpFormatter.h"
 #include "Interruption.h"
 #include "JsonReport.h"
+#include "PlainText.h"
+#include "Report/BoundText.h"
+#include "ReportFields.h"
 #include "SameFile.h"
 #include "Settings/Settings.h"
 #include "StagedFile.h"
@@ -88,6 +90,7 @@ public:
     const MillimeterSurface result =
       ReadInput(this->Requested.Result(), this->Requested.Unit, this->Warnings);
     this->Result = result.Surface;
+    this->ReportOfResult = ReportFields(result.InFile).Text("proof.sentence");
     this->Filter->SetInputData(1, this->Result);
   }
 
@@ -137,7 +140,7 @@ public:
       this->Requested.Result(), this->Requested.Map.Path, this->Requested.Tolerance,
       this->Requested.ToleranceArray, this->Requested.Unit.Name,
       this->Voxels ? this->Voxels->Json() : nlohmann::ordered_json(), this->Warnings,
-      this->Requested.Settings };
+      this->ReportOfResult, this->Requested.Settings };
     const std::string json = ComposeJsonCertificate(
       this->Requested.HasReference() ? this->Filter->GetOutput() : nullptr, subject);
     if (!this->Requested.Json.empty())
@@ -163,6 +166,10 @@ public:
     if (this->Voxels)
     {
       this->Voxels->Print();
+    }
+    if (!this->ReportOfResult.empty())
+    {
+      std::cout << "report in the file   " << PlainText(this->ReportOfResult) << "\n";
     }
     PrintWarnings(this->Warnings);
   }
@@ -200,6 +207,10 @@ private:
       std::cout << "boundaries           only the "
                 << (boundaries == "result_only" ? "result" : "reference") << " has some\n";
     }
+    for (int i = 0; !this->LeftOut(i).empty(); ++i)
+    {
+      std::cout << "left out             " << PlainText(this->LeftOut(i)) << "\n";
+    }
     this->TellStatus();
     std::cout << "seconds              " << FixedText(this->Value("seconds"), 2) << "\n";
   }
@@ -214,6 +225,26 @@ private:
       Reject(file, "it has no point array '" + this->Requested.ToleranceArray + "'");
     }
     this->Filter->SetInputData(0, reference.Surface);
+  }
+
+  /// Empty if there is no such entry.
+  std::string LeftOut(int entry) const
+  {
+    return this->Filter->GetReportText("left_out." + std::to_string(entry) + ".sentence");
+  }
+
+  /// Whether all that was left out is known to be within the tolerance.
+  bool CoversWhatWasLeftOut() const
+  {
+    const double tolerance = this->Requested.Tolerance.value_or(0.0);
+    for (int i = 0; !this->LeftOut(i).empty(); ++i)
+    {
+      if (!(this->Value("left_out." + std::to_string(i) + ".distance") <= tolerance))
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
   double Value(const std::string& name) const { return this->Filter->GetReportValue(name); }
@@ -265,13 +296,15 @@ private:
     if (this->Filter->GetStatus() != vtkBoneSurfaceDistance::NOT_ASKED)
     {
       std::cout << "tolerance            " << this->StatusText() << map
-                << (map.empty() || number.empty() ? "" : " and ") << number << "\n";
+                << (map.empty() || number.empty() ? "" : " and ") << number
+                << (this->CoversWhatWasLeftOut() ? "" : ", but for what was left out") << "\n";
     }
   }
 
   const CertifyArguments& Requested;
   std::vector<std::string> Warnings;
   vtkSmartPointer<vtkPolyData> Result;
+  std::string ReportOfResult; // what it proves, as its file says
   vtkNew<vtkBoneSurfaceDistance> Filter;
   std::optional<VoxelCertificate> Voxels;
 };

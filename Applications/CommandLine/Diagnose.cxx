@@ -53,8 +53,15 @@ nlohmann::ordered_json Compose(vtkBoneDiagnostics* filter, const DiagnoseArgumen
     }
     diagnostics.push_back(diagnostic);
   }
+  nlohmann::ordered_json leftOut = nlohmann::ordered_json::array();
+  for (int i = 0; i < filter->GetNumberOfLeftOut(); ++i)
+  {
+    leftOut.push_back({ { "kind", filter->GetLeftOutKind(i) },
+      { "count", filter->GetLeftOutCount(i) }, { "sentence", filter->GetLeftOutSentence(i) } });
+  }
   return { { "file", BaseName(arguments.Files[0]) }, { "unit", arguments.Unit.Name },
-    { "usable", filter->IsUsable() }, { "warnings", warnings }, { "diagnostics", diagnostics } };
+    { "usable", filter->IsUsable() }, { "warnings", warnings }, { "left_out", leftOut },
+    { "diagnostics", diagnostics } };
 }
 
 /// "rejected   3 points are not finite: 5, 7, 19"
@@ -90,6 +97,10 @@ void TellAll(vtkBoneDiagnostics* filter, const std::vector<std::string>& warning
   for (int i = 0; i < filter->GetNumberOfDiagnostics(); ++i)
   {
     Tell(filter, i);
+  }
+  for (int i = 0; i < filter->GetNumberOfLeftOut(); ++i)
+  {
+    std::printf("left out  %s\n", filter->GetLeftOutSentence(i).c_str());
   }
   for (const std::string& warning : warnings)
   {

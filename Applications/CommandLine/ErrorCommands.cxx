@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ErrorCommands.h"
 
-#include "BoundText.h"
 #include "CommandLine.h"
 #include "CommonOptions.h"
 #include "CountText.h"
@@ -14,6 +13,7 @@
 #include "Interruption.h"
 #include "JsonReport.h"
 #include "NumberText.h"
+#include "Report/BoundText.h"
 #include "Report/Report.h"
 #include "SameFile.h"
 #include "Settings/Settings.h"

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileGrid.h"
 
-#include "BoundText.h"
 #include "CommonOptions.h"
 #include "ExitCode.h"
 #include "Formats/FileChecks.h"
@@ -11,6 +10,7 @@
 #include "HelpFormatter.h"
 #include "NumberText.h"
 #include "Options/Text.h"
+#include "Report/BoundText.h"
 #include "SegmentOutput.h"
 
 #include "vtkDataArray.h"

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileRounding.h"
 
-#include "BoundText.h"
 #include "ExitCode.h"
 #include "FileNames.h"
 #include "Formats/FileChecks.h"
 #include "Formats/SurfaceFormat.h"
 #include "Input/VoxelSize.h"
 #include "PointPosition.h"
+#include "Report/BoundText.h"
 #include "ReportFields.h"
+#include "ReportOfSurface.h"
 #include "Surface.h"
 
 #include "vtkDataArray.h"
@@ -17,7 +18,6 @@
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <array>
@@ -85,9 +85,7 @@ double LargestMove(vtkPolyData* result, vtkPolyData* inFile, const LengthUnit& u
 /// A copy whose proved bounds in the field data hold for the file. @param error What is kept then, mm; 0: as it is.
 vtkSmartPointer<vtkPolyData> WithWidenedProof(vtkPolyData* result, double move, double error)
 {
-  vtkNew<vtkFieldData> fields;
-  fields->DeepCopy(result->GetFieldData());
-  Json report = Json::parse(ReportJsonOf(result));
+  Json report = ReportOf(result);
   for (const char* part : { "proof", "distance" })
   {
     if (report.contains(part))
@@ -95,17 +93,17 @@ vtkSmartPointer<vtkPolyData> WithWidenedProof(vtkPolyData* result, double move, 
       Widen(report[part], move, error);
     }
   }
-  vtkNew<vtkStringArray> text;
-  text->SetName("BoneDecimateReport");
-  text->InsertNextValue(report.dump());
-  fields->AddArray(text);
-  if (auto* upper = vtkDoubleArray::SafeDownCast(fields->GetArray("bonedecimate.proof.upper")))
+  if (report.contains("left_out"))
   {
-    upper->SetValue(0, upper->GetValue(0) + move);
+    for (Json& entry : report["left_out"])
+    {
+      entry["distance"] = entry.value("distance", std::nan("")) + move; // null: not known
+    }
   }
+  UpdateSentences(report);
   auto widened = vtkSmartPointer<vtkPolyData>::New();
   widened->ShallowCopy(result);
-  widened->SetFieldData(fields);
+  SetReportOf(std::move(report), widened);
   return widened;
 }
 

@@ -6,6 +6,7 @@
 #include "FilePath.h"
 #include "Report/Report.h"
 #include "ReportFields.h"
+#include "ReportOfSurface.h"
 #include "StagedFile.h"
 #include "VoxelSection.h"
 
@@ -117,7 +118,7 @@ ReportSubject SubjectOf(
 
 std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
 {
-  Json report = Json::parse(ReportJsonOf(result));
+  Json report = ReportOf(result);
   report["seconds"]["read"] = subject.SecondsRead;
   report["seconds"]["write"] = subject.SecondsWrite;
   report["seconds"]["total"] = subject.SecondsTotal;
@@ -157,7 +158,7 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
 
 std::string ComposeJsonCertificate(vtkPolyData* output, const CertificateSubject& subject)
 {
-  Json report = output != nullptr ? Json::parse(ReportJsonOf(output, "BoneDecimateCertificate"))
+  Json report = output != nullptr ? Json::parse(CertificateJsonOf(output))
                                   : Json({ { "version", Version() }, { "problem", "" },
                                       { "status", "not_requested" }, { "units", Json::object() } });
   if (subject.Tolerance)
@@ -183,6 +184,10 @@ std::string ComposeJsonCertificate(vtkPolyData* output, const CertificateSubject
   }
   report["files"]["unit"] = subject.Unit;
   report["warnings"] = subject.Warnings;
+  if (!subject.ReportOfResult.empty())
+  {
+    report["report_in_file"] = subject.ReportOfResult;
+  }
   AddSettingsTo(report, subject.Settings);
   return JsonText(report);
 }

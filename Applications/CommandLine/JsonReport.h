@@ -66,6 +66,8 @@ struct CertificateSubject
   std::string Unit;                ///< Of the coordinates in the files of surfaces.
   nlohmann::ordered_json Voxels;   ///< "voxels"; null: not compared.
   std::vector<std::string> Warnings;
+  std::string
+    ReportOfResult; ///< What the report in the file of the result proves; empty: there is none.
   SettingsRecord Settings;
 };
 

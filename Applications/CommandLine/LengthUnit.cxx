@@ -6,12 +6,14 @@
 #include "Formats/SurfaceFormat.h"
 #include "HelpFormatter.h"
 #include "PointPosition.h"
+#include "ReportOfSurface.h"
 #include "SurfaceFiles.h"
 
 #include "vtkNew.h"
 #include "vtkPoints.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -174,8 +176,15 @@ vtkSmartPointer<vtkPolyData> FromMillimeters(
     return surface;
   }
   const Originals originals(input, unit);
-  return WithPoints(surface, toSingle ? VTK_FLOAT : VTK_DOUBLE,
-    [&originals](const Position& position) { return originals.Find(position); });
+  const vtkSmartPointer<vtkPolyData> converted =
+    WithPoints(surface, toSingle ? VTK_FLOAT : VTK_DOUBLE,
+      [&originals](const Position& position) { return originals.Find(position); });
+  if (nlohmann::ordered_json report = ReportOf(surface);
+      report.contains("/proof/upper"_json_pointer))
+  {
+    SetReportOf(std::move(report), converted); // in millimeters, of the surface in the file
+  }
+  return converted;
 }
 
 std::string WithUnitHint(std::string message, const std::string& source, const LengthUnit& unit)

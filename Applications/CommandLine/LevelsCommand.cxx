@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LevelsCommand.h"
 
-#include "BoundText.h"
 #include "CountText.h"
 #include "FileGrid.h"
 #include "FileNames.h"
@@ -17,6 +16,7 @@
 #include "NumberText.h"
 #include "Options/NumberRange.h"
 #include "Options/Options.h"
+#include "Report/BoundText.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"
 

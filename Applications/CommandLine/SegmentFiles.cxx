@@ -178,8 +178,10 @@ void PaintTriangles(vtkPolyData* surface, const std::optional<LabelColor>& color
 class SegmentWriter
 {
 public:
-  SegmentWriter(const Arguments& arguments, OutputFiles& files, ReportSubject& subject)
+  SegmentWriter(
+    const Arguments& arguments, bool isProved, OutputFiles& files, ReportSubject& subject)
     : Requested(arguments)
+    , IsProved(isProved)
     , Files(files)
     , Subject(subject)
   {
@@ -193,7 +195,7 @@ public:
     RequireDistinct({ target }, { this->Requested.Inputs[0], this->Requested.Reference });
     StagedFile& file = this->Files.AddSegment(target);
     const auto readBack = WriteSurface(surface, file.GetTemporary(), target);
-    if (!ReportFields(surface).Text("proof.status").empty())
+    if (this->IsProved)
     {
       RequireSameTriangles(surface, readBack, target);
       this->Subject.ProvedFiles[record.File] = "same_bits";
@@ -204,6 +206,7 @@ public:
 
 private:
   const Arguments& Requested;
+  bool IsProved; // the whole surface, of which segments are parts
   OutputFiles& Files;
   ReportSubject& Subject;
 };
@@ -214,7 +217,8 @@ void WriteSegments(
 {
   const std::vector<NamedLabel> labels = LabelsOf(result);
   const std::vector<std::string> names = NamesInFolder(labels);
-  SegmentWriter writer(arguments, files, subject);
+  const bool isProved = !ReportFields(result).Text("proof.status").empty();
+  SegmentWriter writer(arguments, isProved, files, subject);
   for (std::size_t i = 0; i < labels.size(); ++i)
   {
     StopIfInterrupted();

@@ -160,7 +160,7 @@ SlabAxis SegmentSlabs::GetAxis() const
 
 SlabInputs SegmentSlabs::GetInputs() const
 {
-  return { true, this->Map };
+  return { true, this->Map, {} };
 }
 
 //------------------------------------------------------------------------------

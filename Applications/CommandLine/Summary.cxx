@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Summary.h"
 
-#include "BoundText.h"
 #include "NumberText.h"
 #include "PartSection.h"
 #include "PlainText.h"
+#include "Report/BoundText.h"
 #include "ReportFields.h"
 #include "VoxelSection.h"
 
@@ -239,32 +239,13 @@ void PrintEdges(const ReportFields& report)
   }
 }
 
-/// Rounded up, so that what is printed is proved.
+/// With all that it does not cover.
 void PrintProof(const ReportFields& report)
 {
-  const std::optional<double> upper = report.Number("proof.upper");
-  if (!upper)
+  if (report.Number("proof.upper"))
   {
-    return;
+    std::cout << "proved          " << PlainText(report.Text("proof.sentence")) << "\n";
   }
-  const std::string boundaries = report.Text("proof.boundaries");
-  std::cout << "proved          <= " << UpperBoundText(*upper, 6) << " mm in both directions"
-            << (report.Number("reference.triangles") ? " to the reference" : "")
-            << (boundaries == "both"              ? ", open boundaries too"
-                   : boundaries == "not_compared" ? ", but for open boundaries"
-                                                  : "");
-  const double leftOut = report.Number("proof.triangles_left_out").value_or(0.0);
-  if (leftOut > 0.0)
-  {
-    std::cout << ", but for " << GroupedText(leftOut) << " triangles of the input without area";
-  }
-  const double polygons = report.Number("proof.polygons_left_out").value_or(0.0);
-  if (polygons > 0.0)
-  {
-    std::cout << (leftOut > 0.0 ? " and " : ", but for ") << GroupedText(polygons)
-              << " polygons of fewer than three corners, which were left out";
-  }
-  std::cout << "\n";
 }
 
 void PrintCoordinates(const ReportSubject& subject)

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WrittenProof.h"
 
-#include "BoundText.h"
 #include "ExitCode.h"
 #include "FileNames.h"
 #include "PointPosition.h"
+#include "Report/BoundText.h"
 
 #include "vtkBoneSurfaceDistance.h"
 #include "vtkCellArray.h"

@@ -45,7 +45,7 @@ def main(plugin, ct, folder, iso="226", error="0.3"):
     bone.UpdatePipeline()
     report = bone.GetDataInformation().GetFieldDataInformation()
     before, after, proved = (report.GetArrayInformation("bonedecimate." + name).GetComponentRange(0)[0]
-                             for name in ("input.triangles", "output.triangles", "proof.upper"))
+                             for name in ("input.triangles", "output.triangles", "proof.if_unchanged.upper"))
     print(f"{before:.0f} triangles -> {after:.0f}, no point farther than {proved:.3f} mm")
     simple.SaveData(str(folder / "bone.vtp"), proxy=bone)  # first: it needs no screen
     show(bone, folder / "bone.png")

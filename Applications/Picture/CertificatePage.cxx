@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CertificatePage.h"
 
-#include "BoundText.h"
 #include "NumberText.h"
 #include "Options/Text.h"
 #include "PageParts.h"
 #include "PageTemplate.h"
 #include "PlainText.h"
+#include "Report/BoundText.h"
 #include "ReportFields.h"
 #include "VoxelSection.h"
 
@@ -46,6 +46,19 @@ std::string StatusText(const ReportFields& report)
     " is " + status + ".";
 }
 
+/// As a list; empty if nothing was left out.
+std::string LeftOutList(const ReportFields& report)
+{
+  std::string items;
+  for (int i = 0; report.Number("left_out." + std::to_string(i) + ".count"); ++i)
+  {
+    items +=
+      "<li>" + EscapedXml(report.Text("left_out." + std::to_string(i) + ".sentence")) + "</li>";
+  }
+  return items.empty() ? items
+                       : "<p>Not compared, because it is no surface:</p><ul>" + items + "</ul>";
+}
+
 std::string DistanceSection(const ReportFields& report)
 {
   if (!report.Number("upper"))
@@ -68,8 +81,9 @@ std::string DistanceSection(const ReportFields& report)
       rows.push_back({ words, BoundsText(report, path), mean ? GroupedText(*mean, Decimals) : "" });
     }
   }
-  return PageBlock(
-    "certified distances", { { "table", Table(rows) }, { "status", StatusText(report) } });
+  return PageBlock("certified distances",
+    { { "table", Table(rows) }, { "status", StatusText(report) },
+      { "left out", LeftOutList(report) } });
 }
 
 std::string Warnings(const ReportFields& report)

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProofSection.h"
 
-#include "BoundText.h"
 #include "NumberText.h"
 #include "Options/Text.h"
 #include "PageParts.h"
 #include "PageTemplate.h"
+#include "Report/BoundText.h"
 
 #include <optional>
 #include <utility>
@@ -78,18 +78,14 @@ std::string BoundariesText(const std::string& boundaries)
 
 std::string LeftOutText(const ReportFields& report)
 {
-  const double leftOut = report.Number("proof.triangles_left_out").value_or(0.0);
-  const double polygons = report.Number("proof.polygons_left_out").value_or(0.0);
   std::string text;
-  if (leftOut > 0.0)
+  for (int i = 0; report.Number("left_out." + std::to_string(i) + ".count"); ++i)
   {
-    text = " Not proved: " + GroupedText(leftOut) +
-      " triangles of the input without area, which were left out.";
-  }
-  if (polygons > 0.0)
-  {
-    text += " Not proved: " + GroupedText(polygons) +
-      " polygons of fewer than three corners, which were left out.";
+    const std::string path = "left_out." + std::to_string(i);
+    const std::optional<double> distance = report.Number(path + ".distance");
+    const bool isCovered = distance && *distance <= report.Number("proof.upper").value_or(0.0);
+    text += (isCovered ? " Left out, but within the bound: " : " Not proved: ") +
+      EscapedXml(report.Text(path + ".sentence")) + ".";
   }
   return text;
 }

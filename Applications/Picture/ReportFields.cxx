@@ -3,6 +3,7 @@
 #include "ReportFields.h"
 
 #include "NamedLabels.h"
+#include "ReportOfSurface.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -41,16 +42,17 @@ std::string TextOf(const Json& value)
 }
 }
 
-std::string ReportJsonOf(vtkPolyData* result, const char* arrayName)
+std::string CertificateJsonOf(vtkPolyData* compared)
 {
-  auto* array = result
-    ? vtkStringArray::SafeDownCast(result->GetFieldData()->GetAbstractArray(arrayName))
+  auto* const array = compared != nullptr
+    ? vtkStringArray::SafeDownCast(
+        compared->GetFieldData()->GetAbstractArray("BoneDecimateCertificate"))
     : nullptr;
   return array && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0)) : "{}";
 }
 
 ReportFields::ReportFields(vtkPolyData* result)
-  : ReportFields(ReportJsonOf(result))
+  : ReportFields(ReportOf(result).dump())
 {
   if (result)
   {

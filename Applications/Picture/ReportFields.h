@@ -15,8 +15,8 @@
 
 namespace bonedecimate
 {
-/// The JSON in the field data of an output: a report or, by that name, a certificate. "{}" if there is none.
-std::string ReportJsonOf(vtkPolyData* result, const char* arrayName = "BoneDecimateReport");
+/// The certificate in the field data of an output. "{}" if there is none.
+std::string CertificateJsonOf(vtkPolyData* compared);
 
 /**
  * Names are those of ReportTable.h. Of a surface with a label map there are also label_names.3, the name of label 3, for each label

@@ -52,6 +52,7 @@ RunInputs NamedArrays::Inputs() const
   inputs.Tolerances = this->Tolerances ? &*this->Tolerances : nullptr;
   inputs.EdgeLengths = this->EdgeLengths ? &*this->EdgeLengths : nullptr;
   inputs.Labels = this->Labels ? &*this->Labels : nullptr;
+  inputs.LeftOut = &this->Converted.LeftOut;
   return inputs;
 }
 

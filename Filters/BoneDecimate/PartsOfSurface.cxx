@@ -10,7 +10,9 @@
 #include "Input/LabelMapInput.h"
 #include "LabelArrays.h"
 #include "LabelMapArrays.h"
+#include "LeftOutOfParts.h"
 #include "Pieces/ContinuedProof.h"
+#include "Report/ProofSentence.h"
 #include "RunInput.h"
 #include "RunState.h"
 
@@ -26,11 +28,12 @@ namespace
 {
 using namespace bonedecimate;
 
-/// Whether the name is that of an entry of pruning, of smoothing or of voxels.
+/// Whether the name is that of an entry that the report of a surface in parts has, beside its numbers.
 bool IsOfWhole(const std::string& name)
 {
   return name.rfind("smoothing.", 0) == 0 || name.rfind("voxels.", 0) == 0 ||
-    name.rfind("pruned.", 0) == 0;
+    name.rfind("pruned.", 0) == 0 || name.rfind("left_out.", 0) == 0 || name == "proof.sentence" ||
+    name == "output.checksum";
 }
 
 template <typename Value>
@@ -319,8 +322,8 @@ void vtkBoneDecimate::TakeReport(const vtkBoneDecimate& from)
 }
 
 //------------------------------------------------------------------------------
-void vtkBoneDecimate::SetReportOfParts(
-  const std::map<std::string, double>& entries, vtkPolyData* output)
+void vtkBoneDecimate::SetReportOfParts(const std::map<std::string, double>& entries,
+  const std::vector<Numbers>& ofParts, vtkPolyData* output)
 {
   std::vector<ReportEntry> list;
   for (const auto& [name, value] : entries)
@@ -342,6 +345,8 @@ void vtkBoneDecimate::SetReportOfParts(
   report.Pruned = this->State->Report.Pruned;
   report.Smoothing = this->State->Report.Smoothing;
   report.Voxels = this->State->Report.Voxels;
+  report.Proof.BoundariesCompared = true; // each part compared its own
+  TakeFiguresOfParts(ofParts, report);
   for (const ReportEntry& entry : ReportEntries(report))
   {
     if (IsOfWhole(entry.Name))
@@ -351,5 +356,5 @@ void vtkBoneDecimate::SetReportOfParts(
   }
   this->State->Report = std::move(report);
   this->State->Entries = NamedEntries(list);
-  SetReport(list, ArraysOfReport(), output->GetFieldData());
+  SetReport(BoundToSurface(list), ArraysOfReport(), output->GetFieldData());
 }

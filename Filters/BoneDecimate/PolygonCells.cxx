@@ -7,6 +7,8 @@
 
 #include "vtkPolyData.h"
 
+#include <algorithm>
+
 namespace bonedecimate
 {
 namespace
@@ -35,6 +37,20 @@ TriangulatedCells WrongCells(vtkPolyData* input)
   VisitFaces(input, look, look);
   return wrong;
 }
+
+/// Corners at one or two positions.
+void AddShape(const std::vector<Index>& corners, const std::vector<Vector3>& points,
+  std::vector<std::array<Vector3, 3>>& shapes)
+{
+  if (!corners.empty())
+  {
+    const Vector3& first = points[corners.front()];
+    const auto other = std::find_if(
+      corners.begin(), corners.end(), [&](Index corner) { return points[corner] != first; });
+    const Vector3& last = other == corners.end() ? first : points[*other];
+    shapes.push_back({ first, last, last });
+  }
+}
 }
 
 TriangulatedCells TriangulateCells(vtkPolyData* input, const std::vector<Vector3>& points)
@@ -53,9 +69,10 @@ TriangulatedCells TriangulateCells(vtkPolyData* input, const std::vector<Vector3
     const bool isAdded = isStrip || isTriangle ? AppendStrip(corners, found.Triangles)
                                                : triangulation.Append(corners, found.Triangles);
     found.CellOfTriangle.resize(found.Triangles.size(), cell);
-    if (!isAdded && found.LeftOut++ == 0)
+    if (!isAdded)
     {
-      found.FirstLeftOut = cell;
+      found.FirstLeftOut = found.LeftOut++ == 0 ? cell : found.FirstLeftOut;
+      AddShape(corners, points, found.ShapesLeftOut);
     }
   };
   VisitFaces(

@@ -11,6 +11,7 @@
 
 #include "vtkType.h"
 
+#include <array>
 #include <vector>
 
 class vtkPolyData;
@@ -23,6 +24,7 @@ struct TriangulatedCells
   std::vector<vtkIdType> CellOfTriangle;
   vtkIdType LeftOut = 0; ///< Cells without a triangle.
   vtkIdType FirstLeftOut = -1;
+  std::vector<std::array<Vector3, 3>> ShapesLeftOut; ///< mm, a point or a segment of each.
 };
 
 /**

@@ -4,10 +4,12 @@
 
 #include "CellVisits.h"
 #include "DataTransfer.h"
+#include "LeftOutCells.h"
 #include "Options/OptionTable.h"
 #include "PassedCells.h"
 #include "PassedNames.h"
 #include "PolygonCells.h"
+#include "Report/ProofSentence.h"
 #include "Report/ReportFigures.h"
 #include "Report/ReportJson.h"
 #include "Report/ReportTable.h"
@@ -66,7 +68,7 @@ void AddCells(vtkPolyData* input, ConvertedSurface& converted)
   TriangulatedCells cells = TriangulateCells(input, converted.Surface.Points);
   converted.Surface.Triangles = std::move(cells.Triangles);
   converted.CellOfTriangle = std::move(cells.CellOfTriangle);
-  converted.PolygonsLeftOut = cells.LeftOut;
+  converted.LeftOut = FindLeftOut(input, converted.Surface.Points, cells);
   if (cells.LeftOut > 0)
   {
     converted.Warnings.push_back(std::to_string(cells.LeftOut) +
@@ -194,6 +196,7 @@ ConvertedSurface ToSurface(vtkPolyData* input, int threads)
   WarnOfWrongFeatureCurves(input, converted);
   if (AddPureTriangles(input, threads, converted))
   {
+    converted.LeftOut = FindLeftOut(input, converted.Surface.Points, {});
     return converted;
   }
   AddCells(input, converted);
@@ -245,7 +248,8 @@ void FillOutput(const Result& result, const ConvertedSurface& converted, const O
   AddInputArrays(result, converted, options, others.Ids(), input, output);
   AddOwnArrays(result, options, output);
   output->GetFieldData()->PassData(input->GetFieldData());
-  SetReport(ReportEntries(result.Report), ArraysOfReport(), output->GetFieldData());
+  RemoveLeftOutOfReader(output->GetFieldData());
+  SetReport(BoundToSurface(ReportEntries(result.Report)), ArraysOfReport(), output->GetFieldData());
 }
 
 //------------------------------------------------------------------------------

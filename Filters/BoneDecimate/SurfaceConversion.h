@@ -29,7 +29,7 @@ struct ConvertedSurface
   bonedecimate::Surface Surface;
   std::vector<vtkIdType> CellOfTriangle; ///< Cell of the input from which each triangle came.
   bool IsSingle = true;                  ///< Whether the points are single precision.
-  std::int64_t PolygonsLeftOut = 0;      ///< ErrorProof::PolygonsLeftOut
+  std::vector<LeftOutShape> LeftOut;     ///< RunInputs::LeftOut
   std::vector<std::string> Warnings;     ///< What had to be left out, a sentence each.
 
   vtkIdType operator()(std::size_t triangle) const { return this->CellOfTriangle[triangle]; }

@@ -266,6 +266,7 @@ bool vtkBoneDecimate::ReadInput(vtkPolyData* input, vtkPolyData* reference,
     hasTolerances ? &*read.Tolerances : nullptr,
     reference != nullptr ? &read.Reference.Surface : nullptr, hasLabels ? &*read.Labels : nullptr };
   read.Inputs.EdgeLengths = read.EdgeLengths ? &*read.EdgeLengths : nullptr;
+  read.Inputs.LeftOut = reference != nullptr ? &read.Reference.LeftOut : &read.Converted.LeftOut;
   read.Inputs.LabelMap = read.Map.Known();
   read.Inputs.Part = this->Part ? &this->Part->Part : nullptr;
   read.Prepared = this->Prepared; // an observer may drop it
@@ -292,8 +293,6 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   this->ProveContinuedPart(read, result);
   this->Warn(read.Map.CompareWithMap(read.Converted.Surface, options, result));
   bonedecimate::NameCells(read.Converted, result.Report);
-  result.Report.Proof.PolygonsLeftOut =
-    (read.Inputs.Reference != nullptr ? read.Reference : read.Converted).PolygonsLeftOut;
   this->State->Keep(this->Part ? ReportOfPart(result.Report) : result.Report);
   if (!this->Accept(bonedecimate::InputMessage(result.Report)))
   {

@@ -17,7 +17,8 @@
  * collapses (both mm) and how many input points each point represents. Field data: the report as
  * one JSON text, BoneDecimateReport, and its main figures as arrays of their own: bonedecimate.stop_reason, .input.triangles,
  * .output.triangles, .output.components, .distance.output_to_input.{max, mean}, .distance.input_to_output.{max, mean},
- * .proof.status and .proof.upper, as far as the report has them. Vertices and lines pass through.
+ * .proof.sentence and .proof.if_unchanged.{status, upper}, as far as the report has them. A proof belongs to one surface: that whose
+ * triangles have the report's output.checksum. Vertices and lines pass through.
  * Output port 1: the input, with the distance of each of its points to the result when MeasureInputDistances is on.
  *
  * Tolerances and labels are arrays of the input, chosen by their names (ToleranceArrayName, LabelArrayName) or by
@@ -196,9 +197,13 @@ protected:
   std::vector<char> FiguresOfSegmentation() const;
   void TakeFiguresOfSegmentation(const std::vector<char>& bytes);
 
+  /// What the run of this part left out, and a checksum of the output of this part, for SetReportOfParts().
+  Numbers FiguresOfPart(const vtkBoneDecimate& run, vtkPolyData* output) const;
+
   /// The report of the whole surface: entries that are numbers, by name, among them the figures of the getters, and what
-  /// FindPrunedCells(), SmoothPoints() and CompareVoxels() found.
-  void SetReportOfParts(const std::map<std::string, double>& entries, vtkPolyData* output);
+  /// FindPrunedCells(), SmoothPoints() and CompareVoxels() found.  @param ofParts FiguresOfPart() of each part.
+  void SetReportOfParts(const std::map<std::string, double>& entries,
+    const std::vector<Numbers>& ofParts, vtkPolyData* output);
   ///@}
 
   int FillInputPortInformation(int port, vtkInformation* info) override;

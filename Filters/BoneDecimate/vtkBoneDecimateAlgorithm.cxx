@@ -5,14 +5,19 @@
 #include "Certificate/Certificate.h"
 #include "ImageLabels.h"
 #include "LabelMapOfRun.h"
+#include "Mesh/Checksum.h"
 #include "Options/RunKinds.h"
 #include "Report/ReportFigures.h"
 #include "Report/ReportJson.h"
 #include "RunState.h"
+#include "SurfaceConversion.h"
 
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
 
@@ -23,6 +28,22 @@ vtkBoneDecimateAlgorithm::vtkBoneDecimateAlgorithm()
 }
 
 vtkBoneDecimateAlgorithm::~vtkBoneDecimateAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+bool vtkBoneDecimateAlgorithm::HasReportOfItself(vtkPolyData* surface)
+{
+  auto* const checksum = vtkStringArray::SafeDownCast(
+    surface->GetFieldData()->GetAbstractArray("bonedecimate.output.checksum"));
+  return checksum != nullptr && checksum->GetNumberOfValues() > 0 &&
+    checksum->GetValue(0) == GetTriangleChecksum(surface);
+}
+
+std::string vtkBoneDecimateAlgorithm::GetTriangleChecksum(vtkPolyData* surface)
+{
+  constexpr int allThreads = 0;
+  return bonedecimate::TriangleChecksumText(bonedecimate::TriangleChecksum(
+    bonedecimate::ToSurface(surface, allThreads).Surface, allThreads));
+}
 
 //------------------------------------------------------------------------------
 bool vtkBoneDecimateAlgorithm::HasOption(const std::string&) const

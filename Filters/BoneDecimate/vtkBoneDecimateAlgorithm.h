@@ -116,6 +116,13 @@ public:
   /// The whole report as JSON, objects within objects, as Documentation/report.schema.json describes it.
   std::string GetReportAsJson() const;
 
+  /// Whether the report that a surface carries in its field data was made for this very surface: whether its triangles have the
+  /// checksum of the report, to the bit and in any order. If not, what the report proves was proved of another surface.
+  static bool HasReportOfItself(vtkPolyData* surface);
+
+  /// That checksum, "triangles:0123456789abcdef".
+  static std::string GetTriangleChecksum(vtkPolyData* surface);
+
   /// Number of entries of the report as a flat list of named values ("output.triangles", "distance.output_to_input.max", ...).
   int GetNumberOfReportEntries() const;
 

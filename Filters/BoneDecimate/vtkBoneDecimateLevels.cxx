@@ -306,7 +306,6 @@ bool vtkBoneDecimateLevels::Record()
     [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); }, mine.Inputs(),
     mine.Levels);
   this->Warn(mine.LabelMap.CompareWithMap(converted.Surface, this->State->Options, run));
-  run.Report.Proof.PolygonsLeftOut = converted.PolygonsLeftOut;
   this->State->Keep(run.Report);
   const bonedecimate::InputStatus status = run.Report.Status;
   if (status == bonedecimate::InputStatus::NoTriangles)

@@ -18,6 +18,7 @@
 struct vtkBoneDiagnostics::Internals
 {
   std::vector<bonedecimate::Diagnostic> Diagnostics;
+  std::vector<bonedecimate::LeftOutShape> LeftOut;
   bonedecimate::RejectedValues Rejected;
 
   /// One that says nothing where there is no such number.
@@ -26,6 +27,14 @@ struct vtkBoneDiagnostics::Internals
     return diagnostic >= 0 && diagnostic < static_cast<int>(this->Diagnostics.size())
       ? &this->Diagnostics[static_cast<std::size_t>(diagnostic)]
       : nullptr;
+  }
+
+  /// The same.
+  const bonedecimate::LeftOut& LeftOutAt(int entry) const
+  {
+    static const bonedecimate::LeftOut nothing = {};
+    const bool isOne = entry >= 0 && entry < static_cast<int>(this->LeftOut.size());
+    return isOne ? this->LeftOut[static_cast<std::size_t>(entry)].Entry : nothing;
   }
 
   const bonedecimate::DiagnosticInfo& InfoAt(int diagnostic) const
@@ -106,6 +115,28 @@ void vtkBoneDiagnostics::GetFirstIds(int diagnostic, vtkIdList* ids) const
 }
 
 //------------------------------------------------------------------------------
+int vtkBoneDiagnostics::GetNumberOfLeftOut() const
+{
+  return static_cast<int>(this->Internal->LeftOut.size());
+}
+
+std::string vtkBoneDiagnostics::GetLeftOutKind(int entry) const
+{
+  return this->Internal->LeftOutAt(entry).Kind;
+}
+
+vtkIdType vtkBoneDiagnostics::GetLeftOutCount(int entry) const
+{
+  return this->Internal->LeftOutAt(entry).Count;
+}
+
+std::string vtkBoneDiagnostics::GetLeftOutSentence(int entry) const
+{
+  const bonedecimate::LeftOut& found = this->Internal->LeftOutAt(entry);
+  return found.Count > 0 ? found.Sentence() : std::string();
+}
+
+//------------------------------------------------------------------------------
 void vtkBoneDiagnostics::SetNumberOfThreads(int threads)
 {
   this->Internal->Rejected.SetOption(this, "NumberOfThreads", threads, this->NumberOfThreads);
@@ -137,6 +168,7 @@ int vtkBoneDiagnostics::RequestData(vtkInformation* vtkNotUsed(request),
   {
     bonedecimate::NameCells(converted, diagnostic);
   }
+  this->Internal->LeftOut = converted.LeftOut;
   for (const std::string& warning : converted.Warnings)
   {
     vtkWarningMacro(<< warning);

@@ -80,6 +80,17 @@ public:
 
   ///@{
   /**
+   * What of the last input is no surface to be decimated and proved: polygons without a triangle, lines, vertices, and what the reader
+   * of its file left out. Its kind in one word ("lines"), how many there are, and a sentence.
+   */
+  int GetNumberOfLeftOut() const;
+  std::string GetLeftOutKind(int entry) const;
+  vtkIdType GetLeftOutCount(int entry) const;
+  std::string GetLeftOutSentence(int entry) const;
+  ///@}
+
+  ///@{
+  /**
    * Threads to use, 0 to 1024; 0, the default, is one per processor. The diagnostics do not depend on it. Other numbers are an
    * error event; the value before stays, and updates fail until there is a valid one.
    */

@@ -41,9 +41,9 @@ void AddColumn(vtkTable* table, const char* name, const char* unit,
 }
 
 /// Empty if it is null.
-bonedecimate::Surface SurfaceOf(vtkPolyData* data)
+bonedecimate::ConvertedSurface ReferenceOf(vtkPolyData* data)
 {
-  return data != nullptr ? bonedecimate::ToSurface(data, 0).Surface : bonedecimate::Surface();
+  return data != nullptr ? bonedecimate::ToSurface(data, 0) : bonedecimate::ConvertedSurface();
 }
 
 void FillTable(const std::vector<bonedecimate::ErrorTrial>& trials, vtkTable* table)
@@ -188,14 +188,18 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   options.Inputs = arrays.Inputs();
   options.Inputs.WantsOrigins = arrays.Labels.has_value();
   options.Inputs.LabelMap = map.Known();
-  const bonedecimate::Surface reference = SurfaceOf(vtkPolyData::GetData(inputVector[1]));
-  options.Inputs.Reference = vtkPolyData::GetData(inputVector[1]) ? &reference : nullptr;
+  const bonedecimate::ConvertedSurface reference =
+    ReferenceOf(vtkPolyData::GetData(inputVector[1]));
+  if (vtkPolyData::GetData(inputVector[1]) != nullptr)
+  {
+    options.Inputs.Reference = &reference.Surface;
+    options.Inputs.LeftOut = &reference.LeftOut;
+  }
   const auto monitor = [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); };
   bonedecimate::ErrorSearchResult found = this->Errors.empty()
     ? bonedecimate::FindSmallestError(converted.Surface, options, monitor)
     : bonedecimate::FindErrorCurve(converted.Surface, this->Errors, options, monitor);
   this->Warn(map.CompareWithMap(converted.Surface, options.Run, found.Found));
-  found.Found.Report.Proof.PolygonsLeftOut = converted.PolygonsLeftOut;
   this->State->Keep(found.Found.Report);
   const std::string problem = bonedecimate::InputMessage(found.Found.Report);
   if (!problem.empty())

@@ -111,7 +111,6 @@ int vtkBoneSmooth::RequestData(vtkInformation* vtkNotUsed(request),
   warnings.insert(warnings.end(), converted.Warnings.begin(), converted.Warnings.end());
   const std::vector<std::string> renamed = ArrayWarnings(input, options);
   warnings.insert(warnings.end(), renamed.begin(), renamed.end());
-  result.Report.Proof.PolygonsLeftOut = converted.PolygonsLeftOut;
   this->State->Keep(result.Report);
   if (!this->Accept(warnings))
   {

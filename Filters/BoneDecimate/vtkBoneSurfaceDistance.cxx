@@ -5,6 +5,7 @@
 #include "FilterProgress.h"
 #include "Input/Tolerances.h"
 #include "NamedEntries.h"
+#include "Output/ListLeftOut.h"
 #include "Pieces.h"
 #include "RejectedValues.h"
 #include "Report/CertificateTable.h"
@@ -269,8 +270,10 @@ bool vtkBoneSurfaceDistance::Compare(vtkPolyData* reference, vtkPolyData* result
   NameCells(two, one, certificate.ResultToReference);
   NameCells(one, two, certificate.BoundaryOfReferenceToResult);
   NameCells(two, one, certificate.BoundaryOfResultToReference);
+  const std::vector<bonedecimate::LeftOut> leftOut = bonedecimate::LeftOutOfPair(
+    one.LeftOut, one.Surface, two.LeftOut, two.Surface, this->NumberOfThreads);
   this->Internal->Entries =
-    bonedecimate::NamedEntries(bonedecimate::CertificateEntries(certificate));
+    bonedecimate::NamedEntries(bonedecimate::CertificateEntries(certificate, leftOut));
   return this->Accept(static_cast<int>(certificate.Status));
 }
 

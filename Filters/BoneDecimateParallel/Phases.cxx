@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoundaryStrips.h"
+#include "Gathering.h"
 #include "Plan.h"
 
 #include "vtkCellData.h"
@@ -215,5 +216,5 @@ void vtkPBoneDecimate::Report(const Plan& plan, vtkPolyData* output)
     entries["proof.upper"] = plan.Proved;
   }
   entries.insert(plan.Counts.begin(), plan.Counts.end());
-  this->SetReportOfParts(entries, output);
+  this->SetReportOfParts(entries, bonedecimate::AllNumbers(plan.Figures, this->Controller), output);
 }

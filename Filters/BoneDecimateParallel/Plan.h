@@ -48,6 +48,7 @@ struct vtkPBoneDecimate::Plan
   bool ReducesStrips = false;
   double StripsBefore = 0.0; ///< Triangles of the strips before and after phase 2.
   double StripsAfter = 0.0;
+  std::vector<double> Figures; ///< FiguresOfPart() of this process.
   std::map<std::string, double>
     Counts; ///< Of edits of all processes and phases, by their names in the report.
 

@@ -261,6 +261,7 @@ int vtkPBoneDecimate::RunTogether(
   this->CompareVoxelsTogether(output, plan);
   output->GetCellData()->RemoveArray(bonedecimate::CellLabelsName);
   inputCopy->GetCellData()->RemoveArray(bonedecimate::CellLabelsName);
+  plan.Figures = this->FiguresOfPart(*run, output);
   this->Report(plan, output);
   return 1;
 }

@@ -7,12 +7,14 @@
 #include "Input/PartInput.h"
 #include "Input/PrepareInput.h"
 #include "Input/VoxelSize.h"
+#include "Mesh/Checksum.h"
 #include "Mesh/SurfaceAssembly.h"
 #include "Mesh/TriangleShapes.h"
 #include "Options/OptionTable.h"
 #include "Output/Evaluation.h"
 #include "Output/Extract.h"
 #include "Output/FinishLog.h"
+#include "Output/ListLeftOut.h"
 #include "Output/PartComparison.h"
 #include "Output/ResultProof.h"
 #include "Regions/RegionRun.h"
@@ -335,6 +337,7 @@ Result DecimateWhole(
   {
     CheckVoxels(task, progress, result);
     Prove(task, prepared, progress, result);
+    ListLeftOut(input, prepared.Cleaned, prepared.Tolerances.ReferenceSurface(), inputs, result);
     report.Stop = progress.GoesOn() ? report.Stop : StopReason::Aborted;
   }
   report.Seconds.Total = clock.Seconds();
@@ -352,9 +355,11 @@ Result Decimate(
     result.Report.Status = InputStatus::InvalidOption;
     return result;
   }
-  return CloseTunnelsThenRun(input, options, monitor, inputs,
+  Result result = CloseTunnelsThenRun(input, options, monitor, inputs,
     [](const Surface& closed, const Options& rest, const Monitor& follow, const RunInputs& with)
     { return DecimateRegions(closed, rest, follow, with, DecimateWhole); });
+  result.Report.OutputChecksum = TriangleChecksum(result.Surface, options.NumberOfThreads);
+  return result;
 }
 
 //------------------------------------------------------------------------------

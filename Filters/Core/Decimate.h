@@ -127,6 +127,8 @@ struct RunInputs
   /// along themselves alone, as between labels. Smoothing uses the grid points; without them it looks for the grid of a binary
   /// surface in its points.
   const LabelMapSource* LabelMap = nullptr;
+  /// What of the input, or of the reference if there is one, was left out before. Null: nothing.
+  const std::vector<LeftOutShape>* LeftOut = nullptr;
   /// Receives the record of the run, see Levels.h; not changed if the input was rejected.
   EditLog* Log = nullptr;
   /// Null: the input is the whole surface. Voxels of a part are not compared.

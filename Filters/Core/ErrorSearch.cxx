@@ -4,6 +4,7 @@
 
 #include "Certificate/Certificate.h"
 #include "Mesh/Cleaning.h"
+#include "Output/ListLeftOut.h"
 #include "Output/ResultProof.h"
 #include "RunProgress.h"
 #include "StageClock.h"
@@ -104,6 +105,8 @@ private:
     const CleanSurface cleaned = Clean(this->Input, options.MergePoints, options.NumberOfThreads);
     ProveResult(this->Input, cleaned, options, monitor, result, this->Requested.Inputs.Tolerances,
       reference != nullptr ? &kept : nullptr);
+    ListLeftOut(
+      this->Input, cleaned, reference != nullptr ? &kept : nullptr, this->Requested.Inputs, result);
   }
 
   void Add(double error, std::int64_t mostTriangles, double seconds, const Report& report)

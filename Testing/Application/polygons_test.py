@@ -69,19 +69,24 @@ class Polygons(ApplicationTest):
         text = "# vtk DataFile Version 2.0\nbone\nASCII\nDATASET POLYDATA\n"
         lines = box().splitlines()
         points = [line[2:] for line in lines if line.startswith("v ")]
-        faces = [[int(c) - 1 for c in line[2:].split()] for line in lines if line.startswith("f ")] + [[0, 1]]
+        faces = [[int(c) - 1 for c in line[2:].split()] for line in lines if line.startswith("f ")] + [[0, 1], [0, len(points)]]
+        points.append("0 0 90")
         text += f"POINTS {len(points)} float\n" + "\n".join(points)
         text += f"\nPOLYGONS {len(faces)} {sum(len(f) + 1 for f in faces)}\n"
         text += "".join(" ".join(map(str, [len(f), *f])) + "\n" for f in faces)
         self.path("in.vtk").write_text(text)
-        sentence = "1 polygon of fewer than three different corners was left out, the first is cell 96"
+        sentence = "2 polygons of fewer than three different corners were left out, the first is cell 96"
+        entry = r"2 polygons of fewer than three different corners \(the first is cell 96\)"
         said = self.succeed("in.vtk", "out.vtp", "--max-error", 0.1, "--report", "report.json", "--page", "page.html").stdout
-        self.assertRegex(said, "proved .*, but for 1 polygons of fewer than three corners, which were left out\n")
+        self.assertRegex(said, rf"proved .*, but for {entry}, up to [0-9.]+ mm away\n")
         self.assertIn("warning: " + sentence, said)
-        self.assertEqual(self.report()["proof"]["polygons_left_out"], 1)
-        self.assertIn("1 polygons of fewer than three corners", self.path("page.html").read_text())
-        self.assertIn(sentence, self.succeed("diagnose", "in.vtk").stdout)
-        self.assertIn("reference: " + sentence, self.succeed("certify", "in.vtk", "out.vtp", "--tolerance", 0.1).stdout)
+        [found] = self.report()["left_out"]
+        self.assertEqual((found["kind"], found["count"], found["where"]), ("polygons", 2, "cell 96"))
+        self.assertRegex(self.path("page.html").read_text(), "Not proved: " + entry)
+        self.assertRegex(self.succeed("diagnose", "in.vtk").stdout, "left out  " + entry)
+        certified = self.succeed("certify", "in.vtk", "out.vtp", "--tolerance", 0.1).stdout
+        self.assertRegex(certified, r"left out +2 polygons of fewer than three different corners of the reference \(.*\), up to")
+        self.assertRegex(certified, "proved <= 0.100000 mm, but for what was left out\n")
 
 
 if __name__ == "__main__":

@@ -45,7 +45,7 @@ class Proof(ApplicationTest):
         output = read(self.path("out.vtp"))
         self.assertIn("ErrorBound", array_names(output.GetPointData()))
         self.assertIn("ErrorBoundToResult", array_names(read(self.path("map.vtp")).GetPointData()))
-        upper = output.GetFieldData().GetArray("bonedecimate.proof.upper").GetValue(0)
+        upper = output.GetFieldData().GetArray("bonedecimate.proof.if_unchanged.upper").GetValue(0)
         self.assertEqual(upper, self.report()["proof"]["upper"])
 
     def test_takes_its_error_from_the_voxels_of_the_scan(self):

@@ -6,6 +6,7 @@
 #include "VtkSurfaces.h"
 
 #include "vtkCellArray.h"
+#include "vtkNew.h"
 #include "vtkPoints.h"
 
 #include <gtest/gtest.h>
@@ -207,9 +208,19 @@ TEST(BadInput, WhatIsLeftOutQualifiesTheProof)
 {
   vtkSmartPointer<vtkPolyData> polyData = PolyData(Grid(2));
   polyData->GetPolys()->InsertNextCell({ 0, 1 });
+  const vtkIdType far = polyData->GetPoints()->InsertNextPoint(0.0, 0.0, 7.0);
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, far });
+  polyData->SetLines(lines);
   FilterRun run(polyData);
   run->SetMaximumError(0.1);
-  EXPECT_EQ(run.Value("proof.polygons_left_out"), 1);
+  EXPECT_EQ(run->GetReportText("left_out.0.kind"), "polygons");
+  EXPECT_LE(run.Value("left_out.0.distance"), 0.1) << "an edge of the surface";
+  EXPECT_EQ(run->GetReportText("left_out.1.kind"), "lines");
+  EXPECT_NEAR(run.Value("left_out.1.distance"), 7.0, 0.01);
+  const std::string sentence = run->GetReportText("proof.sentence");
+  EXPECT_EQ(sentence.find("polygon"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find(", but for 1 line (cell 0), up to 7.0"), std::string::npos) << sentence;
 }
 
 TEST(BadInput, APolygonWithoutAreaIsLeftOutAloud)

@@ -3,6 +3,7 @@
 #include "BruteForce.h"
 #include "FilterRun.h"
 #include "Options/OptionTable.h"
+#include "Report/ProofSentence.h"
 #include "Report/ReportFigures.h"
 #include "Shapes.h"
 #include "VtkSurfaces.h"
@@ -11,11 +12,14 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkMassProperties.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkVariant.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <regex>
 #include <set>
@@ -57,7 +61,6 @@ std::string NameOf(FilterRun& run, int entry)
 {
   return run->GetReportEntryName(entry);
 }
-}
 
 TEST(Report, CountsBothSurfacesLikeVtk)
 {
@@ -94,7 +97,9 @@ TEST(Report, IsOneTextInTheFieldDataBesideTheKeyFigures)
   auto* report = vtkStringArray::SafeDownCast(fieldData->GetAbstractArray("BoneDecimateReport"));
   ASSERT_NE(report, nullptr);
   ASSERT_EQ(report->GetNumberOfValues(), 1);
-  EXPECT_EQ(report->GetValue(0), run->GetReportAsJson());
+  const std::string json = report->GetValue(0);
+  EXPECT_NE(json.find("\"proof\": {\"if_unchanged\": {\"status\": \"proved\""), std::string::npos);
+  EXPECT_EQ(run->GetReportAsJson().find("if_unchanged"), std::string::npos);
   EXPECT_EQ(fieldData->GetNumberOfArrays(), static_cast<int>(1 + KeyFigures().size()));
   for (const std::string& name : KeyFigures())
   {
@@ -102,15 +107,56 @@ TEST(Report, IsOneTextInTheFieldDataBesideTheKeyFigures)
     ASSERT_NE(array, nullptr) << name;
     EXPECT_EQ(array->GetNumberOfTuples(), 1) << name;
     const char* unit = array->GetComponentName(0);
-    EXPECT_EQ(unit ? unit : "", run->GetReportEntryUnit(name)) << name;
+    const std::string plain = std::regex_replace(name, std::regex("if_unchanged\\."), "");
+    EXPECT_EQ(unit ? unit : "", run->GetReportEntryUnit(plain)) << name;
+    const std::string text = run->GetReportText(plain);
     EXPECT_EQ(array->GetVariantValue(0).ToString(),
-      vtkVariant(vtkStringArray::SafeDownCast(array) ? vtkVariant(run->GetReportText(name).c_str())
+      vtkVariant(vtkStringArray::SafeDownCast(array)
+          ? vtkVariant((name == "proof.sentence" ? SentenceBoundToSurface(text) : text).c_str())
           : vtkDoubleArray::SafeDownCast(array)
-          ? vtkVariant(run->GetReportValue(name))
-          : vtkVariant(static_cast<long long>(run->GetReportValue(name))))
+          ? vtkVariant(run->GetReportValue(plain))
+          : vtkVariant(static_cast<long long>(run->GetReportValue(plain))))
         .ToString())
       << name;
   }
+}
+
+TEST(Report, ProvesNothingOfAChangedSurface)
+{
+  FilterRun run(Bumps(3));
+  run->SetMaximumError(0.5);
+  vtkPolyData* const proved = run.Output();
+  EXPECT_TRUE(vtkBoneDecimate::HasReportOfItself(proved));
+  vtkNew<vtkPolyData> changed;
+  changed->DeepCopy(proved);
+  EXPECT_TRUE(vtkBoneDecimate::HasReportOfItself(changed));
+  double position[3];
+  changed->GetPoint(0, position);
+  changed->GetPoints()->SetPoint(0, std::nextafter(position[0], 1e3), position[1], position[2]);
+  EXPECT_FALSE(vtkBoneDecimate::HasReportOfItself(changed)) << "one bit of one coordinate";
+  changed->DeepCopy(proved);
+  changed->ReverseCell(0);
+  EXPECT_FALSE(vtkBoneDecimate::HasReportOfItself(changed)) << "a triangle turned over";
+  changed->DeepCopy(proved);
+  changed->GetPolys()->InsertNextCell({ 0, 1, 2 });
+  EXPECT_FALSE(vtkBoneDecimate::HasReportOfItself(changed)) << "a triangle more";
+  EXPECT_FALSE(vtkBoneDecimate::HasReportOfItself(Bumps(3))) << "no report";
+}
+
+TEST(Report, ProvesTheSameTrianglesInAnotherOrder)
+{
+  FilterRun run(Bumps(3));
+  run->SetMaximumError(0.5);
+  vtkPolyData* const proved = run.Output();
+  Surface surface = SurfaceOf(proved);
+  std::reverse(surface.Triangles.begin(), surface.Triangles.end());
+  for (Triangle& triangle : surface.Triangles)
+  {
+    std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
+  }
+  const vtkSmartPointer<vtkPolyData> other = PolyData(surface);
+  other->SetFieldData(proved->GetFieldData());
+  EXPECT_TRUE(vtkBoneDecimate::HasReportOfItself(other));
 }
 
 TEST(Report, OfAnEarlierRunIsReplaced)
@@ -121,8 +167,10 @@ TEST(Report, OfAnEarlierRunIsReplaced)
   vtkFieldData* fieldData = second.Output()->GetFieldData();
   auto* report = vtkStringArray::SafeDownCast(fieldData->GetAbstractArray("BoneDecimateReport"));
   ASSERT_NE(report, nullptr);
-  EXPECT_EQ(report->GetValue(0), second->GetReportAsJson());
-  EXPECT_EQ(fieldData->GetAbstractArray("bonedecimate.proof.upper"), nullptr);
+  EXPECT_NE(second->GetReportText("output.checksum"), first->GetReportText("output.checksum"));
+  EXPECT_NE(std::string(report->GetValue(0)).find(second->GetReportText("output.checksum")),
+    std::string::npos);
+  EXPECT_EQ(fieldData->GetAbstractArray("bonedecimate.proof.if_unchanged.upper"), nullptr);
 }
 
 TEST(Report, GettersHaveItsMainFigures)

@@ -199,7 +199,7 @@ def fewer(part):
 
 
 def proved(most):
-    return entry("proof.upper", lambda upper: upper is not None and upper <= most)
+    return entry("proof.if_unchanged.upper", lambda upper: upper is not None and upper <= most)
 
 
 def allowed():
@@ -236,7 +236,7 @@ def allowed_with_effects():
         **{name: ({name: limit, "TargetReduction": 0.5}, reported("pruned", "components", lambda count: count == 0)) for name, limit in (
             ("PruneSize", 1.0), ("PruneArea", 1.0), ("PruneVolume", 1.0), ("PruneTriangles", 4))},
         "ToleranceArrayName": ({"ToleranceArrayName": "allowed"}, proved(0.1)),
-        "ProveResult": ({**error, "ProveResult": 0}, entry("proof.upper", lambda upper: upper is None)),
+        "ProveResult": ({**error, "ProveResult": 0}, entry("proof.if_unchanged.upper", lambda upper: upper is None)),
         "ErrorPreset": ({"ErrorPreset": "HalfVoxel", "VoxelSize": 0.2}, proved(0.1)),
         "VoxelSize": ({"ErrorPreset": "OneVoxel", "VoxelSize": 0.1}, proved(0.1)),
         "Smoothing": ({"Smoothing": 0.05, "TargetReduction": 0.0},

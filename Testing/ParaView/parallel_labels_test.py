@@ -134,7 +134,7 @@ class ParallelLabels(unittest.TestCase):
                     self.assertTrue(is_proved(self.before, self.whole[name, ranks], most))
                     for surface in parts(name, ranks):
                         if surface.GetNumberOfPolys() > 0:
-                            self.assertLessEqual(report_of(surface)["proof"]["upper"], cases.ERROR if name == "label-tolerance" else most)
+                            self.assertLessEqual(report_of(surface)["proof"]["if_unchanged"]["upper"], cases.ERROR if name == "label-tolerance" else most)
 
     def test_an_error_costs_few_triangles(self):
         for name in ("label-error", "label-crumbs", "label-preset", "label-millimeters"):

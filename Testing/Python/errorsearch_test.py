@@ -17,7 +17,7 @@ class ErrorSearch(unittest.TestCase):
         comparison.SetInputData(1, surface)
         comparison.Update()
         self.assertLessEqual(comparison.GetLowerBound(), error)
-        self.assertEqual(surface.GetFieldData().GetArray("bonedecimate.proof.upper").GetValue(0), error)
+        self.assertEqual(surface.GetFieldData().GetArray("bonedecimate.proof.if_unchanged.upper").GetValue(0), error)
 
     def test_knows_when_there_is_none(self):
         self.assertIsNone(smallest_error(torus(), 3)[0])

@@ -90,7 +90,7 @@ TEST_P(EachProof, HoldsAndItsBoundsHoldAtEveryPoint)
     ExpectBounds(result.Surface, result.ErrorBound, input);
     EXPECT_LE(Largest(result.ErrorBound), proof.OutputToInput.Upper) << WordOf(mode);
     EXPECT_GE(Largest(result.ErrorBound), proof.OutputToInput.Lower) << WordOf(mode);
-    if (proof.TrianglesLeftOut == 0)
+    if (result.Report.LeftOut.empty())
     {
       ExpectBounds(input, result.InputErrorBound, result.Surface);
     }
@@ -185,7 +185,14 @@ TEST(ResultProof, LeavesOutTrianglesWithoutAreaAndCountsThem)
   input.Triangles.insert(input.Triangles.begin(), { first, first + 1, first + 2 });
   const Result result = Proved(input, InMode(Mode::Fast, Error(0.3)));
   EXPECT_EQ(result.Report.Proof.Status, ProofStatus::Proved);
-  EXPECT_EQ(result.Report.Proof.TrianglesLeftOut, 1);
+  ASSERT_EQ(result.Report.LeftOut.size(), 1U);
+  const LeftOut& leftOut = result.Report.LeftOut.front();
+  EXPECT_EQ(leftOut.Kind, "triangles");
+  EXPECT_EQ(leftOut.Count, 1);
+  EXPECT_EQ(leftOut.Position(), "triangle 0");
+  const double exact = BruteNearest(result.Surface, { 92, 0, 0 }).Distance;
+  EXPECT_GE(leftOut.Distance, exact);
+  EXPECT_LE(leftOut.Distance, 1.01 * exact);
   EXPECT_TRUE(std::isnan(result.InputErrorBound[first]));
   EXPECT_LE(result.InputErrorBound[0], 0.3);
 }

@@ -34,6 +34,31 @@ Surface ToSurface(const PointsIn& points, const TrianglesIn& triangles)
 }
 
 //------------------------------------------------------------------------------
+std::vector<LeftOutShape> ToLeftOut(const LeftOutIn& entries)
+{
+  std::vector<LeftOutShape> found;
+  for (const auto& [kind, count, what, where, corners] : entries)
+  {
+    LeftOutShape& shape = found.emplace_back();
+    shape.Entry.Kind = kind;
+    shape.Entry.Count = count;
+    shape.Entry.What = what;
+    shape.Entry.Where = where;
+    shape.Triangles.resize(corners.shape(0));
+    const double* from = corners.data();
+    for (std::array<Vector3, 3>& triangle : shape.Triangles)
+    {
+      for (Vector3& corner : triangle)
+      {
+        corner = Vector3(from[0], from[1], from[2]);
+        from += 3;
+      }
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
 std::optional<std::vector<double>> ToNumbers(const std::optional<NumbersIn>& numbers)
 {
   if (!numbers)

@@ -32,7 +32,13 @@ using TrianglesIn = ArrayIn<Index, nb::shape<-1, 3>>;
 using NumbersIn = ArrayIn<double, nb::ndim<1>>;
 using CellsIn = ArrayIn<std::int64_t, nb::ndim<1>>;
 
+using CornersIn = ArrayIn<double, nb::shape<-1, 3, 3>>;
+/// Kind, count, noun and place of each entry, and the corners of its triangles, as in LeftOutShape.
+using LeftOutIn =
+  std::vector<std::tuple<std::string, std::int64_t, std::string, std::string, CornersIn>>;
+
 Surface ToSurface(const PointsIn& points, const TrianglesIn& triangles);
+std::vector<LeftOutShape> ToLeftOut(const LeftOutIn& entries);
 
 /// Nothing if there is none.
 std::optional<std::vector<double>> ToNumbers(const std::optional<NumbersIn>& numbers);

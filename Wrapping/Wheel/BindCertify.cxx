@@ -4,20 +4,23 @@
 #include "Bindings.h"
 #include "Certificate/Certificate.h"
 #include "Listener.h"
+#include "Output/ListLeftOut.h"
 #include "Report/CertificateTable.h"
 #include "Report/ReportJson.h"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
 
 namespace bonedecimate
 {
 namespace
 {
-nb::dict ToDict(Certificate&& certificate)
+nb::dict ToDict(Certificate&& certificate, const std::vector<LeftOut>& leftOut)
 {
   nb::dict fields;
-  const std::vector<ReportEntry> entries = CertificateEntries(certificate);
+  const std::vector<ReportEntry> entries = CertificateEntries(certificate, leftOut);
   fields["entries"] = ToList(entries);
   fields["json"] = ReportJson(entries);
   fields["status"] = certificate.Status;
@@ -33,13 +36,16 @@ nb::dict ToDict(Certificate&& certificate)
 
 nb::dict Run(const PointsIn& referencePoints, const TrianglesIn& referenceTriangles,
   const PointsIn& points, const TrianglesIn& triangles, const CertificateOptions& options,
-  nb::object progress)
+  nb::object progress, const LeftOutIn& leftOutOfReference, const LeftOutIn& leftOutOfResult)
 {
   const Surface reference = ToSurface(referencePoints, referenceTriangles);
   const Surface result = ToSurface(points, triangles);
-  return ToDict(
+  Certificate certificate =
     Listener(std::move(progress))
-      .Hear([&](const Monitor& monitor) { return Certify(reference, result, options, monitor); }));
+      .Hear([&](const Monitor& monitor) { return Certify(reference, result, options, monitor); });
+  return ToDict(std::move(certificate),
+    LeftOutOfPair(ToLeftOut(leftOutOfReference), reference, ToLeftOut(leftOutOfResult), result,
+      options.NumberOfThreads));
 }
 }
 
@@ -71,6 +77,7 @@ void BindCertify(nb::module_& module)
     .def_rw("threads", &CertificateOptions::NumberOfThreads);
   module.def("certify", &Run, nb::arg("reference_points"), nb::arg("reference_triangles"),
     nb::arg("points"), nb::arg("triangles"), nb::arg("options"), nb::arg("progress").none(),
+    nb::arg("left_out_of_reference") = LeftOutIn(), nb::arg("left_out_of_result") = LeftOutIn(),
     "Proved bounds of the distance of two surfaces.");
 }
 }

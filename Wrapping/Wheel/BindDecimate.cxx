@@ -5,7 +5,9 @@
 #include "Arrays.h"
 #include "Bindings.h"
 #include "Listener.h"
+#include "Mesh/Checksum.h"
 #include "Regions/RegionCache.h"
+#include "Report/ProofSentence.h"
 #include "Report/ReportCells.h"
 #include "Report/ReportFigures.h"
 #include "Report/ReportJson.h"
@@ -14,6 +16,7 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 namespace bonedecimate
@@ -41,6 +44,9 @@ void AddReport(const Report& report, nb::dict& fields)
   const std::vector<ReportEntry> entries = ReportEntries(report);
   fields["entries"] = ToList(entries);
   fields["json"] = ReportJson(entries);
+  const std::vector<ReportEntry> bound = BoundToSurface(entries);
+  fields["entries_of_surface"] = ToList(bound);
+  fields["json_of_surface"] = ReportJson(bound);
   fields["status"] = report.Status;
   fields["stop"] = report.Stop;
   fields["problem"] = InputMessage(report);
@@ -54,7 +60,7 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
   const std::optional<CellsIn>& cells,
   const std::optional<std::pair<PointsIn, TrianglesIn>>& reference, nb::object progress,
   const std::optional<NamedLabels>& labels, const LabelMapSource* labelMap, RegionCache* prepared,
-  const std::optional<NumbersIn>& edgeLengths, std::int64_t polygonsLeftOut)
+  const std::optional<NumbersIn>& edgeLengths, const LeftOutIn& leftOut)
 {
   const std::optional<Labels> named = ToLabels(labels);
   const Surface surface = ToSurface(points, triangles);
@@ -68,10 +74,11 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
   inputs.EdgeLengths = lengths ? &*lengths : nullptr;
   inputs.LabelMap = labelMap;
   inputs.Regions = prepared;
+  const std::vector<LeftOutShape> shapes = ToLeftOut(leftOut);
+  inputs.LeftOut = &shapes;
   Result result =
     Listener(std::move(progress))
       .Hear([&](const Monitor& monitor) { return Decimate(surface, options, monitor, inputs); });
-  result.Report.Proof.PolygonsLeftOut = polygonsLeftOut;
   if (cells)
   {
     NameCells([&](std::size_t triangle) { return cells->data()[triangle]; }, result.Report);
@@ -115,11 +122,17 @@ void BindDecimate(nb::module_& module)
     .def(
       "release", &RegionCache::Release, "Frees the memory; a run that uses it frees it at its end.")
     .def_prop_ro("memory", &RegionCache::Bytes, "Approximate memory in use, bytes.");
+  module.def(
+    "triangle_checksum",
+    [](const PointsIn& points, const TrianglesIn& triangles)
+    { return TriangleChecksumText(TriangleChecksum(ToSurface(points, triangles))); },
+    nb::arg("points"), nb::arg("triangles"),
+    "As output.checksum of a report: of the triangles in any order, to the bit.");
   module.def("decimate", &Run, nb::arg("points"), nb::arg("triangles"), nb::arg("options"),
     nb::arg("single"), nb::arg("origins"), nb::arg("tolerances").none(), nb::arg("cells").none(),
     nb::arg("reference").none(), nb::arg("progress").none(), nb::arg("labels").none() = nb::none(),
     nb::arg("label_map").none() = nb::none(), nb::arg("prepared").none() = nb::none(),
-    nb::arg("edge_lengths").none() = nb::none(), nb::arg("polygons_left_out") = 0,
+    nb::arg("edge_lengths").none() = nb::none(), nb::arg("left_out") = LeftOutIn(),
     "One run; the keys of what it returns are those of Decimate.h.");
 }
 }

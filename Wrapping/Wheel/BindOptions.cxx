@@ -7,6 +7,7 @@
 #include "Options/OptionTableJson.h"
 #include "Options/Profiles.h"
 #include "Options/RunKinds.h"
+#include "Report/ProofSentence.h"
 #include "Report/ReportFigures.h"
 #include "Report/ReportJson.h"
 #include "Report/ReportTable.h"
@@ -231,6 +232,9 @@ void BindOptions(nb::module_& module)
   module.def(
     "empty_json", [] { return ReportJson(ReportEntries(Report())); },
     "The report before the first run.");
+  module.def(
+    "changed_surface_sentence", [] { return ChangedSurfaceSentence; },
+    "In a report that travels with another surface than the proved one.");
   module.def("report_json", &JsonOf, nb::arg("entries"),
     "The JSON text of a list of entries (name, unit, value).");
   module.def(

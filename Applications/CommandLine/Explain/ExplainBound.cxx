@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Explain/ExplainBound.h"
 
-#include "BoundText.h"
 #include "Explain/ExplainInput.h"
 #include "FilterOptions.h"
 #include "Input/SmoothingPlan.h"
@@ -10,6 +9,7 @@
 #include "InputArguments.h"
 #include "NumberText.h"
 #include "OutputRounding.h"
+#include "Report/BoundText.h"
 #include "SurfaceConversion.h"
 
 #include "vtkBoneDecimate.h"

@@ -116,6 +116,7 @@ struct CertificateOptions
   /// Largest number of cuts in each direction; 0: 2^26 and sixteen for each triangle.
   std::int64_t MostCuts = 0;
   bool WithSurfaces = true;
+  bool OneSided = false; ///< From the reference to the result alone; the other direction is empty.
   bool WithBoundaries = true;
   bool WithMeans = false;          ///< Also compute mean and root mean square.
   double MeanPrecision = 1e-3;     ///< Relative; reached unless it takes more than 2^21 samples.

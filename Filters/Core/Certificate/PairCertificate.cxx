@@ -311,7 +311,7 @@ PairCertificate CertifyPair(const Simplices& reference, const Simplices& result,
   const Comparison both = { reference, result, limit, task, progress, part };
   PairCertificate pair;
   pair.ReferenceToResult = Forward(both);
-  if (progress.GoesOn())
+  if (progress.GoesOn() && !task.Options.OneSided)
   {
     pair.ResultToReference = Backward(both);
   }

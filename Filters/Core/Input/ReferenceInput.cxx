@@ -149,12 +149,14 @@ KeptSurface KeptPart(const Surface& input, const CleanSurface& cleaned)
   std::vector<Index> triangles = cleaned.InputTriangle;
   std::sort(triangles.begin(), triangles.end());
   KeptSurface kept;
-  kept.LeftOut = cleaned.Statistics.DroppedTriangles;
   kept.Surface.Points = input.Points;
   kept.Surface.Triangles.reserve(triangles.size());
-  for (const Index triangle : triangles)
+  auto next = triangles.begin();
+  for (std::size_t t = 0; t < input.Triangles.size(); ++t)
   {
-    kept.Surface.Triangles.push_back(input.Triangles[triangle]);
+    const bool isKept = next != triangles.end() && static_cast<std::size_t>(*next) == t;
+    next += isKept ? 1 : 0;
+    (isKept ? kept.Surface.Triangles : kept.LeftOut).push_back(input.Triangles[t]);
   }
   return kept;
 }

@@ -31,7 +31,7 @@ namespace bonedecimate
 struct KeptSurface
 {
   bonedecimate::Surface Surface;
-  std::int64_t LeftOut = 0;
+  std::vector<Triangle> LeftOut; ///< The dropped triangles, and those of pruned components.
 };
 
 /// All points and the triangles that cleaning kept, in the order of the input.

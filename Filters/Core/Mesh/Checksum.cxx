@@ -3,8 +3,13 @@
 #include "Checksum.h"
 
 #include "Parallel.h"
+#include "SplitMix.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdio>
 #include <cstring>
+#include <numeric>
 
 namespace bonedecimate
 {
@@ -45,6 +50,27 @@ std::vector<Sums> SumsOfBlocks(const std::vector<Triple>& triples, int threads)
     });
   return sums;
 }
+
+std::uint64_t HashOf(const Surface& surface, const Triangle& corners)
+{
+  std::array<std::array<double, 3>, 3> positions{};
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Vector3& p = surface.Points[corners[k]];
+    positions[k] = { p[0] + 0.0, p[1] + 0.0, p[2] + 0.0 }; // -0 becomes 0
+  }
+  std::rotate(
+    positions.begin(), std::min_element(positions.begin(), positions.end()), positions.end());
+  std::uint64_t hash = Start;
+  for (const std::array<double, 3>& position : positions)
+  {
+    for (const double coordinate : position)
+    {
+      hash = SplitMix(hash + Word(coordinate));
+    }
+  }
+  return hash;
+}
 }
 
 std::uint64_t Checksum(const Surface& surface, int threads)
@@ -63,5 +89,27 @@ std::uint64_t Checksum(const Surface& surface, int threads)
   add(SumsOfBlocks(surface.Points, threads));
   add(SumsOfBlocks(surface.Triangles, threads));
   return checksum;
+}
+
+std::uint64_t TriangleChecksum(const Surface& surface, int threads)
+{
+  const std::size_t count = surface.Triangles.size();
+  std::vector<std::uint64_t> sums(NumberOfBlocks(count));
+  ForEachBlock(count, threads,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      for (std::size_t t = first; t < last; ++t)
+      {
+        sums[block] += HashOf(surface, surface.Triangles[t]);
+      }
+    });
+  return std::accumulate(sums.begin(), sums.end(), std::uint64_t{ 0 });
+}
+
+std::string TriangleChecksumText(std::uint64_t checksum)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "triangles:%016llx", static_cast<unsigned long long>(checksum));
+  return text;
 }
 }

@@ -3,6 +3,7 @@
 #include "SurfaceParts.h"
 
 #include "Geometry/TriangleGeometry.h"
+#include "SplitMix.h"
 #include "Statistics.h"
 
 #include <algorithm>
@@ -11,21 +12,12 @@ namespace bonedecimate
 {
 namespace
 {
-/// The mixer of SplitMix64: G. Steele, D. Lea, C. Flood, Fast splittable pseudorandom number generators, 2014.
-std::uint64_t Mixed(std::uint64_t number)
-{
-  number += 0x9e3779b97f4a7c15ULL;
-  number = (number ^ (number >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-  number = (number ^ (number >> 27U)) * 0x94d049bb133111ebULL;
-  return number ^ (number >> 31U);
-}
-
 /// What a half-edge adds to the sum of its part.
 std::uint64_t TermOf(Index from, Index to)
 {
   const auto [least, most] = std::minmax(from, to);
   const std::uint64_t mixed =
-    Mixed((static_cast<std::uint64_t>(least) << 32U) | static_cast<std::uint64_t>(most));
+    SplitMix((static_cast<std::uint64_t>(least) << 32U) | static_cast<std::uint64_t>(most));
   return from < to ? mixed : std::uint64_t{ 0 } - mixed;
 }
 

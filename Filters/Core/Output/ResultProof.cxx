@@ -116,13 +116,6 @@ void ProveAgainst(const Surface& reference, const CertificateOptions& question,
   output.InputErrorBound = BoundsAtPoints(reference, found.ReferenceToResult.TriangleUpper);
 }
 
-void ProveAgainst(const KeptSurface& reference, const CertificateOptions& question,
-  const Monitor& monitor, Result& output)
-{
-  ProveAgainst(reference.Surface, question, monitor, output);
-  output.Report.Proof.TrianglesLeftOut = reference.LeftOut;
-}
-
 /// With a reference, tolerances hold relative to the input and the largest error to the reference: the worse status is reported.
 void AddMapStatus(const Surface& input, const Options& options, const std::vector<double>& map,
   const Monitor& monitor, Result& output)
@@ -161,7 +154,8 @@ void ProveResult(const Surface& input, const CleanSurface& cleaned, const Option
     Options question = options;
     question.MeasureInputDistances = false; // points of the reference are not points of the input
     const double half = tolerances != nullptr ? 0.5 : 1.0;
-    ProveAgainst(*reference, ProofOptions(question, nullptr), PartOf(monitor, 0.0, half), output);
+    ProveAgainst(
+      reference->Surface, ProofOptions(question, nullptr), PartOf(monitor, 0.0, half), output);
     if (tolerances != nullptr && output.Report.Proof.WasMade)
     {
       AddMapStatus(
@@ -173,7 +167,7 @@ void ProveResult(const Surface& input, const CleanSurface& cleaned, const Option
     const CertificateOptions question = ProofOptions(options, tolerances);
     if (cleaned.InputTriangle.size() < input.Triangles.size())
     {
-      ProveAgainst(KeptPart(input, cleaned), question, monitor, output);
+      ProveAgainst(KeptPart(input, cleaned).Surface, question, monitor, output);
     }
     else
     {

@@ -4,10 +4,12 @@
 
 #include "Certificate/Certificate.h"
 #include "GrowingSurface.h"
+#include "Mesh/Checksum.h"
 #include "Mesh/Cleaning.h"
 #include "Mesh/Statistics.h"
 #include "Mesh/TriangleShapes.h"
 #include "OpenBoundaries.h"
+#include "Output/ListLeftOut.h"
 #include "SlabOptions.h"
 #include "SlabTotals.h"
 #include "ZoneRun.h"
@@ -82,6 +84,11 @@ public:
           this->Effective.NumberOfThreads, this->Proof);
       }
       whole.Report.Proof = this->Proof;
+      std::vector<LeftOutShape> leftOut = this->Totals.LeftOut();
+      leftOut.insert(leftOut.end(), this->Inputs.LeftOut.begin(), this->Inputs.LeftOut.end());
+      MeasureLeftOut(std::move(leftOut), whole);
+      whole.Report.OutputChecksum =
+        TriangleChecksum(whole.Surface, this->Effective.NumberOfThreads);
     }
     return whole;
   }

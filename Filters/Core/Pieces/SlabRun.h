@@ -45,6 +45,7 @@ struct SlabInputs
   /// The grid and the labels of the label map, if there is one; triangles and points are those of the slabs. With a grid its
   /// voxels are guarded (KeepVoxels).
   LabelMapSource LabelMap;
+  std::vector<LeftOutShape> LeftOut; ///< What the source of the slabs left out.
 };
 
 enum class SlabStatus : int

@@ -4,6 +4,7 @@
 
 #include "Mesh/Statistics.h"
 #include "Mesh/TriangleShapes.h"
+#include "Output/ListLeftOut.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +63,12 @@ void SlabTotals::Add(const Slab& slab, const CleanSurface& clean,
   this->Cleaning.MergedPoints += clean.Statistics.MergedPoints;
   this->Cleaning.UnusedPoints += clean.Statistics.UnusedPoints;
   this->Cleaning.DroppedTriangles += clean.Statistics.DroppedTriangles;
+  if (clean.Statistics.DroppedTriangles > 0)
+  {
+    const std::vector<std::array<Vector3, 3>> dropped =
+      ShapesOf(slab.Surface.Points, KeptPart(slab.Surface, clean).LeftOut, true);
+    this->Dropped.insert(this->Dropped.end(), dropped.begin(), dropped.end());
+  }
 
   const Components found = FindComponents(clean.Surface);
   const Index first = static_cast<Index>(this->Parents.size());
@@ -103,6 +110,14 @@ void SlabTotals::AddEdits(const Report& report)
   this->Seconds.Collapse += report.Seconds.Collapse;
   this->Seconds.Decimate += report.Seconds.Decimate;
   this->Seconds.Prove += report.Seconds.Prove;
+}
+
+//------------------------------------------------------------------------------
+std::vector<LeftOutShape> SlabTotals::LeftOut() const
+{
+  const std::int64_t count = this->Cleaning.DroppedTriangles;
+  return count > 0 ? std::vector<LeftOutShape>{ TrianglesWithoutArea(count, -1, this->Dropped) }
+                   : std::vector<LeftOutShape>{};
 }
 
 //------------------------------------------------------------------------------

@@ -33,6 +33,8 @@ public:
 
   /// Fills in the figures of the input and of all edits.
   void Write(Report& report) const;
+  /// What cleaning dropped.
+  std::vector<LeftOutShape> LeftOut() const;
   std::int64_t NumberOfComponents() const;
   double Volume() const { return this->Sum.Volume; }
 
@@ -42,6 +44,7 @@ private:
 
   SurfaceStatistics Sum;
   CleaningStatistics Cleaning;
+  std::vector<std::array<Vector3, 3>> Dropped; // mm
   std::int64_t Collapses = 0;
   std::array<std::int64_t, NumberOfRejections> Rejections{};
   StageSeconds Seconds;

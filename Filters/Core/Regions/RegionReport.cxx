@@ -120,7 +120,7 @@ ProvedDistance LargestBounds(
   return largest;
 }
 
-void CombineProofs(const WholeSurface& whole, const RegionParts& parts, Report& report)
+void CombineProofs(const RegionParts& parts, Report& report)
 {
   ErrorProof& proof = report.Proof;
   proof.WasMade = true;
@@ -139,7 +139,6 @@ void CombineProofs(const WholeSurface& whole, const RegionParts& parts, Report& 
     proof.BoundaryOutputToInput =
       LargestBounds(parts, [](const Report& part) { return part.Proof.BoundaryOutputToInput; });
   }
-  proof.TrianglesLeftOut = whole.Cleaned.Statistics.DroppedTriangles;
 }
 
 void CombineEdits(const RegionParts& parts, Report& report)
@@ -205,7 +204,7 @@ void CombineReports(const WholeSurface& whole, const RegionParts& parts,
   }
   if (wantsProof)
   {
-    CombineProofs(whole, parts, report);
+    CombineProofs(parts, report);
     report.BoundaryInputToOutput = report.Proof.BoundaryInputToOutput;
     report.BoundaryOutputToInput = report.Proof.BoundaryOutputToInput;
   }

@@ -7,6 +7,7 @@
 #include "Input/VoxelSize.h"
 #include "Intersections/GuardReach.h"
 #include "Options/RunKinds.h"
+#include "Output/ListLeftOut.h"
 #include "Output/ResultProof.h"
 #include "RegionCut.h"
 #include "RegionMatch.h"
@@ -277,6 +278,7 @@ private:
         this->WantsProof && !isAborted },
       this->Made);
     CombineReports(whole, this->Parts, changes, this->WantsProof && !isAborted, this->Made);
+    ListLeftOut(this->Input, whole.Cleaned, nullptr, this->Inputs, this->Made);
     Report& report = this->Made.Report;
     if (this->Inputs.Labels != nullptr)
     {

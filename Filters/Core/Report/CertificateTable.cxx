@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CertificateTable.h"
 
+#include "ProofSentence.h"
 #include "ReportEntries.h"
 #include "Words.h"
 
@@ -55,7 +56,8 @@ const char* BoundaryPresenceWord(BoundaryPresence presence)
   return WordOf(words, presence);
 }
 
-std::vector<ReportEntry> CertificateEntries(const Certificate& certificate)
+std::vector<ReportEntry> CertificateEntries(
+  const Certificate& certificate, const std::vector<LeftOut>& leftOut)
 {
   Entries entries;
   entries.push_back({ "version", "", std::string(Version()) });
@@ -67,10 +69,12 @@ std::vector<ReportEntry> CertificateEntries(const Certificate& certificate)
   }
   entries.push_back({ "lower", "mm", certificate.Lower() });
   entries.push_back({ "upper", "mm", certificate.Upper() });
+  entries.push_back({ "sentence", "", ProofSentence({ certificate.Upper(), false, {}, leftOut }) });
   entries.push_back({ "slack", "mm", certificate.Slack });
   entries.push_back(
     { "boundaries", "", std::string(BoundaryPresenceWord(certificate.Boundaries)) });
   entries.push_back({ "seconds", "s", certificate.Seconds });
+  AddLeftOut(entries, "left_out", leftOut);
   AddDirection(entries, "reference_to_result", certificate.ReferenceToResult);
   AddDirection(entries, "result_to_reference", certificate.ResultToReference);
   if (certificate.Boundaries != BoundaryPresence::Neither)

@@ -9,6 +9,7 @@
 
 #include "Diagnostics/Diagnostics.h"
 #include "LabelMap/VoxelCheck.h"
+#include "LeftOut.h"
 #include "Mesh/Rejection.h"
 #include "Options/Options.h"
 #include "PartFigures.h"
@@ -144,9 +145,6 @@ struct ErrorProof
     Boundaries{}; ///< If only one surface has boundaries, their distance is infinite.
   ProvedDistance BoundaryInputToOutput;
   ProvedDistance BoundaryOutputToInput;
-  std::int64_t TrianglesLeftOut = 0; ///< Input triangles without area that cleaning dropped.
-  /// Input polygons and strips of fewer than three corners, which have no triangle; filled by the caller.
-  std::int64_t PolygonsLeftOut = 0;
 
   double Lower() const; ///< mm, the largest over both directions, boundaries included.
   double Upper() const;
@@ -337,6 +335,8 @@ struct Report
   std::vector<LabelArea> Labels; ///< Empty without labels.
   ErrorProof Proof;              ///< Relative to the reference, if there is one.
   ReferenceFigures Reference;
+  /// What of the input, or of the reference, the proof does not cover.
+  std::vector<bonedecimate::LeftOut> LeftOut;
   VoxelFigures Voxel;
   VoxelReport Voxels; ///< Of an input with a voxel grid.
   SizeFigures Size;
@@ -355,7 +355,8 @@ struct Report
   EdgeFigures Edges;
   ForcedCollapseFigures Forced; ///< Only in modes that make them, with an error bound.
   StageSeconds Seconds;
-  std::uint64_t InputChecksum = 0; ///< Mesh/Checksum.h.
+  std::uint64_t InputChecksum = 0;  ///< Mesh/Checksum.h.
+  std::uint64_t OutputChecksum = 0; ///< Of its triangles, in any order; Mesh/Checksum.h.
   Options Requested;
   bool HasTolerances = false; ///< Whether there were tolerances of points.
 };

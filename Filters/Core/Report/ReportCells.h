@@ -38,6 +38,11 @@ void NameCells(const CellOf& cellOf, Report& report)
   {
     *triangle = *triangle < 0 ? -1 : cellOf(static_cast<std::size_t>(*triangle));
   }
+  for (LeftOut& entry : report.LeftOut)
+  {
+    entry.FirstTriangle =
+      entry.FirstTriangle < 0 ? -1 : cellOf(static_cast<std::size_t>(entry.FirstTriangle));
+  }
   for (Diagnostic& finding : report.Diagnostics)
   {
     NameCells(cellOf, finding);

@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Core_Report_ReportEntries_h
 #define BoneDecimate_Core_Report_ReportEntries_h
 
+#include "LeftOut.h"
 #include "ReportTable.h"
 
 #include <cmath>
@@ -26,6 +27,9 @@ inline void AddIfKnown(
     entries.push_back({ name, unit, value });
   }
 }
+
+/// Numbered below the path.
+void AddLeftOut(Entries& entries, const std::string& path, const std::vector<LeftOut>& leftOut);
 
 /// mm
 inline void AddPosition(Entries& entries, const std::string& path, const Vector3& position)

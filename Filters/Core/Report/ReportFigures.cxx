@@ -40,9 +40,10 @@ std::int64_t RejectedEdits(const Report& report, const std::string& reason)
 const std::vector<std::string>& KeyFigures()
 {
   static const std::vector<std::string> names = { "stop_reason", "input.triangles",
-    "output.triangles", "output.components", "distance.output_to_input.max",
+    "output.triangles", "output.components", "output.checksum", "distance.output_to_input.max",
     "distance.output_to_input.mean", "distance.input_to_output.max",
-    "distance.input_to_output.mean", "proof.status", "proof.upper" };
+    "distance.input_to_output.mean", "proof.if_unchanged.status", "proof.if_unchanged.upper",
+    "proof.sentence" };
   return names;
 }
 

@@ -3,10 +3,11 @@
 #include "ReportTable.h"
 
 #include "Certificate/Certificate.h"
-#include "CertificateTable.h"
 #include "Diagnostics/Diagnostics.h"
 #include "Input/Labels.h"
+#include "Mesh/Checksum.h"
 #include "Options/OptionTable.h"
+#include "ProofSentence.h"
 #include "ReportEntries.h"
 #include "ShapeTable.h"
 #include "TunnelTable.h"
@@ -76,23 +77,21 @@ void AddBounds(Entries& entries, const std::string& path, const ProvedDistance& 
   entries.push_back({ path + ".upper", "mm", distance.Upper });
 }
 
-void AddProof(Entries& entries, const ErrorProof& proof)
+void AddProof(Entries& entries, const Report& report)
 {
+  const ErrorProof& proof = report.Proof;
   entries.push_back({ "proof.status", "", std::string(ProofStatusWord(proof.Status)) });
   entries.push_back({ "proof.tolerance", "mm", proof.Tolerance });
   AddBounds(entries, "proof", { proof.Lower(), proof.Upper() });
   AddBounds(entries, "proof.output_to_input", proof.OutputToInput);
   AddBounds(entries, "proof.input_to_output", proof.InputToOutput);
-  const std::string boundaries =
-    proof.BoundariesCompared ? BoundaryPresenceWord(proof.Boundaries) : "not_compared";
-  entries.push_back({ "proof.boundaries", "", boundaries });
+  entries.push_back({ "proof.boundaries", "", BoundariesWord(proof) });
   if (proof.BoundariesCompared && proof.Boundaries == BoundaryPresence::Both)
   {
     AddBounds(entries, "proof.boundary_output_to_input", proof.BoundaryOutputToInput);
     AddBounds(entries, "proof.boundary_input_to_output", proof.BoundaryInputToOutput);
   }
-  entries.push_back({ "proof.triangles_left_out", "", proof.TrianglesLeftOut });
-  entries.push_back({ "proof.polygons_left_out", "", proof.PolygonsLeftOut });
+  entries.push_back({ "proof.sentence", "", ProofSentence(report) });
 }
 
 void AddReference(Entries& entries, const ReferenceFigures& reference)
@@ -322,6 +321,7 @@ std::vector<ReportEntry> ReportEntries(const Report& report)
   }
   AddTunnels(entries, report.Tunnels);
   AddSurface(entries, "output", report.Output);
+  entries.push_back({ "output.checksum", "", TriangleChecksumText(report.OutputChecksum) });
   if (report.DistancesMeasured)
   {
     AddDistance(entries, "output_to_input", report.OutputToInput);
@@ -337,9 +337,10 @@ std::vector<ReportEntry> ReportEntries(const Report& report)
   {
     AddReference(entries, report.Reference);
   }
+  AddLeftOut(entries, "left_out", report.LeftOut);
   if (report.Proof.WasMade)
   {
-    AddProof(entries, report.Proof);
+    AddProof(entries, report);
   }
   if (report.FragmentGapMeasured)
   {

@@ -37,7 +37,7 @@ struct ReportEntry
  *              .N.{first_points, first_triangles}.K
  *     pruned   .{components, faces}, if pruning was requested
  *              .list.N.{faces, size, area, volume, center.{0, 1, 2}} of the thousand largest
- *     output   .{faces ... volume}
+ *     output   .{faces ... volume, checksum}
  *     distance .{output_to_input, input_to_output}
  *                .{max, second, mean, rms, point_max, point_mean, point_rms, samples, samples_per_mm2}
  *              .{boundary_output_to_input, boundary_input_to_output}.{lower, upper}
@@ -49,7 +49,8 @@ struct ReportEntry
  *     voxels   .{guard, compared, changed, first_changed.{0, 1, 2}}, if the input has a voxel grid
  *              .of_LABEL.{voxels, lost, gained}
  *     reference.{faces, checksum, to_input.{lower, upper}}
- *     proof    .{status, tolerance, lower, upper, boundaries, triangles_left_out, polygons_left_out}
+ *     left_out .N.{kind, count, what, where, distance, sentence}
+ *     proof    .{status, tolerance, lower, upper, boundaries, sentence}
  *              .{output_to_input, input_to_output, boundary_...}.{lower, upper}
  *     fragment_gap.{input, output}
  *     labels   .{count, largest_change}

@@ -217,7 +217,7 @@ def run_on_arrays(surface: Surface, values: _core.Options, tolerances: ArrayLike
     with listener(progress) as heard:
         outcome = _core.decimate(*surface[:2], values, surface.is_single, withOrigins, limits, None, first and first[:2], heard,
                                  named, source and source.to_core(), prepared, lengths,
-                                 (surface if first is None else first).polygons_left_out)
+                                 list((surface if first is None else first).left_out))
     spell_sentences(outcome, spell)
     outcome["warnings"] = surface.warnings + (first.warnings if first else []) + outcome["warnings"]
     raise_problems(outcome)
@@ -324,7 +324,7 @@ def certify(
     _set_precision(options, tight_bounds, tolerance is not None or tolerances is not None, means, mean_precision)
     voxels = None if label_map is None else Comparison(second, label_map).changes(options.threads)
     with listener(progress) as heard:
-        outcome = _core.certify(*first[:2], *second[:2], options, heard)
+        outcome = _core.certify(*first[:2], *second[:2], options, heard, list(first.left_out), list(second.left_out))
     _raise_comparison_problems(outcome)
     return Certificate(outcome, voxels)
 

@@ -20,7 +20,8 @@ from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkAbstractArray, vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from . import _core
-from .surfaces import indices
+from .left_out import left_out_curves, left_out_of_reader, left_out_polygons
+from .surfaces import LeftOut, indices
 from .voxels import SurfaceSource
 
 
@@ -89,7 +90,7 @@ class Surface:
     triangles: NDArray[np.int32] = field(default_factory=lambda: np.empty((0, 3), np.int32))
     cell_of_triangle: NDArray[np.int64] = field(default_factory=lambda: np.empty(0, np.int64))
     warnings: list[str] = field(default_factory=list)
-    polygons_left_out: int = 0  # cells without a triangle
+    left_out: list[LeftOut] = field(default_factory=list)  # what is no part of the surface
     source: SurfaceSource | None = None  # what is known of its label map
 
 
@@ -98,24 +99,28 @@ def surface_of(data: vtkPolyData) -> Surface:
     points = numbers(data.GetPoints().GetData()) if count else np.empty((0, 3))
     is_single = count > 0 and data.GetPoints().GetDataType() == VTK_FLOAT
     surface = Surface(np.ascontiguousarray(points, dtype=np.float64), is_single)
-    _warn_of_lines(data, surface)
     first = data.GetNumberOfVerts() + data.GetNumberOfLines()
     polys = Cells(data.GetPolys(), first, count)
     strips = Cells(data.GetStrips(), first + data.GetNumberOfPolys(), count)
     if len(strips.sizes) == 0 and (polys.sizes == 3).all():
         fits = np.where(polys.ids < count, polys.ids, -1)
         surface.triangles, surface.cell_of_triangle = indices(fits.reshape(-1, 3)), polys.numbers
+        _leave_out_curves(data, surface)
         return surface
     wrong = np.concatenate([polys.numbers[polys.wrong], strips.numbers[strips.wrong]])
     if len(wrong):  # VTK would crash on it
         surface.triangles, surface.cell_of_triangle = np.full((len(wrong), 3), -1, np.int32), wrong
     else:
         _triangulate(polys, strips, surface)
+    _leave_out_curves(data, surface)
     return surface
 
 
-def _warn_of_lines(data: vtkPolyData, surface: Surface) -> None:
+def _leave_out_curves(data: vtkPolyData, surface: Surface) -> None:
+    """Lines, vertices, and what the reader of the file left out."""
     verts, lines = passed_cells(data)
+    left_out_curves(verts, lines, surface.points, surface.left_out)
+    surface.left_out += left_out_of_reader(data)
     wrong = np.concatenate([verts.numbers[verts.wrong], lines.numbers[lines.wrong]])
     if len(wrong):
         surface.warnings.append(f"{len(wrong)} vertices and lines name points that are not there and were left out, "
@@ -123,16 +128,18 @@ def _warn_of_lines(data: vtkPolyData, surface: Surface) -> None:
 
 
 def _triangulate(polys: Cells, strips: Cells, surface: Surface) -> None:
-    triangles, cells, left_out = [], [], []
+    triangles, cells, left_out, shapes = [], [], [], []
     for group, are_strips in ((polys, False), (strips, True)):
         corners, found = _core.triangulate(surface.points, group.offsets, group.ids, are_strips)
         triangles.append(corners)
         cells.append(group.numbers[found])
-        left_out.append(np.delete(group.numbers, np.unique(found)))
+        without = np.delete(np.arange(len(group.sizes)), np.unique(found))
+        left_out.append(group.numbers[without])
+        shapes += [surface.points[group.ids[group.offsets[cell]:group.offsets[cell + 1]]] for cell in without]
     surface.triangles, surface.cell_of_triangle = np.concatenate(triangles), np.concatenate(cells)
     lost = np.concatenate(left_out)
-    surface.polygons_left_out = len(lost)
     if len(lost):
+        surface.left_out.append(left_out_polygons(lost, shapes))
         polygons, were = ("polygon", "was") if len(lost) == 1 else ("polygons", "were")
         surface.warnings.append(f"{len(lost)} {polygons} of fewer than three different corners {were} left out, "
                                 f"the first is cell {lost[0]}")

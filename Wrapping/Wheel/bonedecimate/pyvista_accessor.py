@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import inspect
-import json
 from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING
 
@@ -25,6 +24,7 @@ from .options import number, read, switch, takes_options, unsupported, words
 from .polydata import surface_of
 from .progress import Progress, listener
 from .run import fill_input_copy, fill_output, run, set_report
+from .surface_report import report_of
 from .surfaces import edge_lengths_from, labels_from, surface_from, tolerances_from, warn
 from .voxel_check import NO_GRID, Comparison, VoxelChanges, check_voxels, source_with
 from .voxels import pairs_from
@@ -294,11 +294,12 @@ class BoneAccessor:
 
     @property
     def report(self) -> dict[str, int | float | str]:
-        """The report of the run that made this surface, by name ("output.triangles"); empty if there was none."""
-        array = self._mesh.GetFieldData().GetAbstractArray("BoneDecimateReport")
-        if array is None or not array.GetNumberOfValues():
-            return {}
-        report = json.loads(array.GetValue(0))
+        """The report of the run that made this surface, by name ("output.triangles"); empty if there was none.
+
+        A proof belongs to one surface. If this one is not the one that was proved, because it was smoothed, scaled or clipped
+        since, ``proof.sentence`` says so and the other entries of the proof are missing.
+        """
+        report = report_of(self._mesh)
         report.pop("units", None)
         return dict(_flat("", report))
 

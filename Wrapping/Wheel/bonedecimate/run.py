@@ -15,8 +15,10 @@ from . import _core
 from .arrays import gives_single
 from .label_arrays import pass_label_arrays, surface_with_source
 from .labels import labels_from_array, labels_of
+from .left_out import LEFT_OUT
 from .polydata import Passed, Surface, passed, points_of, set_triangles
 from .progress import Progress
+from .surface_report import REPORT
 from .surfaces import surface_from
 from .passed_names import array_warnings, arrays_with_seams, keep_user_arrays, own_point_arrays
 from .transfer import add_input_map, add_maps, recompute_normals, transfer_arrays
@@ -62,7 +64,7 @@ def run(data: vtkPolyData, options: _core.Options, progress: Progress | None, re
     outcome = _core.decimate(surface.points, surface.triangles, options, surface.is_single, origins, tolerances,
                              surface.cell_of_triangle, first and first[:2], progress, labels,
                              surface.source and surface.source.to_core(), prepared, edge_lengths,
-                             (surface if first is None else first).polygons_left_out)
+                             list((surface if first is None else first).left_out))
     outcome["warnings"] = (surface.warnings + (first.warnings if first else []) + array_warnings(data, options)
                            + outcome["warnings"])
     return outcome, surface
@@ -83,7 +85,9 @@ def fill_output(outcome: dict, surface: Surface, options: _core.Options, data: v
     if surface.source is not None:
         pass_label_arrays(surface.source, outcome["boundary_labels"], output)
     output.GetFieldData().PassData(data.GetFieldData())
-    set_report(outcome, "BoneDecimateReport", "bonedecimate.", _core.key_figures(), output)
+    output.GetFieldData().RemoveArray(LEFT_OUT)
+    bound = {"entries": outcome["entries_of_surface"], "json": outcome["json_of_surface"]}
+    set_report(bound, REPORT, "bonedecimate.", _core.key_figures(), output)
 
 
 def fill_input_copy(outcome: dict, options: _core.Options, data: vtkPolyData, output: vtkPolyData) -> None:

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple, Union
 
 import numpy as np
@@ -26,13 +27,17 @@ if TYPE_CHECKING:
 LARGEST_LABEL = 2.0**53  # beyond, doubles leave whole numbers out
 
 
+# What was left out: kind, count, noun, where the first is, and the corners (k, 3, 3) of its triangles, mm.
+LeftOut = tuple[str, int, str, str, NDArray[np.float64]]
+
+
 class Surface(NamedTuple):
     points: NDArray[np.float64]  # (n, 3), mm
     triangles: NDArray[np.int32]  # (m, 3)
     is_single: bool  # whether the points were single precision
     warnings: list[str]  # what was left out of a mesh
     source: SurfaceSource | None = None  # what is known of its label map
-    polygons_left_out: int = 0  # of a mesh: cells without a triangle
+    left_out: Sequence[LeftOut] = ()  # of a mesh: what is no part of the surface
 
 
 def input_from(points: ArrayLike | SurfaceLike, triangles: ArrayLike | None) -> Surface:
@@ -54,7 +59,7 @@ def surface_from(given: object, name: str, with_source: bool = False) -> Surface
         from .polydata import surface_of
         found = surface_with_source(given) if with_source else surface_of(given)
         return Surface(found.points, found.triangles, found.is_single, [f"{name}: {text}" for text in found.warnings],
-                       found.source, found.polygons_left_out)
+                       found.source, found.left_out)
     is_pair = isinstance(given, (tuple, list)) and len(given) == 2
     if is_pair or (hasattr(given, "points") and hasattr(given, "triangles")):
         points, triangles = given if is_pair else (given.points, given.triangles)

@@ -18,6 +18,7 @@ from .kept import KeepsPrepared
 from .options import ROWS, assign, describe, nearest, words
 from .report import number_text
 from .run import InputArrays, fill_input_copy, fill_output, run
+from .surface_report import checksum_of
 from .surfaces import surface_from
 from .voxel_check import Comparison, source_with
 
@@ -32,7 +33,7 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
     that the input was made from; with it MaximumError is proved and measured against the reference. Input port 2, optional: the label
     map, vtkImageData, that another program extracted the input from; KeepVoxels and AutomaticSmoothing use its grid. Output port 0: the smaller surface; point data: the
     distance to the input, the error recorded along the collapses (mm) and how many input points each point represents;
-    field data: the report as one JSON text, BoneDecimateReport, and its main figures as arrays (bonedecimate.proof.upper, ...).
+    field data: the report as one JSON text, BoneDecimateReport, and its main figures as arrays (bonedecimate.output.triangles, ...).
     Vertices and lines pass through. Output port 1: the input, with the distance of each of its points to the result when MeasureInputDistances is on.
 
     Tolerances and labels are arrays of the input, chosen by name or by SetInputArrayToProcess(TOLERANCE_ARRAY or LABEL_ARRAY, ...);
@@ -169,6 +170,18 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
     def GetReportAsJson(self) -> str:
         """The report as JSON, objects within objects, as Documentation/report.schema.json describes it."""
         return self._json
+
+    @staticmethod
+    def HasReportOfItself(surface: vtkPolyData) -> bool:
+        """Whether the report that a surface carries in its field data was made for this very surface: whether its triangles have
+        the checksum of the report, to the bit and in any order. If not, what the report proves was proved of another surface."""
+        array = surface.GetFieldData().GetAbstractArray("bonedecimate.output.checksum")
+        return array is not None and array.GetNumberOfValues() > 0 and array.GetValue(0) == checksum_of(surface)
+
+    @staticmethod
+    def GetTriangleChecksum(surface: vtkPolyData) -> str:
+        """That checksum, "triangles:0123456789abcdef"."""
+        return checksum_of(surface)
 
     def GetNumberOfReportEntries(self) -> int:
         """Number of entries of the report as a flat list of named values."""

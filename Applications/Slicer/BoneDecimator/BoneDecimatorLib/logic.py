@@ -313,9 +313,8 @@ def statistics(found, names=()):
         lines.append(f"smoothing moved points by {moved['largest_displacement']:.4f} mm at most, {moved['rms_displacement']:.4f} mm RMS")
         if moved.get("sharp_points", 0) > 0:
             lines.append(f"{moved['sharp_points']:,.0f} points on edges that were kept sharp")
-    if proof.get("status") == "proved":
-        # Rounded up, so that the number shown is proved.
-        lines.append(f"proved: no point is farther away than {np.ceil(proof['upper'] * 1e4) / 1e4:.4f} mm")
+    if "sentence" in proof:
+        lines.append(("proved " if proof.get("status") == "proved" else "") + proof["sentence"])
     if "distance" in found:
         lines.append(f"average distance {found['distance']['input_to_output']['mean']:.4f} mm")
     return lines + _voxel_lines(found.get("voxels"), names)
