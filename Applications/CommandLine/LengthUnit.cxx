@@ -34,7 +34,7 @@ void SetUnit(LengthUnit& unit, const std::string& name)
     if (one.Name == name)
     {
       unit = one;
-      unit.IsGiven = true;
+      unit.IsRequested = true;
       return;
     }
     names += (names.empty() ? "" : ", ") + one.Name;
@@ -169,9 +169,9 @@ MillimeterSurface ReadInMillimeters(const std::string& path, const LengthUnit& u
   surface.TakesUnit = loaded.Unit.empty() ? !FindFormat(path)->NamesUnit : loaded.Unit != "mm";
   if (surface.TakesUnit && !loaded.Unit.empty())
   {
-    used = unit.IsGiven ? unit : UnitOfName(loaded.Unit);
+    used = unit.IsRequested ? unit : UnitOfName(loaded.Unit);
     surface.Note = "the input is of another program: its lengths are in " + used.Name +
-      (unit.IsGiven ? std::string() : ", as its format says (--unit tells another unit)") +
+      (unit.IsRequested ? std::string() : ", as its format says (--unit tells another unit)") +
       ", its axes are kept as they are, and this format has y up";
   }
   surface.Surface = ToMillimeters(loaded.Surface, used);

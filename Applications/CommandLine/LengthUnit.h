@@ -26,7 +26,7 @@ struct LengthUnit
   std::string Name = "mm";
   double Factor = 1.0; ///< mm = coordinate Factor / Divisor, both whole numbers.
   double Divisor = 1.0;
-  bool IsGiven = false; ///< By --unit.
+  bool IsRequested = false; ///< By --unit.
 
   bool IsMillimeter() const { return this->Factor == this->Divisor; }
   double ToMillimeters(double coordinate) const

@@ -118,7 +118,7 @@ class GlbInput(ApplicationTest):
         self.succeed("in.glb", "in.vtp", *SAME)
         self.succeed("certify", "in.vtp", "in.glb", "--tolerance", 1e-9, "--quiet")
 
-    def test_nodes_place_meshes_by_matrices_and_by_translation_rotation_and_scale(self):
+    def test_nodes_move_meshes_by_matrices_and_by_translation_rotation_and_scale(self):
         points, triangles = box()
         glb = self.plain()
         half = np.sqrt(0.5)
@@ -174,7 +174,7 @@ class GlbInput(ApplicationTest):
         surface, _ = self.convert(quantized)
         self.same(surface, points, triangles)
 
-    def test_primitives_with_a_common_border_are_one_surface_unless_points_stay_apart(self):
+    def test_primitives_with_a_common_boundary_are_one_surface_unless_points_stay_apart(self):
         points, triangles = box()
         glb = Glb()
         shared = glb.accessor(points)

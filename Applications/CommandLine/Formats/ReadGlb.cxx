@@ -143,22 +143,25 @@ private:
                         "read; save it without compression or with EXT_meshopt_compression");
   }
 
+  /// @param owner A node or a mesh.
+  void RequireNoWeights(const Json& owner) const
+  {
+    const Json none = Json::array();
+    for (const Json& weight : owner.contains("weights") ? owner.at("weights") : none)
+    {
+      if (weight.get<double>() != 0.0)
+      {
+        this->Document.Fail("a mesh is changed by morph targets, which are not read; a program "
+                            "that applies them and saves the result helps");
+      }
+    }
+  }
+
   void AddInstance(const GltfInstance& instance)
   {
     const Json& mesh = this->Document.EntryOf("meshes", instance.Node->at("mesh"));
-    const Json none = Json::array();
-    for (const char* owner : { "node", "mesh" })
-    {
-      const Json& holder = std::string_view(owner) == "node" ? *instance.Node : mesh;
-      for (const Json& weight : holder.contains("weights") ? holder.at("weights") : none)
-      {
-        if (weight.get<double>() != 0.0)
-        {
-          this->Document.Fail("a mesh is changed by morph targets, which are not read; a program "
-                              "that applies them and saves the result helps");
-        }
-      }
-    }
+    this->RequireNoWeights(*instance.Node);
+    this->RequireNoWeights(mesh);
     for (const Json& primitive : mesh.at("primitives"))
     {
       constexpr std::size_t bytesOfPrimitive = 256;
@@ -201,7 +204,7 @@ private:
     this->Document.Claim(
       corners.size() * sizeof(corners[0]) + used.size() * sizeof(part.Points[0]));
     part.Corners = std::move(corners);
-    this->PlacePoints(positions, used, instance.Transform, part);
+    this->TransformPoints(positions, used, instance.Transform, part);
     this->AddArrays(attributes, used, instance.Transform, part);
     this->ReadLabel(*instance.Node, primitive, part);
     this->Parts.push_back(std::move(part));
@@ -233,7 +236,7 @@ private:
     return TriangleList(corners, mode);
   }
 
-  static void PlacePoints(const GltfNumbers& positions, const std::vector<std::uint32_t>& used,
+  static void TransformPoints(const GltfNumbers& positions, const std::vector<std::uint32_t>& used,
     const GltfTransform& transform, FilePart& part)
   {
     const bool isIdentity = transform.IsIdentity();
