@@ -89,8 +89,8 @@ std::vector<std::string> InputHints(vtkPolyData* result, vtkPolyData* input, int
     std::snprintf(length, sizeof(length), "%.2g", unwelded.Length);
     hints.push_back(GroupedText(static_cast<double>(unwelded.Count)) +
       " points lie apart from others by less than " + length +
-      " mm, so that triangles are not connected; merge such points before, as vtkCleanPolyData or "
-      "PyVista's clean() with that tolerance do");
+      " mm, so that triangles are not connected; --weld " + length +
+      " (WeldDistance) joins them, and its movement is part of the largest error");
   }
   const Finding insideOut = FindingOf(diagnostics, "inside_out");
   if (insideOut.Count > 0)

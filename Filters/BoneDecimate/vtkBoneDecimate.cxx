@@ -12,6 +12,7 @@
 #include "Report/ReportCells.h"
 #include "RunInput.h"
 #include "RunState.h"
+#include "WeldRun.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -301,6 +302,7 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   this->Warn(read.Converted.Warnings);
   this->Warn(read.Reference.Warnings);
   this->Warn(bonedecimate::ArrayWarnings(input, options));
+  this->Warn(bonedecimate::WeldSentences(result.Weld));
   this->Warn(bonedecimate::InputWarnings(this->State->Report));
   FillOutputs(result, read.Converted, options, read.Inputs.LabelMap, input, outputVector);
   const bool isContinued = this->Part && this->Part->Part.Reference != nullptr;

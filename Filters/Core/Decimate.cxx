@@ -24,6 +24,7 @@
 #include "Stages/DistinctPositions.h"
 #include "Stages/StageList.h"
 #include "TunnelRun.h"
+#include "WeldRun.h"
 
 #include <algorithm>
 #include <limits>
@@ -355,9 +356,13 @@ Result Decimate(
     result.Report.Status = InputStatus::InvalidOption;
     return result;
   }
-  Result result = CloseTunnelsThenRun(input, options, monitor, inputs,
+  const WholeRun runRegions =
     [](const Surface& closed, const Options& rest, const Monitor& follow, const RunInputs& with)
-    { return DecimateRegions(closed, rest, follow, with, DecimateWhole); });
+  { return DecimateRegions(closed, rest, follow, with, DecimateWhole); };
+  Result result = WeldThenRun(input, options, monitor, inputs,
+    [&runRegions](
+      const Surface& welded, const Options& rest, const Monitor& follow, const RunInputs& with)
+    { return CloseTunnelsThenRun(welded, rest, follow, with, runRegions); });
   result.Report.OutputChecksum = TriangleChecksum(result.Surface, options.NumberOfThreads);
   return result;
 }

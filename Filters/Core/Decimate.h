@@ -4,7 +4,8 @@
  * @file Decimate.h
  * @brief Simplifies a surface; the result comes with its error in millimeters.
  *
- *     closed   = CloseTunnels(input)           on request; what follows refers to the closed surface (TunnelRun.h)
+ *     welded   = Weld(input)                   on request; bounds of what follows are widened (WeldRun.h)
+ *     closed   = CloseTunnels(welded)          on request; what follows refers to the closed surface (TunnelRun.h)
  *     prepared = PrepareInput(input)           clean, prune, check the errors, build the half-edge mesh
  *     smoothed = SmoothInput(prepared)         positions within a bound, if smoothing is on; proved by their displacement
  *     editor   = MakeEditor(prepared)          the mesh with all that is kept beside it; proves edits if there is a bound
@@ -47,6 +48,14 @@ struct SurfaceOrigins
     OutputPoint; ///< Of each input point: the one it became part of, None if no triangle used it.
 };
 
+/// What welding changed before the first edit (WeldRun.h).
+struct WeldFigures
+{
+  bool HasRun = false;     ///< If false, all other members are meaningless.
+  std::int64_t Points = 0; ///< How many moved.
+  double Movement = 0.0;   ///< mm, how far one moved at most; part of what is proved.
+};
+
 /// What a run made of a surface.
 struct Result
 {
@@ -71,6 +80,7 @@ struct Result
   /// without a reference.
   std::vector<double> InputErrorBound;
   bonedecimate::Report Report; ///< Status, figures and warnings of the run.
+  WeldFigures Weld;
 };
 
 /// What a run knows if its input is a part of a larger surface, and other runs have the other parts.

@@ -72,11 +72,13 @@ class ThreeMf(ApplicationTest):
     def test_what_is_not_built_is_named(self):
         far = thing(7, MESH.replace("'10'", "'90'"))
         for objects, items, sentence in (
-            (thing(1) + far, ["objectid='1'"], "1 object of the input that the build does not use are not read"),
+            (thing(1) + far, ["objectid='1'"], "1 object of the input that the build does not use is not read"),
             (thing(1) + far, ["objectid='1'", "objectid='7' printable='0'"],
-             "1 object of the input that are marked as not printable are not read"),
+             "1 object of the input that is marked as not printable is not read"),
             (thing(1) + far.replace("id='7'", "id='7' type='support'"), ["objectid='1'", "objectid='7'"],
-             "1 object of the input of a type for supports are not read"),
+             "1 object of the input of a type for supports is not read"),
+            (thing(1) + far.replace("id='7'", "id='7' type='other'") + far.replace("id='7'", "id='8' type='other'"),
+             ["objectid='1'", "objectid='7'", "objectid='8'"], "2 objects of the input of another type than model are not read"),
         ):
             with self.subTest(sentence=sentence):
                 self.pack(model(objects, items))
@@ -85,6 +87,15 @@ class ThreeMf(ApplicationTest):
                 self.assertIn("warning: " + sentence, said)
         self.pack(model(thing(1), []))
         self.fail_with(REJECTED, "in.3mf", "out.vtp", says="its build has no item")
+
+    def test_slices_are_named_and_a_mesh_that_stands_in_for_them_is_rejected(self):
+        space = "xmlns:s='http://schemas.microsoft.com/3dmanufacturing/slice/2015/07' requiredextensions='s'"
+        for attributes, says in (("s:slicestackid='9'", ""), ("s:slicestackid='9' s:meshresolution='lowres'", "its mesh is a stand-in")):
+            self.pack(model(thing(1).replace("id='1'", "id='1' " + attributes), ["objectid='1'"], space))
+            if says:
+                self.fail_with(REJECTED, "in.3mf", "out.vtp", says=says)
+            else:
+                self.assertIn("warning: the slices of the input", self.load()[2])
 
     def test_required_extensions_are_read_or_named(self):
         self.pack(model(thing(1), ["objectid='1'"], f"xmlns:b='{BEAMS}' requiredextensions='b'"))

@@ -10,6 +10,7 @@
 #include "Report/ReportJson.h"
 #include "Report/ReportTable.h"
 #include "Values.h"
+#include "WeldRun.h"
 
 #include <emscripten/bind.h>
 
@@ -115,7 +116,10 @@ val FromResult(const Result& result, bool isSingle)
   to.set("outputPoint", ToArray<Index>(result.Origins.OutputPoint));
   to.set("report", ReportJson(ReportEntries(result.Report)));
   to.set("stop", std::string(StopReasonSentence(result.Report.Stop)));
-  to.set("warnings", ToTexts(InputWarnings(result.Report)));
+  std::vector<std::string> warnings = WeldSentences(result.Weld);
+  const std::vector<std::string> ofInput = InputWarnings(result.Report);
+  warnings.insert(warnings.end(), ofInput.begin(), ofInput.end());
+  to.set("warnings", ToTexts(warnings));
   to.set("contradiction", ProofMessage(result.Report));
   return to;
 }

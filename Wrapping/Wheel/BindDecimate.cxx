@@ -12,6 +12,7 @@
 #include "Report/ReportFigures.h"
 #include "Report/ReportJson.h"
 #include "Report/ReportTable.h"
+#include "WeldRun.h"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
@@ -92,6 +93,10 @@ nb::dict ToDict(Result&& result)
 {
   nb::dict fields;
   AddReport(result.Report, fields);
+  std::vector<std::string> warnings = WeldSentences(result.Weld);
+  const std::vector<std::string> ofInput = InputWarnings(result.Report);
+  warnings.insert(warnings.end(), ofInput.begin(), ofInput.end());
+  fields["warnings"] = warnings;
   fields["points"] = ToRows<double>(std::move(result.Surface.Points));
   fields["triangles"] = ToRows<Index>(std::move(result.Surface.Triangles));
   fields["distance"] = ToArray(std::move(result.Distance));

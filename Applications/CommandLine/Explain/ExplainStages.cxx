@@ -29,6 +29,7 @@ std::vector<Step> StepsBefore(const Arguments& arguments, const Options& options
     { arguments.Iso.has_value(), "extract the bone surface" },
     { true, "clean" },
     { options.DiagnoseInput, "diagnose" },
+    { options.WeldDistance > 0.0, "weld open boundaries" },
     { options.TunnelSize > 0.0, "close tunnels" },
     { options.Prunes(), "prune" },
     { !arguments.Reference.empty(), "prove the distance of the input to the reference" },

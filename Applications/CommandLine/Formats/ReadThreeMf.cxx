@@ -131,6 +131,7 @@ private:
       Reject(this->Path, "it has no " + name);
     }
     this->HasBeams = this->HasBeams || parser.Part().HasBeams;
+    this->HasSlices = this->HasSlices || parser.Part().HasSlices;
     return this->Models.emplace(name, std::move(parser.Part())).first->second;
   }
 
@@ -153,7 +154,8 @@ private:
     this->UsedObjects.insert({ key, reference.Object });
     if (object.Type != "model" && object.Type != "surface")
     {
-      ++this->Supports;
+      const bool isSupport = object.Type == "support" || object.Type == "solidsupport";
+      ++(isSupport ? this->Supports : this->Others);
       return;
     }
     transforms.insert(transforms.begin(), reference.Transform);
@@ -203,6 +205,13 @@ private:
     this->Parts.push_back(std::move(placed));
   }
 
+  /// The same words about a single object.
+  static std::string OneOf(const std::string& what)
+  {
+    const std::string many = "that are";
+    return what.rfind(many, 0) == 0 ? "that is" + what.substr(many.size()) : what;
+  }
+
   void Warn(std::vector<std::string>& warnings) const
   {
     std::int64_t notBuilt = 0;
@@ -214,21 +223,28 @@ private:
         notBuilt += hasMesh && this->UsedObjects.count({ name, id }) == 0 ? 1 : 0;
       }
     }
-    const std::pair<std::int64_t, const char*> lines[] = { { notBuilt,
-                                                             "that the build does not use" },
+    const std::pair<std::int64_t, const char*> lines[] = {
+      { notBuilt, "that the build does not use" },
       { this->NotPrintable, "that are marked as not printable" },
-      { this->Supports, "of a type for supports" } };
+      { this->Supports, "of a type for supports" }, { this->Others, "of another type than model" }
+    };
     for (const auto& [count, what] : lines)
     {
       if (count > 0)
       {
         warnings.push_back(std::to_string(count) + (count == 1 ? " object" : " objects") +
-          " of the input " + what + " are not read");
+          " of the input " + (count == 1 ? OneOf(what) : what) +
+          (count == 1 ? " is not read" : " are not read"));
       }
     }
     if (this->HasBeams)
     {
       warnings.emplace_back("the beam lattices of the input are not read");
+    }
+    if (this->HasSlices)
+    {
+      warnings.emplace_back(
+        "the slices of the input, which may be finer than its meshes, are not read");
     }
   }
 
@@ -240,8 +256,10 @@ private:
   std::vector<FilePart> Parts;
   double BytesLeft = 0.0; // that objects may take
   std::int64_t NotPrintable = 0;
-  std::int64_t Supports = 0;
+  std::int64_t Supports = 0; // objects of types that are not printed
+  std::int64_t Others = 0;
   bool HasBeams = false;
+  bool HasSlices = false;
 };
 }
 

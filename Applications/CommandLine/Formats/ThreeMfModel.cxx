@@ -21,10 +21,15 @@ const std::pair<const char*, double> UnitsOfThreeMf[] = { { "micron", 1e-3 }, { 
 constexpr std::string_view CoreNamespace =
   "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 
-/// Extensions that change no position; parts of others (production) are read.
+/// Extensions that change no position of a mesh; parts of others (production) are read.
 const std::string_view KnownExtensions[] = { CoreNamespace,
   "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
-  "http://schemas.microsoft.com/3dmanufacturing/production/2015/06" };
+  "http://schemas.microsoft.com/3dmanufacturing/production/2015/06",
+  "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07" };
+
+/// Stacks of slices of an object, which may be finer than its mesh.
+constexpr std::string_view SliceNamespace =
+  "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07";
 
 constexpr std::string_view BeamNamespace =
   "http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02";
@@ -36,47 +41,6 @@ LabelColor ColorOfCode(std::string_view code)
   return { static_cast<unsigned char>(number >> 16 & 0xFF),
     static_cast<unsigned char>(number >> 8 & 0xFF), static_cast<unsigned char>(number & 0xFF) };
 }
-
-/// Nothing if it is not twelve numbers. An empty text is the identity.
-std::optional<ThreeMfTransform> TransformOf(std::string_view text)
-{
-  std::vector<std::string_view> words;
-  SplitWords(text, words);
-  ThreeMfTransform transform;
-  if (words.empty())
-  {
-    return transform;
-  }
-  for (std::size_t i = 0; i < transform.Rows.size(); ++i)
-  {
-    const std::optional<double> number =
-      i < words.size() ? ParseNumber<double>(words[i]) : std::nullopt;
-    if (!number || words.size() != transform.Rows.size())
-    {
-      return {};
-    }
-    transform.Rows[i] = *number;
-  }
-  return transform;
-}
-}
-
-std::array<double, 3> ThreeMfTransform::Of(const std::array<double, 3>& point) const
-{
-  std::array<double, 3> moved = {};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    moved[axis] = point[0] * this->Rows[axis] + point[1] * this->Rows[3 + axis] +
-      point[2] * this->Rows[6 + axis] + this->Rows[9 + axis];
-  }
-  return moved;
-}
-
-double ThreeMfTransform::Determinant() const
-{
-  const std::array<double, 12>& m = this->Rows;
-  return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
-    m[2] * (m[3] * m[7] - m[4] * m[6]);
 }
 
 /// What the model has, as its elements begin.
@@ -250,7 +214,8 @@ private:
     }
     const std::string_view printable = ValueOf(attributes, "printable");
     reference.IsPrintable = printable != "0" && printable != "false";
-    const std::optional<ThreeMfTransform> transform = TransformOf(ValueOf(attributes, "transform"));
+    const std::optional<ThreeMfTransform> transform =
+      ThreeMfTransform::FromText(ValueOf(attributes, "transform"));
     if (!transform)
     {
       this->Fail("a transform is not twelve numbers");
@@ -265,6 +230,7 @@ private:
     ThreeMfObject object;
     const std::string_view type = ValueOf(attributes, "type");
     object.Type = type.empty() ? object.Type : std::string(type);
+    this->ReadSlices(attributes);
     const std::optional<std::int64_t> label =
       ParseNumber<std::int64_t>(ValueOf(attributes, "partnumber"));
     if (this->IsOwn && label)
@@ -286,6 +252,26 @@ private:
       this->Fail("two objects have the id '" + id.substr(0, 40) + "'");
     }
     this->Object = &entry->second;
+  }
+
+  void ReadSlices(Attributes attributes)
+  {
+    for (Attributes a = attributes; *a != nullptr; a += 2)
+    {
+      const std::string_view name = a[0];
+      const std::size_t colon = name.find(':');
+      if (colon == std::string_view::npos ||
+        this->NamespaceOf(name.substr(0, colon)) != SliceNamespace)
+      {
+        continue;
+      }
+      this->Part.HasSlices = true;
+      if (name.substr(colon + 1) == "meshresolution" && a[1] == std::string_view("lowres"))
+      {
+        this->Fail("an object has its shape in slices (meshresolution lowres), which are not read; "
+                   "its mesh is a stand-in");
+      }
+    }
   }
 
   /// As readers of single precision have it.

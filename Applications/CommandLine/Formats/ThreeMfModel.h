@@ -25,6 +25,9 @@ struct ThreeMfTransform
 {
   std::array<double, 12> Rows = { 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0 };
 
+  /// Nothing if it is not twelve numbers. An empty text is the identity.
+  static std::optional<ThreeMfTransform> FromText(std::string_view text);
+
   std::array<double, 3> Of(const std::array<double, 3>& point) const;
   double Determinant() const;
 };
@@ -51,6 +54,7 @@ struct ThreeMfPart
   std::map<std::string, ThreeMfObject> Objects;
   std::vector<ThreeMfReference> Build;
   bool HasBeams = false;
+  bool HasSlices = false;
 };
 
 /// Takes a part in pieces. @return What is wrong with it, a sentence; empty: nothing.

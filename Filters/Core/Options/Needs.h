@@ -53,6 +53,7 @@ enum class Need : int
   Components,         ///< Whole components are known, so that small ones can be removed.
   TriangleComponents, ///< The same by their number of triangles.
   Tunnels,     ///< The whole surface is known before the first edit, and nothing else refers to it.
+  Welding,     ///< The same for open boundaries, which are welded before the first edit.
   Diagnostics, ///< The input can be diagnosed.
   InputOutput, ///< The input is returned together with the result.
   Maps,        ///< Ids of the input have a meaning for the caller.

@@ -17,23 +17,34 @@ std::vector<RunKind> WholeKinds()
     { "Whole", {} },
     { "KeepingVoxels",
       { { { Need::Tunnels },
-        "{} does not go with KeepVoxels: a plug changes the labels of voxels" } } },
+          "{} does not go with KeepVoxels: a plug changes the labels of voxels" },
+        { { Need::Welding },
+          "{} does not go with KeepVoxels: welding moves points before labels are compared" } } },
     { "LabelMapSurface",
       { { { Need::Tunnels },
-        "{} is not for the surface of a label map, whose voxels say what is bone: close tunnels in "
-        "the label map, or remove the arrays BoundaryLabels and GridPoint" } } },
+          "{} is not for the surface of a label map, whose voxels say what is bone: close tunnels "
+          "in "
+          "the label map, or remove the arrays BoundaryLabels and GridPoint" },
+        { { Need::Welding }, "{} is not for the surface of a label map, which has no gaps" } } },
     { "Referenced",
       { { { Need::Tunnels },
-        "{} does not go with a reference: errors then refer to the surface with its tunnels "
-        "closed" } } },
+          "{} does not go with a reference: errors then refer to the surface with its tunnels "
+          "closed" },
+        { { Need::Welding },
+          "{} does not go with a reference: errors then refer to the surface that is welded" } } },
     { "PartOfSurface",
       { { { Need::Tunnels },
-        "{} is not for a part of a surface, because a part does not show which loops go around a "
-        "tunnel: run the whole surface on one process" } } },
+          "{} is not for a part of a surface, because a part does not show which loops go around a "
+          "tunnel: run the whole surface on one process" },
+        { { Need::Welding },
+          "{} is not for a part of a surface, whose boundaries are not those of the whole" } } },
     { "Recorded",
       { { { Need::Tunnels },
-        "{} does not go with recorded levels, which start from the input: close tunnels in a run "
-        "of its own with TargetReduction 0" } } },
+          "{} does not go with recorded levels, which start from the input: close tunnels in a run "
+          "of its own with TargetReduction 0" },
+        { { Need::Welding },
+          "{} does not go with recorded levels, which start from the input: weld in a run of its "
+          "own with TargetReduction 0" } } },
   };
 }
 
@@ -58,6 +69,7 @@ std::vector<RunKind> DividedKinds()
           "A run in slabs does not remove components, because it does not know them as a whole" },
         { { Need::Tunnels },
           "A run in slabs does not close tunnels, because it does not know them as a whole" },
+        { { Need::Welding }, "A run in slabs does not weld: slabs have boundaries of their own" },
         { { Need::InputOutput, Need::Diagnostics },
           "A run in slabs does not keep the input, so it neither measures nor diagnoses it" },
         { { Need::SeparatePoints },
@@ -93,6 +105,8 @@ std::vector<RunKind> ParallelKinds()
           "{} off is for one process alone: parts are joined where points are equal" },
         { { Need::Tunnels },
           "{} is for one process alone: a part does not show which loops go around a tunnel" },
+        { { Need::Welding },
+          "{} is for one process alone: the boundaries of a part are not those of the whole" },
         { { Need::Maps },
           "{} is for one process alone: the ids of a part are not those of the whole" },
         { { Need::Precision },
@@ -108,7 +122,7 @@ std::vector<RunKind> ParallelKinds()
 NeedList OutputNeeds()
 {
   return { Need::InputOutput, Need::Diagnostics, Need::Grid, Need::Maps, Need::ArrayNames,
-    Need::Components, Need::Tunnels };
+    Need::Components, Need::Tunnels, Need::Welding };
 }
 
 NeedList Joined(NeedList needs, const NeedList& more)
@@ -142,9 +156,9 @@ std::vector<RunKind> ArrayKinds()
     { "RecordedLevels",
       { { { Need::Components, Need::Maps, Need::Grid },
           "levels are of all components, on no grid, and have no maps" },
-        { { Need::Tunnels }, "levels start from the input" } } },
+        { { Need::Tunnels, Need::Welding }, "levels start from the input" } } },
     { "Smooth",
-      { { { Need::Edits, Need::Maps, Need::Grid, Need::Tunnels, Need::Components },
+      { { { Need::Edits, Need::Maps, Need::Grid, Need::Tunnels, Need::Components, Need::Welding },
           "smoothing keeps all triangles" },
         { { Need::SmoothingChoice }, "distance says how far points may move" } } },
     { "OneThread", { { { Need::ThreadChoice }, "there is one thread" } } },
