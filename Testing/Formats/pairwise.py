@@ -44,10 +44,20 @@ def all_pairs(choices, seed):
     return rows
 
 
-def variants(choices, count, seed):
-    """At least count rows: all pairs first, then random ones."""
+def variants(choices, count, seed, uniform=()):
+    """At least count rows: all pairs first, then random ones.
+
+    The first value of a choice is the usual one. Most random rows have few others, so that readers which lack one thing are
+    compared in the rest; choices named in uniform take any value.
+    """
     rows = all_pairs(choices, seed)
     generator = random.Random(seed + 1)
     while len(rows) < count:
-        rows.append({name: generator.choice(values) for name, values in choices.items()})
+        share = generator.choice([0.03, 0.1, 0.2, 0.5, 1.0])
+        rows.append(
+            {
+                name: generator.choice(values) if name in uniform or generator.random() < share else values[0]
+                for name, values in choices.items()
+            }
+        )
     return rows

@@ -1,0 +1,209 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Compares the program's readers of surfaces with those of others, on variants from the grammar of each format.
+
+    compare_surfaces.py --program build/release/bin/bonedecimate --format obj --variants 2000 --python VENV/bin/python3
+
+Ends with 1 if a difference has no explanation. requirements.txt has the readers for --python.
+"""
+
+import argparse
+import collections
+import concurrent.futures
+import importlib
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+
+FOLDER = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(FOLDER), str(FOLDER / "Surfaces")]
+
+import compare  # noqa: E402
+import explained  # noqa: E402
+import pairwise  # noqa: E402
+import readings  # noqa: E402
+import workers  # noqa: E402
+
+FORMATS = ["obj", "ply", "stl", "stl_binary", "vtk", "vtp", "3mf", "glb"]
+SINGLE, DOUBLE = 4e-7, 1e-15
+# Readers of others: name -> formats and tolerance. Those of VTK are there once for each Python.
+READERS = {
+    "vtk": (("obj", "ply", "stl", "vtk", "vtp", "glb"), SINGLE),
+    "trimesh": (("obj", "ply", "stl", "3mf", "glb"), SINGLE),
+    "pymeshlab": (("obj", "ply", "stl", "3mf", "glb"), SINGLE),
+    "meshio": (("obj", "ply", "stl"), SINGLE),
+    "assimp": (("obj", "ply", "stl", "3mf", "glb"), SINGLE),
+    "lib3mf": (("3mf",), SINGLE),
+}
+SEED = 48
+
+
+class Variant:
+    def __init__(self, number, choices, grammar, folder):
+        self.choices = choices
+        content, self.truth = grammar.make(choices, random.Random(f"{SEED} {grammar.__name__} {number}"))
+        self.path = folder / f"{number:05}.{grammar.EXTENSION}"
+        self.path.write_bytes(content)
+
+
+def make_variants(name, count, folder):
+    grammar = importlib.import_module("grammar_" + name)
+    rows = pairwise.variants(grammar.CHOICES, count, SEED, grammar.UNIFORM)
+    return [Variant(i, row, grammar, folder) for i, row in enumerate(rows[:count] if count < 100 else rows)]
+
+
+def kinds_of(variant, found, tolerance):
+    if found.get("error"):
+        return ["rejected"]
+    try:
+        return compare.differences(variant.truth, readings.reading_of(found), tolerance)
+    except (ValueError, IndexError, TypeError, KeyError) as error:
+        return ["unreadable: " + type(error).__name__]
+
+
+def read_all(worker, variants, tolerance):
+    """For each variant the kinds of differences, and the answer if there are some."""
+    rows = []
+    for variant in variants:
+        found = worker.read(variant.path)
+        kinds = kinds_of(variant, found, tolerance)
+        rows.append((kinds, found if kinds else None))
+    worker.stop()
+    return rows
+
+
+class ProgramWorker:
+    """The program itself: what it writes as --heatmap is the input as it was read."""
+
+    def __init__(self, program, folder):
+        self.program, self.folder = program, folder
+        self.reader = workers.worker_of(sys.executable, "vtk")
+
+    def read(self, path):
+        heat = self.folder / "heat.vtp"
+        words = [self.program, path, self.folder / "out.vtp", "--heatmap", heat, "--target-reduction", "0", "--measure", "off"]
+        done = subprocess.run(list(map(str, words)), stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8", check=False)
+        return self.reader.read(heat) if done.returncode == 0 else {"error": done.stderr}
+
+    def stop(self):
+        self.reader.stop()
+
+
+def other_readers(arguments, extension):
+    """name -> worker and tolerance, of this Python and of --python."""
+    found = {}
+    for python in dict.fromkeys([sys.executable] + ([arguments.python] if arguments.python else [])):
+        for name, (extensions, tolerance) in READERS.items():
+            key = name if name != "vtk" else "vtk of Debian" if python == sys.executable else "vtk of PyPI"
+            if extension in extensions and key not in found and (not arguments.readers or key in arguments.readers):
+                worker = workers.worker_of(python, name)
+                if worker is not None:
+                    found[key] = (worker, tolerance)
+    return found
+
+
+def read_with_all(arguments, variants, extension, folder):
+    driver = str(pathlib.Path(arguments.program).with_name("bonedecimate-read-surfaces"))
+    tasks = {"ours": (workers.Worker([driver], False), variants, 0)}
+    if arguments.by_program:
+        tasks["program"] = (ProgramWorker(arguments.program, folder), variants[:: -(-len(variants) // arguments.by_program)], 0)
+    for name, (worker, tolerance) in other_readers(arguments, extension).items():
+        tasks[name] = (worker, variants, tolerance)
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        futures = {name: pool.submit(read_all, *task) for name, task in tasks.items()}
+        return {name: list(zip(tasks[name][1], future.result())) for name, future in futures.items()}
+
+
+class Table:
+    """Counts differences, and keeps those without an explanation."""
+
+    def __init__(self, extension):
+        self.extension = extension
+        self.explained, self.unexplained = collections.Counter(), []
+        self.used = collections.Counter()
+
+    def add(self, reader, variant, kinds, found):
+        for kind in kinds:
+            reasons = [e for e in explained.EXPLAINED if e.covers(self.extension, reader, kind, variant.choices)]
+            if reasons and reader not in ("ours", "program"):
+                self.explained[reader] += 1
+                self.used[reasons[0]] += 1
+            else:
+                self.unexplained.append((reader, kind, variant, found))
+
+
+def analyze(table, all_results):
+    """The choices that predict the differences without an explanation, to find their cause."""
+    groups = collections.defaultdict(list)
+    for reader, kind, variant, found in table.unexplained:
+        groups[reader, kind].append((variant, found))
+    for (reader, kind), members in sorted(groups.items(), key=lambda g: g[0]):
+        print(f"\n{reader}: {kind}, {len(members)} variants; {members[0][0].path.name}: {str(members[0][1].get('error'))[:150]}")
+        failing = {id(v) for v, _ in members}
+        left = [v for v, _ in members]
+        everything = [v for v, _ in all_results[reader]]
+        while left:
+            best = max(
+                ((n, c) for v in left for n, c in v.choices.items()),
+                key=lambda k: score(k, left, everything, failing),
+            )
+            having = [v for v in everything if v.choices[best[0]] == best[1]]
+            covered = [v for v in left if v.choices[best[0]] == best[1]]
+            rate = sum(id(v) in failing for v in having) / len(having)
+            print(f"    {best[0]} = {best[1]}: {len(covered)} of {len(left)} left, {rate:.0%} of those with it; {covered[0].path.name}")
+            if rate < 0.3:
+                break
+            left = [v for v in left if v not in covered]
+
+
+def score(key, left, everything, failing):
+    having = [v for v in everything if v.choices[key[0]] == key[1]]
+    rate = sum(id(v) in failing for v in having) / len(having)
+    return rate**2 * sum(v.choices[key[0]] == key[1] for v in left) ** 0.5
+
+
+def compare_format(arguments, name):
+    """Prints a row of the table; how many differences have no explanation."""
+    with tempfile.TemporaryDirectory(prefix="bonedecimate-formats-") as temporary:
+        folder = pathlib.Path(arguments.keep or temporary) / name
+        folder.mkdir(parents=True, exist_ok=True)
+        variants = make_variants(name, arguments.variants, folder)
+        extension = variants[0].path.suffix[1:]
+        results = read_with_all(arguments, variants, extension, folder)
+        table = Table(name)
+        for reader, rows in results.items():
+            for variant, (kinds, found) in rows:
+                table.add(reader, variant, kinds, found)
+        others = [r for r in results if r not in ("ours", "program")]
+        own = sum(reader in ("ours", "program") for reader, *_ in table.unexplained)
+        print(
+            f"| {name} | {len(variants)} | {', '.join(others)} | {own} | {len(table.unexplained) - own} | {sum(table.explained.values())} |",
+            flush=True,
+        )
+        if arguments.analyze:
+            analyze(table, results)
+    return table
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", required=True, help="bonedecimate; bonedecimate-read-surfaces is beside it")
+    parser.add_argument("--format", action="append", choices=FORMATS, help="default: all")
+    parser.add_argument("--variants", type=int, default=2000)
+    parser.add_argument("--python", help="Python of the environment of requirements.txt")
+    parser.add_argument("--readers", action="append", help="of others; default: all that are there")
+    parser.add_argument("--by-program", type=int, default=40, help="variants that the program itself reads, too")
+    parser.add_argument("--keep", help="folder for the files")
+    parser.add_argument("--analyze", action="store_true", help="which choices predict differences without an explanation")
+    arguments = parser.parse_args()
+    arguments.program = str(pathlib.Path(arguments.program).resolve())
+    print("| format | variants | readers | faults of the program | differences of others | explained |\n|---|---:|---|---:|---:|---:|")
+    tables = [compare_format(arguments, name) for name in arguments.format or FORMATS]
+    return 1 if any(table.unexplained for table in tables) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
