@@ -12,6 +12,7 @@ import argparse
 import collections
 import concurrent.futures
 import importlib
+import itertools
 import pathlib
 import random
 import subprocess
@@ -52,12 +53,14 @@ class Variant:
 def make_variants(name, count, folder):
     grammar = importlib.import_module("grammar_" + name)
     rows = pairwise.variants(grammar.CHOICES, count, SEED, grammar.UNIFORM)
-    return [Variant(i, row, grammar, folder) for i, row in enumerate(rows[:count] if count < 100 else rows)]
+    return [Variant(i, row, grammar, folder) for i, row in enumerate(rows)]
 
 
 def kinds_of(variant, found, tolerance):
     if found.get("error"):
-        return ["rejected"]
+        return [] if variant.truth.rejected else ["rejected"]
+    if variant.truth.rejected:
+        return ["not rejected"]
     try:
         return compare.differences(variant.truth, readings.reading_of(found), tolerance)
     except (ValueError, IndexError, TypeError, KeyError) as error:
@@ -67,11 +70,9 @@ def kinds_of(variant, found, tolerance):
 def read_all(worker, variants, tolerance):
     """For each variant the kinds of differences, and the answer if there are some."""
     rows = []
-    for variant in variants:
-        found = worker.read(variant.path)
+    for variant, found in zip(variants, worker.read_all([variant.path for variant in variants])):
         kinds = kinds_of(variant, found, tolerance)
         rows.append((kinds, found if kinds else None))
-    worker.stop()
     return rows
 
 
@@ -80,16 +81,17 @@ class ProgramWorker:
 
     def __init__(self, program, folder):
         self.program, self.folder = program, folder
-        self.reader = workers.worker_of(sys.executable, "vtk")
 
-    def read(self, path):
-        heat = self.folder / "heat.vtp"
+    def read_all(self, paths):
+        heats = [self.folder / (path.stem + ".heat.vtp") for path in paths]
+        errors = [self.run(path, heat) for path, heat in zip(paths, heats)]
+        found = workers.worker_of(sys.executable, "vtk").read_all(heats)
+        return [{"error": error} if error else surface for error, surface in zip(errors, found)]
+
+    def run(self, path, heat):
         words = [self.program, path, self.folder / "out.vtp", "--heatmap", heat, "--target-reduction", "0", "--measure", "off"]
-        done = subprocess.run(list(map(str, words)), stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8", check=False)
-        return self.reader.read(heat) if done.returncode == 0 else {"error": done.stderr}
-
-    def stop(self):
-        self.reader.stop()
+        done = subprocess.run(list(map(str, words)), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, encoding="utf-8", check=False)
+        return done.stderr if done.returncode != 0 else ""
 
 
 def other_readers(arguments, extension):
@@ -141,28 +143,36 @@ def analyze(table, all_results):
     for reader, kind, variant, found in table.unexplained:
         groups[reader, kind].append((variant, found))
     for (reader, kind), members in sorted(groups.items(), key=lambda g: g[0]):
-        print(f"\n{reader}: {kind}, {len(members)} variants; {members[0][0].path.name}: {str(members[0][1].get('error'))[:150]}")
-        failing = {id(v) for v, _ in members}
+        error = str(members[0][1].get("error"))[:150].replace("\n", " ")
+        print(f"\n{reader}: {kind}, {len(members)} variants; {members[0][0].path.name}: {error}")
+        failing = {id(v) for v, kinds in all_results[reader] if kinds[0]}
         left = [v for v, _ in members]
         everything = [v for v, _ in all_results[reader]]
         while left:
-            best = max(
-                ((n, c) for v in left for n, c in v.choices.items()),
-                key=lambda k: score(k, left, everything, failing),
-            )
-            having = [v for v in everything if v.choices[best[0]] == best[1]]
-            covered = [v for v in left if v.choices[best[0]] == best[1]]
-            rate = sum(id(v) in failing for v in having) / len(having)
-            print(f"    {best[0]} = {best[1]}: {len(covered)} of {len(left)} left, {rate:.0%} of those with it; {covered[0].path.name}")
-            if rate < 0.3:
-                break
+            predictors = [(key, covered_by(key, left)) for key in predictors_of(left[0], everything, failing)]
+            key, covered = max(predictors, key=lambda p: (len(p[1]), -len(p[0])), default=(None, left[:1]))
+            print("   ", dict(key) if key else "?", len(covered), covered[0].path.name)
             left = [v for v in left if v not in covered]
 
 
-def score(key, left, everything, failing):
-    having = [v for v in everything if v.choices[key[0]] == key[1]]
-    rate = sum(id(v) in failing for v in having) / len(having)
-    return rate**2 * sum(v.choices[key[0]] == key[1] for v in left) ** 0.5
+def has(variant, key):
+    return all(variant.choices[name] == value for name, value in key)
+
+
+def covered_by(key, variants):
+    return [v for v in variants if has(v, key)]
+
+
+def predictors_of(variant, everything, failing):
+    """Choices, alone or by two, with which every variant differs."""
+    items = list(variant.choices.items())
+    for size in (1, 2):
+        found = [
+            key for key in itertools.combinations(items, size) if all(id(v) in failing for v in everything if has(v, key))
+        ]
+        if found:
+            return found
+    return []
 
 
 def compare_format(arguments, name):

@@ -44,16 +44,27 @@ def all_pairs(choices, seed):
     return rows
 
 
+def one_at_a_time(choices, seed, uniform=()):
+    """Rows with one unusual value; those of names in uniform are any."""
+    generator = random.Random(seed + 2)
+    return [
+        {n: value if n == name else generator.choice(v) if n in uniform else v[0] for n, v in choices.items()}
+        for name, values in choices.items()
+        for value in values
+        for _ in range(3)
+    ]
+
+
 def variants(choices, count, seed, uniform=()):
-    """At least count rows: all pairs first, then random ones.
+    """At least count rows: all pairs first, then one unusual value each, then random ones.
 
     The first value of a choice is the usual one. Most random rows have few others, so that readers which lack one thing are
     compared in the rest; choices named in uniform take any value.
     """
-    rows = all_pairs(choices, seed)
+    rows = all_pairs(choices, seed) + one_at_a_time(choices, seed, uniform)
     generator = random.Random(seed + 1)
     while len(rows) < count:
-        share = generator.choice([0.03, 0.1, 0.2, 0.5, 1.0])
+        share = generator.choice([0.03, 0.06, 0.1, 0.2, 0.5])
         rows.append(
             {
                 name: generator.choice(values) if name in uniform or generator.random() < share else values[0]

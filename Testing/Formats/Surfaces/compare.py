@@ -107,7 +107,8 @@ class Comparison:
         if not self.is_exact:
             size = min(len(expected), len(found))
             return np.allclose(expected[:size], found[:size], rtol=step, atol=step)
-        return tuple(map(float, np.float32(expected))) == tuple(map(float, found))
+        found = tuple(map(float, found))
+        return found == tuple(map(float, expected)) or found == tuple(map(float, np.float32(expected)))
 
     def has_same_corners(self, name):
         expected, found = self.truth.corners.get(name), self.reading.corners.get(name)

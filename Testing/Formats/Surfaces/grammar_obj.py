@@ -47,7 +47,7 @@ class Writer:
         keyword = keyword.upper() if choices["case"] == "upper" else keyword
         line = spaced([keyword, *words], choices["blanks"], pick)
         if goes_on and len(words) > 1:
-            at = pick.randrange(2, len(words) + 1)
+            at = pick.randrange(1, len(words) + (self.choices["last line"] == "with end"))
             first = spaced([keyword, *words[:at]], choices["blanks"], pick).rstrip()
             self.lines.append(first + " \\")
             line = spaced(words[at:], choices["blanks"], pick)

@@ -243,8 +243,8 @@ class Writer:
             for i in range(element.count):
                 words = self.element_words(element, i)
                 if layout == "broken lines":
-                    at = self.generator.randrange(1, len(words)) if len(words) > 1 else 0
-                    lines += [" ".join(words[:at])] * (at > 0) + [" ".join(words[at:])]
+                    at = self.generator.randrange(1, len(words)) if len(words) > 1 else 1
+                    lines += [" ".join(words[:at])] + [" ".join(words[at:])] * (at < len(words))
                 else:
                     lines.append({"several blanks": " \t "}.get(layout, " ").join(words) + (" " if layout == "several blanks" else ""))
                 if layout == "blank lines":
@@ -270,6 +270,8 @@ class Writer:
         mark = b"\xef\xbb\xbf" if self.choices["mark"] == "yes" else b""
         if self.choices["form"] != "ascii":
             return mark + head.encode() + self.binary_body(elements), self.truth
+        if self.choices["layout"] == "broken lines":
+            self.truth.rejected = "an element of text is a line"
         text = end.join(self.text_body(elements))
         return mark + (head + text + ("" if self.choices["last line"] == "without end" else end)).encode(), self.truth
 

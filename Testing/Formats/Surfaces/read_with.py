@@ -21,7 +21,7 @@ def main(name):
     for line in sys.stdin:
         try:
             result = reader(pathlib.Path(line.rstrip("\n")))
-        except Exception as error:  # whatever a reader throws is its rejection
+        except BaseException as error:  # whatever a reader throws is its rejection; that of assimp is no Exception
             result = {"error": type(error).__name__ + ": " + str(error)[:200]}
         out.write(json.dumps(result) + "\n")
         out.flush()

@@ -111,31 +111,35 @@ def make_meshio():
 
 
 def make_assimp():
-    import pyassimp
+    import assimp_py
+
+    def part_of(mesh, transform):
+        points = np.asarray(mesh.vertices, float).reshape(-1, 3) @ transform[:3, :3].T + transform[:3, 3]
+        faces = np.asarray(mesh.indices).reshape(-1, 3)
+        if np.linalg.det(transform[:3, :3]) < 0:
+            faces = faces[:, ::-1]
+        part = {"points": rows(points), "faces": faces.tolist()}
+        if mesh.normals is not None and np.allclose(transform, np.eye(4)):
+            part["normals"] = {"of": "points", "values": rows(np.asarray(mesh.normals).reshape(-1, 3))}
+        if mesh.texcoords:
+            values = np.asarray(mesh.texcoords[0], float).reshape(len(points), -1)
+            part["uv"] = {"of": "points", "values": rows(values[:, :2])}
+        if mesh.colors:
+            values = np.asarray(mesh.colors[0], float).reshape(len(points), -1)
+            part["colors"] = {"of": "points", "values": rows(np.round(values * 255))}
+        return part
 
     def walk(node, transform, scene, parts):
-        transform = transform @ np.asarray(node.transformation)
-        for mesh in node.meshes:
-            points = np.asarray(mesh.vertices) @ transform[:3, :3].T + transform[:3, 3]
-            faces = [list(map(int, face)) for face in mesh.faces if len(face) > 2]
-            if np.linalg.det(transform[:3, :3]) < 0:
-                faces = [face[::-1] for face in faces]
-            part = {"points": rows(points), "faces": faces}
-            if len(mesh.normals) and np.allclose(transform, np.eye(4)):
-                part["normals"] = {"of": "points", "values": rows(mesh.normals)}
-            if len(mesh.texturecoords) and len(mesh.texturecoords[0]) == len(points):
-                part["uv"] = {"of": "points", "values": rows(np.asarray(mesh.texturecoords[0])[:, :2])}
-            if len(mesh.colors) and len(mesh.colors[0]) == len(points):
-                part["colors"] = {"of": "points", "values": rows(np.round(np.asarray(mesh.colors[0]) * 255))}
-            parts.append(part)
+        transform = transform @ np.asarray(node.transformation, float).reshape(4, 4)
+        parts += [part_of(scene.meshes[i], transform) for i in node.mesh_indices]
         for child in node.children:
             walk(child, transform, scene, parts)
 
     def read(path):
-        with pyassimp.load(str(path), processing=0) as scene:
-            parts = []
-            walk(scene.rootnode, np.eye(4), scene, parts)
-            return join(parts)
+        scene = assimp_py.import_file(str(path), assimp_py.Process_Triangulate)
+        parts = []
+        walk(scene.root_node, np.eye(4), scene, parts)
+        return join(parts)
 
     return read
 

@@ -92,8 +92,6 @@ def read(path):
     if extension == "vtk":
         for kind in ("Scalars", "Vectors", "Normals", "Tensors", "ColorScalars", "TCoords", "Fields"):
             getattr(reader, "ReadAll" + kind + "On")()
-    if extension == "ply" and hasattr(reader, "ReadFromInputStreamOff") and hasattr(reader, "SetFaceTextureTolerance"):
-        reader.DuplicatePointsForFaceTextureOff()
     if extension == "stl":
         reader.MergingOff()
     reader.Update()

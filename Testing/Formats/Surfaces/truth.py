@@ -42,6 +42,7 @@ class Truth:
     vertices: list = dataclasses.field(default_factory=list)
     frame: str = ""
     types: dict = dataclasses.field(default_factory=dict)  # of arrays, as VTK names them
+    rejected: str = ""  # why the file breaks its specification
     words: tuple = ()  # options of the program, such as --unit
 
     def of_points(self, name, values):

@@ -1,57 +1,57 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Processes that read files: started again where a reader crashes or hangs."""
+"""Processes that read many files each: started again where a reader crashes or hangs."""
 
 import json
 import pathlib
-import select
 import subprocess
+import tempfile
+import time
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-SECONDS = 60  # for a file; the machine may be busy
+SECONDS = 120  # without an answer: the machine may be busy
+FAILED = {"error": "it crashes or hangs"}
 
 
 class Worker:
+    """Writes a line of JSON for each path of its standard input; the first line, a greeting, says that the reader is there."""
+
     def __init__(self, command, has_greeting=True):
-        self.command, self.has_greeting, self.process = command, has_greeting, None
+        self.command, self.has_greeting = command, has_greeting
 
-    def start(self):
-        """Whether it is there."""
-        self.process = subprocess.Popen(
-            self.command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, encoding="utf-8"
-        )
-        return not self.has_greeting or self.answer(2 * SECONDS) is not None
+    def run(self, paths):
+        """The answers that came before it ended."""
+        with tempfile.TemporaryFile("w+", encoding="utf-8") as questions, tempfile.TemporaryFile("w+", encoding="utf-8") as answers:
+            questions.writelines(f"{path}\n" for path in paths)
+            questions.seek(0)
+            process = subprocess.Popen(self.command, stdin=questions, stdout=answers, stderr=subprocess.DEVNULL)
+            size, since = 0, time.monotonic()
+            while process.poll() is None:
+                time.sleep(0.02)
+                now = answers.seek(0, 2)
+                size, since = (now, time.monotonic()) if now != size else (size, since)
+                if time.monotonic() - since > SECONDS:
+                    process.kill()
+            answers.seek(0)
+            lines = [line for line in answers if line.endswith("\n")]
+            return lines[1:] if self.has_greeting and lines else lines
 
-    def answer(self, seconds=SECONDS):
-        ready, _, _ = select.select([self.process.stdout], [], [], seconds)
-        line = self.process.stdout.readline() if ready else ""
-        return json.loads(line) if line else None
+    def is_there(self):
+        with tempfile.TemporaryFile("w+", encoding="utf-8") as answers:
+            subprocess.run(self.command, stdin=subprocess.DEVNULL, stdout=answers, stderr=subprocess.DEVNULL, check=False)
+            return answers.seek(0, 2) > 0
 
-    def read(self, path):
-        if self.process is None:
-            self.start()
-        try:
-            self.process.stdin.write(str(path) + "\n")
-            self.process.stdin.flush()
-            answer = self.answer()
-        except BrokenPipeError:
-            answer = None
-        if answer is None:
-            self.stop()
-            return {"error": "it crashes or hangs"}
-        return answer
-
-    def stop(self):
-        if self.process is not None:
-            self.process.kill()
-            self.process.communicate()
-            self.process = None
+    def read_all(self, paths):
+        """An answer for each."""
+        answers = []
+        while len(answers) < len(paths):
+            answers += [json.loads(line) for line in self.run(paths[len(answers) :])]
+            if len(answers) < len(paths):
+                answers.append(FAILED)
+        return answers
 
 
 def worker_of(python, reader):
     """None if that Python does not have the reader."""
     worker = Worker([python, "-B", str(FOLDER / "read_with.py"), reader])
-    if worker.start():
-        return worker
-    worker.stop()
-    return None
+    return worker if worker.is_there() else None
